@@ -1,0 +1,13 @@
+// MJCF: the scene for MuJoCo. Fixtures and products are static geoms on the world body, products in a free region are bodies.
+#pragma once
+#include <string>
+
+#include "base/result.h"
+#include "export/export.h"
+
+namespace marketgen {
+
+// The XML text. Geom names are fixture and product ids. Contact parameters: engines.md, "Options that hold a grasp".
+Result<std::string> write_mjcf(const Scene& scene, const ExportOptions& options);
+
+}  // namespace marketgen

@@ -1,0 +1,112 @@
+// Intake: what a person wants, in words (and later drawings and photos), made into a plan.
+//
+// A planner is a plug-in: the offline one here, language models later. All see the same Brief and answer with the same Planned.
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/fields.h"
+#include "base/result.h"
+#include "base/seed.h"
+#include "catalog/catalog.h"
+#include "plan/plan.h"
+
+namespace marketgen {
+
+// Everything that was asked for. Flags beat text.
+struct Brief {
+  std::string prompt;                              // UTF-8, at most 20,000 bytes
+  std::vector<std::string> image_files;            // drawings and photos; no planner here reads them yet
+  std::optional<std::array<int, 2>> size_mm;       // --size
+  std::optional<std::string> profile;              // --profile
+  std::optional<std::string> style;                // --style
+  std::string planner = "offline";                 // --planner
+
+  static constexpr auto fields = field_list(
+      field("prompt", &Brief::prompt, "the words", at_most_bytes(20000)),
+      field("image_files", &Brief::image_files, "drawings and photos"),
+      field("size_mm", &Brief::size_mm, "size given by a flag", range(0, 1e6)),
+      field("profile", &Brief::profile, "profile given by a flag"), field("style", &Brief::style, "style given by a flag"),
+      field("planner", &Brief::planner, "who plans"));
+};
+
+enum class RequirementKind {
+  size, area, zone_present, zone_absent, zone_count, fixture_count, aisle_count, levels, relation, style, profile, material,
+  color, product_present, product_absent, opening, endcaps, height, aisle_width, stock
+};
+constexpr std::array<std::string_view, 20> names_of(RequirementKind) {
+  return {"size", "area", "zone_present", "zone_absent", "zone_count", "fixture_count", "aisle_count", "levels", "relation",
+          "style", "profile", "material", "color", "product_present", "product_absent", "opening", "endcaps", "height",
+          "aisle_width", "stock"};
+}
+
+enum class Comparison { equal, at_least, at_most };
+constexpr std::array<std::string_view, 3> names_of(Comparison) { return {"equal", "at_least", "at_most"}; }
+
+// One atomic wish, in a form that the audit can check on the finished scene without knowing the planner.
+struct Requirement {
+  std::string text;                    // the words it came from
+  IntRange span{0, 0};                 // bytes of the prompt
+  RequirementKind kind = RequirementKind::zone_present;
+  std::string subject;                 // zone type, fixture kind, material part, product word, opening kind, relation "a"
+  std::string object;                  // style, material, colour, profile, relation "b" …
+  std::string second_object;           // relation `between`
+  RelationKind relation = RelationKind::near;
+  Comparison comparison = Comparison::equal;
+  double value = 0, second_value = 0;  // counts, mm, m2, levels; size: width and depth in mm
+  Strength strength = Strength::must;
+
+  static constexpr auto fields = field_list(
+      field("text", &Requirement::text, "the words it came from"), field("span", &Requirement::span, "bytes of the prompt"),
+      field("kind", &Requirement::kind, "what is asked"), field("subject", &Requirement::subject, "of what"),
+      field("object", &Requirement::object, "what it should be or relate to"),
+      field("second_object", &Requirement::second_object, "second reference"),
+      field("relation", &Requirement::relation, "for relations"), field("comparison", &Requirement::comparison, "for numbers"),
+      field("value", &Requirement::value, "number asked for"), field("second_value", &Requirement::second_value, "second number"),
+      field("strength", &Requirement::strength, "must or prefer"));
+};
+
+struct UnparsedWord {
+  std::string text;
+  IntRange span{0, 0};
+
+  static constexpr auto fields = field_list(field("text", &UnparsedWord::text, "words that were not understood"),
+                                            field("span", &UnparsedWord::span, "bytes of the prompt"));
+};
+
+// Two wishes that cannot both hold, and which one won.
+struct Conflict {
+  std::string what, kept, dropped, why;
+
+  static constexpr auto fields = field_list(field("what", &Conflict::what, "value in question"), field("kept", &Conflict::kept, "what holds"),
+                                            field("dropped", &Conflict::dropped, "what was given up"), field("why", &Conflict::why, "reason"));
+};
+
+struct Planned {
+  Plan plan;
+  std::vector<Requirement> requirements;
+  std::vector<UnparsedWord> unparsed;
+  std::vector<Conflict> conflicts;
+  std::vector<std::string> trace;      // what the planner decided, for a person
+};
+
+// Turns a brief into a plan. Implementations must be deterministic for a given seed.
+class Planner {
+ public:
+  virtual ~Planner() = default;
+  virtual Result<Planned> plan(const Brief& brief, const Catalog& catalog, Seed seed) const = 0;
+};
+
+// "offline" now; language models later. Error usage.unavailable or usage.bad_flag for others.
+Result<std::unique_ptr<Planner>> make_planner(std::string_view name);
+
+// Checks the brief (empty, too long, not UTF-8, bad size, unknown profile or style), runs the planner and validates its plan.
+Result<Planned> plan_from_brief(const Brief& brief, const Catalog& catalog, const Planner& planner, Seed seed);
+
+// "24x15m", "24 x 15 m", "40m x 25m", "80x50ft" -> millimetres [width, depth]. Error: brief.bad_size.
+Result<std::array<int, 2>> parse_size(std::string_view text, const std::string& where);
+
+}  // namespace marketgen
