@@ -1,0 +1,42 @@
+# How every translation unit of ours is compiled, and what it is linked with.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)  # clang-tidy and editors read it
+
+# The same bits on every machine, in every build type and for any compiler: one instruction set, and no
+# contraction of a*b+c into one rounding. -ffast-math would break both.
+add_compile_options(-march=x86-64-v3 -ffp-contract=off)
+if(CMAKE_CXX_FLAGS MATCHES "-ffast-math|-Ofast")
+  message(FATAL_ERROR "-ffast-math makes results depend on the compiler; take it out of CMAKE_CXX_FLAGS")
+endif()
+
+# Sign conversions are left out: Eigen, Embree and FlatBuffers mix signed and unsigned sizes in every signature.
+add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+if(MARKETGEN_WERROR)
+  add_compile_options(-Werror)
+endif()
+
+if(MARKETGEN_SANITIZE)
+  list(JOIN MARKETGEN_SANITIZE "," sanitizers)
+  add_compile_options(-fsanitize=${sanitizers} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${sanitizers})
+endif()
+if(MARKETGEN_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    message(FATAL_ERROR "MARKETGEN_FUZZ needs clang's libFuzzer: use `cmake --preset asan`")
+  endif()
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
+
+find_program(MARKETGEN_CCACHE ccache)
+if(MARKETGEN_CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${MARKETGEN_CCACHE}")
+endif()
+
+include(CheckLinkerFlag)
+check_linker_flag(CXX "-fuse-ld=mold" MARKETGEN_HAS_MOLD)
+if(MARKETGEN_HAS_MOLD)
+  add_link_options(-fuse-ld=mold)
+endif()

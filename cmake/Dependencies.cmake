@@ -1,0 +1,55 @@
+# Every outside library, each as one imported target that modules name under LIBRARIES:
+#
+#   MuJoCo::MuJoCo  embree::embree  TBB::tbb  Eigen3::Eigen  Cairo::Pango  Zint::Zint
+#   nlohmann_json::nlohmann_json  flatbuffers::flatbuffers  CLI11::CLI11  fmt::fmt  spdlog::spdlog
+#   TinyGLTF::TinyGLTF  PNG::PNG  utf8proc::utf8proc  OpenSSL::Crypto  xxHash::xxhash
+#   GTest::gtest  GTest::gtest_main  and the program FLATC_EXECUTABLE
+#
+# All come from `tools/setup`: Debian 12 packages, and MuJoCo from PyPI in .venv.
+
+macro(marketgen_find name)
+  find_package(${name} ${ARGN} QUIET)
+  if(NOT ${name}_FOUND)
+    message(FATAL_ERROR "${name} ${ARGN} was not found: run tools/setup")
+  endif()
+endmacro()
+
+# A library that comes with a pkg-config file, as <name>::<name>.
+function(marketgen_find_pkgconfig target)
+  string(REGEX REPLACE "[^A-Za-z0-9]" "_" prefix "${target}")
+  pkg_check_modules(${prefix} QUIET IMPORTED_TARGET GLOBAL ${ARGN})
+  if(NOT ${prefix}_FOUND)
+    message(FATAL_ERROR "${ARGN} was not found by pkg-config: run tools/setup")
+  endif()
+  add_library(${target} ALIAS PkgConfig::${prefix})
+endfunction()
+
+marketgen_find(Threads)
+marketgen_find(TBB)
+marketgen_find(embree 3)
+marketgen_find(Eigen3)
+marketgen_find(nlohmann_json)
+marketgen_find(CLI11)
+marketgen_find(fmt)
+marketgen_find(spdlog)
+marketgen_find(TinyGLTF)
+marketgen_find(PNG)
+marketgen_find(OpenSSL COMPONENTS Crypto)
+marketgen_find(Zint)
+marketgen_find(MuJoCo 4.0.1 EXACT)
+add_library(embree::embree ALIAS embree)
+
+marketgen_find(PkgConfig)
+marketgen_find_pkgconfig(Cairo::Pango cairo pangocairo)
+marketgen_find_pkgconfig(utf8proc::utf8proc libutf8proc)
+marketgen_find_pkgconfig(xxHash::xxhash libxxhash)
+
+find_package(FlatBuffers QUIET CONFIG NAMES FlatBuffers Flatbuffers)
+find_program(FLATC_EXECUTABLE flatc)
+if(NOT TARGET flatbuffers::flatbuffers OR NOT FLATC_EXECUTABLE)
+  message(FATAL_ERROR "FlatBuffers (library and flatc) was not found: run tools/setup")
+endif()
+
+if(MARKETGEN_TESTS)
+  marketgen_find(GTest)
+endif()

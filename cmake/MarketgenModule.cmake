@@ -1,0 +1,81 @@
+# marketgen_module(<name> [DEPENDS module...] [LIBRARIES target...] [TEST_LIBRARIES target...] [FLATBUFFERS schema...])
+#
+# One room of the house: called once, from src/marketgen/<name>/CMakeLists.txt.
+#   DEPENDS         other modules; only from a smaller row of docs/architecture.md (tools/check_layers looks)
+#   LIBRARIES       outside libraries, by the names in cmake/Dependencies.cmake
+#   TEST_LIBRARIES  what only tests/unit/<name> needs: outside libraries, or marketgen_<module>
+#   FLATBUFFERS     .fbs files from the repository root; schemas/scene.fbs is read as "<name>/scene_generated.h"
+#
+# Makes the static library marketgen_<name> of every .cpp in the folder and below (an INTERFACE library when there is none).
+# Includes read `#include "<module>/<header>.h"`.
+include_guard(GLOBAL)
+
+function(marketgen_module name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "DEPENDS;LIBRARIES;TEST_LIBRARIES;FLATBUFFERS")
+  if(arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "marketgen_module(${name}): what is ${arg_UNPARSED_ARGUMENTS}?")
+  endif()
+
+  set(target marketgen_${name})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
+  if(sources)
+    add_library(${target} STATIC ${sources})
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ${MARKETGEN_UNITY})
+    set(visibility PUBLIC)
+  else()
+    add_library(${target} INTERFACE)
+    set(visibility INTERFACE)
+  endif()
+  target_include_directories(${target} ${visibility} "${PROJECT_SOURCE_DIR}/src/marketgen")
+  target_include_directories(${target} SYSTEM ${visibility} "${MARKETGEN_GENERATED_DIR}")
+
+  foreach(dependency IN LISTS arg_DEPENDS)
+    if(TARGET marketgen_${dependency})
+      target_link_libraries(${target} ${visibility} marketgen_${dependency})
+    else()
+      message(WARNING "module ${name} depends on ${dependency}, which has no CMakeLists.txt or stands in a later row")
+    endif()
+  endforeach()
+  target_link_libraries(${target} ${visibility} ${arg_LIBRARIES})
+
+  foreach(schema IN LISTS arg_FLATBUFFERS)
+    marketgen_flatbuffers(${name} "${schema}")
+  endforeach()
+
+  set_property(TARGET ${target} PROPERTY MARKETGEN_TEST_LIBRARIES "${arg_TEST_LIBRARIES}")
+  set_property(GLOBAL APPEND PROPERTY MARKETGEN_BUILT_MODULES ${name})
+endfunction()
+
+# Has flatc write generated/<module>/<schema>_generated.h before the module, and whoever links it, is compiled.
+function(marketgen_flatbuffers module schema)
+  get_filename_component(stem "${schema}" NAME_WE)
+  set(folder "${MARKETGEN_GENERATED_DIR}/${module}")
+  set(header "${folder}/${stem}_generated.h")
+  add_custom_command(OUTPUT "${header}"
+    COMMAND "${FLATC_EXECUTABLE}" --cpp --cpp-std c++17 --scoped-enums -o "${folder}" "${PROJECT_SOURCE_DIR}/${schema}"
+    DEPENDS "${PROJECT_SOURCE_DIR}/${schema}"
+    COMMENT "flatc ${schema}" VERBATIM)
+  add_custom_target(marketgen_${module}_${stem}_fbs DEPENDS "${header}")
+  add_dependencies(marketgen_${module} marketgen_${module}_${stem}_fbs)
+endfunction()
+
+# The library targets of every module in the tree.
+function(marketgen_all_modules out)
+  get_property(modules GLOBAL PROPERTY MARKETGEN_BUILT_MODULES)
+  list(TRANSFORM modules PREPEND marketgen_)
+  set(${out} ${modules} PARENT_SCOPE)
+endfunction()
+
+# Lets an executable find MuJoCo's library: a copy lies in the binary folder, beside the program.
+function(marketgen_bundle_mujoco target)
+  if(NOT TARGET marketgen_mujoco_copy)
+    get_target_property(library MuJoCo::MuJoCo IMPORTED_LOCATION)
+    add_custom_target(marketgen_mujoco_copy
+      COMMAND "${CMAKE_COMMAND}" -E copy_if_different "${library}" "${PROJECT_BINARY_DIR}"
+      COMMENT "Copying MuJoCo beside the program" VERBATIM)
+  endif()
+  add_dependencies(${target} marketgen_mujoco_copy)
+  set_target_properties(${target} PROPERTIES
+    BUILD_WITH_INSTALL_RPATH ON
+    INSTALL_RPATH "$ORIGIN;$ORIGIN/../lib;$ORIGIN/..")
+endfunction()

@@ -1,0 +1,300 @@
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "base/parallel.h"
+#include "scene/assortment.h"
+#include "scene/placements.h"
+#include "scene/planogram.h"
+#include "scene/scene.h"
+#include "scene/shelf_fill.h"
+
+namespace marketgen {
+namespace {
+
+FixtureShape shape_of(const Fixture& fixture, const FixtureKind& kind, const Look& look) {
+  return {.generator = kind.generator, .width_mm = fixture.width_mm, .depth_mm = fixture.depth_mm, .height_mm = fixture.height_mm,
+          .levels = fixture.levels, .base_mm = fixture.base_mm, .spacing_mm = fixture.spacing_mm, .sides = fixture.sides,
+          .start = fixture.run_start, .end = fixture.run_end, .material = fixture.material, .color = fixture.color,
+          .accent = look.accent};
+}
+
+auto key_of(const FixtureShape& s) {
+  return std::tuple(s.generator, s.width_mm, s.depth_mm, s.height_mm, s.levels, s.base_mm, s.spacing_mm, s.sides, s.start, s.end,
+                    s.material, s.color, s.accent);
+}
+
+std::array<float, 3> as_array(Vec3 v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
+std::array<float, 3> as_array(Vec3f v) { return {v.x, v.y, v.z}; }
+std::array<float, 4> as_array(const Quaternion& q) {
+  return {static_cast<float>(q.w), static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z)};
+}
+
+// Models of every module; equal shapes are built once.
+class FixtureModels {
+ public:
+  static Result<FixtureModels> build(const Layout& layout, const Catalog& catalog) {
+    FixtureModels models;
+    std::map<decltype(key_of(FixtureShape{})), std::size_t> known;
+    std::vector<FixtureShape> shapes;
+    for (const Fixture& fixture : layout.fixtures) {
+      const FixtureKind* kind = catalog.fixture_kind(fixture.kind);
+      if (kind == nullptr) return Error{"catalog.unknown_kind", "layout:" + fixture.id, "no fixture kind \"" + fixture.kind + "\""};
+      const FixtureShape shape = shape_of(fixture, *kind, layout.look);
+      const auto [entry, is_new] = known.try_emplace(key_of(shape), shapes.size());
+      if (is_new) shapes.push_back(shape);
+      models.model_of_fixture_.push_back(entry->second);
+    }
+    for (const FixtureShape& shape : shapes) {
+      MARKETGEN_TRY(FixtureModel model, make_fixture_model(shape, catalog));
+      models.models_.push_back(std::move(model));
+    }
+    return models;
+  }
+
+  const FixtureModel& of(std::size_t fixture) const { return models_[model_of_fixture_[fixture]]; }
+
+ private:
+  std::vector<FixtureModel> models_;
+  std::vector<std::size_t> model_of_fixture_;
+};
+
+// Index of a material in scene.materials, adding it when it is new. -1 for none.
+std::int32_t material_row(Scene& scene, const std::string& id, const Catalog& catalog) {
+  const MaterialRow* row = id.empty() ? nullptr : catalog.material(id);
+  if (row == nullptr) return -1;
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    if (scene.materials[i].id == id) return static_cast<std::int32_t>(i);
+  }
+  scene.materials.push_back(*row);
+  return static_cast<std::int32_t>(scene.materials.size() - 1);
+}
+
+void add_part(Scene& scene, std::uint32_t fixture, const FixturePart& part, const Catalog& catalog) {
+  ScenePart row;
+  row.fixture = fixture;
+  row.unit = part.unit;
+  row.shape = part.shape;
+  row.kind = part.surface.kind;
+  row.position_m = as_array(part.fixture_from_part.position);
+  row.rotation_wxyz = as_array(part.fixture_from_part.rotation);
+  row.half_size_m = as_array(part.half_size);
+  row.color = as_array(part.surface.color);
+  row.roughness = part.surface.roughness;
+  row.metallic = part.surface.metallic;
+  row.material = material_row(scene, part.surface.texture, catalog);
+  scene.parts.push_back(row);
+}
+
+void add_shelf(Scene& scene, std::uint32_t fixture, const ShelfSurface& shelf) {
+  SceneShelf row;
+  row.fixture = fixture;
+  row.level = shelf.level;
+  row.side = shelf.side;
+  row.use = shelf.use;
+  row.position_m = as_array(shelf.fixture_from_shelf.position);
+  row.rotation_wxyz = as_array(shelf.fixture_from_shelf.rotation);
+  row.width_m = static_cast<float>(shelf.width_m);
+  row.depth_m = static_cast<float>(shelf.depth_m);
+  row.clearance_m = static_cast<float>(shelf.clearance_m);
+  row.price_rail = shelf.price_rail ? 1 : 0;
+  scene.shelves.push_back(row);
+}
+
+void add_fixture(Scene& scene, const Fixture& fixture, const FixtureModel& model, const Catalog& catalog) {
+  const auto index = static_cast<std::uint32_t>(scene.fixtures.size());
+  SceneFixture row;
+  row.first_part = static_cast<std::uint32_t>(scene.parts.size());
+  row.part_count = static_cast<std::uint32_t>(model.parts.size());
+  row.first_shelf = static_cast<std::uint32_t>(scene.shelves.size());
+  row.shelf_count = static_cast<std::uint32_t>(model.shelves.size());
+  row.position_m = as_array(Vec3{fixture.x_mm * 1e-3, fixture.y_mm * 1e-3, 0});
+  row.quarter_turns = fixture.yaw_deg / 90;
+  for (const FixturePart& part : model.parts) add_part(scene, index, part, catalog);
+  for (const ShelfSurface& shelf : model.shelves) add_shelf(scene, index, shelf);
+  scene.fixtures.push_back(row);
+}
+
+// One side of one module, with its shelves from the lowest up.
+struct BayRef {
+  std::string zone, run;
+  int side = 0;
+  int along = 0;                        // place along the run, left to right for a shopper
+  std::uint32_t fixture = 0;
+  std::vector<std::uint32_t> shelves;   // rows of scene.shelves
+  Bay bay;
+  std::vector<PlannedShelf> plan;
+};
+
+// Position of a module along its run as a shopper before this side sees it.
+int place_along(const Fixture& fixture, int side) {
+  const int turns = (fixture.yaw_deg / 90 + 2 * side) % 4;
+  switch (turns) {
+    case 0: return fixture.x_mm;
+    case 1: return fixture.y_mm;
+    case 2: return -fixture.x_mm;
+    default: return -fixture.y_mm;
+  }
+}
+
+bool shows_promotions(const Fixture& fixture) {
+  return !fixture.endcap_of.empty() || fixture.kind == "bin" || fixture.kind == "pallet";
+}
+
+std::vector<BayRef> bays_of(const Scene& scene) {
+  std::vector<BayRef> bays;
+  for (std::uint32_t f = 0; f < scene.fixtures.size(); ++f) {
+    const Fixture& fixture = scene.layout.fixtures[f];
+    const SceneFixture& row = scene.fixtures[f];
+    for (int side = 0; side < 2; ++side) {
+      BayRef ref{fixture.zone, fixture.run, side, place_along(fixture, side), f, {}, {}, {}};
+      ref.bay.promotion = shows_promotions(fixture);
+      for (std::uint32_t s = row.first_shelf; s < row.first_shelf + row.shelf_count; ++s) {
+        const SceneShelf& shelf = scene.shelves[s];
+        if (shelf.side != side) continue;
+        ref.shelves.push_back(s);
+        ref.bay.shelves.push_back({shelf.width_m, shelf.depth_m, shelf.clearance_m, shelf.use});
+      }
+      if (!ref.shelves.empty()) bays.push_back(std::move(ref));
+    }
+  }
+  std::sort(bays.begin(), bays.end(), [](const BayRef& a, const BayRef& b) {
+    return std::tie(a.zone, a.run, a.side, a.along, a.fixture) < std::tie(b.zone, b.run, b.side, b.along, b.fixture);
+  });
+  return bays;
+}
+
+// Slices of the assortment run on from bay to bay, separately for each zone and temperature.
+void plan_bays(std::vector<BayRef>& bays, const Scene& scene, const Plan& plan, const Catalog& catalog, Seed seed) {
+  struct Stock {
+    std::vector<std::uint32_t> assortment;
+    AssortmentCursor cursor;
+  };
+  std::map<std::pair<std::string, Storage>, Stock> stocks;
+  const Zone fallback;
+  for (BayRef& ref : bays) {
+    const Fixture& fixture = scene.layout.fixtures[ref.fixture];
+    const Zone* found = find_zone(plan, ref.zone);
+    const Zone& zone = found != nullptr ? *found : fallback;
+    const FixtureKind* kind = catalog.fixture_kind(fixture.kind);
+    const Storage temperature = kind != nullptr ? kind->temperature : Storage::ambient;
+    const auto [entry, is_new] = stocks.try_emplace({ref.zone, temperature});
+    if (is_new) entry->second.assortment = assortment_of(zone, temperature, catalog);
+    const Seed bay_seed = seed.child("bay", fixture.id).child("side", static_cast<std::uint64_t>(ref.side));
+    ref.plan = plan_bay(ref.bay, entry->second.assortment, zone.stock, catalog, entry->second.cursor, bay_seed.stream());
+  }
+}
+
+using FilledBay = std::vector<std::vector<FilledBlock>>;   // per shelf
+
+std::vector<FilledBay> fill_bays(const std::vector<BayRef>& bays, const Scene& scene, const Plan& plan, const Catalog& catalog, Seed seed) {
+  const Zone fallback;
+  return parallel_map(bays.size(), [&](std::size_t i) {
+    const BayRef& ref = bays[i];
+    const Zone* found = find_zone(plan, ref.zone);
+    const StockSpec& stock = (found != nullptr ? *found : fallback).stock;
+    const std::string& fixture = scene.layout.fixtures[ref.fixture].id;
+    FilledBay filled;
+    for (std::size_t s = 0; s < ref.shelves.size(); ++s) {
+      const Seed shelf_seed = seed.child("shelf_fill", fixture).child("shelf", ref.shelves[s] - scene.fixtures[ref.fixture].first_shelf);
+      filled.push_back(fill_shelf(ref.plan[s], ref.bay.shelves[s], stock, catalog, shelf_seed.stream()));
+    }
+    return filled;
+  });
+}
+
+constexpr double promotion_share = 0.08;      // of price labels are yellow
+constexpr double label_width_m = 0.07, label_height_m = 0.038, smallest_label_m = 0.03;
+
+void add_price_label(Scene& scene, std::uint32_t shelf, const FilledBlock& block, const Product& product, Stream draw) {
+  PriceLabel label;
+  label.shelf = shelf;
+  label.sku = block.product;
+  label.facing = static_cast<std::uint32_t>(scene.facings.size());
+  label.width_m = static_cast<float>(std::clamp(block.width_m - 0.004, smallest_label_m, label_width_m));
+  label.height_m = static_cast<float>(label_height_m);
+  label.x_m = static_cast<float>(block.x_m + block.width_m / 2);
+  label.promotion = draw.chance(promotion_share) ? 1 : 0;
+  label.price_cents = static_cast<std::uint32_t>(product.price * 100 + 0.5);
+  scene.price_labels.push_back(label);
+}
+
+// Appends a block; SKU columns hold rows of the whole catalogue until compact_catalog.
+void add_block(Scene& scene, std::uint32_t shelf, std::uint16_t position, const FilledBlock& block, const Pose& world_from_shelf,
+               const Catalog& catalog, Seed seed) {
+  const Product& product = catalog.products[block.product];
+  if (scene.shelves[shelf].price_rail != 0) {
+    add_price_label(scene, shelf, block, product, seed.child("price_label", position).stream());
+  }
+  Facing row;
+  row.shelf = shelf;
+  row.sku = block.product;
+  row.x_m = static_cast<float>(block.x_m);
+  row.width_m = static_cast<float>(block.width_m);
+  row.facings = static_cast<std::uint16_t>(block.facings);
+  row.rows_deep = static_cast<std::uint16_t>(block.rows_deep);
+  row.stack = static_cast<std::uint16_t>(block.stack);
+  row.position = position;
+  row.first_product = static_cast<std::uint32_t>(scene.products.size());
+  row.product_count = static_cast<std::uint32_t>(block.items.size());
+  for (const ShelfItem& item : block.items) {
+    const Pose world_from_item = world_from_shelf * Pose{item.position, item.rotation};
+    scene.products.push_back({item.product, static_cast<std::uint32_t>(scene.facings.size()), as_array(world_from_item.position),
+                              as_array(world_from_item.rotation), item.flags});
+  }
+  scene.facings.push_back(row);
+}
+
+void add_stock(Scene& scene, const std::vector<BayRef>& bays, const std::vector<FilledBay>& filled, const Catalog& catalog, Seed seed) {
+  // Rows follow the shelves' order, not the zones': an edit in one zone then moves no other zone's rows relative to its shelf.
+  std::vector<const std::vector<FilledBlock>*> by_shelf(scene.shelves.size(), nullptr);
+  for (std::size_t b = 0; b < bays.size(); ++b) {
+    for (std::size_t s = 0; s < bays[b].shelves.size(); ++s) by_shelf[bays[b].shelves[s]] = &filled[b][s];
+  }
+  for (std::uint32_t shelf = 0; shelf < by_shelf.size(); ++shelf) {
+    if (by_shelf[shelf] == nullptr) continue;
+    const Pose pose = world_from_shelf(scene, shelf);
+    const Seed shelf_seed = seed.child("prices", scene.layout.fixtures[scene.shelves[shelf].fixture].id).child("shelf", shelf - scene.fixtures[scene.shelves[shelf].fixture].first_shelf);
+    std::uint16_t position = 0;
+    for (const FilledBlock& block : *by_shelf[shelf]) add_block(scene, shelf, position++, block, pose, catalog, shelf_seed);
+  }
+}
+
+// Keeps the products that occur, sorted by SKU, and renumbers every reference.
+void compact_catalog(Scene& scene, const Catalog& catalog) {
+  std::vector<std::uint8_t> used(catalog.products.size(), 0);
+  for (const Facing& f : scene.facings) used[f.sku] = 1;
+  for (const SceneProduct& p : scene.products) used[p.sku] = 1;
+  std::vector<std::uint32_t> row_of(catalog.products.size(), 0);
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (used[i] == 0) continue;
+    row_of[i] = static_cast<std::uint32_t>(scene.catalog.size());
+    scene.catalog.push_back(catalog.products[i]);
+  }
+  for (Facing& f : scene.facings) f.sku = row_of[f.sku];
+  for (SceneProduct& p : scene.products) p.sku = row_of[p.sku];
+  for (PriceLabel& l : scene.price_labels) l.sku = row_of[l.sku];
+}
+
+}  // namespace
+
+Result<Scene> build_scene(const Layout& layout, const Plan& plan, const Catalog& catalog, Seed seed) {
+  Scene scene;
+  scene.seed = seed.value();
+  scene.layout = layout;
+  for (const std::string* id : {&layout.look.floor, &layout.look.wall, &layout.look.ceiling, &layout.look.fixture}) {
+    material_row(scene, *id, catalog);
+  }
+  MARKETGEN_TRY(const FixtureModels models, FixtureModels::build(layout, catalog));
+  for (std::size_t f = 0; f < layout.fixtures.size(); ++f) add_fixture(scene, layout.fixtures[f], models.of(f), catalog);
+
+  std::vector<BayRef> bays = bays_of(scene);
+  plan_bays(bays, scene, plan, catalog, seed);
+  add_stock(scene, bays, fill_bays(bays, scene, plan, catalog, seed), catalog, seed);
+  misplace_items(scene, plan, catalog, seed);
+  MARKETGEN_CHECK(add_placements(scene, plan, catalog));
+  compact_catalog(scene, catalog);
+  return scene;
+}
+
+}  // namespace marketgen

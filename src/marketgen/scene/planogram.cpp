@@ -1,0 +1,180 @@
+#include "scene/planogram.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace marketgen {
+namespace {
+
+double pitch_of(const Product& product) { return product.width_m() + pack_gap_m; }
+
+bool fits(const Product& product, const ShelfRoom& room) {
+  return stack_height(product, room) > 0 && product.depth_m() <= room.depth_m && pitch_of(product) <= room.width_m;
+}
+
+// What a shopper should not have to lift high: mass first, then bulk.
+double heaviness(const Product& product) {
+  return product.mass_kg + 4.0 * product.width_m() * product.height_m();
+}
+
+// One bay while it is being planned. Products are named by their place in the assortment.
+class BayPlan {
+ public:
+  BayPlan(const Bay& bay, const std::vector<std::uint32_t>& assortment, const StockSpec& stock, const Catalog& catalog, Stream draw)
+      : bay_(bay), assortment_(assortment), stock_(stock), catalog_(catalog), draw_(draw) {
+    for (const ShelfRoom& room : bay.shelves) free_m_.push_back(room.width_m * stock.fill);
+    blocks_.resize(bay.shelves.size());
+  }
+
+  std::vector<PlannedShelf> plan(AssortmentCursor& cursor) {
+    place(take_slice(cursor));
+    for (std::size_t level = 0; level < bay_.shelves.size(); ++level) top_up(level);
+    return ordered();
+  }
+
+ private:
+  struct Block {
+    std::size_t place;         // in the assortment
+    int facings;
+  };
+
+  const Product& product(std::size_t place) const { return catalog_.products[assortment_[place]]; }
+
+  int wanted_facings() {
+    if (bay_.promotion) return most_facings;
+    return draw_.integer(stock_.facings[0], std::max(stock_.facings[0], stock_.facings[1]));
+  }
+
+  bool fits_somewhere(const Product& p) const {
+    return std::any_of(bay_.shelves.begin(), bay_.shelves.end(), [&](const ShelfRoom& room) { return fits(p, room); });
+  }
+
+  // The next products of the assortment, until their blocks fill the bay.
+  std::vector<Block> take_slice(AssortmentCursor& cursor) {
+    double capacity = 0;
+    for (const double width : free_m_) capacity += width;
+    std::vector<Block> slice;
+    double taken = 0;
+    std::size_t looked = 0;
+    for (; looked < assortment_.size() && taken < capacity; ++looked) {
+      const std::size_t place = (cursor.next + looked) % assortment_.size();
+      if (!fits_somewhere(product(place))) continue;
+      slice.push_back({place, wanted_facings()});
+      taken += slice.back().facings * pitch_of(product(place));
+    }
+    cursor.next = (cursor.next + looked) % assortment_.size();
+    return slice;
+  }
+
+  // Heaviest first, each on the lowest level that still has room; a block too wide for any level is narrowed.
+  void place(std::vector<Block> slice) {
+    std::stable_sort(slice.begin(), slice.end(), [&](const Block& a, const Block& b) {
+      return heaviness(product(a.place)) > heaviness(product(b.place));
+    });
+    for (Block block : slice) {
+      while (block.facings > 0 && !put_lowest(block)) --block.facings;
+    }
+  }
+
+  bool put_lowest(const Block& block) {
+    const Product& p = product(block.place);
+    for (std::size_t level = 0; level < free_m_.size(); ++level) {
+      const double width = block.facings * pitch_of(p);
+      if (width > free_m_[level] || !fits(p, bay_.shelves[level])) continue;
+      blocks_[level].push_back(block);
+      free_m_[level] -= width;
+      return true;
+    }
+    return false;
+  }
+
+  // Uses what is left of a level: more facings of the narrowest blocks first, then other products that fit, then blocks of the
+  // same products again.
+  void top_up(std::size_t level) {
+    while (widen(level, std::max(stock_.facings[1], 2))) {}
+    while (add_other(level)) {}
+    while (widen(level, most_facings)) {}
+    while (add_again(level)) {}
+  }
+
+  bool widen(std::size_t level, int limit) {
+    Block* best = nullptr;
+    for (Block& block : blocks_[level]) {
+      if (block.facings >= limit || pitch_of(product(block.place)) > free_m_[level]) continue;
+      if (best == nullptr || block.facings < best->facings) best = &block;
+    }
+    if (best == nullptr) return false;
+    ++best->facings;
+    free_m_[level] -= pitch_of(product(best->place));
+    return true;
+  }
+
+  bool stands_on(std::size_t level, std::size_t place) const {
+    return std::any_of(blocks_[level].begin(), blocks_[level].end(), [&](const Block& b) { return b.place == place; });
+  }
+
+  bool add_other(std::size_t level) {
+    if (assortment_.empty() || (bay_.promotion && !blocks_[level].empty())) return false;
+    const auto start = static_cast<std::size_t>(draw_.integer(0, static_cast<int>(assortment_.size()) - 1));
+    for (std::size_t i = 0; i < assortment_.size(); ++i) {
+      const std::size_t place = (start + i) % assortment_.size();
+      const Product& p = product(place);
+      if (pitch_of(p) > free_m_[level] || !fits(p, bay_.shelves[level]) || stands_on(level, place)) continue;
+      const int room = static_cast<int>(free_m_[level] / pitch_of(p));
+      const Block block{place, std::clamp(wanted_facings(), 1, room)};
+      blocks_[level].push_back(block);
+      free_m_[level] -= block.facings * pitch_of(p);
+      return true;
+    }
+    return false;
+  }
+
+  bool add_again(std::size_t level) {
+    const std::size_t before = blocks_[level].size();
+    for (std::size_t i = 0; i < before; ++i) {
+      const Block again{blocks_[level][i].place,
+                        std::min(most_facings, static_cast<int>(free_m_[level] / pitch_of(product(blocks_[level][i].place))))};
+      if (again.facings < 1) continue;
+      blocks_[level].push_back(again);
+      free_m_[level] -= again.facings * pitch_of(product(again.place));
+      return true;
+    }
+    return false;
+  }
+
+  std::vector<PlannedShelf> ordered() {
+    std::vector<PlannedShelf> shelves;
+    for (std::vector<Block>& level : blocks_) {
+      std::stable_sort(level.begin(), level.end(), [](const Block& a, const Block& b) { return a.place < b.place; });
+      PlannedShelf shelf;
+      for (const Block& block : level) shelf.push_back({assortment_[block.place], block.facings});
+      shelves.push_back(std::move(shelf));
+    }
+    return shelves;
+  }
+
+  const Bay& bay_;
+  const std::vector<std::uint32_t>& assortment_;
+  const StockSpec& stock_;
+  const Catalog& catalog_;
+  Stream draw_;
+  std::vector<double> free_m_;               // per level
+  std::vector<std::vector<Block>> blocks_;   // per level
+};
+
+}  // namespace
+
+int stack_height(const Product& product, const ShelfRoom& room) {
+  const double usable = room.clearance_m - finger_room_m;
+  if (product.height_m() > usable) return 0;
+  return std::min(product.stack_max, static_cast<int>(usable / product.height_m()));
+}
+
+std::vector<PlannedShelf> plan_bay(const Bay& bay, const std::vector<std::uint32_t>& assortment, const StockSpec& stock,
+                                   const Catalog& catalog, AssortmentCursor& cursor, Stream draw) {
+  if (assortment.empty()) return std::vector<PlannedShelf>(bay.shelves.size());
+  return BayPlan(bay, assortment, stock, catalog, draw).plan(cursor);
+}
+
+}  // namespace marketgen
