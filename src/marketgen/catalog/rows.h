@@ -124,7 +124,7 @@ struct StyleRow {
   std::string name;
   std::string floor = "terrazzo-white";
   std::string wall = "plaster-white";
-  std::string ceiling = "tile-white";
+  std::string ceiling = "ceiling-grid-white";
   std::string fixture = "metal-white";
   std::string fixture_color = "#f2f2f0";
   std::string accent = "#2e7d32";

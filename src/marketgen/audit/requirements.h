@@ -1,0 +1,16 @@
+// Do the wishes hold? Each kind of requirement is measured on the finished scene; the plan is not looked at.
+#pragma once
+#include <vector>
+
+#include "audit/audit.h"
+#include "catalog/catalog.h"
+#include "intake/brief.h"
+#include "scene/scene.h"
+
+namespace marketgen {
+
+// One result per requirement, in order. `why` says what was measured.
+std::vector<RequirementResult> check_requirements(const Scene& scene, const Catalog& catalog,
+                                                  const std::vector<Requirement>& requirements);
+
+}  // namespace marketgen
