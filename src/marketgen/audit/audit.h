@@ -60,6 +60,7 @@ struct Audit {
 };
 
 // Deterministic; does not need the plan. Scene rules are the rows of scene_rules.inc.
-Audit audit_store(const Scene& scene, const Catalog& catalog, const std::vector<Requirement>& requirements);
+// Errors: assets.bad_row, physics.failed.
+Result<Audit> audit_store(const Scene& scene, const Catalog& catalog, const std::vector<Requirement>& requirements);
 
 }  // namespace marketgen

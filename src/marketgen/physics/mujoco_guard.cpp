@@ -15,7 +15,7 @@ thread_local char failure[sizeof(mjLogMessage::subject)];
 void on_message(const mjLogMessage* message) {
   if (message->level != mjLOG_ERROR) return log_debug(std::string("MuJoCo: ") + message->subject);
   if (recovery == nullptr) fatal(message->subject);
-  std::strncpy(failure, message->subject, sizeof failure - 1);
+  std::memcpy(failure, message->subject, sizeof failure);
   std::longjmp(*recovery, 1);  // NOLINT(modernize-avoid-setjmp-longjmp): MuJoCo's documented way
 }
 

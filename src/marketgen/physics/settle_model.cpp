@@ -47,6 +47,7 @@ mjsGeom* add_shape(mjsBody* body, const ContactShape& shape) {
   std::copy(size, size + 3, geom->size);
   set_pose(geom->pos, geom->quat, shape.pose);
   geom->friction[0] = still_friction;
+  geom->solref[0] = contact_time_s;
   return geom;
 }
 
@@ -56,7 +57,6 @@ void set_goods_contact(mjsGeom* geom, const Product& product, CollisionShape sha
   geom->friction[1] = torsional_friction_m;
   geom->friction[2] = rolls ? rolling_friction_m : geom->friction[2];
   geom->condim = rolls ? loose_contact_dimensions : contact_dimensions;
-  geom->solref[0] = contact_time_s;
 }
 
 bool hangs(const Scene& scene, const SceneProduct& item) {
@@ -74,6 +74,7 @@ class Builder {
     option.integrator = mjINT_IMPLICITFAST;
     option.cone = mjCONE_ELLIPTIC;
     option.impratio = friction_impedance_ratio;
+    option.noslip_iterations = noslip_iterations;
     spec_->memory = memory_base_bytes + memory_per_body_bytes * static_cast<mjtSize>(bodies);
   }
 
@@ -82,6 +83,7 @@ class Builder {
     floor->type = mjGEOM_PLANE;
     floor->size[2] = 1;
     floor->friction[0] = still_friction;
+    floor->solref[0] = contact_time_s;
     for (const ShellPiece& piece : shell_pieces(scene_.layout.shell)) {
       add_if_near({CollisionShape::box, piece.pose, piece.half_size}, extent);
     }
@@ -124,7 +126,8 @@ class Builder {
     hook->type = mjEQ_CONNECT;
     hook->objtype = mjOBJ_BODY;
     mjs_setString(hook->name1, name.c_str());
-    hook->data[2] = height_m;
+    const double anchor[3] = {0, 0, height_m};   // in the body's frame; MuJoCo's defaults are those of a joint coupling
+    std::copy(anchor, anchor + 3, hook->data);
   }
 
   const Scene& scene_;

@@ -38,7 +38,13 @@ WallLine wall_line(const PolygonMm& outline, std::size_t i) {
           turns_left(outline, (i + 1) % outline.size())};
 }
 
-Hole hole_of(const Doorway& door, const Opening& opening, const WallLine& wall, const Floor& floor) {
+double top_of(OpeningKind kind, double ceiling_m) {
+  const bool shop_door = kind == OpeningKind::entrance || kind == OpeningKind::exit;
+  const double usual = kind == OpeningKind::window ? window_top_m : shop_door ? door_height_m : service_door_height_m;
+  return std::min(usual, ceiling_m - least_lintel_m);
+}
+
+Hole hole_of(const Doorway& door, const Opening& opening, const WallLine& wall, const Floor& floor, double ceiling_m) {
   const Span span = door.span;
   const double line = coordinate(floor.bounds, door.wall) * 1e-3;
   const bool along_x = lies_along_x(door.wall);
@@ -46,9 +52,9 @@ Hole hole_of(const Doorway& door, const Opening& opening, const WallLine& wall, 
     const Vec3 point = along_x ? Vec3{at * 1e-3, line, 0} : Vec3{line, at * 1e-3, 0};
     return dot(point - wall.start, wall.along);
   };
-  const auto [from, to] = std::minmax(place(span.from), place(span.to));
-  const bool window = opening.kind == OpeningKind::window;
-  return {from, to, window ? window_sill_m : 0.0, window ? window_top_m : door_height_m, &opening};
+  const auto [from, to] = std::minmax({place(span.from), place(span.to)});
+  const double bottom = opening.kind == OpeningKind::window ? window_sill_m : 0.0;
+  return {from, to, bottom, top_of(opening.kind, ceiling_m), &opening};
 }
 
 // Openings in this wall, from its start to its end. An opening belongs to the part of the bounding box's side it lies on.
@@ -59,7 +65,7 @@ std::vector<Hole> holes_in(const WallLine& wall, const Floor& floor, const Shell
     const Vec3 offset = threshold - wall.start;
     const double along = dot(offset, wall.along), beside = dot(offset, wall.outward);
     if (std::abs(beside) > 1e-3 || along < 0 || along > wall.length) continue;
-    holes.push_back(hole_of(door, shell.openings[door.opening], wall, floor));
+    holes.push_back(hole_of(door, shell.openings[door.opening], wall, floor, shell.ceiling_mm * 1e-3));
   }
   std::ranges::sort(holes, {}, &Hole::from);
   return holes;
@@ -87,17 +93,16 @@ void add_wall(std::vector<ShellPiece>& pieces, const WallLine& wall, const std::
   for (const Hole& hole : holes) {
     add(from, hole.from, 0, ceiling_m);
     add(hole.from, hole.to, 0, hole.bottom);
-    add(hole.from, hole.to, std::min(hole.top, ceiling_m), ceiling_m);
+    add(hole.from, hole.to, hole.top, ceiling_m);
     from = hole.to;
   }
   add(from, wall.length + (wall.ends_at_outer_corner ? wall_thickness_m : 0), 0, ceiling_m);
 }
 
-void add_closures(std::vector<ShellPiece>& pieces, const WallLine& wall, const std::vector<Hole>& holes, double ceiling_m) {
-  for (Hole hole : holes) {
+void add_closures(std::vector<ShellPiece>& pieces, const WallLine& wall, const std::vector<Hole>& holes) {
+  for (const Hole& hole : holes) {
     const OpeningKind kind = hole.opening->kind;
     if (kind == OpeningKind::entrance || kind == OpeningKind::exit) continue;
-    hole.top = std::min(hole.top, ceiling_m);
     const bool window = kind == OpeningKind::window;
     pieces.push_back(piece(wall, fmt::format("{}/{}", window ? "pane" : "door", hole.opening->id),
                            window ? ShellPieceKind::pane : ShellPieceKind::door, hole, door_leaf_m));
@@ -114,7 +119,7 @@ std::vector<ShellPiece> shell_pieces(const Shell& shell) {
     const WallLine wall = wall_line(floor.outline, i);
     const std::vector<Hole> holes = holes_in(wall, floor, shell);
     add_wall(pieces, wall, holes, ceiling_m);
-    add_closures(pieces, wall, holes, ceiling_m);
+    add_closures(pieces, wall, holes);
   }
   for (std::size_t i = 0; i < floor.columns.size(); ++i) {
     const RectMm& c = floor.columns[i];

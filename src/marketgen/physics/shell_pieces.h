@@ -2,7 +2,9 @@
 //
 // Store frame, metres. Walls stand outside the floor's outline, so their inner faces lie on it.
 #pragma once
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "geometry/pose.h"
@@ -21,8 +23,10 @@ struct ShellPiece {
 };
 
 constexpr double wall_thickness_m = 0.2;
-constexpr double door_height_m = 2.4;                            // automatic sliding doors of shops: 2.2-2.5 m
-constexpr double window_sill_m = 0.9, window_top_m = 2.4;
+// Clear heights, as in the pictures of the store: automatic sliding doors of shops 2.2-2.5 m.
+constexpr double door_height_m = 2.3, service_door_height_m = 2.1;
+constexpr double window_sill_m = 0.9, window_top_m = 2.5;
+constexpr double least_lintel_m = 0.25;                          // openings end this far below the ceiling
 constexpr double door_leaf_m = 0.05;                             // also of a pane with its frame
 
 // Entrances and exits stand open; service and emergency doors are shut; windows have a pane.

@@ -52,4 +52,7 @@ class Renderer {
 Image draw_instances(const Frame& frame, int width, int height);
 Image draw_normals(const Frame& frame, int width, int height);
 
+// The Embree version in use, "3.13.5".
+std::string renderer_version();
+
 }  // namespace marketgen

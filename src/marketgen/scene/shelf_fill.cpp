@@ -13,6 +13,7 @@ constexpr double block_gap_limit_m = 0.020;  // between blocks, when a shelf is 
 constexpr double most_yaw_tangent = 0.035;   // tan(half angle): 4 degrees either way
 constexpr double pushed_back_m = 0.012;      // a column's front item stands up to this far behind the edge
 constexpr double shopped_share = 0.12;       // of columns have lost their front item, at jitter 1
+constexpr double sold_depth_share = 0.5;     // a column has sold up to this share of its rows; the rest was pulled forward
 
 bool is_round(const Product& product) {
   static constexpr std::string_view round[] = {"can", "food_tin", "soda_bottle", "water_bottle", "wine_bottle", "beer_bottle",
@@ -39,6 +40,11 @@ int rows_that_fit(const Product& product, const ShelfRoom& room, double depth_fi
   return std::max(1, static_cast<int>(static_cast<double>(most) * depth_fill + 0.5));
 }
 
+// Rows that a column still has: those at the back are sold first, because staff pull the goods forward.
+int rows_left(int rows, Stream& draw) {
+  return std::max(1, static_cast<int>(static_cast<double>(rows) * (1 - sold_depth_share * draw.uniform()) + 0.5));
+}
+
 Quaternion turned(Stream& draw, double limit) { return rotation_from_half_tangent({0, 0, 1}, draw.uniform(-limit, limit)); }
 
 // One column of a facing block: rows from front to back, each a stack.
@@ -47,8 +53,9 @@ void add_column(FilledBlock& block, const Product& product, double center_x, con
   const double spare = room.depth_m - (static_cast<double>(block.rows_deep) * pitch - depth_gap_m);
   const double shift = std::min(spare, pushed_back_m) * stock.jitter * draw.uniform();
   const double limit = yaw_limit(product, stock.jitter);
-  const int first_row = block.rows_deep > 1 && draw.chance(shopped_share * stock.jitter) ? 1 : 0;
-  for (int row = first_row; row < block.rows_deep; ++row) {
+  const int last_row = rows_left(block.rows_deep, draw);
+  const int first_row = last_row > 1 && draw.chance(shopped_share * stock.jitter) ? 1 : 0;
+  for (int row = first_row; row < last_row; ++row) {
     const double y = shift + product.depth_m() / 2 + static_cast<double>(row) * pitch;
     for (int level = 0; level < block.stack; ++level) {
       const double z = static_cast<double>(level) * product.height_m();
@@ -69,8 +76,10 @@ void stand_items(FilledBlock& block, const Product& product, const ShelfRoom& ro
 
 // Layers of a heap: the upper ones lie in the pockets of the lower, as balls (or, lying along X, cylinders) do.
 void heap_items(FilledBlock& block, const Product& product, const ShelfRoom& room, const StockSpec& stock, Stream& draw) {
-  const double w = product.width_m() + kept_gap_m, d = product.depth_m() + kept_gap_m, h = product.height_m();
   const bool lying = product.archetype == "elongated_produce";
+  const double across_m = std::max(product.width_m(), product.depth_m());   // balls lie any way round
+  const double w = (lying ? product.width_m() : across_m) + kept_gap_m, d = (lying ? product.depth_m() : across_m) + kept_gap_m;
+  const double h = product.height_m();
   const double rise = h * (lying ? std::sqrt(3.0) / 2 : std::sqrt(0.5));  // of a cylinder between two, a ball among four
   const int columns = std::max(1, static_cast<int>(block.width_m / w));
   const int rows = std::max(1, static_cast<int>(room.depth_m / d));

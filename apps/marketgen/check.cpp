@@ -1,0 +1,77 @@
+// marketgen check: a store folder or a plan against schema, digests and design rules.
+#include <fmt/format.h>
+
+#include "audit/audit.h"
+#include "base/parallel.h"
+#include "command.h"
+#include "io/file.h"
+#include "io/json.h"
+#include "layout/layout.h"
+#include "store/store.h"
+
+namespace marketgen::app {
+namespace {
+
+struct CheckFlags {
+  CommonFlags common;
+  std::string path;
+};
+
+struct CheckOutput {
+  std::string path;
+  bool ok = true;
+  std::vector<Violation> rules;
+  std::vector<RequirementResult> requirements;
+  static constexpr auto fields = field_list(
+      field("path", &CheckOutput::path, "what was checked"), field("ok", &CheckOutput::ok, "no hard rule is broken"),
+      field("rules", &CheckOutput::rules, "broken rules"), field("requirements", &CheckOutput::requirements, "wishes"));
+};
+
+// A plan: repaired and laid out in memory, to see what its rules say.
+Result<CheckOutput> check_plan(const CheckFlags& flags, const Catalog& catalog) {
+  MARKETGEN_TRY(const std::string text, read_file(flags.path, 64U << 20));
+  MARKETGEN_TRY(const Plan plan, read_plan(text, flags.path, catalog));
+  MARKETGEN_TRY(const Layout layout, make_layout(plan, catalog, Seed(flags.common.seed)));
+  return CheckOutput{flags.path, true, layout.violations, {}};
+}
+
+Result<CheckOutput> check_store(const CheckFlags& flags, const Catalog& catalog) {
+  MARKETGEN_CHECK(verify_store(flags.path, catalog));
+  MARKETGEN_TRY(const Store store, open_store(flags.path, catalog));
+  MARKETGEN_TRY(Audit audit, audit_store(store.scene, catalog, store.manifest.requirements));
+  return CheckOutput{flags.path, true, std::move(audit.rules), std::move(audit.requirements)};
+}
+
+Result<int> check(const CheckFlags& flags) {
+  const ThreadLimit limit(flags.common.threads);
+  MARKETGEN_TRY(const Catalog catalog, load_rows());
+  const bool is_file = std::filesystem::is_regular_file(flags.path);
+  MARKETGEN_TRY(CheckOutput output, is_file ? check_plan(flags, catalog) : check_store(flags, catalog));
+  for (const Violation& v : output.rules) output.ok = output.ok && v.severity != Severity::hard;
+  if (flags.common.json) {
+    fmt::print("{}", write_json(output));
+    return output.ok ? 0 : 1;
+  }
+  for (const Violation& v : output.rules) fmt::print("{:<5} {:<20} {}: {}\n", name_of(v.severity), v.code, v.where, v.message);
+  for (const RequirementResult& r : output.requirements) {
+    if (!r.met) fmt::print("wish  not met              \"{}\": {}\n", r.text, r.why);
+  }
+  fmt::print("{} {}: {} rules broken\n", output.ok ? "ok" : "FAILED", flags.path, output.rules.size());
+  return output.ok ? 0 : 1;
+}
+
+}  // namespace
+
+Run add_check(CLI::App& app) {
+  auto flags = std::make_shared<CheckFlags>();
+  CLI::App* command = app.add_subcommand("check", "Check a store folder or a plan against schema and design rules");
+  command->add_option("path", flags->path, "store folder, or market-plan/1 file")->required();
+  add_common_flags(*command, flags->common, Takes::seed_and_json);
+  command->footer("Exit status 1 when a hard rule is broken or a file was changed.\nExample:  marketgen check shop --json");
+  return [flags] {
+    const auto status = check(*flags);
+    return status.ok() ? *status : fail(status.error());
+  };
+}
+
+}  // namespace marketgen::app

@@ -1,0 +1,33 @@
+#include "command.h"
+
+#include <fmt/format.h>
+
+#include "base/error_codes.h"
+#include "io/file.h"
+
+namespace marketgen::app {
+
+void add_common_flags(CLI::App& command, CommonFlags& flags, Takes takes) {
+  const int bits = static_cast<int>(takes);
+  if ((bits & static_cast<int>(Takes::seed)) != 0) command.add_option("--seed", flags.seed, "seed of every random choice")->capture_default_str();
+  if ((bits & static_cast<int>(Takes::json)) != 0) command.add_flag("--json", flags.json, "print the result as JSON");
+  command.add_option("--threads", flags.threads, "threads to use; 0 = all cores (results do not depend on it)")->check(CLI::Range(0, 1024));
+  command.add_flag("--quiet", flags.quiet, "no progress, no remarks");
+}
+
+int fail(const Error& error) {
+  fmt::print(stderr, "{}\n", to_string(error));
+  return exit_status_of(error.code);
+}
+
+Result<Catalog> load_rows(const std::vector<std::string>& extra) {
+  MARKETGEN_TRY(const std::filesystem::path data, data_folder());
+  return load_catalog(data, {extra.begin(), extra.end()});
+}
+
+Progress& progress_for(const CommonFlags& flags) {
+  static ConsoleProgress console;
+  return flags.quiet ? silent_progress() : console;
+}
+
+}  // namespace marketgen::app

@@ -1,0 +1,42 @@
+// What every command shares: its flags, how it reports errors, and the list of commands.
+#pragma once
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "catalog/catalog.h"
+
+namespace marketgen::app {
+
+struct CommonFlags {
+  std::uint64_t seed = 1;
+  int threads = 0;
+  bool quiet = false;
+  bool json = false;
+};
+
+// Adds --threads, --quiet and the others that were asked for.
+enum class Takes { nothing = 0, seed = 1, json = 2, seed_and_json = 3 };
+void add_common_flags(CLI::App& command, CommonFlags& flags, Takes takes);
+
+// Prints the error to stderr; the exit status that belongs to its code.
+int fail(const Error& error);
+
+// The rows under data_folder() and the user's own.
+Result<Catalog> load_rows(const std::vector<std::string>& extra = {});
+
+// Progress on stderr, or none when --quiet.
+Progress& progress_for(const CommonFlags& flags);
+
+using Run = std::function<int()>;    // returns the exit status
+
+// One function a command, each in its own file: adds the subcommand to `app` and returns what runs it.
+#define COMMAND(name) Run add_##name(CLI::App& app);
+#include "commands.inc"
+#undef COMMAND
+
+}  // namespace marketgen::app

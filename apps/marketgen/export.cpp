@@ -1,0 +1,78 @@
+// marketgen export: a store in another program's format.
+#include "export/export.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "base/parallel.h"
+#include "base/text.h"
+#include "command.h"
+#include "io/json.h"
+#include "scene/scene_file.h"
+
+namespace marketgen::app {
+namespace {
+
+struct ExportFlags {
+  CommonFlags common;
+  std::string folder, format, output, free_region;
+  bool check = false, plain = false;
+};
+
+Result<std::array<double, 4>> parse_region(const std::string& text) {
+  const std::vector<std::string> parts = split(text, ',');
+  std::array<double, 4> region{};
+  bool good = parts.size() == 4;
+  for (std::size_t i = 0; good && i < 4; ++i) {
+    const auto [end, failed] = std::from_chars(parts[i].data(), parts[i].data() + parts[i].size(), region[i]);
+    good = failed == std::errc() && end == parts[i].data() + parts[i].size();
+  }
+  if (!good || region[0] >= region[2] || region[1] >= region[3]) {
+    return Error{"usage.bad_flag", "--free-region", fmt::format("\"{}\" is not a region; write x0,y0,x1,y1 in metres, west,south,east,north", text)};
+  }
+  return region;
+}
+
+Result<void> run_export(const ExportFlags& flags) {
+  const ThreadLimit limit(flags.common.threads);
+  MARKETGEN_TRY(const Scene scene, open_scene(std::filesystem::path(flags.folder) / "scene.bin"));
+  ExportOptions options;
+  options.plain_instances = flags.plain;
+  if (!flags.free_region.empty()) {
+    MARKETGEN_TRY(const auto region, parse_region(flags.free_region));
+    options.free_region_m = region;
+  }
+  MARKETGEN_CHECK(export_scene(scene, flags.format, flags.output, options));
+  if (!flags.check) {
+    if (!flags.common.quiet) fmt::print("file        {}\n", flags.output);
+    return {};
+  }
+  MARKETGEN_TRY(const ExportSummary summary, check_export(scene, flags.format, flags.output, options));
+  if (flags.common.json) fmt::print("{}", write_json(summary));
+  else fmt::print("file        {}\nread back   {} products, {} fixtures, {} free bodies; worst position error {:.3f} mm\n", flags.output, summary.products, summary.fixtures, summary.free_bodies, 1000 * summary.worst_position_error_m);
+  return {};
+}
+
+}  // namespace
+
+Run add_export(CLI::App& app) {
+  auto flags = std::make_shared<ExportFlags>();
+  CLI::App* command = app.add_subcommand("export", "Write a store in another program's format");
+  std::string formats;
+  for (const ExportFormat& format : export_formats()) formats += fmt::format("\n  {:<10} {}", format.name, format.description);
+  command->add_option("folder", flags->folder, "store folder")->required();
+  command->add_option("--format", flags->format, "format, see below")->required();
+  command->add_option("-o,--output", flags->output, "file to write")->required();
+  command->add_option("--free-region", flags->free_region, "mjcf: products in x0,y0,x1,y1 become free bodies");
+  command->add_flag("--plain", flags->plain, "glb: plain nodes instead of GPU instancing");
+  command->add_flag("--check", flags->check, "read the file back and compare it with the store");
+  add_common_flags(*command, flags->common, Takes::json);
+  command->footer("Formats:" + formats + "\nExample:  marketgen export shop --format glb -o shop.glb --check");
+  return [flags] {
+    const auto done = run_export(*flags);
+    return done.ok() ? 0 : fail(done.error());
+  };
+}
+
+}  // namespace marketgen::app

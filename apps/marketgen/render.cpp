@@ -1,0 +1,134 @@
+// marketgen render: a picture of a store, with depth, segmentation and normals beside it.
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "base/parallel.h"
+#include "base/text.h"
+#include "command.h"
+#include "io/png.h"
+#include "render/render.h"
+#include "scene/scene_file.h"
+
+namespace marketgen::app {
+namespace {
+
+struct RenderFlags {
+  CommonFlags common;
+  std::string folder, output, camera, from, at, size = "1280x720", mode = "sensor", quality = "balanced", depth, segmentation, normals;
+  double fov_deg = 60, time_s = 0;
+  int samples = 0;
+  bool list = false;
+};
+
+std::optional<double> number_in(const std::string& text) {
+  double value = 0;
+  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (failed != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+Result<Vec3> parse_point(const std::string& text, const std::string& flag) {
+  const std::vector<std::string> parts = split(text, ',');
+  double values[3] = {};
+  bool good = parts.size() == 3;
+  for (std::size_t i = 0; good && i < 3; ++i) {
+    const auto value = number_in(parts[i]);
+    good = value.has_value() && std::isfinite(*value);
+    values[i] = value.value_or(0);
+  }
+  if (!good) return Error{"usage.bad_flag", flag, fmt::format("\"{}\" is not a point; write x,y,z in metres", text)};
+  return Vec3{values[0], values[1], values[2]};
+}
+
+Result<std::pair<int, int>> parse_pixels(const std::string& text) {
+  const std::vector<std::string> parts = split(lower_ascii(text), 'x');
+  const auto width = number_in(parts[0]), height = number_in(parts.size() == 2 ? parts[1] : "");
+  if (!width || !height || *width != std::floor(*width) || *height != std::floor(*height) || std::abs(*width) > 1e6 || std::abs(*height) > 1e6) {
+    return Error{"camera.bad_size", "--size", fmt::format("\"{}\" is not a picture size; write 1280x720", text)};
+  }
+  return std::pair(static_cast<int>(*width), static_cast<int>(*height));
+}
+
+Result<Camera> camera_of(const RenderFlags& flags, const Scene& scene) {
+  MARKETGEN_TRY(const auto pixels, parse_pixels(flags.size));
+  const auto [width, height] = pixels;
+  if (flags.from.empty() != flags.at.empty()) return Error{"usage.bad_flag", "--from", "give both --from and --at"};
+  if (flags.from.empty()) return camera_named(scene, flags.camera.empty() ? "entrance" : flags.camera, width, height);
+  if (!flags.camera.empty()) return Error{"usage.bad_flag", "--camera", "give a camera's name or --from and --at, not both"};
+  Camera camera;
+  camera.name = "custom";
+  MARKETGEN_TRY(camera.from, parse_point(flags.from, "--from"));
+  MARKETGEN_TRY(camera.at, parse_point(flags.at, "--at"));
+  camera.fov_deg = flags.fov_deg;
+  camera.width = width;
+  camera.height = height;
+  MARKETGEN_CHECK(check_camera(camera, "render"));
+  return camera;
+}
+
+Result<void> write_depth(const std::string& path, const Frame& frame) {
+  std::vector<std::uint16_t> millimetres(frame.depth_m.size());
+  constexpr float most_mm = 65535;
+  for (std::size_t i = 0; i < millimetres.size(); ++i) {
+    millimetres[i] = static_cast<std::uint16_t>(std::min(frame.depth_m[i] * 1000.0F + 0.5F, most_mm));
+  }
+  return write_png16(path, frame.color.width, frame.color.height, millimetres);
+}
+
+Result<void> render(const RenderFlags& flags) {
+  const ThreadLimit limit(flags.common.threads);
+  MARKETGEN_TRY(const Scene scene, open_scene(std::filesystem::path(flags.folder) / "scene.bin"));
+  if (flags.list) {
+    for (const Camera& camera : standard_cameras(scene, 16, 9)) fmt::print("{}\n", camera.name);
+    return {};
+  }
+  if (flags.output.empty()) return Error{"usage.bad_flag", "-o", "say where the picture goes: -o picture.png"};
+  MARKETGEN_TRY(const Camera camera, camera_of(flags, scene));
+  RenderOptions options;
+  options.mode = value_named<RenderMode>(flags.mode).value_or(RenderMode::sensor);
+  options.quality = value_named<Quality>(flags.quality).value_or(Quality::balanced);
+  options.samples = flags.samples;
+  options.time_s = flags.time_s;
+  options.hide_ceiling = camera.ortho_height_m > 0;
+  Progress& progress = progress_for(flags.common);
+  MARKETGEN_TRY(const std::unique_ptr<Renderer> renderer, Renderer::create(scene, progress));
+  MARKETGEN_TRY(const Frame frame, renderer->render(camera, options, progress));
+  MARKETGEN_CHECK(write_png(flags.output, frame.color));
+  if (!flags.depth.empty()) MARKETGEN_CHECK(write_depth(flags.depth, frame));
+  if (!flags.segmentation.empty()) MARKETGEN_CHECK(write_png(flags.segmentation, draw_instances(frame, camera.width, camera.height)));
+  if (!flags.normals.empty()) MARKETGEN_CHECK(write_png(flags.normals, draw_normals(frame, camera.width, camera.height)));
+  if (!flags.common.quiet) fmt::print("picture     {}\n", flags.output);
+  return {};
+}
+
+}  // namespace
+
+Run add_render(CLI::App& app) {
+  auto flags = std::make_shared<RenderFlags>();
+  CLI::App* command = app.add_subcommand("render", "Draw a picture of a store");
+  command->add_option("folder", flags->folder, "store folder")->required();
+  command->add_option("-o,--output", flags->output, "PNG file to write");
+  command->add_option("--camera", flags->camera, "standard view: top, entrance, aisle, checkout, zone:<id>");
+  command->add_flag("--list-cameras", flags->list, "print the standard views and stop");
+  command->add_option("--from", flags->from, "stand at x,y,z (metres)");
+  command->add_option("--at", flags->at, "look at x,y,z (metres)");
+  command->add_option("--fov-deg", flags->fov_deg, "vertical field of view")->capture_default_str();
+  command->add_option("--size", flags->size, "picture size in pixels")->capture_default_str();
+  command->add_option("--mode", flags->mode, "sensor: seconds; path: full light transport")->check(CLI::IsMember({"sensor", "path"}))->capture_default_str();
+  command->add_option("--quality", flags->quality, "fast, balanced or best")->check(CLI::IsMember({"fast", "balanced", "best"}))->capture_default_str();
+  command->add_option("--spp", flags->samples, "samples a pixel; 0 = what the quality says")->check(CLI::Range(0, 65536));
+  command->add_option("--time", flags->time_s, "path mode: stop after this many seconds")->check(CLI::Range(0.0, 1e6));
+  command->add_option("--depth", flags->depth, "also write depth, 16-bit PNG in millimetres");
+  command->add_option("--segmentation", flags->segmentation, "also write a colour per object");
+  command->add_option("--normals", flags->normals, "also write normals");
+  add_common_flags(*command, flags->common, Takes::nothing);
+  command->footer("Example:  marketgen render shop --camera aisle -o aisle.png --depth aisle-depth.png");
+  return [flags] {
+    const auto done = render(*flags);
+    return done.ok() ? 0 : fail(done.error());
+  };
+}
+
+}  // namespace marketgen::app

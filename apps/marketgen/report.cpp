@@ -1,0 +1,55 @@
+// marketgen report: the metrics of one or many stores, as JSON and as one HTML page.
+#include <fmt/format.h>
+
+#include "base/parallel.h"
+#include "command.h"
+#include "io/file.h"
+#include "io/json.h"
+#include "store/store.h"
+
+namespace marketgen::app {
+namespace {
+
+struct ReportFlags {
+  CommonFlags common;
+  std::vector<std::string> folders;
+  std::string html = "report.html";
+};
+
+Result<void> report(const ReportFlags& flags) {
+  const ThreadLimit limit(flags.common.threads);
+  MARKETGEN_TRY(const Catalog catalog, load_rows());
+  std::vector<std::pair<Manifest, StoreReport>> reports;
+  for (const std::string& folder : flags.folders) {
+    MARKETGEN_TRY(const Store store, open_store(folder, catalog));
+    MARKETGEN_TRY(StoreReport full, full_report(store, catalog, progress_for(flags.common)));
+    if (flags.common.json) fmt::print("{}\n", write_json_line(full));
+    reports.emplace_back(store.manifest, std::move(full));
+  }
+  MARKETGEN_CHECK(write_file(flags.html, report_html(reports)));
+  if (flags.common.json) return {};
+  for (const auto& [manifest, full] : reports) {
+    fmt::print("{:<28} {:>7} products  COL {:.2f} %  OOB {}  NAV {:.3f}  reach {:.1f} %  STB {:.1f} % of {}  wishes {:.0f} %\n", manifest.name,
+               manifest.counts.products, 100 * full.metrics.COL, full.metrics.OOB, full.metrics.NAV, 100 * full.metrics.reachable_shelves,
+               100 * full.metrics.STB.value_or(0), full.metrics.stb_products.value_or(0), 100 * full.metrics.prompt);
+  }
+  fmt::print("page        {}\n", flags.html);
+  return {};
+}
+
+}  // namespace
+
+Run add_report(CLI::App& app) {
+  auto flags = std::make_shared<ReportFlags>();
+  CLI::App* command = app.add_subcommand("report", "Measure stores, physics included: JSON and one HTML page");
+  command->add_option("folders", flags->folders, "store folders")->required();
+  command->add_option("-o,--output", flags->html, "HTML page to write")->capture_default_str();
+  add_common_flags(*command, flags->common, Takes::json);
+  command->footer("Example:  marketgen report shop -o shop-report.html");
+  return [flags] {
+    const auto done = report(*flags);
+    return done.ok() ? 0 : fail(done.error());
+  };
+}
+
+}  // namespace marketgen::app

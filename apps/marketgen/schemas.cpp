@@ -1,0 +1,61 @@
+// marketgen schemas: writes the JSON Schemas, the FlatBuffers schema and the field tables of the docs from the field lists.
+#include <fmt/format.h>
+
+#include "catalog/fixture_kind.h"
+#include "catalog/product.h"
+#include "command.h"
+#include "intake/brief.h"
+#include "io/file.h"
+#include "io/flatbuffer.h"
+#include "io/json.h"
+#include "scene/scene_file.h"
+#include "store/store.h"
+
+namespace marketgen::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Document {
+  const char* file;
+  const char* title;
+  const TypeInfo& type;
+};
+
+std::vector<Document> documents() {
+  return {{"market-plan-1", "What a store should be", type_of<Plan>()},
+          {"market-layout-1", "Zones, fixtures, aisles and violations", type_of<Layout>()},
+          {"market-store-1", "The manifest of a store folder", type_of<Manifest>()},
+          {"market-report-1", "Requirements, rules and metrics of a store", type_of<StoreReport>()},
+          {"market-product-1", "A product row of the catalogue", type_of<Product>()},
+          {"market-fixture-1", "A fixture row of the catalogue", type_of<FixtureKind>()}};
+}
+
+Result<void> write_schemas(const std::string& root) {
+  const fs::path schemas = fs::path(root) / "schemas", docs = fs::path(root) / "docs" / "fields";
+  std::error_code failed;
+  fs::create_directories(schemas, failed);
+  fs::create_directories(docs, failed);
+  if (failed) return Error{"io.cannot_write", root, failed.message()};
+  for (const Document& d : documents()) {
+    const std::string name(d.file);
+    MARKETGEN_CHECK(write_file(schemas / (name + ".schema.json"), json_schema_of(d.type, name + ".schema.json", d.title)));
+    MARKETGEN_CHECK(write_file(docs / (name + ".md"), fmt::format("# {}\n\n{}.\n\n{}", name, d.title, markdown_of(d.type))));
+  }
+  return write_file(schemas / "market-scene-1.fbs", flatbuffer_schema_of(type_of<Scene>(), scene_file_identifier));
+}
+
+}  // namespace
+
+Run add_schemas(CLI::App& app) {
+  auto root = std::make_shared<std::string>(".");
+  CLI::App* command = app.add_subcommand("schemas", "Write schemas/ and docs/fields/ from the program's own field lists");
+  command->add_option("-o,--output", *root, "folder that has or gets schemas/ and docs/")->capture_default_str();
+  command->footer("Example:  marketgen schemas -o .");
+  return [root] {
+    const auto done = write_schemas(*root);
+    return done.ok() ? 0 : fail(done.error());
+  };
+}
+
+}  // namespace marketgen::app

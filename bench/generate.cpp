@@ -1,0 +1,59 @@
+#include <algorithm>
+
+#include "base/progress.h"
+#include "bench/bench.h"
+#include "bench/sample_store.h"
+
+namespace marketgen::bench {
+namespace {
+
+struct Run {
+  double seconds = 0, before_previews_s = 0, previews_s = 0;
+  std::uint64_t products = 0;
+};
+
+Result<Run> create(CreateOptions options, const Catalog& catalog) {
+  const double start = monotonic_seconds();
+  MARKETGEN_TRY(const Created created, create_store(options, catalog));
+  Run run;
+  run.seconds = monotonic_seconds() - start;
+  for (const StageTiming& t : created.report.timing_s) (t.stage == "previews" ? run.previews_s : run.before_previews_s) += t.seconds;
+  run.products = created.manifest.counts.products;
+  return run;
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+}  // namespace
+
+Figures run_generate(const Catalog& catalog) {
+  const ScratchFolder scratch;
+  std::vector<Figure> figures;
+  const auto add = [&](std::string name, double value, std::string unit, int n) {
+    figures.push_back({std::move(name), value, std::move(unit), n, std::nullopt, std::nullopt, machine_name()});
+  };
+  constexpr int runs = 5;
+  std::vector<double> small, large;
+  std::uint64_t products = 0, large_products = 0;
+  for (int i = 0; i < runs; ++i) {
+    MARKETGEN_TRY(const Run run, create(neighbourhood_store(scratch / ("small-" + std::to_string(i)), false), catalog));
+    small.push_back(run.seconds);
+    products = run.products;
+    MARKETGEN_TRY(const Run big, create(large_store(scratch / ("large-" + std::to_string(i))), catalog));
+    large.push_back(big.seconds);
+    large_products = big.products;
+  }
+  add("generate_24x15m_s", median(small), "s", runs);
+  add("generate_24x15m_products", static_cast<double>(products), "items", 1);
+  add("generate_40x25m_s", median(large), "s", runs);
+  add("generate_40x25m_products", static_cast<double>(large_products), "items", 1);
+  add("generate_peak_rss_mb", peak_rss_mb(), "MB", 1);
+  MARKETGEN_TRY(const Run drawn, create(neighbourhood_store(scratch / "drawn", true), catalog));
+  add("previews_24x15m_s", drawn.previews_s, "s", 1);
+  return figures;
+}
+
+}  // namespace marketgen::bench

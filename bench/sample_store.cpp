@@ -1,0 +1,33 @@
+#include "bench/sample_store.h"
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+namespace marketgen::bench {
+namespace fs = std::filesystem;
+
+ScratchFolder::ScratchFolder() : folder_(fs::temp_directory_path() / fmt::format("marketgen-bench-{}", getpid())) {
+  fs::create_directories(folder_);
+}
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+CreateOptions neighbourhood_store(const fs::path& folder, bool previews) {
+  CreateOptions options;
+  options.folder = folder;
+  options.brief.prompt = "A 24 x 15 m neighbourhood supermarket with produce by the entrance, dairy along the back wall and three checkouts";
+  options.seed = 7;
+  options.previews = previews;
+  return options;
+}
+
+CreateOptions large_store(const fs::path& folder) {
+  CreateOptions options = neighbourhood_store(folder, false);
+  options.brief.prompt = "A 40 x 25 m supermarket with produce by the entrance, dairy along the back wall and six checkouts";
+  return options;
+}
+
+}  // namespace marketgen::bench

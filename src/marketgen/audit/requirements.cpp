@@ -1,0 +1,294 @@
+#include "audit/requirements.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "audit/metrics.h"
+#include "audit/places.h"
+#include "audit/traffic.h"
+#include "scene/assortment.h"
+
+namespace marketgen {
+namespace {
+
+struct Verdict {
+  bool met;
+  std::string why;
+};
+
+// What every check may look at.
+struct Facts {
+  const Scene& scene;
+  const Catalog& catalog;
+  std::vector<std::uint64_t> items_on_fixture;
+};
+
+Facts facts_of(const Scene& scene, const Catalog& catalog) {
+  Facts facts{scene, catalog, std::vector<std::uint64_t>(scene.fixtures.size(), 0)};
+  for (const Facing& f : scene.facings) facts.items_on_fixture[scene.shelves[f.shelf].fixture] += f.product_count;
+  return facts;
+}
+
+bool compares(const Requirement& r, double measured, double tolerance = 1e-9) {
+  switch (r.comparison) {
+    case Comparison::at_least: return measured >= r.value - tolerance;
+    case Comparison::at_most: return measured <= r.value + tolerance;
+    default: return std::abs(measured - r.value) <= tolerance;
+  }
+}
+
+std::string_view sign(Comparison comparison) {
+  switch (comparison) {
+    case Comparison::at_least: return "at least ";
+    case Comparison::at_most: return "at most ";
+    default: return "";
+  }
+}
+
+Verdict number_verdict(const Requirement& r, double measured, std::string_view what, std::string_view unit, double tolerance = 1e-9) {
+  return {compares(r, measured, tolerance), fmt::format("{} {:g}{}; asked for {}{:g}{}", what, measured, unit, sign(r.comparison), r.value, unit)};
+}
+
+bool is_of(const LayoutZone& zone, const std::string& name) { return zone.type == name || zone.id == name; }
+
+std::vector<const LayoutZone*> zones_of(const Facts& facts, const std::string& name) {
+  std::vector<const LayoutZone*> zones;
+  for (const LayoutZone& zone : facts.scene.layout.zones) {
+    if (is_of(zone, name)) zones.push_back(&zone);
+  }
+  return zones;
+}
+
+bool in_zone(const Facts& facts, const Fixture& fixture, const std::string& name) {
+  if (name.empty()) return true;
+  const LayoutZone* zone = find_zone(facts.scene.layout, fixture.zone);
+  return zone != nullptr && is_of(*zone, name);
+}
+
+// ---- One function per kind of requirement. ----
+
+Verdict check_size(const Facts& facts, const Requirement& r) {
+  const Shell& shell = facts.scene.layout.shell;
+  const bool met = std::abs(shell.width_mm - r.value) <= 10 && std::abs(shell.depth_mm - r.second_value) <= 10;
+  return {met, fmt::format("the room is {:g} x {:g} m", shell.width_mm * 1e-3, shell.depth_mm * 1e-3)};
+}
+
+Verdict check_area(const Facts& facts, const Requirement& r) {
+  if (r.subject.empty()) return number_verdict(r, area_m2(floor_of(facts.scene.layout.shell)), "the room has", " m2", 0.05 * r.value);
+  double area = 0;
+  for (const LayoutZone* zone : zones_of(facts, r.subject)) area += zone->area_m2;
+  constexpr double share = 0.15;      // zones snap to whole modules and aisles
+  return number_verdict(r, std::round(area * 10) / 10, r.subject + " has", " m2", share * r.value);
+}
+
+// A zone is there when it covers floor and, if its type sells goods, holds some.
+bool zone_is_there(const Facts& facts, const LayoutZone& zone) {
+  const ZoneTypeRow* type = facts.catalog.zone_type(zone.type);
+  if (type == nullptr || type->fixture.empty()) return zone.area_m2 > 0;
+  const auto& fixtures = facts.scene.layout.fixtures;
+  for (std::size_t i = 0; i < fixtures.size(); ++i) {
+    if (fixtures[i].zone == zone.id && (facts.items_on_fixture[i] > 0 || type->categories.empty() || type->fixture == "checkout_lane")) return true;
+  }
+  return false;
+}
+
+std::size_t zones_there(const Facts& facts, const std::string& name) {
+  const auto zones = zones_of(facts, name);
+  return static_cast<std::size_t>(std::count_if(zones.begin(), zones.end(), [&](const LayoutZone* z) { return zone_is_there(facts, *z); }));
+}
+
+Verdict check_zone_present(const Facts& facts, const Requirement& r) {
+  const std::size_t number = zones_there(facts, r.subject);
+  return {number > 0, fmt::format("{} {} zone{} with goods or equipment", number, r.subject, number == 1 ? "" : "s")};
+}
+
+Verdict check_zone_absent(const Facts& facts, const Requirement& r) {
+  const std::size_t number = zones_of(facts, r.subject).size();
+  return {number == 0, fmt::format("{} {} zones", number, r.subject)};
+}
+
+Verdict check_fixture_count(const Facts& facts, const Requirement& r) {
+  const std::string kind = r.subject == "checkout" ? "checkout_lane" : r.subject;
+  std::set<std::string> runs;
+  int modules = 0;
+  const FixtureKind* row = facts.catalog.fixture_kind(kind);
+  for (const Fixture& f : facts.scene.layout.fixtures) {
+    if (f.kind != kind) continue;
+    runs.insert(f.run);
+    ++modules;
+  }
+  const bool by_module = row == nullptr || row->role != FixtureRole::shelving || kind == "pallet" || kind == "bin" || kind == "produce_table";
+  const double measured = by_module ? modules : static_cast<double>(runs.size());
+  return number_verdict(r, measured, fmt::format("{} {}:", kind, by_module ? "units" : "runs"), "");
+}
+
+Verdict check_aisle_count(const Facts& facts, const Requirement& r) {
+  return number_verdict(r, shopping_aisles(facts.scene), "aisles between shelves:", "");
+}
+
+// Ambient shelving with several levels: what people mean by "shelves".
+bool is_shelving(const Facts& facts, const Fixture& fixture) {
+  const FixtureKind* kind = facts.catalog.fixture_kind(fixture.kind);
+  constexpr int several = 4;
+  return kind != nullptr && kind->role == FixtureRole::shelving && kind->temperature == Storage::ambient && kind->level_range[1] >= several;
+}
+
+Verdict check_levels(const Facts& facts, const Requirement& r) {
+  std::set<int> seen;
+  for (std::size_t i = 0; i < facts.scene.fixtures.size(); ++i) {
+    const Fixture& fixture = facts.scene.layout.fixtures[i];
+    const bool counted = r.subject.empty() ? is_shelving(facts, fixture) && fixture.endcap_of.empty() && fixture.kind == "gondola"
+                                           : in_zone(facts, fixture, r.subject) && facts.scene.fixtures[i].shelf_count > 0 && fixture.endcap_of.empty();
+    if (!counted) continue;
+    const SceneFixture& row = facts.scene.fixtures[i];
+    int levels = 0;
+    for (std::uint32_t s = row.first_shelf; s < row.first_shelf + row.shelf_count; ++s) levels += facts.scene.shelves[s].side == 0 ? 1 : 0;
+    seen.insert(levels);
+  }
+  const bool met = !seen.empty() && std::all_of(seen.begin(), seen.end(), [&](int n) { return compares(r, n); });
+  return {met, fmt::format("shelves have {} levels; asked for {}{:g}", fmt::join(seen, " or "), sign(r.comparison), r.value)};
+}
+
+Verdict check_relation_holds(const Facts& facts, const Requirement& r) {
+  const RelationCheck check = check_relation(facts.scene, r.relation, r.subject, r.object, r.second_object);
+  return {check.holds, fmt::format("{} {} {}: measured {:.1f} m", r.subject, name_of(r.relation), r.object, check.measured_m)};
+}
+
+Verdict check_style(const Facts& facts, const Requirement& r) {
+  const StyleRow* style = facts.catalog.style(r.object);
+  const Look& look = facts.scene.layout.look;
+  if (style == nullptr) return {false, "there is no such style"};
+  const int same = (look.floor == style->floor) + (look.wall == style->wall) + (look.ceiling == style->ceiling) +
+                   (look.fixture == style->fixture) + (look.accent == style->accent);
+  constexpr int enough = 3;      // a wish for one material may override part of a style
+  return {same >= enough, fmt::format("{} of 5 parts of the look are those of {}", same, r.object)};
+}
+
+Verdict check_profile(const Facts& facts, const Requirement& r) {
+  return {facts.scene.layout.profile == r.object, "the profile is " + facts.scene.layout.profile};
+}
+
+std::string look_part(const Look& look, const std::string& part) {
+  if (part == "floor") return look.floor;
+  if (part == "wall") return look.wall;
+  if (part == "ceiling") return look.ceiling;
+  if (part == "accent") return look.accent;
+  return look.fixture;
+}
+
+Verdict check_material(const Facts& facts, const Requirement& r) {
+  const std::string found = look_part(facts.scene.layout.look, r.subject);
+  return {found == r.object, fmt::format("{} is {}", r.subject, found)};
+}
+
+Verdict check_color(const Facts& facts, const Requirement& r) {
+  if (r.subject == "accent") return check_material(facts, r);
+  int with = 0, all = 0;
+  for (const Fixture& f : facts.scene.layout.fixtures) {
+    if (!is_shelving(facts, f)) continue;
+    ++all;
+    with += f.color == r.object ? 1 : 0;
+  }
+  return {all > 0 && with == all, fmt::format("{} of {} shelves are {}", with, all, r.object)};
+}
+
+Verdict check_product(const Facts& facts, const Requirement& r, bool wanted) {
+  const auto number = std::count_if(facts.scene.catalog.begin(), facts.scene.catalog.end(),
+                                    [&](const Product& p) { return named_by(p, {r.subject}); });
+  return {(number > 0) == wanted, fmt::format("{} products on offer are named \"{}\"", number, r.subject)};
+}
+
+Verdict check_opening(const Facts& facts, const Requirement& r) {
+  const auto& openings = facts.scene.layout.shell.openings;
+  const auto number = std::count_if(openings.begin(), openings.end(), [&](const Opening& o) { return name_of(o.kind) == r.subject; });
+  if (r.value > 0) return number_verdict(r, static_cast<double>(number), r.subject + ":", "");
+  return {number > 0, fmt::format("{} {} openings", number, r.subject)};
+}
+
+Verdict check_endcaps(const Facts& facts, const Requirement& r) {
+  const auto& fixtures = facts.scene.layout.fixtures;
+  const auto number = std::count_if(fixtures.begin(), fixtures.end(), [&](const Fixture& f) { return !f.endcap_of.empty() && in_zone(facts, f, r.subject); });
+  const bool unwanted = r.comparison == Comparison::at_most && r.value == 0;
+  return {unwanted ? number == 0 : number > 0, fmt::format("{} endcaps", number)};
+}
+
+Verdict check_height(const Facts& facts, const Requirement& r) {
+  if (r.subject == "ceiling") return number_verdict(r, facts.scene.layout.shell.ceiling_mm, "the ceiling is at", " mm", 10);
+  double worst = r.value;
+  for (const Fixture& f : facts.scene.layout.fixtures) {
+    const bool counted = r.subject.empty() || r.subject == "shelf" || facts.catalog.fixture_kind(r.subject) == nullptr ? f.kind == "gondola" : f.kind == r.subject;
+    if (counted && std::abs(f.height_mm - r.value) > std::abs(worst - r.value)) worst = f.height_mm;
+  }
+  return number_verdict(r, worst, "shelves are high", " mm", 10);
+}
+
+Verdict check_aisle_width(const Facts& facts, const Requirement& r) {
+  int narrowest = 0;
+  for (const Aisle& aisle : facts.scene.layout.aisles) {
+    if (aisle.kind != AisleKind::secondary) continue;
+    if (narrowest == 0 || aisle.width_mm < narrowest) narrowest = aisle.width_mm;
+  }
+  Requirement at_least = r;
+  if (r.comparison == Comparison::equal) at_least.comparison = Comparison::at_least;
+  return number_verdict(at_least, narrowest, "narrowest aisle between shelves", " mm", 10);
+}
+
+Verdict check_stock(const Facts& facts, const Requirement& r) {
+  if (r.subject == "misplaced" || r.subject == "jitter") {
+    const auto wrong = std::count_if(facts.scene.products.begin(), facts.scene.products.end(), [](const SceneProduct& p) { return (p.flags & product_misplaced) != 0; });
+    return {r.comparison != Comparison::at_least || wrong > 0, fmt::format("{} items stand in the wrong place", wrong)};
+  }
+  const double fill = shelf_fill(facts.scene);
+  constexpr double tolerance = 0.12;      // packs do not divide a shelf evenly
+  return {compares(r, fill, tolerance), fmt::format("{:.0f} % of the shelf front is stocked", 100 * fill)};
+}
+
+Verdict check_light(const Facts& facts, const Requirement& r) {
+  const Look& look = facts.scene.layout.look;
+  const double measured = r.subject == "lux" || r.subject == "light_lux" ? look.light_lux : look.light_kelvin;
+  return {std::abs(measured - r.value) <= 0.15 * r.value, fmt::format("light: {} K, {} lx", look.light_kelvin, look.light_lux)};
+}
+
+Verdict verdict_of(const Facts& facts, const Requirement& r) {
+  switch (r.kind) {
+    case RequirementKind::size: return check_size(facts, r);
+    case RequirementKind::area: return check_area(facts, r);
+    case RequirementKind::zone_present: return check_zone_present(facts, r);
+    case RequirementKind::zone_absent: return check_zone_absent(facts, r);
+    case RequirementKind::zone_count: return number_verdict(r, static_cast<double>(zones_there(facts, r.subject)), r.subject + " zones:", "");
+    case RequirementKind::fixture_count: return check_fixture_count(facts, r);
+    case RequirementKind::aisle_count: return check_aisle_count(facts, r);
+    case RequirementKind::levels: return check_levels(facts, r);
+    case RequirementKind::relation: return check_relation_holds(facts, r);
+    case RequirementKind::style: return check_style(facts, r);
+    case RequirementKind::profile: return check_profile(facts, r);
+    case RequirementKind::material: return check_material(facts, r);
+    case RequirementKind::color: return check_color(facts, r);
+    case RequirementKind::product_present: return check_product(facts, r, true);
+    case RequirementKind::product_absent: return check_product(facts, r, false);
+    case RequirementKind::opening: return check_opening(facts, r);
+    case RequirementKind::endcaps: return check_endcaps(facts, r);
+    case RequirementKind::height: return check_height(facts, r);
+    case RequirementKind::aisle_width: return check_aisle_width(facts, r);
+    case RequirementKind::stock: return check_stock(facts, r);
+    case RequirementKind::light: return check_light(facts, r);
+  }
+  return {false, "unknown kind of requirement"};
+}
+
+}  // namespace
+
+std::vector<RequirementResult> check_requirements(const Scene& scene, const Catalog& catalog, const std::vector<Requirement>& requirements) {
+  const Facts facts = facts_of(scene, catalog);
+  std::vector<RequirementResult> results;
+  for (const Requirement& r : requirements) {
+    Verdict verdict = verdict_of(facts, r);
+    results.push_back({r.text, r.span, verdict.met, std::move(verdict.why)});
+  }
+  return results;
+}
+
+}  // namespace marketgen

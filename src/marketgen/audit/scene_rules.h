@@ -1,0 +1,33 @@
+// Rules about a finished scene: one row each in scene_rules.inc.
+#pragma once
+#include <string_view>
+#include <vector>
+
+#include "audit/audit.h"
+#include "audit/traffic.h"
+#include "geometry/mesh.h"
+#include "layout/layout.h"
+#include "scene/scene.h"
+
+namespace marketgen {
+
+// What the rules look at; measured once.
+struct SceneFacts {
+  const Scene& scene;
+  const Metrics& metrics;
+  const Traffic& traffic;
+  const std::vector<std::uint32_t>& out_of_place;    // rows of scene.products
+};
+
+struct SceneRule {
+  std::string_view code;
+  Severity severity;
+  double limit;
+  std::string_view source;
+  std::vector<Violation> (*check)(const SceneFacts& facts, const SceneRule& rule);
+};
+const std::vector<SceneRule>& scene_rules();
+
+std::vector<Violation> check_scene(const SceneFacts& facts);
+
+}  // namespace marketgen

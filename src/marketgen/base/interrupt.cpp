@@ -1,0 +1,27 @@
+#include "base/interrupt.h"
+
+#include <csignal>
+
+namespace marketgen {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+void on_signal(int number) {
+  interrupted = 1;
+  std::signal(number, SIG_DFL);
+}
+
+}  // namespace
+
+void watch_for_interrupts() {
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
+}
+
+Result<void> check_interrupt() {
+  if (interrupted != 0) return Error{"internal.interrupted", "", "interrupted; nothing was left behind"};
+  return {};
+}
+
+}  // namespace marketgen

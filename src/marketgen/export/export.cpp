@@ -1,0 +1,70 @@
+#include "export/export.h"
+
+#include <algorithm>
+#include <array>
+
+#include "base/text.h"
+#include "export/exporter.h"
+#include "io/file.h"
+
+namespace marketgen {
+namespace {
+
+struct Exporter {
+  ExportFormat format;
+  Result<std::string> (*write)(const Scene&, const ExportOptions&);
+  Result<ExportContents> (*read)(const std::filesystem::path&, const std::vector<Product>&);
+};
+
+constexpr Exporter exporters[] = {
+#define EXPORT_FORMAT(name, description, extension) {{#name, description, extension}, write_##name, read_##name},
+#include "export/export_formats.inc"
+#undef EXPORT_FORMAT
+};
+
+Result<const Exporter*> exporter_named(std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const Exporter& exporter : exporters) {
+    if (exporter.format.name == name) return &exporter;
+    names.push_back(exporter.format.name);
+  }
+  std::string known;
+  for (const std::string_view n : names) known += (known.empty() ? "" : ", ") + std::string(n);
+  return Error{"export.unknown_format", "--format", "there is no format \"" + std::string(name) + "\"" + did_you_mean(name, names) +
+                                                        " (formats: " + known + ")"};
+}
+
+}  // namespace
+
+std::vector<ExportFormat> export_formats() {
+  std::vector<ExportFormat> formats;
+  for (const Exporter& exporter : exporters) formats.push_back(exporter.format);
+  return formats;
+}
+
+Result<void> export_scene(const Scene& scene, std::string_view format, const std::filesystem::path& out,
+                          const ExportOptions& options) {
+  MARKETGEN_TRY(const Exporter* exporter, exporter_named(format));
+  MARKETGEN_TRY(const std::string bytes, exporter->write(scene, options));
+  return write_file(out, bytes);
+}
+
+Result<ExportSummary> check_export(const Scene& scene, std::string_view format, const std::filesystem::path& file,
+                                   const ExportOptions& options) {
+  MARKETGEN_TRY(const Exporter* exporter, exporter_named(format));
+  MARKETGEN_TRY(const ExportContents contents, exporter->read(file, scene.catalog));
+  return compare_with_scene(scene, options, contents, file.string());
+}
+
+std::vector<bool> products_in_free_region(const Scene& scene, const ExportOptions& options) {
+  std::vector<bool> inside(scene.products.size(), false);
+  if (!options.free_region_m) return inside;
+  const auto& [x0, y0, x1, y1] = *options.free_region_m;
+  for (std::size_t i = 0; i < inside.size(); ++i) {
+    const Vec3 p = world_from_product(scene.products[i]).position;
+    inside[i] = p.x >= x0 && p.x <= x1 && p.y >= y0 && p.y <= y1;
+  }
+  return inside;
+}
+
+}  // namespace marketgen

@@ -1,0 +1,45 @@
+// The two halves of a format, declared from export_formats.inc: bytes from a scene, and what a reader finds in them.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "export/export.h"
+#include "geometry/mesh.h"
+
+namespace marketgen {
+
+struct ExportedItem {
+  std::string id, sku;
+  Vec3 position;        // of the product frame's origin, in the store frame
+};
+
+// What a file holds, in the store frame whatever the format's own axes are.
+struct ExportContents {
+  std::set<std::string> fixtures;
+  std::vector<ExportedItem> products;
+  std::uint64_t meshes = 0;
+  std::optional<std::uint64_t> free_bodies;   // absent: nothing moves in this format
+  Bounds3 bounds;       // of everything solid but an endless floor
+};
+
+// write_<name>: the whole file. read_<name>: what an independent library finds in it; `catalog` is the scene's and may only be
+// used to find where in a product's shape the origin of its frame lies. Errors: export.mismatch when it cannot be read, io.*.
+#define EXPORT_FORMAT(name, description, extension)                                     \
+  Result<std::string> write_##name(const Scene& scene, const ExportOptions& options);  \
+  Result<ExportContents> read_##name(const std::filesystem::path& file, const std::vector<Product>& catalog);
+#include "export/export_formats.inc"
+#undef EXPORT_FORMAT
+
+// Products whose centre lies in options.free_region_m, by row; none without a region.
+std::vector<bool> products_in_free_region(const Scene& scene, const ExportOptions& options);
+
+// Compares what was read with the scene. Error: export.mismatch with the first difference.
+Result<ExportSummary> compare_with_scene(const Scene& scene, const ExportOptions& options, const ExportContents& contents,
+                                         const std::string& where);
+
+}  // namespace marketgen

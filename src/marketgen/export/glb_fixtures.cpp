@@ -1,0 +1,93 @@
+#include <map>
+
+#include "assets/fixture_model.h"
+#include "export/glb_room.h"
+
+namespace marketgen {
+namespace {
+
+// The parts as bytes, without the row of their fixture: equal modules have equal bytes.
+std::string content_of(const Scene& scene, const SceneFixture& fixture) {
+  std::string bytes;
+  for (std::uint32_t i = 0; i < fixture.part_count; ++i) {
+    ScenePart part = scene.parts[fixture.first_part + i];
+    part.fixture = 0;
+    bytes.append(reinterpret_cast<const char*>(&part), sizeof part);
+  }
+  return bytes;
+}
+
+// Merges the parts of one module into one mesh with as few materials as it has looks.
+class ModuleMesh {
+ public:
+  ModuleMesh(const Scene& scene, GlbMaterials& materials) : scene_(scene), materials_(materials) {}
+
+  Result<void> add(const ScenePart& part) {
+    const MaterialRow* row = part.material < 0 ? nullptr : &scene_.materials[static_cast<std::size_t>(part.material)];
+    Surface look;
+    look.color = {part.color[0], part.color[1], part.color[2]};
+    look.roughness = part.roughness;
+    look.metallic = part.metallic;
+    look.kind = part.kind;
+    int material = -1;
+    if (row == nullptr) material = materials_.add(look);
+    else {
+      MARKETGEN_TRY(material, materials_.add_tiled(row->id));
+    }
+    FixturePart shape;
+    shape.unit = part.unit;
+    shape.shape = part.shape;
+    shape.fixture_from_part = fixture_from_part(part);
+    shape.half_size = {part.half_size_m[0], part.half_size_m[1], part.half_size_m[2]};
+    const std::size_t first = mesh.uvs.size();
+    add_part_mesh(mesh, shape, surface_of(material));
+    const auto scale = static_cast<float>(1 / (row == nullptr ? 1.0 : materials_.extent_m(row->id)));
+    for (std::size_t v = first; v < mesh.uvs.size(); ++v) mesh.uvs[v] = mesh.uvs[v] * scale;
+    return {};
+  }
+
+  Mesh mesh;
+  std::vector<int> surfaces;   // materials by the mesh's surface numbers
+
+ private:
+  std::uint16_t surface_of(int material) {
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+      if (surfaces[i] == material) return static_cast<std::uint16_t>(i);
+    }
+    surfaces.push_back(material);
+    return static_cast<std::uint16_t>(surfaces.size() - 1);
+  }
+
+  const Scene& scene_;
+  GlbMaterials& materials_;
+};
+
+GltfJson node_of(const Scene& scene, std::uint32_t fixture, int mesh) {
+  const SceneFixture& row = scene.fixtures[fixture];
+  const Fixture& placed = scene.layout.fixtures[fixture];
+  GltfJson node{{"name", placed.id}, {"mesh", mesh}, {"translation", json_array(row.position_m)}};
+  node["rotation"] = json_array(gltf_rotation(yaw_from_quarter_turns(row.quarter_turns)));
+  node["extras"] = {{"fixture", placed.id}, {"kind", placed.kind}, {"zone", placed.zone}};
+  return node;
+}
+
+}  // namespace
+
+Result<void> add_fixtures(const Scene& scene, GlbDocument& document, GlbMaterials& materials) {
+  const int group = document.add_node({{"name", "fixtures"}}, -1);
+  std::map<std::string, int> mesh_of_content;
+  for (std::uint32_t f = 0; f < scene.fixtures.size(); ++f) {
+    const SceneFixture& row = scene.fixtures[f];
+    if (row.part_count == 0) continue;
+    const auto [entry, is_new] = mesh_of_content.try_emplace(content_of(scene, row), 0);
+    if (is_new) {
+      ModuleMesh built(scene, materials);
+      for (std::uint32_t i = row.first_part; i < row.first_part + row.part_count; ++i) MARKETGEN_CHECK(built.add(scene.parts[i]));
+      entry->second = document.add_mesh(scene.layout.fixtures[f].kind, built.mesh, built.surfaces);
+    }
+    document.add_node(node_of(scene, f, entry->second), group);
+  }
+  return {};
+}
+
+}  // namespace marketgen

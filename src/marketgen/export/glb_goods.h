@@ -1,0 +1,14 @@
+// The goods and price labels of a GLB export: one mesh per SKU or tag, drawn wherever it stands.
+#pragma once
+#include "export/export.h"
+#include "export/glb_document.h"
+#include "export/glb_materials.h"
+#include "scene/scene.h"
+
+namespace marketgen {
+
+// Errors: assets.*, image.*.
+Result<void> add_products(const Scene& scene, const ExportOptions& options, GlbDocument& document, GlbMaterials& materials);
+Result<void> add_price_labels(const Scene& scene, const ExportOptions& options, GlbDocument& document, GlbMaterials& materials);
+
+}  // namespace marketgen

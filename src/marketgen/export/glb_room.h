@@ -1,0 +1,14 @@
+// The parts of a GLB export that stand still: the room, the fixtures and the price labels.
+#pragma once
+#include "export/glb_document.h"
+#include "export/glb_materials.h"
+#include "scene/scene.h"
+
+namespace marketgen {
+
+// Each adds one group node with what belongs to it. Errors: assets.*, image.*.
+Result<void> add_room(const Scene& scene, GlbDocument& document, GlbMaterials& materials);
+// A node per module, named by its id; equal modules share a mesh.
+Result<void> add_fixtures(const Scene& scene, GlbDocument& document, GlbMaterials& materials);
+
+}  // namespace marketgen

@@ -1,0 +1,19 @@
+#include "export/exporter.h"
+#include "export/glb_document.h"
+#include "export/glb_goods.h"
+#include "export/glb_materials.h"
+#include "export/glb_room.h"
+
+namespace marketgen {
+
+Result<std::string> write_glb(const Scene& scene, const ExportOptions& options) {
+  GlbDocument document(scene.layout.name);
+  GlbMaterials materials(scene, document);
+  MARKETGEN_CHECK(add_room(scene, document, materials));
+  MARKETGEN_CHECK(add_fixtures(scene, document, materials));
+  MARKETGEN_CHECK(add_products(scene, options, document, materials));
+  MARKETGEN_CHECK(add_price_labels(scene, options, document, materials));
+  return document.finish();
+}
+
+}  // namespace marketgen

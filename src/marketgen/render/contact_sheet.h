@@ -1,0 +1,16 @@
+// Single products on a plain ground: pictures for the asset library.
+#pragma once
+#include <vector>
+
+#include "base/result.h"
+#include "catalog/product.h"
+#include "geometry/image.h"
+
+namespace marketgen {
+
+// Three-quarter view, `size_px` a side. Errors: assets.*.
+Result<Image> draw_product(const Product& product, int size_px);
+// All of them in rows, each `size_px` a side, in the given order.
+Result<Image> draw_contact_sheet(const std::vector<Product>& products, int size_px);
+
+}  // namespace marketgen

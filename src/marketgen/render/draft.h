@@ -1,0 +1,48 @@
+// A world under construction: materials and textures get their numbers first, then all pictures are drawn side by side, then
+// geometry is added (its mip constants need the textures' sizes).
+#pragma once
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "render/world.h"
+#include "scene/scene.h"
+
+namespace marketgen::raytrace {
+
+class Draft {
+ public:
+  Draft(const Scene& scene, World& world) : scene_(scene), world_(world) {}
+
+  const Scene& scene() const { return scene_; }
+  World& world() const { return world_; }
+
+  // The texture drawn by `draw` from `content` (which decides its pixels). Equal contents share one texture.
+  std::int32_t texture(const std::string& content, std::function<Result<Image>()> draw);
+  // Number of a material; equal ones share it, except glowing ones, whose light is measured later.
+  std::uint16_t material(const Material& material);
+  // A catalogue material tiled by UV in units of its own extent; plain white plaster when the scene lacks the row.
+  std::uint16_t tiled_material(std::string_view id);
+  // What one metre of UV must be divided by for `tiled_material(id)`.
+  float extent_m(std::string_view id) const;
+  const MaterialRow* row(std::string_view id) const;
+
+  // Draws everything asked for so far into World::textures.
+  Result<void> draw_textures(Progress& progress);
+
+ private:
+  const Scene& scene_;
+  World& world_;
+  struct Order {
+    std::string content;
+    std::function<Result<Image>()> draw;
+  };
+  std::vector<Order> orders_;
+  std::map<std::string, std::int32_t> texture_of_content_;
+  std::map<std::array<float, 6>, std::uint16_t> material_of_look_;
+};
+
+}  // namespace marketgen::raytrace

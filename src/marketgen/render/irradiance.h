@@ -1,0 +1,69 @@
+// Light stored in the air: how much arrives from each side, at points between the boards of every shelf and on a coarse grid
+// through the room.
+//
+// Used to light what rays see at second hand (bounces, reflections), where a blurred answer is enough and noise is not. Shelf
+// points are bounded by their boards, so that light does not leak into compartments as it would through a plain room grid.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "render/light_grid.h"
+#include "render/tracing.h"
+#include "scene/scene.h"
+
+namespace marketgen::raytrace {
+
+// Irradiance on a surface facing +x, -x, +y, -y, +z, -z.
+struct AmbientCube {
+  std::array<Vec3f, 6> faces;
+  float validity = 0;            // 0 inside solid matter
+  Vec3f irradiance(Vec3f normal) const;
+};
+
+// Where light is asked for, and what stands there: rows of the scene, -1 = none.
+struct Place {
+  Vec3f point;
+  std::int32_t fixture = -1, shelf = -1;
+};
+Place place_of(const Surface& surface);
+
+class IrradianceField {
+ public:
+  // Deterministic for any thread count.
+  IrradianceField(const World& world, const LightGrid& lights, const Scene& scene);
+
+  // Irradiance on something at `place` that faces `facing`; over pi it is the mean radiance from that side.
+  Vec3f at(const Place& place, Vec3f facing) const;
+
+ private:
+  struct Shelf {
+    Placement world_from_shelf;
+    Vec3f size;                  // width, depth, clearance
+    std::uint32_t first = 0;     // of its probes
+    int columns = 2;
+  };
+  // Probe indices around a point and their weights.
+  struct Corners {
+    std::array<std::uint32_t, 8> probe{};
+    std::array<float, 8> weight{};
+  };
+  void place_room(const World& world);
+  void place_shelves(const Scene& scene);
+  void bake(const World& world, const LightGrid& lights);
+  void fill_invalid();
+  const Shelf* shelf_of(const Place& place) const;
+  Corners corners_in_shelf(const Shelf& shelf, Vec3f point) const;
+  Corners corners_in_room(Vec3f point) const;
+  Vec3f gathered(const Corners& corners, Vec3f facing) const;
+
+  std::vector<Vec3f> positions_;
+  std::vector<AmbientCube> probes_;
+  std::vector<Shelf> shelves_;
+  std::vector<std::array<std::uint32_t, 2>> shelves_of_fixture_;  // first, count
+  Vec3f low_, step_;
+  std::array<int, 3> size_{2, 2, 2};
+  Vec3f mean_{};                 // of the valid room probes: where nothing is known
+};
+
+}  // namespace marketgen::raytrace

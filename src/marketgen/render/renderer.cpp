@@ -1,0 +1,153 @@
+// Renderer: the world, its light, and the two ways to make a picture of it.
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+#include "render/build_world.h"
+#include "render/filter.h"
+#include "render/path.h"
+#include "render/render.h"
+#include "render/resolve.h"
+#include "render/shading_math.h"
+
+namespace marketgen {
+namespace raytrace {
+namespace {
+
+// What a quality buys. Sensor mode: light samples a pixel, extra samples on edges, filter passes. Path mode: paths a pixel.
+struct Effort {
+  int light_samples, edge_samples, filter_passes, paths;
+};
+
+Effort effort_of(Quality quality) {
+  switch (quality) {
+    case Quality::fast: return {1, 3, 4, 16};
+    case Quality::balanced: return {2, 4, 4, 64};
+    case Quality::best: return {8, 8, 3, 256};
+  }
+  return {2, 4, 4, 64};
+}
+
+constexpr int paths_per_pass = 8;   // between looks at the clock
+
+class EmbreeRenderer : public Renderer {
+ public:
+  EmbreeRenderer(std::unique_ptr<World> world, const Scene& scene)
+      : world_(std::move(world)), lights_(*world_), field_(*world_, lights_, scene), lighting_{*world_, lights_, field_} {}
+
+  Result<Frame> render(const Camera& camera, const RenderOptions& options, Progress& progress) override {
+    MARKETGEN_CHECK(check_camera(camera, camera.name.empty() ? "camera" : camera.name));
+    const View view(camera);
+    const unsigned mask = options.hide_ceiling ? mask_solid : mask_opaque;
+    Film film(camera.width, camera.height);
+    Planes3 radiance(0);
+    if (options.mode == RenderMode::path) {
+      trace_paths(view, options, mask, film, progress);
+      radiance = resolve_edges(lighting_, view, film, mask, 0);
+    } else {
+      light_sensor(view, options, mask, film, progress);
+      radiance = resolve_edges(lighting_, view, film, mask, effort_of(options.quality).edge_samples);
+    }
+    return frame_of(std::move(film), radiance);
+  }
+
+ private:
+  template <class Body>
+  void for_tiles(const View& view, Progress& progress, std::string_view stage, const Body& body) const {
+    const auto count = static_cast<std::size_t>(tiles_across(view)) * static_cast<std::size_t>(tiles_down(view));
+    progress.begin(stage, count);
+    parallel_for(count, [&](std::size_t i) {
+      body(static_cast<int>(i));
+      progress.advance();
+    });
+    progress.end();
+  }
+
+  void light_sensor(const View& view, const RenderOptions& options, unsigned mask, Film& film, Progress& progress) const {
+    const Effort effort = effort_of(options.quality);
+    const int samples = options.samples > 0 ? options.samples : effort.light_samples;
+    for_tiles(view, progress, "picture", [&](int index) {
+      const auto tile = std::make_unique<Tile>();
+      find_first_hits(*world_, view, index, mask, *tile);
+      store_first_hits(*world_, view, *tile, film);
+      light_tile(lighting_, view, *tile, samples, film);
+    });
+    smooth(film, film.irradiance, {effort.filter_passes, 4.0F, false});
+    smooth(film, film.gloss, {effort.filter_passes - 1, 3.0F, true});
+  }
+
+  void trace_paths(const View& view, const RenderOptions& options, unsigned mask, Film& film, Progress& progress) const {
+    const int wanted = options.samples > 0 ? options.samples : effort_of(options.quality).paths;
+    for_tiles(view, progress, "first hits", [&](int index) {
+      const auto tile = std::make_unique<Tile>();
+      find_first_hits(*world_, view, index, mask, *tile);
+      store_first_hits(*world_, view, *tile, film);
+    });
+    std::vector<PathSums> sums(film.count());
+    const double start = monotonic_seconds();
+    int done = 0;
+    while (done < wanted) {
+      const int now = std::min(paths_per_pass, wanted - done);
+      for_tiles(view, progress, "paths", [&](int index) { add_tile_paths(view, index, done, now, mask, sums); });
+      done += now;
+      if (options.time_s > 0 && monotonic_seconds() - start > options.time_s) break;
+    }
+    store_paths(sums, done, film);
+    smooth(film, film.irradiance, {3, 1.5F, false});
+    smooth(film, film.gloss, {2, 1.5F, true});
+  }
+
+  void add_tile_paths(const View& view, int index, int first, int count, unsigned mask, std::vector<PathSums>& sums) const {
+    const int x0 = index % tiles_across(view) * tile_size, y0 = index / tiles_across(view) * tile_size;
+    for (int y = y0; y < std::min(y0 + tile_size, view.height()); ++y) {
+      for (int x = x0; x < std::min(x0 + tile_size, view.width()); ++x) {
+        PathSums& sum = sums[static_cast<std::size_t>(y) * static_cast<std::size_t>(view.width()) + static_cast<std::size_t>(x)];
+        for (int s = first; s < first + count; ++s) add_path(lighting_, view, x, y, static_cast<std::uint32_t>(s), mask, sum);
+      }
+    }
+  }
+
+  // Paths bring their own albedo, emission and glass: the film's planes for those are replaced.
+  static void store_paths(const std::vector<PathSums>& sums, int count, Film& film) {
+    const float scale = 1 / static_cast<float>(count);
+    for (std::size_t i = 0; i < film.count(); ++i) {
+      const Vec3f albedo = sums[i].albedo * scale, diffuse = sums[i].diffuse * scale;
+      const auto divided = [](float light, float color) { return color > 1e-3F ? light * pi / color : 0; };
+      film.albedo.set(i, albedo);
+      film.irradiance.set(i, {divided(diffuse.x, albedo.x), divided(diffuse.y, albedo.y), divided(diffuse.z, albedo.z)});
+      film.reflectance.set(i, {1, 1, 1});
+      film.gloss.set(i, sums[i].other * scale);
+      film.emission.set(i, {});
+      film.transmittance.set(i, {1, 1, 1});
+      film.overlay.set(i, {});
+    }
+  }
+
+  Frame frame_of(Film film, const Planes3& radiance) const {
+    Frame frame;
+    frame.color = develop(radiance, film.width, film.height, world_->exposure);
+    frame.depth_m = std::move(film.depth);
+    frame.instance = std::move(film.instance);
+    frame.normals.resize(film.normal.axis[0].size() * 3);
+    for (std::size_t i = 0; i < frame.depth_m.size(); ++i) {
+      if (frame.depth_m[i] <= 0) continue;   // nothing was hit: no normal
+      for (std::size_t a = 0; a < 3; ++a) frame.normals[3 * i + a] = film.normal.axis[a][i];
+    }
+    return frame;
+  }
+
+  std::unique_ptr<World> world_;
+  LightGrid lights_;
+  IrradianceField field_;
+  Lighting lighting_;
+};
+
+}  // namespace
+}  // namespace raytrace
+
+Result<std::unique_ptr<Renderer>> Renderer::create(const Scene& scene, Progress& progress) {
+  MARKETGEN_TRY(std::unique_ptr<raytrace::World> world, raytrace::build_world(scene, progress));
+  return std::unique_ptr<Renderer>(std::make_unique<raytrace::EmbreeRenderer>(std::move(world), scene));
+}
+
+}  // namespace marketgen

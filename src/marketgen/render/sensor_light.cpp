@@ -1,0 +1,225 @@
+#include "render/sensor_light.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/sample_pattern.h"
+#include "render/shading_math.h"
+
+namespace marketgen::raytrace {
+namespace {
+
+constexpr float glossy_below = 0.4F;           // roughness
+constexpr float light_end_m = 0.01F;           // shadow rays stop this short of the lamp
+constexpr float bounce_footprint = 0.25F;      // metres per metre: a bounce sees the mean colour of a patch
+constexpr float mirror_footprint = 0.6F;       // times alpha, metres per metre
+// Single samples are capped, in units of what a picture shows as white: rarer, brighter ones would stay as spots.
+constexpr float brightest_direct = 30, brightest_bounce = 6, brightest_mirror = 12;
+
+Vec3f capped(Vec3f value, float limit) {
+  const float top = largest(value);
+  return top > limit ? value * (limit / top) : value;
+}
+
+// Rays of one kind waiting for a full packet.
+template <class Payload>
+struct RayQueue {
+  std::array<Ray, packet_size> rays;
+  std::array<Payload, packet_size> payloads;
+  std::size_t used = 0;
+  bool full() const { return used == packet_size; }
+  void add(const Ray& ray, const Payload& payload) {
+    rays[used] = ray;
+    payloads[used++] = payload;
+  }
+};
+
+// A ray's pixel and what its answer is worth.
+struct Weighted {
+  std::size_t pixel = 0;
+  Vec3f weight;
+};
+
+class TileLighter {
+ public:
+  TileLighter(const Lighting& lighting, const View& view, const Tile& tile, int samples)
+      : lighting_(lighting), view_(view), tile_(tile), samples_(samples), white_(1 / lighting.world.exposure) {}
+
+  void run(Film& film) {
+    for (int s = 0; s < samples_; ++s) {
+      add_direct(s);
+      add_bounce(s);
+    }
+    add_gloss();
+    add_pane_reflections();
+    store(film);
+  }
+
+ private:
+  bool lit(std::size_t i) const { return tile_.inside(i) && tile_.hits[i].any; }
+  SamplePattern pattern(std::size_t i, int count) const { return {tile_.x_of(i), tile_.y_of(i), count}; }
+
+  void add_direct(int s) {
+    RayQueue<Weighted> queue;
+    const float share = 1.0F / static_cast<float>(samples_);
+    for (std::size_t i = 0; i < tile_pixels; ++i) {
+      if (!lit(i)) continue;
+      const Surface& surface = tile_.hits[i].surface;
+      const SamplePattern numbers = pattern(i, samples_);
+      const Vec2f pick = numbers.at(SampleUse::light_pick, s), point = numbers.at(SampleUse::light_point, s);
+      const LightSample sample = lighting_.lights.sample(surface.position, pick.x, point.x, point.y);
+      const float cosine = dot(sample.direction, surface.normal);
+      if (sample.pdf <= 0 || cosine <= 0 || dot(sample.direction, surface.face_normal) <= 0) continue;
+      const Vec3f weight = capped(sample.irradiance_scale * cosine, brightest_direct * white_ * pi) * share;
+      queue.add({surface.position, sample.direction, 0, sample.distance - light_end_m}, {i, weight});
+      if (queue.full()) finish_direct(queue);
+    }
+    finish_direct(queue);
+  }
+
+  void finish_direct(RayQueue<Weighted>& queue) {
+    if (queue.used == 0) return;
+    std::array<bool, packet_size> blocked{};
+    find_blocked(lighting_.world, std::span(queue.rays).first(queue.used), std::span(blocked).first(queue.used), mask_opaque);
+    for (std::size_t k = 0; k < queue.used; ++k) {
+      if (!blocked[k]) irradiance_[queue.payloads[k].pixel] += queue.payloads[k].weight;
+    }
+    queue.used = 0;
+  }
+
+  void add_bounce(int s) {
+    RayQueue<Weighted> queue;
+    const float share = pi / static_cast<float>(samples_);
+    for (std::size_t i = 0; i < tile_pixels; ++i) {
+      if (!lit(i)) continue;
+      const Surface& surface = tile_.hits[i].surface;
+      const Vec2f numbers = pattern(i, samples_).at(SampleUse::bounce, s);
+      const Vec3f direction = TangentFrame(surface.normal).to_world(cosine_direction(numbers.x, numbers.y));
+      if (dot(direction, surface.face_normal) <= 0) continue;
+      queue.add({surface.position, direction}, {i, {share, share, share}});
+      if (queue.full()) finish_bounce(queue);
+    }
+    finish_bounce(queue);
+  }
+
+  void finish_bounce(RayQueue<Weighted>& queue) {
+    if (queue.used == 0) return;
+    std::array<Hit, packet_size> hits;
+    trace(lighting_.world, std::span(queue.rays).first(queue.used), hits, mask_opaque, RayBundle::scattered);
+    for (std::size_t k = 0; k < queue.used; ++k) {
+      if (!hits[k].any()) continue;   // daylight comes from the windows' own area lights
+      const Surface seen = surface_at(lighting_.world, queue.rays[k], hits[k], bounce_footprint * hits[k].t);
+      const Vec3f radiance = stored_radiance(lighting_, seen, queue.rays[k].direction, Lamps::left_out);
+      irradiance_[queue.payloads[k].pixel] += capped(radiance, brightest_bounce * white_) * queue.payloads[k].weight;
+    }
+    queue.used = 0;
+  }
+
+  void add_gloss() {
+    RayQueue<Weighted> queue;
+    for (std::size_t i = 0; i < tile_pixels; ++i) {
+      if (!lit(i)) continue;
+      const Surface& surface = tile_.hits[i].surface;
+      const Vec3f direction = tile_.hits[i].ray.direction;
+      if (!is_glossy(surface)) {
+        gloss_[i] = lighting_.field.at(place_of(surface), mirrored(direction, surface.normal)) * inverse_pi;
+        continue;
+      }
+      for (int s = 0; s < samples_; ++s) {
+        const Vec3f mirror = mirror_direction(i, s);
+        if (dot(mirror, surface.face_normal) <= 0) continue;
+        const float share = 1.0F / static_cast<float>(samples_);
+        queue.add({surface.position, mirror}, {i, {share, share, share}});
+        if (queue.full()) finish_gloss(queue);
+      }
+    }
+    finish_gloss(queue);
+  }
+
+  Vec3f mirror_direction(std::size_t i, int s) const {
+    const Surface& surface = tile_.hits[i].surface;
+    const Vec2f numbers = pattern(i, samples_).at(SampleUse::reflection, s);
+    const TangentFrame frame(surface.normal);
+    const Vec3f view = frame.to_local(-tile_.hits[i].ray.direction);
+    const float alpha = surface.roughness * surface.roughness;
+    const Vec3f half = ggx_half_vector(view, std::max(alpha, 1e-3F), numbers.x, numbers.y);
+    return frame.to_world(half * (2 * dot(view, half)) - view);
+  }
+
+  void finish_gloss(RayQueue<Weighted>& queue) {
+    if (queue.used == 0) return;
+    std::array<Hit, packet_size> hits;
+    trace(lighting_.world, std::span(queue.rays).first(queue.used), hits, mask_opaque, RayBundle::scattered);
+    for (std::size_t k = 0; k < queue.used; ++k) {
+      const std::size_t i = queue.payloads[k].pixel;
+      const float alpha = tile_.hits[i].surface.roughness * tile_.hits[i].surface.roughness;
+      gloss_[i] += capped(mirror_radiance(queue.rays[k], hits[k], alpha), brightest_mirror * white_) * queue.payloads[k].weight;
+    }
+    queue.used = 0;
+  }
+
+  Vec3f mirror_radiance(const Ray& ray, const Hit& hit, float alpha) const {
+    if (!hit.any()) return lighting_.world.surroundings.radiance(ray.direction);
+    const float footprint = view_.footprint(hit.t) + mirror_footprint * alpha * hit.t;
+    return stored_radiance(lighting_, surface_at(lighting_.world, ray, hit, footprint), ray.direction, Lamps::seen);
+  }
+
+  void add_pane_reflections() {
+    RayQueue<Weighted> queue;
+    for (std::size_t i = 0; i < tile_pixels; ++i) {
+      if (!tile_.inside(i) || !tile_.hits[i].glass) continue;
+      const GlassLayer& glass = *tile_.hits[i].glass;
+      const Vec3f mirror = mirrored(tile_.hits[i].ray.direction, glass.pane.normal);
+      queue.add({glass.pane.position, mirror}, {i, Vec3f{1, 1, 1} * glass.reflectance});
+      if (queue.full()) finish_panes(queue);
+    }
+    finish_panes(queue);
+  }
+
+  void finish_panes(RayQueue<Weighted>& queue) {
+    if (queue.used == 0) return;
+    std::array<Hit, packet_size> hits;
+    trace(lighting_.world, std::span(queue.rays).first(queue.used), hits, mask_opaque, RayBundle::coherent);
+    for (std::size_t k = 0; k < queue.used; ++k) {
+      overlay_[queue.payloads[k].pixel] = mirror_radiance(queue.rays[k], hits[k], 0) * queue.payloads[k].weight;
+    }
+    queue.used = 0;
+  }
+
+  void store(Film& film) const {
+    for (std::size_t k = 0; k < tile_pixels; ++k) {
+      if (!tile_.inside(k)) continue;
+      const std::size_t i = film.index(tile_.x_of(k), tile_.y_of(k));
+      film.irradiance.set(i, irradiance_[k]);
+      film.gloss.set(i, gloss_[k]);
+      film.overlay.set(i, overlay_[k]);
+    }
+  }
+
+  const Lighting& lighting_;
+  const View& view_;
+  const Tile& tile_;
+  int samples_;
+  float white_;   // radiance shown as white
+  std::array<Vec3f, tile_pixels> irradiance_{}, gloss_{}, overlay_{};
+};
+
+}  // namespace
+
+bool is_glossy(const Surface& surface) { return surface.roughness < glossy_below; }
+
+Vec3f stored_radiance(const Lighting& lighting, const Surface& surface, Vec3f direction, Lamps lamps) {
+  const Place place = place_of(surface);
+  Vec3f radiance = surface.diffuse() * lighting.field.at(place, surface.normal) * inverse_pi;
+  if (surface.metallic > 0) {
+    radiance += surface.albedo * surface.metallic * lighting.field.at(place, mirrored(direction, surface.normal)) * inverse_pi;
+  }
+  if (lamps == Lamps::seen || surface.light < 0) radiance += surface.emission;
+  return radiance;
+}
+
+void light_tile(const Lighting& lighting, const View& view, const Tile& tile, int samples, Film& film) {
+  TileLighter(lighting, view, tile, samples).run(film);
+}
+
+}  // namespace marketgen::raytrace

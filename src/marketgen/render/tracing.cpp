@@ -1,0 +1,174 @@
+#include "render/tracing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/shading_math.h"
+
+namespace marketgen::raytrace {
+namespace {
+
+constexpr float surface_lift_m = 3e-4F;     // longer than float error at 100 m, shorter than any gap that shows
+constexpr float least_facing = 0.03F;       // shading normals are bent to face the viewer at least this much
+
+template <class Packet>
+void set_ray(Packet& packet, std::size_t k, const Ray& ray, unsigned mask) {
+  packet.org_x[k] = ray.origin.x;
+  packet.org_y[k] = ray.origin.y;
+  packet.org_z[k] = ray.origin.z;
+  packet.dir_x[k] = ray.direction.x;
+  packet.dir_y[k] = ray.direction.y;
+  packet.dir_z[k] = ray.direction.z;
+  packet.tnear[k] = ray.near;
+  packet.tfar[k] = ray.far;
+  packet.mask[k] = mask;
+  packet.time[k] = 0;
+  packet.flags[k] = 0;
+  packet.id[k] = static_cast<unsigned>(k);
+}
+
+RTCRay single(const Ray& ray, unsigned mask) {
+  RTCRay r{};
+  r.org_x = ray.origin.x;
+  r.org_y = ray.origin.y;
+  r.org_z = ray.origin.z;
+  r.dir_x = ray.direction.x;
+  r.dir_y = ray.direction.y;
+  r.dir_z = ray.direction.z;
+  r.tnear = ray.near;
+  r.tfar = ray.far;
+  r.mask = mask;
+  return r;
+}
+
+// The lanes in use; the rest point at a ray that exists, so that no lane holds garbage.
+alignas(64) constexpr std::array<std::array<int, packet_size>, packet_size + 1> lane_masks = [] {
+  std::array<std::array<int, packet_size>, packet_size + 1> masks{};
+  for (std::size_t n = 0; n <= packet_size; ++n) {
+    for (std::size_t k = 0; k < n; ++k) masks[n][k] = -1;
+  }
+  return masks;
+}();
+
+Vec3f unpacked(const std::array<std::int16_t, 3>& n) {
+  return {static_cast<float>(n[0]), static_cast<float>(n[1]), static_cast<float>(n[2])};
+}
+
+const TriangleRecord& record_of(const World& world, const Hit& hit) {
+  if (hit.instance != RTC_INVALID_GEOMETRY_ID) {
+    const TracedMesh& mesh = world.meshes[world.instances[hit.instance].mesh];
+    return (hit.geometry == mesh_glass_geometry ? mesh.glass : mesh.solid).records[hit.primitive];
+  }
+  if (hit.geometry == shell_glass_geometry) return world.shell_glass.records[hit.primitive];
+  return (hit.geometry == ceiling_geometry ? world.ceiling : world.shell).records[hit.primitive];
+}
+
+// Turns both normals towards the viewer; the shading normal keeps facing him where the mesh is coarse.
+void face_viewer(Surface& s, Vec3f direction) {
+  s.back_face = dot(s.face_normal, direction) > 0;
+  if (s.back_face) s.face_normal = -s.face_normal;
+  if (dot(s.normal, s.face_normal) < 0) s.normal = -s.normal;
+  const float facing = dot(s.normal, direction);
+  if (facing > -least_facing) s.normal = normalized(s.normal - direction * (facing + least_facing));
+}
+
+Vec3f textured_albedo(const World& world, const Material& material, const TriangleRecord& record, const Hit& hit, float footprint) {
+  if (material.texture < 0) return material.color;
+  const float w = 1 - hit.u - hit.v;
+  const Vec2f uv = record.uvs[0] * w + record.uvs[1] * hit.u + record.uvs[2] * hit.v;
+  const float lod = record.texel_density + rough_log2(std::max(footprint, 1e-6F));
+  return material.color * world.textures[static_cast<std::size_t>(material.texture)].sample(uv.x, uv.y, lod);
+}
+
+}  // namespace
+
+void trace(const World& world, std::span<const Ray> rays, std::span<Hit> hits, unsigned mask, RayBundle bundle) {
+  alignas(64) RTCRayHit16 packet;
+  for (std::size_t k = 0; k < packet_size; ++k) {
+    set_ray(packet.ray, k, rays[std::min(k, rays.size() - 1)], mask);
+    packet.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
+    packet.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
+  }
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  if (bundle == RayBundle::coherent) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcIntersect16(lane_masks[rays.size()].data(), world.bvh.get(), &context, &packet);
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    const unsigned instance = packet.hit.instID[0][k];
+    hits[k] = {packet.ray.tfar[k], packet.hit.geomID[k], packet.hit.primID[k],
+               instance == RTC_INVALID_GEOMETRY_ID ? instance : instance - first_instance_geometry, packet.hit.u[k],
+               packet.hit.v[k]};
+  }
+}
+
+void find_blocked(const World& world, std::span<const Ray> rays, std::span<bool> blocked, unsigned mask) {
+  alignas(64) RTCRay16 packet;
+  for (std::size_t k = 0; k < packet_size; ++k) set_ray(packet, k, rays[std::min(k, rays.size() - 1)], mask);
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded16(lane_masks[rays.size()].data(), world.bvh.get(), &context, &packet);
+  for (std::size_t k = 0; k < rays.size(); ++k) blocked[k] = packet.tfar[k] < 0;
+}
+
+Hit trace_one(const World& world, const Ray& ray, unsigned mask) {
+  RTCRayHit query{};
+  query.ray = single(ray, mask);
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(world.bvh.get(), &context, &query);
+  const unsigned instance = query.hit.instID[0];
+  return {query.ray.tfar, query.hit.geomID, query.hit.primID,
+          instance == RTC_INVALID_GEOMETRY_ID ? instance : instance - first_instance_geometry, query.hit.u, query.hit.v};
+}
+
+bool is_blocked(const World& world, const Ray& ray, unsigned mask) {
+  RTCRay query = single(ray, mask);
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded1(world.bvh.get(), &context, &query);
+  return query.tfar < 0;
+}
+
+Vec3f Surface::reflectance() const {
+  const Vec3f dielectric{dielectric_reflectance, dielectric_reflectance, dielectric_reflectance};
+  return mix(dielectric, albedo, metallic);
+}
+
+Surface surface_at(const World& world, const Ray& ray, const Hit& hit, float footprint) {
+  const TriangleRecord& record = record_of(world, hit);
+  const Material& material = world.materials[record.material];
+  const float w = 1 - hit.u - hit.v;
+  Surface s;
+  s.face_normal = unpacked(record.face_normal);
+  s.normal = unpacked(record.normals[0]) * w + unpacked(record.normals[1]) * hit.u + unpacked(record.normals[2]) * hit.v;
+  s.id = record.owner;
+  s.light = record.light;
+  float brightness = 1;
+  if (hit.instance != RTC_INVALID_GEOMETRY_ID) {
+    const Instance& instance = world.instances[hit.instance];
+    s.face_normal = instance.world_from_mesh.turn(s.face_normal);
+    s.normal = instance.world_from_mesh.turn(s.normal);
+    s.id = instance.id;
+    s.fixture = instance.fixture;
+    s.shelf = instance.shelf;
+    if (s.light >= 0) s.light += instance.first_light;
+    brightness = instance.brightness;
+  }
+  s.face_normal = normalized(s.face_normal);
+  s.normal = normalized(s.normal);
+  face_viewer(s, ray.direction);
+  const float slant = std::max(0.15F, -dot(s.face_normal, ray.direction));
+  s.albedo = textured_albedo(world, material, record, hit, footprint / std::sqrt(slant)) * brightness;
+  s.position = ray.origin + ray.direction * hit.t + s.face_normal * surface_lift_m;
+  s.emission = material.emission;
+  s.roughness = material.roughness;
+  s.metallic = material.metallic;
+  s.distance = hit.t;
+  s.material = record.material;
+  s.glass = material.glass;
+  return s;
+}
+
+}  // namespace marketgen::raytrace

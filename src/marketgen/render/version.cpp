@@ -1,0 +1,10 @@
+#include <fmt/format.h>
+
+#include "render/embree_handle.h"
+#include "render/render.h"
+
+namespace marketgen {
+
+std::string renderer_version() { return RTC_VERSION_STRING; }
+
+}  // namespace marketgen

@@ -1,0 +1,162 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/build_info.h"
+#include "base/interrupt.h"
+#include "io/file.h"
+#include "io/json.h"
+#include "io/png.h"
+#include "layout/layout_picture.h"
+#include "scene/query.h"
+#include "scene/scene_file.h"
+#include "store/previews.h"
+#include "store/store.h"
+
+namespace marketgen {
+namespace fs = std::filesystem;
+namespace {
+
+// Runs stages, times each, and tells the progress.
+class Stages {
+ public:
+  explicit Stages(Progress& progress) : progress_(progress) {}
+
+  template <class Work>
+  auto run(std::string name, const Work& work) -> decltype(work()) {
+    MARKETGEN_CHECK(check_interrupt());
+    progress_.begin(name, 1);
+    const double start = monotonic_seconds();
+    auto result = work();
+    timings_.push_back({std::move(name), monotonic_seconds() - start});
+    progress_.end();
+    return result;
+  }
+  std::vector<StageTiming> take() { return std::move(timings_); }
+
+ private:
+  Progress& progress_;
+  std::vector<StageTiming> timings_;
+};
+
+Result<Planned> plan_of(const CreateOptions& options, const Catalog& catalog, Seed seed) {
+  if (options.plan_file) {
+    MARKETGEN_TRY(const std::string text, read_file(*options.plan_file, 64U << 20));
+    MARKETGEN_TRY(Plan plan, read_plan(text, options.plan_file->string(), catalog));
+    Planned planned;
+    planned.plan = std::move(plan);
+    return planned;
+  }
+  MARKETGEN_TRY(const std::unique_ptr<Planner> planner, make_planner(options.brief.planner));
+  return plan_from_brief(options.brief, catalog, *planner, seed.child("plan"));
+}
+
+StoreBounds bounds_of(const Scene& scene) {
+  const Shell& shell = scene.layout.shell;
+  return {{0, 0, 0}, {shell.width_mm * 1e-3, shell.depth_mm * 1e-3, shell.ceiling_mm * 1e-3}};
+}
+
+// Digests of every file in the draft, sorted by path.
+Result<std::vector<FileDigest>> digests_of(const fs::path& folder) {
+  std::vector<FileDigest> digests;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    const std::string path = fs::relative(entry.path(), folder).generic_string();
+    if (path == "store.json" || path == "report.json") continue;
+    MARKETGEN_TRY(const std::string sha256, sha256_of_file(entry.path()));
+    digests.push_back({path, sha256, entry.file_size()});
+  }
+  std::sort(digests.begin(), digests.end(), [](const FileDigest& a, const FileDigest& b) { return a.path < b.path; });
+  return digests;
+}
+
+Result<void> write_stages(const fs::path& folder, const Plan& plan, const Scene& scene) {
+  MARKETGEN_CHECK(write_file(folder / "plan.json", write_json(plan)));
+  MARKETGEN_CHECK(write_file(folder / "layout.json", write_json(scene.layout)));
+  MARKETGEN_CHECK(write_file(folder / "scene.bin", encode_scene(scene)));
+  MARKETGEN_TRY(const Table planogram, query_scene(scene, "planogram", ""));
+  return write_file(folder / "planogram.csv", to_csv(planogram));
+}
+
+Result<void> write_previews(const fs::path& folder, const Scene& scene, const Catalog& catalog, Progress& progress) {
+  MARKETGEN_CHECK(write_png(folder / "layout.png", draw_layout(scene.layout, catalog)));
+  std::error_code failed;
+  fs::create_directory(folder / "previews", failed);
+  if (failed) return Error{"io.cannot_write", (folder / "previews").string(), failed.message()};
+  return draw_previews(scene, folder / "previews", progress);
+}
+
+Result<void> require_no_hard_violation(const std::vector<Violation>& rules) {
+  for (const Violation& v : rules) {
+    if (v.severity == Severity::hard) return Error{"layout.violation", v.where, fmt::format("{}: {}", v.code, v.message)};
+  }
+  return {};
+}
+
+struct Built {
+  Planned planned;
+  Repaired repaired;
+  Scene scene;
+  Audit audit;
+};
+
+Result<Built> build(const CreateOptions& options, const Catalog& catalog, Stages& stages) {
+  const Seed seed(options.seed);
+  MARKETGEN_TRY(Planned planned, stages.run("plan", [&] { return plan_of(options, catalog, seed); }));
+  MARKETGEN_TRY(Repaired repaired, stages.run("repair", [&] { return repair_plan(planned.plan, catalog, seed.child("layout")); }));
+  MARKETGEN_TRY(const Layout layout, stages.run("layout", [&] { return make_layout(repaired.plan, catalog, seed.child("layout")); }));
+  MARKETGEN_TRY(Scene scene, stages.run("scene", [&] { return build_scene(layout, repaired.plan, catalog, seed.child("scene")); }));
+  MARKETGEN_TRY(Audit audit, stages.run("audit", [&] { return audit_store(scene, catalog, planned.requirements); }));
+  if (options.strict) MARKETGEN_CHECK(require_no_hard_violation(audit.rules));
+  return Built{std::move(planned), std::move(repaired), std::move(scene), std::move(audit)};
+}
+
+StoreReport report_of(Built& built) {
+  StoreReport report;
+  report.requirements = std::move(built.audit.requirements);
+  report.rules = std::move(built.audit.rules);
+  report.metrics = built.audit.metrics;
+  report.unparsed = std::move(built.planned.unparsed);
+  report.conflicts = std::move(built.planned.conflicts);
+  report.repairs = std::move(built.repaired.changes);
+  return report;
+}
+
+Manifest manifest_of(const Built& built, const CreateOptions& options, const Catalog& catalog) {
+  Manifest manifest;
+  manifest.name = built.repaired.plan.name;
+  manifest.seed = options.seed;
+  manifest.versions = {program_version, catalog.content_hash};
+  manifest.brief = options.brief;
+  manifest.requirements = built.planned.requirements;
+  manifest.counts = count(built.scene);
+  manifest.bounds = bounds_of(built.scene);
+  manifest.scene_hash = scene_hash(built.scene);
+  manifest.look_hash = look_hash(built.scene);
+  return manifest;
+}
+
+}  // namespace
+
+Result<Created> create_store(const CreateOptions& options, const Catalog& catalog, Progress& progress) {
+  MARKETGEN_TRY(FolderDraft draft, FolderDraft::begin(options.folder));
+  Stages stages(progress);
+  MARKETGEN_TRY(Built built, build(options, catalog, stages));
+  MARKETGEN_CHECK(stages.run("save", [&] { return write_stages(draft.folder(), built.repaired.plan, built.scene); }));
+  if (options.previews) {
+    MARKETGEN_CHECK(stages.run("previews", [&] { return write_previews(draft.folder(), built.scene, catalog, silent_progress()); }));
+  }
+  Created created;
+  created.manifest = manifest_of(built, options, catalog);
+  MARKETGEN_TRY(std::vector<FileDigest> files, digests_of(draft.folder()));
+  created.manifest.files = std::move(files);
+  created.report = report_of(built);
+  created.report.timing_s = stages.take();
+  created.report.peak_rss_mb = peak_rss_mb();
+  MARKETGEN_CHECK(write_file(draft.folder() / "store.json", write_json(created.manifest)));
+  MARKETGEN_CHECK(write_file(draft.folder() / "report.json", write_json(created.report)));
+  MARKETGEN_CHECK(draft.commit());
+  return created;
+}
+
+}  // namespace marketgen
