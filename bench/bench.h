@@ -12,7 +12,8 @@
 
 namespace marketgen::bench {
 
-// One figure: the median of `n` runs. `ratio` is our value over the rival's, both measured in this process, in turn.
+// One figure: the median of `n` runs. `ratio` is our value over the rival's, both measured in this
+// process, in turn.
 struct Figure {
   std::string name;
   double value = 0;
@@ -22,10 +23,14 @@ struct Figure {
   std::optional<double> ratio;
   std::string machine;
 
-  static constexpr auto fields = field_list(
-      field("name", &Figure::name, "what was measured"), field("value", &Figure::value, "median"), field("unit", &Figure::unit, "unit"),
-      field("n", &Figure::n, "runs"), field("rival", &Figure::rival, "what it is compared with"),
-      field("ratio", &Figure::ratio, "value over the rival's"), field("machine", &Figure::machine, "processor and cores"));
+  static constexpr auto fields =
+      field_list(field("name", &Figure::name, "what was measured"),
+                 field("value", &Figure::value, "median"),
+                 field("unit", &Figure::unit, "unit"),
+                 field("n", &Figure::n, "runs"),
+                 field("rival", &Figure::rival, "what it is compared with"),
+                 field("ratio", &Figure::ratio, "value over the rival's"),
+                 field("machine", &Figure::machine, "processor and cores"));
 };
 
 using Figures = Result<std::vector<Figure>>;
@@ -34,7 +39,7 @@ struct Benchmark {
   std::string_view name, description;
   Figures (*run)(const Catalog& catalog);
 };
-const std::vector<Benchmark>& benchmarks();   // benchmarks.inc
+const std::vector<Benchmark>& benchmarks();  // benchmarks.inc
 
 std::string machine_name();
 // Median seconds of `runs` calls after one that is not counted.

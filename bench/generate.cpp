@@ -17,7 +17,8 @@ Result<Run> create(CreateOptions options, const Catalog& catalog) {
   MARKETGEN_TRY(const Created created, create_store(options, catalog));
   Run run;
   run.seconds = monotonic_seconds() - start;
-  for (const StageTiming& t : created.report.timing_s) (t.stage == "previews" ? run.previews_s : run.before_previews_s) += t.seconds;
+  for (const StageTiming& t : created.report.timing_s)
+    (t.stage == "previews" ? run.previews_s : run.before_previews_s) += t.seconds;
   run.products = created.manifest.counts.products;
   return run;
 }
@@ -33,16 +34,20 @@ Figures run_generate(const Catalog& catalog) {
   const ScratchFolder scratch;
   std::vector<Figure> figures;
   const auto add = [&](std::string name, double value, std::string unit, int n) {
-    figures.push_back({std::move(name), value, std::move(unit), n, std::nullopt, std::nullopt, machine_name()});
+    figures.push_back(
+        {std::move(name), value, std::move(unit), n, std::nullopt, std::nullopt, machine_name()});
   };
   constexpr int runs = 5;
   std::vector<double> small, large;
   std::uint64_t products = 0, large_products = 0;
   for (int i = 0; i < runs; ++i) {
-    MARKETGEN_TRY(const Run run, create(neighbourhood_store(scratch / ("small-" + std::to_string(i)), false), catalog));
+    MARKETGEN_TRY(
+        const Run run,
+        create(neighbourhood_store(scratch / ("small-" + std::to_string(i)), false), catalog));
     small.push_back(run.seconds);
     products = run.products;
-    MARKETGEN_TRY(const Run big, create(large_store(scratch / ("large-" + std::to_string(i))), catalog));
+    MARKETGEN_TRY(const Run big,
+                  create(large_store(scratch / ("large-" + std::to_string(i))), catalog));
     large.push_back(big.seconds);
     large_products = big.products;
   }

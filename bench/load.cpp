@@ -22,8 +22,20 @@ Figures run_load(const Catalog& catalog) {
     if (text.ok()) (void)read_json_into(*text, "scene.json", type_of<Scene>(), &read).ok();
   });
   const std::string machine = machine_name();
-  return std::vector<Figure>{{"load_40x25m_s", ours, "s", runs, "the same scene as JSON, nlohmann 3.11", ours / json, machine},
-                             {"load_40x25m_products", static_cast<double>(scene.products.size()), "items", 1, std::nullopt, std::nullopt, machine}};
+  return std::vector<Figure>{{"load_40x25m_s",
+                              ours,
+                              "s",
+                              runs,
+                              "the same scene as JSON, nlohmann 3.11",
+                              ours / json,
+                              machine},
+                             {"load_40x25m_products",
+                              static_cast<double>(scene.products.size()),
+                              "items",
+                              1,
+                              std::nullopt,
+                              std::nullopt,
+                              machine}};
 }
 
 }  // namespace marketgen::bench

@@ -7,7 +7,8 @@ namespace marketgen::bench {
 
 Figures run_physics(const Catalog& catalog) {
   const ScratchFolder scratch;
-  MARKETGEN_TRY(const Created created, create_store(neighbourhood_store(scratch / "store", false), catalog));
+  MARKETGEN_TRY(const Created created,
+                create_store(neighbourhood_store(scratch / "store", false), catalog));
   MARKETGEN_TRY(const Scene scene, open_scene(scratch / "store" / "scene.bin"));
   constexpr int products = 200;
   SettleOptions options;
@@ -16,9 +17,27 @@ Figures run_physics(const Catalog& catalog) {
   MARKETGEN_TRY(const SettleReport report, settle(scene, options));
   const std::string machine = machine_name();
   const double simulated_s = options.settle_s + options.watch_s;
-  return std::vector<Figure>{{"settle_200_worst_drift_mm", 1000 * report.worst_drift_m, "mm", 1, std::nullopt, std::nullopt, machine},
-                             {"settle_200_share_below_5_cm", report.share_below_5_cm, "share", 1, std::nullopt, std::nullopt, machine},
-                             {"settle_200_wall_over_simulated", report.simulate_s / simulated_s, "s/s", 1, std::nullopt, std::nullopt, machine}};
+  return std::vector<Figure>{{"settle_200_worst_drift_mm",
+                              1000 * report.worst_drift_m,
+                              "mm",
+                              1,
+                              std::nullopt,
+                              std::nullopt,
+                              machine},
+                             {"settle_200_share_below_5_cm",
+                              report.share_below_5_cm,
+                              "share",
+                              1,
+                              std::nullopt,
+                              std::nullopt,
+                              machine},
+                             {"settle_200_wall_over_simulated",
+                              report.simulate_s / simulated_s,
+                              "s/s",
+                              1,
+                              std::nullopt,
+                              std::nullopt,
+                              machine}};
 }
 
 }  // namespace marketgen::bench

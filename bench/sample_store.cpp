@@ -7,7 +7,8 @@
 namespace marketgen::bench {
 namespace fs = std::filesystem;
 
-ScratchFolder::ScratchFolder() : folder_(fs::temp_directory_path() / fmt::format("marketgen-bench-{}", getpid())) {
+ScratchFolder::ScratchFolder()
+    : folder_(fs::temp_directory_path() / fmt::format("marketgen-bench-{}", getpid())) {
   fs::create_directories(folder_);
 }
 ScratchFolder::~ScratchFolder() {
@@ -18,7 +19,9 @@ ScratchFolder::~ScratchFolder() {
 CreateOptions neighbourhood_store(const fs::path& folder, bool previews) {
   CreateOptions options;
   options.folder = folder;
-  options.brief.prompt = "A 24 x 15 m neighbourhood supermarket with produce by the entrance, dairy along the back wall and three checkouts";
+  options.brief.prompt =
+      "A 24 x 15 m neighbourhood supermarket with produce by the entrance, dairy along the back "
+      "wall and three checkouts";
   options.seed = 7;
   options.previews = previews;
   return options;
@@ -26,7 +29,9 @@ CreateOptions neighbourhood_store(const fs::path& folder, bool previews) {
 
 CreateOptions large_store(const fs::path& folder) {
   CreateOptions options = neighbourhood_store(folder, false);
-  options.brief.prompt = "A 40 x 25 m supermarket with produce by the entrance, dairy along the back wall and six checkouts";
+  options.brief.prompt =
+      "A 40 x 25 m supermarket with produce by the entrance, dairy along the back wall and six "
+      "checkouts";
   return options;
 }
 

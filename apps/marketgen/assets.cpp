@@ -27,13 +27,17 @@ struct AssetFlags {
 struct CategoryCount {
   std::string category;
   int products = 0;
-  static constexpr auto fields = field_list(field("category", &CategoryCount::category, "category"), field("products", &CategoryCount::products, "rows"));
+  static constexpr auto fields = field_list(field("category", &CategoryCount::category, "category"),
+                                            field("products", &CategoryCount::products, "rows"));
 };
 
 struct AssetRow {
   std::string id, name, kind, category;
-  static constexpr auto fields = field_list(field("id", &AssetRow::id, "SKU or fixture kind"), field("name", &AssetRow::name, "name"),
-                                            field("kind", &AssetRow::kind, "archetype or generator"), field("category", &AssetRow::category, "category, or facility"));
+  static constexpr auto fields =
+      field_list(field("id", &AssetRow::id, "SKU or fixture kind"),
+                 field("name", &AssetRow::name, "name"),
+                 field("kind", &AssetRow::kind, "archetype or generator"),
+                 field("category", &AssetRow::category, "category, or facility"));
 };
 
 // What `list --json` prints.
@@ -41,22 +45,33 @@ struct AssetList {
   int goods = 0, facilities = 0, articulated = 0, materials = 0, archetypes = 0;
   std::vector<CategoryCount> by_category;
   std::vector<AssetRow> rows;
-  static constexpr auto fields = field_list(
-      field("goods", &AssetList::goods, "products"), field("facilities", &AssetList::facilities, "fixture kinds"),
-      field("articulated", &AssetList::articulated, "facilities with joints"), field("materials", &AssetList::materials, "materials"),
-      field("archetypes", &AssetList::archetypes, "container shapes"), field("by_category", &AssetList::by_category, "products per category"),
-      field("rows", &AssetList::rows, "every asset"));
+  static constexpr auto fields =
+      field_list(field("goods", &AssetList::goods, "products"),
+                 field("facilities", &AssetList::facilities, "fixture kinds"),
+                 field("articulated", &AssetList::articulated, "facilities with joints"),
+                 field("materials", &AssetList::materials, "materials"),
+                 field("archetypes", &AssetList::archetypes, "container shapes"),
+                 field("by_category", &AssetList::by_category, "products per category"),
+                 field("rows", &AssetList::rows, "every asset"));
 };
 
 struct SearchRow {
   std::string sku, name, category;
   double score = 0, price = 0;
-  static constexpr auto fields = field_list(field("sku", &SearchRow::sku, "SKU"), field("name", &SearchRow::name, "name"), field("category", &SearchRow::category, "category"),
-                                            field("score", &SearchRow::score, "rank"), field("price", &SearchRow::price, "euro"));
+  static constexpr auto fields = field_list(field("sku", &SearchRow::sku, "SKU"),
+                                            field("name", &SearchRow::name, "name"),
+                                            field("category", &SearchRow::category, "category"),
+                                            field("score", &SearchRow::score, "rank"),
+                                            field("price", &SearchRow::price, "euro"));
 };
 
 std::string title_of(const Product& p) {
-  return fmt::format("{}{}{}{}{}", p.brand, p.brand.empty() ? "" : " ", p.name, p.variant.empty() ? "" : " ", p.variant);
+  return fmt::format("{}{}{}{}{}",
+                     p.brand,
+                     p.brand.empty() ? "" : " ",
+                     p.name,
+                     p.variant.empty() ? "" : " ",
+                     p.variant);
 }
 
 AssetList list_of(const Catalog& catalog) {
@@ -65,12 +80,15 @@ AssetList list_of(const Catalog& catalog) {
   list.facilities = static_cast<int>(catalog.fixture_kinds.size());
   list.materials = static_cast<int>(catalog.materials.size());
   list.archetypes = static_cast<int>(archetypes().size());
-  for (const CategoryRow& category : catalog.categories) list.by_category.push_back({category.id, 0});
+  for (const CategoryRow& category : catalog.categories)
+    list.by_category.push_back({category.id, 0});
   for (const Product& p : catalog.products) {
-    for (CategoryCount& c : list.by_category) c.products += c.category == p.category ? 1 : 0;
+    for (CategoryCount& c : list.by_category)
+      c.products += c.category == p.category ? 1 : 0;
     list.rows.push_back({p.sku, title_of(p), p.archetype, p.category});
   }
-  for (const FixtureKind& k : catalog.fixture_kinds) list.rows.push_back({k.kind, k.name, k.generator, "facility"});
+  for (const FixtureKind& k : catalog.fixture_kinds)
+    list.rows.push_back({k.kind, k.name, k.generator, "facility"});
   return list;
 }
 
@@ -81,22 +99,30 @@ Result<void> list_assets(const AssetFlags& flags) {
     fmt::print("{}", write_json(list));
     return {};
   }
-  fmt::print("{} goods of {} shapes, {} facilities, {} materials\n", list.goods, list.archetypes, list.facilities, list.materials);
-  for (const CategoryCount& c : list.by_category) fmt::print("  {:<14} {:>5}\n", c.category, c.products);
-  for (const AssetRow& row : list.rows) fmt::print("{:<48} {:<20} {:<14} {}\n", row.id, row.kind, row.category, row.name);
+  fmt::print("{} goods of {} shapes, {} facilities, {} materials\n",
+             list.goods,
+             list.archetypes,
+             list.facilities,
+             list.materials);
+  for (const CategoryCount& c : list.by_category)
+    fmt::print("  {:<14} {:>5}\n", c.category, c.products);
+  for (const AssetRow& row : list.rows)
+    fmt::print("{:<48} {:<20} {:<14} {}\n", row.id, row.kind, row.category, row.name);
   return {};
 }
 
 Result<const Product*> product_called(const Catalog& catalog, const std::string& id) {
   if (const Product* product = catalog.product(id)) return product;
   std::vector<std::string_view> names;
-  for (const Product& p : catalog.products) names.push_back(p.sku);
+  for (const Product& p : catalog.products)
+    names.push_back(p.sku);
   return unknown_name("catalog.unknown_sku", id, "product", id, names);
 }
 
 Result<void> show_asset(const AssetFlags& flags) {
   MARKETGEN_TRY(const Catalog catalog, load_rows(flags.catalogs));
-  if (const FixtureKind* kind = catalog.fixture_kind(flags.id); kind != nullptr && flags.picture.empty() && flags.label.empty()) {
+  if (const FixtureKind* kind = catalog.fixture_kind(flags.id);
+      kind != nullptr && flags.picture.empty() && flags.label.empty()) {
     fmt::print("{}", write_json(*kind));
     return {};
   }
@@ -126,7 +152,12 @@ Result<void> search_assets(const AssetFlags& flags) {
     return {};
   }
   constexpr std::size_t shown = 20;
-  for (std::size_t i = 0; i < std::min(rows.size(), shown); ++i) fmt::print("{:>5.2f}  {:<48} {:<36} {:>6.2f}\n", rows[i].score, rows[i].sku, rows[i].name, rows[i].price);
+  for (std::size_t i = 0; i < std::min(rows.size(), shown); ++i)
+    fmt::print("{:>5.2f}  {:<48} {:<36} {:>6.2f}\n",
+               rows[i].score,
+               rows[i].sku,
+               rows[i].name,
+               rows[i].price);
   fmt::print("{} products match \"{}\"\n", rows.size(), flags.text);
   return {};
 }
@@ -157,12 +188,14 @@ using Action = Result<void> (*)(const AssetFlags&);
 Run add_assets(CLI::App& app) {
   auto flags = std::make_shared<AssetFlags>();
   auto action = std::make_shared<Action>(list_assets);
-  CLI::App* command = app.add_subcommand("assets", "Look into the asset library: list, show, search, sheet");
+  CLI::App* command =
+      app.add_subcommand("assets", "Look into the asset library: list, show, search, sheet");
   command->require_subcommand(1);
   const auto add = [&](const char* name, const char* what, Action run, Takes takes) {
     CLI::App* sub = command->add_subcommand(name, what);
     sub->callback([action, run] { *action = run; });
-    sub->add_option("--catalog", flags->catalogs, "JSON file with products of your own (repeatable)");
+    sub->add_option(
+        "--catalog", flags->catalogs, "JSON file with products of your own (repeatable)");
     add_common_flags(*sub, flags->common, takes);
     return sub;
   };
@@ -171,12 +204,18 @@ Run add_assets(CLI::App& app) {
   show->add_option("id", flags->id, "SKU or fixture kind")->required();
   show->add_option("--picture", flags->picture, "PNG: three-quarter view");
   show->add_option("--label", flags->label, "PNG: the printed sheet");
-  show->add_option("--size", flags->size_px, "pixels a side")->check(CLI::Range(64, 4096))->capture_default_str();
-  CLI::App* search = add("search", "Products that match a text, best first", search_assets, Takes::json);
+  show->add_option("--size", flags->size_px, "pixels a side")
+      ->check(CLI::Range(64, 4096))
+      ->capture_default_str();
+  CLI::App* search =
+      add("search", "Products that match a text, best first", search_assets, Takes::json);
   search->add_option("text", flags->text, "words to look for")->required();
-  CLI::App* sheet = add("sheet", "Contact sheets, one picture a category", draw_sheets, Takes::nothing);
+  CLI::App* sheet =
+      add("sheet", "Contact sheets, one picture a category", draw_sheets, Takes::nothing);
   sheet->add_option("-o,--output", flags->folder, "folder for the pictures")->required();
-  sheet->add_option("--size", flags->size_px, "pixels a product")->check(CLI::Range(64, 1024))->capture_default_str();
+  sheet->add_option("--size", flags->size_px, "pixels a product")
+      ->check(CLI::Range(64, 1024))
+      ->capture_default_str();
   command->footer("Example:  marketgen assets search \"something to clean windows\"");
   return [flags, action] {
     const auto done = (*action)(*flags);

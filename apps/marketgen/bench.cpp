@@ -18,16 +18,21 @@ struct BenchFlags {
 Result<void> run_benchmarks(const BenchFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
   std::vector<std::string_view> known;
-  for (const bench::Benchmark& b : bench::benchmarks()) known.push_back(b.name);
+  for (const bench::Benchmark& b : bench::benchmarks())
+    known.push_back(b.name);
   for (const std::string& name : flags.names) {
-    if (std::find(known.begin(), known.end(), name) == known.end()) return unknown_name("usage.bad_flag", "bench", "benchmark", name, known);
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      return unknown_name("usage.bad_flag", "bench", "benchmark", name, known);
   }
   MARKETGEN_TRY(const Catalog catalog, load_rows());
   for (const bench::Benchmark& b : bench::benchmarks()) {
-    const bool wanted = flags.names.empty() || std::find(flags.names.begin(), flags.names.end(), b.name) != flags.names.end();
+    const bool wanted =
+        flags.names.empty() ||
+        std::find(flags.names.begin(), flags.names.end(), b.name) != flags.names.end();
     if (!wanted) continue;
     MARKETGEN_TRY(const std::vector<bench::Figure> figures, b.run(catalog));
-    for (const bench::Figure& figure : figures) fmt::print("{}\n", write_json_line(figure));
+    for (const bench::Figure& figure : figures)
+      fmt::print("{}\n", write_json_line(figure));
     std::fflush(stdout);
   }
   return {};
@@ -37,9 +42,11 @@ Result<void> run_benchmarks(const BenchFlags& flags) {
 
 Run add_bench(CLI::App& app) {
   auto flags = std::make_shared<BenchFlags>();
-  CLI::App* command = app.add_subcommand("bench", "Run the committed benchmarks; one JSON line a figure");
+  CLI::App* command =
+      app.add_subcommand("bench", "Run the committed benchmarks; one JSON line a figure");
   std::string list;
-  for (const bench::Benchmark& b : bench::benchmarks()) list += fmt::format("\n  {:<10} {}", b.name, b.description);
+  for (const bench::Benchmark& b : bench::benchmarks())
+    list += fmt::format("\n  {:<10} {}", b.name, b.description);
   command->add_option("names", flags->names, "which ones; none = all");
   add_common_flags(*command, flags->common, Takes::nothing);
   command->footer("Benchmarks:" + list + "\nExample:  marketgen bench generate load");

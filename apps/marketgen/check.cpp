@@ -22,9 +22,11 @@ struct CheckOutput {
   bool ok = true;
   std::vector<Violation> rules;
   std::vector<RequirementResult> requirements;
-  static constexpr auto fields = field_list(
-      field("path", &CheckOutput::path, "what was checked"), field("ok", &CheckOutput::ok, "no hard rule is broken"),
-      field("rules", &CheckOutput::rules, "broken rules"), field("requirements", &CheckOutput::requirements, "wishes"));
+  static constexpr auto fields =
+      field_list(field("path", &CheckOutput::path, "what was checked"),
+                 field("ok", &CheckOutput::ok, "no hard rule is broken"),
+                 field("rules", &CheckOutput::rules, "broken rules"),
+                 field("requirements", &CheckOutput::requirements, "wishes"));
 };
 
 // A plan: repaired and laid out in memory, to see what its rules say.
@@ -46,17 +48,21 @@ Result<int> check(const CheckFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
   MARKETGEN_TRY(const Catalog catalog, load_rows());
   const bool is_file = std::filesystem::is_regular_file(flags.path);
-  MARKETGEN_TRY(CheckOutput output, is_file ? check_plan(flags, catalog) : check_store(flags, catalog));
-  for (const Violation& v : output.rules) output.ok = output.ok && v.severity != Severity::hard;
+  MARKETGEN_TRY(CheckOutput output,
+                is_file ? check_plan(flags, catalog) : check_store(flags, catalog));
+  for (const Violation& v : output.rules)
+    output.ok = output.ok && v.severity != Severity::hard;
   if (flags.common.json) {
     fmt::print("{}", write_json(output));
     return output.ok ? 0 : 1;
   }
-  for (const Violation& v : output.rules) fmt::print("{:<5} {:<20} {}: {}\n", name_of(v.severity), v.code, v.where, v.message);
+  for (const Violation& v : output.rules)
+    fmt::print("{:<5} {:<20} {}: {}\n", name_of(v.severity), v.code, v.where, v.message);
   for (const RequirementResult& r : output.requirements) {
     if (!r.met) fmt::print("wish  not met              \"{}\": {}\n", r.text, r.why);
   }
-  fmt::print("{} {}: {} rules broken\n", output.ok ? "ok" : "FAILED", flags.path, output.rules.size());
+  fmt::print(
+      "{} {}: {} rules broken\n", output.ok ? "ok" : "FAILED", flags.path, output.rules.size());
   return output.ok ? 0 : 1;
 }
 
@@ -64,10 +70,13 @@ Result<int> check(const CheckFlags& flags) {
 
 Run add_check(CLI::App& app) {
   auto flags = std::make_shared<CheckFlags>();
-  CLI::App* command = app.add_subcommand("check", "Check a store folder or a plan against schema and design rules");
+  CLI::App* command =
+      app.add_subcommand("check", "Check a store folder or a plan against schema and design rules");
   command->add_option("path", flags->path, "store folder, or market-plan/1 file")->required();
   add_common_flags(*command, flags->common, Takes::seed_and_json);
-  command->footer("Exit status 1 when a hard rule is broken or a file was changed.\nExample:  marketgen check shop --json");
+  command->footer(
+      "Exit status 1 when a hard rule is broken or a file was changed.\nExample:  marketgen check "
+      "shop --json");
   return [flags] {
     const auto status = check(*flags);
     return status.ok() ? *status : fail(status.error());

@@ -9,9 +9,14 @@ namespace marketgen::app {
 
 void add_common_flags(CLI::App& command, CommonFlags& flags, Takes takes) {
   const int bits = static_cast<int>(takes);
-  if ((bits & static_cast<int>(Takes::seed)) != 0) command.add_option("--seed", flags.seed, "seed of every random choice")->capture_default_str();
-  if ((bits & static_cast<int>(Takes::json)) != 0) command.add_flag("--json", flags.json, "print the result as JSON");
-  command.add_option("--threads", flags.threads, "threads to use; 0 = all cores (results do not depend on it)")->check(CLI::Range(0, 1024));
+  if ((bits & static_cast<int>(Takes::seed)) != 0)
+    command.add_option("--seed", flags.seed, "seed of every random choice")->capture_default_str();
+  if ((bits & static_cast<int>(Takes::json)) != 0)
+    command.add_flag("--json", flags.json, "print the result as JSON");
+  command
+      .add_option(
+          "--threads", flags.threads, "threads to use; 0 = all cores (results do not depend on it)")
+      ->check(CLI::Range(0, 1024));
   command.add_flag("--quiet", flags.quiet, "no progress, no remarks");
 }
 

@@ -32,9 +32,10 @@ Result<Catalog> load_rows(const std::vector<std::string>& extra = {});
 // Progress on stderr, or none when --quiet.
 Progress& progress_for(const CommonFlags& flags);
 
-using Run = std::function<int()>;    // returns the exit status
+using Run = std::function<int()>;  // returns the exit status
 
-// One function a command, each in its own file: adds the subcommand to `app` and returns what runs it.
+// One function a command, each in its own file: adds the subcommand to `app` and returns what runs
+// it.
 #define COMMAND(name) Run add_##name(CLI::App& app);
 #include "commands.inc"
 #undef COMMAND

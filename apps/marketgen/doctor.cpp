@@ -18,49 +18,81 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Finding {
-  std::string part, state, detail, mend;   // state: ok, missing, optional
-  static constexpr auto fields = field_list(field("part", &Finding::part, "what was looked at"), field("state", &Finding::state, "ok, missing or optional"),
-                                            field("detail", &Finding::detail, "what was found"), field("mend", &Finding::mend, "what mends it"));
+  std::string part, state, detail, mend;  // state: ok, missing, optional
+  static constexpr auto fields =
+      field_list(field("part", &Finding::part, "what was looked at"),
+                 field("state", &Finding::state, "ok, missing or optional"),
+                 field("detail", &Finding::detail, "what was found"),
+                 field("mend", &Finding::mend, "what mends it"));
 };
 
 Finding check_processor() {
   const bool good = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
-  return {"processor", good ? "ok" : "missing", fmt::format("{} cores, x86-64-v3 {}", std::thread::hardware_concurrency(), good ? "yes" : "no"),
+  return {"processor",
+          good ? "ok" : "missing",
+          fmt::format(
+              "{} cores, x86-64-v3 {}", std::thread::hardware_concurrency(), good ? "yes" : "no"),
           good ? "" : "use a processor with AVX2 (Intel 2013, AMD 2015 or later)"};
 }
 
 Finding check_memory() {
-  const double gigabytes = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE)) / 1e9;
+  const double gigabytes = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+                           static_cast<double>(sysconf(_SC_PAGE_SIZE)) / 1e9;
   constexpr double wanted = 2;
-  return {"memory", gigabytes >= wanted ? "ok" : "missing", fmt::format("{:.1f} GB", gigabytes), gigabytes >= wanted ? "" : "2 GB are needed for a 40 x 25 m store"};
+  return {"memory",
+          gigabytes >= wanted ? "ok" : "missing",
+          fmt::format("{:.1f} GB", gigabytes),
+          gigabytes >= wanted ? "" : "2 GB are needed for a 40 x 25 m store"};
 }
 
 Finding check_rows() {
   const auto folder = data_folder();
-  if (!folder.ok()) return {"data rows", "missing", folder.error().message, "set MARKETGEN_DATA to the data folder of the installation"};
+  if (!folder.ok())
+    return {"data rows",
+            "missing",
+            folder.error().message,
+            "set MARKETGEN_DATA to the data folder of the installation"};
   const auto catalog = load_catalog(*folder);
-  if (!catalog.ok()) return {"data rows", "missing", to_string(catalog.error()), "restore the data folder: " + folder->string()};
-  return {"data rows", "ok", fmt::format("{} products, {} fixture kinds in {}", catalog->products.size(), catalog->fixture_kinds.size(), folder->string()), ""};
+  if (!catalog.ok())
+    return {"data rows",
+            "missing",
+            to_string(catalog.error()),
+            "restore the data folder: " + folder->string()};
+  return {"data rows",
+          "ok",
+          fmt::format("{} products, {} fixture kinds in {}",
+                      catalog->products.size(),
+                      catalog->fixture_kinds.size(),
+                      folder->string()),
+          ""};
 }
 
 Finding check_cache() {
   std::error_code failed;
   fs::create_directories(cache_folder(), failed);
   const bool writable = access(cache_folder().c_str(), W_OK) == 0;
-  return {"cache", writable ? "ok" : "missing", cache_folder().string(), writable ? "" : "set MARKETGEN_CACHE to a folder that can be written"};
+  return {"cache",
+          writable ? "ok" : "missing",
+          cache_folder().string(),
+          writable ? "" : "set MARKETGEN_CACHE to a folder that can be written"};
 }
 
 Finding check_fonts() {
   static constexpr const char* families[] = {"dejavu", "lato", "open-sans"};
   std::string absent;
   for (const char* family : families) {
-    if (!fs::exists(fs::path("/usr/share/fonts/truetype") / family)) absent += std::string(absent.empty() ? "" : ", ") + family;
+    if (!fs::exists(fs::path("/usr/share/fonts/truetype") / family))
+      absent += std::string(absent.empty() ? "" : ", ") + family;
   }
-  return {"fonts", absent.empty() ? "ok" : "missing", absent.empty() ? "DejaVu, Lato, Open Sans" : "not found: " + absent,
+  return {"fonts",
+          absent.empty() ? "ok" : "missing",
+          absent.empty() ? "DejaVu, Lato, Open Sans" : "not found: " + absent,
           absent.empty() ? "" : "apt-get install fonts-dejavu-core fonts-lato fonts-open-sans"};
 }
 
-Finding check_program(const std::string& name, const std::string& used_for, const std::string& package) {
+Finding check_program(const std::string& name,
+                      const std::string& used_for,
+                      const std::string& package) {
   const char* path = std::getenv("PATH");
   for (std::string rest = path == nullptr ? "" : path; !rest.empty();) {
     const std::size_t end = rest.find(':');
@@ -71,10 +103,15 @@ Finding check_program(const std::string& name, const std::string& used_for, cons
 }
 
 std::vector<Finding> look() {
-  return {check_processor(), check_memory(), check_rows(), check_cache(), check_fonts(),
+  return {check_processor(),
+          check_memory(),
+          check_rows(),
+          check_cache(),
+          check_fonts(),
           {"physics", "ok", "MuJoCo " + physics_version(), ""},
           {"renderer", "ok", "Embree " + renderer_version(), ""},
-          check_program("zbarimg", "reads the printed bar codes in tests", "apt-get install zbar-tools"),
+          check_program(
+              "zbarimg", "reads the printed bar codes in tests", "apt-get install zbar-tools"),
           check_program("flatc", "reads scene.bin as JSON", "apt-get install flatbuffers-compiler"),
           check_program("node", "runs the glTF validator in tests", "tools/setup test")};
 }
@@ -82,7 +119,8 @@ std::vector<Finding> look() {
 int doctor(const CommonFlags& flags) {
   const std::vector<Finding> findings = look();
   bool healthy = true;
-  for (const Finding& f : findings) healthy = healthy && f.state != "missing";
+  for (const Finding& f : findings)
+    healthy = healthy && f.state != "missing";
   if (flags.json) {
     fmt::print("{}", write_json(findings));
     return healthy ? 0 : 1;
@@ -100,7 +138,8 @@ int doctor(const CommonFlags& flags) {
 
 Run add_doctor(CLI::App& app) {
   auto flags = std::make_shared<CommonFlags>();
-  CLI::App* command = app.add_subcommand("doctor", "Check the machine, libraries and data; say what mends what is missing");
+  CLI::App* command = app.add_subcommand(
+      "doctor", "Check the machine, libraries and data; say what mends what is missing");
   add_common_flags(*command, *flags, Takes::json);
   command->footer("Example:  marketgen doctor");
   return [flags] { return doctor(*flags); };

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 
 #include "base/parallel.h"
 #include "base/text.h"
@@ -25,11 +26,17 @@ Result<std::array<double, 4>> parse_region(const std::string& text) {
   std::array<double, 4> region{};
   bool good = parts.size() == 4;
   for (std::size_t i = 0; good && i < 4; ++i) {
-    const auto [end, failed] = std::from_chars(parts[i].data(), parts[i].data() + parts[i].size(), region[i]);
-    good = failed == std::errc() && end == parts[i].data() + parts[i].size();
+    const auto [end, failed] =
+        std::from_chars(parts[i].data(), parts[i].data() + parts[i].size(), region[i]);
+    good = failed == std::errc() && end == parts[i].data() + parts[i].size() &&
+           std::isfinite(region[i]);
   }
   if (!good || region[0] >= region[2] || region[1] >= region[3]) {
-    return Error{"usage.bad_flag", "--free-region", fmt::format("\"{}\" is not a region; write x0,y0,x1,y1 in metres, west,south,east,north", text)};
+    return Error{
+        "usage.bad_flag",
+        "--free-region",
+        fmt::format("\"{}\" is not a region; write x0,y0,x1,y1 in metres, west,south,east,north",
+                    text)};
   }
   return region;
 }
@@ -48,9 +55,19 @@ Result<void> run_export(const ExportFlags& flags) {
     if (!flags.common.quiet) fmt::print("file        {}\n", flags.output);
     return {};
   }
-  MARKETGEN_TRY(const ExportSummary summary, check_export(scene, flags.format, flags.output, options));
-  if (flags.common.json) fmt::print("{}", write_json(summary));
-  else fmt::print("file        {}\nread back   {} products, {} fixtures, {} free bodies; worst position error {:.3f} mm\n", flags.output, summary.products, summary.fixtures, summary.free_bodies, 1000 * summary.worst_position_error_m);
+  MARKETGEN_TRY(const ExportSummary summary,
+                check_export(scene, flags.format, flags.output, options));
+  if (flags.common.json)
+    fmt::print("{}", write_json(summary));
+  else
+    fmt::print(
+        "file        {}\nread back   {} products, {} fixtures, {} free bodies; worst position "
+        "error {:.3f} mm\n",
+        flags.output,
+        summary.products,
+        summary.fixtures,
+        summary.free_bodies,
+        1000 * summary.worst_position_error_m);
   return {};
 }
 
@@ -60,15 +77,18 @@ Run add_export(CLI::App& app) {
   auto flags = std::make_shared<ExportFlags>();
   CLI::App* command = app.add_subcommand("export", "Write a store in another program's format");
   std::string formats;
-  for (const ExportFormat& format : export_formats()) formats += fmt::format("\n  {:<10} {}", format.name, format.description);
+  for (const ExportFormat& format : export_formats())
+    formats += fmt::format("\n  {:<10} {}", format.name, format.description);
   command->add_option("folder", flags->folder, "store folder")->required();
   command->add_option("--format", flags->format, "format, see below")->required();
   command->add_option("-o,--output", flags->output, "file to write")->required();
-  command->add_option("--free-region", flags->free_region, "mjcf: products in x0,y0,x1,y1 become free bodies");
+  command->add_option(
+      "--free-region", flags->free_region, "mjcf: products in x0,y0,x1,y1 become free bodies");
   command->add_flag("--plain", flags->plain, "glb: plain nodes instead of GPU instancing");
   command->add_flag("--check", flags->check, "read the file back and compare it with the store");
   add_common_flags(*command, flags->common, Takes::json);
-  command->footer("Formats:" + formats + "\nExample:  marketgen export shop --format glb -o shop.glb --check");
+  command->footer("Formats:" + formats +
+                  "\nExample:  marketgen export shop --format glb -o shop.glb --check");
   return [flags] {
     const auto done = run_export(*flags);
     return done.ok() ? 0 : fail(done.error());

@@ -26,16 +26,21 @@ struct GenerateOutput {
   Manifest manifest;
   StoreReport report;
   std::vector<std::string> pictures;
-  static constexpr auto fields = field_list(
-      field("folder", &GenerateOutput::folder, "the store folder"), field("manifest", &GenerateOutput::manifest, "store.json"),
-      field("report", &GenerateOutput::report, "report.json"), field("pictures", &GenerateOutput::pictures, "pictures drawn"));
+  static constexpr auto fields =
+      field_list(field("folder", &GenerateOutput::folder, "the store folder"),
+                 field("manifest", &GenerateOutput::manifest, "store.json"),
+                 field("report", &GenerateOutput::report, "report.json"),
+                 field("pictures", &GenerateOutput::pictures, "pictures drawn"));
 };
 
 Result<Brief> brief_of(const GenerateFlags& flags) {
   Brief brief;
-  for (const std::string& word : flags.words) brief.prompt += (brief.prompt.empty() ? "" : " ") + word;
+  for (const std::string& word : flags.words)
+    brief.prompt += (brief.prompt.empty() ? "" : " ") + word;
   if (!flags.prompt_file.empty()) {
-    if (!brief.prompt.empty()) return Error{"usage.bad_flag", "--prompt-file", "give the prompt as words or as a file, not both"};
+    if (!brief.prompt.empty())
+      return Error{
+          "usage.bad_flag", "--prompt-file", "give the prompt as words or as a file, not both"};
     constexpr std::uint64_t most_bytes = 1U << 20;
     MARKETGEN_TRY(brief.prompt, read_file(flags.prompt_file, most_bytes));
   }
@@ -51,7 +56,8 @@ Result<Brief> brief_of(const GenerateFlags& flags) {
   return brief;
 }
 
-std::vector<std::string> pictures_of(const std::filesystem::path& folder, const Manifest& manifest) {
+std::vector<std::string> pictures_of(const std::filesystem::path& folder,
+                                     const Manifest& manifest) {
   std::vector<std::string> pictures;
   for (const FileDigest& file : manifest.files) {
     if (file.path.ends_with(".png")) pictures.push_back((folder / file.path).string());
@@ -61,41 +67,64 @@ std::vector<std::string> pictures_of(const std::filesystem::path& folder, const 
 
 void print_requirements(const StoreReport& report) {
   std::size_t met = 0;
-  for (const RequirementResult& r : report.requirements) met += r.met ? 1 : 0;
+  for (const RequirementResult& r : report.requirements)
+    met += r.met ? 1 : 0;
   fmt::print("wishes      {} of {} met\n", met, report.requirements.size());
   for (const RequirementResult& r : report.requirements) {
     if (!r.met) fmt::print("  not met   \"{}\": {}\n", r.text, r.why);
   }
   if (report.unparsed.empty()) return;
   std::vector<std::string> words;
-  for (const UnparsedWord& word : report.unparsed) words.push_back("\"" + word.text + "\"");
+  for (const UnparsedWord& word : report.unparsed)
+    words.push_back("\"" + word.text + "\"");
   fmt::print("unparsed    {}\n", fmt::join(words, ", "));
 }
 
 void print_rules(const StoreReport& report) {
   std::size_t hard = 0;
-  for (const Violation& v : report.rules) hard += v.severity == Severity::hard ? 1 : 0;
-  fmt::print("rules       {} hard and {} soft violations, {} repairs\n", hard, report.rules.size() - hard, report.repairs.size());
-  for (const Violation& v : report.rules) fmt::print("  {:<9} {} {}: {}\n", name_of(v.severity), v.code, v.where, v.message);
+  for (const Violation& v : report.rules)
+    hard += v.severity == Severity::hard ? 1 : 0;
+  fmt::print("rules       {} hard and {} soft violations, {} repairs\n",
+             hard,
+             report.rules.size() - hard,
+             report.repairs.size());
+  for (const Violation& v : report.rules)
+    fmt::print("  {:<9} {} {}: {}\n", name_of(v.severity), v.code, v.where, v.message);
 }
 
 void print_summary(const GenerateOutput& output) {
   const SceneCounts& counts = output.manifest.counts;
   const auto number = [](std::uint64_t n) { return with_thousands(static_cast<std::int64_t>(n)); };
   fmt::print("store       {}  \"{}\"\n", output.folder, output.manifest.name);
-  fmt::print("counts      {} products, {} SKUs, {} facings, {} fixtures\n", number(counts.products), number(counts.skus), number(counts.facings), number(counts.fixtures));
+  fmt::print("counts      {} products, {} SKUs, {} facings, {} fixtures\n",
+             number(counts.products),
+             number(counts.skus),
+             number(counts.facings),
+             number(counts.fixtures));
   const Metrics& m = output.report.metrics;
-  fmt::print("metrics     {:.0f} items/m2, {:.0f} % of shelf front stocked, COL {:.2f} %, OOB {}, NAV {:.3f}\n", m.DENS, 100 * m.fill, 100 * m.COL, m.OOB, m.NAV);
+  fmt::print(
+      "metrics     {:.0f} items/m2, {:.0f} % of shelf front stocked, COL {:.2f} %, OOB {}, NAV "
+      "{:.3f}\n",
+      m.DENS,
+      100 * m.fill,
+      100 * m.COL,
+      m.OOB,
+      m.NAV);
   print_requirements(output.report);
   print_rules(output.report);
   std::string times;
-  for (const StageTiming& t : output.report.timing_s) times += fmt::format("{}{} {:.2f}", times.empty() ? "" : ", ", t.stage, t.seconds);
+  for (const StageTiming& t : output.report.timing_s)
+    times += fmt::format("{}{} {:.2f}", times.empty() ? "" : ", ", t.stage, t.seconds);
   fmt::print("seconds     {}; peak memory {:.0f} MB\n", times, output.report.peak_rss_mb);
   fmt::print("scene_hash  {}\n", output.manifest.scene_hash);
-  for (const std::string& picture : output.pictures) fmt::print("picture     {}\n", picture);
+  for (const std::string& picture : output.pictures)
+    fmt::print("picture     {}\n", picture);
 }
 
-Result<void> generate_one(const GenerateFlags& flags, const Brief& brief, const Catalog& catalog, int variant) {
+Result<void> generate_one(const GenerateFlags& flags,
+                          const Brief& brief,
+                          const Catalog& catalog,
+                          int variant) {
   CreateOptions options;
   options.folder = flags.folder;
   if (flags.count > 1) options.folder /= fmt::format("variant-{}", variant + 1);
@@ -105,10 +134,13 @@ Result<void> generate_one(const GenerateFlags& flags, const Brief& brief, const 
   options.previews = !flags.no_previews;
   options.strict = flags.strict;
   MARKETGEN_TRY(Created created, create_store(options, catalog, progress_for(flags.common)));
-  GenerateOutput output{options.folder.string(), std::move(created.manifest), std::move(created.report), {}};
+  GenerateOutput output{
+      options.folder.string(), std::move(created.manifest), std::move(created.report), {}};
   output.pictures = pictures_of(options.folder, output.manifest);
-  if (flags.common.json) fmt::print("{}\n", write_json_line(output));
-  else print_summary(output);
+  if (flags.common.json)
+    fmt::print("{}\n", write_json_line(output));
+  else
+    print_summary(output);
   return {};
 }
 
@@ -116,7 +148,8 @@ Result<void> generate(const GenerateFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
   MARKETGEN_TRY(const Brief brief, brief_of(flags));
   MARKETGEN_TRY(const Catalog catalog, load_rows(flags.catalogs));
-  for (int variant = 0; variant < flags.count; ++variant) MARKETGEN_CHECK(generate_one(flags, brief, catalog, variant));
+  for (int variant = 0; variant < flags.count; ++variant)
+    MARKETGEN_CHECK(generate_one(flags, brief, catalog, variant));
   return {};
 }
 
@@ -126,19 +159,27 @@ Run add_generate(CLI::App& app) {
   auto flags = std::make_shared<GenerateFlags>();
   CLI::App* command = app.add_subcommand("generate", "Make a store folder from a prompt or a plan");
   command->add_option("prompt", flags->words, "what the store should be, in words");
-  command->add_option("-o,--output", flags->folder, "folder to make; must not exist or be empty")->required();
+  command->add_option("-o,--output", flags->folder, "folder to make; must not exist or be empty")
+      ->required();
   command->add_option("--prompt-file", flags->prompt_file, "read the prompt from a file");
-  command->add_option("--plan", flags->plan_file, "start from a market-plan/1 file instead of a prompt");
+  command->add_option(
+      "--plan", flags->plan_file, "start from a market-plan/1 file instead of a prompt");
   command->add_option("--size", flags->size, "size of the room, e.g. 24x15m");
-  command->add_option("--profile", flags->profile, "kind of shop, e.g. supermarket-eu, discounter-eu, convenience-us");
+  command->add_option("--profile",
+                      flags->profile,
+                      "kind of shop, e.g. supermarket-eu, discounter-eu, convenience-us");
   command->add_option("--style", flags->style, "look, e.g. scandinavian, industrial, warm-deli");
-  command->add_option("--catalog", flags->catalogs, "JSON file with products of your own (repeatable)");
+  command->add_option(
+      "--catalog", flags->catalogs, "JSON file with products of your own (repeatable)");
   command->add_option("--planner", flags->planner, "who plans: offline")->capture_default_str();
-  command->add_option("--count", flags->count, "make this many variants, DIR/variant-1 ...")->check(CLI::Range(1, 10000));
+  command->add_option("--count", flags->count, "make this many variants, DIR/variant-1 ...")
+      ->check(CLI::Range(1, 10000));
   command->add_flag("--strict", flags->strict, "fail when a hard rule is broken");
   command->add_flag("--no-previews", flags->no_previews, "draw no pictures");
   add_common_flags(*command, flags->common, Takes::seed_and_json);
-  command->footer("Example:  marketgen generate \"a 24 x 15 m supermarket, dairy along the back wall, five checkouts\" -o shop --seed 7");
+  command->footer(
+      "Example:  marketgen generate \"a 24 x 15 m supermarket, dairy along the back wall, five "
+      "checkouts\" -o shop --seed 7");
   return [flags] {
     const auto done = generate(*flags);
     return done.ok() ? 0 : fail(done.error());

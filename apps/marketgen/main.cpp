@@ -1,4 +1,5 @@
-// marketgen: the command line. Reads the arguments, runs one command, turns errors into exit statuses.
+// marketgen: the command line. Reads the arguments, runs one command, turns errors into exit
+// statuses.
 #include <fmt/format.h>
 
 #include <exception>
@@ -19,7 +20,9 @@ struct Entry {
 
 std::vector<Entry> add_commands(CLI::App& app) {
   std::vector<Entry> entries;
-  const auto add = [&](Run run) { entries.push_back({app.get_subcommands({}).back(), std::move(run)}); };
+  const auto add = [&](Run run) {
+    entries.push_back({app.get_subcommands({}).back(), std::move(run)});
+  };
 #define COMMAND(name) add(add_##name(app));
 #include "commands.inc"
 #undef COMMAND
@@ -40,20 +43,26 @@ const CLI::App& command_in_question(const CLI::App& app, int argc, char** argv) 
 std::vector<std::string> known_flags(const CLI::App& command) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options()) {
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_lnames())
+      names.push_back("--" + name);
   }
   return names;
 }
 
 Error unknown_command(const CLI::App& app, const std::string& word) {
   std::vector<std::string_view> names;
-  for (const CLI::App* sub : app.get_subcommands({})) names.push_back(sub->get_name());
-  return {"usage.unknown_command", word, fmt::format("there is no such command; commands are: {}{}", fmt::join(names, ", "), did_you_mean(word, names))};
+  for (const CLI::App* sub : app.get_subcommands({}))
+    names.push_back(sub->get_name());
+  return {"usage.unknown_command",
+          word,
+          fmt::format("there is no such command; commands are: {}{}",
+                      fmt::join(names, ", "),
+                      did_you_mean(word, names))};
 }
 
 // CLI11's message in our form, with the nearest flag when one was misspelt.
 int report_usage(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
-  if (error.get_exit_code() == 0) return app.exit(error);    // --help, --version
+  if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
   const CLI::App& command = command_in_question(app, argc, argv);
   if (&command == &app && argc > 1 && argv[1][0] != '-') return fail(unknown_command(app, argv[1]));
   const std::vector<std::string> flags = known_flags(command);
@@ -61,17 +70,22 @@ int report_usage(const CLI::App& app, const CLI::ParseError& error, int argc, ch
   std::string hint;
   for (int i = 1; i < argc; ++i) {
     const std::string word = split(argv[i], '=')[0];
-    if (word.starts_with("--") && std::find(flags.begin(), flags.end(), word) == flags.end()) hint = did_you_mean(word, names);
+    if (word.starts_with("--") && std::find(flags.begin(), flags.end(), word) == flags.end())
+      hint = did_you_mean(word, names);
   }
   const std::string name = &command == &app ? "marketgen" : "marketgen " + command.get_name();
-  return fail({"usage.bad_flag", name, fmt::format("{}{} (see: {} --help)", error.what(), hint, name)});
+  return fail(
+      {"usage.bad_flag", name, fmt::format("{}{} (see: {} --help)", error.what(), hint, name)});
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Turns a sentence into a complete, stocked supermarket that robots can work in.", "marketgen");
+  CLI::App app("Turns a sentence into a complete, stocked supermarket that robots can work in.",
+               "marketgen");
   app.set_version_flag("--version", program_version);
   app.require_subcommand(1);
-  app.footer("Start with:  marketgen generate \"a small supermarket with a bakery by the entrance\" -o shop");
+  app.footer(
+      "Start with:  marketgen generate \"a small supermarket with a bakery by the entrance\" -o "
+      "shop");
   const std::vector<Entry> entries = add_commands(app);
   try {
     app.parse(argc, argv);
@@ -92,7 +106,8 @@ int main(int argc, char** argv) {
   try {
     return marketgen::app::run(argc, argv);
   } catch (const std::bad_alloc&) {
-    return marketgen::app::fail({"io.out_of_memory", "", "there is not enough memory; try a smaller store or picture"});
+    return marketgen::app::fail(
+        {"io.out_of_memory", "", "there is not enough memory; try a smaller store or picture"});
   } catch (const std::exception& e) {
     return marketgen::app::fail({"internal.bug", "", e.what()});
   }

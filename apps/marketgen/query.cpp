@@ -30,12 +30,20 @@ Run add_query(CLI::App& app) {
   auto flags = std::make_shared<QueryFlags>();
   CLI::App* command = app.add_subcommand("query", "Print a table of a store as CSV or JSON");
   command->add_option("folder", flags->folder, "store folder")->required();
-  command->add_option("table", flags->table, "products, fixtures, zones, prices, materials or planogram")->required();
-  command->add_option("--format", flags->format, "csv or json")->check(CLI::IsMember({"csv", "json"}))->capture_default_str();
-  command->add_option("--where", flags->where, "keep rows with column=value (also != < <= > >= ~), commas mean \"and\"");
+  command
+      ->add_option(
+          "table", flags->table, "products, fixtures, zones, prices, materials or planogram")
+      ->required();
+  command->add_option("--format", flags->format, "csv or json")
+      ->check(CLI::IsMember({"csv", "json"}))
+      ->capture_default_str();
+  command->add_option("--where",
+                      flags->where,
+                      "keep rows with column=value (also != < <= > >= ~), commas mean \"and\"");
   command->add_option("-o,--output", flags->output, "write to a file instead");
   add_common_flags(*command, flags->common, Takes::json);
-  command->footer("Example:  marketgen query shop products --where zone=dairy,level=2 --format json");
+  command->footer(
+      "Example:  marketgen query shop products --where zone=dairy,level=2 --format json");
   return [flags] {
     const auto done = query(*flags);
     return done.ok() ? 0 : fail(done.error());

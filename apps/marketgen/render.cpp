@@ -16,7 +16,8 @@ namespace {
 
 struct RenderFlags {
   CommonFlags common;
-  std::string folder, output, camera, from, at, size = "1280x720", mode = "sensor", quality = "balanced", depth, segmentation, normals;
+  std::string folder, output, camera, from, at, size = "1280x720", mode = "sensor",
+                                                quality = "balanced", depth, segmentation, normals;
   double fov_deg = 60, time_s = 0;
   int samples = 0;
   bool list = false;
@@ -38,15 +39,20 @@ Result<Vec3> parse_point(const std::string& text, const std::string& flag) {
     good = value.has_value() && std::isfinite(*value);
     values[i] = value.value_or(0);
   }
-  if (!good) return Error{"usage.bad_flag", flag, fmt::format("\"{}\" is not a point; write x,y,z in metres", text)};
+  if (!good)
+    return Error{
+        "usage.bad_flag", flag, fmt::format("\"{}\" is not a point; write x,y,z in metres", text)};
   return Vec3{values[0], values[1], values[2]};
 }
 
 Result<std::pair<int, int>> parse_pixels(const std::string& text) {
   const std::vector<std::string> parts = split(lower_ascii(text), 'x');
   const auto width = number_in(parts[0]), height = number_in(parts.size() == 2 ? parts[1] : "");
-  if (!width || !height || *width != std::floor(*width) || *height != std::floor(*height) || std::abs(*width) > 1e6 || std::abs(*height) > 1e6) {
-    return Error{"camera.bad_size", "--size", fmt::format("\"{}\" is not a picture size; write 1280x720", text)};
+  if (!width || !height || *width != std::floor(*width) || *height != std::floor(*height) ||
+      std::abs(*width) > 1e6 || std::abs(*height) > 1e6) {
+    return Error{"camera.bad_size",
+                 "--size",
+                 fmt::format("\"{}\" is not a picture size; write 1280x720", text)};
   }
   return std::pair(static_cast<int>(*width), static_cast<int>(*height));
 }
@@ -54,9 +60,12 @@ Result<std::pair<int, int>> parse_pixels(const std::string& text) {
 Result<Camera> camera_of(const RenderFlags& flags, const Scene& scene) {
   MARKETGEN_TRY(const auto pixels, parse_pixels(flags.size));
   const auto [width, height] = pixels;
-  if (flags.from.empty() != flags.at.empty()) return Error{"usage.bad_flag", "--from", "give both --from and --at"};
-  if (flags.from.empty()) return camera_named(scene, flags.camera.empty() ? "entrance" : flags.camera, width, height);
-  if (!flags.camera.empty()) return Error{"usage.bad_flag", "--camera", "give a camera's name or --from and --at, not both"};
+  if (flags.from.empty() != flags.at.empty())
+    return Error{"usage.bad_flag", "--from", "give both --from and --at"};
+  if (flags.from.empty())
+    return camera_named(scene, flags.camera.empty() ? "entrance" : flags.camera, width, height);
+  if (!flags.camera.empty())
+    return Error{"usage.bad_flag", "--camera", "give a camera's name or --from and --at, not both"};
   Camera camera;
   camera.name = "custom";
   MARKETGEN_TRY(camera.from, parse_point(flags.from, "--from"));
@@ -72,7 +81,8 @@ Result<void> write_depth(const std::string& path, const Frame& frame) {
   std::vector<std::uint16_t> millimetres(frame.depth_m.size());
   constexpr float most_mm = 65535;
   for (std::size_t i = 0; i < millimetres.size(); ++i) {
-    millimetres[i] = static_cast<std::uint16_t>(std::min(frame.depth_m[i] * 1000.0F + 0.5F, most_mm));
+    millimetres[i] =
+        static_cast<std::uint16_t>(std::min(frame.depth_m[i] * 1000.0F + 0.5F, most_mm));
   }
   return write_png16(path, frame.color.width, frame.color.height, millimetres);
 }
@@ -81,10 +91,12 @@ Result<void> render(const RenderFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
   MARKETGEN_TRY(const Scene scene, open_scene(std::filesystem::path(flags.folder) / "scene.bin"));
   if (flags.list) {
-    for (const Camera& camera : standard_cameras(scene, 16, 9)) fmt::print("{}\n", camera.name);
+    for (const Camera& camera : standard_cameras(scene, 16, 9))
+      fmt::print("{}\n", camera.name);
     return {};
   }
-  if (flags.output.empty()) return Error{"usage.bad_flag", "-o", "say where the picture goes: -o picture.png"};
+  if (flags.output.empty())
+    return Error{"usage.bad_flag", "-o", "say where the picture goes: -o picture.png"};
   MARKETGEN_TRY(const Camera camera, camera_of(flags, scene));
   RenderOptions options;
   options.mode = value_named<RenderMode>(flags.mode).value_or(RenderMode::sensor);
@@ -97,8 +109,11 @@ Result<void> render(const RenderFlags& flags) {
   MARKETGEN_TRY(const Frame frame, renderer->render(camera, options, progress));
   MARKETGEN_CHECK(write_png(flags.output, frame.color));
   if (!flags.depth.empty()) MARKETGEN_CHECK(write_depth(flags.depth, frame));
-  if (!flags.segmentation.empty()) MARKETGEN_CHECK(write_png(flags.segmentation, draw_instances(frame, camera.width, camera.height)));
-  if (!flags.normals.empty()) MARKETGEN_CHECK(write_png(flags.normals, draw_normals(frame, camera.width, camera.height)));
+  if (!flags.segmentation.empty())
+    MARKETGEN_CHECK(
+        write_png(flags.segmentation, draw_instances(frame, camera.width, camera.height)));
+  if (!flags.normals.empty())
+    MARKETGEN_CHECK(write_png(flags.normals, draw_normals(frame, camera.width, camera.height)));
   if (!flags.common.quiet) fmt::print("picture     {}\n", flags.output);
   return {};
 }
@@ -110,21 +125,29 @@ Run add_render(CLI::App& app) {
   CLI::App* command = app.add_subcommand("render", "Draw a picture of a store");
   command->add_option("folder", flags->folder, "store folder")->required();
   command->add_option("-o,--output", flags->output, "PNG file to write");
-  command->add_option("--camera", flags->camera, "standard view: top, entrance, aisle, checkout, zone:<id>");
+  command->add_option(
+      "--camera", flags->camera, "standard view: top, entrance, aisle, checkout, zone:<id>");
   command->add_flag("--list-cameras", flags->list, "print the standard views and stop");
   command->add_option("--from", flags->from, "stand at x,y,z (metres)");
   command->add_option("--at", flags->at, "look at x,y,z (metres)");
   command->add_option("--fov-deg", flags->fov_deg, "vertical field of view")->capture_default_str();
   command->add_option("--size", flags->size, "picture size in pixels")->capture_default_str();
-  command->add_option("--mode", flags->mode, "sensor: seconds; path: full light transport")->check(CLI::IsMember({"sensor", "path"}))->capture_default_str();
-  command->add_option("--quality", flags->quality, "fast, balanced or best")->check(CLI::IsMember({"fast", "balanced", "best"}))->capture_default_str();
-  command->add_option("--spp", flags->samples, "samples a pixel; 0 = what the quality says")->check(CLI::Range(0, 65536));
-  command->add_option("--time", flags->time_s, "path mode: stop after this many seconds")->check(CLI::Range(0.0, 1e6));
+  command->add_option("--mode", flags->mode, "sensor: seconds; path: full light transport")
+      ->check(CLI::IsMember({"sensor", "path"}))
+      ->capture_default_str();
+  command->add_option("--quality", flags->quality, "fast, balanced or best")
+      ->check(CLI::IsMember({"fast", "balanced", "best"}))
+      ->capture_default_str();
+  command->add_option("--spp", flags->samples, "samples a pixel; 0 = what the quality says")
+      ->check(CLI::Range(0, 65536));
+  command->add_option("--time", flags->time_s, "path mode: stop after this many seconds")
+      ->check(CLI::Range(0.0, 1e6));
   command->add_option("--depth", flags->depth, "also write depth, 16-bit PNG in millimetres");
   command->add_option("--segmentation", flags->segmentation, "also write a colour per object");
   command->add_option("--normals", flags->normals, "also write normals");
   add_common_flags(*command, flags->common, Takes::nothing);
-  command->footer("Example:  marketgen render shop --camera aisle -o aisle.png --depth aisle-depth.png");
+  command->footer(
+      "Example:  marketgen render shop --camera aisle -o aisle.png --depth aisle-depth.png");
   return [flags] {
     const auto done = render(*flags);
     return done.ok() ? 0 : fail(done.error());

@@ -29,9 +29,18 @@ Result<void> report(const ReportFlags& flags) {
   MARKETGEN_CHECK(write_file(flags.html, report_html(reports)));
   if (flags.common.json) return {};
   for (const auto& [manifest, full] : reports) {
-    fmt::print("{:<28} {:>7} products  COL {:.2f} %  OOB {}  NAV {:.3f}  reach {:.1f} %  STB {:.1f} % of {}  wishes {:.0f} %\n", manifest.name,
-               manifest.counts.products, 100 * full.metrics.COL, full.metrics.OOB, full.metrics.NAV, 100 * full.metrics.reachable_shelves,
-               100 * full.metrics.STB.value_or(0), full.metrics.stb_products.value_or(0), 100 * full.metrics.prompt);
+    fmt::print(
+        "{:<28} {:>7} products  COL {:.2f} %  OOB {}  NAV {:.3f}  reach {:.1f} %  STB {:.1f} % of "
+        "{}  wishes {:.0f} %\n",
+        manifest.name,
+        manifest.counts.products,
+        100 * full.metrics.COL,
+        full.metrics.OOB,
+        full.metrics.NAV,
+        100 * full.metrics.reachable_shelves,
+        100 * full.metrics.STB.value_or(0),
+        full.metrics.stb_products.value_or(0),
+        100 * full.metrics.prompt);
   }
   fmt::print("page        {}\n", flags.html);
   return {};
@@ -41,7 +50,8 @@ Result<void> report(const ReportFlags& flags) {
 
 Run add_report(CLI::App& app) {
   auto flags = std::make_shared<ReportFlags>();
-  CLI::App* command = app.add_subcommand("report", "Measure stores, physics included: JSON and one HTML page");
+  CLI::App* command =
+      app.add_subcommand("report", "Measure stores, physics included: JSON and one HTML page");
   command->add_option("folders", flags->folders, "store folders")->required();
   command->add_option("-o,--output", flags->html, "HTML page to write")->capture_default_str();
   add_common_flags(*command, flags->common, Takes::json);

@@ -1,4 +1,5 @@
-// marketgen schemas: writes the JSON Schemas, the FlatBuffers schema and the field tables of the docs from the field lists.
+// marketgen schemas: writes the JSON Schemas, the FlatBuffers schema and the field tables of the
+// docs from the field lists.
 #include <fmt/format.h>
 
 #include "catalog/fixture_kind.h"
@@ -39,18 +40,24 @@ Result<void> write_schemas(const std::string& root) {
   if (failed) return Error{"io.cannot_write", root, failed.message()};
   for (const Document& d : documents()) {
     const std::string name(d.file);
-    MARKETGEN_CHECK(write_file(schemas / (name + ".schema.json"), json_schema_of(d.type, name + ".schema.json", d.title)));
-    MARKETGEN_CHECK(write_file(docs / (name + ".md"), fmt::format("# {}\n\n{}.\n\n{}", name, d.title, markdown_of(d.type))));
+    MARKETGEN_CHECK(write_file(schemas / (name + ".schema.json"),
+                               json_schema_of(d.type, name + ".schema.json", d.title)));
+    MARKETGEN_CHECK(
+        write_file(docs / (name + ".md"),
+                   fmt::format("# {}\n\n{}.\n\n{}", name, d.title, markdown_of(d.type))));
   }
-  return write_file(schemas / "market-scene-1.fbs", flatbuffer_schema_of(type_of<Scene>(), scene_file_identifier));
+  return write_file(schemas / "market-scene-1.fbs",
+                    flatbuffer_schema_of(type_of<Scene>(), scene_file_identifier));
 }
 
 }  // namespace
 
 Run add_schemas(CLI::App& app) {
   auto root = std::make_shared<std::string>(".");
-  CLI::App* command = app.add_subcommand("schemas", "Write schemas/ and docs/fields/ from the program's own field lists");
-  command->add_option("-o,--output", *root, "folder that has or gets schemas/ and docs/")->capture_default_str();
+  CLI::App* command = app.add_subcommand(
+      "schemas", "Write schemas/ and docs/fields/ from the program's own field lists");
+  command->add_option("-o,--output", *root, "folder that has or gets schemas/ and docs/")
+      ->capture_default_str();
   command->footer("Example:  marketgen schemas -o .");
   return [root] {
     const auto done = write_schemas(*root);

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "assets/color.h"
+#include "assets/paint_color.h"
 #include "geometry/image.h"
 
 namespace marketgen {
@@ -38,9 +38,14 @@ struct ColorStop {
 class Paint {
  public:
   Paint(const Color& color);  // NOLINT(google-explicit-constructor)
-  static Paint linear(double x0, double y0, double x1, double y1, const std::vector<ColorStop>& stops);
+  static Paint linear(
+      double x0, double y0, double x1, double y1, const std::vector<ColorStop>& stops);
   // From the point (focus_x, focus_y) out to the circle.
-  static Paint radial(double x, double y, double radius, double focus_x, double focus_y,
+  static Paint radial(double x,
+                      double y,
+                      double radius,
+                      double focus_x,
+                      double focus_y,
                       const std::vector<ColorStop>& stops);
 
   cairo_pattern_t* pattern() const { return pattern_.get(); }
@@ -90,8 +95,10 @@ class Canvas {
   int height_px() const { return cairo_image_surface_get_height(surface_.get()); }
   cairo_t* context() const { return context_.get(); }
 
-  Image image() const;                 // RGB copy of what has been drawn
-  void put(const Image& image, int x_px, int y_px);  // copies RGB pixels, transform and clip ignored
+  Image image() const;  // RGB copy of what has been drawn
+  void put(const Image& image,
+           int x_px,
+           int y_px);  // copies RGB pixels, transform and clip ignored
 
  private:
   std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface_;

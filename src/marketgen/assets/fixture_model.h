@@ -1,19 +1,22 @@
-// Fixtures assembled from minimal units: boards, back panels, bases, side panels, uprights, rails, doors, bodies.
+// Fixtures assembled from minimal units: boards, back panels, bases, side panels, uprights, rails,
+// doors, bodies.
 //
-// Fixture frame: origin at the middle of the footprint on the floor, Z up, front towards -Y. A double-sided fixture has its
-// second side towards +Y. Metres.
+// Fixture frame: origin at the middle of the footprint on the floor, Z up, front towards -Y. A
+// double-sided fixture has its second side towards +Y. Metres.
 //
-// Shelf frame (of one stocked surface): origin at the middle of the front edge on top of the board, X to the right for a
-// shopper looking at it, Y inward, Z up from the board.
+// Shelf frame (of one stocked surface): origin at the middle of the front edge on top of the board,
+// X to the right for a shopper looking at it, Y inward, Z up from the board. Goods that hang
+// (ShelfUse::hang) have no board: Z = 0 is the bottom of their free volume, and their hooks are
+// just above Z = clearance_m.
 #pragma once
 #include <array>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "assets/product_model.h"
 #include "base/fields.h"
 #include "base/result.h"
-#include "assets/product_model.h"
 #include "catalog/catalog.h"
 #include "geometry/mesh.h"
 #include "geometry/pose.h"
@@ -22,58 +25,95 @@ namespace marketgen {
 
 // The kinds of minimal unit: what a part is, for queries, exports and collision.
 enum class UnitKind {
-  board, back_panel, base, side_panel, upright, price_rail, fence, header, worktop, body, door, door_frame, light, belt,
-  scanner, screen, terminal, tray, basket, wheel, handle, cushion, pole, sign, hook
+  board,
+  back_panel,
+  base,
+  side_panel,
+  upright,
+  price_rail,
+  fence,
+  header,
+  worktop,
+  body,
+  door,
+  door_frame,
+  light,
+  belt,
+  scanner,
+  screen,
+  terminal,
+  tray,
+  basket,
+  wheel,
+  handle,
+  cushion,
+  pole,
+  sign,
+  hook
 };
 constexpr std::array<std::string_view, 25> names_of(UnitKind) {
-  return {"board", "back_panel", "base", "side_panel", "upright", "price_rail", "fence", "header", "worktop", "body",
-          "door", "door_frame", "light", "belt", "scanner", "screen", "terminal", "tray", "basket", "wheel", "handle",
-          "cushion", "pole", "sign", "hook"};
+  return {"board",   "back_panel", "base",     "side_panel", "upright",    "price_rail", "fence",
+          "header",  "worktop",    "body",     "door",       "door_frame", "light",      "belt",
+          "scanner", "screen",     "terminal", "tray",       "basket",     "wheel",      "handle",
+          "cushion", "pole",       "sign",     "hook"};
 }
 
-enum class PartShape { box, cylinder };   // cylinder: axis Z before tilt
-constexpr std::array<std::string_view, 2> names_of(PartShape) { return {"box", "cylinder"}; }
+enum class PartShape { box, cylinder };  // cylinder: axis Z before tilt
+constexpr std::array<std::string_view, 2> names_of(PartShape) {
+  return {"box", "cylinder"};
+}
 
 struct FixturePart {
   UnitKind unit = UnitKind::board;
   PartShape shape = PartShape::box;
-  Pose fixture_from_part;                 // to the part's centre
-  Vec3f half_size;                        // cylinder: radius, radius, half length
-  Surface surface;                        // texture is a material id or empty
+  Pose fixture_from_part;  // to the part's centre
+  Vec3f half_size;         // cylinder: radius, radius, half length
+  Surface surface;         // texture is a material id or empty
 };
 
 // What a shelf is for: goods stand in facings, lie in a heap, or hang from pegs.
 enum class ShelfUse { stand, heap, hang };
-constexpr std::array<std::string_view, 3> names_of(ShelfUse) { return {"stand", "heap", "hang"}; }
+constexpr std::array<std::string_view, 3> names_of(ShelfUse) {
+  return {"stand", "heap", "hang"};
+}
 
 struct ShelfSurface {
-  int level = 0;                          // 0 = lowest
-  int side = 0;                           // 1 = the back of a double-sided fixture
+  int level = 0;  // 0 = lowest
+  int side = 0;   // 1 = the back of a double-sided fixture
   ShelfUse use = ShelfUse::stand;
   Pose fixture_from_shelf;
-  double width_m = 0, depth_m = 0;        // usable
-  double clearance_m = 0;                 // free height above the board over the whole usable area
-  bool price_rail = true;                 // its front edge takes price labels
+  double width_m = 0, depth_m = 0;  // usable
+  double clearance_m = 0;           // free height above the board over the whole usable area
+  bool price_rail = true;           // its front edge takes price labels
 };
+
+// Where things meet a shelf, in its frame. Every shelf with a price rail has its rail's face at Y =
+// price_rail_face_m, between the two heights; goods start goods_front_m behind the board's front
+// edge, so that nothing leans on a label.
+constexpr double goods_front_m = 0.010;
+constexpr double price_rail_face_m = -0.006;
+constexpr double price_rail_top_m = 0.002, price_rail_bottom_m = -0.038;
 
 // Parameters of one module, all of them changeable after generation.
 struct FixtureShape {
-  std::string generator;                  // one of assets/fixture_generators.inc
+  std::string generator;  // one of assets/fixture_generators.inc
   int width_mm = 1250, depth_mm = 500, height_mm = 1800;
   int levels = 5, base_mm = 150, spacing_mm = 350;
   int sides = 1;
-  bool start = true, end = true;          // closes the run on its left, on its right: side panels stand there
-  std::string material = "metal-white";   // catalogue material of the body
+  bool start = true,
+       end = true;  // closes the run on its left, on its right: side panels stand there
+  std::string material = "metal-white";  // catalogue material of the body
   std::string color = "#f2f2f0";
-  std::string accent = "#2e7d32";         // header bands, signs
+  std::string accent = "#2e7d32";  // header bands, signs
 };
 
 struct FixtureModel {
-  std::vector<FixturePart> parts;         // none overlaps another by more than 0.5 mm
-  std::vector<ShelfSurface> shelves;      // by side, then level
+  std::vector<FixturePart> parts;     // none overlaps another by more than 0.5 mm
+  std::vector<ShelfSurface> shelves;  // by side, then level
 };
 
-// Everything lies within the module's width x depth x height. Errors: catalog.unknown_kind, assets.bad_row.
+// Everything lies within the module's width x depth x height. Errors: catalog.unknown_kind,
+// assets.bad_row.
 Result<FixtureModel> make_fixture_model(const FixtureShape& shape, const Catalog& catalog);
 
 struct FixtureGeneratorInfo {
@@ -81,7 +121,8 @@ struct FixtureGeneratorInfo {
 };
 std::vector<FixtureGeneratorInfo> fixture_generators();
 
-// The visible mesh of one part in the fixture frame (boxes with a 2 mm bevel where they are thick enough), metric UVs.
+// The visible mesh of one part in the fixture frame (boxes with a 2 mm bevel where they are thick
+// enough), metric UVs.
 void add_part_mesh(Mesh& mesh, const FixturePart& part, std::uint16_t surface);
 
 }  // namespace marketgen

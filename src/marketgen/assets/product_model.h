@@ -1,6 +1,8 @@
-// The shape of a product, made from its row: a closed mesh with UVs for its label, and a convex primitive for contact.
+// The shape of a product, made from its row: a closed mesh with UVs for its label, and a convex
+// primitive for contact.
 //
-// Product frame: origin at the middle of the footprint, on the surface it stands on; Z up; the front (label) faces -Y.
+// Product frame: origin at the middle of the footprint, on the surface it stands on; Z up; the
+// front (label) faces -Y.
 #pragma once
 #include <array>
 #include <string>
@@ -15,6 +17,9 @@
 namespace marketgen {
 
 enum class SurfaceKind { opaque, glass, emissive };
+constexpr std::array<std::string_view, 3> names_of(SurfaceKind) {
+  return {"opaque", "glass", "emissive"};
+}
 
 // What a triangle looks like. Colours are linear RGB 0..1.
 struct Surface {
@@ -22,27 +27,33 @@ struct Surface {
   float roughness = 0.5F;
   float metallic = 0.0F;
   SurfaceKind kind = SurfaceKind::opaque;
-  std::string texture;         // "" none, "label" the product's label image, otherwise a material id (tiled by UV)
+  std::string texture =
+      {};  // "" none, "label" the product's label image, otherwise a material id (tiled by UV)
 };
 
 enum class CollisionShape { box, cylinder, ellipsoid };
-constexpr std::array<std::string_view, 3> names_of(CollisionShape) { return {"box", "cylinder", "ellipsoid"}; }
+constexpr std::array<std::string_view, 3> names_of(CollisionShape) {
+  return {"box", "cylinder", "ellipsoid"};
+}
 
-// Centred at `center` in the product frame; axes along the frame's (cylinder: Z, or X for lying goods).
+// Centred at `center` in the product frame; axes along the frame's (cylinder: Z, or X for lying
+// goods).
 struct CollisionPrimitive {
   CollisionShape shape = CollisionShape::box;
   Vec3f center;
-  Vec3f half_size;             // box and ellipsoid: half extents; cylinder: radius, radius, half length along its axis
-  bool lying = false;          // cylinder along X
+  Vec3f half_size;  // box and ellipsoid: half extents; cylinder: radius, radius, half length along
+                    // its axis
+  bool lying = false;  // cylinder along X
 };
 
 struct ProductModel {
-  Mesh mesh;                               // surfaces index `surfaces`
+  Mesh mesh;  // surfaces index `surfaces`
   std::vector<Surface> surfaces;
   CollisionPrimitive collision;
 };
 
-// The sizes of the mesh's bounds are the row's sizes within 1 mm. Errors: assets.bad_row, catalog.unknown_kind (archetype).
+// The sizes of the mesh's bounds are the row's sizes within 1 mm. Errors: assets.bad_row,
+// catalog.unknown_kind (archetype).
 Result<ProductModel> make_product_model(const Product& product);
 
 // The contact primitive alone: cheap, for physics and audit of whole stores.
@@ -51,6 +62,6 @@ Result<CollisionPrimitive> collision_of(const Product& product);
 struct ArchetypeInfo {
   std::string_view name, description;
 };
-std::vector<ArchetypeInfo> archetypes();   // in the order of archetypes.inc
+std::vector<ArchetypeInfo> archetypes();  // in the order of archetypes.inc
 
 }  // namespace marketgen

@@ -9,7 +9,9 @@ namespace {
 
 // Half extents along the target's axes of a box or ellipsoid with half sizes `h` turned by `m`.
 Vec3 box_extent(const Matrix34& m, Vec3 h) {
-  const auto row = [&](int r) { return std::abs(m.m[r][0]) * h.x + std::abs(m.m[r][1]) * h.y + std::abs(m.m[r][2]) * h.z; };
+  const auto row = [&](int r) {
+    return std::abs(m.m[r][0]) * h.x + std::abs(m.m[r][1]) * h.y + std::abs(m.m[r][2]) * h.z;
+  };
   return {row(0), row(1), row(2)};
 }
 
@@ -21,7 +23,8 @@ Vec3 ellipsoid_extent(const Matrix34& m, Vec3 h) {
   return {row(0), row(1), row(2)};
 }
 
-// A disc of radius r perpendicular to the axis reaches r * sqrt(1 - a^2) along a direction that has cosine a with the axis.
+// A disc of radius r perpendicular to the axis reaches r * sqrt(1 - a^2) along a direction that has
+// cosine a with the axis.
 Vec3 cylinder_extent(const Matrix34& m, double radius, double half_length, int axis) {
   const auto row = [&](int r) {
     const double a = m.m[r][axis];
@@ -37,9 +40,15 @@ Bounds3 bounds_of(const CollisionPrimitive& primitive, const Pose& target_from_i
   const Vec3 h = to_double(primitive.half_size);
   Vec3 extent;
   switch (primitive.shape) {
-    case CollisionShape::box: extent = box_extent(m, h); break;
-    case CollisionShape::ellipsoid: extent = ellipsoid_extent(m, h); break;
-    case CollisionShape::cylinder: extent = cylinder_extent(m, h.x, h.z, primitive.lying ? 0 : 2); break;
+    case CollisionShape::box:
+      extent = box_extent(m, h);
+      break;
+    case CollisionShape::ellipsoid:
+      extent = ellipsoid_extent(m, h);
+      break;
+    case CollisionShape::cylinder:
+      extent = cylinder_extent(m, h.x, h.z, primitive.lying ? 0 : 2);
+      break;
   }
   const Vec3 center = target_from_item * to_double(primitive.center);
   return {to_float(center - extent), to_float(center + extent)};

@@ -8,8 +8,8 @@
 
 namespace marketgen {
 
-// Axis-aligned store-frame bounds of each product's contact primitive. Exact for upright cylinders and turned boxes.
-// Error: assets.bad_row.
+// Axis-aligned store-frame bounds of each product's contact primitive. Exact for upright cylinders
+// and turned boxes. Error: assets.bad_row.
 Result<std::vector<Bounds3>> item_bounds(const Scene& scene);
 
 // Bounds of one primitive under a pose.

@@ -8,11 +8,27 @@
 namespace marketgen {
 namespace {
 
-// Fixtures whose footprint touches the rectangle.
-int fixtures_beside(const Layout& layout, const RectMm& strip) {
-  int number = 0;
-  for (const Fixture& f : layout.fixtures) {
-    if (f.levels >= 2 && f.endcap_of.empty() && overlap(footprint_of(f), strip)) ++number;
+// Stretches that stocked fixtures take of a line across the store, sorted. `across_x`: the line runs
+// east at y = `at`; otherwise it runs north at x = `at`.
+std::vector<std::array<int, 2>> stocked_stretches(const Scene& scene, bool across_x, int at) {
+  std::vector<std::array<int, 2>> stretches;
+  for (std::size_t i = 0; i < scene.fixtures.size(); ++i) {
+    if (scene.fixtures[i].shelf_count == 0) continue;
+    const RectMm r = footprint_of(scene.layout.fixtures[i]);
+    const bool crossed = across_x ? r.y0 <= at && at <= r.y1 : r.x0 <= at && at <= r.x1;
+    if (crossed) stretches.push_back(across_x ? std::array{r.x0, r.x1} : std::array{r.y0, r.y1});
+  }
+  std::sort(stretches.begin(), stretches.end());
+  return stretches;
+}
+
+// Gaps between them that a person walks through.
+int walkable_gaps(const std::vector<std::array<int, 2>>& stretches) {
+  constexpr int least_mm = 600;
+  int number = 0, reached = stretches.empty() ? 0 : stretches.front()[1];
+  for (const auto& [from, to] : stretches) {
+    if (from - reached >= least_mm) ++number;
+    reached = std::max(reached, to);
   }
   return number;
 }
@@ -21,32 +37,34 @@ int fixtures_beside(const Layout& layout, const RectMm& strip) {
 
 double shelf_fill(const Scene& scene) {
   double available = 0, occupied = 0;
-  for (const SceneShelf& shelf : scene.shelves) available += shelf.width_m;
-  for (const Facing& facing : scene.facings) occupied += facing.product_count > 0 ? facing.width_m : 0;
+  for (const SceneShelf& shelf : scene.shelves)
+    available += shelf.width_m;
+  for (const Facing& facing : scene.facings)
+    occupied += facing.product_count > 0 ? facing.width_m : 0;
   return available > 0 ? occupied / available : 0;
 }
 
 double selling_area_m2(const Scene& scene) {
-  static constexpr std::array<std::string_view, 5> not_selling = {"backroom", "checkout", "self_checkout", "customer_service", "cafe"};
+  static constexpr std::array<std::string_view, 5> not_selling = {
+      "backroom", "checkout", "self_checkout", "customer_service", "cafe"};
   double area = area_m2(floor_of(scene.layout.shell));
   for (const LayoutZone& zone : scene.layout.zones) {
-    if (std::find(not_selling.begin(), not_selling.end(), zone.type) != not_selling.end()) area -= zone.area_m2;
+    if (std::find(not_selling.begin(), not_selling.end(), zone.type) != not_selling.end())
+      area -= zone.area_m2;
   }
   return area;
 }
 
 int shopping_aisles(const Scene& scene) {
-  constexpr int touch_mm = 100;
-  int number = 0;
-  for (const Aisle& aisle : scene.layout.aisles) {
-    if (aisle.kind != AisleKind::secondary && aisle.kind != AisleKind::main) continue;
-    const RectMm box = bounds_of(aisle.polygon_mm);
-    const bool runs_north = box.depth() >= box.width();
-    const RectMm one = runs_north ? RectMm{box.x0 - touch_mm, box.y0, box.x0, box.y1} : RectMm{box.x0, box.y0 - touch_mm, box.x1, box.y0};
-    const RectMm other = runs_north ? RectMm{box.x1, box.y0, box.x1 + touch_mm, box.y1} : RectMm{box.x0, box.y1, box.x1, box.y1 + touch_mm};
-    if (fixtures_beside(scene.layout, one) > 0 && fixtures_beside(scene.layout, other) > 0) ++number;
+  int most = 0;
+  for (const Fixture& fixture : scene.layout.fixtures) {
+    if (fixture.sides != 2) continue;
+    const bool fronts_face_north = fixture.yaw_deg % 180 == 0;
+    const bool across_x = !fronts_face_north;  // the line runs across the aisles
+    const int at = across_x ? fixture.y_mm : fixture.x_mm;
+    most = std::max(most, walkable_gaps(stocked_stretches(scene, across_x, at)));
   }
-  return number;
+  return most;
 }
 
 }  // namespace marketgen

@@ -9,7 +9,8 @@ namespace marketgen {
 double shelf_fill(const Scene& scene);
 // Floor open to shoppers: the room without backroom, checkout, customer-service and cafe zones.
 double selling_area_m2(const Scene& scene);
-// Aisles with shelving on both sides, or with shelving on one and a wall of goods on the other: what shoppers count.
+// Aisles as shoppers count them: the most gaps between stocked fixtures that a straight line across
+// the free-standing runs crosses.
 int shopping_aisles(const Scene& scene);
 
 }  // namespace marketgen

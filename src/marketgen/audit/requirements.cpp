@@ -28,31 +28,51 @@ struct Facts {
 
 Facts facts_of(const Scene& scene, const Catalog& catalog) {
   Facts facts{scene, catalog, std::vector<std::uint64_t>(scene.fixtures.size(), 0)};
-  for (const Facing& f : scene.facings) facts.items_on_fixture[scene.shelves[f.shelf].fixture] += f.product_count;
+  for (const Facing& f : scene.facings)
+    facts.items_on_fixture[scene.shelves[f.shelf].fixture] += f.product_count;
   return facts;
 }
 
 bool compares(const Requirement& r, double measured, double tolerance = 1e-9) {
   switch (r.comparison) {
-    case Comparison::at_least: return measured >= r.value - tolerance;
-    case Comparison::at_most: return measured <= r.value + tolerance;
-    default: return std::abs(measured - r.value) <= tolerance;
+    case Comparison::at_least:
+      return measured >= r.value - tolerance;
+    case Comparison::at_most:
+      return measured <= r.value + tolerance;
+    default:
+      return std::abs(measured - r.value) <= tolerance;
   }
 }
 
 std::string_view sign(Comparison comparison) {
   switch (comparison) {
-    case Comparison::at_least: return "at least ";
-    case Comparison::at_most: return "at most ";
-    default: return "";
+    case Comparison::at_least:
+      return "at least ";
+    case Comparison::at_most:
+      return "at most ";
+    default:
+      return "";
   }
 }
 
-Verdict number_verdict(const Requirement& r, double measured, std::string_view what, std::string_view unit, double tolerance = 1e-9) {
-  return {compares(r, measured, tolerance), fmt::format("{} {:g}{}; asked for {}{:g}{}", what, measured, unit, sign(r.comparison), r.value, unit)};
+Verdict number_verdict(const Requirement& r,
+                       double measured,
+                       std::string_view what,
+                       std::string_view unit,
+                       double tolerance = 1e-9) {
+  return {compares(r, measured, tolerance),
+          fmt::format("{} {:g}{}; asked for {}{:g}{}",
+                      what,
+                      measured,
+                      unit,
+                      sign(r.comparison),
+                      r.value,
+                      unit)};
 }
 
-bool is_of(const LayoutZone& zone, const std::string& name) { return zone.type == name || zone.id == name; }
+bool is_of(const LayoutZone& zone, const std::string& name) {
+  return zone.type == name || zone.id == name;
+}
 
 std::vector<const LayoutZone*> zones_of(const Facts& facts, const std::string& name) {
   std::vector<const LayoutZone*> zones;
@@ -72,15 +92,20 @@ bool in_zone(const Facts& facts, const Fixture& fixture, const std::string& name
 
 Verdict check_size(const Facts& facts, const Requirement& r) {
   const Shell& shell = facts.scene.layout.shell;
-  const bool met = std::abs(shell.width_mm - r.value) <= 10 && std::abs(shell.depth_mm - r.second_value) <= 10;
-  return {met, fmt::format("the room is {:g} x {:g} m", shell.width_mm * 1e-3, shell.depth_mm * 1e-3)};
+  const bool met =
+      std::abs(shell.width_mm - r.value) <= 10 && std::abs(shell.depth_mm - r.second_value) <= 10;
+  return {met,
+          fmt::format("the room is {:g} x {:g} m", shell.width_mm * 1e-3, shell.depth_mm * 1e-3)};
 }
 
 Verdict check_area(const Facts& facts, const Requirement& r) {
-  if (r.subject.empty()) return number_verdict(r, area_m2(floor_of(facts.scene.layout.shell)), "the room has", " m2", 0.05 * r.value);
+  if (r.subject.empty())
+    return number_verdict(
+        r, area_m2(floor_of(facts.scene.layout.shell)), "the room has", " m2", 0.05 * r.value);
   double area = 0;
-  for (const LayoutZone* zone : zones_of(facts, r.subject)) area += zone->area_m2;
-  constexpr double share = 0.15;      // zones snap to whole modules and aisles
+  for (const LayoutZone* zone : zones_of(facts, r.subject))
+    area += zone->area_m2;
+  constexpr double share = 0.15;  // zones snap to whole modules and aisles
   return number_verdict(r, std::round(area * 10) / 10, r.subject + " has", " m2", share * r.value);
 }
 
@@ -90,19 +115,24 @@ bool zone_is_there(const Facts& facts, const LayoutZone& zone) {
   if (type == nullptr || type->fixture.empty()) return zone.area_m2 > 0;
   const auto& fixtures = facts.scene.layout.fixtures;
   for (std::size_t i = 0; i < fixtures.size(); ++i) {
-    if (fixtures[i].zone == zone.id && (facts.items_on_fixture[i] > 0 || type->categories.empty() || type->fixture == "checkout_lane")) return true;
+    if (fixtures[i].zone == zone.id && (facts.items_on_fixture[i] > 0 || type->categories.empty() ||
+                                        type->fixture == "checkout_lane"))
+      return true;
   }
   return false;
 }
 
 std::size_t zones_there(const Facts& facts, const std::string& name) {
   const auto zones = zones_of(facts, name);
-  return static_cast<std::size_t>(std::count_if(zones.begin(), zones.end(), [&](const LayoutZone* z) { return zone_is_there(facts, *z); }));
+  return static_cast<std::size_t>(std::count_if(
+      zones.begin(), zones.end(), [&](const LayoutZone* z) { return zone_is_there(facts, *z); }));
 }
 
 Verdict check_zone_present(const Facts& facts, const Requirement& r) {
   const std::size_t number = zones_there(facts, r.subject);
-  return {number > 0, fmt::format("{} {} zone{} with goods or equipment", number, r.subject, number == 1 ? "" : "s")};
+  return {number > 0,
+          fmt::format(
+              "{} {} zone{} with goods or equipment", number, r.subject, number == 1 ? "" : "s")};
 }
 
 Verdict check_zone_absent(const Facts& facts, const Requirement& r) {
@@ -120,7 +150,8 @@ Verdict check_fixture_count(const Facts& facts, const Requirement& r) {
     runs.insert(f.run);
     ++modules;
   }
-  const bool by_module = row == nullptr || row->role != FixtureRole::shelving || kind == "pallet" || kind == "bin" || kind == "produce_table";
+  const bool by_module = row == nullptr || row->role != FixtureRole::shelving || kind == "pallet" ||
+                         kind == "bin" || kind == "produce_table";
   const double measured = by_module ? modules : static_cast<double>(runs.size());
   return number_verdict(r, measured, fmt::format("{} {}:", kind, by_module ? "units" : "runs"), "");
 }
@@ -133,37 +164,54 @@ Verdict check_aisle_count(const Facts& facts, const Requirement& r) {
 bool is_shelving(const Facts& facts, const Fixture& fixture) {
   const FixtureKind* kind = facts.catalog.fixture_kind(fixture.kind);
   constexpr int several = 4;
-  return kind != nullptr && kind->role == FixtureRole::shelving && kind->temperature == Storage::ambient && kind->level_range[1] >= several;
+  return kind != nullptr && kind->role == FixtureRole::shelving &&
+         kind->temperature == Storage::ambient && kind->level_range[1] >= several;
 }
 
 Verdict check_levels(const Facts& facts, const Requirement& r) {
   std::set<int> seen;
   for (std::size_t i = 0; i < facts.scene.fixtures.size(); ++i) {
     const Fixture& fixture = facts.scene.layout.fixtures[i];
-    const bool counted = r.subject.empty() ? is_shelving(facts, fixture) && fixture.endcap_of.empty() && fixture.kind == "gondola"
-                                           : in_zone(facts, fixture, r.subject) && facts.scene.fixtures[i].shelf_count > 0 && fixture.endcap_of.empty();
+    const bool counted =
+        r.subject.empty()
+            ? is_shelving(facts, fixture) && fixture.endcap_of.empty() && fixture.kind == "gondola"
+            : in_zone(facts, fixture, r.subject) && facts.scene.fixtures[i].shelf_count > 0 &&
+                  fixture.endcap_of.empty();
     if (!counted) continue;
     const SceneFixture& row = facts.scene.fixtures[i];
     int levels = 0;
-    for (std::uint32_t s = row.first_shelf; s < row.first_shelf + row.shelf_count; ++s) levels += facts.scene.shelves[s].side == 0 ? 1 : 0;
+    for (std::uint32_t s = row.first_shelf; s < row.first_shelf + row.shelf_count; ++s)
+      levels += facts.scene.shelves[s].side == 0 ? 1 : 0;
     seen.insert(levels);
   }
-  const bool met = !seen.empty() && std::all_of(seen.begin(), seen.end(), [&](int n) { return compares(r, n); });
-  return {met, fmt::format("shelves have {} levels; asked for {}{:g}", fmt::join(seen, " or "), sign(r.comparison), r.value)};
+  const bool met =
+      !seen.empty() && std::all_of(seen.begin(), seen.end(), [&](int n) { return compares(r, n); });
+  return {met,
+          fmt::format("shelves have {} levels; asked for {}{:g}",
+                      fmt::join(seen, " or "),
+                      sign(r.comparison),
+                      r.value)};
 }
 
 Verdict check_relation_holds(const Facts& facts, const Requirement& r) {
-  const RelationCheck check = check_relation(facts.scene, r.relation, r.subject, r.object, r.second_object);
-  return {check.holds, fmt::format("{} {} {}: measured {:.1f} m", r.subject, name_of(r.relation), r.object, check.measured_m)};
+  const RelationCheck check =
+      check_relation(facts.scene, r.relation, r.subject, r.object, r.second_object);
+  return {check.holds,
+          fmt::format("{} {} {}: measured {:.1f} m",
+                      r.subject,
+                      name_of(r.relation),
+                      r.object,
+                      check.measured_m)};
 }
 
 Verdict check_style(const Facts& facts, const Requirement& r) {
   const StyleRow* style = facts.catalog.style(r.object);
   const Look& look = facts.scene.layout.look;
   if (style == nullptr) return {false, "there is no such style"};
-  const int same = (look.floor == style->floor) + (look.wall == style->wall) + (look.ceiling == style->ceiling) +
-                   (look.fixture == style->fixture) + (look.accent == style->accent);
-  constexpr int enough = 3;      // a wish for one material may override part of a style
+  const int same = (look.floor == style->floor) + (look.wall == style->wall) +
+                   (look.ceiling == style->ceiling) + (look.fixture == style->fixture) +
+                   (look.accent == style->accent);
+  constexpr int enough = 3;  // a wish for one material may override part of a style
   return {same >= enough, fmt::format("{} of 5 parts of the look are those of {}", same, r.object)};
 }
 
@@ -196,33 +244,64 @@ Verdict check_color(const Facts& facts, const Requirement& r) {
 }
 
 Verdict check_product(const Facts& facts, const Requirement& r, bool wanted) {
-  const auto number = std::count_if(facts.scene.catalog.begin(), facts.scene.catalog.end(),
+  const auto number = std::count_if(facts.scene.catalog.begin(),
+                                    facts.scene.catalog.end(),
                                     [&](const Product& p) { return named_by(p, {r.subject}); });
-  return {(number > 0) == wanted, fmt::format("{} products on offer are named \"{}\"", number, r.subject)};
+  return {(number > 0) == wanted,
+          fmt::format("{} products on offer are named \"{}\"", number, r.subject)};
+}
+
+// In the wall that was named, and on the side of it: the west or south half, the other, or the
+// middle.
+bool is_in_place(const Opening& opening, const Requirement& r) {
+  if (const auto wall = value_named<Wall>(r.object); wall && opening.wall != *wall) return false;
+  constexpr double middle = 0.5, most_off_middle = 0.2;
+  const std::string& end = r.second_object;
+  if (end == "center") return std::abs(opening.center - middle) <= most_off_middle;
+  if (end == "west" || end == "south") return opening.center <= middle;
+  if (end == "east" || end == "north") return opening.center >= middle;
+  return true;
 }
 
 Verdict check_opening(const Facts& facts, const Requirement& r) {
   const auto& openings = facts.scene.layout.shell.openings;
-  const auto number = std::count_if(openings.begin(), openings.end(), [&](const Opening& o) { return name_of(o.kind) == r.subject; });
-  if (r.value > 0) return number_verdict(r, static_cast<double>(number), r.subject + ":", "");
-  return {number > 0, fmt::format("{} {} openings", number, r.subject)};
+  const auto number = std::count_if(openings.begin(), openings.end(), [&](const Opening& o) {
+    return name_of(o.kind) == r.subject && is_in_place(o, r);
+  });
+  const std::string what =
+      r.subject + (r.object.empty() && r.second_object.empty() ? ":" : " openings there:");
+  if (r.value > 0 || r.comparison == Comparison::at_most)
+    return number_verdict(r, static_cast<double>(number), what, "");
+  return {number > 0, fmt::format("{} {}", what, number)};
 }
 
 Verdict check_endcaps(const Facts& facts, const Requirement& r) {
   const auto& fixtures = facts.scene.layout.fixtures;
-  const auto number = std::count_if(fixtures.begin(), fixtures.end(), [&](const Fixture& f) { return !f.endcap_of.empty() && in_zone(facts, f, r.subject); });
+  const auto number = std::count_if(fixtures.begin(), fixtures.end(), [&](const Fixture& f) {
+    return !f.endcap_of.empty() && in_zone(facts, f, r.subject);
+  });
   const bool unwanted = r.comparison == Comparison::at_most && r.value == 0;
   return {unwanted ? number == 0 : number > 0, fmt::format("{} endcaps", number)};
 }
 
 Verdict check_height(const Facts& facts, const Requirement& r) {
-  if (r.subject == "ceiling") return number_verdict(r, facts.scene.layout.shell.ceiling_mm, "the ceiling is at", " mm", 10);
-  double worst = r.value;
+  if (r.subject == "ceiling")
+    return number_verdict(r, facts.scene.layout.shell.ceiling_mm, "the ceiling is at", " mm", 10);
+  double lowest = 0, highest = 0;
   for (const Fixture& f : facts.scene.layout.fixtures) {
-    const bool counted = r.subject.empty() || r.subject == "shelf" || facts.catalog.fixture_kind(r.subject) == nullptr ? f.kind == "gondola" : f.kind == r.subject;
-    if (counted && std::abs(f.height_mm - r.value) > std::abs(worst - r.value)) worst = f.height_mm;
+    const bool counted = r.subject.empty() || r.subject == "shelf" ||
+                                 facts.catalog.fixture_kind(r.subject) == nullptr
+                             ? f.kind == "gondola"
+                             : f.kind == r.subject;
+    if (!counted) continue;
+    lowest = lowest == 0 ? f.height_mm : std::min<double>(lowest, f.height_mm);
+    highest = std::max<double>(highest, f.height_mm);
   }
-  return number_verdict(r, worst, "shelves are high", " mm", 10);
+  if (highest == 0) return {false, "there are no such fixtures"};
+  const bool low_is_worse =
+      r.comparison == Comparison::at_least ||
+      (r.comparison == Comparison::equal && r.value - lowest > highest - r.value);
+  return number_verdict(r, low_is_worse ? lowest : highest, "shelves are high", " mm", 10);
 }
 
 Verdict check_aisle_width(const Facts& facts, const Requirement& r) {
@@ -236,52 +315,102 @@ Verdict check_aisle_width(const Facts& facts, const Requirement& r) {
   return number_verdict(at_least, narrowest, "narrowest aisle between shelves", " mm", 10);
 }
 
+// Disorder shows as items in the wrong place: some when it was asked for, no more than the share
+// that was allowed.
+Verdict check_order(const Facts& facts, const Requirement& r) {
+  const auto& products = facts.scene.products;
+  const auto wrong = std::count_if(products.begin(), products.end(), [](const SceneProduct& p) {
+    return (p.flags & product_misplaced) != 0;
+  });
+  const bool wanted =
+      r.comparison == Comparison::at_least || (r.comparison == Comparison::equal && r.value > 0);
+  const double most = r.value * static_cast<double>(products.size());
+  return {wanted ? wrong > 0 : static_cast<double>(wrong) <= most,
+          fmt::format("{} items stand in the wrong place", wrong)};
+}
+
+Verdict check_gaps(const Facts& facts, const Requirement& r) {
+  const auto& facings = facts.scene.facings;
+  const auto empty = std::count_if(
+      facings.begin(), facings.end(), [](const Facing& f) { return f.product_count == 0; });
+  const double share =
+      facings.empty() ? 0 : static_cast<double>(empty) / static_cast<double>(facings.size());
+  const double tolerance = 0.01 + r.value / 4;  // which blocks are sold out is drawn by chance
+  return {compares(r, share, tolerance),
+          fmt::format("{:.0f} % of the facing blocks are sold out", 100 * share)};
+}
+
 Verdict check_stock(const Facts& facts, const Requirement& r) {
-  if (r.subject == "misplaced" || r.subject == "jitter") {
-    const auto wrong = std::count_if(facts.scene.products.begin(), facts.scene.products.end(), [](const SceneProduct& p) { return (p.flags & product_misplaced) != 0; });
-    return {r.comparison != Comparison::at_least || wrong > 0, fmt::format("{} items stand in the wrong place", wrong)};
-  }
+  if (r.subject == "misplaced" || r.subject == "jitter") return check_order(facts, r);
+  if (r.subject == "out_of_stock") return check_gaps(facts, r);
   const double fill = shelf_fill(facts.scene);
-  constexpr double tolerance = 0.12;      // packs do not divide a shelf evenly
-  return {compares(r, fill, tolerance), fmt::format("{:.0f} % of the shelf front is stocked", 100 * fill)};
+  constexpr double tolerance = 0.12;  // packs do not divide a shelf evenly
+  return {compares(r, fill, tolerance),
+          fmt::format("{:.0f} % of the shelf front is stocked", 100 * fill)};
 }
 
 Verdict check_light(const Facts& facts, const Requirement& r) {
   const Look& look = facts.scene.layout.look;
-  const double measured = r.subject == "lux" || r.subject == "light_lux" ? look.light_lux : look.light_kelvin;
-  return {std::abs(measured - r.value) <= 0.15 * r.value, fmt::format("light: {} K, {} lx", look.light_kelvin, look.light_lux)};
+  const double measured =
+      r.subject == "lux" || r.subject == "light_lux" ? look.light_lux : look.light_kelvin;
+  return {std::abs(measured - r.value) <= 0.15 * r.value,
+          fmt::format("light: {} K, {} lx", look.light_kelvin, look.light_lux)};
 }
 
 Verdict verdict_of(const Facts& facts, const Requirement& r) {
   switch (r.kind) {
-    case RequirementKind::size: return check_size(facts, r);
-    case RequirementKind::area: return check_area(facts, r);
-    case RequirementKind::zone_present: return check_zone_present(facts, r);
-    case RequirementKind::zone_absent: return check_zone_absent(facts, r);
-    case RequirementKind::zone_count: return number_verdict(r, static_cast<double>(zones_there(facts, r.subject)), r.subject + " zones:", "");
-    case RequirementKind::fixture_count: return check_fixture_count(facts, r);
-    case RequirementKind::aisle_count: return check_aisle_count(facts, r);
-    case RequirementKind::levels: return check_levels(facts, r);
-    case RequirementKind::relation: return check_relation_holds(facts, r);
-    case RequirementKind::style: return check_style(facts, r);
-    case RequirementKind::profile: return check_profile(facts, r);
-    case RequirementKind::material: return check_material(facts, r);
-    case RequirementKind::color: return check_color(facts, r);
-    case RequirementKind::product_present: return check_product(facts, r, true);
-    case RequirementKind::product_absent: return check_product(facts, r, false);
-    case RequirementKind::opening: return check_opening(facts, r);
-    case RequirementKind::endcaps: return check_endcaps(facts, r);
-    case RequirementKind::height: return check_height(facts, r);
-    case RequirementKind::aisle_width: return check_aisle_width(facts, r);
-    case RequirementKind::stock: return check_stock(facts, r);
-    case RequirementKind::light: return check_light(facts, r);
+    case RequirementKind::size:
+      return check_size(facts, r);
+    case RequirementKind::area:
+      return check_area(facts, r);
+    case RequirementKind::zone_present:
+      return check_zone_present(facts, r);
+    case RequirementKind::zone_absent:
+      return check_zone_absent(facts, r);
+    case RequirementKind::zone_count:
+      return number_verdict(
+          r, static_cast<double>(zones_there(facts, r.subject)), r.subject + " zones:", "");
+    case RequirementKind::fixture_count:
+      return check_fixture_count(facts, r);
+    case RequirementKind::aisle_count:
+      return check_aisle_count(facts, r);
+    case RequirementKind::levels:
+      return check_levels(facts, r);
+    case RequirementKind::relation:
+      return check_relation_holds(facts, r);
+    case RequirementKind::style:
+      return check_style(facts, r);
+    case RequirementKind::profile:
+      return check_profile(facts, r);
+    case RequirementKind::material:
+      return check_material(facts, r);
+    case RequirementKind::color:
+      return check_color(facts, r);
+    case RequirementKind::product_present:
+      return check_product(facts, r, true);
+    case RequirementKind::product_absent:
+      return check_product(facts, r, false);
+    case RequirementKind::opening:
+      return check_opening(facts, r);
+    case RequirementKind::endcaps:
+      return check_endcaps(facts, r);
+    case RequirementKind::height:
+      return check_height(facts, r);
+    case RequirementKind::aisle_width:
+      return check_aisle_width(facts, r);
+    case RequirementKind::stock:
+      return check_stock(facts, r);
+    case RequirementKind::light:
+      return check_light(facts, r);
   }
   return {false, "unknown kind of requirement"};
 }
 
 }  // namespace
 
-std::vector<RequirementResult> check_requirements(const Scene& scene, const Catalog& catalog, const std::vector<Requirement>& requirements) {
+std::vector<RequirementResult> check_requirements(const Scene& scene,
+                                                  const Catalog& catalog,
+                                                  const std::vector<Requirement>& requirements) {
   const Facts facts = facts_of(scene, catalog);
   std::vector<RequirementResult> results;
   for (const Requirement& r : requirements) {

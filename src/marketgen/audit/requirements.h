@@ -1,4 +1,5 @@
-// Do the wishes hold? Each kind of requirement is measured on the finished scene; the plan is not looked at.
+// Do the wishes hold? Each kind of requirement is measured on the finished scene; the plan is not
+// looked at.
 #pragma once
 #include <vector>
 
@@ -10,7 +11,8 @@
 namespace marketgen {
 
 // One result per requirement, in order. `why` says what was measured.
-std::vector<RequirementResult> check_requirements(const Scene& scene, const Catalog& catalog,
+std::vector<RequirementResult> check_requirements(const Scene& scene,
+                                                  const Catalog& catalog,
                                                   const std::vector<Requirement>& requirements);
 
 }  // namespace marketgen

@@ -10,31 +10,48 @@ namespace marketgen {
 namespace {
 
 Violation violation(const SceneRule& rule, std::string where, double value, std::string message) {
-  return {std::string(rule.code), rule.severity, std::move(where), value, rule.limit, std::move(message), std::nullopt};
+  return {std::string(rule.code),
+          rule.severity,
+          std::move(where),
+          value,
+          rule.limit,
+          std::move(message),
+          std::nullopt};
 }
 
 std::vector<Violation> check_ITEM_COLLISION(const SceneFacts& facts, const SceneRule& rule) {
   if (facts.metrics.colliding_pairs == 0) return {};
-  return {violation(rule, "products", static_cast<double>(facts.metrics.colliding_pairs),
-                    fmt::format("{} pairs of items are more than 1 mm inside one another", facts.metrics.colliding_pairs))};
+  return {violation(rule,
+                    "products",
+                    static_cast<double>(facts.metrics.colliding_pairs),
+                    fmt::format("{} pairs of items are more than 1 mm inside one another",
+                                facts.metrics.colliding_pairs))};
 }
 
 std::vector<Violation> check_ITEM_OUTSIDE_SHELF(const SceneFacts& facts, const SceneRule& rule) {
   if (facts.out_of_place.empty()) return {};
-  return {violation(rule, product_id(facts.scene, facts.out_of_place.front()), static_cast<double>(facts.out_of_place.size()),
-                    fmt::format("{} items reach out of their shelf or the room", facts.out_of_place.size()))};
+  return {violation(
+      rule,
+      product_id(facts.scene, facts.out_of_place.front()),
+      static_cast<double>(facts.out_of_place.size()),
+      fmt::format("{} items reach out of their shelf or the room", facts.out_of_place.size()))};
 }
 
 std::vector<Violation> check_SHELF_EMPTY(const SceneFacts& facts, const SceneRule& rule) {
   if (facts.scene.shelves.empty()) return {};
   std::vector<std::uint8_t> stocked(facts.scene.shelves.size(), 0);
-  for (const Facing& f : facts.scene.facings) stocked[f.shelf] = 1;
+  for (const Facing& f : facts.scene.facings)
+    stocked[f.shelf] = 1;
   const auto empty = std::count(stocked.begin(), stocked.end(), 0);
   const double share = static_cast<double>(empty) / static_cast<double>(stocked.size());
   if (share <= rule.limit) return {};
-  const auto first = static_cast<std::size_t>(std::find(stocked.begin(), stocked.end(), 0) - stocked.begin());
-  return {violation(rule, facts.scene.layout.fixtures[facts.scene.shelves[first].fixture].id, share,
-                    fmt::format("{} of {} shelves hold nothing that the zone sells", empty, stocked.size()))};
+  const auto first =
+      static_cast<std::size_t>(std::find(stocked.begin(), stocked.end(), 0) - stocked.begin());
+  return {violation(
+      rule,
+      facts.scene.layout.fixtures[facts.scene.shelves[first].fixture].id,
+      share,
+      fmt::format("{} of {} shelves hold nothing that the zone sells", empty, stocked.size()))};
 }
 
 std::vector<Violation> check_LOAD_HEAVY_HIGH(const SceneFacts& facts, const SceneRule& rule) {
@@ -43,31 +60,45 @@ std::vector<Violation> check_LOAD_HEAVY_HIGH(const SceneFacts& facts, const Scen
   std::string where;
   for (std::uint32_t i = 0; i < facts.scene.products.size(); ++i) {
     const SceneProduct& item = facts.scene.products[i];
-    if (item.position_m[2] < rule.limit || facts.scene.catalog[item.sku].mass_kg < heavy_kg) continue;
+    if (item.position_m[2] < rule.limit || facts.scene.catalog[item.sku].mass_kg < heavy_kg)
+      continue;
     if (number++ == 0) where = product_id(facts.scene, i);
   }
   if (number == 0) return {};
-  return {violation(rule, where, static_cast<double>(number), fmt::format("{} items of {} kg and more stand above {} m", number, heavy_kg, rule.limit))};
+  return {violation(
+      rule,
+      where,
+      static_cast<double>(number),
+      fmt::format("{} items of {} kg and more stand above {} m", number, heavy_kg, rule.limit))};
 }
 
 std::vector<Violation> check_DENSITY_LOW(const SceneFacts& facts, const SceneRule& rule) {
   if (facts.metrics.DENS >= rule.limit) return {};
-  return {violation(rule, "store", facts.metrics.DENS,
-                    fmt::format("{:.0f} items per m2 of selling area; real shops have {:.0f} and more", facts.metrics.DENS, rule.limit))};
+  return {
+      violation(rule,
+                "store",
+                facts.metrics.DENS,
+                fmt::format("{:.0f} items per m2 of selling area; real shops have {:.0f} and more",
+                            facts.metrics.DENS,
+                            rule.limit))};
 }
 
 std::vector<Violation> check_SHELF_UNREACHABLE(const SceneFacts& facts, const SceneRule& rule) {
   if (facts.traffic.unreachable.empty()) return {};
   const SceneShelf& shelf = facts.scene.shelves[facts.traffic.unreachable.front()];
-  return {violation(rule, facts.scene.layout.fixtures[shelf.fixture].id, static_cast<double>(facts.traffic.unreachable.size()),
-                    fmt::format("a robot finds no free floor before {} shelves", facts.traffic.unreachable.size()))};
+  return {violation(rule,
+                    facts.scene.layout.fixtures[shelf.fixture].id,
+                    static_cast<double>(facts.traffic.unreachable.size()),
+                    fmt::format("a robot finds no free floor before {} shelves",
+                                facts.traffic.unreachable.size()))};
 }
 
 }  // namespace
 
 const std::vector<SceneRule>& scene_rules() {
   static const std::vector<SceneRule> rules = {
-#define SCENE_RULE(code, severity, limit, source) {#code, Severity::severity, limit, source, check_##code},
+#define SCENE_RULE(code, severity, limit, source) \
+  {#code, Severity::severity, limit, source, check_##code},
 #include "audit/scene_rules.inc"
 #undef SCENE_RULE
   };
@@ -77,7 +108,8 @@ const std::vector<SceneRule>& scene_rules() {
 std::vector<Violation> check_scene(const SceneFacts& facts) {
   std::vector<Violation> found;
   for (const SceneRule& rule : scene_rules()) {
-    for (Violation& v : rule.check(facts, rule)) found.push_back(std::move(v));
+    for (Violation& v : rule.check(facts, rule))
+      found.push_back(std::move(v));
   }
   return found;
 }

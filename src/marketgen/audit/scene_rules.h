@@ -16,7 +16,7 @@ struct SceneFacts {
   const Scene& scene;
   const Metrics& metrics;
   const Traffic& traffic;
-  const std::vector<std::uint32_t>& out_of_place;    // rows of scene.products
+  const std::vector<std::uint32_t>& out_of_place;  // rows of scene.products
 };
 
 struct SceneRule {

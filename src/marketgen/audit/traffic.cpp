@@ -9,19 +9,26 @@ namespace {
 
 std::vector<RectMm> obstacles_of(const Layout& layout) {
   std::vector<RectMm> obstacles;
-  for (const Fixture& fixture : layout.fixtures) obstacles.push_back(footprint_of(fixture));
+  for (const Fixture& fixture : layout.fixtures)
+    obstacles.push_back(footprint_of(fixture));
   for (const Column& c : layout.shell.columns) {
-    obstacles.push_back({c.x_mm - c.size_mm / 2, c.y_mm - c.size_mm / 2, c.x_mm + c.size_mm / 2, c.y_mm + c.size_mm / 2});
+    obstacles.push_back({c.x_mm - c.size_mm / 2,
+                         c.y_mm - c.size_mm / 2,
+                         c.x_mm + c.size_mm / 2,
+                         c.y_mm + c.size_mm / 2});
   }
   return obstacles;
 }
 
 // Component that people enter: that of the first entrance, or the largest.
-int entrance_component(const Layout& layout, const OccupancyGrid& grid, const Components& components) {
+int entrance_component(const Layout& layout,
+                       const OccupancyGrid& grid,
+                       const Components& components) {
   constexpr int search_mm = 1500;
   for (const Opening& opening : layout.shell.openings) {
     if (opening.kind != OpeningKind::entrance) continue;
-    const auto cell = nearest_free(grid, inside_of(layout.shell, opening, robot_radius_mm + 100), search_mm);
+    const auto cell =
+        nearest_free(grid, inside_of(layout.shell, opening, robot_radius_mm + 100), search_mm);
     if (cell) return components.label[*cell];
   }
   return components.largest();
@@ -41,24 +48,36 @@ PolygonMm floor_of(const Shell& shell) {
 }
 
 PointMm inside_of(const Shell& shell, const Opening& opening, int by_mm) {
-  const auto along = [&](int length) { return static_cast<int>(std::lround(opening.center * length)); };
+  const auto along = [&](int length) {
+    return static_cast<int>(std::lround(opening.center * length));
+  };
   switch (opening.wall) {
-    case Wall::south: return {along(shell.width_mm), by_mm};
-    case Wall::north: return {along(shell.width_mm), shell.depth_mm - by_mm};
-    case Wall::west: return {by_mm, along(shell.depth_mm)};
-    default: return {shell.width_mm - by_mm, along(shell.depth_mm)};
+    case Wall::south:
+      return {along(shell.width_mm), by_mm};
+    case Wall::north:
+      return {along(shell.width_mm), shell.depth_mm - by_mm};
+    case Wall::west:
+      return {by_mm, along(shell.depth_mm)};
+    default:
+      return {shell.width_mm - by_mm, along(shell.depth_mm)};
   }
 }
 
 Traffic measure_traffic(const Scene& scene) {
   Traffic traffic;
-  const OccupancyGrid grid = make_occupancy(floor_of(scene.layout.shell), obstacles_of(scene.layout), robot_radius_mm);
+  const OccupancyGrid grid =
+      make_occupancy(floor_of(scene.layout.shell), obstacles_of(scene.layout), robot_radius_mm);
   const Components components = find_components(grid);
   std::int64_t free_cells = 0;
-  for (std::size_t c = 1; c < components.cells.size(); ++c) free_cells += components.cells[c];
+  for (std::size_t c = 1; c < components.cells.size(); ++c)
+    free_cells += components.cells[c];
   const int largest = components.largest();
-  if (free_cells == 0) traffic.largest_share = 0;
-  else traffic.largest_share = static_cast<double>(components.cells[static_cast<std::size_t>(largest)]) / static_cast<double>(free_cells);
+  if (free_cells == 0)
+    traffic.largest_share = 0;
+  else
+    traffic.largest_share =
+        static_cast<double>(components.cells[static_cast<std::size_t>(largest)]) /
+        static_cast<double>(free_cells);
 
   const int entrance = entrance_component(scene.layout, grid, components);
   for (std::uint32_t shelf = 0; shelf < scene.shelves.size(); ++shelf) {
@@ -66,7 +85,8 @@ Traffic measure_traffic(const Scene& scene) {
     if (!cell || components.label[*cell] != entrance) traffic.unreachable.push_back(shelf);
   }
   if (!scene.shelves.empty()) {
-    traffic.reachable_shelves = 1 - static_cast<double>(traffic.unreachable.size()) / static_cast<double>(scene.shelves.size());
+    traffic.reachable_shelves = 1 - static_cast<double>(traffic.unreachable.size()) /
+                                        static_cast<double>(scene.shelves.size());
   }
   return traffic;
 }

@@ -1,17 +1,20 @@
-// NAV and reach: how much of the free floor hangs together for a robot, and which shelves it can stand before.
+// NAV and reach: how much of the free floor hangs together for a robot, and which shelves it can
+// stand before.
 #pragma once
 #include "scene/scene.h"
 
 namespace marketgen {
 
-constexpr int robot_radius_mm = 420;      // Realman dual-arm base with shoulders, turning in place
-constexpr int standing_mm = 700;          // base centre before the shelf's edge (robot-tasks.md: 0.60-0.80 m)
-constexpr int standing_reach_mm = 250;    // how far from that point it may stand
+constexpr int robot_radius_mm = 420;  // Realman dual-arm base with shoulders, turning in place
+constexpr int standing_mm =
+    700;  // base centre before the shelf's edge (robot-tasks.md: 0.60-0.80 m)
+constexpr int standing_reach_mm = 250;  // how far from that point it may stand
 
 struct Traffic {
-  double largest_share = 1;               // largest free component / free floor
-  double reachable_shelves = 1;           // shelves with free floor before them that hangs together with the entrance
-  std::vector<std::uint32_t> unreachable; // rows of scene.shelves
+  double largest_share = 1;  // largest free component / free floor
+  double reachable_shelves =
+      1;  // shelves with free floor before them that hangs together with the entrance
+  std::vector<std::uint32_t> unreachable;  // rows of scene.shelves
 };
 Traffic measure_traffic(const Scene& scene);
 

@@ -1,4 +1,5 @@
-// Stable hashing: XXH3 (format frozen since 0.8), the same on every machine and in every version of this program.
+// Stable hashing: XXH3 (format frozen since 0.8), the same on every machine and in every version of
+// this program.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -10,7 +11,8 @@ namespace marketgen {
 
 std::uint64_t hash64(std::string_view bytes, std::uint64_t seed = 0);
 
-// Incremental 128-bit hash over a sequence of values. Lengths are hashed too, so ("ab", "c") differs from ("a", "bc").
+// Incremental 128-bit hash over a sequence of values. Lengths are hashed too, so ("ab", "c")
+// differs from ("a", "bc").
 class Hasher {
  public:
   Hasher();

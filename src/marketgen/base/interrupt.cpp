@@ -20,7 +20,8 @@ void watch_for_interrupts() {
 }
 
 Result<void> check_interrupt() {
-  if (interrupted != 0) return Error{"internal.interrupted", "", "interrupted; nothing was left behind"};
+  if (interrupted != 0)
+    return Error{"internal.interrupted", "", "interrupted; nothing was left behind"};
   return {};
 }
 

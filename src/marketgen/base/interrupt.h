@@ -1,4 +1,5 @@
-// Interrupts (Ctrl-C): the signal only sets a flag; long work asks for it between steps and gives up cleanly.
+// Interrupts (Ctrl-C): the signal only sets a flag; long work asks for it between steps and gives
+// up cleanly.
 #pragma once
 #include "base/result.h"
 

@@ -27,11 +27,14 @@ class FlushDenormals {
 
 }  // namespace
 
-void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body, std::size_t grain) {
+void parallel_for(std::size_t count,
+                  const std::function<void(std::size_t)>& body,
+                  std::size_t grain) {
   const tbb::blocked_range<std::size_t> all(0, count, grain == 0 ? 1 : grain);
   tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& piece) {
     const FlushDenormals flush;
-    for (std::size_t i = piece.begin(); i != piece.end(); ++i) body(i);
+    for (std::size_t i = piece.begin(); i != piece.end(); ++i)
+      body(i);
   });
 }
 
@@ -41,13 +44,14 @@ struct ThreadLimit::Control {
 
 ThreadLimit::ThreadLimit(int threads) {
   if (threads <= 0) return;
-  control_ = std::make_unique<Control>(Control{
-      tbb::global_control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads))});
+  control_ = std::make_unique<Control>(Control{tbb::global_control(
+      tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads))});
 }
 ThreadLimit::~ThreadLimit() = default;
 
 int thread_count() {
-  return static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+  return static_cast<int>(
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
 }
 
 }  // namespace marketgen

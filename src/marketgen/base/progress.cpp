@@ -50,13 +50,19 @@ void ConsoleProgress::draw(bool final) {
     if (final) fmt::print(stderr, "{:<12} {:6.2f} s\n", stage_, monotonic_seconds() - start_s_);
     return;
   }
-  const int percent = final || steps_ == 0 ? (final ? 100 : 0) : static_cast<int>(100 * done_.load() / steps_);
+  const int percent =
+      final || steps_ == 0 ? (final ? 100 : 0) : static_cast<int>(100 * done_.load() / steps_);
   if (percent == drawn_percent_ && !final) return;
   drawn_percent_ = percent;
   constexpr int width = 30;
   const int filled = percent * width / 100;
-  fmt::print(stderr, "\r{:<12} [{}{}] {:3d}% {:6.2f} s{}", stage_, std::string(static_cast<std::size_t>(filled), '#'),
-             std::string(static_cast<std::size_t>(width - filled), ' '), percent, monotonic_seconds() - start_s_,
+  fmt::print(stderr,
+             "\r{:<12} [{}{}] {:3d}% {:6.2f} s{}",
+             stage_,
+             std::string(static_cast<std::size_t>(filled), '#'),
+             std::string(static_cast<std::size_t>(width - filled), ' '),
+             percent,
+             monotonic_seconds() - start_s_,
              final ? "\n" : "");
   std::fflush(stderr);
 }
@@ -75,10 +81,18 @@ spdlog::logger& logger() {
 
 }  // namespace
 
-void set_log_level(std::string_view level) { logger().set_level(spdlog::level::from_str(std::string(level))); }
-void log_debug(std::string_view message) { logger().debug(message); }
-void log_info(std::string_view message) { logger().info(message); }
-void log_warning(std::string_view message) { logger().warn(message); }
+void set_log_level(std::string_view level) {
+  logger().set_level(spdlog::level::from_str(std::string(level)));
+}
+void log_debug(std::string_view message) {
+  logger().debug(message);
+}
+void log_info(std::string_view message) {
+  logger().info(message);
+}
+void log_warning(std::string_view message) {
+  logger().warn(message);
+}
 
 double monotonic_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();

@@ -1,5 +1,5 @@
-// Progress of long work, and the log. Progress goes to stderr: a bar on a terminal, plain lines otherwise, nothing when
-// quiet. Results go to stdout and are not this file's business.
+// Progress of long work, and the log. Progress goes to stderr: a bar on a terminal, plain lines
+// otherwise, nothing when quiet. Results go to stdout and are not this file's business.
 #pragma once
 #include <atomic>
 #include <cstddef>
@@ -9,7 +9,8 @@
 
 namespace marketgen {
 
-// Where long work reports to. The base class says nothing: tests and libraries pass it. Thread-safe.
+// Where long work reports to. The base class says nothing: tests and libraries pass it.
+// Thread-safe.
 class Progress {
  public:
   virtual ~Progress() = default;
@@ -46,7 +47,7 @@ void log_debug(std::string_view message);
 void log_info(std::string_view message);
 void log_warning(std::string_view message);
 
-double monotonic_seconds();   // for timing only, never for results
-double peak_rss_mb();         // of this process, from the operating system
+double monotonic_seconds();  // for timing only, never for results
+double peak_rss_mb();        // of this process, from the operating system
 
 }  // namespace marketgen

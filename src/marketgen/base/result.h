@@ -1,7 +1,8 @@
 // Errors are values: what every function that can fail returns.
 //
-// An Error names a stable code from error_codes.inc, the place (JSON pointer, file:line, flag) and a message that says
-// what was wrong, what was expected and what to do. Exceptions never cross a module border.
+// An Error names a stable code from error_codes.inc, the place (JSON pointer, file:line, flag) and
+// a message that says what was wrong, what was expected and what to do. Exceptions never cross a
+// module border.
 #pragma once
 #include <cstdlib>
 #include <string>
@@ -26,8 +27,10 @@ std::string to_string(const Error& error);
 template <class T>
 class [[nodiscard]] Result {
  public:
-  Result(T value) : state_(std::in_place_index<0>, std::move(value)) {}      // NOLINT(google-explicit-constructor)
-  Result(Error error) : state_(std::in_place_index<1>, std::move(error)) {}  // NOLINT(google-explicit-constructor)
+  Result(T value)
+      : state_(std::in_place_index<0>, std::move(value)) {}  // NOLINT(google-explicit-constructor)
+  Result(Error error)
+      : state_(std::in_place_index<1>, std::move(error)) {}  // NOLINT(google-explicit-constructor)
 
   bool ok() const { return state_.index() == 0; }
   explicit operator bool() const { return ok(); }
@@ -79,18 +82,19 @@ class [[nodiscard]] Result<void> {
 #define MARKETGEN_JOIN_INNER(a, b) a##b
 #define MARKETGEN_JOIN(a, b) MARKETGEN_JOIN_INNER(a, b)
 
-// MARKETGEN_TRY(const Plan plan, read_plan(path)); declares `plan`, or returns the error to the caller.
-#define MARKETGEN_TRY(declaration, expression)                                 \
-  auto MARKETGEN_JOIN(result_, __LINE__) = (expression);                       \
-  if (!MARKETGEN_JOIN(result_, __LINE__).ok()) {                               \
-    return MARKETGEN_JOIN(result_, __LINE__).error();                          \
-  }                                                                            \
+// MARKETGEN_TRY(const Plan plan, read_plan(path)); declares `plan`, or returns the error to the
+// caller.
+#define MARKETGEN_TRY(declaration, expression)           \
+  auto MARKETGEN_JOIN(result_, __LINE__) = (expression); \
+  if (!MARKETGEN_JOIN(result_, __LINE__).ok()) {         \
+    return MARKETGEN_JOIN(result_, __LINE__).error();    \
+  }                                                      \
   declaration = std::move(MARKETGEN_JOIN(result_, __LINE__)).value()
 
 // MARKETGEN_CHECK(write_file(path, bytes)); returns the error of a Result<void> to the caller.
-#define MARKETGEN_CHECK(expression)                                            \
-  if (auto MARKETGEN_JOIN(result_, __LINE__) = (expression);                   \
-      !MARKETGEN_JOIN(result_, __LINE__).ok()) {                               \
-    return MARKETGEN_JOIN(result_, __LINE__).error();                          \
-  }                                                                            \
+#define MARKETGEN_CHECK(expression)                          \
+  if (auto MARKETGEN_JOIN(result_, __LINE__) = (expression); \
+      !MARKETGEN_JOIN(result_, __LINE__).ok()) {             \
+    return MARKETGEN_JOIN(result_, __LINE__).error();        \
+  }                                                          \
   static_assert(true)

@@ -21,26 +21,34 @@ std::uint64_t Stream::bits() {
   return mix(mix(key_) + counter_ * golden_ratio);
 }
 
-double Stream::uniform() { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }
+double Stream::uniform() {
+  return static_cast<double>(bits() >> 11) * 0x1.0p-53;
+}
 
-double Stream::uniform(double low, double high) { return low + (high - low) * uniform(); }
+double Stream::uniform(double low, double high) {
+  return low + (high - low) * uniform();
+}
 
 int Stream::integer(int low, int high) {
   const auto span = static_cast<std::uint64_t>(static_cast<std::int64_t>(high) - low) + 1;
   return static_cast<int>(low + static_cast<std::int64_t>(((bits() >> 32) * span) >> 32));
 }
 
-bool Stream::chance(double probability) { return uniform() < probability; }
+bool Stream::chance(double probability) {
+  return uniform() < probability;
+}
 
 double Stream::normal() {
   double sum = -6.0;
-  for (int i = 0; i < 12; ++i) sum += uniform();
+  for (int i = 0; i < 12; ++i)
+    sum += uniform();
   return sum;
 }
 
 std::size_t Stream::weighted(std::span<const double> weights) {
   double total = 0;
-  for (const double w : weights) total += w;
+  for (const double w : weights)
+    total += w;
   double left = uniform() * total;
   for (std::size_t i = 0; i < weights.size(); ++i) {
     if (left < weights[i]) return i;
@@ -49,7 +57,9 @@ std::size_t Stream::weighted(std::span<const double> weights) {
   return 0;
 }
 
-Seed Seed::child(std::string_view name) const { return Seed(hash64(name, value_)); }
+Seed Seed::child(std::string_view name) const {
+  return Seed(hash64(name, value_));
+}
 
 Seed Seed::child(std::string_view name, std::uint64_t index) const {
   return Seed(mix(child(name).value() + (index + 1) * golden_ratio));

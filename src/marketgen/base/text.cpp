@@ -9,13 +9,15 @@ namespace marketgen {
 int edit_distance(std::string_view a, std::string_view b) {
   const std::size_t n = b.size() + 1;
   std::vector<int> before(n), last(n), now(n);
-  for (std::size_t j = 0; j < n; ++j) last[j] = static_cast<int>(j);
+  for (std::size_t j = 0; j < n; ++j)
+    last[j] = static_cast<int>(j);
   for (std::size_t i = 1; i <= a.size(); ++i) {
     now[0] = static_cast<int>(i);
     for (std::size_t j = 1; j < n; ++j) {
       const int replaced = last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
       now[j] = std::min({last[j] + 1, now[j - 1] + 1, replaced});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) now[j] = std::min(now[j], before[j - 2] + 1);
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        now[j] = std::min(now[j], before[j - 2] + 1);
     }
     before.swap(last);
     last.swap(now);
@@ -23,7 +25,8 @@ int edit_distance(std::string_view a, std::string_view b) {
   return last[n - 1];
 }
 
-std::optional<std::string> nearest_name(std::string_view word, std::span<const std::string_view> candidates) {
+std::optional<std::string> nearest_name(std::string_view word,
+                                        std::span<const std::string_view> candidates) {
   if (word.size() > 200) return std::nullopt;
   const std::string wanted = lower_ascii(word);
   int best = std::max<int>(2, static_cast<int>(word.size()) / 3) + 1;
@@ -47,7 +50,9 @@ namespace {
 
 // Length of the well-formed UTF-8 sequence at `at` (Unicode 15, table 3-7), or 0.
 std::size_t utf8_length(std::string_view s, std::size_t at) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(i < s.size() ? s[i] : 0); };
+  const auto byte = [&](std::size_t i) {
+    return static_cast<unsigned char>(i < s.size() ? s[i] : 0);
+  };
   const auto tail = [&](std::size_t i) { return (byte(i) & 0xC0U) == 0x80U; };
   const unsigned char a = byte(at), b = byte(at + 1);
   if (a < 0x80) return 1;

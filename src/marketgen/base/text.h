@@ -9,11 +9,14 @@
 
 namespace marketgen {
 
-// Levenshtein distance with adjacent transposition counted as one edit (optimal string alignment), over bytes.
+// Levenshtein distance with adjacent transposition counted as one edit (optimal string alignment),
+// over bytes.
 int edit_distance(std::string_view a, std::string_view b);
 
-// The candidate nearest to `word`, if it is near enough to be what was meant: at most a third of the length away.
-std::optional<std::string> nearest_name(std::string_view word, std::span<const std::string_view> candidates);
+// The candidate nearest to `word`, if it is near enough to be what was meant: at most a third of
+// the length away.
+std::optional<std::string> nearest_name(std::string_view word,
+                                        std::span<const std::string_view> candidates);
 
 // `; did you mean "levels"?` or an empty string.
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> candidates);

@@ -29,16 +29,21 @@ Result<void> read_products(const fs::path& folder, std::vector<Product>& rows) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, failed)) {
     if (entry.path().extension() == ".json") files.push_back(entry.path());
   }
-  if (failed) return Error{"catalog.missing_data", folder.string(), "the product rows cannot be listed: " + failed.message()};
+  if (failed)
+    return Error{"catalog.missing_data",
+                 folder.string(),
+                 "the product rows cannot be listed: " + failed.message()};
   std::sort(files.begin(), files.end());
-  for (const fs::path& file : files) MARKETGEN_CHECK(read_rows(file, rows));
+  for (const fs::path& file : files)
+    MARKETGEN_CHECK(read_rows(file, rows));
   return {};
 }
 
 template <class Row>
 void add_rows(Hasher& hash, const std::vector<Row>& rows) {
   hash.add(static_cast<std::int64_t>(rows.size()));
-  for (const Row& row : rows) hash.add(write_json_line(row));
+  for (const Row& row : rows)
+    hash.add(write_json_line(row));
 }
 
 std::string hash_of(const Catalog& c) {
@@ -56,28 +61,44 @@ std::string hash_of(const Catalog& c) {
 
 template <class Row>
 const Row* find_row(const std::vector<Row>& rows, std::string Row::*key, std::string_view wanted) {
-  const auto found = std::find_if(rows.begin(), rows.end(), [&](const Row& row) { return row.*key == wanted; });
+  const auto found =
+      std::find_if(rows.begin(), rows.end(), [&](const Row& row) { return row.*key == wanted; });
   return found == rows.end() ? nullptr : &*found;
 }
 
 }  // namespace
 
 const Product* Catalog::product(std::string_view sku) const {
-  const auto found = std::lower_bound(products.begin(), products.end(), sku,
-                                      [](const Product& p, std::string_view wanted) { return p.sku < wanted; });
+  const auto found = std::lower_bound(
+      products.begin(), products.end(), sku, [](const Product& p, std::string_view wanted) {
+        return p.sku < wanted;
+      });
   return found != products.end() && found->sku == sku ? &*found : nullptr;
 }
-const FixtureKind* Catalog::fixture_kind(std::string_view kind) const { return find_row(fixture_kinds, &FixtureKind::kind, kind); }
-const CategoryRow* Catalog::category(std::string_view id) const { return find_row(categories, &CategoryRow::id, id); }
-const ZoneTypeRow* Catalog::zone_type(std::string_view type) const { return find_row(zone_types, &ZoneTypeRow::type, type); }
-const MaterialRow* Catalog::material(std::string_view id) const { return find_row(materials, &MaterialRow::id, id); }
-const ProfileRow* Catalog::profile(std::string_view id) const { return find_row(profiles, &ProfileRow::id, id); }
-const StyleRow* Catalog::style(std::string_view id) const { return find_row(styles, &StyleRow::id, id); }
+const FixtureKind* Catalog::fixture_kind(std::string_view kind) const {
+  return find_row(fixture_kinds, &FixtureKind::kind, kind);
+}
+const CategoryRow* Catalog::category(std::string_view id) const {
+  return find_row(categories, &CategoryRow::id, id);
+}
+const ZoneTypeRow* Catalog::zone_type(std::string_view type) const {
+  return find_row(zone_types, &ZoneTypeRow::type, type);
+}
+const MaterialRow* Catalog::material(std::string_view id) const {
+  return find_row(materials, &MaterialRow::id, id);
+}
+const ProfileRow* Catalog::profile(std::string_view id) const {
+  return find_row(profiles, &ProfileRow::id, id);
+}
+const StyleRow* Catalog::style(std::string_view id) const {
+  return find_row(styles, &StyleRow::id, id);
+}
 
 Result<Catalog> load_catalog(const fs::path& data, const std::vector<fs::path>& extra) {
   Catalog catalog;
   MARKETGEN_CHECK(read_products(data / "products", catalog.products));
-  for (const fs::path& file : extra) MARKETGEN_CHECK(read_rows(file, catalog.products));
+  for (const fs::path& file : extra)
+    MARKETGEN_CHECK(read_rows(file, catalog.products));
   MARKETGEN_CHECK(read_rows(data / "fixtures.json", catalog.fixture_kinds));
   MARKETGEN_CHECK(read_rows(data / "categories.json", catalog.categories));
   MARKETGEN_CHECK(read_rows(data / "zone_types.json", catalog.zone_types));
@@ -85,19 +106,26 @@ Result<Catalog> load_catalog(const fs::path& data, const std::vector<fs::path>& 
   MARKETGEN_CHECK(read_rows(data / "profiles.json", catalog.profiles));
   MARKETGEN_CHECK(read_rows(data / "styles.json", catalog.styles));
   MARKETGEN_CHECK(read_rows(data / "friction.json", catalog.frictions));
-  std::stable_sort(catalog.products.begin(), catalog.products.end(), [](const Product& a, const Product& b) { return a.sku < b.sku; });
+  std::stable_sort(catalog.products.begin(),
+                   catalog.products.end(),
+                   [](const Product& a, const Product& b) { return a.sku < b.sku; });
   MARKETGEN_CHECK(check_catalog(catalog));
   catalog.content_hash = hash_of(catalog);
   return catalog;
 }
 
-Error unknown_name(std::string code, std::string where, std::string_view what, std::string_view name,
+Error unknown_name(std::string code,
+                   std::string where,
+                   std::string_view what,
+                   std::string_view name,
                    const std::vector<std::string_view>& known) {
   const std::string hint = did_you_mean(name, known);
   std::string message = fmt::format("there is no {} \"{}\"", what, name);
   constexpr std::size_t most_listed = 30;
-  if (!hint.empty()) message += hint;
-  else if (known.size() <= most_listed) message += fmt::format("; known are: {}", fmt::join(known, ", "));
+  if (!hint.empty())
+    message += hint;
+  else if (known.size() <= most_listed)
+    message += fmt::format("; known are: {}", fmt::join(known, ", "));
   return {std::move(code), std::move(where), std::move(message)};
 }
 

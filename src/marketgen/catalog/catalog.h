@@ -1,7 +1,8 @@
 // The catalogue: every row the generator may use, read once, checked, immutable.
 //
-// Rows are JSON arrays under data/: products/*.json, fixtures.json, categories.json, zone_types.json, materials.json,
-// profiles.json, styles.json, friction.json. A user's file (`--catalog F`) adds products beside ours.
+// Rows are JSON arrays under data/: products/*.json, fixtures.json, categories.json,
+// zone_types.json, materials.json, profiles.json, styles.json, friction.json. A user's file
+// (`--catalog F`) adds products beside ours.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -24,7 +25,7 @@ struct Catalog {
   std::vector<ProfileRow> profiles;
   std::vector<StyleRow> styles;
   std::vector<FrictionRow> frictions;
-  std::string content_hash;                // of all rows: changes when any row does
+  std::string content_hash;  // of all rows: changes when any row does
 
   // Each returns null when there is no such row.
   const Product* product(std::string_view sku) const;
@@ -36,15 +37,21 @@ struct Catalog {
   const StyleRow* style(std::string_view id) const;
 };
 
-// Reads every row under `data` (usually data_folder()), then `extra` product files. Errors: catalog.*, json.*, input.*.
-Result<Catalog> load_catalog(const std::filesystem::path& data, const std::vector<std::filesystem::path>& extra = {});
+// Reads every row under `data` (usually data_folder()), then `extra` product files. Errors:
+// catalog.*, json.*, input.*.
+Result<Catalog> load_catalog(const std::filesystem::path& data,
+                             const std::vector<std::filesystem::path>& extra = {});
 
-// The rows' own rules: unique ids, EAN check digits and prefixes, known categories and kinds, plausible density.
-// Returns the first fault with the row's place.
+// The rows' own rules: unique ids, EAN check digits and prefixes, known categories and kinds,
+// plausible density. Returns the first fault with the row's place.
 Result<void> check_catalog(const Catalog& catalog);
 
-// The error for a name that is in none of `known`: code catalog.unknown_kind or the given one, with the nearest name.
-Error unknown_name(std::string code, std::string where, std::string_view what, std::string_view name,
+// The error for a name that is in none of `known`: code catalog.unknown_kind or the given one, with
+// the nearest name.
+Error unknown_name(std::string code,
+                   std::string where,
+                   std::string_view what,
+                   std::string_view name,
                    const std::vector<std::string_view>& known);
 
 }  // namespace marketgen

@@ -22,7 +22,8 @@ Error bad_row(std::string_view table, std::string_view row, std::string_view wha
 template <class Row>
 std::vector<std::string_view> names_in(const std::vector<Row>& rows, std::string Row::*key) {
   std::vector<std::string_view> names;
-  for (const Row& row : rows) names.push_back(row.*key);
+  for (const Row& row : rows)
+    names.push_back(row.*key);
   return names;
 }
 
@@ -30,49 +31,78 @@ bool has(const std::vector<std::string_view>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-Result<void> require_known(const std::vector<std::string_view>& known, std::string where, std::string_view what, std::string_view name) {
+Result<void> require_known(const std::vector<std::string_view>& known,
+                           std::string where,
+                           std::string_view what,
+                           std::string_view name) {
   if (has(known, name)) return {};
   return unknown_name("catalog.bad_row", std::move(where), what, name, known);
 }
 
 template <class Row>
-Result<void> require_unique(const std::vector<Row>& rows, std::string Row::*key, std::string_view table) {
+Result<void> require_unique(const std::vector<Row>& rows,
+                            std::string Row::*key,
+                            std::string_view table) {
   std::set<std::string_view> seen;
   for (const Row& row : rows) {
     if (!seen.insert(row.*key).second) {
-      return Error{"catalog.duplicate_sku", fmt::format("{}/{}", table, row.*key), "this id stands in two rows"};
+      return Error{"catalog.duplicate_sku",
+                   fmt::format("{}/{}", table, row.*key),
+                   "this id stands in two rows"};
     }
   }
   return {};
 }
 
-// Mass over the volume of the bounding box, kg/m3. From expanded polystyrene-light crisps (about 35: 150 g in 5 l) to glass jars
-// and detergents (1,400); paper rolls reach down to 45. Outside of this a row has a slipped digit.
+// Mass over the volume of the bounding box, kg/m3. From expanded polystyrene-light crisps (about
+// 35: 150 g in 5 l) to glass jars and detergents (1,400); paper rolls reach down to 45. Outside of
+// this a row has a slipped digit.
 constexpr double least_density = 20, most_density = 2200;
 
 Result<void> check_density(const Product& p) {
   const double density = p.mass_kg / (p.width_m() * p.depth_m() * p.height_m());
   if (density >= least_density && density <= most_density) return {};
-  return bad_row("products", p.sku, fmt::format("{:.3f} kg in {} x {} x {} mm is {:.0f} kg/m3; {} to {} is plausible: check mass and size",
-                                                p.mass_kg, p.size_mm[0], p.size_mm[1], p.size_mm[2], density, least_density, most_density));
+  return bad_row("products",
+                 p.sku,
+                 fmt::format("{:.3f} kg in {} x {} x {} mm is {:.0f} kg/m3; {} to {} is plausible: "
+                             "check mass and size",
+                             p.mass_kg,
+                             p.size_mm[0],
+                             p.size_mm[1],
+                             p.size_mm[2],
+                             density,
+                             least_density,
+                             most_density));
 }
 
 Result<void> check_codes(const Product& p) {
-  if (p.ean.empty() == p.plu.empty()) return bad_row("products", p.sku, "needs an EAN-13 if packed, or a PLU if loose, and not both");
+  if (p.ean.empty() == p.plu.empty())
+    return bad_row("products", p.sku, "needs an EAN-13 if packed, or a PLU if loose, and not both");
   if (p.ean.empty()) return {};
-  if (!is_ean13(p.ean)) return bad_row("products", p.sku, fmt::format("\"{}\" is not an EAN-13: 13 digits with a right check digit", p.ean));
+  if (!is_ean13(p.ean))
+    return bad_row(
+        "products",
+        p.sku,
+        fmt::format("\"{}\" is not an EAN-13: 13 digits with a right check digit", p.ean));
   if (!is_restricted_circulation(p.ean)) {
-    return bad_row("products", p.sku, fmt::format("EAN {} may belong to somebody; use a prefix 020-029, 040-049 or 200-299", p.ean));
+    return bad_row(
+        "products",
+        p.sku,
+        fmt::format("EAN {} may belong to somebody; use a prefix 020-029, 040-049 or 200-299",
+                    p.ean));
   }
   return {};
 }
 
 Result<void> check_product(const Product& p, const std::vector<std::string_view>& categories) {
-  MARKETGEN_CHECK(require_known(categories, "products/" + p.sku + "/category", "category", p.category));
+  MARKETGEN_CHECK(
+      require_known(categories, "products/" + p.sku + "/category", "category", p.category));
   MARKETGEN_CHECK(check_codes(p));
   MARKETGEN_CHECK(check_density(p));
-  for (const std::string* color : {&p.label.primary, &p.label.secondary, &p.label.accent, &p.label.text}) {
-    if (!is_color(*color)) return bad_row("products", p.sku, fmt::format("\"{}\" is not a colour #rrggbb", *color));
+  for (const std::string* color :
+       {&p.label.primary, &p.label.secondary, &p.label.accent, &p.label.text}) {
+    if (!is_color(*color))
+      return bad_row("products", p.sku, fmt::format("\"{}\" is not a colour #rrggbb", *color));
   }
   return {};
 }
@@ -85,23 +115,33 @@ Result<void> check_products(const Catalog& c) {
     MARKETGEN_CHECK(check_product(p, categories));
     const std::string_view code = p.ean.empty() ? p.plu : p.ean;
     const auto [entry, is_new] = sku_of_code.try_emplace(code, p.sku);
-    if (!is_new) return Error{"catalog.duplicate_sku", "products/" + p.sku, fmt::format("code {} belongs to {} already", code, entry->second)};
+    if (!is_new)
+      return Error{"catalog.duplicate_sku",
+                   "products/" + p.sku,
+                   fmt::format("code {} belongs to {} already", code, entry->second)};
   }
   return {};
 }
 
 Result<void> check_zone_types(const Catalog& c) {
   std::set<std::string_view> subcategories;
-  for (const Product& p : c.products) subcategories.insert(p.subcategory);
-  const std::vector<std::string_view> known_subcategories(subcategories.begin(), subcategories.end());
+  for (const Product& p : c.products)
+    subcategories.insert(p.subcategory);
+  const std::vector<std::string_view> known_subcategories(subcategories.begin(),
+                                                          subcategories.end());
   const auto categories = names_in(c.categories, &CategoryRow::id);
   const auto kinds = names_in(c.fixture_kinds, &FixtureKind::kind);
   for (const ZoneTypeRow& z : c.zone_types) {
     const std::string where = "zone_types/" + z.type;
-    if (!z.fixture.empty()) MARKETGEN_CHECK(require_known(kinds, where + "/fixture", "fixture kind", z.fixture));
-    for (const std::string& category : z.categories) MARKETGEN_CHECK(require_known(categories, where + "/categories", "category", category));
-    for (const std::string& s : z.subcategories) MARKETGEN_CHECK(require_known(known_subcategories, where + "/subcategories", "subcategory", s));
-    if (!is_color(z.color)) return bad_row("zone_types", z.type, fmt::format("\"{}\" is not a colour #rrggbb", z.color));
+    if (!z.fixture.empty())
+      MARKETGEN_CHECK(require_known(kinds, where + "/fixture", "fixture kind", z.fixture));
+    for (const std::string& category : z.categories)
+      MARKETGEN_CHECK(require_known(categories, where + "/categories", "category", category));
+    for (const std::string& s : z.subcategories)
+      MARKETGEN_CHECK(
+          require_known(known_subcategories, where + "/subcategories", "subcategory", s));
+    if (!is_color(z.color))
+      return bad_row("zone_types", z.type, fmt::format("\"{}\" is not a colour #rrggbb", z.color));
   }
   return {};
 }
@@ -112,15 +152,20 @@ Result<void> check_looks(const Catalog& c) {
     for (const std::string* id : {&s.floor, &s.wall, &s.ceiling, &s.fixture}) {
       MARKETGEN_CHECK(require_known(materials, "styles/" + s.id, "material", *id));
     }
-    if (!is_color(s.accent) || !is_color(s.fixture_color)) return bad_row("styles", s.id, "accent and fixture_color must be #rrggbb");
+    if (!is_color(s.accent) || !is_color(s.fixture_color))
+      return bad_row("styles", s.id, "accent and fixture_color must be #rrggbb");
   }
   for (const FixtureKind& k : c.fixture_kinds) {
-    MARKETGEN_CHECK(require_known(materials, "fixtures/" + k.kind + "/material", "material", k.material));
-    if (!is_color(k.color)) return bad_row("fixtures", k.kind, fmt::format("\"{}\" is not a colour #rrggbb", k.color));
-    if (k.module_widths_mm.empty()) return bad_row("fixtures", k.kind, "needs at least one module width");
+    MARKETGEN_CHECK(
+        require_known(materials, "fixtures/" + k.kind + "/material", "material", k.material));
+    if (!is_color(k.color))
+      return bad_row("fixtures", k.kind, fmt::format("\"{}\" is not a colour #rrggbb", k.color));
+    if (k.module_widths_mm.empty())
+      return bad_row("fixtures", k.kind, "needs at least one module width");
   }
   for (const MaterialRow& m : c.materials) {
-    if (!is_color(m.color) || !is_color(m.second_color)) return bad_row("materials", m.id, "colours must be #rrggbb");
+    if (!is_color(m.color) || !is_color(m.second_color))
+      return bad_row("materials", m.id, "colours must be #rrggbb");
   }
   return {};
 }
@@ -139,7 +184,8 @@ Result<void> check_catalog(const Catalog& c) {
   MARKETGEN_CHECK(check_looks(c));
   const auto types = names_in(c.zone_types, &ZoneTypeRow::type);
   for (const ProfileRow& p : c.profiles) {
-    for (const std::string& zone : p.zones) MARKETGEN_CHECK(require_known(types, "profiles/" + p.id + "/zones", "zone type", zone));
+    for (const std::string& zone : p.zones)
+      MARKETGEN_CHECK(require_known(types, "profiles/" + p.id + "/zones", "zone type", zone));
   }
   return {};
 }

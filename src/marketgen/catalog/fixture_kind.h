@@ -12,26 +12,28 @@ namespace marketgen {
 
 // What a fixture is for in the layout.
 enum class FixtureRole { shelving, checkout, equipment };
-constexpr std::array<std::string_view, 3> names_of(FixtureRole) { return {"shelving", "checkout", "equipment"}; }
+constexpr std::array<std::string_view, 3> names_of(FixtureRole) {
+  return {"shelving", "checkout", "equipment"};
+}
 
 struct FixtureKind {
-  std::string kind;                        // "gondola"
-  std::string name;                        // "Double-sided gondola"
-  std::string generator;                   // assembly in assets/fixture_generators.inc
+  std::string kind;       // "gondola"
+  std::string name;       // "Double-sided gondola"
+  std::string generator;  // assembly in assets/fixture_generators.inc
   FixtureRole role = FixtureRole::shelving;
   Storage temperature = Storage::ambient;
-  bool double_sided = false;               // stocked from both sides
-  bool against_wall = false;               // prefers a wall behind it
-  std::vector<int> module_widths_mm{1250}; // widths it is made in, preferred first
-  int depth_mm = 500;                      // overall, over both sides
+  bool double_sided = false;                // stocked from both sides
+  bool against_wall = false;                // prefers a wall behind it
+  std::vector<int> module_widths_mm{1250};  // widths it is made in, preferred first
+  int depth_mm = 500;                       // overall, over both sides
   IntRange depth_range_mm{300, 1400};
   int height_mm = 1800;
   IntRange height_range_mm{400, 2400};
-  int levels = 5;                          // stocked levels, base included
+  int levels = 5;  // stocked levels, base included
   IntRange level_range{1, 8};
-  int base_mm = 150;                       // top of the lowest stocked level above the floor
-  double front_clearance_mm = 900;         // free floor a shopper needs before it
-  double door_swing_mm = 0;                // how far its doors open into the aisle
+  int base_mm = 150;                // top of the lowest stocked level above the floor
+  double front_clearance_mm = 900;  // free floor a shopper needs before it
+  double door_swing_mm = 0;         // how far its doors open into the aisle
   std::string material = "metal-white";
   std::string color = "#f2f2f0";
   std::vector<std::string> keywords;
@@ -39,21 +41,40 @@ struct FixtureKind {
   static constexpr auto fields = field_list(
       field("kind", &FixtureKind::kind, "id used in plans", identifier()),
       field("name", &FixtureKind::name, "what people call it", required()),
-      field("generator", &FixtureKind::generator, "how it is assembled from minimal units", required()),
+      field("generator",
+            &FixtureKind::generator,
+            "how it is assembled from minimal units",
+            required()),
       field("role", &FixtureKind::role, "place in the layout"),
       field("temperature", &FixtureKind::temperature, "temperature it keeps"),
       field("double_sided", &FixtureKind::double_sided, "stocked from both sides"),
       field("against_wall", &FixtureKind::against_wall, "prefers a wall behind it"),
-      field("module_widths_mm", &FixtureKind::module_widths_mm, "widths it is made in, preferred first", range(200, 4500)),
+      field("module_widths_mm",
+            &FixtureKind::module_widths_mm,
+            "widths it is made in, preferred first",
+            range(200, 4500)),
       field("depth_mm", &FixtureKind::depth_mm, "overall depth", range(150, 4500)),
-      field("depth_range_mm", &FixtureKind::depth_range_mm, "smallest and largest depth", range(150, 4500)),
+      field("depth_range_mm",
+            &FixtureKind::depth_range_mm,
+            "smallest and largest depth",
+            range(150, 4500)),
       field("height_mm", &FixtureKind::height_mm, "overall height", range(300, 2600)),
-      field("height_range_mm", &FixtureKind::height_range_mm, "lowest and highest", range(300, 2600)),
+      field(
+          "height_range_mm", &FixtureKind::height_range_mm, "lowest and highest", range(300, 2600)),
       field("levels", &FixtureKind::levels, "stocked levels, base included", range(0, 10)),
       field("level_range", &FixtureKind::level_range, "fewest and most levels", range(0, 10)),
-      field("base_mm", &FixtureKind::base_mm, "top of the lowest level above the floor", range(0, 1200)),
-      field("front_clearance_mm", &FixtureKind::front_clearance_mm, "free floor a shopper needs before it", range(0, 3000)),
-      field("door_swing_mm", &FixtureKind::door_swing_mm, "how far its doors open into the aisle", range(0, 1000)),
+      field("base_mm",
+            &FixtureKind::base_mm,
+            "top of the lowest level above the floor",
+            range(0, 1200)),
+      field("front_clearance_mm",
+            &FixtureKind::front_clearance_mm,
+            "free floor a shopper needs before it",
+            range(0, 3000)),
+      field("door_swing_mm",
+            &FixtureKind::door_swing_mm,
+            "how far its doors open into the aisle",
+            range(0, 1000)),
       field("material", &FixtureKind::material, "material id of its body"),
       field("color", &FixtureKind::color, "colour of its body, #rrggbb"),
       field("keywords", &FixtureKind::keywords, "words to find it by"));

@@ -6,7 +6,8 @@ namespace marketgen {
 
 // True for 13 digits whose last is the check digit (GS1 General Specifications, 7.9).
 bool is_ean13(std::string_view digits);
-// True for the restricted-circulation prefixes 020-029, 040-049 and 200-299: such a number is nobody's.
+// True for the restricted-circulation prefixes 020-029, 040-049 and 200-299: such a number is
+// nobody's.
 bool is_restricted_circulation(std::string_view digits);
 
 }  // namespace marketgen

@@ -10,10 +10,14 @@
 namespace marketgen {
 
 enum class Storage { ambient, chilled, frozen };
-constexpr std::array<std::string_view, 3> names_of(Storage) { return {"ambient", "chilled", "frozen"}; }
+constexpr std::array<std::string_view, 3> names_of(Storage) {
+  return {"ambient", "chilled", "frozen"};
+}
 
 enum class Rigidity { rigid, crushable, soft };
-constexpr std::array<std::string_view, 3> names_of(Rigidity) { return {"rigid", "crushable", "soft"}; }
+constexpr std::array<std::string_view, 3> names_of(Rigidity) {
+  return {"rigid", "crushable", "soft"};
+}
 
 // How the printed face looks; drawn by assets/label.
 struct LabelStyle {
@@ -21,40 +25,43 @@ struct LabelStyle {
   std::string secondary = "#ffffff";  // bands, panel behind the name
   std::string accent = "#ffcc00";     // burst, cap, small marks
   std::string text = "#ffffff";       // colour of the name
-  std::string motif = "none";         // picture drawn on the front: one of the motifs in assets/label_motifs.inc
+  std::string motif =
+      "none";  // picture drawn on the front: one of the motifs in assets/label_motifs.inc
 
-  static constexpr auto fields = field_list(
-      field("primary", &LabelStyle::primary, "ground colour of the pack, #rrggbb"),
-      field("secondary", &LabelStyle::secondary, "bands and panels, #rrggbb"),
-      field("accent", &LabelStyle::accent, "burst, cap and small marks, #rrggbb"),
-      field("text", &LabelStyle::text, "colour of the name, #rrggbb"),
-      field("motif", &LabelStyle::motif, "picture on the front, by name"));
+  static constexpr auto fields =
+      field_list(field("primary", &LabelStyle::primary, "ground colour of the pack, #rrggbb"),
+                 field("secondary", &LabelStyle::secondary, "bands and panels, #rrggbb"),
+                 field("accent", &LabelStyle::accent, "burst, cap and small marks, #rrggbb"),
+                 field("text", &LabelStyle::text, "colour of the name, #rrggbb"),
+                 field("motif", &LabelStyle::motif, "picture on the front, by name"));
 };
 
 struct Product {
-  std::string sku;                    // "beverages-cola-can-330"
-  std::string ean;                    // EAN-13 from a GS1 restricted-circulation prefix; empty for loose produce
-  std::string plu;                    // price look-up code of loose produce; otherwise empty
-  std::string name;                   // "Cola"
-  std::string variant;                // "Zero Sugar"; may be empty
-  std::string brand;                  // invented
+  std::string sku;      // "beverages-cola-can-330"
+  std::string ean;      // EAN-13 from a GS1 restricted-circulation prefix; empty for loose produce
+  std::string plu;      // price look-up code of loose produce; otherwise empty
+  std::string name;     // "Cola"
+  std::string variant;  // "Zero Sugar"; may be empty
+  std::string brand;    // invented
   std::string description;            // one sentence
   std::string category;               // one of data/categories.json
   std::string subcategory;            // "soft drinks"
   std::vector<std::string> keywords;  // for search
   std::string archetype;              // container shape: one of assets/archetypes.inc
-  std::array<int, 3> size_mm{60, 60, 100};  // width, depth, height as it stands with its front to the shopper
+  std::array<int, 3> size_mm{
+      60, 60, 100};  // width, depth, height as it stands with its front to the shopper
   double mass_kg = 0.1;
-  double friction = 0.4;              // sliding friction on a painted steel shelf
-  std::string material = "cardboard"; // contact material: tin glass pet hdpe cardboard film paper foil skin
+  double friction = 0.4;  // sliding friction on a painted steel shelf
+  std::string material =
+      "cardboard";  // contact material: tin glass pet hdpe cardboard film paper foil skin
   Rigidity rigidity = Rigidity::rigid;
   Storage storage = Storage::ambient;
-  int stack_max = 1;                  // how many may stand on one another on a shelf, this one included
-  std::string net;                    // "330 ml", "6 x 1.5 l", "500 g", "each"
-  double unit_amount = 1;             // amount in unit_of_measure: 0.33
-  std::string unit_of_measure = "kg"; // l, kg, or piece: the unit price is price / unit_amount
-  double price = 1.0;                 // euro
-  std::string family;                 // look-alikes share it: same brand, other variant or size
+  int stack_max = 1;       // how many may stand on one another on a shelf, this one included
+  std::string net;         // "330 ml", "6 x 1.5 l", "500 g", "each"
+  double unit_amount = 1;  // amount in unit_of_measure: 0.33
+  std::string unit_of_measure = "kg";  // l, kg, or piece: the unit price is price / unit_amount
+  double price = 1.0;                  // euro
+  std::string family;                  // look-alikes share it: same brand, other variant or size
   LabelStyle label;
 
   double width_m() const { return size_mm[0] * 1e-3; }
@@ -73,15 +80,25 @@ struct Product {
       field("subcategory", &Product::subcategory, "shelf group within the category", required()),
       field("keywords", &Product::keywords, "words to find it by", at_most_items(40)),
       field("archetype", &Product::archetype, "container shape", required()),
-      field("size_mm", &Product::size_mm, "width, depth, height as it stands on a shelf", range(5, 1500), required()),
+      field("size_mm",
+            &Product::size_mm,
+            "width, depth, height as it stands on a shelf",
+            range(5, 1500),
+            required()),
       field("mass_kg", &Product::mass_kg, "gross mass", range(0.001, 50), required()),
-      field("friction", &Product::friction, "sliding friction on a painted steel shelf", range(0.05, 1.5)),
+      field("friction",
+            &Product::friction,
+            "sliding friction on a painted steel shelf",
+            range(0.05, 1.5)),
       field("material", &Product::material, "contact material of the outside"),
       field("rigidity", &Product::rigidity, "how it takes a grip"),
       field("storage", &Product::storage, "temperature it is kept at"),
       field("stack_max", &Product::stack_max, "most items on one another on a shelf", range(1, 12)),
       field("net", &Product::net, "net quantity as printed", at_most_bytes(24)),
-      field("unit_amount", &Product::unit_amount, "net quantity in unit_of_measure", range(0.0001, 1000)),
+      field("unit_amount",
+            &Product::unit_amount,
+            "net quantity in unit_of_measure",
+            range(0.0001, 1000)),
       field("unit_of_measure", &Product::unit_of_measure, "l, kg or piece", at_most_bytes(8)),
       field("price", &Product::price, "shelf price in euro", range(0.01, 1000)),
       field("family", &Product::family, "shared by look-alikes", at_most_bytes(80)),

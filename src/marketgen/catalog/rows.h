@@ -13,33 +13,36 @@ namespace marketgen {
 struct CategoryRow {
   std::string id;
   std::string name;
-  std::string color = "#888888";      // in drawings
+  std::string color = "#888888";  // in drawings
 
-  static constexpr auto fields = field_list(field("id", &CategoryRow::id, "category id", identifier()),
-                                            field("name", &CategoryRow::name, "what people call it", required()),
-                                            field("color", &CategoryRow::color, "colour in drawings, #rrggbb"));
+  static constexpr auto fields =
+      field_list(field("id", &CategoryRow::id, "category id", identifier()),
+                 field("name", &CategoryRow::name, "what people call it", required()),
+                 field("color", &CategoryRow::color, "colour in drawings, #rrggbb"));
 };
 
 // A kind of zone: what it sells, on what, and where it likes to be.
 struct ZoneTypeRow {
-  std::string type;                    // "dairy"
-  std::string label;                   // "Dairy & eggs"
-  std::string color = "#888888";       // in layout.png
-  std::string fixture;                 // default fixture kind; empty: no fixtures (a lobby)
-  std::string anchor = "any";          // any north south east west center entrance
+  std::string type;               // "dairy"
+  std::string label;              // "Dairy & eggs"
+  std::string color = "#888888";  // in layout.png
+  std::string fixture;            // default fixture kind; empty: no fixtures (a lobby)
+  std::string anchor = "any";     // any north south east west center entrance
   Storage temperature = Storage::ambient;
-  std::vector<std::string> categories; // sold here
+  std::vector<std::string> categories;     // sold here
   std::vector<std::string> subcategories;  // narrows the categories; empty = all
-  double share = 0.05;                 // of the selling area in an ordinary supermarket
+  double share = 0.05;                     // of the selling area in an ordinary supermarket
   bool food = true;
-  std::vector<std::string> keywords;   // English words that name it
+  std::vector<std::string> keywords;  // English words that name it
 
   static constexpr auto fields = field_list(
       field("type", &ZoneTypeRow::type, "zone type used in plans", identifier()),
       field("label", &ZoneTypeRow::label, "sign over the zone", required()),
       field("color", &ZoneTypeRow::color, "colour in the layout picture, #rrggbb"),
       field("fixture", &ZoneTypeRow::fixture, "default fixture kind"),
-      field("anchor", &ZoneTypeRow::anchor, "side of the store it likes: any north south east west center entrance"),
+      field("anchor",
+            &ZoneTypeRow::anchor,
+            "side of the store it likes: any north south east west center entrance"),
       field("temperature", &ZoneTypeRow::temperature, "temperature of its fixtures"),
       field("categories", &ZoneTypeRow::categories, "categories sold here"),
       field("subcategories", &ZoneTypeRow::subcategories, "only these subcategories; empty = all"),
@@ -48,21 +51,30 @@ struct ZoneTypeRow {
       field("keywords", &ZoneTypeRow::keywords, "words that name it"));
 };
 
-enum class MaterialPattern { plain, tiles, planks, terrazzo, brick, concrete, ceiling_grid, brushed };
+enum class MaterialPattern {
+  plain,
+  tiles,
+  planks,
+  terrazzo,
+  brick,
+  concrete,
+  ceiling_grid,
+  brushed
+};
 constexpr std::array<std::string_view, 8> names_of(MaterialPattern) {
   return {"plain", "tiles", "planks", "terrazzo", "brick", "concrete", "ceiling_grid", "brushed"};
 }
 
 struct MaterialRow {
-  std::string id;                      // "terrazzo-white"
+  std::string id;  // "terrazzo-white"
   std::string name;
   MaterialPattern pattern = MaterialPattern::plain;
-  std::string color = "#cccccc";       // ground colour
-  std::string second_color = "#999999";// grout, chips, mortar, dark grain
-  int period_mm = 600;                 // width of one tile, plank or brick
+  std::string color = "#cccccc";         // ground colour
+  std::string second_color = "#999999";  // grout, chips, mortar, dark grain
+  int period_mm = 600;                   // width of one tile, plank or brick
   double roughness = 0.5;
   double metallic = 0.0;
-  std::vector<std::string> uses;       // floor wall ceiling fixture
+  std::vector<std::string> uses;  // floor wall ceiling fixture
 
   static constexpr auto fields = field_list(
       field("id", &MaterialRow::id, "material id used in plans", identifier()),
@@ -76,51 +88,84 @@ struct MaterialRow {
       field("uses", &MaterialRow::uses, "where it may be used: floor wall ceiling fixture"));
 };
 
-// Limits and habits of one kind of shop in one part of the world. Sources are named in the rows' `source`.
+// Limits and habits of one kind of shop in one part of the world. Sources are named in the rows'
+// `source`.
 struct ProfileRow {
-  std::string id;                      // "supermarket-eu"
+  std::string id;  // "supermarket-eu"
   std::string name;
-  std::string source;                  // where the numbers come from
+  std::string source;  // where the numbers come from
   int main_aisle_mm = 2200;
   int secondary_aisle_mm = 1800;
-  int cold_aisle_mm = 2800;            // before deli, fresh and frozen
+  int cold_aisle_mm = 2800;  // before deli, fresh and frozen
   int cross_aisle_mm = 2400;
-  int checkout_clear_mm = 2200;        // each side of the checkout line
-  int minimum_aisle_mm = 1000;         // narrower is a violation
-  int wheelchair_mm = 915;             // ADA 2010, 403.5.1
+  int checkout_clear_mm = 2200;  // each side of the checkout line
+  int minimum_aisle_mm = 1000;   // narrower is a violation
+  int wheelchair_mm = 915;       // ADA 2010, 403.5.1
   int ceiling_mm = 3660;
   int gondola_height_mm = 1800;
-  int gondola_shelf_mm = 470;          // depth of one side
+  int gondola_shelf_mm = 470;  // depth of one side
   int module_mm = 1250;
   double checkouts_per_100_m2 = 0.7;
   std::array<int, 2> default_size_mm{24000, 15000};
   double stock_fill = 0.95;
-  std::vector<std::string> zones;      // zone types of a complete shop of this kind, most important first
+  std::vector<std::string>
+      zones;  // zone types of a complete shop of this kind, most important first
 
   static constexpr auto fields = field_list(
       field("id", &ProfileRow::id, "profile id", identifier()),
       field("name", &ProfileRow::name, "what people call it", required()),
       field("source", &ProfileRow::source, "where the numbers come from", required()),
       field("main_aisle_mm", &ProfileRow::main_aisle_mm, "main aisle", range(800, 6000)),
-      field("secondary_aisle_mm", &ProfileRow::secondary_aisle_mm, "aisle between gondolas", range(800, 6000)),
-      field("cold_aisle_mm", &ProfileRow::cold_aisle_mm, "aisle before deli, fresh and frozen", range(800, 6000)),
-      field("cross_aisle_mm", &ProfileRow::cross_aisle_mm, "aisle across the runs", range(800, 6000)),
-      field("checkout_clear_mm", &ProfileRow::checkout_clear_mm, "free floor each side of the checkout line", range(800, 6000)),
-      field("minimum_aisle_mm", &ProfileRow::minimum_aisle_mm, "narrowest lawful aisle", range(600, 3000)),
-      field("wheelchair_mm", &ProfileRow::wheelchair_mm, "narrowest wheelchair route", range(600, 2000)),
+      field("secondary_aisle_mm",
+            &ProfileRow::secondary_aisle_mm,
+            "aisle between gondolas",
+            range(800, 6000)),
+      field("cold_aisle_mm",
+            &ProfileRow::cold_aisle_mm,
+            "aisle before deli, fresh and frozen",
+            range(800, 6000)),
+      field(
+          "cross_aisle_mm", &ProfileRow::cross_aisle_mm, "aisle across the runs", range(800, 6000)),
+      field("checkout_clear_mm",
+            &ProfileRow::checkout_clear_mm,
+            "free floor each side of the checkout line",
+            range(800, 6000)),
+      field("minimum_aisle_mm",
+            &ProfileRow::minimum_aisle_mm,
+            "narrowest lawful aisle",
+            range(600, 3000)),
+      field("wheelchair_mm",
+            &ProfileRow::wheelchair_mm,
+            "narrowest wheelchair route",
+            range(600, 2000)),
       field("ceiling_mm", &ProfileRow::ceiling_mm, "ceiling height", range(2300, 12000)),
-      field("gondola_height_mm", &ProfileRow::gondola_height_mm, "usual gondola height", range(900, 2400)),
-      field("gondola_shelf_mm", &ProfileRow::gondola_shelf_mm, "shelf depth of one side", range(200, 800)),
+      field("gondola_height_mm",
+            &ProfileRow::gondola_height_mm,
+            "usual gondola height",
+            range(900, 2400)),
+      field("gondola_shelf_mm",
+            &ProfileRow::gondola_shelf_mm,
+            "shelf depth of one side",
+            range(200, 800)),
       field("module_mm", &ProfileRow::module_mm, "usual module width", range(400, 2000)),
-      field("checkouts_per_100_m2", &ProfileRow::checkouts_per_100_m2, "lanes per 100 m2 of store", range(0, 10)),
-      field("default_size_mm", &ProfileRow::default_size_mm, "store size when none is given", range(4000, 200000)),
-      field("stock_fill", &ProfileRow::stock_fill, "share of the shelf front that is stocked", range(0, 1)),
+      field("checkouts_per_100_m2",
+            &ProfileRow::checkouts_per_100_m2,
+            "lanes per 100 m2 of store",
+            range(0, 10)),
+      field("default_size_mm",
+            &ProfileRow::default_size_mm,
+            "store size when none is given",
+            range(4000, 200000)),
+      field("stock_fill",
+            &ProfileRow::stock_fill,
+            "share of the shelf front that is stocked",
+            range(0, 1)),
       field("zones", &ProfileRow::zones, "zone types of a complete shop, most important first"));
 };
 
 // A look: materials, colours and light.
 struct StyleRow {
-  std::string id;                      // "scandinavian"
+  std::string id;  // "scandinavian"
   std::string name;
   std::string floor = "terrazzo-white";
   std::string wall = "plaster-white";
@@ -135,12 +180,16 @@ struct StyleRow {
   static constexpr auto fields = field_list(
       field("id", &StyleRow::id, "style id", identifier()),
       field("name", &StyleRow::name, "what people call it", required()),
-      field("floor", &StyleRow::floor, "floor material"), field("wall", &StyleRow::wall, "wall material"),
+      field("floor", &StyleRow::floor, "floor material"),
+      field("wall", &StyleRow::wall, "wall material"),
       field("ceiling", &StyleRow::ceiling, "ceiling material"),
       field("fixture", &StyleRow::fixture, "fixture material"),
       field("fixture_color", &StyleRow::fixture_color, "fixture colour, #rrggbb"),
       field("accent", &StyleRow::accent, "signs and bands, #rrggbb"),
-      field("light_kelvin", &StyleRow::light_kelvin, "colour temperature of the light", range(1500, 10000)),
+      field("light_kelvin",
+            &StyleRow::light_kelvin,
+            "colour temperature of the light",
+            range(1500, 10000)),
       field("light_lux", &StyleRow::light_lux, "illuminance on the floor", range(50, 3000)),
       field("keywords", &StyleRow::keywords, "words that name it"));
 };
@@ -151,10 +200,15 @@ struct FrictionRow {
   double sliding = 0.4;
   std::string source;
 
-  static constexpr auto fields = field_list(
-      field("a", &FrictionRow::a, "contact material", required()), field("b", &FrictionRow::b, "contact material", required()),
-      field("sliding", &FrictionRow::sliding, "coefficient of sliding friction", range(0.01, 2), required()),
-      field("source", &FrictionRow::source, "where the number comes from"));
+  static constexpr auto fields =
+      field_list(field("a", &FrictionRow::a, "contact material", required()),
+                 field("b", &FrictionRow::b, "contact material", required()),
+                 field("sliding",
+                       &FrictionRow::sliding,
+                       "coefficient of sliding friction",
+                       range(0.01, 2),
+                       required()),
+                 field("source", &FrictionRow::source, "where the number comes from"));
 };
 
 }  // namespace marketgen

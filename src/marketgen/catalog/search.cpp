@@ -1,6 +1,7 @@
 #include "catalog/search.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "base/text.h"
 
@@ -10,9 +11,12 @@ namespace {
 std::vector<std::string> words_of(std::string_view text) {
   std::vector<std::string> words(1);
   for (const char c : lower_ascii(text)) {
-    const bool letter = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80;
-    if (letter) words.back() += c;
-    else if (!words.back().empty()) words.emplace_back();
+    const bool letter =
+        (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80;
+    if (letter)
+      words.back() += c;
+    else if (!words.back().empty())
+      words.emplace_back();
   }
   if (words.back().empty()) words.pop_back();
   return words;
@@ -28,11 +32,24 @@ double match(const std::string& word, std::string_view field, double weight) {
   return best;
 }
 
+// "milk" means milk before it means milk rolls: the name says it of both, the subcategory only of
+// one.
+constexpr double share_of_other_fields = 0.1;
+
 double score_of(const Product& p, const std::string& word) {
-  double best = std::max({match(word, p.name, 4), match(word, p.variant, 3), match(word, p.brand, 3), match(word, p.subcategory, 2),
-                          match(word, p.category, 1), match(word, p.description, 1)});
-  for (const std::string& keyword : p.keywords) best = std::max(best, match(word, keyword, 3));
-  return best;
+  std::vector<double> scores = {match(word, p.name, 4),
+                                match(word, p.variant, 3),
+                                match(word, p.brand, 3),
+                                match(word, p.subcategory, 2),
+                                match(word, p.category, 1),
+                                match(word, p.description, 1)};
+  double keyword_score = 0;
+  for (const std::string& keyword : p.keywords)
+    keyword_score = std::max(keyword_score, match(word, keyword, 3));
+  scores.push_back(keyword_score);
+  const double best = *std::max_element(scores.begin(), scores.end());
+  const double all = std::accumulate(scores.begin(), scores.end(), 0.0);
+  return best + share_of_other_fields * (all - best);
 }
 
 }  // namespace
@@ -50,7 +67,9 @@ std::vector<SearchHit> search_products(const Catalog& catalog, std::string_view 
     }
     if (matched > 0) hits.push_back({i, sum * matched / static_cast<double>(words.size())});
   }
-  std::stable_sort(hits.begin(), hits.end(), [](const SearchHit& a, const SearchHit& b) { return a.score > b.score; });
+  std::stable_sort(hits.begin(), hits.end(), [](const SearchHit& a, const SearchHit& b) {
+    return a.score > b.score;
+  });
   return hits;
 }
 

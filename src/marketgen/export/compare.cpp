@@ -14,8 +14,9 @@
 namespace marketgen {
 namespace {
 
-constexpr double position_tolerance_m = 1e-4;   // the promise of check_export: 0.1 mm
-constexpr double bounds_tolerance_m = 2e-3;     // fixtures reach past the walls in no store, so this is all about walls
+constexpr double position_tolerance_m = 1e-4;  // the promise of check_export: 0.1 mm
+constexpr double bounds_tolerance_m =
+    2e-3;  // fixtures reach past the walls in no store, so this is all about walls
 
 Error mismatch(const std::string& where, std::string message) {
   return {"export.mismatch", where, std::move(message) + "; export the store again"};
@@ -44,29 +45,39 @@ Bounds3 bounds_of(const Scene& scene) {
 
 // The first id of `wanted` that `found` lacks; empty when it has all.
 std::string first_missing(const std::set<std::string>& wanted, const std::set<std::string>& found) {
-  const auto missing = std::ranges::find_if(wanted, [&](const std::string& id) { return !found.contains(id); });
+  const auto missing =
+      std::ranges::find_if(wanted, [&](const std::string& id) { return !found.contains(id); });
   return missing == wanted.end() ? "" : *missing;
 }
 
-Result<void> compare_fixtures(const Scene& scene, const std::set<std::string>& found, const std::string& where) {
+Result<void> compare_fixtures(const Scene& scene,
+                              const std::set<std::string>& found,
+                              const std::string& where) {
   std::set<std::string> wanted;
   for (std::size_t i = 0; i < scene.fixtures.size(); ++i) {
     if (scene.fixtures[i].part_count > 0) wanted.insert(scene.layout.fixtures[i].id);
   }
-  if (const std::string id = first_missing(wanted, found); !id.empty()) return mismatch(where, "fixture \"" + id + "\" is missing");
-  if (const std::string id = first_missing(found, wanted); !id.empty()) return mismatch(where, "the scene has no fixture \"" + id + "\"");
+  if (const std::string id = first_missing(wanted, found); !id.empty())
+    return mismatch(where, "fixture \"" + id + "\" is missing");
+  if (const std::string id = first_missing(found, wanted); !id.empty())
+    return mismatch(where, "the scene has no fixture \"" + id + "\"");
   return {};
 }
 
-// Largest distance of a product from its place. Every product of the scene must occur just once, as the right SKU.
-Result<double> compare_products(const Scene& scene, const std::vector<ExportedItem>& found, const std::string& where) {
+// Largest distance of a product from its place. Every product of the scene must occur just once, as
+// the right SKU.
+Result<double> compare_products(const Scene& scene,
+                                const std::vector<ExportedItem>& found,
+                                const std::string& where) {
   if (found.size() != scene.products.size()) {
-    return mismatch(where, "the file holds " + counted(found.size(), "products") + ", the scene " +
-                               counted(scene.products.size(), "products"));
+    return mismatch(where,
+                    "the file holds " + counted(found.size(), "products") + ", the scene " +
+                        counted(scene.products.size(), "products"));
   }
   std::map<std::string_view, const ExportedItem*> by_id;
   for (const ExportedItem& item : found) {
-    if (!by_id.emplace(item.id, &item).second) return mismatch(where, "product \"" + item.id + "\" occurs twice");
+    if (!by_id.emplace(item.id, &item).second)
+      return mismatch(where, "product \"" + item.id + "\" occurs twice");
   }
   double worst = 0;
   for (std::uint32_t row = 0; row < scene.products.size(); ++row) {
@@ -74,9 +85,15 @@ Result<double> compare_products(const Scene& scene, const std::vector<ExportedIt
     const auto item = by_id.find(id);
     if (item == by_id.end()) return mismatch(where, "product \"" + id + "\" is missing");
     const std::string& sku = scene.catalog[scene.products[row].sku].sku;
-    if (item->second->sku != sku) return mismatch(where, "product \"" + id + "\" is \"" + item->second->sku + "\" in place of \"" + sku + "\"");
-    const double distance = length(item->second->position - world_from_product(scene.products[row]).position);
-    if (!(distance <= position_tolerance_m)) return mismatch(where, fmt::format("product \"{}\" is {:.2f} mm from its place", id, distance * 1e3));
+    if (item->second->sku != sku)
+      return mismatch(
+          where,
+          "product \"" + id + "\" is \"" + item->second->sku + "\" in place of \"" + sku + "\"");
+    const double distance =
+        length(item->second->position - world_from_product(scene.products[row]).position);
+    if (!(distance <= position_tolerance_m))
+      return mismatch(
+          where, fmt::format("product \"{}\" is {:.2f} mm from its place", id, distance * 1e3));
     worst = std::max(worst, distance);
   }
   return worst;
@@ -87,31 +104,48 @@ Result<void> compare_bounds(const Bounds3& wanted, const Bounds3& found, const s
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double low = axes(found.low)[axis], high = axes(found.high)[axis];
     const double wanted_low = axes(wanted.low)[axis], wanted_high = axes(wanted.high)[axis];
-    if (std::abs(low - wanted_low) <= bounds_tolerance_m && std::abs(high - wanted_high) <= bounds_tolerance_m) continue;
-    return mismatch(where, fmt::format("it reaches from {:.3f} to {:.3f} m along {}, the scene from {:.3f} to {:.3f}", low, high,
-                                       "xyz"[axis], wanted_low, wanted_high));
+    if (std::abs(low - wanted_low) <= bounds_tolerance_m &&
+        std::abs(high - wanted_high) <= bounds_tolerance_m)
+      continue;
+    return mismatch(
+        where,
+        fmt::format("it reaches from {:.3f} to {:.3f} m along {}, the scene from {:.3f} to {:.3f}",
+                    low,
+                    high,
+                    "xyz"[axis],
+                    wanted_low,
+                    wanted_high));
   }
   return {};
 }
 
-Result<void> compare_free_bodies(const Scene& scene, const ExportOptions& options, const ExportContents& contents,
+Result<void> compare_free_bodies(const Scene& scene,
+                                 const ExportOptions& options,
+                                 const ExportContents& contents,
                                  const std::string& where) {
   if (!contents.free_bodies) return {};
-  const auto wanted = static_cast<std::uint64_t>(std::ranges::count(products_in_free_region(scene, options), true));
+  const auto wanted =
+      static_cast<std::uint64_t>(std::ranges::count(products_in_free_region(scene, options), true));
   if (*contents.free_bodies == wanted) return {};
-  return mismatch(where, fmt::format("{} can move, {} were asked for", counted(*contents.free_bodies, "products"), wanted));
+  return mismatch(
+      where,
+      fmt::format(
+          "{} can move, {} were asked for", counted(*contents.free_bodies, "products"), wanted));
 }
 
 }  // namespace
 
-Result<ExportSummary> compare_with_scene(const Scene& scene, const ExportOptions& options, const ExportContents& contents,
+Result<ExportSummary> compare_with_scene(const Scene& scene,
+                                         const ExportOptions& options,
+                                         const ExportContents& contents,
                                          const std::string& where) {
   MARKETGEN_CHECK(compare_fixtures(scene, contents.fixtures, where));
   MARKETGEN_TRY(const double worst, compare_products(scene, contents.products, where));
   MARKETGEN_CHECK(compare_bounds(bounds_of(scene), contents.bounds, where));
   MARKETGEN_CHECK(compare_free_bodies(scene, options, contents, where));
   std::set<std::string_view> skus;
-  for (const ExportedItem& item : contents.products) skus.insert(item.sku);
+  for (const ExportedItem& item : contents.products)
+    skus.insert(item.sku);
   ExportSummary summary;
   summary.fixtures = contents.fixtures.size();
   summary.products = contents.products.size();

@@ -17,7 +17,8 @@ struct Exporter {
 };
 
 constexpr Exporter exporters[] = {
-#define EXPORT_FORMAT(name, description, extension) {{#name, description, extension}, write_##name, read_##name},
+#define EXPORT_FORMAT(name, description, extension) \
+  {{#name, description, extension}, write_##name, read_##name},
 #include "export/export_formats.inc"
 #undef EXPORT_FORMAT
 };
@@ -29,27 +30,35 @@ Result<const Exporter*> exporter_named(std::string_view name) {
     names.push_back(exporter.format.name);
   }
   std::string known;
-  for (const std::string_view n : names) known += (known.empty() ? "" : ", ") + std::string(n);
-  return Error{"export.unknown_format", "--format", "there is no format \"" + std::string(name) + "\"" + did_you_mean(name, names) +
-                                                        " (formats: " + known + ")"};
+  for (const std::string_view n : names)
+    known += (known.empty() ? "" : ", ") + std::string(n);
+  return Error{"export.unknown_format",
+               "--format",
+               "there is no format \"" + std::string(name) + "\"" + did_you_mean(name, names) +
+                   " (formats: " + known + ")"};
 }
 
 }  // namespace
 
 std::vector<ExportFormat> export_formats() {
   std::vector<ExportFormat> formats;
-  for (const Exporter& exporter : exporters) formats.push_back(exporter.format);
+  for (const Exporter& exporter : exporters)
+    formats.push_back(exporter.format);
   return formats;
 }
 
-Result<void> export_scene(const Scene& scene, std::string_view format, const std::filesystem::path& out,
+Result<void> export_scene(const Scene& scene,
+                          std::string_view format,
+                          const std::filesystem::path& out,
                           const ExportOptions& options) {
   MARKETGEN_TRY(const Exporter* exporter, exporter_named(format));
   MARKETGEN_TRY(const std::string bytes, exporter->write(scene, options));
   return write_file(out, bytes);
 }
 
-Result<ExportSummary> check_export(const Scene& scene, std::string_view format, const std::filesystem::path& file,
+Result<ExportSummary> check_export(const Scene& scene,
+                                   std::string_view format,
+                                   const std::filesystem::path& file,
                                    const ExportOptions& options) {
   MARKETGEN_TRY(const Exporter* exporter, exporter_named(format));
   MARKETGEN_TRY(const ExportContents contents, exporter->read(file, scene.catalog));

@@ -16,33 +16,43 @@ namespace marketgen {
 // x0, y0, x1, y1 in metres: products whose centre lies inside become free bodies (MJCF).
 struct ExportOptions {
   std::optional<std::array<double, 4>> free_region_m;
-  bool plain_instances = false;        // glb: plain nodes instead of EXT_mesh_gpu_instancing
+  bool plain_instances = false;  // glb: plain nodes instead of EXT_mesh_gpu_instancing
 };
 
 // What a file holds, read back with another code path than the one that wrote it.
 struct ExportSummary {
   std::uint64_t fixtures = 0, products = 0, skus = 0, meshes = 0, free_bodies = 0;
   std::array<double, 3> bounds_low_m{}, bounds_high_m{};
-  double worst_position_error_m = 0;   // of any product against the scene, after `check`
+  double worst_position_error_m = 0;  // of any product against the scene, after `check`
 
-  static constexpr auto fields = field_list(
-      field("fixtures", &ExportSummary::fixtures, "fixture modules"), field("products", &ExportSummary::products, "single items"),
-      field("skus", &ExportSummary::skus, "different products"), field("meshes", &ExportSummary::meshes, "meshes or geoms"),
-      field("free_bodies", &ExportSummary::free_bodies, "bodies that can move"),
-      field("bounds_low_m", &ExportSummary::bounds_low_m, "lowest corner"), field("bounds_high_m", &ExportSummary::bounds_high_m, "highest corner"),
-      field("worst_position_error_m", &ExportSummary::worst_position_error_m, "largest distance of a product from its place in the scene"));
+  static constexpr auto fields =
+      field_list(field("fixtures", &ExportSummary::fixtures, "fixture modules"),
+                 field("products", &ExportSummary::products, "single items"),
+                 field("skus", &ExportSummary::skus, "different products"),
+                 field("meshes", &ExportSummary::meshes, "meshes or geoms"),
+                 field("free_bodies", &ExportSummary::free_bodies, "bodies that can move"),
+                 field("bounds_low_m", &ExportSummary::bounds_low_m, "lowest corner"),
+                 field("bounds_high_m", &ExportSummary::bounds_high_m, "highest corner"),
+                 field("worst_position_error_m",
+                       &ExportSummary::worst_position_error_m,
+                       "largest distance of a product from its place in the scene"));
 };
 
 struct ExportFormat {
   std::string_view name, description, extension;
 };
-std::vector<ExportFormat> export_formats();   // rows of export_formats.inc
+std::vector<ExportFormat> export_formats();  // rows of export_formats.inc
 
 // Writes `scene` to the file `out`. Errors: export.unknown_format with the nearest name, io.*.
-Result<void> export_scene(const Scene& scene, std::string_view format, const std::filesystem::path& out,
+Result<void> export_scene(const Scene& scene,
+                          std::string_view format,
+                          const std::filesystem::path& out,
                           const ExportOptions& options = {});
-// Reads `file` back and compares: counts, bounds, every product's place within 0.1 mm. Error: export.mismatch.
-Result<ExportSummary> check_export(const Scene& scene, std::string_view format, const std::filesystem::path& file,
+// Reads `file` back and compares: counts, bounds, every product's place within 0.1 mm. Error:
+// export.mismatch.
+Result<ExportSummary> check_export(const Scene& scene,
+                                   std::string_view format,
+                                   const std::filesystem::path& file,
                                    const ExportOptions& options = {});
 
 }  // namespace marketgen

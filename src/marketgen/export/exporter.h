@@ -1,4 +1,5 @@
-// The two halves of a format, declared from export_formats.inc: bytes from a scene, and what a reader finds in them.
+// The two halves of a format, declared from export_formats.inc: bytes from a scene, and what a
+// reader finds in them.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -15,7 +16,7 @@ namespace marketgen {
 
 struct ExportedItem {
   std::string id, sku;
-  Vec3 position;        // of the product frame's origin, in the store frame
+  Vec3 position;  // of the product frame's origin, in the store frame
 };
 
 // What a file holds, in the store frame whatever the format's own axes are.
@@ -23,15 +24,17 @@ struct ExportContents {
   std::set<std::string> fixtures;
   std::vector<ExportedItem> products;
   std::uint64_t meshes = 0;
-  std::optional<std::uint64_t> free_bodies;   // absent: nothing moves in this format
-  Bounds3 bounds;       // of everything solid but an endless floor
+  std::optional<std::uint64_t> free_bodies;  // absent: nothing moves in this format
+  Bounds3 bounds;                            // of everything solid but an endless floor
 };
 
-// write_<name>: the whole file. read_<name>: what an independent library finds in it; `catalog` is the scene's and may only be
-// used to find where in a product's shape the origin of its frame lies. Errors: export.mismatch when it cannot be read, io.*.
-#define EXPORT_FORMAT(name, description, extension)                                     \
-  Result<std::string> write_##name(const Scene& scene, const ExportOptions& options);  \
-  Result<ExportContents> read_##name(const std::filesystem::path& file, const std::vector<Product>& catalog);
+// write_<name>: the whole file. read_<name>: what an independent library finds in it; `catalog` is
+// the scene's and may only be used to find where in a product's shape the origin of its frame lies.
+// Errors: export.mismatch when it cannot be read, io.*.
+#define EXPORT_FORMAT(name, description, extension)                                   \
+  Result<std::string> write_##name(const Scene& scene, const ExportOptions& options); \
+  Result<ExportContents> read_##name(const std::filesystem::path& file,               \
+                                     const std::vector<Product>& catalog);
 #include "export/export_formats.inc"
 #undef EXPORT_FORMAT
 
@@ -39,7 +42,9 @@ struct ExportContents {
 std::vector<bool> products_in_free_region(const Scene& scene, const ExportOptions& options);
 
 // Compares what was read with the scene. Error: export.mismatch with the first difference.
-Result<ExportSummary> compare_with_scene(const Scene& scene, const ExportOptions& options, const ExportContents& contents,
+Result<ExportSummary> compare_with_scene(const Scene& scene,
+                                         const ExportOptions& options,
+                                         const ExportContents& contents,
                                          const std::string& where);
 
 }  // namespace marketgen

@@ -1,6 +1,7 @@
 // A glTF 2.0 binary file under construction: the bytes, and the JSON that describes them.
 //
-// Equal blocks of data are stored once, so packs of one shape share their geometry whatever their labels show.
+// Equal blocks of data are stored once, so packs of one shape share their geometry whatever their
+// labels show.
 #pragma once
 #include <map>
 #include <span>
@@ -32,8 +33,8 @@ struct GlbPart {
 // Where the copies of a mesh stand.
 struct GlbInstances {
   std::vector<std::array<float, 3>> translations;
-  std::vector<std::array<float, 4>> rotations;    // x, y, z, w
-  std::vector<std::string> ids;                   // one per copy; may be empty
+  std::vector<std::array<float, 4>> rotations;  // x, y, z, w
+  std::vector<std::string> ids;                 // one per copy; may be empty
 };
 
 class GlbDocument {
@@ -43,12 +44,14 @@ class GlbDocument {
   // Each returns the index that others refer to it by. Equal materials are one.
   int add_texture(std::string_view png);
   int add_material(const GltfJson& material);
-  // `materials[i]` for triangles of surface i. Normals are made unit; UVs are left out when no material has a texture.
+  // `materials[i]` for triangles of surface i. Normals are made unit; UVs are left out when no
+  // material has a texture.
   int add_mesh(const std::string& name, const Mesh& mesh, const std::vector<int>& materials);
 
   // A node under `parent`; -1 is the store's root, whose children are in the store frame (Z up).
   int add_node(GltfJson node, int parent);
-  // One node whose mesh is drawn at every place (EXT_mesh_gpu_instancing); extras.ids says which product each one is.
+  // One node whose mesh is drawn at every place (EXT_mesh_gpu_instancing); extras.ids says which
+  // product each one is.
   int add_instanced_node(GltfJson node, const GlbInstances& instances, int parent);
 
   // The whole file.
@@ -62,7 +65,7 @@ class GlbDocument {
 
   GltfJson json_;
   std::string buffer_;
-  std::map<std::string, int> known_;       // hash of a block and its description -> accessor
+  std::map<std::string, int> known_;  // hash of a block and its description -> accessor
   std::map<std::string, int> materials_;
   bool instanced_ = false;
 };

@@ -23,14 +23,16 @@ class ModuleMesh {
   ModuleMesh(const Scene& scene, GlbMaterials& materials) : scene_(scene), materials_(materials) {}
 
   Result<void> add(const ScenePart& part) {
-    const MaterialRow* row = part.material < 0 ? nullptr : &scene_.materials[static_cast<std::size_t>(part.material)];
+    const MaterialRow* row =
+        part.material < 0 ? nullptr : &scene_.materials[static_cast<std::size_t>(part.material)];
     Surface look;
     look.color = {part.color[0], part.color[1], part.color[2]};
     look.roughness = part.roughness;
     look.metallic = part.metallic;
     look.kind = part.kind;
     int material = -1;
-    if (row == nullptr) material = materials_.add(look);
+    if (row == nullptr)
+      material = materials_.add(look);
     else {
       MARKETGEN_TRY(material, materials_.add_tiled(row->id));
     }
@@ -41,13 +43,15 @@ class ModuleMesh {
     shape.half_size = {part.half_size_m[0], part.half_size_m[1], part.half_size_m[2]};
     const std::size_t first = mesh.uvs.size();
     add_part_mesh(mesh, shape, surface_of(material));
-    const auto scale = static_cast<float>(1 / (row == nullptr ? 1.0 : materials_.extent_m(row->id)));
-    for (std::size_t v = first; v < mesh.uvs.size(); ++v) mesh.uvs[v] = mesh.uvs[v] * scale;
+    const auto scale =
+        static_cast<float>(1 / (row == nullptr ? 1.0 : materials_.extent_m(row->id)));
+    for (std::size_t v = first; v < mesh.uvs.size(); ++v)
+      mesh.uvs[v] = mesh.uvs[v] * scale;
     return {};
   }
 
   Mesh mesh;
-  std::vector<int> surfaces;   // materials by the mesh's surface numbers
+  std::vector<int> surfaces;  // materials by the mesh's surface numbers
 
  private:
   std::uint16_t surface_of(int material) {
@@ -82,7 +86,8 @@ Result<void> add_fixtures(const Scene& scene, GlbDocument& document, GlbMaterial
     const auto [entry, is_new] = mesh_of_content.try_emplace(content_of(scene, row), 0);
     if (is_new) {
       ModuleMesh built(scene, materials);
-      for (std::uint32_t i = row.first_part; i < row.first_part + row.part_count; ++i) MARKETGEN_CHECK(built.add(scene.parts[i]));
+      for (std::uint32_t i = row.first_part; i < row.first_part + row.part_count; ++i)
+        MARKETGEN_CHECK(built.add(scene.parts[i]));
       entry->second = document.add_mesh(scene.layout.fixtures[f].kind, built.mesh, built.surfaces);
     }
     document.add_node(node_of(scene, f, entry->second), group);

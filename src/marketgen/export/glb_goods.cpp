@@ -16,9 +16,9 @@
 namespace marketgen {
 namespace {
 
-constexpr int label_px = 256;              // rows of a label sheet: legible from arm's length, 20-60 kB each
+constexpr int label_px = 256;  // rows of a label sheet: legible from arm's length, 20-60 kB each
 constexpr int tag_px = 64;
-constexpr float tag_lift_m = 8e-4F;        // label stock before the rail
+constexpr float tag_lift_m = 8e-4F;  // label stock before the rail
 constexpr float tag_roughness = 0.5F;
 
 using PictureResult = Result<std::string>;
@@ -31,7 +31,7 @@ PictureResult png_of(const std::string& content, const std::function<Result<Imag
 // What one SKU needs, made apart from the document so that SKUs can be made side by side.
 struct MadeProduct {
   ProductModel model;
-  std::string label_png;     // empty when no surface shows the label
+  std::string label_png;  // empty when no surface shows the label
   std::optional<Error> error;
 };
 
@@ -40,15 +40,22 @@ MadeProduct make(const Product& product) {
   Result<ProductModel> model = make_product_model(product);
   if (!model.ok()) return {{}, {}, model.error()};
   made.model = std::move(model).value();
-  if (std::ranges::none_of(made.model.surfaces, [](const Surface& s) { return s.texture == "label"; })) return made;
+  if (std::ranges::none_of(made.model.surfaces,
+                           [](const Surface& s) { return s.texture == "label"; }))
+    return made;
   PictureResult png = png_of(fmt::format("label {} {}", label_px, write_json_line(product)),
                              [&] { return draw_label(product, label_px); });
-  if (!png.ok()) made.error = png.error();
-  else made.label_png = std::move(png).value();
+  if (!png.ok())
+    made.error = png.error();
+  else
+    made.label_png = std::move(png).value();
   return made;
 }
 
-Result<int> add_product_mesh(const Product& product, const MadeProduct& made, GlbDocument& document, GlbMaterials& materials) {
+Result<int> add_product_mesh(const Product& product,
+                             const MadeProduct& made,
+                             GlbDocument& document,
+                             GlbMaterials& materials) {
   if (made.error) return *made.error;
   const int label = made.label_png.empty() ? -1 : document.add_texture(made.label_png);
   std::vector<int> surfaces;
@@ -63,10 +70,16 @@ Result<int> add_product_mesh(const Product& product, const MadeProduct& made, Gl
   return document.add_mesh(product.sku, made.model.mesh, surfaces);
 }
 
-std::array<float, 3> as_array(Vec3 v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
+std::array<float, 3> as_array(Vec3 v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
 
 // Draws `mesh` at every place: as one instanced node, or as a plain node each.
-void add_copies(GltfJson node, const GlbInstances& copies, const ExportOptions& options, GlbDocument& document, int group) {
+void add_copies(GltfJson node,
+                const GlbInstances& copies,
+                const ExportOptions& options,
+                GlbDocument& document,
+                int group) {
   if (!options.plain_instances) {
     document.add_instanced_node(std::move(node), copies, group);
     return;
@@ -89,7 +102,8 @@ struct Tags {
 Pose place_of(const Scene& scene, const PriceLabel& label) {
   const SceneShelf& shelf = scene.shelves[label.shelf];
   const double middle_m = (price_rail_top_m + price_rail_bottom_m) / 2;
-  return world_from_shelf(scene, label.shelf) * Pose{{label.x_m - shelf.width_m / 2, price_rail_face_m - tag_lift_m, middle_m}, {}};
+  return world_from_shelf(scene, label.shelf) *
+         Pose{{label.x_m - shelf.width_m / 2, price_rail_face_m - tag_lift_m, middle_m}, {}};
 }
 
 Mesh tag_mesh(const PriceLabel& label) {
@@ -101,7 +115,10 @@ Mesh tag_mesh(const PriceLabel& label) {
 
 }  // namespace
 
-Result<void> add_products(const Scene& scene, const ExportOptions& options, GlbDocument& document, GlbMaterials& materials) {
+Result<void> add_products(const Scene& scene,
+                          const ExportOptions& options,
+                          GlbDocument& document,
+                          GlbMaterials& materials) {
   std::vector<GlbInstances> copies(scene.catalog.size());
   for (std::uint32_t row = 0; row < scene.products.size(); ++row) {
     const SceneProduct& item = scene.products[row];
@@ -118,14 +135,21 @@ Result<void> add_products(const Scene& scene, const ExportOptions& options, GlbD
     if (copies[sku].ids.empty()) continue;
     const Product& product = scene.catalog[sku];
     MARKETGEN_TRY(const int mesh, add_product_mesh(product, made[sku], document, materials));
-    add_copies({{"name", product.sku}, {"mesh", mesh}, {"extras", {{"sku", product.sku}}}}, copies[sku], options, document, group);
+    add_copies({{"name", product.sku}, {"mesh", mesh}, {"extras", {{"sku", product.sku}}}},
+               copies[sku],
+               options,
+               document,
+               group);
   }
   return {};
 }
 
-Result<void> add_price_labels(const Scene& scene, const ExportOptions& options, GlbDocument& document, GlbMaterials& materials) {
-  std::map<std::tuple<std::uint32_t, std::uint32_t>, int> material_of;                      // SKU, promotion
-  std::map<std::tuple<std::uint32_t, std::uint32_t, float, float>, Tags> tags;              // and size
+Result<void> add_price_labels(const Scene& scene,
+                              const ExportOptions& options,
+                              GlbDocument& document,
+                              GlbMaterials& materials) {
+  std::map<std::tuple<std::uint32_t, std::uint32_t>, int> material_of;          // SKU, promotion
+  std::map<std::tuple<std::uint32_t, std::uint32_t, float, float>, Tags> tags;  // and size
   for (const PriceLabel& label : scene.price_labels) {
     Tags& same = tags[{label.sku, label.promotion, label.width_m, label.height_m}];
     if (same.first == nullptr) same.first = &label;
@@ -135,22 +159,27 @@ Result<void> add_price_labels(const Scene& scene, const ExportOptions& options, 
     material_of[{label.sku, label.promotion}] = -1;
   }
   std::vector<std::pair<std::tuple<std::uint32_t, std::uint32_t>, PictureResult>> drawn;
-  for (const auto& [key, index] : material_of) drawn.emplace_back(key, std::string());
+  for (const auto& [key, index] : material_of)
+    drawn.emplace_back(key, std::string());
   parallel_for(drawn.size(), [&](std::size_t i) {
     const auto& [sku, promotion] = drawn[i].first;
     const Product& product = scene.catalog[sku];
     const bool yellow = promotion != 0;
-    drawn[i].second = png_of(fmt::format("tag {} {}{}", tag_px, yellow ? "promotion " : "", write_json_line(product)),
-                             [&] { return draw_price_tag(product, yellow, tag_px); });
+    drawn[i].second = png_of(
+        fmt::format("tag {} {}{}", tag_px, yellow ? "promotion " : "", write_json_line(product)),
+        [&] { return draw_price_tag(product, yellow, tag_px); });
   });
   for (const auto& [key, png] : drawn) {
     if (!png.ok()) return png.error();
-    material_of[key] = materials.add({.color = {1, 1, 1}, .roughness = tag_roughness, .texture = ""}, document.add_texture(*png));
+    material_of[key] =
+        materials.add({.color = {1, 1, 1}, .roughness = tag_roughness, .texture = ""},
+                      document.add_texture(*png));
   }
   const int group = document.add_node({{"name", "price-labels"}}, -1);
   for (const auto& [key, same] : tags) {
     const std::string name = "price/" + scene.catalog[same.first->sku].sku;
-    const int mesh = document.add_mesh(name, tag_mesh(*same.first), {material_of[{same.first->sku, same.first->promotion}]});
+    const int mesh = document.add_mesh(
+        name, tag_mesh(*same.first), {material_of[{same.first->sku, same.first->promotion}]});
     add_copies({{"name", name}, {"mesh", mesh}}, same.places, options, document, group);
   }
   return {};

@@ -8,7 +8,13 @@
 namespace marketgen {
 
 // Errors: assets.*, image.*.
-Result<void> add_products(const Scene& scene, const ExportOptions& options, GlbDocument& document, GlbMaterials& materials);
-Result<void> add_price_labels(const Scene& scene, const ExportOptions& options, GlbDocument& document, GlbMaterials& materials);
+Result<void> add_products(const Scene& scene,
+                          const ExportOptions& options,
+                          GlbDocument& document,
+                          GlbMaterials& materials);
+Result<void> add_price_labels(const Scene& scene,
+                              const ExportOptions& options,
+                              GlbDocument& document,
+                              GlbMaterials& materials);
 
 }  // namespace marketgen

@@ -17,14 +17,15 @@ int GlbMaterials::add(const Surface& surface, int texture) {
   const Vec3f c = surface.color;
   GltfJson pbr;
   GltfJson material;
-  if (surface.kind == SurfaceKind::emissive) {   // glTF's emission ends at 1
+  if (surface.kind == SurfaceKind::emissive) {  // glTF's emission ends at 1
     const float most = std::max({c.x, c.y, c.z, 1.0F});
     pbr["baseColorFactor"] = {0, 0, 0, 1};
     material["emissiveFactor"] = json_array(std::array{c.x / most, c.y / most, c.z / most});
   } else {
     const bool glass = surface.kind == SurfaceKind::glass;
     const auto share = [](float v) { return std::clamp(v, 0.0F, 1.0F); };
-    pbr["baseColorFactor"] = json_array(std::array{share(c.x), share(c.y), share(c.z), glass ? glass_alpha : 1.0F});
+    pbr["baseColorFactor"] =
+        json_array(std::array{share(c.x), share(c.y), share(c.z), glass ? glass_alpha : 1.0F});
     if (glass) material["alphaMode"] = "BLEND";
   }
   if (texture >= 0) pbr["baseColorTexture"] = {{"index", texture}};
@@ -41,12 +42,15 @@ const MaterialRow* GlbMaterials::row(const std::string& id) const {
 
 Result<int> GlbMaterials::add_tiled(const std::string& id) {
   const MaterialRow* material = row(id);
-  if (material == nullptr) return add({.color = {0.8F, 0.8F, 0.78F}, .roughness = 0.8F, .texture = ""});
+  if (material == nullptr)
+    return add({.color = {0.8F, 0.8F, 0.78F}, .roughness = 0.8F, .texture = ""});
   const auto known = tiled_.find(id);
   if (known != tiled_.end()) return known->second;
   MARKETGEN_TRY(const std::string png, encode_png(draw_material(*material, tile_px)));
-  const int index = add({.color = {1, 1, 1}, .roughness = static_cast<float>(material->roughness),
-                         .metallic = static_cast<float>(material->metallic), .texture = ""},
+  const int index = add({.color = {1, 1, 1},
+                         .roughness = static_cast<float>(material->roughness),
+                         .metallic = static_cast<float>(material->metallic),
+                         .texture = ""},
                         document_.add_texture(png));
   tiled_.emplace(id, index);
   return index;

@@ -1,4 +1,5 @@
-// Materials of a GLB export: surfaces of packs, parts and the room as glTF's metallic-roughness materials.
+// Materials of a GLB export: surfaces of packs, parts and the room as glTF's metallic-roughness
+// materials.
 #pragma once
 #include <map>
 #include <string>
@@ -15,7 +16,8 @@ class GlbMaterials {
 
   // `texture` is an index from GlbDocument::add_texture, -1 for none.
   int add(const Surface& surface, int texture = -1);
-  // A catalogue material, tiled by UVs in units of `extent_m(id)`; light plaster when the scene has no such row. Errors: image.*.
+  // A catalogue material, tiled by UVs in units of `extent_m(id)`; light plaster when the scene has
+  // no such row. Errors: image.*.
   Result<int> add_tiled(const std::string& id);
   double extent_m(const std::string& id) const;
 

@@ -9,9 +9,21 @@ namespace marketgen {
 namespace {
 
 // Surfaces of the room's mesh, in this order.
-enum RoomSurface : std::uint16_t { room_floor, room_wall, room_ceiling, room_door, room_pane, room_surfaces };
+enum RoomSurface : std::uint16_t {
+  room_floor,
+  room_wall,
+  room_ceiling,
+  room_door,
+  room_pane,
+  room_surfaces
+};
 
-void add_horizontal(Mesh& mesh, const PolygonMm& outline, float z, bool faces_up, RoomSurface surface, double extent_m) {
+void add_horizontal(Mesh& mesh,
+                    const PolygonMm& outline,
+                    float z,
+                    bool faces_up,
+                    RoomSurface surface,
+                    double extent_m) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   for (const PointMm& p : outline) {
     const Vec3f at{static_cast<float>(p[0]) * 1e-3F, static_cast<float>(p[1]) * 1e-3F, z};
@@ -43,18 +55,27 @@ void add_piece(Mesh& mesh, const ShellPiece& piece, double wall_extent_m) {
 Result<void> add_room(const Scene& scene, GlbDocument& document, GlbMaterials& materials) {
   const Look& look = scene.layout.look;
   const Shell& shell = scene.layout.shell;
-  const PolygonMm outline = shell.outline_mm.value_or(polygon_of(RectMm{0, 0, shell.width_mm, shell.depth_mm}));
+  const PolygonMm outline =
+      shell.outline_mm.value_or(polygon_of(RectMm{0, 0, shell.width_mm, shell.depth_mm}));
   Mesh mesh;
   add_horizontal(mesh, outline, 0, true, room_floor, materials.extent_m(look.floor));
-  add_horizontal(mesh, outline, static_cast<float>(shell.ceiling_mm) * 1e-3F, false, room_ceiling, materials.extent_m(look.ceiling));
-  for (const ShellPiece& piece : shell_pieces(shell)) add_piece(mesh, piece, materials.extent_m(look.wall));
+  add_horizontal(mesh,
+                 outline,
+                 static_cast<float>(shell.ceiling_mm) * 1e-3F,
+                 false,
+                 room_ceiling,
+                 materials.extent_m(look.ceiling));
+  for (const ShellPiece& piece : shell_pieces(shell))
+    add_piece(mesh, piece, materials.extent_m(look.wall));
 
   std::vector<int> indices(room_surfaces);
   MARKETGEN_TRY(indices[room_floor], materials.add_tiled(look.floor));
   MARKETGEN_TRY(indices[room_wall], materials.add_tiled(look.wall));
   MARKETGEN_TRY(indices[room_ceiling], materials.add_tiled(look.ceiling));
-  indices[room_door] = materials.add({.color = {0.3F, 0.32F, 0.34F}, .roughness = 0.4F, .metallic = 0.2F, .texture = ""});
-  indices[room_pane] = materials.add({.color = {0.8F, 0.9F, 0.9F}, .roughness = 0.05F, .kind = SurfaceKind::glass, .texture = ""});
+  indices[room_door] = materials.add(
+      {.color = {0.3F, 0.32F, 0.34F}, .roughness = 0.4F, .metallic = 0.2F, .texture = ""});
+  indices[room_pane] = materials.add(
+      {.color = {0.8F, 0.9F, 0.9F}, .roughness = 0.05F, .kind = SurfaceKind::glass, .texture = ""});
   document.add_node({{"name", "room"}, {"mesh", document.add_mesh("room", mesh, indices)}}, -1);
   return {};
 }

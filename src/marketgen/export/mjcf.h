@@ -1,4 +1,5 @@
-// MJCF: the scene for MuJoCo. Fixtures and products are static geoms on the world body, products in a free region are bodies.
+// MJCF: the scene for MuJoCo. Fixtures and products are static geoms on the world body, products in
+// a free region are bodies.
 #pragma once
 #include <string>
 
@@ -7,7 +8,8 @@
 
 namespace marketgen {
 
-// The XML text. Geom names are fixture and product ids. Contact parameters: engines.md, "Options that hold a grasp".
+// The XML text. Geom names are fixture and product ids. Contact parameters: engines.md, "Options
+// that hold a grasp".
 Result<std::string> write_mjcf(const Scene& scene, const ExportOptions& options);
 
 }  // namespace marketgen

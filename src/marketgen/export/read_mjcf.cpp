@@ -26,8 +26,9 @@ Pose pose_of_geom(const mjData& data, int geom) {
 // Of the geom's bounding box in the store frame.
 void include_geom(Bounds3& bounds, const mjModel& model, const mjData& data, int geom) {
   const Pose pose = pose_of_geom(data, geom);
-  const mjtNum* box = model.geom_aabb + 6 * geom;   // centre and half extents in the geom's frame
-  const ContactShape around{CollisionShape::box, pose * Pose{{box[0], box[1], box[2]}, {}}, {box[3], box[4], box[5]}};
+  const mjtNum* box = model.geom_aabb + 6 * geom;  // centre and half extents in the geom's frame
+  const ContactShape around{
+      CollisionShape::box, pose * Pose{{box[0], box[1], box[2]}, {}}, {box[3], box[4], box[5]}};
   const Vec3 half = half_extents(around);
   bounds.include(to_float(around.pose.position - half));
   bounds.include(to_float(around.pose.position + half));
@@ -80,16 +81,21 @@ ExportContents contents_of(const mjModel& model, const mjData& data, const Produ
 
 }  // namespace
 
-Result<ExportContents> read_mjcf(const std::filesystem::path& file, const std::vector<Product>& catalog) {
+Result<ExportContents> read_mjcf(const std::filesystem::path& file,
+                                 const std::vector<Product>& catalog) {
   MARKETGEN_TRY(const std::string text, read_file(file));
   MARKETGEN_TRY(const ProductFrames frames, ProductFrames::of(catalog));
   route_mujoco_messages();
   char fault[1000] = "";
-  const MujocoSpec spec(mj_parseXMLString(text.c_str(), nullptr, fault, sizeof fault), mj_deleteSpec);
-  if (spec == nullptr) return Error{"export.mismatch", file.string(), std::string("MuJoCo cannot read it: ") + fault};
+  const MujocoSpec spec(mj_parseXMLString(text.c_str(), nullptr, fault, sizeof fault),
+                        mj_deleteSpec);
+  if (spec == nullptr)
+    return Error{"export.mismatch", file.string(), std::string("MuJoCo cannot read it: ") + fault};
   MujocoModel model(mj_compile(spec.get(), nullptr), mj_deleteModel);
   if (model == nullptr) {
-    return Error{"export.mismatch", file.string(), std::string("MuJoCo cannot compile it: ") + mjs_getError(spec.get())};
+    return Error{"export.mismatch",
+                 file.string(),
+                 std::string("MuJoCo cannot compile it: ") + mjs_getError(spec.get())};
   }
   MARKETGEN_TRY(const MujocoData data, make_data(*model, file.string()));
   MARKETGEN_CHECK(guarded(file.string(), [&] { mj_kinematics(model.get(), data.get()); }));

@@ -19,26 +19,38 @@ namespace {
 // Groups 0 to 2 are shown by MuJoCo's viewer at once; 0, 1 and 2 on its keyboard hide them.
 enum GeomGroup { group_shell, group_fixture, group_product };
 
-constexpr int lights_along = 4, lights_across = 2;           // MuJoCo's renderer takes eight
-constexpr int base_memory_mb = 64;                            // measured: 20,000 still geoms, robot and contacts
+constexpr int lights_along = 4, lights_across = 2;  // MuJoCo's renderer takes eight
+constexpr int base_memory_mb = 64;  // measured: 20,000 still geoms, robot and contacts
 constexpr double glass_alpha = 0.3;
-constexpr std::string_view floor_color = "0.72 0.71 0.69 1", wall_color = "0.9 0.88 0.84 1", door_color = "0.55 0.57 0.6 1";
+constexpr std::string_view floor_color = "0.72 0.71 0.69 1", wall_color = "0.9 0.88 0.84 1",
+                           door_color = "0.55 0.57 0.6 1";
 
 std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
     switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      default: out += c;
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += c;
     }
   }
   return out;
 }
 
-std::string_view type_name(CollisionShape shape) { return name_of(shape); }   // MuJoCo's names are ours
+std::string_view type_name(CollisionShape shape) {
+  return name_of(shape);
+}  // MuJoCo's names are ours
 
 // The inverse of linear_from_srgb (IEC 61966-2-1), to three decimals.
 double srgb_from_linear(float linear) {
@@ -48,10 +60,15 @@ double srgb_from_linear(float linear) {
 }
 
 std::string rgba(Vec3f color, double alpha) {
-  return fmt::format("{} {} {} {}", srgb_from_linear(color.x), srgb_from_linear(color.y), srgb_from_linear(color.z), alpha);
+  return fmt::format("{} {} {} {}",
+                     srgb_from_linear(color.x),
+                     srgb_from_linear(color.y),
+                     srgb_from_linear(color.z),
+                     alpha);
 }
 
-// Appends to one growing text. Numbers are single precision in their shortest form that reads back the same.
+// Appends to one growing text. Numbers are single precision in their shortest form that reads back
+// the same.
 class Writer {
  public:
   template <class... Args>
@@ -67,14 +84,20 @@ class Writer {
   std::string text_;
 };
 
-std::string vec(const Vec3& v) { return fmt::format("{} {} {}", static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)); }
+std::string vec(const Vec3& v) {
+  return fmt::format(
+      "{} {} {}", static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z));
+}
 
 // ` pos="..." quat="..."`; the identity rotation is left out.
 std::string placed(const Pose& pose) {
   const Quaternion& q = pose.rotation;
   const std::string position = fmt::format(" pos=\"{}\"", vec(pose.position));
   if (q == Quaternion{}) return position;
-  return position + fmt::format(" quat=\"{} {} {} {}\"", static_cast<float>(q.w), static_cast<float>(q.x), static_cast<float>(q.y),
+  return position + fmt::format(" quat=\"{} {} {} {}\"",
+                                static_cast<float>(q.w),
+                                static_cast<float>(q.x),
+                                static_cast<float>(q.y),
                                 static_cast<float>(q.z));
 }
 
@@ -85,7 +108,8 @@ std::string size_of(const ContactShape& shape) {
 
 class MjcfWriter {
  public:
-  MjcfWriter(const Scene& scene, const ExportOptions& options) : scene_(scene), free_(products_in_free_region(scene, options)) {}
+  MjcfWriter(const Scene& scene, const ExportOptions& options)
+      : scene_(scene), free_(products_in_free_region(scene, options)) {}
 
   Result<std::string> write() {
     for (const Product& product : scene_.catalog) {
@@ -101,7 +125,8 @@ class MjcfWriter {
     write_cameras();
     write_room();
     write_fixtures();
-    for (std::uint32_t row = 0; row < scene_.products.size(); ++row) write_product(row);
+    for (std::uint32_t row = 0; row < scene_.products.size(); ++row)
+      write_product(row);
     out_.line(1, "</worldbody>");
     write_hooks();
     out_.line(0, "</mujoco>");
@@ -118,14 +143,21 @@ class MjcfWriter {
     const auto free = std::ranges::count(free_, true);
     const Vec3 room = room_size();
     out_.line(1, "<compiler angle=\"radian\"/>");
-    out_.line(1, "<option timestep=\"{}\" integrator=\"implicitfast\" cone=\"elliptic\" impratio=\"{}\" noslip_iterations=\"{}\"/>",
-              time_step_s, friction_impedance_ratio, noslip_iterations);
+    out_.line(1,
+              "<option timestep=\"{}\" integrator=\"implicitfast\" cone=\"elliptic\" "
+              "impratio=\"{}\" noslip_iterations=\"{}\"/>",
+              time_step_s,
+              friction_impedance_ratio,
+              noslip_iterations);
     out_.line(1, "<size memory=\"{}M\"/>", base_memory_mb + free);
-    out_.line(1, "<statistic center=\"{}\" extent=\"{}\" meansize=\"0.1\"/>", vec({room.x / 2, room.y / 2, 1}),
+    out_.line(1,
+              "<statistic center=\"{}\" extent=\"{}\" meansize=\"0.1\"/>",
+              vec({room.x / 2, room.y / 2, 1}),
               static_cast<float>(std::max(room.x, room.y) * 0.6));
     out_.line(1, "<visual>");
     out_.line(2, "<global azimuth=\"60\" elevation=\"-40\" offwidth=\"1920\" offheight=\"1080\"/>");
-    out_.line(2, "<headlight ambient=\"0.45 0.45 0.45\" diffuse=\"0.25 0.25 0.25\" specular=\"0 0 0\"/>");
+    out_.line(
+        2, "<headlight ambient=\"0.45 0.45 0.45\" diffuse=\"0.25 0.25 0.25\" specular=\"0 0 0\"/>");
     out_.line(2, "<map znear=\"0.005\" zfar=\"10\"/>");
     out_.line(1, "</visual>");
   }
@@ -143,31 +175,57 @@ class MjcfWriter {
 
   void write_defaults() {
     out_.line(1, "<default>");
-    out_.line(2, "<geom friction=\"{} {} 0.0001\" solref=\"{} 1\"/>", still_friction, torsional_friction_m, contact_time_s);
-    out_.line(2, "<default class=\"shell\"><geom type=\"box\" group=\"{}\" rgba=\"{}\"/></default>", static_cast<int>(group_shell), wall_color);
-    out_.line(2, "<default class=\"fixture\"><geom type=\"box\" group=\"{}\"/></default>", static_cast<int>(group_fixture));
+    out_.line(2,
+              "<geom friction=\"{} {} 0.0001\" solref=\"{} 1\"/>",
+              still_friction,
+              torsional_friction_m,
+              contact_time_s);
+    out_.line(2,
+              "<default class=\"shell\"><geom type=\"box\" group=\"{}\" rgba=\"{}\"/></default>",
+              static_cast<int>(group_shell),
+              wall_color);
+    out_.line(2,
+              "<default class=\"fixture\"><geom type=\"box\" group=\"{}\"/></default>",
+              static_cast<int>(group_fixture));
     out_.line(2, "<default class=\"product\">");
-    out_.line(3, "<geom group=\"{}\" condim=\"{}\"/>", static_cast<int>(group_product), contact_dimensions);
-    for (std::size_t sku = 0; sku < shapes_.size(); ++sku) write_sku_default(scene_.catalog[sku], shapes_[sku]);
+    out_.line(3,
+              "<geom group=\"{}\" condim=\"{}\"/>",
+              static_cast<int>(group_product),
+              contact_dimensions);
+    for (std::size_t sku = 0; sku < shapes_.size(); ++sku)
+      write_sku_default(scene_.catalog[sku], shapes_[sku]);
     out_.line(2, "</default>");
     out_.line(1, "</default>");
   }
 
   void write_sku_default(const Product& product, const ContactShape& shape) {
     const bool rolls = shape.shape == CollisionShape::ellipsoid;
-    const std::string rolling = rolls ? fmt::format(" condim=\"{}\"", loose_contact_dimensions) : "";
-    out_.line(3, "<default class=\"sku/{0}\"><geom type=\"{1}\" size=\"{2}\" mass=\"{3}\" friction=\"{4} {5} {6}\"{7} material=\"{0}\"/></default>",
-              product.sku, type_name(shape.shape), size_of(shape), product.mass_kg, product.friction, torsional_friction_m,
-              rolls ? rolling_friction_m : 0.0001, rolling);
+    const std::string rolling =
+        rolls ? fmt::format(" condim=\"{}\"", loose_contact_dimensions) : "";
+    out_.line(3,
+              "<default class=\"sku/{0}\"><geom type=\"{1}\" size=\"{2}\" mass=\"{3}\" "
+              "friction=\"{4} {5} {6}\"{7} material=\"{0}\"/></default>",
+              product.sku,
+              type_name(shape.shape),
+              size_of(shape),
+              product.mass_kg,
+              product.friction,
+              torsional_friction_m,
+              rolls ? rolling_friction_m : 0.0001,
+              rolling);
   }
 
   void write_lights() {
     const Vec3 room = room_size();
     for (int x = 0; x < lights_along; ++x) {
       for (int y = 0; y < lights_across; ++y) {
-        const Vec3 at{room.x * (x + 0.5) / lights_along, room.y * (y + 0.5) / lights_across, room.z - 0.05};
-        out_.line(2, "<light name=\"light-{}\" pos=\"{}\" dir=\"0 0 -1\" cutoff=\"85\" exponent=\"1\" diffuse=\"0.25 0.25 0.24\" specular=\"0.05 0.05 0.05\" castshadow=\"false\"/>",
-                  x * lights_across + y, vec(at));
+        const Vec3 at{
+            room.x * (x + 0.5) / lights_along, room.y * (y + 0.5) / lights_across, room.z - 0.05};
+        out_.line(2,
+                  "<light name=\"light-{}\" pos=\"{}\" dir=\"0 0 -1\" cutoff=\"85\" exponent=\"1\" "
+                  "diffuse=\"0.25 0.25 0.24\" specular=\"0.05 0.05 0.05\" castshadow=\"false\"/>",
+                  x * lights_across + y,
+                  vec(at));
       }
     }
   }
@@ -175,23 +233,42 @@ class MjcfWriter {
   void write_cameras() {
     for (const Camera& camera : standard_cameras(scene_, 1280, 720)) {
       const Vec3 back = normalized(camera.from - camera.at);
-      const Vec3 up = std::abs(back.z) > 0.999 ? Vec3{0, 1, 0} : Vec3{0, 0, 1};   // north is up in views from above
+      const Vec3 up = std::abs(back.z) > 0.999 ? Vec3{0, 1, 0}
+                                               : Vec3{0, 0, 1};  // north is up in views from above
       const Vec3 right = normalized(cross(up, back)), above = cross(back, right);
       const bool flat = camera.ortho_height_m > 0;
-      out_.line(2, "<camera name=\"{}\" pos=\"{}\" xyaxes=\"{} {}\" fovy=\"{}\"{}/>", escaped(camera.name), vec(camera.from), vec(right),
-                vec(above), static_cast<float>(flat ? camera.ortho_height_m : camera.fov_deg), flat ? " projection=\"orthographic\"" : "");
+      out_.line(2,
+                "<camera name=\"{}\" pos=\"{}\" xyaxes=\"{} {}\" fovy=\"{}\"{}/>",
+                escaped(camera.name),
+                vec(camera.from),
+                vec(right),
+                vec(above),
+                static_cast<float>(flat ? camera.ortho_height_m : camera.fov_deg),
+                flat ? " projection=\"orthographic\"" : "");
     }
   }
 
   void write_room() {
     const Vec3 room = room_size();
-    out_.line(2, "<geom name=\"floor\" class=\"shell\" type=\"plane\" size=\"{} {} 0.1\" pos=\"{}\" rgba=\"{}\"/>",
-              static_cast<float>(room.x / 2), static_cast<float>(room.y / 2), vec({room.x / 2, room.y / 2, 0}), floor_color);
+    out_.line(2,
+              "<geom name=\"floor\" class=\"shell\" type=\"plane\" size=\"{} {} 0.1\" pos=\"{}\" "
+              "rgba=\"{}\"/>",
+              static_cast<float>(room.x / 2),
+              static_cast<float>(room.y / 2),
+              vec({room.x / 2, room.y / 2, 0}),
+              floor_color);
     for (const ShellPiece& piece : shell_pieces(scene_.layout.shell)) {
-      const std::string look = piece.kind == ShellPieceKind::door   ? fmt::format(" rgba=\"{}\"", door_color)
-                               : piece.kind == ShellPieceKind::pane ? fmt::format(" rgba=\"0.8 0.9 0.9 {}\"", glass_alpha)
-                                                                    : "";
-      out_.line(2, "<geom name=\"{}\" class=\"shell\"{} size=\"{}\"{}/>", piece.id, placed(piece.pose), vec(piece.half_size), look);
+      const std::string look = piece.kind == ShellPieceKind::door
+                                   ? fmt::format(" rgba=\"{}\"", door_color)
+                               : piece.kind == ShellPieceKind::pane
+                                   ? fmt::format(" rgba=\"0.8 0.9 0.9 {}\"", glass_alpha)
+                                   : "";
+      out_.line(2,
+                "<geom name=\"{}\" class=\"shell\"{} size=\"{}\"{}/>",
+                piece.id,
+                placed(piece.pose),
+                vec(piece.half_size),
+                look);
     }
   }
 
@@ -200,9 +277,14 @@ class MjcfWriter {
       const ScenePart& part = scene_.parts[row];
       const ContactShape shape = world_from_fixture(scene_, part.fixture) * contact_shape_of(part);
       const double alpha = part.kind == SurfaceKind::glass ? glass_alpha : 1.0;
-      out_.line(2, "<geom name=\"{}/{}-{}\" class=\"fixture\"{}{} size=\"{}\" rgba=\"{}\"/>", scene_.layout.fixtures[part.fixture].id,
-                name_of(part.unit), row - scene_.fixtures[part.fixture].first_part,
-                shape.shape == CollisionShape::cylinder ? " type=\"cylinder\"" : "", placed(shape.pose), size_of(shape),
+      out_.line(2,
+                "<geom name=\"{}/{}-{}\" class=\"fixture\"{}{} size=\"{}\" rgba=\"{}\"/>",
+                scene_.layout.fixtures[part.fixture].id,
+                name_of(part.unit),
+                row - scene_.fixtures[part.fixture].first_part,
+                shape.shape == CollisionShape::cylinder ? " type=\"cylinder\"" : "",
+                placed(shape.pose),
+                size_of(shape),
                 rgba({part.color[0], part.color[1], part.color[2]}, alpha));
     }
   }
@@ -212,7 +294,11 @@ class MjcfWriter {
     const std::string id = product_id(scene_, row), &sku = scene_.catalog[item.sku].sku;
     const Pose world_from_item = world_from_product(item);
     if (!free_[row]) {
-      out_.line(2, "<geom name=\"{}\" class=\"sku/{}\"{}/>", id, sku, placed((world_from_item * shapes_[item.sku]).pose));
+      out_.line(2,
+                "<geom name=\"{}\" class=\"sku/{}\"{}/>",
+                id,
+                sku,
+                placed((world_from_item * shapes_[item.sku]).pose));
       return;
     }
     out_.line(2, "<body name=\"{}\"{}>", id, placed(world_from_item));
@@ -221,7 +307,8 @@ class MjcfWriter {
     out_.line(2, "</body>");
   }
 
-  // Free goods on pegs hang from the middle of their upper edge; a robot takes one by switching its constraint off.
+  // Free goods on pegs hang from the middle of their upper edge; a robot takes one by switching its
+  // constraint off.
   void write_hooks() {
     out_.line(1, "<equality>");
     for (std::uint32_t row = 0; row < scene_.products.size(); ++row) {
@@ -229,19 +316,24 @@ class MjcfWriter {
       if (!free_[row] || item.facing == no_facing) continue;
       if (scene_.shelves[scene_.facings[item.facing].shelf].use != ShelfUse::hang) continue;
       const std::string id = product_id(scene_, row);
-      out_.line(2, "<connect name=\"hook/{0}\" body1=\"{0}\" anchor=\"{1}\"/>", id, vec({0, 0, scene_.catalog[item.sku].height_m()}));
+      out_.line(2,
+                "<connect name=\"hook/{0}\" body1=\"{0}\" anchor=\"{1}\"/>",
+                id,
+                vec({0, 0, scene_.catalog[item.sku].height_m()}));
     }
     out_.line(1, "</equality>");
   }
 
   const Scene& scene_;
   std::vector<bool> free_;
-  std::vector<ContactShape> shapes_;   // by SKU, in the product frame
+  std::vector<ContactShape> shapes_;  // by SKU, in the product frame
   Writer out_;
 };
 
 }  // namespace
 
-Result<std::string> write_mjcf(const Scene& scene, const ExportOptions& options) { return MjcfWriter(scene, options).write(); }
+Result<std::string> write_mjcf(const Scene& scene, const ExportOptions& options) {
+  return MjcfWriter(scene, options).write();
+}
 
 }  // namespace marketgen

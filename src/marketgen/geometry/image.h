@@ -17,10 +17,14 @@ struct Image {
 
   Image() = default;
   Image(int w, int h, int c = 3)
-      : width(w), height(h), channels(c),
-        pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * static_cast<std::size_t>(c)) {}
+      : width(w),
+        height(h),
+        channels(c),
+        pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) *
+               static_cast<std::size_t>(c)) {}
   std::uint8_t* at(int x, int y) {
-    return &pixels[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) *
+    return &pixels[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                    static_cast<std::size_t>(x)) *
                    static_cast<std::size_t>(channels)];
   }
   const std::uint8_t* at(int x, int y) const { return const_cast<Image*>(this)->at(x, y); }

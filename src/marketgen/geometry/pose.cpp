@@ -18,10 +18,14 @@ Quaternion rotation_about(Vec3 axis, double angle_rad) {
 Quaternion yaw_from_quarter_turns(int quarter_turns) {
   const double half = std::sqrt(0.5);
   switch (((quarter_turns % 4) + 4) % 4) {
-    case 1: return {half, 0, 0, half};
-    case 2: return {0, 0, 0, 1};
-    case 3: return {half, 0, 0, -half};
-    default: return {1, 0, 0, 0};
+    case 1:
+      return {half, 0, 0, half};
+    case 2:
+      return {0, 0, 0, 1};
+    case 3:
+      return {half, 0, 0, -half};
+    default:
+      return {1, 0, 0, 0};
   }
 }
 
@@ -31,7 +35,9 @@ Vec3 rotate(const Quaternion& q, Vec3 v) {
   return v + t * q.w + cross(u, t);
 }
 
-Quaternion inverse(const Quaternion& q) { return {q.w, -q.x, -q.y, -q.z}; }
+Quaternion inverse(const Quaternion& q) {
+  return {q.w, -q.x, -q.y, -q.z};
+}
 
 double yaw_of(const Quaternion& q) {
   return std::atan2(2 * (q.w * q.z + q.x * q.y), 1 - 2 * (q.y * q.y + q.z * q.z));
@@ -44,7 +50,8 @@ Pose inverse(const Pose& pose) {
 
 Matrix34 matrix_of(const Pose& pose) {
   Matrix34 result{};
-  const Vec3 columns[3] = {rotate(pose.rotation, {1, 0, 0}), rotate(pose.rotation, {0, 1, 0}),
+  const Vec3 columns[3] = {rotate(pose.rotation, {1, 0, 0}),
+                           rotate(pose.rotation, {0, 1, 0}),
                            rotate(pose.rotation, {0, 0, 1})};
   for (int c = 0; c < 3; ++c) {
     result.m[0][c] = columns[c].x;

@@ -11,7 +11,8 @@ bool overlap(const RectMm& a, const RectMm& b) {
 
 std::optional<RectMm> intersection(const RectMm& a, const RectMm& b) {
   if (!overlap(a, b)) return std::nullopt;
-  return RectMm{std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
+  return RectMm{
+      std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
 }
 
 int gap_mm(const RectMm& a, const RectMm& b) {
@@ -20,7 +21,9 @@ int gap_mm(const RectMm& a, const RectMm& b) {
   return std::max(along_x, along_y);
 }
 
-PolygonMm polygon_of(const RectMm& r) { return {{r.x0, r.y0}, {r.x1, r.y0}, {r.x1, r.y1}, {r.x0, r.y1}}; }
+PolygonMm polygon_of(const RectMm& r) {
+  return {{r.x0, r.y0}, {r.x1, r.y0}, {r.x1, r.y1}, {r.x0, r.y1}};
+}
 
 RectMm bounds_of(const PolygonMm& polygon) {
   if (polygon.empty()) return {};
@@ -62,7 +65,8 @@ bool contains(const PolygonMm& polygon, PointMm p) {
     const PointMm& b = polygon[(i + 1) % polygon.size()];
     if (on_edge(a, b, p)) return true;
     if ((a[1] > p[1]) == (b[1] > p[1])) continue;
-    const double x = a[0] + static_cast<double>(p[1] - a[1]) * (b[0] - a[0]) / static_cast<double>(b[1] - a[1]);
+    const double x =
+        a[0] + static_cast<double>(p[1] - a[1]) * (b[0] - a[0]) / static_cast<double>(b[1] - a[1]);
     if (p[0] < x) inside = !inside;
   }
   return inside;

@@ -7,12 +7,12 @@
 
 namespace marketgen {
 
-using PointMm = std::array<int, 2>;            // [x, y], written as in JSON
-using PolygonMm = std::vector<PointMm>;        // counter-clockwise, not closed
+using PointMm = std::array<int, 2>;      // [x, y], written as in JSON
+using PolygonMm = std::vector<PointMm>;  // counter-clockwise, not closed
 
 // Axis-aligned, half-open in spirit: two rectangles that share an edge do not overlap.
 struct RectMm {
-  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;          // x0 <= x1, y0 <= y1
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;  // x0 <= x1, y0 <= y1
 
   int width() const { return x1 - x0; }
   int depth() const { return y1 - y0; }
@@ -21,18 +21,20 @@ struct RectMm {
   double area_m2() const { return static_cast<double>(area_mm2()) * 1e-6; }
   PointMm center() const { return {(x0 + x1) / 2, (y0 + y1) / 2}; }
   bool contains(PointMm p) const { return p[0] >= x0 && p[0] <= x1 && p[1] >= y0 && p[1] <= y1; }
-  bool contains(const RectMm& r) const { return r.x0 >= x0 && r.x1 <= x1 && r.y0 >= y0 && r.y1 <= y1; }
+  bool contains(const RectMm& r) const {
+    return r.x0 >= x0 && r.x1 <= x1 && r.y0 >= y0 && r.y1 <= y1;
+  }
   RectMm grown(int by) const { return {x0 - by, y0 - by, x1 + by, y1 + by}; }
   friend bool operator==(const RectMm&, const RectMm&) = default;
 };
 
-bool overlap(const RectMm& a, const RectMm& b);                       // with positive area
-std::optional<RectMm> intersection(const RectMm& a, const RectMm& b); // of positive area
+bool overlap(const RectMm& a, const RectMm& b);                        // with positive area
+std::optional<RectMm> intersection(const RectMm& a, const RectMm& b);  // of positive area
 // Gap between two rectangles along the axis in which they are apart; negative when they overlap.
 int gap_mm(const RectMm& a, const RectMm& b);
-PolygonMm polygon_of(const RectMm& r);                                // counter-clockwise from (x0, y0)
+PolygonMm polygon_of(const RectMm& r);  // counter-clockwise from (x0, y0)
 RectMm bounds_of(const PolygonMm& polygon);
-double area_m2(const PolygonMm& polygon);                             // shoelace, positive for counter-clockwise
-bool contains(const PolygonMm& polygon, PointMm p);                   // even-odd, border counts as inside
+double area_m2(const PolygonMm& polygon);            // shoelace, positive for counter-clockwise
+bool contains(const PolygonMm& polygon, PointMm p);  // even-odd, border counts as inside
 
 }  // namespace marketgen

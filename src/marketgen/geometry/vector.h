@@ -1,4 +1,5 @@
-// Vectors and colours as plain values. Vec3 is double (poses, layout), Vec3f is float (meshes, rendering).
+// Vectors and colours as plain values. Vec3 is double (poses, layout), Vec3f is float (meshes,
+// rendering).
 #pragma once
 #include <cmath>
 
@@ -16,12 +17,18 @@ struct Vector2 {
 template <class T>
 struct Vector3 {
   T x{}, y{}, z{};
-  friend constexpr Vector3 operator+(Vector3 a, Vector3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-  friend constexpr Vector3 operator-(Vector3 a, Vector3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  friend constexpr Vector3 operator+(Vector3 a, Vector3 b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+  }
+  friend constexpr Vector3 operator-(Vector3 a, Vector3 b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+  }
   friend constexpr Vector3 operator-(Vector3 a) { return {-a.x, -a.y, -a.z}; }
   friend constexpr Vector3 operator*(Vector3 a, T s) { return {a.x * s, a.y * s, a.z * s}; }
   friend constexpr Vector3 operator*(T s, Vector3 a) { return a * s; }
-  friend constexpr Vector3 operator*(Vector3 a, Vector3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+  friend constexpr Vector3 operator*(Vector3 a, Vector3 b) {
+    return {a.x * b.x, a.y * b.y, a.z * b.z};
+  }
   friend constexpr Vector3 operator/(Vector3 a, T s) { return {a.x / s, a.y / s, a.z / s}; }
   constexpr Vector3& operator+=(Vector3 b) { return *this = *this + b; }
   constexpr Vector3& operator*=(Vector3 b) { return *this = *this * b; }
@@ -55,6 +62,8 @@ Vector3<T> normalized(Vector3<T> a) {
 constexpr Vec3f to_float(Vec3 a) {
   return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
 }
-constexpr Vec3 to_double(Vec3f a) { return {a.x, a.y, a.z}; }
+constexpr Vec3 to_double(Vec3f a) {
+  return {a.x, a.y, a.z};
+}
 
 }  // namespace marketgen

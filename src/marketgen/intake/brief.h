@@ -1,6 +1,7 @@
 // Intake: what a person wants, in words (and later drawings and photos), made into a plan.
 //
-// A planner is a plug-in: the offline one here, language models later. All see the same Brief and answer with the same Planned.
+// A planner is a plug-in: the offline one here, language models later. All see the same Brief and
+// answer with the same Planned.
 #pragma once
 #include <memory>
 #include <optional>
@@ -18,71 +19,122 @@ namespace marketgen {
 
 // Everything that was asked for. Flags beat text.
 struct Brief {
-  std::string prompt;                              // UTF-8, at most 20,000 bytes
-  std::vector<std::string> image_files;            // drawings and photos; no planner here reads them yet
-  std::optional<std::array<int, 2>> size_mm;       // --size
-  std::optional<std::string> profile;              // --profile
-  std::optional<std::string> style;                // --style
-  std::string planner = "offline";                 // --planner
+  std::string prompt;                         // UTF-8, at most 20,000 bytes
+  std::vector<std::string> image_files;       // drawings and photos; no planner here reads them yet
+  std::optional<std::array<int, 2>> size_mm;  // --size
+  std::optional<std::string> profile;         // --profile
+  std::optional<std::string> style;           // --style
+  std::string planner = "offline";            // --planner
 
-  static constexpr auto fields = field_list(
-      field("prompt", &Brief::prompt, "the words", at_most_bytes(20000)),
-      field("image_files", &Brief::image_files, "drawings and photos"),
-      field("size_mm", &Brief::size_mm, "size given by a flag", range(0, 1e6)),
-      field("profile", &Brief::profile, "profile given by a flag"), field("style", &Brief::style, "style given by a flag"),
-      field("planner", &Brief::planner, "who plans"));
+  static constexpr auto fields =
+      field_list(field("prompt", &Brief::prompt, "the words", at_most_bytes(20000)),
+                 field("image_files", &Brief::image_files, "drawings and photos"),
+                 field("size_mm", &Brief::size_mm, "size given by a flag", range(0, 1e6)),
+                 field("profile", &Brief::profile, "profile given by a flag"),
+                 field("style", &Brief::style, "style given by a flag"),
+                 field("planner", &Brief::planner, "who plans"));
 };
 
 enum class RequirementKind {
-  size, area, zone_present, zone_absent, zone_count, fixture_count, aisle_count, levels, relation, style, profile, material,
-  color, product_present, product_absent, opening, endcaps, height, aisle_width, stock
+  size,
+  area,
+  zone_present,
+  zone_absent,
+  zone_count,
+  fixture_count,
+  aisle_count,
+  levels,
+  relation,
+  style,
+  profile,
+  material,
+  color,
+  product_present,
+  product_absent,
+  opening,
+  endcaps,
+  height,
+  aisle_width,
+  stock,
+  light
 };
-constexpr std::array<std::string_view, 20> names_of(RequirementKind) {
-  return {"size", "area", "zone_present", "zone_absent", "zone_count", "fixture_count", "aisle_count", "levels", "relation",
-          "style", "profile", "material", "color", "product_present", "product_absent", "opening", "endcaps", "height",
-          "aisle_width", "stock"};
+constexpr std::array<std::string_view, 21> names_of(RequirementKind) {
+  return {"size",          "area",        "zone_present", "zone_absent",     "zone_count",
+          "fixture_count", "aisle_count", "levels",       "relation",        "style",
+          "profile",       "material",    "color",        "product_present", "product_absent",
+          "opening",       "endcaps",     "height",       "aisle_width",     "stock",
+          "light"};
 }
 
 enum class Comparison { equal, at_least, at_most };
-constexpr std::array<std::string_view, 3> names_of(Comparison) { return {"equal", "at_least", "at_most"}; }
+constexpr std::array<std::string_view, 3> names_of(Comparison) {
+  return {"equal", "at_least", "at_most"};
+}
 
-// One atomic wish, in a form that the audit can check on the finished scene without knowing the planner.
+// One atomic wish, in a form that the audit can check on the finished scene without knowing the
+// planner.
+//   size            value x second_value: width and depth in mm
+//   area            subject: zone type, or "" for the whole floor; value: m2
+//   zone_present, zone_absent, zone_count   subject: zone type; value: how many zones of it
+//   fixture_count   subject: fixture kind ("checkout_lane"); object: the zone type it implies;
+//   value: how many modules aisle_count     value: aisles between gondolas, the outermost included;
+//   aisle_width value: mm levels          subject: zone type, or "" for all gondolas and wall
+//   units; value: stocked levels height          subject: "fixture" (all gondolas), a fixture kind,
+//   or "ceiling"; value: mm relation        relation, subject a, object b, second_object c: zone
+//   types, opening kinds, north south east west center style, profile  object: id material subject:
+//   floor wall ceiling fixture; object: material id color           subject: fixture or accent;
+//   object: #rrggbb product_present, product_absent   subject: name or subcategory of products;
+//   object: the zone type that sells them opening         subject: opening kind; object: its wall
+//   or ""; second_object: the end of that wall (a side, or center) or "";
+//                   value: how many, 0 = any
+//   endcaps         value: 1 wanted, 0 not
+//   stock           subject: fill, jitter, out_of_stock or misplaced; value: share
+//   light           subject: light_kelvin or light_lux; value
 struct Requirement {
-  std::string text;                    // the words it came from
-  IntRange span{0, 0};                 // bytes of the prompt
+  std::string text;     // the words it came from
+  IntRange span{0, 0};  // bytes of the prompt
   RequirementKind kind = RequirementKind::zone_present;
-  std::string subject;                 // zone type, fixture kind, material part, product word, opening kind, relation "a"
-  std::string object;                  // style, material, colour, profile, relation "b" …
-  std::string second_object;           // relation `between`
+  std::string
+      subject;  // zone type, fixture kind, material part, product word, opening kind, relation "a"
+  std::string object;         // style, material, colour, profile, relation "b" …
+  std::string second_object;  // relation `between`
   RelationKind relation = RelationKind::near;
   Comparison comparison = Comparison::equal;
   double value = 0, second_value = 0;  // counts, mm, m2, levels; size: width and depth in mm
   Strength strength = Strength::must;
 
-  static constexpr auto fields = field_list(
-      field("text", &Requirement::text, "the words it came from"), field("span", &Requirement::span, "bytes of the prompt"),
-      field("kind", &Requirement::kind, "what is asked"), field("subject", &Requirement::subject, "of what"),
-      field("object", &Requirement::object, "what it should be or relate to"),
-      field("second_object", &Requirement::second_object, "second reference"),
-      field("relation", &Requirement::relation, "for relations"), field("comparison", &Requirement::comparison, "for numbers"),
-      field("value", &Requirement::value, "number asked for"), field("second_value", &Requirement::second_value, "second number"),
-      field("strength", &Requirement::strength, "must or prefer"));
+  static constexpr auto fields =
+      field_list(field("text", &Requirement::text, "the words it came from"),
+                 field("span", &Requirement::span, "bytes of the prompt"),
+                 field("kind", &Requirement::kind, "what is asked"),
+                 field("subject", &Requirement::subject, "of what"),
+                 field("object", &Requirement::object, "what it should be or relate to"),
+                 field("second_object", &Requirement::second_object, "second reference"),
+                 field("relation", &Requirement::relation, "for relations"),
+                 field("comparison", &Requirement::comparison, "for numbers"),
+                 field("value", &Requirement::value, "number asked for"),
+                 field("second_value", &Requirement::second_value, "second number"),
+                 field("strength", &Requirement::strength, "must or prefer"));
 };
 
 struct UnparsedWord {
   std::string text;
   IntRange span{0, 0};
 
-  static constexpr auto fields = field_list(field("text", &UnparsedWord::text, "words that were not understood"),
-                                            field("span", &UnparsedWord::span, "bytes of the prompt"));
+  static constexpr auto fields =
+      field_list(field("text", &UnparsedWord::text, "words that were not understood"),
+                 field("span", &UnparsedWord::span, "bytes of the prompt"));
 };
 
 // Two wishes that cannot both hold, and which one won.
 struct Conflict {
   std::string what, kept, dropped, why;
 
-  static constexpr auto fields = field_list(field("what", &Conflict::what, "value in question"), field("kept", &Conflict::kept, "what holds"),
-                                            field("dropped", &Conflict::dropped, "what was given up"), field("why", &Conflict::why, "reason"));
+  static constexpr auto fields =
+      field_list(field("what", &Conflict::what, "value in question"),
+                 field("kept", &Conflict::kept, "what holds"),
+                 field("dropped", &Conflict::dropped, "what was given up"),
+                 field("why", &Conflict::why, "reason"));
 };
 
 struct Planned {
@@ -90,7 +142,7 @@ struct Planned {
   std::vector<Requirement> requirements;
   std::vector<UnparsedWord> unparsed;
   std::vector<Conflict> conflicts;
-  std::vector<std::string> trace;      // what the planner decided, for a person
+  std::vector<std::string> trace;  // what the planner decided, for a person
 };
 
 // Turns a brief into a plan. Implementations must be deterministic for a given seed.
@@ -103,10 +155,15 @@ class Planner {
 // "offline" now; language models later. Error usage.unavailable or usage.bad_flag for others.
 Result<std::unique_ptr<Planner>> make_planner(std::string_view name);
 
-// Checks the brief (empty, too long, not UTF-8, bad size, unknown profile or style), runs the planner and validates its plan.
-Result<Planned> plan_from_brief(const Brief& brief, const Catalog& catalog, const Planner& planner, Seed seed);
+// Checks the brief (empty, too long, not UTF-8, bad size, unknown profile or style), runs the
+// planner and validates its plan.
+Result<Planned> plan_from_brief(const Brief& brief,
+                                const Catalog& catalog,
+                                const Planner& planner,
+                                Seed seed);
 
-// "24x15m", "24 x 15 m", "40m x 25m", "80x50ft" -> millimetres [width, depth]. Error: brief.bad_size.
+// "24x15m", "24 x 15 m", "40m x 25m", "80x50ft" -> millimetres [width, depth]. Error:
+// brief.bad_size.
 Result<std::array<int, 2>> parse_size(std::string_view text, const std::string& where);
 
 }  // namespace marketgen

@@ -1,7 +1,8 @@
 // Words of a prompt with the bytes they came from.
 //
-// Text is folded per token (Unicode NFKC and case folding, typographic quotes made plain), so "ＢＡＫＥＲＹ", "Bakery" and
-// "bakery" are one word, and every span still points into the prompt as it was written.
+// Text is folded per token (Unicode NFKC and case folding, typographic quotes made plain), so
+// "ＢＡＫＥＲＹ", "Bakery" and "bakery" are one word, and every span still points into the prompt
+// as it was written.
 #pragma once
 #include <string>
 #include <string_view>
@@ -22,14 +23,16 @@ struct Token {
   bool capital = false;  // starts with an upper-case letter, as names do
 };
 
-// Precondition: valid UTF-8. Hyphens inside a word join nothing: "self-checkout" is two words. "24x15m" is four tokens, "m²"
-// and "m2" are one. Sentences end at . ! ? and at blank or bulleted lines.
+// Precondition: valid UTF-8. Hyphens inside a word join nothing: "self-checkout" is two words.
+// "24x15m" is four tokens, "m²" and "m2" are one. Sentences end at . ! ? and at blank or bulleted
+// lines.
 std::vector<Token> tokenize(std::string_view prompt);
 
 // Folds one word or phrase as tokens are folded.
 std::string fold(std::string_view text);
 
-// The singular of a folded English word, by its ending: "berries" -> "berry", "dishes" -> "dish", "checkouts" -> "checkout".
+// The singular of a folded English word, by its ending: "berries" -> "berry", "dishes" -> "dish",
+// "checkouts" -> "checkout".
 std::string singular(std::string_view word);
 
 }  // namespace marketgen

@@ -41,7 +41,8 @@ Error cannot(std::string code, const fs::path& path, std::string_view what) {
 }
 
 Error cannot_open(const fs::path& path) {
-  if (errno == ENOENT || errno == ENOTDIR) return {"input.not_found", path.string(), "there is no such file"};
+  if (errno == ENOENT || errno == ENOTDIR)
+    return {"input.not_found", path.string(), "there is no such file"};
   return cannot("io.cannot_read", path, "cannot be opened");
 }
 
@@ -50,7 +51,8 @@ fs::path beside(const fs::path& path) {
   fs::path clean = path;
   if (!clean.has_filename()) clean = clean.parent_path();
   static thread_local std::random_device random;  // names only: nothing that is kept depends on it
-  return clean.parent_path() / fmt::format(".{}.{}-{:08x}.part", clean.filename().string(), getpid(), random());
+  return clean.parent_path() /
+         fmt::format(".{}.{}-{:08x}.part", clean.filename().string(), getpid(), random());
 }
 
 bool write_all(int fd, std::string_view bytes) {
@@ -70,9 +72,10 @@ bool write_all(int fd, std::string_view bytes) {
 Result<std::string> read_file(const fs::path& path, std::uint64_t max_bytes) {
   const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.get() < 0) return cannot_open(path);
-  struct stat info{};
+  struct stat info {};
   if (fstat(file.get(), &info) != 0) return cannot("io.cannot_read", path, "cannot be examined");
-  if (S_ISDIR(info.st_mode)) return Error{"io.cannot_read", path.string(), "is a folder; a file was expected"};
+  if (S_ISDIR(info.st_mode))
+    return Error{"io.cannot_read", path.string(), "is a folder; a file was expected"};
   std::string bytes;
   char block[1 << 16];
   while (true) {  // not by st_size: pipes have none
@@ -82,8 +85,10 @@ Result<std::string> read_file(const fs::path& path, std::uint64_t max_bytes) {
     if (got == 0) return bytes;
     bytes.append(block, static_cast<std::size_t>(got));
     if (bytes.size() > max_bytes) {
-      return Error{"input.too_large", path.string(),
-                   fmt::format("is larger than {} bytes", with_thousands(static_cast<std::int64_t>(max_bytes)))};
+      return Error{"input.too_large",
+                   path.string(),
+                   fmt::format("is larger than {} bytes",
+                               with_thousands(static_cast<std::int64_t>(max_bytes)))};
     }
   }
 }
@@ -107,7 +112,8 @@ Result<void> write_file(const fs::path& path, std::string_view bytes) {
   return {};
 }
 
-FolderDraft::FolderDraft(fs::path target, fs::path draft) : target_(std::move(target)), draft_(std::move(draft)) {}
+FolderDraft::FolderDraft(fs::path target, fs::path draft)
+    : target_(std::move(target)), draft_(std::move(draft)) {}
 FolderDraft::FolderDraft(FolderDraft&& other) noexcept
     : target_(std::move(other.target_)), draft_(std::exchange(other.draft_, {})) {}
 
@@ -120,11 +126,14 @@ Result<FolderDraft> FolderDraft::begin(const fs::path& path) {
   std::error_code failed;
   fs::path target = fs::absolute(path, failed).lexically_normal();
   if (!target.has_filename()) target = target.parent_path();
-  if (fs::exists(target, failed) && !(fs::is_directory(target, failed) && fs::is_empty(target, failed))) {
+  if (fs::exists(target, failed) &&
+      !(fs::is_directory(target, failed) && fs::is_empty(target, failed))) {
     return Error{"store.exists", path.string(), "exists already; name another folder or remove it"};
   }
   fs::create_directories(target.parent_path(), failed);
-  if (failed) return Error{"io.cannot_write", path.string(), "its parent folder cannot be made: " + failed.message()};
+  if (failed)
+    return Error{
+        "io.cannot_write", path.string(), "its parent folder cannot be made: " + failed.message()};
   const fs::path draft = beside(target);
   fs::create_directory(draft, failed);
   if (failed) return Error{"io.cannot_write", path.string(), "cannot be made: " + failed.message()};
@@ -133,9 +142,12 @@ Result<FolderDraft> FolderDraft::begin(const fs::path& path) {
 
 Result<void> FolderDraft::commit() {
   std::error_code failed;
-  if (fs::exists(target_, failed)) fs::remove(target_, failed);  // an empty folder; fails when it is not
+  if (fs::exists(target_, failed))
+    fs::remove(target_, failed);  // an empty folder; fails when it is not
   fs::rename(draft_, target_, failed);
-  if (failed) return Error{"io.cannot_write", target_.string(), "cannot be put in place: " + failed.message()};
+  if (failed)
+    return Error{
+        "io.cannot_write", target_.string(), "cannot be put in place: " + failed.message()};
   draft_.clear();
   return {};
 }
@@ -149,9 +161,10 @@ MappedFile::~MappedFile() {
 Result<MappedFile> MappedFile::open(const fs::path& path) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.get() < 0) return cannot_open(path);
-  struct stat info{};
+  struct stat info {};
   if (fstat(file.get(), &info) != 0) return cannot("io.cannot_read", path, "cannot be examined");
-  if (!S_ISREG(info.st_mode)) return Error{"io.cannot_read", path.string(), "is not a regular file"};
+  if (!S_ISREG(info.st_mode))
+    return Error{"io.cannot_read", path.string(), "is not a regular file"};
   const auto size = static_cast<std::size_t>(info.st_size);
   if (size == 0) return MappedFile({});
   void* start = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.get(), 0);
@@ -164,7 +177,8 @@ std::string sha256_hex(std::string_view bytes) {
   unsigned length = 0;
   EVP_Digest(bytes.data(), bytes.size(), digest, &length, EVP_sha256(), nullptr);
   std::string hex;
-  for (unsigned i = 0; i < length; ++i) hex += fmt::format("{:02x}", digest[i]);
+  for (unsigned i = 0; i < length; ++i)
+    hex += fmt::format("{:02x}", digest[i]);
   return hex;
 }
 
@@ -174,9 +188,12 @@ Result<std::string> sha256_of_file(const fs::path& path) {
 }
 
 fs::path cache_folder() {
-  if (const char* named = std::getenv("MARKETGEN_CACHE"); named != nullptr && *named != '\0') return named;
-  if (const char* xdg = std::getenv("XDG_CACHE_HOME"); xdg != nullptr && *xdg != '\0') return fs::path(xdg) / "marketgen";
-  if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0') return fs::path(home) / ".cache/marketgen";
+  if (const char* named = std::getenv("MARKETGEN_CACHE"); named != nullptr && *named != '\0')
+    return named;
+  if (const char* xdg = std::getenv("XDG_CACHE_HOME"); xdg != nullptr && *xdg != '\0')
+    return fs::path(xdg) / "marketgen";
+  if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0')
+    return fs::path(home) / ".cache/marketgen";
   return fs::temp_directory_path() / "marketgen-cache";
 }
 
@@ -193,8 +210,10 @@ Result<fs::path> data_folder() {
     std::error_code failed;
     if (fs::exists(place / "categories.json", failed)) return place.lexically_normal();
   }
-  return Error{"catalog.missing_data", places.front().string(),
-               "the data rows are not there; set MARKETGEN_DATA to the data folder of the installation"};
+  return Error{
+      "catalog.missing_data",
+      places.front().string(),
+      "the data rows are not there; set MARKETGEN_DATA to the data folder of the installation"};
 }
 
 }  // namespace marketgen

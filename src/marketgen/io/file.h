@@ -1,4 +1,5 @@
-// Files: whole-file reads with a size limit, atomic writes (beside, then renamed), folders made whole or not at all.
+// Files: whole-file reads with a size limit, atomic writes (beside, then renamed), folders made
+// whole or not at all.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -11,12 +12,15 @@
 namespace marketgen {
 
 // The file's bytes. Errors: input.not_found, input.too_large, io.cannot_read.
-Result<std::string> read_file(const std::filesystem::path& path, std::uint64_t max_bytes = 256U << 20);
+Result<std::string> read_file(const std::filesystem::path& path,
+                              std::uint64_t max_bytes = 256U << 20);
 
-// Writes beside `path` and renames, so that a reader sees the old file or the new one, never half. Parent folders must exist.
+// Writes beside `path` and renames, so that a reader sees the old file or the new one, never half.
+// Parent folders must exist.
 Result<void> write_file(const std::filesystem::path& path, std::string_view bytes);
 
-// A folder under construction: files go to a hidden sibling, `commit` renames it to `path`; without commit it is removed.
+// A folder under construction: files go to a hidden sibling, `commit` renames it to `path`; without
+// commit it is removed.
 class FolderDraft {
  public:
   // Errors: store.exists when `path` exists and is not an empty folder; io.cannot_write.
@@ -47,12 +51,14 @@ class MappedFile {
   std::span<const std::byte> bytes_;
 };
 
-std::string sha256_hex(std::string_view bytes);                                        // FIPS 180-4, by OpenSSL
+std::string sha256_hex(std::string_view bytes);  // FIPS 180-4, by OpenSSL
 Result<std::string> sha256_of_file(const std::filesystem::path& path);
 
-// $MARKETGEN_CACHE, else $XDG_CACHE_HOME/marketgen, else ~/.cache/marketgen. Made on first write by those who use it.
+// $MARKETGEN_CACHE, else $XDG_CACHE_HOME/marketgen, else ~/.cache/marketgen. Made on first write by
+// those who use it.
 std::filesystem::path cache_folder();
-// Where the data rows are: $MARKETGEN_DATA, beside the program, the installation, or the source tree. Error: catalog.missing_data.
+// Where the data rows are: $MARKETGEN_DATA, beside the program, the installation, or the source
+// tree. Error: catalog.missing_data.
 Result<std::filesystem::path> data_folder();
 
 }  // namespace marketgen

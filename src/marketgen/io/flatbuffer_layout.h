@@ -2,9 +2,8 @@
 //
 //   scalar, enum (int32)          inline in a table or struct
 //   plain struct                  FlatBuffers struct, inline
-//   fixed array                   in a struct: array; anywhere else: a generated struct such as int32x3
-//   string, vector, other struct  offset to string, vector, table
-//   optional                      an absent field
+//   fixed array                   in a struct: array; anywhere else: a generated struct such as
+//   int32x3 string, vector, other struct  offset to string, vector, table optional an absent field
 #pragma once
 #include <string>
 
@@ -21,7 +20,8 @@ inline std::size_t alignment_of(const TypeInfo& type) {
   if (type.kind == TypeKind::array) return alignment_of(type.element());
   if (type.kind != TypeKind::object) return type.size;
   std::size_t alignment = 1;
-  for (const FieldInfo& f : type.fields) alignment = std::max(alignment, alignment_of(f.type()));
+  for (const FieldInfo& f : type.fields)
+    alignment = std::max(alignment, alignment_of(f.type()));
   return alignment;
 }
 

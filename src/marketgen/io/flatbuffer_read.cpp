@@ -34,7 +34,11 @@ class Decoder {
 
  private:
   Error corrupt(const std::string& path) const {
-    return {"scene.corrupt", source_, fmt::format("fails verification at \"{}\"; restore the file or generate the store again", path)};
+    return {
+        "scene.corrupt",
+        source_,
+        fmt::format("fails verification at \"{}\"; restore the file or generate the store again",
+                    path)};
   }
 
   // False when the file would unfold into far more memory than its size explains (shared offsets).
@@ -44,40 +48,55 @@ class Decoder {
     return true;
   }
 
-  Result<void> read_table(const TypeInfo& type, const std::uint8_t* at, void* object, const std::string& path) {
+  Result<void> read_table(const TypeInfo& type,
+                          const std::uint8_t* at,
+                          void* object,
+                          const std::string& path) {
     if (!spend(type.size) || !verifier_.VerifyTableStart(at)) return corrupt(path);
     const auto* table = reinterpret_cast<const flatbuffers::Table*>(at);
     for (std::size_t i = 0; i < type.fields.size(); ++i) {
       const FieldInfo& f = type.fields[i];
-      const voffset_t offset = table->GetOptionalFieldOffset(flatbuffers::FieldIndexToOffset(static_cast<voffset_t>(i)));
+      const voffset_t offset =
+          table->GetOptionalFieldOffset(flatbuffers::FieldIndexToOffset(static_cast<voffset_t>(i)));
       const std::string field_path = path + "/" + std::string(f.name);
       if (offset == 0) {
         if (f.type().kind != TypeKind::optional) return corrupt(field_path);
         f.type().resize(f.in(object), 0);
         continue;
       }
-      MARKETGEN_CHECK(read_field(f.type(), at, offset, f.in(object), field_path));
+      MARKETGEN_CHECK(read_field(f.type(), f.rules, at, offset, f.in(object), field_path));
     }
     return verifier_.EndTable() ? Result<void>() : Result<void>(corrupt(path));
   }
 
-  Result<void> read_field(const TypeInfo& type, const std::uint8_t* table, voffset_t offset, void* out, const std::string& path) {
+  Result<void> read_field(const TypeInfo& type,
+                          const FieldRules& rules,
+                          const std::uint8_t* table,
+                          voffset_t offset,
+                          void* out,
+                          const std::string& path) {
     if (type.kind == TypeKind::optional) {
       type.resize(out, 1);
-      return read_field(type.element(), table, offset, type.at(out, 0), path);
+      return read_field(type.element(), rules, table, offset, type.at(out, 0), path);
     }
     if (flat::is_inline(type)) {
-      if (!verifier_.Verify(static_cast<std::size_t>(table + offset - start_), type.size)) return corrupt(path);
-      return read_plain(type, table + offset, out, path);
+      if (!verifier_.Verify(static_cast<std::size_t>(table + offset - start_), type.size))
+        return corrupt(path);
+      return read_plain(type, rules, table + offset, out, path);
     }
     const uoffset_t step = verifier_.VerifyOffset(table, offset);
     if (step == 0) return corrupt(path);
-    return read_outlined(type, table + offset + step, out, path);
+    return read_outlined(type, rules, table + offset + step, out, path);
   }
 
-  Result<void> read_outlined(const TypeInfo& type, const std::uint8_t* at, void* out, const std::string& path) {
-    if (type.kind == TypeKind::string) return read_string(at, *static_cast<std::string*>(out), path);
-    if (type.kind == TypeKind::array) return read_vector(type, at, out, path);
+  Result<void> read_outlined(const TypeInfo& type,
+                             const FieldRules& rules,
+                             const std::uint8_t* at,
+                             void* out,
+                             const std::string& path) {
+    if (type.kind == TypeKind::string)
+      return read_string(at, *static_cast<std::string*>(out), path);
+    if (type.kind == TypeKind::array) return read_vector(type, rules, at, out, path);
     return read_table(type, at, out, path);
   }
 
@@ -88,36 +107,48 @@ class Decoder {
     return is_utf8(out) ? Result<void>() : Result<void>(corrupt(path));
   }
 
-  Result<void> read_vector(const TypeInfo& type, const std::uint8_t* at, void* out, const std::string& path) {
+  Result<void> read_vector(const TypeInfo& type,
+                           const FieldRules& rules,
+                           const std::uint8_t* at,
+                           void* out,
+                           const std::string& path) {
     const TypeInfo& element = type.element();
     const bool inline_rows = flat::is_inline(element);
-    if (!verifier_.VerifyVectorOrString(at, inline_rows ? element.size : sizeof(uoffset_t))) return corrupt(path);
+    if (!verifier_.VerifyVectorOrString(at, inline_rows ? element.size : sizeof(uoffset_t)))
+      return corrupt(path);
     const std::size_t count = flatbuffers::ReadScalar<uoffset_t>(at);
     if (!spend(count * element.size)) return corrupt(path);
     type.resize(out, count);
     const std::uint8_t* rows = at + sizeof(uoffset_t);
     for (std::size_t i = 0; i < count; ++i) {
       if (inline_rows) {
-        MARKETGEN_CHECK(read_plain(element, rows + i * element.size, type.at(out, i), path));
+        MARKETGEN_CHECK(read_plain(element, rules, rows + i * element.size, type.at(out, i), path));
         continue;
       }
       const std::uint8_t* slot = rows + i * sizeof(uoffset_t);
       const uoffset_t step = verifier_.VerifyOffset(static_cast<std::size_t>(slot - start_));
       if (step == 0) return corrupt(path);
-      MARKETGEN_CHECK(read_outlined(element, slot + step, type.at(out, i), path));
+      MARKETGEN_CHECK(read_outlined(element, rules, slot + step, type.at(out, i), path));
     }
     return {};
   }
 
-  // Numbers must be finite, enum values known, booleans 0 or 1: anything else is memory that a writer of ours never made.
-  Result<void> read_plain(const TypeInfo& type, const std::uint8_t* at, void* out, const std::string& path) {
+  // Numbers must be finite and within their field's limits, enum values known, booleans 0 or 1:
+  // anything else is memory that a writer of ours never made.
+  Result<void> read_plain(const TypeInfo& type,
+                          const FieldRules& rules,
+                          const std::uint8_t* at,
+                          void* out,
+                          const std::string& path) {
     switch (type.kind) {
       case TypeKind::object:
-        for (const FieldInfo& f : type.fields) MARKETGEN_CHECK(read_plain(f.type(), at + f.offset, f.in(out), path));
+        for (const FieldInfo& f : type.fields)
+          MARKETGEN_CHECK(read_plain(f.type(), f.rules, at + f.offset, f.in(out), path));
         return {};
       case TypeKind::array:
         for (std::size_t i = 0; i < type.fixed_count; ++i) {
-          MARKETGEN_CHECK(read_plain(type.element(), at + i * type.element().size, type.at(out, i), path));
+          MARKETGEN_CHECK(read_plain(
+              type.element(), rules, at + i * type.element().size, type.at(out, i), path));
         }
         return {};
       case TypeKind::boolean:
@@ -129,10 +160,18 @@ class Decoder {
         if (value < 0 || static_cast<std::size_t>(value) >= type.names.size()) return corrupt(path);
         break;
       }
-      default: break;
+      default:
+        break;
     }
     std::memcpy(out, at, type.size);
-    if (type.kind == TypeKind::number && !std::isfinite(type.get_number(out))) return corrupt(path);
+    if (type.kind == TypeKind::number) {
+      const double value = type.get_number(out);
+      if (!std::isfinite(value) || value < rules.min || value > rules.max) return corrupt(path);
+    }
+    if (type.kind == TypeKind::integer) {
+      const auto value = static_cast<double>(type.get_integer(out));
+      if (value < rules.min || value > rules.max) return corrupt(path);
+    }
     return {};
   }
 
@@ -142,31 +181,49 @@ class Decoder {
   std::size_t budget_;
 };
 
-Result<void> check_header(std::span<const std::byte> bytes, const std::string& source, std::string_view identifier) {
+Result<void> check_header(std::span<const std::byte> bytes,
+                          const std::string& source,
+                          std::string_view identifier) {
   constexpr std::size_t header_bytes = prefix_bytes + sizeof(uoffset_t) + 4;
   if (bytes.size() < header_bytes) {
-    return Error{"scene.truncated", source, fmt::format("{} bytes are too few for a header; restore the file or generate the store again", bytes.size())};
+    return Error{
+        "scene.truncated",
+        source,
+        fmt::format(
+            "{} bytes are too few for a header; restore the file or generate the store again",
+            bytes.size())};
   }
-  const std::string_view found(reinterpret_cast<const char*>(bytes.data()) + prefix_bytes + sizeof(uoffset_t), 4);
+  const std::string_view found(
+      reinterpret_cast<const char*>(bytes.data()) + prefix_bytes + sizeof(uoffset_t), 4);
   if (found != identifier) {
     const bool other_version = found.substr(0, 3) == identifier.substr(0, 3);
-    return other_version ? Error{"scene.wrong_version", source, fmt::format("has format {}; this program reads {}", found, identifier)}
-                         : Error{"scene.corrupt", source, fmt::format("is not such a file: \"{}\" is missing at byte 8", identifier)};
+    return other_version
+               ? Error{"scene.wrong_version",
+                       source,
+                       fmt::format("has format {}; this program reads {}", found, identifier)}
+               : Error{"scene.corrupt",
+                       source,
+                       fmt::format("is not such a file: \"{}\" is missing at byte 8", identifier)};
   }
   uoffset_t size = 0;
   std::memcpy(&size, bytes.data(), sizeof size);
   const std::size_t whole = std::size_t{size} + prefix_bytes;
   if (whole == bytes.size()) return {};
   const bool short_file = bytes.size() < whole;
-  return Error{short_file ? "scene.truncated" : "scene.corrupt", source,
+  return Error{short_file ? "scene.truncated" : "scene.corrupt",
+               source,
                fmt::format("{} bytes, header says {}; restore the file or generate the store again",
-                           with_thousands(static_cast<std::int64_t>(bytes.size())), with_thousands(static_cast<std::int64_t>(whole)))};
+                           with_thousands(static_cast<std::int64_t>(bytes.size())),
+                           with_thousands(static_cast<std::int64_t>(whole)))};
 }
 
 }  // namespace
 
-Result<void> read_flatbuffer_into(std::span<const std::byte> bytes, const std::string& source,
-                                  std::string_view file_identifier, const TypeInfo& type, void* object) {
+Result<void> read_flatbuffer_into(std::span<const std::byte> bytes,
+                                  const std::string& source,
+                                  std::string_view file_identifier,
+                                  const TypeInfo& type,
+                                  void* object) {
   MARKETGEN_CHECK(check_header(bytes, source, file_identifier));
   return Decoder(bytes, source).decode(type, object);
 }

@@ -10,10 +10,14 @@ namespace flat {
 
 std::string scalar_name(const TypeInfo& type) {
   switch (type.kind) {
-    case TypeKind::boolean: return "bool";
-    case TypeKind::number: return type.size == sizeof(float) ? "float32" : "float64";
-    case TypeKind::integer: return fmt::format("{}int{}", type.is_signed ? "" : "u", type.size * 8);
-    default: return type.name;  // enumerations and structs
+    case TypeKind::boolean:
+      return "bool";
+    case TypeKind::number:
+      return type.size == sizeof(float) ? "float32" : "float64";
+    case TypeKind::integer:
+      return fmt::format("{}int{}", type.is_signed ? "" : "u", type.size * 8);
+    default:
+      return type.name;  // enumerations and structs
   }
 }
 
@@ -34,14 +38,17 @@ class SchemaWriter {
         define(type.element(), in_struct);
         if (type.fixed_count != 0 && !in_struct) define_array_struct(type);
         return;
-      case TypeKind::optional: define(type.element(), in_struct); return;
+      case TypeKind::optional:
+        define(type.element(), in_struct);
+        return;
       case TypeKind::enumeration:
         if (seen_.insert(type.name).second) define_enum(type);
         return;
       case TypeKind::object:
         if (seen_.insert(type.name).second) define_object(type);
         return;
-      default: return;
+      default:
+        return;
     }
   }
 
@@ -51,7 +58,10 @@ class SchemaWriter {
   void define_array_struct(const TypeInfo& array) {
     const std::string name = flat::array_struct_name(array);
     if (!seen_.insert(name).second) return;
-    text_ += fmt::format("struct {} {{\n  values: [{}:{}];\n}}\n\n", name, flat::scalar_name(array.element()), array.fixed_count);
+    text_ += fmt::format("struct {} {{\n  values: [{}:{}];\n}}\n\n",
+                         name,
+                         flat::scalar_name(array.element()),
+                         array.fixed_count);
   }
 
   void define_enum(const TypeInfo& type) {
@@ -67,7 +77,8 @@ class SchemaWriter {
   }
 
   void define_object(const TypeInfo& type) {
-    for (const FieldInfo& f : type.fields) define(f.type(), type.plain);
+    for (const FieldInfo& f : type.fields)
+      define(f.type(), type.plain);
     text_ += fmt::format("{} {} {{\n", type.plain ? "struct" : "table", type.name);
     for (const FieldInfo& f : type.fields) {
       text_ += fmt::format("  {}: {};  // {}\n", f.name, field_type(f.type(), type.plain), f.doc);
@@ -77,16 +88,21 @@ class SchemaWriter {
 
   static std::string field_type(const TypeInfo& type, bool in_struct) {
     switch (type.kind) {
-      case TypeKind::string: return "string";
+      case TypeKind::string:
+        return "string";
       case TypeKind::optional: {
         const TypeInfo& inner = type.element();
-        const bool scalar = flat::is_inline(inner) && inner.kind != TypeKind::object && inner.kind != TypeKind::array;
+        const bool scalar = flat::is_inline(inner) && inner.kind != TypeKind::object &&
+                            inner.kind != TypeKind::array;
         return field_type(inner, in_struct) + (scalar ? " = null" : "");
       }
       case TypeKind::array:
         if (type.fixed_count == 0) return fmt::format("[{}]", field_type(type.element(), false));
-        return in_struct ? fmt::format("[{}:{}]", flat::scalar_name(type.element()), type.fixed_count) : flat::array_struct_name(type);
-      default: return flat::scalar_name(type);
+        return in_struct
+                   ? fmt::format("[{}:{}]", flat::scalar_name(type.element()), type.fixed_count)
+                   : flat::array_struct_name(type);
+      default:
+        return flat::scalar_name(type);
     }
   }
 
@@ -103,7 +119,9 @@ std::string flatbuffer_schema_of(const TypeInfo& type, std::string_view file_ide
       "// Written from the field lists of the C++ structs by `marketgen schemas`; do not edit.\n"
       "// The file is size-prefixed: flatc --json --size-prefixed --raw-binary <this> -- <file>\n"
       "namespace marketgen.fbs;\n\n{}root_type {};\nfile_identifier \"{}\";\n",
-      writer.take(), type.name, file_identifier);
+      writer.take(),
+      type.name,
+      file_identifier);
 }
 
 }  // namespace marketgen

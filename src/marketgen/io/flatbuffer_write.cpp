@@ -12,15 +12,19 @@ namespace {
 using flatbuffers::uoffset_t;
 using flatbuffers::voffset_t;
 
-voffset_t slot_of(std::size_t field) { return static_cast<voffset_t>(flatbuffers::FieldIndexToOffset(static_cast<voffset_t>(field))); }
+voffset_t slot_of(std::size_t field) {
+  return static_cast<voffset_t>(flatbuffers::FieldIndexToOffset(static_cast<voffset_t>(field)));
+}
 
 // Copies member by member, so that padding bytes stay zero whatever was in memory.
 void copy_plain(const TypeInfo& type, const void* from, std::byte* to) {
   if (type.kind == TypeKind::object) {
-    for (const FieldInfo& f : type.fields) copy_plain(f.type(), f.in(from), to + f.offset);
+    for (const FieldInfo& f : type.fields)
+      copy_plain(f.type(), f.in(from), to + f.offset);
   } else if (type.kind == TypeKind::array) {
     const TypeInfo& element = type.element();
-    for (std::size_t i = 0; i < type.fixed_count; ++i) copy_plain(element, type.at_const(from, i), to + i * element.size);
+    for (std::size_t i = 0; i < type.fixed_count; ++i)
+      copy_plain(element, type.at_const(from, i), to + i * element.size);
   } else {
     std::memcpy(to, from, type.size);
   }
@@ -31,13 +35,15 @@ class Encoder {
   std::string encode(const TypeInfo& type, const void* object, std::string_view file_identifier) {
     builder_.ForceDefaults(true);
     const uoffset_t root = add_table(type, object);
-    builder_.FinishSizePrefixed(flatbuffers::Offset<flatbuffers::Table>(root), std::string(file_identifier).c_str());
+    builder_.FinishSizePrefixed(flatbuffers::Offset<flatbuffers::Table>(root),
+                                std::string(file_identifier).c_str());
     return {reinterpret_cast<const char*>(builder_.GetBufferPointer()), builder_.GetSize()};
   }
 
  private:
   uoffset_t add_outlined(const TypeInfo& type, const void* value) {
-    if (type.kind == TypeKind::string) return builder_.CreateString(*static_cast<const std::string*>(value)).o;
+    if (type.kind == TypeKind::string)
+      return builder_.CreateString(*static_cast<const std::string*>(value)).o;
     if (type.kind == TypeKind::array) return add_vector(type, value);
     return add_table(type, value);
   }
@@ -47,22 +53,24 @@ class Encoder {
     const std::size_t count = type.count(value);
     if (flat::is_inline(element)) {
       std::vector<std::byte> rows(count * element.size);
-      for (std::size_t i = 0; i < count; ++i) copy_plain(element, type.at_const(value, i), rows.data() + i * element.size);
+      for (std::size_t i = 0; i < count; ++i)
+        copy_plain(element, type.at_const(value, i), rows.data() + i * element.size);
       builder_.ForceVectorAlignment(count, element.size, flat::alignment_of(element));
       builder_.StartVector(count, element.size);
       builder_.PushBytes(reinterpret_cast<const std::uint8_t*>(rows.data()), rows.size());
       return builder_.EndVector(count);
     }
     std::vector<flatbuffers::Offset<void>> offsets;
-    for (std::size_t i = 0; i < count; ++i) offsets.emplace_back(add_outlined(element, type.at_const(value, i)));
+    for (std::size_t i = 0; i < count; ++i)
+      offsets.emplace_back(add_outlined(element, type.at_const(value, i)));
     return builder_.CreateVector(offsets).o;
   }
 
   uoffset_t add_table(const TypeInfo& type, const void* object) {
     struct Slot {
-      const TypeInfo* type;   // null: absent
+      const TypeInfo* type;  // null: absent
       const void* value;
-      uoffset_t offset;       // of what is stored elsewhere
+      uoffset_t offset;  // of what is stored elsewhere
     };
     std::vector<Slot> slots;
     for (const FieldInfo& f : type.fields) {
@@ -79,8 +87,10 @@ class Encoder {
     const uoffset_t start = builder_.StartTable();
     for (std::size_t i = 0; i < slots.size(); ++i) {
       if (slots[i].type == nullptr) continue;
-      if (slots[i].offset != 0) builder_.AddOffset(slot_of(i), flatbuffers::Offset<void>(slots[i].offset));
-      else add_inline(slot_of(i), *slots[i].type, slots[i].value);
+      if (slots[i].offset != 0)
+        builder_.AddOffset(slot_of(i), flatbuffers::Offset<void>(slots[i].offset));
+      else
+        add_inline(slot_of(i), *slots[i].type, slots[i].value);
     }
     return builder_.EndTable(start);
   }
@@ -98,7 +108,9 @@ class Encoder {
 
 }  // namespace
 
-std::string write_flatbuffer_of(const TypeInfo& type, const void* object, std::string_view file_identifier) {
+std::string write_flatbuffer_of(const TypeInfo& type,
+                                const void* object,
+                                std::string_view file_identifier) {
   return Encoder().encode(type, object, file_identifier);
 }
 

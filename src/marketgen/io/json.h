@@ -1,9 +1,11 @@
-// JSON for every described struct: strict reading with nearest-name hints, stable writing, schema and docs.
+// JSON for every described struct: strict reading with nearest-name hints, stable writing, schema
+// and docs.
 //
-// Reading is strict: unknown, duplicate and missing fields, wrong types, values outside their limits and texts that are not
-// UTF-8 are errors. Error.where is "<source>:<JSON pointer>". Nothing is coerced. A null is read as "absent" for an optional.
-// Writing is canonical: fields in list order, two-space indent, short arrays and objects on one line, numbers in their
-// shortest round-trip form, absent optionals left out. Reading back gives an equal value.
+// Reading is strict: unknown, duplicate and missing fields, wrong types, values outside their
+// limits and texts that are not UTF-8 are errors. Error.where is "<source>:<JSON pointer>". Nothing
+// is coerced. A null is read as "absent" for an optional. Writing is canonical: fields in list
+// order, two-space indent, short arrays and objects on one line, numbers in their shortest
+// round-trip form, absent optionals left out. Reading back gives an equal value.
 #pragma once
 #include <string>
 #include <string_view>
@@ -13,11 +15,15 @@
 
 namespace marketgen {
 
-Result<void> read_json_into(std::string_view text, const std::string& source, const TypeInfo& type, void* object);
+Result<void> read_json_into(std::string_view text,
+                            const std::string& source,
+                            const TypeInfo& type,
+                            void* object);
 std::string write_json_of(const TypeInfo& type, const void* object);
 std::string write_json_line_of(const TypeInfo& type, const void* object);  // no line breaks
 
-// Draft 2020-12 schema of a described type, with `$id`, docs as descriptions, limits and additionalProperties: false.
+// Draft 2020-12 schema of a described type, with `$id`, docs as descriptions, limits and
+// additionalProperties: false.
 std::string json_schema_of(const TypeInfo& type, std::string_view id, std::string_view title);
 // A Markdown table per struct reachable from the type: field, type, default, limits, meaning.
 std::string markdown_of(const TypeInfo& type);
@@ -25,7 +31,8 @@ std::string markdown_of(const TypeInfo& type);
 template <class T>
 Result<T> read_json(std::string_view text, const std::string& source) {
   T value{};
-  if (auto read = read_json_into(text, source, type_of<T>(), &value); !read.ok()) return read.error();
+  if (auto read = read_json_into(text, source, type_of<T>(), &value); !read.ok())
+    return read.error();
   return value;
 }
 template <class T>

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <set>
 #include <vector>
 
 #include <fmt/format.h>
@@ -23,15 +24,19 @@ class Place {
     Place next = *this;
     next.pointer_ += '/';
     for (const char c : key) {  // RFC 6901
-      if (c == '~') next.pointer_ += "~0";
-      else if (c == '/') next.pointer_ += "~1";
-      else next.pointer_ += c;
+      if (c == '~')
+        next.pointer_ += "~0";
+      else if (c == '/')
+        next.pointer_ += "~1";
+      else
+        next.pointer_ += c;
     }
     return next;
   }
   Place child(std::size_t index) const { return child(std::to_string(index)); }
   Error error(std::string code, std::string message) const {
-    return {std::move(code), source_ + ":" + (pointer_.empty() ? "/" : pointer_), std::move(message)};
+    return {
+        std::move(code), source_ + ":" + (pointer_.empty() ? "/" : pointer_), std::move(message)};
   }
 
  private:
@@ -46,32 +51,46 @@ std::string shown(const Json& value) {
 }
 
 Error wrong_type(const Place& place, std::string_view wanted, const Json& value) {
-  return place.error("json.wrong_type", fmt::format("expected {}, found {} {}", wanted, value.type_name(), shown(value)));
+  return place.error(
+      "json.wrong_type",
+      fmt::format("expected {}, found {} {}", wanted, value.type_name(), shown(value)));
 }
 
-Result<void> read_value(const Json& json, const Place& place, const TypeInfo& type, const FieldRules& rules, void* out);
+Result<void> read_value(
+    const Json& json, const Place& place, const TypeInfo& type, const FieldRules& rules, void* out);
 
 Result<void> check_range(double value, const Place& place, const FieldRules& rules) {
   if (value >= rules.min && value <= rules.max) return {};
-  if (std::isinf(rules.max)) return place.error("json.out_of_range", fmt::format("{} is less than {}", value, rules.min));
-  if (std::isinf(rules.min)) return place.error("json.out_of_range", fmt::format("{} is more than {}", value, rules.max));
-  return place.error("json.out_of_range", fmt::format("{} is outside {} to {}", value, rules.min, rules.max));
+  if (std::isinf(rules.max))
+    return place.error("json.out_of_range", fmt::format("{} is less than {}", value, rules.min));
+  if (std::isinf(rules.min))
+    return place.error("json.out_of_range", fmt::format("{} is more than {}", value, rules.max));
+  return place.error("json.out_of_range",
+                     fmt::format("{} is outside {} to {}", value, rules.min, rules.max));
 }
 
 Result<void> check_width(const Json& json, const Place& place, const TypeInfo& type) {
   const int bits = static_cast<int>(type.size) * 8 - (type.is_signed ? 1 : 0);
-  const bool fits = json.is_number_unsigned() ? bits >= 64 || json.get<std::uint64_t>() <= (~0ULL >> (64 - bits))
-                                              : type.is_signed && (bits == 63 || (json.get<std::int64_t>() >> bits) == -1);
+  const bool fits =
+      json.is_number_unsigned()
+          ? bits >= 64 || json.get<std::uint64_t>() <= (~0ULL >> (64 - bits))
+          : type.is_signed && (bits == 63 || (json.get<std::int64_t>() >> bits) == -1);
   if (fits) return {};
-  return place.error("json.out_of_range", fmt::format("{} does not fit into {} bits", shown(json), type.size * 8));
+  return place.error("json.out_of_range",
+                     fmt::format("{} does not fit into {} bits", shown(json), type.size * 8));
 }
 
-Result<void> read_integer(const Json& json, const Place& place, const TypeInfo& type, const FieldRules& rules, void* out) {
+Result<void> read_integer(const Json& json,
+                          const Place& place,
+                          const TypeInfo& type,
+                          const FieldRules& rules,
+                          void* out) {
   if (!json.is_number_integer()) return wrong_type(place, "a whole number", json);
   MARKETGEN_CHECK(check_width(json, place, type));
   MARKETGEN_CHECK(check_range(json.get<double>(), place, rules));
-  type.set_integer(out, json.is_number_unsigned() ? static_cast<std::int64_t>(json.get<std::uint64_t>())
-                                                  : json.get<std::int64_t>());
+  type.set_integer(out,
+                   json.is_number_unsigned() ? static_cast<std::int64_t>(json.get<std::uint64_t>())
+                                             : json.get<std::int64_t>());
   return {};
 }
 
@@ -79,32 +98,46 @@ bool is_identifier(std::string_view text) {
   const auto letter_or_digit = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
   };
-  if (text.empty() || !letter_or_digit(text[0]) || text.find("..") != std::string_view::npos) return false;
+  if (text.empty() || !letter_or_digit(text[0]) || text.find("..") != std::string_view::npos)
+    return false;
   for (const char c : text) {
     if (!letter_or_digit(c) && c != '_' && c != '-' && c != '.' && c != '/') return false;
   }
   return true;
 }
 
-Result<void> read_string(const Json& json, const Place& place, const FieldRules& rules, std::string& out) {
+Result<void> read_string(const Json& json,
+                         const Place& place,
+                         const FieldRules& rules,
+                         std::string& out) {
   if (!json.is_string()) return wrong_type(place, "a text", json);
   const auto& text = json.get_ref<const std::string&>();
   if (!rules.constant.empty() && text != rules.constant) {
-    return place.error("json.wrong_schema", fmt::format("expected \"{}\", found {}", rules.constant, shown(json)));
+    return place.error("json.wrong_schema",
+                       fmt::format("expected \"{}\", found {}", rules.constant, shown(json)));
   }
   if (text.size() > rules.max_length) {
-    return place.error("json.out_of_range", fmt::format("the text is {} bytes long; at most {} are allowed", text.size(), rules.max_length));
+    return place.error(
+        "json.out_of_range",
+        fmt::format(
+            "the text is {} bytes long; at most {} are allowed", text.size(), rules.max_length));
   }
   const bool may_be_empty = !rules.required;
   if (rules.identifier && !is_identifier(text) && !(text.empty() && may_be_empty)) {
-    return place.error("json.bad_identifier",
-                       fmt::format("{} is not an id: use letters, digits, '_', '-', '.' and '/', a letter or digit first", shown(json)));
+    return place.error(
+        "json.bad_identifier",
+        fmt::format(
+            "{} is not an id: use letters, digits, '_', '-', '.' and '/', a letter or digit first",
+            shown(json)));
   }
   out = text;
   return {};
 }
 
-Result<void> read_enumeration(const Json& json, const Place& place, const TypeInfo& type, void* out) {
+Result<void> read_enumeration(const Json& json,
+                              const Place& place,
+                              const TypeInfo& type,
+                              void* out) {
   if (!json.is_string()) return wrong_type(place, "a name", json);
   const auto& text = json.get_ref<const std::string&>();
   for (std::size_t i = 0; i < type.names.size(); ++i) {
@@ -113,23 +146,36 @@ Result<void> read_enumeration(const Json& json, const Place& place, const TypeIn
       return {};
     }
   }
-  return place.error("json.unknown_name", fmt::format("{} is not one of: {}{}", shown(json), fmt::join(type.names, ", "),
-                                                      did_you_mean(text, type.names)));
+  return place.error("json.unknown_name",
+                     fmt::format("{} is not one of: {}{}",
+                                 shown(json),
+                                 fmt::join(type.names, ", "),
+                                 did_you_mean(text, type.names)));
 }
 
-Result<void> read_array(const Json& json, const Place& place, const TypeInfo& type, const FieldRules& rules, void* out) {
+Result<void> read_array(const Json& json,
+                        const Place& place,
+                        const TypeInfo& type,
+                        const FieldRules& rules,
+                        void* out) {
   if (!json.is_array()) return wrong_type(place, "a list", json);
   if (type.fixed_count != 0 && json.size() != type.fixed_count) {
-    return place.error("json.wrong_type", fmt::format("expected a list of {}, found {}", type.fixed_count, json.size()));
+    return place.error(
+        "json.wrong_type",
+        fmt::format("expected a list of {}, found {}", type.fixed_count, json.size()));
   }
   if (json.size() > rules.max_items) {
-    return place.error("json.out_of_range", fmt::format("the list has {} entries; at most {} are allowed", json.size(), rules.max_items));
+    return place.error(
+        "json.out_of_range",
+        fmt::format(
+            "the list has {} entries; at most {} are allowed", json.size(), rules.max_items));
   }
   if (type.fixed_count == 0) type.resize(out, json.size());
   FieldRules element_rules = rules;
   element_rules.max_items = FieldRules{}.max_items;
   for (std::size_t i = 0; i < json.size(); ++i) {
-    MARKETGEN_CHECK(read_value(json[i], place.child(i), type.element(), element_rules, type.at(out, i)));
+    MARKETGEN_CHECK(
+        read_value(json[i], place.child(i), type.element(), element_rules, type.at(out, i)));
   }
   return {};
 }
@@ -143,11 +189,13 @@ const FieldInfo* find_field(const TypeInfo& type, std::string_view name) {
 
 Error unknown_field(const Place& place, const TypeInfo& type, const std::string& name) {
   std::vector<std::string_view> names;
-  for (const FieldInfo& f : type.fields) names.push_back(f.name);
+  for (const FieldInfo& f : type.fields)
+    names.push_back(f.name);
   const std::string hint = did_you_mean(name, names);
-  return place.child(name).error("json.unknown_field",
-                                 hint.empty() ? fmt::format("no such field; known are: {}", fmt::join(names, ", "))
-                                              : "no such field" + hint);
+  return place.child(name).error(
+      "json.unknown_field",
+      hint.empty() ? fmt::format("no such field; known are: {}", fmt::join(names, ", "))
+                   : "no such field" + hint);
 }
 
 Result<void> read_object(const Json& json, const Place& place, const TypeInfo& type, void* out) {
@@ -159,28 +207,38 @@ Result<void> read_object(const Json& json, const Place& place, const TypeInfo& t
   }
   for (const FieldInfo& f : type.fields) {
     if (f.rules.required && !json.contains(f.name)) {
-      return place.error("json.missing_field", fmt::format("field \"{}\" is missing ({})", f.name, f.doc));
+      return place.error("json.missing_field",
+                         fmt::format("field \"{}\" is missing ({})", f.name, f.doc));
     }
   }
   return {};
 }
 
-Result<void> read_value(const Json& json, const Place& place, const TypeInfo& type, const FieldRules& rules, void* out) {
+Result<void> read_value(const Json& json,
+                        const Place& place,
+                        const TypeInfo& type,
+                        const FieldRules& rules,
+                        void* out) {
   switch (type.kind) {
     case TypeKind::boolean:
       if (!json.is_boolean()) return wrong_type(place, "true or false", json);
       type.set_integer(out, json.get<bool>() ? 1 : 0);
       return {};
-    case TypeKind::integer: return read_integer(json, place, type, rules, out);
+    case TypeKind::integer:
+      return read_integer(json, place, type, rules, out);
     case TypeKind::number:
       if (!json.is_number()) return wrong_type(place, "a number", json);
       MARKETGEN_CHECK(check_range(json.get<double>(), place, rules));
       type.set_number(out, json.get<double>());
       return {};
-    case TypeKind::string: return read_string(json, place, rules, *static_cast<std::string*>(out));
-    case TypeKind::enumeration: return read_enumeration(json, place, type, out);
-    case TypeKind::object: return read_object(json, place, type, out);
-    case TypeKind::array: return read_array(json, place, type, rules, out);
+    case TypeKind::string:
+      return read_string(json, place, rules, *static_cast<std::string*>(out));
+    case TypeKind::enumeration:
+      return read_enumeration(json, place, type, out);
+    case TypeKind::object:
+      return read_object(json, place, type, out);
+    case TypeKind::array:
+      return read_array(json, place, type, rules, out);
     case TypeKind::optional:
       if (json.is_null()) {
         type.resize(out, 0);
@@ -192,9 +250,10 @@ Result<void> read_value(const Json& json, const Place& place, const TypeInfo& ty
   return {};
 }
 
-// Parses with limits on nesting and refuses duplicate keys, which nlohmann's reader would silently merge.
+// Parses with limits on nesting and refuses duplicate keys, which nlohmann's reader would silently
+// merge.
 Result<Json> parse(std::string_view text, const std::string& source) {
-  std::vector<std::vector<std::string>> keys;
+  std::vector<std::set<std::string>> keys;
   std::string duplicate;
   bool too_deep = false;
   const auto watch = [&](int depth, Json::parse_event_t event, Json& value) {
@@ -203,24 +262,28 @@ Result<Json> parse(std::string_view text, const std::string& source) {
     if (event == Json::parse_event_t::object_end) keys.pop_back();
     if (event == Json::parse_event_t::key) {
       const std::string& key = value.get_ref<const std::string&>();
-      for (const std::string& seen : keys.back()) {
-        if (seen == key && duplicate.empty()) duplicate = key;
-      }
-      keys.back().push_back(key);
+      if (!keys.back().insert(key).second && duplicate.empty()) duplicate = key;
     }
     return !too_deep;
   };
   try {
     Json json = Json::parse(text, watch, true, false);
-    if (too_deep) return Error{"json.too_deep", source, fmt::format("nested more than {} deep", max_nesting)};
-    if (!duplicate.empty()) return Error{"json.duplicate_key", source, fmt::format("key \"{}\" stands twice in one object", duplicate)};
+    if (too_deep)
+      return Error{"json.too_deep", source, fmt::format("nested more than {} deep", max_nesting)};
+    if (!duplicate.empty())
+      return Error{"json.duplicate_key",
+                   source,
+                   fmt::format("key \"{}\" stands twice in one object", duplicate)};
     return json;
   } catch (const Json::parse_error& e) {
     const std::size_t at = std::min<std::size_t>(e.byte == 0 ? 0 : e.byte - 1, text.size());
-    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+    const auto line =
+        1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
     const std::string what = e.what();
     const std::size_t colon = what.find(": ", what.find("parse error"));
-    return Error{"json.syntax", fmt::format("{}:{}", source, line), colon == std::string::npos ? what : what.substr(colon + 2)};
+    return Error{"json.syntax",
+                 fmt::format("{}:{}", source, line),
+                 colon == std::string::npos ? what : what.substr(colon + 2)};
   } catch (const Json::exception& e) {  // a number that does not fit, for instance
     return Error{"json.syntax", source, e.what()};
   }
@@ -228,8 +291,12 @@ Result<Json> parse(std::string_view text, const std::string& source) {
 
 }  // namespace
 
-Result<void> read_json_into(std::string_view text, const std::string& source, const TypeInfo& type, void* object) {
-  if (!is_utf8(text)) return Error{"input.not_utf8", source, "the text is not UTF-8; save it as UTF-8"};
+Result<void> read_json_into(std::string_view text,
+                            const std::string& source,
+                            const TypeInfo& type,
+                            void* object) {
+  if (!is_utf8(text))
+    return Error{"input.not_utf8", source, "the text is not UTF-8; save it as UTF-8"};
   MARKETGEN_TRY(const Json json, parse(text, source));
   return read_value(json, Place(source), type, {}, object);
 }

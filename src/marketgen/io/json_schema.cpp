@@ -23,7 +23,9 @@ class SchemaWriter {
   Json schema_of(const TypeInfo& type, const FieldRules& rules) {
     Json schema;
     switch (type.kind) {
-      case TypeKind::boolean: schema["type"] = "boolean"; break;
+      case TypeKind::boolean:
+        schema["type"] = "boolean";
+        break;
       case TypeKind::integer:
         schema["type"] = "integer";
         add_limits(schema, rules);
@@ -33,10 +35,18 @@ class SchemaWriter {
         schema["type"] = "number";
         add_limits(schema, rules);
         break;
-      case TypeKind::string: schema = string_schema(rules); break;
-      case TypeKind::enumeration: schema["enum"] = type.names; break;
-      case TypeKind::array: schema = array_schema(type, rules); break;
-      case TypeKind::optional: schema["anyOf"] = Json::array({schema_of(type.element(), rules), Json{{"type", "null"}}}); break;
+      case TypeKind::string:
+        schema = string_schema(rules);
+        break;
+      case TypeKind::enumeration:
+        schema["enum"] = type.names;
+        break;
+      case TypeKind::array:
+        schema = array_schema(type, rules);
+        break;
+      case TypeKind::optional:
+        schema["anyOf"] = Json::array({schema_of(type.element(), rules), Json{{"type", "null"}}});
+        break;
       case TypeKind::object:
         define(type);
         schema["$ref"] = "#/$defs/" + type.name;
@@ -67,7 +77,9 @@ class SchemaWriter {
   static Json string_schema(const FieldRules& rules) {
     Json schema{{"type", "string"}};
     if (!rules.constant.empty()) schema["const"] = rules.constant;
-    if (rules.identifier) schema["pattern"] = rules.required ? "^[A-Za-z0-9][A-Za-z0-9_./-]*$" : "^([A-Za-z0-9][A-Za-z0-9_./-]*)?$";
+    if (rules.identifier)
+      schema["pattern"] =
+          rules.required ? "^[A-Za-z0-9][A-Za-z0-9_./-]*$" : "^([A-Za-z0-9][A-Za-z0-9_./-]*)?$";
     schema["maxLength"] = rules.max_length;
     return schema;
   }
@@ -87,7 +99,8 @@ class SchemaWriter {
 
   static void add_default(Json& property, const FieldInfo& f, const TypeInfo& owner) {
     const TypeInfo& type = f.type();
-    if (f.rules.required || type.kind == TypeKind::object || type.kind == TypeKind::optional) return;
+    if (f.rules.required || type.kind == TypeKind::object || type.kind == TypeKind::optional)
+      return;
     property["default"] = Json::parse(write_json_line_of(type, f.in(owner.defaults)));
   }
 
@@ -104,51 +117,76 @@ class SchemaWriter {
 
 std::string type_text(const TypeInfo& type) {
   switch (type.kind) {
-    case TypeKind::boolean: return "true or false";
-    case TypeKind::integer: return "whole number";
-    case TypeKind::number: return "number";
-    case TypeKind::string: return "text";
-    case TypeKind::enumeration: return fmt::format("one of `{}`", fmt::join(type.names, "` `"));
-    case TypeKind::object: return fmt::format("[{}](#{})", type.name, type.name);
-    case TypeKind::optional: return type_text(type.element()) + ", may be absent";
+    case TypeKind::boolean:
+      return "true or false";
+    case TypeKind::integer:
+      return "whole number";
+    case TypeKind::number:
+      return "number";
+    case TypeKind::string:
+      return "text";
+    case TypeKind::enumeration:
+      return fmt::format("one of `{}`", fmt::join(type.names, "` `"));
+    case TypeKind::object:
+      return fmt::format("[{}](#{})", type.name, type.name);
+    case TypeKind::optional:
+      return type_text(type.element()) + ", may be absent";
     case TypeKind::array:
-      return type.fixed_count == 0 ? "list of " + type_text(type.element())
-                                   : fmt::format("{} x {}", type.fixed_count, type_text(type.element()));
+      return type.fixed_count == 0
+                 ? "list of " + type_text(type.element())
+                 : fmt::format("{} x {}", type.fixed_count, type_text(type.element()));
   }
   return {};
 }
 
 std::string limits_text(const FieldRules& rules) {
   std::string text;
-  if (std::isfinite(rules.min) && std::isfinite(rules.max)) text = fmt::format("{} to {}", rules.min, rules.max);
-  else if (std::isfinite(rules.min)) text = fmt::format("at least {}", rules.min);
-  else if (std::isfinite(rules.max)) text = fmt::format("at most {}", rules.max);
+  if (std::isfinite(rules.min) && std::isfinite(rules.max))
+    text = fmt::format("{} to {}", rules.min, rules.max);
+  else if (std::isfinite(rules.min))
+    text = fmt::format("at least {}", rules.min);
+  else if (std::isfinite(rules.max))
+    text = fmt::format("at most {}", rules.max);
   if (rules.required) text += text.empty() ? "required" : "; required";
   return text;
 }
 
 void append_markdown(std::string& out, const TypeInfo& type, std::set<std::string>& seen) {
-  if (type.kind == TypeKind::array || type.kind == TypeKind::optional) return append_markdown(out, type.element(), seen);
+  if (type.kind == TypeKind::array || type.kind == TypeKind::optional)
+    return append_markdown(out, type.element(), seen);
   if (type.kind != TypeKind::object || !seen.insert(type.name).second) return;
-  out += fmt::format("### {}\n\n| field | type | default | limits | meaning |\n|---|---|---|---|---|\n", type.name);
+  out += fmt::format(
+      "### {}\n\n| field | type | default | limits | meaning |\n|---|---|---|---|---|\n",
+      type.name);
   for (const FieldInfo& f : type.fields) {
     const TypeInfo& field_type = f.type();
-    const bool plain = field_type.kind != TypeKind::object && field_type.kind != TypeKind::optional && !f.rules.required;
-    const std::string fallback = plain ? "`" + write_json_line_of(field_type, f.in(type.defaults)) + "`" : "";
-    out += fmt::format("| `{}` | {} | {} | {} | {} |\n", f.name, type_text(field_type), fallback, limits_text(f.rules), f.doc);
+    const bool plain = field_type.kind != TypeKind::object &&
+                       field_type.kind != TypeKind::optional && !f.rules.required;
+    const std::string fallback =
+        plain ? "`" + write_json_line_of(field_type, f.in(type.defaults)) + "`" : "";
+    out += fmt::format("| `{}` | {} | {} | {} | {} |\n",
+                       f.name,
+                       type_text(field_type),
+                       fallback,
+                       limits_text(f.rules),
+                       f.doc);
   }
   out += "\n";
-  for (const FieldInfo& f : type.fields) append_markdown(out, f.type(), seen);
+  for (const FieldInfo& f : type.fields)
+    append_markdown(out, f.type(), seen);
 }
 
 }  // namespace
 
 std::string json_schema_of(const TypeInfo& type, std::string_view id, std::string_view title) {
   SchemaWriter writer;
-  Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"$id", id}, {"title", title}};
-  schema.update(type.kind == TypeKind::object ? writer.object_schema(type) : writer.schema_of(type, {}));
+  Json schema{
+      {"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"$id", id}, {"title", title}};
+  schema.update(type.kind == TypeKind::object ? writer.object_schema(type)
+                                              : writer.schema_of(type, {}));
   Json definitions = Json::object();
-  for (const auto& [name, definition] : writer.definitions()) definitions[name] = definition;
+  for (const auto& [name, definition] : writer.definitions())
+    definitions[name] = definition;
   if (!definitions.empty()) schema["$defs"] = std::move(definitions);
   return schema.dump(2) + "\n";
 }

@@ -13,11 +13,21 @@ void append_string(std::string& out, std::string_view text) {
   out += '"';
   for (const char c : text) {
     switch (c) {
-      case '"': out += "\\\""; break;
-      case '\\': out += "\\\\"; break;
-      case '\n': out += "\\n"; break;
-      case '\r': out += "\\r"; break;
-      case '\t': out += "\\t"; break;
+      case '"':
+        out += "\\\"";
+        break;
+      case '\\':
+        out += "\\\\";
+        break;
+      case '\n':
+        out += "\\n";
+        break;
+      case '\r':
+        out += "\\r";
+        break;
+      case '\t':
+        out += "\\t";
+        break;
       default:
         if (static_cast<unsigned char>(c) < 0x20) {
           out += "\\u00";
@@ -34,12 +44,15 @@ void append_string(std::string& out, std::string_view text) {
 void append_integer(std::string& out, const TypeInfo& type, const void* value) {
   char text[24];
   const std::int64_t number = type.get_integer(value);
-  const auto end = type.is_signed || number >= 0 ? std::to_chars(text, text + sizeof text, number).ptr
-                                                 : std::to_chars(text, text + sizeof text, static_cast<std::uint64_t>(number)).ptr;
+  const auto end =
+      type.is_signed || number >= 0
+          ? std::to_chars(text, text + sizeof text, number).ptr
+          : std::to_chars(text, text + sizeof text, static_cast<std::uint64_t>(number)).ptr;
   out.append(text, end);
 }
 
-// Shortest text that reads back as the same float or double; always with a point or exponent left out for whole numbers.
+// Shortest text that reads back as the same float or double; always with a point or exponent left
+// out for whole numbers.
 void append_number(std::string& out, const TypeInfo& type, const void* value) {
   const double number = type.get_number(value);
   if (!std::isfinite(number)) {  // JSON has no such number; readers see a missing one
@@ -67,17 +80,31 @@ class Writer {
   // Writes on one line when it fits, otherwise one entry a line.
   void append(std::string& out, const TypeInfo& type, const void* value, std::size_t indent) {
     switch (type.kind) {
-      case TypeKind::boolean: out += type.get_integer(value) != 0 ? "true" : "false"; return;
-      case TypeKind::integer: append_integer(out, type, value); return;
-      case TypeKind::number: append_number(out, type, value); return;
-      case TypeKind::string: append_string(out, *static_cast<const std::string*>(value)); return;
-      case TypeKind::enumeration: append_string(out, type.names[static_cast<std::size_t>(type.get_integer(value))]); return;
+      case TypeKind::boolean:
+        out += type.get_integer(value) != 0 ? "true" : "false";
+        return;
+      case TypeKind::integer:
+        append_integer(out, type, value);
+        return;
+      case TypeKind::number:
+        append_number(out, type, value);
+        return;
+      case TypeKind::string:
+        append_string(out, *static_cast<const std::string*>(value));
+        return;
+      case TypeKind::enumeration:
+        append_string(out, type.names[static_cast<std::size_t>(type.get_integer(value))]);
+        return;
       case TypeKind::optional:
-        if (type.count(value) == 0) out += "null";
-        else append(out, type.element(), type.at_const(value, 0), indent);
+        if (type.count(value) == 0)
+          out += "null";
+        else
+          append(out, type.element(), type.at_const(value, 0), indent);
         return;
       case TypeKind::array:
-      case TypeKind::object: append_group(out, type, value, indent); return;
+      case TypeKind::object:
+        append_group(out, type, value, indent);
+        return;
     }
   }
 
@@ -90,7 +117,12 @@ class Writer {
   }
 
   // False as soon as a line that should stay short does not.
-  bool append_entries(std::string& out, const TypeInfo& type, const void* value, std::size_t indent, bool flat, std::size_t start) {
+  bool append_entries(std::string& out,
+                      const TypeInfo& type,
+                      const void* value,
+                      std::size_t indent,
+                      bool flat,
+                      std::size_t start) {
     const bool object = type.kind == TypeKind::object;
     const std::size_t inner = indent + 2;
     bool first = true;
@@ -100,7 +132,9 @@ class Writer {
       if (!flat) out.append("\n").append(inner, ' ');
       first = false;
     };
-    const auto too_long = [&] { return flat && !one_line_ && out.size() - start + indent > line_width; };
+    const auto too_long = [&] {
+      return flat && !one_line_ && out.size() - start + indent > line_width;
+    };
     if (object) {
       for (const FieldInfo& f : type.fields) {
         const TypeInfo& field_type = f.type();
@@ -129,8 +163,12 @@ class Writer {
 
 }  // namespace
 
-std::string write_json_of(const TypeInfo& type, const void* object) { return Writer(false).text(type, object) + "\n"; }
+std::string write_json_of(const TypeInfo& type, const void* object) {
+  return Writer(false).text(type, object) + "\n";
+}
 
-std::string write_json_line_of(const TypeInfo& type, const void* object) { return Writer(true).text(type, object); }
+std::string write_json_line_of(const TypeInfo& type, const void* object) {
+  return Writer(true).text(type, object);
+}
 
 }  // namespace marketgen

@@ -19,7 +19,8 @@ struct Raster {
 };
 
 void append_bytes(png_structp png, png_bytep data, png_size_t length) {
-  static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(data), length);
+  static_cast<std::string*>(png_get_io_ptr(png))
+      ->append(reinterpret_cast<const char*>(data), length);
 }
 
 // libpng leaves by longjmp on errors: nothing with a destructor may live in this function.
@@ -32,13 +33,22 @@ bool encode(const Raster& raster, std::string* out) {
     return false;
   }
   png_set_write_fn(png, out, append_bytes, nullptr);
-  png_set_compression_level(png, 3);  // 4 % larger than level 6 on our pictures, three times as fast
+  png_set_compression_level(png,
+                            3);  // 4 % larger than level 6 on our pictures, three times as fast
   png_set_filter(png, 0, PNG_FILTER_SUB | PNG_FILTER_UP);
-  png_set_IHDR(png, info, static_cast<png_uint_32>(raster.width), static_cast<png_uint_32>(raster.height), raster.bit_depth,
-               raster.color_type, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_IHDR(png,
+               info,
+               static_cast<png_uint_32>(raster.width),
+               static_cast<png_uint_32>(raster.height),
+               raster.bit_depth,
+               raster.color_type,
+               PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT,
+               PNG_FILTER_TYPE_DEFAULT);
   png_write_info(png, info);
   for (int y = 0; y < raster.height; ++y) {
-    png_write_row(png, const_cast<png_bytep>(raster.pixels + static_cast<std::size_t>(y) * raster.row_bytes));
+    png_write_row(
+        png, const_cast<png_bytep>(raster.pixels + static_cast<std::size_t>(y) * raster.row_bytes));
   }
   png_write_end(png, info);
   png_destroy_write_struct(&png, &info);
@@ -48,8 +58,11 @@ bool encode(const Raster& raster, std::string* out) {
 }  // namespace
 
 Result<std::string> encode_png(const Image& image) {
-  const int type = image.channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : (image.channels == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY);
-  const auto row_bytes = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels);
+  const int type = image.channels == 4
+                       ? PNG_COLOR_TYPE_RGB_ALPHA
+                       : (image.channels == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY);
+  const auto row_bytes =
+      static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels);
   std::string bytes;
   if (!encode({image.width, image.height, 8, type, row_bytes, image.pixels.data()}, &bytes)) {
     return Error{"internal.bug", "png", "libpng refused the picture"};
@@ -62,14 +75,23 @@ Result<void> write_png(const std::filesystem::path& path, const Image& image) {
   return write_file(path, bytes);
 }
 
-Result<void> write_png16(const std::filesystem::path& path, int width, int height, const std::vector<std::uint16_t>& pixels) {
+Result<void> write_png16(const std::filesystem::path& path,
+                         int width,
+                         int height,
+                         const std::vector<std::uint16_t>& pixels) {
   std::vector<std::uint8_t> big_endian(pixels.size() * 2);
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     big_endian[2 * i] = static_cast<std::uint8_t>(pixels[i] >> 8);
     big_endian[2 * i + 1] = static_cast<std::uint8_t>(pixels[i] & 255);
   }
   std::string bytes;
-  if (!encode({width, height, 16, PNG_COLOR_TYPE_GRAY, static_cast<std::size_t>(width) * 2, big_endian.data()}, &bytes)) {
+  if (!encode({width,
+               height,
+               16,
+               PNG_COLOR_TYPE_GRAY,
+               static_cast<std::size_t>(width) * 2,
+               big_endian.data()},
+              &bytes)) {
     return Error{"internal.bug", "png", "libpng refused the picture"};
   }
   return write_file(path, bytes);
@@ -80,18 +102,24 @@ Result<Image> read_png(const std::filesystem::path& path) {
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
   if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) {
-    return Error{"image.bad_file", path.string(), fmt::format("is not a readable PNG file ({})", png.message)};
+    return Error{"image.bad_file",
+                 path.string(),
+                 fmt::format("is not a readable PNG file ({})", png.message)};
   }
   constexpr std::uint64_t most_pixels = 64'000'000;
   if (std::uint64_t{png.width} * png.height > most_pixels) {
     png_image_free(&png);
-    return Error{"input.too_large", path.string(), fmt::format("has {} x {} pixels; at most 64 megapixels are read", png.width, png.height)};
+    return Error{
+        "input.too_large",
+        path.string(),
+        fmt::format("has {} x {} pixels; at most 64 megapixels are read", png.width, png.height)};
   }
   const bool alpha = (png.format & PNG_FORMAT_FLAG_ALPHA) != 0;
   png.format = alpha ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
   Image image(static_cast<int>(png.width), static_cast<int>(png.height), alpha ? 4 : 3);
   if (png_image_finish_read(&png, nullptr, image.pixels.data(), 0, nullptr) == 0) {
-    const Error error{"image.bad_file", path.string(), fmt::format("is a damaged PNG file ({})", png.message)};
+    const Error error{
+        "image.bad_file", path.string(), fmt::format("is a damaged PNG file ({})", png.message)};
     png_image_free(&png);
     return error;
   }

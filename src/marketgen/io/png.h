@@ -12,7 +12,9 @@ namespace marketgen {
 Result<std::string> encode_png(const Image& image);
 Result<void> write_png(const std::filesystem::path& path, const Image& image);
 // One 16-bit grey value a pixel, row-major from the top left.
-Result<void> write_png16(const std::filesystem::path& path, int width, int height,
+Result<void> write_png16(const std::filesystem::path& path,
+                         int width,
+                         int height,
                          const std::vector<std::uint16_t>& pixels);
 // Errors: input.not_found, image.bad_file, input.too_large (more than 64 megapixels).
 Result<Image> read_png(const std::filesystem::path& path);

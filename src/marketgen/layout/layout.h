@@ -1,7 +1,9 @@
-// market-layout/1: the plan made concrete. Zones as polygons, every fixture module in its place, aisles, openings, violations.
+// market-layout/1: the plan made concrete. Zones as polygons, every fixture module in its place,
+// aisles, openings, violations.
 //
-// Store frame: x east, y north, origin at the south-west floor corner, whole millimetres. Yaw 0 means that the front of a
-// fixture faces south (-Y); 90 faces east, 180 north, 270 west. Modules that stand in one line share `run`.
+// Store frame: x east, y north, origin at the south-west floor corner, whole millimetres. Yaw 0
+// means that the front of a fixture faces south (-Y); 90 faces east, 180 north, 270 west. Modules
+// that stand in one line share `run`.
 #pragma once
 #include <optional>
 #include <string>
@@ -26,36 +28,41 @@ struct LayoutZone {
 
   static constexpr auto fields = field_list(
       field("id", &LayoutZone::id, "the plan's zone id", identifier()),
-      field("type", &LayoutZone::type, "zone type", required()), field("label", &LayoutZone::label, "sign over the zone"),
-      field("polygon_mm", &LayoutZone::polygon_mm, "floor it covers, counter-clockwise", required()),
+      field("type", &LayoutZone::type, "zone type", required()),
+      field("label", &LayoutZone::label, "sign over the zone"),
+      field(
+          "polygon_mm", &LayoutZone::polygon_mm, "floor it covers, counter-clockwise", required()),
       field("area_m2", &LayoutZone::area_m2, "floor area"));
 };
 
 // One module: a shelf section, a cabinet, a checkout lane.
 struct Fixture {
-  std::string id;                      // "dairy/run-2/module-3"
-  std::string run;                     // "dairy/run-2"
-  std::string kind;                    // catalogue fixture kind
-  std::string zone;                    // zone id
-  int x_mm = 0, y_mm = 0;              // centre of its footprint
-  int yaw_deg = 0;                     // 0, 90, 180, 270
-  int width_mm = 1250;                 // along its front
-  int depth_mm = 500;                  // front to back
+  std::string id;          // "dairy/run-2/module-3"
+  std::string run;         // "dairy/run-2"
+  std::string kind;        // catalogue fixture kind
+  std::string zone;        // zone id
+  int x_mm = 0, y_mm = 0;  // centre of its footprint
+  int yaw_deg = 0;         // 0, 90, 180, 270
+  int width_mm = 1250;     // along its front
+  int depth_mm = 500;      // front to back
   int height_mm = 1800;
-  int levels = 5;                      // stocked levels, base included
-  int base_mm = 150;                   // top of the lowest level
-  int spacing_mm = 350;                // between levels
-  int sides = 1;                       // 1, or 2 for double-sided
-  std::string endcap_of;               // the run whose end it closes; empty otherwise
-  bool run_start = false;              // has no neighbour on its left (seen from its front)
-  bool run_end = false;                // has none on its right
+  int levels = 5;          // stocked levels, base included
+  int base_mm = 150;       // top of the lowest level
+  int spacing_mm = 350;    // between levels
+  int sides = 1;           // 1, or 2 for double-sided
+  std::string endcap_of;   // the run whose end it closes; empty otherwise
+  bool run_start = false;  // has no neighbour on its left (seen from its front)
+  bool run_end = false;    // has none on its right
   std::string material = "metal-white";
   std::string color = "#f2f2f0";
 
   static constexpr auto fields = field_list(
-      field("id", &Fixture::id, "id", identifier()), field("run", &Fixture::run, "the line it stands in", required()),
-      field("kind", &Fixture::kind, "fixture kind", required()), field("zone", &Fixture::zone, "zone id", required()),
-      field("x_mm", &Fixture::x_mm, "centre, east"), field("y_mm", &Fixture::y_mm, "centre, north"),
+      field("id", &Fixture::id, "id", identifier()),
+      field("run", &Fixture::run, "the line it stands in", required()),
+      field("kind", &Fixture::kind, "fixture kind", required()),
+      field("zone", &Fixture::zone, "zone id", required()),
+      field("x_mm", &Fixture::x_mm, "centre, east"),
+      field("y_mm", &Fixture::y_mm, "centre, north"),
       field("yaw_deg", &Fixture::yaw_deg, "0 = front faces south, 90 = east", range(0, 270)),
       field("width_mm", &Fixture::width_mm, "along its front", range(100, 6000)),
       field("depth_mm", &Fixture::depth_mm, "front to back", range(100, 6000)),
@@ -75,72 +82,85 @@ struct Fixture {
 RectMm footprint_of(const Fixture& fixture);
 
 enum class AisleKind { main, secondary, cross, checkout };
-constexpr std::array<std::string_view, 4> names_of(AisleKind) { return {"main", "secondary", "cross", "checkout"}; }
+constexpr std::array<std::string_view, 4> names_of(AisleKind) {
+  return {"main", "secondary", "cross", "checkout"};
+}
 
 struct Aisle {
   std::string id;
   AisleKind kind = AisleKind::secondary;
   PolygonMm polygon_mm;
-  int width_mm = 0;                    // narrowest free width, open cooler doors counted
+  int width_mm = 0;  // narrowest free width, open cooler doors counted
 
-  static constexpr auto fields = field_list(
-      field("id", &Aisle::id, "id", identifier()), field("kind", &Aisle::kind, "its place in the traffic"),
-      field("polygon_mm", &Aisle::polygon_mm, "free floor it covers", required()),
-      field("width_mm", &Aisle::width_mm, "narrowest free width", range(0, 100000)));
+  static constexpr auto fields =
+      field_list(field("id", &Aisle::id, "id", identifier()),
+                 field("kind", &Aisle::kind, "its place in the traffic"),
+                 field("polygon_mm", &Aisle::polygon_mm, "free floor it covers", required()),
+                 field("width_mm", &Aisle::width_mm, "narrowest free width", range(0, 100000)));
 };
 
 enum class Severity { hard, soft };
-constexpr std::array<std::string_view, 2> names_of(Severity) { return {"hard", "soft"}; }
+constexpr std::array<std::string_view, 2> names_of(Severity) {
+  return {"hard", "soft"};
+}
 
 // One broken rule (also used by the scene's rules).
 struct Violation {
-  std::string code;                    // "AISLE_TOO_NARROW"
+  std::string code;  // "AISLE_TOO_NARROW"
   Severity severity = Severity::soft;
-  std::string where;                   // id of the aisle, fixture, zone or opening
+  std::string where;  // id of the aisle, fixture, zone or opening
   double value = 0, limit = 0;
   std::string message;
-  std::optional<PointMm> at_mm;        // for the picture
+  std::optional<PointMm> at_mm;  // for the picture
 
-  static constexpr auto fields = field_list(
-      field("code", &Violation::code, "rule", required()), field("severity", &Violation::severity, "hard or soft"),
-      field("where", &Violation::where, "what broke it"), field("value", &Violation::value, "measured"),
-      field("limit", &Violation::limit, "allowed"), field("message", &Violation::message, "for a person"),
-      field("at_mm", &Violation::at_mm, "place, for the picture", range(-1000, 500000)));
+  static constexpr auto fields =
+      field_list(field("code", &Violation::code, "rule", required()),
+                 field("severity", &Violation::severity, "hard or soft"),
+                 field("where", &Violation::where, "what broke it"),
+                 field("value", &Violation::value, "measured"),
+                 field("limit", &Violation::limit, "allowed"),
+                 field("message", &Violation::message, "for a person"),
+                 field("at_mm", &Violation::at_mm, "place, for the picture", range(-1000, 500000)));
 };
 
 struct Layout {
   std::string schema = "market-layout/1";
   std::string name;
   std::string profile;
-  Shell shell;                         // with outline_mm always set
+  Shell shell;  // with outline_mm always set
   Look look;
   std::vector<LayoutZone> zones;
-  std::vector<Fixture> fixtures;       // sorted by id
-  std::vector<Aisle> aisles;           // sorted by id
+  std::vector<Fixture> fixtures;  // sorted by id
+  std::vector<Aisle> aisles;      // sorted by id
   std::vector<Violation> violations;
 
   static constexpr auto fields = field_list(
       field("schema", &Layout::schema, "schema tag", constant("market-layout/1")),
-      field("name", &Layout::name, "the store's name"), field("profile", &Layout::profile, "kind of shop"),
-      field("shell", &Layout::shell, "the room", required()), field("look", &Layout::look, "materials and light"),
+      field("name", &Layout::name, "the store's name"),
+      field("profile", &Layout::profile, "kind of shop"),
+      field("shell", &Layout::shell, "the room", required()),
+      field("look", &Layout::look, "materials and light"),
       field("zones", &Layout::zones, "zones", required()),
       field("fixtures", &Layout::fixtures, "one row per module", required(), at_most_items(100000)),
       field("aisles", &Layout::aisles, "free strips between fixtures"),
       field("violations", &Layout::violations, "broken rules"));
 };
 
-// Every module, aisle and violation of the plan. Deterministic. Errors: layout.impossible when not one fixture fits.
+// Every module, aisle and violation of the plan. Deterministic. Errors: layout.impossible when not
+// one fixture fits.
 Result<Layout> make_layout(const Plan& plan, const Catalog& catalog, Seed seed);
 
-// A plan with its mendable faults mended (too narrow gaps, zones too small, checkout missing or far from the exit…), and what
-// was done. The result is a new plan whose changes carry provenance `repair`.
+// A plan with its mendable faults mended (too narrow gaps, zones too small, checkout missing or far
+// from the exit…), and what was done. The result is a new plan whose changes carry provenance
+// `repair`.
 struct Repaired {
   Plan plan;
-  std::vector<std::string> changes;    // one sentence each
+  std::vector<std::string> changes;  // one sentence each
 };
 Result<Repaired> repair_plan(const Plan& plan, const Catalog& catalog, Seed seed);
 
-// Evaluates every rule of layout_rules.inc. make_layout has already put the result into `violations`.
+// Evaluates every rule of layout_rules.inc. make_layout has already put the result into
+// `violations`.
 std::vector<Violation> check_layout(const Layout& layout, const Plan& plan, const Catalog& catalog);
 
 const Fixture* find_fixture(const Layout& layout, std::string_view id);

@@ -15,26 +15,34 @@ struct OccupancyGrid {
   int columns = 0, rows = 0;
   std::vector<std::uint8_t> blocked;
 
-  bool inside(int column, int row) const { return column >= 0 && row >= 0 && column < columns && row < rows; }
-  std::size_t index(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
+  bool inside(int column, int row) const {
+    return column >= 0 && row >= 0 && column < columns && row < rows;
   }
-  bool free(int column, int row) const { return inside(column, row) && blocked[index(column, row)] == 0; }
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(column);
+  }
+  bool free(int column, int row) const {
+    return inside(column, row) && blocked[index(column, row)] == 0;
+  }
   PointMm center(int column, int row) const {
     return {bounds.x0 + column * cell_mm + cell_mm / 2, bounds.y0 + row * cell_mm + cell_mm / 2};
   }
 };
 
-// Cells whose centre is nearer than `clearance_mm` to an obstacle, or outside `floor` shrunk by it, are blocked.
-// Euclidean distance to rectangles. Deterministic.
-OccupancyGrid make_occupancy(const PolygonMm& floor, const std::vector<RectMm>& obstacles, int clearance_mm,
+// Cells whose centre is nearer than `clearance_mm` to an obstacle, or outside `floor` shrunk by it,
+// are blocked. Euclidean distance to rectangles. Deterministic.
+OccupancyGrid make_occupancy(const PolygonMm& floor,
+                             const std::vector<RectMm>& obstacles,
+                             int clearance_mm,
                              int cell_mm = 50);
 
-// 4-connected components of the free cells: label per cell (0 = blocked, 1.. in scan order) and cells per label.
+// 4-connected components of the free cells: label per cell (0 = blocked, 1.. in scan order) and
+// cells per label.
 struct Components {
   std::vector<int> label;
-  std::vector<int> cells;      // cells[label]; cells[0] unused
-  int largest() const;         // label, 0 if there is none
+  std::vector<int> cells;  // cells[label]; cells[0] unused
+  int largest() const;     // label, 0 if there is none
 };
 Components find_components(const OccupancyGrid& grid);
 
@@ -48,8 +56,8 @@ struct GridPath {
 // Shortest 8-connected path by A*, then shortened by line of sight. Nothing when unreachable.
 std::optional<GridPath> shortest_path(const OccupancyGrid& grid, PointMm from, PointMm to);
 
-// Distance in mm from each free cell to the nearest blocked cell or border, by an exact Euclidean transform
-// (Felzenszwalb & Huttenlocher 2012).
+// Distance in mm from each free cell to the nearest blocked cell or border, by an exact Euclidean
+// transform (Felzenszwalb & Huttenlocher 2012).
 std::vector<float> clearance_field(const OccupancyGrid& grid);
 
 }  // namespace marketgen

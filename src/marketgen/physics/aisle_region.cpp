@@ -5,13 +5,17 @@
 namespace marketgen {
 namespace {
 
-constexpr double shelf_depth_m = 0.6;   // goods this far behind an aisle's edge still face it
+constexpr double shelf_depth_m = 0.6;  // goods this far behind an aisle's edge still face it
 
 using Region = std::array<double, 4>;
 
-Region grown(const Region& r, double by) { return {r[0] - by, r[1] - by, r[2] + by, r[3] + by}; }
+Region grown(const Region& r, double by) {
+  return {r[0] - by, r[1] - by, r[2] + by, r[3] + by};
+}
 
-Region region_of(const RectMm& rect) { return {rect.x0 * 1e-3, rect.y0 * 1e-3, rect.x1 * 1e-3, rect.y1 * 1e-3}; }
+Region region_of(const RectMm& rect) {
+  return {rect.x0 * 1e-3, rect.y0 * 1e-3, rect.x1 * 1e-3, rect.y1 * 1e-3};
+}
 
 std::int64_t products_in(const Scene& scene, const Region& r) {
   return std::ranges::count_if(scene.products, [&](const SceneProduct& item) {

@@ -56,7 +56,8 @@ Result<MujocoModel> compile(mjSpec& spec, const std::string& where) {
 Result<MujocoData> make_data(const mjModel& model, const std::string& where) {
   mjData* data = nullptr;
   MARKETGEN_CHECK(guarded(where, [&] { data = mj_makeData(&model); }));
-  if (data == nullptr) return Error{"physics.failed", where, "MuJoCo could not allocate the model's data"};
+  if (data == nullptr)
+    return Error{"physics.failed", where, "MuJoCo could not allocate the model's data"};
   return MujocoData(data, mj_deleteData);
 }
 

@@ -10,9 +10,10 @@
 
 namespace marketgen {
 
-// Runs `body` and returns physics.failed, with MuJoCo's message, if MuJoCo reports an error meanwhile. `body` is then left
-// by longjmp: while it calls MuJoCo it must hold no object with a destructor. Thread-safe; guards may nest.
-// mj_compile, mj_loadXML and mj_parseXMLString need no guard: they return null.
+// Runs `body` and returns physics.failed, with MuJoCo's message, if MuJoCo reports an error
+// meanwhile. `body` is then left by longjmp: while it calls MuJoCo it must hold no object with a
+// destructor. Thread-safe; guards may nest. mj_compile, mj_loadXML and mj_parseXMLString need no
+// guard: they return null.
 //
 // From the first call on, MuJoCo's warnings go to our debug log instead of a MUJOCO_LOG.TXT.
 Result<void> guarded(const std::string& where, const std::function<void()>& body);

@@ -9,9 +9,10 @@
 
 namespace marketgen {
 
-using ProductPair = std::pair<std::uint32_t, std::uint32_t>;   // rows of scene.products
+using ProductPair = std::pair<std::uint32_t, std::uint32_t>;  // rows of scene.products
 
 // Depth in metres for every pair, 0 when apart. Errors: physics.failed, assets.*.
-Result<std::vector<double>> penetration_depths(const Scene& scene, const std::vector<ProductPair>& pairs);
+Result<std::vector<double>> penetration_depths(const Scene& scene,
+                                               const std::vector<ProductPair>& pairs);
 
 }  // namespace marketgen

@@ -16,7 +16,9 @@ constexpr double still_margin_m = 3;     // goods and fixtures this near are in 
 constexpr double stable_drift_m = 0.05;  // STB: an item that moves less stands
 
 using Clock = std::chrono::steady_clock;
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 // Rows of the region's products, those nearest to its centre first; equally near ones by row.
 std::vector<std::uint32_t> products_in(const Scene& scene, const SettleOptions& options) {
@@ -29,41 +31,64 @@ std::vector<std::uint32_t> products_in(const Scene& scene, const SettleOptions& 
     found.emplace_back(dot(offset, offset), row);
   }
   std::ranges::sort(found);
-  found.resize(std::min(found.size(), static_cast<std::size_t>(std::max(0, options.most_products))));
+  found.resize(
+      std::min(found.size(), static_cast<std::size_t>(std::max(0, options.most_products))));
   std::vector<std::uint32_t> rows;
-  for (const auto& [distance, row] : found) rows.push_back(row);
+  for (const auto& [distance, row] : found)
+    rows.push_back(row);
   return rows;
 }
 
 // What MuJoCo counts instead of failing; each of them makes the drift meaningless.
 Result<void> check_warnings(const mjData& data) {
-  for (const int warning : {mjWARN_INERTIA, mjWARN_CONTACTFULL, mjWARN_CNSTRFULL, mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC}) {
+  for (const int warning : {mjWARN_INERTIA,
+                            mjWARN_CONTACTFULL,
+                            mjWARN_CNSTRFULL,
+                            mjWARN_BADQPOS,
+                            mjWARN_BADQVEL,
+                            mjWARN_BADQACC}) {
     if (data.warning[warning].number == 0) continue;
-    return Error{"physics.failed", "settle", fmt::format("at {:.3f} s: {}", data.time, mju_warningText(warning, static_cast<size_t>(data.warning[warning].lastinfo)))};
+    return Error{
+        "physics.failed",
+        "settle",
+        fmt::format("at {:.3f} s: {}",
+                    data.time,
+                    mju_warningText(warning, static_cast<size_t>(data.warning[warning].lastinfo)))};
   }
   return {};
 }
 
 // Largest distance of every free body's centre from its start, over `duration_s`.
-Result<std::vector<double>> drifts(const mjModel& model, mjData& data, std::size_t bodies, double duration_s) {
+Result<std::vector<double>> drifts(const mjModel& model,
+                                   mjData& data,
+                                   std::size_t bodies,
+                                   double duration_s) {
   std::vector<double> worst(bodies, 0);
   const int steps = static_cast<int>(duration_s / time_step_s + 0.5);
   std::vector<mjtNum> start;
-  MARKETGEN_CHECK(guarded("settle", [&] { mj_kinematics(&model, &data); mj_comPos(&model, &data); }));
+  MARKETGEN_CHECK(guarded("settle", [&] {
+    mj_kinematics(&model, &data);
+    mj_comPos(&model, &data);
+  }));
   start.assign(data.xipos, data.xipos + 3 * model.nbody);
   for (int step = 0; step < steps; ++step) {
     MARKETGEN_CHECK(guarded("settle", [&] { mj_step(&model, &data); }));
     MARKETGEN_CHECK(check_warnings(data));
     for (std::size_t i = 0; i < bodies; ++i) {
-      const std::size_t at = 3 * (i + 1);   // body 0 is the world
-      const Vec3 moved{data.xipos[at] - start[at], data.xipos[at + 1] - start[at + 1], data.xipos[at + 2] - start[at + 2]};
+      const std::size_t at = 3 * (i + 1);  // body 0 is the world
+      const Vec3 moved{data.xipos[at] - start[at],
+                       data.xipos[at + 1] - start[at + 1],
+                       data.xipos[at + 2] - start[at + 2]};
       worst[i] = std::max(worst[i], length(moved));
     }
   }
   return worst;
 }
 
-void summarize(const std::vector<double>& drift, const Scene& scene, const std::vector<std::uint32_t>& rows, SettleReport& report) {
+void summarize(const std::vector<double>& drift,
+               const Scene& scene,
+               const std::vector<std::uint32_t>& rows,
+               SettleReport& report) {
   const auto worst = std::ranges::max_element(drift);
   report.worst_drift_m = *worst;
   report.worst_product = product_id(scene, rows[static_cast<std::size_t>(worst - drift.begin())]);
@@ -95,6 +120,8 @@ Result<SettleReport> settle(const Scene& scene, const SettleOptions& options) {
   return report;
 }
 
-std::string physics_version() { return mj_versionString(); }
+std::string physics_version() {
+  return mj_versionString();
+}
 
 }  // namespace marketgen

@@ -10,11 +10,13 @@ namespace marketgen {
 
 struct SettleModel {
   MujocoModel model{nullptr, mj_deleteModel};
-  std::vector<std::uint32_t> products;   // rows of scene.products; products[i] is body i + 1
+  std::vector<std::uint32_t> products;  // rows of scene.products; products[i] is body i + 1
 };
 
-// `free` are rows of scene.products. Of the rest, what lies within `margin_m` of them is in the model.
-// Goods on pegs hang from the middle of their upper edge. Errors: physics.failed, assets.*.
-Result<SettleModel> settle_model(const Scene& scene, const std::vector<std::uint32_t>& free, double margin_m);
+// `free` are rows of scene.products. Of the rest, what lies within `margin_m` of them is in the
+// model. Goods on pegs hang from the middle of their upper edge. Errors: physics.failed, assets.*.
+Result<SettleModel> settle_model(const Scene& scene,
+                                 const std::vector<std::uint32_t>& free,
+                                 double margin_m);
 
 }  // namespace marketgen

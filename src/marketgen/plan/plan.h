@@ -1,6 +1,8 @@
-// market-plan/1: what a store should be, in whole millimetres and stable ids; readable and writable by a person or a model.
+// market-plan/1: what a store should be, in whole millimetres and stable ids; readable and writable
+// by a person or a model.
 //
-// A plan says which zones there are and how the floor is divided among them (a BSP tree); layout turns it into fixtures.
+// A plan says which zones there are and how the floor is divided among them (a BSP tree); layout
+// turns it into fixtures.
 #pragma once
 #include <array>
 #include <optional>
@@ -16,7 +18,9 @@
 namespace marketgen {
 
 enum class Wall { north, south, east, west };
-constexpr std::array<std::string_view, 4> names_of(Wall) { return {"north", "south", "east", "west"}; }
+constexpr std::array<std::string_view, 4> names_of(Wall) {
+  return {"north", "south", "east", "west"};
+}
 
 enum class OpeningKind { entrance, exit, service, emergency, window };
 constexpr std::array<std::string_view, 5> names_of(OpeningKind) {
@@ -27,40 +31,55 @@ struct Opening {
   std::string id;
   OpeningKind kind = OpeningKind::entrance;
   Wall wall = Wall::south;
-  double center = 0.5;       // fraction from the wall's west or south end
+  double center = 0.5;  // fraction from the wall's west or south end
   int width_mm = 2000;
 
-  static constexpr auto fields = field_list(
-      field("id", &Opening::id, "id, unique in the plan", identifier()),
-      field("kind", &Opening::kind, "what passes through", required()),
-      field("wall", &Opening::wall, "wall it is in", required()),
-      field("center", &Opening::center, "its middle, as a fraction from the wall's west or south end", range(0, 1)),
-      field("width_mm", &Opening::width_mm, "clear width", range(600, 12000)));
+  static constexpr auto fields =
+      field_list(field("id", &Opening::id, "id, unique in the plan", identifier()),
+                 field("kind", &Opening::kind, "what passes through", required()),
+                 field("wall", &Opening::wall, "wall it is in", required()),
+                 field("center",
+                       &Opening::center,
+                       "its middle, as a fraction from the wall's west or south end",
+                       range(0, 1)),
+                 field("width_mm", &Opening::width_mm, "clear width", range(600, 12000)));
 };
 
 struct Column {
   int x_mm = 0, y_mm = 0, size_mm = 400;
 
   static constexpr auto fields =
-      field_list(field("x_mm", &Column::x_mm, "centre, east of the south-west corner", range(0, 500000), required()),
-                 field("y_mm", &Column::y_mm, "centre, north of the south-west corner", range(0, 500000), required()),
+      field_list(field("x_mm",
+                       &Column::x_mm,
+                       "centre, east of the south-west corner",
+                       range(0, 500000),
+                       required()),
+                 field("y_mm",
+                       &Column::y_mm,
+                       "centre, north of the south-west corner",
+                       range(0, 500000),
+                       required()),
                  field("size_mm", &Column::size_mm, "side of the square column", range(50, 2000)));
 };
 
 struct Shell {
-  int width_mm = 24000;      // east-west
-  int depth_mm = 15000;      // north-south
+  int width_mm = 24000;  // east-west
+  int depth_mm = 15000;  // north-south
   int ceiling_mm = 3660;
-  std::optional<PolygonMm> outline_mm;   // for shells that are not rectangles
+  std::optional<PolygonMm> outline_mm;  // for shells that are not rectangles
   std::vector<Opening> openings;
   std::vector<Column> columns;
 
   static constexpr auto fields = field_list(
       field("width_mm", &Shell::width_mm, "inner size east-west", range(4000, 200000), required()),
-      field("depth_mm", &Shell::depth_mm, "inner size north-south", range(4000, 200000), required()),
+      field(
+          "depth_mm", &Shell::depth_mm, "inner size north-south", range(4000, 200000), required()),
       field("ceiling_mm", &Shell::ceiling_mm, "clear height", range(2300, 12000)),
-      field("outline_mm", &Shell::outline_mm, "floor polygon, counter-clockwise, for shells that are not rectangles",
-            range(0, 200000), at_most_items(200)),
+      field("outline_mm",
+            &Shell::outline_mm,
+            "floor polygon, counter-clockwise, for shells that are not rectangles",
+            range(0, 200000),
+            at_most_items(200)),
       field("openings", &Shell::openings, "doors and windows", at_most_items(40)),
       field("columns", &Shell::columns, "free-standing columns", at_most_items(400)));
 };
@@ -68,14 +87,15 @@ struct Shell {
 struct Look {
   std::string floor = "terrazzo-white";
   std::string wall = "plaster-white";
-  std::string ceiling = "tile-white";
+  std::string ceiling = "ceiling-grid-white";
   std::string fixture = "metal-white";
   std::string accent = "#2e7d32";
   int light_kelvin = 4000;
   int light_lux = 800;
 
   static constexpr auto fields = field_list(
-      field("floor", &Look::floor, "floor material", reference()), field("wall", &Look::wall, "wall material", reference()),
+      field("floor", &Look::floor, "floor material", reference()),
+      field("wall", &Look::wall, "wall material", reference()),
       field("ceiling", &Look::ceiling, "ceiling material", reference()),
       field("fixture", &Look::fixture, "fixture material", reference()),
       field("accent", &Look::accent, "signs and bands, #rrggbb", at_most_bytes(7)),
@@ -84,13 +104,17 @@ struct Look {
 };
 
 enum class Axis { x, y };
-constexpr std::array<std::string_view, 2> names_of(Axis) { return {"x", "y"}; }
+constexpr std::array<std::string_view, 2> names_of(Axis) {
+  return {"x", "y"};
+}
 
-// Inner node: split, ratio, gap_mm and two children. Leaf: zone. An inner node that says no ratio is cut in halves, and one that
-// says no gap_mm has no aisle between its children (plan/bsp.h: default_split_ratio, default_gap_mm).
+// Inner node: split, ratio, gap_mm and two children. Leaf: zone. An inner node that says no ratio
+// is cut in halves, and one that says no gap_mm has no aisle between its children (plan/bsp.h:
+// default_split_ratio, default_gap_mm).
 struct Node {
   std::string id;
-  std::optional<Axis> split;          // y cuts across Y, the first child is south; x: the first child is west
+  std::optional<Axis>
+      split;  // y cuts across Y, the first child is south; x: the first child is west
   std::optional<double> ratio;        // first child's share of what is left after the gap
   std::optional<int> gap_mm;          // aisle between the children
   std::vector<std::string> children;  // exactly two ids in an inner node
@@ -98,8 +122,12 @@ struct Node {
 
   static constexpr auto fields = field_list(
       field("id", &Node::id, "id, unique in the plan", identifier()),
-      field("split", &Node::split, "cut across this axis; y: first child south, x: first child west"),
-      field("ratio", &Node::ratio, "first child's share after the gap is taken off", range(0.08, 0.92)),
+      field(
+          "split", &Node::split, "cut across this axis; y: first child south, x: first child west"),
+      field("ratio",
+            &Node::ratio,
+            "first child's share after the gap is taken off",
+            range(0.08, 0.92)),
       field("gap_mm", &Node::gap_mm, "aisle between the children", range(0, 8000)),
       field("children", &Node::children, "the two halves, by id", at_most_items(2), reference()),
       field("zone", &Node::zone, "the zone that fills a leaf, by id", reference()));
@@ -108,16 +136,21 @@ struct Node {
 struct AreaRange {
   std::optional<double> min, target, max;
 
-  static constexpr auto fields = field_list(field("min", &AreaRange::min, "least floor area", range(0.5, 40000)),
-                                            field("target", &AreaRange::target, "wanted floor area", range(0.5, 40000)),
-                                            field("max", &AreaRange::max, "most floor area", range(0.5, 40000)));
+  static constexpr auto fields =
+      field_list(field("min", &AreaRange::min, "least floor area", range(0.5, 40000)),
+                 field("target", &AreaRange::target, "wanted floor area", range(0.5, 40000)),
+                 field("max", &AreaRange::max, "most floor area", range(0.5, 40000)));
 };
 
 enum class Endcaps { none, front, back, both };
-constexpr std::array<std::string_view, 4> names_of(Endcaps) { return {"none", "front", "back", "both"}; }
+constexpr std::array<std::string_view, 4> names_of(Endcaps) {
+  return {"none", "front", "back", "both"};
+}
 
 enum class RunAxis { automatic, x, y };
-constexpr std::array<std::string_view, 3> names_of(RunAxis) { return {"auto", "x", "y"}; }
+constexpr std::array<std::string_view, 3> names_of(RunAxis) {
+  return {"auto", "x", "y"};
+}
 
 // Fixtures of a zone. What is absent comes from the fixture kind's row and the profile.
 struct FixtureSpec {
@@ -128,23 +161,29 @@ struct FixtureSpec {
   std::optional<int> module_mm, depth_mm, height_mm, levels, spacing_mm;
   int run_max_mm = 12000;
   std::optional<int> aisle_mm;
-  std::optional<int> count;           // lanes, cabinets or tables wanted; absent = as many as fit
+  std::optional<int> count;  // lanes, cabinets or tables wanted; absent = as many as fit
   std::optional<std::string> color;
   std::optional<std::string> material;
 
   static constexpr auto fields = field_list(
       field("kind", &FixtureSpec::kind, "fixture kind", reference()),
       field("double_sided", &FixtureSpec::double_sided, "stocked from both sides"),
-      field("endcaps", &FixtureSpec::endcaps, "endcaps on the runs; front is the end nearer the checkouts"),
+      field("endcaps",
+            &FixtureSpec::endcaps,
+            "endcaps on the runs; front is the end nearer the checkouts"),
       field("axis", &FixtureSpec::axis, "direction of the runs"),
       field("module_mm", &FixtureSpec::module_mm, "width of one section", range(200, 4500)),
-      field("depth_mm", &FixtureSpec::depth_mm, "overall depth", range(200, 2600)),
+      field("depth_mm", &FixtureSpec::depth_mm, "overall depth", range(200, 4500)),
       field("height_mm", &FixtureSpec::height_mm, "overall height", range(300, 2600)),
       field("levels", &FixtureSpec::levels, "stocked levels, base included", range(1, 10)),
       field("spacing_mm", &FixtureSpec::spacing_mm, "distance between levels", range(80, 1500)),
-      field("run_max_mm", &FixtureSpec::run_max_mm, "longest run without a cross aisle", range(1000, 60000)),
+      field("run_max_mm",
+            &FixtureSpec::run_max_mm,
+            "longest run without a cross aisle",
+            range(1000, 60000)),
       field("aisle_mm", &FixtureSpec::aisle_mm, "aisle between runs", range(600, 8000)),
-      field("count", &FixtureSpec::count, "fixtures wanted; absent = as many as fit", range(1, 200)),
+      field(
+          "count", &FixtureSpec::count, "fixtures wanted; absent = as many as fit", range(1, 200)),
       field("color", &FixtureSpec::color, "colour, #rrggbb", at_most_bytes(7)),
       field("material", &FixtureSpec::material, "material", reference()));
 };
@@ -156,7 +195,7 @@ constexpr std::array<std::string_view, 3> names_of(BlockPattern) {
 
 struct StockSpec {
   std::vector<std::string> categories;
-  std::vector<std::string> exclude;      // words of products that must not be here
+  std::vector<std::string> exclude;  // words of products that must not be here
   double fill = 0.95;
   IntRange facings{2, 4};
   BlockPattern block = BlockPattern::brand_vertical;
@@ -166,20 +205,38 @@ struct StockSpec {
   double misplaced = 0.0;
 
   static constexpr auto fields = field_list(
-      field("categories", &StockSpec::categories, "what may stand here; empty = whatever the zone sells", at_most_items(40)),
-      field("exclude", &StockSpec::exclude, "names or keywords of products that must not be here", at_most_items(40)),
+      field("categories",
+            &StockSpec::categories,
+            "what may stand here; empty = whatever the zone sells",
+            at_most_items(40)),
+      field("exclude",
+            &StockSpec::exclude,
+            "names or keywords of products that must not be here",
+            at_most_items(40)),
       field("fill", &StockSpec::fill, "occupied share of the shelf front", range(0.0, 1.0)),
       field("facings", &StockSpec::facings, "fewest and most facings of one SKU", range(1, 40)),
       field("block", &StockSpec::block, "how brands are blocked"),
-      field("depth_fill", &StockSpec::depth_fill, "share of the shelf depth that is filled", range(0.0, 1.0)),
-      field("jitter", &StockSpec::jitter, "disorder of single items: 0 ruler-straight, 1 untidy", range(0.0, 1.0)),
-      field("out_of_stock", &StockSpec::out_of_stock, "share of facing blocks that are empty", range(0.0, 1.0)),
-      field("misplaced", &StockSpec::misplaced, "share of items that stand in the wrong place", range(0.0, 0.5)));
+      field("depth_fill",
+            &StockSpec::depth_fill,
+            "share of the shelf depth that is filled",
+            range(0.0, 1.0)),
+      field("jitter",
+            &StockSpec::jitter,
+            "disorder of single items: 0 ruler-straight, 1 untidy",
+            range(0.0, 1.0)),
+      field("out_of_stock",
+            &StockSpec::out_of_stock,
+            "share of facing blocks that are empty",
+            range(0.0, 1.0)),
+      field("misplaced",
+            &StockSpec::misplaced,
+            "share of items that stand in the wrong place",
+            range(0.0, 0.5)));
 };
 
 struct Zone {
   std::string id;
-  std::string type;                    // one of data/zone_types.json
+  std::string type;  // one of data/zone_types.json
   std::string label;
   AreaRange area_m2;
   std::string anchor = "any";
@@ -187,36 +244,63 @@ struct Zone {
   FixtureSpec fixture;
   StockSpec stock;
 
-  static constexpr auto fields = field_list(
-      field("id", &Zone::id, "id, unique in the plan", identifier()),
-      field("type", &Zone::type, "zone type", required(), reference()),
-      field("label", &Zone::label, "sign over the zone", at_most_bytes(80)),
-      field("area_m2", &Zone::area_m2, "floor area"),
-      field("anchor", &Zone::anchor, "side of the store: any north south east west center entrance", reference()),
-      field("temperature", &Zone::temperature, "temperature of its fixtures"),
-      field("fixture", &Zone::fixture, "its fixtures"), field("stock", &Zone::stock, "its goods"));
+  static constexpr auto fields =
+      field_list(field("id", &Zone::id, "id, unique in the plan", identifier()),
+                 field("type", &Zone::type, "zone type", required(), reference()),
+                 field("label", &Zone::label, "sign over the zone", at_most_bytes(80)),
+                 field("area_m2", &Zone::area_m2, "floor area"),
+                 field("anchor",
+                       &Zone::anchor,
+                       "side of the store: any north south east west center entrance",
+                       reference()),
+                 field("temperature", &Zone::temperature, "temperature of its fixtures"),
+                 field("fixture", &Zone::fixture, "its fixtures"),
+                 field("stock", &Zone::stock, "its goods"));
 };
 
-enum class RelationKind { near, far, along, at, left_of, right_of, behind, facing, between, not_adjacent };
+enum class RelationKind {
+  near,
+  far,
+  along,
+  at,
+  left_of,
+  right_of,
+  behind,
+  facing,
+  between,
+  not_adjacent
+};
 constexpr std::array<std::string_view, 10> names_of(RelationKind) {
-  return {"near", "far", "along", "at", "left_of", "right_of", "behind", "facing", "between", "not_adjacent"};
+  return {"near",
+          "far",
+          "along",
+          "at",
+          "left_of",
+          "right_of",
+          "behind",
+          "facing",
+          "between",
+          "not_adjacent"};
 }
 enum class Strength { prefer, must };
-constexpr std::array<std::string_view, 2> names_of(Strength) { return {"prefer", "must"}; }
+constexpr std::array<std::string_view, 2> names_of(Strength) {
+  return {"prefer", "must"};
+}
 
-// a and b name zones (id or type), openings (id or kind), walls, or "checkout"; c only for `between`.
+// a and b name zones (id or type), openings (id or kind), walls, or "checkout"; c only for
+// `between`.
 struct Relation {
   RelationKind kind = RelationKind::near;
   std::string a, b;
   std::optional<std::string> c;
   Strength strength = Strength::prefer;
 
-  static constexpr auto fields = field_list(
-      field("kind", &Relation::kind, "the relation", required()),
-      field("a", &Relation::a, "what is placed", required(), reference()),
-      field("b", &Relation::b, "what it relates to", required(), reference()),
-      field("c", &Relation::c, "second reference, for `between`", reference()),
-      field("strength", &Relation::strength, "how binding it is"));
+  static constexpr auto fields =
+      field_list(field("kind", &Relation::kind, "the relation", required()),
+                 field("a", &Relation::a, "what is placed", required(), reference()),
+                 field("b", &Relation::b, "what it relates to", required(), reference()),
+                 field("c", &Relation::c, "second reference, for `between`", reference()),
+                 field("strength", &Relation::strength, "how binding it is"));
 };
 
 enum class Source { unset, llm, photo, drawing, text, flag, repair };
@@ -226,9 +310,9 @@ constexpr std::array<std::string_view, 7> names_of(Source) {
 
 // Where a value of the plan came from.
 struct Provenance {
-  std::string path;                    // JSON pointer into the plan
+  std::string path;  // JSON pointer into the plan
   Source source = Source::unset;
-  std::optional<IntRange> span;        // bytes of the prompt, [first, past the last]
+  std::optional<IntRange> span;  // bytes of the prompt, [first, past the last]
   double confidence = 1;
 
   static constexpr auto fields = field_list(
@@ -244,7 +328,8 @@ struct Override {
 
   static constexpr auto fields = field_list(
       field("fixture", &Override::fixture, "fixture id in the layout", required(), reference()),
-      field("field", &Override::field_name, "levels, height_mm, color, material or kind", required()),
+      field(
+          "field", &Override::field_name, "levels, height_mm, color, material or kind", required()),
       field("value", &Override::value, "the value as text", required()));
 };
 
@@ -254,10 +339,14 @@ struct Placement {
   std::array<double, 3> position_m{};
   double yaw_deg = 0;
 
-  static constexpr auto fields = field_list(
-      field("sku", &Placement::sku, "product", required(), reference()),
-      field("position_m", &Placement::position_m, "bottom centre in the store frame", range(-1, 200), required()),
-      field("yaw_deg", &Placement::yaw_deg, "0 = front faces south", range(-360, 360)));
+  static constexpr auto fields =
+      field_list(field("sku", &Placement::sku, "product", required(), reference()),
+                 field("position_m",
+                       &Placement::position_m,
+                       "bottom centre in the store frame",
+                       range(-1, 200),
+                       required()),
+                 field("yaw_deg", &Placement::yaw_deg, "0 = front faces south", range(-360, 360)));
 };
 
 struct Plan {
@@ -277,8 +366,13 @@ struct Plan {
       field("schema", &Plan::schema, "schema tag", constant("market-plan/1")),
       field("name", &Plan::name, "the store's name", at_most_bytes(120)),
       field("profile", &Plan::profile, "limits and habits of this kind of shop", reference()),
-      field("shell", &Plan::shell, "the room", required()), field("look", &Plan::look, "materials and light"),
-      field("nodes", &Plan::nodes, "BSP tree; the root is the node that is nobody's child", required(), at_most_items(64)),
+      field("shell", &Plan::shell, "the room", required()),
+      field("look", &Plan::look, "materials and light"),
+      field("nodes",
+            &Plan::nodes,
+            "BSP tree; the root is the node that is nobody's child",
+            required(),
+            at_most_items(64)),
       field("zones", &Plan::zones, "what is where", required(), at_most_items(24)),
       field("relations", &Plan::relations, "wishes about places", at_most_items(200)),
       field("overrides", &Plan::overrides, "single values of single fixtures", at_most_items(2000)),
@@ -292,8 +386,9 @@ constexpr int max_bsp_leaves = 24;
 // Reads and validates. `source` names the text in errors.
 Result<Plan> read_plan(std::string_view text, const std::string& source, const Catalog& catalog);
 
-// Everything the schema cannot say: unique ids, one binary tree that holds each zone once, openings within their walls and
-// apart from one another, known kinds, materials and categories, an outline without self-crossings. First fault wins.
+// Everything the schema cannot say: unique ids, one binary tree that holds each zone once, openings
+// within their walls and apart from one another, known kinds, materials and categories, an outline
+// without self-crossings. First fault wins.
 Result<void> validate_plan(const Plan& plan, const std::string& source, const Catalog& catalog);
 
 // Index of the root node. Precondition: valid plan.

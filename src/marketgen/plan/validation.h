@@ -36,7 +36,8 @@ Result<void> check_tree(const PlanCheck& check);
 Result<void> check_room(const PlanCheck& check);
 // Names that must be in the catalogue: profile, materials, zone types, fixture kinds, categories.
 Result<void> check_names(const PlanCheck& check);
-// Values of a zone against one another and against its fixture kind's row. Precondition: check_names passed.
+// Values of a zone against one another and against its fixture kind's row. Precondition:
+// check_names passed.
 Result<void> check_zone_values(const PlanCheck& check);
 // Relations, overrides and placements.
 Result<void> check_references(const PlanCheck& check);
@@ -46,8 +47,8 @@ Result<void> check_color(std::string_view text, std::string where);
 
 // The error unless `name` is in the range of rows, compared by `id_of(row)`.
 template <class Rows, class IdOf>
-Result<void> check_name(const Rows& rows, IdOf id_of, std::string_view what, std::string_view name,
-                        std::string where) {
+Result<void> check_name(
+    const Rows& rows, IdOf id_of, std::string_view what, std::string_view name, std::string where) {
   std::vector<std::string_view> known;
   for (const auto& row : rows) {
     if (row.*id_of == name) return {};

@@ -32,21 +32,29 @@ FixturePart as_fixture_part(const ScenePart& part) {
   return result;
 }
 
-Vec3f color_of(const ScenePart& part) { return {part.color[0], part.color[1], part.color[2]}; }
+Vec3f color_of(const ScenePart& part) {
+  return {part.color[0], part.color[1], part.color[2]};
+}
 
 std::uint16_t material_of(Draft& draft, const ScenePart& part) {
-  if (part.material >= 0) return draft.tiled_material(draft.scene().materials[static_cast<std::size_t>(part.material)].id);
-  Material material{.color = color_of(part), .roughness = part.roughness, .metallic = part.metallic};
+  if (part.material >= 0)
+    return draft.tiled_material(
+        draft.scene().materials[static_cast<std::size_t>(part.material)].id);
+  Material material{
+      .color = color_of(part), .roughness = part.roughness, .metallic = part.metallic};
   if (part.kind == SurfaceKind::glass) {
     material.glass = true;
     // A pane is a box with two faces: each takes half of the tint.
-    material.color = {std::sqrt(material.color.x), std::sqrt(material.color.y), std::sqrt(material.color.z)};
+    material.color = {
+        std::sqrt(material.color.x), std::sqrt(material.color.y), std::sqrt(material.color.z)};
   }
   return draft.material(material);
 }
 
 float uv_extent(const Draft& draft, const ScenePart& part) {
-  return part.material < 0 ? 1 : draft.extent_m(draft.scene().materials[static_cast<std::size_t>(part.material)].id);
+  return part.material < 0
+             ? 1
+             : draft.extent_m(draft.scene().materials[static_cast<std::size_t>(part.material)].id);
 }
 
 }  // namespace
@@ -54,7 +62,8 @@ float uv_extent(const Draft& draft, const ScenePart& part) {
 FixtureBuilder::FixtureBuilder(Draft& draft) {
   std::map<std::string, std::uint32_t> known;
   for (const SceneFixture& fixture : draft.scene().fixtures) {
-    const auto [entry, is_new] = known.try_emplace(content_of(draft.scene(), fixture), static_cast<std::uint32_t>(shapes_.size()));
+    const auto [entry, is_new] = known.try_emplace(content_of(draft.scene(), fixture),
+                                                   static_cast<std::uint32_t>(shapes_.size()));
     if (is_new) shapes_.push_back(make_shape(draft, fixture));
     shape_of_fixture_.push_back(entry->second);
   }
@@ -69,10 +78,12 @@ FixtureBuilder::Shape FixtureBuilder::make_shape(Draft& draft, const SceneFixtur
       continue;
     }
     const std::size_t first_vertex = shape.mesh.uvs.size();
-    add_part_mesh(shape.mesh, as_fixture_part(part), static_cast<std::uint16_t>(shape.materials.size()));
+    add_part_mesh(
+        shape.mesh, as_fixture_part(part), static_cast<std::uint16_t>(shape.materials.size()));
     shape.materials.push_back(material_of(draft, part));
     const float extent = uv_extent(draft, part);
-    for (std::size_t v = first_vertex; v < shape.mesh.uvs.size(); ++v) shape.mesh.uvs[v] = shape.mesh.uvs[v] * (1 / extent);
+    for (std::size_t v = first_vertex; v < shape.mesh.uvs.size(); ++v)
+      shape.mesh.uvs[v] = shape.mesh.uvs[v] * (1 / extent);
   }
   return shape;
 }
@@ -100,7 +111,8 @@ void FixtureBuilder::build(Draft& draft) const {
     instance.mesh = first_mesh + shape_of_fixture_[i];
     instance.id = static_cast<std::uint32_t>(2 + i);
     instance.fixture = static_cast<std::int32_t>(i);
-    instance.world_from_mesh = placement_of(world_from_fixture(scene, static_cast<std::uint32_t>(i)));
+    instance.world_from_mesh =
+        placement_of(world_from_fixture(scene, static_cast<std::uint32_t>(i)));
     world.instances.push_back(instance);
   }
 }

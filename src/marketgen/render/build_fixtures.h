@@ -16,10 +16,10 @@ class FixtureBuilder {
   // One box of light, before its faces are known to be free.
   struct Lamp {
     std::uint16_t material = 0;
-    std::uint32_t part = 0;                        // row in scene.parts
+    std::uint32_t part = 0;  // row in scene.parts
   };
   struct Shape {
-    Mesh mesh;                                     // without lamps; its surfaces index `materials`
+    Mesh mesh;  // without lamps; its surfaces index `materials`
     std::vector<std::uint16_t> materials;
     std::vector<Lamp> lamps;
   };

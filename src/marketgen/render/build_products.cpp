@@ -11,14 +11,17 @@
 namespace marketgen::raytrace {
 namespace {
 
-// Rows of pixels on a label sheet: 1.4 to 2.8 a millimetre, finer than a 1080p picture from 70 cm shows.
+// Rows of pixels on a label sheet: 1.4 to 2.8 a millimetre, finer than a 1080p picture from 70 cm
+// shows.
 constexpr int tall_label_px = 512, short_label_px = 256;
 constexpr int tall_pack_mm = 180;
-constexpr float brightness_spread = 0.04F;   // between items of one SKU, each way: print runs, dust, wear
+constexpr float brightness_spread =
+    0.04F;  // between items of one SKU, each way: print runs, dust, wear
 
 std::vector<std::uint32_t> skus_in_use(const Scene& scene) {
   std::set<std::uint32_t> rows;
-  for (const SceneProduct& product : scene.products) rows.insert(product.sku);
+  for (const SceneProduct& product : scene.products)
+    rows.insert(product.sku);
   return {rows.begin(), rows.end()};
 }
 
@@ -29,13 +32,17 @@ std::int32_t label_texture(Draft& draft, const Product& product) {
 }
 
 Material material_of(Draft& draft, const Product& product, const Surface& surface) {
-  Material material{.color = surface.color, .roughness = surface.roughness, .metallic = surface.metallic};
-  if (surface.texture == "label") material.texture = label_texture(draft, product);
-  else if (!surface.texture.empty()) return draft.world().materials[draft.tiled_material(surface.texture)];
+  Material material{
+      .color = surface.color, .roughness = surface.roughness, .metallic = surface.metallic};
+  if (surface.texture == "label")
+    material.texture = label_texture(draft, product);
+  else if (!surface.texture.empty())
+    return draft.world().materials[draft.tiled_material(surface.texture)];
   return material;
 }
 
-// Clear packs are seen as their contents, so that the picture's instance is the product and not what stands behind it.
+// Clear packs are seen as their contents, so that the picture's instance is the product and not
+// what stands behind it.
 std::uint16_t add_material(Draft& draft, const Product& product, const Surface& surface) {
   return draft.material(material_of(draft, product, surface));
 }
@@ -53,8 +60,10 @@ Result<ProductBuilder> ProductBuilder::begin(Draft& draft) {
   builder.skus_ = parallel_map(rows.size(), [&](std::size_t i) {
     Sku sku{rows[i], {}, {}};
     Result<ProductModel> model = make_product_model(draft.scene().catalog[rows[i]]);
-    if (model.ok()) sku.model = std::move(model).value();
-    else errors[i] = model.error();
+    if (model.ok())
+      sku.model = std::move(model).value();
+    else
+      errors[i] = model.error();
     return sku;
   });
   for (const std::optional<Error>& error : errors) {
@@ -85,7 +94,8 @@ void ProductBuilder::build(Draft& draft) const {
     Instance instance;
     instance.mesh = mesh_of_sku[product.sku];
     instance.id = first_id + static_cast<std::uint32_t>(i);
-    if (product.facing < scene.facings.size()) instance.shelf = static_cast<std::int32_t>(scene.facings[product.facing].shelf);
+    if (product.facing < scene.facings.size())
+      instance.shelf = static_cast<std::int32_t>(scene.facings[product.facing].shelf);
     instance.brightness = brightness_of(i);
     instance.world_from_mesh = placement_of(world_from_product(product));
     world.instances.push_back(instance);

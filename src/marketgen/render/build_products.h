@@ -17,9 +17,9 @@ class ProductBuilder {
 
  private:
   struct Sku {
-    std::uint32_t row = 0;                     // in scene.catalog
+    std::uint32_t row = 0;  // in scene.catalog
     ProductModel model;
-    std::vector<std::uint16_t> materials;      // of model.surfaces
+    std::vector<std::uint16_t> materials;  // of model.surfaces
   };
   std::vector<Sku> skus_;
 };

@@ -13,7 +13,17 @@ class ShellBuilder {
   void build(Draft& draft) const;
 
  private:
-  enum Finish : std::uint16_t { floor, wall, ceiling, skirting, frame, pane, steel_door, trim, finishes };
+  enum Finish : std::uint16_t {
+    floor,
+    wall,
+    ceiling,
+    skirting,
+    frame,
+    pane,
+    steel_door,
+    trim,
+    finishes
+  };
   void add_floor(Mesh& mesh) const;
   void add_ceiling(Mesh& mesh) const;
   void add_wall(Mesh& mesh, const WallEdge& edge) const;
@@ -24,7 +34,7 @@ class ShellBuilder {
   void add_columns(Mesh& mesh, const Shell& shell) const;
 
   const Room& room_;
-  std::vector<std::uint16_t> materials_;   // by Finish
+  std::vector<std::uint16_t> materials_;  // by Finish
   float floor_extent_ = 1, wall_extent_ = 1, ceiling_extent_ = 1;
 };
 

@@ -1,4 +1,5 @@
-// What is written in the shop: price labels on shelf edges, hanging signs over zones, bands with zone names along the walls.
+// What is written in the shop: price labels on shelf edges, hanging signs over zones, bands with
+// zone names along the walls.
 #pragma once
 #include <vector>
 
@@ -25,7 +26,7 @@ class SignBuilder {
   // A board that hangs from the ceiling and is read from both sides.
   struct Board {
     Vec3f middle;
-    bool facing_x = false;         // its faces look along x
+    bool facing_x = false;  // its faces look along x
     float width = 0;
     std::uint16_t material = 0;
   };

@@ -12,7 +12,8 @@ namespace marketgen::raytrace {
 Result<std::unique_ptr<World>> build_world(const Scene& scene, Progress& progress) {
   auto world = std::make_unique<World>();
   world->device.reset(rtcNewDevice(nullptr));
-  if (!world->device) return Error{"io.out_of_memory", "renderer", "Embree could not be started on this machine"};
+  if (!world->device)
+    return Error{"io.out_of_memory", "renderer", "Embree could not be started on this machine"};
 
   Draft draft(scene, *world);
   const Room room = room_of(scene.layout.shell);
@@ -37,7 +38,9 @@ Result<std::unique_ptr<World>> build_world(const Scene& scene, Progress& progres
   switch_on_lamps(*world);
   progress.end();
   if (rtcGetDeviceError(world->device.get()) != RTC_ERROR_NONE) {
-    return Error{"io.out_of_memory", "renderer", "Embree could not build its search trees; is there enough memory?"};
+    return Error{"io.out_of_memory",
+                 "renderer",
+                 "Embree could not build its search trees; is there enough memory?"};
   }
   return world;
 }

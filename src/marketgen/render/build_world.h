@@ -9,7 +9,8 @@
 
 namespace marketgen::raytrace {
 
-// The world keeps nothing of `scene`. Errors: those of the product models and labels; io.out_of_memory when Embree fails.
+// The world keeps nothing of `scene`. Errors: those of the product models and labels;
+// io.out_of_memory when Embree fails.
 Result<std::unique_ptr<World>> build_world(const Scene& scene, Progress& progress);
 
 }  // namespace marketgen::raytrace

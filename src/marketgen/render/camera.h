@@ -19,11 +19,12 @@ struct Camera {
   int width = 1280, height = 720;  // pixels
 };
 
-// The views every store has: top, entrance, aisle, checkout, and one per zone ("zone:dairy"). Deterministic; each stands in free
-// floor at eye height and sees goods.
+// The views every store has: top, entrance, aisle, checkout, and one per zone ("zone:dairy").
+// Deterministic; each stands in free floor at eye height and sees goods.
 std::vector<Camera> standard_cameras(const Scene& scene, int width, int height);
 Result<Camera> camera_named(const Scene& scene, std::string_view name, int width, int height);
-// Errors: camera.degenerate (no direction, NaN, fov outside 1..170), camera.bad_size (1..16384 a side, at most 64 megapixels).
+// Errors: camera.degenerate (no direction, NaN, fov outside 1..170), camera.bad_size (1..16384 a
+// side, at most 64 megapixels).
 Result<void> check_camera(const Camera& camera, const std::string& where);
 
 }  // namespace marketgen

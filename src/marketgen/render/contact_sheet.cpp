@@ -8,8 +8,8 @@
 namespace marketgen {
 namespace {
 
-constexpr int room_mm = 4000;         // a bright empty room round the product
-constexpr double view_fov_deg = 22;   // little perspective
+constexpr int room_mm = 4000;        // a bright empty room round the product
+constexpr double view_fov_deg = 22;  // little perspective
 
 // A scene with one product in the middle of an empty room, on a white block at hand height.
 Scene stage_for(const Product& product) {
@@ -29,7 +29,9 @@ Scene stage_for(const Product& product) {
 
 Camera camera_for(const Product& product, int size_px) {
   const double middle = room_mm * 0.5e-3;
-  const double radius = 0.5 * std::sqrt(product.width_m() * product.width_m() + product.depth_m() * product.depth_m() + product.height_m() * product.height_m());
+  const double radius = 0.5 * std::sqrt(product.width_m() * product.width_m() +
+                                        product.depth_m() * product.depth_m() +
+                                        product.height_m() * product.height_m());
   const double distance = 1.12 * radius / std::sin(view_fov_deg / 2 * 3.14159265358979 / 180);
   const Vec3 at{middle, middle, product.height_m() / 2};
   const Vec3 direction = normalized(Vec3{0.45, -1.0, 0.42});
@@ -48,14 +50,17 @@ Result<Image> draw_product(const Product& product, int size_px) {
 }
 
 Result<Image> draw_contact_sheet(const std::vector<Product>& products, int size_px) {
-  const int columns = std::max(1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(products.size()) * 1.5))));
+  const int columns = std::max(
+      1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(products.size()) * 1.5))));
   const int rows = (static_cast<int>(products.size()) + columns - 1) / columns;
   Image sheet(columns * size_px, std::max(1, rows) * size_px);
   std::fill(sheet.pixels.begin(), sheet.pixels.end(), std::uint8_t{255});
   for (std::size_t i = 0; i < products.size(); ++i) {
     MARKETGEN_TRY(const Image picture, draw_product(products[i], size_px));
-    const int x0 = static_cast<int>(i) % columns * size_px, y0 = static_cast<int>(i) / columns * size_px;
-    for (int y = 0; y < size_px; ++y) std::copy_n(picture.at(0, y), static_cast<std::size_t>(size_px) * 3, sheet.at(x0, y0 + y));
+    const int x0 = static_cast<int>(i) % columns * size_px,
+              y0 = static_cast<int>(i) / columns * size_px;
+    for (int y = 0; y < size_px; ++y)
+      std::copy_n(picture.at(0, y), static_cast<std::size_t>(size_px) * 3, sheet.at(x0, y0 + y));
   }
   return sheet;
 }

@@ -1,5 +1,5 @@
-// A world under construction: materials and textures get their numbers first, then all pictures are drawn side by side, then
-// geometry is added (its mip constants need the textures' sizes).
+// A world under construction: materials and textures get their numbers first, then all pictures are
+// drawn side by side, then geometry is added (its mip constants need the textures' sizes).
 #pragma once
 #include <functional>
 #include <map>
@@ -20,11 +20,13 @@ class Draft {
   const Scene& scene() const { return scene_; }
   World& world() const { return world_; }
 
-  // The texture drawn by `draw` from `content` (which decides its pixels). Equal contents share one texture.
+  // The texture drawn by `draw` from `content` (which decides its pixels). Equal contents share one
+  // texture.
   std::int32_t texture(const std::string& content, std::function<Result<Image>()> draw);
   // Number of a material; equal ones share it, except glowing ones, whose light is measured later.
   std::uint16_t material(const Material& material);
-  // A catalogue material tiled by UV in units of its own extent; plain white plaster when the scene lacks the row.
+  // A catalogue material tiled by UV in units of its own extent; plain white plaster when the scene
+  // lacks the row.
   std::uint16_t tiled_material(std::string_view id);
   // What one metre of UV must be divided by for `tiled_material(id)`.
   float extent_m(std::string_view id) const;

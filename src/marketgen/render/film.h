@@ -1,6 +1,8 @@
-// One picture while it is made: planes of what the first hits are, and of the light on them, kept apart for filtering.
+// One picture while it is made: planes of what the first hits are, and of the light on them, kept
+// apart for filtering.
 //
-// Radiance of a pixel = transmittance * (albedo * irradiance / pi + reflectance * gloss + emission) + overlay.
+// Radiance of a pixel = transmittance * (albedo * irradiance / pi + reflectance * gloss + emission)
+// + overlay.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -26,17 +28,18 @@ struct Planes3 {
 
 struct Film {
   int width = 0, height = 0;
-  Planes3 position, normal;              // of what is behind any glass
-  Plane depth;                           // along the optical axis, 0 = nothing
-  std::vector<std::uint32_t> instance;   // Frame::instance
+  Planes3 position, normal;             // of what is behind any glass
+  Plane depth;                          // along the optical axis, 0 = nothing
+  std::vector<std::uint32_t> instance;  // Frame::instance
   std::vector<std::uint16_t> material;
-  Planes3 albedo, irradiance;            // diffuse
-  Planes3 reflectance, gloss;            // mirrored light
+  Planes3 albedo, irradiance;  // diffuse
+  Planes3 reflectance, gloss;  // mirrored light
   Planes3 emission, transmittance, overlay;
 
   Film(int w, int h);
   std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(x);
   }
   std::size_t count() const { return depth.size(); }
   Vec3f radiance(std::size_t i) const;

@@ -7,9 +7,9 @@
 namespace marketgen::raytrace {
 namespace {
 
-constexpr int block = 4;                 // one packet: 4 x 4 pixels
-constexpr int most_panes = 4;            // seen through one another
-constexpr float pane_step_m = 2e-3F;     // past a pane
+constexpr int block = 4;              // one packet: 4 x 4 pixels
+constexpr int most_panes = 4;         // seen through one another
+constexpr float pane_step_m = 2e-3F;  // past a pane
 // A pane of two faces reflects about twice what one face does.
 constexpr float pane_reflectance = 2 * dielectric_reflectance;
 
@@ -19,18 +19,22 @@ std::size_t lane_pixel(int bx, int by, std::size_t lane) {
   return static_cast<std::size_t>(y * tile_size + x);
 }
 
-void trace_block(const World& world, const View& view, Tile& tile, int bx, int by, unsigned opaque_mask) {
+void trace_block(
+    const World& world, const View& view, Tile& tile, int bx, int by, unsigned opaque_mask) {
   std::array<Ray, packet_size> rays;
   std::array<Hit, packet_size> solid, glass;
   for (std::size_t k = 0; k < packet_size; ++k) {
     const std::size_t i = lane_pixel(bx, by, k);
-    // Pixels past the picture's edge repeat the last one: a full packet is as cheap as a part of it.
-    const int x = std::min(tile.x_of(i), view.width() - 1), y = std::min(tile.y_of(i), view.height() - 1);
+    // Pixels past the picture's edge repeat the last one: a full packet is as cheap as a part of
+    // it.
+    const int x = std::min(tile.x_of(i), view.width() - 1),
+              y = std::min(tile.y_of(i), view.height() - 1);
     rays[k] = view.ray(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
   }
   trace(world, rays, solid, opaque_mask, RayBundle::coherent);
   std::array<Ray, packet_size> before = rays;
-  for (std::size_t k = 0; k < packet_size; ++k) before[k].far = solid[k].t;
+  for (std::size_t k = 0; k < packet_size; ++k)
+    before[k].far = solid[k].t;
   if (world.has_glass) trace(world, before, glass, mask_glass, RayBundle::coherent);
   for (std::size_t k = 0; k < packet_size; ++k) {
     FirstHit& hit = tile.hits[lane_pixel(bx, by, k)];
@@ -43,13 +47,19 @@ void trace_block(const World& world, const View& view, Tile& tile, int bx, int b
 }
 
 float pane_fresnel(const Surface& pane, Vec3f direction) {
-  return fresnel({pane_reflectance, pane_reflectance, pane_reflectance}, -dot(pane.normal, direction)).x;
+  return fresnel({pane_reflectance, pane_reflectance, pane_reflectance},
+                 -dot(pane.normal, direction))
+      .x;
 }
 
 }  // namespace
 
-int tiles_across(const View& view) { return (view.width() + tile_size - 1) / tile_size; }
-int tiles_down(const View& view) { return (view.height() + tile_size - 1) / tile_size; }
+int tiles_across(const View& view) {
+  return (view.width() + tile_size - 1) / tile_size;
+}
+int tiles_down(const View& view) {
+  return (view.height() + tile_size - 1) / tile_size;
+}
 
 std::optional<GlassLayer> glass_before(const World& world, const Ray& ray, float far) {
   std::optional<GlassLayer> layer;
@@ -67,13 +77,15 @@ std::optional<GlassLayer> glass_before(const World& world, const Ray& ray, float
   return layer;
 }
 
-void find_first_hits(const World& world, const View& view, int index, unsigned opaque_mask, Tile& tile) {
+void find_first_hits(
+    const World& world, const View& view, int index, unsigned opaque_mask, Tile& tile) {
   tile.x0 = index % tiles_across(view) * tile_size;
   tile.y0 = index / tiles_across(view) * tile_size;
   tile.columns = std::min(tile_size, view.width() - tile.x0);
   tile.rows = std::min(tile_size, view.height() - tile.y0);
   for (int by = 0; by * block < tile.rows; ++by) {
-    for (int bx = 0; bx * block < tile.columns; ++bx) trace_block(world, view, tile, bx, by, opaque_mask);
+    for (int bx = 0; bx * block < tile.columns; ++bx)
+      trace_block(world, view, tile, bx, by, opaque_mask);
   }
 }
 
@@ -96,7 +108,8 @@ void store_first_hits(const World& world, const View& view, const Tile& tile, Fi
     film.instance[i] = s.id;
     film.material[i] = s.material;
     film.albedo.set(i, s.diffuse());
-    film.reflectance.set(i, rough_fresnel(s.reflectance(), -dot(s.normal, hit.ray.direction), s.roughness));
+    film.reflectance.set(
+        i, rough_fresnel(s.reflectance(), -dot(s.normal, hit.ray.direction), s.roughness));
     film.emission.set(i, s.emission);
   }
 }

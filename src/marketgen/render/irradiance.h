@@ -1,8 +1,9 @@
-// Light stored in the air: how much arrives from each side, at points between the boards of every shelf and on a coarse grid
-// through the room.
+// Light stored in the air: how much arrives from each side, at points between the boards of every
+// shelf and on a coarse grid through the room.
 //
-// Used to light what rays see at second hand (bounces, reflections), where a blurred answer is enough and noise is not. Shelf
-// points are bounded by their boards, so that light does not leak into compartments as it would through a plain room grid.
+// Used to light what rays see at second hand (bounces, reflections), where a blurred answer is
+// enough and noise is not. Shelf points are bounded by their boards, so that light does not leak
+// into compartments as it would through a plain room grid.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -17,7 +18,7 @@ namespace marketgen::raytrace {
 // Irradiance on a surface facing +x, -x, +y, -y, +z, -z.
 struct AmbientCube {
   std::array<Vec3f, 6> faces;
-  float validity = 0;            // 0 inside solid matter
+  float validity = 0;  // 0 inside solid matter
   Vec3f irradiance(Vec3f normal) const;
 };
 
@@ -33,14 +34,15 @@ class IrradianceField {
   // Deterministic for any thread count.
   IrradianceField(const World& world, const LightGrid& lights, const Scene& scene);
 
-  // Irradiance on something at `place` that faces `facing`; over pi it is the mean radiance from that side.
+  // Irradiance on something at `place` that faces `facing`; over pi it is the mean radiance from
+  // that side.
   Vec3f at(const Place& place, Vec3f facing) const;
 
  private:
   struct Shelf {
     Placement world_from_shelf;
-    Vec3f size;                  // width, depth, clearance
-    std::uint32_t first = 0;     // of its probes
+    Vec3f size;               // width, depth, clearance
+    std::uint32_t first = 0;  // of its probes
     int columns = 2;
   };
   // Probe indices around a point and their weights.
@@ -63,7 +65,7 @@ class IrradianceField {
   std::vector<std::array<std::uint32_t, 2>> shelves_of_fixture_;  // first, count
   Vec3f low_, step_;
   std::array<int, 3> size_{2, 2, 2};
-  Vec3f mean_{};                 // of the valid room probes: where nothing is known
+  Vec3f mean_{};  // of the valid room probes: where nothing is known
 };
 
 }  // namespace marketgen::raytrace

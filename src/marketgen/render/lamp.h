@@ -4,12 +4,16 @@
 
 namespace marketgen::raytrace {
 
-// Adds a glowing box to `mesh`, each face a light of its own. The material's emission holds the colour, 0..1, until
-// `switch_on` replaces it by radiance.
-void add_lamp_box(const World& world, TracedMesh& mesh, const Placement& mesh_from_box, Vec3f half_size, std::uint16_t material);
+// Adds a glowing box to `mesh`, each face a light of its own. The material's emission holds the
+// colour, 0..1, until `switch_on` replaces it by radiance.
+void add_lamp_box(const World& world,
+                  TracedMesh& mesh,
+                  const Placement& mesh_from_box,
+                  Vec3f half_size,
+                  std::uint16_t material);
 
-// Once the meshes' BVHs stand: puts out faces that lie against something, gives the rest the radiance of an LED strip of that
-// length, and lists the lights of all instances in World::lights.
+// Once the meshes' BVHs stand: puts out faces that lie against something, gives the rest the
+// radiance of an LED strip of that length, and lists the lights of all instances in World::lights.
 void switch_on_lamps(World& world);
 
 }  // namespace marketgen::raytrace

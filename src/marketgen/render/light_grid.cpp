@@ -9,11 +9,12 @@
 namespace marketgen::raytrace {
 namespace {
 
-constexpr std::size_t most_choices = 40;      // per cell; in a store the rest add up to a few percent
+constexpr std::size_t most_choices = 40;  // per cell; in a store the rest add up to a few percent
 constexpr float cell_width_m = 0.8F, cell_height_m = 0.6F;
 constexpr float most_cells = 40'000;
 
-// What a light gives unblocked at `point`, however a surface there is turned. Distances are kept off zero by the cell's size.
+// What a light gives unblocked at `point`, however a surface there is turned. Distances are kept
+// off zero by the cell's size.
 float strength(const AreaLight& light, Vec3f point) {
   const Vec3f to_light = light.corner + (light.edge_u + light.edge_v) * 0.5F - point;
   const float distance2 = std::max(dot(to_light, to_light), 0.15F);
@@ -32,10 +33,12 @@ std::vector<LightChoice> strongest(const std::vector<AreaLight>& lights, Vec3f p
     return a.cumulative != b.cumulative ? a.cumulative > b.cumulative : a.light < b.light;
   };
   const std::size_t kept = std::min(most_choices, all.size());
-  std::partial_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(kept), all.end(), stronger);
+  std::partial_sort(
+      all.begin(), all.begin() + static_cast<std::ptrdiff_t>(kept), all.end(), stronger);
   all.resize(kept);
   float sum = 0;
-  for (const LightChoice& choice : all) sum += choice.cumulative;
+  for (const LightChoice& choice : all)
+    sum += choice.cumulative;
   float reached = 0;
   for (LightChoice& choice : all) {
     reached += choice.cumulative / sum;
@@ -50,23 +53,30 @@ std::vector<LightChoice> strongest(const std::vector<AreaLight>& lights, Vec3f p
 LightGrid::LightGrid(const World& world) : world_(world), low_(world.room.low) {
   const Vec3f size = world.room.empty() ? Vec3f{1, 1, 1} : world.room.size();
   if (world.room.empty()) low_ = {0, 0, 0};
-  const auto cells = [](float extent, float width) { return std::max(1.0F, std::ceil(extent / width)); };
+  const auto cells = [](float extent, float width) {
+    return std::max(1.0F, std::ceil(extent / width));
+  };
   const float layers = cells(size.z, cell_height_m);
   const float full = cells(size.x, cell_width_m) * cells(size.y, cell_width_m) * layers;
   const float width = cell_width_m * std::sqrt(std::max(1.0F, full / most_cells));
   columns_ = static_cast<int>(cells(size.x, width));
   rows_ = static_cast<int>(cells(size.y, width));
   layers_ = static_cast<int>(layers);
-  cells_per_m_ = {static_cast<float>(columns_) / std::max(size.x, 1e-3F), static_cast<float>(rows_) / std::max(size.y, 1e-3F),
+  cells_per_m_ = {static_cast<float>(columns_) / std::max(size.x, 1e-3F),
+                  static_cast<float>(rows_) / std::max(size.y, 1e-3F),
                   static_cast<float>(layers_) / std::max(size.z, 1e-3F)};
-  const auto count = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) * static_cast<std::size_t>(layers_);
-  const auto lists = parallel_map(count, [&](std::size_t i) {
-    const int cell = static_cast<int>(i);
-    const Vec3f middle{(static_cast<float>(cell % columns_) + 0.5F) / cells_per_m_.x,
-                       (static_cast<float>(cell / columns_ % rows_) + 0.5F) / cells_per_m_.y,
-                       (static_cast<float>(cell / (columns_ * rows_)) + 0.5F) / cells_per_m_.z};
-    return strongest(world.lights, low_ + middle);
-  }, 16);
+  const auto count = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) *
+                     static_cast<std::size_t>(layers_);
+  const auto lists = parallel_map(
+      count,
+      [&](std::size_t i) {
+        const int cell = static_cast<int>(i);
+        const Vec3f middle{(static_cast<float>(cell % columns_) + 0.5F) / cells_per_m_.x,
+                           (static_cast<float>(cell / columns_ % rows_) + 0.5F) / cells_per_m_.y,
+                           (static_cast<float>(cell / (columns_ * rows_)) + 0.5F) / cells_per_m_.z};
+        return strongest(world.lights, low_ + middle);
+      },
+      16);
   for (const auto& list : lists) {
     first_.push_back(static_cast<std::uint32_t>(choices_.size()));
     choices_.insert(choices_.end(), list.begin(), list.end());
@@ -90,7 +100,9 @@ std::span<const LightChoice> LightGrid::choices(Vec3f point) const {
 LightSample LightGrid::sample(Vec3f point, float pick, float u, float v) const {
   const std::span<const LightChoice> list = choices(point);
   if (list.empty()) return {};
-  const auto below = [](float value, const LightChoice& choice) { return value < choice.cumulative; };
+  const auto below = [](float value, const LightChoice& choice) {
+    return value < choice.cumulative;
+  };
   auto found = std::upper_bound(list.begin(), list.end(), pick, below);
   if (found == list.end()) --found;
   const float start = found == list.begin() ? 0 : std::prev(found)->cumulative;
@@ -116,7 +128,9 @@ float LightGrid::pdf(Vec3f point, std::int32_t light, Vec3f direction, float dis
     if (choice.light == static_cast<std::uint32_t>(light)) {
       const AreaLight& a = world_.lights[choice.light];
       const float facing = -dot(direction, a.normal);
-      return facing <= 1e-4F ? 0 : (choice.cumulative - start) * distance * distance / (facing * a.area);
+      return facing <= 1e-4F
+                 ? 0
+                 : (choice.cumulative - start) * distance * distance / (facing * a.area);
     }
     start = choice.cumulative;
   }

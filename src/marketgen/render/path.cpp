@@ -9,11 +9,13 @@ namespace marketgen::raytrace {
 namespace {
 
 constexpr int most_bounces = 12, most_panes = 8;
-constexpr int roulette_from = 3;              // bounces before paths may end by chance
-constexpr float brightest_indirect = 20;      // in units of white; caps fireflies, direct light is never capped
+constexpr int roulette_from = 3;  // bounces before paths may end by chance
+constexpr float brightest_indirect =
+    20;  // in units of white; caps fireflies, direct light is never capped
 constexpr float pane_reflectance = 2 * dielectric_reflectance;
 constexpr float pane_step_m = 1.5e-3F, light_end_m = 5e-3F;
-constexpr float bounce_footprint = 0.05F;     // metres per metre: textures are read blurred after the first hit
+constexpr float bounce_footprint =
+    0.05F;  // metres per metre: textures are read blurred after the first hit
 constexpr float least_alpha = 3e-3F;
 
 // Uniform numbers of one path (PCG-XSH-RR, O'Neill 2014).
@@ -37,17 +39,23 @@ class PathNumbers {
 class Scattering {
  public:
   Scattering(const Surface& surface, Vec3f view)
-      : surface_(surface), frame_(surface.normal), view_(view), n_dot_v_(std::max(dot(surface.normal, view), 1e-3F)),
+      : surface_(surface),
+        frame_(surface.normal),
+        view_(view),
+        n_dot_v_(std::max(dot(surface.normal, view), 1e-3F)),
         alpha_(std::max(surface.roughness * surface.roughness, least_alpha)) {
     const float mirrored_share = luminance(fresnel(surface.reflectance(), n_dot_v_));
     const float diffuse_share = luminance(surface.diffuse());
-    gloss_chance_ = diffuse_share <= 0 ? 1 : std::clamp(mirrored_share / (mirrored_share + diffuse_share), 0.12F, 0.9F);
+    gloss_chance_ =
+        diffuse_share <= 0
+            ? 1
+            : std::clamp(mirrored_share / (mirrored_share + diffuse_share), 0.12F, 0.9F);
     if (mirrored_share <= 0) gloss_chance_ = 0;
   }
 
   struct Value {
-    Vec3f diffuse, gloss;   // reflectance distribution times cosine
-    float pdf = 0;          // of `sample` choosing this direction
+    Vec3f diffuse, gloss;  // reflectance distribution times cosine
+    float pdf = 0;         // of `sample` choosing this direction
   };
   Value evaluate(Vec3f light) const {
     Value value;
@@ -56,7 +64,8 @@ class Scattering {
     const Vec3f half = normalized(light + view_);
     const float n_dot_h = std::max(dot(surface_.normal, half), 0.0F);
     const Vec3f mirrored_part = fresnel(surface_.reflectance(), dot(view_, half));
-    const float density = ggx_density(n_dot_h, alpha_) * ggx_masking(n_dot_v_, alpha_) / (4 * n_dot_v_);
+    const float density =
+        ggx_density(n_dot_h, alpha_) * ggx_masking(n_dot_v_, alpha_) / (4 * n_dot_v_);
     value.gloss = mirrored_part * (density * ggx_masking(n_dot_l, alpha_));
     value.diffuse = surface_.diffuse() * (Vec3f{1, 1, 1} - mirrored_part) * (n_dot_l * inverse_pi);
     value.pdf = gloss_chance_ * density + (1 - gloss_chance_) * n_dot_l * inverse_pi;
@@ -130,7 +139,9 @@ class PathTracer {
   }
 
   Ray through_pane(const Surface& pane, const Ray& ray) {
-    const float reflected = fresnel({pane_reflectance, pane_reflectance, pane_reflectance}, -dot(pane.normal, ray.direction)).x;
+    const float reflected = fresnel({pane_reflectance, pane_reflectance, pane_reflectance},
+                                    -dot(pane.normal, ray.direction))
+                                .x;
     if (numbers_.next() < reflected) {
       if (lobe_ == Lobe::none) lobe_ = Lobe::other;
       return {pane.position, mirrored(ray.direction, pane.normal)};
@@ -145,7 +156,8 @@ class PathTracer {
     if (surface.light >= 0 && scatter_pdf_ > 0) {
       const AreaLight& light = lighting_.world.lights[static_cast<std::size_t>(surface.light)];
       if (dot(ray.direction, light.normal) >= 0) return;
-      const float lamp_pdf = lighting_.lights.pdf(scattered_at_, surface.light, ray.direction, length(surface.position - scattered_at_));
+      const float lamp_pdf = lighting_.lights.pdf(
+          scattered_at_, surface.light, ray.direction, length(surface.position - scattered_at_));
       weight = scatter_pdf_ * scatter_pdf_ / (scatter_pdf_ * scatter_pdf_ + lamp_pdf * lamp_pdf);
     }
     add(throughput_ * surface.emission * weight, lobe_, bounces);
@@ -178,7 +190,8 @@ class PathTracer {
     if (value.pdf <= 0) return;
     const Ray shadow{surface.position, sample.direction, 0, sample.distance - light_end_m};
     if (is_blocked(lighting_.world, shadow, mask_opaque)) return;
-    const float weight = sample.pdf * sample.pdf / (sample.pdf * sample.pdf + value.pdf * value.pdf);
+    const float weight =
+        sample.pdf * sample.pdf / (sample.pdf * sample.pdf + value.pdf * value.pdf);
     const Vec3f light = throughput_ * sample.irradiance_scale * weight;
     add(light * value.diffuse, lobe_ == Lobe::none ? Lobe::diffuse : lobe_, bounces);
     add(light * value.gloss, lobe_ == Lobe::none ? Lobe::other : lobe_, bounces);
@@ -189,15 +202,22 @@ class PathTracer {
   PathNumbers numbers_;
   PathSums& sums_;
   Vec3f throughput_{1, 1, 1}, scattered_at_;
-  float scatter_pdf_ = 0;    // 0: the eye or a mirror-like pane; lamps seen then count in full
+  float scatter_pdf_ = 0;  // 0: the eye or a mirror-like pane; lamps seen then count in full
   float travelled_ = 0;
   Lobe lobe_ = Lobe::none;
 };
 
 }  // namespace
 
-void add_path(const Lighting& lighting, const View& view, int x, int y, std::uint32_t number, unsigned camera_mask, PathSums& sums) {
-  PathNumbers numbers(static_cast<std::uint32_t>(y) * 65536U + static_cast<std::uint32_t>(x), number);
+void add_path(const Lighting& lighting,
+              const View& view,
+              int x,
+              int y,
+              std::uint32_t number,
+              unsigned camera_mask,
+              PathSums& sums) {
+  PathNumbers numbers(static_cast<std::uint32_t>(y) * 65536U + static_cast<std::uint32_t>(x),
+                      number);
   const float dx = numbers.next(), dy = numbers.next();
   const Ray ray = view.ray(static_cast<float>(x) + dx, static_cast<float>(y) + dy);
   PathTracer(lighting, view, numbers, sums).run(ray, camera_mask);

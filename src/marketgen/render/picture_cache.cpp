@@ -20,7 +20,8 @@ constexpr int largest_side = 8192;
 struct Header {
   std::array<char, 4> mark = file_mark;
   std::int32_t width = 0, height = 0;
-  std::uint64_t checksum = 0;   // of the pixels: a crash may leave a file of the right length and wrong content
+  std::uint64_t checksum =
+      0;  // of the pixels: a crash may leave a file of the right length and wrong content
 };
 
 std::string_view bytes_of(const Image& image) {
@@ -31,8 +32,8 @@ std::optional<Image> decode(const std::string& file) {
   Header header;
   if (file.size() < sizeof(header)) return std::nullopt;
   std::memcpy(&header, file.data(), sizeof(header));
-  const bool plausible = header.mark == file_mark && header.width > 0 && header.height > 0 && header.width <= largest_side &&
-                         header.height <= largest_side;
+  const bool plausible = header.mark == file_mark && header.width > 0 && header.height > 0 &&
+                         header.width <= largest_side && header.height <= largest_side;
   if (!plausible) return std::nullopt;
   Image image(header.width, header.height, 3);
   if (file.size() != sizeof(header) + image.pixels.size()) return std::nullopt;
@@ -50,15 +51,17 @@ std::string encode(const Image& image) {
 
 }  // namespace
 
-Result<Image> cached_picture(const std::string& content, const std::function<Result<Image>()>& draw) {
-  const std::string name = Hasher().add(art_version).add(program_version).add(content).hex() + ".rgb";
+Result<Image> cached_picture(const std::string& content,
+                             const std::function<Result<Image>()>& draw) {
+  const std::string name =
+      Hasher().add(art_version).add(program_version).add(content).hex() + ".rgb";
   const std::filesystem::path folder = cache_folder() / "labels";
   if (const Result<std::string> file = read_file(folder / name); file.ok()) {
     if (std::optional<Image> image = decode(*file)) return *std::move(image);
   }
   MARKETGEN_TRY(Image image, draw());
   if (image.channels != 3) return image;
-  std::error_code ignored;   // a cache that cannot be written costs time, nothing else
+  std::error_code ignored;  // a cache that cannot be written costs time, nothing else
   std::filesystem::create_directories(folder, ignored);
   (void)write_file(folder / name, encode(image)).ok();
   return image;

@@ -1,7 +1,7 @@
 // Pictures of a scene by ray tracing (Embree): colour, depth, segmentation, normals.
 //
-// A Renderer holds what is built once per scene (geometry, BVHs, textures, lights); render() may be called many times and from
-// one thread at a time. Pixels are identical for any thread count.
+// A Renderer holds what is built once per scene (geometry, BVHs, textures, lights); render() may be
+// called many times and from one thread at a time. Pixels are identical for any thread count.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -19,32 +19,40 @@ namespace marketgen {
 
 // sensor: one bounce, noise-filtered, seconds; path: full path tracing, `samples` a pixel.
 enum class RenderMode { sensor, path };
-constexpr std::array<std::string_view, 2> names_of(RenderMode) { return {"sensor", "path"}; }
+constexpr std::array<std::string_view, 2> names_of(RenderMode) {
+  return {"sensor", "path"};
+}
 enum class Quality { fast, balanced, best };
-constexpr std::array<std::string_view, 3> names_of(Quality) { return {"fast", "balanced", "best"}; }
+constexpr std::array<std::string_view, 3> names_of(Quality) {
+  return {"fast", "balanced", "best"};
+}
 
 struct RenderOptions {
   RenderMode mode = RenderMode::sensor;
   Quality quality = Quality::balanced;
-  int samples = 0;                 // per pixel; 0 = what the quality says
-  double time_s = 0;               // path mode: stop adding samples after this long; 0 = no limit (then not reproducible if set)
-  bool hide_ceiling = false;       // for views from above
+  int samples = 0;    // per pixel; 0 = what the quality says
+  double time_s = 0;  // path mode: stop adding samples after this long; 0 = no limit (then not
+                      // reproducible if set)
+  bool hide_ceiling = false;  // for views from above
 };
 
 // Planes are row-major from the top left, one entry a pixel.
 struct Frame {
-  Image color;                          // sRGB, tone mapped
-  std::vector<float> depth_m;           // along the optical axis; 0 = nothing hit
-  std::vector<std::uint32_t> instance;  // 0 nothing, 1 shell, 2 + i fixture i, 2 + fixtures + j product j
-  std::vector<float> normals;           // world frame, 3 a pixel
+  Image color;                 // sRGB, tone mapped
+  std::vector<float> depth_m;  // along the optical axis; 0 = nothing hit
+  std::vector<std::uint32_t>
+      instance;                // 0 nothing, 1 shell, 2 + i fixture i, 2 + fixtures + j product j
+  std::vector<float> normals;  // world frame, 3 a pixel
 };
 
 class Renderer {
  public:
-  static Result<std::unique_ptr<Renderer>> create(const Scene& scene, Progress& progress = silent_progress());
+  static Result<std::unique_ptr<Renderer>> create(const Scene& scene,
+                                                  Progress& progress = silent_progress());
   virtual ~Renderer() = default;
   // Errors: camera.*. The scene must outlive the renderer.
-  virtual Result<Frame> render(const Camera& camera, const RenderOptions& options,
+  virtual Result<Frame> render(const Camera& camera,
+                               const RenderOptions& options,
                                Progress& progress = silent_progress()) = 0;
 };
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/interrupt.h"
 #include "base/parallel.h"
 #include "render/build_world.h"
 #include "render/filter.h"
@@ -14,28 +15,38 @@ namespace marketgen {
 namespace raytrace {
 namespace {
 
-// What a quality buys. Sensor mode: light samples a pixel, extra samples on edges, filter passes. Path mode: paths a pixel.
+// What a quality buys. Sensor mode: light samples a pixel, extra samples on edges, filter passes.
+// Path mode: paths a pixel.
 struct Effort {
   int light_samples, edge_samples, filter_passes, paths;
 };
 
 Effort effort_of(Quality quality) {
   switch (quality) {
-    case Quality::fast: return {1, 3, 4, 16};
-    case Quality::balanced: return {2, 4, 4, 64};
-    case Quality::best: return {8, 8, 3, 256};
+    case Quality::fast:
+      return {1, 3, 4, 16};
+    case Quality::balanced:
+      return {2, 4, 4, 64};
+    case Quality::best:
+      return {8, 8, 3, 256};
   }
   return {2, 4, 4, 64};
 }
 
-constexpr int paths_per_pass = 8;   // between looks at the clock
+constexpr int paths_per_pass = 8;  // between looks at the clock
 
 class EmbreeRenderer : public Renderer {
  public:
   EmbreeRenderer(std::unique_ptr<World> world, const Scene& scene)
-      : world_(std::move(world)), lights_(*world_), field_(*world_, lights_, scene), lighting_{*world_, lights_, field_} {}
+      : world_(std::move(world)),
+        lights_(*world_),
+        field_(*world_, lights_, scene),
+        panels_(*world_),
+        lighting_{*world_, lights_, field_, panels_} {}
 
-  Result<Frame> render(const Camera& camera, const RenderOptions& options, Progress& progress) override {
+  Result<Frame> render(const Camera& camera,
+                       const RenderOptions& options,
+                       Progress& progress) override {
     MARKETGEN_CHECK(check_camera(camera, camera.name.empty() ? "camera" : camera.name));
     const View view(camera);
     const unsigned mask = options.hide_ceiling ? mask_solid : mask_opaque;
@@ -43,27 +54,38 @@ class EmbreeRenderer : public Renderer {
     Planes3 radiance(0);
     if (options.mode == RenderMode::path) {
       trace_paths(view, options, mask, film, progress);
+      MARKETGEN_CHECK(check_interrupt());
       radiance = resolve_edges(lighting_, view, film, mask, 0);
     } else {
       light_sensor(view, options, mask, film, progress);
-      radiance = resolve_edges(lighting_, view, film, mask, effort_of(options.quality).edge_samples);
+      MARKETGEN_CHECK(check_interrupt());
+      radiance =
+          resolve_edges(lighting_, view, film, mask, effort_of(options.quality).edge_samples);
     }
     return frame_of(std::move(film), radiance);
   }
 
  private:
   template <class Body>
-  void for_tiles(const View& view, Progress& progress, std::string_view stage, const Body& body) const {
-    const auto count = static_cast<std::size_t>(tiles_across(view)) * static_cast<std::size_t>(tiles_down(view));
+  void for_tiles(const View& view,
+                 Progress& progress,
+                 std::string_view stage,
+                 const Body& body) const {
+    const auto count =
+        static_cast<std::size_t>(tiles_across(view)) * static_cast<std::size_t>(tiles_down(view));
     progress.begin(stage, count);
     parallel_for(count, [&](std::size_t i) {
-      body(static_cast<int>(i));
+      if (check_interrupt().ok()) body(static_cast<int>(i));
       progress.advance();
     });
     progress.end();
   }
 
-  void light_sensor(const View& view, const RenderOptions& options, unsigned mask, Film& film, Progress& progress) const {
+  void light_sensor(const View& view,
+                    const RenderOptions& options,
+                    unsigned mask,
+                    Film& film,
+                    Progress& progress) const {
     const Effort effort = effort_of(options.quality);
     const int samples = options.samples > 0 ? options.samples : effort.light_samples;
     for_tiles(view, progress, "picture", [&](int index) {
@@ -72,11 +94,16 @@ class EmbreeRenderer : public Renderer {
       store_first_hits(*world_, view, *tile, film);
       light_tile(lighting_, view, *tile, samples, film);
     });
-    smooth(film, film.irradiance, {effort.filter_passes, 4.0F, false});
-    smooth(film, film.gloss, {effort.filter_passes - 1, 3.0F, true});
+    smooth(film, film.irradiance, {effort.filter_passes, 8.0F, false});
+    remove_sparkles(film, film.gloss);
+    smooth(film, film.gloss, {effort.filter_passes - 1, 24.0F, true});
   }
 
-  void trace_paths(const View& view, const RenderOptions& options, unsigned mask, Film& film, Progress& progress) const {
+  void trace_paths(const View& view,
+                   const RenderOptions& options,
+                   unsigned mask,
+                   Film& film,
+                   Progress& progress) const {
     const int wanted = options.samples > 0 ? options.samples : effort_of(options.quality).paths;
     for_tiles(view, progress, "first hits", [&](int index) {
       const auto tile = std::make_unique<Tile>();
@@ -88,7 +115,9 @@ class EmbreeRenderer : public Renderer {
     int done = 0;
     while (done < wanted) {
       const int now = std::min(paths_per_pass, wanted - done);
-      for_tiles(view, progress, "paths", [&](int index) { add_tile_paths(view, index, done, now, mask, sums); });
+      for_tiles(view, progress, "paths", [&](int index) {
+        add_tile_paths(view, index, done, now, mask, sums);
+      });
       done += now;
       if (options.time_s > 0 && monotonic_seconds() - start > options.time_s) break;
     }
@@ -97,12 +126,20 @@ class EmbreeRenderer : public Renderer {
     smooth(film, film.gloss, {2, 1.5F, true});
   }
 
-  void add_tile_paths(const View& view, int index, int first, int count, unsigned mask, std::vector<PathSums>& sums) const {
-    const int x0 = index % tiles_across(view) * tile_size, y0 = index / tiles_across(view) * tile_size;
+  void add_tile_paths(const View& view,
+                      int index,
+                      int first,
+                      int count,
+                      unsigned mask,
+                      std::vector<PathSums>& sums) const {
+    const int x0 = index % tiles_across(view) * tile_size,
+              y0 = index / tiles_across(view) * tile_size;
     for (int y = y0; y < std::min(y0 + tile_size, view.height()); ++y) {
       for (int x = x0; x < std::min(x0 + tile_size, view.width()); ++x) {
-        PathSums& sum = sums[static_cast<std::size_t>(y) * static_cast<std::size_t>(view.width()) + static_cast<std::size_t>(x)];
-        for (int s = first; s < first + count; ++s) add_path(lighting_, view, x, y, static_cast<std::uint32_t>(s), mask, sum);
+        PathSums& sum = sums[static_cast<std::size_t>(y) * static_cast<std::size_t>(view.width()) +
+                             static_cast<std::size_t>(x)];
+        for (int s = first; s < first + count; ++s)
+          add_path(lighting_, view, x, y, static_cast<std::uint32_t>(s), mask, sum);
       }
     }
   }
@@ -112,9 +149,14 @@ class EmbreeRenderer : public Renderer {
     const float scale = 1 / static_cast<float>(count);
     for (std::size_t i = 0; i < film.count(); ++i) {
       const Vec3f albedo = sums[i].albedo * scale, diffuse = sums[i].diffuse * scale;
-      const auto divided = [](float light, float color) { return color > 1e-3F ? light * pi / color : 0; };
+      const auto divided = [](float light, float color) {
+        return color > 1e-3F ? light * pi / color : 0;
+      };
       film.albedo.set(i, albedo);
-      film.irradiance.set(i, {divided(diffuse.x, albedo.x), divided(diffuse.y, albedo.y), divided(diffuse.z, albedo.z)});
+      film.irradiance.set(i,
+                          {divided(diffuse.x, albedo.x),
+                           divided(diffuse.y, albedo.y),
+                           divided(diffuse.z, albedo.z)});
       film.reflectance.set(i, {1, 1, 1});
       film.gloss.set(i, sums[i].other * scale);
       film.emission.set(i, {});
@@ -130,8 +172,9 @@ class EmbreeRenderer : public Renderer {
     frame.instance = std::move(film.instance);
     frame.normals.resize(film.normal.axis[0].size() * 3);
     for (std::size_t i = 0; i < frame.depth_m.size(); ++i) {
-      if (frame.depth_m[i] <= 0) continue;   // nothing was hit: no normal
-      for (std::size_t a = 0; a < 3; ++a) frame.normals[3 * i + a] = film.normal.axis[a][i];
+      if (frame.depth_m[i] <= 0) continue;  // nothing was hit: no normal
+      for (std::size_t a = 0; a < 3; ++a)
+        frame.normals[3 * i + a] = film.normal.axis[a][i];
     }
     return frame;
   }
@@ -139,6 +182,7 @@ class EmbreeRenderer : public Renderer {
   std::unique_ptr<World> world_;
   LightGrid lights_;
   IrradianceField field_;
+  PanelReflection panels_;
   Lighting lighting_;
 };
 
@@ -147,7 +191,8 @@ class EmbreeRenderer : public Renderer {
 
 Result<std::unique_ptr<Renderer>> Renderer::create(const Scene& scene, Progress& progress) {
   MARKETGEN_TRY(std::unique_ptr<raytrace::World> world, raytrace::build_world(scene, progress));
-  return std::unique_ptr<Renderer>(std::make_unique<raytrace::EmbreeRenderer>(std::move(world), scene));
+  return std::unique_ptr<Renderer>(
+      std::make_unique<raytrace::EmbreeRenderer>(std::move(world), scene));
 }
 
 }  // namespace marketgen

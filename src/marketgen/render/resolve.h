@@ -5,9 +5,13 @@
 
 namespace marketgen::raytrace {
 
-// Radiance of every pixel. Where surfaces meet inside a pixel, `edge_samples` more primary rays each take the light of the
-// neighbouring pixel that shows the same surface; 0 = none.
-Planes3 resolve_edges(const Lighting& lighting, const View& view, const Film& film, unsigned opaque_mask, int edge_samples);
+// Radiance of every pixel. Where surfaces meet inside a pixel, `edge_samples` more primary rays
+// each take the light of the neighbouring pixel that shows the same surface; 0 = none.
+Planes3 resolve_edges(const Lighting& lighting,
+                      const View& view,
+                      const Film& film,
+                      unsigned opaque_mask,
+                      int edge_samples);
 
 Image develop(const Planes3& radiance, int width, int height, float exposure);
 

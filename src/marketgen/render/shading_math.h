@@ -1,4 +1,5 @@
-// Small formulas that every part of the ray tracer shares: frames, Fresnel, the GGX lobe, hashed numbers.
+// Small formulas that every part of the ray tracer shares: frames, Fresnel, the GGX lobe, hashed
+// numbers.
 #pragma once
 #include <algorithm>
 #include <bit>
@@ -16,16 +17,27 @@ constexpr float two_pi = 2 * pi;
 // Normal reflectance of a dielectric with refractive index 1.5: ((n - 1) / (n + 1))^2.
 constexpr float dielectric_reflectance = 0.04F;
 
-inline float luminance(Vec3f c) { return 0.2126F * c.x + 0.7152F * c.y + 0.0722F * c.z; }
-inline float largest(Vec3f c) { return std::max(c.x, std::max(c.y, c.z)); }
-inline Vec3f mix(Vec3f a, Vec3f b, float t) { return a * (1 - t) + b * t; }
-inline Vec3f mirrored(Vec3f d, Vec3f n) { return d - n * (2 * dot(d, n)); }
-inline bool is_finite(Vec3f c) { return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z); }
+inline float luminance(Vec3f c) {
+  return 0.2126F * c.x + 0.7152F * c.y + 0.0722F * c.z;
+}
+inline float largest(Vec3f c) {
+  return std::max(c.x, std::max(c.y, c.z));
+}
+inline Vec3f mix(Vec3f a, Vec3f b, float t) {
+  return a * (1 - t) + b * t;
+}
+inline Vec3f mirrored(Vec3f d, Vec3f n) {
+  return d - n * (2 * dot(d, n));
+}
+inline bool is_finite(Vec3f c) {
+  return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z);
+}
 
 // Base-2 logarithm of a positive number within 0.01: enough to pick a mip level.
 inline float rough_log2(float x) {
   const auto bits = static_cast<float>(std::bit_cast<std::int32_t>(x));
-  return bits * (1.0F / 8388608.0F) - 126.957F;  // 126.957: exponent bias less the mean mantissa error
+  return bits * (1.0F / 8388608.0F) -
+         126.957F;  // 126.957: exponent bias less the mean mantissa error
 }
 
 // Right-handed frame around a unit normal without branches (Duff et al., JCGT 2017).
@@ -66,12 +78,14 @@ inline float fifth_power(float x) {
 
 // Schlick's Fresnel approximation.
 inline Vec3f fresnel(Vec3f reflectance, float cos_theta) {
-  return reflectance + (Vec3f{1, 1, 1} - reflectance) * fifth_power(1 - std::clamp(cos_theta, 0.0F, 1.0F));
+  return reflectance +
+         (Vec3f{1, 1, 1} - reflectance) * fifth_power(1 - std::clamp(cos_theta, 0.0F, 1.0F));
 }
 // The same for a rough surface seen as a whole: less lift at grazing angles.
 inline Vec3f rough_fresnel(Vec3f reflectance, float cos_theta, float roughness) {
   const float top = 1 - roughness;
-  const Vec3f lift{std::max(top, reflectance.x) - reflectance.x, std::max(top, reflectance.y) - reflectance.y,
+  const Vec3f lift{std::max(top, reflectance.x) - reflectance.x,
+                   std::max(top, reflectance.y) - reflectance.y,
                    std::max(top, reflectance.z) - reflectance.z};
   return reflectance + lift * fifth_power(1 - std::clamp(cos_theta, 0.0F, 1.0F));
 }
@@ -91,7 +105,8 @@ inline float ggx_masking(float n_dot_v, float alpha) {
 inline Vec3f ggx_half_vector(Vec3f view, float alpha, float u, float v) {
   const Vec3f stretched = normalized(Vec3f{alpha * view.x, alpha * view.y, view.z});
   const float flat = stretched.x * stretched.x + stretched.y * stretched.y;
-  const Vec3f t1 = flat > 0 ? Vec3f{-stretched.y, stretched.x, 0} / std::sqrt(flat) : Vec3f{1, 0, 0};
+  const Vec3f t1 =
+      flat > 0 ? Vec3f{-stretched.y, stretched.x, 0} / std::sqrt(flat) : Vec3f{1, 0, 0};
   const Vec3f t2 = cross(stretched, t1);
   const float r = std::sqrt(u);
   const float x = r * std::cos(two_pi * v);
@@ -111,6 +126,8 @@ inline std::uint32_t hashed(std::uint32_t x) {
   return x;
 }
 // [0, 1), 24 bits.
-inline float unit_float(std::uint32_t bits) { return static_cast<float>(bits >> 8) * (1.0F / 16777216.0F); }
+inline float unit_float(std::uint32_t bits) {
+  return static_cast<float>(bits >> 8) * (1.0F / 16777216.0F);
+}
 
 }  // namespace marketgen::raytrace

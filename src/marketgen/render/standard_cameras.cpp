@@ -13,18 +13,21 @@ using raytrace::StandingRoom;
 
 constexpr double eye_m = 1.65, aisle_eye_m = 1.5, shelf_eye_m = 1.45;
 constexpr double wide_deg = 52, shelf_deg = 60;
-constexpr double entrance_step_m = 0.9;        // inside the door
-constexpr double look_down = 0.085;            // slope of the eye's line over the store: about 5 degrees
+constexpr double entrance_step_m = 0.9;  // inside the door
+constexpr double look_down = 0.085;      // slope of the eye's line over the store: about 5 degrees
 constexpr double checkout_distance_m = 4.5;
-constexpr double shelf_share = 0.86;           // of the picture's height that a shelf fills
-constexpr double aisle_end_m = 1.2;            // the aisle's photographer stands this far inside its end
+constexpr double shelf_share = 0.86;  // of the picture's height that a shelf fills
+constexpr double aisle_step_m = 1.2;  // from the aisle's end, inwards or outwards
+constexpr double long_aisle_m = 9;
 constexpr double plan_margin = 1.04;
 
 Vec3 unit_at(double degrees) {
   const double a = degrees * std::numbers::pi / 180;
   return {std::cos(a), std::sin(a), 0};
 }
-Vec3 metres(double x_mm, double y_mm, double z_m) { return {x_mm * 1e-3, y_mm * 1e-3, z_m}; }
+Vec3 metres(double x_mm, double y_mm, double z_m) {
+  return {x_mm * 1e-3, y_mm * 1e-3, z_m};
+}
 
 // Outward direction of a fixture's front, or of its back side.
 Vec3 front_of(const Fixture& fixture, int side) {
@@ -35,9 +38,11 @@ Vec3 front_of(const Fixture& fixture, int side) {
 
 class Photographer {
  public:
-  Photographer(const Scene& scene, int width, int height) : layout_(scene.layout), room_(scene), width_(width), height_(height) {
-    const RectMm bounds = layout_.shell.outline_mm ? bounds_of(*layout_.shell.outline_mm)
-                                                   : RectMm{0, 0, layout_.shell.width_mm, layout_.shell.depth_mm};
+  Photographer(const Scene& scene, int width, int height)
+      : layout_(scene.layout), room_(scene), width_(width), height_(height) {
+    const RectMm bounds = layout_.shell.outline_mm
+                              ? bounds_of(*layout_.shell.outline_mm)
+                              : RectMm{0, 0, layout_.shell.width_mm, layout_.shell.depth_mm};
     bounds_ = bounds;
     middle_ = metres((bounds.x0 + bounds.x1) / 2.0, (bounds.y0 + bounds.y1) / 2.0, 0);
   }
@@ -67,25 +72,33 @@ class Photographer {
     const Aisle* longest = nullptr;
     double most = 0;
     for (const Aisle& aisle : layout_.aisles) {
-      const RectMm box = bounds_of(aisle.polygon_mm);
-      const double length = std::max(box.width(), box.depth()), width = std::min(box.width(), box.depth());
-      // Goods stand on both sides of a secondary aisle; a main one often runs along a wall.
-      const double worth = length * (aisle.kind == AisleKind::secondary ? 1.0 : 0.4) * (length > 2 * width ? 1.0 : 0.3);
+      const double worth = goods_along(bounds_of(aisle.polygon_mm));
       if (worth > most) {
         most = worth;
         longest = &aisle;
       }
     }
-    if (longest == nullptr) return looking(named("aisle"), room_.nearest(middle_), open_view(room_.nearest(middle_), {0, 1, 0}), aisle_eye_m, wide_deg);
+    if (longest == nullptr)
+      return looking(named("aisle"),
+                     room_.nearest(middle_),
+                     open_view(room_.nearest(middle_), {0, 1, 0}),
+                     aisle_eye_m,
+                     wide_deg);
     const RectMm box = bounds_of(longest->polygon_mm);
     const bool along_x = box.width() >= box.depth();
     const double x = (box.x0 + box.x1) / 2.0, y = (box.y0 + box.y1) / 2.0;
-    const Vec3 low = along_x ? metres(box.x0 + aisle_end_m * 1000, y, 0) : metres(x, box.y0 + aisle_end_m * 1000, 0);
-    const Vec3 high = along_x ? metres(box.x1 - aisle_end_m * 1000, y, 0) : metres(x, box.y1 - aisle_end_m * 1000, 0);
+    const Vec3 low = along_x ? metres(box.x0, y, 0) : metres(x, box.y0, 0);
+    const Vec3 high = along_x ? metres(box.x1, y, 0) : metres(x, box.y1, 0);
     const Vec3 forward = normalized(high - low);
-    const Vec3 from_low = room_.nearest(low), from_high = room_.nearest(high);
+    // A long aisle is seen from within, a short one from before its end.
+    const double step = length(high - low) > long_aisle_m ? aisle_step_m : -aisle_step_m;
+    const Vec3 from_low = room_.nearest(low + forward * step), from_high = room_.nearest(high - forward * step);
     const bool upward = room_.sight(from_low, forward, 60) >= room_.sight(from_high, -forward, 60);
-    return looking(named("aisle"), upward ? from_low : from_high, upward ? forward : -forward, aisle_eye_m, wide_deg);
+    return looking(named("aisle"),
+                   upward ? from_low : from_high,
+                   upward ? forward : -forward,
+                   aisle_eye_m,
+                   wide_deg);
   }
 
   Camera checkout() const {
@@ -97,7 +110,8 @@ class Photographer {
       sum += metres(fixture.x_mm, fixture.y_mm, 0);
       count += 1;
     }
-    if (count == 0) return looking(named("checkout"), room_.nearest(middle_), {0, -1, 0}, eye_m, wide_deg);
+    if (count == 0)
+      return looking(named("checkout"), room_.nearest(middle_), {0, -1, 0}, eye_m, wide_deg);
     const Vec3 lanes = sum / count;
     // From the side with the most free floor, the shop's side when equal.
     Vec3 best = lanes;
@@ -108,8 +122,11 @@ class Photographer {
       const Vec3 away = stand - lanes;
       const double distance = std::sqrt(away.x * away.x + away.y * away.y);
       const Vec3 homeward = normalized(middle_ - lanes);
-      const double worth = std::min(distance, checkout_distance_m) + 1.5 * dot(normalized(Vec3{away.x, away.y, 0}), homeward) +
-                           0.3 * std::min(room_.sight(stand, normalized(Vec3{-away.x, -away.y, 0}), distance), distance);
+      const double worth =
+          std::min(distance, checkout_distance_m) +
+          1.5 * dot(normalized(Vec3{away.x, away.y, 0}), homeward) +
+          0.3 * std::min(room_.sight(stand, normalized(Vec3{-away.x, -away.y, 0}), distance),
+                         distance);
       if (worth > farthest) {
         farthest = worth;
         best = stand;
@@ -131,7 +148,8 @@ class Photographer {
     int most = 0;
     for (const auto& [run, modules] : runs) {
       int length = 0;
-      for (const Fixture* module : modules) length += module->width_mm * (module->endcap_of.empty() ? 1 : 0) + 1;
+      for (const Fixture* module : modules)
+        length += module->width_mm * (module->endcap_of.empty() ? 1 : 0) + 1;
       if (length > most) {
         most = length;
         longest = &modules;
@@ -157,27 +175,54 @@ class Photographer {
     return camera;
   }
 
+  // How much shelving lines an aisle on both its long sides, in millimetres of the barer one, plus
+  // a little of the fuller.
+  double goods_along(const RectMm& aisle) const {
+    constexpr int beside_mm = 400, shelf_height_mm = 1200;
+    const bool along_x = aisle.width() >= aisle.depth();
+    const RectMm low = along_x ? RectMm{aisle.x0, aisle.y0 - beside_mm, aisle.x1, aisle.y0 + beside_mm / 4}
+                               : RectMm{aisle.x0 - beside_mm, aisle.y0, aisle.x0 + beside_mm / 4, aisle.y1};
+    const RectMm high = along_x ? RectMm{aisle.x0, aisle.y1 - beside_mm / 4, aisle.x1, aisle.y1 + beside_mm}
+                                : RectMm{aisle.x1 - beside_mm / 4, aisle.y0, aisle.x1 + beside_mm, aisle.y1};
+    double low_goods = 0, high_goods = 0;
+    for (const Fixture& fixture : layout_.fixtures) {
+      const bool faces_aisle = fixture.yaw_deg % 180 == (along_x ? 0 : 90) && fixture.endcap_of.empty();
+      if (!faces_aisle || fixture.height_mm < shelf_height_mm) continue;
+      const double gondola = fixture.sides == 2 ? 1.0 : 0.25;   // an aisle between gondolas before one along a wall
+      if (overlap(footprint_of(fixture), low)) low_goods += fixture.width_mm * gondola;
+      if (overlap(footprint_of(fixture), high)) high_goods += fixture.width_mm * gondola;
+    }
+    return std::min(low_goods, high_goods) + 0.05 * std::max(low_goods, high_goods);
+  }
+
   // Middle of an opening on the floor, and the direction into the room.
   std::pair<Vec3, Vec3> place_of(const Opening& o) const {
     const double x = o.center * layout_.shell.width_mm, y = o.center * layout_.shell.depth_mm;
     switch (o.wall) {
-      case Wall::north: return {metres(x, layout_.shell.depth_mm, 0), {0, -1, 0}};
-      case Wall::south: return {metres(x, 0, 0), {0, 1, 0}};
-      case Wall::east: return {metres(layout_.shell.width_mm, y, 0), {-1, 0, 0}};
-      case Wall::west: return {metres(0, y, 0), {1, 0, 0}};
+      case Wall::north:
+        return {metres(x, layout_.shell.depth_mm, 0), {0, -1, 0}};
+      case Wall::south:
+        return {metres(x, 0, 0), {0, 1, 0}};
+      case Wall::east:
+        return {metres(layout_.shell.width_mm, y, 0), {-1, 0, 0}};
+      case Wall::west:
+        return {metres(0, y, 0), {1, 0, 0}};
     }
     return {middle_, {0, 1, 0}};
   }
 
-  // The direction, within a right angle or so of `wanted`, in which a picture shows the most of the shop.
+  // The direction, within a right angle or so of `wanted`, in which a picture shows the most of the
+  // shop.
   Vec3 open_view(Vec3 stand, Vec3 wanted) const {
     const double start = std::atan2(wanted.y, wanted.x) * 180 / std::numbers::pi;
     double most = -1;
     Vec3 best = wanted;
     for (const int turn : {0, 10, -10, 20, -20, 30, -30, 40, -40, 50, -50, 60, -60}) {
       double worth = 0;
-      for (int ray = -35; ray <= 35; ray += 5) worth += std::min(room_.sight(stand, unit_at(start + turn + ray), 14), 14.0);
-      worth += 6 * dot(unit_at(start + turn), normalized(Vec3{middle_.x - stand.x, middle_.y - stand.y, 0}));
+      for (int ray = -35; ray <= 35; ray += 5)
+        worth += std::min(room_.sight(stand, unit_at(start + turn + ray), 14), 14.0);
+      worth += 6 * dot(unit_at(start + turn),
+                       normalized(Vec3{middle_.x - stand.x, middle_.y - stand.y, 0}));
       if (worth > most + 0.5) {
         most = worth;
         best = unit_at(start + turn);
@@ -191,14 +236,15 @@ class Photographer {
     const Fixture* middle = run[run.size() / 2];
     const double high = middle->height_mm * 1e-3;
     // What is low is looked into from above and needs more distance than its height says.
-    const double wanted = std::max(1.7, high / shelf_share / 2 / std::tan(shelf_deg * std::numbers::pi / 360));
+    const double wanted =
+        std::max(1.7, high / shelf_share / 2 / std::tan(shelf_deg * std::numbers::pi / 360));
     double most = -1;
     Vec3 stand, front;
     for (int side = 0; side < (middle->sides == 2 ? 2 : 1); ++side) {
       const Vec3 direction = front_of(*middle, side);
       const double half = middle->depth_mm * 0.5e-3;
       const Vec3 edge = metres(middle->x_mm, middle->y_mm, 0) + direction * half;
-      constexpr double start = 0.5;   // clear of the fixture itself
+      constexpr double start = 0.5;  // clear of the fixture itself
       const double free = room_.free_way(edge + direction * start, direction, wanted - start);
       if (free > most + 0.01) {
         most = free;
@@ -208,12 +254,13 @@ class Photographer {
     }
     if (!room_.is_free(stand)) stand = room_.nearest(stand);
     const Vec3 along{-front.y, front.x, 0};
-    const Vec3 aside = stand + along * 0.5;   // a little from the side: packs show their depth
+    const Vec3 aside = stand + along * 0.5;  // a little from the side: packs show their depth
     if (room_.is_free(aside)) stand = aside;
     Camera camera = named(name);
     const double eye = high < 1.2 ? eye_m : shelf_eye_m;
     camera.from = {stand.x, stand.y, eye};
-    const Vec3 target = metres(middle->x_mm, middle->y_mm, 0) + front * (middle->depth_mm * 0.25e-3);
+    const Vec3 target =
+        metres(middle->x_mm, middle->y_mm, 0) + front * (middle->depth_mm * 0.25e-3);
     camera.at = {target.x, target.y, high < 1.2 ? high * 0.75 : high * 0.5};
     camera.fov_deg = shelf_deg;
     return camera;
@@ -224,7 +271,8 @@ class Photographer {
     const Vec3 center = metres((box.x0 + box.x1) / 2.0, (box.y0 + box.y1) / 2.0, 0);
     const Vec3 stand = room_.nearest(center);
     const Vec3 inward = length(middle_ - stand) > 0.1 ? normalized(middle_ - stand) : Vec3{0, 1, 0};
-    return looking(named(name), stand, open_view(stand, Vec3{inward.x, inward.y, 0}), eye_m, shelf_deg);
+    return looking(
+        named(name), stand, open_view(stand, Vec3{inward.x, inward.y, 0}), eye_m, shelf_deg);
   }
 
   const Layout& layout_;
@@ -238,8 +286,10 @@ class Photographer {
 
 std::vector<Camera> standard_cameras(const Scene& scene, int width, int height) {
   const Photographer photographer(scene, std::max(1, width), std::max(1, height));
-  std::vector<Camera> cameras{photographer.top(), photographer.entrance(), photographer.aisle(), photographer.checkout()};
-  for (const LayoutZone& zone : scene.layout.zones) cameras.push_back(photographer.zone(zone));
+  std::vector<Camera> cameras{
+      photographer.top(), photographer.entrance(), photographer.aisle(), photographer.checkout()};
+  for (const LayoutZone& zone : scene.layout.zones)
+    cameras.push_back(photographer.zone(zone));
   return cameras;
 }
 

@@ -6,11 +6,13 @@ namespace marketgen::raytrace {
 namespace {
 
 constexpr int cell_mm = 100;
-constexpr int clearance_mm = 300;       // half a person with a camera
-constexpr int eye_height_mm = 1500;     // lower fixtures do not block the view
+constexpr int clearance_mm = 300;    // half a person with a camera
+constexpr int eye_height_mm = 1500;  // lower fixtures do not block the view
 constexpr double step_m = 0.05;
 
-PointMm as_mm(Vec3 p) { return {static_cast<int>(std::lround(p.x * 1000)), static_cast<int>(std::lround(p.y * 1000))}; }
+PointMm as_mm(Vec3 p) {
+  return {static_cast<int>(std::lround(p.x * 1000)), static_cast<int>(std::lround(p.y * 1000))};
+}
 
 OccupancyGrid occupancy(const Scene& scene, int clearance, int higher_than_mm) {
   const Shell& shell = scene.layout.shell;
@@ -22,31 +24,39 @@ OccupancyGrid occupancy(const Scene& scene, int clearance, int higher_than_mm) {
     const int half = c.size_mm / 2;
     obstacles.push_back({c.x_mm - half, c.y_mm - half, c.x_mm + half, c.y_mm + half});
   }
-  const PolygonMm outline = shell.outline_mm ? *shell.outline_mm : polygon_of(RectMm{0, 0, shell.width_mm, shell.depth_mm});
+  const PolygonMm outline = shell.outline_mm
+                                ? *shell.outline_mm
+                                : polygon_of(RectMm{0, 0, shell.width_mm, shell.depth_mm});
   return make_occupancy(outline, obstacles, clearance, cell_mm);
 }
 
 bool free_at(const OccupancyGrid& grid, Vec3 point) {
   const PointMm p = as_mm(point);
-  const auto index = [&](int mm, int start) { return static_cast<int>(std::floor(static_cast<double>(mm - start) / grid.cell_mm)); };
+  const auto index = [&](int mm, int start) {
+    return static_cast<int>(std::floor(static_cast<double>(mm - start) / grid.cell_mm));
+  };
   return grid.free(index(p[0], grid.bounds.x0), index(p[1], grid.bounds.y0));
 }
 
 double way(const OccupancyGrid& grid, Vec3 from, Vec3 direction, double limit) {
   double reached = 0;
-  while (reached + step_m <= limit && free_at(grid, from + direction * (reached + step_m))) reached += step_m;
+  while (reached + step_m <= limit && free_at(grid, from + direction * (reached + step_m)))
+    reached += step_m;
   return reached;
 }
 
 }  // namespace
 
-StandingRoom::StandingRoom(const Scene& scene) : floor_(occupancy(scene, clearance_mm, 0)), tall_(occupancy(scene, 0, eye_height_mm)) {
+StandingRoom::StandingRoom(const Scene& scene)
+    : floor_(occupancy(scene, clearance_mm, 0)), tall_(occupancy(scene, 0, eye_height_mm)) {
   const Components components = find_components(floor_);
   label_ = components.label;
   main_ = components.largest();
 }
 
-bool StandingRoom::is_main(std::size_t cell) const { return main_ != 0 && label_[cell] == main_; }
+bool StandingRoom::is_main(std::size_t cell) const {
+  return main_ != 0 && label_[cell] == main_;
+}
 
 Vec3 StandingRoom::nearest(Vec3 point) const {
   const PointMm wanted = as_mm(point);
@@ -67,10 +77,16 @@ Vec3 StandingRoom::nearest(Vec3 point) const {
   return best;
 }
 
-bool StandingRoom::is_free(Vec3 point) const { return free_at(floor_, point); }
+bool StandingRoom::is_free(Vec3 point) const {
+  return free_at(floor_, point);
+}
 
-double StandingRoom::free_way(Vec3 from, Vec3 direction, double limit) const { return way(floor_, from, direction, limit); }
+double StandingRoom::free_way(Vec3 from, Vec3 direction, double limit) const {
+  return way(floor_, from, direction, limit);
+}
 
-double StandingRoom::sight(Vec3 from, Vec3 direction, double limit) const { return way(tall_, from, direction, limit); }
+double StandingRoom::sight(Vec3 from, Vec3 direction, double limit) const {
+  return way(tall_, from, direction, limit);
+}
 
 }  // namespace marketgen::raytrace

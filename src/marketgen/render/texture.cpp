@@ -22,7 +22,8 @@ std::array<std::uint8_t, 256> make_encoding() {
 
 std::uint32_t encode(const std::uint8_t* rgb) {
   static const std::array<std::uint8_t, 256> table = make_encoding();
-  return static_cast<std::uint32_t>(table[rgb[0]]) | static_cast<std::uint32_t>(table[rgb[1]]) << 8 |
+  return static_cast<std::uint32_t>(table[rgb[0]]) |
+         static_cast<std::uint32_t>(table[rgb[1]]) << 8 |
          static_cast<std::uint32_t>(table[rgb[2]]) << 16;
 }
 
@@ -44,7 +45,9 @@ __m128 unpack(std::uint32_t texel) {
   return _mm_cvtepi32_ps(_mm_cvtepu8_epi32(_mm_cvtsi32_si128(static_cast<int>(texel))));
 }
 
-__m128 lerp(__m128 a, __m128 b, __m128 t) { return _mm_add_ps(a, _mm_mul_ps(t, _mm_sub_ps(b, a))); }
+__m128 lerp(__m128 a, __m128 b, __m128 t) {
+  return _mm_add_ps(a, _mm_mul_ps(t, _mm_sub_ps(b, a)));
+}
 
 // Bilinear look-up in one level; u and v in [0, 1).
 __m128 bilinear(const std::uint32_t* texels, int width, int height, float u, float v) {
@@ -67,13 +70,15 @@ __m128 bilinear(const std::uint32_t* texels, int width, int height, float u, flo
 
 Texture::Texture(const Image& image) {
   if (image.empty()) return;
-  const std::size_t count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  const std::size_t count =
+      static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
   texels_.reserve(count * 4 / 3 + 16);
   levels_.push_back({image.width, image.height, 0});
   for (std::size_t i = 0; i < count; ++i) {
     texels_.push_back(encode(&image.pixels[i * static_cast<std::size_t>(image.channels)]));
   }
-  while (levels_.back().width > 1 || levels_.back().height > 1) add_level(levels_.back());
+  while (levels_.back().width > 1 || levels_.back().height > 1)
+    add_level(levels_.back());
 }
 
 void Texture::add_level(const Level& finer_level) {
@@ -105,7 +110,9 @@ Vec3f Texture::sample(float u, float v, float lod) const {
   __m128 color = bilinear(&texels_[fine.offset], fine.width, fine.height, u, v);
   if (between > 0 && first + 1 < levels_.size()) {
     const Level& next = levels_[first + 1];
-    color = lerp(color, bilinear(&texels_[next.offset], next.width, next.height, u, v), _mm_set1_ps(between));
+    color = lerp(color,
+                 bilinear(&texels_[next.offset], next.width, next.height, u, v),
+                 _mm_set1_ps(between));
   }
   alignas(16) std::array<float, 4> rgb;
   _mm_store_ps(rgb.data(), _mm_mul_ps(_mm_mul_ps(color, color), _mm_set1_ps(1.0F / 65025.0F)));

@@ -1,4 +1,5 @@
-// Textures: linear light in square-root encoding, 8 bits a channel, with mip levels; trilinear look-up.
+// Textures: linear light in square-root encoding, 8 bits a channel, with mip levels; trilinear
+// look-up.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -13,7 +14,8 @@ class Texture {
   Texture() = default;
   explicit Texture(const Image& image);
 
-  // Linear RGB at (u, v); (0, 0) is the top left, both axes repeat. `lod` 0 = the image itself, 1 = half its size.
+  // Linear RGB at (u, v); (0, 0) is the top left, both axes repeat. `lod` 0 = the image itself, 1 =
+  // half its size.
   Vec3f sample(float u, float v, float lod) const;
   Vec3f mean() const { return sample(0.5F, 0.5F, 1e9F); }
   int width() const { return levels_.empty() ? 1 : levels_[0].width; }

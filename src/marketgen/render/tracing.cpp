@@ -8,8 +8,10 @@
 namespace marketgen::raytrace {
 namespace {
 
-constexpr float surface_lift_m = 3e-4F;     // longer than float error at 100 m, shorter than any gap that shows
-constexpr float least_facing = 0.03F;       // shading normals are bent to face the viewer at least this much
+constexpr float surface_lift_m =
+    3e-4F;  // longer than float error at 100 m, shorter than any gap that shows
+constexpr float least_facing =
+    0.03F;  // shading normals are bent to face the viewer at least this much
 
 template <class Packet>
 void set_ray(Packet& packet, std::size_t k, const Ray& ray, unsigned mask) {
@@ -45,7 +47,8 @@ RTCRay single(const Ray& ray, unsigned mask) {
 alignas(64) constexpr std::array<std::array<int, packet_size>, packet_size + 1> lane_masks = [] {
   std::array<std::array<int, packet_size>, packet_size + 1> masks{};
   for (std::size_t n = 0; n <= packet_size; ++n) {
-    for (std::size_t k = 0; k < n; ++k) masks[n][k] = -1;
+    for (std::size_t k = 0; k < n; ++k)
+      masks[n][k] = -1;
   }
   return masks;
 }();
@@ -63,7 +66,8 @@ const TriangleRecord& record_of(const World& world, const Hit& hit) {
   return (hit.geometry == ceiling_geometry ? world.ceiling : world.shell).records[hit.primitive];
 }
 
-// Turns both normals towards the viewer; the shading normal keeps facing him where the mesh is coarse.
+// Turns both normals towards the viewer; the shading normal keeps facing him where the mesh is
+// coarse.
 void face_viewer(Surface& s, Vec3f direction) {
   s.back_face = dot(s.face_normal, direction) > 0;
   if (s.back_face) s.face_normal = -s.face_normal;
@@ -72,17 +76,26 @@ void face_viewer(Surface& s, Vec3f direction) {
   if (facing > -least_facing) s.normal = normalized(s.normal - direction * (facing + least_facing));
 }
 
-Vec3f textured_albedo(const World& world, const Material& material, const TriangleRecord& record, const Hit& hit, float footprint) {
+Vec3f textured_albedo(const World& world,
+                      const Material& material,
+                      const TriangleRecord& record,
+                      const Hit& hit,
+                      float footprint) {
   if (material.texture < 0) return material.color;
   const float w = 1 - hit.u - hit.v;
   const Vec2f uv = record.uvs[0] * w + record.uvs[1] * hit.u + record.uvs[2] * hit.v;
   const float lod = record.texel_density + rough_log2(std::max(footprint, 1e-6F));
-  return material.color * world.textures[static_cast<std::size_t>(material.texture)].sample(uv.x, uv.y, lod);
+  return material.color *
+         world.textures[static_cast<std::size_t>(material.texture)].sample(uv.x, uv.y, lod);
 }
 
 }  // namespace
 
-void trace(const World& world, std::span<const Ray> rays, std::span<Hit> hits, unsigned mask, RayBundle bundle) {
+void trace(const World& world,
+           std::span<const Ray> rays,
+           std::span<Hit> hits,
+           unsigned mask,
+           RayBundle bundle) {
   alignas(64) RTCRayHit16 packet;
   for (std::size_t k = 0; k < packet_size; ++k) {
     set_ray(packet.ray, k, rays[std::min(k, rays.size() - 1)], mask);
@@ -95,19 +108,27 @@ void trace(const World& world, std::span<const Ray> rays, std::span<Hit> hits, u
   rtcIntersect16(lane_masks[rays.size()].data(), world.bvh.get(), &context, &packet);
   for (std::size_t k = 0; k < rays.size(); ++k) {
     const unsigned instance = packet.hit.instID[0][k];
-    hits[k] = {packet.ray.tfar[k], packet.hit.geomID[k], packet.hit.primID[k],
-               instance == RTC_INVALID_GEOMETRY_ID ? instance : instance - first_instance_geometry, packet.hit.u[k],
+    hits[k] = {packet.ray.tfar[k],
+               packet.hit.geomID[k],
+               packet.hit.primID[k],
+               instance == RTC_INVALID_GEOMETRY_ID ? instance : instance - first_instance_geometry,
+               packet.hit.u[k],
                packet.hit.v[k]};
   }
 }
 
-void find_blocked(const World& world, std::span<const Ray> rays, std::span<bool> blocked, unsigned mask) {
+void find_blocked(const World& world,
+                  std::span<const Ray> rays,
+                  std::span<bool> blocked,
+                  unsigned mask) {
   alignas(64) RTCRay16 packet;
-  for (std::size_t k = 0; k < packet_size; ++k) set_ray(packet, k, rays[std::min(k, rays.size() - 1)], mask);
+  for (std::size_t k = 0; k < packet_size; ++k)
+    set_ray(packet, k, rays[std::min(k, rays.size() - 1)], mask);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcOccluded16(lane_masks[rays.size()].data(), world.bvh.get(), &context, &packet);
-  for (std::size_t k = 0; k < rays.size(); ++k) blocked[k] = packet.tfar[k] < 0;
+  for (std::size_t k = 0; k < rays.size(); ++k)
+    blocked[k] = packet.tfar[k] < 0;
 }
 
 Hit trace_one(const World& world, const Ray& ray, unsigned mask) {
@@ -119,8 +140,12 @@ Hit trace_one(const World& world, const Ray& ray, unsigned mask) {
   rtcInitIntersectContext(&context);
   rtcIntersect1(world.bvh.get(), &context, &query);
   const unsigned instance = query.hit.instID[0];
-  return {query.ray.tfar, query.hit.geomID, query.hit.primID,
-          instance == RTC_INVALID_GEOMETRY_ID ? instance : instance - first_instance_geometry, query.hit.u, query.hit.v};
+  return {query.ray.tfar,
+          query.hit.geomID,
+          query.hit.primID,
+          instance == RTC_INVALID_GEOMETRY_ID ? instance : instance - first_instance_geometry,
+          query.hit.u,
+          query.hit.v};
 }
 
 bool is_blocked(const World& world, const Ray& ray, unsigned mask) {
@@ -142,7 +167,8 @@ Surface surface_at(const World& world, const Ray& ray, const Hit& hit, float foo
   const float w = 1 - hit.u - hit.v;
   Surface s;
   s.face_normal = unpacked(record.face_normal);
-  s.normal = unpacked(record.normals[0]) * w + unpacked(record.normals[1]) * hit.u + unpacked(record.normals[2]) * hit.v;
+  s.normal = unpacked(record.normals[0]) * w + unpacked(record.normals[1]) * hit.u +
+             unpacked(record.normals[2]) * hit.v;
   s.id = record.owner;
   s.light = record.light;
   float brightness = 1;
@@ -160,7 +186,8 @@ Surface surface_at(const World& world, const Ray& ray, const Hit& hit, float foo
   s.normal = normalized(s.normal);
   face_viewer(s, ray.direction);
   const float slant = std::max(0.15F, -dot(s.face_normal, ray.direction));
-  s.albedo = textured_albedo(world, material, record, hit, footprint / std::sqrt(slant)) * brightness;
+  s.albedo =
+      textured_albedo(world, material, record, hit, footprint / std::sqrt(slant)) * brightness;
   s.position = ray.origin + ray.direction * hit.t + s.face_normal * surface_lift_m;
   s.emission = material.emission;
   s.roughness = material.roughness;

@@ -1,4 +1,5 @@
-// Rays through the world's BVHs, alone and in packets of up to sixteen, and what a hit means for shading.
+// Rays through the world's BVHs, alone and in packets of up to sixteen, and what a hit means for
+// shading.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -13,13 +14,14 @@ constexpr float ray_infinity = std::numeric_limits<float>::infinity();
 constexpr std::size_t packet_size = 16;
 
 struct Ray {
-  Vec3f origin, direction;   // direction is a unit vector
+  Vec3f origin, direction;  // direction is a unit vector
   float near = 0, far = ray_infinity;
 };
 
 struct Hit {
   float t = ray_infinity;
-  std::uint32_t geometry = RTC_INVALID_GEOMETRY_ID, primitive = 0, instance = RTC_INVALID_GEOMETRY_ID;
+  std::uint32_t geometry = RTC_INVALID_GEOMETRY_ID, primitive = 0,
+                instance = RTC_INVALID_GEOMETRY_ID;
   float u = 0, v = 0;
   bool any() const { return geometry != RTC_INVALID_GEOMETRY_ID; }
 };
@@ -28,24 +30,31 @@ struct Hit {
 enum class RayBundle { coherent, scattered };
 
 // hits[i] is the first hit of rays[i]. At most packet_size rays.
-void trace(const World& world, std::span<const Ray> rays, std::span<Hit> hits, unsigned mask, RayBundle bundle);
+void trace(const World& world,
+           std::span<const Ray> rays,
+           std::span<Hit> hits,
+           unsigned mask,
+           RayBundle bundle);
 // blocked[i]: something lies on rays[i] between near and far.
-void find_blocked(const World& world, std::span<const Ray> rays, std::span<bool> blocked, unsigned mask);
+void find_blocked(const World& world,
+                  std::span<const Ray> rays,
+                  std::span<bool> blocked,
+                  unsigned mask);
 Hit trace_one(const World& world, const Ray& ray, unsigned mask);
 bool is_blocked(const World& world, const Ray& ray, unsigned mask);
 
 // A point seen, ready to be lit.
 struct Surface {
-  Vec3f position;            // lifted 0.3 mm off the triangle, towards the viewer
-  Vec3f face_normal, normal; // towards the viewer
-  Vec3f albedo;              // diffuse colour, or the metal's colour
+  Vec3f position;             // lifted 0.3 mm off the triangle, towards the viewer
+  Vec3f face_normal, normal;  // towards the viewer
+  Vec3f albedo;               // diffuse colour, or the metal's colour
   Vec3f emission;
   float roughness = 0.5F, metallic = 0;
-  float distance = 0;        // along the ray
-  std::uint32_t id = 0;      // Frame::instance
+  float distance = 0;    // along the ray
+  std::uint32_t id = 0;  // Frame::instance
   std::uint16_t material = 0;
   bool glass = false, back_face = false;
-  std::int32_t light = -1;   // the area light that it shows, -1 = none
+  std::int32_t light = -1;  // the area light that it shows, -1 = none
   std::int32_t fixture = -1, shelf = -1;
 
   Vec3f diffuse() const { return albedo * (1 - metallic); }

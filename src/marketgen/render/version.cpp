@@ -5,6 +5,8 @@
 
 namespace marketgen {
 
-std::string renderer_version() { return RTC_VERSION_STRING; }
+std::string renderer_version() {
+  return RTC_VERSION_STRING;
+}
 
 }  // namespace marketgen

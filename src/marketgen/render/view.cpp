@@ -6,12 +6,15 @@
 namespace marketgen::raytrace {
 namespace {
 
-constexpr float near_m = 0.02F;   // a lens has a size: what touches it is not seen
+constexpr float near_m = 0.02F;  // a lens has a size: what touches it is not seen
 
 }  // namespace
 
 View::View(const Camera& camera)
-    : origin_(to_float(camera.from)), width_(camera.width), height_(camera.height), orthographic_(camera.ortho_height_m > 0) {
+    : origin_(to_float(camera.from)),
+      width_(camera.width),
+      height_(camera.height),
+      orthographic_(camera.ortho_height_m > 0) {
   const Vec3 forward = normalized(camera.at - camera.from);
   // Looking straight up or down, north is the top of the picture.
   const Vec3 upward = std::fabs(forward.z) > 0.9999 ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
@@ -19,7 +22,8 @@ View::View(const Camera& camera)
   forward_ = to_float(forward);
   right_ = to_float(right);
   up_ = to_float(cross(right, forward));
-  const double half = orthographic_ ? camera.ortho_height_m / 2 : std::tan(camera.fov_deg * std::numbers::pi / 360);
+  const double half =
+      orthographic_ ? camera.ortho_height_m / 2 : std::tan(camera.fov_deg * std::numbers::pi / 360);
   half_height_ = static_cast<float>(half);
   half_width_ = static_cast<float>(half * camera.width / camera.height);
   const float pixel = 2 * half_height_ / static_cast<float>(camera.height);

@@ -12,27 +12,45 @@ namespace {
 constexpr float int16_unit = 32767;
 
 std::array<std::int16_t, 3> packed(Vec3f n) {
-  const auto pack = [](float x) { return static_cast<std::int16_t>(std::lround(std::clamp(x, -1.0F, 1.0F) * int16_unit)); };
+  const auto pack = [](float x) {
+    return static_cast<std::int16_t>(std::lround(std::clamp(x, -1.0F, 1.0F) * int16_unit));
+  };
   return {pack(n.x), pack(n.y), pack(n.z)};
 }
 
 // log2 of texels per metre across the triangle; 0 without a texture.
-float texel_density(const std::array<Vec3f, 3>& p, const std::array<Vec2f, 3>& uv, const Material& material, const World& world) {
+float texel_density(const std::array<Vec3f, 3>& p,
+                    const std::array<Vec2f, 3>& uv,
+                    const Material& material,
+                    const World& world) {
   if (material.texture < 0) return 0;
   const Texture& texture = world.textures[static_cast<std::size_t>(material.texture)];
   const float world_area = length(cross(p[1] - p[0], p[2] - p[0]));
   const Vec2f a = uv[1] - uv[0], b = uv[2] - uv[0];
-  const float texel_area = std::fabs(a.x * b.y - b.x * a.y) * static_cast<float>(texture.width() * texture.height());
+  const float texel_area =
+      std::fabs(a.x * b.y - b.x * a.y) * static_cast<float>(texture.width() * texture.height());
   return 0.5F * std::log2(std::max(texel_area, 1e-9F) / std::max(world_area, 1e-12F));
 }
 
 RTCGeometry make_geometry(RTCDevice device, const TriangleSet& set, unsigned mask) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_MEDIUM);
-  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, set.positions.data(), 0, sizeof(Vec3f),
+  rtcSetSharedGeometryBuffer(geometry,
+                             RTC_BUFFER_TYPE_VERTEX,
+                             0,
+                             RTC_FORMAT_FLOAT3,
+                             set.positions.data(),
+                             0,
+                             sizeof(Vec3f),
                              set.positions.size());
-  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, set.triangles.data(), 0,
-                             sizeof(set.triangles[0]), set.triangles.size());
+  rtcSetSharedGeometryBuffer(geometry,
+                             RTC_BUFFER_TYPE_INDEX,
+                             0,
+                             RTC_FORMAT_UINT3,
+                             set.triangles.data(),
+                             0,
+                             sizeof(set.triangles[0]),
+                             set.triangles.size());
   rtcSetGeometryMask(geometry, mask);
   rtcCommitGeometry(geometry);
   return geometry;
@@ -46,8 +64,10 @@ void attach(RTCScene scene, RTCGeometry geometry, unsigned id) {
 void commit_mesh(RTCDevice device, TracedMesh& mesh) {
   mesh.bvh.reset(rtcNewScene(device));
   rtcSetSceneBuildQuality(mesh.bvh.get(), RTC_BUILD_QUALITY_MEDIUM);
-  if (!mesh.solid.empty()) attach(mesh.bvh.get(), make_geometry(device, mesh.solid, mask_solid), mesh_solid_geometry);
-  if (!mesh.glass.empty()) attach(mesh.bvh.get(), make_geometry(device, mesh.glass, mask_glass), mesh_glass_geometry);
+  if (!mesh.solid.empty())
+    attach(mesh.bvh.get(), make_geometry(device, mesh.solid, mask_solid), mesh_solid_geometry);
+  if (!mesh.glass.empty())
+    attach(mesh.bvh.get(), make_geometry(device, mesh.glass, mask_glass), mesh_glass_geometry);
   rtcCommitScene(mesh.bvh.get());
 }
 
@@ -55,8 +75,18 @@ RTCGeometry make_instance(RTCDevice device, const Instance& instance, RTCScene m
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
   rtcSetGeometryInstancedScene(geometry, mesh);
   const Placement& p = instance.world_from_mesh;
-  const std::array<float, 12> columns{p.x.x, p.x.y, p.x.z, p.y.x, p.y.y, p.y.z, p.z.x, p.z.y, p.z.z,
-                                      p.position.x, p.position.y, p.position.z};
+  const std::array<float, 12> columns{p.x.x,
+                                      p.x.y,
+                                      p.x.z,
+                                      p.y.x,
+                                      p.y.y,
+                                      p.y.z,
+                                      p.z.x,
+                                      p.z.y,
+                                      p.z.z,
+                                      p.position.x,
+                                      p.position.y,
+                                      p.position.z};
   rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns.data());
   rtcSetGeometryMask(geometry, mask_solid | mask_glass);
   rtcCommitGeometry(geometry);
@@ -64,7 +94,9 @@ RTCGeometry make_instance(RTCDevice device, const Instance& instance, RTCScene m
 }
 
 // Embree reads 16 bytes at a time: a vertex buffer must be readable a little past its end.
-void pad_for_embree(TriangleSet& set) { set.positions.reserve(set.positions.size() + 1); }
+void pad_for_embree(TriangleSet& set) {
+  set.positions.reserve(set.positions.size() + 1);
+}
 
 }  // namespace
 
@@ -74,8 +106,10 @@ AreaLight make_area_light(Vec3f corner, Vec3f edge_u, Vec3f edge_v, Vec3f radian
 }
 
 Placement placement_of(const Pose& pose) {
-  return {to_float(rotate(pose.rotation, {1, 0, 0})), to_float(rotate(pose.rotation, {0, 1, 0})),
-          to_float(rotate(pose.rotation, {0, 0, 1})), to_float(pose.position)};
+  return {to_float(rotate(pose.rotation, {1, 0, 0})),
+          to_float(rotate(pose.rotation, {0, 1, 0})),
+          to_float(rotate(pose.rotation, {0, 0, 1})),
+          to_float(pose.position)};
 }
 
 Vec3f Surroundings::radiance(Vec3f direction) const {
@@ -83,8 +117,12 @@ Vec3f Surroundings::radiance(Vec3f direction) const {
   return mix(horizon, zenith, std::sqrt(std::min(1.0F, direction.z)));
 }
 
-void append(TriangleSet& solid, TriangleSet& glass, const Mesh& mesh, const std::vector<std::uint16_t>& materials_of_surfaces,
-            const World& world, TriangleOwner owner) {
+void append(TriangleSet& solid,
+            TriangleSet& glass,
+            const Mesh& mesh,
+            const std::vector<std::uint16_t>& materials_of_surfaces,
+            const World& world,
+            TriangleOwner owner) {
   const std::array<TriangleSet*, 2> sets{&solid, &glass};
   const std::array<std::uint32_t, 2> base{static_cast<std::uint32_t>(solid.positions.size()),
                                           static_cast<std::uint32_t>(glass.positions.size())};
@@ -107,12 +145,14 @@ void append(TriangleSet& solid, TriangleSet& glass, const Mesh& mesh, const std:
     record.material = material_id;
     record.light = owner.light;
     record.owner = owner.id;
-    sets[side]->triangles.push_back({corners[0] + base[side], corners[1] + base[side], corners[2] + base[side]});
+    sets[side]->triangles.push_back(
+        {corners[0] + base[side], corners[1] + base[side], corners[2] + base[side]});
     sets[side]->records.push_back(record);
   }
   for (std::size_t side = 0; side < sets.size(); ++side) {
     if (!used[side]) continue;
-    sets[side]->positions.insert(sets[side]->positions.end(), mesh.positions.begin(), mesh.positions.end());
+    sets[side]->positions.insert(
+        sets[side]->positions.end(), mesh.positions.begin(), mesh.positions.end());
   }
 }
 
@@ -126,18 +166,23 @@ void commit(World& world) {
   parallel_for(world.meshes.size(), [&](std::size_t i) {
     if (!world.meshes[i].bvh) commit_mesh(device, world.meshes[i]);
   });
-  for (TriangleSet* set : {&world.shell, &world.shell_glass, &world.ceiling}) pad_for_embree(*set);
+  for (TriangleSet* set : {&world.shell, &world.shell_glass, &world.ceiling})
+    pad_for_embree(*set);
   world.has_glass = world.has_glass || !world.shell_glass.empty();
 
   world.bvh.reset(rtcNewScene(device));
   RTCScene top = world.bvh.get();
   rtcSetSceneBuildQuality(top, RTC_BUILD_QUALITY_MEDIUM);
-  if (!world.shell.empty()) attach(top, make_geometry(device, world.shell, mask_solid), shell_geometry);
-  if (!world.shell_glass.empty()) attach(top, make_geometry(device, world.shell_glass, mask_glass), shell_glass_geometry);
-  if (!world.ceiling.empty()) attach(top, make_geometry(device, world.ceiling, mask_ceiling), ceiling_geometry);
+  if (!world.shell.empty())
+    attach(top, make_geometry(device, world.shell, mask_solid), shell_geometry);
+  if (!world.shell_glass.empty())
+    attach(top, make_geometry(device, world.shell_glass, mask_glass), shell_glass_geometry);
+  if (!world.ceiling.empty())
+    attach(top, make_geometry(device, world.ceiling, mask_ceiling), ceiling_geometry);
   for (std::size_t i = 0; i < world.instances.size(); ++i) {
     const Instance& instance = world.instances[i];
-    attach(top, make_instance(device, instance, world.meshes[instance.mesh].bvh.get()),
+    attach(top,
+           make_instance(device, instance, world.meshes[instance.mesh].bvh.get()),
            first_instance_geometry + static_cast<unsigned>(i));
   }
   rtcCommitScene(top);

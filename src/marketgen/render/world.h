@@ -1,7 +1,9 @@
-// What the ray tracer sees: triangles with their materials, instances of shared meshes, area lights, and the BVHs over them.
+// What the ray tracer sees: triangles with their materials, instances of shared meshes, area
+// lights, and the BVHs over them.
 //
-// Built once per scene (build_world), constant afterwards, read by any number of threads. Store frame, metres. Radiance is in
-// lux per steradian, scaled so that the floor of the empty room gets Look::light_lux.
+// Built once per scene (build_world), constant afterwards, read by any number of threads. Store
+// frame, metres. Radiance is in lux per steradian, scaled so that the floor of the empty room gets
+// Look::light_lux.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -18,15 +20,16 @@ namespace marketgen::raytrace {
 // Ray masks: which kinds of geometry a ray meets.
 constexpr unsigned mask_solid = 1;
 constexpr unsigned mask_glass = 2;
-constexpr unsigned mask_ceiling = 4;   // ceiling, panels and what hangs there: left out of views from above
+constexpr unsigned mask_ceiling =
+    4;  // ceiling, panels and what hangs there: left out of views from above
 constexpr unsigned mask_opaque = mask_solid | mask_ceiling;
 
 struct Material {
-  Vec3f color{0.8F, 0.8F, 0.8F};   // linear; multiplies the texture
-  Vec3f emission{};                // radiance it sends out by itself
+  Vec3f color{0.8F, 0.8F, 0.8F};  // linear; multiplies the texture
+  Vec3f emission{};               // radiance it sends out by itself
   float roughness = 0.5F, metallic = 0;
-  std::int32_t texture = -1;       // index into World::textures
-  bool glass = false;              // thin pane: reflects, lets the rest straight through, tinted by `color`
+  std::int32_t texture = -1;  // index into World::textures
+  bool glass = false;  // thin pane: reflects, lets the rest straight through, tinted by `color`
 };
 
 // A rectangle that lights: corner + u * edge_u + v * edge_v, on the side of `normal`.
@@ -38,14 +41,14 @@ AreaLight make_area_light(Vec3f corner, Vec3f edge_u, Vec3f edge_v, Vec3f radian
 
 // Everything about one triangle that shading needs, in one cache line.
 struct alignas(64) TriangleRecord {
-  std::array<std::array<std::int16_t, 3>, 3> normals;   // per vertex, in 1/32767
+  std::array<std::array<std::int16_t, 3>, 3> normals;  // per vertex, in 1/32767
   std::array<std::int16_t, 3> face_normal;
   std::array<Vec2f, 3> uvs;
-  float texel_density = 0;          // log2(texels per metre): mip level = this + log2(footprint)
+  float texel_density = 0;  // log2(texels per metre): mip level = this + log2(footprint)
   std::uint16_t material = 0;
   std::uint16_t reserved = 0;
-  std::int32_t light = -1;          // of the light it shows: index into World::lights or TracedMesh::lights
-  std::uint32_t owner = 0;          // Frame::instance id; triangles of instances take their instance's
+  std::int32_t light = -1;  // of the light it shows: index into World::lights or TracedMesh::lights
+  std::uint32_t owner = 0;  // Frame::instance id; triangles of instances take their instance's
 };
 static_assert(sizeof(TriangleRecord) == 64);
 
@@ -60,13 +63,13 @@ struct TriangleSet {
 // One shape that many instances share, in its own frame.
 struct TracedMesh {
   TriangleSet solid, glass;
-  std::vector<AreaLight> lights;    // shown by its emissive triangles
+  std::vector<AreaLight> lights;  // shown by its emissive triangles
   Bvh bvh;
 };
 
 // Rigid transform in single precision, for vectors and points.
 struct Placement {
-  Vec3f x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, position;   // images of the axes, and of the origin
+  Vec3f x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, position;  // images of the axes, and of the origin
   Vec3f turn(Vec3f v) const { return x * v.x + y * v.y + z * v.z; }
   Vec3f turn_back(Vec3f v) const { return {dot(x, v), dot(y, v), dot(z, v)}; }
   Vec3f operator()(Vec3f p) const { return turn(p) + position; }
@@ -76,17 +79,17 @@ Placement placement_of(const Pose& pose);
 
 struct Instance {
   std::uint32_t mesh = 0;
-  std::uint32_t id = 0;                                    // Frame::instance
-  std::int32_t fixture = -1, shelf = -1;                   // rows of the scene it belongs to, -1 = none
-  std::int32_t first_light = 0;                            // its mesh's lights in World::lights
-  float brightness = 1;                                    // small print and wear differences between items
+  std::uint32_t id = 0;                   // Frame::instance
+  std::int32_t fixture = -1, shelf = -1;  // rows of the scene it belongs to, -1 = none
+  std::int32_t first_light = 0;           // its mesh's lights in World::lights
+  float brightness = 1;                   // small print and wear differences between items
   Placement world_from_mesh;
 };
 
 // Daylight behind doors and windows, and what a ray that leaves the shop sees.
 struct Surroundings {
-  Vec3f zenith, horizon, ground;      // radiance
-  bool sampled_as_lights = false;     // openings have area lights that stand for it
+  Vec3f zenith, horizon, ground;   // radiance
+  bool sampled_as_lights = false;  // openings have area lights that stand for it
   Vec3f radiance(Vec3f direction) const;
 };
 
@@ -94,31 +97,42 @@ struct World {
   Device device;
   std::vector<Texture> textures;
   std::vector<Material> materials;
-  TriangleSet shell, shell_glass, ceiling;                 // in the store frame
+  TriangleSet shell, shell_glass, ceiling;  // in the store frame
   std::vector<TracedMesh> meshes;
   std::vector<Instance> instances;
   std::vector<AreaLight> lights;
+  std::uint32_t panel_count = 0;                           // the first lights are ceiling panels
   Surroundings surroundings;
   Bounds3 room;
-  float exposure = 1;                                      // picture value = exposure * radiance
+  float exposure = 1;  // picture value = exposure * radiance
   bool has_glass = false;
-  Bvh bvh;                                                 // shell + instances
+  Bvh bvh;  // shell + instances
 };
 
-// Appends `mesh` with surface i drawn in material materials_of_surfaces[i]. UVs are used as they are.
-// Panes of glass go to `glass`. Precondition: the materials' textures are loaded (their sizes set the mip levels).
+// Appends `mesh` with surface i drawn in material materials_of_surfaces[i]. UVs are used as they
+// are. Panes of glass go to `glass`. Precondition: the materials' textures are loaded (their sizes
+// set the mip levels).
 struct TriangleOwner {
   std::uint32_t id = 0;
   std::int32_t light = -1;
 };
-void append(TriangleSet& solid, TriangleSet& glass, const Mesh& mesh, const std::vector<std::uint16_t>& materials_of_surfaces,
-            const World& world, TriangleOwner owner);
+void append(TriangleSet& solid,
+            TriangleSet& glass,
+            const Mesh& mesh,
+            const std::vector<std::uint16_t>& materials_of_surfaces,
+            const World& world,
+            TriangleOwner owner);
 
 // Builds the BVHs. Nothing may be added to the world afterwards.
 void commit(World& world);
 
 // Geometry ids in World::bvh; instance i has id first_instance_geometry + i.
-enum ShellGeometry : unsigned { shell_geometry, shell_glass_geometry, ceiling_geometry, first_instance_geometry };
+enum ShellGeometry : unsigned {
+  shell_geometry,
+  shell_glass_geometry,
+  ceiling_geometry,
+  first_instance_geometry
+};
 enum MeshGeometry : unsigned { mesh_solid_geometry, mesh_glass_geometry };
 
 }  // namespace marketgen::raytrace

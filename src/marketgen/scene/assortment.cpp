@@ -17,18 +17,27 @@ std::size_t position_in(const std::vector<std::string>& list, const std::string&
   return static_cast<std::size_t>(std::find(list.begin(), list.end(), name) - list.begin());
 }
 
-bool sold_in(const Product& product, const std::vector<std::string>& categories, const std::vector<std::string>& subcategories) {
-  if (!categories.empty() && position_in(categories, product.category) == categories.size()) return false;
-  return subcategories.empty() || position_in(subcategories, product.subcategory) != subcategories.size();
+bool sold_in(const Product& product,
+             const std::vector<std::string>& categories,
+             const std::vector<std::string>& subcategories) {
+  if (!categories.empty() && position_in(categories, product.category) == categories.size())
+    return false;
+  return subcategories.empty() ||
+         position_in(subcategories, product.subcategory) != subcategories.size();
 }
 
-double volume_of(const Product& product) { return product.width_m() * product.depth_m() * product.height_m(); }
+double volume_of(const Product& product) {
+  return product.width_m() * product.depth_m() * product.height_m();
+}
 
 // "cola" is in "cola zero" and in "Cola", not in "chocolate".
 bool has_word(const std::string& text, const std::string& word) {
   const std::string where = lower_ascii(text), wanted = lower_ascii(word);
-  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) >= 0x80; };
-  for (std::size_t at = where.find(wanted); at != std::string::npos; at = where.find(wanted, at + 1)) {
+  const auto letter = [](char c) {
+    return (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) >= 0x80;
+  };
+  for (std::size_t at = where.find(wanted); at != std::string::npos;
+       at = where.find(wanted, at + 1)) {
     const bool starts = at == 0 || !letter(where[at - 1]);
     std::size_t end = at + wanted.size();
     if (end < where.size() && where[end] == 's') ++end;  // plural
@@ -42,7 +51,11 @@ bool has_word(const std::string& text, const std::string& word) {
 bool named_by(const Product& product, const std::vector<std::string>& words) {
   for (const std::string& word : words) {
     if (word.empty()) continue;
-    for (const std::string* text : {&product.name, &product.variant, &product.brand, &product.subcategory, &product.category}) {
+    for (const std::string* text : {&product.name,
+                                    &product.variant,
+                                    &product.brand,
+                                    &product.subcategory,
+                                    &product.category}) {
       if (has_word(*text, word)) return true;
     }
     for (const std::string& keyword : product.keywords) {
@@ -52,7 +65,9 @@ bool named_by(const Product& product, const std::vector<std::string>& words) {
   return false;
 }
 
-std::vector<std::uint32_t> assortment_of(const Zone& zone, Storage temperature, const Catalog& catalog) {
+std::vector<std::uint32_t> assortment_of(const Zone& zone,
+                                         Storage temperature,
+                                         const Catalog& catalog) {
   const ZoneTypeRow* type = catalog.zone_type(zone.type);
   const bool own_list = !zone.stock.categories.empty();
   const std::vector<std::string> none;
@@ -62,13 +77,15 @@ std::vector<std::uint32_t> assortment_of(const Zone& zone, Storage temperature, 
   std::vector<std::uint32_t> rows;
   for (std::uint32_t i = 0; i < catalog.products.size(); ++i) {
     const Product& product = catalog.products[i];
-    if (!keeps(temperature, product.storage) || !sold_in(product, categories, subcategories)) continue;
+    if (!keeps(temperature, product.storage) || !sold_in(product, categories, subcategories))
+      continue;
     if (!named_by(product, zone.stock.exclude)) rows.push_back(i);
   }
   std::sort(rows.begin(), rows.end(), [&](std::uint32_t a, std::uint32_t b) {
     const Product& p = catalog.products[a];
     const Product& q = catalog.products[b];
-    const std::size_t p_category = position_in(categories, p.category), q_category = position_in(categories, q.category);
+    const std::size_t p_category = position_in(categories, p.category),
+                      q_category = position_in(categories, q.category);
     const double p_volume = volume_of(p), q_volume = volume_of(q);
     return std::tie(p_category, p.category, p.subcategory, p.brand, p.family, p_volume, a) <
            std::tie(q_category, q.category, q.subcategory, q.brand, q.family, q_volume, b);

@@ -8,11 +8,15 @@
 
 namespace marketgen {
 
-// Rows of catalog.products for `zone` on fixtures that keep `temperature`, ordered by category, subcategory, brand, family and
-// size (larger to the right). Goods may stand warmer than they need never, colder than they need only when chilled.
-std::vector<std::uint32_t> assortment_of(const Zone& zone, Storage temperature, const Catalog& catalog);
+// Rows of catalog.products for `zone` on fixtures that keep `temperature`, ordered by category,
+// subcategory, brand, family and size (larger to the right). Goods may stand warmer than they need
+// never, colder than they need only when chilled.
+std::vector<std::uint32_t> assortment_of(const Zone& zone,
+                                         Storage temperature,
+                                         const Catalog& catalog);
 
-// True when one of the words names the product: its name, variant, brand, subcategory, category or a keyword.
+// True when one of the words names the product: its name, variant, brand, subcategory, category or
+// a keyword.
 bool named_by(const Product& product, const std::vector<std::string>& words);
 
 }  // namespace marketgen

@@ -13,21 +13,48 @@ namespace marketgen {
 namespace {
 
 FixtureShape shape_of(const Fixture& fixture, const FixtureKind& kind, const Look& look) {
-  return {.generator = kind.generator, .width_mm = fixture.width_mm, .depth_mm = fixture.depth_mm, .height_mm = fixture.height_mm,
-          .levels = fixture.levels, .base_mm = fixture.base_mm, .spacing_mm = fixture.spacing_mm, .sides = fixture.sides,
-          .start = fixture.run_start, .end = fixture.run_end, .material = fixture.material, .color = fixture.color,
+  return {.generator = kind.generator,
+          .width_mm = fixture.width_mm,
+          .depth_mm = fixture.depth_mm,
+          .height_mm = fixture.height_mm,
+          .levels = fixture.levels,
+          .base_mm = fixture.base_mm,
+          .spacing_mm = fixture.spacing_mm,
+          .sides = fixture.sides,
+          .start = fixture.run_start,
+          .end = fixture.run_end,
+          .material = fixture.material,
+          .color = fixture.color,
           .accent = look.accent};
 }
 
 auto key_of(const FixtureShape& s) {
-  return std::tuple(s.generator, s.width_mm, s.depth_mm, s.height_mm, s.levels, s.base_mm, s.spacing_mm, s.sides, s.start, s.end,
-                    s.material, s.color, s.accent);
+  return std::tuple(s.generator,
+                    s.width_mm,
+                    s.depth_mm,
+                    s.height_mm,
+                    s.levels,
+                    s.base_mm,
+                    s.spacing_mm,
+                    s.sides,
+                    s.start,
+                    s.end,
+                    s.material,
+                    s.color,
+                    s.accent);
 }
 
-std::array<float, 3> as_array(Vec3 v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
-std::array<float, 3> as_array(Vec3f v) { return {v.x, v.y, v.z}; }
+std::array<float, 3> as_array(Vec3 v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+std::array<float, 3> as_array(Vec3f v) {
+  return {v.x, v.y, v.z};
+}
 std::array<float, 4> as_array(const Quaternion& q) {
-  return {static_cast<float>(q.w), static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z)};
+  return {static_cast<float>(q.w),
+          static_cast<float>(q.x),
+          static_cast<float>(q.y),
+          static_cast<float>(q.z)};
 }
 
 // Models of every module; equal shapes are built once.
@@ -39,7 +66,10 @@ class FixtureModels {
     std::vector<FixtureShape> shapes;
     for (const Fixture& fixture : layout.fixtures) {
       const FixtureKind* kind = catalog.fixture_kind(fixture.kind);
-      if (kind == nullptr) return Error{"catalog.unknown_kind", "layout:" + fixture.id, "no fixture kind \"" + fixture.kind + "\""};
+      if (kind == nullptr)
+        return Error{"catalog.unknown_kind",
+                     "layout:" + fixture.id,
+                     "no fixture kind \"" + fixture.kind + "\""};
       const FixtureShape shape = shape_of(fixture, *kind, layout.look);
       const auto [entry, is_new] = known.try_emplace(key_of(shape), shapes.size());
       if (is_new) shapes.push_back(shape);
@@ -70,7 +100,10 @@ std::int32_t material_row(Scene& scene, const std::string& id, const Catalog& ca
   return static_cast<std::int32_t>(scene.materials.size() - 1);
 }
 
-void add_part(Scene& scene, std::uint32_t fixture, const FixturePart& part, const Catalog& catalog) {
+void add_part(Scene& scene,
+              std::uint32_t fixture,
+              const FixturePart& part,
+              const Catalog& catalog) {
   ScenePart row;
   row.fixture = fixture;
   row.unit = part.unit;
@@ -101,7 +134,10 @@ void add_shelf(Scene& scene, std::uint32_t fixture, const ShelfSurface& shelf) {
   scene.shelves.push_back(row);
 }
 
-void add_fixture(Scene& scene, const Fixture& fixture, const FixtureModel& model, const Catalog& catalog) {
+void add_fixture(Scene& scene,
+                 const Fixture& fixture,
+                 const FixtureModel& model,
+                 const Catalog& catalog) {
   const auto index = static_cast<std::uint32_t>(scene.fixtures.size());
   SceneFixture row;
   row.first_part = static_cast<std::uint32_t>(scene.parts.size());
@@ -110,8 +146,10 @@ void add_fixture(Scene& scene, const Fixture& fixture, const FixtureModel& model
   row.shelf_count = static_cast<std::uint32_t>(model.shelves.size());
   row.position_m = as_array(Vec3{fixture.x_mm * 1e-3, fixture.y_mm * 1e-3, 0});
   row.quarter_turns = fixture.yaw_deg / 90;
-  for (const FixturePart& part : model.parts) add_part(scene, index, part, catalog);
-  for (const ShelfSurface& shelf : model.shelves) add_shelf(scene, index, shelf);
+  for (const FixturePart& part : model.parts)
+    add_part(scene, index, part, catalog);
+  for (const ShelfSurface& shelf : model.shelves)
+    add_shelf(scene, index, shelf);
   scene.fixtures.push_back(row);
 }
 
@@ -119,9 +157,9 @@ void add_fixture(Scene& scene, const Fixture& fixture, const FixtureModel& model
 struct BayRef {
   std::string zone, run;
   int side = 0;
-  int along = 0;                        // place along the run, left to right for a shopper
+  int along = 0;  // place along the run, left to right for a shopper
   std::uint32_t fixture = 0;
-  std::vector<std::uint32_t> shelves;   // rows of scene.shelves
+  std::vector<std::uint32_t> shelves;  // rows of scene.shelves
   Bay bay;
   std::vector<PlannedShelf> plan;
 };
@@ -130,10 +168,14 @@ struct BayRef {
 int place_along(const Fixture& fixture, int side) {
   const int turns = (fixture.yaw_deg / 90 + 2 * side) % 4;
   switch (turns) {
-    case 0: return fixture.x_mm;
-    case 1: return fixture.y_mm;
-    case 2: return -fixture.x_mm;
-    default: return -fixture.y_mm;
+    case 0:
+      return fixture.x_mm;
+    case 1:
+      return fixture.y_mm;
+    case 2:
+      return -fixture.x_mm;
+    default:
+      return -fixture.y_mm;
   }
 }
 
@@ -153,19 +195,25 @@ std::vector<BayRef> bays_of(const Scene& scene) {
         const SceneShelf& shelf = scene.shelves[s];
         if (shelf.side != side) continue;
         ref.shelves.push_back(s);
-        ref.bay.shelves.push_back({shelf.width_m, shelf.depth_m, shelf.clearance_m, shelf.use});
+        ref.bay.shelves.push_back(
+            {shelf.width_m, shelf.depth_m - goods_front_m, shelf.clearance_m, shelf.use});
       }
       if (!ref.shelves.empty()) bays.push_back(std::move(ref));
     }
   }
   std::sort(bays.begin(), bays.end(), [](const BayRef& a, const BayRef& b) {
-    return std::tie(a.zone, a.run, a.side, a.along, a.fixture) < std::tie(b.zone, b.run, b.side, b.along, b.fixture);
+    return std::tie(a.zone, a.run, a.side, a.along, a.fixture) <
+           std::tie(b.zone, b.run, b.side, b.along, b.fixture);
   });
   return bays;
 }
 
 // Slices of the assortment run on from bay to bay, separately for each zone and temperature.
-void plan_bays(std::vector<BayRef>& bays, const Scene& scene, const Plan& plan, const Catalog& catalog, Seed seed) {
+void plan_bays(std::vector<BayRef>& bays,
+               const Scene& scene,
+               const Plan& plan,
+               const Catalog& catalog,
+               Seed seed) {
   struct Stock {
     std::vector<std::uint32_t> assortment;
     AssortmentCursor cursor;
@@ -180,14 +228,24 @@ void plan_bays(std::vector<BayRef>& bays, const Scene& scene, const Plan& plan, 
     const Storage temperature = kind != nullptr ? kind->temperature : Storage::ambient;
     const auto [entry, is_new] = stocks.try_emplace({ref.zone, temperature});
     if (is_new) entry->second.assortment = assortment_of(zone, temperature, catalog);
-    const Seed bay_seed = seed.child("bay", fixture.id).child("side", static_cast<std::uint64_t>(ref.side));
-    ref.plan = plan_bay(ref.bay, entry->second.assortment, zone.stock, catalog, entry->second.cursor, bay_seed.stream());
+    const Seed bay_seed =
+        seed.child("bay", fixture.id).child("side", static_cast<std::uint64_t>(ref.side));
+    ref.plan = plan_bay(ref.bay,
+                        entry->second.assortment,
+                        zone.stock,
+                        catalog,
+                        entry->second.cursor,
+                        bay_seed.stream());
   }
 }
 
-using FilledBay = std::vector<std::vector<FilledBlock>>;   // per shelf
+using FilledBay = std::vector<std::vector<FilledBlock>>;  // per shelf
 
-std::vector<FilledBay> fill_bays(const std::vector<BayRef>& bays, const Scene& scene, const Plan& plan, const Catalog& catalog, Seed seed) {
+std::vector<FilledBay> fill_bays(const std::vector<BayRef>& bays,
+                                 const Scene& scene,
+                                 const Plan& plan,
+                                 const Catalog& catalog,
+                                 Seed seed) {
   const Zone fallback;
   return parallel_map(bays.size(), [&](std::size_t i) {
     const BayRef& ref = bays[i];
@@ -196,22 +254,30 @@ std::vector<FilledBay> fill_bays(const std::vector<BayRef>& bays, const Scene& s
     const std::string& fixture = scene.layout.fixtures[ref.fixture].id;
     FilledBay filled;
     for (std::size_t s = 0; s < ref.shelves.size(); ++s) {
-      const Seed shelf_seed = seed.child("shelf_fill", fixture).child("shelf", ref.shelves[s] - scene.fixtures[ref.fixture].first_shelf);
-      filled.push_back(fill_shelf(ref.plan[s], ref.bay.shelves[s], stock, catalog, shelf_seed.stream()));
+      const Seed shelf_seed =
+          seed.child("shelf_fill", fixture)
+              .child("shelf", ref.shelves[s] - scene.fixtures[ref.fixture].first_shelf);
+      filled.push_back(
+          fill_shelf(ref.plan[s], ref.bay.shelves[s], stock, catalog, shelf_seed.stream()));
     }
     return filled;
   });
 }
 
-constexpr double promotion_share = 0.08;      // of price labels are yellow
+constexpr double promotion_share = 0.08;  // of price labels are yellow
 constexpr double label_width_m = 0.07, label_height_m = 0.038, smallest_label_m = 0.03;
 
-void add_price_label(Scene& scene, std::uint32_t shelf, const FilledBlock& block, const Product& product, Stream draw) {
+void add_price_label(Scene& scene,
+                     std::uint32_t shelf,
+                     const FilledBlock& block,
+                     const Product& product,
+                     Stream draw) {
   PriceLabel label;
   label.shelf = shelf;
   label.sku = block.product;
   label.facing = static_cast<std::uint32_t>(scene.facings.size());
-  label.width_m = static_cast<float>(std::clamp(block.width_m - 0.004, smallest_label_m, label_width_m));
+  label.width_m =
+      static_cast<float>(std::clamp(block.width_m - 0.004, smallest_label_m, label_width_m));
   label.height_m = static_cast<float>(label_height_m);
   label.x_m = static_cast<float>(block.x_m + block.width_m / 2);
   label.promotion = draw.chance(promotion_share) ? 1 : 0;
@@ -220,8 +286,13 @@ void add_price_label(Scene& scene, std::uint32_t shelf, const FilledBlock& block
 }
 
 // Appends a block; SKU columns hold rows of the whole catalogue until compact_catalog.
-void add_block(Scene& scene, std::uint32_t shelf, std::uint16_t position, const FilledBlock& block, const Pose& world_from_shelf,
-               const Catalog& catalog, Seed seed) {
+void add_block(Scene& scene,
+               std::uint32_t shelf,
+               std::uint16_t position,
+               const FilledBlock& block,
+               const Pose& world_from_shelf,
+               const Catalog& catalog,
+               Seed seed) {
   const Product& product = catalog.products[block.product];
   if (scene.shelves[shelf].price_rail != 0) {
     add_price_label(scene, shelf, block, product, seed.child("price_label", position).stream());
@@ -238,55 +309,78 @@ void add_block(Scene& scene, std::uint32_t shelf, std::uint16_t position, const 
   row.first_product = static_cast<std::uint32_t>(scene.products.size());
   row.product_count = static_cast<std::uint32_t>(block.items.size());
   for (const ShelfItem& item : block.items) {
-    const Pose world_from_item = world_from_shelf * Pose{item.position, item.rotation};
-    scene.products.push_back({item.product, static_cast<std::uint32_t>(scene.facings.size()), as_array(world_from_item.position),
-                              as_array(world_from_item.rotation), item.flags});
+    const Pose world_from_item =
+        world_from_shelf * Pose{item.position + Vec3{0, goods_front_m, 0}, item.rotation};
+    scene.products.push_back({item.product,
+                              static_cast<std::uint32_t>(scene.facings.size()),
+                              as_array(world_from_item.position),
+                              as_array(world_from_item.rotation),
+                              item.flags});
   }
   scene.facings.push_back(row);
 }
 
-void add_stock(Scene& scene, const std::vector<BayRef>& bays, const std::vector<FilledBay>& filled, const Catalog& catalog, Seed seed) {
-  // Rows follow the shelves' order, not the zones': an edit in one zone then moves no other zone's rows relative to its shelf.
+void add_stock(Scene& scene,
+               const std::vector<BayRef>& bays,
+               const std::vector<FilledBay>& filled,
+               const Catalog& catalog,
+               Seed seed) {
+  // Rows follow the shelves' order, not the zones': an edit in one zone then moves no other zone's
+  // rows relative to its shelf.
   std::vector<const std::vector<FilledBlock>*> by_shelf(scene.shelves.size(), nullptr);
   for (std::size_t b = 0; b < bays.size(); ++b) {
-    for (std::size_t s = 0; s < bays[b].shelves.size(); ++s) by_shelf[bays[b].shelves[s]] = &filled[b][s];
+    for (std::size_t s = 0; s < bays[b].shelves.size(); ++s)
+      by_shelf[bays[b].shelves[s]] = &filled[b][s];
   }
   for (std::uint32_t shelf = 0; shelf < by_shelf.size(); ++shelf) {
     if (by_shelf[shelf] == nullptr) continue;
     const Pose pose = world_from_shelf(scene, shelf);
-    const Seed shelf_seed = seed.child("prices", scene.layout.fixtures[scene.shelves[shelf].fixture].id).child("shelf", shelf - scene.fixtures[scene.shelves[shelf].fixture].first_shelf);
+    const Seed shelf_seed =
+        seed.child("prices", scene.layout.fixtures[scene.shelves[shelf].fixture].id)
+            .child("shelf", shelf - scene.fixtures[scene.shelves[shelf].fixture].first_shelf);
     std::uint16_t position = 0;
-    for (const FilledBlock& block : *by_shelf[shelf]) add_block(scene, shelf, position++, block, pose, catalog, shelf_seed);
+    for (const FilledBlock& block : *by_shelf[shelf])
+      add_block(scene, shelf, position++, block, pose, catalog, shelf_seed);
   }
 }
 
 // Keeps the products that occur, sorted by SKU, and renumbers every reference.
 void compact_catalog(Scene& scene, const Catalog& catalog) {
   std::vector<std::uint8_t> used(catalog.products.size(), 0);
-  for (const Facing& f : scene.facings) used[f.sku] = 1;
-  for (const SceneProduct& p : scene.products) used[p.sku] = 1;
+  for (const Facing& f : scene.facings)
+    used[f.sku] = 1;
+  for (const SceneProduct& p : scene.products)
+    used[p.sku] = 1;
   std::vector<std::uint32_t> row_of(catalog.products.size(), 0);
   for (std::size_t i = 0; i < used.size(); ++i) {
     if (used[i] == 0) continue;
     row_of[i] = static_cast<std::uint32_t>(scene.catalog.size());
     scene.catalog.push_back(catalog.products[i]);
   }
-  for (Facing& f : scene.facings) f.sku = row_of[f.sku];
-  for (SceneProduct& p : scene.products) p.sku = row_of[p.sku];
-  for (PriceLabel& l : scene.price_labels) l.sku = row_of[l.sku];
+  for (Facing& f : scene.facings)
+    f.sku = row_of[f.sku];
+  for (SceneProduct& p : scene.products)
+    p.sku = row_of[p.sku];
+  for (PriceLabel& l : scene.price_labels)
+    l.sku = row_of[l.sku];
 }
 
 }  // namespace
 
-Result<Scene> build_scene(const Layout& layout, const Plan& plan, const Catalog& catalog, Seed seed) {
+Result<Scene> build_scene(const Layout& layout,
+                          const Plan& plan,
+                          const Catalog& catalog,
+                          Seed seed) {
   Scene scene;
   scene.seed = seed.value();
   scene.layout = layout;
-  for (const std::string* id : {&layout.look.floor, &layout.look.wall, &layout.look.ceiling, &layout.look.fixture}) {
+  for (const std::string* id :
+       {&layout.look.floor, &layout.look.wall, &layout.look.ceiling, &layout.look.fixture}) {
     material_row(scene, *id, catalog);
   }
   MARKETGEN_TRY(const FixtureModels models, FixtureModels::build(layout, catalog));
-  for (std::size_t f = 0; f < layout.fixtures.size(); ++f) add_fixture(scene, layout.fixtures[f], models.of(f), catalog);
+  for (std::size_t f = 0; f < layout.fixtures.size(); ++f)
+    add_fixture(scene, layout.fixtures[f], models.of(f), catalog);
 
   std::vector<BayRef> bays = bays_of(scene);
   plan_bays(bays, scene, plan, catalog, seed);

@@ -1,4 +1,5 @@
-// Items that do not follow the planogram: those put in the wrong place, and those the plan pins to an exact pose.
+// Items that do not follow the planogram: those put in the wrong place, and those the plan pins to
+// an exact pose.
 //
 // Both work on a scene whose SKU columns still hold rows of the whole catalogue.
 #pragma once
@@ -13,10 +14,12 @@ namespace marketgen {
 // Facing of an item that stands in no block.
 constexpr std::uint32_t no_facing = 0xFFFFFFFF;
 
-// Swaps the product of some front items (stock.misplaced of each zone) for another that fits into their place.
+// Swaps the product of some front items (stock.misplaced of each zone) for another that fits into
+// their place.
 void misplace_items(Scene& scene, const Plan& plan, const Catalog& catalog, Seed seed);
 
-// Adds the plan's placements; generated items in their way are left out. Error: catalog.unknown_sku with the nearest name.
+// Adds the plan's placements; generated items in their way are left out. Error: catalog.unknown_sku
+// with the nearest name.
 Result<void> add_placements(Scene& scene, const Plan& plan, const Catalog& catalog);
 
 }  // namespace marketgen

@@ -7,10 +7,13 @@
 namespace marketgen {
 namespace {
 
-double pitch_of(const Product& product) { return product.width_m() + pack_gap_m; }
+double pitch_of(const Product& product) {
+  return product.width_m() + pack_gap_m;
+}
 
 bool fits(const Product& product, const ShelfRoom& room) {
-  return stack_height(product, room) > 0 && product.depth_m() <= room.depth_m && pitch_of(product) <= room.width_m;
+  return stack_height(product, room) > 0 && product.depth_m() <= room.depth_m &&
+         pitch_of(product) <= room.width_m;
 }
 
 // What a shopper should not have to lift high: mass first, then bulk.
@@ -21,21 +24,27 @@ double heaviness(const Product& product) {
 // One bay while it is being planned. Products are named by their place in the assortment.
 class BayPlan {
  public:
-  BayPlan(const Bay& bay, const std::vector<std::uint32_t>& assortment, const StockSpec& stock, const Catalog& catalog, Stream draw)
+  BayPlan(const Bay& bay,
+          const std::vector<std::uint32_t>& assortment,
+          const StockSpec& stock,
+          const Catalog& catalog,
+          Stream draw)
       : bay_(bay), assortment_(assortment), stock_(stock), catalog_(catalog), draw_(draw) {
-    for (const ShelfRoom& room : bay.shelves) free_m_.push_back(room.width_m * stock.fill);
+    for (const ShelfRoom& room : bay.shelves)
+      free_m_.push_back(room.width_m * stock.fill);
     blocks_.resize(bay.shelves.size());
   }
 
   std::vector<PlannedShelf> plan(AssortmentCursor& cursor) {
     place(take_slice(cursor));
-    for (std::size_t level = 0; level < bay_.shelves.size(); ++level) top_up(level);
+    for (std::size_t level = 0; level < bay_.shelves.size(); ++level)
+      top_up(level);
     return ordered();
   }
 
  private:
   struct Block {
-    std::size_t place;         // in the assortment
+    std::size_t place;  // in the assortment
     int facings;
   };
 
@@ -47,13 +56,16 @@ class BayPlan {
   }
 
   bool fits_somewhere(const Product& p) const {
-    return std::any_of(bay_.shelves.begin(), bay_.shelves.end(), [&](const ShelfRoom& room) { return fits(p, room); });
+    return std::any_of(bay_.shelves.begin(), bay_.shelves.end(), [&](const ShelfRoom& room) {
+      return fits(p, room);
+    });
   }
 
   // The next products of the assortment, until their blocks fill the bay.
   std::vector<Block> take_slice(AssortmentCursor& cursor) {
     double capacity = 0;
-    for (const double width : free_m_) capacity += width;
+    for (const double width : free_m_)
+      capacity += width;
     std::vector<Block> slice;
     double taken = 0;
     std::size_t looked = 0;
@@ -67,13 +79,15 @@ class BayPlan {
     return slice;
   }
 
-  // Heaviest first, each on the lowest level that still has room; a block too wide for any level is narrowed.
+  // Heaviest first, each on the lowest level that still has room; a block too wide for any level is
+  // narrowed.
   void place(std::vector<Block> slice) {
     std::stable_sort(slice.begin(), slice.end(), [&](const Block& a, const Block& b) {
       return heaviness(product(a.place)) > heaviness(product(b.place));
     });
     for (Block block : slice) {
-      while (block.facings > 0 && !put_lowest(block)) --block.facings;
+      while (block.facings > 0 && !put_lowest(block))
+        --block.facings;
     }
   }
 
@@ -89,13 +103,17 @@ class BayPlan {
     return false;
   }
 
-  // Uses what is left of a level: more facings of the narrowest blocks first, then other products that fit, then blocks of the
-  // same products again.
+  // Uses what is left of a level: more facings of the narrowest blocks first, then other products
+  // that fit, then blocks of the same products again.
   void top_up(std::size_t level) {
-    while (widen(level, std::max(stock_.facings[1], 2))) {}
-    while (add_other(level)) {}
-    while (widen(level, most_facings)) {}
-    while (add_again(level)) {}
+    while (widen(level, std::max(stock_.facings[1], 2))) {
+    }
+    while (add_other(level)) {
+    }
+    while (widen(level, most_facings)) {
+    }
+    while (add_again(level)) {
+    }
   }
 
   bool widen(std::size_t level, int limit) {
@@ -111,16 +129,20 @@ class BayPlan {
   }
 
   bool stands_on(std::size_t level, std::size_t place) const {
-    return std::any_of(blocks_[level].begin(), blocks_[level].end(), [&](const Block& b) { return b.place == place; });
+    return std::any_of(blocks_[level].begin(), blocks_[level].end(), [&](const Block& b) {
+      return b.place == place;
+    });
   }
 
   bool add_other(std::size_t level) {
     if (assortment_.empty() || (bay_.promotion && !blocks_[level].empty())) return false;
-    const auto start = static_cast<std::size_t>(draw_.integer(0, static_cast<int>(assortment_.size()) - 1));
+    const auto start =
+        static_cast<std::size_t>(draw_.integer(0, static_cast<int>(assortment_.size()) - 1));
     for (std::size_t i = 0; i < assortment_.size(); ++i) {
       const std::size_t place = (start + i) % assortment_.size();
       const Product& p = product(place);
-      if (pitch_of(p) > free_m_[level] || !fits(p, bay_.shelves[level]) || stands_on(level, place)) continue;
+      if (pitch_of(p) > free_m_[level] || !fits(p, bay_.shelves[level]) || stands_on(level, place))
+        continue;
       const int room = static_cast<int>(free_m_[level] / pitch_of(p));
       const Block block{place, std::clamp(wanted_facings(), 1, room)};
       blocks_[level].push_back(block);
@@ -133,8 +155,10 @@ class BayPlan {
   bool add_again(std::size_t level) {
     const std::size_t before = blocks_[level].size();
     for (std::size_t i = 0; i < before; ++i) {
-      const Block again{blocks_[level][i].place,
-                        std::min(most_facings, static_cast<int>(free_m_[level] / pitch_of(product(blocks_[level][i].place))))};
+      const Block again{
+          blocks_[level][i].place,
+          std::min(most_facings,
+                   static_cast<int>(free_m_[level] / pitch_of(product(blocks_[level][i].place))))};
       if (again.facings < 1) continue;
       blocks_[level].push_back(again);
       free_m_[level] -= again.facings * pitch_of(product(again.place));
@@ -146,9 +170,12 @@ class BayPlan {
   std::vector<PlannedShelf> ordered() {
     std::vector<PlannedShelf> shelves;
     for (std::vector<Block>& level : blocks_) {
-      std::stable_sort(level.begin(), level.end(), [](const Block& a, const Block& b) { return a.place < b.place; });
+      std::stable_sort(level.begin(), level.end(), [](const Block& a, const Block& b) {
+        return a.place < b.place;
+      });
       PlannedShelf shelf;
-      for (const Block& block : level) shelf.push_back({assortment_[block.place], block.facings});
+      for (const Block& block : level)
+        shelf.push_back({assortment_[block.place], block.facings});
       shelves.push_back(std::move(shelf));
     }
     return shelves;
@@ -159,8 +186,8 @@ class BayPlan {
   const StockSpec& stock_;
   const Catalog& catalog_;
   Stream draw_;
-  std::vector<double> free_m_;               // per level
-  std::vector<std::vector<Block>> blocks_;   // per level
+  std::vector<double> free_m_;              // per level
+  std::vector<std::vector<Block>> blocks_;  // per level
 };
 
 }  // namespace
@@ -171,8 +198,12 @@ int stack_height(const Product& product, const ShelfRoom& room) {
   return std::min(product.stack_max, static_cast<int>(usable / product.height_m()));
 }
 
-std::vector<PlannedShelf> plan_bay(const Bay& bay, const std::vector<std::uint32_t>& assortment, const StockSpec& stock,
-                                   const Catalog& catalog, AssortmentCursor& cursor, Stream draw) {
+std::vector<PlannedShelf> plan_bay(const Bay& bay,
+                                   const std::vector<std::uint32_t>& assortment,
+                                   const StockSpec& stock,
+                                   const Catalog& catalog,
+                                   AssortmentCursor& cursor,
+                                   Stream draw) {
   if (assortment.empty()) return std::vector<PlannedShelf>(bay.shelves.size());
   return BayPlan(bay, assortment, stock, catalog, draw).plan(cursor);
 }

@@ -1,8 +1,9 @@
 // The planogram: which products stand on which shelf, in how many facings.
 //
-// A bay is one side of one module: its shelves from the lowest up. Bays of a zone take consecutive slices of the zone's
-// assortment, so that brands and subcategories stay together along a run; inside a bay heavy goods go low, and every level
-// keeps the assortment's order from left to right, which gives vertical blocks.
+// A bay is one side of one module: its shelves from the lowest up. Bays of a zone take consecutive
+// slices of the zone's assortment, so that brands and subcategories stay together along a run;
+// inside a bay heavy goods go low, and every level keeps the assortment's order from left to right,
+// which gives vertical blocks.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -22,18 +23,19 @@ struct ShelfRoom {
 
 // One block of one SKU on a shelf.
 struct PlannedBlock {
-  std::uint32_t product = 0;   // row of catalog.products
+  std::uint32_t product = 0;  // row of catalog.products
   int facings = 1;
 };
 
-using PlannedShelf = std::vector<PlannedBlock>;   // from left to right
+using PlannedShelf = std::vector<PlannedBlock>;  // from left to right
 
-constexpr double pack_gap_m = 0.004;        // between facings; retail practice 2-8 mm
-constexpr double depth_gap_m = 0.003;       // between rows
-constexpr double finger_room_m = 0.025;     // above goods; retail practice 25-50 mm
-constexpr int most_facings = 8;             // of one SKU in one block; leaders have up to 8
+constexpr double pack_gap_m = 0.004;     // between facings; retail practice 2-8 mm
+constexpr double depth_gap_m = 0.003;    // between rows
+constexpr double finger_room_m = 0.025;  // above goods; retail practice 25-50 mm
+constexpr int most_facings = 8;          // of one SKU in one block; leaders have up to 8
 
-// Bottom to top room of one bay; `stock` from the zone; `promotion` bays (endcaps, bins) show few SKUs in many facings.
+// Bottom to top room of one bay; `stock` from the zone; `promotion` bays (endcaps, bins) show few
+// SKUs in many facings.
 struct Bay {
   std::vector<ShelfRoom> shelves;
   bool promotion = false;
@@ -45,8 +47,12 @@ struct AssortmentCursor {
 };
 
 // Plans one bay and moves the cursor on. An empty assortment gives empty shelves.
-std::vector<PlannedShelf> plan_bay(const Bay& bay, const std::vector<std::uint32_t>& assortment, const StockSpec& stock,
-                                   const Catalog& catalog, AssortmentCursor& cursor, Stream draw);
+std::vector<PlannedShelf> plan_bay(const Bay& bay,
+                                   const std::vector<std::uint32_t>& assortment,
+                                   const StockSpec& stock,
+                                   const Catalog& catalog,
+                                   AssortmentCursor& cursor,
+                                   Stream draw);
 
 // Packs on one another on a shelf of this clearance; 0 when not even one fits.
 int stack_height(const Product& product, const ShelfRoom& room);

@@ -1,6 +1,7 @@
 #include "scene/query.h"
 
 #include <charconv>
+#include <cmath>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -21,22 +22,31 @@ struct FixtureQueryRow {
   double width_m = 0, depth_m = 0, height_m = 0;
   int levels = 0;
   std::uint64_t products = 0;
-  static constexpr auto fields = field_list(
-      field("id", &FixtureQueryRow::id, "id"), field("run", &FixtureQueryRow::run, "run"), field("kind", &FixtureQueryRow::kind, "kind"),
-      field("zone", &FixtureQueryRow::zone, "zone"), field("x_m", &FixtureQueryRow::x_m, "east"), field("y_m", &FixtureQueryRow::y_m, "north"),
-      field("yaw_deg", &FixtureQueryRow::yaw_deg, "0 = front faces south"), field("width_m", &FixtureQueryRow::width_m, "width"),
-      field("depth_m", &FixtureQueryRow::depth_m, "depth"), field("height_m", &FixtureQueryRow::height_m, "height"),
-      field("levels", &FixtureQueryRow::levels, "levels"), field("products", &FixtureQueryRow::products, "items on it"));
+  static constexpr auto fields =
+      field_list(field("id", &FixtureQueryRow::id, "id"),
+                 field("run", &FixtureQueryRow::run, "run"),
+                 field("kind", &FixtureQueryRow::kind, "kind"),
+                 field("zone", &FixtureQueryRow::zone, "zone"),
+                 field("x_m", &FixtureQueryRow::x_m, "east"),
+                 field("y_m", &FixtureQueryRow::y_m, "north"),
+                 field("yaw_deg", &FixtureQueryRow::yaw_deg, "0 = front faces south"),
+                 field("width_m", &FixtureQueryRow::width_m, "width"),
+                 field("depth_m", &FixtureQueryRow::depth_m, "depth"),
+                 field("height_m", &FixtureQueryRow::height_m, "height"),
+                 field("levels", &FixtureQueryRow::levels, "levels"),
+                 field("products", &FixtureQueryRow::products, "items on it"));
 };
 
 struct ZoneQueryRow {
   std::string id, type, label;
   double area_m2 = 0;
   std::uint64_t fixtures = 0, products = 0;
-  static constexpr auto fields = field_list(
-      field("id", &ZoneQueryRow::id, "id"), field("type", &ZoneQueryRow::type, "type"), field("label", &ZoneQueryRow::label, "label"),
-      field("area_m2", &ZoneQueryRow::area_m2, "floor area"), field("fixtures", &ZoneQueryRow::fixtures, "modules"),
-      field("products", &ZoneQueryRow::products, "items"));
+  static constexpr auto fields = field_list(field("id", &ZoneQueryRow::id, "id"),
+                                            field("type", &ZoneQueryRow::type, "type"),
+                                            field("label", &ZoneQueryRow::label, "label"),
+                                            field("area_m2", &ZoneQueryRow::area_m2, "floor area"),
+                                            field("fixtures", &ZoneQueryRow::fixtures, "modules"),
+                                            field("products", &ZoneQueryRow::products, "items"));
 };
 
 struct PriceQueryRow {
@@ -45,12 +55,17 @@ struct PriceQueryRow {
   std::string per;
   bool promotion = false;
   std::uint64_t labels = 0, products = 0;
-  static constexpr auto fields = field_list(
-      field("sku", &PriceQueryRow::sku, "SKU"), field("ean", &PriceQueryRow::ean, "EAN-13"), field("name", &PriceQueryRow::name, "name"),
-      field("net", &PriceQueryRow::net, "net quantity"), field("price", &PriceQueryRow::price, "euro"),
-      field("unit_price", &PriceQueryRow::unit_price, "euro per unit"), field("per", &PriceQueryRow::per, "unit"),
-      field("promotion", &PriceQueryRow::promotion, "has a promotion label"), field("labels", &PriceQueryRow::labels, "price labels"),
-      field("products", &PriceQueryRow::products, "items"));
+  static constexpr auto fields =
+      field_list(field("sku", &PriceQueryRow::sku, "SKU"),
+                 field("ean", &PriceQueryRow::ean, "EAN-13"),
+                 field("name", &PriceQueryRow::name, "name"),
+                 field("net", &PriceQueryRow::net, "net quantity"),
+                 field("price", &PriceQueryRow::price, "euro"),
+                 field("unit_price", &PriceQueryRow::unit_price, "euro per unit"),
+                 field("per", &PriceQueryRow::per, "unit"),
+                 field("promotion", &PriceQueryRow::promotion, "has a promotion label"),
+                 field("labels", &PriceQueryRow::labels, "price labels"),
+                 field("products", &PriceQueryRow::products, "items"));
 };
 
 struct PlanogramRow {
@@ -59,12 +74,18 @@ struct PlanogramRow {
   std::string sku, ean;
   int x_mm = 0, facings = 0, depth_count = 0, stack = 0;
   double price = 0;
-  static constexpr auto fields = field_list(
-      field("fixture", &PlanogramRow::fixture, "fixture id"), field("level", &PlanogramRow::level, "0 = lowest"), field("side", &PlanogramRow::side, "1 = back"),
-      field("position", &PlanogramRow::position, "order from the left"), field("sku", &PlanogramRow::sku, "SKU"), field("ean", &PlanogramRow::ean, "EAN-13"),
-      field("x_mm", &PlanogramRow::x_mm, "left edge"), field("facings", &PlanogramRow::facings, "packs side by side"),
-      field("depth_count", &PlanogramRow::depth_count, "packs one behind another"), field("stack", &PlanogramRow::stack, "packs on one another"),
-      field("price", &PlanogramRow::price, "euro"));
+  static constexpr auto fields =
+      field_list(field("fixture", &PlanogramRow::fixture, "fixture id"),
+                 field("level", &PlanogramRow::level, "0 = lowest"),
+                 field("side", &PlanogramRow::side, "1 = back"),
+                 field("position", &PlanogramRow::position, "order from the left"),
+                 field("sku", &PlanogramRow::sku, "SKU"),
+                 field("ean", &PlanogramRow::ean, "EAN-13"),
+                 field("x_mm", &PlanogramRow::x_mm, "left edge"),
+                 field("facings", &PlanogramRow::facings, "packs side by side"),
+                 field("depth_count", &PlanogramRow::depth_count, "packs one behind another"),
+                 field("stack", &PlanogramRow::stack, "packs on one another"),
+                 field("price", &PlanogramRow::price, "euro"));
 };
 
 std::string full_name(const Product& p) {
@@ -73,8 +94,12 @@ std::string full_name(const Product& p) {
   return name;
 }
 
-double rounded(double value, double step) { return std::round(value / step) * step; }
-double to_mm_precision(double metres) { return std::round(metres * 1e4) / 1e4; }
+double rounded(double value, double step) {
+  return std::round(value / step) * step;
+}
+double to_mm_precision(double metres) {
+  return std::round(metres * 1e4) / 1e4;
+}
 
 std::vector<ProductQueryRow> product_rows(const Scene& scene) {
   std::vector<ProductQueryRow> rows;
@@ -83,9 +108,20 @@ std::vector<ProductQueryRow> product_rows(const Scene& scene) {
     const SceneProduct& item = scene.products[i];
     const Product& p = scene.catalog[item.sku];
     const Pose pose = world_from_product(item);
-    ProductQueryRow row{product_id(scene, i), p.sku, p.ean, full_name(p), p.category, "", 0, "", to_mm_precision(pose.position.x),
-                        to_mm_precision(pose.position.y), to_mm_precision(pose.position.z),
-                        rounded(yaw_of(pose.rotation) * 180 / std::numbers::pi, 0.01), p.price, (item.flags & product_misplaced) != 0};
+    ProductQueryRow row{product_id(scene, i),
+                        p.sku,
+                        p.ean,
+                        full_name(p),
+                        p.category,
+                        "",
+                        0,
+                        "",
+                        to_mm_precision(pose.position.x),
+                        to_mm_precision(pose.position.y),
+                        to_mm_precision(pose.position.z),
+                        rounded(yaw_of(pose.rotation) * 180 / std::numbers::pi, 0.01),
+                        p.price,
+                        (item.flags & product_misplaced) != 0};
     if (item.facing != no_facing) {
       const SceneShelf& shelf = scene.shelves[scene.facings[item.facing].shelf];
       row.fixture = scene.layout.fixtures[shelf.fixture].id;
@@ -99,7 +135,8 @@ std::vector<ProductQueryRow> product_rows(const Scene& scene) {
 
 std::uint64_t products_on(const Scene& scene, std::uint32_t fixture) {
   std::uint64_t number = 0;
-  for (const Facing& f : scene.facings) number += scene.shelves[f.shelf].fixture == fixture ? f.product_count : 0;
+  for (const Facing& f : scene.facings)
+    number += scene.shelves[f.shelf].fixture == fixture ? f.product_count : 0;
   return number;
 }
 
@@ -107,8 +144,18 @@ std::vector<FixtureQueryRow> fixture_rows(const Scene& scene) {
   std::vector<FixtureQueryRow> rows;
   for (std::uint32_t i = 0; i < scene.fixtures.size(); ++i) {
     const Fixture& f = scene.layout.fixtures[i];
-    rows.push_back({f.id, f.run, f.kind, f.zone, f.x_mm * 1e-3, f.y_mm * 1e-3, f.yaw_deg, f.width_mm * 1e-3, f.depth_mm * 1e-3,
-                    f.height_mm * 1e-3, f.levels, products_on(scene, i)});
+    rows.push_back({f.id,
+                    f.run,
+                    f.kind,
+                    f.zone,
+                    f.x_mm * 1e-3,
+                    f.y_mm * 1e-3,
+                    f.yaw_deg,
+                    f.width_mm * 1e-3,
+                    f.depth_mm * 1e-3,
+                    f.height_mm * 1e-3,
+                    f.levels,
+                    products_on(scene, i)});
   }
   return rows;
 }
@@ -131,13 +178,23 @@ std::vector<ZoneQueryRow> zone_rows(const Scene& scene) {
 std::vector<PriceQueryRow> price_rows(const Scene& scene) {
   std::vector<PriceQueryRow> rows;
   for (const Product& p : scene.catalog) {
-    rows.push_back({p.sku, p.ean, full_name(p), p.net, p.price, rounded(p.price / p.unit_amount, 0.01), p.unit_of_measure, false, 0, 0});
+    rows.push_back({p.sku,
+                    p.ean,
+                    full_name(p),
+                    p.net,
+                    p.price,
+                    rounded(p.price / p.unit_amount, 0.01),
+                    p.unit_of_measure,
+                    false,
+                    0,
+                    0});
   }
   for (const PriceLabel& label : scene.price_labels) {
     ++rows[label.sku].labels;
     rows[label.sku].promotion = rows[label.sku].promotion || label.promotion != 0;
   }
-  for (const SceneProduct& item : scene.products) ++rows[item.sku].products;
+  for (const SceneProduct& item : scene.products)
+    ++rows[item.sku].products;
   return rows;
 }
 
@@ -146,8 +203,17 @@ std::vector<PlanogramRow> planogram_rows(const Scene& scene) {
   for (const Facing& f : scene.facings) {
     const SceneShelf& shelf = scene.shelves[f.shelf];
     const Product& p = scene.catalog[f.sku];
-    rows.push_back({scene.layout.fixtures[shelf.fixture].id, shelf.level, shelf.side, f.position, p.sku, p.ean,
-                    static_cast<int>(f.x_m * 1000 + 0.5F), f.facings, f.rows_deep, f.stack, p.price});
+    rows.push_back({scene.layout.fixtures[shelf.fixture].id,
+                    shelf.level,
+                    shelf.side,
+                    f.position,
+                    p.sku,
+                    p.ean,
+                    static_cast<int>(std::lround(f.x_m * 1000)),
+                    f.facings,
+                    f.rows_deep,
+                    f.stack,
+                    p.price});
   }
   return rows;
 }
@@ -161,13 +227,15 @@ Table table_of(const std::vector<Row>& rows) {
   for (const FieldInfo& f : type.fields) {
     table.columns.emplace_back(f.name);
     const TypeKind kind = f.type().kind;
-    table.numeric.push_back(kind == TypeKind::integer || kind == TypeKind::number || kind == TypeKind::boolean);
+    table.numeric.push_back(kind == TypeKind::integer || kind == TypeKind::number ||
+                            kind == TypeKind::boolean);
   }
   for (const Row& row : rows) {
     std::vector<std::string> cells;
     for (const FieldInfo& f : type.fields) {
-      cells.push_back(f.type().kind == TypeKind::string ? *static_cast<const std::string*>(f.in(&row))
-                                                        : write_json_line_of(f.type(), f.in(&row)));
+      cells.push_back(f.type().kind == TypeKind::string
+                          ? *static_cast<const std::string*>(f.in(&row))
+                          : write_json_line_of(f.type(), f.in(&row)));
     }
     table.rows.push_back(std::move(cells));
   }
@@ -184,12 +252,14 @@ struct Condition {
 std::optional<double> number_in(const std::string& text) {
   double value = 0;
   const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (failed != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  if (failed != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+    return std::nullopt;
   return value;
 }
 
 bool holds(const Condition& condition, const std::string& cell) {
-  if (condition.op == "~") return lower_ascii(cell).find(lower_ascii(condition.value)) != std::string::npos;
+  if (condition.op == "~")
+    return lower_ascii(cell).find(lower_ascii(condition.value)) != std::string::npos;
   const auto a = number_in(cell), b = number_in(condition.value);
   const int order = a && b ? (*a < *b ? -1 : (*a > *b ? 1 : 0)) : cell.compare(condition.value);
   if (condition.op == "=") return order == 0;
@@ -200,19 +270,36 @@ bool holds(const Condition& condition, const std::string& cell) {
   return order >= 0;
 }
 
-Result<Condition> parse_condition(const std::string& text, const Table& table) {
-  for (const char* op : {"!=", "<=", ">=", "=", "<", ">", "~"}) {
-    const std::size_t at = text.find(op);
-    if (at == std::string::npos) continue;
-    const std::string name = text.substr(0, at);
-    for (std::size_t i = 0; i < table.columns.size(); ++i) {
-      if (table.columns[i] == name) return Condition{i, op, text.substr(at + std::string_view(op).size())};
+// The first comparison in the text, the longer one where two start at the same place; empty when
+// there is none.
+std::string_view first_operator(std::string_view text) {
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    for (const std::string_view op : {"!=", "<=", ">=", "=", "<", ">", "~"}) {
+      if (text.substr(at).starts_with(op)) return text.substr(at, op.size());
     }
-    const std::vector<std::string_view> names(table.columns.begin(), table.columns.end());
-    return Error{"usage.bad_flag", "--where " + text, fmt::format("there is no column \"{}\"; columns are: {}{}", name,
-                                                                   fmt::join(names, ", "), did_you_mean(name, names))};
   }
-  return Error{"usage.bad_flag", "--where " + text, "expected column=value (also != < <= > >= and ~ for \"contains\")"};
+  return {};
+}
+
+Result<Condition> parse_condition(const std::string& text, const Table& table) {
+  const std::string_view op = first_operator(text);
+  if (op.empty()) {
+    return Error{"usage.bad_flag",
+                 "--where " + text,
+                 "expected column=value (also != < <= > >= and ~ for \"contains\")"};
+  }
+  const auto at = static_cast<std::size_t>(op.data() - text.data());
+  const std::string name = text.substr(0, at);
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    if (table.columns[i] == name) return Condition{i, std::string(op), text.substr(at + op.size())};
+  }
+  const std::vector<std::string_view> names(table.columns.begin(), table.columns.end());
+  return Error{"usage.bad_flag",
+               "--where " + text,
+               fmt::format("there is no column \"{}\"; columns are: {}{}",
+                           name,
+                           fmt::join(names, ", "),
+                           did_you_mean(name, names))};
 }
 
 Result<void> filter(Table& table, std::string_view where) {
@@ -234,23 +321,33 @@ Result<void> filter(Table& table, std::string_view where) {
 std::string csv_cell(const std::string& cell) {
   if (cell.find_first_of(",\"\r\n") == std::string::npos) return cell;
   std::string quoted = "\"";
-  for (const char c : cell) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  for (const char c : cell)
+    quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
   return quoted + "\"";
 }
 
-constexpr std::string_view table_names[] = {"products", "fixtures", "zones", "prices", "materials", "planogram"};
+constexpr std::string_view table_names[] = {
+    "products", "fixtures", "zones", "prices", "materials", "planogram"};
 
 }  // namespace
 
 Result<Table> query_scene(const Scene& scene, std::string_view name, std::string_view where) {
   Table table;
-  if (name == "products") table = table_of(product_rows(scene));
-  else if (name == "fixtures") table = table_of(fixture_rows(scene));
-  else if (name == "zones") table = table_of(zone_rows(scene));
-  else if (name == "prices") table = table_of(price_rows(scene));
-  else if (name == "materials") table = table_of(scene.materials);
-  else if (name == "planogram") table = table_of(planogram_rows(scene));
-  else return unknown_name("usage.bad_flag", "query", "table", name, {std::begin(table_names), std::end(table_names)});
+  if (name == "products")
+    table = table_of(product_rows(scene));
+  else if (name == "fixtures")
+    table = table_of(fixture_rows(scene));
+  else if (name == "zones")
+    table = table_of(zone_rows(scene));
+  else if (name == "prices")
+    table = table_of(price_rows(scene));
+  else if (name == "materials")
+    table = table_of(scene.materials);
+  else if (name == "planogram")
+    table = table_of(planogram_rows(scene));
+  else
+    return unknown_name(
+        "usage.bad_flag", "query", "table", name, {std::begin(table_names), std::end(table_names)});
   MARKETGEN_CHECK(filter(table, where));
   return table;
 }
@@ -258,7 +355,8 @@ Result<Table> query_scene(const Scene& scene, std::string_view name, std::string
 std::string to_csv(const Table& table) {
   std::string out = fmt::format("{}\r\n", fmt::join(table.columns, ","));
   for (const auto& row : table.rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) out += (i == 0 ? "" : ",") + csv_cell(row[i]);
+    for (std::size_t i = 0; i < row.size(); ++i)
+      out += (i == 0 ? "" : ",") + csv_cell(row[i]);
     out += "\r\n";
   }
   return out;
@@ -270,7 +368,8 @@ std::string to_json(const Table& table) {
     out += r == 0 ? "\n  {" : ",\n  {";
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
       const std::string& cell = table.rows[r][i];
-      const std::string text = table.numeric[i] ? cell : write_json_line_of(type_of<std::string>(), &cell);
+      const std::string text =
+          table.numeric[i] ? cell : write_json_line_of(type_of<std::string>(), &cell);
       out += fmt::format("{}\"{}\": {}", i == 0 ? "" : ", ", table.columns[i], text);
     }
     out += "}";

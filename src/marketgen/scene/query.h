@@ -17,25 +17,33 @@ struct ProductQueryRow {
   double x_m = 0, y_m = 0, z_m = 0, yaw_deg = 0, price = 0;
   bool misplaced = false;
 
-  static constexpr auto fields = field_list(
-      field("id", &ProductQueryRow::id, "item id"), field("sku", &ProductQueryRow::sku, "SKU"),
-      field("ean", &ProductQueryRow::ean, "EAN-13"), field("name", &ProductQueryRow::name, "brand and name"),
-      field("category", &ProductQueryRow::category, "category"), field("fixture", &ProductQueryRow::fixture, "fixture id"),
-      field("level", &ProductQueryRow::level, "shelf level, 0 = lowest"), field("zone", &ProductQueryRow::zone, "zone id"),
-      field("x_m", &ProductQueryRow::x_m, "east"), field("y_m", &ProductQueryRow::y_m, "north"),
-      field("z_m", &ProductQueryRow::z_m, "up"), field("yaw_deg", &ProductQueryRow::yaw_deg, "0 = front faces south"),
-      field("price", &ProductQueryRow::price, "euro"), field("misplaced", &ProductQueryRow::misplaced, "stands in the wrong place"));
+  static constexpr auto fields =
+      field_list(field("id", &ProductQueryRow::id, "item id"),
+                 field("sku", &ProductQueryRow::sku, "SKU"),
+                 field("ean", &ProductQueryRow::ean, "EAN-13"),
+                 field("name", &ProductQueryRow::name, "brand and name"),
+                 field("category", &ProductQueryRow::category, "category"),
+                 field("fixture", &ProductQueryRow::fixture, "fixture id"),
+                 field("level", &ProductQueryRow::level, "shelf level, 0 = lowest"),
+                 field("zone", &ProductQueryRow::zone, "zone id"),
+                 field("x_m", &ProductQueryRow::x_m, "east"),
+                 field("y_m", &ProductQueryRow::y_m, "north"),
+                 field("z_m", &ProductQueryRow::z_m, "up"),
+                 field("yaw_deg", &ProductQueryRow::yaw_deg, "0 = front faces south"),
+                 field("price", &ProductQueryRow::price, "euro"),
+                 field("misplaced", &ProductQueryRow::misplaced, "stands in the wrong place"));
 };
 
 // A table as text cells, ready for CSV or JSON.
 struct Table {
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;
-  std::vector<bool> numeric;              // per column: cells are JSON literals (numbers, true, false)
+  std::vector<bool> numeric;  // per column: cells are JSON literals (numbers, true, false)
 };
 
-// `table` is products, fixtures, zones, prices, materials or planogram. `where` keeps rows of which every "column=value"
-// (also != < > <= >= ~ for "contains") holds, separated by commas. Errors: usage.bad_flag with the nearest name.
+// `table` is products, fixtures, zones, prices, materials or planogram. `where` keeps rows of which
+// every "column=value" (also != < > <= >= ~ for "contains") holds, separated by commas. Errors:
+// usage.bad_flag with the nearest name.
 Result<Table> query_scene(const Scene& scene, std::string_view table, std::string_view where);
 std::string to_csv(const Table& table);   // RFC 4180
 std::string to_json(const Table& table);  // array of objects, one per line

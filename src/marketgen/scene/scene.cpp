@@ -9,22 +9,28 @@ namespace marketgen {
 namespace {
 
 Pose pose_of(const std::array<float, 3>& position, const std::array<float, 4>& rotation) {
-  return {{position[0], position[1], position[2]}, {rotation[0], rotation[1], rotation[2], rotation[3]}};
+  return {{position[0], position[1], position[2]},
+          {rotation[0], rotation[1], rotation[2], rotation[3]}};
 }
 
-constexpr double length_step = 1e-5;      // 0.01 mm
-constexpr double rotation_step = 1e-4;    // of a quaternion's component
+constexpr double length_step = 1e-5;    // 0.01 mm
+constexpr double rotation_step = 1e-4;  // of a quaternion's component
 
-void add_pose(Hasher& hash, const std::array<float, 3>& position, const std::array<float, 4>& rotation) {
-  for (const float p : position) hash.add_rounded(p, length_step);
-  for (const float r : rotation) hash.add_rounded(r, rotation_step);
+void add_pose(Hasher& hash,
+              const std::array<float, 3>& position,
+              const std::array<float, 4>& rotation) {
+  for (const float p : position)
+    hash.add_rounded(p, length_step);
+  for (const float r : rotation)
+    hash.add_rounded(r, rotation_step);
 }
 
 }  // namespace
 
 Pose world_from_fixture(const Scene& scene, std::uint32_t fixture) {
   const SceneFixture& row = scene.fixtures[fixture];
-  return {{row.position_m[0], row.position_m[1], row.position_m[2]}, yaw_from_quarter_turns(row.quarter_turns)};
+  return {{row.position_m[0], row.position_m[1], row.position_m[2]},
+          yaw_from_quarter_turns(row.quarter_turns)};
 }
 
 Pose world_from_shelf(const Scene& scene, std::uint32_t shelf) {
@@ -32,21 +38,30 @@ Pose world_from_shelf(const Scene& scene, std::uint32_t shelf) {
   return world_from_fixture(scene, row.fixture) * pose_of(row.position_m, row.rotation_wxyz);
 }
 
-Pose world_from_product(const SceneProduct& product) { return pose_of(product.position_m, product.rotation_wxyz); }
+Pose world_from_product(const SceneProduct& product) {
+  return pose_of(product.position_m, product.rotation_wxyz);
+}
 
-Pose fixture_from_part(const ScenePart& part) { return pose_of(part.position_m, part.rotation_wxyz); }
+Pose fixture_from_part(const ScenePart& part) {
+  return pose_of(part.position_m, part.rotation_wxyz);
+}
 
 std::string product_id(const Scene& scene, std::uint32_t product) {
   const SceneProduct& item = scene.products[product];
   if (item.facing == no_facing) {
     std::uint32_t first = product;
-    while (first > 0 && scene.products[first - 1].facing == no_facing) --first;
+    while (first > 0 && scene.products[first - 1].facing == no_facing)
+      --first;
     return fmt::format("placement-{}", product - first);
   }
   const Facing& facing = scene.facings[item.facing];
   const SceneShelf& shelf = scene.shelves[facing.shelf];
-  return fmt::format("{}/{}level-{}/facing-{}/item-{}", scene.layout.fixtures[shelf.fixture].id, shelf.side == 0 ? "" : "back/",
-                     shelf.level, facing.position, product - facing.first_product);
+  return fmt::format("{}/{}level-{}/facing-{}/item-{}",
+                     scene.layout.fixtures[shelf.fixture].id,
+                     shelf.side == 0 ? "" : "back/",
+                     shelf.level,
+                     facing.position,
+                     product - facing.first_product);
 }
 
 std::string scene_hash(const Scene& scene) {
@@ -54,17 +69,24 @@ std::string scene_hash(const Scene& scene) {
   const Shell& shell = scene.layout.shell;
   hash.add(shell.width_mm).add(shell.depth_mm).add(shell.ceiling_mm);
   for (const ScenePart& part : scene.parts) {
-    hash.add(part.fixture).add(static_cast<std::int64_t>(part.unit)).add(static_cast<std::int64_t>(part.shape));
+    hash.add(part.fixture)
+        .add(static_cast<std::int64_t>(part.unit))
+        .add(static_cast<std::int64_t>(part.shape));
     add_pose(hash, part.position_m, part.rotation_wxyz);
-    for (const float h : part.half_size_m) hash.add_rounded(h, length_step);
+    for (const float h : part.half_size_m)
+      hash.add_rounded(h, length_step);
   }
   for (std::size_t i = 0; i < scene.fixtures.size(); ++i) {
-    hash.add(scene.layout.fixtures[i].id).add(scene.layout.fixtures[i].kind).add(scene.fixtures[i].quarter_turns);
-    for (const float p : scene.fixtures[i].position_m) hash.add_rounded(p, length_step);
+    hash.add(scene.layout.fixtures[i].id)
+        .add(scene.layout.fixtures[i].kind)
+        .add(scene.fixtures[i].quarter_turns);
+    for (const float p : scene.fixtures[i].position_m)
+      hash.add_rounded(p, length_step);
   }
   for (const Product& product : scene.catalog) {
     hash.add(product.sku).add(product.archetype);
-    for (const int s : product.size_mm) hash.add(s);
+    for (const int s : product.size_mm)
+      hash.add(s);
   }
   for (const SceneProduct& item : scene.products) {
     hash.add(item.sku);
@@ -76,17 +98,34 @@ std::string scene_hash(const Scene& scene) {
 std::string look_hash(const Scene& scene) {
   Hasher hash;
   const Look& look = scene.layout.look;
-  hash.add(look.floor).add(look.wall).add(look.ceiling).add(look.fixture).add(look.accent).add(look.light_kelvin).add(look.light_lux);
+  hash.add(look.floor)
+      .add(look.wall)
+      .add(look.ceiling)
+      .add(look.fixture)
+      .add(look.accent)
+      .add(look.light_kelvin)
+      .add(look.light_lux);
   for (const MaterialRow& m : scene.materials) {
-    hash.add(m.id).add(static_cast<std::int64_t>(m.pattern)).add(m.color).add(m.second_color).add(m.period_mm);
+    hash.add(m.id)
+        .add(static_cast<std::int64_t>(m.pattern))
+        .add(m.color)
+        .add(m.second_color)
+        .add(m.period_mm);
     hash.add_rounded(m.roughness, 1e-3).add_rounded(m.metallic, 1e-3);
   }
   for (const ScenePart& part : scene.parts) {
     hash.add(part.material).add(static_cast<std::int64_t>(part.kind));
-    for (const float c : part.color) hash.add_rounded(c, 1e-3);
+    for (const float c : part.color)
+      hash.add_rounded(c, 1e-3);
   }
   for (const Product& p : scene.catalog) {
-    hash.add(p.label.primary).add(p.label.secondary).add(p.label.accent).add(p.label.text).add(p.label.motif).add(p.brand).add(p.name);
+    hash.add(p.label.primary)
+        .add(p.label.secondary)
+        .add(p.label.accent)
+        .add(p.label.text)
+        .add(p.label.motif)
+        .add(p.brand)
+        .add(p.name);
   }
   return hash.hex();
 }
@@ -96,7 +135,8 @@ SceneCounts count(const Scene& scene) {
   counts.products = scene.products.size();
   counts.skus = scene.catalog.size();
   counts.fixtures = scene.fixtures.size();
-  for (const Facing& facing : scene.facings) counts.facings += facing.facings;
+  for (const Facing& facing : scene.facings)
+    counts.facings += facing.facings;
   return counts;
 }
 

@@ -1,7 +1,9 @@
-// The stocked store: every fixture, part, shelf, facing block, price label and single product, in flat tables.
+// The stocked store: every fixture, part, shelf, facing block, price label and single product, in
+// flat tables.
 //
-// Rows refer to one another by index. Positions are metres in the store frame. A Scene is immutable once built; everything
-// that moves later (products a robot carries, doors) is kept apart and refers to it.
+// Rows refer to one another by index. Positions are metres in the store frame. A Scene is immutable
+// once built; everything that moves later (products a robot carries, doors) is kept apart and
+// refers to it.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -21,18 +23,18 @@ namespace marketgen {
 
 // One module in its place: layout.fixtures[i] belongs to fixtures[i].
 struct SceneFixture {
-  std::uint32_t first_part = 0, part_count = 0;     // in parts
-  std::uint32_t first_shelf = 0, shelf_count = 0;   // in shelves
-  std::array<float, 3> position_m{};                // world_from_fixture
-  std::int32_t quarter_turns = 0;                   // yaw / 90
+  std::uint32_t first_part = 0, part_count = 0;    // in parts
+  std::uint32_t first_shelf = 0, shelf_count = 0;  // in shelves
+  std::array<float, 3> position_m{};               // world_from_fixture
+  std::int32_t quarter_turns = 0;                  // yaw / 90
 
-  static constexpr auto fields = field_list(
-      field("first_part", &SceneFixture::first_part, "first row in parts"),
-      field("part_count", &SceneFixture::part_count, "rows in parts"),
-      field("first_shelf", &SceneFixture::first_shelf, "first row in shelves"),
-      field("shelf_count", &SceneFixture::shelf_count, "rows in shelves"),
-      field("position_m", &SceneFixture::position_m, "origin in the store frame"),
-      field("quarter_turns", &SceneFixture::quarter_turns, "yaw divided by 90 degrees"));
+  static constexpr auto fields =
+      field_list(field("first_part", &SceneFixture::first_part, "first row in parts"),
+                 field("part_count", &SceneFixture::part_count, "rows in parts"),
+                 field("first_shelf", &SceneFixture::first_shelf, "first row in shelves"),
+                 field("shelf_count", &SceneFixture::shelf_count, "rows in shelves"),
+                 field("position_m", &SceneFixture::position_m, "origin in the store frame"),
+                 field("quarter_turns", &SceneFixture::quarter_turns, "yaw divided by 90 degrees"));
 };
 
 // One minimal unit, in its fixture's frame.
@@ -41,22 +43,25 @@ struct ScenePart {
   UnitKind unit = UnitKind::board;
   PartShape shape = PartShape::box;
   SurfaceKind kind = SurfaceKind::opaque;
-  std::array<float, 3> position_m{};                // fixture_from_part
+  std::array<float, 3> position_m{};  // fixture_from_part
   std::array<float, 4> rotation_wxyz{1, 0, 0, 0};
   std::array<float, 3> half_size_m{};
-  std::array<float, 3> color{};                     // linear RGB
+  std::array<float, 3> color{};  // linear RGB
   float roughness = 0.5F, metallic = 0;
-  std::int32_t material = -1;                       // row in materials, or -1 for the plain colour
+  std::int32_t material = -1;  // row in materials, or -1 for the plain colour
 
-  static constexpr auto fields = field_list(
-      field("fixture", &ScenePart::fixture, "row in fixtures"), field("unit", &ScenePart::unit, "kind of minimal unit"),
-      field("shape", &ScenePart::shape, "box or cylinder"), field("kind", &ScenePart::kind, "how light meets it"),
-      field("position_m", &ScenePart::position_m, "centre in the fixture frame"),
-      field("rotation_wxyz", &ScenePart::rotation_wxyz, "in the fixture frame"),
-      field("half_size_m", &ScenePart::half_size_m, "half extents"), field("color", &ScenePart::color, "linear RGB"),
-      field("roughness", &ScenePart::roughness, "0 mirror, 1 chalk"),
-      field("metallic", &ScenePart::metallic, "0 dielectric, 1 metal"),
-      field("material", &ScenePart::material, "row in materials, -1 for plain colour"));
+  static constexpr auto fields =
+      field_list(field("fixture", &ScenePart::fixture, "row in fixtures"),
+                 field("unit", &ScenePart::unit, "kind of minimal unit"),
+                 field("shape", &ScenePart::shape, "box or cylinder"),
+                 field("kind", &ScenePart::kind, "how light meets it"),
+                 field("position_m", &ScenePart::position_m, "centre in the fixture frame"),
+                 field("rotation_wxyz", &ScenePart::rotation_wxyz, "in the fixture frame"),
+                 field("half_size_m", &ScenePart::half_size_m, "half extents"),
+                 field("color", &ScenePart::color, "linear RGB"),
+                 field("roughness", &ScenePart::roughness, "0 mirror, 1 chalk"),
+                 field("metallic", &ScenePart::metallic, "0 dielectric, 1 metal"),
+                 field("material", &ScenePart::material, "row in materials, -1 for plain colour"));
 };
 
 // One stocked surface, in its fixture's frame (see ShelfSurface).
@@ -64,53 +69,65 @@ struct SceneShelf {
   std::uint32_t fixture = 0;
   std::int32_t level = 0, side = 0;
   ShelfUse use = ShelfUse::stand;
-  std::array<float, 3> position_m{};                // fixture_from_shelf
+  std::array<float, 3> position_m{};  // fixture_from_shelf
   std::array<float, 4> rotation_wxyz{1, 0, 0, 0};
   float width_m = 0, depth_m = 0, clearance_m = 0;
   std::int32_t price_rail = 1;
 
   static constexpr auto fields = field_list(
-      field("fixture", &SceneShelf::fixture, "row in fixtures"), field("level", &SceneShelf::level, "0 = lowest"),
-      field("side", &SceneShelf::side, "1 = back of a double-sided fixture"), field("use", &SceneShelf::use, "how goods are kept"),
-      field("position_m", &SceneShelf::position_m, "middle of the front edge, in the fixture frame"),
+      field("fixture", &SceneShelf::fixture, "row in fixtures"),
+      field("level", &SceneShelf::level, "0 = lowest"),
+      field("side", &SceneShelf::side, "1 = back of a double-sided fixture"),
+      field("use", &SceneShelf::use, "how goods are kept"),
+      field(
+          "position_m", &SceneShelf::position_m, "middle of the front edge, in the fixture frame"),
       field("rotation_wxyz", &SceneShelf::rotation_wxyz, "in the fixture frame"),
-      field("width_m", &SceneShelf::width_m, "usable width"), field("depth_m", &SceneShelf::depth_m, "usable depth"),
+      field("width_m", &SceneShelf::width_m, "usable width"),
+      field("depth_m", &SceneShelf::depth_m, "usable depth"),
       field("clearance_m", &SceneShelf::clearance_m, "free height"),
       field("price_rail", &SceneShelf::price_rail, "1 when the front edge takes price labels"));
 };
 
-// A block of one SKU on a shelf: `facings` columns wide, `rows_deep` deep, `stack` high. The planogram's unit.
+// A block of one SKU on a shelf: `facings` columns wide, `rows_deep` deep, `stack` high. The
+// planogram's unit.
 struct Facing {
-  std::uint32_t shelf = 0;                          // row in shelves
-  std::uint32_t sku = 0;                            // row in catalog
-  float x_m = 0;                                    // left edge from the shelf's left end
-  float width_m = 0;                                // block width, gaps between its packs included
+  std::uint32_t shelf = 0;  // row in shelves
+  std::uint32_t sku = 0;    // row in catalog
+  float x_m = 0;            // left edge from the shelf's left end
+  float width_m = 0;        // block width, gaps between its packs included
   std::uint16_t facings = 1, rows_deep = 1, stack = 1;
-  std::uint16_t position = 0;                       // order on the shelf from the left
-  std::uint32_t first_product = 0, product_count = 0;  // rows in products; 0 products = out of stock
+  std::uint16_t position = 0;  // order on the shelf from the left
+  std::uint32_t first_product = 0,
+                product_count = 0;  // rows in products; 0 products = out of stock
 
   static constexpr auto fields = field_list(
-      field("shelf", &Facing::shelf, "row in shelves"), field("sku", &Facing::sku, "row in catalog"),
-      field("x_m", &Facing::x_m, "left edge from the shelf's left end"), field("width_m", &Facing::width_m, "block width"),
-      field("facings", &Facing::facings, "packs side by side"), field("rows_deep", &Facing::rows_deep, "packs one behind another"),
-      field("stack", &Facing::stack, "packs on one another"), field("position", &Facing::position, "order from the left"),
+      field("shelf", &Facing::shelf, "row in shelves"),
+      field("sku", &Facing::sku, "row in catalog"),
+      field("x_m", &Facing::x_m, "left edge from the shelf's left end"),
+      field("width_m", &Facing::width_m, "block width"),
+      field("facings", &Facing::facings, "packs side by side"),
+      field("rows_deep", &Facing::rows_deep, "packs one behind another"),
+      field("stack", &Facing::stack, "packs on one another"),
+      field("position", &Facing::position, "order from the left"),
       field("first_product", &Facing::first_product, "first row in products"),
       field("product_count", &Facing::product_count, "rows in products; 0 = out of stock"));
 };
 
-// One item. world_from_product = (position, rotation); the product frame is that of assets/product_model.h.
+// One item. world_from_product = (position, rotation); the product frame is that of
+// assets/product_model.h.
 struct SceneProduct {
-  std::uint32_t sku = 0;                            // row in catalog
-  std::uint32_t facing = 0;                         // row in facings
+  std::uint32_t sku = 0;     // row in catalog
+  std::uint32_t facing = 0;  // row in facings
   std::array<float, 3> position_m{};
   std::array<float, 4> rotation_wxyz{1, 0, 0, 0};
-  std::uint32_t flags = 0;                          // 1 = misplaced, 2 = front row
+  std::uint32_t flags = 0;  // 1 = misplaced, 2 = front row
 
-  static constexpr auto fields = field_list(
-      field("sku", &SceneProduct::sku, "row in catalog"), field("facing", &SceneProduct::facing, "row in facings"),
-      field("position_m", &SceneProduct::position_m, "bottom centre in the store frame"),
-      field("rotation_wxyz", &SceneProduct::rotation_wxyz, "in the store frame"),
-      field("flags", &SceneProduct::flags, "1 = misplaced, 2 = front row"));
+  static constexpr auto fields =
+      field_list(field("sku", &SceneProduct::sku, "row in catalog"),
+                 field("facing", &SceneProduct::facing, "row in facings"),
+                 field("position_m", &SceneProduct::position_m, "bottom centre in the store frame"),
+                 field("rotation_wxyz", &SceneProduct::rotation_wxyz, "in the store frame"),
+                 field("flags", &SceneProduct::flags, "1 = misplaced, 2 = front row"));
 };
 constexpr std::uint32_t product_misplaced = 1;
 constexpr std::uint32_t product_front_row = 2;
@@ -118,43 +135,55 @@ constexpr std::uint32_t product_front_row = 2;
 // A price label on a shelf edge: one per facing block.
 struct PriceLabel {
   std::uint32_t shelf = 0, sku = 0, facing = 0;
-  float x_m = 0;                                    // centre along the shelf, from its left end
+  float x_m = 0;  // centre along the shelf, from its left end
   float width_m = 0.07F, height_m = 0.038F;
-  std::uint32_t promotion = 0;                      // 1 = yellow
+  std::uint32_t promotion = 0;  // 1 = yellow
   std::uint32_t price_cents = 0;
 
-  static constexpr auto fields = field_list(
-      field("shelf", &PriceLabel::shelf, "row in shelves"), field("sku", &PriceLabel::sku, "row in catalog"),
-      field("facing", &PriceLabel::facing, "row in facings"), field("x_m", &PriceLabel::x_m, "centre from the shelf's left end"),
-      field("width_m", &PriceLabel::width_m, "label width"), field("height_m", &PriceLabel::height_m, "label height"),
-      field("promotion", &PriceLabel::promotion, "1 = promotion"), field("price_cents", &PriceLabel::price_cents, "price"));
+  static constexpr auto fields =
+      field_list(field("shelf", &PriceLabel::shelf, "row in shelves"),
+                 field("sku", &PriceLabel::sku, "row in catalog"),
+                 field("facing", &PriceLabel::facing, "row in facings"),
+                 field("x_m", &PriceLabel::x_m, "centre from the shelf's left end"),
+                 field("width_m", &PriceLabel::width_m, "label width"),
+                 field("height_m", &PriceLabel::height_m, "label height"),
+                 field("promotion", &PriceLabel::promotion, "1 = promotion"),
+                 field("price_cents", &PriceLabel::price_cents, "price"));
 };
 
 struct Scene {
   std::string schema = "market-scene/1";
   std::uint64_t seed = 0;
-  Layout layout;                        // shell, look, zones, fixtures (same order as below), aisles
+  Layout layout;  // shell, look, zones, fixtures (same order as below), aisles
   std::vector<SceneFixture> fixtures;
   std::vector<ScenePart> parts;
   std::vector<SceneShelf> shelves;
   std::vector<Facing> facings;
   std::vector<SceneProduct> products;
   std::vector<PriceLabel> price_labels;
-  std::vector<Product> catalog;         // the slice in use, sorted by sku
-  std::vector<MaterialRow> materials;   // the slice in use
+  std::vector<Product> catalog;        // the slice in use, sorted by sku
+  std::vector<MaterialRow> materials;  // the slice in use
 
-  static constexpr auto fields = field_list(
-      field("schema", &Scene::schema, "schema tag", constant("market-scene/1")), field("seed", &Scene::seed, "seed it was made with"),
-      field("layout", &Scene::layout, "the room and its fixtures"), field("fixtures", &Scene::fixtures, "modules in place"),
-      field("parts", &Scene::parts, "minimal units"), field("shelves", &Scene::shelves, "stocked surfaces"),
-      field("facings", &Scene::facings, "planogram"), field("products", &Scene::products, "single items"),
-      field("price_labels", &Scene::price_labels, "labels on shelf edges"), field("catalog", &Scene::catalog, "products in use"),
-      field("materials", &Scene::materials, "materials in use"));
+  static constexpr auto fields =
+      field_list(field("schema", &Scene::schema, "schema tag", constant("market-scene/1")),
+                 field("seed", &Scene::seed, "seed it was made with"),
+                 field("layout", &Scene::layout, "the room and its fixtures"),
+                 field("fixtures", &Scene::fixtures, "modules in place"),
+                 field("parts", &Scene::parts, "minimal units"),
+                 field("shelves", &Scene::shelves, "stocked surfaces"),
+                 field("facings", &Scene::facings, "planogram"),
+                 field("products", &Scene::products, "single items"),
+                 field("price_labels", &Scene::price_labels, "labels on shelf edges"),
+                 field("catalog", &Scene::catalog, "products in use"),
+                 field("materials", &Scene::materials, "materials in use"));
 };
 
 // What the scene needs of the plan: stock per zone, overrides, placements.
 // Deterministic for any thread count. Errors: catalog.*, assets.*.
-Result<Scene> build_scene(const Layout& layout, const Plan& plan, const Catalog& catalog, Seed seed);
+Result<Scene> build_scene(const Layout& layout,
+                          const Plan& plan,
+                          const Catalog& catalog,
+                          Seed seed);
 
 Pose world_from_fixture(const Scene& scene, std::uint32_t fixture);
 Pose world_from_shelf(const Scene& scene, std::uint32_t shelf);
@@ -163,16 +192,19 @@ Pose fixture_from_part(const ScenePart& part);
 // "dairy/run-2/module-3/level-4/facing-7/item-12": stable id of a product.
 std::string product_id(const Scene& scene, std::uint32_t product);
 
-// 32 hex digits over SKU, fixture geometry and item poses (rounded to 0.01 mm and 1e-4 of a quaternion): equal scenes, equal hash.
+// 32 hex digits over SKU, fixture geometry and item poses (rounded to 0.01 mm and 1e-4 of a
+// quaternion): equal scenes, equal hash.
 std::string scene_hash(const Scene& scene);
 // The same over materials, colours, light and label styles.
 std::string look_hash(const Scene& scene);
 
 struct SceneCounts {
   std::uint64_t products = 0, skus = 0, fixtures = 0, facings = 0;
-  static constexpr auto fields = field_list(
-      field("products", &SceneCounts::products, "single items"), field("skus", &SceneCounts::skus, "different products on offer"),
-      field("fixtures", &SceneCounts::fixtures, "fixture modules"), field("facings", &SceneCounts::facings, "packs in the front row"));
+  static constexpr auto fields =
+      field_list(field("products", &SceneCounts::products, "single items"),
+                 field("skus", &SceneCounts::skus, "different products on offer"),
+                 field("fixtures", &SceneCounts::fixtures, "fixture modules"),
+                 field("facings", &SceneCounts::facings, "packs in the front row"));
 };
 SceneCounts count(const Scene& scene);
 

@@ -14,14 +14,30 @@ class IndexCheck {
  public:
   explicit IndexCheck(const std::string& source) : source_(source) {}
 
-  void row(std::string_view table, std::size_t at, std::string_view column, std::uint64_t value, std::size_t rows) {
+  void row(std::string_view table,
+           std::size_t at,
+           std::string_view column,
+           std::uint64_t value,
+           std::size_t rows) {
     if (fault_.empty() && value >= rows) {
-      fault_ = fmt::format("{}[{}].{} is {}, but there are {} rows", table, at, column, value, rows);
+      fault_ =
+          fmt::format("{}[{}].{} is {}, but there are {} rows", table, at, column, value, rows);
     }
   }
-  void range(std::string_view table, std::size_t at, std::string_view column, std::uint64_t first, std::uint64_t number, std::size_t rows) {
+  void range(std::string_view table,
+             std::size_t at,
+             std::string_view column,
+             std::uint64_t first,
+             std::uint64_t number,
+             std::size_t rows) {
     if (fault_.empty() && first + number > rows) {
-      fault_ = fmt::format("{}[{}]: {} {} to {} go past the {} rows", table, at, column, first, first + number, rows);
+      fault_ = fmt::format("{}[{}]: {} {} to {} go past the {} rows",
+                           table,
+                           at,
+                           column,
+                           first,
+                           first + number,
+                           rows);
     }
   }
   void require(bool holds, std::string_view what) {
@@ -29,7 +45,8 @@ class IndexCheck {
   }
   Result<void> result() const {
     if (fault_.empty()) return {};
-    return Error{"scene.corrupt", source_, fault_ + "; restore the file or generate the store again"};
+    return Error{
+        "scene.corrupt", source_, fault_ + "; restore the file or generate the store again"};
   }
 
  private:
@@ -38,7 +55,8 @@ class IndexCheck {
 };
 
 void check_fixtures(const Scene& scene, IndexCheck& check) {
-  check.require(scene.fixtures.size() == scene.layout.fixtures.size(), "fixtures and layout.fixtures differ in length");
+  check.require(scene.fixtures.size() == scene.layout.fixtures.size(),
+                "fixtures and layout.fixtures differ in length");
   for (std::size_t i = 0; i < scene.fixtures.size(); ++i) {
     const SceneFixture& f = scene.fixtures[i];
     check.range("fixtures", i, "parts", f.first_part, f.part_count, scene.parts.size());
@@ -47,10 +65,15 @@ void check_fixtures(const Scene& scene, IndexCheck& check) {
   for (std::size_t i = 0; i < scene.parts.size(); ++i) {
     check.row("parts", i, "fixture", scene.parts[i].fixture, scene.fixtures.size());
     if (scene.parts[i].material >= 0) {
-      check.row("parts", i, "material", static_cast<std::uint64_t>(scene.parts[i].material), scene.materials.size());
+      check.row("parts",
+                i,
+                "material",
+                static_cast<std::uint64_t>(scene.parts[i].material),
+                scene.materials.size());
     }
   }
-  for (std::size_t i = 0; i < scene.shelves.size(); ++i) check.row("shelves", i, "fixture", scene.shelves[i].fixture, scene.fixtures.size());
+  for (std::size_t i = 0; i < scene.shelves.size(); ++i)
+    check.row("shelves", i, "fixture", scene.shelves[i].fixture, scene.fixtures.size());
 }
 
 void check_stock(const Scene& scene, IndexCheck& check) {
@@ -62,7 +85,8 @@ void check_stock(const Scene& scene, IndexCheck& check) {
   }
   for (std::size_t i = 0; i < scene.products.size(); ++i) {
     check.row("products", i, "sku", scene.products[i].sku, scene.catalog.size());
-    if (scene.products[i].facing != no_facing) check.row("products", i, "facing", scene.products[i].facing, scene.facings.size());
+    if (scene.products[i].facing != no_facing)
+      check.row("products", i, "facing", scene.products[i].facing, scene.facings.size());
   }
   for (std::size_t i = 0; i < scene.price_labels.size(); ++i) {
     check.row("price_labels", i, "shelf", scene.price_labels[i].shelf, scene.shelves.size());
@@ -73,7 +97,9 @@ void check_stock(const Scene& scene, IndexCheck& check) {
 
 }  // namespace
 
-std::string encode_scene(const Scene& scene) { return write_flatbuffer_of(type_of<Scene>(), &scene, scene_file_identifier); }
+std::string encode_scene(const Scene& scene) {
+  return write_flatbuffer_of(type_of<Scene>(), &scene, scene_file_identifier);
+}
 
 Result<void> check_indices(const Scene& scene, const std::string& source) {
   IndexCheck check(source);
@@ -85,7 +111,8 @@ Result<void> check_indices(const Scene& scene, const std::string& source) {
 
 Result<Scene> decode_scene(std::span<const std::byte> bytes, const std::string& source) {
   Scene scene;
-  MARKETGEN_CHECK(read_flatbuffer_into(bytes, source, scene_file_identifier, type_of<Scene>(), &scene));
+  MARKETGEN_CHECK(
+      read_flatbuffer_into(bytes, source, scene_file_identifier, type_of<Scene>(), &scene));
   MARKETGEN_CHECK(check_indices(scene, source));
   return scene;
 }

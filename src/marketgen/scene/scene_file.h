@@ -11,9 +11,10 @@ namespace marketgen {
 constexpr std::string_view scene_file_identifier = "MGS1";
 
 std::string encode_scene(const Scene& scene);
-// Checks bounds, every index between tables, finite numbers. Errors: scene.truncated, scene.corrupt, scene.wrong_version.
+// Checks bounds, every index between tables, finite numbers. Errors: scene.truncated,
+// scene.corrupt, scene.wrong_version.
 Result<Scene> decode_scene(std::span<const std::byte> bytes, const std::string& source);
 Result<void> check_indices(const Scene& scene, const std::string& source);
-Result<Scene> open_scene(const std::filesystem::path& file);   // mapped, verified, decoded
+Result<Scene> open_scene(const std::filesystem::path& file);  // mapped, verified, decoded
 
 }  // namespace marketgen

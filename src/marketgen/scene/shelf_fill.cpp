@@ -11,24 +11,30 @@ namespace {
 constexpr double kept_gap_m = 0.001;         // never less than this between neighbours
 constexpr double block_gap_limit_m = 0.020;  // between blocks, when a shelf is not full
 constexpr double most_yaw_tangent = 0.035;   // tan(half angle): 4 degrees either way
-constexpr double pushed_back_m = 0.012;      // a column's front item stands up to this far behind the edge
-constexpr double shopped_share = 0.12;       // of columns have lost their front item, at jitter 1
-constexpr double sold_depth_share = 0.5;     // a column has sold up to this share of its rows; the rest was pulled forward
+constexpr double pushed_back_m =
+    0.012;  // a column's front item stands up to this far behind the edge
+constexpr double shopped_share = 0.12;  // of columns have lost their front item, at jitter 1
+constexpr double sold_depth_share =
+    0.5;  // a column has sold up to this share of its rows; the rest was pulled forward
 
 bool is_round(const Product& product) {
-  static constexpr std::string_view round[] = {"can", "food_tin", "soda_bottle", "water_bottle", "wine_bottle", "beer_bottle",
-                                               "sauce_bottle", "jar", "tub"};
+  static constexpr std::string_view round[] = {"can",
+                                               "food_tin",
+                                               "soda_bottle",
+                                               "water_bottle",
+                                               "wine_bottle",
+                                               "beer_bottle",
+                                               "sauce_bottle",
+                                               "jar",
+                                               "tub"};
   return product.size_mm[0] == product.size_mm[1] &&
          std::find(std::begin(round), std::end(round), product.archetype) != std::end(round);
 }
 
-bool is_loose(const Product& product) {
-  return product.archetype == "round_produce" || product.archetype == "elongated_produce" || product.archetype == "leafy_produce";
-}
-
-// Largest tan(half yaw) that keeps neighbours `kept_gap_m` apart: a turned box of depth d is d * yaw wider.
+// Largest tan(half yaw) that keeps neighbours `kept_gap_m` apart: a turned box of depth d is d *
+// yaw wider.
 double yaw_limit(const Product& product, double jitter) {
-  if (is_round(product)) return 0.12 * jitter;   // 14 degrees: a turned can takes no more room
+  if (is_round(product)) return 0.12 * jitter;  // 14 degrees: a turned can takes no more room
   const double side = (pack_gap_m - kept_gap_m) / product.depth_m();
   const double back = (depth_gap_m - kept_gap_m) / product.width_m();
   return jitter * std::min({most_yaw_tangent, side / 2, back / 2});
@@ -40,15 +46,25 @@ int rows_that_fit(const Product& product, const ShelfRoom& room, double depth_fi
   return std::max(1, static_cast<int>(static_cast<double>(most) * depth_fill + 0.5));
 }
 
-// Rows that a column still has: those at the back are sold first, because staff pull the goods forward.
+// Rows that a column still has: those at the back are sold first, because staff pull the goods
+// forward.
 int rows_left(int rows, Stream& draw) {
-  return std::max(1, static_cast<int>(static_cast<double>(rows) * (1 - sold_depth_share * draw.uniform()) + 0.5));
+  return std::max(
+      1,
+      static_cast<int>(static_cast<double>(rows) * (1 - sold_depth_share * draw.uniform()) + 0.5));
 }
 
-Quaternion turned(Stream& draw, double limit) { return rotation_from_half_tangent({0, 0, 1}, draw.uniform(-limit, limit)); }
+Quaternion turned(Stream& draw, double limit) {
+  return rotation_from_half_tangent({0, 0, 1}, draw.uniform(-limit, limit));
+}
 
 // One column of a facing block: rows from front to back, each a stack.
-void add_column(FilledBlock& block, const Product& product, double center_x, const ShelfRoom& room, const StockSpec& stock, Stream& draw) {
+void add_column(FilledBlock& block,
+                const Product& product,
+                double center_x,
+                const ShelfRoom& room,
+                const StockSpec& stock,
+                Stream& draw) {
   const double pitch = product.depth_m() + depth_gap_m;
   const double spare = room.depth_m - (static_cast<double>(block.rows_deep) * pitch - depth_gap_m);
   const double shift = std::min(spare, pushed_back_m) * stock.jitter * draw.uniform();
@@ -59,32 +75,54 @@ void add_column(FilledBlock& block, const Product& product, double center_x, con
     const double y = shift + product.depth_m() / 2 + static_cast<double>(row) * pitch;
     for (int level = 0; level < block.stack; ++level) {
       const double z = static_cast<double>(level) * product.height_m();
-      block.items.push_back({block.product, {center_x, y, z}, turned(draw, limit), row == first_row ? product_front_row : 0});
+      block.items.push_back({block.product,
+                             {center_x, y, z},
+                             turned(draw, limit),
+                             row == first_row ? product_front_row : 0});
     }
   }
 }
 
-void stand_items(FilledBlock& block, const Product& product, const ShelfRoom& room, const StockSpec& stock, Stream& draw) {
+void stand_items(FilledBlock& block,
+                 const Product& product,
+                 const ShelfRoom& room,
+                 const StockSpec& stock,
+                 Stream& draw) {
   block.stack = std::max(1, stack_height(product, room));
   block.rows_deep = rows_that_fit(product, room, stock.depth_fill);
   const double pitch = product.width_m() + pack_gap_m;
   const double left = block.x_m - room.width_m / 2;
   for (int i = 0; i < block.facings; ++i) {
-    add_column(block, product, left + pack_gap_m / 2 + product.width_m() / 2 + static_cast<double>(i) * pitch, room, stock, draw);
+    add_column(block,
+               product,
+               left + pack_gap_m / 2 + product.width_m() / 2 + static_cast<double>(i) * pitch,
+               room,
+               stock,
+               draw);
   }
 }
 
-// Layers of a heap: the upper ones lie in the pockets of the lower, as balls (or, lying along X, cylinders) do.
-void heap_items(FilledBlock& block, const Product& product, const ShelfRoom& room, const StockSpec& stock, Stream& draw) {
+// Layers of a heap: the upper ones lie in the pockets of the lower, as balls (or, lying along X,
+// cylinders) do.
+void heap_items(FilledBlock& block,
+                const Product& product,
+                const ShelfRoom& room,
+                const StockSpec& stock,
+                Stream& draw) {
   const bool lying = product.archetype == "elongated_produce";
-  const double across_m = std::max(product.width_m(), product.depth_m());   // balls lie any way round
-  const double w = (lying ? product.width_m() : across_m) + kept_gap_m, d = (lying ? product.depth_m() : across_m) + kept_gap_m;
+  const double across_m =
+      std::max(product.width_m(), product.depth_m());  // balls lie any way round
+  const double w = (lying ? product.width_m() : across_m) + kept_gap_m,
+               d = (lying ? product.depth_m() : across_m) + kept_gap_m;
   const double h = product.height_m();
-  const double rise = h * (lying ? std::sqrt(3.0) / 2 : std::sqrt(0.5));  // of a cylinder between two, a ball among four
+  const double limit = lying ? 0.0 : 1.0;  // tan(half angle): 90 degrees either way
+  const double rise = h * (lying ? std::sqrt(3.0) / 2
+                                 : std::sqrt(0.5));  // of a cylinder between two, a ball among four
   const int columns = std::max(1, static_cast<int>(block.width_m / w));
   const int rows = std::max(1, static_cast<int>(room.depth_m / d));
   const int layers = std::clamp(1 + static_cast<int>((room.clearance_m - h) / rise), 1, 3);
-  const double left = block.x_m - room.width_m / 2 + (block.width_m - static_cast<double>(columns) * w) / 2;
+  const double left =
+      block.x_m - room.width_m / 2 + (block.width_m - static_cast<double>(columns) * w) / 2;
   block.rows_deep = rows;
   block.stack = layers;
   block.facings = columns;
@@ -94,10 +132,12 @@ void heap_items(FilledBlock& block, const Product& product, const ShelfRoom& roo
     const double shift_x = lying ? 0 : w / 2 * layer, shift_y = d / 2 * layer;
     for (int row = 0; row < deep; ++row) {
       for (int column = 0; column < across; ++column) {
-        if (layer == layers - 1 && layer > 0 && draw.chance(0.25 * stock.jitter)) continue;  // shoppers take from the top
+        if (layer == layers - 1 && layer > 0 && draw.chance(0.25 * stock.jitter))
+          continue;  // shoppers take from the top
         const Vec3 at{left + shift_x + w * (column + 0.5), shift_y + d * (row + 0.5), rise * layer};
-        const double limit = lying ? 0.0 : 1.0;   // balls lie any way round
-        block.items.push_back({block.product, at, turned(draw, limit), row == 0 ? product_front_row : 0});
+        // balls lie any way round
+        block.items.push_back(
+            {block.product, at, turned(draw, limit), row == 0 ? product_front_row : 0});
       }
     }
   }
@@ -115,8 +155,16 @@ double spread_gap(const PlannedShelf& plan, const ShelfRoom& room, const Catalog
 
 }  // namespace
 
-std::vector<FilledBlock> fill_shelf(const PlannedShelf& plan, const ShelfRoom& room, const StockSpec& stock,
-                                    const Catalog& catalog, Stream draw) {
+bool lies_in_a_heap(const Product& product) {
+  return product.archetype == "round_produce" || product.archetype == "elongated_produce" ||
+         product.archetype == "leafy_produce";
+}
+
+std::vector<FilledBlock> fill_shelf(const PlannedShelf& plan,
+                                    const ShelfRoom& room,
+                                    const StockSpec& stock,
+                                    const Catalog& catalog,
+                                    Stream draw) {
   std::vector<FilledBlock> blocks;
   if (plan.empty()) return blocks;
   const double gap = spread_gap(plan, room, catalog);
@@ -128,8 +176,10 @@ std::vector<FilledBlock> fill_shelf(const PlannedShelf& plan, const ShelfRoom& r
     block.facings = planned.facings;
     block.x_m = x;
     block.width_m = planned.facings * (product.width_m() + pack_gap_m);
-    if (is_loose(product)) heap_items(block, product, room, stock, draw);
-    else stand_items(block, product, room, stock, draw);
+    if (lies_in_a_heap(product))
+      heap_items(block, product, room, stock, draw);
+    else
+      stand_items(block, product, room, stock, draw);
     if (draw.chance(stock.out_of_stock)) block.items.clear();
     x += block.width_m + gap;
     blocks.push_back(std::move(block));

@@ -1,4 +1,5 @@
-// Single items: a planned shelf made into packs that stand beside, behind and on one another without touching sideways.
+// Single items: a planned shelf made into packs that stand beside, behind and on one another
+// without touching sideways.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -13,23 +14,30 @@ namespace marketgen {
 
 // An item in the shelf frame.
 struct ShelfItem {
-  std::uint32_t product = 0;   // row of catalog.products
-  Vec3 position;               // shelf frame
+  std::uint32_t product = 0;  // row of catalog.products
+  Vec3 position;              // shelf frame
   Quaternion rotation;
-  std::uint32_t flags = 0;     // product_front_row
+  std::uint32_t flags = 0;  // product_front_row
 };
 
 // A block as it really stands.
 struct FilledBlock {
   std::uint32_t product = 0;
-  double x_m = 0, width_m = 0; // left edge and width on the shelf
+  double x_m = 0, width_m = 0;  // left edge and width on the shelf
   int facings = 1, rows_deep = 1, stack = 1;
-  std::vector<ShelfItem> items;   // empty when out of stock
+  std::vector<ShelfItem> items;  // empty when out of stock
 };
 
-// Fills one shelf. Every item lies inside the shelf's width, depth and clearance, and keeps at least 1 mm from items of other
-// columns and rows; stacked items rest on one another. Heaps (loose produce) lie in layers, each in the pockets of the one below.
-std::vector<FilledBlock> fill_shelf(const PlannedShelf& plan, const ShelfRoom& room, const StockSpec& stock,
-                                    const Catalog& catalog, Stream draw);
+// Loose goods that are heaped rather than stacked in rows.
+bool lies_in_a_heap(const Product& product);
+
+// Fills one shelf. Every item lies inside the shelf's width, depth and clearance, and keeps at
+// least 1 mm from items of other columns and rows; stacked items rest on one another. Heaps (loose
+// produce) lie in layers, each in the pockets of the one below.
+std::vector<FilledBlock> fill_shelf(const PlannedShelf& plan,
+                                    const ShelfRoom& room,
+                                    const StockSpec& stock,
+                                    const Catalog& catalog,
+                                    Stream draw);
 
 }  // namespace marketgen

@@ -66,7 +66,9 @@ Result<std::vector<FileDigest>> digests_of(const fs::path& folder) {
     MARKETGEN_TRY(const std::string sha256, sha256_of_file(entry.path()));
     digests.push_back({path, sha256, entry.file_size()});
   }
-  std::sort(digests.begin(), digests.end(), [](const FileDigest& a, const FileDigest& b) { return a.path < b.path; });
+  std::sort(digests.begin(), digests.end(), [](const FileDigest& a, const FileDigest& b) {
+    return a.path < b.path;
+  });
   return digests;
 }
 
@@ -78,7 +80,10 @@ Result<void> write_stages(const fs::path& folder, const Plan& plan, const Scene&
   return write_file(folder / "planogram.csv", to_csv(planogram));
 }
 
-Result<void> write_previews(const fs::path& folder, const Scene& scene, const Catalog& catalog, Progress& progress) {
+Result<void> write_previews(const fs::path& folder,
+                            const Scene& scene,
+                            const Catalog& catalog,
+                            Progress& progress) {
   MARKETGEN_CHECK(write_png(folder / "layout.png", draw_layout(scene.layout, catalog)));
   std::error_code failed;
   fs::create_directory(folder / "previews", failed);
@@ -88,7 +93,8 @@ Result<void> write_previews(const fs::path& folder, const Scene& scene, const Ca
 
 Result<void> require_no_hard_violation(const std::vector<Violation>& rules) {
   for (const Violation& v : rules) {
-    if (v.severity == Severity::hard) return Error{"layout.violation", v.where, fmt::format("{}: {}", v.code, v.message)};
+    if (v.severity == Severity::hard)
+      return Error{"layout.violation", v.where, fmt::format("{}: {}", v.code, v.message)};
   }
   return {};
 }
@@ -102,11 +108,20 @@ struct Built {
 
 Result<Built> build(const CreateOptions& options, const Catalog& catalog, Stages& stages) {
   const Seed seed(options.seed);
-  MARKETGEN_TRY(Planned planned, stages.run("plan", [&] { return plan_of(options, catalog, seed); }));
-  MARKETGEN_TRY(Repaired repaired, stages.run("repair", [&] { return repair_plan(planned.plan, catalog, seed.child("layout")); }));
-  MARKETGEN_TRY(const Layout layout, stages.run("layout", [&] { return make_layout(repaired.plan, catalog, seed.child("layout")); }));
-  MARKETGEN_TRY(Scene scene, stages.run("scene", [&] { return build_scene(layout, repaired.plan, catalog, seed.child("scene")); }));
-  MARKETGEN_TRY(Audit audit, stages.run("audit", [&] { return audit_store(scene, catalog, planned.requirements); }));
+  MARKETGEN_TRY(Planned planned,
+                stages.run("plan", [&] { return plan_of(options, catalog, seed); }));
+  MARKETGEN_TRY(Repaired repaired, stages.run("repair", [&] {
+    return repair_plan(planned.plan, catalog, seed.child("layout"));
+  }));
+  MARKETGEN_TRY(const Layout layout, stages.run("layout", [&] {
+    return make_layout(repaired.plan, catalog, seed.child("layout"));
+  }));
+  MARKETGEN_TRY(Scene scene, stages.run("scene", [&] {
+    return build_scene(layout, repaired.plan, catalog, seed.child("scene"));
+  }));
+  MARKETGEN_TRY(Audit audit, stages.run("audit", [&] {
+    return audit_store(scene, catalog, planned.requirements);
+  }));
   if (options.strict) MARKETGEN_CHECK(require_no_hard_violation(audit.rules));
   return Built{std::move(planned), std::move(repaired), std::move(scene), std::move(audit)};
 }
@@ -138,13 +153,18 @@ Manifest manifest_of(const Built& built, const CreateOptions& options, const Cat
 
 }  // namespace
 
-Result<Created> create_store(const CreateOptions& options, const Catalog& catalog, Progress& progress) {
+Result<Created> create_store(const CreateOptions& options,
+                             const Catalog& catalog,
+                             Progress& progress) {
   MARKETGEN_TRY(FolderDraft draft, FolderDraft::begin(options.folder));
   Stages stages(progress);
   MARKETGEN_TRY(Built built, build(options, catalog, stages));
-  MARKETGEN_CHECK(stages.run("save", [&] { return write_stages(draft.folder(), built.repaired.plan, built.scene); }));
+  MARKETGEN_CHECK(stages.run(
+      "save", [&] { return write_stages(draft.folder(), built.repaired.plan, built.scene); }));
   if (options.previews) {
-    MARKETGEN_CHECK(stages.run("previews", [&] { return write_previews(draft.folder(), built.scene, catalog, silent_progress()); }));
+    MARKETGEN_CHECK(stages.run("previews", [&] {
+      return write_previews(draft.folder(), built.scene, catalog, silent_progress());
+    }));
   }
   Created created;
   created.manifest = manifest_of(built, options, catalog);
@@ -155,6 +175,7 @@ Result<Created> create_store(const CreateOptions& options, const Catalog& catalo
   created.report.peak_rss_mb = peak_rss_mb();
   MARKETGEN_CHECK(write_file(draft.folder() / "store.json", write_json(created.manifest)));
   MARKETGEN_CHECK(write_file(draft.folder() / "report.json", write_json(created.report)));
+  MARKETGEN_CHECK(check_interrupt());
   MARKETGEN_CHECK(draft.commit());
   return created;
 }

@@ -18,9 +18,13 @@ Result<Document> read_document(const fs::path& file) {
 
 Result<Manifest> read_manifest(const fs::path& folder) {
   std::error_code failed;
-  if (!fs::exists(folder, failed)) return Error{"input.not_found", folder.string(), "there is no such folder"};
+  if (!fs::exists(folder, failed))
+    return Error{"input.not_found", folder.string(), "there is no such folder"};
   if (!fs::exists(folder / "store.json", failed)) {
-    return Error{"store.not_a_store", folder.string(), "has no store.json; make a store with: marketgen generate \"...\" -o " + folder.string()};
+    return Error{
+        "store.not_a_store",
+        folder.string(),
+        "has no store.json; make a store with: marketgen generate \"...\" -o " + folder.string()};
   }
   return read_document<Manifest>(folder / "store.json");
 }
@@ -35,7 +39,9 @@ Result<Store> open_store(const fs::path& folder, const Catalog& catalog) {
   return Store{folder, std::move(manifest), std::move(plan), std::move(scene)};
 }
 
-Result<StoreReport> read_report(const fs::path& folder) { return read_document<StoreReport>(folder / "report.json"); }
+Result<StoreReport> read_report(const fs::path& folder) {
+  return read_document<StoreReport>(folder / "report.json");
+}
 
 Result<void> verify_store(const fs::path& folder, const Catalog& catalog) {
   MARKETGEN_TRY(const Manifest manifest, read_manifest(folder));
@@ -44,15 +50,23 @@ Result<void> verify_store(const fs::path& folder, const Catalog& catalog) {
     if (fs::path(file.path).is_absolute() || file.path.find("..") != std::string::npos) {
       return Error{"store.changed", file.path, "the manifest names a file outside the store"};
     }
+    if (!fs::exists(path))
+      return Error{"store.changed", path.string(), "the manifest names this file, but it is gone"};
     MARKETGEN_TRY(const std::string found, sha256_of_file(path));
     if (found != file.sha256) {
-      return Error{"store.changed", path.string(), fmt::format("SHA-256 is {}..., the manifest says {}...", found.substr(0, 12), file.sha256.substr(0, 12))};
+      return Error{"store.changed",
+                   path.string(),
+                   fmt::format("SHA-256 is {}..., the manifest says {}...",
+                               found.substr(0, 12),
+                               file.sha256.substr(0, 12))};
     }
   }
   MARKETGEN_TRY(const Store store, open_store(folder, catalog));
   const std::string hash = scene_hash(store.scene);
   if (hash != manifest.scene_hash) {
-    return Error{"store.changed", (folder / "scene.bin").string(), fmt::format("scene_hash is {}, the manifest says {}", hash, manifest.scene_hash)};
+    return Error{"store.changed",
+                 (folder / "scene.bin").string(),
+                 fmt::format("scene_hash is {}, the manifest says {}", hash, manifest.scene_hash)};
   }
   return {};
 }

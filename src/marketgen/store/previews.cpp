@@ -1,14 +1,19 @@
 #include "store/previews.h"
 
+#include "base/interrupt.h"
 #include "io/png.h"
 #include "render/render.h"
 
 namespace marketgen {
 
-Result<void> draw_previews(const Scene& scene, const std::filesystem::path& folder, Progress& progress) {
+Result<void> draw_previews(const Scene& scene,
+                           const std::filesystem::path& folder,
+                           Progress& progress) {
   MARKETGEN_TRY(const std::unique_ptr<Renderer> renderer, Renderer::create(scene, progress));
   for (const char* name : {"top", "entrance", "aisle", "checkout"}) {
-    MARKETGEN_TRY(const Camera camera, camera_named(scene, name, preview_width_px, preview_height_px));
+    MARKETGEN_CHECK(check_interrupt());
+    MARKETGEN_TRY(const Camera camera,
+                  camera_named(scene, name, preview_width_px, preview_height_px));
     RenderOptions options;
     options.hide_ceiling = camera.ortho_height_m > 0;
     MARKETGEN_TRY(const Frame frame, renderer->render(camera, options, progress));

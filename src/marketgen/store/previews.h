@@ -11,6 +11,8 @@ namespace marketgen {
 constexpr int preview_width_px = 960, preview_height_px = 540;
 
 // Writes <name>.png into `folder` for each standard view.
-Result<void> draw_previews(const Scene& scene, const std::filesystem::path& folder, Progress& progress);
+Result<void> draw_previews(const Scene& scene,
+                           const std::filesystem::path& folder,
+                           Progress& progress);
 
 }  // namespace marketgen

@@ -10,11 +10,20 @@ std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
     switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      default: out += c;
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += c;
     }
   }
   return out;
@@ -46,20 +55,32 @@ std::string tiles(const Manifest& manifest, const StoreReport& report) {
   out += tile("OOB", fmt::format("{}", m.OOB));
   out += tile("NAV", fmt::format("{:.3f}", m.NAV));
   out += tile("shelves in reach of a robot", fmt::format("{:.1f} %", 100 * m.reachable_shelves));
-  if (m.STB) out += tile(fmt::format("STB of {} let go", m.stb_products.value_or(0)), fmt::format("{:.1f} %", 100 * *m.STB));
+  if (m.STB)
+    out += tile(fmt::format("STB of {} let go", m.stb_products.value_or(0)),
+                fmt::format("{:.1f} %", 100 * *m.STB));
   return out + "</div>";
 }
 
 std::string requirement_rows(const StoreReport& report) {
   std::string out;
   for (const RequirementResult& r : report.requirements) {
-    out += fmt::format("<tr><td class=\"{}\">{}</td><td>{}</td><td>{}</td></tr>", r.met ? "good" : "bad", r.met ? "met" : "not met", escaped(r.text), escaped(r.why));
+    out += fmt::format("<tr><td class=\"{}\">{}</td><td>{}</td><td>{}</td></tr>",
+                       r.met ? "good" : "bad",
+                       r.met ? "met" : "not met",
+                       escaped(r.text),
+                       escaped(r.why));
   }
   for (const UnparsedWord& word : report.unparsed) {
-    out += fmt::format("<tr><td class=\"warn\">not understood</td><td>{}</td><td></td></tr>", escaped(word.text));
+    out += fmt::format("<tr><td class=\"warn\">not understood</td><td>{}</td><td></td></tr>",
+                       escaped(word.text));
   }
   for (const Conflict& c : report.conflicts) {
-    out += fmt::format("<tr><td class=\"warn\">conflict</td><td>{}</td><td>kept {}, dropped {}: {}</td></tr>", escaped(c.what), escaped(c.kept), escaped(c.dropped), escaped(c.why));
+    out += fmt::format(
+        "<tr><td class=\"warn\">conflict</td><td>{}</td><td>kept {}, dropped {}: {}</td></tr>",
+        escaped(c.what),
+        escaped(c.kept),
+        escaped(c.dropped),
+        escaped(c.why));
   }
   return out;
 }
@@ -67,28 +88,48 @@ std::string requirement_rows(const StoreReport& report) {
 std::string rule_rows(const StoreReport& report) {
   std::string out;
   for (const Violation& v : report.rules) {
-    out += fmt::format("<tr><td class=\"{}\">{}</td><td>{}</td><td>{}</td><td>{}</td></tr>", v.severity == Severity::hard ? "bad" : "warn", name_of(v.severity), escaped(v.code), escaped(v.where), escaped(v.message));
+    out += fmt::format("<tr><td class=\"{}\">{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
+                       v.severity == Severity::hard ? "bad" : "warn",
+                       name_of(v.severity),
+                       escaped(v.code),
+                       escaped(v.where),
+                       escaped(v.message));
   }
-  for (const std::string& change : report.repairs) out += fmt::format("<tr><td>repaired</td><td></td><td></td><td>{}</td></tr>", escaped(change));
+  for (const std::string& change : report.repairs)
+    out += fmt::format("<tr><td>repaired</td><td></td><td></td><td>{}</td></tr>", escaped(change));
   return out;
 }
 
 std::string timing_rows(const StoreReport& report) {
   std::string out;
-  for (const StageTiming& t : report.timing_s) out += fmt::format("<tr><td>{}</td><td>{:.3f} s</td></tr>", escaped(t.stage), t.seconds);
+  for (const StageTiming& t : report.timing_s)
+    out += fmt::format("<tr><td>{}</td><td>{:.3f} s</td></tr>", escaped(t.stage), t.seconds);
   return out;
 }
 
-std::string table(std::string_view title, std::string_view head, const std::string& rows, std::string_view none) {
+std::string table(std::string_view title,
+                  std::string_view head,
+                  const std::string& rows,
+                  std::string_view none) {
   if (rows.empty()) return fmt::format("<h2>{}</h2><p>{}</p>", title, none);
   return fmt::format("<h2>{}</h2><table><tr>{}</tr>{}</table>", title, head, rows);
 }
 
 std::string section(const Manifest& manifest, const StoreReport& report) {
-  std::string out = fmt::format("<section><h1>{}</h1><p class=\"sub\">{}<br>seed {} · scene {}</p>", escaped(manifest.name), escaped(manifest.brief.prompt), manifest.seed, manifest.scene_hash);
+  std::string out = fmt::format("<section><h1>{}</h1><p class=\"sub\">{}<br>seed {} · scene {}</p>",
+                                escaped(manifest.name),
+                                escaped(manifest.brief.prompt),
+                                manifest.seed,
+                                manifest.scene_hash);
   out += tiles(manifest, report);
-  out += table("Requirements", "<th></th><th>asked for</th><th>measured</th>", requirement_rows(report), "None were asked for.");
-  out += table("Rules", "<th></th><th>rule</th><th>where</th><th>what</th>", rule_rows(report), "No rule is broken and nothing was repaired.");
+  out += table("Requirements",
+               "<th></th><th>asked for</th><th>measured</th>",
+               requirement_rows(report),
+               "None were asked for.");
+  out += table("Rules",
+               "<th></th><th>rule</th><th>where</th><th>what</th>",
+               rule_rows(report),
+               "No rule is broken and nothing was repaired.");
   out += table("Time", "<th>stage</th><th>wall time</th>", timing_rows(report), "Not measured.");
   return out + "</section>";
 }
@@ -96,11 +137,14 @@ std::string section(const Manifest& manifest, const StoreReport& report) {
 }  // namespace
 
 std::string report_html(const std::vector<std::pair<Manifest, StoreReport>>& stores) {
-  std::string out = "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\">"
-                    "<title>MarketGen report</title>";
+  std::string out =
+      "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+      "content=\"width=device-width\">"
+      "<title>MarketGen report</title>";
   out += style;
   out += "</head><body>";
-  for (const auto& [manifest, report] : stores) out += section(manifest, report);
+  for (const auto& [manifest, report] : stores)
+    out += section(manifest, report);
   return out + "</body></html>\n";
 }
 

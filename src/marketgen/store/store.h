@@ -21,21 +21,24 @@ namespace marketgen {
 struct FileDigest {
   std::string path, sha256;
   std::uint64_t bytes = 0;
-  static constexpr auto fields = field_list(field("path", &FileDigest::path, "relative to the store", required()),
-                                            field("sha256", &FileDigest::sha256, "of its bytes", required()),
-                                            field("bytes", &FileDigest::bytes, "size"));
+  static constexpr auto fields =
+      field_list(field("path", &FileDigest::path, "relative to the store", required()),
+                 field("sha256", &FileDigest::sha256, "of its bytes", required()),
+                 field("bytes", &FileDigest::bytes, "size"));
 };
 
 struct StoreVersions {
-  std::string marketgen, catalog;      // program version; hash of the catalogue's rows
-  static constexpr auto fields = field_list(field("marketgen", &StoreVersions::marketgen, "program"),
-                                            field("catalog", &StoreVersions::catalog, "hash of the catalogue's rows"));
+  std::string marketgen, catalog;  // program version; hash of the catalogue's rows
+  static constexpr auto fields =
+      field_list(field("marketgen", &StoreVersions::marketgen, "program"),
+                 field("catalog", &StoreVersions::catalog, "hash of the catalogue's rows"));
 };
 
 struct StoreBounds {
   std::array<double, 3> low_m{}, high_m{};
-  static constexpr auto fields = field_list(field("low_m", &StoreBounds::low_m, "lowest corner"),
-                                            field("high_m", &StoreBounds::high_m, "highest corner"));
+  static constexpr auto fields =
+      field_list(field("low_m", &StoreBounds::low_m, "lowest corner"),
+                 field("high_m", &StoreBounds::high_m, "highest corner"));
 };
 
 // store.json
@@ -49,21 +52,27 @@ struct Manifest {
   SceneCounts counts;
   StoreBounds bounds;
   std::string scene_hash, look_hash;
-  std::vector<FileDigest> files;       // every file but store.json and report.json, sorted by path
+  std::vector<FileDigest> files;  // every file but store.json and report.json, sorted by path
 
-  static constexpr auto fields = field_list(
-      field("schema", &Manifest::schema, "schema tag", constant("market-store/1")), field("name", &Manifest::name, "the store's name"),
-      field("seed", &Manifest::seed, "seed it was made with"), field("versions", &Manifest::versions, "what made it"),
-      field("brief", &Manifest::brief, "what was asked"), field("requirements", &Manifest::requirements, "atomic wishes, as understood"),
-      field("counts", &Manifest::counts, "how much there is"), field("bounds", &Manifest::bounds, "of everything"),
-      field("scene_hash", &Manifest::scene_hash, "over SKU, geometry and pose"), field("look_hash", &Manifest::look_hash, "over materials and light"),
-      field("files", &Manifest::files, "every other file but report.json"));
+  static constexpr auto fields =
+      field_list(field("schema", &Manifest::schema, "schema tag", constant("market-store/1")),
+                 field("name", &Manifest::name, "the store's name"),
+                 field("seed", &Manifest::seed, "seed it was made with"),
+                 field("versions", &Manifest::versions, "what made it"),
+                 field("brief", &Manifest::brief, "what was asked"),
+                 field("requirements", &Manifest::requirements, "atomic wishes, as understood"),
+                 field("counts", &Manifest::counts, "how much there is"),
+                 field("bounds", &Manifest::bounds, "of everything"),
+                 field("scene_hash", &Manifest::scene_hash, "over SKU, geometry and pose"),
+                 field("look_hash", &Manifest::look_hash, "over materials and light"),
+                 field("files", &Manifest::files, "every other file but report.json"));
 };
 
 struct StageTiming {
   std::string stage;
   double seconds = 0;
-  static constexpr auto fields = field_list(field("stage", &StageTiming::stage, "stage"), field("seconds", &StageTiming::seconds, "wall time"));
+  static constexpr auto fields = field_list(field("stage", &StageTiming::stage, "stage"),
+                                            field("seconds", &StageTiming::seconds, "wall time"));
 };
 
 // report.json
@@ -74,25 +83,29 @@ struct StoreReport {
   Metrics metrics;
   std::vector<UnparsedWord> unparsed;
   std::vector<Conflict> conflicts;
-  std::vector<std::string> repairs;    // what repair changed
+  std::vector<std::string> repairs;  // what repair changed
   std::vector<StageTiming> timing_s;
   double peak_rss_mb = 0;
 
-  static constexpr auto fields = field_list(
-      field("schema", &StoreReport::schema, "schema tag", constant("market-report/1")),
-      field("requirements", &StoreReport::requirements, "wishes and whether they hold"), field("rules", &StoreReport::rules, "broken rules"),
-      field("metrics", &StoreReport::metrics, "measured on the scene"), field("unparsed", &StoreReport::unparsed, "words not understood"),
-      field("conflicts", &StoreReport::conflicts, "wishes that could not all hold"), field("repairs", &StoreReport::repairs, "what repair changed"),
-      field("timing_s", &StoreReport::timing_s, "wall time by stage"), field("peak_rss_mb", &StoreReport::peak_rss_mb, "most memory in use"));
+  static constexpr auto fields =
+      field_list(field("schema", &StoreReport::schema, "schema tag", constant("market-report/1")),
+                 field("requirements", &StoreReport::requirements, "wishes and whether they hold"),
+                 field("rules", &StoreReport::rules, "broken rules"),
+                 field("metrics", &StoreReport::metrics, "measured on the scene"),
+                 field("unparsed", &StoreReport::unparsed, "words not understood"),
+                 field("conflicts", &StoreReport::conflicts, "wishes that could not all hold"),
+                 field("repairs", &StoreReport::repairs, "what repair changed"),
+                 field("timing_s", &StoreReport::timing_s, "wall time by stage"),
+                 field("peak_rss_mb", &StoreReport::peak_rss_mb, "most memory in use"));
 };
 
 struct CreateOptions {
-  std::filesystem::path folder;        // must not exist, or be empty
+  std::filesystem::path folder;  // must not exist, or be empty
   Brief brief;
-  std::optional<std::filesystem::path> plan_file;   // skips the planner
+  std::optional<std::filesystem::path> plan_file;  // skips the planner
   std::uint64_t seed = 1;
   bool previews = true;
-  bool strict = false;                 // hard violations fail: layout.violation
+  bool strict = false;  // hard violations fail: layout.violation
 };
 
 struct Created {
@@ -101,7 +114,9 @@ struct Created {
 };
 
 // Plans, lays out, stocks, checks, draws and saves. Nothing is left behind when it fails.
-Result<Created> create_store(const CreateOptions& options, const Catalog& catalog, Progress& progress = silent_progress());
+Result<Created> create_store(const CreateOptions& options,
+                             const Catalog& catalog,
+                             Progress& progress = silent_progress());
 
 struct Store {
   std::filesystem::path folder;
@@ -109,14 +124,17 @@ struct Store {
   Plan plan;
   Scene scene;
 };
-// Reads manifest, plan and scene; verifies scene.bin, not the digests. Errors: store.not_a_store, scene.*, json.*.
+// Reads manifest, plan and scene; verifies scene.bin, not the digests. Errors: store.not_a_store,
+// scene.*, json.*.
 Result<Store> open_store(const std::filesystem::path& folder, const Catalog& catalog);
 Result<StoreReport> read_report(const std::filesystem::path& folder);
 // Every file against its digest, scene against its hash. Error: store.changed with the file's name.
 Result<void> verify_store(const std::filesystem::path& folder, const Catalog& catalog);
 
 // The report with what needs physics (STB) measured too.
-Result<StoreReport> full_report(const Store& store, const Catalog& catalog, Progress& progress = silent_progress());
+Result<StoreReport> full_report(const Store& store,
+                                const Catalog& catalog,
+                                Progress& progress = silent_progress());
 // One self-contained page over many stores.
 std::string report_html(const std::vector<std::pair<Manifest, StoreReport>>& stores);
 

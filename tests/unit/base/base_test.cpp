@@ -32,7 +32,8 @@ TEST(Seed, ChildrenDoNotDependOnOtherDraws) {
   Stream noise = seed.child("other").stream();
   noise.bits();
   Stream b = seed.child("shelf_fill", "dairy/run-1").stream();
-  for (int i = 0; i < 100; ++i) EXPECT_EQ(a.bits(), b.bits());
+  for (int i = 0; i < 100; ++i)
+    EXPECT_EQ(a.bits(), b.bits());
   EXPECT_NE(seed.child("x").value(), seed.child("y").value());
   EXPECT_NE(seed.child("x", 0).value(), seed.child("x", 1).value());
 }
@@ -48,14 +49,15 @@ TEST(Stream, UniformHasTheRightMomentsAndRange) {
     sum += u;
     squares += u * u;
   }
-  EXPECT_NEAR(sum / n, 0.5, 0.005);                       // 5 sigma
+  EXPECT_NEAR(sum / n, 0.5, 0.005);  // 5 sigma
   EXPECT_NEAR(squares / n - 0.25, 1.0 / 12.0, 0.005);
 }
 
 TEST(Stream, IntegerReachesBothEndsAndNothingElse) {
   Stream draw = Seed(2).stream();
   std::set<int> seen;
-  for (int i = 0; i < 1000; ++i) seen.insert(draw.integer(-2, 3));
+  for (int i = 0; i < 1000; ++i)
+    seen.insert(draw.integer(-2, 3));
   EXPECT_EQ(seen, (std::set<int>{-2, -1, 0, 1, 2, 3}));
 }
 
@@ -74,8 +76,10 @@ TEST(Stream, WeightedIgnoresZeroWeights) {
 TEST(Parallel, EverySlotIsWrittenOnceForAnyThreadCount) {
   for (const int threads : {1, 2, 4}) {
     const ThreadLimit limit(threads);
-    const auto squares = parallel_map(1000, [](std::size_t i) { return i * i; }, 7);
-    for (std::size_t i = 0; i < squares.size(); ++i) ASSERT_EQ(squares[i], i * i);
+    const auto squares = parallel_map(
+        1000, [](std::size_t i) { return i * i; }, 7);
+    for (std::size_t i = 0; i < squares.size(); ++i)
+      ASSERT_EQ(squares[i], i * i);
   }
 }
 
@@ -84,7 +88,8 @@ TEST(Parallel, EveryParticipantFlushesDenormals) {
     volatile double tiny = 1e-310;  // denormal
     return tiny * 1.0 == 0.0;
   });
-  for (const bool f : flushed) EXPECT_TRUE(f);
+  for (const bool f : flushed)
+    EXPECT_TRUE(f);
 }
 
 TEST(Text, EditDistanceKnowsTranspositions) {

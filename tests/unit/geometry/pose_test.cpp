@@ -16,7 +16,9 @@ TEST(Pose, QuarterTurnsAreExactDirections) {
 }
 
 TEST(Pose, HalfTangentGivesTheAngle) {
-  EXPECT_NEAR(yaw_of(rotation_from_half_tangent({0, 0, 1}, 0.1)), 2 * 0.09966865249116204, 1e-15);  // 2 atan(0.1)
+  EXPECT_NEAR(yaw_of(rotation_from_half_tangent({0, 0, 1}, 0.1)),
+              2 * 0.09966865249116204,
+              1e-15);  // 2 atan(0.1)
 }
 
 TEST(Pose, InverseUndoes) {
@@ -48,7 +50,7 @@ TEST(Polygon, AreaAndInsideOfAnL) {
   EXPECT_DOUBLE_EQ(area_m2(l), 3.0);
   EXPECT_TRUE(contains(l, {500, 1500}));
   EXPECT_FALSE(contains(l, {1500, 1500}));
-  EXPECT_TRUE(contains(l, {1500, 1000}));      // on the border
+  EXPECT_TRUE(contains(l, {1500, 1000}));  // on the border
 }
 
 }  // namespace

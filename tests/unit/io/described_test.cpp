@@ -10,12 +10,15 @@ namespace marketgen {
 namespace {
 
 enum class Colour { red, green_blue };
-constexpr std::array<std::string_view, 2> names_of(Colour) { return {"red", "green-blue"}; }
+constexpr std::array<std::string_view, 2> names_of(Colour) {
+  return {"red", "green-blue"};
+}
 
 struct Point {
   float x = 0, y = 0;
   Colour colour = Colour::red;
-  static constexpr auto fields = field_list(field("x", &Point::x, "x"), field("y", &Point::y, "y"),
+  static constexpr auto fields = field_list(field("x", &Point::x, "x"),
+                                            field("y", &Point::y, "y"),
                                             field("colour", &Point::colour, "colour"));
 };
 
@@ -34,13 +37,19 @@ struct Sample {
   std::vector<std::array<int, 2>> polygon;
   std::vector<Sample> children;
 
-  static constexpr auto fields = field_list(
-      field("id", &Sample::id, "id", identifier()), field("levels", &Sample::levels, "levels", range(1, 10)),
-      field("fill", &Sample::fill, "fill", range(0, 1)), field("open", &Sample::open, "open"),
-      field("seed", &Sample::seed, "seed"), field("colour", &Sample::colour, "colour"),
-      field("width_mm", &Sample::width_mm, "width", at_least(1)), field("note", &Sample::note, "note"),
-      field("facings", &Sample::facings, "facings", within(1, 40)), field("words", &Sample::words, "words", at_most_items(3)),
-      field("points", &Sample::points, "points"), field("polygon", &Sample::polygon, "polygon"));
+  static constexpr auto fields =
+      field_list(field("id", &Sample::id, "id", identifier()),
+                 field("levels", &Sample::levels, "levels", range(1, 10)),
+                 field("fill", &Sample::fill, "fill", range(0, 1)),
+                 field("open", &Sample::open, "open"),
+                 field("seed", &Sample::seed, "seed"),
+                 field("colour", &Sample::colour, "colour"),
+                 field("width_mm", &Sample::width_mm, "width", at_least(1)),
+                 field("note", &Sample::note, "note"),
+                 field("facings", &Sample::facings, "facings", within(1, 40)),
+                 field("words", &Sample::words, "words", at_most_items(3)),
+                 field("points", &Sample::points, "points"),
+                 field("polygon", &Sample::polygon, "polygon"));
 };
 
 Sample full_sample() {
@@ -83,9 +92,10 @@ void expect_same(const Sample& a, const Sample& b) {
 TEST(Json, WritesCanonicalText) {
   Sample s;
   s.words = {"x"};
-  EXPECT_EQ(write_json_line(s),
-            R"({"id": "a", "levels": 5, "fill": 0.95, "open": false, "seed": 0, "colour": "red", "facings": [2, 4], )"
-            R"("words": ["x"], "points": [], "polygon": []})");
+  EXPECT_EQ(
+      write_json_line(s),
+      R"({"id": "a", "levels": 5, "fill": 0.95, "open": false, "seed": 0, "colour": "red", "facings": [2, 4], )"
+      R"("words": ["x"], "points": [], "polygon": []})");
 }
 
 TEST(Json, ReadsBackWhatItWrote) {
@@ -111,12 +121,18 @@ TEST(Json, RefusesEveryFaultWithItsPlace) {
       {R"({"id": "a", "levels": 11})", "json.out_of_range", "f:/levels", "outside 1 to 10"},
       {R"({"id": "a", "levels": 99999999999})", "json.out_of_range", "f:/levels", "32 bits"},
       {R"({"id": "a", "seed": -1})", "json.out_of_range", "f:/seed", "64 bits"},
-      {R"({"id": "a", "colour": "green_blue"})", "json.unknown_name", "f:/colour", "did you mean \"green-blue\""},
+      {R"({"id": "a", "colour": "green_blue"})",
+       "json.unknown_name",
+       "f:/colour",
+       "did you mean \"green-blue\""},
       {R"({"id": "../x"})", "json.bad_identifier", "f:/id", "not an id"},
       {R"({"id": "a", "facings": [1]})", "json.wrong_type", "f:/facings", "a list of 2"},
       {R"({"id": "a", "facings": [0, 4]})", "json.out_of_range", "f:/facings/0", "outside 1 to 40"},
       {R"({"id": "a", "words": ["1","2","3","4"]})", "json.out_of_range", "f:/words", "at most 3"},
-      {R"({"id": "a", "points": [{"x": 1}, {"z": 1}]})", "json.unknown_field", "f:/points/1/z", "known are: x, y, colour"},
+      {R"({"id": "a", "points": [{"x": 1}, {"z": 1}]})",
+       "json.unknown_field",
+       "f:/points/1/z",
+       "known are: x, y, colour"},
       {R"({"id": "a", "id": "b"})", "json.duplicate_key", "f", "\"id\""},
       {"{\"id\": \"a\",\n \"levels\": }", "json.syntax", "f:2", ""},
       {"{\"id\": \"\xff\"}", "input.not_utf8", "f", "UTF-8"},
@@ -146,7 +162,8 @@ TEST(FlatBuffer, ReadsBackWhatItWrote) {
   const Sample s = full_sample();
   const std::string bytes = write_flatbuffer_of(type_of<Sample>(), &s, "TST1");
   Sample back;
-  const auto read = read_flatbuffer_into(std::as_bytes(std::span(bytes)), "f", "TST1", type_of<Sample>(), &back);
+  const auto read =
+      read_flatbuffer_into(std::as_bytes(std::span(bytes)), "f", "TST1", type_of<Sample>(), &back);
   ASSERT_TRUE(read.ok()) << to_string(read.error());
   expect_same(s, back);
   EXPECT_EQ(bytes, write_flatbuffer_of(type_of<Sample>(), &back, "TST1"));
@@ -154,7 +171,8 @@ TEST(FlatBuffer, ReadsBackWhatItWrote) {
 
 std::string code_of(const std::string& bytes, std::string_view identifier = "TST1") {
   Sample back;
-  const auto read = read_flatbuffer_into(std::as_bytes(std::span(bytes)), "f", identifier, type_of<Sample>(), &back);
+  const auto read = read_flatbuffer_into(
+      std::as_bytes(std::span(bytes)), "f", identifier, type_of<Sample>(), &back);
   return read.ok() ? "ok" : read.error().code;
 }
 
@@ -168,7 +186,7 @@ TEST(FlatBuffer, TellsTruncationFromDamageFromOtherVersions) {
   EXPECT_EQ(code_of(bytes, "ABCD"), "scene.corrupt");
 }
 
-TEST(FlatBuffer, NoFlippedByteReadsOutsideTheFile) {   // meant for the sanitizer build
+TEST(FlatBuffer, NoFlippedByteReadsOutsideTheFile) {  // meant for the sanitizer build
   const Sample s = full_sample();
   const std::string bytes = write_flatbuffer_of(type_of<Sample>(), &s, "TST1");
   for (std::size_t i = 0; i < bytes.size(); ++i) {
@@ -182,7 +200,11 @@ TEST(FlatBuffer, NoFlippedByteReadsOutsideTheFile) {   // meant for the sanitize
 
 TEST(Schema, SaysWhatTheReaderEnforces) {
   const std::string schema = json_schema_of(type_of<Sample>(), "test.schema.json", "Sample");
-  for (const char* part : {"\"additionalProperties\": false", "\"minimum\": 1.0", "\"maximum\": 10.0", "\"green-blue\"", "\"required\""}) {
+  for (const char* part : {"\"additionalProperties\": false",
+                           "\"minimum\": 1.0",
+                           "\"maximum\": 10.0",
+                           "\"green-blue\"",
+                           "\"required\""}) {
     EXPECT_NE(schema.find(part), std::string::npos) << part;
   }
 }

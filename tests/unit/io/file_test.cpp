@@ -21,7 +21,8 @@ class Files : public testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
 
   std::size_t entries() const {
-    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
   }
   fs::path folder_;
 };
@@ -48,7 +49,7 @@ TEST_F(Files, AFolderDraftAppearsWholeOrNotAtAll) {
     ASSERT_TRUE(write_file(draft->folder() / "x", "1").ok());
     EXPECT_FALSE(fs::exists(folder_ / "store"));
   }
-  EXPECT_EQ(entries(), 0U);                     // dropped without commit
+  EXPECT_EQ(entries(), 0U);  // dropped without commit
   auto draft = FolderDraft::begin(folder_ / "store");
   ASSERT_TRUE(write_file(draft->folder() / "x", "1").ok());
   ASSERT_TRUE(draft->commit().ok());
@@ -56,7 +57,7 @@ TEST_F(Files, AFolderDraftAppearsWholeOrNotAtAll) {
   EXPECT_EQ(FolderDraft::begin(folder_ / "store").error().code, "store.exists");
 }
 
-TEST_F(Files, Sha256MatchesFips180) {           // FIPS 180-4 example: "abc"
+TEST_F(Files, Sha256MatchesFips180) {  // FIPS 180-4 example: "abc"
   EXPECT_EQ(sha256_hex("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
   ASSERT_TRUE(write_file(folder_ / "abc", "abc").ok());
   EXPECT_EQ(sha256_of_file(folder_ / "abc").value(), sha256_hex("abc"));
@@ -64,7 +65,8 @@ TEST_F(Files, Sha256MatchesFips180) {           // FIPS 180-4 example: "abc"
 
 TEST_F(Files, PngKeepsEveryPixel) {
   Image image(7, 3, 4);
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = static_cast<std::uint8_t>(i * 37);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = static_cast<std::uint8_t>(i * 37);
   ASSERT_TRUE(write_png(folder_ / "a.png", image).ok());
   const auto back = read_png(folder_ / "a.png");
   ASSERT_TRUE(back.ok());

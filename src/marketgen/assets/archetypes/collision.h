@@ -1,0 +1,14 @@
+// The contact primitives of packs. Each is as large as the row's size allows and stands on z = 0.
+#pragma once
+#include "assets/product_model.h"
+
+namespace marketgen {
+
+CollisionPrimitive box_around(const Product& product);
+// Upright; the box when the footprint is not round enough for a circle to fill it.
+CollisionPrimitive cylinder_around(const Product& product);
+// Along X; the box when depth and height differ.
+CollisionPrimitive lying_cylinder_around(const Product& product);
+CollisionPrimitive ellipsoid_around(const Product& product);
+
+}  // namespace marketgen

@@ -1,0 +1,35 @@
+// What packs are made of, as render surfaces.
+#pragma once
+#include "assets/product_model.h"
+#include "base/result.h"
+
+namespace marketgen {
+
+// Roughness of printed faces.
+inline constexpr float gloss_paper_roughness = 0.45F;  // coated label paper, folding carton
+inline constexpr float matt_paper_roughness = 0.75F;   // uncoated paper bags
+inline constexpr float film_roughness = 0.30F;         // printed plastic film
+inline constexpr float lacquer_roughness = 0.25F;      // lacquered metal
+inline constexpr float skin_roughness = 0.40F;         // waxy fruit skin
+
+// The row's colours as linear RGB.
+struct PackColors {
+  Vec3f primary, secondary, accent;
+};
+Result<PackColors> pack_colors(const Product& product);  // Errors: assets.bad_row
+
+// What is seen through clear plastic or glass: by the first word of contents.inc that the row's
+// name, variant, subcategory or keywords contain, otherwise the label's ground colour.
+Result<Vec3f> contents_color(const Product& product);  // Errors: assets.bad_row
+
+Surface aluminium();
+Surface tinplate();
+Surface lacquered_metal(Vec3f color);
+Surface plastic(Vec3f color);
+Surface paper(Vec3f color);
+Surface film(Vec3f color);
+// Clear plastic or glass with what it holds, as one opaque glossy surface.
+Surface filled_plastic(Vec3f contents);
+Surface filled_glass(Vec3f contents);
+
+}  // namespace marketgen

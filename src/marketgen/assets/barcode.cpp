@@ -1,0 +1,130 @@
+#include "assets/barcode.h"
+
+#include <zint.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "assets/lettering.h"
+
+namespace marketgen {
+namespace {
+
+constexpr int left_quiet_modules = 11;
+constexpr int symbol_modules = 95;
+// Height over width of the whole symbol: 0.69 nominal (22.85 mm over 37.29 mm with digits); packs
+// often cut it lower.
+constexpr double usual_aspect = 0.62;
+constexpr double lowest_aspect = 0.30;
+
+bool is_guard(int module) {
+  return module < 3 || module >= symbol_modules - 3 || (module >= 45 && module < 50);
+}
+
+// Whole-pixel drawing: the caller's transform is left aside.
+void draw_bars(Canvas& canvas, const std::string& modules, const BarcodePlace& place) {
+  const int digits_px = place.height_px / 5;
+  for (int i = 0; i < symbol_modules; ++i) {
+    if (modules[static_cast<std::size_t>(i)] != '1') continue;
+    const int length = place.height_px - (is_guard(i) ? digits_px / 2 : digits_px);
+    canvas.rectangle({static_cast<double>((left_quiet_modules + i) * place.module_px),
+                      0,
+                      static_cast<double>(place.module_px),
+                      static_cast<double>(length)});
+  }
+  canvas.fill(Color{0, 0, 0});
+}
+
+void draw_digits(Canvas& canvas, std::string_view ean, const BarcodePlace& place) {
+  const double m = place.module_px;
+  const double h = place.height_px / 5.0;
+  if (h < 5) return;  // no reader, human or not, gains from four-pixel digits
+  const Typeface face{"DejaVu Sans Mono", 400};
+  const auto group = [&](std::string_view digits, double first_module, double width_modules) {
+    draw_headline(canvas,
+                  {std::string(digits),
+                   face,
+                   print_ink,
+                   {first_module * m, place.height_px - h * 0.94, width_modules * m, h * 0.94}});
+  };
+  group(ean.substr(0, 1), 1, 8);
+  group(ean.substr(1, 6), left_quiet_modules + 4, 40);
+  group(ean.substr(7, 6), left_quiet_modules + 51, 40);
+}
+
+}  // namespace
+
+Result<std::string> ean13_modules(std::string_view ean, std::string_view where) {
+  const bool digits =
+      ean.size() == 13 && ean.find_first_not_of("0123456789") == std::string_view::npos;
+  if (!digits) {
+    return Error{"assets.bad_row",
+                 std::string(where),
+                 "\"" + std::string(ean) + "\" is not an EAN-13; give 13 digits"};
+  }
+  const std::unique_ptr<zint_symbol, decltype(&ZBarcode_Delete)> symbol(ZBarcode_Create(),
+                                                                        ZBarcode_Delete);
+  symbol->symbology = BARCODE_EANX_CHK;  // checks the thirteenth digit
+  const std::string text(ean);
+  const int status = ZBarcode_Encode(symbol.get(),
+                                     reinterpret_cast<const unsigned char*>(text.c_str()),
+                                     static_cast<int>(text.size()));
+  if (status >= ZINT_ERROR || symbol->width != symbol_modules) {
+    return Error{
+        "assets.bad_row",
+        std::string(where),
+        "EAN " + text + " cannot be encoded (" + symbol->errtxt + "); correct its check digit"};
+  }
+  std::string modules;
+  for (int i = 0; i < symbol_modules; ++i) {
+    const bool bar = (symbol->encoded_data[0][i >> 3] >> (i & 7)) & 1;
+    modules += bar ? '1' : '0';
+  }
+  return modules;
+}
+
+BarcodePlace place_barcode(const Area& area_px, int wanted_px, double wanted_height_px) {
+  const int w = static_cast<int>(area_px.w);
+  const int h = static_cast<int>(area_px.h);
+  const auto module_along = [&](int length, int across) {
+    const int by_length = length / ean13_width_modules;
+    const int by_height = static_cast<int>(across / (lowest_aspect * ean13_width_modules));
+    return std::min({wanted_px, by_length, by_height});
+  };
+  const int standing = module_along(w, h);
+  const int lying = module_along(h, w);
+  BarcodePlace place;
+  place.ladder = lying > standing;
+  place.module_px = std::max({standing, lying, 0});
+  const int length = place.module_px * ean13_width_modules;
+  const int across = place.ladder ? w : h;
+  const double height = std::clamp(wanted_height_px, length * lowest_aspect, length * usual_aspect);
+  place.height_px = std::min(across, static_cast<int>(height));
+  place.x = static_cast<int>(area_px.right()) - (place.ladder ? place.height_px : length);
+  place.y = static_cast<int>(area_px.bottom()) - (place.ladder ? length : place.height_px);
+  return place;
+}
+
+void draw_barcode(Canvas& canvas,
+                  const std::string& modules,
+                  std::string_view ean,
+                  const BarcodePlace& place) {
+  if (place.module_px <= 0) return;
+  const Canvas::Saved saved = canvas.saved();
+  cairo_identity_matrix(canvas.context());
+  canvas.translate(place.x, place.y);
+  const int length = place.module_px * ean13_width_modules;
+  if (place.ladder) {
+    // A quarter turn written out, so that pixels stay whole.
+    const cairo_matrix_t quarter{0, 1, -1, 0, static_cast<double>(place.height_px), 0};
+    cairo_transform(canvas.context(), &quarter);
+  }
+  canvas.rectangle({0, 0, static_cast<double>(length), static_cast<double>(place.height_px)})
+      .fill(paper_white);
+  cairo_set_antialias(canvas.context(), CAIRO_ANTIALIAS_NONE);
+  draw_bars(canvas, modules, place);
+  cairo_set_antialias(canvas.context(), CAIRO_ANTIALIAS_GRAY);
+  draw_digits(canvas, ean, place);
+}
+
+}  // namespace marketgen

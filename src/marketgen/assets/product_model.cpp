@@ -1,0 +1,80 @@
+#include "assets/product_model.h"
+
+#include <fmt/format.h>
+
+#include "assets/archetypes/registry.h"
+#include "catalog/catalog.h"
+
+namespace marketgen {
+namespace {
+
+struct Archetype {
+  ArchetypeInfo info;
+  Result<ProductModel> (*make)(const Product&);
+  CollisionPrimitive (*collision)(const Product&);
+};
+
+constexpr Archetype archetype_list[] = {
+#define ARCHETYPE(name, description) {{#name, description}, make_##name, collision_##name},
+#include "assets/archetypes.inc"
+#undef ARCHETYPE
+};
+
+// Limits of Product::fields, repeated here for rows that were not read from a file.
+constexpr int least_size_mm = 5, greatest_size_mm = 1500;
+
+Result<const Archetype*> archetype_of(const Product& product) {
+  for (const Archetype& archetype : archetype_list) {
+    if (archetype.info.name == product.archetype) return &archetype;
+  }
+  return unknown_archetype(product.archetype, product.sku + "/archetype");
+}
+
+}  // namespace
+
+Result<ProductModel> make_product_model(const Product& product) {
+  MARKETGEN_TRY(const Archetype* archetype, archetype_of(product));
+  MARKETGEN_CHECK(check_product_size(product));
+  MARKETGEN_TRY(ProductModel model, archetype->make(product));
+  model.collision = archetype->collision(product);
+  return model;
+}
+
+Result<CollisionPrimitive> collision_of(const Product& product) {
+  MARKETGEN_TRY(const Archetype* archetype, archetype_of(product));
+  MARKETGEN_CHECK(check_product_size(product));
+  return archetype->collision(product);
+}
+
+std::vector<ArchetypeInfo> archetypes() {
+  std::vector<ArchetypeInfo> infos;
+  for (const Archetype& archetype : archetype_list)
+    infos.push_back(archetype.info);
+  return infos;
+}
+
+Result<void> check_product_size(const Product& product) {
+  for (const int size : product.size_mm) {
+    if (size < least_size_mm || size > greatest_size_mm) {
+      return Error{
+          "assets.bad_row",
+          product.sku + "/size_mm",
+          fmt::format("a pack of {} x {} x {} mm cannot be built; each size must be {} to {} mm",
+                      product.size_mm[0],
+                      product.size_mm[1],
+                      product.size_mm[2],
+                      least_size_mm,
+                      greatest_size_mm)};
+    }
+  }
+  return {};
+}
+
+Error unknown_archetype(std::string_view name, std::string where) {
+  std::vector<std::string_view> known;
+  for (const Archetype& archetype : archetype_list)
+    known.push_back(archetype.info.name);
+  return unknown_name("catalog.unknown_kind", std::move(where), "archetype", name, known);
+}
+
+}  // namespace marketgen

@@ -1,0 +1,98 @@
+#include "geometry/weld.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <unordered_map>
+
+namespace marketgen {
+namespace {
+
+using Cell = std::array<std::int64_t, 3>;
+
+struct CellHash {
+  std::size_t operator()(const Cell& cell) const {
+    std::uint64_t h = 0;
+    for (const std::int64_t part : cell) {
+      h = (h ^ static_cast<std::uint64_t>(part)) * 0x9E3779B97F4A7C15ULL;
+      h ^= h >> 29;
+    }
+    return static_cast<std::size_t>(h);
+  }
+};
+
+Cell cell_at(Vec3 p, double cell_size) {
+  return {static_cast<std::int64_t>(std::floor(p.x / cell_size)),
+          static_cast<std::int64_t>(std::floor(p.y / cell_size)),
+          static_cast<std::int64_t>(std::floor(p.z / cell_size))};
+}
+
+bool within(Vec3 a, Vec3 b, double distance) {
+  return std::abs(a.x - b.x) <= distance && std::abs(a.y - b.y) <= distance &&
+         std::abs(a.z - b.z) <= distance;
+}
+
+// Positions by the cell they lie in. A cell is wider than the search cube, so one to eight cells
+// hold all neighbours.
+class CellIndex {
+ public:
+  CellIndex(const std::vector<Vec3f>& positions, double distance)
+      : positions_(positions), distance_(distance), cell_size_(16.0 * distance) {
+    first_in_.reserve(positions.size());
+    next_.resize(positions.size(), none);
+  }
+
+  void add(std::uint32_t i) {
+    const auto [cell, is_new] =
+        first_in_.try_emplace(cell_at(to_double(positions_[i]), cell_size_), i);
+    if (is_new) return;
+    next_[i] = cell->second;
+    cell->second = i;
+  }
+
+  // The lowest index within the distance of position i among those added; i itself when there is
+  // none.
+  std::uint32_t lowest_near(std::uint32_t i) const {
+    const Vec3 p = to_double(positions_[i]), reach{distance_, distance_, distance_};
+    const Cell low = cell_at(p - reach, cell_size_), high = cell_at(p + reach, cell_size_);
+    std::uint32_t lowest = i;
+    for (std::int64_t x = low[0]; x <= high[0]; ++x) {
+      for (std::int64_t y = low[1]; y <= high[1]; ++y) {
+        for (std::int64_t z = low[2]; z <= high[2]; ++z)
+          lowest = std::min(lowest, lowest_in({x, y, z}, p, lowest));
+      }
+    }
+    return lowest;
+  }
+
+ private:
+  static constexpr std::uint32_t none = 0xFFFFFFFF;
+
+  std::uint32_t lowest_in(const Cell& cell, Vec3 p, std::uint32_t lowest) const {
+    const auto found = first_in_.find(cell);
+    if (found == first_in_.end()) return lowest;
+    for (std::uint32_t i = found->second; i != none; i = next_[i]) {
+      if (i < lowest && within(p, to_double(positions_[i]), distance_)) lowest = i;
+    }
+    return lowest;
+  }
+
+  const std::vector<Vec3f>& positions_;
+  double distance_, cell_size_;
+  std::unordered_map<Cell, std::uint32_t, CellHash> first_in_;  // only looked up, never walked
+  std::vector<std::uint32_t> next_;                             // in the same cell
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> weld_positions(const std::vector<Vec3f>& positions, double distance) {
+  CellIndex kept(positions, distance);
+  std::vector<std::uint32_t> lowest(positions.size());
+  for (std::uint32_t i = 0; i < positions.size(); ++i) {
+    lowest[i] = kept.lowest_near(i);
+    if (lowest[i] == i) kept.add(i);
+  }
+  return lowest;
+}
+
+}  // namespace marketgen

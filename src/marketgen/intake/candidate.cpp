@@ -1,0 +1,274 @@
+#include "intake/candidate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace marketgen {
+namespace {
+
+constexpr int service_door_mm = 1500;
+constexpr int emergency_door_mm = 1200;
+constexpr int window_mm = 2500;
+constexpr int corner_margin_mm = 400;         // no door right in a corner
+constexpr double service_door_from_m2 = 150;  // smaller shops take deliveries through the front
+constexpr double fraction_digits = 1e4;
+
+int quarter_turns_to(Wall wall) {
+  switch (wall) {
+    case Wall::east:
+      return 1;
+    case Wall::north:
+      return 2;
+    case Wall::west:
+      return 3;
+    case Wall::south:
+      break;
+  }
+  return 0;
+}
+
+// A quarter turn counter-clockwise: what was south becomes east.
+Slice turned(Slice slice) {
+  if (slice.zone >= 0) return slice;
+  for (Slice& part : slice.parts)
+    part = turned(std::move(part));
+  if (slice.axis == Axis::y) {  // north becomes west
+    std::ranges::reverse(slice.parts);
+    std::ranges::reverse(slice.sizes_mm);
+    std::ranges::reverse(slice.gaps_mm);
+  }
+  slice.axis = slice.axis == Axis::x ? Axis::y : Axis::x;
+  return slice;
+}
+
+bool runs_east(Wall wall) {
+  return wall == Wall::north || wall == Wall::south;
+}
+
+int wall_length(Wall wall, const RectMm& floor) {
+  return runs_east(wall) ? floor.width() : floor.depth();
+}
+
+double rounded(double fraction) {
+  return std::floor(fraction * fraction_digits + 0.5) / fraction_digits;
+}
+
+Opening make_opening(std::string id, OpeningKind kind, Wall wall, double center, int width_mm) {
+  Opening opening;
+  opening.id = std::move(id);
+  opening.kind = kind;
+  opening.wall = wall;
+  opening.center = rounded(center);
+  opening.width_mm = width_mm;
+  return opening;
+}
+
+class DoorPlacer {
+ public:
+  DoorPlacer(Candidate& candidate, const StoreProgram& program, const Understanding& found)
+      : candidate_(candidate), program_(program), found_(found) {}
+
+  void run(Wall front) {
+    front_ = front;
+    const DraftedFloor& drafted = candidate_.drafted;
+    // Turning keeps the order along the wall for south and east, and reverses it for north and
+    // west.
+    const bool reversed = front == Wall::north || front == Wall::west;
+    const auto fraction = [&](int at_mm) {
+      const double f = static_cast<double>(at_mm) / drafted.width_mm;
+      return reversed ? 1 - f : f;
+    };
+    place_door("entrance",
+               OpeningKind::entrance,
+               fraction(drafted.entrance_mm),
+               drafted.entrance_width_mm);
+    place_door("exit", OpeningKind::exit, fraction(drafted.exit_mm), drafted.exit_width_mm);
+    place_further(OpeningKind::entrance, drafted.entrance_width_mm);
+    place_further(OpeningKind::exit, drafted.exit_width_mm);
+    place_service();
+    place_wished(OpeningKind::emergency, emergency_door_mm);
+    place_wished(OpeningKind::window, window_mm);
+  }
+
+ private:
+  const Requirement* wish_for(OpeningKind kind) const {
+    for (const Requirement& wish : found_.requirements) {
+      if (wish.kind == RequirementKind::opening && wish.subject == name_of(kind)) return &wish;
+    }
+    return nullptr;
+  }
+
+  std::optional<Wall> wished_wall(OpeningKind kind) const {
+    const Requirement* wish = wish_for(kind);
+    return wish != nullptr ? value_named<Wall>(wish->object) : std::nullopt;
+  }
+
+  // Where along its wall a wish puts an opening.
+  std::optional<double> wished_center(OpeningKind kind) const {
+    const Requirement* wish = wish_for(kind);
+    if (wish == nullptr || wish->second_object.empty()) return std::nullopt;
+    constexpr double near_end = 0.15;
+    const std::string& side = wish->second_object;
+    if (side == "west" || side == "south") return near_end;
+    if (side == "east" || side == "north") return 1 - near_end;
+    return 0.5;
+  }
+
+  // Entrance and exit stand where the draft has them, unless the exit is to be in another wall.
+  void place_door(const std::string& id, OpeningKind kind, double center, int width_mm) {
+    const Wall wall = kind == OpeningKind::exit ? wished_wall(kind).value_or(front_) : front_;
+    if (wall == front_) {
+      candidate_.openings.push_back(make_opening(id, kind, wall, center, width_mm));
+      return;
+    }
+    place_free(id, kind, wall, wished_center(kind).value_or(beside_tills(wall)), width_mm);
+  }
+
+  // The fraction along another wall at which the tills are nearest.
+  double beside_tills(Wall wall) const {
+    for (std::size_t i = 0; i < program_.zones.size(); ++i) {
+      if (program_.zones[i].stance != Stance::front) continue;
+      const PointMm center = candidate_.rects[i].center();
+      const int along = runs_east(wall) ? center[0] : center[1];
+      return static_cast<double>(along) / wall_length(wall, candidate_.floor);
+    }
+    return 0.5;
+  }
+
+  // A second entrance or exit, and more.
+  void place_further(OpeningKind kind, int width_mm) {
+    for (const Requirement& wish : found_.requirements) {
+      const bool further = wish.kind == RequirementKind::opening && wish.subject == name_of(kind) &&
+                           wish.comparison != Comparison::at_most;
+      for (int i = 2; further && i <= static_cast<int>(wish.value); ++i) {
+        const std::string id = std::string(name_of(kind)) + "-" + std::to_string(i);
+        place_free(id, kind, front_, kind == OpeningKind::entrance ? 0.08 : 0.92, width_mm);
+      }
+    }
+  }
+
+  void place_service() {
+    const Requirement* wish = wish_for(OpeningKind::service);
+    if (wish == nullptr && program_.area_m2() < service_door_from_m2) return;
+    const Wall back = opposite(front_);
+    const double fallback =
+        candidate_.drafted.exit_mm * 2 > candidate_.drafted.width_mm ? 0.03 : 0.97;
+    place_free("dock",
+               OpeningKind::service,
+               wished_wall(OpeningKind::service).value_or(back),
+               wished_center(OpeningKind::service).value_or(fallback),
+               service_door_mm);
+  }
+
+  void place_wished(OpeningKind kind, int width_mm) {
+    const Requirement* wish = wish_for(kind);
+    const bool refused =
+        wish != nullptr && wish->comparison == Comparison::at_most && wish->value == 0;
+    if (wish == nullptr || refused) return;
+    const Wall usual = kind == OpeningKind::window ? front_ : opposite(front_);
+    const int count = std::max(1, static_cast<int>(wish->value));
+    for (int i = 0; i < count; ++i) {
+      const double spread = (i + 1.0) / (count + 1.0);
+      std::string id(name_of(kind));
+      if (i > 0) id += "-" + std::to_string(i + 1);
+      place_free(id,
+                 kind,
+                 wished_wall(kind).value_or(usual),
+                 wished_center(kind).value_or(spread),
+                 width_mm);
+    }
+  }
+
+  static Wall opposite(Wall wall) {
+    switch (wall) {
+      case Wall::north:
+        return Wall::south;
+      case Wall::south:
+        return Wall::north;
+      case Wall::east:
+        return Wall::west;
+      case Wall::west:
+        break;
+    }
+    return Wall::east;
+  }
+
+  bool is_free(Wall wall, int from, int to) const {
+    return std::ranges::none_of(candidate_.openings, [&](const Opening& other) {
+      const int middle =
+          static_cast<int>(other.center * wall_length(other.wall, candidate_.floor) + 0.5);
+      const int half = other.width_mm / 2 + corner_margin_mm;
+      return other.wall == wall && from < middle + half && middle - half < to;
+    });
+  }
+
+  // The free place along the wall that is nearest to `center`; no opening when there is none.
+  void place_free(const std::string& id, OpeningKind kind, Wall wall, double center, int width_mm) {
+    const int length = wall_length(wall, candidate_.floor);
+    constexpr int step_mm = 100;
+    const int wanted = static_cast<int>(center * length + 0.5);
+    std::optional<int> best;
+    for (int at = corner_margin_mm + width_mm / 2; at <= length - corner_margin_mm - width_mm / 2;
+         at += step_mm) {
+      if (!is_free(wall, at - width_mm / 2, at + width_mm / 2)) continue;
+      if (!best || std::abs(at - wanted) < std::abs(*best - wanted)) best = at;
+    }
+    if (!best) return;
+    candidate_.openings.push_back(
+        make_opening(id, kind, wall, static_cast<double>(*best) / length, width_mm));
+  }
+
+  Candidate& candidate_;
+  const StoreProgram& program_;
+  const Understanding& found_;
+  Wall front_ = Wall::south;
+};
+
+}  // namespace
+
+Wall entrance_wall_of(const Understanding& found) {
+  for (const Requirement& wish : found.requirements) {
+    if (wish.kind != RequirementKind::opening || wish.subject != "entrance") continue;
+    if (const auto wall = value_named<Wall>(wish.object)) return *wall;
+  }
+  return Wall::south;
+}
+
+Candidate make_candidate(const FloorDraft& draft,
+                         const StoreProgram& program,
+                         const Understanding& found,
+                         const Catalog& catalog) {
+  const Wall front = entrance_wall_of(found);
+  const int turns = quarter_turns_to(front);
+  const bool swapped = turns % 2 != 0;
+  Candidate candidate;
+  candidate.floor = {0, 0, program.width_mm, program.depth_mm};
+  candidate.drafted = build_floor(draft,
+                                  program,
+                                  catalog,
+                                  swapped ? program.depth_mm : program.width_mm,
+                                  swapped ? program.width_mm : program.depth_mm);
+  candidate.root = candidate.drafted.root;
+  for (int i = 0; i < turns; ++i)
+    candidate.root = turned(std::move(candidate.root));
+  candidate.rects = zone_rects(candidate.root, candidate.floor, program.zones.size());
+  DoorPlacer(candidate, program, found).run(front);
+  return candidate;
+}
+
+PointMm threshold_of(const Opening& opening, const RectMm& floor) {
+  const int along = static_cast<int>(opening.center * wall_length(opening.wall, floor) + 0.5);
+  switch (opening.wall) {
+    case Wall::north:
+      return {along, floor.y1};
+    case Wall::south:
+      return {along, floor.y0};
+    case Wall::east:
+      return {floor.x1, along};
+    case Wall::west:
+      break;
+  }
+  return {floor.x0, along};
+}
+
+}  // namespace marketgen

@@ -1,0 +1,32 @@
+// A draft as it would be built: turned to the entrance's wall, with doors, in the store frame.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "intake/floor_draft.h"
+#include "intake/understanding.h"
+#include "plan/plan.h"
+
+namespace marketgen {
+
+struct Candidate {
+  Slice root;
+  RectMm floor;
+  std::vector<RectMm> rects;      // by zone index
+  std::vector<Opening> openings;  // entrance and exit first
+  DraftedFloor drafted;
+};
+
+// The wall that the entrance is to be in; south when nobody says.
+Wall entrance_wall_of(const Understanding& understanding);
+
+Candidate make_candidate(const FloorDraft& draft,
+                         const StoreProgram& program,
+                         const Understanding& understanding,
+                         const Catalog& catalog);
+
+// The point on the floor in the middle of an opening.
+PointMm threshold_of(const Opening& opening, const RectMm& floor);
+
+}  // namespace marketgen

@@ -1,0 +1,203 @@
+#include "intake/conflicts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace marketgen {
+namespace {
+
+using Kind = RequirementKind;
+
+bool is_number(Kind kind) {
+  constexpr std::array kinds = {Kind::area,
+                                Kind::zone_count,
+                                Kind::fixture_count,
+                                Kind::aisle_count,
+                                Kind::levels,
+                                Kind::height,
+                                Kind::aisle_width,
+                                Kind::stock,
+                                Kind::light,
+                                Kind::endcaps,
+                                Kind::size};
+  return std::ranges::find(kinds, kind) != kinds.end();
+}
+
+bool is_choice(Kind kind) {
+  return kind == Kind::style || kind == Kind::profile || kind == Kind::material ||
+         kind == Kind::color;
+}
+
+// Least and most that a number may be.
+std::array<double, 2> bounds_of(const Requirement& wish) {
+  const double low = wish.comparison == Comparison::at_most ? 0 : wish.value;
+  const double high = wish.comparison == Comparison::at_least ? HUGE_VAL : wish.value;
+  return {low, high};
+}
+
+bool numbers_clash(const Requirement& a, const Requirement& b) {
+  const std::array<double, 2> first = bounds_of(a);
+  const std::array<double, 2> second = bounds_of(b);
+  const bool apart = first[1] < second[0] || second[1] < first[0];
+  return apart || (a.kind == Kind::size && a.second_value != b.second_value);
+}
+
+bool opposite(Kind a, Kind b) {
+  const auto pair = [&](Kind x, Kind y) { return (a == x && b == y) || (a == y && b == x); };
+  return pair(Kind::zone_present, Kind::zone_absent) ||
+         pair(Kind::product_present, Kind::product_absent) ||
+         pair(Kind::zone_count, Kind::zone_absent);
+}
+
+bool opposite(RelationKind a, RelationKind b) {
+  const auto pair = [&](RelationKind x, RelationKind y) {
+    return (a == x && b == y) || (a == y && b == x);
+  };
+  return pair(RelationKind::near, RelationKind::far) ||
+         pair(RelationKind::near, RelationKind::not_adjacent) ||
+         pair(RelationKind::left_of, RelationKind::right_of) ||
+         pair(RelationKind::along, RelationKind::far) || pair(RelationKind::at, RelationKind::far);
+}
+
+bool opposite_sides(std::string_view a, std::string_view b) {
+  const auto pair = [&](std::string_view x, std::string_view y) {
+    return (a == x && b == y) || (a == y && b == x);
+  };
+  return pair("north", "south") || pair("east", "west") ||
+         ((a == "center") != (b == "center") && (a == "center" || b == "center"));
+}
+
+bool stands_at_side(const Requirement& wish) {
+  return (wish.relation == RelationKind::at || wish.relation == RelationKind::along);
+}
+
+bool relations_clash(const Requirement& a, const Requirement& b) {
+  if (a.subject == b.subject && a.object == b.object) return opposite(a.relation, b.relation);
+  const bool swapped = a.subject == b.object && a.object == b.subject;
+  if (swapped && a.relation == b.relation) {
+    return a.relation == RelationKind::left_of || a.relation == RelationKind::right_of ||
+           a.relation == RelationKind::behind;
+  }
+  if (swapped)
+    return opposite(a.relation, b.relation) && a.relation != RelationKind::left_of &&
+           a.relation != RelationKind::right_of;
+  return a.subject == b.subject && stands_at_side(a) && stands_at_side(b) &&
+         opposite_sides(a.object, b.object);
+}
+
+bool openings_clash(const Requirement& a, const Requirement& b) {
+  const auto differ = [](const std::string& x, const std::string& y) {
+    return !x.empty() && !y.empty() && x != y;
+  };
+  return a.subject == b.subject && a.value == 0 && b.value == 0 &&
+         (differ(a.object, b.object) || differ(a.second_object, b.second_object));
+}
+
+bool clash(const Requirement& a, const Requirement& b) {
+  if (a.kind == Kind::relation && b.kind == Kind::relation) return relations_clash(a, b);
+  if (opposite(a.kind, b.kind)) return a.subject == b.subject;
+  const bool place_of_absent = a.kind == Kind::zone_absent && b.kind == Kind::relation;
+  if (place_of_absent) return a.subject == b.subject && b.relation != RelationKind::far;
+  if (b.kind == Kind::zone_absent && a.kind == Kind::relation) return clash(b, a);
+  if (a.kind != b.kind) return false;
+  if (a.kind == Kind::opening) return openings_clash(a, b);
+  if (is_choice(a.kind)) return a.subject == b.subject && a.object != b.object;
+  return is_number(a.kind) && a.subject == b.subject && numbers_clash(a, b);
+}
+
+bool same_wish(const Requirement& a, const Requirement& b) {
+  return a.kind == b.kind && a.subject == b.subject && a.object == b.object &&
+         a.second_object == b.second_object && a.relation == b.relation &&
+         a.comparison == b.comparison && a.value == b.value && a.second_value == b.second_value;
+}
+
+// What the two wishes are about.
+std::string topic(const Requirement& wish) {
+  std::string text(name_of(wish.kind));
+  if (!wish.subject.empty()) text += " " + wish.subject;
+  return text;
+}
+
+// True when the later of two wishes gives way.
+bool earlier_wins(const Requirement& earlier, const Requirement& later) {
+  return earlier.strength == Strength::must && later.strength == Strength::prefer;
+}
+
+void drop(Understanding& understanding,
+          std::size_t lost,
+          const Requirement& kept,
+          std::string why) {
+  const Requirement loser = understanding.requirements[lost];
+  understanding.conflicts.push_back({topic(loser), kept.text, loser.text, std::move(why)});
+  understanding.requirements.erase(understanding.requirements.begin() +
+                                   static_cast<std::ptrdiff_t>(lost));
+}
+
+std::string describe_flag(const Brief& brief, Kind kind) {
+  if (kind == Kind::profile) return "--profile " + *brief.profile;
+  if (kind == Kind::style) return "--style " + *brief.style;
+  return "--size " + std::to_string((*brief.size_mm)[0]) + " x " +
+         std::to_string((*brief.size_mm)[1]) + " mm";
+}
+
+bool flag_contradicts(const Brief& brief, const Requirement& wish) {
+  constexpr double rounding_mm = 1;
+  switch (wish.kind) {
+    case Kind::profile:
+      return brief.profile && *brief.profile != wish.object;
+    case Kind::style:
+      return brief.style && *brief.style != wish.object;
+    case Kind::size:
+      return brief.size_mm && (std::abs((*brief.size_mm)[0] - wish.value) > rounding_mm ||
+                               std::abs((*brief.size_mm)[1] - wish.second_value) > rounding_mm);
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+void settle_conflicts(Understanding& understanding) {
+  std::vector<Requirement>& wishes = understanding.requirements;
+  for (std::size_t later = 1; later < wishes.size();) {
+    bool lost = false;
+    for (std::size_t earlier = 0; earlier < later && !lost;) {
+      if (same_wish(wishes[earlier], wishes[later])) {
+        wishes.erase(wishes.begin() + static_cast<std::ptrdiff_t>(later));
+        lost = true;
+      } else if (!clash(wishes[earlier], wishes[later])) {
+        ++earlier;
+      } else if (earlier_wins(wishes[earlier], wishes[later])) {
+        const Requirement kept = wishes[earlier];
+        drop(understanding, later, kept, "what must be wins over what is preferred");
+        lost = true;
+      } else {
+        const Requirement kept = wishes[later];
+        const bool equal = kept.strength == wishes[earlier].strength;
+        drop(understanding,
+             earlier,
+             kept,
+             equal ? "the two contradict each other; what was said last holds"
+                   : "what must be wins over what is preferred");
+        --later;
+      }
+    }
+    if (!lost) ++later;
+  }
+}
+
+void apply_flags(const Brief& brief, Understanding& understanding) {
+  for (std::size_t i = 0; i < understanding.requirements.size();) {
+    const Requirement wish = understanding.requirements[i];
+    if (!flag_contradicts(brief, wish)) {
+      ++i;
+      continue;
+    }
+    Requirement flag = wish;
+    flag.text = describe_flag(brief, wish.kind);
+    drop(understanding, i, flag, "a flag wins over the text");
+  }
+}
+
+}  // namespace marketgen

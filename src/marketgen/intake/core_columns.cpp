@@ -1,0 +1,167 @@
+#include "intake/core_columns.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "intake/strips.h"
+#include "intake/zone_sizes.h"
+
+namespace marketgen {
+namespace {
+
+constexpr int wall_shelf_mm = 610;     // a wall unit with its skirting
+constexpr int least_cell_mm = 2600;    // two sections of a gondola
+constexpr int stacked_cell_mm = 4200;  // worth a cross aisle
+constexpr double widest_aisle = 1.35;  // of the habitual width: wider looks empty
+constexpr int fit_margin_mm = 12;      // so that rounding never costs a run
+
+// Zones one behind the other, and how many runs stand side by side.
+struct CoreColumn {
+  std::vector<int> zones;
+  int runs = 1;
+  int most_runs = 99;
+  int line_mm = 0;
+  double target_m2 = 0;
+
+  int width(int aisle) const { return runs * line_mm + (runs - 1) * aisle + fit_margin_mm; }
+};
+
+CoreColumn column_of(int zone, const StoreProgram& program) {
+  const ProgramZone& row = program.zones[static_cast<std::size_t>(zone)];
+  CoreColumn column;
+  column.zones = {zone};
+  column.line_mm = line_depth_mm(row, *program.profile);
+  column.target_m2 = row.target_m2;
+  // An island freezer is two rows back to back.
+  const bool island = row.kind != nullptr && row.kind->generator == "island_freezer";
+  if (row.rows) column.runs = column.most_runs = island ? (*row.rows + 1) / 2 : *row.rows;
+  return column;
+}
+
+CoreColumn merged(const CoreColumn& a, const CoreColumn& b) {
+  CoreColumn column = a;
+  column.zones.insert(column.zones.end(), b.zones.begin(), b.zones.end());
+  column.runs = std::max(a.runs, b.runs);
+  column.most_runs = std::min(a.most_runs, b.most_runs);
+  column.line_mm = std::max(a.line_mm, b.line_mm);
+  column.target_m2 += b.target_m2;
+  return column;
+}
+
+int width_of(const std::vector<CoreColumn>& columns, int aisle) {
+  int width = (static_cast<int>(columns.size()) - 1) * aisle;
+  for (const CoreColumn& column : columns)
+    width += column.width(aisle);
+  return width;
+}
+
+int runs_of(const std::vector<CoreColumn>& columns) {
+  return std::accumulate(columns.begin(), columns.end(), 0, [](int sum, const CoreColumn& column) {
+    return sum + column.runs;
+  });
+}
+
+// Puts the two neighbours with the least floor one behind the other.
+void merge_smallest(std::vector<CoreColumn>& columns) {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i + 1 < columns.size(); ++i) {
+    const double here = columns[i].target_m2 + columns[i + 1].target_m2;
+    if (here < columns[best].target_m2 + columns[best + 1].target_m2) best = i;
+  }
+  columns[best] = merged(columns[best], columns[best + 1]);
+  columns.erase(columns.begin() + static_cast<std::ptrdiff_t>(best) + 1);
+}
+
+std::vector<CoreColumn> stacked_columns(std::vector<CoreColumn> columns, int depth_mm) {
+  if (depth_mm < 2 * stacked_cell_mm) return columns;
+  std::vector<CoreColumn> pairs;
+  for (std::size_t i = 0; i < columns.size(); i += 2) {
+    pairs.push_back(i + 1 < columns.size() ? merged(columns[i], columns[i + 1]) : columns[i]);
+  }
+  return pairs;
+}
+
+// Adds runs where the target is least met, while they fit.
+void grow(std::vector<CoreColumn>& columns, int width_mm, int aisle, int most_runs) {
+  while (runs_of(columns) < most_runs) {
+    CoreColumn* neediest = nullptr;
+    for (CoreColumn& column : columns) {
+      const bool fits = width_of(columns, aisle) + column.line_mm + aisle <= width_mm;
+      if (!fits || column.runs >= column.most_runs) continue;
+      const auto need = [](const CoreColumn& c) { return c.target_m2 / (c.runs * c.line_mm); };
+      if (neediest == nullptr || need(column) > need(*neediest)) neediest = &column;
+    }
+    if (neediest == nullptr) return;
+    ++neediest->runs;
+  }
+}
+
+// The aisle that uses up the width, within reason. Shelves on the room's walls have one before them too.
+int fitted_aisle(const std::vector<CoreColumn>& columns,
+                 const CoreRoom& room,
+                 const StoreProgram& program) {
+  const int walls = (room.wall_west ? 1 : 0) + (room.wall_east ? 1 : 0);
+  const int gaps = runs_of(columns) - 1 + walls;
+  if (gaps <= 0 || program.aisle_mm) return room.run_aisle_mm;
+  int fixtures = walls * wall_shelf_mm;
+  for (const CoreColumn& column : columns)
+    fixtures += column.runs * column.line_mm + fit_margin_mm;
+  const int fitted = (room.width_mm - fixtures) / gaps;
+  const int least = std::min(room.run_aisle_mm, program.profile->minimum_aisle_mm + 100);
+  const int most = static_cast<int>(room.run_aisle_mm * widest_aisle);
+  return std::clamp(fitted, least, most);
+}
+
+Slice slice_of(const CoreColumn& column, const StoreProgram& program, int depth_mm) {
+  if (column.zones.size() == 1) return zone_slice(column.zones[0]);
+  const bool roomy = depth_mm >= 2 * stacked_cell_mm;
+  const int gap = roomy ? program.profile->cross_aisle_mm : program.profile->secondary_aisle_mm;
+  return make_strip(column.zones, program, {Axis::y, depth_mm, column.width(0), gap}).slice;
+}
+
+}  // namespace
+
+Core make_core(const std::vector<int>& zones,
+               const StoreProgram& program,
+               const CoreRoom& room,
+               bool stacked) {
+  std::vector<CoreColumn> columns;
+  for (const int zone : zones)
+    columns.push_back(column_of(zone, program));
+  if (stacked) columns = stacked_columns(std::move(columns), room.depth_mm);
+  const auto on_wall = [](bool wall, int aisle) { return wall ? wall_shelf_mm + aisle : 0; };
+  const int width = room.width_mm - on_wall(room.wall_west, room.run_aisle_mm) -
+                    on_wall(room.wall_east, room.run_aisle_mm);
+  while (columns.size() > 1 && width_of(columns, room.run_aisle_mm) > width) {
+    merge_smallest(columns);
+  }
+  // n aisles lie between n + 1 lines; the lines on the two sides of the core are not its own.
+  const int most_runs = program.aisles ? std::max(1, *program.aisles - 1) : 99;
+  const int narrow = program.aisles ? program.profile->minimum_aisle_mm + 200 : room.run_aisle_mm;
+  grow(columns, width, narrow, most_runs);
+
+  Core core;
+  core.run_aisle_mm = fitted_aisle(columns, room, program);
+  const int at_west = on_wall(room.wall_west, core.run_aisle_mm);
+  const int at_east = on_wall(room.wall_east, core.run_aisle_mm);
+  core.runs = runs_of(columns);
+  core.slice = cut_slice(Axis::x);
+  const int used = at_west + width_of(columns, core.run_aisle_mm) + at_east;
+  core.crowding += std::max(0, used - room.width_mm) * 1e-3;
+  const int spare = room.width_mm - used;  // negative when too narrow: rectangles still add up
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const auto share = static_cast<int>(columns.size());
+    int size = columns[i].width(core.run_aisle_mm) + spare / share;
+    if (i == 0) size += at_west;
+    if (i + 1 == columns.size()) size += at_east + spare % share;
+    for (std::size_t k = 1; k < columns[i].zones.size(); ++k) {
+      const int cell = room.depth_mm / static_cast<int>(columns[i].zones.size());
+      core.crowding += std::max(0, least_cell_mm - cell) * 1e-3;
+    }
+    core.slice.add(slice_of(columns[i], program, room.depth_mm), size, core.run_aisle_mm);
+  }
+  core.slice = simplified(std::move(core.slice));
+  return core;
+}
+
+}  // namespace marketgen

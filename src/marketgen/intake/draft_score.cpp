@@ -1,0 +1,217 @@
+#include "intake/draft_score.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "intake/relation_geometry.h"
+
+namespace marketgen {
+namespace {
+
+// Penalty points. Missed wishes outweigh everything but floors that cannot be built.
+constexpr double unbuildable = 1000;
+constexpr double must_missed = 60, prefer_missed = 25;
+constexpr double crowding_per_m = 30;
+constexpr double waste_per_m2 = 0.3;
+constexpr double area_off = 3, most_area_off = 5;
+constexpr double stressed_factor = 3;      // "lots of" cold drinks need their floor most
+constexpr double aside_but_remote = 20;    // "left of the entrance" is said of what is close to it
+constexpr double asked_area_off = 60;  // floor that was asked for in numbers
+constexpr double asked_area_tolerance = 0.1;
+constexpr double short_core_per_m = 8;  // gondola runs shorter than a few sections
+constexpr double aisle_missed = 12;        // each aisle more or less than asked for
+constexpr double least_run_mm = 3800;
+
+// Adjacency facts of shop design, in points (sources: design/generation.md, "Adjacency").
+constexpr double produce_far_from_entrance = 7;  // over the diagonal
+constexpr double bakery_far_from_entrance = 3;
+constexpr double destination_near_entrance =
+    4;                                       // dairy, meat and the like pull shoppers to the rear
+constexpr double frozen_far_from_tills = 3;  // frozen goods are taken last
+constexpr double cold_group = 5;             // refrigeration is grouped
+constexpr double raw_beside_ready = 3;
+constexpr double chemicals_beside_food = 5;
+constexpr double beside_mm = 800;         // a divider between two cabinets is less, an aisle more
+constexpr double same_group_mm = 3500;
+
+bool is_type(const ProgramZone& zone, std::initializer_list<std::string_view> types) {
+  return std::ranges::find(types, zone.type->type) != types.end();
+}
+
+double diagonal_mm(const RectMm& floor) {
+  return distance_mm({floor.x0, floor.y0, floor.x0, floor.y0},
+                     {floor.x1, floor.y1, floor.x1, floor.y1});
+}
+
+// How far apart, in diagonals, things are that were said to be beside, behind or opposite one another.
+double remoteness_of(const Requirement& wish, const Candidate& candidate,
+                     const StoreProgram& program) {
+  constexpr RelationKind kinds[] = {RelationKind::left_of, RelationKind::right_of,
+                                    RelationKind::behind, RelationKind::facing};
+  if (std::ranges::find(kinds, wish.relation) == std::ranges::end(kinds)) return 0;
+  double nearest = diagonal_mm(candidate.floor);
+  for (const RectMm& a : places_named(candidate, program, wish.subject)) {
+    for (const RectMm& b : places_named(candidate, program, wish.object)) {
+      nearest = std::min(nearest, distance_mm(a, b));
+    }
+  }
+  return nearest / diagonal_mm(candidate.floor);
+}
+
+double wish_penalty(const Candidate& candidate, const ScoreInput& input) {
+  double sum = 0;
+  for (const Requirement& wish : input.understanding.requirements) {
+    const double weight = wish.strength == Strength::must ? must_missed : prefer_missed;
+    if (wish.kind == RequirementKind::relation) {
+      sum += weight * miss_of(wish, candidate, input.program) +
+             aside_but_remote * remoteness_of(wish, candidate, input.program);
+    }
+    if (wish.kind != RequirementKind::opening || wish.second_object.empty()) continue;
+    if (wish.subject != "entrance" && wish.subject != "exit") continue;
+    const Opening& door = candidate.openings[wish.subject == "entrance" ? 0 : 1];
+    const bool low_end = wish.second_object == "west" || wish.second_object == "south";
+    const double wanted = wish.second_object == "center" ? 0.5 : (low_end ? 0.0 : 1.0);
+    sum += weight * std::max(0.0, std::abs(door.center - wanted) - 0.35);
+  }
+  return sum;
+}
+
+// Floor with its share of the aisles around it.
+double area_with_aisles(const RectMm& rect, const RectMm& floor, int aisle_mm) {
+  const RectMm grown = rect.grown(aisle_mm / 2);
+  return intersection(grown, floor).value_or(rect).area_m2();
+}
+
+double room_penalty(const Candidate& candidate, const ScoreInput& input) {
+  double sum =
+      crowding_per_m * candidate.drafted.crowding + waste_per_m2 * candidate.drafted.waste_m2;
+  for (std::size_t i = 0; i < input.program.zones.size(); ++i) {
+    const ProgramZone& zone = input.program.zones[i];
+    const RectMm& rect = candidate.rects[i];
+    if (rect.empty() || std::min(rect.width(), rect.depth()) < 1000) sum += unbuildable;
+    if (is_type(zone, {"checkout", "self_checkout", "customer_service"})) continue;
+    if (zone.wanted_m2) {
+      const double off = std::abs(rect.area_m2() / *zone.wanted_m2 - 1);
+      sum += asked_area_off * std::max(0.0, off - asked_area_tolerance);
+      continue;
+    }
+    const double area = area_with_aisles(rect, candidate.floor, candidate.drafted.run_aisle_mm);
+    const double target = std::max(1.0, zone.target_m2);
+    const double ratio = std::max(area / target, target / std::max(0.1, area));
+    const bool stressed = zone.stressed && area < target;
+    sum += area_off * (stressed ? stressed_factor : 1) * std::min(most_area_off, ratio - 1);
+  }
+  return sum;
+}
+
+double core_penalty(const FloorDraft& draft, const Candidate& candidate, const ScoreInput& input) {
+  const bool along_y =
+      candidate.openings[0].wall == Wall::south || candidate.openings[0].wall == Wall::north;
+  double sum = 0;
+  for (const int zone : draft.band(Band::core)) {
+    const RectMm& rect = candidate.rects[static_cast<std::size_t>(zone)];
+    const int run = along_y ? rect.depth() : rect.width();
+    sum += short_core_per_m * 1e-3 * std::max(0.0, least_run_mm - run);
+  }
+  if (input.program.aisles)
+    sum += std::abs(candidate.drafted.runs + 1 - *input.program.aisles) * aisle_missed;
+  return sum;
+}
+
+// Distances to doors and tills, over the diagonal.
+double flow_penalty(const Candidate& candidate, const ScoreInput& input) {
+  const double diagonal = diagonal_mm(candidate.floor);
+  const PointMm door = threshold_of(candidate.openings[0], candidate.floor);
+  const RectMm entrance{door[0], door[1], door[0], door[1]};
+  const std::vector<RectMm> tills = places_named(candidate, input.program, "checkout");
+  double sum = 0;
+  for (std::size_t i = 0; i < input.program.zones.size(); ++i) {
+    const ProgramZone& zone = input.program.zones[i];
+    const double from_door = distance_mm(candidate.rects[i], entrance) / diagonal;
+    if (is_type(zone, {"produce", "promo"})) sum += produce_far_from_entrance * from_door;
+    if (is_type(zone, {"bakery"})) sum += bakery_far_from_entrance * from_door;
+    if (is_type(zone, {"dairy", "meat_fish"})) sum += destination_near_entrance * (1 - from_door);
+    if (is_type(zone, {"frozen"}) && !tills.empty()) {
+      sum += frozen_far_from_tills * distance_mm(candidate.rects[i], tills[0]) / diagonal;
+    }
+  }
+  return sum;
+}
+
+// Refrigerated zones that lie near one another are one group: they share piping.
+int cold_groups(const Candidate& candidate, const std::vector<ProgramZone>& zones) {
+  std::vector<std::size_t> group(zones.size());
+  int groups = 0;
+  for (std::size_t i = 0; i < zones.size(); ++i) {
+    group[i] = i;
+    if (!zones[i].cold) continue;
+    ++groups;
+    for (std::size_t k = 0; k < i; ++k) {
+      const bool near = zones[k].cold && group[k] != group[i] &&
+                        distance_mm(candidate.rects[i], candidate.rects[k]) < same_group_mm;
+      if (!near) continue;
+      --groups;
+      const std::size_t from = group[k], to = group[i];
+      std::replace(group.begin(), group.end(), from, to);
+    }
+  }
+  return groups;
+}
+
+double neighbour_penalty(const Candidate& candidate, const ScoreInput& input) {
+  const std::vector<ProgramZone>& zones = input.program.zones;
+  double sum = 0;
+  for (std::size_t a = 0; a < zones.size(); ++a) {
+    for (std::size_t b = 0; b < zones.size(); ++b) {
+      if (a == b) continue;
+      const double gap = distance_mm(candidate.rects[a], candidate.rects[b]);
+      if (gap >= beside_mm) continue;
+      const bool ready = is_type(zones[b], {"bakery", "deli", "cafe"});
+      const bool food = zones[b].type->food && !zones[b].type->categories.empty() &&
+                        zones[b].type->type != "checkout";
+      if (is_type(zones[a], {"meat_fish"}) && ready) sum += raw_beside_ready;
+      if (is_type(zones[a], {"household"}) && food) sum += chemicals_beside_food;
+    }
+  }
+  return sum + cold_group * std::max(0, cold_groups(candidate, zones) - 1);
+}
+
+double habit_penalty(const FloorDraft& draft, const ScoreInput& input) {
+  double sum = 0;
+  for (std::size_t b = 0; b < band_count; ++b) {
+    for (const int index : draft.bands[b]) {
+      const auto i = static_cast<std::size_t>(index);
+      sum += band_habit(input.program.zones[i], static_cast<Band>(b)) + input.taste[i][b];
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+double band_habit(const ProgramZone& zone, Band band) {
+  //                              front west east north core
+  constexpr std::array<std::array<double, band_count>, 4> habits = {{
+      {12, 3, 3, 4, 0},  // central
+      {5, 0, 0, 0, 6},   // wall
+      {0, 2, 2, 4, 3},   // hall
+      {0, 9, 9, 9, 12},  // front
+  }};
+  double points = habits[static_cast<std::size_t>(zone.stance)][index_of(band)];
+  const std::string& anchor = zone.type->anchor;
+  if (anchor == "entrance" && band == Band::front) points -= 3;
+  if (anchor == "entrance" && band == Band::north) points += 3;
+  if (anchor == "north" && band != Band::north) points += 2;
+  if (zone.cold && band == Band::front) points += 5;
+  if (zone.kind == nullptr && band != Band::north) points += 5;  // storage lies at the back
+  return points;
+}
+
+double penalty_of(const FloorDraft& draft, const Candidate& candidate, const ScoreInput& input) {
+  const double depth_fault = tree_depth(candidate.root) > max_bsp_depth ? unbuildable : 0;
+  return depth_fault + wish_penalty(candidate, input) + room_penalty(candidate, input) +
+         core_penalty(draft, candidate, input) + flow_penalty(candidate, input) +
+         neighbour_penalty(candidate, input) + habit_penalty(draft, input);
+}
+
+}  // namespace marketgen

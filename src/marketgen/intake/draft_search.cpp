@@ -1,0 +1,271 @@
+#include "intake/draft_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "intake/zone_sizes.h"
+
+namespace marketgen {
+namespace {
+
+constexpr int starts = 8;
+constexpr int moves_per_start = 220;
+constexpr double wished_zone_chance = 0.35;  // moves of zones whose place was asked for
+constexpr double first_temperature = 6;  // in penalty points; falls to nothing over a start's moves
+constexpr double taste_points = 2.5;
+constexpr double corner_tills_below_m2 = 190;
+constexpr int corner_tills_below_depth_mm = 10500;
+
+class Search {
+ public:
+  Search(const StoreProgram& program,
+         const Understanding& understanding,
+         const Catalog& catalog,
+         Seed seed)
+      : program_(program), understanding_(understanding), catalog_(catalog), seed_(seed) {
+    Stream draw = seed.child("taste").stream();
+    for (std::size_t i = 0; i < program.zones.size(); ++i) {
+      taste_.emplace_back();
+      for (double& points : taste_.back()) points = draw.uniform(0, taste_points);
+      if (is_wished(program.zones[i].type->type)) wished_.push_back(static_cast<int>(i));
+    }
+  }
+
+  FoundDraft run() {
+    FoundDraft best;
+    best.penalty = HUGE_VAL;
+    for (int i = 0; i < starts; ++i) {
+      Stream draw = seed_.child("start", static_cast<std::uint64_t>(i)).stream();
+      improve(start(draw), draw, best);
+    }
+    best.evaluations = evaluations_;
+    return best;
+  }
+
+ private:
+  bool is_wished(const std::string& type) const {
+    return std::ranges::any_of(understanding_.requirements, [&](const Requirement& wish) {
+      return wish.kind == RequirementKind::relation &&
+             (wish.subject == type || wish.object == type || wish.second_object == type);
+    });
+  }
+
+  double evaluate(const FloorDraft& draft, FoundDraft& best) {
+    ++evaluations_;
+    Candidate candidate = make_candidate(draft, program_, understanding_, catalog_);
+    const double penalty = penalty_of(draft, candidate, {program_, understanding_, taste_});
+    if (penalty < best.penalty) best = {draft, std::move(candidate), penalty, 0};
+    return penalty;
+  }
+
+  void improve(FloorDraft draft, Stream& draw, FoundDraft& best) {
+    double current = evaluate(draft, best);
+    for (int move = 0; move < moves_per_start; ++move) {
+      FloorDraft changed = draft;
+      change(changed, draw);
+      const double penalty = evaluate(changed, best);
+      const double left = 1 - static_cast<double>(move) / moves_per_start;
+      const double slack = first_temperature * left * left * draw.uniform();
+      if (penalty > current + slack) continue;
+      draft = std::move(changed);
+      current = penalty;
+    }
+  }
+
+  // ---- Starts ----
+
+  FloorDraft start(Stream& draw) {
+    FloorDraft draft;
+    const bool front_runs_east = entrance_wall_of(understanding_) == Wall::south ||
+                                 entrance_wall_of(understanding_) == Wall::north;
+    const int depth = front_runs_east ? program_.depth_mm : program_.width_mm;
+    draft.corner_tills =
+        program_.area_m2() < corner_tills_below_m2 || depth < corner_tills_below_depth_mm;
+    draft.tills_east = draw.chance(0.5);
+    draft.stacked_core = draw.chance(0.35);
+    draft.deep_west = draw.chance(0.3);
+    draft.deep_east = !draft.deep_west && draw.chance(0.3);
+    std::vector<int> order;
+    for (int i = 0; i < static_cast<int>(program_.zones.size()); ++i)
+      order.push_back(i);
+    draw.shuffle(std::span(order));
+    for (const int zone : order)
+      place(draft, zone);
+    order_tills(draft);
+    draft.entrance_gap = draft.band(Band::front).size();
+    keep_core(draft);
+    center_core(draft);
+    return draft;
+  }
+
+  // Into the band that suits the zone best, counting taste and how full the band is.
+  void place(FloorDraft& draft, int zone) {
+    const auto index = static_cast<std::size_t>(zone);
+    const ProgramZone& row = program_.zones[index];
+    if (row.stance == Stance::front && row.type->type != "cafe") {
+      draft.tills.push_back(zone);
+      return;
+    }
+    std::size_t best = 0;
+    double best_points = HUGE_VAL;
+    for (std::size_t b = 0; b < band_count; ++b) {
+      constexpr double asked_for = 50;
+      constexpr double crowded = 0.8;      // each zone that stands there already
+      const double many =
+          b == index_of(Band::core) ? 0 : crowded * static_cast<double>(draft.bands[b].size());
+      const double points = band_habit(row, static_cast<Band>(b)) + taste_[index][b] + many -
+                            (wished_band(row.type->type) == static_cast<Band>(b) ? asked_for : 0);
+      if (points >= best_points) continue;
+      best = b;
+      best_points = points;
+    }
+    draft.bands[best].push_back(zone);
+  }
+
+  // The band in which a zone stands where it was asked to be.
+  std::optional<Band> wished_band(const std::string& type) const {
+    for (const Requirement& wish : understanding_.requirements) {
+      if (wish.kind != RequirementKind::relation || wish.subject != type) continue;
+      const bool aside = wish.relation == RelationKind::left_of ||
+                         wish.relation == RelationKind::right_of ||
+                         wish.relation == RelationKind::near;
+      if (aside && (wish.object == "entrance" || wish.object == "checkout")) return Band::front;
+      if (wish.relation != RelationKind::at && wish.relation != RelationKind::along) continue;
+      if (wish.object == "center") return Band::core;
+      if (const auto wall = value_named<Wall>(wish.object)) return band_at(*wall);
+    }
+    return std::nullopt;
+  }
+
+  // The band along a wall of the store as built.
+  Band band_at(Wall wall) const {
+    // Walls counter-clockwise from the entrance's.
+    constexpr std::array<Wall, 4> turn = {Wall::south, Wall::east, Wall::north, Wall::west};
+    constexpr std::array<Band, 4> along = {Band::front, Band::east, Band::north, Band::west};
+    const auto at = [&](Wall w) { return std::ranges::find(turn, w) - turn.begin(); };
+    const auto steps = at(wall) - at(entrance_wall_of(understanding_)) + 4;
+    return along[static_cast<std::size_t>(steps % 4)];
+  }
+
+  // Zones that are to be in the middle of the store stand in the middle of the core.
+  void center_core(FloorDraft& draft) const {
+    std::vector<int>& core = draft.band(Band::core);
+    for (std::size_t i = 0; i < core.size(); ++i) {
+      const std::string& type = program_.zones[static_cast<std::size_t>(core[i])].type->type;
+      const bool central = std::ranges::any_of(understanding_.requirements, [&](const auto& wish) {
+        return wish.kind == RequirementKind::relation && wish.subject == type &&
+               wish.object == "center";
+      });
+      if (central) std::swap(core[i], core[core.size() / 2]);
+    }
+  }
+
+  // Checkouts first, next to the entrance's side; machines, then service.
+  void order_tills(FloorDraft& draft) const {
+    const auto rank = [&](int zone) {
+      const std::string& type = program_.zones[static_cast<std::size_t>(zone)].type->type;
+      return std::pair{type == "checkout" ? 0 : (type == "self_checkout" ? 1 : 2), zone};
+    };
+    std::ranges::sort(draft.tills, {}, rank);
+  }
+
+  // Some zone must fill the middle.
+  void keep_core(FloorDraft& draft) const {
+    if (!draft.band(Band::core).empty()) return;
+    for (const Band from : {Band::west, Band::east, Band::north, Band::front}) {
+      if (draft.band(from).empty()) continue;
+      draft.band(Band::core).push_back(draft.band(from).back());
+      draft.band(from).pop_back();
+      return;
+    }
+  }
+
+  // ---- Moves ----
+
+  struct Place {
+    std::size_t band, at;
+  };
+
+  std::optional<Place> random_place(const FloorDraft& draft, Stream& draw) const {
+    std::size_t zones = 0;
+    for (const auto& band : draft.bands)
+      zones += band.size();
+    if (zones == 0) return std::nullopt;
+    auto pick = static_cast<std::size_t>(draw.integer(0, static_cast<int>(zones) - 1));
+    for (std::size_t b = 0; b < band_count; ++b) {
+      if (pick < draft.bands[b].size()) return Place{b, pick};
+      pick -= draft.bands[b].size();
+    }
+    return std::nullopt;
+  }
+
+  // Where a zone stands whose place was asked for; nothing when it is a till.
+  std::optional<Place> wished_place(const FloorDraft& draft, Stream& draw) const {
+    const int zone =
+        wished_[static_cast<std::size_t>(draw.integer(0, static_cast<int>(wished_.size()) - 1))];
+    for (std::size_t b = 0; b < band_count; ++b) {
+      for (std::size_t i = 0; i < draft.bands[b].size(); ++i) {
+        if (draft.bands[b][i] == zone) return Place{b, i};
+      }
+    }
+    return std::nullopt;
+  }
+
+  void change(FloorDraft& draft, Stream& draw) const {
+    const double kind = draw.uniform();
+    if (kind < 0.40) {
+      swap_zones(draft, draw);
+    } else if (kind < 0.82) {
+      move_zone(draft, draw);
+    } else if (kind < 0.88) {
+      draft.tills_east = !draft.tills_east;
+    } else if (kind < 0.93) {
+      draft.entrance_gap = static_cast<std::size_t>(
+          draw.integer(0, static_cast<int>(draft.band(Band::front).size())));
+    } else if (kind < 0.96) {
+      draft.stacked_core = !draft.stacked_core;
+    } else {
+      bool& deep = draw.chance(0.5) ? draft.deep_west : draft.deep_east;
+      deep = !deep;
+    }
+    keep_core(draft);
+  }
+
+  void swap_zones(FloorDraft& draft, Stream& draw) const {
+    const auto a = random_place(draft, draw);
+    const auto b = random_place(draft, draw);
+    if (a && b) std::swap(draft.bands[a->band][a->at], draft.bands[b->band][b->at]);
+  }
+
+  void move_zone(FloorDraft& draft, Stream& draw) const {
+    auto from = random_place(draft, draw);
+    if (!wished_.empty() && draw.chance(wished_zone_chance)) from = wished_place(draft, draw);
+    if (!from) return;
+    std::vector<int>& source = draft.bands[from->band];
+    const int zone = source[from->at];
+    source.erase(source.begin() + static_cast<std::ptrdiff_t>(from->at));
+    std::vector<int>& target =
+        draft.bands[static_cast<std::size_t>(draw.integer(0, static_cast<int>(band_count) - 1))];
+    const int at = draw.integer(0, static_cast<int>(target.size()));
+    target.insert(target.begin() + at, zone);
+  }
+
+  const StoreProgram& program_;
+  const Understanding& understanding_;
+  const Catalog& catalog_;
+  Seed seed_;
+  BandTaste taste_;
+  std::vector<int> wished_;                // zones that relations name
+  int evaluations_ = 0;
+};
+
+}  // namespace
+
+FoundDraft search_draft(const StoreProgram& program,
+                        const Understanding& understanding,
+                        const Catalog& catalog,
+                        Seed seed) {
+  return Search(program, understanding, catalog, seed).run();
+}
+
+}  // namespace marketgen

@@ -1,0 +1,184 @@
+#include "intake/lexicon.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+#include "base/text.h"
+#include "io/file.h"
+#include "io/json.h"
+
+namespace marketgen {
+namespace {
+
+constexpr std::size_t shortest_corrected = 5;  // letters; shorter words are too alike
+
+std::vector<std::string> stems_of(std::string_view words) {
+  std::vector<std::string> stems;
+  for (const Token& token : tokenize(words)) {
+    if (token.kind != TokenKind::sentence_end) stems.push_back(token.stem);
+  }
+  return stems;
+}
+
+// One bit per letter: words that are one slip apart differ in at most two bits.
+std::uint32_t letters_of(std::string_view word) {
+  std::uint32_t letters = 0;
+  for (const char c : word)
+    letters |= 1U << (static_cast<unsigned char>(c) % 32U);
+  return letters;
+}
+
+// A slip rarely hits the first letter, unless it swaps the first two.
+bool starts_alike(std::string_view a, std::string_view b) {
+  return a[0] == b[0] || (a[0] == b[1] && a[1] == b[0]);
+}
+
+// The zone type whose shelves these goods stand on: one that names their subcategory before one
+// that takes the category.
+std::string zone_selling(const Catalog& catalog, const Product& product) {
+  const auto lists = [](const std::vector<std::string>& names, const std::string& name) {
+    return std::ranges::find(names, name) != names.end();
+  };
+  std::string general;
+  for (const ZoneTypeRow& zone : catalog.zone_types) {
+    if (!lists(zone.categories, product.category)) continue;
+    if (lists(zone.subcategories, product.subcategory)) return zone.type;
+    if (zone.subcategories.empty() && general.empty()) general = zone.type;
+  }
+  return general;
+}
+
+std::string zone_using(const Catalog& catalog, const std::string& fixture) {
+  const auto row = std::ranges::find(catalog.zone_types, fixture, &ZoneTypeRow::fixture);
+  return row == catalog.zone_types.end() ? "" : row->type;
+}
+
+}  // namespace
+
+Result<Lexicon> Lexicon::load(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  std::error_code fault;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, fault)) {
+    if (entry.path().extension() == ".json") files.push_back(entry.path());
+  }
+  if (files.empty()) {
+    return Error{"catalog.missing_data",
+                 folder.string(),
+                 "there are no lexicon files here; install the data folder again or set "
+                 "MARKETGEN_DATA to it"};
+  }
+  std::ranges::sort(files);
+  Lexicon lexicon;
+  for (const std::filesystem::path& file : files) {
+    MARKETGEN_TRY(const std::string text, read_file(file));
+    MARKETGEN_TRY(LexiconFile rows, read_json<LexiconFile>(text, file.string()));
+    for (std::size_t i = 0; i < rows.rows.size(); ++i) {
+      MARKETGEN_CHECK(
+          lexicon.add_row(std::move(rows.rows[i]), file.string() + ":/rows/" + std::to_string(i)));
+    }
+  }
+  return lexicon;
+}
+
+Result<void> Lexicon::add_row(LexiconRow row, const std::string& where) {
+  const std::size_t index = rows_.size();
+  rows_.push_back(std::move(row));
+  for (const std::string& words : rows_[index].words) {
+    const std::vector<std::string> stems = stems_of(words);
+    if (stems.empty()) return Error{"catalog.bad_row", where, "a phrase has no words"};
+    const std::vector<Phrase>& list = phrases_[stems[0]];
+    const auto known = std::ranges::find(list, stems, &Phrase::stems);
+    if (known != list.end() && known->row == index) continue;  // folds to the same words
+    if (known != list.end()) {
+      return Error{"catalog.bad_row",
+                   where,
+                   "the phrase \"" + words + "\" already means \"" + rows_[known->row].value +
+                       "\"; a phrase has one meaning"};
+    }
+    add_phrase(words, index);
+  }
+  return {};
+}
+
+void Lexicon::add_phrase(std::string_view words, std::size_t row) {
+  std::vector<std::string> stems = stems_of(words);
+  for (const std::string& stem : stems)
+    vocabulary_.try_emplace(stem, letters_of(stem));
+  std::vector<Phrase>& list = phrases_[stems[0]];
+  const auto shorter = std::ranges::find_if(
+      list, [&](const Phrase& known) { return known.stems.size() < stems.size(); });
+  list.insert(shorter, {std::move(stems), row});
+}
+
+void Lexicon::add_if_new(Sense sense,
+                         const std::string& value,
+                         const std::string& zone,
+                         const std::string& words) {
+  const std::vector<std::string> stems = stems_of(words);
+  if (stems.empty()) return;
+  const auto list = phrases_.find(stems[0]);
+  if (list != phrases_.end() &&
+      std::ranges::any_of(list->second, [&](const Phrase& p) { return p.stems == stems; })) {
+    return;
+  }
+  rows_.push_back({sense, value, 0, zone, {words}});
+  add_phrase(words, rows_.size() - 1);
+}
+
+std::optional<Lexicon::Match> Lexicon::longest_match(const std::vector<Token>& tokens,
+                                                     std::size_t at) const {
+  const auto list = phrases_.find(tokens[at].stem);
+  if (list == phrases_.end()) return std::nullopt;
+  for (const Phrase& phrase : list->second) {
+    if (at + phrase.stems.size() > tokens.size()) continue;
+    const bool same =
+        std::equal(phrase.stems.begin(),
+                   phrase.stems.end(),
+                   tokens.begin() + static_cast<std::ptrdiff_t>(at),
+                   [](const std::string& stem, const Token& token) { return stem == token.stem; });
+    if (same) return Match{&rows_[phrase.row], phrase.stems.size()};
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> Lexicon::corrected(std::string_view word) const {
+  if (word.size() < shortest_corrected || knows_word(word)) return std::nullopt;
+  const std::uint32_t letters = letters_of(word);
+  for (const auto& [known, known_letters] : vocabulary_) {
+    if (known.size() + 1 < word.size() || known.size() > word.size() + 1) continue;
+    if (known.size() < shortest_corrected || std::popcount(letters ^ known_letters) > 2) continue;
+    if (starts_alike(word, known) && edit_distance(word, known) == 1) return known;
+  }
+  return std::nullopt;
+}
+
+Lexicon Lexicon::with_words_of(const Catalog& catalog) const {
+  Lexicon all = *this;
+  for (const ZoneTypeRow& zone : catalog.zone_types) {
+    all.add_if_new(Sense::zone, zone.type, "", zone.label);
+    for (const std::string& word : zone.keywords)
+      all.add_if_new(Sense::zone, zone.type, "", word);
+  }
+  for (const FixtureKind& fixture : catalog.fixture_kinds) {
+    const std::string zone = zone_using(catalog, fixture.kind);
+    all.add_if_new(Sense::fixture, fixture.kind, zone, fixture.name);
+    for (const std::string& word : fixture.keywords) {
+      all.add_if_new(Sense::fixture, fixture.kind, zone, word);
+    }
+  }
+  for (const StyleRow& style : catalog.styles) {
+    all.add_if_new(Sense::style, style.id, "", style.name);
+    for (const std::string& word : style.keywords) {
+      all.add_if_new(Sense::style, style.id, "", word);
+    }
+  }
+  for (const Product& product : catalog.products) {
+    const std::string zone = zone_selling(catalog, product);
+    all.add_if_new(Sense::product, product.subcategory, zone, product.subcategory);
+    all.add_if_new(Sense::product, product.name, zone, product.name);
+  }
+  return all;
+}
+
+}  // namespace marketgen

@@ -1,0 +1,150 @@
+#include "intake/offline_planner.h"
+
+#include <algorithm>
+
+#include "intake/conflicts.h"
+#include "intake/draft_search.h"
+#include "intake/plan_writer.h"
+#include "intake/relation_geometry.h"
+#include "intake/store_program.h"
+#include "intake/understanding.h"
+#include "plan/bsp.h"
+
+namespace marketgen {
+namespace {
+
+constexpr double crowded_m = 0.4;  // zones that lack more than this do not fit
+constexpr std::size_t fewest_zones = 2;
+
+bool is_named(const Understanding& found, const ProgramZone& zone) {
+  return std::ranges::any_of(found.requirements, [&](const Requirement& wish) {
+    return wish.kind != RequirementKind::zone_absent &&
+           (wish.subject == zone.type->type || wish.object == zone.type->type);
+  });
+}
+
+// The zone that is given up first: the least important one that nobody asked for, else the last one
+// asked for.
+std::size_t most_dispensable(const StoreProgram& program, const Understanding& found) {
+  for (std::size_t i = program.zones.size(); i-- > 0;) {
+    const bool till = program.zones[i].type->type == "checkout";
+    if (!till && !is_named(found, program.zones[i])) return i;
+  }
+  for (std::size_t i = program.zones.size(); i-- > 0;) {
+    if (program.zones[i].type->type != "checkout") return i;
+  }
+  return program.zones.size() - 1;
+}
+
+// Takes one zone out; a zone that was asked for becomes a conflict.
+void give_up_zone(StoreProgram& program, Understanding& found, std::vector<std::string>& trace) {
+  const std::size_t lost = most_dispensable(program, found);
+  const ProgramZone zone = program.zones[lost];
+  program.zones.erase(program.zones.begin() + static_cast<std::ptrdiff_t>(lost));
+  trace.push_back("no room for " + zone.id);
+  if (!is_named(found, zone)) return;
+  found.conflicts.push_back({"zone " + zone.type->type,
+                             "the size of the store",
+                             zone.type->label,
+                             "the floor has no room for another zone"});
+}
+
+bool fits(const Candidate& candidate, std::size_t zones) {
+  if (candidate.drafted.crowding > crowded_m) return false;
+  if (tree_depth(candidate.root) > max_bsp_depth) return false;
+  for (std::size_t i = 0; i < zones; ++i) {
+    const RectMm& rect = candidate.rects[i];
+    if (std::min(rect.width(), rect.depth()) < min_node_side_mm) return false;
+  }
+  return true;
+}
+
+// A store too small for bands: its zones side by side, the tills next to the door.
+Candidate side_by_side(const StoreProgram& program,
+                       const Understanding& found,
+                       const Catalog& catalog) {
+  FloorDraft draft;
+  for (int i = 0; i < static_cast<int>(program.zones.size()); ++i)
+    draft.tills.push_back(i);
+  Candidate candidate = make_candidate(draft, program, found, catalog);
+  const bool wide = program.width_mm >= program.depth_mm;
+  const int length = wide ? program.width_mm : program.depth_mm;
+  const auto count = static_cast<int>(program.zones.size());
+  const int gap = std::min(1000, length / (3 * count));
+  candidate.root = cut_slice(wide ? Axis::x : Axis::y);
+  const int size = (length - (count - 1) * gap) / count;
+  for (int i = 0; i < count; ++i)
+    candidate.root.add(zone_slice(i), size, gap);
+  candidate.root.sizes_mm.back() = length - (count - 1) * (size + gap);
+  candidate.root = simplified(std::move(candidate.root));
+  candidate.rects = zone_rects(candidate.root, candidate.floor, program.zones.size());
+  return candidate;
+}
+
+Candidate find_floor(StoreProgram& program,
+                     Understanding& found,
+                     const Catalog& catalog,
+                     Seed seed,
+                     std::vector<std::string>& trace) {
+  for (;;) {
+    FoundDraft best = search_draft(program, found, catalog, seed.child("floor"));
+    if (fits(best.candidate, program.zones.size())) {
+      trace.push_back("best of " + std::to_string(best.evaluations) + " floors, penalty " +
+                      std::to_string(static_cast<int>(best.penalty + 0.5)));
+      return std::move(best.candidate);
+    }
+    if (program.zones.size() <= fewest_zones) return side_by_side(program, found, catalog);
+    // Hopeless floors lose several zones at once, so that the search runs a few times only.
+    const int lost = 1 + static_cast<int>(best.candidate.drafted.crowding / 4);
+    for (int i = 0; i < lost && program.zones.size() > fewest_zones; ++i) {
+      give_up_zone(program, found, trace);
+    }
+  }
+}
+
+// A shop without a till is none.
+void keep_tills(Understanding& found, const StoreProgram& program) {
+  const bool has_lanes = std::ranges::any_of(
+      program.zones, [](const ProgramZone& zone) { return zone.type->type == "checkout"; });
+  const auto refused = std::ranges::find_if(found.requirements, [](const Requirement& wish) {
+    return wish.kind == RequirementKind::zone_absent && wish.subject == "checkout";
+  });
+  if (!has_lanes || refused == found.requirements.end()) return;
+  found.conflicts.push_back({"zone checkout",
+                             "a checkout",
+                             refused->text,
+                             "a shop needs a place to pay; ask for self-checkouts instead"});
+  found.requirements.erase(refused);
+}
+
+void trace_relations(const Planned& planned,
+                     const Candidate& candidate,
+                     const StoreProgram& program,
+                     std::vector<std::string>& trace) {
+  for (const Requirement& wish : planned.requirements) {
+    if (wish.kind != RequirementKind::relation) continue;
+    const bool met = miss_of(wish, candidate, program) <= 0;
+    trace.push_back((met ? "met: " : "not met: ") + wish.subject + " " +
+                    std::string(name_of(wish.relation)) + " " + wish.object);
+  }
+}
+
+}  // namespace
+
+Result<Planned> OfflinePlanner::plan(const Brief& brief, const Catalog& catalog, Seed seed) const {
+  Understanding found = understand(brief.prompt, lexicon_.with_words_of(catalog), catalog);
+  apply_flags(brief, found);
+  Planned planned;
+  MARKETGEN_TRY(StoreProgram program, make_program(brief, found, catalog, planned.trace));
+  keep_tills(found, program);
+  const Candidate candidate =
+      find_floor(program, found, catalog, seed.child("plan"), planned.trace);
+  planned.plan = write_plan({brief, found, program, candidate, catalog});
+  planned.requirements = std::move(found.requirements);
+  planned.unparsed = std::move(found.unparsed);
+  planned.conflicts = std::move(found.conflicts);
+  trace_relations(planned, candidate, program, planned.trace);
+  return planned;
+}
+
+}  // namespace marketgen

@@ -1,0 +1,20 @@
+// The planner that needs no network: words to wishes by a lexicon and rules, wishes to a plan by
+// seeded search.
+#pragma once
+#include "intake/brief.h"
+#include "intake/lexicon.h"
+
+namespace marketgen {
+
+class OfflinePlanner : public Planner {
+ public:
+  explicit OfflinePlanner(Lexicon lexicon) : lexicon_(std::move(lexicon)) {}
+
+  // Error: brief.bad_size when the words ask for a store that cannot be built.
+  Result<Planned> plan(const Brief& brief, const Catalog& catalog, Seed seed) const override;
+
+ private:
+  Lexicon lexicon_;
+};
+
+}  // namespace marketgen

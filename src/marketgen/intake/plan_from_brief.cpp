@@ -1,0 +1,88 @@
+#include <utf8proc.h>
+
+#include <algorithm>
+
+#include "base/text.h"
+#include "intake/brief.h"
+#include "intake/store_size.h"
+
+namespace marketgen {
+namespace {
+
+constexpr std::size_t longest_prompt_bytes = 20'000;
+
+// Index of the first byte that is not part of a UTF-8 character; size() when there is none.
+std::size_t first_bad_byte(std::string_view text) {
+  std::size_t at = 0;
+  while (at < text.size()) {
+    utf8proc_int32_t code = 0;
+    const auto* bytes = reinterpret_cast<const utf8proc_uint8_t*>(text.data()) + at;
+    const auto length =
+        utf8proc_iterate(bytes, static_cast<utf8proc_ssize_t>(text.size() - at), &code);
+    if (length <= 0) return at;
+    at += static_cast<std::size_t>(length);
+  }
+  return at;
+}
+
+Result<void> check_prompt(const std::string& prompt) {
+  if (prompt.size() > longest_prompt_bytes) {
+    return Error{"brief.too_long",
+                 "prompt",
+                 "the prompt has " + with_thousands(static_cast<std::int64_t>(prompt.size())) +
+                     " bytes; at most " + with_thousands(longest_prompt_bytes) + " are read"};
+  }
+  if (const std::size_t bad = first_bad_byte(prompt); bad < prompt.size()) {
+    return Error{"input.not_utf8",
+                 "prompt:byte " + std::to_string(bad),
+                 "the prompt is not UTF-8 text from this byte on; save it as UTF-8"};
+  }
+  const bool blank = prompt.find_first_not_of(" \t\r\n\v\f") == std::string::npos;
+  if (!blank) return {};
+  return Error{"brief.empty",
+               "prompt",
+               "there is nothing to plan from; describe the store, as in \"a 24 x 15 m supermarket "
+               "with a bakery and five checkouts\""};
+}
+
+template <class Row>
+Result<void> check_known(const std::vector<Row>& rows,
+                         std::string_view what,
+                         const std::optional<std::string>& name,
+                         std::string where) {
+  if (!name) return {};
+  std::vector<std::string_view> known;
+  for (const Row& row : rows) {
+    if (row.id == *name) return {};
+    known.push_back(row.id);
+  }
+  return unknown_name("catalog.unknown_kind", std::move(where), what, *name, known);
+}
+
+Result<void> check_brief(const Brief& brief, const Catalog& catalog) {
+  MARKETGEN_CHECK(check_prompt(brief.prompt));
+  if (!brief.image_files.empty()) {
+    return Error{"usage.unavailable",
+                 "--image " + brief.image_files[0],
+                 "this version plans from words; reading drawings and photos comes later"};
+  }
+  if (brief.size_mm) {
+    MARKETGEN_CHECK(check_store_size((*brief.size_mm)[0], (*brief.size_mm)[1], "--size"));
+  }
+  MARKETGEN_CHECK(check_known(catalog.profiles, "profile", brief.profile, "--profile"));
+  return check_known(catalog.styles, "style", brief.style, "--style");
+}
+
+}  // namespace
+
+Result<Planned> plan_from_brief(const Brief& brief,
+                                const Catalog& catalog,
+                                const Planner& planner,
+                                Seed seed) {
+  MARKETGEN_CHECK(check_brief(brief, catalog));
+  MARKETGEN_TRY(Planned planned, planner.plan(brief, catalog, seed));
+  MARKETGEN_CHECK(validate_plan(planned.plan, "plan", catalog));
+  return planned;
+}
+
+}  // namespace marketgen

@@ -1,0 +1,164 @@
+#include "intake/plan_provenance.h"
+
+#include <algorithm>
+
+namespace marketgen {
+namespace {
+
+using Kind = RequirementKind;
+
+constexpr std::size_t most_entries = 2000;  // limit of Plan::provenance
+constexpr double said = 1, implied = 0.7;
+
+class ProvenanceWriter {
+ public:
+  ProvenanceWriter(const Plan& plan, const PlanSources& sources) : plan_(plan), sources_(sources) {}
+
+  std::vector<Provenance> run() {
+    add_flags();
+    if (const auto& name = sources_.understanding.name) add("/name", name->span, said);
+    for (const Requirement& wish : sources_.understanding.requirements)
+      add_wish(wish);
+    for (const Emphasis& emphasis : sources_.understanding.emphases) {
+      for_zones(emphasis.zone, "area_m2/target", emphasis.span, implied);
+    }
+    if (entries_.size() > most_entries) entries_.resize(most_entries);
+    return std::move(entries_);
+  }
+
+ private:
+  void add(std::string path, IntRange span, double confidence) {
+    Provenance& entry = entries_.emplace_back();
+    entry.path = std::move(path);
+    entry.source = Source::text;
+    entry.span = span;
+    entry.confidence = confidence;
+  }
+
+  void add_flag(std::string path) {
+    Provenance& entry = entries_.emplace_back();
+    entry.path = std::move(path);
+    entry.source = Source::flag;
+  }
+
+  void add_flags() {
+    if (sources_.brief.size_mm) {
+      add_flag("/shell/width_mm");
+      add_flag("/shell/depth_mm");
+    }
+    if (sources_.brief.profile) add_flag("/profile");
+    if (sources_.brief.style) add_flag("/look");
+  }
+
+  // An entry for `field` of each zone of the type; every zone when `type` is empty.
+  void for_zones(const std::string& type,
+                 const std::string& field,
+                 IntRange span,
+                 double confidence) {
+    for (std::size_t i = 0; i < plan_.zones.size(); ++i) {
+      if (!type.empty() && plan_.zones[i].type != type) continue;
+      std::string path = "/zones/" + std::to_string(i);
+      if (!field.empty()) path += "/" + field;
+      add(std::move(path), span, confidence);
+    }
+  }
+
+  void for_gondolas(const std::string& field, IntRange span) {
+    for (std::size_t i = 0; i < plan_.zones.size(); ++i) {
+      if (plan_.zones[i].fixture.kind != "gondola") continue;
+      add("/zones/" + std::to_string(i) + "/fixture/" + field, span, said);
+    }
+  }
+
+  void for_openings(const Requirement& wish) {
+    for (std::size_t i = 0; i < plan_.shell.openings.size(); ++i) {
+      if (name_of(plan_.shell.openings[i].kind) != wish.subject) continue;
+      add("/shell/openings/" + std::to_string(i), wish.span, said);
+    }
+  }
+
+  void add_size(IntRange span, double confidence) {
+    if (sources_.brief.size_mm) return;
+    add("/shell/width_mm", span, confidence);
+    add("/shell/depth_mm", span, confidence);
+  }
+
+  void add_wish(const Requirement& wish) {
+    switch (wish.kind) {
+      case Kind::size:
+        return add_size(wish.span, said);
+      case Kind::area:
+        if (wish.subject.empty()) return add_size(wish.span, implied);
+        return for_zones(wish.subject, "area_m2/target", wish.span, said);
+      case Kind::profile:
+        return add("/profile", wish.span, said);
+      case Kind::style:
+        return add("/look", wish.span, said);
+      case Kind::material:
+        return add("/look/" + wish.subject, wish.span, said);
+      case Kind::color:
+        if (wish.subject == "accent") return add("/look/accent", wish.span, said);
+        return for_zones("", "fixture/color", wish.span, said);
+      case Kind::light:
+        return add("/look/" + wish.subject, wish.span, said);
+      case Kind::opening:
+        return for_openings(wish);
+      case Kind::relation:
+        return add_relation(wish);
+      default:
+        return add_zone_wish(wish);
+    }
+  }
+
+  void add_zone_wish(const Requirement& wish) {
+    switch (wish.kind) {
+      case Kind::zone_present:
+      case Kind::zone_count:
+        return for_zones(wish.subject, "", wish.span, said);
+      case Kind::product_present:
+        return for_zones(wish.object, "", wish.span, implied);
+      case Kind::product_absent:
+        return for_zones("", "stock/exclude", wish.span, said);
+      case Kind::fixture_count:
+        return for_zones(wish.object, "fixture", wish.span, said);
+      case Kind::levels:
+        if (wish.subject.empty()) return for_gondolas("levels", wish.span);
+        return for_zones(wish.subject, "fixture/levels", wish.span, said);
+      case Kind::height:
+        if (wish.subject == "ceiling") return add("/shell/ceiling_mm", wish.span, said);
+        return for_gondolas("height_mm", wish.span);
+      case Kind::endcaps:
+        return for_gondolas("endcaps", wish.span);
+      case Kind::aisle_count:
+        return add("/nodes", wish.span, said);
+      case Kind::aisle_width:
+        return for_gondolas("aisle_mm", wish.span);
+      case Kind::stock:
+        return for_zones("", "stock/" + wish.subject, wish.span, said);
+      default:
+        return;  // what must not be there leaves no trace in a plan
+    }
+  }
+
+  void add_relation(const Requirement& wish) {
+    const auto same = [&](const Relation& relation) {
+      return relation.kind == wish.relation && relation.a == wish.subject &&
+             relation.b == wish.object;
+    };
+    const auto found = std::ranges::find_if(plan_.relations, same);
+    if (found == plan_.relations.end()) return;
+    add("/relations/" + std::to_string(found - plan_.relations.begin()), wish.span, said);
+  }
+
+  const Plan& plan_;
+  const PlanSources& sources_;
+  std::vector<Provenance> entries_;
+};
+
+}  // namespace
+
+std::vector<Provenance> provenance_of(const Plan& plan, const PlanSources& sources) {
+  return ProvenanceWriter(plan, sources).run();
+}
+
+}  // namespace marketgen

@@ -1,0 +1,12 @@
+// Who said what: a provenance entry for every value of a plan that words or flags decided.
+#pragma once
+#include <vector>
+
+#include "intake/plan_writer.h"
+
+namespace marketgen {
+
+// `plan` has its zones, openings, relations and look already.
+std::vector<Provenance> provenance_of(const Plan& plan, const PlanSources& sources);
+
+}  // namespace marketgen

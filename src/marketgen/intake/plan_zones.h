@@ -1,0 +1,12 @@
+// The zones of a plan: fixtures and stock as the wishes, the profile and the floor have them.
+#pragma once
+#include <vector>
+
+#include "intake/plan_writer.h"
+
+namespace marketgen {
+
+// In the order of the program's zones.
+std::vector<Zone> zones_of(const PlanSources& sources);
+
+}  // namespace marketgen

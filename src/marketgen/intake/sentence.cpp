@@ -1,0 +1,127 @@
+#include "intake/sentence.h"
+
+namespace marketgen {
+namespace {
+
+Phrase known_phrase(const Lexicon::Match& match, const std::vector<Token>& tokens, std::size_t at) {
+  Phrase phrase;
+  phrase.sense = match.row->sense;
+  phrase.value = match.row->value;
+  phrase.number = phrase.written = match.row->number;
+  phrase.zone = match.row->zone;
+  phrase.span = joined(tokens[at].span, tokens[at + match.tokens - 1].span);
+  return phrase;
+}
+
+Phrase single_token(const Token& token) {
+  Phrase phrase;
+  phrase.sense = token.kind == TokenKind::number ? Sense::number
+                 : token.kind == TokenKind::symbol
+                     ? Sense::filler  // punctuation that joins nothing
+                     : Sense::ordinary;
+  phrase.value = token.text;
+  phrase.number = phrase.written = token.number;
+  phrase.span = token.span;
+  return phrase;
+}
+
+// Slips of the pen mended, one word at a time.
+std::vector<Token> with_corrections(std::vector<Token> tokens, const Lexicon& lexicon) {
+  for (Token& token : tokens) {
+    if (token.kind != TokenKind::word) continue;
+    if (const auto better = lexicon.corrected(token.stem)) token.stem = *better;
+  }
+  return tokens;
+}
+
+bool is_unit_of(const Phrase& number, const Phrase& unit) {
+  return number.sense == Sense::number && unit.sense == Sense::unit && !number.measured;
+}
+
+// "24 m" becomes one phrase.
+std::vector<Phrase> with_measures(const std::vector<Phrase>& phrases) {
+  std::vector<Phrase> merged;
+  for (const Phrase& phrase : phrases) {
+    if (merged.empty() || !is_unit_of(merged.back(), phrase)) {
+      merged.push_back(phrase);
+      continue;
+    }
+    Phrase& number = merged.back();
+    number.number *= phrase.number;
+    number.value = phrase.value;
+    number.measured = true;
+    number.span = joined(number.span, phrase.span);
+  }
+  return merged;
+}
+
+// Only "ideally", "if possible" and their like change anything: what is said is meant otherwise.
+// They hold for their clause, from one comma or "but" to the next.
+void spread_strengths(std::vector<Phrase>& phrases) {
+  for (std::size_t first = 0; first < phrases.size();) {
+    std::size_t last = first;
+    bool wish = false;
+    for (; last < phrases.size(); ++last) {
+      const Phrase& phrase = phrases[last];
+      if (phrase.sense == Sense::separator && phrase.value != "and" && last > first) break;
+      wish = wish || (phrase.sense == Sense::strength && phrase.value == "prefer");
+    }
+    for (; first < last; ++first) {
+      phrases[first].strength = wish ? Strength::prefer : Strength::must;
+      if (phrases[first].sense == Sense::strength) phrases[first].used = true;
+    }
+  }
+}
+
+}  // namespace
+
+const Phrase& Sentence::at(std::size_t i) const {
+  static const Phrase nothing = [] {
+    Phrase filler;
+    filler.sense = Sense::filler;
+    return filler;
+  }();
+  return i < phrases.size() ? phrases[i] : nothing;
+}
+
+std::size_t Sentence::skip_fillers(std::size_t i) const {
+  while (i < phrases.size() && phrases[i].sense == Sense::filler)
+    ++i;
+  return i;
+}
+
+std::size_t Sentence::before(std::size_t i) const {
+  while (i > 0) {
+    --i;
+    if (phrases[i].sense != Sense::filler) return i;
+  }
+  return phrases.size();
+}
+
+void Sentence::use(std::size_t first, std::size_t last) {
+  for (std::size_t i = first; i <= last && i < phrases.size(); ++i)
+    phrases[i].used = true;
+}
+
+std::vector<Sentence> make_sentences(const std::vector<Token>& raw, const Lexicon& lexicon) {
+  const std::vector<Token> tokens = with_corrections(raw, lexicon);
+  std::vector<Sentence> sentences(1);
+  for (std::size_t at = 0; at < tokens.size();) {
+    if (tokens[at].kind == TokenKind::sentence_end) {
+      if (!sentences.back().phrases.empty()) sentences.emplace_back();
+      ++at;
+      continue;
+    }
+    const auto match = lexicon.longest_match(tokens, at);
+    sentences.back().phrases.push_back(match ? known_phrase(*match, tokens, at)
+                                             : single_token(tokens[at]));
+    at += match ? match->tokens : 1;
+  }
+  for (Sentence& sentence : sentences) {
+    sentence.phrases = with_measures(sentence.phrases);
+    spread_strengths(sentence.phrases);
+  }
+  return sentences;
+}
+
+}  // namespace marketgen

@@ -1,0 +1,85 @@
+#include "intake/store_name.h"
+
+#include <algorithm>
+
+namespace marketgen {
+namespace {
+
+constexpr std::size_t longest_name = 6;          // words
+constexpr std::size_t longest_name_bytes = 120;  // of Plan::name
+
+struct Stretch {
+  std::size_t first = 0, last = 0;  // tokens, past the last
+  bool empty() const { return first >= last; }
+};
+
+bool is_quote(const Token& token) {
+  return token.kind == TokenKind::symbol && token.text == "\"";
+}
+
+// The words between a quotation mark at `i` and the next one.
+Stretch quoted(const std::vector<Token>& tokens, std::size_t i) {
+  if (i >= tokens.size() || !is_quote(tokens[i])) return {};
+  for (std::size_t end = i + 1; end < tokens.size(); ++end) {
+    if (is_quote(tokens[end])) return {i + 1, end};
+  }
+  return {};
+}
+
+// Capitalised words, with "&", "of" and "the" between them.
+Stretch capitalised(const std::vector<Token>& tokens, std::size_t i) {
+  std::size_t end = i;
+  for (std::size_t k = i; k < tokens.size() && k < i + longest_name; ++k) {
+    const Token& token = tokens[k];
+    const bool link = token.text == "&" || token.text == "of" || token.text == "the";
+    if (!token.capital && !link) break;
+    if (token.capital) end = k + 1;
+  }
+  return {i, end};
+}
+
+// "called riverside fresh with …": words up to one that has a part in the sentence.
+Stretch plain_words(const std::vector<Token>& tokens, std::size_t i, const Lexicon& lexicon) {
+  std::size_t end = i;
+  while (end < tokens.size() && end < i + longest_name && tokens[end].kind == TokenKind::word &&
+         !lexicon.longest_match(tokens, end)) {
+    ++end;
+  }
+  return {i, end};
+}
+
+StoreName name_of_stretch(std::string_view prompt,
+                          const std::vector<Token>& tokens,
+                          Stretch stretch) {
+  StoreName name;
+  name.span = {tokens[stretch.first].span[0], tokens[stretch.last - 1].span[1]};
+  name.text = prompt.substr(static_cast<std::size_t>(name.span[0]),
+                            static_cast<std::size_t>(name.span[1] - name.span[0]));
+  return name;
+}
+
+}  // namespace
+
+std::optional<StoreName> take_store_name(std::string_view prompt,
+                                         std::vector<Token>& tokens,
+                                         const Lexicon& lexicon) {
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    const auto match = lexicon.longest_match(tokens, i);
+    const bool naming = match && match->row->sense == Sense::naming;
+    const std::size_t at = naming ? i + match->tokens : i;
+    Stretch name = quoted(tokens, at);
+    const bool in_quotes = !name.empty();
+    if (naming && name.empty()) name = capitalised(tokens, at);
+    if (naming && name.empty()) name = plain_words(tokens, at, lexicon);
+    if (name.empty()) continue;
+    StoreName found = name_of_stretch(prompt, tokens, name);
+    if (found.text.size() > longest_name_bytes) continue;
+    const std::size_t end = name.last + (in_quotes ? 1 : 0);
+    tokens.erase(tokens.begin() + static_cast<std::ptrdiff_t>(i),
+                 tokens.begin() + static_cast<std::ptrdiff_t>(end));
+    return found;
+  }
+  return std::nullopt;
+}
+
+}  // namespace marketgen

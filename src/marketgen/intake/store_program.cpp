@@ -1,0 +1,273 @@
+#include "intake/store_program.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "intake/store_size.h"
+
+namespace marketgen {
+namespace {
+
+using Kind = RequirementKind;
+
+constexpr std::string_view usual_profile = "supermarket-eu";
+constexpr double zones_in_any_store = 5;
+constexpr double further_zone_m2 = 36;  // of store for each zone more; smaller ones hold no run
+constexpr std::size_t most_zones = 22;  // of max_bsp_leaves
+constexpr double staffed_counter_from_m2 = 500;  // smaller shops sell meat and cheese packed
+constexpr double checkout_zones_share = 0.09;  // tills take their own floor first
+
+const ProfileRow& profile_of(const Brief& brief,
+                             const Understanding& found,
+                             const Catalog& catalog) {
+  const Requirement* wish = found.find(Kind::profile);
+  const ProfileRow* row = nullptr;
+  if (brief.profile) row = catalog.profile(*brief.profile);
+  if (row == nullptr && wish != nullptr) row = catalog.profile(wish->object);
+  if (row == nullptr) row = catalog.profile(usual_profile);
+  return row != nullptr ? *row : catalog.profiles.front();
+}
+
+// Whole decimetres, as builders measure.
+int rounded_mm(double mm) {
+  return static_cast<int>(mm / 100 + 0.5) * 100;
+}
+
+// The profile's proportions at another area.
+std::array<int, 2> size_with_area(const ProfileRow& profile, double area_m2) {
+  const double usual = 1e-6 * profile.default_size_mm[0] * profile.default_size_mm[1];
+  const double scale = std::sqrt(area_m2 / usual);
+  return {rounded_mm(profile.default_size_mm[0] * scale),
+          rounded_mm(profile.default_size_mm[1] * scale)};
+}
+
+std::string where_of(const Requirement& wish) {
+  return "prompt:bytes " + std::to_string(wish.span[0]) + "-" + std::to_string(wish.span[1]);
+}
+
+Result<std::array<int, 2>> size_of(const Brief& brief,
+                                   const Understanding& found,
+                                   const ProfileRow& profile) {
+  if (brief.size_mm) return *brief.size_mm;
+  if (const Requirement* size = found.find(Kind::size)) {
+    MARKETGEN_CHECK(check_store_size(size->value, size->second_value, where_of(*size)));
+    return std::array{static_cast<int>(size->value + 0.5),
+                      static_cast<int>(size->second_value + 0.5)};
+  }
+  const double usual_m2 = 1e-6 * profile.default_size_mm[0] * profile.default_size_mm[1];
+  const Requirement* area = found.find(Kind::area, "");
+  const double wanted_m2 = area != nullptr ? area->value : usual_m2 * found.size_factor;
+  const std::array<int, 2> size = size_with_area(profile, wanted_m2);
+  if (area != nullptr) MARKETGEN_CHECK(check_store_size(size[0], size[1], where_of(*area)));
+  const auto built = [](int side) {
+    return std::clamp(
+        side, static_cast<int>(least_store_side_mm), static_cast<int>(most_store_side_mm));
+  };
+  return std::array{built(size[0]), built(size[1])};
+}
+
+bool is_till(std::string_view type) {
+  return type == "checkout" || type == "self_checkout";
+}
+
+Stance stance_of(const ZoneTypeRow& type, const FixtureKind* kind) {
+  if (kind == nullptr) return Stance::wall;
+  if (kind->role != FixtureRole::shelving) return Stance::front;
+  const bool counter = kind->generator == "serve_over";  // staff stand between it and a wall
+  if (kind->against_wall || counter) return Stance::wall;
+  return kind->double_sided || type.anchor == "center" ? Stance::central : Stance::hall;
+}
+
+// How many zones of each type the wishes name, in the order in which they name them.
+struct NamedZones {
+  std::vector<std::string> order;
+  std::map<std::string, int> count;
+
+  void add(const std::string& type, int number = 1) {
+    if (type.empty()) return;
+    const auto [entry, fresh] = count.try_emplace(type, number);
+    if (fresh) order.push_back(type);
+    entry->second = std::max(entry->second, number);
+  }
+};
+
+bool names_zone_in_relation(const Requirement& wish) {
+  return wish.kind == Kind::relation && wish.relation != RelationKind::far &&
+         wish.relation != RelationKind::not_adjacent;
+}
+
+NamedZones named_zones(const Understanding& found, const Catalog& catalog) {
+  NamedZones named;
+  const auto add_if_zone = [&](const std::string& name) {
+    if (catalog.zone_type(name) != nullptr) named.add(name);
+  };
+  for (const Requirement& wish : found.requirements) {
+    if (wish.kind == Kind::zone_present) named.add(wish.subject);
+    if (wish.kind == Kind::zone_count) named.add(wish.subject, static_cast<int>(wish.value));
+    if (wish.kind == Kind::area || wish.kind == Kind::levels) add_if_zone(wish.subject);
+    if (wish.kind == Kind::product_present) named.add(wish.object);
+    const bool wants_some = wish.comparison != Comparison::at_most || wish.value > 0;
+    if (wish.kind == Kind::fixture_count && wants_some) add_if_zone(wish.object);
+    if (!names_zone_in_relation(wish)) continue;
+    for (const std::string* name : {&wish.subject, &wish.object, &wish.second_object}) {
+      add_if_zone(*name);
+    }
+  }
+  for (const WantedRows& rows : found.rows)
+    named.add(rows.zone);
+  return named;
+}
+
+// Zone types in order of importance: named ones first, then the profile's, as many as the floor can
+// hold.
+NamedZones chosen_zones(const Understanding& found,
+                        const Catalog& catalog,
+                        const StoreProgram& program) {
+  NamedZones chosen = named_zones(found, catalog);
+  const bool only_machines = found.find(Kind::zone_absent, "checkout") != nullptr &&
+                             chosen.count.contains("self_checkout");
+  if (!only_machines) chosen.add("checkout");
+  const auto wanted =
+      static_cast<std::size_t>(zones_in_any_store + program.area_m2() / further_zone_m2);
+  const std::size_t most = std::min(wanted, most_zones);
+  for (const std::string& type : program.profile->zones) {
+    const bool refused = found.find(Kind::zone_absent, type) != nullptr;
+    if (chosen.order.size() < most && !refused) chosen.add(type);
+  }
+  return chosen;
+}
+
+double emphasis_on(const Understanding& found, const std::string& type) {
+  double factor = 1;
+  for (const Emphasis& emphasis : found.emphases) {
+    if (emphasis.zone == type) factor *= emphasis.factor;
+  }
+  return std::clamp(factor, 0.3, 4.0);
+}
+
+// A named fixture kind replaces the zone's usual one when it can hold the same goods.
+const FixtureKind* kind_of(const Understanding& found,
+                           const Catalog& catalog,
+                           const ZoneTypeRow& type,
+                           const StoreProgram& program) {
+  const FixtureKind* usual = type.fixture.empty() ? nullptr : catalog.fixture_kind(type.fixture);
+  for (const Requirement& wish : found.requirements) {
+    const bool named = wish.kind == Kind::fixture_count && wish.object == type.type &&
+                       !(wish.comparison == Comparison::at_most && wish.value == 0);
+    const FixtureKind* kind = named ? catalog.fixture_kind(wish.subject) : nullptr;
+    if (kind != nullptr && (usual == nullptr || kind->temperature == usual->temperature)) {
+      return kind;
+    }
+  }
+  // Convenience stores keep drinks behind glass doors; other shops in open coolers.
+  const bool convenience = program.profile->id.starts_with("convenience");
+  if (type.type == "chilled" && convenience) return catalog.fixture_kind("glass_door_cooler");
+  const bool counter = usual != nullptr && usual->generator == "serve_over";
+  if (counter && program.area_m2() < staffed_counter_from_m2) return catalog.fixture_kind("multideck");
+  return usual;
+}
+
+std::optional<int> count_of(const Understanding& found, const FixtureKind* kind) {
+  if (kind == nullptr) return std::nullopt;
+  const Requirement* wish = found.find(Kind::fixture_count, kind->kind);
+  const bool some = wish != nullptr && wish->value > 0;
+  const bool exact =
+      some && (kind->role != FixtureRole::shelving || wish->comparison != Comparison::at_least);
+  return exact ? std::optional<int>(static_cast<int>(wish->value)) : std::nullopt;
+}
+
+ProgramZone make_zone(const Understanding& found,
+                      const Catalog& catalog,
+                      const ZoneTypeRow& type,
+                      const StoreProgram& program,
+                      int index) {
+  ProgramZone zone;
+  zone.id = index == 0 ? type.type : type.type + "-" + std::to_string(index + 1);
+  zone.type = &type;
+  zone.kind = kind_of(found, catalog, type, program);
+  zone.stance = stance_of(type, zone.kind);
+  zone.cold = type.temperature != Storage::ambient;
+  zone.stressed = emphasis_on(found, type.type) > 1;
+  zone.count = count_of(found, zone.kind);
+  if (const Requirement* area = found.find(Kind::area, type.type)) zone.wanted_m2 = area->value;
+  for (const WantedRows& rows : found.rows) {
+    if (rows.zone == type.type) zone.rows = rows.rows;
+  }
+  return zone;
+}
+
+// Shares are those of an ordinary supermarket; a profile that names a zone early gives it more.
+double importance_of(const ProfileRow& profile, const std::string& type) {
+  constexpr double first = 1.6, last = 0.7;
+  const auto count = static_cast<double>(profile.zones.size());
+  const auto at = std::ranges::find(profile.zones, type) - profile.zones.begin();
+  return first - (first - last) * static_cast<double>(at) / std::max(1.0, count);
+}
+
+// Floor in proportion to the zone types' shares and to what the words stress.
+void share_floor(StoreProgram& program,
+                 const Understanding& found,
+                 const std::map<std::string, int>& count) {
+  double shares = 0;
+  const auto share_of = [&](const ProgramZone& zone) {
+    const std::string& type = zone.type->type;
+    if (is_till(type)) return 0.0;
+    return zone.type->share * emphasis_on(found, type) * importance_of(*program.profile, type) /
+           count.at(type);
+  };
+  for (const ProgramZone& zone : program.zones)
+    shares += share_of(zone);
+  const double selling_m2 = program.area_m2() * (1 - checkout_zones_share);
+  for (ProgramZone& zone : program.zones) {
+    zone.target_m2 = shares > 0 ? selling_m2 * share_of(zone) / shares : 0;
+    if (zone.wanted_m2) zone.target_m2 = *zone.wanted_m2;
+  }
+}
+
+// Lanes by the profile's habit; never so many that the front has no room for an entrance.
+void count_lanes(StoreProgram& program) {
+  for (ProgramZone& zone : program.zones) {
+    if (zone.type->type != "checkout" || zone.count) continue;
+    const double wanted = program.profile->checkouts_per_100_m2 * program.area_m2() / 100;
+    const int fit = program.width_mm / 2 / 2100;  // half of the front, a lane with its passage each
+    zone.count = std::clamp(static_cast<int>(wanted + 0.5), 1, std::max(1, fit));
+  }
+}
+
+std::optional<int> whole(const Requirement* wish) {
+  if (wish == nullptr) return std::nullopt;
+  return static_cast<int>(wish->value + 0.5);
+}
+
+}  // namespace
+
+Result<StoreProgram> make_program(const Brief& brief,
+                                  const Understanding& found,
+                                  const Catalog& catalog,
+                                  std::vector<std::string>& trace) {
+  StoreProgram program;
+  program.profile = &profile_of(brief, found, catalog);
+  MARKETGEN_TRY(const auto size, size_of(brief, found, *program.profile));
+  program.width_mm = size[0];
+  program.depth_mm = size[1];
+  program.aisles = whole(found.find(Kind::aisle_count));
+  program.aisle_mm = whole(found.find(Kind::aisle_width));
+  const NamedZones chosen = chosen_zones(found, catalog, program);
+  for (const std::string& type : chosen.order) {
+    const ZoneTypeRow* row = catalog.zone_type(type);
+    if (row == nullptr) continue;
+    for (int i = 0; i < chosen.count.at(type); ++i) {
+      if (program.zones.size() >= most_zones) break;
+      program.zones.push_back(make_zone(found, catalog, *row, program, i));
+    }
+  }
+  share_floor(program, found, chosen.count);
+  count_lanes(program);
+  trace.push_back("profile " + program.profile->id + ", " + metres(program.width_mm) + " x " +
+                  metres(program.depth_mm) + " m, " + std::to_string(program.zones.size()) +
+                  " zones");
+  return program;
+}
+
+}  // namespace marketgen

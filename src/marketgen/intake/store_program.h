@@ -1,0 +1,51 @@
+// The program of a store, in the architect's sense: what kind, how large, which zones with how much
+// floor. No places yet.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "catalog/catalog.h"
+#include "intake/brief.h"
+#include "intake/understanding.h"
+
+namespace marketgen {
+
+// How a zone likes to stand.
+enum class Stance {
+  central,  // long double-sided runs in the middle
+  wall,     // cabinets and racks with their backs to a wall
+  hall,     // tables, stacks and counters that are walked round
+  front     // tills and service: between entrance and exit
+};
+
+struct ProgramZone {
+  std::string id;
+  const ZoneTypeRow* type = nullptr;
+  const FixtureKind* kind = nullptr;  // null: no fixtures
+  Stance stance = Stance::central;
+  bool cold = false;
+  bool stressed = false;               // the words ask for more of it than usual
+  double target_m2 = 0;             // floor with its share of the aisles
+  std::optional<double> wanted_m2;  // floor that was asked for
+  std::optional<int> count;         // fixtures asked for
+  std::optional<int> rows;          // "two rows of frozen food"
+};
+
+struct StoreProgram {
+  const ProfileRow* profile = nullptr;
+  int width_mm = 0, depth_mm = 0;  // as built: east-west, north-south
+  std::vector<ProgramZone> zones;
+  std::optional<int> aisles;    // aisles asked for
+  std::optional<int> aisle_mm;  // aisle width asked for
+  double area_m2() const { return 1e-6 * width_mm * depth_mm; }
+};
+
+// Decides what the understanding leaves open from the profile. Conflicts between flags and text are
+// settled already. Error: brief.bad_size when the words ask for a store that cannot be built.
+Result<StoreProgram> make_program(const Brief& brief,
+                                  const Understanding& understanding,
+                                  const Catalog& catalog,
+                                  std::vector<std::string>& trace);
+
+}  // namespace marketgen

@@ -1,0 +1,275 @@
+#include "intake/tokens.h"
+
+#include <utf8proc.h>
+
+#include <array>
+#include <charconv>
+#include <cstdlib>
+#include <memory>
+
+namespace marketgen {
+namespace {
+
+enum class Glyph { space, newline, letter, digit, superscript, symbol };
+
+struct Character {
+  int code = 0;
+  int first = 0, last = 0;  // bytes
+  Glyph glyph = Glyph::space;
+  bool upper = false;
+};
+
+Glyph glyph_of(int code) {
+  if (code == '\n' || code == 0x2028 || code == 0x2029) return Glyph::newline;
+  switch (utf8proc_category(code)) {
+    case UTF8PROC_CATEGORY_LU:
+    case UTF8PROC_CATEGORY_LL:
+    case UTF8PROC_CATEGORY_LT:
+    case UTF8PROC_CATEGORY_LM:
+    case UTF8PROC_CATEGORY_LO:
+    case UTF8PROC_CATEGORY_MN:
+    case UTF8PROC_CATEGORY_MC:
+    case UTF8PROC_CATEGORY_ME:
+      return Glyph::letter;
+    case UTF8PROC_CATEGORY_ND:
+      return Glyph::digit;
+    case UTF8PROC_CATEGORY_NO:
+      return Glyph::superscript;
+    case UTF8PROC_CATEGORY_ZS:
+    case UTF8PROC_CATEGORY_CC:
+    case UTF8PROC_CATEGORY_CF:
+      return Glyph::space;
+    default:
+      return Glyph::symbol;
+  }
+}
+
+std::vector<Character> characters_of(std::string_view prompt) {
+  std::vector<Character> characters;
+  int at = 0;
+  const int size = static_cast<int>(prompt.size());
+  while (at < size) {
+    utf8proc_int32_t code = 0;
+    const auto* bytes = reinterpret_cast<const utf8proc_uint8_t*>(prompt.data()) + at;
+    const auto length = static_cast<int>(utf8proc_iterate(bytes, size - at, &code));
+    if (length <= 0) break;  // not UTF-8: the caller has checked
+    characters.push_back(
+        {code, at, at + length, glyph_of(code), utf8proc_category(code) == UTF8PROC_CATEGORY_LU});
+    at += length;
+  }
+  return characters;
+}
+
+bool is_apostrophe(int code) {
+  return code == '\'' || code == 0x2019 || code == 0x02BC;
+}
+bool is_dash(int code) {
+  return code == '-' || (code >= 0x2010 && code <= 0x2015);
+}
+bool is_double_quote(int code) {
+  return code == '"' || (code >= 0x201C && code <= 0x201F) || code == 0xAB || code == 0xBB;
+}
+bool is_bullet(int code) {
+  return is_dash(code) || code == '*' || code == 0x2022;
+}
+
+class Tokenizer {
+ public:
+  explicit Tokenizer(std::string_view prompt)
+      : prompt_(prompt), characters_(characters_of(prompt)) {}
+
+  std::vector<Token> run() {
+    while (at_ < characters_.size())
+      take_next();
+    return std::move(tokens_);
+  }
+
+ private:
+  const Character& here(std::size_t ahead = 0) const {
+    static constexpr Character nothing{};
+    return at_ + ahead < characters_.size() ? characters_[at_ + ahead] : nothing;
+  }
+
+  Token token_of(std::size_t first, std::size_t last, TokenKind kind) const {
+    Token token;
+    token.kind = kind;
+    token.span = {characters_[first].first, characters_[last - 1].last};
+    token.text = fold(prompt_.substr(static_cast<std::size_t>(token.span[0]),
+                                     static_cast<std::size_t>(token.span[1] - token.span[0])));
+    token.stem = token.text;
+    token.capital = characters_[first].upper;
+    return token;
+  }
+
+  void take_next() {
+    switch (here().glyph) {
+      case Glyph::space:
+        ++at_;
+        break;
+      case Glyph::newline:
+        take_newline();
+        break;
+      case Glyph::letter:
+        take_word();
+        break;
+      case Glyph::digit:
+        take_number();
+        break;
+      default:
+        take_symbol();
+    }
+  }
+
+  // A line break ends the sentence when the next line is blank or starts with a bullet; otherwise
+  // text was only wrapped.
+  void take_newline() {
+    const std::size_t start = at_++;
+    while (here().glyph == Glyph::space && at_ < characters_.size())
+      ++at_;
+    const bool ends =
+        here().glyph == Glyph::newline || (is_bullet(here().code) && here(1).glyph == Glyph::space);
+    if (!ends) return;
+    tokens_.push_back(token_of(start, start + 1, TokenKind::sentence_end));
+    if (is_bullet(here().code)) ++at_;
+  }
+
+  void take_word() {
+    const std::size_t start = at_;
+    const auto apostrophe_inside = [&] {
+      return is_apostrophe(here().code) && here(1).glyph == Glyph::letter;
+    };
+    while (here().glyph == Glyph::letter || apostrophe_inside())
+      ++at_;
+    take_exponent(start);
+    Token token = token_of(start, at_, TokenKind::word);
+    if (token.text.ends_with("'s")) token.text.resize(token.text.size() - 2);
+    token.stem = singular(token.text);
+    tokens_.push_back(std::move(token));
+  }
+
+  // "m²" and "m2" are one unit; "aisle2" is not.
+  void take_exponent(std::size_t start) {
+    if (here().glyph == Glyph::superscript) {
+      ++at_;
+      return;
+    }
+    const bool short_unit = at_ - start <= 2 && characters_[start].code != 'x';  // not "12x2"
+    if (short_unit && here().code == '2' && here(1).glyph != Glyph::digit) ++at_;
+  }
+
+  // Digits with thousands separators ("4,000", "4 000" is two numbers) and a decimal point or
+  // comma.
+  void take_number() {
+    const std::size_t start = at_;
+    std::string digits;
+    const auto take_digits = [&] {
+      int count = 0;
+      for (; here().glyph == Glyph::digit; ++at_, ++count) {
+        digits += fold(prompt_.substr(static_cast<std::size_t>(here().first),
+                                      static_cast<std::size_t>(here().last - here().first)));
+      }
+      return count;
+    };
+    const auto digits_after = [&] {
+      std::size_t count = 0;
+      while (here(1 + count).glyph == Glyph::digit)
+        ++count;
+      return count;
+    };
+    take_digits();
+    while (here().code == ',' && digits_after() == 3) {
+      ++at_;
+      take_digits();
+    }
+    if ((here().code == '.' || here().code == ',') && digits_after() > 0) {
+      ++at_;
+      digits += '.';
+      take_digits();
+    }
+    Token token = token_of(start, at_, TokenKind::number);
+    token.text = token.stem = digits;
+    std::from_chars(digits.data(), digits.data() + digits.size(), token.number);
+    tokens_.push_back(std::move(token));
+  }
+
+  void take_symbol() {
+    const std::size_t start = at_++;
+    const int code = characters_[start].code;
+    Token token = token_of(start, at_, TokenKind::symbol);
+    if (is_dash(code)) {
+      if (joins_words(start)) return;
+      token.text = ",";  // a dash between spaces parts clauses
+    }
+    if (code == 0xD7) token.text = "x";  // multiplication sign
+    if (is_double_quote(code)) token.text = "\"";
+    if (is_apostrophe(code)) token.text = "'";
+    if (ends_sentence(code)) token.kind = TokenKind::sentence_end;
+    token.stem = token.text;
+    tokens_.push_back(std::move(token));
+  }
+
+  bool joins_words(std::size_t dash) const {
+    const auto part = [&](std::size_t i) {
+      const Glyph glyph = characters_[i].glyph;
+      return glyph == Glyph::letter || glyph == Glyph::digit;
+    };
+    return dash > 0 && dash + 1 < characters_.size() && part(dash - 1) && part(dash + 1);
+  }
+
+  bool ends_sentence(int code) const {
+    constexpr std::array<std::string_view, 5> abbreviations = {"sq", "approx", "max", "min", "ca"};
+    if (code == '!' || code == '?' || code == ';' || code == 0x3002) return true;
+    if (code != '.') return false;
+    for (const std::string_view word : abbreviations) {
+      if (!tokens_.empty() && tokens_.back().text == word) return false;
+    }
+    return true;
+  }
+
+  std::string_view prompt_;
+  std::vector<Character> characters_;
+  std::size_t at_ = 0;
+  std::vector<Token> tokens_;
+};
+
+}  // namespace
+
+std::vector<Token> tokenize(std::string_view prompt) {
+  return Tokenizer(prompt).run();
+}
+
+std::string fold(std::string_view text) {
+  utf8proc_uint8_t* folded = nullptr;
+  const utf8proc_ssize_t length =
+      utf8proc_map(reinterpret_cast<const utf8proc_uint8_t*>(text.data()),
+                   static_cast<utf8proc_ssize_t>(text.size()),
+                   &folded,
+                   static_cast<utf8proc_option_t>(UTF8PROC_COMPAT | UTF8PROC_COMPOSE |
+                                                  UTF8PROC_STABLE | UTF8PROC_CASEFOLD));
+  const std::unique_ptr<utf8proc_uint8_t, decltype(&std::free)> owner(folded, &std::free);
+  if (length < 0) return std::string(text);
+  std::string result(reinterpret_cast<const char*>(folded), static_cast<std::size_t>(length));
+  constexpr std::string_view curly_apostrophe = "\xE2\x80\x99";
+  for (std::size_t at = result.find(curly_apostrophe); at != std::string::npos;
+       at = result.find(curly_apostrophe, at)) {
+    result.replace(at, curly_apostrophe.size(), "'");
+  }
+  return result;
+}
+
+std::string singular(std::string_view word) {
+  const auto without = [&](std::size_t letters) {
+    return std::string(word.substr(0, word.size() - letters));
+  };
+  if (word.size() < 4 || !word.ends_with('s')) return std::string(word);
+  if (word.ends_with("ss") || word.ends_with("us") || word.ends_with("is")) {
+    return std::string(word);
+  }
+  if (word.ends_with("ies") && word.size() > 4) return without(3) + "y";
+  for (const std::string_view ending : {"ches", "shes", "xes", "sses", "zes", "oes"}) {
+    if (word.ends_with(ending)) return without(2);
+  }
+  return without(1);
+}
+
+}  // namespace marketgen

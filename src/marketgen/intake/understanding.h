@@ -1,0 +1,52 @@
+// What a prompt says, as far as the offline planner understands it.
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "catalog/catalog.h"
+#include "intake/brief.h"
+#include "intake/lexicon.h"
+
+namespace marketgen {
+
+// "lots of", "a large", "a small selection of": more or less of a zone than usual.
+struct Emphasis {
+  std::string zone;   // zone type
+  double factor = 1;  // of its usual area
+  std::string text;
+  IntRange span{0, 0};
+};
+
+// "two rows of frozen food"
+struct WantedRows {
+  std::string zone;  // zone type
+  int rows = 1;
+  IntRange span{0, 0};
+};
+
+struct StoreName {
+  std::string text;
+  IntRange span{0, 0};
+};
+
+struct Understanding {
+  std::vector<Requirement> requirements;
+  std::vector<Emphasis> emphases;
+  std::vector<WantedRows> rows;
+  std::optional<StoreName> name;
+  double size_factor = 1;  // "small", "large": of the profile's usual floor area
+  std::vector<UnparsedWord> unparsed;
+  std::vector<Conflict> conflicts;
+
+  // The first requirement of that kind (and subject), or null.
+  const Requirement* find(RequirementKind kind) const;
+  const Requirement* find(RequirementKind kind, std::string_view subject) const;
+};
+
+// Reads the whole prompt. Deterministic; never fails: what is not understood is in `unparsed`.
+// Precondition: valid UTF-8.
+Understanding understand(std::string_view prompt, const Lexicon& lexicon, const Catalog& catalog);
+
+}  // namespace marketgen

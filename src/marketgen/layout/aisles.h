@@ -1,0 +1,21 @@
+// Aisles: the walkable strips before fronts, between run ends and between lanes, and how wide they
+// really are.
+//
+// Used by the rules (AISLE_TOO_NARROW), the picture and the signs.
+#pragma once
+#include <vector>
+
+#include "layout/design.h"
+#include "layout/layout.h"
+
+namespace marketgen {
+
+// Every aisle, sorted by id. Two strips that meet at a crossing are two aisles; strips split only
+// by a joint are one. `width_mm` is the narrowest free width, doors of both sides standing open;
+// open floor counts as at most 6 m.
+std::vector<Aisle> find_aisles(const Design& design, const std::vector<Fixture>& fixtures);
+
+// Shoppers walk it from west to east: its width is measured along y.
+bool runs_along_x(const Aisle& aisle);
+
+}  // namespace marketgen

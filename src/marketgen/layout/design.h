@@ -1,0 +1,31 @@
+// What every step of the layout works from: the plan, the rows it refers to, and the bare room.
+#pragma once
+#include <algorithm>
+
+#include "catalog/catalog.h"
+#include "layout/floor.h"
+#include "plan/plan.h"
+
+namespace marketgen {
+
+struct Design {
+  const Plan& plan;
+  const Catalog& catalog;
+  ProfileRow profile;  // defaults when the plan names none
+  Floor floor;
+
+  // The least free floor before a stocked front. A grid cell is added to the wheelchair's width:
+  // paths are checked on a 50 mm grid, which sees a passage only when it is that much wider.
+  int least_aisle_mm() const {
+    return std::max(profile.minimum_aisle_mm, profile.wheelchair_mm + 50);
+  }
+};
+
+Design make_design(const Plan& plan, const Catalog& catalog);
+
+// The free floor a zone's runs want before them: aisle_mm, else by temperature and profile.
+int wanted_aisle_mm(const Design& design, const Zone& zone);
+
+bool is_cold(const Zone& zone, const Catalog& catalog);
+
+}  // namespace marketgen

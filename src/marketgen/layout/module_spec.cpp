@@ -1,0 +1,229 @@
+#include "layout/module_spec.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "io/json.h"
+
+namespace marketgen {
+namespace {
+
+constexpr int back_panel_mm = 60;      // between the shelves of the two sides of a gondola
+constexpr int slot_pitch_mm = 50;      // European gondolas: shelves hang every 50 mm
+constexpr int least_top_gap_mm = 150;  // the top shelf must hold something below the fixture's top
+constexpr int most_fill_changes =
+    6;  // preferred modules that may be given up for others to fill a run better
+
+// What stands along the walls of a zone whose own fixtures stand free.
+struct WallKind {
+  std::string_view generator;  // of the zone's main fixture
+  std::string_view kind;       // along its walls
+};
+constexpr std::array<WallKind, 10> wall_kinds{{{"gondola", "wall_unit"},
+                                               {"serve_over", "serve_over"},
+                                               {"produce_table", "produce_table"},
+                                               {"wine_rack", "wine_rack"},
+                                               {"bin", "wall_unit"},
+                                               {"pallet", "wall_unit"},
+                                               {"promo_stack", "wall_unit"},
+                                               {"island_freezer", "glass_door_freezer"},
+                                               {"chest_freezer", "glass_door_freezer"},
+                                               {"endcap", "wall_unit"}}};
+
+// Shelving that takes the look's material; cabinets, counters and wooden furniture keep their own.
+bool takes_look(const FixtureKind& kind) {
+  constexpr std::array<std::string_view, 4> plain{"gondola", "wall_unit", "endcap", "peg_wall"};
+  return std::ranges::find(plain, kind.generator) != plain.end();
+}
+
+bool nothing_wished(const FixtureSpec& spec) {
+  static const std::string untouched = write_json(FixtureSpec{});
+  return write_json(spec) == untouched;
+}
+
+const FixtureKind* main_kind(const Zone& zone, const Catalog& catalog) {
+  const ZoneTypeRow* type = catalog.zone_type(zone.type);
+  const FixtureKind* usual = type == nullptr ? nullptr : catalog.fixture_kind(type->fixture);
+  if (type != nullptr && type->fixture.empty()) return nullptr;
+  if (usual != nullptr && nothing_wished(zone.fixture)) return usual;
+  const FixtureKind* wished = catalog.fixture_kind(zone.fixture.kind);
+  if (wished == nullptr || usual == nullptr) return wished != nullptr ? wished : usual;
+  // "gondola" is what a wish says that names no kind: goods that need a cabinet or a counter get
+  // theirs.
+  const bool unnamed = zone.fixture.kind == FixtureSpec{}.kind;
+  const bool unsuited =
+      usual->temperature != Storage::ambient || usual->role != FixtureRole::shelving;
+  return unnamed && unsuited ? usual : wished;
+}
+
+const FixtureKind* wall_kind(const FixtureKind& main, const Catalog& catalog) {
+  if (main.role != FixtureRole::shelving) return nullptr;
+  if (main.against_wall) return &main;
+  for (const WallKind& row : wall_kinds) {
+    if (row.generator != main.generator) continue;
+    const FixtureKind* kind = catalog.fixture_kind(row.kind);
+    return kind != nullptr && kind->temperature == main.temperature ? kind : nullptr;
+  }
+  return nullptr;
+}
+
+int clamped(int value, const IntRange& range) {
+  return std::clamp(value, range[0], range[1]);
+}
+
+void choose_depth_and_height(ModuleSpec& spec, const Design& design, const FixtureSpec& wish) {
+  const FixtureKind& kind = *spec.kind;
+  spec.depth_mm = kind.depth_mm;
+  spec.height_mm = kind.height_mm;
+  if (kind.generator == "gondola") {
+    spec.depth_mm = 2 * design.profile.gondola_shelf_mm + back_panel_mm;
+    spec.height_mm = design.profile.gondola_height_mm;
+  }
+  if (kind.generator == "gondola" && spec.sides == 1) {
+    spec.depth_mm = design.profile.gondola_shelf_mm + back_panel_mm;
+  }
+  spec.depth_mm = clamped(wish.depth_mm.value_or(spec.depth_mm), kind.depth_range_mm);
+  spec.height_mm = clamped(wish.height_mm.value_or(spec.height_mm), kind.height_range_mm);
+}
+
+// Levels and their spacing within the height; the height gives way only when nobody asked for it.
+void choose_levels(ModuleSpec& spec, const FixtureSpec& wish) {
+  const FixtureKind& kind = *spec.kind;
+  spec.base_mm = kind.base_mm;
+  spec.levels = kind.levels;
+  const int room = spec.height_mm - spec.base_mm;
+  if (wish.spacing_mm && !wish.levels && kind.levels > 0) {
+    spec.levels = clamped(1 + (room - least_top_gap_mm) / *wish.spacing_mm, kind.level_range);
+  }
+  if (wish.levels) spec.levels = clamped(*wish.levels, kind.level_range);
+  if (spec.levels <= 1) {
+    spec.spacing_mm = std::max(0, room);
+    return;
+  }
+  if (wish.spacing_mm && !wish.height_mm) {
+    const int needed = spec.base_mm + (spec.levels - 1) * *wish.spacing_mm + least_top_gap_mm;
+    spec.height_mm = clamped(std::max(spec.height_mm, needed), kind.height_range_mm);
+  }
+  const int even = (spec.height_mm - spec.base_mm) / spec.levels;
+  const int most = (spec.height_mm - spec.base_mm - least_top_gap_mm) / (spec.levels - 1);
+  spec.spacing_mm = std::min(wish.spacing_mm.value_or(std::min(most, even)), most);
+  const bool slotted = !wish.spacing_mm && spec.spacing_mm > 4 * slot_pitch_mm;
+  if (slotted) spec.spacing_mm -= spec.spacing_mm % slot_pitch_mm;
+}
+
+void choose_widths(ModuleSpec& spec, const Design& design, const FixtureSpec& wish) {
+  spec.widths_mm = spec.kind->module_widths_mm;
+  const auto prefer = [&](int width) {
+    std::erase(spec.widths_mm, width);
+    spec.widths_mm.insert(spec.widths_mm.begin(), width);
+  };
+  const std::string& generator = spec.kind->generator;
+  if (generator == "gondola" || generator == "wall_unit") prefer(design.profile.module_mm);
+  if (wish.module_mm) spec.widths_mm = {*wish.module_mm};
+}
+
+void choose_finish(ModuleSpec& spec, const Design& design, const FixtureSpec& wish) {
+  spec.material = spec.kind->material;
+  spec.color = spec.kind->color;
+  const MaterialRow* look = design.catalog.material(design.plan.look.fixture);
+  if (takes_look(*spec.kind) && look != nullptr) {
+    spec.material = look->id;
+    spec.color = look->color;
+  }
+  if (wish.material) spec.material = *wish.material;
+  if (wish.material && !wish.color) {
+    const MaterialRow* row = design.catalog.material(*wish.material);
+    if (row != nullptr) spec.color = row->color;
+  }
+  if (wish.color) spec.color = *wish.color;
+}
+
+int sum(const std::vector<int>& widths) {
+  return std::accumulate(widths.begin(), widths.end(), 0);
+}
+
+// `count` modules of the preferred width, then the widest that fit, over and over.
+std::vector<int> greedy_fill(const ModuleSpec& spec, int count, int length_mm) {
+  std::vector<int> widths(static_cast<std::size_t>(count), spec.widths_mm.front());
+  int left = length_mm - sum(widths);
+  std::vector<int> others(spec.widths_mm.begin() + 1, spec.widths_mm.end());
+  std::ranges::sort(others, std::greater<>());
+  for (const int width : others) {
+    for (; width <= left; left -= width)
+      widths.push_back(width);
+  }
+  return widths;
+}
+
+}  // namespace
+
+int ModuleSpec::door_swing_mm() const {
+  return static_cast<int>(kind->door_swing_mm);
+}
+
+int ModuleSpec::clear_mm(const Design& design) const {
+  return std::max(design.least_aisle_mm() + door_swing_mm(),
+                  static_cast<int>(kind->front_clearance_mm));
+}
+
+int ModuleSpec::narrowest_mm() const {
+  return *std::ranges::min_element(widths_mm);
+}
+
+ZoneKinds kinds_of(const Zone& zone, const Catalog& catalog) {
+  ZoneKinds kinds;
+  kinds.main = main_kind(zone, catalog);
+  if (kinds.main != nullptr) kinds.wall = wall_kind(*kinds.main, catalog);
+  return kinds;
+}
+
+ModuleSpec module_spec(const Design& design, const Zone& zone, const FixtureKind& kind) {
+  const ZoneKinds kinds = kinds_of(zone, design.catalog);
+  const FixtureSpec wish = &kind == kinds.main ? zone.fixture : FixtureSpec{};
+  ModuleSpec spec;
+  spec.kind = &kind;
+  spec.sides = wish.double_sided.value_or(kind.double_sided) && kind.double_sided ? 2 : 1;
+  choose_depth_and_height(spec, design, wish);
+  choose_levels(spec, wish);
+  choose_widths(spec, design, wish);
+  choose_finish(spec, design, wish);
+  if (&kind != kinds.main && zone.fixture.color && takes_look(kind))
+    spec.color = *zone.fixture.color;
+  return spec;
+}
+
+ModuleSpec one_sided(ModuleSpec spec) {
+  if (spec.sides == 1) return spec;
+  spec.sides = 1;
+  spec.depth_mm = clamped(spec.depth_mm / 2, spec.kind->depth_range_mm);
+  return spec;
+}
+
+std::vector<int> fill_widths(const ModuleSpec& spec, int length_mm) {
+  if (spec.widths_mm.empty() || length_mm <= 0) return {};
+  const int most = length_mm / spec.widths_mm.front();
+  std::vector<int> best;
+  for (int count = most; count >= std::max(0, most - most_fill_changes); --count) {
+    std::vector<int> widths = greedy_fill(spec, count, length_mm);
+    if (sum(widths) > sum(best)) best = std::move(widths);
+  }
+  return best;
+}
+
+Fixture make_module(const ModuleSpec& spec, const Zone& zone) {
+  Fixture fixture;
+  fixture.kind = spec.kind->kind;
+  fixture.zone = zone.id;
+  fixture.depth_mm = spec.depth_mm;
+  fixture.height_mm = spec.height_mm;
+  fixture.levels = spec.levels;
+  fixture.base_mm = spec.base_mm;
+  fixture.spacing_mm = spec.spacing_mm;
+  fixture.sides = spec.sides;
+  fixture.material = spec.material;
+  fixture.color = spec.color;
+  return fixture;
+}
+
+}  // namespace marketgen

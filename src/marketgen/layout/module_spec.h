@@ -1,0 +1,50 @@
+// Which fixtures a zone gets, and the size of one module.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "layout/design.h"
+#include "layout/layout.h"
+
+namespace marketgen {
+
+// One module as it will be repeated along a run.
+struct ModuleSpec {
+  const FixtureKind* kind = nullptr;
+  std::vector<int> widths_mm;  // preferred first
+  int depth_mm = 0;
+  int height_mm = 0;
+  int levels = 0;
+  int base_mm = 0;
+  int spacing_mm = 0;
+  int sides = 1;
+  std::string material, color;
+
+  int narrowest_mm() const;
+  int door_swing_mm() const;
+  // Free floor demanded before its front: a lawful aisle beside the open doors, or what the kind's
+  // row asks for.
+  int clear_mm(const Design& design) const;
+};
+
+// The kinds of a zone; null where it has none.
+struct ZoneKinds {
+  const FixtureKind* main = nullptr;  // what the plan or the zone's type asks for
+  const FixtureKind* wall = nullptr;  // what lines its walls
+};
+ZoneKinds kinds_of(const Zone& zone, const Catalog& catalog);
+
+// The zone's wishes count when `kind` is the kind they are about; the rest comes from the kind's
+// row and the profile.
+ModuleSpec module_spec(const Design& design, const Zone& zone, const FixtureKind& kind);
+// The same module stocked from one side only, for standing against a wall or back to back.
+ModuleSpec one_sided(ModuleSpec spec);
+
+// Widths of modules, left to right, that fill `length_mm` as well as they can: what is left over is
+// shorter than the narrowest module. Preferred widths first. Empty when not one fits.
+std::vector<int> fill_widths(const ModuleSpec& spec, int length_mm);
+
+// A fixture of this module with everything but its place and ids.
+Fixture make_module(const ModuleSpec& spec, const Zone& zone);
+
+}  // namespace marketgen

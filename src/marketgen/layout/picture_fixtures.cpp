@@ -1,0 +1,96 @@
+// Fixtures of the layout picture: outline, front ticks, and a sign for what they are.
+#include <algorithm>
+
+#include "layout/picture_sheet.h"
+#include "layout/side.h"
+
+namespace marketgen {
+namespace {
+
+constexpr int front_band_mm = 90;
+
+Color body_color(const Sheet& sheet, const Fixture& fixture, const FixtureKind* kind) {
+  if (kind != nullptr && kind->role == FixtureRole::equipment) return rgb("#d9d7d0");
+  if (kind != nullptr && kind->role == FixtureRole::checkout) return rgb("#8d99a6");
+  return blend(zone_color(sheet, fixture.zone), rgb("#ffffff"), 0.12);
+}
+
+// A dark strip along the front and a small arrow out of it.
+void draw_front(Sheet& sheet, const RectMm& rect, Side front, const Color& color) {
+  sheet.canvas.rectangle(sheet.area(strip_inside(rect, front, front_band_mm)));
+  sheet.canvas.fill(darker(color, 0.42));
+  const Span line = along(rect, front);
+  const double size = 75;  // mm
+  const double middle = line.middle(), edge = coordinate(rect, front);
+  const double out = front == Side::north || front == Side::east ? size : -size;
+  std::vector<std::array<double, 2>> arrow;
+  for (const auto& [along_mm, out_mm] :
+       {std::pair{-size, 0.0}, std::pair{size, 0.0}, std::pair{0.0, out}}) {
+    arrow.push_back(lies_along_x(front)
+                        ? std::array{sheet.x(middle + along_mm), sheet.y(edge + out_mm)}
+                        : std::array{sheet.x(edge + out_mm), sheet.y(middle + along_mm)});
+  }
+  sheet.canvas.polygon(arrow);
+  sheet.canvas.fill(darker(color, 0.42));
+}
+
+// The line along which a double-sided fixture stands back to back.
+void draw_spine(Sheet& sheet, const RectMm& rect, Side front, const Color& color) {
+  const int depth = across(rect, front).length();
+  sheet.canvas.rectangle(sheet.area(strip_inside(rect, front, 40, depth / 2 - 20)));
+  sheet.canvas.fill(darker(color, 0.35));
+}
+
+void draw_freezer_well(Sheet& sheet, const RectMm& rect, const Color& color) {
+  const Area well = sheet.area(rect.grown(-180));
+  if (well.w <= 0 || well.h <= 0) return;
+  sheet.canvas.rounded(well, 2);
+  sheet.canvas.fill_and_stroke(lighter(color, 0.55), darker(color, 0.3), 0.7);
+}
+
+// The belt on one half, the till on the other.
+void draw_lane(Sheet& sheet, const RectMm& rect) {
+  const bool deep = rect.depth() > rect.width();
+  const int length = deep ? rect.depth() : rect.width();
+  const RectMm belt =
+      deep ? RectMm{rect.x0 + 550, rect.y0 + length * 2 / 5, rect.x1 - 90, rect.y1 - 90}
+           : RectMm{rect.x0 + length * 2 / 5, rect.y0 + 90, rect.x1 - 90, rect.y1 - 550};
+  sheet.canvas.rounded(sheet.area(belt), 2);
+  sheet.canvas.fill(rgb("#3f4650"));
+  const RectMm seat =
+      deep ? RectMm{rect.x0 + 120, rect.y0 + length / 4, rect.x0 + 480, rect.y0 + length / 4 + 360}
+           : RectMm{rect.x0 + length / 4, rect.y1 - 480, rect.x0 + length / 4 + 360, rect.y1 - 120};
+  const Area a = sheet.area(seat);
+  sheet.canvas.circle(a.center_x(), a.center_y(), a.w / 2);
+  sheet.canvas.fill(rgb("#eef1f4"));
+}
+
+void draw_fixture(Sheet& sheet, const Fixture& fixture) {
+  const FixtureKind* kind = sheet.catalog.fixture_kind(fixture.kind);
+  const Color color = body_color(sheet, fixture, kind);
+  const RectMm rect = footprint_of(fixture);
+  const Side front = facing_of(fixture.yaw_deg);
+  sheet.canvas.rectangle(sheet.area(rect));
+  sheet.canvas.fill_and_stroke(color, darker(color, 0.5), 0.9);
+  const std::string generator = kind == nullptr ? "" : kind->generator;
+  if (generator == "island_freezer" || generator == "chest_freezer" || generator == "bin") {
+    draw_freezer_well(sheet, rect, color);
+  }
+  if (generator == "checkout_lane") {
+    draw_lane(sheet, rect);
+    return;
+  }
+  if (generator == "gate") return;
+  if (fixture.sides == 2) draw_spine(sheet, rect, front, color);
+  draw_front(sheet, rect, front, color);
+  if (fixture.sides == 2) draw_front(sheet, rect, opposite(front), color);
+}
+
+}  // namespace
+
+void draw_fixtures(Sheet& sheet) {
+  for (const Fixture& fixture : sheet.layout.fixtures)
+    draw_fixture(sheet, fixture);
+}
+
+}  // namespace marketgen

@@ -1,0 +1,29 @@
+// The changes that repair_plan may try on a plan, each bound to a broken rule.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "layout/layout.h"
+#include "layout/layout_rules.h"
+
+namespace marketgen {
+
+// A changed plan, not yet known to be better or even valid.
+struct RepairCandidate {
+  Plan plan;
+  std::string change;              // one sentence
+  std::vector<std::string> paths;  // JSON pointers of what changed
+};
+
+// What a move knows of the fault it shall mend.
+struct RepairTask {
+  const Plan& plan;
+  const Layout& layout;
+  const Violation& violation;
+  const Catalog& catalog;
+};
+
+// At most six candidates, the gentlest first.
+std::vector<RepairCandidate> propose(RepairMove move, const RepairTask& task);
+
+}  // namespace marketgen

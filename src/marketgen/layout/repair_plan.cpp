@@ -1,0 +1,134 @@
+#include <algorithm>
+#include <set>
+
+#include "base/hash.h"
+#include "io/json.h"
+#include "layout/layout.h"
+#include "layout/layout_rules.h"
+#include "layout/repair_moves.h"
+
+namespace marketgen {
+namespace {
+
+// Layouts that may be tried: many while the shop is unlawful, few for the sake of habit, fewer
+// where each takes long.
+constexpr int most_trials_hard = 60;
+constexpr int most_trials_soft = 10;
+constexpr double large_shop_m2 = 600;
+constexpr int most_trials_soft_large = 4;
+constexpr int impossible = 1'000'000;  // hard faults of a plan that has no layout
+
+struct Score {
+  int hard = 0, soft = 0;
+  friend auto operator<=>(const Score&, const Score&) = default;
+};
+
+struct Trial {
+  Plan plan;
+  Layout layout;
+  Score score;
+};
+
+Score score_of(const std::vector<Violation>& violations) {
+  Score score;
+  for (const Violation& v : violations)
+    ++(v.severity == Severity::hard ? score.hard : score.soft);
+  return score;
+}
+
+const LayoutRule* rule_of(const Violation& violation) {
+  const std::vector<LayoutRule>& rules = layout_rules();
+  const auto rule = std::ranges::find(rules, violation.code, &LayoutRule::code);
+  return rule == rules.end() ? nullptr : &*rule;
+}
+
+class Repair {
+ public:
+  Repair(const Catalog& catalog, Seed seed, double store_m2)
+      : catalog_(catalog),
+        seed_(seed),
+        soft_left_(store_m2 > large_shop_m2 ? most_trials_soft_large : most_trials_soft) {}
+
+  Result<Trial> lay_out(const Plan& plan) const {
+    Result<Layout> layout = make_layout(plan, catalog_, seed_);
+    if (!layout.ok() && layout.error().code != "layout.impossible") return layout.error();
+    if (!layout.ok()) return Trial{plan, {}, {impossible, 0}};
+    const Score score = score_of(layout->violations);
+    return Trial{plan, std::move(layout).value(), score};
+  }
+
+  // The first candidate that is better, hard faults first; nothing when none is or the trials are
+  // used up.
+  std::optional<std::pair<Trial, RepairCandidate>> better(const Trial& now) {
+    std::vector<Violation> faults = now.layout.violations;
+    if (now.score.hard >= impossible) faults = emptiness(now.plan);
+    std::ranges::stable_sort(faults, {}, &Violation::severity);
+    std::set<std::pair<std::string, std::string>> seen;
+    for (const Violation& fault : faults) {
+      const LayoutRule* rule = rule_of(fault);
+      if (rule == nullptr || !seen.insert({fault.code, fault.where}).second) continue;
+      for (const RepairMove move : rule->repairs) {
+        for (RepairCandidate& candidate : propose(move, {now.plan, now.layout, fault, catalog_})) {
+          int& left = fault.severity == Severity::hard ? hard_left_ : soft_left_;
+          if (left <= 0) break;
+          if (!is_new(candidate.plan) || !validate_plan(candidate.plan, "repair", catalog_).ok())
+            continue;
+          --left;
+          Result<Trial> trial = lay_out(candidate.plan);
+          if (trial.ok() && trial->score < now.score)
+            return std::pair{std::move(trial).value(), std::move(candidate)};
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  void remember(const Plan& plan) { is_new(plan); }
+
+ private:
+  bool is_new(const Plan& plan) { return tried_.insert(hash64(write_json_line(plan))).second; }
+
+  // A plan without a single fixture: every zone is empty.
+  static std::vector<Violation> emptiness(const Plan& plan) {
+    std::vector<Violation> faults;
+    for (const Zone& zone : plan.zones) {
+      faults.push_back({"ZONE_EMPTY",
+                        Severity::hard,
+                        zone.id,
+                        0,
+                        1,
+                        "zone " + zone.id + " holds no fixture",
+                        {}});
+    }
+    return faults;
+  }
+
+  const Catalog& catalog_;
+  Seed seed_;
+  int hard_left_ = most_trials_hard;
+  int soft_left_;
+  std::set<std::uint64_t> tried_;
+};
+
+}  // namespace
+
+Result<Repaired> repair_plan(const Plan& plan, const Catalog& catalog, Seed seed) {
+  const double store_m2 = 1e-6 * plan.shell.width_mm * plan.shell.depth_mm;
+  Repair repair(catalog, seed, store_m2);
+  repair.remember(plan);
+  MARKETGEN_TRY(Trial now, repair.lay_out(plan));
+  Repaired repaired{plan, {}};
+  while (now.score > Score{}) {
+    auto next = repair.better(now);
+    if (!next) break;
+    now = std::move(next->first);
+    for (const std::string& path : next->second.paths) {
+      now.plan.provenance.push_back({path, Source::repair, std::nullopt, 1});
+    }
+    repaired.changes.push_back(std::move(next->second.change));
+  }
+  repaired.plan = std::move(now.plan);
+  return repaired;
+}
+
+}  // namespace marketgen

@@ -1,0 +1,207 @@
+// Rules about zones: that they hold something, and who may be whose neighbour.
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "layout/module_spec.h"
+#include "layout/neighbours.h"
+#include "layout/relations.h"
+#include "layout/rule_facts.h"
+
+namespace marketgen {
+namespace {
+
+constexpr int cold_group_mm = 4000;  // cold zones nearer than this share their piping
+constexpr int most_cold_groups = 2;
+constexpr double produce_share = 0.5;  // of the shop's diagonal
+
+PointMm middle(const LayoutZone& zone) {
+  return bounds_of(zone.polygon_mm).center();
+}
+
+bool zone_is_cold(const RuleFacts& facts, const LayoutZone& zone) {
+  const Zone* planned = find_zone(facts.design.plan, zone.id);
+  if (planned != nullptr) return is_cold(*planned, facts.catalog());
+  const ZoneTypeRow* type = facts.catalog().zone_type(zone.type);
+  return type != nullptr && type->temperature != Storage::ambient;
+}
+
+// The nearest two fixtures of two zones; nothing when one of them has none.
+struct NearestPair {
+  std::size_t a = 0, b = 0;
+  int gap = 0;
+};
+std::optional<NearestPair> nearest_fixtures(const RuleFacts& facts,
+                                            const std::string& a,
+                                            const std::string& b) {
+  std::optional<NearestPair> best;
+  for (std::size_t i = 0; i < facts.footprints.size(); ++i) {
+    if (facts.layout.fixtures[i].zone != a || !facts.is_shelving(i)) continue;
+    for (std::size_t k = 0; k < facts.footprints.size(); ++k) {
+      if (facts.layout.fixtures[k].zone != b || !facts.is_shelving(k)) continue;
+      const int gap = gap_mm(facts.footprints[i], facts.footprints[k]);
+      if (!best || gap < best->gap) best = NearestPair{i, k, gap};
+    }
+  }
+  return best;
+}
+
+// Zones that must be kept apart but whose fixtures stand right beside each other.
+template <class Apart>
+Findings too_close(const RuleFacts& facts, Apart must_be_apart, const std::string& why) {
+  Findings found;
+  for (const LayoutZone& a : facts.layout.zones) {
+    for (const LayoutZone& b : facts.layout.zones) {
+      if (a.id == b.id || !must_be_apart(a, b)) continue;
+      const auto pair = nearest_fixtures(facts, a.id, b.id);
+      if (!pair || pair->gap >= apart_mm) continue;
+      found.push_back({a.id,
+                       static_cast<double>(std::max(0, pair->gap)),
+                       apart_mm,
+                       "zone " + a.id + " stands right beside " + b.id + ": " + why,
+                       facts.footprints[pair->a].center()});
+    }
+  }
+  return found;
+}
+
+int cold_groups(const std::vector<RectMm>& cold) {
+  std::vector<std::size_t> group(cold.size());
+  for (std::size_t i = 0; i < cold.size(); ++i)
+    group[i] = i;
+  for (std::size_t i = 0; i < cold.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (gap_mm(cold[i], cold[k]) > cold_group_mm || group[i] == group[k]) continue;
+      const std::size_t from = group[i], to = group[k];
+      std::ranges::replace(group, from, to);
+    }
+  }
+  return static_cast<int>(std::set(group.begin(), group.end()).size());
+}
+
+Findings relations_of(const RuleFacts& facts, Strength strength) {
+  Findings found;
+  for (std::size_t i = 0; i < facts.design.plan.relations.size(); ++i) {
+    const Relation& relation = facts.design.plan.relations[i];
+    if (relation.strength != strength) continue;
+    const RelationResult result = check_relation(facts.layout, relation);
+    if (result.holds) continue;
+    found.push_back({relation.a, result.value_m, result.limit_m, result.message, result.at_mm});
+  }
+  return found;
+}
+
+}  // namespace
+
+Findings zone_too_small(const RuleFacts& facts) {
+  Findings found;
+  for (const LayoutZone& zone : facts.layout.zones) {
+    const Zone* planned = find_zone(facts.design.plan, zone.id);
+    if (planned == nullptr || !planned->area_m2.min || zone.area_m2 >= *planned->area_m2.min)
+      continue;
+    found.push_back({zone.id,
+                     zone.area_m2,
+                     *planned->area_m2.min,
+                     "zone " + zone.id + " has less floor than it needs",
+                     middle(zone)});
+  }
+  return found;
+}
+
+Findings zone_empty(const RuleFacts& facts) {
+  Findings found;
+  for (const LayoutZone& zone : facts.layout.zones) {
+    const Zone* planned = find_zone(facts.design.plan, zone.id);
+    if (planned == nullptr || kinds_of(*planned, facts.catalog()).main == nullptr) continue;
+    const bool furnished = std::ranges::any_of(facts.layout.fixtures, [&](const Fixture& fixture) {
+      const bool entrance = fixture.run.find("/entrance/") != std::string::npos;
+      return fixture.zone == zone.id && !entrance;
+    });
+    if (furnished) continue;
+    found.push_back({zone.id,
+                     0,
+                     1,
+                     "zone " + zone.id + " holds no fixture: its floor is too small or shut in",
+                     middle(zone)});
+  }
+  return found;
+}
+
+// Tills and equipment only: shelving takes what room there is.
+Findings count_short(const RuleFacts& facts) {
+  Findings found;
+  for (const LayoutZone& zone : facts.layout.zones) {
+    const Zone* planned = find_zone(facts.design.plan, zone.id);
+    if (planned == nullptr || !planned->fixture.count) continue;
+    const FixtureKind* kind = kinds_of(*planned, facts.catalog()).main;
+    if (kind == nullptr || kind->role == FixtureRole::shelving) continue;
+    const auto standing = std::ranges::count_if(facts.layout.fixtures, [&](const Fixture& fixture) {
+      return fixture.zone == zone.id && fixture.kind == kind->kind;
+    });
+    if (standing >= *planned->fixture.count) continue;
+    found.push_back({zone.id,
+                     static_cast<double>(standing),
+                     static_cast<double>(*planned->fixture.count),
+                     "zone " + zone.id + " has room for " + std::to_string(standing) + " of the " +
+                         std::to_string(*planned->fixture.count) + " asked for",
+                     middle(zone)});
+  }
+  return found;
+}
+
+Findings cold_scattered(const RuleFacts& facts) {
+  std::vector<RectMm> cold;
+  for (const LayoutZone& zone : facts.layout.zones) {
+    if (zone_is_cold(facts, zone)) cold.push_back(bounds_of(zone.polygon_mm));
+  }
+  const int groups = cold_groups(cold);
+  if (groups <= most_cold_groups) return {};
+  return {{"refrigeration",
+           static_cast<double>(groups),
+           most_cold_groups,
+           "refrigerated zones stand in " + std::to_string(groups) + " places",
+           cold.front().center()}};
+}
+
+Findings raw_next_to_ready(const RuleFacts& facts) {
+  return too_close(
+      facts,
+      [](const LayoutZone& a, const LayoutZone& b) { return is_raw_beside_ready(a.type, b.type); },
+      "raw meat is kept apart from food that is eaten as it is");
+}
+
+Findings chemical_next_to_food(const RuleFacts& facts) {
+  return too_close(
+      facts,
+      [&](const LayoutZone& a, const LayoutZone& b) {
+        return is_chemical_beside_food(a.type, b.type, facts.catalog());
+      },
+      "chemicals are kept apart from food");
+}
+
+Findings produce_far(const RuleFacts& facts) {
+  const Doorway* door = entrance_of(facts.design.floor, facts.shell());
+  if (door == nullptr) return {};
+  const double wide = facts.design.floor.bounds.width() * 1e-3,
+               deep = facts.design.floor.bounds.depth() * 1e-3;
+  const double limit = produce_share * std::sqrt(wide * wide + deep * deep);
+  Findings found;
+  for (const LayoutZone& zone : facts.layout.zones) {
+    if (zone.type != "produce") continue;
+    const double away = distance_m(bounds_of(zone.polygon_mm), door->threshold);
+    if (away <= limit) continue;
+    found.push_back(
+        {zone.id, away, limit, "zone " + zone.id + " is far from the entrance", middle(zone)});
+  }
+  return found;
+}
+
+Findings relation_broken(const RuleFacts& facts) {
+  return relations_of(facts, Strength::must);
+}
+
+Findings relation_missed(const RuleFacts& facts) {
+  return relations_of(facts, Strength::prefer);
+}
+
+}  // namespace marketgen

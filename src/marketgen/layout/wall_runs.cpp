@@ -1,0 +1,134 @@
+#include <algorithm>
+#include <tuple>
+
+#include "layout/neighbours.h"
+#include "layout/zone_build.h"
+
+namespace marketgen {
+namespace {
+
+constexpr int wall_gap_mm = 20;       // skirting and uneven walls behind a unit
+constexpr int window_sill_mm = 1000;  // lower units may stand under a window
+constexpr int staff_aisle_mm =
+    1000;  // behind a service counter; one person working, another passing (Neufert)
+
+struct WallJob {
+  std::size_t ground;
+  Side side;
+  Span span;
+  bool cold;
+};
+
+// Without the windows that a unit of this height would cover.
+std::vector<Span> without_windows(const Build& build, Side side, Span span, int height_mm) {
+  if (height_mm <= window_sill_mm) return {span};
+  std::vector<Span> windows;
+  for (const Doorway& door : build.design.floor.doorways) {
+    const Opening& opening = build.design.plan.shell.openings[door.opening];
+    if (opening.kind == OpeningKind::window && door.wall == side) windows.push_back(door.span);
+  }
+  return without(span, windows);
+}
+
+// Cold cabinets first, because they have the fewest places to go; then walls without the entrance; then
+// the longest.
+std::vector<WallJob> wall_jobs(const Build& build) {
+  std::vector<WallJob> jobs;
+  for (std::size_t i = 0; i < build.grounds.size(); ++i) {
+    const ZoneBuild& zone = build.zones[build.grounds[i].zone];
+    if (zone.kinds.wall == nullptr) continue;
+    const bool cold = zone.kinds.wall->temperature != Storage::ambient;
+    for (const Side side : all_sides) {
+      for (const Span& wall : build.grounds[i].ground.walls[index_of(side)]) {
+        for (const Span& span : without_windows(build, side, wall, zone.kinds.wall->height_mm)) {
+          jobs.push_back({i, side, span, cold});
+        }
+      }
+    }
+  }
+  const Doorway* entrance = entrance_of(build.design.floor, build.design.plan.shell);
+  const auto order = [&](const WallJob& job) {
+    const bool front = entrance != nullptr && entrance->wall == job.side;
+    return std::tuple{!job.cold, front, -job.span.length()};
+  };
+  std::ranges::stable_sort(jobs, {}, order);
+  return jobs;
+}
+
+// Service counters stand off the wall, so that staff can work behind them.
+bool has_staff_aisle(const GroundBuild& ground,
+                     const WallJob& job,
+                     const ModuleSpec& spec,
+                     int clear_mm) {
+  return spec.kind->generator == "serve_over" && across(ground.ground.rect, job.side).length() >=
+                                                     staff_aisle_mm + spec.depth_mm + clear_mm / 2;
+}
+
+// A way in for the staff: at the end that is not in a corner of the room.
+Span with_staff_entry(const Build& build, Side side, Span span, int entry_mm) {
+  const Span room = along(build.design.floor.bounds, side);
+  if (span.to == room.to) return {span.from + entry_mm, span.to};
+  return {span.from, span.to - entry_mm};
+}
+
+// The band without what is too near to fixtures of goods that are kept apart from the zone's.
+std::vector<Span> apart_from_others(const Build& build, const ZoneBuild& zone, const Row& row) {
+  std::vector<Span> taken;
+  for (const Fixture& fixture : build.site.fixtures()) {
+    const Zone* other = find_zone(build.design.plan, fixture.zone);
+    if (other == nullptr || !kept_apart(zone.zone->type, other->type, build.design.catalog)) continue;
+    const RectMm near = footprint_of(fixture).grown(apart_mm);
+    if (overlap(near, row.band)) taken.push_back(along(near, row.front));
+  }
+  return without(along(row.band, row.front), taken, row.spec->narrowest_mm());
+}
+
+void line_wall(Build& build, const WallJob& job) {
+  GroundBuild& ground = build.grounds[job.ground];
+  ZoneBuild& zone = build.zones[ground.zone];
+  const ModuleSpec spec = one_sided(module_spec(build.design, *zone.zone, *zone.kinds.wall));
+  const int clear = spec.clear_mm(build.design);
+  const bool staffed = has_staff_aisle(ground, job, spec, clear);
+  const int offset = staffed ? staff_aisle_mm : wall_gap_mm;
+  const Span span = staffed
+                        ? with_staff_entry(build, job.side, job.span, build.design.least_aisle_mm())
+                        : job.span;
+  const RectMm band =
+      cut_along(strip_inside(ground.ground.rect, job.side, spec.depth_mm, offset), job.side, span);
+  const int most = zone.modules_left(spec.kind);
+  if (most <= 0) return;
+  const Row whole{zone.zone->id + "/run-" + std::to_string(zone.next_run),
+          zone.zone,
+          &spec,
+          opposite(job.side),
+          band,
+          clear,
+          most};
+  bool any = false;
+  for (const Span& part : apart_from_others(build, zone, whole)) {
+    Row row = whole;
+    row.run = zone.zone->id + "/run-" + std::to_string(zone.next_run);
+    row.band = cut_along(band, row.front, part);
+    row.most_modules = zone.modules_left(spec.kind);
+    const std::vector<PlacedRun> runs = build.site.place(row, Packing::low);
+    if (!runs.empty()) ++zone.next_run;
+    zone.count(spec.kind, runs);
+    any = any || !runs.empty();
+  }
+  if (!any) return;
+  int& lined = ground.lined_mm[index_of(job.side)];
+  lined = std::max(lined, offset + spec.depth_mm);
+  if (staffed) {
+    build.site.keep_clear(
+        cut_along(strip_inside(ground.ground.rect, job.side, offset), job.side, job.span));
+  }
+}
+
+}  // namespace
+
+void line_walls(Build& build) {
+  for (const WallJob& job : wall_jobs(build))
+    line_wall(build, job);
+}
+
+}  // namespace marketgen

@@ -1,0 +1,145 @@
+#include "navigation/occupancy.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace marketgen {
+namespace {
+
+std::int64_t squared(std::int64_t v) {
+  return v * v;
+}
+
+// Cells from..to (inclusive) whose centres can lie within [low, high] along one axis.
+struct CellSpan {
+  int from = 0, to = -1;
+};
+
+CellSpan cells_within(int low, int high, int origin, int cell_mm, int count) {
+  const int half = cell_mm / 2;
+  const auto cell = [&](int at) {
+    return static_cast<int>(std::floor(static_cast<double>(at - origin - half) / cell_mm));
+  };
+  return {std::max(0, cell(low)), std::min(count - 1, cell(high) + 1)};
+}
+
+std::int64_t squared_distance(PointMm p, const RectMm& r) {
+  const int dx = std::max({r.x0 - p[0], 0, p[0] - r.x1});
+  const int dy = std::max({r.y0 - p[1], 0, p[1] - r.y1});
+  return squared(dx) + squared(dy);
+}
+
+// Inside counts as distance 0, so a clearance of 0 still blocks the obstacle's own floor.
+bool covers(const RectMm& r, PointMm p) {
+  return p[0] > r.x0 && p[0] < r.x1 && p[1] > r.y0 && p[1] < r.y1;
+}
+
+void block_rectangle(OccupancyGrid& grid, const RectMm& obstacle, int clearance_mm) {
+  const RectMm reach = obstacle.grown(clearance_mm);
+  const CellSpan xs = cells_within(reach.x0, reach.x1, grid.bounds.x0, grid.cell_mm, grid.columns);
+  const CellSpan ys = cells_within(reach.y0, reach.y1, grid.bounds.y0, grid.cell_mm, grid.rows);
+  const std::int64_t limit = squared(clearance_mm);
+  for (int row = ys.from; row <= ys.to; ++row) {
+    for (int column = xs.from; column <= xs.to; ++column) {
+      const PointMm p = grid.center(column, row);
+      if (squared_distance(p, obstacle) < limit || covers(obstacle, p)) {
+        grid.blocked[grid.index(column, row)] = 1;
+      }
+    }
+  }
+}
+
+// Squared distance from p to the segment a-b, compared exactly: true when it is below limit.
+bool nearer_than(PointMm p, PointMm a, PointMm b, int clearance_mm) {
+  const std::int64_t dx = b[0] - a[0], dy = b[1] - a[1];
+  const std::int64_t px = p[0] - a[0], py = p[1] - a[1];
+  const std::int64_t length2 = dx * dx + dy * dy;
+  const std::int64_t along = px * dx + py * dy;
+  const std::int64_t limit = squared(clearance_mm);
+  if (along <= 0) return px * px + py * py < limit;
+  if (along >= length2) return squared(p[0] - b[0]) + squared(p[1] - b[1]) < limit;
+  const double across = static_cast<double>(px * dy - py * dx);
+  return across * across < static_cast<double>(limit) * static_cast<double>(length2);
+}
+
+void block_edge(OccupancyGrid& grid, PointMm a, PointMm b, int clearance_mm) {
+  const RectMm reach =
+      RectMm{std::min(a[0], b[0]), std::min(a[1], b[1]), std::max(a[0], b[0]), std::max(a[1], b[1])}
+          .grown(clearance_mm);
+  const CellSpan xs = cells_within(reach.x0, reach.x1, grid.bounds.x0, grid.cell_mm, grid.columns);
+  const CellSpan ys = cells_within(reach.y0, reach.y1, grid.bounds.y0, grid.cell_mm, grid.rows);
+  for (int row = ys.from; row <= ys.to; ++row) {
+    for (int column = xs.from; column <= xs.to; ++column) {
+      if (nearer_than(grid.center(column, row), a, b, clearance_mm)) {
+        grid.blocked[grid.index(column, row)] = 1;
+      }
+    }
+  }
+}
+
+// Opens the cells whose centres lie inside the polygon, row by row between the crossings of its
+// edges.
+void open_inside(OccupancyGrid& grid, const PolygonMm& floor) {
+  std::vector<double> crossings;
+  for (int row = 0; row < grid.rows; ++row) {
+    const int y = grid.center(0, row)[1];
+    crossings.clear();
+    for (std::size_t i = 0; i < floor.size(); ++i) {
+      const PointMm& a = floor[i];
+      const PointMm& b = floor[(i + 1) % floor.size()];
+      if ((a[1] > y) == (b[1] > y)) continue;
+      const double share = static_cast<double>(y - a[1]) / static_cast<double>(b[1] - a[1]);
+      crossings.push_back(a[0] + share * (b[0] - a[0]));
+    }
+    std::sort(crossings.begin(), crossings.end());
+    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+      for (int column = 0; column < grid.columns; ++column) {
+        const int x = grid.center(column, row)[0];
+        if (x > crossings[i] && x < crossings[i + 1]) grid.blocked[grid.index(column, row)] = 0;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+OccupancyGrid make_occupancy(const PolygonMm& floor,
+                             const std::vector<RectMm>& obstacles,
+                             int clearance_mm,
+                             int cell_mm) {
+  OccupancyGrid grid;
+  grid.bounds = bounds_of(floor);
+  grid.cell_mm = cell_mm;
+  grid.columns = (grid.bounds.width() + cell_mm - 1) / cell_mm;
+  grid.rows = (grid.bounds.depth() + cell_mm - 1) / cell_mm;
+  grid.blocked.assign(static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows),
+                      1);
+  open_inside(grid, floor);
+  for (std::size_t i = 0; i < floor.size(); ++i) {
+    block_edge(grid, floor[i], floor[(i + 1) % floor.size()], clearance_mm);
+  }
+  for (const RectMm& obstacle : obstacles)
+    block_rectangle(grid, obstacle, clearance_mm);
+  return grid;
+}
+
+std::optional<std::size_t> nearest_free(const OccupancyGrid& grid, PointMm point, int reach_mm) {
+  const RectMm reach = RectMm{point[0], point[1], point[0], point[1]}.grown(reach_mm);
+  const CellSpan xs = cells_within(reach.x0, reach.x1, grid.bounds.x0, grid.cell_mm, grid.columns);
+  const CellSpan ys = cells_within(reach.y0, reach.y1, grid.bounds.y0, grid.cell_mm, grid.rows);
+  std::optional<std::size_t> best;
+  std::int64_t best_distance = squared(reach_mm) + 1;
+  for (int row = ys.from; row <= ys.to; ++row) {
+    for (int column = xs.from; column <= xs.to; ++column) {
+      if (!grid.free(column, row)) continue;
+      const PointMm p = grid.center(column, row);
+      const std::int64_t distance = squared(p[0] - point[0]) + squared(p[1] - point[1]);
+      if (distance >= best_distance) continue;
+      best_distance = distance;
+      best = grid.index(column, row);
+    }
+  }
+  return best;
+}
+
+}  // namespace marketgen

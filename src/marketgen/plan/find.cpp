@@ -1,0 +1,27 @@
+#include <algorithm>
+#include <set>
+
+#include "plan/plan.h"
+
+namespace marketgen {
+
+std::size_t root_of(const Plan& plan) {
+  std::set<std::string_view> children;
+  for (const Node& node : plan.nodes)
+    children.insert(node.children.begin(), node.children.end());
+  const auto root = std::ranges::find_if(
+      plan.nodes, [&](const Node& node) { return !children.contains(node.id); });
+  return static_cast<std::size_t>(root - plan.nodes.begin());
+}
+
+const Node* find_node(const Plan& plan, std::string_view id) {
+  const auto found = std::ranges::find(plan.nodes, id, &Node::id);
+  return found == plan.nodes.end() ? nullptr : &*found;
+}
+
+const Zone* find_zone(const Plan& plan, std::string_view id) {
+  const auto found = std::ranges::find(plan.zones, id, &Zone::id);
+  return found == plan.zones.end() ? nullptr : &*found;
+}
+
+}  // namespace marketgen

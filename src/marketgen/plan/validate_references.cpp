@@ -1,0 +1,133 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "plan/validation.h"
+
+namespace marketgen {
+namespace {
+
+// Places that a relation may name besides zones and openings.
+constexpr std::array<std::string_view, 6> fixed_places = {
+    "north", "south", "east", "west", "center", "checkout"};
+constexpr std::array<std::string_view, 5> override_fields = {
+    "levels", "height_mm", "color", "material", "kind"};
+
+std::vector<std::string_view> places_of(const Plan& plan) {
+  std::vector<std::string_view> places(fixed_places.begin(), fixed_places.end());
+  for (const Zone& zone : plan.zones) {
+    places.push_back(zone.id);
+    places.push_back(zone.type);
+  }
+  for (const Opening& opening : plan.shell.openings) {
+    places.push_back(opening.id);
+    places.push_back(name_of(opening.kind));
+  }
+  std::ranges::sort(places);
+  const auto repeated = std::ranges::unique(places);
+  places.erase(repeated.begin(), repeated.end());
+  return places;
+}
+
+Result<void> check_place(const PlanCheck& check,
+                         const std::vector<std::string_view>& places,
+                         const std::string& name,
+                         std::string pointer) {
+  if (std::ranges::binary_search(places, name)) return {};
+  return unknown_name(
+      "plan.unknown_reference", check.at(pointer), "zone, opening or wall", name, places);
+}
+
+Result<void> check_relations(const PlanCheck& check) {
+  const std::vector<std::string_view> places = places_of(check.plan);
+  for (std::size_t i = 0; i < check.plan.relations.size(); ++i) {
+    const Relation& relation = check.plan.relations[i];
+    const auto at = [&](std::string_view field) { return element_pointer("relations", i, field); };
+    MARKETGEN_CHECK(check_place(check, places, relation.a, at("a")));
+    MARKETGEN_CHECK(check_place(check, places, relation.b, at("b")));
+    if (relation.c) MARKETGEN_CHECK(check_place(check, places, *relation.c, at("c")));
+    if (relation.c.has_value() == (relation.kind == RelationKind::between)) continue;
+    return Error{"plan.bad_value",
+                 check.at(at("c")),
+                 "c is the second reference of `between`, and of no other relation"};
+  }
+  return {};
+}
+
+Result<void> check_whole_number(const PlanCheck& check,
+                                const std::string& text,
+                                std::string pointer) {
+  int number = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (fault == std::errc{} && end == text.data() + text.size() && number > 0) return {};
+  return Error{
+      "plan.bad_value", check.at(pointer), "\"" + text + "\" is not a positive whole number"};
+}
+
+Result<void> check_override_value(const PlanCheck& check, std::size_t i) {
+  const Override& change = check.plan.overrides[i];
+  const std::string pointer = element_pointer("overrides", i, "value");
+  if (change.field_name == "color") return check_color(change.value, check.at(pointer));
+  if (change.field_name == "material") {
+    return check_name(
+        check.catalog.materials, &MaterialRow::id, "material", change.value, check.at(pointer));
+  }
+  if (change.field_name == "kind") {
+    return check_name(check.catalog.fixture_kinds,
+                      &FixtureKind::kind,
+                      "fixture kind",
+                      change.value,
+                      check.at(pointer));
+  }
+  return check_whole_number(check, change.value, pointer);
+}
+
+Result<void> check_overrides(const PlanCheck& check) {
+  for (std::size_t i = 0; i < check.plan.overrides.size(); ++i) {
+    const Override& change = check.plan.overrides[i];
+    if (std::ranges::find(override_fields, change.field_name) == override_fields.end()) {
+      return unknown_name("plan.unknown_reference",
+                          check.at(element_pointer("overrides", i, "field")),
+                          "field",
+                          change.field_name,
+                          {override_fields.begin(), override_fields.end()});
+    }
+    MARKETGEN_CHECK(check_override_value(check, i));
+  }
+  return {};
+}
+
+Result<void> check_placements(const PlanCheck& check) {
+  const Shell& shell = check.plan.shell;
+  std::vector<std::string_view> skus;
+  for (const Product& product : check.catalog.products)
+    skus.push_back(product.sku);
+  for (std::size_t i = 0; i < check.plan.placements.size(); ++i) {
+    const Placement& placement = check.plan.placements[i];
+    if (check.catalog.product(placement.sku) == nullptr) {
+      return unknown_name("catalog.unknown_sku",
+                          check.at(element_pointer("placements", i, "sku")),
+                          "product",
+                          placement.sku,
+                          skus);
+    }
+    const std::array<double, 3>& p = placement.position_m;
+    const bool inside = p[0] >= 0 && p[0] <= shell.width_mm * 1e-3 && p[1] >= 0 &&
+                        p[1] <= shell.depth_mm * 1e-3 && p[2] <= shell.ceiling_mm * 1e-3;
+    if (inside) continue;
+    return Error{"plan.bad_value",
+                 check.at(element_pointer("placements", i, "position_m")),
+                 "the product would stand outside the shop"};
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> check_references(const PlanCheck& check) {
+  MARKETGEN_CHECK(check_relations(check));
+  MARKETGEN_CHECK(check_overrides(check));
+  return check_placements(check);
+}
+
+}  // namespace marketgen

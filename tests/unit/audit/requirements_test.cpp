@@ -1,0 +1,211 @@
+// Every kind of wish, met and not met, on a shop whose facts are known.
+#include "audit/requirements.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "audited_shop.h"
+#include "support/hand_laid_shop.h"
+
+namespace marketgen {
+namespace {
+
+using Kind = RequirementKind;
+constexpr Comparison equal = Comparison::equal, at_least = Comparison::at_least,
+                     at_most = Comparison::at_most;
+
+Requirement wish(Kind kind,
+                 std::string subject,
+                 std::string object = "",
+                 double value = 0,
+                 Comparison comparison = equal) {
+  Requirement r;
+  r.kind = kind;
+  r.subject = std::move(subject);
+  r.object = std::move(object);
+  r.value = value;
+  r.comparison = comparison;
+  return r;
+}
+
+Requirement size_wish(double width_mm, double depth_mm) {
+  Requirement r = wish(Kind::size, "", "", width_mm);
+  r.second_value = depth_mm;
+  return r;
+}
+
+Requirement relation_wish(std::string a, RelationKind relation, std::string b) {
+  Requirement r = wish(Kind::relation, std::move(a), std::move(b));
+  r.relation = relation;
+  return r;
+}
+
+Requirement opening_wish(std::string kind,
+                         std::string wall,
+                         std::string end,
+                         double value = 0,
+                         Comparison comparison = equal) {
+  Requirement r = wish(Kind::opening, std::move(kind), std::move(wall), value, comparison);
+  r.second_object = std::move(end);
+  return r;
+}
+
+struct Case {
+  Requirement wish;
+  bool met;
+};
+
+std::vector<Case> cases() {
+  return {
+      {size_wish(20000, 10000), true},
+      {size_wish(20000, 12000), false},
+      {wish(Kind::area, "", "", 200), true},
+      {wish(Kind::area, "", "", 250), false},
+      {wish(Kind::area, "dairy", "", 12), true},  // 8 x 1.5 m
+      {wish(Kind::area, "dairy", "", 13), true},  // within 15 %
+      {wish(Kind::area, "dairy", "", 20), false},
+      {wish(Kind::area, "dairy", "", 20, at_most), true},
+      {wish(Kind::zone_present, "dairy"), true},
+      {wish(Kind::zone_present, "checkout"), true},  // lanes sell nothing
+      {wish(Kind::zone_present, "bakery"), false},   // floor without a fixture
+      {wish(Kind::zone_present, "deli"), false},
+      {wish(Kind::zone_absent, "deli"), true},
+      {wish(Kind::zone_absent, "frozen"), false},
+      {wish(Kind::zone_count, "canned", "", 1), true},
+      {wish(Kind::zone_count, "canned", "", 2), false},
+      {wish(Kind::fixture_count, "checkout_lane", "checkout", 3), true},
+      {wish(Kind::fixture_count, "checkout", "", 3), true},
+      {wish(Kind::fixture_count, "checkout_lane", "", 4), false},
+      {wish(Kind::fixture_count, "checkout_lane", "", 4, at_most), true},
+      {wish(Kind::fixture_count, "gondola", "", 2), true},  // runs, not modules
+      {wish(Kind::fixture_count, "gondola", "", 3), false},
+      {wish(Kind::aisle_count, "", "", 1), true},
+      {wish(Kind::aisle_count, "", "", 5), false},
+      {wish(Kind::levels, "", "", 5), true},
+      {wish(Kind::levels, "", "", 6), false},
+      {wish(Kind::levels, "dairy", "", 4), true},
+      {wish(Kind::levels, "dairy", "", 4, at_least), true},
+      {wish(Kind::levels, "dairy", "", 5, at_least), false},
+      {wish(Kind::levels, "deli", "", 4), false},  // there is none
+      {relation_wish("produce", RelationKind::near, "entrance"), true},
+      {relation_wish("produce", RelationKind::near, "dairy"), false},
+      {wish(Kind::style, "", "scandinavian"), true},
+      {wish(Kind::style, "", "industrial"), false},
+      {wish(Kind::profile, "", "supermarket-eu"), true},
+      {wish(Kind::profile, "", "discounter-eu"), false},
+      {wish(Kind::material, "floor", "terrazzo-white"), false},
+      {wish(Kind::color, "fixture", "#f2f2f0"), true},
+      {wish(Kind::color, "fixture", "#ff0000"), false},
+      {wish(Kind::product_present, "cola"), true},
+      {wish(Kind::product_present, "breakfast cereal"), true},
+      {wish(Kind::product_present, "chocolate"), false},
+      {wish(Kind::product_absent, "chocolate"), true},
+      {wish(Kind::product_absent, "cola"), false},
+      {opening_wish("entrance", "", ""), true},
+      {opening_wish("entrance", "south", ""), true},
+      {opening_wish("entrance", "north", ""), false},
+      {opening_wish("entrance", "south", "west"), true},
+      {opening_wish("entrance", "south", "east"), false},
+      {opening_wish("exit", "", "east"), true},
+      {opening_wish("exit", "", "center"), false},
+      {opening_wish("entrance", "", "", 2), false},
+      {opening_wish("entrance", "", "", 1, at_least), true},
+      {opening_wish("window", "", "", 0, at_most), true},
+      {opening_wish("exit", "", "", 0, at_most), false},
+      {wish(Kind::endcaps, "", "", 1, at_least), true},
+      {wish(Kind::endcaps, "", "", 0, at_most), false},
+      {wish(Kind::endcaps, "dairy", "", 1, at_least), false},
+      {wish(Kind::endcaps, "dairy", "", 0, at_most), true},
+      {wish(Kind::height, "fixture", "", 1800), true},
+      {wish(Kind::height, "fixture", "", 1400), false},
+      {wish(Kind::height, "multideck", "", 2000, at_most), true},
+      {wish(Kind::height, "peg_wall", "", 1800), false},  // there is none
+      {wish(Kind::height, "ceiling", "", 3000), true},
+      {wish(Kind::height, "ceiling", "", 4000, at_least), false},
+      {wish(Kind::aisle_width, "", "", 1800), true},
+      {wish(Kind::aisle_width, "", "", 1500), true},  // wider is fine
+      {wish(Kind::aisle_width, "", "", 2500), false},
+      {wish(Kind::stock, "fill", "", 0.6, at_least), true},  // 0.8 on nine of ten shelves
+      {wish(Kind::stock, "fill", "", 0.95, at_least), false},
+      {wish(Kind::stock, "fill", "", 0.3, at_most), false},
+      {wish(Kind::stock, "out_of_stock", "", 0.1, at_least), true},
+      {wish(Kind::stock, "out_of_stock", "", 0.3, at_least), false},
+      {wish(Kind::stock, "misplaced", "", 0.05, at_least), false},
+      {wish(Kind::stock, "misplaced", "", 0.05, at_most), true},
+      {wish(Kind::stock, "jitter", "", 0.05, at_most), true},
+      {wish(Kind::stock, "jitter", "", 0.8, at_least), false},
+      {wish(Kind::light, "light_kelvin", "", 3000), true},
+      {wish(Kind::light, "light_kelvin", "", 6500), false},
+      {wish(Kind::light, "light_lux", "", 800), true},
+      {wish(Kind::light, "light_lux", "", 200), false},
+  };
+}
+
+// The look of "scandinavian", under a light that the table knows.
+Scene dressed() {
+  AuditedShop shop;
+  const StyleRow& style = *committed_catalog().style("scandinavian");
+  shop.scene.layout.look = {
+      style.floor, style.wall, style.ceiling, style.fixture, style.accent, 3000, 800};
+  return std::move(shop.scene);
+}
+
+TEST(Requirements, EveryKindMetAndNotMet) {
+  const Scene scene = dressed();
+  std::vector<Case> all = cases();
+  all.push_back({wish(Kind::material, "floor", scene.layout.look.floor), true});
+  std::map<Kind, std::array<int, 2>> seen;
+  for (const Case& c : all) {
+    const auto results = check_requirements(scene, committed_catalog(), {c.wish});
+    ASSERT_EQ(results.size(), 1U);
+    EXPECT_EQ(results[0].met, c.met)
+        << name_of(c.wish.kind) << " " << c.wish.subject << " " << c.wish.object << " "
+        << name_of(c.wish.comparison) << " " << c.wish.value << ": " << results[0].why;
+    EXPECT_FALSE(results[0].why.empty());
+    ++seen[c.wish.kind][c.met ? 1 : 0];
+  }
+  for (std::size_t kind = 0; kind < names_of(Kind{}).size(); ++kind) {
+    EXPECT_GT(seen[static_cast<Kind>(kind)][0], 0) << names_of(Kind{})[kind] << " is never refused";
+    EXPECT_GT(seen[static_cast<Kind>(kind)][1], 0) << names_of(Kind{})[kind] << " is never met";
+  }
+}
+
+TEST(Requirements, TextAndSpanComeBackInOrder) {
+  Requirement first = wish(Kind::zone_present, "dairy"), second = wish(Kind::zone_absent, "dairy");
+  first.text = "dairy", first.span = {3, 8};
+  second.text = "no dairy", second.span = {20, 28};
+  const auto results =
+      check_requirements(AuditedShop().scene, committed_catalog(), {first, second});
+  ASSERT_EQ(results.size(), 2U);
+  EXPECT_EQ(results[0].text, "dairy");
+  EXPECT_EQ(results[0].span, (IntRange{3, 8}));
+  EXPECT_TRUE(results[0].met);
+  EXPECT_EQ(results[1].text, "no dairy");
+  EXPECT_FALSE(results[1].met);
+}
+
+TEST(Requirements, OneLowGondolaBreaksAtLeast) {
+  Scene scene = dressed();
+  scene.layout.fixtures[0].height_mm = 1700;
+  scene.layout.fixtures[1].height_mm = 2300;  // further away, but on the right side
+  const auto results = check_requirements(
+      scene, committed_catalog(), {wish(Kind::height, "fixture", "", 1800, at_least)});
+  EXPECT_FALSE(results[0].met) << results[0].why;
+}
+
+TEST(Requirements, DisorderShowsAsMisplacedItems) {
+  Scene scene = dressed();
+  scene.products[0].flags |= product_misplaced;
+  const auto results = check_requirements(scene,
+                                          committed_catalog(),
+                                          {wish(Kind::stock, "jitter", "", 0.8, at_least),
+                                           wish(Kind::stock, "misplaced", "", 0.05, at_least),
+                                           wish(Kind::stock, "jitter", "", 0.01, at_most)});
+  EXPECT_TRUE(results[0].met);
+  EXPECT_TRUE(results[1].met);
+  EXPECT_FALSE(results[2].met);
+}
+
+}  // namespace
+}  // namespace marketgen

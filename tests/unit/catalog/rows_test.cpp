@@ -1,0 +1,136 @@
+// The committed rows: they load, pass their own rules, and are as many as the store needs.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "catalog/catalog.h"
+#include "catalog/gtin.h"
+
+namespace marketgen {
+namespace {
+
+const Catalog& committed() {
+  static const Catalog catalog = [] {
+    auto loaded = load_catalog(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data");
+    if (!loaded.ok()) fatal(to_string(loaded.error()).c_str());
+    return std::move(loaded).value();
+  }();
+  return catalog;
+}
+
+// src/marketgen/assets/archetypes.inc; a list of its own because the catalogue may not include
+// assets.
+const std::set<std::string>& known_archetypes() {
+  static const std::set<std::string> names = {"can",           "food_tin",
+                                              "soda_bottle",   "water_bottle",
+                                              "wine_bottle",   "beer_bottle",
+                                              "sauce_bottle",  "flask",
+                                              "gable_carton",  "brick_carton",
+                                              "box",           "jar",
+                                              "tub",           "pouch",
+                                              "pillow_bag",    "paper_bag",
+                                              "tray",          "loaf",
+                                              "bundle",        "tube",
+                                              "round_produce", "elongated_produce",
+                                              "leafy_produce"};
+  return names;
+}
+
+TEST(Rows, PassTheirOwnRules) {
+  const auto checked = check_catalog(committed());
+  EXPECT_TRUE(checked.ok()) << to_string(checked.error());
+}
+
+TEST(Rows, ProductsAreSortedBySku) {
+  const auto& products = committed().products;
+  for (std::size_t i = 1; i < products.size(); ++i)
+    EXPECT_LT(products[i - 1].sku, products[i].sku);
+}
+
+TEST(Rows, EightyProductsOverTenCategories) {
+  std::map<std::string, int> products;
+  for (const Product& p : committed().products)
+    ++products[p.category];
+  EXPECT_GE(committed().products.size(), 80U);
+  EXPECT_GE(committed().categories.size(), 10U);
+  for (const CategoryRow& category : committed().categories)
+    EXPECT_GE(products[category.id], 20) << category.id;
+}
+
+TEST(Rows, TenArchetypesAllOfThemKnown) {
+  std::set<std::string> used;
+  for (const Product& p : committed().products) {
+    used.insert(p.archetype);
+    EXPECT_TRUE(known_archetypes().contains(p.archetype)) << p.sku << ": " << p.archetype;
+  }
+  EXPECT_GE(used.size(), 10U);
+}
+
+TEST(Rows, FifteenFixtureKindsWithEveryTemperature) {
+  std::set<Storage> temperatures;
+  for (const FixtureKind& kind : committed().fixture_kinds)
+    temperatures.insert(kind.temperature);
+  EXPECT_GE(committed().fixture_kinds.size(), 15U);
+  EXPECT_EQ(temperatures.size(), 3U);
+}
+
+TEST(Rows, FixtureKindsLieWithinTheirOwnRanges) {
+  for (const FixtureKind& kind : committed().fixture_kinds) {
+    EXPECT_LE(kind.depth_range_mm[0], kind.depth_mm) << kind.kind;
+    EXPECT_GE(kind.depth_range_mm[1], kind.depth_mm) << kind.kind;
+    EXPECT_LE(kind.height_range_mm[0], kind.height_mm) << kind.kind;
+    EXPECT_GE(kind.height_range_mm[1], kind.height_mm) << kind.kind;
+    EXPECT_LE(kind.level_range[0], kind.levels) << kind.kind;
+    EXPECT_GE(kind.level_range[1], kind.levels) << kind.kind;
+  }
+}
+
+TEST(Rows, LooseGoodsHavePluPackedGoodsEan) {
+  for (const Product& p : committed().products) {
+    EXPECT_NE(p.ean.empty(), p.plu.empty()) << p.sku;
+    if (p.ean.empty()) continue;
+    EXPECT_TRUE(is_ean13(p.ean) && is_restricted_circulation(p.ean)) << p.sku << " " << p.ean;
+  }
+}
+
+TEST(Rows, EveryProductHasAUnitPriceAShopperWouldBelieve) {  // a slipped digit in price or net
+                                                             // quantity leaves this range
+  for (const Product& p : committed().products) {
+    const double unit_price = p.price / p.unit_amount;
+    EXPECT_GT(unit_price, p.unit_of_measure == "piece" ? 0.005 : 0.1) << p.sku;
+    EXPECT_LT(unit_price, 400) << p.sku;
+  }
+}
+
+TEST(Rows, FindersFindWhatIsThereAndNothingElse) {
+  const Catalog& catalog = committed();
+  for (const Product& p : catalog.products)
+    EXPECT_EQ(catalog.product(p.sku), &p);
+  EXPECT_EQ(catalog.product("no-such-sku"), nullptr);
+  EXPECT_EQ(catalog.product(""), nullptr);
+  EXPECT_NE(catalog.fixture_kind("gondola"), nullptr);
+  EXPECT_EQ(catalog.fixture_kind("gondolas"), nullptr);
+  EXPECT_NE(catalog.zone_type("dairy"), nullptr);
+  EXPECT_NE(catalog.profile("supermarket-eu"), nullptr);
+  EXPECT_EQ(catalog.style("baroque"), nullptr);
+}
+
+TEST(Rows, HashChangesWithARow) {
+  const auto again = load_catalog(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data");
+  ASSERT_TRUE(again.ok());
+  EXPECT_EQ(again->content_hash, committed().content_hash);
+  EXPECT_EQ(committed().content_hash.size(), 32U);
+}
+
+TEST(Rows, UnknownNameSuggestsTheNearest) {
+  const Error near =
+      unknown_name("catalog.unknown_kind", "plan", "fixture kind", "gondla", {"gondola", "bin"});
+  EXPECT_EQ(near.message, "there is no fixture kind \"gondla\"; did you mean \"gondola\"?");
+  const Error far =
+      unknown_name("catalog.unknown_kind", "plan", "fixture kind", "zzzzzzzz", {"gondola", "bin"});
+  EXPECT_EQ(far.message, "there is no fixture kind \"zzzzzzzz\"; known are: gondola, bin");
+}
+
+}  // namespace
+}  // namespace marketgen

@@ -1,0 +1,93 @@
+// What outside readers make of a GLB: tinygltf, and the Khronos validator where Node is installed.
+#include <gtest/gtest.h>
+#include <tiny_gltf.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "export/export.h"
+#include "support/hand_made_scene.h"
+
+namespace marketgen {
+namespace {
+namespace fs = std::filesystem;
+
+class Glb : public testing::Test {
+ protected:
+  Glb() { made_.stock(); }
+  ~Glb() override { fs::remove(file_); }
+
+  tinygltf::Model exported(const ExportOptions& options = {}) {
+    const Result<void> written = export_scene(made_.scene, "glb", file_, options);
+    EXPECT_TRUE(written.ok()) << (written.ok() ? "" : to_string(written.error()));
+    tinygltf::Model model;
+    std::string fault, warning;
+    EXPECT_TRUE(tinygltf::TinyGLTF().LoadBinaryFromFile(&model, &fault, &warning, file_.string()))
+        << fault;
+    return model;
+  }
+
+  HandMadeScene made_;
+  fs::path file_ =
+      fs::temp_directory_path() / ("marketgen-glb-test-" + std::to_string(getpid()) + ".glb");
+};
+
+TEST_F(Glb, OneMeshPerSkuDrawnAtEveryItemsPlace) {
+  const tinygltf::Model model = exported();
+  int instanced = 0;
+  for (const tinygltf::Node& node : model.nodes) {
+    if (node.name != "can-cola") continue;
+    ++instanced;
+    ASSERT_TRUE(node.extensions.contains("EXT_mesh_gpu_instancing"));
+    EXPECT_EQ(node.extras.Get("ids").ArrayLen(), 5U);
+    EXPECT_EQ(node.extras.Get("ids").Get(0).Get<std::string>(),
+              "dry/run-1/module-1/level-0/facing-0/item-0");
+  }
+  EXPECT_EQ(instanced, 1);
+}
+
+TEST_F(Glb, RootTurnsZUpIntoYUp) {
+  const tinygltf::Model model = exported();
+  const tinygltf::Node& root = model.nodes[static_cast<std::size_t>(model.scenes[0].nodes.at(0))];
+  ASSERT_EQ(root.rotation.size(), 4U);  // x, y, z, w: minus 90 degrees about X
+  EXPECT_NEAR(root.rotation[0], -0.70710678, 1e-7);
+  EXPECT_NEAR(root.rotation[3], 0.70710678, 1e-7);
+  EXPECT_EQ(root.rotation[1], 0);
+}
+
+TEST_F(Glb, LabelsAreEmbeddedPictures) {
+  const tinygltf::Model model = exported();
+  ASSERT_GE(model.images.size(), 4U);  // two labels, two price tags, perhaps materials
+  for (const tinygltf::Image& image : model.images) {
+    EXPECT_GE(image.height, 64);
+    EXPECT_EQ(image.mimeType, "image/png");
+  }
+}
+
+TEST_F(Glb, PlainInstancesNeedNoExtension) {
+  ExportOptions options;
+  options.plain_instances = true;
+  const tinygltf::Model model = exported(options);
+  EXPECT_TRUE(model.extensionsRequired.empty());
+  int cans = 0;
+  for (const tinygltf::Node& node : model.nodes)
+    cans += node.extras.Has("sku") && node.extras.Get("sku").Get<std::string>() == "can-cola";
+  EXPECT_EQ(cans, 5);
+  EXPECT_TRUE(check_export(made_.scene, "glb", file_, options).ok());
+}
+
+TEST_F(Glb, PassesTheKhronosValidator) {
+  const std::string tool = MARKETGEN_SOURCE_DIR "/tools/node/validate_glb.mjs";
+  if (!fs::exists(MARKETGEN_SOURCE_DIR "/tools/node/node_modules/gltf-validator"))
+    GTEST_SKIP() << "run tools/setup test";
+  for (const bool plain : {false, true}) {
+    ExportOptions options;
+    options.plain_instances = plain;
+    exported(options);
+    EXPECT_EQ(std::system(("node " + tool + " " + file_.string()).c_str()), 0);
+  }
+}
+
+}  // namespace
+}  // namespace marketgen

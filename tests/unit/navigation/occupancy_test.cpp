@@ -1,0 +1,142 @@
+#include "navigation/occupancy.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "base/seed.h"
+
+namespace marketgen {
+namespace {
+
+const PolygonMm room_4x3{{0, 0}, {4000, 0}, {4000, 3000}, {0, 3000}};
+
+std::size_t free_cells(const OccupancyGrid& grid) {
+  std::size_t count = 0;
+  for (const std::uint8_t cell : grid.blocked)
+    count += cell == 0 ? 1 : 0;
+  return count;
+}
+
+// Random rectangles in a 6 x 5 m room.
+OccupancyGrid cluttered_grid(std::uint64_t seed, int clearance_mm) {
+  Stream draw = Seed(seed).child("clutter").stream();
+  std::vector<RectMm> obstacles;
+  for (int i = 0; i < 9; ++i) {
+    const int x = draw.integer(0, 5500), y = draw.integer(0, 4500);
+    obstacles.push_back({x, y, x + draw.integer(100, 1500), y + draw.integer(100, 1500)});
+  }
+  return make_occupancy({{0, 0}, {6000, 0}, {6000, 5000}, {0, 5000}}, obstacles, clearance_mm, 100);
+}
+
+TEST(Occupancy, EmptyRoomWithoutClearanceIsAllFree) {
+  const OccupancyGrid grid = make_occupancy(room_4x3, {}, 0, 100);
+  EXPECT_EQ(grid.columns, 40);
+  EXPECT_EQ(grid.rows, 30);
+  EXPECT_EQ(free_cells(grid), 1200U);
+}
+
+TEST(Occupancy, ClearanceShrinksTheFloor) {  // 500 mm off each wall: 30 x 20 cells of 100 mm remain
+  EXPECT_EQ(free_cells(make_occupancy(room_4x3, {}, 500, 100)), 600U);
+}
+
+TEST(Occupancy, CornersOfObstaclesAreRound) {
+  const OccupancyGrid grid = make_occupancy(room_4x3, {{1500, 1000, 2500, 2000}}, 300, 50);
+  EXPECT_FALSE(grid.free(28, 30));  // 75 mm west of the obstacle's side
+  EXPECT_TRUE(grid.free(22, 30));   // 375 mm west
+  // (1275, 775) is 225 mm off in x and y, 318 mm from the corner: free, though inside the grown
+  // square.
+  EXPECT_TRUE(grid.free(25, 15));
+  EXPECT_FALSE(grid.free(26, 16));  // (1325, 825) is 247 mm from the corner
+}
+
+TEST(Occupancy, OutlineCutsTheFloor) {  // an L: the north-east quarter of 4 x 4 m is missing
+  const PolygonMm outline{{0, 0}, {4000, 0}, {4000, 2000}, {2000, 2000}, {2000, 4000}, {0, 4000}};
+  const OccupancyGrid grid = make_occupancy(outline, {}, 0, 100);
+  EXPECT_EQ(free_cells(grid), 1200U);
+  EXPECT_FALSE(grid.free(30, 30));
+  EXPECT_TRUE(grid.free(10, 30));
+}
+
+TEST(Occupancy, NearestFreeStaysWithinReach) {
+  const OccupancyGrid grid = make_occupancy(room_4x3, {{0, 0, 2000, 3000}}, 0, 100);
+  EXPECT_FALSE(nearest_free(grid, {1000, 1550}, 900).has_value());
+  const auto found = nearest_free(grid, {1500, 1550}, 900);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(*found, grid.index(20, 15));
+}
+
+TEST(Components, AWallMakesTwoRooms) {
+  const OccupancyGrid grid = make_occupancy(room_4x3, {{1000, 0, 1100, 3000}}, 0, 100);
+  const Components found = find_components(grid);
+  ASSERT_EQ(found.cells.size(), 3U);
+  EXPECT_EQ(found.cells[1], 300);
+  EXPECT_EQ(found.cells[2], 870);
+  EXPECT_EQ(found.largest(), 2);
+}
+
+TEST(Components, ADoorMustBeWideEnough) {  // an 800 mm door lets 390 mm radius through, not 450
+  const std::vector<RectMm> wall{{2000, 0, 2100, 1000}, {2000, 1800, 2100, 3000}};
+  EXPECT_EQ(find_components(make_occupancy(room_4x3, wall, 350, 50)).cells.size(), 2U);
+  EXPECT_EQ(find_components(make_occupancy(room_4x3, wall, 450, 50)).cells.size(), 3U);
+}
+
+TEST(Path, StraightLineIsTwoPoints) {
+  const auto path = shortest_path(make_occupancy(room_4x3, {}, 0, 100), {550, 1550}, {3550, 1550});
+  ASSERT_TRUE(path.has_value());
+  EXPECT_EQ(path->points, (std::vector<PointMm>{{550, 1550}, {3550, 1550}}));
+  EXPECT_DOUBLE_EQ(path->length_m, 3.0);
+}
+
+TEST(Path, GoesRoundAnObstacle) {
+  // A wall from the south leaves only the north 1 m open: the way bends round its tip.
+  const OccupancyGrid grid = make_occupancy(room_4x3, {{1900, 0, 2100, 2000}}, 0, 100);
+  const auto path = shortest_path(grid, {1050, 550}, {2950, 550});
+  ASSERT_TRUE(path.has_value());
+  // By hand: two legs round the tip, sqrt(0.85^2 + 1.5^2) each at least, plus 0.2 m across.
+  EXPECT_GT(path->length_m, 3.6);
+  EXPECT_LT(path->length_m, 4.0);
+}
+
+TEST(Path, NothingThroughAClosedWall) {
+  const OccupancyGrid grid = make_occupancy(room_4x3, {{1900, 0, 2100, 3000}}, 0, 100);
+  EXPECT_FALSE(shortest_path(grid, {550, 550}, {3550, 550}).has_value());
+}
+
+TEST(Path, LegsCrossOnlyFreeCells) {
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    const OccupancyGrid grid = cluttered_grid(seed, 200);
+    const auto path = shortest_path(grid, {500, 500}, {5500, 4500});
+    if (!path) continue;
+    for (std::size_t i = 0; i + 1 < path->points.size(); ++i) {
+      const PointMm a = path->points[i], b = path->points[i + 1];
+      for (int k = 0; k <= 400; ++k) {
+        const int x = a[0] + (b[0] - a[0]) * k / 400, y = a[1] + (b[1] - a[1]) * k / 400;
+        EXPECT_TRUE(grid.free(x / 100, y / 100)) << "seed " << seed << " at " << x << "," << y;
+      }
+    }
+  }
+}
+
+TEST(Clearance, EqualsTheBruteForceDistance) {
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    const OccupancyGrid grid = cluttered_grid(seed, 0);
+    const std::vector<float> field = clearance_field(grid);
+    for (int row = 0; row < grid.rows; row += 3) {
+      for (int column = 0; column < grid.columns; column += 3) {
+        double best = std::numeric_limits<double>::max();
+        for (int r = -1; r <= grid.rows; ++r) {
+          for (int c = -1; c <= grid.columns; ++c) {
+            if (grid.free(c, r)) continue;
+            best = std::min(best, std::hypot(c - column, r - row));
+          }
+        }
+        EXPECT_NEAR(field[grid.index(column, row)], best * grid.cell_mm, 1e-2);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace marketgen

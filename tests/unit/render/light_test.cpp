@@ -1,0 +1,170 @@
+// Light with known answers: a furnace, a lamp over a floor, textures, tone.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "render/film.h"
+#include "render/filter.h"
+#include "render/path.h"
+#include "render/shading_math.h"
+#include "render/texture.h"
+#include "render/tone.h"
+
+namespace marketgen::raytrace {
+namespace {
+
+// A closed cube of 2 m around the origin, inside out, of one material.
+std::unique_ptr<World> cube_room(const Material& material) {
+  auto world = std::make_unique<World>();
+  world->device.reset(rtcNewDevice(nullptr));
+  world->materials = {material};
+  Mesh mesh;
+  add_quad(mesh, {-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, 0);  // floor
+  add_quad(mesh, {-1, -1, 1}, {-1, 1, 1}, {1, 1, 1}, {1, -1, 1}, 0);      // ceiling
+  add_quad(mesh, {1, -1, -1}, {-1, -1, -1}, {-1, -1, 1}, {1, -1, 1}, 0);
+  add_quad(mesh, {-1, 1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, 1}, 0);
+  add_quad(mesh, {-1, -1, -1}, {-1, 1, -1}, {-1, 1, 1}, {-1, -1, 1}, 0);
+  add_quad(mesh, {1, 1, -1}, {1, -1, -1}, {1, -1, 1}, {1, 1, 1}, 0);
+  append(world->shell, world->shell_glass, mesh, {0}, *world, {1, -1});
+  for (const Vec3f& p : world->shell.positions)
+    world->room.include(p);
+  return world;
+}
+
+View view_of_wall() {
+  Camera camera;
+  camera.from = {0, 0, 0};
+  camera.at = {0.3, 1, 0.1};
+  camera.width = camera.height = 16;
+  return View(camera);
+}
+
+Vec3f mean_path_light(const World& world, const View& view, int paths) {
+  const LightGrid lights(world);
+  const Scene none;
+  const IrradianceField field(world, lights, none);
+  const PanelReflection panels(world);
+  const Lighting lighting{world, lights, field, panels};
+  PathSums sums;
+  for (int i = 0; i < paths; ++i)
+    add_path(lighting, view, i % 16, i / 16 % 16, static_cast<std::uint32_t>(i), mask_opaque, sums);
+  return (sums.diffuse + sums.other) / static_cast<float>(paths);
+}
+
+// In a closed room whose walls all glow with radiance e and send back the share rho, radiance is e
+// / (1 - rho) everywhere.
+TEST(PathTracing, FurnaceIsEvenlyBright) {
+  Material walls{.color = {0.5F, 0.5F, 0.5F}, .emission = {1, 1, 1}, .roughness = 1};
+  walls.metallic = 0;
+  auto world = cube_room(walls);
+  world->exposure = 1e-6F;  // the firefly cap is in units of white: out of the way
+  commit(*world);
+  const Vec3f light = mean_path_light(*world, view_of_wall(), 20000);
+  // 4 % of the light is mirrored by the coat before the diffuse base takes its half of the rest;
+  // rho lies between.
+  const float diffuse_only = 1 / (1 - 0.5F),
+              with_whole_coat = 1 / (1 - (0.5F * 0.96F + 0.04F + 0.02F));
+  EXPECT_GT(light.x, diffuse_only * 0.98F);
+  EXPECT_LT(light.x, with_whole_coat * 1.04F);
+  EXPECT_NEAR(light.x, light.y, 0.01F);
+}
+
+// A lambertian mirror-free check: black walls only show their own glow.
+TEST(PathTracing, BlackWallsOnlyGlow) {
+  auto world =
+      cube_room({.color = {0, 0, 0}, .emission = {2, 2, 2}, .roughness = 1, .metallic = 1});
+  world->exposure = 1e-6F;
+  commit(*world);
+  const Vec3f light = mean_path_light(*world, view_of_wall(), 2000);
+  EXPECT_NEAR(light.x, 2, 0.05F);  // Fresnel at grazing angles adds a little even for a black metal
+}
+
+// Irradiance under the middle of a square lamp of side a at height h (form factor of a parallel
+// rectangle to a differential element, e.g. Howell's catalogue C-11): E = L * 4 * F, F over each
+// quarter.
+TEST(LightGrid, LampOverAFloor) {
+  World world;
+  const float side = 1, height = 2, radiance = 100;
+  world.lights.push_back(make_area_light(
+      {-side / 2, side / 2, height}, {side, 0, 0}, {0, -side, 0}, {radiance, radiance, radiance}));
+  world.room.include({-3, -3, 0});
+  world.room.include({3, 3, 3});
+  const LightGrid lights(world);
+  double sum = 0;
+  constexpr int grid = 64;
+  for (int i = 0; i < grid * grid; ++i) {
+    const LightSample sample = lights.sample({0, 0, 0},
+                                             0.5F,
+                                             (static_cast<float>(i % grid) + 0.5F) / grid,
+                                             (static_cast<float>(i / grid) + 0.5F) / grid);
+    sum += static_cast<double>(sample.irradiance_scale.x * sample.direction.z);
+    EXPECT_NEAR(lights.pdf({0, 0, 0}, 0, sample.direction, sample.distance),
+                sample.pdf,
+                sample.pdf * 1e-3F);
+  }
+  const double x = side / 2 / height, root = std::sqrt(1 + x * x);
+  const double quarter = 1 / (2 * M_PI) * 2 * (x / root) * std::atan(x / root);
+  EXPECT_NEAR(sum / (grid * grid), M_PI * radiance * 4 * quarter, radiance * 1e-3);
+}
+
+TEST(Texture, MipLevelsKeepTheMeanLight) {
+  Image image(64, 64);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = (i / 3 % 2 == 0) ? 255 : 0;  // black and white columns
+  const Texture texture(image);
+  EXPECT_NEAR(texture.mean().x, 0.5F, 0.01F);  // in linear light, not of sRGB values
+  EXPECT_NEAR(texture.sample(0.5F / 64, 0.5F, 0).x, 1, 0.01F);
+  EXPECT_NEAR(texture.sample(1.5F / 64, 0.5F, 0).x, 0, 0.01F);
+  EXPECT_NEAR(texture.sample(1 + 0.5F / 64, -3.5F, 0).x, 1, 0.01F);  // repeats
+}
+
+TEST(Filter, TakesOutNoiseAndKeepsAnEdge) {
+  Film film(64, 32);
+  for (int y = 0; y < film.height; ++y) {
+    for (int x = 0; x < film.width; ++x) {
+      const std::size_t i = film.index(x, y);
+      const bool left = x < 32;
+      film.normal.set(i, left ? Vec3f{0, 0, 1} : Vec3f{1, 0, 0});  // two walls
+      film.position.set(
+          i,
+          left ? Vec3f{static_cast<float>(x) * 0.01F, static_cast<float>(y) * 0.01F, 0}
+               : Vec3f{0.32F, static_cast<float>(y) * 0.01F, static_cast<float>(x - 32) * 0.01F});
+      film.depth[i] = 1;
+      const float noise = unit_float(hashed(static_cast<std::uint32_t>(i))) - 0.5F;
+      const float value = (left ? 1.0F : 3.0F) + noise;
+      film.irradiance.set(i, {value, value, value});
+    }
+  }
+  smooth(film, film.irradiance, {});
+  EXPECT_NEAR(film.irradiance.at(film.index(31, 16)).x, 1, 0.12F);
+  EXPECT_NEAR(film.irradiance.at(film.index(32, 16)).x, 3, 0.12F);
+  double deviation = 0;
+  for (int y = 0; y < film.height; ++y)
+    deviation +=
+        std::fabs(static_cast<double>(film.irradiance.at(film.index(10, y)).x) - 1) / film.height;
+  EXPECT_LT(deviation, 0.06);  // uniform noise of +-0.5 has a mean deviation of 0.25
+}
+
+TEST(Tone, GreysStayGreyAndRise) {
+  int before = -1;
+  for (const float x : {0.0F, 0.01F, 0.1F, 0.5F, 1.0F, 3.0F, 20.0F}) {
+    const Rgb8 color = display_color({x, x, x});
+    EXPECT_NEAR(color.r, color.g, 1);
+    EXPECT_NEAR(color.g, color.b, 1);
+    EXPECT_GE(color.r, before);
+    before = color.r;
+  }
+  EXPECT_EQ(before, 255);
+  EXPECT_EQ(display_color({std::nanf(""), 0, 0}).r, display_color({0, 0, 0}).r);
+}
+
+TEST(Tone, BlackBodiesGoFromRedToBlue) {
+  const Vec3f warm = black_body(3000), day = black_body(6500), cold = black_body(10000);
+  EXPECT_GT(warm.x / warm.z, 2);
+  EXPECT_NEAR(day.x / day.z, 1, 0.1F);  // D65 is the white of Rec. 709
+  EXPECT_LT(cold.x / cold.z, 1);
+  EXPECT_NEAR(luminance(warm), 1, 1e-4F);
+}
+
+}  // namespace
+}  // namespace marketgen::raytrace

@@ -1,0 +1,295 @@
+// The store folder: whole or not there at all, and every byte accounted for.
+#include "store/store.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <map>
+#include <set>
+
+#include "io/file.h"
+#include "io/json.h"
+#include "support/hand_laid_shop.h"
+
+namespace marketgen {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A folder of its own for every test, removed afterwards.
+class StoreFolder : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    parent_ = fs::path(testing::TempDir()) /
+              (std::string("marketgen_store_") + test->name() + "_" + std::to_string(getpid()));
+    fs::remove_all(parent_);
+    fs::create_directories(parent_);
+  }
+  void TearDown() override { fs::remove_all(parent_); }
+
+  CreateOptions tiny(const std::string& name = "shop") const {
+    CreateOptions options;
+    options.folder = parent_ / name;
+    options.brief.prompt = "a tiny corner shop with drinks and snacks";
+    options.brief.size_mm = {8000, 6000};
+    options.seed = 3;
+    options.previews = false;
+    return options;
+  }
+
+  Created create(const CreateOptions& options) const {
+    auto created = create_store(options, committed_catalog());
+    if (!created.ok()) fatal(to_string(created.error()).c_str());
+    return std::move(created).value();
+  }
+
+  std::string code_of_create(const CreateOptions& options) const {
+    const auto created = create_store(options, committed_catalog());
+    return created.ok() ? "ok" : created.error().code;
+  }
+
+  // Every path below the parent folder.
+  std::set<std::string> listing() const {
+    std::set<std::string> paths;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(parent_))
+      paths.insert(fs::relative(entry.path(), parent_).string());
+    return paths;
+  }
+
+  std::string text_of(const fs::path& path) const {
+    auto text = read_file(path);
+    return text.ok() ? *text : "";
+  }
+
+  fs::path parent_;
+};
+
+TEST_F(StoreFolder, CreateOpenVerify) {
+  const Created created = create(tiny());
+  EXPECT_EQ(listing(),
+            (std::set<std::string>{"shop",
+                                   "shop/layout.json",
+                                   "shop/plan.json",
+                                   "shop/planogram.csv",
+                                   "shop/report.json",
+                                   "shop/scene.bin",
+                                   "shop/store.json"}));
+  const auto verified = verify_store(parent_ / "shop", committed_catalog());
+  EXPECT_TRUE(verified.ok()) << to_string(verified.error());
+  const auto store = open_store(parent_ / "shop", committed_catalog());
+  ASSERT_TRUE(store.ok()) << to_string(store.error());
+  EXPECT_EQ(store->manifest.seed, 3U);
+  EXPECT_EQ(store->manifest.scene_hash, scene_hash(store->scene));
+  EXPECT_EQ(store->manifest.look_hash, look_hash(store->scene));
+  EXPECT_EQ(store->manifest.counts.products, store->scene.products.size());
+  EXPECT_EQ(store->manifest.counts.fixtures, store->scene.fixtures.size());
+  EXPECT_GT(store->scene.products.size(), 200U);
+  EXPECT_EQ(store->manifest.bounds.high_m,
+            (std::array<double, 3>{8, 6, store->plan.shell.ceiling_mm * 1e-3}));
+  EXPECT_EQ(store->manifest.brief.prompt, tiny().brief.prompt);
+  EXPECT_EQ(created.manifest.scene_hash, store->manifest.scene_hash);
+}
+
+TEST_F(StoreFolder, ManifestNamesEveryOtherFileButTheReport) {
+  const Created created = create(tiny());
+  std::vector<std::string> paths;
+  for (const FileDigest& file : created.manifest.files) {
+    paths.push_back(file.path);
+    EXPECT_EQ(file.bytes, fs::file_size(parent_ / "shop" / file.path));
+    EXPECT_EQ(file.sha256, sha256_hex(text_of(parent_ / "shop" / file.path)));
+  }
+  EXPECT_EQ(paths,
+            (std::vector<std::string>{"layout.json", "plan.json", "planogram.csv", "scene.bin"}));
+}
+
+TEST_F(StoreFolder, ReportHoldsMetricsAndTimes) {
+  create(tiny());
+  const auto report = read_report(parent_ / "shop");
+  ASSERT_TRUE(report.ok()) << to_string(report.error());
+  EXPECT_EQ(report->metrics.COL, 0);
+  EXPECT_EQ(report->metrics.OOB, 0U);
+  EXPECT_GT(report->metrics.DENS, 10);
+  EXPECT_GT(report->metrics.fill, 0.5);
+  EXPECT_FALSE(report->metrics.STB.has_value());
+  std::vector<std::string> stages;
+  for (const StageTiming& t : report->timing_s)
+    stages.push_back(t.stage);
+  EXPECT_EQ(stages,
+            (std::vector<std::string>{"plan", "repair", "layout", "scene", "audit", "save"}));
+  EXPECT_GT(report->peak_rss_mb, 1);
+}
+
+TEST_F(StoreFolder, AChangedByteIsSeenInEveryFile) {
+  create(tiny());
+  for (const char* name : {"layout.json", "plan.json", "planogram.csv", "scene.bin"}) {
+    const fs::path path = parent_ / "shop" / name;
+    const std::string good = text_of(path);
+    std::string bad = good;
+    bad[bad.size() / 2] ^= 1;
+    std::ofstream(path, std::ios::binary) << bad;
+    const auto verified = verify_store(parent_ / "shop", committed_catalog());
+    ASSERT_FALSE(verified.ok()) << name;
+    EXPECT_EQ(verified.error().code, "store.changed") << name;
+    EXPECT_NE(verified.error().where.find(name), std::string::npos) << verified.error().where;
+    std::ofstream(path, std::ios::binary) << good;
+  }
+  EXPECT_TRUE(verify_store(parent_ / "shop", committed_catalog()).ok());
+}
+
+TEST_F(StoreFolder, AMissingFileIsAChange) {
+  create(tiny());
+  fs::remove(parent_ / "shop/planogram.csv");
+  const auto verified = verify_store(parent_ / "shop", committed_catalog());
+  ASSERT_FALSE(verified.ok());
+  EXPECT_EQ(verified.error().code, "store.changed");
+  EXPECT_NE(verified.error().where.find("planogram.csv"), std::string::npos);
+}
+
+TEST_F(StoreFolder, AManifestThatWasEdited) {
+  create(tiny());
+  const fs::path path = parent_ / "shop/store.json";
+  std::string text = text_of(path);
+  const std::size_t hash = text.find("\"scene_hash\": \"") + 15;
+  text[hash] = text[hash] == '0' ? '1' : '0';
+  std::ofstream(path) << text;
+  EXPECT_EQ(verify_store(parent_ / "shop", committed_catalog()).error().code, "store.changed");
+  const std::size_t file = text.find("\"layout.json\"");
+  text.replace(file, 13, "\"../shop.json\"");
+  std::ofstream(path) << text;
+  const auto verified = verify_store(parent_ / "shop", committed_catalog());
+  ASSERT_FALSE(verified.ok());
+  EXPECT_EQ(verified.error().code, "store.changed");
+  EXPECT_NE(verified.error().message.find("outside the store"), std::string::npos);
+}
+
+TEST_F(StoreFolder, NotAStore) {
+  EXPECT_EQ(open_store(parent_, committed_catalog()).error().code, "store.not_a_store");
+  EXPECT_EQ(open_store(parent_ / "nothing", committed_catalog()).error().code, "input.not_found");
+  std::ofstream(parent_ / "store.json") << "{\"schema\": \"market-plan/1\"}";
+  EXPECT_EQ(open_store(parent_, committed_catalog()).error().code, "json.wrong_schema");
+}
+
+TEST_F(StoreFolder, AnExistingFolderIsNotTouched) {
+  fs::create_directories(parent_ / "shop");
+  std::ofstream(parent_ / "shop/mine.txt") << "precious";
+  const auto before = listing();
+  EXPECT_EQ(code_of_create(tiny()), "store.exists");
+  EXPECT_EQ(listing(), before);
+  EXPECT_EQ(text_of(parent_ / "shop/mine.txt"), "precious");
+}
+
+TEST_F(StoreFolder, AnEmptyFolderIsTaken) {
+  fs::create_directories(parent_ / "shop");
+  EXPECT_EQ(code_of_create(tiny()), "ok");
+}
+
+TEST_F(StoreFolder, NothingIsLeftBehindByFailure) {
+  std::map<std::string, CreateOptions> failures;
+  failures["brief.empty"] = tiny();
+  failures["brief.empty"].brief.prompt = " \n";
+  failures["input.not_found"] = tiny();
+  failures["input.not_found"].plan_file = parent_ / "no-plan.json";
+  failures["catalog.unknown_kind"] = tiny();
+  failures["catalog.unknown_kind"].brief.style = "baroque";
+  for (const auto& [code, options] : failures) {
+    EXPECT_EQ(code_of_create(options), code);
+    EXPECT_TRUE(listing().empty()) << code << " left " << *listing().begin();
+  }
+}
+
+TEST_F(StoreFolder, NothingIsLeftBehindWhenTheFolderCannotBeMade) {
+  std::ofstream(parent_ / "file") << "x";
+  const auto before = listing();
+  CreateOptions options = tiny();
+  options.folder = parent_ / "file/shop";
+  EXPECT_EQ(code_of_create(options), "io.cannot_write");
+  EXPECT_EQ(listing(), before);
+  options.folder = "/proc/marketgen/shop";
+  EXPECT_EQ(code_of_create(options), "io.cannot_write");
+}
+
+// A plan in which an aisle item is pinned into the wall: a hard rule is broken whatever repair
+// does.
+TEST_F(StoreFolder, StrictRefusesHardViolationsAndLeavesNothing) {
+  create(tiny());
+  auto plan = read_plan(text_of(parent_ / "shop/plan.json"), "plan.json", committed_catalog());
+  ASSERT_TRUE(plan.ok());
+  plan->placements = {{committed_catalog().products.front().sku, {0, 3, 0}, 0}};
+  std::ofstream(parent_ / "plan.json") << write_json(*plan);
+  const auto before = listing();
+  CreateOptions options = tiny("strict");
+  options.brief = {};
+  options.plan_file = parent_ / "plan.json";
+  options.strict = true;
+  EXPECT_EQ(code_of_create(options), "layout.violation");
+  EXPECT_EQ(listing(), before);
+  options.strict = false;
+  EXPECT_EQ(code_of_create(options), "ok");
+}
+
+TEST_F(StoreFolder, TheSameBriefAndSeedGiveTheSameBytes) {
+  create(tiny("one"));
+  create(tiny("two"));
+  CreateOptions other = tiny("three");
+  other.seed = 4;
+  create(other);
+  for (const char* name :
+       {"layout.json", "plan.json", "planogram.csv", "scene.bin", "store.json"}) {
+    const std::string one = text_of(parent_ / "one" / name);
+    EXPECT_FALSE(one.empty()) << name;
+    EXPECT_EQ(one, text_of(parent_ / "two" / name)) << name;
+  }
+  EXPECT_NE(text_of(parent_ / "one/scene.bin"), text_of(parent_ / "three/scene.bin"));
+}
+
+TEST_F(StoreFolder, TheSavedPlanMakesTheSameStoreAgain) {  // what repair mended stays mended
+  const Created first = create(tiny());
+  CreateOptions again = tiny("again");
+  again.brief = {};
+  again.plan_file = parent_ / "shop/plan.json";
+  const Created second = create(again);
+  EXPECT_EQ(second.manifest.scene_hash, first.manifest.scene_hash);
+  EXPECT_EQ(text_of(parent_ / "again/plan.json"), text_of(parent_ / "shop/plan.json"));
+  EXPECT_TRUE(second.report.repairs.empty());
+}
+
+// ---- The HTML page. ----
+
+TEST(ReportHtml, TextOfAPersonIsNeverMarkup) {
+  const std::string evil = "<script>alert(\"x\")</script>&";
+  Manifest manifest;
+  manifest.name = manifest.brief.prompt = evil;
+  StoreReport report;
+  report.requirements.push_back({evil, {0, 1}, false, evil});
+  report.rules.push_back({evil, Severity::hard, evil, 1, 0, evil, std::nullopt});
+  report.unparsed.push_back({evil, {0, 1}});
+  report.conflicts.push_back({evil, evil, evil, evil});
+  report.repairs.push_back(evil);
+  report.timing_s.push_back({evil, 1});
+  const std::string page = report_html({{manifest, report}});
+  EXPECT_EQ(page.find("<script"), std::string::npos);
+  EXPECT_EQ(page.find("alert(\"x\")"), std::string::npos);
+  std::size_t shown = 0;
+  const std::string escaped = "&lt;script&gt;alert(&quot;x&quot;)&lt;/script&gt;&amp;";
+  for (std::size_t at = page.find(escaped); at != std::string::npos;
+       at = page.find(escaped, at + 1))
+    ++shown;
+  EXPECT_EQ(shown, 14U);  // name, prompt, 2 of the wish, 3 of the rule, the word, 4 of the
+                          // conflict, repair, stage
+}
+
+TEST(ReportHtml, OnePageHoldsEveryStoreAndLoadsNothing) {
+  Manifest first, second;
+  first.name = "North", second.name = "South";
+  const std::string page = report_html({{first, {}}, {second, {}}});
+  EXPECT_NE(page.find("<h1>North</h1>"), std::string::npos);
+  EXPECT_NE(page.find("<h1>South</h1>"), std::string::npos);
+  EXPECT_TRUE(page.starts_with("<!doctype html>"));
+  for (const char* outside : {"http:", "https:", "src=", "href=", "@import", "url("})
+    EXPECT_EQ(page.find(outside), std::string::npos) << outside;
+}
+
+}  // namespace
+}  // namespace marketgen
