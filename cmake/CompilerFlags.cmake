@@ -14,6 +14,10 @@ endif()
 
 # Sign conversions are left out: Eigen, Embree and FlatBuffers mix signed and unsigned sizes in every signature.
 add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+# g++ 12 sees uninitialised members in every std::optional that it inlines (GCC bug 80635).
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  add_compile_options(-Wno-maybe-uninitialized)
+endif()
 if(MARKETGEN_WERROR)
   add_compile_options(-Werror)
 endif()

@@ -223,14 +223,21 @@ void draw_leaf_mark(const MarkPen& pen) {
        lighter(green, 0.2));
 }
 
+// The first character of UTF-8 text, with its continuation bytes.
+std::string first_letter(const std::string& text) {
+  std::size_t end = 1;
+  while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
+    ++end;
+  return text.substr(0, end);
+}
+
 void draw_roundel(const MarkPen& pen) {
   const Area& a = pen.area;
   const double r = std::min(a.h * 0.46, a.w * 0.15);
   const double x = pen.align == Align::center ? a.x + r * 1.1 : a.x + r;
   pen.canvas.circle(x, a.center_y(), r);
   fill_plate(pen, r * 0.12);
-  const std::string first =
-      pen.brand.substr(0, (static_cast<unsigned char>(pen.brand[0]) & 0x80U) != 0 ? 2 : 1);
+  const std::string first = first_letter(pen.brand);
   draw_headline(pen.canvas,
                 {first,
                  pen.look.mark_face,
@@ -356,7 +363,7 @@ void draw_brand_mark(Canvas& canvas,
                      const Area& area,
                      const Color& ground,
                      Align align) {
-  if (brand.empty() || area.w <= 0 || area.h <= 0) return;
+  if (brand.find_first_not_of(' ') == std::string::npos || area.w <= 0 || area.h <= 0) return;
   const MarkPen pen{canvas, look, brand, area, ground, align};
   switch (look.shape) {
     case MarkShape::wordmark:

@@ -95,6 +95,9 @@ class Canvas {
   int height_px() const { return cairo_image_surface_get_height(surface_.get()); }
   cairo_t* context() const { return context_.get(); }
 
+  // False once Cairo has refused something, a degenerate transform for one; it then ignores all
+  // further drawing.
+  bool healthy() const { return cairo_status(context_.get()) == CAIRO_STATUS_SUCCESS; }
   Image image() const;  // RGB copy of what has been drawn
   void put(const Image& image,
            int x_px,

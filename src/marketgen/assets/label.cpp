@@ -224,6 +224,10 @@ Result<Image> draw_label(const Product& product, int size_px) {
     canvas.rectangle(mm).clip();
     draw_panel(canvas, art, panel.kind, mm);
   }
+  if (!canvas.healthy()) {
+    return Error{
+        "internal.bug", product.sku, "Cairo refused a part of the label: please report it"};
+  }
   return canvas.image();
 }
 

@@ -30,6 +30,7 @@ Result<const LabelMotif*> find_motif(std::string_view name, std::string_view whe
 
 void draw_motif(Canvas& canvas, const LabelMotif& motif, const MotifInk& ink, const Area& area) {
   const double side = std::min(area.w, area.h);
+  if (side <= 0) return;
   const Canvas::Saved saved = canvas.saved();
   canvas.translate(area.center_x(), area.center_y());
   canvas.scale(side / 100, side / 100);

@@ -26,9 +26,10 @@ void gloss(Canvas& canvas, const Area& area, double angle, double strength = 0.7
 void ground_shadow(Canvas& canvas, const Area& area, double strength = 0.35);
 // A leaf from its foot at (x, y), pointing along `angle` (0 = right, y down), with a mid rib.
 void leaf(Canvas& canvas, double x, double y, double angle, double length, const Color& base);
-// Runs `draw` in a frame moved to (x, y), turned and scaled.
+// Runs `draw` in a frame moved to (x, y), turned and scaled; not at all when nothing would be left.
 template <class Draw>
 void placed(Canvas& canvas, double x, double y, double angle, double scale, Draw draw) {
+  if (scale <= 0) return;
   const Canvas::Saved saved = canvas.saved();
   canvas.translate(x, y);
   canvas.rotate(angle);

@@ -78,6 +78,7 @@ Area draw_ean(Canvas& canvas, const PackArt& art, const Area& area) {
 // Two arrows in a ring: "the pack can be recycled".
 void draw_recycling_mark(Canvas& canvas, const Area& area, const Color& color) {
   const double r = std::min(area.w, area.h) * 0.42;
+  if (r <= 0) return;
   const Canvas::Saved saved = canvas.saved();
   canvas.translate(area.center_x(), area.center_y());
   canvas.scale(r / 10, r / 10);

@@ -158,6 +158,9 @@ Result<Image> draw_price_tag(const Product& product, bool promotion, int height_
                    price.part(0.04, 0.04, 0.96, 0.24)});
   }
   canvas.rectangle(tag.inset(0.15)).stroke(faded(print_ink, 0.35), 0.3);
+  if (!canvas.healthy()) {
+    return Error{"internal.bug", product.sku, "Cairo refused a part of the tag: please report it"};
+  }
   return canvas.image();
 }
 

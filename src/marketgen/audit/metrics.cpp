@@ -8,8 +8,8 @@
 namespace marketgen {
 namespace {
 
-// Stretches that stocked fixtures take of a line across the store, sorted. `across_x`: the line runs
-// east at y = `at`; otherwise it runs north at x = `at`.
+// Stretches that stocked fixtures take of a line across the store, sorted. `across_x`: the line
+// runs east at y = `at`; otherwise it runs north at x = `at`.
 std::vector<std::array<int, 2>> stocked_stretches(const Scene& scene, bool across_x, int at) {
   std::vector<std::array<int, 2>> stretches;
   for (std::size_t i = 0; i < scene.fixtures.size(); ++i) {

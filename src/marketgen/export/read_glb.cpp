@@ -87,7 +87,8 @@ class Reader {
     if (instanced && ids.ArrayLen() != places.size())
       return fault("node \"" + node.name + "\" has another number of ids than of places");
     for (std::size_t i = 0; i < places.size(); ++i) {
-      const std::string id = instanced ? ids.Get(static_cast<int>(i)).Get<std::string>() : node.name;
+      const std::string id =
+          instanced ? ids.Get(static_cast<int>(i)).Get<std::string>() : node.name;
       contents_.products.push_back({id, sku, store_from_gltf(places[i].position)});
     }
     return {};

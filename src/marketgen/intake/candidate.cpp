@@ -151,13 +151,35 @@ class DoorPlacer {
     const Requirement* wish = wish_for(OpeningKind::service);
     if (wish == nullptr && program_.area_m2() < service_door_from_m2) return;
     const Wall back = opposite(front_);
-    const double fallback =
-        candidate_.drafted.exit_mm * 2 > candidate_.drafted.width_mm ? 0.03 : 0.97;
+    const double fallback = behind_longest(back);
     place_free("dock",
                OpeningKind::service,
                wished_wall(OpeningKind::service).value_or(back),
                wished_center(OpeningKind::service).value_or(fallback),
                service_door_mm);
+  }
+
+  // The fraction along a wall where a door costs least: at an end of the longest zone there, the
+  // one nearer to a corner.
+  double behind_longest(Wall wall) const {
+    constexpr int reach_mm = 300;
+    const double length = wall_length(wall, candidate_.floor);
+    int best_from = 0, best_to = 0;
+    for (const RectMm& rect : candidate_.rects) {
+      const RectMm& floor = candidate_.floor;
+      const int away = wall == Wall::north   ? floor.y1 - rect.y1
+                       : wall == Wall::south ? rect.y0
+                       : wall == Wall::east  ? floor.x1 - rect.x1
+                                             : rect.x0;
+      const int from = runs_east(wall) ? rect.x0 : rect.y0;
+      const int to = runs_east(wall) ? rect.x1 : rect.y1;
+      if (away > reach_mm || to - from <= best_to - best_from) continue;
+      best_from = from;
+      best_to = to;
+    }
+    const int half = service_door_mm / 2 + corner_margin_mm;
+    const bool low_corner_nearer = best_from < length - best_to;
+    return (low_corner_nearer ? best_from + half : best_to - half) / length;
   }
 
   void place_wished(OpeningKind kind, int width_mm) {

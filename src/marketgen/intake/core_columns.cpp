@@ -96,7 +96,8 @@ void grow(std::vector<CoreColumn>& columns, int width_mm, int aisle, int most_ru
   }
 }
 
-// The aisle that uses up the width, within reason. Shelves on the room's walls have one before them too.
+// The aisle that uses up the width, within reason. Shelves on the room's walls have one before them
+// too.
 int fitted_aisle(const std::vector<CoreColumn>& columns,
                  const CoreRoom& room,
                  const StoreProgram& program) {
@@ -116,7 +117,8 @@ Slice slice_of(const CoreColumn& column, const StoreProgram& program, int depth_
   if (column.zones.size() == 1) return zone_slice(column.zones[0]);
   const bool roomy = depth_mm >= 2 * stacked_cell_mm;
   const int gap = roomy ? program.profile->cross_aisle_mm : program.profile->secondary_aisle_mm;
-  return make_strip(column.zones, program, {Axis::y, depth_mm, column.width(0), gap}).slice;
+  return make_strip(column.zones, program, {Axis::y, depth_mm, column.width(0), gap, least_cell_mm})
+      .slice;
 }
 
 }  // namespace

@@ -14,12 +14,12 @@ constexpr double must_missed = 60, prefer_missed = 25;
 constexpr double crowding_per_m = 30;
 constexpr double waste_per_m2 = 0.3;
 constexpr double area_off = 3, most_area_off = 5;
-constexpr double stressed_factor = 3;      // "lots of" cold drinks need their floor most
-constexpr double aside_but_remote = 20;    // "left of the entrance" is said of what is close to it
-constexpr double asked_area_off = 60;  // floor that was asked for in numbers
+constexpr double stressed_factor = 3;    // "lots of" cold drinks need their floor most
+constexpr double aside_but_remote = 20;  // "left of the entrance" is said of what is close to it
+constexpr double asked_area_off = 60;    // floor that was asked for in numbers
 constexpr double asked_area_tolerance = 0.1;
 constexpr double short_core_per_m = 8;  // gondola runs shorter than a few sections
-constexpr double aisle_missed = 12;        // each aisle more or less than asked for
+constexpr double aisle_missed = 12;     // each aisle more or less than asked for
 constexpr double least_run_mm = 3800;
 
 // Adjacency facts of shop design, in points (sources: design/generation.md, "Adjacency").
@@ -31,7 +31,7 @@ constexpr double frozen_far_from_tills = 3;  // frozen goods are taken last
 constexpr double cold_group = 5;             // refrigeration is grouped
 constexpr double raw_beside_ready = 3;
 constexpr double chemicals_beside_food = 5;
-constexpr double beside_mm = 800;         // a divider between two cabinets is less, an aisle more
+constexpr double beside_mm = 800;  // a divider between two cabinets is less, an aisle more
 constexpr double same_group_mm = 3500;
 
 bool is_type(const ProgramZone& zone, std::initializer_list<std::string_view> types) {
@@ -43,11 +43,13 @@ double diagonal_mm(const RectMm& floor) {
                      {floor.x1, floor.y1, floor.x1, floor.y1});
 }
 
-// How far apart, in diagonals, things are that were said to be beside, behind or opposite one another.
-double remoteness_of(const Requirement& wish, const Candidate& candidate,
+// How far apart, in diagonals, things are that were said to be beside, behind or opposite one
+// another.
+double remoteness_of(const Requirement& wish,
+                     const Candidate& candidate,
                      const StoreProgram& program) {
-  constexpr RelationKind kinds[] = {RelationKind::left_of, RelationKind::right_of,
-                                    RelationKind::behind, RelationKind::facing};
+  constexpr RelationKind kinds[] = {
+      RelationKind::left_of, RelationKind::right_of, RelationKind::behind, RelationKind::facing};
   if (std::ranges::find(kinds, wish.relation) == std::ranges::end(kinds)) return 0;
   double nearest = diagonal_mm(candidate.floor);
   for (const RectMm& a : places_named(candidate, program, wish.subject)) {
@@ -208,8 +210,7 @@ double band_habit(const ProgramZone& zone, Band band) {
 }
 
 double penalty_of(const FloorDraft& draft, const Candidate& candidate, const ScoreInput& input) {
-  const double depth_fault = tree_depth(candidate.root) > max_bsp_depth ? unbuildable : 0;
-  return depth_fault + wish_penalty(candidate, input) + room_penalty(candidate, input) +
+  return wish_penalty(candidate, input) + room_penalty(candidate, input) +
          core_penalty(draft, candidate, input) + flow_penalty(candidate, input) +
          neighbour_penalty(candidate, input) + habit_penalty(draft, input);
 }

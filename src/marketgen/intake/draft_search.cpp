@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "intake/zone_sizes.h"
+#include "base/parallel.h"
 
 namespace marketgen {
 namespace {
 
-constexpr int starts = 8;
+constexpr std::size_t starts = 8;
 constexpr int moves_per_start = 220;
 constexpr double wished_zone_chance = 0.35;  // moves of zones whose place was asked for
 constexpr double first_temperature = 6;  // in penalty points; falls to nothing over a start's moves
@@ -26,20 +26,20 @@ class Search {
     Stream draw = seed.child("taste").stream();
     for (std::size_t i = 0; i < program.zones.size(); ++i) {
       taste_.emplace_back();
-      for (double& points : taste_.back()) points = draw.uniform(0, taste_points);
+      for (double& points : taste_.back())
+        points = draw.uniform(0, taste_points);
       if (is_wished(program.zones[i].type->type)) wished_.push_back(static_cast<int>(i));
     }
   }
 
   FoundDraft run() {
-    FoundDraft best;
-    best.penalty = HUGE_VAL;
-    for (int i = 0; i < starts; ++i) {
-      Stream draw = seed_.child("start", static_cast<std::uint64_t>(i)).stream();
-      improve(start(draw), draw, best);
-    }
-    best.evaluations = evaluations_;
-    return best;
+    std::vector<FoundDraft> found = parallel_map(starts, [&](std::size_t i) {
+      Stream draw = seed_.child("start", i).stream();
+      return improve(start(draw), draw);
+    });
+    FoundDraft& best = *std::ranges::min_element(found, {}, &FoundDraft::penalty);
+    best.evaluations = static_cast<int>(starts) * (moves_per_start + 1);
+    return std::move(best);
   }
 
  private:
@@ -50,31 +50,38 @@ class Search {
     });
   }
 
-  double evaluate(const FloorDraft& draft, FoundDraft& best) {
-    ++evaluations_;
+  // The draft's penalty when it is at most `accepted` and a plan can express it; infinite
+  // otherwise. The test of the tree takes longest and comes last.
+  double evaluate(const FloorDraft& draft, double accepted, FoundDraft& best) const {
     Candidate candidate = make_candidate(draft, program_, understanding_, catalog_);
     const double penalty = penalty_of(draft, candidate, {program_, understanding_, taste_});
+    if (penalty > accepted || tree_depth(candidate.root) > max_bsp_depth) return HUGE_VAL;
     if (penalty < best.penalty) best = {draft, std::move(candidate), penalty, 0};
     return penalty;
   }
 
-  void improve(FloorDraft draft, Stream& draw, FoundDraft& best) {
-    double current = evaluate(draft, best);
+  // The best draft of one start.
+  FoundDraft improve(FloorDraft draft, Stream& draw) const {
+    FoundDraft best;
+    best.penalty = HUGE_VAL;
+    double current = evaluate(draft, HUGE_VAL, best);
     for (int move = 0; move < moves_per_start; ++move) {
       FloorDraft changed = draft;
       change(changed, draw);
-      const double penalty = evaluate(changed, best);
       const double left = 1 - static_cast<double>(move) / moves_per_start;
       const double slack = first_temperature * left * left * draw.uniform();
-      if (penalty > current + slack) continue;
+      const double accepted = current < HUGE_VAL ? current + slack : HUGE_VAL;
+      const double penalty = evaluate(changed, accepted, best);
+      if (penalty == HUGE_VAL && current < HUGE_VAL) continue;
       draft = std::move(changed);
       current = penalty;
     }
+    return best;
   }
 
   // ---- Starts ----
 
-  FloorDraft start(Stream& draw) {
+  FloorDraft start(Stream& draw) const {
     FloorDraft draft;
     const bool front_runs_east = entrance_wall_of(understanding_) == Wall::south ||
                                  entrance_wall_of(understanding_) == Wall::north;
@@ -99,7 +106,7 @@ class Search {
   }
 
   // Into the band that suits the zone best, counting taste and how full the band is.
-  void place(FloorDraft& draft, int zone) {
+  void place(FloorDraft& draft, int zone) const {
     const auto index = static_cast<std::size_t>(zone);
     const ProgramZone& row = program_.zones[index];
     if (row.stance == Stance::front && row.type->type != "cafe") {
@@ -110,7 +117,7 @@ class Search {
     double best_points = HUGE_VAL;
     for (std::size_t b = 0; b < band_count; ++b) {
       constexpr double asked_for = 50;
-      constexpr double crowded = 0.8;      // each zone that stands there already
+      constexpr double crowded = 0.8;  // each zone that stands there already
       const double many =
           b == index_of(Band::core) ? 0 : crowded * static_cast<double>(draft.bands[b].size());
       const double points = band_habit(row, static_cast<Band>(b)) + taste_[index][b] + many -
@@ -255,8 +262,7 @@ class Search {
   const Catalog& catalog_;
   Seed seed_;
   BandTaste taste_;
-  std::vector<int> wished_;                // zones that relations name
-  int evaluations_ = 0;
+  std::vector<int> wished_;  // zones that relations name
 };
 
 }  // namespace

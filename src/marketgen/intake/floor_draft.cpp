@@ -14,9 +14,11 @@ constexpr int door_side_mm = 500;  // floor kept free beside a door (layout: app
 constexpr int wide_door_mm = 2000;
 constexpr int narrow_door_mm = 1500;
 constexpr double small_store_m2 = 220;
-constexpr int least_front_mm = 3400;        // trolleys and baskets take part of a front zone's window
+constexpr int least_cabinet_mm = 2100;  // a cabinet and a half: shorter is no department
+constexpr int least_front_mm = 3400;    // trolleys and baskets take part of a front zone's window
 constexpr int least_department_mm = 2000;  // behind corner tills
-constexpr int roomy_store_mm = 18000;  // from this depth on, aisles before cold cabinets have their full width
+constexpr int roomy_store_mm =
+    18000;  // from this depth on, aisles before cold cabinets have their full width
 constexpr double band_share =
     0.0825;  // of what it is cut from: the least that BSP ratios can express
 
@@ -68,11 +70,10 @@ class FloorBuilder {
   }
 
   int own_depth(int index, bool deep) const {
-    const bool tables = zone(index).stance == Stance::hall && zone(index).type->temperature ==
-                                                                  Storage::ambient;
-    return deep && tables
-               ? hall_depth_mm(zone(index), profile_, catalog_)
-               : wall_depth_mm(zone(index), catalog_);
+    const bool tables =
+        zone(index).stance == Stance::hall && zone(index).type->temperature == Storage::ambient;
+    return deep && tables ? hall_depth_mm(zone(index), profile_, catalog_)
+                          : wall_depth_mm(zone(index), catalog_);
   }
 
   int band_depth(Band band) const {
@@ -84,9 +85,11 @@ class FloorBuilder {
     return depth;
   }
 
-  Slice strip_slice(Band band, Axis axis, int length_mm, int depth_mm, int gap_mm = 0) {
-    const Strip strip =
-        make_strip(draft_.band(band), program_, {axis, length_mm, depth_mm, gap_mm});
+  Slice strip_slice(Band band, Axis axis, int length_mm, int depth_mm) {
+    const Strip strip = make_strip(
+        draft_.band(band),
+        program_,
+        {axis, length_mm, depth_mm, 0, band == Band::front ? least_front_mm : least_cabinet_mm});
     floor_.crowding += strip.crowding;
     const double metres = 1e-3 * length_mm / static_cast<double>(draft_.band(band).size());
     for (const int z : draft_.band(band)) {
@@ -163,8 +166,9 @@ class FloorBuilder {
   void build_with_front() {
     const int depth = floor_.depth_mm;
     const int gap = std::max(profile_.checkout_clear_mm, profile_.secondary_aisle_mm);
-    const int front = std::max(front_depth_mm(program_, catalog_, std::min(gap, profile_.checkout_clear_mm)),
-                               static_cast<int>((depth - gap) * band_share) + 1);
+    const int front =
+        std::max(front_depth_mm(program_, catalog_, std::min(gap, profile_.checkout_clear_mm)),
+                 static_cast<int>((depth - gap) * band_share) + 1);
     const int body = depth - front - gap;
     const Back back = back_of(body);
     const int middle_depth = body - back.band_mm - back.gap_mm;
@@ -254,7 +258,8 @@ class FloorBuilder {
   }
 
   Slice front_strip(const std::vector<int>& zones, int length_mm, int depth_mm) {
-    const Strip strip = make_strip(zones, program_, {Axis::x, length_mm, depth_mm, 0, least_front_mm});
+    const Strip strip =
+        make_strip(zones, program_, {Axis::x, length_mm, depth_mm, 0, least_front_mm});
     floor_.crowding += strip.crowding;
     return strip.slice;
   }

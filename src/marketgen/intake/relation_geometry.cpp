@@ -77,7 +77,9 @@ double miss_at(const RectMm& a, const RectMm& place) {
   return 0.5 * own - length;
 }
 
-RectMm point_rect(PointMm p) { return {p[0], p[1], p[0], p[1]}; }
+RectMm point_rect(PointMm p) {
+  return {p[0], p[1], p[0], p[1]};
+}
 
 double miss_at_center(const RectMm& a, const RectMm& floor) {
   return std::max(miss_at(a, middle_third(floor)),

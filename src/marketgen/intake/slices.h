@@ -19,7 +19,8 @@ struct Slice {
   std::vector<int> sizes_mm;  // of the parts along the axis
   std::vector<int> gaps_mm;   // after each part but the last
 
-  // A part that is cut across the same axis is taken in piece by piece: the binary tree then groups the pieces as it likes.
+  // A part that is cut across the same axis is taken in piece by piece: the binary tree then groups
+  // the pieces as it likes.
   void add(Slice part, int size_mm, int gap_before_mm);
 };
 

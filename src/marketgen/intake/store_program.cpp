@@ -16,7 +16,7 @@ constexpr double zones_in_any_store = 5;
 constexpr double further_zone_m2 = 36;  // of store for each zone more; smaller ones hold no run
 constexpr std::size_t most_zones = 22;  // of max_bsp_leaves
 constexpr double staffed_counter_from_m2 = 500;  // smaller shops sell meat and cheese packed
-constexpr double checkout_zones_share = 0.09;  // tills take their own floor first
+constexpr double checkout_zones_share = 0.09;    // tills take their own floor first
 
 const ProfileRow& profile_of(const Brief& brief,
                              const Understanding& found,
@@ -164,7 +164,8 @@ const FixtureKind* kind_of(const Understanding& found,
   const bool convenience = program.profile->id.starts_with("convenience");
   if (type.type == "chilled" && convenience) return catalog.fixture_kind("glass_door_cooler");
   const bool counter = usual != nullptr && usual->generator == "serve_over";
-  if (counter && program.area_m2() < staffed_counter_from_m2) return catalog.fixture_kind("multideck");
+  if (counter && program.area_m2() < staffed_counter_from_m2)
+    return catalog.fixture_kind("multideck");
   return usual;
 }
 

@@ -25,7 +25,7 @@ struct ProgramZone {
   const FixtureKind* kind = nullptr;  // null: no fixtures
   Stance stance = Stance::central;
   bool cold = false;
-  bool stressed = false;               // the words ask for more of it than usual
+  bool stressed = false;            // the words ask for more of it than usual
   double target_m2 = 0;             // floor with its share of the aisles
   std::optional<double> wanted_m2;  // floor that was asked for
   std::optional<int> count;         // fixtures asked for

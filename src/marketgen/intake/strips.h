@@ -11,8 +11,8 @@ struct StripRoom {
   Axis axis;  // along which the zones follow one another
   int length_mm;
   int depth_mm;  // across
-  int gap_mm;                          // between neighbours
-  int least_mm = 2100;                 // a cabinet and a half: shorter is no department
+  int gap_mm;    // between neighbours
+  int least_mm;  // shortest zone
 };
 
 struct Strip {

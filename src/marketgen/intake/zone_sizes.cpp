@@ -10,12 +10,12 @@ namespace {
 constexpr int back_panel_mm = 60;   // between the two sides of a gondola
 constexpr int wall_margin_mm = 60;  // skirting behind a wall unit
 constexpr int staff_floor_mm =
-    1000;                         // behind a counter: one person works, another passes (Neufert)
-constexpr int passage_mm = 1000;  // beside a lane: ADA 904.3 asks for 36 in
-constexpr int lane_margin_mm = 100;     // so that rounding never costs a lane
+    1000;                            // behind a counter: one person works, another passes (Neufert)
+constexpr int passage_mm = 1000;     // beside a lane: ADA 904.3 asks for 36 in
+constexpr int lane_margin_mm = 100;  // so that rounding never costs a lane
 constexpr int packing_floor_mm = 1300;  // behind the tills: a packed trolley turns round
 constexpr int exit_floor_mm = 2050;     // kept free inside a door (layout: approach_depth_mm)
-constexpr double small_store_m2 = 450;     // below, lanes are short
+constexpr double small_store_m2 = 450;  // below, lanes are short
 
 bool has_staff_side(const FixtureKind& kind) {
   return kind.generator == "serve_over";

@@ -19,8 +19,8 @@ int hall_depth_mm(const ProgramZone& zone, const ProfileRow& profile, const Cata
 // The floor along the front that a till, service or cafe zone needs.
 int till_width_mm(const ProgramZone& zone, int front_depth_mm);
 
-// From the exit's wall to the edge of the till zone: a lane, and the floor that must stay free inside the exit. Part of the
-// floor before the lanes lies in the gap of `gap_mm` beyond.
+// From the exit's wall to the edge of the till zone: a lane, and the floor that must stay free
+// inside the exit. Part of the floor before the lanes lies in the gap of `gap_mm` beyond.
 int front_depth_mm(const StoreProgram& program, const Catalog& catalog, int gap_mm);
 
 // Depth of one checkout lane: shorter lanes in small shops.

@@ -17,7 +17,8 @@ constexpr double same_share = 0.6;   // strips that cover so much of each other 
 constexpr int joint_mm = 1300;       // strips in line this near are one aisle
 constexpr double main_length_share = 0.5;  // of the store's side
 constexpr int same_end_mm = 300;           // run ends this near to a line end on it
-constexpr int least_passage_mm = 600;      // nobody walks through less: a joint between cabinets, not an aisle
+constexpr int least_passage_mm =
+    600;  // nobody walks through less: a joint between cabinets, not an aisle
 
 // A strip of floor, with the side on which its fixtures stand.
 struct Strip {
@@ -113,15 +114,19 @@ std::vector<Span> main_span_and_nooks(const Surroundings& around, const Face& fa
   }
   const Span whole{parts.front().from, parts.back().to};
   std::size_t first = 0, last = parts.size();
-  while (first < last && parts[first].to <= whole.from + nook_mm) ++first;
-  while (last > first && parts[last - 1].from >= whole.to - nook_mm) --last;
+  while (first < last && parts[first].to <= whole.from + nook_mm)
+    ++first;
+  while (last > first && parts[last - 1].from >= whole.to - nook_mm)
+    --last;
   if (first == last) return {whole};
   const auto begin = distance.begin();
   const int core = *std::min_element(begin + static_cast<std::ptrdiff_t>(first),
                                      begin + static_cast<std::ptrdiff_t>(last));
   // Ends that are as wide as the middle belong to it.
-  while (first > 0 && distance[first - 1] >= nook_factor * core) --first;
-  while (last < parts.size() && distance[last] >= nook_factor * core) ++last;
+  while (first > 0 && distance[first - 1] >= nook_factor * core)
+    --first;
+  while (last < parts.size() && distance[last] >= nook_factor * core)
+    ++last;
   std::vector<Span> spans{{parts[first].from, parts[last - 1].to}};
   if (first > 0) spans.push_back({whole.from, parts[first].from});
   if (last < parts.size()) spans.push_back({parts[last].from, whole.to});
@@ -193,10 +198,12 @@ RectMm bounds_of_ends(const std::vector<RunEnd>& line) {
   return box;
 }
 
-// The floor beyond the ends of a zone's runs, one strip for all that end on one line.
+// The floor beyond the ends of a zone's runs, one strip for all that end on one line, where it is
+// as wide as an aisle may be.
 void add_cross_strips(std::vector<Strip>& strips,
                       const Surroundings& around,
-                      const std::vector<Face>& faces) {
+                      const std::vector<Face>& faces,
+                      int least_mm) {
   std::map<std::string, int> numbers;
   for (const std::vector<RunEnd>& line : end_lines(run_ends(around, faces))) {
     const Side side = line.front().side;
@@ -207,7 +214,9 @@ void add_cross_strips(std::vector<Strip>& strips,
     for (const RunEnd& end : line) {
       strip.width_mm = std::min(strip.width_mm, around.look(end.rect, side).width_mm);
     }
-    const bool closed = distance < 1 || strip.width_mm < 1;  // an endcap stands there
+    // An endcap stands there, or it is a gap that nobody needs to pass: fronts have their own
+    // aisles.
+    const bool closed = distance < 1 || strip.width_mm < least_mm;
     if (closed || distance >= reach_mm || along(box, side).length() < distance) continue;
     strip.id = line.front().zone + "/cross-" + std::to_string(++numbers[line.front().zone]);
     strip.rect = strip_beyond(box, side, distance);
@@ -338,7 +347,7 @@ std::vector<Aisle> find_aisles(const Design& design, const std::vector<Fixture>&
   for (const Face& face : faces) {
     if (face.role == FixtureRole::shelving && !face.endcap) add_face_strips(strips, around, face);
   }
-  add_cross_strips(strips, around, faces);
+  add_cross_strips(strips, around, faces, design.profile.minimum_aisle_mm);
   strips = merged(std::move(strips), around);
   add_lane_strips(strips, fixtures, design.catalog);
   name_main_aisles(strips, design);

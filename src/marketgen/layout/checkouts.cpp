@@ -99,7 +99,8 @@ void fit_length(Lane& lane, const FixtureKind& kind, int depth_mm, int clear_mm)
   lane.along_mm = lane.module.depth_mm;
 }
 
-// From the ground's edge to the lanes: half of what they leave free, but beyond the doors' approach.
+// From the ground's edge to the lanes: half of what they leave free, but beyond the doors'
+// approach.
 int lane_offset(const TillFloor& floor, int depth_mm, int lane_mm, int clear_mm) {
   const int room = depth_mm - lane_mm;
   const int approach = std::min(approach_depth_mm, room - clear_mm / 2);

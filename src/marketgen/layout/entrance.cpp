@@ -92,8 +92,8 @@ void place_gate(Build& build, const Doorway& door) {
   const RectMm rect = cut_along(strip_beyond(door.approach, opposite(door.wall), spec.depth_mm),
                                 door.wall,
                                 {from, from + width});
-  const int round_mm = std::max(build.design.least_aisle_mm(),
-                                build.design.profile.secondary_aisle_mm * 4 / 5);
+  const int round_mm =
+      std::max(build.design.least_aisle_mm(), build.design.profile.secondary_aisle_mm * 4 / 5);
   const RectMm round = rect.grown(round_mm);
   if (!build.site.is_clear(round)) return;
   Fixture gate = make_module(spec, *owner->zone);

@@ -12,7 +12,8 @@ constexpr int apart_mm = 600;
 // FDA Food Code 2022, 3-302.11 (A)(1). Not symmetric: `a` holds the raw food.
 bool is_raw_beside_ready(std::string_view type_a, std::string_view type_b);
 // FDA Food Code 2022, 7-201.11. `a` holds the chemicals.
-bool is_chemical_beside_food(std::string_view type_a, std::string_view type_b,
+bool is_chemical_beside_food(std::string_view type_a,
+                             std::string_view type_b,
                              const Catalog& catalog);
 // Either of them, either way round.
 bool kept_apart(std::string_view type_a, std::string_view type_b, const Catalog& catalog);

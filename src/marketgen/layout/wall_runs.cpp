@@ -30,8 +30,8 @@ std::vector<Span> without_windows(const Build& build, Side side, Span span, int 
   return without(span, windows);
 }
 
-// Cold cabinets first, because they have the fewest places to go; then walls without the entrance; then
-// the longest.
+// Cold cabinets first, because they have the fewest places to go; then walls without the entrance;
+// then the longest.
 std::vector<WallJob> wall_jobs(const Build& build) {
   std::vector<WallJob> jobs;
   for (std::size_t i = 0; i < build.grounds.size(); ++i) {
@@ -76,7 +76,8 @@ std::vector<Span> apart_from_others(const Build& build, const ZoneBuild& zone, c
   std::vector<Span> taken;
   for (const Fixture& fixture : build.site.fixtures()) {
     const Zone* other = find_zone(build.design.plan, fixture.zone);
-    if (other == nullptr || !kept_apart(zone.zone->type, other->type, build.design.catalog)) continue;
+    if (other == nullptr || !kept_apart(zone.zone->type, other->type, build.design.catalog))
+      continue;
     const RectMm near = footprint_of(fixture).grown(apart_mm);
     if (overlap(near, row.band)) taken.push_back(along(near, row.front));
   }
@@ -98,12 +99,12 @@ void line_wall(Build& build, const WallJob& job) {
   const int most = zone.modules_left(spec.kind);
   if (most <= 0) return;
   const Row whole{zone.zone->id + "/run-" + std::to_string(zone.next_run),
-          zone.zone,
-          &spec,
-          opposite(job.side),
-          band,
-          clear,
-          most};
+                  zone.zone,
+                  &spec,
+                  opposite(job.side),
+                  band,
+                  clear,
+                  most};
   bool any = false;
   for (const Span& part : apart_from_others(build, zone, whole)) {
     Row row = whole;

@@ -14,8 +14,9 @@ constexpr char where[] = "settle";
 constexpr mjtSize memory_base_bytes = 64 << 20,
                   memory_per_body_bytes = 1 << 20;  // address space, touched as needed
 
-// What rests is put to sleep, which makes the simulation 20 times as fast. A creep slower than this many metres (radians) a
-// second counts as rest: at most 0.4 mm in the four seconds that are watched.
+// What rests is put to sleep, which makes the simulation 20 times as fast. A creep slower than this
+// many metres (radians) a second counts as rest: at most 0.4 mm in the four seconds that are
+// watched.
 constexpr double sleep_below_m_s = 1e-4;
 
 // The floor area that the model covers.

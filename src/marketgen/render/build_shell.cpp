@@ -12,7 +12,7 @@ constexpr float frame_m = 0.06F, frame_depth_m = 0.07F;  // aluminium profiles
 constexpr float operator_m = 0.16F;                      // box over a sliding door
 constexpr float pane_m = 0.012F;
 constexpr float window_module_m = 1.4F;   // mullions about this far apart
-constexpr float floor_polish = 0.65F;                     // a shop's floor is sealed and machine-cleaned every day
+constexpr float floor_polish = 0.65F;     // a shop's floor is sealed and machine-cleaned every day
 constexpr float glazing_depth_m = 0.12F;  // behind the wall's face
 
 void add_horizontal(Mesh& mesh,

@@ -123,8 +123,7 @@ class Smoother {
 
   // How much pixel i of row q looks like the same surface as pixel i of row p, 0..1.
   static float alike(const Guides& p, const Guides& q, float plane_scale, int i) {
-    const float turned =
-        std::max(0.0F, p.nx[i] * q.nx[i] + p.ny[i] * q.ny[i] + p.nz[i] * q.nz[i]);
+    const float turned = std::max(0.0F, p.nx[i] * q.nx[i] + p.ny[i] * q.ny[i] + p.nz[i] * q.nz[i]);
     const float t2 = turned * turned, t4 = t2 * t2, t8 = t4 * t4;
     const float off_plane = std::fabs(p.nx[i] * (q.x[i] - p.x[i]) + p.ny[i] * (q.y[i] - p.y[i]) +
                                       p.nz[i] * (q.z[i] - p.z[i]));
@@ -136,14 +135,16 @@ class Smoother {
     return left * left * left * left;
   }
 
-  // The loops below run over plain arrays that never overlap, so that the compiler may take eight pixels at a time.
+  // The loops below run over plain arrays that never overlap, so that the compiler may take eight
+  // pixels at a time.
   void add_moments(int y, int dx, int dy, RowSums& sums) const {
     const Tap t = tap(y, dx, dy);
     const auto row = static_cast<std::ptrdiff_t>(film_.index(0, y));
     const Guides p(film_, row), q(film_, t.offset);
     const float* const plane_scale = plane_scale_.data() + row;
     const float* const light = luminance_.data() + t.offset;
-    float *const weights = sums.weight.data(), *const first = sums.red.data(), *const second = sums.second.data();
+    float *const weights = sums.weight.data(), *const first = sums.red.data(),
+                 *const second = sums.second.data();
 #pragma GCC ivdep
     for (int x = t.first; x < t.last; ++x) {
       const float weight = alike(p, q, plane_scale[x], x) + 1e-6F;
@@ -157,14 +158,19 @@ class Smoother {
     const Tap t = tap(y, dx, dy);
     const auto row = static_cast<std::ptrdiff_t>(film_.index(0, y));
     const Guides p(film_, row), q(film_, t.offset);
-    const float *const plane_scale = plane_scale_.data() + row, *const edge_scale = edge_scale_.data() + row;
-    const float *const own_light = luminance_.data() + row, *const light_q = luminance_.data() + t.offset;
-    const float *const material = material_.data() + row, *const material_q = material_.data() + t.offset;
+    const float *const plane_scale = plane_scale_.data() + row, *const edge_scale =
+                                                                    edge_scale_.data() + row;
+    const float *const own_light = luminance_.data() + row, *const light_q =
+                                                                luminance_.data() + t.offset;
+    const float *const material = material_.data() + row, *const material_q =
+                                                              material_.data() + t.offset;
     const float* const variance = variance_.data() + t.offset;
-    const float *const r = light.axis[0].data() + t.offset, *const g = light.axis[1].data() + t.offset,
-                *const b = light.axis[2].data() + t.offset;
-    float *const weights = sums.weight.data(), *const red = sums.red.data(), *const green = sums.green.data(),
-                *const blue = sums.blue.data(), *const second = sums.second.data();
+    const float *const r = light.axis[0].data() + t.offset,
+                       *const g = light.axis[1].data() + t.offset,
+                       *const b = light.axis[2].data() + t.offset;
+    float *const weights = sums.weight.data(), *const red = sums.red.data(),
+                 *const green = sums.green.data(), *const blue = sums.blue.data(),
+                 *const second = sums.second.data();
 #pragma GCC ivdep
     for (int x = t.first; x < t.last; ++x) {
       const float same = material[x] == material_q[x] ? kernel : 0.0F;
@@ -209,23 +215,28 @@ class Smoother {
 
 void remove_sparkles(const Film& film, Planes3& light) {
   Plane luminance(film.count());
-  for (std::size_t i = 0; i < film.count(); ++i) luminance[i] = luminance_at(light, i);
-  parallel_for(static_cast<std::size_t>(film.height), [&](std::size_t row) {
-    const int y = static_cast<int>(row);
-    for (int x = 0; x < film.width; ++x) {
-      const std::size_t i = film.index(x, y);
-      std::array<float, 3> top{};   // brightest neighbours, falling
-      for (int k = 0; k < 9; ++k) {
-        if (k == 4) continue;
-        const int u = std::clamp(x + k % 3 - 1, 0, film.width - 1), v = std::clamp(y + k / 3 - 1, 0, film.height - 1);
-        float value = luminance[film.index(u, v)];
-        for (float& place : top) {
-          if (value > place) std::swap(value, place);
+  for (std::size_t i = 0; i < film.count(); ++i)
+    luminance[i] = luminance_at(light, i);
+  parallel_for(
+      static_cast<std::size_t>(film.height),
+      [&](std::size_t row) {
+        const int y = static_cast<int>(row);
+        for (int x = 0; x < film.width; ++x) {
+          const std::size_t i = film.index(x, y);
+          std::array<float, 3> top{};  // brightest neighbours, falling
+          for (int k = 0; k < 9; ++k) {
+            if (k == 4) continue;
+            const int u = std::clamp(x + k % 3 - 1, 0, film.width - 1),
+                      v = std::clamp(y + k / 3 - 1, 0, film.height - 1);
+            float value = luminance[film.index(u, v)];
+            for (float& place : top) {
+              if (value > place) std::swap(value, place);
+            }
+          }
+          if (luminance[i] > top[2]) light.set(i, light.at(i) * (top[2] / luminance[i]));
         }
-      }
-      if (luminance[i] > top[2]) light.set(i, light.at(i) * (top[2] / luminance[i]));
-    }
-  }, rows_per_task);
+      },
+      rows_per_task);
 }
 
 void smooth(const Film& film, Planes3& light, const FilterSettings& settings) {

@@ -12,7 +12,8 @@ struct FilterSettings {
   bool same_material_only = false;
 };
 
-// Cuts every pixel down to the third brightest of the eight around it: single bright samples go, lines and areas stay.
+// Cuts every pixel down to the third brightest of the eight around it: single bright samples go,
+// lines and areas stay.
 void remove_sparkles(const Film& film, Planes3& light);
 
 // Smooths `light` in place.

@@ -10,19 +10,25 @@ namespace marketgen::raytrace {
 namespace {
 
 constexpr float cell_m = 2;
-constexpr float near_m = 2;               // panels this far from a cell are looked at from it
-constexpr float widest_spread_m = 0.9F;   // so that what lies farther does not count
-// Spread of mirrored directions in units of GGX's alpha, in the plane of incidence: twice that of the half vectors.
+constexpr float near_m = 2;              // panels this far from a cell are looked at from it
+constexpr float widest_spread_m = 0.9F;  // so that what lies farther does not count
+// Spread of mirrored directions in units of GGX's alpha, in the plane of incidence: twice that of
+// the half vectors.
 constexpr float spread_of_alpha = 1.4F;
-constexpr float narrowest = 0.12F;        // across the plane of incidence, in units of the spread along it
-constexpr float level = 0.03F;            // flatter rays never reach the ceiling
-constexpr float longest_reach_m = 6;      // of the lobe's footprint to each side
+constexpr float narrowest =
+    0.12F;                      // across the plane of incidence, in units of the spread along it
+constexpr float level = 0.03F;  // flatter rays never reach the ceiling
+constexpr float longest_reach_m = 6;  // of the lobe's footprint to each side
 constexpr int taps = 7;
-constexpr float tap_step = 0.6F;          // in standard deviations
-constexpr std::array<float, taps> tap_weight{0.052F, 0.128F, 0.207F, 0.226F, 0.207F, 0.128F, 0.052F};
+constexpr float tap_step = 0.6F;  // in standard deviations
+constexpr std::array<float, taps> tap_weight{
+    0.052F, 0.128F, 0.207F, 0.226F, 0.207F, 0.128F, 0.052F};
 
-// Cumulative distribution with a sharp middle and long tails, as the GGX lobe has (Student's t with two degrees of freedom).
-float below(float x) { return 0.5F + 0.5F * x / std::sqrt(2 + x * x); }
+// Cumulative distribution with a sharp middle and long tails, as the GGX lobe has (Student's t with
+// two degrees of freedom).
+float below(float x) {
+  return 0.5F + 0.5F * x / std::sqrt(2 + x * x);
+}
 
 }  // namespace
 
@@ -77,11 +83,14 @@ PanelReflection::Seen PanelReflection::at(const Surface& surface, Vec3f mirror) 
   Seen seen;
   seen.distance = (height_ - surface.position.z) / mirror.z;
   if (seen.distance <= 0) return {};
-  // How the point on the ceiling moves when the direction turns within, and out of, the plane of incidence.
+  // How the point on the ceiling moves when the direction turns within, and out of, the plane of
+  // incidence.
   const float cosine = std::clamp(dot(mirror, surface.normal), 0.0F, 1.0F);
   const Vec3f within = normalized(surface.normal - mirror * cosine);
   const Vec3f across = cross(mirror, within);
-  const auto shift = [&](Vec3f turn) { return (turn - mirror * (turn.z / mirror.z)) * seen.distance; };
+  const auto shift = [&](Vec3f turn) {
+    return (turn - mirror * (turn.z / mirror.z)) * seen.distance;
+  };
   const float alpha = std::max(surface.roughness * surface.roughness, 2e-3F);
   const float spread = spread_of_alpha * alpha;
   Vec3f along = shift(within) * spread;

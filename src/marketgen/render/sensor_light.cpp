@@ -17,7 +17,7 @@ constexpr float mirror_footprint = 0.6F;  // times alpha, metres per metre
 // Single samples are capped, in units of what a picture shows as white: rarer, brighter ones would
 // stay as spots.
 constexpr float brightest_direct = 30, brightest_bounce = 6, brightest_mirror = 5;
-constexpr float ceiling_share = 0.97F;         // a ray that gets this far along has reached the ceiling
+constexpr float ceiling_share = 0.97F;  // a ray that gets this far along has reached the ceiling
 
 Vec3f capped(Vec3f value, float limit) {
   const float top = largest(value);
@@ -149,7 +149,7 @@ class TileLighter {
 
   void add_gloss() {
     RayQueue<Mirrored> queue;
-    const int rays = std::max(1, samples_ / 2);   // panels need none: what is left to see is dim
+    const int rays = std::max(1, samples_ / 2);  // panels need none: what is left to see is dim
     for (std::size_t i = 0; i < tile_pixels; ++i) {
       if (!lit(i)) continue;
       const Surface& surface = tile_.hits[i].surface;
@@ -191,7 +191,8 @@ class TileLighter {
       const Mirrored& mirror = queue.payloads[k];
       const float roughness = tile_.hits[mirror.pixel].surface.roughness;
       const bool sees_ceiling = hits[k].t > ceiling_share * mirror.panels.distance;
-      Vec3f radiance = mirror_radiance(queue.rays[k], hits[k], roughness * roughness, Panels::apart);
+      Vec3f radiance =
+          mirror_radiance(queue.rays[k], hits[k], roughness * roughness, Panels::apart);
       radiance = capped(radiance, brightest_mirror * white_);
       if (sees_ceiling) radiance += mirror.panels.radiance;
       gloss_[mirror.pixel] += radiance * mirror.weight;
@@ -205,7 +206,8 @@ class TileLighter {
     if (!hit.any()) return lighting_.world.surroundings.radiance(ray.direction);
     const float footprint = view_.footprint(hit.t) + mirror_footprint * alpha * hit.t;
     const Surface seen = surface_at(lighting_.world, ray, hit, footprint);
-    const bool panel = seen.light >= 0 && static_cast<std::uint32_t>(seen.light) < lighting_.world.panel_count;
+    const bool panel =
+        seen.light >= 0 && static_cast<std::uint32_t>(seen.light) < lighting_.world.panel_count;
     const Lamps lamps = panel && panels == Panels::apart ? Lamps::left_out : Lamps::seen;
     return stored_radiance(lighting_, seen, ray.direction, lamps);
   }

@@ -92,7 +92,8 @@ class Photographer {
     const Vec3 forward = normalized(high - low);
     // A long aisle is seen from within, a short one from before its end.
     const double step = length(high - low) > long_aisle_m ? aisle_step_m : -aisle_step_m;
-    const Vec3 from_low = room_.nearest(low + forward * step), from_high = room_.nearest(high - forward * step);
+    const Vec3 from_low = room_.nearest(low + forward * step),
+               from_high = room_.nearest(high - forward * step);
     const bool upward = room_.sight(from_low, forward, 60) >= room_.sight(from_high, -forward, 60);
     return looking(named("aisle"),
                    upward ? from_low : from_high,
@@ -180,15 +181,19 @@ class Photographer {
   double goods_along(const RectMm& aisle) const {
     constexpr int beside_mm = 400, shelf_height_mm = 1200;
     const bool along_x = aisle.width() >= aisle.depth();
-    const RectMm low = along_x ? RectMm{aisle.x0, aisle.y0 - beside_mm, aisle.x1, aisle.y0 + beside_mm / 4}
-                               : RectMm{aisle.x0 - beside_mm, aisle.y0, aisle.x0 + beside_mm / 4, aisle.y1};
-    const RectMm high = along_x ? RectMm{aisle.x0, aisle.y1 - beside_mm / 4, aisle.x1, aisle.y1 + beside_mm}
-                                : RectMm{aisle.x1 - beside_mm / 4, aisle.y0, aisle.x1 + beside_mm, aisle.y1};
+    const RectMm low =
+        along_x ? RectMm{aisle.x0, aisle.y0 - beside_mm, aisle.x1, aisle.y0 + beside_mm / 4}
+                : RectMm{aisle.x0 - beside_mm, aisle.y0, aisle.x0 + beside_mm / 4, aisle.y1};
+    const RectMm high =
+        along_x ? RectMm{aisle.x0, aisle.y1 - beside_mm / 4, aisle.x1, aisle.y1 + beside_mm}
+                : RectMm{aisle.x1 - beside_mm / 4, aisle.y0, aisle.x1 + beside_mm, aisle.y1};
     double low_goods = 0, high_goods = 0;
     for (const Fixture& fixture : layout_.fixtures) {
-      const bool faces_aisle = fixture.yaw_deg % 180 == (along_x ? 0 : 90) && fixture.endcap_of.empty();
+      const bool faces_aisle =
+          fixture.yaw_deg % 180 == (along_x ? 0 : 90) && fixture.endcap_of.empty();
       if (!faces_aisle || fixture.height_mm < shelf_height_mm) continue;
-      const double gondola = fixture.sides == 2 ? 1.0 : 0.25;   // an aisle between gondolas before one along a wall
+      const double gondola =
+          fixture.sides == 2 ? 1.0 : 0.25;  // an aisle between gondolas before one along a wall
       if (overlap(footprint_of(fixture), low)) low_goods += fixture.width_mm * gondola;
       if (overlap(footprint_of(fixture), high)) high_goods += fixture.width_mm * gondola;
     }

@@ -25,7 +25,8 @@ float curve(float linear) {
 
 // A look on top: AgX alone is flat, made for grading.
 constexpr float look_contrast = 1.35F, look_saturation = 1.18F, look_gain = 1.10F;
-// Interreflection lifts a furnished room above its lamps' own lux; this puts white paper at nine tenths of the screen's white.
+// Interreflection lifts a furnished room above its lamps' own lux; this puts white paper at nine
+// tenths of the screen's white.
 constexpr float base_exposure = 0.78F;
 
 std::uint8_t to_byte(float x) {

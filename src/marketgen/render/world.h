@@ -101,7 +101,7 @@ struct World {
   std::vector<TracedMesh> meshes;
   std::vector<Instance> instances;
   std::vector<AreaLight> lights;
-  std::uint32_t panel_count = 0;                           // the first lights are ceiling panels
+  std::uint32_t panel_count = 0;  // the first lights are ceiling panels
   Surroundings surroundings;
   Bounds3 room;
   float exposure = 1;  // picture value = exposure * radiance

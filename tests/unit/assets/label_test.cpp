@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "assets/label_sheet.h"
+#include "base/seed.h"
 #include "io/png.h"
 #include "sample_products.h"
 
@@ -126,6 +127,21 @@ TEST(Label, EveryPanelIsPrinted) {  // more than a flat colour on each
       EXPECT_GT(colors.size(), 8U)
           << product.sku << " panel " << names_of(panel.kind)[static_cast<std::size_t>(panel.kind)];
     }
+  }
+}
+
+TEST(Label, DrawsPacksOfAnySizeAtAnyResolution) {  // flat, thin, tiny, huge: never an error
+  Stream draw = Seed(11).stream();
+  const std::vector<Product> samples = sample_products();
+  for (int round = 0; round < 240; ++round) {
+    Product product = samples.at(static_cast<std::size_t>(round) % samples.size());
+    for (int& side : product.size_mm)
+      side = draw.integer(12, draw.chance(0.3) ? 900 : 120);
+    if (!panels_of(product).ok()) continue;  // a shape that the archetype cannot have
+    const Result<Image> image = draw_label(product, draw.integer(16, 160));
+    ASSERT_TRUE(image.ok()) << to_string(image.error()) << " " << product.archetype << " "
+                            << product.size_mm[0] << "x" << product.size_mm[1] << "x"
+                            << product.size_mm[2];
   }
 }
 

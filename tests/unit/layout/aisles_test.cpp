@@ -14,7 +14,8 @@ std::vector<Fixture> facing_lines(std::string kind, int depth, int gap) {
     const std::string n = std::to_string(i + 1);
     const int y = 3000 + 1250 * i;
     fixtures.push_back(sample::fixture("z/run-1/module-" + n, kind, "z", 4000, y, 90, 1250, depth));
-    fixtures.push_back(sample::fixture("z/run-2/module-" + n, kind, "z", 4000 + depth + gap, y, 270, 1250, depth));
+    fixtures.push_back(
+        sample::fixture("z/run-2/module-" + n, kind, "z", 4000 + depth + gap, y, 270, 1250, depth));
   }
   return fixtures;
 }
@@ -43,7 +44,8 @@ TEST_F(AisleTest, LinesThatFaceEachOtherShareOneAisle) {
 }
 
 TEST_F(AisleTest, OpenDoorsOnBothSidesNarrowIt) {  // 2800 less 600 on either side
-  const std::vector<Aisle> aisles = find_aisles(design_, facing_lines("glass_door_cooler", 700, 2800));
+  const std::vector<Aisle> aisles =
+      find_aisles(design_, facing_lines("glass_door_cooler", 700, 2800));
   const Aisle* aisle = aisle_between(aisles, 5700);
   ASSERT_NE(aisle, nullptr);
   EXPECT_EQ(aisle->width_mm, 1600);
@@ -55,11 +57,14 @@ TEST_F(AisleTest, ColumnsNarrowThem) {
   const std::vector<Aisle> aisles = find_aisles(design, facing_lines("multideck", 1000, 2800));
   ASSERT_FALSE(aisles.empty());
   int narrowest = 100000;
-  for (const Aisle& aisle : aisles) narrowest = std::min(narrowest, aisle.width_mm);
+  for (const Aisle& aisle : aisles)
+    narrowest = std::min(narrowest, aisle.width_mm);
   EXPECT_EQ(narrowest, 300);  // from the front at x = 4,500 to the column at 4,800
 }
 
-TEST_F(AisleTest, NoFixturesNoAisles) { EXPECT_TRUE(find_aisles(design_, {}).empty()); }
+TEST_F(AisleTest, NoFixturesNoAisles) {
+  EXPECT_TRUE(find_aisles(design_, {}).empty());
+}
 
 TEST_F(AisleTest, PassagesBetweenLanesAreCheckoutAisles) {
   const std::vector<Fixture> lanes{

@@ -39,7 +39,8 @@ TEST(Floor, WindowsNeedNoApproach) {
 TEST(Floor, WhatAnLShapeLacksIsOutside) {
   const Floor floor = make_floor(l_shell());
   double outside_m2 = 0;
-  for (const RectMm& rect : floor.outside) outside_m2 += rect.area_m2();
+  for (const RectMm& rect : floor.outside)
+    outside_m2 += rect.area_m2();
   EXPECT_DOUBLE_EQ(outside_m2, 16.0);
   EXPECT_TRUE(on_floor(floor, {0, 0, 12000, 6000}));
   EXPECT_FALSE(on_floor(floor, {7000, 5000, 9000, 7000}));
@@ -70,7 +71,8 @@ TEST(ZoneGround, PiecesAvoidWhatIsNotFloor) {
 TEST(ZoneGround, WallsReachOverHalfTheGapToTheNextZone) {
   Plan plan = sample::one_zone(12000, 6000, sample::zone("a", "dry_goods", "gondola"));
   plan.zones.push_back(sample::zone("b", "snacks", "gondola"));
-  plan.nodes = {sample::cut("root", Axis::x, 0.5, 2000, "l", "r"), sample::leaf("l", "a"),
+  plan.nodes = {sample::cut("root", Axis::x, 0.5, 2000, "l", "r"),
+                sample::leaf("l", "a"),
                 sample::leaf("r", "b")};
   const std::vector<Ground> grounds = zone_grounds(plan, make_floor(plan.shell));
   ASSERT_EQ(grounds.size(), 2U);

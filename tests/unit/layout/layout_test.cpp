@@ -22,7 +22,8 @@ Layout lay_out(const Plan& plan) {
 
 std::vector<Fixture> of_kind(const Layout& layout, std::string_view kind) {
   std::vector<Fixture> found;
-  std::ranges::copy_if(layout.fixtures, std::back_inserter(found), [&](const Fixture& f) { return f.kind == kind; });
+  std::ranges::copy_if(
+      layout.fixtures, std::back_inserter(found), [&](const Fixture& f) { return f.kind == kind; });
   return found;
 }
 
@@ -35,7 +36,8 @@ TEST(Layout, FootprintSwapsWidthAndDepthWhenTurned) {
 
 // 12 x 8 m of dairy, multidecks 1250 wide and 1000 deep, aisles of 2.8 m.
 TEST(Layout, CabinetsLineTheNorthWallWithTheirFrontsToTheSouth) {
-  const Layout layout = lay_out(sample::one_zone(12000, 8000, sample::zone("dairy", "dairy", "multideck")));
+  const Layout layout =
+      lay_out(sample::one_zone(12000, 8000, sample::zone("dairy", "dairy", "multideck")));
   int on_north_wall = 0;
   for (const Fixture& f : of_kind(layout, "multideck")) {
     if (f.yaw_deg != 0 || footprint_of(f).y1 != 7980) continue;  // 20 mm off the wall
@@ -46,7 +48,8 @@ TEST(Layout, CabinetsLineTheNorthWallWithTheirFrontsToTheSouth) {
 }
 
 TEST(Layout, ModulesAreNumberedFromTheLeft) {
-  const Layout layout = lay_out(sample::one_zone(12000, 8000, sample::zone("dairy", "dairy", "multideck")));
+  const Layout layout =
+      lay_out(sample::one_zone(12000, 8000, sample::zone("dairy", "dairy", "multideck")));
   const Fixture* first = find_fixture(layout, "dairy/run-1/module-1");
   const Fixture* second = find_fixture(layout, "dairy/run-1/module-2");
   ASSERT_NE(first, nullptr);
@@ -65,10 +68,12 @@ TEST(Layout, GondolasStandAcrossTheTillsAndWallUnitsRoundThem) {
     EXPECT_EQ(f.yaw_deg, 90) << f.id;
     EXPECT_EQ(f.sides, 2);
   }
-  // The goods' floor is 16 m wide; wall units of 500, 20 mm off the wall on both sides, and aisles of 1,800 leave 11,360 mm:
-  // five runs of 1,000 stand 1,590 apart, which is within the 15 % that aisles may give up.
+  // The goods' floor is 16 m wide; wall units of 500, 20 mm off the wall on both sides, and aisles
+  // of 1,800 leave 11,360 mm: five runs of 1,000 stand 1,590 apart, which is within the 15 % that
+  // aisles may give up.
   std::set<int> columns;
-  for (const Fixture& f : of_kind(layout, "gondola")) columns.insert(f.x_mm);
+  for (const Fixture& f : of_kind(layout, "gondola"))
+    columns.insert(f.x_mm);
   EXPECT_EQ(columns.size(), 5U);
   EXPECT_GE(of_kind(layout, "wall_unit").size(), 20U);
 }
@@ -96,7 +101,8 @@ TEST(Layout, EndcapsCloseTheRunsTheyBelongTo) {
       highest = std::max(highest, footprint_of(f).y1);
     }
     const bool front = endcap.id.ends_with("endcap-front");
-    EXPECT_EQ(front ? footprint_of(endcap).y1 : footprint_of(endcap).y0, front ? lowest : highest) << endcap.id;
+    EXPECT_EQ(front ? footprint_of(endcap).y1 : footprint_of(endcap).y0, front ? lowest : highest)
+        << endcap.id;
     EXPECT_EQ(endcap.yaw_deg, front ? 0 : 180) << endcap.id;
   }
 }
@@ -106,9 +112,11 @@ TEST(Layout, LongRunsAreBrokenByCrossAisles) {
   plan.zones[0].fixture.run_max_mm = 8000;
   const Layout layout = lay_out(plan);
   std::map<std::string, int> length;
-  for (const Fixture& f : of_kind(layout, "gondola")) length[f.run] += f.width_mm;
+  for (const Fixture& f : of_kind(layout, "gondola"))
+    length[f.run] += f.width_mm;
   ASSERT_FALSE(length.empty());
-  for (const auto& [run, mm] : length) EXPECT_LE(mm, 8000) << run;
+  for (const auto& [run, mm] : length)
+    EXPECT_LE(mm, 8000) << run;
 }
 
 TEST(Layout, CountsLimitTheModules) {
@@ -123,13 +131,16 @@ TEST(Layout, FixturesKeepOffColumns) {
   const Layout layout = lay_out(plan);
   for (const Fixture& f : layout.fixtures) {
     for (const Column& c : plan.shell.columns) {
-      EXPECT_FALSE(overlap(footprint_of(f), RectMm{c.x_mm - 300, c.y_mm - 300, c.x_mm + 300, c.y_mm + 300})) << f.id;
+      EXPECT_FALSE(
+          overlap(footprint_of(f), RectMm{c.x_mm - 300, c.y_mm - 300, c.x_mm + 300, c.y_mm + 300}))
+          << f.id;
     }
   }
 }
 
 TEST(Layout, ASanePlanBreaksNoRule) {
-  for (const Violation& v : lay_out(sample::small_shop()).violations) ADD_FAILURE() << v.code << ": " << v.message;
+  for (const Violation& v : lay_out(sample::small_shop()).violations)
+    ADD_FAILURE() << v.code << ": " << v.message;
 }
 
 TEST(Layout, EverythingHangsTogetherForARobot) {

@@ -7,7 +7,8 @@
 namespace marketgen {
 namespace {
 
-// 20 x 10 m, entrance in the middle of the south wall; four zones in a row along the north wall, one by the door.
+// 20 x 10 m, entrance in the middle of the south wall; four zones in a row along the north wall,
+// one by the door.
 Layout shop() {
   Layout layout;
   layout.shell.width_mm = 20000;
@@ -22,7 +23,8 @@ Layout shop() {
 }
 
 bool holds(RelationKind kind, std::string a, std::string b, std::optional<std::string> c = {}) {
-  return check_relation(shop(), {kind, std::move(a), std::move(b), std::move(c), Strength::must}).holds;
+  return check_relation(shop(), {kind, std::move(a), std::move(b), std::move(c), Strength::must})
+      .holds;
 }
 
 TEST(Relations, NearAndFarAreMeasuredBetweenEdgesAndMiddles) {
@@ -43,7 +45,8 @@ TEST(Relations, LeftIsSeenComingIn) {
   EXPECT_FALSE(holds(RelationKind::left_of, "deli", "dairy"));
   Layout turned = shop();  // coming in from the north, left is east
   turned.shell.openings[0].wall = Wall::north;
-  EXPECT_TRUE(check_relation(turned, {RelationKind::left_of, "deli", "dairy", {}, Strength::must}).holds);
+  EXPECT_TRUE(
+      check_relation(turned, {RelationKind::left_of, "deli", "dairy", {}, Strength::must}).holds);
 }
 
 TEST(Relations, BetweenAndBehind) {
@@ -56,15 +59,20 @@ TEST(Relations, NotAdjacentNeedsAnAisleBetween) {
   EXPECT_TRUE(holds(RelationKind::not_adjacent, "bakery", "dairy"));
   Layout close = shop();
   close.zones[1].polygon_mm = polygon_of({5500, 7000, 12000, 10000});
-  EXPECT_FALSE(check_relation(close, {RelationKind::not_adjacent, "bakery", "dairy", {}, Strength::must}).holds);
+  EXPECT_FALSE(
+      check_relation(close, {RelationKind::not_adjacent, "bakery", "dairy", {}, Strength::must})
+          .holds);
 }
 
 TEST(Relations, MessagesSayWhatWasMeasured) {
-  const RelationResult result = check_relation(shop(), {RelationKind::near, "deli", "entrance", {}, Strength::must});
+  const RelationResult result =
+      check_relation(shop(), {RelationKind::near, "deli", "entrance", {}, Strength::must});
   EXPECT_EQ(result.message, "deli should be near entrance; measured 7.6 m, at most 4.5 m holds");
 }
 
-TEST(Relations, UnknownNamesAreLeftToValidation) { EXPECT_TRUE(holds(RelationKind::near, "nowhere", "entrance")); }
+TEST(Relations, UnknownNamesAreLeftToValidation) {
+  EXPECT_TRUE(holds(RelationKind::near, "nowhere", "entrance"));
+}
 
 }  // namespace
 }  // namespace marketgen

@@ -12,7 +12,8 @@ namespace {
 int hard_faults(const Plan& plan, const Catalog& catalog) {
   const Result<Layout> layout = make_layout(plan, catalog, Seed(1));
   if (!layout.ok()) return 1000;
-  return static_cast<int>(std::ranges::count(layout->violations, Severity::hard, &Violation::severity));
+  return static_cast<int>(
+      std::ranges::count(layout->violations, Severity::hard, &Violation::severity));
 }
 
 TEST(Repair, ASoundPlanStaysAsItIs) {
@@ -31,17 +32,21 @@ TEST(Repair, PutsTillsIntoAShopWithoutAny) {
   const Result<Repaired> repaired = repair_plan(plan, catalog, Seed(1));
   ASSERT_TRUE(repaired.ok());
   EXPECT_EQ(hard_faults(repaired->plan, catalog), 0);
-  EXPECT_TRUE(std::ranges::any_of(repaired->plan.zones, [](const Zone& z) { return z.type == "checkout"; }));
+  EXPECT_TRUE(std::ranges::any_of(repaired->plan.zones,
+                                  [](const Zone& z) { return z.type == "checkout"; }));
   ASSERT_FALSE(repaired->changes.empty());
-  EXPECT_TRUE(std::ranges::all_of(repaired->plan.provenance, [](const Provenance& p) { return p.source == Source::repair; }));
+  EXPECT_TRUE(std::ranges::all_of(repaired->plan.provenance,
+                                  [](const Provenance& p) { return p.source == Source::repair; }));
 }
 
 TEST(Repair, GivesFloorToAZoneThatHasNone) {  // 8 % of 16 m leaves the snacks 1.1 m
   const Catalog catalog = sample::catalog();
   Plan plan = sample::small_shop();
   plan.zones.push_back(sample::zone("snacks", "snacks", "gondola"));
-  plan.nodes = {sample::cut("root", Axis::y, 0.4, 2400, "front", "back"), sample::leaf("front", "tills"),
-                sample::cut("back", Axis::x, 0.08, 1800, "sliver", "rest"), sample::leaf("sliver", "snacks"),
+  plan.nodes = {sample::cut("root", Axis::y, 0.4, 2400, "front", "back"),
+                sample::leaf("front", "tills"),
+                sample::cut("back", Axis::x, 0.08, 1800, "sliver", "rest"),
+                sample::leaf("sliver", "snacks"),
                 sample::leaf("rest", "goods")};
   const Result<Repaired> repaired = repair_plan(plan, catalog, Seed(1));
   ASSERT_TRUE(repaired.ok());
@@ -53,21 +58,25 @@ TEST(Repair, MovesZonesForARelationThatMustHold) {
   const Catalog catalog = sample::catalog();
   Plan plan = sample::small_shop();
   plan.zones.push_back(sample::zone("snacks", "snacks", "gondola"));
-  plan.nodes = {sample::cut("root", Axis::y, 0.4, 2400, "front", "back"), sample::leaf("front", "tills"),
-                sample::cut("back", Axis::x, 0.5, 1800, "west", "east"), sample::leaf("west", "goods"),
+  plan.nodes = {sample::cut("root", Axis::y, 0.4, 2400, "front", "back"),
+                sample::leaf("front", "tills"),
+                sample::cut("back", Axis::x, 0.5, 1800, "west", "east"),
+                sample::leaf("west", "goods"),
                 sample::leaf("east", "snacks")};
   plan.relations = {{RelationKind::left_of, "snacks", "goods", {}, Strength::must}};
   ASSERT_EQ(hard_faults(plan, catalog), 1);
   const Result<Repaired> repaired = repair_plan(plan, catalog, Seed(1));
   ASSERT_TRUE(repaired.ok());
   EXPECT_EQ(hard_faults(repaired->plan, catalog), 0);
-  EXPECT_EQ(repaired->changes, (std::vector<std::string>{"let zones snacks and goods change places"}));
+  EXPECT_EQ(repaired->changes,
+            (std::vector<std::string>{"let zones snacks and goods change places"}));
 }
 
 TEST(Repair, IsTheSameEveryTime) {
   const Catalog catalog = sample::catalog();
   const Plan plan = sample::one_zone(16000, 14000, sample::zone("goods", "dry_goods", "gondola"));
-  EXPECT_EQ(write_json(repair_plan(plan, catalog, Seed(3))->plan), write_json(repair_plan(plan, catalog, Seed(3))->plan));
+  EXPECT_EQ(write_json(repair_plan(plan, catalog, Seed(3))->plan),
+            write_json(repair_plan(plan, catalog, Seed(3))->plan));
 }
 
 }  // namespace

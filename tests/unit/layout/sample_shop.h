@@ -9,7 +9,8 @@
 
 namespace marketgen::sample {
 
-inline FixtureKind kind(std::string name, std::vector<int> widths, int depth, int height, int levels) {
+inline FixtureKind kind(
+    std::string name, std::vector<int> widths, int depth, int height, int levels) {
   FixtureKind k;
   k.kind = name;
   k.name = name;
@@ -26,7 +27,9 @@ inline FixtureKind kind(std::string name, std::vector<int> widths, int depth, in
   return k;
 }
 
-inline ZoneTypeRow zone_type(std::string type, std::string fixture, Storage temperature = Storage::ambient) {
+inline ZoneTypeRow zone_type(std::string type,
+                             std::string fixture,
+                             Storage temperature = Storage::ambient) {
   ZoneTypeRow row;
   row.type = type;
   row.label = type;
@@ -73,7 +76,8 @@ inline Catalog catalog() {
   profile.gondola_shelf_mm = 470;
   profile.module_mm = 1000;
   c.profiles = {profile};
-  for (const char* id : {"terrazzo-white", "plaster-white", "tile-white", "metal-white", "metal-grey"}) {
+  for (const char* id :
+       {"terrazzo-white", "plaster-white", "tile-white", "metal-white", "metal-grey"}) {
     MaterialRow material;
     material.id = id;
     material.name = id;
@@ -99,7 +103,8 @@ inline Node leaf(std::string id, std::string zone_id) {
   return n;
 }
 
-inline Node cut(std::string id, Axis axis, double ratio, int gap, std::string first, std::string second) {
+inline Node cut(
+    std::string id, Axis axis, double ratio, int gap, std::string first, std::string second) {
   Node n;
   n.id = std::move(id);
   n.split = axis;
@@ -136,7 +141,8 @@ inline Plan small_shop() {
   plan.shell.depth_mm = 14000;
   plan.shell.openings = {door("entrance", OpeningKind::entrance, Wall::south, 0.15),
                          door("exit", OpeningKind::exit, Wall::south, 0.7)};
-  plan.nodes = {cut("root", Axis::y, 0.4, 2400, "front", "back"), leaf("front", "tills"),
+  plan.nodes = {cut("root", Axis::y, 0.4, 2400, "front", "back"),
+                leaf("front", "tills"),
                 leaf("back", "goods")};
   plan.zones = {zone("tills", "checkout", "checkout_lane"), zone("goods", "dry_goods", "gondola")};
   plan.zones[0].fixture.count = 2;
@@ -144,8 +150,15 @@ inline Plan small_shop() {
 }
 
 // A fixture of a hand-made layout.
-inline Fixture fixture(std::string id, std::string kind_name, std::string zone_id, int x, int y, int yaw, int width,
-                       int depth, int sides = 1) {
+inline Fixture fixture(std::string id,
+                       std::string kind_name,
+                       std::string zone_id,
+                       int x,
+                       int y,
+                       int yaw,
+                       int width,
+                       int depth,
+                       int sides = 1) {
   Fixture f;
   f.run = id.substr(0, id.rfind('/'));
   f.id = std::move(id);

@@ -14,7 +14,8 @@ TEST(Side, StripsLieInsideAndBeyondTheirSide) {
   EXPECT_EQ(strip_beyond(room, Side::south, 2), (RectMm{0, -2, 10, 0}));
 }
 
-TEST(Side, LeftIsSeenFromTheFront) {  // a front that faces south is looked at northward: left is west
+TEST(Side,
+     LeftIsSeenFromTheFront) {  // a front that faces south is looked at northward: left is west
   EXPECT_EQ(left_of(Side::south), Side::west);
   EXPECT_EQ(left_of(Side::east), Side::south);
   EXPECT_EQ(left_of(Side::north), Side::east);
@@ -28,7 +29,8 @@ TEST(Side, YawNamesTheSideAFrontFaces) {
 }
 
 TEST(Spans, WithoutTakesOverlappingPiecesOut) {
-  EXPECT_EQ(without({0, 10}, {{6, 8}, {2, 3}, {7, 9}}), (std::vector<Span>{{0, 2}, {3, 6}, {9, 10}}));
+  EXPECT_EQ(without({0, 10}, {{6, 8}, {2, 3}, {7, 9}}),
+            (std::vector<Span>{{0, 2}, {3, 6}, {9, 10}}));
   EXPECT_EQ(without({0, 10}, {{-5, 4}}, 7), (std::vector<Span>{}));
   EXPECT_EQ(without({0, 10}, {}), (std::vector<Span>{{0, 10}}));
 }
