@@ -29,15 +29,20 @@ std::vector<Entry> add_commands(CLI::App& app) {
   return entries;
 }
 
-// The command whose flags were being read when parsing failed.
-const CLI::App& command_in_question(const CLI::App& app, int argc, char** argv) {
-  const CLI::App* found = &app;
+// The command whose flags were being read when parsing failed, and the first word after its name.
+struct Question {
+  const CLI::App* command;
+  std::string next;
+};
+
+Question question_of(const CLI::App& app, int argc, char** argv) {
+  Question question{&app, argc > 1 ? argv[1] : ""};
   for (int i = 1; i < argc; ++i) {
-    for (const CLI::App* sub : found->get_subcommands({})) {
-      if (sub->get_name() == argv[i]) found = sub;
+    for (const CLI::App* sub : question.command->get_subcommands({})) {
+      if (sub->get_name() == argv[i]) question = {sub, i + 1 < argc ? argv[i + 1] : ""};
     }
   }
-  return *found;
+  return question;
 }
 
 std::vector<std::string> known_flags(const CLI::App& command) {
@@ -63,8 +68,10 @@ Error unknown_command(const CLI::App& app, const std::string& word) {
 // CLI11's message in our form, with the nearest flag when one was misspelt.
 int report_usage(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
   if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-  const CLI::App& command = command_in_question(app, argc, argv);
-  if (&command == &app && argc > 1 && argv[1][0] != '-') return fail(unknown_command(app, argv[1]));
+  const auto [found, next] = question_of(app, argc, argv);
+  const CLI::App& command = *found;
+  const bool wants_command = !command.get_subcommands({}).empty();
+  if (wants_command && !next.empty() && next[0] != '-') return fail(unknown_command(command, next));
   const std::vector<std::string> flags = known_flags(command);
   const std::vector<std::string_view> names(flags.begin(), flags.end());
   std::string hint;

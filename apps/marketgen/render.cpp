@@ -62,8 +62,13 @@ Result<Camera> camera_of(const RenderFlags& flags, const Scene& scene) {
   const auto [width, height] = pixels;
   if (flags.from.empty() != flags.at.empty())
     return Error{"usage.bad_flag", "--from", "give both --from and --at"};
-  if (flags.from.empty())
-    return camera_named(scene, flags.camera.empty() ? "entrance" : flags.camera, width, height);
+  if (flags.from.empty()) {
+    MARKETGEN_TRY(
+        const Camera named,
+        camera_named(scene, flags.camera.empty() ? "entrance" : flags.camera, width, height));
+    MARKETGEN_CHECK(check_camera(named, "--size"));
+    return named;
+  }
   if (!flags.camera.empty())
     return Error{"usage.bad_flag", "--camera", "give a camera's name or --from and --at, not both"};
   Camera camera;

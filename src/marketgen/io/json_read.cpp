@@ -285,7 +285,10 @@ Result<Json> parse(std::string_view text, const std::string& source) {
                  fmt::format("{}:{}", source, line),
                  colon == std::string::npos ? what : what.substr(colon + 2)};
   } catch (const Json::exception& e) {  // a number that does not fit, for instance
-    return Error{"json.syntax", source, e.what()};
+    const std::string what = e.what();  // "[json.exception.out_of_range.406] number overflow ..."
+    const std::size_t bracket = what.find("] ");
+    return Error{
+        "json.syntax", source, bracket == std::string::npos ? what : what.substr(bracket + 2)};
   }
 }
 

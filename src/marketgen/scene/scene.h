@@ -21,6 +21,10 @@
 
 namespace marketgen {
 
+// What a scene file may hold; a store is at most 200 m wide.
+constexpr FieldRules in_the_store = range(-1000, 1000), store_size = range(0, 1000);
+constexpr FieldRules unit_rotation = range(-1.001, 1.001);
+
 // One module in its place: layout.fixtures[i] belongs to fixtures[i].
 struct SceneFixture {
   std::uint32_t first_part = 0, part_count = 0;    // in parts
@@ -28,13 +32,13 @@ struct SceneFixture {
   std::array<float, 3> position_m{};               // world_from_fixture
   std::int32_t quarter_turns = 0;                  // yaw / 90
 
-  static constexpr auto fields =
-      field_list(field("first_part", &SceneFixture::first_part, "first row in parts"),
-                 field("part_count", &SceneFixture::part_count, "rows in parts"),
-                 field("first_shelf", &SceneFixture::first_shelf, "first row in shelves"),
-                 field("shelf_count", &SceneFixture::shelf_count, "rows in shelves"),
-                 field("position_m", &SceneFixture::position_m, "origin in the store frame"),
-                 field("quarter_turns", &SceneFixture::quarter_turns, "yaw divided by 90 degrees"));
+  static constexpr auto fields = field_list(
+      field("first_part", &SceneFixture::first_part, "first row in parts"),
+      field("part_count", &SceneFixture::part_count, "rows in parts"),
+      field("first_shelf", &SceneFixture::first_shelf, "first row in shelves"),
+      field("shelf_count", &SceneFixture::shelf_count, "rows in shelves"),
+      field("position_m", &SceneFixture::position_m, "origin in the store frame", in_the_store),
+      field("quarter_turns", &SceneFixture::quarter_turns, "yaw divided by 90 degrees"));
 };
 
 // One minimal unit, in its fixture's frame.
@@ -50,18 +54,18 @@ struct ScenePart {
   float roughness = 0.5F, metallic = 0;
   std::int32_t material = -1;  // row in materials, or -1 for the plain colour
 
-  static constexpr auto fields =
-      field_list(field("fixture", &ScenePart::fixture, "row in fixtures"),
-                 field("unit", &ScenePart::unit, "kind of minimal unit"),
-                 field("shape", &ScenePart::shape, "box or cylinder"),
-                 field("kind", &ScenePart::kind, "how light meets it"),
-                 field("position_m", &ScenePart::position_m, "centre in the fixture frame"),
-                 field("rotation_wxyz", &ScenePart::rotation_wxyz, "in the fixture frame"),
-                 field("half_size_m", &ScenePart::half_size_m, "half extents"),
-                 field("color", &ScenePart::color, "linear RGB"),
-                 field("roughness", &ScenePart::roughness, "0 mirror, 1 chalk"),
-                 field("metallic", &ScenePart::metallic, "0 dielectric, 1 metal"),
-                 field("material", &ScenePart::material, "row in materials, -1 for plain colour"));
+  static constexpr auto fields = field_list(
+      field("fixture", &ScenePart::fixture, "row in fixtures"),
+      field("unit", &ScenePart::unit, "kind of minimal unit"),
+      field("shape", &ScenePart::shape, "box or cylinder"),
+      field("kind", &ScenePart::kind, "how light meets it"),
+      field("position_m", &ScenePart::position_m, "centre in the fixture frame", in_the_store),
+      field("rotation_wxyz", &ScenePart::rotation_wxyz, "in the fixture frame", unit_rotation),
+      field("half_size_m", &ScenePart::half_size_m, "half extents", store_size),
+      field("color", &ScenePart::color, "linear RGB"),
+      field("roughness", &ScenePart::roughness, "0 mirror, 1 chalk"),
+      field("metallic", &ScenePart::metallic, "0 dielectric, 1 metal"),
+      field("material", &ScenePart::material, "row in materials, -1 for plain colour"));
 };
 
 // One stocked surface, in its fixture's frame (see ShelfSurface).
@@ -79,12 +83,14 @@ struct SceneShelf {
       field("level", &SceneShelf::level, "0 = lowest"),
       field("side", &SceneShelf::side, "1 = back of a double-sided fixture"),
       field("use", &SceneShelf::use, "how goods are kept"),
-      field(
-          "position_m", &SceneShelf::position_m, "middle of the front edge, in the fixture frame"),
-      field("rotation_wxyz", &SceneShelf::rotation_wxyz, "in the fixture frame"),
-      field("width_m", &SceneShelf::width_m, "usable width"),
-      field("depth_m", &SceneShelf::depth_m, "usable depth"),
-      field("clearance_m", &SceneShelf::clearance_m, "free height"),
+      field("position_m",
+            &SceneShelf::position_m,
+            "middle of the front edge, in the fixture frame",
+            in_the_store),
+      field("rotation_wxyz", &SceneShelf::rotation_wxyz, "in the fixture frame", unit_rotation),
+      field("width_m", &SceneShelf::width_m, "usable width", store_size),
+      field("depth_m", &SceneShelf::depth_m, "usable depth", store_size),
+      field("clearance_m", &SceneShelf::clearance_m, "free height", store_size),
       field("price_rail", &SceneShelf::price_rail, "1 when the front edge takes price labels"));
 };
 
@@ -103,8 +109,8 @@ struct Facing {
   static constexpr auto fields = field_list(
       field("shelf", &Facing::shelf, "row in shelves"),
       field("sku", &Facing::sku, "row in catalog"),
-      field("x_m", &Facing::x_m, "left edge from the shelf's left end"),
-      field("width_m", &Facing::width_m, "block width"),
+      field("x_m", &Facing::x_m, "left edge from the shelf's left end", in_the_store),
+      field("width_m", &Facing::width_m, "block width", store_size),
       field("facings", &Facing::facings, "packs side by side"),
       field("rows_deep", &Facing::rows_deep, "packs one behind another"),
       field("stack", &Facing::stack, "packs on one another"),
@@ -122,12 +128,15 @@ struct SceneProduct {
   std::array<float, 4> rotation_wxyz{1, 0, 0, 0};
   std::uint32_t flags = 0;  // 1 = misplaced, 2 = front row
 
-  static constexpr auto fields =
-      field_list(field("sku", &SceneProduct::sku, "row in catalog"),
-                 field("facing", &SceneProduct::facing, "row in facings"),
-                 field("position_m", &SceneProduct::position_m, "bottom centre in the store frame"),
-                 field("rotation_wxyz", &SceneProduct::rotation_wxyz, "in the store frame"),
-                 field("flags", &SceneProduct::flags, "1 = misplaced, 2 = front row"));
+  static constexpr auto fields = field_list(
+      field("sku", &SceneProduct::sku, "row in catalog"),
+      field("facing", &SceneProduct::facing, "row in facings"),
+      field("position_m",
+            &SceneProduct::position_m,
+            "bottom centre in the store frame",
+            in_the_store),
+      field("rotation_wxyz", &SceneProduct::rotation_wxyz, "in the store frame", unit_rotation),
+      field("flags", &SceneProduct::flags, "1 = misplaced, 2 = front row"));
 };
 constexpr std::uint32_t product_misplaced = 1;
 constexpr std::uint32_t product_front_row = 2;
@@ -144,9 +153,9 @@ struct PriceLabel {
       field_list(field("shelf", &PriceLabel::shelf, "row in shelves"),
                  field("sku", &PriceLabel::sku, "row in catalog"),
                  field("facing", &PriceLabel::facing, "row in facings"),
-                 field("x_m", &PriceLabel::x_m, "centre from the shelf's left end"),
-                 field("width_m", &PriceLabel::width_m, "label width"),
-                 field("height_m", &PriceLabel::height_m, "label height"),
+                 field("x_m", &PriceLabel::x_m, "centre from the shelf's left end", in_the_store),
+                 field("width_m", &PriceLabel::width_m, "label width", store_size),
+                 field("height_m", &PriceLabel::height_m, "label height", store_size),
                  field("promotion", &PriceLabel::promotion, "1 = promotion"),
                  field("price_cents", &PriceLabel::price_cents, "price"));
 };

@@ -77,7 +77,7 @@ inline Catalog catalog() {
   profile.module_mm = 1000;
   c.profiles = {profile};
   for (const char* id :
-       {"terrazzo-white", "plaster-white", "tile-white", "metal-white", "metal-grey"}) {
+       {"terrazzo-white", "plaster-white", "ceiling-grid-white", "metal-white", "metal-grey"}) {
     MaterialRow material;
     material.id = id;
     material.name = id;

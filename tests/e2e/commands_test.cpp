@@ -1,0 +1,363 @@
+// The commands, as a person or a script starts them: on one small store.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+
+#include "io/png.h"
+#include "small_store.h"
+
+namespace marketgen {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+// Runs the program and expects success.
+std::string output_of(const std::vector<std::string>& arguments, const fs::path& folder = {}) {
+  const Ran ran = marketgen_run(arguments, folder);
+  EXPECT_EQ(ran.status, 0) << arguments[0] << ": " << ran.err;
+  return ran.out;
+}
+
+json json_of(const std::vector<std::string>& arguments, const fs::path& folder = {}) {
+  const std::string text = output_of(arguments, folder);
+  const json parsed = json::parse(text, nullptr, false);
+  EXPECT_FALSE(parsed.is_discarded()) << arguments[0] << " prints no JSON: " << text.substr(0, 200);
+  return parsed;
+}
+
+std::string shop() {
+  return small_store().string();
+}
+json manifest() {
+  return json::parse(contents_of(small_store() / "store.json"));
+}
+
+std::vector<std::string> commands() {  // as apps/marketgen/commands.inc lists them
+  const std::string list =
+      contents_of(fs::path(MARKETGEN_SOURCE_DIR) / "apps/marketgen/commands.inc");
+  const std::regex entry("COMMAND\\(([a-z]+)\\)");
+  std::vector<std::string> names;
+  for (auto it = std::sregex_iterator(list.begin(), list.end(), entry);
+       it != std::sregex_iterator();
+       ++it)
+    names.push_back((*it)[1]);
+  return names;
+}
+
+// ---- Help. ----
+
+TEST(Help, EveryCommandHasAnExample) {
+  ASSERT_GE(commands().size(), 9U);
+  const std::string overview = output_of({"--help"});
+  for (const std::string& command : commands()) {
+    EXPECT_NE(overview.find(command), std::string::npos) << command;
+    const std::string help = output_of({command, "--help"});
+    EXPECT_NE(help.find("Example:"), std::string::npos) << command;
+    EXPECT_NE(help.find("marketgen " + command), std::string::npos) << command;
+  }
+}
+
+TEST(Help, EveryActionOnAssets) {
+  for (const char* action : {"list", "show", "search", "sheet"})
+    EXPECT_NE(output_of({"assets", action, "--help"}).find("Usage"), std::string::npos) << action;
+}
+
+TEST(Help, Version) {
+  EXPECT_TRUE(std::regex_search(output_of({"--version"}), std::regex("^[0-9]+\\.[0-9]+\\.[0-9]+")));
+}
+
+// ---- generate. ----
+
+TEST(Generate, JsonOfSeveralVariants) {
+  const ScratchFolder scratch;
+  const std::string text = output_of({"generate",
+                                      "a tiny corner shop with drinks",
+                                      "--size=8x6m",
+                                      "--no-previews",
+                                      "--quiet",
+                                      "--json",
+                                      "--count",
+                                      "2",
+                                      "-o",
+                                      "shops"},
+                                     scratch.path());
+  std::istringstream lines(text);
+  std::vector<json> stores;
+  for (std::string line; std::getline(lines, line);)
+    stores.push_back(json::parse(line));
+  ASSERT_EQ(stores.size(), 2U);
+  EXPECT_EQ(stores[0]["folder"], "shops/variant-1");
+  EXPECT_EQ(stores[1]["folder"], "shops/variant-2");
+  EXPECT_NE(stores[0]["manifest"]["scene_hash"], stores[1]["manifest"]["scene_hash"]);
+  EXPECT_EQ(stores[0]["manifest"]["seed"], 1);
+  EXPECT_EQ(stores[1]["manifest"]["seed"], 2);
+  EXPECT_EQ(stores[0]["report"]["schema"], "market-report/1");
+  EXPECT_TRUE(stores[0]["pictures"].empty());
+  EXPECT_TRUE(fs::exists(scratch.path() / "shops/variant-2/scene.bin"));
+}
+
+TEST(Generate, QuietSaysNothingOnStderr) {
+  const ScratchFolder scratch;
+  const Ran ran = marketgen_run(
+      {"generate", "a tiny corner shop", "--size=8x6m", "--no-previews", "--quiet", "-o", "shop"},
+      scratch.path());
+  EXPECT_EQ(ran.status, 0);
+  EXPECT_EQ(ran.err, "");
+  EXPECT_NE(ran.out.find("scene_hash"), std::string::npos);
+}
+
+TEST(Generate, PromptFromAFileAndPlanFromAStore) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch.path() / "prompt.txt") << "a tiny corner shop with drinks\n";
+  output_of({"generate",
+             "--prompt-file",
+             "prompt.txt",
+             "--size=8x6m",
+             "--no-previews",
+             "--seed",
+             "9",
+             "-o",
+             "one"},
+            scratch.path());
+  output_of({"generate", "--plan", "one/plan.json", "--no-previews", "--seed", "9", "-o", "two"},
+            scratch.path());
+  EXPECT_EQ(contents_of(scratch.path() / "one/scene.bin"),
+            contents_of(scratch.path() / "two/scene.bin"));
+}
+
+TEST(Generate, ProductsOfOnesOwn) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch.path() / "own.json")
+      << R"([{"sku": "own-elderflower", "ean": "2999999999991", "name": "Elderflower Lemonade", "category": "beverages",
+      "subcategory": "soft drinks", "archetype": "can", "size_mm": [66, 66, 115], "mass_kg": 0.35, "unit_of_measure": "l", "unit_amount": 0.33}])";
+  const json found = json_of({"assets", "search", "elderflower", "--json", "--catalog", "own.json"},
+                             scratch.path());
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(found[0]["sku"], "own-elderflower");
+  output_of({"generate",
+             "a shop that sells only drinks",
+             "--size=9x8m",
+             "--no-previews",
+             "--catalog",
+             "own.json",
+             "-o",
+             "shop"},
+            scratch.path());
+}
+
+TEST(Generate, AnInterruptLeavesNothingBehind) {
+  const ScratchFolder scratch;
+  Started generate({MARKETGEN_BINARY, "generate", "a supermarket", "-o", "shop"}, scratch.path());
+  for (int tries = 0; tries < 3000 && generate.errors_so_far().find("save") == std::string::npos;
+       ++tries)
+    usleep(10'000);
+  generate.interrupt();  // while the pictures are drawn
+  const Ran ran = generate.wait();
+  EXPECT_EQ(ran.status, 130);
+  EXPECT_NE(ran.err.find("error[internal.interrupted]"), std::string::npos) << ran.err;
+  EXPECT_TRUE(fs::is_empty(scratch.path()));
+}
+
+// ---- check and report. ----
+
+TEST(Check, StatusSaysWhetherAHardRuleIsBroken) {
+  const Ran ran = marketgen_run({"check", shop(), "--json"});
+  const json result = json::parse(ran.out);
+  EXPECT_EQ(ran.status, result["ok"] ? 0 : 1);
+  EXPECT_EQ(result["path"], shop());
+  const bool hard = std::any_of(result["rules"].begin(),
+                                result["rules"].end(),
+                                [](const json& rule) { return rule["severity"] == "hard"; });
+  EXPECT_EQ(hard, !result["ok"].get<bool>());
+  EXPECT_EQ(result["requirements"].size(), manifest()["requirements"].size());
+}
+
+TEST(Check, AChangedStore) {
+  const ScratchFolder scratch;
+  fs::copy(small_store(), scratch.path() / "shop", fs::copy_options::recursive);
+  std::ofstream(scratch.path() / "shop/planogram.csv", std::ios::app) << "one more row\r\n";
+  const Ran ran = marketgen_run({"check", (scratch.path() / "shop").string()});
+  EXPECT_EQ(ran.status, 1);
+  EXPECT_NE(ran.err.find("error[store.changed]"), std::string::npos) << ran.err;
+  EXPECT_NE(ran.err.find("planogram.csv"), std::string::npos) << ran.err;
+}
+
+TEST(Check, APlan) {
+  const Ran ran = marketgen_run({"check", (small_store() / "plan.json").string()});
+  EXPECT_TRUE(ran.status == 0 || ran.status == 1) << ran.err;
+  EXPECT_NE(ran.out.find("plan.json"), std::string::npos);
+}
+
+TEST(Report, MeasuresWhatNeedsPhysics) {
+  const ScratchFolder scratch;
+  const json report =
+      json_of({"report", shop(), "--json", "--quiet", "-o", "page.html"}, scratch.path());
+  EXPECT_EQ(report["metrics"]["COL"], 0);
+  EXPECT_EQ(report["metrics"]["OOB"], 0);
+  EXPECT_EQ(report["metrics"]["stb_products"], 200);
+  EXPECT_GE(report["metrics"]["STB"].get<double>(),
+            0.95);  // goods stand still when they are let go
+  EXPECT_GE(report["metrics"]["NAV"].get<double>(), 0.8);
+  const std::string page = contents_of(scratch.path() / "page.html");
+  EXPECT_TRUE(page.starts_with("<!doctype html>"));
+  EXPECT_NE(page.find(manifest()["scene_hash"]), std::string::npos);
+}
+
+// ---- query. ----
+
+TEST(Query, EveryTableAsJsonAndCsv) {
+  const json counts = manifest()["counts"];
+  for (const char* table : {"products", "fixtures", "zones", "prices", "materials", "planogram"}) {
+    const json rows = json_of({"query", shop(), table, "--format", "json"});
+    const std::string csv = output_of({"query", shop(), table});
+    EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), rows.size() + 1)
+        << table;
+    EXPECT_FALSE(rows.empty()) << table;
+    if (std::string(table) == "products") EXPECT_EQ(rows.size(), counts["products"]);
+    if (std::string(table) == "fixtures") EXPECT_EQ(rows.size(), counts["fixtures"]);
+    if (std::string(table) == "prices") EXPECT_EQ(rows.size(), counts["skus"]);
+  }
+  EXPECT_EQ(output_of({"query", shop(), "planogram"}),
+            contents_of(small_store() / "planogram.csv"));
+}
+
+TEST(Query, WhereAndOutput) {
+  const ScratchFolder scratch;
+  output_of(
+      {"query", shop(), "products", "--where", "zone=dairy,level=0", "--json", "-o", "low.json"},
+      scratch.path());
+  const json rows = json::parse(contents_of(scratch.path() / "low.json"));
+  ASSERT_FALSE(rows.empty());
+  for (const json& row : rows) {
+    EXPECT_EQ(row["zone"], "dairy");
+    EXPECT_EQ(row["level"], 0);
+  }
+}
+
+TEST(Query, IdsAreUnique) {
+  std::set<std::string> ids;
+  const json rows = json_of({"query", shop(), "products", "--json"});
+  for (const json& row : rows)
+    ids.insert(row["id"]);
+  EXPECT_EQ(ids.size(), rows.size());
+}
+
+// ---- render. ----
+
+TEST(Render, PictureDepthSegmentationNormals) {
+  const ScratchFolder scratch;
+  output_of({"render",
+             shop(),
+             "--camera",
+             "aisle",
+             "--size",
+             "160x90",
+             "--quality",
+             "fast",
+             "--quiet",
+             "-o",
+             "aisle.png",
+             "--depth",
+             "depth.png",
+             "--segmentation",
+             "parts.png",
+             "--normals",
+             "normals.png"},
+            scratch.path());
+  for (const char* name : {"aisle.png", "parts.png", "normals.png"}) {
+    const auto picture = read_png(scratch.path() / name);
+    ASSERT_TRUE(picture.ok()) << name;
+    EXPECT_EQ(picture->width, 160) << name;
+    EXPECT_EQ(picture->height, 90) << name;
+    const std::set<std::uint8_t> values(picture->pixels.begin(), picture->pixels.end());
+    EXPECT_GT(values.size(), 16U) << name << " is nearly one colour";
+  }
+  EXPECT_GT(fs::file_size(scratch.path() / "depth.png"), 1000U);
+}
+
+TEST(Render, StandardCamerasAndOnesOwn) {
+  const std::string cameras = output_of({"render", shop(), "--list-cameras"});
+  for (const char* name : {"top", "entrance", "aisle", "checkout"})
+    EXPECT_NE(cameras.find(name), std::string::npos) << name;
+  const ScratchFolder scratch;
+  output_of({"render",
+             shop(),
+             "--from",
+             "1,1,1.6",
+             "--at",
+             "6,6,1",
+             "--size",
+             "64x36",
+             "--quality",
+             "fast",
+             "--quiet",
+             "-o",
+             "own.png"},
+            scratch.path());
+  EXPECT_TRUE(read_png(scratch.path() / "own.png").ok());
+}
+
+// ---- export. ----
+
+TEST(Export, GlbAndMjcfReadBack) {
+  const ScratchFolder scratch;
+  const json counts = manifest()["counts"];
+  for (const char* format : {"glb", "mjcf"}) {
+    const std::string file = std::string("shop.") + (std::string(format) == "glb" ? "glb" : "xml");
+    const json summary = json_of(
+        {"export", shop(), "--format", format, "-o", file, "--check", "--json"}, scratch.path());
+    EXPECT_EQ(summary["products"], counts["products"]) << format;
+    EXPECT_LT(summary["worst_position_error_m"].get<double>(), 1e-4) << format;
+    EXPECT_TRUE(fs::exists(scratch.path() / file));
+  }
+}
+
+// ---- assets, doctor, bench. ----
+
+TEST(Assets, ListShowSearch) {
+  const json list = json_of({"assets", "list", "--json"});
+  EXPECT_GE(list["goods"], 80);
+  EXPECT_GE(list["facilities"], 15);
+  EXPECT_GE(list["archetypes"], 10);
+  EXPECT_GE(list["by_category"].size(), 10U);
+  EXPECT_EQ(list["rows"].size(),
+            list["goods"].get<std::size_t>() + list["facilities"].get<std::size_t>());
+  const std::string sku = list["rows"][0]["id"];
+  EXPECT_EQ(json_of({"assets", "show", sku, "--json"})["sku"], sku);
+  EXPECT_EQ(json_of({"assets", "show", "gondola", "--json"})["kind"], "gondola");
+  EXPECT_NE(
+      json_of({"assets", "search", "milk", "--json"})[0]["sku"].get<std::string>().find("milk"),
+      std::string::npos);
+  const ScratchFolder scratch;
+  output_of(
+      {"assets", "show", sku, "--label", "label.png", "--picture", "picture.png", "--size", "64"},
+      scratch.path());
+  EXPECT_TRUE(read_png(scratch.path() / "label.png").ok());
+  EXPECT_EQ(read_png(scratch.path() / "picture.png")->width, 64);
+}
+
+TEST(Doctor, FindsEverythingHere) {
+  for (const json& finding : json_of({"doctor", "--json"}))
+    EXPECT_NE(finding["state"], "missing") << finding;
+  EXPECT_NE(output_of({"doctor"}).find("everything needed is there"), std::string::npos);
+}
+
+TEST(Doctor, SaysWhatMendsAMissingDataFolder) {
+  const Ran ran = run({"env", "MARKETGEN_DATA=/no/such/rows", MARKETGEN_BINARY, "doctor"});
+  EXPECT_EQ(ran.status, 1);
+  EXPECT_NE(ran.out.find("MISSING"), std::string::npos);
+  EXPECT_NE(ran.out.find("MARKETGEN_DATA"), std::string::npos);
+}
+
+TEST(Bench, HelpNamesTheBenchmarks) {
+  const std::string help = output_of({"bench", "--help"});
+  for (const char* name : {"generate", "load", "render", "physics"})
+    EXPECT_NE(help.find(name), std::string::npos) << name;
+}
+
+}  // namespace
+}  // namespace marketgen
