@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "base/text.h"
@@ -16,6 +17,12 @@ struct ReleaseObject {
 };
 template <class T>
 using Shared = std::unique_ptr<T, ReleaseObject>;
+
+// Held by every public function here. Cairo 1.16 shares the glyphs of a font among all threads and
+// evicts pages of them
+// that another thread is drawing from: labels drawn side by side differed from run to run, or
+// crashed.
+std::mutex glyph_mutex;
 
 // One thread's fonts. Pango's maps are not thread-safe, hence one each.
 struct FontRoom {
@@ -195,11 +202,13 @@ void show_greeked(Canvas& canvas, PangoLayout* layout, const Paragraph& paragrap
 }  // namespace
 
 HeadlineFit fit_headline(const Headline& headline) {
+  const std::lock_guard lock(glyph_mutex);
   const FittedText text = fitted(headline);
   return {text.size, text.width, static_cast<int>(text.lines.size())};
 }
 
 Area draw_headline(Canvas& canvas, const Headline& headline) {
+  const std::lock_guard lock(glyph_mutex);
   const FittedText text = fitted(headline);
   if (text.lines.empty()) return {headline.area.x, headline.area.y, 0, 0};
   const double step = text.size * headline.line_height_em;
@@ -227,6 +236,7 @@ Area draw_headline(Canvas& canvas, const Headline& headline) {
 }
 
 Area draw_paragraph(Canvas& canvas, const Paragraph& paragraph) {
+  const std::lock_guard lock(glyph_mutex);
   const Area& area = paragraph.area;
   if (paragraph.text.empty() || area.w <= 0 || area.h < paragraph.size)
     return {area.x, area.y, 0, 0};

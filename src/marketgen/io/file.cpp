@@ -112,14 +112,17 @@ Result<void> write_file(const fs::path& path, std::string_view bytes) {
   return {};
 }
 
-FolderDraft::FolderDraft(fs::path target, fs::path draft)
-    : target_(std::move(target)), draft_(std::move(draft)) {}
+FolderDraft::FolderDraft(fs::path target) : target_(std::move(target)) {}
 FolderDraft::FolderDraft(FolderDraft&& other) noexcept
-    : target_(std::move(other.target_)), draft_(std::exchange(other.draft_, {})) {}
+    : target_(std::move(other.target_)),
+      draft_(std::exchange(other.draft_, {})),
+      parents_(std::exchange(other.parents_, {})) {}
 
 FolderDraft::~FolderDraft() {
   std::error_code ignored;
   if (!draft_.empty()) fs::remove_all(draft_, ignored);
+  for (; !parents_.empty(); parents_.pop_back())
+    fs::remove(parents_.back(), ignored);  // only when it is empty
 }
 
 Result<FolderDraft> FolderDraft::begin(const fs::path& path) {
@@ -130,14 +133,31 @@ Result<FolderDraft> FolderDraft::begin(const fs::path& path) {
       !(fs::is_directory(target, failed) && fs::is_empty(target, failed))) {
     return Error{"store.exists", path.string(), "exists already; name another folder or remove it"};
   }
-  fs::create_directories(target.parent_path(), failed);
+  FolderDraft draft(std::move(target));
+  MARKETGEN_CHECK(draft.make(path.string()));
+  return draft;
+}
+
+void FolderDraft::make_parents(std::error_code& failed) {
+  std::vector<fs::path> missing;
+  fs::path parent = target_.parent_path();
+  for (; !fs::exists(parent, failed) && !failed; parent = parent.parent_path())
+    missing.push_back(parent);
+  for (; !missing.empty() && !failed; missing.pop_back()) {
+    if (fs::create_directory(missing.back(), failed)) parents_.push_back(missing.back());
+  }
+}
+
+Result<void> FolderDraft::make(const std::string& shown) {
+  std::error_code failed;
+  make_parents(failed);
   if (failed)
-    return Error{
-        "io.cannot_write", path.string(), "its parent folder cannot be made: " + failed.message()};
-  const fs::path draft = beside(target);
+    return Error{"io.cannot_write", shown, "its parent folder cannot be made: " + failed.message()};
+  const fs::path draft = beside(target_);
   fs::create_directory(draft, failed);
-  if (failed) return Error{"io.cannot_write", path.string(), "cannot be made: " + failed.message()};
-  return FolderDraft(target, draft);
+  if (failed) return Error{"io.cannot_write", shown, "cannot be made: " + failed.message()};
+  draft_ = draft;
+  return {};
 }
 
 Result<void> FolderDraft::commit() {
@@ -149,6 +169,7 @@ Result<void> FolderDraft::commit() {
     return Error{
         "io.cannot_write", target_.string(), "cannot be put in place: " + failed.message()};
   draft_.clear();
+  parents_.clear();
   return {};
 }
 

@@ -6,6 +6,8 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <system_error>
+#include <vector>
 
 #include "base/result.h"
 
@@ -20,7 +22,7 @@ Result<std::string> read_file(const std::filesystem::path& path,
 Result<void> write_file(const std::filesystem::path& path, std::string_view bytes);
 
 // A folder under construction: files go to a hidden sibling, `commit` renames it to `path`; without
-// commit it is removed.
+// commit it is removed, and so are parent folders that were made for it.
 class FolderDraft {
  public:
   // Errors: store.exists when `path` exists and is not an empty folder; io.cannot_write.
@@ -33,8 +35,12 @@ class FolderDraft {
   Result<void> commit();
 
  private:
-  FolderDraft(std::filesystem::path target, std::filesystem::path draft);
+  explicit FolderDraft(std::filesystem::path target);
+  Result<void> make(const std::string& shown);
+  void make_parents(std::error_code& failed);
+
   std::filesystem::path target_, draft_;
+  std::vector<std::filesystem::path> parents_;  // made on the way to the target, topmost first
 };
 
 // A file mapped read-only into memory.

@@ -48,20 +48,21 @@ void draw_freezer_well(Sheet& sheet, const RectMm& rect, const Color& color) {
   sheet.canvas.fill_and_stroke(lighter(color, 0.55), darker(color, 0.3), 0.7);
 }
 
-// The belt on one half, the till on the other.
-void draw_lane(Sheet& sheet, const RectMm& rect) {
-  const bool deep = rect.depth() > rect.width();
-  const int length = deep ? rect.depth() : rect.width();
-  const RectMm belt =
-      deep ? RectMm{rect.x0 + 550, rect.y0 + length * 2 / 5, rect.x1 - 90, rect.y1 - 90}
-           : RectMm{rect.x0 + length * 2 / 5, rect.y0 + 90, rect.x1 - 90, rect.y1 - 550};
-  sheet.canvas.rounded(sheet.area(belt), 2);
+// The belt at the shop's end beside the passage, the cashier's seat across from it. Which ends
+// these are: assets/fixtures/checkout_lane.cpp.
+void draw_lane(Sheet& sheet, const RectMm& rect, const Fixture& fixture) {
+  const Side front = facing_of(fixture.yaw_deg);
+  const bool deep = fixture.depth_mm > fixture.width_mm;
+  const Side passage = deep ? opposite(left_of(front)) : front;
+  const Side shop = deep ? opposite(front) : opposite(left_of(front));
+  const int length = across(rect, shop).length(), width = across(rect, passage).length();
+  const RectMm shop_end = strip_inside(rect, shop, length * 3 / 5, 90);
+  sheet.canvas.rounded(sheet.area(strip_inside(shop_end, passage, width / 2 - 90, 90)), 2);
   sheet.canvas.fill(rgb("#3f4650"));
-  const RectMm seat =
-      deep ? RectMm{rect.x0 + 120, rect.y0 + length / 4, rect.x0 + 480, rect.y0 + length / 4 + 360}
-           : RectMm{rect.x0 + length / 4, rect.y1 - 480, rect.x0 + length / 4 + 360, rect.y1 - 120};
-  const Area a = sheet.area(seat);
-  sheet.canvas.circle(a.center_x(), a.center_y(), a.w / 2);
+  constexpr int seat_mm = 360;
+  const RectMm till = strip_inside(rect, opposite(shop), seat_mm, length / 4);
+  const Area seat = sheet.area(strip_inside(till, opposite(passage), seat_mm, 120));
+  sheet.canvas.circle(seat.center_x(), seat.center_y(), seat.w / 2);
   sheet.canvas.fill(rgb("#eef1f4"));
 }
 
@@ -77,7 +78,7 @@ void draw_fixture(Sheet& sheet, const Fixture& fixture) {
     draw_freezer_well(sheet, rect, color);
   }
   if (generator == "checkout_lane") {
-    draw_lane(sheet, rect);
+    draw_lane(sheet, rect, fixture);
     return;
   }
   if (generator == "gate") return;

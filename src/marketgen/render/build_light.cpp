@@ -18,7 +18,7 @@ constexpr float wall_distance_m = 0.6F;  // panels keep this far from walls
 constexpr float below_ceiling_m = 0.015F;
 constexpr float panel_frame_m = 0.02F;
 constexpr double neutral_kelvin = 4700;  // the camera's white point
-constexpr double adaptation = 0.55;      // how much of the difference to it the picture keeps
+constexpr double adaptation = 0.42;      // how much of the difference to it the picture keeps
 // Daylight in units of the shop's own white: an overcast day, brighter than the room, as
 // photographed from inside.
 constexpr float sky_over_white = 4.5F, horizon_over_white = 3.2F, pavement_over_white = 1.6F;

@@ -333,4 +333,14 @@ Vec3f IrradianceField::at(const Place& place, Vec3f facing) const {
       facing);
 }
 
+float IrradianceField::floor_mean() const {
+  const auto layer = static_cast<std::size_t>(size_[0] * size_[1]);
+  float sum = 0, count = 0;
+  for (std::size_t i = 0; i < layer; ++i) {
+    sum += luminance(probes_[i].irradiance({0, 0, 1})) * probes_[i].validity;
+    count += probes_[i].validity;
+  }
+  return count > 0 ? sum / count : 0;
+}
+
 }  // namespace marketgen::raytrace

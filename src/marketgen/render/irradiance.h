@@ -38,6 +38,10 @@ class IrradianceField {
   // that side.
   Vec3f at(const Place& place, Vec3f facing) const;
 
+  // Mean irradiance on level surfaces just above the free floor: what a light meter carried through
+  // the shop reads.
+  float floor_mean() const;
+
  private:
   struct Shelf {
     Placement world_from_shelf;

@@ -33,6 +33,8 @@ Effort effort_of(Quality quality) {
   return {2, 4, 4, 64};
 }
 
+constexpr float meter_share = 0.75F;
+constexpr int few_paths = 128;     // below, pictures need a stronger filter
 constexpr int paths_per_pass = 8;  // between looks at the clock
 
 class EmbreeRenderer : public Renderer {
@@ -42,7 +44,13 @@ class EmbreeRenderer : public Renderer {
         lights_(*world_),
         field_(*world_, lights_, scene),
         panels_(*world_),
-        lighting_{*world_, lights_, field_, panels_} {}
+        lighting_{*world_, lights_, field_, panels_} {
+    // Exposed by the light meter, but not all the way: a dim shop should look dimmer than a bright
+    // one.
+    const float metered = field_.floor_mean();
+    const float meant = pi / world_->exposure;  // irradiance that the look asks for
+    if (metered > 0) world_->exposure *= std::pow(meant / metered, meter_share);
+  }
 
   Result<Frame> render(const Camera& camera,
                        const RenderOptions& options,
@@ -122,8 +130,11 @@ class EmbreeRenderer : public Renderer {
       if (options.time_s > 0 && monotonic_seconds() - start > options.time_s) break;
     }
     store_paths(sums, done, film);
-    smooth(film, film.irradiance, {3, 1.5F, false});
-    smooth(film, film.gloss, {2, 1.5F, true});
+    remove_sparkles(film, film.irradiance);
+    remove_sparkles(film, film.gloss);
+    const float tolerance = done < few_paths ? 4 : 1.5F;
+    smooth(film, film.irradiance, {done < few_paths ? 4 : 3, tolerance, false});
+    smooth(film, film.gloss, {2, tolerance, true});
   }
 
   void add_tile_paths(const View& view,

@@ -57,6 +57,17 @@ TEST_F(Files, AFolderDraftAppearsWholeOrNotAtAll) {
   EXPECT_EQ(FolderDraft::begin(folder_ / "store").error().code, "store.exists");
 }
 
+TEST_F(Files, AFolderDraftTakesTheParentsItMadeWithIt) {
+  { ASSERT_TRUE(FolderDraft::begin(folder_ / "2026/november/store").ok()); }
+  EXPECT_EQ(entries(), 0U);
+  fs::create_directory(folder_ / "2026");
+  { ASSERT_TRUE(FolderDraft::begin(folder_ / "2026/november/store").ok()); }
+  EXPECT_EQ(entries(), 1U);  // was there before
+  EXPECT_TRUE(fs::is_empty(folder_ / "2026"));
+  ASSERT_TRUE(FolderDraft::begin(folder_ / "2026/november/store")->commit().ok());
+  EXPECT_TRUE(fs::exists(folder_ / "2026/november/store"));
+}
+
 TEST_F(Files, Sha256MatchesFips180) {  // FIPS 180-4 example: "abc"
   EXPECT_EQ(sha256_hex("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
   ASSERT_TRUE(write_file(folder_ / "abc", "abc").ok());

@@ -1,0 +1,38 @@
+// Plans from anywhere: a valid plan is written and read back unchanged and has ground for every
+// zone, or there is an error.
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+#include "io/file.h"
+#include "io/json.h"
+#include "plan/bsp.h"
+#include "plan/plan.h"
+
+namespace {
+
+const marketgen::Catalog& rows() {
+  static const marketgen::Catalog catalog = [] {
+    const auto folder = marketgen::data_folder();
+    if (!folder.ok()) marketgen::fatal(to_string(folder.error()).c_str());
+    auto loaded = marketgen::load_catalog(*folder);
+    if (!loaded.ok()) marketgen::fatal(to_string(loaded.error()).c_str());
+    return std::move(loaded).value();
+  }();
+  return catalog;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace marketgen;
+  const auto plan = read_plan({reinterpret_cast<const char*>(data), size}, "fuzz", rows());
+  if (!plan.ok()) return 0;
+  const std::string text = write_json(*plan);
+  const auto again = read_plan(text, "fuzz", rows());
+  if (!again.ok() || write_json(*again) != text) std::abort();
+  for (const RectMm& ground : zone_rectangles(*plan)) {
+    if (ground.width() < min_node_side_mm || ground.depth() < min_node_side_mm) std::abort();
+  }
+  return 0;
+}
