@@ -217,9 +217,15 @@ TEST(Query, EveryTableAsJsonAndCsv) {
     EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), rows.size() + 1)
         << table;
     EXPECT_FALSE(rows.empty()) << table;
-    if (std::string(table) == "products") EXPECT_EQ(rows.size(), counts["products"]);
-    if (std::string(table) == "fixtures") EXPECT_EQ(rows.size(), counts["fixtures"]);
-    if (std::string(table) == "prices") EXPECT_EQ(rows.size(), counts["skus"]);
+    if (std::string(table) == "products") {
+      EXPECT_EQ(rows.size(), counts["products"]);
+    }
+    if (std::string(table) == "fixtures") {
+      EXPECT_EQ(rows.size(), counts["fixtures"]);
+    }
+    if (std::string(table) == "prices") {
+      EXPECT_EQ(rows.size(), counts["skus"]);
+    }
   }
   EXPECT_EQ(output_of({"query", shop(), "planogram"}),
             contents_of(small_store() / "planogram.csv"));

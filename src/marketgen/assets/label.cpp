@@ -27,7 +27,7 @@ SheetPixels sheet_pixels(const SheetSize& size, int size_px) {
   const double aspect = static_cast<double>(size.width_m) / static_cast<double>(size.height_m);
   const double height = size_px * std::sqrt(std::min(1.0, widest_full_aspect / aspect));
   const auto whole = [](double pixels) {
-    return std::max(least_px, static_cast<int>(pixels + 0.5));
+    return std::max(least_px, static_cast<int>(std::lround(pixels)));
   };
   return {whole(height * aspect), whole(height)};
 }
@@ -41,7 +41,7 @@ Area millimetres(const Panel& panel) {
 // On whole pixels, so that neighbouring panels meet without a seam.
 Area panel_pixels(const Panel& panel, const SheetPixels& sheet) {
   const auto whole = [](float share, int length) {
-    return std::floor(static_cast<double>(share) * length + 0.5);
+    return std::round(static_cast<double>(share) * length);
   };
   const double x = whole(panel.u0, sheet.width);
   const double y = whole(panel.v0, sheet.height);

@@ -19,9 +19,7 @@ template <class T>
 using Shared = std::unique_ptr<T, ReleaseObject>;
 
 // Held by every public function here. Cairo 1.16 shares the glyphs of a font among all threads and
-// evicts pages of them
-// that another thread is drawing from: labels drawn side by side differed from run to run, or
-// crashed.
+// evicts some while another thread draws them: labels made side by side came out wrong, or crashed.
 std::mutex glyph_mutex;
 
 // One thread's fonts. Pango's maps are not thread-safe, hence one each.
@@ -141,6 +139,7 @@ FittedText fitted(const Headline& headline) {
   std::erase(words, "");
   if (words.empty() || headline.area.w <= 0 || headline.area.h <= 0) return {};
   std::vector<double> widths;
+  widths.reserve(words.size());
   for (const std::string& word : words)
     widths.push_back(line_width(word, headline.face));
   const double blank =

@@ -1,6 +1,7 @@
 #include "assets/material_pattern.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace marketgen {
@@ -47,9 +48,9 @@ void add_light(MaterialLook& look, const TextureField& field, float depth) {
 // One brightness for every piece of a pattern.
 std::vector<float> piece_tones(int count, float depth, const Seed& seed) {
   Stream draw = seed.stream();
-  std::vector<float> tones;
-  for (int i = 0; i < count; ++i)
-    tones.push_back(static_cast<float>(draw.uniform(-1, 1)) * depth);
+  std::vector<float> tones(static_cast<std::size_t>(count));
+  for (float& tone : tones)
+    tone = static_cast<float>(draw.uniform(-1, 1)) * depth;
   return tones;
 }
 
@@ -71,8 +72,8 @@ MaterialLook tile_look(const Grid& grid, int tiles, const Seed& seed) {
     for (int x = 0; x < n; ++x) {
       const float edge = std::min(grid.to_line_mm(x, tiles), grid.to_line_mm(y, tiles));
       look.mark.row(y)[x] = grid.line(edge, grout_mm);
-      look.light.row(y)[x] +=
-          tones[static_cast<std::size_t>(y * tiles / n * tiles + x * tiles / n)];
+      const int tile = y * tiles / n * tiles + x * tiles / n;
+      look.light.row(y)[x] += tones[static_cast<std::size_t>(tile)];
     }
   }
   return look;
@@ -84,11 +85,11 @@ MaterialLook plank_look(const Grid& grid, int planks, const Seed& seed) {
   MaterialLook look = flat_look(n);
   const TextureField grain = noise_field(n, n, {3, 72, 3, 0.6F}, seed.child("grain"));
   const TextureField figure = noise_field(n, n, {4, 20, 3, 0.5F}, seed.child("figure"));
-  const std::vector<float> tones = piece_tones(planks * 2, 0.07F, seed.child("tones"));
+  const std::vector<float> tones = piece_tones(planks, 0.07F, seed.child("tones"));
   Stream draw = seed.child("joints").stream();
-  std::vector<int> shifts;
-  for (int i = 0; i < planks; ++i)
-    shifts.push_back(draw.integer(0, n - 1));
+  std::vector<int> shifts(static_cast<std::size_t>(planks));
+  for (int& shift : shifts)
+    shift = draw.integer(0, n - 1);
   for (int y = 0; y < n; ++y) {
     const int plank = y * planks / n;
     const int shift = shifts[static_cast<std::size_t>(plank)];
@@ -102,7 +103,7 @@ MaterialLook plank_look(const Grid& grid, int planks, const Seed& seed) {
       const float wood =
           smooth_step(0.35F, 0.75F, grain_row[along] * 0.6F + figure_row[along] * 0.45F);
       look.mark.row(y)[x] = std::min(1.0F, wood * 0.55F + joint * 0.5F);
-      look.light.row(y)[x] += tones[static_cast<std::size_t>(plank * 2)] - joint * 0.45F;
+      look.light.row(y)[x] += tones[static_cast<std::size_t>(plank)] - joint * 0.45F;
     }
   }
   return look;
@@ -134,7 +135,8 @@ MaterialLook terrazzo_look(const Grid& grid, const Seed& seed) {
 MaterialLook brick_look(const Grid& grid, int bricks, double roughness, const Seed& seed) {
   const int n = grid.size_px;
   const int courses = std::max(
-      2, static_cast<int>(bricks / course_aspect / 2 + 0.5) * 2);  // even: the bond must close
+      2,
+      static_cast<int>(std::lround(bricks / course_aspect / 2)) * 2);  // even: the bond must close
   MaterialLook look = flat_look(n);
   add_light(look,
             noise_field(n, n, {40, 40, 4, 0.6F}, seed.child("sand")),
@@ -149,8 +151,8 @@ MaterialLook brick_look(const Grid& grid, int bricks, double roughness, const Se
       const int along = (x + shift) % n;
       const float joint = grid.line(std::min(bed, grid.to_line_mm(along, bricks)), mortar_mm);
       look.mark.row(y)[x] = joint;
-      look.light.row(y)[x] +=
-          tones[static_cast<std::size_t>(course * bricks + along * bricks / n)] * (1 - joint);
+      const int brick = course * bricks + along * bricks / n;
+      look.light.row(y)[x] += tones[static_cast<std::size_t>(brick)] * (1 - joint);
     }
   }
   return look;

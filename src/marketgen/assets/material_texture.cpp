@@ -31,7 +31,7 @@ Image draw_material(const MaterialRow& material, int size_px) {
     for (std::size_t c = 0; c < 3; ++c) {
       const float value =
           (first[c] + (second[c] - first[c]) * look.mark.values[i]) * look.light.values[i];
-      to[c] = static_cast<std::uint8_t>(std::clamp(value, 0.0F, 1.0F) * 255 + 0.5F);
+      to[c] = byte_of(value);
     }
   }
   return image;

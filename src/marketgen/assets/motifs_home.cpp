@@ -112,8 +112,9 @@ void draw_motif_hair(Canvas& canvas, const MotifInk&) {
   // One lock, drawn as strands that lie beside each other and meet at both ends.
   constexpr Color chestnut = rgb("#8a5124");
   constexpr int strands = 15;
+  constexpr double middle = 7;
   for (int i = 0; i < strands; ++i) {
-    const double s = (i - strands / 2) / (strands / 2.0);  // -1 .. 1 across the lock
+    const double s = (i - middle) / middle;  // -1 .. 1 across the lock
     const double light = 1 - (s - 0.25) * (s - 0.25);
     const Color tone = light > 0.6 ? lighter(chestnut, (light - 0.6) * 0.9)
                                    : darker(chestnut, (0.6 - light) * 0.5);

@@ -47,7 +47,7 @@ Area in_units(Canvas& canvas, const Area& px) {
 int wanted_module_px(Canvas& canvas) {
   constexpr double nominal_mm = 0.33;
   const int by_sheet = std::max(2, canvas.height_px() / 256);
-  return std::max(by_sheet, static_cast<int>(nominal_mm * canvas.pixels_per_unit_x() + 0.5));
+  return std::max(by_sheet, static_cast<int>(std::lround(nominal_mm * canvas.pixels_per_unit_x())));
 }
 
 // The code stands at the foot of a field, or beside the words where the field is low.

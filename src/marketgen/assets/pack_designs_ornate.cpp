@@ -1,5 +1,6 @@
 // Pack designs with windows, medallions, waves and frames.
 #include <algorithm>
+#include <cmath>
 
 #include "assets/pack_design.h"
 #include "assets/pack_ornament.h"
@@ -36,7 +37,7 @@ void draw_ground_wave(Canvas& canvas, const PackArt& art, const Area& area) {
                area.part(0, 0, 1, 0.6),
                std::max(3.0, area.h * 0.06),
                faded(paper_white, 0.10));
-  const int waves = std::max(1, static_cast<int>(area.w / (area.h * 0.9) + 0.5));
+  const int waves = std::max(1, static_cast<int>(std::lround(area.w / (area.h * 0.9))));
   fill_below_wave(canvas, area, area.y + area.h * 0.575, area.h * 0.05, waves, art.accent);
   fill_below_wave(canvas, area, area.y + area.h * 0.605, area.h * 0.05, waves, art.paper(0.6));
 }

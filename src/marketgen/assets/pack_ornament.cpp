@@ -58,7 +58,8 @@ TileSurface pattern_tile(int pattern, int side_px, const Color& color) {
 
 void draw_pattern(Canvas& canvas, int pattern, const Area& area, double pitch, const Color& color) {
   if (pattern == 0) return;
-  const int side_px = std::max(4, static_cast<int>(pitch * canvas.pixels_per_unit_y() + 0.5));
+  const int side_px =
+      std::max(4, static_cast<int>(std::lround(pitch * canvas.pixels_per_unit_y())));
   const TileSurface tile = pattern_tile(pattern, side_px, color);
   double x = area.x;
   double y = area.y;

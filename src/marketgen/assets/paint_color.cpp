@@ -11,10 +11,6 @@ double luminance(const Color& c) {
   return 0.2126 * c.r * c.r + 0.7152 * c.g * c.g + 0.0722 * c.b * c.b;
 }
 
-std::uint8_t to_byte(double component) {
-  return static_cast<std::uint8_t>(std::clamp(component, 0.0, 1.0) * 255.0 + 0.5);
-}
-
 }  // namespace
 
 Result<Color> parse_color(std::string_view text, std::string_view where) {
@@ -65,7 +61,9 @@ Color readable_on(const Color& ground, const Color& preferred) {
 }
 
 Rgb8 to_rgb8(const Color& c) {
-  return {to_byte(c.r), to_byte(c.g), to_byte(c.b)};
+  return {byte_of(static_cast<float>(c.r)),
+          byte_of(static_cast<float>(c.g)),
+          byte_of(static_cast<float>(c.b))};
 }
 
 }  // namespace marketgen

@@ -49,6 +49,13 @@ double contrast(const Color& a, const Color& b);
 // otherwise the better of a dark and a light tint of the ground.
 Color readable_on(const Color& ground, const Color& preferred);
 
+// A component 0..1 (clamped) as a byte, rounded. Inline: it runs for every component of every
+// texel.
+constexpr std::uint8_t byte_of(float component) {
+  constexpr float rounding = 0.5F;
+  const float inside = component < 0 ? 0 : component > 1 ? 1 : component;
+  return static_cast<std::uint8_t>(inside * 255 + rounding);
+}
 Rgb8 to_rgb8(const Color& c);
 
 }  // namespace marketgen

@@ -32,7 +32,7 @@ std::string unit_price_text(const Product& product) {
 
 // Large euros with raised cents.
 void draw_price(Canvas& canvas, double price, const Area& area, const Color& color) {
-  const auto cents = static_cast<long>(price * 100 + 0.5);
+  const auto cents = std::lround(price * 100);
   const Typeface face{"Open Sans", 800, false, false, -0.02};
   const Headline whole{fmt::format("{}", cents / 100),
                        face,
@@ -138,7 +138,7 @@ Result<Image> draw_price_tag(const Product& product, bool promotion, int height_
                  fmt::format("a price tag cannot be {} pixels high; choose 24 to 2048", height_px)};
   }
   const TagColors& colors = promotion ? promotion_tag : plain_tag;
-  const int width_px = static_cast<int>(height_px * tag_aspect + 0.5);
+  const int width_px = static_cast<int>(std::lround(height_px * tag_aspect));
   Canvas canvas(width_px, height_px, colors.ground);
   canvas.scale(width_px / (tag_height_mm * tag_aspect), height_px / tag_height_mm);
   const Area tag{0, 0, tag_height_mm * tag_aspect, tag_height_mm};

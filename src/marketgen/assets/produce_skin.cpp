@@ -213,7 +213,7 @@ Image draw_produce_skin(const PackArt& art, int width_px, int height_px) {
       const float light = 1 + (shade_row[x] - 0.5F) * 2 * shade_depth;
       for (std::size_t c = 0; c < 3; ++c) {
         const float value = (ground[c] + (marked[c] - ground[c]) * share) * light;
-        to[c] = static_cast<std::uint8_t>(std::clamp(value, 0.0F, 1.0F) * 255 + 0.5F);
+        to[c] = byte_of(value);
       }
     }
   }

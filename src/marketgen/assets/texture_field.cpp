@@ -13,6 +13,10 @@ struct LatticeAxis {
   std::vector<float> weight;
 
   LatticeAxis(int length, int cells) {
+    const auto count = static_cast<std::size_t>(length);
+    cell.reserve(count);
+    next.reserve(count);
+    weight.reserve(count);
     for (int i = 0; i < length; ++i) {
       const float at =
           (static_cast<float>(i) + 0.5F) * static_cast<float>(cells) / static_cast<float>(length);
@@ -27,17 +31,18 @@ struct LatticeAxis {
 void add_octave(TextureField& field, int cells_x, int cells_y, float amplitude, const Seed& seed) {
   cells_x = std::min(cells_x, field.width);
   cells_y = std::min(cells_y, field.height);
-  std::vector<float> lattice;
+  const auto columns = static_cast<std::size_t>(cells_x);
+  std::vector<float> lattice(columns * static_cast<std::size_t>(cells_y));
   Stream draw = seed.stream();
-  for (int i = 0; i < cells_x * cells_y; ++i)
-    lattice.push_back(static_cast<float>(draw.uniform()) * amplitude);
+  for (float& knot : lattice)
+    knot = static_cast<float>(draw.uniform()) * amplitude;
   const LatticeAxis along(field.width, cells_x);
   const LatticeAxis down(field.height, cells_y);
-  std::vector<float> knots(static_cast<std::size_t>(cells_x));
+  std::vector<float> knots(columns);
   for (int y = 0; y < field.height; ++y) {
     const auto at_y = static_cast<std::size_t>(y);
-    const float* upper = &lattice[static_cast<std::size_t>(down.cell[at_y] * cells_x)];
-    const float* lower = &lattice[static_cast<std::size_t>(down.next[at_y] * cells_x)];
+    const float* upper = &lattice[static_cast<std::size_t>(down.cell[at_y]) * columns];
+    const float* lower = &lattice[static_cast<std::size_t>(down.next[at_y]) * columns];
     for (std::size_t i = 0; i < knots.size(); ++i)
       knots[i] = upper[i] + (lower[i] - upper[i]) * down.weight[at_y];
     float* to = field.row(y);

@@ -58,7 +58,7 @@ double selling_area_m2(const Scene& scene) {
 int shopping_aisles(const Scene& scene) {
   int most = 0;
   for (const Fixture& fixture : scene.layout.fixtures) {
-    if (fixture.sides != 2) continue;
+    if (fixture.sides != 2 && fixture.kind != "gondola") continue;
     const bool fronts_face_north = fixture.yaw_deg % 180 == 0;
     const bool across_x = !fronts_face_north;  // the line runs across the aisles
     const int at = across_x ? fixture.y_mm : fixture.x_mm;

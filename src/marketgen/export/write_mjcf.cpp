@@ -115,6 +115,7 @@ class MjcfWriter {
     for (const Product& product : scene_.catalog) {
       MARKETGEN_TRY(const CollisionPrimitive primitive, collision_of(product));
       shapes_.push_back(contact_shape_of(primitive));
+      contacts_.push_back(goods_contact_of(product, primitive));
     }
     out_.line(0, "<mujoco model=\"{}\">", escaped(scene_.layout.name));
     write_header();
@@ -176,9 +177,10 @@ class MjcfWriter {
   void write_defaults() {
     out_.line(1, "<default>");
     out_.line(2,
-              "<geom friction=\"{} {} 0.0001\" solref=\"{} 1\"/>",
+              "<geom friction=\"{} {} {}\" solref=\"{} 1\"/>",
               still_friction,
               torsional_friction_m,
+              plain_rolling_friction_m,
               contact_time_s);
     out_.line(2,
               "<default class=\"shell\"><geom type=\"box\" group=\"{}\" rgba=\"{}\"/></default>",
@@ -188,31 +190,29 @@ class MjcfWriter {
               "<default class=\"fixture\"><geom type=\"box\" group=\"{}\"/></default>",
               static_cast<int>(group_fixture));
     out_.line(2, "<default class=\"product\">");
-    out_.line(3,
-              "<geom group=\"{}\" condim=\"{}\"/>",
-              static_cast<int>(group_product),
-              contact_dimensions);
+    out_.line(3, "<geom group=\"{}\"/>", static_cast<int>(group_product));
     for (std::size_t sku = 0; sku < shapes_.size(); ++sku)
-      write_sku_default(scene_.catalog[sku], shapes_[sku]);
+      write_sku_default(sku);
     out_.line(2, "</default>");
     out_.line(1, "</default>");
   }
 
-  void write_sku_default(const Product& product, const ContactShape& shape) {
-    const bool rolls = shape.shape == CollisionShape::ellipsoid;
-    const std::string rolling =
-        rolls ? fmt::format(" condim=\"{}\"", loose_contact_dimensions) : "";
-    out_.line(3,
-              "<default class=\"sku/{0}\"><geom type=\"{1}\" size=\"{2}\" mass=\"{3}\" "
-              "friction=\"{4} {5} {6}\"{7} material=\"{0}\"/></default>",
-              product.sku,
-              type_name(shape.shape),
-              size_of(shape),
-              product.mass_kg,
-              product.friction,
-              torsional_friction_m,
-              rolls ? rolling_friction_m : 0.0001,
-              rolling);
+  void write_sku_default(std::size_t sku) {
+    const Product& product = scene_.catalog[sku];
+    const ContactShape& shape = shapes_[sku];
+    const GoodsContact& contact = contacts_[sku];
+    out_.line(
+        3,
+        "<default class=\"sku/{0}\"><geom type=\"{1}\" size=\"{2}\" mass=\"{3}\" condim=\"{4}\" "
+        "friction=\"{5} {6} {7}\" material=\"{0}\"/></default>",
+        product.sku,
+        type_name(shape.shape),
+        size_of(shape),
+        product.mass_kg,
+        contact.dimensions,
+        contact.sliding,
+        contact.torsional_m,
+        static_cast<float>(contact.rolling_m));
   }
 
   void write_lights() {
@@ -326,7 +326,8 @@ class MjcfWriter {
 
   const Scene& scene_;
   std::vector<bool> free_;
-  std::vector<ContactShape> shapes_;  // by SKU, in the product frame
+  std::vector<ContactShape> shapes_;    // by SKU, in the product frame
+  std::vector<GoodsContact> contacts_;  // by SKU
   Writer out_;
 };
 

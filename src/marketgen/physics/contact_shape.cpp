@@ -1,9 +1,18 @@
 #include "physics/contact_shape.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace marketgen {
 namespace {
+
+// Rolling resistance of loose fruit and vegetables, as a share of the radius: the tangent of the
+// slope on which a piece stays. It stands in for the dents and flat ends that a smooth ellipsoid
+// lacks (Wensrich and Katterfeld, "Rolling friction as a technique for modelling particle shape in
+// DEM", Powder Technology 217, 2012). Measured on heaps on a table that tilts by 9 degrees: 0.05
+// lets pears standing on end fall and the heap run out, 0.2 still tips them, 0.3 holds all within 2
+// cm.
+constexpr double rolling_share = 0.3;
 
 Vec3 size_of(CollisionShape shape, Vec3f half_size) {
   const Vec3 half = to_double(half_size);
@@ -46,6 +55,14 @@ Vec3 half_extents(const ContactShape& shape) {
     }
   };
   return {along(x.x, y.x, z.x), along(x.y, y.y, z.y), along(x.z, y.z, z.z)};
+}
+
+GoodsContact goods_contact_of(const Product& product, const CollisionPrimitive& primitive) {
+  const bool rolls = primitive.shape == CollisionShape::ellipsoid || primitive.lying;
+  if (!rolls) return {4, product.friction, torsional_friction_m, plain_rolling_friction_m};
+  const Vec3f& half = primitive.half_size;
+  const double radius = primitive.lying ? half.x : std::min({half.x, half.y, half.z});
+  return {6, product.friction, torsional_friction_m, rolling_share * radius};
 }
 
 }  // namespace marketgen

@@ -27,13 +27,17 @@ constexpr double friction_impedance_ratio = 10;  // MuJoCo's impratio: 1 lets go
 constexpr int noslip_iterations = 3;
 constexpr double contact_time_s =
     0.005;  // solref of goods: stiff enough for pouches, at least 2 steps
-constexpr int contact_dimensions = 4;        // normal, two sliding, one torsional
-constexpr int loose_contact_dimensions = 6;  // what can roll has rolling friction too
 constexpr double torsional_friction_m =
     0.005;  // MuJoCo's default: the radius of a contact patch times friction
-// Rolling resistance of fruit on a rough surface, as a length; apples on wood 1-3 mm (Mohsenin,
-// Physical Properties of Plant and Animal Materials, 1986).
-constexpr double rolling_friction_m = 0.002;
+constexpr double plain_rolling_friction_m =
+    1e-4;  // MuJoCo's default; without effect where nothing rolls
+
+// How one product rubs: MuJoCo's condim and the three friction coefficients.
+struct GoodsContact {
+  int dimensions;  // 4: normal, two sliding, torsional; 6: two rolling as well
+  double sliding, torsional_m, rolling_m;
+};
+GoodsContact goods_contact_of(const Product& product, const CollisionPrimitive& primitive);
 
 // MuJoCo takes the greater friction of the two in contact. Goods carry theirs (on a painted steel
 // shelf); what stands still has the least that a row may have, so that the goods' value decides.

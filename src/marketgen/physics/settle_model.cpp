@@ -61,12 +61,11 @@ mjsGeom* add_shape(mjsBody* body, const ContactShape& shape) {
   return geom;
 }
 
-void set_goods_contact(mjsGeom* geom, const Product& product, CollisionShape shape) {
-  const bool rolls = shape == CollisionShape::ellipsoid;
-  geom->friction[0] = product.friction;
-  geom->friction[1] = torsional_friction_m;
-  geom->friction[2] = rolls ? rolling_friction_m : geom->friction[2];
-  geom->condim = rolls ? loose_contact_dimensions : contact_dimensions;
+void set_goods_contact(mjsGeom* geom, const Product& product, const CollisionPrimitive& primitive) {
+  const GoodsContact contact = goods_contact_of(product, primitive);
+  geom->condim = contact.dimensions;
+  const double friction[3] = {contact.sliding, contact.torsional_m, contact.rolling_m};
+  std::copy(friction, friction + 3, geom->friction);
 }
 
 bool hangs(const Scene& scene, const SceneProduct& item) {
@@ -113,7 +112,7 @@ class Builder {
     const CollisionPrimitive& primitive = primitives_[item.sku];
     if (mjsGeom* geom =
             add_if_near(world_from_product(item) * contact_shape_of(primitive), extent)) {
-      set_goods_contact(geom, scene_.catalog[item.sku], primitive.shape);
+      set_goods_contact(geom, scene_.catalog[item.sku], primitive);
     }
   }
 
@@ -125,7 +124,7 @@ class Builder {
     set_pose(body->pos, body->quat, world_from_product(item));
     mjs_addFreeJoint(body);
     mjsGeom* geom = add_shape(body, contact_shape_of(primitive));
-    set_goods_contact(geom, product, primitive.shape);
+    set_goods_contact(geom, product, primitive);
     geom->mass = product.mass_kg;
     if (hangs(scene_, item)) hang(body, product_id(scene_, row), product.height_m());
   }

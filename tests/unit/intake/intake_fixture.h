@@ -1,0 +1,72 @@
+// What the intake tests share: the shipped catalogue and lexicon, read once, and requirements as
+// short lines of text.
+#pragma once
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "catalog/catalog.h"
+#include "intake/brief.h"
+#include "intake/lexicon.h"
+
+namespace marketgen {
+
+inline const Catalog& shipped_catalog() {
+  static const Catalog catalog = [] {
+    auto loaded = load_catalog(MARKETGEN_SOURCE_DIR "/data");
+    if (!loaded.ok()) fatal(to_string(loaded.error()).c_str());
+    return std::move(loaded).value();
+  }();
+  return catalog;
+}
+
+inline const Lexicon& shipped_lexicon() {
+  static const Lexicon lexicon = [] {
+    auto loaded = Lexicon::load(MARKETGEN_SOURCE_DIR "/data/lexicon");
+    if (!loaded.ok()) fatal(to_string(loaded.error()).c_str());
+    return loaded->with_words_of(shipped_catalog());
+  }();
+  return lexicon;
+}
+
+// "relation left_of bakery entrance", "fixture_count checkout_lane >=3", "size 24000x15000",
+// "?zone_present cafe" (a wish that is only preferred).
+inline std::string line_of(const Requirement& wish) {
+  const auto number = [](double value) {
+    std::string text = std::to_string(value);
+    while (text.ends_with('0'))
+      text.pop_back();
+    if (text.ends_with('.')) text.pop_back();
+    return text;
+  };
+  std::string line = wish.strength == Strength::prefer ? "?" : "";
+  line += name_of(wish.kind);
+  if (wish.kind == RequirementKind::relation) line += " " + std::string(name_of(wish.relation));
+  const bool implied = wish.kind == RequirementKind::fixture_count ||
+                       wish.kind == RequirementKind::product_present ||
+                       wish.kind == RequirementKind::product_absent;
+  for (const std::string* text : {&wish.subject, &wish.object, &wish.second_object}) {
+    if (implied && text != &wish.subject) continue;  // the zone that goes with it
+    if (!text->empty()) line += " " + *text;
+  }
+  if (wish.kind == RequirementKind::size) {
+    return line + " " + number(wish.value) + "x" + number(wish.second_value);
+  }
+  if (wish.value == 0 && wish.comparison == Comparison::equal) return line;
+  const std::string sign = wish.comparison == Comparison::at_least  ? ">="
+                           : wish.comparison == Comparison::at_most ? "<="
+                                                                    : "";
+  return line + " " + sign + number(wish.value);
+}
+
+inline std::vector<std::string> sorted_lines(const std::vector<Requirement>& wishes) {
+  std::vector<std::string> lines;
+  for (const Requirement& wish : wishes)
+    lines.push_back(line_of(wish));
+  std::ranges::sort(lines);
+  return lines;
+}
+
+}  // namespace marketgen
