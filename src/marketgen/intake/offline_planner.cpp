@@ -1,6 +1,7 @@
 #include "intake/offline_planner.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "intake/conflicts.h"
 #include "intake/draft_search.h"
@@ -88,7 +89,9 @@ Candidate find_floor(StoreProgram& program,
                      std::vector<std::string>& trace) {
   for (;;) {
     FoundDraft best = search_draft(program, found, catalog, seed.child("floor"));
-    if (fits(best.candidate, program.zones.size())) {
+    const bool found_one =
+        std::isfinite(best.penalty);  // on a sliver no draft can be judged at all
+    if (found_one && fits(best.candidate, program.zones.size())) {
       trace.push_back("best of " + std::to_string(best.evaluations) + " floors, penalty " +
                       std::to_string(static_cast<int>(best.penalty + 0.5)));
       return std::move(best.candidate);

@@ -36,6 +36,9 @@ void read_character(Sentence& sentence, Reading& reading) {
       phrase.used = true;
     } else if (phrase.sense == Sense::shop) {
       phrase.used = true;
+    } else if (phrase.sense == Sense::part && phrase.value == "fixture") {
+      phrase.used =
+          true;  // "well stocked shelves": every shop has shelves, so they ask for nothing
     }
   }
 }

@@ -51,9 +51,12 @@ Result<void> check_camera(const Camera& camera, const std::string& where) {
 Result<Camera> camera_named(const Scene& scene, std::string_view name, int width, int height) {
   const std::vector<Camera> cameras = standard_cameras(scene, width, height);
   std::vector<std::string_view> known;
-  for (const Camera& camera : cameras) {
-    if (camera.name == name) return camera;
+  for (const Camera& camera : cameras)
     known.push_back(camera.name);
+  for (Camera camera : cameras) {
+    camera.width = width;  // as asked for: whoever draws checks it
+    camera.height = height;
+    if (camera.name == name) return camera;
   }
   return Error{"camera.unknown",
                "--camera",

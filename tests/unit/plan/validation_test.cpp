@@ -363,8 +363,8 @@ TEST_P(PlanFaults, IsFoundWhereItIs) {
       << to_string(valid.error());
 }
 
-INSTANTIATE_TEST_SUITE_P(Table, PlanFaults, testing::ValuesIn(faults), [](const auto& info) {
-  return std::string(info.param.name);
+INSTANTIATE_TEST_SUITE_P(Table, PlanFaults, testing::ValuesIn(faults), [](const auto& fault) {
+  return std::string(fault.param.name);
 });
 
 TEST(PlanValidation, NamesTheNearestName) {

@@ -1,0 +1,103 @@
+// Briefs that cannot be planned, the choice of planners, and sizes as flags give them.
+#include "intake_fixture.h"
+
+namespace marketgen {
+namespace {
+
+Error refusal(const Brief& brief) {
+  const auto planner = make_planner("offline");
+  if (!planner.ok()) fatal(to_string(planner.error()).c_str());
+  const auto planned = plan_from_brief(brief, shipped_catalog(), **planner, Seed(1));
+  return planned.ok() ? Error{"", "", "it was planned"} : planned.error();
+}
+
+Brief brief_of(std::string prompt) {
+  Brief brief;
+  brief.prompt = std::move(prompt);
+  return brief;
+}
+
+TEST(Brief, WithoutWordsIsEmpty) {
+  EXPECT_EQ(refusal(brief_of("")).code, "brief.empty");
+  EXPECT_EQ(refusal(brief_of(" \n\t ")).code, "brief.empty");
+}
+
+TEST(Brief, OfTwentyThousandBytesIsTheLongest) {
+  EXPECT_EQ(refusal(brief_of(std::string(20'000, ' ') + "a")).code, "brief.too_long");
+  EXPECT_NE(refusal(brief_of("shop " + std::string(19'000, '.'))).code, "brief.too_long");
+}
+
+TEST(Brief, NamesTheFirstByteThatIsNotUtf8) {
+  const Error error = refusal(brief_of("a shop \xFF with bread"));
+  EXPECT_EQ(error.code, "input.not_utf8");
+  EXPECT_EQ(error.where, "prompt:byte 7");
+}
+
+TEST(Brief, SizesMustBeBuildable) {
+  Brief brief = brief_of("a shop");
+  brief.size_mm = {{3000, 9000}};
+  EXPECT_EQ(refusal(brief).code, "brief.bad_size");
+  EXPECT_EQ(refusal(brief).where, "--size");
+  const Error in_words = refusal(brief_of("a 300 x 20 m shop"));
+  EXPECT_EQ(in_words.code, "brief.bad_size");
+  EXPECT_EQ(in_words.where, "prompt:bytes 2-12");
+}
+
+TEST(Brief, UnknownProfileAndStyleAreNamedWithTheNearest) {
+  Brief brief = brief_of("a shop");
+  brief.profile = "supermarket-ue";
+  EXPECT_EQ(refusal(brief).code, "catalog.unknown_kind");
+  EXPECT_NE(refusal(brief).message.find("supermarket-eu"), std::string::npos);
+  brief.profile.reset();
+  brief.style = "industial";
+  EXPECT_EQ(refusal(brief).where, "--style");
+  EXPECT_NE(refusal(brief).message.find("industrial"), std::string::npos);
+}
+
+TEST(Brief, PicturesAreNotReadYet) {
+  Brief brief = brief_of("a shop");
+  brief.image_files = {"sketch.png"};
+  EXPECT_EQ(refusal(brief).code, "usage.unavailable");
+}
+
+TEST(Planners, OnlyTheOfflineOneIsHere) {
+  EXPECT_TRUE(make_planner("offline").ok());
+  for (const char* later :
+       {"openai:gpt-9", "anthropic:x", "gemini:y", "qwen:z", "http:h,m", "replay:f"}) {
+    EXPECT_EQ(make_planner(later).error().code, "usage.unavailable") << later;
+  }
+  EXPECT_EQ(make_planner("oflline").error().code, "usage.bad_flag");
+  EXPECT_NE(make_planner("oflline").error().message.find("\"offline\""), std::string::npos);
+}
+
+TEST(ParseSize, ReadsWhatFlagsSay) {
+  using Size = std::array<int, 2>;
+  EXPECT_EQ(*parse_size("24x15m", "--size"), (Size{24000, 15000}));
+  EXPECT_EQ(*parse_size("24 x 15 m", "--size"), (Size{24000, 15000}));
+  EXPECT_EQ(*parse_size("40m x 25m", "--size"), (Size{40000, 25000}));
+  EXPECT_EQ(*parse_size("80x50ft", "--size"), (Size{24384, 15240}));
+  EXPECT_EQ(*parse_size("12.5x9", "--size"), (Size{12500, 9000}));
+  EXPECT_EQ(*parse_size("24000x15000mm", "--size"), (Size{24000, 15000}));
+}
+
+TEST(ParseSize, RefusesTheRest) {
+  for (const char* bad : {"",
+                          "24",
+                          "24x",
+                          "x15",
+                          "24x15x3",
+                          "big",
+                          "24x15 parsecs",
+                          "2x15m",
+                          "24x900m",
+                          "-24x15m",
+                          "24x15m please"}) {
+    const auto size = parse_size(bad, "--size");
+    ASSERT_FALSE(size.ok()) << bad;
+    EXPECT_EQ(size.error().code, "brief.bad_size") << bad;
+    EXPECT_EQ(size.error().where, "--size");
+  }
+}
+
+}  // namespace
+}  // namespace marketgen

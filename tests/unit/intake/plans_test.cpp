@@ -1,0 +1,415 @@
+// Plans made of prompts: valid, repeatable, different for every seed, and with the relations that
+// were asked for.
+//
+// Relations are judged here by formulas of this file's own, on the rectangles of the finished plan.
+#include <cmath>
+
+#include "base/parallel.h"
+#include "intake_fixture.h"
+#include "io/json.h"
+#include "plan/bsp.h"
+
+namespace marketgen {
+namespace {
+
+Result<Planned> planned(const std::string& prompt, std::uint64_t seed = 1) {
+  static const std::unique_ptr<Planner> planner = [] {
+    auto made = make_planner("offline");
+    if (!made.ok()) fatal(to_string(made.error()).c_str());
+    return std::move(made).value();
+  }();
+  Brief brief;
+  brief.prompt = prompt;
+  return plan_from_brief(brief, shipped_catalog(), *planner, Seed(seed));
+}
+
+Plan plan_of(const std::string& prompt, std::uint64_t seed = 1) {
+  auto made = planned(prompt, seed);
+  if (!made.ok()) fatal(to_string(made.error()).c_str());
+  return std::move(made->plan);
+}
+
+// ---- An independent look at rectangles ----
+
+RectMm rect_of(const Plan& plan, const std::string& type) {
+  const std::vector<RectMm> rects = zone_rectangles(plan);
+  for (std::size_t i = 0; i < plan.zones.size(); ++i) {
+    if (plan.zones[i].type == type) return rects[i];
+  }
+  return {};
+}
+
+struct Point {
+  double x, y;
+};
+Point middle(const RectMm& r) {
+  return {(r.x0 + r.x1) / 2.0, (r.y0 + r.y1) / 2.0};
+}
+
+Point door(const Plan& plan, OpeningKind kind) {
+  const double w = plan.shell.width_mm, d = plan.shell.depth_mm;
+  for (const Opening& opening : plan.shell.openings) {
+    if (opening.kind != kind) continue;
+    switch (opening.wall) {
+      case Wall::south:
+        return {opening.center * w, 0};
+      case Wall::north:
+        return {opening.center * w, d};
+      case Wall::west:
+        return {0, opening.center * d};
+      case Wall::east:
+        return {w, opening.center * d};
+    }
+  }
+  return {-1, -1};
+}
+
+double diagonal(const Plan& plan) {
+  return std::hypot(plan.shell.width_mm, plan.shell.depth_mm);
+}
+
+double gap(const RectMm& a, const RectMm& b) {
+  const double dx = std::max({0, a.x0 - b.x1, b.x0 - a.x1}),
+               dy = std::max({0, a.y0 - b.y1, b.y0 - a.y1});
+  return std::hypot(dx, dy);
+}
+double gap(const RectMm& a, Point p) {
+  const double dx = std::max({0.0, a.x0 - p.x, p.x - a.x1}),
+               dy = std::max({0.0, a.y0 - p.y, p.y - a.y1});
+  return std::hypot(dx, dy);
+}
+
+struct RelationCase {
+  const char* name;
+  const char* prompt;
+  bool (*holds)(const Plan&);
+};
+
+bool near(const Plan& plan, double distance) {
+  return distance <= std::max(3000.0, 0.2 * diagonal(plan));
+}
+
+const std::vector<RelationCase> relation_cases = {
+    {"bakery_left_of_entrance",
+     "a 24 x 15 m supermarket with a bakery left of the entrance",
+     [](const Plan& p) {
+       return middle(rect_of(p, "bakery")).x < door(p, OpeningKind::entrance).x;
+     }},
+    {"bakery_right_of_entrance",
+     "a 24 x 15 m supermarket with a bakery right of the entrance",
+     [](const Plan& p) {
+       return middle(rect_of(p, "bakery")).x > door(p, OpeningKind::entrance).x;
+     }},
+    {"dairy_along_back_wall",
+     "a 24 x 15 m supermarket with dairy along the back wall",
+     [](const Plan& p) { return rect_of(p, "dairy").y1 == p.shell.depth_mm; }},
+    {"frozen_along_east_wall",
+     "a 24 x 15 m supermarket with frozen food along the east wall",
+     [](const Plan& p) { return rect_of(p, "frozen").x1 == p.shell.width_mm; }},
+    {"produce_in_the_middle",
+     "a 40 x 25 m supermarket with produce in the middle",
+     [](const Plan& p) {
+       const Point m = middle(rect_of(p, "produce"));
+       return std::abs(m.x - p.shell.width_mm / 2.0) < p.shell.width_mm / 4.0 &&
+              std::abs(m.y - p.shell.depth_mm / 2.0) < p.shell.depth_mm / 4.0;
+     }},
+    {"wine_next_to_cheese",
+     "a 40 x 25 m organic market with wine next to cheese",
+     [](const Plan& p) { return near(p, gap(rect_of(p, "alcohol"), rect_of(p, "dairy"))); }},
+    {"produce_near_entrance",
+     "a supermarket with produce near the entrance",
+     [](const Plan& p) {
+       return near(p, gap(rect_of(p, "produce"), door(p, OpeningKind::entrance)));
+     }},
+    {"frozen_far_from_entrance",
+     "a 30 x 20 m supermarket with frozen food far from the entrance",
+     [](const Plan& p) {
+       return gap(rect_of(p, "frozen"), door(p, OpeningKind::entrance)) > 0.35 * diagonal(p);
+     }},
+    {"household_away_from_produce",
+     "a 30 x 20 m supermarket, keep household away from produce",
+     [](const Plan& p) {
+       return gap(rect_of(p, "household"), rect_of(p, "produce")) > 0.35 * diagonal(p);
+     }},
+    {"deli_between_bakery_and_dairy",
+     "a 30 x 20 m supermarket with a deli between bakery and dairy",
+     [](const Plan& p) {
+       const Point a = middle(rect_of(p, "deli")), b = middle(rect_of(p, "bakery")),
+                   c = middle(rect_of(p, "dairy"));
+       return (a.x - b.x) * (c.x - b.x) + (a.y - b.y) * (c.y - b.y) > 0 &&
+              (a.x - c.x) * (b.x - c.x) + (a.y - c.y) * (b.y - c.y) > 0;
+     }},
+    {"alcohol_in_north_east_corner",
+     "a 24 x 15 m supermarket with alcohol in the north-east corner",
+     [](const Plan& p) {
+       const RectMm r = rect_of(p, "alcohol");
+       return r.x1 > p.shell.width_mm - 1500 && r.y1 > p.shell.depth_mm - 1500;
+     }},
+    {"snacks_at_the_front",
+     "a 24 x 15 m supermarket with snacks at the front",
+     [](const Plan& p) { return rect_of(p, "snacks").y0 < 1500; }},
+    {"meat_behind_dry_goods",
+     "a 24 x 15 m supermarket with meat behind the groceries",
+     [](const Plan& p) {
+       return middle(rect_of(p, "meat_fish")).y > middle(rect_of(p, "dry_goods")).y;
+     }},
+    {"meat_not_next_to_bakery",
+     "a 24 x 15 m supermarket, meat not next to the bakery",
+     [](const Plan& p) { return gap(rect_of(p, "meat_fish"), rect_of(p, "bakery")) > 500; }},
+    {"promo_near_checkouts",
+     "a 24 x 15 m supermarket with special offers near the checkouts",
+     [](const Plan& p) { return near(p, gap(rect_of(p, "promo"), rect_of(p, "checkout"))); }},
+    {"frozen_near_checkouts",
+     "a 24 x 15 m supermarket with frozen food near the tills",
+     [](const Plan& p) { return near(p, gap(rect_of(p, "frozen"), rect_of(p, "checkout"))); }},
+    {"dairy_left_of_meat",
+     "a 24 x 15 m supermarket with dairy left of the meat",
+     [](const Plan& p) {
+       return middle(rect_of(p, "dairy")).x < middle(rect_of(p, "meat_fish")).x;
+     }},
+    {"entrance_in_east_wall",
+     "a 24 x 15 m supermarket with the entrance on the east wall",
+     [](const Plan& p) { return door(p, OpeningKind::entrance).x == p.shell.width_mm; }},
+    {"left_seen_from_a_north_door",
+     "a 24 x 15 m supermarket, entrance on the north wall, bakery left of the entrance",
+     [](const Plan& p) {  // who comes in from the north has the east on the left
+       return door(p, OpeningKind::entrance).y == p.shell.depth_mm &&
+              middle(rect_of(p, "bakery")).x > door(p, OpeningKind::entrance).x;
+     }},
+    {"back_wall_of_a_west_door",
+     "a 24 x 15 m supermarket, entrance on the west wall, dairy along the back wall",
+     [](const Plan& p) { return rect_of(p, "dairy").x1 == p.shell.width_mm; }},
+    {"two_walls_at_once",
+     "a 30 x 20 m supermarket with bakery along the west wall and dairy along the east wall",
+     [](const Plan& p) {
+       return rect_of(p, "bakery").x0 == 0 && rect_of(p, "dairy").x1 == p.shell.width_mm;
+     }},
+    {"entrance_left_of_exit",
+     "a 24 x 15 m supermarket with the entrance left of the exit",
+     [](const Plan& p) { return door(p, OpeningKind::entrance).x < door(p, OpeningKind::exit).x; }},
+    {"entrance_at_the_right",
+     "a 24 x 15 m supermarket with the entrance on the right",
+     [](const Plan& p) { return door(p, OpeningKind::entrance).x > 0.5 * p.shell.width_mm; }},
+};
+
+class PlannedRelations : public testing::TestWithParam<RelationCase> {};
+
+TEST_P(PlannedRelations, HoldForEverySeed) {
+  for (const std::uint64_t seed : {1U, 2U}) {
+    EXPECT_TRUE(GetParam().holds(plan_of(GetParam().prompt, seed)))
+        << GetParam().prompt << ", seed " << seed;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Table,
+                         PlannedRelations,
+                         testing::ValuesIn(relation_cases),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+// ---- What else the words decide ----
+
+const Zone* zone_of(const Plan& plan, const std::string& type) {
+  for (const Zone& zone : plan.zones) {
+    if (zone.type == type) return &zone;
+  }
+  return nullptr;
+}
+
+TEST(Plans, SizeProfileAndLookFollowTheWords) {
+  const Plan plan = plan_of(
+      "large Scandinavian organic market, 40 x 25 m, dark oak floor, 6-tier shelves, 4 m ceiling");
+  EXPECT_EQ(plan.shell.width_mm, 40000);
+  EXPECT_EQ(plan.shell.depth_mm, 25000);
+  EXPECT_EQ(plan.shell.ceiling_mm, 4000);
+  EXPECT_EQ(plan.profile, "organic-eu");
+  EXPECT_EQ(plan.look.floor, "wood-dark");
+  EXPECT_EQ(plan.look.wall, "plaster-white");
+  EXPECT_EQ(zone_of(plan, "dry_goods")->fixture.levels, 6);
+}
+
+TEST(Plans, RefusedZonesAndTheirGoodsStayOut) {
+  const Plan plan = plan_of("a 24 x 15 m supermarket with special offers and no alcohol");
+  EXPECT_EQ(zone_of(plan, "alcohol"), nullptr);
+  const std::vector<std::string>& excluded = zone_of(plan, "promo")->stock.exclude;
+  for (const char* goods : {"beer", "wine", "spirits"}) {
+    EXPECT_NE(std::ranges::find(excluded, goods), excluded.end()) << goods;
+  }
+}
+
+TEST(Plans, LanesAreCountedAsAsked) {
+  EXPECT_EQ(
+      zone_of(plan_of("a 24 x 15 m supermarket with five checkouts"), "checkout")->fixture.count,
+      5);
+}
+
+TEST(Plans, AskedFloorIsGiven) {
+  const Plan plan = plan_of("a 24 x 15 m supermarket with a bakery of 25 m2");
+  EXPECT_NEAR(rect_of(plan, "bakery").area_m2(), 25, 4);
+}
+
+TEST(Plans, EveryWishHasItsProvenance) {
+  const Plan plan = plan_of("a 24 x 15 m supermarket called Fresh Corner with 5-tier shelves");
+  EXPECT_EQ(plan.name, "Fresh Corner");
+  const auto said = [&](const std::string& path) {
+    return std::ranges::any_of(plan.provenance, [&](const Provenance& entry) {
+      return entry.path == path && entry.source == Source::text && entry.span.has_value();
+    });
+  };
+  EXPECT_TRUE(said("/name"));
+  EXPECT_TRUE(said("/shell/width_mm"));
+  EXPECT_TRUE(said("/profile"));
+}
+
+TEST(Plans, FlagsBeatTheText) {
+  Brief brief;
+  brief.prompt = "a 24 x 15 m industrial supermarket";
+  brief.size_mm = {{20000, 12000}};
+  brief.profile = "discounter-eu";
+  brief.style = "premium";
+  const auto planner = make_planner("offline");
+  const auto made = plan_from_brief(brief, shipped_catalog(), **planner, Seed(1));
+  ASSERT_TRUE(made.ok());
+  EXPECT_EQ(made->plan.shell.width_mm, 20000);
+  EXPECT_EQ(made->plan.profile, "discounter-eu");
+  EXPECT_EQ(made->plan.look.wall, "wood-panel");
+  EXPECT_EQ(made->conflicts.size(), 3U);
+  for (const Conflict& conflict : made->conflicts)
+    EXPECT_TRUE(conflict.kept.starts_with("--"));
+}
+
+TEST(Plans, WordsThatSayNothingStillGiveAStore) {
+  const auto made = planned("lorem ipsum dolor");
+  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  EXPECT_EQ(made->unparsed.size(), 3U);
+  EXPECT_GE(made->plan.zones.size(), 8U);
+}
+
+TEST(Plans, ExtremeFloorsAreStillPlans) {
+  for (const char* prompt : {"a 4 x 4 m kiosk with bakery, dairy, produce and wine",
+                             "60 x 4 m shop",
+                             "a 200 x 200 m hypermarket",
+                             "a 5 x 5 m shop with five checkouts",
+                             "150 x 12 m supermarket"}) {
+    const auto made = planned(prompt);
+    ASSERT_TRUE(made.ok()) << prompt << ": " << to_string(made.error());
+  }
+}
+
+TEST(Plans, SameBriefAndSeedGiveTheSamePlan) {
+  const std::string prompt = "a supermarket with a bakery near the entrance and six aisles";
+  const std::string first = write_json(plan_of(prompt, 7));
+  EXPECT_EQ(write_json(plan_of(prompt, 7)), first);
+  const ThreadLimit one_thread(1);
+  EXPECT_EQ(write_json(plan_of(prompt, 7)), first);
+}
+
+// Share of the floor on which two plans have different zone types.
+double difference(const Plan& a, const Plan& b) {
+  const std::vector<RectMm> rects_a = zone_rectangles(a), rects_b = zone_rectangles(b);
+  const auto type_at = [](const Plan& plan, const std::vector<RectMm>& rects, PointMm p) {
+    for (std::size_t i = 0; i < rects.size(); ++i) {
+      if (rects[i].contains(p)) return plan.zones[i].type;
+    }
+    return std::string();
+  };
+  int differ = 0, points = 0;
+  for (int x = 250; x < a.shell.width_mm; x += 500) {
+    for (int y = 250; y < a.shell.depth_mm; y += 500) {
+      const std::string first = type_at(a, rects_a, {x, y}), second = type_at(b, rects_b, {x, y});
+      if (first.empty() && second.empty()) continue;
+      ++points;
+      differ += first != second ? 1 : 0;
+    }
+  }
+  return static_cast<double>(differ) / points;
+}
+
+TEST(Plans, SeedsGiveDifferentStores) {
+  std::vector<Plan> plans;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed)
+    plans.push_back(plan_of("a 24 x 15 m supermarket", seed));
+  double sum = 0;
+  int pairs = 0;
+  for (std::size_t a = 0; a < plans.size(); ++a) {
+    for (std::size_t b = 0; b < a; ++b, ++pairs)
+      sum += difference(plans[a], plans[b]);
+  }
+  EXPECT_GT(sum / pairs, 0.4);
+}
+
+// ---- Any words ----
+
+std::string random_prompt(Stream& draw) {
+  static const std::vector<std::string> pieces = {"bakery",
+                                                  "dairy",
+                                                  "frozen",
+                                                  "no alcohol",
+                                                  "left of",
+                                                  "the entrance",
+                                                  "between",
+                                                  "and",
+                                                  "or",
+                                                  ",",
+                                                  ".",
+                                                  "without",
+                                                  "five",
+                                                  "24 x 15 m",
+                                                  "3",
+                                                  "checkouts",
+                                                  "aisles",
+                                                  "at least",
+                                                  "not",
+                                                  "next to",
+                                                  "away from",
+                                                  "along the back wall",
+                                                  "in the middle",
+                                                  "oak floor",
+                                                  "white",
+                                                  "shelves",
+                                                  "6-tier",
+                                                  "m2",
+                                                  "300",
+                                                  "called",
+                                                  "\"",
+                                                  "small",
+                                                  "lots of",
+                                                  "self-checkout",
+                                                  "if possible",
+                                                  "must",
+                                                  "wine",
+                                                  "cheese",
+                                                  "at the front",
+                                                  "'",
+                                                  "convenience store",
+                                                  "industrial",
+                                                  "half empty",
+                                                  "don't",
+                                                  "put",
+                                                  "near",
+                                                  "behind",
+                                                  "the",
+                                                  "50",
+                                                  "%",
+                                                  "full",
+                                                  "x",
+                                                  "by",
+                                                  "wide",
+                                                  "1.8 m",
+                                                  "ceiling",
+                                                  "window",
+                                                  "exit on the east wall",
+                                                  "zebra",
+                                                  "éclair",
+                                                  "超市",
+                                                  "but"};
+  std::string prompt;
+  for (int i = draw.integer(1, 14); i > 0; --i) {
+    prompt +=
+        pieces[static_cast<std::size_t>(draw.integer(0, static_cast<int>(pieces.size()) - 1))] +
+        " ";
+  }
+  return prompt + "shop";
+}
+
+}  // namespace
+}  // namespace marketgen
