@@ -204,7 +204,7 @@ TEST_P(PlannedRelations, HoldForEverySeed) {
 INSTANTIATE_TEST_SUITE_P(Table,
                          PlannedRelations,
                          testing::ValuesIn(relation_cases),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& row) { return std::string(row.param.name); });
 
 // ---- What else the words decide ----
 
@@ -338,78 +338,6 @@ TEST(Plans, SeedsGiveDifferentStores) {
 }
 
 // ---- Any words ----
-
-std::string random_prompt(Stream& draw) {
-  static const std::vector<std::string> pieces = {"bakery",
-                                                  "dairy",
-                                                  "frozen",
-                                                  "no alcohol",
-                                                  "left of",
-                                                  "the entrance",
-                                                  "between",
-                                                  "and",
-                                                  "or",
-                                                  ",",
-                                                  ".",
-                                                  "without",
-                                                  "five",
-                                                  "24 x 15 m",
-                                                  "3",
-                                                  "checkouts",
-                                                  "aisles",
-                                                  "at least",
-                                                  "not",
-                                                  "next to",
-                                                  "away from",
-                                                  "along the back wall",
-                                                  "in the middle",
-                                                  "oak floor",
-                                                  "white",
-                                                  "shelves",
-                                                  "6-tier",
-                                                  "m2",
-                                                  "300",
-                                                  "called",
-                                                  "\"",
-                                                  "small",
-                                                  "lots of",
-                                                  "self-checkout",
-                                                  "if possible",
-                                                  "must",
-                                                  "wine",
-                                                  "cheese",
-                                                  "at the front",
-                                                  "'",
-                                                  "convenience store",
-                                                  "industrial",
-                                                  "half empty",
-                                                  "don't",
-                                                  "put",
-                                                  "near",
-                                                  "behind",
-                                                  "the",
-                                                  "50",
-                                                  "%",
-                                                  "full",
-                                                  "x",
-                                                  "by",
-                                                  "wide",
-                                                  "1.8 m",
-                                                  "ceiling",
-                                                  "window",
-                                                  "exit on the east wall",
-                                                  "zebra",
-                                                  "éclair",
-                                                  "超市",
-                                                  "but"};
-  std::string prompt;
-  for (int i = draw.integer(1, 14); i > 0; --i) {
-    prompt +=
-        pieces[static_cast<std::size_t>(draw.integer(0, static_cast<int>(pieces.size()) - 1))] +
-        " ";
-  }
-  return prompt + "shop";
-}
 
 }  // namespace
 }  // namespace marketgen
