@@ -47,9 +47,11 @@
 namespace marketgen {
 
 // The label sheet of a product: what its archetype's UVs wrap round the pack, see "Sheets".
-// `size_px` is the height; the width follows from `sheet_size_of`. Brand mark, name, variant,
-// motif, net quantity; nutrition table and EAN-13 on the back or side. Deterministic: same row,
-// same pixels. Loose produce has a skin instead of print.
+// `size_px` (16 to 8192) is the height, the width follows from `sheet_size_of`; a sheet more than
+// twice as wide as high gets the pixels of a 2:1 sheet and is lower. Brand mark, name, variant,
+// motif, net quantity; nutrition table and EAN-13 on the back or side, at 2 px a module for 512.
+// Deterministic: same row, same pixels. Thread-safe. Loose produce has a skin instead of print.
+// Errors: assets.bad_row, catalog.unknown_kind.
 Result<Image> draw_label(const Product& product, int size_px = 512);
 
 // The price strip's tag for a product: price, name, unit price, bar code. `promotion` gives the
