@@ -2,8 +2,9 @@
 #
 #   MuJoCo::MuJoCo  embree::embree  TBB::tbb  Eigen3::Eigen  Cairo::Pango  Zint::Zint
 #   nlohmann_json::nlohmann_json  flatbuffers::flatbuffers  CLI11::CLI11  fmt::fmt  spdlog::spdlog
-#   TinyGLTF::TinyGLTF  PNG::PNG  utf8proc::utf8proc  OpenSSL::Crypto  xxHash::xxhash
-#   GTest::gtest  GTest::gtest_main  and the program FLATC_EXECUTABLE
+#   squish::squish  TinyGLTF::TinyGLTF  meshoptimizer::meshoptimizer
+#   PNG::PNG  JPEG::JPEG  SQLite::SQLite3  utf8proc::utf8proc  OpenSSL::Crypto  xxHash::xxhash
+#   GTest::gtest  GTest::gtest_main
 #
 # All come from `tools/setup`: Debian 12 packages, and MuJoCo from PyPI in .venv.
 
@@ -33,7 +34,10 @@ marketgen_find(CLI11)
 marketgen_find(fmt)
 marketgen_find(spdlog)
 marketgen_find(TinyGLTF)
+marketgen_find(meshoptimizer)
 marketgen_find(PNG)
+marketgen_find(JPEG)
+marketgen_find(SQLite3)
 marketgen_find(OpenSSL COMPONENTS Crypto)
 marketgen_find(Zint)
 marketgen_find(MuJoCo 4.0.1 EXACT)
@@ -44,10 +48,17 @@ marketgen_find_pkgconfig(Cairo::Pango cairo pangocairo)
 marketgen_find_pkgconfig(utf8proc::utf8proc libutf8proc)
 marketgen_find_pkgconfig(xxHash::xxhash libxxhash)
 
+# Debian's libsquish.pc names folders that do not exist.
+find_library(MARKETGEN_SQUISH squish)
+if(NOT MARKETGEN_SQUISH)
+  message(FATAL_ERROR "libsquish was not found: run tools/setup")
+endif()
+add_library(squish::squish UNKNOWN IMPORTED)
+set_target_properties(squish::squish PROPERTIES IMPORTED_LOCATION "${MARKETGEN_SQUISH}")
+
 find_package(FlatBuffers QUIET CONFIG NAMES FlatBuffers Flatbuffers)
-find_program(FLATC_EXECUTABLE flatc)
-if(NOT TARGET flatbuffers::flatbuffers OR NOT FLATC_EXECUTABLE)
-  message(FATAL_ERROR "FlatBuffers (library and flatc) was not found: run tools/setup")
+if(NOT TARGET flatbuffers::flatbuffers)
+  message(FATAL_ERROR "FlatBuffers was not found: run tools/setup")
 endif()
 
 if(MARKETGEN_TESTS)

@@ -1,17 +1,16 @@
-# marketgen_module(<name> [DEPENDS module...] [LIBRARIES target...] [TEST_LIBRARIES target...] [FLATBUFFERS schema...])
+# marketgen_module(<name> [DEPENDS module...] [LIBRARIES target...] [TEST_LIBRARIES target...])
 #
 # One room of the house: called once, from src/marketgen/<name>/CMakeLists.txt.
 #   DEPENDS         other modules; only from a smaller row of docs/architecture.md (tools/check_layers looks)
 #   LIBRARIES       outside libraries, by the names in cmake/Dependencies.cmake
 #   TEST_LIBRARIES  what only tests/unit/<name> needs: outside libraries, or marketgen_<module>
-#   FLATBUFFERS     .fbs files from the repository root; schemas/scene.fbs is read as "<name>/scene_generated.h"
 #
 # Makes the static library marketgen_<name> of every .cpp in the folder and below (an INTERFACE library when there is none).
 # Includes read `#include "<module>/<header>.h"`.
 include_guard(GLOBAL)
 
 function(marketgen_module name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "DEPENDS;LIBRARIES;TEST_LIBRARIES;FLATBUFFERS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "DEPENDS;LIBRARIES;TEST_LIBRARIES")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "marketgen_module(${name}): what is ${arg_UNPARSED_ARGUMENTS}?")
   endif()
@@ -38,25 +37,8 @@ function(marketgen_module name)
   endforeach()
   target_link_libraries(${target} ${visibility} ${arg_LIBRARIES})
 
-  foreach(schema IN LISTS arg_FLATBUFFERS)
-    marketgen_flatbuffers(${name} "${schema}")
-  endforeach()
-
   set_property(TARGET ${target} PROPERTY MARKETGEN_TEST_LIBRARIES "${arg_TEST_LIBRARIES}")
   set_property(GLOBAL APPEND PROPERTY MARKETGEN_BUILT_MODULES ${name})
-endfunction()
-
-# Has flatc write generated/<module>/<schema>_generated.h before the module, and whoever links it, is compiled.
-function(marketgen_flatbuffers module schema)
-  get_filename_component(stem "${schema}" NAME_WE)
-  set(folder "${MARKETGEN_GENERATED_DIR}/${module}")
-  set(header "${folder}/${stem}_generated.h")
-  add_custom_command(OUTPUT "${header}"
-    COMMAND "${FLATC_EXECUTABLE}" --cpp --cpp-std c++17 --scoped-enums -o "${folder}" "${PROJECT_SOURCE_DIR}/${schema}"
-    DEPENDS "${PROJECT_SOURCE_DIR}/${schema}"
-    COMMENT "flatc ${schema}" VERBATIM)
-  add_custom_target(marketgen_${module}_${stem}_fbs DEPENDS "${header}")
-  add_dependencies(marketgen_${module} marketgen_${module}_${stem}_fbs)
 endfunction()
 
 # The library targets of every module in the tree.

@@ -2,15 +2,20 @@
 #include <fmt/format.h>
 
 #include "assets/fixture_model.h"
-#include "assets/label.h"
+#include "assets/import_asset.h"
 #include "assets/product_model.h"
 #include "base/parallel.h"
-#include "catalog/search.h"
+#include "catalog/asset_database.h"
 #include "command.h"
 #include "io/file.h"
 #include "io/json.h"
 #include "io/png.h"
 #include "render/contact_sheet.h"
+#include "render/fixture_picture.h"
+#include "render/material_picture.h"
+#include "render/picture_grid.h"
+#include "scene/fixture_stage.h"
+#include "show_asset.h"
 
 namespace marketgen::app {
 namespace {
@@ -19,7 +24,12 @@ namespace fs = std::filesystem;
 
 struct AssetFlags {
   CommonFlags common;
-  std::string id, text, picture, label, folder;
+  AssetQuery query;
+  ShownAsset shown;
+  std::string folder, model, unit = "m", up = "y";
+  double mass_kg = 0;  // 0: estimate it
+  bool coacd = true;
+  ImportOptions import;
   std::vector<std::string> catalogs;
   int size_px = 400;
 };
@@ -56,13 +66,17 @@ struct AssetList {
 };
 
 struct SearchRow {
-  std::string sku, name, category;
+  AssetKind kind = AssetKind::goods;
+  std::string id, sku, name, category;
   double score = 0, price = 0;
-  static constexpr auto fields = field_list(field("sku", &SearchRow::sku, "SKU"),
-                                            field("name", &SearchRow::name, "name"),
-                                            field("category", &SearchRow::category, "category"),
-                                            field("score", &SearchRow::score, "rank"),
-                                            field("price", &SearchRow::price, "euro"));
+  static constexpr auto fields =
+      field_list(field("kind", &SearchRow::kind, "goods, facility or material"),
+                 field("id", &SearchRow::id, "SKU, fixture kind or material id"),
+                 field("sku", &SearchRow::sku, "of goods"),
+                 field("name", &SearchRow::name, "name"),
+                 field("category", &SearchRow::category, "category of goods"),
+                 field("score", &SearchRow::score, "rank; 0 without a text"),
+                 field("price", &SearchRow::price, "euro, of goods"));
 };
 
 std::string title_of(const Product& p) {
@@ -74,35 +88,76 @@ std::string title_of(const Product& p) {
                      p.variant);
 }
 
-AssetList list_of(const Catalog& catalog) {
+SearchRow row_of(const Catalog& catalog, const AssetHit& hit) {
+  switch (hit.kind) {
+    case AssetKind::goods: {
+      const Product& p = catalog.products[hit.row];
+      return {hit.kind, p.sku, p.sku, title_of(p), p.category, hit.score, p.price};
+    }
+    case AssetKind::facility: {
+      const FixtureKind& k = catalog.fixture_kinds[hit.row];
+      return {hit.kind, k.kind, "", k.name, "", hit.score, 0};
+    }
+    default: {
+      const MaterialRow& m = catalog.materials[hit.row];
+      return {hit.kind, m.id, "", m.name, "", hit.score, 0};
+    }
+  }
+}
+
+// Whether anything on the fixture moves.
+Result<bool> is_articulated(const FixtureKind& kind, const Catalog& catalog) {
+  MARKETGEN_TRY(const Scene stage, stage_fixture(kind, catalog));
+  return !stage.joints.empty();
+}
+
+Result<AssetList> list_of(const Catalog& catalog, const std::vector<AssetHit>& hits) {
   AssetList list;
-  list.goods = static_cast<int>(catalog.products.size());
-  list.facilities = static_cast<int>(catalog.fixture_kinds.size());
-  list.materials = static_cast<int>(catalog.materials.size());
   list.archetypes = static_cast<int>(archetypes().size());
   for (const CategoryRow& category : catalog.categories)
     list.by_category.push_back({category.id, 0});
-  for (const Product& p : catalog.products) {
-    for (CategoryCount& c : list.by_category)
-      c.products += c.category == p.category ? 1 : 0;
-    list.rows.push_back({p.sku, title_of(p), p.archetype, p.category});
+  for (const AssetHit& hit : hits) {
+    const SearchRow row = row_of(catalog, hit);
+    std::string kind;
+    if (hit.kind == AssetKind::goods) {
+      ++list.goods;
+      kind = catalog.products[hit.row].archetype;
+      for (CategoryCount& c : list.by_category)
+        c.products += c.category == row.category ? 1 : 0;
+    } else if (hit.kind == AssetKind::facility) {
+      ++list.facilities;
+      kind = catalog.fixture_kinds[hit.row].generator;
+      MARKETGEN_TRY(const bool moves, is_articulated(catalog.fixture_kinds[hit.row], catalog));
+      list.articulated += moves ? 1 : 0;
+    } else {
+      ++list.materials;
+      kind = name_of(catalog.materials[hit.row].pattern);
+    }
+    const std::string category =
+        hit.kind == AssetKind::goods ? row.category : std::string(name_of(hit.kind));
+    list.rows.push_back({row.id, row.name, kind, category});
   }
-  for (const FixtureKind& k : catalog.fixture_kinds)
-    list.rows.push_back({k.kind, k.name, k.generator, "facility"});
   return list;
+}
+
+Result<std::vector<AssetHit>> found_by(const AssetFlags& flags, const Catalog& catalog) {
+  MARKETGEN_TRY(const AssetDatabase database, AssetDatabase::open(catalog));
+  return database.find(flags.query);
 }
 
 Result<void> list_assets(const AssetFlags& flags) {
   MARKETGEN_TRY(const Catalog catalog, load_rows(flags.catalogs));
-  const AssetList list = list_of(catalog);
+  MARKETGEN_TRY(const auto hits, found_by(flags, catalog));
+  MARKETGEN_TRY(const AssetList list, list_of(catalog, hits));
   if (flags.common.json) {
     fmt::print("{}", write_json(list));
     return {};
   }
-  fmt::print("{} goods of {} shapes, {} facilities, {} materials\n",
+  fmt::print("{} goods of {} shapes, {} facilities ({} articulated), {} materials\n",
              list.goods,
              list.archetypes,
              list.facilities,
+             list.articulated,
              list.materials);
   for (const CategoryCount& c : list.by_category)
     fmt::print("  {:<14} {:>5}\n", c.category, c.products);
@@ -111,55 +166,99 @@ Result<void> list_assets(const AssetFlags& flags) {
   return {};
 }
 
-Result<const Product*> product_called(const Catalog& catalog, const std::string& id) {
-  if (const Product* product = catalog.product(id)) return product;
-  std::vector<std::string_view> names;
-  for (const Product& p : catalog.products)
-    names.push_back(p.sku);
-  return unknown_name("catalog.unknown_sku", id, "product", id, names);
-}
-
-Result<void> show_asset(const AssetFlags& flags) {
+Result<void> show_one(const AssetFlags& flags) {
   MARKETGEN_TRY(const Catalog catalog, load_rows(flags.catalogs));
-  if (const FixtureKind* kind = catalog.fixture_kind(flags.id);
-      kind != nullptr && flags.picture.empty() && flags.label.empty()) {
-    fmt::print("{}", write_json(*kind));
-    return {};
-  }
-  MARKETGEN_TRY(const Product* product, product_called(catalog, flags.id));
-  if (!flags.picture.empty()) {
-    MARKETGEN_TRY(const Image picture, draw_product(*product, flags.size_px));
-    MARKETGEN_CHECK(write_png(flags.picture, picture));
-  }
-  if (!flags.label.empty()) {
-    constexpr int label_px = 1024;
-    MARKETGEN_TRY(const Image label, draw_label(*product, label_px));
-    MARKETGEN_CHECK(write_png(flags.label, label));
-  }
-  fmt::print("{}", write_json(*product));
-  return {};
+  ShownAsset shown = flags.shown;
+  shown.size_px = flags.size_px;
+  return show_asset(catalog, shown);
 }
 
 Result<void> search_assets(const AssetFlags& flags) {
   MARKETGEN_TRY(const Catalog catalog, load_rows(flags.catalogs));
+  MARKETGEN_TRY(const auto hits, found_by(flags, catalog));
   std::vector<SearchRow> rows;
-  for (const SearchHit& hit : search_products(catalog, flags.text)) {
-    const Product& p = catalog.products[hit.product];
-    rows.push_back({p.sku, title_of(p), p.category, hit.score, p.price});
-  }
+  for (const AssetHit& hit : hits)
+    rows.push_back(row_of(catalog, hit));
   if (flags.common.json) {
     fmt::print("{}", write_json(rows));
     return {};
   }
   constexpr std::size_t shown = 20;
   for (std::size_t i = 0; i < std::min(rows.size(), shown); ++i)
-    fmt::print("{:>5.2f}  {:<48} {:<36} {:>6.2f}\n",
+    fmt::print("{:>6.2f}  {:<9} {:<48} {}\n",
                rows[i].score,
-               rows[i].sku,
-               rows[i].name,
-               rows[i].price);
-  fmt::print("{} products match \"{}\"\n", rows.size(), flags.text);
+               name_of(rows[i].kind),
+               rows[i].id,
+               rows[i].name);
+  fmt::print("{} assets match \"{}\"\n", rows.size(), flags.query.text);
   return {};
+}
+
+template <class Value>
+Result<Value> named(const std::string& name, std::string_view flag) {
+  if (const auto value = value_named<Value>(name)) return *value;
+  const auto known = names_of(Value{});
+  return unknown_name(
+      "usage.bad_flag", std::string(flag), "value", name, {known.begin(), known.end()});
+}
+
+void print_import(const AssetFile& asset, const fs::path& folder) {
+  const Product& p = asset.product;
+  fmt::print("asset       {}  \"{}\"\n", p.sku, p.name);
+  fmt::print("taken for   {} / {}, {} ({:.0f} % sure)\n",
+             p.category,
+             p.subcategory,
+             p.material,
+             100 * asset.annotation.confidence);
+  fmt::print("size        {} x {} x {} mm, {:.3f} kg: {}\n",
+             p.size_mm[0],
+             p.size_mm[1],
+             p.size_mm[2],
+             p.mass_kg,
+             asset.estimates.mass_from);
+  fmt::print("mesh        {} triangles, {}; {} contact pieces by {}\n",
+             asset.source.triangles,
+             asset.source.watertight ? "closed" : "not closed",
+             asset.estimates.pieces,
+             asset.estimates.contact_from);
+  for (const std::string& note : asset.notes)
+    fmt::print("note        {}\n", note);
+  fmt::print("use it      marketgen generate ... --catalog {}\n", (folder / "asset.json").string());
+}
+
+Result<void> import_model(const AssetFlags& flags) {
+  MARKETGEN_TRY(const Catalog catalog, load_rows(flags.catalogs));
+  MARKETGEN_TRY(const AssetDatabase database, AssetDatabase::open(catalog));
+  ImportOptions options = flags.import;
+  MARKETGEN_TRY(options.unit, named<LengthUnit>(flags.unit, "--unit"));
+  MARKETGEN_TRY(options.up, named<UpAxis>(flags.up, "--up"));
+  if (flags.mass_kg > 0) options.mass_kg = flags.mass_kg;
+  options.coacd = flags.coacd;
+  MARKETGEN_TRY(const ImportedAsset asset,
+                import_asset(flags.model, options, catalog, offline_annotator(catalog, database)));
+  const fs::path folder =
+      flags.folder.empty() ? fs::path("assets") / asset.file.product.sku : fs::path(flags.folder);
+  MARKETGEN_CHECK(write_asset(asset, folder));
+  if (flags.common.json) {
+    fmt::print("{}", write_json(asset.file));
+    return {};
+  }
+  print_import(asset.file, folder);
+  return {};
+}
+
+Result<void> save_sheet(const AssetFlags& flags, const std::string& name, const Image& sheet) {
+  const fs::path file = fs::path(flags.folder) / (name + ".png");
+  MARKETGEN_CHECK(write_png(file, sheet));
+  if (!flags.common.quiet) fmt::print("picture     {}\n", file.string());
+  return {};
+}
+
+Result<Image> facility_sheet(const Catalog& catalog, int size_px) {
+  return picture_grid(catalog.fixture_kinds.size(), size_px, [&](std::size_t i) -> Result<Image> {
+    MARKETGEN_TRY(const Scene stage, stage_fixture(catalog.fixture_kinds[i], catalog));
+    return draw_fixture(stage, size_px);
+  });
 }
 
 Result<void> draw_sheets(const AssetFlags& flags) {
@@ -174,14 +273,61 @@ Result<void> draw_sheets(const AssetFlags& flags) {
       if (p.category == category.id) products.push_back(p);
     }
     MARKETGEN_TRY(const Image sheet, draw_contact_sheet(products, flags.size_px));
-    const fs::path file = fs::path(flags.folder) / (category.id + ".png");
-    MARKETGEN_CHECK(write_png(file, sheet));
-    if (!flags.common.quiet) fmt::print("picture     {}\n", file.string());
+    MARKETGEN_CHECK(save_sheet(flags, category.id, sheet));
   }
-  return {};
+  MARKETGEN_TRY(const Image facilities, facility_sheet(catalog, flags.size_px));
+  MARKETGEN_CHECK(save_sheet(flags, "facilities", facilities));
+  MARKETGEN_TRY(const Image materials, draw_material_sheet(catalog.materials, flags.size_px));
+  return save_sheet(flags, "materials", materials);
 }
 
 using Action = Result<void> (*)(const AssetFlags&);
+
+void add_filters(CLI::App& sub, AssetFlags& flags) {
+  AssetQuery& q = flags.query;
+  sub.add_option("--zone", q.zone, "what belongs in a zone type: dairy, snacks ...");
+  sub.add_option("--category", q.category, "category of goods");
+  sub.add_option("--subcategory", q.subcategory, "shelf group of goods");
+  sub.add_option("--archetype", q.archetype, "container shape, or generator of facilities");
+  sub.add_option("--material", q.material, "contact material, or body material of facilities");
+  sub.add_option("--style", q.style, "what suits a style");
+  sub.add_option("--storage", q.storage, "ambient, chilled or frozen");
+  sub.add_option("--max-width-mm", q.max_width_mm, "no wider")->check(CLI::PositiveNumber);
+  sub.add_option("--max-depth-mm", q.max_depth_mm, "no deeper")->check(CLI::PositiveNumber);
+  sub.add_option("--max-height-mm", q.max_height_mm, "no higher")->check(CLI::PositiveNumber);
+  sub.add_option("--max-mass-kg", q.max_mass_kg, "no heavier")->check(CLI::PositiveNumber);
+}
+
+void add_show(CLI::App& sub, AssetFlags& flags) {
+  sub.add_option("id", flags.shown.id, "SKU, fixture kind or material")->required();
+  sub.add_option("--picture", flags.shown.picture, "PNG: three-quarter view");
+  sub.add_option("--label", flags.shown.label, "PNG: the printed sheet");
+  sub.add_option("--joint", flags.shown.joints, "NAME=STATE or NAME=NUMBER, all=open (repeatable)");
+  sub.add_option("--size", flags.size_px, "pixels a side")
+      ->check(CLI::Range(64, 4096))
+      ->capture_default_str();
+}
+
+void add_sheet(CLI::App& sub, AssetFlags& flags) {
+  sub.add_option("-o,--output", flags.folder, "folder for the pictures")->required();
+  sub.add_option("--pixels,--size", flags.size_px, "pixels an asset")
+      ->check(CLI::Range(64, 1024))
+      ->capture_default_str();
+}
+
+void add_import(CLI::App& sub, AssetFlags& flags) {
+  sub.add_option("model", flags.model, "GLB or OBJ file")->required();
+  sub.add_option("-o,--output", flags.folder, "new folder; default assets/<sku>");
+  sub.add_option("--unit", flags.unit, "length unit of the file")->capture_default_str();
+  sub.add_option("--up", flags.up, "its axis that points up: y or z")->capture_default_str();
+  sub.add_option("--name", flags.import.name, "what it is");
+  sub.add_option("--category", flags.import.category, "category id");
+  sub.add_option("--subcategory", flags.import.subcategory, "shelf group");
+  sub.add_option("--material", flags.import.material, "contact material");
+  sub.add_option("--mass-kg", flags.mass_kg, "gross mass; estimated otherwise")
+      ->check(CLI::PositiveNumber);
+  sub.add_flag("!--no-coacd", flags.coacd, "one hull as contact shape, without CoACD");
+}
 
 }  // namespace
 
@@ -189,33 +335,33 @@ Run add_assets(CLI::App& app) {
   auto flags = std::make_shared<AssetFlags>();
   auto action = std::make_shared<Action>(list_assets);
   CLI::App* command =
-      app.add_subcommand("assets", "Look into the asset library: list, show, search, sheet");
+      app.add_subcommand("assets", "The asset library: list, show, search, sheet, import");
   command->require_subcommand(1);
   const auto add = [&](const char* name, const char* what, Action run, Takes takes) {
     CLI::App* sub = command->add_subcommand(name, what);
     sub->callback([action, run] { *action = run; });
     sub->add_option(
-        "--catalog", flags->catalogs, "JSON file with products of your own (repeatable)");
+        "--catalog", flags->catalogs, "products of your own: CSV, JSON or asset.json (repeatable)");
     add_common_flags(*sub, flags->common, takes);
     return sub;
   };
-  add("list", "Counts and rows", list_assets, Takes::json);
-  CLI::App* show = add("show", "One row, and its pictures", show_asset, Takes::json);
-  show->add_option("id", flags->id, "SKU or fixture kind")->required();
-  show->add_option("--picture", flags->picture, "PNG: three-quarter view");
-  show->add_option("--label", flags->label, "PNG: the printed sheet");
-  show->add_option("--size", flags->size_px, "pixels a side")
-      ->check(CLI::Range(64, 4096))
-      ->capture_default_str();
+  add_filters(*add("list", "Counts and rows", list_assets, Takes::json), *flags);
+  add_show(*add("show", "One row, what follows from it, and its pictures", show_one, Takes::json),
+           *flags);
   CLI::App* search =
-      add("search", "Products that match a text, best first", search_assets, Takes::json);
-  search->add_option("text", flags->text, "words to look for")->required();
-  CLI::App* sheet =
-      add("sheet", "Contact sheets, one picture a category", draw_sheets, Takes::nothing);
-  sheet->add_option("-o,--output", flags->folder, "folder for the pictures")->required();
-  sheet->add_option("--size", flags->size_px, "pixels a product")
-      ->check(CLI::Range(64, 1024))
-      ->capture_default_str();
+      add("search", "Assets that match a text, best first", search_assets, Takes::json);
+  search->add_option("text", flags->query.text, "words to look for")->required();
+  add_filters(*search, *flags);
+  add_sheet(*add("sheet",
+                 "Contact sheets: goods by category, facilities, materials",
+                 draw_sheets,
+                 Takes::nothing),
+            *flags);
+  add_import(*add("import",
+                  "Takes a GLB or OBJ model into a library of your own",
+                  import_model,
+                  Takes::json),
+             *flags);
   command->footer("Example:  marketgen assets search \"something to clean windows\"");
   return [flags, action] {
     const auto done = (*action)(*flags);

@@ -1,9 +1,14 @@
 #include "command.h"
 
+#include "assets/product_model.h"
+
 #include <fmt/format.h>
 
 #include "base/error_codes.h"
 #include "io/file.h"
+#include "plan/style_look.h"
+#include "scene/reskin.h"
+#include "scene/scene_file.h"
 
 namespace marketgen::app {
 namespace {
@@ -38,7 +43,18 @@ int fail(const Error& error) {
 
 Result<Catalog> load_rows(const std::vector<std::string>& extra) {
   MARKETGEN_TRY(const std::filesystem::path data, data_folder());
-  return load_catalog(data, {extra.begin(), extra.end()});
+  MARKETGEN_TRY(Catalog catalog, load_catalog(data, {extra.begin(), extra.end()}));
+  for (const Product& product : catalog.products)  // the catalogue itself knows no shapes
+    MARKETGEN_CHECK(collision_of(product));
+  return catalog;
+}
+
+Result<Scene> scene_in_skin(const std::string& folder, const std::string& skin) {
+  MARKETGEN_TRY(Scene scene, open_scene(std::filesystem::path(folder) / "scene.bin"));
+  if (skin.empty()) return scene;
+  MARKETGEN_TRY(const Catalog catalog, load_rows());
+  MARKETGEN_TRY(const StyleRow* style, style_called(catalog, skin, "--skin"));
+  return reskin(std::move(scene), *style, catalog);
 }
 
 Progress& progress_for(const CommonFlags& flags) {

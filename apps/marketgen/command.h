@@ -9,6 +9,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "catalog/catalog.h"
+#include "scene/scene.h"
 
 namespace marketgen::app {
 
@@ -28,6 +29,9 @@ int fail(const Error& error);
 
 // The rows under data_folder() and the user's own.
 Result<Catalog> load_rows(const std::vector<std::string>& extra = {});
+
+// The scene of a store folder; in the look of another style when `skin` names one.
+Result<Scene> scene_in_skin(const std::string& folder, const std::string& skin);
 
 // Progress on stderr, or none when --quiet.
 Progress& progress_for(const CommonFlags& flags);

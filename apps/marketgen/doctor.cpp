@@ -5,10 +5,12 @@
 
 #include <thread>
 
+#include "assets/convex_worker.h"
 #include "base/build_info.h"
 #include "command.h"
 #include "io/file.h"
 #include "io/json.h"
+#include "io/program.h"
 #include "physics/settle.h"
 #include "render/render.h"
 
@@ -102,6 +104,15 @@ Finding check_program(const std::string& name,
   return {name, "optional", "not found; " + used_for, package};
 }
 
+Finding check_coacd() {
+  const Result<std::string> version = coacd_version();
+  if (version.ok()) return {"coacd", "ok", *version + "; contact pieces of imported models", ""};
+  return {"coacd",
+          "optional",
+          "not found; imported models get one hull as contact shape",
+          worker_python() + " -m pip install coacd"};
+}
+
 std::vector<Finding> look() {
   return {check_processor(),
           check_memory(),
@@ -112,6 +123,7 @@ std::vector<Finding> look() {
           {"renderer", "ok", "Embree " + renderer_version(), ""},
           check_program(
               "zbarimg", "reads the printed bar codes in tests", "apt-get install zbar-tools"),
+          check_coacd(),
           check_program("flatc", "reads scene.bin as JSON", "apt-get install flatbuffers-compiler"),
           check_program("node", "runs the glTF validator in tests", "tools/setup test")};
 }

@@ -10,15 +10,14 @@
 #include "base/text.h"
 #include "command.h"
 #include "io/json.h"
-#include "scene/scene_file.h"
 
 namespace marketgen::app {
 namespace {
 
 struct ExportFlags {
   CommonFlags common;
-  std::string folder, format, output, free_region;
-  bool check = false, plain = false;
+  std::string folder, format, output, free_region, skin;
+  bool check = false, plain = false, still = false;
 };
 
 Result<std::array<double, 4>> parse_region(const std::string& text) {
@@ -43,9 +42,10 @@ Result<std::array<double, 4>> parse_region(const std::string& text) {
 
 Result<void> run_export(const ExportFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
-  MARKETGEN_TRY(const Scene scene, open_scene(std::filesystem::path(flags.folder) / "scene.bin"));
+  MARKETGEN_TRY(const Scene scene, scene_in_skin(flags.folder, flags.skin));
   ExportOptions options;
   options.plain_instances = flags.plain;
+  options.still_fixtures = flags.still;
   if (!flags.free_region.empty()) {
     MARKETGEN_TRY(const auto region, parse_region(flags.free_region));
     options.free_region_m = region;
@@ -61,12 +61,13 @@ Result<void> run_export(const ExportFlags& flags) {
     fmt::print("{}", write_json(summary));
   else
     fmt::print(
-        "file        {}\nread back   {} products, {} fixtures, {} free bodies; worst position "
-        "error {:.3f} mm\n",
+        "file        {}\nread back   {} products, {} fixtures, {} free bodies, {} joints; worst "
+        "position error {:.3f} mm\n",
         flags.output,
         summary.products,
         summary.fixtures,
         summary.free_bodies,
+        summary.joints,
         1000 * summary.worst_position_error_m);
   return {};
 }
@@ -85,6 +86,9 @@ Run add_export(CLI::App& app) {
   command->add_option(
       "--free-region", flags->free_region, "mjcf: products in x0,y0,x1,y1 become free bodies");
   command->add_flag("--plain", flags->plain, "glb: plain nodes instead of GPU instancing");
+  command->add_flag(
+      "--still-fixtures", flags->still, "mjcf: doors, lids and drawers of fixtures do not move");
+  command->add_option("--skin", flags->skin, "export the store in the look of this style");
   command->add_flag("--check", flags->check, "read the file back and compare it with the store");
   add_common_flags(*command, flags->common, Takes::json);
   command->footer("Formats:" + formats +

@@ -14,7 +14,7 @@ namespace {
 struct GenerateFlags {
   CommonFlags common;
   std::vector<std::string> words;
-  std::string prompt_file, plan_file, size, profile, style, planner = "offline", folder;
+  std::string prompt_file, plan_file, size, profile, style, skin, planner = "offline", folder;
   std::vector<std::string> catalogs;
   int count = 1;
   bool strict = false, no_previews = false;
@@ -52,6 +52,7 @@ Result<Brief> brief_of(const GenerateFlags& flags) {
   }
   if (!flags.profile.empty()) brief.profile = flags.profile;
   if (!flags.style.empty()) brief.style = flags.style;
+  if (!flags.skin.empty()) brief.skin = flags.skin;
   brief.planner = flags.planner;
   return brief;
 }
@@ -170,7 +171,9 @@ Run add_generate(CLI::App& app) {
                       "kind of shop, e.g. supermarket-eu, discounter-eu, convenience-us");
   command->add_option("--style", flags->style, "look, e.g. scandinavian, industrial, warm-deli");
   command->add_option(
-      "--catalog", flags->catalogs, "JSON file with products of your own (repeatable)");
+      "--skin", flags->skin, "a style's materials, colours and light; the layout stays as it is");
+  command->add_option(
+      "--catalog", flags->catalogs, "products of your own: CSV, JSON or asset.json (repeatable)");
   command->add_option("--planner", flags->planner, "who plans: offline")->capture_default_str();
   command->add_option("--count", flags->count, "make this many variants, DIR/variant-1 ...")
       ->check(CLI::Range(1, 10000));

@@ -9,15 +9,14 @@
 #include "command.h"
 #include "io/png.h"
 #include "render/render.h"
-#include "scene/scene_file.h"
 
 namespace marketgen::app {
 namespace {
 
 struct RenderFlags {
   CommonFlags common;
-  std::string folder, output, camera, from, at, size = "1280x720", mode = "sensor",
-                                                quality = "balanced", depth, segmentation, normals;
+  std::string folder, output, camera, from, at,
+      size = "1280x720", mode = "sensor", quality = "balanced", depth, segmentation, normals, skin;
   double fov_deg = 60, time_s = 0;
   int samples = 0;
   bool list = false;
@@ -94,7 +93,7 @@ Result<void> write_depth(const std::string& path, const Frame& frame) {
 
 Result<void> render(const RenderFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
-  MARKETGEN_TRY(const Scene scene, open_scene(std::filesystem::path(flags.folder) / "scene.bin"));
+  MARKETGEN_TRY(const Scene scene, scene_in_skin(flags.folder, flags.skin));
   if (flags.list) {
     for (const Camera& camera : standard_cameras(scene, 16, 9))
       fmt::print("{}\n", camera.name);
@@ -147,6 +146,7 @@ Run add_render(CLI::App& app) {
       ->check(CLI::Range(0, 65536));
   command->add_option("--time", flags->time_s, "path mode: stop after this many seconds")
       ->check(CLI::Range(0.0, 1e6));
+  command->add_option("--skin", flags->skin, "draw the store in the look of this style");
   command->add_option("--depth", flags->depth, "also write depth, 16-bit PNG in millimetres");
   command->add_option("--segmentation", flags->segmentation, "also write a colour per object");
   command->add_option("--normals", flags->normals, "also write normals");

@@ -2,6 +2,7 @@
 // docs from the field lists.
 #include <fmt/format.h>
 
+#include "catalog/asset_file.h"
 #include "catalog/fixture_kind.h"
 #include "catalog/product.h"
 #include "command.h"
@@ -29,6 +30,7 @@ std::vector<Document> documents() {
           {"market-store-1", "The manifest of a store folder", type_of<Manifest>()},
           {"market-report-1", "Requirements, rules and metrics of a store", type_of<StoreReport>()},
           {"market-product-1", "A product row of the catalogue", type_of<Product>()},
+          {"market-asset-1", "An outside model taken into a library", type_of<AssetFile>()},
           {"market-fixture-1", "A fixture row of the catalogue", type_of<FixtureKind>()}};
 }
 

@@ -62,7 +62,7 @@ TEST(Help, EveryCommandHasAnExample) {
 }
 
 TEST(Help, EveryActionOnAssets) {
-  for (const char* action : {"list", "show", "search", "sheet"})
+  for (const char* action : {"list", "show", "search", "sheet", "import"})
     EXPECT_NE(output_of({"assets", action, "--help"}).find("Usage"), std::string::npos) << action;
 }
 
@@ -137,7 +137,7 @@ TEST(Generate, ProductsOfOnesOwn) {
   const json found = json_of({"assets", "search", "elderflower", "--json", "--catalog", "own.json"},
                              scratch.path());
   ASSERT_FALSE(found.empty());
-  EXPECT_EQ(found[0]["sku"], "own-elderflower");
+  EXPECT_EQ(found[0]["id"], "own-elderflower");
   output_of({"generate",
              "a shop that sells only drinks",
              "--size=9x8m",
@@ -331,12 +331,13 @@ TEST(Assets, ListShowSearch) {
   EXPECT_GE(list["archetypes"], 10);
   EXPECT_GE(list["by_category"].size(), 10U);
   EXPECT_EQ(list["rows"].size(),
-            list["goods"].get<std::size_t>() + list["facilities"].get<std::size_t>());
+            list["goods"].get<std::size_t>() + list["facilities"].get<std::size_t>() +
+                list["materials"].get<std::size_t>());
   const std::string sku = list["rows"][0]["id"];
   EXPECT_EQ(json_of({"assets", "show", sku, "--json"})["sku"], sku);
   EXPECT_EQ(json_of({"assets", "show", "gondola", "--json"})["kind"], "gondola");
   EXPECT_NE(
-      json_of({"assets", "search", "milk", "--json"})[0]["sku"].get<std::string>().find("milk"),
+      json_of({"assets", "search", "milk", "--json"})[0]["id"].get<std::string>().find("milk"),
       std::string::npos);
   const ScratchFolder scratch;
   output_of(

@@ -3,6 +3,7 @@
 #include <zint.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "assets/lettering.h"
@@ -21,24 +22,30 @@ bool is_guard(int module) {
   return module < 3 || module >= symbol_modules - 3 || (module >= 45 && module < 50);
 }
 
-// Whole-pixel drawing: the caller's transform is left aside.
+// The digits' share of the symbol's height; guard bars reach half way into it.
+constexpr double digits_share = 0.2;
+
+int bar_length(const BarcodePlace& place, bool guard) {
+  const int digits = static_cast<int>(place.height_px * digits_share);
+  return place.height_px - (guard ? digits / 2 : digits);
+}
+
 void draw_bars(Canvas& canvas, const std::string& modules, const BarcodePlace& place) {
-  const int digits_px = place.height_px / 5;
   for (int i = 0; i < symbol_modules; ++i) {
     if (modules[static_cast<std::size_t>(i)] != '1') continue;
-    const int length = place.height_px - (is_guard(i) ? digits_px / 2 : digits_px);
     canvas.rectangle({static_cast<double>((left_quiet_modules + i) * place.module_px),
                       0,
                       static_cast<double>(place.module_px),
-                      static_cast<double>(length)});
+                      static_cast<double>(bar_length(place, is_guard(i)))});
   }
   canvas.fill(Color{0, 0, 0});
 }
 
 void draw_digits(Canvas& canvas, std::string_view ean, const BarcodePlace& place) {
+  constexpr double least_height_px = 5;  // no reader, human or not, gains from four-pixel digits
   const double m = place.module_px;
-  const double h = place.height_px / 5.0;
-  if (h < 5) return;  // no reader, human or not, gains from four-pixel digits
+  const double h = place.height_px * digits_share;
+  if (h * canvas.pixels_per_unit_y() < least_height_px) return;
   const Typeface face{"DejaVu Sans Mono", 400};
   const auto group = [&](std::string_view digits, double first_module, double width_modules) {
     draw_headline(canvas,
@@ -50,6 +57,29 @@ void draw_digits(Canvas& canvas, std::string_view ean, const BarcodePlace& place
   group(ean.substr(0, 1), 1, 8);
   group(ean.substr(1, 6), left_quiet_modules + 4, 40);
   group(ean.substr(7, 6), left_quiet_modules + 51, 40);
+}
+
+// Moves the canvas to the symbol's upper left corner, turned as it lies.
+void enter(Canvas& canvas, const BarcodePlace& place) {
+  canvas.translate(place.x, place.y);
+  if (!place.ladder) return;
+  // A quarter turn written out, so that pixels stay whole.
+  const cairo_matrix_t quarter{0, 1, -1, 0, static_cast<double>(place.height_px), 0};
+  cairo_transform(canvas.context(), &quarter);
+}
+
+void draw_ground(Canvas& canvas, const BarcodePlace& place) {
+  const int length = place.module_px * ean13_width_modules;
+  canvas.rectangle({0, 0, static_cast<double>(length), static_cast<double>(place.height_px)})
+      .fill(paper_white);
+}
+
+// The box of an area in pixels; its corners may have changed places.
+Area device_box(Canvas& canvas, const Area& area) {
+  double x0 = area.x, y0 = area.y, x1 = area.right(), y1 = area.bottom();
+  cairo_user_to_device(canvas.context(), &x0, &y0);
+  cairo_user_to_device(canvas.context(), &x1, &y1);
+  return {std::min(x0, x1), std::min(y0, y1), std::fabs(x1 - x0), std::fabs(y1 - y0)};
 }
 
 }  // namespace
@@ -111,20 +141,34 @@ void draw_barcode(Canvas& canvas,
                   const BarcodePlace& place) {
   if (place.module_px <= 0) return;
   const Canvas::Saved saved = canvas.saved();
-  cairo_identity_matrix(canvas.context());
-  canvas.translate(place.x, place.y);
-  const int length = place.module_px * ean13_width_modules;
-  if (place.ladder) {
-    // A quarter turn written out, so that pixels stay whole.
-    const cairo_matrix_t quarter{0, 1, -1, 0, static_cast<double>(place.height_px), 0};
-    cairo_transform(canvas.context(), &quarter);
-  }
-  canvas.rectangle({0, 0, static_cast<double>(length), static_cast<double>(place.height_px)})
-      .fill(paper_white);
+  cairo_identity_matrix(canvas.context());  // whole pixels: the caller's transform is left aside
+  enter(canvas, place);
+  draw_ground(canvas, place);
   cairo_set_antialias(canvas.context(), CAIRO_ANTIALIAS_NONE);
   draw_bars(canvas, modules, place);
   cairo_set_antialias(canvas.context(), CAIRO_ANTIALIAS_GRAY);
   draw_digits(canvas, ean, place);
+}
+
+void leave_barcode(Canvas& canvas,
+                   const std::string& modules,
+                   std::string_view ean,
+                   const BarcodePlace& place,
+                   double unit) {
+  if (place.module_px <= 0) return;
+  const Canvas::Saved saved = canvas.saved();
+  canvas.scale(unit, unit);
+  enter(canvas, place);
+  draw_ground(canvas, place);
+  draw_digits(canvas, ean, place);
+  const double plain = bar_length(place, false), guarded = bar_length(place, true);
+  const Area bars{static_cast<double>(left_quiet_modules * place.module_px),
+                  0,
+                  static_cast<double>(symbol_modules * place.module_px),
+                  guarded};
+  // Half of the light, as half of the modules are bars: in sRGB 188 of 255.
+  canvas.rectangle({bars.x, bars.y, bars.w, plain}).fill(rgb("#bcbcbc"));
+  canvas.leave_bars({device_box(canvas, bars), modules, place.ladder, 1 - plain / guarded});
 }
 
 }  // namespace marketgen

@@ -34,4 +34,13 @@ void draw_barcode(Canvas& canvas,
                   std::string_view ean,
                   const BarcodePlace& place);
 
+// The same with everything in `place` counted in `unit`s of the canvas instead of pixels. White
+// ground and digits are drawn; the bars are left to the reader of the picture, which shows their
+// mean grey (Canvas::bars).
+void leave_barcode(Canvas& canvas,
+                   const std::string& modules,
+                   std::string_view ean,
+                   const BarcodePlace& place,
+                   double unit);
+
 }  // namespace marketgen

@@ -11,32 +11,16 @@
 namespace marketgen {
 
 enum class MarkShape {
-  wordmark,
-  swoosh,
-  oval,
-  block,
-  shield,
-  ribbon,
-  leaf,
-  roundel,
-  rules,
-  sun,
-  diamond,
-  initial
+#define MARK_SHAPE(name, description) name,
+#include "assets/brand_shapes.inc"
+#undef MARK_SHAPE
 };
-constexpr std::array<std::string_view, 12> names_of(MarkShape) {
-  return {"wordmark",
-          "swoosh",
-          "oval",
-          "block",
-          "shield",
-          "ribbon",
-          "leaf",
-          "roundel",
-          "rules",
-          "sun",
-          "diamond",
-          "initial"};
+constexpr auto names_of(MarkShape) {
+  return std::to_array<std::string_view>({
+#define MARK_SHAPE(name, description) #name,
+#include "assets/brand_shapes.inc"
+#undef MARK_SHAPE
+  });
 }
 
 // What all packs of a brand share.

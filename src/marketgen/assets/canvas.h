@@ -6,7 +6,10 @@
 
 #include <array>
 #include <memory>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "assets/paint_color.h"
@@ -55,6 +58,15 @@ class Paint {
   std::shared_ptr<cairo_pattern_t> pattern_;
 };
 
+// Bars that are left out of the picture, for a reader that draws them as fine as the eye comes
+// near.
+struct BarField {
+  Area px;              // all modules, the guard bars at full length
+  std::string modules;  // '1' for a bar
+  bool ladder = false;  // turned a quarter: modules follow one another downwards, feet to the left
+  double foot = 0;      // share of the length that only guard bars reach into
+};
+
 class Canvas {
  public:
   Canvas(int width_px, int height_px, const Color& ground);
@@ -99,6 +111,8 @@ class Canvas {
   // further drawing.
   bool healthy() const { return cairo_status(context_.get()) == CAIRO_STATUS_SUCCESS; }
   Image image() const;  // RGB copy of what has been drawn
+  void leave_bars(BarField field) { bars_ = std::move(field); }
+  const std::optional<BarField>& bars() const { return bars_; }
   void put(const Image& image,
            int x_px,
            int y_px);  // copies RGB pixels, transform and clip ignored
@@ -106,6 +120,7 @@ class Canvas {
  private:
   std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface_;
   std::unique_ptr<cairo_t, decltype(&cairo_destroy)> context_;
+  std::optional<BarField> bars_;
 };
 
 }  // namespace marketgen

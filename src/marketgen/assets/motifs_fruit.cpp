@@ -68,6 +68,22 @@ void blueberry(Canvas& canvas, double x, double y, double radius) {
   });
 }
 
+void one_raspberry(Canvas& canvas) {
+  const Color red = rgb("#d22a56");
+  constexpr double half_widths[] = {22, 27, 25, 19, 11};  // of the rows of drupelets, top down
+  for (int row = 4; row >= 0; --row) {
+    const double w = half_widths[row];
+    const int count = static_cast<int>(w / 5) + 1;
+    for (int i = 0; i < count; ++i) {
+      const double x = count == 1 ? 0 : -w + 2 * w * i / (count - 1);
+      ball(canvas, {x, -14 + row * 12.5 + (i % 2) * 2.0, 9}, red);
+    }
+  }
+  for (const double angle : {-0.1, 0.6, 2.5, 3.25, 4.2, 5.2})
+    leaf(canvas, 0, -24, angle, 22, leaf_green);
+  canvas.path("M 0 -24 C 0 -32 3 -38 7 -44").stroke(darker(leaf_green, 0.2), 3);
+}
+
 void one_banana(Canvas& canvas) {
   const Color yellow = rgb("#f6c921");
   canvas.path(
@@ -127,6 +143,42 @@ void draw_motif_lemon(Canvas& canvas, const MotifInk&) {
   });
   leaf(canvas, 24, -22, -0.9, 26, leaf_green);
   citrus_slice(canvas, 20, 18, 25, rgb("#f0c70f"), rgb("#fbe25a"));
+}
+
+void draw_motif_lime(Canvas& canvas, const MotifInk&) {
+  const Color green = rgb("#6bb02a");
+  ground_shadow(canvas, {-46, 28, 94, 18});
+  placed(canvas, -8, -8, -0.3, 1, [&] {
+    canvas.path(
+        "M -38 0 C -34 -22 -16 -30 0 -30 C 18 -30 32 -20 37 -4 C 41 -2 41 4 37 5 C 32 22 18 30 0 "
+        "30 C -16 30 -34 22 -38 0 Z");
+    canvas.fill(lit({0, 0, 38}, green));
+    gloss(canvas, {-26, -24, 28, 17}, -0.4, 0.75);
+  });
+  citrus_slice(canvas, 19, 16, 26, rgb("#5d9e22"), rgb("#c5e26a"));
+}
+
+void draw_motif_strawberry(Canvas& canvas, const MotifInk&) {
+  ground_shadow(canvas, {-46, 30, 94, 18});
+  placed(canvas, 20, 6, 0.3, 0.68, [&] { strawberry(canvas); });
+  placed(canvas, -10, 0, -0.12, 0.96, [&] { strawberry(canvas); });
+}
+
+void draw_motif_blueberry(Canvas& canvas, const MotifInk&) {
+  ground_shadow(canvas, {-46, 28, 94, 20});
+  leaf(canvas, 6, -20, -0.5, 38, leaf_green);
+  leaf(canvas, -2, -20, 3.6, 34, darker(leaf_green, 0.1));
+  blueberry(canvas, 24, -4, 18);
+  blueberry(canvas, -26, 2, 19);
+  blueberry(canvas, 0, -16, 18);
+  blueberry(canvas, 20, 25, 17);
+  blueberry(canvas, -8, 20, 21);
+}
+
+void draw_motif_raspberry(Canvas& canvas, const MotifInk&) {
+  ground_shadow(canvas, {-46, 30, 94, 18});
+  placed(canvas, 21, 6, 0.3, 0.70, [&] { one_raspberry(canvas); });
+  placed(canvas, -11, 0, -0.12, 0.96, [&] { one_raspberry(canvas); });
 }
 
 void draw_motif_berry(Canvas& canvas, const MotifInk&) {

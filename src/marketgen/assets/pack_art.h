@@ -17,8 +17,9 @@ struct PackArt {
   Color primary, secondary, accent, text;
   const LabelMotif* motif = nullptr;
   BrandLook look;
-  Seed seed{0};      // of the SKU
-  std::string bars;  // modules of the EAN; empty when the product has none
+  Seed seed{0};             // of the SKU
+  std::string bars;         // modules of the EAN; empty when the product has none
+  bool bars_apart = false;  // true to size and left out of the picture, see Canvas::bars
 
   // A light field in the secondary colour, `by` towards white; next to white when that colour is
   // strong.

@@ -42,12 +42,16 @@ Area in_units(Canvas& canvas, const Area& px) {
   return {x0, y0, x1 - x0, y1 - y0};
 }
 
+// GS1 general specifications, EAN-13 with digits: height and module at nominal size, and the
+// smallest module allowed (80 %).
+constexpr double nominal_height_mm = 25.9, nominal_module_mm = 0.33, least_module_mm = 0.264;
+
 // Pixels a module wants: two at a sheet of 512 pixels, more on larger sheets, and at least nominal
 // size (X = 0.33 mm).
 int wanted_module_px(Canvas& canvas) {
-  constexpr double nominal_mm = 0.33;
   const int by_sheet = std::max(2, canvas.height_px() / 256);
-  return std::max(by_sheet, static_cast<int>(std::lround(nominal_mm * canvas.pixels_per_unit_x())));
+  return std::max(by_sheet,
+                  static_cast<int>(std::lround(nominal_module_mm * canvas.pixels_per_unit_x())));
 }
 
 // The code stands at the foot of a field, or beside the words where the field is low.
@@ -55,24 +59,45 @@ bool is_high(const Area& field) {
   return field.h > field.w * 0.5;
 }
 
-// Draws the EAN at the lower right of the area; returns what it covers, empty without an EAN.
-Area draw_ean(Canvas& canvas, const PackArt& art, const Area& area) {
-  // GS1 general specifications, figure for EAN-13 with digits.
-  constexpr double nominal_height_mm = 25.9;
-  if (art.bars.empty()) return {area.right(), area.bottom(), 0, 0};
-  const double height_px = nominal_height_mm * canvas.pixels_per_unit_y();
-  const int wanted = wanted_module_px(canvas);
+// The EAN's place at the foot of the area, or anywhere in it where the foot would make its modules
+// smaller than `least`. All in whole units of the area.
+BarcodePlace ean_place(const Area& area, int wanted, int least, double wanted_height) {
   const Area foot = is_high(area) ? area.part(0, 0.42, 1, 1) : area.part(0.45, 0, 1, 1);
-  BarcodePlace place = place_barcode(in_pixels(canvas, foot), wanted, height_px);
-  if (place.module_px < wanted) place = place_barcode(in_pixels(canvas, area), wanted, height_px);
-  draw_barcode(canvas, art.bars, art.product->ean, place);
+  const BarcodePlace place = place_barcode(foot, wanted, wanted_height);
+  return place.module_px < least ? place_barcode(area, wanted, wanted_height) : place;
+}
+
+// What the symbol covers, in the units of its place.
+Area covered(const BarcodePlace& place) {
   const double length = place.module_px * ean13_width_modules;
   const double across = place.height_px;
-  const Area px{static_cast<double>(place.x),
-                static_cast<double>(place.y),
-                place.ladder ? across : length,
-                place.ladder ? length : across};
-  return in_units(canvas, px);
+  return {static_cast<double>(place.x),
+          static_cast<double>(place.y),
+          place.ladder ? across : length,
+          place.ladder ? length : across};
+}
+
+// True to size: modules are counted in thousandths of a millimetre.
+Area leave_ean(Canvas& canvas, const PackArt& art, const Area& area) {
+  constexpr double fine = 1000;
+  const BarcodePlace place = ean_place({area.x * fine, area.y * fine, area.w * fine, area.h * fine},
+                                       static_cast<int>(nominal_module_mm * fine),
+                                       static_cast<int>(least_module_mm * fine),
+                                       nominal_height_mm * fine);
+  leave_barcode(canvas, art.bars, art.product->ean, place, 1 / fine);
+  const Area taken = covered(place);
+  return {taken.x / fine, taken.y / fine, taken.w / fine, taken.h / fine};
+}
+
+// Draws the EAN at the lower right of the area; returns what it covers, empty without an EAN.
+Area draw_ean(Canvas& canvas, const PackArt& art, const Area& area) {
+  if (art.bars.empty()) return {area.right(), area.bottom(), 0, 0};
+  if (art.bars_apart) return leave_ean(canvas, art, area);
+  const int wanted = wanted_module_px(canvas);
+  const BarcodePlace place = ean_place(
+      in_pixels(canvas, area), wanted, wanted, nominal_height_mm * canvas.pixels_per_unit_y());
+  draw_barcode(canvas, art.bars, art.product->ean, place);
+  return in_units(canvas, covered(place));
 }
 
 // Two arrows in a ring: "the pack can be recycled".
@@ -191,7 +216,8 @@ void draw_nutrition_side(Canvas& canvas, const PackArt& art, const InfoField& fi
   const double size = small_size(field.area);
   Area rest = field.area;
   if (facts.nutrition.empty()) {
-    write_down(canvas, rest, "Directions", small_bold, size * 1.5, field.type);
+    write_down(
+        canvas, rest, facts.food ? "Storage" : "Directions", small_bold, size * 1.5, field.type);
     write_down(canvas, rest, facts.directions, small_face, size * 1.15, field.type);
     write_down(canvas, rest, facts.contents, small_face, size, field.type);
     return;

@@ -2,72 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
+#include <chrono>
 #include <span>
 
-#include "base/text.h"
+#include "assets/small_print.h"
 
 namespace marketgen {
 namespace {
-
-struct FoodRow {
-  std::string_view words;
-  double fat, saturates, carbohydrate, sugars, protein, salt;
-  std::string_view ingredients;
-};
-
-constexpr FoodRow food_rows[] = {
-#define FOOD(words, fat, saturates, carbohydrate, sugars, protein, salt, ingredients) \
-  {words, fat, saturates, carbohydrate, sugars, protein, salt, ingredients},
-#include "assets/pack_foods.inc"
-#undef FOOD
-};
-
-struct GoodsRow {
-  std::string_view words, contents, directions;
-};
-
-constexpr GoodsRow goods_rows[] = {
-#define GOODS(words, contents, directions) {words, contents, directions},
-#include "assets/pack_goods.inc"
-#undef GOODS
-};
-
-// Whether a word of the text begins with `word`: "tea" is in "green tea bags", not in "steak".
-bool has_word_with(std::string_view text, std::string_view word) {
-  for (std::size_t at = text.find(word); at != std::string_view::npos;
-       at = text.find(word, at + 1)) {
-    if (at == 0 || text[at - 1] == ' ' || text[at - 1] == '-') return true;
-  }
-  return false;
-}
-
-// The row of `rows` that the text speaks of first; null when there is none.
-template <class Row>
-const Row* row_about(std::span<const Row> rows, const std::string& text) {
-  for (const Row& row : rows) {
-    for (const std::string& word : split(row.words, '|')) {
-      if (has_word_with(text, word)) return &row;
-    }
-  }
-  return nullptr;
-}
-
-// By the name, which says most; failing that by the shelf group.
-template <class Row>
-const Row* row_for(std::span<const Row> rows, const Product& product) {
-  const Row* row = row_about(rows, lower_ascii(product.name));
-  if (row != nullptr) return row;
-  return row_about(rows, lower_ascii(product.subcategory + " " + product.category));
-}
-
-bool is_food(const Product& product) {
-  const std::string category = lower_ascii(product.category);
-  for (const std::string_view word : {"household", "personal", "care", "clean", "pet", "baby"}) {
-    if (category.find(word) != std::string::npos) return false;
-  }
-  return true;
-}
 
 std::string grams(double amount) {
   return amount < 0.05 ? "0 g"
@@ -75,14 +17,12 @@ std::string grams(double amount) {
                        : fmt::format("{:.0f} g", amount);
 }
 
-// "Zero Sugar", "Light": sweetened with something else.
-bool is_sugar_free(const std::string& variant) {
-  const std::string text = lower_ascii(variant);
-  for (const std::string_view word :
-       {"zero", "light", "diet", "sugar free", "no sugar", "sugar-free"}) {
-    if (text.find(word) != std::string::npos) return true;
-  }
-  return false;
+// "Zero Sugar", a "Light" drink: sweetened with something else.
+bool is_sugar_free(const Product& product) {
+  const auto says = [&](std::string_view words) { return has_phrase(product.variant, words); };
+  const bool drink = product.category == "beverages";
+  return says("zero sugar") || says("sugar free") || says("no sugar") ||
+         (drink && (says("zero") || says("light") || says("diet")));
 }
 
 FoodRow without_sugar(FoodRow row) {
@@ -91,9 +31,23 @@ FoodRow without_sugar(FoodRow row) {
   return row;
 }
 
+// Writes `with` in place of the first `what`; the text itself when there is none.
+std::string replaced(std::string text, std::string_view what, std::string_view with) {
+  const std::size_t at = text.find(what);
+  return at == std::string::npos ? text : text.replace(at, what.size(), with);
+}
+
+std::string ingredients_of(const FoodRow& row, const Product& product) {
+  std::string text = replaced(std::string(row.ingredients), "{name}", product.name);
+  if (is_sugar_free(product))
+    text = replaced(std::move(text), ", sugar", ", sweeteners: sucralose, acesulfame K");
+  return "Ingredients: " + text;
+}
+
 // Each maker's own figures lie within a tenth of the kind's.
 void fill_nutrition(PackFacts& facts, const FoodRow& row, Stream& draw) {
-  const double maker = draw.uniform(0.9, 1.1);
+  const double whole = row.fat + row.carbohydrate + row.protein + row.salt;
+  const double maker = std::min(draw.uniform(0.9, 1.1), 100 / std::max(whole, 1.0));
   const double fat = row.fat * maker;
   const double carbohydrate = row.carbohydrate * maker;
   const double protein = row.protein * maker;
@@ -122,11 +76,49 @@ std::string storage_advice(Storage storage) {
   return {};
 }
 
-// A date printed at the plant; the calendar does not matter, only that it is a possible one.
-std::string date_after(std::string_view words, Stream& draw) {
-  const int day = draw.integer(1, 28);
-  const int month = draw.integer(1, 12);
-  return fmt::format("{} {:02}.{:02}.{}", words, day, month, draw.integer(2027, 2029));
+// The store is as on the day of its last delivery, a Monday, so that dates follow from the rows.
+constexpr std::chrono::sys_days delivery_day = std::chrono::year{2026} / 3 / 2;
+
+// "14.08.2027", the last day of a product's shelf life.
+std::string date_of(const Product& product) {
+  const std::chrono::year_month_day day{delivery_day + std::chrono::days(product.shelf_life_days)};
+  return fmt::format("{:02}.{:02}.{}",
+                     static_cast<unsigned>(day.day()),
+                     static_cast<unsigned>(day.month()),
+                     static_cast<int>(day.year()));
+}
+
+// What spoils unseen has a last day (article 24 of the regulation), all else a best-before date.
+bool is_highly_perishable(const Product& product) {
+  const std::string& group = product.subcategory;
+  return product.storage == Storage::chilled &&
+         (group == "fresh meat" || group == "poultry" || group == "fish");
+}
+
+// Claims that suit whatever the shelf group sells.
+std::span<const std::string_view> claims_for(const Product& product) {
+  static constexpr std::string_view drinks[] = {
+      "Ice cold", "100 % recycled", "Refreshing taste", "Since 1962"};
+  static constexpr std::string_view fresh[] = {
+      "Freshly picked", "Less plastic", "Grown with care", "Class I"};
+  static constexpr std::string_view foods[] = {"No added colours",
+                                               "Less plastic",
+                                               "Family recipe",
+                                               "Quality since 1962",
+                                               "Traditional recipe",
+                                               "Now even better"};
+  static constexpr std::string_view pets[] = {"Pets love it", "No added sugar", "With vitamins"};
+  static constexpr std::string_view house[] = {
+      "Less plastic", "Top quality", "Made to last", "Value pack"};
+  static constexpr std::string_view care[] = {
+      "Dermatologist tested", "Vegan formula", "pH neutral", "Extra gentle", "Less plastic"};
+  static constexpr std::string_view pieces[] = {"Top quality", "Less plastic", "New design"};
+  if (product.category == "beverages") return drinks;
+  if (product.category == "produce") return fresh;
+  if (product.category == "household") return house;
+  if (product.category == "personal_care")
+    return product.unit_of_measure == "piece" ? std::span<const std::string_view>(pieces) : care;
+  return goods_row_of(product) != nullptr ? std::span<const std::string_view>(pets) : foods;
 }
 
 }  // namespace
@@ -135,50 +127,29 @@ PackFacts pack_facts(const PackArt& art) {
   const Product& product = *art.product;
   Stream draw = art.seed.child("small print").stream();
   PackFacts facts;
-  facts.food = is_food(product);
   facts.lot = fmt::format("L {:05}", draw.integer(1, 99999));
-  if (!facts.food) {
-    const GoodsRow* row = row_for(std::span<const GoodsRow>(goods_rows), product);
-    facts.contents =
-        row == nullptr ? product.description : "Contents: " + std::string(row->contents);
-    facts.directions =
-        row == nullptr ? "Keep out of reach of children." : std::string(row->directions);
+  if (const GoodsRow* row = goods_row_of(product)) {
+    facts.food = false;
+    facts.contents = "Contents: " + std::string(row->contents);
+    facts.directions = row->directions;
+    if (row->dated) facts.best_before = "Best before " + date_of(product);
     return facts;
   }
-  const FoodRow* row = row_for(std::span<const FoodRow>(food_rows), product);
-  facts.contents =
-      row == nullptr ? product.description : "Ingredients: " + std::string(row->ingredients);
+  const FoodRow* row = food_row_of(product);
+  facts.contents = row == nullptr ? product.description : ingredients_of(*row, product);
   facts.directions = storage_advice(product.storage);
   facts.nutrition_head = product.unit_of_measure == "l" ? "per 100 ml" : "per 100 g";
-  if (row != nullptr)
-    fill_nutrition(facts, is_sugar_free(product.variant) ? without_sugar(*row) : *row, draw);
-  facts.best_before = date_after("Best before", draw);
+  if (row != nullptr && row->fat != no_table)
+    fill_nutrition(facts, is_sugar_free(product) ? without_sugar(*row) : *row, draw);
+  facts.best_before =
+      (is_highly_perishable(product) ? "Use by " : "Best before ") + date_of(product);
   return facts;
 }
 
 std::string claim_of(const PackArt& art, Stream& draw) {
-  constexpr std::array food_claims{"No added colours",
-                                   "100 % natural taste",
-                                   "Source of energy",
-                                   "Less plastic",
-                                   "Family size",
-                                   "Vegetarian",
-                                   "Quality since 1962",
-                                   "Traditional recipe"};
-  constexpr std::array drink_claims{
-      "Ice cold", "100 % recycled", "No sweeteners", "Naturally good", "Refreshing taste"};
-  constexpr std::array care_claims{"Dermatologist tested",
-                                   "48 h fresh",
-                                   "Vegan formula",
-                                   "pH neutral",
-                                   "Extra gentle",
-                                   "2 x stronger"};
-  const auto one_of = [&](const auto& claims) {
-    return std::string(
-        claims[static_cast<std::size_t>(draw.integer(0, static_cast<int>(claims.size()) - 1))]);
-  };
-  if (!is_food(*art.product)) return one_of(care_claims);
-  return art.product->unit_of_measure == "l" ? one_of(drink_claims) : one_of(food_claims);
+  const std::span<const std::string_view> claims = claims_for(*art.product);
+  return std::string(
+      claims[static_cast<std::size_t>(draw.integer(0, static_cast<int>(claims.size()) - 1))]);
 }
 
 }  // namespace marketgen

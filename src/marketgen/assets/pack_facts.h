@@ -16,7 +16,7 @@ struct PackFacts {
   std::vector<std::pair<std::string, std::string>>
       nutrition;  // name, amount per 100 g or ml; empty for non-food
   std::string nutrition_head;
-  std::string best_before;  // "Best before 14.08.2027"; empty for non-food
+  std::string best_before;  // "Best before 14.08.2027", "Use by 06.03.2026"; empty without a date
   std::string lot;
 };
 

@@ -96,7 +96,7 @@ void draw_badge(Canvas& canvas, const PackArt& art, const Area& area) {
   if (area.w <= 0 || !draw.chance(badge_share)) return;
   const bool burst = draw.chance(burst_share);
   const std::string claim =
-      burst ? (draw.chance(0.5) ? "New!" : "Great taste") : claim_of(art, draw);
+      burst ? (draw.chance(0.5) ? "New!" : "Best value") : claim_of(art, draw);
   const double r = std::min(area.w, area.h) / 2;
   const double x = area.center_x();
   const double y = area.center_y();

@@ -6,7 +6,9 @@
 
 #include "assets/barcode.h"
 #include "assets/label.h"
+#include "assets/label_bars.h"
 #include "assets/lettering.h"
+#include "assets/price_type.h"
 
 namespace marketgen {
 namespace {
@@ -24,56 +26,9 @@ struct TagColors {
 constexpr TagColors plain_tag{rgb("#fdfdfb"), rgb("#fdfdfb"), rgb("#141416"), rgb("#26262a")};
 constexpr TagColors promotion_tag{rgb("#ffd91f"), rgb("#d5121e"), rgb("#ffffff"), rgb("#1d1a08")};
 
-// Price per litre, kilogram or piece (directive 98/6/EC asks for it on every tag).
-std::string unit_price_text(const Product& product) {
-  const double unit_price = product.price / std::max(1e-6, product.unit_amount);
-  return fmt::format("\u20ac {:.2f} / {}", unit_price, product.unit_of_measure);
-}
-
-// Large euros with raised cents.
-void draw_price(Canvas& canvas, double price, const Area& area, const Color& color) {
-  const auto cents = std::lround(price * 100);
-  const Typeface face{"Open Sans", 800, false, false, -0.02};
-  const Headline whole{fmt::format("{}", cents / 100),
-                       face,
-                       color,
-                       area.part(0.12, 0, 0.66, 1),
-                       Align::right,
-                       VerticalAlign::middle,
-                       1,
-                       area.h * 0.98,
-                       1.0};
-  const HeadlineFit fit = fit_headline(whole);
-  draw_headline(canvas, whole);
-  const double top = area.center_y() - fit.size * 0.36;
-  draw_headline(canvas,
-                {fmt::format("{:02}", cents % 100),
-                 face,
-                 color,
-                 {area.x + area.w * 0.68, top - fit.size * 0.06, area.w * 0.30, fit.size * 0.54},
-                 Align::left,
-                 VerticalAlign::top,
-                 1,
-                 1e9,
-                 1.0});
-  draw_headline(
-      canvas,
-      {"\u20ac",
-       face,
-       color,
-       {area.right() - area.w * 0.32, top + fit.size * 0.42, area.w * 0.3, fit.size * 0.34},
-       Align::left,
-       VerticalAlign::middle,
-       1,
-       1e9,
-       1.0});
-}
-
 void draw_tag_words(Canvas& canvas, const Product& product, const Area& tag, const Color& type) {
-  const std::string title =
-      product.brand.empty() ? product.name : product.brand + " " + product.name;
   draw_headline(canvas,
-                {title,
+                {title_text(product),
                  {"Open Sans", 700},
                  type,
                  tag.part(0.03, 0.05, 0.56, 0.36),
@@ -82,10 +37,8 @@ void draw_tag_words(Canvas& canvas, const Product& product, const Area& tag, con
                  2,
                  tag.h * 0.17,
                  1.1});
-  const std::string detail =
-      product.variant.empty() ? product.net : product.variant + ", " + product.net;
   draw_headline(canvas,
-                {detail,
+                {detail_text(product),
                  {"Open Sans", 400},
                  type,
                  tag.part(0.03, 0.38, 0.56, 0.53),
@@ -104,8 +57,31 @@ void draw_tag_words(Canvas& canvas, const Product& product, const Area& tag, con
                  tag.h * 0.13});
 }
 
-// The article's EAN in whole pixels at the lower left; the PLU in figures for loose goods.
-Result<void> draw_tag_code(Canvas& canvas, const Product& product, int height_px) {
+// The code's lower left corner and size on the tag.
+constexpr double code_margin_mm = 1.4, code_height_mm = 15.5;
+
+// In whole pixels.
+BarcodePlace code_in_pixels(int height_px) {
+  BarcodePlace place;
+  place.module_px = std::max(1, height_px / 96);
+  place.x = height_px / 24;
+  place.height_px = static_cast<int>(height_px * 0.40);
+  place.y = height_px - place.height_px - height_px / 32;
+  return place;
+}
+
+// At 0.33 mm a module, counted in thousandths of a millimetre.
+BarcodePlace code_in_micrometres() {
+  BarcodePlace place;
+  place.module_px = 330;
+  place.height_px = static_cast<int>(code_height_mm * 1000);
+  place.x = static_cast<int>(code_margin_mm * 1000);
+  place.y = static_cast<int>((tag_height_mm - code_height_mm - code_margin_mm) * 1000);
+  return place;
+}
+
+// The article's EAN at the lower left; the PLU in figures for loose goods.
+Result<void> draw_tag_code(Canvas& canvas, const Product& product, int height_px, bool bars_apart) {
   if (product.ean.empty()) {
     const std::string plu = product.plu.empty() ? "" : "PLU " + product.plu;
     draw_headline(canvas,
@@ -120,18 +96,17 @@ Result<void> draw_tag_code(Canvas& canvas, const Product& product, int height_px
     return {};
   }
   MARKETGEN_TRY(const std::string bars, ean13_modules(product.ean, product.sku + "/ean"));
-  BarcodePlace place;
-  place.module_px = std::max(1, height_px / 96);
-  place.x = height_px / 24;
-  place.height_px = static_cast<int>(height_px * 0.40);
-  place.y = height_px - place.height_px - height_px / 32;
-  draw_barcode(canvas, bars, product.ean, place);
+  if (bars_apart)
+    leave_barcode(canvas, bars, product.ean, code_in_micrometres(), 1e-3);
+  else
+    draw_barcode(canvas, bars, product.ean, code_in_pixels(height_px));
   return {};
 }
 
-}  // namespace
-
-Result<Image> draw_price_tag(const Product& product, bool promotion, int height_px) {
+Result<PrintedPicture> drawn_tag(const Product& product,
+                                 bool promotion,
+                                 int height_px,
+                                 bool bars_apart) {
   if (height_px < least_tag_px || height_px > most_tag_px) {
     return Error{"assets.bad_row",
                  product.sku,
@@ -149,7 +124,7 @@ Result<Image> draw_price_tag(const Product& product, bool promotion, int height_
              promotion ? price.part(0, 0.24, 1, 0.97) : price.part(0, 0.06, 1, 0.94),
              colors.price);
   draw_tag_words(canvas, product, tag, colors.type);
-  MARKETGEN_CHECK(draw_tag_code(canvas, product, height_px));
+  MARKETGEN_CHECK(draw_tag_code(canvas, product, height_px, bars_apart));
   if (promotion) {
     draw_headline(canvas,
                   {"SPECIAL OFFER",
@@ -161,7 +136,18 @@ Result<Image> draw_price_tag(const Product& product, bool promotion, int height_
   if (!canvas.healthy()) {
     return Error{"internal.bug", product.sku, "Cairo refused a part of the tag: please report it"};
   }
-  return canvas.image();
+  return PrintedPicture{canvas.image(), label_bars(canvas)};
+}
+
+}  // namespace
+
+Result<Image> draw_price_tag(const Product& product, bool promotion, int height_px) {
+  MARKETGEN_TRY(PrintedPicture tag, drawn_tag(product, promotion, height_px, false));
+  return std::move(tag.picture);
+}
+
+Result<PrintedPicture> print_price_tag(const Product& product, bool promotion, int height_px) {
+  return drawn_tag(product, promotion, height_px, true);
 }
 
 }  // namespace marketgen

@@ -4,30 +4,13 @@
 #include <array>
 #include <string>
 
-#include "assets/texture_field.h"
+#include "assets/baked_skin.h"
+#include "assets/plu_sticker.h"
+#include "assets/skin_marks.h"
 #include "base/text.h"
 
 namespace marketgen {
 namespace {
-
-// How the mark colour lies on the body colour.
-enum class SkinTexture {
-  smooth,
-  streaked,
-  specks,
-  peel,
-  striped,
-  netted,
-  scales,
-  ringed,
-  ridged,
-  fibres,
-  ripening,
-  blotched,
-  kernels,
-  florets,
-  leafy
-};
 
 struct SkinRecipe {
   SkinTexture texture = SkinTexture::smooth;
@@ -47,133 +30,43 @@ constexpr SkinRow skin_rows[] = {
 #undef SKIN
 };
 
-SkinRecipe recipe_of(const PackArt& art) {
-  const std::string text = lower_ascii(art.product->variant + " " + art.product->name);
+const SkinRow* row_for(const std::string& text) {
   for (const SkinRow& row : skin_rows) {
     for (const std::string& word : split(row.words, '|')) {
-      if (text.find(word) != std::string::npos) return row.recipe;
+      if (text.find(word) != std::string::npos) return &row;
     }
   }
+  return nullptr;
+}
+
+// The recipe's colours moved towards the row's: the body takes the row's primary colour, the rest
+// follows by the given shares.
+SkinRecipe tinted(SkinRecipe recipe, const Color& body) {
+  constexpr double ends_follow = 0.6, mark_follows = 0.35;
+  const Color from = recipe.body;
+  const auto moved = [&](const Color& c, double share) {
+    const auto component = [share](double value, double was, double now) {
+      return std::clamp(value + share * (now - was), 0.0, 1.0);
+    };
+    return Color{component(c.r, from.r, body.r),
+                 component(c.g, from.g, body.g),
+                 component(c.b, from.b, body.b)};
+  };
+  recipe.stem = moved(recipe.stem, ends_follow);
+  recipe.end = moved(recipe.end, ends_follow);
+  recipe.mark = moved(recipe.mark, mark_follows);
+  recipe.body = body;
+  return recipe;
+}
+
+// By the product's words, otherwise by the shape it has.
+SkinRecipe recipe_of(const PackArt& art) {
+  const Product& product = *art.product;
+  const SkinRow* row = row_for(lower_ascii(product.variant + " " + product.name));
+  if (row == nullptr) row = row_for(product.archetype);
+  if (row != nullptr) return tinted(row->recipe, art.primary);
   return {
       SkinTexture::smooth, art.secondary, art.primary, art.accent, darker(art.primary, 0.3), 0.3};
-}
-
-// Maps every value of a field.
-template <class Function>
-TextureField mapped(TextureField field, Function function) {
-  for (float& value : field.values)
-    value = function(value);
-  return field;
-}
-
-template <class Function>
-TextureField combined(TextureField a, const TextureField& b, Function function) {
-  for (std::size_t i = 0; i < a.values.size(); ++i)
-    a.values[i] = function(a.values[i], b.values[i]);
-  return a;
-}
-
-TextureField streaks(int w, int h, const Seed& seed) {
-  const TextureField fine = noise_field(w, h, {48, 2, 3, 0.7F}, seed.child("fine"));
-  const TextureField wide = noise_field(w, h, {3, 2, 2, 0.5F}, seed.child("wide"));
-  return combined(
-      fine, wide, [](float f, float b) { return smooth_step(0.45F, 0.75F, f * 0.75F + b * 0.4F); });
-}
-
-TextureField rings(int w, int h, const Seed& seed) {
-  const TextureField lines = noise_field(w, h, {3, 34, 3, 0.6F}, seed.child("lines"));
-  const TextureField where = noise_field(w, h, {6, 12, 2, 0.5F}, seed.child("where"));
-  return combined(lines, where, [](float l, float o) {
-    return smooth_step(0.60F, 0.78F, l * 0.75F + o * 0.35F);
-  });
-}
-
-// A wave of `count` crests along x, warped by noise: 1 on a crest.
-TextureField crests(int w, int h, int count, float warp, const Seed& seed) {
-  TextureField field = noise_field(w, h, {count * 2, 6, 3, 0.6F}, seed);
-  for (int y = 0; y < h; ++y) {
-    float* row = field.row(y);
-    for (int x = 0; x < w; ++x) {
-      const float at = static_cast<float>(x) * static_cast<float>(count) / static_cast<float>(w) +
-                       (row[x] - 0.5F) * warp;
-      const float turn = at - static_cast<float>(static_cast<int>(at + 8) - 8);
-      const float triangle = turn < 0.5F ? turn * 2 : 2 - turn * 2;
-      row[x] = triangle;
-    }
-  }
-  return field;
-}
-
-TextureField leaf_veins(int w, int h, const Seed& seed) {
-  TextureField ribs = mapped(crests(w, h, 9, 0.7F, seed.child("ribs")),
-                             [](float c) { return smooth_step(0.80F, 1.0F, c); });
-  const TextureField folds = noise_field(w, h, {10, 9, 4, 0.6F}, seed.child("folds"));
-  return combined(ribs, folds, [](float r, float f) {
-    return std::min(1.0F, r * 0.8F + smooth_step(0.42F, 0.7F, f) * 0.45F);
-  });
-}
-
-TextureField banana_marks(int w, int h, const Seed& seed) {
-  TextureField specks = bump_field(w, h, {30, 40, 0.35F, 0.9F, 0.8F, 0.10F}, seed.child("specks"));
-  const TextureField edges = crests(w, h, 5, 0.05F, seed.child("edges"));
-  return combined(specks, edges, [](float s, float e) {
-    return std::min(1.0F, smooth_step(0.0F, 0.8F, s) * 0.6F + smooth_step(0.96F, 1.0F, e) * 0.35F);
-  });
-}
-
-// Share of the mark colour everywhere, 0..1.
-TextureField mark_field(SkinTexture texture, int w, int h, const Seed& seed) {
-  switch (texture) {
-    case SkinTexture::smooth:
-      return mapped(noise_field(w, h, {2, 2, 4, 0.45F}, seed),
-                    [](float n) { return smooth_step(0.48F, 0.72F, n); });
-    case SkinTexture::streaked:
-      return streaks(w, h, seed);
-    case SkinTexture::specks:
-      return mapped(bump_field(w, h, {56, 34, 0.20F, 0.9F, 0.6F, 0.75F}, seed),
-                    [](float b) { return smooth_step(0.0F, 0.7F, b); });
-    case SkinTexture::peel:
-      return mapped(bump_field(w, h, {110, 62, 0.42F, 0.7F, 0.4F, 0.9F}, seed),
-                    [](float b) { return smooth_step(0.1F, 1.0F, b); });
-    case SkinTexture::striped:
-      return mapped(crests(w, h, 10, 0.9F, seed),
-                    [](float c) { return smooth_step(0.45F, 0.75F, c); });
-    case SkinTexture::netted:
-      return mapped(noise_field(w, h, {26, 14, 2, 0.5F}, seed), [](float n) {
-        return 1 - smooth_step(0.0F, 0.055F, n > 0.5F ? n - 0.5F : 0.5F - n);
-      });
-    case SkinTexture::scales:
-      return mapped(bump_field(w, h, {14, 14, 0.74F, 0.0F, 0.0F, 1.0F}, seed),
-                    [](float b) { return 1 - smooth_step(0.05F, 0.6F, b); });
-    case SkinTexture::ringed:
-      return rings(w, h, seed);
-    case SkinTexture::ridged:
-      return mapped(crests(w, h, 12, 0.25F, seed),
-                    [](float c) { return smooth_step(0.55F, 1.0F, c); });
-    case SkinTexture::fibres:
-      return mapped(noise_field(w, h, {90, 24, 2, 0.8F}, seed),
-                    [](float n) { return smooth_step(0.45F, 0.75F, n); });
-    case SkinTexture::ripening:
-      return banana_marks(w, h, seed);
-    case SkinTexture::blotched: {
-      const TextureField eyes =
-          bump_field(w, h, {9, 7, 0.22F, 0.9F, 0.5F, 0.5F}, seed.child("eyes"));
-      const TextureField dirt = noise_field(w, h, {8, 6, 5, 0.65F}, seed.child("dirt"));
-      return combined(eyes, dirt, [](float e, float d) {
-        return std::min(1.0F,
-                        smooth_step(0.1F, 0.9F, e) * 0.9F + smooth_step(0.5F, 0.8F, d) * 0.5F);
-      });
-    }
-    case SkinTexture::kernels:
-      return mapped(bump_field(w, h, {18, 40, 0.62F, 0.1F, 0.0F, 1.0F}, seed),
-                    [](float b) { return 1 - smooth_step(0.05F, 0.55F, b); });
-    case SkinTexture::florets:
-      return mapped(bump_field(w, h, {34, 24, 0.85F, 0.8F, 0.35F, 1.0F}, seed),
-                    [](float b) { return 1 - smooth_step(0.15F, 0.95F, b); });
-    case SkinTexture::leafy:
-      return leaf_veins(w, h, seed);
-  }
-  return TextureField(w, h);
 }
 
 // Colour of the bare body at v: the stem's within the first eighth, the other end's within the
@@ -187,9 +80,7 @@ Color body_at(const SkinRecipe& recipe, double v) {
   return blend(upper, recipe.end, share(0.78, 0.99, v));
 }
 
-}  // namespace
-
-Image draw_produce_skin(const PackArt& art, int width_px, int height_px) {
+Image draw_grown_skin(const PackArt& art, int width_px, int height_px) {
   const SkinRecipe recipe = recipe_of(art);
   const Seed seed = art.seed.child("skin");
   const TextureField mark = mark_field(recipe.texture, width_px, height_px, seed.child("mark"));
@@ -217,6 +108,15 @@ Image draw_produce_skin(const PackArt& art, int width_px, int height_px) {
       }
     }
   }
+  return image;
+}
+
+}  // namespace
+
+Image draw_produce_skin(const PackArt& art, int width_px, int height_px) {
+  if (is_baked(*art.product)) return draw_baked_skin(art, width_px, height_px);
+  Image image = draw_grown_skin(art, width_px, height_px);
+  if (carries_plu_sticker(*art.product)) put_plu_sticker(image, art);
   return image;
 }
 

@@ -5,6 +5,7 @@
 
 namespace marketgen {
 
+// The row's primary colour is that of the body; produce_skins.inc says what else there is to see.
 // u runs once around and tiles, v from the stem (top) to the other end. What produce_skins.inc does
 // not know gets a smooth skin in the row's own colours: secondary at the stem, primary, accent at
 // the end.

@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "assets/archetypes/registry.h"
+#include "assets/mesh_detail.h"
+#include "assets/own_pack.h"
 #include "catalog/catalog.h"
 
 namespace marketgen {
@@ -23,6 +27,14 @@ constexpr Archetype archetype_list[] = {
 // Limits of Product::fields, repeated here for rows that were not read from a file.
 constexpr int least_size_mm = 5, greatest_size_mm = 1500;
 
+// A quarter and a sixteenth of the near mesh's triangles, and what may go for it: across the aisle
+// a leaf is a sliver, but a can still has twelve sides.
+DetailLimits limits_of(Detail detail, std::size_t triangles) {
+  constexpr std::size_t least_triangles = 100;
+  if (detail == Detail::middle) return {std::max(triangles / 4, least_triangles), 0.05, 0.4};
+  return {std::max(triangles / 16, least_triangles), 0.10, 0.8};
+}
+
 Result<const Archetype*> archetype_of(const Product& product) {
   for (const Archetype& archetype : archetype_list) {
     if (archetype.info.name == product.archetype) return &archetype;
@@ -32,15 +44,19 @@ Result<const Archetype*> archetype_of(const Product& product) {
 
 }  // namespace
 
-Result<ProductModel> make_product_model(const Product& product) {
+Result<ProductModel> make_product_model(const Product& product, Detail detail) {
+  if (has_own_mesh(product)) return own_pack_model(product, detail);
   MARKETGEN_TRY(const Archetype* archetype, archetype_of(product));
   MARKETGEN_CHECK(check_product_size(product));
   MARKETGEN_TRY(ProductModel model, archetype->make(product));
   model.collision = archetype->collision(product);
+  if (detail != Detail::near)
+    model.mesh = simplified(model.mesh, limits_of(detail, model.mesh.triangles.size()));
   return model;
 }
 
 Result<CollisionPrimitive> collision_of(const Product& product) {
+  if (has_own_mesh(product)) return own_pack_collision(product);
   MARKETGEN_TRY(const Archetype* archetype, archetype_of(product));
   MARKETGEN_CHECK(check_product_size(product));
   return archetype->collision(product);

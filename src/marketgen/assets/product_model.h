@@ -46,15 +46,58 @@ struct CollisionPrimitive {
   bool lying = false;  // cylinder along X
 };
 
+// A convex piece of a pack's contact shape. `hull`: the convex hull of `points`; otherwise a
+// primitive, see CollisionPrimitive.
+enum class PieceShape { box, cylinder, ellipsoid, hull };
+constexpr std::array<std::string_view, 4> names_of(PieceShape) {
+  return {"box", "cylinder", "ellipsoid", "hull"};
+}
+struct ContactPiece {
+  PieceShape shape = PieceShape::box;
+  Vec3f center, half_size;
+  bool lying = false;              // cylinder along X
+  std::vector<Vec3f> points = {};  // hull only, product frame
+};
+
+// A part of a pack that a hand may use or must mind: where it is and how large, product frame.
+enum class FeatureKind { cap, lid, neck, tab, handle, seam, trigger, pump, rim, hang_hole, stem };
+constexpr std::array<std::string_view, 11> names_of(FeatureKind) {
+  return {
+      "cap", "lid", "neck", "tab", "handle", "seam", "trigger", "pump", "rim", "hang_hole", "stem"};
+}
+struct PackFeature {
+  FeatureKind kind = FeatureKind::cap;
+  Vec3f center, half_size;  // its box: what fingers close on is twice the smaller half size
+};
+
+// How many triangles a mesh may take: a pack in the hand, on the shelf, across the aisle.
+enum class Detail { near, middle, far };
+constexpr std::array<std::string_view, 3> names_of(Detail) {
+  return {"near", "middle", "far"};
+}
+
 struct ProductModel {
   Mesh mesh;  // surfaces index `surfaces`
   std::vector<Surface> surfaces;
-  CollisionPrimitive collision;
+  CollisionPrimitive collision;            // encloses the pack: spacing on shelves, audits
+  std::vector<PackFeature> features = {};  // as the archetype states them, see PackBuilder
+};
+
+// What the physics needs of a pack. The pieces together have the mesh's volume within 5 % (15 % for
+// produce); `center_of_mass` is that of the filled pack.
+struct ProductBody {
+  std::vector<ContactPiece> pieces;
+  Vec3f center_of_mass;
+  std::array<float, 6> inertia_kg_m2{};  // about it, product axes: xx yy zz xy xz yz
+  std::vector<PackFeature> features;
 };
 
 // The sizes of the mesh's bounds are the row's sizes within 1 mm. Errors: assets.bad_row,
 // catalog.unknown_kind (archetype).
-Result<ProductModel> make_product_model(const Product& product);
+Result<ProductModel> make_product_model(const Product& product, Detail detail = Detail::near);
+
+// Errors: as make_product_model.
+Result<ProductBody> make_product_body(const Product& product);
 
 // The contact primitive alone: cheap, for physics and audit of whole stores.
 Result<CollisionPrimitive> collision_of(const Product& product);

@@ -81,6 +81,17 @@ void stamp(TextureField& field, const Bump& bump) {
 
 }  // namespace
 
+float TextureField::wrapped_at(float x, float y) const {
+  const float x0 = std::floor(x), y0 = std::floor(y);
+  const float fx = x - x0, fy = y - y0;
+  const int left = wrapped(static_cast<int>(x0), width), right = left + 1 < width ? left + 1 : 0;
+  const float* upper = row(wrapped(static_cast<int>(y0), height));
+  const float* lower = row(wrapped(static_cast<int>(y0) + 1, height));
+  const float top = upper[left] + (upper[right] - upper[left]) * fx;
+  const float bottom = lower[left] + (lower[right] - lower[left]) * fx;
+  return top + (bottom - top) * fy;
+}
+
 TextureField noise_field(int width, int height, const NoiseShape& shape, const Seed& seed) {
   TextureField field(width, height);
   float total = 0;

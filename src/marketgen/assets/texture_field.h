@@ -25,6 +25,8 @@ struct TextureField {
   const float* row(int y) const {
     return &values[static_cast<std::size_t>(y) * static_cast<std::size_t>(width)];
   }
+  // Between the texels around (x, y), which may lie anywhere: the field repeats.
+  float wrapped_at(float x, float y) const;
 };
 
 // How often the noise's lattice divides the texture along each axis in its first octave; every

@@ -6,6 +6,7 @@
 
 #include "base/hash.h"
 #include "base/text.h"
+#include "catalog/user_products.h"
 #include "io/file.h"
 #include "io/json.h"
 
@@ -36,6 +37,12 @@ Result<void> read_products(const fs::path& folder, std::vector<Product>& rows) {
   std::sort(files.begin(), files.end());
   for (const fs::path& file : files)
     MARKETGEN_CHECK(read_rows(file, rows));
+  return {};
+}
+
+Result<void> read_lexicon(const fs::path& file, SearchLexicon& lexicon) {
+  MARKETGEN_TRY(const std::string text, read_file(file, most_row_bytes));
+  MARKETGEN_TRY(lexicon, read_json<SearchLexicon>(text, file.filename().string()));
   return {};
 }
 
@@ -97,8 +104,10 @@ const StyleRow* Catalog::style(std::string_view id) const {
 Result<Catalog> load_catalog(const fs::path& data, const std::vector<fs::path>& extra) {
   Catalog catalog;
   MARKETGEN_CHECK(read_products(data / "products", catalog.products));
-  for (const fs::path& file : extra)
-    MARKETGEN_CHECK(read_rows(file, catalog.products));
+  for (const fs::path& file : extra) {
+    MARKETGEN_TRY(const std::vector<Product> own, read_user_products(file));
+    catalog.products.insert(catalog.products.end(), own.begin(), own.end());
+  }
   MARKETGEN_CHECK(read_rows(data / "fixtures.json", catalog.fixture_kinds));
   MARKETGEN_CHECK(read_rows(data / "categories.json", catalog.categories));
   MARKETGEN_CHECK(read_rows(data / "zone_types.json", catalog.zone_types));
@@ -106,6 +115,7 @@ Result<Catalog> load_catalog(const fs::path& data, const std::vector<fs::path>& 
   MARKETGEN_CHECK(read_rows(data / "profiles.json", catalog.profiles));
   MARKETGEN_CHECK(read_rows(data / "styles.json", catalog.styles));
   MARKETGEN_CHECK(read_rows(data / "friction.json", catalog.frictions));
+  MARKETGEN_CHECK(read_lexicon(data / "asset_intents.json", catalog.search_lexicon));
   std::stable_sort(catalog.products.begin(),
                    catalog.products.end(),
                    [](const Product& a, const Product& b) { return a.sku < b.sku; });

@@ -13,6 +13,7 @@
 #include "catalog/fixture_kind.h"
 #include "catalog/product.h"
 #include "catalog/rows.h"
+#include "catalog/search_lexicon.h"
 
 namespace marketgen {
 
@@ -25,7 +26,8 @@ struct Catalog {
   std::vector<ProfileRow> profiles;
   std::vector<StyleRow> styles;
   std::vector<FrictionRow> frictions;
-  std::string content_hash;  // of all rows: changes when any row does
+  SearchLexicon search_lexicon;  // how free text is understood; no row
+  std::string content_hash;      // of all rows: changes when any row does
 
   // Each returns null when there is no such row.
   const Product* product(std::string_view sku) const;

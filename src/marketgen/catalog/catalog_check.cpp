@@ -160,12 +160,16 @@ Result<void> check_looks(const Catalog& c) {
         require_known(materials, "fixtures/" + k.kind + "/material", "material", k.material));
     if (!is_color(k.color))
       return bad_row("fixtures", k.kind, fmt::format("\"{}\" is not a colour #rrggbb", k.color));
+    if (!k.accent.empty() && !is_color(k.accent))
+      return bad_row("fixtures", k.kind, "accent must be #rrggbb, or empty");
     if (k.module_widths_mm.empty())
       return bad_row("fixtures", k.kind, "needs at least one module width");
   }
   for (const MaterialRow& m : c.materials) {
     if (!is_color(m.color) || !is_color(m.second_color))
       return bad_row("materials", m.id, "colours must be #rrggbb");
+    if (!m.third_color.empty() && !is_color(m.third_color))
+      return bad_row("materials", m.id, "third_color must be #rrggbb, or empty");
   }
   return {};
 }

@@ -16,11 +16,18 @@ constexpr std::array<std::string_view, 3> names_of(FixtureRole) {
   return {"shelving", "checkout", "equipment"};
 }
 
+// What carries it.
+enum class FixtureMount { floor, wall, ceiling };
+constexpr std::array<std::string_view, 3> names_of(FixtureMount) {
+  return {"floor", "wall", "ceiling"};
+}
+
 struct FixtureKind {
   std::string kind;       // "gondola"
   std::string name;       // "Double-sided gondola"
   std::string generator;  // assembly in assets/fixture_generators.inc
   FixtureRole role = FixtureRole::shelving;
+  FixtureMount mount = FixtureMount::floor;
   Storage temperature = Storage::ambient;
   bool double_sided = false;                // stocked from both sides
   bool against_wall = false;                // prefers a wall behind it
@@ -36,7 +43,14 @@ struct FixtureKind {
   double door_swing_mm = 0;         // how far its doors open into the aisle
   std::string material = "metal-white";
   std::string color = "#f2f2f0";
-  std::vector<std::string> keywords;
+  std::string accent;                 // header bands and signs; empty: the store's own
+  int board_mm = 25;                  // thickness of its shelves
+  double shelf_tilt_deg = 0;          // shelves over the base slope to the shopper by this
+  int fence_mm = 0;                   // bar along the shelves' front edges, this high; 0: none
+  int header_mm = -1;                 // band along its top, this high; -1: the generator's usual
+  std::vector<int> spacings_mm;       // from each level to the next, lowest first; empty: even
+  std::vector<std::string> keywords;  // words of plans; a mere variant has none
+  std::vector<std::string> tags;      // words that only the asset search knows
 
   static constexpr auto fields = field_list(
       field("kind", &FixtureKind::kind, "id used in plans", identifier()),
@@ -46,18 +60,19 @@ struct FixtureKind {
             "how it is assembled from minimal units",
             required()),
       field("role", &FixtureKind::role, "place in the layout"),
+      field("mount", &FixtureKind::mount, "what carries it"),
       field("temperature", &FixtureKind::temperature, "temperature it keeps"),
       field("double_sided", &FixtureKind::double_sided, "stocked from both sides"),
       field("against_wall", &FixtureKind::against_wall, "prefers a wall behind it"),
       field("module_widths_mm",
             &FixtureKind::module_widths_mm,
             "widths it is made in, preferred first",
-            range(200, 4500)),
-      field("depth_mm", &FixtureKind::depth_mm, "overall depth", range(150, 4500)),
+            range(100, 4500)),
+      field("depth_mm", &FixtureKind::depth_mm, "overall depth", range(40, 4500)),
       field("depth_range_mm",
             &FixtureKind::depth_range_mm,
             "smallest and largest depth",
-            range(150, 4500)),
+            range(40, 4500)),
       field("height_mm", &FixtureKind::height_mm, "overall height", range(300, 2600)),
       field(
           "height_range_mm", &FixtureKind::height_range_mm, "lowest and highest", range(300, 2600)),
@@ -77,7 +92,28 @@ struct FixtureKind {
             range(0, 1000)),
       field("material", &FixtureKind::material, "material id of its body"),
       field("color", &FixtureKind::color, "colour of its body, #rrggbb"),
-      field("keywords", &FixtureKind::keywords, "words to find it by"));
+      field("accent",
+            &FixtureKind::accent,
+            "colour of its header bands and signs, #rrggbb; empty: the store's own"),
+      field("board_mm", &FixtureKind::board_mm, "thickness of its shelves", range(12, 60)),
+      field("shelf_tilt_deg",
+            &FixtureKind::shelf_tilt_deg,
+            "slope of the shelves over the base towards the shopper",
+            range(0, 25)),
+      field("fence_mm",
+            &FixtureKind::fence_mm,
+            "height of the bar along the shelves' front edges; 0: none",
+            range(0, 200)),
+      field("header_mm",
+            &FixtureKind::header_mm,
+            "height of the band along its top; -1: the generator's usual",
+            range(-1, 400)),
+      field("spacings_mm",
+            &FixtureKind::spacings_mm,
+            "from each level to the next, lowest first; empty: even",
+            range(80, 2000)),
+      field("keywords", &FixtureKind::keywords, "words that plans name it by"),
+      field("tags", &FixtureKind::tags, "more words that the asset search finds it by"));
 };
 
 }  // namespace marketgen

@@ -19,6 +19,13 @@ constexpr std::array<std::string_view, 3> names_of(Rigidity) {
   return {"rigid", "crushable", "soft"};
 }
 
+// Which ways a pack may be put down: on its base only, on a flat side too, or any way (loose
+// fruit).
+enum class Orientation { upright, flat, any };
+constexpr std::array<std::string_view, 3> names_of(Orientation) {
+  return {"upright", "flat", "any"};
+}
+
 // How the printed face looks; drawn by assets/label.
 struct LabelStyle {
   std::string primary = "#336699";    // ground colour of the pack
@@ -41,13 +48,15 @@ struct Product {
   std::string ean;      // EAN-13 from a GS1 restricted-circulation prefix; empty for loose produce
   std::string plu;      // price look-up code of loose produce; otherwise empty
   std::string name;     // "Cola"
+  std::string name_zh;  // "可乐"
   std::string variant;  // "Zero Sugar"; may be empty
   std::string brand;    // invented
   std::string description;            // one sentence
   std::string category;               // one of data/categories.json
   std::string subcategory;            // "soft drinks"
   std::vector<std::string> keywords;  // for search
-  std::string archetype;              // container shape: one of assets/archetypes.inc
+  std::string archetype;              // container shape: one of assets/archetypes.inc, or "mesh"
+  std::string mesh;                   // of archetype "mesh" only: see catalog/own_mesh.h
   std::array<int, 3> size_mm{
       60, 60, 100};  // width, depth, height as it stands with its front to the shopper
   double mass_kg = 0.1;
@@ -56,11 +65,13 @@ struct Product {
       "cardboard";  // contact material: tin glass pet hdpe cardboard film paper foil skin
   Rigidity rigidity = Rigidity::rigid;
   Storage storage = Storage::ambient;
+  Orientation orientation = Orientation::upright;
   int stack_max = 1;       // how many may stand on one another on a shelf, this one included
   std::string net;         // "330 ml", "6 x 1.5 l", "500 g", "each"
   double unit_amount = 1;  // amount in unit_of_measure: 0.33
   std::string unit_of_measure = "kg";  // l, kg, or piece: the unit price is price / unit_amount
   double price = 1.0;                  // euro
+  int shelf_life_days = 365;           // from delivery to the date printed on the pack
   std::string family;                  // look-alikes share it: same brand, other variant or size
   LabelStyle label;
 
@@ -73,6 +84,7 @@ struct Product {
       field("ean", &Product::ean, "EAN-13, unique; empty for loose produce", at_most_bytes(13)),
       field("plu", &Product::plu, "price look-up code of loose produce", at_most_bytes(5)),
       field("name", &Product::name, "product name", required(), at_most_bytes(80)),
+      field("name_zh", &Product::name_zh, "product name in Chinese", at_most_bytes(80)),
       field("variant", &Product::variant, "flavour, strength or cut", at_most_bytes(80)),
       field("brand", &Product::brand, "invented brand", at_most_bytes(40)),
       field("description", &Product::description, "one sentence", at_most_bytes(400)),
@@ -80,6 +92,10 @@ struct Product {
       field("subcategory", &Product::subcategory, "shelf group within the category", required()),
       field("keywords", &Product::keywords, "words to find it by", at_most_items(40)),
       field("archetype", &Product::archetype, "container shape", required()),
+      field("mesh",
+            &Product::mesh,
+            "GLB or OBJ file of a product of archetype mesh, relative to this file",
+            at_most_bytes(400)),
       field("size_mm",
             &Product::size_mm,
             "width, depth, height as it stands on a shelf",
@@ -93,6 +109,7 @@ struct Product {
       field("material", &Product::material, "contact material of the outside"),
       field("rigidity", &Product::rigidity, "how it takes a grip"),
       field("storage", &Product::storage, "temperature it is kept at"),
+      field("orientation", &Product::orientation, "ways it may be put down"),
       field("stack_max", &Product::stack_max, "most items on one another on a shelf", range(1, 12)),
       field("net", &Product::net, "net quantity as printed", at_most_bytes(24)),
       field("unit_amount",
@@ -101,6 +118,10 @@ struct Product {
             range(0.0001, 1000)),
       field("unit_of_measure", &Product::unit_of_measure, "l, kg or piece", at_most_bytes(8)),
       field("price", &Product::price, "shelf price in euro", range(0.01, 1000)),
+      field("shelf_life_days",
+            &Product::shelf_life_days,
+            "days from delivery to the date printed on the pack",
+            range(1, 4000)),
       field("family", &Product::family, "shared by look-alikes", at_most_bytes(80)),
       field("label", &Product::label, "how the pack is printed"));
 };

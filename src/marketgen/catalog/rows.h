@@ -51,18 +51,18 @@ struct ZoneTypeRow {
       field("keywords", &ZoneTypeRow::keywords, "words that name it"));
 };
 
+// What a material's surface is made of; catalog/material_patterns.inc lists them.
 enum class MaterialPattern {
-  plain,
-  tiles,
-  planks,
-  terrazzo,
-  brick,
-  concrete,
-  ceiling_grid,
-  brushed
+#define MATERIAL_PATTERN(name, periods, description) name,
+#include "catalog/material_patterns.inc"
+#undef MATERIAL_PATTERN
 };
-constexpr std::array<std::string_view, 8> names_of(MaterialPattern) {
-  return {"plain", "tiles", "planks", "terrazzo", "brick", "concrete", "ceiling_grid", "brushed"};
+constexpr auto names_of(MaterialPattern) {
+#define MATERIAL_PATTERN(name, periods, description) std::string_view(#name),
+  return std::array{
+#include "catalog/material_patterns.inc"
+  };
+#undef MATERIAL_PATTERN
 }
 
 struct MaterialRow {
@@ -75,6 +75,12 @@ struct MaterialRow {
   double roughness = 0.5;
   double metallic = 0.0;
   std::vector<std::string> uses;  // floor wall ceiling fixture
+  std::string third_color;        // chips or veins of another kind, what shows below; empty = none
+  double joint_mm = 0;            // width of joints and gaps; 0 = usual for the pattern
+  double aspect = 0;              // length of a piece over its width; 0 = usual for the pattern
+  double relief = 1;              // factor on the pattern's own depth
+  double variation = 1;           // factor on the differences between pieces
+  double transmission = 0;        // share of light let through: 0 opaque, 0.9 clear glass
 
   static constexpr auto fields = field_list(
       field("id", &MaterialRow::id, "material id used in plans", identifier()),
@@ -85,7 +91,28 @@ struct MaterialRow {
       field("period_mm", &MaterialRow::period_mm, "size of one repeat", range(10, 4000)),
       field("roughness", &MaterialRow::roughness, "0 mirror, 1 chalk", range(0, 1)),
       field("metallic", &MaterialRow::metallic, "0 dielectric, 1 metal", range(0, 1)),
-      field("uses", &MaterialRow::uses, "where it may be used: floor wall ceiling fixture"));
+      field("uses", &MaterialRow::uses, "where it may be used: floor wall ceiling fixture"),
+      field("third_color",
+            &MaterialRow::third_color,
+            "chips or veins of another kind, #rrggbb; empty = none",
+            at_most_bytes(7)),
+      field("joint_mm",
+            &MaterialRow::joint_mm,
+            "width of joints and gaps; 0 = usual for the pattern",
+            range(0, 100)),
+      field("aspect",
+            &MaterialRow::aspect,
+            "length of a piece over its width; 0 = usual for the pattern",
+            range(0, 40)),
+      field("relief", &MaterialRow::relief, "factor on the pattern's own depth", range(0, 10)),
+      field("variation",
+            &MaterialRow::variation,
+            "factor on the differences between pieces",
+            range(0, 10)),
+      field("transmission",
+            &MaterialRow::transmission,
+            "share of light let through: 0 opaque, 0.9 clear glass",
+            range(0, 1)));
 };
 
 // Limits and habits of one kind of shop in one part of the world. Sources are named in the rows'

@@ -8,8 +8,10 @@
 
 #include "base/text.h"
 #include "export/exporter.h"
+#include "export/mjcf_fixtures.h"
 #include "physics/contact_shape.h"
 #include "physics/shell_pieces.h"
+#include "scene/articulation.h"
 
 namespace marketgen {
 namespace {
@@ -133,6 +135,67 @@ Result<void> compare_free_bodies(const Scene& scene,
           "{} can move, {} were asked for", counted(*contents.free_bodies, "products"), wanted));
 }
 
+ExportedJoint wanted_joint(const Scene& scene, const SceneJoint& joint) {
+  const Pose world = world_from_fixture(scene, joint.fixture) * fixture_from_joint(joint);
+  return {mjcf_joint_name(scene, joint),
+          joint.kind,
+          world.position,
+          rotate(world.rotation, {0, 0, 1}),
+          double(joint.lower),
+          double(joint.upper),
+          double(joint.friction),
+          double(joint.damping),
+          double(joint.stiffness),
+          double(joint.spring_rest),
+          mjcf_hold_open_factor(joint),
+          double(joint.mass_kg)};
+}
+
+// What differs between the two, or nothing.
+std::string difference(const ExportedJoint& wanted, const ExportedJoint& found) {
+  constexpr double relative = 1e-5;  // files hold single precision
+  const auto differ = [](double a, double b) {
+    return !(std::abs(a - b) <= relative * std::max(1.0, std::abs(a)));
+  };
+  if (wanted.kind != found.kind) return "kind";
+  if (!(length(wanted.at - found.at) <= position_tolerance_m)) return "place";
+  if (!(length(wanted.axis - found.axis) <= 1e-4)) return "axis";
+  if (differ(wanted.lower, found.lower) || differ(wanted.upper, found.upper)) return "limits";
+  if (differ(wanted.mass_kg, found.mass_kg)) return "mass";
+  if (wanted.kind == JointKind::belt) return "";
+  if (differ(wanted.friction, found.friction)) return "friction";
+  if (differ(wanted.damping, found.damping)) return "damping";
+  if (differ(wanted.stiffness, found.stiffness) || differ(wanted.spring_rest, found.spring_rest) ||
+      differ(wanted.hold_open_factor, found.hold_open_factor))
+    return "spring";
+  return "";
+}
+
+Result<void> compare_joints(const Scene& scene,
+                            const ExportOptions& options,
+                            const ExportContents& contents,
+                            const std::string& where) {
+  if (!contents.joints) return {};
+  const std::size_t wanted = options.still_fixtures ? 0 : scene.joints.size();
+  if (contents.joints->size() != wanted) {
+    return mismatch(where,
+                    "the file holds " + counted(contents.joints->size(), "joints") +
+                        ", the scene " + counted(wanted, "joints"));
+  }
+  if (wanted == 0) return {};
+  std::map<std::string_view, const ExportedJoint*> by_name;
+  for (const ExportedJoint& joint : *contents.joints)
+    by_name.emplace(joint.name, &joint);
+  for (const SceneJoint& row : scene.joints) {
+    const ExportedJoint joint = wanted_joint(scene, row);
+    const auto found = by_name.find(joint.name);
+    if (found == by_name.end()) return mismatch(where, "joint \"" + joint.name + "\" is missing");
+    if (const std::string what = difference(joint, *found->second); !what.empty())
+      return mismatch(where, "joint \"" + joint.name + "\" has another " + what);
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<ExportSummary> compare_with_scene(const Scene& scene,
@@ -143,6 +206,7 @@ Result<ExportSummary> compare_with_scene(const Scene& scene,
   MARKETGEN_TRY(const double worst, compare_products(scene, contents.products, where));
   MARKETGEN_CHECK(compare_bounds(bounds_of(scene), contents.bounds, where));
   MARKETGEN_CHECK(compare_free_bodies(scene, options, contents, where));
+  MARKETGEN_CHECK(compare_joints(scene, options, contents, where));
   std::set<std::string_view> skus;
   for (const ExportedItem& item : contents.products)
     skus.insert(item.sku);
@@ -152,6 +216,7 @@ Result<ExportSummary> compare_with_scene(const Scene& scene,
   summary.skus = skus.size();
   summary.meshes = contents.meshes;
   summary.free_bodies = contents.free_bodies.value_or(0);
+  summary.joints = contents.joints ? contents.joints->size() : 0;
   const Bounds3& bounds = contents.bounds;
   summary.bounds_low_m = {bounds.low.x, bounds.low.y, bounds.low.z};
   summary.bounds_high_m = {bounds.high.x, bounds.high.y, bounds.high.z};

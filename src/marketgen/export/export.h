@@ -17,11 +17,12 @@ namespace marketgen {
 struct ExportOptions {
   std::optional<std::array<double, 4>> free_region_m;
   bool plain_instances = false;  // glb: plain nodes instead of EXT_mesh_gpu_instancing
+  bool still_fixtures = false;   // mjcf: no part of a fixture can move
 };
 
 // What a file holds, read back with another code path than the one that wrote it.
 struct ExportSummary {
-  std::uint64_t fixtures = 0, products = 0, skus = 0, meshes = 0, free_bodies = 0;
+  std::uint64_t fixtures = 0, products = 0, skus = 0, meshes = 0, free_bodies = 0, joints = 0;
   std::array<double, 3> bounds_low_m{}, bounds_high_m{};
   double worst_position_error_m = 0;  // of any product against the scene, after `check`
 
@@ -31,6 +32,7 @@ struct ExportSummary {
                  field("skus", &ExportSummary::skus, "different products"),
                  field("meshes", &ExportSummary::meshes, "meshes or geoms"),
                  field("free_bodies", &ExportSummary::free_bodies, "bodies that can move"),
+                 field("joints", &ExportSummary::joints, "joints of fixtures"),
                  field("bounds_low_m", &ExportSummary::bounds_low_m, "lowest corner"),
                  field("bounds_high_m", &ExportSummary::bounds_high_m, "highest corner"),
                  field("worst_position_error_m",

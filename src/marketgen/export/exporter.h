@@ -19,13 +19,24 @@ struct ExportedItem {
   Vec3 position;  // of the product frame's origin, in the store frame
 };
 
+// Everything at position 0, in the store frame.
+struct ExportedJoint {
+  std::string name;  // "<fixture id>/<joint>"
+  JointKind kind = JointKind::hinge;
+  Vec3 at, axis;
+  double lower = 0, upper = 0, friction = 0, damping = 0;
+  double stiffness = 0, spring_rest = 0, hold_open_factor = 0;  // of export/mjcf_fixtures.h
+  double mass_kg = 0;
+};
+
 // What a file holds, in the store frame whatever the format's own axes are.
 struct ExportContents {
   std::set<std::string> fixtures;
   std::vector<ExportedItem> products;
   std::uint64_t meshes = 0;
-  std::optional<std::uint64_t> free_bodies;  // absent: nothing moves in this format
-  Bounds3 bounds;                            // of everything solid but an endless floor
+  std::optional<std::uint64_t> free_bodies;          // absent: nothing moves in this format
+  std::optional<std::vector<ExportedJoint>> joints;  // absent: this format has none
+  Bounds3 bounds;                                    // of everything solid but an endless floor
 };
 
 // write_<name>: the whole file. read_<name>: what an independent library finds in it; `catalog` is

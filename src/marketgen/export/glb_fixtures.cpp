@@ -6,12 +6,13 @@
 namespace marketgen {
 namespace {
 
-// The parts as bytes, without the row of their fixture: equal modules have equal bytes.
+// The parts as bytes, without the rows of their fixture and joint: equal modules have equal bytes.
 std::string content_of(const Scene& scene, const SceneFixture& fixture) {
   std::string bytes;
   for (std::uint32_t i = 0; i < fixture.part_count; ++i) {
     ScenePart part = scene.parts[fixture.first_part + i];
     part.fixture = 0;
+    part.joint = -1;
     bytes.append(reinterpret_cast<const char*>(&part), sizeof part);
   }
   return bytes;

@@ -1,8 +1,8 @@
 // The goods and price labels of a GLB export: one mesh per SKU or tag, drawn wherever it stands.
 #pragma once
 #include "export/export.h"
-#include "export/glb_document.h"
 #include "export/glb_materials.h"
+#include "io/glb_document.h"
 #include "scene/scene.h"
 
 namespace marketgen {

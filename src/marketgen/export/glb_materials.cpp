@@ -8,8 +8,20 @@
 namespace marketgen {
 namespace {
 
-constexpr int tile_px = 256;
+// Colour is looked at, relief and gloss only light it: half as fine is enough for them.
+constexpr int color_px = 512, relief_px = 256;
 constexpr float glass_alpha = 0.25F;
+
+// Roughness in green, metallic in blue, as glTF has them.
+Image metallic_roughness(const MaterialMaps& maps) {
+  Image image(maps.roughness.width, maps.roughness.height);
+  for (std::size_t i = 0; i < maps.roughness.pixels.size(); ++i) {
+    image.pixels[3 * i] = 255;
+    image.pixels[3 * i + 1] = maps.roughness.pixels[i];
+    image.pixels[3 * i + 2] = maps.metallic.pixels[i];
+  }
+  return image;
+}
 
 }  // namespace
 
@@ -46,14 +58,27 @@ Result<int> GlbMaterials::add_tiled(const std::string& id) {
     return add({.color = {0.8F, 0.8F, 0.78F}, .roughness = 0.8F, .texture = ""});
   const auto known = tiled_.find(id);
   if (known != tiled_.end()) return known->second;
-  MARKETGEN_TRY(const std::string png, encode_png(draw_material(*material, tile_px)));
-  const int index = add({.color = {1, 1, 1},
-                         .roughness = static_cast<float>(material->roughness),
-                         .metallic = static_cast<float>(material->metallic),
-                         .texture = ""},
-                        document_.add_texture(png));
+  MARKETGEN_TRY(const GltfJson gltf, textured(*material));
+  const int index = document_.add_material(gltf);
   tiled_.emplace(id, index);
   return index;
+}
+
+Result<GltfJson> GlbMaterials::textured(const MaterialRow& material) {
+  const MaterialMaps relief = draw_material_maps(material, relief_px);
+  MARKETGEN_TRY(const std::string color, encode_png(draw_material(material, color_px)));
+  MARKETGEN_TRY(const std::string normal, encode_png(relief.normal));
+  MARKETGEN_TRY(const std::string gloss, encode_png(metallic_roughness(relief)));
+  GltfJson gltf{{"name", material.id}};
+  GltfJson& pbr = gltf["pbrMetallicRoughness"];
+  pbr["baseColorTexture"] = {{"index", document_.add_texture(color)}};
+  pbr["metallicRoughnessTexture"] = {{"index", document_.add_texture(gloss)}};
+  gltf["normalTexture"] = {{"index", document_.add_texture(normal)}};
+  if (material.transmission > 0) {
+    pbr["baseColorFactor"] = {1, 1, 1, 1 - material.transmission};
+    gltf["alphaMode"] = "BLEND";
+  }
+  return gltf;
 }
 
 double GlbMaterials::extent_m(const std::string& id) const {

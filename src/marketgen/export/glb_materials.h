@@ -5,7 +5,7 @@
 #include <string>
 
 #include "assets/product_model.h"
-#include "export/glb_document.h"
+#include "io/glb_document.h"
 #include "scene/scene.h"
 
 namespace marketgen {
@@ -23,6 +23,7 @@ class GlbMaterials {
 
  private:
   const MaterialRow* row(const std::string& id) const;
+  Result<GltfJson> textured(const MaterialRow& material);
 
   const Scene& scene_;
   GlbDocument& document_;

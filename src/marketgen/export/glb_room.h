@@ -1,7 +1,7 @@
 // The parts of a GLB export that stand still: the room, the fixtures and the price labels.
 #pragma once
-#include "export/glb_document.h"
 #include "export/glb_materials.h"
+#include "io/glb_document.h"
 #include "scene/scene.h"
 
 namespace marketgen {

@@ -1,4 +1,5 @@
-// MJCF: the scene for MuJoCo. Fixtures and products are static geoms on the world body, products in
+// MJCF: the scene for MuJoCo. Fixtures and products are static geoms on the world body; what has a
+// joint (see export/mjcf_fixtures.h) and products in
 // a free region are bodies.
 #pragma once
 #include <string>

@@ -34,6 +34,57 @@ void include_geom(Bounds3& bounds, const mjModel& model, const mjData& data, int
   bounds.include(to_float(around.pose.position + half));
 }
 
+Vec3 vector_at(const mjtNum* numbers, int row) {
+  return {numbers[3 * row], numbers[3 * row + 1], numbers[3 * row + 2]};
+}
+
+ExportedJoint joint_of(const mjModel& model, const mjData& data, int joint) {
+  const int dof = model.jnt_dofadr[joint];
+  ExportedJoint read;
+  read.name = mj_id2name(&model, mjOBJ_JOINT, joint);
+  read.kind = model.jnt_type[joint] == mjJNT_HINGE ? JointKind::hinge : JointKind::slide;
+  read.at = vector_at(data.xanchor, joint);
+  read.axis = vector_at(data.xaxis, joint);
+  read.lower = model.jnt_range[2 * joint];
+  read.upper = model.jnt_range[2 * joint + 1];
+  read.friction = model.dof_frictionloss[dof];
+  read.damping = model.dof_damping[dof];
+  read.stiffness = model.jnt_stiffness[joint];
+  read.spring_rest = model.qpos_spring[model.jnt_qposadr[joint]];
+  read.hold_open_factor = model.jnt_stiffnesspoly[mjNPOLY * joint + 1];
+  read.mass_kg = model.body_mass[model.jnt_bodyid[joint]];
+  return read;
+}
+
+// A belt is a custom numeric with the name of a body.
+std::optional<ExportedJoint> belt_of(const mjModel& model, const mjData& data, int numeric) {
+  constexpr int belt_numbers = 5;  // direction, least and greatest speed
+  const char* name = mj_id2name(&model, mjOBJ_NUMERIC, numeric);
+  const int body = name == nullptr ? -1 : mj_name2id(&model, mjOBJ_BODY, name);
+  if (body < 0 || model.numeric_size[numeric] != belt_numbers) return std::nullopt;
+  const mjtNum* numbers = model.numeric_data + model.numeric_adr[numeric];
+  ExportedJoint read;
+  read.name = name;
+  read.kind = JointKind::belt;
+  read.at = vector_at(data.xpos, body);
+  read.axis = vector_at(numbers, 0);
+  read.lower = numbers[3];
+  read.upper = numbers[4];
+  read.mass_kg = model.body_mass[body];
+  return read;
+}
+
+std::vector<ExportedJoint> joints_of(const mjModel& model, const mjData& data) {
+  std::vector<ExportedJoint> joints;
+  for (int joint = 0; joint < model.njnt; ++joint) {
+    if (model.jnt_type[joint] != mjJNT_FREE) joints.push_back(joint_of(model, data, joint));
+  }
+  for (int numeric = 0; numeric < model.nnumeric; ++numeric) {
+    if (auto belt = belt_of(model, data, numeric)) joints.push_back(*std::move(belt));
+  }
+  return joints;
+}
+
 // Where the product frame lies that the geom belongs to.
 class ProductFrames {
  public:
@@ -61,6 +112,7 @@ ExportContents contents_of(const mjModel& model, const mjData& data, const Produ
   ExportContents contents;
   contents.meshes = static_cast<std::uint64_t>(model.ngeom);
   contents.free_bodies = 0;
+  contents.joints = joints_of(model, data);
   for (int geom = 0; geom < model.ngeom; ++geom) {
     if (model.geom_type[geom] == mjGEOM_PLANE) continue;
     const std::string name = name_of_geom(model, geom);

@@ -1,8 +1,8 @@
 #include "export/exporter.h"
-#include "export/glb_document.h"
 #include "export/glb_goods.h"
 #include "export/glb_materials.h"
 #include "export/glb_room.h"
+#include "io/glb_document.h"
 
 namespace marketgen {
 

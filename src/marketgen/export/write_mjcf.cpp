@@ -6,8 +6,11 @@
 #include <iterator>
 
 #include "assets/color.h"
+#include "base/text.h"
 #include "export/exporter.h"
 #include "export/mjcf.h"
+#include "export/mjcf_fixtures.h"
+#include "export/mjcf_text.h"
 #include "physics/contact_shape.h"
 #include "physics/shell_pieces.h"
 #include "render/camera.h"
@@ -21,95 +24,13 @@ enum GeomGroup { group_shell, group_fixture, group_product };
 
 constexpr int lights_along = 4, lights_across = 2;  // MuJoCo's renderer takes eight
 constexpr int base_memory_mb = 64;  // measured: 20,000 still geoms, robot and contacts
-constexpr double glass_alpha = 0.3;
 constexpr std::string_view floor_color = "0.72 0.71 0.69 1", wall_color = "0.9 0.88 0.84 1",
                            door_color = "0.55 0.57 0.6 1";
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
-
-std::string_view type_name(CollisionShape shape) {
-  return name_of(shape);
-}  // MuJoCo's names are ours
-
-// The inverse of linear_from_srgb (IEC 61966-2-1), to three decimals.
-double srgb_from_linear(float linear) {
-  const double l = std::clamp(static_cast<double>(linear), 0.0, 1.0);
-  const double encoded = l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1 / 2.4) - 0.055;
-  return std::round(encoded * 1000) / 1000;
-}
-
-std::string rgba(Vec3f color, double alpha) {
-  return fmt::format("{} {} {} {}",
-                     srgb_from_linear(color.x),
-                     srgb_from_linear(color.y),
-                     srgb_from_linear(color.z),
-                     alpha);
-}
-
-// Appends to one growing text. Numbers are single precision in their shortest form that reads back
-// the same.
-class Writer {
- public:
-  template <class... Args>
-  void line(int depth, fmt::format_string<Args...> format, Args&&... args) {
-    text_.append(static_cast<std::size_t>(2 * depth), ' ');
-    fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
-    text_ += '\n';
-  }
-
-  std::string take() { return std::move(text_); }
-
- private:
-  std::string text_;
-};
-
-std::string vec(const Vec3& v) {
-  return fmt::format(
-      "{} {} {}", static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z));
-}
-
-// ` pos="..." quat="..."`; the identity rotation is left out.
-std::string placed(const Pose& pose) {
-  const Quaternion& q = pose.rotation;
-  const std::string position = fmt::format(" pos=\"{}\"", vec(pose.position));
-  if (q == Quaternion{}) return position;
-  return position + fmt::format(" quat=\"{} {} {} {}\"",
-                                static_cast<float>(q.w),
-                                static_cast<float>(q.x),
-                                static_cast<float>(q.y),
-                                static_cast<float>(q.z));
-}
-
-std::string size_of(const ContactShape& shape) {
-  if (shape.shape != CollisionShape::cylinder) return vec(shape.size);
-  return fmt::format("{} {}", static_cast<float>(shape.size.x), static_cast<float>(shape.size.y));
-}
 
 class MjcfWriter {
  public:
   MjcfWriter(const Scene& scene, const ExportOptions& options)
-      : scene_(scene), free_(products_in_free_region(scene, options)) {}
+      : scene_(scene), options_(options), free_(products_in_free_region(scene, options)) {}
 
   Result<std::string> write() {
     for (const Product& product : scene_.catalog) {
@@ -117,7 +38,7 @@ class MjcfWriter {
       shapes_.push_back(contact_shape_of(primitive));
       contacts_.push_back(goods_contact_of(product, primitive));
     }
-    out_.line(0, "<mujoco model=\"{}\">", escaped(scene_.layout.name));
+    out_.line(0, "<mujoco model=\"{}\">", escaped_markup(scene_.layout.name));
     write_header();
     MARKETGEN_CHECK(write_materials());
     write_defaults();
@@ -125,11 +46,12 @@ class MjcfWriter {
     write_lights();
     write_cameras();
     write_room();
-    write_fixtures();
+    write_mjcf_fixtures(out_, scene_, options_);
     for (std::uint32_t row = 0; row < scene_.products.size(); ++row)
       write_product(row);
     out_.line(1, "</worldbody>");
     write_hooks();
+    write_mjcf_belts(out_, scene_, options_);
     out_.line(0, "</mujoco>");
     return out_.take();
   }
@@ -153,7 +75,7 @@ class MjcfWriter {
     out_.line(1, "<size memory=\"{}M\"/>", base_memory_mb + free);
     out_.line(1,
               "<statistic center=\"{}\" extent=\"{}\" meansize=\"0.1\"/>",
-              vec({room.x / 2, room.y / 2, 1}),
+              mjcf_vector({room.x / 2, room.y / 2, 1}),
               static_cast<float>(std::max(room.x, room.y) * 0.6));
     out_.line(1, "<visual>");
     out_.line(2, "<global azimuth=\"60\" elevation=\"-40\" offwidth=\"1920\" offheight=\"1080\"/>");
@@ -168,7 +90,7 @@ class MjcfWriter {
     out_.line(1, "<asset>");
     for (const Product& product : scene_.catalog) {
       MARKETGEN_TRY(const Vec3f color, linear_from_hex(product.label.primary));
-      out_.line(2, "<material name=\"{}\" rgba=\"{}\"/>", product.sku, rgba(color, 1));
+      out_.line(2, "<material name=\"{}\" rgba=\"{}\"/>", product.sku, mjcf_color(color, 1));
     }
     out_.line(1, "</asset>");
     return {};
@@ -206,8 +128,8 @@ class MjcfWriter {
         "<default class=\"sku/{0}\"><geom type=\"{1}\" size=\"{2}\" mass=\"{3}\" condim=\"{4}\" "
         "friction=\"{5} {6} {7}\" material=\"{0}\"/></default>",
         product.sku,
-        type_name(shape.shape),
-        size_of(shape),
+        name_of(shape.shape),
+        mjcf_size(shape),
         product.mass_kg,
         contact.dimensions,
         contact.sliding,
@@ -225,7 +147,7 @@ class MjcfWriter {
                   "<light name=\"light-{}\" pos=\"{}\" dir=\"0 0 -1\" cutoff=\"85\" exponent=\"1\" "
                   "diffuse=\"0.25 0.25 0.24\" specular=\"0.05 0.05 0.05\" castshadow=\"false\"/>",
                   x * lights_across + y,
-                  vec(at));
+                  mjcf_vector(at));
       }
     }
   }
@@ -239,10 +161,10 @@ class MjcfWriter {
       const bool flat = camera.ortho_height_m > 0;
       out_.line(2,
                 "<camera name=\"{}\" pos=\"{}\" xyaxes=\"{} {}\" fovy=\"{}\"{}/>",
-                escaped(camera.name),
-                vec(camera.from),
-                vec(right),
-                vec(above),
+                escaped_markup(camera.name),
+                mjcf_vector(camera.from),
+                mjcf_vector(right),
+                mjcf_vector(above),
                 static_cast<float>(flat ? camera.ortho_height_m : camera.fov_deg),
                 flat ? " projection=\"orthographic\"" : "");
     }
@@ -255,37 +177,20 @@ class MjcfWriter {
               "rgba=\"{}\"/>",
               static_cast<float>(room.x / 2),
               static_cast<float>(room.y / 2),
-              vec({room.x / 2, room.y / 2, 0}),
+              mjcf_vector({room.x / 2, room.y / 2, 0}),
               floor_color);
     for (const ShellPiece& piece : shell_pieces(scene_.layout.shell)) {
       const std::string look = piece.kind == ShellPieceKind::door
                                    ? fmt::format(" rgba=\"{}\"", door_color)
                                : piece.kind == ShellPieceKind::pane
-                                   ? fmt::format(" rgba=\"0.8 0.9 0.9 {}\"", glass_alpha)
+                                   ? fmt::format(" rgba=\"0.8 0.9 0.9 {}\"", mjcf_glass_alpha)
                                    : "";
       out_.line(2,
                 "<geom name=\"{}\" class=\"shell\"{} size=\"{}\"{}/>",
                 piece.id,
-                placed(piece.pose),
-                vec(piece.half_size),
+                mjcf_pose(piece.pose),
+                mjcf_vector(piece.half_size),
                 look);
-    }
-  }
-
-  void write_fixtures() {
-    for (std::uint32_t row = 0; row < scene_.parts.size(); ++row) {
-      const ScenePart& part = scene_.parts[row];
-      const ContactShape shape = world_from_fixture(scene_, part.fixture) * contact_shape_of(part);
-      const double alpha = part.kind == SurfaceKind::glass ? glass_alpha : 1.0;
-      out_.line(2,
-                "<geom name=\"{}/{}-{}\" class=\"fixture\"{}{} size=\"{}\" rgba=\"{}\"/>",
-                scene_.layout.fixtures[part.fixture].id,
-                name_of(part.unit),
-                row - scene_.fixtures[part.fixture].first_part,
-                shape.shape == CollisionShape::cylinder ? " type=\"cylinder\"" : "",
-                placed(shape.pose),
-                size_of(shape),
-                rgba({part.color[0], part.color[1], part.color[2]}, alpha));
     }
   }
 
@@ -298,12 +203,13 @@ class MjcfWriter {
                 "<geom name=\"{}\" class=\"sku/{}\"{}/>",
                 id,
                 sku,
-                placed((world_from_item * shapes_[item.sku]).pose));
+                mjcf_pose((world_from_item * shapes_[item.sku]).pose));
       return;
     }
-    out_.line(2, "<body name=\"{}\"{}>", id, placed(world_from_item));
+    out_.line(2, "<body name=\"{}\"{}>", id, mjcf_pose(world_from_item));
     out_.line(3, "<freejoint/>");
-    out_.line(3, "<geom name=\"{}\" class=\"sku/{}\"{}/>", id, sku, placed(shapes_[item.sku].pose));
+    out_.line(
+        3, "<geom name=\"{}\" class=\"sku/{}\"{}/>", id, sku, mjcf_pose(shapes_[item.sku].pose));
     out_.line(2, "</body>");
   }
 
@@ -319,16 +225,17 @@ class MjcfWriter {
       out_.line(2,
                 "<connect name=\"hook/{0}\" body1=\"{0}\" anchor=\"{1}\"/>",
                 id,
-                vec({0, 0, scene_.catalog[item.sku].height_m()}));
+                mjcf_vector({0, 0, scene_.catalog[item.sku].height_m()}));
     }
     out_.line(1, "</equality>");
   }
 
   const Scene& scene_;
+  const ExportOptions& options_;
   std::vector<bool> free_;
   std::vector<ContactShape> shapes_;    // by SKU, in the product frame
   std::vector<GoodsContact> contacts_;  // by SKU
-  Writer out_;
+  MjcfText out_;
 };
 
 }  // namespace

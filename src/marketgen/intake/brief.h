@@ -25,6 +25,7 @@ struct Brief {
   std::optional<std::string> profile;         // --profile
   std::optional<std::string> style;           // --style
   std::string planner = "offline";            // --planner
+  std::optional<std::string> skin;            // --skin: the style whose look the store gets
 
   static constexpr auto fields =
       field_list(field("prompt", &Brief::prompt, "the words", at_most_bytes(20000)),
@@ -32,7 +33,8 @@ struct Brief {
                  field("size_mm", &Brief::size_mm, "size given by a flag", range(0, 1e6)),
                  field("profile", &Brief::profile, "profile given by a flag"),
                  field("style", &Brief::style, "style given by a flag"),
-                 field("planner", &Brief::planner, "who plans"));
+                 field("planner", &Brief::planner, "who plans"),
+                 field("skin", &Brief::skin, "style that sets materials, colours and light only"));
 };
 
 enum class RequirementKind {

@@ -337,18 +337,22 @@ class FloorBuilder {
     return slice;
   }
 
-  // Doors lie within the wall and do not touch one another.
+  // Doors lie within the wall and do not touch one another; a short wall gets narrower ones.
   void keep_doors_apart() {
+    const int widest = (floor_.width_mm - 3 * door_side_mm) / 2;
+    floor_.entrance_width_mm = std::min(floor_.entrance_width_mm, widest);
+    floor_.exit_width_mm = std::min(floor_.exit_width_mm, widest);
     const auto within = [&](int center, int door) {
       const int margin = door / 2 + door_side_mm;
-      return std::clamp(center, margin, std::max(margin, floor_.width_mm - margin));
+      return std::clamp(center, margin, floor_.width_mm - margin);
     };
     floor_.entrance_mm = within(floor_.entrance_mm, floor_.entrance_width_mm);
     floor_.exit_mm = within(floor_.exit_mm, floor_.exit_width_mm);
     const int least = (floor_.entrance_width_mm + floor_.exit_width_mm) / 2 + door_side_mm;
     if (std::abs(floor_.entrance_mm - floor_.exit_mm) >= least) return;
-    const int wanted = draft_.tills_east ? floor_.exit_mm - least : floor_.exit_mm + least;
-    floor_.entrance_mm = within(wanted, floor_.entrance_width_mm);
+    const int away = draft_.tills_east ? -least : least;
+    floor_.entrance_mm = within(floor_.exit_mm + away, floor_.entrance_width_mm);
+    floor_.exit_mm = within(floor_.entrance_mm - away, floor_.exit_width_mm);
   }
 
   const FloorDraft& draft_;

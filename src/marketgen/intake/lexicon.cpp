@@ -161,6 +161,7 @@ Lexicon Lexicon::with_words_of(const Catalog& catalog) const {
       all.add_if_new(Sense::zone, zone.type, "", word);
   }
   for (const FixtureKind& fixture : catalog.fixture_kinds) {
+    if (fixture.keywords.empty()) continue;  // a variant: plans name it by its id only
     const std::string zone = zone_using(catalog, fixture.kind);
     all.add_if_new(Sense::fixture, fixture.kind, zone, fixture.name);
     for (const std::string& word : fixture.keywords) {

@@ -24,15 +24,21 @@ bool is_named(const Understanding& found, const ProgramZone& zone) {
   });
 }
 
+// A shop keeps its lanes, or its machines where it has no lanes.
+bool is_kept(const StoreProgram& program, const ProgramZone& zone) {
+  const bool lanes = std::ranges::any_of(
+      program.zones, [](const ProgramZone& other) { return other.type->type == "checkout"; });
+  return zone.type->type == (lanes ? "checkout" : "self_checkout");
+}
+
 // The zone that is given up first: the least important one that nobody asked for, else the last one
 // asked for.
 std::size_t most_dispensable(const StoreProgram& program, const Understanding& found) {
   for (std::size_t i = program.zones.size(); i-- > 0;) {
-    const bool till = program.zones[i].type->type == "checkout";
-    if (!till && !is_named(found, program.zones[i])) return i;
+    if (!is_kept(program, program.zones[i]) && !is_named(found, program.zones[i])) return i;
   }
   for (std::size_t i = program.zones.size(); i-- > 0;) {
-    if (program.zones[i].type->type != "checkout") return i;
+    if (!is_kept(program, program.zones[i])) return i;
   }
   return program.zones.size() - 1;
 }

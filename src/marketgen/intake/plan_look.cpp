@@ -1,6 +1,7 @@
 #include "intake/plan_look.h"
 
 #include "intake/materials.h"
+#include "plan/style_look.h"
 
 namespace marketgen {
 namespace {
@@ -50,14 +51,7 @@ void apply_color(Look& look, const Requirement& wish, const Catalog& catalog) {
 }  // namespace
 
 Look look_of(const PlanSources& sources) {
-  const StyleRow& style = style_of(sources);
-  Look look{style.floor,
-            style.wall,
-            style.ceiling,
-            style.fixture,
-            style.accent,
-            style.light_kelvin,
-            style.light_lux};
+  Look look = look_of(style_of(sources));
   for (const Requirement& wish : sources.understanding.requirements) {
     if (wish.kind == RequirementKind::material) apply_material(look, wish);
     if (wish.kind == RequirementKind::color) apply_color(look, wish, sources.catalog);

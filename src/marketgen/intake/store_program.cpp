@@ -169,13 +169,17 @@ const FixtureKind* kind_of(const Understanding& found,
   return usual;
 }
 
+// A plan counts at most so many fixtures (FixtureSpec::count); the layout then says how many stand.
+constexpr double most_counted = 200;
+
 std::optional<int> count_of(const Understanding& found, const FixtureKind* kind) {
   if (kind == nullptr) return std::nullopt;
   const Requirement* wish = found.find(Kind::fixture_count, kind->kind);
   const bool some = wish != nullptr && wish->value > 0;
   const bool exact =
       some && (kind->role != FixtureRole::shelving || wish->comparison != Comparison::at_least);
-  return exact ? std::optional<int>(static_cast<int>(wish->value)) : std::nullopt;
+  return exact ? std::optional<int>(static_cast<int>(std::min(wish->value, most_counted)))
+               : std::nullopt;
 }
 
 ProgramZone make_zone(const Understanding& found,
@@ -259,7 +263,8 @@ Result<StoreProgram> make_program(const Brief& brief,
     const ZoneTypeRow* row = catalog.zone_type(type);
     if (row == nullptr) continue;
     for (int i = 0; i < chosen.count.at(type); ++i) {
-      if (program.zones.size() >= most_zones) break;
+      const std::size_t room = is_till(type) ? most_zones : most_zones - 1;  // one is for the tills
+      if (program.zones.size() >= room) break;
       program.zones.push_back(make_zone(found, catalog, *row, program, i));
     }
   }

@@ -40,6 +40,13 @@ Error cannot(std::string code, const fs::path& path, std::string_view what) {
   return {std::move(code), path.string(), fmt::format("{}: {}", what, std::strerror(errno))};
 }
 
+Error larger_than(std::uint64_t max_bytes, const fs::path& path) {
+  return {
+      "input.too_large",
+      path.string(),
+      fmt::format("is larger than {} bytes", with_thousands(static_cast<std::int64_t>(max_bytes)))};
+}
+
 Error cannot_open(const fs::path& path) {
   if (errno == ENOENT || errno == ENOTDIR)
     return {"input.not_found", path.string(), "there is no such file"};
@@ -76,6 +83,8 @@ Result<std::string> read_file(const fs::path& path, std::uint64_t max_bytes) {
   if (fstat(file.get(), &info) != 0) return cannot("io.cannot_read", path, "cannot be examined");
   if (S_ISDIR(info.st_mode))
     return Error{"io.cannot_read", path.string(), "is a folder; a file was expected"};
+  if (S_ISREG(info.st_mode) && static_cast<std::uint64_t>(info.st_size) > max_bytes)
+    return larger_than(max_bytes, path);
   std::string bytes;
   char block[1 << 16];
   while (true) {  // not by st_size: pipes have none
@@ -84,12 +93,7 @@ Result<std::string> read_file(const fs::path& path, std::uint64_t max_bytes) {
     if (got < 0) return cannot("io.cannot_read", path, "cannot be read");
     if (got == 0) return bytes;
     bytes.append(block, static_cast<std::size_t>(got));
-    if (bytes.size() > max_bytes) {
-      return Error{"input.too_large",
-                   path.string(),
-                   fmt::format("is larger than {} bytes",
-                               with_thousands(static_cast<std::int64_t>(max_bytes)))};
-    }
+    if (bytes.size() > max_bytes) return larger_than(max_bytes, path);
   }
 }
 

@@ -97,21 +97,19 @@ Result<void> write_png16(const std::filesystem::path& path,
   return write_file(path, bytes);
 }
 
-Result<Image> read_png(const std::filesystem::path& path) {
-  MARKETGEN_TRY(const std::string bytes, read_file(path));
+Result<Image> decode_png(std::string_view bytes, const std::string& where) {
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
   if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) {
-    return Error{"image.bad_file",
-                 path.string(),
-                 fmt::format("is not a readable PNG file ({})", png.message)};
+    return Error{
+        "image.bad_file", where, fmt::format("is not a readable PNG file ({})", png.message)};
   }
   constexpr std::uint64_t most_pixels = 64'000'000;
   if (std::uint64_t{png.width} * png.height > most_pixels) {
     png_image_free(&png);
     return Error{
         "input.too_large",
-        path.string(),
+        where,
         fmt::format("has {} x {} pixels; at most 64 megapixels are read", png.width, png.height)};
   }
   const bool alpha = (png.format & PNG_FORMAT_FLAG_ALPHA) != 0;
@@ -119,11 +117,16 @@ Result<Image> read_png(const std::filesystem::path& path) {
   Image image(static_cast<int>(png.width), static_cast<int>(png.height), alpha ? 4 : 3);
   if (png_image_finish_read(&png, nullptr, image.pixels.data(), 0, nullptr) == 0) {
     const Error error{
-        "image.bad_file", path.string(), fmt::format("is a damaged PNG file ({})", png.message)};
+        "image.bad_file", where, fmt::format("is a damaged PNG file ({})", png.message)};
     png_image_free(&png);
     return error;
   }
   return image;
+}
+
+Result<Image> read_png(const std::filesystem::path& path) {
+  MARKETGEN_TRY(const std::string bytes, read_file(path));
+  return decode_png(bytes, path.string());
 }
 
 }  // namespace marketgen

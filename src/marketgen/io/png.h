@@ -2,6 +2,8 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.h"
@@ -16,7 +18,9 @@ Result<void> write_png16(const std::filesystem::path& path,
                          int width,
                          int height,
                          const std::vector<std::uint16_t>& pixels);
-// Errors: input.not_found, image.bad_file, input.too_large (more than 64 megapixels).
+// `where` names the bytes in errors: image.bad_file, input.too_large (more than 64 megapixels).
+Result<Image> decode_png(std::string_view bytes, const std::string& where);
+// As decode_png; also input.not_found.
 Result<Image> read_png(const std::filesystem::path& path);
 
 }  // namespace marketgen

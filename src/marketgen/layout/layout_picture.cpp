@@ -18,6 +18,7 @@ struct Page {
   int width = 0, height = 0;
   Area plan;
   double px_per_mm = 1;
+  double swing_below = 0;  // room for doors that open southwards
 };
 
 double list_height(const Layout& layout) {
@@ -25,17 +26,32 @@ double list_height(const Layout& layout) {
   return layout.violations.empty() ? 0 : violation_line * static_cast<double>(count) + 14;
 }
 
+// How far the leaves of a wall's doors swing out of the room.
+int swing_mm(const Layout& layout, Wall wall) {
+  int widest = 0;
+  for (const Opening& opening : layout.shell.openings) {
+    const bool swings =
+        opening.kind == OpeningKind::service || opening.kind == OpeningKind::emergency;
+    if (swings && opening.wall == wall) widest = std::max(widest, opening.width_mm);
+  }
+  return widest / 2;
+}
+
 // The longer side of the page is `size_px`; the room takes what margins and lettering leave.
 Page make_page(const Layout& layout, const RectMm& room, int size_px) {
-  const double vertical = header + footer + list_height(layout);
+  const int above_mm = swing_mm(layout, Wall::north), below_mm = swing_mm(layout, Wall::south);
+  const double lettering = header + footer + list_height(layout);
   const double by_width = (size_px - 2 * side_margin) / room.width();
-  const double by_height = (size_px - vertical) / room.depth();
+  const double by_height = (size_px - lettering) / (room.depth() + above_mm + below_mm);
   Page page;
   page.px_per_mm = std::min(by_width, by_height);
+  page.swing_below = below_mm * page.px_per_mm;
+  const double above = above_mm * page.px_per_mm;
+  const double vertical = lettering + above + page.swing_below;
   const double w = room.width() * page.px_per_mm, h = room.depth() * page.px_per_mm;
   page.width = static_cast<int>(w + 2 * side_margin + 0.5);
   page.height = static_cast<int>(h + vertical + 0.5);
-  page.plan = {side_margin, header, w, h};
+  page.plan = {side_margin, header + above, w, h};
   return page;
 }
 
@@ -157,7 +173,7 @@ Image draw_layout(const Layout& layout, const Catalog& catalog, int size_px) {
   draw_opening_labels(sheet);
   draw_title(sheet);
   draw_north(sheet);
-  const double below = page.plan.bottom() + 46;
+  const double below = page.plan.bottom() + page.swing_below + 46;
   draw_scale_bar(sheet, below);
   draw_key(sheet, below + 2);
   draw_violation_list(sheet, below + 32);

@@ -31,12 +31,6 @@ constexpr std::array<WallKind, 10> wall_kinds{{{"gondola", "wall_unit"},
                                                {"chest_freezer", "glass_door_freezer"},
                                                {"endcap", "wall_unit"}}};
 
-// Shelving that takes the look's material; cabinets, counters and wooden furniture keep their own.
-bool takes_look(const FixtureKind& kind) {
-  constexpr std::array<std::string_view, 4> plain{"gondola", "wall_unit", "endcap", "peg_wall"};
-  return std::ranges::find(plain, kind.generator) != plain.end();
-}
-
 bool nothing_wished(const FixtureSpec& spec) {
   static const std::string untouched = write_json(FixtureSpec{});
   return write_json(spec) == untouched;
@@ -157,6 +151,11 @@ std::vector<int> greedy_fill(const ModuleSpec& spec, int count, int length_mm) {
 }
 
 }  // namespace
+
+bool takes_look(const FixtureKind& kind) {
+  constexpr std::array<std::string_view, 4> plain{"gondola", "wall_unit", "endcap", "peg_wall"};
+  return std::ranges::find(plain, kind.generator) != plain.end();
+}
 
 int ModuleSpec::door_swing_mm() const {
   return static_cast<int>(kind->door_swing_mm);

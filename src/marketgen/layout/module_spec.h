@@ -34,6 +34,10 @@ struct ZoneKinds {
 };
 ZoneKinds kinds_of(const Zone& zone, const Catalog& catalog);
 
+// Whether the look's material is for it: shelving takes it; cabinets, counters and wooden furniture
+// keep their own.
+bool takes_look(const FixtureKind& kind);
+
 // The zone's wishes count when `kind` is the kind they are about; the rest comes from the kind's
 // row and the profile.
 ModuleSpec module_spec(const Design& design, const Zone& zone, const FixtureKind& kind);

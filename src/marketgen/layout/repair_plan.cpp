@@ -36,6 +36,15 @@ Score score_of(const std::vector<Violation>& violations) {
   return score;
 }
 
+// Fewer faults; or no more of them and one empty zone less, so that of several that crowd one
+// another out the last has room.
+bool improves(const Trial& trial, const Trial& now, const Violation& fault) {
+  if (trial.score < now.score) return true;
+  const bool left_out =
+      fault.code == "ZONE_EMPTY" && trial.plan.zones.size() < now.plan.zones.size();
+  return left_out && trial.score == now.score;
+}
+
 const LayoutRule* rule_of(const Violation& violation) {
   const std::vector<LayoutRule>& rules = layout_rules();
   const auto rule = std::ranges::find(rules, violation.code, &LayoutRule::code);
@@ -75,7 +84,7 @@ class Repair {
             continue;
           --left;
           Result<Trial> trial = lay_out(candidate.plan);
-          if (trial.ok() && trial->score < now.score)
+          if (trial.ok() && improves(*trial, now, fault))
             return std::pair{std::move(trial).value(), std::move(candidate)};
         }
       }

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "assets/label.h"
@@ -7,7 +9,9 @@
 namespace marketgen::raytrace {
 namespace {
 
-constexpr int tag_px = 96;
+constexpr int tag_px = 96, card_px = 222;
+constexpr auto card_width_m = static_cast<float>(promotion_card_width_mm * 1e-3);
+constexpr auto card_height_m = static_cast<float>(promotion_card_height_mm * 1e-3);
 constexpr float lift_m = 8e-4F;  // label stock before the rail
 // Where a rail's front usually is (assets/fixtures/units.h): 6 mm before the board, 38 mm down, 2
 // mm up.
@@ -38,46 +42,79 @@ RailFace rail_of(const Scene& scene, const SceneShelf& shelf) {
   return {};
 }
 
+Result<PrintedPicture> print_card(const Product& product) {
+  MARKETGEN_TRY(Image card, draw_promotion_card(product, card_px));
+  return PrintedPicture{std::move(card), std::nullopt};
+}
+
+// A printed rectangle before a shelf: its middle and size in the shelf frame.
+struct Sticker {
+  float x = 0, y = 0, z = 0, width = 0, height = 0;
+  std::uint16_t material = 0;
+};
+
+void stick(Draft& draft, std::uint32_t shelf, const Sticker& sticker) {
+  const Placement at = placement_of(world_from_shelf(draft.scene(), shelf));
+  const float left = sticker.x - sticker.width / 2, right = sticker.x + sticker.width / 2;
+  const float low = sticker.z - sticker.height / 2, high = sticker.z + sticker.height / 2;
+  Mesh quad;
+  add_quad(quad,
+           at({left, sticker.y, low}),
+           at({right, sticker.y, low}),
+           at({right, sticker.y, high}),
+           at({left, sticker.y, high}),
+           0);
+  World& world = draft.world();
+  append(world.shell,
+         world.shell_glass,
+         quad,
+         {sticker.material},
+         world,
+         {2 + draft.scene().shelves[shelf].fixture, -1});
+}
+
 }  // namespace
 
 PriceLabelBuilder::PriceLabelBuilder(Draft& draft) {
   const Scene& scene = draft.scene();
+  const auto paper = [&](std::int32_t texture) {
+    return draft.material({.color = {1, 1, 1}, .roughness = 0.5F, .texture = texture});
+  };
   for (const PriceLabel& label : scene.price_labels) {
     const Product& product = scene.catalog[label.sku];
     const bool promotion = label.promotion != 0;
-    const std::string content = "tag " + std::to_string(tag_px) +
-                                (promotion ? " promotion " : " ") + write_json_line(product);
-    const std::int32_t texture = draft.texture(
-        content, [&product, promotion] { return draw_price_tag(product, promotion, tag_px); });
-    material_of_label_.push_back(
-        draft.material({.color = {1, 1, 1}, .roughness = 0.5F, .texture = texture}));
+    const std::string row = write_json_line(product);
+    Looks looks;
+    looks.tag = paper(draft.print_texture(
+        fmt::format("tag {} {} {}", tag_px, promotion ? "promotion" : "", row),
+        [&product, promotion] { return print_price_tag(product, promotion, tag_px); }));
+    if (promotion)
+      looks.card = paper(draft.print_texture(fmt::format("promotion card {} {}", card_px, row),
+                                             [&product] { return print_card(product); }));
+    looks_of_label_.push_back(looks);
   }
 }
 
 void PriceLabelBuilder::build(Draft& draft) const {
   const Scene& scene = draft.scene();
-  World& world = draft.world();
   for (std::size_t i = 0; i < scene.price_labels.size(); ++i) {
     const PriceLabel& label = scene.price_labels[i];
     const SceneShelf& shelf = scene.shelves[label.shelf];
     const RailFace rail = rail_of(scene, shelf);
-    const Placement at = placement_of(world_from_shelf(scene, label.shelf));
     const float x = label.x_m - shelf.width_m / 2, y = rail.y - lift_m;
-    const float left = x - label.width_m / 2, right = x + label.width_m / 2;
-    const float low = rail.z - label.height_m / 2, high = rail.z + label.height_m / 2;
-    Mesh quad;
-    add_quad(quad,
-             at({left, y, low}),
-             at({right, y, low}),
-             at({right, y, high}),
-             at({left, y, high}),
-             0);
-    append(world.shell,
-           world.shell_glass,
-           quad,
-           {material_of_label_[i]},
-           world,
-           {2 + shelf.fixture, -1});
+    const Sticker tag{x, y, rail.z, label.width_m, label.height_m, looks_of_label_[i].tag};
+    stick(draft, label.shelf, tag);
+    if (!looks_of_label_[i].card) continue;
+    // Cards of neighbours may overlap; they hang a little apart.
+    const float apart = static_cast<float>(i % 3) * lift_m;
+    stick(draft,
+          label.shelf,
+          {x,
+           y - lift_m - apart,
+           rail.z - label.height_m / 2 - card_height_m / 2,
+           card_width_m,
+           card_height_m,
+           *looks_of_label_[i].card});
   }
 }
 

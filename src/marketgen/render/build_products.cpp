@@ -3,18 +3,13 @@
 #include <optional>
 #include <set>
 
-#include "assets/label.h"
 #include "base/parallel.h"
-#include "io/json.h"
+#include "render/label_library.h"
 #include "render/shading_math.h"
 
 namespace marketgen::raytrace {
 namespace {
 
-// Rows of pixels on a label sheet: 1.4 to 2.8 a millimetre, finer than a 1080p picture from 70 cm
-// shows.
-constexpr int tall_label_px = 512, short_label_px = 256;
-constexpr int tall_pack_mm = 180;
 constexpr float brightness_spread =
     0.04F;  // between items of one SKU, each way: print runs, dust, wear
 
@@ -25,17 +20,12 @@ std::vector<std::uint32_t> skus_in_use(const Scene& scene) {
   return {rows.begin(), rows.end()};
 }
 
-std::int32_t label_texture(Draft& draft, const Product& product) {
-  const int height_px = product.size_mm[2] >= tall_pack_mm ? tall_label_px : short_label_px;
-  return draft.texture("label " + std::to_string(height_px) + write_json_line(product),
-                       [&product, height_px] { return draw_label(product, height_px); });
-}
-
 Material material_of(Draft& draft, const Product& product, const Surface& surface) {
   Material material{
       .color = surface.color, .roughness = surface.roughness, .metallic = surface.metallic};
   if (surface.texture == "label")
-    material.texture = label_texture(draft, product);
+    material.texture =
+        draft.print_texture(label_content(product), [&product] { return library_label(product); });
   else if (!surface.texture.empty())
     return draft.world().materials[draft.tiled_material(surface.texture)];
   return material;

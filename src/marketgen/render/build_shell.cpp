@@ -41,6 +41,7 @@ ShellBuilder::ShellBuilder(Draft& draft, const Room& room) : room_(room), materi
   const Look& look = draft.scene().layout.look;
   Material polished = draft.world().materials[draft.tiled_material(look.floor)];
   polished.roughness *= floor_polish;
+  polished.roughness_scale = floor_polish;
   materials_[floor] = draft.material(polished);
   materials_[wall] = draft.tiled_material(look.wall);
   materials_[ceiling] = draft.tiled_material(look.ceiling);

@@ -1,6 +1,7 @@
-// What is written in the shop: price labels on shelf edges, hanging signs over zones, bands with
-// zone names along the walls.
+// What is written in the shop: price labels on shelf edges, cards under those of offers, hanging
+// signs over zones, bands with zone names along the walls.
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "render/draft.h"
@@ -14,7 +15,11 @@ class PriceLabelBuilder {
   void build(Draft& draft) const;
 
  private:
-  std::vector<std::uint16_t> material_of_label_;
+  struct Looks {
+    std::uint16_t tag = 0;
+    std::optional<std::uint16_t> card;  // of an offer
+  };
+  std::vector<Looks> looks_of_label_;  // by scene.price_labels
 };
 
 class SignBuilder {

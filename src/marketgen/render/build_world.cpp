@@ -9,7 +9,27 @@
 
 namespace marketgen::raytrace {
 
-Result<std::unique_ptr<World>> build_world(const Scene& scene, Progress& progress) {
+namespace {
+
+void add_exhibits(World& world,
+                  const std::vector<Exhibit>& exhibits,
+                  const std::vector<std::uint16_t>& materials) {
+  for (std::size_t i = 0; i < exhibits.size(); ++i) {
+    TracedMesh mesh;
+    append(mesh.solid, mesh.glass, exhibits[i].mesh, {materials[i]}, world, {});
+    Instance instance;
+    instance.mesh = static_cast<std::uint32_t>(world.meshes.size());
+    instance.id = 2;  // as the first thing in the room
+    world.meshes.push_back(std::move(mesh));
+    world.instances.push_back(instance);
+  }
+}
+
+}  // namespace
+
+Result<std::unique_ptr<World>> build_world(const Scene& scene,
+                                           const std::vector<Exhibit>& exhibits,
+                                           Progress& progress) {
   auto world = std::make_unique<World>();
   world->device.reset(rtcNewDevice(nullptr));
   if (!world->device)
@@ -23,6 +43,9 @@ Result<std::unique_ptr<World>> build_world(const Scene& scene, Progress& progres
   const LightBuilder light(draft);
   const PriceLabelBuilder price_labels(draft);
   const SignBuilder signs(draft, room);
+  std::vector<std::uint16_t> exhibited;
+  for (const Exhibit& exhibit : exhibits)
+    exhibited.push_back(draft.tiled_material(exhibit.material));
   MARKETGEN_CHECK(draft.draw_textures(progress));
 
   progress.begin("geometry", 3);
@@ -32,6 +55,7 @@ Result<std::unique_ptr<World>> build_world(const Scene& scene, Progress& progres
   signs.build(draft);
   fixtures.build(draft);
   products.build(draft);
+  add_exhibits(*world, exhibits, exhibited);
   progress.advance();
   commit(*world);
   progress.advance();

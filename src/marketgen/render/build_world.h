@@ -4,6 +4,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "render/exhibit.h"
 #include "render/world.h"
 #include "scene/scene.h"
 
@@ -11,6 +12,8 @@ namespace marketgen::raytrace {
 
 // The world keeps nothing of `scene`. Errors: those of the product models and labels;
 // io.out_of_memory when Embree fails.
-Result<std::unique_ptr<World>> build_world(const Scene& scene, Progress& progress);
+Result<std::unique_ptr<World>> build_world(const Scene& scene,
+                                           const std::vector<Exhibit>& exhibits,
+                                           Progress& progress);
 
 }  // namespace marketgen::raytrace

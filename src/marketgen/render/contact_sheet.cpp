@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/picture_grid.h"
 #include "render/render.h"
 
 namespace marketgen {
@@ -50,19 +51,8 @@ Result<Image> draw_product(const Product& product, int size_px) {
 }
 
 Result<Image> draw_contact_sheet(const std::vector<Product>& products, int size_px) {
-  const int columns = std::max(
-      1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(products.size()) * 1.5))));
-  const int rows = (static_cast<int>(products.size()) + columns - 1) / columns;
-  Image sheet(columns * size_px, std::max(1, rows) * size_px);
-  std::fill(sheet.pixels.begin(), sheet.pixels.end(), std::uint8_t{255});
-  for (std::size_t i = 0; i < products.size(); ++i) {
-    MARKETGEN_TRY(const Image picture, draw_product(products[i], size_px));
-    const int x0 = static_cast<int>(i) % columns * size_px,
-              y0 = static_cast<int>(i) / columns * size_px;
-    for (int y = 0; y < size_px; ++y)
-      std::copy_n(picture.at(0, y), static_cast<std::size_t>(size_px) * 3, sheet.at(x0, y0 + y));
-  }
-  return sheet;
+  return picture_grid(
+      products.size(), size_px, [&](std::size_t i) { return draw_product(products[i], size_px); });
 }
 
 }  // namespace marketgen

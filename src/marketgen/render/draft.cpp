@@ -1,8 +1,10 @@
 #include "render/draft.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "assets/color.h"
 #include "assets/material_texture.h"
 #include "base/parallel.h"
 #include "io/json.h"
@@ -12,14 +14,44 @@ namespace marketgen::raytrace {
 namespace {
 
 constexpr int material_texture_px = 512;
+// Panes let rays straight through; glass rougher than this is drawn as milky and opaque.
+constexpr double clearest_frost = 0.3;
+
+// Colour, the normal's x and y, roughness and metallic, one byte each.
+Image interleaved(const MaterialMaps& maps) {
+  constexpr std::size_t channels = 7;
+  Image image(maps.base_color.width, maps.base_color.height, channels);
+  std::uint8_t* to = image.pixels.data();
+  for (std::size_t i = 0; i < maps.roughness.pixels.size(); ++i, to += channels) {
+    std::copy_n(&maps.base_color.pixels[3 * i], 3, to);
+    std::copy_n(&maps.normal.pixels[3 * i], 2, to + 3);
+    to[5] = maps.roughness.pixels[i];
+    to[6] = maps.metallic.pixels[i];
+  }
+  return image;
+}
 
 }  // namespace
 
-std::int32_t Draft::texture(const std::string& content, std::function<Result<Image>()> draw) {
+std::int32_t Draft::add_order(Order wanted) {
   const auto [entry, is_new] =
-      texture_of_content_.try_emplace(content, static_cast<std::int32_t>(orders_.size()));
-  if (is_new) orders_.push_back({content, std::move(draw)});
+      texture_of_content_.try_emplace(wanted.content, static_cast<std::int32_t>(orders_.size()));
+  if (is_new) orders_.push_back(std::move(wanted));
   return entry->second;
+}
+
+std::int32_t Draft::texture(const std::string& content, std::function<Result<Image>()> draw) {
+  return add_order({content, std::move(draw), false, {}});
+}
+
+std::int32_t Draft::relief_texture(const std::string& content,
+                                   std::function<Result<Image>()> draw) {
+  return add_order({content, std::move(draw), true, {}});
+}
+
+std::int32_t Draft::print_texture(const std::string& content,
+                                  std::function<Result<PrintedPicture>()> draw) {
+  return add_order({content, {}, false, std::move(draw)});
 }
 
 std::uint16_t Draft::material(const Material& material) {
@@ -28,11 +60,12 @@ std::uint16_t Draft::material(const Material& material) {
   const bool glows = material.emission.x + material.emission.y + material.emission.z > 0;
   if (!glows) {
     const float kind = static_cast<float>(material.texture) * 2 + (material.glass ? 1.0F : 0.0F);
-    const std::array<float, 6> look{material.color.x,
+    const std::array<float, 7> look{material.color.x,
                                     material.color.y,
                                     material.color.z,
                                     material.roughness,
                                     material.metallic,
+                                    material.roughness_scale,
                                     kind};
     const auto [entry, is_new] = material_of_look_.try_emplace(look, next);
     if (!is_new) return entry->second;
@@ -48,16 +81,28 @@ const MaterialRow* Draft::row(std::string_view id) const {
   return nullptr;
 }
 
+std::uint16_t Draft::pane(const MaterialRow& row) {
+  const Result<Vec3f> tint = linear_from_hex(row.color);
+  const auto through = static_cast<float>(row.transmission);
+  const Vec3f color = (tint.ok() ? *tint : Vec3f{1, 1, 1}) * through;
+  // A pane is a box with two faces: each takes half of the tint.
+  return material({.color = {std::sqrt(color.x), std::sqrt(color.y), std::sqrt(color.z)},
+                   .roughness = static_cast<float>(row.roughness),
+                   .glass = true});
+}
+
 std::uint16_t Draft::tiled_material(std::string_view id) {
   const MaterialRow* found = row(id);
   if (found == nullptr) return material({.color = {0.8F, 0.8F, 0.78F}, .roughness = 0.8F});
+  if (found->transmission > 0 && found->roughness < clearest_frost) return pane(*found);
   Material result{.color = {1, 1, 1},
                   .roughness = static_cast<float>(found->roughness),
                   .metallic = static_cast<float>(found->metallic)};
   const MaterialRow copy = *found;
-  result.texture =
-      texture("material " + std::to_string(material_texture_px) + write_json_line(copy),
-              [copy] { return Result<Image>(draw_material(copy, material_texture_px)); });
+  result.texture = relief_texture(
+      "material maps " + std::to_string(material_texture_px) + write_json_line(copy),
+      [copy] { return Result<Image>(interleaved(draw_material_maps(copy, material_texture_px))); });
+  result.relief = result.texture;
   return material(result);
 }
 
@@ -66,19 +111,28 @@ float Draft::extent_m(std::string_view id) const {
   return found == nullptr ? 1 : static_cast<float>(material_extent_m(*found));
 }
 
+Result<void> Draft::carry_out(std::size_t order) {
+  const Order& wanted = orders_[order];
+  if (wanted.print) {
+    MARKETGEN_TRY(Print print, cached_print(wanted.content, wanted.print));
+    world_.textures[order] = Texture(std::move(print.blocks), print.bars);
+    return {};
+  }
+  MARKETGEN_TRY(const Image image, cached_picture(wanted.content, wanted.draw));
+  world_.textures[order] = Texture(image);
+  if (wanted.relief) world_.reliefs[order] = ReliefTexture(image, 3);
+  return {};
+}
+
 Result<void> Draft::draw_textures(Progress& progress) {
-  std::vector<Texture>& textures = world_.textures;
-  const std::size_t done = textures.size();
-  textures.resize(orders_.size());
+  const std::size_t done = world_.textures.size();
+  world_.textures.resize(orders_.size());
+  world_.reliefs.resize(orders_.size());
   std::vector<std::optional<Error>> errors(orders_.size());
   progress.begin("labels", orders_.size() - done);
   parallel_for(orders_.size() - done, [&](std::size_t k) {
-    const std::size_t i = done + k;
-    const Result<Image> image = cached_picture(orders_[i].content, orders_[i].draw);
-    if (image.ok())
-      textures[i] = Texture(*image);
-    else
-      errors[i] = image.error();
+    const Result<void> drawn = carry_out(done + k);
+    if (!drawn.ok()) errors[done + k] = drawn.error();
     progress.advance();
   });
   progress.end();

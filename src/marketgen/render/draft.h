@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "assets/label.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "render/world.h"
@@ -23,6 +24,12 @@ class Draft {
   // The texture drawn by `draw` from `content` (which decides its pixels). Equal contents share one
   // texture.
   std::int32_t texture(const std::string& content, std::function<Result<Image>()> draw);
+  // The same for a picture of seven channels: colour, then what ReliefTexture reads. Both textures
+  // have this number in World.
+  std::int32_t relief_texture(const std::string& content, std::function<Result<Image>()> draw);
+  // The same for print: kept in blocks, its bars drawn at every look-up.
+  std::int32_t print_texture(const std::string& content,
+                             std::function<Result<PrintedPicture>()> draw);
   // Number of a material; equal ones share it, except glowing ones, whose light is measured later.
   std::uint16_t material(const Material& material);
   // A catalogue material tiled by UV in units of its own extent; plain white plaster when the scene
@@ -41,10 +48,16 @@ class Draft {
   struct Order {
     std::string content;
     std::function<Result<Image>()> draw;
+    bool relief = false;
+    std::function<Result<PrintedPicture>()> print;  // instead of `draw`
   };
+  std::int32_t add_order(Order wanted);
+  Result<void> carry_out(std::size_t order);  // into the textures of the same number
+  std::uint16_t pane(const MaterialRow& row);
+
   std::vector<Order> orders_;
   std::map<std::string, std::int32_t> texture_of_content_;
-  std::map<std::array<float, 6>, std::uint16_t> material_of_look_;
+  std::map<std::array<float, 7>, std::uint16_t> material_of_look_;
 };
 
 }  // namespace marketgen::raytrace

@@ -109,7 +109,7 @@ void store_first_hits(const World& world, const View& view, const Tile& tile, Fi
     film.material[i] = s.material;
     film.albedo.set(i, s.diffuse());
     film.reflectance.set(
-        i, rough_fresnel(s.reflectance(), -dot(s.normal, hit.ray.direction), s.roughness));
+        i, rough_fresnel(s.reflectance(), -dot(s.relief_normal, hit.ray.direction), s.roughness));
     film.emission.set(i, s.emission);
   }
 }

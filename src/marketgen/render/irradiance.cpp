@@ -326,11 +326,19 @@ Vec3f IrradianceField::gathered(const Corners& corners, Vec3f facing) const {
   return weight > 1e-5F ? sum / weight : mean_;
 }
 
-Vec3f IrradianceField::at(const Place& place, Vec3f facing) const {
+IrradianceField::Corners IrradianceField::corners_at(const Place& place) const {
   const Shelf* shelf = shelf_of(place);
-  return gathered(
-      shelf != nullptr ? corners_in_shelf(*shelf, place.point) : corners_in_room(place.point),
-      facing);
+  return shelf != nullptr ? corners_in_shelf(*shelf, place.point) : corners_in_room(place.point);
+}
+
+Vec3f IrradianceField::at(const Place& place, Vec3f facing) const {
+  return gathered(corners_at(place), facing);
+}
+
+float IrradianceField::tilt(const Place& place, Vec3f facing, Vec3f tilted) const {
+  const Corners corners = corners_at(place);
+  const float flat = luminance(gathered(corners, facing));
+  return flat > 0 ? luminance(gathered(corners, tilted)) / flat : 1;
 }
 
 float IrradianceField::floor_mean() const {

@@ -38,6 +38,9 @@ class IrradianceField {
   // that side.
   Vec3f at(const Place& place, Vec3f facing) const;
 
+  // Light on something that is tilted from `facing` over the light on it when it is not.
+  float tilt(const Place& place, Vec3f facing, Vec3f tilted) const;
+
   // Mean irradiance on level surfaces just above the free floor: what a light meter carried through
   // the shop reads.
   float floor_mean() const;
@@ -59,6 +62,7 @@ class IrradianceField {
   void bake(const World& world, const LightGrid& lights);
   void fill_invalid();
   const Shelf* shelf_of(const Place& place) const;
+  Corners corners_at(const Place& place) const;
   Corners corners_in_shelf(const Shelf& shelf, Vec3f point) const;
   Corners corners_in_room(Vec3f point) const;
   Vec3f gathered(const Corners& corners, Vec3f facing) const;

@@ -85,8 +85,8 @@ PanelReflection::Seen PanelReflection::at(const Surface& surface, Vec3f mirror) 
   if (seen.distance <= 0) return {};
   // How the point on the ceiling moves when the direction turns within, and out of, the plane of
   // incidence.
-  const float cosine = std::clamp(dot(mirror, surface.normal), 0.0F, 1.0F);
-  const Vec3f within = normalized(surface.normal - mirror * cosine);
+  const float cosine = std::clamp(dot(mirror, surface.relief_normal), 0.0F, 1.0F);
+  const Vec3f within = normalized(surface.relief_normal - mirror * cosine);
   const Vec3f across = cross(mirror, within);
   const auto shift = [&](Vec3f turn) {
     return (turn - mirror * (turn.z / mirror.z)) * seen.distance;

@@ -40,9 +40,9 @@ class Scattering {
  public:
   Scattering(const Surface& surface, Vec3f view)
       : surface_(surface),
-        frame_(surface.normal),
+        frame_(surface.relief_normal),
         view_(view),
-        n_dot_v_(std::max(dot(surface.normal, view), 1e-3F)),
+        n_dot_v_(std::max(dot(surface.relief_normal, view), 1e-3F)),
         alpha_(std::max(surface.roughness * surface.roughness, least_alpha)) {
     const float mirrored_share = luminance(fresnel(surface.reflectance(), n_dot_v_));
     const float diffuse_share = luminance(surface.diffuse());
@@ -59,10 +59,10 @@ class Scattering {
   };
   Value evaluate(Vec3f light) const {
     Value value;
-    const float n_dot_l = dot(surface_.normal, light);
+    const float n_dot_l = dot(surface_.relief_normal, light);
     if (n_dot_l <= 0 || dot(surface_.face_normal, light) <= 0) return value;
     const Vec3f half = normalized(light + view_);
-    const float n_dot_h = std::max(dot(surface_.normal, half), 0.0F);
+    const float n_dot_h = std::max(dot(surface_.relief_normal, half), 0.0F);
     const Vec3f mirrored_part = fresnel(surface_.reflectance(), dot(view_, half));
     const float density =
         ggx_density(n_dot_h, alpha_) * ggx_masking(n_dot_v_, alpha_) / (4 * n_dot_v_);
@@ -114,7 +114,7 @@ class PathTracer {
         continue;
       }
       add_emission(surface, ray, bounces);
-      if (bounces == 0) sums_.albedo += surface.diffuse();
+      if (bounces == 0) sums_.albedo += surface.diffuse() * relief_shade(lighting_, surface);
       if (!scatter(surface, ray, bounces)) return;
       mask = mask_opaque;
       ++bounces;

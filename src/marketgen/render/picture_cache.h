@@ -1,13 +1,17 @@
 // Drawn pictures (labels, price tags, signs, materials) kept on disk between runs, by content.
 //
-// A file holds raw RGB under $MARKETGEN_CACHE/labels; files that are damaged or cannot be written
-// are ignored. Any number of processes may share the folder.
+// Files under $MARKETGEN_CACHE/labels hold raw channels (.pic) or, of print, BC1 blocks (.bc1);
+// those that are damaged or cannot be written are ignored. They are put in place whole, so any
+// number of processes may share the folder.
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 
+#include "assets/label.h"
 #include "base/result.h"
 #include "geometry/image.h"
+#include "render/block_mips.h"
 
 namespace marketgen::raytrace {
 
@@ -15,5 +19,16 @@ namespace marketgen::raytrace {
 // else drawn and kept.
 Result<Image> cached_picture(const std::string& content,
                              const std::function<Result<Image>()>& draw);
+
+// Print as the renderer keeps it: compressed, the bars of its code beside it.
+struct Print {
+  BlockMips blocks;
+  std::optional<LabelBars> bars;
+  bool drawn = false;  // now, not read from the cache
+};
+
+// The same for print.
+Result<Print> cached_print(const std::string& content,
+                           const std::function<Result<PrintedPicture>()>& draw);
 
 }  // namespace marketgen::raytrace

@@ -5,6 +5,7 @@
 #include "base/interrupt.h"
 #include "base/parallel.h"
 #include "render/build_world.h"
+#include "render/exhibit.h"
 #include "render/filter.h"
 #include "render/path.h"
 #include "render/render.h"
@@ -198,12 +199,18 @@ class EmbreeRenderer : public Renderer {
 };
 
 }  // namespace
+
+Result<std::unique_ptr<Renderer>> create_renderer(const Scene& scene,
+                                                  const std::vector<Exhibit>& exhibits,
+                                                  Progress& progress) {
+  MARKETGEN_TRY(std::unique_ptr<World> world, build_world(scene, exhibits, progress));
+  return std::unique_ptr<Renderer>(std::make_unique<EmbreeRenderer>(std::move(world), scene));
+}
+
 }  // namespace raytrace
 
 Result<std::unique_ptr<Renderer>> Renderer::create(const Scene& scene, Progress& progress) {
-  MARKETGEN_TRY(std::unique_ptr<raytrace::World> world, raytrace::build_world(scene, progress));
-  return std::unique_ptr<Renderer>(
-      std::make_unique<raytrace::EmbreeRenderer>(std::move(world), scene));
+  return raytrace::create_renderer(scene, {}, progress);
 }
 
 }  // namespace marketgen

@@ -127,9 +127,11 @@ class EdgeResolver {
       const Vec3f stored = stored_radiance(lighting_, surface, pending.ray.direction, Lamps::seen);
       return film_.transmittance.at(around[0]) * stored + film_.overlay.at(around[0]);
     }
-    const Vec3f reflectance = rough_fresnel(
-        surface.reflectance(), -dot(surface.normal, pending.ray.direction), surface.roughness);
-    const Vec3f behind = surface.diffuse() * film_.irradiance.at(*best) * inverse_pi +
+    const Vec3f reflectance = rough_fresnel(surface.reflectance(),
+                                            -dot(surface.relief_normal, pending.ray.direction),
+                                            surface.roughness);
+    const Vec3f lit = surface.diffuse() * relief_shade(lighting_, surface);
+    const Vec3f behind = lit * film_.irradiance.at(*best) * inverse_pi +
                          reflectance * film_.gloss.at(*best) + surface.emission;
     return film_.transmittance.at(*best) * behind + film_.overlay.at(*best);
   }

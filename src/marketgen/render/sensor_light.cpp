@@ -17,6 +17,8 @@ constexpr float mirror_footprint = 0.6F;  // times alpha, metres per metre
 // Single samples are capped, in units of what a picture shows as white: rarer, brighter ones would
 // stay as spots.
 constexpr float brightest_direct = 30, brightest_bounce = 6, brightest_mirror = 5;
+// Relief changes the light on a surface within these bounds, once it turns by about 2 degrees.
+constexpr float darkest_relief = 0.3F, brightest_relief = 1.8F, least_turn = 6e-4F;
 constexpr float ceiling_share = 0.97F;  // a ray that gets this far along has reached the ceiling
 
 Vec3f capped(Vec3f value, float limit) {
@@ -153,7 +155,7 @@ class TileLighter {
     for (std::size_t i = 0; i < tile_pixels; ++i) {
       if (!lit(i)) continue;
       const Surface& surface = tile_.hits[i].surface;
-      const Vec3f mirror = mirrored(tile_.hits[i].ray.direction, surface.normal);
+      const Vec3f mirror = mirrored(tile_.hits[i].ray.direction, surface.relief_normal);
       if (!is_glossy(surface)) {
         gloss_[i] = lighting_.field.at(place_of(surface), mirror) * inverse_pi;
         continue;
@@ -172,7 +174,7 @@ class TileLighter {
   Vec3f mirror_direction(std::size_t i, int s, int rays) const {
     const Surface& surface = tile_.hits[i].surface;
     const Vec2f numbers = pattern(i, rays).at(SampleUse::reflection, s);
-    const TangentFrame frame(surface.normal);
+    const TangentFrame frame(surface.relief_normal);
     const Vec3f view = frame.to_local(-tile_.hits[i].ray.direction);
     const float alpha = surface.roughness * surface.roughness;
     const Vec3f half = ggx_half_vector(view, std::max(alpha, 1e-3F), numbers.x, numbers.y);
@@ -244,6 +246,10 @@ class TileLighter {
       if (!tile_.inside(k)) continue;
       const std::size_t i = film.index(tile_.x_of(k), tile_.y_of(k));
       film.irradiance.set(i, irradiance_[k]);
+      // Light is gathered and smoothed as on a flat face; what the relief makes of it goes to the
+      // albedo, which stays sharp.
+      if (tile_.hits[k].any)
+        film.albedo.set(i, film.albedo.at(i) * relief_shade(lighting_, tile_.hits[k].surface));
       film.gloss.set(i, gloss_[k]);
       film.overlay.set(i, overlay_[k]);
     }
@@ -261,6 +267,12 @@ class TileLighter {
 
 bool is_glossy(const Surface& surface) {
   return surface.roughness < glossy_below;
+}
+
+float relief_shade(const Lighting& lighting, const Surface& surface) {
+  if (dot(surface.relief_normal, surface.normal) > 1 - least_turn) return 1;
+  const float shade = lighting.field.tilt(place_of(surface), surface.normal, surface.relief_normal);
+  return std::clamp(shade, darkest_relief, brightest_relief);
 }
 
 Vec3f stored_radiance(const Lighting& lighting,

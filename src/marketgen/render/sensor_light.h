@@ -26,6 +26,10 @@ Vec3f stored_radiance(const Lighting& lighting,
                       Vec3f direction,
                       Lamps lamps);
 
+// How much more or less diffuse light the surface's relief catches than its flat face: from stored
+// light, so without noise.
+float relief_shade(const Lighting& lighting, const Surface& surface);
+
 // Whether a mirror ray is worth its cost; rougher surfaces take the stored light of their mirror
 // side.
 bool is_glossy(const Surface& surface);

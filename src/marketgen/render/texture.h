@@ -1,36 +1,41 @@
-// Textures: linear light in square-root encoding, 8 bits a channel, with mip levels; trilinear
-// look-up.
+// Textures: linear light in square-root encoding with mip levels; trilinear look-up. Either eight
+// bits a channel, or BC1 blocks with the bars of a code beside them.
 #pragma once
-#include <cstdint>
-#include <vector>
+#include <optional>
 
 #include "geometry/image.h"
 #include "geometry/vector.h"
+#include "render/block_mips.h"
+#include "render/mip_chain.h"
+#include "render/printed_bars.h"
 
 namespace marketgen::raytrace {
 
 class Texture {
  public:
   Texture() = default;
+  // Of the first three channels of `image`.
   explicit Texture(const Image& image);
+  // Of a picture that `blocks_of` made.
+  explicit Texture(BlockMips blocks, const std::optional<LabelBars>& bars = std::nullopt);
 
   // Linear RGB at (u, v); (0, 0) is the top left, both axes repeat. `lod` 0 = the image itself, 1 =
   // half its size.
   Vec3f sample(float u, float v, float lod) const;
   Vec3f mean() const { return sample(0.5F, 0.5F, 1e9F); }
-  int width() const { return levels_.empty() ? 1 : levels_[0].width; }
-  int height() const { return levels_.empty() ? 1 : levels_[0].height; }
-  std::size_t bytes() const { return texels_.size() * sizeof(texels_[0]); }
+  int width() const { return mips_.empty() ? blocks_.width() : mips_.width(); }
+  int height() const { return mips_.empty() ? blocks_.height() : mips_.height(); }
+  std::size_t bytes() const { return mips_.bytes() + blocks_.bytes(); }
+
+  friend BlockMips blocks_of(const Image& image);
 
  private:
-  struct Level {
-    int width = 1, height = 1;
-    std::size_t offset = 0;
-  };
-  void add_level(const Level& finer);
-
-  std::vector<std::uint32_t> texels_;
-  std::vector<Level> levels_;
+  MipChain mips_;
+  BlockMips blocks_;
+  std::optional<PrintedBars> bars_;
 };
+
+// The picture in the encoding of textures, compressed.
+BlockMips blocks_of(const Image& image);
 
 }  // namespace marketgen::raytrace

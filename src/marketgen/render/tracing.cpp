@@ -10,6 +10,7 @@ namespace {
 
 constexpr float surface_lift_m =
     3e-4F;  // longer than float error at 100 m, shorter than any gap that shows
+constexpr float least_tilt = 0.012F;  // 0.7 degrees: relief below shows nowhere
 constexpr float least_facing =
     0.03F;  // shading normals are bent to face the viewer at least this much
 
@@ -76,17 +77,42 @@ void face_viewer(Surface& s, Vec3f direction) {
   if (facing > -least_facing) s.normal = normalized(s.normal - direction * (facing + least_facing));
 }
 
-Vec3f textured_albedo(const World& world,
-                      const Material& material,
-                      const TriangleRecord& record,
-                      const Hit& hit,
-                      float footprint) {
-  if (material.texture < 0) return material.color;
+// The texture's rows and columns at a hit, in the store frame.
+TextureAxes axes_at(const World& world, const TriangleRecord& record, const Hit& hit) {
+  const TextureAxes axes = texture_axes(record.tangent, unpacked_normal(record.face_normal));
+  if (hit.instance == RTC_INVALID_GEOMETRY_ID) return axes;
+  const Placement& place = world.instances[hit.instance].world_from_mesh;
+  return {place.turn(axes.along), place.turn(axes.up)};
+}
+
+// Tilts the shading normal, which keeps facing the viewer.
+void tilt(Surface& s, const Relief& relief, const TextureAxes& axes, Vec3f direction) {
+  const float squared = relief.tilt_x * relief.tilt_x + relief.tilt_y * relief.tilt_y;
+  const Vec3f tilted = s.normal * std::sqrt(std::max(0.0F, 1 - squared)) +
+                       axes.along * relief.tilt_x + axes.up * relief.tilt_y;
+  const float facing = dot(tilted, direction);
+  s.relief_normal =
+      normalized(facing > -least_facing ? tilted - direction * (facing + least_facing) : tilted);
+}
+
+// Colour, gloss and tilt from the material's textures.
+void add_textures(
+    Surface& s, const World& world, const Hit& hit, Vec3f direction, float footprint) {
+  const TriangleRecord& record = record_of(world, hit);
+  const Material& material = world.materials[record.material];
+  if (material.texture < 0) return;
   const float w = 1 - hit.u - hit.v;
   const Vec2f uv = record.uvs[0] * w + record.uvs[1] * hit.u + record.uvs[2] * hit.v;
   const float lod = record.texel_density + rough_log2(std::max(footprint, 1e-6F));
-  return material.color *
-         world.textures[static_cast<std::size_t>(material.texture)].sample(uv.x, uv.y, lod);
+  s.albedo *= world.textures[static_cast<std::size_t>(material.texture)].sample(uv.x, uv.y, lod);
+  if (material.relief < 0) return;
+  const ReliefTexture& texture = world.reliefs[static_cast<std::size_t>(material.relief)];
+  const Relief relief = texture.sample(uv.x, uv.y, lod);
+  s.roughness = std::min(1.0F, relief.roughness * material.roughness_scale);
+  s.metallic = relief.metallic;
+  const bool tilted = std::max(std::fabs(relief.tilt_x), std::fabs(relief.tilt_y)) > least_tilt;
+  if (tilted && lod < texture.flat_lod() && !s.back_face)
+    tilt(s, relief, axes_at(world, record, hit), direction);
 }
 
 }  // namespace
@@ -186,12 +212,13 @@ Surface surface_at(const World& world, const Ray& ray, const Hit& hit, float foo
   s.normal = normalized(s.normal);
   face_viewer(s, ray.direction);
   const float slant = std::max(0.15F, -dot(s.face_normal, ray.direction));
-  s.albedo =
-      textured_albedo(world, material, record, hit, footprint / std::sqrt(slant)) * brightness;
-  s.position = ray.origin + ray.direction * hit.t + s.face_normal * surface_lift_m;
-  s.emission = material.emission;
+  s.albedo = material.color * brightness;
+  s.relief_normal = s.normal;
   s.roughness = material.roughness;
   s.metallic = material.metallic;
+  add_textures(s, world, hit, ray.direction, footprint / std::sqrt(slant));
+  s.position = ray.origin + ray.direction * hit.t + s.face_normal * surface_lift_m;
+  s.emission = material.emission;
   s.distance = hit.t;
   s.material = record.material;
   s.glass = material.glass;

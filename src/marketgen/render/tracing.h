@@ -47,6 +47,7 @@ bool is_blocked(const World& world, const Ray& ray, unsigned mask);
 struct Surface {
   Vec3f position;             // lifted 0.3 mm off the triangle, towards the viewer
   Vec3f face_normal, normal;  // towards the viewer
+  Vec3f relief_normal;        // the same with the material's relief
   Vec3f albedo;               // diffuse colour, or the metal's colour
   Vec3f emission;
   float roughness = 0.5F, metallic = 0;

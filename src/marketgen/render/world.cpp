@@ -98,7 +98,33 @@ void pad_for_embree(TriangleSet& set) {
   set.positions.reserve(set.positions.size() + 1);
 }
 
+constexpr float tangent_steps = 32768;  // of a full turn
+
 }  // namespace
+
+std::uint16_t packed_tangent(const std::array<Vec3f, 3>& p,
+                             const std::array<Vec2f, 3>& uv,
+                             Vec3f face_normal) {
+  const Vec3f e1 = p[1] - p[0], e2 = p[2] - p[0];
+  const Vec2f a = uv[1] - uv[0], b = uv[2] - uv[0];
+  const float area = a.x * b.y - b.x * a.y;
+  const float sign = area < 0 ? -1.0F : 1.0F;
+  const Vec3f along = (e1 * b.y - e2 * a.y) * sign, down = (e2 * a.x - e1 * b.x) * sign;
+  const TangentFrame frame(face_normal);
+  const float turn = std::atan2(dot(along, frame.bitangent), dot(along, frame.tangent)) / two_pi;
+  const auto step = static_cast<std::uint32_t>(std::lround((turn + 1) * tangent_steps)) % 32768U;
+  // v grows downwards in the texture.
+  const bool mirrored = dot(cross(face_normal, along), down) > 0;
+  return static_cast<std::uint16_t>(step << 1 | (mirrored ? 1U : 0U));
+}
+
+TextureAxes texture_axes(std::uint16_t packed, Vec3f face_normal) {
+  const TangentFrame frame(face_normal);
+  const float turn = static_cast<float>(packed >> 1) * (two_pi / tangent_steps);
+  const Vec3f along = frame.tangent * std::cos(turn) + frame.bitangent * std::sin(turn);
+  const Vec3f up = cross(face_normal, along);
+  return {along, (packed & 1U) != 0 ? -up : up};
+}
 
 AreaLight make_area_light(Vec3f corner, Vec3f edge_u, Vec3f edge_v, Vec3f radiance) {
   const Vec3f across = cross(edge_u, edge_v);
@@ -143,6 +169,8 @@ void append(TriangleSet& solid,
     record.face_normal = packed(normalized(cross(p[1] - p[0], p[2] - p[0])));
     record.texel_density = texel_density(p, record.uvs, material, world);
     record.material = material_id;
+    if (material.relief >= 0)
+      record.tangent = packed_tangent(p, record.uvs, unpacked_normal(record.face_normal));
     record.light = owner.light;
     record.owner = owner.id;
     sets[side]->triangles.push_back(

@@ -13,6 +13,7 @@
 #include "geometry/mesh.h"
 #include "geometry/pose.h"
 #include "render/embree_handle.h"
+#include "render/relief_texture.h"
 #include "render/texture.h"
 
 namespace marketgen::raytrace {
@@ -29,6 +30,9 @@ struct Material {
   Vec3f emission{};               // radiance it sends out by itself
   float roughness = 0.5F, metallic = 0;
   std::int32_t texture = -1;  // index into World::textures
+  // Index into World::reliefs: normals, and roughness and metallic instead of those above.
+  std::int32_t relief = -1;
+  float roughness_scale = 1;  // on the relief's
   bool glass = false;  // thin pane: reflects, lets the rest straight through, tinted by `color`
 };
 
@@ -46,11 +50,25 @@ struct alignas(64) TriangleRecord {
   std::array<Vec2f, 3> uvs;
   float texel_density = 0;  // log2(texels per metre): mip level = this + log2(footprint)
   std::uint16_t material = 0;
-  std::uint16_t reserved = 0;
+  std::uint16_t tangent = 0;  // where the texture's rows run: see packed_tangent
   std::int32_t light = -1;  // of the light it shows: index into World::lights or TracedMesh::lights
   std::uint32_t owner = 0;  // Frame::instance id; triangles of instances take their instance's
 };
 static_assert(sizeof(TriangleRecord) == 64);
+
+inline Vec3f unpacked_normal(const std::array<std::int16_t, 3>& n) {
+  return normalized(
+      Vec3f{static_cast<float>(n[0]), static_cast<float>(n[1]), static_cast<float>(n[2])});
+}
+// The direction in which u grows on a triangle, as an angle in the TangentFrame of its face normal;
+// the lowest bit is set where the texture is seen mirrored.
+std::uint16_t packed_tangent(const std::array<Vec3f, 3>& positions,
+                             const std::array<Vec2f, 3>& uvs,
+                             Vec3f face_normal);
+struct TextureAxes {
+  Vec3f along, up;  // of the texture's rows, and towards its top; unit vectors in the face's plane
+};
+TextureAxes texture_axes(std::uint16_t packed, Vec3f face_normal);
 
 // Triangles under one Embree geometry.
 struct TriangleSet {
@@ -96,6 +114,7 @@ struct Surroundings {
 struct World {
   Device device;
   std::vector<Texture> textures;
+  std::vector<ReliefTexture> reliefs;
   std::vector<Material> materials;
   TriangleSet shell, shell_glass, ceiling;  // in the store frame
   std::vector<TracedMesh> meshes;

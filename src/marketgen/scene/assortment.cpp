@@ -4,26 +4,13 @@
 #include <tuple>
 
 #include "base/text.h"
+#include "catalog/zone_goods.h"
 
 namespace marketgen {
 namespace {
 
-bool keeps(Storage fixture, Storage product) {
-  if (product == fixture) return true;
-  return fixture == Storage::chilled && product == Storage::ambient;  // drinks in a cooler
-}
-
 std::size_t position_in(const std::vector<std::string>& list, const std::string& name) {
   return static_cast<std::size_t>(std::find(list.begin(), list.end(), name) - list.begin());
-}
-
-bool sold_in(const Product& product,
-             const std::vector<std::string>& categories,
-             const std::vector<std::string>& subcategories) {
-  if (!categories.empty() && position_in(categories, product.category) == categories.size())
-    return false;
-  return subcategories.empty() ||
-         position_in(subcategories, product.subcategory) != subcategories.size();
 }
 
 double volume_of(const Product& product) {

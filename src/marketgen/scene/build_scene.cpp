@@ -25,7 +25,12 @@ FixtureShape shape_of(const Fixture& fixture, const FixtureKind& kind, const Loo
           .end = fixture.run_end,
           .material = fixture.material,
           .color = fixture.color,
-          .accent = look.accent};
+          .accent = kind.accent.empty() ? look.accent : kind.accent,
+          .spacings_mm = kind.spacings_mm,
+          .board_mm = kind.board_mm,
+          .shelf_tilt_deg = kind.shelf_tilt_deg,
+          .fence_mm = kind.fence_mm,
+          .header_mm = kind.header_mm};
 }
 
 auto key_of(const FixtureShape& s) {
@@ -41,7 +46,12 @@ auto key_of(const FixtureShape& s) {
                     s.end,
                     s.material,
                     s.color,
-                    s.accent);
+                    s.accent,
+                    s.spacings_mm,
+                    s.board_mm,
+                    s.shelf_tilt_deg,
+                    s.fence_mm,
+                    s.header_mm);
 }
 
 std::array<float, 3> as_array(Vec3 v) {
@@ -100,8 +110,14 @@ std::int32_t material_row(Scene& scene, const std::string& id, const Catalog& ca
   return static_cast<std::int32_t>(scene.materials.size() - 1);
 }
 
+// The scene's row of a fixture's own; -1 stays -1.
+std::int32_t joint_row(std::uint32_t first_joint, int joint) {
+  return joint < 0 ? -1 : static_cast<std::int32_t>(first_joint) + joint;
+}
+
 void add_part(Scene& scene,
               std::uint32_t fixture,
+              std::uint32_t first_joint,
               const FixturePart& part,
               const Catalog& catalog) {
   ScenePart row;
@@ -116,7 +132,31 @@ void add_part(Scene& scene,
   row.roughness = part.surface.roughness;
   row.metallic = part.surface.metallic;
   row.material = material_row(scene, part.surface.texture, catalog);
+  row.joint = joint_row(first_joint, part.joint);
   scene.parts.push_back(row);
+}
+
+void add_joint(Scene& scene,
+               std::uint32_t fixture,
+               std::uint32_t first_joint,
+               const FixtureJoint& joint) {
+  SceneJoint row;
+  row.fixture = fixture;
+  row.name = joint.name;
+  row.kind = joint.kind;
+  row.parent = joint_row(first_joint, joint.parent);
+  row.position_m = as_array(joint.fixture_from_joint.position);
+  row.rotation_wxyz = as_array(joint.fixture_from_joint.rotation);
+  row.lower = static_cast<float>(joint.lower);
+  row.upper = static_cast<float>(joint.upper);
+  row.friction = static_cast<float>(joint.friction);
+  row.damping = static_cast<float>(joint.damping);
+  row.stiffness = static_cast<float>(joint.stiffness);
+  row.spring_rest = static_cast<float>(joint.spring_rest);
+  row.hold_open = static_cast<float>(joint.hold_open);
+  row.mass_kg = static_cast<float>(joint.mass_kg);
+  row.states = joint.states;
+  scene.joints.push_back(std::move(row));
 }
 
 void add_shelf(Scene& scene, std::uint32_t fixture, const ShelfSurface& shelf) {
@@ -146,8 +186,12 @@ void add_fixture(Scene& scene,
   row.shelf_count = static_cast<std::uint32_t>(model.shelves.size());
   row.position_m = as_array(Vec3{fixture.x_mm * 1e-3, fixture.y_mm * 1e-3, 0});
   row.quarter_turns = fixture.yaw_deg / 90;
+  row.first_joint = static_cast<std::uint32_t>(scene.joints.size());
+  row.joint_count = static_cast<std::uint32_t>(model.joints.size());
   for (const FixturePart& part : model.parts)
-    add_part(scene, index, part, catalog);
+    add_part(scene, index, row.first_joint, part, catalog);
+  for (const FixtureJoint& joint : model.joints)
+    add_joint(scene, index, row.first_joint, joint);
   for (const ShelfSurface& shelf : model.shelves)
     add_shelf(scene, index, shelf);
   scene.fixtures.push_back(row);

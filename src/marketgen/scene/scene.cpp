@@ -85,6 +85,7 @@ std::string scene_hash(const Scene& scene) {
   }
   for (const Product& product : scene.catalog) {
     hash.add(product.sku).add(product.archetype);
+    if (!product.mesh.empty()) hash.add(product.mesh);
     for (const int s : product.size_mm)
       hash.add(s);
   }

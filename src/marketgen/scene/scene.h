@@ -24,6 +24,7 @@ namespace marketgen {
 // What a scene file may hold; a store is at most 200 m wide.
 constexpr FieldRules in_the_store = range(-1000, 1000), store_size = range(0, 1000);
 constexpr FieldRules unit_rotation = range(-1.001, 1.001);
+constexpr FieldRules joint_reach = range(-10'000, 10'000), joint_force = range(0, 1e6);
 
 // One module in its place: layout.fixtures[i] belongs to fixtures[i].
 struct SceneFixture {
@@ -31,6 +32,7 @@ struct SceneFixture {
   std::uint32_t first_shelf = 0, shelf_count = 0;  // in shelves
   std::array<float, 3> position_m{};               // world_from_fixture
   std::int32_t quarter_turns = 0;                  // yaw / 90
+  std::uint32_t first_joint = 0, joint_count = 0;  // in joints
 
   static constexpr auto fields = field_list(
       field("first_part", &SceneFixture::first_part, "first row in parts"),
@@ -38,7 +40,53 @@ struct SceneFixture {
       field("first_shelf", &SceneFixture::first_shelf, "first row in shelves"),
       field("shelf_count", &SceneFixture::shelf_count, "rows in shelves"),
       field("position_m", &SceneFixture::position_m, "origin in the store frame", in_the_store),
-      field("quarter_turns", &SceneFixture::quarter_turns, "yaw divided by 90 degrees"));
+      field("quarter_turns", &SceneFixture::quarter_turns, "yaw divided by 90 degrees"),
+      field("first_joint", &SceneFixture::first_joint, "first row in joints"),
+      field("joint_count", &SceneFixture::joint_count, "rows in joints"));
+};
+
+// One degree of freedom, in its fixture's frame (see FixtureJoint). Parents stand before children.
+struct SceneJoint {
+  std::uint32_t fixture = 0;
+  std::string name;  // unique within the fixture
+  JointKind kind = JointKind::hinge;
+  std::int32_t parent = -1;           // row in joints, or -1: the fixture's body carries it
+  std::array<float, 3> position_m{};  // fixture_from_joint at position 0; it moves about or along Z
+  std::array<float, 4> rotation_wxyz{1, 0, 0, 0};
+  float lower = 0, upper = 0;
+  float friction = 0, damping = 0;
+  float stiffness = 0, spring_rest = 0, hold_open = 0;
+  float mass_kg = 1;
+  std::vector<JointState> states;
+
+  static constexpr auto fields = field_list(
+      field("fixture", &SceneJoint::fixture, "row in fixtures"),
+      field("name", &SceneJoint::name, "unique within the fixture", identifier()),
+      field("kind", &SceneJoint::kind, "how it moves"),
+      field("parent", &SceneJoint::parent, "row in joints that carries it, -1 for the fixture"),
+      field("position_m",
+            &SceneJoint::position_m,
+            "a point of the axis, in the fixture frame",
+            in_the_store),
+      field("rotation_wxyz",
+            &SceneJoint::rotation_wxyz,
+            "turns Z onto the axis, in the fixture frame",
+            unit_rotation),
+      field("lower", &SceneJoint::lower, "least position: radians, metres or m/s", joint_reach),
+      field("upper", &SceneJoint::upper, "greatest position", joint_reach),
+      field("friction", &SceneJoint::friction, "dry friction, N m or N", joint_force),
+      field("damping", &SceneJoint::damping, "N m s/rad or N s/m", joint_force),
+      field("stiffness", &SceneJoint::stiffness, "spring, N m/rad or N/m", joint_force),
+      field("spring_rest", &SceneJoint::spring_rest, "where the spring is slack", joint_reach),
+      field("hold_open",
+            &SceneJoint::hold_open,
+            "position from which it stays open by itself, 0 for nowhere",
+            joint_reach),
+      field("mass_kg",
+            &SceneJoint::mass_kg,
+            "of the parts on it, without the joints that it carries",
+            range(0, 10'000)),
+      field("states", &SceneJoint::states, "named positions, the one at rest first"));
 };
 
 // One minimal unit, in its fixture's frame.
@@ -53,6 +101,7 @@ struct ScenePart {
   std::array<float, 3> color{};  // linear RGB
   float roughness = 0.5F, metallic = 0;
   std::int32_t material = -1;  // row in materials, or -1 for the plain colour
+  std::int32_t joint = -1;     // row in joints that moves it, or -1: fixed
 
   static constexpr auto fields = field_list(
       field("fixture", &ScenePart::fixture, "row in fixtures"),
@@ -65,7 +114,8 @@ struct ScenePart {
       field("color", &ScenePart::color, "linear RGB"),
       field("roughness", &ScenePart::roughness, "0 mirror, 1 chalk"),
       field("metallic", &ScenePart::metallic, "0 dielectric, 1 metal"),
-      field("material", &ScenePart::material, "row in materials, -1 for plain colour"));
+      field("material", &ScenePart::material, "row in materials, -1 for plain colour"),
+      field("joint", &ScenePart::joint, "row in joints that moves it, -1 for fixed"));
 };
 
 // One stocked surface, in its fixture's frame (see ShelfSurface).
@@ -172,6 +222,7 @@ struct Scene {
   std::vector<PriceLabel> price_labels;
   std::vector<Product> catalog;        // the slice in use, sorted by sku
   std::vector<MaterialRow> materials;  // the slice in use
+  std::vector<SceneJoint> joints;      // by fixture, parents before children
 
   static constexpr auto fields =
       field_list(field("schema", &Scene::schema, "schema tag", constant("market-scene/1")),
@@ -184,7 +235,8 @@ struct Scene {
                  field("products", &Scene::products, "single items"),
                  field("price_labels", &Scene::price_labels, "labels on shelf edges"),
                  field("catalog", &Scene::catalog, "products in use"),
-                 field("materials", &Scene::materials, "materials in use"));
+                 field("materials", &Scene::materials, "materials in use"),
+                 field("joints", &Scene::joints, "what moves"));
 };
 
 // What the scene needs of the plan: stock per zone, overrides, placements.

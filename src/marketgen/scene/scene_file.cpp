@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "catalog/own_mesh.h"
 #include "io/file.h"
 #include "io/flatbuffer.h"
 #include "scene/placements.h"
@@ -61,6 +64,7 @@ void check_fixtures(const Scene& scene, IndexCheck& check) {
     const SceneFixture& f = scene.fixtures[i];
     check.range("fixtures", i, "parts", f.first_part, f.part_count, scene.parts.size());
     check.range("fixtures", i, "shelves", f.first_shelf, f.shelf_count, scene.shelves.size());
+    check.range("fixtures", i, "joints", f.first_joint, f.joint_count, scene.joints.size());
   }
   for (std::size_t i = 0; i < scene.parts.size(); ++i) {
     check.row("parts", i, "fixture", scene.parts[i].fixture, scene.fixtures.size());
@@ -74,6 +78,39 @@ void check_fixtures(const Scene& scene, IndexCheck& check) {
   }
   for (std::size_t i = 0; i < scene.shelves.size(); ++i)
     check.row("shelves", i, "fixture", scene.shelves[i].fixture, scene.fixtures.size());
+}
+
+// Limits the right way round, and every named position within them.
+bool has_sound_range(const SceneJoint& joint) {
+  constexpr double rounding = 1e-5;  // limits are single precision, states double
+  const double low = joint.lower - rounding, high = joint.upper + rounding;
+  return joint.lower <= joint.upper && low <= 0 && high >= 0 &&
+         std::ranges::all_of(joint.states, [&](const JointState& state) {
+           return state.position >= low && state.position <= high;
+         });
+}
+
+// What a row of joints must fulfil beside its field rules: a parent that stands before it on the
+// same fixture, so that no chain of parents ever closes.
+void check_joints(const Scene& scene, IndexCheck& check) {
+  for (std::size_t i = 0; i < scene.joints.size(); ++i) {
+    const SceneJoint& joint = scene.joints[i];
+    check.row("joints", i, "fixture", joint.fixture, scene.fixtures.size());
+    check.require(has_sound_range(joint), "limits and states of a joint do not fit together");
+    if (joint.parent < 0) continue;
+    const auto parent = static_cast<std::size_t>(joint.parent);
+    check.row("joints", i, "parent", parent, i);
+    check.require(parent >= i || scene.joints[parent].fixture == joint.fixture,
+                  "a joint and its parent are on two fixtures");
+  }
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    const ScenePart& part = scene.parts[i];
+    if (part.joint < 0) continue;
+    const auto joint = static_cast<std::size_t>(part.joint);
+    check.row("parts", i, "joint", joint, scene.joints.size());
+    check.require(joint >= scene.joints.size() || scene.joints[joint].fixture == part.fixture,
+                  "a part and its joint are on two fixtures");
+  }
 }
 
 void check_stock(const Scene& scene, IndexCheck& check) {
@@ -105,6 +142,7 @@ Result<void> check_indices(const Scene& scene, const std::string& source) {
   IndexCheck check(source);
   check.require(scene.schema == "market-scene/1", "the schema tag is not market-scene/1");
   check_fixtures(scene, check);
+  check_joints(scene, check);
   check_stock(scene, check);
   return check.result();
 }
@@ -119,7 +157,9 @@ Result<Scene> decode_scene(std::span<const std::byte> bytes, const std::string& 
 
 Result<Scene> open_scene(const std::filesystem::path& file) {
   MARKETGEN_TRY(const MappedFile mapped, MappedFile::open(file));
-  return decode_scene(mapped.bytes(), file.string());
+  MARKETGEN_TRY(Scene scene, decode_scene(mapped.bytes(), file.string()));
+  MARKETGEN_CHECK(restore_meshes(scene.catalog, file.parent_path()));
+  return scene;
 }
 
 }  // namespace marketgen

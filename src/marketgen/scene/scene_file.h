@@ -15,6 +15,7 @@ std::string encode_scene(const Scene& scene);
 // scene.corrupt, scene.wrong_version.
 Result<Scene> decode_scene(std::span<const std::byte> bytes, const std::string& source);
 Result<void> check_indices(const Scene& scene, const std::string& source);
-Result<Scene> open_scene(const std::filesystem::path& file);  // mapped, verified, decoded
+// Mapped, verified, decoded; meshes of users' own products that lie beside it are kept for use.
+Result<Scene> open_scene(const std::filesystem::path& file);
 
 }  // namespace marketgen

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assets/product_model.h"
 #include "scene/scene.h"
 
 namespace marketgen {
@@ -15,20 +16,13 @@ constexpr double pushed_back_m =
     0.012;  // a column's front item stands up to this far behind the edge
 constexpr double shopped_share = 0.12;  // of columns have lost their front item, at jitter 1
 constexpr double sold_depth_share =
-    0.5;  // a column has sold up to this share of its rows; the rest was pulled forward
+    0.8;  // a column has sold up to this share of its rows; the rest was pulled forward
 
+// Whether it takes no more room however it is turned about its upright axis.
 bool is_round(const Product& product) {
-  static constexpr std::string_view round[] = {"can",
-                                               "food_tin",
-                                               "soda_bottle",
-                                               "water_bottle",
-                                               "wine_bottle",
-                                               "beer_bottle",
-                                               "sauce_bottle",
-                                               "jar",
-                                               "tub"};
-  return product.size_mm[0] == product.size_mm[1] &&
-         std::find(std::begin(round), std::end(round), product.archetype) != std::end(round);
+  const Result<CollisionPrimitive> primitive = collision_of(product);
+  return primitive.ok() && primitive->shape == CollisionShape::cylinder && !primitive->lying &&
+         product.size_mm[0] == product.size_mm[1];
 }
 
 // Largest tan(half yaw) that keeps neighbours `kept_gap_m` apart: a turned box of depth d is d *
@@ -102,34 +96,53 @@ void stand_items(FilledBlock& block,
   }
 }
 
-// Layers of a heap: the upper ones lie in the pockets of the lower, as balls (or, lying along X,
-// cylinders) do.
+// How loose pieces lie on one another: balls in the pockets of four, logs (along X) between two,
+// blocks one on another.
+enum class HeapKind { balls, logs, blocks };
+
+HeapKind heap_kind_of(const Product& product) {
+  const Result<CollisionPrimitive> primitive = collision_of(product);
+  if (!primitive.ok()) return HeapKind::blocks;
+  if (primitive->shape == CollisionShape::ellipsoid) return HeapKind::balls;
+  return primitive->lying ? HeapKind::logs : HeapKind::blocks;
+}
+
+// Of one layer over the next, in heights of a piece.
+double layer_rise(HeapKind kind) {
+  if (kind == HeapKind::balls) return std::sqrt(0.5);      // a ball among four
+  return kind == HeapKind::logs ? std::sqrt(3.0) / 2 : 1;  // a cylinder between two
+}
+
+// Layers of a heap, each in the pockets of the one below.
 void heap_items(FilledBlock& block,
                 const Product& product,
                 const ShelfRoom& room,
                 const StockSpec& stock,
                 Stream& draw) {
-  const bool lying = product.archetype == "elongated_produce";
+  const HeapKind kind = heap_kind_of(product);
+  const bool balls = kind == HeapKind::balls;
   const double across_m =
       std::max(product.width_m(), product.depth_m());  // balls lie any way round
-  const double w = (lying ? product.width_m() : across_m) + kept_gap_m,
-               d = (lying ? product.depth_m() : across_m) + kept_gap_m;
+  const double w = (balls ? across_m : product.width_m()) + kept_gap_m,
+               d = (balls ? across_m : product.depth_m()) + kept_gap_m;
   const double h = product.height_m();
-  const double limit = lying ? 0.0 : 1.0;  // tan(half angle): 90 degrees either way
-  const double rise = h * (lying ? std::sqrt(3.0) / 2
-                                 : std::sqrt(0.5));  // of a cylinder between two, a ball among four
+  const double limit = balls ? 1.0 : 0.0;  // tan(half angle): 90 degrees either way
+  const double rise = h * layer_rise(kind);
+  const int most_layers = kind == HeapKind::blocks ? product.stack_max : 3;
   const int columns = std::max(1, static_cast<int>(block.width_m / w));
   const int rows = std::max(1, static_cast<int>(room.depth_m / d));
-  const int layers = std::clamp(1 + static_cast<int>((room.clearance_m - h) / rise), 1, 3);
+  const int layers =
+      std::clamp(1 + static_cast<int>((room.clearance_m - h) / rise), 1, most_layers);
   const double left =
       block.x_m - room.width_m / 2 + (block.width_m - static_cast<double>(columns) * w) / 2;
   block.rows_deep = rows;
   block.stack = layers;
   block.facings = columns;
   for (int layer = 0; layer < layers; ++layer) {
-    const int across = lying ? columns : columns - layer;
-    const int deep = rows - layer;
-    const double shift_x = lying ? 0 : w / 2 * layer, shift_y = d / 2 * layer;
+    const int across = balls ? columns - layer : columns;
+    const int deep = kind == HeapKind::blocks ? rows : rows - layer;
+    const double shift_x = balls ? w / 2 * layer : 0;
+    const double shift_y = kind == HeapKind::blocks ? 0 : d / 2 * layer;
     for (int row = 0; row < deep; ++row) {
       for (int column = 0; column < across; ++column) {
         if (layer == layers - 1 && layer > 0 && draw.chance(0.25 * stock.jitter))
@@ -156,8 +169,9 @@ double spread_gap(const PlannedShelf& plan, const ShelfRoom& room, const Catalog
 }  // namespace
 
 bool lies_in_a_heap(const Product& product) {
-  return product.archetype == "round_produce" || product.archetype == "elongated_produce" ||
-         product.archetype == "leafy_produce";
+  const bool loose = product.orientation == Orientation::any && product.material == "skin";
+  return loose || product.archetype == "round_produce" ||
+         product.archetype == "elongated_produce" || product.archetype == "leafy_produce";
 }
 
 std::vector<FilledBlock> fill_shelf(const PlannedShelf& plan,

@@ -4,10 +4,12 @@
 
 #include "base/build_info.h"
 #include "base/interrupt.h"
+#include "catalog/own_mesh.h"
 #include "io/file.h"
 #include "io/json.h"
 #include "io/png.h"
 #include "layout/layout_picture.h"
+#include "plan/style_look.h"
 #include "scene/query.h"
 #include "scene/scene_file.h"
 #include "store/previews.h"
@@ -49,6 +51,20 @@ Result<Planned> plan_of(const CreateOptions& options, const Catalog& catalog, Se
   }
   MARKETGEN_TRY(const std::unique_ptr<Planner> planner, make_planner(options.brief.planner));
   return plan_from_brief(options.brief, catalog, *planner, seed.child("plan"));
+}
+
+// The look that was asked for apart from the plan: the layout does not depend on it.
+Result<void> put_on_skin(Plan& plan, const Brief& brief, const Catalog& catalog) {
+  if (!brief.skin) return {};
+  MARKETGEN_TRY(const StyleRow* style, style_called(catalog, *brief.skin, "--skin"));
+  plan.look = look_of(*style);
+  std::erase_if(plan.provenance,
+                [](const Provenance& entry) { return entry.path.starts_with("/look/"); });
+  Provenance flag;
+  flag.path = "/look";
+  flag.source = Source::flag;
+  plan.provenance.push_back(flag);
+  return {};
 }
 
 StoreBounds bounds_of(const Scene& scene) {
@@ -110,6 +126,7 @@ Result<Built> build(const CreateOptions& options, const Catalog& catalog, Stages
   const Seed seed(options.seed);
   MARKETGEN_TRY(Planned planned,
                 stages.run("plan", [&] { return plan_of(options, catalog, seed); }));
+  MARKETGEN_CHECK(put_on_skin(planned.plan, options.brief, catalog));
   MARKETGEN_TRY(Repaired repaired, stages.run("repair", [&] {
     return repair_plan(planned.plan, catalog, seed.child("layout"));
   }));
@@ -161,6 +178,7 @@ Result<Created> create_store(const CreateOptions& options,
   MARKETGEN_TRY(Built built, build(options, catalog, stages));
   MARKETGEN_CHECK(stages.run(
       "save", [&] { return write_stages(draft.folder(), built.repaired.plan, built.scene); }));
+  MARKETGEN_CHECK(save_meshes(built.scene.catalog, draft.folder()));
   if (options.previews) {
     MARKETGEN_CHECK(stages.run("previews", [&] {
       return write_previews(draft.folder(), built.scene, catalog, silent_progress());

@@ -6,29 +6,6 @@
 namespace marketgen {
 namespace {
 
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
-
 constexpr std::string_view style = R"(<style>
 :root{color-scheme:light dark;--ink:#1c2321;--soft:#5c6663;--line:#d9dedc;--paper:#fbfcfb;--good:#2e7d32;--bad:#b3261e;--warn:#a66300}
 @media(prefers-color-scheme:dark){:root{--ink:#e8ecea;--soft:#9aa5a1;--line:#333b39;--paper:#161a19;--good:#7cc47f;--bad:#f2938c;--warn:#e0a95a}}
@@ -67,20 +44,20 @@ std::string requirement_rows(const StoreReport& report) {
     out += fmt::format("<tr><td class=\"{}\">{}</td><td>{}</td><td>{}</td></tr>",
                        r.met ? "good" : "bad",
                        r.met ? "met" : "not met",
-                       escaped(r.text),
-                       escaped(r.why));
+                       escaped_markup(r.text),
+                       escaped_markup(r.why));
   }
   for (const UnparsedWord& word : report.unparsed) {
     out += fmt::format("<tr><td class=\"warn\">not understood</td><td>{}</td><td></td></tr>",
-                       escaped(word.text));
+                       escaped_markup(word.text));
   }
   for (const Conflict& c : report.conflicts) {
     out += fmt::format(
         "<tr><td class=\"warn\">conflict</td><td>{}</td><td>kept {}, dropped {}: {}</td></tr>",
-        escaped(c.what),
-        escaped(c.kept),
-        escaped(c.dropped),
-        escaped(c.why));
+        escaped_markup(c.what),
+        escaped_markup(c.kept),
+        escaped_markup(c.dropped),
+        escaped_markup(c.why));
   }
   return out;
 }
@@ -91,19 +68,20 @@ std::string rule_rows(const StoreReport& report) {
     out += fmt::format("<tr><td class=\"{}\">{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
                        v.severity == Severity::hard ? "bad" : "warn",
                        name_of(v.severity),
-                       escaped(v.code),
-                       escaped(v.where),
-                       escaped(v.message));
+                       escaped_markup(v.code),
+                       escaped_markup(v.where),
+                       escaped_markup(v.message));
   }
   for (const std::string& change : report.repairs)
-    out += fmt::format("<tr><td>repaired</td><td></td><td></td><td>{}</td></tr>", escaped(change));
+    out += fmt::format("<tr><td>repaired</td><td></td><td></td><td>{}</td></tr>",
+                       escaped_markup(change));
   return out;
 }
 
 std::string timing_rows(const StoreReport& report) {
   std::string out;
   for (const StageTiming& t : report.timing_s)
-    out += fmt::format("<tr><td>{}</td><td>{:.3f} s</td></tr>", escaped(t.stage), t.seconds);
+    out += fmt::format("<tr><td>{}</td><td>{:.3f} s</td></tr>", escaped_markup(t.stage), t.seconds);
   return out;
 }
 
@@ -117,8 +95,8 @@ std::string table(std::string_view title,
 
 std::string section(const Manifest& manifest, const StoreReport& report) {
   std::string out = fmt::format("<section><h1>{}</h1><p class=\"sub\">{}<br>seed {} · scene {}</p>",
-                                escaped(manifest.name),
-                                escaped(manifest.brief.prompt),
+                                escaped_markup(manifest.name),
+                                escaped_markup(manifest.brief.prompt),
                                 manifest.seed,
                                 manifest.scene_hash);
   out += tiles(manifest, report);

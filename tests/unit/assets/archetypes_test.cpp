@@ -9,13 +9,23 @@
 
 #include "assets/label_sheet.h"
 #include "assets/product_model.h"
+#include "sample_produce.h"
 
 namespace marketgen {
 namespace {
 
-// "Up to about 1,500": 40,000 products stand in one scene, each archetype is one instanced mesh a
-// SKU.
-constexpr std::size_t most_triangles = 1500;
+// Each archetype is one instanced mesh a SKU: a pack in the hand may spend 3,000 triangles, a pack
+// of packs 8,000. What grew has no flat faces: 4,000, a bunch 10,000.
+std::size_t most_triangles(std::string_view archetype) {
+  for (const ProduceRow& row : produce_rows) {
+    if (row.archetype == archetype) return row.bunch ? 10000 : 4000;
+  }
+  constexpr std::string_view packs_of_packs[] = {
+      "can_six_pack", "bottle_six_pack", "crate", "roll_pack", "net_bag"};
+  const bool many = std::find(std::begin(packs_of_packs), std::end(packs_of_packs), archetype) !=
+                    std::end(packs_of_packs);
+  return many ? 8000 : 3000;
+}
 
 Product product_of(std::string_view archetype, std::array<int, 3> size_mm) {
   Product product;
@@ -82,7 +92,7 @@ TEST_P(Archetypes, ClosedOfTheRowsSizeAndSmall) {
     EXPECT_NEAR(bounds.low.z, 0, 1e-4);
     EXPECT_NEAR(bounds.center().x, 0, 1e-4);
     EXPECT_NEAR(bounds.center().y, 0, 1e-4);
-    EXPECT_LE(mesh.triangles.size(), most_triangles);
+    EXPECT_LE(mesh.triangles.size(), most_triangles(GetParam().name));
   }
 }
 
@@ -216,17 +226,59 @@ TEST(ArchetypeShapes, PrimitivesHaveAboutTheVolumeOfThePack) {
 
 // Area on the pack against area on the sheet: 1 where print is as large as it was drawn.
 TEST(ArchetypeShapes, PrintIsNotStretched) {
-  const std::map<std::string_view, std::array<int, 3>> packs{
-      {"can", {66, 66, 115}},          {"food_tin", {75, 75, 110}},
-      {"soda_bottle", {88, 88, 330}},  {"water_bottle", {85, 85, 320}},
-      {"wine_bottle", {75, 75, 300}},  {"beer_bottle", {61, 61, 230}},
-      {"sauce_bottle", {75, 50, 190}}, {"flask", {75, 45, 210}},
-      {"gable_carton", {70, 70, 235}}, {"brick_carton", {75, 60, 200}},
-      {"box", {190, 60, 290}},         {"jar", {70, 70, 120}},
-      {"tub", {140, 95, 65}},          {"pouch", {140, 70, 210}},
-      {"pillow_bag", {180, 80, 260}},  {"paper_bag", {100, 65, 180}},
-      {"tray", {200, 150, 50}},        {"loaf", {260, 110, 115}},
-      {"bundle", {440, 110, 200}},     {"tube", {55, 38, 165}}};
+  const std::map<std::string_view, std::array<int, 3>> packs{{"can", {66, 66, 115}},
+                                                             {"food_tin", {75, 75, 110}},
+                                                             {"soda_bottle", {88, 88, 330}},
+                                                             {"water_bottle", {85, 85, 320}},
+                                                             {"wine_bottle", {75, 75, 300}},
+                                                             {"beer_bottle", {61, 61, 230}},
+                                                             {"sauce_bottle", {75, 50, 190}},
+                                                             {"flask", {75, 45, 210}},
+                                                             {"gable_carton", {70, 70, 235}},
+                                                             {"brick_carton", {75, 60, 200}},
+                                                             {"box", {190, 60, 290}},
+                                                             {"jar", {70, 70, 120}},
+                                                             {"tub", {140, 95, 65}},
+                                                             {"pouch", {140, 70, 210}},
+                                                             {"pillow_bag", {180, 80, 260}},
+                                                             {"paper_bag", {100, 65, 180}},
+                                                             {"tray", {200, 150, 50}},
+                                                             {"loaf", {260, 110, 115}},
+                                                             {"bundle", {440, 110, 200}},
+                                                             {"tube", {55, 38, 165}},
+                                                             {"slim_can", {53, 53, 134}},
+                                                             {"flat_tin", {85, 85, 35}},
+                                                             {"sardine_tin", {105, 60, 22}},
+                                                             {"round_tin", {190, 190, 60}},
+                                                             {"canister", {75, 75, 240}},
+                                                             {"spirit_bottle", {80, 80, 260}},
+                                                             {"oil_bottle", {70, 70, 290}},
+                                                             {"squeeze_bottle", {75, 50, 190}},
+                                                             {"milk_jug", {115, 115, 245}},
+                                                             {"jerrycan", {190, 150, 330}},
+                                                             {"detergent_bottle", {200, 95, 290}},
+                                                             {"spray_bottle", {100, 60, 270}},
+                                                             {"pump_bottle", {70, 60, 190}},
+                                                             {"aerosol", {50, 50, 190}},
+                                                             {"stick", {60, 35, 120}},
+                                                             {"cream_jar", {70, 70, 50}},
+                                                             {"yogurt_cup", {68, 68, 80}},
+                                                             {"flow_pack", {130, 40, 20}},
+                                                             {"vacuum_pack", {160, 20, 220}},
+                                                             {"chub", {200, 60, 60}},
+                                                             {"meat_tray", {185, 140, 55}},
+                                                             {"cheese_wedge", {120, 80, 40}},
+                                                             {"foil_brick", {100, 65, 35}},
+                                                             {"egg_box", {245, 105, 70}},
+                                                             {"net_bag", {180, 120, 260}},
+                                                             {"can_six_pack", {200, 133, 122}},
+                                                             {"bottle_six_pack", {270, 180, 320}},
+                                                             {"crate", {400, 300, 290}},
+                                                             {"roll_pack", {330, 220, 240}},
+                                                             {"blister", {90, 30, 180}},
+                                                             {"sachet", {100, 12, 140}},
+                                                             {"soft_pack", {200, 110, 70}},
+                                                             {"baguette_bag", {90, 70, 560}}};
   for (const auto& [archetype, size] : packs) {
     const Product product = product_of(archetype, size);
     const ProductModel model = model_of(product);

@@ -85,6 +85,10 @@ struct RelationCase {
   bool (*holds)(const Plan&);
 };
 
+void PrintTo(const RelationCase& row, std::ostream* out) {
+  *out << row.prompt;
+}
+
 bool near(const Plan& plan, double distance) {
   return distance <= std::max(3000.0, 0.2 * diagonal(plan));
 }
@@ -287,6 +291,9 @@ TEST(Plans, WordsThatSayNothingStillGiveAStore) {
 TEST(Plans, ExtremeFloorsAreStillPlans) {
   for (const char* prompt : {"a 4 x 4 m kiosk with bakery, dairy, produce and wine",
                              "60 x 4 m shop",
+                             "4 x 60 m shop",
+                             "a 24 x 15 m supermarket with 300 self-checkouts",
+                             "a 4 x 60 m shop with two entrances and an emergency exit",
                              "a 200 x 200 m hypermarket",
                              "a 5 x 5 m shop with five checkouts",
                              "150 x 12 m supermarket"}) {
@@ -338,6 +345,33 @@ TEST(Plans, SeedsGiveDifferentStores) {
 }
 
 // ---- Any words ----
+
+// Sentences nobody would write: words of every kind the planner knows, and some it does not.
+std::string random_prompt(Stream& draw) {
+  static constexpr const char* words[] = {
+      "bakery",   "dairy",    "wine",      "no",     "two",    "300",       "next to",
+      "the",      "left of",  "aisles",    "tall",   "frozen", "checkouts", "entrance",
+      "and",      ",",        "along the", "wall",   "north",  "without",   "self-checkouts",
+      "12 m",     "4 x 60 m", "-5",        "banana", "€",      "5-tier",    "café",
+      "far from", "small",    "huge"};
+  std::string prompt = "shop";
+  const int length = draw.integer(3, 18);
+  for (int i = 0; i < length; ++i) {
+    const int at = draw.integer(0, static_cast<int>(std::size(words)) - 1);
+    prompt += std::string(" ") + words[static_cast<std::size_t>(at)];
+  }
+  return prompt;
+}
+
+TEST(Plans, OfRandomWordsAreValidAndRepeatable) {
+  for (std::uint64_t i = 0; i < 60; ++i) {
+    Stream draw = Seed(i).child("random_prompt").stream();
+    const std::string prompt = random_prompt(draw);
+    const auto first = planned(prompt, i);
+    ASSERT_TRUE(first.ok()) << prompt << ": " << to_string(first.error());
+    EXPECT_EQ(write_json(first->plan), write_json(planned(prompt, i)->plan)) << prompt;
+  }
+}
 
 }  // namespace
 }  // namespace marketgen

@@ -12,6 +12,10 @@ struct PromptCase {
   std::vector<std::string> unparsed;  // in the prompt's order
 };
 
+void PrintTo(const PromptCase& row, std::ostream* out) {
+  *out << row.prompt;
+}
+
 const std::vector<PromptCase> cases = {
     // ---- Sizes and areas ----
     {"24 x 15 m supermarket", {"size 24000x15000", "profile supermarket-eu"}, {}},

@@ -65,6 +65,35 @@ TEST_F(PictureCache, DamagedFilesAreDrawnAgain) {
   EXPECT_EQ(drawn_, 3);
 }
 
+TEST_F(PictureCache, PrintKeepsItsBlocksAndBars) {
+  int drawn = 0;
+  const auto get_print = [&] {
+    return cached_print(
+               "a print",
+               [&]() -> Result<PrintedPicture> {
+                 ++drawn;
+                 Image picture(9, 5);
+                 for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+                   picture.pixels[i] = static_cast<std::uint8_t>(i * 3);
+                 const LabelBars bars{0.1F, 0.2F, 0.3F, 0.4F, 0.5F, true, std::string(95, '1')};
+                 return PrintedPicture{picture, bars};
+               })
+        .value();
+  };
+  const Print first = get_print(), second = get_print();
+  EXPECT_EQ(drawn, 1);
+  EXPECT_TRUE(first.drawn);
+  EXPECT_FALSE(second.drawn);
+  EXPECT_EQ(second.blocks.blocks(), first.blocks.blocks());
+  EXPECT_EQ(second.blocks.width(), 9);
+  EXPECT_EQ(second.bars->modules, std::string(95, '1'));
+  EXPECT_EQ(second.bars->v1, 0.4F);
+  EXPECT_TRUE(second.bars->ladder);
+  std::filesystem::resize_file(only_file(), std::filesystem::file_size(only_file()) - 8);
+  EXPECT_EQ(get_print().blocks.blocks(), first.blocks.blocks());
+  EXPECT_EQ(drawn, 2);
+}
+
 TEST_F(PictureCache, AFolderThatCannotBeWrittenCostsOnlyTime) {
   setenv("MARKETGEN_CACHE", "/proc/nowhere", 1);
   EXPECT_EQ(get().width, 2);

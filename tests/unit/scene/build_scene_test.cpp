@@ -255,7 +255,13 @@ TEST(Placements, WhatOnlyTouchesStays) {
   shop.plan.zones[0].stock.out_of_stock = 0;
   shop.plan.zones[0].stock.jitter = 0;
   const Scene before = scene_of(shop);
-  const Facing& block = before.facings.front();
+  const auto roomy = std::ranges::find_if(before.facings, [&](const Facing& f) {
+    const double height = before.catalog[f.sku].height_m();
+    return f.product_count > 0 &&
+           (f.stack + 1) * height < double(before.shelves[f.shelf].clearance_m);
+  });
+  ASSERT_NE(roomy, before.facings.end());
+  const Facing& block = *roomy;
   const SceneProduct& top = before.products[block.first_product + block.stack - 1U];
   const Product& product = before.catalog[top.sku];
   const double above = static_cast<double>(top.position_m[2]) + product.height_m();

@@ -34,6 +34,8 @@ Result<ProductModel> make_beer_bottle(const Product& product) {
   profile.use(crown).neck(0.967F * h, 1.24F * neck).neck(0.985F * h, 1.14F * neck);
   profile.neck(0.997F * h, 1.0F * neck).neck(h, 0.85F * neck).pole(h);
   add_loft(pack, profile.sections());
+  pack.add_surface_feature(FeatureKind::cap, crown);
+  pack.add_band_feature(FeatureKind::neck, 0.74F * h, 0.967F * h);
   return pack.finish();
 }
 

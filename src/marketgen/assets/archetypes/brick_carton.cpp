@@ -61,7 +61,9 @@ Result<ProductModel> make_brick_carton(const Product& product) {
                 0.4F * fin,
                 board,
                 PartFrame{.origin = {0, 0.22F * size.y, size.z - fin}});
+  pack.add_surface_feature(FeatureKind::seam, board);
   if (capped) add_brick_cap(pack, size.z, std::min({0.013F, 0.22F * size.y, 0.22F * size.x}), cap);
+  pack.add_surface_feature(FeatureKind::cap, cap);
   return pack.finish();
 }
 

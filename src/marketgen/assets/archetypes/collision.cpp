@@ -9,8 +9,10 @@ namespace {
 // A circle stands in for an ellipse whose axes differ by at most this share of the longer one.
 constexpr int nearly_equal_percent = 4;
 
-bool nearly_equal(int a_mm, int b_mm) {
-  return 100 * std::abs(a_mm - b_mm) <= nearly_equal_percent * std::max(a_mm, b_mm);
+constexpr int grown_percent = 34;  // of cucumbers, carrots
+
+bool nearly_equal(int a_mm, int b_mm, int percent = nearly_equal_percent) {
+  return 100 * std::abs(a_mm - b_mm) <= percent * std::max(a_mm, b_mm);
 }
 
 CollisionPrimitive filling(const Product& product, CollisionShape shape) {
@@ -34,7 +36,13 @@ CollisionPrimitive cylinder_around(const Product& product) {
 }
 
 CollisionPrimitive lying_cylinder_around(const Product& product) {
-  if (!nearly_equal(product.size_mm[1], product.size_mm[2])) return box_around(product);
+  const bool round = nearly_equal(product.size_mm[1], product.size_mm[2]);
+  return round ? grown_cylinder_around(product) : box_around(product);
+}
+
+CollisionPrimitive grown_cylinder_around(const Product& product) {
+  if (!nearly_equal(product.size_mm[1], product.size_mm[2], grown_percent))
+    return box_around(product);
   const CollisionPrimitive box = filling(product, CollisionShape::cylinder);
   const float radius = std::min(box.half_size.y, box.half_size.z);
   return {CollisionShape::cylinder, {0, 0, radius}, {radius, radius, box.half_size.x}, true};

@@ -9,6 +9,9 @@ CollisionPrimitive box_around(const Product& product);
 CollisionPrimitive cylinder_around(const Product& product);
 // Along X; the box when depth and height differ.
 CollisionPrimitive lying_cylinder_around(const Product& product);
+// The same for what grew: a round thing that bends or is a little flat, up to a third, is a
+// cylinder too.
+CollisionPrimitive grown_cylinder_around(const Product& product);
 CollisionPrimitive ellipsoid_around(const Product& product);
 
 }  // namespace marketgen

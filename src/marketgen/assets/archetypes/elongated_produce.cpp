@@ -119,6 +119,10 @@ Result<ProductModel> make_elongated_produce(const Product& product) {
   }
   const float turned_sag = pack.depth() >= pack.height() ? sag : -sag;
   add_loft(pack, sections, {}, laid_along_x(pack.width(), turned_sag));
+  if (form.stalk > 0) {
+    const float left = -pack.width() / 2;
+    pack.add_band_feature(FeatureKind::stem, left, left + form.stalk * pack.width(), PackAxis::x);
+  }
   return pack.finish(0.2F);
 }
 

@@ -31,6 +31,7 @@ Result<ProductModel> make_flask(const Product& product) {
   profile.use(cap).neck(cap_low, cap_radius).neck(h - 0.012F * h, 0.97F * cap_radius);
   profile.neck(h, 0.86F * cap_radius).pole(h);
   add_loft(pack, profile.sections());
+  pack.add_surface_feature(FeatureKind::cap, cap);
   return pack.finish();
 }
 

@@ -2,10 +2,10 @@
 
 #include "assets/archetypes/collision.h"
 #include "assets/archetypes/label_zone.h"
-#include "assets/archetypes/panel_box.h"
 #include "assets/archetypes/profile.h"
 #include "assets/archetypes/registry.h"
 #include "assets/archetypes/surfaces.h"
+#include "assets/archetypes/tin_parts.h"
 
 namespace marketgen {
 namespace {
@@ -38,35 +38,19 @@ Result<ProductModel> make_food_tin(const Product& product) {
   const LabelZone zone = label_zone_of(product);
   const std::uint16_t metal = pack.add_surface(tinplate());
   const std::uint16_t print = pack.add_print(gloss_paper_roughness);
-  const float h = pack.height(), seam = 0.75F * zone.low_m, recess = h - 0.7F * seam;
+  const float h = pack.height(), seam = 0.75F * zone.low_m;
 
   Profile profile(pack, zone.roundness);
-  profile.use(metal)
-      .pole(0.5F * seam)
-      .body(0.5F * seam, 0.94F)
-      .body(0, 0.97F)
-      .body(0.15F * seam, 1)
-      .body(seam, 1)
-      .body(zone.low_m, tin_body_share);
+  add_tin_foot(profile, seam, zone.low_m, tin_body_share, metal);
   profile.use(print);
   add_tin_wall(profile, zone);
-  profile.use(metal)
-      .body(h - seam, 1)
-      .body(h - 0.15F * seam, 1)
-      .body(h, 0.97F)
-      .body(h - 0.1F * seam, 0.94F);
-  profile.body(recess, 0.92F)
-      .body(recess, 0.80F)
-      .body(recess + 0.2F * seam, 0.77F)
-      .pole(recess + 0.2F * seam);
-  add_loft(pack, profile.sections(), {.triangles = pack_triangles - plain_box_triangles});
-
-  const float r = profile.least_half();
-  add_plain_box(pack,
-                {0.34F * r, 0.70F * r, 0.5F * seam},
-                0.2F * seam,
-                metal,
-                PartFrame{.origin = {0, -0.40F * r, recess + 0.1F * seam}});  // the ring pull
+  const float lid = add_tin_lid(profile, h, seam, 0.77F, metal);
+  profile.pole(lid);
+  add_loft(pack, profile.sections(), {.triangles = 2400, .most_chords = smooth_style.most_chords});
+  const std::size_t tab = pack.triangle_count();
+  add_ring_pull(pack, lid, 0.77F * profile.least_half(), metal);
+  pack.add_part_feature(FeatureKind::tab, tab);
+  pack.add_band_feature(FeatureKind::rim, h - seam, h);
   return pack.finish();
 }
 

@@ -117,6 +117,8 @@ Result<ProductModel> make_gable_carton(const Product& product) {
     return gable_point(gable, share);
   });
   add_gable_cap(pack, gable, cap);
+  pack.add_surface_feature(FeatureKind::cap, cap);
+  pack.add_band_feature(FeatureKind::seam, gable.roof.body_m + gable.roof.rise_m, pack.height());
   return pack.finish(0.7F);
 }
 

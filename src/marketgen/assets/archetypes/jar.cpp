@@ -35,6 +35,7 @@ Result<ProductModel> make_jar(const Product& product) {
       .body(h - 0.10F * (h - lid_low), 0.76F)
       .pole(h - 0.10F * (h - lid_low));
   add_loft(pack, profile.sections());
+  pack.add_surface_feature(FeatureKind::lid, lid);
   return pack.finish();
 }
 

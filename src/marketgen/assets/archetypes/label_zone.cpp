@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "assets/archetypes/loft.h"
+
 namespace marketgen {
 namespace {
 
@@ -15,6 +17,8 @@ struct ZoneRow {
   float top_share, top_max_mm;
   float width_share;     // of the pack's width in the middle of the band
   float oval_roundness;  // of the cross-section when the footprint is not round
+  float arc = 1;         // less: the section is `oval_roundness` whatever the footprint
+  float lid_share = 1;
 };
 
 constexpr ZoneRow zone_rows[] = {
@@ -29,6 +33,23 @@ constexpr ZoneRow zone_rows[] = {
     {"tub", 0.05F, 6, 0.16F, 14, 0.93F, 0.35F},
     {"flask", 0.10F, 25, 0.34F, 90, 1.0F, 0.75F},
     {"tube", 0.26F, 60, 0.09F, 16, 1.0F, 1.0F},
+    {"slim_can", 0.07F, 8, 0.13F, 15, 1.0F, 1.0F},
+    {"sardine_tin", 0.22F, 5, 0.22F, 5, 0.97F, 0.45F, 0.30F, 0.915F},
+    {"flat_tin", 0.10F, 3.2F, 0.12F, 3.6F, 1.0F, 0.35F, 1, 0.90F},
+    {"round_tin", 0.05F, 2.5F, 0.36F, 22, 0.985F, 0.3F, 1, 0.93F},
+    {"canister", 0.03F, 5, 0.10F, 17, 0.975F, 0.5F},
+    {"spirit_bottle", 0.13F, 35, 0.46F, 122, 1.0F, 0.35F},
+    {"oil_bottle", 0.15F, 45, 0.50F, 150, 1.0F, 0.6F},
+    {"aerosol", 0.035F, 5, 0.33F, 64, 0.98F, 0.8F},
+    {"cream_jar", 0.12F, 6, 0.46F, 24, 0.97F, 0.5F, 1, 0.84F},
+    {"yogurt_cup", 0.08F, 7, 0.07F, 6, 0.83F, 0.4F, 1, 0.98F},
+    {"squeeze_bottle", 0.27F, 52, 0.20F, 40, 1.0F, 0.85F, 0.60F},
+    {"milk_jug", 0.10F, 26, 0.54F, 810, 1.0F, 0.5F, 0.30F},
+    {"jerrycan", 0.12F, 42, 0.42F, 630, 1.0F, 0.3F, 0.0F},
+    {"detergent_bottle", 0.10F, 30, 0.50F, 750, 1.0F, 0.62F, 0.50F},
+    {"spray_bottle", 0.09F, 24, 0.52F, 780, 1.0F, 0.85F, 0.60F},
+    {"pump_bottle", 0.08F, 16, 0.44F, 660, 1.0F, 0.85F, 0.60F},
+    {"stick", 0.18F, 21, 0.46F, 55, 1.0F, 0.8F, 0.60F},
 };
 
 const ZoneRow& zone_row_of(std::string_view archetype) {
@@ -58,7 +79,7 @@ bool is_round_footprint(const Product& product) {
 LabelZone label_zone_of(const Product& product) {
   const ZoneRow& row = zone_row_of(product.archetype);
   const auto height = static_cast<float>(product.height_m());
-  const bool always_oval = row.archetype == "flask";
+  const bool always_oval = row.archetype == "flask" || row.arc < 1;
   LabelZone zone;
   zone.low_m = std::min(row.bottom_share * height, row.bottom_max_mm * 1e-3F);
   zone.high_m = height - std::min(row.top_share * height, row.top_max_mm * 1e-3F);
@@ -70,6 +91,11 @@ LabelZone label_zone_of(const Product& product) {
     depth /= 2;
   }
   zone.perimeter_m = section_perimeter(width, depth, zone.roundness);
+  zone.arc = row.arc;
+  const Section section{
+      .half_width = width / 2, .half_depth = depth / 2, .roundness = zone.roundness};
+  zone.face_width_m = row.arc < 1 ? label_width(section, row.arc) : zone.perimeter_m / 2;
+  zone.lid_share = row.lid_share;
   return zone;
 }
 

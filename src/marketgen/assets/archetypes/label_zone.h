@@ -10,10 +10,13 @@ struct LabelZone {
   float low_m = 0, high_m = 0;  // above the ground
   float roundness = 1;          // of the cross-section: 1 ellipse, 0 rectangle
   float perimeter_m = 0;        // of the cross-section in the middle of the band
+  float arc = 1;                // how far `front` and `back` reach, see LoftStyle::label_arc
+  float face_width_m = 0;       // of `front` and `back`
+  float lid_share = 1;          // of the footprint that the printed top takes
 };
 
-// Of a pack whose label goes once around (SheetKind band, band_lid) or covers the body's two halves
-// (flask, tube).
+// Of a pack whose label goes once around (SheetKind band, band_lid) or lies on the body's two
+// halves (front_back bottles).
 LabelZone label_zone_of(const Product& product);
 
 // The roof of a gable-top carton: two slopes that meet under an upright fin. The ridge runs along

@@ -95,6 +95,7 @@ Result<ProductModel> make_loaf(const Product& product) {
           return loaf_point(share, size);
         });
   }
+  pack.add_surface_feature(FeatureKind::seam, gathered);
   return pack.finish(0.3F);
 }
 

@@ -13,7 +13,7 @@ bool is_pole(const Section& section) {
 }
 
 // The most chords of a quarter turn with which the loft keeps to its triangles.
-int fitting_segments(const std::vector<Section>& sections, int triangles) {
+int fitting_segments(const std::vector<Section>& sections, const LoftStyle& style) {
   int per_step = 0;  // triangles that one more step around adds
   bool oval = false;
   for (std::size_t i = 0; i < sections.size(); ++i) {
@@ -23,8 +23,17 @@ int fitting_segments(const std::vector<Section>& sections, int triangles) {
     oval = oval || sections[i].roundness < 1;
   }
   const int steps_around =
-      triangles / std::max(per_step, 1) - (oval ? 8 : 0);  // 8: the straight sides' halves
-  return std::clamp(steps_around / 4, 3, 9);
+      style.triangles / std::max(per_step, 1) - (oval ? 8 : 0);  // 8: the straight sides' halves
+  return std::clamp(steps_around / 4, 3, style.most_chords);
+}
+
+// Chords of a quarter turn that a label covers; one of them ends at the label's edge.
+int label_segments(float label_arc, int quarter_segments) {
+  if (label_arc >= 1) return quarter_segments;
+  if (label_arc <= 0) return 0;
+  const auto whole =
+      static_cast<int>(std::lround(label_arc * static_cast<float>(quarter_segments)));
+  return std::clamp(whole, 1, quarter_segments - 1);
 }
 
 class Loft {
@@ -37,7 +46,8 @@ class Loft {
         sections_(sections),
         style_(style),
         place_(place),
-        quarter_segments_(fitting_segments(sections, style.triangles)) {
+        quarter_segments_(fitting_segments(sections, style)),
+        label_segments_(label_segments(style.label_arc, quarter_segments_)) {
     for (const Section& section : sections)
       rings_.push_back(ring_of(section));
     measure_around();
@@ -63,11 +73,40 @@ class Loft {
   std::size_t points_per_quarter() const { return static_cast<std::size_t>(quarter_segments_) + 2; }
   std::size_t point_count() const { return 4 * points_per_quarter(); }
 
+  // Share of the quarter turn from the front or back towards a side after `chords` chords.
+  double arc_from_face(int chords) const {
+    const double edge = std::clamp(static_cast<double>(style_.label_arc), 0.0, 1.0);
+    if (chords <= label_segments_) return edge * chords / std::max(1, label_segments_);
+    return edge + (1 - edge) * (chords - label_segments_) / (quarter_segments_ - label_segments_);
+  }
+
   // In turns from the +X axis, starting at the back.
   double turn_of(std::size_t k) const {
     const std::size_t quarter = k / points_per_quarter(), j = k % points_per_quarter();
-    const double arc = j == 0 ? 0.0 : static_cast<double>(j - 1) / quarter_segments_;
-    return 0.25 * static_cast<double>(quarter + 1) + 0.25 * arc;
+    const int chords = j == 0 ? 0 : static_cast<int>(j) - 1;
+    const double arc =
+        quarter % 2 == 0 ? arc_from_face(chords) : 1 - arc_from_face(quarter_segments_ - chords);
+    return 0.25 * static_cast<double>(quarter + 1) + 0.25 * (j == 0 ? 0.0 : arc);
+  }
+
+  // Where a label's edges lie: the last point of it in a quarter that leaves the front or back, the
+  // first in one that reaches it.
+  std::size_t label_end(std::size_t quarter) const {
+    if (style_.label_arc >= 1) return (quarter + 1) * points_per_quarter();
+    return quarter * points_per_quarter() + 1 + static_cast<std::size_t>(label_segments_);
+  }
+  std::size_t label_start(std::size_t quarter) const {
+    if (style_.label_arc >= 1) return quarter * points_per_quarter();
+    return (quarter + 1) * points_per_quarter() - 1 - static_cast<std::size_t>(label_segments_);
+  }
+  static bool is_back(std::size_t quarter) { return quarter == 0 || quarter == 3; }
+  bool is_beside_label(std::size_t k) const {
+    const std::size_t quarter = k / points_per_quarter();
+    if (is_back(quarter) && pack_.panel(PanelKind::top) != nullptr &&
+        pack_.panel(PanelKind::front) != nullptr) {
+      return true;  // a sleeve has no back
+    }
+    return quarter % 2 == 0 ? k >= label_end(quarter) : k < label_start(quarter);
   }
 
   // Point k of the section's outline, from its middle.
@@ -147,9 +186,10 @@ class Loft {
   }
 
   void add_band(std::size_t i, float v_low, float v_high) {
-    const std::uint16_t surface = sections_[i].surface;
     for (std::size_t k = 0; k + 1 < around_.size(); ++k) {
       const std::size_t quarter = k / points_per_quarter();
+      const bool beside = pack_.is_print(sections_[i].surface) && is_beside_label(k);
+      const std::uint16_t surface = beside ? style_.beside : sections_[i].surface;
       const auto corner = [&](std::size_t ring, std::size_t at, float v) {
         return Corner{rings_[ring][at], uv_at(surface, around_[at], v, quarter)};
       };
@@ -165,10 +205,21 @@ class Loft {
     if (!pack_.is_print(surface)) return {around, v};
     if (const Panel* band = pack_.panel(PanelKind::band)) return uv_in(band, around, v);
     if (const Panel* skin = pack_.panel(PanelKind::skin)) return uv_in(skin, around, v);
-    if (quarter == 1 || quarter == 2)
-      return uv_in(pack_.panel(PanelKind::front), 2 * (around - 0.25F), v);
-    const float from_right = quarter == 3 ? around - 0.75F : around + 0.25F;
-    return uv_in(pack_.panel(PanelKind::back), 2 * from_right, v);
+    const bool front = !is_back(quarter);
+    const float across = front ? share_of_front(around) : share_of_back(around, quarter);
+    const Panel* panel = pack_.panel(front ? PanelKind::front : PanelKind::back);
+    if (!style_.lying) return uv_in(panel, across, v);
+    return uv_in(panel, front ? 1 - v : v, front ? across : 1 - across);
+  }
+
+  // 0 at the label's left edge, as seen before it, 1 at its right edge.
+  float share_of_front(float around) const {
+    const float left = around_[label_start(1)], right = around_[label_end(2)];
+    return (around - left) / (right - left);
+  }
+  float share_of_back(float around, std::size_t quarter) const {
+    const float left = around_[label_start(3)] - 1, right = around_[label_end(0)];
+    return ((quarter == 3 ? around - 1 : around) - left) / (right - left);
   }
 
   void add_cap(std::size_t i) {
@@ -194,12 +245,30 @@ class Loft {
   const std::vector<Section>& sections_;
   const LoftStyle& style_;
   const Placement& place_;
-  int quarter_segments_;
+  int quarter_segments_, label_segments_;
   std::vector<std::vector<Vec3f>> rings_;  // point_count() + 1 points each, the last is the first
   std::vector<float> around_;              // share of the way around at each of them
 };
 
 }  // namespace
+
+float label_width(const Section& section, float label_arc) {
+  constexpr int chords = 32;
+  const float round_width = section.roundness * section.half_width;
+  const float round_depth = section.roundness * section.half_depth;
+  float arc = 0;
+  for (int i = 0; i < chords; ++i) {
+    const auto turn = [&](int at) {
+      return unit_circle(0.25 * static_cast<double>(label_arc) * at / chords);
+    };
+    const Vec2 a = turn(i), b = turn(i + 1);
+    arc += length(Vec3f{round_width * static_cast<float>(b.y - a.y),
+                        round_depth * static_cast<float>(b.x - a.x),
+                        0});
+  }
+  const float flat_side = label_arc < 1 ? 0 : section.half_depth * (1 - section.roundness);
+  return 2 * (section.half_width * (1 - section.roundness) + arc + flat_side);
+}
 
 void add_loft(PackBuilder& pack,
               const std::vector<Section>& sections,

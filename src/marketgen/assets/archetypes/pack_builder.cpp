@@ -41,15 +41,33 @@ VertexKey key_of(const Corner& c) {
           bits_of(c.uv.y)};
 }
 
-// Moves and stretches the mesh so that its bounds are w x d x h, standing on z = 0 about the Z
-// axis.
-void fit_to_size(Mesh& mesh, Vec3f size) {
-  const Bounds3 bounds = bounds_of(mesh);
+// Moves and stretches the mesh, and the features on it, so that its bounds are w x d x h, standing
+// on z = 0 about the Z axis.
+void fit_to_size(ProductModel& model, Vec3f size) {
+  const Bounds3 bounds = bounds_of(model.mesh);
   const Vec3f now = bounds.size();
   const Vec3f scale{size.x / now.x, size.y / now.y, size.z / now.z};
   const Vec3f foot{bounds.center().x, bounds.center().y, bounds.low.z};
-  for (Vec3f& p : mesh.positions)
+  for (Vec3f& p : model.mesh.positions)
     p = (p - foot) * scale;
+  for (PackFeature& feature : model.features) {
+    feature.center = (feature.center - foot) * scale;
+    feature.half_size = feature.half_size * scale;
+  }
+}
+
+float along_axis(Vec3f p, PackAxis axis) {
+  return axis == PackAxis::x ? p.x : axis == PackAxis::y ? p.y : p.z;
+}
+
+// Includes what of the edge from a to b lies between two places along the axis.
+void include_between(Bounds3& bounds, Vec3f a, Vec3f b, float low, float high, PackAxis axis) {
+  if (along_axis(a, axis) > along_axis(b, axis)) std::swap(a, b);
+  const float start = along_axis(a, axis), end = along_axis(b, axis);
+  if (end < low || start > high) return;
+  const auto at = [&](float place) { return a + (b - a) * ((place - start) / (end - start)); };
+  bounds.include(start < low ? at(low) : a);
+  bounds.include(end > high ? at(high) : b);
 }
 
 }  // namespace
@@ -94,9 +112,42 @@ void PackBuilder::add_quad(
   add_triangle(a, c, d, surface);
 }
 
+void PackBuilder::add_feature(FeatureKind kind, const Bounds3& box) {
+  if (!box.empty()) features_.push_back({kind, box.center(), box.size() * 0.5F});
+}
+
+void PackBuilder::add_surface_feature(FeatureKind kind, std::uint16_t surface) {
+  Bounds3 box;
+  for (std::size_t t = 0; t < triangles_.size(); ++t) {
+    if (triangle_surfaces_[t] != surface) continue;
+    for (const Corner& corner : triangles_[t])
+      box.include(corner.position);
+  }
+  add_feature(kind, box);
+}
+
+void PackBuilder::add_part_feature(FeatureKind kind, std::size_t mark) {
+  Bounds3 box;
+  for (std::size_t t = mark; t < triangles_.size(); ++t) {
+    for (const Corner& corner : triangles_[t])
+      box.include(corner.position);
+  }
+  add_feature(kind, box);
+}
+
+void PackBuilder::add_band_feature(FeatureKind kind, float low_m, float high_m, PackAxis along) {
+  Bounds3 box;
+  for (const std::array<Corner, 3>& t : triangles_) {
+    for (std::size_t i = 0; i < 3; ++i)
+      include_between(box, t[i].position, t[(i + 1) % 3].position, low_m, high_m, along);
+  }
+  add_feature(kind, box);
+}
+
 ProductModel PackBuilder::finish(float crease_cos) const {
   ProductModel model;
   model.surfaces = surfaces_;
+  model.features = features_;
   std::unordered_map<VertexKey, std::uint32_t, VertexKeyHash> known;  // only looked up
   known.reserve(triangles_.size() * 3);
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
@@ -110,7 +161,7 @@ ProductModel PackBuilder::finish(float crease_cos) const {
     }
     model.mesh.add_triangle(v[0], v[1], v[2], triangle_surfaces_[t]);
   }
-  fit_to_size(model.mesh, size_);
+  fit_to_size(model, size_);
   recompute_normals(model.mesh, crease_cos);
   return model;
 }

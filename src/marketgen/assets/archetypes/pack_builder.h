@@ -14,6 +14,8 @@ struct Corner {
   Vec2f uv;
 };
 
+enum class PackAxis { x, y, z };
+
 class PackBuilder {
  public:
   PackBuilder(const Product& product, std::vector<Panel> panels);
@@ -31,6 +33,22 @@ class PackBuilder {
   void add_quad(
       const Corner& a, const Corner& b, const Corner& c, const Corner& d, std::uint16_t surface);
 
+  // ---- Features: caps, necks, handles, seals… for whoever grips or opens the pack. ----
+  // State them in make_<name>, after the triangles they are measured from were added; finish scales
+  // them with the mesh. Product frame (before the scaling), metres.
+
+  // Around every triangle of that surface so far: a cap or lid with a surface of its own.
+  void add_surface_feature(FeatureKind kind, std::uint16_t surface);
+  // Around every triangle added since `mark` (see triangle_count): a tab, a handle, a stalk.
+  void add_part_feature(FeatureKind kind, std::size_t mark);
+  // Around the skin so far between two heights, or two places along another axis: a neck, a rim, an
+  // end seal.
+  void add_band_feature(FeatureKind kind, float low_m, float high_m, PackAxis along = PackAxis::z);
+  // A box said outright: what is no part of the skin alone, such as the hole of a handle.
+  void add_feature(FeatureKind kind, const Bounds3& box);
+
+  std::size_t triangle_count() const { return triangles_.size(); }
+
   // Scales to the row's size, shares equal vertices and smooths normals where faces meet by less
   // than the crease angle.
   ProductModel finish(float crease_cos = 0.6F) const;
@@ -45,6 +63,7 @@ class PackBuilder {
   std::vector<Surface> surfaces_;
   std::vector<std::array<Corner, 3>> triangles_;
   std::vector<std::uint16_t> triangle_surfaces_;
+  std::vector<PackFeature> features_;
 };
 
 // A builder for the product with its sheet's panels. Errors: those of panels_of.

@@ -52,6 +52,7 @@ Result<ProductModel> make_paper_bag(const Product& product) {
   add_panel_box(pack, grid, {print, side, print, side, side, side}, [&](Vec3f share) {
     return paper_bag_point(share, size);
   });
+  pack.add_band_feature(FeatureKind::seam, bag_fold * size.z, size.z);
   return pack.finish(0.7F);
 }
 

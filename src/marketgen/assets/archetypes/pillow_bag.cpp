@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "assets/archetypes/collision.h"
+#include "assets/archetypes/film_bag.h"
 #include "assets/archetypes/registry.h"
-#include "assets/archetypes/soft_pack.h"
 #include "assets/archetypes/surfaces.h"
 #include "geometry/circle.h"
 
@@ -42,7 +42,10 @@ Result<ProductModel> make_pillow_bag(const Product& product) {
   for (const float line : lines_around(14))
     up.push_back(pillow_seal_share + (1 - 2 * pillow_seal_share) * line);
   up.push_back(1);
-  add_bag(pack, print, edge, lines_around(14), up, pillow_waist, pillow_thickness);
+  const Vec3f size{pack.width(), pack.depth(), pack.height()};
+  add_bag(pack, print, edge, {size, lines_around(14), up, pillow_waist, pillow_thickness});
+  pack.add_band_feature(FeatureKind::seam, 0, pillow_seal_share * size.z);
+  pack.add_band_feature(FeatureKind::seam, (1 - pillow_seal_share) * size.z, size.z);
   return pack.finish(0.5F);
 }
 

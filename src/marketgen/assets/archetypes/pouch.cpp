@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "assets/archetypes/collision.h"
+#include "assets/archetypes/film_bag.h"
 #include "assets/archetypes/registry.h"
-#include "assets/archetypes/soft_pack.h"
 #include "assets/archetypes/surfaces.h"
 
 namespace marketgen {
@@ -47,9 +47,10 @@ Result<ProductModel> make_pouch(const Product& product) {
   for (const float line : even_lines(12))
     up.push_back((1 - pouch_top_seal_share) * line);
   up.push_back(1);
-  add_bag(pack, print, edge, across, up, 0.03F, [&](float x, float z) {
-    return pouch_thickness(x, z, side_seal);
-  });
+  const auto thickness = [&](float x, float z) { return pouch_thickness(x, z, side_seal); };
+  const Vec3f size{pack.width(), pack.depth(), pack.height()};
+  add_bag(pack, print, edge, {size, across, up, 0.03F, thickness});
+  pack.add_band_feature(FeatureKind::seam, (1 - pouch_top_seal_share) * size.z, size.z);
   return pack.finish(0.5F);
 }
 

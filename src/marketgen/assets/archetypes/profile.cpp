@@ -38,6 +38,9 @@ Profile::Profile(const PackBuilder& pack, float roundness)
       roundness_(roundness),
       least_half_(std::min(half_width_, half_depth_)) {}
 
+Profile::Profile(float radius_m)
+    : half_width_(radius_m), half_depth_(radius_m), roundness_(1), least_half_(radius_m) {}
+
 Profile& Profile::use(std::uint16_t surface) {
   surface_ = surface;
   if (!sections_.empty()) sections_.back().surface = surface;

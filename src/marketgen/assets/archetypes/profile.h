@@ -20,6 +20,8 @@ class Profile {
  public:
   // Of a pack with that footprint; `roundness` is the body's.
   Profile(const PackBuilder& pack, float roundness);
+  // Of one piece of a pack, round.
+  explicit Profile(float radius_m);
 
   // The surface from the last section on.
   Profile& use(std::uint16_t surface);

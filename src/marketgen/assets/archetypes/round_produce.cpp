@@ -111,7 +111,9 @@ Result<ProductModel> make_round_produce(const Product& product) {
   add_fruit(pack, form, Seed(hash64(product.sku)).stream().uniform(), skin);
   if (form.stem > 0) {
     const Vec3f stem_brown{0.10F, 0.075F, 0.03F};
-    add_stem(pack, form, pack.add_surface({.color = stem_brown, .roughness = 0.9F}));
+    const std::uint16_t stem = pack.add_surface({.color = stem_brown, .roughness = 0.9F});
+    add_stem(pack, form, stem);
+    pack.add_surface_feature(FeatureKind::stem, stem);
   }
   return pack.finish(0.2F);
 }

@@ -40,6 +40,10 @@ Result<ProductModel> make_sauce_bottle(const Product& product) {
       .neck(h, (glass ? 0.88F : 0.74F) * cap_radius)
       .pole(h);
   add_loft(pack, profile.sections());
+  if (glass) {
+    pack.add_band_feature(FeatureKind::neck, shoulder + 0.6F * (cap_low - shoulder), cap_low);
+  }
+  pack.add_surface_feature(FeatureKind::cap, cap);
   return pack.finish();
 }
 

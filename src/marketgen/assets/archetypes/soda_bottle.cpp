@@ -33,6 +33,8 @@ Result<ProductModel> make_soda_bottle(const Product& product) {
   profile.use(bottle).body(above, 1).curve_to_neck(Curve::slope, neck_low, 0.86F * cap_radius, 6);
   add_screw_cap(profile, neck_low, h, cap_radius, bottle, cap);
   add_loft(pack, profile.sections(), {.lobes = 5});
+  pack.add_band_feature(FeatureKind::cap, cap_low_of(neck_low, h), h);
+  pack.add_band_feature(FeatureKind::neck, neck_low, cap_low_of(neck_low, h));
   return pack.finish(0.4F);
 }
 

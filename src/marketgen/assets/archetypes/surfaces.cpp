@@ -70,6 +70,9 @@ Surface film(Vec3f color) {
 Surface filled_plastic(Vec3f contents) {
   return {.color = contents, .roughness = 0.12F};
 }
+Surface dark_glass() {
+  return filled_glass({0.0103F, 0.0176F, 0.0060F});  // #1a2412
+}
 Surface filled_glass(Vec3f contents) {
   return {.color = contents, .roughness = 0.06F};
 }

@@ -31,5 +31,7 @@ Surface film(Vec3f color);
 // Clear plastic or glass with what it holds, as one opaque glossy surface.
 Surface filled_plastic(Vec3f contents);
 Surface filled_glass(Vec3f contents);
+// Antique green: it hides what it holds.
+Surface dark_glass();
 
 }  // namespace marketgen

@@ -29,6 +29,7 @@ Result<ProductModel> make_tub(const Product& product) {
       .body(h - step, 0.99F);
   profile.body(h, 0.96F).body(h - step, 0.92F).body(h - 2 * step, 0.90F).use(print);
   add_loft(pack, profile.sections());
+  pack.add_surface_feature(FeatureKind::lid, lid);
   return pack.finish();
 }
 

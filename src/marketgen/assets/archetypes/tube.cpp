@@ -58,6 +58,8 @@ Result<ProductModel> make_tube(const Product& product) {
   sections.push_back(tube_section(tube, h, body));
   sections.back().z = h;
   add_loft(pack, sections);
+  pack.add_surface_feature(FeatureKind::cap, cap);
+  pack.add_band_feature(FeatureKind::seam, zone.high_m, h);
   return pack.finish();
 }
 

@@ -43,6 +43,8 @@ Result<ProductModel> make_water_bottle(const Product& product) {
   profile.curve_to_neck(Curve::dome, neck_low - 0.03F * h, 1.1F * cap_radius, 3);
   add_screw_cap(profile, neck_low, h, cap_radius, bottle, cap);
   add_loft(pack, profile.sections());
+  pack.add_band_feature(FeatureKind::cap, cap_low_of(neck_low, h), h);
+  pack.add_band_feature(FeatureKind::neck, neck_low, cap_low_of(neck_low, h));
   return pack.finish(0.4F);
 }
 

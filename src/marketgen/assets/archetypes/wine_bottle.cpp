@@ -3,15 +3,12 @@
 #include "assets/archetypes/profile.h"
 #include "assets/archetypes/registry.h"
 #include "assets/archetypes/surfaces.h"
-#include "assets/color.h"
 #include "base/text.h"
 
 namespace marketgen {
 namespace {
 
-// Antique green hides the wine; white and rose wine stand in light glass, which shows them.
-constexpr std::string_view antique_green = "#1a2412";
-
+// White and rose wine stand in light glass, which shows them.
 bool in_light_glass(const Product& product) {
   for (const std::string* text : {&product.name, &product.variant}) {
     const std::string word = lower_ascii(*text);
@@ -29,10 +26,9 @@ Result<ProductModel> make_wine_bottle(const Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   MARKETGEN_TRY(const Vec3f contents, contents_color(product));
-  MARKETGEN_TRY(const Vec3f green, linear_from_hex(antique_green));
   const LabelZone zone = label_zone_of(product);
   const std::uint16_t glass =
-      pack.add_surface(filled_glass(in_light_glass(product) ? contents : green));
+      pack.add_surface(in_light_glass(product) ? filled_glass(contents) : dark_glass());
   const std::uint16_t print = pack.add_print(matt_paper_roughness);
   const std::uint16_t capsule = pack.add_surface(lacquered_metal(colors.accent));
   const float h = pack.height();
@@ -50,6 +46,8 @@ Result<ProductModel> make_wine_bottle(const Product& product) {
   profile.use(capsule).neck(0.965F * h, 0.96F * neck).neck(0.968F * h, 1.08F * neck);
   profile.neck(0.995F * h, 1.06F * neck).neck(h, 0.95F * neck).pole(h);
   add_loft(pack, profile.sections());
+  pack.add_surface_feature(FeatureKind::cap, capsule);
+  pack.add_band_feature(FeatureKind::neck, 0.76F * h, h);
   return pack.finish();
 }
 

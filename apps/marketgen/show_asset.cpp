@@ -1,0 +1,69 @@
+#include "show_asset.h"
+
+#include <fmt/format.h>
+
+#include "assets/asset_detail.h"
+#include "assets/label.h"
+#include "io/json.h"
+#include "io/png.h"
+#include "render/contact_sheet.h"
+#include "render/material_picture.h"
+#include "show_fixture.h"
+
+namespace marketgen::app {
+namespace {
+
+constexpr int label_px = 1024;
+
+Result<void> show_product(const Product& product, const Catalog& catalog, const ShownAsset& asset) {
+  if (!asset.picture.empty()) {
+    MARKETGEN_TRY(const Image picture, draw_product(product, asset.size_px));
+    MARKETGEN_CHECK(write_png(asset.picture, picture));
+  }
+  if (!asset.label.empty()) {
+    MARKETGEN_TRY(const Image label, draw_label(product, label_px));
+    MARKETGEN_CHECK(write_png(asset.label, label));
+  }
+  MARKETGEN_TRY(const ProductDetail detail, detail_of(product, catalog));
+  fmt::print("{}", write_json(detail));
+  return {};
+}
+
+Result<void> show_material(const MaterialRow& material, const ShownAsset& asset) {
+  if (!asset.picture.empty()) {
+    MARKETGEN_TRY(const Image picture, draw_material_picture(material, asset.size_px));
+    MARKETGEN_CHECK(write_png(asset.picture, picture));
+  }
+  fmt::print("{}", write_json(material));
+  return {};
+}
+
+Error unknown_asset(const Catalog& catalog, const std::string& id) {
+  std::vector<std::string_view> names;
+  for (const Product& p : catalog.products)
+    names.push_back(p.sku);
+  for (const FixtureKind& k : catalog.fixture_kinds)
+    names.push_back(k.kind);
+  for (const MaterialRow& m : catalog.materials)
+    names.push_back(m.id);
+  return unknown_name("catalog.unknown_sku", id, "asset", id, names);
+}
+
+}  // namespace
+
+Result<void> show_asset(const Catalog& catalog, const ShownAsset& asset) {
+  const Product* product = catalog.product(asset.id);
+  const FixtureKind* kind = catalog.fixture_kind(asset.id);
+  const MaterialRow* material = catalog.material(asset.id);
+  if (product == nullptr && !asset.label.empty())
+    return Error{"usage.bad_flag", "--label", "only products have a printed label"};
+  if (kind == nullptr && !asset.joints.empty())
+    return Error{"usage.bad_flag", "--joint", "only facilities have joints"};
+  if (product != nullptr) return show_product(*product, catalog, asset);
+  if (kind != nullptr)
+    return show_fixture(*kind, catalog, {asset.joints, asset.picture, asset.size_px});
+  if (material != nullptr) return show_material(*material, asset);
+  return unknown_asset(catalog, asset.id);
+}
+
+}  // namespace marketgen::app

@@ -1,0 +1,77 @@
+#include "show_fixture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/inherited_fields.h"
+#include "io/json.h"
+#include "io/png.h"
+#include "render/fixture_picture.h"
+#include "scene/articulation.h"
+#include "scene/fixture_stage.h"
+
+namespace marketgen::app {
+namespace {
+
+constexpr std::string_view every_joint = "all";
+
+// Its row in the catalogue, and what moves on it.
+struct ShownFixture : FixtureKind {
+  std::vector<SceneJoint> joints;
+  static constexpr auto fields =
+      std::tuple_cat(inherited_fields<ShownFixture>(FixtureKind::fields),
+                     field_list(field("joints", &ShownFixture::joints, "what moves on it")));
+};
+
+Result<std::size_t> joint_called(const Scene& stage, const std::string& name) {
+  std::vector<std::string_view> known{every_joint};
+  for (std::size_t row = 0; row < stage.joints.size(); ++row) {
+    if (stage.joints[row].name == name) return row;
+    known.push_back(stage.joints[row].name);
+  }
+  return unknown_name("usage.bad_flag", "--joint", "joint", name, known);
+}
+
+bool has_state(const SceneJoint& joint, const std::string& name) {
+  return std::ranges::any_of(joint.states, [&](const JointState& s) { return s.name == name; });
+}
+
+Result<void> put_joint(const Scene& stage,
+                       const std::string& flag,
+                       std::vector<double>& positions) {
+  const std::size_t equals = flag.find('=');
+  if (equals == std::string::npos)
+    return Error{"usage.bad_flag",
+                 "--joint",
+                 fmt::format("\"{}\" has no position; write NAME=STATE or NAME=NUMBER", flag)};
+  const std::string name = flag.substr(0, equals), where = flag.substr(equals + 1);
+  if (name != every_joint) {
+    MARKETGEN_TRY(const std::size_t row, joint_called(stage, name));
+    MARKETGEN_TRY(positions[row], joint_position(stage.joints[row], where));
+    return {};
+  }
+  for (std::size_t row = 0; row < positions.size(); ++row) {
+    if (!has_state(stage.joints[row], where)) continue;
+    MARKETGEN_TRY(positions[row], joint_position(stage.joints[row], where));
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> show_fixture(const FixtureKind& kind,
+                          const Catalog& catalog,
+                          const FixtureView& view) {
+  MARKETGEN_TRY(Scene stage, stage_fixture(kind, catalog));
+  std::vector<double> positions(stage.joints.size(), 0);
+  for (const std::string& flag : view.joints)
+    MARKETGEN_CHECK(put_joint(stage, flag, positions));
+  fmt::print("{}", write_json(ShownFixture{{kind}, stage.joints}));
+  if (view.picture.empty()) return {};
+  MARKETGEN_TRY(const Image picture,
+                draw_fixture(scene_at(std::move(stage), positions), view.size_px));
+  return write_png(view.picture, picture);
+}
+
+}  // namespace marketgen::app

@@ -1,0 +1,22 @@
+// `marketgen assets show` of a fixture kind: its row, its joints, and a picture of it with its
+// joints where they were asked to be.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "catalog/catalog.h"
+
+namespace marketgen::app {
+
+struct FixtureView {
+  std::vector<std::string> joints;  // "door-1=open", "till=0.2", "all=open"
+  std::string picture;              // PNG; empty: none
+  int size_px = 400;
+};
+
+// Prints JSON. "all=STATE" puts every joint there that has such a state. Errors: usage.bad_flag,
+// catalog.*, assets.*, io.*.
+Result<void> show_fixture(const FixtureKind& kind, const Catalog& catalog, const FixtureView& view);
+
+}  // namespace marketgen::app

@@ -1,0 +1,1 @@
+"""MarketGen's Python side: what only Python libraries can do, for the C++ program."""

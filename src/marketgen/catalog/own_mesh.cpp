@@ -1,0 +1,184 @@
+#include "catalog/own_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "io/file.h"
+#include "io/model_glb.h"
+
+namespace marketgen {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr double fit_tolerance = 0.03;  // scans differ by this much
+constexpr double rounding_m = 0.6e-3;   // rows are in whole millimetres
+
+using Sizes = std::array<double, 3>;  // width, depth, height in metres
+
+Sizes sizes_of(const OutsideModel& model) {
+  const Vec3f size = bounds_of(model.mesh).size();  // Y is up
+  return {size.x, size.z, size.y};
+}
+
+bool fits(const Sizes& sizes, const std::array<int, 3>& size_mm, double factor) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double wanted = size_mm[i] * 1e-3;
+    if (std::abs(sizes[i] * factor - wanted) > std::max(fit_tolerance * wanted, rounding_m))
+      return false;
+  }
+  return true;
+}
+
+std::string millimetres(const Sizes& sizes) {
+  return fmt::format("{:.1f} x {:.1f} x {:.1f} mm", 1e3 * sizes[0], 1e3 * sizes[1], 1e3 * sizes[2]);
+}
+
+// Why the sizes differ, as far as that can be told, and what mends it.
+std::string remedy(const Sizes& sizes, const std::array<int, 3>& size_mm) {
+  for (const LengthUnit unit : {LengthUnit::mm, LengthUnit::cm, LengthUnit::inch}) {
+    if (fits(sizes, size_mm, metres_in(unit)))
+      return fmt::format(
+          "its unit is {}, glTF's is the metre: export it in metres, or run "
+          "\"marketgen assets import FILE --unit {}\"",
+          name_of(unit),
+          name_of(unit));
+  }
+  Sizes mesh = sizes, row{size_mm[0] * 1e-3, size_mm[1] * 1e-3, size_mm[2] * 1e-3};
+  std::sort(mesh.begin(), mesh.end());
+  std::sort(row.begin(), row.end());
+  bool turned = true;
+  for (std::size_t i = 0; i < 3; ++i)
+    turned = turned && std::abs(mesh[i] / row[i] - 1) <= fit_tolerance;
+  if (turned) return "it lies on another side: turn it so that Y is up and its front faces +Z";
+  return "correct size_mm, or export the mesh at its true size in metres";
+}
+
+bool is_content_name(std::string_view name) {
+  constexpr std::size_t digits = 64;  // SHA-256
+  return name.size() == digits + 4 && name.ends_with(".glb") &&
+         name.substr(0, digits).find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
+Result<fs::path> kept_file(const Product& product, const fs::path& folder) {
+  if (is_content_name(product.mesh)) return folder / "meshes" / product.mesh;
+  return Error{"model.bad_file",
+               product.sku + "/mesh",
+               "is not the name of a kept mesh; load the catalogue that the product comes from"};
+}
+
+Result<void> write_into(const fs::path& file, std::string_view bytes) {
+  std::error_code failed;
+  fs::create_directories(file.parent_path(), failed);
+  if (failed) return Error{"io.cannot_write", file.parent_path().string(), failed.message()};
+  return write_file(file, bytes);
+}
+
+// Copies what `from` has and `to` lacks, of the meshes that the products use.
+Result<void> copy_meshes(const std::vector<Product>& products,
+                         const fs::path& from,
+                         const fs::path& to) {
+  for (const Product& product : products) {
+    if (product.archetype != mesh_archetype) continue;
+    MARKETGEN_TRY(const fs::path source, kept_file(product, from));
+    MARKETGEN_TRY(const fs::path target, kept_file(product, to));
+    std::error_code failed;
+    if (fs::exists(target, failed)) continue;
+    MARKETGEN_TRY(const std::string bytes, read_file(source, most_model_bytes));
+    if (sha256_hex(bytes) + ".glb" != product.mesh)
+      return Error{"model.bad_file", source.string(), "was changed after it was made; restore it"};
+    MARKETGEN_CHECK(write_into(target, bytes));
+  }
+  return {};
+}
+
+}  // namespace
+
+double metres_in(LengthUnit unit) {
+  switch (unit) {
+    case LengthUnit::m:
+      return 1;
+    case LengthUnit::cm:
+      return 0.01;
+    case LengthUnit::mm:
+      return 0.001;
+    case LengthUnit::inch:
+      return 0.0254;
+  }
+  return 1;
+}
+
+void scale_model(OutsideModel& model, double factor) {
+  const auto f = static_cast<float>(factor);
+  for (Vec3f& p : model.mesh.positions)
+    p *= f;
+  for (std::vector<Vec3f>& piece : model.pieces) {
+    for (Vec3f& p : piece)
+      p *= f;
+  }
+}
+
+Result<void> fit_model(OutsideModel& model,
+                       const std::array<int, 3>& size_mm,
+                       const std::string& where) {
+  const Sizes sizes = sizes_of(model);
+  if (!fits(sizes, size_mm, 1)) {
+    return Error{"model.bad_scale",
+                 where,
+                 fmt::format("is {}, its row says {} x {} x {} mm; {}",
+                             millimetres(sizes),
+                             size_mm[0],
+                             size_mm[1],
+                             size_mm[2],
+                             remedy(sizes, size_mm))};
+  }
+  const Bounds3 bounds = bounds_of(model.mesh);
+  const Vec3f origin{bounds.center().x, bounds.low.y, bounds.center().z};
+  const auto stretch = [&](std::size_t i) {
+    return static_cast<float>(size_mm[i] * 1e-3 / sizes[i]);
+  };
+  const Vec3f factor{stretch(0), stretch(2), stretch(1)};
+  for (Vec3f& p : model.mesh.positions)
+    p = (p - origin) * factor;
+  for (std::vector<Vec3f>& piece : model.pieces) {
+    for (Vec3f& p : piece)
+      p = (p - origin) * factor;
+  }
+  return {};
+}
+
+Result<std::string> keep_mesh(const fs::path& file, const Product& product) {
+  MARKETGEN_TRY(OutsideModel model, read_model_file(file));
+  MARKETGEN_CHECK(fit_model(model, product.size_mm, file.string()));
+  merge_pictures(model);
+  MARKETGEN_TRY(const std::string bytes, encode_glb(model, product.sku));
+  const std::string name = sha256_hex(bytes) + ".glb";
+  const fs::path kept = cache_folder() / "meshes" / name;
+  std::error_code failed;
+  if (!fs::exists(kept, failed)) MARKETGEN_CHECK(write_into(kept, bytes));
+  return name;
+}
+
+Result<OutsideModel> kept_mesh(const Product& product) {
+  MARKETGEN_TRY(const fs::path file, kept_file(product, cache_folder()));
+  const Result<std::string> bytes = read_file(file, most_model_bytes);
+  if (!bytes.ok())
+    return Error{bytes.error().code,
+                 product.sku + "/mesh",
+                 fmt::format("its mesh {} cannot be read; open its store, or load its catalogue, "
+                             "again",
+                             file.string())};
+  return parse_glb(*bytes, file.string());
+}
+
+Result<void> save_meshes(const std::vector<Product>& products, const fs::path& folder) {
+  return copy_meshes(products, cache_folder(), folder);
+}
+
+Result<void> restore_meshes(const std::vector<Product>& products, const fs::path& folder) {
+  return copy_meshes(products, folder, cache_folder());
+}
+
+}  // namespace marketgen

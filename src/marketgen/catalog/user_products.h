@@ -1,0 +1,19 @@
+// Product rows of a user's own file, to stand beside ours.
+//
+// JSON: an array of rows (market-product-1), or one market-asset/1 document as `assets import`
+// writes it. CSV: the first line names fields of the row, "label.primary" for a field within the
+// label; size_mm is written "66x66x115" and keywords "cola; soft drink".
+#pragma once
+#include <filesystem>
+#include <vector>
+
+#include "base/result.h"
+#include "catalog/product.h"
+
+namespace marketgen {
+
+// By the file's ending, .json or .csv. Meshes that rows name are kept (catalog/own_mesh.h). Errors:
+// json.*, csv.*, input.*, model.*, catalog.bad_row.
+Result<std::vector<Product>> read_user_products(const std::filesystem::path& file);
+
+}  // namespace marketgen

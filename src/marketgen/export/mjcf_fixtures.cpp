@@ -1,0 +1,156 @@
+#include "export/mjcf_fixtures.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "scene/articulation.h"
+
+namespace marketgen {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr int body_depth = 2;  // indentation of what lies in the world body
+
+double volume_of(const ScenePart& part) {
+  const double x = double(part.half_size_m[0]), y = double(part.half_size_m[1]),
+               z = double(part.half_size_m[2]);
+  return part.shape == PartShape::box ? 8 * x * y * z : 2 * pi * x * x * z;
+}
+
+class FixtureWriter {
+ public:
+  FixtureWriter(MjcfText& out, const Scene& scene) : out_(out), scene_(scene) {
+    parts_on_.resize(scene.joints.size());
+    children_.resize(scene.joints.size());
+    for (std::uint32_t row = 0; row < scene.parts.size(); ++row) {
+      if (const std::int32_t joint = scene.parts[row].joint; joint >= 0)
+        parts_on_[static_cast<std::size_t>(joint)].push_back(row);
+    }
+    for (std::uint32_t row = 0; row < scene.joints.size(); ++row) {
+      if (const std::int32_t parent = scene.joints[row].parent; parent >= 0)
+        children_[static_cast<std::size_t>(parent)].push_back(row);
+    }
+  }
+
+  // A geom of the world.
+  void write_still(std::uint32_t row) {
+    const Pose world = world_from_fixture(scene_, scene_.parts[row].fixture);
+    write_part(body_depth, row, world, "");
+  }
+
+  // A body on the world with all that it carries.
+  void write_moving(std::uint32_t joint) {
+    write_body(body_depth, joint, world_from_fixture(scene_, scene_.joints[joint].fixture));
+  }
+
+ private:
+  void write_part(int depth,
+                  std::uint32_t row,
+                  const Pose& owner_from_fixture,
+                  const std::string& mass) {
+    const ScenePart& part = scene_.parts[row];
+    const ContactShape shape = owner_from_fixture * contact_shape_of(part);
+    const double alpha = part.kind == SurfaceKind::glass ? mjcf_glass_alpha : 1.0;
+    out_.line(depth,
+              "<geom name=\"{}/{}-{}\" class=\"fixture\"{}{} size=\"{}\"{} rgba=\"{}\"/>",
+              scene_.layout.fixtures[part.fixture].id,
+              name_of(part.unit),
+              row - scene_.fixtures[part.fixture].first_part,
+              shape.shape == CollisionShape::cylinder ? " type=\"cylinder\"" : "",
+              mjcf_pose(shape.pose),
+              mjcf_size(shape),
+              mass,
+              mjcf_color({part.color[0], part.color[1], part.color[2]}, alpha));
+  }
+
+  // The body's frame is the joint's.
+  void write_body(int depth, std::uint32_t row, const Pose& owner_from_fixture) {
+    const SceneJoint& joint = scene_.joints[row];
+    const Pose frame = fixture_from_joint(joint);
+    out_.line(depth,
+              "<body name=\"{}\"{}>",
+              mjcf_joint_name(scene_, joint),
+              mjcf_pose(owner_from_fixture * frame));
+    if (joint.kind != JointKind::belt) write_joint(depth + 1, joint);
+    const Pose body_from_fixture = inverse(frame);
+    double volume = 0;
+    for (const std::uint32_t part : parts_on_[row])
+      volume += volume_of(scene_.parts[part]);
+    for (const std::uint32_t part : parts_on_[row]) {
+      const double share = volume_of(scene_.parts[part]) / volume;
+      const auto mass = static_cast<float>(double(joint.mass_kg) * share);
+      write_part(depth + 1, part, body_from_fixture, fmt::format(" mass=\"{}\"", mass));
+    }
+    for (const std::uint32_t child : children_[row])
+      write_body(depth + 1, child, body_from_fixture);
+    out_.line(depth, "</body>");
+  }
+
+  void write_joint(int depth, const SceneJoint& joint) {
+    const std::string spring = joint.stiffness == 0
+                                   ? ""
+                                   : fmt::format(" stiffness=\"{} 0 {}\" springref=\"{}\"",
+                                                 joint.stiffness,
+                                                 static_cast<float>(mjcf_hold_open_factor(joint)),
+                                                 joint.spring_rest);
+    out_.line(depth,
+              "<joint name=\"{}\" type=\"{}\" axis=\"0 0 1\" range=\"{} {}\" frictionloss=\"{}\" "
+              "damping=\"{}\"{}/>",
+              mjcf_joint_name(scene_, joint),
+              name_of(joint.kind),  // MuJoCo's names are ours
+              joint.lower,
+              joint.upper,
+              joint.friction,
+              joint.damping,
+              spring);
+  }
+
+  MjcfText& out_;
+  const Scene& scene_;
+  std::vector<std::vector<std::uint32_t>> parts_on_, children_;  // by joint
+};
+
+bool is_belt(const SceneJoint& joint) {
+  return joint.kind == JointKind::belt;
+}
+
+}  // namespace
+
+std::string mjcf_joint_name(const Scene& scene, const SceneJoint& joint) {
+  return scene.layout.fixtures[joint.fixture].id + "/" + joint.name;
+}
+
+double mjcf_hold_open_factor(const SceneJoint& joint) {
+  if (joint.hold_open == 0) return 0;
+  const double reach = double(joint.hold_open) - double(joint.spring_rest);
+  return -double(joint.stiffness) / (reach * reach);
+}
+
+void write_mjcf_fixtures(MjcfText& out, const Scene& scene, const ExportOptions& options) {
+  FixtureWriter writer(out, scene);
+  for (std::uint32_t row = 0; row < scene.parts.size(); ++row) {
+    if (options.still_fixtures || scene.parts[row].joint < 0) writer.write_still(row);
+  }
+  if (options.still_fixtures) return;
+  for (std::uint32_t row = 0; row < scene.joints.size(); ++row) {
+    if (scene.joints[row].parent < 0) writer.write_moving(row);
+  }
+}
+
+void write_mjcf_belts(MjcfText& out, const Scene& scene, const ExportOptions& options) {
+  if (options.still_fixtures || std::ranges::none_of(scene.joints, is_belt)) return;
+  out.line(1, "<custom>");
+  for (const SceneJoint& joint : scene.joints) {
+    if (!is_belt(joint)) continue;
+    const Pose world = world_from_fixture(scene, joint.fixture) * fixture_from_joint(joint);
+    out.line(2,
+             "<numeric name=\"{}\" data=\"{} {} {}\"/>",
+             mjcf_joint_name(scene, joint),
+             mjcf_vector(rotate(world.rotation, {0, 0, 1})),
+             joint.lower,
+             joint.upper);
+  }
+  out.line(1, "</custom>");
+}
+
+}  // namespace marketgen

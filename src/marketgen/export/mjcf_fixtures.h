@@ -1,0 +1,28 @@
+// The fixtures of an MJCF file. What stands still is a geom of the world; what a joint moves is a
+// geom of a body with a hinge or a slide. Body and joint are called "<fixture id>/<joint>".
+//
+// A self-closing joint's spring pulls towards its rest x away with the torque k x (1 - (x / h)^2),
+// h the distance of the position from which it holds open: past that it pushes to the end, as the
+// hinges of cooler doors do. Dry friction holds it a few degrees before that, too.
+//
+// MuJoCo has no surface velocity. A belt is a body without a joint, to be known by its contacts,
+// and a custom numeric "<fixture id>/<joint>": the direction in which its surface runs (x y z,
+// store frame), its least and its greatest speed in m/s. A controller drives what lies on it.
+#pragma once
+#include "export/export.h"
+#include "export/mjcf_text.h"
+#include "scene/scene.h"
+
+namespace marketgen {
+
+// Inside <worldbody>.
+void write_mjcf_fixtures(MjcfText& out, const Scene& scene, const ExportOptions& options);
+// A <custom> section, or nothing when no belt runs.
+void write_mjcf_belts(MjcfText& out, const Scene& scene, const ExportOptions& options);
+
+// "<fixture id>/<joint>".
+std::string mjcf_joint_name(const Scene& scene, const SceneJoint& joint);
+// The factor of x^3 in the spring's force -k x - factor x^3.
+double mjcf_hold_open_factor(const SceneJoint& joint);
+
+}  // namespace marketgen

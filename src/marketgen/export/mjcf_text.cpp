@@ -1,0 +1,47 @@
+#include "export/mjcf_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace marketgen {
+namespace {
+
+// The inverse of linear_from_srgb (IEC 61966-2-1), to three decimals.
+double srgb_from_linear(float linear) {
+  const double l = std::clamp(static_cast<double>(linear), 0.0, 1.0);
+  const double encoded = l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1 / 2.4) - 0.055;
+  return std::round(encoded * 1000) / 1000;
+}
+
+}  // namespace
+
+std::string mjcf_vector(const Vec3& v) {
+  return fmt::format(
+      "{} {} {}", static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z));
+}
+
+std::string mjcf_pose(const Pose& pose) {
+  const Quaternion& q = pose.rotation;
+  const std::string position = fmt::format(" pos=\"{}\"", mjcf_vector(pose.position));
+  if (q == Quaternion{}) return position;
+  return position + fmt::format(" quat=\"{} {} {} {}\"",
+                                static_cast<float>(q.w),
+                                static_cast<float>(q.x),
+                                static_cast<float>(q.y),
+                                static_cast<float>(q.z));
+}
+
+std::string mjcf_size(const ContactShape& shape) {
+  if (shape.shape != CollisionShape::cylinder) return mjcf_vector(shape.size);
+  return fmt::format("{} {}", static_cast<float>(shape.size.x), static_cast<float>(shape.size.y));
+}
+
+std::string mjcf_color(Vec3f linear, double alpha) {
+  return fmt::format("{} {} {} {}",
+                     srgb_from_linear(linear.x),
+                     srgb_from_linear(linear.y),
+                     srgb_from_linear(linear.z),
+                     alpha);
+}
+
+}  // namespace marketgen

@@ -1,0 +1,21 @@
+// Comma-separated values as in RFC 4180: quoted fields, doubled quotes, LF or CRLF.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+
+namespace marketgen {
+
+struct CsvRow {
+  int line = 1;  // of the file, where the row begins
+  std::vector<std::string> fields;
+};
+
+// Every row, the header first; lines with nothing on them are passed over. A byte-order mark is
+// dropped. Each row must have as many fields as the first. Errors: csv.syntax, input.not_utf8,
+// input.too_large (more than 100,000 rows or 200 columns).
+Result<std::vector<CsvRow>> parse_csv(std::string_view text, const std::string& source);
+
+}  // namespace marketgen

@@ -1,0 +1,87 @@
+#include "io/jpeg.h"
+
+#include <csetjmp>
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <jpeglib.h>
+
+namespace marketgen {
+namespace {
+
+constexpr std::uint64_t most_pixels = 64'000'000;
+
+struct Fault {
+  jpeg_error_mgr manager{};
+  std::jmp_buf back{};
+  char message[JMSG_LENGTH_MAX] = "";
+};
+
+void leave(j_common_ptr jpeg) {
+  auto* fault = reinterpret_cast<Fault*>(jpeg->err);  // the manager is its first member
+  jpeg->err->format_message(jpeg, fault->message);
+  std::longjmp(fault->back, 1);
+}
+
+// A warning means missing or damaged data: such a picture is refused.
+void refuse_warnings(j_common_ptr jpeg, int level) {
+  if (level < 0) leave(jpeg);
+}
+
+enum class Decoded { picture, damaged, too_large };
+
+// libjpeg leaves by longjmp on errors: nothing with a destructor may live in this function.
+Decoded decode(std::string_view bytes, Fault& fault, Image& image) {
+  jpeg_decompress_struct jpeg{};
+  jpeg.err = jpeg_std_error(&fault.manager);
+  fault.manager.error_exit = leave;
+  fault.manager.emit_message = refuse_warnings;
+  if (setjmp(fault.back) != 0) {
+    jpeg_destroy_decompress(&jpeg);
+    return Decoded::damaged;
+  }
+  jpeg_create_decompress(&jpeg);
+  jpeg_mem_src(&jpeg,
+               reinterpret_cast<const unsigned char*>(bytes.data()),
+               static_cast<unsigned long>(bytes.size()));
+  jpeg_read_header(&jpeg, TRUE);
+  image.width = static_cast<int>(jpeg.image_width);
+  image.height = static_cast<int>(jpeg.image_height);
+  if (std::uint64_t{jpeg.image_width} * jpeg.image_height > most_pixels) {
+    jpeg_destroy_decompress(&jpeg);
+    return Decoded::too_large;
+  }
+  jpeg.out_color_space = JCS_RGB;
+  jpeg_start_decompress(&jpeg);
+  image.pixels.resize(std::size_t{3} * jpeg.output_width * jpeg.output_height);
+  while (jpeg.output_scanline < jpeg.output_height) {
+    JSAMPROW row = image.at(0, static_cast<int>(jpeg.output_scanline));
+    jpeg_read_scanlines(&jpeg, &row, 1);
+  }
+  jpeg_finish_decompress(&jpeg);
+  jpeg_destroy_decompress(&jpeg);
+  return Decoded::picture;
+}
+
+}  // namespace
+
+Result<Image> decode_jpeg(std::string_view bytes, const std::string& where) {
+  Fault fault;
+  Image image;
+  switch (decode(bytes, fault, image)) {
+    case Decoded::picture:
+      return image;
+    case Decoded::too_large:
+      return Error{
+          "input.too_large",
+          where,
+          fmt::format(
+              "has {} x {} pixels; at most 64 megapixels are read", image.width, image.height)};
+    case Decoded::damaged:
+      break;
+  }
+  return Error{
+      "image.bad_file", where, fmt::format("is not a readable JPEG file ({})", fault.message)};
+}
+
+}  // namespace marketgen

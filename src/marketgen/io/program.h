@@ -1,0 +1,32 @@
+// Outside programs: started with a command, fed a text, read to the end, within limits.
+#pragma once
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+
+namespace marketgen {
+
+struct ProgramLimits {
+  double seconds = 60;                   // then it is ended
+  std::size_t output_bytes = 64U << 20;  // of its standard output; more ends it too
+};
+
+// What the program wrote to its standard output. `command[0]` is a path, or a name that is looked
+// up in PATH; no shell is involved. Its standard error is kept for the message. Errors:
+// usage.unavailable when it cannot be started; program.failed when it ends with another status
+// than 0, with a signal, or breaks a limit.
+Result<std::string> run_program(const std::vector<std::string>& command,
+                                std::string_view input,
+                                const ProgramLimits& limits = {});
+
+// The Python that runs our workers: $MARKETGEN_PYTHON, .venv of the source tree, else python3.
+std::string worker_python();
+// The folder that holds the Python package `marketgen`: beside the data of the source tree or of
+// the installation. Error: usage.unavailable.
+Result<std::filesystem::path> worker_folder();
+
+}  // namespace marketgen

@@ -1,0 +1,63 @@
+#include "render/label_library.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/parallel.h"
+#include "io/json.h"
+#include "render/picture_cache.h"
+
+namespace marketgen::raytrace {
+
+namespace {
+
+constexpr double usual_px_per_mm = 1.9, usual_area_mm2 = 200.0 * 200.0;
+
+}  // namespace
+
+double label_px_per_mm(const SheetSize& size) {
+  constexpr double falloff = 0.125;  // pixels grow with the area to the power of 3/4
+  const double area_mm2 =
+      static_cast<double>(size.width_m) * static_cast<double>(size.height_m) * 1e6;
+  return usual_px_per_mm * std::pow(usual_area_mm2 / std::max(area_mm2, 1.0), falloff);
+}
+
+std::string label_content(const Product& product) {
+  return "library label " + write_json_line(product);
+}
+
+Result<PrintedPicture> library_label(const Product& product) {
+  const Result<SheetSize> size = sheet_size_of(product);  // products with a mesh of their own: none
+  return print_label(product, size.ok() ? label_px_per_mm(*size) : usual_px_per_mm);
+}
+
+Result<LabelLibrary> build_label_library(const std::vector<Product>& products, Progress& progress) {
+  struct Made {
+    std::uint64_t bytes = 0;
+    bool drawn = false;
+    std::optional<Error> error;
+  };
+  std::vector<Made> made(products.size());
+  progress.begin("labels", products.size());
+  parallel_for(products.size(), [&](std::size_t i) {
+    const Result<Print> print =
+        cached_print(label_content(products[i]), [&] { return library_label(products[i]); });
+    if (print.ok())
+      made[i] = {print->blocks.bytes(), print->drawn, std::nullopt};
+    else
+      made[i].error = print.error();
+    progress.advance();
+  });
+  progress.end();
+  LabelLibrary library;
+  for (const Made& one : made) {
+    if (one.error) return *one.error;
+    library.labels += one.bytes > 0 ? 1 : 0;
+    library.drawn += one.drawn ? 1 : 0;
+    library.bytes += one.bytes;
+  }
+  return library;
+}
+
+}  // namespace marketgen::raytrace

@@ -1,0 +1,63 @@
+#include "scene/fixture_stage.h"
+
+#include <algorithm>
+
+namespace marketgen {
+namespace {
+
+constexpr int walk_mm = 6000;  // free floor all round the fixture
+constexpr int ceiling_mm = 3000;
+constexpr int over_mm = 300;  // from the fixture to the ceiling, at least
+constexpr char zone_id[] = "stage";
+
+Shell room_for(const FixtureKind& kind) {
+  Shell shell;
+  shell.width_mm = kind.module_widths_mm.front() + 2 * walk_mm;
+  shell.depth_mm = kind.depth_mm + 2 * walk_mm;
+  shell.ceiling_mm = std::max(ceiling_mm, kind.height_mm + over_mm);
+  const int w = shell.width_mm, d = shell.depth_mm;
+  shell.outline_mm = PolygonMm{{0, 0}, {w, 0}, {w, d}, {0, d}};
+  return shell;
+}
+
+Fixture module_of(const FixtureKind& kind, const Shell& room) {
+  Fixture fixture;
+  fixture.id = fixture.run = fixture.kind = kind.kind;
+  fixture.zone = zone_id;
+  fixture.x_mm = room.width_mm / 2;
+  fixture.y_mm = room.depth_mm / 2;
+  fixture.width_mm = kind.module_widths_mm.front();
+  fixture.depth_mm = kind.depth_mm;
+  fixture.height_mm = kind.height_mm;
+  fixture.levels = kind.levels;
+  fixture.base_mm = kind.base_mm;
+  fixture.spacing_mm = kind.levels > 0 ? (kind.height_mm - kind.base_mm) / kind.levels : 0;
+  fixture.sides = kind.double_sided ? 2 : 1;
+  fixture.run_start = fixture.run_end = true;
+  fixture.material = kind.material;
+  fixture.color = kind.color;
+  return fixture;
+}
+
+// A zone that sells no category that there is.
+Zone bare_zone() {
+  Zone zone;
+  zone.id = zone.type = zone_id;
+  zone.stock.categories = {"nothing"};
+  return zone;
+}
+
+}  // namespace
+
+Result<Scene> stage_fixture(const FixtureKind& kind, const Catalog& catalog) {
+  Layout layout;
+  layout.name = kind.name;
+  layout.shell = room_for(kind);
+  layout.fixtures.push_back(module_of(kind, layout.shell));
+  Plan plan;
+  plan.shell = layout.shell;
+  plan.zones.push_back(bare_zone());
+  return build_scene(layout, plan, catalog, Seed(0));
+}
+
+}  // namespace marketgen

@@ -1,0 +1,73 @@
+#include "scene/reskin.h"
+
+#include <algorithm>
+
+#include "layout/module_spec.h"
+#include "plan/style_look.h"
+
+namespace marketgen {
+namespace {
+
+void change_finish(Fixture& fixture, const Look& from, const Look& to, const Catalog& catalog) {
+  const FixtureKind* kind = catalog.fixture_kind(fixture.kind);
+  if (kind == nullptr || !takes_look(*kind) || fixture.material != from.fixture) return;
+  const MaterialRow* before = catalog.material(from.fixture);
+  const MaterialRow* after = catalog.material(to.fixture);
+  fixture.material = to.fixture;
+  // A colour that somebody wished for stays.
+  if (before != nullptr && after != nullptr && fixture.color == before->color)
+    fixture.color = after->color;
+}
+
+Layout in_look(Layout layout, const Look& look, const Catalog& catalog) {
+  for (Fixture& fixture : layout.fixtures)
+    change_finish(fixture, layout.look, look, catalog);
+  layout.look = look;
+  return layout;
+}
+
+// A plan under which nothing is stocked.
+Plan bare_plan(const Layout& layout) {
+  Plan plan;
+  plan.shell = layout.shell;
+  for (const LayoutZone& zone : layout.zones) {
+    Zone bare;
+    bare.id = zone.id;
+    bare.type = zone.type;
+    bare.stock.categories = {"nothing"};
+    plan.zones.push_back(std::move(bare));
+  }
+  return plan;
+}
+
+bool same_piece(const ScenePart& a, const ScenePart& b) {
+  return a.fixture == b.fixture && a.unit == b.unit && a.shape == b.shape &&
+         a.half_size_m == b.half_size_m;
+}
+
+}  // namespace
+
+Result<Scene> reskin(Scene scene, const StyleRow& style, const Catalog& catalog) {
+  Layout layout = in_look(scene.layout, look_of(style), catalog);
+  MARKETGEN_TRY(Scene bare, build_scene(layout, bare_plan(layout), catalog, Seed(scene.seed)));
+  if (!std::ranges::equal(scene.parts, bare.parts, same_piece)) {
+    return Error{"scene.wrong_version",
+                 "--skin",
+                 "the store's fixtures were made by another version or from other rows; generate "
+                 "it again with --skin"};
+  }
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    ScenePart& part = scene.parts[i];
+    const ScenePart& painted = bare.parts[i];
+    part.kind = painted.kind;
+    part.color = painted.color;
+    part.roughness = painted.roughness;
+    part.metallic = painted.metallic;
+    part.material = painted.material;
+  }
+  scene.layout = std::move(layout);
+  scene.materials = std::move(bare.materials);
+  return scene;
+}
+
+}  // namespace marketgen

@@ -1,0 +1,152 @@
+// How parts of fixtures move: the frames of joints, how pieces are hung on one another, and what
+// every generator's joints promise.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <utility>
+
+#include "assets/fixtures/joints.h"
+#include "fixture_table.h"
+
+namespace marketgen {
+namespace {
+
+FixtureModel cube_at(double x_mm) {
+  FixtureModel model;
+  add(model, box(UnitKind::door, {}, {{x_mm, x_mm + 10}, {0, 10}, {0, 10}}));
+  return model;
+}
+
+TEST(Joints, AFramesAxisIsItsZ) {
+  for (const Vec3& axis : {x_axis, y_axis, z_axis, -x_axis, -y_axis, -z_axis, Vec3{0.6, 0, -0.8}}) {
+    const Pose frame = joint_frame({100, 200, 300}, axis);
+    EXPECT_EQ(frame.position, (Vec3{0.1, 0.2, 0.3}));
+    const Vec3 z = rotate(frame.rotation, {0, 0, 1});
+    EXPECT_NEAR(z.x, axis.x, 1e-12);
+    EXPECT_NEAR(z.y, axis.y, 1e-12);
+    EXPECT_NEAR(z.z, axis.z, 1e-12);
+  }
+}
+
+TEST(Joints, APieceOnAPieceIsCarriedByIt) {
+  FixtureModel fork = cube_at(0);
+  hang(fork, wheel_at("wheel", {0, 0, 0}, y_axis, 0.2), cube_at(20));
+  FixtureModel cart = cube_at(100);
+  hang(cart, caster_at("caster", {0, 0, 0}, 0.5), std::move(fork));
+
+  FixtureModel model;
+  hang(model, slide_along("drawer", {0, 0, 0}, -y_axis, 300), cube_at(200));
+  append(model, std::move(cart));
+  ASSERT_EQ(model.joints.size(), 3U);
+  EXPECT_EQ(model.joints[0].name, "drawer");
+  EXPECT_EQ(model.joints[1].name, "caster");
+  EXPECT_EQ(model.joints[2].name, "wheel");
+  EXPECT_EQ(model.joints[0].parent, -1);
+  EXPECT_EQ(model.joints[1].parent, -1);
+  EXPECT_EQ(model.joints[2].parent, 1);
+  ASSERT_EQ(model.parts.size(), 4U);
+  const int joints[] = {0, -1, 1, 2};  // drawer, cart, fork, wheel
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_EQ(model.parts[i].joint, joints[i]) << i;
+}
+
+TEST(Joints, TheBackSideTurnsWithItsParts) {
+  FixtureModel model;
+  hang(model, hinge_at("lid", {100, -200, 0}, x_axis, 1), cube_at(0));
+  model = as_back_side(std::move(model));
+  const FixtureJoint& joint = model.joints.front();
+  EXPECT_EQ(joint.name, "back-lid");
+  EXPECT_NEAR(joint.fixture_from_joint.position.x, -0.1, 1e-12);
+  EXPECT_NEAR(joint.fixture_from_joint.position.y, 0.2, 1e-12);
+  EXPECT_NEAR(rotate(joint.fixture_from_joint.rotation, {0, 0, 1}).x, -1, 1e-12);
+}
+
+TEST(Joints, SpringsOfDoorsArePreloaded) {
+  const FixtureJoint door = self_closing(hinge_at("door", {0, 0, 0}, z_axis, 1.6), 2, 1.4);
+  EXPECT_GT(door.stiffness * (0 - door.spring_rest), door.friction);  // it pulls the closed door
+  EXPECT_EQ(door.hold_open, 1.4);
+  FixtureJoint both_ways = hinge_at("leaf", {0, 0, 0}, z_axis, 1.5);
+  both_ways.lower = -1.5;
+  EXPECT_EQ(self_closing(both_ways, 2, 0).spring_rest, 0);
+}
+
+void expect_sound(const FixtureModel& model, std::size_t row) {
+  const FixtureJoint& joint = model.joints[row];
+  SCOPED_TRACE(joint.name);
+  EXPECT_LT(joint.parent, static_cast<int>(row));
+  EXPECT_GT(joint.mass_kg, 0);
+  EXPECT_GE(joint.friction, 0);
+  EXPECT_GE(joint.damping, 0);
+  EXPECT_GE(joint.stiffness, 0);
+  EXPECT_LT(joint.lower, joint.upper);
+  EXPECT_LE(joint.lower, 0);
+  EXPECT_LE(joint.hold_open, joint.upper);
+  ASSERT_FALSE(joint.states.empty());
+  EXPECT_EQ(joint.states.front().position, 0);
+  for (const JointState& state : joint.states) {
+    EXPECT_GE(state.position, joint.lower) << state.name;
+    EXPECT_LE(state.position, joint.upper) << state.name;
+  }
+  EXPECT_TRUE(std::ranges::any_of(model.parts, [&](const FixturePart& part) {
+    return part.joint == static_cast<int>(row);
+  })) << "moves nothing";
+}
+
+void expect_sound(const FixtureModel& model) {
+  std::set<std::string> names;
+  for (std::size_t row = 0; row < model.joints.size(); ++row) {
+    EXPECT_TRUE(names.insert(model.joints[row].name).second) << model.joints[row].name;
+    expect_sound(model, row);
+  }
+  for (const FixturePart& part : model.parts)
+    EXPECT_LT(part.joint, static_cast<int>(model.joints.size()));
+}
+
+TEST(Joints, OfEveryTableRowAreSound) {
+  const Catalog catalog = small_catalog();
+  for (const FixtureShape& shape : table()) {
+    SCOPED_TRACE(text_of(shape));
+    expect_sound(made(shape, catalog));
+  }
+}
+
+TEST(Joints, GeneratorsWhoseRealThingMovesHaveThem) {
+  const std::set<std::string> moving{"glass_door_cooler",
+                                     "chest_freezer",
+                                     "island_freezer",
+                                     "checkout_lane",
+                                     "self_checkout",
+                                     "kiosk",
+                                     "basket_stack",
+                                     "trolley_bay",
+                                     "coffee_machine",
+                                     "gate"};
+  const Catalog catalog = small_catalog();
+  for (const FixtureShape& shape : table()) {
+    if (moving.contains(shape.generator)) {
+      EXPECT_FALSE(made(shape, catalog).joints.empty()) << text_of(shape);
+    }
+  }
+}
+
+TEST(Joints, ACoolersDoorsOpenToTheFront) {
+  const FixtureModel model =
+      made(shape_of("glass_door_cooler", 1250, 710, 2200, 5, 250, 350, 1), small_catalog());
+  ASSERT_EQ(model.joints.size(), 2U);
+  const FixtureJoint& first = model.joints[0];
+  EXPECT_EQ(first.name, "door-1");
+  EXPECT_NEAR(first.fixture_from_joint.position.x, -0.625 + 0.002, 1e-9);  // its left edge
+  EXPECT_NEAR(rotate(first.fixture_from_joint.rotation, {0, 0, 1}).z, -1, 1e-12);
+  EXPECT_NEAR(first.upper, radians(95), 1e-12);
+  EXPECT_GT(first.hold_open, radians(80));
+  EXPECT_GT(first.stiffness, 0);
+  int on_first = 0;
+  for (const FixturePart& part : model.parts)
+    on_first += part.joint == 0 ? 1 : 0;
+  EXPECT_EQ(on_first, 8);  // four stiles, a pane, a bar on two brackets
+}
+
+}  // namespace
+}  // namespace marketgen

@@ -1,0 +1,155 @@
+// A user's own products: CSV, JSON, and rows with a mesh.
+#include "catalog/user_products.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "catalog/own_mesh.h"
+#include "support/glb_bytes.h"
+#include "support/run_program.h"
+
+namespace marketgen {
+namespace {
+
+namespace fs = std::filesystem;
+
+class UserProducts : public testing::Test {
+ protected:
+  void SetUp() override { setenv("MARKETGEN_CACHE", (scratch_.path() / "cache").c_str(), 1); }
+  void TearDown() override { unsetenv("MARKETGEN_CACHE"); }
+
+  fs::path write(const std::string& name, const std::string& bytes) const {
+    fs::create_directories((scratch_.path() / name).parent_path());
+    std::ofstream(scratch_.path() / name, std::ios::binary) << bytes;
+    return scratch_.path() / name;
+  }
+  Result<std::vector<Product>> read(const std::string& name, const std::string& bytes) const {
+    return read_user_products(write(name, bytes));
+  }
+  void expect_refused(const Result<std::vector<Product>>& read,
+                      const std::string& code,
+                      const std::string& where,
+                      const std::string& says) const {
+    ASSERT_FALSE(read.ok()) << says;
+    EXPECT_EQ(read.error().code.rfind(code, 0), 0U) << to_string(read.error());
+    EXPECT_NE(read.error().where.find(where), std::string::npos) << to_string(read.error());
+    EXPECT_NE(read.error().message.find(says), std::string::npos) << to_string(read.error());
+  }
+
+  ScratchFolder scratch_;
+};
+
+constexpr const char* header =
+    "sku,ean,name,category,subcategory,archetype,size_mm,mass_kg,keywords,storage,label.primary\n";
+
+TEST_F(UserProducts, CsvRow) {
+  const auto products =
+      read("own.csv",
+           std::string(header) +
+               "own-cola,2999999999991,\"Cola, red\",beverages,soft drinks,can,66x66 x115,0.35,"
+               "cola; soft drink,chilled,#aa0000\n");
+  ASSERT_TRUE(products.ok()) << to_string(products.error());
+  ASSERT_EQ(products->size(), 1U);
+  const Product& p = products->at(0);
+  EXPECT_EQ(p.sku, "own-cola");
+  EXPECT_EQ(p.name, "Cola, red");
+  EXPECT_EQ(p.size_mm, (std::array<int, 3>{66, 66, 115}));
+  EXPECT_DOUBLE_EQ(p.mass_kg, 0.35);
+  EXPECT_EQ(p.keywords, (std::vector<std::string>{"cola", "soft drink"}));
+  EXPECT_EQ(p.storage, Storage::chilled);
+  EXPECT_EQ(p.label.primary, "#aa0000");
+  EXPECT_EQ(p.label.text, LabelStyle{}.text);  // what is not given keeps its default
+}
+
+TEST_F(UserProducts, CsvFaultsNameLineAndField) {
+  const std::string row =
+      "own-cola,2999999999991,Cola,beverages,soft drinks,can,66x66x115,0.35,,,\n";
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string text = header + row;
+    text.replace(text.find(from), from.size(), to);
+    return read("own.csv", text);
+  };
+  expect_refused(with("mass_kg", "mas_kg"), "json.unknown_field", "own.csv:1", "\"mass_kg\"");
+  expect_refused(
+      with("label.primary", "label.colour"), "json.unknown_field", "own.csv:1", "column");
+  expect_refused(with("0.35", "heavy"), "json.wrong_type", "own.csv:2:/mass_kg", "\"heavy\"");
+  expect_refused(with("66x66x115", "66x66"), "json.", "own.csv:2:/size_mm", "");
+  expect_refused(with("0.35,", "99,"), "json.out_of_range", "own.csv:2:/mass_kg", "99");
+  expect_refused(with("Cola", ""), "json.missing_field", "own.csv:2", "name");
+  expect_refused(with(",,,\n", ",,cold,\n"), "json.unknown_name", "own.csv:2:/storage", "cold");
+  expect_refused(with(",,,\n", ",\n"), "csv.syntax", "own.csv:2", "fields");
+}
+
+std::string mesh_row(const std::string& mesh, const std::string& size = "[80, 60, 150]") {
+  return R"([{"sku": "own-tea", "ean": "2999999999991", "name": "Tea", "category": "dry_goods",
+    "subcategory": "tea", "archetype": "mesh", "mesh": ")" +
+         mesh + R"(", "size_mm": )" + size + R"(, "mass_kg": 0.1}])";
+}
+
+TEST_F(UserProducts, MeshIsKeptByItsContent) {
+  write("tea.glb", box_glb(0.0802F, 0.15F, 0.06F));  // 0.2 mm wider than the row says
+  const auto products = read("own.json", mesh_row("tea.glb"));
+  ASSERT_TRUE(products.ok()) << to_string(products.error());
+  const Product& p = products->at(0);
+  EXPECT_EQ(p.mesh.size(), 68U);
+  EXPECT_EQ(read("again/own.json", mesh_row("x.glb")).error().code, "input.not_found");
+  write("again/other.glb", box_glb(0.0802F, 0.15F, 0.06F));
+  EXPECT_EQ(read("again/own.json", mesh_row("other.glb"))->at(0).mesh, p.mesh);
+  const auto model = kept_mesh(p);
+  ASSERT_TRUE(model.ok()) << to_string(model.error());
+  const Bounds3 bounds = bounds_of(model->mesh);
+  EXPECT_NEAR(bounds.size().x, 0.08, 1e-6);  // exactly the row's
+  EXPECT_NEAR(bounds.low.y, 0, 1e-6);
+  EXPECT_NEAR(bounds.center().z, 0, 1e-6);
+}
+
+TEST_F(UserProducts, MeshMustBeThereWithinTheFolderAndTheArchetype) {
+  write("tea.glb", box_glb(0.08F, 0.15F, 0.06F));
+  for (const char* name : {"../tea.glb", "/etc/passwd", "a/../../tea.glb"})
+    expect_refused(read("rows/own.json", mesh_row(name)),
+                   "input.outside_folder",
+                   "own-tea/mesh",
+                   "not in the folder");
+  expect_refused(
+      read("own.json", mesh_row("")), "catalog.bad_row", "own-tea/mesh", "name of a file");
+  std::string row = mesh_row("tea.glb");
+  row.replace(row.find("\"mesh\""), 6, "\"box\"");
+  expect_refused(read("own.json", row), "catalog.bad_row", "own-tea/mesh", "write \"mesh\"");
+}
+
+TEST_F(UserProducts, WrongUnitAndWrongSideSayWhatMendsThem) {
+  write("mm.glb", box_glb(80, 150, 60));
+  write("inch.glb", box_glb(3.15F, 5.906F, 2.362F));
+  write("lying.glb", box_glb(0.08F, 0.06F, 0.15F));
+  write("other.glb", box_glb(0.09F, 0.15F, 0.06F));
+  const auto refused = [&](const char* mesh, const char* says) {
+    expect_refused(read("own.json", mesh_row(mesh)), "model.bad_scale", mesh, says);
+  };
+  refused("mm.glb", "--unit mm");
+  refused("inch.glb", "--unit inch");
+  refused("lying.glb", "turn it");
+  refused("other.glb", "correct size_mm");
+}
+
+TEST_F(UserProducts, StoreFoldersCarryTheirMeshes) {
+  write("tea.glb", box_glb(0.08F, 0.15F, 0.06F));
+  const auto products = read("own.json", mesh_row("tea.glb"));
+  ASSERT_TRUE(products.ok());
+  ASSERT_TRUE(save_meshes(*products, scratch_.path() / "store").ok());
+  fs::remove_all(scratch_.path() / "cache");
+  EXPECT_EQ(kept_mesh(products->at(0)).error().code, "input.not_found");
+  ASSERT_TRUE(restore_meshes(*products, scratch_.path() / "store").ok());
+  EXPECT_TRUE(kept_mesh(products->at(0)).ok());
+
+  fs::remove_all(scratch_.path() / "cache");
+  write("store/meshes/" + products->at(0).mesh, box_glb(1, 1, 1));  // not what the name says
+  EXPECT_EQ(restore_meshes(*products, scratch_.path() / "store").error().code, "model.bad_file");
+  Product hostile = products->at(0);
+  hostile.mesh = "../../../etc/passwd";
+  EXPECT_EQ(kept_mesh(hostile).error().code, "model.bad_file");
+  EXPECT_EQ(restore_meshes({hostile}, scratch_.path()).error().code, "model.bad_file");
+}
+
+}  // namespace
+}  // namespace marketgen
