@@ -5,6 +5,7 @@
 #include "assets/import_asset.h"
 #include "assets/product_model.h"
 #include "base/parallel.h"
+#include "build_library.h"
 #include "catalog/asset_database.h"
 #include "command.h"
 #include "io/file.h"
@@ -298,6 +299,11 @@ void add_filters(CLI::App& sub, AssetFlags& flags) {
   sub.add_option("--max-mass-kg", q.max_mass_kg, "no heavier")->check(CLI::PositiveNumber);
 }
 
+Result<void> build_all(const AssetFlags& flags) {
+  MARKETGEN_TRY(const Catalog catalog, load_rows(flags.catalogs));
+  return build_library(catalog, flags.common);
+}
+
 void add_show(CLI::App& sub, AssetFlags& flags) {
   sub.add_option("id", flags.shown.id, "SKU, fixture kind or material")->required();
   sub.add_option("--picture", flags.shown.picture, "PNG: three-quarter view");
@@ -335,7 +341,7 @@ Run add_assets(CLI::App& app) {
   auto flags = std::make_shared<AssetFlags>();
   auto action = std::make_shared<Action>(list_assets);
   CLI::App* command =
-      app.add_subcommand("assets", "The asset library: list, show, search, sheet, import");
+      app.add_subcommand("assets", "The asset library: list, show, search, sheet, import, build");
   command->require_subcommand(1);
   const auto add = [&](const char* name, const char* what, Action run, Takes takes) {
     CLI::App* sub = command->add_subcommand(name, what);
@@ -362,6 +368,7 @@ Run add_assets(CLI::App& app) {
                   import_model,
                   Takes::json),
              *flags);
+  add("build", "Draws every label sheet into the cache", build_all, Takes::json);
   command->footer("Example:  marketgen assets search \"something to clean windows\"");
   return [flags, action] {
     const auto done = (*action)(*flags);

@@ -8,6 +8,7 @@
 
 #include "io/png.h"
 #include "small_store.h"
+#include "support/glb_bytes.h"
 
 namespace marketgen {
 namespace {
@@ -147,6 +148,60 @@ TEST(Generate, ProductsOfOnesOwn) {
              "-o",
              "shop"},
             scratch.path());
+}
+
+// A model becomes an asset, the asset stands in a store, and the store needs neither the model nor
+// the cache to be drawn again.
+TEST(Assets, ImportedModelsStandInStores) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch.path() / "LemonSoda_can.glb", std::ios::binary)
+      << box_glb(0.066F, 0.115F, 0.066F, R"({"mesh": 0})");
+  const json asset = json_of({"assets",
+                              "import",
+                              "LemonSoda_can.glb",
+                              "-o",
+                              "soda",
+                              "--no-coacd",
+                              "--category",
+                              "beverages",
+                              "--subcategory",
+                              "soft drinks",
+                              "--json"},
+                             scratch.path());
+  EXPECT_EQ(asset["schema"], "market-asset/1");
+  EXPECT_EQ(asset["product"]["size_mm"], json({66, 66, 115}));
+  const std::string sku = asset["product"]["sku"];
+  const std::string catalogue = "soda/asset.json";
+  const json shown =
+      json_of({"assets", "show", sku, "--json", "--catalog", catalogue}, scratch.path());
+  EXPECT_EQ(shown["triangles"], 12);
+  EXPECT_EQ(shown["pieces"][0]["shape"], "hull");
+  json plan = json::parse(contents_of(small_store() / "plan.json"));
+  plan["placements"] = json::array({{{"sku", sku}, {"position_m", {1.0, 1.0, 0.0}}}});
+  std::ofstream(scratch.path() / "plan.json") << plan;
+  output_of(
+      {"generate", "--plan", "plan.json", "--no-previews", "--catalog", catalogue, "-o", "shop"},
+      scratch.path());
+  EXPECT_EQ(json_of({"query", "shop", "products", "--where", "sku=" + sku, "--format", "json"},
+                    scratch.path())
+                .size(),
+            1U);
+  EXPECT_FALSE(fs::is_empty(scratch.path() / "shop/meshes"));
+  fs::remove_all(scratch.path() / "soda");
+  const Ran drawn = run({"env",
+                         "MARKETGEN_CACHE=" + (scratch.path() / "elsewhere").string(),
+                         MARKETGEN_BINARY,
+                         "render",
+                         "shop",
+                         "--camera",
+                         "entrance",
+                         "--size=64x36",
+                         "--quality",
+                         "fast",
+                         "-o",
+                         "entrance.png"},
+                        scratch.path());
+  EXPECT_EQ(drawn.status, 0) << drawn.err;
 }
 
 TEST(Generate, AnInterruptLeavesNothingBehind) {

@@ -215,6 +215,9 @@ Mesh simplified(const Mesh& mesh, const DetailLimits& limits) {
     if (result.triangles.size() >= mesh.triangles.size()) break;
     if (!same_surfaces(result, mesh) || !is_watertight(result)) continue;
     recompute_normals(result, crease_cos);
+    for (Vec3f& normal : result.normals) {  // of slivers whose area is nothing
+      if (length(normal) < 0.5F) normal = {0, 0, 1};
+    }
     return result;
   }
   return mesh;

@@ -50,8 +50,13 @@ Result<ProductModel> make_product_model(const Product& product, Detail detail) {
   MARKETGEN_CHECK(check_product_size(product));
   MARKETGEN_TRY(ProductModel model, archetype->make(product));
   model.collision = archetype->collision(product);
-  if (detail != Detail::near)
-    model.mesh = simplified(model.mesh, limits_of(detail, model.mesh.triangles.size()));
+  if (detail == Detail::near) return model;
+  Mesh coarse = simplified(model.mesh, limits_of(Detail::middle, model.mesh.triangles.size()));
+  if (detail == Detail::far) {  // bunches of small parts may have nothing more to give
+    Mesh far = simplified(model.mesh, limits_of(detail, model.mesh.triangles.size()));
+    if (far.triangles.size() < coarse.triangles.size()) coarse = std::move(far);
+  }
+  model.mesh = std::move(coarse);
   return model;
 }
 

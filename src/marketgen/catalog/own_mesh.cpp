@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "geometry/mesh.h"
 #include "io/file.h"
 #include "io/model_glb.h"
 

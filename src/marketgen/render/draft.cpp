@@ -94,7 +94,8 @@ std::uint16_t Draft::pane(const MaterialRow& row) {
 std::uint16_t Draft::tiled_material(std::string_view id) {
   const MaterialRow* found = row(id);
   if (found == nullptr) return material({.color = {0.8F, 0.8F, 0.78F}, .roughness = 0.8F});
-  if (found->transmission > 0 && found->roughness < clearest_frost) return pane(*found);
+  const bool clear = found->transmission > 0 && found->roughness < clearest_frost;
+  if (clear && found->pattern == MaterialPattern::smooth) return pane(*found);
   Material result{.color = {1, 1, 1},
                   .roughness = static_cast<float>(found->roughness),
                   .metallic = static_cast<float>(found->metallic)};
@@ -103,6 +104,11 @@ std::uint16_t Draft::tiled_material(std::string_view id) {
       "material maps " + std::to_string(material_texture_px) + write_json_line(copy),
       [copy] { return Result<Image>(interleaved(draw_material_maps(copy, material_texture_px))); });
   result.relief = result.texture;
+  if (clear) {  // patterned glass: tinted by its texture, each of a pane's faces by half
+    const auto through = static_cast<float>(std::sqrt(found->transmission));
+    result.color = {through, through, through};
+    result.glass = true;
+  }
   return material(result);
 }
 

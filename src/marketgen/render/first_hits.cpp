@@ -48,7 +48,7 @@ void trace_block(
 
 float pane_fresnel(const Surface& pane, Vec3f direction) {
   return fresnel({pane_reflectance, pane_reflectance, pane_reflectance},
-                 -dot(pane.normal, direction))
+                 -dot(pane.relief_normal, direction))
       .x;
 }
 

@@ -140,11 +140,11 @@ class PathTracer {
 
   Ray through_pane(const Surface& pane, const Ray& ray) {
     const float reflected = fresnel({pane_reflectance, pane_reflectance, pane_reflectance},
-                                    -dot(pane.normal, ray.direction))
+                                    -dot(pane.relief_normal, ray.direction))
                                 .x;
     if (numbers_.next() < reflected) {
       if (lobe_ == Lobe::none) lobe_ = Lobe::other;
-      return {pane.position, mirrored(ray.direction, pane.normal)};
+      return {pane.position, mirrored(ray.direction, pane.relief_normal)};
     }
     throughput_ *= pane.albedo;
     return {pane.position + ray.direction * pane_step_m, ray.direction};

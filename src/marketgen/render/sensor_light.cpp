@@ -219,7 +219,7 @@ class TileLighter {
     for (std::size_t i = 0; i < tile_pixels; ++i) {
       if (!tile_.inside(i) || !tile_.hits[i].glass) continue;
       const GlassLayer& glass = *tile_.hits[i].glass;
-      const Vec3f mirror = mirrored(tile_.hits[i].ray.direction, glass.pane.normal);
+      const Vec3f mirror = mirrored(tile_.hits[i].ray.direction, glass.pane.relief_normal);
       queue.add({glass.pane.position, mirror}, {i, Vec3f{1, 1, 1} * glass.reflectance});
       if (queue.full()) finish_panes(queue);
     }

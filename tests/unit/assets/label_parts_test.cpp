@@ -200,7 +200,9 @@ TEST(Barcode, LiesDownWhereTheAreaIsHigh) {
 }
 
 TEST(PackFacts, SmallPrintSuitsTheGoods) {
-  const std::vector<Product> products = sample_products();
+  std::vector<Product> products = sample_products();
+  products.at(6).subcategory = "milk";
+  products.at(22).subcategory = "oral care";
   const auto facts_of = [&](std::size_t i) { return pack_facts(pack_art(products.at(i)).value()); };
   EXPECT_NE(facts_of(6).contents.find("MILK"), std::string::npos);
   EXPECT_EQ(facts_of(6).nutrition.size(), 7U);

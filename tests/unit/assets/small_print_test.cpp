@@ -89,9 +89,9 @@ INSTANTIATE_TEST_SUITE_P(
         Known{"household", "batteries", "Batteries", "mercury", "surfactants"},
         Known{"personal_care", "hair styling", "Hair Brush", "nylon", "sulfate"},
         Known{"dry_goods", "pet food", "Cat Food", "animal", "WHEAT"}),
-    [](const testing::TestParamInfo<Known>& info) {
+    [](const testing::TestParamInfo<Known>& row) {
       std::string name;
-      for (const char c : info.param.name) {
+      for (const char c : row.param.name) {
         if (std::isalnum(static_cast<unsigned char>(c)) != 0) name += c;
       }
       return name;
@@ -126,8 +126,9 @@ TEST(SmallPrint, EveryRowHasOneForItsOwnShelf) {
     const std::string_view where = goods != nullptr ? goods->where : food->where;
     EXPECT_TRUE(names_category(where, product.category)) << product.sku << ": " << where;
     // Produce is one kind of goods; all else has rows for its shelf group.
-    if (product.category != "produce")
+    if (product.category != "produce") {
       EXPECT_TRUE(names_subcategory(where, product)) << product.sku << ": " << where;
+    }
     const bool is_eaten = product.category != "household" && product.category != "personal_care" &&
                           product.subcategory != "pet food";
     EXPECT_EQ(food != nullptr, is_eaten) << product.sku;

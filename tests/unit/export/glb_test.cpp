@@ -65,6 +65,39 @@ TEST_F(Glb, LabelsAreEmbeddedPictures) {
   }
 }
 
+// Gives the room a floor of tiles, so that a tiled material is in the file.
+void lay_tiles(Scene& scene) {
+  MaterialRow tiles;
+  tiles.id = scene.layout.look.floor = "tile-test";
+  tiles.pattern = MaterialPattern::tiles;
+  tiles.roughness = 0.3;
+  scene.materials.push_back(tiles);
+}
+
+TEST_F(Glb, TiledMaterialsHaveReliefAndGloss) {
+  lay_tiles(made_.scene);
+  const tinygltf::Model model = exported();
+  const auto side = [&](int texture) {
+    const auto source = model.textures[static_cast<std::size_t>(texture)].source;
+    return model.images[static_cast<std::size_t>(source)].width;
+  };
+  int found = 0;
+  for (const tinygltf::Material& material : model.materials) {
+    if (material.name != "tile-test") continue;
+    ++found;
+    const auto& pbr = material.pbrMetallicRoughness;
+    ASSERT_GE(pbr.baseColorTexture.index, 0);
+    ASSERT_GE(pbr.metallicRoughnessTexture.index, 0);
+    ASSERT_GE(material.normalTexture.index, 0);
+    EXPECT_EQ(side(pbr.baseColorTexture.index), 512);
+    EXPECT_EQ(side(pbr.metallicRoughnessTexture.index), 256);
+    EXPECT_EQ(side(material.normalTexture.index), 256);
+    EXPECT_EQ(pbr.roughnessFactor, 1);  // the texture says it all
+    EXPECT_EQ(pbr.metallicFactor, 1);
+  }
+  EXPECT_EQ(found, 1);
+}
+
 TEST_F(Glb, PlainInstancesNeedNoExtension) {
   ExportOptions options;
   options.plain_instances = true;
@@ -81,6 +114,7 @@ TEST_F(Glb, PassesTheKhronosValidator) {
   const std::string tool = MARKETGEN_SOURCE_DIR "/tools/node/validate_glb.mjs";
   if (!fs::exists(MARKETGEN_SOURCE_DIR "/tools/node/node_modules/gltf-validator"))
     GTEST_SKIP() << "run tools/setup test";
+  lay_tiles(made_.scene);
   for (const bool plain : {false, true}) {
     ExportOptions options;
     options.plain_instances = plain;

@@ -36,7 +36,7 @@ constexpr ZoneRow zone_rows[] = {
     {"slim_can", 0.07F, 8, 0.13F, 15, 1.0F, 1.0F},
     {"sardine_tin", 0.22F, 5, 0.22F, 5, 0.97F, 0.45F, 0.30F, 0.915F},
     {"flat_tin", 0.10F, 3.2F, 0.12F, 3.6F, 1.0F, 0.35F, 1, 0.90F},
-    {"round_tin", 0.05F, 2.5F, 0.36F, 22, 0.985F, 0.3F, 1, 0.93F},
+    {"round_tin", 0.05F, 2.0F, 0.28F, 16, 0.985F, 0.3F, 1, 0.93F},
     {"canister", 0.03F, 5, 0.10F, 17, 0.975F, 0.5F},
     {"spirit_bottle", 0.13F, 35, 0.46F, 122, 1.0F, 0.35F},
     {"oil_bottle", 0.15F, 45, 0.50F, 150, 1.0F, 0.6F},

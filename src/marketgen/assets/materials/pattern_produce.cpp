@@ -13,7 +13,7 @@ void draw_peel(PatternSheet& sheet) {
     const Texel t = sheet.texel(i);
     const float radius = 0.35F + 0.5F * piece_number(sizes, glands[i].id);
     const float dimple = 1 - smooth_step(0, radius, glands[i].middle_mm);
-    t.height_mm = -0.28F * dimple + 0.35F * waves.values[i];
+    t.height_mm = -0.5F * dimple + 0.35F * waves.values[i];
     t.mark =
         std::clamp(0.6F * smooth_step(0.35F, 0.8F, clouds.values[i]) + 0.3F * dimple, 0.0F, 1.0F);
     t.light += 0.05F * (clouds.values[i] - 0.5F) - 0.05F * dimple;
@@ -31,7 +31,7 @@ void draw_lenticels(PatternSheet& sheet) {
     const Texel t = sheet.texel(i);
     const float radius = 0.12F + 0.32F * piece_number(sizes, dots[i].id);
     const float dot = 1 - smooth_step(radius * 0.6F, radius, dots[i].middle_mm);
-    t.mark = smooth_step(0.35F, 0.72F, 0.6F * blush.values[i] + 0.45F * streak.values[i]);
+    t.mark = smooth_step(0.22F, 0.62F, 0.6F * blush.values[i] + 0.45F * streak.values[i]);
     t.third = sheet.row.third_color.empty() ? 0 : 0.75F * dot;
     t.light += 0.06F * (streak.values[i] - 0.5F);
     t.height_mm = 0.02F * streak.values[i];

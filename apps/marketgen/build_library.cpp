@@ -1,0 +1,49 @@
+#include "build_library.h"
+
+#include <fmt/format.h>
+
+#include "base/parallel.h"
+#include "io/file.h"
+#include "io/json.h"
+#include "render/label_library.h"
+
+namespace marketgen::app {
+namespace {
+
+struct LibraryReport {
+  int labels = 0, drawn = 0;
+  double megabytes = 0, seconds = 0;
+  std::string folder;
+  static constexpr auto fields =
+      field_list(field("labels", &LibraryReport::labels, "products that show a printed sheet"),
+                 field("drawn", &LibraryReport::drawn, "sheets drawn now, not read"),
+                 field("megabytes", &LibraryReport::megabytes, "of all textures in memory"),
+                 field("seconds", &LibraryReport::seconds, "wall clock"),
+                 field("folder", &LibraryReport::folder, "where they are kept"));
+};
+
+}  // namespace
+
+Result<void> build_library(const Catalog& catalog, const CommonFlags& flags) {
+  const ThreadLimit limit(flags.threads);
+  const double started_s = monotonic_seconds();
+  MARKETGEN_TRY(const raytrace::LabelLibrary library,
+                raytrace::build_label_library(catalog.products, progress_for(flags)));
+  const LibraryReport report{static_cast<int>(library.labels),
+                             static_cast<int>(library.drawn),
+                             static_cast<double>(library.bytes) * 1e-6,
+                             monotonic_seconds() - started_s,
+                             (cache_folder() / "labels").string()};
+  if (flags.json)
+    fmt::print("{}", write_json(report));
+  else
+    fmt::print("{} label sheets, {:.0f} MB, {} drawn in {:.1f} s, kept in {}\n",
+               report.labels,
+               report.megabytes,
+               report.drawn,
+               report.seconds,
+               report.folder);
+  return {};
+}
+
+}  // namespace marketgen::app

@@ -1,0 +1,12 @@
+// `marketgen assets build`: every label sheet drawn and kept, before any store asks for it.
+#pragma once
+#include "base/result.h"
+#include "catalog/catalog.h"
+#include "command.h"
+
+namespace marketgen::app {
+
+// Prints counts, seconds and megabytes, as JSON when asked. Errors: assets.*.
+Result<void> build_library(const Catalog& catalog, const CommonFlags& flags);
+
+}  // namespace marketgen::app
