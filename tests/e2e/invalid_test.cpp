@@ -2,8 +2,9 @@
 // left behind.
 //
 // cases.json has one row a fault: args (with {dir} for this folder, {out} for a path that does not
-// exist yet, {store} for a good store, "hex:" for bytes that JSON cannot hold), the exit status,
-// the error code and a part of the message.
+// exist yet, {store} for a good store, {bad_index} for one whose scene.bin names a product that is
+// not in its catalogue, "hex:" for bytes that JSON cannot hold), the exit status, the error code
+// and a part of the message.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -11,6 +12,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error_codes.h"
+#include "io/file.h"
+#include "scene/scene_file.h"
 #include "small_store.h"
 
 namespace marketgen {
@@ -37,6 +40,19 @@ std::string replaced(std::string text, const std::string& name, const std::strin
   return text;
 }
 
+// Well-formed to the last byte: only the program's own check of indices can find the fault.
+const fs::path& store_with_bad_index() {
+  static const ScratchFolder scratch;
+  static const fs::path folder = [] {
+    Scene scene = open_scene(small_store() / "scene.bin").value();
+    scene.products.at(0).sku = 99'999;
+    const fs::path file = scratch.path() / "scene.bin";
+    EXPECT_TRUE(write_file(file, encode_scene(scene)).ok());
+    return scratch.path();
+  }();
+  return folder;
+}
+
 std::vector<std::string> arguments_of(const nlohmann::json& row, const fs::path& scratch) {
   std::vector<std::string> arguments;
   for (std::string word : row["args"]) {
@@ -48,6 +64,8 @@ std::vector<std::string> arguments_of(const nlohmann::json& row, const fs::path&
     word = replaced(word, "{out}", (scratch / "out").string());
     if (word.find("{store}") != std::string::npos)
       word = replaced(word, "{store}", small_store().string());
+    if (word.find("{bad_index}") != std::string::npos)
+      word = replaced(word, "{bad_index}", store_with_bad_index().string());
     arguments.push_back(word);
   }
   return arguments;

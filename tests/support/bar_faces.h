@@ -146,7 +146,7 @@ inline BarStage bar_stage(const std::vector<Product>& products) {
 
 // What zbarimg reads in each picture: code by file name; a picture that it cannot read is missing.
 inline std::map<std::string, std::string> scanned(const std::vector<std::filesystem::path>& files) {
-  std::vector<std::string> command{"zbarimg", "--quiet", "--xml", "-Sdisable", "-Sean13.enable"};
+  std::vector<std::string> command{"zbarimg", "--quiet", "--xml"};
   for (const auto& file : files)
     command.push_back(file.string());
   const std::string xml = run(command).out;

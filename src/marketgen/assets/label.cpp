@@ -111,6 +111,8 @@ constexpr FlatRow flat_rows[] = {
     {"bottle_six_pack", 0.09, 0.03},
     {"roll_pack", 0.10, 0.06},
     {"soft_pack", 0.06, 0.13},
+    {"loaf", 0.18, 0.06},
+    {"bundle", 0.08, 0.12},
 };
 
 // The part of a face that lies flat before the eye; see "Sheets" in assets/label.h.

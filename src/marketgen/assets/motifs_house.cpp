@@ -69,12 +69,12 @@ void draw_motif_battery(Canvas& canvas, const MotifInk& ink) {
 }
 
 void draw_motif_bulb(Canvas& canvas, const MotifInk&) {
-  canvas.circle(0, -10, 48)
+  canvas.circle(0, -6, 44)
       .fill(Paint::radial(0,
-                          -10,
-                          48,
+                          -6,
+                          44,
                           0,
-                          -10,
+                          -6,
                           {{0, faded(rgb("#fff2b0"), 0.9)},
                            {0.6, faded(rgb("#ffe37a"), 0.35)},
                            {1, faded(rgb("#ffe37a"), 0)}}));

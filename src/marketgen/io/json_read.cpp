@@ -198,8 +198,20 @@ Error unknown_field(const Place& place, const TypeInfo& type, const std::string&
                    : "no such field" + hint);
 }
 
+// First of all: what else a file of another schema lacks would mislead.
+Result<void> check_constants(const Json& json, const Place& place, const TypeInfo& type) {
+  for (const FieldInfo& f : type.fields) {
+    const auto given = json.find(f.name);
+    if (f.rules.constant.empty() || given == json.end()) continue;
+    std::string text;
+    MARKETGEN_CHECK(read_string(*given, place.child(f.name), f.rules, text));
+  }
+  return {};
+}
+
 Result<void> read_object(const Json& json, const Place& place, const TypeInfo& type, void* out) {
   if (!json.is_object()) return wrong_type(place, "an object", json);
+  MARKETGEN_CHECK(check_constants(json, place, type));
   for (const auto& [key, value] : json.items()) {
     const FieldInfo* f = find_field(type, key);
     if (f == nullptr) return unknown_field(place, type, key);

@@ -8,13 +8,12 @@
 #include "base/build_info.h"
 #include "base/hash.h"
 #include "io/file.h"
+#include "render/art_fingerprint.h"
 #include "render/texture.h"
 
 namespace marketgen::raytrace {
 namespace {
 
-// Goes up whenever the drawing code changes what it draws.
-constexpr std::string_view art_version = "art-3";
 constexpr std::array<char, 4> picture_mark{'M', 'G', 'P', '2'};
 constexpr std::array<char, 4> print_mark{'M', 'G', 'L', '1'};
 constexpr int largest_side = 8192, most_channels = 8;
@@ -115,7 +114,7 @@ std::string encode_print(const Print& print) {
 
 std::filesystem::path path_of(const std::string& content, std::string_view extension) {
   return cache_folder() / "labels" /
-         (Hasher().add(art_version).add(program_version).add(content).hex() +
+         (Hasher().add(art_fingerprint).add(program_version).add(content).hex() +
           std::string(extension));
 }
 

@@ -16,7 +16,7 @@ TEST(PrintedLabel, BarsHaveTheirNominalSizeWhereThereIsRoom) {
   for (const Product& product : sample_products()) {
     const PrintedPicture label = print_label(product, 2).value();
     const SheetSize size = sheet_size_of(product).value();
-    EXPECT_EQ(label.picture.height, std::lround(size.height_m * 2000)) << product.name;
+    EXPECT_EQ(label.picture.height, std::lround(double(size.height_m) * 1e3 * 2)) << product.name;
     ASSERT_EQ(label.bars.has_value(), !product.ean.empty()) << product.name;
     if (!label.bars) continue;
     const LabelBars& bars = *label.bars;

@@ -24,6 +24,7 @@ constexpr double radians_of(double degrees) {
 
 constexpr int sweep_steps = 24;
 constexpr double deepest_m = 0.001;
+constexpr double let_go_rad = radians_of(45), closed_rad = radians_of(2), close_within_s = 10;
 
 // A row's fixture and what MuJoCo makes of it. A parent's parts count as any other's.
 struct Stage {
@@ -150,12 +151,79 @@ TEST(Articulation, LimitsAndStatesAreAsTheRowsSay) {
   });
 }
 
+// Doors and flaps that a spring pulls shut.
+bool closes_itself(const SceneJoint& joint) {
+  return joint.kind == JointKind::hinge && joint.stiffness > 0 &&
+         joint.states.front().name == "closed" && double(joint.upper) > radians_of(20);
+}
+
+double start_of(const SceneJoint& joint) {
+  const double last = joint.hold_open > 0 ? joint.hold_open : joint.upper;
+  return std::min(let_go_rad, 0.6 * last);
+}
+
+TEST(Articulation, SelfClosingDoorsCloseWhenLetGoHalfWay) {
+  int doors = 0;
+  for_every_articulated_row([&](Stage& stage) {
+    mj_resetData(stage.model.get(), stage.data.get());
+    std::vector<const SceneJoint*> opened;
+    for (const SceneJoint& joint : stage.scene.joints) {
+      if (!closes_itself(joint)) continue;
+      opened.push_back(&joint);
+      stage.position(joint) = start_of(joint);
+    }
+    const auto ajar = [&](const SceneJoint* joint) {
+      return std::abs(stage.position(*joint)) >= closed_rad;
+    };
+    for (double t = 0; t < close_within_s && std::ranges::any_of(opened, ajar); t += 0.5)
+      stage.step(0.5);
+    for (const SceneJoint* joint : opened) {
+      EXPECT_LT(std::abs(stage.position(*joint)), closed_rad) << joint->name;
+      ++doors;
+    }
+  });
+  EXPECT_GE(doors, 10);
+}
+
+TEST(Articulation, DoorsThatHoldOpenStayOpen) {
+  int doors = 0;
+  for_every_articulated_row([&](Stage& stage) {
+    mj_resetData(stage.model.get(), stage.data.get());
+    std::vector<const SceneJoint*> opened;
+    for (const SceneJoint& joint : stage.scene.joints) {
+      if (!closes_itself(joint) || joint.hold_open == 0) continue;
+      opened.push_back(&joint);
+      stage.position(joint) = (joint.hold_open + joint.upper) / 2;
+    }
+    if (opened.empty()) return;
+    stage.step(close_within_s / 2);
+    for (const SceneJoint* joint : opened) {
+      EXPECT_GE(stage.position(*joint), joint->hold_open) << joint->name;
+      ++doors;
+    }
+  });
+  EXPECT_GE(doors, 6);
+}
+
 // Moved by a constant force for a second, from where it rests.
 double moved_by(Stage& stage, const SceneJoint& joint, double force) {
   mj_resetData(stage.model.get(), stage.data.get());
   stage.push(joint) = force;
   stage.step(1);
   return stage.position(joint);
+}
+
+TEST(Articulation, AFreezersLidSlidesWhenPushedHarderThanItsFriction) {
+  const FixtureKind* kind = committed_catalog().fixture_kind("chest_freezer");
+  ASSERT_NE(kind, nullptr);
+  Stage stage = stage_of(*kind);
+  ASSERT_EQ(stage.scene.joints.size(), 2U);
+  for (const SceneJoint& lid : stage.scene.joints) {
+    EXPECT_GT(lid.friction, 5) << "N";  // a lid of 7 to 10 kg on plastic runners
+    EXPECT_LT(lid.friction, 20) << "N";
+    EXPECT_LT(moved_by(stage, lid, 0.8 * double(lid.friction)), 0.002);
+    EXPECT_GT(moved_by(stage, lid, 1.5 * double(lid.friction)), 0.1);
+  }
 }
 
 TEST(Articulation, AButtonGivesWayToAFingerAndComesBack) {
