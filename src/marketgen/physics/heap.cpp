@@ -14,11 +14,11 @@ namespace marketgen {
 namespace {
 
 constexpr double widest_m = 1.0;  // of the footprint
-constexpr int most_across = 8, most_deep = 12, layers = 3;
+constexpr int most_across = 7, most_deep = 9, layers = 3;
 constexpr double spread = 1.04;  // of a piece: room that it takes in the tray
 constexpr double wall_half_m = 0.02;
-constexpr double pour_pause_s = 0.6;  // between layers
-constexpr double rest_m_s = 0.004, longest_s = 12;
+constexpr double pour_pause_s = 0.5;  // between layers
+constexpr double rest_m_s = 0.01, longest_s = 4;
 constexpr char where[] = "heap";
 
 struct Tray {
@@ -29,7 +29,7 @@ struct Tray {
 };
 
 Tray tray_for(const Product& product) {
-  const double piece = std::max(product.width_m(), product.depth_m());
+  const double piece = std::max({product.width_m(), product.depth_m(), product.height_m()});
   const int fit = std::max(2, static_cast<int>(widest_m / (piece * spread)));
   return {piece, std::min(most_across, fit), std::min(most_deep, fit)};
 }
@@ -55,6 +55,7 @@ class HeapBuilder {
   Result<HeapRow> settle() {
     set_contact_options(*spec_, 0);
     spec_->option.enableflags &= ~mjENBL_SLEEP;
+    spec_->option.disableflags |= mjDSBL_AUTORESET;  // which would pour anew for ever
     spec_->memory = 512U << 20;
     add_tray();
     add_pieces();
@@ -84,7 +85,7 @@ class HeapBuilder {
   void add_pieces() {
     Stream draw = Seed(1).child("heap", product_.archetype).stream();
     const double pitch = tray_.piece_m * spread;
-    const double diameter = 1.1 * std::max(tray_.piece_m, product_.height_m());
+    const double diameter = 1.1 * tray_.piece_m;
     for (int layer = 0; layer < layers; ++layer) {
       const int fewer = layer;  // the heap narrows
       for (int row = 0; row < tray_.deep - fewer; ++row) {
@@ -131,13 +132,16 @@ class HeapBuilder {
   }
 
   Result<void> pour(const mjModel& model, mjData& data) const {
-    while (data.time < longest_s) {
+    const int most_steps = static_cast<int>(longest_s / time_step_s);
+    for (int step = 0; step < most_steps; ++step) {
       MARKETGEN_CHECK(guarded(where, [&] { mj_step(&model, &data); }));
+      if (data.warning[mjWARN_BADQACC].number > 0)
+        return Error{"physics.failed", product_.sku, "the heap flies apart"};
       hold(model, data, data.time);
-      if (data.time > layers * pour_pause_s + 1 && fastest(model, data) < rest_m_s) break;
+      if (data.time > layers * pour_pause_s + 0.5 && fastest(model, data) < rest_m_s) break;
     }
     MARKETGEN_CHECK(guarded(where, [&] { mj_forward(&model, &data); }));
-    if (fastest(model, data) < 10 * rest_m_s) return {};
+    if (fastest(model, data) < 15 * rest_m_s) return {};
     return Error{"physics.failed",
                  product_.sku,
                  fmt::format("a heap of it still moves after {} s", longest_s)};

@@ -27,6 +27,8 @@ constexpr double pile_m = 0.35, pile_share = 0.45;
 // comes to new goods every time.
 constexpr double offer_stride = 0.381966;
 
+constexpr int least_heaped = 4;  // pieces across: fewer make a row, not a heap
+
 bool piles_up(const Product& product, const ShelfRoom& room) {
   return fits(product, room) && stack_height(product, room) * product.height_m() >=
                                     std::min(pile_m, pile_share * room.clearance_m);
@@ -66,6 +68,8 @@ class BayPlan {
 
   int wanted_facings() {
     if (bay_.promotion) return most_facings;
+    if (bay_.shelves.front().use == ShelfUse::heap)
+      return draw_.integer(least_heaped, most_facings);
     return draw_.integer(stock_.facings[0], std::max(stock_.facings[0], stock_.facings[1]));
   }
 

@@ -164,7 +164,8 @@ const Catalog& committed() {
 
 std::vector<double> scores(const AssetDatabase& database, const std::string& text) {
   std::vector<double> list;
-  for (const AssetHit& hit : database.find({.text = text}).value()) {
+  const std::vector<AssetHit> hits = database.find({.text = text}).value();
+  for (const AssetHit& hit : hits) {
     list.push_back(hit.row);
     list.push_back(hit.score);
   }
