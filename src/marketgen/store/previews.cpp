@@ -16,6 +16,7 @@ Result<void> draw_previews(const Scene& scene,
     MARKETGEN_TRY(const Camera camera,
                   camera_named(scene, name, preview_width_px, preview_height_px));
     RenderOptions options;
+    options.quality = Quality::fast;
     options.hide_ceiling = camera.ortho_height_m > 0;
     MARKETGEN_TRY(const Frame frame, renderer->render(camera, options, progress));
     MARKETGEN_CHECK(write_png(folder / (std::string(name) + ".png"), frame.color));
