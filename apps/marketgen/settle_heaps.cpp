@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "assets/product_model.h"
 #include "base/parallel.h"
 #include "io/file.h"
 #include "io/json.h"
@@ -17,10 +16,7 @@ namespace {
 std::vector<const Product*> kinds_of_pieces(const Catalog& catalog) {
   std::vector<const Product*> kinds;
   for (const Product& product : catalog.products) {
-    const Result<CollisionPrimitive> primitive = collision_of(product);
-    if (!lies_in_a_heap(product) || !primitive.ok() ||
-        primitive->shape != CollisionShape::ellipsoid)
-      continue;
+    if (!lies_as_balls(product)) continue;
     const bool known = std::ranges::any_of(kinds, [&](const Product* kind) {
       return kind->archetype == product.archetype && kind->size_mm == product.size_mm;
     });

@@ -19,7 +19,7 @@ constexpr double spread = 1.04;  // of a piece: room that it takes in the tray
 constexpr double wall_half_m = 0.02;
 constexpr double pour_pause_s = 0.5;  // between layers
 constexpr double rest_m_s = 0.01, longest_s = 4;
-constexpr char where[] = "heap";
+constexpr char heap_where[] = "heap";
 
 struct Tray {
   double piece_m;  // across
@@ -59,8 +59,8 @@ class HeapBuilder {
     spec_->memory = 512U << 20;
     add_tray();
     add_pieces();
-    MARKETGEN_TRY(const MujocoModel model, compile(*spec_, where));
-    MARKETGEN_TRY(const MujocoData data, make_data(*model, where));
+    MARKETGEN_TRY(const MujocoModel model, compile(*spec_, heap_where));
+    MARKETGEN_TRY(const MujocoData data, make_data(*model, heap_where));
     MARKETGEN_CHECK(pour(*model, *data));
     return row_of(*model, *data);
   }
@@ -134,13 +134,13 @@ class HeapBuilder {
   Result<void> pour(const mjModel& model, mjData& data) const {
     const int most_steps = static_cast<int>(longest_s / time_step_s);
     for (int step = 0; step < most_steps; ++step) {
-      MARKETGEN_CHECK(guarded(where, [&] { mj_step(&model, &data); }));
+      MARKETGEN_CHECK(guarded(heap_where, [&] { mj_step(&model, &data); }));
       if (data.warning[mjWARN_BADQACC].number > 0)
         return Error{"physics.failed", product_.sku, "the heap flies apart"};
       hold(model, data, data.time);
       if (data.time > layers * pour_pause_s + 0.5 && fastest(model, data) < rest_m_s) break;
     }
-    MARKETGEN_CHECK(guarded(where, [&] { mj_forward(&model, &data); }));
+    MARKETGEN_CHECK(guarded(heap_where, [&] { mj_forward(&model, &data); }));
     if (fastest(model, data) < 15 * rest_m_s) return {};
     return Error{"physics.failed",
                  product_.sku,

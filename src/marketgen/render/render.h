@@ -28,7 +28,8 @@ constexpr std::array<std::string_view, 3> names_of(Quality) {
 }
 
 // How finely the print on packs is drawn. near: for cameras that come as close as a hand does;
-// distant: a quarter as fine, for pictures whose pixels cover 2 mm of a pack or more, as previews.
+// distant: a quarter as fine (price labels a third), for pictures whose pixels cover 2 mm of a pack
+// or more, as previews.
 enum class PrintDetail { near, distant };
 
 struct RenderOptions {

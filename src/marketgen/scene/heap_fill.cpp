@@ -8,15 +8,6 @@
 namespace marketgen {
 namespace {
 
-// Half extents of a turned ellipsoid.
-Vec3 reach_of(Vec3 half, const Quaternion& turn) {
-  const Vec3 x = rotate(turn, {half.x, 0, 0}), y = rotate(turn, {0, half.y, 0}),
-             z = rotate(turn, {0, 0, half.z});
-  return {std::sqrt(x.x * x.x + y.x * y.x + z.x * z.x),
-          std::sqrt(x.y * x.y + y.y * y.y + z.y * z.y),
-          std::sqrt(x.z * x.z + y.z * y.z + z.z * z.z)};
-}
-
 // Where the row's footprint lies in the room; `turned`: by half a turn about its middle.
 struct Tile {
   double x = 0, y = 0;
@@ -73,7 +64,7 @@ class Cutter {
   bool inside(const Pose& pose) const {
     constexpr double margin_m = 0.001;
     const Vec3 middle = pose * Vec3{0, 0, middle_m_};
-    const Vec3 reach = reach_of(half_, pose.rotation);
+    const Vec3 reach = ellipsoid_half_extents(pose.rotation, half_);
     return middle.x - reach.x >= margin_m && middle.x + reach.x <= room_.width_m - margin_m &&
            middle.y - reach.y >= margin_m && middle.y + reach.y <= room_.depth_m - margin_m &&
            middle.z + reach.z <= room_.clearance_m;

@@ -200,6 +200,10 @@ bool lies_in_a_heap(const Product& product) {
          product.archetype == "elongated_produce" || product.archetype == "leafy_produce";
 }
 
+bool lies_as_balls(const Product& product) {
+  return lies_in_a_heap(product) && heap_kind_of(product) == HeapKind::balls;
+}
+
 std::vector<FilledBlock> fill_shelf(const PlannedShelf& plan,
                                     const ShelfRoom& room,
                                     const StockSpec& stock,

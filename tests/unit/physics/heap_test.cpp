@@ -4,28 +4,16 @@
 #include <algorithm>
 #include <set>
 
-#include "assets/product_model.h"
-#include "catalog/catalog.h"
-#include "io/file.h"
 #include "physics/heap.h"
 #include "physics/penetration.h"
 #include "physics/settle.h"
 #include "scene/heap_fill.h"
 #include "scene/placements.h"
 #include "scene/shelf_fill.h"
+#include "support/hand_laid_shop.h"
 
 namespace marketgen {
 namespace {
-
-const Catalog& catalog() {
-  static const Catalog rows = load_catalog(data_folder().value()).value();
-  return rows;
-}
-
-bool is_ball(const Product& product) {
-  return lies_in_a_heap(product) &&
-         collision_of(product).value().shape == CollisionShape::ellipsoid;
-}
 
 constexpr ShelfRoom room{0.55, 0.60, 0.45, ShelfUse::stand};
 constexpr ShelfRoom small_room{0.36, 0.36, 0.45, ShelfUse::stand};
@@ -55,20 +43,20 @@ Scene heap_on_the_floor(const Product& product, const std::vector<HeapItem>& ite
 
 TEST(Heaps, EveryRoundLooseProductHasOne) {
   int products = 0;
-  for (const Product& product : catalog().products) {
-    if (!is_ball(product)) continue;
+  for (const Product& product : committed_catalog().products) {
+    if (!lies_as_balls(product)) continue;
     ++products;
-    ASSERT_NE(catalog().heap(product), nullptr)
+    ASSERT_NE(committed_catalog().heap(product), nullptr)
         << product.sku << ": run marketgen assets heaps -o data/heaps.json";
-    EXPECT_GE(pieces_of(*catalog().heap(product)).size(), 5U) << product.sku;
+    EXPECT_GE(pieces_of(*committed_catalog().heap(product)).size(), 5U) << product.sku;
   }
   EXPECT_GE(products, 50);
 }
 
 TEST(Heaps, CutToARoomTheyStayInItAndLieOnOneAnother) {
   Stream draw(3);
-  for (const Product& product : catalog().products) {
-    const HeapRow* row = is_ball(product) ? catalog().heap(product) : nullptr;
+  for (const Product& product : committed_catalog().products) {
+    const HeapRow* row = lies_as_balls(product) ? committed_catalog().heap(product) : nullptr;
     if (row == nullptr || product.width_m() > 0.12) continue;
     SCOPED_TRACE(product.sku);
     const std::vector<HeapItem> items = laid_heap(*row, product, room, 0, draw);
@@ -88,8 +76,8 @@ TEST(Heaps, LetGoTheyLieStill) {
   Stream draw(4);
   std::set<std::string> seen;
   double still = 0, all = 0;
-  for (const Product& product : catalog().products) {
-    const HeapRow* row = is_ball(product) ? catalog().heap(product) : nullptr;
+  for (const Product& product : committed_catalog().products) {
+    const HeapRow* row = lies_as_balls(product) ? committed_catalog().heap(product) : nullptr;
     if (row == nullptr || !seen.insert(product.archetype).second) continue;
     SCOPED_TRACE(product.sku);
     const Scene scene = heap_on_the_floor(product, laid_heap(*row, product, small_room, 0.1, draw));
@@ -110,8 +98,8 @@ TEST(Heaps, LetGoTheyLieStill) {
 
 TEST(Heaps, SettlingMakesTheSameHeapEveryTimeAndPiecesDoNotOverlap) {
   const Product* melon = nullptr;  // few pieces: quick
-  for (const Product& product : catalog().products) {
-    if (is_ball(product) && (melon == nullptr || product.width_m() > melon->width_m()))
+  for (const Product& product : committed_catalog().products) {
+    if (lies_as_balls(product) && (melon == nullptr || product.width_m() > melon->width_m()))
       melon = &product;
   }
   ASSERT_NE(melon, nullptr);
@@ -127,9 +115,8 @@ TEST(Heaps, SettlingMakesTheSameHeapEveryTimeAndPiecesDoNotOverlap) {
     for (std::uint32_t j = i + 1; j < items.size(); ++j)
       pairs.emplace_back(i, j);
   }
-  const std::vector<double> depths = penetration_depths(scene, pairs).value();
-  for (std::size_t i = 0; i < pairs.size(); ++i)
-    EXPECT_LT(depths[i], 0.001) << pairs[i].first << " and " << pairs[i].second;
+  for (const double depth : penetration_depths(scene, pairs).value())
+    EXPECT_LT(depth, 0.001);
 }
 
 TEST(Heaps, AProductWithoutAShapeIsAnError) {
