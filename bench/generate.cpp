@@ -12,7 +12,7 @@ struct Run {
   std::uint64_t products = 0;
 };
 
-Result<Run> create(CreateOptions options, const Catalog& catalog) {
+Result<Run> create(const CreateOptions& options, const Catalog& catalog) {
   const double start = monotonic_seconds();
   MARKETGEN_TRY(const Created created, create_store(options, catalog));
   Run run;

@@ -179,6 +179,7 @@ Result<void> search_assets(const AssetFlags& flags) {
   MARKETGEN_TRY(const Catalog catalog, load_rows(flags.catalogs));
   MARKETGEN_TRY(const auto hits, found_by(flags, catalog));
   std::vector<SearchRow> rows;
+  rows.reserve(hits.size());
   for (const AssetHit& hit : hits)
     rows.push_back(row_of(catalog, hit));
   if (flags.common.json) {

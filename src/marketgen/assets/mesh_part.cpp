@@ -28,10 +28,10 @@ struct Directions {
   static Directions spread() {
     Directions spread{};
     std::size_t n = 0;
-    const auto add = [&](double x, double y, double z) {
-      spread.x[n] = static_cast<float>(x);
-      spread.y[n] = static_cast<float>(y);
-      spread.z[n] = static_cast<float>(z);
+    const auto add = [&](double to_x, double to_y, double to_z) {
+      spread.x[n] = static_cast<float>(to_x);
+      spread.y[n] = static_cast<float>(to_y);
+      spread.z[n] = static_cast<float>(to_z);
       ++n;
     };
     for (const double side : {-1.0, 1.0})

@@ -52,6 +52,9 @@ struct FixtureKind {
   std::vector<std::string> keywords;  // words of plans; a mere variant has none
   std::vector<std::string> tags;      // words that only the asset search knows
 
+  // One person works behind it: it needs floor at its back.
+  bool is_desk() const { return generator == "kiosk"; }
+
   static constexpr auto fields = field_list(
       field("kind", &FixtureKind::kind, "id used in plans", identifier()),
       field("name", &FixtureKind::name, "what people call it", required()),

@@ -241,7 +241,7 @@ class FloorBuilder {
     }
     row.add(simplified(till_slice(tills, front_mm)), tills, till_gap);
     const int door = far_mm + (at_tills ? till_gap : inner_gap) / 2;
-    set_doors(door, width - tills / 2);
+    set_doors(door, width - exit_from_end(tills));
     if (!draft_.tills_east) mirror(row);
     return row;
   }
@@ -268,9 +268,16 @@ class FloorBuilder {
   Slice lone_tills(int front_mm) {
     const int width = floor_.width_mm;
     set_doors(floor_.entrance_width_mm / 2 + door_side_mm,
-              width - std::min(width / 4, tills_width(front_mm) / 2));
+              width - std::min(width / 4, exit_from_end(tills_width(front_mm))));
     need(width, tills_width(front_mm) + floor_.entrance_width_mm);
     return simplified(till_slice(width, front_mm));
+  }
+
+  // From the wall at the tills' end to the middle of the exit: before the lanes, or past the desk.
+  int exit_from_end(int tills_mm) const {
+    const FixtureKind* kind = draft_.tills.empty() ? nullptr : zone(draft_.tills.front()).kind;
+    if (kind == nullptr || !kind->is_desk()) return tills_mm / 2;
+    return desk_room_mm(*kind) + floor_.exit_width_mm / 2;
   }
 
   // Centres for tills in the east; mirrored when they are in the west.
@@ -298,7 +305,7 @@ class FloorBuilder {
     const int column = std::max(tills_width(front), band_depth(side));
     const int body = width - column - entrance_gap;
     need(body, 2600);
-    set_doors(body + entrance_gap / 2, width - column / 2);
+    set_doors(body + entrance_gap / 2, width - exit_from_end(column));
     Slice row = cut_slice(Axis::x);
     row.add(corner_body(body, lower), body, 0);
     row.add(till_column(side, column, lower, front), column, entrance_gap);

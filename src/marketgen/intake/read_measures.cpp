@@ -150,7 +150,10 @@ void read_bare_lengths(Sentence& sentence, const Reading& reading) {
 // The zone of "a 20 m2 bakery", "a bakery of 20 m2"; size() when the area is the store's.
 std::size_t zone_of_area(const Sentence& sentence, std::size_t number) {
   const std::size_t after = sentence.skip_fillers(number + 1);
-  if (sentence.is(after, Sense::zone)) return after;
+  bool sold = false;  // "a kiosk of 30 m2 selling snacks" is 30 m2 large
+  for (std::size_t i = number + 1; i < after; ++i)
+    sold = sold || sentence.is(i, Sense::filler, "selling");
+  if (sentence.is(after, Sense::zone) && !sold) return after;
   std::size_t before = sentence.before(number);
   if (sentence.is(before, Sense::comparison)) before = sentence.before(before);
   return sentence.is(before, Sense::zone) ? before : sentence.phrases.size();

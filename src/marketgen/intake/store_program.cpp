@@ -15,6 +15,7 @@ constexpr std::string_view usual_profile = "supermarket-eu";
 constexpr double zones_in_any_store = 5;
 constexpr double further_zone_m2 = 36;  // of store for each zone more; smaller ones hold no run
 constexpr std::size_t most_zones = 22;  // of max_bsp_leaves
+constexpr double lanes_from_m2 = 70;    // smaller shops take money over a counter
 constexpr double staffed_counter_from_m2 = 500;  // smaller shops sell meat and cheese packed
 constexpr double checkout_zones_share = 0.09;    // tills take their own floor first
 
@@ -163,6 +164,9 @@ const FixtureKind* kind_of(const Understanding& found,
   // Convenience stores keep drinks behind glass doors; other shops in open coolers.
   const bool convenience = program.profile->id.starts_with("convenience");
   if (type.type == "chilled" && convenience) return catalog.fixture_kind("glass_door_cooler");
+  const bool one_till = found.find(Kind::fixture_count, "checkout_lane") == nullptr;
+  if (type.type == "checkout" && one_till && program.area_m2() < lanes_from_m2)
+    return catalog.fixture_kind("till-counter");
   const bool counter = usual != nullptr && usual->generator == "serve_over";
   if (counter && program.area_m2() < staffed_counter_from_m2)
     return catalog.fixture_kind("multideck");

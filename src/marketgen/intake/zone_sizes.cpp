@@ -62,7 +62,12 @@ int till_width_mm(const ProgramZone& zone, int front_depth_mm) {
     const int rows = zone.count.value_or(2) > machines_a_row ? 2 : 1;
     return rows * zone.kind->depth_mm + 2 * passage_mm;
   }
-  return width + passage_mm;
+  if (!zone.kind->is_desk()) return width + passage_mm;
+  return desk_room_mm(*zone.kind) + static_cast<int>(zone.kind->front_clearance_mm);
+}
+
+int desk_room_mm(const FixtureKind& kind) {
+  return staff_floor_mm + kind.depth_mm;
 }
 
 int lane_length_mm(const FixtureKind& lane, const StoreProgram& program) {
@@ -70,6 +75,10 @@ int lane_length_mm(const FixtureKind& lane, const StoreProgram& program) {
 }
 
 int front_depth_mm(const StoreProgram& program, const Catalog& catalog, int gap_mm) {
+  for (const ProgramZone& zone : program.zones) {
+    if (zone.type->type == "checkout" && zone.kind != nullptr && zone.kind->is_desk())
+      return std::max(exit_floor_mm, zone.kind->module_widths_mm.front() + passage_mm);
+  }
   const FixtureKind* lane = catalog.fixture_kind("checkout_lane");
   const int length = lane != nullptr ? lane_length_mm(*lane, program) : 3 * min_node_side_mm;
   // The layout puts lanes in the middle of the zone and its gap.

@@ -23,6 +23,9 @@ int till_width_mm(const ProgramZone& zone, int front_depth_mm);
 // inside the exit. Part of the floor before the lanes lies in the gap of `gap_mm` beyond.
 int front_depth_mm(const StoreProgram& program, const Catalog& catalog, int gap_mm);
 
+// From the wall at the staff's back to a desk's front.
+int desk_room_mm(const FixtureKind& kind);
+
 // Depth of one checkout lane: shorter lanes in small shops.
 int lane_length_mm(const FixtureKind& lane, const StoreProgram& program);
 

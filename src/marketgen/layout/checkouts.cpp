@@ -9,6 +9,7 @@ namespace {
 constexpr int passage_mm =
     1000;  // beside a lane: ADA 904.3 asks for 36 in, a trolley with a child for 1 m
 constexpr int self_checkout_floor_mm = 1600;  // between two rows of machines: queue and passage
+constexpr int desk_staff_mm = 800;            // behind a desk, for one person at work (Neufert)
 constexpr double store_m2_per_machine = 120;  // one self-checkout for so much shop
 
 // A checkout zone seen from the exit: `out` is the side that shoppers leave by.
@@ -194,7 +195,7 @@ void place_desks(Build& build, GroundBuild& ground) {
   std::ranges::stable_partition(backs, [&](Side side) { return ground.ground.touches_wall(side); });
   for (const Side back : backs) {
     if (wish - zone.main_modules <= 0) return;
-    constexpr int behind_mm = 20;
+    const int behind_mm = spec.kind->is_desk() ? desk_staff_mm : 20;
     const RectMm band = strip_inside(ground.ground.rect, back, spec.depth_mm, behind_mm);
     const Row row{zone.zone->id + "/run-" + std::to_string(zone.next_run),
                   zone.zone,

@@ -8,13 +8,20 @@
 namespace marketgen {
 namespace {
 
-constexpr double wall_mm = 220;  // drawn outside the floor
+// Thickness of the walls, drawn outside the floor; thinner in small rooms, whose sheets are drawn
+// large.
+double wall_mm(const Sheet& sheet) {
+  constexpr double usual_mm = 220, most_px = 16;
+  return std::min(usual_mm, most_px / sheet.px_per_mm);
+}
+
 constexpr int tick_every_mm = 1000, number_every_mm = 5000;
 
 // The part of the wall that the opening takes, drawn outside the floor.
 RectMm wall_part(const Sheet& sheet, const Doorway& door) {
-  return cut_along(
-      strip_beyond(sheet.bounds, door.wall, static_cast<int>(wall_mm)), door.wall, door.span);
+  return cut_along(strip_beyond(sheet.bounds, door.wall, static_cast<int>(wall_mm(sheet))),
+                   door.wall,
+                   door.span);
 }
 
 void draw_grid(Sheet& sheet) {
@@ -32,7 +39,7 @@ void draw_grid(Sheet& sheet) {
 }
 
 void draw_scale_numbers(Sheet& sheet) {
-  const double off = sheet.px(wall_mm) + 5;
+  const double off = sheet.px(wall_mm(sheet)) + 5;
   for (int x = 0; x <= sheet.bounds.x1; x += number_every_mm) {
     letter(sheet,
            {sheet.x(x) - 25, sheet.plan.y - off - 15, 50, 13},
@@ -145,7 +152,7 @@ void draw_walls(Sheet& sheet) {
     sheet.canvas.clip();
     cairo_set_line_join(cairo, CAIRO_LINE_JOIN_MITER);
     add_polygon(sheet, *sheet.layout.shell.outline_mm);
-    sheet.canvas.stroke(sheet_wall, 2 * sheet.px(wall_mm));
+    sheet.canvas.stroke(sheet_wall, 2 * sheet.px(wall_mm(sheet)));
   }
   const Floor floor = make_floor(sheet.layout.shell);
   for (const Doorway& door : floor.doorways)
@@ -169,7 +176,8 @@ void draw_opening_labels(Sheet& sheet) {
     const bool x = lies_along_x(door.wall);
     const bool swings =
         opening.kind == OpeningKind::service || opening.kind == OpeningKind::emergency;
-    const double off = sheet.px(wall_mm) + 4 + (swings ? sheet.px(door.span.length()) / 2 : 0);
+    const double off =
+        sheet.px(wall_mm(sheet)) + 4 + (swings ? sheet.px(door.span.length()) / 2 : 0);
     const double cx = sheet.x(door.threshold[0]), cy = sheet.y(door.threshold[1]);
     const double w = type_width(text, 13) + 16, h = 16;
     Area area{cx - w / 2, cy + off, w, h};

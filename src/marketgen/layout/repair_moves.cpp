@@ -306,10 +306,17 @@ void renumber(std::vector<Provenance>& provenance, std::string_view list, std::s
   }
 }
 
+bool holds_tills(const Zone& zone, const Catalog& catalog) {
+  const FixtureKind* kind = catalog.fixture_kind(zone.fixture.kind);
+  return kind != nullptr && kind->role == FixtureRole::checkout;
+}
+
+// Never the place to pay.
 std::vector<RepairCandidate> propose_drop_zone(const RepairTask& task) {
   const auto zone = zone_of(task);
   if (!zone || task.plan.zones.size() <= least_zones || somebody_asked_for(task.plan, *zone))
     return {};
+  if (holds_tills(task.plan.zones[*zone], task.catalog)) return {};
   const std::string id = task.plan.zones[*zone].id;
   const auto leaf = leaf_of(task.plan, id);
   const auto parent = leaf ? parent_of(task.plan, *leaf) : std::nullopt;

@@ -30,6 +30,9 @@ const std::vector<PromptCase> cases = {
     {"300 square metres, six aisles", {"area 300", "aisle_count 6"}, {}},
     {"a shop of at least 250 sqm", {"area >=250"}, {}},
     {"a bakery of 20 m2", {"zone_present bakery", "area bakery 20"}, {}},
+    {"a kiosk of 30 m2 selling snacks",
+     {"area 30", "profile convenience-us", "zone_present snacks"},
+     {}},
     {"shop with a 3.2 m ceiling", {"height ceiling 3200"}, {}},
     {"ceiling height of 4 m", {"height ceiling 4000"}, {}},
     // ---- Counts ----

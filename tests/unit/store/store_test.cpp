@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <array>
 #include <fstream>
 #include <map>
 #include <set>
@@ -289,6 +290,21 @@ TEST(ReportHtml, OnePageHoldsEveryStoreAndLoadsNothing) {
   EXPECT_TRUE(page.starts_with("<!doctype html>"));
   for (const char* outside : {"http:", "https:", "src=", "href=", "@import", "url("})
     EXPECT_EQ(page.find(outside), std::string::npos) << outside;
+}
+
+// Small shops have no floor for a checkout lane: they take money over a counter.
+TEST_F(StoreFolder, TheSmallestShopsHaveAPlaceToPay) {
+  constexpr std::array<std::array<int, 2>, 5> sizes_mm{
+      {{5000, 5000}, {6500, 4600}, {8000, 5000}, {8900, 5600}, {9800, 6100}}};
+  for (const auto& size : sizes_mm) {
+    CreateOptions options = tiny("shop-" + std::to_string(size[0]));
+    options.brief.prompt = "a kiosk";
+    options.brief.size_mm = size;
+    const Created created = create(options);
+    for (const Violation& broken : created.report.rules)
+      EXPECT_NE(broken.severity, Severity::hard) << size[0] << ": " << broken.message;
+    EXPECT_GT(created.manifest.counts.products, 300U) << size[0];
+  }
 }
 
 }  // namespace

@@ -32,7 +32,8 @@ void add_sheaths(
     WrapLeaf leaf;
     leaf.middle = {0, 0, half.z};
     leaf.half = half;
-    leaf.turn = 0.5 * i + 0.22 * (i / 2) + draw.uniform(-0.05, 0.05);
+    const int pair = i / 2;
+    leaf.turn = 0.5 * i + 0.22 * pair + draw.uniform(-0.05, 0.05);
     leaf.half_turn = 0.2;
     leaf.high = draw.uniform(0.72, 0.86);
     leaf.off = 0.03F + 0.02F * static_cast<float>(sheaths - i);

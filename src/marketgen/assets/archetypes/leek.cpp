@@ -48,7 +48,8 @@ void add_leaves(
   const float from = (shaft_share - 0.12F) * frame.length;
   for (int i = 0; i < 2 * pairs; ++i) {
     const float side = i % 2 == 0 ? -1.0F : 1.0F;
-    const float rank = static_cast<float>(i / 2) / (pairs - 1);  // 0 outermost
+    const int pair = i / 2;
+    const float rank = static_cast<float>(pair) / (pairs - 1);  // 0 outermost
     const auto stray = static_cast<float>(draw.uniform(-0.12, 0.12));
     LeafForm leaf;
     leaf.foot = {side * 0.25F * radius * (1 - rank), side * 0.1F * radius, from};
