@@ -129,6 +129,21 @@ struct Drive {
                  field("width", &Drive::width, "footprint, m", at_least(0)));
 };
 
+enum class ToolKind { gripper, suction };
+constexpr std::array<std::string_view, 2> names_of(ToolKind) {
+  return {"gripper", "suction"};
+}
+// What a tool can do. Its joints are the group `<prefix>fingers`, its tip the frame `<prefix>tcp`.
+struct Tool {
+  std::string prefix;  // of its names in the robot
+  ToolKind kind = ToolKind::gripper;
+  double opening = 0;     // most, between a gripper's pads, m
+  double force = 0;       // grip, or pull of a cup, N
+  double cup_radius = 0;  // of a suction cup, m
+  double payload = 0;     // kg
+  int frame = -1;         // "<prefix>tcp"
+};
+
 struct Robot {
   std::string name;
   std::vector<Link> links;    // parents first; links[0] is the root
@@ -136,6 +151,7 @@ struct Robot {
   std::vector<int> dofs;      // joint of each degree of freedom, parents first
   std::vector<Frame> frames;
   std::vector<JointGroup> groups;
+  std::vector<Tool> tools;
   std::optional<Drive> drive;
 
   std::size_t dof_count() const { return dofs.size(); }

@@ -109,6 +109,13 @@ class Assembly {
     for (const GroupRow& group : row.groups)
       groups_.push_back(with_prefix(group, prefix));
     if (row.drive) drive_ = row.drive;
+    if (row.tool)
+      tools_made_.push_back({prefix,
+                             row.tool->kind,
+                             row.tool->opening,
+                             row.tool->force,
+                             row.tool->cup_radius,
+                             row.tool->payload});
     for (const PartRow& part : row.parts)
       MARKETGEN_CHECK(add_part(row, part, prefix, depth));
     return {};
@@ -138,6 +145,11 @@ class Assembly {
     for (const GroupRow& group : groups_) {
       MARKETGEN_TRY(JointGroup made, group_of(row, robot, group));
       robot.groups.push_back(std::move(made));
+    }
+    for (Tool tool : tools_made_) {
+      tool.frame = robot.find_frame(tool.prefix + "tcp");
+      if (tool.frame < 0) return unknown(row, "frame", tool.prefix + "tcp");
+      robot.tools.push_back(std::move(tool));
     }
     robot.drive = drive_;
     return robot;
@@ -214,6 +226,7 @@ class Assembly {
   std::vector<NamedFrame> frames_;
   std::vector<GroupRow> groups_;
   std::vector<std::string> slots_;
+  std::vector<Tool> tools_made_;
   std::optional<Drive> drive_;
 };
 
@@ -267,6 +280,7 @@ Result<RobotRow> read_robot_row(const fs::path& data, const std::string& id) {
   for (const FrameRow& frame : row.frames)
     MARKETGEN_CHECK(check_sources(row, frame.name, frame.source));
   MARKETGEN_CHECK(check_sources(row, "drive", row.drive_source));
+  if (row.tool) MARKETGEN_CHECK(check_sources(row, "tool", row.tool->source));
   return row;
 }
 

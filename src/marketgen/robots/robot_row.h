@@ -161,6 +161,20 @@ struct PartRow {
                  field("slot", &PartRow::slot, "name under which users choose another row"));
 };
 
+struct ToolRow {
+  ToolKind kind = ToolKind::gripper;
+  double opening = 0, force = 0, cup_radius = 0, payload = 0;
+  std::string source;
+
+  static constexpr auto fields = field_list(
+      field("kind", &ToolRow::kind, "gripper or suction"),
+      field("opening", &ToolRow::opening, "most, between the pads, m", at_least(0)),
+      field("force", &ToolRow::force, "grip, or pull of a cup, N", at_least(0)),
+      field("cup_radius", &ToolRow::cup_radius, "of a suction cup, m", at_least(0)),
+      field("payload", &ToolRow::payload, "kg", at_least(0)),
+      field("source", &ToolRow::source, "keys of the sources, by blanks"));
+};
+
 struct RobotRow {
   std::string schema = "market-robot/1";
   std::string id, name;
@@ -172,6 +186,7 @@ struct RobotRow {
   std::vector<PartRow> parts;
   std::optional<Drive> drive;
   std::string drive_source;
+  std::optional<ToolRow> tool;
 
   static constexpr auto fields = field_list(
       field("schema", &RobotRow::schema, "schema tag", constant("market-robot/1")),
@@ -184,7 +199,8 @@ struct RobotRow {
       field("groups", &RobotRow::groups, "joints that move together"),
       field("parts", &RobotRow::parts, "other rows that it carries"),
       field("drive", &RobotRow::drive, "differential drive"),
-      field("drive_source", &RobotRow::drive_source, "keys of the drive's sources, by blanks"));
+      field("drive_source", &RobotRow::drive_source, "keys of the drive's sources, by blanks"),
+      field("tool", &RobotRow::tool, "what it can do as a tool; it needs a frame \"tcp\""));
 };
 
 // slot -> row id: {"left_tool", "suction-cup"}.
