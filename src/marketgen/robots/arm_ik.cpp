@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 namespace marketgen {
 namespace {
@@ -54,8 +54,8 @@ double safe_acos(double cosine) {
 }
 
 std::vector<ArmJoints> solve_rm65(const ArmIk& arm, const Target& target) {
-  const Vector3d v = target.position - target.rotation.col(2) * arm.hand -
-                     Vector3d(0, 0, arm.shoulder);
+  const Vector3d v =
+      target.position - target.rotation.col(2) * arm.hand - Vector3d(0, 0, arm.shoulder);
   const double flat = std::hypot(v.x(), v.y());
   const double bend =
       (v.squaredNorm() - arm.upper * arm.upper - arm.fore * arm.fore) / (2 * arm.upper * arm.fore);
@@ -64,9 +64,8 @@ std::vector<ArmJoints> solve_rm65(const ArmIk& arm, const Target& target) {
   for (const double side : {1.0, -1.0}) {  // positive q2 leans towards -X
     const double q1 = std::atan2(-side * v.y(), -side * v.x());
     for (const double q3 : {safe_acos(bend), -safe_acos(bend)}) {
-      const double q2 =
-          std::atan2(side * flat, v.z()) -
-          std::atan2(arm.fore * std::sin(q3), arm.upper + arm.fore * std::cos(q3));
+      const double q2 = std::atan2(side * flat, v.z()) -
+                        std::atan2(arm.fore * std::sin(q3), arm.upper + arm.fore * std::cos(q3));
       const Matrix3d third = turn_z(q1) * turn_x(pi / 2) * turn_z(q2 + q3 + pi);
       for (const Vector3d& w : zyz(turn_x(-pi / 2) * third.transpose() * target.rotation))
         found.push_back({q1, q2, q3, w[0], w[1], w[2], 0});
@@ -76,8 +75,8 @@ std::vector<ArmJoints> solve_rm65(const ArmIk& arm, const Target& target) {
 }
 
 std::vector<ArmJoints> solve_rm75(const ArmIk& arm, const Target& target, double swivel) {
-  const Vector3d v = target.position - target.rotation.col(2) * arm.hand -
-                     Vector3d(0, 0, arm.shoulder);
+  const Vector3d v =
+      target.position - target.rotation.col(2) * arm.hand - Vector3d(0, 0, arm.shoulder);
   const double reach = v.norm();
   const double rise =
       (reach * reach + arm.upper * arm.upper - arm.fore * arm.fore) / (2 * reach * arm.upper);
@@ -136,8 +135,7 @@ std::vector<ArmJoints> solve_panda(const ArmIk& arm, const Target& target, doubl
   const double a = arm.elbow, d3 = arm.upper, d5 = arm.fore;
   // |v|^2 = 2 a^2 + d3^2 + d5^2 + 2 (P cos bend + Q sin bend), bend = -q4.
   const double p = d3 * d5 - a * a, q = a * (d3 + d5);
-  const double cosine =
-      (v.squaredNorm() - 2 * a * a - d3 * d3 - d5 * d5) / (2 * std::hypot(p, q));
+  const double cosine = (v.squaredNorm() - 2 * a * a - d3 * d3 - d5 * d5) / (2 * std::hypot(p, q));
   std::vector<ArmJoints> found;
   if (!in_reach(cosine) || v.norm() < 1e-9) return found;
   const Vector3d ahead = v.normalized();

@@ -24,12 +24,12 @@ constexpr std::array<std::string_view, 3> names_of(ArmFamily) {
 struct ArmIk {
   ArmFamily family = ArmFamily::rm65;
   int joints = 6;
-  double shoulder = 0;  // height of the shoulder over the arm's base, m
+  double shoulder = 0;         // height of the shoulder over the arm's base, m
   double upper = 0, fore = 0;  // shoulder to elbow, elbow to wrist along the arm, m
-  double elbow = 0;     // Panda: offset of the elbow, m
-  double wrist = 0;     // Panda: offset of joint 7 from the wrist; m
-  double hand = 0;      // RM: wrist to last joint frame, m
-  Pose last_from_tip;   // the tip in the last link's frame
+  double elbow = 0;            // Panda: offset of the elbow, m
+  double wrist = 0;            // Panda: offset of joint 7 from the wrist; m
+  double hand = 0;             // RM: wrist to last joint frame, m
+  Pose last_from_tip;          // the tip in the last link's frame
   ArmJoints lower{}, upper_limit{};
 };
 

@@ -76,7 +76,8 @@ struct SpatialInertia {
     return *this;
   }
   Wrench momentum(const Twist& t) const {
-    return {mass * t.linear + t.angular.cross(moment), inertia * t.angular + moment.cross(t.linear)};
+    return {mass * t.linear + t.angular.cross(moment),
+            inertia * t.angular + moment.cross(t.linear)};
   }
 };
 

@@ -9,10 +9,11 @@
 namespace marketgen {
 
 struct NumericIkOptions {
-  int restarts = 20;          // after the seed itself
-  int steps = 60;             // of each start
-  double tolerance = 1e-9;    // m and rad, of the largest error component
-  double unlimited_span = 1;  // restarts move joints without limits this far from the seed, rad or m
+  int restarts = 20;        // after the seed itself
+  int steps = 60;           // of each start
+  double tolerance = 1e-9;  // m and rad, of the largest error component
+  double unlimited_span =
+      1;  // restarts move joints without limits this far from the seed, rad or m
 };
 
 // Moves the degrees of freedom `dofs` of `seed` until `frame` is at `base_from_frame`; the others

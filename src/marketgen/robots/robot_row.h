@@ -166,13 +166,13 @@ struct ToolRow {
   double opening = 0, force = 0, cup_radius = 0, payload = 0;
   std::string source;
 
-  static constexpr auto fields = field_list(
-      field("kind", &ToolRow::kind, "gripper or suction"),
-      field("opening", &ToolRow::opening, "most, between the pads, m", at_least(0)),
-      field("force", &ToolRow::force, "grip, or pull of a cup, N", at_least(0)),
-      field("cup_radius", &ToolRow::cup_radius, "of a suction cup, m", at_least(0)),
-      field("payload", &ToolRow::payload, "kg", at_least(0)),
-      field("source", &ToolRow::source, "keys of the sources, by blanks"));
+  static constexpr auto fields =
+      field_list(field("kind", &ToolRow::kind, "gripper or suction"),
+                 field("opening", &ToolRow::opening, "most, between the pads, m", at_least(0)),
+                 field("force", &ToolRow::force, "grip, or pull of a cup, N", at_least(0)),
+                 field("cup_radius", &ToolRow::cup_radius, "of a suction cup, m", at_least(0)),
+                 field("payload", &ToolRow::payload, "kg", at_least(0)),
+                 field("source", &ToolRow::source, "keys of the sources, by blanks"));
 };
 
 struct RobotRow {

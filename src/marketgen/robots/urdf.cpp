@@ -158,7 +158,8 @@ class Reader {
                   i.xz * v.x + i.yz * v.y + i.zz * v.z};
     };
     const Quaternion back = inverse(rotation);
-    const Vec3 x = rotate(back, {1, 0, 0}), y = rotate(back, {0, 1, 0}), z = rotate(back, {0, 0, 1});
+    const Vec3 x = rotate(back, {1, 0, 0}), y = rotate(back, {0, 1, 0}),
+               z = rotate(back, {0, 0, 1});
     return {dot(x, tensor(x)),
             dot(y, tensor(y)),
             dot(z, tensor(z)),
@@ -196,7 +197,8 @@ class Reader {
       MARKETGEN_TRY(shape.size, vector(*solid, "scale", {1, 1, 1}));
       find_mesh(*solid, shape);
     } else {
-      return fault(*solid, fmt::format("<{}> is no shape; expected box, cylinder, sphere or mesh", kind));
+      return fault(*solid,
+                   fmt::format("<{}> is no shape; expected box, cylinder, sphere or mesh", kind));
     }
     MARKETGEN_TRY(shape.color, color_of(e, shape.color));
     return shape;
@@ -237,7 +239,8 @@ class Reader {
   void add_capsules(Link& link, const BodyShape& shape) {
     const Pose& at = shape.link_from_shape;
     if (shape.kind == ShapeKind::mesh) {
-      warnings_.push_back("link \"" + link.name + "\": a collision mesh is not used; give boxes, "
+      warnings_.push_back("link \"" + link.name +
+                          "\": a collision mesh is not used; give boxes, "
                           "cylinders or spheres");
     } else if (shape.kind == ShapeKind::ball) {
       link.capsules.push_back({at.position, at.position, shape.radius});
@@ -302,8 +305,9 @@ class Reader {
     if (limit == nullptr) {
       if (!bounded) return {};
       return fault(e,
-                   "joint \"" + joint.name + "\" has no <limit>; expected lower, upper, effort and "
-                   "velocity, or type=\"continuous\"");
+                   "joint \"" + joint.name +
+                       "\" has no <limit>; expected lower, upper, effort and "
+                       "velocity, or type=\"continuous\"");
     }
     if (bounded) {
       MARKETGEN_TRY(joint.lower, number(*limit, "lower", 0));
@@ -323,7 +327,9 @@ class Reader {
 
 }  // namespace
 
-Result<UrdfRobot> read_urdf(std::string_view text, const std::string& source, const fs::path& folder) {
+Result<UrdfRobot> read_urdf(std::string_view text,
+                            const std::string& source,
+                            const fs::path& folder) {
   return Reader(source, folder).read(text);
 }
 

@@ -107,18 +107,18 @@ void expect_pinocchio_agrees(const std::string& id, const std::string& frame) {
     pose = std::max(pose, pinocchio.difference(by_rows(frame_pose(*robot, s.q, asked))));
     jacobian =
         std::max(jacobian, pinocchio.difference(by_rows(frame_jacobian(*robot, s.q, asked))));
-    efforts = std::max(efforts,
-                       pinocchio.difference(by_rows(inverse_dynamics(*robot, s.q, s.v, s.a))));
+    efforts =
+        std::max(efforts, pinocchio.difference(by_rows(inverse_dynamics(*robot, s.q, s.v, s.a))));
     mass = std::max(mass, pinocchio.difference(by_rows(mass_matrix(*robot, s.q))));
   }
   EXPECT_LT(pose, 1e-9);
   EXPECT_LT(jacobian, 1e-9);
   EXPECT_LT(efforts, 1e-9);
   EXPECT_LT(mass, 1e-9);
-  RecordProperty("pose", fmt::format("{:.1e}", pose));
-  RecordProperty("jacobian", fmt::format("{:.1e}", jacobian));
-  RecordProperty("efforts", fmt::format("{:.1e}", efforts));
-  RecordProperty("mass", fmt::format("{:.1e}", mass));
+  ::testing::Test::RecordProperty("pose", fmt::format("{:.1e}", pose));
+  ::testing::Test::RecordProperty("jacobian", fmt::format("{:.1e}", jacobian));
+  ::testing::Test::RecordProperty("efforts", fmt::format("{:.1e}", efforts));
+  ::testing::Test::RecordProperty("mass", fmt::format("{:.1e}", mass));
 }
 
 TEST(Dynamics, PandaAgreesWithPinocchio) {

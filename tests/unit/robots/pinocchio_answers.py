@@ -39,55 +39,61 @@ def inertia(link):
 
 
 class Tree:
-    """A pinocchio.Model that grows row by row."""
+    """A pinocchio.Model of a row and its parts. Joints are made depth first: crba needs every subtree in one piece."""
 
-    def __init__(self, rows):
+    def __init__(self, rows, robot):
         self.rows, self.model = rows, pin.Model()
+        self.bodies = {}    # full link name -> its row
+        self.children = {}  # full link name -> [(joint's full name, joint's row, placement, child's full name)]
+        self.frames = {}    # full frame name -> (full link name, placement)
         self.links = {}     # full link name -> (joint id, placement in that joint)
-        self.frames = {}    # full frame name -> (joint id, placement)
         self.armature = {}  # joint name -> rotor inertia
+        self.body(self.collect(robot, ""), 0, pin.SE3.Identity())
 
-    def add(self, name, prefix="", joint=0, at=pin.SE3.Identity()):
+    def collect(self, name, prefix):
+        """Notes the row and its parts under their full names; returns the name of the row's root link."""
         row = json.loads((self.rows / f"{name}.json").read_text(encoding="utf-8"))
-        bodies = {link["name"]: link for link in row["links"]}
-        self.body(prefix, row["links"][0], joint, at)
-        waiting = list(row.get("joints", []))
-        while waiting:
-            ready = [j for j in waiting if prefix + j["parent"] in self.links]
-            waiting = [j for j in waiting if j not in ready]
-            for each in ready:
-                self.joint(prefix, each, bodies[each["child"]])
+        for link in row["links"]:
+            self.bodies[prefix + link["name"]] = link
+        for joint in row.get("joints", []):
+            below = (prefix + joint["name"], joint, placement(joint), prefix + joint["child"])
+            self.children.setdefault(prefix + joint["parent"], []).append(below)
         for frame in row.get("frames", []):
-            parent, inside = self.links[prefix + frame["link"]]
-            self.frames[prefix + frame["name"]] = (parent, inside * placement(frame))
+            self.frames[prefix + frame["name"]] = (prefix + frame["link"], placement(frame))
         for part in row.get("parts", []):
-            self.add(part["row"], prefix + part["prefix"], *self.frames[prefix + part["at"]])
+            carrier, at = self.frames[prefix + part["at"]]
+            root = self.collect(part["row"], prefix + part["prefix"])
+            self.children.setdefault(carrier, []).append(("", {"kind": "fixed"}, at, root))
+        return prefix + row["links"][0]["name"]
 
-    def body(self, prefix, link, joint, at):
-        self.links[prefix + link["name"]] = (joint, at)
-        self.model.appendBodyToJoint(joint, inertia(link), at)
+    def body(self, link, joint, at):
+        self.links[link] = (joint, at)
+        self.model.appendBodyToJoint(joint, inertia(self.bodies[link]), at)
+        for name, row, inside, child in self.children.get(link, []):
+            self.joint(name, row, joint, at * inside, child)
 
-    def joint(self, prefix, row, child):
-        parent, inside = self.links[prefix + row["parent"]]
-        where, axis = inside * placement(row), numpy.array(row.get("axis", (0, 0, 1)), dtype=float)
-        kind = row.get("kind", "revolute")
+    def joint(self, name, row, parent, where, child):
+        kind, axis = row.get("kind", "revolute"), numpy.array(row.get("axis", (0, 0, 1)), dtype=float)
         if kind == "fixed":
-            self.body(prefix, child, parent, where)
+            self.body(child, parent, where)
             return
         made = pin.JointModelPrismaticUnaligned(axis) if kind == "prismatic" else pin.JointModelRevoluteUnaligned(axis)
-        index = self.model.addJoint(parent, made, where, prefix + row["name"])
-        self.armature[prefix + row["name"]] = row.get("armature", 0.0)
-        self.body(prefix, child, index, pin.SE3.Identity())
+        index = self.model.addJoint(parent, made, where, name)
+        self.armature[name] = row.get("armature", 0.0)
+        self.body(child, index, pin.SE3.Identity())
+
+    def frame(self, name):
+        link, inside = self.frames[name]
+        joint, at = self.links[link]
+        return self.model.addFrame(pin.Frame("asked", joint, 0, at * inside, pin.FrameType.OP_FRAME))
 
 
 def main():
     rows, robot, frame = Path(sys.argv[1]), sys.argv[2], sys.argv[3]
-    tree = Tree(rows)
-    tree.add(robot)
+    tree = Tree(rows, robot)
     model = tree.model
     model.gravity.linear = numpy.array([0, 0, -9.81])
-    joint, inside = tree.frames[frame]
-    frame_id = model.addFrame(pin.Frame("asked", joint, 0, inside, pin.FrameType.OP_FRAME))
+    frame_id = tree.frame(frame)
     data = model.createData()
 
     words = sys.stdin.read().split()

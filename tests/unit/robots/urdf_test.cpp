@@ -27,11 +27,12 @@ void expect_fault(const std::string& body, const std::string& where, const std::
 }
 
 TEST(Urdf, ReadsLinksJointsAndLimits) {
-  const auto result = read(link("a") + link("b") +
-                           "<joint name=\"j\" type=\"prismatic\"><parent link=\"a\"/>"
-                           "<child link=\"b\"/><origin xyz=\"1 2 3\" rpy=\"0 0 1.5707963267948966\"/>"
-                           "<axis xyz=\"0 0 2\"/><limit lower=\"-1\" upper=\"2\" effort=\"5\" "
-                           "velocity=\"0\"/></joint>");
+  const auto result =
+      read(link("a") + link("b") +
+           "<joint name=\"j\" type=\"prismatic\"><parent link=\"a\"/>"
+           "<child link=\"b\"/><origin xyz=\"1 2 3\" rpy=\"0 0 1.5707963267948966\"/>"
+           "<axis xyz=\"0 0 2\"/><limit lower=\"-1\" upper=\"2\" effort=\"5\" "
+           "velocity=\"0\"/></joint>");
   ASSERT_TRUE(result.ok()) << to_string(result.error());
   const Robot& robot = result->robot;
   ASSERT_EQ(robot.dof_count(), 1U);
@@ -55,9 +56,9 @@ TEST(Urdf, ATurnedInertiaIsGivenInTheLinksAxes) {  // a rod along X, turned to l
 }
 
 TEST(Urdf, AMissingMeshIsAWarning) {
-  const auto result =
-      read("<link name=\"a\"><visual><geometry><mesh filename=\"package://x/none.stl\"/>"
-           "</geometry></visual></link>");
+  const auto result = read(
+      "<link name=\"a\"><visual><geometry><mesh filename=\"package://x/none.stl\"/>"
+      "</geometry></visual></link>");
   ASSERT_TRUE(result.ok()) << to_string(result.error());
   ASSERT_EQ(result->warnings.size(), 1U);
   EXPECT_NE(result->warnings[0].find("r.urdf:2"), std::string::npos);
@@ -74,9 +75,8 @@ TEST(Urdf, FaultsAreNamed) {
   expect_fault(link("a") + link("a"), "link \"a\"", "two links");
   expect_fault(link("a") + link("b"), "link \"b\"", "one root");
   expect_fault(link("a") + joint("j", "a", "c"), "joint \"j\"", "no link \"c\"");
-  expect_fault(link("a") + link("b") + joint("j", "a", "b") + joint("k", "b", "a"),
-               "r.urdf",
-               "cycle");
+  expect_fault(
+      link("a") + link("b") + joint("j", "a", "b") + joint("k", "b", "a"), "r.urdf", "cycle");
   expect_fault(link("r") + link("a") + link("b") + joint("j", "a", "b") + joint("k", "b", "a"),
                "link \"a\"",
                "cycle");
