@@ -74,6 +74,12 @@ std::vector<ArmJoints> solve_rm65(const ArmIk& arm, const Target& target) {
   return found;
 }
 
+// Level, square to the line from shoulder to wrist; from where the swivel of an RM75 counts.
+Vector3d side_of(const Vector3d& ahead) {
+  const Vector3d side = Vector3d::UnitZ().cross(ahead);
+  return side.norm() < 1e-9 ? Vector3d::UnitY() : Vector3d(side.normalized());
+}
+
 std::vector<ArmJoints> solve_rm75(const ArmIk& arm, const Target& target, double swivel) {
   const Vector3d v =
       target.position - target.rotation.col(2) * arm.hand - Vector3d(0, 0, arm.shoulder);
@@ -83,8 +89,7 @@ std::vector<ArmJoints> solve_rm75(const ArmIk& arm, const Target& target, double
   std::vector<ArmJoints> found;
   if (!(reach > 1e-9) || !in_reach(rise)) return found;
   const Vector3d ahead = v / reach;
-  Vector3d side = Vector3d::UnitZ().cross(ahead);
-  side = side.norm() < 1e-9 ? Vector3d::UnitY() : Vector3d(side.normalized());
+  const Vector3d side = side_of(ahead);
   const Vector3d high = ahead.cross(side);
   const double angle = safe_acos(rise);
   const Vector3d u = std::cos(angle) * ahead +
@@ -104,6 +109,16 @@ std::vector<ArmJoints> solve_rm75(const ArmIk& arm, const Target& target, double
     }
   }
   return found;
+}
+
+// The swivel of an RM75 in that posture; 0 where shoulder, elbow and wrist are in line.
+double swivel_of(const ArmIk& arm, const ArmJoints& q) {
+  const Matrix3d second = turn_z(q[0]) * turn_y(q[1]);
+  const Vector3d u = second.col(2);
+  const Vector3d v = arm.upper * u + arm.fore * (second * turn_z(q[2]) * turn_y(q[3])).col(2);
+  if (v.norm() < 1e-9) return 0;
+  const Vector3d ahead = v.normalized(), side = side_of(ahead);
+  return std::atan2(u.dot(side), u.dot(ahead.cross(side)));
 }
 
 // The joints 1-3, 5 and 6 of a Panda whose arm plane contains `v` (shoulder to wrist) and `m`.
@@ -183,48 +198,83 @@ double distance(const ArmIk& arm, const ArmJoints& a, const ArmJoints& b) {
   return largest;
 }
 
+Error no_solver(const Robot& robot, const JointGroup& group, const std::string& message) {
+  return {"robot.unknown", robot.name + ":" + group.name, message};
+}
+
+void take_lengths(ArmIk& arm, const Robot& robot, const JointGroup& group) {
+  std::array<Vec3, 7> steps{};  // of each joint in its parent, at q = 0
+  for (std::size_t i = 0; i < group.dofs.size(); ++i) {
+    const Joint& joint = robot.joint_of_dof(static_cast<std::size_t>(group.dofs[i]));
+    steps[i] = joint.parent_from_joint.position;
+    arm.lower[i] = joint.lower, arm.upper_limit[i] = joint.upper;
+  }
+  arm.shoulder = steps[0].z, arm.upper = length(steps[2]);
+  switch (arm.family) {
+    case ArmFamily::rm65:
+      arm.fore = length(steps[3]), arm.hand = length(steps[5]);
+      break;
+    case ArmFamily::rm75:
+      arm.fore = length(steps[4]), arm.hand = length(steps[6]);
+      break;
+    case ArmFamily::panda:
+      arm.elbow = steps[3].x, arm.fore = std::abs(steps[4].y), arm.wrist = steps[6].x;
+      break;
+  }
+}
+
+Result<Pose> last_from_tip_of(const Robot& robot, const JointGroup& group) {
+  const Joint& last = robot.joint_of_dof(static_cast<std::size_t>(group.dofs.back()));
+  const Frame& tip = robot.frames[static_cast<std::size_t>(group.tip)];
+  Pose last_from_tip = tip.link_from_frame;
+  for (int link = tip.link; link != last.link;) {
+    const bool fixed = link > 0 && robot.joints[static_cast<std::size_t>(link - 1)].dof < 0;
+    if (!fixed) return no_solver(robot, group, "the tip is not fixed to the group's last link");
+    const Joint& joint = robot.joints[static_cast<std::size_t>(link - 1)];
+    last_from_tip = joint.parent_from_joint * last_from_tip;
+    link = joint.parent;
+  }
+  return last_from_tip;
+}
+
+// Whether the solver finds a posture in the middle of the limits again: its joints are laid out as
+// the family's are.
+bool finds_again(const ArmIk& arm, const Robot& robot, const JointGroup& group) {
+  ArmJoints q{};
+  std::vector<double> state = neutral_state(robot);
+  for (std::size_t i = 0; i < group.dofs.size(); ++i) {
+    q[i] = arm.lower[i] + 0.6 * (arm.upper_limit[i] - arm.lower[i]);
+    state[static_cast<std::size_t>(group.dofs[i])] = q[i];
+  }
+  const Pose base = link_poses(robot, state)[static_cast<std::size_t>(group.base)];
+  const Pose tip = inverse(base) * frame_pose(robot, state, group.tip);
+  const double redundancy = arm.family == ArmFamily::rm75 ? swivel_of(arm, q) : q[6];
+  const std::vector<ArmJoints> found = solve_arm(arm, tip, redundancy);
+  return std::any_of(found.begin(), found.end(), [&](const ArmJoints& other) {
+    return distance(arm, q, other) < 1e-6;
+  });
+}
+
 }  // namespace
 
 Result<ArmIk> make_arm_ik(const Robot& robot, const JointGroup& group) {
   const auto family = value_named<ArmFamily>(group.solver);
   if (!family || group.tip < 0)
-    return Error{"robot.unknown",
-                 robot.name + ":" + group.name,
-                 "the group has no analytic inverse kinematics; use solve_numeric"};
+    return no_solver(
+        robot, group, "the group has no analytic inverse kinematics; use solve_numeric");
   ArmIk arm;
   arm.family = *family;
   arm.joints = *family == ArmFamily::rm65 ? 6 : 7;
   if (static_cast<int>(group.dofs.size()) != arm.joints)
-    return Error{"robot.unknown",
-                 robot.name + ":" + group.name,
-                 fmt::format("the solver \"{}\" needs {} joints", group.solver, arm.joints)};
-  std::vector<Vec3> steps;  // of each joint in its parent, at q = 0
-  for (std::size_t i = 0; i < group.dofs.size(); ++i) {
-    const Joint& joint = robot.joint_of_dof(static_cast<std::size_t>(group.dofs[i]));
-    steps.push_back(joint.parent_from_joint.position);
-    arm.lower[i] = joint.lower, arm.upper_limit[i] = joint.upper;
-  }
-  arm.shoulder = steps[0].z;
-  if (*family == ArmFamily::rm65) {
-    arm.upper = length(steps[2]), arm.fore = length(steps[3]), arm.hand = length(steps[5]);
-  } else if (*family == ArmFamily::rm75) {
-    arm.upper = length(steps[2]), arm.fore = length(steps[4]), arm.hand = length(steps[6]);
-  } else {
-    arm.upper = length(steps[2]), arm.elbow = steps[3].x;
-    arm.fore = std::abs(steps[4].y), arm.wrist = steps[6].x;
-  }
-  const Joint& last = robot.joint_of_dof(static_cast<std::size_t>(group.dofs.back()));
-  const Frame& tip = robot.frames[static_cast<std::size_t>(group.tip)];
-  arm.last_from_tip = tip.link_from_frame;
-  for (int link = tip.link; link != last.link;) {
-    const Joint& joint = robot.joints[static_cast<std::size_t>(link - 1)];
-    if (joint.kind != JointKind::fixed || joint.parent == 0)
-      return Error{"robot.unknown",
-                   robot.name + ":" + group.name,
-                   "the tip is not fixed to the group's last link"};
-    arm.last_from_tip = joint.parent_from_joint * arm.last_from_tip;
-    link = joint.parent;
-  }
+    return no_solver(
+        robot, group, fmt::format("the solver \"{}\" needs {} joints", group.solver, arm.joints));
+  take_lengths(arm, robot, group);
+  MARKETGEN_TRY(arm.last_from_tip, last_from_tip_of(robot, group));
+  if (!finds_again(arm, robot, group))
+    return no_solver(robot,
+                     group,
+                     "the joints are not laid out as the solver \"" + group.solver +
+                         "\" expects; leave the solver empty to use solve_numeric");
   return arm;
 }
 
@@ -267,6 +317,7 @@ Result<ArmJoints> nearest_arm_solution(const ArmIk& arm,
     }
   };
   if (panda) look(seed[6]);
+  if (arm.family == ArmFamily::rm75) look(swivel_of(arm, seed));
   for (int i = 0; i < steps; ++i)
     look(low + (high - low) * (i + 0.5) / steps);
   if (!any)

@@ -33,7 +33,8 @@ struct ArmIk {
   ArmJoints lower{}, upper_limit{};
 };
 
-// Errors: robot.unknown when the group has no tip or no analytic solver.
+// Errors: robot.unknown when the group has no tip or no analytic solver, or its joints are not laid
+// out as the solver's family is.
 Result<ArmIk> make_arm_ik(const Robot& robot, const JointGroup& group);
 
 // Every joint vector within the limits that brings the tip to `base_from_tip` (base: the group's

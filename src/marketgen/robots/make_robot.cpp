@@ -67,6 +67,8 @@ std::string joint_fault(const Joint& joint) {
   for (const double most : {joint.velocity, joint.acceleration, joint.jerk, joint.effort}) {
     if (!(most >= 0)) return "velocity, acceleration, jerk and effort limits must not be negative";
   }
+  if (!std::isfinite(joint.follow_ratio) || !std::isfinite(joint.follow_offset))
+    return "ratio and offset to the joint that it follows must be finite";
   if (!(joint.armature >= 0) || !(joint.damping >= 0))
     return "armature and damping must not be negative";
   return {};
@@ -202,10 +204,21 @@ class Builder {
         return fault("joint",
                      part.joint.name,
                      "it follows \"" + part.follows + "\", which is no other moving joint");
+      if (follows_another(part.follows))
+        return fault("joint",
+                     part.joint.name,
+                     "it follows \"" + part.follows + "\", which follows another itself");
       robot.joints[static_cast<std::size_t>(robot.dofs[static_cast<std::size_t>(own)])].follows =
           leader;
     }
     return {};
+  }
+
+  bool follows_another(const std::string& joint) const {
+    return std::any_of(
+        parts_.joints.begin(), parts_.joints.end(), [&](const RobotParts::JointPart& other) {
+          return other.joint.name == joint && !other.follows.empty();
+        });
   }
 
   RobotParts parts_;

@@ -35,17 +35,42 @@ const Joint& joint_of(const Problem& problem, int dof) {
   return problem.robot.joint_of_dof(static_cast<std::size_t>(dof));
 }
 
-std::vector<double> stepped(const Problem& problem,
-                            std::vector<double> q,
-                            const Vector6& error,
-                            double damping) {
+bool pushes_out(const Joint& joint, double value, double step) {
+  return (step < 0 && value <= joint.lower) || (step > 0 && value >= joint.upper);
+}
+
+// The damped step of the degrees of freedom, one per entry of `problem.dofs`. Those that stand at a
+// limit and would leave it are taken out, so that the rest does the work.
+Eigen::VectorXd step_within_limits(const Problem& problem,
+                                   const std::vector<double>& q,
+                                   const Vector6& error,
+                                   double damping) {
   const Jacobian all = frame_jacobian(problem.robot, q, problem.frame);
   Jacobian some(6, static_cast<Eigen::Index>(problem.dofs.size()));
   for (std::size_t i = 0; i < problem.dofs.size(); ++i)
     some.col(static_cast<Eigen::Index>(i)) = all.col(problem.dofs[i]);
-  const Eigen::Matrix<double, 6, 6> damped =
-      some * some.transpose() + damping * Eigen::Matrix<double, 6, 6>::Identity();
-  const Eigen::VectorXd step = some.transpose() * damped.ldlt().solve(error);
+  Eigen::VectorXd step;
+  for (bool again = true; again;) {
+    const Eigen::Matrix<double, 6, 6> damped =
+        some * some.transpose() + damping * Eigen::Matrix<double, 6, 6>::Identity();
+    step = some.transpose() * damped.ldlt().solve(error);
+    again = false;
+    for (std::size_t i = 0; i < problem.dofs.size(); ++i) {
+      const auto column = static_cast<Eigen::Index>(i);
+      const double value = q[static_cast<std::size_t>(problem.dofs[i])];
+      if (!pushes_out(joint_of(problem, problem.dofs[i]), value, step[column])) continue;
+      some.col(column).setZero();
+      again = true;
+    }
+  }
+  return step;
+}
+
+std::vector<double> stepped(const Problem& problem,
+                            std::vector<double> q,
+                            const Vector6& error,
+                            double damping) {
+  const Eigen::VectorXd step = step_within_limits(problem, q, error, damping);
   for (std::size_t i = 0; i < problem.dofs.size(); ++i) {
     const Joint& joint = joint_of(problem, problem.dofs[i]);
     double& value = q[static_cast<std::size_t>(problem.dofs[i])];

@@ -61,8 +61,9 @@ std::vector<double> neutral_state(const Robot& robot) {
 
 std::vector<double> with_followers(const Robot& robot, std::vector<double> q) {
   for (std::size_t i = 0; i < q.size(); ++i) {
-    const int leader = robot.joint_of_dof(i).follows;
-    if (leader >= 0) q[i] = q[static_cast<std::size_t>(leader)];
+    const Joint& joint = robot.joint_of_dof(i);
+    if (joint.follows >= 0)
+      q[i] = joint.follow_ratio * q[static_cast<std::size_t>(joint.follows)] + joint.follow_offset;
   }
   return q;
 }

@@ -92,6 +92,7 @@ struct Joint {
   double damping = 0;                            // N m s/rad or N s/m
   int link = 0;                                  // the link it carries: the joint's index + 1
   int follows = -1;  // dof that this one copies (the second finger of a gripper); -1 = none
+  double follow_ratio = 1, follow_offset = 0;  // its value is ratio * leader + offset
 };
 
 // A named place on a link: a tool's tip, a camera (X right, Y down, Z ahead), a mount.
@@ -183,7 +184,7 @@ struct RobotParts {
 // link gets those that cover its capsules. Errors: robot.bad_file with the link or joint at fault:
 // names that are empty, double or unknown; no link, several roots or a cycle; a link with two
 // parents; numbers that are not finite; negative mass, a mass without inertia, an inertia that no
-// body has; a zero axis; limits in the wrong order.
+// body has; a zero axis; limits in the wrong order; a joint that follows none or a follower.
 Result<Robot> make_robot(RobotParts parts, const std::string& source);
 
 // Spheres that together hold `capsule` and reach at most `spare_m` out of it.
@@ -193,7 +194,7 @@ std::vector<Sphere> spheres_of(const Capsule& capsule, double spare_m = 0.005);
 
 // All zero, moved into the limits.
 std::vector<double> neutral_state(const Robot& robot);
-// Copies every leader's value to those that follow it.
+// Sets those that follow another by their leader's value.
 std::vector<double> with_followers(const Robot& robot, std::vector<double> q);
 bool within_limits(const Robot& robot, std::span<const double> q, double slack = 1e-9);
 // Errors: robot.bad_state when `q` has the wrong length, a value that is not finite, or one outside

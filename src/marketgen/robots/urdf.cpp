@@ -289,6 +289,8 @@ class Reader {
     }
     if (const XMLElement* mimic = e.FirstChildElement("mimic")) {
       MARKETGEN_TRY(part.follows, needed_text(*mimic, "joint"));
+      MARKETGEN_TRY(joint.follow_ratio, number(*mimic, "multiplier", 1));
+      MARKETGEN_TRY(joint.follow_offset, number(*mimic, "offset", 0));
     }
     return part;
   }

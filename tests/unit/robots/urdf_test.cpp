@@ -55,6 +55,26 @@ TEST(Urdf, ATurnedInertiaIsGivenInTheLinksAxes) {  // a rod along X, turned to l
   EXPECT_NEAR(result->robot.links[0].inertia.yy, 0.1, 1e-12);
 }
 
+TEST(Urdf, AMimicFollowsItsLeaderWithRatioAndOffset) {
+  const auto slide = [](const std::string& name,
+                        const std::string& child,
+                        const std::string& mimic) {
+    return "<joint name=\"" + name + "\" type=\"prismatic\"><parent link=\"a\"/><child link=\"" +
+           child + "\"/><limit lower=\"-1\" upper=\"1\"/>" + mimic + "</joint>";
+  };
+  const std::string links = link("a") + link("b") + link("c") + link("d");
+  const std::string follower =
+      slide("k", "c", "<mimic joint=\"j\" multiplier=\"-2\" offset=\"0.1\"/>");
+  const auto result = read(links + slide("j", "b", "") + follower + slide("l", "d", ""));
+  ASSERT_TRUE(result.ok()) << to_string(result.error());
+  const std::vector<double> q = with_followers(result->robot, {0.3, 0, 0.7});
+  EXPECT_NEAR(q[1], -0.5, 1e-12);
+  EXPECT_EQ(q[2], 0.7);
+  expect_fault(links + slide("j", "b", "") + follower + slide("l", "d", "<mimic joint=\"k\"/>"),
+               "joint \"l\"",
+               "follows another");
+}
+
 TEST(Urdf, AMissingMeshIsAWarning) {
   const auto result = read(
       "<link name=\"a\"><visual><geometry><mesh filename=\"package://x/none.stl\"/>"
