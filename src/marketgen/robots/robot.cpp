@@ -32,6 +32,11 @@ const JointGroup* Robot::find_group(std::string_view wanted) const {
   return group < 0 ? nullptr : &groups[static_cast<std::size_t>(group)];
 }
 
+const Posture* Robot::find_posture(std::string_view wanted) const {
+  const int posture = index_of(postures, wanted);
+  return posture < 0 ? nullptr : &postures[static_cast<std::size_t>(posture)];
+}
+
 std::vector<Sphere> spheres_of(const Capsule& capsule, double spare_m) {
   const double reach = length(capsule.b - capsule.a);
   const double radius = capsule.radius + spare_m;
@@ -56,6 +61,12 @@ std::vector<double> neutral_state(const Robot& robot) {
     const Joint& joint = robot.joint_of_dof(i);
     q[i] = std::clamp(0.0, joint.lower, joint.upper);
   }
+  return q;
+}
+
+std::vector<double> with_posture(const Posture& posture, std::vector<double> q) {
+  for (const Posture::Value& v : posture.values)
+    q[static_cast<std::size_t>(v.dof)] = v.value;
   return q;
 }
 

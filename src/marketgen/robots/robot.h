@@ -111,6 +111,16 @@ struct JointGroup {
   std::string solver;  // analytic inverse kinematics: "rm65", "rm75", "panda"; empty = numeric
 };
 
+// Named joint values: "ready", "stow". Degrees of freedom that it leaves out stay as they are.
+struct Posture {
+  struct Value {
+    int dof = 0;
+    double value = 0;  // rad or m
+  };
+  std::string name;
+  std::vector<Value> values;
+};
+
 // A differential drive under the base link.
 struct Drive {
   double wheel_radius = 0, wheel_track = 0;  // m; track = between the wheels' middles
@@ -152,6 +162,7 @@ struct Robot {
   std::vector<int> dofs;      // joint of each degree of freedom, parents first
   std::vector<Frame> frames;
   std::vector<JointGroup> groups;
+  std::vector<Posture> postures;
   std::vector<Tool> tools;
   std::optional<Drive> drive;
 
@@ -164,6 +175,7 @@ struct Robot {
   int find_dof(std::string_view joint_name) const;
   int find_frame(std::string_view wanted) const;
   const JointGroup* find_group(std::string_view wanted) const;
+  const Posture* find_posture(std::string_view wanted) const;
 };
 
 // ---- Making a robot ----
@@ -194,6 +206,8 @@ std::vector<Sphere> spheres_of(const Capsule& capsule, double spare_m = 0.005);
 
 // All zero, moved into the limits.
 std::vector<double> neutral_state(const Robot& robot);
+// `q` with a posture's values in it.
+std::vector<double> with_posture(const Posture& posture, std::vector<double> q);
 // Sets those that follow another by their leader's value.
 std::vector<double> with_followers(const Robot& robot, std::vector<double> q);
 bool within_limits(const Robot& robot, std::span<const double> q, double slack = 1e-9);

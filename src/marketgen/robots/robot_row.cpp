@@ -19,6 +19,9 @@ constexpr double degree = std::numbers::pi / 180;
 constexpr std::uint64_t most_row_bytes = 4U << 20;
 constexpr int deepest_part = 4;
 
+double unit_of(JointUnit unit) {
+  return unit == JointUnit::deg ? degree : 1;
+}
 Vec3 vector_of(const Triple& t) {
   return {t[0], t[1], t[2]};
 }
@@ -63,7 +66,7 @@ Link link_of(const LinkRow& row, const std::string& prefix) {
 }
 
 RobotParts::JointPart joint_of(const JointRow& row, const std::string& prefix) {
-  const double unit = row.unit == JointUnit::deg ? degree : 1;
+  const double unit = unit_of(row.unit);
   const auto limit = [&](const std::optional<double>& value, double none) {
     return value ? *value * unit : none;
   };
@@ -108,6 +111,8 @@ class Assembly {
       frames_.push_back({prefix + f.name, prefix + f.link, pose_of(f.xyz, f.rpy_deg)});
     for (const GroupRow& group : row.groups)
       groups_.push_back(with_prefix(group, prefix));
+    for (const PostureRow& posture : row.postures)
+      postures_.push_back(with_prefix(posture, prefix));
     if (row.drive) drive_ = row.drive;
     if (row.tool)
       tools_made_.push_back({prefix,
@@ -151,6 +156,10 @@ class Assembly {
       if (tool.frame < 0) return unknown(row, "frame", tool.prefix + "tcp");
       robot.tools.push_back(std::move(tool));
     }
+    for (const PostureRow& posture : postures_) {
+      MARKETGEN_TRY(Posture made, posture_of(row, robot, posture));
+      robot.postures.push_back(std::move(made));
+    }
     robot.drive = drive_;
     return robot;
   }
@@ -163,6 +172,13 @@ class Assembly {
     for (std::string& joint : group.joints)
       joint = prefix + joint;
     return group;
+  }
+
+  static PostureRow with_prefix(PostureRow posture, const std::string& prefix) {
+    posture.name = prefix + posture.name;
+    for (std::string& joint : posture.joints)
+      joint = prefix + joint;
+    return posture;
   }
 
   static Error unknown(const RobotRow& row, const char* what, const std::string& name) {
@@ -220,11 +236,32 @@ class Assembly {
     return group;
   }
 
+  static Result<Posture> posture_of(const RobotRow& row,
+                                    const Robot& robot,
+                                    const PostureRow& from) {
+    if (from.values.size() != from.joints.size())
+      return Error{
+          "robot.bad_file",
+          row.id + ".json:" + from.name,
+          fmt::format(
+              "the posture has {} joints and {} values", from.joints.size(), from.values.size())};
+    Posture posture;
+    posture.name = from.name;
+    for (std::size_t i = 0; i < from.joints.size(); ++i) {
+      const int dof = robot.find_dof(from.joints[i]);
+      if (dof < 0) return unknown(row, "moving joint", from.joints[i]);
+      posture.values.push_back({dof, from.values[i] * unit_of(from.unit)});
+    }
+    MARKETGEN_CHECK(check_state(robot, with_posture(posture, neutral_state(robot))));
+    return posture;
+  }
+
   const fs::path& data_;
   const RobotTools& tools_;
   RobotParts parts_;
   std::vector<NamedFrame> frames_;
   std::vector<GroupRow> groups_;
+  std::vector<PostureRow> postures_;
   std::vector<std::string> slots_;
   std::vector<Tool> tools_made_;
   std::optional<Drive> drive_;
@@ -279,6 +316,8 @@ Result<RobotRow> read_robot_row(const fs::path& data, const std::string& id) {
     MARKETGEN_CHECK(check_sources(row, joint.name, joint.source));
   for (const FrameRow& frame : row.frames)
     MARKETGEN_CHECK(check_sources(row, frame.name, frame.source));
+  for (const PostureRow& posture : row.postures)
+    MARKETGEN_CHECK(check_sources(row, posture.name, posture.source));
   MARKETGEN_CHECK(check_sources(row, "drive", row.drive_source));
   if (row.tool) MARKETGEN_CHECK(check_sources(row, "tool", row.tool->source));
   return row;

@@ -149,6 +149,22 @@ struct GroupRow {
       field("solver", &GroupRow::solver, "analytic inverse kinematics: rm65, rm75, panda"));
 };
 
+// Joint values by name; joints that it leaves out stay as they are.
+struct PostureRow {
+  std::string name;
+  std::vector<std::string> joints;
+  std::vector<double> values;
+  JointUnit unit = JointUnit::si;
+  std::string source;
+
+  static constexpr auto fields =
+      field_list(field("name", &PostureRow::name, "posture name", identifier()),
+                 field("joints", &PostureRow::joints, "joint names", required()),
+                 field("values", &PostureRow::values, "one per joint", required()),
+                 field("unit", &PostureRow::unit, "of the values: si (rad, m) or deg"),
+                 field("source", &PostureRow::source, "keys of the sources, by blanks"));
+};
+
 // Another row, fixed with its root link to a frame of this one. Its names get the prefix. A part
 // that stands on a group's tip and has a frame "tcp" moves the group's tip there.
 struct PartRow {
@@ -183,6 +199,7 @@ struct RobotRow {
   std::vector<JointRow> joints;
   std::vector<FrameRow> frames;
   std::vector<GroupRow> groups;
+  std::vector<PostureRow> postures;
   std::vector<PartRow> parts;
   std::optional<Drive> drive;
   std::string drive_source;
@@ -197,6 +214,7 @@ struct RobotRow {
       field("joints", &RobotRow::joints, "between its links"),
       field("frames", &RobotRow::frames, "named places"),
       field("groups", &RobotRow::groups, "joints that move together"),
+      field("postures", &RobotRow::postures, "named joint values"),
       field("parts", &RobotRow::parts, "other rows that it carries"),
       field("drive", &RobotRow::drive, "differential drive"),
       field("drive_source", &RobotRow::drive_source, "keys of the drive's sources, by blanks"),
@@ -214,7 +232,9 @@ Result<std::vector<std::string>> robot_ids(const std::filesystem::path& data);
 Result<RobotRow> read_robot_row(const std::filesystem::path& data, const std::string& id);
 
 // The robot of a row, put together from its parts. `data` is usually data_folder(). Errors: those
-// of read_robot_row and make_robot; robot.unknown for a slot or frame that does not exist.
+// of read_robot_row and make_robot; robot.unknown for a slot, frame or joint that does not exist;
+// robot.bad_file for a posture with another number of values than joints, robot.bad_state for one
+// outside the limits.
 Result<Robot> load_robot(const std::filesystem::path& data,
                          const std::string& id,
                          const RobotTools& tools = {});

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robots/arm_ik.h"
 #include "robots/robot_row.h"
 
 namespace marketgen {
@@ -66,6 +67,29 @@ TEST(NumericIk, BaseLiftAndArmReachPosesTogether) {
       }
     }
   }
+}
+
+// Two solvers that share nothing agree, pose by pose, on what the arm can reach.
+TEST(NumericIk, ReachesExactlyWhatTheAnalyticSolverReaches) {
+  const Robot robot = dual_arm();
+  const JointGroup& arm = *robot.find_group("left_arm");
+  const auto analytic = make_arm_ik(robot, arm);
+  ASSERT_TRUE(analytic.ok()) << to_string(analytic.error());
+  const std::vector<double> seed = neutral_state(robot);
+  const Pose arm_from_floor = inverse(link_poses(robot, seed)[static_cast<std::size_t>(arm.base)]);
+  Stream draw = Seed(11).child("two_solvers").stream();
+  int reachable = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Quaternion turn = rotation_about({0, 1, 0}, draw.uniform(0, 3)) *
+                            rotation_about({0, 0, 1}, draw.uniform(-3, 3));
+    const Pose goal{{draw.uniform(0.3, 1.1), draw.uniform(-0.3, 0.9), draw.uniform(0.3, 1.3)},
+                    turn};
+    const bool solved = !solve_arm(*analytic, arm_from_floor * goal, 0).empty();
+    EXPECT_EQ(solve_numeric(robot, arm.tip, arm.dofs, goal, seed, Seed(1)).ok(), solved);
+    reachable += solved ? 1 : 0;
+  }
+  EXPECT_GT(reachable, 50);
+  EXPECT_LT(reachable, 250);
 }
 
 TEST(NumericIk, TheSameArgumentsGiveTheSameAnswer) {
