@@ -301,13 +301,21 @@ std::vector<ArmJoints> solve_arm(const ArmIk& arm, const Pose& base_from_tip, do
   return kept;
 }
 
+std::vector<double> redundancies(const ArmIk& arm, const SweepOptions& options) {
+  if (arm.family == ArmFamily::rm65) return {0.0};
+  const bool panda = arm.family == ArmFamily::panda;
+  const double low = panda ? arm.lower[6] : -pi, high = panda ? arm.upper_limit[6] : pi;
+  std::vector<double> values(static_cast<std::size_t>(std::max(1, options.steps)));
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] =
+        low + (high - low) * (static_cast<double>(i) + 0.5) / static_cast<double>(values.size());
+  return values;
+}
+
 Result<ArmJoints> nearest_arm_solution(const ArmIk& arm,
                                        const Pose& base_from_tip,
                                        const ArmJoints& seed,
                                        const SweepOptions& options) {
-  const bool panda = arm.family == ArmFamily::panda;
-  const double low = panda ? arm.lower[6] : -pi, high = panda ? arm.upper_limit[6] : pi;
-  const int steps = arm.family == ArmFamily::rm65 ? 1 : std::max(1, options.steps);
   bool any = false;
   ArmJoints best{};
   const auto look = [&](double redundancy) {
@@ -316,10 +324,10 @@ Result<ArmJoints> nearest_arm_solution(const ArmIk& arm,
       any = true, best = q;
     }
   };
-  if (panda) look(seed[6]);
+  if (arm.family == ArmFamily::panda) look(seed[6]);
   if (arm.family == ArmFamily::rm75) look(swivel_of(arm, seed));
-  for (int i = 0; i < steps; ++i)
-    look(low + (high - low) * (i + 0.5) / steps);
+  for (const double redundancy : redundancies(arm, options))
+    look(redundancy);
   if (!any)
     return Error{"robot.unreachable",
                  std::string(name_of(arm.family)),

@@ -45,6 +45,8 @@ std::vector<ArmJoints> solve_arm(const ArmIk& arm, const Pose& base_from_tip, do
 struct SweepOptions {
   int steps = 24;  // values of the redundancy that are tried
 };
+// The values that a sweep tries, ascending; one for an arm without redundancy.
+std::vector<double> redundancies(const ArmIk& arm, const SweepOptions& options = {});
 // The solution nearest to `seed` (largest joint difference) over a sweep of the redundancy, the
 // seed's own value first. Error: robot.unreachable.
 Result<ArmJoints> nearest_arm_solution(const ArmIk& arm,

@@ -13,6 +13,7 @@
 #include "base/seed.h"
 #include "io/program.h"
 #include "robots/robot_row.h"
+#include "robots/urdf.h"
 
 namespace marketgen {
 namespace {
@@ -88,28 +89,29 @@ std::vector<double> by_rows(const Pose& pose) {
   return {&m.m[0][0], &m.m[0][0] + 12};
 }
 
-void expect_pinocchio_agrees(const std::string& id, const std::string& frame) {
-  const auto robot = load_robot(source / "data", id);
-  ASSERT_TRUE(robot.ok()) << to_string(robot.error());
-  const int asked = robot->find_frame(frame);
+// `folder`, `name` and `frame` are what pinocchio_answers.py takes.
+void expect_agreement(const Robot& robot,
+                      int asked,
+                      const std::filesystem::path& folder,
+                      const std::string& name,
+                      const std::string& frame) {
   ASSERT_GE(asked, 0);
-  const std::vector<State> list = random_states(*robot);
+  const std::vector<State> list = random_states(robot);
   const auto answers = run_program({worker_python(),
                                     (source / "tests/unit/robots/pinocchio_answers.py").string(),
-                                    (source / "data/robots").string(),
-                                    id,
+                                    folder.string(),
+                                    name,
                                     frame},
-                                   question(*robot, list));
+                                   question(robot, list));
   ASSERT_TRUE(answers.ok()) << to_string(answers.error());
   Comparison pinocchio(*answers);
   double pose = 0, jacobian = 0, efforts = 0, mass = 0;
   for (const State& s : list) {
-    pose = std::max(pose, pinocchio.difference(by_rows(frame_pose(*robot, s.q, asked))));
-    jacobian =
-        std::max(jacobian, pinocchio.difference(by_rows(frame_jacobian(*robot, s.q, asked))));
+    pose = std::max(pose, pinocchio.difference(by_rows(frame_pose(robot, s.q, asked))));
+    jacobian = std::max(jacobian, pinocchio.difference(by_rows(frame_jacobian(robot, s.q, asked))));
     efforts =
-        std::max(efforts, pinocchio.difference(by_rows(inverse_dynamics(*robot, s.q, s.v, s.a))));
-    mass = std::max(mass, pinocchio.difference(by_rows(mass_matrix(*robot, s.q))));
+        std::max(efforts, pinocchio.difference(by_rows(inverse_dynamics(robot, s.q, s.v, s.a))));
+    mass = std::max(mass, pinocchio.difference(by_rows(mass_matrix(robot, s.q))));
   }
   EXPECT_LT(pose, 1e-9);
   EXPECT_LT(jacobian, 1e-9);
@@ -119,6 +121,24 @@ void expect_pinocchio_agrees(const std::string& id, const std::string& frame) {
   ::testing::Test::RecordProperty("jacobian", fmt::format("{:.1e}", jacobian));
   ::testing::Test::RecordProperty("efforts", fmt::format("{:.1e}", efforts));
   ::testing::Test::RecordProperty("mass", fmt::format("{:.1e}", mass));
+}
+
+void expect_pinocchio_agrees(const std::string& id, const std::string& frame) {
+  const auto robot = load_robot(source / "data", id);
+  ASSERT_TRUE(robot.ok()) << to_string(robot.error());
+  expect_agreement(*robot, robot->find_frame(frame), source / "data/robots", id, frame);
+}
+
+// Pinocchio's own reader of URDF files judges ours: poses, turned inertias, oblique axes, branches.
+TEST(Dynamics, AUrdfAgreesWithPinocchiosReader) {
+  const std::filesystem::path folder = source / "tests/fixtures/robots";
+  const auto read = read_urdf_file(folder / "desk_arm.urdf");
+  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  EXPECT_TRUE(read->warnings.empty());
+  Robot robot = read->robot;
+  ASSERT_EQ(robot.dof_count(), 4U);
+  robot.frames.push_back({"asked", robot.find_link("tool"), {}});
+  expect_agreement(robot, robot.find_frame("asked"), folder, "desk_arm.urdf", "tool");
 }
 
 TEST(Dynamics, PandaAgreesWithPinocchio) {

@@ -1,8 +1,9 @@
 """Pinocchio's answers for a robot's row: an outside judge of kinematics and dynamics.
 
     pinocchio_answers.py ROWS ROBOT FRAME < states
+    pinocchio_answers.py FOLDER FILE.urdf LINK < states
 
-Reads the row and its parts by itself, builds a pinocchio.Model and answers each state on standard input.
+Reads the row and its parts by itself, or the URDF by Pinocchio's own reader, and answers each state on standard input.
 Input: the number of joints, their names in the asker's order, the number of states, then q, v, a of each.
 Output for each state: the frame's pose (3x4, by rows), its Jacobian (6 x n, by rows; linear above angular,
 base axes), the efforts of inverse dynamics, and the mass matrix (n x n).
@@ -89,18 +90,21 @@ class Tree:
 
 
 def main():
-    rows, robot, frame = Path(sys.argv[1]), sys.argv[2], sys.argv[3]
-    tree = Tree(rows, robot)
-    model = tree.model
+    folder, robot, frame = Path(sys.argv[1]), sys.argv[2], sys.argv[3]
+    if robot.endswith(".urdf"):
+        model, armature = pin.buildModelFromUrdf(str(folder / robot)), {}
+        frame_id = model.getFrameId(frame)
+    else:
+        tree = Tree(folder, robot)
+        model, armature, frame_id = tree.model, tree.armature, tree.frame(frame)
     model.gravity.linear = numpy.array([0, 0, -9.81])
-    frame_id = tree.frame(frame)
     data = model.createData()
 
     words = sys.stdin.read().split()
     count = int(words[0])
     names, states = words[1:1 + count], int(words[1 + count])
     order = numpy.array([model.joints[model.getJointId(name)].idx_v for name in names])
-    rotors = numpy.array([tree.armature[name] for name in names])
+    rotors = numpy.array([armature.get(name, 0.0) for name in names])
     numbers = numpy.array([float(w) for w in words[2 + count:]]).reshape(states, 3, count)
     for asked in numbers:
         q, v, a = (numpy.zeros(model.nv) for _ in range(3))
