@@ -1,5 +1,5 @@
 // Inverse kinematics on poses that the arm can reach: the tips of random joint values.
-#include <fmt/format.h>
+#include <algorithm>
 
 #include "base/seed.h"
 #include "bench/bench.h"
