@@ -225,7 +225,7 @@ void take_lengths(ArmIk& arm, const Robot& robot, const JointGroup& group) {
 
 Result<Pose> last_from_tip_of(const Robot& robot, const JointGroup& group) {
   const Joint& last = robot.joint_of_dof(static_cast<std::size_t>(group.dofs.back()));
-  const Frame& tip = robot.frames[static_cast<std::size_t>(group.tip)];
+  const RobotFrame& tip = robot.frames[static_cast<std::size_t>(group.tip)];
   Pose last_from_tip = tip.link_from_frame;
   for (int link = tip.link; link != last.link;) {
     const bool fixed = link > 0 && robot.joints[static_cast<std::size_t>(link - 1)].dof < 0;

@@ -38,9 +38,9 @@ double power(const Twist& t, const Wrench& w) {
 }
 
 Twist motion_of(const Joint& joint, const Pose& base_from_link) {
-  if (joint.kind == JointKind::fixed) return {};
+  if (joint.kind == JointType::fixed) return {};
   const Vector3d axis = eigen(rotate(base_from_link.rotation, joint.axis));
-  if (joint.kind == JointKind::prismatic) return {axis, Vector3d::Zero()};
+  if (joint.kind == JointType::prismatic) return {axis, Vector3d::Zero()};
   return {eigen(base_from_link.position).cross(axis), axis};
 }
 
@@ -115,7 +115,7 @@ Wrench wrench_of(const SpatialInertia& body, const LinkMotion& motion) {
 
 Jacobian frame_jacobian(const Robot& robot, std::span<const double> q, int frame) {
   const std::vector<Pose> poses = link_poses(robot, q);
-  const Frame& wanted = robot.frames[static_cast<std::size_t>(frame)];
+  const RobotFrame& wanted = robot.frames[static_cast<std::size_t>(frame)];
   const Vector3d tip =
       eigen(poses[static_cast<std::size_t>(wanted.link)] * wanted.link_from_frame.position);
   Jacobian jacobian = Jacobian::Zero(6, static_cast<Eigen::Index>(robot.dof_count()));

@@ -6,13 +6,13 @@ namespace marketgen {
 
 Pose joint_motion(const Joint& joint, double q) {
   switch (joint.kind) {
-    case JointKind::revolute:
-    case JointKind::continuous:
+    case JointType::revolute:
+    case JointType::continuous:
       return {joint.parent_from_joint.position,
               joint.parent_from_joint.rotation * rotation_about(joint.axis, q)};
-    case JointKind::prismatic:
+    case JointType::prismatic:
       return {joint.parent_from_joint * (joint.axis * q), joint.parent_from_joint.rotation};
-    case JointKind::fixed:
+    case JointType::fixed:
       break;
   }
   return joint.parent_from_joint;
@@ -37,7 +37,7 @@ std::vector<Pose> link_poses(const Robot& robot, std::span<const double> q) {
 }
 
 Pose frame_pose(const Robot& robot, std::span<const double> q, int frame) {
-  const Frame& wanted = robot.frames[static_cast<std::size_t>(frame)];
+  const RobotFrame& wanted = robot.frames[static_cast<std::size_t>(frame)];
   Pose link_from_frame = wanted.link_from_frame;
   for (int link = wanted.link; link > 0;) {
     const Joint& joint = robot.joints[static_cast<std::size_t>(link - 1)];

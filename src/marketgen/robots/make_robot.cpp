@@ -59,7 +59,7 @@ std::string joint_fault(const Joint& joint) {
   if (joint.name.empty()) return "the joint has no name";
   if (!finite(joint.parent_from_joint) || !finite(joint.axis))
     return "origin and axis must be finite numbers";
-  if (joint.kind == JointKind::fixed) return {};
+  if (joint.kind == JointType::fixed) return {};
   if (length(joint.axis) < 1e-9) return "the axis is zero; expected a direction such as 0 0 1";
   if (std::isnan(joint.lower) || std::isnan(joint.upper) || joint.lower > joint.upper)
     return fmt::format(
@@ -180,7 +180,7 @@ class Builder {
     joint.axis = normalized(joint.axis);
     joint.link = static_cast<int>(robot.links.size());
     joint.dof = -1;
-    if (joint.kind != JointKind::fixed) {
+    if (joint.kind != JointType::fixed) {
       joint.dof = static_cast<int>(robot.dofs.size());
       robot.dofs.push_back(static_cast<int>(robot.joints.size()));
     }

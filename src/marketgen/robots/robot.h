@@ -68,8 +68,8 @@ struct Link {
   std::vector<BodyShape> look;    // link frame
 };
 
-enum class JointKind { fixed, revolute, continuous, prismatic };
-constexpr std::array<std::string_view, 4> names_of(JointKind) {
+enum class JointType { fixed, revolute, continuous, prismatic };
+constexpr std::array<std::string_view, 4> names_of(JointType) {
   return {"fixed", "revolute", "continuous", "prismatic"};
 }
 
@@ -78,7 +78,7 @@ struct Joint {
   static constexpr double unlimited = std::numeric_limits<double>::infinity();
 
   std::string name;
-  JointKind kind = JointKind::fixed;
+  JointType kind = JointType::fixed;
   int parent = 0;                                // link; always smaller than this joint's own link
   int dof = -1;                                  // index into q; -1 when fixed
   Pose parent_from_joint;                        // at q = 0
@@ -96,7 +96,7 @@ struct Joint {
 };
 
 // A named place on a link: a tool's tip, a camera (X right, Y down, Z ahead), a mount.
-struct Frame {
+struct RobotFrame {
   std::string name;
   int link = 0;
   Pose link_from_frame;
@@ -160,7 +160,7 @@ struct Robot {
   std::vector<Link> links;    // parents first; links[0] is the root
   std::vector<Joint> joints;  // joints[k] carries links[k + 1]
   std::vector<int> dofs;      // joint of each degree of freedom, parents first
-  std::vector<Frame> frames;
+  std::vector<RobotFrame> frames;
   std::vector<JointGroup> groups;
   std::vector<Posture> postures;
   std::vector<Tool> tools;

@@ -91,7 +91,7 @@ constexpr std::array<std::string_view, 2> names_of(JointUnit) {
 
 struct JointRow {
   std::string name;
-  JointKind kind = JointKind::revolute;
+  JointType kind = JointType::revolute;
   std::string parent, child;
   std::optional<DhRow> dh;
   Triple xyz{}, rpy_deg{}, axis{0, 0, 1};

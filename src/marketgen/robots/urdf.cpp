@@ -270,7 +270,7 @@ class Reader {
     Joint& joint = part.joint;
     MARKETGEN_TRY(joint.name, needed_text(e, "name"));
     MARKETGEN_TRY(const std::string kind, needed_text(e, "type"));
-    const auto known = value_named<JointKind>(kind);
+    const auto known = value_named<JointType>(kind);
     if (!known)
       return fault(e,
                    "joint \"" + joint.name + "\": the type \"" + kind +
@@ -303,7 +303,7 @@ class Reader {
 
   Result<void> read_limits(const XMLElement& e, Joint& joint) const {
     const XMLElement* limit = e.FirstChildElement("limit");
-    const bool bounded = joint.kind == JointKind::revolute || joint.kind == JointKind::prismatic;
+    const bool bounded = joint.kind == JointType::revolute || joint.kind == JointType::prismatic;
     if (limit == nullptr) {
       if (!bounded) return {};
       return fault(e,

@@ -168,7 +168,7 @@ TEST(Dynamics, APendulumByHand) {
   parts.links[1].inertia = {0.004, 0.004, 0.004, 0, 0, 0};
   RobotParts::JointPart joint;
   joint.joint.name = "hinge";
-  joint.joint.kind = JointKind::revolute;
+  joint.joint.kind = JointType::revolute;
   joint.joint.axis = {0, 1, 0};
   joint.parent = "wall", joint.child = "ball";
   parts.joints.push_back(joint);
