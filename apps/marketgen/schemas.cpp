@@ -10,6 +10,7 @@
 #include "io/file.h"
 #include "io/flatbuffer.h"
 #include "io/json.h"
+#include "robots/robot_row.h"
 #include "scene/scene_file.h"
 #include "store/store.h"
 
@@ -31,7 +32,8 @@ std::vector<Document> documents() {
           {"market-report-1", "Requirements, rules and metrics of a store", type_of<StoreReport>()},
           {"market-product-1", "A product row of the catalogue", type_of<Product>()},
           {"market-asset-1", "An outside model taken into a library", type_of<AssetFile>()},
-          {"market-fixture-1", "A fixture row of the catalogue", type_of<FixtureKind>()}};
+          {"market-fixture-1", "A fixture row of the catalogue", type_of<FixtureKind>()},
+          {"market-robot-1", "A robot, an arm or a tool", type_of<RobotRow>()}};
 }
 
 Result<void> write_schemas(const std::string& root) {

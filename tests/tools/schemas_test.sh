@@ -49,6 +49,9 @@ for folder, name in [("data/products", "market-product-1"), ("data", "market-fix
         for row in load(path):
             validator.validate(row)
             checked += 1
+for path in sorted((repository / "data/robots").glob("*.json")):
+    judge("market-robot-1").validate(load(path))
+    checked += 1
 
 # Files that our reader refuses by their schema are refused by this one too.
 for path in sorted((repository / "tests/fixtures/invalid").glob("plan_*.json")):
