@@ -22,7 +22,7 @@ std::string mjcf_vector(const Vec3& v) {
 
 std::string mjcf_pose(const Pose& pose) {
   const Quaternion& q = pose.rotation;
-  const std::string position = fmt::format(" pos=\"{}\"", mjcf_vector(pose.position));
+  std::string position = fmt::format(" pos=\"{}\"", mjcf_vector(pose.position));
   if (q == Quaternion{}) return position;
   return position + fmt::format(" quat=\"{} {} {} {}\"",
                                 static_cast<float>(q.w),

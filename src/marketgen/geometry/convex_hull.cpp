@@ -131,8 +131,7 @@ class Builder {
     const Vec3 at = points_[p];
     rim_.clear();
     std::size_t kept = 0;
-    for (std::size_t f = 0; f < faces_.size(); ++f) {
-      const Face& face = faces_[f];
+    for (const Face& face : faces_) {
       const bool own = face.corners[0] == p || face.corners[1] == p || face.corners[2] == p;
       if (own || dot(face.normal, at) <= face.offset) {
         faces_[kept++] = face;

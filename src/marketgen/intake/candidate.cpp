@@ -218,7 +218,7 @@ class DoorPlacer {
   bool is_free(Wall wall, int from, int to) const {
     return std::ranges::none_of(candidate_.openings, [&](const Opening& other) {
       const int middle =
-          static_cast<int>(other.center * wall_length(other.wall, candidate_.floor) + 0.5);
+          static_cast<int>(std::lround(other.center * wall_length(other.wall, candidate_.floor)));
       const int half = other.width_mm / 2 + corner_margin_mm;
       return other.wall == wall && from < middle + half && middle - half < to;
     });
@@ -228,7 +228,7 @@ class DoorPlacer {
   void place_free(const std::string& id, OpeningKind kind, Wall wall, double center, int width_mm) {
     const int length = wall_length(wall, candidate_.floor);
     constexpr int step_mm = 100;
-    const int wanted = static_cast<int>(center * length + 0.5);
+    const int wanted = static_cast<int>(std::lround(center * length));
     std::optional<int> best;
     for (int at = corner_margin_mm + width_mm / 2; at <= length - corner_margin_mm - width_mm / 2;
          at += step_mm) {
@@ -279,7 +279,8 @@ Candidate make_candidate(const FloorDraft& draft,
 }
 
 PointMm threshold_of(const Opening& opening, const RectMm& floor) {
-  const int along = static_cast<int>(opening.center * wall_length(opening.wall, floor) + 0.5);
+  const int along =
+      static_cast<int>(std::lround(opening.center * wall_length(opening.wall, floor)));
   switch (opening.wall) {
     case Wall::north:
       return {along, floor.y1};

@@ -19,11 +19,11 @@ struct Candidate {
 };
 
 // The wall that the entrance is to be in; south when nobody says.
-Wall entrance_wall_of(const Understanding& understanding);
+Wall entrance_wall_of(const Understanding& found);
 
 Candidate make_candidate(const FloorDraft& draft,
                          const StoreProgram& program,
-                         const Understanding& understanding,
+                         const Understanding& found,
                          const Catalog& catalog);
 
 // The point on the floor in the middle of an opening.

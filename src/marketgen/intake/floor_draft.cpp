@@ -131,7 +131,7 @@ class FloorBuilder {
     if (east > 0) {
       slice.add(strip_slice(Band::east, Axis::y, depth_mm, east),
                 has_core || west > 0 ? east : width_mm,
-                has_core ? east_gap : east_gap);
+                east_gap);
     }
     return simplified(std::move(slice));
   }
@@ -188,8 +188,10 @@ class FloorBuilder {
     } else if (back.band_mm > 0) {
       upper.add(strip_slice(Band::north, Axis::x, floor_.width_mm, body), body, 0);
     }
-    if (!upper.parts.empty()) slice.add(simplified(std::move(upper)), body, gap);
-    if (upper.parts.empty() && slice.parts.size() == 1) slice.sizes_mm[0] = depth;
+    if (!upper.parts.empty())
+      slice.add(simplified(std::move(upper)), body, gap);
+    else if (slice.parts.size() == 1)
+      slice.sizes_mm[0] = depth;
     floor_.root = std::move(slice);
   }
 

@@ -99,7 +99,7 @@ Candidate find_floor(StoreProgram& program,
         std::isfinite(best.penalty);  // on a sliver no draft can be judged at all
     if (found_one && fits(best.candidate, program.zones.size())) {
       trace.push_back("best of " + std::to_string(best.evaluations) + " floors, penalty " +
-                      std::to_string(static_cast<int>(best.penalty + 0.5)));
+                      std::to_string(static_cast<int>(std::lround(best.penalty))));
       return std::move(best.candidate);
     }
     if (program.zones.size() <= fewest_zones) return side_by_side(program, found, catalog);

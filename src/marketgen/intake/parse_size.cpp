@@ -95,7 +95,8 @@ Result<std::array<int, 2>> parse_size(std::string_view text, const std::string& 
   const double width_mm = width.number * (width.unit > 0 ? width.unit : fallback);
   const double depth_mm = depth.number * (depth.unit > 0 ? depth.unit : fallback);
   MARKETGEN_CHECK(check_store_size(width_mm, depth_mm, where));
-  return std::array<int, 2>{static_cast<int>(width_mm + 0.5), static_cast<int>(depth_mm + 0.5)};
+  return std::array<int, 2>{static_cast<int>(std::lround(width_mm)),
+                            static_cast<int>(std::lround(depth_mm))};
 }
 
 }  // namespace marketgen

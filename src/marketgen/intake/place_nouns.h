@@ -29,7 +29,7 @@ struct PlaceNoun {
 // Zones, products, fixtures and openings.
 bool names_a_place(const Phrase& phrase);
 // Precondition: the phrase names a place or is one.
-PlaceNoun noun_at(const Sentence& sentence, std::size_t phrase);
+PlaceNoun noun_at(const Sentence& sentence, std::size_t i);
 
 // "zone", "section", "aisle", "shelves" right after the noun belong to it.
 void use_suffixes(Sentence& sentence, std::size_t noun);

@@ -1,5 +1,7 @@
 #include "intake/plan_look.h"
 
+#include <cmath>
+
 #include "intake/materials.h"
 #include "plan/style_look.h"
 
@@ -57,7 +59,7 @@ Look look_of(const PlanSources& sources) {
     if (wish.kind == RequirementKind::color) apply_color(look, wish, sources.catalog);
     if (wish.kind != RequirementKind::light) continue;
     (wish.subject == "light_lux" ? look.light_lux : look.light_kelvin) =
-        static_cast<int>(wish.value + 0.5);
+        static_cast<int>(std::lround(wish.value));
   }
   return look;
 }

@@ -1,6 +1,7 @@
 #include "intake/plan_writer.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "intake/plan_look.h"
 #include "intake/plan_provenance.h"
@@ -19,7 +20,7 @@ Shell shell_of(const PlanSources& sources) {
   shell.ceiling_mm = sources.program.profile->ceiling_mm;
   if (const Requirement* wish = sources.understanding.find(RequirementKind::height, "ceiling")) {
     shell.ceiling_mm =
-        std::clamp(static_cast<int>(wish->value + 0.5), least_ceiling_mm, most_ceiling_mm);
+        std::clamp(static_cast<int>(std::lround(wish->value)), least_ceiling_mm, most_ceiling_mm);
   }
   shell.openings = sources.candidate.openings;
   return shell;

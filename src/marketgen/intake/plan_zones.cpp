@@ -90,7 +90,7 @@ class ZoneWriter {
     for (const Requirement& wish : found_.requirements) {
       if (wish.kind != Kind::height) continue;
       if (wish.subject != "fixture" && wish.subject != kind.kind) continue;
-      const int height = static_cast<int>(wish.value + 0.5);
+      const int height = static_cast<int>(std::lround(wish.value));
       const int usual = program_.profile->gondola_height_mm;
       if (wish.comparison == Comparison::at_most) return std::min(height, usual);
       if (wish.comparison == Comparison::at_least) return std::max(height, usual);

@@ -26,6 +26,8 @@ void read_character(Sentence& sentence, Reading& reading) {
   double specificity = 0;
   for (Phrase& phrase : sentence.phrases) {
     if (phrase.used) continue;
+    // "well stocked shelves": every shop has shelves, so they ask for nothing.
+    const bool any_shelves = phrase.sense == Sense::part && phrase.value == "fixture";
     if (phrase.sense == Sense::style) {
       reading.add(RequirementKind::style, phrase.span, phrase.strength).object = phrase.value;
       phrase.used = true;
@@ -34,11 +36,8 @@ void read_character(Sentence& sentence, Reading& reading) {
     } else if (phrase.sense == Sense::size) {
       reading.found.size_factor *= phrase.number;
       phrase.used = true;
-    } else if (phrase.sense == Sense::shop) {
+    } else if (phrase.sense == Sense::shop || any_shelves) {
       phrase.used = true;
-    } else if (phrase.sense == Sense::part && phrase.value == "fixture") {
-      phrase.used =
-          true;  // "well stocked shelves": every shop has shelves, so they ask for nothing
     }
   }
 }

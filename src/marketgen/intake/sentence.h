@@ -50,6 +50,6 @@ inline IntRange joined(IntRange a, IntRange b) {
   return {a[0] < b[0] ? a[0] : b[0], a[1] > b[1] ? a[1] : b[1]};
 }
 
-std::vector<Sentence> make_sentences(const std::vector<Token>& tokens, const Lexicon& lexicon);
+std::vector<Sentence> make_sentences(const std::vector<Token>& raw, const Lexicon& lexicon);
 
 }  // namespace marketgen

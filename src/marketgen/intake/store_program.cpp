@@ -32,7 +32,7 @@ const ProfileRow& profile_of(const Brief& brief,
 
 // Whole decimetres, as builders measure.
 int rounded_mm(double mm) {
-  return static_cast<int>(mm / 100 + 0.5) * 100;
+  return static_cast<int>(std::lround(mm / 100)) * 100;
 }
 
 // The profile's proportions at another area.
@@ -53,8 +53,8 @@ Result<std::array<int, 2>> size_of(const Brief& brief,
   if (brief.size_mm) return *brief.size_mm;
   if (const Requirement* size = found.find(Kind::size)) {
     MARKETGEN_CHECK(check_store_size(size->value, size->second_value, where_of(*size)));
-    return std::array{static_cast<int>(size->value + 0.5),
-                      static_cast<int>(size->second_value + 0.5)};
+    return std::array{static_cast<int>(std::lround(size->value)),
+                      static_cast<int>(std::lround(size->second_value))};
   }
   const double usual_m2 = 1e-6 * profile.default_size_mm[0] * profile.default_size_mm[1];
   const Requirement* area = found.find(Kind::area, "");
@@ -240,13 +240,13 @@ void count_lanes(StoreProgram& program) {
     if (zone.type->type != "checkout" || zone.count) continue;
     const double wanted = program.profile->checkouts_per_100_m2 * program.area_m2() / 100;
     const int fit = program.width_mm / 2 / 2100;  // half of the front, a lane with its passage each
-    zone.count = std::clamp(static_cast<int>(wanted + 0.5), 1, std::max(1, fit));
+    zone.count = std::clamp(static_cast<int>(std::lround(wanted)), 1, std::max(1, fit));
   }
 }
 
 std::optional<int> whole(const Requirement* wish) {
   if (wish == nullptr) return std::nullopt;
-  return static_cast<int>(wish->value + 0.5);
+  return static_cast<int>(std::lround(wish->value));
 }
 
 }  // namespace

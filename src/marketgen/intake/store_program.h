@@ -44,7 +44,7 @@ struct StoreProgram {
 // Decides what the understanding leaves open from the profile. Conflicts between flags and text are
 // settled already. Error: brief.bad_size when the words ask for a store that cannot be built.
 Result<StoreProgram> make_program(const Brief& brief,
-                                  const Understanding& understanding,
+                                  const Understanding& found,
                                   const Catalog& catalog,
                                   std::vector<std::string>& trace);
 

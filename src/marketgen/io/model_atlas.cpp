@@ -109,7 +109,7 @@ class UvMover {
       model_.mesh.add_triangle(corners[0], corners[1], corners[2], source.surfaces[t]);
     }
     if (cut_)
-      model_.remarks.push_back("a picture repeats over a triangle; it is cut at its border");
+      model_.remarks.emplace_back("a picture repeats over a triangle; it is cut at its border");
   }
 
  private:

@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -10,14 +9,13 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 
 #include <fmt/format.h>
 
 #include "base/build_info.h"
-
-extern char** environ;
 
 namespace marketgen {
 namespace fs = std::filesystem;
@@ -30,7 +28,7 @@ constexpr std::size_t kept_error_bytes = 4096;  // of standard error: its end sa
 // Both ends of a pipe, closed when they go.
 class Pipe {
  public:
-  Pipe() { open_ = pipe2(ends_.data(), O_CLOEXEC) == 0; }
+  Pipe() : open_(pipe2(ends_.data(), O_CLOEXEC) == 0) {}
   ~Pipe() {
     close_end(0);
     close_end(1);
