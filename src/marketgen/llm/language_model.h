@@ -49,11 +49,11 @@ struct LanguageModel {
 };
 
 struct ModelChoice {
-  std::string model;             // PROVIDER:MODEL
-  std::string url;               // base URL; empty: the provider's variable, else its own
-  std::filesystem::path record;  // as HttpOptions
-  std::filesystem::path replay;  // as HttpOptions; no key is needed then
-  HttpLimits limits;
+  std::string model;                  // PROVIDER:MODEL
+  std::string url;                    // base URL; empty: the provider's variable, else its own
+  std::filesystem::path record;       // as HttpOptions
+  std::filesystem::path replay;       // as HttpOptions; no key is needed then
+  HttpLimits limits{.total_s = 300};  // a thinking model, or one on a small machine
 };
 
 // Errors: llm.unknown_provider with the nearest name; llm.no_key with the variable to set;

@@ -166,6 +166,13 @@ Transfer transfer_of(CURL* curl, Inbox& inbox) {
   return transfer;
 }
 
+// A URL as it may be shown: keys stand in its query or before its host, where they should not.
+std::string shown(const std::string& url) {
+  std::string text = url.substr(0, url.find_first_of("?#"));
+  if (const std::size_t at = text.rfind('@'); at != std::string::npos) text.replace(0, at, "***");
+  return text;
+}
+
 }  // namespace
 
 Attempt transfer_once(const HttpRequest& request,
@@ -188,7 +195,7 @@ Attempt transfer_once(const HttpRequest& request,
 }
 
 Result<HttpOrigin> origin_of(const std::string& url) {
-  const auto bad = [&](const char* why) { return Error{"net.bad_url", url, why}; };
+  const auto bad = [&](const char* why) { return Error{"net.bad_url", shown(url), why}; };
   const std::unique_ptr<CURLU, decltype(&curl_url_cleanup)> parsed(curl_url(), curl_url_cleanup);
   if (parsed == nullptr || curl_url_set(parsed.get(), CURLUPART_URL, url.c_str(), 0) != CURLUE_OK)
     return bad("is no URL; write http://HOST:PORT/PATH or https://HOST/PATH");
@@ -198,11 +205,8 @@ Result<HttpOrigin> origin_of(const std::string& url) {
     const CurlText owned(text, curl_free);
     return found == CURLUE_OK ? std::string(owned.get()) : std::string();
   };
-  if (!part(CURLUPART_USER, 0).empty() || !part(CURLUPART_PASSWORD, 0).empty()) {
-    return Error{"net.bad_url",
-                 "URL with a user name or password",
-                 "a URL is recorded and shown: keys belong into the environment"};
-  }
+  if (!part(CURLUPART_USER, 0).empty() || !part(CURLUPART_PASSWORD, 0).empty())
+    return bad("has a user name or password: keys belong into the environment");
   HttpOrigin origin;
   origin.scheme = part(CURLUPART_SCHEME, 0);
   origin.host = lower_ascii(part(CURLUPART_HOST, 0));

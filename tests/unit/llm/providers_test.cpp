@@ -2,7 +2,11 @@
 // answers are written by hand after the providers' public documentation; the server compares them.
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "llm/language_model.h"
+#include "llm/provider.h"
+#include "net/http.h"
 #include "support/mock_server.h"
 
 namespace marketgen {
@@ -345,6 +349,46 @@ TEST_F(Providers, RecordsReplayWithoutKeyAndServer) {
   ChatRequest other = conversation();
   other.turns[0].text = "What else?";
   EXPECT_EQ(open_language_model(choice).value().chat(other).error().code, "net.not_recorded");
+}
+
+// Every entry of providers.inc.
+TEST(ProviderList, KeysTravelInSecretHeadersAndGarbageIsRefused) {
+  std::set<std::string_view> names, variables;
+  const ChatRequest request = conversation();
+  for (const ProviderRow& row : providers()) {
+    SCOPED_TRACE(row.name);
+    EXPECT_TRUE(names.insert(row.name).second);
+    EXPECT_TRUE(variables.insert(row.key_variable).second);
+    EXPECT_TRUE(variables.insert(row.url_variable).second);
+    EXPECT_EQ(origin_of(std::string(row.base_url))->scheme, "https");
+    ProviderCall call{request, "some-model", std::string(row.base_url), true, "the-key-789"};
+    const HttpRequest made = row.request(call);
+    EXPECT_EQ(made.method, "POST");
+    EXPECT_TRUE(made.url.starts_with(row.base_url)) << made.url;
+    EXPECT_TRUE(json::accept(made.body));
+    ASSERT_EQ(made.secret_headers.size(), 1U);
+    EXPECT_NE(made.secret_headers[0].value.find("the-key-789"), std::string::npos);
+    std::string open = made.url + made.body;
+    for (const HttpHeader& header : made.headers)
+      open += header.name + header.value;
+    EXPECT_EQ(open.find("the-key-789"), std::string::npos);
+    EXPECT_NE(made.body.find("\"sure\""), std::string::npos);  // the schema
+    call.keep_schema = false;
+    EXPECT_EQ(row.request(call).body.find("\"sure\""), std::string::npos);
+    for (const char* garbage :
+         {"", "null", "{}", "[]", "\xff", "{\"choices\": 1}", "{\"candidates\": []}"})
+      EXPECT_EQ(row.answer(garbage, "here").error().code, "llm.refused") << garbage;
+  }
+}
+
+// OpenAI's reasoning models refuse the older name of the token limit, older servers the newer.
+TEST(ProviderList, OpenAisOwnServerIsToldTheNewerName) {
+  ChatRequest request;
+  request.turns = {{ChatRole::user, "x", {}}};
+  const std::string own =
+      openai_request({request, "m", "https://api.openai.com/v1", true, "k"}).body;
+  EXPECT_EQ(json::parse(own)["max_completion_tokens"], 2048);
+  EXPECT_FALSE(json::parse(own).contains("max_tokens"));
 }
 
 }  // namespace

@@ -140,7 +140,9 @@ TEST(Http, OnlyPlainWebUrls) {
                           "no url",
                           "",
                           "http://",
-                          "http://me:pass-word@localhost/"}) {
+                          "http://me:pass-word@localhost/",
+                          "http://me:pass-word@",
+                          "htp://localhost/?key=pass-word"}) {
     const auto answer = client().send({"GET", url, {}, {}, ""});
     ASSERT_FALSE(answer.ok()) << url;
     EXPECT_EQ(answer.error().code, "net.bad_url") << url;
