@@ -3,7 +3,7 @@
 #   MuJoCo::MuJoCo  embree::embree  TBB::tbb  Eigen3::Eigen  Cairo::Pango  Zint::Zint
 #   nlohmann_json::nlohmann_json  flatbuffers::flatbuffers  CLI11::CLI11  fmt::fmt  spdlog::spdlog  tinyxml2::tinyxml2
 #   squish::squish  TinyGLTF::TinyGLTF  meshoptimizer::meshoptimizer
-#   PNG::PNG  JPEG::JPEG  SQLite::SQLite3  utf8proc::utf8proc  OpenSSL::Crypto  xxHash::xxhash
+#   PNG::PNG  JPEG::JPEG  SQLite::SQLite3  utf8proc::utf8proc  OpenSSL::Crypto  CURL::libcurl  xxHash::xxhash
 #   GTest::gtest  GTest::gtest_main
 #
 # All come from `tools/setup`: Debian 12 packages, and MuJoCo from PyPI in .venv.
@@ -40,6 +40,7 @@ marketgen_find(JPEG)
 marketgen_find(SQLite3)
 marketgen_find(tinyxml2)
 marketgen_find(OpenSSL COMPONENTS Crypto)
+marketgen_find(CURL)
 marketgen_find(Zint)
 marketgen_find(MuJoCo 4.0.1 EXACT)
 add_library(embree::embree ALIAS embree)

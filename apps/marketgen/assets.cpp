@@ -4,6 +4,7 @@
 #include "assets/fixture_model.h"
 #include "assets/import_asset.h"
 #include "assets/product_model.h"
+#include "assets/vlm_annotator.h"
 #include "base/parallel.h"
 #include "build_library.h"
 #include "catalog/asset_database.h"
@@ -11,6 +12,7 @@
 #include "io/file.h"
 #include "io/json.h"
 #include "io/png.h"
+#include "llm/language_model.h"
 #include "render/contact_sheet.h"
 #include "render/fixture_picture.h"
 #include "render/material_picture.h"
@@ -32,6 +34,7 @@ struct AssetFlags {
   double mass_kg = 0;  // 0: estimate it
   bool coacd = true;
   ImportOptions import;
+  std::string vlm, vlm_url, vlm_record, vlm_replay;  // without --vlm: offline
   std::vector<std::string> catalogs;
   int size_px = 400;
 };
@@ -208,11 +211,12 @@ Result<Value> named(const std::string& name, std::string_view flag) {
 void print_import(const AssetFile& asset, const fs::path& folder) {
   const Product& p = asset.product;
   fmt::print("asset       {}  \"{}\"\n", p.sku, p.name);
-  fmt::print("taken for   {} / {}, {} ({:.0f} % sure)\n",
+  fmt::print("taken for   {} / {}, {} ({:.0f} % sure, {})\n",
              p.category,
              p.subcategory,
              p.material,
-             100 * asset.annotation.confidence);
+             100 * asset.annotation.confidence,
+             asset.annotation.annotator);
   fmt::print("size        {} x {} x {} mm, {:.3f} kg: {}\n",
              p.size_mm[0],
              p.size_mm[1],
@@ -229,16 +233,30 @@ void print_import(const AssetFile& asset, const fs::path& folder) {
   fmt::print("use it      marketgen generate ... --catalog {}\n", (folder / "asset.json").string());
 }
 
+// By the annotator that the flags name.
+Result<ImportedAsset> imported(const AssetFlags& flags,
+                               const ImportOptions& options,
+                               const Catalog& catalog) {
+  if (!flags.vlm.empty()) {
+    const ModelChoice choice{.model = flags.vlm,
+                             .url = flags.vlm_url,
+                             .record = flags.vlm_record,
+                             .replay = flags.vlm_replay};
+    MARKETGEN_TRY(LanguageModel model, open_language_model(choice));
+    return import_asset(flags.model, options, catalog, vlm_annotator(catalog, std::move(model)));
+  }
+  MARKETGEN_TRY(const AssetDatabase database, AssetDatabase::open(catalog));
+  return import_asset(flags.model, options, catalog, offline_annotator(catalog, database));
+}
+
 Result<void> import_model(const AssetFlags& flags) {
   MARKETGEN_TRY(const Catalog catalog, load_rows(flags.catalogs));
-  MARKETGEN_TRY(const AssetDatabase database, AssetDatabase::open(catalog));
   ImportOptions options = flags.import;
   MARKETGEN_TRY(options.unit, named<LengthUnit>(flags.unit, "--unit"));
   MARKETGEN_TRY(options.up, named<UpAxis>(flags.up, "--up"));
   if (flags.mass_kg > 0) options.mass_kg = flags.mass_kg;
   options.coacd = flags.coacd;
-  MARKETGEN_TRY(const ImportedAsset asset,
-                import_asset(flags.model, options, catalog, offline_annotator(catalog, database)));
+  MARKETGEN_TRY(const ImportedAsset asset, imported(flags, options, catalog));
   const fs::path folder =
       flags.folder.empty() ? fs::path("assets") / asset.file.product.sku : fs::path(flags.folder);
   MARKETGEN_CHECK(write_asset(asset, folder));
@@ -328,6 +346,22 @@ void add_sheet(CLI::App& sub, AssetFlags& flags) {
       ->capture_default_str();
 }
 
+void add_vlm(CLI::App& sub, AssetFlags& flags) {
+  CLI::Option* model =
+      sub.add_option("--vlm",
+                     flags.vlm,
+                     "PROVIDER:MODEL that says what it is (" + provider_names() +
+                         "); the key comes from the environment. Default: offline");
+  sub.add_option("--vlm-url", flags.vlm_url, "base URL of another server of that kind")
+      ->needs(model);
+  CLI::Option* record =
+      sub.add_option("--vlm-record", flags.vlm_record, "folder to keep the exchange in")
+          ->needs(model);
+  sub.add_option("--vlm-replay", flags.vlm_replay, "answer from that folder; nothing is sent")
+      ->needs(model)
+      ->excludes(record);
+}
+
 void add_import(CLI::App& sub, AssetFlags& flags) {
   sub.add_option("model", flags.model, "GLB or OBJ file")->required();
   sub.add_option("-o,--output", flags.folder, "new folder; default assets/<sku>");
@@ -340,6 +374,7 @@ void add_import(CLI::App& sub, AssetFlags& flags) {
   sub.add_option("--mass-kg", flags.mass_kg, "gross mass; estimated otherwise")
       ->check(CLI::PositiveNumber);
   sub.add_flag("!--no-coacd", flags.coacd, "one hull as contact shape, without CoACD");
+  add_vlm(sub, flags);
 }
 
 }  // namespace

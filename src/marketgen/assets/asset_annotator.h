@@ -1,6 +1,6 @@
 // Who says what an outside model is: a function from what can be seen and read of the model to an
-// annotation. The offline one needs nothing but the catalogue; one that asks a vision-language
-// model has the same shape.
+// annotation. The offline one needs nothing but the catalogue; assets/vlm_annotator.h asks a
+// vision-language model.
 #pragma once
 #include <functional>
 #include <string>

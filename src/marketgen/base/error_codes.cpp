@@ -14,6 +14,14 @@ const std::vector<ErrorCodeInfo>& error_codes() {
 int exit_status_of(std::string_view code) {
   if (code == "internal.interrupted") return 130;
   if (code == "layout.violation" || code == "store.changed" || code == "export.mismatch") return 1;
+  for (const std::string_view unfinished : {"net.unreachable",
+                                            "net.timeout",
+                                            "net.too_large",
+                                            "net.redirected",
+                                            "llm.refused",
+                                            "llm.bad_answer"}) {
+    if (code == unfinished) return 3;
+  }
   for (const std::string_view family : {"io.", "internal.", "physics.", "program."}) {
     if (code.starts_with(family)) return 3;
   }

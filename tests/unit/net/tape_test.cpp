@@ -1,0 +1,129 @@
+// Recorded exchanges: what was answered once is answered again with the server gone, byte for byte,
+// and no key is in the files.
+#include <gtest/gtest.h>
+
+#include "net/http.h"
+#include "support/mock_server.h"
+
+namespace marketgen {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+HttpClient recorder(const fs::path& folder) {
+  HttpOptions options;
+  options.record = folder;
+  return HttpClient::open(options).value();
+}
+HttpClient player(const fs::path& folder) {
+  HttpOptions options;
+  options.replay = folder;
+  return HttpClient::open(options).value();
+}
+
+HttpRequest question(const MockServer& server, const std::string& body) {
+  return {"POST", server.url("/ask"), {{"Content-Type", "text/plain"}}, {}, body};
+}
+
+void expect_equal(const Result<HttpAnswer>& a, const Result<HttpAnswer>& b) {
+  ASSERT_TRUE(a.ok()) << to_string(a.error());
+  ASSERT_TRUE(b.ok()) << to_string(b.error());
+  EXPECT_EQ(a->status, b->status);
+  EXPECT_EQ(a->body, b->body);
+  ASSERT_EQ(a->headers.size(), b->headers.size());
+  for (std::size_t i = 0; i < a->headers.size(); ++i) {
+    EXPECT_EQ(a->headers[i].name, b->headers[i].name);
+    EXPECT_EQ(a->headers[i].value, b->headers[i].value);
+  }
+}
+
+TEST(HttpTape, PlaysBackBitExactlyWithTheServerGone) {
+  const ScratchFolder scratch;
+  const fs::path folder = scratch.path() / "tape";
+  std::string bytes;  // no text
+  for (int i = 0; i < 1000; ++i)
+    bytes += static_cast<char>(i * 7);
+  MockServer server(
+      json::array({{{"body", "one \" \\ \n\t\u0001 ü \r\n"}, {"headers", {{"X-A", "1"}}}},
+                   {{"base64", base64_of(bytes)}},
+                   {{"status", 404}, {"body", ""}}}));
+  const HttpClient live = recorder(folder);
+  std::vector<HttpRequest> asked = {
+      question(server, "a"), question(server, "b"), question(server, bytes)};
+  std::vector<Result<HttpAnswer>> answered;
+  for (const HttpRequest& request : asked)
+    answered.push_back(live.send(request));
+  server.stop();
+  ASSERT_EQ(answered[1]->body, bytes);
+  const HttpClient again = player(folder);
+  for (const std::size_t i : {2U, 0U, 1U})  // in any order
+    expect_equal(again.send(asked[i]), answered[i]);
+}
+
+TEST(HttpTape, EqualRequestsAreToldApartByTheirNumber) {
+  const ScratchFolder scratch;
+  MockServer server(json::array({{{"body", "first"}}, {{"body", "second"}}}));
+  const HttpClient live = recorder(scratch.path());
+  const HttpRequest request = question(server, "same");
+  EXPECT_EQ(live.send(request)->body, "first");
+  EXPECT_EQ(live.send(request)->body, "second");
+  server.stop();
+  const HttpClient again = player(scratch.path());
+  EXPECT_EQ(again.send(request)->body, "first");
+  EXPECT_EQ(again.send(request)->body, "second");
+  EXPECT_EQ(again.send(request).error().code, "net.not_recorded");
+}
+
+TEST(HttpTape, WhatWasNotRecordedIsAnErrorAndOpensNoSocket) {
+  const ScratchFolder scratch;
+  const MockServer server(json::array({{{"body", "x"}}}));
+  const auto answer = player(scratch.path()).send(question(server, "never asked"));
+  ASSERT_FALSE(answer.ok());
+  EXPECT_EQ(answer.error().code, "net.not_recorded");
+  EXPECT_NE(answer.error().message.find(server.url("/ask")), std::string::npos);
+  EXPECT_TRUE(server.requests().empty());
+}
+
+TEST(HttpTape, NoKeyIsInAFileOrAnAnswer) {
+  const ScratchFolder scratch;
+  const std::string key = "sk-0123456789abcdef";
+  MockServer server(json::array(
+      {{{"body", "your key is " + key + ", " + key + "!"}, {"headers", {{"X-Echo", key}}}}}));
+  HttpRequest request = question(server, "hello");
+  request.secret_headers = {{"Authorization", "Bearer " + key}};
+  const auto answer = recorder(scratch.path()).send(request);
+  ASSERT_TRUE(answer.ok());
+  EXPECT_EQ(answer->body, "your key is ***, ***!");
+  EXPECT_EQ(answer->header("x-echo"), "***");
+  EXPECT_EQ(server.requests().at(0)["headers"]["Authorization"], "Bearer " + key);
+  const std::string recorded = all_text_in(scratch.path());
+  EXPECT_NE(recorded.find("hello"), std::string::npos);
+  EXPECT_EQ(recorded.find(key), std::string::npos);
+  EXPECT_EQ(recorded.find("Authorization"), std::string::npos);
+  server.stop();
+  request.secret_headers.clear();  // who replays needs no key
+  expect_equal(player(scratch.path()).send(request), answer);
+}
+
+TEST(HttpTape, BrokenRecordsAndFolders) {
+  const ScratchFolder scratch;
+  MockServer server(json::array({{{"body", "x"}}}));
+  const HttpRequest request = question(server, "a");
+  ASSERT_TRUE(recorder(scratch.path() / "tape").send(request).ok());
+  const fs::path file = fs::directory_iterator(scratch.path() / "tape")->path();
+  std::ofstream(file) << R"({"schema": "http-exchange/1", "method": "POST"})";
+  EXPECT_EQ(player(scratch.path() / "tape").send(request).error().code, "json.missing_field");
+  HttpOptions nowhere, both;
+  nowhere.replay = scratch.path() / "none";
+  EXPECT_EQ(HttpClient::open(nowhere).error().code, "input.not_found");
+  both.record = both.replay = scratch.path();
+  EXPECT_EQ(HttpClient::open(both).error().code, "usage.bad_flag");
+  std::ofstream(scratch.path() / "file") << "x";
+  HttpOptions blocked;
+  blocked.record = scratch.path() / "file" / "tape";
+  EXPECT_EQ(HttpClient::open(blocked).error().code, "io.cannot_write");
+}
+
+}  // namespace
+}  // namespace marketgen
