@@ -11,7 +11,7 @@
 namespace marketgen {
 namespace {
 
-constexpr char where[] = "settle";
+constexpr char settle_where[] = "settle";
 constexpr mjtSize memory_base_bytes = 64 << 20,
                   memory_per_body_bytes = 1 << 20;  // address space, touched as needed
 
@@ -87,7 +87,7 @@ class Builder {
     if (hangs(scene_, item)) hang(body, product_id(scene_, row), product.height_m());
   }
 
-  Result<MujocoModel> finish() { return compile(*spec_, where); }
+  Result<MujocoModel> finish() { return compile(*spec_, settle_where); }
 
  private:
   mjsGeom* add_if_near(const ContactShape& shape, const Extent& extent) {
