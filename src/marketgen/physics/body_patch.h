@@ -11,6 +11,10 @@
 
 namespace marketgen {
 
+inline Vec3 vec3_of(const mjtNum* v) {
+  return {v[0], v[1], v[2]};
+}
+
 // world_from_shape as MuJoCo keeps it.
 struct ShapePose {
   mjtNum position[3] = {0, 0, 0};

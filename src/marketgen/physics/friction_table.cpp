@@ -1,5 +1,7 @@
 #include "physics/friction_table.h"
 
+#include <cmath>
+
 namespace marketgen {
 
 FrictionTable::FrictionTable(const std::vector<FrictionRow>& rows) {
@@ -10,14 +12,25 @@ FrictionTable::FrictionTable(const std::vector<FrictionRow>& rows) {
   }
   table_.assign(names_.size() * names_.size(), 0);
   for (const FrictionRow& row : rows) {
-    const std::size_t a = names_.at(row.a), b = names_.at(row.b);
-    table_[a * names_.size() + b] = table_[b * names_.size() + a] = row.sliding;
+    const Material a = material(row.a), b = material(row.b);
+    at(a, b) = at(b, a) = row.sliding;
+  }
+  const Material reference = material(reference_material);
+  if (reference == unknown) return;
+  const auto count = static_cast<Material>(names_.size());
+  std::vector<double> on_reference;
+  for (Material a = 0; a < count; ++a)
+    on_reference.push_back(at(a, reference));
+  for (Material a = 0; a < count; ++a) {
+    for (Material b = 0; b < count; ++b) {
+      if (at(a, b) == 0) at(a, b) = std::sqrt(on_reference[a] * on_reference[b]);
+    }
   }
 }
 
-FrictionTable::Material FrictionTable::material(const std::string& name) const {
-  const auto at = names_.find(name);
-  return at == names_.end() ? unknown : at->second;
+FrictionTable::Material FrictionTable::material(std::string_view name) const {
+  const auto found = names_.find(name);
+  return found == names_.end() ? unknown : found->second;
 }
 
 }  // namespace marketgen

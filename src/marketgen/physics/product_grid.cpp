@@ -46,9 +46,20 @@ void ProductGrid::remove(std::uint32_t product) {
   }
 }
 
+// For boxes of more cells than there are products.
+std::vector<std::uint32_t> ProductGrid::near_by_row(const Box3& box, double within) const {
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t product = 0; product < boxes_.size(); ++product) {
+    if (present_[product] && boxes_[product].meets(box, within)) found.push_back(product);
+  }
+  return found;
+}
+
 std::vector<std::uint32_t> ProductGrid::near(const Box3& box, double within) const {
   std::vector<std::uint32_t> found;
   const Cells c = cells_of(box, within);
+  const double cells = (c.x1 - c.x0 + 1.0) * (c.y1 - c.y0 + 1.0);
+  if (cells > static_cast<double>(boxes_.size())) return near_by_row(box, within);
   for (int x = c.x0; x <= c.x1; ++x) {
     for (int y = c.y0; y <= c.y1; ++y) {
       const auto at = cells_.find(key(x, y));

@@ -32,6 +32,7 @@ class ProductGrid {
   struct Cells {
     int x0, y0, x1, y1;
   };
+  std::vector<std::uint32_t> near_by_row(const Box3& box, double within) const;
   static Cells cells_of(const Box3& box, double within);
 
   std::vector<Box3> boxes_;

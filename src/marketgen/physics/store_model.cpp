@@ -13,13 +13,14 @@
 namespace marketgen {
 namespace {
 
-constexpr char where[] = "world";
+constexpr char world_where[] = "world";
 // Address space of MuJoCo's arena, touched as needed: contacts and their equations.
 constexpr mjtSize arena_bytes = 64 << 20;
 // Slower than this for ten steps is at rest: measured, asleep after 21 to 32 resting steps.
-constexpr double sleep_below_m_s = 1e-3;
+constexpr double bubble_sleep_below_m_s = 1e-3;
 constexpr double pool_depth_m = -100;  // where bodies of the pool wait until first used
 constexpr int most_pool = 1024;
+constexpr double most_friction = 2;  // as in a FrictionRow
 
 using Region = std::array<double, 4>;
 
@@ -42,6 +43,13 @@ Vec3 inertia_of(const ContactShape& shape, double mass) {
   }
 }
 
+// A push of F at the top of a pack of weight W tips it from F / W = half its narrower side over its
+// height, and slides it from the friction on painted steel.
+double stands_share_of(const Product& product) {
+  const double narrow = std::min(product.width_m(), product.depth_m());
+  return std::min(product.friction, narrow / 2 / product.height_m());
+}
+
 Result<GoodsShape> goods_shape_of(const Product& product) {
   MARKETGEN_TRY(const CollisionPrimitive primitive, collision_of(product));
   const Vec3f& half = primitive.half_size;
@@ -61,6 +69,7 @@ Result<GoodsShape> goods_shape_of(const Product& product) {
   goods.contact = goods_contact_of(product, primitive);
   goods.mass_kg = product.mass_kg;
   goods.inertia_kg_m2 = inertia_of(goods.shape, product.mass_kg);
+  goods.stands_share = stands_share_of(product);
   return goods;
 }
 
@@ -71,7 +80,7 @@ class StoreBuilder {
         options_(options),
         spec_(mj_makeSpec(), mj_deleteSpec),
         world_(mjs_findBody(spec_.get(), "world")) {
-    set_contact_options(*spec_, sleep_below_m_s);
+    set_contact_options(*spec_, bubble_sleep_below_m_s);
     spec_->option.disableflags |= mjDSBL_AUTORESET;
     spec_->memory = arena_bytes;
   }
@@ -139,11 +148,14 @@ class StoreBuilder {
 
   Result<void> add_actors() {
     if (!options_.add_actors) return {};
-    return options_.add_actors(*spec_);
+    Result<void> added;
+    MARKETGEN_CHECK(
+        guarded("WorldOptions.add_actors", [&] { added = options_.add_actors(*spec_); }));
+    return added;
   }
 
   Result<void> finish(StoreModel& made) {
-    MARKETGEN_TRY(made.model, compile(*spec_, where));
+    MARKETGEN_TRY(made.model, compile(*spec_, world_where));
     made.owners.assign(static_cast<std::size_t>(made.model->ngeom), {BodyKind::actor, 0});
     const int first_pool_body = mjs_getId(pool_.front().body->element);
     for (std::size_t geom = 0; geom < made.owners.size(); ++geom) {
@@ -228,6 +240,15 @@ Result<void> check_options(const WorldOptions& options) {
   if (!(options.wake_within_m >= 0 && options.wake_within_m <= 0.5))
     return bad_option("wake_within_m",
                       fmt::format("{} m; 0 to 0.5 are possible", options.wake_within_m));
+  for (const FrictionRow& row : options.frictions) {
+    if (!(row.sliding > 0 && row.sliding <= most_friction))
+      return bad_option("frictions",
+                        fmt::format("{} on {}: {}; more than 0 and at most {} are possible",
+                                    row.a,
+                                    row.b,
+                                    row.sliding,
+                                    most_friction));
+  }
   if (!options.region_m) return {};
   const auto& [x0, y0, x1, y1] = *options.region_m;
   if (!(x0 < x1 && y0 < y1) || !std::isfinite(x1 - x0) || !std::isfinite(y1 - y0))

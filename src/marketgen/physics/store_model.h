@@ -16,6 +16,7 @@ struct GoodsShape {
   GoodsContact contact;
   double mass_kg = 0;
   Vec3 inertia_kg_m2;  // about the shape's axes, of a uniform body
+  double stands_share = 0;  // of its weight: a lesser push sideways neither slides nor tips it
 };
 
 // A free body of the pool and the constraint that hangs it on a hook.

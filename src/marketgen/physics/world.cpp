@@ -58,6 +58,16 @@ bool unit(Pose& pose) {
   return true;
 }
 
+// Within the box around the store, from the floor to the ceiling; 1 mm over.
+bool inside(const Shell& shell, Vec3 at) {
+  constexpr double over_m = 0.001;
+  const auto within = [&](double value, int most_mm) {
+    return value >= -over_m && value <= most_mm / 1000.0 + over_m;
+  };
+  return within(at.x, shell.width_mm) && within(at.y, shell.depth_mm) &&
+         within(at.z, shell.ceiling_mm);
+}
+
 Pose pose_from(const std::array<double, 7>& v) {
   return {{v[0], v[1], v[2]}, {v[3], v[4], v[5], v[6]}};
 }
@@ -134,6 +144,13 @@ Result<void> World::State::obey_product(const WorldCommand& command) {
   Pose pose = pose_from(v);
   if (command.kind == CommandKind::place && !unit(pose))
     return bad_command("place", "the rotation is no unit quaternion");
+  if (command.kind == CommandKind::place && !inside(scene.layout.shell, pose.position)) {
+    return bad_command("place",
+                       fmt::format("({}, {}, {}) m lies outside the store",
+                                   pose.position.x,
+                                   pose.position.y,
+                                   pose.position.z));
+  }
   if (command.kind == CommandKind::push) {
     pushes.push_back({product, {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}}});
     return {};

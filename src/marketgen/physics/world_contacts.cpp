@@ -6,17 +6,13 @@
 namespace marketgen {
 namespace {
 
-// A static product moves when it is pushed with more than this share of its weight: half of what
-// tips the slimmest bottle. Goods in heaps lean on one another with about their weight.
-constexpr double push_share = 0.05, push_share_loose = 2;
+// A static product is woken by half the push that would slide or tip it: several neighbours may
+// push at once. Goods in heaps lean on one another with about their weight.
+constexpr double of_stands_share = 0.5, push_share_loose = 2;
 // Load from something that was not there before, as a share of the product's weight.
 constexpr double load_share = 0.1;
-constexpr double displaced_m = 0.002;
+constexpr double arrived_m = 0.002;
 constexpr double gravity_m_s2 = 9.81;
-
-Vec3 vec(const mjtNum* v) {
-  return {v[0], v[1], v[2]};
-}
 
 }  // namespace
 
@@ -53,12 +49,12 @@ Result<void> World::State::read_contacts() {
     mj_contactForce(&m(), &d(), i, force);
     WorldContact contact;
     contact.a = side_of(from.geom[0]), contact.b = side_of(from.geom[1]);
-    contact.position = vec(from.pos), contact.normal = vec(from.frame);
+    contact.position = vec3_of(from.pos), contact.normal = vec3_of(from.frame);
     contact.depth_m = -from.dist;
     contact.normal_n = force[0];
     contact.tangential_n = std::sqrt(force[1] * force[1] + force[2] * force[2]);
-    contact.force_n = vec(from.frame) * force[0] + vec(from.frame + 3) * force[1] +
-                      vec(from.frame + 6) * force[2];
+    contact.force_n = vec3_of(from.frame) * force[0] + vec3_of(from.frame + 3) * force[1] +
+                      vec3_of(from.frame + 6) * force[2];
     contact.friction = from.friction[0];
     contacts.push_back(contact);
   }
@@ -73,12 +69,13 @@ void World::State::wake_pressed() {
       const ContactSide &pressed = on_b ? contact.b : contact.a, &by = on_b ? contact.a : contact.b;
       if (body_of[pressed.row] >= 0 || body_of[by.row] < 0 || refused[pressed.row]) continue;
       const Vec3 force = on_b ? contact.force_n : -contact.force_n;
-      const double weight = store.goods[sku_of(pressed.row)].mass_kg * gravity_m_s2;
+      const GoodsShape& goods = store.goods[sku_of(pressed.row)];
+      const double weight = goods.mass_kg * gravity_m_s2;
       const double sideways = std::sqrt(force.x * force.x + force.y * force.y);
       const auto& visitor = live[static_cast<std::size_t>(body_of[by.row])];
       const bool came =
-          length(product_pose(by.row).position - visitor.woke_at.position) > displaced_m;
-      const double limit = loose(pressed.row) ? push_share_loose : push_share;
+          length(product_pose(by.row).position - visitor.woke_at.position) > arrived_m;
+      const double limit = loose(pressed.row) ? push_share_loose : of_stands_share * goods.stands_share;
       if (sideways > limit * weight || (came && -force.z > load_share * weight)) wake(pressed.row);
     }
   }

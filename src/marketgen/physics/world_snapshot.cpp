@@ -8,13 +8,36 @@
 #include "physics/world_state.h"
 
 namespace marketgen {
+
+struct WorldSnapshot::Content {
+  // Members of mjData outside its buffer that carry state from step to step.
+  struct Scalars {
+    mjtNum time, energy[2];
+    int ntree_awake, nbody_awake, nparent_awake, nv_awake;
+  };
+  struct MovedProduct {
+    std::uint32_t product = 0;
+    ShapePose first, stands;
+  };
+
+  std::string made_of;  // scene and model that it belongs to
+  std::vector<std::byte> buffer;
+  Scalars scalars{};
+  std::vector<MovedProduct> moved;
+  std::vector<LiveBody> live;
+  std::vector<bool> refused;
+  std::vector<double> belt_speed;
+  std::vector<std::pair<std::uint32_t, Wrench>> pushes;
+  std::vector<WorldContact> contacts;
+  std::vector<WorldEvent> events;
+  std::vector<WorldCommand> commands;
+  std::int64_t steps = 0, woken = 0, refusals = 0;
+};
+
 namespace {
 
-// Members of mjData outside its buffer that carry state from step to step.
-struct Scalars {
-  mjtNum time, energy[2];
-  int ntree_awake, nbody_awake, nparent_awake, nv_awake;
-};
+using Scalars = WorldSnapshot::Content::Scalars;
+using MovedProduct = WorldSnapshot::Content::MovedProduct;
 
 Scalars scalars_of(const mjData& d) {
   return {d.time,
@@ -34,30 +57,6 @@ void set_scalars(mjData& d, const Scalars& s) {
   for (mjWarningStat& warning : d.warning)
     warning = {};
 }
-
-struct MovedProduct {
-  std::uint32_t product = 0;
-  ShapePose first, stands;
-};
-
-}  // namespace
-
-struct WorldSnapshot::Content {
-  std::string made_of;  // scene and model that it belongs to
-  std::vector<std::byte> buffer;
-  Scalars scalars{};
-  std::vector<MovedProduct> moved;
-  std::vector<LiveBody> live;
-  std::vector<bool> refused;
-  std::vector<double> belt_speed;
-  std::vector<std::pair<std::uint32_t, Wrench>> pushes;
-  std::vector<WorldContact> contacts;
-  std::vector<WorldEvent> events;
-  std::vector<WorldCommand> commands;
-  std::int64_t steps = 0, woken = 0, refusals = 0;
-};
-
-namespace {
 
 std::string identity(const Scene& scene, const mjModel& m, std::size_t buffer_bytes) {
   Hasher hash;

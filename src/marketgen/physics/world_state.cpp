@@ -5,8 +5,6 @@
 namespace marketgen {
 namespace {
 
-constexpr char steel[] = "steel", rubber[] = "rubber";  // of fixtures, of belts; in friction.json
-
 bool can_move(const mjModel& m, int body) {
   return m.body_treeid[body] >= 0 || m.body_mocapid[m.body_rootid[body]] >= 0;
 }
@@ -49,11 +47,13 @@ World::State::State(const Scene& scene_in,
   for (int geom = 0; geom < m().ngeom; ++geom) {
     const GeomOwner& owner = store.owners[static_cast<std::size_t>(geom)];
     auto& material = geom_material[static_cast<std::size_t>(geom)];
-    if (owner.kind == BodyKind::fixture) {
+    if (owner.kind == BodyKind::room) {
+      material = frictions.material(room_material);
+    } else if (owner.kind == BodyKind::fixture) {
       const std::int32_t joint = scene.parts[owner.row].joint;
       const bool belt =
           joint >= 0 && scene.joints[static_cast<std::size_t>(joint)].kind == JointKind::belt;
-      material = frictions.material(belt ? rubber : steel);
+      material = frictions.material(belt ? belt_material : reference_material);
       if (belt) belt_geoms[static_cast<std::size_t>(joint)].push_back(geom);
     } else if (owner.kind == BodyKind::product && !owner.pool) {
       material = sku_material[sku_of(owner.row)];

@@ -10,28 +10,26 @@
 namespace marketgen {
 namespace {
 
-constexpr char where[] = "World::step";
+constexpr char step_where[] = "World::step";
 // Contacts that wake lead to contacts that wake: a row of touching packs takes one pass a pack.
 constexpr int most_passes = 8;
 constexpr int actor_scan_steps = 10;     // between looks around the actors
 constexpr double mocap_reach_m = 0.002;  // what is static cannot be touched by a mocap body
-// A contact point that moves faster than this pushes. Goods that lie in heaps settle into one
-// another when their neighbours wake.
+// A contact point that moves faster than this pushes. A slower one, were it to pass on all of its
+// speed, would let a pack slide by v^2 / (2 x friction x g): less than 0.01 mm at a friction of 0.2.
+// Goods that lie in heaps settle into one another when their neighbours wake. Downwards, `impact_m_s`
+// is a fall of 0.5 mm.
 constexpr double push_m_s = 0.005, push_loose_m_s = 0.05, impact_m_s = 0.1;
 constexpr double carried_slack_m = 0.001;  // a product that moved less still carries what it did
 constexpr double lean_cosine = 0.70710678118654752;  // 45 degrees
 constexpr double drop_m = 0.10, drop_m_s = 0.5;
 constexpr double hook_holds_weights = 3;  // a stronger pull takes goods off their peg
 
-Vec3 vec(const mjtNum* v) {
-  return {v[0], v[1], v[2]};
-}
-
 // Velocity of a point of a dynamic body.
 Vec3 velocity_at(const mjModel& m, const mjData& d, int body, Vec3 point) {
   const mjtNum* c = d.cvel + 6 * body;  // about the tree's centre of mass: angular, linear
-  const Vec3 center = vec(d.subtree_com + 3 * m.body_rootid[body]);
-  return vec(c + 3) + cross(vec(c), point - center);
+  const Vec3 center = vec3_of(d.subtree_com + 3 * m.body_rootid[body]);
+  return vec3_of(c + 3) + cross(vec3_of(c), point - center);
 }
 
 }  // namespace
@@ -46,7 +44,7 @@ bool World::State::wake_touched() {
       const int other = contact.geom[1 - side];
       bool pushes_it = store.owners[static_cast<std::size_t>(other)].kind == BodyKind::actor;
       if (!pushes_it) {
-        const Vec3 v = velocity_at(m(), d(), m().geom_bodyid[other], vec(contact.pos));
+        const Vec3 v = velocity_at(m(), d(), m().geom_bodyid[other], vec3_of(contact.pos));
         const double limit = loose(owner.row) ? push_loose_m_s : push_m_s;
         pushes_it = std::sqrt(v.x * v.x + v.y * v.y) > limit || std::abs(v.z) > impact_m_s;
       }
@@ -62,14 +60,14 @@ Result<void> World::State::wake_near_actors() {
     const bool mocap = m().body_mocapid[m().body_rootid[m().geom_bodyid[geom]]] >= 0;
     if (!mocap && !scan) continue;
     const double reach = std::max(mocap ? mocap_reach_m : 0, scan ? options.wake_within_m : 0);
-    const Vec3 center = vec(d().geom_xpos + 3 * geom);
+    const Vec3 center = vec3_of(d().geom_xpos + 3 * geom);
     const double radius = m().geom_rbound[geom];
     const Vec3 half{radius, radius, radius};
     for (const std::uint32_t product : grid.near({center - half, center + half}, reach)) {
       const int other = store.product_geom[product];
       double apart = reach;
       MARKETGEN_CHECK(guarded(
-          where, [&] { apart = mj_geomDistance(&m(), &d(), geom, other, reach, nullptr); }));
+          step_where, [&] { apart = mj_geomDistance(&m(), &d(), geom, other, reach, nullptr); }));
       if (apart < reach) wake(product);
     }
   }
@@ -118,7 +116,7 @@ Result<void> World::State::check_warnings() const {
     const mjWarningStat& stat = d().warning[warning];
     if (stat.number == 0) continue;
     return Error{"physics.failed",
-                 where,
+                 step_where,
                  fmt::format("at {:.3f} s: {}; restore a snapshot from before",
                              d().time,
                              mju_warningText(warning, static_cast<size_t>(stat.lastinfo)))};
@@ -137,11 +135,11 @@ Result<void> World::State::step_once() {
     std::copy(applied, applied + 6, now->xfrc_applied + 6 * body.body);
   }
   MARKETGEN_CHECK(wake_near_actors());
-  MARKETGEN_CHECK(guarded(where, [=] { mj_step1(model, now); }));
+  MARKETGEN_CHECK(guarded(step_where, [=] { mj_step1(model, now); }));
   for (int pass = 0; pass < most_passes && wake_touched(); ++pass)
-    MARKETGEN_CHECK(guarded(where, [=] { mj_step1(model, now); }));
+    MARKETGEN_CHECK(guarded(step_where, [=] { mj_step1(model, now); }));
   set_frictions();
-  MARKETGEN_CHECK(guarded(where, [=] { mj_step2(model, now); }));
+  MARKETGEN_CHECK(guarded(step_where, [=] { mj_step2(model, now); }));
   ++steps;
   MARKETGEN_CHECK(check_warnings());
   for (const auto& [product, wrench] : pushes) {

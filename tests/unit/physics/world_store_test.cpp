@@ -1,0 +1,31 @@
+// Worlds of generated shops.
+#include "support/hand_laid_shop.h"
+#include "unit/physics/small_worlds.h"
+
+namespace marketgen {
+namespace {
+
+TEST(World, GoodsOfGeneratedStoresStayWhenTheyAreWoken) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const HandLaidShop shop = shop_of({"canned", "dairy", "beverages", "household"});
+    const Result<Scene> scene =
+        build_scene(shop.layout, shop.plan, committed_catalog(), Seed(seed));
+    ASSERT_TRUE(scene.ok());
+    World world = made(*scene);
+    const auto products = static_cast<std::uint32_t>(scene->products.size());
+    ASSERT_GT(products, 500U);
+    for (std::uint32_t i = 0; i < 100; ++i) {
+      EXPECT_TRUE(world.wake(i * (products / 100)).ok());
+    }
+    run(world, 10 * second);
+    EXPECT_EQ(count(world.take_events(), EventKind::toppled), 0) << seed;
+    for (const std::uint32_t product : world.moved_products()) {
+      const Pose start = world_from_product(scene->products[product]);
+      EXPECT_LT(distance(world.product_pose(product), start), 0.001)
+          << seed << " " << product_id(*scene, product);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace marketgen
