@@ -177,7 +177,7 @@ void WorldBounds::refit(mjModel& m, int geom) const {
 }
 
 void switch_geom(mjModel& m, int geom, bool on) {
-  m.geom_contype[geom] = on ? goods_contact_type : 0;
+  m.geom_contype[geom] = on ? still_goods_contact_type : 0;
   m.geom_conaffinity[geom] = on ? goods_affinity : 0;
 }
 

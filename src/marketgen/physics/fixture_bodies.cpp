@@ -85,7 +85,7 @@ class FixtureBuilder {
 
   mjsGeom* add_geom(mjsBody* body, std::uint32_t row, const Pose& owner_from_fixture) {
     mjsGeom* geom = add_shape(body, owner_from_fixture * contact_shape_of(scene_.parts[row]));
-    geom->contype = furniture_contact_type;
+    geom->contype = body == world_ ? furniture_contact_type : moving_furniture_contact_type;
     geom->conaffinity = furniture_affinity;
     made_.geoms.push_back({geom, row});
     return geom;

@@ -14,8 +14,11 @@
 
 namespace marketgen {
 
-// MuJoCo's contact bits. A pair meets when one's type is among the other's affinities.
+// MuJoCo's contact bits. A pair meets when one's type is among the other's affinities. Goods that
+// stand still have no type: they meet moving goods and actors (MuJoCo's defaults are 1 and 1), but
+// no drawer or door. Those must not rub on what stands for ever; the World wakes what they reach.
 constexpr int goods_contact_type = 1, furniture_contact_type = 2;
+constexpr int still_goods_contact_type = 0, moving_furniture_contact_type = 4;
 constexpr int goods_affinity = goods_contact_type | furniture_contact_type;
 constexpr int furniture_affinity = goods_contact_type;
 

@@ -119,6 +119,7 @@ class StoreBuilder {
       if (!near(shape)) continue;
       mjsGeom* geom = add_shape(world_, shape);
       set_goods_contact(geom, goods.contact);
+      geom->contype = still_goods_contact_type;
       geom->conaffinity = goods_affinity;
       product_geoms_[row] = geom;
     }

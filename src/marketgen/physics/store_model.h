@@ -15,7 +15,7 @@ struct GoodsShape {
   ContactShape shape;  // product_from_shape
   GoodsContact contact;
   double mass_kg = 0;
-  Vec3 inertia_kg_m2;  // about the shape's axes, of a uniform body
+  Vec3 inertia_kg_m2;       // about the shape's axes, of a uniform body
   double stands_share = 0;  // of its weight: a lesser push sideways neither slides nor tips it
 };
 

@@ -81,7 +81,7 @@ struct ContactSide {
   BodyKind kind = BodyKind::room;
   std::uint32_t row = 0;  // in parts for a fixture, in products; MuJoCo's geom id for an actor
 };
-struct WorldContact {
+struct WorldContact {  // a's kind is not behind b's
   ContactSide a, b;
   Vec3 position, normal;  // normal from a to b, unit
   double depth_m = 0;     // negative while apart
@@ -121,7 +121,8 @@ class World {
                                double force);  // row in joints; N or N m; stays
   Result<void> set_belt_speed(std::uint32_t joint, double speed_m_s);  // within its limits
   Result<void> move_mocap(std::string_view body, const Pose& pose);
-  Result<void> push(std::uint32_t product, const Wrench& wrench);  // during the next call of step
+  // During the next call of step, which finds the product awake. A wrench of 0 keeps it so.
+  Result<void> push(std::uint32_t product, const Wrench& wrench);
   Result<void> wake(std::uint32_t product);
   Result<void> place(std::uint32_t product, const Pose& world_from_product);  // at rest, awake
   Result<void> apply(const WorldCommand& command);

@@ -1,5 +1,6 @@
 // Contacts of a World: how they rub, and with what force.
 #include <cmath>
+#include <utility>
 
 #include "physics/world_state.h"
 
@@ -13,6 +14,12 @@ constexpr double of_stands_share = 0.5, push_share_loose = 2;
 constexpr double load_share = 0.1;
 constexpr double arrived_m = 0.002;
 constexpr double gravity_m_s2 = 9.81;
+
+void turn_round(WorldContact& contact) {
+  std::swap(contact.a, contact.b);
+  contact.normal = -contact.normal;
+  contact.force_n = -contact.force_n;
+}
 
 }  // namespace
 
@@ -56,6 +63,7 @@ Result<void> World::State::read_contacts() {
     contact.force_n = vec3_of(from.frame) * force[0] + vec3_of(from.frame + 3) * force[1] +
                       vec3_of(from.frame + 6) * force[2];
     contact.friction = from.friction[0];
+    if (contact.b.kind < contact.a.kind) turn_round(contact);
     contacts.push_back(contact);
   }
   return {};
@@ -75,7 +83,8 @@ void World::State::wake_pressed() {
       const auto& visitor = live[static_cast<std::size_t>(body_of[by.row])];
       const bool came =
           length(product_pose(by.row).position - visitor.woke_at.position) > arrived_m;
-      const double limit = loose(pressed.row) ? push_share_loose : of_stands_share * goods.stands_share;
+      const double limit =
+          loose(pressed.row) ? push_share_loose : of_stands_share * goods.stands_share;
       if (sideways > limit * weight || (came && -force.z > load_share * weight)) wake(pressed.row);
     }
   }

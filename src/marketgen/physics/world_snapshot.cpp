@@ -26,7 +26,7 @@ struct WorldSnapshot::Content {
   std::vector<MovedProduct> moved;
   std::vector<LiveBody> live;
   std::vector<bool> refused;
-  std::vector<double> belt_speed;
+  std::vector<double> belt_speed, looked_at;
   std::vector<std::pair<std::uint32_t, Wrench>> pushes;
   std::vector<WorldContact> contacts;
   std::vector<WorldEvent> events;
@@ -88,6 +88,7 @@ WorldSnapshot World::snapshot() const {
   made->live = s.live;
   made->refused = s.refused;
   made->belt_speed = s.belt_speed;
+  made->looked_at = s.looked_at;
   made->pushes = s.pushes;
   made->contacts = s.contacts;
   made->events = s.events;
@@ -146,6 +147,7 @@ Result<void> World::restore(const WorldSnapshot& snapshot) {
   set_scalars(s.d(), from.scalars);
   for (std::uint32_t joint = 0; joint < s.belt_speed.size(); ++joint)
     s.run_belt(joint, from.belt_speed[joint]);
+  s.looked_at = from.looked_at;
   s.refused = from.refused, s.pushes = from.pushes, s.contacts = from.contacts;
   s.events = from.events, s.commands = from.commands;
   s.steps = from.steps, s.woken = from.woken, s.refusals = from.refusals;
@@ -173,6 +175,7 @@ std::string World::state_hash() const {
     hash.add_bytes(bytes_of(pose.rotation, 4));
   }
   hash.add_bytes(bytes_of(s.belt_speed.data(), s.belt_speed.size()));
+  hash.add_bytes(bytes_of(s.looked_at.data(), s.looked_at.size()));
   return hash.hex();
 }
 

@@ -38,7 +38,8 @@ World::State::State(const Scene& scene_in,
       body_of(scene.products.size(), -1),
       live(store.pool.size()),
       refused(scene.products.size(), false),
-      belt_speed(scene.joints.size(), 0) {
+      belt_speed(scene.joints.size(), 0),
+      looked_at(scene.joints.size(), 0) {
   for (std::size_t sku = 0; sku < scene.catalog.size(); ++sku) {
     sku_material.push_back(frictions.material(scene.catalog[sku].material));
     shape_from_product.push_back(inverse(store.goods[sku].shape.pose));
@@ -66,8 +67,27 @@ World::State::State(const Scene& scene_in,
       if (collides && can_move(m(), m().geom_bodyid[geom])) actor_geoms.push_back(geom);
     }
   }
+  find_fixture_trees();
   for (const PoolBody& body : store.pool)
     park_body(m(), d(), body);
+}
+
+void World::State::find_fixture_trees() {
+  std::map<int, FixtureTree> by_tree;
+  for (std::uint32_t joint = 0; joint < store.joints.size(); ++joint) {
+    const JointAddress& at = store.joints[joint];
+    if (at.dof < 0) continue;
+    by_tree[m().dof_treeid[at.dof]].joints.push_back(joint);
+    looked_at[joint] = d().qpos[at.qpos];
+  }
+  for (int geom = 0; geom < m().ngeom; ++geom) {
+    const auto found = by_tree.find(m().body_treeid[m().geom_bodyid[geom]]);
+    if (found != by_tree.end()) found->second.geoms.push_back(geom);
+  }
+  for (auto& [tree, fixture] : by_tree) {
+    fixture.tree = tree;
+    fixture_trees.push_back(std::move(fixture));
+  }
 }
 
 ShapePose World::State::shape_pose(std::uint32_t product) const {

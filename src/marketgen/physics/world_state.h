@@ -10,6 +10,13 @@
 
 namespace marketgen {
 
+// A door, drawer or flap with what hangs on it.
+struct FixtureTree {
+  int tree = 0;                       // MuJoCo's
+  std::vector<std::uint32_t> joints;  // rows of Scene::joints
+  std::vector<int> geoms;
+};
+
 // A body of the pool while it stands in for a product.
 struct LiveBody {
   std::int64_t product = -1;           // -1: free
@@ -47,6 +54,8 @@ struct World::State {
   Result<void> step_once();
   bool wake_touched();  // after the contacts are known; true when any woke
   Result<void> wake_near_actors();
+  Result<void> wake_near_moving_fixtures();
+  Result<void> wake_within(int geom, double reach_m);  // products as near as that to a geom
   void follow(std::size_t body);  // reports what happened to it, rests it when it sleeps
   void release_hooks();
   void clear_wakes();
@@ -77,12 +86,14 @@ struct World::State {
   std::vector<Pose> shape_from_product;      // by SKU
   std::vector<int> actor_geoms;              // that collide and whose body can move
   std::vector<std::vector<int>> belt_geoms;  // by joint
+  std::vector<FixtureTree> fixture_trees;
 
   std::vector<int> body_of;                  // by product: in the pool, -1 static
   std::vector<LiveBody> live;                // by pool body
   std::map<std::uint32_t, ShapePose> moved;  // products ever woken, with where they first stood
   std::vector<bool> refused;                 // by product: reported
   std::vector<double> belt_speed;            // by joint
+  std::vector<double> looked_at;  // by joint: where it was when its goods were looked for
   std::vector<Box3> running_belts;
   std::vector<std::pair<std::uint32_t, Wrench>> pushes;
   std::vector<WorldContact> contacts;
@@ -102,6 +113,7 @@ struct World::State {
   Box3 box_at(std::uint32_t product, const ShapePose& pose) const;
   void report(EventKind kind, std::uint32_t product);
   void update_running_belts();
+  void find_fixture_trees();
 };
 
 Pose pose_of(const ShapePose& shape);

@@ -13,12 +13,14 @@ namespace {
 constexpr char step_where[] = "World::step";
 // Contacts that wake lead to contacts that wake: a row of touching packs takes one pass a pack.
 constexpr int most_passes = 8;
-constexpr int actor_scan_steps = 10;     // between looks around the actors
-constexpr double mocap_reach_m = 0.002;  // what is static cannot be touched by a mocap body
+constexpr int actor_scan_steps = 10;  // between looks around the actors
+// MuJoCo knows no contact between static goods and mocap bodies or drawers: nearer is touching.
+constexpr double untouchable_reach_m = 0.002;
+constexpr double noticeable_m = 1e-4;  // metres or radians that a drawer or door moves
 // A contact point that moves faster than this pushes. A slower one, were it to pass on all of its
-// speed, would let a pack slide by v^2 / (2 x friction x g): less than 0.01 mm at a friction of 0.2.
-// Goods that lie in heaps settle into one another when their neighbours wake. Downwards, `impact_m_s`
-// is a fall of 0.5 mm.
+// speed, would let a pack slide by v^2 / (2 x friction x g): less than 0.01 mm at a friction of
+// 0.2. Goods that lie in heaps settle into one another when their neighbours wake. Downwards,
+// `impact_m_s` is a fall of 0.5 mm.
 constexpr double push_m_s = 0.005, push_loose_m_s = 0.05, impact_m_s = 0.1;
 constexpr double carried_slack_m = 0.001;  // a product that moved less still carries what it did
 constexpr double lean_cosine = 0.70710678118654752;  // 45 degrees
@@ -54,22 +56,46 @@ bool World::State::wake_touched() {
   return any;
 }
 
+Result<void> World::State::wake_within(int geom, double reach_m) {
+  const Vec3 center = vec3_of(d().geom_xpos + 3 * geom);
+  const double radius = m().geom_rbound[geom];
+  const Vec3 half{radius, radius, radius};
+  for (const std::uint32_t product : grid.near({center - half, center + half}, reach_m)) {
+    const int other = store.product_geom[product];
+    double apart = reach_m;
+    MARKETGEN_CHECK(guarded(
+        step_where, [&] { apart = mj_geomDistance(&m(), &d(), geom, other, reach_m, nullptr); }));
+    if (apart < reach_m) wake(product);
+  }
+  return {};
+}
+
 Result<void> World::State::wake_near_actors() {
   const bool scan = options.wake_within_m > 0 && steps % actor_scan_steps == 0;
   for (const int geom : actor_geoms) {
     const bool mocap = m().body_mocapid[m().body_rootid[m().geom_bodyid[geom]]] >= 0;
     if (!mocap && !scan) continue;
-    const double reach = std::max(mocap ? mocap_reach_m : 0, scan ? options.wake_within_m : 0);
-    const Vec3 center = vec3_of(d().geom_xpos + 3 * geom);
-    const double radius = m().geom_rbound[geom];
-    const Vec3 half{radius, radius, radius};
-    for (const std::uint32_t product : grid.near({center - half, center + half}, reach)) {
-      const int other = store.product_geom[product];
-      double apart = reach;
-      MARKETGEN_CHECK(guarded(
-          step_where, [&] { apart = mj_geomDistance(&m(), &d(), geom, other, reach, nullptr); }));
-      if (apart < reach) wake(product);
+    MARKETGEN_CHECK(wake_within(
+        geom, std::max(mocap ? untouchable_reach_m : 0, scan ? options.wake_within_m : 0)));
+  }
+  return {};
+}
+
+// Goods that stand still do not touch a drawer or a door, lest they hold it: they are woken as soon
+// as it has moved noticeably.
+Result<void> World::State::wake_near_moving_fixtures() {
+  for (const FixtureTree& fixture : fixture_trees) {
+    if (d().tree_asleep[fixture.tree] >= 0) continue;
+    bool has_moved = false;
+    for (const std::uint32_t joint : fixture.joints) {
+      const double at = d().qpos[store.joints[joint].qpos];
+      if (std::abs(at - looked_at[joint]) <= noticeable_m) continue;
+      has_moved = true;
+      looked_at[joint] = at;
     }
+    if (!has_moved) continue;
+    for (const int geom : fixture.geoms)
+      MARKETGEN_CHECK(wake_within(geom, untouchable_reach_m));
   }
   return {};
 }
@@ -96,7 +122,7 @@ void World::State::follow(std::size_t body) {
   if (running_belts.empty()) return;
   const Box3 box = box_at(product, shape);
   const bool rides = std::ranges::any_of(
-      running_belts, [&](const Box3& belt) { return belt.meets(box, mocap_reach_m); });
+      running_belts, [&](const Box3& belt) { return belt.meets(box, untouchable_reach_m); });
   if (rides) mark_wake(d(), made);
 }
 
@@ -133,8 +159,10 @@ Result<void> World::State::step_once() {
     const Vec3 &f = wrench.force_n, &t = wrench.torque_n_m;
     const mjtNum applied[6] = {f.x, f.y, f.z, t.x, t.y, t.z};
     std::copy(applied, applied + 6, now->xfrc_applied + 6 * body.body);
+    mark_wake(*now, body);
   }
   MARKETGEN_CHECK(wake_near_actors());
+  MARKETGEN_CHECK(wake_near_moving_fixtures());
   MARKETGEN_CHECK(guarded(step_where, [=] { mj_step1(model, now); }));
   for (int pass = 0; pass < most_passes && wake_touched(); ++pass)
     MARKETGEN_CHECK(guarded(step_where, [=] { mj_step1(model, now); }));

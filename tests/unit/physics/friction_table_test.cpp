@@ -38,9 +38,8 @@ TEST(FrictionTable, KnowsNothingOfMaterialsWithoutRows) {
 TEST(FrictionTable, TheCommittedRowsGiveEveryPairOfMaterials) {
   const Catalog& catalog = committed_catalog();
   const FrictionTable table(catalog.frictions);
-  std::set<std::string, std::less<>> materials{std::string(reference_material),
-                                               std::string(belt_material),
-                                               std::string(room_material)};
+  std::set<std::string, std::less<>> materials{
+      std::string(reference_material), std::string(belt_material), std::string(room_material)};
   for (const Product& product : catalog.products)
     materials.insert(product.material);
   EXPECT_GE(materials.size(), 13U);
