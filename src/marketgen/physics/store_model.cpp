@@ -8,6 +8,7 @@
 #include "physics/fixture_bodies.h"
 #include "physics/shell_pieces.h"
 #include "physics/spec_geoms.h"
+#include "physics/still_geoms.h"
 #include "scene/placements.h"
 
 namespace marketgen {
@@ -117,7 +118,7 @@ class StoreBuilder {
       const GoodsShape& goods = made.goods[item.sku];
       const ContactShape shape = world_from_product(item) * goods.shape;
       if (!near(shape)) continue;
-      mjsGeom* geom = add_shape(world_, shape);
+      mjsGeom* geom = still_goods_.add(shape);
       set_goods_contact(geom, goods.contact);
       geom->contype = still_goods_contact_type;
       geom->conaffinity = goods_affinity;
@@ -156,6 +157,7 @@ class StoreBuilder {
   }
 
   Result<void> finish(StoreModel& made) {
+    MARKETGEN_CHECK(still_goods_.attach_to(*spec_));
     MARKETGEN_TRY(made.model, compile(*spec_, world_where));
     made.owners.assign(static_cast<std::size_t>(made.model->ngeom), {BodyKind::actor, 0});
     const int first_pool_body = mjs_getId(pool_.front().body->element);
@@ -223,6 +225,7 @@ class StoreBuilder {
 
   const Scene& scene_;
   const WorldOptions& options_;
+  StillGeoms still_goods_;  // outlives spec_
   MujocoSpec spec_;
   mjsBody* world_;
   FixtureElements fixtures_;
