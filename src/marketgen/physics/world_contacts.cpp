@@ -9,7 +9,9 @@ namespace {
 
 // A static product is woken by half the push that would slide or tip it: several neighbours may
 // push at once. Goods in heaps lean on one another with about their weight.
-constexpr double of_stands_share = 0.5, push_share_loose = 2;
+constexpr double of_stands_share = 0.5, heap_share = 2;
+// What came to rest against its neighbours presses on them for good.
+constexpr double moved_share = 1;
 // Load from something that was not there before, as a share of the product's weight.
 constexpr double load_share = 0.1;
 constexpr double arrived_m = 0.002;
@@ -83,9 +85,12 @@ void World::State::wake_pressed() {
       const auto& visitor = live[static_cast<std::size_t>(body_of[by.row])];
       const bool came =
           length(product_pose(by.row).position - visitor.woke_at.position) > arrived_m;
-      const double limit =
-          loose(pressed.row) ? push_share_loose : of_stands_share * goods.stands_share;
-      if (sideways > limit * weight || (came && -force.z > load_share * weight)) wake(pressed.row);
+      const bool heap = heaped(pressed.row);
+      const double push = heap                         ? heap_share
+                          : moved.contains(pressed.row) ? moved_share
+                                                        : of_stands_share * goods.stands_share;
+      const double load = heap ? heap_share : load_share;
+      if (sideways > push * weight || (came && -force.z > load * weight)) wake(pressed.row);
     }
   }
 }

@@ -19,10 +19,13 @@ constexpr double untouchable_reach_m = 0.002;
 constexpr double noticeable_m = 1e-4;  // metres or radians that a drawer or door moves
 // A contact point that moves faster than this pushes. A slower one, were it to pass on all of its
 // speed, would let a pack slide by v^2 / (2 x friction x g): less than 0.01 mm at a friction of
-// 0.2. Goods that lie in heaps settle into one another when their neighbours wake. Downwards,
-// `impact_m_s` is a fall of 0.5 mm.
-constexpr double push_m_s = 0.005, push_loose_m_s = 0.05, impact_m_s = 0.1;
+// 0.2. Downwards, `impact_m_s` is a fall of 0.5 mm.
+// What came to rest against its neighbours is nudged by each of them that wakes.
+constexpr double push_m_s = 0.005, moved_push_m_s = 0.05, impact_m_s = 0.1;
 constexpr double carried_slack_m = 0.001;  // a product that moved less still carries what it did
+// Heaped goods settle by millimetres when they are woken. What they touch meanwhile stays as it is,
+// or the whole heap would come to life at a touch: 0.2 m/s is a fall of 2 mm.
+constexpr double heap_push_m_s = 0.2, heap_slack_m = 0.01;
 constexpr double lean_cosine = 0.70710678118654752;  // 45 degrees
 constexpr double drop_m = 0.10, drop_m_s = 0.5;
 constexpr double hook_holds_weights = 3;  // a stronger pull takes goods off their peg
@@ -47,8 +50,12 @@ bool World::State::wake_touched() {
       bool pushes_it = store.owners[static_cast<std::size_t>(other)].kind == BodyKind::actor;
       if (!pushes_it) {
         const Vec3 v = velocity_at(m(), d(), m().geom_bodyid[other], vec3_of(contact.pos));
-        const double limit = loose(owner.row) ? push_loose_m_s : push_m_s;
-        pushes_it = std::sqrt(v.x * v.x + v.y * v.y) > limit || std::abs(v.z) > impact_m_s;
+        const bool heap = heaped(owner.row);
+        const double across = heap                      ? heap_push_m_s
+                              : moved.contains(owner.row) ? moved_push_m_s
+                                                        : push_m_s;
+        pushes_it = std::sqrt(v.x * v.x + v.y * v.y) > across ||
+                    std::abs(v.z) > (heap ? heap_push_m_s : impact_m_s);
       }
       if (pushes_it && !refused[owner.row]) any = wake(owner.row) || any;
     }
@@ -118,7 +125,9 @@ void World::State::follow(std::size_t body) {
     here.dropped = true;
     report(EventKind::dropped, product);
   }
-  if (!here.carries.empty() && (length(way) > carried_slack_m || lean < 0.9999)) wake_carried(body);
+  const bool heap = heaped(product);
+  const bool left = length(way) > (heap ? heap_slack_m : carried_slack_m);
+  if (!here.carries.empty() && (left || (!heap && lean < 0.9999))) wake_carried(body);
   if (running_belts.empty()) return;
   const Box3 box = box_at(product, shape);
   const bool rides = std::ranges::any_of(

@@ -20,7 +20,11 @@ bool overlap_on_floor(const Box3& a, const Box3& b) {
 }  // namespace
 
 bool World::State::loose(std::uint32_t product) const {
-  if (moved.contains(product)) return true;
+  return moved.contains(product) || heaped(product);
+}
+
+bool World::State::heaped(std::uint32_t product) const {
+  if (store.goods[sku_of(product)].shape.shape == CollisionShape::ellipsoid) return true;
   const std::uint32_t facing = scene.products[product].facing;
   return facing == no_facing || scene.shelves[scene.facings[facing].shelf].use == ShelfUse::heap;
 }

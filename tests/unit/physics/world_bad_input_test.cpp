@@ -16,6 +16,8 @@ TEST(World, RefusesWhatMakesNoSense) {
                                      world.wake(99),
                                      world.place(0, {{0, 0, 1}, {0, 0, 0, 0}}),
                                      world.place(0, {{nan, 0, 1}, {}}),
+                                     world.place(0, {{-0.5, 1, 1}, {}}),
+                                     world.place(0, {{1, 1, 50}, {}}),
                                      world.set_control(0, 1),
                                      world.set_control(-1, 1),
                                      world.set_joint_force(0, 1),
@@ -35,6 +37,9 @@ TEST(World, RefusesGoodsWithoutMassAndOptionsOutOfRange) {
   shop.stock();
   EXPECT_EQ(World::create(shop.scene, {.pool = 0}).error().where, "WorldOptions.pool");
   EXPECT_EQ(World::create(shop.scene, {.wake_within_m = -1}).error().code, "physics.bad_command");
+  WorldOptions slippery;
+  slippery.frictions = {{"tin", "steel", std::numeric_limits<double>::quiet_NaN(), ""}};
+  EXPECT_EQ(World::create(shop.scene, slippery).error().where, "WorldOptions.frictions");
   const std::array<double, 4> inside_out{3, 3, 1, 1};
   EXPECT_EQ(World::create(shop.scene, {.region_m = inside_out}).error().where,
             "WorldOptions.region_m");
@@ -43,6 +48,31 @@ TEST(World, RefusesGoodsWithoutMassAndOptionsOutOfRange) {
   ASSERT_FALSE(massless.ok());
   EXPECT_EQ(massless.error().code, "catalog.bad_row");
   EXPECT_EQ(massless.error().where, "can-cola");
+}
+
+// MuJoCo's own abort, a shape that it does not compile, and an error of the caller's.
+TEST(World, WhatActorsGetWrongIsAnErrorAndNoAbort) {
+  const HandMadeScene shop;
+  WorldOptions aborts, shapeless, refuses;
+  aborts.add_actors = [](mjSpec_&) -> Result<void> {
+    mju_error("no such mesh");
+    return {};
+  };
+  shapeless.add_actors = [](mjSpec_& spec) -> Result<void> {
+    mjs_addGeom(mjs_findBody(&spec, "world"), nullptr)->type = mjGEOM_BOX;  // without a size
+    return {};
+  };
+  refuses.add_actors = [](mjSpec_&) -> Result<void> {
+    return Error{"physics.bad_command", "arm", "not today"};
+  };
+  const Result<World> aborted = World::create(shop.scene, aborts);
+  ASSERT_FALSE(aborted.ok());
+  EXPECT_EQ(aborted.error().code, "physics.failed");
+  EXPECT_NE(aborted.error().message.find("no such mesh"), std::string::npos);
+  const Result<World> sizeless = World::create(shop.scene, shapeless);
+  ASSERT_FALSE(sizeless.ok());
+  EXPECT_EQ(sizeless.error().code, "physics.failed");
+  EXPECT_EQ(World::create(shop.scene, refuses).error().where, "arm");
 }
 
 TEST(World, AFullPoolLeavesTheRestFixedAndSaysSo) {

@@ -50,6 +50,39 @@ TEST(World, GoesOnFromASnapshotAsIfNothingHadHappened) {
   EXPECT_EQ(distance(other.product_pose(7), world_from_product(shop.scene.products[7])), 0);
 }
 
+// A push every five seconds.
+void thirty_seconds(World& world, int from_push = 0, int to_push = 6) {
+  for (int i = from_push; i < to_push; ++i) {
+    ASSERT_TRUE(world.push(static_cast<std::uint32_t>(i), {{3, 0.2 * i, 0}, {}}).ok());
+    run(world, 60);
+    run(world, 5 * second - 60);
+  }
+}
+
+TEST(World, ThirtySecondsAreTheSameOverThreadsSnapshotAndReplay) {
+  const HandMadeScene shop = row_of_cans(6);
+  const std::vector<std::string> threads = parallel_map(2, [&](std::size_t) {
+    World world = made(shop.scene);
+    thirty_seconds(world);
+    return world.state_hash();
+  });
+  World straight = made(shop.scene);
+  thirty_seconds(straight);
+  EXPECT_NEAR(straight.time_s(), 30, 1e-9);
+  EXPECT_GT(straight.moved_products().size(), 1U);
+  EXPECT_EQ(threads, std::vector<std::string>(2, straight.state_hash()));
+
+  World first_half = made(shop.scene), second_half = made(shop.scene);
+  thirty_seconds(first_half, 0, 3);
+  ASSERT_TRUE(second_half.restore(first_half.snapshot()).ok());
+  thirty_seconds(second_half, 3, 6);
+  EXPECT_EQ(second_half.state_hash(), straight.state_hash());
+
+  World told = made(shop.scene);
+  ASSERT_TRUE(replay(told, straight.commands()).ok());
+  EXPECT_EQ(told.state_hash(), straight.state_hash());
+}
+
 TEST(World, TellingAnotherWorldTheSameGivesTheSame) {
   const HandMadeScene shop = row_of_cans(10);
   World world = pushed_row(shop.scene);

@@ -52,6 +52,31 @@ TEST(World, AStandingCanPressesWithItsWeight) {
   EXPECT_NEAR(pressed, 0.35 * 9.81, 0.02);
 }
 
+// Two cartons on top of each other: each contact has the friction of its own pair.
+TEST(World, EveryContactHasTheFrictionOfItsPair) {
+  HandMadeScene shop;
+  const double height = shop.scene.catalog[cereal].height_m();
+  const std::uint32_t below = shop.add(cereal, {3, on_shelf_y, upper});
+  const std::uint32_t above =
+      shop.add(cereal, {3, on_shelf_y, upper + static_cast<float>(height)});
+  WorldOptions options;
+  options.frictions = {{"cardboard", "steel", 0.35, ""}, {"cardboard", "cardboard", 0.5, ""}};
+  World world = made(shop.scene, options);
+  for (int i = 0; i < 50; ++i) {
+    ASSERT_TRUE(world.push(below, {}).ok());
+    ASSERT_TRUE(world.push(above, {}).ok());
+    run(world, 1);
+  }
+  int on_shelf = 0, on_carton = 0;
+  for (const WorldContact& contact : world.contacts()) {
+    const bool goods = contact.a.kind == BodyKind::product;
+    (goods ? on_carton : on_shelf) += 1;
+    EXPECT_NEAR(contact.friction, goods ? 0.5 : 0.35, 1e-12);
+  }
+  EXPECT_GE(on_shelf, 3);
+  EXPECT_GE(on_carton, 3);
+}
+
 TEST(World, TheCanAboveFallsWhenTheLowerOneIsTaken) {
   HandMadeScene shop;
   const std::uint32_t below = shop.add(can, {3, on_shelf_y, lower});
