@@ -5,14 +5,10 @@
 #include <cmath>
 
 #include "physics/mujoco_guard.h"
-#include "support/hand_made_scene.h"
+#include "unit/physics/shelf_places.h"
 
 namespace marketgen {
 namespace {
-
-constexpr float lower = HandMadeScene::lower_board_m, upper = HandMadeScene::upper_board_m;
-constexpr float on_shelf_y = HandMadeScene::shelf_y_m - 0.1F;
-constexpr std::uint32_t cereal = 0, can = 1, apple = 2;
 
 SettleOptions whole_room() {
   SettleOptions options;

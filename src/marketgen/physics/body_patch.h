@@ -1,0 +1,53 @@
+// Rewriting a compiled MuJoCo model in place: bodies of the pool take a product's shape, static
+// geoms of products go and come back elsewhere.
+//
+// mj_setConst and mj_recompile would take 10 to 30 ms and wake everything; these take under 4 us.
+// Everything that MuJoCo derives from a shape at compile time is derived here as well, with its
+// formulas.
+#pragma once
+#include <vector>
+
+#include "physics/store_model.h"
+
+namespace marketgen {
+
+inline Vec3 vec3_of(const mjtNum* v) {
+  return {v[0], v[1], v[2]};
+}
+
+// world_from_shape as MuJoCo keeps it.
+struct ShapePose {
+  mjtNum position[3] = {0, 0, 0};
+  mjtNum rotation[4] = {1, 0, 0, 0};
+};
+
+// The body becomes such a product, at rest at `pose`, and collides.
+void dress_body(mjModel& model,
+                mjData& data,
+                const PoolBody& body,
+                const GoodsShape& goods,
+                const ShapePose& pose);
+// It no longer collides and sleeps alone. It must be asleep.
+void park_body(mjModel& model, mjData& data, const PoolBody& body);
+// The next step finds it awake: a force of -0 is a change to MuJoCo, and none to the body.
+// settle_wake() after the step takes it away again.
+void mark_wake(mjData& data, const PoolBody& body);
+void settle_wake(mjData& data, const PoolBody& body);
+
+// The bounding volumes of the world body's geoms.
+class WorldBounds {
+ public:
+  explicit WorldBounds(mjModel& model);  // computes all of them anew, with our own rounding
+  void refit(mjModel& model, int geom) const;
+
+ private:
+  std::vector<int> parent_, leaf_of_;  // node of node; node of geom, -1 for none
+};
+
+void switch_geom(mjModel& model, int geom, bool on);
+// Of a static geom; `bounds` are kept up.
+void move_geom(
+    mjModel& model, mjData& data, const WorldBounds& bounds, int geom, const ShapePose& pose);
+ShapePose geom_pose(const mjModel& model, int geom);
+
+}  // namespace marketgen

@@ -1,0 +1,282 @@
+#include "physics/store_model.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "physics/fixture_bodies.h"
+#include "physics/shell_pieces.h"
+#include "physics/spec_geoms.h"
+#include "physics/still_geoms.h"
+#include "scene/placements.h"
+
+namespace marketgen {
+namespace {
+
+constexpr char world_where[] = "world";
+// Address space of MuJoCo's arena, touched as needed: contacts and their equations.
+constexpr mjtSize arena_bytes = 64 << 20;
+// Slower than this for ten steps is at rest: measured, asleep after 21 to 32 resting steps.
+constexpr double bubble_sleep_below_m_s = 1e-3;
+constexpr double pool_depth_m = -100;  // where bodies of the pool wait until first used
+constexpr int most_pool = 1024;
+constexpr double most_friction = 2;  // as in a FrictionRow
+
+using Region = std::array<double, 4>;
+
+bool touches(const Region& r, Vec3 center, Vec3 half) {
+  return center.x + half.x >= r[0] && center.x - half.x <= r[2] && center.y + half.y >= r[1] &&
+         center.y - half.y <= r[3];
+}
+
+Vec3 inertia_of(const ContactShape& shape, double mass) {
+  const Vec3& s = shape.size;
+  switch (shape.shape) {
+    case CollisionShape::box:
+      return Vec3{s.y * s.y + s.z * s.z, s.x * s.x + s.z * s.z, s.x * s.x + s.y * s.y} * (mass / 3);
+    case CollisionShape::cylinder: {
+      const double across = mass * (3 * s.x * s.x + 4 * s.y * s.y) / 12;
+      return {across, across, mass * s.x * s.x / 2};
+    }
+    default:
+      return Vec3{s.y * s.y + s.z * s.z, s.x * s.x + s.z * s.z, s.x * s.x + s.y * s.y} * (mass / 5);
+  }
+}
+
+// A push of F at the top of a pack of weight W tips it from F / W = half its narrower side over its
+// height, and slides it from the friction on painted steel.
+double stands_share_of(const Product& product) {
+  const double narrow = std::min(product.width_m(), product.depth_m());
+  return std::min(product.friction, narrow / 2 / product.height_m());
+}
+
+Result<GoodsShape> goods_shape_of(const Product& product) {
+  MARKETGEN_TRY(const CollisionPrimitive primitive, collision_of(product));
+  const Vec3f& half = primitive.half_size;
+  const bool sized = half.x > 0 && half.y > 0 && half.z > 0;
+  if (!(product.mass_kg > 0) || !std::isfinite(product.mass_kg) || !sized) {
+    return Error{"catalog.bad_row",
+                 product.sku,
+                 fmt::format("a product that can move needs a mass and a size greater than 0; it "
+                             "has {} kg and {} x {} x {} m",
+                             product.mass_kg,
+                             2 * half.x,
+                             2 * half.y,
+                             2 * half.z)};
+  }
+  GoodsShape goods;
+  goods.shape = contact_shape_of(primitive);
+  goods.contact = goods_contact_of(product, primitive);
+  goods.mass_kg = product.mass_kg;
+  goods.inertia_kg_m2 = inertia_of(goods.shape, product.mass_kg);
+  goods.stands_share = stands_share_of(product);
+  return goods;
+}
+
+class StoreBuilder {
+ public:
+  StoreBuilder(const Scene& scene, const WorldOptions& options)
+      : scene_(scene),
+        options_(options),
+        spec_(mj_makeSpec(), mj_deleteSpec),
+        world_(mjs_findBody(spec_.get(), "world")) {
+    set_contact_options(*spec_, bubble_sleep_below_m_s);
+    spec_->option.disableflags |= mjDSBL_AUTORESET;
+    spec_->memory = arena_bytes;
+  }
+
+  void add_room() {
+    mjsGeom* floor = mjs_addGeom(world_, nullptr);
+    floor->type = mjGEOM_PLANE;
+    floor->size[2] = 1;
+    floor->friction[0] = still_friction;
+    floor->solref[0] = contact_time_s;
+    furnish(floor);
+    for (const ShellPiece& piece : shell_pieces(scene_.layout.shell)) {
+      const ContactShape box{CollisionShape::box, piece.pose, piece.half_size};
+      if (near(box)) furnish(add_shape(world_, box));
+    }
+    fixtures_ = add_fixtures(
+        world_,
+        scene_,
+        [&](std::uint32_t row) {
+          const ScenePart& part = scene_.parts[row];
+          return near(world_from_fixture(scene_, part.fixture) * contact_shape_of(part));
+        },
+        options_.articulated);
+  }
+
+  Result<void> add_goods(StoreModel& made) {
+    for (const Product& product : scene_.catalog) {
+      MARKETGEN_TRY(const GoodsShape goods, goods_shape_of(product));
+      made.goods.push_back(goods);
+    }
+    product_geoms_.resize(scene_.products.size(), nullptr);
+    for (std::uint32_t row = 0; row < scene_.products.size(); ++row) {
+      const SceneProduct& item = scene_.products[row];
+      const GoodsShape& goods = made.goods[item.sku];
+      const ContactShape shape = world_from_product(item) * goods.shape;
+      if (!near(shape)) continue;
+      mjsGeom* geom = still_goods_.add(shape);
+      set_goods_contact(geom, goods.contact);
+      geom->contype = still_goods_contact_type;
+      geom->conaffinity = goods_affinity;
+      product_geoms_[row] = geom;
+    }
+    return {};
+  }
+
+  void add_pool() {
+    for (int i = 0; i < options_.pool; ++i) {
+      mjsBody* body = mjs_addBody(world_, nullptr);
+      mjs_setName(body->element, fmt::format("pool-{}", i).c_str());
+      body->pos[0] = i, body->pos[2] = pool_depth_m;
+      body->sleep = mjSLEEP_INIT;
+      mjs_addFreeJoint(body);
+      mjsGeom* geom = add_shape(
+          body, {CollisionShape::box, {}, {0.05, 0.05, 0.05}});  // replaced when first used
+      geom->mass = 1;
+      geom->conaffinity = goods_affinity;
+      mjsEquality* hook = mjs_addEquality(spec_.get(), nullptr);
+      hook->type = mjEQ_CONNECT;
+      hook->objtype = mjOBJ_BODY;
+      hook->active = false;
+      mjs_setString(hook->name1, fmt::format("pool-{}", i).c_str());
+      std::fill(hook->data, hook->data + mjNEQDATA, 0.0);
+      pool_.push_back({body, geom, hook});
+    }
+  }
+
+  Result<void> add_actors() {
+    if (!options_.add_actors) return {};
+    Result<void> added;
+    MARKETGEN_CHECK(
+        guarded("WorldOptions.add_actors", [&] { added = options_.add_actors(*spec_); }));
+    return added;
+  }
+
+  Result<void> finish(StoreModel& made) {
+    MARKETGEN_CHECK(still_goods_.attach_to(*spec_));
+    MARKETGEN_TRY(made.model, compile(*spec_, world_where));
+    made.owners.assign(static_cast<std::size_t>(made.model->ngeom), {BodyKind::actor, 0});
+    const int first_pool_body = mjs_getId(pool_.front().body->element);
+    for (std::size_t geom = 0; geom < made.owners.size(); ++geom) {
+      made.owners[geom].row = static_cast<std::uint32_t>(geom);
+      if (made.model->geom_bodyid[geom] < first_pool_body) made.owners[geom] = {BodyKind::room, 0};
+    }
+    name_owners(made);
+    for (const PoolElements& elements : pool_)
+      made.pool.push_back(pool_body(*made.model, elements));
+    for (const FixtureJointElement& element : fixtures_.joints)
+      made.joints.push_back(joint_address(*made.model, element.joint));
+    return {};
+  }
+
+ private:
+  struct PoolElements {
+    mjsBody* body;
+    mjsGeom* geom;
+    mjsEquality* hook;
+  };
+
+  bool near(const ContactShape& shape) const {
+    return !options_.region_m ||
+           touches(*options_.region_m, shape.pose.position, half_extents(shape));
+  }
+
+  void furnish(mjsGeom* geom) {
+    geom->contype = furniture_contact_type;
+    geom->conaffinity = furniture_affinity;
+  }
+
+  void name_owners(StoreModel& made) const {
+    const auto owner = [&](const mjsGeom* geom) -> GeomOwner& {
+      return made.owners[static_cast<std::size_t>(mjs_getId(geom->element))];
+    };
+    for (const FixtureGeom& fixture : fixtures_.geoms)
+      owner(fixture.geom) = {BodyKind::fixture, fixture.part};
+    made.product_geom.assign(scene_.products.size(), -1);
+    for (std::uint32_t row = 0; row < scene_.products.size(); ++row) {
+      if (product_geoms_[row] == nullptr) continue;
+      owner(product_geoms_[row]) = {BodyKind::product, row};
+      made.product_geom[row] = mjs_getId(product_geoms_[row]->element);
+    }
+    for (std::uint32_t i = 0; i < pool_.size(); ++i)
+      owner(pool_[i].geom) = {BodyKind::product, i, true};
+  }
+
+  static PoolBody pool_body(const mjModel& model, const PoolElements& elements) {
+    PoolBody made;
+    made.body = mjs_getId(elements.body->element);
+    made.geom = mjs_getId(elements.geom->element);
+    made.hook = mjs_getId(elements.hook->element);
+    made.tree = model.body_treeid[made.body];
+    made.dof = model.body_dofadr[made.body];
+    made.qpos = model.jnt_qposadr[model.body_jntadr[made.body]];
+    return made;
+  }
+
+  static JointAddress joint_address(const mjModel& model, const mjsJoint* joint) {
+    if (joint == nullptr) return {};
+    const int id = mjs_getId(joint->element);
+    return {model.jnt_qposadr[id], model.jnt_dofadr[id]};
+  }
+
+  const Scene& scene_;
+  const WorldOptions& options_;
+  StillGeoms still_goods_;  // outlives spec_
+  MujocoSpec spec_;
+  mjsBody* world_;
+  FixtureElements fixtures_;
+  std::vector<mjsGeom*> product_geoms_;
+  std::vector<PoolElements> pool_;
+};
+
+Error bad_option(const std::string& name, const std::string& message) {
+  return {"physics.bad_command", "WorldOptions." + name, message};
+}
+
+Result<void> check_options(const WorldOptions& options) {
+  if (options.pool < 1 || options.pool > most_pool)
+    return bad_option("pool",
+                      fmt::format("{} bodies; 1 to {} are possible", options.pool, most_pool));
+  if (!(options.wake_within_m >= 0 && options.wake_within_m <= 0.5))
+    return bad_option("wake_within_m",
+                      fmt::format("{} m; 0 to 0.5 are possible", options.wake_within_m));
+  for (const FrictionRow& row : options.frictions) {
+    if (!(row.sliding > 0 && row.sliding <= most_friction))
+      return bad_option("frictions",
+                        fmt::format("{} on {}: {}; more than 0 and at most {} are possible",
+                                    row.a,
+                                    row.b,
+                                    row.sliding,
+                                    most_friction));
+  }
+  if (!options.region_m) return {};
+  const auto& [x0, y0, x1, y1] = *options.region_m;
+  if (!(x0 < x1 && y0 < y1) || !std::isfinite(x1 - x0) || !std::isfinite(y1 - y0))
+    return bad_option("region_m", "expected x0 < x1 and y0 < y1, in metres");
+  return {};
+}
+
+}  // namespace
+
+Result<StoreModel> store_model(const Scene& scene, const WorldOptions& options) {
+  MARKETGEN_CHECK(check_options(options));
+  StoreModel made;
+  StoreBuilder builder(scene, options);
+  builder.add_room();
+  MARKETGEN_CHECK(builder.add_goods(made));
+  builder.add_pool();
+  MARKETGEN_CHECK(builder.add_actors());
+  MARKETGEN_CHECK(builder.finish(made));
+  return made;
+}
+
+bool hangs_on_hook(const Scene& scene, std::uint32_t product) {
+  const std::uint32_t facing = scene.products[product].facing;
+  return facing != no_facing && scene.shelves[scene.facings[facing].shelf].use == ShelfUse::hang;
+}
+
+}  // namespace marketgen

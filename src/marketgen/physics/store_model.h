@@ -1,0 +1,52 @@
+// The MuJoCo model of a World: the room, the fixtures, every product as a static geom, and a pool
+// of free bodies that stand in for products while they move.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "physics/contact_shape.h"
+#include "physics/mujoco_guard.h"
+#include "physics/world.h"
+
+namespace marketgen {
+
+// What every product of one SKU has in common.
+struct GoodsShape {
+  ContactShape shape;  // product_from_shape
+  GoodsContact contact;
+  double mass_kg = 0;
+  Vec3 inertia_kg_m2;       // about the shape's axes, of a uniform body
+  double stands_share = 0;  // of its weight: a lesser push sideways neither slides nor tips it
+};
+
+// A free body of the pool and the constraint that hangs it on a hook.
+struct PoolBody {
+  int body = 0, geom = 0, tree = 0, qpos = 0, dof = 0, hook = 0;
+};
+
+// What a geom stands for.
+struct GeomOwner {
+  BodyKind kind = BodyKind::room;
+  std::uint32_t row = 0;  // part, pool body (of a moving product), product (of a static one)
+  bool pool = false;      // kind is product: `row` is a pool body
+};
+
+struct JointAddress {
+  int qpos = -1, dof = -1;  // -1: stands still
+};
+
+struct StoreModel {
+  MujocoModel model{nullptr, mj_deleteModel};
+  std::vector<GoodsShape> goods;  // by row of the catalog
+  std::vector<int> product_geom;  // by product; -1: absent
+  std::vector<GeomOwner> owners;  // by geom
+  std::vector<PoolBody> pool;
+  std::vector<JointAddress> joints;  // by row of Scene::joints
+};
+
+// Errors: as World::create.
+Result<StoreModel> store_model(const Scene& scene, const WorldOptions& options);
+
+bool hangs_on_hook(const Scene& scene, std::uint32_t product);
+
+}  // namespace marketgen

@@ -1,0 +1,182 @@
+// Snapshots of a World: what the model was changed to, and MuJoCo's own state byte for byte.
+//
+// mj_getState is not enough: which trees sleep is in none of its parts.
+#include <cstring>
+#include <span>
+
+#include "base/hash.h"
+#include "physics/world_state.h"
+
+namespace marketgen {
+
+struct WorldSnapshot::Content {
+  // Members of mjData outside its buffer that carry state from step to step.
+  struct Scalars {
+    mjtNum time, energy[2];
+    int ntree_awake, nbody_awake, nparent_awake, nv_awake;
+  };
+  struct MovedProduct {
+    std::uint32_t product = 0;
+    ShapePose first, stands;
+  };
+
+  std::string made_of;  // scene and model that it belongs to
+  std::vector<std::byte> buffer;
+  Scalars scalars{};
+  std::vector<MovedProduct> moved;
+  std::vector<LiveBody> live;
+  std::vector<bool> refused;
+  std::vector<double> belt_speed, looked_at;
+  std::vector<std::pair<std::uint32_t, Wrench>> pushes;
+  std::vector<WorldContact> contacts;
+  std::vector<WorldEvent> events;
+  std::vector<WorldCommand> commands;
+  std::int64_t steps = 0, woken = 0, refusals = 0;
+};
+
+namespace {
+
+using Scalars = WorldSnapshot::Content::Scalars;
+using MovedProduct = WorldSnapshot::Content::MovedProduct;
+
+Scalars scalars_of(const mjData& d) {
+  return {d.time,
+          {d.energy[0], d.energy[1]},
+          d.ntree_awake,
+          d.nbody_awake,
+          d.nparent_awake,
+          d.nv_awake};
+}
+
+void set_scalars(mjData& d, const Scalars& s) {
+  d.time = s.time;
+  d.energy[0] = s.energy[0], d.energy[1] = s.energy[1];
+  d.ntree_awake = s.ntree_awake, d.nbody_awake = s.nbody_awake;
+  d.nparent_awake = s.nparent_awake, d.nv_awake = s.nv_awake;
+  d.ncon = d.nefc = d.ne = d.nf = d.nl = d.nisland = 0;  // made anew by the next step
+  for (mjWarningStat& warning : d.warning)
+    warning = {};
+}
+
+std::string identity(const Scene& scene, const mjModel& m, std::size_t buffer_bytes) {
+  Hasher hash;
+  for (const mjtSize size : {m.nbody, m.ngeom, m.nv, m.nu, m.nbvh})
+    hash.add(static_cast<std::int64_t>(size));
+  hash.add(static_cast<std::int64_t>(buffer_bytes));
+  hash.add(static_cast<std::int64_t>(scene.seed));
+  hash.add(scene.layout.name);
+  hash.add(static_cast<std::int64_t>(scene.products.size()));
+  return hash.hex();
+}
+
+template <class T>
+std::span<const std::byte> bytes_of(const T* values, std::size_t count) {
+  return std::as_bytes(std::span<const T>(values, count));
+}
+
+}  // namespace
+
+WorldSnapshot World::snapshot() const {
+  const State& s = *state_;
+  auto made = std::make_shared<WorldSnapshot::Content>();
+  made->made_of = identity(s.scene, s.m(), s.d().nbuffer);
+  const auto* bytes = static_cast<const std::byte*>(s.d().buffer);
+  made->buffer.assign(bytes, bytes + s.d().nbuffer);
+  made->scalars = scalars_of(s.d());
+  for (const auto& [product, first] : s.moved)
+    made->moved.push_back({product, first, geom_pose(s.m(), s.store.product_geom[product])});
+  made->live = s.live;
+  made->refused = s.refused;
+  made->belt_speed = s.belt_speed;
+  made->looked_at = s.looked_at;
+  made->pushes = s.pushes;
+  made->contacts = s.contacts;
+  made->events = s.events;
+  made->commands = s.commands;
+  made->steps = s.steps, made->woken = s.woken, made->refusals = s.refusals;
+  return {made};
+}
+
+void World::State::stand(std::uint32_t product, const ShapePose& pose) {
+  const int geom = store.product_geom[product];
+  move_geom(m(), d(), bounds, geom, pose);
+  switch_geom(m(), geom, true);
+  grid.put(product, box_at(product, pose));
+}
+
+// Everything that was moved goes back to where it first stood.
+void World::State::stand_as_built() {
+  for (const auto& [product, first] : moved)
+    stand(product, first);
+  moved.clear();
+  for (std::size_t body = 0; body < live.size(); ++body) {
+    if (live[body].product < 0) continue;
+    body_of[static_cast<std::size_t>(live[body].product)] = -1;
+    m().geom_contype[store.pool[body].geom] = m().body_contype[store.pool[body].body] = 0;
+    m().geom_conaffinity[store.pool[body].geom] = m().body_conaffinity[store.pool[body].body] = 0;
+  }
+}
+
+Result<void> World::restore(const WorldSnapshot& snapshot) {
+  State& s = *state_;
+  if (snapshot.content == nullptr ||
+      snapshot.content->made_of != identity(s.scene, s.m(), s.d().nbuffer)) {
+    return Error{"physics.bad_command",
+                 "World::restore",
+                 "the snapshot is empty or was taken of another scene or with other options"};
+  }
+  const WorldSnapshot::Content& from = *snapshot.content;
+  s.stand_as_built();
+  for (const MovedProduct& item : from.moved) {
+    s.moved.emplace(item.product, item.first);
+    s.stand(item.product, item.stands);
+  }
+  s.live = from.live;
+  for (std::size_t body = 0; body < s.live.size(); ++body) {
+    if (s.live[body].product < 0) continue;
+    const auto product = static_cast<std::uint32_t>(s.live[body].product);
+    const PoolBody& made = s.store.pool[body];
+    switch_geom(s.m(), s.store.product_geom[product], false);
+    s.grid.remove(product);
+    dress_body(s.m(), s.d(), made, s.store.goods[s.sku_of(product)], {});
+    if (s.live[body].hooked) s.hook(body, product);
+    s.geom_material[static_cast<std::size_t>(made.geom)] = s.sku_material[s.sku_of(product)];
+    s.body_of[product] = static_cast<int>(body);
+  }
+  std::memcpy(s.d().buffer, from.buffer.data(), from.buffer.size());
+  set_scalars(s.d(), from.scalars);
+  for (std::uint32_t joint = 0; joint < s.belt_speed.size(); ++joint)
+    s.run_belt(joint, from.belt_speed[joint]);
+  s.looked_at = from.looked_at;
+  s.refused = from.refused, s.pushes = from.pushes, s.contacts = from.contacts;
+  s.events = from.events, s.commands = from.commands;
+  s.steps = from.steps, s.woken = from.woken, s.refusals = from.refusals;
+  s.failed = false;
+  return {};
+}
+
+std::string World::state_hash() const {
+  const State& s = *state_;
+  const mjModel& m = s.m();
+  const mjData& d = s.d();
+  Hasher hash;
+  hash.add(s.steps);
+  hash.add_bytes(bytes_of(d.qpos, static_cast<std::size_t>(m.nq)));
+  hash.add_bytes(bytes_of(d.qvel, static_cast<std::size_t>(m.nv)));
+  hash.add_bytes(bytes_of(d.qacc_warmstart, static_cast<std::size_t>(m.nv)));
+  hash.add_bytes(bytes_of(d.act, static_cast<std::size_t>(m.na)));
+  hash.add_bytes(bytes_of(d.ctrl, static_cast<std::size_t>(m.nu)));
+  hash.add_bytes(bytes_of(d.mocap_pos, 3 * static_cast<std::size_t>(m.nmocap)));
+  hash.add_bytes(bytes_of(d.tree_asleep, static_cast<std::size_t>(m.ntree)));
+  for (const auto& [product, first] : s.moved) {
+    const ShapePose pose = geom_pose(m, s.store.product_geom[product]);
+    hash.add(std::int64_t{product}).add(std::int64_t{s.body_of[product]});
+    hash.add_bytes(bytes_of(pose.position, 3));
+    hash.add_bytes(bytes_of(pose.rotation, 4));
+  }
+  hash.add_bytes(bytes_of(s.belt_speed.data(), s.belt_speed.size()));
+  hash.add_bytes(bytes_of(s.looked_at.data(), s.looked_at.size()));
+  return hash.hex();
+}
+
+}  // namespace marketgen

@@ -1,0 +1,123 @@
+// Inside of a World: the model, what differs from it, and the parts of a step.
+#pragma once
+#include <map>
+#include <utility>
+
+#include "physics/body_patch.h"
+#include "physics/friction_table.h"
+#include "physics/product_grid.h"
+#include "physics/store_model.h"
+
+namespace marketgen {
+
+// A door, drawer or flap with what hangs on it.
+struct FixtureTree {
+  int tree = 0;                       // MuJoCo's
+  std::vector<std::uint32_t> joints;  // rows of Scene::joints
+  std::vector<int> geoms;
+};
+
+// A body of the pool while it stands in for a product.
+struct LiveBody {
+  std::int64_t product = -1;           // -1: free
+  Pose woke_at;                        // world_from_product
+  std::vector<std::uint32_t> carries;  // static products that rest on it, until it moves away
+  bool toppled = false, dropped = false, hooked = false;  // toppled, dropped: reported
+};
+
+struct World::State {
+  State(const Scene& scene_in, WorldOptions options_in, StoreModel store_in, MujocoData data_in);
+
+  // ---- world_wake.cpp: products between static and moving ----
+
+  // Makes a product movable; false when the pool is in use or the product absent.
+  bool wake(std::uint32_t product);
+  void rest(std::size_t body);  // of the pool, asleep: static from now on
+  void wake_carried(std::size_t body);
+  std::vector<std::uint32_t> resting_on(std::uint32_t product, const Box3& box) const;
+  bool heaped(std::uint32_t product) const;  // round, or lies in a heap
+  bool loose(std::uint32_t product) const;   // heaped, or has been moved
+  void hook(std::size_t body, std::uint32_t product);
+
+  // ---- world.cpp: commands ----
+
+  Result<void> obey(const WorldCommand& command);
+  Result<void> obey_product(const WorldCommand& command);
+  Result<void> run(std::uint32_t count);
+  Result<void> force_joint(std::uint32_t joint, double force);
+  Result<void> start_belt(std::uint32_t joint, double speed);
+  void run_belt(std::uint32_t joint, double speed_m_s);
+  Result<void> put_mocap(std::uint32_t body, Pose pose);
+  std::vector<std::uint32_t> resting_on_belt(const Box3& belt) const;
+
+  // ---- world_step.cpp ----
+
+  Result<void> step_once();
+  bool wake_touched();  // after the contacts are known; true when any woke
+  Result<void> wake_near_actors();
+  Result<void> wake_near_moving_fixtures();
+  Result<void> wake_within(int geom, double reach_m);  // products as near as that to a geom
+  void follow(std::size_t body);  // reports what happened to it, rests it when it sleeps
+  void release_hooks();
+  void clear_wakes();
+  Result<void> check_warnings() const;
+
+  // ---- world_contacts.cpp ----
+
+  void set_frictions();
+  Result<void> read_contacts();
+  void wake_pressed();  // static products on which something leans that was not there before
+  ContactSide side_of(int geom) const;
+
+  // ---- world_snapshot.cpp ----
+
+  void stand(std::uint32_t product, const ShapePose& pose);
+  void stand_as_built();
+
+  // ---- shared ----
+
+  const Scene& scene;
+  WorldOptions options;
+  StoreModel store;
+  MujocoData data;
+  WorldBounds bounds;
+  ProductGrid grid;  // of static products
+  FrictionTable frictions;
+  std::vector<FrictionTable::Material> sku_material, geom_material;
+  std::vector<Pose> shape_from_product;      // by SKU
+  std::vector<int> actor_geoms;              // that collide and whose body can move
+  std::vector<std::vector<int>> belt_geoms;  // by joint
+  std::vector<FixtureTree> fixture_trees;
+
+  std::vector<int> body_of;                  // by product: in the pool, -1 static
+  std::vector<LiveBody> live;                // by pool body
+  std::map<std::uint32_t, ShapePose> moved;  // products ever woken, with where they first stood
+  std::vector<bool> refused;                 // by product: reported
+  std::vector<double> belt_speed;            // by joint
+  std::vector<double> looked_at;  // by joint: where it was when its goods were looked for
+  std::vector<Box3> running_belts;
+  std::vector<std::pair<std::uint32_t, Wrench>> pushes;
+  std::vector<WorldContact> contacts;
+  std::vector<WorldEvent> events;
+  std::vector<WorldCommand> commands;
+  std::int64_t steps = 0, woken = 0, refusals = 0;
+  bool failed = false;
+
+  mjModel& m() { return *store.model; }
+  const mjModel& m() const { return *store.model; }
+  mjData& d() { return *data; }
+  const mjData& d() const { return *data; }
+  bool asleep(std::size_t body) const { return data->tree_asleep[store.pool[body].tree] >= 0; }
+  std::uint32_t sku_of(std::uint32_t product) const { return scene.products[product].sku; }
+  ShapePose shape_pose(std::uint32_t product) const;
+  Pose product_pose(std::uint32_t product) const;
+  Box3 box_at(std::uint32_t product, const ShapePose& pose) const;
+  void report(EventKind kind, std::uint32_t product);
+  void update_running_belts();
+  void find_fixture_trees();
+};
+
+Pose pose_of(const ShapePose& shape);
+ShapePose shape_pose_of(const Pose& pose);
+
+}  // namespace marketgen

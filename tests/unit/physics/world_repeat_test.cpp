@@ -1,0 +1,98 @@
+// The same again: threads, snapshots, replay.
+#include "base/parallel.h"
+#include "unit/physics/small_worlds.h"
+
+namespace marketgen {
+namespace {
+
+World pushed_row(const Scene& scene) {
+  World world = made(scene);
+  EXPECT_TRUE(world.push(0, {{4, 0.3, 0}, {}}).ok());
+  EXPECT_TRUE(world.step(60).ok());
+  return world;
+}
+
+TEST(World, IsTheSameForEveryThreadCount) {
+  const HandMadeScene shop = row_of_cans(10);
+  std::vector<std::string> hashes;
+  for (const int threads : {1, 2, 4}) {
+    const ThreadLimit limit(threads);
+    for (const std::string& hash : parallel_map(4, [&](std::size_t) {
+           World world = pushed_row(shop.scene);
+           return world.step(2 * second).ok() ? world.state_hash() : std::string("failed");
+         }))
+      hashes.push_back(hash);
+  }
+  EXPECT_NE(hashes[0], "failed");
+  EXPECT_EQ(std::ranges::count(hashes, hashes[0]), 12);
+}
+
+TEST(World, GoesOnFromASnapshotAsIfNothingHadHappened) {
+  const HandMadeScene shop = row_of_cans(10);
+  World world = pushed_row(shop.scene);
+  const WorldSnapshot half_way = world.snapshot();
+  const std::string before = world.state_hash();
+  run(world, second);
+  const std::string end = world.state_hash();
+  EXPECT_NE(before, end);
+
+  ASSERT_TRUE(world.restore(half_way).ok());
+  EXPECT_EQ(world.state_hash(), before);
+  run(world, second);
+  EXPECT_EQ(world.state_hash(), end);
+
+  World other = made(shop.scene);
+  ASSERT_TRUE(other.place(7, {{1, 1, 0.5}, {}}).ok());
+  run(other, 77);
+  ASSERT_TRUE(other.restore(half_way).ok());
+  run(other, second);
+  EXPECT_EQ(other.state_hash(), end);
+  EXPECT_EQ(distance(other.product_pose(7), world_from_product(shop.scene.products[7])), 0);
+}
+
+// A push every five seconds.
+void thirty_seconds(World& world, int from_push = 0, int to_push = 6) {
+  for (int i = from_push; i < to_push; ++i) {
+    ASSERT_TRUE(world.push(static_cast<std::uint32_t>(i), {{3, 0.2 * i, 0}, {}}).ok());
+    run(world, 60);
+    run(world, 5 * second - 60);
+  }
+}
+
+TEST(World, ThirtySecondsAreTheSameOverThreadsSnapshotAndReplay) {
+  const HandMadeScene shop = row_of_cans(6);
+  const std::vector<std::string> threads = parallel_map(2, [&](std::size_t) {
+    World world = made(shop.scene);
+    thirty_seconds(world);
+    return world.state_hash();
+  });
+  World straight = made(shop.scene);
+  thirty_seconds(straight);
+  EXPECT_NEAR(straight.time_s(), 30, 1e-9);
+  EXPECT_GT(straight.moved_products().size(), 1U);
+  EXPECT_EQ(threads, std::vector<std::string>(2, straight.state_hash()));
+
+  World first_half = made(shop.scene), second_half = made(shop.scene);
+  thirty_seconds(first_half, 0, 3);
+  ASSERT_TRUE(second_half.restore(first_half.snapshot()).ok());
+  thirty_seconds(second_half, 3, 6);
+  EXPECT_EQ(second_half.state_hash(), straight.state_hash());
+
+  World told = made(shop.scene);
+  ASSERT_TRUE(replay(told, straight.commands()).ok());
+  EXPECT_EQ(told.state_hash(), straight.state_hash());
+}
+
+TEST(World, TellingAnotherWorldTheSameGivesTheSame) {
+  const HandMadeScene shop = row_of_cans(10);
+  World world = pushed_row(shop.scene);
+  run(world, second);
+  World other = made(shop.scene);
+  ASSERT_TRUE(replay(other, world.commands()).ok());
+  EXPECT_EQ(other.state_hash(), world.state_hash());
+  run(other, 1);
+  EXPECT_NE(other.state_hash(), world.state_hash());
+}
+
+}  // namespace
+}  // namespace marketgen

@@ -1,0 +1,33 @@
+// Worlds of generated shops.
+#include "support/hand_laid_shop.h"
+#include "unit/physics/small_worlds.h"
+
+namespace marketgen {
+namespace {
+
+// 2,000 goods of 20 shops.
+TEST(World, GoodsOfGeneratedStoresStayWhenTheyAreWoken) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const HandLaidShop shop = shop_of({"canned", "dairy", "beverages", "household"});
+    const Result<Scene> scene =
+        build_scene(shop.layout, shop.plan, committed_catalog(), Seed(seed));
+    ASSERT_TRUE(scene.ok());
+    World world = made(*scene);
+    const auto products = static_cast<std::uint32_t>(scene->products.size());
+    ASSERT_GT(products, 500U);
+    for (std::uint32_t i = 0; i < 100; ++i) {
+      EXPECT_TRUE(world.wake(i * (products / 100)).ok());
+    }
+    run(world, 10 * second);
+    const std::vector<WorldEvent> events = world.take_events();
+    EXPECT_EQ(count(events, EventKind::toppled) + count(events, EventKind::dropped), 0) << seed;
+    for (const std::uint32_t product : world.moved_products()) {
+      const Pose start = world_from_product(scene->products[product]);
+      EXPECT_LT(distance(world.product_pose(product), start), 0.001)
+          << seed << " " << product_id(*scene, product);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace marketgen
