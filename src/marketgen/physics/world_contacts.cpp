@@ -86,7 +86,7 @@ void World::State::wake_pressed() {
       const bool came =
           length(product_pose(by.row).position - visitor.woke_at.position) > arrived_m;
       const bool heap = heaped(pressed.row);
-      const double push = heap                         ? heap_share
+      const double push = heap                          ? heap_share
                           : moved.contains(pressed.row) ? moved_share
                                                         : of_stands_share * goods.stands_share;
       const double load = heap ? heap_share : load_share;

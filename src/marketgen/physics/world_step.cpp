@@ -51,9 +51,9 @@ bool World::State::wake_touched() {
       if (!pushes_it) {
         const Vec3 v = velocity_at(m(), d(), m().geom_bodyid[other], vec3_of(contact.pos));
         const bool heap = heaped(owner.row);
-        const double across = heap                      ? heap_push_m_s
+        const double across = heap                        ? heap_push_m_s
                               : moved.contains(owner.row) ? moved_push_m_s
-                                                        : push_m_s;
+                                                          : push_m_s;
         pushes_it = std::sqrt(v.x * v.x + v.y * v.y) > across ||
                     std::abs(v.z) > (heap ? heap_push_m_s : impact_m_s);
       }

@@ -57,8 +57,7 @@ TEST(World, EveryContactHasTheFrictionOfItsPair) {
   HandMadeScene shop;
   const double height = shop.scene.catalog[cereal].height_m();
   const std::uint32_t below = shop.add(cereal, {3, on_shelf_y, upper});
-  const std::uint32_t above =
-      shop.add(cereal, {3, on_shelf_y, upper + static_cast<float>(height)});
+  const std::uint32_t above = shop.add(cereal, {3, on_shelf_y, upper + static_cast<float>(height)});
   WorldOptions options;
   options.frictions = {{"cardboard", "steel", 0.35, ""}, {"cardboard", "cardboard", 0.5, ""}};
   World world = made(shop.scene, options);
