@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/text.h"
+#include "layout/module_spec.h"
 
 namespace marketgen {
 namespace {

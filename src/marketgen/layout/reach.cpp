@@ -50,7 +50,7 @@ std::vector<std::size_t> way_out(const Reach& reach, const OccupancyGrid& bare, 
     if (reach.components.label[cell] != label) continue;
     cost[cell] = 0;
     parent[cell] = cell;
-    open.push({0, cell});
+    open.emplace(0, cell);
   }
   const int columns = bare.columns;
   while (!open.empty()) {
@@ -73,7 +73,7 @@ std::vector<std::size_t> way_out(const Reach& reach, const OccupancyGrid& bare, 
       if (through >= cost[next]) continue;
       cost[next] = through;
       parent[next] = cell;
-      open.push({through, next});
+      open.emplace(through, next);
     }
   }
   return {};

@@ -38,8 +38,7 @@ int start_of(Span span, int used, Packing align) {
 
 }  // namespace
 
-Site::Site(const Design& design) : design_(design) {
-  fixed_ = design.floor.outside;
+Site::Site(const Design& design) : design_(design), fixed_(design.floor.outside) {
   for (const RectMm& column : design.floor.columns) {
     fixed_.push_back(column.grown(column_clearance_mm));
   }
