@@ -35,7 +35,7 @@ struct World::State {
   void rest(std::size_t body);  // of the pool, asleep: static from now on
   void wake_carried(std::size_t body);
   std::vector<std::uint32_t> resting_on(std::uint32_t product, const Box3& box) const;
-  bool heaped(std::uint32_t product) const;  // round, or lies in a heap
+  bool heaped(std::uint32_t product) const;  // rolls, or lies in a heap
   bool loose(std::uint32_t product) const;   // heaped, or has been moved
   void hook(std::size_t body, std::uint32_t product);
 

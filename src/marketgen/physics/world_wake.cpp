@@ -24,7 +24,7 @@ bool World::State::loose(std::uint32_t product) const {
 }
 
 bool World::State::heaped(std::uint32_t product) const {
-  if (store.goods[sku_of(product)].shape.shape == CollisionShape::ellipsoid) return true;
+  if (store.goods[sku_of(product)].contact.dimensions > 4) return true;
   const std::uint32_t facing = scene.products[product].facing;
   return facing == no_facing || scene.shelves[scene.facings[facing].shelf].use == ShelfUse::heap;
 }
