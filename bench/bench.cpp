@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -31,6 +32,11 @@ std::string machine_name() {
   return fmt::format("{}, {} cores", model, std::thread::hardware_concurrency());
 }
 
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  return values[values.size() / 2];
+}
+
 double median_seconds(int runs, const std::function<void()>& work) {
   work();
   std::vector<double> seconds;
@@ -39,8 +45,7 @@ double median_seconds(int runs, const std::function<void()>& work) {
     work();
     seconds.push_back(monotonic_seconds() - start);
   }
-  std::nth_element(seconds.begin(), seconds.begin() + runs / 2, seconds.end());
-  return seconds[static_cast<std::size_t>(runs / 2)];
+  return median(std::move(seconds));
 }
 
 }  // namespace marketgen::bench

@@ -49,4 +49,7 @@ double median_seconds(int runs, const std::function<void()>& work);
 #include "bench/benchmarks.inc"
 #undef BENCHMARK
 
+// The middle one of the values, the upper of two. Not of an empty list.
+double median(std::vector<double> values);
+
 }  // namespace marketgen::bench

@@ -23,11 +23,6 @@ Result<Run> create(const CreateOptions& options, const Catalog& catalog) {
   return run;
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
 }  // namespace
 
 Figures run_generate(const Catalog& catalog) {

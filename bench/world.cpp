@@ -101,11 +101,6 @@ Result<double> round_seconds(World& world, const std::vector<std::uint32_t>& pro
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / steps;
 }
 
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  return values[values.size() / 2];
-}
-
 double resident_mb() {
   std::ifstream file("/proc/self/statm");
   double total = 0, resident = 0;
