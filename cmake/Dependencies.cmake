@@ -2,9 +2,9 @@
 #
 #   MuJoCo::MuJoCo  embree::embree  TBB::tbb  Eigen3::Eigen  Cairo::Pango  Zint::Zint
 #   nlohmann_json::nlohmann_json  flatbuffers::flatbuffers  CLI11::CLI11  fmt::fmt  spdlog::spdlog
-#   squish::squish  TinyGLTF::TinyGLTF  meshoptimizer::meshoptimizer
+#   xsimd::xsimd  squish::squish  TinyGLTF::TinyGLTF  meshoptimizer::meshoptimizer
 #   PNG::PNG  JPEG::JPEG  SQLite::SQLite3  utf8proc::utf8proc  OpenSSL::Crypto  xxHash::xxhash
-#   GTest::gtest  GTest::gtest_main
+#   GTest::gtest  GTest::gtest_main  fcl::fcl (tests)
 #
 # All come from `tools/setup`: Debian 12 packages, and MuJoCo from PyPI in .venv.
 
@@ -41,7 +41,9 @@ marketgen_find(SQLite3)
 marketgen_find(OpenSSL COMPONENTS Crypto)
 marketgen_find(Zint)
 marketgen_find(MuJoCo 4.0.1 EXACT)
+marketgen_find(xsimd 8)
 add_library(embree::embree ALIAS embree)
+add_library(xsimd::xsimd ALIAS xsimd)
 
 marketgen_find(PkgConfig)
 marketgen_find_pkgconfig(Cairo::Pango cairo pangocairo)
@@ -63,4 +65,12 @@ endif()
 
 if(MARKETGEN_TESTS)
   marketgen_find(GTest)
+  # Debian's fcl.pc asks for C++11.
+  find_library(MARKETGEN_FCL fcl)
+  if(NOT MARKETGEN_FCL)
+    message(FATAL_ERROR "libfcl was not found: run tools/setup")
+  endif()
+  add_library(fcl::fcl UNKNOWN IMPORTED)
+  set_target_properties(fcl::fcl PROPERTIES
+    IMPORTED_LOCATION "${MARKETGEN_FCL}" INTERFACE_LINK_LIBRARIES "Eigen3::Eigen;ccd")
 endif()
