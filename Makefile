@@ -8,7 +8,7 @@ TIDY ?= OFF
 MARKETGEN := build/release/marketgen
 DEMO := out/demo
 DEMO_PROMPT := A bright neighbourhood supermarket with a fresh produce market by the entrance, a bakery, \
-dairy along the back wall, two rows of frozen food, five aisles of groceries and snacks, and three checkouts
+dairy along the back wall, two rows of frozen food, seven aisles of groceries and snacks, and three checkouts
 
 help: ## list the targets
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)/  make \1\t\2/p' Makefile | expand -t 16

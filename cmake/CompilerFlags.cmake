@@ -13,7 +13,13 @@ if(CMAKE_CXX_FLAGS MATCHES "-ffast-math|-Ofast")
 endif()
 
 # Sign conversions are left out: Eigen, Embree and FlatBuffers mix signed and unsigned sizes in every signature.
-add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+add_compile_options(-Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion)
+# In a unity build the constants of one file are global to the next: a local of the same name hides nothing.
+if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  add_compile_options(-Wshadow=local)
+elseif(NOT CMAKE_UNITY_BUILD)
+  add_compile_options(-Wshadow)
+endif()
 # g++ 12 sees uninitialised members in every std::optional that it inlines (GCC bug 80635).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_compile_options(-Wno-maybe-uninitialized)

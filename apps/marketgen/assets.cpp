@@ -16,6 +16,7 @@
 #include "render/material_picture.h"
 #include "render/picture_grid.h"
 #include "scene/fixture_stage.h"
+#include "settle_heaps.h"
 #include "show_asset.h"
 
 namespace marketgen::app {
@@ -304,6 +305,11 @@ Result<void> build_all(const AssetFlags& flags) {
   return build_library(catalog, flags.common);
 }
 
+Result<void> settle_all(const AssetFlags& flags) {
+  MARKETGEN_TRY(const Catalog catalog, load_rows(flags.catalogs));
+  return settle_heaps(catalog, flags.folder, flags.common);
+}
+
 void add_show(CLI::App& sub, AssetFlags& flags) {
   sub.add_option("id", flags.shown.id, "SKU, fixture kind or material")->required();
   sub.add_option("--picture", flags.shown.picture, "PNG: three-quarter view");
@@ -340,8 +346,8 @@ void add_import(CLI::App& sub, AssetFlags& flags) {
 Run add_assets(CLI::App& app) {
   auto flags = std::make_shared<AssetFlags>();
   auto action = std::make_shared<Action>(list_assets);
-  CLI::App* command =
-      app.add_subcommand("assets", "The asset library: list, show, search, sheet, import, build");
+  CLI::App* command = app.add_subcommand(
+      "assets", "The asset library: list, show, search, sheet, import, build, heaps");
   command->require_subcommand(1);
   const auto add = [&](const char* name, const char* what, Action run, Takes takes) {
     CLI::App* sub = command->add_subcommand(name, what);
@@ -369,6 +375,12 @@ Run add_assets(CLI::App& app) {
                   Takes::json),
              *flags);
   add("build", "Draws every label sheet into the cache", build_all, Takes::json);
+  add("heaps",
+      "Settles heaps of loose goods in MuJoCo: data/heaps.json",
+      settle_all,
+      Takes::nothing)
+      ->add_option("-o,--output", flags->folder, "JSON file to write")
+      ->required();
   command->footer("Example:  marketgen assets search \"something to clean windows\"");
   return [flags, action] {
     const auto done = (*action)(*flags);

@@ -19,9 +19,8 @@ constexpr std::string_view every_joint = "all";
 // Its row in the catalogue, and what moves on it.
 struct ShownFixture : FixtureKind {
   std::vector<SceneJoint> joints;
-  static constexpr auto fields =
-      std::tuple_cat(inherited_fields<ShownFixture>(FixtureKind::fields),
-                     field_list(field("joints", &ShownFixture::joints, "what moves on it")));
+  static constexpr auto fields = inherited_fields<ShownFixture>(
+      FixtureKind::fields, field_list(field("joints", &ShownFixture::joints, "what moves on it")));
 };
 
 Result<std::size_t> joint_called(const Scene& stage, const std::string& name) {

@@ -7,6 +7,7 @@
 #include "base/parallel.h"
 #include "io/file.h"
 #include "store/store.h"
+#include "support/committed_catalog.h"
 #include "support/golden.h"
 #include "support/run_program.h"
 
@@ -14,15 +15,6 @@ namespace marketgen {
 namespace {
 
 namespace fs = std::filesystem;
-
-const Catalog& rows() {
-  static const Catalog catalog = [] {
-    auto loaded = load_catalog(fs::path(MARKETGEN_SOURCE_DIR) / "data");
-    if (!loaded.ok()) fatal(to_string(loaded.error()).c_str());
-    return std::move(loaded).value();
-  }();
-  return catalog;
-}
 
 struct Sample {
   const char* name;
@@ -54,7 +46,7 @@ Manifest made(const Sample& sample, std::uint64_t seed, const fs::path& folder) 
   options.brief.size_mm = sample.size_mm;
   options.seed = seed;
   options.previews = false;
-  auto created = create_store(options, rows());
+  auto created = create_store(options, committed_catalog());
   if (!created.ok()) fatal(to_string(created.error()).c_str());
   return std::move(created->manifest);
 }

@@ -13,14 +13,10 @@
 #include "layout/layout.h"
 #include "layout/reach.h"
 #include "plan/bsp.h"
+#include "support/committed_catalog.h"
 
 namespace marketgen {
 namespace {
-
-const Catalog& real_catalog() {
-  static const Result<Catalog> catalog = load_catalog(std::string(MARKETGEN_SOURCE_DIR) + "/data");
-  return catalog.value();
-}
 
 class RandomPlan {
  public:
@@ -30,14 +26,15 @@ class RandomPlan {
     // 8 to 60 m, small shops more often.
     plan_.shell.width_mm = 8000 + static_cast<int>(520 * draw_.uniform() * draw_.uniform()) * 100;
     plan_.shell.depth_mm = 8000 + static_cast<int>(520 * draw_.uniform() * draw_.uniform()) * 100;
-    const std::vector<ProfileRow>& profiles = real_catalog().profiles;
+    const std::vector<ProfileRow>& profiles = committed_catalog().profiles;
     plan_.profile = profiles[pick(profiles.size())].id;
     add_doors();
     if (draw_.chance(0.3)) add_columns();
     if (draw_.chance(0.25)) cut_a_corner();
     divide("root", shell_rect(plan_.shell), 0);
     // A door may have been in the corner that was cut off.
-    if (!validate_plan(plan_, "random plan", real_catalog()).ok()) plan_.shell.outline_mm.reset();
+    if (!validate_plan(plan_, "random plan", committed_catalog()).ok())
+      plan_.shell.outline_mm.reset();
     return plan_;
   }
 
@@ -75,11 +72,11 @@ class RandomPlan {
   }
 
   void add_leaf(const std::string& id) {
-    const std::vector<ZoneTypeRow>& types = real_catalog().zone_types;
+    const std::vector<ZoneTypeRow>& types = committed_catalog().zone_types;
     Zone zone;
     zone.type = plan_.zones.empty() ? "checkout" : types[pick(types.size())].type;
     zone.id = "zone-" + std::to_string(plan_.zones.size());
-    const ZoneTypeRow* type = real_catalog().zone_type(zone.type);
+    const ZoneTypeRow* type = committed_catalog().zone_type(zone.type);
     if (!type->fixture.empty()) zone.fixture.kind = type->fixture;
     if (draw_.chance(0.5)) zone.fixture.endcaps = Endcaps::both;
     if (draw_.chance(0.2)) zone.fixture.axis = static_cast<RunAxis>(draw_.integer(0, 2));
@@ -159,9 +156,9 @@ bool kept_by_construction(const std::string& code) {
 TEST(LayoutProperty, RandomPlansGiveSoundLayouts) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const Plan plan = RandomPlan(seed).make();
-    const Result<void> valid = validate_plan(plan, "random plan", real_catalog());
+    const Result<void> valid = validate_plan(plan, "random plan", committed_catalog());
     ASSERT_TRUE(valid.ok()) << "seed " << seed << ": " << to_string(valid.error());
-    const Result<Layout> layout = make_layout(plan, real_catalog(), Seed(seed));
+    const Result<Layout> layout = make_layout(plan, committed_catalog(), Seed(seed));
     if (!layout.ok()) {
       EXPECT_EQ(layout.error().code, "layout.impossible") << seed;
       continue;
@@ -178,8 +175,8 @@ TEST(LayoutProperty, RandomPlansGiveSoundLayouts) {
 TEST(LayoutProperty, TheSamePlanGivesTheSameLayout) {
   for (std::uint64_t seed = 0; seed < 15; ++seed) {
     const Plan plan = RandomPlan(seed).make();
-    const Result<Layout> a = make_layout(plan, real_catalog(), Seed(seed));
-    const Result<Layout> b = make_layout(plan, real_catalog(), Seed(seed));
+    const Result<Layout> a = make_layout(plan, committed_catalog(), Seed(seed));
+    const Result<Layout> b = make_layout(plan, committed_catalog(), Seed(seed));
     ASSERT_EQ(a.ok(), b.ok());
     if (!a.ok()) continue;
     EXPECT_EQ(write_json(*a), write_json(*b)) << "seed " << seed;
@@ -189,7 +186,7 @@ TEST(LayoutProperty, TheSamePlanGivesTheSameLayout) {
 TEST(LayoutProperty, FreeFloorHangsTogether) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const Plan plan = RandomPlan(seed).make();
-    const Result<Layout> layout = make_layout(plan, real_catalog(), Seed(seed));
+    const Result<Layout> layout = make_layout(plan, committed_catalog(), Seed(seed));
     if (!layout.ok()) continue;
     const Reach reach =
         reach_of(make_floor(plan.shell), plan.shell, layout->fixtures, robot_width_mm);

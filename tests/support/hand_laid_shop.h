@@ -2,48 +2,28 @@
 // tests that need build_scene but no planner and no layout.
 #pragma once
 #include <algorithm>
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "catalog/catalog.h"
 #include "layout/layout.h"
+#include "layout/module_spec.h"
 #include "plan/plan.h"
+#include "support/committed_catalog.h"
 
 namespace marketgen {
-
-// The rows under data/, read once.
-inline const Catalog& committed_catalog() {
-  static const Catalog catalog = [] {
-    auto loaded = load_catalog(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data");
-    if (!loaded.ok()) fatal(to_string(loaded.error()).c_str());
-    return std::move(loaded).value();
-  }();
-  return catalog;
-}
 
 // One module of `kind` with its row's own measures.
 inline Fixture module_of(const FixtureKind& kind,
                          const std::string& zone,
                          int x_mm,
                          int number = 1) {
-  Fixture f;
+  Fixture f = lone_module(kind);
   f.run = zone + "/run-1";
   f.id = f.run + "/module-" + std::to_string(number);
-  f.kind = kind.kind;
   f.zone = zone;
   f.x_mm = x_mm;
   f.y_mm = 5000;
-  f.width_mm = kind.module_widths_mm.front();
-  f.depth_mm = kind.depth_mm;
-  f.height_mm = kind.height_mm;
-  f.levels = kind.levels;
-  f.base_mm = kind.base_mm;
-  f.spacing_mm = kind.levels > 0 ? (kind.height_mm - kind.base_mm) / kind.levels : 0;
-  f.sides = kind.double_sided ? 2 : 1;
-  f.run_start = f.run_end = true;
-  f.material = kind.material;
-  f.color = kind.color;
   return f;
 }
 

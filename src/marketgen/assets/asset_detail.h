@@ -53,8 +53,8 @@ struct ProductDetail : Product {
   std::vector<ShownPiece> pieces;
   std::vector<ShownFriction> friction_pairs;
 
-  static constexpr auto fields = std::tuple_cat(
-      inherited_fields<ProductDetail>(Product::fields),
+  static constexpr auto fields = inherited_fields<ProductDetail>(
+      Product::fields,
       field_list(
           field("triangles", &ProductDetail::triangles, "of the mesh seen from near"),
           field("volume_m3", &ProductDetail::volume_m3, "that the mesh encloses"),

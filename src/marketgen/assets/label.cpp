@@ -93,26 +93,16 @@ struct FlatRow {
 };
 constexpr FlatRow bag_flat{"", 0.06, 0.08};
 constexpr FlatRow flat_rows[] = {
-    {"flask", 0.11, 0.02},
-    {"tube", 0.11, 0.02},
-    {"squeeze_bottle", 0.05, 0.03},
-    {"milk_jug", 0.04, 0.03},
-    {"jerrycan", 0.03, 0.02},
-    {"detergent_bottle", 0.04, 0.02},
-    {"spray_bottle", 0.05, 0.02},
-    {"pump_bottle", 0.05, 0.02},
-    {"stick", 0.05, 0.03},
-    {"flow_pack", 0.10, 0.17},
-    {"chub", 0.03, 0.14},
-    {"baguette_bag", 0.10, 0.10},
-    {"blister", 0.03, 0.03},
-    {"net_bag", 0.04, 0.06},
-    {"can_six_pack", 0.09, 0.05},
-    {"bottle_six_pack", 0.09, 0.03},
-    {"roll_pack", 0.10, 0.06},
-    {"soft_pack", 0.06, 0.13},
-    {"loaf", 0.18, 0.06},
-    {"bundle", 0.08, 0.12},
+    {"flask", 0.11, 0.02},          {"tube", 0.11, 0.02},
+    {"squeeze_bottle", 0.05, 0.03}, {"milk_jug", 0.04, 0.03},
+    {"jerrycan", 0.03, 0.02},       {"detergent_bottle", 0.04, 0.02},
+    {"spray_bottle", 0.05, 0.02},   {"pump_bottle", 0.05, 0.02},
+    {"stick", 0.05, 0.03},          {"flow_pack", 0.10, 0.17},
+    {"chub", 0.03, 0.14},           {"baguette_bag", 0.10, 0.10},
+    {"blister", 0.03, 0.03},        {"net_bag", 0.04, 0.06},
+    {"can_six_pack", 0.09, 0.05},   {"bottle_six_pack", 0.09, 0.03},
+    {"roll_pack", 0.10, 0.06},      {"soft_pack", 0.06, 0.13},
+    {"loaf", 0.18, 0.06},           {"bundle", 0.08, 0.12},
 };
 
 // The part of a face that lies flat before the eye; see "Sheets" in assets/label.h.

@@ -3,8 +3,10 @@
 #include <pango/pangocairo.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <mutex>
+#include <tuple>
 #include <vector>
 
 #include "base/text.h"
@@ -86,12 +88,25 @@ Shared<PangoLayout> shape(const std::string& text, const Typeface& face, Align a
 }
 
 // Width of one line at the shaping size; letter spacing after the last letter not counted.
-double line_width(const std::string& text, const Typeface& face) {
+double measured_width(const std::string& text, const Typeface& face) {
   const Shared<PangoLayout> layout = shape(text, face, Align::left);
   PangoRectangle logical;
   pango_layout_get_extents(layout.get(), nullptr, &logical);
   return static_cast<double>(logical.width) / PANGO_SCALE -
          std::max(0.0, face.tracking_em) * shaping_size;
+}
+
+// The same, from memory when the line has been measured before: a shop's packs say the same words
+// again and again. Only while glyph_mutex is held.
+double line_width(const std::string& text, const Typeface& face) {
+  using Key = std::tuple<std::string, std::string, int, bool, bool, double>;
+  static std::map<Key, double> known;
+  constexpr std::size_t most_known = 50'000;
+  if (known.size() > most_known) known.clear();
+  const auto [entry, is_new] = known.try_emplace(
+      {text, std::string(face.family), face.weight, face.italic, face.condensed, face.tracking_em});
+  if (is_new) entry->second = measured_width(text, face);
+  return entry->second;
 }
 
 struct BrokenText {

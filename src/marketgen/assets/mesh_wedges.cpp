@@ -13,8 +13,7 @@
 namespace marketgen {
 namespace {
 
-constexpr double weld_distance_m = 1e-6;  // as is_watertight's
-constexpr float apart_m = 4e-6F;          // more than that, less than anyone sees
+constexpr float apart_m = 4e-6F;  // more than that, less than anyone sees
 
 using WedgeKey = std::array<std::uint32_t, 4>;
 struct WedgeKeyHash {

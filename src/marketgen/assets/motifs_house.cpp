@@ -69,15 +69,14 @@ void draw_motif_battery(Canvas& canvas, const MotifInk& ink) {
 }
 
 void draw_motif_bulb(Canvas& canvas, const MotifInk&) {
-  canvas.circle(0, -6, 44)
-      .fill(Paint::radial(0,
-                          -6,
-                          44,
-                          0,
-                          -6,
-                          {{0, faded(rgb("#fff2b0"), 0.9)},
-                           {0.6, faded(rgb("#ffe37a"), 0.35)},
-                           {1, faded(rgb("#ffe37a"), 0)}}));
+  canvas.circle(0, -6, 44).fill(Paint::radial(0,
+                                              -6,
+                                              44,
+                                              0,
+                                              -6,
+                                              {{0, faded(rgb("#fff2b0"), 0.9)},
+                                               {0.6, faded(rgb("#ffe37a"), 0.35)},
+                                               {1, faded(rgb("#ffe37a"), 0)}}));
   canvas.path(
       "M -14 24 C -14 14 -30 4 -30 -14 C -30 -32 -16 -44 0 -44 C 16 -44 30 -32 30 -14 C 30 4 14 14 "
       "14 24 Z");

@@ -6,7 +6,7 @@
 namespace marketgen {
 namespace {
 
-constexpr Color herb_green = rgb("#3f8f3a");
+constexpr Color parsley_green = rgb("#3f8f3a");
 
 // A bowl seen slightly from above, filled with `filling`; its rim is an ellipse round (0, -2).
 void bowl_of(Canvas& canvas, const Color& bowl, const Color& filling) {
@@ -40,9 +40,9 @@ void steam(Canvas& canvas, double x) {
 }
 
 void basil(Canvas& canvas, double x, double y) {
-  leaf(canvas, x, y, -0.5, 15, herb_green);
-  leaf(canvas, x, y, -2.4, 14, darker(herb_green, 0.1));
-  leaf(canvas, x, y, 1.4, 12, lighter(herb_green, 0.1));
+  leaf(canvas, x, y, -0.5, 15, parsley_green);
+  leaf(canvas, x, y, -2.4, 14, darker(parsley_green, 0.1));
+  leaf(canvas, x, y, 1.4, 12, lighter(parsley_green, 0.1));
 }
 
 }  // namespace
@@ -72,7 +72,7 @@ void draw_motif_fish(Canvas& canvas, const MotifInk&) {
     canvas.circle(-36.4, -3, 2.1).fill(rgb("#10222c"));
     gloss(canvas, {-30, -16, 44, 9}, 0.08, 0.5);
   });
-  leaf(canvas, -20, 36, -0.1, 40, herb_green);
+  leaf(canvas, -20, 36, -0.1, 40, parsley_green);
 }
 
 void draw_motif_meat(Canvas& canvas, const MotifInk&) {
@@ -92,8 +92,8 @@ void draw_motif_meat(Canvas& canvas, const MotifInk&) {
   canvas.stroke(faded(rgb("#f6d5c6"), 0.85), 2.2);
   canvas.ellipse(-19, -15, 7, 5.5).fill(rgb("#fbeede"));
   canvas.ellipse(-19, -15, 4, 3).fill(rgb("#d9a58a"));
-  leaf(canvas, 16, 34, -0.55, 30, herb_green);
-  leaf(canvas, 16, 34, -0.05, 30, darker(herb_green, 0.1));
+  leaf(canvas, 16, 34, -0.55, 30, parsley_green);
+  leaf(canvas, 16, 34, -0.05, 30, darker(parsley_green, 0.1));
 }
 
 void draw_motif_chicken(Canvas& canvas, const MotifInk&) {
@@ -118,8 +118,8 @@ void draw_motif_chicken(Canvas& canvas, const MotifInk&) {
     canvas.stroke(faded(rgb("#7c3b0d"), 0.4), 2.2);
     gloss(canvas, {-32, -26, 30, 18}, -0.4, 0.7);
   });
-  leaf(canvas, -34, 34, -0.3, 30, herb_green);
-  leaf(canvas, -34, 34, 0.15, 26, darker(herb_green, 0.12));
+  leaf(canvas, -34, 34, -0.3, 30, parsley_green);
+  leaf(canvas, -34, 34, 0.15, 26, darker(parsley_green, 0.12));
 }
 
 void draw_motif_pizza(Canvas& canvas, const MotifInk&) {

@@ -2,13 +2,11 @@
 //
 //   struct ShownProduct : Product {
 //     int triangles = 0;
-//     static constexpr auto fields = std::tuple_cat(
-//         inherited_fields<ShownProduct>(Product::fields),
-//         field_list(field("triangles", &ShownProduct::triangles, "of its mesh")));
+//     static constexpr auto fields = inherited_fields<ShownProduct>(
+//         Product::fields, field_list(field("triangles", &ShownProduct::triangles, "of its
+//         mesh")));
 //   };
 #pragma once
-#include <tuple>
-
 #include "base/fields.h"
 
 namespace marketgen {
@@ -18,10 +16,13 @@ constexpr Field<Derived, Member> inherited_field(const Field<Base, Member>& fiel
   return {field.name, field.member, field.doc, field.rules};
 }
 
-template <class Derived, class... Fields>
-constexpr auto inherited_fields(const std::tuple<Fields...>& list) {
-  return std::apply(
-      [](const auto&... fields) { return std::tuple(inherited_field<Derived>(fields)...); }, list);
+// The fields of a base class, seen from `Derived`, then its own.
+template <class Derived, class BaseList, class OwnList>
+constexpr auto inherited_fields(BaseList base, OwnList own) {
+  return [base, own](auto&& visit) {
+    base([&](const auto& field) { visit(inherited_field<Derived>(field)); });
+    own(visit);
+  };
 }
 
 }  // namespace marketgen

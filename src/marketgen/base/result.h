@@ -37,7 +37,8 @@ class [[nodiscard]] Result {
 
   const T& value() const& { return *checked_value(&state_); }
   T& value() & { return *checked_value(&state_); }
-  T&& value() && { return std::move(*checked_value(&state_)); }
+  // By value, so that `for (x : f().value())` reads nothing that is gone.
+  T value() && { return std::move(*checked_value(&state_)); }
   const T& operator*() const& { return value(); }
   T& operator*() & { return value(); }
   const T* operator->() const { return &value(); }

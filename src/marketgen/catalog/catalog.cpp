@@ -63,6 +63,7 @@ std::string hash_of(const Catalog& c) {
   add_rows(hash, c.profiles);
   add_rows(hash, c.styles);
   add_rows(hash, c.frictions);
+  add_rows(hash, c.heaps);
   return hash.hex();
 }
 
@@ -101,6 +102,13 @@ const StyleRow* Catalog::style(std::string_view id) const {
   return find_row(styles, &StyleRow::id, id);
 }
 
+const HeapRow* Catalog::heap(const Product& product) const {
+  const auto found = std::find_if(heaps.begin(), heaps.end(), [&](const HeapRow& row) {
+    return row.archetype == product.archetype && row.size_mm == product.size_mm;
+  });
+  return found == heaps.end() ? nullptr : &*found;
+}
+
 Result<Catalog> load_catalog(const fs::path& data, const std::vector<fs::path>& extra) {
   Catalog catalog;
   MARKETGEN_CHECK(read_products(data / "products", catalog.products));
@@ -115,6 +123,7 @@ Result<Catalog> load_catalog(const fs::path& data, const std::vector<fs::path>& 
   MARKETGEN_CHECK(read_rows(data / "profiles.json", catalog.profiles));
   MARKETGEN_CHECK(read_rows(data / "styles.json", catalog.styles));
   MARKETGEN_CHECK(read_rows(data / "friction.json", catalog.frictions));
+  MARKETGEN_CHECK(read_rows(data / "heaps.json", catalog.heaps));
   MARKETGEN_CHECK(read_lexicon(data / "asset_intents.json", catalog.search_lexicon));
   std::stable_sort(catalog.products.begin(),
                    catalog.products.end(),

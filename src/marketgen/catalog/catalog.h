@@ -1,7 +1,8 @@
 // The catalogue: every row the generator may use, read once, checked, immutable.
 //
 // Rows are JSON arrays under data/: products/*.json, fixtures.json, categories.json,
-// zone_types.json, materials.json, profiles.json, styles.json, friction.json. A user's file
+// zone_types.json, materials.json, profiles.json, styles.json, friction.json, heaps.json. A user's
+// file
 // (`--catalog F`) adds products beside ours.
 #pragma once
 #include <filesystem>
@@ -11,6 +12,7 @@
 
 #include "base/result.h"
 #include "catalog/fixture_kind.h"
+#include "catalog/heap.h"
 #include "catalog/product.h"
 #include "catalog/rows.h"
 #include "catalog/search_lexicon.h"
@@ -26,6 +28,7 @@ struct Catalog {
   std::vector<ProfileRow> profiles;
   std::vector<StyleRow> styles;
   std::vector<FrictionRow> frictions;
+  std::vector<HeapRow> heaps;
   SearchLexicon search_lexicon;  // how free text is understood; no row
   std::string content_hash;      // of all rows: changes when any row does
 
@@ -37,6 +40,7 @@ struct Catalog {
   const MaterialRow* material(std::string_view id) const;
   const ProfileRow* profile(std::string_view id) const;
   const StyleRow* style(std::string_view id) const;
+  const HeapRow* heap(const Product& product) const;  // of pieces of its shape and size
 };
 
 // Reads every row under `data` (usually data_folder()), then `extra` product files. Errors:

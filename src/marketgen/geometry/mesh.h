@@ -34,9 +34,12 @@ struct Mesh {
 Bounds3 bounds_of(const Mesh& mesh);
 // Volume enclosed by a closed mesh (divergence theorem), cubic metres.
 double volume_of(const Mesh& mesh);
+// Positions nearer than this are one corner.
+inline constexpr double weld_distance_m = 1e-6;
+
 // True when, after welding positions closer than `weld_m`, every edge is used by exactly two
 // triangles, once each way.
-bool is_watertight(const Mesh& mesh, double weld_m = 1e-6);
+bool is_watertight(const Mesh& mesh, double weld_m = weld_distance_m);
 
 // ---- Builders. Each adds to `mesh`. ----
 

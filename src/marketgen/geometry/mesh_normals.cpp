@@ -11,8 +11,6 @@
 namespace marketgen {
 namespace {
 
-constexpr double weld_distance_m = 1e-6;
-
 struct FaceNormals {
   std::vector<Vec3> scaled;  // length = twice the triangle's area
   std::vector<Vec3> unit;

@@ -39,6 +39,14 @@ Quaternion inverse(const Quaternion& q) {
   return {q.w, -q.x, -q.y, -q.z};
 }
 
+Vec3 ellipsoid_half_extents(const Quaternion& q, Vec3 half_axes) {
+  const Vec3 x = rotate(q, {half_axes.x, 0, 0}), y = rotate(q, {0, half_axes.y, 0}),
+             z = rotate(q, {0, 0, half_axes.z});
+  return {std::sqrt(x.x * x.x + y.x * y.x + z.x * z.x),
+          std::sqrt(x.y * x.y + y.y * y.y + z.y * z.y),
+          std::sqrt(x.z * x.z + y.z * y.z + z.z * z.z)};
+}
+
 double yaw_of(const Quaternion& q) {
   return std::atan2(2 * (q.w * q.z + q.x * q.y), 1 - 2 * (q.y * q.y + q.z * q.z));
 }

@@ -24,6 +24,8 @@ Quaternion rotation_about(Vec3 axis, double angle_rad);  // unit axis
 Quaternion yaw_from_quarter_turns(int quarter_turns);
 Vec3 rotate(const Quaternion& q, Vec3 v);
 Quaternion inverse(const Quaternion& q);
+// Of the axis-aligned box around a turned ellipsoid with these half axes.
+Vec3 ellipsoid_half_extents(const Quaternion& q, Vec3 half_axes);
 double yaw_of(const Quaternion& q);  // radians about Z, -pi..pi
 
 struct Pose {

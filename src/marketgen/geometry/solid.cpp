@@ -9,8 +9,6 @@
 namespace marketgen {
 namespace {
 
-constexpr double weld_distance_m = 1e-6;  // as is_watertight's
-
 // Where a column's middle line enters (up: +1) or leaves a body.
 struct Crossing {
   float z;

@@ -29,7 +29,7 @@ std::string array_struct_name(const TypeInfo& array) {
 
 namespace {
 
-class SchemaWriter {
+class FlatBufferSchemaWriter {
  public:
   // Appends the definitions that `type` needs, in order of use.
   void define(const TypeInfo& type, bool in_struct) {
@@ -113,7 +113,7 @@ class SchemaWriter {
 }  // namespace
 
 std::string flatbuffer_schema_of(const TypeInfo& type, std::string_view file_identifier) {
-  SchemaWriter writer;
+  FlatBufferSchemaWriter writer;
   writer.define(type, false);
   return fmt::format(
       "// Written from the field lists of the C++ structs by `marketgen schemas`; do not edit.\n"

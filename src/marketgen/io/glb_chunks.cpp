@@ -5,22 +5,11 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "io/glb_format.h"
 #include "io/model_parts.h"
 
 namespace marketgen {
 namespace {
-
-// glTF 2.0 specification, 4.4 and 3.6.2.2.
-constexpr std::uint32_t glb_magic = 0x46546C67, glb_version = 2, json_chunk = 0x4E4F534A,
-                        bin_chunk = 0x004E4942;
-enum Component {
-  int8 = 5120,
-  uint8 = 5121,
-  int16 = 5122,
-  uint16 = 5123,
-  uint32 = 5125,
-  f32 = 5126
-};
 
 constexpr std::size_t header_bytes = 12, chunk_header_bytes = 8;
 constexpr std::size_t most_json_bytes = 16U << 20;
@@ -64,14 +53,14 @@ Result<GlbJson> parse_json_chunk(std::string_view text, const std::string& sourc
 
 std::size_t size_of_component(std::size_t type) {
   switch (type) {
-    case int8:
-    case uint8:
+    case glb_component::int8:
+    case glb_component::uint8:
       return 1;
-    case int16:
-    case uint16:
+    case glb_component::int16:
+    case glb_component::uint16:
       return 2;
-    case uint32:
-    case f32:
+    case glb_component::uint32:
+    case glb_component::f32:
       return 4;
     default:
       return 0;
@@ -87,15 +76,15 @@ double read_as(const char* bytes) {
 
 double component_at(const char* bytes, std::size_t type) {
   switch (type) {
-    case int8:
+    case glb_component::int8:
       return read_as<std::int8_t>(bytes);
-    case uint8:
+    case glb_component::uint8:
       return read_as<std::uint8_t>(bytes);
-    case int16:
+    case glb_component::int16:
       return read_as<std::int16_t>(bytes);
-    case uint16:
+    case glb_component::uint16:
       return read_as<std::uint16_t>(bytes);
-    case uint32:
+    case glb_component::uint32:
       return read_as<std::uint32_t>(bytes);
     default:
       return read_as<float>(bytes);
@@ -105,11 +94,11 @@ double component_at(const char* bytes, std::size_t type) {
 // 3.11: what a normalised integer of this type is divided by.
 double full_scale(std::size_t type) {
   switch (type) {
-    case int8:
+    case glb_component::int8:
       return 127;
-    case uint8:
+    case glb_component::uint8:
       return 255;
-    case int16:
+    case glb_component::int16:
       return 32767;
     default:
       return 65535;
@@ -291,8 +280,9 @@ Result<std::vector<float>> glb_floats(const GlbChunks& glb,
   MARKETGEN_TRY(const Elements elements, elements_of(glb, accessor, width, most, source));
   std::vector<float> values;
   values.reserve(elements.count * width);
-  const double scale =
-      elements.normalized && elements.component != f32 ? 1 / full_scale(elements.component) : 1;
+  const double scale = elements.normalized && elements.component != glb_component::f32
+                           ? 1 / full_scale(elements.component)
+                           : 1;
   for (std::size_t i = 0; i < elements.count; ++i) {
     for (std::size_t c = 0; c < width; ++c) {
       const char* at = elements.first + i * elements.stride + c * elements.component_bytes;
@@ -307,7 +297,8 @@ Result<std::vector<std::uint32_t>> glb_indices(const GlbChunks& glb,
                                                std::size_t most,
                                                const std::string& source) {
   MARKETGEN_TRY(const Elements elements, elements_of(glb, accessor, 1, most, source));
-  if (elements.component != uint8 && elements.component != uint16 && elements.component != uint32)
+  if (elements.component != glb_component::uint8 && elements.component != glb_component::uint16 &&
+      elements.component != glb_component::uint32)
     return bad_model(source, fmt::format("/accessors/{}: indices must be unsigned", accessor));
   std::vector<std::uint32_t> values;
   values.reserve(elements.count);

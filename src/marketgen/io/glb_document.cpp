@@ -8,16 +8,14 @@
 
 #include "base/build_info.h"
 #include "base/hash.h"
+#include "io/glb_format.h"
 
 namespace marketgen {
 namespace {
 
 // Numbers of the glTF 2.0 specification.
-enum ComponentType { unsigned_short = 5123, unsigned_int = 5125, float_component = 5126 };
 enum BufferTarget { no_target = 0, array_buffer = 34962, element_array_buffer = 34963 };
 constexpr int repeat_wrapping = 10497, linear_filter = 9729, trilinear_filter = 9987;
-constexpr std::uint32_t glb_magic = 0x46546C67, glb_version = 2, json_chunk = 0x4E4F534A,
-                        bin_chunk = 0x004E4942;
 
 template <class T>
 std::span<const std::byte> bytes_of(const std::vector<T>& values) {
@@ -126,7 +124,7 @@ int GlbDocument::add_positions(const std::vector<Vec3f>& positions) {
     return GltfJson::array({double{v.x}, double{v.y}, double{v.z}});
   };
   return add_accessor(bytes_of(positions),
-                      {{"componentType", float_component},
+                      {{"componentType", glb_component::f32},
                        {"count", positions.size()},
                        {"type", "VEC3"},
                        {"min", exact(bounds.low)},
@@ -135,10 +133,11 @@ int GlbDocument::add_positions(const std::vector<Vec3f>& positions) {
 }
 
 int GlbDocument::add_indices(const std::vector<std::uint32_t>& indices, std::size_t vertices) {
-  GltfJson accessor{{"componentType", unsigned_int}, {"count", indices.size()}, {"type", "SCALAR"}};
+  GltfJson accessor{
+      {"componentType", glb_component::uint32}, {"count", indices.size()}, {"type", "SCALAR"}};
   if (vertices > 0xFFFF)
     return add_accessor(bytes_of(indices), std::move(accessor), element_array_buffer);
-  accessor["componentType"] = unsigned_short;
+  accessor["componentType"] = glb_component::uint16;
   const std::vector<std::uint16_t> narrow(indices.begin(), indices.end());
   return add_accessor(bytes_of(narrow), std::move(accessor), element_array_buffer);
 }
@@ -169,7 +168,7 @@ int GlbDocument::add_mesh(const std::string& name,
   GltfJson attributes{{"POSITION", add_positions(mesh.positions)}};
   attributes["NORMAL"] = add_accessor(
       bytes_of(unit_normals(mesh.normals)),
-      {{"componentType", float_component}, {"count", mesh.normals.size()}, {"type", "VEC3"}},
+      {{"componentType", glb_component::f32}, {"count", mesh.normals.size()}, {"type", "VEC3"}},
       array_buffer);
   const bool textured = std::ranges::any_of(materials, [&](int material) {
     const GltfJson& pbr =
@@ -179,7 +178,7 @@ int GlbDocument::add_mesh(const std::string& name,
   if (textured) {
     attributes["TEXCOORD_0"] = add_accessor(
         bytes_of(mesh.uvs),
-        {{"componentType", float_component}, {"count", mesh.uvs.size()}, {"type", "VEC2"}},
+        {{"componentType", glb_component::f32}, {"count", mesh.uvs.size()}, {"type", "VEC2"}},
         array_buffer);
   }
   GltfJson primitives = GltfJson::array();
@@ -217,11 +216,11 @@ int GlbDocument::add_instanced_node(GltfJson node, const GlbInstances& instances
   const std::size_t count = instances.translations.size();
   const int translation =
       add_accessor(bytes_of(instances.translations),
-                   {{"componentType", float_component}, {"count", count}, {"type", "VEC3"}},
+                   {{"componentType", glb_component::f32}, {"count", count}, {"type", "VEC3"}},
                    no_target);
   const int rotation =
       add_accessor(bytes_of(instances.rotations),
-                   {{"componentType", float_component}, {"count", count}, {"type", "VEC4"}},
+                   {{"componentType", glb_component::f32}, {"count", count}, {"type", "VEC4"}},
                    no_target);
   node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {{"TRANSLATION", translation},
                                                                  {"ROTATION", rotation}};

@@ -10,18 +10,18 @@
 namespace marketgen {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-void add_limits(Json& schema, const FieldRules& rules) {
+void add_limits(OrderedJson& schema, const FieldRules& rules) {
   if (std::isfinite(rules.min)) schema["minimum"] = rules.min;
   if (std::isfinite(rules.max)) schema["maximum"] = rules.max;
 }
 
 // Rules of a field apply to the elements of an array; structs go to $defs once each.
-class SchemaWriter {
+class JsonSchemaWriter {
  public:
-  Json schema_of(const TypeInfo& type, const FieldRules& rules) {
-    Json schema;
+  OrderedJson schema_of(const TypeInfo& type, const FieldRules& rules) {
+    OrderedJson schema;
     switch (type.kind) {
       case TypeKind::boolean:
         schema["type"] = "boolean";
@@ -45,7 +45,8 @@ class SchemaWriter {
         schema = array_schema(type, rules);
         break;
       case TypeKind::optional:
-        schema["anyOf"] = Json::array({schema_of(type.element(), rules), Json{{"type", "null"}}});
+        schema["anyOf"] =
+            OrderedJson::array({schema_of(type.element(), rules), OrderedJson{{"type", "null"}}});
         break;
       case TypeKind::object:
         define(type);
@@ -55,12 +56,12 @@ class SchemaWriter {
     return schema;
   }
 
-  Json object_schema(const TypeInfo& type) {
-    Json schema{{"type", "object"}, {"additionalProperties", false}};
-    Json properties = Json::object();
-    Json needed = Json::array();
+  OrderedJson object_schema(const TypeInfo& type) {
+    OrderedJson schema{{"type", "object"}, {"additionalProperties", false}};
+    OrderedJson properties = OrderedJson::object();
+    OrderedJson needed = OrderedJson::array();
     for (const FieldInfo& f : type.fields) {
-      Json property = schema_of(f.type(), f.rules);
+      OrderedJson property = schema_of(f.type(), f.rules);
       property["description"] = f.doc;
       add_default(property, f, type);
       if (f.rules.required) needed.push_back(f.name);
@@ -71,11 +72,11 @@ class SchemaWriter {
     return schema;
   }
 
-  const std::map<std::string, Json>& definitions() const { return definitions_; }
+  const std::map<std::string, OrderedJson>& definitions() const { return definitions_; }
 
  private:
-  static Json string_schema(const FieldRules& rules) {
-    Json schema{{"type", "string"}};
+  static OrderedJson string_schema(const FieldRules& rules) {
+    OrderedJson schema{{"type", "string"}};
     if (!rules.constant.empty()) schema["const"] = rules.constant;
     if (rules.identifier)
       schema["pattern"] =
@@ -84,8 +85,8 @@ class SchemaWriter {
     return schema;
   }
 
-  Json array_schema(const TypeInfo& type, FieldRules rules) {
-    Json schema{{"type", "array"}};
+  OrderedJson array_schema(const TypeInfo& type, FieldRules rules) {
+    OrderedJson schema{{"type", "array"}};
     if (type.fixed_count != 0) {
       schema["minItems"] = type.fixed_count;
       schema["maxItems"] = type.fixed_count;
@@ -97,11 +98,11 @@ class SchemaWriter {
     return schema;
   }
 
-  static void add_default(Json& property, const FieldInfo& f, const TypeInfo& owner) {
+  static void add_default(OrderedJson& property, const FieldInfo& f, const TypeInfo& owner) {
     const TypeInfo& type = f.type();
     if (f.rules.required || type.kind == TypeKind::object || type.kind == TypeKind::optional)
       return;
-    property["default"] = Json::parse(write_json_line_of(type, f.in(owner.defaults)));
+    property["default"] = OrderedJson::parse(write_json_line_of(type, f.in(owner.defaults)));
   }
 
   void define(const TypeInfo& type) {
@@ -110,7 +111,7 @@ class SchemaWriter {
   }
 
   std::set<std::string> seen_;
-  std::map<std::string, Json> definitions_;
+  std::map<std::string, OrderedJson> definitions_;
 };
 
 // ---- Markdown ----
@@ -179,12 +180,12 @@ void append_markdown(std::string& out, const TypeInfo& type, std::set<std::strin
 }  // namespace
 
 std::string json_schema_of(const TypeInfo& type, std::string_view id, std::string_view title) {
-  SchemaWriter writer;
-  Json schema{
+  JsonSchemaWriter writer;
+  OrderedJson schema{
       {"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"$id", id}, {"title", title}};
   schema.update(type.kind == TypeKind::object ? writer.object_schema(type)
                                               : writer.schema_of(type, {}));
-  Json definitions = Json::object();
+  OrderedJson definitions = OrderedJson::object();
   for (const auto& [name, definition] : writer.definitions())
     definitions[name] = definition;
   if (!definitions.empty()) schema["$defs"] = std::move(definitions);

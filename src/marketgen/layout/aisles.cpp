@@ -14,7 +14,7 @@ constexpr int reach_mm = 6000;       // farther away is open floor
 constexpr int nook_mm = 1300;        // a narrower stretch this short at an end is a nook of its own
 constexpr double nook_factor = 0.8;  // how much narrower it must be
 constexpr double same_share = 0.6;   // strips that cover so much of each other are one aisle
-constexpr int joint_mm = 1300;       // strips in line this near are one aisle
+constexpr int strip_joint_mm = 1300;       // strips in line this near are one aisle
 constexpr double main_length_share = 0.5;  // of the store's side
 constexpr int same_end_mm = 300;           // run ends this near to a line end on it
 constexpr int least_passage_mm =
@@ -292,7 +292,7 @@ bool in_line(const Strip& a, const Strip& b, const Surroundings& around) {
   if (common.length() < 0.8 * std::max(wa.length(), wb.length())) return false;
   const Span la = length_span(a), lb = length_span(b);
   const int apart = std::max(la.from, lb.from) - std::min(la.to, lb.to);
-  return apart <= joint_mm && around.clear(joined(a, b));
+  return apart <= strip_joint_mm && around.clear(joined(a, b));
 }
 
 // Folds strips into those before them until no two cover or continue each other.

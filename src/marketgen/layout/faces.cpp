@@ -6,7 +6,7 @@
 namespace marketgen {
 namespace {
 
-constexpr int joint_mm = 10;  // modules nearer than this stand together
+constexpr int module_joint_mm = 10;  // modules nearer than this stand together
 
 using Line = std::vector<std::size_t>;  // modules of one run, from the low end
 
@@ -25,7 +25,7 @@ std::map<std::string, Line> lines_of(const std::vector<Fixture>& fixtures) {
 bool stand_together(const Fixture& low, const Fixture& high) {
   const Side front = facing_of(low.yaw_deg);
   const int gap = along(footprint_of(high), front).from - along(footprint_of(low), front).to;
-  return low.yaw_deg == high.yaw_deg && gap <= joint_mm;
+  return low.yaw_deg == high.yaw_deg && gap <= module_joint_mm;
 }
 
 }  // namespace

@@ -9,9 +9,8 @@
 namespace marketgen {
 namespace {
 
-constexpr int back_panel_mm = 60;      // between the shelves of the two sides of a gondola
-constexpr int slot_pitch_mm = 50;      // European gondolas: shelves hang every 50 mm
-constexpr int least_top_gap_mm = 150;  // the top shelf must hold something below the fixture's top
+constexpr int back_panel_mm = 60;  // between the shelves of the two sides of a gondola
+constexpr int slot_pitch_mm = 50;  // European gondolas: shelves hang every 50 mm
 constexpr int most_fill_changes =
     6;  // preferred modules that may be given up for others to fill a run better
 
@@ -208,6 +207,22 @@ std::vector<int> fill_widths(const ModuleSpec& spec, int length_mm) {
     if (sum(widths) > sum(best)) best = std::move(widths);
   }
   return best;
+}
+
+Fixture lone_module(const FixtureKind& kind) {
+  Fixture fixture;
+  fixture.kind = kind.kind;
+  fixture.width_mm = kind.module_widths_mm.front();
+  fixture.depth_mm = kind.depth_mm;
+  fixture.height_mm = kind.height_mm;
+  fixture.levels = kind.levels;
+  fixture.base_mm = kind.base_mm;
+  fixture.spacing_mm = kind.levels > 0 ? (kind.height_mm - kind.base_mm) / kind.levels : 0;
+  fixture.sides = kind.double_sided ? 2 : 1;
+  fixture.run_start = fixture.run_end = true;
+  fixture.material = kind.material;
+  fixture.color = kind.color;
+  return fixture;
 }
 
 Fixture make_module(const ModuleSpec& spec, const Zone& zone) {

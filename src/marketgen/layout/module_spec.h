@@ -8,6 +8,9 @@
 
 namespace marketgen {
 
+// The top shelf must hold something below the top of its fixture.
+inline constexpr int least_top_gap_mm = 150;
+
 // One module as it will be repeated along a run.
 struct ModuleSpec {
   const FixtureKind* kind = nullptr;
@@ -48,6 +51,9 @@ ModuleSpec one_sided(ModuleSpec spec);
 // shorter than the narrowest module. Preferred widths first. Empty when not one fits.
 std::vector<int> fill_widths(const ModuleSpec& spec, int length_mm);
 
+// One module of the kind with its row's own measures, by itself in a run; place, zone and ids are
+// the caller's.
+Fixture lone_module(const FixtureKind& kind);
 // A fixture of this module with everything but its place and ids.
 Fixture make_module(const ModuleSpec& spec, const Zone& zone);
 

@@ -9,8 +9,6 @@
 namespace marketgen {
 namespace {
 
-constexpr int least_top_gap_mm = 150;  // as in module_spec.cpp: the top shelf must hold something
-
 std::string pointer(std::size_t index, std::string_view field) {
   return "/overrides/" + std::to_string(index) + "/" + std::string(field);
 }

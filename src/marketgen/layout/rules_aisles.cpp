@@ -10,7 +10,7 @@ namespace {
 constexpr int niche_mm = 3000;
 constexpr int longest_dead_end_mm = 6100;  // NFPA 101: 20 ft
 constexpr int long_aisle_mm = 3000;
-constexpr double tight_share = 0.8;
+constexpr double tight_aisle_share = 0.8;
 
 std::string about(const Aisle& aisle, const std::string& what) {
   return "aisle " + aisle.id + " " + what;
@@ -99,7 +99,7 @@ Findings aisle_too_narrow(const RuleFacts& facts) {
 
 Findings aisle_tight(const RuleFacts& facts) {
   return narrower_than(
-      facts, tight_share * facts.profile().secondary_aisle_mm, false, long_aisle_mm);
+      facts, tight_aisle_share * facts.profile().secondary_aisle_mm, false, long_aisle_mm);
 }
 
 Findings lane_too_narrow(const RuleFacts& facts) {

@@ -9,7 +9,7 @@ namespace marketgen {
 namespace {
 
 constexpr double farthest_exit_m = 15;
-constexpr double tight_share = 0.6;  // of the profile's clearance
+constexpr double tight_clearance_share = 0.6;  // of the profile's clearance
 
 }  // namespace
 
@@ -46,7 +46,7 @@ Findings checkout_not_at_exit(const RuleFacts& facts) {
 
 Findings checkout_tight(const RuleFacts& facts) {
   Findings found;
-  const int limit = static_cast<int>(tight_share * facts.profile().checkout_clear_mm);
+  const int limit = static_cast<int>(tight_clearance_share * facts.profile().checkout_clear_mm);
   for (std::size_t i = 0; i < facts.kinds.size(); ++i) {
     if (!facts.is_checkout(i) || facts.kinds[i]->generator != "checkout_lane") continue;
     const RectMm& rect = facts.footprints[i];

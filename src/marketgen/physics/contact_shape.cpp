@@ -41,18 +41,15 @@ ContactShape operator*(const Pose& pose, const ContactShape& shape) {
 }
 
 Vec3 half_extents(const ContactShape& shape) {
+  if (shape.shape == CollisionShape::ellipsoid)
+    return ellipsoid_half_extents(shape.pose.rotation, shape.size);
   const Vec3 x = rotate(shape.pose.rotation, {1, 0, 0}), y = rotate(shape.pose.rotation, {0, 1, 0});
   const Vec3 z = rotate(shape.pose.rotation, {0, 0, 1});
   const Vec3& s = shape.size;
   const auto along = [&](double ax, double ay, double az) {
-    switch (shape.shape) {
-      case CollisionShape::box:
-        return std::abs(ax) * s.x + std::abs(ay) * s.y + std::abs(az) * s.z;
-      case CollisionShape::cylinder:
-        return std::sqrt(ax * ax + ay * ay) * s.x + std::abs(az) * s.y;
-      default:
-        return std::sqrt(ax * ax * s.x * s.x + ay * ay * s.y * s.y + az * az * s.z * s.z);
-    }
+    return shape.shape == CollisionShape::box
+               ? std::abs(ax) * s.x + std::abs(ay) * s.y + std::abs(az) * s.z
+               : std::sqrt(ax * ax + ay * ay) * s.x + std::abs(az) * s.y;
   };
   return {along(x.x, y.x, z.x), along(x.y, y.y, z.y), along(x.z, y.z, z.z)};
 }

@@ -5,12 +5,13 @@
 
 #include "physics/contact_shape.h"
 #include "physics/shell_pieces.h"
+#include "physics/spec_geoms.h"
 #include "scene/placements.h"
 
 namespace marketgen {
 namespace {
 
-constexpr char where[] = "settle";
+constexpr char settle_where[] = "settle";
 constexpr mjtSize memory_base_bytes = 64 << 20,
                   memory_per_body_bytes = 1 << 20;  // address space, touched as needed
 
@@ -32,42 +33,6 @@ struct Extent {
   }
 };
 
-mjtGeom type_of(CollisionShape shape) {
-  switch (shape) {
-    case CollisionShape::box:
-      return mjGEOM_BOX;
-    case CollisionShape::cylinder:
-      return mjGEOM_CYLINDER;
-    default:
-      return mjGEOM_ELLIPSOID;
-  }
-}
-
-void set_pose(double position[3], double rotation[4], const Pose& pose) {
-  const double p[3] = {pose.position.x, pose.position.y, pose.position.z};
-  const double q[4] = {pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z};
-  std::copy(p, p + 3, position);
-  std::copy(q, q + 4, rotation);
-}
-
-mjsGeom* add_shape(mjsBody* body, const ContactShape& shape) {
-  mjsGeom* geom = mjs_addGeom(body, nullptr);
-  geom->type = type_of(shape.shape);
-  const double size[3] = {shape.size.x, shape.size.y, shape.size.z};
-  std::copy(size, size + 3, geom->size);
-  set_pose(geom->pos, geom->quat, shape.pose);
-  geom->friction[0] = still_friction;
-  geom->solref[0] = contact_time_s;
-  return geom;
-}
-
-void set_goods_contact(mjsGeom* geom, const Product& product, const CollisionPrimitive& primitive) {
-  const GoodsContact contact = goods_contact_of(product, primitive);
-  geom->condim = contact.dimensions;
-  const double friction[3] = {contact.sliding, contact.torsional_m, contact.rolling_m};
-  std::copy(friction, friction + 3, geom->friction);
-}
-
 bool hangs(const Scene& scene, const SceneProduct& item) {
   return item.facing != no_facing &&
          scene.shelves[scene.facings[item.facing].shelf].use == ShelfUse::hang;
@@ -82,14 +47,7 @@ class Builder {
         world_(mjs_findBody(spec_.get(), "world")) {}
 
   void set_options(std::size_t bodies) {
-    mjOption& option = spec_->option;
-    option.timestep = time_step_s;
-    option.integrator = mjINT_IMPLICITFAST;
-    option.cone = mjCONE_ELLIPTIC;
-    option.impratio = friction_impedance_ratio;
-    option.noslip_iterations = noslip_iterations;
-    option.enableflags |= mjENBL_SLEEP;
-    option.sleep_tolerance = sleep_below_m_s;
+    set_contact_options(*spec_, sleep_below_m_s);
     spec_->memory = memory_base_bytes + memory_per_body_bytes * static_cast<mjtSize>(bodies);
   }
 
@@ -112,7 +70,7 @@ class Builder {
     const CollisionPrimitive& primitive = primitives_[item.sku];
     if (mjsGeom* geom =
             add_if_near(world_from_product(item) * contact_shape_of(primitive), extent)) {
-      set_goods_contact(geom, scene_.catalog[item.sku], primitive);
+      set_goods_contact(geom, goods_contact_of(scene_.catalog[item.sku], primitive));
     }
   }
 
@@ -124,12 +82,12 @@ class Builder {
     set_pose(body->pos, body->quat, world_from_product(item));
     mjs_addFreeJoint(body);
     mjsGeom* geom = add_shape(body, contact_shape_of(primitive));
-    set_goods_contact(geom, product, primitive);
+    set_goods_contact(geom, goods_contact_of(product, primitive));
     geom->mass = product.mass_kg;
     if (hangs(scene_, item)) hang(body, product_id(scene_, row), product.height_m());
   }
 
-  Result<MujocoModel> finish() { return compile(*spec_, where); }
+  Result<MujocoModel> finish() { return compile(*spec_, settle_where); }
 
  private:
   mjsGeom* add_if_near(const ContactShape& shape, const Extent& extent) {

@@ -9,7 +9,8 @@
 namespace marketgen::raytrace {
 namespace {
 
-constexpr int tag_px = 96, card_px = 222;
+// Heights in pixels: near, and a third of it from afar.
+constexpr int near_tag_px = 96, near_card_px = 222;
 constexpr auto card_width_m = static_cast<float>(promotion_card_width_mm * 1e-3);
 constexpr auto card_height_m = static_cast<float>(promotion_card_height_mm * 1e-3);
 constexpr float lift_m = 8e-4F;  // label stock before the rail
@@ -42,7 +43,11 @@ RailFace rail_of(const Scene& scene, const SceneShelf& shelf) {
   return {};
 }
 
-Result<PrintedPicture> print_card(const Product& product) {
+int pixels(int near_px, PrintDetail detail) {
+  return detail == PrintDetail::near ? near_px : near_px / 3;
+}
+
+Result<PrintedPicture> print_card(const Product& product, int card_px) {
   MARKETGEN_TRY(Image card, draw_promotion_card(product, card_px));
   return PrintedPicture{std::move(card), std::nullopt};
 }
@@ -80,6 +85,8 @@ PriceLabelBuilder::PriceLabelBuilder(Draft& draft) {
   const auto paper = [&](std::int32_t texture) {
     return draft.material({.color = {1, 1, 1}, .roughness = 0.5F, .texture = texture});
   };
+  const int tag_px = pixels(near_tag_px, draft.print()),
+            card_px = pixels(near_card_px, draft.print());
   for (const PriceLabel& label : scene.price_labels) {
     const Product& product = scene.catalog[label.sku];
     const bool promotion = label.promotion != 0;
@@ -87,10 +94,11 @@ PriceLabelBuilder::PriceLabelBuilder(Draft& draft) {
     Looks looks;
     looks.tag = paper(draft.print_texture(
         fmt::format("tag {} {} {}", tag_px, promotion ? "promotion" : "", row),
-        [&product, promotion] { return print_price_tag(product, promotion, tag_px); }));
+        [&product, promotion, tag_px] { return print_price_tag(product, promotion, tag_px); }));
     if (promotion)
-      looks.card = paper(draft.print_texture(fmt::format("promotion card {} {}", card_px, row),
-                                             [&product] { return print_card(product); }));
+      looks.card =
+          paper(draft.print_texture(fmt::format("promotion card {} {}", card_px, row),
+                                    [&product, card_px] { return print_card(product, card_px); }));
     looks_of_label_.push_back(looks);
   }
 }

@@ -24,8 +24,9 @@ Material material_of(Draft& draft, const Product& product, const Surface& surfac
   Material material{
       .color = surface.color, .roughness = surface.roughness, .metallic = surface.metallic};
   if (surface.texture == "label")
-    material.texture =
-        draft.print_texture(label_content(product), [&product] { return library_label(product); });
+    material.texture = draft.print_texture(
+        label_content(product, draft.print()),
+        [&product, print = draft.print()] { return library_label(product, print); });
   else if (!surface.texture.empty())
     return draft.world().materials[draft.tiled_material(surface.texture)];
   return material;

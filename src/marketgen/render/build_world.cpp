@@ -29,13 +29,14 @@ void add_exhibits(World& world,
 
 Result<std::unique_ptr<World>> build_world(const Scene& scene,
                                            const std::vector<Exhibit>& exhibits,
-                                           Progress& progress) {
+                                           Progress& progress,
+                                           PrintDetail print) {
   auto world = std::make_unique<World>();
   world->device.reset(rtcNewDevice(nullptr));
   if (!world->device)
     return Error{"io.out_of_memory", "renderer", "Embree could not be started on this machine"};
 
-  Draft draft(scene, *world);
+  Draft draft(scene, *world, print);
   const Room room = room_of(scene.layout.shell);
   MARKETGEN_TRY(const ProductBuilder products, ProductBuilder::begin(draft));
   const FixtureBuilder fixtures(draft);

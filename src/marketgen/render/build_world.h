@@ -14,6 +14,7 @@ namespace marketgen::raytrace {
 // io.out_of_memory when Embree fails.
 Result<std::unique_ptr<World>> build_world(const Scene& scene,
                                            const std::vector<Exhibit>& exhibits,
-                                           Progress& progress);
+                                           Progress& progress,
+                                           PrintDetail print);
 
 }  // namespace marketgen::raytrace

@@ -9,8 +9,8 @@
 namespace marketgen {
 namespace {
 
-constexpr int room_mm = 4000;        // a bright empty room round the product
-constexpr double view_fov_deg = 22;  // little perspective
+constexpr int room_mm = 4000;           // a bright empty room round the product
+constexpr double product_fov_deg = 22;  // little perspective
 
 // A scene with one product in the middle of an empty room, on a white block at hand height.
 Scene stage_for(const Product& product) {
@@ -33,10 +33,10 @@ Camera camera_for(const Product& product, int size_px) {
   const double radius = 0.5 * std::sqrt(product.width_m() * product.width_m() +
                                         product.depth_m() * product.depth_m() +
                                         product.height_m() * product.height_m());
-  const double distance = 1.12 * radius / std::sin(view_fov_deg / 2 * 3.14159265358979 / 180);
+  const double distance = 1.12 * radius / std::sin(product_fov_deg / 2 * 3.14159265358979 / 180);
   const Vec3 at{middle, middle, product.height_m() / 2};
   const Vec3 direction = normalized(Vec3{0.45, -1.0, 0.42});
-  return {"product", at + direction * distance, at, view_fov_deg, 0, size_px, size_px};
+  return {"product", at + direction * distance, at, product_fov_deg, 0, size_px, size_px};
 }
 
 }  // namespace

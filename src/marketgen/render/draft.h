@@ -9,6 +9,7 @@
 #include "assets/label.h"
 #include "base/progress.h"
 #include "base/result.h"
+#include "render/render.h"
 #include "render/world.h"
 #include "scene/scene.h"
 
@@ -16,10 +17,12 @@ namespace marketgen::raytrace {
 
 class Draft {
  public:
-  Draft(const Scene& scene, World& world) : scene_(scene), world_(world) {}
+  Draft(const Scene& scene, World& world, PrintDetail print)
+      : scene_(scene), world_(world), print_(print) {}
 
   const Scene& scene() const { return scene_; }
   World& world() const { return world_; }
+  PrintDetail print() const { return print_; }
 
   // The texture drawn by `draw` from `content` (which decides its pixels). Equal contents share one
   // texture.
@@ -45,6 +48,7 @@ class Draft {
  private:
   const Scene& scene_;
   World& world_;
+  PrintDetail print_;
   struct Order {
     std::string content;
     std::function<Result<Image>()> draw;

@@ -19,6 +19,7 @@ struct Exhibit {
 // Renderer::create with exhibits in the room.
 Result<std::unique_ptr<Renderer>> create_renderer(const Scene& scene,
                                                   const std::vector<Exhibit>& exhibits,
-                                                  Progress& progress);
+                                                  Progress& progress,
+                                                  PrintDetail print = PrintDetail::near);
 
 }  // namespace marketgen::raytrace

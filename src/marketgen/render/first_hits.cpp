@@ -7,11 +7,9 @@
 namespace marketgen::raytrace {
 namespace {
 
-constexpr int block = 4;              // one packet: 4 x 4 pixels
-constexpr int most_panes = 4;         // seen through one another
-constexpr float pane_step_m = 2e-3F;  // past a pane
-// A pane of two faces reflects about twice what one face does.
-constexpr float pane_reflectance = 2 * dielectric_reflectance;
+constexpr int block = 4;            // one packet: 4 x 4 pixels
+constexpr int most_seen_panes = 4;  // seen through one another
+constexpr float past_pane_m = 2e-3F;
 
 std::size_t lane_pixel(int bx, int by, std::size_t lane) {
   const int x = bx * block + static_cast<int>(lane) % block;
@@ -65,14 +63,14 @@ std::optional<GlassLayer> glass_before(const World& world, const Ray& ray, float
   std::optional<GlassLayer> layer;
   Ray rest = ray;
   rest.far = far;
-  for (int pane = 0; pane < most_panes && rest.near < far; ++pane) {
+  for (int pane = 0; pane < most_seen_panes && rest.near < far; ++pane) {
     const Hit hit = trace_one(world, rest, mask_glass);
     if (!hit.any()) break;
     const Surface surface = surface_at(world, ray, hit, 0);
     const float reflected = pane_fresnel(surface, ray.direction);
     if (!layer) layer = GlassLayer{surface, {1, 1, 1}, reflected};
     layer->transmittance *= surface.albedo * (1 - reflected);
-    rest.near = hit.t + pane_step_m;
+    rest.near = hit.t + past_pane_m;
   }
   return layer;
 }

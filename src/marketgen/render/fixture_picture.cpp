@@ -9,7 +9,7 @@
 namespace marketgen {
 namespace {
 
-constexpr double view_fov_deg = 36;
+constexpr double fixture_fov_deg = 36;
 constexpr double margin = 1.06;
 constexpr double pi = 3.14159265358979323846;
 
@@ -41,14 +41,14 @@ Camera camera_for(const std::vector<Vec3>& points, int size_px) {
   const Vec3 at = middle_of(points);
   const Vec3 back = normalized(Vec3{0.5, -1.0, 0.42});  // from the right, above the front
   const Vec3 right = normalized(cross(Vec3{0, 0, 1}, back)), up = cross(back, right);
-  const double slope = std::tan(view_fov_deg / 2 * pi / 180) / margin;
+  const double slope = std::tan(fixture_fov_deg / 2 * pi / 180) / margin;
   double distance = 0;
   for (const Vec3& point : points) {
     const Vec3 d = point - at;
     const double aside = std::max(std::abs(dot(d, right)), std::abs(dot(d, up)));
     distance = std::max(distance, dot(d, back) + aside / slope);
   }
-  return {"fixture", at + back * distance, at, view_fov_deg, 0, size_px, size_px};
+  return {"fixture", at + back * distance, at, fixture_fov_deg, 0, size_px, size_px};
 }
 
 }  // namespace

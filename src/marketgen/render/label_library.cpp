@@ -12,6 +12,7 @@ namespace marketgen::raytrace {
 
 namespace {
 
+constexpr double distant_share = 1.0 / 4;  // of the pixels a millimetre
 constexpr double usual_px_per_mm = 1.9, usual_area_mm2 = 200.0 * 200.0;
 
 }  // namespace
@@ -23,13 +24,15 @@ double label_px_per_mm(const SheetSize& size) {
   return usual_px_per_mm * std::pow(usual_area_mm2 / std::max(area_mm2, 1.0), falloff);
 }
 
-std::string label_content(const Product& product) {
-  return "library label " + write_json_line(product);
+std::string label_content(const Product& product, PrintDetail detail) {
+  return (detail == PrintDetail::near ? "library label " : "distant label ") +
+         write_json_line(product);
 }
 
-Result<PrintedPicture> library_label(const Product& product) {
+Result<PrintedPicture> library_label(const Product& product, PrintDetail detail) {
   const Result<SheetSize> size = sheet_size_of(product);  // products with a mesh of their own: none
-  return print_label(product, size.ok() ? label_px_per_mm(*size) : usual_px_per_mm);
+  const double px_per_mm = size.ok() ? label_px_per_mm(*size) : usual_px_per_mm;
+  return print_label(product, detail == PrintDetail::near ? px_per_mm : px_per_mm * distant_share);
 }
 
 Result<LabelLibrary> build_label_library(const std::vector<Product>& products, Progress& progress) {

@@ -11,6 +11,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "catalog/product.h"
+#include "render/render.h"
 
 namespace marketgen::raytrace {
 
@@ -20,9 +21,10 @@ namespace marketgen::raytrace {
 double label_px_per_mm(const SheetSize& size);
 
 // What decides a product's sheet in the library: the key of cached_print().
-std::string label_content(const Product& product);
+std::string label_content(const Product& product, PrintDetail detail = PrintDetail::near);
 // Draws it. Errors: as print_label().
-Result<PrintedPicture> library_label(const Product& product);
+Result<PrintedPicture> library_label(const Product& product,
+                                     PrintDetail detail = PrintDetail::near);
 
 struct LabelLibrary {
   std::size_t labels = 0;   // products that show a sheet

@@ -18,7 +18,7 @@ constexpr float ball_radius_m = 0.12F;
 constexpr float slab_m = 0.26F, slab_thickness_m = 0.018F;
 // Repeats of a texture across what is shown, at least; fine materials show as many as there are.
 constexpr float fewest_repeats = 0.9F;
-constexpr double view_fov_deg = 22;
+constexpr double material_fov_deg = 22;
 
 Scene stage_for(const MaterialRow& material) {
   Scene scene;
@@ -116,7 +116,7 @@ std::vector<raytrace::Exhibit> exhibits_for(const MaterialRow& material) {
 Camera camera_for(int size_px) {
   const Vec3 at{double{middle_m}, double{middle_m}, double{table_m + ball_radius_m} - 0.005};
   const Vec3 back = normalized(Vec3{0.12, -1.0, 0.30});
-  return {"material", at + back * 0.86, at, view_fov_deg, 0, size_px, size_px};
+  return {"material", at + back * 0.86, at, material_fov_deg, 0, size_px, size_px};
 }
 
 }  // namespace

@@ -12,7 +12,6 @@ constexpr int most_bounces = 12, most_panes = 8;
 constexpr int roulette_from = 3;  // bounces before paths may end by chance
 constexpr float brightest_indirect =
     20;  // in units of white; caps fireflies, direct light is never capped
-constexpr float pane_reflectance = 2 * dielectric_reflectance;
 constexpr float pane_step_m = 1.5e-3F, light_end_m = 5e-3F;
 constexpr float bounce_footprint =
     0.05F;  // metres per metre: textures are read blurred after the first hit

@@ -27,6 +27,11 @@ constexpr std::array<std::string_view, 3> names_of(Quality) {
   return {"fast", "balanced", "best"};
 }
 
+// How finely the print on packs is drawn. near: for cameras that come as close as a hand does;
+// distant: a quarter as fine (price labels a third), for pictures whose pixels cover 2 mm of a pack
+// or more, as previews.
+enum class PrintDetail { near, distant };
+
 struct RenderOptions {
   RenderMode mode = RenderMode::sensor;
   Quality quality = Quality::balanced;
@@ -48,7 +53,8 @@ struct Frame {
 class Renderer {
  public:
   static Result<std::unique_ptr<Renderer>> create(const Scene& scene,
-                                                  Progress& progress = silent_progress());
+                                                  Progress& progress = silent_progress(),
+                                                  PrintDetail print = PrintDetail::near);
   virtual ~Renderer() = default;
   // Errors: camera.*. The scene must outlive the renderer.
   virtual Result<Frame> render(const Camera& camera,

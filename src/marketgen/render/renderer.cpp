@@ -202,15 +202,18 @@ class EmbreeRenderer : public Renderer {
 
 Result<std::unique_ptr<Renderer>> create_renderer(const Scene& scene,
                                                   const std::vector<Exhibit>& exhibits,
-                                                  Progress& progress) {
-  MARKETGEN_TRY(std::unique_ptr<World> world, build_world(scene, exhibits, progress));
+                                                  Progress& progress,
+                                                  PrintDetail print) {
+  MARKETGEN_TRY(std::unique_ptr<World> world, build_world(scene, exhibits, progress, print));
   return std::unique_ptr<Renderer>(std::make_unique<EmbreeRenderer>(std::move(world), scene));
 }
 
 }  // namespace raytrace
 
-Result<std::unique_ptr<Renderer>> Renderer::create(const Scene& scene, Progress& progress) {
-  return raytrace::create_renderer(scene, {}, progress);
+Result<std::unique_ptr<Renderer>> Renderer::create(const Scene& scene,
+                                                   Progress& progress,
+                                                   PrintDetail print) {
+  return raytrace::create_renderer(scene, {}, progress, print);
 }
 
 }  // namespace marketgen

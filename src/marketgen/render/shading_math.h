@@ -16,6 +16,8 @@ constexpr float inverse_pi = std::numbers::inv_pi_v<float>;
 constexpr float two_pi = 2 * pi;
 // Normal reflectance of a dielectric with refractive index 1.5: ((n - 1) / (n + 1))^2.
 constexpr float dielectric_reflectance = 0.04F;
+// A pane of two faces reflects about twice what one face does.
+constexpr float pane_reflectance = 2 * dielectric_reflectance;
 
 inline float luminance(Vec3f c) {
   return 0.2126F * c.x + 0.7152F * c.y + 0.0722F * c.z;

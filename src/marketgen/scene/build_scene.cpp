@@ -6,6 +6,7 @@
 #include "scene/assortment.h"
 #include "scene/placements.h"
 #include "scene/planogram.h"
+#include "scene/row_arrays.h"
 #include "scene/scene.h"
 #include "scene/shelf_fill.h"
 
@@ -52,19 +53,6 @@ auto key_of(const FixtureShape& s) {
                     s.shelf_tilt_deg,
                     s.fence_mm,
                     s.header_mm);
-}
-
-std::array<float, 3> as_array(Vec3 v) {
-  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-std::array<float, 3> as_array(Vec3f v) {
-  return {v.x, v.y, v.z};
-}
-std::array<float, 4> as_array(const Quaternion& q) {
-  return {static_cast<float>(q.w),
-          static_cast<float>(q.x),
-          static_cast<float>(q.y),
-          static_cast<float>(q.z)};
 }
 
 // Models of every module; equal shapes are built once.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "layout/module_spec.h"
+
 namespace marketgen {
 namespace {
 
@@ -21,21 +23,11 @@ Shell room_for(const FixtureKind& kind) {
 }
 
 Fixture module_of(const FixtureKind& kind, const Shell& room) {
-  Fixture fixture;
-  fixture.id = fixture.run = fixture.kind = kind.kind;
+  Fixture fixture = lone_module(kind);
+  fixture.id = fixture.run = kind.kind;
   fixture.zone = zone_id;
   fixture.x_mm = room.width_mm / 2;
   fixture.y_mm = room.depth_mm / 2;
-  fixture.width_mm = kind.module_widths_mm.front();
-  fixture.depth_mm = kind.depth_mm;
-  fixture.height_mm = kind.height_mm;
-  fixture.levels = kind.levels;
-  fixture.base_mm = kind.base_mm;
-  fixture.spacing_mm = kind.levels > 0 ? (kind.height_mm - kind.base_mm) / kind.levels : 0;
-  fixture.sides = kind.double_sided ? 2 : 1;
-  fixture.run_start = fixture.run_end = true;
-  fixture.material = kind.material;
-  fixture.color = kind.color;
   return fixture;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/row_arrays.h"
 #include "scene/shelf_fill.h"
 
 namespace marketgen {
@@ -32,13 +33,6 @@ std::uint32_t stranger_for(std::uint32_t row, const Catalog& catalog, Stream& dr
     }
   }
   return row;
-}
-
-std::array<float, 4> as_array(const Quaternion& q) {
-  return {static_cast<float>(q.w),
-          static_cast<float>(q.x),
-          static_cast<float>(q.y),
-          static_cast<float>(q.z)};
 }
 
 struct Box {

@@ -21,6 +21,19 @@ double heaviness(const Product& product) {
   return product.mass_kg + 4.0 * product.width_m() * product.height_m();
 }
 
+// Offers stand in piles that are seen from afar: this high, or this share of the room.
+constexpr double pile_m = 0.35, pile_share = 0.45;
+// How far the next bay of offers moves on in the assortment, in shares of it: the golden section
+// comes to new goods every time.
+constexpr double offer_stride = 0.381966;
+
+constexpr int least_heaped = 4;  // pieces across: fewer make a row, not a heap
+
+bool piles_up(const Product& product, const ShelfRoom& room) {
+  return fits(product, room) && stack_height(product, room) * product.height_m() >=
+                                    std::min(pile_m, pile_share * room.clearance_m);
+}
+
 // One bay while it is being planned. Products are named by their place in the assortment.
 class BayPlan {
  public:
@@ -33,6 +46,9 @@ class BayPlan {
     for (const ShelfRoom& room : bay.shelves)
       free_m_.push_back(room.width_m * stock.fill);
     blocks_.resize(bay.shelves.size());
+    piles_only_ = bay.promotion && std::any_of(assortment.begin(), assortment.end(), [&](auto row) {
+                    return piles_up_somewhere(catalog.products[row]);
+                  });
   }
 
   std::vector<PlannedShelf> plan(AssortmentCursor& cursor) {
@@ -52,6 +68,8 @@ class BayPlan {
 
   int wanted_facings() {
     if (bay_.promotion) return most_facings;
+    if (bay_.shelves.front().use == ShelfUse::heap)
+      return draw_.integer(least_heaped, most_facings);
     return draw_.integer(stock_.facings[0], std::max(stock_.facings[0], stock_.facings[1]));
   }
 
@@ -59,6 +77,16 @@ class BayPlan {
     return std::any_of(bay_.shelves.begin(), bay_.shelves.end(), [&](const ShelfRoom& room) {
       return fits(p, room);
     });
+  }
+
+  bool piles_up_somewhere(const Product& p) const {
+    return std::any_of(bay_.shelves.begin(), bay_.shelves.end(), [&](const ShelfRoom& room) {
+      return piles_up(p, room);
+    });
+  }
+
+  bool suits(const Product& p, const ShelfRoom& room) const {
+    return piles_only_ ? piles_up(p, room) : fits(p, room);
   }
 
   // The next products of the assortment, until their blocks fill the bay.
@@ -72,9 +100,12 @@ class BayPlan {
     for (; looked < assortment_.size() && taken < capacity; ++looked) {
       const std::size_t place = (cursor.next + looked) % assortment_.size();
       if (!fits_somewhere(product(place))) continue;
+      if (piles_only_ && !piles_up_somewhere(product(place))) continue;
       slice.push_back({place, wanted_facings()});
       taken += slice.back().facings * pitch_of(product(place));
     }
+    if (bay_.promotion)
+      looked += static_cast<std::size_t>(offer_stride * static_cast<double>(assortment_.size()));
     cursor.next = (cursor.next + looked) % assortment_.size();
     return slice;
   }
@@ -95,7 +126,7 @@ class BayPlan {
     const Product& p = product(block.place);
     for (std::size_t level = 0; level < free_m_.size(); ++level) {
       const double width = block.facings * pitch_of(p);
-      if (width > free_m_[level] || !fits(p, bay_.shelves[level])) continue;
+      if (width > free_m_[level] || !suits(p, bay_.shelves[level])) continue;
       blocks_[level].push_back(block);
       free_m_[level] -= width;
       return true;
@@ -141,7 +172,7 @@ class BayPlan {
     for (std::size_t i = 0; i < assortment_.size(); ++i) {
       const std::size_t place = (start + i) % assortment_.size();
       const Product& p = product(place);
-      if (pitch_of(p) > free_m_[level] || !fits(p, bay_.shelves[level]) || stands_on(level, place))
+      if (pitch_of(p) > free_m_[level] || !suits(p, bay_.shelves[level]) || stands_on(level, place))
         continue;
       const int room = static_cast<int>(free_m_[level] / pitch_of(p));
       const Block block{place, std::clamp(wanted_facings(), 1, room)};
@@ -186,6 +217,7 @@ class BayPlan {
   const StockSpec& stock_;
   const Catalog& catalog_;
   Stream draw_;
+  bool piles_only_ = false;                 // offers, and some of the assortment piles up
   std::vector<double> free_m_;              // per level
   std::vector<std::vector<Block>> blocks_;  // per level
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "assets/product_model.h"
+#include "scene/heap_fill.h"
 #include "scene/scene.h"
 
 namespace marketgen {
@@ -96,6 +97,8 @@ void stand_items(FilledBlock& block,
   }
 }
 
+constexpr double heap_taken_share = 0.25;  // of the topmost pieces, where stock is untidiest
+
 // How loose pieces lie on one another: balls in the pockets of four, logs (along X) between two,
 // blocks one on another.
 enum class HeapKind { balls, logs, blocks };
@@ -111,6 +114,29 @@ HeapKind heap_kind_of(const Product& product) {
 double layer_rise(HeapKind kind) {
   if (kind == HeapKind::balls) return std::sqrt(0.5);      // a ball among four
   return kind == HeapKind::logs ? std::sqrt(3.0) / 2 : 1;  // a cylinder between two
+}
+
+// A settled heap, cut to the block.
+void lay_heap(FilledBlock& block,
+              const HeapRow& row,
+              const Product& product,
+              const ShelfRoom& room,
+              const StockSpec& stock,
+              Stream& draw) {
+  const double left = block.x_m - room.width_m / 2;
+  const ShelfRoom own{block.width_m, room.depth_m, room.clearance_m, room.use};
+  const double piece_m = std::max(product.width_m(), product.depth_m());
+  double highest_m = 0;
+  for (const HeapItem& item : laid_heap(row, product, own, heap_taken_share * stock.jitter, draw)) {
+    const Vec3 at = item.pose.position;
+    highest_m = std::max(highest_m, at.z);
+    block.items.push_back({block.product,
+                           {left + at.x, at.y, at.z},
+                           item.pose.rotation,
+                           at.y < piece_m ? product_front_row : 0});
+  }
+  block.rows_deep = std::max(1, static_cast<int>(room.depth_m / piece_m));
+  block.stack = 1 + static_cast<int>(highest_m / (piece_m * layer_rise(HeapKind::balls)));
 }
 
 // Layers of a heap, each in the pockets of the one below.
@@ -145,7 +171,7 @@ void heap_items(FilledBlock& block,
     const double shift_y = kind == HeapKind::blocks ? 0 : d / 2 * layer;
     for (int row = 0; row < deep; ++row) {
       for (int column = 0; column < across; ++column) {
-        if (layer == layers - 1 && layer > 0 && draw.chance(0.25 * stock.jitter))
+        if (layer == layers - 1 && layer > 0 && draw.chance(heap_taken_share * stock.jitter))
           continue;  // shoppers take from the top
         const Vec3 at{left + shift_x + w * (column + 0.5), shift_y + d * (row + 0.5), rise * layer};
         // balls lie any way round
@@ -174,6 +200,10 @@ bool lies_in_a_heap(const Product& product) {
          product.archetype == "elongated_produce" || product.archetype == "leafy_produce";
 }
 
+bool lies_as_balls(const Product& product) {
+  return lies_in_a_heap(product) && heap_kind_of(product) == HeapKind::balls;
+}
+
 std::vector<FilledBlock> fill_shelf(const PlannedShelf& plan,
                                     const ShelfRoom& room,
                                     const StockSpec& stock,
@@ -190,10 +220,12 @@ std::vector<FilledBlock> fill_shelf(const PlannedShelf& plan,
     block.facings = planned.facings;
     block.x_m = x;
     block.width_m = planned.facings * (product.width_m() + pack_gap_m);
-    if (lies_in_a_heap(product))
+    const bool heaped = lies_in_a_heap(product);
+    if (const HeapRow* heap = heaped ? catalog.heap(product) : nullptr)
+      lay_heap(block, *heap, product, room, stock, draw);
+    if (heaped && block.items.empty())  // no settled heap, or none of it has room
       heap_items(block, product, room, stock, draw);
-    else
-      stand_items(block, product, room, stock, draw);
+    if (!heaped) stand_items(block, product, room, stock, draw);
     if (draw.chance(stock.out_of_stock)) block.items.clear();
     x += block.width_m + gap;
     blocks.push_back(std::move(block));

@@ -31,6 +31,9 @@ struct FilledBlock {
 // Loose goods that are heaped rather than stacked in rows.
 bool lies_in_a_heap(const Product& product);
 
+// Those of them that lie as balls do, any way round: they have settled heaps (catalog/heap.h).
+bool lies_as_balls(const Product& product);
+
 // Fills one shelf. Every item lies inside the shelf's width, depth and clearance, and keeps at
 // least 1 mm from items of other columns and rows; stacked items rest on one another. Heaps (loose
 // produce) lie in layers, each in the pockets of the one below.

@@ -9,12 +9,14 @@ namespace marketgen {
 Result<void> draw_previews(const Scene& scene,
                            const std::filesystem::path& folder,
                            Progress& progress) {
-  MARKETGEN_TRY(const std::unique_ptr<Renderer> renderer, Renderer::create(scene, progress));
+  MARKETGEN_TRY(const std::unique_ptr<Renderer> renderer,
+                Renderer::create(scene, progress, PrintDetail::distant));
   for (const char* name : {"top", "entrance", "aisle", "checkout"}) {
     MARKETGEN_CHECK(check_interrupt());
     MARKETGEN_TRY(const Camera camera,
                   camera_named(scene, name, preview_width_px, preview_height_px));
     RenderOptions options;
+    options.quality = Quality::fast;
     options.hide_ceiling = camera.ortho_height_m > 0;
     MARKETGEN_TRY(const Frame frame, renderer->render(camera, options, progress));
     MARKETGEN_CHECK(write_png(folder / (std::string(name) + ".png"), frame.color));

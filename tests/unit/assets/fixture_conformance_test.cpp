@@ -11,6 +11,7 @@
 
 #include "fixture_table.h"
 #include "oriented_box.h"
+#include "support/committed_catalog.h"
 
 namespace marketgen {
 namespace {
@@ -243,12 +244,11 @@ std::vector<FixtureShape> shapes_of(const FixtureKind& kind) {
 }
 
 TEST(Fixtures, EveryCatalogueRowConformsOverItsRanges) {
-  const Result<Catalog> catalog = load_catalog(std::string(MARKETGEN_SOURCE_DIR) + "/data");
-  ASSERT_TRUE(catalog.ok()) << to_string(catalog.error());
-  ASSERT_GE(catalog->fixture_kinds.size(), 150U);
-  for (const FixtureKind& kind : catalog->fixture_kinds) {
+  const Catalog& catalog = committed_catalog();
+  ASSERT_GE(catalog.fixture_kinds.size(), 150U);
+  for (const FixtureKind& kind : catalog.fixture_kinds) {
     for (const FixtureShape& shape : shapes_of(kind)) {
-      expect_conforms(shape, *catalog);
+      expect_conforms(shape, catalog);
       if (HasFailure()) return;
     }
   }

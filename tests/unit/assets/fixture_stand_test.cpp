@@ -9,6 +9,7 @@
 
 #include "fixture_table.h"
 #include "oriented_box.h"
+#include "support/committed_catalog.h"
 
 namespace marketgen {
 namespace {
@@ -75,11 +76,10 @@ double highest_of(const FixtureModel& model, Vec3 way) {
 }
 
 TEST(FixtureStand, EveryRowStandsOrHangsWhereItSays) {
-  const Result<Catalog> catalog = load_catalog(std::string(MARKETGEN_SOURCE_DIR) + "/data");
-  ASSERT_TRUE(catalog.ok()) << to_string(catalog.error());
-  for (const FixtureKind& kind : catalog->fixture_kinds) {
+  const Catalog& catalog = committed_catalog();
+  for (const FixtureKind& kind : catalog.fixture_kinds) {
     SCOPED_TRACE(kind.kind);
-    const FixtureModel model = made(shape_of(kind), *catalog);
+    const FixtureModel model = made(shape_of(kind), catalog);
     if (kind.mount == FixtureMount::ceiling) {
       EXPECT_NEAR(highest_of(model, {0, 0, 1}), kind.height_mm * 0.001, touch_m);
       continue;

@@ -10,11 +10,12 @@
 #include "fixture_table.h"
 #include "geometry/pose.h"
 #include "oriented_box.h"
+#include "support/committed_catalog.h"
 
 namespace marketgen {
 namespace {
 
-constexpr double tolerance_m = 0.0005;
+constexpr double motion_tolerance_m = 0.0005;
 constexpr int steps = 16;
 constexpr double one_turn_rad = 6.283185307179586;
 
@@ -72,7 +73,7 @@ double deepest(const FixtureModel& model, int row) {
 void expect_free_motion(const FixtureShape& shape, const FixtureModel& model) {
   for (std::size_t row = 0; row < model.joints.size(); ++row) {
     if (model.joints[row].kind == JointKind::belt) continue;  // its parts stand still
-    EXPECT_LE(deepest(model, static_cast<int>(row)), tolerance_m)
+    EXPECT_LE(deepest(model, static_cast<int>(row)), motion_tolerance_m)
         << text_of(shape) << " " << model.joints[row].name;
   }
 }
@@ -90,7 +91,7 @@ TEST(FixtureSweeps, ADoorHungOnItsBackEdgeIsSeenToHitItsPost) {  // the test see
   hinge.upper = 1.5;
   hinge.fixture_from_joint.position = {0, 0.02, 0};  // on the side that it opens to
   model.joints = {hinge};
-  EXPECT_LT(deepest(model, 0), tolerance_m);  // counter-clockwise: it opens towards +Y
+  EXPECT_LT(deepest(model, 0), motion_tolerance_m);  // counter-clockwise: it opens towards +Y
   model.joints[0].fixture_from_joint.position = {0, -0.02, 0};
   EXPECT_GT(deepest(model, 0), 0.01);
 }
@@ -102,12 +103,11 @@ TEST(FixtureSweeps, EveryTableRowMovesFreely) {
 }
 
 TEST(FixtureSweeps, EveryCatalogueRowMovesFreely) {
-  const Result<Catalog> catalog = load_catalog(std::string(MARKETGEN_SOURCE_DIR) + "/data");
-  ASSERT_TRUE(catalog.ok()) << to_string(catalog.error());
+  const Catalog& catalog = committed_catalog();
   int articulated = 0;
-  for (const FixtureKind& kind : catalog->fixture_kinds) {
+  for (const FixtureKind& kind : catalog.fixture_kinds) {
     const FixtureShape shape = shape_of(kind);
-    const FixtureModel model = made(shape, *catalog);
+    const FixtureModel model = made(shape, catalog);
     articulated += model.joints.empty() ? 0 : 1;
     expect_free_motion(shape, model);
   }

@@ -16,6 +16,7 @@
 #include "catalog/user_products.h"
 #include "io/json.h"
 #include "io/png.h"
+#include "support/committed_catalog.h"
 #include "support/glb_bytes.h"
 #include "support/run_program.h"
 
@@ -24,12 +25,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const Catalog& catalog() {
-  static const auto loaded = load_catalog(fs::path(MARKETGEN_SOURCE_DIR) / "data");
-  return loaded.value();
-}
 const AssetDatabase& database() {
-  static const auto made = AssetDatabase::build(catalog());
+  static const auto made = AssetDatabase::build(committed_catalog());
   return made.value();
 }
 
@@ -43,8 +40,10 @@ class Import : public testing::Test {
                                ImportOptions options = {}) const {
     options.coacd = false;
     std::ofstream(scratch_.path() / name, std::ios::binary) << bytes;
-    return import_asset(
-        scratch_.path() / name, options, catalog(), offline_annotator(catalog(), database()));
+    return import_asset(scratch_.path() / name,
+                        options,
+                        committed_catalog(),
+                        offline_annotator(committed_catalog(), database()));
   }
   // Imports, writes, and loads it as `--catalog` does.
   Result<Product> imported_product(const std::string& name, const std::string& bytes) const {
@@ -232,7 +231,7 @@ TEST_F(Import, AnyAnnotatorCanBePluggedIn) {
     said.subcategory = "rice";
     return said;
   };
-  const auto asset = import_asset(scratch_.path() / "x.glb", options, catalog(), oracle);
+  const auto asset = import_asset(scratch_.path() / "x.glb", options, committed_catalog(), oracle);
   ASSERT_TRUE(asset.ok());
   EXPECT_EQ(asset->file.product.subcategory, "rice");
 }

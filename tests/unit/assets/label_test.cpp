@@ -16,6 +16,7 @@
 
 #include "assets/label_sheet.h"
 #include "base/seed.h"
+#include "image_steps.h"
 #include "io/png.h"
 #include "sample_products.h"
 
@@ -69,15 +70,6 @@ std::set<std::array<int, 3>> colors_of(const Image& image) {
 }
 
 // Mean absolute difference of two columns.
-double column_difference(const Image& image, int a, int b) {
-  double sum = 0;
-  for (int y = 0; y < image.height; ++y) {
-    for (int c = 0; c < 3; ++c)
-      sum += std::abs(int{image.at(a, y)[c]} - int{image.at(b, y)[c]});
-  }
-  return sum / (3.0 * image.height);
-}
-
 TEST(Label, SameRowGivesSamePixelsFromFourThreads) {
   const std::vector<Product> products = sample_products();
   std::array<std::vector<Image>, 4> drawn;

@@ -11,6 +11,8 @@
 
 #include "assets/texture_field.h"
 #include "catalog/catalog.h"
+#include "image_steps.h"
+#include "support/committed_catalog.h"
 
 namespace marketgen {
 namespace {
@@ -23,24 +25,6 @@ MaterialRow row_of(MaterialPattern pattern) {
   row.second_color = "#94693d";
   row.period_mm = 300;
   return row;
-}
-
-double row_difference(const Image& image, int a, int b) {
-  double sum = 0;
-  for (int x = 0; x < image.width; ++x) {
-    for (int c = 0; c < image.channels; ++c)
-      sum += std::abs(int{image.at(x, a)[c]} - int{image.at(x, b)[c]});
-  }
-  return sum / (image.channels * image.width);
-}
-
-double column_difference(const Image& image, int a, int b) {
-  double sum = 0;
-  for (int y = 0; y < image.height; ++y) {
-    for (int c = 0; c < image.channels; ++c)
-      sum += std::abs(int{image.at(a, y)[c]} - int{image.at(b, y)[c]});
-  }
-  return sum / (image.channels * image.height);
 }
 
 // The step over the border must be no larger than the steps inside, give or take one step among
@@ -216,11 +200,10 @@ TEST(MaterialTexture, HolesInMetalAreNoMetal) {
 }
 
 TEST(MaterialTexture, CommittedRowsReflectWhatRealSurfacesDo) {
-  const Result<Catalog> catalog = load_catalog(MARKETGEN_SOURCE_DIR "/data");
-  ASSERT_TRUE(catalog.ok()) << to_string(catalog.error());
-  EXPECT_GE(catalog->materials.size(), 80U);
+  const Catalog& catalog = committed_catalog();
+  EXPECT_GE(catalog.materials.size(), 80U);
   std::set<MaterialPattern> used;
-  for (const MaterialRow& row : catalog->materials) {
+  for (const MaterialRow& row : catalog.materials) {
     used.insert(row.pattern);
     const Image image = draw_material(row, 64);
     // sRGB 39 and 243 are albedo 0.02 and 0.9.

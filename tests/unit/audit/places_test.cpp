@@ -8,13 +8,13 @@
 namespace marketgen {
 namespace {
 
-struct Case {
+struct PlaceCase {
   const char *a, *relation, *b, *c;
   bool holds;
 };
 
-void expect_all(const Scene& scene, const std::vector<Case>& cases) {
-  for (const Case& k : cases) {
+void expect_all(const Scene& scene, const std::vector<PlaceCase>& cases) {
+  for (const PlaceCase& k : cases) {
     const auto relation = value_named<RelationKind>(k.relation);
     ASSERT_TRUE(relation) << k.relation;
     EXPECT_EQ(check_relation(scene, *relation, k.a, k.b, k.c).holds, k.holds)

@@ -51,12 +51,12 @@ Requirement opening_wish(std::string kind,
   return r;
 }
 
-struct Case {
+struct WishCase {
   Requirement wish;
   bool met;
 };
 
-std::vector<Case> cases() {
+std::vector<WishCase> cases() {
   return {
       {size_wish(20000, 10000), true},
       {size_wish(20000, 12000), false},
@@ -153,10 +153,10 @@ Scene dressed() {
 
 TEST(Requirements, EveryKindMetAndNotMet) {
   const Scene scene = dressed();
-  std::vector<Case> all = cases();
+  std::vector<WishCase> all = cases();
   all.push_back({wish(Kind::material, "floor", scene.layout.look.floor), true});
   std::map<Kind, std::array<int, 2>> seen;
-  for (const Case& c : all) {
+  for (const WishCase& c : all) {
     const auto results = check_requirements(scene, committed_catalog(), {c.wish});
     ASSERT_EQ(results.size(), 1U);
     EXPECT_EQ(results[0].met, c.met)

@@ -7,6 +7,7 @@
 
 #include "catalog/asset_database.h"
 #include "io/file.h"
+#include "support/committed_catalog.h"
 #include "support/run_program.h"
 
 namespace marketgen {
@@ -157,11 +158,6 @@ class AssetCache : public testing::Test {
   ScratchFolder scratch_;
 };
 
-const Catalog& committed() {
-  static const auto loaded = load_catalog(fs::path(MARKETGEN_SOURCE_DIR) / "data");
-  return loaded.value();
-}
-
 std::vector<double> scores(const AssetDatabase& database, const std::string& text) {
   std::vector<double> list;
   for (const AssetHit& hit : database.find({.text = text}).value()) {
@@ -172,10 +168,10 @@ std::vector<double> scores(const AssetDatabase& database, const std::string& tex
 }
 
 TEST_F(AssetCache, KeptDatabaseAnswersAsTheFreshOne) {
-  const auto fresh = AssetDatabase::build(committed());
-  const auto first = AssetDatabase::open(committed());
+  const auto fresh = AssetDatabase::build(committed_catalog());
+  const auto first = AssetDatabase::open(committed_catalog());
   ASSERT_EQ(files().size(), 1U);
-  const auto second = AssetDatabase::open(committed());
+  const auto second = AssetDatabase::open(committed_catalog());
   ASSERT_TRUE(second.ok());
   for (const char* text : {"milk", "something to clean windows", "water without gas"}) {
     EXPECT_EQ(scores(*fresh, text), scores(*first, text));
@@ -184,13 +180,13 @@ TEST_F(AssetCache, KeptDatabaseAnswersAsTheFreshOne) {
 }
 
 TEST_F(AssetCache, DamagedFileIsMadeAgain) {
-  ASSERT_TRUE(AssetDatabase::open(committed()).ok());
+  ASSERT_TRUE(AssetDatabase::open(committed_catalog()).ok());
   ASSERT_EQ(files().size(), 1U);
   const std::string good = contents_of(files()[0]);
   for (const std::string& bad :
        {std::string(), std::string("nonsense"), good.substr(0, good.size() / 2)}) {
     std::ofstream(files()[0], std::ios::binary) << bad;
-    const auto database = AssetDatabase::open(committed());
+    const auto database = AssetDatabase::open(committed_catalog());
     ASSERT_TRUE(database.ok());
     EXPECT_FALSE(database->find({.text = "milk"})->empty());
     EXPECT_EQ(contents_of(files()[0]), good);
@@ -199,7 +195,7 @@ TEST_F(AssetCache, DamagedFileIsMadeAgain) {
 
 TEST_F(AssetCache, UnwritableCacheCostsOnlyTime) {
   setenv("MARKETGEN_CACHE", "/proc/no-such-folder", 1);
-  EXPECT_TRUE(AssetDatabase::open(committed()).ok());
+  EXPECT_TRUE(AssetDatabase::open(committed_catalog()).ok());
 }
 
 }  // namespace

@@ -6,17 +6,13 @@
 #include <set>
 
 #include "catalog/catalog.h"
+#include "support/committed_catalog.h"
 
 namespace marketgen {
 namespace {
 
 const std::vector<FixtureKind>& rows() {
-  static const Catalog catalog = [] {
-    auto loaded = load_catalog(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data");
-    if (!loaded.ok()) fatal(to_string(loaded.error()).c_str());
-    return std::move(loaded).value();
-  }();
-  return catalog.fixture_kinds;
+  return committed_catalog().fixture_kinds;
 }
 
 TEST(FixtureRows, AreAtLeast150OverAtLeast45Generators) {

@@ -7,18 +7,10 @@
 #include "catalog/catalog.h"
 #include "catalog/gtin.h"
 #include "io/file.h"
+#include "support/committed_catalog.h"
 
 namespace marketgen {
 namespace {
-
-const Catalog& committed() {
-  static const Catalog catalog = [] {
-    auto loaded = load_catalog(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data");
-    if (!loaded.ok()) fatal(to_string(loaded.error()).c_str());
-    return std::move(loaded).value();
-  }();
-  return catalog;
-}
 
 // Whether src/marketgen/assets/archetypes.inc lists it; read as text because the catalogue may not
 // include assets.
@@ -32,12 +24,12 @@ bool is_archetype(const std::string& name) {
 }
 
 TEST(Rows, PassTheirOwnRules) {
-  const auto checked = check_catalog(committed());
+  const auto checked = check_catalog(committed_catalog());
   EXPECT_TRUE(checked.ok()) << to_string(checked.error());
 }
 
 TEST(Rows, ProductsAreSortedBySku) {
-  const auto& products = committed().products;
+  const auto& products = committed_catalog().products;
   for (std::size_t i = 1; i < products.size(); ++i)
     EXPECT_LT(products[i - 1].sku, products[i].sku);
 }
@@ -45,16 +37,16 @@ TEST(Rows, ProductsAreSortedBySku) {
 TEST(Rows, AreAWholeSupermarket) {
   std::map<std::string, int> products;
   std::set<std::string> nouns, brands, archetypes;
-  for (const Product& p : committed().products) {
+  for (const Product& p : committed_catalog().products) {
     ++products[p.category];
     nouns.insert(p.name);
     if (!p.brand.empty()) brands.insert(p.brand);
     archetypes.insert(p.archetype);
     EXPECT_TRUE(is_archetype(p.archetype)) << p.sku << ": " << p.archetype;
   }
-  EXPECT_GE(committed().products.size(), 1500U);
-  EXPECT_EQ(committed().categories.size(), 10U);
-  for (const CategoryRow& category : committed().categories)
+  EXPECT_GE(committed_catalog().products.size(), 1500U);
+  EXPECT_EQ(committed_catalog().categories.size(), 10U);
+  for (const CategoryRow& category : committed_catalog().categories)
     EXPECT_GE(products[category.id], 120) << category.id;
   EXPECT_GE(nouns.size(), 300U);
   EXPECT_GE(brands.size(), 100U);
@@ -63,7 +55,7 @@ TEST(Rows, AreAWholeSupermarket) {
 
 TEST(Rows, LookAlikesAreMarked) {
   std::map<std::string, std::vector<const Product*>> families;
-  for (const Product& p : committed().products) {
+  for (const Product& p : committed_catalog().products) {
     EXPECT_FALSE(p.family.empty()) << p.sku;
     families[p.family].push_back(&p);
   }
@@ -77,7 +69,7 @@ TEST(Rows, LookAlikesAreMarked) {
 }
 
 TEST(Rows, AreComplete) {
-  for (const Product& p : committed().products) {
+  for (const Product& p : committed_catalog().products) {
     EXPECT_FALSE(p.name_zh.empty()) << p.sku;
     EXPECT_FALSE(p.description.empty()) << p.sku;
     EXPECT_GE(p.keywords.size(), 2U) << p.sku;
@@ -87,14 +79,14 @@ TEST(Rows, AreComplete) {
 
 TEST(Rows, FifteenFixtureKindsWithEveryTemperature) {
   std::set<Storage> temperatures;
-  for (const FixtureKind& kind : committed().fixture_kinds)
+  for (const FixtureKind& kind : committed_catalog().fixture_kinds)
     temperatures.insert(kind.temperature);
-  EXPECT_GE(committed().fixture_kinds.size(), 15U);
+  EXPECT_GE(committed_catalog().fixture_kinds.size(), 15U);
   EXPECT_EQ(temperatures.size(), 3U);
 }
 
 TEST(Rows, FixtureKindsLieWithinTheirOwnRanges) {
-  for (const FixtureKind& kind : committed().fixture_kinds) {
+  for (const FixtureKind& kind : committed_catalog().fixture_kinds) {
     EXPECT_LE(kind.depth_range_mm[0], kind.depth_mm) << kind.kind;
     EXPECT_GE(kind.depth_range_mm[1], kind.depth_mm) << kind.kind;
     EXPECT_LE(kind.height_range_mm[0], kind.height_mm) << kind.kind;
@@ -105,7 +97,7 @@ TEST(Rows, FixtureKindsLieWithinTheirOwnRanges) {
 }
 
 TEST(Rows, LooseGoodsHavePluPackedGoodsEan) {
-  for (const Product& p : committed().products) {
+  for (const Product& p : committed_catalog().products) {
     EXPECT_NE(p.ean.empty(), p.plu.empty()) << p.sku;
     if (p.ean.empty()) continue;
     EXPECT_TRUE(is_ean13(p.ean) && is_restricted_circulation(p.ean)) << p.sku << " " << p.ean;
@@ -114,7 +106,7 @@ TEST(Rows, LooseGoodsHavePluPackedGoodsEan) {
 
 TEST(Rows, EveryProductHasAUnitPriceAShopperWouldBelieve) {  // a slipped digit in price or net
                                                              // quantity leaves this range
-  for (const Product& p : committed().products) {
+  for (const Product& p : committed_catalog().products) {
     const double unit_price = p.price / p.unit_amount;
     EXPECT_GT(unit_price, p.unit_of_measure == "piece" ? 0.005 : 0.1) << p.sku;
     EXPECT_LT(unit_price, 400) << p.sku;
@@ -122,7 +114,7 @@ TEST(Rows, EveryProductHasAUnitPriceAShopperWouldBelieve) {  // a slipped digit 
 }
 
 TEST(Rows, FindersFindWhatIsThereAndNothingElse) {
-  const Catalog& catalog = committed();
+  const Catalog& catalog = committed_catalog();
   for (const Product& p : catalog.products)
     EXPECT_EQ(catalog.product(p.sku), &p);
   EXPECT_EQ(catalog.product("no-such-sku"), nullptr);
@@ -137,8 +129,8 @@ TEST(Rows, FindersFindWhatIsThereAndNothingElse) {
 TEST(Rows, HashChangesWithARow) {
   const auto again = load_catalog(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data");
   ASSERT_TRUE(again.ok());
-  EXPECT_EQ(again->content_hash, committed().content_hash);
-  EXPECT_EQ(committed().content_hash.size(), 32U);
+  EXPECT_EQ(again->content_hash, committed_catalog().content_hash);
+  EXPECT_EQ(committed_catalog().content_hash.size(), 32U);
 }
 
 TEST(Rows, UnknownNameSuggestsTheNearest) {

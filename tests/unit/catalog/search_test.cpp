@@ -5,6 +5,7 @@
 #include <random>
 
 #include "catalog/asset_database.h"
+#include "support/committed_catalog.h"
 
 namespace marketgen {
 namespace {
@@ -198,14 +199,8 @@ TEST(Search, AnyBytesAreAnsweredOrRefused) {  // no error of SQLite's own, for a
 
 // ---- The committed rows. ----
 
-const Catalog& committed() {
-  static const auto loaded = load_catalog(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data");
-  if (!loaded.ok()) fatal(to_string(loaded.error()).c_str());
-  return *loaded;
-}
-
 const AssetDatabase& committed_database() {
-  static const auto database = AssetDatabase::build(committed());
+  static const auto database = AssetDatabase::build(committed_catalog());
   return database.value();
 }
 
@@ -218,7 +213,7 @@ std::vector<AssetHit> committed_hits(const std::string& text) {
 const Product& first(const std::string& text) {
   const auto found = committed_hits(text);
   if (found.empty() || found[0].kind != AssetKind::goods) fatal(("no goods for " + text).c_str());
-  return committed().products[found[0].row];
+  return committed_catalog().products[found[0].row];
 }
 
 TEST(Search, CommittedRows) {
@@ -241,12 +236,12 @@ TEST(Search, FacilitiesAndMaterialsToo) {
   query.kinds = {AssetKind::facility};
   const auto facilities = committed_database().find(query);
   ASSERT_FALSE(facilities->empty());
-  EXPECT_EQ(committed().fixture_kinds[facilities->at(0).row].kind, "island_freezer");
+  EXPECT_EQ(committed_catalog().fixture_kinds[facilities->at(0).row].kind, "island_freezer");
   query.text = "terrazzo";
   query.kinds = {AssetKind::material};
   const auto materials = committed_database().find(query);
   ASSERT_FALSE(materials->empty());
-  EXPECT_EQ(committed().materials[materials->at(0).row].id.rfind("terrazzo", 0), 0U);
+  EXPECT_EQ(committed_catalog().materials[materials->at(0).row].id.rfind("terrazzo", 0), 0U);
 }
 
 }  // namespace

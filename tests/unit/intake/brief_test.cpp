@@ -7,7 +7,7 @@ namespace {
 Error refusal(const Brief& brief) {
   const auto planner = make_planner("offline");
   if (!planner.ok()) fatal(to_string(planner.error()).c_str());
-  const auto planned = plan_from_brief(brief, shipped_catalog(), **planner, Seed(1));
+  const auto planned = plan_from_brief(brief, committed_catalog(), **planner, Seed(1));
   return planned.ok() ? Error{"", "", "it was planned"} : planned.error();
 }
 

@@ -18,13 +18,13 @@ std::string meaning_of(const Lexicon& lexicon, const std::string& phrase) {
 }
 
 TEST(FixtureWords, VariantsAndMachinesAddNone) {
-  Catalog smaller = shipped_catalog();
+  Catalog smaller = committed_catalog();
   std::erase_if(smaller.fixture_kinds, [](const FixtureKind& k) { return k.keywords.empty(); });
-  ASSERT_LT(smaller.fixture_kinds.size(), shipped_catalog().fixture_kinds.size());
+  ASSERT_LT(smaller.fixture_kinds.size(), committed_catalog().fixture_kinds.size());
   const auto own = Lexicon::load(MARKETGEN_SOURCE_DIR "/data/lexicon");
   ASSERT_TRUE(own.ok()) << to_string(own.error());
   const Lexicon before = own->with_words_of(smaller);
-  for (const FixtureKind& kind : shipped_catalog().fixture_kinds) {
+  for (const FixtureKind& kind : committed_catalog().fixture_kinds) {
     EXPECT_EQ(meaning_of(shipped_lexicon(), kind.name), meaning_of(before, kind.name));
     for (const std::string& tag : kind.tags)
       EXPECT_EQ(meaning_of(shipped_lexicon(), tag), meaning_of(before, tag));

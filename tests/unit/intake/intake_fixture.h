@@ -10,23 +10,15 @@
 #include "catalog/catalog.h"
 #include "intake/brief.h"
 #include "intake/lexicon.h"
+#include "support/committed_catalog.h"
 
 namespace marketgen {
-
-inline const Catalog& shipped_catalog() {
-  static const Catalog catalog = [] {
-    auto loaded = load_catalog(MARKETGEN_SOURCE_DIR "/data");
-    if (!loaded.ok()) fatal(to_string(loaded.error()).c_str());
-    return std::move(loaded).value();
-  }();
-  return catalog;
-}
 
 inline const Lexicon& shipped_lexicon() {
   static const Lexicon lexicon = [] {
     auto loaded = Lexicon::load(MARKETGEN_SOURCE_DIR "/data/lexicon");
     if (!loaded.ok()) fatal(to_string(loaded.error()).c_str());
-    return loaded->with_words_of(shipped_catalog());
+    return loaded->with_words_of(committed_catalog());
   }();
   return lexicon;
 }

@@ -20,7 +20,7 @@ Result<Planned> planned(const std::string& prompt, std::uint64_t seed = 1) {
   }();
   Brief brief;
   brief.prompt = prompt;
-  return plan_from_brief(brief, shipped_catalog(), *planner, Seed(seed));
+  return plan_from_brief(brief, committed_catalog(), *planner, Seed(seed));
 }
 
 Plan plan_of(const std::string& prompt, std::uint64_t seed = 1) {
@@ -271,7 +271,7 @@ TEST(Plans, FlagsBeatTheText) {
   brief.profile = "discounter-eu";
   brief.style = "premium";
   const auto planner = make_planner("offline");
-  const auto made = plan_from_brief(brief, shipped_catalog(), **planner, Seed(1));
+  const auto made = plan_from_brief(brief, committed_catalog(), **planner, Seed(1));
   ASSERT_TRUE(made.ok());
   EXPECT_EQ(made->plan.shell.width_mm, 20000);
   EXPECT_EQ(made->plan.profile, "discounter-eu");

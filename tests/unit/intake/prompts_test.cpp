@@ -164,7 +164,7 @@ class Prompts : public testing::TestWithParam<PromptCase> {};
 
 TEST_P(Prompts, AreUnderstood) {
   const PromptCase& expected = GetParam();
-  const Understanding found = understand(expected.prompt, shipped_lexicon(), shipped_catalog());
+  const Understanding found = understand(expected.prompt, shipped_lexicon(), committed_catalog());
   std::vector<std::string> wishes = expected.wishes;
   std::ranges::sort(wishes);
   EXPECT_EQ(sorted_lines(found.requirements), wishes) << expected.prompt;
@@ -178,7 +178,7 @@ INSTANTIATE_TEST_SUITE_P(Table, Prompts, testing::ValuesIn(cases));
 
 TEST(Prompts, SpansPointAtTheWords) {
   const std::string prompt = "A 24 x 15 m shop, café bakery left of the entrance, 五 trampolines";
-  const Understanding found = understand(prompt, shipped_lexicon(), shipped_catalog());
+  const Understanding found = understand(prompt, shipped_lexicon(), committed_catalog());
   ASSERT_FALSE(found.requirements.empty());
   for (const Requirement& wish : found.requirements) {
     const auto first = static_cast<std::size_t>(wish.span[0]);
@@ -192,7 +192,7 @@ TEST(Prompts, SpansPointAtTheWords) {
 
 TEST(Prompts, NameIsTakenOut) {
   const Understanding found = understand(
-      "a market named Green Bakery & Sons by the river", shipped_lexicon(), shipped_catalog());
+      "a market named Green Bakery & Sons by the river", shipped_lexicon(), committed_catalog());
   ASSERT_TRUE(found.name.has_value());
   EXPECT_EQ(found.name->text, "Green Bakery & Sons");
 }
@@ -214,7 +214,7 @@ TEST(Prompts, ContradictionsAreSettledAndReported) {
       {"a supermarket, it must have a deli, ideally no deli", "deli", "no deli"},
   };
   for (const ContradictionCase& expected : contradictions) {
-    const Understanding found = understand(expected.prompt, shipped_lexicon(), shipped_catalog());
+    const Understanding found = understand(expected.prompt, shipped_lexicon(), committed_catalog());
     ASSERT_FALSE(found.conflicts.empty()) << expected.prompt;
     EXPECT_EQ(found.conflicts[0].kept, expected.kept) << expected.prompt;
     EXPECT_EQ(found.conflicts[0].dropped, expected.dropped) << expected.prompt;
@@ -222,8 +222,9 @@ TEST(Prompts, ContradictionsAreSettledAndReported) {
 }
 
 TEST(Prompts, NumbersThatCanBothHoldAreNoConflict) {
-  const Understanding found = understand(
-      "at least three checkouts and at most five checkouts", shipped_lexicon(), shipped_catalog());
+  const Understanding found = understand("at least three checkouts and at most five checkouts",
+                                         shipped_lexicon(),
+                                         committed_catalog());
   EXPECT_TRUE(found.conflicts.empty());
   EXPECT_EQ(found.requirements.size(), 2U);
 }

@@ -7,18 +7,10 @@
 #include "io/json.h"
 #include "plan/bsp.h"
 #include "plan/plan.h"
+#include "support/committed_catalog.h"
 
 namespace marketgen {
 namespace {
-
-const Catalog& catalog() {
-  static const Catalog loaded = [] {
-    auto read = load_catalog(MARKETGEN_SOURCE_DIR "/data");
-    if (!read.ok()) fatal(to_string(read.error()).c_str());
-    return std::move(read).value();
-  }();
-  return loaded;
-}
 
 constexpr const char* valid_text = R"({
   "schema": "market-plan/1", "name": "Corner", "profile": "supermarket-eu",
@@ -40,7 +32,7 @@ constexpr const char* valid_text = R"({
 })";
 
 Plan valid_plan() {
-  auto plan = read_plan(valid_text, "corner.json", catalog());
+  auto plan = read_plan(valid_text, "corner.json", committed_catalog());
   if (!plan.ok()) fatal(to_string(plan.error()).c_str());
   return std::move(plan).value();
 }
@@ -345,7 +337,7 @@ const std::vector<Fault> faults = {
      "/placements/0/sku"},
     {"placement_outside",
      [](Plan& p) {
-       p.placements.push_back({catalog().products[0].sku, {13, 1, 0}, 0});
+       p.placements.push_back({committed_catalog().products[0].sku, {13, 1, 0}, 0});
      },
      "plan.bad_value",
      "/placements/0/position_m"},
@@ -356,7 +348,7 @@ class PlanFaults : public testing::TestWithParam<Fault> {};
 TEST_P(PlanFaults, IsFoundWhereItIs) {
   Plan plan = valid_plan();
   GetParam().spoil(plan);
-  const auto valid = validate_plan(plan, "corner.json", catalog());
+  const auto valid = validate_plan(plan, "corner.json", committed_catalog());
   ASSERT_FALSE(valid.ok());
   EXPECT_EQ(valid.error().code, GetParam().code) << to_string(valid.error());
   EXPECT_EQ(valid.error().where, std::string("corner.json:") + GetParam().where)
@@ -370,13 +362,14 @@ INSTANTIATE_TEST_SUITE_P(Table, PlanFaults, testing::ValuesIn(faults), [](const 
 TEST(PlanValidation, NamesTheNearestName) {
   Plan plan = valid_plan();
   plan.zones[1].fixture.kind = "gondla";
-  EXPECT_NE(validate_plan(plan, "p", catalog()).error().message.find("gondola"), std::string::npos);
+  EXPECT_NE(validate_plan(plan, "p", committed_catalog()).error().message.find("gondola"),
+            std::string::npos);
 }
 
 TEST(PlanValidation, SixCutsAreAllowed) {
   Plan plan = valid_plan();
   grow_deep(plan, 6);
-  EXPECT_TRUE(validate_plan(plan, "p", catalog()).ok());
+  EXPECT_TRUE(validate_plan(plan, "p", committed_catalog()).ok());
 }
 
 // A store of 25 equal zones in a grid is one leaf too many; it has only five levels of cuts.
@@ -403,7 +396,7 @@ TEST(PlanValidation, TwentyFiveLeavesAreTooMany) {
     }
     plan.nodes.push_back(node);
   }
-  const auto valid = validate_plan(plan, "p", catalog());
+  const auto valid = validate_plan(plan, "p", committed_catalog());
   ASSERT_FALSE(valid.ok());
   EXPECT_EQ(valid.error().code, "plan.too_deep");
   EXPECT_NE(valid.error().message.find("25 leaves"), std::string::npos);
@@ -414,7 +407,7 @@ TEST(PlanReading, SchemaFaultsKeepTheirPlace) {
       read_plan(R"({"schema": "market-plan/1", "shell": {"width_mm": 12000, "depth_mm": 9000},
     "nodes": [{"id": "a", "zone": "z"}], "zones": [{"id": "z", "type": "snacks", "fixture": {"tiers": 5}}]})",
                 "f.json",
-                catalog());
+                committed_catalog());
   ASSERT_FALSE(plan.ok());
   EXPECT_EQ(plan.error().code, "json.unknown_field");
   EXPECT_EQ(plan.error().where, "f.json:/zones/0/fixture/tiers");
@@ -423,7 +416,7 @@ TEST(PlanReading, SchemaFaultsKeepTheirPlace) {
 TEST(PlanReading, WrittenPlanReadsBackTheSame) {
   const Plan plan = valid_plan();
   const std::string text = write_json(plan);
-  const auto again = read_plan(text, "again.json", catalog());
+  const auto again = read_plan(text, "again.json", committed_catalog());
   ASSERT_TRUE(again.ok()) << to_string(again.error());
   EXPECT_EQ(write_json(*again), text);
 }

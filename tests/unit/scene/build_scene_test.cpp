@@ -10,16 +10,11 @@
 #include "scene/placements.h"
 #include "scene/scene.h"
 #include "scene/scene_file.h"
+#include "scene_of.h"
 #include "support/hand_laid_shop.h"
 
 namespace marketgen {
 namespace {
-
-Scene scene_of(const HandLaidShop& shop, std::uint64_t seed = 1) {
-  auto built = build_scene(shop.layout, shop.plan, committed_catalog(), Seed(seed));
-  if (!built.ok()) fatal(to_string(built.error()).c_str());
-  return std::move(built).value();
-}
 
 TEST(BuildScene, TablesReferToOneAnotherAndNothingOverlapsInThem) {
   const Scene scene = scene_of(shop_of(selling_types()));

@@ -10,7 +10,7 @@
 namespace marketgen {
 namespace {
 
-Scene stocked() {
+Scene query_sample() {
   HandMadeScene made;
   made.stock();
   made.scene.catalog[0].name = "Cereal, \"crunchy\"\nwith nuts";
@@ -20,7 +20,7 @@ Scene stocked() {
 }
 
 Table table_of(std::string_view name, std::string_view where = "") {
-  auto table = query_scene(stocked(), name, where);
+  auto table = query_scene(query_sample(), name, where);
   if (!table.ok()) fatal(to_string(table.error()).c_str());
   return std::move(table).value();
 }
@@ -119,7 +119,7 @@ TEST(Query, WordsThatLookLikeNumbersAreNotAllNumbers) {
 }
 
 TEST(Query, MistakesNameTheNearest) {
-  const Scene scene = stocked();
+  const Scene scene = query_sample();
   const auto error_of = [&](std::string_view table, std::string_view where) {
     const auto found = query_scene(scene, table, where);
     return found.ok() ? std::string("ok") : found.error().code + " " + found.error().message;

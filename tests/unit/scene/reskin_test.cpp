@@ -4,16 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "plan/style_look.h"
+#include "scene_of.h"
 #include "support/hand_laid_shop.h"
 
 namespace marketgen {
 namespace {
-
-Scene scene_of(const HandLaidShop& shop) {
-  auto built = build_scene(shop.layout, shop.plan, committed_catalog(), Seed(4));
-  if (!built.ok()) fatal(to_string(built.error()).c_str());
-  return std::move(built).value();
-}
 
 const StyleRow& style_named(std::string_view name) {
   return *committed_catalog().style(name);

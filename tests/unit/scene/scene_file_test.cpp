@@ -15,7 +15,7 @@
 namespace marketgen {
 namespace {
 
-Scene stocked() {
+Scene scene_file_sample() {
   HandMadeScene made;
   made.stock();
   made.scene.materials.push_back({});
@@ -33,7 +33,7 @@ std::string code_of(const std::string& bytes) {
 }
 
 TEST(SceneFile, DecodesToTheSameBytes) {
-  const std::string bytes = encode_scene(stocked());
+  const std::string bytes = encode_scene(scene_file_sample());
   const auto decoded = decode_scene(bytes_of(bytes), "scene.bin");
   ASSERT_TRUE(decoded.ok()) << to_string(decoded.error());
   EXPECT_EQ(encode_scene(*decoded), bytes);
@@ -44,7 +44,7 @@ TEST(SceneFile, DecodesToTheSameBytes) {
 }
 
 TEST(SceneFile, TruncatedAnywhere) {
-  const std::string bytes = encode_scene(stocked());
+  const std::string bytes = encode_scene(scene_file_sample());
   for (std::size_t size = 0; size < bytes.size(); size += 61)
     EXPECT_EQ(code_of(bytes.substr(0, size)), "scene.truncated") << size;
   EXPECT_EQ(code_of(bytes.substr(0, bytes.size() - 1)), "scene.truncated");
@@ -55,11 +55,11 @@ TEST(SceneFile, TruncatedAnywhere) {
 }
 
 TEST(SceneFile, LongerThanItSays) {
-  EXPECT_EQ(code_of(encode_scene(stocked()) + "x"), "scene.corrupt");
+  EXPECT_EQ(code_of(encode_scene(scene_file_sample()) + "x"), "scene.corrupt");
 }
 
 TEST(SceneFile, OtherVersionAndOtherFile) {
-  std::string bytes = encode_scene(stocked());
+  std::string bytes = encode_scene(scene_file_sample());
   ASSERT_EQ(bytes.substr(8, 4), scene_file_identifier);
   bytes[11] = '9';
   EXPECT_EQ(code_of(bytes), "scene.wrong_version");
@@ -69,7 +69,7 @@ TEST(SceneFile, OtherVersionAndOtherFile) {
 
 TEST(SceneFile, FlippedBytesNeverGetFurtherThanAnError) {  // and never into undefined behaviour:
                                                            // the sanitizer build runs this too
-  const std::string good = encode_scene(stocked());
+  const std::string good = encode_scene(scene_file_sample());
   const std::set<std::string> expected = {
       "ok", "scene.corrupt", "scene.truncated", "scene.wrong_version"};
   Stream draw(11);
@@ -133,7 +133,7 @@ const std::vector<Damage>& damages() {
 
 TEST(SceneFile, EveryDamageIsCorrupt) {
   for (const Damage& damage : damages()) {
-    Scene scene = stocked();
+    Scene scene = scene_file_sample();
     damage.apply(scene);
     const auto decoded = decode_scene(bytes_of(encode_scene(scene)), "shop/scene.bin");
     ASSERT_FALSE(decoded.ok()) << damage.name;
@@ -143,7 +143,7 @@ TEST(SceneFile, EveryDamageIsCorrupt) {
 }
 
 TEST(SceneFile, ItemsWithoutAFacingAreNoDamage) {
-  Scene scene = stocked();
+  Scene scene = scene_file_sample();
   scene.products.push_back({1, 0xFFFFFFFF, {1, 1, 0}, {1, 0, 0, 0}, 0});
   EXPECT_EQ(code_of(encode_scene(scene)), "ok");
 }
@@ -157,7 +157,7 @@ TEST(SceneFile, FileThatIsNotThereOrEmpty) {
 // ---- Hashes. ----
 
 TEST(SceneHash, StableUnderReEncoding) {
-  const Scene scene = stocked();
+  const Scene scene = scene_file_sample();
   const auto decoded = decode_scene(bytes_of(encode_scene(scene)), "scene.bin");
   ASSERT_TRUE(decoded.ok());
   EXPECT_EQ(scene_hash(*decoded), scene_hash(scene));
@@ -166,9 +166,9 @@ TEST(SceneHash, StableUnderReEncoding) {
 }
 
 TEST(SceneHash, SeesATenthOfAMillimetre) {
-  const std::string before = scene_hash(stocked());
+  const std::string before = scene_hash(scene_file_sample());
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    Scene scene = stocked();
+    Scene scene = scene_file_sample();
     scene.products[4].position_m[axis] += 0.0001F;
     EXPECT_NE(scene_hash(scene), before) << axis;
   }
@@ -189,9 +189,9 @@ TEST(SceneHash, SeesWhatChangesTheScene) {
       {"turn of a fixture", [](Scene& s) { s.fixtures[0].quarter_turns = 2; }},
       {"size of the room", [](Scene& s) { ++s.layout.shell.width_mm; }},
   };
-  std::set<std::string> hashes = {scene_hash(stocked())};
+  std::set<std::string> hashes = {scene_hash(scene_file_sample())};
   for (const Damage& change : changes) {
-    Scene scene = stocked();
+    Scene scene = scene_file_sample();
     change.apply(scene);
     EXPECT_TRUE(hashes.insert(scene_hash(scene)).second) << change.name;
   }
@@ -205,14 +205,15 @@ TEST(SceneHash, LooksAreAHashOfTheirOwn) {
       {"label", [](Scene& s) { s.catalog[1].label.primary = "#00ff00"; }},
       {"material", [](Scene& s) { s.materials[0].color = "#123456"; }},
   };
-  const std::string scene_before = scene_hash(stocked()), look_before = look_hash(stocked());
+  const std::string scene_before = scene_hash(scene_file_sample()),
+                    look_before = look_hash(scene_file_sample());
   for (const Damage& change : changes) {
-    Scene scene = stocked();
+    Scene scene = scene_file_sample();
     change.apply(scene);
     EXPECT_EQ(scene_hash(scene), scene_before) << change.name;
     EXPECT_NE(look_hash(scene), look_before) << change.name;
   }
-  Scene moved = stocked();
+  Scene moved = scene_file_sample();
   moved.products[0].position_m[0] += 0.1F;
   EXPECT_EQ(look_hash(moved), look_before);
 }

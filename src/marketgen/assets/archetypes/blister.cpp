@@ -14,7 +14,7 @@ namespace marketgen {
 namespace {
 
 constexpr float greatest_card_m = 0.0012F;  // thickness
-constexpr float sticker_m = 0.00015F;
+constexpr float blister_label_m = 0.00015F;
 constexpr float greatest_cell_m = 0.00725F;  // radius of an AA cell
 constexpr Vec3f tray_grey{0.62F, 0.64F, 0.66F};
 
@@ -35,15 +35,15 @@ void add_card(PackBuilder& pack, float thick, const BlisterSurfaces& s) {
   card.hole_middle = {0, 0.93F * h};
   card.hole_size = {std::min(0.030F, 0.34F * w), std::min(0.009F, 0.05F * h)};
   card.hole_corner_m = 0.5F * card.hole_size.y;
-  add_holed_plate(pack, card, s.card, PartFrame{.origin = {0, back - thick - sticker_m, 0}});
-  const Vec3f hole{card.hole_middle.x, back - sticker_m - thick / 2, card.hole_middle.y};
+  add_holed_plate(pack, card, s.card, PartFrame{.origin = {0, back - thick - blister_label_m, 0}});
+  const Vec3f hole{card.hole_middle.x, back - blister_label_m - thick / 2, card.hole_middle.y};
   const Vec3f half{card.hole_size.x / 2, thick / 2, card.hole_size.y / 2};
   pack.add_feature(FeatureKind::hang_hole, {hole - half, hole + half});
   const float low = blister_bubble_high * h;
-  const Vec3f size{w, sticker_m, (blister_print_high - blister_bubble_high) * h};
+  const Vec3f size{w, blister_label_m, (blister_print_high - blister_bubble_high) * h};
   const float inset = 0.002F * w;  // bleeds to the card's edge, short of its bevel
   const Vec3f printed{w - 2 * inset, size.y, size.z};
-  const PartFrame front{.origin = {0, back - thick - 2 * sticker_m, low}};
+  const PartFrame front{.origin = {0, back - thick - 2 * blister_label_m, low}};
   add_sticker(pack, pack.panel(PanelKind::front), printed, s.print, s.edge, front);
   const PartFrame behind{.origin = {0, back, low}, .x = {-1, 0, 0}, .y = {0, -1, 0}};
   add_sticker(pack, pack.panel(PanelKind::back), printed, s.print, s.edge, behind);
@@ -145,8 +145,9 @@ Result<ProductModel> make_blister(const Product& product) {
   s.edge = pack.add_surface(paper({0.8F, 0.79F, 0.76F}));
   s.print = pack.add_print(gloss_paper_roughness);
   const float w = pack.width(), d = pack.depth(), h = pack.height();
-  const float thick = std::min(greatest_card_m, 0.08F * d), wall_y = d / 2 - thick - sticker_m;
-  const Vec3f hood{0.86F * w, d - thick - 2 * sticker_m, (blister_bubble_high - 0.07F) * h};
+  const float thick = std::min(greatest_card_m, 0.08F * d),
+              wall_y = d / 2 - thick - blister_label_m;
+  const Vec3f hood{0.86F * w, d - thick - 2 * blister_label_m, (blister_bubble_high - 0.07F) * h};
   const float low = 0.04F * h;
   const bool batteries = holds(product, "batter"), brush = holds(product, "brush");
   if (batteries || brush || holds(product, "razor")) {

@@ -19,14 +19,10 @@ Result<ProductModel> make_can(const Product& product) {
   // The dome pressed in from below, the foot ring, the wall.
   profile.use(metal).pole(0.045F * h).body(0.03F * h, 0.45F).body(0, 0.72F);
   profile.body(0.004F * h, 0.78F).curve_to_body(Curve::swell, zone.low_m, 1, 4);
-  profile.use(print).body(zone.high_m, 1);
-  add_can_end(profile, h, 0.82F, metal);
-  add_loft(pack, profile.sections(), {.triangles = pack_triangles - plain_box_triangles});
-  const std::size_t tab = pack.triangle_count();
-  add_can_tab(pack, h, profile.least_half(), metal);
-  pack.add_part_feature(FeatureKind::tab, tab);
-  pack.add_band_feature(FeatureKind::rim, h - 0.022F * h, h);
-  return pack.finish();
+  return finish_can(pack,
+                    profile,
+                    {metal, print, zone.high_m, 0.82F},
+                    {.triangles = pack_triangles - plain_box_triangles});
 }
 
 CollisionPrimitive collision_can(const Product& product) {

@@ -26,4 +26,19 @@ void add_can_tab(
   add_plain_box(pack, {0.36F * radius, 0.62F * radius, 0.0012F}, 0.0005F, metal, tab);
 }
 
+Result<ProductModel> finish_can(PackBuilder& pack,
+                                Profile& profile,
+                                const CanForm& form,
+                                const LoftStyle& style) {
+  const float h = pack.height();
+  profile.use(form.print).body(form.print_to_m, 1);
+  add_can_end(profile, h, form.neck, form.metal);
+  add_loft(pack, profile.sections(), style);
+  const std::size_t tab = pack.triangle_count();
+  add_can_tab(pack, h, profile.least_half(), form.metal);
+  pack.add_part_feature(FeatureKind::tab, tab);
+  pack.add_band_feature(FeatureKind::rim, h - 0.022F * h, h);
+  return pack.finish();
+}
+
 }  // namespace marketgen

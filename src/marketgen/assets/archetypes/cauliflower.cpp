@@ -25,7 +25,7 @@ Result<ProductModel> make_cauliflower(const Product& product) {
   Stream draw = seed.child("leaves").stream();
   constexpr int leaves = 7;
   for (int i = 0; i < leaves; ++i) {
-    WrapForm leaf;
+    WrapLeaf leaf;
     leaf.middle = middle;
     leaf.half = half * 0.92F;
     leaf.turn = (i + draw.uniform(-0.15, 0.15)) / leaves;

@@ -13,7 +13,7 @@ namespace marketgen {
 namespace {
 
 constexpr Vec3f young_cheese{0.80F, 0.51F, 0.13F};
-constexpr float sticker_m = 0.0002F;
+constexpr float cheese_label_m = 0.0002F;
 constexpr int tip_chords = 6, rind_chords = 14;
 constexpr float rind_bulge_share = 0.10F;  // of the width: the wheel's curve
 
@@ -80,21 +80,21 @@ void add_labels(PackBuilder& pack,
                       .z = {0, 1, 0}};
   add_sticker(pack,
               pack.panel(PanelKind::top),
-              {faces.top.width_m, sticker_m, faces.top.height_m},
+              {faces.top.width_m, cheese_label_m, faces.top.height_m},
               print,
               edge,
               top);
   const Vec2f along{-w.cut_out.y, w.cut_out.x};
-  const Vec2f start = w.tip + w.cut_out * (w.tip_radius + sticker_m);
+  const Vec2f start = w.tip + w.cut_out * (w.tip_radius + cheese_label_m);
   const Vec2f middle =
-      (start + w.corner + w.cut_out * sticker_m) * 0.5F + along * (0.06F * w.width);
+      (start + w.corner + w.cut_out * cheese_label_m) * 0.5F + along * (0.06F * w.width);
   const PartFrame front{.origin = {middle.x, middle.y, (h - faces.front.height_m) / 2},
                         .x = {along.x, along.y, 0},
                         .y = {-w.cut_out.x, -w.cut_out.y, 0},
                         .z = {0, 0, 1}};
   add_sticker(pack,
               pack.panel(PanelKind::front),
-              {faces.front.width_m, 0.5F * sticker_m, faces.front.height_m},
+              {faces.front.width_m, 0.5F * cheese_label_m, faces.front.height_m},
               print,
               edge,
               front);
@@ -109,7 +109,7 @@ Result<ProductModel> make_cheese_wedge(const Product& product) {
   const std::uint16_t cheese = pack.add_surface(filled_plastic(young_cheese));
   const std::uint16_t edge = pack.add_surface(paper({0.8F, 0.8F, 0.78F}));
   const Wedge w = wedge_of(pack);
-  const float h = pack.height() - sticker_m,
+  const float h = pack.height() - cheese_label_m,
               round = std::min({0.0030F, 0.12F * h, 0.7F * w.tip_radius});
   const OutlineSide outline = outline_of(w);
   add_outline_wall(pack,

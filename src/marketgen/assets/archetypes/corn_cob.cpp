@@ -33,7 +33,7 @@ void add_husk(PackBuilder& pack, const PlantFrame& frame, Vec3f half, Stream dra
   constexpr int leaves = 5;
   constexpr double down_turn = 0.5;  // the upper side stays bare
   for (int i = 0; i < leaves; ++i) {
-    WrapForm leaf;
+    WrapLeaf leaf;
     const double step = (static_cast<double>(i) - 0.5 * (leaves - 1)) / leaves;
     leaf.turn = down_turn + 0.72 * step;
     leaf.half_turn = 0.13;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr float bottle_pitch_m = 0.076F;  // 20 half-litre bottles in 400 x 300 mm
 constexpr int most_bottles = 24;
-constexpr float sticker_m = 0.0004F;
+constexpr float crate_label_m = 0.0004F;
 
 struct Rows {
   int across, deep;
@@ -88,10 +88,14 @@ void add_walls(PackBuilder& pack, std::uint16_t surface, std::uint16_t print) {
                   [&](Vec3f p) {
                     return wall(p + Vec3f{0, thick / 2, 0});
                   });
-    wall.origin = {0, side * (d / 2 - inset + sticker_m), low};
+    wall.origin = {0, side * (d / 2 - inset + crate_label_m), low};
     const PanelKind kind = side < 0 ? PanelKind::front : PanelKind::back;
-    add_sticker(
-        pack, pack.panel(kind), {face.width_m, 2 * sticker_m, face.height_m}, print, surface, wall);
+    add_sticker(pack,
+                pack.panel(kind),
+                {face.width_m, 2 * crate_label_m, face.height_m},
+                print,
+                surface,
+                wall);
     PlateForm plate;
     plate.size = {(1 - 1.9F * crate_post_share) * d, thick, crate_wall_high * h - 1.1F * low};
     plate.hole_size = {std::min(0.42F * d, 0.115F), std::min(0.13F * h, 0.036F)};

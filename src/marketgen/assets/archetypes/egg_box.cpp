@@ -15,7 +15,7 @@ namespace {
 constexpr Vec3f moulded_pulp{0.42F, 0.40F, 0.36F};
 constexpr float cell_pitch_m = 0.050F;              // a size M egg is 43 to 45 mm across
 constexpr float rim_low = 0.46F, rim_high = 0.52F;  // shares of the height: where the box opens
-constexpr float sticker_m = 0.0003F;
+constexpr float egg_label_m = 0.0003F;
 constexpr int lines_across = 20, lines_deep = 10;
 
 struct Cups {
@@ -57,7 +57,7 @@ Vec3f base_point(Vec3f share, Vec3f size, const Cups& cups) {
 
 // The lid: walls that lean in, scalloped between the eggs, a flat top for the label.
 Vec3f lid_point(Vec3f share, Vec3f size, const Cups& cups) {
-  const float low = rim_high * size.z - 0.001F, high = size.z - 1.5F * sticker_m;
+  const float low = rim_high * size.z - 0.001F, high = size.z - 1.5F * egg_label_m;
   const float round = 0.36F * (high - low);
   const Vec3f box{0.965F * size.x, 0.93F * size.y, high - low};
   Vec3f p = rounded_box_point(share, {box.x, box.y, 2 * box.z}, std::min(round, 0.2F * box.y));
@@ -98,7 +98,7 @@ void add_labels(PackBuilder& pack,
       .origin = {0, -faces.top.height_m / 2, h}, .x = {1, 0, 0}, .y = {0, 0, -1}, .z = {0, 1, 0}};
   add_sticker(pack,
               pack.panel(PanelKind::top),
-              {faces.top.width_m, 2 * sticker_m, faces.top.height_m},
+              {faces.top.width_m, 2 * egg_label_m, faces.top.height_m},
               print,
               edge,
               top);

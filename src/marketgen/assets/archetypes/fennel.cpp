@@ -29,7 +29,7 @@ void add_sheaths(
     PackBuilder& pack, std::uint16_t skin, const PlantFrame& frame, Vec3f half, Stream draw) {
   constexpr int sheaths = 4;
   for (int i = 0; i < sheaths; ++i) {
-    WrapForm leaf;
+    WrapLeaf leaf;
     leaf.middle = {0, 0, half.z};
     leaf.half = half;
     leaf.turn = 0.5 * i + 0.22 * (i / 2) + draw.uniform(-0.05, 0.05);

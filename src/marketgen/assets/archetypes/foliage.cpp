@@ -61,7 +61,7 @@ void add_leaf(PackBuilder& pack,
 
 void add_wrap_leaf(PackBuilder& pack,
                    const ShellSkin& skin,
-                   const WrapForm& form,
+                   const WrapLeaf& form,
                    int segments,
                    int bands,
                    const Placement& place) {

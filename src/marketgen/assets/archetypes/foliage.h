@@ -38,7 +38,7 @@ void add_leaf(PackBuilder& pack,
 
 // A leaf that lies on an egg-shaped head and wraps round it: from the foot of the head upwards, its
 // edge standing off.
-struct WrapForm {
+struct WrapLeaf {
   Vec3f middle, half;          // the head's
   double turn = 0;             // where the leaf's midrib lies, as a shell's turns
   double half_turn = 0.2;      // how far it reaches to either side
@@ -51,7 +51,7 @@ struct WrapForm {
 };
 void add_wrap_leaf(PackBuilder& pack,
                    const ShellSkin& skin,
-                   const WrapForm& form,
+                   const WrapLeaf& form,
                    int segments,
                    int bands,
                    const Placement& place = PartFrame{});

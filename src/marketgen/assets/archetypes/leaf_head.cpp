@@ -38,7 +38,7 @@ void add_leaf_head(PackBuilder& pack,
     const double rank = form.leaves > 1 ? static_cast<double>(i) / (form.leaves - 1) : 0;
     const auto in = static_cast<float>(rank);  // 0 outermost, 1 innermost
     constexpr double between_leaves = 0.382;   // leaves follow one another at the golden angle
-    WrapForm leaf;
+    WrapLeaf leaf;
     leaf.half = half * (form.heart + (1 - in) * 0.05F);
     leaf.middle = {0, 0, half.z * form.heart};
     leaf.turn = i * between_leaves + draw.uniform(-0.03, 0.03);

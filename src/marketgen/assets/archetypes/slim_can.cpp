@@ -17,14 +17,7 @@ Result<ProductModel> make_slim_can(const Product& product) {
   Profile profile(pack, zone.roundness);
   profile.use(metal).pole(0.04F * h).body(0.028F * h, 0.50F).body(0, 0.80F);
   profile.body(0.003F * h, 0.85F).curve_to_body(Curve::swell, zone.low_m, 1, 5);
-  profile.use(print).body(zone.high_m, 1);
-  add_can_end(profile, h, 0.885F, metal);
-  add_loft(pack, profile.sections(), smooth_style);
-  const std::size_t tab = pack.triangle_count();
-  add_can_tab(pack, h, profile.least_half(), metal);
-  pack.add_part_feature(FeatureKind::tab, tab);
-  pack.add_band_feature(FeatureKind::rim, h - 0.022F * h, h);
-  return pack.finish();
+  return finish_can(pack, profile, {metal, print, zone.high_m, 0.885F}, smooth_style);
 }
 
 CollisionPrimitive collision_slim_can(const Product& product) {

@@ -1,0 +1,129 @@
+// Heaps: the committed rows lie still when they are cut and let go, and settling makes such rows.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "physics/heap.h"
+#include "physics/penetration.h"
+#include "physics/settle.h"
+#include "scene/heap_fill.h"
+#include "scene/placements.h"
+#include "scene/shelf_fill.h"
+#include "support/hand_laid_shop.h"
+
+namespace marketgen {
+namespace {
+
+constexpr ShelfRoom room{0.55, 0.60, 0.45, ShelfUse::stand};
+constexpr ShelfRoom small_room{0.36, 0.36, 0.45, ShelfUse::stand};
+constexpr double corner_m = 4;  // of the room, in the middle of a bare floor
+
+Scene heap_on_the_floor(const Product& product, const std::vector<HeapItem>& items) {
+  Scene scene;
+  scene.layout.shell.width_mm = scene.layout.shell.depth_mm = 9000;
+  scene.layout.shell.ceiling_mm = 3000;
+  scene.catalog.push_back(product);
+  for (const HeapItem& item : items) {
+    const Vec3 p = item.pose.position;
+    const Quaternion& q = item.pose.rotation;
+    SceneProduct one;
+    one.facing = no_facing;
+    one.position_m = {static_cast<float>(corner_m + p.x),
+                      static_cast<float>(corner_m + p.y),
+                      static_cast<float>(p.z)};
+    one.rotation_wxyz = {static_cast<float>(q.w),
+                         static_cast<float>(q.x),
+                         static_cast<float>(q.y),
+                         static_cast<float>(q.z)};
+    scene.products.push_back(one);
+  }
+  return scene;
+}
+
+TEST(Heaps, EveryRoundLooseProductHasOne) {
+  int products = 0;
+  for (const Product& product : committed_catalog().products) {
+    if (!lies_as_balls(product)) continue;
+    ++products;
+    ASSERT_NE(committed_catalog().heap(product), nullptr)
+        << product.sku << ": run marketgen assets heaps -o data/heaps.json";
+    EXPECT_GE(pieces_of(*committed_catalog().heap(product)).size(), 5U) << product.sku;
+  }
+  EXPECT_GE(products, 50);
+}
+
+TEST(Heaps, CutToARoomTheyStayInItAndLieOnOneAnother) {
+  Stream draw(3);
+  for (const Product& product : committed_catalog().products) {
+    const HeapRow* row = lies_as_balls(product) ? committed_catalog().heap(product) : nullptr;
+    if (row == nullptr || product.width_m() > 0.12) continue;
+    SCOPED_TRACE(product.sku);
+    const std::vector<HeapItem> items = laid_heap(*row, product, room, 0, draw);
+    const auto on_board =
+        std::ranges::count_if(items, [](const HeapItem& item) { return item.on_board; });
+    EXPECT_GE(on_board, 4);
+    EXPECT_GT(std::ssize(items), on_board);
+    for (const HeapItem& item : items) {
+      EXPECT_GE(item.pose.position.x, -0.1);
+      EXPECT_LE(item.pose.position.x, room.width_m + 0.1);
+      EXPECT_LE(item.pose.position.z, room.clearance_m);
+    }
+  }
+}
+
+TEST(Heaps, LetGoTheyLieStill) {
+  Stream draw(4);
+  std::set<std::string> seen;
+  double still = 0, all = 0;
+  for (const Product& product : committed_catalog().products) {
+    const HeapRow* row = lies_as_balls(product) ? committed_catalog().heap(product) : nullptr;
+    if (row == nullptr || !seen.insert(product.archetype).second) continue;
+    SCOPED_TRACE(product.sku);
+    const Scene scene = heap_on_the_floor(product, laid_heap(*row, product, small_room, 0.1, draw));
+    if (scene.products.size() < 2) continue;  // larger than the room
+    SettleOptions options;
+    options.region_m = {0, 0, 9, 9};
+    options.watch_s = 1;
+    const SettleReport report = settle(scene, options).value();
+    EXPECT_EQ(report.products, std::min<int>(200, static_cast<int>(scene.products.size())));
+    EXPECT_LT(report.median_drift_m, 0.01);
+    still += report.share_below_5_cm * report.products;
+    all += report.products;
+  }
+  EXPECT_GE(seen.size(), 10U);
+  EXPECT_GE(all, 200);
+  EXPECT_GE(still, 0.95 * all) << all;
+}
+
+TEST(Heaps, SettlingMakesTheSameHeapEveryTimeAndPiecesDoNotOverlap) {
+  const Product* melon = nullptr;  // few pieces: quick
+  for (const Product& product : committed_catalog().products) {
+    if (lies_as_balls(product) && (melon == nullptr || product.width_m() > melon->width_m()))
+      melon = &product;
+  }
+  ASSERT_NE(melon, nullptr);
+  const HeapRow row = settle_heap(*melon).value();
+  EXPECT_EQ(row.poses, settle_heap(*melon)->poses);
+  std::vector<HeapItem> items;
+  for (const HeapPiece& piece : pieces_of(row))
+    items.push_back({piece.pose, piece.lies_on.empty()});
+  ASSERT_GE(items.size(), 4U);
+  const Scene scene = heap_on_the_floor(*melon, items);
+  std::vector<ProductPair> pairs;
+  for (std::uint32_t i = 0; i < items.size(); ++i) {
+    for (std::uint32_t j = i + 1; j < items.size(); ++j)
+      pairs.emplace_back(i, j);
+  }
+  for (const double depth : penetration_depths(scene, pairs).value())
+    EXPECT_LT(depth, 0.001);
+}
+
+TEST(Heaps, AProductWithoutAShapeIsAnError) {
+  Product product;
+  product.archetype = "no_such_shape";
+  EXPECT_FALSE(settle_heap(product).ok());
+}
+
+}  // namespace
+}  // namespace marketgen
