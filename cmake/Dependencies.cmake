@@ -1,7 +1,7 @@
 # Every outside library, each as one imported target that modules name under LIBRARIES:
 #
 #   MuJoCo::MuJoCo  embree::embree  TBB::tbb  Eigen3::Eigen  Cairo::Pango  Zint::Zint
-#   nlohmann_json::nlohmann_json  flatbuffers::flatbuffers  CLI11::CLI11  fmt::fmt  spdlog::spdlog
+#   nlohmann_json::nlohmann_json  flatbuffers::flatbuffers  CLI11::CLI11  fmt::fmt  spdlog::spdlog  tinyxml2::tinyxml2
 #   xsimd::xsimd  squish::squish  TinyGLTF::TinyGLTF  meshoptimizer::meshoptimizer
 #   PNG::PNG  JPEG::JPEG  SQLite::SQLite3  utf8proc::utf8proc  OpenSSL::Crypto  xxHash::xxhash
 #   GTest::gtest  GTest::gtest_main  fcl::fcl (tests)
@@ -38,6 +38,7 @@ marketgen_find(meshoptimizer)
 marketgen_find(PNG)
 marketgen_find(JPEG)
 marketgen_find(SQLite3)
+marketgen_find(tinyxml2)
 marketgen_find(OpenSSL COMPONENTS Crypto)
 marketgen_find(Zint)
 marketgen_find(MuJoCo 4.0.1 EXACT)

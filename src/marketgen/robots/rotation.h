@@ -1,0 +1,14 @@
+// Rotations in the forms that robot descriptions use.
+#pragma once
+#include "geometry/pose.h"
+
+namespace marketgen {
+
+// Roll about X, then pitch about Y, then yaw about Z, all about fixed axes (URDF); radians.
+Quaternion rotation_from_rpy(Vec3 rpy);
+// The shortest turn that takes Z to the unit vector `direction`.
+Quaternion rotation_from_z_to(Vec3 direction);
+// Axis times angle, 0..pi, of a unit quaternion.
+Vec3 rotation_vector(const Quaternion& q);
+
+}  // namespace marketgen
