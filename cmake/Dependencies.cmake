@@ -44,7 +44,9 @@ marketgen_find(Zint)
 marketgen_find(MuJoCo 4.0.1 EXACT)
 marketgen_find(xsimd 8)
 add_library(embree::embree ALIAS embree)
-add_library(xsimd::xsimd ALIAS xsimd)
+# Debian's target also links xtl, which only complex numbers need.
+add_library(xsimd::xsimd INTERFACE IMPORTED)
+target_include_directories(xsimd::xsimd INTERFACE "${xsimd_INCLUDE_DIRS}")
 
 marketgen_find(PkgConfig)
 marketgen_find_pkgconfig(Cairo::Pango cairo pangocairo)

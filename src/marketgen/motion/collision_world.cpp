@@ -1,6 +1,7 @@
 #include "motion/collision_world.h"
 
 #include <bit>
+#include <utility>
 
 #include "motion/lanes.h"
 
@@ -141,6 +142,35 @@ std::size_t CollisionWorld::first_of(std::span<const SphereBlock> blocks,
     }
   }
   return size();
+}
+
+void CollisionWorld::touched(const SphereBlock& bound, std::vector<std::uint32_t>& shapes) const {
+  shapes.clear();
+  const Lanes radius = load(bound.radius);
+  const auto axis = [&](const std::array<float, lane_count>& values) {
+    const Lanes at = load(values);
+    return std::pair{Lanes(lowest(at - radius)), Lanes(highest(at + radius))};
+  };
+  const auto [low_x, high_x] = axis(bound.x);
+  const auto [low_y, high_y] = axis(bound.y);
+  const auto [low_z, high_z] = axis(bound.z);
+  for (std::size_t i = 0; i < low_[0].size(); i += lane_count) {
+    const auto overlaps = [&](std::size_t k, const Lanes& low, const Lanes& high) {
+      return (Lanes::load_unaligned(&low_[k][i]) < high) &
+             (low < Lanes::load_unaligned(&high_[k][i]));
+    };
+    std::uint32_t near = bits_of(overlaps(0, low_x, high_x) & overlaps(1, low_y, high_y) &
+                                 overlaps(2, low_z, high_z));
+    for (; near != 0; near &= near - 1) {
+      const auto shape =
+          static_cast<std::uint32_t>(i) + static_cast<std::uint32_t>(std::countr_zero(near));
+      if (hits_shape(shape, bound)) shapes.push_back(shape);
+    }
+  }
+}
+
+bool CollisionWorld::hits_shape(std::uint32_t shape, const SphereBlock& block) const {
+  return touches(shape, std::span(&block, 1));
 }
 
 bool CollisionWorld::hits(std::span<const SphereBlock> blocks, Vec3f center, float radius) const {

@@ -68,6 +68,12 @@ class CollisionWorld {
 
   std::size_t size() const { return names_.size(); }
 
+  // In two steps, for spheres that are the same one at eight moments: the shapes that a sphere of
+  // `bound` overlaps, and whether a smaller block within them does. Replaces what `shapes` holds.
+  void touched(const SphereBlock& bound, std::vector<std::uint32_t>& shapes) const;
+  bool hits_shape(std::uint32_t shape, const SphereBlock& block) const;
+  const std::string& name(std::uint32_t shape) const { return names_[shape]; }
+
  private:
   enum class Kind : std::uint8_t { box, cylinder, convex, cloud };
   struct Shape {

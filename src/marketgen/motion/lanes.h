@@ -24,4 +24,21 @@ inline std::uint32_t bits_of(const xsimd::batch_bool<float, xsimd::avx2>& lanes)
   return static_cast<std::uint32_t>(_mm256_movemask_ps(lanes));
 }
 
+// Smallest and largest of the eight.
+inline float lowest(const Lanes& lanes) {
+  const __m256 v = lanes;
+  __m128 low = _mm_min_ps(_mm256_castps256_ps128(v), _mm256_extractf128_ps(v, 1));
+  low = _mm_min_ps(low, _mm_movehl_ps(low, low));
+  return _mm_cvtss_f32(_mm_min_ss(low, _mm_shuffle_ps(low, low, 1)));
+}
+inline float highest(const Lanes& lanes) {
+  return -lowest(-lanes);
+}
+
+// Eight poses of one frame: rotations row by row, positions.
+struct LaneFrame {
+  std::array<Lanes, 9> r;
+  std::array<Lanes, 3> p;
+};
+
 }  // namespace marketgen

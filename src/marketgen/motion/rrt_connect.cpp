@@ -94,7 +94,7 @@ std::size_t connect(const ConfigurationSpace& space,
     const double share = std::min(1.0, range / left);
     Configuration next =
         share < 1 ? between(tree[at], target, share) : Configuration(target.begin(), target.end());
-    if (!space.free(next) || !space.motion_free(tree[at], next)) return at;
+    if (!space.motion_free(tree[at], next)) return at;
     at = tree.add(next, static_cast<int>(at));
   }
   return at;
@@ -128,7 +128,7 @@ Result<JointPath> grow(const ConfigurationSpace& space,
     const std::size_t near = grown.nearest(sample);
     const double away = distance(grown[near], sample);
     if (away > options.range) sample = between(grown[near], sample, options.range / away);
-    if (!space.free(sample) || !space.motion_free(grown[near], sample)) continue;
+    if (!space.motion_free(grown[near], sample)) continue;
     const std::size_t added = grown.add(sample, static_cast<int>(near));
     const std::size_t met = connect(space, other, sample, options.range, most);
     if (distance(other[met], sample) > 1e-12) continue;
@@ -224,7 +224,7 @@ JointPath shortcut(const ConfigurationSpace& space, JointPath path, Seed seed, i
     if (a > b) std::swap(a, b);
     const Place from = place_at(path, a), to = place_at(path, b);
     if (from.piece == to.piece) continue;
-    if (!space.free(from.q) || !space.free(to.q) || !space.motion_free(from.q, to.q)) continue;
+    if (!space.motion_free(from.q, to.q)) continue;
     JointPath shorter(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(from.piece) + 1);
     shorter.push_back(from.q);
     shorter.push_back(to.q);

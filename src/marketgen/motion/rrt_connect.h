@@ -20,7 +20,7 @@ using JointPath = std::vector<Configuration>;
 struct ConfigurationSpace {
   std::vector<double> lower, upper;  // finite, lower <= upper
   std::function<bool(std::span<const double>)> free;
-  // The straight motion between two free configurations is free.
+  // The second configuration and the straight motion to it from the first, which is free.
   std::function<bool(std::span<const double>, std::span<const double>)> motion_free;
 };
 

@@ -12,7 +12,7 @@
 namespace marketgen {
 namespace {
 
-constexpr double unreached = std::numeric_limits<double>::infinity();
+constexpr double not_reached_mm = std::numeric_limits<double>::infinity();
 constexpr std::size_t grain = 16;  // corners whose lines of sight are one piece of work
 
 std::int64_t side_of(PointMm a, PointMm b, PointMm c) {
@@ -123,7 +123,8 @@ Result<FloorPath> VisibilityGraph::shortest_path(PointMm from, PointMm to) const
   MARKETGEN_CHECK(check_end(space_, to, "goal"));
   if (space_.sees(from, to)) return FloorPath{{from, to}, 1e-3 * distance_mm(from, to)};
   const auto start = static_cast<std::uint32_t>(corners_.size()), goal = start + 1;
-  std::vector<double> to_goal(corners_.size(), unreached), cost(corners_.size() + 2, unreached);
+  std::vector<double> to_goal(corners_.size(), not_reached_mm),
+      cost(corners_.size() + 2, not_reached_mm);
   for (const Edge& edge : corners_seen_from(to))
     to_goal[edge.to] = edge.length_mm;
   std::vector<std::uint32_t> parent(corners_.size() + 2, start);
@@ -142,11 +143,11 @@ Result<FloorPath> VisibilityGraph::shortest_path(PointMm from, PointMm to) const
     open.pop();
     if (closed[at]) continue;
     closed[at] = true;
-    if (to_goal[at] < unreached) offer(goal, at, cost[at] + to_goal[at]);
+    if (to_goal[at] < not_reached_mm) offer(goal, at, cost[at] + to_goal[at]);
     for (std::uint32_t k = first_[at]; k < first_[at + 1]; ++k)
       offer(edges_[k].to, at, cost[at] + edges_[k].length_mm);
   }
-  if (cost[goal] == unreached) {
+  if (cost[goal] == not_reached_mm) {
     return Error{"motion.unreachable",
                  "base path",
                  fmt::format("no passage of {} mm leads from ({}, {}) to ({}, {}) mm",

@@ -106,7 +106,7 @@ TEST(CollisionWorld, KernelsAgreeWithThePlainReference) {
     const auto world = CollisionWorld::make(obstacles);
     ASSERT_TRUE(world.ok());
     Stream draw = Seed(seed).child("spheres").stream();
-    for (int i = 0; i < 1500; ++i) {
+    for (int i = 0; i < 2500; ++i) {
       const Vec3 at{draw.uniform(-1.5, 1.5), draw.uniform(-1.5, 1.5), draw.uniform(-1.5, 1.5)};
       const double radius = draw.uniform(0.01, 0.15);
       const bool hit = hits(*world, at, radius);
