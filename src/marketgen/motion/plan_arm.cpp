@@ -23,8 +23,13 @@ bool path_free(const ConfigurationSpace& space, const JointPath& path) {
 }
 
 // Says what touches what.
-Error explained(Error error, const ArmChecker& checker, const Configuration& q) {
-  error.message = checker.collision(q);
+Error explained(Error error,
+                const ArmChecker& checker,
+                const Configuration& start,
+                const std::vector<Configuration>& goals) {
+  if (error.code == "motion.start_in_collision") error.message = checker.collision(start);
+  if (error.code == "motion.goal_in_collision" && !goals.empty())
+    error.message = checker.collision(goals.front());
   return error;
 }
 
@@ -55,19 +60,17 @@ Result<JointPath> plan_arm_path(const ArmChecker& checker,
                                 Seed seed,
                                 const ArmPlanOptions& options) {
   const ConfigurationSpace fine = checker.space(2 * checker.margin_m());
-  const double coarse_step = std::max(options.coarse_step_m, 2 * checker.margin_m());
-  const ConfigurationSpace coarse = checker.space(coarse_step);
+  const ConfigurationSpace coarse =
+      checker.space(std::max(options.coarse_step_m, 2 * checker.margin_m()));
   auto path = rrt_connect(coarse, start, goals, seed, options.search);
-  if (path.ok() && !path_free(fine, *path))
+  if (!path.ok()) return explained(path.error(), checker, start, goals);
+  JointPath shorter = shortcut(coarse, *path, seed, options.shortcuts);
+  if (path_free(fine, shorter)) return shorter;
+  // Something thin lies between two coarse steps.
+  if (!path_free(fine, *path)) {
     path = rrt_connect(fine, start, goals, seed.child("fine"), options.search);
-  if (!path.ok()) {
-    const std::string& code = path.error().code;
-    if (code == "motion.start_in_collision") return explained(path.error(), checker, start);
-    if (code == "motion.goal_in_collision" && !goals.empty())
-      return explained(path.error(), checker, goals.front());
-    return path.error();
+    if (!path.ok()) return explained(path.error(), checker, start, goals);
   }
-  if (options.shortcuts == 0) return path;
   return shortcut(fine, *std::move(path), seed, options.shortcuts);
 }
 

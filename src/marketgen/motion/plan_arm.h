@@ -18,7 +18,7 @@ namespace marketgen {
 struct ArmPlanOptions {
   RrtOptions search;
   double coarse_step_m = 0.03;  // farthest that a point of the arm moves between two tests
-  int shortcuts = 40;           // random chords that are tried; 0 leaves the path as it was found
+  int shortcuts = 25;           // random chords that are tried
   double speed = 1;             // share of each velocity limit that is used, over 0 to 1
   double jerk_time_s = 0.05;    // to full acceleration, of joints whose row has no jerk limit
 };

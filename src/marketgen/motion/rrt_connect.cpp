@@ -230,9 +230,9 @@ JointPath shortcut(const ConfigurationSpace& space, JointPath path, Seed seed, i
     shorter.push_back(to.q);
     shorter.insert(
         shorter.end(), path.begin() + static_cast<std::ptrdiff_t>(to.piece) + 1, path.end());
-    path = without_needless_corners(space, shorter);
+    path = std::move(shorter);
   }
-  return path;
+  return without_needless_corners(space, path);
 }
 
 }  // namespace marketgen

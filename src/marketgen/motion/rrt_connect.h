@@ -39,8 +39,9 @@ Result<JointPath> rrt_connect(const ConfigurationSpace& space,
                               Seed seed,
                               const RrtOptions& options = {});
 
-// The path without needless corners: corners that can be skipped are, then `tries` random chords
-// between two places of it. Never longer, ends unchanged; every new piece was asked of motion_free.
+// The path without needless corners: corners that can be skipped are, before and after `tries`
+// random chords between two places of it. Never longer, ends unchanged; every new piece was asked
+// of motion_free.
 JointPath shortcut(const ConfigurationSpace& space, JointPath path, Seed seed, int tries = 60);
 
 double distance(std::span<const double> a, std::span<const double> b);  // Euclidean
