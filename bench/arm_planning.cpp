@@ -11,7 +11,7 @@
 namespace marketgen::bench {
 namespace {
 
-constexpr int shelf_problems = 200;
+constexpr int shelf_problems = 200, calls = 5;
 
 double share_of(std::vector<double> sorted, double share) {
   std::sort(sorted.begin(), sorted.end());
@@ -24,8 +24,9 @@ struct PlanTimes {
   int asked = 0;
 };
 
-// A problem counts when its scene has a free start and a free goal. Times are of one call each,
-// checker not counted: it is made once for a scene.
+// A problem counts when its scene has a free start and a free goal. Its time is the least of five
+// calls, so that other programs on the machine do not count; making the checker, once for a scene,
+// does not either.
 Result<PlanTimes> plan_shelves(const ArmModel& model, const std::vector<double>& ready) {
   PlanTimes times;
   for (std::uint64_t index = 0; times.asked < shelf_problems; ++index) {
@@ -34,10 +35,15 @@ Result<PlanTimes> plan_shelves(const ArmModel& model, const std::vector<double>&
     ++times.asked;
     MARKETGEN_TRY(const CollisionWorld world, CollisionWorld::make(problem.obstacles));
     MARKETGEN_TRY(const ArmChecker checker, ArmChecker::make(model, ready, {}, world));
-    const auto from = std::chrono::steady_clock::now();
-    const auto plan = plan_arm(checker, problem.start, {problem.goal}, Seed(1));
-    const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - from;
-    if (plan.ok()) times.milliseconds.push_back(spent.count());
+    double least = -1;
+    for (int call = 0; call < calls; ++call) {
+      const auto from = std::chrono::steady_clock::now();
+      const auto plan = plan_arm(checker, problem.start, {problem.goal}, Seed(1));
+      const std::chrono::duration<double, std::milli> spent =
+          std::chrono::steady_clock::now() - from;
+      if (plan.ok() && (least < 0 || spent.count() < least)) least = spent.count();
+    }
+    if (least >= 0) times.milliseconds.push_back(least);
   }
   return times;
 }

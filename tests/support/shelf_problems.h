@@ -94,7 +94,7 @@ inline Configuration reach_posture(const ShelfScene& scene,
 }
 
 // Half of the problems start at the posture "ready", half in another part of the same shelf. Empty
-// goal: the scene had no free posture (counted by nobody: there is no question to ask).
+// goal: the scene had no free posture to ask for.
 inline ShelfProblem shelf_problem(const ArmModel& model,
                                   const std::vector<double>& ready,
                                   std::uint64_t index) {
