@@ -2,9 +2,9 @@
 #
 #   MuJoCo::MuJoCo  embree::embree  TBB::tbb  Eigen3::Eigen  Cairo::Pango  Zint::Zint
 #   nlohmann_json::nlohmann_json  flatbuffers::flatbuffers  CLI11::CLI11  fmt::fmt  spdlog::spdlog  tinyxml2::tinyxml2
-#   squish::squish  TinyGLTF::TinyGLTF  meshoptimizer::meshoptimizer
+#   xsimd::xsimd  squish::squish  TinyGLTF::TinyGLTF  meshoptimizer::meshoptimizer
 #   PNG::PNG  JPEG::JPEG  SQLite::SQLite3  utf8proc::utf8proc  OpenSSL::Crypto  CURL::libcurl  xxHash::xxhash
-#   GTest::gtest  GTest::gtest_main
+#   GTest::gtest  GTest::gtest_main  fcl::fcl (tests)
 #
 # All come from `tools/setup`: Debian 12 packages, and MuJoCo from PyPI in .venv.
 
@@ -43,7 +43,11 @@ marketgen_find(OpenSSL COMPONENTS Crypto)
 marketgen_find(CURL)
 marketgen_find(Zint)
 marketgen_find(MuJoCo 4.0.1 EXACT)
+marketgen_find(xsimd 8)
 add_library(embree::embree ALIAS embree)
+# Debian's target also links xtl, which only complex numbers need.
+add_library(xsimd::xsimd INTERFACE IMPORTED)
+target_include_directories(xsimd::xsimd INTERFACE "${xsimd_INCLUDE_DIRS}")
 
 marketgen_find(PkgConfig)
 marketgen_find_pkgconfig(Cairo::Pango cairo pangocairo)
@@ -65,4 +69,12 @@ endif()
 
 if(MARKETGEN_TESTS)
   marketgen_find(GTest)
+  # Debian's fcl.pc asks for C++11.
+  find_library(MARKETGEN_FCL fcl)
+  if(NOT MARKETGEN_FCL)
+    message(FATAL_ERROR "libfcl was not found: run tools/setup")
+  endif()
+  add_library(fcl::fcl UNKNOWN IMPORTED)
+  set_target_properties(fcl::fcl PROPERTIES
+    IMPORTED_LOCATION "${MARKETGEN_FCL}" INTERFACE_LINK_LIBRARIES "Eigen3::Eigen;ccd")
 endif()
