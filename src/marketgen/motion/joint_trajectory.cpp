@@ -124,8 +124,8 @@ void JointTrajectory::append(const JointTrajectory& next) {
   }
 }
 
-JointState JointTrajectory::at(double time_s) const {
-  JointState state{Configuration(joints_), Configuration(joints_), Configuration(joints_)};
+TrajectoryState JointTrajectory::at(double time_s) const {
+  TrajectoryState state{Configuration(joints_), Configuration(joints_), Configuration(joints_)};
   if (pieces_.empty()) return state;
   std::size_t k = 0;
   while (k + 1 < pieces_.size() && time_s >= pieces_[k + 1].start_s)

@@ -12,14 +12,14 @@
 
 namespace marketgen {
 
-struct JointState {
+struct TrajectoryState {
   std::vector<double> position, velocity, acceleration;
 };
 
 class JointTrajectory {
  public:
   double duration_s() const;
-  JointState at(double time_s) const;  // before 0 and after the end: at rest there
+  TrajectoryState at(double time_s) const;  // before 0 and after the end: at rest there
   std::size_t joints() const { return joints_; }
   void append(const JointTrajectory& next);  // which starts where this one ends
 

@@ -78,7 +78,7 @@ void ArmChecker::add_bodies() {
     const Matrix34 m = matrix_of(at_zero);
     Body body;
     body.parent = parent_body;
-    body.turns = joint.kind != JointKind::prismatic;
+    body.turns = joint.kind != JointType::prismatic;
     body.column = static_cast<std::size_t>(column);
     const bool follows = joint.follows >= 0;
     body.ratio = follows ? static_cast<float>(joint.follow_ratio) : 1;

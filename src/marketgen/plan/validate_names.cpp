@@ -3,7 +3,9 @@
 namespace marketgen {
 namespace {
 
-Result<void> check_material(const PlanCheck& check, const std::string& name, std::string pointer) {
+Result<void> check_material(const PlanCheck& check,
+                            const std::string& name,
+                            const std::string& pointer) {
   return check_name(check.catalog.materials, &MaterialRow::id, "material", name, check.at(pointer));
 }
 

@@ -32,7 +32,7 @@ std::vector<std::string_view> places_of(const Plan& plan) {
 Result<void> check_place(const PlanCheck& check,
                          const std::vector<std::string_view>& places,
                          const std::string& name,
-                         std::string pointer) {
+                         const std::string& pointer) {
   if (std::ranges::binary_search(places, name)) return {};
   return unknown_name(
       "plan.unknown_reference", check.at(pointer), "zone, opening or wall", name, places);
@@ -56,7 +56,7 @@ Result<void> check_relations(const PlanCheck& check) {
 
 Result<void> check_whole_number(const PlanCheck& check,
                                 const std::string& text,
-                                std::string pointer) {
+                                const std::string& pointer) {
   int number = 0;
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (fault == std::errc{} && end == text.data() + text.size() && number > 0) return {};

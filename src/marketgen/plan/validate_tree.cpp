@@ -17,7 +17,7 @@ Error tree_fault(const PlanCheck& check,
 }
 
 Error unknown_part(const PlanCheck& check,
-                   std::string pointer,
+                   const std::string& pointer,
                    std::string_view what,
                    const std::string& name,
                    const std::vector<std::string_view>& known) {

@@ -42,13 +42,17 @@ class BayPlan {
           const StockSpec& stock,
           const Catalog& catalog,
           Stream draw)
-      : bay_(bay), assortment_(assortment), stock_(stock), catalog_(catalog), draw_(draw) {
+      : bay_(bay),
+        assortment_(assortment),
+        stock_(stock),
+        catalog_(catalog),
+        draw_(draw),
+        piles_only_(bay.promotion && std::ranges::any_of(assortment, [&](std::uint32_t row) {
+                      return piles_up_somewhere(catalog.products[row]);
+                    })) {
     for (const ShelfRoom& room : bay.shelves)
       free_m_.push_back(room.width_m * stock.fill);
     blocks_.resize(bay.shelves.size());
-    piles_only_ = bay.promotion && std::any_of(assortment.begin(), assortment.end(), [&](auto row) {
-                    return piles_up_somewhere(catalog.products[row]);
-                  });
   }
 
   std::vector<PlannedShelf> plan(AssortmentCursor& cursor) {

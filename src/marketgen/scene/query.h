@@ -44,7 +44,7 @@ struct Table {
 // `table` is products, fixtures, zones, prices, materials or planogram. `where` keeps rows of which
 // every "column=value" (also != < > <= >= ~ for "contains") holds, separated by commas. Errors:
 // usage.bad_flag with the nearest name.
-Result<Table> query_scene(const Scene& scene, std::string_view table, std::string_view where);
+Result<Table> query_scene(const Scene& scene, std::string_view name, std::string_view where);
 std::string to_csv(const Table& table);   // RFC 4180
 std::string to_json(const Table& table);  // array of objects, one per line
 

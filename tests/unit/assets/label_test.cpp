@@ -19,6 +19,7 @@
 #include "image_steps.h"
 #include "io/png.h"
 #include "sample_products.h"
+#include "support/run_program.h"
 
 namespace marketgen {
 namespace {
@@ -35,16 +36,6 @@ std::string output_of(const std::string& command) {
   }
   return output;
 }
-
-// A folder that goes away with the test.
-struct ScratchFolder {
-  std::filesystem::path path =
-      std::filesystem::temp_directory_path() / ("label_test." + std::to_string(getpid()));
-  ScratchFolder() { std::filesystem::create_directories(path); }
-  ~ScratchFolder() { std::filesystem::remove_all(path); }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-};
 
 std::set<std::string> eans_read_by_zbar(const std::filesystem::path& folder) {
   const std::string read = output_of("zbarimg -q --raw -Sdisable -Sean13.enable '" +
@@ -143,11 +134,12 @@ TEST(Label, AnOutsideReaderReadsTheEanOnTheSheet) {
   std::set<std::string> printed;
   for (const Product& product : sample_products()) {
     if (*sheet_kind_of(product.archetype) == SheetKind::skin) continue;  // loose: no code
-    ASSERT_TRUE(write_png(scratch.path / (product.sku + ".png"), draw_label(product).value()).ok());
+    ASSERT_TRUE(
+        write_png(scratch.path() / (product.sku + ".png"), draw_label(product).value()).ok());
     printed.insert(product.ean);
   }
   ASSERT_GE(printed.size(), 20U);
-  const std::set<std::string> read = eans_read_by_zbar(scratch.path);
+  const std::set<std::string> read = eans_read_by_zbar(scratch.path());
   for (const std::string& ean : read)
     EXPECT_TRUE(printed.contains(ean)) << ean;
   std::string missed;
@@ -200,8 +192,9 @@ TEST(PriceTag, AnOutsideReaderReadsItsCode) {
   if (!has_zbar()) GTEST_SKIP() << "zbarimg (package zbar-tools) is not installed";
   const ScratchFolder scratch;
   const Product product = sample_products().at(0);
-  ASSERT_TRUE(write_png(scratch.path / "tag.png", draw_price_tag(product, true, 192).value()).ok());
-  EXPECT_EQ(eans_read_by_zbar(scratch.path), std::set<std::string>{product.ean});
+  ASSERT_TRUE(
+      write_png(scratch.path() / "tag.png", draw_price_tag(product, true, 192).value()).ok());
+  EXPECT_EQ(eans_read_by_zbar(scratch.path()), std::set<std::string>{product.ean});
 }
 
 TEST(PriceTag, PromotionIsYellowAndBothArePrinted) {

@@ -28,9 +28,9 @@ MotionLimits worst_use(const JointTrajectory& t,
                        double dt) {
   MotionLimits most{0, 0, 0};
   const int steps = static_cast<int>(t.duration_s() / dt) + 2;
-  JointState before = t.at(0);
+  TrajectoryState before = t.at(0);
   for (int k = 1; k <= steps; ++k) {
-    const JointState now = t.at(k * dt);
+    const TrajectoryState now = t.at(k * dt);
     for (std::size_t j = 0; j < limits.size(); ++j) {
       const double v = (now.position[j] - before.position[j]) / dt;
       const double a = (now.velocity[j] - before.velocity[j]) / dt;

@@ -244,9 +244,9 @@ TEST(PlanArm, TheTrajectoryKeepsTheLimitsOfTheRobotsRow) {
   ASSERT_TRUE(plan.ok()) << to_string(plan.error());
   constexpr double dt = 1e-4;
   double fastest = 0;
-  JointState before = plan->trajectory.at(0);
+  TrajectoryState before = plan->trajectory.at(0);
   for (double t = dt; t < plan->trajectory.duration_s() + dt; t += dt) {
-    const JointState now = plan->trajectory.at(t);
+    const TrajectoryState now = plan->trajectory.at(t);
     for (std::size_t j = 0; j < 7; ++j) {
       const Joint& joint = panda().joint_of_dof(j);
       const double v = std::abs(now.position[j] - before.position[j]) / dt;
