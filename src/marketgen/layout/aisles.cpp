@@ -17,7 +17,6 @@ constexpr double same_share = 0.6;   // strips that cover so much of each other 
 constexpr int strip_joint_mm = 1300;       // strips in line this near are one aisle
 constexpr double main_length_share = 0.5;  // of the store's side
 constexpr int same_end_mm = 300;           // run ends this near to a line end on it
-600;  // nobody walks through less: a joint between cabinets, not an aisle
 
 // A strip of floor, with the side on which its fixtures stand.
 struct Strip {
