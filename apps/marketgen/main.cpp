@@ -65,6 +65,12 @@ Error unknown_command(const CLI::App& app, const std::string& word) {
                       did_you_mean(word, names))};
 }
 
+// As it is typed: "marketgen assets show".
+std::string full_name(const CLI::App& command) {
+  const CLI::App* parent = command.get_parent();
+  return parent == nullptr ? "marketgen" : full_name(*parent) + " " + command.get_name();
+}
+
 // CLI11's message in our form, with the nearest flag when one was misspelt.
 int report_usage(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
   if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
@@ -80,7 +86,7 @@ int report_usage(const CLI::App& app, const CLI::ParseError& error, int argc, ch
     if (word.starts_with("--") && std::find(flags.begin(), flags.end(), word) == flags.end())
       hint = did_you_mean(word, names);
   }
-  const std::string name = &command == &app ? "marketgen" : "marketgen " + command.get_name();
+  const std::string name = full_name(command);
   return fail(
       {"usage.bad_flag", name, fmt::format("{}{} (see: {} --help)", error.what(), hint, name)});
 }

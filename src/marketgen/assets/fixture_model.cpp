@@ -58,13 +58,6 @@ Mesh cylinder_mesh(const FixturePart& part, std::uint16_t surface) {
   return mesh;
 }
 
-void place(Mesh& mesh, const Pose& pose) {
-  for (Vec3f& position : mesh.positions)
-    position = to_float(pose * to_double(position));
-  for (Vec3f& normal : mesh.normals)
-    normal = to_float(rotate(pose.rotation, to_double(normal)));
-}
-
 }  // namespace
 
 Result<FixtureModel> make_fixture_model(const FixtureShape& shape, const Catalog& catalog) {

@@ -63,11 +63,10 @@ std::vector<SearchWord> search_words_of(std::string_view text) {
     if (next.glyph != last && last != Glyph::separator) add_pairs(words);
     if (next.glyph != last && next.glyph != Glyph::separator)
       words.push_back({{}, next.glyph == Glyph::chinese});
-    if (next.glyph == Glyph::chinese)
-      words.back().tokens.emplace_back(next.bytes);
-    else if (next.glyph == Glyph::letter && last == Glyph::letter)
+    const bool goes_on = next.glyph == Glyph::letter && last == Glyph::letter;
+    if (goes_on)
       words.back().tokens.back() += next.bytes;
-    else if (next.glyph == Glyph::letter)
+    else if (next.glyph != Glyph::separator)
       words.back().tokens.emplace_back(next.bytes);
     last = next.glyph;
     at += next.bytes.size();

@@ -90,7 +90,7 @@ Result<double> compare_products(const Scene& scene,
     if (item->second->sku != sku)
       return mismatch(
           where,
-          "product \"" + id + "\" is \"" + item->second->sku + "\" in place of \"" + sku + "\"");
+          fmt::format("product \"{}\" is \"{}\" in place of \"{}\"", id, item->second->sku, sku));
     const double distance =
         length(item->second->position - world_from_product(scene.products[row]).position);
     if (!(distance <= position_tolerance_m))

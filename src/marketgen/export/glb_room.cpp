@@ -44,10 +44,7 @@ void add_piece(Mesh& mesh, const ShellPiece& piece, double wall_extent_m) {
   const std::size_t first = mesh.positions.size();
   const Vec3f half = to_float(piece.half_size);
   add_box(mesh, -half, half, 0, surface_of(piece.kind), static_cast<float>(1 / wall_extent_m));
-  for (std::size_t v = first; v < mesh.positions.size(); ++v) {
-    mesh.positions[v] = to_float(piece.pose * to_double(mesh.positions[v]));
-    mesh.normals[v] = to_float(rotate(piece.pose.rotation, to_double(mesh.normals[v])));
-  }
+  place(mesh, piece.pose, first);
 }
 
 }  // namespace

@@ -8,14 +8,7 @@
 namespace marketgen {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr int body_depth = 2;  // indentation of what lies in the world body
-
-double volume_of(const ScenePart& part) {
-  const double x = double(part.half_size_m[0]), y = double(part.half_size_m[1]),
-               z = double(part.half_size_m[2]);
-  return part.shape == PartShape::box ? 8 * x * y * z : 2 * pi * x * x * z;
-}
 
 class FixtureWriter {
  public:
@@ -73,13 +66,11 @@ class FixtureWriter {
               mjcf_pose(owner_from_fixture * frame));
     if (joint.kind != JointKind::belt) write_joint(depth + 1, joint);
     const Pose body_from_fixture = inverse(frame);
-    double volume = 0;
-    for (const std::uint32_t part : parts_on_[row])
-      volume += volume_of(scene_.parts[part]);
-    for (const std::uint32_t part : parts_on_[row]) {
-      const double share = volume_of(scene_.parts[part]) / volume;
-      const auto mass = static_cast<float>(double(joint.mass_kg) * share);
-      write_part(depth + 1, part, body_from_fixture, fmt::format(" mass=\"{}\"", mass));
+    const std::vector<double> masses = masses_of(scene_, joint, parts_on_[row]);
+    for (std::size_t i = 0; i < masses.size(); ++i) {
+      const auto mass = static_cast<float>(masses[i]);
+      write_part(
+          depth + 1, parts_on_[row][i], body_from_fixture, fmt::format(" mass=\"{}\"", mass));
     }
     for (const std::uint32_t child : children_[row])
       write_body(depth + 1, child, body_from_fixture);

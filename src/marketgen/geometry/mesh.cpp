@@ -76,4 +76,11 @@ void translate(Mesh& mesh, Vec3f by) {
     p += by;
 }
 
+void place(Mesh& mesh, const Pose& pose, std::size_t first) {
+  for (std::size_t v = first; v < mesh.positions.size(); ++v) {
+    mesh.positions[v] = to_float(pose * to_double(mesh.positions[v]));
+    mesh.normals[v] = to_float(rotate(pose.rotation, to_double(mesh.normals[v])));
+  }
+}
+
 }  // namespace marketgen

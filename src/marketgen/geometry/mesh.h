@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/vector.h"
+#include "geometry/pose.h"
 
 namespace marketgen {
 
@@ -64,6 +64,8 @@ struct ProfilePoint {
 void add_lathe(Mesh& mesh, const std::vector<ProfilePoint>& profile, int segments);
 
 void translate(Mesh& mesh, Vec3f by);
+// Moves the vertices from `first` on, with their normals.
+void place(Mesh& mesh, const Pose& pose, std::size_t first = 0);
 void recompute_normals(Mesh& mesh, float crease_cos = 0.5F);
 
 }  // namespace marketgen

@@ -37,6 +37,10 @@ RectMm bounds_of(const PolygonMm& polygon) {
   return box;
 }
 
+std::int64_t turn(PointMm a, PointMm b, PointMm c) {
+  return std::int64_t{b[0] - a[0]} * (c[1] - a[1]) - std::int64_t{b[1] - a[1]} * (c[0] - a[0]);
+}
+
 double area_m2(const PolygonMm& polygon) {
   std::int64_t twice = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -34,6 +34,8 @@ std::optional<RectMm> intersection(const RectMm& a, const RectMm& b);  // of pos
 int gap_mm(const RectMm& a, const RectMm& b);
 PolygonMm polygon_of(const RectMm& r);  // counter-clockwise from (x0, y0)
 RectMm bounds_of(const PolygonMm& polygon);
+// Twice the signed area of a, b, c in mm2: positive for a left turn.
+std::int64_t turn(PointMm a, PointMm b, PointMm c);
 double area_m2(const PolygonMm& polygon);            // shoelace, positive for counter-clockwise
 bool contains(const PolygonMm& polygon, PointMm p);  // even-odd, border counts as inside
 

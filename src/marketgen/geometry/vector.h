@@ -53,6 +53,10 @@ template <class T>
 T length(Vector3<T> a) {
   return std::sqrt(dot(a, a));
 }
+template <class T>
+bool is_finite(Vector3<T> a) {
+  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
 // Unit vector; a zero vector stays zero.
 template <class T>
 Vector3<T> normalized(Vector3<T> a) {

@@ -17,6 +17,7 @@ struct ProviderCall {
   bool own_server = false;  // base_url is the provider's own
   std::string key;          // may be empty
   bool keep_schema = true;  // tell it to keep to the answer's schema
+  bool wants_schema() const { return keep_schema && !request.answer_schema.empty(); }
   bool temperature = true;  // tell it temperature 0; some models take no other than their own
 };
 

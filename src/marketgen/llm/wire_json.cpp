@@ -30,6 +30,10 @@ std::string wire_dump(const WireJson& json) {
   return json.dump(-1, ' ', false, WireJson::error_handler_t::replace);
 }
 
+HttpRequest post_of(std::string url, const WireJson& body) {
+  return {"POST", std::move(url), {{"Content-Type", "application/json"}}, {}, wire_dump(body)};
+}
+
 Error declined(const std::string& where, const std::string& why) {
   return {"llm.refused", where, fmt::format("the model declined to answer: {}", why)};
 }

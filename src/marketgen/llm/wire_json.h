@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/result.h"
+#include "net/http.h"
 
 namespace marketgen {
 
@@ -23,6 +24,9 @@ std::int64_t wire_number(const WireJson& json, const std::string& pointer);
 
 // As text; bytes that are not UTF-8 are replaced.
 std::string wire_dump(const WireJson& json);
+
+// A POST of JSON, to which a provider adds its headers.
+HttpRequest post_of(std::string url, const WireJson& body);
 
 // The error for a model that declines to answer, and for an answer without one.
 Error declined(const std::string& where, const std::string& why);

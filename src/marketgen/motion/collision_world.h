@@ -130,8 +130,4 @@ class CollisionWorld {
   std::array<std::vector<float>, 3> low_, high_;  // bounds of the shapes, filled up to eights
 };
 
-// The same question in plain double precision, one sphere against every obstacle: what tests hold
-// the kernels against. A convex piece is its hull's faces alone. Precondition: make() accepts them.
-bool hits_reference(const Obstacles& obstacles, Vec3 center, double radius);
-
 }  // namespace marketgen

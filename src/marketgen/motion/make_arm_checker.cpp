@@ -4,18 +4,12 @@
 #include <fmt/format.h>
 
 #include "motion/arm_checker.h"
+#include "robots/rotation.h"
 
 namespace marketgen {
 namespace {
 
 constexpr std::size_t most_joints = 16;
-
-// Turns Z to a unit axis.
-Quaternion from_z_to(Vec3 axis) {
-  if (axis.z < -1 + 1e-12) return {0, 1, 0, 0};
-  const double w = 1 + axis.z, norm = std::sqrt(w * w + axis.y * axis.y + axis.x * axis.x);
-  return {w / norm, -axis.y / norm, axis.x / norm, 0};
-}
 
 // Column of the group that moves this joint, -1 when none does.
 int column_of(const JointGroup& group, const Joint& joint) {
@@ -27,8 +21,7 @@ int column_of(const JointGroup& group, const Joint& joint) {
 
 bool finite_spheres(const std::vector<Sphere>& spheres) {
   return std::all_of(spheres.begin(), spheres.end(), [](const Sphere& s) {
-    return std::isfinite(s.center.x + s.center.y + s.center.z) && std::isfinite(s.radius) &&
-           s.radius > 0;
+    return is_finite(s.center) && std::isfinite(s.radius) && s.radius > 0;
   });
 }
 
@@ -73,7 +66,7 @@ void ArmChecker::add_bodies() {
       body_from_link_[link] = before * joint_motion(joint, value);
       continue;
     }
-    const Quaternion turned = from_z_to(joint.axis);
+    const Quaternion turned = rotation_from_z_to(joint.axis);
     const Pose at_zero = before * joint.parent_from_joint * Pose{{}, turned};
     const Matrix34 m = matrix_of(at_zero);
     Body body;

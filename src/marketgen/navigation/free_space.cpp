@@ -14,11 +14,6 @@ constexpr int farthest_mm = 1'000'000;  // products of coordinates then fit 64 b
 constexpr int cell_mm = 1000;           // about the width of an aisle
 constexpr double octagon_tangent = 0.41421356237309503;  // tan(22.5 degrees)
 
-// Twice the signed area of a, b, c: positive for a left turn.
-std::int64_t turn(PointMm a, PointMm b, PointMm c) {
-  return std::int64_t{b[0] - a[0]} * (c[1] - a[1]) - std::int64_t{b[1] - a[1]} * (c[0] - a[0]);
-}
-
 // Andrew's monotone chain.
 PolygonMm hull_of(PolygonMm points) {
   std::sort(points.begin(), points.end());

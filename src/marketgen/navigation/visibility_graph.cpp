@@ -15,10 +15,6 @@ namespace {
 constexpr double not_reached_mm = std::numeric_limits<double>::infinity();
 constexpr std::size_t grain = 16;  // corners whose lines of sight are one piece of work
 
-std::int64_t side_of(PointMm a, PointMm b, PointMm c) {
-  return std::int64_t{b[0] - a[0]} * (c[1] - a[1]) - std::int64_t{b[1] - a[1]} * (c[0] - a[0]);
-}
-
 double distance_mm(PointMm a, PointMm b) {
   const double dx = b[0] - a[0], dy = b[1] - a[1];
   return std::sqrt(dx * dx + dy * dy);
@@ -78,8 +74,8 @@ void VisibilityGraph::find_corners() {
 
 // A line through the corner does not enter its obstacle: both neighbours lie on one side of it.
 bool VisibilityGraph::tangent(const Corner& corner, PointMm from) {
-  const std::int64_t before = side_of(from, corner.at, corner.before);
-  const std::int64_t after = side_of(from, corner.at, corner.after);
+  const std::int64_t before = turn(from, corner.at, corner.before);
+  const std::int64_t after = turn(from, corner.at, corner.after);
   return (before >= 0 && after >= 0) || (before <= 0 && after <= 0);
 }
 

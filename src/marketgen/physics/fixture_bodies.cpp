@@ -1,18 +1,11 @@
 #include "physics/fixture_bodies.h"
 
-#include <numbers>
-
 #include "physics/contact_shape.h"
 #include "physics/spec_geoms.h"
 #include "scene/articulation.h"
 
 namespace marketgen {
 namespace {
-
-double volume_of(const ScenePart& part) {
-  const double x = part.half_size_m[0], y = part.half_size_m[1], z = part.half_size_m[2];
-  return part.shape == PartShape::box ? 8 * x * y * z : 2 * std::numbers::pi * x * x * z;
-}
 
 class FixtureBuilder {
  public:
@@ -46,13 +39,9 @@ class FixtureBuilder {
     if (parent == world_) body->sleep = mjSLEEP_INIT;
     made_.joints[row].joint = add_joint(body, joint);
     const Pose body_from_fixture = inverse(frame);
-    double volume = 0;
-    for (const std::uint32_t part : parts_on_[row])
-      volume += volume_of(scene_.parts[part]);
-    for (const std::uint32_t part : parts_on_[row]) {
-      add_geom(body, part, body_from_fixture)->mass =
-          double(joint.mass_kg) * volume_of(scene_.parts[part]) / volume;
-    }
+    const std::vector<double> masses = masses_of(scene_, joint, parts_on_[row]);
+    for (std::size_t i = 0; i < masses.size(); ++i)
+      add_geom(body, parts_on_[row][i], body_from_fixture)->mass = masses[i];
     for (const std::uint32_t child : children_[row])
       add_body(body, child, body_from_fixture);
   }

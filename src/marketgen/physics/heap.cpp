@@ -67,11 +67,7 @@ class HeapBuilder {
 
  private:
   void add_tray() {
-    mjsGeom* floor = mjs_addGeom(world_, nullptr);
-    floor->type = mjGEOM_PLANE;
-    floor->size[2] = 1;
-    floor->friction[0] = still_friction;
-    floor->solref[0] = contact_time_s;
+    add_floor(world_);
     const double w = tray_.width_m(), d = tray_.depth_m(), high = 2;
     for (const auto& [x, y, along, deep] : {std::array{-wall_half_m, d / 2, wall_half_m, d},
                                             std::array{w + wall_half_m, d / 2, wall_half_m, d},

@@ -52,11 +52,7 @@ class Builder {
   }
 
   void add_room(const Extent& extent) {
-    mjsGeom* floor = mjs_addGeom(world_, nullptr);
-    floor->type = mjGEOM_PLANE;
-    floor->size[2] = 1;
-    floor->friction[0] = still_friction;
-    floor->solref[0] = contact_time_s;
+    add_floor(world_);
     for (const ShellPiece& piece : shell_pieces(scene_.layout.shell)) {
       add_if_near({CollisionShape::box, piece.pose, piece.half_size}, extent);
     }

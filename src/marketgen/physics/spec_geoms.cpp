@@ -33,15 +33,30 @@ void set_contact_options(mjSpec& spec, double sleep_below_m_s) {
   option.sleep_tolerance = sleep_below_m_s;
 }
 
-mjsGeom* add_shape(mjsBody* body, const ContactShape& shape) {
+namespace {
+
+mjsGeom* add_still(mjsBody* body, mjtGeom type) {
   mjsGeom* geom = mjs_addGeom(body, nullptr);
-  geom->type = geom_type_of(shape.shape);
-  const double size[3] = {shape.size.x, shape.size.y, shape.size.z};
-  std::copy(size, size + 3, geom->size);
-  set_pose(geom->pos, geom->quat, shape.pose);
+  geom->type = type;
   geom->friction[0] = still_friction;
   geom->solref[0] = contact_time_s;
   return geom;
+}
+
+}  // namespace
+
+mjsGeom* add_shape(mjsBody* body, const ContactShape& shape) {
+  mjsGeom* geom = add_still(body, geom_type_of(shape.shape));
+  const double size[3] = {shape.size.x, shape.size.y, shape.size.z};
+  std::copy(size, size + 3, geom->size);
+  set_pose(geom->pos, geom->quat, shape.pose);
+  return geom;
+}
+
+mjsGeom* add_floor(mjsBody* world) {
+  mjsGeom* floor = add_still(world, mjGEOM_PLANE);
+  floor->size[2] = 1;  // as a viewer draws its grid
+  return floor;
 }
 
 void set_goods_contact(mjsGeom* geom, const GoodsContact& contact) {

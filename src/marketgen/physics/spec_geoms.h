@@ -15,6 +15,8 @@ void set_contact_options(mjSpec& spec, double sleep_below_m_s);
 
 // A geom that stands still: least friction, stiff.
 mjsGeom* add_shape(mjsBody* body, const ContactShape& shape);
+// The plane z = 0 without end, of the same kind.
+mjsGeom* add_floor(mjsBody* world);
 void set_goods_contact(mjsGeom* geom, const GoodsContact& contact);
 
 }  // namespace marketgen

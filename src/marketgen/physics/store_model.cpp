@@ -87,12 +87,7 @@ class StoreBuilder {
   }
 
   void add_room() {
-    mjsGeom* floor = mjs_addGeom(world_, nullptr);
-    floor->type = mjGEOM_PLANE;
-    floor->size[2] = 1;
-    floor->friction[0] = still_friction;
-    floor->solref[0] = contact_time_s;
-    furnish(floor);
+    furnish(add_floor(world_));
     for (const ShellPiece& piece : shell_pieces(scene_.layout.shell)) {
       const ContactShape box{CollisionShape::box, piece.pose, piece.half_size};
       if (near(box)) furnish(add_shape(world_, box));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "render/picture_grid.h"
 #include "render/render.h"
@@ -18,7 +19,7 @@ Scene stage_for(const Product& product) {
   scene.layout.shell.width_mm = scene.layout.shell.depth_mm = room_mm;
   scene.layout.shell.ceiling_mm = 3000;
   scene.layout.look.floor = scene.layout.look.wall = scene.layout.look.ceiling = "";
-  scene.layout.look.light_lux = 1000;
+  scene.layout.look.light_lux = 1400;
   scene.catalog.push_back(product);
   SceneProduct item;
   item.facing = 0;
@@ -28,15 +29,35 @@ Scene stage_for(const Product& product) {
   return scene;
 }
 
+// From where a shopper would look: more from above the flatter the product is, and nearly from the
+// front when it is as deep as wide, since a round pack has its print there.
+Vec3 view_of(const Product& product) {
+  const double flatness = 1 - product.height_m() / (0.6 * product.depth_m());
+  const double ratio = product.depth_m() / product.width_m();
+  const bool maybe_round = ratio > 0.95 && ratio < 1.05;
+  return normalized(
+      Vec3{maybe_round ? 0.25 : 0.45, -1.0, 0.42 + 0.7 * std::clamp(flatness, 0.0, 1.0)});
+}
+
+// The product's box fills the picture but for a border.
 Camera camera_for(const Product& product, int size_px) {
+  constexpr double filled = 0.86;  // of the picture's side
   const double middle = room_mm * 0.5e-3;
-  const double radius = 0.5 * std::sqrt(product.width_m() * product.width_m() +
-                                        product.depth_m() * product.depth_m() +
-                                        product.height_m() * product.height_m());
-  const double distance = 1.12 * radius / std::sin(product_fov_deg / 2 * 3.14159265358979 / 180);
   const Vec3 at{middle, middle, product.height_m() / 2};
-  const Vec3 direction = normalized(Vec3{0.45, -1.0, 0.42});
-  return {"product", at + direction * distance, at, product_fov_deg, 0, size_px, size_px};
+  const Vec3 view = view_of(product);
+  const Vec3 right = normalized(cross({0, 0, 1}, view)), up = cross(view, right);
+  const double slope = filled * std::tan(product_fov_deg / 2 * std::numbers::pi / 180);
+  double distance = 0;
+  for (const double x : {-0.5, 0.5}) {
+    for (const double y : {-0.5, 0.5}) {
+      for (const double z : {-0.5, 0.5}) {
+        const Vec3 corner{x * product.width_m(), y * product.depth_m(), z * product.height_m()};
+        const double aside = std::max(std::abs(dot(corner, right)), std::abs(dot(corner, up)));
+        distance = std::max(distance, aside / slope + dot(corner, view));
+      }
+    }
+  }
+  return {"product", at + view * distance, at, product_fov_deg, 0, size_px, size_px};
 }
 
 }  // namespace

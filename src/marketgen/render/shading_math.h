@@ -31,9 +31,6 @@ inline Vec3f mix(Vec3f a, Vec3f b, float t) {
 inline Vec3f mirrored(Vec3f d, Vec3f n) {
   return d - n * (2 * dot(d, n));
 }
-inline bool is_finite(Vec3f c) {
-  return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z);
-}
 
 // Base-2 logarithm of a positive number within 0.01: enough to pick a mip level.
 inline float rough_log2(float x) {

@@ -135,13 +135,6 @@ Mesh ball_mesh(double radius) {
   return mesh;
 }
 
-void place(Mesh& mesh, const Pose& pose) {
-  for (Vec3f& p : mesh.positions)
-    p = to_float(pose * to_double(p));
-  for (Vec3f& n : mesh.normals)
-    n = to_float(rotate(pose.rotation, to_double(n)));
-}
-
 Result<Mesh> mesh_from_file(const BodyShape& shape) {
   const std::filesystem::path file = shape.mesh_file;
   const std::string kind = file.extension().string();

@@ -3,11 +3,17 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <numbers>
 #include <string>
 #include <utility>
 
 namespace marketgen {
 namespace {
+
+double volume_of(const ScenePart& part) {
+  const double x = part.half_size_m[0], y = part.half_size_m[1], z = part.half_size_m[2];
+  return part.shape == PartShape::box ? 8 * x * y * z : 2 * std::numbers::pi * x * x * z;
+}
 
 // The motion in the joint's own frame.
 Pose own_motion(const SceneJoint& joint, double position) {
@@ -46,6 +52,20 @@ Pose fixture_from_joint(const SceneJoint& joint) {
   const auto& p = joint.position_m;
   const auto& q = joint.rotation_wxyz;
   return {{p[0], p[1], p[2]}, {q[0], q[1], q[2], q[3]}};
+}
+
+std::vector<double> masses_of(const Scene& scene,
+                              const SceneJoint& joint,
+                              const std::vector<std::uint32_t>& parts) {
+  std::vector<double> masses;
+  double total = 0;
+  for (const std::uint32_t part : parts) {
+    masses.push_back(volume_of(scene.parts[part]));
+    total += masses.back();
+  }
+  for (double& mass : masses)
+    mass = double(joint.mass_kg) * (mass / total);
+  return masses;
 }
 
 std::vector<Pose> joint_motions(const Scene& scene, const std::vector<double>& positions) {

@@ -13,6 +13,12 @@ namespace marketgen {
 
 Pose fixture_from_joint(const SceneJoint& joint);  // at position 0
 
+// How the mass of what a joint moves is spread over its parts (rows of Scene::parts): by volume,
+// in kg, in the order of `parts`.
+std::vector<double> masses_of(const Scene& scene,
+                              const SceneJoint& joint,
+                              const std::vector<std::uint32_t>& parts);
+
 // How far each joint has carried what is on it, in its fixture's frame: by row of Scene::joints,
 // the identity where nothing moved. `positions` has one entry a row.
 std::vector<Pose> joint_motions(const Scene& scene, const std::vector<double>& positions);

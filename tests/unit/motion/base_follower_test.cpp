@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "robots/robot_row.h"
+#include "support/committed_robot.h"
 
 namespace marketgen {
 namespace {
@@ -15,9 +15,7 @@ namespace {
 constexpr double tick = 0.02;
 
 BaseLimits realman_limits() {
-  auto robot =
-      load_robot(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data", "realman-rm75").value();
-  return base_limits(robot).value();
+  return base_limits(committed_robot("realman-rm75")).value();
 }
 
 FloorPath around_a_shelf() {
@@ -127,7 +125,7 @@ TEST(BaseFollower, BadInputIsAnErrorAndADiscAnywhereStopsTheBase) {
   EXPECT_EQ(code(BaseFollower::make(path, nan, std::nullopt, none)), "motion.bad_configuration");
   none.acceleration = 0;
   EXPECT_EQ(code(BaseFollower::make(path, 0, std::nullopt, none)), "motion.bad_limits");
-  auto panda = load_robot(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data", "panda").value();
+  auto panda = committed_robot("panda");
   EXPECT_EQ(base_limits(panda).error().code, "motion.bad_limits");
   auto follower = BaseFollower::make(path, 0, std::nullopt, realman_limits()).value();
   const MovingDisc ghost{{nan, 0}, 0.3, 0};

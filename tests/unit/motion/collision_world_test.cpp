@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "base/seed.h"
+#include "support/collision_reference.h"
 
 namespace marketgen {
 namespace {

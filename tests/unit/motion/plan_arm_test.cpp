@@ -17,19 +17,14 @@
 #include <memory>
 #include <thread>
 
-#include "robots/robot_row.h"
+#include "support/committed_robot.h"
 #include "support/shelf_problems.h"
 
 namespace marketgen {
 namespace {
 
-Robot robot_of(const std::string& id) {
-  auto robot = load_robot(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data", id);
-  EXPECT_TRUE(robot.ok()) << (robot.ok() ? "" : to_string(robot.error()));
-  return robot.ok() ? std::move(robot).value() : Robot{};
-}
 const Robot& panda() {
-  static const Robot robot = robot_of("panda");
+  static const Robot robot = committed_robot("panda");
   return robot;
 }
 std::vector<double> ready_state() {

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "base/seed.h"
-#include "robots/robot_row.h"
+#include "support/committed_robot.h"
 
 namespace marketgen {
 namespace {
@@ -20,11 +20,8 @@ struct Arm {
 };
 
 Arm arm_of(const std::string& id) {
-  Result<Robot> robot = load_robot(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data", id);
-  EXPECT_TRUE(robot.ok()) << (robot.ok() ? "" : to_string(robot.error()));
-  Arm arm;
-  if (!robot.ok()) return arm;
-  arm.robot = std::move(robot).value();
+  Arm arm{committed_robot(id), {}};
+  if (arm.robot.links.empty()) return arm;
   const auto ik = make_arm_ik(arm.robot, *arm.robot.find_group("arm"));
   EXPECT_TRUE(ik.ok()) << (ik.ok() ? "" : to_string(ik.error()));
   if (ik.ok()) arm.ik = *ik;
@@ -36,17 +33,6 @@ Pose tip_at(const Arm& arm, const ArmJoints& q) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(arm.ik.joints); ++i)
     state[i] = q[i];
   return frame_pose(arm.robot, state, arm.robot.find_group("arm")->tip);
-}
-
-// Position and rotation error together: the largest matrix entry that differs.
-double error_between(const Pose& a, const Pose& b) {
-  const Matrix34 x = matrix_of(a), y = matrix_of(b);
-  double worst = 0;
-  for (int r = 0; r < 3; ++r) {
-    for (int c = 0; c < 4; ++c)
-      worst = std::max(worst, std::abs(x.m[r][c] - y.m[r][c]));
-  }
-  return worst;
 }
 
 double angle_between(double a, double b) {
@@ -73,7 +59,7 @@ void expect_round_trips(const std::string& id, int poses) {
     bool same = false;
     const auto solutions = solve_arm(arm.ik, pose, redundancy);
     for (const ArmJoints& s : solutions) {
-      worst = std::max(worst, error_between(tip_at(arm, s), pose));
+      worst = std::max(worst, largest_difference(tip_at(arm, s), pose));
       double off = 0;
       for (std::size_t k = 0; k < static_cast<std::size_t>(arm.ik.joints); ++k)
         off = std::max(off, angle_between(s[k], q[k]));
@@ -110,7 +96,7 @@ TEST(ArmIk, SevenJointArmsFindRandomPosesAgainBySweeping) {
       const auto found = nearest_arm_solution(arm.ik, tip_at(arm, q), q);
       reached += found.ok() ? 1 : 0;
       if (found.ok()) {
-        EXPECT_LT(error_between(tip_at(arm, *found), tip_at(arm, q)), 1e-9);
+        EXPECT_LT(largest_difference(tip_at(arm, *found), tip_at(arm, q)), 1e-9);
       }
     }
     EXPECT_EQ(reached, 300) << id;

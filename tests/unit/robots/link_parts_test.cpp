@@ -10,16 +10,10 @@
 #include <map>
 #include <numbers>
 
-#include "robots/robot_row.h"
+#include "support/committed_robot.h"
 
 namespace marketgen {
 namespace {
-
-Robot row_robot(const std::string& id) {
-  auto robot = load_robot(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data", id);
-  EXPECT_TRUE(robot.ok()) << (robot.ok() ? "" : to_string(robot.error()));
-  return robot.ok() ? std::move(robot).value() : Robot{};
-}
 
 void expect_solid(const Mesh& mesh, double volume, double tolerance) {
   EXPECT_TRUE(is_watertight(mesh));
@@ -53,7 +47,7 @@ TEST(LinkParts, SolidsAreClosedAndHaveTheirVolumes) {
 
 TEST(LinkParts, EverySolidOfEveryRowIsClosed) {
   for (const char* id : {"panda", "realman-rm65", "realman-rm75", "suction-cup"}) {
-    for (const Link& link : row_robot(id).links) {
+    for (const Link& link : committed_robot(id).links) {
       for (const BodyShape& shape : link.look)
         EXPECT_TRUE(is_watertight(mesh_of(shape))) << id << " " << link.name;
     }
@@ -76,7 +70,7 @@ double outside(const Link& link, Vec3 p) {
 // robots, wheels and skirt, are left open: capsules there would touch the floor.
 TEST(LinkParts, CapsulesHoldWhatALinkLooksLike) {
   for (const char* id : {"panda", "realman-rm65", "realman-rm75", "suction-cup"}) {
-    for (const Link& link : row_robot(id).links) {
+    for (const Link& link : committed_robot(id).links) {
       const auto parts = link_parts(link);
       ASSERT_TRUE(parts.ok()) << to_string(parts.error());
       if (link.look.empty()) continue;
@@ -108,7 +102,7 @@ Bounds3 bounds_of_robot(const Robot& robot, const std::vector<double>& q, std::s
 }
 
 TEST(LinkParts, TheDualArmRobotHasTheDataSheetsSize) {  // 640 x 450 x 1780 mm, arms aside
-  const Robot robot = row_robot("realman-rm65");
+  const Robot robot = committed_robot("realman-rm65");
   const Bounds3 body = bounds_of_robot(robot, neutral_state(robot), "arms");
   EXPECT_NEAR(body.size().x, 0.640F, 0.01F);
   EXPECT_NEAR(body.size().y, 0.450F, 0.005F);
@@ -119,7 +113,7 @@ TEST(LinkParts, TheDualArmRobotHasTheDataSheetsSize) {  // 640 x 450 x 1780 mm, 
 // The stowed arms, with grippers, stay within the circle in which the base turns on the spot.
 TEST(LinkParts, TheStowedDualArmTurnsInItsOwnCircle) {
   for (const char* id : {"realman-rm65", "realman-rm75"}) {
-    const Robot robot = row_robot(id);
+    const Robot robot = committed_robot(id);
     const auto q = with_posture(*robot.find_posture("stow"), neutral_state(robot));
     const auto parts = robot_parts(robot, link_poses(robot, q));
     ASSERT_TRUE(parts.ok());
@@ -138,7 +132,7 @@ TEST(LinkParts, TheStowedDualArmTurnsInItsOwnCircle) {
 // Franka Hand manual: 204 mm across the fingers' way, 63 mm deep. At q = 0 the shoulder is at
 // 333 mm, the wrist at 1033 mm (Denavit-Hartenberg table); the shells stand 40 to 70 mm above.
 TEST(LinkParts, ThePandaHasItsPublishedDimensions) {
-  const Robot panda = row_robot("panda");
+  const Robot panda = committed_robot("panda");
   const auto hand = link_parts(panda.links[static_cast<std::size_t>(panda.find_link("hand"))]);
   ASSERT_TRUE(hand.ok());
   Bounds3 bounds;
@@ -164,7 +158,7 @@ TEST(LinkParts, ThePandaHasItsPublishedDimensions) {
 TEST(LinkParts, ArmsAreMostlyWhiteWithDarkJoints) {
   for (const char* id : {"panda", "rm65-b-v", "rm75-b"}) {
     std::map<std::string, double> area;
-    for (const Link& link : row_robot(id).links) {
+    for (const Link& link : committed_robot(id).links) {
       const auto parts = link_parts(link);
       ASSERT_TRUE(parts.ok());
       for (const LinkPart& part : *parts) {

@@ -8,16 +8,10 @@
 #include <cmath>
 
 #include "robots/arm_ik.h"
-#include "robots/robot_row.h"
+#include "support/committed_robot.h"
 
 namespace marketgen {
 namespace {
-
-Robot dual_arm() {
-  auto robot = load_robot(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data", "realman-rm65");
-  EXPECT_TRUE(robot.ok());
-  return robot.ok() ? std::move(robot).value() : Robot{};
-}
 
 std::vector<int> dofs_of(const Robot& robot, std::initializer_list<const char*> groups) {
   std::vector<int> dofs;
@@ -26,16 +20,6 @@ std::vector<int> dofs_of(const Robot& robot, std::initializer_list<const char*> 
     dofs.insert(dofs.end(), group.dofs.begin(), group.dofs.end());
   }
   return dofs;
-}
-
-double largest_difference(const Pose& a, const Pose& b) {
-  const Matrix34 x = matrix_of(a), y = matrix_of(b);
-  double worst = 0;
-  for (int r = 0; r < 3; ++r) {
-    for (int c = 0; c < 4; ++c)
-      worst = std::max(worst, std::abs(x.m[r][c] - y.m[r][c]));
-  }
-  return worst;
 }
 
 std::vector<double> random_posture(const Robot& robot, const std::vector<int>& dofs, Stream& draw) {
@@ -49,7 +33,7 @@ std::vector<double> random_posture(const Robot& robot, const std::vector<int>& d
 }
 
 TEST(NumericIk, BaseLiftAndArmReachPosesTogether) {
-  const Robot robot = dual_arm();
+  const Robot robot = committed_robot("realman-rm65");
   ASSERT_FALSE(robot.links.empty());
   const std::vector<int> dofs = dofs_of(robot, {"base", "lift", "left_arm"});
   const int tip = robot.find_group("left_arm")->tip;
@@ -71,7 +55,7 @@ TEST(NumericIk, BaseLiftAndArmReachPosesTogether) {
 
 // Two solvers that share nothing agree, pose by pose, on what the arm can reach.
 TEST(NumericIk, ReachesExactlyWhatTheAnalyticSolverReaches) {
-  const Robot robot = dual_arm();
+  const Robot robot = committed_robot("realman-rm65");
   const JointGroup& arm = *robot.find_group("left_arm");
   const auto analytic = make_arm_ik(robot, arm);
   ASSERT_TRUE(analytic.ok()) << to_string(analytic.error());
@@ -93,7 +77,7 @@ TEST(NumericIk, ReachesExactlyWhatTheAnalyticSolverReaches) {
 }
 
 TEST(NumericIk, TheSameArgumentsGiveTheSameAnswer) {
-  const Robot robot = dual_arm();
+  const Robot robot = committed_robot("realman-rm65");
   const std::vector<int> dofs = dofs_of(robot, {"left_arm"});
   const int tip = robot.find_group("left_arm")->tip;
   Stream draw = Seed(6).child("numeric").stream();
@@ -107,7 +91,7 @@ TEST(NumericIk, TheSameArgumentsGiveTheSameAnswer) {
 }
 
 TEST(NumericIk, AFarPoseIsUnreachableForTheArmButNotForTheBase) {
-  const Robot robot = dual_arm();
+  const Robot robot = committed_robot("realman-rm65");
   const int tip = robot.find_group("left_arm")->tip;
   const std::vector<double> seed = neutral_state(robot);
   const Pose goal{{5, 1, 1}, {}};
@@ -121,7 +105,7 @@ TEST(NumericIk, AFarPoseIsUnreachableForTheArmButNotForTheBase) {
 }
 
 TEST(NumericIk, ABadSeedOrGoalIsNamed) {
-  const Robot robot = dual_arm();
+  const Robot robot = committed_robot("realman-rm65");
   const std::vector<int> dofs = dofs_of(robot, {"left_arm"});
   const int tip = robot.find_group("left_arm")->tip;
   const auto short_seed = solve_numeric(robot, tip, dofs, {}, {0, 0}, Seed(1));

@@ -9,16 +9,10 @@
 
 #include "base/parallel.h"
 #include "robots/numeric_ik.h"
-#include "robots/robot_row.h"
+#include "support/committed_robot.h"
 
 namespace marketgen {
 namespace {
-
-Robot arm_robot(const std::string& id) {
-  auto robot = load_robot(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data", id);
-  EXPECT_TRUE(robot.ok()) << (robot.ok() ? "" : to_string(robot.error()));
-  return robot.ok() ? std::move(robot).value() : Robot{};
-}
 
 // Of the same orientations, how many damped least squares reach from 21 starts each.
 double share_by_descent(const Robot& robot, Vec3 point, const std::vector<Quaternion>& turns) {
@@ -34,7 +28,7 @@ double share_by_descent(const Robot& robot, Vec3 point, const std::vector<Quater
 
 // Cells over which the share goes from all to nothing: a row straight ahead at shoulder height.
 void expect_agreement(const std::string& id, double tolerance) {
-  const Robot robot = arm_robot(id);
+  const Robot robot = committed_robot(id);
   const auto arm = make_arm_ik(robot, *robot.find_group("arm"));
   ASSERT_TRUE(arm.ok()) << to_string(arm.error());
   ReachMapOptions options;
@@ -80,7 +74,7 @@ TEST(ReachMap, OrientationsAreSpreadEvenly) {
 }
 
 TEST(ReachMap, IsEmptyBeyondTheArmAndFullerNearTheShoulder) {
-  const Robot robot = arm_robot("rm65-b-v");
+  const Robot robot = committed_robot("rm65-b-v");
   const auto arm = make_arm_ik(robot, *robot.find_group("arm"));
   ReachMapOptions options;
   options.directions = 12, options.rolls = 1;
@@ -106,7 +100,7 @@ TEST(ReachMap, IsEmptyBeyondTheArmAndFullerNearTheShoulder) {
 }
 
 TEST(ReachMap, BadOptionsAreNamed) {
-  const Robot robot = arm_robot("rm65-b-v");
+  const Robot robot = committed_robot("rm65-b-v");
   const auto arm = make_arm_ik(robot, *robot.find_group("arm"));
   ReachMapOptions empty, coarse, fine, endless;
   empty.high = empty.low;

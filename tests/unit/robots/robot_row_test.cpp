@@ -7,17 +7,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "support/committed_robot.h"
+
 namespace marketgen {
 namespace {
 
 const std::filesystem::path data = std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data";
 constexpr double degree = std::numbers::pi / 180;
-
-Robot loaded(const std::string& id, const RobotTools& tools = {}) {
-  Result<Robot> robot = load_robot(data, id, tools);
-  EXPECT_TRUE(robot.ok()) << (robot.ok() ? "" : to_string(robot.error()));
-  return robot.ok() ? std::move(robot).value() : Robot{};
-}
 
 void expect_near(Vec3 a, Vec3 b, double tolerance) {
   EXPECT_NEAR(a.x, b.x, tolerance);
@@ -30,12 +26,12 @@ TEST(RobotRows, EveryRowLoads) {
   ASSERT_TRUE(ids.ok());
   EXPECT_EQ(ids->size(), 8U);
   for (const std::string& id : *ids)
-    EXPECT_FALSE(loaded(id).links.empty()) << id;
+    EXPECT_FALSE(committed_robot(id).links.empty()) << id;
 }
 
 // q = 0: the arm stands straight up, the flange 88 mm ahead and hanging down; published table.
 TEST(RobotRows, PandaAtZeroIsWhereItsTableSays) {
-  const Robot panda = loaded("panda");
+  const Robot panda = committed_robot("panda");
   ASSERT_EQ(panda.dof_count(), 9U);
   const Pose flange = frame_pose(panda, std::vector<double>(9), panda.find_frame("flange"));
   expect_near(flange.position, {0.088, 0, 0.333 + 0.316 + 0.384 - 0.107}, 1e-12);
@@ -45,7 +41,7 @@ TEST(RobotRows, PandaAtZeroIsWhereItsTableSays) {
 }
 
 TEST(RobotRows, PandaHasThePublishedLimitsAndMasses) {
-  const Robot panda = loaded("panda");
+  const Robot panda = committed_robot("panda");
   const Joint& fourth = panda.joint_of_dof(3);
   EXPECT_EQ(fourth.lower, -3.0718);
   EXPECT_EQ(fourth.upper, -0.0698);
@@ -60,10 +56,10 @@ TEST(RobotRows, PandaHasThePublishedLimitsAndMasses) {
 
 // RM65 straight up: 240.5 + 256 + 210 + 166.8 mm; RM75: 240.5 + 256 + 210 + 144 mm.
 TEST(RobotRows, RealmanArmsStandStraightAtZero) {
-  const Robot six = loaded("rm65-b-v");
+  const Robot six = committed_robot("rm65-b-v");
   const Pose top = frame_pose(six, std::vector<double>(6), six.find_frame("flange"));
   expect_near(top.position, {0, 0, 0.8733}, 1e-12);
-  const Robot seven = loaded("rm75-b");
+  const Robot seven = committed_robot("rm75-b");
   const Pose tip = frame_pose(seven, std::vector<double>(7), seven.find_frame("flange"));
   expect_near(tip.position, {0, 0, 0.8505}, 1e-12);
   EXPECT_NEAR(seven.joint_of_dof(3).upper, 135 * degree, 1e-15);
@@ -71,7 +67,7 @@ TEST(RobotRows, RealmanArmsStandStraightAtZero) {
 }
 
 TEST(RobotRows, DualArmShouldersAreWhereTheDataSheetPutsThem) {
-  const Robot robot = loaded("realman-rm65");
+  const Robot robot = committed_robot("realman-rm65");
   std::vector<double> q(robot.dof_count());
   q[static_cast<std::size_t>(robot.find_dof("lift"))] = 0.4;
   const std::vector<Pose> poses = link_poses(robot, q);
@@ -85,7 +81,7 @@ TEST(RobotRows, DualArmShouldersAreWhereTheDataSheetPutsThem) {
 
 TEST(RobotRows, DualArmWeighsWhatTheDataSheetSays) {  // 157 kg, arms but no tools
   for (const char* id : {"realman-rm65"}) {
-    const Robot robot = loaded(id);
+    const Robot robot = committed_robot(id);
     double mass = 0;
     for (const Link& link : robot.links) {
       if (link.name.find("tool") == std::string::npos) mass += link.mass;
@@ -95,7 +91,7 @@ TEST(RobotRows, DualArmWeighsWhatTheDataSheetSays) {  // 157 kg, arms but no too
 }
 
 TEST(RobotRows, AToolMovesTheTipOfItsArm) {
-  const Robot robot = loaded("realman-rm75", {{"left_tool", "suction-cup"}});
+  const Robot robot = committed_robot("realman-rm75", {{"left_tool", "suction-cup"}});
   const JointGroup* left = robot.find_group("left_arm");
   ASSERT_NE(left, nullptr);
   EXPECT_EQ(left->dofs.size(), 7U);
@@ -118,7 +114,7 @@ TEST(RobotRows, UnknownNamesAreErrorsThatListTheKnownOnes) {
 }
 
 TEST(RobotRows, SpheresCoverEveryCapsule) {  // points on each capsule's surface lie in some sphere
-  const Robot robot = loaded("realman-rm65");
+  const Robot robot = committed_robot("realman-rm65");
   for (const Link& link : robot.links) {
     for (const Capsule& c : link.capsules) {
       for (int i = 0; i <= 20; ++i) {
@@ -138,7 +134,7 @@ TEST(RobotRows, SpheresCoverEveryCapsule) {  // points on each capsule's surface
 }
 
 TEST(RobotStates, BadStatesAreNamed) {
-  const Robot panda = loaded("panda");
+  const Robot panda = committed_robot("panda");
   std::vector<double> q = neutral_state(panda);
   EXPECT_TRUE(check_state(panda, q).ok());
   EXPECT_EQ(q[3], -0.0698);

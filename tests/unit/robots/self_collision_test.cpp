@@ -10,16 +10,10 @@
 
 #include "base/seed.h"
 #include "robots/numeric_ik.h"
-#include "robots/robot_row.h"
+#include "support/committed_robot.h"
 
 namespace marketgen {
 namespace {
-
-Robot robot_of(const std::string& id) {
-  auto robot = load_robot(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data", id);
-  EXPECT_TRUE(robot.ok()) << (robot.ok() ? "" : to_string(robot.error()));
-  return robot.ok() ? std::move(robot).value() : Robot{};
-}
 
 Vec3 random_point(Stream& draw) {
   return {draw.uniform(-1, 1), draw.uniform(-1, 1), draw.uniform(-1, 1)};
@@ -63,7 +57,7 @@ std::string name_of_contact(const Robot& robot, const std::vector<double>& q) {
 }
 
 TEST(SelfCollision, ThePandasReadyPostureIsFreeAndAFoldedOneIsNot) {
-  const Robot panda = robot_of("panda");
+  const Robot panda = committed_robot("panda");
   ASSERT_NE(panda.find_posture("ready"), nullptr);
   std::vector<double> q = with_posture(*panda.find_posture("ready"), neutral_state(panda));
   EXPECT_EQ(name_of_contact(panda, q), "none");
@@ -74,7 +68,7 @@ TEST(SelfCollision, ThePandasReadyPostureIsFreeAndAFoldedOneIsNot) {
 
 TEST(SelfCollision, TheStowedDualArmIsFreeAtEveryLift) {
   for (const char* id : {"realman-rm65", "realman-rm75"}) {
-    const Robot robot = robot_of(id);
+    const Robot robot = committed_robot(id);
     ASSERT_NE(robot.find_posture("stow"), nullptr);
     std::vector<double> q = with_posture(*robot.find_posture("stow"), neutral_state(robot));
     for (int i = 0; i <= 9; ++i) {
@@ -85,7 +79,7 @@ TEST(SelfCollision, TheStowedDualArmIsFreeAtEveryLift) {
 }
 
 TEST(SelfCollision, ArmsThatReachForOnePointTouchAndArmsApartDoNot) {
-  const Robot robot = robot_of("realman-rm65");
+  const Robot robot = committed_robot("realman-rm65");
   const Quaternion ahead = rotation_about({0, 1, 0}, std::numbers::pi / 2);  // tool along X
   const auto both_at = [&](double left_y, double right_y) {
     std::vector<double> q = with_posture(*robot.find_posture("stow"), neutral_state(robot));
@@ -104,7 +98,7 @@ TEST(SelfCollision, ArmsThatReachForOnePointTouchAndArmsApartDoNot) {
 }
 
 TEST(SelfCollision, NeighboursFingersAndBoltedLinksAreNoPairs) {
-  const Robot panda = robot_of("panda");
+  const Robot panda = committed_robot("panda");
   for (const LinkPair& pair : pairs_that_may_touch(panda)) {
     const std::string names = panda.links[static_cast<std::size_t>(pair.a)].name + " " +
                               panda.links[static_cast<std::size_t>(pair.b)].name;

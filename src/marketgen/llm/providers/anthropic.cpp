@@ -30,13 +30,13 @@ HttpRequest anthropic_request(const ProviderCall& call) {
     messages.push_back({{"role", role}, {"content", anthropic_content(turn)}});
   }
   body["messages"] = std::move(messages);
-  if (call.keep_schema && !call.request.answer_schema.empty()) {
+  if (call.wants_schema()) {
     body["output_config"] = {
         {"format",
          {{"type", "json_schema"}, {"schema", WireJson::parse(call.request.answer_schema)}}}};
   }
-  HttpRequest request{"POST", call.base_url + "/v1/messages", {}, {}, wire_dump(body)};
-  request.headers = {{"Content-Type", "application/json"}, {"anthropic-version", api_version}};
+  HttpRequest request = post_of(call.base_url + "/v1/messages", body);
+  request.headers.emplace_back("anthropic-version", api_version);
   request.secret_headers = {{"x-api-key", call.key}};
   return request;
 }

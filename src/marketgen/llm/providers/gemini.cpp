@@ -27,17 +27,12 @@ HttpRequest gemini_request(const ProviderCall& call) {
   body["contents"] = std::move(contents);
   WireJson config{{"maxOutputTokens", call.request.most_tokens}};
   if (call.temperature) config["temperature"] = 0;
-  if (call.keep_schema && !call.request.answer_schema.empty()) {
+  if (call.wants_schema()) {
     config["responseMimeType"] = "application/json";
     config["responseJsonSchema"] = WireJson::parse(call.request.answer_schema);
   }
   body["generationConfig"] = std::move(config);
-  HttpRequest request{"POST",
-                      call.base_url + "/models/" + call.model + ":generateContent",
-                      {},
-                      {},
-                      wire_dump(body)};
-  request.headers = {{"Content-Type", "application/json"}};
+  HttpRequest request = post_of(call.base_url + "/models/" + call.model + ":generateContent", body);
   request.secret_headers = {{"x-goog-api-key", call.key}};  // never `?key=`: a URL is recorded
   return request;
 }

@@ -35,15 +35,14 @@ HttpRequest openai_request(const ProviderCall& call) {
   // OpenAI's reasoning models know only the newer name, older servers of others only the older.
   body[call.own_server ? "max_completion_tokens" : "max_tokens"] = call.request.most_tokens;
   if (call.temperature) body["temperature"] = 0;
-  if (call.keep_schema && !call.request.answer_schema.empty()) {
+  if (call.wants_schema()) {
     body["response_format"] = {{"type", "json_schema"},
                                {"json_schema",
                                 {{"name", "answer"},
                                  {"strict", true},
                                  {"schema", WireJson::parse(call.request.answer_schema)}}}};
   }
-  HttpRequest request{"POST", call.base_url + "/chat/completions", {}, {}, wire_dump(body)};
-  request.headers = {{"Content-Type", "application/json"}};
+  HttpRequest request = post_of(call.base_url + "/chat/completions", body);
   if (!call.key.empty()) request.secret_headers = {{"Authorization", "Bearer " + call.key}};
   return request;
 }

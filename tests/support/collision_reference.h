@@ -1,4 +1,6 @@
-// One sphere against every obstacle in double precision, without any structure to hurry it.
+// Collision questions in plain double precision, one sphere against every obstacle without any
+// structure to hurry it: what tests hold the kernels against.
+#pragma once
 #include <algorithm>
 #include <cmath>
 
@@ -6,26 +8,24 @@
 #include "motion/collision_world.h"
 
 namespace marketgen {
-namespace {
-
-double beyond(double coordinate, double half) {
+inline double beyond(double coordinate, double half) {
   return std::max(std::abs(coordinate) - half, 0.0);
 }
 
-double distance_from(const BoxObstacle& box, Vec3 point) {
+inline double distance_from(const BoxObstacle& box, Vec3 point) {
   const Vec3 p = inverse(box.pose) * point;
   return length(Vec3{
       beyond(p.x, box.half_size.x), beyond(p.y, box.half_size.y), beyond(p.z, box.half_size.z)});
 }
 
-double distance_from(const CylinderObstacle& cylinder, Vec3 point) {
+inline double distance_from(const CylinderObstacle& cylinder, Vec3 point) {
   const Vec3 p = inverse(cylinder.pose) * point;
   const double across = std::max(std::hypot(p.x, p.y) - cylinder.radius, 0.0);
   return std::hypot(across, beyond(p.z, cylinder.half_length));
 }
 
 // Not above the true distance: the farthest that the point lies beyond one face.
-double distance_from(const ConvexObstacle& convex, Vec3 point) {
+inline double distance_from(const ConvexObstacle& convex, Vec3 point) {
   const Vec3 p = inverse(convex.pose) * point;
   double farthest = -1e30;
   for (const auto& t : convex_hull(convex.points).triangles) {
@@ -36,16 +36,15 @@ double distance_from(const ConvexObstacle& convex, Vec3 point) {
   return farthest;
 }
 
-double distance_from(const CloudObstacle& cloud, Vec3 point) {
+inline double distance_from(const CloudObstacle& cloud, Vec3 point) {
   double nearest = 1e30;
   for (const Vec3f& p : cloud.points)
     nearest = std::min(nearest, length(to_double(p) - point));
   return nearest - cloud.radius;
 }
 
-}  // namespace
-
-bool hits_reference(const Obstacles& obstacles, Vec3 center, double radius) {
+// Precondition: CollisionWorld::make accepts the obstacles.
+inline bool hits_reference(const Obstacles& obstacles, Vec3 center, double radius) {
   const auto any = [&](const auto& list) {
     return std::any_of(
         list.begin(), list.end(), [&](const auto& o) { return distance_from(o, center) < radius; });
