@@ -1,4 +1,6 @@
 // Worlds whose fixtures move.
+#include <cmath>
+
 #include "unit/physics/small_worlds.h"
 
 namespace marketgen {
@@ -33,6 +35,16 @@ TEST(World, ADrawerTakesItsGoodsAlong) {
   EXPECT_NEAR(world.product_pose(0).position.x - 3, opened, 0.01);
   EXPECT_EQ(made(scene, {.articulated = false}).set_joint_force(0, 1).error().code,
             "physics.bad_command");
+}
+
+// A flap of 2 kg, 1.5 m before its hinge, falls until its limit of half a radian holds it.
+TEST(World, AFlapFallsToItsLimit) {
+  HandMadeScene shop;
+  const Scene scene = with_joint(shop, JointKind::hinge);
+  World world = made(scene);
+  ASSERT_TRUE(world.set_joint_force(0, -0.1).ok());  // wakes it
+  run(world, 4 * second);
+  EXPECT_NEAR(std::abs(world.joint_position(0)), 0.5, 0.03);
 }
 
 TEST(World,
