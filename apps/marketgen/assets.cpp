@@ -6,6 +6,7 @@
 #include "assets/product_model.h"
 #include "assets/vlm_annotator.h"
 #include "base/parallel.h"
+#include "base/text.h"
 #include "build_library.h"
 #include "catalog/asset_database.h"
 #include "command.h"
@@ -35,7 +36,7 @@ struct AssetFlags {
   bool coacd = true;
   ImportOptions import;
   std::string vlm, vlm_url, vlm_record, vlm_replay;  // without --vlm: offline
-  std::vector<std::string> catalogs;
+  std::vector<std::string> catalogs, only;
   int size_px = 400;
 };
 
@@ -282,24 +283,49 @@ Result<Image> facility_sheet(const Catalog& catalog, int size_px) {
   });
 }
 
+Result<Image> goods_sheet(const Catalog& catalog, const std::string& category, int size_px) {
+  std::vector<Product> products;
+  for (const Product& p : catalog.products) {
+    if (p.category == category) products.push_back(p);
+  }
+  return draw_contact_sheet(products, size_px);
+}
+
+// The sheets that are asked for, in the order in which they are drawn; all when none is named.
+Result<std::vector<std::string>> sheet_names(const Catalog& catalog,
+                                             const std::vector<std::string>& only) {
+  std::vector<std::string> names;
+  for (const CategoryRow& category : catalog.categories)
+    names.push_back(category.id);
+  names.insert(names.end(), {"facilities", "materials"});
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  for (const std::string& name : only) {
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      return Error{"usage.bad_flag",
+                   "--only",
+                   fmt::format("there is no sheet \"{}\"; sheets are: {}{}",
+                               name,
+                               fmt::join(known, ", "),
+                               did_you_mean(name, known))};
+  }
+  return only.empty() ? names : only;
+}
+
 Result<void> draw_sheets(const AssetFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
   MARKETGEN_TRY(const Catalog catalog, load_rows(flags.catalogs));
+  MARKETGEN_TRY(const auto names, sheet_names(catalog, flags.only));
   std::error_code failed;
   fs::create_directories(flags.folder, failed);
   if (failed) return Error{"io.cannot_write", flags.folder, failed.message()};
-  for (const CategoryRow& category : catalog.categories) {
-    std::vector<Product> products;
-    for (const Product& p : catalog.products) {
-      if (p.category == category.id) products.push_back(p);
-    }
-    MARKETGEN_TRY(const Image sheet, draw_contact_sheet(products, flags.size_px));
-    MARKETGEN_CHECK(save_sheet(flags, category.id, sheet));
+  for (const std::string& name : names) {
+    MARKETGEN_TRY(const Image sheet,
+                  name == "facilities"  ? facility_sheet(catalog, flags.size_px)
+                  : name == "materials" ? draw_material_sheet(catalog.materials, flags.size_px)
+                                        : goods_sheet(catalog, name, flags.size_px));
+    MARKETGEN_CHECK(save_sheet(flags, name, sheet));
   }
-  MARKETGEN_TRY(const Image facilities, facility_sheet(catalog, flags.size_px));
-  MARKETGEN_CHECK(save_sheet(flags, "facilities", facilities));
-  MARKETGEN_TRY(const Image materials, draw_material_sheet(catalog.materials, flags.size_px));
-  return save_sheet(flags, "materials", materials);
+  return {};
 }
 
 using Action = Result<void> (*)(const AssetFlags&);
@@ -341,6 +367,7 @@ void add_show(CLI::App& sub, AssetFlags& flags) {
 
 void add_sheet(CLI::App& sub, AssetFlags& flags) {
   sub.add_option("-o,--output", flags.folder, "folder for the pictures")->required();
+  sub.add_option("--only", flags.only, "a category, facilities or materials (repeatable)");
   sub.add_option("--pixels,--size", flags.size_px, "pixels an asset")
       ->check(CLI::Range(64, 1024))
       ->capture_default_str();

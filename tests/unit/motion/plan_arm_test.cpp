@@ -12,9 +12,11 @@
 #include <fcl/geometry/shape/sphere.h>
 #include <fcl/narrowphase/collision.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <thread>
 
 #include "support/committed_robot.h"
@@ -288,6 +290,51 @@ TEST(PlanArm, WhatIsHeldIsKeptClearToo) {
     }
   }
   EXPECT_EQ(planned, 5);
+}
+
+// From the stowed posture to the front of a shelf, either arm, at several heights of the lift, the
+// other arm in its place: with hands of the postures that the certificates will ask for.
+TEST(PlanArm, TheDualArmReachesAShelfPastItsOtherArm) {
+  const Robot robot = committed_robot("realman-rm75");
+  Obstacles obstacles;
+  for (const double z : {0.15, 0.55, 0.95, 1.35, 1.75})
+    obstacles.boxes.push_back({{{0.95, 0, z - 0.02}, {}}, {0.25, 0.8, 0.012}});
+  obstacles.boxes.push_back({{{1.22, 0, 1.0}, {}}, {0.012, 0.8, 1.0}});
+  const auto world = CollisionWorld::make(obstacles);
+  ASSERT_TRUE(world.ok());
+  int asked = 0, solved = 0;
+  for (const char* group : {"left_arm", "right_arm"}) {
+    const ArmModel model = make_arm_model(robot, group).value();
+    const double side = group[0] == 'l' ? 0.3 : -0.3;
+    for (const double z : {0.75, 1.1, 1.5}) {
+      std::vector<double> state = with_posture(*robot.find_posture("stow"), neutral_state(robot));
+      const auto lift = static_cast<std::size_t>(robot.find_dof("lift"));
+      state[lift] =
+          std::clamp(z - 0.9, robot.joint_of_dof(lift).lower, robot.joint_of_dof(lift).upper);
+      const auto checker = ArmChecker::make(model, state, {}, *world);
+      ASSERT_TRUE(checker.ok()) << to_string(checker.error());
+      const Pose base = link_poses(robot, state)[static_cast<std::size_t>(model.group.base)];
+      const Pose tip{{0.74, side, z}, rotation_about({0, 1, 0}, std::numbers::pi / 2)};
+      Configuration start;
+      for (const int dof : model.group.dofs)
+        start.push_back(state[static_cast<std::size_t>(dof)]);
+      const auto goals = arm_goals(robot, model.group, inverse(base) * tip, start);
+      if (!goals.ok()) continue;
+      const auto free = std::find_if(
+          goals->begin(), goals->end(), [&](const Configuration& q) { return checker->free(q); });
+      if (free == goals->end()) continue;
+      ++asked;
+      const auto plan = plan_arm(*checker, start, {*free}, Seed(1));
+      if (!plan.ok()) continue;
+      ++solved;
+      const Judge judge(model, obstacles);
+      for (double t = 0; t <= plan->trajectory.duration_s(); t += 0.02)
+        EXPECT_TRUE(judge.free(checker->state_with(plan->trajectory.at(t).position)))
+            << group << " " << z << " at " << t << " s";
+    }
+  }
+  EXPECT_GE(asked, 4);
+  EXPECT_EQ(solved, asked);
 }
 
 TEST(PlanArm, SameSeedSamePathOnAnyThread) {
