@@ -10,6 +10,7 @@
 #include "io/file.h"
 #include "io/flatbuffer.h"
 #include "io/json.h"
+#include "render/picture_objects.h"
 #include "robots/robot_row.h"
 #include "scene/scene_file.h"
 #include "store/store.h"
@@ -33,7 +34,8 @@ std::vector<Document> documents() {
           {"market-product-1", "A product row of the catalogue", type_of<Product>()},
           {"market-asset-1", "An outside model taken into a library", type_of<AssetFile>()},
           {"market-fixture-1", "A fixture row of the catalogue", type_of<FixtureKind>()},
-          {"market-robot-1", "A robot, an arm or a tool", type_of<RobotRow>()}};
+          {"market-robot-1", "A robot, an arm or a tool", type_of<RobotRow>()},
+          {"market-legend-1", "What is to be seen in a picture", type_of<PictureLegend>()}};
 }
 
 Result<void> write_schemas(const std::string& root) {

@@ -7,6 +7,7 @@
 
 #include "assets/fixture_model.h"
 #include "render/lamp.h"
+#include "render/picture_objects.h"
 #include "render/shading_math.h"
 
 namespace marketgen::raytrace {
@@ -110,7 +111,7 @@ void FixtureBuilder::build(Draft& draft) const {
   for (std::size_t i = 0; i < scene.fixtures.size(); ++i) {
     Instance instance;
     instance.mesh = first_mesh + shape_of_fixture_[i];
-    instance.id = static_cast<std::uint32_t>(2 + i);
+    instance.id = first_fixture_object + static_cast<std::uint32_t>(i);
     instance.fixture = static_cast<std::int32_t>(i);
     instance.world_from_mesh =
         placement_of(world_from_fixture(scene, static_cast<std::uint32_t>(i)));

@@ -5,6 +5,7 @@
 #include "assets/label.h"
 #include "io/json.h"
 #include "render/build_signage.h"
+#include "render/picture_objects.h"
 
 namespace marketgen::raytrace {
 namespace {
@@ -75,7 +76,7 @@ void stick(Draft& draft, std::uint32_t shelf, const Sticker& sticker) {
          quad,
          {sticker.material},
          world,
-         {2 + draft.scene().shelves[shelf].fixture, -1});
+         {first_fixture_object + draft.scene().shelves[shelf].fixture, -1});
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "base/parallel.h"
 #include "render/label_library.h"
+#include "render/picture_objects.h"
 #include "render/shading_math.h"
 
 namespace marketgen::raytrace {
@@ -79,7 +80,7 @@ void ProductBuilder::build(Draft& draft) const {
     append(mesh.solid, mesh.glass, skus_[i].model.mesh, skus_[i].materials, world, {});
     mesh_of_sku[skus_[i].row] = static_cast<std::uint32_t>(first_mesh + i);
   });
-  const auto first_id = static_cast<std::uint32_t>(2 + scene.fixtures.size());
+  const auto first_id = first_product_object(scene);
   for (std::size_t i = 0; i < scene.products.size(); ++i) {
     const SceneProduct& product = scene.products[i];
     Instance instance;

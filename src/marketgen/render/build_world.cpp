@@ -6,6 +6,7 @@
 #include "render/build_shell.h"
 #include "render/build_signage.h"
 #include "render/lamp.h"
+#include "render/picture_objects.h"
 
 namespace marketgen::raytrace {
 
@@ -19,7 +20,7 @@ void add_exhibits(World& world,
     append(mesh.solid, mesh.glass, exhibits[i].mesh, {materials[i]}, world, {});
     Instance instance;
     instance.mesh = static_cast<std::uint32_t>(world.meshes.size());
-    instance.id = 2;  // as the first thing in the room
+    instance.id = first_fixture_object;  // as the first thing in the room
     world.meshes.push_back(std::move(mesh));
     world.instances.push_back(instance);
   }

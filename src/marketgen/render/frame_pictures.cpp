@@ -6,14 +6,19 @@
 
 namespace marketgen {
 
+std::array<std::uint8_t, 3> object_color(std::uint32_t object) {
+  const std::uint32_t color =
+      object == 0 ? 0 : raytrace::hashed(object) | 0x404040U;  // never as dark as nothing
+  return {static_cast<std::uint8_t>(color),
+          static_cast<std::uint8_t>(color >> 8),
+          static_cast<std::uint8_t>(color >> 16)};
+}
+
 Image draw_instances(const Frame& frame, int width, int height) {
   Image image(width, height);
   for (std::size_t i = 0; i < frame.instance.size(); ++i) {
-    const std::uint32_t id = frame.instance[i];
-    const std::uint32_t color =
-        id == 0 ? 0 : raytrace::hashed(id) | 0x404040U;  // never as dark as nothing
-    for (std::size_t c = 0; c < 3; ++c)
-      image.pixels[3 * i + c] = static_cast<std::uint8_t>(color >> (8 * c));
+    const std::array<std::uint8_t, 3> color = object_color(frame.instance[i]);
+    std::copy(color.begin(), color.end(), &image.pixels[3 * i]);
   }
   return image;
 }

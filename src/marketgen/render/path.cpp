@@ -12,8 +12,8 @@ constexpr int most_bounces = 12, most_panes = 8;
 constexpr int roulette_from = 3;  // bounces before paths may end by chance
 constexpr float brightest_indirect =
     20;  // in units of white; caps fireflies, direct light is never capped
-constexpr float pane_step_m = 1.5e-3F, light_end_m = 5e-3F;
-constexpr float bounce_footprint =
+constexpr float pane_step_m = 1.5e-3F, path_light_end_m = 5e-3F;
+constexpr float path_bounce_footprint =
     0.05F;  // metres per metre: textures are read blurred after the first hit
 constexpr float least_alpha = 3e-3F;
 
@@ -105,7 +105,8 @@ class PathTracer {
       const Hit hit = trace_one(lighting_.world, ray, mask | mask_glass);
       if (!hit.any()) return add_surroundings(ray, bounces);
       travelled_ += hit.t;
-      const float footprint = bounces == 0 ? view_.footprint(travelled_) : bounce_footprint * hit.t;
+      const float footprint =
+          bounces == 0 ? view_.footprint(travelled_) : path_bounce_footprint * hit.t;
       const Surface surface = surface_at(lighting_.world, ray, hit, footprint);
       if (surface.glass) {
         ray = through_pane(surface, ray);
@@ -187,7 +188,7 @@ class PathTracer {
     if (sample.pdf <= 0) return;
     const Scattering::Value value = scattering.evaluate(sample.direction);
     if (value.pdf <= 0) return;
-    const Ray shadow{surface.position, sample.direction, 0, sample.distance - light_end_m};
+    const Ray shadow{surface.position, sample.direction, 0, sample.distance - path_light_end_m};
     if (is_blocked(lighting_.world, shadow, mask_opaque)) return;
     const float weight =
         sample.pdf * sample.pdf / (sample.pdf * sample.pdf + value.pdf * value.pdf);

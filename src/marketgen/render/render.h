@@ -1,10 +1,14 @@
 // Pictures of a scene by ray tracing (Embree): colour, depth, segmentation, normals.
 //
-// A Renderer holds what is built once per scene (geometry, BVHs, textures, lights); render() may be
-// called many times and from one thread at a time. Pixels are identical for any thread count.
+// A Renderer holds what is built once per scene (geometry, BVHs, textures, lights). Robots and
+// other actors are put into it and moved between pictures without building any of that anew. Its
+// functions may be called many times, from one thread at a time. Pixels are identical for any
+// thread count.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +16,8 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "geometry/image.h"
+#include "geometry/pose.h"
+#include "render/actor.h"
 #include "render/camera.h"
 #include "scene/scene.h"
 
@@ -43,11 +49,10 @@ struct RenderOptions {
 
 // Planes are row-major from the top left, one entry a pixel.
 struct Frame {
-  Image color;                 // sRGB, tone mapped
-  std::vector<float> depth_m;  // along the optical axis; 0 = nothing hit
-  std::vector<std::uint32_t>
-      instance;                // 0 nothing, 1 shell, 2 + i fixture i, 2 + fixtures + j product j
-  std::vector<float> normals;  // world frame, 3 a pixel
+  Image color;                          // sRGB, tone mapped
+  std::vector<float> depth_m;           // along the optical axis; 0 = nothing hit
+  std::vector<std::uint32_t> instance;  // what is seen, by number: see picture_objects.h
+  std::vector<float> normals;           // world frame, 3 a pixel
 };
 
 class Renderer {
@@ -56,13 +61,20 @@ class Renderer {
                                                   Progress& progress = silent_progress(),
                                                   PrintDetail print = PrintDetail::near);
   virtual ~Renderer() = default;
+  // What stands in the pictures from now on, instead of the actors before; none at first. Costs
+  // milliseconds a robot. Errors: render.bad_actor, and nothing has changed; io.out_of_memory.
+  virtual Result<void> set_actors(const std::vector<Actor>& actors) = 0;
+  // Moves all bodies of actors[actor]: one pose each, in their order, store frame. Microseconds.
+  // Error: render.bad_actor, and nothing has moved.
+  virtual Result<void> move_actor(std::size_t actor, std::span<const Pose> world_from_body) = 0;
   // Errors: camera.*. The scene must outlive the renderer.
   virtual Result<Frame> render(const Camera& camera,
                                const RenderOptions& options,
                                Progress& progress = silent_progress()) = 0;
 };
 
-// A colour per instance id for looking at segmentation.
+// A colour per object number for looking at segmentation; numbers may share one.
+std::array<std::uint8_t, 3> object_color(std::uint32_t object);
 Image draw_instances(const Frame& frame, int width, int height);
 Image draw_normals(const Frame& frame, int width, int height);
 

@@ -4,10 +4,12 @@
 
 #include "base/interrupt.h"
 #include "base/parallel.h"
+#include "render/actor_stage.h"
 #include "render/build_world.h"
 #include "render/exhibit.h"
 #include "render/filter.h"
 #include "render/path.h"
+#include "render/picture_objects.h"
 #include "render/render.h"
 #include "render/resolve.h"
 #include "render/shading_math.h"
@@ -45,12 +47,19 @@ class EmbreeRenderer : public Renderer {
         lights_(*world_),
         field_(*world_, lights_, scene),
         panels_(*world_),
+        actors_(*world_, first_actor_object(scene)),
         lighting_{*world_, lights_, field_, panels_} {
     // Exposed by the light meter, but not all the way: a dim shop should look dimmer than a bright
     // one.
     const float metered = field_.floor_mean();
     const float meant = pi / world_->exposure;  // irradiance that the look asks for
     if (metered > 0) world_->exposure *= std::pow(meant / metered, meter_share);
+  }
+
+  Result<void> set_actors(const std::vector<Actor>& actors) override { return actors_.set(actors); }
+
+  Result<void> move_actor(std::size_t actor, std::span<const Pose> world_from_body) override {
+    return actors_.move(actor, world_from_body);
   }
 
   Result<Frame> render(const Camera& camera,
@@ -195,6 +204,7 @@ class EmbreeRenderer : public Renderer {
   LightGrid lights_;
   IrradianceField field_;
   PanelReflection panels_;
+  ActorStage actors_;
   Lighting lighting_;
 };
 

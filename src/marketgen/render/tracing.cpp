@@ -115,6 +115,52 @@ void add_textures(
     tilt(s, relief, axes_at(world, record, hit), direction);
 }
 
+// Whether rays of this mask can meet actors, which are solid.
+bool meets_actors(const World& world, unsigned mask) {
+  return world.actors.bvh && (mask & mask_solid) != 0;
+}
+
+// The row in World::instances of an Embree instance, or none.
+std::uint32_t instance_row(unsigned instance, std::size_t first_row, unsigned first_geometry) {
+  if (instance == RTC_INVALID_GEOMETRY_ID) return instance;
+  return static_cast<std::uint32_t>(first_row) + (instance - first_geometry);
+}
+std::uint32_t store_row(unsigned instance) {
+  return instance_row(instance, 0, first_instance_geometry);
+}
+std::uint32_t actor_row(const World& world, unsigned instance) {
+  return instance_row(instance, world.actors.first_instance, 0);
+}
+
+Hit hit_in(const RTCRayHit16& packet, std::size_t k, std::uint32_t instance) {
+  return {packet.ray.tfar[k],
+          packet.hit.geomID[k],
+          packet.hit.primID[k],
+          instance,
+          packet.hit.u[k],
+          packet.hit.v[k]};
+}
+
+Hit hit_in(const RTCRayHit& query, std::uint32_t instance) {
+  return {query.ray.tfar, query.hit.geomID, query.hit.primID, instance, query.hit.u, query.hit.v};
+}
+
+// Rays end by now at what they met in the store: what they meet here lies before it.
+void trace_actors(const World& world,
+                  RTCRayHit16& packet,
+                  std::span<Hit> hits,
+                  RTCIntersectContext& context) {
+  for (std::size_t k = 0; k < packet_size; ++k) {
+    packet.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
+    packet.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
+  }
+  rtcIntersect16(lane_masks[hits.size()].data(), world.actors.bvh.get(), &context, &packet);
+  for (std::size_t k = 0; k < hits.size(); ++k) {
+    if (packet.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID)
+      hits[k] = hit_in(packet, k, actor_row(world, packet.hit.instID[0][k]));
+  }
+}
+
 }  // namespace
 
 void trace(const World& world,
@@ -132,15 +178,9 @@ void trace(const World& world,
   rtcInitIntersectContext(&context);
   if (bundle == RayBundle::coherent) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   rtcIntersect16(lane_masks[rays.size()].data(), world.bvh.get(), &context, &packet);
-  for (std::size_t k = 0; k < rays.size(); ++k) {
-    const unsigned instance = packet.hit.instID[0][k];
-    hits[k] = {packet.ray.tfar[k],
-               packet.hit.geomID[k],
-               packet.hit.primID[k],
-               instance == RTC_INVALID_GEOMETRY_ID ? instance : instance - first_instance_geometry,
-               packet.hit.u[k],
-               packet.hit.v[k]};
-  }
+  for (std::size_t k = 0; k < rays.size(); ++k)
+    hits[k] = hit_in(packet, k, store_row(packet.hit.instID[0][k]));
+  if (meets_actors(world, mask)) trace_actors(world, packet, hits.first(rays.size()), context);
 }
 
 void find_blocked(const World& world,
@@ -153,6 +193,8 @@ void find_blocked(const World& world,
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcOccluded16(lane_masks[rays.size()].data(), world.bvh.get(), &context, &packet);
+  if (meets_actors(world, mask))  // blocked lanes have tfar < tnear by now: they are passed over
+    rtcOccluded16(lane_masks[rays.size()].data(), world.actors.bvh.get(), &context, &packet);
   for (std::size_t k = 0; k < rays.size(); ++k)
     blocked[k] = packet.tfar[k] < 0;
 }
@@ -165,13 +207,13 @@ Hit trace_one(const World& world, const Ray& ray, unsigned mask) {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcIntersect1(world.bvh.get(), &context, &query);
-  const unsigned instance = query.hit.instID[0];
-  return {query.ray.tfar,
-          query.hit.geomID,
-          query.hit.primID,
-          instance == RTC_INVALID_GEOMETRY_ID ? instance : instance - first_instance_geometry,
-          query.hit.u,
-          query.hit.v};
+  const Hit in_store = hit_in(query, store_row(query.hit.instID[0]));
+  if (!meets_actors(world, mask)) return in_store;
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(world.actors.bvh.get(), &context, &query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return in_store;
+  return hit_in(query, actor_row(world, query.hit.instID[0]));
 }
 
 bool is_blocked(const World& world, const Ray& ray, unsigned mask) {
@@ -179,6 +221,8 @@ bool is_blocked(const World& world, const Ray& ray, unsigned mask) {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcOccluded1(world.bvh.get(), &context, &query);
+  if (query.tfar >= 0 && meets_actors(world, mask))
+    rtcOccluded1(world.actors.bvh.get(), &context, &query);
   return query.tfar < 0;
 }
 

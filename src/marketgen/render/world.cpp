@@ -71,10 +71,7 @@ void commit_mesh(RTCDevice device, TracedMesh& mesh) {
   rtcCommitScene(mesh.bvh.get());
 }
 
-RTCGeometry make_instance(RTCDevice device, const Instance& instance, RTCScene mesh) {
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
-  rtcSetGeometryInstancedScene(geometry, mesh);
-  const Placement& p = instance.world_from_mesh;
+void set_transform(RTCGeometry geometry, const Placement& p) {
   const std::array<float, 12> columns{p.x.x,
                                       p.x.y,
                                       p.x.z,
@@ -88,6 +85,12 @@ RTCGeometry make_instance(RTCDevice device, const Instance& instance, RTCScene m
                                       p.position.y,
                                       p.position.z};
   rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns.data());
+}
+
+RTCGeometry make_instance(RTCDevice device, const Instance& instance, RTCScene mesh) {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+  rtcSetGeometryInstancedScene(geometry, mesh);
+  set_transform(geometry, instance.world_from_mesh);
   rtcSetGeometryMask(geometry, mask_solid | mask_glass);
   rtcCommitGeometry(geometry);
   return geometry;
@@ -214,6 +217,41 @@ void commit(World& world) {
            first_instance_geometry + static_cast<unsigned>(i));
   }
   rtcCommitScene(top);
+  world.actors.first_mesh = world.meshes.size();
+  world.actors.first_instance = world.instances.size();
+  world.actors.first_material = world.materials.size();
+}
+
+void commit_actors(World& world) {
+  ActorRows& actors = world.actors;
+  actors.bvh.reset();
+  if (world.instances.size() == actors.first_instance) return;
+  RTCDevice device = world.device.get();
+  parallel_for(world.meshes.size() - actors.first_mesh, [&](std::size_t k) {
+    TracedMesh& mesh = world.meshes[actors.first_mesh + k];
+    pad_for_embree(mesh.solid);
+    commit_mesh(device, mesh);
+  });
+  actors.bvh.reset(rtcNewScene(device));
+  rtcSetSceneFlags(actors.bvh.get(), RTC_SCENE_FLAG_DYNAMIC);
+  for (std::size_t i = actors.first_instance; i < world.instances.size(); ++i) {
+    const Instance& instance = world.instances[i];
+    attach(actors.bvh.get(),
+           make_instance(device, instance, world.meshes[instance.mesh].bvh.get()),
+           static_cast<unsigned>(i - actors.first_instance));
+  }
+  rtcCommitScene(actors.bvh.get());
+}
+
+void update_actors(World& world) {
+  const ActorRows& actors = world.actors;
+  for (std::size_t i = actors.first_instance; i < world.instances.size(); ++i) {
+    RTCGeometry geometry =
+        rtcGetGeometry(actors.bvh.get(), static_cast<unsigned>(i - actors.first_instance));
+    set_transform(geometry, world.instances[i].world_from_mesh);
+    rtcCommitGeometry(geometry);
+  }
+  if (actors.bvh) rtcCommitScene(actors.bvh.get());
 }
 
 }  // namespace marketgen::raytrace

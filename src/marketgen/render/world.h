@@ -1,8 +1,9 @@
 // What the ray tracer sees: triangles with their materials, instances of shared meshes, area
 // lights, and the BVHs over them.
 //
-// Built once per scene (build_world), constant afterwards, read by any number of threads. Store
-// frame, metres. Radiance is in lux per steradian, scaled so that the floor of the empty room gets
+// The store's part is built once per scene (build_world) and constant afterwards; actors are set
+// and moved between pictures (actor_stage.h). Read by any number of threads. Store frame, metres.
+// Radiance is in lux per steradian, scaled so that the floor of the empty room gets
 // Look::light_lux.
 #pragma once
 #include <array>
@@ -111,6 +112,12 @@ struct Surroundings {
   Vec3f radiance(Vec3f direction) const;
 };
 
+// What stands in the store beside its scene. The World's rows from these on are theirs.
+struct ActorRows {
+  std::size_t first_mesh = 0, first_instance = 0, first_material = 0;
+  Bvh bvh;  // instance first_instance + k is its geometry k; empty without actors
+};
+
 struct World {
   Device device;
   std::vector<Texture> textures;
@@ -125,7 +132,8 @@ struct World {
   Bounds3 room;
   float exposure = 1;  // picture value = exposure * radiance
   bool has_glass = false;
-  Bvh bvh;  // shell + instances
+  Bvh bvh;  // shell + the store's instances
+  ActorRows actors;
 };
 
 // Appends `mesh` with surface i drawn in material materials_of_surfaces[i]. UVs are used as they
@@ -142,10 +150,14 @@ void append(TriangleSet& solid,
             const World& world,
             TriangleOwner owner);
 
-// Builds the BVHs. Nothing may be added to the world afterwards.
+// Builds the BVHs. Nothing but actors may be added to the world afterwards.
 void commit(World& world);
+// Builds the BVHs of the actors' meshes and instances; none when there are no instances.
+void commit_actors(World& world);
+// Takes over where the actors' instances stand now.
+void update_actors(World& world);
 
-// Geometry ids in World::bvh; instance i has id first_instance_geometry + i.
+// Geometry ids in World::bvh; the store's instance i has id first_instance_geometry + i.
 enum ShellGeometry : unsigned {
   shell_geometry,
   shell_glass_geometry,

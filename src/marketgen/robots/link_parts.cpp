@@ -168,6 +168,11 @@ std::vector<BodyShape> shapes_of_capsules(const Link& link) {
   return shapes;
 }
 
+bool same_finish(const LinkPart& part, const BodyShape& shape) {
+  return part.color == shape.color && part.roughness == shape.roughness &&
+         part.metallic == shape.metallic;
+}
+
 }  // namespace
 
 Mesh mesh_of(const BodyShape& shape) {
@@ -199,8 +204,9 @@ Result<std::vector<LinkPart>> link_parts(const Link& link) {
       mesh = mesh_of(shape);
     }
     auto part = std::find_if(
-        parts.begin(), parts.end(), [&](const LinkPart& p) { return p.color == shape.color; });
-    if (part == parts.end()) part = parts.insert(parts.end(), LinkPart{{}, shape.color});
+        parts.begin(), parts.end(), [&](const LinkPart& p) { return same_finish(p, shape); });
+    if (part == parts.end())
+      part = parts.insert(parts.end(), LinkPart{{}, shape.color, shape.roughness, shape.metallic});
     part->mesh.append(mesh);
   }
   return parts;

@@ -1,4 +1,4 @@
-// What a robot's links look like, as meshes: the solids of Link::look, one part per colour.
+// What a robot's links look like, as meshes: the solids of Link::look, one part per finish.
 #pragma once
 #include <span>
 #include <string>
@@ -12,13 +12,14 @@ namespace marketgen {
 struct LinkPart {
   Mesh mesh;          // link frame, metres; surface 0
   std::string color;  // "#rrggbb", sRGB
+  double roughness = 0.45, metallic = 0;
 };
 
 // One solid, closed: a box with rounded edges, a tube with rounded rims, a ball. Empty for a solid
 // without extent and for kind mesh.
 Mesh mesh_of(const BodyShape& shape);
 
-// In the order in which the colours appear. A link without look shows its capsules in grey. Files
+// In the order in which the finishes appear. A link without look shows its capsules in grey. Files
 // that a URDF names are read where they are GLB or OBJ, their own colours left aside. Errors: those
 // of read_model_file; robot.bad_file for a file of another kind.
 Result<std::vector<LinkPart>> link_parts(const Link& link);

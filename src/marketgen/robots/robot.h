@@ -54,8 +54,9 @@ struct BodyShape {
   Pose link_from_shape;
   Vec3 size;                                                    // m
   double radius = 0, radius_end = 0, length = 0, rounding = 0;  // m
-  std::string color = "#cccccc";
-  std::string mesh_file;  // absolute, or as written when it was not found
+  std::string color = "#cccccc";                                // sRGB
+  double roughness = 0.45, metallic = 0;  // 0..1; lacquered or moulded plastic
+  std::string mesh_file;                  // absolute, or as written when it was not found
 };
 
 struct Link {

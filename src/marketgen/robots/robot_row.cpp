@@ -43,6 +43,8 @@ BodyShape shape_of(const ShapeRow& row) {
   shape.radius_end = row.radius_end > 0 ? row.radius_end : row.radius;
   shape.rounding = row.rounding;
   shape.color = row.color;
+  shape.roughness = row.roughness;
+  shape.metallic = row.metallic;
   shape.link_from_shape = pose_of(row.a, row.rpy_deg);
   if (row.kind == ShapeKind::tube) {
     const Vec3 along = vector_of(row.b) - vector_of(row.a);

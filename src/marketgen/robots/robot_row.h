@@ -41,6 +41,7 @@ struct ShapeRow {
   double radius_end = 0;  // 0: as `radius`
   double rounding = 0;
   std::string color = "#cccccc";
+  double roughness = 0.45, metallic = 0;
 
   static constexpr auto fields = field_list(
       field("kind", &ShapeRow::kind, "box, tube or ball"),
@@ -51,7 +52,9 @@ struct ShapeRow {
       field("radius", &ShapeRow::radius, "of a tube or ball, m", range(0, 2)),
       field("radius_end", &ShapeRow::radius_end, "of a tube at b, m; 0 = the same", range(0, 2)),
       field("rounding", &ShapeRow::rounding, "radius of the edges, m", range(0, 1)),
-      field("color", &ShapeRow::color, "#rrggbb", at_most_bytes(7)));
+      field("color", &ShapeRow::color, "#rrggbb", at_most_bytes(7)),
+      field("roughness", &ShapeRow::roughness, "0 mirror, 1 chalk", range(0, 1)),
+      field("metallic", &ShapeRow::metallic, "0 dielectric, 1 metal", range(0, 1)));
 };
 
 struct LinkRow {

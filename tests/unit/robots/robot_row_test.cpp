@@ -24,7 +24,7 @@ void expect_near(Vec3 a, Vec3 b, double tolerance) {
 TEST(RobotRows, EveryRowLoads) {
   const auto ids = robot_ids(data);
   ASSERT_TRUE(ids.ok());
-  EXPECT_EQ(ids->size(), 8U);
+  EXPECT_EQ(ids->size(), 9U);
   for (const std::string& id : *ids)
     EXPECT_FALSE(committed_robot(id).links.empty()) << id;
 }

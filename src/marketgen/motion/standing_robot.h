@@ -1,0 +1,24 @@
+// Whether robots can stand where they are put in a store: on its floor or on something, clear of
+// what is built there and of one another.
+//
+// A robot is its links' spheres. They hold the bodies and reach up to 30 mm beyond them, so only
+// what lies more than 30 mm deep in a sphere is in the way. The root link's end at its base plane:
+// it stands on what carries it.
+// Doors and drawers count where they are at rest. Products do not count: a hand may hold one.
+#pragma once
+#include <span>
+
+#include "base/result.h"
+#include "robots/placed_robot.h"
+#include "scene/scene.h"
+
+namespace marketgen {
+
+// Errors, at the robot's `where`:
+//   robot.outside_store  its base or a link lies outside the walls, or below the floor
+//   robot.blocked        a link is in a fixture, a column or an earlier robot of the list; names
+//                        both, and the nearest place within 1.5 m where the robot would be clear
+//   robot.no_support     its base is in the air; says how high the thing under it is
+Result<void> check_standing(const Scene& scene, std::span<const PlacedRobot> robots);
+
+}  // namespace marketgen
