@@ -2,6 +2,7 @@
 // link's inertia is a sum of plain vectors and matrices.
 #include "robots/dynamics.h"
 
+#include <ranges>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -152,13 +153,12 @@ Eigen::VectorXd inverse_dynamics(const Robot& robot,
         wrench_of(SpatialInertia(body_of(robot.links[link], poses[link])), motions[link]);
   }
   Eigen::VectorXd efforts = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(robot.dof_count()));
-  for (auto joint = robot.joints.rbegin(); joint != robot.joints.rend(); ++joint) {
-    const Wrench& w = wrenches[static_cast<std::size_t>(joint->link)];
-    if (joint->dof >= 0)
-      efforts[joint->dof] =
-          power(motion_of(*joint, poses[static_cast<std::size_t>(joint->link)]), w) +
-          joint->armature * at(qdd, joint->dof);
-    Wrench& parent = wrenches[static_cast<std::size_t>(joint->parent)];
+  for (const Joint& joint : std::views::reverse(robot.joints)) {
+    const Wrench& w = wrenches[static_cast<std::size_t>(joint.link)];
+    if (joint.dof >= 0)
+      efforts[joint.dof] = power(motion_of(joint, poses[static_cast<std::size_t>(joint.link)]), w) +
+                           joint.armature * at(qdd, joint.dof);
+    Wrench& parent = wrenches[static_cast<std::size_t>(joint.parent)];
     parent.force += w.force;
     parent.torque += w.torque;
   }
@@ -175,9 +175,9 @@ Eigen::MatrixXd mass_matrix(const Robot& robot, std::span<const double> q) {
   std::vector<SpatialInertia> composite(robot.links.size());
   for (std::size_t link = 0; link < robot.links.size(); ++link)
     composite[link] = SpatialInertia(body_of(robot.links[link], poses[link]));
-  for (auto joint = robot.joints.rbegin(); joint != robot.joints.rend(); ++joint)
-    composite[static_cast<std::size_t>(joint->parent)] +=
-        composite[static_cast<std::size_t>(joint->link)];
+  for (const Joint& joint : std::views::reverse(robot.joints))
+    composite[static_cast<std::size_t>(joint.parent)] +=
+        composite[static_cast<std::size_t>(joint.link)];
 
   const auto n = static_cast<Eigen::Index>(robot.dof_count());
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);

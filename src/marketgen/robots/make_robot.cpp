@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <ranges>
 #include <set>
 
 #include <fmt/format.h>
@@ -149,8 +150,8 @@ class Builder {
     const auto push = [&](int link) {
       const std::vector<std::size_t>& next =
           children[robot.links[static_cast<std::size_t>(link)].name];
-      for (auto joint = next.rbegin(); joint != next.rend(); ++joint)
-        open.emplace_back(*joint, link);
+      for (const std::size_t joint : std::views::reverse(next))
+        open.emplace_back(joint, link);
     };
     for (push(0); !open.empty();) {
       const auto [part, parent] = open.back();

@@ -172,14 +172,14 @@ class Assembly {
     group.base = prefix + group.base;
     if (!group.tip.empty()) group.tip = prefix + group.tip;
     for (std::string& joint : group.joints)
-      joint = prefix + joint;
+      joint.insert(0, prefix);
     return group;
   }
 
   static PostureRow with_prefix(PostureRow posture, const std::string& prefix) {
     posture.name = prefix + posture.name;
     for (std::string& joint : posture.joints)
-      joint = prefix + joint;
+      joint.insert(0, prefix);
     return posture;
   }
 
