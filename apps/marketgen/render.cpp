@@ -1,14 +1,21 @@
-// marketgen render: a picture of a store, with depth, segmentation and normals beside it.
+// marketgen render: a picture of a store, with robots in it if wanted; depth, segmentation, object
+// numbers and normals beside it.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
 #include "base/parallel.h"
 #include "base/text.h"
 #include "command.h"
+#include "io/file.h"
+#include "io/json.h"
 #include "io/png.h"
+#include "motion/standing_robot.h"
+#include "render/picture_objects.h"
 #include "render/render.h"
+#include "render/robot_actor.h"
 
 namespace marketgen::app {
 namespace {
@@ -16,7 +23,9 @@ namespace {
 struct RenderFlags {
   CommonFlags common;
   std::string folder, output, camera, from, at,
-      size = "1280x720", mode = "sensor", quality = "balanced", depth, segmentation, normals, skin;
+      size = "1280x720", mode = "sensor", quality = "balanced", depth, segmentation, object_ids,
+      legend, normals, skin;
+  std::vector<std::string> robots;
   double fov_deg = 60, time_s = 0;
   int samples = 0;
   bool list = false;
@@ -81,6 +90,37 @@ Result<Camera> camera_of(const RenderFlags& flags, const Scene& scene) {
   return camera;
 }
 
+Result<std::vector<Actor>> actors_of(const RenderFlags& flags, const Scene& scene) {
+  std::vector<PlacedRobot> placed;
+  for (const std::string& text : flags.robots) {
+    const std::string where = "--robot " + text;
+    MARKETGEN_TRY(const std::filesystem::path data, data_folder());
+    MARKETGEN_TRY(const RobotSpec spec, parse_robot_spec(text, where));
+    MARKETGEN_TRY(PlacedRobot robot, place_robot(data, spec, where));
+    placed.push_back(std::move(robot));
+  }
+  MARKETGEN_CHECK(check_standing(scene, placed));
+  std::vector<Actor> actors;
+  for (const PlacedRobot& robot : placed) {
+    MARKETGEN_TRY(Actor actor, robot_actor(robot.robot, robot.q, robot.world_from_base));
+    actors.push_back(std::move(actor));
+  }
+  return actors;
+}
+
+// "panda", and "panda-2" for the second of them.
+std::vector<std::string> names_of_actors(const std::vector<Actor>& actors) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < actors.size(); ++i) {
+    const auto same = [&](const Actor& other) { return other.name == actors[i].name; };
+    const auto before =
+        std::count_if(actors.begin(), actors.begin() + static_cast<std::ptrdiff_t>(i), same);
+    names.push_back(before == 0 ? actors[i].name
+                                : fmt::format("{}-{}", actors[i].name, before + 1));
+  }
+  return names;
+}
+
 Result<void> write_depth(const std::string& path, const Frame& frame) {
   std::vector<std::uint16_t> millimetres(frame.depth_m.size());
   constexpr float most_mm = 65535;
@@ -89,6 +129,18 @@ Result<void> write_depth(const std::string& path, const Frame& frame) {
         static_cast<std::uint16_t>(std::min(frame.depth_m[i] * 1000.0F + 0.5F, most_mm));
   }
   return write_png16(path, frame.color.width, frame.color.height, millimetres);
+}
+
+Result<void> write_planes(const RenderFlags& flags, const Frame& frame) {
+  const int width = frame.color.width, height = frame.color.height;
+  if (!flags.depth.empty()) MARKETGEN_CHECK(write_depth(flags.depth, frame));
+  if (!flags.segmentation.empty())
+    MARKETGEN_CHECK(write_png(flags.segmentation, draw_instances(frame, width, height)));
+  if (!flags.object_ids.empty())
+    MARKETGEN_CHECK(write_png(flags.object_ids, draw_object_ids(frame)));
+  if (!flags.normals.empty())
+    MARKETGEN_CHECK(write_png(flags.normals, draw_normals(frame, width, height)));
+  return {};
 }
 
 Result<void> render(const RenderFlags& flags) {
@@ -102,6 +154,7 @@ Result<void> render(const RenderFlags& flags) {
   if (flags.output.empty())
     return Error{"usage.bad_flag", "-o", "say where the picture goes: -o picture.png"};
   MARKETGEN_TRY(const Camera camera, camera_of(flags, scene));
+  MARKETGEN_TRY(const std::vector<Actor> actors, actors_of(flags, scene));
   RenderOptions options;
   options.mode = value_named<RenderMode>(flags.mode).value_or(RenderMode::sensor);
   options.quality = value_named<Quality>(flags.quality).value_or(Quality::balanced);
@@ -110,14 +163,13 @@ Result<void> render(const RenderFlags& flags) {
   options.hide_ceiling = camera.ortho_height_m > 0;
   Progress& progress = progress_for(flags.common);
   MARKETGEN_TRY(const std::unique_ptr<Renderer> renderer, Renderer::create(scene, progress));
+  MARKETGEN_CHECK(renderer->set_actors(actors));
   MARKETGEN_TRY(const Frame frame, renderer->render(camera, options, progress));
   MARKETGEN_CHECK(write_png(flags.output, frame.color));
-  if (!flags.depth.empty()) MARKETGEN_CHECK(write_depth(flags.depth, frame));
-  if (!flags.segmentation.empty())
+  MARKETGEN_CHECK(write_planes(flags, frame));
+  if (!flags.legend.empty())
     MARKETGEN_CHECK(
-        write_png(flags.segmentation, draw_instances(frame, camera.width, camera.height)));
-  if (!flags.normals.empty())
-    MARKETGEN_CHECK(write_png(flags.normals, draw_normals(frame, camera.width, camera.height)));
+        write_file(flags.legend, write_json(legend_of(frame, scene, names_of_actors(actors)))));
   if (!flags.common.quiet) fmt::print("picture     {}\n", flags.output);
   return {};
 }
@@ -147,12 +199,23 @@ Run add_render(CLI::App& app) {
   command->add_option("--time", flags->time_s, "path mode: stop after this many seconds")
       ->check(CLI::Range(0.0, 1e6));
   command->add_option("--skin", flags->skin, "draw the store in the look of this style");
+  command
+      ->add_option("--robot",
+                   flags->robots,
+                   "put a robot into the picture (repeatable): "
+                   "ROW@X,Y[,HEADING_DEG][,z=M][,posture=NAME][,JOINT=VALUE][,SLOT=TOOL]")
+      ->allow_extra_args(false);
   command->add_option("--depth", flags->depth, "also write depth, 16-bit PNG in millimetres");
   command->add_option("--segmentation", flags->segmentation, "also write a colour per object");
+  command->add_option(
+      "--object-ids", flags->object_ids, "also write object numbers: red + 256 green + 65536 blue");
+  command->add_option("--legend", flags->legend, "also write what each object number is, as JSON");
   command->add_option("--normals", flags->normals, "also write normals");
   add_common_flags(*command, flags->common, Takes::nothing);
   command->footer(
-      "Example:  marketgen render shop --camera aisle -o aisle.png --depth aisle-depth.png");
+      "Examples:  marketgen render shop --camera aisle -o aisle.png --depth aisle-depth.png\n"
+      "           marketgen render shop --camera aisle -o robot.png "
+      "--robot realman-rm65@4.2,3.1,90,posture=stow,lift=0.3");
   return [flags] {
     const auto done = render(*flags);
     return done.ok() ? 0 : fail(done.error());

@@ -1,6 +1,8 @@
 // The commands, as a person or a script starts them: on one small store.
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -360,6 +362,83 @@ TEST(Render, StandardCamerasAndOnesOwn) {
              "own.png"},
             scratch.path());
   EXPECT_TRUE(read_png(scratch.path() / "own.png").ok());
+}
+
+// The free floor nearest to the shop's middle, found by asking: the program names a clear place
+// when the one it was given is blocked.
+std::string place_for(const std::string& robot, const std::string& place) {
+  const ScratchFolder scratch;
+  const Ran ran = marketgen_run({"render",
+                                 shop(),
+                                 "--robot",
+                                 robot + "@" + place,
+                                 "--size=16x16",
+                                 "--quality=fast",
+                                 "--quiet",
+                                 "-o",
+                                 "try.png"},
+                                scratch.path());
+  if (ran.status == 0) return place;
+  const std::string clear = "it is clear at ";
+  const std::size_t at = ran.err.find(clear);
+  EXPECT_NE(at, std::string::npos) << ran.err;
+  return ran.err.substr(at + clear.size(), ran.err.find('\n') - at - clear.size());
+}
+
+TEST(Render, RobotsHaveTheirNumbersInEveryMode) {
+  const std::string place = place_for("panda-on-stand", "6,4");
+  const double x = std::stod(place), y = std::stod(place.substr(place.find(',') + 1));
+  for (const char* mode : {"sensor", "path"}) {
+    const ScratchFolder scratch;
+    output_of({"render",      shop(),
+               "--robot",     "panda-on-stand@" + place + ",90,joint1=10deg",
+               "--from",      fmt::format("{},{},2.2", x + 0.2, y + 0.2),
+               "--at",        fmt::format("{},{},0", x, y),
+               "--size",      "64x48",
+               "--mode",      mode,
+               "--spp",       "1",
+               "--quiet",     "-o",
+               "robot.png",   "--object-ids",
+               "ids.png",     "--legend",
+               "legend.json", "--depth",
+               "depth.png"},
+              scratch.path());
+    const json legend = json::parse(contents_of(scratch.path() / "legend.json"));
+    const json robot = legend["objects"].back();
+    EXPECT_EQ(robot["kind"], "actor");
+    EXPECT_EQ(robot["name"], "panda-on-stand");
+    const std::uint32_t number = robot["id"];
+    const json counts = manifest()["counts"];
+    EXPECT_EQ(
+        number,
+        2 + counts["fixtures"].get<std::uint32_t>() + counts["products"].get<std::uint32_t>());
+    const auto ids = read_png(scratch.path() / "ids.png");
+    ASSERT_TRUE(ids.ok());
+    int pixels = 0;
+    for (std::size_t i = 0; i + 2 < ids->pixels.size(); i += 3) {
+      const std::uint32_t id =
+          ids->pixels[i] + 256U * ids->pixels[i + 1] + 65'536U * ids->pixels[i + 2];
+      pixels += id == number ? 1 : 0;
+    }
+    EXPECT_EQ(pixels, robot["pixels"]) << mode;
+    EXPECT_GT(pixels, 300) << mode;
+  }
+}
+
+TEST(Render, ARobotInAFixtureIsRefusedWithAClearPlace) {
+  const json fixtures =
+      json_of({"query", shop(), "fixtures", "--format", "json", "--where", "kind=gondola"});
+  ASSERT_FALSE(fixtures.empty());
+  const ScratchFolder scratch;
+  const json& row = fixtures[0];
+  const std::string place =
+      fmt::format("{},{}", row["x_m"].get<double>(), row["y_m"].get<double>());
+  const Ran ran = marketgen_run(
+      {"render", shop(), "--robot", "realman-rm65@" + place, "-o", "robot.png"}, scratch.path());
+  EXPECT_EQ(ran.status, 2);
+  EXPECT_NE(ran.err.find("error[robot.blocked] --robot realman-rm65@" + place), std::string::npos)
+      << ran.err;
+  EXPECT_TRUE(fs::is_empty(scratch.path()));
 }
 
 // ---- export. ----
