@@ -94,7 +94,7 @@ class RobotBuilder {
     mjs_setName(body->element, name(link.name).c_str());
     set_pose(body->pos, body->quat, parent_from_link);
     body->gravcomp = 1;
-    body->explicitinertial = 1;
+    body->explicitinertial = true;
     const Inertia& i = link.inertia;
     const bool empty = !(link.mass > 0);
     const double entries[6] = {i.xx, i.yy, i.zz, i.xy, i.xz, i.yz};
@@ -165,7 +165,7 @@ class RobotBuilder {
       made->range[0] = joint.lower, made->range[1] = joint.upper;
     }
     if (const Servo servo = servo_of(robot_, joint); servo.most > 0 && joint.follows < 0) {
-      made->actgravcomp = 1;  // gravity is carried by the drive and counts against its effort
+      made->actgravcomp = true;  // gravity is carried by the drive and counts against its effort
       made->actfrclimited = mjLIMITED_TRUE;
       made->actfrcrange[0] = -servo.most, made->actfrcrange[1] = servo.most;
     }

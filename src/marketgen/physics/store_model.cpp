@@ -84,7 +84,7 @@ class StoreBuilder {
     set_contact_options(*spec_, bubble_sleep_below_m_s);
     spec_->option.disableflags |= mjDSBL_AUTORESET;
     spec_->memory = arena_bytes;
-    spec_->compiler.degree = 0;  // limits of hinges are in radians, ours and the actors'
+    spec_->compiler.degree = false;  // limits of hinges are in radians, ours and the actors'
   }
 
   void add_room() {
