@@ -120,6 +120,7 @@ class Assembly {
                              row.tool->opening,
                              row.tool->force,
                              row.tool->cup_radius,
+                             row.tool->seal_depth,
                              row.tool->payload});
     for (const PartRow& part : row.parts)
       MARKETGEN_CHECK(add_part(row, part, prefix, depth));
