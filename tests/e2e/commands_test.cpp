@@ -494,6 +494,46 @@ TEST(Doctor, SaysWhatMendsAMissingDataFolder) {
   EXPECT_NE(ran.out.find("MARKETGEN_DATA"), std::string::npos);
 }
 
+// ---- grasps ----
+
+// A can is held by the hand; the rates lie in the cache's database.
+TEST(Grasps, ACanIsHeldAndItsRateKept) {
+  const ScratchFolder scratch;
+  const Ran ran = run({"env",
+                       "MARKETGEN_CACHE=" + scratch.path().string(),
+                       MARKETGEN_BINARY,
+                       "grasps",
+                       "beverages-cola-original-330ml",
+                       "--tool",
+                       "panda-hand",
+                       "--tries",
+                       "1",
+                       "--json"});
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  const json report = json::parse(ran.out);
+  EXPECT_EQ(report["products"], 1);
+  EXPECT_EQ(report["rates"][0]["tries"][0]["end"], "held");
+  EXPECT_EQ(report["shares"][0]["fit"]["number"], 1);
+  EXPECT_TRUE(std::filesystem::exists(scratch.path() / "grasps" / "grasps.sqlite"));
+}
+
+TEST(Grasps, ErrorsNameTheNearest) {
+  const auto error_of = [](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {MARKETGEN_BINARY, "grasps"});
+    const Ran ran = run(arguments);
+    EXPECT_EQ(ran.status, 2);
+    return ran.err;
+  };
+  EXPECT_NE(error_of({"beverages-cola-original-330m"}).find("beverages-cola-original-330ml"),
+            std::string::npos);
+  EXPECT_NE(error_of({"--tool", "panda-hnd", "beverages-cola-original-330ml"})
+                .find("did you mean \"panda-hand\""),
+            std::string::npos);
+  EXPECT_NE(error_of({"--setting", "stokced", "beverages-cola-original-330ml"})
+                .find("did you mean \"stocked\""),
+            std::string::npos);
+}
+
 TEST(Bench, HelpNamesTheBenchmarks) {
   const std::string help = output_of({"bench", "--help"});
   for (const char* name : {"generate", "load", "render", "physics"})

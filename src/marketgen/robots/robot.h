@@ -152,8 +152,10 @@ struct Tool {
   double opening = 0;     // most, between a gripper's pads, m
   double force = 0;       // grip, or pull of a cup, N
   double cup_radius = 0;  // of a suction cup, m
+  double seal_depth = 0;  // how uneven a surface may be for the cup to seal on it, m
   double payload = 0;     // kg
   int frame = -1;         // "<prefix>tcp"
+  std::string row = {};   // its id in data/robots
 };
 
 struct Robot {

@@ -122,7 +122,10 @@ class Assembly {
                              row.tool->opening,
                              row.tool->force,
                              row.tool->cup_radius,
-                             row.tool->payload});
+                             row.tool->seal_depth,
+                             row.tool->payload,
+                             -1,
+                             row.id});
     for (const PartRow& part : row.parts)
       MARKETGEN_CHECK(add_part(row, part, prefix, depth));
     return {};

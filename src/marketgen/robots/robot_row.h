@@ -182,7 +182,7 @@ struct PartRow {
 
 struct ToolRow {
   ToolKind kind = ToolKind::gripper;
-  double opening = 0, force = 0, cup_radius = 0, payload = 0;
+  double opening = 0, force = 0, cup_radius = 0, seal_depth = 0, payload = 0;
   std::string source;
 
   static constexpr auto fields =
@@ -190,6 +190,10 @@ struct ToolRow {
                  field("opening", &ToolRow::opening, "most, between the pads, m", at_least(0)),
                  field("force", &ToolRow::force, "grip, or pull of a cup, N", at_least(0)),
                  field("cup_radius", &ToolRow::cup_radius, "of a suction cup, m", at_least(0)),
+                 field("seal_depth",
+                       &ToolRow::seal_depth,
+                       "how uneven a surface may be for the cup to seal on it, m",
+                       at_least(0)),
                  field("payload", &ToolRow::payload, "kg", at_least(0)),
                  field("source", &ToolRow::source, "keys of the sources, by blanks"));
 };

@@ -1,0 +1,222 @@
+// marketgen grasps: try grasps of products in physics and keep how often they hold.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "base/parallel.h"
+#include "command.h"
+#include "grasping/grasp_database.h"
+#include "grasping/grasp_shares.h"
+#include "io/file.h"
+#include "io/json.h"
+
+namespace marketgen::app {
+namespace {
+
+struct GraspFlags {
+  CommonFlags common;
+  std::vector<std::string> skus, tools, settings, catalogs;
+  std::string archetype;
+  int tries = 3;
+};
+
+// What `--json` prints.
+struct GraspReport {
+  int products = 0;
+  double seconds = 0;
+  std::string database;
+  std::vector<GraspShare> shares;
+  std::vector<GraspRate> rates;
+  static constexpr auto fields =
+      field_list(field("products", &GraspReport::products, "products tried"),
+                 field("seconds", &GraspReport::seconds, "wall clock"),
+                 field("database", &GraspReport::database, "where the rates are kept"),
+                 field("shares", &GraspReport::shares, "by tool, setting and shape"),
+                 field("rates", &GraspReport::rates, "of each product, only when SKUs are named"));
+};
+
+Result<std::vector<const Product*>> chosen_products(const Catalog& catalog,
+                                                    const GraspFlags& flags) {
+  std::vector<const Product*> chosen;
+  std::vector<std::string_view> skus;
+  for (const Product& product : catalog.products) {
+    skus.push_back(product.sku);
+    const bool wanted = flags.archetype.empty() || product.archetype == flags.archetype;
+    if (flags.skus.empty() && wanted) chosen.push_back(&product);
+  }
+  for (const std::string& sku : flags.skus) {
+    const Product* product = catalog.product(sku);
+    if (product == nullptr)
+      return unknown_name("catalog.unknown_sku", "grasps", "product", sku, skus);
+    chosen.push_back(product);
+  }
+  if (chosen.empty())
+    return Error{
+        "catalog.unknown_kind",
+        "--archetype",
+        "no product has the shape \"" + flags.archetype + "\"; see `marketgen assets list`"};
+  return chosen;
+}
+
+Result<std::vector<GraspTool>> chosen_tools(const GraspFlags& flags) {
+  MARKETGEN_TRY(const std::filesystem::path data, data_folder());
+  MARKETGEN_TRY(std::vector<std::string> ids, grasp_tool_ids(data));
+  if (!flags.tools.empty()) ids = flags.tools;
+  std::vector<GraspTool> tools;
+  for (const std::string& id : ids) {
+    MARKETGEN_TRY(GraspTool tool, load_grasp_tool(data, id));
+    tools.push_back(std::move(tool));
+  }
+  return tools;
+}
+
+Result<std::vector<GraspSetting>> chosen_settings(const GraspFlags& flags) {
+  const auto names = names_of(GraspSetting{});
+  std::vector<GraspSetting> settings;
+  for (const std::string& name : flags.settings) {
+    const auto found = std::ranges::find(names, name);
+    if (found == names.end())
+      return unknown_name(
+          "usage.bad_flag", "--setting", "setting", name, {names.begin(), names.end()});
+    settings.push_back(static_cast<GraspSetting>(found - names.begin()));
+  }
+  if (settings.empty()) settings.push_back(GraspSetting::free);
+  return settings;
+}
+
+std::string percent(const Share& share) {
+  if (share.of == 0) return "-";
+  return fmt::format(
+      "{:5.1f} % ({:.1f}-{:.1f})", share.share * 100, share.low * 100, share.high * 100);
+}
+
+std::string excluded_text(const GraspShare& share) {
+  std::vector<std::string> parts;
+  for (const ExclusionCount& count : share.excluded)
+    parts.push_back(fmt::format("{} {}", name_of(count.why), count.products));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+void print_shares(const std::vector<GraspShare>& shares) {
+  for (const GraspShare& share : shares) {
+    const bool all = share.archetype.empty();
+    if (all)
+      fmt::print("\n{}, {}\n{:<18} {:>5} {:>5}  {:<20} {:<20} {:>8}  {} | {}\n",
+                 share.tool,
+                 name_of(share.setting),
+                 "shape",
+                 "SKUs",
+                 "fit",
+                 "best held (95 %)",
+                 "any held (95 %)",
+                 "slip mm",
+                 "excluded",
+                 "lost");
+    fmt::print("{:<18} {:>5} {:>5}  {:<20} {:<20} {:>8.2f}  {} | {}\n",
+               all ? "all" : share.archetype,
+               share.products,
+               share.fit.number,
+               percent(share.first),
+               percent(share.any),
+               share.slip_p99_mm,
+               excluded_text(share),
+               fmt::join(share.lost, ", "));
+  }
+}
+
+void print_rate(const GraspRate& rate) {
+  fmt::print("{} {} {}: ", rate.sku, rate.tool, name_of(rate.setting));
+  if (!rate.fits()) return fmt::print("{}: {}\n", name_of(rate.excluded), rate.reason);
+  fmt::print("{} of {} held\n", rate.held(), rate.tries.size());
+  for (const GraspTry& t : rate.tries)
+    fmt::print(
+        "  {:<14} {:<9} {:5.1f} mm {:5.1f} N  slip {:.3f} mm, turned {:.2f} deg, neighbours {:.1f} "
+        "N\n",
+        name_of(t.strategy),
+        name_of(t.end),
+        t.width_mm,
+        t.force_n,
+        t.slip_mm,
+        t.turned_deg,
+        t.neighbour_n);
+}
+
+// Products that were named, none of which any of the tools can take hold of.
+Result<void> check_graspable(const std::vector<GraspRate>& rates) {
+  if (std::ranges::any_of(rates, &GraspRate::fits)) return {};
+  return Error{"motion.no_grasp",
+               rates.front().sku,
+               fmt::format("{} ({})", rates.front().reason, rates.front().tool)};
+}
+
+Result<void> grasps(const GraspFlags& flags) {
+  const ThreadLimit limit(flags.common.threads);
+  const double started_s = monotonic_seconds();
+  MARKETGEN_TRY(const Catalog catalog, load_rows(flags.catalogs));
+  MARKETGEN_TRY(const std::vector<const Product*> products, chosen_products(catalog, flags));
+  MARKETGEN_TRY(const std::vector<GraspTool> tools, chosen_tools(flags));
+  StudyOptions options{{}, flags.tries, flags.common.seed};
+  MARKETGEN_TRY(options.settings, chosen_settings(flags));
+  MARKETGEN_TRY(
+      const std::vector<GraspRate> rates,
+      study_grasps(products, tools, catalog.frictions, options, progress_for(flags.common)));
+  MARKETGEN_CHECK(keep_grasp_rates(rates, catalog.content_hash, flags.common.seed));
+
+  GraspReport report{static_cast<int>(products.size()),
+                     monotonic_seconds() - started_s,
+                     grasp_database_file().string(),
+                     grasp_shares(rates),
+                     {}};
+  const bool named = !flags.skus.empty();
+  if (named) report.rates = rates;
+  if (flags.common.json) {
+    fmt::print("{}", write_json(report));
+  } else {
+    if (named)
+      std::ranges::for_each(rates, print_rate);
+    else
+      print_shares(report.shares);
+    fmt::print("\n{} products in {:.0f} s; rates kept in {}\n",
+               report.products,
+               report.seconds,
+               report.database);
+  }
+  return named ? check_graspable(rates) : Result<void>();
+}
+
+}  // namespace
+
+Run add_grasps(CLI::App& app) {
+  auto flags = std::make_shared<GraspFlags>();
+  CLI::App* command = app.add_subcommand(
+      "grasps", "Try grasps of products in physics; keep and print how often they hold");
+  command->add_option("skus", flags->skus, "products; none = the whole catalogue");
+  command
+      ->add_option("--tool",
+                   flags->tools,
+                   "row of a tool: panda-hand, parallel-gripper, suction-cup; "
+                   "again for more; none = all")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--setting",
+                   flags->settings,
+                   "free (on a table), stocked (on a shelf, gaps of 2 to 8 mm) or spaced (gaps of "
+                   "30 mm); again for more; none = free")
+      ->allow_extra_args(false);
+  command->add_option("--archetype", flags->archetype, "only products of this shape");
+  command->add_option("--tries", flags->tries, "candidates tried of each product, best first")
+      ->check(CLI::Range(1, 20))
+      ->capture_default_str();
+  command->add_option(
+      "--catalog", flags->catalogs, "products of your own: CSV, JSON or asset.json (repeatable)");
+  add_common_flags(*command, flags->common, Takes::seed_and_json);
+  command->footer(
+      "Example:  marketgen grasps beverages-cola-original-330ml --tool panda-hand --tries 5");
+  return [flags] {
+    const auto done = grasps(*flags);
+    return done.ok() ? 0 : fail(done.error());
+  };
+}
+
+}  // namespace marketgen::app

@@ -1,0 +1,171 @@
+#include "grasping/grasp_database.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <system_error>
+
+#include "io/file.h"
+#include "io/sqlite.h"
+
+namespace marketgen {
+namespace {
+
+constexpr const char* grasp_tables = R"sql(
+  CREATE TABLE grasp_rates(sku TEXT, tool TEXT, setting TEXT, archetype TEXT,
+    excluded TEXT, reason TEXT, tries INTEGER, held INTEGER, first TEXT, catalogue TEXT, seed TEXT,
+    PRIMARY KEY(sku, tool, setting)) WITHOUT ROWID;
+  CREATE TABLE grasp_tries(sku TEXT, tool TEXT, setting TEXT, number INTEGER,
+    strategy TEXT, ended TEXT, width_mm REAL, force_n REAL, slip_mm REAL, turned_deg REAL,
+    neighbour_n REAL, PRIMARY KEY(sku, tool, setting, number)) WITHOUT ROWID;
+)sql";
+
+// The value that is called so; the first one for a name that there is not.
+template <class Enum>
+Enum value_called(std::string_view name) {
+  const auto names = names_of(Enum{});
+  const auto found = std::ranges::find(names, name);
+  return static_cast<Enum>(found == names.end() ? 0 : found - names.begin());
+}
+
+// A rate with what it was made from.
+struct KeptRate {
+  GraspRate rate;
+  std::string catalogue, seed;
+};
+
+Result<void> add_rate(const SqlDatabase& sql, const KeptRate& kept) {
+  const GraspRate& rate = kept.rate;
+  MARKETGEN_TRY(SqlStatement add,
+                sql.prepare("INSERT INTO grasp_rates VALUES(?,?,?,?,?,?,?,?,?,?,?)"));
+  const std::string_view first =
+      rate.tries.empty() ? std::string_view() : name_of(rate.tries.front().end);
+  MARKETGEN_CHECK(add.start()
+                      .bind(1, rate.sku)
+                      .bind(2, rate.tool)
+                      .bind(3, name_of(rate.setting))
+                      .bind(4, rate.archetype)
+                      .bind(5, name_of(rate.excluded))
+                      .bind(6, rate.reason)
+                      .bind(7, static_cast<std::int64_t>(rate.tries.size()))
+                      .bind(8, std::int64_t{rate.held()})
+                      .bind(9, first)
+                      .bind(10, kept.catalogue)
+                      .bind(11, kept.seed)
+                      .run());
+  MARKETGEN_TRY(SqlStatement tried,
+                sql.prepare("INSERT INTO grasp_tries VALUES(?,?,?,?,?,?,?,?,?,?,?)"));
+  for (std::size_t i = 0; i < rate.tries.size(); ++i) {
+    const GraspTry& t = rate.tries[i];
+    MARKETGEN_CHECK(tried.start()
+                        .bind(1, rate.sku)
+                        .bind(2, rate.tool)
+                        .bind(3, name_of(rate.setting))
+                        .bind(4, static_cast<std::int64_t>(i))
+                        .bind(5, name_of(t.strategy))
+                        .bind(6, name_of(t.end))
+                        .bind(7, t.width_mm)
+                        .bind(8, t.force_n)
+                        .bind(9, t.slip_mm)
+                        .bind(10, t.turned_deg)
+                        .bind(11, t.neighbour_n)
+                        .run());
+  }
+  return {};
+}
+
+Result<std::vector<GraspTry>> tries_of(const SqlDatabase& sql, const GraspRate& rate) {
+  MARKETGEN_TRY(
+      SqlStatement find,
+      sql.prepare("SELECT strategy, ended, width_mm, force_n, slip_mm, turned_deg, "
+                  "neighbour_n FROM grasp_tries WHERE sku = ? AND tool = ? AND setting = ? "
+                  "ORDER BY number"));
+  find.start().bind(1, rate.sku).bind(2, rate.tool).bind(3, name_of(rate.setting));
+  std::vector<GraspTry> tries;
+  while (true) {
+    MARKETGEN_TRY(const bool row, find.step());
+    if (!row) return tries;
+    tries.push_back({value_called<GraspStrategy>(find.text(0)),
+                     value_called<GraspEnd>(find.text(1)),
+                     find.number(2),
+                     find.number(3),
+                     find.number(4),
+                     find.number(5),
+                     find.number(6)});
+  }
+}
+
+// By SKU, tool and setting; none when there is no file.
+Result<std::vector<KeptRate>> all_kept() {
+  std::error_code failed;
+  if (!std::filesystem::exists(grasp_database_file(), failed)) return std::vector<KeptRate>();
+  MARKETGEN_TRY(const std::string bytes, read_file(grasp_database_file()));
+  MARKETGEN_TRY(const SqlDatabase sql, SqlDatabase::open(bytes));
+  MARKETGEN_TRY(
+      SqlStatement find,
+      sql.prepare("SELECT sku, archetype, tool, setting, excluded, reason, catalogue, seed "
+                  "FROM grasp_rates ORDER BY sku, tool, setting"));
+  find.start();
+  std::vector<KeptRate> all;
+  while (true) {
+    MARKETGEN_TRY(const bool row, find.step());
+    if (!row) return all;
+    KeptRate kept{{find.text(0),
+                   find.text(1),
+                   find.text(2),
+                   value_called<GraspSetting>(find.text(3)),
+                   value_called<GraspExclusion>(find.text(4)),
+                   find.text(5),
+                   {}},
+                  find.text(6),
+                  find.text(7)};
+    MARKETGEN_TRY(kept.rate.tries, tries_of(sql, kept.rate));
+    all.push_back(std::move(kept));
+  }
+}
+
+}  // namespace
+
+std::filesystem::path grasp_database_file() {
+  return cache_folder() / "grasps" / "grasps.sqlite";
+}
+
+Result<void> keep_grasp_rates(const std::vector<GraspRate>& rates,
+                              const std::string& catalog_hash,
+                              std::uint64_t seed) {
+  MARKETGEN_TRY(const std::vector<KeptRate> before, all_kept());
+  std::map<std::array<std::string, 3>, KeptRate> merged;
+  const auto put = [&](const KeptRate& kept) {
+    const GraspRate& rate = kept.rate;
+    merged[{rate.sku, rate.tool, std::string(name_of(rate.setting))}] = kept;
+  };
+  std::ranges::for_each(before, put);
+  for (const GraspRate& rate : rates)
+    put({rate, catalog_hash, std::to_string(seed)});
+
+  MARKETGEN_TRY(SqlDatabase sql, SqlDatabase::create());
+  MARKETGEN_CHECK(sql.run("BEGIN"));
+  MARKETGEN_CHECK(sql.run(grasp_tables));
+  for (const auto& [key, kept] : merged)
+    MARKETGEN_CHECK(add_rate(sql, kept));
+  MARKETGEN_CHECK(sql.run("COMMIT"));
+  MARKETGEN_TRY(const std::string bytes, sql.bytes());
+  std::error_code failed;
+  std::filesystem::create_directories(grasp_database_file().parent_path(), failed);
+  if (failed)
+    return Error{"io.cannot_write",
+                 grasp_database_file().parent_path().string(),
+                 "the folder cannot be made: " + failed.message()};
+  return write_file(grasp_database_file(), bytes);
+}
+
+Result<std::vector<GraspRate>> kept_grasp_rates(const std::string& catalog_hash) {
+  MARKETGEN_TRY(const std::vector<KeptRate> all, all_kept());
+  std::vector<GraspRate> rates;
+  for (const KeptRate& kept : all) {
+    if (kept.catalogue == catalog_hash) rates.push_back(kept.rate);
+  }
+  return rates;
+}
+
+}  // namespace marketgen

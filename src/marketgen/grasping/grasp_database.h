@@ -1,0 +1,36 @@
+// Success rates of grasps, kept between runs: $MARKETGEN_CACHE/grasps/grasps.sqlite.
+//
+//   grasp_rates(sku, tool, setting, archetype, excluded, reason, tries, held, first, catalogue,
+//   seed)
+//     one row a product, tool and setting: how many of its tries held; `first` = what became of the
+//     best candidate; `excluded` = "none", or why there were no tries; `catalogue` = content hash
+//     of the rows that it was made from
+//   grasp_tries(sku, tool, setting, number, strategy, ended, width_mm, force_n, slip_mm,
+//   turned_deg,
+//               neighbour_n)
+//     one row a try, best candidate first, from 0
+//
+// A new study replaces the rows of the products, tools and settings that it tried. Safe to delete.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "grasping/grasp_study.h"
+
+namespace marketgen {
+
+std::filesystem::path grasp_database_file();
+
+// Errors: io.cannot_write, io.cannot_read, io.database (an existing file is damaged).
+Result<void> keep_grasp_rates(const std::vector<GraspRate>& rates,
+                              const std::string& catalog_hash,
+                              std::uint64_t seed);
+
+// All that was kept from this catalogue, by SKU, tool and setting; none when there is no file.
+// Errors: io.cannot_read, io.database.
+Result<std::vector<GraspRate>> kept_grasp_rates(const std::string& catalog_hash);
+
+}  // namespace marketgen

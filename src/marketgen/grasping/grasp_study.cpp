@@ -1,0 +1,172 @@
+#include "grasping/grasp_study.h"
+
+#include <algorithm>
+#include <numbers>
+#include <optional>
+
+#include "base/parallel.h"
+#include "physics/friction_table.h"
+#include "scene/planogram.h"
+
+namespace marketgen {
+namespace {
+
+constexpr std::string_view pad_material = "rubber";
+// Between neighbours fingers come as narrow as the tool's own error lets them.
+constexpr double wedge_gap_m = 0.0015;
+
+GraspQuery query_for(GraspSetting setting, const Product& product, double friction) {
+  GraspQuery query;
+  query.friction = friction;
+  if (setting == GraspSetting::free) return query;
+  query.from_front = true;
+  query.ceiling_m = product.height_m() + least_headroom_m;
+  query.neighbour_gap_m = spaced_gap_m;
+  if (setting == GraspSetting::stocked) {
+    query.neighbour_gap_m = pack_gap_m;
+    query.finger_gap_m = wedge_gap_m;
+  }
+  return query;
+}
+
+GraspExclusion exclusion_of(GraspRefusal refusal) {
+  return static_cast<GraspExclusion>(refusal);
+}
+static_assert(names_of(GraspRefusal{})[6] == names_of(GraspExclusion{})[6]);
+
+bool stands_on_boards(const Product& product, const ProductBody& body) {
+  const bool hangs = std::ranges::any_of(body.features, [](const PackFeature& feature) {
+    return feature.kind == FeatureKind::hang_hole;
+  });
+  return product.orientation != Orientation::any && !hangs;
+}
+
+class ProductStudy {
+ public:
+  ProductStudy(const Product& product,
+               const ProductBody& body,
+               double friction,
+               const StudyOptions& options)
+      : product_(product), body_(body), friction_(friction), options_(options) {}
+
+  Result<GraspRate> rate(const GraspTool& tool, GraspSetting setting) const {
+    GraspRate rate{product_.sku, product_.archetype, tool.id, setting, {}, {}, {}};
+    if (setting != GraspSetting::free && !stands_on_boards(product_, body_))
+      return without(
+          std::move(rate), GraspExclusion::unshelved, "it lies in heaps or hangs from pegs");
+    MARKETGEN_TRY(const GraspCandidates candidates,
+                  grasp_candidates(product_, body_, tool, query_for(setting, product_, friction_)));
+    rate.excluded = exclusion_of(candidates.refusal);
+    rate.reason = candidates.reason;
+    if (candidates.found.empty()) return rate;
+    if (setting == GraspSetting::free) {
+      MARKETGEN_TRY(const bool stands, stands_alone(product_, body_, tool));
+      if (!stands) return without(std::move(rate), GraspExclusion::unstable, tips);
+    }
+    const auto count = std::min(static_cast<std::size_t>(options_.tries), candidates.found.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      MARKETGEN_TRY(const GraspTry tried, try_once(tool, setting, candidates.found[i], i));
+      if (tried.end == GraspEnd::unstable)
+        return without(std::move(rate), GraspExclusion::unstable, tips);
+      rate.tries.push_back(tried);
+    }
+    return rate;
+  }
+
+ private:
+  static constexpr const char* tips = "it does not stand by itself";
+
+  static GraspRate without(GraspRate rate, GraspExclusion why, std::string reason) {
+    rate.excluded = why;
+    rate.reason = std::move(reason);
+    rate.tries.clear();
+    return rate;
+  }
+
+  Result<GraspTry> try_once(const GraspTool& tool,
+                            GraspSetting setting,
+                            const GraspCandidate& candidate,
+                            std::size_t index) const {
+    const Seed seed = Seed(options_.seed)
+                          .child("grasp", product_.sku)
+                          .child(tool.id)
+                          .child(name_of(setting), index);
+    MARKETGEN_TRY(const GraspOutcome outcome,
+                  try_grasp({product_, body_, tool, candidate.grasp, friction_, setting, seed}));
+    return GraspTry{candidate.strategy,
+                    outcome.end,
+                    candidate.width_m * 1e3,
+                    candidate.grasp.force_n,
+                    outcome.slip_m * 1e3,
+                    outcome.turned_rad * 180 / std::numbers::pi,
+                    outcome.neighbour_n};
+  }
+
+  const Product& product_;
+  const ProductBody& body_;
+  double friction_;
+  const StudyOptions& options_;
+};
+
+struct ProductRates {
+  std::vector<GraspRate> rates;
+  std::optional<Error> error;
+};
+
+Result<std::vector<GraspRate>> rates_of(const Product& product,
+                                        const std::vector<GraspTool>& tools,
+                                        double friction,
+                                        const StudyOptions& options) {
+  MARKETGEN_TRY(const ProductBody body, make_product_body(product));
+  const ProductStudy study(product, body, friction, options);
+  std::vector<GraspRate> rates;
+  for (const GraspTool& tool : tools) {
+    for (const GraspSetting setting : options.settings) {
+      MARKETGEN_TRY(GraspRate rate, study.rate(tool, setting));
+      rates.push_back(std::move(rate));
+    }
+  }
+  return rates;
+}
+
+}  // namespace
+
+int GraspRate::held() const {
+  return static_cast<int>(std::ranges::count(tries, GraspEnd::held, &GraspTry::end));
+}
+
+bool GraspRate::first_held() const {
+  return !tries.empty() && tries.front().end == GraspEnd::held;
+}
+
+double rubber_friction(const std::vector<FrictionRow>& frictions, const Product& product) {
+  const FrictionTable table(frictions);
+  const double known =
+      table.sliding(table.material(pad_material), table.material(product.material));
+  return known > 0 ? known : product.friction;
+}
+
+Result<std::vector<GraspRate>> study_grasps(const std::vector<const Product*>& products,
+                                            const std::vector<GraspTool>& tools,
+                                            const std::vector<FrictionRow>& frictions,
+                                            const StudyOptions& options,
+                                            Progress& progress) {
+  progress.begin("grasps", products.size());
+  const std::vector<ProductRates> all = parallel_map(products.size(), [&](std::size_t i) {
+    const Product& product = *products[i];
+    Result<std::vector<GraspRate>> rates =
+        rates_of(product, tools, rubber_friction(frictions, product), options);
+    progress.advance();
+    return rates.ok() ? ProductRates{std::move(rates).value(), {}}
+                      : ProductRates{{}, rates.error()};
+  });
+  progress.end();
+  std::vector<GraspRate> joined;
+  for (const ProductRates& one : all) {
+    if (one.error) return *one.error;
+    joined.insert(joined.end(), one.rates.begin(), one.rates.end());
+  }
+  return joined;
+}
+
+}  // namespace marketgen

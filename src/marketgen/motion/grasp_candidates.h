@@ -1,0 +1,91 @@
+// Where a tool may take hold of a product: from its contact pieces, features and mass.
+//
+// Grippers. A seed is a place and two directions (approach, closing), from the strategy that suits
+// the shape: side, neck, top, seam, handle. The pads are moved onto the pack along the closing
+// direction. The seed is kept when both touch it, when what they touch lies opposite within the
+// friction cone (antipodal: Nguyen, "Constructing force-closure grasps", IJRR 1988; here for pads,
+// not points), when they hold the pack's weight while it is moved and do not let it turn, and when
+// the open tool has room round the pack and over what it stands on.
+//
+// Cups. The lip must lie on the pack evenly enough to seal, and the cup must hold what hangs on it:
+// pull, shear by friction, and the moment that peels it off.
+//
+// Packs are taken for rigid. Product frame as in assets/product_model.h: Z up, front towards -Y. SI
+// units. Deterministic; thread-safe.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "assets/product_model.h"
+#include "base/result.h"
+#include "robots/grasp_tool.h"
+
+namespace marketgen {
+
+enum class GraspStrategy {
+  side,
+  neck,
+  top,
+  seam,
+  handle,
+  suction_front,
+  suction_top,
+  suction_side
+};
+constexpr std::array<std::string_view, 8> names_of(GraspStrategy) {
+  return {"side", "neck", "top", "seam", "handle", "suction_front", "suction_top", "suction_side"};
+}
+
+struct GraspCandidate {
+  ToolKind tool = ToolKind::gripper;
+  GraspStrategy strategy = GraspStrategy::side;
+  Grasp grasp = {};
+  double width_m = 0;      // between the pads when they rest on the pack; 0 for a cup
+  double clearance_m = 0;  // of the open tool: least distance to the pack and to what it stands on
+  double side_room_m = 0;  // free space that each open finger takes up beside the pack
+  double score = 0;        // 0..1, best first
+};
+
+// Why there is no candidate: how far the best seed came.
+enum class GraspRefusal { none, too_wide, not_opposed, turns, no_seal, too_heavy, no_room };
+constexpr std::array<std::string_view, 7> names_of(GraspRefusal) {
+  return {"none", "too_wide", "not_opposed", "turns", "no_seal", "too_heavy", "no_room"};
+}
+
+struct GraspCandidates {
+  std::vector<GraspCandidate> found;  // best first, apart from one another
+  GraspRefusal refusal = GraspRefusal::none;
+  std::string reason;  // a sentence with the figures, empty when something was found
+};
+
+struct GraspQuery {
+  double friction = 0.5;                 // of pads or lip on the product's material
+  double finger_gap_m = 0.005;           // that the open pads keep from the pack on either side
+  std::optional<double> ceiling_m = {};  // height of what is over the pack
+  double neighbour_gap_m = 0;  // to its likes on either side, which the tool had better not meet; 0
+                               // = there are none
+  bool from_front = false;     // only approaches within 60 degrees of +Y, none from above
+  std::size_t most = 8;        // candidates
+};
+
+// How fast a held product is moved at most: what a grasp must hold beside its weight. (The Panda
+// may reach 13 m/s^2; who carries a full bottle by its neck goes slowly.)
+constexpr double carry_acceleration_m_s2 = 2;
+// What pads hold by friction is what must be held times this (2 is usual in sizing grippers by
+// friction, in the makers' catalogues).
+constexpr double grip_safety = 2;
+// The same for what keeps a pack from turning between the pads.
+constexpr double turn_safety = 1.2;
+
+// Force on each of two pads that holds the mass.
+double pinch_force_n(double mass_kg, double friction);
+
+// Errors: catalog.bad_row for a product without mass or size; motion.bad_configuration for a query
+// with a friction or gap that is not positive.
+Result<GraspCandidates> grasp_candidates(const Product& product,
+                                         const ProductBody& body,
+                                         const GraspTool& tool,
+                                         const GraspQuery& query);
+
+}  // namespace marketgen

@@ -1,0 +1,196 @@
+#include "motion/grasp_seeds.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace marketgen {
+namespace {
+
+constexpr int side_yaws = 12, top_yaws = 12;  // every 30 degrees round; every 15 of a half turn
+constexpr double far_off_m = 2;               // rays start there; no pack is as long
+constexpr double tip_over_support_m = 0.004;
+constexpr std::array side_heights = {
+    0.5, 0.3, 0.7, 0.85};                              // of the pack's; its middle of mass first
+constexpr std::array pitches_deg = {0.0, 25.0, 50.0};  // of the approach, downwards
+constexpr std::array top_depths_m = {0.012, 0.022, 0.034, 0.050, 0.075};  // of the pads' middle
+
+double radians(double degrees) {
+  return degrees * std::numbers::pi / 180;
+}
+
+// Approaches round the upright axis, the one from the front first; closing is level.
+struct Directions {
+  Vec3 approach, closing;
+};
+Directions level_directions(int yaw, double pitch_deg) {
+  const double turn = radians(90 + 360.0 * yaw / side_yaws), pitch = radians(pitch_deg);
+  const Vec3 ahead{std::cos(turn), std::sin(turn), 0};
+  return {ahead * std::cos(pitch) - Vec3{0, 0, std::sin(pitch)}, {-ahead.y, ahead.x, 0}};
+}
+Vec3 level_closing(int yaw) {
+  const double turn = std::numbers::pi * yaw / top_yaws;
+  return {std::cos(turn), std::sin(turn), 0};
+}
+
+Vec3 axis_unit(int axis) {
+  return axis == 0 ? Vec3{1, 0, 0} : axis == 1 ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+}
+double along(Vec3 v, int axis) {
+  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+// Lowest place of the pads' middle with the fingers pointing straight down.
+double lowest_from_above(const GraspTool& tool) {
+  return std::max(tool.pad_z_m, -tool.pad_center.z) + tip_over_support_m;
+}
+
+bool narrow_part(FeatureKind kind) {
+  return kind == FeatureKind::neck || kind == FeatureKind::cap || kind == FeatureKind::lid ||
+         kind == FeatureKind::pump || kind == FeatureKind::stem;
+}
+
+class Seeds {
+ public:
+  Seeds(const ProductBody& body, const GraspSurface& surface, const GraspTool& tool)
+      : tool_(tool),
+        mass_middle_(to_double(body.center_of_mass)),
+        low_(to_double(surface.bounds().low)),
+        high_(to_double(surface.bounds().high)) {}
+
+  void round_about(GraspStrategy strategy, Vec3 center, double pitch_deg) {
+    for (int yaw = 0; yaw < side_yaws; ++yaw) {
+      const auto [approach, closing] = level_directions(yaw, pitch_deg);
+      seeds_.push_back({strategy, center, approach, closing});
+    }
+  }
+
+  void from_above(GraspStrategy strategy, Vec3 center) {
+    center.z = std::max(center.z, lowest_from_above(tool_));
+    for (int yaw = 0; yaw < top_yaws; ++yaw)
+      seeds_.push_back({strategy, center, {0, 0, -1}, level_closing(yaw)});
+  }
+
+  void sides() {
+    const double height = high_.z - low_.z;
+    for (const double pitch : pitches_deg) {
+      round_about(GraspStrategy::side, mass_middle_, pitch);
+      for (const double share : side_heights)
+        round_about(
+            GraspStrategy::side, {mass_middle_.x, mass_middle_.y, low_.z + share * height}, pitch);
+    }
+  }
+
+  void tops() {
+    double last = high_.z;
+    for (const double depth : top_depths_m) {
+      const double z = std::max(high_.z - depth, lowest_from_above(tool_));
+      if (z >= last) continue;
+      last = z;
+      from_above(GraspStrategy::top, {mass_middle_.x, mass_middle_.y, z});
+    }
+  }
+
+  void narrow(const PackFeature& feature) {
+    const Vec3 center = to_double(feature.center);
+    round_about(GraspStrategy::neck, center, 0);
+    round_about(GraspStrategy::neck, center, pitches_deg[1]);
+    from_above(GraspStrategy::neck, center);
+  }
+
+  // Across the thinner directions of the feature's box, from every side but below.
+  void handle(const PackFeature& feature) {
+    for (int closing = 0; closing < 3; ++closing) {
+      for (int approach = 0; approach < 3; ++approach) {
+        if (approach == closing) continue;
+        for (const double sign : {1.0, -1.0}) {
+          if (approach == 2 && sign > 0) continue;
+          seeds_.push_back({GraspStrategy::handle,
+                            to_double(feature.center),
+                            axis_unit(approach) * sign,
+                            axis_unit(closing),
+                            true});
+        }
+      }
+    }
+  }
+
+  // Across the flat seam, from where it ends: from above, or from an end of a lying pack.
+  void seam(const PackFeature& feature) {
+    const Vec3 half = to_double(feature.half_size), center = to_double(feature.center);
+    const Vec3 out = center - (low_ + high_) * 0.5;
+    const int thin = half.y <= half.x ? 1 : 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double size = along(high_ - low_, axis);
+      if (axis == thin || std::abs(along(out, axis)) < size / 4) continue;  // not at an end
+      if (axis == 2 && out.z < 0) continue;                                 // under the pack
+      const Vec3 approach = axis_unit(axis) * (along(out, axis) > 0 ? -1.0 : 1.0);
+      seeds_.push_back({GraspStrategy::seam, center, approach, axis_unit(thin)});
+      if (axis != 2) from_above(GraspStrategy::seam, center);
+    }
+  }
+
+  std::vector<PinchSeed> take() { return std::move(seeds_); }
+
+ private:
+  const GraspTool& tool_;
+  Vec3 mass_middle_, low_, high_;
+  std::vector<PinchSeed> seeds_;
+};
+
+}  // namespace
+
+std::vector<PinchSeed> pinch_seeds(const ProductBody& body,
+                                   const GraspSurface& surface,
+                                   const GraspTool& tool) {
+  Seeds seeds(body, surface, tool);
+  for (const PackFeature& feature : body.features) {
+    if (narrow_part(feature.kind)) seeds.narrow(feature);
+    if (feature.kind == FeatureKind::handle || feature.kind == FeatureKind::trigger)
+      seeds.handle(feature);
+    if (feature.kind == FeatureKind::seam) seeds.seam(feature);
+  }
+  seeds.sides();
+  seeds.tops();
+  return seeds.take();
+}
+
+std::vector<SuctionSeed> suction_seeds(const ProductBody& body, const GraspSurface& surface) {
+  constexpr std::array across = {0.0, -0.25, 0.25};  // of the face's width, from its middle
+  constexpr std::array up = {0.0, 0.12, -0.12, 0.25, -0.25, 0.36};
+  const Vec3 low = to_double(surface.bounds().low), high = to_double(surface.bounds().high);
+  const Vec3 size = high - low, mass_middle = to_double(body.center_of_mass);
+  std::vector<SuctionSeed> seeds;
+  for (const double a : across) {
+    for (const double b : across)
+      seeds.push_back({GraspStrategy::suction_top,
+                       {mass_middle.x + a * size.x, mass_middle.y + b * size.y, far_off_m},
+                       {0, 0, -1}});
+    for (const double b : up) {
+      const double z = mass_middle.z + b * size.z;
+      seeds.push_back(
+          {GraspStrategy::suction_front, {mass_middle.x + a * size.x, -far_off_m, z}, {0, 1, 0}});
+      for (const double side : {1.0, -1.0})
+        seeds.push_back({GraspStrategy::suction_side,
+                         {side * far_off_m, mass_middle.y + a * size.y, z},
+                         {-side, 0, 0}});
+    }
+  }
+  return seeds;
+}
+
+Quaternion rotation_with_axes(Vec3 y, Vec3 z) {
+  const Vec3 x = cross(y, z);
+  // The largest of the four squares keeps the root away from 0 (Shepperd 1978).
+  const double w4 = 1 + x.x + y.y + z.z, x4 = 1 + x.x - y.y - z.z;
+  const double y4 = 1 - x.x + y.y - z.z, z4 = 1 - x.x - y.y + z.z;
+  const double most = std::max({w4, x4, y4, z4});
+  const double s = 0.5 / std::sqrt(most), first = most * s;
+  if (most == w4) return {first, (y.z - z.y) * s, (z.x - x.z) * s, (x.y - y.x) * s};
+  if (most == x4) return {(y.z - z.y) * s, first, (x.y + y.x) * s, (z.x + x.z) * s};
+  if (most == y4) return {(z.x - x.z) * s, (x.y + y.x) * s, first, (y.z + z.y) * s};
+  return {(x.y - y.x) * s, (z.x + x.z) * s, (y.z + z.y) * s, first};
+}
+
+}  // namespace marketgen

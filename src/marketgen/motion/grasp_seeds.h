@@ -1,0 +1,32 @@
+// Where it is worth looking for a grasp: places and directions that suit a pack's shape.
+#pragma once
+#include <vector>
+
+#include "motion/grasp_candidates.h"
+#include "motion/grasp_surface.h"
+
+namespace marketgen {
+
+struct PinchSeed {
+  GraspStrategy strategy = GraspStrategy::side;
+  Vec3 center;             // of the pads, product frame
+  Vec3 approach, closing;  // unit, at right angles
+  bool inside = false;     // the open pads start from within the pack's outline (handles)
+};
+
+// For a gripper. Deterministic.
+std::vector<PinchSeed> pinch_seeds(const ProductBody& body,
+                                   const GraspSurface& surface,
+                                   const GraspTool& tool);
+
+struct SuctionSeed {
+  GraspStrategy strategy = GraspStrategy::suction_front;
+  Vec3 origin, travel;  // the cup comes from there, along the unit vector
+};
+
+std::vector<SuctionSeed> suction_seeds(const ProductBody& body, const GraspSurface& surface);
+
+// The rotation whose axes are `y` and `z` (unit, at right angles) and y x z.
+Quaternion rotation_with_axes(Vec3 y, Vec3 z);
+
+}  // namespace marketgen

@@ -1,0 +1,370 @@
+#include "physics/grasp_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "physics/spec_geoms.h"
+#include "scene/planogram.h"
+
+namespace marketgen {
+namespace {
+
+constexpr char grasp_where[] = "grasp";
+constexpr mjtSize grasp_arena_bytes = 16 << 20;
+constexpr double shelf_thick_m = 0.02, board_half_width_m = 1.5, board_depth_m = 0.6;
+constexpr double set_back_m = 0.010;  // of the front row behind the shelf's edge
+constexpr double floor_under_shelf_m = 1.5;
+constexpr double most_headroom_m = 0.050;
+// Neighbours on either side in the front row, one behind each of the three in the middle. Beyond
+// them the shelf is full: of as many more facings to a divider, and of the rows to the back panel,
+// only the gaps are there to be closed up.
+constexpr int beside = 2, beside_still = 4;
+constexpr double stocked_depth_m = 0.45;  // of a gondola's board
+constexpr double block_half_m = 0.02;
+
+// The arm behind the tool, and the motor and gears behind a finger. Pads are as soft as MuJoCo
+// makes them (impedance 0.9 to 0.95: 0.4 mm at 70 N on 0.35 kg): at 0.99 they lost contact in turns
+// when shaken across, and a litre carton crept by 2 mm.
+constexpr double base_inertia_kg = 1e4, finger_inertia_kg = 0.5;
+
+constexpr double close_m_s = 0.06;  // of each finger, at most
+
+// Which geoms look for contact with which: the tool not with itself.
+constexpr int tool_bit = 2, others_bit = 1;
+// What lies further ahead of the cup's body is bellows, which the lip's equalities stand for.
+constexpr double cup_bellows_m = 0.03;
+
+class GraspSceneBuilder {
+ public:
+  GraspSceneBuilder(const GraspTrial& trial, const GoodsContact& contact)
+      : trial_(trial),
+        contact_(contact),
+        spec_(mj_makeSpec(), mj_deleteSpec),
+        world_(mjs_findBody(spec_.get(), "world")) {
+    set_contact_options(*spec_, 0);
+    spec_->option.enableflags &= ~mjENBL_SLEEP;
+    spec_->memory = grasp_arena_bytes;
+    spec_->compiler.balanceinertia = 1;
+  }
+
+  void add_surroundings() {
+    if (trial_.setting == GraspSetting::free) {
+      add_product(0, {});
+      add_floor(0);
+      return;
+    }
+    Stream draw = trial_.seed.child("shelf").stream();
+    const double width = trial_.product.width_m(), depth = trial_.product.depth_m();
+    const auto gap = [&] {
+      return trial_.setting == GraspSetting::spaced ? spaced_gap_m : draw.uniform(0.002, 0.008);
+    };
+    headroom_ = draw.uniform(least_headroom_m, most_headroom_m);
+    add_product(0, {});
+    int index = 0;
+    for (const double side : {-1.0, 1.0}) {
+      double x = 0;
+      for (int i = 0; i < beside; ++i) {
+        x += side * (width + gap());
+        add_product(++index, {x, 0, 0});
+      }
+      double slack = 0;
+      for (int i = 0; i < beside_still; ++i)
+        slack += gap();
+      add_row_end(x + side * (width / 2 + slack + block_half_m));
+    }
+    const double behind = depth + depth_gap_m;
+    add_product(++index, {0, behind, 0});
+    for (const double side : {-1.0, 1.0})
+      add_product(++index, {side * (width + gap()), behind, 0});
+    add_back(behind);
+    add_board(0);
+    add_board(trial_.product.height_m() + headroom_ + shelf_thick_m);
+    add_floor(-floor_under_shelf_m);
+  }
+
+  void add_tool() {
+    mjsBody* base = mjs_addBody(world_, nullptr);
+    mjs_setName(base->element, "base");
+    base->pos[2] = floor_under_shelf_m;
+    base->mass = trial_.tool.mass_kg;
+    base->inertia[0] = base->inertia[1] = base->inertia[2] = 1e-3;
+    base->explicitinertial = 1;
+    base->gravcomp = 1;
+    const double axes[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    for (const auto& axis : axes)
+      add_slide(base, axis, base_inertia_kg, 0);
+    mjsBody* tool = mjs_addBody(base, nullptr);
+    mjs_setName(tool->element, "tool");
+    for (const ToolSolid& solid : trial_.tool.body)
+      add_solid(tool, solid, GraspOwner::tool);
+    if (trial_.tool.kind == ToolKind::suction) {
+      add_lip();
+      return;
+    }
+    add_finger(tool, trial_.tool.left, 1);
+    add_finger(tool, trial_.tool.right, -1);
+    mjsEquality* pair = mjs_addEquality(spec_.get(), nullptr);
+    pair->type = mjEQ_JOINT;
+    mjs_setString(pair->name1, "left");
+    mjs_setString(pair->name2, "right");
+    std::fill(pair->data, pair->data + mjNEQDATA, 0.0);
+    pair->data[1] = 1;
+    pair->solref[0] = contact_time_s;
+  }
+
+  Result<GraspScene> finish() {
+    GraspScene scene;
+    MARKETGEN_TRY(scene.model, compile(*spec_, grasp_where));
+    const mjModel& m = *scene.model;
+    const auto body = [&](const std::string& name) {
+      return mj_name2id(&m, mjOBJ_BODY, name.c_str());
+    };
+    scene.tool_body = body("tool");
+    scene.base_dof = m.body_dofadr[body("base")];
+    if (trial_.tool.kind == ToolKind::gripper) scene.finger_dof = m.body_dofadr[body("left")];
+    for (int i = 0; i < product_count_; ++i)
+      scene.products.push_back(body(fmt::format("product{}", i)));
+    for (int i = 0; i < m.neq; ++i)
+      if (m.eq_type[i] == mjEQ_CONNECT) scene.lip[static_cast<std::size_t>(lip_found_++)] = i;
+    scene.headroom_m = headroom_;
+    name_owners(m, scene);
+    return scene;
+  }
+
+ private:
+  // Geoms are told apart by their bodies, and pads by their priority.
+  void name_owners(const mjModel& m, GraspScene& scene) const {
+    for (int geom = 0; geom < m.ngeom; ++geom) {
+      const int body = m.geom_bodyid[geom];
+      const auto product = std::ranges::find(scene.products, body);
+      GraspOwner owner = GraspOwner::still;
+      int index = 0;
+      if (product != scene.products.end()) {
+        owner = GraspOwner::product;
+        index = static_cast<int>(product - scene.products.begin());
+      } else if (body != 0) {
+        owner = m.geom_priority[geom] > 0 ? GraspOwner::pad : GraspOwner::tool;
+        index = std::string_view(mj_id2name(&m, mjOBJ_BODY, body)) == "right" ? 1 : 0;
+      }
+      scene.owners.push_back(owner);
+      scene.owner_index.push_back(index);
+    }
+  }
+
+  void set_others(mjsGeom* geom) {
+    geom->contype = others_bit, geom->conaffinity = others_bit | tool_bit;
+  }
+
+  void add_floor(double z) {
+    mjsGeom* floor = mjs_addGeom(world_, nullptr);
+    floor->type = mjGEOM_PLANE;
+    floor->size[2] = 1;
+    floor->pos[2] = z;
+    floor->friction[0] = still_friction;
+    floor->solref[0] = contact_time_s;
+    set_others(floor);
+  }
+
+  void add_board(double top_z) {
+    const double front = -trial_.product.depth_m() / 2 - set_back_m;
+    const Pose pose{{0, front + board_depth_m / 2, top_z - shelf_thick_m / 2}, {}};
+    set_others(add_shape(
+        world_,
+        {CollisionShape::box, pose, {board_half_width_m, board_depth_m / 2, shelf_thick_m / 2}}));
+  }
+
+  void add_block(Vec3 at, Vec3 half) {
+    set_others(add_shape(world_, {CollisionShape::box, {at, {}}, half}));
+  }
+
+  void add_row_end(double x) {
+    const double height = trial_.product.height_m();
+    add_block({x, 0, height / 2}, {block_half_m, trial_.product.depth_m() / 2, height / 2});
+  }
+
+  // Where the second row stands when all rows behind it have been pushed together.
+  void add_back(double second_row_y) {
+    const double depth = trial_.product.depth_m();
+    const double rows = std::floor((stocked_depth_m + depth_gap_m) / (depth + depth_gap_m));
+    const double slack = depth_gap_m * std::max(1.0, rows - 1);
+    add_block({0, second_row_y + depth / 2 + slack + block_half_m, trial_.product.height_m() / 2},
+              {board_half_width_m, block_half_m, trial_.product.height_m() / 2});
+  }
+
+  void add_product(int index, Vec3 at) {
+    ++product_count_;
+    mjsBody* body = mjs_addBody(world_, nullptr);
+    mjs_setName(body->element, fmt::format("product{}", index).c_str());
+    set_pose(body->pos, body->quat, {at, {}});
+    mjs_addFreeJoint(body)->align = mjALIGNFREE_FALSE;
+    body->mass = trial_.product.mass_kg;
+    const Vec3f& middle = trial_.body.center_of_mass;
+    body->ipos[0] = middle.x, body->ipos[1] = middle.y, body->ipos[2] = middle.z;
+    for (std::size_t i = 0; i < 6; ++i)
+      body->fullinertia[i] = static_cast<double>(trial_.body.inertia_kg_m2[i]);
+    body->explicitinertial = 1;
+    for (std::size_t i = 0; i < trial_.body.pieces.size(); ++i)
+      add_piece(body, i);
+  }
+
+  void add_piece(mjsBody* body, std::size_t index) {
+    const ContactPiece& piece = trial_.body.pieces[index];
+    mjsGeom* geom = nullptr;
+    if (piece.shape == PieceShape::hull) {
+      geom = mjs_addGeom(body, nullptr);
+      geom->type = mjGEOM_MESH;
+      mjs_setString(geom->meshname, mesh_of(index).c_str());
+      geom->solref[0] = contact_time_s;
+    } else {
+      const CollisionPrimitive primitive{
+          static_cast<CollisionShape>(piece.shape), piece.center, piece.half_size, piece.lying};
+      geom = add_shape(body, contact_shape_of(primitive));
+    }
+    set_goods_contact(geom, contact_);
+    geom->group = product_geom_group;
+    set_others(geom);
+  }
+
+  // One mesh a piece, shared by all of the row.
+  std::string mesh_of(std::size_t index) {
+    const std::string name = fmt::format("piece{}", index);
+    if (meshes_.insert(index).second) {
+      const std::vector<Vec3f>& points = trial_.body.pieces[index].points;
+      std::vector<float> flat;
+      for (const Vec3f& p : points)
+        flat.insert(flat.end(), {p.x, p.y, p.z});
+      mjsMesh* mesh = mjs_addMesh(spec_.get(), nullptr);
+      mjs_setName(mesh->element, name.c_str());
+      mjs_setFloat(mesh->uservert, flat.data(), static_cast<int>(flat.size()));
+      mesh->inertia = mjMESH_INERTIA_CONVEX;
+    }
+    return name;
+  }
+
+  mjsJoint* add_slide(mjsBody* body, const double axis[3], double inertia_kg, double damping) {
+    mjsJoint* joint = mjs_addJoint(body, nullptr);
+    joint->type = mjJNT_SLIDE;
+    std::copy(axis, axis + 3, joint->axis);
+    joint->armature = inertia_kg;
+    joint->damping[0] = damping;
+    return joint;
+  }
+
+  void add_solid(mjsBody* body, const ToolSolid& solid, GraspOwner owner) {
+    const Pose& pose = solid.tool_from_solid;
+    const Vec3& h = solid.half_size;
+    const bool bellows =
+        trial_.tool.kind == ToolKind::suction && pose.position.z + h.z > -cup_bellows_m;
+    if (bellows) return;
+    mjsGeom* geom = add_shape(body,
+                              {solid.round ? CollisionShape::cylinder : CollisionShape::box,
+                               pose,
+                               solid.round ? Vec3{h.x, h.z, 0} : h});
+    geom->contype = tool_bit, geom->conaffinity = others_bit;
+    geom->mass = 0;
+    if (owner != GraspOwner::pad) return;
+    geom->priority = 1;
+    geom->condim = 4;
+    geom->friction[0] = trial_.pad_friction;
+    geom->friction[1] = torsional_friction_m;
+  }
+
+  // Shut at 0, apart along `side`; its damping is what holds it to its speed at the grasp's force.
+  void add_finger(mjsBody* tool, const std::vector<ToolSolid>& solids, double side) {
+    mjsBody* finger = mjs_addBody(tool, nullptr);
+    const char* name = side > 0 ? "left" : "right";
+    mjs_setName(finger->element, name);
+    finger->mass = trial_.tool.finger_kg;
+    finger->inertia[0] = finger->inertia[1] = finger->inertia[2] = 1e-5;
+    finger->explicitinertial = 1;
+    finger->gravcomp = 1;
+    const double axis[3] = {0, side, 0};
+    mjsJoint* joint =
+        add_slide(finger,
+                  axis,
+                  finger_inertia_kg,
+                  trial_.grasp.force_n / std::min(close_m_s, trial_.tool.finger_speed_m_s));
+    mjs_setName(joint->element, name);
+    for (std::size_t i = 0; i < solids.size(); ++i)
+      add_solid(finger, solids[i], i == 0 ? GraspOwner::pad : GraspOwner::tool);
+  }
+
+  void add_lip() {
+    for (int i = 0; i < 3; ++i) {
+      const double turn = 2 * std::numbers::pi * i / 3;
+      mjsEquality* point = mjs_addEquality(spec_.get(), nullptr);
+      point->type = mjEQ_CONNECT;
+      point->objtype = mjOBJ_BODY;
+      point->active = 0;
+      mjs_setString(point->name1, "tool");
+      mjs_setString(point->name2, "product0");
+      std::fill(point->data, point->data + mjNEQDATA, 0.0);
+      point->data[0] = trial_.tool.cup_radius_m * std::cos(turn);
+      point->data[1] = trial_.tool.cup_radius_m * std::sin(turn);
+      point->solref[0] = contact_time_s;
+    }
+  }
+
+  const GraspTrial& trial_;
+  const GoodsContact& contact_;
+  MujocoSpec spec_;
+  mjsBody* world_;
+  int product_count_ = 0, lip_found_ = 0;
+  double headroom_ = 0;
+  std::set<std::size_t> meshes_;
+};
+
+Result<void> check_trial(const GraspTrial& trial) {
+  const Product& p = trial.product;
+  const bool sized = p.size_mm[0] > 0 && p.size_mm[1] > 0 && p.size_mm[2] > 0;
+  if (!(p.mass_kg > 0) || !std::isfinite(p.mass_kg) || !sized || trial.body.pieces.empty())
+    return Error{
+        "catalog.bad_row",
+        p.sku,
+        fmt::format("a product to be held needs a mass and a size greater than 0; it has {} "
+                    "kg and {} x {} x {} mm",
+                    p.mass_kg,
+                    p.size_mm[0],
+                    p.size_mm[1],
+                    p.size_mm[2])};
+  const Grasp& g = trial.grasp;
+  const Vec3& at = g.product_from_tool.position;
+  const bool finite = std::isfinite(at.x + at.y + at.z) && std::isfinite(g.force_n + g.opening_m);
+  if (!finite || !(trial.pad_friction >= 0))
+    return Error{"motion.bad_configuration", p.sku, "expected a grasp of finite numbers"};
+  if (trial.tool.kind == ToolKind::gripper && g.opening_m > trial.tool.opening_m + 1e-9)
+    return Error{"motion.bad_configuration",
+                 p.sku,
+                 fmt::format("the grasp needs {:.0f} mm between the pads; {} opens {:.0f} mm",
+                             g.opening_m * 1e3,
+                             trial.tool.id,
+                             trial.tool.opening_m * 1e3)};
+  if (g.force_n < 0 || g.force_n > trial.tool.force_n + 1e-9)
+    return Error{"motion.bad_configuration",
+                 p.sku,
+                 fmt::format("the grasp needs {:.0f} N; {} has {:.0f} N",
+                             g.force_n,
+                             trial.tool.id,
+                             trial.tool.force_n)};
+  return {};
+}
+
+}  // namespace
+
+Result<GraspScene> grasp_scene(const GraspTrial& trial) {
+  MARKETGEN_CHECK(check_trial(trial));
+  MARKETGEN_TRY(const CollisionPrimitive primitive, collision_of(trial.product));
+  const GoodsContact contact = goods_contact_of(trial.product, primitive);
+  GraspSceneBuilder builder(trial, contact);
+  builder.add_surroundings();
+  builder.add_tool();
+  return builder.finish();
+}
+
+}  // namespace marketgen

@@ -1,0 +1,95 @@
+// One grasp tried in physics: a tool without an arm comes, closes, lifts, shakes and puts down, and
+// what became of the product is read from the simulation.
+//
+// The tool's base moves exactly as told (the arm is taken for stiff); its fingers are bodies that
+// slide, driven by a force and coupled as the row couples them. A cup is not a force that pulls at
+// any distance: it seals where rays find the face even enough, holds by three points of its lip,
+// and lets go as soon as one of them, or friction, would have to hold more than its share.
+//
+// Products are their contact pieces, with their mass, centre of mass and inertia; they are rigid.
+// World frame: the target's product frame as it stands at first. SI units. Deterministic;
+// thread-safe.
+#pragma once
+#include <array>
+#include <string_view>
+
+#include "assets/product_model.h"
+#include "base/result.h"
+#include "base/seed.h"
+#include "robots/grasp_tool.h"
+
+namespace marketgen {
+
+// free: alone on a table. stocked: in the front row of a full shelf, 2 to 8 mm from either
+// neighbour, 3 mm from the one behind, 30 to 50 mm under the next board; the columns reach to the
+// back panel and the row to dividers six facings away. spaced: the same with gaps of 30 mm between
+// facings.
+enum class GraspSetting { free, stocked, spaced };
+constexpr std::array<std::string_view, 3> names_of(GraspSetting) {
+  return {"free", "stocked", "spaced"};
+}
+
+// Least height between a pack on the shelf and the board above.
+constexpr double least_headroom_m = 0.030;
+constexpr double spaced_gap_m = 0.030;
+
+enum class GraspEnd {
+  held,       // lifted, shaken, and put down where there is a table to put it
+  unstable,   // the product does not stand by itself
+  collided,   // the tool pressed on shelf or table
+  missed,     // the pads did not both touch it, or the cup did not seal
+  dropped,    // it came out of the tool
+  slipped,    // held, but it moved under the pads by more than the limit
+  fell_over,  // held, but it did not stay where it was put
+  pressed,    // held, but a neighbour was pressed by more than the limit
+  toppled     // held, but a neighbour fell over or off the shelf
+};
+constexpr std::array<std::string_view, 9> names_of(GraspEnd) {
+  return {"held",
+          "unstable",
+          "collided",
+          "missed",
+          "dropped",
+          "slipped",
+          "fell_over",
+          "pressed",
+          "toppled"};
+}
+
+// ---- Limits of a success. ----
+constexpr double most_slip_m = 0.001;
+constexpr double most_neighbour_n = 50;  // mean over 10 ms
+
+struct GraspTrial {
+  const Product& product;
+  const ProductBody& body;
+  const GraspTool& tool;
+  Grasp grasp;
+  double pad_friction = 0.5;  // of pads or lip on the product
+  GraspSetting setting = GraspSetting::free;
+  Seed seed{1};  // of gaps, headroom and the error with which the tool comes
+};
+
+struct GraspOutcome {
+  GraspEnd end = GraspEnd::held;
+  // Of the product under the pads' middles and corners, or under the cup, from when the tool has
+  // closed to the end of the shaking: the greatest.
+  double slip_m = 0;
+  double turned_rad = 0;   // of the product in the tool meanwhile
+  double neighbour_n = 0;  // greatest push on a neighbour
+  double squeeze_n = 0;    // on the weaker pad, at the end of the shaking
+};
+
+// The tool's error: up to so much along each axis and about Z, uniform.
+constexpr double tool_error_m = 0.001, tool_error_rad = 0.01745;
+
+// Whether a product stands by itself: let go leaning by 1 degree to the front, the back or a side,
+// it comes to rest upright. Loose produce counts as standing. Errors: as try_grasp.
+Result<bool> stands_alone(const Product& product, const ProductBody& body, const GraspTool& tool);
+
+// Errors: catalog.bad_row for a product without mass or size; motion.bad_configuration for a grasp
+// that the tool cannot make (wider than its opening, stronger than its force, not finite);
+// physics.failed.
+Result<GraspOutcome> try_grasp(const GraspTrial& trial);
+
+}  // namespace marketgen

@@ -1,0 +1,140 @@
+// The study: the same for any number of threads, honest about what it leaves out, kept and read
+// back.
+#include "grasping/grasp_study.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "base/parallel.h"
+#include "grasping/grasp_database.h"
+#include "grasping/grasp_shares.h"
+#include "support/committed_catalog.h"
+
+namespace marketgen {
+namespace {
+
+std::vector<GraspTool> all_tools() {
+  const std::filesystem::path data = std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data";
+  std::vector<GraspTool> tools;
+  for (const char* id : {"panda-hand", "suction-cup"}) {
+    auto tool = load_grasp_tool(data, id);
+    if (!tool.ok()) fatal(to_string(tool.error()).c_str());
+    tools.push_back(std::move(tool).value());
+  }
+  return tools;
+}
+
+std::vector<const Product*> first_of(const std::vector<std::string>& shapes) {
+  std::vector<const Product*> chosen;
+  for (const std::string& shape : shapes) {
+    for (const Product& product : committed_catalog().products) {
+      if (product.archetype != shape) continue;
+      chosen.push_back(&product);
+      break;
+    }
+  }
+  return chosen;
+}
+
+std::vector<GraspRate> studied(const std::vector<const Product*>& products, int threads) {
+  const ThreadLimit limit(threads);
+  StudyOptions options;
+  options.tries = 1;
+  options.settings = {GraspSetting::free, GraspSetting::spaced};
+  auto rates = study_grasps(
+      products, all_tools(), committed_catalog().frictions, options, silent_progress());
+  if (!rates.ok()) fatal(to_string(rates.error()).c_str());
+  return std::move(rates).value();
+}
+
+TEST(GraspStudy, TheSameOnOneAndOnManyThreads) {
+  const std::vector<const Product*> products = first_of({"can", "jar", "box", "apple"});
+  const std::vector<GraspRate> one = studied(products, 1), many = studied(products, 4);
+  ASSERT_EQ(one.size(), products.size() * 4);
+  ASSERT_EQ(one.size(), many.size());
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    EXPECT_EQ(one[i].sku, many[i].sku);
+    ASSERT_EQ(one[i].tries.size(), many[i].tries.size());
+    for (std::size_t k = 0; k < one[i].tries.size(); ++k) {
+      EXPECT_EQ(one[i].tries[k].end, many[i].tries[k].end);
+      EXPECT_EQ(one[i].tries[k].slip_mm, many[i].tries[k].slip_mm);
+    }
+  }
+}
+
+TEST(GraspStudy, WhatIsLeftOutHasItsReason) {
+  Product wide = *first_of({"food_tin"}).front();
+  wide.size_mm = {160, 160, 110};
+  wide.mass_kg = 1.2;
+  const std::vector<GraspRate> rates = studied({&wide}, 1);
+  EXPECT_EQ(name_of(rates[0].excluded), "too_wide");
+  EXPECT_FALSE(rates[0].reason.empty());
+  EXPECT_TRUE(rates[0].tries.empty());
+
+  const std::vector<GraspRate> loose = studied(first_of({"apple"}), 1);
+  EXPECT_EQ(name_of(loose[1].excluded), "unshelved");  // spaced
+}
+
+TEST(GraspStudy, NoMassIsAnError) {
+  Product weightless = *first_of({"can"}).front();
+  weightless.mass_kg = 0;
+  const auto rates = study_grasps(
+      {&weightless}, all_tools(), committed_catalog().frictions, {}, silent_progress());
+  ASSERT_FALSE(rates.ok());
+  EXPECT_EQ(rates.error().code, "catalog.bad_row");
+}
+
+// 81 of 263 (Newcombe, "Two-sided confidence intervals", Statistics in Medicine 1998, table I).
+TEST(GraspShares, WilsonIntervalsAreThePublishedOnes) {
+  const Share share = share_of(81, 263);
+  EXPECT_NEAR(share.low, 0.2553, 5e-5);
+  EXPECT_NEAR(share.high, 0.3662, 5e-5);
+  EXPECT_NEAR(share_of(0, 20).high, 0.1611, 5e-5);
+  EXPECT_EQ(share_of(0, 20).low, 0);
+  EXPECT_EQ(share_of(0, 0).of, 0);
+}
+
+TEST(GraspShares, CountByHand) {
+  GraspRate held{"a", "can", "hand", GraspSetting::free, {}, {}, {GraspTry{}}};
+  GraspRate second{"b", "can", "hand", GraspSetting::free, {}, {}, {GraspTry{}, GraspTry{}}};
+  second.tries[0].end = GraspEnd::slipped;
+  second.tries[0].slip_mm = 2;
+  GraspRate wide{"c", "tray", "hand", GraspSetting::free, GraspExclusion::too_wide, "wide", {}};
+  const std::vector<GraspShare> shares = grasp_shares({held, second, wide});
+  ASSERT_EQ(shares.size(), 3U);  // all, can, tray
+  EXPECT_EQ(shares[0].products, 3);
+  EXPECT_EQ(shares[0].fit.number, 2);
+  EXPECT_EQ(shares[0].first.number, 1);
+  EXPECT_EQ(shares[0].any.number, 2);
+  EXPECT_EQ(shares[0].slip_p99_mm, 2);
+  EXPECT_EQ(shares[2].archetype, "tray");
+  EXPECT_EQ(shares[2].fit.number, 0);
+  ASSERT_EQ(shares[2].excluded.size(), 1U);
+  EXPECT_EQ(shares[2].excluded[0].products, 1);
+}
+
+TEST(GraspDatabase, RatesComeBackAsTheyWere) {
+  const auto folder = std::filesystem::temp_directory_path() / "marketgen-grasp-database";
+  std::filesystem::remove_all(folder);
+  setenv("MARKETGEN_CACHE", folder.c_str(), 1);
+  GraspRate rate{"a", "can", "hand", GraspSetting::stocked, {}, {}, {GraspTry{}, GraspTry{}}};
+  rate.tries[1] = {GraspStrategy::neck, GraspEnd::pressed, 30, 70, 0.1, 2, 61};
+  GraspRate wide{"b", "tray", "hand", GraspSetting::free, GraspExclusion::too_wide, "wide", {}};
+  ASSERT_TRUE(keep_grasp_rates({rate, wide}, "rows", 7).ok());
+  rate.tries.pop_back();
+  ASSERT_TRUE(keep_grasp_rates({rate}, "rows", 8).ok());  // replaces one, keeps the other
+  const auto kept = kept_grasp_rates("rows");
+  ASSERT_TRUE(kept.ok()) << to_string(kept.error());
+  ASSERT_EQ(kept->size(), 2U);
+  EXPECT_EQ((*kept)[0].tries.size(), 1U);
+  EXPECT_EQ((*kept)[0].setting, GraspSetting::stocked);
+  EXPECT_EQ((*kept)[1].excluded, GraspExclusion::too_wide);
+  EXPECT_EQ((*kept)[1].reason, "wide");
+  EXPECT_TRUE(kept_grasp_rates("other rows")->empty());
+  unsetenv("MARKETGEN_CACHE");
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace marketgen
