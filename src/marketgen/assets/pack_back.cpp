@@ -1,6 +1,7 @@
 #include "assets/pack_back.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "assets/barcode.h"
@@ -59,12 +60,25 @@ bool is_high(const Area& field) {
   return field.h > field.w * 0.5;
 }
 
+// Bags swell in the middle and fall away to their sides, where a scanner sees the modules crowd.
+bool swells(const Product& product) {
+  constexpr std::array<std::string_view, 3> bags{"pouch", "pillow_bag", "flow_pack"};
+  return std::find(bags.begin(), bags.end(), product.archetype) != bags.end();
+}
+
 // The EAN's place at the foot of the area, or anywhere in it where the foot would make its modules
-// smaller than `least`. All in whole units of the area.
-BarcodePlace ean_place(const Area& area, int wanted, int least, double wanted_height) {
+// smaller than `least`; at the right, or in the middle where the pack swells. All in whole units of
+// the area.
+BarcodePlace ean_place(
+    const Area& area, int wanted, int least, double wanted_height, const Product& product) {
   const Area foot = is_high(area) ? area.part(0, 0.42, 1, 1) : area.part(0.45, 0, 1, 1);
-  const BarcodePlace place = place_barcode(foot, wanted, wanted_height);
-  return place.module_px < least ? place_barcode(area, wanted, wanted_height) : place;
+  BarcodePlace place = place_barcode(foot, wanted, wanted_height);
+  if (place.module_px < least) place = place_barcode(area, wanted, wanted_height);
+  if (swells(product) && is_high(area)) {
+    const int width = place.ladder ? place.height_px : place.module_px * ean13_width_modules;
+    place.x = static_cast<int>(area.x + (area.w - width) / 2);
+  }
+  return place;
 }
 
 // What the symbol covers, in the units of its place.
@@ -83,19 +97,23 @@ Area leave_ean(Canvas& canvas, const PackArt& art, const Area& area) {
   const BarcodePlace place = ean_place({area.x * fine, area.y * fine, area.w * fine, area.h * fine},
                                        static_cast<int>(nominal_module_mm * fine),
                                        static_cast<int>(least_module_mm * fine),
-                                       nominal_height_mm * fine);
+                                       nominal_height_mm * fine,
+                                       *art.product);
   leave_barcode(canvas, art.bars, art.product->ean, place, 1 / fine);
   const Area taken = covered(place);
   return {taken.x / fine, taken.y / fine, taken.w / fine, taken.h / fine};
 }
 
-// Draws the EAN at the lower right of the area; returns what it covers, empty without an EAN.
+// Draws the EAN at the foot of the area; returns what it covers, empty without an EAN.
 Area draw_ean(Canvas& canvas, const PackArt& art, const Area& area) {
   if (art.bars.empty()) return {area.right(), area.bottom(), 0, 0};
   if (art.bars_apart) return leave_ean(canvas, art, area);
   const int wanted = wanted_module_px(canvas);
-  const BarcodePlace place = ean_place(
-      in_pixels(canvas, area), wanted, wanted, nominal_height_mm * canvas.pixels_per_unit_y());
+  const BarcodePlace place = ean_place(in_pixels(canvas, area),
+                                       wanted,
+                                       wanted,
+                                       nominal_height_mm * canvas.pixels_per_unit_y(),
+                                       *art.product);
   draw_barcode(canvas, art.bars, art.product->ean, place);
   return in_units(canvas, covered(place));
 }
@@ -184,7 +202,7 @@ Area draw_back(Canvas& canvas, const PackArt& art, const InfoField& field) {
   const std::string marks =
       facts.best_before.empty() ? facts.lot : facts.best_before + "  " + facts.lot;
   Area words{all.x, all.y, all.w, code.y - all.y - size * 0.5};
-  if (high && code.w < all.w * 0.62 && code.h <= all.h * 0.5) {
+  if (high && !swells(product) && code.w < all.w * 0.62 && code.h <= all.h * 0.5) {
     Area left{all.x, code.y, all.w - code.w - size, code.h};
     const double mark = std::min({left.w, left.h * 0.5, size * 5});
     draw_recycling_mark(canvas, {left.x, left.y, mark, mark}, field.type);

@@ -25,7 +25,7 @@ constexpr double finger_stiffness = 4000, finger_damping = 150;
 // MuJoCo takes no moving body without mass; frames between joints get this much, kg and kg m^2.
 constexpr double frame_mass = 1e-6, frame_inertia = 1e-9;
 
-Error bad_command(const std::string& robot, const std::string& message) {
+Error bad_robot_command(const std::string& robot, const std::string& message) {
   return {"physics.bad_command", robot, message};
 }
 
@@ -229,7 +229,7 @@ class RobotBuilder {
 
 Result<void> add_robot(mjSpec_& spec, const Robot& robot, const RobotActorOptions& options) {
   if (robot.dof_count() == 0)
-    return bad_command(robot.name, "the robot has no moving joint: nothing to drive");
+    return bad_robot_command(robot.name, "the robot has no moving joint: nothing to drive");
   if (!options.state.empty()) MARKETGEN_CHECK(check_state(robot, options.state));
   RobotBuilder(spec, robot, options).add();
   return {};
@@ -263,10 +263,10 @@ Result<RobotActor> RobotActor::find(const World& world,
     const std::string name = prefix + joint.name;
     const int found = mj_name2id(&model, mjOBJ_JOINT, name.c_str());
     if (found < 0)
-      return bad_command(robot.name,
-                         fmt::format("the world has no joint \"{}\": add the robot with "
-                                     "WorldOptions::add_actors and the same prefix",
-                                     name));
+      return bad_robot_command(robot.name,
+                               fmt::format("the world has no joint \"{}\": add the robot with "
+                                           "WorldOptions::add_actors and the same prefix",
+                                           name));
     Axis axis;
     axis.joint_position = model.jnt_qposadr[found];
     axis.joint_velocity = model.jnt_dofadr[found];
@@ -305,18 +305,18 @@ std::vector<double> RobotActor::effort(const World& world) const {
 
 Result<void> RobotActor::check(std::span<const double> values, bool servo, const char* what) const {
   if (servo != (drive_ == RobotDrive::position))
-    return bad_command(robot_->name,
-                       servo ? "its drives take torques: use apply(), or add it with "
-                               "RobotDrive::position"
-                             : "its drives take positions: use command(), or add it with "
-                               "RobotDrive::torque");
+    return bad_robot_command(robot_->name,
+                             servo ? "its drives take torques: use apply(), or add it with "
+                                     "RobotDrive::position"
+                                   : "its drives take positions: use command(), or add it with "
+                                     "RobotDrive::torque");
   if (values.size() != axes_.size())
-    return bad_command(
+    return bad_robot_command(
         robot_->name,
         fmt::format("{} {} for {} degrees of freedom", values.size(), what, axes_.size()));
   for (std::size_t dof = 0; dof < values.size(); ++dof) {
     if (!std::isfinite(values[dof]))
-      return bad_command(
+      return bad_robot_command(
           robot_->name,
           fmt::format("{} of joint {} is no number", what, robot_->joint_of_dof(dof).name));
   }
@@ -342,14 +342,14 @@ Result<void> RobotActor::grip(World& world,
                               double opening_m,
                               double force_n) const {
   if (!(opening_m >= 0) || !(force_n >= 0) || !std::isfinite(opening_m))
-    return bad_command(robot_->name, "opening and force are numbers from 0 on");
+    return bad_robot_command(robot_->name, "opening and force are numbers from 0 on");
   if (force_n > tool.force)
-    return bad_command(
+    return bad_robot_command(
         robot_->name,
         fmt::format("{} N is more than the {} N that the gripper has", force_n, tool.force));
   const JointGroup* fingers = robot_->find_group(tool.prefix + "fingers");
   if (tool.kind != ToolKind::gripper || fingers == nullptr)
-    return bad_command(robot_->name, "the tool is no gripper");
+    return bad_robot_command(robot_->name, "the tool is no gripper");
   for (const int dof : fingers->dofs) {
     const Axis& axis = axes_[static_cast<std::size_t>(dof)];
     if (axis.actuator < 0) continue;

@@ -1,6 +1,7 @@
 // Bar codes as the renderer shows them, read by an outside decoder (zbar).
 //
-// MARKETGEN_SCAN=all takes every SKU (tools/scan_labels); otherwise a few of every archetype.
+// MARKETGEN_SCAN=all takes every SKU, MARKETGEN_SCAN=pouch every one of that archetype; otherwise a
+// few of every archetype.
 // MARKETGEN_SCAN_PICTURES keeps the pictures in that folder.
 #include <gtest/gtest.h>
 
@@ -33,14 +34,15 @@ std::vector<Product> products_to_scan() {
   for (const Product& product : catalog.products) {
     if (!product.ean.empty()) of_archetype[product.archetype].push_back(product);
   }
-  const bool all = setting("MARKETGEN_SCAN") == "all";
+  const std::string wanted = setting("MARKETGEN_SCAN");
   std::vector<Product> chosen;
   for (auto& [archetype, products] : of_archetype) {
     std::stable_sort(products.begin(), products.end(), [](const Product& a, const Product& b) {
       return a.mass_kg < b.mass_kg;
     });
     const std::size_t last = products.size() - 1;
-    if (all)
+    if (!wanted.empty() && wanted != "all" && wanted != archetype) continue;
+    if (!wanted.empty())
       chosen.insert(chosen.end(), products.begin(), products.end());
     else
       for (const std::size_t i : std::set<std::size_t>{0, last / 2, last})

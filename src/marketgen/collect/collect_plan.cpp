@@ -1,0 +1,226 @@
+#include "collect/collect_plan.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "collect/scene_obstacles.h"
+#include "motion/standing_robot.h"
+
+namespace marketgen {
+namespace {
+
+constexpr double reach_m = 1.3;       // obstacles farther from the product are of no account
+constexpr double push_aside_m = 0.2;  // neighbours within it may be pushed by the fingers
+// Places in front of the product: from its front to the base's middle, and to the side.
+constexpr std::array distances_m{0.62, 0.68, 0.74, 0.55, 0.48};
+constexpr std::array sides_m{0.30, 0.26, 0.34, 0.0, 0.12, -0.12};
+constexpr double lift_below_m = 0.9;  // height of the grasp over the lift's zero
+
+// An arm that ends in a gripper.
+struct Hand {
+  const JointGroup* arm = nullptr;
+  int tool = -1;
+};
+
+Result<Hand> hand_of(const Robot& robot) {
+  for (std::size_t t = 0; t < robot.tools.size(); ++t) {
+    if (robot.tools[t].kind != ToolKind::gripper) continue;
+    for (const JointGroup& group : robot.groups) {
+      if (!group.solver.empty() && group.tip == robot.tools[t].frame)
+        return Hand{&group, static_cast<int>(t)};
+    }
+  }
+  return Error{"robot.unknown", robot.name, "no arm of this robot ends in a gripper"};
+}
+
+// The state at the start: the robot's first posture, the lift at the grasp's height, fingers open.
+std::vector<double> start_state(const Robot& robot,
+                                const Hand& hand,
+                                double grasp_height_m,
+                                double opening_m) {
+  std::vector<double> q = neutral_state(robot);
+  if (!robot.postures.empty()) q = with_posture(robot.postures.front(), std::move(q));
+  if (const int lift = robot.find_dof("lift"); lift >= 0) {
+    const Joint& joint = robot.joint_of_dof(static_cast<std::size_t>(lift));
+    q[static_cast<std::size_t>(lift)] =
+        std::clamp(grasp_height_m - lift_below_m, joint.lower, joint.upper);
+  }
+  const Tool& tool = robot.tools[static_cast<std::size_t>(hand.tool)];
+  if (const JointGroup* fingers = robot.find_group(tool.prefix + "fingers")) {
+    for (const int dof : fingers->dofs) {
+      const Joint& joint = robot.joint_of_dof(static_cast<std::size_t>(dof));
+      q[static_cast<std::size_t>(dof)] = std::min(opening_m / tool.opening, 1.0) * joint.upper;
+    }
+  }
+  return with_followers(robot, std::move(q));
+}
+
+Pose lifted(Pose pose, Vec3 by) {
+  pose.position += by;
+  return pose;
+}
+
+class Planner {
+ public:
+  Planner(const Scene& scene,
+          std::uint32_t product,
+          const Robot& robot,
+          const Hand& hand,
+          Seed seed,
+          const CollectOptions& options)
+      : scene_(scene),
+        product_(product),
+        robot_(robot),
+        hand_(hand),
+        seed_(seed),
+        options_(options),
+        world_from_product_(world_from_product(scene.products[product])),
+        out_(rotate(world_from_product_.rotation, {0, -1, 0})) {}
+
+  Result<void> look_around() {
+    const Vec3 middle = world_from_product_.position;
+    Obstacles still = fixture_obstacles(scene_, middle, reach_m);
+    Obstacles way = still, line = std::move(still);
+    MARKETGEN_CHECK(add_product_obstacles(scene_, middle, reach_m, {}, way));
+    MARKETGEN_CHECK(add_product_obstacles(scene_, middle, reach_m, neighbours(), line));
+    MARKETGEN_TRY(way_, CollisionWorld::make(way));
+    MARKETGEN_TRY(line_, CollisionWorld::make(line));
+    MARKETGEN_TRY(model_, make_arm_model(robot_, hand_.arm->name));
+    return {};
+  }
+
+  // The plan at the first place that serves; otherwise the error of the last one tried.
+  Result<CollectPlan> plan(const GraspCandidate& grasp) const {
+    Error error{"collect.no_place", where(), "the robot can stand nowhere in front of it"};
+    for (const double side : sides_m) {
+      if (robot_.drive && side == 0) break;
+      for (const double distance : distances_m) {
+        auto found = at_place(grasp, distance, robot_.drive ? side : side * 0.5);
+        if (found.ok()) return found;
+        error.message =
+            fmt::format("at {:.2f} m from its front: {}", distance, found.error().message);
+      }
+    }
+    return error;
+  }
+
+ private:
+  std::string where() const { return product_id(scene_, product_); }
+
+  std::vector<std::uint32_t> neighbours() const {
+    std::vector<std::uint32_t> rows;
+    for (std::uint32_t row = 0; row < scene_.products.size(); ++row) {
+      if (length(world_from_product(scene_.products[row]).position - world_from_product_.position) <
+          push_aside_m)
+        rows.push_back(row);
+    }
+    return rows;
+  }
+
+  // Facing the shelf, the product `side` to the left of the robot.
+  Pose base_at(double distance, double side) const {
+    const Vec3 left{out_.y, -out_.x, 0};  // of one who looks at the shelf
+    const Product& product = scene_.catalog[scene_.products[product_].sku];
+    Vec3 at =
+        world_from_product_.position + out_ * (distance + product.depth_m() / 2) - left * side;
+    at.z = 0;
+    return {at, rotation_about({0, 0, 1}, std::atan2(-out_.y, -out_.x))};
+  }
+
+  Result<CollectPlan> at_place(const GraspCandidate& grasp, double distance, double side) const {
+    CollectPlan plan;
+    plan.product = product_;
+    plan.group = hand_.arm->name;
+    plan.tool = hand_.tool;
+    plan.grasp = grasp;
+    plan.world_from_base = base_at(distance, side);
+    const Pose world_from_tip = world_from_product_ * grasp.grasp.product_from_tool;
+    plan.state = start_state(robot_, hand_, world_from_tip.position.z, grasp.grasp.opening_m);
+    const PlacedRobot placed{where(), robot_, plan.state, plan.world_from_base};
+    MARKETGEN_CHECK(check_standing(scene_, {&placed, 1}));
+    MARKETGEN_TRY(const ArmChecker way,
+                  ArmChecker::make(model_, plan.state, plan.world_from_base, way_));
+    MARKETGEN_TRY(const ArmChecker line,
+                  ArmChecker::make(model_, plan.state, plan.world_from_base, line_));
+    const Pose base_from_world =
+        inverse(plan.world_from_base *
+                link_poses(robot_, plan.state)[static_cast<std::size_t>(model_.group.base)]);
+    ReachQuestion question;
+    for (const int dof : model_.group.dofs)
+      question.start.push_back(plan.state[static_cast<std::size_t>(dof)]);
+    question.base_from_grasp = base_from_world * world_from_tip;
+    question.approach = {0, 0, options_.approach_m};
+    ArmPlanOptions arm;
+    arm.speed = options_.speed;
+    MARKETGEN_TRY(plan.reach, plan_reach(way, line, question, seed_, arm));
+    return with_way_out(std::move(plan), line, base_from_world, world_from_tip);
+  }
+
+  Result<CollectPlan> with_way_out(CollectPlan plan,
+                                   const ArmChecker& line,
+                                   const Pose& base_from_world,
+                                   const Pose& world_from_tip) const {
+    const Pose up = lifted(world_from_tip, {0, 0, options_.lift_m});
+    const Pose out = lifted(up, out_ * options_.retreat_m);
+    MARKETGEN_TRY(const JointPath rising,
+                  tool_line(line, plan.reach.line.back(), base_from_world * up));
+    MARKETGEN_TRY(const JointPath leaving, tool_line(line, rising.back(), base_from_world * out));
+    ArmPlanOptions slow;
+    slow.speed = options_.speed * 0.25;
+    MARKETGEN_TRY(const auto limits, motion_limits(model_, slow));
+    MARKETGEN_TRY(plan.lift, timed_curve(rising, limits));
+    MARKETGEN_TRY(plan.retreat, timed_curve(leaving, limits));
+    return plan;
+  }
+
+  const Scene& scene_;
+  std::uint32_t product_;
+  const Robot& robot_;
+  Hand hand_;
+  Seed seed_;
+  const CollectOptions& options_;
+  Pose world_from_product_;
+  Vec3 out_;  // from the shelf into the aisle
+  CollisionWorld way_, line_;
+  ArmModel model_;
+};
+
+}  // namespace
+
+Result<std::string> gripper_row(const Robot& robot) {
+  MARKETGEN_TRY(const Hand hand, hand_of(robot));
+  return robot.tools[static_cast<std::size_t>(hand.tool)].row;
+}
+
+Result<CollectPlan> plan_collect(const Scene& scene,
+                                 std::uint32_t product,
+                                 const Robot& robot,
+                                 const GraspTool& tool,
+                                 Seed seed,
+                                 const CollectOptions& options) {
+  if (product >= scene.products.size())
+    return Error{
+        "collect.no_product", fmt::format("row {}", product), "the store has no such product"};
+  MARKETGEN_TRY(const Hand hand, hand_of(robot));
+  const Product& goods = scene.catalog[scene.products[product].sku];
+  MARKETGEN_TRY(const ProductBody body, make_product_body(goods));
+  GraspQuery query;
+  query.friction = options.fingers_friction;
+  query.from_front = true;
+  MARKETGEN_TRY(const GraspCandidates grasps, grasp_candidates(goods, body, tool, query));
+  if (grasps.found.empty()) return Error{"motion.no_grasp", goods.sku, grasps.reason};
+  Planner planner(scene, product, robot, hand, seed, options);
+  MARKETGEN_CHECK(planner.look_around());
+  Error error{"collect.no_place", goods.sku, ""};
+  for (const GraspCandidate& grasp : grasps.found) {
+    auto plan = planner.plan(grasp);
+    if (plan.ok()) return plan;
+    error = plan.error();
+  }
+  return error;
+}
+
+}  // namespace marketgen

@@ -1,0 +1,50 @@
+// How a robot takes one product off its shelf: where it stands, where it takes hold, and its arm's
+// ways. Everything is known: this is what an oracle and a certificate build on, not what a policy
+// may use.
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "base/seed.h"
+#include "motion/grasp_candidates.h"
+#include "motion/tool_line.h"
+#include "robots/robot.h"
+#include "scene/scene.h"
+
+namespace marketgen {
+
+struct CollectOptions {
+  double speed = 0.6;             // share of the joints' velocity limits, over 0 to 1
+  double approach_m = 0.12;       // length of the straight line to the grasp
+  double lift_m = 0.015;          // straight up before it goes out
+  double retreat_m = 0.22;        // straight out of the shelf
+  double fingers_friction = 0.5;  // of the pads on the product
+};
+
+struct CollectPlan {
+  std::uint32_t product = 0;
+  std::string group;  // of the arm
+  int tool = 0;       // in Robot::tools
+  Pose world_from_base;
+  std::vector<double> state;  // every degree of freedom at the start; fingers open
+  GraspCandidate grasp;
+  ReachPlan reach;                // to the grasp
+  JointTrajectory lift, retreat;  // with the product
+};
+
+// The row of the gripper at the end of the robot's first arm that has one: "parallel-gripper".
+// Error: robot.unknown when no arm ends in a gripper.
+Result<std::string> gripper_row(const Robot& robot);
+
+// Looks for it over the product's grasps from the front, best first, and over places in front of
+// it. `tool` describes that gripper. Errors: collect.no_product for a row that does not exist;
+// motion.no_grasp with the reason; collect.no_place with what was wrong at the place that came
+// nearest; robot.unknown when no arm of the robot ends in a gripper; assets.*.
+Result<CollectPlan> plan_collect(const Scene& scene,
+                                 std::uint32_t product,
+                                 const Robot& robot,
+                                 const GraspTool& tool,
+                                 Seed seed,
+                                 const CollectOptions& options = {});
+
+}  // namespace marketgen
