@@ -11,9 +11,12 @@
 
 namespace marketgen {
 
+inline const std::filesystem::path committed_rows =
+    std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data";
+
 // A robot without links, and a failure, when it does not load.
 inline Robot committed_robot(const std::string& id, const RobotTools& tools = {}) {
-  auto robot = load_robot(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data", id, tools);
+  auto robot = load_robot(committed_rows, id, tools);
   EXPECT_TRUE(robot.ok()) << (robot.ok() ? "" : to_string(robot.error()));
   return robot.ok() ? std::move(robot).value() : Robot{};
 }

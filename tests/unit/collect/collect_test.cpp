@@ -25,9 +25,7 @@ HandMadeScene cans_on_a_board() {
 }
 
 GraspTool gripper_of(const Robot& robot) {
-  return load_grasp_tool(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data",
-                         gripper_row(robot).value())
-      .value();
+  return load_grasp_tool(committed_rows, gripper_row(robot).value()).value();
 }
 
 TEST(Collect, ADualArmTakesACanOffItsShelf) {

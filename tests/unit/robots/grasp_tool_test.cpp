@@ -3,20 +3,20 @@
 
 #include <gtest/gtest.h>
 
+#include "support/committed_robot.h"
+
 namespace marketgen {
 namespace {
 
-const std::filesystem::path rows = std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data";
-
 TEST(GraspTools, TheRowsThatAreTools) {
-  const auto ids = grasp_tool_ids(rows);
+  const auto ids = grasp_tool_ids(committed_rows);
   ASSERT_TRUE(ids.ok());
   EXPECT_EQ(*ids, (std::vector<std::string>{"panda-hand", "parallel-gripper", "suction-cup"}));
 }
 
 // The hand's figures, and its pads of 17.5 x 17.7 mm round the tool centre point.
 TEST(GraspTools, PandaHandHasThePadsOfItsRow) {
-  const auto hand = load_grasp_tool(rows, "panda-hand");
+  const auto hand = load_grasp_tool(committed_rows, "panda-hand");
   ASSERT_TRUE(hand.ok()) << to_string(hand.error());
   EXPECT_EQ(hand->opening_m, 0.08);
   EXPECT_EQ(hand->force_n, 70);
@@ -28,7 +28,7 @@ TEST(GraspTools, PandaHandHasThePadsOfItsRow) {
 
 TEST(GraspTools, OpenPadsStandAsFarApartAsAsked) {
   for (const char* id : {"panda-hand", "parallel-gripper"}) {
-    const auto tool = load_grasp_tool(rows, id);
+    const auto tool = load_grasp_tool(committed_rows, id);
     ASSERT_TRUE(tool.ok());
     const std::vector<ToolSolid> solids = opened(*tool, 0.05);
     ASSERT_EQ(solids.size(), tool->left.size() + tool->right.size());
@@ -41,7 +41,7 @@ TEST(GraspTools, OpenPadsStandAsFarApartAsAsked) {
 }
 
 TEST(GraspTools, AMisspeltToolIsTheNearest) {
-  const auto tool = load_grasp_tool(rows, "panda-hnad");
+  const auto tool = load_grasp_tool(committed_rows, "panda-hnad");
   ASSERT_FALSE(tool.ok());
   EXPECT_EQ(tool.error().code, "robot.unknown");
   EXPECT_NE(tool.error().message.find("did you mean \"panda-hand\""), std::string::npos);

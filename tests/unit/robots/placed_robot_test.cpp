@@ -6,15 +6,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "support/committed_robot.h"
+
 namespace marketgen {
 namespace {
 
-const std::filesystem::path rows = std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data";
 constexpr double right_angle = std::numbers::pi / 2;
 
 Result<PlacedRobot> placed(const std::string& text) {
   MARKETGEN_TRY(const RobotSpec spec, parse_robot_spec(text, "--robot " + text));
-  return place_robot(rows, spec, "--robot " + text);
+  return place_robot(committed_rows, spec, "--robot " + text);
 }
 
 double value_of(const PlacedRobot& placed, const char* joint) {

@@ -12,7 +12,6 @@
 namespace marketgen {
 namespace {
 
-const std::filesystem::path data = std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data";
 constexpr double degree = std::numbers::pi / 180;
 
 void expect_near(Vec3 a, Vec3 b, double tolerance) {
@@ -22,7 +21,7 @@ void expect_near(Vec3 a, Vec3 b, double tolerance) {
 }
 
 TEST(RobotRows, EveryRowLoads) {
-  const auto ids = robot_ids(data);
+  const auto ids = robot_ids(committed_rows);
   ASSERT_TRUE(ids.ok());
   EXPECT_EQ(ids->size(), 9U);
   for (const std::string& id : *ids)
@@ -104,11 +103,11 @@ TEST(RobotRows, AToolMovesTheTipOfItsArm) {
 }
 
 TEST(RobotRows, UnknownNamesAreErrorsThatListTheKnownOnes) {
-  const auto robot = load_robot(data, "pandas");
+  const auto robot = load_robot(committed_rows, "pandas");
   ASSERT_FALSE(robot.ok());
   EXPECT_EQ(robot.error().code, "robot.unknown");
   EXPECT_NE(robot.error().message.find("panda-hand"), std::string::npos);
-  const auto slot = load_robot(data, "realman-rm65", {{"third_tool", "suction-cup"}});
+  const auto slot = load_robot(committed_rows, "realman-rm65", {{"third_tool", "suction-cup"}});
   ASSERT_FALSE(slot.ok());
   EXPECT_NE(slot.error().message.find("left_tool"), std::string::npos);
 }
