@@ -213,8 +213,8 @@ Run add_render(CLI::App& app) {
   command->add_option("--normals", flags->normals, "also write normals");
   add_common_flags(*command, flags->common, Takes::nothing);
   command->footer(
-      "Examples:  marketgen render shop --camera aisle -o aisle.png --depth aisle-depth.png\n"
-      "           marketgen render shop --camera aisle -o robot.png "
+      "Example:  marketgen render shop --camera aisle -o aisle.png --depth aisle-depth.png\n"
+      "          marketgen render shop --camera aisle -o robot.png "
       "--robot realman-rm65@4.2,3.1,90,posture=stow,lift=0.3");
   return [flags] {
     const auto done = render(*flags);
