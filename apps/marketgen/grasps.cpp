@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/parallel.h"
+#include "base/seed.h"
 #include "command.h"
 #include "grasping/grasp_database.h"
 #include "grasping/grasp_shares.h"
@@ -19,6 +20,7 @@ struct GraspFlags {
   std::vector<std::string> skus, tools, settings, catalogs;
   std::string archetype;
   int tries = 3;
+  std::size_t sample = 0;  // so many of the products, by the seed; 0: all
 };
 
 // What `--json` prints.
@@ -50,6 +52,12 @@ Result<std::vector<const Product*>> chosen_products(const Catalog& catalog,
     if (product == nullptr)
       return unknown_name("catalog.unknown_sku", "grasps", "product", sku, skus);
     chosen.push_back(product);
+  }
+  if (flags.sample > 0 && flags.sample < chosen.size()) {
+    Stream draw = Seed(flags.common.seed).child("sample").stream();
+    draw.shuffle(std::span<const Product*>(chosen));
+    chosen.resize(flags.sample);
+    std::ranges::sort(chosen, {}, &Product::sku);
   }
   if (chosen.empty())
     return Error{
@@ -205,6 +213,8 @@ Run add_grasps(CLI::App& app) {
                    "30 mm); again for more; none = free")
       ->allow_extra_args(false);
   command->add_option("--archetype", flags->archetype, "only products of this shape");
+  command->add_option(
+      "--sample", flags->sample, "only so many of them, drawn by the seed; 0 = all");
   command->add_option("--tries", flags->tries, "candidates tried of each product, best first")
       ->check(CLI::Range(1, 20))
       ->capture_default_str();

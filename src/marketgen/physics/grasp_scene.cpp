@@ -33,10 +33,16 @@ constexpr double block_half_m = 0.02;
 // when shaken across, and a litre carton crept by 2 mm.
 constexpr double base_inertia_kg = 1e4, finger_inertia_kg = 0.5;
 
+// The balls of a pad: how large, how far apart at most, and how far out the outermost stand.
+constexpr double pad_ball_m = 0.006, pad_spacing_m = 0.0055, pad_inset = 0.85;
+
 constexpr double close_m_s = 0.06;  // of each finger, at most
 
-// Which geoms look for contact with which: the tool not with itself.
-constexpr int tool_bit = 2, others_bit = 1;
+// Which geoms look for contact with which: all but the tool's with one another. A pad's balls,
+// which stand out beyond it, meet goods only, and its box what stands still.
+constexpr int others_bit = 1, tool_bit = 2, ball_bit = 4, pad_box_bit = 8;
+constexpr int goods_meet = others_bit | tool_bit | ball_bit;
+constexpr int still_meets = others_bit | tool_bit | pad_box_bit;
 // What lies further ahead of the cup's body is bellows, which the lip's equalities stand for.
 constexpr double cup_bellows_m = 0.03;
 
@@ -102,7 +108,7 @@ class GraspSceneBuilder {
     mjsBody* tool = mjs_addBody(base, nullptr);
     mjs_setName(tool->element, "tool");
     for (const ToolSolid& solid : trial_.tool.body)
-      add_solid(tool, solid, GraspOwner::tool);
+      add_solid(tool, solid, tool_bit);
     if (trial_.tool.kind == ToolKind::suction) {
       add_lip();
       return;
@@ -157,8 +163,9 @@ class GraspSceneBuilder {
     }
   }
 
-  void set_others(mjsGeom* geom) {
-    geom->contype = others_bit, geom->conaffinity = others_bit | tool_bit;
+  static void set_meeting(mjsGeom* geom, int own_bit, int meets) {
+    geom->contype = own_bit;
+    geom->conaffinity = meets;
   }
 
   void add_floor(double z) {
@@ -168,19 +175,17 @@ class GraspSceneBuilder {
     floor->pos[2] = z;
     floor->friction[0] = still_friction;
     floor->solref[0] = contact_time_s;
-    set_others(floor);
+    set_meeting(floor, others_bit, still_meets);
   }
 
   void add_board(double top_z) {
     const double front = -trial_.product.depth_m() / 2 - set_back_m;
-    const Pose pose{{0, front + board_depth_m / 2, top_z - shelf_thick_m / 2}, {}};
-    set_others(add_shape(
-        world_,
-        {CollisionShape::box, pose, {board_half_width_m, board_depth_m / 2, shelf_thick_m / 2}}));
+    add_block({0, front + board_depth_m / 2, top_z - shelf_thick_m / 2},
+              {board_half_width_m, board_depth_m / 2, shelf_thick_m / 2});
   }
 
   void add_block(Vec3 at, Vec3 half) {
-    set_others(add_shape(world_, {CollisionShape::box, {at, {}}, half}));
+    set_meeting(add_shape(world_, {CollisionShape::box, {at, {}}, half}), others_bit, still_meets);
   }
 
   void add_row_end(double x) {
@@ -228,7 +233,7 @@ class GraspSceneBuilder {
     }
     set_goods_contact(geom, contact_);
     geom->group = product_geom_group;
-    set_others(geom);
+    set_meeting(geom, others_bit, goods_meet);
   }
 
   // One mesh a piece, shared by all of the row.
@@ -256,7 +261,7 @@ class GraspSceneBuilder {
     return joint;
   }
 
-  void add_solid(mjsBody* body, const ToolSolid& solid, GraspOwner owner) {
+  void add_solid(mjsBody* body, const ToolSolid& solid, int bit) {
     const Pose& pose = solid.tool_from_solid;
     const Vec3& h = solid.half_size;
     const bool bellows =
@@ -266,13 +271,40 @@ class GraspSceneBuilder {
                               {solid.round ? CollisionShape::cylinder : CollisionShape::box,
                                pose,
                                solid.round ? Vec3{h.x, h.z, 0} : h});
-    geom->contype = tool_bit, geom->conaffinity = others_bit;
+    set_meeting(geom, bit, 0);
     geom->mass = 0;
-    if (owner != GraspOwner::pad) return;
-    geom->priority = 1;
-    geom->condim = 4;
-    geom->friction[0] = trial_.pad_friction;
-    geom->friction[1] = torsional_friction_m;
+  }
+
+  // The pad's face as a grid of balls that touch it from behind: rubber lies on in many places.
+  // (The edge of a flat box on a hull touches in two, which jump along it from step to step;
+  // pouches crept by 2 mm.)
+  void add_pad(mjsBody* body, const ToolSolid& pad, double side) {
+    const Vec3& h = pad.half_size;
+    const Vec3 middle = pad.tool_from_solid.position;
+    const auto count = [](double half) {
+      return std::max(2, static_cast<int>(std::ceil(2 * pad_inset * half / pad_spacing_m)) + 1);
+    };
+    const int across = count(h.x), along = count(h.z);
+    const auto place = [](double half, int i, int n) {
+      return pad_inset * half * (2.0 * i / (n - 1) - 1);
+    };
+    for (int i = 0; i < across; ++i) {
+      for (int k = 0; k < along; ++k) {
+        mjsGeom* ball = mjs_addGeom(body, nullptr);
+        ball->type = mjGEOM_SPHERE;
+        ball->size[0] = pad_ball_m;
+        ball->pos[0] = middle.x + place(h.x, i, across);
+        ball->pos[1] = middle.y + side * (pad_ball_m - h.y);
+        ball->pos[2] = middle.z + place(h.z, k, along);
+        set_meeting(ball, ball_bit, 0);
+        ball->mass = 0;
+        ball->priority = 1;
+        ball->condim = 4;
+        ball->friction[0] = trial_.pad_friction;
+        ball->friction[1] = torsional_friction_m;
+        ball->solref[0] = contact_time_s;
+      }
+    }
   }
 
   // Shut at 0, apart along `side`; its damping is what holds it to its speed at the grasp's force.
@@ -291,8 +323,9 @@ class GraspSceneBuilder {
                   finger_inertia_kg,
                   trial_.grasp.force_n / std::min(close_m_s, trial_.tool.finger_speed_m_s));
     mjs_setName(joint->element, name);
+    add_pad(finger, solids[0], side);
     for (std::size_t i = 0; i < solids.size(); ++i)
-      add_solid(finger, solids[i], i == 0 ? GraspOwner::pad : GraspOwner::tool);
+      add_solid(finger, solids[i], i == 0 ? pad_box_bit : tool_bit);
   }
 
   void add_lip() {
