@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "collect/collect_run.h"
 #include "command.h"
+#include "io/file.h"
 #include "io/json.h"
 #include "io/png.h"
 #include "render/picture_grid.h"
