@@ -53,7 +53,7 @@ Result<Audit> audit_store(const Scene& scene,
   audit.requirements = check_requirements(scene, catalog, requirements);
   metrics.prompt = share_met(audit.requirements);
   audit.rules = scene.layout.violations;
-  for (Violation& v : check_scene({scene, metrics, traffic, out_of_place}))
+  for (Violation& v : check_scene({scene, metrics, collisions, traffic, out_of_place}))
     audit.rules.push_back(std::move(v));
   return audit;
 }

@@ -5,7 +5,6 @@
 
 #include "audit/item_bounds.h"
 #include "base/parallel.h"
-#include "physics/penetration.h"
 #include "scene/placements.h"
 
 namespace marketgen {
@@ -133,8 +132,12 @@ Result<CollisionCount> count_collisions(const Scene& scene, const std::vector<Bo
     suspects.insert(suspects.end(), strip.suspects.begin(), strip.suspects.end());
   }
   MARKETGEN_TRY(const std::vector<double> depths, penetration_depths(scene, suspects));
-  for (const double depth : depths)
-    count.colliding_pairs += depth > penetration_limit_m ? 1 : 0;
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    if (depths[i] <= penetration_limit_m) continue;
+    ++count.colliding_pairs;
+    if (!count.deepest || depths[i] > count.deepest->depth_m)
+      count.deepest = DeepPair{suspects[i], depths[i]};
+  }
   return count;
 }
 

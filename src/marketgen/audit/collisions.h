@@ -1,20 +1,25 @@
 // COL and OOB: items inside one another, items outside their place.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/result.h"
 #include "geometry/mesh.h"
+#include "physics/penetration.h"
 #include "scene/scene.h"
 
 namespace marketgen {
 
-constexpr double penetration_limit_m =
-    0.001;  // deeper counts as a collision (SceneSmith's and SAGE's definition)
+struct DeepPair {
+  ProductPair items;
+  double depth_m = 0;
+};
 
 struct CollisionCount {
   std::uint64_t near_pairs = 0;  // pairs whose boxes are less than 5 mm apart
   std::uint64_t colliding_pairs = 0;
+  std::optional<DeepPair> deepest;  // of those that collide
 };
 // Boxes filter (their overlap bounds the depth from above), MuJoCo measures what is left.
 Result<CollisionCount> count_collisions(const Scene& scene, const std::vector<Bounds3>& bounds);

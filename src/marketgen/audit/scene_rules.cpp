@@ -20,12 +20,17 @@ Violation violation(const SceneRule& rule, std::string where, double value, std:
 }
 
 std::vector<Violation> check_ITEM_COLLISION(const SceneFacts& facts, const SceneRule& rule) {
-  if (facts.metrics.colliding_pairs == 0) return {};
+  const CollisionCount& found = facts.collisions;
+  if (!found.deepest) return {};
+  const auto [first, second] = found.deepest->items;
   return {violation(rule,
-                    "products",
-                    static_cast<double>(facts.metrics.colliding_pairs),
-                    fmt::format("{} pairs of items are more than 1 mm inside one another",
-                                facts.metrics.colliding_pairs))};
+                    product_id(facts.scene, first),
+                    static_cast<double>(found.colliding_pairs),
+                    fmt::format("{} pairs of items are more than 1 mm inside one another; the "
+                                "deepest is it and {}, by {:.2f} mm",
+                                found.colliding_pairs,
+                                product_id(facts.scene, second),
+                                1000 * found.deepest->depth_m))};
 }
 
 std::vector<Violation> check_ITEM_OUTSIDE_SHELF(const SceneFacts& facts, const SceneRule& rule) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "audit/audit.h"
+#include "audit/collisions.h"
 #include "audit/traffic.h"
 #include "geometry/mesh.h"
 #include "layout/layout.h"
@@ -15,6 +16,7 @@ namespace marketgen {
 struct SceneFacts {
   const Scene& scene;
   const Metrics& metrics;
+  const CollisionCount& collisions;
   const Traffic& traffic;
   const std::vector<std::uint32_t>& out_of_place;  // rows of scene.products
 };

@@ -17,6 +17,9 @@ constexpr double widest_m = 1.0;  // of the footprint
 constexpr int most_across = 7, most_deep = 9, layers = 3;
 constexpr double spread = 1.04;  // of a piece: room that it takes in the tray
 constexpr double wall_half_m = 0.02;
+// Pieces press into the walls by less than this. The footprint is so much wider on every side, for
+// heaps are laid side by side.
+constexpr int wall_gives_mm = 1;
 constexpr double pour_pause_s = 0.5;  // between layers
 constexpr double rest_m_s = 0.01, longest_s = 4;
 constexpr char heap_where[] = "heap";
@@ -191,14 +194,15 @@ class HeapBuilder {
       }
       if (!stands) continue;
       const mjtNum* q = data.qpos + model.jnt_qposadr[i];
-      piece.pose = {{q[0], q[1], q[2]}, {q[3], q[4], q[5], q[6]}};
+      constexpr double give_m = wall_gives_mm * 1e-3;
+      piece.pose = {{q[0] + give_m, q[1] + give_m, q[2]}, {q[3], q[4], q[5], q[6]}};
       number[i] = static_cast<int>(pieces.size());
       pieces.push_back(std::move(piece));
     }
     return heap_row(product_.archetype,
                     product_.size_mm,
-                    {static_cast<int>(std::lround(tray_.width_m() * 1e3)),
-                     static_cast<int>(std::lround(tray_.depth_m() * 1e3))},
+                    {static_cast<int>(std::lround(tray_.width_m() * 1e3)) + 2 * wall_gives_mm,
+                     static_cast<int>(std::lround(tray_.depth_m() * 1e3)) + 2 * wall_gives_mm},
                     pieces);
   }
 

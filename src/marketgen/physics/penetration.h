@@ -9,6 +9,9 @@
 
 namespace marketgen {
 
+constexpr double penetration_limit_m =
+    0.001;  // deeper counts as a collision (SceneSmith's and SAGE's definition)
+
 using ProductPair = std::pair<std::uint32_t, std::uint32_t>;  // rows of scene.products
 
 // Depth in metres for every pair, 0 when apart. Errors: physics.failed, assets.*.

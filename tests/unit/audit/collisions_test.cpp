@@ -25,7 +25,7 @@ CollisionCount counted(const Scene& scene) {
   EXPECT_TRUE(bounds.ok());
   const auto count = count_collisions(scene, *bounds);
   EXPECT_TRUE(count.ok()) << (count.ok() ? "" : to_string(count.error()));
-  return count.ok() ? *count : CollisionCount{99, 99};
+  return count.ok() ? *count : CollisionCount{99, 99, std::nullopt};
 }
 
 std::vector<std::uint32_t> outside(const Scene& scene) {
@@ -43,6 +43,17 @@ TEST(Collisions, TwoBoxesTwoMillimetresIntoOneAnother) {
   made.add(cereal, {3.188F, y, upper});
   EXPECT_EQ(counted(made.scene).colliding_pairs, 1U);
   EXPECT_EQ(counted(made.scene).near_pairs, 1U);
+}
+
+TEST(Collisions, TheDeepestPairIsNamedWithItsDepth) {
+  HandMadeScene made;
+  made.add(cereal, {3.0F, y, upper});
+  made.add(cereal, {3.188F, y, upper});
+  made.add(cereal, {3.373F, y, upper});
+  const auto count = counted(made.scene);
+  ASSERT_TRUE(count.deepest);
+  EXPECT_EQ(count.deepest->items, ProductPair(1, 2));
+  EXPECT_NEAR(count.deepest->depth_m, 0.005, 1e-4);
 }
 
 TEST(Collisions, HalfAMillimetreIsAllowed) {
