@@ -62,6 +62,22 @@ void one_bean(Canvas& canvas, const Color& base) {
   gloss(canvas, {-14, -16, 22, 9}, -0.1, 0.6);
 }
 
+// A round with the crease and the little beak that tell it from a pea.
+void one_chickpea(Canvas& canvas, const Color& base) {
+  canvas.path(
+      "M -17 2 C -18 -14 -4 -21 8 -17 C 14 -22 19 -19 17 -12 C 23 0 14 18 -1 18 C -11 18 -17 11 "
+      "-17 2 Z");
+  canvas.fill(lit({0, 0, 21}, base));
+  canvas.path("M 15 -15 C 6 -8 -1 0 -2 14").stroke(faded(darker(base, 0.45), 0.55), 1.8);
+  gloss(canvas, {-12, -13, 14, 9}, -0.5, 0.55);
+}
+
+// A flat disc seen aslant.
+void one_lentil(Canvas& canvas, const Color& base) {
+  canvas.ellipse(0, 0, 14, 10).fill(lit({0, 0, 15}, base));
+  canvas.ellipse(0, -1, 9, 5.5).fill(faded(lighter(base, 0.3), 0.6));
+}
+
 void one_olive(Canvas& canvas, double x, double y, const Color& base) {
   placed(canvas, x, y, 0.5, 1, [&] {
     canvas.ellipse(0, 0, 11, 14).fill(lit({0, 0, 14}, base));
@@ -151,6 +167,34 @@ void draw_motif_bean(Canvas& canvas, const MotifInk&) {
   placed(canvas, 26, 16, 0.9, 0.85, [&] { one_bean(canvas, cream); });
   placed(canvas, -24, 20, -0.3, 0.9, [&] { one_bean(canvas, dark_red); });
   placed(canvas, 2, 2, 0.1, 0.95, [&] { one_bean(canvas, lighter(dark_red, 0.12)); });
+}
+
+void draw_motif_chickpea(Canvas& canvas, const MotifInk&) {
+  const Color beige = rgb("#dfb76c");
+  ground_shadow(canvas, {-46, 26, 94, 20}, 0.25);
+  placed(canvas, -24, -16, 0.4, 1.0, [&] { one_chickpea(canvas, darker(beige, 0.1)); });
+  placed(canvas, 20, -20, -0.9, 0.95, [&] { one_chickpea(canvas, beige); });
+  placed(canvas, -26, 20, 1.8, 0.95, [&] { one_chickpea(canvas, beige); });
+  placed(canvas, 26, 18, 2.6, 1.0, [&] { one_chickpea(canvas, darker(beige, 0.06)); });
+  placed(canvas, 0, 4, 0.0, 1.2, [&] { one_chickpea(canvas, lighter(beige, 0.1)); });
+}
+
+void draw_motif_lentil(Canvas& canvas, const MotifInk&) {
+  const Color kinds[] = {rgb("#d9713c"), rgb("#8a6038"), rgb("#8c8b45")};
+  ground_shadow(canvas, {-46, 26, 94, 20}, 0.25);
+  // From the back to the front, in rows that grow wider.
+  constexpr double rows[][3] = {{-22, 2, 0.5}, {-9, 3, 0.55}, {5, 4, 0.6}, {20, 4, 0.64}};
+  int drawn = 0;
+  for (const auto& [y, count, scale] : rows) {
+    for (int i = 0; i < static_cast<int>(count); ++i) {
+      const double x = (i - (count - 1) / 2) * 23 + (drawn % 2 == 0 ? 2 : -2);
+      const Color& kind = kinds[(drawn * 5 + i) % 3];
+      placed(canvas, x, y + 3 * (drawn % 3), 0.35 * (drawn % 4) - 0.5, 1.6 * scale, [&] {
+        one_lentil(canvas, kind);
+      });
+      ++drawn;
+    }
+  }
 }
 
 }  // namespace marketgen

@@ -10,7 +10,7 @@
 namespace marketgen {
 namespace {
 
-constexpr int room_mm = 4000;           // a bright empty room round the product
+constexpr int room_mm = 9000;           // a bright empty room round the product
 constexpr double product_fov_deg = 22;  // little perspective
 
 // A scene with one product in the middle of an empty room, on a white block at hand height.
@@ -36,7 +36,7 @@ Vec3 view_of(const Product& product) {
   const double ratio = product.depth_m() / product.width_m();
   const bool maybe_round = ratio > 0.95 && ratio < 1.05;
   return normalized(
-      Vec3{maybe_round ? 0.25 : 0.45, -1.0, 0.42 + 0.7 * std::clamp(flatness, 0.0, 1.0)});
+      Vec3{maybe_round ? 0.08 : 0.45, -1.0, 0.42 + 0.7 * std::clamp(flatness, 0.0, 1.0)});
 }
 
 // The product's box fills the picture but for a border.

@@ -86,7 +86,7 @@ TEST(Lettering, SizeDoesNotDependOnResolution) {  // hinting would change it
 }
 
 TEST(LabelMotif, EveryOneDrawsAndKeepsToItsSquare) {
-  ASSERT_EQ(label_motifs().size(), 119U);
+  ASSERT_EQ(label_motifs().size(), 121U);
   const Area square{20, 20, 160, 160};
   for (const LabelMotif& motif : label_motifs()) {
     Canvas canvas(200, 200, magenta);

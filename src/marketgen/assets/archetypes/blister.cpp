@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cstdlib>
+#include <string_view>
 
 #include "assets/archetypes/collision.h"
 #include "assets/archetypes/loft.h"
@@ -15,7 +17,6 @@ namespace {
 
 constexpr float greatest_card_m = 0.0012F;  // thickness
 constexpr float blister_label_m = 0.00015F;
-constexpr float greatest_cell_m = 0.00725F;  // radius of an AA cell
 constexpr Vec3f tray_grey{0.62F, 0.64F, 0.66F};
 
 struct BlisterSurfaces {
@@ -74,33 +75,98 @@ void add_hood(PackBuilder& pack, float wall_y, Vec3f size, float low, std::uint1
   add_loft(pack, sections, {.triangles = 900, .most_chords = 7}, frame);
 }
 
+// A battery as IEC 60086-2 has it: greatest radius and length; `block`: 9 V, half its width across.
+struct Cell {
+  std::string_view name;
+  float radius_m, length_m;
+  bool block = false, coin = false;
+};
+constexpr Cell cells[] = {{"AA", 0.00725F, 0.0505F},
+                          {"AAA", 0.00525F, 0.0445F},
+                          {"C", 0.0131F, 0.0500F},
+                          {"D", 0.0171F, 0.0615F},
+                          {"9 V", 0.01325F, 0.0485F, true},
+                          {"CR2032", 0.0100F, 0.0032F, false, true}};
+
+Cell cell_of(const Product& product) {
+  const auto found = std::ranges::find(cells, product.variant, &Cell::name);
+  return found == std::end(cells) ? cells[0] : *found;
+}
+
+// How many the pack says it holds ("4 pieces").
+int cells_in(const Product& product) {
+  return std::clamp(std::atoi(product.net.c_str()), 1, 8);
+}
+
+void add_round_cell(PackBuilder& pack, const Cell& cell, Vec3f foot, const BlisterSurfaces& s) {
+  const auto ring = [&](float z, float share, std::uint16_t surface) {
+    return Section{.z = z * cell.length_m,
+                   .half_width = share * cell.radius_m,
+                   .half_depth = share * cell.radius_m,
+                   .surface = surface};
+  };
+  add_loft(pack,
+           {ring(0, 0.94F, s.goods),
+            ring(0.012F, 1, s.goods),
+            ring(0.66F, 1, s.metal),
+            ring(0.955F, 1, s.metal),
+            ring(0.965F, 0.93F, s.metal),
+            ring(0.965F, 0.38F, s.metal),
+            ring(0.995F, 0.36F, s.metal),
+            ring(1, 0.30F, s.metal)},
+           {.triangles = 420, .most_chords = 6},
+           PartFrame{.origin = foot});
+}
+
+// Flat against the card, its pole to the reader.
+void add_coin_cell(PackBuilder& pack, const Cell& cell, Vec3f middle, const BlisterSurfaces& s) {
+  const auto ring = [&](float z, float share) {
+    return Section{.z = z * cell.length_m,
+                   .half_width = share * cell.radius_m,
+                   .half_depth = share * cell.radius_m,
+                   .surface = s.metal};
+  };
+  add_loft(pack,
+           {ring(0, 1), ring(0.8F, 1), ring(1, 0.92F)},
+           {.triangles = 300, .most_chords = 5},
+           PartFrame{.origin = middle, .x = {1, 0, 0}, .y = {0, 0, 1}, .z = {0, -1, 0}});
+}
+
+void add_block_cell(
+    PackBuilder& pack, const Cell& cell, Vec3f foot, float deep, const BlisterSurfaces& s) {
+  const float wide = 2 * cell.radius_m, body = 0.93F * cell.length_m;
+  add_plain_box(pack, {wide, deep, body}, 0.001F, s.goods, PartFrame{.origin = foot});
+  for (const float side : {-0.25F, 0.25F})
+    add_plain_box(pack,
+                  {0.3F * wide, 0.4F * deep, cell.length_m - body},
+                  0.0005F,
+                  s.metal,
+                  PartFrame{.origin = foot + Vec3f{side * wide, 0, body}});
+}
+
 // Batteries lie side by side, poles up; nothing hides them but the film.
-void add_batteries(
-    PackBuilder& pack, float wall_y, Vec3f room, float low, const BlisterSurfaces& s) {
-  constexpr int count = 4;
-  const float radius = std::min({greatest_cell_m, 0.46F * room.x / count, 0.5F * room.y});
-  const float pitch = std::min(2.5F * radius, room.x / count);
-  const float length = std::min(7.0F * radius, 0.92F * room.z);  // AA and AAA alike
-  const float foot = low + (room.z - length) / 2;
+void add_batteries(PackBuilder& pack,
+                   const Product& product,
+                   float wall_y,
+                   Vec3f room,
+                   float low,
+                   const BlisterSurfaces& s) {
+  Cell cell = cell_of(product);
+  const int count = cells_in(product);
+  cell.radius_m = std::min({cell.radius_m,
+                            0.5F * room.x / static_cast<float>(count),
+                            cell.coin ? cell.radius_m : 0.5F * room.y});
+  cell.length_m = std::min(cell.length_m, cell.coin ? 0.5F * room.y : 0.96F * room.z);
+  const float pitch = std::min(2.5F * cell.radius_m, room.x / static_cast<float>(count));
   for (int i = 0; i < count; ++i) {
-    const float x = (static_cast<float>(i) + 0.5F - 0.5F * count) * pitch;
-    const auto ring = [&](float z, float share, std::uint16_t surface) {
-      return Section{.z = z * length,
-                     .half_width = share * radius,
-                     .half_depth = share * radius,
-                     .surface = surface};
-    };
-    add_loft(pack,
-             {ring(0, 0.94F, s.goods),
-              ring(0.012F, 1, s.goods),
-              ring(0.66F, 1, s.metal),
-              ring(0.955F, 1, s.metal),
-              ring(0.965F, 0.93F, s.metal),
-              ring(0.965F, 0.38F, s.metal),
-              ring(0.995F, 0.36F, s.metal),
-              ring(1, 0.30F, s.metal)},
-             {.triangles = 420, .most_chords = 6},
-             PartFrame{.origin = {x, wall_y - room.y + radius, foot}});
+    const float x = (static_cast<float>(i) + 0.5F - 0.5F * static_cast<float>(count)) * pitch;
+    const float foot = low + (room.z - cell.length_m) / 2;
+    if (cell.coin)
+      add_coin_cell(pack, cell, {x, wall_y - 0.3F * room.y, low + room.z / 2}, s);
+    else if (cell.block)
+      add_block_cell(pack, cell, {x, wall_y - 0.5F * room.y, foot}, 0.9F * room.y, s);
+    else
+      add_round_cell(pack, cell, {x, wall_y - room.y + cell.radius_m, foot}, s);
   }
 }
 
@@ -154,10 +220,11 @@ Result<ProductModel> make_blister(const Product& product) {
     s.metal = pack.add_surface(brush ? plastic(colors.secondary) : aluminium());
     s.goods = pack.add_surface(plastic(colors.accent));
     s.clear = pack.add_surface(plastic(tray_grey));
-    add_hood(pack, wall_y, {hood.x, 0.12F * hood.y, hood.z}, low, s.clear);
-    const Vec3f room{0.92F * hood.x, hood.y, hood.z};
+    const float tray = batteries ? w - 0.002F : hood.x;
+    add_hood(pack, wall_y, {tray, 0.12F * hood.y, hood.z}, low, s.clear);
+    const Vec3f room{batteries ? tray : 0.92F * hood.x, hood.y, hood.z};
     if (batteries)
-      add_batteries(pack, wall_y, room, low, s);
+      add_batteries(pack, product, wall_y, room, low, s);
     else
       add_handle(pack, wall_y, room, low, brush, s);
   } else {
