@@ -141,6 +141,7 @@ std::uint32_t ArmChecker::lanes_that_meet(const PartPair& pair, Rake& rake) cons
   place_balls(pair.b, rake);
   std::uint32_t lanes = 0;
   for (std::size_t i = parts_[pair.a].first_ball; i < parts_[pair.a].end_ball; ++i) {
+    if (meeting(rake.balls[i], rake.bounds[pair.b], spare) == 0) continue;
     for (std::size_t k = parts_[pair.b].first_ball; k < parts_[pair.b].end_ball; ++k)
       lanes |= meeting(rake.balls[i], rake.balls[k], spare);
   }
