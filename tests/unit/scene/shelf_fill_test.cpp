@@ -10,6 +10,7 @@
 #include <map>
 
 #include "hand_made_stock.h"
+#include "support/committed_catalog.h"
 #include "scene/scene.h"
 
 namespace marketgen {
@@ -285,6 +286,18 @@ TEST(FillShelf, NoJitterIsRulerStraight) {
 
 TEST(FillShelf, AnEmptyPlanIsAnEmptyShelf) {
   EXPECT_TRUE(fill_shelf({}, shelf_room(), {}, Catalog{}, Stream(1)).empty());
+}
+
+TEST(FillShelf, NoRoundThingThatLiesIsStoodOnAnother) {
+  int rolls = 0;
+  for (const Product& product : committed_catalog().products) {
+    const Result<CollisionPrimitive> primitive = collision_of(product);
+    ASSERT_TRUE(primitive.ok()) << product.sku;
+    if (!primitive->lying || lies_in_a_heap(product)) continue;
+    ++rolls;
+    EXPECT_EQ(product.stack_max, 1) << product.sku;
+  }
+  EXPECT_GE(rolls, 6);
 }
 
 }  // namespace
