@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <numeric>
+#include <optional>
 
 #include "bench/bench.h"
 #include "bench/sample_store.h"
@@ -59,32 +61,43 @@ WorldOptions with_arm(const Scene& scene, const Catalog& catalog) {
   return options;
 }
 
-// Products far apart that stand by themselves, so that none wakes another.
-std::vector<std::uint32_t> spread(const Scene& scene) {
-  std::vector<std::uint32_t> rows;
-  const auto all = static_cast<std::uint32_t>(scene.products.size());
-  for (std::uint32_t i = 0; i < awake; ++i) {
-    std::uint32_t row = i * (all / awake);
-    while (row + 1 < all && scene.catalog[scene.products[row].sku].category == "produce")
-      ++row;
-    rows.push_back(row);
+// Products far apart that stand by themselves, so that none wakes another. Of the region alone when
+// there is one.
+std::vector<std::uint32_t> spread(const Scene& scene,
+                                  const std::optional<std::array<double, 4>>& region_m) {
+  std::vector<std::uint32_t> there;
+  for (std::uint32_t row = 0; row < scene.products.size(); ++row) {
+    const SceneProduct& item = scene.products[row];
+    const double x = item.position_m[0], y = item.position_m[1];
+    const bool in = !region_m || (x > (*region_m)[0] && x < (*region_m)[2] && y > (*region_m)[1] &&
+                                  y < (*region_m)[3]);
+    if (in && scene.catalog[item.sku].category != "produce") there.push_back(row);
   }
+  std::vector<std::uint32_t> rows;
+  for (std::uint32_t i = 0; i < awake; ++i)
+    rows.push_back(there[i * there.size() / awake]);
   return rows;
 }
 
-// The same goods on the floor of the same room with nothing else in it.
+// The same goods in the same room with nothing else in it, each on a board of its own.
 Scene empty_room(const Scene& scene, const std::vector<std::uint32_t>& products) {
+  constexpr float board_m = 0.3F, board_half_m = 0.01F, apart_m = 0.8F;
   Scene bare = scene;
-  bare.fixtures.clear(), bare.parts.clear(), bare.joints.clear(), bare.shelves.clear();
+  bare.fixtures.assign(1, {}), bare.parts.clear(), bare.joints.clear(), bare.shelves.clear();
   bare.facings.clear(), bare.products.clear();
   float x = 1;
   for (const std::uint32_t product : products) {
+    ScenePart board;
+    board.position_m = {x, 1, 1 - board_half_m};
+    board.half_size_m = {board_m, board_m, board_half_m};
+    bare.parts.push_back(board);
     SceneProduct item = scene.products[product];
     item.facing = no_facing;
-    item.position_m = {x, 1, 0};
-    x += 0.8F;
+    item.position_m = {x, 1, 1};
+    x += apart_m;
     bare.products.push_back(item);
   }
+  bare.fixtures[0].part_count = awake;
   return bare;
 }
 
@@ -108,6 +121,40 @@ double resident_mb() {
   return resident * 4096 / 1e6;
 }
 
+struct StepTimes {
+  double in_store_s = 0, in_empty_s = 0;  // medians over the rounds
+  int awake = 0;
+};
+
+// In turn, so that both meet the same noise.
+Result<StepTimes> steps_beside_empty_room(const Scene& scene, const WorldOptions& options) {
+  const std::vector<std::uint32_t> chosen = spread(scene, options.region_m);
+  const Scene bare = empty_room(scene, chosen);
+  std::vector<std::uint32_t> in_bare(awake);
+  std::iota(in_bare.begin(), in_bare.end(), 0U);
+  WorldOptions everywhere = options;
+  everywhere.region_m = {};
+  MARKETGEN_TRY(World world, World::create(scene, options));
+  MARKETGEN_TRY(World empty, World::create(bare, everywhere));
+  std::vector<double> in_store_s, in_empty_s;
+  for (int round = 0; round < rounds; ++round) {
+    MARKETGEN_TRY(const double store_s, round_seconds(world, chosen, round));
+    MARKETGEN_TRY(const double empty_s, round_seconds(empty, in_bare, round));
+    in_store_s.push_back(store_s), in_empty_s.push_back(empty_s);
+  }
+  return StepTimes{median(in_store_s), median(in_empty_s), world.counts().in_pool};
+}
+
+Figure step_figure(std::string name, const StepTimes& times) {
+  return {std::move(name),
+          1e6 * times.in_store_s,
+          "us",
+          rounds,
+          "the same arm and goods, each on a board, in an empty room",
+          times.in_store_s / times.in_empty_s,
+          machine_name()};
+}
+
 }  // namespace
 
 Figures run_world(const Catalog& catalog) {
@@ -115,41 +162,30 @@ Figures run_world(const Catalog& catalog) {
   MARKETGEN_TRY(const Created created,
                 create_store(neighbourhood_store(scratch / "store", false), catalog));
   MARKETGEN_TRY(const Scene scene, open_scene(scratch / "store" / "scene.bin"));
-  const std::vector<std::uint32_t> chosen = spread(scene);
-  const Scene bare = empty_room(scene, chosen);
-  std::vector<std::uint32_t> in_bare;
-  for (std::uint32_t i = 0; i < awake; ++i)
-    in_bare.push_back(i);
   const WorldOptions options = with_arm(scene, catalog);
-
-  const double before_mb = resident_mb();
-  MARKETGEN_TRY(World world, World::create(scene, options));
-  const double world_mb = resident_mb() - before_mb;
-  MARKETGEN_TRY(World empty, World::create(bare, options));
-  std::vector<double> in_store_s, in_empty_s;
-  for (int round = 0; round < rounds; ++round) {  // in turn: both meet the same noise
-    MARKETGEN_TRY(const double store_s, round_seconds(world, chosen, round));
-    MARKETGEN_TRY(const double empty_s, round_seconds(empty, in_bare, round));
-    in_store_s.push_back(store_s), in_empty_s.push_back(empty_s);
-  }
-  const int really_awake = world.counts().in_pool;
-  const double build_s = median_seconds(3, [&] { (void)World::create(scene, options).ok(); });
   WorldOptions sector = options;
   sector.region_m = region_around_aisle(scene, 2000);
+
+  const double before_mb = resident_mb();
+  double world_mb = 0;
+  {
+    MARKETGEN_TRY(const World world, World::create(scene, options));
+    world_mb = resident_mb() - before_mb;
+  }
+  MARKETGEN_TRY(const StepTimes whole, steps_beside_empty_room(scene, options));
+  MARKETGEN_TRY(const StepTimes part, steps_beside_empty_room(scene, sector));
+  const double build_s = median_seconds(3, [&] { (void)World::create(scene, options).ok(); });
   const double sector_s = median_seconds(3, [&] { (void)World::create(scene, sector).ok(); });
 
   const std::string machine = machine_name();
   const auto figure = [&](std::string name, double value, std::string unit, int n) {
     return Figure{std::move(name), value, std::move(unit), n, {}, {}, machine};
   };
-  const double store_s = median(in_store_s), empty_s = median(in_empty_s);
-  Figure step = figure("world_step_arm_20_awake", 1e6 * store_s, "us", rounds);
-  step.rival = "the same arm and goods in an empty room";
-  step.ratio = store_s / empty_s;
   return std::vector<Figure>{
-      step,
-      figure("world_times_real_time", step_s / store_s, "s/s", rounds),
-      figure("world_awake", really_awake, "products", 1),
+      step_figure("world_step_arm_20_awake", whole),
+      step_figure("world_step_sector_arm_20_awake", part),
+      figure("world_times_real_time", step_s / whole.in_store_s, "s/s", rounds),
+      figure("world_awake", whole.awake, "products", 1),
       figure("world_products", static_cast<double>(scene.products.size()), "products", 1),
       figure("world_build", build_s, "s", 3),
       figure("world_build_sector", sector_s, "s", 3),

@@ -6,6 +6,7 @@
 
 #include "physics/fixture_bodies.h"
 #include "physics/spec_geoms.h"
+#include "physics/world_tree.h"
 
 namespace marketgen {
 namespace {
@@ -149,6 +150,7 @@ void settle_wake(mjData& d, const PoolBody& body) {
 }
 
 WorldBounds::WorldBounds(mjModel& m) {
+  rebuild_world_tree(m);
   const int first = m.body_bvhadr[0], count = m.body_bvhnum[0];
   parent_.assign(static_cast<std::size_t>(count), -1);
   leaf_of_.assign(static_cast<std::size_t>(m.ngeom), -1);
