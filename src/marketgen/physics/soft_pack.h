@@ -6,8 +6,8 @@
 //       +--------+--------+
 //
 // At rest the parts make up the row's box: the halves have its full cross-section, the flap ends
-// where it ends. Mass is the row's; the centre of mass is the middle of the box, as of every other
-// product of a World.
+// where it ends. Mass is the row's; it is divided so that the middle of mass lies along the pack
+// where that of the filled pack does (a pouch is fullest at its foot).
 //
 // Frame: axes of the product, origin in the middle of the row's box; SI units.
 #pragma once
@@ -37,7 +37,7 @@ struct SoftPack {
   std::array<SoftHinge, part_count - 1> hinges;    // between one part and the next
 };
 
-// False: soft_pack_of() would say none. Cheap, unlike that (a millisecond).
+// False: soft_pack_of() would say none. Cheap, unlike that (milliseconds).
 bool may_be_soft_pack(const Product& product);
 
 // None for what is no soft pack: not of film or foil, not soft, or without a seam that sticks out

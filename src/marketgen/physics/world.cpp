@@ -165,6 +165,7 @@ Result<void> World::State::obey_product(const WorldCommand& command) {
   if (command.kind == CommandKind::wake) return {};
   const auto body = static_cast<std::size_t>(body_of[product]);
   wake_carried(body);
+  wake_kept();
   live[body].hooked = false;
   d().eq_active[store.pool[body].hook] = false;
   live[body].woke_at = pose;
@@ -216,9 +217,7 @@ Result<void> World::State::start_belt(std::uint32_t joint, double speed) {
     for (const std::uint32_t product : resting_on_belt(box))
       wake(product);
   }
-  for (std::size_t body = 0; body < live.size(); ++body) {
-    if (live[body].keeps) mark_wake(d(), store.pool[body]);
-  }
+  wake_kept();
   return {};
 }
 

@@ -7,7 +7,7 @@
 // rests on a product is woken as soon as that product has moved away.
 //
 // Bags and pouches wake as soft packs (physics/soft_pack.h), from a pool of their own. One that
-// rests bent, or touched by an actor, keeps its body, asleep, until it moves and rests elsewhere.
+// rests bent, or with an actor at it, keeps its body, asleep, as long as that is so.
 //
 // Store frame, SI units. Rows are those of the Scene's tables. A World is a function of its scene,
 // its options and its commands: bit for bit, in any thread and any process. Not thread-safe; use

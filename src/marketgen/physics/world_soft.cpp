@@ -6,6 +6,9 @@
 namespace marketgen {
 namespace {
 
+// So near, an actor would wake it again at once.
+constexpr double near_actor_m = 0.005;
+
 bool is_free(const LiveBody& body) {
   return body.product < 0;
 }
@@ -56,25 +59,26 @@ void World::State::dress(std::size_t body, std::uint32_t product, const ShapePos
   std::fill_n(geom_material.begin() + made.geom, made.parts, sku_material[sku]);
 }
 
-// Not while it is bent, nor in a gripper, which would then find itself inside its box. Contacts are
-// those of the step in which it fell asleep.
+// Not while it is bent, nor while an actor is within its box: a gripper that holds it by the seam
+// would find itself inside the still shape.
 bool World::State::may_rest(std::size_t body) const {
   const PoolBody& made = store.pool[body];
   if (!made.soft()) return true;
+  if (!lies_in_its_box(m(), d(), made.body)) return false;
   const auto product = static_cast<std::uint32_t>(live[body].product);
-  const bool held = std::ranges::any_of(contacts, [&](const WorldContact& contact) {
-    return contact.a.kind == BodyKind::product && contact.a.row == product &&
-           contact.b.kind == BodyKind::actor;
+  const Box3 box = box_at(product, shape_pose(product));
+  return std::ranges::none_of(actor_geoms, [&](int geom) {
+    const Vec3 center = vec3_of(d().geom_xpos + 3 * geom);
+    const double radius = m().geom_rbound[geom];
+    const Vec3 half{radius, radius, radius};
+    return box.meets({center - half, center + half}, near_actor_m);
   });
-  return !held && lies_in_its_box(m(), d(), made.body);
 }
 
-void World::State::fall_asleep(std::size_t body) {
-  LiveBody& here = live[body];
-  if (here.keeps) return;
-  if (may_rest(body)) return rest(body);
-  here.keeps = true;
-  report(EventKind::fell_asleep, static_cast<std::uint32_t>(here.product));
+void World::State::wake_kept() {
+  for (std::size_t body = 0; body < live.size(); ++body) {
+    if (live[body].keeps) mark_wake(d(), store.pool[body]);
+  }
 }
 
 // Every part by its share of the mass: together they act at the middle of mass, and bend nothing.

@@ -98,19 +98,25 @@ bool World::State::wake(std::uint32_t product) {
   return true;
 }
 
-void World::State::rest(std::size_t body) {
+void World::State::fall_asleep(std::size_t body) {
   LiveBody& here = live[body];
+  if (!here.keeps) report_rest(body);
+  here.keeps = !may_rest(body);
+  if (here.keeps) return;
   const auto product = static_cast<std::uint32_t>(here.product);
   const ShapePose pose = shape_pose(product);
-  const Vec3 way =
-      pose_of(pose) * shape_from_product[sku_of(product)].position - here.woke_at.position;
-  report(EventKind::fell_asleep, product);
-  if (length(way) > displaced_m) report(EventKind::displaced, product);
   park_body(m(), d(), store.pool[body]);
   stand(product, pose);
   body_of[product] = -1;
   refused.assign(refused.size(), false);
   here = {};
+}
+
+void World::State::report_rest(std::size_t body) {
+  const auto product = static_cast<std::uint32_t>(live[body].product);
+  const Vec3 way = product_pose(product).position - live[body].woke_at.position;
+  report(EventKind::fell_asleep, product);
+  if (length(way) > displaced_m) report(EventKind::displaced, product);
 }
 
 void World::State::wake_carried(std::size_t body) {

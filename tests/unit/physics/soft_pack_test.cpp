@@ -31,11 +31,12 @@ Whole whole_of(const SoftPack& pack) {
   return whole;
 }
 
-// About the middle of the pack, along its axes: boxes of one density.
+// About the middle of mass, along the pack's axes: each part is a box of one density.
 Vec3 inertia_of_parts(const SoftPack& pack) {
   Vec3 sum;
+  const Vec3 middle = whole_of(pack).middle;
   for (const SoftPart& part : pack.parts) {
-    const Vec3 &c = part.center, &h = part.half_size;
+    const Vec3 c = part.center - middle, &h = part.half_size;
     const double x = c.x * c.x + h.x * h.x / 3, y = c.y * c.y + h.y * h.y / 3;
     const double z = c.z * c.z + h.z * h.z / 3;
     sum = sum + Vec3{y + z, x + z, x + y} * part.mass_kg;
@@ -48,7 +49,6 @@ TEST(SoftPack, HasTheMassSizeAndInertiaOfItsRow) {
     const Product& product = *row.product;
     const Whole whole = whole_of(row.pack);
     EXPECT_DOUBLE_EQ(whole.mass_kg, product.mass_kg) << product.sku;
-    EXPECT_LT(length(whole.middle), 2e-4) << product.sku;
     const Vec3 half{product.width_m() / 2, product.depth_m() / 2, product.height_m() / 2};
     EXPECT_LT(length(whole.high - half), 1e-3) << product.sku;
     EXPECT_LT(length(whole.low + half), 1e-3) << product.sku;
@@ -56,12 +56,29 @@ TEST(SoftPack, HasTheMassSizeAndInertiaOfItsRow) {
     const double sx = half.x * half.x, sy = half.y * half.y, sz = half.z * half.z;
     const Vec3 box = Vec3{sy + sz, sx + sz, sx + sy} * (product.mass_kg / 3);
     for (const double share : {is.x / box.x, is.y / box.y, is.z / box.z}) {
-      EXPECT_GT(share, 0.7) << product.sku;  // a flap is lighter than the box's end
+      EXPECT_GT(share, 0.6) << product.sku;  // the box's end is as heavy as its middle
       EXPECT_LT(share, 1.02) << product.sku;
     }
     for (const SoftPart& part : row.pack.parts)
       EXPECT_GT(part.mass_kg, 0) << product.sku;
   }
+}
+
+// The judge is the body of grasp trials, filled and with its mesh cut sixteen times as fine.
+TEST(SoftPack, HasItsMiddleOfMassWhereTheFilledPackHas) {
+  const std::vector<SoftRow>& rows = soft_rows();
+  std::size_t low = 0;
+  for (std::size_t i = 0; i < rows.size(); i += 20) {
+    const Product& product = *rows[i].product;
+    const Result<ProductBody> body = make_product_body(product);
+    ASSERT_TRUE(body.ok());
+    const Vec3 expected =
+        to_double(body->center_of_mass) - Vec3{0, 0, product.height_m() / 2};
+    const Vec3 off = whole_of(rows[i].pack).middle - expected;
+    EXPECT_LT(length(off), 0.003) << product.sku;
+    if (expected.z < -0.02) ++low;
+  }
+  EXPECT_GT(low, 5U);  // pouches
 }
 
 TEST(SoftPack, AreTheBagsAndPouchesWithASeam) {
@@ -91,12 +108,15 @@ TEST(SoftPack, PutsTheFlapOnTheSeam) {
   EXPECT_EQ(pouch.pack.hinges[1].axis.x, 1);
 }
 
-// The known answer of the spring: a quarter of a radian with one half level in the air.
+// The known answer of the spring: a quarter of a radian with the heavier half level in the air.
 TEST(SoftPack, SagsByFourteenDegrees) {
   for (const SoftRow& row : soft_rows()) {
-    const SoftPart& top = row.pack.parts[1];
     const SoftHinge& hinge = row.pack.hinges[0];
-    const double moment = top.mass_kg * 9.81 * length(top.center - hinge.at);
+    double moment = 0;
+    for (int half = 0; half < 2; ++half) {
+      const SoftPart& part = row.pack.parts[static_cast<std::size_t>(half)];
+      moment = std::max(moment, part.mass_kg * 9.81 * length(part.center - hinge.at));
+    }
     EXPECT_NEAR(moment / hinge.stiffness_n_m, 0.25, 1e-9) << row.product->sku;
   }
 }

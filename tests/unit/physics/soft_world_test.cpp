@@ -99,6 +99,8 @@ TEST(SoftWorld, FlapBendsUnderAFingerAndComesBack) {
   EXPECT_LT(std::abs(angle_of(world, "soft-0-flap")), 0.005);
   EXPECT_FALSE(world.awake(0));
   EXPECT_LT(distance(world.product_pose(0), pouch), 0.001);
+  const std::vector<WorldEvent> events = world.take_events();
+  EXPECT_LE(count(events, EventKind::woke), 3);  // a finger beside it does not wake it again and again
 }
 
 // Two smooth supports under its ends.
@@ -117,8 +119,9 @@ WorldOptions with_supports(double apart_m) {
   return options;
 }
 
-// Each end stands 75 mm from the hinge on half the weight: 0.19 N m up, 0.12 down at 49 mm; the
-// spring has 0.49 N m a radian, so 0.15 without friction at the supports. It then rests bent, in its slot, and gives it back when it stands again.
+// The foot's support bears 3.35 N 75 mm from the hinge, 0.251 N m; the half over it weighs 3.54 N at
+// 49 mm, 0.173 N m; the spring has 0.69 N m a radian. Without friction at the supports (0.016 N m)
+// that is 0.113 radians. It then rests bent, in its slot, and gives it back when it stands again.
 TEST(SoftWorld, SagsOverAGapAndKeepsItsSlotThere) {
   const Scene scene = floor_with(almonds);
   World world = made(scene, with_supports(0.19));
@@ -127,8 +130,7 @@ TEST(SoftWorld, SagsOverAGapAndKeepsItsSlotThere) {
   ASSERT_TRUE(world.place(0, {lying, on_its_back}).ok());
   run(world, 10 * second);
   const double sag = std::abs(angle_of(world, "soft-0-top"));
-  EXPECT_GT(sag, 0.08);
-  EXPECT_LT(sag, 0.16);
+  EXPECT_NEAR(sag, 0.113, 0.03);
   EXPECT_GT(world.product_pose(0).position.z, 0.2);
   WorldCounts counts = world.counts();
   EXPECT_EQ(counts.soft_in_pool, 1);
@@ -244,6 +246,8 @@ TEST(SoftWorld, ABadRowOrOptionIsAnError) {
 // ---- A hand with two pads, which closes along Y, lifts and shakes ----
 
 constexpr double pad_half_m = 0.008, pad_force_n = 25, open_m = 0.03;
+constexpr std::size_t one_in = 20;
+constexpr double weak_force_n = 1;  // of rubber on film that holds 160 g
 
 mjsJoint* add_slide(mjsBody* body, const char* name, std::array<double, 3> axis) {
   mjsJoint* joint = mjs_addJoint(body, nullptr);
@@ -278,12 +282,14 @@ Result<void> add_hand(mjSpec_& spec, Vec3 at) {
   hand->mass = 1, hand->explicitinertial = 1, hand->gravcomp = 1;
   hand->inertia[0] = hand->inertia[1] = hand->inertia[2] = 1e-3;
   add_slide(hand, "hand-x", {1, 0, 0});
+  add_slide(hand, "hand-y", {0, 1, 0});
   add_slide(hand, "hand-z", {0, 0, 1});
-  for (const char* axis : {"hand-x", "hand-z"})
+  for (const char* axis : {"hand-x", "hand-y", "hand-z"})
     add_servo(spec, axis, 2e4, 400);
   for (const double side : {-1.0, 1.0}) {
     const char* name = side < 0 ? "pad-left" : "pad-right";
     mjsBody* finger = mjs_addBody(hand, nullptr);
+    mjs_setName(finger->element, name);
     finger->pos[1] = side * open_m;
     finger->gravcomp = 1;
     add_slide(finger, name, {0, -side, 0})->damping[0] = pad_force_n / 0.06;  // 60 mm/s at most
@@ -298,73 +304,79 @@ Result<void> add_hand(mjSpec_& spec, Vec3 at) {
 }
 
 struct Hold {
-  double slip_m = 0, lifted_m = 0, swing_rad = 0;
+  double slip_m = 0, lifted_m = 0;
 };
 
-// Pinches what stands at `at`, lifts it by 10 cm and shakes it by 8 mm at 2 m/s^2 along X and Z.
-Hold held(World& world, Vec3 at) {
-  const int hand = slot_body(world, "hand"), flap = slot_body(world, "soft-0-flap");
-  const auto pose = [&](int body) {
+// Pinches the first soft pack, lifts it by 10 cm and shakes it by 8 mm at 2 m/s^2 along each axis.
+Hold held(World& world, double force_n) {
+  const auto pose = [&](const char* name) {
+    const int body = slot_body(world, name);
     const mjtNum *p = world.data().xpos + 3 * body, *q = world.data().xquat + 4 * body;
     return Pose{{p[0], p[1], p[2]}, {q[0], q[1], q[2], q[3]}};
+  };
+  const auto between_pads = [&] {
+    return (pose("pad-left").position + pose("pad-right").position) * 0.5;
   };
   const auto drive = [&](const char* name, double value) {
     EXPECT_TRUE(world.set_control(world.actuator(name).value(), value).ok());
   };
-  drive("pad-left", pad_force_n), drive("pad-right", pad_force_n);
+  drive("pad-left", force_n), drive("pad-right", force_n);
   run(world, second);
-  EXPECT_TRUE(world.awake(0));
-  const Vec3 pinched = inverse(pose(flap)) * pose(hand).position;  // the flap's point between pads
+  const Vec3 grasped = inverse(pose("soft-0-flap")) * between_pads();  // on the flap
   Hold hold;
-  const auto go = [&](double x, double z) {
-    drive("hand-x", x), drive("hand-z", z);
+  const auto go = [&](Vec3 to) {
+    drive("hand-x", to.x), drive("hand-y", to.y), drive("hand-z", to.z);
     run(world, 1);
-    hold.slip_m = std::max(hold.slip_m, length(pose(flap) * pinched - pose(hand).position));
-    hold.swing_rad = std::max(hold.swing_rad, std::abs(angle_of(world, "soft-0-flap")));
+    hold.slip_m = std::max(hold.slip_m, length(pose("soft-0-flap") * grasped - between_pads()));
   };
   const double before = world.product_pose(0).position.z;
   for (int i = 0; i <= second; ++i)
-    go(0, 0.1 * i / second);
+    go({0, 0, 0.1 * i / second});
   for (int i = 0; i < second; ++i)
-    go(0, 0.1);
+    go({0, 0, 0.1});
   hold.lifted_m = world.product_pose(0).position.z - before;
   constexpr double rate = 15.8;  // a second: 8 mm at 2 m/s^2
-  for (const bool sideways : {true, false}) {
-    for (int i = 0; i < 2 * second; ++i) {
-      const double shake = 0.008 * std::sin(rate * i / second);
-      go(sideways ? shake : 0, 0.1 + (sideways ? 0 : shake));
-    }
+  for (const Vec3 axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+    for (int i = 0; i < second; ++i)
+      go(Vec3{0, 0, 0.1} + axis * (0.008 * std::sin(rate * i / second)));
   }
-  static_cast<void>(at);
   return hold;
 }
 
+Hold pinched(const Product& product, double force_n) {
+  const Scene scene = floor_with(product.sku);
+  const Vec3 seam = world_from_product(scene.products[0]).position +
+                    Vec3{0, 0, product.height_m() - pad_half_m - 0.001};
+  WorldOptions options;
+  options.frictions = committed_catalog().frictions;
+  options.actor_materials = {{"pad-left", "rubber"}, {"pad-right", "rubber"}};
+  options.add_actors = [&](mjSpec_& spec) { return add_hand(spec, seam); };
+  World world = made(scene, options);
+  return held(world, force_n);
+}
+
+// One in twenty of those with the seam on top and of up to 1.1 kg.
 TEST(SoftWorld, APinchedSeamHoldsWhileItIsLiftedAndShaken) {
-  std::vector<const SoftRow*> upright;
+  std::vector<const Product*> upright, some;
   for (const SoftRow& row : soft_rows()) {
-    if (row.pack.parts[2].center.z > 0.01 && row.product->mass_kg < 1.1) upright.push_back(&row);
+    if (row.pack.parts[2].center.z > 0.01 && row.product->mass_kg < 1.1)
+      upright.push_back(row.product);
   }
   ASSERT_GT(upright.size(), 250U);
-  std::vector<const SoftRow*> some;
-  for (std::size_t i = 0; i < upright.size(); i += 12)
+  for (std::size_t i = 0; i < upright.size(); i += one_in)
     some.push_back(upright[i]);
-  const auto holds = parallel_map(some.size(), [&](std::size_t i) {
-    const Scene scene = floor_with(some[i]->product->sku);
-    const Vec3 pinch = world_from_product(scene.products[0]).position +
-                       Vec3{0, 0, some[i]->product->height_m() - pad_half_m - 0.001};
-    WorldOptions options;
-    options.frictions = committed_catalog().frictions;
-    options.actor_materials = {{"pad-left", "rubber"}, {"pad-right", "rubber"}};
-    options.add_actors = [&](mjSpec_& spec) { return add_hand(spec, pinch); };
-    World world = made(scene, options);
-    return held(world, pinch);
-  });
+  const auto holds = parallel_map(
+      some.size(), [&](std::size_t i) { return pinched(*some[i], pad_force_n); });
   for (std::size_t i = 0; i < some.size(); ++i) {
-    const std::string& sku = some[i]->product->sku;
-    std::printf("%-60s %.3f kg slip %.3f mm lifted %.1f mm swing %.3f\n", sku.c_str(), some[i]->product->mass_kg, 1e3*holds[i].slip_m, 1e3*holds[i].lifted_m, holds[i].swing_rad);
-    EXPECT_LT(holds[i].slip_m, 0.001) << sku;
-    EXPECT_NEAR(holds[i].lifted_m, 0.1, 0.01) << sku;
+    EXPECT_LT(holds[i].slip_m, 0.001) << some[i]->sku;
+    EXPECT_NEAR(holds[i].lifted_m, 0.1, 0.001) << some[i]->sku;
   }
+}
+
+TEST(SoftWorld, AWeakPinchLetsGo) {
+  const Hold hold = pinched(*soft_row(almonds).product, weak_force_n);
+  EXPECT_LT(hold.lifted_m, 0.05);
+  EXPECT_GT(hold.slip_m, 0.02);
 }
 
 }  // namespace
