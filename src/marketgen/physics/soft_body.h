@@ -30,7 +30,8 @@ Result<MujocoModel> soft_model(const SoftPack& pack,
 // collide is left as it is.
 void copy_soft_tree(mjModel& to, int body, const mjModel& from);
 
-// True when the pack is as good as straight: its halves are, and the flap hangs within the row's box.
+// True when the row's box can stand for the pack: its halves are straight within 4 degrees, and the
+// flap hangs within the box.
 bool lies_in_its_box(const mjModel& model, const mjData& data, int body);
 
 }  // namespace marketgen

@@ -247,7 +247,7 @@ TEST(SoftWorld, ABadRowOrOptionIsAnError) {
 
 constexpr double pad_half_m = 0.008, pad_force_n = 25, open_m = 0.03;
 constexpr std::size_t one_in = 20;
-constexpr double weak_force_n = 1;  // of rubber on film that holds 160 g
+constexpr double weak_force_n = 1;  // of rubber on film: bears 80 g
 
 mjsJoint* add_slide(mjsBody* body, const char* name, std::array<double, 3> axis) {
   mjsJoint* joint = mjs_addJoint(body, nullptr);
