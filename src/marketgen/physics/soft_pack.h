@@ -33,8 +33,8 @@ struct SoftHinge {
 
 struct SoftPack {
   static constexpr int part_count = 3;
-  std::array<SoftPart, part_count> parts;          // base, top, flap
-  std::array<SoftHinge, part_count - 1> hinges;    // between one part and the next
+  std::array<SoftPart, part_count> parts;        // base, top, flap
+  std::array<SoftHinge, part_count - 1> hinges;  // between one part and the next
 };
 
 // False: soft_pack_of() would say none. Cheap, unlike that (milliseconds).

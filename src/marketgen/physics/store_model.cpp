@@ -20,6 +20,8 @@ constexpr char world_where[] = "world";
 constexpr mjtSize arena_bytes = 64 << 20;
 // Slower than this for ten steps is at rest: measured, asleep after 21 to 32 resting steps.
 constexpr double bubble_sleep_below_m_s = 1e-3;
+// MuJoCo's 0.9 is by the weight of the flap, which is little: the pack would hang 2 mm lower.
+constexpr double flap_hook_impedance = 0.999;
 constexpr double pool_depth_m = -100;  // where bodies of the pool wait until first used
 constexpr int most_pool = 1024, most_soft_pool = 256;
 constexpr double most_friction = 2;  // as in a FrictionRow
@@ -198,6 +200,7 @@ class StoreBuilder {
     hook->active = false;
     mjs_setString(hook->name1, name.c_str());
     std::fill(hook->data, hook->data + mjNEQDATA, 0.0);
+    if (geoms.size() > 1) hook->solimp[0] = hook->solimp[1] = flap_hook_impedance;
     pool_.push_back({body, std::move(geoms), hook});
   }
 

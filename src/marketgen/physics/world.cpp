@@ -160,7 +160,7 @@ Result<void> World::State::obey_product(const WorldCommand& command) {
     return bad_command(
         command.kind == CommandKind::wake ? "wake" : "place",
         fmt::format("all {} bodies of the pool are moving; ask for more in WorldOptions.pool",
-                    live.size()));
+                    options.pool));
   }
   if (command.kind == CommandKind::wake) return {};
   const auto body = static_cast<std::size_t>(body_of[product]);

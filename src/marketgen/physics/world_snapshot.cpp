@@ -126,6 +126,10 @@ Result<void> World::restore(const WorldSnapshot& snapshot) {
                  "the snapshot is empty or was taken of another scene or with other options"};
   }
   const WorldSnapshot::Content& from = *snapshot.content;
+  for (const LiveBody& body : from.live) {
+    if (body.product >= 0) s.soft_goods(static_cast<std::uint32_t>(body.product));
+  }
+  if (s.fault) return *std::exchange(s.fault, {});
   s.stand_as_built();
   for (const MovedProduct& item : from.moved) {
     s.moved.emplace(item.product, item.first);
@@ -135,8 +139,6 @@ Result<void> World::restore(const WorldSnapshot& snapshot) {
   for (std::size_t body = 0; body < s.live.size(); ++body) {
     if (s.live[body].product < 0) continue;
     const auto product = static_cast<std::uint32_t>(s.live[body].product);
-    if (s.store.pool[body].soft() && s.soft_goods(product) == nullptr)
-      return *std::exchange(s.fault, {});
     switch_geom(s.m(), s.store.product_geom[product], false);
     s.grid.remove(product);
     s.dress(body, product, {});

@@ -103,6 +103,30 @@ TEST(SoftWorld, FlapBendsUnderAFingerAndComesBack) {
   EXPECT_LE(count(events, EventKind::woke), 3);  // a finger beside it does not wake it again and again
 }
 
+// From its flap, until a pull of five times its weight takes it off.
+TEST(SoftWorld, APouchHangsByItsSealUntilItIsPulled) {
+  HandMadeScene shop;
+  shop.scene.shelves[1].use = ShelfUse::hang;
+  shop.scene.catalog.push_back(*soft_row(almonds).product);
+  shop.add(3, {3, on_shelf_y, 0.8F});
+  World world = made(shop.scene);
+  const Pose first = world.product_pose(0);
+  ASSERT_TRUE(world.wake(0).ok());
+  run(world, 10 * second);
+  EXPECT_FALSE(world.awake(0));
+  EXPECT_LT(distance(world.product_pose(0), first), 0.001);
+
+  World pulled = made(shop.scene);
+  ASSERT_TRUE(pulled.push(0, {{0, 0.5, 0}, {}}).ok());
+  run(pulled, second);
+  EXPECT_EQ(pulled.counts().soft_in_pool, 1);
+  EXPECT_GT(pulled.product_pose(0).position.z, 0.78);  // swings, and hangs
+  EXPECT_GT(std::abs(angle_of(pulled, "soft-0-flap") + angle_of(pulled, "soft-0-top")), 1e-3);
+  ASSERT_TRUE(pulled.push(0, {{0, -20, -15}, {}}).ok());
+  run(pulled, second);
+  EXPECT_LT(pulled.product_pose(0).position.z, 0.6);
+}
+
 // Two smooth supports under its ends.
 WorldOptions with_supports(double apart_m) {
   WorldOptions options;
