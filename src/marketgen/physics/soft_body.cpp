@@ -45,7 +45,8 @@ void copy_bodies(mjModel& to, int at, const mjModel& from) {
   copy_rows(to.body_inertia, at, from.body_inertia, first, n, 3);
   copy_rows(to.body_invweight0, at, from.body_invweight0, first, n, 2);
   for (int i = 0; i < n; ++i)
-    copy_rows(to.bvh_aabb, to.body_bvhadr[at + i], from.bvh_aabb, from.body_bvhadr[first + i], 1, 6);
+    copy_rows(
+        to.bvh_aabb, to.body_bvhadr[at + i], from.bvh_aabb, from.body_bvhadr[first + i], 1, 6);
 }
 
 void copy_joints(mjModel& to, int at, const mjModel& from) {
@@ -104,8 +105,7 @@ Result<MujocoModel> soft_model(const SoftPack& pack,
                                const std::string& where) {
   const MujocoSpec spec(mj_makeSpec(), mj_deleteSpec);
   spec->compiler.degree = false;
-  for (mjsGeom* geom :
-       add_soft_body(mjs_findBody(spec.get(), "world"), pack, "pack").geoms)
+  for (mjsGeom* geom : add_soft_body(mjs_findBody(spec.get(), "world"), pack, "pack").geoms)
     set_goods_contact(geom, contact);
   return compile(*spec, where);
 }
@@ -118,11 +118,10 @@ void copy_soft_tree(mjModel& to, int body, const mjModel& from) {
 }
 
 bool lies_in_its_box(const mjModel& m, const mjData& d, int body) {
-  const auto angle = [&](int part) {
-    return std::abs(d.qpos[m.jnt_qposadr[m.body_jntadr[part]]]);
-  };
+  const auto angle = [&](int part) { return std::abs(d.qpos[m.jnt_qposadr[m.body_jntadr[part]]]); };
   const int top = body + 1, flap = body + 2;
-  const double flap_length = 2 * mju_norm3(m.geom_pos + 3 * m.body_geomadr[flap]);  // from its hinge
+  const double flap_length =
+      2 * mju_norm3(m.geom_pos + 3 * m.body_geomadr[flap]);  // from its hinge
   const mjtNum* half = m.geom_size + 3 * m.body_geomadr[top];
   return angle(top) < straight_rad &&
          flap_length * std::sin(angle(flap)) < std::min({half[0], half[1], half[2]});

@@ -26,8 +26,8 @@ constexpr double set_in_m = 0.001;
 // Film and what of the contents moves with it. Film alone is 0.5 % of a bag; contact with a body as
 // light beside what hangs on it is too yielding to hold.
 constexpr double flap_mass_share = 0.03;
-// Bending stiffness of sealed laminate, E t^3 / 12 (1 - v^2): two layers of PET 12 um / PE 80 to 120
-// um, t = 0.26 mm in all, E = 0.6 GPa (LDPE 0.2, PET 4 GPa by their share; Ashby, "Materials
+// Bending stiffness of sealed laminate, E t^3 / 12 (1 - v^2): two layers of PET 12 um / PE 80 to
+// 120 um, t = 0.26 mm in all, E = 0.6 GPa (LDPE 0.2, PET 4 GPa by their share; Ashby, "Materials
 // Selection in Mechanical Design").
 constexpr double film_stiffness_n_m = 1e-3;
 // As the flap is heavier than film, its spring bears at least so many times what it weighs on its
@@ -44,8 +44,8 @@ constexpr double flap_limit_rad = 1.7;  // lies back on the pack
 constexpr int mass_columns = 40;
 // Each half has at least this share, however much lies at one end.
 constexpr double least_share = 0.15;
-// The spring bears so many times the moment with which the heavier half weighs on the hinge when the
-// pack is held level by the other: it then sags by a quarter of a radian, 14 degrees. Less than
+// The spring bears so many times the moment with which the heavier half weighs on the hinge when
+// the pack is held level by the other: it then sags by a quarter of a radian, 14 degrees. Less than
 // once, and a standing bag would fold under its own weight.
 constexpr double core_stiffness_share = 4;
 // Of critical damping: loose filling grinds, and a bag that is dropped does not ring.
@@ -169,14 +169,15 @@ Result<void> check_row(const Product& product) {
   const auto& size = product.size_mm;
   const bool sized = size[0] > 0 && size[1] > 0 && size[2] > 0;
   if (product.mass_kg > 0 && std::isfinite(product.mass_kg) && sized) return {};
-  return Error{"catalog.bad_row",
-               product.sku,
-               fmt::format("a soft pack needs a mass and a size greater than 0; it has {} kg and {} "
-                           "x {} x {} mm",
-                           product.mass_kg,
-                           size[0],
-                           size[1],
-                           size[2])};
+  return Error{
+      "catalog.bad_row",
+      product.sku,
+      fmt::format("a soft pack needs a mass and a size greater than 0; it has {} kg and {} "
+                  "x {} x {} mm",
+                  product.mass_kg,
+                  size[0],
+                  size[1],
+                  size[2])};
 }
 
 }  // namespace

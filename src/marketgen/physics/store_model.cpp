@@ -74,8 +74,7 @@ Result<GoodsShape> goods_shape_of(const Product& product) {
   goods.mass_kg = product.mass_kg;
   goods.inertia_kg_m2 = inertia_of(goods.shape, product.mass_kg);
   goods.stands_share = stands_share_of(product);
-  goods.may_be_soft =
-      may_be_soft_pack(product) && goods.shape.shape == CollisionShape::box;
+  goods.may_be_soft = may_be_soft_pack(product) && goods.shape.shape == CollisionShape::box;
   return goods;
 }
 
@@ -85,7 +84,8 @@ SoftPack unused_soft_pack() {
   pack.parts = {{{{0, 0, -0.08}, {0.1, 0.05, 0.07}, 0.5},
                  {{0, 0, 0.06}, {0.1, 0.05, 0.07}, 0.5},
                  {{0, 0, 0.14}, {0.1, 0.001, 0.01}, 0.03}}};
-  pack.hinges = {{{{0, 0, -0.01}, {1, 0, 0}, 1, 0.1, 0.8}, {{0, 0, 0.13}, {1, 0, 0}, 0.01, 0.01, 1}}};
+  pack.hinges = {
+      {{{0, 0, -0.01}, {1, 0, 0}, 1, 0.1, 0.8}, {{0, 0, 0.13}, {1, 0, 0}, 0.01, 0.01, 1}}};
   return pack;
 }
 

@@ -15,8 +15,8 @@ struct GoodsShape {
   ContactShape shape;  // product_from_shape
   GoodsContact contact;
   double mass_kg = 0;
-  Vec3 inertia_kg_m2;       // about the shape's axes, of a uniform body
-  double stands_share = 0;  // of its weight: a lesser push sideways neither slides nor tips it
+  Vec3 inertia_kg_m2;        // about the shape's axes, of a uniform body
+  double stands_share = 0;   // of its weight: a lesser push sideways neither slides nor tips it
   bool may_be_soft = false;  // see may_be_soft_pack()
 };
 
@@ -43,10 +43,10 @@ struct JointAddress {
 
 struct StoreModel {
   MujocoModel model{nullptr, mj_deleteModel};
-  std::vector<GoodsShape> goods;  // by row of the catalog
-  std::vector<int> product_geom;  // by product; -1: absent
-  std::vector<GeomOwner> owners;  // by geom
-  std::vector<PoolBody> pool;      // rigid ones first
+  std::vector<GoodsShape> goods;     // by row of the catalog
+  std::vector<int> product_geom;     // by product; -1: absent
+  std::vector<GeomOwner> owners;     // by geom
+  std::vector<PoolBody> pool;        // rigid ones first
   std::vector<JointAddress> joints;  // by row of Scene::joints
 };
 

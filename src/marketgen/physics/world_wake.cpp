@@ -41,7 +41,8 @@ std::vector<std::uint32_t> World::State::resting_on(std::uint32_t product, const
   return carried;
 }
 
-// Goods on pegs hang from the middle of their upper edge; soft packs, from the flap if that is there.
+// Goods on pegs hang from the middle of their upper edge; soft packs, from the flap if that is
+// there.
 void World::State::hook(std::size_t body, std::uint32_t product) {
   const std::uint32_t sku = sku_of(product);
   const PoolBody& made = store.pool[body];

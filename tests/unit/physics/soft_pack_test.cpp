@@ -18,9 +18,8 @@ Whole whole_of(const SoftPack& pack) {
   Whole whole;
   for (const SoftPart& part : pack.parts) {
     const Vec3 low = part.center - part.half_size, high = part.center + part.half_size;
-    whole.low = {std::min(whole.low.x, low.x),
-                 std::min(whole.low.y, low.y),
-                 std::min(whole.low.z, low.z)};
+    whole.low = {
+        std::min(whole.low.x, low.x), std::min(whole.low.y, low.y), std::min(whole.low.z, low.z)};
     whole.high = {std::max(whole.high.x, high.x),
                   std::max(whole.high.y, high.y),
                   std::max(whole.high.z, high.z)};
@@ -72,8 +71,7 @@ TEST(SoftPack, HasItsMiddleOfMassWhereTheFilledPackHas) {
     const Product& product = *rows[i].product;
     const Result<ProductBody> body = make_product_body(product);
     ASSERT_TRUE(body.ok());
-    const Vec3 expected =
-        to_double(body->center_of_mass) - Vec3{0, 0, product.height_m() / 2};
+    const Vec3 expected = to_double(body->center_of_mass) - Vec3{0, 0, product.height_m() / 2};
     const Vec3 off = whole_of(rows[i].pack).middle - expected;
     EXPECT_LT(length(off), 0.003) << product.sku;
     if (expected.z < -0.02) ++low;

@@ -73,9 +73,8 @@ TEST(SoftWorld, EverySoftPackStandsStillWhereItsRowSays) {
       products.push_back(rows[i].product);
     scenes.push_back(floor_of(products, 0.44F));
   }
-  for (const std::string& wrong : parallel_map(scenes.size(), [&](std::size_t i) {
-         return drifted(scenes[i]);
-       }))
+  for (const std::string& wrong :
+       parallel_map(scenes.size(), [&](std::size_t i) { return drifted(scenes[i]); }))
     EXPECT_EQ(wrong, "");
 }
 
@@ -100,7 +99,8 @@ TEST(SoftWorld, FlapBendsUnderAFingerAndComesBack) {
   EXPECT_FALSE(world.awake(0));
   EXPECT_LT(distance(world.product_pose(0), pouch), 0.001);
   const std::vector<WorldEvent> events = world.take_events();
-  EXPECT_LE(count(events, EventKind::woke), 3);  // a finger beside it does not wake it again and again
+  EXPECT_LE(count(events, EventKind::woke),
+            3);  // a finger beside it does not wake it again and again
 }
 
 // From its flap, until a pull of five times its weight takes it off.
@@ -143,9 +143,10 @@ WorldOptions with_supports(double apart_m) {
   return options;
 }
 
-// The foot's support bears 3.35 N 75 mm from the hinge, 0.251 N m; the half over it weighs 3.54 N at
-// 49 mm, 0.173 N m; the spring has 0.69 N m a radian. Without friction at the supports (0.016 N m)
-// that is 0.113 radians. It then rests bent, in its slot, and gives it back when it stands again.
+// The foot's support bears 3.35 N 75 mm from the hinge, 0.251 N m; the half over it weighs 3.54 N
+// at 49 mm, 0.173 N m; the spring has 0.69 N m a radian. Without friction at the supports (0.016 N
+// m) that is 0.113 radians. It then rests bent, in its slot, and gives it back when it stands
+// again.
 TEST(SoftWorld, SagsOverAGapAndKeepsItsSlotThere) {
   const Scene scene = floor_with(almonds);
   World world = made(scene, with_supports(0.19));
@@ -318,8 +319,7 @@ Result<void> add_hand(mjSpec_& spec, Vec3 at) {
     finger->gravcomp = 1;
     add_slide(finger, name, {0, -side, 0})->damping[0] = pad_force_n / 0.06;  // 60 mm/s at most
     add_motor(spec, name);
-    mjsGeom* pad = add_shape(
-        finger, {CollisionShape::box, {}, {pad_half_m, 0.004, pad_half_m}});
+    mjsGeom* pad = add_shape(finger, {CollisionShape::box, {}, {pad_half_m, 0.004, pad_half_m}});
     mjs_setName(pad->element, name);
     pad->mass = 0.1;
     pad->condim = 4;
@@ -389,8 +389,8 @@ TEST(SoftWorld, APinchedSeamHoldsWhileItIsLiftedAndShaken) {
   ASSERT_GT(upright.size(), 250U);
   for (std::size_t i = 0; i < upright.size(); i += one_in)
     some.push_back(upright[i]);
-  const auto holds = parallel_map(
-      some.size(), [&](std::size_t i) { return pinched(*some[i], pad_force_n); });
+  const auto holds =
+      parallel_map(some.size(), [&](std::size_t i) { return pinched(*some[i], pad_force_n); });
   for (std::size_t i = 0; i < some.size(); ++i) {
     EXPECT_LT(holds[i].slip_m, 0.001) << some[i]->sku;
     EXPECT_NEAR(holds[i].lifted_m, 0.1, 0.001) << some[i]->sku;
