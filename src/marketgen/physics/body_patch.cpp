@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "physics/fixture_bodies.h"
+#include "physics/soft_body.h"
 #include "physics/spec_geoms.h"
 #include "physics/world_tree.h"
 
@@ -63,10 +64,15 @@ void dress_inertia(mjModel& m, const PoolBody& body, const GoodsShape& goods, do
   write(m.dof_M0 + d + 3, inertia);
 }
 
-void set_collides(mjModel& m, const PoolBody& body, bool on) {
-  const int type = on ? goods_contact_type : 0, affinity = on ? goods_affinity : 0;
-  m.geom_contype[body.geom] = m.body_contype[body.body] = type;
-  m.geom_conaffinity[body.geom] = m.body_conaffinity[body.body] = affinity;
+// At rest at `pose`, a soft pack straight.
+void put_at_rest(mjData& d, const PoolBody& body, const ShapePose& pose) {
+  mju_copy(d.qpos + body.qpos, pose.position, 3);
+  mju_copy(d.qpos + body.qpos + 3, pose.rotation, 4);
+  mju_zero(d.qpos + body.qpos + 7, body.parts - 1);
+  mju_zero(d.qvel + body.dof, body.dofs());
+  mju_zero(d.qacc + body.dof, body.dofs());
+  mju_zero(d.qacc_warmstart + body.dof, body.dofs());
+  mark_wake(d, body);
 }
 
 // Takes a sleeping tree out of the ring of those that fell asleep with it.
@@ -124,17 +130,27 @@ void dress_body(
     write(box, {});
     write(box + 3, bounds.half);
   }
-  set_collides(m, body, true);
-  mju_copy(d.qpos + body.qpos, pose.position, 3);
-  mju_copy(d.qpos + body.qpos + 3, pose.rotation, 4);
-  mju_zero(d.qvel + body.dof, 6);
-  mju_zero(d.qacc + body.dof, 6);
-  mju_zero(d.qacc_warmstart + body.dof, 6);
-  mark_wake(d, body);
+  collide_body(m, body, true);
+  put_at_rest(d, body, pose);
+}
+
+void dress_soft_body(
+    mjModel& m, mjData& d, const PoolBody& body, const mjModel& pack, const ShapePose& pose) {
+  copy_soft_tree(m, body.body, pack);
+  collide_body(m, body, true);
+  put_at_rest(d, body, pose);
+}
+
+void collide_body(mjModel& m, const PoolBody& body, bool on) {
+  const int type = on ? goods_contact_type : 0, affinity = on ? goods_affinity : 0;
+  for (int part = 0; part < body.parts; ++part) {
+    m.geom_contype[body.geom + part] = m.body_contype[body.body + part] = type;
+    m.geom_conaffinity[body.geom + part] = m.body_conaffinity[body.body + part] = affinity;
+  }
 }
 
 void park_body(mjModel& m, mjData& d, const PoolBody& body) {
-  set_collides(m, body, false);
+  collide_body(m, body, false);
   d.eq_active[body.hook] = false;
   sleep_alone(d, body.tree);
 }

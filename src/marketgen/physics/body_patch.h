@@ -27,6 +27,10 @@ void dress_body(mjModel& model,
                 const PoolBody& body,
                 const GoodsShape& goods,
                 const ShapePose& pose);
+// The same for a soft slot, which becomes the pack of soft_model(), straight.
+void dress_soft_body(
+    mjModel& model, mjData& data, const PoolBody& body, const mjModel& pack, const ShapePose& pose);
+void collide_body(mjModel& model, const PoolBody& body, bool on);
 // It no longer collides and sleeps alone. It must be asleep.
 void park_body(mjModel& model, mjData& data, const PoolBody& body);
 // The next step finds it awake: a force of -0 is a change to MuJoCo, and none to the body.

@@ -7,6 +7,7 @@
 
 #include "physics/fixture_bodies.h"
 #include "physics/shell_pieces.h"
+#include "physics/soft_body.h"
 #include "physics/spec_geoms.h"
 #include "physics/still_geoms.h"
 #include "scene/placements.h"
@@ -19,8 +20,10 @@ constexpr char world_where[] = "world";
 constexpr mjtSize arena_bytes = 64 << 20;
 // Slower than this for ten steps is at rest: measured, asleep after 21 to 32 resting steps.
 constexpr double bubble_sleep_below_m_s = 1e-3;
+// MuJoCo's 0.9 is by the weight of the flap, which is little: the pack would hang 2 mm lower.
+constexpr double flap_hook_impedance = 0.999;
 constexpr double pool_depth_m = -100;  // where bodies of the pool wait until first used
-constexpr int most_pool = 1024;
+constexpr int most_pool = 1024, most_soft_pool = 256;
 constexpr double most_friction = 2;  // as in a FrictionRow
 
 using Region = std::array<double, 4>;
@@ -71,7 +74,19 @@ Result<GoodsShape> goods_shape_of(const Product& product) {
   goods.mass_kg = product.mass_kg;
   goods.inertia_kg_m2 = inertia_of(goods.shape, product.mass_kg);
   goods.stands_share = stands_share_of(product);
+  goods.may_be_soft = may_be_soft_pack(product) && goods.shape.shape == CollisionShape::box;
   return goods;
+}
+
+// What a soft slot is before it first becomes a pack: a bag of 2 x 1 x 3 decimetres.
+SoftPack unused_soft_pack() {
+  SoftPack pack;
+  pack.parts = {{{{0, 0, -0.08}, {0.1, 0.05, 0.07}, 0.5},
+                 {{0, 0, 0.06}, {0.1, 0.05, 0.07}, 0.5},
+                 {{0, 0, 0.14}, {0.1, 0.001, 0.01}, 0.03}}};
+  pack.hinges = {
+      {{{0, 0, -0.01}, {1, 0, 0}, 1, 0.1, 0.8}, {{0, 0, 0.13}, {1, 0, 0}, 0.01, 0.01, 1}}};
+  return pack;
 }
 
 class StoreBuilder {
@@ -125,22 +140,19 @@ class StoreBuilder {
 
   void add_pool() {
     for (int i = 0; i < options_.pool; ++i) {
+      const std::string name = fmt::format("pool-{}", i);
       mjsBody* body = mjs_addBody(world_, nullptr);
-      mjs_setName(body->element, fmt::format("pool-{}", i).c_str());
-      body->pos[0] = i, body->pos[2] = pool_depth_m;
-      body->sleep = mjSLEEP_INIT;
+      mjs_setName(body->element, name.c_str());
       mjs_addFreeJoint(body);
       mjsGeom* geom = add_shape(
           body, {CollisionShape::box, {}, {0.05, 0.05, 0.05}});  // replaced when first used
       geom->mass = 1;
-      geom->conaffinity = goods_affinity;
-      mjsEquality* hook = mjs_addEquality(spec_.get(), nullptr);
-      hook->type = mjEQ_CONNECT;
-      hook->objtype = mjOBJ_BODY;
-      hook->active = false;
-      mjs_setString(hook->name1, fmt::format("pool-{}", i).c_str());
-      std::fill(hook->data, hook->data + mjNEQDATA, 0.0);
-      pool_.push_back({body, geom, hook});
+      add_slot(name, body, {geom});
+    }
+    for (int i = 0; i < options_.soft_pool; ++i) {
+      const std::string name = fmt::format("soft-{}", i);
+      const SoftElements made = add_soft_body(world_, unused_soft_pack(), name);
+      add_slot(name, made.bodies[0], {made.geoms.begin(), made.geoms.end()});
     }
   }
 
@@ -172,9 +184,25 @@ class StoreBuilder {
  private:
   struct PoolElements {
     mjsBody* body;
-    mjsGeom* geom;
+    std::vector<mjsGeom*> geoms;
     mjsEquality* hook;
   };
+
+  // Asleep, in a row far below the floor, on no hook.
+  void add_slot(const std::string& name, mjsBody* body, std::vector<mjsGeom*> geoms) {
+    body->pos[0] = static_cast<double>(pool_.size()), body->pos[2] = pool_depth_m;
+    body->sleep = mjSLEEP_INIT;
+    for (mjsGeom* geom : geoms)
+      geom->conaffinity = goods_affinity;
+    mjsEquality* hook = mjs_addEquality(spec_.get(), nullptr);
+    hook->type = mjEQ_CONNECT;
+    hook->objtype = mjOBJ_BODY;
+    hook->active = false;
+    mjs_setString(hook->name1, name.c_str());
+    std::fill(hook->data, hook->data + mjNEQDATA, 0.0);
+    if (geoms.size() > 1) hook->solimp[0] = hook->solimp[1] = flap_hook_impedance;
+    pool_.push_back({body, std::move(geoms), hook});
+  }
 
   bool near(const ContactShape& shape) const {
     return !options_.region_m ||
@@ -198,14 +226,17 @@ class StoreBuilder {
       owner(product_geoms_[row]) = {BodyKind::product, row};
       made.product_geom[row] = mjs_getId(product_geoms_[row]->element);
     }
-    for (std::uint32_t i = 0; i < pool_.size(); ++i)
-      owner(pool_[i].geom) = {BodyKind::product, i, true};
+    for (std::uint32_t i = 0; i < pool_.size(); ++i) {
+      for (const mjsGeom* geom : pool_[i].geoms)
+        owner(geom) = {BodyKind::product, i, true};
+    }
   }
 
   static PoolBody pool_body(const mjModel& model, const PoolElements& elements) {
     PoolBody made;
     made.body = mjs_getId(elements.body->element);
-    made.geom = mjs_getId(elements.geom->element);
+    made.geom = mjs_getId(elements.geoms.front()->element);
+    made.parts = static_cast<int>(elements.geoms.size());
     made.hook = mjs_getId(elements.hook->element);
     made.tree = model.body_treeid[made.body];
     made.dof = model.body_dofadr[made.body];
@@ -237,6 +268,10 @@ Result<void> check_options(const WorldOptions& options) {
   if (options.pool < 1 || options.pool > most_pool)
     return bad_option("pool",
                       fmt::format("{} bodies; 1 to {} are possible", options.pool, most_pool));
+  if (options.soft_pool < 0 || options.soft_pool > most_soft_pool)
+    return bad_option(
+        "soft_pool",
+        fmt::format("{} bodies; 0 to {} are possible", options.soft_pool, most_soft_pool));
   if (!(options.wake_within_m >= 0 && options.wake_within_m <= 0.5))
     return bad_option("wake_within_m",
                       fmt::format("{} m; 0 to 0.5 are possible", options.wake_within_m));

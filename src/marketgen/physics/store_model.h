@@ -1,5 +1,5 @@
 // The MuJoCo model of a World: the room, the fixtures, every product as a static geom, and a pool
-// of free bodies that stand in for products while they move.
+// of free bodies, rigid and soft, that stand in for products while they move.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -15,13 +15,19 @@ struct GoodsShape {
   ContactShape shape;  // product_from_shape
   GoodsContact contact;
   double mass_kg = 0;
-  Vec3 inertia_kg_m2;       // about the shape's axes, of a uniform body
-  double stands_share = 0;  // of its weight: a lesser push sideways neither slides nor tips it
+  Vec3 inertia_kg_m2;        // about the shape's axes, of a uniform body
+  double stands_share = 0;   // of its weight: a lesser push sideways neither slides nor tips it
+  bool may_be_soft = false;  // see may_be_soft_pack()
 };
 
-// A free body of the pool and the constraint that hangs it on a hook.
+// A free body of the pool and the constraint that hangs it on a hook. Of a soft pack the first of
+// `parts` bodies, with as many geoms, and a hinge for each that hangs on it.
 struct PoolBody {
   int body = 0, geom = 0, tree = 0, qpos = 0, dof = 0, hook = 0;
+  int parts = 1;
+
+  bool soft() const { return parts > 1; }
+  int dofs() const { return 6 + parts - 1; }
 };
 
 // What a geom stands for.
@@ -37,10 +43,10 @@ struct JointAddress {
 
 struct StoreModel {
   MujocoModel model{nullptr, mj_deleteModel};
-  std::vector<GoodsShape> goods;  // by row of the catalog
-  std::vector<int> product_geom;  // by product; -1: absent
-  std::vector<GeomOwner> owners;  // by geom
-  std::vector<PoolBody> pool;
+  std::vector<GoodsShape> goods;     // by row of the catalog
+  std::vector<int> product_geom;     // by product; -1: absent
+  std::vector<GeomOwner> owners;     // by geom
+  std::vector<PoolBody> pool;        // rigid ones first
   std::vector<JointAddress> joints;  // by row of Scene::joints
 };
 

@@ -158,19 +158,21 @@ Result<void> World::State::obey_product(const WorldCommand& command) {
     return {};
   }
   if (!wake(product)) {
+    if (fault) return *std::exchange(fault, {});
     return bad_command(
         command.kind == CommandKind::wake ? "wake" : "place",
         fmt::format("all {} bodies of the pool are moving; ask for more in WorldOptions.pool",
-                    live.size()));
+                    options.pool));
   }
   if (command.kind == CommandKind::wake) return {};
   const auto body = static_cast<std::size_t>(body_of[product]);
   wake_carried(body);
+  wake_kept();
   live[body].hooked = false;
   d().eq_active[store.pool[body].hook] = false;
   live[body].woke_at = pose;
-  const GoodsShape& goods = store.goods[sku_of(product)];
-  dress_body(m(), d(), store.pool[body], goods, shape_pose_of(pose * goods.shape.pose));
+  const Pose& in_product = store.goods[sku_of(product)].shape.pose;
+  dress(body, product, shape_pose_of(pose * in_product));
   return {};
 }
 
@@ -217,6 +219,7 @@ Result<void> World::State::start_belt(std::uint32_t joint, double speed) {
     for (const std::uint32_t product : resting_on_belt(box))
       wake(product);
   }
+  wake_kept();
   return {};
 }
 
@@ -345,9 +348,10 @@ WorldCounts World::counts() const {
   for (std::size_t body = 0; body < s.live.size(); ++body) {
     if (s.live[body].product < 0) continue;
     ++counts.in_pool;
+    if (s.store.pool[body].soft()) ++counts.soft_in_pool;
     if (!s.asleep(body)) ++counts.awake;
   }
-  counts.woken = s.woken, counts.refused = s.refusals;
+  counts.woken = s.woken, counts.refused = s.refusals, counts.stiffened = s.stiffened;
   return counts;
 }
 

@@ -6,6 +6,9 @@
 // come to rest its body goes back to the pool and its static shape stands where it now lies. What
 // rests on a product is woken as soon as that product has moved away.
 //
+// Bags and pouches wake as soft packs (physics/soft_pack.h), from a pool of their own. One that
+// rests bent, or with an actor at it, keeps its body, asleep, as long as that is so.
+//
 // Store frame, SI units. Rows are those of the Scene's tables. A World is a function of its scene,
 // its options and its commands: bit for bit, in any thread and any process. Not thread-safe; use
 // one World a thread. The Scene must outlive it.
@@ -35,6 +38,7 @@ struct WorldOptions {
   // x0, y0, x1, y1: only what stands there is in the model; other products are absent. Empty: all.
   std::optional<std::array<double, 4>> region_m = {};
   int pool = 128;            // products that can be awake at once, 1..1024
+  int soft_pool = 12;        // bags and pouches that can be awake as soft packs, 0..256
   double wake_within_m = 0;  // wakes products this near to an actor before it touches them, 0..0.5
   bool articulated = true;   // doors, drawers, flaps and keys move; otherwise they stand at 0
   std::vector<FrictionRow> frictions =
@@ -97,7 +101,9 @@ struct ProductMotion {
 
 struct WorldCounts {
   int products = 0, awake = 0, in_pool = 0;  // in the model; moving; bodies in use
-  std::int64_t woken = 0, refused = 0;       // since the start
+  int soft_in_pool = 0;                      // of those in use, soft packs
+  // Since the start. Stiffened: soft packs that woke as rigid boxes, all soft bodies being in use.
+  std::int64_t woken = 0, refused = 0, stiffened = 0;
 };
 
 struct WorldSnapshot;

@@ -31,7 +31,7 @@ struct WorldSnapshot::Content {
   std::vector<WorldContact> contacts;
   std::vector<WorldEvent> events;
   std::vector<WorldCommand> commands;
-  std::int64_t steps = 0, woken = 0, refusals = 0;
+  std::int64_t steps = 0, woken = 0, refusals = 0, stiffened = 0;
 };
 
 namespace {
@@ -94,6 +94,7 @@ WorldSnapshot World::snapshot() const {
   made->events = s.events;
   made->commands = s.commands;
   made->steps = s.steps, made->woken = s.woken, made->refusals = s.refusals;
+  made->stiffened = s.stiffened;
   return {made};
 }
 
@@ -112,8 +113,7 @@ void World::State::stand_as_built() {
   for (std::size_t body = 0; body < live.size(); ++body) {
     if (live[body].product < 0) continue;
     body_of[static_cast<std::size_t>(live[body].product)] = -1;
-    m().geom_contype[store.pool[body].geom] = m().body_contype[store.pool[body].body] = 0;
-    m().geom_conaffinity[store.pool[body].geom] = m().body_conaffinity[store.pool[body].body] = 0;
+    collide_body(m(), store.pool[body], false);
   }
 }
 
@@ -126,6 +126,10 @@ Result<void> World::restore(const WorldSnapshot& snapshot) {
                  "the snapshot is empty or was taken of another scene or with other options"};
   }
   const WorldSnapshot::Content& from = *snapshot.content;
+  for (const LiveBody& body : from.live) {
+    if (body.product >= 0) s.soft_goods(static_cast<std::uint32_t>(body.product));
+  }
+  if (s.fault) return *std::exchange(s.fault, {});
   s.stand_as_built();
   for (const MovedProduct& item : from.moved) {
     s.moved.emplace(item.product, item.first);
@@ -135,12 +139,10 @@ Result<void> World::restore(const WorldSnapshot& snapshot) {
   for (std::size_t body = 0; body < s.live.size(); ++body) {
     if (s.live[body].product < 0) continue;
     const auto product = static_cast<std::uint32_t>(s.live[body].product);
-    const PoolBody& made = s.store.pool[body];
     switch_geom(s.m(), s.store.product_geom[product], false);
     s.grid.remove(product);
-    dress_body(s.m(), s.d(), made, s.store.goods[s.sku_of(product)], {});
+    s.dress(body, product, {});
     if (s.live[body].hooked) s.hook(body, product);
-    s.geom_material[static_cast<std::size_t>(made.geom)] = s.sku_material[s.sku_of(product)];
     s.body_of[product] = static_cast<int>(body);
   }
   std::memcpy(s.d().buffer, from.buffer.data(), from.buffer.size());
@@ -151,6 +153,8 @@ Result<void> World::restore(const WorldSnapshot& snapshot) {
   s.refused = from.refused, s.pushes = from.pushes, s.contacts = from.contacts;
   s.events = from.events, s.commands = from.commands;
   s.steps = from.steps, s.woken = from.woken, s.refusals = from.refusals;
+  s.stiffened = from.stiffened;
+  s.fault = {};
   s.failed = false;
   return {};
 }

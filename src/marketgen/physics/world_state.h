@@ -6,6 +6,7 @@
 #include "physics/body_patch.h"
 #include "physics/friction_table.h"
 #include "physics/product_grid.h"
+#include "physics/soft_body.h"
 #include "physics/store_model.h"
 
 namespace marketgen {
@@ -23,6 +24,13 @@ struct LiveBody {
   Pose woke_at;                        // world_from_product
   std::vector<std::uint32_t> carries;  // static products that rest on it, until it moves away
   bool toppled = false, dropped = false, hooked = false;  // toppled, dropped: reported
+  bool keeps = false;  // soft packs: asleep, and reported, but may not rest yet
+};
+
+// A soft pack of the catalog, made when one of them first wakes.
+struct SoftGoods {
+  SoftPack pack;
+  MujocoModel model;
 };
 
 struct World::State {
@@ -32,12 +40,24 @@ struct World::State {
 
   // Makes a product movable; false when the pool is in use or the product absent.
   bool wake(std::uint32_t product);
-  void rest(std::size_t body);  // of the pool, asleep: static from now on
+  void fall_asleep(std::size_t body);  // of the pool: static from now on, if it may
+  void report_rest(std::size_t body);
   void wake_carried(std::size_t body);
   std::vector<std::uint32_t> resting_on(std::uint32_t product, const Box3& box) const;
   bool heaped(std::uint32_t product) const;  // rolls, or lies in a heap
   bool loose(std::uint32_t product) const;   // heaped, or has been moved
   void hook(std::size_t body, std::uint32_t product);
+
+  // ---- world_soft.cpp: soft packs, see soft_pack.h ----
+
+  // Null for a rigid product, and when `fault` is set.
+  const SoftGoods* soft_goods(std::uint32_t product);
+  // Of the pool; -1: none. Rigid ones stand in for soft ones.
+  int free_body(bool soft) const;
+  void dress(std::size_t body, std::uint32_t product, const ShapePose& pose);
+  bool may_rest(std::size_t body) const;  // asleep, and its still shape can take over
+  void wake_kept();                       // those that sleep and may not rest
+  void push_body(std::size_t body, const Wrench& wrench);
 
   // ---- world.cpp: commands ----
 
@@ -100,7 +120,9 @@ struct World::State {
   std::vector<WorldContact> contacts;
   std::vector<WorldEvent> events;
   std::vector<WorldCommand> commands;
-  std::int64_t steps = 0, woken = 0, refusals = 0;
+  std::int64_t steps = 0, woken = 0, refusals = 0, stiffened = 0;
+  std::map<std::uint32_t, std::optional<SoftGoods>> soft;  // by row of the catalog, as needed
+  std::optional<Error> fault;  // of a row that was needed; the command under way reports it
   bool failed = false;
 
   mjModel& m() { return *store.model; }

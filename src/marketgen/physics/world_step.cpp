@@ -109,7 +109,8 @@ Result<void> World::State::wake_near_moving_fixtures() {
 
 void World::State::follow(std::size_t body) {
   LiveBody& here = live[body];
-  if (asleep(body)) return rest(body);
+  if (asleep(body)) return fall_asleep(body);
+  here.keeps = false;
   const auto product = static_cast<std::uint32_t>(here.product);
   const PoolBody& made = store.pool[body];
   const ShapePose shape = shape_pose(product);
@@ -164,11 +165,7 @@ Result<void> World::State::step_once() {
   mjData* const now = &d();
   for (const auto& [product, wrench] : pushes) {
     if (!wake(product)) continue;
-    const PoolBody& body = store.pool[static_cast<std::size_t>(body_of[product])];
-    const Vec3 &f = wrench.force_n, &t = wrench.torque_n_m;
-    const mjtNum applied[6] = {f.x, f.y, f.z, t.x, t.y, t.z};
-    std::copy(applied, applied + 6, now->xfrc_applied + 6 * body.body);
-    mark_wake(*now, body);
+    push_body(static_cast<std::size_t>(body_of[product]), wrench);
   }
   MARKETGEN_CHECK(wake_near_actors());
   MARKETGEN_CHECK(wake_near_moving_fixtures());
@@ -182,7 +179,7 @@ Result<void> World::State::step_once() {
   for (const auto& [product, wrench] : pushes) {
     if (body_of[product] < 0) continue;
     const PoolBody& body = store.pool[static_cast<std::size_t>(body_of[product])];
-    mju_zero(now->xfrc_applied + 6 * body.body, 6);
+    mju_zero(now->xfrc_applied + 6 * body.body, 6 * body.parts);
   }
   clear_wakes();
   MARKETGEN_CHECK(read_contacts());
@@ -191,6 +188,7 @@ Result<void> World::State::step_once() {
     if (live[body].product >= 0) follow(body);
   }
   wake_pressed();
+  if (fault) return *std::exchange(fault, {});
   return {};
 }
 
@@ -204,7 +202,7 @@ void World::State::release_hooks() {
     for (int row = 0; row < d().ne; ++row) {
       if (d().efc_id[row] == made.hook) squares += d().efc_force[row] * d().efc_force[row];
     }
-    const double weight = m().body_mass[made.body] * -m().opt.gravity[2];
+    const double weight = m().body_subtreemass[made.body] * -m().opt.gravity[2];
     if (std::sqrt(squares) <= hook_holds_weights * weight) continue;
     here.hooked = false;
     d().eq_active[made.hook] = false;

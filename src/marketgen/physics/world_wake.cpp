@@ -41,13 +41,20 @@ std::vector<std::uint32_t> World::State::resting_on(std::uint32_t product, const
   return carried;
 }
 
-// Goods on pegs hang from the middle of their upper edge.
+// Goods on pegs hang from the middle of their upper edge; soft packs, from the flap if that is
+// there.
 void World::State::hook(std::size_t body, std::uint32_t product) {
   const std::uint32_t sku = sku_of(product);
+  const PoolBody& made = store.pool[body];
   const Vec3 top{0, 0, scene.catalog[sku].height_m()};
-  const Vec3 on_body = shape_from_product[sku] * top;
+  Vec3 on_body = shape_from_product[sku] * top;
+  m().eq_obj1id[made.hook] = made.body;
+  if (made.soft() && soft.at(sku)->pack.parts.back().center.z > 0) {
+    m().eq_obj1id[made.hook] = made.body + made.parts - 1;
+    on_body = on_body - soft.at(sku)->pack.hinges.back().at;
+  }
   const Vec3 in_store = world_from_product(scene.products[product]) * top;
-  mjtNum* anchors = m().eq_data + mjNEQDATA * store.pool[body].hook;
+  mjtNum* anchors = m().eq_data + mjNEQDATA * made.hook;
   const Vec3 both[2] = {on_body, in_store};
   for (int i = 0; i < 2; ++i)
     anchors[3 * i] = both[i].x, anchors[3 * i + 1] = both[i].y, anchors[3 * i + 2] = both[i].z;
@@ -56,15 +63,23 @@ void World::State::hook(std::size_t body, std::uint32_t product) {
 bool World::State::wake(std::uint32_t product) {
   const int geom = store.product_geom[product];
   if (geom < 0) return false;
-  if (body_of[product] >= 0) return true;
-  const auto free = std::ranges::find(live, -1, &LiveBody::product);
-  if (free == live.end()) {
+  if (body_of[product] >= 0) {
+    const auto has = static_cast<std::size_t>(body_of[product]);
+    if (asleep(has)) mark_wake(d(), store.pool[has]);
+    return true;
+  }
+  const bool is_soft = soft_goods(product) != nullptr;
+  if (fault) return false;
+  const int found = free_body(is_soft);
+  if (found < 0) {
     if (!refused[product]) report(EventKind::refused, product);
     if (!refused[product]) ++refusals;
     refused[product] = true;
     return false;
   }
-  const auto body = static_cast<std::size_t>(free - live.begin());
+  const auto body = static_cast<std::size_t>(found);
+  LiveBody* const free = &live[body];
+  const PoolBody& made = store.pool[body];
   const ShapePose pose = geom_pose(m(), geom);
   const bool first = moved.try_emplace(product, pose).second;
   *free = {};
@@ -74,30 +89,35 @@ bool World::State::wake(std::uint32_t product) {
   free->hooked = first && hangs_on_hook(scene, product);
   switch_geom(m(), geom, false);
   grid.remove(product);
-  const PoolBody& made = store.pool[body];
-  dress_body(m(), d(), made, store.goods[sku_of(product)], pose);
+  dress(body, product, pose);
   if (free->hooked) hook(body, product);
   d().eq_active[made.hook] = free->hooked;
-  geom_material[static_cast<std::size_t>(made.geom)] = sku_material[sku_of(product)];
-  body_of[product] = static_cast<int>(body);
+  body_of[product] = found;
   ++woken;
+  if (is_soft && !made.soft()) ++stiffened;
   report(EventKind::woke, product);
   return true;
 }
 
-void World::State::rest(std::size_t body) {
+void World::State::fall_asleep(std::size_t body) {
   LiveBody& here = live[body];
+  if (!here.keeps) report_rest(body);
+  here.keeps = !may_rest(body);
+  if (here.keeps) return;
   const auto product = static_cast<std::uint32_t>(here.product);
   const ShapePose pose = shape_pose(product);
-  const Vec3 way =
-      pose_of(pose) * shape_from_product[sku_of(product)].position - here.woke_at.position;
-  report(EventKind::fell_asleep, product);
-  if (length(way) > displaced_m) report(EventKind::displaced, product);
   park_body(m(), d(), store.pool[body]);
   stand(product, pose);
   body_of[product] = -1;
   refused.assign(refused.size(), false);
   here = {};
+}
+
+void World::State::report_rest(std::size_t body) {
+  const auto product = static_cast<std::uint32_t>(live[body].product);
+  const Vec3 way = product_pose(product).position - live[body].woke_at.position;
+  report(EventKind::fell_asleep, product);
+  if (length(way) > displaced_m) report(EventKind::displaced, product);
 }
 
 void World::State::wake_carried(std::size_t body) {
