@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "scene/planogram.h"
 
 namespace marketgen {
 namespace {
@@ -65,8 +66,9 @@ std::vector<Violation> check_LOAD_HEAVY_HIGH(const SceneFacts& facts, const Scen
   std::string where;
   for (std::uint32_t i = 0; i < facts.scene.products.size(); ++i) {
     const SceneProduct& item = facts.scene.products[i];
-    if (item.position_m[2] < rule.limit || facts.scene.catalog[item.sku].mass_kg < heavy_kg)
-      continue;
+    const double mass_kg = facts.scene.catalog[item.sku].mass_kg;
+    const double limit = mass_kg > heavy_lift_kg ? heavy_board_m : rule.limit;
+    if (item.position_m[2] < limit || mass_kg < heavy_kg) continue;
     if (number++ == 0) where = product_id(facts.scene, i);
   }
   if (number == 0) return {};
@@ -74,7 +76,12 @@ std::vector<Violation> check_LOAD_HEAVY_HIGH(const SceneFacts& facts, const Scen
       rule,
       where,
       static_cast<double>(number),
-      fmt::format("{} items of {} kg and more stand above {} m", number, heavy_kg, rule.limit))};
+      fmt::format("{} items of {} kg and more stand above {} m, or of more than {} kg above {} m",
+                  number,
+                  heavy_kg,
+                  rule.limit,
+                  heavy_lift_kg,
+                  heavy_board_m))};
 }
 
 std::vector<Violation> check_DENSITY_LOW(const SceneFacts& facts, const SceneRule& rule) {

@@ -227,8 +227,11 @@ std::vector<BayRef> bays_of(const Scene& scene) {
         const SceneShelf& shelf = scene.shelves[s];
         if (shelf.side != side) continue;
         ref.shelves.push_back(s);
-        ref.bay.shelves.push_back(
-            {shelf.width_m, shelf.depth_m - goods_front_m, shelf.clearance_m, shelf.use});
+        ref.bay.shelves.push_back({shelf.width_m,
+                                   shelf.depth_m - goods_front_m,
+                                   shelf.clearance_m,
+                                   shelf.use,
+                                   shelf.position_m[2]});
       }
       if (!ref.shelves.empty()) bays.push_back(std::move(ref));
     }

@@ -12,6 +12,7 @@ double pitch_of(const Product& product) {
 }
 
 bool fits(const Product& product, const ShelfRoom& room) {
+  if (product.mass_kg > heavy_lift_kg && room.board_m > heavy_board_m) return false;
   return stack_height(product, room) > 0 && product.depth_m() <= room.depth_m &&
          pitch_of(product) <= room.width_m;
 }

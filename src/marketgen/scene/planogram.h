@@ -19,7 +19,13 @@ namespace marketgen {
 struct ShelfRoom {
   double width_m, depth_m, clearance_m;
   ShelfUse use;
+  double board_m = 0;  // of its board over the floor
 };
+
+// What a person should not lift above the shoulders: HSE INDG143, "Manual handling at work", 7 kg
+// for women. Packs are gripped by their upper half, so that boards up to 1.15 m keep it below 1.4
+// m.
+constexpr double heavy_lift_kg = 7, heavy_board_m = 1.15;
 
 // One block of one SKU on a shelf.
 struct PlannedBlock {

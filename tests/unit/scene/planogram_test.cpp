@@ -132,6 +132,22 @@ TEST(PlanBay, TallGoodsGoWhereTheyFit) {  // 300 mm stand only on the second lev
       shelves[1].begin(), shelves[1].end(), [](const PlannedBlock& b) { return b.product == 0; }));
 }
 
+TEST(PlanBay, CratesAreNotLiftedOverTheShoulders) {  // though only the top has room for them
+  const Catalog catalog = catalog_of({stock_row("crate", "crate", {400, 300, 300}, 19.8),
+                                      stock_row("tin", "food_tin", {75, 75, 110}, 0.4)});
+  ShelfRoom low = shelf_room(1.2, 0.45, 0.25), high = shelf_room(1.2, 0.45, 0.60);
+  low.board_m = 0.2, high.board_m = 1.4;
+  const auto shelves = planned(bay_of({low, high}), catalog, {});
+  for (const PlannedShelf& shelf : shelves) {
+    ASSERT_FALSE(shelf.empty());
+    for (const PlannedBlock& block : shelf)
+      EXPECT_EQ(catalog.products[block.product].sku, "tin");
+  }
+  high.board_m = 1.1;
+  const auto lower = planned(bay_of({low, high}), catalog, {});
+  EXPECT_TRUE(std::ranges::any_of(lower[1], [](const PlannedBlock& b) { return b.product == 0; }));
+}
+
 TEST(PlanBay, NothingThatIsTooDeepOrTooWide) {
   const Catalog catalog = catalog_of({stock_row("deep", "box", {100, 500, 100}, 1),
                                       stock_row("wide", "box", {1300, 100, 100}, 1)});
