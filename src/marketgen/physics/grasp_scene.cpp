@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "physics/bulk_model.h"
 #include "physics/product_bodies.h"
 #include "physics/spec_geoms.h"
 #include "scene/planogram.h"
@@ -61,37 +62,15 @@ class GraspSceneBuilder {
   }
 
   void add_surroundings() {
-    if (trial_.setting == GraspSetting::free) {
-      add_product({});
-      add_floor(0);
-      return;
+    switch (trial_.setting) {
+      case GraspSetting::free:
+        add_product({});
+        return add_floor(0);
+      case GraspSetting::basket:
+        return add_basket();
+      default:
+        add_shelf();
     }
-    Stream draw = trial_.seed.child("shelf").stream();
-    const double width = trial_.product.width_m(), depth = trial_.product.depth_m();
-    const auto gap = [&] {
-      return trial_.setting == GraspSetting::spaced ? spaced_gap_m : draw.uniform(0.002, 0.008);
-    };
-    headroom_ = draw.uniform(least_headroom_m, most_headroom_m);
-    add_product({});
-    for (const double side : {-1.0, 1.0}) {
-      double x = 0;
-      for (int i = 0; i < beside; ++i) {
-        x += side * (width + gap());
-        add_product({{x, 0, 0}, {}});
-      }
-      double slack = 0;
-      for (int i = 0; i < beside_still; ++i)
-        slack += gap();
-      add_row_end(x + side * (width / 2 + slack + block_half_m));
-    }
-    const double behind = depth + depth_gap_m;
-    add_product({{0, behind, 0}, {}});
-    for (const double side : {-1.0, 1.0})
-      add_product({{side * (width + gap()), behind, 0}, {}});
-    add_back(behind);
-    add_board(0);
-    add_board(trial_.product.height_m() + headroom_ + shelf_thick_m);
-    add_floor(-floor_under_shelf_m);
   }
 
   void add_tool() {
@@ -161,6 +140,42 @@ class GraspSceneBuilder {
       scene.owners.push_back(owner);
       scene.owner_index.push_back(index);
     }
+  }
+
+  void add_shelf() {
+    Stream draw = trial_.seed.child("shelf").stream();
+    const double width = trial_.product.width_m(), depth = trial_.product.depth_m();
+    const auto gap = [&] {
+      return trial_.setting == GraspSetting::spaced ? spaced_gap_m : draw.uniform(0.002, 0.008);
+    };
+    headroom_ = draw.uniform(least_headroom_m, most_headroom_m);
+    add_product({});
+    for (const double side : {-1.0, 1.0}) {
+      double x = 0;
+      for (int i = 0; i < beside; ++i) {
+        x += side * (width + gap());
+        add_product({{x, 0, 0}, {}});
+      }
+      double slack = 0;
+      for (int i = 0; i < beside_still; ++i)
+        slack += gap();
+      add_row_end(x + side * (width / 2 + slack + block_half_m));
+    }
+    const double behind = depth + depth_gap_m;
+    add_product({{0, behind, 0}, {}});
+    for (const double side : {-1.0, 1.0})
+      add_product({{side * (width + gap()), behind, 0}, {}});
+    add_back(behind);
+    add_board(0);
+    add_board(trial_.product.height_m() + headroom_ + shelf_thick_m);
+    add_floor(-floor_under_shelf_m);
+  }
+
+  void add_basket() {
+    for (const Pose& pose : trial_.basket->container_from_product)
+      add_product(pose);
+    for (mjsGeom* geom : add_container(world_, trial_.basket->container))
+      set_meeting(geom, others_bit, still_meets);
   }
 
   static void set_meeting(mjsGeom* geom, int own_bit, int meets) {
@@ -336,12 +351,30 @@ Result<void> check_trial(const GraspTrial& trial) {
   return {};
 }
 
+Result<void> check_basket(const GraspTrial& trial) {
+  if (trial.setting != GraspSetting::basket) return {};
+  if (trial.basket == nullptr || trial.basket->container_from_product.empty())
+    return Error{"motion.bad_configuration",
+                 trial.product.sku,
+                 "a grasp in a basket needs the basket and where the packs lie in it"};
+  for (const Pose& pose : trial.basket->container_from_product) {
+    const Quaternion& q = pose.rotation;
+    if (!is_finite(pose.position) || !std::isfinite(q.w + q.x + q.y + q.z))
+      return Error{
+          "motion.bad_configuration", trial.product.sku, "expected packs at finite places"};
+  }
+  return check_container(trial.basket->container);
+}
+
 }  // namespace
 
 Result<GraspScene> grasp_scene(const GraspTrial& trial) {
   MARKETGEN_CHECK(check_trial(trial));
+  MARKETGEN_CHECK(check_basket(trial));
   MARKETGEN_TRY(const CollisionPrimitive primitive, collision_of(trial.product));
-  const GoodsContact contact = goods_contact_of(trial.product, primitive);
+  const GoodsContact contact = trial.setting == GraspSetting::basket
+                                   ? bulk_contact_of(trial.product, primitive)
+                                   : goods_contact_of(trial.product, primitive);
   GraspSceneBuilder builder(trial, contact);
   builder.add_surroundings();
   builder.add_tool();
