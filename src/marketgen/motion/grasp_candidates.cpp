@@ -34,7 +34,8 @@ constexpr double gentle_force_n = 20, gentle_safety = 2;
 // the pads touches, how well opposed they are, how much room there is.
 constexpr double hold_weight = 0.4, share_weight = 0.25, cone_weight = 0.15, room_weight = 0.2;
 constexpr double roomy_m = 0.02;
-// Taken off for reaching into neighbours by as much as the thickness of a finger.
+// Taken off for reaching into neighbours by as much as the thickness of a finger, or by as much as
+// the tool may reach into packs that lie round about.
 constexpr double neighbour_weight = 0.5, finger_thick_m = 0.03;
 
 struct Refused {
@@ -191,11 +192,10 @@ class Search {
     if (!make_room(made)) return refuse(GraspRefusal::no_room);
     made.side_room_m = side_room_of(made);
     const double share = std::min(1.0, 4 * std::min(left.share, right.share));
-    made.score =
-        hold_weight * (1 - need / tool_.force_n) + share_weight * share +
-        cone_weight * facing(left, right, c) +
-        room_weight * std::min(1.0, made.clearance_m / roomy_m) -
-        neighbour_weight * std::min(1.0, room_.overlap_with_likes(made.grasp) / finger_thick_m);
+    made.score = hold_weight * (1 - need / tool_.force_n) + share_weight * share +
+                 cone_weight * facing(left, right, c) +
+                 room_weight * std::min(1.0, made.clearance_m / roomy_m) -
+                 neighbour_weight * reach_into_likes(made.grasp);
     return {made, {}};
   }
 
@@ -209,6 +209,13 @@ class Search {
       if (room_.is_free(made.grasp)) return room_.pads_touch_first(made.grasp, made.width_m);
     }
     return false;
+  }
+
+  // 0..1. Beside a standing pack its likes make way to the side; among packs that lie, less may be
+  // asked of them.
+  double reach_into_likes(const Grasp& grasp) const {
+    const double most = query_.likes.empty() ? finger_thick_m : most_like_overlap_m;
+    return std::min(1.0, room_.overlap_with_likes(grasp) / most);
   }
 
   // Least cosine between the contacts' normals and the closing direction.

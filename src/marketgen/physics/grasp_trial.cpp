@@ -143,13 +143,18 @@ class Trial {
     if (!touched || strayed_m > lost_m) return GraspEnd::dropped;
     if (watch.slip_m > most_slip_m) return GraspEnd::slipped;
     if (watch.still_n > most_tool_n) return GraspEnd::collided;
-    if (in_basket()) return GraspEnd::held;  // what lies round about may be moved
+    if (!in_basket() && neighbour_toppled()) return GraspEnd::toppled;
+    return watch.neighbour_n > most_neighbour_n ? GraspEnd::pressed : GraspEnd::held;
+  }
+
+  // On a shelf. In a basket what lies round about may be moved, as long as it is not pressed hard.
+  bool neighbour_toppled() const {
     for (std::size_t i = 1; i < hold_.products(); ++i) {
       const Pose now = hold_.product(i);
       const bool fell = stood_[i].position.z - now.position.z > fallen_m;
-      if (fell || (!loose() && upright(stood_[i], now) < toppled_cosine)) return GraspEnd::toppled;
+      if (fell || (!loose() && upright(stood_[i], now) < toppled_cosine)) return true;
     }
-    return watch.neighbour_n > most_neighbour_n ? GraspEnd::pressed : GraspEnd::held;
+    return false;
   }
 
   // Where it was taken up; true when it stays there once the tool has gone.
