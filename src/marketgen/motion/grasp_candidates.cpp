@@ -391,6 +391,19 @@ class Search {
   Refused worst_;
 };
 
+bool is_finite_pose(const Pose& pose) {
+  const Quaternion& q = pose.rotation;
+  return is_finite(pose.position) && std::isfinite(q.w + q.x + q.y + q.z);
+}
+
+bool is_finite_place(const GraspQuery& query) {
+  return is_finite_pose(query.world_from_product) &&
+         std::ranges::all_of(query.likes, is_finite_pose) &&
+         std::ranges::all_of(query.walls, [](const GraspObstacle& wall) {
+           return is_finite_pose(wall.world_from_box) && is_finite(wall.half_size);
+         });
+}
+
 Result<void> check_query(const Product& product, const GraspQuery& query) {
   if (!(product.mass_kg > 0) || !std::isfinite(product.mass_kg))
     return Error{"catalog.bad_row",
@@ -403,6 +416,9 @@ Result<void> check_query(const Product& product, const GraspQuery& query) {
                  fmt::format("expected friction and finger gap greater than 0, not {} and {} m",
                              query.friction,
                              query.finger_gap_m)};
+  if (!is_finite_place(query))
+    return Error{
+        "motion.bad_configuration", product.sku, "expected pack, walls and likes at finite places"};
   return {};
 }
 

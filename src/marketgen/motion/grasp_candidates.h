@@ -99,7 +99,7 @@ constexpr double most_like_overlap_m = 0.008;
 double pinch_force_n(double mass_kg, double friction);
 
 // Errors: catalog.bad_row for a product without mass or size; motion.bad_configuration for a query
-// with a friction or gap that is not positive.
+// with a friction or gap that is not positive, or with poses that are not finite.
 Result<GraspCandidates> grasp_candidates(const Product& product,
                                          const ProductBody& body,
                                          const GraspTool& tool,

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "motion/grasp_seeds.h"
 #include "support/committed_catalog.h"
@@ -86,6 +87,22 @@ TEST(GraspCandidates, NoMassIsAnError) {
   const auto answer = grasp_candidates(pack.product, pack.body, tool_called("panda-hand"), {});
   ASSERT_FALSE(answer.ok());
   EXPECT_EQ(answer.error().code, "catalog.bad_row");
+}
+
+TEST(GraspCandidates, APackNowhereIsAnError) {
+  const Pack pack = can_of(0.033F, 0.115F);
+  const auto code = [&](const GraspQuery& query) {
+    const auto answer = grasp_candidates(pack.product, pack.body, tool_called("panda-hand"), query);
+    return answer.ok() ? std::string() : answer.error().code;
+  };
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  GraspQuery lying, near, walled;
+  lying.world_from_product.rotation.w = nan;
+  near.likes = {{{nan, 0, 0}, {}}};
+  walled.walls = {{{}, {0.1, nan, 0.1}}};
+  EXPECT_EQ(code(lying), "motion.bad_configuration");
+  EXPECT_EQ(code(near), "motion.bad_configuration");
+  EXPECT_EQ(code(walled), "motion.bad_configuration");
 }
 
 // Walls that lean by 40 degrees squeeze out of pads at friction 0.5 (27 degrees).
