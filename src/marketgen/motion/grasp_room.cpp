@@ -13,6 +13,15 @@ constexpr std::array on_the_way_m = {0.01, 0.02, 0.035, 0.05, 0.075, 0.1};
 // A cup's body may be this near to what its bellows press on.
 constexpr double bellows_m = 0.03;
 
+// Whether a ball touches the box: most of a tool is far from most packs, and hulls are slow.
+bool near_bounds(const Bounds3& bounds, Vec3 middle, double radius_m) {
+  const Vec3 low = to_double(bounds.low), high = to_double(bounds.high);
+  const Vec3 nearest{std::clamp(middle.x, low.x, high.x),
+                     std::clamp(middle.y, low.y, high.y),
+                     std::clamp(middle.z, low.z, high.z)};
+  return length(middle - nearest) <= radius_m;
+}
+
 }  // namespace
 
 GraspRoom::GraspRoom(const Product& product,
@@ -75,9 +84,11 @@ double GraspRoom::overlap_with_likes(const Grasp& grasp) const {
   double room = 0;
   for (const Pose& like : product_from_likes_) {
     const Pose like_from_tool = inverse(like) * grasp.product_from_tool;
-    for (const ToolSolid& solid : solids_of(grasp))
-      room = std::min(room,
-                      surface_.gap_to_box(like_from_tool * solid.tool_from_solid, solid.half_size));
+    for (const ToolSolid& solid : solids_of(grasp)) {
+      const Pose pose = like_from_tool * solid.tool_from_solid;
+      if (near_bounds(surface_.bounds(), pose.position, length(solid.half_size)))
+        room = std::min(room, surface_.gap_to_box(pose, solid.half_size));
+    }
   }
   return -room;
 }
