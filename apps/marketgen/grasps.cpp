@@ -209,8 +209,8 @@ Run add_grasps(CLI::App& app) {
   command
       ->add_option("--setting",
                    flags->settings,
-                   "free (on a table), stocked (on a shelf, gaps of 2 to 8 mm) or spaced (gaps of "
-                   "30 mm); again for more; none = free")
+                   "free (on a table), stocked (on a shelf, gaps of 2 to 8 mm), spaced (gaps of "
+                   "30 mm) or basket (among its likes); again for more; none = free")
       ->allow_extra_args(false);
   command->add_option("--archetype", flags->archetype, "only products of this shape");
   command->add_option(

@@ -43,7 +43,7 @@ struct GraspShare {
 
   static constexpr auto fields = field_list(
       field("tool", &GraspShare::tool, "row of the tool"),
-      field("setting", &GraspShare::setting, "free, stocked or spaced"),
+      field("setting", &GraspShare::setting, "free, stocked, spaced or basket"),
       field("archetype", &GraspShare::archetype, "container shape; empty = all"),
       field("products", &GraspShare::products, "products of the shape"),
       field("fit", &GraspShare::fit, "products with a candidate"),

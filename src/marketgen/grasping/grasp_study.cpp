@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/parallel.h"
+#include "grasping/grasp_basket.h"
 #include "physics/friction_table.h"
 #include "scene/planogram.h"
 
@@ -49,13 +50,28 @@ class ProductStudy {
                const StudyOptions& options)
       : product_(product), body_(body), friction_(friction), options_(options) {}
 
+  // Once, before rates in a basket are asked for.
+  Result<void> settle_basket() {
+    MARKETGEN_TRY(basket_,
+                  basket_case(product_, body_, Seed(options_.seed).child("basket", product_.sku)));
+    return {};
+  }
+
   Result<GraspRate> rate(const GraspTool& tool, GraspSetting setting) const {
     GraspRate rate{product_.sku, product_.archetype, tool.id, setting, {}, {}, {}};
-    if (setting != GraspSetting::free && !stands_on_boards(product_, body_))
+    const bool in_basket = setting == GraspSetting::basket;
+    if (in_basket && basket_.excluded != GraspExclusion::none)
+      return without(std::move(rate), basket_.excluded, basket_.reason);
+    const bool on_shelf = setting != GraspSetting::free && !in_basket;
+    if (on_shelf && !stands_on_boards(product_, body_))
       return without(
           std::move(rate), GraspExclusion::unshelved, "it lies in heaps or hangs from pegs");
     MARKETGEN_TRY(const GraspCandidates candidates,
-                  grasp_candidates(product_, body_, tool, query_for(setting, product_, friction_)));
+                  grasp_candidates(product_,
+                                   body_,
+                                   tool,
+                                   in_basket ? basket_query(basket_.basket, friction_)
+                                             : query_for(setting, product_, friction_)));
     rate.excluded = exclusion_of(candidates.refusal);
     rate.reason = candidates.reason;
     if (candidates.found.empty()) return rate;
@@ -67,7 +83,7 @@ class ProductStudy {
     for (std::size_t i = 0; i < count; ++i) {
       MARKETGEN_TRY(const GraspTry tried, try_once(tool, setting, candidates.found[i], i));
       if (tried.end == GraspEnd::unstable)
-        return without(std::move(rate), GraspExclusion::unstable, tips);
+        return without(std::move(rate), GraspExclusion::unstable, in_basket ? restless : tips);
       rate.tries.push_back(tried);
     }
     return rate;
@@ -75,6 +91,7 @@ class ProductStudy {
 
  private:
   static constexpr const char* tips = "it does not stand by itself";
+  static constexpr const char* restless = "it does not lie still in the basket";
 
   static GraspRate without(GraspRate rate, GraspExclusion why, std::string reason) {
     rate.excluded = why;
@@ -91,8 +108,10 @@ class ProductStudy {
                           .child("grasp", product_.sku)
                           .child(tool.id)
                           .child(name_of(setting), index);
-    MARKETGEN_TRY(const GraspOutcome outcome,
-                  try_grasp({product_, body_, tool, candidate.grasp, friction_, setting, seed}));
+    MARKETGEN_TRY(
+        const GraspOutcome outcome,
+        try_grasp(
+            {product_, body_, tool, candidate.grasp, friction_, setting, seed, &basket_.basket}));
     return GraspTry{candidate.strategy,
                     outcome.end,
                     candidate.width_m * 1e3,
@@ -106,6 +125,7 @@ class ProductStudy {
   const ProductBody& body_;
   double friction_;
   const StudyOptions& options_;
+  BasketCase basket_;
 };
 
 struct ProductRates {
@@ -118,7 +138,9 @@ Result<std::vector<GraspRate>> rates_of(const Product& product,
                                         double friction,
                                         const StudyOptions& options) {
   MARKETGEN_TRY(const ProductBody body, make_product_body(product));
-  const ProductStudy study(product, body, friction, options);
+  ProductStudy study(product, body, friction, options);
+  if (std::ranges::count(options.settings, GraspSetting::basket) > 0)
+    MARKETGEN_CHECK(study.settle_basket());
   std::vector<GraspRate> rates;
   for (const GraspTool& tool : tools) {
     for (const GraspSetting setting : options.settings) {

@@ -21,8 +21,9 @@
 namespace marketgen {
 
 // Why a product is not counted among those that fit a tool; `none` for one that is. Those that
-// GraspRefusal has too mean the same. unstable: it does not stand by itself. unshelved: it lies in
-// heaps or hangs from pegs, and is no case for a shelf.
+// GraspRefusal has too mean the same. unstable: it does not stand by itself, or does not come to
+// rest in a basket. unshelved: it lies in heaps or hangs from pegs, and is no case for a shelf.
+// does_not_fit: the basket is too small for it.
 enum class GraspExclusion {
   none,
   too_wide,
@@ -32,9 +33,10 @@ enum class GraspExclusion {
   too_heavy,
   no_room,
   unstable,
-  unshelved
+  unshelved,
+  does_not_fit
 };
-constexpr std::array<std::string_view, 9> names_of(GraspExclusion) {
+constexpr std::array<std::string_view, 10> names_of(GraspExclusion) {
   return {"none",
           "too_wide",
           "not_opposed",
@@ -43,7 +45,8 @@ constexpr std::array<std::string_view, 9> names_of(GraspExclusion) {
           "too_heavy",
           "no_room",
           "unstable",
-          "unshelved"};
+          "unshelved",
+          "does_not_fit"};
 }
 
 // One try of one candidate.
@@ -78,7 +81,7 @@ struct GraspRate {
       field_list(field("sku", &GraspRate::sku, "product"),
                  field("archetype", &GraspRate::archetype, "container shape"),
                  field("tool", &GraspRate::tool, "row of the tool"),
-                 field("setting", &GraspRate::setting, "free, stocked or spaced"),
+                 field("setting", &GraspRate::setting, "free, stocked, spaced or basket"),
                  field("excluded", &GraspRate::excluded, "why it was not tried; none = it was"),
                  field("reason", &GraspRate::reason, "of the exclusion"),
                  field("tries", &GraspRate::tries, "best candidate first"));

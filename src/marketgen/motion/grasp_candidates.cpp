@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "motion/grasp_room.h"
 #include "motion/grasp_seeds.h"
 #include "motion/grasp_surface.h"
 
@@ -14,12 +15,9 @@ namespace marketgen {
 namespace {
 
 constexpr double gravity_m_s2 = 9.81;
-constexpr double outside_m = 2;              // from where pads look at the pack: no pack is as long
-constexpr double least_clearance_m = 0.002;  // of the open tool
-constexpr double patch_radius_m = 0.005;     // of a point contact, as MuJoCo's torsional friction
-constexpr double line_half_m = 0.001;        // least half width of what soft pads touch
-// Where else on the way to the pack the open tool is looked at: so far back.
-constexpr std::array on_the_way_m = {0.01, 0.02, 0.035, 0.05, 0.075, 0.1};
+constexpr double outside_m = 2;           // from where pads look at the pack: no pack is as long
+constexpr double patch_radius_m = 0.005;  // of a point contact, as MuJoCo's torsional friction
+constexpr double line_half_m = 0.001;     // least half width of what soft pads touch
 constexpr std::array back_off_m = {0.0, 0.010, 0.020};  // against the approach, for the palm's sake
 constexpr double apart_m = 0.015, apart_cosine = 0.9;   // what counts as another candidate
 // A cup may come to lie so far from where it was sent.
@@ -27,9 +25,8 @@ constexpr double lip_margin_m = 0.002;
 constexpr double part_reach_m = 0.004;  // how far under or over the lip a part may be felt
 // A cup that only just holds lets go at the first jerk.
 constexpr double suction_safety = 1.3;
-// A cup's body may be this near to what its bellows press on.
-constexpr double bellows_m = 0.03;
-constexpr double from_front_cosine = 0.5;  // 60 degrees
+constexpr double from_front_cosine = 0.5;                  // 60 degrees
+constexpr double from_above_cosine = 0.42261826174069944;  // 65 degrees
 // Packs that a full grip would crush are held with twice what holds them, at least with so much.
 constexpr double gentle_force_n = 20, gentle_safety = 2;
 
@@ -37,7 +34,8 @@ constexpr double gentle_force_n = 20, gentle_safety = 2;
 // the pads touches, how well opposed they are, how much room there is.
 constexpr double hold_weight = 0.4, share_weight = 0.25, cone_weight = 0.15, room_weight = 0.2;
 constexpr double roomy_m = 0.02;
-// Taken off for reaching into neighbours by as much as the thickness of a finger.
+// Taken off for reaching into neighbours by as much as the thickness of a finger, or by as much as
+// the tool may reach into packs that lie round about.
 constexpr double neighbour_weight = 0.5, finger_thick_m = 0.03;
 
 struct Refused {
@@ -61,14 +59,20 @@ class Search {
          const ProductBody& body,
          const GraspTool& tool,
          const GraspQuery& query)
-      : product_(product), body_(body), tool_(tool), query_(query), surface_(body.pieces) {}
+      : product_(product),
+        body_(body),
+        tool_(tool),
+        query_(query),
+        up_(rotate(inverse(query.world_from_product.rotation), {0, 0, 1})),
+        surface_(body.pieces),
+        room_(product, tool, query, surface_) {}
 
   GraspCandidates find() {
     if (tool_.kind == ToolKind::gripper) {
-      for (const PinchSeed& seed : pinch_seeds(body_, surface_, tool_))
+      for (const PinchSeed& seed : places_to_pinch())
         if (wanted(seed.approach)) note(pinch(seed));
     } else {
-      for (const SuctionSeed& seed : suction_seeds(body_, surface_))
+      for (const SuctionSeed& seed : places_to_suck())
         if (wanted(seed.travel)) note(suck(seed));
     }
     std::ranges::stable_sort(found_, std::ranges::greater{}, &GraspCandidate::score);
@@ -78,14 +82,27 @@ class Search {
         answer.found.push_back(candidate);
     }
     if (answer.found.empty()) {
-      answer.refusal = worst_.refusal;
+      const bool unreached = worst_.refusal == GraspRefusal::none;
+      answer.refusal = unreached ? GraspRefusal::no_room : worst_.refusal;
       answer.reason = sentence();
     }
     return answer;
   }
 
  private:
-  bool wanted(Vec3 approach) const { return !query_.from_front || approach.y >= from_front_cosine; }
+  std::vector<PinchSeed> places_to_pinch() const {
+    return query_.from_above ? pinch_seeds_from_above(body_, surface_, up_)
+                             : pinch_seeds(body_, surface_, tool_);
+  }
+  std::vector<SuctionSeed> places_to_suck() const {
+    return query_.from_above ? suction_seeds_from_above(body_, surface_, up_)
+                             : suction_seeds(body_, surface_);
+  }
+
+  bool wanted(Vec3 approach) const {
+    if (query_.from_above && -dot(approach, up_) < from_above_cosine) return false;
+    return !query_.from_front || approach.y >= from_front_cosine;
+  }
 
   void note(Tried tried) {
     if (tried.candidate) {
@@ -178,7 +195,7 @@ class Search {
     made.score = hold_weight * (1 - need / tool_.force_n) + share_weight * share +
                  cone_weight * facing(left, right, c) +
                  room_weight * std::min(1.0, made.clearance_m / roomy_m) -
-                 neighbour_weight * neighbour_overlap(made.grasp);
+                 neighbour_weight * reach_into_likes(made.grasp);
     return {made, {}};
   }
 
@@ -188,48 +205,17 @@ class Search {
     for (const double opening :
          {std::min(tool_.opening_m, made.width_m + 2 * query_.finger_gap_m), tool_.opening_m}) {
       made.grasp.opening_m = opening;
-      made.clearance_m = clearance_of(made.grasp);
-      if (made.clearance_m >= least_clearance_m && free_on_the_way(made.grasp))
-        return pads_touch_first(made);
+      made.clearance_m = room_.clearance_of(made.grasp);
+      if (room_.is_free(made.grasp)) return room_.pads_touch_first(made.grasp, made.width_m);
     }
     return false;
   }
 
-  // How far the open tool reaches into the packs beside, 0..1.
-  double neighbour_overlap(const Grasp& grasp) const {
-    if (query_.neighbour_gap_m <= 0) return 0;
-    std::vector<ToolSolid> solids = opened(tool_, grasp.opening_m);
-    solids.insert(solids.end(), tool_.body.begin(), tool_.body.end());
-    double room = 0;
-    for (const double side : {-1.0, 1.0}) {
-      const Vec3 beside{side * (product_.width_m() + query_.neighbour_gap_m), 0, 0};
-      for (const ToolSolid& solid : solids) {
-        Pose pose = grasp.product_from_tool * solid.tool_from_solid;
-        pose.position += -beside;
-        room = std::min(room, surface_.gap_to_box(pose, solid.half_size));
-      }
-    }
-    return std::min(1.0, -room / finger_thick_m);
-  }
-
-  // A lid or shoulder may meet the fingers before what is between the pads does.
-  bool pads_touch_first(const GraspCandidate& made) const {
-    const std::vector<ToolSolid> shut = opened(tool_, made.width_m);
-    for (std::size_t i = 0; i < shut.size(); ++i) {
-      if (i == 0 || i == tool_.left.size()) continue;  // the pads
-      const Pose pose = made.grasp.product_from_tool * shut[i].tool_from_solid;
-      if (surface_.gap_to_box(pose, shut[i].half_size) < 0) return false;
-    }
-    return true;
-  }
-
-  bool free_on_the_way(Grasp grasp) const {
-    const Vec3 back = rotate(grasp.product_from_tool.rotation, {0, 0, -1});
-    const Vec3 goal = grasp.product_from_tool.position;
-    return std::ranges::all_of(on_the_way_m, [&](double by) {
-      grasp.product_from_tool.position = goal + back * by;
-      return clearance_of(grasp) >= least_clearance_m;
-    });
+  // 0..1. Beside a standing pack its likes make way to the side; among packs that lie, less may be
+  // asked of them.
+  double reach_into_likes(const Grasp& grasp) const {
+    const double most = query_.likes.empty() ? finger_thick_m : most_like_overlap_m;
+    return std::min(1.0, room_.overlap_with_likes(grasp) / most);
   }
 
   // Least cosine between the contacts' normals and the closing direction.
@@ -257,8 +243,8 @@ class Search {
       Vec3 middle, Vec3 closing, Vec3 x, const PadContact& left, const PadContact& right) const {
     const Vec3 arm = to_double(body_.center_of_mass) - middle;
     const Vec3 across = arm - closing * dot(arm, closing);
-    const double lever =
-        length(Vec3{across.x, across.y, 0} - closing * dot(Vec3{across.x, across.y, 0}, closing));
+    const Vec3 level = across - up_ * dot(across, up_);
+    const double lever = length(level - closing * dot(level, closing));
     const double turning = (gravity_m_s2 * lever + carry_acceleration_m_s2 * length(across)) /
                            (query_.friction * std::max(patch_radius_m, least_spread(left, right)));
     const Vec3 way = normalized(across);
@@ -275,32 +261,6 @@ class Search {
   static double least_spread(const PadContact& left, const PadContact& right) {
     return std::min(std::hypot(left.spread_x_m, left.spread_z_m),
                     std::hypot(right.spread_x_m, right.spread_z_m));
-  }
-
-  // Of everything of the open tool to the pack, to the ground and to what is over it.
-  double clearance_of(const Grasp& grasp) const {
-    std::vector<ToolSolid> solids = opened(tool_, grasp.opening_m);
-    solids.insert(solids.end(), tool_.body.begin(), tool_.body.end());
-    double least = std::numeric_limits<double>::infinity();
-    for (const ToolSolid& solid : solids) {
-      const Pose pose = grasp.product_from_tool * solid.tool_from_solid;
-      least = std::min(least, room_over_and_under(pose, solid.half_size));
-      if (least < least_clearance_m) return least;
-      const bool bellows = tool_.kind == ToolKind::suction &&
-                           solid.tool_from_solid.position.z + solid.half_size.z > -bellows_m;
-      if (!bellows) least = std::min(least, surface_.gap_to_box(pose, solid.half_size));
-      if (least < least_clearance_m) return least;
-    }
-    return least;
-  }
-
-  double room_over_and_under(const Pose& pose, Vec3 half) const {
-    const Vec3 up = rotate(inverse(pose.rotation), {0, 0, 1});
-    const double reach =
-        std::abs(up.x) * half.x + std::abs(up.y) * half.y + std::abs(up.z) * half.z;
-    const double under = pose.position.z - reach;
-    if (!query_.ceiling_m) return under;
-    return std::min(under, *query_.ceiling_m - pose.position.z - reach);
   }
 
   // How far the fingers' ends, as long as the pads, reach out beyond the pack's sides.
@@ -337,8 +297,8 @@ class Search {
     const Vec3 aside = std::abs(approach.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
     const Vec3 y = normalized(cross(aside, approach));
     made.grasp = {Pose{lip->center, rotation_with_axes(y, approach)}, 0, tool_.force_n};
-    made.clearance_m = clearance_of(made.grasp);
-    if (made.clearance_m < least_clearance_m || !free_on_the_way(made.grasp))
+    made.clearance_m = room_.clearance_of(made.grasp);
+    if ((query_.from_above && !wanted(approach)) || !room_.is_free(made.grasp))
       return refuse(GraspRefusal::no_room);
     made.score = 0.7 * (1 - load) + 0.3 * (1 - lip->unevenness_m / tool_.seal_depth_m);
     return {made, {}};
@@ -367,7 +327,7 @@ class Search {
     double most = 0;
     for (const Vec3 way : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
       for (const double side : {1.0, -1.0}) {
-        const Vec3 felt = way * (side * carry_acceleration_m_s2) - Vec3{0, 0, gravity_m_s2};
+        const Vec3 felt = way * (side * carry_acceleration_m_s2) - up_ * gravity_m_s2;
         most = std::max(most, load_share(at, approach, felt * (product_.mass_kg * suction_safety)));
       }
     }
@@ -404,7 +364,10 @@ class Search {
             "it would turn between the pads: to hold it takes {:.1f} times the tool's force",
             worst_.figure);
       case GraspRefusal::no_room:
-        return fmt::format("{} has no room round the pack over what it stands on", tool_.id);
+        return fmt::format(
+            "{} has no room round the pack {}",
+            tool_.id,
+            query_.from_above ? "between walls and neighbours" : "over what it stands on");
       case GraspRefusal::no_seal:
         return fmt::format("no face on which a {:.0f} mm cup seals: it bears {:.1f} mm unevenness",
                            tool_.cup_radius_m * 2e3,
@@ -421,10 +384,25 @@ class Search {
   const ProductBody& body_;
   const GraspTool& tool_;
   const GraspQuery& query_;
+  Vec3 up_;  // of the world, product frame
   GraspSurface surface_;
+  GraspRoom room_;
   std::vector<GraspCandidate> found_;
   Refused worst_;
 };
+
+bool is_finite_pose(const Pose& pose) {
+  const Quaternion& q = pose.rotation;
+  return is_finite(pose.position) && std::isfinite(q.w + q.x + q.y + q.z);
+}
+
+bool is_finite_place(const GraspQuery& query) {
+  return is_finite_pose(query.world_from_product) &&
+         std::ranges::all_of(query.likes, is_finite_pose) &&
+         std::ranges::all_of(query.walls, [](const GraspObstacle& wall) {
+           return is_finite_pose(wall.world_from_box) && is_finite(wall.half_size);
+         });
+}
 
 Result<void> check_query(const Product& product, const GraspQuery& query) {
   if (!(product.mass_kg > 0) || !std::isfinite(product.mass_kg))
@@ -438,6 +416,9 @@ Result<void> check_query(const Product& product, const GraspQuery& query) {
                  fmt::format("expected friction and finger gap greater than 0, not {} and {} m",
                              query.friction,
                              query.finger_gap_m)};
+  if (!is_finite_place(query))
+    return Error{
+        "motion.bad_configuration", product.sku, "expected pack, walls and likes at finite places"};
   return {};
 }
 

@@ -42,7 +42,8 @@ struct GraspCandidate {
   GraspStrategy strategy = GraspStrategy::side;
   Grasp grasp = {};
   double width_m = 0;      // between the pads when they rest on the pack; 0 for a cup
-  double clearance_m = 0;  // of the open tool: least distance to the pack and to what it stands on
+  double clearance_m = 0;  // of the open tool: least distance to the pack, to what it stands on and
+                           // to walls
   double side_room_m = 0;  // free space that each open finger takes up beside the pack
   double score = 0;        // 0..1, best first
 };
@@ -59,6 +60,12 @@ struct GraspCandidates {
   std::string reason;  // a sentence with the figures, empty when something was found
 };
 
+// A box that stands still where the pack lies.
+struct GraspObstacle {
+  Pose world_from_box;
+  Vec3 half_size;
+};
+
 struct GraspQuery {
   double friction = 0.5;                 // of pads or lip on the product's material
   double finger_gap_m = 0.005;           // that the open pads keep from the pack on either side
@@ -67,6 +74,13 @@ struct GraspQuery {
                                // = there are none
   bool from_front = false;     // only approaches within 60 degrees of +Y, none from above
   std::size_t most = 8;        // candidates
+
+  // ---- A pack that lies any way round among others. World frame: Z up; the pack lies on z = 0 or
+  // on what is there. Candidates stay in the product frame. ----
+  Pose world_from_product = {};
+  bool from_above = false;                // only approaches within 65 degrees of straight down
+  std::vector<GraspObstacle> walls = {};  // the open tool keeps clear of them
+  std::vector<Pose> likes = {};           // world_from_product of other packs of the same product
 };
 
 // How fast a held product is moved at most: what a grasp must hold beside its weight. (The Panda
@@ -78,11 +92,14 @@ constexpr double grip_safety = 2;
 // The same for what keeps a pack from turning between the pads.
 constexpr double turn_safety = 1.2;
 
+// So far the open tool may reach into the likes of a pack that lies among them: they give way.
+constexpr double most_like_overlap_m = 0.008;
+
 // Force on each of two pads that holds the mass.
 double pinch_force_n(double mass_kg, double friction);
 
 // Errors: catalog.bad_row for a product without mass or size; motion.bad_configuration for a query
-// with a friction or gap that is not positive.
+// with a friction or gap that is not positive, or with poses that are not finite.
 Result<GraspCandidates> grasp_candidates(const Product& product,
                                          const ProductBody& body,
                                          const GraspTool& tool,

@@ -16,6 +16,12 @@ constexpr std::array side_heights = {
 constexpr std::array pitches_deg = {0.0, 25.0, 50.0};  // of the approach, downwards
 constexpr std::array top_depths_m = {0.012, 0.022, 0.034, 0.050, 0.075};  // of the pads' middle
 
+// For packs that lie: places along the longest axis, as shares of it from the middle of mass; steps
+// of the sweep round a closing direction; what still counts as straight down (20 degrees).
+constexpr std::array lying_shares = {0.0, -0.22, 0.22};
+constexpr int lying_sweep = 24;
+constexpr double straight_down_cosine = 0.93969262078590838;
+
 double radians(double degrees) {
   return degrees * std::numbers::pi / 180;
 }
@@ -44,6 +50,11 @@ double along(Vec3 v, int axis) {
 // Lowest place of the pads' middle with the fingers pointing straight down.
 double lowest_from_above(const GraspTool& tool) {
   return std::max(tool.pad_z_m, -tool.pad_center.z) + tip_over_support_m;
+}
+
+// A unit vector at right angles to a unit vector.
+Vec3 square_to(Vec3 v) {
+  return normalized(cross(std::abs(v.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}, v));
 }
 
 bool narrow_part(FeatureKind kind) {
@@ -139,6 +150,93 @@ class Seeds {
   std::vector<PinchSeed> seeds_;
 };
 
+// Approaches from above to a pack that lies any way round.
+class LyingSeeds {
+ public:
+  LyingSeeds(const ProductBody& body, const GraspSurface& surface, Vec3 up)
+      : surface_(surface), up_(up), mass_middle_(to_double(body.center_of_mass)) {
+    const Vec3 size = to_double(surface.bounds().high - surface.bounds().low);
+    for (int axis = 1; axis < 3; ++axis)
+      if (along(size, axis) > along(size, longest_)) longest_ = axis;
+    length_m_ = along(size, longest_);
+  }
+
+  // Round the middle of mass, and to either side of it along the pack's longest axis.
+  void middles() {
+    for (const double share : lying_shares) {
+      const Vec3 center = mass_middle_ + axis_unit(longest_) * (share * length_m_);
+      for (const Vec3 closing : all_closings()) {
+        if (share == 0 || std::abs(along(closing, longest_)) < 0.5) sweep(center, closing);
+      }
+    }
+  }
+
+  void narrow(const PackFeature& feature) {
+    for (const Vec3 closing : all_closings())
+      sweep_at(GraspStrategy::neck, to_double(feature.center), closing, false);
+  }
+
+  void handle(const PackFeature& feature) {
+    for (int axis = 0; axis < 3; ++axis)
+      sweep_at(GraspStrategy::handle, to_double(feature.center), axis_unit(axis), true);
+  }
+
+  void seam(const PackFeature& feature) {
+    const int thin = feature.half_size.y <= feature.half_size.x ? 1 : 0;
+    sweep_at(GraspStrategy::seam, to_double(feature.center), axis_unit(thin), false);
+  }
+
+  std::vector<PinchSeed> take() { return std::move(seeds_); }
+
+ private:
+  static std::vector<Vec3> all_closings() {
+    std::vector<Vec3> closings{{0, 0, 1}};
+    for (int yaw = 0; yaw < top_yaws; ++yaw)
+      closings.push_back(level_closing(yaw));
+    return closings;
+  }
+
+  // Calls `use` with each approach from above square to `closing`.
+  template <class Use>
+  void for_approaches(Vec3 closing, const Use& use) const {
+    const Vec3 x = square_to(closing), y = cross(closing, x);
+    for (int i = 0; i < lying_sweep; ++i) {
+      const double turn = 2 * std::numbers::pi * i / lying_sweep;
+      const Vec3 approach = x * std::cos(turn) + y * std::sin(turn);
+      if (dot(approach, up_) < 0) use(approach);
+    }
+  }
+
+  void sweep_at(GraspStrategy strategy, Vec3 center, Vec3 closing, bool inside) {
+    for_approaches(closing, [&](Vec3 approach) {
+      seeds_.push_back({strategy, center, approach, closing, inside});
+    });
+  }
+
+  // At the centre and nearer to where the approach meets the pack.
+  void sweep(Vec3 center, Vec3 closing) {
+    for_approaches(closing, [&](Vec3 approach) {
+      const bool down = -dot(approach, up_) > straight_down_cosine;
+      const GraspStrategy strategy = down ? GraspStrategy::top : GraspStrategy::side;
+      seeds_.push_back({strategy, center, approach, closing});
+      const Vec3 start = center - approach * far_off_m;
+      const auto hit = surface_.first_hit(start, approach);
+      if (!hit) return;
+      for (const double depth : top_depths_m) {
+        if (hit->distance_m + depth < far_off_m)
+          seeds_.push_back(
+              {strategy, start + approach * (hit->distance_m + depth), approach, closing});
+      }
+    });
+  }
+
+  const GraspSurface& surface_;
+  Vec3 up_, mass_middle_;
+  int longest_ = 0;
+  double length_m_ = 0;
+  std::vector<PinchSeed> seeds_;
+};
+
 }  // namespace
 
 std::vector<PinchSeed> pinch_seeds(const ProductBody& body,
@@ -153,6 +251,20 @@ std::vector<PinchSeed> pinch_seeds(const ProductBody& body,
   }
   seeds.sides();
   seeds.tops();
+  return seeds.take();
+}
+
+std::vector<PinchSeed> pinch_seeds_from_above(const ProductBody& body,
+                                              const GraspSurface& surface,
+                                              Vec3 up) {
+  LyingSeeds seeds(body, surface, up);
+  for (const PackFeature& feature : body.features) {
+    if (narrow_part(feature.kind)) seeds.narrow(feature);
+    if (feature.kind == FeatureKind::handle || feature.kind == FeatureKind::trigger)
+      seeds.handle(feature);
+    if (feature.kind == FeatureKind::seam) seeds.seam(feature);
+  }
+  seeds.middles();
   return seeds.take();
 }
 
@@ -175,6 +287,30 @@ std::vector<SuctionSeed> suction_seeds(const ProductBody& body, const GraspSurfa
         seeds.push_back({GraspStrategy::suction_side,
                          {side * far_off_m, mass_middle.y + a * size.y, z},
                          {-side, 0, 0}});
+    }
+  }
+  return seeds;
+}
+
+std::vector<SuctionSeed> suction_seeds_from_above(const ProductBody& body,
+                                                  const GraspSurface& surface,
+                                                  Vec3 up) {
+  constexpr std::array across = {0.0, -0.18, 0.18, -0.36, 0.36};  // of the face, from its middle
+  const Vec3 size = to_double(surface.bounds().high - surface.bounds().low);
+  const Vec3 mass_middle = to_double(body.center_of_mass);
+  std::vector<SuctionSeed> seeds;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double side = along(up, axis) > 0 ? -1.0 : 1.0;  // down
+    const Vec3 travel = axis_unit(axis) * side;
+    const bool down = -dot(travel, up) > straight_down_cosine;
+    const Vec3 u = axis_unit((axis + 1) % 3), v = axis_unit((axis + 2) % 3);
+    for (const double a : across) {
+      for (const double b : across) {
+        const Vec3 over = mass_middle + u * (a * dot(size, u)) + v * (b * dot(size, v));
+        seeds.push_back({down ? GraspStrategy::suction_top : GraspStrategy::suction_side,
+                         over - travel * far_off_m,
+                         travel});
+      }
     }
   }
   return seeds;

@@ -26,6 +26,16 @@ struct SuctionSeed {
 
 std::vector<SuctionSeed> suction_seeds(const ProductBody& body, const GraspSurface& surface);
 
+// The same for a pack that lies any way round; `up` is the world's, product frame. Fingers close
+// along the pack's axes and, square to its Z, every 15 degrees; approaches are swept round each of
+// these. Strategies are named by the world: top is within 20 degrees of straight down.
+std::vector<PinchSeed> pinch_seeds_from_above(const ProductBody& body,
+                                              const GraspSurface& surface,
+                                              Vec3 up);
+std::vector<SuctionSeed> suction_seeds_from_above(const ProductBody& body,
+                                                  const GraspSurface& surface,
+                                                  Vec3 up);
+
 // The rotation whose axes are `y` and `z` (unit, at right angles) and y x z.
 Quaternion rotation_with_axes(Vec3 y, Vec3 z);
 

@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <set>
 #include <string>
 #include <string_view>
 
+#include "physics/bulk_model.h"
+#include "physics/product_bodies.h"
 #include "physics/spec_geoms.h"
 #include "scene/planogram.h"
 
@@ -52,7 +53,8 @@ class GraspSceneBuilder {
       : trial_(trial),
         contact_(contact),
         spec_(mj_makeSpec(), mj_deleteSpec),
-        world_(mjs_findBody(spec_.get(), "world")) {
+        world_(mjs_findBody(spec_.get(), "world")),
+        products_(*spec_) {
     set_contact_options(*spec_, 0);
     spec_->option.enableflags &= ~mjENBL_SLEEP;
     spec_->memory = grasp_arena_bytes;
@@ -60,38 +62,15 @@ class GraspSceneBuilder {
   }
 
   void add_surroundings() {
-    if (trial_.setting == GraspSetting::free) {
-      add_product(0, {});
-      add_floor(0);
-      return;
+    switch (trial_.setting) {
+      case GraspSetting::free:
+        add_product({});
+        return add_floor(0);
+      case GraspSetting::basket:
+        return add_basket();
+      default:
+        add_shelf();
     }
-    Stream draw = trial_.seed.child("shelf").stream();
-    const double width = trial_.product.width_m(), depth = trial_.product.depth_m();
-    const auto gap = [&] {
-      return trial_.setting == GraspSetting::spaced ? spaced_gap_m : draw.uniform(0.002, 0.008);
-    };
-    headroom_ = draw.uniform(least_headroom_m, most_headroom_m);
-    add_product(0, {});
-    int index = 0;
-    for (const double side : {-1.0, 1.0}) {
-      double x = 0;
-      for (int i = 0; i < beside; ++i) {
-        x += side * (width + gap());
-        add_product(++index, {x, 0, 0});
-      }
-      double slack = 0;
-      for (int i = 0; i < beside_still; ++i)
-        slack += gap();
-      add_row_end(x + side * (width / 2 + slack + block_half_m));
-    }
-    const double behind = depth + depth_gap_m;
-    add_product(++index, {0, behind, 0});
-    for (const double side : {-1.0, 1.0})
-      add_product(++index, {side * (width + gap()), behind, 0});
-    add_back(behind);
-    add_board(0);
-    add_board(trial_.product.height_m() + headroom_ + shelf_thick_m);
-    add_floor(-floor_under_shelf_m);
   }
 
   void add_tool() {
@@ -163,6 +142,42 @@ class GraspSceneBuilder {
     }
   }
 
+  void add_shelf() {
+    Stream draw = trial_.seed.child("shelf").stream();
+    const double width = trial_.product.width_m(), depth = trial_.product.depth_m();
+    const auto gap = [&] {
+      return trial_.setting == GraspSetting::spaced ? spaced_gap_m : draw.uniform(0.002, 0.008);
+    };
+    headroom_ = draw.uniform(least_headroom_m, most_headroom_m);
+    add_product({});
+    for (const double side : {-1.0, 1.0}) {
+      double x = 0;
+      for (int i = 0; i < beside; ++i) {
+        x += side * (width + gap());
+        add_product({{x, 0, 0}, {}});
+      }
+      double slack = 0;
+      for (int i = 0; i < beside_still; ++i)
+        slack += gap();
+      add_row_end(x + side * (width / 2 + slack + block_half_m));
+    }
+    const double behind = depth + depth_gap_m;
+    add_product({{0, behind, 0}, {}});
+    for (const double side : {-1.0, 1.0})
+      add_product({{side * (width + gap()), behind, 0}, {}});
+    add_back(behind);
+    add_board(0);
+    add_board(trial_.product.height_m() + headroom_ + shelf_thick_m);
+    add_floor(-floor_under_shelf_m);
+  }
+
+  void add_basket() {
+    for (const Pose& pose : trial_.basket->container_from_product)
+      add_product(pose);
+    for (mjsGeom* geom : add_container(world_, trial_.basket->container))
+      set_meeting(geom, others_bit, still_meets);
+  }
+
   static void set_meeting(mjsGeom* geom, int own_bit, int meets) {
     geom->contype = own_bit;
     geom->conaffinity = meets;
@@ -202,54 +217,12 @@ class GraspSceneBuilder {
               {board_half_width_m, block_half_m, trial_.product.height_m() / 2});
   }
 
-  void add_product(int index, Vec3 at) {
-    ++product_count_;
-    mjsBody* body = mjs_addBody(world_, nullptr);
-    mjs_setName(body->element, fmt::format("product{}", index).c_str());
-    set_pose(body->pos, body->quat, {at, {}});
-    mjs_addFreeJoint(body)->align = mjALIGNFREE_FALSE;
-    body->mass = trial_.product.mass_kg;
-    const Vec3f& middle = trial_.body.center_of_mass;
-    body->ipos[0] = middle.x, body->ipos[1] = middle.y, body->ipos[2] = middle.z;
-    for (std::size_t i = 0; i < 6; ++i)
-      body->fullinertia[i] = static_cast<double>(trial_.body.inertia_kg_m2[i]);
-    body->explicitinertial = 1;
-    for (std::size_t i = 0; i < trial_.body.pieces.size(); ++i)
-      add_piece(body, i);
-  }
-
-  void add_piece(mjsBody* body, std::size_t index) {
-    const ContactPiece& piece = trial_.body.pieces[index];
-    mjsGeom* geom = nullptr;
-    if (piece.shape == PieceShape::hull) {
-      geom = mjs_addGeom(body, nullptr);
-      geom->type = mjGEOM_MESH;
-      mjs_setString(geom->meshname, mesh_of(index).c_str());
-      geom->solref[0] = contact_time_s;
-    } else {
-      const CollisionPrimitive primitive{
-          static_cast<CollisionShape>(piece.shape), piece.center, piece.half_size, piece.lying};
-      geom = add_shape(body, contact_shape_of(primitive));
-    }
-    set_goods_contact(geom, contact_);
-    geom->group = product_geom_group;
-    set_meeting(geom, others_bit, goods_meet);
-  }
-
-  // One mesh a piece, shared by all of the row.
-  std::string mesh_of(std::size_t index) {
-    const std::string name = fmt::format("piece{}", index);
-    if (meshes_.insert(index).second) {
-      const std::vector<Vec3f>& points = trial_.body.pieces[index].points;
-      std::vector<float> flat;
-      for (const Vec3f& p : points)
-        flat.insert(flat.end(), {p.x, p.y, p.z});
-      mjsMesh* mesh = mjs_addMesh(spec_.get(), nullptr);
-      mjs_setName(mesh->element, name.c_str());
-      mjs_setFloat(mesh->uservert, flat.data(), static_cast<int>(flat.size()));
-      mesh->inertia = mjMESH_INERTIA_CONVEX;
-    }
-    return name;
+  void add_product(const Pose& world_from_product) {
+    products_.add(fmt::format("product{}", product_count_++),
+                  trial_.product,
+                  trial_.body,
+                  world_from_product,
+                  {contact_, product_geom_group, others_bit, goods_meet});
   }
 
   mjsJoint* add_slide(mjsBody* body, const double axis[3], double inertia_kg, double damping) {
@@ -348,24 +321,14 @@ class GraspSceneBuilder {
   const GoodsContact& contact_;
   MujocoSpec spec_;
   mjsBody* world_;
+  ProductBodies products_;
   int product_count_ = 0, lip_found_ = 0;
   double headroom_ = 0;
-  std::set<std::size_t> meshes_;
 };
 
 Result<void> check_trial(const GraspTrial& trial) {
   const Product& p = trial.product;
-  const bool sized = p.size_mm[0] > 0 && p.size_mm[1] > 0 && p.size_mm[2] > 0;
-  if (!(p.mass_kg > 0) || !std::isfinite(p.mass_kg) || !sized || trial.body.pieces.empty())
-    return Error{
-        "catalog.bad_row",
-        p.sku,
-        fmt::format("a product to be held needs a mass and a size greater than 0; it has {} "
-                    "kg and {} x {} x {} mm",
-                    p.mass_kg,
-                    p.size_mm[0],
-                    p.size_mm[1],
-                    p.size_mm[2])};
+  MARKETGEN_CHECK(check_has_body(p, trial.body));
   const Grasp& g = trial.grasp;
   const Vec3& at = g.product_from_tool.position;
   const bool finite = std::isfinite(at.x + at.y + at.z) && std::isfinite(g.force_n + g.opening_m);
@@ -388,12 +351,30 @@ Result<void> check_trial(const GraspTrial& trial) {
   return {};
 }
 
+Result<void> check_basket(const GraspTrial& trial) {
+  if (trial.setting != GraspSetting::basket) return {};
+  if (trial.basket == nullptr || trial.basket->container_from_product.empty())
+    return Error{"motion.bad_configuration",
+                 trial.product.sku,
+                 "a grasp in a basket needs the basket and where the packs lie in it"};
+  for (const Pose& pose : trial.basket->container_from_product) {
+    const Quaternion& q = pose.rotation;
+    if (!is_finite(pose.position) || !std::isfinite(q.w + q.x + q.y + q.z))
+      return Error{
+          "motion.bad_configuration", trial.product.sku, "expected packs at finite places"};
+  }
+  return check_container(trial.basket->container);
+}
+
 }  // namespace
 
 Result<GraspScene> grasp_scene(const GraspTrial& trial) {
   MARKETGEN_CHECK(check_trial(trial));
+  MARKETGEN_CHECK(check_basket(trial));
   MARKETGEN_TRY(const CollisionPrimitive primitive, collision_of(trial.product));
-  const GoodsContact contact = goods_contact_of(trial.product, primitive);
+  const GoodsContact contact = trial.setting == GraspSetting::basket
+                                   ? bulk_contact_of(trial.product, primitive)
+                                   : goods_contact_of(trial.product, primitive);
   GraspSceneBuilder builder(trial, contact);
   builder.add_surroundings();
   builder.add_tool();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/bulk_model.h"
 #include "physics/grasp_hold.h"
 
 namespace marketgen {
@@ -15,7 +16,7 @@ constexpr double free_approach_m = 0.10, free_approach_s = 1.0;
 constexpr double shelf_approach_m = 0.15, shelf_approach_s = 2.0;
 constexpr double free_lift_m = 0.10, free_lift_s = 1.0;
 constexpr double shelf_lift_m = 0.008, shelf_lift_s = 0.4, pull_clear_m = 0.05, pull_m_s = 0.1;
-constexpr double clear_of_shelf_m = 0.03, clear_of_shelf_s = 0.5;
+constexpr double clear_of_shelf_m = 0.03, clear_of_shelf_s = 0.5, clear_of_rim_m = 0.02;
 constexpr double put_down_over_m = 0.001, retreat_s = 0.6, rest_s = 0.5, open_s = 0.4;
 // Twice to and fro in 0.8 s along each axis: 2 m/s^2 at the most.
 constexpr double shake_m = 0.008, shake_s = 0.8, hold_s = 0.3;
@@ -46,21 +47,22 @@ class Trial {
     if (!taken) return ended(GraspEnd::missed);
     hold_.mark();
     const Vec3 before = hold_.product().position;
-    const bool free = trial_.setting == GraspSetting::free;
-    MARKETGEN_CHECK(free ? lift_freely() : lift_off_shelf());
+    MARKETGEN_CHECK(lift());
     for (const Vec3 axis : {Vec3{0, 0, 1}, Vec3{1, 0, 0}, Vec3{0, 1, 0}})
       MARKETGEN_CHECK(hold_.shake_tool(axis, shake_m, shake_s));
     MARKETGEN_CHECK(hold_.wait(hold_s));
     const Vec3 carried = hold_.product().position - before - travelled_;
     outcome_.squeeze_n = std::min(hold_.watch().pad_n[0], hold_.watch().pad_n[1]);
     const GraspEnd held = end_of_hold(length(carried));
-    if (held != GraspEnd::held || !free) return ended(held);
+    if (held != GraspEnd::held || trial_.setting != GraspSetting::free) return ended(held);
     MARKETGEN_TRY(const bool stays, put_down());
     return ended(stays ? GraspEnd::held : GraspEnd::fell_over);
   }
 
  private:
   bool loose() const { return trial_.product.orientation == Orientation::any; }
+  bool in_basket() const { return trial_.setting == GraspSetting::basket; }
+  bool on_shelf() const { return trial_.setting != GraspSetting::free && !in_basket(); }
 
   std::vector<Pose> all_poses() const {
     std::vector<Pose> poses;
@@ -69,9 +71,12 @@ class Trial {
     return poses;
   }
 
+  // Upright, or as it lay in the basket.
   bool stands() const {
-    const Pose now = hold_.product(), start{};
+    const Pose now = hold_.product();
+    const Pose start = in_basket() ? trial_.basket->container_from_product[0] : Pose{};
     if (hold_.speed() > rests_m_s) return false;
+    if (in_basket()) return length(now.position - start.position) < stands_m;
     return loose() || (length(now.position) < stands_m && upright(start, now) > stands_cosine);
   }
 
@@ -82,14 +87,14 @@ class Trial {
     Pose seen = hold_.product();
     seen.position += Vec3{error(tool_error_m), error(tool_error_m), error(tool_error_m)};
     seen.rotation = rotation_about({0, 0, 1}, error(tool_error_rad)) * seen.rotation;
-    const bool free = trial_.setting == GraspSetting::free;
-    const double way = free ? free_approach_m : shelf_approach_m;
+    const bool shelved = on_shelf();
+    const double way = shelved ? shelf_approach_m : free_approach_m;
     Pose goal = seen * trial_.grasp.product_from_tool;
     ahead_ = rotate(goal.rotation, {0, 0, 1});
     goal.position += ahead_ * -way;
     hold_.put_tool(goal);
     hold_.open_fingers(trial_.grasp.opening_m);
-    return hold_.move_tool(ahead_ * way, free ? free_approach_s : shelf_approach_s);
+    return hold_.move_tool(ahead_ * way, shelved ? shelf_approach_s : free_approach_s);
   }
 
   Result<bool> take() {
@@ -107,7 +112,21 @@ class Trial {
     return hold_.move_tool(by, seconds);
   }
 
-  Result<void> lift_freely() { return move({0, 0, free_lift_m}, free_lift_s); }
+  Result<void> lift() {
+    if (on_shelf()) return lift_off_shelf();
+    if (in_basket()) return lift_out_of_basket();
+    return move({0, 0, free_lift_m}, free_lift_s);
+  }
+
+  // Until the lowest corner of the pack's box is clear of the rim.
+  Result<void> lift_out_of_basket() {
+    const Pose now = hold_.product();
+    const Vec3 middle = now * Vec3{0, 0, trial_.product.height_m() / 2};
+    const double lowest = middle.z - turned_half_extents(trial_.product, now.rotation).z;
+    const double by =
+        std::max(free_lift_m, trial_.basket->container.height_m + clear_of_rim_m - lowest);
+    return move({0, 0, by}, by / pull_m_s);
+  }
 
   Result<void> lift_off_shelf() {
     MARKETGEN_CHECK(move({0, 0, shelf_lift_m}, shelf_lift_s));
@@ -124,12 +143,18 @@ class Trial {
     if (!touched || strayed_m > lost_m) return GraspEnd::dropped;
     if (watch.slip_m > most_slip_m) return GraspEnd::slipped;
     if (watch.still_n > most_tool_n) return GraspEnd::collided;
+    if (!in_basket() && neighbour_toppled()) return GraspEnd::toppled;
+    return watch.neighbour_n > most_neighbour_n ? GraspEnd::pressed : GraspEnd::held;
+  }
+
+  // On a shelf. In a basket what lies round about may be moved, as long as it is not pressed hard.
+  bool neighbour_toppled() const {
     for (std::size_t i = 1; i < hold_.products(); ++i) {
       const Pose now = hold_.product(i);
       const bool fell = stood_[i].position.z - now.position.z > fallen_m;
-      if (fell || (!loose() && upright(stood_[i], now) < toppled_cosine)) return GraspEnd::toppled;
+      if (fell || (!loose() && upright(stood_[i], now) < toppled_cosine)) return true;
     }
-    return watch.neighbour_n > most_neighbour_n ? GraspEnd::pressed : GraspEnd::held;
+    return false;
   }
 
   // Where it was taken up; true when it stays there once the tool has gone.

@@ -7,8 +7,8 @@
 // and lets go as soon as one of them, or friction, would have to hold more than its share.
 //
 // Products are their contact pieces, with their mass, centre of mass and inertia; they are rigid.
-// World frame: the target's product frame as it stands at first. SI units. Deterministic;
-// thread-safe.
+// World frame: the target's product frame as it stands at first; in a basket, the basket's. SI
+// units. Deterministic; thread-safe.
 #pragma once
 #include <array>
 #include <string_view>
@@ -16,6 +16,7 @@
 #include "assets/product_model.h"
 #include "base/result.h"
 #include "base/seed.h"
+#include "physics/bulk_settle.h"
 #include "robots/grasp_tool.h"
 
 namespace marketgen {
@@ -23,11 +24,17 @@ namespace marketgen {
 // free: alone on a table. stocked: in the front row of a full shelf, 2 to 8 mm from either
 // neighbour, 3 mm from the one behind, 30 to 50 mm under the next board; the columns reach to the
 // back panel and the row to dividers six facings away. spaced: the same with gaps of 30 mm between
-// facings.
-enum class GraspSetting { free, stocked, spaced };
-constexpr std::array<std::string_view, 3> names_of(GraspSetting) {
-  return {"free", "stocked", "spaced"};
+// facings. basket: among its likes in an open container in which they have settled.
+enum class GraspSetting { free, stocked, spaced, basket };
+constexpr std::array<std::string_view, 4> names_of(GraspSetting) {
+  return {"free", "stocked", "spaced", "basket"};
 }
+
+// A container with packs of one product that lie in it, the target first.
+struct BasketOfLikes {
+  OpenContainer container;
+  std::vector<Pose> container_from_product;
+};
 
 // Least height between a pack on the shelf and the board above.
 constexpr double least_headroom_m = 0.030;
@@ -35,8 +42,8 @@ constexpr double spaced_gap_m = 0.030;
 
 enum class GraspEnd {
   held,       // lifted, shaken, and put down where there is a table to put it
-  unstable,   // the product does not stand by itself
-  collided,   // the tool pressed on shelf or table
+  unstable,   // the product does not stand by itself, or does not lie still
+  collided,   // the tool pressed on shelf, table or basket
   missed,     // the pads did not both touch it, or the cup did not seal
   dropped,    // it came out of the tool
   slipped,    // held, but it moved under the pads by more than the limit
@@ -68,6 +75,7 @@ struct GraspTrial {
   double pad_friction = 0.5;  // of pads or lip on the product
   GraspSetting setting = GraspSetting::free;
   Seed seed{1};  // of gaps, headroom and the error with which the tool comes
+  const BasketOfLikes* basket = nullptr;  // of the setting `basket`
 };
 
 struct GraspOutcome {
@@ -88,8 +96,9 @@ constexpr double tool_error_m = 0.001, tool_error_rad = 0.01745;
 Result<bool> stands_alone(const Product& product, const ProductBody& body, const GraspTool& tool);
 
 // Errors: catalog.bad_row for a product without mass or size; motion.bad_configuration for a grasp
-// that the tool cannot make (wider than its opening, stronger than its force, not finite);
-// physics.failed.
+// that the tool cannot make (wider than its opening, stronger than its force, not finite) and for
+// the setting `basket` without a basket or target; physics.bad_command for a container without
+// room; physics.failed.
 Result<GraspOutcome> try_grasp(const GraspTrial& trial);
 
 }  // namespace marketgen

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
 #include "assets/product_model.h"
 #include "base/seed.h"
+#include "physics/pour.h"
 #include "physics/spec_geoms.h"
 
 namespace marketgen {
@@ -20,8 +22,7 @@ constexpr double wall_half_m = 0.02;
 // Pieces press into the walls by less than this. The footprint is so much wider on every side, for
 // heaps are laid side by side.
 constexpr int wall_gives_mm = 1;
-constexpr double pour_pause_s = 0.5;  // between layers
-constexpr double rest_m_s = 0.01, longest_s = 4;
+constexpr PourRules heap_rules{.least_pause_s = 0.5, .most_pause_s = 0.5, .settle_s = 1};
 constexpr char heap_where[] = "heap";
 
 struct Tray {
@@ -35,14 +36,6 @@ Tray tray_for(const Product& product) {
   const double piece = std::max({product.width_m(), product.depth_m(), product.height_m()});
   const int fit = std::max(2, static_cast<int>(widest_m / (piece * spread)));
   return {piece, std::min(most_across, fit), std::min(most_deep, fit)};
-}
-
-// Any way round, by Shoemake's rule without its sines: four normal numbers made a unit.
-Quaternion any_rotation(Stream& draw) {
-  const double w = draw.normal(), x = draw.normal(), y = draw.normal(), z = draw.normal();
-  const double norm = std::sqrt(w * w + x * x + y * y + z * z);
-  if (norm < 1e-3) return {};
-  return {w / norm, x / norm, y / norm, z / norm};
 }
 
 class HeapBuilder {
@@ -110,40 +103,18 @@ class HeapBuilder {
   std::size_t count() const { return layer_of_.size(); }
 
   // Layers that are not yet poured are held where they hang.
-  void hold(const mjModel& model, mjData& data, double time) const {
-    for (std::size_t i = 0; i < count(); ++i) {
-      if (time >= layer_of_[i] * pour_pause_s) continue;
-      const int q = model.jnt_qposadr[i], v = model.jnt_dofadr[i];
-      std::copy(model.qpos0 + q, model.qpos0 + q + 7, data.qpos + q);
-      std::fill(data.qvel + v, data.qvel + v + 6, 0);
-    }
-  }
-
-  double fastest(const mjModel& model, const mjData& data) const {
-    double speed = 0;
-    for (std::size_t i = 0; i < count(); ++i) {
-      const mjtNum* v = data.qvel + model.jnt_dofadr[i];
-      const double turning = std::sqrt(v[3] * v[3] + v[4] * v[4] + v[5] * v[5]);
-      speed = std::max(
-          {speed, std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]), turning * tray_.piece_m / 2});
-    }
-    return speed;
-  }
-
   Result<void> pour(const mjModel& model, mjData& data) const {
-    const int most_steps = static_cast<int>(longest_s / time_step_s);
-    for (int step = 0; step < most_steps; ++step) {
-      MARKETGEN_CHECK(guarded(heap_where, [&] { mj_step(&model, &data); }));
-      if (data.warning[mjWARN_BADQACC].number > 0)
-        return Error{"physics.failed", product_.sku, "the heap flies apart"};
-      hold(model, data, data.time);
-      if (data.time > layers * pour_pause_s + 0.5 && fastest(model, data) < rest_m_s) break;
-    }
+    std::vector<PouredBody> bodies;
+    for (const int layer : layer_of_)
+      bodies.push_back({layer, tray_.piece_m / 2});
+    Pour pour(model, data, bodies, heap_rules);
+    while (!pour.over())
+      MARKETGEN_CHECK(pour.step(product_.sku));
     MARKETGEN_CHECK(guarded(heap_where, [&] { mj_forward(&model, &data); }));
-    if (fastest(model, data) < 15 * rest_m_s) return {};
+    if (pour.fastest() < 15 * heap_rules.rest_m_s) return {};
     return Error{"physics.failed",
                  product_.sku,
-                 fmt::format("a heap of it still moves after {} s", longest_s)};
+                 fmt::format("a heap of it still moves after {} s", heap_rules.longest_s)};
   }
 
   // Which pieces each one lies on, and which lean on a wall.

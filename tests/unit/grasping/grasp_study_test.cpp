@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "base/parallel.h"
+#include "grasping/grasp_basket.h"
 #include "grasping/grasp_database.h"
 #include "grasping/grasp_shares.h"
 #include "support/committed_catalog.h"
@@ -14,15 +15,19 @@
 namespace marketgen {
 namespace {
 
-std::vector<GraspTool> all_tools() {
+std::vector<GraspTool> tools_called(const std::vector<const char*>& ids) {
   const std::filesystem::path data = std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data";
   std::vector<GraspTool> tools;
-  for (const char* id : {"panda-hand", "suction-cup"}) {
+  for (const char* id : ids) {
     auto tool = load_grasp_tool(data, id);
     if (!tool.ok()) fatal(to_string(tool.error()).c_str());
     tools.push_back(std::move(tool).value());
   }
   return tools;
+}
+
+std::vector<GraspTool> all_tools() {
+  return tools_called({"panda-hand", "suction-cup"});
 }
 
 std::vector<const Product*> first_of(const std::vector<std::string>& shapes) {
@@ -61,6 +66,69 @@ TEST(GraspStudy, TheSameOnOneAndOnManyThreads) {
       EXPECT_EQ(one[i].tries[k].slip_mm, many[i].tries[k].slip_mm);
     }
   }
+}
+
+std::vector<GraspRate> studied_in_basket(const std::vector<const Product*>& products, int threads) {
+  const ThreadLimit limit(threads);
+  StudyOptions options;
+  options.tries = 1;
+  options.settings = {GraspSetting::basket};
+  auto rates = study_grasps(products,
+                            tools_called({"panda-hand", "parallel-gripper", "suction-cup"}),
+                            committed_catalog().frictions,
+                            options,
+                            silent_progress());
+  if (!rates.ok()) fatal(to_string(rates.error()).c_str());
+  return std::move(rates).value();
+}
+
+TEST(GraspStudy, InABasketEveryRateIsATryOrHasItsReason) {
+  const std::vector<const Product*> products =
+      first_of({"can", "gable_carton", "box", "pouch", "apple"});
+  const std::vector<GraspRate> one = studied_in_basket(products, 1);
+  const std::vector<GraspRate> two = studied_in_basket(products, 2);
+  ASSERT_EQ(one.size(), products.size() * 3);
+  int held = 0;
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    SCOPED_TRACE(one[i].sku + " " + one[i].tool);
+    EXPECT_EQ(one[i].setting, GraspSetting::basket);
+    EXPECT_EQ(one[i].fits(), !one[i].tries.empty());
+    EXPECT_EQ(one[i].fits(), one[i].reason.empty());
+    EXPECT_EQ(one[i].excluded, two[i].excluded);
+    ASSERT_EQ(one[i].tries.size(), two[i].tries.size());
+    for (std::size_t k = 0; k < one[i].tries.size(); ++k) {
+      const GraspTry& tried = one[i].tries[k];
+      EXPECT_EQ(tried.end, two[i].tries[k].end);
+      EXPECT_EQ(tried.slip_mm, two[i].tries[k].slip_mm);
+      if (tried.end != GraspEnd::held) continue;
+      ++held;
+      EXPECT_LE(tried.slip_mm, 1);
+      EXPECT_LE(tried.neighbour_n, 50);
+    }
+  }
+  EXPECT_GE(held, 3);
+}
+
+TEST(GraspStudy, WhatTheBasketIsTooSmallForIsLeftOut) {
+  Product wide = *first_of({"box"}).front();
+  wide.size_mm = {300, 200, 280};
+  wide.mass_kg = 1.2;
+  for (const GraspRate& rate : studied_in_basket({&wide}, 1)) {
+    EXPECT_EQ(name_of(rate.excluded), "does_not_fit");
+    EXPECT_FALSE(rate.reason.empty());
+  }
+}
+
+// The inside of the basket is 17.2 l: six cans, one box of more than a quarter of it.
+TEST(GraspStudy, SoManyLieInTheBasket) {
+  Product pack = *first_of({"can"}).front();
+  EXPECT_EQ(likes_in_basket(pack), 6);
+  pack.size_mm = {200, 150, 200};  // 6 l
+  EXPECT_EQ(likes_in_basket(pack), 1);
+  pack.size_mm = {200, 100, 200};  // 4 l
+  EXPECT_EQ(likes_in_basket(pack), 2);
+  pack.size_mm = {300, 200, 300};  // fills it
+  EXPECT_EQ(likes_in_basket(pack), 1);
 }
 
 TEST(GraspStudy, WhatIsLeftOutHasItsReason) {

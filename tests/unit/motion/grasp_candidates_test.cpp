@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "motion/grasp_seeds.h"
 #include "support/committed_catalog.h"
@@ -88,6 +89,22 @@ TEST(GraspCandidates, NoMassIsAnError) {
   EXPECT_EQ(answer.error().code, "catalog.bad_row");
 }
 
+TEST(GraspCandidates, APackNowhereIsAnError) {
+  const Pack pack = can_of(0.033F, 0.115F);
+  const auto code = [&](const GraspQuery& query) {
+    const auto answer = grasp_candidates(pack.product, pack.body, tool_called("panda-hand"), query);
+    return answer.ok() ? std::string() : answer.error().code;
+  };
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  GraspQuery lying, near, walled;
+  lying.world_from_product.rotation.w = nan;
+  near.likes = {{{nan, 0, 0}, {}}};
+  walled.walls = {{{}, {0.1, nan, 0.1}}};
+  EXPECT_EQ(code(lying), "motion.bad_configuration");
+  EXPECT_EQ(code(near), "motion.bad_configuration");
+  EXPECT_EQ(code(walled), "motion.bad_configuration");
+}
+
 // Walls that lean by 40 degrees squeeze out of pads at friction 0.5 (27 degrees).
 TEST(GraspCandidates, ASteepWedgeIsNotHeld) {
   Pack pack = can_of(0.03F, 0.06F);
@@ -143,6 +160,94 @@ TEST(GraspCandidates, TheFrontIsWhereTheShopperStands) {
   ASSERT_FALSE(answer.found.empty());
   for (const GraspCandidate& candidate : answer.found)
     EXPECT_GE(axis_of(candidate, {0, 0, 1}).y, 0.5);
+}
+
+// A can on its side in the middle of the floor, its axis along the world's X; `aside_m` to a wall
+// along it on either side.
+GraspQuery lying_between_walls(double aside_m) {
+  GraspQuery query;
+  query.from_above = true;
+  query.world_from_product = {{-0.0575, 0, 0.033}, rotation_about({0, 1, 0}, 1.5707963267948966)};
+  for (const double side : {1.0, -1.0})
+    query.walls.push_back(
+        {{{0, side * (0.033 + aside_m + 0.005), 0.075}, {}}, {0.3, 0.005, 0.075}});
+  return query;
+}
+
+// By corners and middles of the tool's solids, which the search does not look at.
+double least_distance_to_walls(const GraspTool& tool, const Grasp& grasp, const GraspQuery& query) {
+  std::vector<ToolSolid> solids = opened(tool, grasp.opening_m);
+  solids.insert(solids.end(), tool.body.begin(), tool.body.end());
+  double least = 1;
+  for (const ToolSolid& solid : solids) {
+    const Pose at = query.world_from_product * grasp.product_from_tool * solid.tool_from_solid;
+    for (int i = 0; i < 27; ++i) {
+      const Vec3 share{i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0};
+      const Vec3 point = at * (share * solid.half_size);
+      least = std::min(least, point.z);
+      for (const GraspObstacle& wall : query.walls) {
+        const Vec3 p = inverse(wall.world_from_box) * point;
+        const auto out = [](double x, double half) { return std::max(0.0, std::abs(x) - half); };
+        least = std::min(least,
+                         length(Vec3{out(p.x, wall.half_size.x),
+                                     out(p.y, wall.half_size.y),
+                                     out(p.z, wall.half_size.z)}));
+      }
+    }
+  }
+  return least;
+}
+
+TEST(GraspCandidates, ALyingCanIsTakenFromAboveClearOfWalls) {
+  const Pack can = can_of(0.033F, 0.115F);
+  for (const char* id : {"panda-hand", "parallel-gripper"}) {
+    const GraspTool tool = tool_called(id);
+    for (const double aside : {0.15, 0.08}) {
+      const GraspQuery query = lying_between_walls(aside);
+      const GraspCandidates answer = found(can, tool, query);
+      ASSERT_FALSE(answer.found.empty()) << id << aside << answer.reason;
+      for (const GraspCandidate& candidate : answer.found) {
+        const Vec3 approach =
+            rotate(query.world_from_product.rotation, axis_of(candidate, {0, 0, 1}));
+        EXPECT_LE(approach.z, -0.4226);
+        EXPECT_GE(least_distance_to_walls(tool, candidate.grasp, query), 0.002 - 1e-6);
+      }
+    }
+  }
+}
+
+TEST(GraspCandidates, BetweenNearWallsThereIsNoRoom) {
+  const Pack can = can_of(0.033F, 0.115F);
+  GraspQuery query = lying_between_walls(0.004);  // a finger is thicker
+  for (const double side : {1.0, -1.0})
+    query.walls.push_back({{{side * 0.0665, 0, 0.075}, {}}, {0.005, 0.3, 0.075}});
+  const GraspCandidates answer = found(can, tool_called("panda-hand"), query);
+  EXPECT_TRUE(answer.found.empty());
+  EXPECT_EQ(answer.refusal, GraspRefusal::no_room);
+  EXPECT_NE(answer.reason.find("walls"), std::string::npos);
+}
+
+// Likes give way by 8 mm: fingers fit beside one that lies a finger's width off, not beside one
+// that touches.
+TEST(GraspCandidates, LikesThatLieCloseLeaveNoRoom) {
+  const Pack can = can_of(0.033F, 0.115F);
+  const GraspTool tool = tool_called("parallel-gripper");
+  GraspQuery query = lying_between_walls(0.3);
+  const auto add_likes = [&](double gap) {
+    query.likes.clear();
+    for (const double side : {1.0, -1.0}) {
+      Pose like = query.world_from_product;
+      like.position.y = side * (0.066 + gap);
+      query.likes.push_back(like);
+      like.position.y = 0;
+      like.position.x += side * (0.115 + gap);
+      query.likes.push_back(like);
+    }
+  };
+  add_likes(0.06);
+  EXPECT_FALSE(found(can, tool, query).found.empty());
+  add_likes(0.001);
+  EXPECT_EQ(found(can, tool, query).refusal, GraspRefusal::no_room);
 }
 
 TEST(GraspCandidates, AxesMakeTheirRotation) {

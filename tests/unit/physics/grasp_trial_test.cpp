@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "support/committed_catalog.h"
@@ -141,6 +142,62 @@ TEST(GraspTrials, NeighboursFeelTheFingers) {
   EXPECT_GT(close.neighbour_n, apart.neighbour_n);
 }
 
+// Straight down, closing along the basket's long side, with the pads' middle so far under the top.
+Grasp from_above(const GraspTool& tool, double opening_m) {
+  const Quaternion down = rotation_about({1, 0, 0}, 3.141592653589793);
+  const Vec3 at = Vec3{0, 0, cola().height_m() - 0.025} - rotate(down, tool.pad_center);
+  return {{at, down}, opening_m, tool.force_n};
+}
+
+TEST(GraspTrials, OutOfABasketFromAbove) {
+  const BasketOfLikes basket{checkout_basket, {{{0, 0, 0}, {}}, {{0.08, 0.12, 0}, {}}}};
+  for (const char* id : {"panda-hand", "parallel-gripper"}) {
+    const GraspTool& tool = tool_row(id);
+    const GraspOutcome outcome = outcome_of({cola(),
+                                             cola_body(),
+                                             tool,
+                                             from_above(tool, 0.076),
+                                             0.5,
+                                             GraspSetting::basket,
+                                             Seed(1),
+                                             &basket});
+    EXPECT_EQ(name_of(outcome.end), "held") << id << " slip " << outcome.slip_m;
+    EXPECT_LT(outcome.neighbour_n, 1) << id;
+  }
+}
+
+// The can stands by the wall behind which the hand would have to be.
+TEST(GraspTrials, ThroughTheBasketsWallItCollides) {
+  const GraspTool& hand = tool_row("panda-hand");
+  const BasketOfLikes basket{checkout_basket, {{{0, -0.14, 0}, {}}}};
+  const GraspTrial trial{cola(),
+                         cola_body(),
+                         hand,
+                         from_front(hand, 0.08, 0.076),
+                         0.5,
+                         GraspSetting::basket,
+                         Seed(1),
+                         &basket};
+  EXPECT_EQ(name_of(outcome_of(trial).end), "collided");
+  // Without the wall it is a good grasp.
+  EXPECT_EQ(name_of(outcome_of({cola(), cola_body(), hand, trial.grasp}).end), "held");
+}
+
+TEST(GraspTrials, APackThatDoesNotLieStillInTheBasketIsNotTried) {
+  const GraspTool& hand = tool_row("panda-hand");
+  const BasketOfLikes basket{checkout_basket, {{{0, 0, 0.3}, {}}}};  // it falls
+  EXPECT_EQ(name_of(outcome_of({cola(),
+                                cola_body(),
+                                hand,
+                                from_above(hand, 0.076),
+                                0.5,
+                                GraspSetting::basket,
+                                Seed(1),
+                                &basket})
+                        .end),
+            "unstable");
+}
+
 TEST(GraspTrials, TheSameSeedIsTheSameToTheBit) {
   const GraspTool& hand = tool_row("panda-hand");
   const GraspTrial trial{cola(), cola_body(), hand, from_front(hand, 0.06, 0.076)};
@@ -163,6 +220,26 @@ TEST(GraspTrials, WhatCannotBeTriedIsAnError) {
   Grasp strong = from_front(hand, 0.06, 0.07);
   strong.force_n = 200;
   EXPECT_EQ(code_of(cola(), strong), "motion.bad_configuration");
+
+  const auto code_in = [&](const BasketOfLikes* basket) {
+    const auto outcome = try_grasp({cola(),
+                                    cola_body(),
+                                    hand,
+                                    from_above(hand, 0.07),
+                                    0.5,
+                                    GraspSetting::basket,
+                                    Seed(1),
+                                    basket});
+    return outcome.ok() ? std::string() : outcome.error().code;
+  };
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const BasketOfLikes empty{checkout_basket, {}}, nowhere{checkout_basket, {{{nan, 0, 0}, {}}}};
+  BasketOfLikes broken{checkout_basket, {{}}};
+  broken.container.top_x_m = nan;
+  EXPECT_EQ(code_in(nullptr), "motion.bad_configuration");
+  EXPECT_EQ(code_in(&empty), "motion.bad_configuration");
+  EXPECT_EQ(code_in(&nowhere), "motion.bad_configuration");
+  EXPECT_EQ(code_in(&broken), "physics.bad_command");
 }
 
 }  // namespace

@@ -140,6 +140,8 @@ TEST(Heaps, SettlingMakesTheSameHeapEveryTimeAndPiecesDoNotOverlap) {
   ASSERT_NE(melon, nullptr);
   const HeapRow row = settle_heap(*melon).value();
   EXPECT_EQ(row.poses, settle_heap(*melon)->poses);
+  EXPECT_EQ(row.poses, committed_catalog().heap(*melon)->poses);
+  EXPECT_EQ(row.supports, committed_catalog().heap(*melon)->supports);
   ASSERT_GE(pieces_of(row).size(), 4U);
   EXPECT_LT(deepest_overlap(*melon, row), penetration_limit_m);
 }

@@ -1,0 +1,121 @@
+#include "motion/grasp_room.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace marketgen {
+namespace {
+
+// Where else on the way to the pack the open tool is looked at: so far back.
+constexpr std::array on_the_way_m = {0.01, 0.02, 0.035, 0.05, 0.075, 0.1};
+// A cup's body may be this near to what its bellows press on.
+constexpr double bellows_m = 0.03;
+
+// Whether a ball touches the box: most of a tool is far from most packs, and hulls are slow.
+bool near_bounds(const Bounds3& bounds, Vec3 middle, double radius_m) {
+  const Vec3 low = to_double(bounds.low), high = to_double(bounds.high);
+  const Vec3 nearest{std::clamp(middle.x, low.x, high.x),
+                     std::clamp(middle.y, low.y, high.y),
+                     std::clamp(middle.z, low.z, high.z)};
+  return length(middle - nearest) <= radius_m;
+}
+
+}  // namespace
+
+GraspRoom::GraspRoom(const Product& product,
+                     const GraspTool& tool,
+                     const GraspQuery& query,
+                     const GraspSurface& surface)
+    : tool_(tool), query_(query), surface_(surface) {
+  for (const GraspObstacle& wall : query.walls) {
+    ContactPiece box;
+    box.half_size = to_float(wall.half_size);
+    walls_.push_back(
+        {inverse(wall.world_from_box) * query.world_from_product, GraspSurface({box})});
+  }
+  const Pose product_from_world = inverse(query.world_from_product);
+  for (const Pose& like : query.likes)
+    product_from_likes_.push_back(product_from_world * like);
+  if (query.neighbour_gap_m <= 0) return;
+  for (const double side : {-1.0, 1.0})
+    product_from_likes_.push_back({{side * (product.width_m() + query.neighbour_gap_m), 0, 0}, {}});
+}
+
+std::vector<ToolSolid> GraspRoom::solids_of(const Grasp& grasp) const {
+  std::vector<ToolSolid> solids = opened(tool_, grasp.opening_m);
+  solids.insert(solids.end(), tool_.body.begin(), tool_.body.end());
+  return solids;
+}
+
+double GraspRoom::clearance_of(const Grasp& grasp) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const ToolSolid& solid : solids_of(grasp)) {
+    const Pose pose = grasp.product_from_tool * solid.tool_from_solid;
+    least = std::min(
+        {least, room_over_and_under(pose, solid.half_size), gap_to_walls(pose, solid.half_size)});
+    if (least < least_clearance_m) return least;
+    const bool bellows = tool_.kind == ToolKind::suction &&
+                         solid.tool_from_solid.position.z + solid.half_size.z > -bellows_m;
+    if (!bellows) least = std::min(least, surface_.gap_to_box(pose, solid.half_size));
+    if (least < least_clearance_m) return least;
+  }
+  return least;
+}
+
+double GraspRoom::room_over_and_under(const Pose& product_from_box, Vec3 half) const {
+  const Pose pose = query_.world_from_product * product_from_box;
+  const Vec3 up = rotate(inverse(pose.rotation), {0, 0, 1});
+  const double reach = std::abs(up.x) * half.x + std::abs(up.y) * half.y + std::abs(up.z) * half.z;
+  const double under = pose.position.z - reach;
+  if (!query_.ceiling_m) return under;
+  return std::min(under, *query_.ceiling_m - pose.position.z - reach);
+}
+
+double GraspRoom::gap_to_walls(const Pose& product_from_box, Vec3 half) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Wall& wall : walls_)
+    least = std::min(least, wall.box.gap_to_box(wall.box_from_product * product_from_box, half));
+  return least;
+}
+
+double GraspRoom::overlap_with_likes(const Grasp& grasp) const {
+  double room = 0;
+  for (const Pose& like : product_from_likes_) {
+    const Pose like_from_tool = inverse(like) * grasp.product_from_tool;
+    for (const ToolSolid& solid : solids_of(grasp)) {
+      const Pose pose = like_from_tool * solid.tool_from_solid;
+      if (near_bounds(surface_.bounds(), pose.position, length(solid.half_size)))
+        room = std::min(room, surface_.gap_to_box(pose, solid.half_size));
+    }
+  }
+  return -room;
+}
+
+bool GraspRoom::clear_here(const Grasp& grasp) const {
+  return clearance_of(grasp) >= least_clearance_m &&
+         (query_.likes.empty() || overlap_with_likes(grasp) <= most_like_overlap_m);
+}
+
+bool GraspRoom::is_free(const Grasp& grasp) const {
+  if (!clear_here(grasp)) return false;
+  const Vec3 back = rotate(grasp.product_from_tool.rotation, {0, 0, -1});
+  return std::ranges::all_of(on_the_way_m, [&](double by) {
+    Grasp before = grasp;
+    before.product_from_tool.position += back * by;
+    return clear_here(before);
+  });
+}
+
+bool GraspRoom::pads_touch_first(const Grasp& grasp, double width_m) const {
+  const std::vector<ToolSolid> shut = opened(tool_, width_m);
+  for (std::size_t i = 0; i < shut.size(); ++i) {
+    if (i == 0 || i == tool_.left.size()) continue;  // the pads
+    const Pose pose = grasp.product_from_tool * shut[i].tool_from_solid;
+    if (surface_.gap_to_box(pose, shut[i].half_size) < 0) return false;
+  }
+  return true;
+}
+
+}  // namespace marketgen

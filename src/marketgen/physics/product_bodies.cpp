@@ -1,0 +1,80 @@
+#include "physics/product_bodies.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <vector>
+
+#include "physics/spec_geoms.h"
+
+namespace marketgen {
+
+Result<void> check_has_body(const Product& product, const ProductBody& body) {
+  const auto& [width, depth, height] = product.size_mm;
+  const bool sized = width > 0 && depth > 0 && height > 0;
+  if (product.mass_kg > 0 && std::isfinite(product.mass_kg) && sized && !body.pieces.empty())
+    return {};
+  return Error{"catalog.bad_row",
+               product.sku,
+               fmt::format("a product to be held needs a mass and a size greater than 0; it has {} "
+                           "kg and {} x {} x {} mm",
+                           product.mass_kg,
+                           width,
+                           depth,
+                           height)};
+}
+
+void ProductBodies::add(const std::string& name,
+                        const Product& product,
+                        const ProductBody& body,
+                        const Pose& world_from_product,
+                        const ProductGeoms& geoms) {
+  mjsBody* made = mjs_addBody(mjs_findBody(&spec_, "world"), nullptr);
+  mjs_setName(made->element, name.c_str());
+  set_pose(made->pos, made->quat, world_from_product);
+  mjs_addFreeJoint(made)->align = mjALIGNFREE_FALSE;
+  made->mass = product.mass_kg;
+  const Vec3f& middle = body.center_of_mass;
+  made->ipos[0] = middle.x, made->ipos[1] = middle.y, made->ipos[2] = middle.z;
+  for (std::size_t i = 0; i < 6; ++i)
+    made->fullinertia[i] = static_cast<double>(body.inertia_kg_m2[i]);
+  made->explicitinertial = 1;
+  for (std::size_t i = 0; i < body.pieces.size(); ++i) {
+    mjsGeom* geom = add_piece(made, body, i);
+    set_goods_contact(geom, geoms.contact);
+    geom->group = geoms.group;
+    geom->contype = geoms.own_bit;
+    geom->conaffinity = geoms.meets;
+  }
+}
+
+mjsGeom* ProductBodies::add_piece(mjsBody* made, const ProductBody& body, std::size_t index) {
+  const ContactPiece& piece = body.pieces[index];
+  if (piece.shape != PieceShape::hull) {
+    const CollisionPrimitive primitive{
+        static_cast<CollisionShape>(piece.shape), piece.center, piece.half_size, piece.lying};
+    return add_shape(made, contact_shape_of(primitive));
+  }
+  mjsGeom* geom = mjs_addGeom(made, nullptr);
+  geom->type = mjGEOM_MESH;
+  mjs_setString(geom->meshname, mesh_of(body, index).c_str());
+  geom->solref[0] = contact_time_s;
+  return geom;
+}
+
+std::string ProductBodies::mesh_of(const ProductBody& body, std::size_t index) {
+  const auto [found, is_new] =
+      meshes_.try_emplace({&body, index}, fmt::format("piece{}", meshes_.size()));
+  if (is_new) {
+    std::vector<float> flat;
+    for (const Vec3f& p : body.pieces[index].points)
+      flat.insert(flat.end(), {p.x, p.y, p.z});
+    mjsMesh* mesh = mjs_addMesh(&spec_, nullptr);
+    mjs_setName(mesh->element, found->second.c_str());
+    mjs_setFloat(mesh->uservert, flat.data(), static_cast<int>(flat.size()));
+    mesh->inertia = mjMESH_INERTIA_CONVEX;
+  }
+  return found->second;
+}
+
+}  // namespace marketgen
