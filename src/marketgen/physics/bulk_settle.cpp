@@ -56,7 +56,7 @@ class BulkSettling {
     spec->option.enableflags &= ~mjENBL_SLEEP;
     spec->option.disableflags |= mjDSBL_AUTORESET;  // which would pour anew for ever
     spec->memory = bulk_arena_bytes;
-    spec->compiler.balanceinertia = 1;
+    spec->compiler.balanceinertia = true;
     add_container(mjs_findBody(spec.get(), "world"), container_);
     ProductBodies bodies(*spec);
     for (std::size_t i = 0; i < items_.size(); ++i) {

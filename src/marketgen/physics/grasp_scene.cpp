@@ -58,7 +58,7 @@ class GraspSceneBuilder {
     set_contact_options(*spec_, 0);
     spec_->option.enableflags &= ~mjENBL_SLEEP;
     spec_->memory = grasp_arena_bytes;
-    spec_->compiler.balanceinertia = 1;
+    spec_->compiler.balanceinertia = true;
   }
 
   void add_surroundings() {
@@ -79,7 +79,7 @@ class GraspSceneBuilder {
     base->pos[2] = floor_under_shelf_m;
     base->mass = trial_.tool.mass_kg;
     base->inertia[0] = base->inertia[1] = base->inertia[2] = 1e-3;
-    base->explicitinertial = 1;
+    base->explicitinertial = true;
     base->gravcomp = 1;
     const double axes[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     for (const auto& axis : axes)
@@ -287,7 +287,7 @@ class GraspSceneBuilder {
     mjs_setName(finger->element, name);
     finger->mass = trial_.tool.finger_kg;
     finger->inertia[0] = finger->inertia[1] = finger->inertia[2] = 1e-5;
-    finger->explicitinertial = 1;
+    finger->explicitinertial = true;
     finger->gravcomp = 1;
     const double axis[3] = {0, side, 0};
     mjsJoint* joint =
@@ -307,7 +307,7 @@ class GraspSceneBuilder {
       mjsEquality* point = mjs_addEquality(spec_.get(), nullptr);
       point->type = mjEQ_CONNECT;
       point->objtype = mjOBJ_BODY;
-      point->active = 0;
+      point->active = false;
       mjs_setString(point->name1, "tool");
       mjs_setString(point->name2, "product0");
       std::fill(point->data, point->data + mjNEQDATA, 0.0);

@@ -38,7 +38,7 @@ void ProductBodies::add(const std::string& name,
   made->ipos[0] = middle.x, made->ipos[1] = middle.y, made->ipos[2] = middle.z;
   for (std::size_t i = 0; i < 6; ++i)
     made->fullinertia[i] = static_cast<double>(body.inertia_kg_m2[i]);
-  made->explicitinertial = 1;
+  made->explicitinertial = true;
   for (std::size_t i = 0; i < body.pieces.size(); ++i) {
     mjsGeom* geom = add_piece(made, body, i);
     set_goods_contact(geom, geoms.contact);
