@@ -10,8 +10,8 @@
 #include <map>
 
 #include "hand_made_stock.h"
-#include "support/committed_catalog.h"
 #include "scene/scene.h"
+#include "support/committed_catalog.h"
 
 namespace marketgen {
 namespace {
