@@ -11,12 +11,8 @@ std::vector<RectMm> obstacles_of(const Layout& layout) {
   std::vector<RectMm> obstacles;
   for (const Fixture& fixture : layout.fixtures)
     obstacles.push_back(footprint_of(fixture));
-  for (const Column& c : layout.shell.columns) {
-    obstacles.push_back({c.x_mm - c.size_mm / 2,
-                         c.y_mm - c.size_mm / 2,
-                         c.x_mm + c.size_mm / 2,
-                         c.y_mm + c.size_mm / 2});
-  }
+  for (const Column& column : layout.shell.columns)
+    obstacles.push_back(footprint_of(column));
   return obstacles;
 }
 
@@ -41,11 +37,6 @@ PointMm standing_point(const Scene& scene, std::uint32_t shelf) {
 }
 
 }  // namespace
-
-PolygonMm floor_of(const Shell& shell) {
-  if (shell.outline_mm) return *shell.outline_mm;
-  return polygon_of({0, 0, shell.width_mm, shell.depth_mm});
-}
 
 PointMm inside_of(const Shell& shell, const Opening& opening, int by_mm) {
   const auto along = [&](int length) {

@@ -18,8 +18,6 @@ struct Traffic {
 };
 Traffic measure_traffic(const Scene& scene);
 
-// The shell's floor: its outline, or the rectangle.
-PolygonMm floor_of(const Shell& shell);
 // A point just inside an opening.
 PointMm inside_of(const Shell& shell, const Opening& opening, int by_mm);
 

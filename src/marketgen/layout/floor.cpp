@@ -97,13 +97,8 @@ Floor make_floor(const Shell& shell) {
   floor.bounds = shell_rect(shell);
   floor.outline = shell.outline_mm.value_or(polygon_of(floor.bounds));
   if (shell.outline_mm) floor.outside = outside_of(floor.outline, floor.bounds);
-  for (const Column& column : shell.columns) {
-    const int half = column.size_mm / 2;
-    floor.columns.push_back({column.x_mm - half,
-                             column.y_mm - half,
-                             column.x_mm - half + column.size_mm,
-                             column.y_mm - half + column.size_mm});
-  }
+  for (const Column& column : shell.columns)
+    floor.columns.push_back(footprint_of(column));
   for (std::size_t i = 0; i < shell.openings.size(); ++i) {
     floor.doorways.push_back(make_doorway(shell, floor.bounds, i));
   }

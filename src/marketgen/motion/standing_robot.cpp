@@ -43,11 +43,6 @@ std::vector<WorldSphere> spheres_in_store(const PlacedRobot& placed) {
   return spheres;
 }
 
-PolygonMm floor_of(const Shell& shell) {
-  return shell.outline_mm ? *shell.outline_mm
-                          : polygon_of(RectMm{0, 0, shell.width_mm, shell.depth_mm});
-}
-
 // What is built in a store, as obstacles that know their names.
 class StoreObstacles {
  public:

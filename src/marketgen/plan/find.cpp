@@ -24,4 +24,13 @@ const Zone* find_zone(const Plan& plan, std::string_view id) {
   return found == plan.zones.end() ? nullptr : &*found;
 }
 
+PolygonMm floor_of(const Shell& shell) {
+  return shell.outline_mm.value_or(polygon_of({0, 0, shell.width_mm, shell.depth_mm}));
+}
+
+RectMm footprint_of(const Column& column) {
+  const int x0 = column.x_mm - column.size_mm / 2, y0 = column.y_mm - column.size_mm / 2;
+  return {x0, y0, x0 + column.size_mm, y0 + column.size_mm};
+}
+
 }  // namespace marketgen

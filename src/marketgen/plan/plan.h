@@ -391,6 +391,10 @@ Result<Plan> read_plan(std::string_view text, const std::string& source, const C
 // without self-crossings. First fault wins.
 Result<void> validate_plan(const Plan& plan, const std::string& source, const Catalog& catalog);
 
+// The shell's floor: its outline, or the rectangle.
+PolygonMm floor_of(const Shell& shell);
+RectMm footprint_of(const Column& column);
+
 // Index of the root node. Precondition: valid plan.
 std::size_t root_of(const Plan& plan);
 const Node* find_node(const Plan& plan, std::string_view id);

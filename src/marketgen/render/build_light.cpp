@@ -90,9 +90,7 @@ bool hangs_free(const Layout& layout, const Room& room, const Panel& panel) {
   }
   return std::none_of(
       layout.shell.columns.begin(), layout.shell.columns.end(), [&](const Column& c) {
-        const int half = c.size_mm / 2 + 50;
-        return overlap({x - dx, y - dy, x + dx, y + dy},
-                       {c.x_mm - half, c.y_mm - half, c.x_mm + half, c.y_mm + half});
+        return overlap({x - dx, y - dy, x + dx, y + dy}, footprint_of(c).grown(50));
       });
 }
 

@@ -20,14 +20,9 @@ OccupancyGrid occupancy(const Scene& scene, int clearance, int higher_than_mm) {
   for (const Fixture& fixture : scene.layout.fixtures) {
     if (fixture.height_mm > higher_than_mm) obstacles.push_back(footprint_of(fixture));
   }
-  for (const Column& c : shell.columns) {
-    const int half = c.size_mm / 2;
-    obstacles.push_back({c.x_mm - half, c.y_mm - half, c.x_mm + half, c.y_mm + half});
-  }
-  const PolygonMm outline = shell.outline_mm
-                                ? *shell.outline_mm
-                                : polygon_of(RectMm{0, 0, shell.width_mm, shell.depth_mm});
-  return make_occupancy(outline, obstacles, clearance, cell_mm);
+  for (const Column& column : shell.columns)
+    obstacles.push_back(footprint_of(column));
+  return make_occupancy(floor_of(shell), obstacles, clearance, cell_mm);
 }
 
 bool free_at(const OccupancyGrid& grid, Vec3 point) {

@@ -1,0 +1,48 @@
+// A robot's way through a store: how much room it takes as it holds its lift and arms, the floor
+// that leaves free, the shortest path there, and the base that follows it.
+//
+// The robot counts as the upright cylinder about the axis on which it turns that holds all of it,
+// so that it may turn on the spot anywhere on its way. Fixtures whose parts all hang over that
+// cylinder are no obstacle; the others are their footprint. Store frame, metres and radians.
+#pragma once
+#include <span>
+
+#include "base/result.h"
+#include "motion/base_follower.h"
+#include "navigation/visibility_graph.h"
+#include "robots/robot.h"
+#include "scene/scene.h"
+
+namespace marketgen {
+
+// Of all of its links' capsules, whatever its base joints say.
+struct BaseEnvelope {
+  double radius_m = 0;  // about the turning axis
+  double height_m = 0;  // over the floor
+};
+// Errors: motion.bad_limits for a robot without a drive; those of check_state.
+Result<BaseEnvelope> base_envelope(const Robot& robot, std::span<const double> state);
+
+// Made once for a store and an envelope. Errors: those of VisibilityGraph::make.
+Result<VisibilityGraph> drive_graph(const Scene& scene,
+                                    const BaseEnvelope& envelope,
+                                    double margin_m = 0.03);
+
+struct FloorPlace {
+  Vec2 position;
+  double heading = 0;  // about Z from X
+};
+struct DrivePlan {
+  FloorPath path;
+  BaseFollower follower;  // at rest at the start
+};
+
+// Errors: those of base_envelope, motion.bad_configuration for a place that is not finite,
+// motion.outside_floor, motion.base_blocked (an end is too near to something), motion.unreachable.
+Result<DrivePlan> plan_drive(const VisibilityGraph& graph,
+                             const Robot& robot,
+                             std::span<const double> state,
+                             const FloorPlace& from,
+                             const FloorPlace& to);
+
+}  // namespace marketgen
