@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/box_extents.h"
+
 namespace marketgen {
 namespace {
 
@@ -66,8 +68,7 @@ double GraspRoom::clearance_of(const Grasp& grasp) const {
 
 double GraspRoom::room_over_and_under(const Pose& product_from_box, Vec3 half) const {
   const Pose pose = query_.world_from_product * product_from_box;
-  const Vec3 up = rotate(inverse(pose.rotation), {0, 0, 1});
-  const double reach = std::abs(up.x) * half.x + std::abs(up.y) * half.y + std::abs(up.z) * half.z;
+  const double reach = box_half_extents(pose.rotation, half).z;
   const double under = pose.position.z - reach;
   if (!query_.ceiling_m) return under;
   return std::min(under, *query_.ceiling_m - pose.position.z - reach);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/box_extents.h"
 #include "layout/layout.h"
 #include "plan/plan.h"
 
@@ -21,9 +22,7 @@ double underside_m(const Scene& scene, std::uint32_t fixture) {
     const ScenePart& part = scene.parts[p];
     const Pose pose = world_from_fixture(scene, fixture) * fixture_from_part(part);
     const auto& [x, y, z] = part.half_size_m;
-    const Vec3 up = rotate(inverse(pose.rotation), {0, 0, 1});
-    low = std::min(low,
-                   pose.position.z - std::abs(up.x) * x - std::abs(up.y) * y - std::abs(up.z) * z);
+    low = std::min(low, pose.position.z - box_half_extents(pose.rotation, {x, y, z}).z);
   }
   return low;
 }

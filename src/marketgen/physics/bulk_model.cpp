@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/box_extents.h"
 #include "physics/spec_geoms.h"
 
 namespace marketgen {
@@ -88,13 +89,8 @@ Result<void> check_container(const OpenContainer& c) {
 }
 
 Vec3 turned_half_extents(const Product& product, const Quaternion& rotation) {
-  const Vec3 half{product.width_m() / 2, product.depth_m() / 2, product.height_m() / 2};
-  const Quaternion back = inverse(rotation);
-  const auto along = [&](Vec3 axis) {
-    const Vec3 d = rotate(back, axis);
-    return std::abs(d.x) * half.x + std::abs(d.y) * half.y + std::abs(d.z) * half.z;
-  };
-  return {along({1, 0, 0}), along({0, 1, 0}), along({0, 0, 1})};
+  return box_half_extents(rotation,
+                          {product.width_m() / 2, product.depth_m() / 2, product.height_m() / 2});
 }
 
 }  // namespace marketgen

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/box_extents.h"
+
 namespace marketgen {
 namespace {
 
@@ -41,15 +43,14 @@ ContactShape operator*(const Pose& pose, const ContactShape& shape) {
 }
 
 Vec3 half_extents(const ContactShape& shape) {
-  if (shape.shape == CollisionShape::ellipsoid)
-    return ellipsoid_half_extents(shape.pose.rotation, shape.size);
-  const Vec3 x = rotate(shape.pose.rotation, {1, 0, 0}), y = rotate(shape.pose.rotation, {0, 1, 0});
-  const Vec3 z = rotate(shape.pose.rotation, {0, 0, 1});
+  const Quaternion& turned = shape.pose.rotation;
   const Vec3& s = shape.size;
+  if (shape.shape == CollisionShape::ellipsoid) return ellipsoid_half_extents(turned, s);
+  if (shape.shape == CollisionShape::box) return box_half_extents(turned, s);
+  const Vec3 x = rotate(turned, {1, 0, 0}), y = rotate(turned, {0, 1, 0}),
+             z = rotate(turned, {0, 0, 1});
   const auto along = [&](double ax, double ay, double az) {
-    return shape.shape == CollisionShape::box
-               ? std::abs(ax) * s.x + std::abs(ay) * s.y + std::abs(az) * s.z
-               : std::sqrt(ax * ax + ay * ay) * s.x + std::abs(az) * s.y;
+    return std::sqrt(ax * ax + ay * ay) * s.x + std::abs(az) * s.y;
   };
   return {along(x.x, y.x, z.x), along(x.y, y.y, z.y), along(x.z, y.z, z.z)};
 }

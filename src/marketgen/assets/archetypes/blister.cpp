@@ -98,36 +98,34 @@ int cells_in(const Product& product) {
   return std::clamp(std::atoi(product.net.c_str()), 1, 8);
 }
 
+// A ring of a round cell: at a share of its length, with a share of its radius.
+Section ring_of(const Cell& cell, float z, float share, std::uint16_t surface) {
+  return {.z = z * cell.length_m,
+          .half_width = share * cell.radius_m,
+          .half_depth = share * cell.radius_m,
+          .surface = surface};
+}
+
 void add_round_cell(PackBuilder& pack, const Cell& cell, Vec3f foot, const BlisterSurfaces& s) {
-  const auto ring = [&](float z, float share, std::uint16_t surface) {
-    return Section{.z = z * cell.length_m,
-                   .half_width = share * cell.radius_m,
-                   .half_depth = share * cell.radius_m,
-                   .surface = surface};
-  };
   add_loft(pack,
-           {ring(0, 0.94F, s.goods),
-            ring(0.012F, 1, s.goods),
-            ring(0.66F, 1, s.metal),
-            ring(0.955F, 1, s.metal),
-            ring(0.965F, 0.93F, s.metal),
-            ring(0.965F, 0.38F, s.metal),
-            ring(0.995F, 0.36F, s.metal),
-            ring(1, 0.30F, s.metal)},
+           {ring_of(cell, 0, 0.94F, s.goods),
+            ring_of(cell, 0.012F, 1, s.goods),
+            ring_of(cell, 0.66F, 1, s.metal),
+            ring_of(cell, 0.955F, 1, s.metal),
+            ring_of(cell, 0.965F, 0.93F, s.metal),
+            ring_of(cell, 0.965F, 0.38F, s.metal),
+            ring_of(cell, 0.995F, 0.36F, s.metal),
+            ring_of(cell, 1, 0.30F, s.metal)},
            {.triangles = 420, .most_chords = 6},
            PartFrame{.origin = foot});
 }
 
 // Flat against the card, its pole to the reader.
 void add_coin_cell(PackBuilder& pack, const Cell& cell, Vec3f middle, const BlisterSurfaces& s) {
-  const auto ring = [&](float z, float share) {
-    return Section{.z = z * cell.length_m,
-                   .half_width = share * cell.radius_m,
-                   .half_depth = share * cell.radius_m,
-                   .surface = s.metal};
-  };
   add_loft(pack,
-           {ring(0, 1), ring(0.8F, 1), ring(1, 0.92F)},
+           {ring_of(cell, 0, 1, s.metal),
+            ring_of(cell, 0.8F, 1, s.metal),
+            ring_of(cell, 1, 0.92F, s.metal)},
            {.triangles = 300, .most_chords = 5},
            PartFrame{.origin = middle, .x = {1, 0, 0}, .y = {0, 0, 1}, .z = {0, -1, 0}});
 }
