@@ -59,19 +59,77 @@ __m128 color_of(std::uint32_t bits) {
                     _mm_set_ps(0, 255.0F / 31, 255.0F / (63 * 32), 255.0F / (31 * 2048)));
 }
 
-// Shares of the second colour by the texel's two bits; blocks whose first colour is not the greater
-// number have one mean and black.
-constexpr float four_color_share[4] = {0, 1, 1.0F / 3, 2.0F / 3};
-constexpr float three_color_share[4] = {0, 1, 0.5F, 0};
+// How much of the first and of the second colour a texel has, by its two bits. Blocks whose first
+// colour is not the greater number have one mean and black.
+struct ColorShares {
+  float first, second;
+};
+constexpr ColorShares shares[2][4] = {{{1, 0}, {0, 1}, {0.5F, 0.5F}, {0, 0}},
+                                      {{1, 0}, {0, 1}, {2.0F / 3, 1.0F / 3}, {1.0F / 3, 2.0F / 3}}};
 
-__m128 texel_of(std::uint64_t block, int x, int y) {
-  const auto first = static_cast<std::uint32_t>(block & 0xFFFF);
-  const auto second = static_cast<std::uint32_t>(block >> 16 & 0xFFFF);
-  const unsigned mix = block >> (32 + 2 * (y * block_side + x)) & 3;
-  const bool four = first > second;
-  if (!four && mix == 3) return _mm_setzero_ps();
-  const float share = four ? four_color_share[mix] : three_color_share[mix];
-  return lerp(color_of(first), color_of(second), _mm_set1_ps(share));
+// Texels of one block added up with weights: what their two bits say is summed before any colour is
+// unpacked.
+class BlockSum {
+ public:
+  explicit BlockSum(std::uint64_t block)
+      : block_(block), shares_(shares[(block & 0xFFFF) > (block >> 16 & 0xFFFF) ? 1 : 0]) {}
+  void add(int x, int y, float weight) {
+    const ColorShares& share = shares_[block_ >> (32 + 2 * (y * block_side + x)) & 3];
+    first_ += weight * share.first;
+    second_ += weight * share.second;
+  }
+  __m128 color() const {
+    const auto of = [](std::uint64_t bits, float share) {
+      return _mm_mul_ps(color_of(static_cast<std::uint32_t>(bits & 0xFFFF)), _mm_set1_ps(share));
+    };
+    return _mm_add_ps(of(block_, first_), of(block_ >> 16, second_));
+  }
+
+ private:
+  std::uint64_t block_;
+  const ColorShares* shares_;
+  float first_ = 0, second_ = 0;
+};
+
+__m128 bilinear_in_blocks(const std::uint64_t* blocks,
+                          const MipChain::Level& level,
+                          const BilinearTexels& t) {
+  const int stride = blocks_across(level.width);
+  const auto sum_of = [&](int x, int y) {
+    return BlockSum(blocks[static_cast<std::size_t>(y / block_side * stride + x / block_side)]);
+  };
+  const auto part = [](int at) { return at % block_side; };
+  const bool one_column = t.x0 / block_side == t.x1 / block_side;
+  const bool one_row = t.y0 / block_side == t.y1 / block_side;
+  if (one_column && one_row) {
+    BlockSum sum = sum_of(t.x0, t.y0);
+    sum.add(part(t.x0), part(t.y0), t.weight[0]);
+    sum.add(part(t.x1), part(t.y0), t.weight[1]);
+    sum.add(part(t.x0), part(t.y1), t.weight[2]);
+    sum.add(part(t.x1), part(t.y1), t.weight[3]);
+    return sum.color();
+  }
+  if (one_column) {
+    BlockSum upper = sum_of(t.x0, t.y0), lower = sum_of(t.x0, t.y1);
+    upper.add(part(t.x0), part(t.y0), t.weight[0]);
+    upper.add(part(t.x1), part(t.y0), t.weight[1]);
+    lower.add(part(t.x0), part(t.y1), t.weight[2]);
+    lower.add(part(t.x1), part(t.y1), t.weight[3]);
+    return _mm_add_ps(upper.color(), lower.color());
+  }
+  BlockSum left = sum_of(t.x0, t.y0), right = sum_of(t.x1, t.y0);
+  left.add(part(t.x0), part(t.y0), t.weight[0]);
+  right.add(part(t.x1), part(t.y0), t.weight[1]);
+  if (one_row) {
+    left.add(part(t.x0), part(t.y1), t.weight[2]);
+    right.add(part(t.x1), part(t.y1), t.weight[3]);
+    return _mm_add_ps(left.color(), right.color());
+  }
+  BlockSum low_left = sum_of(t.x0, t.y1), low_right = sum_of(t.x1, t.y1);
+  low_left.add(part(t.x0), part(t.y1), t.weight[2]);
+  low_right.add(part(t.x1), part(t.y1), t.weight[3]);
+  return _mm_add_ps(_mm_add_ps(left.color(), right.color()),
+                    _mm_add_ps(low_left.color(), low_right.color()));
 }
 
 }  // namespace
@@ -106,11 +164,14 @@ BlockMips::BlockMips(int width, int height, std::vector<std::uint64_t> blocks)
 }
 
 __m128 BlockMips::sample(float u, float v, float lod) const {
-  return trilinear(levels_, u, v, lod, [this](const MipChain::Level& level, int x, int y) {
-    const int column = x / block_side, row = y / block_side;
-    const std::uint64_t block =
-        blocks_[level.offset + static_cast<std::size_t>(row * blocks_across(level.width) + column)];
-    return texel_of(block, x % block_side, y % block_side);
+  return trilinear(levels_, u, v, lod, [this](const MipChain::Level& level, float x, float y) {
+    return bilinear_in_blocks(blocks_.data() + level.offset, level, bilinear_texels(level, x, y));
+  });
+}
+
+__m128 BlockMips::sample_level(float u, float v, float lod) const {
+  return nearest_level(levels_, u, v, lod, [this](const MipChain::Level& level, float x, float y) {
+    return bilinear_in_blocks(blocks_.data() + level.offset, level, bilinear_texels(level, x, y));
   });
 }
 

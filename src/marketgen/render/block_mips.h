@@ -18,8 +18,9 @@ class BlockMips {
   // From blocks that were kept; their number must be block_count(width, height).
   BlockMips(int width, int height, std::vector<std::uint64_t> blocks);
 
-  // Channels 0..255, as MipChain::sample.
+  // Channels 0..255, as MipChain's.
   __m128 sample(float u, float v, float lod) const;
+  __m128 sample_level(float u, float v, float lod) const;
 
   bool empty() const { return blocks_.empty(); }
   int width() const { return empty() ? 1 : levels_[0].width; }

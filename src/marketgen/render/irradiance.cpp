@@ -10,21 +10,25 @@ namespace marketgen::raytrace {
 namespace {
 
 constexpr float lookup_lift_m = 0.03F;  // probes are asked a little above the surface
-constexpr float room_spacing_m = 1.0F, room_spacing_up_m = 0.6F;
+constexpr float room_spacing_m = 0.6F, room_spacing_up_m = 0.4F;
 constexpr float room_margin_m = 0.05F;
-constexpr float most_room_probes = 12'000;
-constexpr int depth_rows = 3, height_rows = 2;
-constexpr float along_spacing_m = 0.7F;
+constexpr float most_room_probes = 30'000;
+constexpr int depth_rows = 4, height_rows = 3;
+constexpr float along_spacing_m = 0.45F;
 // Depths of the probe rows behind a shelf's front edge: one row before the edge, where goods catch
 // the most light.
-constexpr std::array<float, depth_rows> depth_share{-0.1F, 0.3F, 0.85F};
-constexpr std::array<float, height_rows> height_share{0.15F, 0.85F};
+constexpr std::array<float, depth_rows> depth_share{-0.1F, 0.12F, 0.4F, 0.85F};
+constexpr std::array<float, height_rows> height_share{0.12F, 0.5F, 0.88F};
 constexpr int rays_per_probe = 48;  // a multiple of packet_size
-constexpr int lights_per_probe = 16;
-constexpr int bounces = 2;
+constexpr float near_light = 1.5F;  // lights nearer than this times their size get four samples
+constexpr int bounces = 4;
+constexpr float least_behind = 0.04F;  // weight of room probes straight behind a surface
 constexpr float most_back_faces =
     0.25F;  // share of rays that hit the inside of something: the probe is in matter
 constexpr float probe_footprint_m = 0.2F;
+// A room probe with so many things so near stands in a hollow of a fixture: it knows nothing of the
+// faces outside.
+constexpr float hollow_m = 0.22F, most_near = 0.55F;
 
 const std::array<Vec3f, 6> axes{
     Vec3f{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
@@ -38,6 +42,7 @@ struct Meeting {
 struct ProbeRays {
   std::array<Meeting, rays_per_probe> meetings;
   AmbientCube direct;  // lamps, daylight and glowing things
+  AmbientCube panels;  // the ceiling panels' part of that
   bool valid = true;
 };
 
@@ -48,27 +53,87 @@ void add_from(AmbientCube& cube, Vec3f direction, Vec3f radiance_times_angle) {
   }
 }
 
-// Light straight from the lamps, one stratified sample at a time.
-void add_lamps(const World& world, const LightGrid& lights, Vec3f position, AmbientCube& cube) {
-  std::array<Ray, packet_size> rays;
-  std::array<LightSample, packet_size> samples;
-  std::array<bool, packet_size> blocked{};
-  std::size_t used = 0;
-  for (int i = 0; i < lights_per_probe; ++i) {
-    const float pick = (static_cast<float>(i) + 0.5F) / lights_per_probe;
-    const float u = std::fmod(0.5F + static_cast<float>(i) * 0.7548777F, 1.0F);  // R2 sequence
-    const float v = std::fmod(0.5F + static_cast<float>(i) * 0.5698403F, 1.0F);
-    const LightSample sample = lights.sample(position, pick, u, v);
-    if (sample.pdf <= 0) continue;
-    rays[used] = {position, sample.direction, 0, sample.distance - 0.01F};
-    samples[used++] = sample;
+// Light from points of the lamps on the way to a probe.
+class LampRays {
+ public:
+  LampRays(const World& world, Vec3f position, ProbeRays& probe)
+      : world_(world), position_(position), probe_(probe) {}
+  ~LampRays() { finish(); }
+  LampRays(const LampRays&) = delete;
+  LampRays& operator=(const LampRays&) = delete;
+
+  void add(std::uint32_t number) {
+    const AreaLight& light = world_.lights[number];
+    const Vec3f middle = light.corner + (light.edge_u + light.edge_v) * 0.5F;
+    const float size = std::max(length(light.edge_u), length(light.edge_v));
+    if (length(middle - position_) > near_light * size) return add_point(number, 0.5F, 0.5F, 1);
+    constexpr float quarters[2] = {0.25F, 0.75F};
+    for (const float u : quarters) {
+      for (const float v : quarters)
+        add_point(number, u, v, 0.25F);
+    }
   }
-  if (used == 0) return;
-  find_blocked(world, std::span(rays).first(used), std::span(blocked).first(used), mask_opaque);
-  for (std::size_t k = 0; k < used; ++k) {
-    if (!blocked[k])
-      add_from(cube, samples[k].direction, samples[k].irradiance_scale * (1.0F / lights_per_probe));
+
+ private:
+  void add_point(std::uint32_t number, float u, float v, float share) {
+    const AreaLight& light = world_.lights[number];
+    const Vec3f way = light.corner + light.edge_u * u + light.edge_v * v - position_;
+    const float distance = std::max(length(way), 1e-3F);
+    const Vec3f direction = way / distance;
+    const float facing = -dot(direction, light.normal);
+    if (facing <= 0) return;
+    // As from a disc of that area: a probe beside a lamp gets no more than the lamp gives.
+    const float solid_angle =
+        light.area * share * facing / (distance * distance + light.area * share * inverse_pi);
+    rays_[used_] = {position_, direction, 0, distance - 0.01F};
+    numbers_[used_] = number;
+    light_[used_++] = light.radiance * solid_angle;
+    if (used_ == packet_size) finish();
   }
+
+  void finish() {
+    if (used_ == 0) return;
+    std::array<bool, packet_size> blocked{};
+    find_blocked(
+        world_, std::span(rays_).first(used_), std::span(blocked).first(used_), mask_opaque);
+    for (std::size_t k = 0; k < used_; ++k) {
+      if (blocked[k]) continue;
+      add_from(probe_.direct, rays_[k].direction, light_[k]);
+      if (numbers_[k] < world_.panel_count) add_from(probe_.panels, rays_[k].direction, light_[k]);
+    }
+    used_ = 0;
+  }
+
+  const World& world_;
+  Vec3f position_;
+  ProbeRays& probe_;
+  std::size_t used_ = 0;
+  std::array<Ray, packet_size> rays_;
+  std::array<std::uint32_t, packet_size> numbers_;
+  std::array<Vec3f, packet_size> light_;
+};
+
+// Light straight from the lamps that matter there, each from one point or four.
+void add_lamps(const World& world, const LightGrid& lights, Vec3f position, ProbeRays& probe) {
+  LampRays rays(world, position, probe);
+  for (const LightChoice& choice : lights.choices(position))
+    rays.add(choice.light);
+}
+
+// Light times validity, in half precision.
+std::vector<PackedCube> packed(const std::vector<AmbientCube>& probes) {
+  constexpr float most = 6e4F;  // of a half, nearly
+  std::vector<PackedCube> result(probes.size());
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    for (std::size_t a = 0; a < axes.size(); ++a) {
+      const Vec3f light = probes[i].faces[a];
+      const Float4 lanes = Float4(light.x, light.y, light.z, 1) * probes[i].validity;
+      const __m128 kept = _mm_min_ps(_mm_max_ps(lanes.m, _mm_setzero_ps()), _mm_set1_ps(most));
+      _mm_storel_epi64(reinterpret_cast<__m128i*>(result[i].faces[a].data()),
+                       _mm_cvtps_ph(kept, _MM_FROUND_TO_NEAREST_INT));
+    }
+  }
+  return result;
 }
 
 // Metals send on most of what they get, though not diffusely.
@@ -76,9 +141,11 @@ Vec3f bounce_color(const Surface& surface) {
   return surface.albedo * (1 - 0.3F * surface.metallic);
 }
 
-void shoot(const World& world, Vec3f position, ProbeRays& result) {
+enum class Hollows { lit, left_out };
+
+void shoot(const World& world, Vec3f position, Hollows hollows, ProbeRays& result) {
   constexpr float solid_angle = 4 * pi / rays_per_probe;
-  int back_faces = 0;
+  int back_faces = 0, near = 0;
   for (int start = 0; start < rays_per_probe; start += static_cast<int>(packet_size)) {
     std::array<Ray, packet_size> rays;
     std::array<Hit, packet_size> hits;
@@ -95,6 +162,7 @@ void shoot(const World& world, Vec3f position, ProbeRays& result) {
         continue;
       }
       const Surface surface = surface_at(world, rays[k], hits[k], probe_footprint_m);
+      near += hits[k].t < hollow_m ? 1 : 0;
       if (surface.back_face)
         ++back_faces;
       else
@@ -103,7 +171,9 @@ void shoot(const World& world, Vec3f position, ProbeRays& result) {
         add_from(result.direct, rays[k].direction, surface.emission * solid_angle);
     }
   }
-  result.valid = static_cast<float>(back_faces) <= most_back_faces * rays_per_probe;
+  result.valid =
+      static_cast<float>(back_faces) <= most_back_faces * rays_per_probe &&
+      (hollows == Hollows::lit || static_cast<float>(near) <= most_near * rays_per_probe);
 }
 
 }  // namespace
@@ -176,39 +246,52 @@ void IrradianceField::place_shelves(const Scene& scene) {
 void IrradianceField::bake(const World& world, const LightGrid& lights) {
   probes_.resize(positions_.size());
   std::vector<ProbeRays> rays(positions_.size());
+  const auto room_count = static_cast<std::size_t>(size_[0] * size_[1] * size_[2]);
   parallel_for(
       positions_.size(),
       [&](std::size_t i) {
-        shoot(world, positions_[i], rays[i]);
+        if (i < room_count && is_in_shelf(positions_[i])) rays[i].valid = false;
+        const Hollows hollows = i < room_count ? Hollows::left_out : Hollows::lit;
+        if (rays[i].valid) shoot(world, positions_[i], hollows, rays[i]);
         if (!rays[i].valid) return;
-        add_lamps(world, lights, positions_[i], rays[i].direct);
+        add_lamps(world, lights, positions_[i], rays[i]);
         rays[i].direct.validity = 1;
         probes_[i] = rays[i].direct;
       },
       32);
-  fill_invalid();
   constexpr float solid_angle = 4 * pi / rays_per_probe;
   for (int bounce = 0; bounce < bounces; ++bounce) {
-    std::vector<AmbientCube> next(probes_.size());
+    find_mean();
+    fill_invalid(probes_);
+    packed_ = packed(probes_);
     parallel_for(
         probes_.size(),
         [&](std::size_t i) {
+          probes_[i] = {};
           if (!rays[i].valid) return;
-          next[i] = rays[i].direct;
+          probes_[i] = rays[i].direct;
           for (int k = 0; k < rays_per_probe; ++k) {
             const Meeting& meeting = rays[i].meetings[static_cast<std::size_t>(k)];
             if (largest(meeting.color) <= 0) continue;
             const Vec3f radiance = meeting.color * at(meeting.place, meeting.normal) * inverse_pi;
-            add_from(next[i], sphere_direction(k, rays_per_probe), radiance * solid_angle);
+            add_from(probes_[i], sphere_direction(k, rays_per_probe), radiance * solid_angle);
           }
         },
         32);
-    probes_ = std::move(next);
-    fill_invalid();
   }
+  find_mean();
+  std::vector<AmbientCube> rest = probes_;
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    for (std::size_t a = 0; a < axes.size(); ++a)
+      rest[i].faces[a] = rest[i].faces[a] - rays[i].panels.faces[a];
+  }
+  fill_invalid(probes_);
+  fill_invalid(rest);
+  packed_ = packed(probes_);
+  without_panels_ = packed(rest);
 }
 
-void IrradianceField::fill_invalid() {
+void IrradianceField::find_mean() {
   const auto room_count = static_cast<std::size_t>(size_[0] * size_[1] * size_[2]);
   Vec3f sum;
   float count = 0;
@@ -218,20 +301,23 @@ void IrradianceField::fill_invalid() {
     count += probes_[i].validity;
   }
   if (count > 0) mean_ = sum / count;
-  // Within a shelf, a point in a pack takes the mean of the shelf's free points at the same depth,
-  // else of all of them.
+}
+
+// Within a shelf, a point in a pack takes the mean of the shelf's free points at the same depth,
+// else of all of them.
+void IrradianceField::fill_invalid(std::vector<AmbientCube>& probes) const {
   for (const Shelf& shelf : shelves_) {
     constexpr std::size_t per_column = depth_rows * height_rows;
     const std::size_t total = static_cast<std::size_t>(shelf.columns) * per_column;
     for (const bool same_depth : {true, false}) {
       std::vector<AmbientCube> filled(
-          probes_.begin() + shelf.first,
-          probes_.begin() + shelf.first + static_cast<std::ptrdiff_t>(total));
+          probes.begin() + shelf.first,
+          probes.begin() + shelf.first + static_cast<std::ptrdiff_t>(total));
       for (std::size_t i = 0; i < total; ++i) {
         if (filled[i].validity > 0) continue;
         AmbientCube mean;
         for (std::size_t j = 0; j < total; ++j) {
-          const AmbientCube& other = probes_[shelf.first + j];
+          const AmbientCube& other = probes[shelf.first + j];
           if (other.validity < 1 ||
               (same_depth && i % per_column / height_rows != j % per_column / height_rows))
             continue;
@@ -245,9 +331,17 @@ void IrradianceField::fill_invalid() {
         mean.validity = 0.5F;  // counts less than a measured one, and is not spread further
         filled[i] = mean;
       }
-      std::copy(filled.begin(), filled.end(), probes_.begin() + shelf.first);
+      std::copy(filled.begin(), filled.end(), probes.begin() + shelf.first);
     }
   }
+}
+
+bool IrradianceField::is_in_shelf(Vec3f point) const {
+  return std::any_of(shelves_.begin(), shelves_.end(), [&](const Shelf& shelf) {
+    const Vec3f p = shelf.world_from_shelf.to_local(point);
+    return std::fabs(p.x) < shelf.size.x / 2 && p.y > 0 && p.y < shelf.size.y && p.z > 0 &&
+           p.z < shelf.size.z;
+  });
 }
 
 const IrradianceField::Shelf* IrradianceField::shelf_of(const Place& place) const {
@@ -257,88 +351,128 @@ const IrradianceField::Shelf* IrradianceField::shelf_of(const Place& place) cons
   for (std::uint32_t i = first; i < first + count; ++i) {
     const Shelf& shelf = shelves_[i];
     const Vec3f p = shelf.world_from_shelf.to_local(place.point);
-    constexpr float reach = 0.06F;
-    if (std::fabs(p.x) < shelf.size.x / 2 + reach && p.y > -0.01F && p.y < shelf.size.y + reach &&
-        p.z > -0.01F && p.z < shelf.size.z + reach) {
+    constexpr float reach = 0.06F, side_reach = 0.01F;  // what faces away from its side is outside
+    if (std::fabs(p.x) < shelf.size.x / 2 + side_reach && p.y > -0.01F &&
+        p.y < shelf.size.y + reach && p.z > -0.01F && p.z < shelf.size.z + reach) {
       return &shelf;
     }
   }
   return nullptr;
 }
 
+namespace {
+
+// Where `at` lies among ascending places: the one before it and how far it is to the next.
+struct Between {
+  int before = 0;
+  float share = 0;
+};
+template <std::size_t count>
+Between between(const std::array<float, count>& places, float at) {
+  const float inside = std::clamp(at, places.front(), places.back());
+  std::size_t i = 0;
+  while (i + 2 < count && inside > places[i + 1])
+    ++i;
+  return {static_cast<int>(i), (inside - places[i]) / (places[i + 1] - places[i])};
+}
+Between between(int count, float at) {
+  const float inside = std::clamp(at, 0.0F, static_cast<float>(count - 1));
+  const int before = std::min(static_cast<int>(inside), count - 2);
+  return {before, inside - static_cast<float>(before)};
+}
+
+}  // namespace
+
 IrradianceField::Corners IrradianceField::corners_in_shelf(const Shelf& shelf, Vec3f point) const {
   const Vec3f p = shelf.world_from_shelf.to_local(point);
-  const float last = static_cast<float>(shelf.columns - 1);
-  const float along = std::clamp(
-      (p.x / shelf.size.x + 0.5F) * static_cast<float>(shelf.columns) - 0.5F, 0.0F, last);
-  const int column = std::min(static_cast<int>(along), shelf.columns - 2);
-  const float share = std::clamp(p.y / shelf.size.y, depth_share[0], depth_share[2]);
-  const int row = share < depth_share[1] ? 0 : 1;
-  const auto at_row = [](int r) { return depth_share[static_cast<std::size_t>(r)]; };
-  const float inward = (share - at_row(row)) / (at_row(row + 1) - at_row(row));
-  const float up = std::clamp(
-      (p.z / shelf.size.z - height_share[0]) / (height_share[1] - height_share[0]), 0.0F, 1.0F);
-  const float ahead = along - static_cast<float>(column);
+  const Between along = between(
+      shelf.columns, (p.x / shelf.size.x + 0.5F) * static_cast<float>(shelf.columns) - 0.5F);
+  const Between inward = between(depth_share, p.y / shelf.size.y);
+  const Between up = between(height_share, p.z / shelf.size.z);
   Corners corners;
   for (std::size_t k = 0; k < 8; ++k) {
     const bool c = (k & 1U) != 0, d = (k & 2U) != 0, h = (k & 4U) != 0;
-    corners.weight[k] = (c ? ahead : 1 - ahead) * (d ? inward : 1 - inward) * (h ? up : 1 - up);
+    corners.weight[k] = (c ? along.share : 1 - along.share) *
+                        (d ? inward.share : 1 - inward.share) * (h ? up.share : 1 - up.share);
+    const int column = along.before + (c ? 1 : 0), row = inward.before + (d ? 1 : 0);
     corners.probe[k] =
-        shelf.first +
-        static_cast<std::uint32_t>(
-            ((column + (c ? 1 : 0)) * depth_rows + row + (d ? 1 : 0)) * height_rows + (h ? 1 : 0));
+        shelf.first + static_cast<std::uint32_t>((column * depth_rows + row) * height_rows +
+                                                 up.before + (h ? 1 : 0));
   }
   return corners;
 }
 
-IrradianceField::Corners IrradianceField::corners_in_room(Vec3f point) const {
+// Probes behind the surface count for little: they may be on the other side of a wall (as in
+// Majercik et al., "Dynamic diffuse global illumination with ray-traced irradiance fields", JCGT
+// 2019).
+IrradianceField::Corners IrradianceField::corners_in_room(Vec3f point, Float4 facing) const {
   const Vec3f at = point - low_;
-  const auto split = [](float x, int count) {
-    const float clamped = std::clamp(x, 0.0F, static_cast<float>(count - 1));
-    const int cell = std::min(static_cast<int>(clamped), count - 2);
-    return std::pair(cell, clamped - static_cast<float>(cell));
-  };
-  const auto [x, fx] = split(at.x / step_.x, size_[0]);
-  const auto [y, fy] = split(at.y / step_.y, size_[1]);
-  const auto [z, fz] = split(at.z / step_.z, size_[2]);
+  const Between x = between(size_[0], at.x / step_.x), y = between(size_[1], at.y / step_.y),
+                z = between(size_[2], at.z / step_.z);
   Corners corners;
   for (std::size_t k = 0; k < 8; ++k) {
     const int dx = static_cast<int>(k & 1U), dy = static_cast<int>(k >> 1 & 1U),
               dz = static_cast<int>(k >> 2 & 1U);
-    corners.weight[k] =
-        (dx != 0 ? fx : 1 - fx) * (dy != 0 ? fy : 1 - fy) * (dz != 0 ? fz : 1 - fz) + 1e-4F;
-    corners.probe[k] =
-        static_cast<std::uint32_t>(((z + dz) * size_[1] + y + dy) * size_[0] + x + dx);
+    const Float4 way((static_cast<float>(x.before + dx) * step_.x) - at.x,
+                     (static_cast<float>(y.before + dy) * step_.y) - at.y,
+                     (static_cast<float>(z.before + dz) * step_.z) - at.z);
+    const float cosine = dot(way, facing) / std::sqrt(dot(way, way) + 1e-6F);
+    const float before = 0.5F + 0.5F * cosine;
+    corners.weight[k] = ((dx != 0 ? x.share : 1 - x.share) * (dy != 0 ? y.share : 1 - y.share) *
+                             (dz != 0 ? z.share : 1 - z.share) +
+                         1e-4F) *
+                        (before * before + least_behind);
+    corners.probe[k] = static_cast<std::uint32_t>(
+        ((z.before + dz) * size_[1] + y.before + dy) * size_[0] + x.before + dx);
   }
   return corners;
 }
 
-Vec3f IrradianceField::gathered(const Corners& corners, Vec3f facing) const {
-  Vec3f sum;
-  float weight = 0;
+Float4 IrradianceField::gathered(const std::vector<PackedCube>& probes,
+                                 const Corners& corners,
+                                 Float4 facing) const {
+  const Float4 square = facing * facing;
+  const float share[3] = {square.x(), square.y(), square.z()};
+  const int negative = _mm_movemask_ps(facing.m);
+  __m128 sum = _mm_setzero_ps();
   for (std::size_t k = 0; k < 8; ++k) {
-    const AmbientCube& probe = probes_[corners.probe[k]];
-    const float w = corners.weight[k] * probe.validity;
-    if (w <= 0) continue;
-    sum += probe.irradiance(facing) * w;
-    weight += w;
+    const PackedCube& probe = probes[corners.probe[k]];
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto& face = probe.faces[static_cast<std::size_t>(2 * axis + (negative >> axis & 1))];
+      const __m128 light =
+          _mm_cvtph_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(face.data())));
+      sum = _mm_add_ps(sum, _mm_mul_ps(light, _mm_set1_ps(corners.weight[k] * share[axis])));
+    }
   }
-  return weight > 1e-5F ? sum / weight : mean_;
+  // Light was stored times validity, so that what is in matter counts by itself for nothing.
+  const float weight = Float4(sum).w();
+  return weight > 1e-5F ? Float4(sum) * (1 / weight) : Float4(mean_);
 }
 
-IrradianceField::Corners IrradianceField::corners_at(const Place& place) const {
+IrradianceField::Corners IrradianceField::corners_at(const Place& place, Float4 facing) const {
   const Shelf* shelf = shelf_of(place);
-  return shelf != nullptr ? corners_in_shelf(*shelf, place.point) : corners_in_room(place.point);
+  return shelf != nullptr ? corners_in_shelf(*shelf, place.point)
+                          : corners_in_room(place.point, facing);
 }
 
 Vec3f IrradianceField::at(const Place& place, Vec3f facing) const {
-  return gathered(corners_at(place), facing);
+  const Float4 normal(facing);
+  return gathered(packed_, corners_at(place, normal), normal).xyz();
+}
+
+IrradianceField::TwoSided IrradianceField::at(const Place& place,
+                                              Float4 facing,
+                                              Float4 mirror,
+                                              StoredPanels panels) const {
+  const Corners corners = corners_at(place, facing);
+  return {gathered(packed_, corners, facing),
+          gathered(panels == StoredPanels::seen ? packed_ : without_panels_, corners, mirror)};
 }
 
 float IrradianceField::tilt(const Place& place, Vec3f facing, Vec3f tilted) const {
-  const Corners corners = corners_at(place);
-  const float flat = luminance(gathered(corners, facing));
-  return flat > 0 ? luminance(gathered(corners, tilted)) / flat : 1;
+  const Corners corners = corners_at(place, Float4(facing));
+  const float flat = luminance(gathered(packed_, corners, Float4(facing)).xyz());
+  return flat > 0 ? luminance(gathered(packed_, corners, Float4(tilted)).xyz()) / flat : 1;
 }
 
 float IrradianceField::floor_mean() const {

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "render/float4.h"
 #include "render/light_grid.h"
 #include "render/tracing.h"
 #include "scene/scene.h"
@@ -22,12 +23,19 @@ struct AmbientCube {
   Vec3f irradiance(Vec3f normal) const;
 };
 
+// The same in half precision, one cache line; the faces' fourth channel is the validity.
+struct alignas(64) PackedCube {
+  std::array<std::array<std::uint16_t, 4>, 6> faces;
+};
+
 // Where light is asked for, and what stands there: rows of the scene, -1 = none.
 struct Place {
   Vec3f point;
   std::int32_t fixture = -1, shelf = -1;
 };
 Place place_of(const Surface& surface);
+
+enum class StoredPanels { seen, left_out };
 
 class IrradianceField {
  public:
@@ -37,6 +45,13 @@ class IrradianceField {
   // Irradiance on something at `place` that faces `facing`; over pi it is the mean radiance from
   // that side.
   Vec3f at(const Place& place, Vec3f facing) const;
+
+  // The same, and what comes from the side of `mirror`, where the ceiling's panels may be left out
+  // (they are too bright and too small for so coarse a store: see PanelReflection).
+  struct TwoSided {
+    Float4 facing, mirror;
+  };
+  TwoSided at(const Place& place, Float4 facing, Float4 mirror, StoredPanels panels) const;
 
   // Light on something that is tilted from `facing` over the light on it when it is not.
   float tilt(const Place& place, Vec3f facing, Vec3f tilted) const;
@@ -60,15 +75,20 @@ class IrradianceField {
   void place_room(const World& world);
   void place_shelves(const Scene& scene);
   void bake(const World& world, const LightGrid& lights);
-  void fill_invalid();
+  void fill_invalid(std::vector<AmbientCube>& probes) const;
+  void find_mean();
   const Shelf* shelf_of(const Place& place) const;
-  Corners corners_at(const Place& place) const;
+  bool is_in_shelf(Vec3f point) const;
+  Corners corners_at(const Place& place, Float4 facing) const;
   Corners corners_in_shelf(const Shelf& shelf, Vec3f point) const;
-  Corners corners_in_room(Vec3f point) const;
-  Vec3f gathered(const Corners& corners, Vec3f facing) const;
+  Corners corners_in_room(Vec3f point, Float4 facing) const;
+  Float4 gathered(const std::vector<PackedCube>& probes,
+                  const Corners& corners,
+                  Float4 facing) const;
 
   std::vector<Vec3f> positions_;
-  std::vector<AmbientCube> probes_;
+  std::vector<AmbientCube> probes_;                  // while baking
+  std::vector<PackedCube> packed_, without_panels_;  // of probes_
   std::vector<Shelf> shelves_;
   std::vector<std::array<std::uint32_t, 2>> shelves_of_fixture_;  // first, count
   Vec3f low_, step_;

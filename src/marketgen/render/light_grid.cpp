@@ -113,6 +113,7 @@ LightSample LightGrid::sample(Vec3f point, float pick, float u, float v) const {
   const Vec3f to_light = light.corner + light.edge_u * u + light.edge_v * v - point;
   const float distance2 = std::max(dot(to_light, to_light), 1e-8F);
   LightSample sample;
+  sample.light = found->light;
   sample.distance = std::sqrt(distance2);
   sample.direction = to_light / sample.distance;
   const float facing = -dot(sample.direction, light.normal);

@@ -25,6 +25,7 @@ struct LightSample {
   Vec3f irradiance_scale;  // radiance / probability density over solid angle; zero when the light
                            // faces away
   float pdf = 0;           // over solid angle
+  std::uint32_t light = 0;
 };
 
 class LightGrid {

@@ -1,5 +1,6 @@
 // Ceiling panels mirrored in glossy surfaces, without noise: the lobe of reflected directions is
-// laid on the ceiling as a row of blurred spots, and each spot asks how much panel it covers. At
+// laid on the ceiling as a row of blurred spots, and each spot asks a picture of the ceiling with
+// blurred copies how much panel it covers. At
 // grazing angles the lobe is long and narrow, which makes the stretched highlights of polished
 // floors.
 #pragma once
@@ -21,15 +22,17 @@ class PanelReflection {
   Seen at(const Surface& surface, Vec3f mirror) const;
 
  private:
+  // The ceiling from above, row by row from its low corner: how much of each texel is panel.
+  struct Level {
+    int width = 1, height = 1;
+    std::vector<float> share;
+  };
+  void draw_panels(const World& world);
+  void halve_levels();
   float covered(Vec2f point, float spread) const;
 
-  struct Panel {
-    Vec2f middle, half;
-  };
-  std::vector<Panel> panels_;
-  std::vector<std::vector<std::uint32_t>> panels_near_;  // of each cell of the ceiling
+  std::vector<Level> levels_;  // finest first, each half as fine as the one before
   Vec2f low_;
-  int columns_ = 1, rows_ = 1;
   float height_ = 0;
   Vec3f radiance_;
 };

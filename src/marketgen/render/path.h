@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "render/sensor_light.h"
+#include "render/view.h"
 
 namespace marketgen::raytrace {
 

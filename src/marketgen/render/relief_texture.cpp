@@ -60,6 +60,14 @@ std::vector<Moments> moments_of(const Image& image, int first) {
   return texels;
 }
 
+Relief decoded(__m128 bytes) {
+  alignas(16) std::array<float, 4> value;
+  _mm_store_ps(value.data(), bytes);
+  constexpr float middle = 128;  // the byte that stands for no tilt
+  return {
+      (value[0] - middle) / 127.5F, (value[1] - middle) / 127.5F, value[2] / 255, value[3] / 255};
+}
+
 }  // namespace
 
 ReliefTexture::ReliefTexture(const Image& image, int first) : mips_(image.width, image.height) {
@@ -76,15 +84,11 @@ ReliefTexture::ReliefTexture(const Image& image, int first) : mips_(image.width,
     std::transform(coarser.begin(), coarser.end(), mips_.texels(levels[l]), encode);
     finer = std::move(coarser);
   }
+  mean_ = sample(0.5F, 0.5F, static_cast<float>(levels.size()));
 }
 
 Relief ReliefTexture::sample(float u, float v, float lod) const {
-  if (mips_.empty()) return {};
-  alignas(16) std::array<float, 4> value;
-  _mm_store_ps(value.data(), mips_.sample(u, v, lod));
-  constexpr float middle = 128;  // the byte that stands for no tilt
-  return {
-      (value[0] - middle) / 127.5F, (value[1] - middle) / 127.5F, value[2] / 255, value[3] / 255};
+  return mips_.empty() ? Relief{} : decoded(mips_.sample(u, v, lod));
 }
 
 }  // namespace marketgen::raytrace

@@ -22,12 +22,14 @@ class ReliefTexture {
   ReliefTexture(const Image& image, int first);
 
   Relief sample(float u, float v, float lod) const;
+  const Relief& mean() const { return mean_; }  // of the whole texture
   // From this level on all normals have run together.
   float flat_lod() const { return flat_lod_; }
 
  private:
   MipChain mips_;
   float flat_lod_ = 0;
+  Relief mean_;
 };
 
 }  // namespace marketgen::raytrace

@@ -53,6 +53,23 @@ struct Frame {
   std::vector<float> depth_m;           // along the optical axis; 0 = nothing hit
   std::vector<std::uint32_t> instance;  // what is seen, by number: see picture_objects.h
   std::vector<float> normals;           // world frame, 3 a pixel
+  std::vector<std::uint8_t> matter;     // a Matter a pixel
+};
+
+// What a pixel shows first: depth cameras see nothing through glass, nor on blank metal.
+enum class Matter : std::uint8_t { none, solid, glass, metal, clear };
+constexpr std::array<std::string_view, 5> names_of(Matter) {
+  return {"none", "solid", "glass", "metal", "clear"};
+}
+
+// A caller's memory for one picture, row-major from the top left; null: not wanted. As the planes
+// of Frame.
+struct FrameBuffers {
+  std::uint8_t* rgb = nullptr;        // 3 a pixel
+  float* depth_m = nullptr;           // 1
+  std::uint32_t* instance = nullptr;  // 1
+  float* normals = nullptr;           // 3
+  std::uint8_t* matter = nullptr;     // 1, a Matter
 };
 
 class Renderer {

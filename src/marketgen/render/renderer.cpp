@@ -8,32 +8,28 @@
 #include "render/build_world.h"
 #include "render/exhibit.h"
 #include "render/filter.h"
+#include "render/first_hits.h"
 #include "render/path.h"
 #include "render/picture_objects.h"
 #include "render/render.h"
 #include "render/resolve.h"
+#include "render/sensor_picture.h"
 #include "render/shading_math.h"
 
 namespace marketgen {
 namespace raytrace {
 namespace {
 
-// What a quality buys. Sensor mode: light samples a pixel, extra samples on edges, filter passes.
-// Path mode: paths a pixel.
-struct Effort {
-  int light_samples, edge_samples, filter_passes, paths;
-};
-
-Effort effort_of(Quality quality) {
+int paths_of(Quality quality) {
   switch (quality) {
     case Quality::fast:
-      return {1, 3, 4, 16};
+      return 16;
     case Quality::balanced:
-      return {2, 4, 4, 64};
+      return 64;
     case Quality::best:
-      return {8, 8, 3, 256};
+      return 256;
   }
-  return {2, 4, 4, 64};
+  return 64;
 }
 
 constexpr float meter_share = 0.75F;
@@ -67,19 +63,13 @@ class EmbreeRenderer : public Renderer {
                        Progress& progress) override {
     MARKETGEN_CHECK(check_camera(camera, camera.name.empty() ? "camera" : camera.name));
     const View view(camera);
+    if (options.mode == RenderMode::sensor) return sensor_frame(view, options, progress);
     const unsigned mask = options.hide_ceiling ? mask_solid : mask_opaque;
     Film film(camera.width, camera.height);
     Planes3 radiance(0);
-    if (options.mode == RenderMode::path) {
-      trace_paths(view, options, mask, film, progress);
-      MARKETGEN_CHECK(check_interrupt());
-      radiance = resolve_edges(lighting_, view, film, mask, 0);
-    } else {
-      light_sensor(view, options, mask, film, progress);
-      MARKETGEN_CHECK(check_interrupt());
-      radiance =
-          resolve_edges(lighting_, view, film, mask, effort_of(options.quality).edge_samples);
-    }
+    trace_paths(view, options, mask, film, progress);
+    MARKETGEN_CHECK(check_interrupt());
+    radiance = resolve_edges(lighting_, view, film, mask, 0);
     return frame_of(std::move(film), radiance);
   }
 
@@ -99,22 +89,27 @@ class EmbreeRenderer : public Renderer {
     progress.end();
   }
 
-  void light_sensor(const View& view,
-                    const RenderOptions& options,
-                    unsigned mask,
-                    Film& film,
-                    Progress& progress) const {
-    const Effort effort = effort_of(options.quality);
-    const int samples = options.samples > 0 ? options.samples : effort.light_samples;
-    for_tiles(view, progress, "picture", [&](int index) {
-      const auto tile = std::make_unique<Tile>();
-      find_first_hits(*world_, view, index, mask, *tile);
-      store_first_hits(*world_, view, *tile, film);
-      light_tile(lighting_, view, *tile, samples, film);
-    });
-    smooth(film, film.irradiance, {effort.filter_passes, 8.0F, false});
-    remove_sparkles(film, film.gloss);
-    smooth(film, film.gloss, {effort.filter_passes - 1, 24.0F, true});
+  Result<Frame> sensor_frame(const View& view,
+                             const RenderOptions& options,
+                             Progress& progress) const {
+    Frame frame;
+    const auto count =
+        static_cast<std::size_t>(view.width()) * static_cast<std::size_t>(view.height());
+    frame.color = Image(view.width(), view.height());
+    frame.depth_m.resize(count);
+    frame.instance.resize(count);
+    frame.normals.resize(3 * count);
+    frame.matter.resize(count);
+    const SensorShot shot{&lighting_,
+                          view,
+                          {frame.color.pixels.data(),
+                           frame.depth_m.data(),
+                           frame.instance.data(),
+                           frame.normals.data(),
+                           frame.matter.data()}};
+    take_pictures(std::span(&shot, 1), sensor_effort(options), progress);
+    MARKETGEN_CHECK(check_interrupt());
+    return frame;
   }
 
   void trace_paths(const View& view,
@@ -122,7 +117,7 @@ class EmbreeRenderer : public Renderer {
                    unsigned mask,
                    Film& film,
                    Progress& progress) const {
-    const int wanted = options.samples > 0 ? options.samples : effort_of(options.quality).paths;
+    const int wanted = options.samples > 0 ? options.samples : paths_of(options.quality);
     for_tiles(view, progress, "first hits", [&](int index) {
       const auto tile = std::make_unique<Tile>();
       find_first_hits(*world_, view, index, mask, *tile);

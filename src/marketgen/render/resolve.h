@@ -1,7 +1,9 @@
 // From filtered light to pixels: edges drawn with extra samples, then tone mapping.
 #pragma once
 #include "geometry/image.h"
+#include "render/film.h"
 #include "render/sensor_light.h"
+#include "render/view.h"
 
 namespace marketgen::raytrace {
 

@@ -1,9 +1,5 @@
-// Light on the first hits, the quick way: a few stratified shadow rays, one bounce lit from the
-// stored irradiance, one mirror ray where a surface is glossy. The filter takes out what noise is
-// left.
+// Light that needs no rays: what lighting reads, and what surfaces send back of stored light.
 #pragma once
-#include "render/film.h"
-#include "render/first_hits.h"
 #include "render/irradiance.h"
 #include "render/light_grid.h"
 #include "render/panel_reflection.h"
@@ -18,8 +14,7 @@ struct Lighting {
   const PanelReflection& panels;
 };
 
-// Radiance that a surface sends back along the ray that found it, from stored light. Lamps count
-// when `with_lamps`.
+// Radiance that a surface sends back along the ray that found it, from stored light.
 enum class Lamps { left_out, seen };
 Vec3f stored_radiance(const Lighting& lighting,
                       const Surface& surface,
@@ -29,13 +24,5 @@ Vec3f stored_radiance(const Lighting& lighting,
 // How much more or less diffuse light the surface's relief catches than its flat face: from stored
 // light, so without noise.
 float relief_shade(const Lighting& lighting, const Surface& surface);
-
-// Whether a mirror ray is worth its cost; rougher surfaces take the stored light of their mirror
-// side.
-bool is_glossy(const Surface& surface);
-
-// Fills irradiance, gloss and overlay of the tile's pixels with the mean of `samples` samples.
-void light_tile(
-    const Lighting& lighting, const View& view, const Tile& tile, int samples, Film& film);
 
 }  // namespace marketgen::raytrace

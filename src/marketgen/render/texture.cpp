@@ -69,15 +69,30 @@ BlockMips blocks_of(const Image& image) {
   return plain.mips_.empty() ? BlockMips() : BlockMips(plain.mips_);
 }
 
-Vec3f Texture::sample(float u, float v, float lod) const {
-  if (mips_.empty() && blocks_.empty()) return {1, 1, 1};
+namespace {
+
+// Undoes the encoding.
+Float4 linear_light(__m128 bytes) {
+  return Float4(_mm_mul_ps(_mm_mul_ps(bytes, bytes), _mm_set1_ps(1.0F / 65025.0F)));
+}
+
+}  // namespace
+
+Float4 Texture::filtered(float u, float v, float lod) const {
+  if (mips_.empty() && blocks_.empty()) return Float4(1.0F);
   if (bars_) {
-    if (const std::optional<float> grey = bars_->sample(u, v, lod)) return {*grey, *grey, *grey};
+    if (const std::optional<float> grey = bars_->sample(u, v, lod)) return Float4(*grey);
   }
-  const __m128 color = mips_.empty() ? blocks_.sample(u, v, lod) : mips_.sample(u, v, lod);
-  alignas(16) std::array<float, 4> rgb;
-  _mm_store_ps(rgb.data(), _mm_mul_ps(_mm_mul_ps(color, color), _mm_set1_ps(1.0F / 65025.0F)));
-  return {rgb[0], rgb[1], rgb[2]};
+  return linear_light(mips_.empty() ? blocks_.sample(u, v, lod) : mips_.sample(u, v, lod));
+}
+
+Float4 Texture::filtered_in_level(float u, float v, float lod) const {
+  if (mips_.empty() && blocks_.empty()) return Float4(1.0F);
+  if (bars_) {
+    if (const std::optional<float> grey = bars_->sample(u, v, lod)) return Float4(*grey);
+  }
+  return linear_light(mips_.empty() ? blocks_.sample_level(u, v, lod)
+                                    : mips_.sample_level(u, v, lod));
 }
 
 }  // namespace marketgen::raytrace

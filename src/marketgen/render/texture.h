@@ -6,6 +6,7 @@
 #include "geometry/image.h"
 #include "geometry/vector.h"
 #include "render/block_mips.h"
+#include "render/float4.h"
 #include "render/mip_chain.h"
 #include "render/printed_bars.h"
 
@@ -21,7 +22,10 @@ class Texture {
 
   // Linear RGB at (u, v); (0, 0) is the top left, both axes repeat. `lod` 0 = the image itself, 1 =
   // half its size.
-  Vec3f sample(float u, float v, float lod) const;
+  Vec3f sample(float u, float v, float lod) const { return filtered(u, v, lod).xyz(); }
+  Float4 filtered(float u, float v, float lod) const;
+  // From the nearest level alone: half the work, and levels change in steps.
+  Float4 filtered_in_level(float u, float v, float lod) const;
   Vec3f mean() const { return sample(0.5F, 0.5F, 1e9F); }
   int width() const { return mips_.empty() ? blocks_.width() : mips_.width(); }
   int height() const { return mips_.empty() ? blocks_.height() : mips_.height(); }

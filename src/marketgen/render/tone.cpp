@@ -1,6 +1,7 @@
 #include "render/tone.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "render/shading_math.h"
@@ -29,26 +30,72 @@ constexpr float look_contrast = 1.35F, look_saturation = 1.18F, look_gain = 1.10
 // tenths of the screen's white.
 constexpr float base_exposure = 0.78F;
 
-std::uint8_t to_byte(float x) {
-  return static_cast<std::uint8_t>(std::clamp(x, 0.0F, 1.0F) * 255 + 0.5F);
-}
-
 }  // namespace
 
+ToneCurve::ToneCurve() {
+  for (std::size_t i = 0; i < table_.size(); ++i) {
+    // Floats of one exponent lie evenly: the middle of a step.
+    const auto step = static_cast<int>(i);
+    const float mantissa = 1 + (static_cast<float>(step % steps_per_stop) + 0.5F) / steps_per_stop;
+    const float linear = std::ldexp(mantissa, lowest_stop + step / steps_per_stop);
+    table_[i] = std::pow(curve(linear), look_contrast) * look_gain;
+  }
+}
+
+float ToneCurve::at(float linear) const {
+  constexpr int bits_per_step = 23 - 7;  // of a float's mantissa; 2^7 steps a stop
+  static_assert(steps_per_stop == 1 << 7);
+  constexpr int first = (127 + lowest_stop) << 7;
+  const int step = (std::bit_cast<std::int32_t>(linear) >> bits_per_step) - first;
+  return table_[static_cast<std::size_t>(std::clamp(step, 0, static_cast<int>(table_.size()) - 1))];
+}
+
+void ToneCurve::write(std::span<const Float4> radiance, float exposure, std::uint8_t* rgb) const {
+  constexpr std::size_t most = 64;  // at a time
+  std::array<float, most> r, g, b;
+  for (std::size_t first = 0; first < radiance.size(); first += most) {
+    const std::size_t count = std::min(most, radiance.size() - first);
+    const float scale = exposure * base_exposure;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Float4 c = radiance[first + i] * scale;
+      r[i] = c.x();
+      g[i] = c.y();
+      b[i] = c.z();
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const float x = at(0.842479062F * r[i] + 0.0784335999F * g[i] + 0.0792237451F * b[i]);
+      const float y = at(0.0423282422F * r[i] + 0.878468636F * g[i] + 0.0791661274F * b[i]);
+      const float z = at(0.0423756549F * r[i] + 0.0784336F * g[i] + 0.879142973F * b[i]);
+      const float grey = 0.2126F * x + 0.7152F * y + 0.0722F * z;
+      const float dx = grey + (x - grey) * look_saturation;
+      const float dy = grey + (y - grey) * look_saturation;
+      const float dz = grey + (z - grey) * look_saturation;
+      r[i] = 1.19687900F * dx - 0.0980208811F * dy - 0.0990297441F * dz;
+      g[i] = -0.0528968518F * dx + 1.15190313F * dy - 0.0989611768F * dz;
+      b[i] = -0.0529716355F * dx - 0.0980434501F * dy + 1.15107367F * dz;
+    }
+    const auto byte = [](float x) {
+      return static_cast<std::uint8_t>(std::min(std::max(x, 0.0F), 1.0F) * 255 + 0.5F);
+    };
+    std::uint8_t* to = rgb + 3 * first;
+    for (std::size_t i = 0; i < count; ++i) {
+      to[3 * i] = byte(r[i]);
+      to[3 * i + 1] = byte(g[i]);
+      to[3 * i + 2] = byte(b[i]);
+    }
+  }
+}
+
+const ToneCurve& tone_curve() {
+  static const ToneCurve curve;
+  return curve;
+}
+
 Rgb8 display_color(Vec3f exposed) {
-  const Vec3f c = is_finite(exposed) ? exposed * base_exposure : Vec3f{};
-  Vec3f d{curve(0.842479062F * c.x + 0.0784335999F * c.y + 0.0792237451F * c.z),
-          curve(0.0423282422F * c.x + 0.878468636F * c.y + 0.0791661274F * c.z),
-          curve(0.0423756549F * c.x + 0.0784336F * c.y + 0.879142973F * c.z)};
-  d = Vec3f{std::pow(d.x, look_contrast),
-            std::pow(d.y, look_contrast),
-            std::pow(d.z, look_contrast)} *
-      look_gain;
-  const float grey = luminance(d);
-  d = mix({grey, grey, grey}, d, look_saturation);
-  return {to_byte(1.19687900F * d.x - 0.0980208811F * d.y - 0.0990297441F * d.z),
-          to_byte(-0.0528968518F * d.x + 1.15190313F * d.y - 0.0989611768F * d.z),
-          to_byte(-0.0529716355F * d.x - 0.0980434501F * d.y + 1.15107367F * d.z)};
+  std::array<std::uint8_t, 3> rgb{};
+  const Float4 pixel(is_finite(exposed) ? exposed : Vec3f{});
+  tone_curve().write(std::span(&pixel, 1), 1, rgb.data());
+  return {rgb[0], rgb[1], rgb[2]};
 }
 
 Vec3f black_body(double kelvin) {

@@ -1,12 +1,32 @@
 // From radiance to what a screen shows: exposure, the AgX film curve, sRGB bytes.
 #pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+
 #include "geometry/image.h"
 #include "geometry/vector.h"
+#include "render/float4.h"
 
 namespace marketgen::raytrace {
 
 // `radiance` times exposure: 1 is a white sheet under the store's own light.
 Rgb8 display_color(Vec3f exposed);
+
+// The same for many pixels: the film curve as a table over the logarithm of its input, within a
+// third of a byte's step.
+class ToneCurve {
+ public:
+  ToneCurve();
+  // To three bytes a pixel, one after another.
+  void write(std::span<const Float4> radiance, float exposure, std::uint8_t* rgb) const;
+
+ private:
+  static constexpr int steps_per_stop = 128, lowest_stop = -13, stops = 18;
+  float at(float linear) const;
+  std::array<float, steps_per_stop * stops> table_;
+};
+const ToneCurve& tone_curve();
 
 // Linear RGB (Rec. 709, unit luminance) of a black body at `kelvin`, 1000..40000 K.
 Vec3f black_body(double kelvin);

@@ -11,6 +11,7 @@ namespace {
 constexpr float surface_lift_m =
     3e-4F;  // longer than float error at 100 m, shorter than any gap that shows
 constexpr float least_tilt = 0.012F;  // 0.7 degrees: relief below shows nowhere
+constexpr float least_slant = 0.15F;  // cosine below which footprints grow no more
 constexpr float least_facing =
     0.03F;  // shading normals are bent to face the viewer at least this much
 
@@ -54,27 +55,34 @@ alignas(64) constexpr std::array<std::array<int, packet_size>, packet_size + 1> 
   return masks;
 }();
 
-Vec3f unpacked(const std::array<std::int16_t, 3>& n) {
-  return {static_cast<float>(n[0]), static_cast<float>(n[1]), static_cast<float>(n[2])};
-}
-
 const TriangleRecord& record_of(const World& world, const Hit& hit) {
-  if (hit.instance != RTC_INVALID_GEOMETRY_ID) {
-    const TracedMesh& mesh = world.meshes[world.instances[hit.instance].mesh];
-    return (hit.geometry == mesh_glass_geometry ? mesh.glass : mesh.solid).records[hit.primitive];
-  }
+  if (hit.instance != RTC_INVALID_GEOMETRY_ID)
+    return world.instances[hit.instance].records[hit.geometry][hit.primitive];
   if (hit.geometry == shell_glass_geometry) return world.shell_glass.records[hit.primitive];
   return (hit.geometry == ceiling_geometry ? world.ceiling : world.shell).records[hit.primitive];
 }
 
+// A vector kept as 16-bit numbers, in 1/32767; reads eight bytes.
+Float4 unpacked4(const std::int16_t* v) {
+  const __m128i packed = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(v));
+  return Float4(_mm_mul_ps(_mm_cvtepi32_ps(_mm_cvtepi16_epi32(packed)), _mm_set1_ps(1.0F / 32767)));
+}
+
+Float4 turned(const Placement& place, Float4 v) {
+  return Frame4{Float4(place.x), Float4(place.y), Float4(place.z), {}}.turn(v);
+}
+
 // Turns both normals towards the viewer; the shading normal keeps facing him where the mesh is
 // coarse.
-void face_viewer(Surface& s, Vec3f direction) {
-  s.back_face = dot(s.face_normal, direction) > 0;
-  if (s.back_face) s.face_normal = -s.face_normal;
-  if (dot(s.normal, s.face_normal) < 0) s.normal = -s.normal;
-  const float facing = dot(s.normal, direction);
-  if (facing > -least_facing) s.normal = normalized(s.normal - direction * (facing + least_facing));
+void face_viewer(Surface& s, Float4 face_normal, Float4 normal, Float4 direction) {
+  s.back_face = dot(face_normal, direction) > 0;
+  if (s.back_face) face_normal = -face_normal;
+  if (dot(normal, face_normal) < 0) normal = -normal;
+  normal = normalized(normal);
+  const float facing = dot(normal, direction);
+  if (facing > -least_facing) normal = normalized(normal - direction * (facing + least_facing));
+  s.face_normal = face_normal.xyz();
+  s.normal = s.relief_normal = normal.xyz();
 }
 
 // The texture's rows and columns at a hit, in the store frame.
@@ -96,22 +104,28 @@ void tilt(Surface& s, const Relief& relief, const TextureAxes& axes, Vec3f direc
 }
 
 // Colour, gloss and tilt from the material's textures.
-void add_textures(
-    Surface& s, const World& world, const Hit& hit, Vec3f direction, float footprint) {
-  const TriangleRecord& record = record_of(world, hit);
+void add_textures(Surface& s,
+                  const World& world,
+                  const TriangleRecord& record,
+                  const Hit& hit,
+                  Vec3f direction,
+                  float footprint,
+                  TextureDetail detail) {
   const Material& material = world.materials[record.material];
-  if (material.texture < 0) return;
   const float w = 1 - hit.u - hit.v;
   const Vec2f uv = record.uvs[0] * w + record.uvs[1] * hit.u + record.uvs[2] * hit.v;
   const float lod = record.texel_density + rough_log2(std::max(footprint, 1e-6F));
-  s.albedo *= world.textures[static_cast<std::size_t>(material.texture)].sample(uv.x, uv.y, lod);
+  const Texture& texture = world.textures[static_cast<std::size_t>(material.texture)];
+  const bool full = detail == TextureDetail::full;
+  s.albedo *=
+      (full ? texture.filtered(uv.x, uv.y, lod) : texture.filtered_in_level(uv.x, uv.y, lod)).xyz();
   if (material.relief < 0) return;
-  const ReliefTexture& texture = world.reliefs[static_cast<std::size_t>(material.relief)];
-  const Relief relief = texture.sample(uv.x, uv.y, lod);
+  const ReliefTexture& reliefs = world.reliefs[static_cast<std::size_t>(material.relief)];
+  const Relief relief = full ? reliefs.sample(uv.x, uv.y, lod) : reliefs.mean();
   s.roughness = std::min(1.0F, relief.roughness * material.roughness_scale);
   s.metallic = relief.metallic;
   const bool tilted = std::max(std::fabs(relief.tilt_x), std::fabs(relief.tilt_y)) > least_tilt;
-  if (tilted && lod < texture.flat_lod() && !s.back_face)
+  if (full && tilted && lod < reliefs.flat_lod() && !s.back_face)
     tilt(s, relief, axes_at(world, record, hit), direction);
 }
 
@@ -199,6 +213,19 @@ void find_blocked(const World& world,
     blocked[k] = packet.tfar[k] < 0;
 }
 
+void find_blocked_by_actors(const World& world,
+                            std::span<const Ray> rays,
+                            std::span<bool> blocked) {
+  alignas(64) RTCRay16 packet;
+  for (std::size_t k = 0; k < packet_size; ++k)
+    set_ray(packet, k, rays[std::min(k, rays.size() - 1)], mask_solid);
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded16(lane_masks[rays.size()].data(), world.actors.bvh.get(), &context, &packet);
+  for (std::size_t k = 0; k < rays.size(); ++k)
+    blocked[k] = packet.tfar[k] < 0;
+}
+
 Hit trace_one(const World& world, const Ray& ray, unsigned mask) {
   RTCRayHit query{};
   query.ray = single(ray, mask);
@@ -231,42 +258,56 @@ Vec3f Surface::reflectance() const {
   return mix(dielectric, albedo, metallic);
 }
 
-Surface surface_at(const World& world, const Ray& ray, const Hit& hit, float footprint) {
+void fetch_surfaces(const World& world, std::span<const Hit> hits) {
+  for (const Hit& hit : hits) {
+    if (hit.any() && hit.instance != RTC_INVALID_GEOMETRY_ID)
+      _mm_prefetch(reinterpret_cast<const char*>(&world.instances[hit.instance]), _MM_HINT_T0);
+  }
+  for (const Hit& hit : hits) {
+    if (hit.any()) _mm_prefetch(reinterpret_cast<const char*>(&record_of(world, hit)), _MM_HINT_T0);
+  }
+}
+
+void see_surface(const World& world,
+                 const Ray& ray,
+                 const Hit& hit,
+                 float footprint,
+                 TextureDetail detail,
+                 Surface& s) {
   const TriangleRecord& record = record_of(world, hit);
   const Material& material = world.materials[record.material];
-  const float w = 1 - hit.u - hit.v;
-  Surface s;
-  s.face_normal = unpacked(record.face_normal);
-  s.normal = unpacked(record.normals[0]) * w + unpacked(record.normals[1]) * hit.u +
-             unpacked(record.normals[2]) * hit.v;
+  Float4 face_normal = unpacked4(record.face_normal.data());
+  Float4 normal = unpacked4(record.normals[0].data()) * (1 - hit.u - hit.v) +
+                  unpacked4(record.normals[1].data()) * hit.u +
+                  unpacked4(record.normals[2].data()) * hit.v;
   s.id = record.owner;
   s.light = record.light;
-  float brightness = 1;
+  s.fixture = -1;
+  s.shelf = -1;
+  s.albedo = material.color;
   if (hit.instance != RTC_INVALID_GEOMETRY_ID) {
     const Instance& instance = world.instances[hit.instance];
-    s.face_normal = instance.world_from_mesh.turn(s.face_normal);
-    s.normal = instance.world_from_mesh.turn(s.normal);
+    face_normal = turned(instance.world_from_mesh, face_normal);
+    normal = turned(instance.world_from_mesh, normal);
     s.id = instance.id;
     s.fixture = instance.fixture;
     s.shelf = instance.shelf;
     if (s.light >= 0) s.light += instance.first_light;
-    brightness = instance.brightness;
+    s.albedo *= instance.brightness;
   }
-  s.face_normal = normalized(s.face_normal);
-  s.normal = normalized(s.normal);
-  face_viewer(s, ray.direction);
-  const float slant = std::max(0.15F, -dot(s.face_normal, ray.direction));
-  s.albedo = material.color * brightness;
-  s.relief_normal = s.normal;
+  const Float4 direction(ray.direction);
+  face_viewer(s, face_normal, normal, direction);
   s.roughness = material.roughness;
   s.metallic = material.metallic;
-  add_textures(s, world, hit, ray.direction, footprint / std::sqrt(slant));
+  if (material.texture >= 0) {
+    const float slant = std::max(least_slant, -dot(s.face_normal, ray.direction));
+    add_textures(s, world, record, hit, ray.direction, footprint / std::sqrt(slant), detail);
+  }
   s.position = ray.origin + ray.direction * hit.t + s.face_normal * surface_lift_m;
   s.emission = material.emission;
   s.distance = hit.t;
   s.material = record.material;
   s.glass = material.glass;
-  return s;
 }
 
 }  // namespace marketgen::raytrace

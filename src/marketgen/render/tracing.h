@@ -40,6 +40,8 @@ void find_blocked(const World& world,
                   std::span<const Ray> rays,
                   std::span<bool> blocked,
                   unsigned mask);
+// The same, asking for actors alone.
+void find_blocked_by_actors(const World& world, std::span<const Ray> rays, std::span<bool> blocked);
 Hit trace_one(const World& world, const Ray& ray, unsigned mask);
 bool is_blocked(const World& world, const Ray& ray, unsigned mask);
 
@@ -62,7 +64,26 @@ struct Surface {
   Vec3f reflectance() const;  // at normal incidence
 };
 
+// full: textures between mip levels, and their relief. level: textures from one mip level, and the
+// relief's mean gloss; half the cost, for what is small or seen in a mirror.
+enum class TextureDetail { full, level };
 // `footprint` is the width that one sample stands for at the hit, metres: it picks the mip level.
-Surface surface_at(const World& world, const Ray& ray, const Hit& hit, float footprint);
+void see_surface(const World& world,
+                 const Ray& ray,
+                 const Hit& hit,
+                 float footprint,
+                 TextureDetail detail,
+                 Surface& surface);
+inline Surface surface_at(const World& world,
+                          const Ray& ray,
+                          const Hit& hit,
+                          float footprint,
+                          TextureDetail detail = TextureDetail::full) {
+  Surface surface;
+  see_surface(world, ray, hit, footprint, detail, surface);
+  return surface;
+}
+// Brings what see_surface() will read of these hits nearer. Only a matter of speed.
+void fetch_surfaces(const World& world, std::span<const Hit> hits);
 
 }  // namespace marketgen::raytrace

@@ -71,6 +71,12 @@ void commit_mesh(RTCDevice device, TracedMesh& mesh) {
   rtcCommitScene(mesh.bvh.get());
 }
 
+void find_records(World& world, Instance& instance) {
+  const TracedMesh& mesh = world.meshes[instance.mesh];
+  instance.records[mesh_solid_geometry] = mesh.solid.records.data();
+  instance.records[mesh_glass_geometry] = mesh.glass.records.data();
+}
+
 void set_transform(RTCGeometry geometry, const Placement& p) {
   const std::array<float, 12> columns{p.x.x,
                                       p.x.y,
@@ -211,7 +217,8 @@ void commit(World& world) {
   if (!world.ceiling.empty())
     attach(top, make_geometry(device, world.ceiling, mask_ceiling), ceiling_geometry);
   for (std::size_t i = 0; i < world.instances.size(); ++i) {
-    const Instance& instance = world.instances[i];
+    Instance& instance = world.instances[i];
+    find_records(world, instance);
     attach(top,
            make_instance(device, instance, world.meshes[instance.mesh].bvh.get()),
            first_instance_geometry + static_cast<unsigned>(i));
@@ -235,7 +242,8 @@ void commit_actors(World& world) {
   actors.bvh.reset(rtcNewScene(device));
   rtcSetSceneFlags(actors.bvh.get(), RTC_SCENE_FLAG_DYNAMIC);
   for (std::size_t i = actors.first_instance; i < world.instances.size(); ++i) {
-    const Instance& instance = world.instances[i];
+    Instance& instance = world.instances[i];
+    find_records(world, instance);
     attach(actors.bvh.get(),
            make_instance(device, instance, world.meshes[instance.mesh].bvh.get()),
            static_cast<unsigned>(i - actors.first_instance));

@@ -103,6 +103,8 @@ struct Instance {
   std::int32_t first_light = 0;           // its mesh's lights in World::lights
   float brightness = 1;                   // small print and wear differences between items
   Placement world_from_mesh;
+  // Of its mesh's geometries, by MeshGeometry; set when the BVHs are built.
+  std::array<const TriangleRecord*, 2> records{};
 };
 
 // Daylight behind doors and windows, and what a ray that leaves the shop sees.

@@ -27,7 +27,7 @@ TEST(ReliefTexture, FlatSurfacesKeepTheirGlossAtEveryDistance) {
     EXPECT_EQ(relief.tilt_x, 0);
     EXPECT_EQ(relief.tilt_y, 0);
     EXPECT_NEAR(relief.roughness, 0.2F, 0.005F);
-    EXPECT_EQ(relief.metallic, 1);
+    EXPECT_FLOAT_EQ(relief.metallic, 1);
   }
 }
 
