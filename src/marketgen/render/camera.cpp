@@ -99,15 +99,21 @@ Intrinsics intrinsics_of(const Camera& camera) {
   return camera.intrinsics.value_or(centred_pinhole(camera.width, camera.height, camera.fov_deg));
 }
 
-std::optional<Vec2> project(const Camera& camera, Vec3 store_point) {
-  const CameraAxes axes = axes_of(camera);
-  const Vec3 off = store_point - place_of(camera);
-  const Vec3 p{dot(axes.right, off), dot(axes.down, off), dot(axes.ahead, off)};
-  if (camera.ortho_height_m <= 0) return project(intrinsics_of(camera), p);
+Projection::Projection(const Camera& camera) : place_(place_of(camera)), axes_(axes_of(camera)) {
+  intrinsics_ = intrinsics_of(camera);
+  if (camera.ortho_height_m <= 0) return;
+  ortho_pixels_per_m_ = camera.height / camera.ortho_height_m;
+  intrinsics_.cx = (camera.width - 1) / 2.0;
+  intrinsics_.cy = (camera.height - 1) / 2.0;
+}
+
+std::optional<Vec2> Projection::operator()(Vec3 store_point) const {
+  const Vec3 off = store_point - place_;
+  const Vec3 p{dot(axes_.right, off), dot(axes_.down, off), dot(axes_.ahead, off)};
+  if (ortho_pixels_per_m_ == 0) return project(intrinsics_, p);
   if (!(p.z > 0)) return std::nullopt;
-  const double pixels_per_m = camera.height / camera.ortho_height_m;
-  return Vec2{(camera.width - 1) / 2.0 + p.x * pixels_per_m,
-              (camera.height - 1) / 2.0 + p.y * pixels_per_m};
+  return Vec2{intrinsics_.cx + p.x * ortho_pixels_per_m_,
+              intrinsics_.cy + p.y * ortho_pixels_per_m_};
 }
 
 Result<void> check_camera(const Camera& camera, const std::string& where) {

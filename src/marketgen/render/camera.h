@@ -47,9 +47,20 @@ Pose opencv_pose_of(const Camera& camera);
 Pose opengl_pose_of(const Camera& camera);
 // Precondition: not orthographic.
 Intrinsics intrinsics_of(const Camera& camera);
-// The picture point that shows a point of the store, in the pixels of camera_model.h; nothing for
-// what is behind the camera or outside what its lens can see.
-std::optional<Vec2> project(const Camera& camera, Vec3 store_point);
+// From points of the store to the picture points that show them.
+class Projection {
+ public:
+  explicit Projection(const Camera& camera);
+  // In the pixels of camera_model.h; nothing for what is behind the camera or outside what its lens
+  // can see. Points beyond the picture's edges are projected too.
+  std::optional<Vec2> operator()(Vec3 store_point) const;
+
+ private:
+  Vec3 place_;
+  CameraAxes axes_;
+  Intrinsics intrinsics_;
+  double ortho_pixels_per_m_ = 0;  // > 0: orthographic
+};
 
 // The views every store has: top, entrance, aisle, checkout, and one per zone ("zone:dairy").
 // Deterministic; each stands in free floor at eye height and sees goods.

@@ -67,7 +67,9 @@ struct Frame {
 // What one object would cover of a picture with nothing before it.
 struct Silhouette {
   std::uint32_t object = 0;  // number in Frame::instance
-  int pixels = 0;            // of the picture; a pixel that shows the object is among them
+  // Of the picture; those that show the object are among them. Nothing for fixtures, whose price
+  // labels are part of the room's mesh.
+  std::optional<int> pixels;
   // x0, y0, x1, y1 in pixels from the picture's top left corner, around the whole object even where
   // it leaves the picture; nothing when a part of it lies behind the camera.
   std::optional<std::array<double, 4>> box_px;
@@ -91,8 +93,8 @@ class Renderer {
   virtual Result<Frame> render(const Camera& camera,
                                const RenderOptions& options,
                                Progress& progress = silent_progress()) = 0;
-  // Of objects in the picture `frame` that `camera` took of the actors as they stand now: products,
-  // fixtures without their price labels, actors.
+  // Of objects but the room in the picture `frame` that `camera` took of the actors as they stand
+  // now, in the order of `objects`.
   virtual std::vector<Silhouette> silhouettes(const Camera& camera,
                                               const Frame& frame,
                                               std::span<const std::uint32_t> objects) const = 0;

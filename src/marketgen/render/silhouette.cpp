@@ -19,14 +19,14 @@ struct PixelArea {
 
 // Around all vertices of the object; nothing when some lie where the camera cannot project them.
 std::optional<Box> box_around(const World& world,
-                              const Camera& camera,
+                              const Projection& project,
                               std::span<const Instance* const> parts) {
   Box box{1e30, 1e30, -1e30, -1e30};
   for (const Instance* part : parts) {
     const TracedMesh& mesh = world.meshes[part->mesh];
     for (const TriangleSet* set : {&mesh.solid, &mesh.glass}) {
       for (const Vec3f& position : set->positions) {
-        const auto p = project(camera, to_double(part->world_from_mesh(position)));
+        const auto p = project(to_double(part->world_from_mesh(position)));
         if (!p) return std::nullopt;
         box = {std::min(box[0], p->x + 0.5),
                std::min(box[1], p->y + 0.5),
@@ -69,15 +69,17 @@ bool covers(const World& world, const Instance& part, const Ray& ray) {
   return query.tfar < 0;
 }
 
-Silhouette silhouette_of(const World& world,
-                         const Camera& camera,
-                         const Frame& frame,
-                         std::uint32_t object,
-                         std::span<const Instance* const> parts) {
-  const View view(camera);
-  const std::optional<Box> box = box_around(world, camera, parts);
-  const PixelArea area = pixels_of(box, view);
-  Silhouette result{object, 0, box};
+bool is_fixture(std::span<const Instance* const> parts) {
+  return std::ranges::any_of(parts, [](const Instance* part) { return part->fixture >= 0; });
+}
+
+int covered_pixels(const World& world,
+                   const View& view,
+                   const Frame& frame,
+                   std::uint32_t object,
+                   std::span<const Instance* const> parts,
+                   const PixelArea& area) {
+  int count = 0;
   for (int y = area.y0; y < area.y1; ++y) {
     for (int x = area.x0; x < area.x1; ++x) {
       const Ray ray = view.ray(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
@@ -88,10 +90,10 @@ Silhouette silhouette_of(const World& world,
           frame.instance[pixel] == object || std::ranges::any_of(parts, [&](const Instance* part) {
             return covers(world, *part, ray);
           });
-      result.pixels += covered ? 1 : 0;
+      count += covered ? 1 : 0;
     }
   }
-  return result;
+  return count;
 }
 
 }  // namespace
@@ -107,8 +109,16 @@ std::vector<Silhouette> silhouettes_of(const World& world,
     if (const auto found = parts.find(instance.id); found != parts.end())
       found->second.push_back(&instance);
   }
+  const View view(camera);
+  const Projection project(camera);
   return parallel_map(objects.size(), [&](std::size_t i) {
-    return silhouette_of(world, camera, frame, objects[i], parts.at(objects[i]));
+    const std::span<const Instance* const> own = parts.at(objects[i]);
+    Silhouette result{objects[i], {}, box_around(world, project, own)};
+    if (!is_fixture(own)) {
+      const PixelArea area = pixels_of(result.box_px, view);
+      result.pixels = covered_pixels(world, view, frame, objects[i], own, area);
+    }
+    return result;
   });
 }
 

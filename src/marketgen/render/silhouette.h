@@ -15,9 +15,8 @@ namespace marketgen::raytrace {
 
 struct World;
 
-// Of each object of `objects` (numbers of Frame::instance, products and actors), in that order.
-// `frame` is the picture that `camera` took. Cost: about as many rays as the objects' boxes have
-// pixels, and a projection of each vertex.
+// See Renderer::silhouettes(). Cost: about as many rays as the objects' boxes have pixels, and a
+// projection of each vertex.
 std::vector<Silhouette> silhouettes_of(const World& world,
                                        const Camera& camera,
                                        const Frame& frame,
