@@ -10,6 +10,7 @@
 #include "command.h"
 #include "io/file.h"
 #include "io/json.h"
+#include "io/npy.h"
 #include "io/png.h"
 #include "motion/standing_robot.h"
 #include "render/annotations.h"
@@ -66,7 +67,9 @@ std::vector<PictureActor> picture_actors(const std::vector<Actor>& actors) {
   return named;
 }
 
-Result<void> write_depth(const std::string& path, const Frame& frame) {
+Result<void> write_depth(const std::filesystem::path& path, const Frame& frame) {
+  if (path.extension() == ".npy")
+    return write_npy(path, frame.depth_m, {frame.color.height, frame.color.width});
   std::vector<std::uint16_t> millimetres(frame.depth_m.size());
   constexpr float most_mm = 65535;
   for (std::size_t i = 0; i < millimetres.size(); ++i) {
@@ -203,7 +206,7 @@ Run add_render(CLI::App& app) {
                    "put a robot into the picture (repeatable): "
                    "ROW@X,Y[,HEADING_DEG][,z=M][,posture=NAME][,JOINT=VALUE][,SLOT=TOOL]")
       ->allow_extra_args(false);
-  command->add_option("--depth", flags->depth, "also write depth, 16-bit PNG in millimetres");
+  command->add_option("--depth", flags->depth, "also write depth: F.png in whole millimetres, 16 bits; F.npy in metres, float32");
   command->add_option("--segmentation", flags->segmentation, "also write a colour per object");
   command->add_option(
       "--object-ids", flags->object_ids, "also write object numbers: red + 256 green + 65536 blue");
