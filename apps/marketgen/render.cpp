@@ -1,19 +1,22 @@
-// marketgen render: a picture of a store, with robots in it if wanted; depth, segmentation, object
-// numbers and normals beside it.
+// marketgen render: a picture of a store, with robots in it if wanted, as a perfect or a noisy sensor
+// sees it; depth, segmentation, object numbers, normals and annotations beside it.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
+#include <filesystem>
 
 #include "base/parallel.h"
-#include "base/text.h"
+#include "camera_flags.h"
 #include "command.h"
 #include "io/file.h"
 #include "io/json.h"
+#include "io/npy.h"
 #include "io/png.h"
 #include "motion/standing_robot.h"
-#include "render/picture_objects.h"
+#include "render/annotations.h"
+#include "render/channel_pictures.h"
+#include "render/color_noise.h"
+#include "render/depth_noise.h"
 #include "render/render.h"
 #include "render/robot_actor.h"
 
@@ -22,73 +25,15 @@ namespace {
 
 struct RenderFlags {
   CommonFlags common;
-  std::string folder, output, camera, from, at,
-      size = "1280x720", mode = "sensor", quality = "balanced", depth, segmentation, object_ids,
-      legend, normals, skin;
+  CameraFlags camera;
+  std::string folder, output, mode = "sensor", quality = "balanced", depth, segmentation,
+                              object_ids, annotations, categories, normals, channels, noise, skin;
   std::vector<std::string> robots;
-  double fov_deg = 60, time_s = 0;
+  std::uint64_t frame_number = 0;
+  double time_s = 0;
   int samples = 0;
   bool list = false;
 };
-
-std::optional<double> number_in(const std::string& text) {
-  double value = 0;
-  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (failed != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
-Result<Vec3> parse_point(const std::string& text, const std::string& flag) {
-  const std::vector<std::string> parts = split(text, ',');
-  double values[3] = {};
-  bool good = parts.size() == 3;
-  for (std::size_t i = 0; good && i < 3; ++i) {
-    const auto value = number_in(parts[i]);
-    good = value.has_value() && std::isfinite(*value);
-    values[i] = value.value_or(0);
-  }
-  if (!good)
-    return Error{
-        "usage.bad_flag", flag, fmt::format("\"{}\" is not a point; write x,y,z in metres", text)};
-  return Vec3{values[0], values[1], values[2]};
-}
-
-Result<std::pair<int, int>> parse_pixels(const std::string& text) {
-  const std::vector<std::string> parts = split(lower_ascii(text), 'x');
-  const auto width = number_in(parts[0]), height = number_in(parts.size() == 2 ? parts[1] : "");
-  if (!width || !height || *width != std::floor(*width) || *height != std::floor(*height) ||
-      std::abs(*width) > 1e6 || std::abs(*height) > 1e6) {
-    return Error{"camera.bad_size",
-                 "--size",
-                 fmt::format("\"{}\" is not a picture size; write 1280x720", text)};
-  }
-  return std::pair(static_cast<int>(*width), static_cast<int>(*height));
-}
-
-Result<Camera> camera_of(const RenderFlags& flags, const Scene& scene) {
-  MARKETGEN_TRY(const auto pixels, parse_pixels(flags.size));
-  const auto [width, height] = pixels;
-  if (flags.from.empty() != flags.at.empty())
-    return Error{"usage.bad_flag", "--from", "give both --from and --at"};
-  if (flags.from.empty()) {
-    MARKETGEN_TRY(
-        const Camera named,
-        camera_named(scene, flags.camera.empty() ? "entrance" : flags.camera, width, height));
-    MARKETGEN_CHECK(check_camera(named, "--size"));
-    return named;
-  }
-  if (!flags.camera.empty())
-    return Error{"usage.bad_flag", "--camera", "give a camera's name or --from and --at, not both"};
-  Camera camera;
-  camera.name = "custom";
-  MARKETGEN_TRY(camera.from, parse_point(flags.from, "--from"));
-  MARKETGEN_TRY(camera.at, parse_point(flags.at, "--at"));
-  camera.fov_deg = flags.fov_deg;
-  camera.width = width;
-  camera.height = height;
-  MARKETGEN_CHECK(check_camera(camera, "render"));
-  return camera;
-}
 
 Result<std::vector<Actor>> actors_of(const RenderFlags& flags, const Scene& scene) {
   std::vector<PlacedRobot> placed;
@@ -108,20 +53,23 @@ Result<std::vector<Actor>> actors_of(const RenderFlags& flags, const Scene& scen
   return actors;
 }
 
-// "panda", and "panda-2" for the second of them.
-std::vector<std::string> names_of_actors(const std::vector<Actor>& actors) {
-  std::vector<std::string> names;
+// "panda", and "panda-2" for the second of them; where its first body stands.
+std::vector<PictureActor> picture_actors(const std::vector<Actor>& actors) {
+  std::vector<PictureActor> named;
   for (std::size_t i = 0; i < actors.size(); ++i) {
     const auto same = [&](const Actor& other) { return other.name == actors[i].name; };
     const auto before =
         std::count_if(actors.begin(), actors.begin() + static_cast<std::ptrdiff_t>(i), same);
-    names.push_back(before == 0 ? actors[i].name
-                                : fmt::format("{}-{}", actors[i].name, before + 1));
+    named.push_back(
+        {before == 0 ? actors[i].name : fmt::format("{}-{}", actors[i].name, before + 1),
+         actors[i].bodies.empty() ? Pose{} : actors[i].bodies.front().world_from_body});
   }
-  return names;
+  return named;
 }
 
-Result<void> write_depth(const std::string& path, const Frame& frame) {
+Result<void> write_depth(const std::filesystem::path& path, const Frame& frame) {
+  if (path.extension() == ".npy")
+    return write_npy(path, frame.depth_m, {frame.color.height, frame.color.width});
   std::vector<std::uint16_t> millimetres(frame.depth_m.size());
   constexpr float most_mm = 65535;
   for (std::size_t i = 0; i < millimetres.size(); ++i) {
@@ -129,6 +77,30 @@ Result<void> write_depth(const std::string& path, const Frame& frame) {
         static_cast<std::uint16_t>(std::min(frame.depth_m[i] * 1000.0F + 0.5F, most_mm));
   }
   return write_png16(path, frame.color.width, frame.color.height, millimetres);
+}
+
+Result<NoisyPlanes> noisy_planes(const RenderFlags& flags,
+                                 const Frame& frame,
+                                 const Camera& camera) {
+  const NoiseSource source{flags.common.seed, flags.frame_number};
+  MARKETGEN_TRY(std::vector<float> depth_m, noisy_depth(frame, camera, StereoCamera{}, source));
+  return NoisyPlanes{noisy_color(frame.color, camera, ColorSensor{}, source), std::move(depth_m)};
+}
+
+Result<void> write_channels(const RenderFlags& flags,
+                            const Scene& scene,
+                            const Frame& frame,
+                            const Camera& camera,
+                            const PictureAnnotations& annotations) {
+  MARKETGEN_TRY(const NoisyPlanes noisy, noisy_planes(flags, frame, camera));
+  const std::filesystem::path folder = flags.channels;
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed) return Error{"io.cannot_write", flags.channels, failed.message()};
+  const auto channels = channel_pictures(frame, scene, annotations, noisy);
+  for (const ChannelPicture& channel : channels)
+    MARKETGEN_CHECK(write_png(folder / (channel.name + ".png"), channel.image));
+  return write_png(folder / "sheet.png", channel_sheet(channels));
 }
 
 Result<void> write_planes(const RenderFlags& flags, const Frame& frame) {
@@ -143,6 +115,46 @@ Result<void> write_planes(const RenderFlags& flags, const Frame& frame) {
   return {};
 }
 
+RenderOptions options_of(const RenderFlags& flags, const Camera& camera) {
+  RenderOptions options;
+  options.mode = value_named<RenderMode>(flags.mode).value_or(RenderMode::sensor);
+  options.quality = value_named<Quality>(flags.quality).value_or(Quality::balanced);
+  options.samples = flags.samples;
+  options.time_s = flags.time_s;
+  options.hide_ceiling = camera.ortho_height_m > 0;
+  return options;
+}
+
+// The picture, its planes and its annotations.
+Result<void> write_all(const RenderFlags& flags,
+                       const Scene& scene,
+                       const Camera& camera,
+                       const Renderer& renderer,
+                       const std::vector<Actor>& actors,
+                       Frame frame) {
+  if (!flags.categories.empty()) {
+    MARKETGEN_CHECK(write_png16(flags.categories,
+                                frame.color.width,
+                                frame.color.height,
+                                category_ids(frame, PictureCategories(scene))));
+  }
+  if (!flags.annotations.empty() || !flags.channels.empty()) {
+    const PictureAnnotations annotations =
+        annotate(frame, camera, scene, renderer, picture_actors(actors));
+    if (!flags.annotations.empty())
+      MARKETGEN_CHECK(write_file(flags.annotations, write_json(annotations)));
+    if (!flags.channels.empty())
+      MARKETGEN_CHECK(write_channels(flags, scene, frame, camera, annotations));
+  }
+  if (!flags.noise.empty()) {
+    MARKETGEN_TRY(NoisyPlanes noisy, noisy_planes(flags, frame, camera));
+    frame.color = std::move(noisy.color);
+    frame.depth_m = std::move(noisy.depth_m);
+  }
+  MARKETGEN_CHECK(write_png(flags.output, frame.color));
+  return write_planes(flags, frame);
+}
+
 Result<void> render(const RenderFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
   MARKETGEN_TRY(const Scene scene, scene_in_skin(flags.folder, flags.skin));
@@ -153,23 +165,17 @@ Result<void> render(const RenderFlags& flags) {
   }
   if (flags.output.empty())
     return Error{"usage.bad_flag", "-o", "say where the picture goes: -o picture.png"};
-  MARKETGEN_TRY(const Camera camera, camera_of(flags, scene));
+  MARKETGEN_TRY(const Camera camera, camera_of(flags.camera, scene));
+  if ((!flags.noise.empty() || !flags.channels.empty()) && camera.ortho_height_m > 0)
+    return Error{"usage.bad_flag",
+                 flags.noise.empty() ? "--channels" : "--noise",
+                 "views from above are orthographic and have no sensor; take another camera"};
   MARKETGEN_TRY(const std::vector<Actor> actors, actors_of(flags, scene));
-  RenderOptions options;
-  options.mode = value_named<RenderMode>(flags.mode).value_or(RenderMode::sensor);
-  options.quality = value_named<Quality>(flags.quality).value_or(Quality::balanced);
-  options.samples = flags.samples;
-  options.time_s = flags.time_s;
-  options.hide_ceiling = camera.ortho_height_m > 0;
   Progress& progress = progress_for(flags.common);
   MARKETGEN_TRY(const std::unique_ptr<Renderer> renderer, Renderer::create(scene, progress));
   MARKETGEN_CHECK(renderer->set_actors(actors));
-  MARKETGEN_TRY(const Frame frame, renderer->render(camera, options, progress));
-  MARKETGEN_CHECK(write_png(flags.output, frame.color));
-  MARKETGEN_CHECK(write_planes(flags, frame));
-  if (!flags.legend.empty())
-    MARKETGEN_CHECK(
-        write_file(flags.legend, write_json(legend_of(frame, scene, names_of_actors(actors)))));
+  MARKETGEN_TRY(Frame frame, renderer->render(camera, options_of(flags, camera), progress));
+  MARKETGEN_CHECK(write_all(flags, scene, camera, *renderer, actors, std::move(frame)));
   if (!flags.common.quiet) fmt::print("picture     {}\n", flags.output);
   return {};
 }
@@ -181,13 +187,8 @@ Run add_render(CLI::App& app) {
   CLI::App* command = app.add_subcommand("render", "Draw a picture of a store");
   command->add_option("folder", flags->folder, "store folder")->required();
   command->add_option("-o,--output", flags->output, "PNG file to write");
-  command->add_option(
-      "--camera", flags->camera, "standard view: top, entrance, aisle, checkout, zone:<id>");
+  add_camera_flags(*command, flags->camera);
   command->add_flag("--list-cameras", flags->list, "print the standard views and stop");
-  command->add_option("--from", flags->from, "stand at x,y,z (metres)");
-  command->add_option("--at", flags->at, "look at x,y,z (metres)");
-  command->add_option("--fov-deg", flags->fov_deg, "vertical field of view")->capture_default_str();
-  command->add_option("--size", flags->size, "picture size in pixels")->capture_default_str();
   command->add_option("--mode", flags->mode, "sensor: seconds; path: full light transport")
       ->check(CLI::IsMember({"sensor", "path"}))
       ->capture_default_str();
@@ -205,13 +206,27 @@ Run add_render(CLI::App& app) {
                    "put a robot into the picture (repeatable): "
                    "ROW@X,Y[,HEADING_DEG][,z=M][,posture=NAME][,JOINT=VALUE][,SLOT=TOOL]")
       ->allow_extra_args(false);
-  command->add_option("--depth", flags->depth, "also write depth, 16-bit PNG in millimetres");
+  command->add_option("--depth", flags->depth, "also write depth: F.png in whole millimetres, 16 bits; F.npy in metres, float32");
   command->add_option("--segmentation", flags->segmentation, "also write a colour per object");
   command->add_option(
       "--object-ids", flags->object_ids, "also write object numbers: red + 256 green + 65536 blue");
-  command->add_option("--legend", flags->legend, "also write what each object number is, as JSON");
+  command->add_option(
+      "--annotations",
+      flags->annotations,
+      "also write what is to be seen: boxes, masks, poses, the camera, as JSON (docs/cameras.md)");
+  command->add_option(
+      "--categories", flags->categories, "also write category numbers, 16-bit PNG");
   command->add_option("--normals", flags->normals, "also write normals");
-  add_common_flags(*command, flags->common, Takes::nothing);
+  command->add_option(
+      "--channels", flags->channels, "also write every channel as a picture, into this folder");
+  command
+      ->add_option("--noise",
+                   flags->noise,
+                   "colour and --depth as this sensor records them; drawn from --seed and --frame")
+      ->check(CLI::IsMember({"d435"}));
+  command->add_option("--frame", flags->frame_number, "number of the picture, for --noise")
+      ->capture_default_str();
+  add_common_flags(*command, flags->common, Takes::seed);
   command->footer(
       "Example:  marketgen render shop --camera aisle -o aisle.png --depth aisle-depth.png\n"
       "          marketgen render shop --camera aisle -o robot.png "

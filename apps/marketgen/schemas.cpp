@@ -10,7 +10,7 @@
 #include "io/file.h"
 #include "io/flatbuffer.h"
 #include "io/json.h"
-#include "render/picture_objects.h"
+#include "render/annotations.h"
 #include "robots/robot_row.h"
 #include "scene/scene_file.h"
 #include "store/store.h"
@@ -35,7 +35,10 @@ std::vector<Document> documents() {
           {"market-asset-1", "An outside model taken into a library", type_of<AssetFile>()},
           {"market-fixture-1", "A fixture row of the catalogue", type_of<FixtureKind>()},
           {"market-robot-1", "A robot, an arm or a tool", type_of<RobotRow>()},
-          {"market-legend-1", "What is to be seen in a picture", type_of<PictureLegend>()}};
+          {"market-camera-1", "Where a picture is taken from, and its lens", type_of<CameraFile>()},
+          {"market-annotations-1",
+           "What is to be seen in a picture",
+           type_of<PictureAnnotations>()}};
 }
 
 Result<void> write_schemas(const std::string& root) {

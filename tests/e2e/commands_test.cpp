@@ -399,12 +399,12 @@ TEST(Render, RobotsHaveTheirNumbersInEveryMode) {
                "--spp",       "1",
                "--quiet",     "-o",
                "robot.png",   "--object-ids",
-               "ids.png",     "--legend",
-               "legend.json", "--depth",
+               "ids.png",     "--annotations",
+               "seen.json",   "--depth",
                "depth.png"},
               scratch.path());
-    const json legend = json::parse(contents_of(scratch.path() / "legend.json"));
-    const json robot = legend["objects"].back();
+    const json seen = json::parse(contents_of(scratch.path() / "seen.json"));
+    const json robot = seen["objects"].back();
     EXPECT_EQ(robot["kind"], "actor");
     EXPECT_EQ(robot["name"], "panda-on-stand");
     const std::uint32_t number = robot["id"];
@@ -423,6 +423,68 @@ TEST(Render, RobotsHaveTheirNumbersInEveryMode) {
     EXPECT_EQ(pixels, robot["pixels"]) << mode;
     EXPECT_GT(pixels, 300) << mode;
   }
+}
+
+// The camera block of annotations is a camera file: the picture it takes is the same one.
+TEST(Render, AnnotationsHoldTheCameraForAnotherPicture) {
+  const ScratchFolder scratch;
+  output_of({"render",  shop(),    "--camera",      "aisle",     "--size",       "64x48",
+             "--quiet", "-o",      "first.png",     "--depth",   "first.npy",    "--annotations",
+             "seen.json", "--object-ids", "first-ids.png"},
+            scratch.path());
+  const json seen = json::parse(contents_of(scratch.path() / "seen.json"));
+  EXPECT_EQ(seen["schema"], "market-annotations/1");
+  EXPECT_EQ(seen["scene_hash"], manifest()["scene_hash"]);
+  std::ofstream(scratch.path() / "camera.json") << seen["camera"].dump();
+  output_of({"render", shop(), "--camera-file", "camera.json", "--quiet", "-o", "second.png",
+             "--object-ids", "second-ids.png"},
+            scratch.path());
+  const auto first = read_png(scratch.path() / "first-ids.png"),
+             second = read_png(scratch.path() / "second-ids.png");
+  ASSERT_TRUE(first.ok() && second.ok());
+  int other = 0;
+  for (std::size_t i = 0; i < first->pixels.size(); i += 3)
+    other += std::equal(&first->pixels[i], &first->pixels[i] + 3, &second->pixels[i]) ? 0 : 1;
+  EXPECT_LE(other, 3);  // a quaternion and a target differ in their last bits
+  int pixels = 0;
+  for (const json& object : seen["objects"])
+    pixels += object["pixels"].get<int>();
+  EXPECT_EQ(pixels, 64 * 48);  // something is everywhere in a shop
+  EXPECT_EQ(contents_of(scratch.path() / "first.npy").size(), 128U + 4 * 64 * 48);
+}
+
+TEST(Render, ChannelsAndNoiseAreDrawnFromTheSeed) {
+  const auto taken = [](const std::string& seed) {
+    const ScratchFolder scratch;
+    output_of({"render",   shop(), "--camera",   "aisle",    "--size",     "64x48", "--noise", "d435",
+               "--seed",   seed,   "--channels", "channels", "--depth",    "d.npy", "--quiet", "-o",
+               "picture.png", "--categories", "categories.png"},
+              scratch.path());
+    for (const char* name : {"color", "boxes", "depth", "instances", "categories", "normals",
+                             "matter", "noisy-color", "noisy-depth", "sheet"}) {
+      EXPECT_TRUE(read_png(scratch.path() / "channels" / (std::string(name) + ".png")).ok()) << name;
+    }
+    EXPECT_EQ(contents_of(scratch.path() / "picture.png"),
+              contents_of(scratch.path() / "channels" / "noisy-color.png"));
+    return contents_of(scratch.path() / "d.npy");
+  };
+  const std::string first = taken("1");
+  EXPECT_EQ(taken("1"), first);
+  EXPECT_NE(taken("2"), first);
+}
+
+TEST(Render, ACameraInAThingIsRefusedByItsName) {
+  const json products = json_of({"query", shop(), "products", "--format", "json"});
+  ASSERT_FALSE(products.empty());
+  const json& item = products[0];
+  const double x = item["x_m"], y = item["y_m"], z = item["z_m"];
+  const ScratchFolder scratch;
+  const Ran ran = marketgen_run({"render", shop(), "--from", fmt::format("{},{},{}", x, y, z + 0.01),
+                                 "--at", "5,5,1", "-o", "inside.png"},
+                                scratch.path());
+  EXPECT_EQ(ran.status, 2);
+  EXPECT_NE(ran.err.find("error[camera.inside_object] --from"), std::string::npos) << ran.err;
+  EXPECT_NE(ran.err.find(item["id"].get<std::string>()), std::string::npos) << ran.err;
 }
 
 TEST(Render, ARobotInAFixtureIsRefusedWithAClearPlace) {

@@ -17,7 +17,9 @@ namespace marketgen {
 namespace {
 
 constexpr int label_px = 256;  // rows of a label sheet: legible from arm's length, 20-60 kB each
-constexpr int tag_px = 64;
+constexpr int tag_px = 64, card_px = 148;  // heights
+constexpr auto card_width_m = static_cast<float>(promotion_card_width_mm * 1e-3);
+constexpr auto card_height_m = static_cast<float>(promotion_card_height_mm * 1e-3);
 constexpr float tag_lift_m = 8e-4F;  // label stock before the rail
 constexpr float tag_roughness = 0.5F;
 
@@ -106,11 +108,48 @@ Pose place_of(const Scene& scene, const PriceLabel& label) {
          Pose{{label.x_m - shelf.width_m / 2, price_rail_face_m - tag_lift_m, middle_m}, {}};
 }
 
-Mesh tag_mesh(const PriceLabel& label) {
-  const float x = label.width_m / 2, z = label.height_m / 2;
+// The card of an offer hangs below its tag; those of neighbours, which may overlap, a little apart.
+Pose place_of_card(const Scene& scene, std::size_t row) {
+  const PriceLabel& label = scene.price_labels[row];
+  const double apart_m = tag_lift_m * static_cast<double>(1 + row % 3);
+  return place_of(scene, label) *
+         Pose{{0, -apart_m, -static_cast<double>(label.height_m + card_height_m) / 2}, {}};
+}
+
+Mesh upright_quad(float width_m, float height_m) {
+  const float x = width_m / 2, z = height_m / 2;
   Mesh quad;
   add_quad(quad, {-x, 0, -z}, {x, 0, -z}, {x, 0, z}, {-x, 0, z}, 0);
   return quad;
+}
+
+// One card a SKU on offer, at all its places.
+Result<void> add_promotion_cards(const Scene& scene,
+                                 const ExportOptions& options,
+                                 GlbDocument& document,
+                                 GlbMaterials& materials,
+                                 int group) {
+  std::map<std::uint32_t, GlbInstances> places;  // by SKU
+  for (std::size_t row = 0; row < scene.price_labels.size(); ++row) {
+    const PriceLabel& label = scene.price_labels[row];
+    if (label.promotion == 0) continue;
+    const Pose pose = place_of_card(scene, row);
+    places[label.sku].translations.push_back(as_array(pose.position));
+    places[label.sku].rotations.push_back(gltf_rotation(pose.rotation));
+  }
+  for (const auto& [sku, copies] : places) {
+    const Product& product = scene.catalog[sku];
+    MARKETGEN_TRY(const std::string png,
+                  png_of(fmt::format("promotion card {} {}", card_px, write_json_line(product)),
+                         [&] { return draw_promotion_card(product, card_px); }));
+    const int material = materials.add({.color = {1, 1, 1}, .roughness = tag_roughness, .texture = ""},
+                                       document.add_texture(png));
+    const std::string name = "offer/" + product.sku;
+    const int mesh =
+        document.add_mesh(name, upright_quad(card_width_m, card_height_m), {material});
+    add_copies({{"name", name}, {"mesh", mesh}}, copies, options, document, group);
+  }
+  return {};
 }
 
 }  // namespace
@@ -179,10 +218,12 @@ Result<void> add_price_labels(const Scene& scene,
   for (const auto& [key, same] : tags) {
     const std::string name = "price/" + scene.catalog[same.first->sku].sku;
     const int mesh = document.add_mesh(
-        name, tag_mesh(*same.first), {material_of[{same.first->sku, same.first->promotion}]});
+        name,
+        upright_quad(same.first->width_m, same.first->height_m),
+        {material_of[{same.first->sku, same.first->promotion}]});
     add_copies({{"name", name}, {"mesh", mesh}}, same.places, options, document, group);
   }
-  return {};
+  return add_promotion_cards(scene, options, document, materials, group);
 }
 
 }  // namespace marketgen

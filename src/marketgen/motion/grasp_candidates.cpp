@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "geometry/rotation_axes.h"
 #include "motion/grasp_room.h"
 #include "motion/grasp_seeds.h"
 #include "motion/grasp_surface.h"

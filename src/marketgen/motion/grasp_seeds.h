@@ -36,7 +36,4 @@ std::vector<SuctionSeed> suction_seeds_from_above(const ProductBody& body,
                                                   const GraspSurface& surface,
                                                   Vec3 up);
 
-// The rotation whose axes are `y` and `z` (unit, at right angles) and y x z.
-Quaternion rotation_with_axes(Vec3 y, Vec3 z);
-
 }  // namespace marketgen

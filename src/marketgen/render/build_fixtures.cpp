@@ -38,7 +38,16 @@ Vec3f color_of(const ScenePart& part) {
   return {part.color[0], part.color[1], part.color[2]};
 }
 
+// Area lights are rectangles: a lamp of another shape shines where rays meet it by themselves.
+Material glow_of(const ScenePart& part) {
+  const float radius = part.half_size_m[0], length = 2 * part.half_size_m[2];
+  return {.color = {0, 0, 0},
+          .emission = color_of(part) *
+                      lamp_radiance(std::max(2 * radius, length), two_pi * radius * length)};
+}
+
 std::uint16_t material_of(Draft& draft, const ScenePart& part) {
+  if (part.kind == SurfaceKind::emissive) return draft.material(glow_of(part));
   if (part.material >= 0)
     return draft.tiled_material(
         draft.scene().materials[static_cast<std::size_t>(part.material)].id);
@@ -75,7 +84,7 @@ FixtureBuilder::Shape FixtureBuilder::make_shape(Draft& draft, const SceneFixtur
   Shape shape;
   for (std::uint32_t i = fixture.first_part; i < fixture.first_part + fixture.part_count; ++i) {
     const ScenePart& part = draft.scene().parts[i];
-    if (part.kind == SurfaceKind::emissive) {
+    if (part.kind == SurfaceKind::emissive && part.shape == PartShape::box) {
       shape.lamps.push_back({draft.material({.color = {0, 0, 0}, .emission = color_of(part)}), i});
       continue;
     }

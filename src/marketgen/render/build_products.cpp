@@ -13,6 +13,7 @@ namespace {
 
 constexpr float brightness_spread =
     0.04F;  // between items of one SKU, each way: print runs, dust, wear
+constexpr float smoothest_opaque = 0.15F;  // roughness
 
 std::vector<std::uint32_t> skus_in_use(const Scene& scene) {
   std::set<std::uint32_t> rows;
@@ -21,9 +22,16 @@ std::vector<std::uint32_t> skus_in_use(const Scene& scene) {
   return {rows.begin(), rows.end()};
 }
 
+// Filled plastic and glass (assets/archetypes/surfaces.h) are the only plain surfaces so smooth.
+bool is_clear(const Surface& surface) {
+  return surface.kind == SurfaceKind::glass ||
+         (surface.texture.empty() && surface.metallic == 0 && surface.roughness <= smoothest_opaque);
+}
+
 Material material_of(Draft& draft, const Product& product, const Surface& surface) {
   Material material{
       .color = surface.color, .roughness = surface.roughness, .metallic = surface.metallic};
+  material.clear = is_clear(surface);
   if (surface.texture == "label")
     material.texture = draft.print_texture(
         label_content(product, draft.print()),

@@ -10,20 +10,20 @@
 namespace marketgen {
 namespace {
 
-constexpr int room_mm = 9000;           // a bright empty room round the product
+constexpr int product_room_mm = 9000;           // a bright empty room round the product
 constexpr double product_fov_deg = 22;  // little perspective
 
 // A scene with one product in the middle of an empty room, on a white block at hand height.
 Scene stage_for(const Product& product) {
   Scene scene;
-  scene.layout.shell.width_mm = scene.layout.shell.depth_mm = room_mm;
+  scene.layout.shell.width_mm = scene.layout.shell.depth_mm = product_room_mm;
   scene.layout.shell.ceiling_mm = 3000;
   scene.layout.look.floor = scene.layout.look.wall = scene.layout.look.ceiling = "";
   scene.layout.look.light_lux = 1400;
   scene.catalog.push_back(product);
   SceneProduct item;
   item.facing = 0;
-  const double middle = room_mm * 0.5e-3;
+  const double middle = product_room_mm * 0.5e-3;
   item.position_m = {static_cast<float>(middle), static_cast<float>(middle), 0.0F};
   scene.products.push_back(item);
   return scene;
@@ -42,7 +42,7 @@ Vec3 view_of(const Product& product) {
 // The product's box fills the picture but for a border.
 Camera camera_for(const Product& product, int size_px) {
   constexpr double filled = 0.86;  // of the picture's side
-  const double middle = room_mm * 0.5e-3;
+  const double middle = product_room_mm * 0.5e-3;
   const Vec3 at{middle, middle, product.height_m() / 2};
   const Vec3 view = view_of(product);
   const Vec3 right = normalized(cross({0, 0, 1}, view)), up = cross(view, right);

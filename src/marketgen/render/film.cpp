@@ -19,6 +19,7 @@ Film::Film(int w, int h)
       depth(pixels(w, h)),
       instance(pixels(w, h)),
       material(pixels(w, h)),
+      matter(pixels(w, h)),
       albedo(pixels(w, h)),
       irradiance(pixels(w, h)),
       reflectance(pixels(w, h)),

@@ -32,6 +32,7 @@ struct Film {
   Plane depth;                          // along the optical axis, 0 = nothing
   std::vector<std::uint32_t> instance;  // Frame::instance
   std::vector<std::uint16_t> material;
+  std::vector<std::uint8_t> matter;  // Frame::matter
   Planes3 albedo, irradiance;  // diffuse
   Planes3 reflectance, gloss;  // mirrored light
   Planes3 emission, transmittance, overlay;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/render.h"
 #include "render/shading_math.h"
 
 namespace marketgen::raytrace {
@@ -10,6 +11,7 @@ namespace {
 constexpr int block = 4;            // one packet: 4 x 4 pixels
 constexpr int most_seen_panes = 4;  // seen through one another
 constexpr float past_pane_m = 2e-3F;
+constexpr float least_bare_metal = 0.5F;  // metallic; lacquered tin has 0.3
 
 std::size_t lane_pixel(int bx, int by, std::size_t lane) {
   const int x = bx * block + static_cast<int>(lane) % block;
@@ -50,7 +52,18 @@ float pane_fresnel(const Surface& pane, Vec3f direction) {
       .x;
 }
 
+Matter matter_of(const World& world, const FirstHit& hit) {
+  if (hit.glass) return Matter::glass;
+  if (!hit.any) return Matter::none;
+  return matter_of(world, hit.surface);
+}
+
 }  // namespace
+
+Matter matter_of(const World& world, const Surface& surface) {
+  if (world.materials[surface.material].clear) return Matter::clear;
+  return surface.metallic > least_bare_metal ? Matter::metal : Matter::solid;
+}
 
 int tiles_across(const View& view) {
   return (view.width() + tile_size - 1) / tile_size;
@@ -92,6 +105,7 @@ void store_first_hits(const World& world, const View& view, const Tile& tile, Fi
     if (!tile.inside(k)) continue;
     const FirstHit& hit = tile.hits[k];
     const std::size_t i = film.index(tile.x_of(k), tile.y_of(k));
+    film.matter[i] = static_cast<std::uint8_t>(matter_of(world, hit));
     film.transmittance.set(i, hit.glass ? hit.glass->transmittance : Vec3f{1, 1, 1});
     if (!hit.any) {
       film.emission.set(i, world.surroundings.radiance(hit.ray.direction));

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "render/film.h"
+#include "render/render.h"
 #include "render/tracing.h"
 #include "render/view.h"
 
@@ -46,6 +47,8 @@ void find_first_hits(
 // Writes geometry planes of the film, and the parts of the picture that need no light: albedo,
 // reflectance, emission, glass.
 void store_first_hits(const World& world, const View& view, const Tile& tile, Film& film);
+// Of a surface that is no pane.
+Matter matter_of(const World& world, const Surface& surface);
 // The panes before `far` on a ray; nothing when there are none.
 std::optional<GlassLayer> glass_before(const World& world, const Ray& ray, float far);
 

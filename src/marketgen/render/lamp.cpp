@@ -75,8 +75,7 @@ void switch_on(World& world, TracedMesh& mesh) {
         free_area += light.area;
     }
     Material& material = world.materials[material_of(mesh, first)];
-    const float radiance = std::min(
-        brightest_cd_per_m2, strip_lumens_per_m * longest / (pi * std::max(free_area, 1e-4F)));
+    const float radiance = lamp_radiance(longest, free_area);
     material.emission = material.emission * radiance;
     for (std::size_t i = first; i < first + 6; ++i)
       mesh.lights[i].radiance = mesh.lights[i].radiance * radiance;
@@ -84,6 +83,11 @@ void switch_on(World& world, TracedMesh& mesh) {
 }
 
 }  // namespace
+
+float lamp_radiance(float length_m, float area_m2) {
+  return std::min(brightest_cd_per_m2,
+                  strip_lumens_per_m * length_m / (pi * std::max(area_m2, 1e-4F)));
+}
 
 void add_lamp_box(const World& world,
                   TracedMesh& mesh,

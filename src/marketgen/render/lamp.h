@@ -12,6 +12,9 @@ void add_lamp_box(const World& world,
                   Vec3f half_size,
                   std::uint16_t material);
 
+// What a lamp sends out, lux per steradian, by its length and its free surface.
+float lamp_radiance(float length_m, float area_m2);
+
 // Once the meshes' BVHs stand: puts out faces that lie against something, gives the rest the
 // radiance of an LED strip of that length, and lists the lights of all instances in World::lights.
 void switch_on_lamps(World& world);

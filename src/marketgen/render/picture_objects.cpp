@@ -1,64 +1,68 @@
 #include "render/picture_objects.h"
 
-#include <algorithm>
-#include <map>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace marketgen {
 namespace {
 
-PictureObject described(std::uint32_t id,
-                        const Scene& scene,
-                        std::span<const std::string> actor_names) {
-  PictureObject object;
-  object.id = id;
-  const auto [r, g, b] = object_color(id);
-  object.color = fmt::format("#{:02x}{:02x}{:02x}", r, g, b);
-  if (id >= first_actor_object(scene)) {
-    object.kind = ObjectKind::actor;
-    object.name = actor_names[id - first_actor_object(scene)];
-  } else if (id >= first_product_object(scene)) {
-    const std::uint32_t row = id - first_product_object(scene);
-    object.kind = ObjectKind::product;
-    object.name = product_id(scene, row);
-    object.sku = scene.catalog[scene.products[row].sku].sku;
-  } else if (id >= first_fixture_object) {
-    object.kind = ObjectKind::fixture;
-    object.name = scene.layout.fixtures[id - first_fixture_object].id;
-  } else {
-    object.name = "shell";
+// Row numbers of the categories called so, all of one kind, added to `rows` by name.
+std::map<std::string, std::uint16_t> add_rows(std::vector<PictureCategory>& rows,
+                                              ObjectKind kind,
+                                              const std::vector<std::string>& names) {
+  std::map<std::string, std::uint16_t> numbers;
+  for (const std::string& name : names)
+    numbers[name];
+  for (auto& [name, number] : numbers) {
+    number = static_cast<std::uint16_t>(rows.size() + 1);
+    rows.push_back({number, kind, name, hex_of_object_color(number)});
   }
-  return object;
-}
-
-void include_pixel(PictureObject& object, int x, int y) {
-  auto& [x0, y0, x1, y1] = object.box_px;
-  if (object.pixels++ == 0) object.box_px = {x, y, x + 1, y + 1};
-  x0 = std::min(x0, x), y0 = std::min(y0, y);
-  x1 = std::max(x1, x + 1), y1 = std::max(y1, y + 1);
+  return numbers;
 }
 
 }  // namespace
 
-PictureLegend legend_of(const Frame& frame,
-                        const Scene& scene,
-                        std::span<const std::string> actor_names) {
-  PictureLegend legend;
-  legend.width = frame.color.width, legend.height = frame.color.height;
-  std::map<std::uint32_t, PictureObject> objects;
-  for (std::size_t i = 0; i < frame.instance.size(); ++i) {
-    const std::uint32_t id = frame.instance[i];
-    if (id == 0) continue;
-    auto found = objects.find(id);
-    if (found == objects.end())
-      found = objects.emplace(id, described(id, scene, actor_names)).first;
-    const int pixel = static_cast<int>(i);
-    include_pixel(found->second, pixel % legend.width, pixel / legend.width);
+std::string hex_of_object_color(std::uint32_t object) {
+  const auto [r, g, b] = object_color(object);
+  return fmt::format("#{:02x}{:02x}{:02x}", r, g, b);
+}
+
+ObjectKind kind_of(const Scene& scene, std::uint32_t object) {
+  if (object >= first_actor_object(scene)) return ObjectKind::actor;
+  if (object >= first_product_object(scene)) return ObjectKind::product;
+  return object >= first_fixture_object ? ObjectKind::fixture : ObjectKind::shell;
+}
+
+PictureCategories::PictureCategories(const Scene& scene) : scene_(scene) {
+  add_rows(rows_, ObjectKind::shell, {"shell"});
+  add_rows(rows_, ObjectKind::actor, {"actor"});
+  std::vector<std::string> kinds, categories;
+  for (std::size_t i = 0; i < scene.fixtures.size(); ++i)
+    kinds.push_back(scene.layout.fixtures[i].kind);
+  for (const Product& product : scene.catalog)
+    categories.push_back(product.category);
+  const auto number_of_kind = add_rows(rows_, ObjectKind::fixture, kinds);
+  const auto number_of_category = add_rows(rows_, ObjectKind::product, categories);
+  for (const std::string& kind : kinds)
+    of_fixture_.push_back(number_of_kind.at(kind));
+  for (const std::string& category : categories)
+    of_sku_.push_back(number_of_category.at(category));
+}
+
+std::uint16_t PictureCategories::of(std::uint32_t object) const {
+  if (object == 0) return 0;
+  switch (kind_of(scene_, object)) {
+    case ObjectKind::fixture:
+      return of_fixture_[object - first_fixture_object];
+    case ObjectKind::product:
+      return of_sku_[scene_.products[object - first_product_object(scene_)].sku];
+    case ObjectKind::actor:
+      return 2;
+    case ObjectKind::shell:
+      break;
   }
-  for (auto& [id, object] : objects)
-    legend.objects.push_back(std::move(object));
-  return legend;
+  return 1;
 }
 
 Image draw_object_ids(const Frame& frame) {
@@ -68,6 +72,15 @@ Image draw_object_ids(const Frame& frame) {
       image.pixels[3 * i + c] = static_cast<std::uint8_t>(frame.instance[i] >> (8 * c));
   }
   return image;
+}
+
+std::vector<std::uint16_t> category_ids(const Frame& frame, const PictureCategories& categories) {
+  std::vector<std::uint16_t> ids(frame.instance.size());
+  std::transform(frame.instance.begin(),
+                 frame.instance.end(),
+                 ids.begin(),
+                 [&](std::uint32_t object) { return categories.of(object); });
+  return ids;
 }
 
 }  // namespace marketgen

@@ -1,4 +1,4 @@
-// What the numbers of Frame::instance stand for, and a legend of a picture.
+// What the numbers of Frame::instance stand for.
 //
 //   0                            nothing was hit
 //   1                            the room: shell, ceiling, lamps, signs
@@ -11,9 +11,10 @@
 #pragma once
 #include <array>
 #include <cstdint>
-#include <span>
+#include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/fields.h"
@@ -35,45 +36,44 @@ enum class ObjectKind { shell, fixture, product, actor };
 constexpr std::array<std::string_view, 4> names_of(ObjectKind) {
   return {"shell", "fixture", "product", "actor"};
 }
+// Precondition: `object` is not 0.
+ObjectKind kind_of(const Scene& scene, std::uint32_t object);
 
-// One object that covers at least one pixel.
-struct PictureObject {
-  std::uint32_t id = 0;
+// What kind of thing an object is, for semantic segmentation.
+struct PictureCategory {
+  std::uint16_t id = 0;  // in category pictures; 0 there is nothing
   ObjectKind kind = ObjectKind::shell;
-  std::string name;             // fixture id, product id, actor name; "shell"
-  std::string sku;              // of a product
-  std::string color;            // in draw_instances(); two objects may share one
-  int pixels = 0;               // that show it
-  std::array<int, 4> box_px{};  // x0, y0, x1, y1 around them; x1 and y1 are past the last
+  std::string name;   // product category, fixture kind; "shell", "actor"
+  std::string color;  // in draw_categories()
 
   static constexpr auto fields = field_list(
-      field("id", &PictureObject::id, "number in the picture of object numbers"),
-      field("kind", &PictureObject::kind, "shell, fixture, product or actor"),
-      field("name", &PictureObject::name, "fixture id, product id, or the actor's name"),
-      field("sku", &PictureObject::sku, "of a product"),
-      field("color", &PictureObject::color, "in the segmentation; two objects may share one"),
-      field("pixels", &PictureObject::pixels, "how many show it"),
-      field("box_px", &PictureObject::box_px, "x0, y0, x1, y1; x1 and y1 are past the last pixel"));
+      field("id", &PictureCategory::id, "number in the picture of categories"),
+      field("kind", &PictureCategory::kind, "shell, fixture, product or actor"),
+      field("name", &PictureCategory::name, "product category or fixture kind"),
+      field("color", &PictureCategory::color, "in the coloured picture of categories"));
 };
 
-struct PictureLegend {
-  std::string schema = "market-legend/1";
-  int width = 0, height = 0;           // pixels
-  std::vector<PictureObject> objects;  // by id
+// All categories of a scene: 1 shell, 2 actor, then its fixture kinds and its product categories by
+// name. Numbers hold for every picture of the scene; names are what other scenes share.
+class PictureCategories {
+ public:
+  explicit PictureCategories(const Scene& scene);  // which must outlive it
 
-  static constexpr auto fields =
-      field_list(field("schema", &PictureLegend::schema, "schema tag", constant("market-legend/1")),
-                 field("width", &PictureLegend::width, "of the picture, pixels"),
-                 field("height", &PictureLegend::height, "of the picture, pixels"),
-                 field("objects", &PictureLegend::objects, "what is to be seen, by id"));
+  const std::vector<PictureCategory>& rows() const { return rows_; }
+  // Number of an object's category; 0 for object 0.
+  std::uint16_t of(std::uint32_t object) const;
+
+ private:
+  const Scene& scene_;
+  std::vector<PictureCategory> rows_;
+  std::vector<std::uint16_t> of_fixture_, of_sku_;
 };
-
-// Precondition: `frame` is a picture of `scene` with as many actors as there are names.
-PictureLegend legend_of(const Frame& frame,
-                        const Scene& scene,
-                        std::span<const std::string> actor_names);
 
 // Exact: red + 256 * green + 65,536 * blue is the object's number.
 Image draw_object_ids(const Frame& frame);
+// One category number a pixel.
+std::vector<std::uint16_t> category_ids(const Frame& frame, const PictureCategories& categories);
+// "#rrggbb" of object_color().
+std::string hex_of_object_color(std::uint32_t object);
 
 }  // namespace marketgen

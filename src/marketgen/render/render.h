@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -47,20 +48,21 @@ struct RenderOptions {
   bool hide_ceiling = false;  // for views from above
 };
 
+// What light meets first on its way from the eye: the pane counts, not what is behind it.
+// metal: bare, so that it mirrors; clear: a clear pack with what it holds, as bottles of PET.
+enum class Matter : std::uint8_t { none, solid, glass, metal, clear };
+constexpr std::array<std::string_view, 5> names_of(Matter) {
+  return {"none", "solid", "glass", "metal", "clear"};
+}
+
 // Planes are row-major from the top left, one entry a pixel.
 struct Frame {
   Image color;                          // sRGB, tone mapped
   std::vector<float> depth_m;           // along the optical axis; 0 = nothing hit
   std::vector<std::uint32_t> instance;  // what is seen, by number: see picture_objects.h
   std::vector<float> normals;           // world frame, 3 a pixel
-  std::vector<std::uint8_t> matter;     // a Matter a pixel
+  std::vector<std::uint8_t> matter;     // Matter of what is met first
 };
-
-// What a pixel shows first: depth cameras see nothing through glass, nor on blank metal.
-enum class Matter : std::uint8_t { none, solid, glass, metal, clear };
-constexpr std::array<std::string_view, 5> names_of(Matter) {
-  return {"none", "solid", "glass", "metal", "clear"};
-}
 
 // A caller's memory for one picture, row-major from the top left; null: not wanted. As the planes
 // of Frame.
@@ -70,6 +72,17 @@ struct FrameBuffers {
   std::uint32_t* instance = nullptr;  // 1
   float* normals = nullptr;           // 3
   std::uint8_t* matter = nullptr;     // 1, a Matter
+};
+
+// What one object would cover of a picture with nothing before it.
+struct Silhouette {
+  std::uint32_t object = 0;  // number in Frame::instance
+  // Of the picture; those that show the object are among them. Nothing for fixtures, whose price
+  // labels are part of the room's mesh.
+  std::optional<int> pixels;
+  // x0, y0, x1, y1 in pixels from the picture's top left corner, around the whole object even where
+  // it leaves the picture; nothing when a part of it lies behind the camera.
+  std::optional<std::array<double, 4>> box_px;
 };
 
 class Renderer {
@@ -84,10 +97,17 @@ class Renderer {
   // Moves all bodies of actors[actor]: one pose each, in their order, store frame. Microseconds.
   // Error: render.bad_actor, and nothing has moved.
   virtual Result<void> move_actor(std::size_t actor, std::span<const Pose> world_from_body) = 0;
-  // Errors: camera.*. The scene must outlive the renderer.
+  // Errors: camera.* of check_camera(). An eye inside a thing sees it from within, and one outside
+  // the store sees what there is to see from there: check_viewpoint() says so beforehand. The scene
+  // must outlive the renderer.
   virtual Result<Frame> render(const Camera& camera,
                                const RenderOptions& options,
                                Progress& progress = silent_progress()) = 0;
+  // Of objects but the room in the picture `frame` that `camera` took of the actors as they stand
+  // now, in the order of `objects`.
+  virtual std::vector<Silhouette> silhouettes(const Camera& camera,
+                                              const Frame& frame,
+                                              std::span<const std::uint32_t> objects) const = 0;
 };
 
 // A colour per object number for looking at segmentation; numbers may share one.

@@ -15,6 +15,7 @@
 #include "render/resolve.h"
 #include "render/sensor_picture.h"
 #include "render/shading_math.h"
+#include "render/silhouette.h"
 
 namespace marketgen {
 namespace raytrace {
@@ -56,6 +57,12 @@ class EmbreeRenderer : public Renderer {
 
   Result<void> move_actor(std::size_t actor, std::span<const Pose> world_from_body) override {
     return actors_.move(actor, world_from_body);
+  }
+
+  std::vector<Silhouette> silhouettes(const Camera& camera,
+                                      const Frame& frame,
+                                      std::span<const std::uint32_t> objects) const override {
+    return silhouettes_of(*world_, camera, frame, objects);
   }
 
   Result<Frame> render(const Camera& camera,
@@ -186,6 +193,7 @@ class EmbreeRenderer : public Renderer {
     frame.color = develop(radiance, film.width, film.height, world_->exposure);
     frame.depth_m = std::move(film.depth);
     frame.instance = std::move(film.instance);
+    frame.matter = std::move(film.matter);
     frame.normals.resize(film.normal.axis[0].size() * 3);
     for (std::size_t i = 0; i < frame.depth_m.size(); ++i) {
       if (frame.depth_m[i] <= 0) continue;  // nothing was hit: no normal

@@ -75,10 +75,6 @@ class TileResolver {
       }
     }
     finish();
-      static std::atomic<long> n{0};
-      n += edges_;
-      if (x1 >= 640 && y1 >= 480) printf("edges %ld\n", n.exchange(0));
-    }
     std::array<Float4, sensor_tile_side> row;
     std::size_t e = 0;  // edges lie row by row
     for (int y = y0; y < y1; ++y) {

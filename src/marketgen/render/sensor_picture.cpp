@@ -7,6 +7,7 @@
 
 #include "base/interrupt.h"
 #include "base/parallel.h"
+#include "render/first_hits.h"
 #include "render/sensor_edges.h"
 #include "render/tone.h"
 
@@ -29,20 +30,20 @@ std::vector<TileOfShot> tiles_of(std::span<const SensorShot> shots) {
   return tiles;
 }
 
-Matter matter_of(const SensorTile& tile, std::size_t i) {
+Matter first_matter(const World& world, const SensorTile& tile, std::size_t i) {
   if (tile.pane_of[i] >= 0) return Matter::glass;
-  if (tile.depth[i] <= 0) return Matter::none;
-  return tile.surface[i].metallic > 0.5F ? Matter::metal : Matter::solid;
+  return tile.depth[i] > 0 ? matter_of(world, tile.surface[i]) : Matter::none;
 }
 
-void write_geometry(const SensorTile& tile, int width, const FrameBuffers& to) {
+void write_geometry(const World& world, const SensorTile& tile, int width, const FrameBuffers& to) {
   tile.for_runs(width, [&](std::size_t first, std::size_t place, std::size_t count) {
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t i = first + k, at = place + k;
       const bool seen = tile.depth[i] > 0;
       if (to.depth_m != nullptr) to.depth_m[at] = tile.depth[i];
       if (to.instance != nullptr) to.instance[at] = seen ? tile.surface[i].id : 0;
-      if (to.matter != nullptr) to.matter[at] = static_cast<std::uint8_t>(matter_of(tile, i));
+      if (to.matter != nullptr)
+        to.matter[at] = static_cast<std::uint8_t>(first_matter(world, tile, i));
       if (to.normals == nullptr) continue;
       const Vec3f normal = seen ? tile.surface[i].normal : Vec3f{};
       to.normals[3 * at] = normal.x;
@@ -109,7 +110,7 @@ void take_pictures(std::span<const SensorShot> shots,
     static thread_local SensorTile tile;
     const SensorShot& shot = shots[tiles[t].shot];
     trace_tile(shot.lighting->world, shot.view, tiles[t].tile, effort.detail, tile);
-    write_geometry(tile, shot.view.width(), shot.to);
+    write_geometry(shot.lighting->world, tile, shot.view.width(), shot.to);
     if (wants_light(shot)) {
       shade_tile(*shot.lighting, shot.view, effort, tile);
       if (effort.edge_samples > 0)

@@ -1,5 +1,8 @@
-// A camera turned into rays.
+// A camera turned into rays. A lens without distortion costs a ray nothing; with distortion each ray
+// takes a few steps of Newton's method.
 #pragma once
+#include <optional>
+
 #include "render/camera.h"
 #include "render/tracing.h"
 
@@ -9,7 +12,8 @@ class View {
  public:
   explicit View(const Camera& camera);
 
-  // Through picture point (x, y) in pixels, (0, 0) the top left corner.
+  // Through picture point (x, y) in pixels, (0, 0) the top left CORNER of the picture: half a pixel
+  // more than in the pixels of camera_model.h.
   Ray ray(float x, float y) const;
   // Along the optical axis, of a point at `distance` along a ray.
   float depth_of(const Ray& ray, float distance) const {
@@ -22,8 +26,12 @@ class View {
 
  private:
   Vec3f origin_, forward_, right_, up_;
+  Vec3f bent_offset(float x, float y) const;
+
   int width_, height_;
   float half_width_, half_height_;  // of the picture, at distance 1, or in metres when orthographic
+  float shift_x_ = 0, shift_y_ = 0;  // of its middle from the axis, the same way
+  std::optional<Intrinsics> lens_;   // with distortion
   float pixel_ = 0, pixel_per_m_ = 0;
   bool orthographic_;
 };

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/rotation_axes.h"
 #include "motion/grasp_seeds.h"
 #include "support/committed_catalog.h"
 

@@ -81,6 +81,12 @@ TEST(Frame, GlassReportsWhatIsBehind) {
   const Frame frame = rendered(s.scene, s.camera);
   EXPECT_EQ(frame.instance[pixel(s.camera, 60, 40)], s.box);
   EXPECT_NEAR(frame.depth_m[pixel(s.camera, 60, 40)], 2.0F, millimetre);
+  const auto matter_at = [&](int x, int y) {
+    return static_cast<Matter>(frame.matter[pixel(s.camera, x, y)]);
+  };
+  EXPECT_EQ(matter_at(60, 40), Matter::glass);
+  EXPECT_EQ(matter_at(30, 40), Matter::glass);  // the wall seen through it
+  EXPECT_EQ(matter_at(60, 3), Matter::solid);   // above the pane
 }
 
 TEST(Frame, OrthographicPixelsAreEvenlySpaced) {

@@ -1,0 +1,23 @@
+// The flags that say where a picture is taken from.
+#pragma once
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+#include "base/result.h"
+#include "render/camera.h"
+#include "scene/scene.h"
+
+namespace marketgen::app {
+
+struct CameraFlags {
+  std::string name, file, from, at, size = "1280x720";
+  double fov_deg = 60;
+};
+
+void add_camera_flags(CLI::App& command, CameraFlags& flags);
+
+// Errors: usage.bad_flag, camera.*; those of the file.
+Result<Camera> camera_of(const CameraFlags& flags, const Scene& scene);
+
+}  // namespace marketgen::app

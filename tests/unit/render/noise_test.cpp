@@ -1,0 +1,209 @@
+// Sensor noise: its size, its steps, where depth is missing, and that it hangs on seed and frame
+// number only.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "base/parallel.h"
+#include "render/color_noise.h"
+#include "render/depth_noise.h"
+
+namespace marketgen {
+namespace {
+
+Camera sensor_camera(int width = 640, int height = 480) {
+  Camera camera;
+  camera.name = "sensor";
+  camera.from = {0, 0, 1};
+  camera.at = {0, 1, 1};
+  camera.width = width;
+  camera.height = height;
+  return camera;
+}
+
+// A wall square to the axis.
+Frame wall(const Camera& camera, float depth_m, Matter matter = Matter::solid) {
+  const auto count = static_cast<std::size_t>(camera.width * camera.height);
+  Frame frame;
+  frame.color = Image(camera.width, camera.height);
+  std::fill(frame.color.pixels.begin(), frame.color.pixels.end(), std::uint8_t{128});
+  frame.depth_m.assign(count, depth_m);
+  frame.instance.assign(count, 1);
+  frame.matter.assign(count, static_cast<std::uint8_t>(matter));
+  for (std::size_t i = 0; i < count; ++i)
+    frame.normals.insert(frame.normals.end(), {0.0F, -1.0F, 0.0F});
+  return frame;
+}
+
+std::vector<float> measured(const Frame& frame, const Camera& camera, NoiseSource source = {}) {
+  return noisy_depth(frame, camera, StereoCamera{}, source).value();
+}
+
+double share_without(const std::vector<float>& depth_m, int width, int from_column, int to_column) {
+  double missing = 0, count = 0;
+  for (std::size_t i = 0; i < depth_m.size(); ++i) {
+    const int x = static_cast<int>(i) % width;
+    if (x < from_column || x >= to_column) continue;
+    ++count;
+    missing += depth_m[i] == 0 ? 1 : 0;
+  }
+  return missing / count;
+}
+
+// Of 0.08 px, and what rounding to 1/32 px adds: 0.08^2 + (1/32)^2 / 12.
+TEST(DepthNoise, DisparityHasTheNoiseAndTheStepsOfTheSensor) {
+  const Camera camera = sensor_camera();
+  const std::vector<float> depth = measured(wall(camera, 2), camera);
+  const double scale = intrinsics_of(camera).fx * 0.05, truth = scale / 2;
+  double sum = 0, squares = 0, count = 0;
+  std::set<long> steps;
+  for (const float d : depth) {
+    if (d == 0) continue;
+    const double disparity = scale / static_cast<double>(d);
+    EXPECT_NEAR(disparity * 32, std::round(disparity * 32), 1e-3);
+    steps.insert(std::lround(disparity * 32));
+    sum += disparity - truth;
+    squares += (disparity - truth) * (disparity - truth);
+    ++count;
+  }
+  EXPECT_GT(count, 0.95 * 640 * 480);
+  EXPECT_NEAR(std::sqrt(squares / count), std::sqrt(0.08 * 0.08 + 1.0 / (32 * 32 * 12)), 5e-4);
+  EXPECT_NEAR(sum / count, 0, 1e-3);
+  EXPECT_GT(steps.size(), 10U);
+}
+
+// The right eye, 50 mm beside the left, does not see the left edge: fx * baseline / depth pixels.
+TEST(DepthNoise, TheLeftEdgeHasNoDepth) {
+  const Camera camera = sensor_camera();
+  const std::vector<float> depth = measured(wall(camera, 1), camera);
+  const int band = static_cast<int>(intrinsics_of(camera).fx * 0.05);  // 20 pixels
+  EXPECT_EQ(band, 20);
+  EXPECT_EQ(share_without(depth, camera.width, 0, band), 1);
+  EXPECT_EQ(share_without(depth, camera.width, band + 1, camera.width), 0);
+}
+
+TEST(DepthNoise, WhatIsTooNearOrTooFarHasNoDepth) {
+  const Camera camera = sensor_camera();
+  const double least = least_depth_m(StereoCamera{}, intrinsics_of(camera));
+  EXPECT_NEAR(least, 415.69 * 0.05 / 126, 1e-4);  // 165 mm
+  EXPECT_EQ(share_without(measured(wall(camera, static_cast<float>(least * 0.98)), camera), 640, 200, 640), 1);
+  EXPECT_EQ(share_without(measured(wall(camera, static_cast<float>(least * 1.02)), camera), 640, 200, 640), 0);
+  EXPECT_EQ(share_without(measured(wall(camera, 12), camera), 640, 100, 640), 1);
+}
+
+// The datasheet's least depths of the D435, whose picture is 87 degrees wide at 16:9, 75 at 4:3.
+TEST(DepthNoise, LeastDepthIsTheDatasheets) {
+  struct Row {
+    int width;
+    double fov_deg, datasheet_m;
+  };
+  for (const Row& row : {Row{1280, 87, 0.280}, {848, 87, 0.195}, {640, 75, 0.175}}) {
+    const double fx = row.width / 2.0 / std::tan(row.fov_deg * 3.14159265 / 360);
+    const double least = least_depth_m(StereoCamera{}, {fx, fx, 0, 0, {}});
+    EXPECT_NEAR(least, row.datasheet_m, 0.1 * row.datasheet_m) << row.width;
+  }
+}
+
+// A post before a wall hides from the right eye a strip of wall to the post's left, as wide as the
+// two disparities differ.
+TEST(DepthNoise, APostCastsAStereoShadow) {
+  const Camera camera = sensor_camera();
+  Frame frame = wall(camera, 2);
+  for (int y = 0; y < camera.height; ++y) {
+    for (int x = 300; x < 340; ++x)
+      frame.depth_m[static_cast<std::size_t>(y * camera.width + x)] = 1;
+  }
+  const std::vector<float> depth = measured(frame, camera);
+  const int shadow = static_cast<int>(intrinsics_of(camera).fx * 0.05 * (1.0 - 0.5));  // 10 pixels
+  EXPECT_EQ(share_without(depth, camera.width, 300 - shadow, 300), 1);
+  EXPECT_EQ(share_without(depth, camera.width, 300 - 3 * shadow, 300 - shadow - 2), 0);
+  EXPECT_EQ(share_without(depth, camera.width, 302, 338), 0);
+  // On its right side, both eyes see the wall; pixels at the edge fly between post and wall.
+  int between = 0;
+  for (int y = 0; y < camera.height; ++y) {
+    for (int x = 337; x < 343; ++x) {
+      const float d = depth[static_cast<std::size_t>(y * camera.width + x)];
+      between += d > 1.1F && d < 1.8F ? 1 : 0;
+    }
+  }
+  EXPECT_GT(between, camera.height / 4);
+}
+
+TEST(DepthNoise, GlassAndClearPacksHaveHolesAndMetalAtAGlance) {
+  const Camera camera = sensor_camera();
+  EXPECT_NEAR(share_without(measured(wall(camera, 1, Matter::glass), camera), 640, 40, 640), 0.5, 0.1);
+  EXPECT_NEAR(share_without(measured(wall(camera, 1, Matter::clear), camera), 640, 40, 640), 0.35, 0.12);
+  EXPECT_EQ(share_without(measured(wall(camera, 1, Matter::none), camera), 640, 40, 640), 1);
+  Frame metal = wall(camera, 1, Matter::metal);
+  EXPECT_EQ(share_without(measured(metal, camera), 640, 40, 640), 0);  // seen squarely
+  for (std::size_t i = 0; i < metal.depth_m.size(); ++i) {
+    metal.normals[3 * i] = std::sqrt(1 - 0.01F);  // nearly edge on
+    metal.normals[3 * i + 1] = -0.1F;
+  }
+  EXPECT_GT(share_without(measured(metal, camera), 640, 280, 360), 0.99);
+  Frame glare = wall(camera, 1);
+  std::fill(glare.color.pixels.begin(), glare.color.pixels.end(), std::uint8_t{255});
+  EXPECT_EQ(share_without(measured(glare, camera), 640, 40, 640), 1);
+}
+
+TEST(DepthNoise, SeedAndFrameDecideItAndThreadsDoNot) {
+  const Camera camera = sensor_camera(160, 120);
+  const Frame frame = wall(camera, 2, Matter::glass);
+  const std::vector<float> first = measured(frame, camera, {7, 3});
+  for (const int threads : {1, 2, 4}) {
+    const ThreadLimit limit(threads);
+    EXPECT_EQ(measured(frame, camera, {7, 3}), first);
+  }
+  const std::vector<float> later = measured(frame, camera, {7, 4});
+  EXPECT_NE(later, first);
+  EXPECT_NE(measured(frame, camera, {8, 3}), first);
+  for (std::size_t i = 0; i < first.size(); ++i)
+    EXPECT_EQ(first[i] == 0, later[i] == 0) << "holes stay where they are";
+}
+
+TEST(DepthNoise, NeedsAPairOfEyes) {
+  Camera camera = sensor_camera(16, 16);
+  camera.ortho_height_m = 3;
+  const auto none = noisy_depth(wall(camera, 2), camera, StereoCamera{}, {});
+  ASSERT_FALSE(none.ok());
+  EXPECT_EQ(none.error().code, "camera.degenerate");
+}
+
+// Mid grey 128 is 0.2159 of white: 971 electrons of 4500, sigma sqrt(971 + 16) = 31.4, which is
+// 0.00698 of white; the sRGB curve has the slope 2.0285 there, so 3.61 codes; rounding adds 1/12.
+TEST(ColorNoise, GreyHasShotNoiseOfItsElectrons) {
+  const Camera camera = sensor_camera(200, 200);
+  Image grey(200, 200);
+  std::fill(grey.pixels.begin(), grey.pixels.end(), std::uint8_t{128});
+  ColorSensor sensor;
+  sensor.vignette = 0;
+  const Image noisy = noisy_color(grey, camera, sensor, {});
+  double sum = 0, squares = 0;
+  for (const std::uint8_t code : noisy.pixels)
+    sum += code, squares += double(code) * code;
+  const double count = static_cast<double>(noisy.pixels.size()), mean = sum / count;
+  const double slope = 255 * 1.055 / 2.4 * std::pow(0.2159, 1 / 2.4 - 1) / 255;
+  const double sigma = std::sqrt(971.4 + 16) / 4500 * slope * 255;
+  EXPECT_NEAR(mean, 128, 0.15);
+  EXPECT_NEAR(std::sqrt(squares / count - mean * mean), std::sqrt(sigma * sigma + 1.0 / 12), 0.05);
+  EXPECT_EQ(noisy_color(grey, camera, sensor, {}).pixels, noisy.pixels);
+  EXPECT_NE(noisy_color(grey, camera, sensor, {1, 1}).pixels, noisy.pixels);
+}
+
+TEST(ColorNoise, TheLensDarkensItsCorners) {
+  const Camera camera = sensor_camera(200, 200);
+  Image grey(200, 200);
+  std::fill(grey.pixels.begin(), grey.pixels.end(), std::uint8_t{128});
+  ColorSensor sensor;
+  sensor.vignette = 1;
+  sensor.read_noise_e = 0;
+  sensor.full_well_e = 1e12;
+  const Image noisy = noisy_color(grey, camera, sensor, {});
+  EXPECT_EQ(noisy.at(100, 100)[1], 128);
+  // Corner: cos^2 = 1 / (1 + 2 * 0.332), light 0.2159 * cos^4 = 0.0780, code 79.
+  EXPECT_NEAR(noisy.at(0, 0)[1], 79, 1);
+}
+
+}  // namespace
+}  // namespace marketgen
