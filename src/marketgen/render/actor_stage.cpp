@@ -1,5 +1,6 @@
 #include "render/actor_stage.h"
 
+#include <algorithm>
 #include <string>
 
 namespace marketgen::raytrace {
@@ -34,10 +35,61 @@ Result<void> ActorStage::set(const std::vector<Actor>& actors) {
       member.instances.push_back(add_body(body, first_id_ + static_cast<std::uint32_t>(k)));
     members_.push_back(std::move(member));
   }
+  add_displaced();
+  return commit();
+}
+
+Result<void> ActorStage::commit() {
   commit_actors(world_);
   if (rtcGetDeviceError(world_.device.get()) != RTC_ERROR_NONE)
     return Error{"io.out_of_memory", "actors", "Embree could not build the actors' search tree"};
   return {};
+}
+
+Result<void> ActorStage::displace(std::vector<Displaced> rows) {
+  const auto same_row = [](const Displaced& a, const Displaced& b) {
+    return a.instance == b.instance;
+  };
+  const bool same =
+      std::equal(rows.begin(), rows.end(), displaced_.begin(), displaced_.end(), same_row);
+  displaced_ = std::move(rows);
+  if (same) {
+    for (std::size_t i = 0; i < displaced_.size(); ++i) {
+      Instance& copy = world_.instances[first_displaced_ + i];
+      copy.world_from_mesh = displaced_[i].world_from_mesh;
+      copy.shelf = displaced_[i].shelf;
+    }
+    update_actors(world_);
+    return {};
+  }
+  world_.instances.resize(first_displaced_ == 0 ? world_.instances.size() : first_displaced_);
+  hide_displaced();
+  add_displaced();
+  return commit();
+}
+
+void ActorStage::hide_displaced() {
+  world_.hidden = {};
+  if (displaced_.empty()) return;
+  world_.hidden.is_hidden.resize(world_.actors.first_instance);
+  for (const Displaced& row : displaced_) {
+    world_.hidden.is_hidden[row.instance] = 1;
+    const Instance& instance = world_.instances[row.instance];
+    for (const Vec3f& p : world_.meshes[instance.mesh].solid.positions)
+      world_.hidden.bounds.include(instance.world_from_mesh(p));
+    for (const Vec3f& p : world_.meshes[instance.mesh].glass.positions)
+      world_.hidden.bounds.include(instance.world_from_mesh(p));
+  }
+}
+
+void ActorStage::add_displaced() {
+  first_displaced_ = world_.instances.size();
+  for (const Displaced& row : displaced_) {
+    Instance copy = world_.instances[row.instance];
+    copy.world_from_mesh = row.world_from_mesh;
+    copy.shelf = row.shelf;
+    world_.instances.push_back(copy);
+  }
 }
 
 Result<void> ActorStage::move(std::size_t actor, std::span<const Pose> world_from_body) {

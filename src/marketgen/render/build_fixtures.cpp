@@ -13,13 +13,21 @@
 namespace marketgen::raytrace {
 namespace {
 
+// The joint that carries a part about, counted from its fixture's first; -1: none does. Belts stand
+// still.
+std::int32_t moving_joint(const Scene& scene, const SceneFixture& fixture, const ScenePart& part) {
+  if (part.joint < 0 || scene.joints[static_cast<std::size_t>(part.joint)].kind == JointKind::belt)
+    return -1;
+  return part.joint - static_cast<std::int32_t>(fixture.first_joint);
+}
+
 // The parts as bytes, without the rows of their fixture and joint: equal modules have equal bytes.
 std::string content_of(const Scene& scene, const SceneFixture& fixture) {
   std::string bytes;
   for (std::uint32_t i = 0; i < fixture.part_count; ++i) {
     ScenePart part = scene.parts[fixture.first_part + i];
     part.fixture = 0;
-    part.joint = -1;
+    part.joint = moving_joint(scene, fixture, part);
     bytes.append(reinterpret_cast<const char*>(&part), sizeof(part));
   }
   return bytes;
@@ -80,21 +88,31 @@ FixtureBuilder::FixtureBuilder(Draft& draft) {
   }
 }
 
+FixtureBuilder::Body& FixtureBuilder::body_of(Shape& shape, std::int32_t joint) {
+  const auto same = [&](const Body& body) { return body.joint == joint; };
+  const auto found = std::find_if(shape.bodies.begin(), shape.bodies.end(), same);
+  if (found != shape.bodies.end()) return *found;
+  shape.bodies.push_back({joint, {}, {}});
+  return shape.bodies.back();
+}
+
 FixtureBuilder::Shape FixtureBuilder::make_shape(Draft& draft, const SceneFixture& fixture) {
   Shape shape;
+  shape.bodies.emplace_back();
   for (std::uint32_t i = fixture.first_part; i < fixture.first_part + fixture.part_count; ++i) {
     const ScenePart& part = draft.scene().parts[i];
     if (part.kind == SurfaceKind::emissive && part.shape == PartShape::box) {
       shape.lamps.push_back({draft.material({.color = {0, 0, 0}, .emission = color_of(part)}), i});
       continue;
     }
-    const std::size_t first_vertex = shape.mesh.uvs.size();
+    Body& body = body_of(shape, moving_joint(draft.scene(), fixture, part));
+    const std::size_t first_vertex = body.mesh.uvs.size();
     add_part_mesh(
-        shape.mesh, as_fixture_part(part), static_cast<std::uint16_t>(shape.materials.size()));
-    shape.materials.push_back(material_of(draft, part));
+        body.mesh, as_fixture_part(part), static_cast<std::uint16_t>(body.materials.size()));
+    body.materials.push_back(material_of(draft, part));
     const float extent = uv_extent(draft, part);
-    for (std::size_t v = first_vertex; v < shape.mesh.uvs.size(); ++v)
-      shape.mesh.uvs[v] = shape.mesh.uvs[v] * (1 / extent);
+    for (std::size_t v = first_vertex; v < body.mesh.uvs.size(); ++v)
+      body.mesh.uvs[v] = body.mesh.uvs[v] * (1 / extent);
   }
   return shape;
 }
@@ -107,25 +125,38 @@ void FixtureBuilder::add_lamps(Draft& draft, const Shape& shape, TracedMesh& mes
   }
 }
 
-void FixtureBuilder::build(Draft& draft) const {
-  World& world = draft.world();
-  const Scene& scene = draft.scene();
-  const auto first_mesh = static_cast<std::uint32_t>(world.meshes.size());
-  for (const Shape& shape : shapes_) {
-    TracedMesh mesh;
-    append(mesh.solid, mesh.glass, shape.mesh, shape.materials, world, {});
-    add_lamps(draft, shape, mesh);
-    world.meshes.push_back(std::move(mesh));
-  }
-  for (std::size_t i = 0; i < scene.fixtures.size(); ++i) {
+void FixtureBuilder::add_instances(World& world,
+                                   const Scene& scene,
+                                   std::size_t row,
+                                   const Shape& shape) {
+  for (std::size_t k = 0; k < shape.bodies.size(); ++k) {
     Instance instance;
-    instance.mesh = first_mesh + shape_of_fixture_[i];
-    instance.id = first_fixture_object + static_cast<std::uint32_t>(i);
-    instance.fixture = static_cast<std::int32_t>(i);
+    instance.mesh = shape.first_mesh + static_cast<std::uint32_t>(k);
+    instance.id = first_fixture_object + static_cast<std::uint32_t>(row);
+    instance.fixture = static_cast<std::int32_t>(row);
+    if (shape.bodies[k].joint >= 0)
+      instance.joint =
+          static_cast<std::int32_t>(scene.fixtures[row].first_joint) + shape.bodies[k].joint;
     instance.world_from_mesh =
-        placement_of(world_from_fixture(scene, static_cast<std::uint32_t>(i)));
+        placement_of(world_from_fixture(scene, static_cast<std::uint32_t>(row)));
     world.instances.push_back(instance);
   }
+}
+
+void FixtureBuilder::build(Draft& draft) {
+  World& world = draft.world();
+  const Scene& scene = draft.scene();
+  for (Shape& shape : shapes_) {
+    shape.first_mesh = static_cast<std::uint32_t>(world.meshes.size());
+    for (std::size_t k = 0; k < shape.bodies.size(); ++k) {
+      TracedMesh mesh;
+      append(mesh.solid, mesh.glass, shape.bodies[k].mesh, shape.bodies[k].materials, world, {});
+      if (k == 0) add_lamps(draft, shape, mesh);
+      world.meshes.push_back(std::move(mesh));
+    }
+  }
+  for (std::size_t i = 0; i < scene.fixtures.size(); ++i)
+    add_instances(world, scene, i, shapes_[shape_of_fixture_[i]]);
 }
 
 }  // namespace marketgen::raytrace

@@ -10,7 +10,7 @@ namespace marketgen::raytrace {
 class FixtureBuilder {
  public:
   explicit FixtureBuilder(Draft& draft);
-  void build(Draft& draft) const;
+  void build(Draft& draft);
 
  private:
   // One box of light, before its faces are known to be free.
@@ -18,13 +18,21 @@ class FixtureBuilder {
     std::uint16_t material = 0;
     std::uint32_t part = 0;  // row in scene.parts
   };
-  struct Shape {
-    Mesh mesh;  // without lamps; its surfaces index `materials`
+  // What one joint moves, or the fixed body.
+  struct Body {
+    std::int32_t joint = -1;  // counted from the fixture's first; -1: fixed
+    Mesh mesh;                // without lamps; its surfaces index `materials`
     std::vector<std::uint16_t> materials;
-    std::vector<Lamp> lamps;
+  };
+  struct Shape {
+    std::vector<Body> bodies;  // the fixed one first
+    std::vector<Lamp> lamps;   // of the fixed body
+    std::uint32_t first_mesh = 0;
   };
   static Shape make_shape(Draft& draft, const SceneFixture& fixture);
+  static Body& body_of(Shape& shape, std::int32_t joint);
   static void add_lamps(Draft& draft, const Shape& shape, TracedMesh& mesh);
+  static void add_instances(World& world, const Scene& scene, std::size_t row, const Shape& shape);
 
   std::vector<Shape> shapes_;
   std::vector<std::uint32_t> shape_of_fixture_;

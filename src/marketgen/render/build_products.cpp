@@ -89,6 +89,7 @@ void ProductBuilder::build(Draft& draft) const {
     mesh_of_sku[skus_[i].row] = static_cast<std::uint32_t>(first_mesh + i);
   });
   const auto first_id = first_product_object(scene);
+  world.first_product_instance = static_cast<std::uint32_t>(world.instances.size());
   for (std::size_t i = 0; i < scene.products.size(); ++i) {
     const SceneProduct& product = scene.products[i];
     Instance instance;

@@ -40,7 +40,7 @@ Result<std::unique_ptr<World>> build_world(const Scene& scene,
   Draft draft(scene, *world, print);
   const Room room = room_of(scene.layout.shell);
   MARKETGEN_TRY(const ProductBuilder products, ProductBuilder::begin(draft));
-  const FixtureBuilder fixtures(draft);
+  FixtureBuilder fixtures(draft);
   const ShellBuilder shell(draft, room);
   const LightBuilder light(draft);
   const PriceLabelBuilder price_labels(draft);

@@ -250,7 +250,7 @@ void IrradianceField::bake(const World& world, const LightGrid& lights) {
   parallel_for(
       positions_.size(),
       [&](std::size_t i) {
-        if (i < room_count && is_in_shelf(positions_[i])) rays[i].valid = false;
+        if (i < room_count && shelf_at(positions_[i]) >= 0) rays[i].valid = false;
         const Hollows hollows = i < room_count ? Hollows::left_out : Hollows::lit;
         if (rays[i].valid) shoot(world, positions_[i], hollows, rays[i]);
         if (!rays[i].valid) return;
@@ -336,12 +336,13 @@ void IrradianceField::fill_invalid(std::vector<AmbientCube>& probes) const {
   }
 }
 
-bool IrradianceField::is_in_shelf(Vec3f point) const {
-  return std::any_of(shelves_.begin(), shelves_.end(), [&](const Shelf& shelf) {
+std::int32_t IrradianceField::shelf_at(Vec3f point) const {
+  const auto found = std::find_if(shelves_.begin(), shelves_.end(), [&](const Shelf& shelf) {
     const Vec3f p = shelf.world_from_shelf.to_local(point);
     return std::fabs(p.x) < shelf.size.x / 2 && p.y > 0 && p.y < shelf.size.y && p.z > 0 &&
            p.z < shelf.size.z;
   });
+  return found == shelves_.end() ? -1 : static_cast<std::int32_t>(found - shelves_.begin());
 }
 
 const IrradianceField::Shelf* IrradianceField::shelf_of(const Place& place) const {

@@ -53,6 +53,9 @@ class IrradianceField {
   };
   TwoSided at(const Place& place, Float4 facing, Float4 mirror, StoredPanels panels) const;
 
+  // Row of the scene's shelf in whose room a point lies; -1: in none.
+  std::int32_t shelf_at(Vec3f point) const;
+
   // Light on something that is tilted from `facing` over the light on it when it is not.
   float tilt(const Place& place, Vec3f facing, Vec3f tilted) const;
 
@@ -78,7 +81,6 @@ class IrradianceField {
   void fill_invalid(std::vector<AmbientCube>& probes) const;
   void find_mean();
   const Shelf* shelf_of(const Place& place) const;
-  bool is_in_shelf(Vec3f point) const;
   Corners corners_at(const Place& place, Float4 facing) const;
   Corners corners_in_shelf(const Shelf& shelf, Vec3f point) const;
   Corners corners_in_room(Vec3f point, Float4 facing) const;

@@ -85,6 +85,17 @@ struct Silhouette {
   std::optional<std::array<double, 4>> box_px;
 };
 
+// A product that does not stand where the scene has it, and a joint of a fixture (a door, a drawer)
+// that is not at rest: radians or metres, see scene/articulation.h.
+struct MovedProduct {
+  std::uint32_t product = 0;  // row in Scene::products
+  Pose world_from_product;
+};
+struct MovedJoint {
+  std::uint32_t joint = 0;  // row in Scene::joints
+  double position = 0;
+};
+
 class Renderer {
  public:
   static Result<std::unique_ptr<Renderer>> create(const Scene& scene,
@@ -97,6 +108,13 @@ class Renderer {
   // Moves all bodies of actors[actor]: one pose each, in their order, store frame. Microseconds.
   // Error: render.bad_actor, and nothing has moved.
   virtual Result<void> move_actor(std::size_t actor, std::span<const Pose> world_from_body) = 0;
+  // Where products and joints stand from now on; all that are not named stand as the scene has
+  // them. The store's search trees are not touched: the same products and joints as before cost
+  // microseconds, others a fraction of a millisecond. The stored light stays what it was. Errors:
+  // render.bad_move (no such row, one named twice, a pose or position that is not finite), and
+  // nothing has moved.
+  virtual Result<void> move_things(std::span<const MovedProduct> products,
+                                   std::span<const MovedJoint> joints) = 0;
   // Errors: camera.* of check_camera(). An eye inside a thing sees it from within, and one outside
   // the store sees what there is to see from there: check_viewpoint() says so beforehand. The scene
   // must outlive the renderer.
@@ -109,6 +127,19 @@ class Renderer {
                                               const Frame& frame,
                                               std::span<const std::uint32_t> objects) const = 0;
 };
+
+// One camera of one world in a batch. The renderers may be the same or not.
+struct Shot {
+  Renderer* renderer = nullptr;
+  Camera camera;
+  FrameBuffers to;  // each that is there holds the whole picture
+};
+// Sensor mode: all of them side by side on all threads, into their callers' memory. Pixels are
+// those of Renderer::render(). Errors: camera.* with the shot's number, before anything is written;
+// internal.interrupted, and buffers are incomplete.
+Result<void> render_batch(std::span<const Shot> shots,
+                          const RenderOptions& options,
+                          Progress& progress = silent_progress());
 
 // A colour per object number for looking at segmentation; numbers may share one.
 std::array<std::uint8_t, 3> object_color(std::uint32_t object);

@@ -6,6 +6,7 @@
 #include "base/parallel.h"
 #include "render/actor_stage.h"
 #include "render/build_world.h"
+#include "render/displaced.h"
 #include "render/exhibit.h"
 #include "render/filter.h"
 #include "render/first_hits.h"
@@ -33,6 +34,7 @@ int paths_of(Quality quality) {
   return 64;
 }
 
+constexpr float shelf_search_m = 0.03F;  // above a product's foot: it stands on the board's face
 constexpr float meter_share = 0.75F;
 constexpr int few_paths = 128;     // below, pictures need a stronger filter
 constexpr int paths_per_pass = 8;  // between looks at the clock
@@ -40,7 +42,8 @@ constexpr int paths_per_pass = 8;  // between looks at the clock
 class EmbreeRenderer : public Renderer {
  public:
   EmbreeRenderer(std::unique_ptr<World> world, const Scene& scene)
-      : world_(std::move(world)),
+      : scene_(scene),
+        world_(std::move(world)),
         lights_(*world_),
         field_(*world_, lights_, scene),
         panels_(*world_),
@@ -57,6 +60,24 @@ class EmbreeRenderer : public Renderer {
 
   Result<void> move_actor(std::size_t actor, std::span<const Pose> world_from_body) override {
     return actors_.move(actor, world_from_body);
+  }
+
+  Result<void> move_things(std::span<const MovedProduct> products,
+                           std::span<const MovedJoint> joints) override {
+    MARKETGEN_CHECK(check_moves(scene_, products, joints));
+    std::vector<Displaced> rows;
+    for (const MovedProduct& moved : products) {
+      const Placement place = placement_of(moved.world_from_product);
+      rows.push_back({world_->first_product_instance + moved.product,
+                      field_.shelf_at(place({0, 0, shelf_search_m})),
+                      place});
+    }
+    add_moved_joints(*world_, scene_, joints, rows);
+    return actors_.displace(std::move(rows));
+  }
+
+  SensorShot shot(const Camera& camera, const FrameBuffers& to) const {
+    return {&lighting_, View(camera), to};
   }
 
   std::vector<Silhouette> silhouettes(const Camera& camera,
@@ -107,14 +128,14 @@ class EmbreeRenderer : public Renderer {
     frame.instance.resize(count);
     frame.normals.resize(3 * count);
     frame.matter.resize(count);
-    const SensorShot shot{&lighting_,
-                          view,
-                          {frame.color.pixels.data(),
-                           frame.depth_m.data(),
-                           frame.instance.data(),
-                           frame.normals.data(),
-                           frame.matter.data()}};
-    take_pictures(std::span(&shot, 1), sensor_effort(options), progress);
+    const SensorShot taken{&lighting_,
+                           view,
+                           {frame.color.pixels.data(),
+                            frame.depth_m.data(),
+                            frame.instance.data(),
+                            frame.normals.data(),
+                            frame.matter.data()}};
+    take_pictures(std::span(&taken, 1), sensor_effort(options), progress);
     MARKETGEN_CHECK(check_interrupt());
     return frame;
   }
@@ -203,6 +224,7 @@ class EmbreeRenderer : public Renderer {
     return frame;
   }
 
+  const Scene& scene_;
   std::unique_ptr<World> world_;
   LightGrid lights_;
   IrradianceField field_;
@@ -222,6 +244,23 @@ Result<std::unique_ptr<Renderer>> create_renderer(const Scene& scene,
 }
 
 }  // namespace raytrace
+
+Result<void> render_batch(std::span<const Shot> shots,
+                          const RenderOptions& options,
+                          Progress& progress) {
+  std::vector<raytrace::SensorShot> taken;
+  for (std::size_t i = 0; i < shots.size(); ++i) {
+    const std::string where = "shot " + std::to_string(i);
+    MARKETGEN_CHECK(check_camera(shots[i].camera, where));
+    if (shots[i].renderer == nullptr)
+      return Error{"camera.degenerate", where, "it has no renderer"};
+    // There is one kind of renderer.
+    const auto& renderer = static_cast<const raytrace::EmbreeRenderer&>(*shots[i].renderer);
+    taken.push_back(renderer.shot(shots[i].camera, shots[i].to));
+  }
+  raytrace::take_pictures(taken, raytrace::sensor_effort(options), progress);
+  return check_interrupt();
+}
 
 Result<std::unique_ptr<Renderer>> Renderer::create(const Scene& scene,
                                                    Progress& progress,

@@ -11,6 +11,7 @@ namespace {
 constexpr float surface_lift_m =
     3e-4F;  // longer than float error at 100 m, shorter than any gap that shows
 constexpr float least_tilt = 0.012F;  // 0.7 degrees: relief below shows nowhere
+constexpr float past_hidden_m = 1e-4F;
 constexpr float least_slant = 0.15F;  // cosine below which footprints grow no more
 constexpr float least_facing =
     0.03F;  // shading normals are bent to face the viewer at least this much
@@ -129,9 +130,9 @@ void add_textures(Surface& s,
     tilt(s, relief, axes_at(world, record, hit), direction);
 }
 
-// Whether rays of this mask can meet actors, which are solid.
+// Whether rays of this mask can meet actors and what stands elsewhere.
 bool meets_actors(const World& world, unsigned mask) {
-  return world.actors.bvh && (mask & mask_solid) != 0;
+  return world.actors.bvh && (mask & (mask_solid | mask_glass)) != 0;
 }
 
 // The row in World::instances of an Embree instance, or none.
@@ -175,6 +176,43 @@ void trace_actors(const World& world,
   }
 }
 
+Hit trace_in_store(const World& world, const Ray& ray, unsigned mask) {
+  RTCRayHit query{};
+  query.ray = single(ray, mask);
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(world.bvh.get(), &context, &query);
+  return hit_in(query, store_row(query.hit.instID[0]));
+}
+
+bool is_hidden(const World& world, const Hit& hit) {
+  return hit.instance != RTC_INVALID_GEOMETRY_ID && !world.hidden.is_hidden.empty() &&
+         hit.instance < world.hidden.is_hidden.size() && world.hidden.is_hidden[hit.instance] != 0;
+}
+
+// The first hit in the store on a ray that passes through what is hidden.
+Hit past_hidden(const World& world, Ray ray, Hit hit, unsigned mask) {
+  while (is_hidden(world, hit)) {
+    ray.near = hit.t + past_hidden_m;
+    hit = trace_in_store(world, ray, mask);
+  }
+  return hit;
+}
+
+// Whether a ray comes near a hidden place at all.
+bool may_meet_hidden(const World& world, const Ray& ray) {
+  if (world.hidden.is_hidden.empty()) return false;
+  const Float4 low(world.hidden.bounds.low), high(world.hidden.bounds.high);
+  const Float4 inverse(_mm_div_ps(_mm_set1_ps(1), Float4(ray.direction).m));
+  const Float4 a = (low - Float4(ray.origin)) * inverse, b = (high - Float4(ray.origin)) * inverse;
+  const Float4 enter = min(a, b), leave = max(a, b);
+  const float from = std::max({enter.x(), enter.y(), enter.z(), ray.near});
+  const float to = std::min({leave.x(), leave.y(), leave.z(), ray.far});
+  return from <= to;
+}
+
 }  // namespace
 
 void trace(const World& world,
@@ -192,8 +230,12 @@ void trace(const World& world,
   rtcInitIntersectContext(&context);
   if (bundle == RayBundle::coherent) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   rtcIntersect16(lane_masks[rays.size()].data(), world.bvh.get(), &context, &packet);
-  for (std::size_t k = 0; k < rays.size(); ++k)
+  for (std::size_t k = 0; k < rays.size(); ++k) {
     hits[k] = hit_in(packet, k, store_row(packet.hit.instID[0][k]));
+    if (!is_hidden(world, hits[k])) continue;
+    hits[k] = past_hidden(world, rays[k], hits[k], mask);
+    packet.ray.tfar[k] = hits[k].any() ? hits[k].t : rays[k].far;
+  }
   if (meets_actors(world, mask)) trace_actors(world, packet, hits.first(rays.size()), context);
 }
 
@@ -209,8 +251,11 @@ void find_blocked(const World& world,
   rtcOccluded16(lane_masks[rays.size()].data(), world.bvh.get(), &context, &packet);
   if (meets_actors(world, mask))  // blocked lanes have tfar < tnear by now: they are passed over
     rtcOccluded16(lane_masks[rays.size()].data(), world.actors.bvh.get(), &context, &packet);
-  for (std::size_t k = 0; k < rays.size(); ++k)
+  for (std::size_t k = 0; k < rays.size(); ++k) {
     blocked[k] = packet.tfar[k] < 0;
+    if (blocked[k] && may_meet_hidden(world, rays[k]))
+      blocked[k] = trace_one(world, rays[k], mask).any();
+  }
 }
 
 void find_blocked_by_actors(const World& world,
@@ -227,23 +272,22 @@ void find_blocked_by_actors(const World& world,
 }
 
 Hit trace_one(const World& world, const Ray& ray, unsigned mask) {
+  const Hit in_store = past_hidden(world, ray, trace_in_store(world, ray, mask), mask);
+  if (!meets_actors(world, mask)) return in_store;
   RTCRayHit query{};
   query.ray = single(ray, mask);
+  if (in_store.any()) query.ray.tfar = in_store.t;
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  rtcIntersect1(world.bvh.get(), &context, &query);
-  const Hit in_store = hit_in(query, store_row(query.hit.instID[0]));
-  if (!meets_actors(world, mask)) return in_store;
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(world.actors.bvh.get(), &context, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return in_store;
   return hit_in(query, actor_row(world, query.hit.instID[0]));
 }
 
 bool is_blocked(const World& world, const Ray& ray, unsigned mask) {
+  if (may_meet_hidden(world, ray)) return trace_one(world, ray, mask).any();
   RTCRay query = single(ray, mask);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);

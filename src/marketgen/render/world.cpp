@@ -236,6 +236,7 @@ void commit_actors(World& world) {
   RTCDevice device = world.device.get();
   parallel_for(world.meshes.size() - actors.first_mesh, [&](std::size_t k) {
     TracedMesh& mesh = world.meshes[actors.first_mesh + k];
+    if (mesh.bvh) return;
     pad_for_embree(mesh.solid);
     commit_mesh(device, mesh);
   });

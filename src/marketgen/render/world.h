@@ -34,7 +34,7 @@ struct Material {
   // Index into World::reliefs: normals, and roughness and metallic instead of those above.
   std::int32_t relief = -1;
   float roughness_scale = 1;  // on the relief's
-  bool clear = false;  // a clear pack with its contents: Matter::clear; drawn as it is
+  bool clear = false;         // a clear pack with its contents: Matter::clear; drawn as it is
   bool glass = false;  // thin pane: reflects, lets the rest straight through, tinted by `color`
 };
 
@@ -101,6 +101,7 @@ struct Instance {
   std::uint32_t mesh = 0;
   std::uint32_t id = 0;                   // Frame::instance
   std::int32_t fixture = -1, shelf = -1;  // rows of the scene it belongs to, -1 = none
+  std::int32_t joint = -1;                // row of the scene that moves it, -1 = none
   std::int32_t first_light = 0;           // its mesh's lights in World::lights
   float brightness = 1;                   // small print and wear differences between items
   Placement world_from_mesh;
@@ -121,6 +122,13 @@ struct ActorRows {
   Bvh bvh;  // instance first_instance + k is its geometry k; empty without actors
 };
 
+// Instances of the store that stand elsewhere now, as copies among the actors': rays pass through
+// their places in the store's BVH, which stays as it is.
+struct HiddenRows {
+  std::vector<std::uint8_t> is_hidden;  // of each of the store's instances; empty when none is
+  Bounds3 bounds;                       // around the hidden places
+};
+
 struct World {
   Device device;
   std::vector<Texture> textures;
@@ -137,6 +145,8 @@ struct World {
   bool has_glass = false;
   Bvh bvh;  // shell + the store's instances
   ActorRows actors;
+  HiddenRows hidden;
+  std::uint32_t first_product_instance = 0;  // of scene.products[0]
 };
 
 // Appends `mesh` with surface i drawn in material materials_of_surfaces[i]. UVs are used as they
