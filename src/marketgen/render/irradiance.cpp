@@ -410,21 +410,31 @@ IrradianceField::Corners IrradianceField::corners_in_room(Vec3f point, Float4 fa
   const Vec3f at = point - low_;
   const Between x = between(size_[0], at.x / step_.x), y = between(size_[1], at.y / step_.y),
                 z = between(size_[2], at.z / step_.z);
+  // Of the eight corners side by side: where each lies from the point, and how near.
+  std::array<float, 8> off_x, off_y, off_z, near;
+  for (int k = 0; k < 8; ++k) {
+    const int dx = k & 1, dy = k >> 1 & 1, dz = k >> 2 & 1;
+    const auto i = static_cast<std::size_t>(k);
+    off_x[i] = static_cast<float>(x.before + dx) * step_.x - at.x;
+    off_y[i] = static_cast<float>(y.before + dy) * step_.y - at.y;
+    off_z[i] = static_cast<float>(z.before + dz) * step_.z - at.z;
+    near[i] = (dx != 0 ? x.share : 1 - x.share) * (dy != 0 ? y.share : 1 - y.share) *
+              (dz != 0 ? z.share : 1 - z.share);
+  }
+  const Vec3f n = facing.xyz();
   Corners corners;
   for (std::size_t k = 0; k < 8; ++k) {
-    const int dx = static_cast<int>(k & 1U), dy = static_cast<int>(k >> 1 & 1U),
-              dz = static_cast<int>(k >> 2 & 1U);
-    const Float4 way((static_cast<float>(x.before + dx) * step_.x) - at.x,
-                     (static_cast<float>(y.before + dy) * step_.y) - at.y,
-                     (static_cast<float>(z.before + dz) * step_.z) - at.z);
-    const float cosine = dot(way, facing) / std::sqrt(dot(way, way) + 1e-6F);
-    const float before = 0.5F + 0.5F * cosine;
-    corners.weight[k] = ((dx != 0 ? x.share : 1 - x.share) * (dy != 0 ? y.share : 1 - y.share) *
-                             (dz != 0 ? z.share : 1 - z.share) +
-                         1e-4F) *
-                        (before * before + least_behind);
-    corners.probe[k] = static_cast<std::uint32_t>(
-        ((z.before + dz) * size_[1] + y.before + dy) * size_[0] + x.before + dx);
+    const float along = off_x[k] * n.x + off_y[k] * n.y + off_z[k] * n.z;
+    const float distance =
+        std::sqrt(off_x[k] * off_x[k] + off_y[k] * off_y[k] + off_z[k] * off_z[k] + 1e-6F);
+    const float before = 0.5F + 0.5F * along / distance;
+    corners.weight[k] = (near[k] + 1e-4F) * (before * before + least_behind);
+  }
+  const int first = (z.before * size_[1] + y.before) * size_[0] + x.before;
+  for (int k = 0; k < 8; ++k) {
+    const int dx = k & 1, dy = k >> 1 & 1, dz = k >> 2 & 1;
+    corners.probe[static_cast<std::size_t>(k)] =
+        static_cast<std::uint32_t>(first + (dz * size_[1] + dy) * size_[0] + dx);
   }
   return corners;
 }
@@ -463,11 +473,9 @@ Vec3f IrradianceField::at(const Place& place, Vec3f facing) const {
 
 IrradianceField::TwoSided IrradianceField::at(const Place& place,
                                               Float4 facing,
-                                              Float4 mirror,
-                                              StoredPanels panels) const {
+                                              Float4 mirror) const {
   const Corners corners = corners_at(place, facing);
-  return {gathered(packed_, corners, facing),
-          gathered(panels == StoredPanels::seen ? packed_ : without_panels_, corners, mirror)};
+  return {gathered(packed_, corners, facing), gathered(without_panels_, corners, mirror)};
 }
 
 float IrradianceField::tilt(const Place& place, Vec3f facing, Vec3f tilted) const {

@@ -35,8 +35,6 @@ struct Place {
 };
 Place place_of(const Surface& surface);
 
-enum class StoredPanels { seen, left_out };
-
 class IrradianceField {
  public:
   // Deterministic for any thread count.
@@ -46,12 +44,12 @@ class IrradianceField {
   // that side.
   Vec3f at(const Place& place, Vec3f facing) const;
 
-  // The same, and what comes from the side of `mirror`, where the ceiling's panels may be left out
-  // (they are too bright and too small for so coarse a store: see PanelReflection).
+  // The same, and what comes from the side of `mirror` when the ceiling's panels are left out (they
+  // are too bright and too small for so coarse a store: see PanelReflection).
   struct TwoSided {
     Float4 facing, mirror;
   };
-  TwoSided at(const Place& place, Float4 facing, Float4 mirror, StoredPanels panels) const;
+  TwoSided at(const Place& place, Float4 facing, Float4 mirror) const;
 
   // Row of the scene's shelf in whose room a point lies; -1: in none.
   std::int32_t shelf_at(Vec3f point) const;

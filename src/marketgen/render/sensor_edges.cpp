@@ -196,27 +196,22 @@ class TileResolver {
     return behind * from_halves(planes_.transmittance[p]) + from_halves(planes_.overlay[p]);
   }
 
-  // The pixel around whose surface is most like the one given.
+  // The pixel itself, or else one around it, that shows the surface given.
   std::optional<std::size_t> like_of(const Surface& surface, int x, int y) const {
-    std::optional<std::size_t> best;
-    float least = 1e9F;
+    constexpr std::array<std::array<int, 2>, 9> places{
+        {{0, 0}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
     const Float4 position(surface.position), normal(surface.normal);
     const float plane = edge_plane_m + edge_plane_per_m * surface.distance;
-    for (int dy = -1; dy <= 1; ++dy) {
-      for (int dx = -1; dx <= 1; ++dx) {
-        const int qx = x + dx, qy = y + dy;
-        if (qx < 0 || qy < 0 || qx >= planes_.width || qy >= planes_.height) continue;
-        const std::size_t q = index(qx, qy);
-        if (number_at(q) != surface.id) continue;
-        const float off = std::fabs(dot(normal, planes_.position[q] - position));
-        const float turned = 1 - dot(normal, unpacked_normal4(planes_.normal[q]));
-        const float difference = off + 0.1F * turned;
-        if (off > plane || turned > 1 - edge_facing || difference >= least) continue;
-        least = difference;
-        best = q;
-      }
+    for (const auto& [dx, dy] : places) {
+      const int qx = x + dx, qy = y + dy;
+      if (qx < 0 || qy < 0 || qx >= planes_.width || qy >= planes_.height) continue;
+      const std::size_t q = index(qx, qy);
+      if (number_at(q) == surface.id &&
+          std::fabs(dot(normal, planes_.position[q] - position)) < plane &&
+          dot(normal, unpacked_normal4(planes_.normal[q])) > edge_facing)
+        return q;
     }
-    return best;
+    return std::nullopt;
   }
 
   const Lighting& lighting_;

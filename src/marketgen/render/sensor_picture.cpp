@@ -78,13 +78,13 @@ SensorEffort sensor_effort(const RenderOptions& options) {
   switch (options.quality) {
     case Quality::fast:
       effort.detail.textures = TextureDetail::level;
-      effort.mirror_rays = effort.panel_shadows = effort.contact_shadows = false;
+      effort.mirror_panes = effort.panel_shadows = effort.contact_shadows = false;
       effort.edge_samples = 0;
       break;
     case Quality::balanced:
       break;
     case Quality::best:
-      effort.all_contact_pixels = true;
+      effort.mirror_floor = effort.all_contact_pixels = true;
       effort.edge_samples = 4;
       break;
   }

@@ -51,9 +51,9 @@ constexpr float rough_from =
     0.55F;  // such gloss is so wide that stored light knows panels well enough
 constexpr float least_panel_share = 0.012F;  // of white: dimmer highlights need no shadow ray
 constexpr float shadow_end_m = 0.02F;
-constexpr float nearest_contact_m = 0.01F, contact_reach_m = 0.06F;
-constexpr float contact_until_m = 5;  // farther, contact shadows are smaller than pixels
-constexpr float darkest_contact = 0.25F;
+constexpr float nearest_contact_m = 0.005F, contact_reach_m = 0.035F;
+constexpr float contact_until_m = 3.5F;  // farther, contact shadows are smaller than pixels
+constexpr float darkest_contact = 0.45F;
 // How far actors' shadows reach, and how dark they are: what they hide they replace in part by what
 // they send back themselves.
 constexpr float actor_reach_m = 0.8F, actor_darkness = 0.8F;
@@ -94,7 +94,7 @@ class TileShader {
   void run() {
     take_stored_light();
     add_panels();
-    if (effort_.mirror_rays) mirror_floor();
+    if (effort_.mirror_floor) mirror_floor();
     shade_contacts();
     shade_under_actors();
     for (std::size_t p = 0; p < tile_.pane_count; ++p)
@@ -130,11 +130,13 @@ class TileShader {
   void look_up(std::size_t i) {
     const Surface& surface = tile_.surface[i];
     const Float4 normal(surface.relief_normal);
-    const IrradianceField::TwoSided light = lighting_.field.at(
-        place_of(surface),
-        normal,
-        mirrored(Float4(tile_.direction[i]), normal),
-        surface.roughness < rough_from ? StoredPanels::left_out : StoredPanels::seen);
+    if (surface.roughness >= rough_from) {
+      tile_.irradiance[i] = lighting_.field.at(place_of(surface), surface.relief_normal);
+      tile_.gloss[i] = tile_.irradiance[i] * inverse_pi;
+      return;
+    }
+    const IrradianceField::TwoSided light =
+        lighting_.field.at(place_of(surface), normal, mirrored(Float4(tile_.direction[i]), normal));
     tile_.irradiance[i] = light.facing.xyz();
     tile_.gloss[i] = (light.mirror * inverse_pi).xyz();
   }
@@ -400,13 +402,10 @@ class TileShader {
   void mirror_pane(TilePane& pane) {
     const Vec3f direction = tile_.direction[pane.pixel];
     const Vec3f mirror = mirrored(direction, pane.first.normal);
-    if (!effort_.mirror_rays) {
-      const Float4 light = lighting_.field
-                               .at(place_of(pane.first),
-                                   Float4(pane.first.normal),
-                                   Float4(mirror),
-                                   StoredPanels::left_out)
-                               .mirror;
+    if (!effort_.mirror_panes) {
+      const Float4 light =
+          lighting_.field.at(place_of(pane.first), Float4(pane.first.normal), Float4(mirror))
+              .mirror;
       const Vec3f panels = lighting_.panels.at(pane.first, mirror).radiance;
       tile_.overlay[pane.pixel] = ((light * inverse_pi).xyz() + panels) * pane.reflected;
       return;

@@ -12,7 +12,8 @@ namespace marketgen::raytrace {
 // What a picture is made with beside its first hits.
 struct SensorEffort {
   SensorDetail detail;
-  bool mirror_rays = true;    // on polished floors and panes; else stored light stands for them
+  bool mirror_panes = true;   // by a ray; else stored light stands for what they mirror
+  bool mirror_floor = false;  // polished, by rays; else stored light and panels
   bool panel_shadows = true;  // whether something hides the panels that gloss would mirror
   bool contact_shadows = true;
   bool all_contact_pixels = false;  // else every other pixel
