@@ -23,20 +23,20 @@ namespace marketgen {
 
 struct StereoCamera {
   double baseline_m = 0.050;
-  double disparity_noise_px = 0.08;    // one sigma
+  double disparity_noise_px = 0.08;  // one sigma
   double disparity_step_px = 1.0 / 32;
-  double largest_disparity_px = 126;   // what is nearer has no depth
+  double largest_disparity_px = 126;  // what is nearer has no depth
   double farthest_m = 10;
-  double edge_shift_px = 0.5;          // one sigma
+  double edge_shift_px = 0.5;  // one sigma
   // Shares of the surface without depth, in patches that stay where they are from frame to frame.
   double glass_holes = 0.5, clear_holes = 0.4;
-  double clear_noise_factor = 3;       // of disparity_noise_px on clear packs
-  double least_metal_facing = 0.35;    // cosine of the view to bare metal: below, it has no depth
-  int overexposed = 250;               // all channels at least: no print to match
+  double clear_noise_factor = 3;     // of disparity_noise_px on clear packs
+  double least_metal_facing = 0.35;  // cosine of the view to bare metal: below, it has no depth
+  int overexposed = 250;             // all channels at least: no print to match
 };
 
-// The shortest depth that it measures, metres: fx * baseline / largest disparity. Within 10 % of the
-// datasheet's 280, 195, 175 mm at widths of 1280, 848, 640.
+// The shortest depth that it measures, metres: fx * baseline / largest disparity. Within 10 % of
+// the datasheet's 280, 195, 175 mm at widths of 1280, 848, 640.
 double least_depth_m(const StereoCamera& stereo, const Intrinsics& intrinsics);
 
 // Depth along the optical axis in metres, 0 = none, as the left eye at `camera` measures it; its

@@ -34,7 +34,7 @@ struct Material {
   // Index into World::reliefs: normals, and roughness and metallic instead of those above.
   std::int32_t relief = -1;
   float roughness_scale = 1;  // on the relief's
-  bool clear = false;  // a clear pack with its contents: Matter::clear; drawn as it is
+  bool clear = false;         // a clear pack with its contents: Matter::clear; drawn as it is
   bool glass = false;  // thin pane: reflects, lets the rest straight through, tinted by `color`
 };
 
