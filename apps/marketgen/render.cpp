@@ -1,5 +1,5 @@
-// marketgen render: a picture of a store, with robots in it if wanted, as a perfect or a noisy sensor
-// sees it; depth, segmentation, object numbers, normals and annotations beside it.
+// marketgen render: a picture of a store, with robots in it if wanted, as a perfect or a noisy
+// sensor sees it; depth, segmentation, object numbers, normals and annotations beside it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -206,7 +206,10 @@ Run add_render(CLI::App& app) {
                    "put a robot into the picture (repeatable): "
                    "ROW@X,Y[,HEADING_DEG][,z=M][,posture=NAME][,JOINT=VALUE][,SLOT=TOOL]")
       ->allow_extra_args(false);
-  command->add_option("--depth", flags->depth, "also write depth: F.png in whole millimetres, 16 bits; F.npy in metres, float32");
+  command->add_option(
+      "--depth",
+      flags->depth,
+      "also write depth: F.png in whole millimetres, 16 bits; F.npy in metres, float32");
   command->add_option("--segmentation", flags->segmentation, "also write a colour per object");
   command->add_option(
       "--object-ids", flags->object_ids, "also write object numbers: red + 256 green + 65536 blue");
@@ -214,8 +217,7 @@ Run add_render(CLI::App& app) {
       "--annotations",
       flags->annotations,
       "also write what is to be seen: boxes, masks, poses, the camera, as JSON (docs/cameras.md)");
-  command->add_option(
-      "--categories", flags->categories, "also write category numbers, 16-bit PNG");
+  command->add_option("--categories", flags->categories, "also write category numbers, 16-bit PNG");
   command->add_option("--normals", flags->normals, "also write normals");
   command->add_option(
       "--channels", flags->channels, "also write every channel as a picture, into this folder");

@@ -27,18 +27,17 @@ struct Document {
 };
 
 std::vector<Document> documents() {
-  return {{"market-plan-1", "What a store should be", type_of<Plan>()},
-          {"market-layout-1", "Zones, fixtures, aisles and violations", type_of<Layout>()},
-          {"market-store-1", "The manifest of a store folder", type_of<Manifest>()},
-          {"market-report-1", "Requirements, rules and metrics of a store", type_of<StoreReport>()},
-          {"market-product-1", "A product row of the catalogue", type_of<Product>()},
-          {"market-asset-1", "An outside model taken into a library", type_of<AssetFile>()},
-          {"market-fixture-1", "A fixture row of the catalogue", type_of<FixtureKind>()},
-          {"market-robot-1", "A robot, an arm or a tool", type_of<RobotRow>()},
-          {"market-camera-1", "Where a picture is taken from, and its lens", type_of<CameraFile>()},
-          {"market-annotations-1",
-           "What is to be seen in a picture",
-           type_of<PictureAnnotations>()}};
+  return {
+      {"market-plan-1", "What a store should be", type_of<Plan>()},
+      {"market-layout-1", "Zones, fixtures, aisles and violations", type_of<Layout>()},
+      {"market-store-1", "The manifest of a store folder", type_of<Manifest>()},
+      {"market-report-1", "Requirements, rules and metrics of a store", type_of<StoreReport>()},
+      {"market-product-1", "A product row of the catalogue", type_of<Product>()},
+      {"market-asset-1", "An outside model taken into a library", type_of<AssetFile>()},
+      {"market-fixture-1", "A fixture row of the catalogue", type_of<FixtureKind>()},
+      {"market-robot-1", "A robot, an arm or a tool", type_of<RobotRow>()},
+      {"market-camera-1", "Where a picture is taken from, and its lens", type_of<CameraFile>()},
+      {"market-annotations-1", "What is to be seen in a picture", type_of<PictureAnnotations>()}};
 }
 
 Result<void> write_schemas(const std::string& root) {

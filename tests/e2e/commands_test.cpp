@@ -390,17 +390,17 @@ TEST(Render, RobotsHaveTheirNumbersInEveryMode) {
   const double x = std::stod(place), y = std::stod(place.substr(place.find(',') + 1));
   for (const char* mode : {"sensor", "path"}) {
     const ScratchFolder scratch;
-    output_of({"render",      shop(),
-               "--robot",     "panda-on-stand@" + place + ",90,joint1=10deg",
-               "--from",      fmt::format("{},{},2.2", x + 0.2, y + 0.2),
-               "--at",        fmt::format("{},{},0", x, y),
-               "--size",      "64x48",
-               "--mode",      mode,
-               "--spp",       "1",
-               "--quiet",     "-o",
-               "robot.png",   "--object-ids",
-               "ids.png",     "--annotations",
-               "seen.json",   "--depth",
+    output_of({"render",    shop(),
+               "--robot",   "panda-on-stand@" + place + ",90,joint1=10deg",
+               "--from",    fmt::format("{},{},2.2", x + 0.2, y + 0.2),
+               "--at",      fmt::format("{},{},0", x, y),
+               "--size",    "64x48",
+               "--mode",    mode,
+               "--spp",     "1",
+               "--quiet",   "-o",
+               "robot.png", "--object-ids",
+               "ids.png",   "--annotations",
+               "seen.json", "--depth",
                "depth.png"},
               scratch.path());
     const json seen = json::parse(contents_of(scratch.path() / "seen.json"));
@@ -428,16 +428,35 @@ TEST(Render, RobotsHaveTheirNumbersInEveryMode) {
 // The camera block of annotations is a camera file: the picture it takes is the same one.
 TEST(Render, AnnotationsHoldTheCameraForAnotherPicture) {
   const ScratchFolder scratch;
-  output_of({"render",  shop(),    "--camera",      "aisle",     "--size",       "64x48",
-             "--quiet", "-o",      "first.png",     "--depth",   "first.npy",    "--annotations",
-             "seen.json", "--object-ids", "first-ids.png"},
+  output_of({"render",
+             shop(),
+             "--camera",
+             "aisle",
+             "--size",
+             "64x48",
+             "--quiet",
+             "-o",
+             "first.png",
+             "--depth",
+             "first.npy",
+             "--annotations",
+             "seen.json",
+             "--object-ids",
+             "first-ids.png"},
             scratch.path());
   const json seen = json::parse(contents_of(scratch.path() / "seen.json"));
   EXPECT_EQ(seen["schema"], "market-annotations/1");
   EXPECT_EQ(seen["scene_hash"], manifest()["scene_hash"]);
   std::ofstream(scratch.path() / "camera.json") << seen["camera"].dump();
-  output_of({"render", shop(), "--camera-file", "camera.json", "--quiet", "-o", "second.png",
-             "--object-ids", "second-ids.png"},
+  output_of({"render",
+             shop(),
+             "--camera-file",
+             "camera.json",
+             "--quiet",
+             "-o",
+             "second.png",
+             "--object-ids",
+             "second-ids.png"},
             scratch.path());
   const auto first = read_png(scratch.path() / "first-ids.png"),
              second = read_png(scratch.path() / "second-ids.png");
@@ -456,13 +475,38 @@ TEST(Render, AnnotationsHoldTheCameraForAnotherPicture) {
 TEST(Render, ChannelsAndNoiseAreDrawnFromTheSeed) {
   const auto taken = [](const std::string& seed) {
     const ScratchFolder scratch;
-    output_of({"render",   shop(), "--camera",   "aisle",    "--size",     "64x48", "--noise", "d435",
-               "--seed",   seed,   "--channels", "channels", "--depth",    "d.npy", "--quiet", "-o",
-               "picture.png", "--categories", "categories.png"},
+    output_of({"render",
+               shop(),
+               "--camera",
+               "aisle",
+               "--size",
+               "64x48",
+               "--noise",
+               "d435",
+               "--seed",
+               seed,
+               "--channels",
+               "channels",
+               "--depth",
+               "d.npy",
+               "--quiet",
+               "-o",
+               "picture.png",
+               "--categories",
+               "categories.png"},
               scratch.path());
-    for (const char* name : {"color", "boxes", "depth", "instances", "categories", "normals",
-                             "matter", "noisy-color", "noisy-depth", "sheet"}) {
-      EXPECT_TRUE(read_png(scratch.path() / "channels" / (std::string(name) + ".png")).ok()) << name;
+    for (const char* name : {"color",
+                             "boxes",
+                             "depth",
+                             "instances",
+                             "categories",
+                             "normals",
+                             "matter",
+                             "noisy-color",
+                             "noisy-depth",
+                             "sheet"}) {
+      EXPECT_TRUE(read_png(scratch.path() / "channels" / (std::string(name) + ".png")).ok())
+          << name;
     }
     EXPECT_EQ(contents_of(scratch.path() / "picture.png"),
               contents_of(scratch.path() / "channels" / "noisy-color.png"));
@@ -479,8 +523,14 @@ TEST(Render, ACameraInAThingIsRefusedByItsName) {
   const json& item = products[0];
   const double x = item["x_m"], y = item["y_m"], z = item["z_m"];
   const ScratchFolder scratch;
-  const Ran ran = marketgen_run({"render", shop(), "--from", fmt::format("{},{},{}", x, y, z + 0.01),
-                                 "--at", "5,5,1", "-o", "inside.png"},
+  const Ran ran = marketgen_run({"render",
+                                 shop(),
+                                 "--from",
+                                 fmt::format("{},{},{}", x, y, z + 0.01),
+                                 "--at",
+                                 "5,5,1",
+                                 "-o",
+                                 "inside.png"},
                                 scratch.path());
   EXPECT_EQ(ran.status, 2);
   EXPECT_NE(ran.err.find("error[camera.inside_object] --from"), std::string::npos) << ran.err;

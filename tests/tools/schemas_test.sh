@@ -13,6 +13,7 @@ diff -r "$repository/schemas" "$scratch/schemas"
 diff -r "$repository/docs/fields" "$scratch/docs/fields"
 
 "$program" generate "a small shop with dairy and two checkouts" --size 12x9m --seed 3 --no-previews --quiet -o "$scratch/shop" > /dev/null
+"$program" render "$scratch/shop" --camera aisle --size 160x120 --quality fast --quiet -o "$scratch/aisle.png" --annotations "$scratch/shop/seen.json"
 # --size-prefixed: the file starts with its length.
 flatc --json --strict-json --size-prefixed -o "$scratch" "$repository/schemas/market-scene-1.fbs" -- "$scratch/shop/scene.bin"
 
@@ -37,7 +38,8 @@ def judge(name):
 
 
 checked = 0
-for file, name in [("plan.json", "market-plan-1"), ("layout.json", "market-layout-1"), ("store.json", "market-store-1"), ("report.json", "market-report-1")]:
+for file, name in [("plan.json", "market-plan-1"), ("layout.json", "market-layout-1"), ("store.json", "market-store-1"), ("report.json", "market-report-1"),
+                   ("seen.json", "market-annotations-1")]:
     document, validator = load(scratch / "shop" / file), judge(name)
     validator.validate(document)
     assert not validator.is_valid({**document, "unheard_of": 1}), f"{name} lets an unknown field through"

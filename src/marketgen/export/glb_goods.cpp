@@ -142,11 +142,10 @@ Result<void> add_promotion_cards(const Scene& scene,
     MARKETGEN_TRY(const std::string png,
                   png_of(fmt::format("promotion card {} {}", card_px, write_json_line(product)),
                          [&] { return draw_promotion_card(product, card_px); }));
-    const int material = materials.add({.color = {1, 1, 1}, .roughness = tag_roughness, .texture = ""},
-                                       document.add_texture(png));
+    const int material = materials.add(
+        {.color = {1, 1, 1}, .roughness = tag_roughness, .texture = ""}, document.add_texture(png));
     const std::string name = "offer/" + product.sku;
-    const int mesh =
-        document.add_mesh(name, upright_quad(card_width_m, card_height_m), {material});
+    const int mesh = document.add_mesh(name, upright_quad(card_width_m, card_height_m), {material});
     add_copies({{"name", name}, {"mesh", mesh}}, copies, options, document, group);
   }
   return {};
@@ -217,10 +216,9 @@ Result<void> add_price_labels(const Scene& scene,
   const int group = document.add_node({{"name", "price-labels"}}, -1);
   for (const auto& [key, same] : tags) {
     const std::string name = "price/" + scene.catalog[same.first->sku].sku;
-    const int mesh = document.add_mesh(
-        name,
-        upright_quad(same.first->width_m, same.first->height_m),
-        {material_of[{same.first->sku, same.first->promotion}]});
+    const int mesh = document.add_mesh(name,
+                                       upright_quad(same.first->width_m, same.first->height_m),
+                                       {material_of[{same.first->sku, same.first->promotion}]});
     add_copies({{"name", name}, {"mesh", mesh}}, same.places, options, document, group);
   }
   return add_promotion_cards(scene, options, document, materials, group);

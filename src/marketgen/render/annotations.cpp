@@ -14,10 +14,8 @@ struct VisiblePart {
 
   void include(int x, int y, float depth_m) {
     if (pixels++ == 0) box = {x, y, x + 1, y + 1};
-    box = {std::min(box[0], x),
-           std::min(box[1], y),
-           std::max(box[2], x + 1),
-           std::max(box[3], y + 1)};
+    box = {
+        std::min(box[0], x), std::min(box[1], y), std::max(box[2], x + 1), std::max(box[3], y + 1)};
     depth_sum_m += static_cast<double>(depth_m);
   }
 };

@@ -1,8 +1,8 @@
 // What a picture shows, for training and scoring: market-annotations/1.
 //
-// Per object that covers at least one pixel: what it is, its boxes, mask, pose in the camera's frame,
-// and how much of it others hide. Behind glass counts as seen. With it the camera, so that points of
-// the store and of the picture turn into one another.
+// Per object that covers at least one pixel: what it is, its boxes, mask, pose in the camera's
+// frame, and how much of it others hide. Behind glass counts as seen. With it the camera, so that
+// points of the store and of the picture turn into one another.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -81,10 +81,11 @@ struct ObjectAnnotation {
       field("box_px",
             &ObjectAnnotation::box_px,
             "x0, y0, x1, y1 around what shows; x1 and y1 are past the last pixel"),
-      field("full_box_px",
-            &ObjectAnnotation::full_box_px,
-            "x0, y0, x1, y1 around the whole object, hidden parts and those beyond the picture too, "
-            "in the same pixels; absent for the room, and when a part lies behind the camera"),
+      field(
+          "full_box_px",
+          &ObjectAnnotation::full_box_px,
+          "x0, y0, x1, y1 around the whole object, hidden parts and those beyond the picture too, "
+          "in the same pixels; absent for the room, and when a part lies behind the camera"),
       field("silhouette_px",
             &ObjectAnnotation::silhouette_px,
             "how many pixels of the picture would show it alone; products and actors"),

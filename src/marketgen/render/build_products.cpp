@@ -24,8 +24,8 @@ std::vector<std::uint32_t> skus_in_use(const Scene& scene) {
 
 // Filled plastic and glass (assets/archetypes/surfaces.h) are the only plain surfaces so smooth.
 bool is_clear(const Surface& surface) {
-  return surface.kind == SurfaceKind::glass ||
-         (surface.texture.empty() && surface.metallic == 0 && surface.roughness <= smoothest_opaque);
+  return surface.kind == SurfaceKind::glass || (surface.texture.empty() && surface.metallic == 0 &&
+                                                surface.roughness <= smoothest_opaque);
 }
 
 Material material_of(Draft& draft, const Product& product, const Surface& surface) {

@@ -23,7 +23,8 @@ struct Stretch {
 Stretch stretch_at(const LensDistortion& lens, Vec2 p) {
   const double r2 = p.x * p.x + p.y * p.y;
   const double radial = 1 + r2 * (lens.k1 + r2 * (lens.k2 + r2 * lens.k3));
-  const double slope = 2 * (lens.k1 + r2 * (2 * lens.k2 + r2 * 3 * lens.k3));  // d(radial) / d(r2) * 2
+  const double slope =
+      2 * (lens.k1 + r2 * (2 * lens.k2 + r2 * 3 * lens.k3));  // d(radial) / d(r2) * 2
   const double mixed = p.x * p.y * slope + 2 * lens.p1 * p.x + 2 * lens.p2 * p.y;
   return {radial + p.x * p.x * slope + 2 * lens.p1 * p.y + 6 * lens.p2 * p.x,
           mixed,

@@ -40,8 +40,8 @@ Vec2 distorted(const LensDistortion& lens, Vec2 ideal);
 std::optional<Vec2> undistorted(const LensDistortion& lens, Vec2 seen);
 
 // The picture point of a point in the camera's frame, metres; nothing behind the lens, and nothing
-// where the lens has folded its image plane (which happens outside the picture of a lens that passes
-// check_lens).
+// where the lens has folded its image plane (which happens outside the picture of a lens that
+// passes check_lens).
 std::optional<Vec2> project(const Intrinsics& intrinsics, Vec3 camera_point);
 
 // Error camera.bad_lens: numbers that are not finite, focal lengths that are not positive, a field

@@ -16,17 +16,18 @@ std::uint8_t channel_byte(double x) {
   return static_cast<std::uint8_t>(std::clamp(x, 0.0, 1.0) * 255 + 0.5);
 }
 
-// Turbo (A. Mikhailov, "Turbo, an improved rainbow colormap", Google AI blog, 2019), its polynomial.
+// Turbo (A. Mikhailov, "Turbo, an improved rainbow colormap", Google AI blog, 2019), its
+// polynomial.
 Rgb turbo(double x) {
   const auto polynomial = [x](const std::array<double, 6>& c) {
     return c[0] + x * (c[1] + x * (c[2] + x * (c[3] + x * (c[4] + x * c[5]))));
   };
-  return {channel_byte(polynomial({0.13572138, 4.61539260, -42.66032258, 132.13108234,
-                                   -152.94239396, 59.28637943})),
+  return {channel_byte(polynomial(
+              {0.13572138, 4.61539260, -42.66032258, 132.13108234, -152.94239396, 59.28637943})),
           channel_byte(polynomial(
               {0.09140261, 2.19418839, 4.84296658, -14.18503333, 4.27729857, 2.82956604})),
-          channel_byte(polynomial({0.10667330, 12.64194608, -60.58204836, 110.36276771,
-                                   -89.90310912, 27.34824973}))};
+          channel_byte(polynomial(
+              {0.10667330, 12.64194608, -60.58204836, 110.36276771, -89.90310912, 27.34824973}))};
 }
 
 void set_pixel(Image& image, std::size_t pixel, const Rgb& color) {
@@ -60,9 +61,8 @@ std::array<int, 4> drawable(const std::array<double, 4>& box, const Image& image
 
 std::array<float, 2> depth_range_m(const std::vector<float>& depth_m) {
   std::vector<float> seen;
-  std::copy_if(depth_m.begin(), depth_m.end(), std::back_inserter(seen), [](float d) {
-    return d > 0;
-  });
+  std::copy_if(
+      depth_m.begin(), depth_m.end(), std::back_inserter(seen), [](float d) { return d > 0; });
   if (seen.empty()) return {0, 1};
   const auto far = seen.begin() + static_cast<std::ptrdiff_t>((seen.size() - 1) * 98 / 100);
   std::nth_element(seen.begin(), far, seen.end());
@@ -104,8 +104,7 @@ Image draw_boxes(const Frame& frame, const PictureAnnotations& annotations) {
   for (const ObjectAnnotation& object : annotations.objects) {
     if (object.kind != ObjectKind::product && object.kind != ObjectKind::actor) continue;
     const Rgb color = object_color(object.id);
-    if (object.full_box_px)
-      draw_rectangle(image, drawable(*object.full_box_px, image), color, 3);
+    if (object.full_box_px) draw_rectangle(image, drawable(*object.full_box_px, image), color, 3);
     draw_rectangle(image, object.box_px, color, 1);
   }
   return image;
@@ -148,7 +147,8 @@ Image channel_sheet(const std::vector<ChannelPicture>& channels) {
     const int x = gap + static_cast<int>(i) % sheet_columns * step_x;
     const int y = static_cast<int>(i) / sheet_columns * step_y + caption;
     for (int row = 0; row < picture.height; ++row)
-      std::copy_n(picture.at(0, row), static_cast<std::size_t>(picture.width) * 3, sheet.at(x, y + row));
+      std::copy_n(
+          picture.at(0, row), static_cast<std::size_t>(picture.width) * 3, sheet.at(x, y + row));
   }
   return sheet;
 }

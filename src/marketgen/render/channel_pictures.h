@@ -9,14 +9,16 @@
 
 namespace marketgen {
 
-// Depth, near yellow and red to far blue; black where there is none. `range_m`: nearest and farthest.
+// Depth, near yellow and red to far blue; black where there is none. `range_m`: nearest and
+// farthest.
 Image draw_depth(const std::vector<float>& depth_m,
                  int width,
                  int height,
                  std::array<float, 2> range_m);
 // From the nearest depth to that which 98 % of the pixels keep to; {0, 1} without depth.
 std::array<float, 2> depth_range_m(const std::vector<float>& depth_m);
-Image draw_matter(const Frame& frame);  // black none, grey solid, blue glass, yellow metal, green clear
+Image draw_matter(
+    const Frame& frame);  // black none, grey solid, blue glass, yellow metal, green clear
 // A colour per category, that of its row.
 Image draw_categories(const Frame& frame, const PictureCategories& categories);
 // The colour picture with the boxes of products and actors: what shows, and thin what is hidden.

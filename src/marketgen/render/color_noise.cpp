@@ -40,7 +40,8 @@ Image noisy_color(const Image& picture,
     Stream draw = noise.child("row", row).stream();
     const int y = static_cast<int>(row);
     for (int x = 0; x < picture.width; ++x) {
-      const raytrace::Ray ray = view.ray(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+      const raytrace::Ray ray =
+          view.ray(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
       const double cosine = static_cast<double>(view.depth_of(ray, 1));
       const double gain = 1 - sensor.vignette * (1 - cosine * cosine * cosine * cosine);
       for (int c = 0; c < 3; ++c) {

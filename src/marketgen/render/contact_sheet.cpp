@@ -10,7 +10,7 @@
 namespace marketgen {
 namespace {
 
-constexpr int product_room_mm = 9000;           // a bright empty room round the product
+constexpr int product_room_mm = 9000;   // a bright empty room round the product
 constexpr double product_fov_deg = 22;  // little perspective
 
 // A scene with one product in the middle of an empty room, on a white block at hand height.

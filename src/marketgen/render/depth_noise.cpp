@@ -29,7 +29,9 @@ class Patches {
     const double u = x / pitch_, v = y / pitch_;
     const auto column = static_cast<int>(u), row = static_cast<int>(v);
     const double fu = u - column, fv = v - row;
-    const auto node = [&](int r, int c) { return nodes_[static_cast<std::size_t>(r * columns_ + c)]; };
+    const auto node = [&](int r, int c) {
+      return nodes_[static_cast<std::size_t>(r * columns_ + c)];
+    };
     return (node(row, column) * (1 - fu) + node(row, column + 1) * fu) * (1 - fv) +
            (node(row + 1, column) * (1 - fu) + node(row + 1, column + 1) * fu) * fv;
   }
@@ -80,7 +82,8 @@ class StereoPicture {
   }
   Matter matter(int x, int y) const { return static_cast<Matter>(frame_.matter[at(x, y)]); }
   double clamped(int x, int y) const {
-    return disparity_[at(std::clamp(x, 0, view_.width() - 1), std::clamp(y, 0, view_.height() - 1))];
+    return disparity_[at(std::clamp(x, 0, view_.width() - 1),
+                         std::clamp(y, 0, view_.height() - 1))];
   }
 
   bool is_edge(int x, int y) const {
@@ -127,8 +130,9 @@ class StereoPicture {
       case Matter::clear:
         return patches_.at(x, y) < stereo_.clear_holes || is_overexposed(pixel);
       case Matter::metal: {
-        const Vec3f normal{
-            frame_.normals[3 * pixel], frame_.normals[3 * pixel + 1], frame_.normals[3 * pixel + 2]};
+        const Vec3f normal{frame_.normals[3 * pixel],
+                           frame_.normals[3 * pixel + 1],
+                           frame_.normals[3 * pixel + 2]};
         const raytrace::Ray ray =
             view_.ray(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
         return -dot(normal, ray.direction) < stereo_.least_metal_facing || is_overexposed(pixel);

@@ -5,8 +5,10 @@
 //   disparity = fx * baseline / depth; error of depth = depth^2 * error of disparity / (fx *
 //     baseline): A. Grunnet-Jepsen, J. Sweetser, J. Woodfill, "Tuning depth cameras for best
 //     performance", Intel RealSense documentation; its D435 has subpixel errors below 0.1 px.
-//   The left edge without depth, fx * baseline / depth wide, and the baseline of 50 mm: "Intel
-//     RealSense D400 Series Product Family Datasheet", 337029, invalid depth band.
+//   Disparity has five fractional bits: librealsense, proc/disparity-transform.
+//   The left edge without depth, fx * baseline / depth wide, the baseline of 50 mm and the least
+//     depths: "Intel RealSense D400 Series Product Family Datasheet", 337029, sections "Invalid Depth
+//     Band" and "Minimum-Z Depth".
 //   Edges: depth is looked up half a pixel away at random and interpolated, A. Handa et al., "A
 //     benchmark for RGB-D visual odometry, 3D reconstruction and SLAM", ICRA 2014.
 //   What a missing match looks like on glass and clear packs (holes, and depth of what is behind):
@@ -23,20 +25,20 @@ namespace marketgen {
 
 struct StereoCamera {
   double baseline_m = 0.050;
-  double disparity_noise_px = 0.08;    // one sigma
+  double disparity_noise_px = 0.08;  // one sigma
   double disparity_step_px = 1.0 / 32;
-  double largest_disparity_px = 126;   // what is nearer has no depth
+  double largest_disparity_px = 126;  // what is nearer has no depth
   double farthest_m = 10;
-  double edge_shift_px = 0.5;          // one sigma
+  double edge_shift_px = 0.5;  // one sigma
   // Shares of the surface without depth, in patches that stay where they are from frame to frame.
   double glass_holes = 0.5, clear_holes = 0.4;
-  double clear_noise_factor = 3;       // of disparity_noise_px on clear packs
-  double least_metal_facing = 0.35;    // cosine of the view to bare metal: below, it has no depth
-  int overexposed = 250;               // all channels at least: no print to match
+  double clear_noise_factor = 3;     // of disparity_noise_px on clear packs
+  double least_metal_facing = 0.35;  // cosine of the view to bare metal: below, it has no depth
+  int overexposed = 250;             // all channels at least: no print to match
 };
 
-// The shortest depth that it measures, metres: fx * baseline / largest disparity. Within 10 % of the
-// datasheet's 280, 195, 175 mm at widths of 1280, 848, 640.
+// The shortest depth that it measures, metres: fx * baseline / largest disparity. Within 10 % of
+// the datasheet's 280, 195, 175 mm at widths of 1280, 848, 640.
 double least_depth_m(const StereoCamera& stereo, const Intrinsics& intrinsics);
 
 // Depth along the optical axis in metres, 0 = none, as the left eye at `camera` measures it; its

@@ -59,8 +59,8 @@ std::uint16_t Draft::material(const Material& material) {
   if (world_.materials.size() > 65'000) fatal("more than 65,000 materials in one world");
   const bool glows = material.emission.x + material.emission.y + material.emission.z > 0;
   if (!glows) {
-    const float kind = static_cast<float>(material.texture) * 4 +
-                       (material.glass ? 1.0F : 0.0F) + (material.clear ? 2.0F : 0.0F);
+    const float kind = static_cast<float>(material.texture) * 4 + (material.glass ? 1.0F : 0.0F) +
+                       (material.clear ? 2.0F : 0.0F);
     const std::array<float, 7> look{material.color.x,
                                     material.color.y,
                                     material.color.z,

@@ -33,8 +33,8 @@ struct Film {
   std::vector<std::uint32_t> instance;  // Frame::instance
   std::vector<std::uint16_t> material;
   std::vector<std::uint8_t> matter;  // Frame::matter
-  Planes3 albedo, irradiance;  // diffuse
-  Planes3 reflectance, gloss;  // mirrored light
+  Planes3 albedo, irradiance;        // diffuse
+  Planes3 reflectance, gloss;        // mirrored light
   Planes3 emission, transmittance, overlay;
 
   Film(int w, int h);

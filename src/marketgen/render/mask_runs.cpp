@@ -47,8 +47,9 @@ std::map<std::uint32_t, MaskRuns> mask_runs_of(const std::vector<std::uint32_t>&
   std::uint32_t last_number = 0, at = 0;
   for (int x = 0; x < width; ++x) {
     for (int y = 0; y < height; ++y, ++at) {
-      const std::uint32_t number = plane[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                                         static_cast<std::size_t>(x)];
+      const std::uint32_t number =
+          plane[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                static_cast<std::size_t>(x)];
       if (number == 0) continue;
       if (number != last_number || last == nullptr) {
         last = &open[number];

@@ -1,9 +1,10 @@
 // Masks of pictures as run lengths, in COCO's compressed form.
 //
 // A mask is the lengths of its runs of pixels, column by column from the top left, by turns outside
-// and inside, outside first. COCO writes each length (from the third on: less the one two before) in
-// groups of five bits, lowest first, as characters from '0' on; bit 5 of a character says that more
-// follow. Source: the COCO API's maskApi.c (rleToString), https://github.com/cocodataset/cocoapi.
+// and inside, outside first. COCO writes each length (from the third on: less the one two before)
+// in groups of five bits, lowest first, as characters from '0' on; bit 5 of a character says that
+// more follow. Source: the COCO API's maskApi.c (rleToString),
+// https://github.com/cocodataset/cocoapi.
 #pragma once
 #include <array>
 #include <cstdint>

@@ -76,10 +76,10 @@ Image draw_object_ids(const Frame& frame) {
 
 std::vector<std::uint16_t> category_ids(const Frame& frame, const PictureCategories& categories) {
   std::vector<std::uint16_t> ids(frame.instance.size());
-  std::transform(frame.instance.begin(),
-                 frame.instance.end(),
-                 ids.begin(),
-                 [&](std::uint32_t object) { return categories.of(object); });
+  std::transform(
+      frame.instance.begin(), frame.instance.end(), ids.begin(), [&](std::uint32_t object) {
+        return categories.of(object);
+      });
   return ids;
 }
 

@@ -46,11 +46,11 @@ struct PictureCategory {
   std::string name;   // product category, fixture kind; "shell", "actor"
   std::string color;  // in draw_categories()
 
-  static constexpr auto fields = field_list(
-      field("id", &PictureCategory::id, "number in the picture of categories"),
-      field("kind", &PictureCategory::kind, "shell, fixture, product or actor"),
-      field("name", &PictureCategory::name, "product category or fixture kind"),
-      field("color", &PictureCategory::color, "in the coloured picture of categories"));
+  static constexpr auto fields =
+      field_list(field("id", &PictureCategory::id, "number in the picture of categories"),
+                 field("kind", &PictureCategory::kind, "shell, fixture, product or actor"),
+                 field("name", &PictureCategory::name, "product category or fixture kind"),
+                 field("color", &PictureCategory::color, "in the coloured picture of categories"));
 };
 
 // All categories of a scene: 1 shell, 2 actor, then its fixture kinds and its product categories by

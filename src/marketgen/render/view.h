@@ -1,5 +1,5 @@
-// A camera turned into rays. A lens without distortion costs a ray nothing; with distortion each ray
-// takes a few steps of Newton's method.
+// A camera turned into rays. A lens without distortion costs a ray nothing; with distortion each
+// ray takes a few steps of Newton's method.
 #pragma once
 #include <optional>
 

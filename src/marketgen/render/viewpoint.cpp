@@ -22,7 +22,8 @@ PointMm point_mm(Vec3 p) {
 
 bool is_in_room(const Shell& shell, Vec3 p) {
   if (!(p.z >= 0 && p.z <= shell.ceiling_mm * 1e-3)) return false;
-  if (std::fabs(p.x) > 1e4 || std::fabs(p.y) > 1e4) return false;  // beyond what fits in millimetres
+  if (std::fabs(p.x) > 1e4 || std::fabs(p.y) > 1e4)
+    return false;  // beyond what fits in millimetres
   return contains(raytrace::room_of(shell).outline, point_mm(p));
 }
 
@@ -116,9 +117,10 @@ Result<void> check_viewpoint(const Scene& scene, const Camera& camera, const std
   }
   MARKETGEN_TRY(const std::optional<std::string> holder, holder_of(scene, eye));
   if (!holder) return {};
-  return Error{"camera.inside_object",
-               where,
-               fmt::format("it stands at {}, inside {}; move it out of there", written(eye), *holder)};
+  return Error{
+      "camera.inside_object",
+      where,
+      fmt::format("it stands at {}, inside {}; move it out of there", written(eye), *holder)};
 }
 
 }  // namespace marketgen

@@ -28,7 +28,8 @@ void keep_nearest(std::optional<Met>& best, double t, Vec3 normal, std::uint32_t
   if (t > 0.02 && (!best || t < best->t)) best = Met{t, normal, object};
 }
 
-void meet_sphere(std::optional<Met>& best, Eye eye, Vec3 d, Vec3 middle, double r, std::uint32_t id) {
+void meet_sphere(
+    std::optional<Met>& best, Eye eye, Vec3 d, Vec3 middle, double r, std::uint32_t id) {
   const Vec3 off = eye - middle;
   const double b = dot(off, d), root = b * b - dot(off, off) + r * r;
   if (root < 0) return;
@@ -37,8 +38,13 @@ void meet_sphere(std::optional<Met>& best, Eye eye, Vec3 d, Vec3 middle, double 
 }
 
 // Upright, from z0 to z1, caps included.
-void meet_cylinder(
-    std::optional<Met>& best, Eye eye, Vec3 d, Vec3 middle, double r, double half, std::uint32_t id) {
+void meet_cylinder(std::optional<Met>& best,
+                   Eye eye,
+                   Vec3 d,
+                   Vec3 middle,
+                   double r,
+                   double half,
+                   std::uint32_t id) {
   const Vec3 off = eye - middle;
   const double a = d.x * d.x + d.y * d.y, b = off.x * d.x + off.y * d.y;
   const double root = b * b - a * (off.x * off.x + off.y * off.y - r * r);
@@ -153,7 +159,8 @@ Vec3 direction_of(const Intrinsics& k, int x, int y) {
 bool is_plain_around(const Bodies& bodies, const Camera& camera, const Pose& pose, int x, int y) {
   const Intrinsics k = intrinsics_of(camera);
   const auto met = [&](int px, int py) {
-    return bodies.expected(pose.position, normalized(rotate(pose.rotation, direction_of(k, px, py))));
+    return bodies.expected(pose.position,
+                           normalized(rotate(pose.rotation, direction_of(k, px, py))));
   };
   const Met here = met(x, y);
   for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {

@@ -173,8 +173,8 @@ TEST(Annotations, MasksAreTheInstancePlane) {
   }
 }
 
-// pycocotools 2.0.11, mask.encode of a 6 x 5 mask with pixels (row, column) (2,1) (3,1) (0,3) (5,4),
-// and of one that is full: its counts.
+// pycocotools 2.0.11, mask.encode of a 6 x 5 mask with pixels (row, column) (2,1) (3,1) (0,3)
+// (5,4), and of one that is full: its counts.
 TEST(MaskRuns, AreWrittenAsCocoWritesThem) {
   std::vector<std::uint32_t> plane(30);
   for (const auto& [row, column] : {std::pair{2, 1}, {3, 1}, {0, 3}, {5, 4}})
@@ -188,8 +188,8 @@ TEST(MaskRuns, AreWrittenAsCocoWritesThem) {
 TEST(Channels, EveryPlaneHasItsPicture) {
   Stage stage;
   const auto all = stage.annotated({crate("crate", {3.1, 2, 0.8}, {0.1F, 0.1F, 0.1F})});
-  const auto channels = channel_pictures(
-      stage.frame, stage.scene, all, {stage.frame.color, stage.frame.depth_m});
+  const auto channels =
+      channel_pictures(stage.frame, stage.scene, all, {stage.frame.color, stage.frame.depth_m});
   ASSERT_EQ(channels.size(), 9U);
   for (const ChannelPicture& channel : channels) {
     EXPECT_EQ(channel.image.width, 401) << channel.name;

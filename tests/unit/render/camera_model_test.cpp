@@ -167,10 +167,9 @@ TEST(CameraFiles, RefuseWhatIsNoCamera) {
   EXPECT_EQ(code_after([](CameraFile& f) { f.width = 0; }), "camera.bad_size");
   EXPECT_EQ(code_after([](CameraFile& f) { f.width = f.height = 32768; }), "camera.bad_size");
   EXPECT_EQ(code_after([](CameraFile& f) { f.rotation_wxyz = {0, 0, 0, 0}; }), "camera.degenerate");
-  EXPECT_EQ(code_after([](CameraFile& f) {
-              f.position_m[1] = std::numeric_limits<double>::quiet_NaN();
-            }),
-            "camera.degenerate");
+  EXPECT_EQ(
+      code_after([](CameraFile& f) { f.position_m[1] = std::numeric_limits<double>::quiet_NaN(); }),
+      "camera.degenerate");
   EXPECT_EQ(code_after([](CameraFile& f) {
               f.rotation_wxyz[2] = std::numeric_limits<double>::quiet_NaN();
             }),

@@ -87,8 +87,12 @@ TEST(DepthNoise, WhatIsTooNearOrTooFarHasNoDepth) {
   const Camera camera = sensor_camera();
   const double least = least_depth_m(StereoCamera{}, intrinsics_of(camera));
   EXPECT_NEAR(least, 415.69 * 0.05 / 126, 1e-4);  // 165 mm
-  EXPECT_EQ(share_without(measured(wall(camera, static_cast<float>(least * 0.98)), camera), 640, 200, 640), 1);
-  EXPECT_EQ(share_without(measured(wall(camera, static_cast<float>(least * 1.02)), camera), 640, 200, 640), 0);
+  EXPECT_EQ(share_without(
+                measured(wall(camera, static_cast<float>(least * 0.98)), camera), 640, 200, 640),
+            1);
+  EXPECT_EQ(share_without(
+                measured(wall(camera, static_cast<float>(least * 1.02)), camera), 640, 200, 640),
+            0);
   EXPECT_EQ(share_without(measured(wall(camera, 12), camera), 640, 100, 640), 1);
 }
 
@@ -132,8 +136,10 @@ TEST(DepthNoise, APostCastsAStereoShadow) {
 
 TEST(DepthNoise, GlassAndClearPacksHaveHolesAndMetalAtAGlance) {
   const Camera camera = sensor_camera();
-  EXPECT_NEAR(share_without(measured(wall(camera, 1, Matter::glass), camera), 640, 40, 640), 0.5, 0.1);
-  EXPECT_NEAR(share_without(measured(wall(camera, 1, Matter::clear), camera), 640, 40, 640), 0.35, 0.12);
+  EXPECT_NEAR(
+      share_without(measured(wall(camera, 1, Matter::glass), camera), 640, 40, 640), 0.5, 0.1);
+  EXPECT_NEAR(
+      share_without(measured(wall(camera, 1, Matter::clear), camera), 640, 40, 640), 0.35, 0.12);
   EXPECT_EQ(share_without(measured(wall(camera, 1, Matter::none), camera), 640, 40, 640), 1);
   Frame metal = wall(camera, 1, Matter::metal);
   EXPECT_EQ(share_without(measured(metal, camera), 640, 40, 640), 0);  // seen squarely

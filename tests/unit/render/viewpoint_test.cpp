@@ -23,7 +23,11 @@ Error refusal(const Scene& scene, Vec3 eye) {
 TEST(Viewpoint, StandsInTheRoomOnly) {
   const Scene scene = empty_room(6000, 4000, 3000);
   EXPECT_EQ(refusal(scene, {3, 2, 1.5}).code, "");
-  for (const Vec3 outside : {Vec3{-0.1, 2, 1.5}, {6.1, 2, 1.5}, {3, 4.2, 1}, {3, 2, 3.1}, {3, 2, -0.01},
+  for (const Vec3 outside : {Vec3{-0.1, 2, 1.5},
+                             {6.1, 2, 1.5},
+                             {3, 4.2, 1},
+                             {3, 2, 3.1},
+                             {3, 2, -0.01},
                              Vec3{1e9, 0, 1}}) {
     EXPECT_EQ(refusal(scene, outside).code, "camera.outside_store") << outside.x;
   }

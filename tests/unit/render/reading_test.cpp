@@ -1,0 +1,213 @@
+// What can be read from pictures taken at stated distances by a plain camera (1280 x 720, 60
+// degrees high): bar codes by zbar, prices and names on shelf labels by tesseract.
+//
+// tools/read_distances sets MARKETGEN_READING=all: more goods, every distance, and the labels,
+// whose reader tools/setup does not install. MARKETGEN_READING_PICTURES keeps the pictures in that
+// folder.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <string>
+
+#include "base/text.h"
+#include "io/file.h"
+#include "support/bar_faces.h"
+#include "synthetic_scene.h"
+
+namespace marketgen {
+namespace {
+
+bool reads_all() {
+  return std::getenv("MARKETGEN_READING") != nullptr;
+}
+
+std::filesystem::path picture_folder(const ScratchFolder& scratch) {
+  const char* kept = std::getenv("MARKETGEN_READING_PICTURES");
+  const std::filesystem::path folder = kept == nullptr ? scratch.path() : kept;
+  std::filesystem::create_directories(folder);
+  return folder;
+}
+
+// Every n-th packed product of the catalogue.
+std::vector<Product> some_products(std::size_t count) {
+  const Catalog catalog = load_catalog(data_folder().value()).value();
+  std::vector<Product> packed, chosen;
+  std::copy_if(catalog.products.begin(),
+               catalog.products.end(),
+               std::back_inserter(packed),
+               [](const Product& product) { return !product.ean.empty(); });
+  for (std::size_t i = 0; i < count; ++i)
+    chosen.push_back(packed[i * packed.size() / count]);
+  return chosen;
+}
+
+Camera hand_camera(const std::string& name, Vec3 at, double distance_m) {
+  Camera camera{name, at - Vec3{0, distance_m, 0}, at};
+  camera.fov_deg = 60;
+  camera.width = 1280, camera.height = 720;
+  return camera;
+}
+
+int bar_codes_read(const BarStage& stage,
+                   Renderer& renderer,
+                   double distance_m,
+                   const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  for (const Camera& shown : stage.cameras) {
+    const Camera camera = hand_camera(shown.name, shown.at, distance_m);
+    files.push_back(folder / (shown.name + ".png"));
+    RenderOptions options;
+    options.quality = Quality::fast;
+    EXPECT_TRUE(write_png(files.back(), renderer.render(camera, options)->color).ok());
+  }
+  const auto codes = scanned(files);
+  return static_cast<int>(std::ranges::count_if(stage.scene.catalog, [&](const Product& product) {
+    const auto found = codes.find(product.sku);
+    return found != codes.end() && found->second == product.ean;
+  }));
+}
+
+// A module of the smallest symbol, 0.264 mm, covers 1.6 pixels at 0.1 m.
+TEST(Reading, BarCodesAtAHandsDistance) {
+  const BarStage stage = bar_stage(some_products(reads_all() ? 20 : 4));
+  const ScratchFolder scratch;
+  const std::filesystem::path folder = picture_folder(scratch);
+  const auto renderer = Renderer::create(stage.scene).value();
+  const std::vector<double> distances =
+      reads_all() ? std::vector<double>{0.1, 0.15, 0.2, 0.3, 0.5} : std::vector<double>{0.1};
+  const double count = static_cast<double>(stage.cameras.size());
+  for (const double distance_m : distances) {
+    const int right = bar_codes_read(stage, *renderer, distance_m, folder);
+    std::printf("bar codes at %.2f m: %d of %.0f\n", distance_m, right, count);
+    if (distance_m == 0.1) {
+      EXPECT_GE(right, 0.8 * count);
+    }
+  }
+}
+
+// A white board in a room with price labels on it, 0.4 m apart, as on a shelf's edge.
+struct LabelBoard {
+  Scene scene = empty_room(9000, 5000, 3000);
+  std::vector<Vec3> middles;  // of the labels, by product
+
+  explicit LabelBoard(const std::vector<Product>& products) {
+    scene.layout.look.light_lux = 1000;
+    scene.layout.look.floor = scene.layout.look.wall = scene.layout.look.ceiling = "";
+    add_box_fixture(scene, {4.5F, 3, 0}, {0, 0.1F, 1}, {4, 0.1F, 1});
+    for (std::size_t i = 0; i < products.size(); ++i)
+      add_label(products[i], static_cast<std::uint32_t>(i));
+    scene.fixtures[0].shelf_count = static_cast<std::uint32_t>(scene.shelves.size());
+  }
+
+  void add_label(const Product& product, std::uint32_t i) {
+    SceneShelf shelf;
+    shelf.position_m = {
+        -3.6F + 0.4F * static_cast<float>(i % 19), 0, 0.7F + 0.3F * static_cast<float>(i / 19)};
+    shelf.width_m = 0.4F;
+    scene.shelves.push_back(shelf);
+    scene.catalog.push_back(product);
+    PriceLabel label;
+    label.shelf = label.sku = i;
+    label.x_m = 0.2F;
+    scene.price_labels.push_back(label);
+    // 18 mm below the shelf and 7 mm before it is where a rail holds them.
+    const auto shelf_at = world_from_shelf(scene, i).position;
+    middles.push_back(shelf_at + Vec3{0, -0.0068, -0.018});
+  }
+};
+
+// A part of the label in the picture, by shares of its width and height, four times enlarged: what
+// a reader gets that knows where the label is.
+Image enlarged_part(const Frame& frame,
+                    const Camera& camera,
+                    Vec3 middle,
+                    std::array<double, 4> part) {
+  const PriceLabel sizes;
+  const Projection project(camera);
+  const auto corner = [&](double u, double v) {
+    return *project(middle + Vec3{(u - 0.5) * static_cast<double>(sizes.width_m),
+                                  0,
+                                  (0.5 - v) * static_cast<double>(sizes.height_m)});
+  };
+  const Vec2 low = corner(part[0], part[1]), high = corner(part[2], part[3]);
+  constexpr int zoom = 4, margin = 40;
+  Image image(static_cast<int>((high.x - low.x) * zoom) + 2 * margin,
+              static_cast<int>((high.y - low.y) * zoom) + 2 * margin);
+  std::fill(image.pixels.begin(), image.pixels.end(), std::uint8_t{235});
+  for (int y = margin; y < image.height - margin; ++y) {
+    for (int x = margin; x < image.width - margin; ++x) {
+      const double u = low.x + (x - margin) / double(zoom), v = low.y + (y - margin) / double(zoom);
+      const int column = static_cast<int>(u), row = static_cast<int>(v);
+      for (int c = 0; c < 3; ++c) {
+        const auto mixed = [&](int r) {
+          return frame.color.at(column, r)[c] * (1 - (u - column)) +
+                 frame.color.at(column + 1, r)[c] * (u - column);
+        };
+        image.at(x, y)[c] =
+            static_cast<std::uint8_t>(mixed(row) * (1 - (v - row)) + mixed(row + 1) * (v - row));
+      }
+    }
+  }
+  return image;
+}
+
+std::string read_by_tesseract(const std::filesystem::path& file, bool digits) {
+  std::vector<std::string> command{
+      "tesseract", file.string(), "stdout", "--psm", digits ? "7" : "6"};
+  if (digits) command.insert(command.end(), {"-c", "tessedit_char_whitelist=0123456789"});
+  return run(command).out;
+}
+
+// Whether one of the name's words of four letters or more is in the text.
+bool names(const std::string& text, const Product& product) {
+  const std::string lower = lower_ascii(text);
+  for (const std::string& word : split(product.name, ' ')) {
+    if (word.size() >= 4 && lower.find(lower_ascii(word)) != std::string::npos) return true;
+  }
+  return false;
+}
+
+TEST(Reading, LabelsAtArmsLength) {
+  if (!reads_all()) GTEST_SKIP() << "tools/read_distances reads labels";
+  const std::vector<Product> products = some_products(19);
+  const LabelBoard board(products);
+  const ScratchFolder scratch;
+  const std::filesystem::path folder = picture_folder(scratch);
+  const auto renderer = Renderer::create(board.scene).value();
+  RenderOptions options;
+  options.quality = Quality::fast;
+  for (const double distance_m : {0.3, 0.5, 0.8}) {
+    int prices = 0, named = 0;
+    for (std::size_t i = 0; i < products.size(); ++i) {
+      const Camera camera = hand_camera(products[i].sku, board.middles[i], distance_m);
+      const Frame frame = renderer->render(camera, options).value();
+      const std::string stem = fmt::format("{}-{:.1f}", products[i].sku, distance_m);
+      const auto price = folder / (stem + "-price.png"), name = folder / (stem + "-name.png");
+      EXPECT_TRUE(
+          write_png(price,
+                    enlarged_part(frame, camera, board.middles[i], {0.57, 0.06, 0.985, 0.74}))
+              .ok());
+      EXPECT_TRUE(
+          write_png(name, enlarged_part(frame, camera, board.middles[i], {0.01, 0.02, 0.57, 0.7}))
+              .ok());
+      const std::string cents = std::to_string(std::lround(products[i].price * 100));
+      const std::string digits = read_by_tesseract(price, true);
+      prices += digits.find(cents) != std::string::npos ? 1 : 0;
+      named += names(read_by_tesseract(name, false), products[i]) ? 1 : 0;
+    }
+    std::printf("labels at %.1f m: price of %d, name of %d of %zu\n",
+                distance_m,
+                prices,
+                named,
+                products.size());
+    if (distance_m == 0.3) {
+      EXPECT_GE(named, static_cast<int>(products.size() * 6 / 10));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace marketgen
