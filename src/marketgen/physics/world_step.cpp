@@ -169,9 +169,9 @@ Result<void> World::State::step_once() {
   }
   MARKETGEN_CHECK(wake_near_actors());
   MARKETGEN_CHECK(wake_near_moving_fixtures());
-  MARKETGEN_CHECK(guarded(step_where, [=] { mj_step1(model, now); }));
+  MARKETGEN_CHECK(find_contacts());
   for (int pass = 0; pass < most_passes && wake_touched(); ++pass)
-    MARKETGEN_CHECK(guarded(step_where, [=] { mj_step1(model, now); }));
+    MARKETGEN_CHECK(find_contacts());
   set_frictions();
   MARKETGEN_CHECK(guarded(step_where, [=] { mj_step2(model, now); }));
   ++steps;
