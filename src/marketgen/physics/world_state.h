@@ -74,7 +74,8 @@ struct World::State {
   // ---- world_step.cpp ----
 
   Result<void> step_once();
-  bool wake_touched();  // after the contacts are known; true when any woke
+  bool in_hand() const;  // an actor touched something but the room and itself in the last step
+  bool wake_touched();   // after the contacts are known; true when any woke
   Result<void> wake_near_actors();
   Result<void> wake_near_moving_fixtures();
   Result<void> wake_within(int geom, double reach_m);  // products as near as that to a geom
