@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "physics/fixture_bodies.h"
 #include "physics/soft_body.h"
 #include "physics/spec_geoms.h"
-#include "physics/world_tree.h"
 
 namespace marketgen {
 namespace {
@@ -85,39 +83,6 @@ void sleep_alone(mjData& d, int tree) {
   d.tree_asleep[tree] = tree;
 }
 
-void leaf_box(const mjModel& m, int g, mjtNum box[6]) {
-  mjtNum r[9];
-  mju_quat2Mat(r, m.geom_quat + 4 * g);
-  for (int i = 0; i < 3; ++i) {
-    mjtNum center = m.geom_pos[3 * g + i], half = 0;
-    for (int j = 0; j < 3; ++j) {
-      center += r[3 * i + j] * m.geom_aabb[6 * g + j];
-      half += std::abs(r[3 * i + j]) * m.geom_aabb[6 * g + 3 + j];
-    }
-    box[i] = center, box[3 + i] = half;
-  }
-}
-
-// The box around a node's children.
-void join_children(mjModel& m, int node) {
-  mjtNum low[3], high[3];
-  std::fill(low, low + 3, std::numeric_limits<mjtNum>::max());
-  std::fill(high, high + 3, std::numeric_limits<mjtNum>::lowest());
-  const int first = m.body_bvhadr[0];
-  for (int k = 0; k < 2; ++k) {
-    const int child = m.bvh_child[2 * (first + node) + k];
-    if (child < 0) continue;
-    const mjtNum* box = m.bvh_aabb + 6 * (first + child);
-    for (int i = 0; i < 3; ++i) {
-      low[i] = std::min(low[i], box[i] - box[3 + i]);
-      high[i] = std::max(high[i], box[i] + box[3 + i]);
-    }
-  }
-  mjtNum* box = m.bvh_aabb + 6 * (first + node);
-  for (int i = 0; i < 3; ++i)
-    box[i] = (low[i] + high[i]) / 2, box[3 + i] = (high[i] - low[i]) / 2;
-}
-
 }  // namespace
 
 void dress_body(
@@ -165,33 +130,17 @@ void settle_wake(mjData& d, const PoolBody& body) {
   if (force == 0) force = 0.0;
 }
 
-WorldBounds::WorldBounds(mjModel& m) {
-  rebuild_world_tree(m);
-  const int first = m.body_bvhadr[0], count = m.body_bvhnum[0];
-  parent_.assign(static_cast<std::size_t>(count), -1);
-  leaf_of_.assign(static_cast<std::size_t>(m.ngeom), -1);
-  for (int node = 0; node < count; ++node) {
-    for (int k = 0; k < 2; ++k) {
-      const int child = m.bvh_child[2 * (first + node) + k];
-      if (child >= 0) parent_[static_cast<std::size_t>(child)] = node;
+Box3 box_of_geom(const mjModel& m, int geom, const mjtNum* position, const mjtNum* rotation) {
+  const mjtNum* box = m.geom_aabb + 6 * geom;
+  mjtNum middle[3], half[3];
+  for (int i = 0; i < 3; ++i) {
+    middle[i] = position[i], half[i] = 0;
+    for (int j = 0; j < 3; ++j) {
+      middle[i] += rotation[3 * i + j] * box[j];
+      half[i] += std::abs(rotation[3 * i + j]) * box[3 + j];
     }
-    const int geom = m.bvh_nodeid[first + node];
-    if (geom < 0 || m.geom_type[geom] == mjGEOM_PLANE) continue;
-    leaf_of_[static_cast<std::size_t>(geom)] = node;
-    leaf_box(m, geom, m.bvh_aabb + 6 * (first + node));
   }
-  for (int node = count - 1; node >= 0; --node) {  // children stand behind their parents
-    if (m.bvh_nodeid[first + node] < 0) join_children(m, node);
-  }
-}
-
-void WorldBounds::refit(mjModel& m, int geom) const {
-  const int leaf = leaf_of_[static_cast<std::size_t>(geom)];
-  if (leaf < 0) return;
-  leaf_box(m, geom, m.bvh_aabb + 6 * (m.body_bvhadr[0] + leaf));
-  for (int node = parent_[static_cast<std::size_t>(leaf)]; node >= 0;
-       node = parent_[static_cast<std::size_t>(node)])
-    join_children(m, node);
+  return {vec3_of(middle) - vec3_of(half), vec3_of(middle) + vec3_of(half)};
 }
 
 void switch_geom(mjModel& m, int geom, bool on) {
@@ -199,14 +148,13 @@ void switch_geom(mjModel& m, int geom, bool on) {
   m.geom_conaffinity[geom] = on ? goods_affinity : 0;
 }
 
-void move_geom(mjModel& m, mjData& d, const WorldBounds& bounds, int geom, const ShapePose& pose) {
+void move_geom(mjModel& m, mjData& d, int geom, const ShapePose& pose) {
   mju_copy(m.geom_pos + 3 * geom, pose.position, 3);
   mju_copy(m.geom_quat + 4 * geom, pose.rotation, 4);
   m.geom_sameframe[geom] = mjSAMEFRAME_NONE;
   mju_copy(d.geom_xpos + 3 * geom, pose.position, 3);
   mju_copy(d.geom_xquat + 4 * geom, pose.rotation, 4);
   mju_quat2Mat(d.geom_xmat + 9 * geom, pose.rotation);
-  bounds.refit(m, geom);
 }
 
 ShapePose geom_pose(const mjModel& m, int geom) {

@@ -5,8 +5,7 @@
 // Everything that MuJoCo derives from a shape at compile time is derived here as well, with its
 // formulas.
 #pragma once
-#include <vector>
-
+#include "physics/product_grid.h"
 #include "physics/store_model.h"
 
 namespace marketgen {
@@ -38,20 +37,11 @@ void park_body(mjModel& model, mjData& data, const PoolBody& body);
 void mark_wake(mjData& data, const PoolBody& body);
 void settle_wake(mjData& data, const PoolBody& body);
 
-// The bounding volumes of the world body's geoms.
-class WorldBounds {
- public:
-  explicit WorldBounds(mjModel& model);  // computes all of them anew, with our own rounding
-  void refit(mjModel& model, int geom) const;
-
- private:
-  std::vector<int> parent_, leaf_of_;  // node of node; node of geom, -1 for none
-};
+// The upright box around a geom that stands so; `rotation` is MuJoCo's matrix of nine.
+Box3 box_of_geom(const mjModel& model, int geom, const mjtNum* position, const mjtNum* rotation);
 
 void switch_geom(mjModel& model, int geom, bool on);
-// Of a static geom; `bounds` are kept up.
-void move_geom(
-    mjModel& model, mjData& data, const WorldBounds& bounds, int geom, const ShapePose& pose);
+void move_geom(mjModel& model, mjData& data, int geom, const ShapePose& pose);  // a static one
 ShapePose geom_pose(const mjModel& model, int geom);
 
 }  // namespace marketgen

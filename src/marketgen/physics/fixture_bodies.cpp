@@ -9,7 +9,8 @@ namespace {
 
 class FixtureBuilder {
  public:
-  FixtureBuilder(mjsBody* world, const Scene& scene) : world_(world), scene_(scene) {
+  FixtureBuilder(mjsBody* world, StillGeoms& still, const Scene& scene)
+      : world_(world), still_(still), scene_(scene) {
     made_.joints.resize(scene.joints.size());
     parts_on_.resize(scene.joints.size());
     children_.resize(scene.joints.size());
@@ -28,7 +29,10 @@ class FixtureBuilder {
   }
 
   void add_still(std::uint32_t row) {
-    add_geom(world_, row, world_from_fixture(scene_, scene_.parts[row].fixture));
+    const ScenePart& part = scene_.parts[row];
+    note_geom(still_.add(world_from_fixture(scene_, part.fixture) * contact_shape_of(part)),
+              row,
+              furniture_contact_type);
   }
 
   void add_body(mjsBody* parent, std::uint32_t row, const Pose& owner_from_fixture) {
@@ -40,8 +44,12 @@ class FixtureBuilder {
     made_.joints[row].joint = add_joint(body, joint);
     const Pose body_from_fixture = inverse(frame);
     const std::vector<double> masses = masses_of(scene_, joint, parts_on_[row]);
-    for (std::size_t i = 0; i < masses.size(); ++i)
-      add_geom(body, parts_on_[row][i], body_from_fixture)->mass = masses[i];
+    for (std::size_t i = 0; i < masses.size(); ++i) {
+      const std::uint32_t part = parts_on_[row][i];
+      mjsGeom* geom = add_shape(body, body_from_fixture * contact_shape_of(scene_.parts[part]));
+      geom->mass = masses[i];
+      note_geom(geom, part, moving_furniture_contact_type);
+    }
     for (const std::uint32_t child : children_[row])
       add_body(body, child, body_from_fixture);
   }
@@ -72,12 +80,10 @@ class FixtureBuilder {
       add_tree_still(child);
   }
 
-  mjsGeom* add_geom(mjsBody* body, std::uint32_t row, const Pose& owner_from_fixture) {
-    mjsGeom* geom = add_shape(body, owner_from_fixture * contact_shape_of(scene_.parts[row]));
-    geom->contype = body == world_ ? furniture_contact_type : moving_furniture_contact_type;
+  void note_geom(mjsGeom* geom, std::uint32_t row, int contact_type) {
+    geom->contype = contact_type;
     geom->conaffinity = furniture_affinity;
     made_.geoms.push_back({geom, row});
-    return geom;
   }
 
   mjsJoint* add_joint(mjsBody* body, const SceneJoint& joint) {
@@ -98,6 +104,7 @@ class FixtureBuilder {
   }
 
   mjsBody* world_;
+  StillGeoms& still_;
   const Scene& scene_;
   FixtureElements made_;
   std::vector<std::vector<std::uint32_t>> parts_on_, children_;  // by joint
@@ -106,10 +113,11 @@ class FixtureBuilder {
 }  // namespace
 
 FixtureElements add_fixtures(mjsBody* world,
+                             StillGeoms& still,
                              const Scene& scene,
                              const std::function<bool(std::uint32_t)>& wanted,
                              bool articulated) {
-  FixtureBuilder builder(world, scene);
+  FixtureBuilder builder(world, still, scene);
   for (std::uint32_t row = 0; row < scene.parts.size(); ++row) {
     if (!wanted(row)) continue;
     if (articulated && builder.moves(scene.parts[row]))

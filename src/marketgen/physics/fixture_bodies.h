@@ -1,8 +1,8 @@
-// Fixtures in a MuJoCo specification: what stands still as geoms of the world, what a joint moves
-// as bodies with a hinge or a slide.
+// Fixtures in a MuJoCo specification: what stands still as still geoms, what a joint moves as
+// bodies with a hinge or a slide.
 //
 // A body's frame is its joint's. A joint that closes itself pulls with k x (1 - (x / h)^2), as in
-// export/mjcf_fixtures.h. Belts are geoms of the world whose surface can be given a velocity.
+// export/mjcf_fixtures.h. Belts are still geoms whose surface can be given a velocity.
 // Fixtures never touch one another, only goods and actors: their parts overlap by design (0.5 mm).
 #pragma once
 #include <cstdint>
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "physics/mujoco_guard.h"
+#include "physics/still_geoms.h"
 #include "scene/scene.h"
 
 namespace marketgen {
@@ -39,6 +40,7 @@ struct FixtureElements {
 // Adds the parts for which `wanted` holds (by row in parts), those of one joint together: a joint
 // moves when all its parts are wanted and `articulated`, otherwise they stand still.
 FixtureElements add_fixtures(mjsBody* world,
+                             StillGeoms& still,
                              const Scene& scene,
                              const std::function<bool(std::uint32_t)>& wanted,
                              bool articulated);

@@ -117,6 +117,16 @@ void copy_soft_tree(mjModel& to, int body, const mjModel& from) {
   copy_geoms(to, to.body_geomadr[body], from);
 }
 
+double soft_reach_m(const mjModel& m, int body) {
+  double to_hinge = 0, reach = 0;
+  for (int part = body; part < body + SoftPack::part_count; ++part) {
+    const int geom = m.body_geomadr[part];
+    if (part > body) to_hinge += mju_norm3(m.body_pos + 3 * part);
+    reach = std::max(reach, to_hinge + mju_norm3(m.geom_pos + 3 * geom) + m.geom_rbound[geom]);
+  }
+  return reach;
+}
+
 bool lies_in_its_box(const mjModel& m, const mjData& d, int body) {
   const auto angle = [&](int part) { return std::abs(d.qpos[m.jnt_qposadr[m.body_jntadr[part]]]); };
   const int top = body + 1, flap = body + 2;

@@ -30,6 +30,9 @@ Result<MujocoModel> soft_model(const SoftPack& pack,
 // collide is left as it is.
 void copy_soft_tree(mjModel& to, int body, const mjModel& from);
 
+// How far any point of such a tree can be from the origin of its first body, however it bends.
+double soft_reach_m(const mjModel& model, int body);
+
 // True when the row's box can stand for the pack: its halves are straight within 4 degrees, and the
 // flap hangs within the box.
 bool lies_in_its_box(const mjModel& model, const mjData& data, int body);

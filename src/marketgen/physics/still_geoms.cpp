@@ -26,15 +26,14 @@ mjsGeom* StillGeoms::add(const ContactShape& shape) {
   return geom;
 }
 
-Result<void> StillGeoms::attach_to(mjSpec& spec) {
-  const mjsBody* world = mjs_findBody(&spec, "world");
+Result<void> StillGeoms::attach_to(mjsBody* body, mjSpec& spec) {
   for (std::size_t i = 0; i < batches_.size(); ++i) {
     const std::string prefix = fmt::format("still-{}-", i);
     const char* const text = prefix.c_str();
     const mjsElement* const frame = batches_[i].frame->element;
     const mjsElement* attached = nullptr;
     MARKETGEN_CHECK(
-        guarded("world", [&] { attached = mjs_attach(world->element, frame, text, ""); }));
+        guarded("world", [&] { attached = mjs_attach(body->element, frame, text, ""); }));
     if (attached == nullptr) return Error{"physics.failed", "world", mjs_getError(&spec)};
   }
   return {};

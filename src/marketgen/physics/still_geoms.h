@@ -1,4 +1,4 @@
-// Tens of thousands of geoms of the world body, in linear time.
+// Tens of thousands of geoms of one body, in linear time.
 //
 // mjs_addGeom numbers every element of its specification anew: adding 28,000 geoms to one takes 7
 // s. Here they are added to small specifications, which are then attached: 0.3 s.
@@ -14,9 +14,9 @@ namespace marketgen {
 class StillGeoms {
  public:
   mjsGeom* add(const ContactShape& shape);  // as add_shape(); valid as long as this
-  // Makes them geoms of the world body of `spec`. Once, after the last add(). Errors:
-  // physics.failed.
-  Result<void> attach_to(mjSpec& spec);
+  // Makes them geoms of `body`, a body of `spec`, in their order. Once, after the last add().
+  // Errors: physics.failed.
+  Result<void> attach_to(mjsBody* body, mjSpec& spec);
 
  private:
   struct Batch {

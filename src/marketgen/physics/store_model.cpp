@@ -103,13 +103,13 @@ class StoreBuilder {
   }
 
   void add_room() {
-    furnish(add_floor(world_));
     for (const ShellPiece& piece : shell_pieces(scene_.layout.shell)) {
       const ContactShape box{CollisionShape::box, piece.pose, piece.half_size};
-      if (near(box)) furnish(add_shape(world_, box));
+      if (near(box)) furnish(still_.add(box));
     }
     fixtures_ = add_fixtures(
         world_,
+        still_,
         scene_,
         [&](std::uint32_t row) {
           const ScenePart& part = scene_.parts[row];
@@ -129,7 +129,7 @@ class StoreBuilder {
       const GoodsShape& goods = made.goods[item.sku];
       const ContactShape shape = world_from_product(item) * goods.shape;
       if (!near(shape)) continue;
-      mjsGeom* geom = still_goods_.add(shape);
+      mjsGeom* geom = still_.add(shape);
       set_goods_contact(geom, goods.contact);
       geom->contype = still_goods_contact_type;
       geom->conaffinity = goods_affinity;
@@ -165,13 +165,17 @@ class StoreBuilder {
   }
 
   Result<void> finish(StoreModel& made) {
-    MARKETGEN_CHECK(still_goods_.attach_to(*spec_));
+    mjsBody* const still = add_still_body();
+    MARKETGEN_CHECK(still_.attach_to(still, *spec_));
     MARKETGEN_TRY(made.model, compile(*spec_, world_where));
+    made.still_body = mjs_getId(still->element);
     made.owners.assign(static_cast<std::size_t>(made.model->ngeom), {BodyKind::actor, 0});
     const int first_pool_body = mjs_getId(pool_.front().body->element);
     for (std::size_t geom = 0; geom < made.owners.size(); ++geom) {
       made.owners[geom].row = static_cast<std::uint32_t>(geom);
-      if (made.model->geom_bodyid[geom] < first_pool_body) made.owners[geom] = {BodyKind::room, 0};
+      const int body = made.model->geom_bodyid[geom];
+      if (body < first_pool_body || body == made.still_body)
+        made.owners[geom] = {BodyKind::room, 0};
     }
     name_owners(made);
     for (const PoolElements& elements : pool_)
@@ -202,6 +206,14 @@ class StoreBuilder {
     std::fill(hook->data, hook->data + mjNEQDATA, 0.0);
     if (geoms.size() > 1) hook->solimp[0] = hook->solimp[1] = flap_hook_impedance;
     pool_.push_back({body, std::move(geoms), hook});
+  }
+
+  // Added last, so that it comes last; its frame is the store's.
+  mjsBody* add_still_body() {
+    mjsBody* body = mjs_addBody(world_, nullptr);
+    body->explicitinertial = true;
+    furnish(add_floor(body));
+    return body;
   }
 
   bool near(const ContactShape& shape) const {
@@ -252,7 +264,7 @@ class StoreBuilder {
 
   const Scene& scene_;
   const WorldOptions& options_;
-  StillGeoms still_goods_;  // outlives spec_
+  StillGeoms still_;  // outlives spec_
   MujocoSpec spec_;
   mjsBody* world_;
   FixtureElements fixtures_;
@@ -297,8 +309,8 @@ Result<StoreModel> store_model(const Scene& scene, const WorldOptions& options) 
   MARKETGEN_CHECK(check_options(options));
   StoreModel made;
   StoreBuilder builder(scene, options);
-  builder.add_room();
   MARKETGEN_CHECK(builder.add_goods(made));
+  builder.add_room();
   builder.add_pool();
   MARKETGEN_CHECK(builder.add_actors());
   MARKETGEN_CHECK(builder.finish(made));

@@ -1,5 +1,7 @@
 // The MuJoCo model of a World: the room, the fixtures, every product as a static geom, and a pool
 // of free bodies, rigid and soft, that stand in for products while they move.
+//
+// All that stands still is on one body, the model's last: its geoms come after those that move.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -46,6 +48,7 @@ struct StoreModel {
   std::vector<GoodsShape> goods;     // by row of the catalog
   std::vector<int> product_geom;     // by product; -1: absent
   std::vector<GeomOwner> owners;     // by geom
+  int still_body = 0;                // first the floor, then the products, then the rest
   std::vector<PoolBody> pool;        // rigid ones first
   std::vector<JointAddress> joints;  // by row of Scene::joints
 };

@@ -8,7 +8,6 @@
 
 #include "physics/fixture_bodies.h"
 #include "physics/world_state.h"
-#include "physics/world_tree.h"
 #include "scene/articulation.h"
 
 namespace marketgen {
@@ -87,7 +86,6 @@ Result<World> World::create(const Scene& scene, WorldOptions options) {
   mjModel* const m = model.model.get();
   mjData* const d = data.get();
   MARKETGEN_CHECK(guarded("world", [=] { mj_kinematics(m, d); }));
-  shorten_world_filter(*m, model.product_geom);
   return World(
       std::make_unique<State>(scene, std::move(options), std::move(model), std::move(data)));
 }

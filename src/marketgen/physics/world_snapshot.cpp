@@ -100,7 +100,8 @@ WorldSnapshot World::snapshot() const {
 
 void World::State::stand(std::uint32_t product, const ShapePose& pose) {
   const int geom = store.product_geom[product];
-  move_geom(m(), d(), bounds, geom, pose);
+  move_geom(m(), d(), geom, pose);
+  near.refit(m(), geom);
   switch_geom(m(), geom, true);
   grid.put(product, box_at(product, pose));
 }
@@ -147,6 +148,7 @@ Result<void> World::restore(const WorldSnapshot& snapshot) {
   }
   std::memcpy(s.d().buffer, from.buffer.data(), from.buffer.size());
   set_scalars(s.d(), from.scalars);
+  s.near.forget();
   for (std::uint32_t joint = 0; joint < s.belt_speed.size(); ++joint)
     s.run_belt(joint, from.belt_speed[joint]);
   s.looked_at = from.looked_at;

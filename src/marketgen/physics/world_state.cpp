@@ -31,7 +31,7 @@ World::State::State(const Scene& scene_in,
       options(std::move(options_in)),
       store(std::move(store_in)),
       data(std::move(data_in)),
-      bounds(*store.model),
+      near(*store.model, store.still_body),
       grid(scene.products.size()),
       frictions(options.frictions),
       belt_geoms(scene.joints.size()),
@@ -64,12 +64,15 @@ World::State::State(const Scene& scene_in,
       const auto named = options.actor_materials.find(name == nullptr ? "" : name);
       if (named != options.actor_materials.end()) material = frictions.material(named->second);
       const bool collides = m().geom_contype[geom] != 0 || m().geom_conaffinity[geom] != 0;
-      if (collides && can_move(m(), m().geom_bodyid[geom])) actor_geoms.push_back(geom);
+      const int body = m().geom_bodyid[geom];
+      if (collides && can_move(m(), body)) actor_geoms.push_back(geom);
+      if (collides && m().body_treeid[body] >= 0) jointed_geoms.push_back(geom);
     }
   }
   find_fixture_trees();
   for (const PoolBody& body : store.pool)
     park_body(m(), d(), body);
+  shorten_bit_filter(m(), store.still_body);
 }
 
 void World::State::find_fixture_trees() {

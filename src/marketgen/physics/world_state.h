@@ -5,6 +5,7 @@
 
 #include "physics/body_patch.h"
 #include "physics/friction_table.h"
+#include "physics/near_tree.h"
 #include "physics/product_grid.h"
 #include "physics/soft_body.h"
 #include "physics/store_model.h"
@@ -73,7 +74,8 @@ struct World::State {
   // ---- world_step.cpp ----
 
   Result<void> step_once();
-  bool wake_touched();  // after the contacts are known; true when any woke
+  bool in_hand() const;  // an actor touched something but the room and itself in the last step
+  bool wake_touched();   // after the contacts are known; true when any woke
   Result<void> wake_near_actors();
   Result<void> wake_near_moving_fixtures();
   Result<void> wake_within(int geom, double reach_m);  // products as near as that to a geom
@@ -81,6 +83,14 @@ struct World::State {
   void release_hooks();
   void clear_wakes();
   Result<void> check_warnings() const;
+
+  // ---- world_near.cpp: what the near tree holds ----
+
+  Result<void> find_contacts();  // mj_step1, with all that can touch in the near tree
+  void look_round();
+  bool actors_within() const;  // still where look_round() has looked
+  Box3 body_box(std::size_t body) const;
+  Box3 actor_box(int geom) const;
 
   // ---- world_contacts.cpp ----
 
@@ -100,12 +110,13 @@ struct World::State {
   WorldOptions options;
   StoreModel store;
   MujocoData data;
-  WorldBounds bounds;
+  NearTree near;     // for MuJoCo: what stands still near what moves
   ProductGrid grid;  // of static products
   FrictionTable frictions;
   std::vector<FrictionTable::Material> sku_material, geom_material;
   std::vector<Pose> shape_from_product;      // by SKU
   std::vector<int> actor_geoms;              // that collide and whose body can move
+  std::vector<int> jointed_geoms;            // of these, those of bodies with joints: no mocap
   std::vector<std::vector<int>> belt_geoms;  // by joint
   std::vector<FixtureTree> fixture_trees;
 
