@@ -1,4 +1,8 @@
 #include "render/render.h"
+
+#include <cmath>
+#include <numbers>
+
 #include "bench/bench.h"
 #include "bench/sample_store.h"
 #include "io/file.h"
@@ -37,6 +41,58 @@ Figures with_robot(Renderer& renderer, const Camera& camera) {
       seconds_figure("render_640x480_balanced_robot_s", picture_s, pictures)};
 }
 
+// 64 cameras of 128 x 128 pixels side by side, colour and depth, as a batch of small worlds would
+// ask for: images per second.
+Figures small_cameras(Renderer& renderer, const Scene& scene) {
+  constexpr int side = 128;
+  constexpr std::size_t count = 64, pixels = side * side;
+  std::vector<std::uint8_t> rgb(3 * pixels * count);
+  std::vector<float> depth(pixels * count);
+  MARKETGEN_TRY(Camera camera, camera_named(scene, "aisle", side, side));
+  std::vector<Shot> shots;
+  for (std::size_t i = 0; i < count; ++i) {
+    // Turned about on the spot: shelves, floor and the way down the aisle.
+    Camera turned = camera;
+    const double angle = 2 * std::numbers::pi * static_cast<double>(i) / count;
+    turned.at = camera.from + Vec3{std::cos(angle), std::sin(angle), -0.3};
+    shots.push_back(
+        {&renderer, turned, {.rgb = &rgb[3 * pixels * i], .depth_m = &depth[pixels * i]}});
+  }
+  RenderOptions options;
+  options.quality = Quality::fast;
+  constexpr int runs = 9;
+  const double seconds = median_seconds(runs, [&] { (void)render_batch(shots, options).ok(); });
+  return std::vector<Figure>{{"render_64x128_fast_rgbd",
+                              static_cast<double>(count) / seconds,
+                              "images/s",
+                              runs,
+                              std::nullopt,
+                              std::nullopt,
+                              machine_name()}};
+}
+
+// 50 products moved at each picture, as those that a robot and its basket carry.
+Figures with_moved_products(Renderer& renderer, const Scene& scene) {
+  std::vector<MovedProduct> moved;
+  for (std::uint32_t i = 0; i < 50 && i < scene.products.size(); ++i)
+    moved.push_back(
+        {i * 7 % static_cast<std::uint32_t>(scene.products.size()), {{2 + 0.01 * i, 2, 1}, {}}});
+  constexpr int runs = 15;
+  (void)renderer.move_things(moved, {}).ok();
+  const double follow_s = median_seconds(runs, [&] {
+    for (MovedProduct& m : moved)
+      m.world_from_product.position.z += 0.001;
+    (void)renderer.move_things(moved, {}).ok();
+  });
+  const double change_s = median_seconds(runs, [&] {
+    std::swap(moved.front(), moved.back());
+    (void)renderer.move_things(moved, {}).ok();
+  });
+  MARKETGEN_CHECK(renderer.move_things({}, {}));
+  return std::vector<Figure>{seconds_figure("move_50_products_s", follow_s, runs),
+                             seconds_figure("move_50_other_products_s", change_s, runs)};
+}
+
 }  // namespace
 
 Figures run_render(const Catalog& catalog) {
@@ -53,7 +109,7 @@ Figures run_render(const Catalog& catalog) {
     MARKETGEN_TRY(const Camera camera, camera_named(scene, "aisle", 640, 480));
     RenderOptions options;
     options.quality = quality;
-    constexpr int runs = 5;
+    constexpr int runs = 15;
     const double seconds =
         median_seconds(runs, [&] { (void)renderer->render(camera, options).ok(); });
     figures.push_back({"render_640x480_" + std::string(name_of(quality)) + "_s",
@@ -67,6 +123,10 @@ Figures run_render(const Catalog& catalog) {
   MARKETGEN_TRY(const Camera camera, camera_named(scene, "aisle", 640, 480));
   MARKETGEN_TRY(const std::vector<Figure> robot, with_robot(*renderer, camera));
   figures.insert(figures.end(), robot.begin(), robot.end());
+  MARKETGEN_TRY(const std::vector<Figure> small, small_cameras(*renderer, scene));
+  figures.insert(figures.end(), small.begin(), small.end());
+  MARKETGEN_TRY(const std::vector<Figure> moved, with_moved_products(*renderer, scene));
+  figures.insert(figures.end(), moved.begin(), moved.end());
   return figures;
 }
 
