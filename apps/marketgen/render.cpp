@@ -24,9 +24,9 @@ struct RenderFlags {
   CommonFlags common;
   std::string folder, output, camera, from, at,
       size = "1280x720", mode = "sensor", quality = "balanced", depth, segmentation, object_ids,
-      legend, normals, skin;
+      legend, normals, skin, denoise = "auto";
   std::vector<std::string> robots;
-  double fov_deg = 60, time_s = 0;
+  double fov_deg = 60, time_s = 0, exposure_stops = 0;
   int samples = 0;
   bool list = false;
 };
@@ -160,6 +160,8 @@ Result<void> render(const RenderFlags& flags) {
   options.quality = value_named<Quality>(flags.quality).value_or(Quality::balanced);
   options.samples = flags.samples;
   options.time_s = flags.time_s;
+  options.denoiser = value_named<Denoiser>(flags.denoise).value_or(Denoiser::automatic);
+  options.exposure_stops = flags.exposure_stops;
   options.hide_ceiling = camera.ortho_height_m > 0;
   Progress& progress = progress_for(flags.common);
   MARKETGEN_TRY(const std::unique_ptr<Renderer> renderer, Renderer::create(scene, progress));
@@ -198,6 +200,13 @@ Run add_render(CLI::App& app) {
       ->check(CLI::Range(0, 65536));
   command->add_option("--time", flags->time_s, "path mode: stop after this many seconds")
       ->check(CLI::Range(0.0, 1e6));
+  command->add_option("--denoise", flags->denoise, "path mode: auto, own, neural or none")
+      ->check(CLI::IsMember({"auto", "own", "neural", "none"}))
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--exposure", flags->exposure_stops, "path mode: stops brighter (+) or darker (-)")
+      ->check(CLI::Range(-10.0, 10.0));
   command->add_option("--skin", flags->skin, "draw the store in the look of this style");
   command
       ->add_option("--robot",

@@ -59,14 +59,23 @@ std::uint16_t Draft::material(const Material& material) {
   if (world_.materials.size() > 65'000) fatal("more than 65,000 materials in one world");
   const bool glows = material.emission.x + material.emission.y + material.emission.z > 0;
   if (!glows) {
-    const float kind = static_cast<float>(material.texture) * 2 + (material.glass ? 1.0F : 0.0F);
-    const std::array<float, 7> look{material.color.x,
-                                    material.color.y,
-                                    material.color.z,
-                                    material.roughness,
-                                    material.metallic,
-                                    material.roughness_scale,
-                                    kind};
+    const float kind = static_cast<float>(material.texture) * 4 + (material.glass ? 1.0F : 0.0F) +
+                       (material.clear ? 2.0F : 0.0F);
+    const MaterialLook look{material.color.x,
+                            material.color.y,
+                            material.color.z,
+                            material.roughness,
+                            material.metallic,
+                            material.roughness_scale,
+                            kind,
+                            material.refraction,
+                            material.absorption_per_m.x,
+                            material.absorption_per_m.y,
+                            material.absorption_per_m.z,
+                            material.coat,
+                            material.coat_roughness,
+                            material.translucency,
+                            material.scatter_m};
     const auto [entry, is_new] = material_of_look_.try_emplace(look, next);
     if (!is_new) return entry->second;
   }

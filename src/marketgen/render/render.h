@@ -33,6 +33,13 @@ constexpr std::array<std::string_view, 3> names_of(Quality) {
   return {"fast", "balanced", "best"};
 }
 
+// What takes the noise out of path-traced pictures. automatic: neural where Open Image Denoise is
+// installed (see neural_denoise.h), else own.
+enum class Denoiser { automatic, own, neural, none };
+constexpr std::array<std::string_view, 4> names_of(Denoiser) {
+  return {"auto", "own", "neural", "none"};
+}
+
 // How finely the print on packs is drawn. near: for cameras that come as close as a hand does;
 // distant: a quarter as fine (price labels a third), for pictures whose pixels cover 2 mm of a pack
 // or more, as previews.
@@ -44,7 +51,9 @@ struct RenderOptions {
   int samples = 0;    // per pixel; 0 = what the quality says
   double time_s = 0;  // path mode: stop adding samples after this long; 0 = no limit (then not
                       // reproducible if set)
-  bool hide_ceiling = false;  // for views from above
+  bool hide_ceiling = false;                // for views from above
+  Denoiser denoiser = Denoiser::automatic;  // path mode
+  double exposure_stops = 0;                // path mode: brighter (+) or darker than the store asks
 };
 
 // Planes are row-major from the top left, one entry a pixel.
@@ -53,6 +62,7 @@ struct Frame {
   std::vector<float> depth_m;           // along the optical axis; 0 = nothing hit
   std::vector<std::uint32_t> instance;  // what is seen, by number: see picture_objects.h
   std::vector<float> normals;           // world frame, 3 a pixel
+  std::vector<float> radiance;          // path mode: linear RGB (Rec. 709) in cd/m2, 3 a pixel
 };
 
 class Renderer {

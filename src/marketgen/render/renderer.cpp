@@ -8,7 +8,7 @@
 #include "render/build_world.h"
 #include "render/exhibit.h"
 #include "render/filter.h"
-#include "render/path.h"
+#include "render/path_picture.h"
 #include "render/picture_objects.h"
 #include "render/render.h"
 #include "render/resolve.h"
@@ -18,27 +18,24 @@ namespace marketgen {
 namespace raytrace {
 namespace {
 
-// What a quality buys. Sensor mode: light samples a pixel, extra samples on edges, filter passes.
-// Path mode: paths a pixel.
+// What a quality buys in sensor mode: light samples a pixel, extra samples on edges, filter passes.
 struct Effort {
-  int light_samples, edge_samples, filter_passes, paths;
+  int light_samples, edge_samples, filter_passes;
 };
 
 Effort effort_of(Quality quality) {
   switch (quality) {
     case Quality::fast:
-      return {1, 3, 4, 16};
+      return {1, 3, 4};
     case Quality::balanced:
-      return {2, 4, 4, 64};
+      return {2, 4, 4};
     case Quality::best:
-      return {8, 8, 3, 256};
+      return {8, 8, 3};
   }
-  return {2, 4, 4, 64};
+  return {2, 4, 4};
 }
 
 constexpr float meter_share = 0.75F;
-constexpr int few_paths = 128;     // below, pictures need a stronger filter
-constexpr int paths_per_pass = 8;  // between looks at the clock
 
 class EmbreeRenderer : public Renderer {
  public:
@@ -67,19 +64,14 @@ class EmbreeRenderer : public Renderer {
                        Progress& progress) override {
     MARKETGEN_CHECK(check_camera(camera, camera.name.empty() ? "camera" : camera.name));
     const View view(camera);
+    if (options.mode == RenderMode::path)
+      return path_picture({*world_, lights_, field_}, view, options, progress);
     const unsigned mask = options.hide_ceiling ? mask_solid : mask_opaque;
     Film film(camera.width, camera.height);
-    Planes3 radiance(0);
-    if (options.mode == RenderMode::path) {
-      trace_paths(view, options, mask, film, progress);
-      MARKETGEN_CHECK(check_interrupt());
-      radiance = resolve_edges(lighting_, view, film, mask, 0);
-    } else {
-      light_sensor(view, options, mask, film, progress);
-      MARKETGEN_CHECK(check_interrupt());
-      radiance =
-          resolve_edges(lighting_, view, film, mask, effort_of(options.quality).edge_samples);
-    }
+    light_sensor(view, options, mask, film, progress);
+    MARKETGEN_CHECK(check_interrupt());
+    const Planes3 radiance =
+        resolve_edges(lighting_, view, film, mask, effort_of(options.quality).edge_samples);
     return frame_of(std::move(film), radiance);
   }
 
@@ -115,75 +107,6 @@ class EmbreeRenderer : public Renderer {
     smooth(film, film.irradiance, {effort.filter_passes, 8.0F, false});
     remove_sparkles(film, film.gloss);
     smooth(film, film.gloss, {effort.filter_passes - 1, 24.0F, true});
-  }
-
-  void trace_paths(const View& view,
-                   const RenderOptions& options,
-                   unsigned mask,
-                   Film& film,
-                   Progress& progress) const {
-    const int wanted = options.samples > 0 ? options.samples : effort_of(options.quality).paths;
-    for_tiles(view, progress, "first hits", [&](int index) {
-      const auto tile = std::make_unique<Tile>();
-      find_first_hits(*world_, view, index, mask, *tile);
-      store_first_hits(*world_, view, *tile, film);
-    });
-    std::vector<PathSums> sums(film.count());
-    const double start = monotonic_seconds();
-    int done = 0;
-    while (done < wanted) {
-      const int now = std::min(paths_per_pass, wanted - done);
-      for_tiles(view, progress, "paths", [&](int index) {
-        add_tile_paths(view, index, done, now, mask, sums);
-      });
-      done += now;
-      if (options.time_s > 0 && monotonic_seconds() - start > options.time_s) break;
-    }
-    store_paths(sums, done, film);
-    remove_sparkles(film, film.irradiance);
-    remove_sparkles(film, film.gloss);
-    const float tolerance = done < few_paths ? 4 : 1.5F;
-    smooth(film, film.irradiance, {done < few_paths ? 4 : 3, tolerance, false});
-    smooth(film, film.gloss, {2, tolerance, true});
-  }
-
-  void add_tile_paths(const View& view,
-                      int index,
-                      int first,
-                      int count,
-                      unsigned mask,
-                      std::vector<PathSums>& sums) const {
-    const int x0 = index % tiles_across(view) * tile_size,
-              y0 = index / tiles_across(view) * tile_size;
-    for (int y = y0; y < std::min(y0 + tile_size, view.height()); ++y) {
-      for (int x = x0; x < std::min(x0 + tile_size, view.width()); ++x) {
-        PathSums& sum = sums[static_cast<std::size_t>(y) * static_cast<std::size_t>(view.width()) +
-                             static_cast<std::size_t>(x)];
-        for (int s = first; s < first + count; ++s)
-          add_path(lighting_, view, x, y, static_cast<std::uint32_t>(s), mask, sum);
-      }
-    }
-  }
-
-  // Paths bring their own albedo, emission and glass: the film's planes for those are replaced.
-  static void store_paths(const std::vector<PathSums>& sums, int count, Film& film) {
-    const float scale = 1 / static_cast<float>(count);
-    for (std::size_t i = 0; i < film.count(); ++i) {
-      const Vec3f albedo = sums[i].albedo * scale, diffuse = sums[i].diffuse * scale;
-      const auto divided = [](float light, float color) {
-        return color > 1e-3F ? light * pi / color : 0;
-      };
-      film.albedo.set(i, albedo);
-      film.irradiance.set(i,
-                          {divided(diffuse.x, albedo.x),
-                           divided(diffuse.y, albedo.y),
-                           divided(diffuse.z, albedo.z)});
-      film.reflectance.set(i, {1, 1, 1});
-      film.gloss.set(i, sums[i].other * scale);
-      film.emission.set(i, {});
-      film.transmittance.set(i, {1, 1, 1});
-      film.overlay.set(i, {});
-    }
   }
 
   Frame frame_of(Film film, const Planes3& radiance) const {

@@ -8,8 +8,6 @@
 namespace marketgen::raytrace {
 namespace {
 
-constexpr float surface_lift_m =
-    3e-4F;  // longer than float error at 100 m, shorter than any gap that shows
 constexpr float least_tilt = 0.012F;  // 0.7 degrees: relief below shows nowhere
 constexpr float least_facing =
     0.03F;  // shading normals are bent to face the viewer at least this much
@@ -56,15 +54,6 @@ alignas(64) constexpr std::array<std::array<int, packet_size>, packet_size + 1> 
 
 Vec3f unpacked(const std::array<std::int16_t, 3>& n) {
   return {static_cast<float>(n[0]), static_cast<float>(n[1]), static_cast<float>(n[2])};
-}
-
-const TriangleRecord& record_of(const World& world, const Hit& hit) {
-  if (hit.instance != RTC_INVALID_GEOMETRY_ID) {
-    const TracedMesh& mesh = world.meshes[world.instances[hit.instance].mesh];
-    return (hit.geometry == mesh_glass_geometry ? mesh.glass : mesh.solid).records[hit.primitive];
-  }
-  if (hit.geometry == shell_glass_geometry) return world.shell_glass.records[hit.primitive];
-  return (hit.geometry == ceiling_geometry ? world.ceiling : world.shell).records[hit.primitive];
 }
 
 // Turns both normals towards the viewer; the shading normal keeps facing him where the mesh is
@@ -224,6 +213,15 @@ bool is_blocked(const World& world, const Ray& ray, unsigned mask) {
   if (query.tfar >= 0 && meets_actors(world, mask))
     rtcOccluded1(world.actors.bvh.get(), &context, &query);
   return query.tfar < 0;
+}
+
+const TriangleRecord& record_of(const World& world, const Hit& hit) {
+  if (hit.instance != RTC_INVALID_GEOMETRY_ID) {
+    const TracedMesh& mesh = world.meshes[world.instances[hit.instance].mesh];
+    return (hit.geometry == mesh_glass_geometry ? mesh.glass : mesh.solid).records[hit.primitive];
+  }
+  if (hit.geometry == shell_glass_geometry) return world.shell_glass.records[hit.primitive];
+  return (hit.geometry == ceiling_geometry ? world.ceiling : world.shell).records[hit.primitive];
 }
 
 Vec3f Surface::reflectance() const {

@@ -12,6 +12,9 @@ namespace marketgen::raytrace {
 
 constexpr float ray_infinity = std::numeric_limits<float>::infinity();
 constexpr std::size_t packet_size = 16;
+// Points are lifted off the triangle by this: longer than float error at 100 m, shorter than any
+// gap that shows.
+constexpr float surface_lift_m = 3e-4F;
 
 struct Ray {
   Vec3f origin, direction;  // direction is a unit vector
@@ -45,7 +48,7 @@ bool is_blocked(const World& world, const Ray& ray, unsigned mask);
 
 // A point seen, ready to be lit.
 struct Surface {
-  Vec3f position;             // lifted 0.3 mm off the triangle, towards the viewer
+  Vec3f position;             // lifted by surface_lift_m off the triangle, towards the viewer
   Vec3f face_normal, normal;  // towards the viewer
   Vec3f relief_normal;        // the same with the material's relief
   Vec3f albedo;               // diffuse colour, or the metal's colour
@@ -62,6 +65,7 @@ struct Surface {
   Vec3f reflectance() const;  // at normal incidence
 };
 
+const TriangleRecord& record_of(const World& world, const Hit& hit);
 // `footprint` is the width that one sample stands for at the hit, metres: it picks the mip level.
 Surface surface_at(const World& world, const Ray& ray, const Hit& hit, float footprint);
 
