@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "base/text.h"
 #include "command.h"
+#include "io/exr.h"
 #include "io/file.h"
 #include "io/json.h"
 #include "io/png.h"
@@ -131,6 +132,15 @@ Result<void> write_depth(const std::string& path, const Frame& frame) {
   return write_png16(path, frame.color.width, frame.color.height, millimetres);
 }
 
+bool wants_exr(const RenderFlags& flags) {
+  return lower_ascii(std::filesystem::path(flags.output).extension().string()) == ".exr";
+}
+
+Result<void> write_picture(const RenderFlags& flags, const Frame& frame) {
+  if (!wants_exr(flags)) return write_png(flags.output, frame.color);
+  return write_exr(flags.output, {frame.color.width, frame.color.height, frame.radiance});
+}
+
 Result<void> write_planes(const RenderFlags& flags, const Frame& frame) {
   const int width = frame.color.width, height = frame.color.height;
   if (!flags.depth.empty()) MARKETGEN_CHECK(write_depth(flags.depth, frame));
@@ -153,6 +163,8 @@ Result<void> render(const RenderFlags& flags) {
   }
   if (flags.output.empty())
     return Error{"usage.bad_flag", "-o", "say where the picture goes: -o picture.png"};
+  if (wants_exr(flags) && flags.mode != "path")
+    return Error{"usage.bad_flag", "-o", "linear light (EXR) is what --mode path draws"};
   MARKETGEN_TRY(const Camera camera, camera_of(flags, scene));
   MARKETGEN_TRY(const std::vector<Actor> actors, actors_of(flags, scene));
   RenderOptions options;
@@ -167,7 +179,7 @@ Result<void> render(const RenderFlags& flags) {
   MARKETGEN_TRY(const std::unique_ptr<Renderer> renderer, Renderer::create(scene, progress));
   MARKETGEN_CHECK(renderer->set_actors(actors));
   MARKETGEN_TRY(const Frame frame, renderer->render(camera, options, progress));
-  MARKETGEN_CHECK(write_png(flags.output, frame.color));
+  MARKETGEN_CHECK(write_picture(flags, frame));
   MARKETGEN_CHECK(write_planes(flags, frame));
   if (!flags.legend.empty())
     MARKETGEN_CHECK(
@@ -182,7 +194,8 @@ Run add_render(CLI::App& app) {
   auto flags = std::make_shared<RenderFlags>();
   CLI::App* command = app.add_subcommand("render", "Draw a picture of a store");
   command->add_option("folder", flags->folder, "store folder")->required();
-  command->add_option("-o,--output", flags->output, "PNG file to write");
+  command->add_option(
+      "-o,--output", flags->output, "PNG file to write; EXR (--mode path): linear light in cd/m2");
   command->add_option(
       "--camera", flags->camera, "standard view: top, entrance, aisle, checkout, zone:<id>");
   command->add_flag("--list-cameras", flags->list, "print the standard views and stop");
@@ -223,6 +236,7 @@ Run add_render(CLI::App& app) {
   add_common_flags(*command, flags->common, Takes::nothing);
   command->footer(
       "Example:  marketgen render shop --camera aisle -o aisle.png --depth aisle-depth.png\n"
+      "          marketgen render shop --camera aisle --mode path -o aisle.exr\n"
       "          marketgen render shop --camera aisle -o robot.png "
       "--robot realman-rm65@4.2,3.1,90,posture=stow,lift=0.3");
   return [flags] {

@@ -1,9 +1,11 @@
 #include "render/build_products.h"
 
+#include <algorithm>
 #include <optional>
 #include <set>
 
 #include "base/parallel.h"
+#include "render/clear_pack.h"
 #include "render/label_library.h"
 #include "render/picture_objects.h"
 #include "render/shading_math.h"
@@ -21,7 +23,7 @@ std::vector<std::uint32_t> skus_in_use(const Scene& scene) {
   return {rows.begin(), rows.end()};
 }
 
-Material material_of(Draft& draft, const Product& product, const Surface& surface) {
+Material material_of(Draft& draft, const Product& product, const marketgen::Surface& surface) {
   Material material{
       .color = surface.color, .roughness = surface.roughness, .metallic = surface.metallic};
   if (surface.texture == "label")
@@ -33,10 +35,24 @@ Material material_of(Draft& draft, const Product& product, const Surface& surfac
   return material;
 }
 
-// Clear packs are seen as their contents, so that the picture's instance is the product and not
-// what stands behind it.
-std::uint16_t add_material(Draft& draft, const Product& product, const Surface& surface) {
-  return draft.material(material_of(draft, product, surface));
+// One material for each surface of the model; of a clear pack, also for what clear_pack adds.
+std::vector<std::uint16_t> add_materials(Draft& draft,
+                                         const Product& product,
+                                         const ProductModel& model) {
+  std::vector<std::uint16_t> materials, sheets;
+  const auto depth_m = static_cast<float>(std::min(product.width_m(), product.depth_m()));
+  for (const marketgen::Surface& surface : model.surfaces) {
+    const Material look = material_of(draft, product, surface);
+    if (surface.refraction <= 0) {
+      materials.push_back(draft.material(look));
+      continue;
+    }
+    const ClearMaterials clear = clear_materials(surface, look, depth_m);
+    materials.push_back(draft.material(clear.liquid));
+    sheets.push_back(draft.material(clear.sheet));
+  }
+  materials.insert(materials.end(), sheets.begin(), sheets.end());
+  return materials;
 }
 
 float brightness_of(std::size_t product) {
@@ -62,9 +78,7 @@ Result<ProductBuilder> ProductBuilder::begin(Draft& draft) {
     if (error) return *error;
   }
   for (Sku& sku : builder.skus_) {
-    for (const Surface& surface : sku.model.surfaces) {
-      sku.materials.push_back(add_material(draft, draft.scene().catalog[sku.row], surface));
-    }
+    sku.materials = add_materials(draft, draft.scene().catalog[sku.row], sku.model);
   }
   return builder;
 }
@@ -77,7 +91,9 @@ void ProductBuilder::build(Draft& draft) const {
   std::vector<std::uint32_t> mesh_of_sku(scene.catalog.size());
   parallel_for(skus_.size(), [&](std::size_t i) {
     TracedMesh& mesh = world.meshes[first_mesh + i];
-    append(mesh.solid, mesh.glass, skus_[i].model.mesh, skus_[i].materials, world, {});
+    const ProductModel& model = skus_[i].model;
+    const Mesh shown = is_clear_pack(model) ? clear_pack(model).mesh : model.mesh;
+    append(mesh.solid, mesh.glass, shown, skus_[i].materials, world, {});
     mesh_of_sku[skus_[i].row] = static_cast<std::uint32_t>(first_mesh + i);
   });
   const auto first_id = first_product_object(scene);

@@ -59,8 +59,15 @@ void cut_sparkles(int width, int height, ColorPlanes& light, FloatPlane& varianc
 // Sums of one row, one entry a pixel.
 struct TapSums {
   FloatPlane weight, red, green, blue, second;
+  FloatPlane apart, patch;  // of one tap: differences of pixels, from column -1 on, and of patches
   explicit TapSums(std::size_t width)
-      : weight(width), red(width), green(width), blue(width), second(width) {}
+      : weight(width),
+        red(width),
+        green(width),
+        blue(width),
+        second(width),
+        apart(width + 2),
+        patch(width) {}
   void clear() {
     for (FloatPlane* plane : {&weight, &red, &green, &blue, &second})
       std::fill(plane->begin(), plane->end(), 0.0F);
@@ -76,8 +83,7 @@ class LayerFilter {
         settings_(settings),
         plane_scale_(film.count()),
         level_(film.count()),
-        patch_(film.count()),
-        patch_variance_(film.count()) {
+        noise_(film.count()) {
     for (std::size_t i = 0; i < film.count(); ++i)
       plane_scale_[i] = 1 / (off_plane_m + off_plane_per_m * guides.depth_m[i]);
   }
@@ -86,7 +92,7 @@ class LayerFilter {
     ColorPlanes next(film_.count());
     FloatPlane next_variance(film_.count());
     for (int pass = 0; pass < settings_.passes; ++pass) {
-      measure_patches(light, variance);
+      measure_noise(light, variance);
       for_rows([&](int y, TapSums& sums) {
         smooth_row(light, variance, y, 1 << pass, sums, next, next_variance);
       });
@@ -156,9 +162,9 @@ class LayerFilter {
     return settings_.paint_tolerance > 0 ? 1 / settings_.paint_tolerance : 0;
   }
 
-  // Means of luminance and of its variance over 3 x 3 pixels of the same surface: what edges are
-  // told by. One pixel alone is too noisy.
-  void measure_patches(const ColorPlanes& light, const FloatPlane& variance) {
+  // Luminance, and its variance as a mean over 3 x 3 pixels of the same surface: that of a few
+  // paths alone is too uncertain.
+  void measure_noise(const ColorPlanes& light, const FloatPlane& variance) {
     for (std::size_t i = 0; i < film_.count(); ++i)
       level_[i] = luminance(light.at(i));
     for_rows([&](int y, TapSums& sums) {
@@ -166,34 +172,69 @@ class LayerFilter {
       for (int dy = -1; dy <= 1; ++dy) {
         if (y + dy < 0 || y + dy >= film_.height) continue;
         for (int dx = -1; dx <= 1; ++dx)
-          add_patch(variance, tap(y, dx, dy), sums);
+          add_noise(variance, tap(y, dx, dy), sums);
       }
       for (int x = 0; x < film_.width; ++x) {
         const auto k = static_cast<std::size_t>(x);
-        const float scale = 1 / sums.weight[k];
-        patch_[film_.index(x, y)] = sums.red[k] * scale;
-        patch_variance_[film_.index(x, y)] = sums.second[k] * scale;
+        noise_[film_.index(x, y)] = sums.second[k] / sums.weight[k];
       }
     });
   }
 
   // The loops below run over plain arrays that never overlap, so that the compiler may take eight
   // pixels at a time.
-  void add_patch(const FloatPlane& variance, const Tap& t, TapSums& sums) const {
+  void add_noise(const FloatPlane& variance, const Tap& t, TapSums& sums) const {
     const RowGuides p(film_, guides_, t.row), q(film_, guides_, t.neighbours);
-    const float *const level = level_.data() + t.neighbours,
-                       *const noise = variance.data() + t.neighbours,
-                       *const plane_scale = plane_scale_.data() + t.row;
-    float *const weights = sums.weight.data(), *const mean = sums.red.data(),
-                 *const second = sums.second.data();
+    const float* const noise = variance.data() + t.neighbours;
+    const float* const plane_scale = plane_scale_.data() + t.row;
+    float *const weights = sums.weight.data(), *const second = sums.second.data();
     const float paint = paint_scale();
 #pragma GCC ivdep
     for (int x = t.first; x < t.last; ++x) {
       const float weight = alike(p, q, plane_scale[x], paint, x) + 1e-4F;
       weights[x] += weight;
-      mean[x] += weight * level[x];
       second[x] += weight * noise[x];
     }
+  }
+
+  // Adds to sums.apart how much one row of pixels and of their neighbours differ beyond what noise
+  // alone would do, in units of its variance.
+  void add_difference(const Tap& t, TapSums& sums) const {
+    const float* const own = level_.data() + t.row;
+    const float* const other = level_.data() + t.neighbours;
+    const float* const own_noise = noise_.data() + t.row;
+    const float* const other_noise = noise_.data() + t.neighbours;
+    float* const apart = sums.apart.data() + 1;
+    const float edge = 1 / (settings_.tolerance * settings_.tolerance);
+#pragma GCC ivdep
+    for (int x = t.first; x < t.last; ++x) {
+      const float difference = own[x] - other[x];
+      const float expected = own_noise[x] + std::min(own_noise[x], other_noise[x]);
+      const float flat = flattest * own[x];
+      apart[x] += (difference * difference - expected) * edge /
+                  (own_noise[x] + other_noise[x] + flat * flat + 1e-12F);
+    }
+  }
+
+  // Fills sums.patch with the mean of that over 3 x 3 pixels.
+  void compare_patches(int y, int dx, int dy, TapSums& sums) const {
+    std::fill(sums.apart.begin(), sums.apart.end(), 0.0F);
+    float rows = 0;
+    for (int j = -1; j <= 1; ++j) {
+      const int top = std::min(y + j, y + j + dy), bottom = std::max(y + j, y + j + dy);
+      if (top < 0 || bottom >= film_.height) continue;
+      add_difference(tap(y + j, dx, dy), sums);
+      ++rows;
+    }
+    const Tap t = tap(y, dx, dy);
+    float* const apart = sums.apart.data() + 1;
+    apart[t.first - 1] = apart[t.first];
+    apart[t.last] = apart[t.last - 1];
+    float* const mean = sums.patch.data();
+    const float scale = 1 / (3 * rows);
+#pragma GCC ivdep
+    for (int x = t.first; x < t.last; ++x)
+      mean[x] = (apart[x - 1] + apart[x] + apart[x + 1]) * scale;
   }
 
   void add_tap(const ColorPlanes& light,
@@ -202,28 +243,20 @@ class LayerFilter {
                float kernel,
                TapSums& sums) const {
     const RowGuides p(film_, guides_, t.row), q(film_, guides_, t.neighbours);
-    const float *const plane_scale = plane_scale_.data() + t.row,
-                       *const own = patch_.data() + t.row,
-                       *const other = patch_.data() + t.neighbours,
-                       *const own_noise = patch_variance_.data() + t.row,
-                       *const other_noise = patch_variance_.data() + t.neighbours,
-                       *const r = light.axis[0].data() + t.neighbours,
-                       *const g = light.axis[1].data() + t.neighbours,
-                       *const b = light.axis[2].data() + t.neighbours,
-                       *const noise = variance.data() + t.neighbours;
+    const float* const plane_scale = plane_scale_.data() + t.row;
+    const float* const apart = sums.patch.data();
+    const float* const r = light.axis[0].data() + t.neighbours;
+    const float* const g = light.axis[1].data() + t.neighbours;
+    const float* const b = light.axis[2].data() + t.neighbours;
+    const float* const noise = variance.data() + t.neighbours;
     float *const weights = sums.weight.data(), *const red = sums.red.data(),
                  *const green = sums.green.data(), *const blue = sums.blue.data(),
                  *const second = sums.second.data();
-    const float paint = paint_scale(), edge = 1 / (settings_.tolerance * settings_.tolerance);
+    const float paint = paint_scale();
 #pragma GCC ivdep
     for (int x = t.first; x < t.last; ++x) {
-      // Noise alone makes patches differ by the sum of their variances: only more is an edge.
-      const float apart = own[x] - other[x];
-      const float expected = own_noise[x] + std::min(own_noise[x], other_noise[x]);
-      const float flat = flattest * own[x];
-      const float excess = std::max(0.0F, apart * apart - expected) * edge /
-                           (own_noise[x] + other_noise[x] + flat * flat + 1e-12F);
-      const float weight = kernel * alike(p, q, plane_scale[x], paint, x) * bell(excess);
+      const float weight =
+          kernel * alike(p, q, plane_scale[x], paint, x) * bell(std::max(0.0F, apart[x]));
       weights[x] += weight;
       red[x] += weight * r[x];
       green[x] += weight * g[x];
@@ -244,6 +277,7 @@ class LayerFilter {
       if (y + j * step < 0 || y + j * step >= film_.height) continue;
       for (int i = -tap_reach; i <= tap_reach; ++i) {
         if (std::abs(i * step) >= film_.width) continue;
+        compare_patches(y, i * step, j * step, sums);
         add_tap(light,
                 variance,
                 tap(y, i * step, j * step),
@@ -263,7 +297,7 @@ class LayerFilter {
   const PathFilm& film_;
   const PictureGuides& guides_;
   const LayerSettings settings_;
-  FloatPlane plane_scale_, level_, patch_, patch_variance_;
+  FloatPlane plane_scale_, level_, noise_;
 };
 
 }  // namespace

@@ -127,8 +127,10 @@ TEST(Interface, BendsAsSnellSaysAndMirrorsTotally) {
 // Closed rooms whose walls glow with 1 and send back the share rho are 1 / (1 - rho) bright.
 TEST(PathTracing, GlowingRoomIsEvenlyBright) {
   for (const float metallic : {0.0F, 1.0F}) {
-    auto world = empty_world(
-        {.color = {0.5F, 0.5F, 0.5F}, .emission = {1, 1, 1}, .roughness = 1, .metallic = metallic});
+    auto world = empty_world({.color = {0.5F, 0.5F, 0.5F},
+                              .emission = {1, 1, 1},
+                              .roughness = metallic > 0 ? 0.1F : 1.0F,
+                              .metallic = metallic});
     finish_world(*world, cube_room());
     const Vec3f light = mean_path_light(*world, square_view({0, 0, 0}, {0.3, 1, 0.1}), 16384);
     // The coat of a dielectric and Fresnel's lift on a metal send back a few per cent more.
@@ -176,7 +178,8 @@ TEST(PathTracing, SlabsOfColouredWaterDimByTheirDepth) {
   Mesh mesh;
   add_box(mesh, {-5, -0.1F, -5}, {5, 0.1F, 5}, 0, 0);
   finish_world(*world, mesh);
-  const Vec3f light = mean_path_light(*world, square_view({0.3, -2, 0.1}, {0.3, 0, 0.1}, 16, 4), 8192);
+  const Vec3f light =
+      mean_path_light(*world, square_view({0.3, -2, 0.1}, {0.3, 0, 0.1}, 16, 4), 8192);
   const float r = interface_reflectance(1, 1.33F), kept = std::exp(-0.6F);
   const float through = (1 - r) * (1 - r) * kept / (1 - r * r * kept * kept);
   const float back = r + (1 - r) * (1 - r) * r * kept * kept / (1 - r * r * kept * kept);
