@@ -12,10 +12,10 @@ namespace {
 
 constexpr int tap_reach = 2;                                           // 5 x 5 taps
 constexpr float tap_spline[tap_reach + 1] = {0.375F, 0.25F, 0.0625F};  // cubic B-spline
-constexpr float off_plane_m = 0.004F, off_plane_per_m = 0.003F;        // per metre from the eye
+constexpr float off_plane_m = 0.006F, off_plane_per_m = 0.005F;        // per metre from the eye
 constexpr float flattest = 1e-3F;  // relative difference that is never an edge
 constexpr std::size_t denoise_rows = 8;
-constexpr float sparkle_factor = 2;  // over the third brightest neighbour
+constexpr float sparkle_factor = 3;  // over the third brightest neighbour
 
 // How one layer of light is smoothed.
 struct LayerSettings {
@@ -23,7 +23,7 @@ struct LayerSettings {
   float tolerance;        // differences of this many standard deviations are edges
   float paint_tolerance;  // difference in colour that is an edge; 0 = colour does not matter
 };
-constexpr LayerSettings irradiance_settings{5, 1.6F, 0}, gloss_settings{4, 1.6F, 0.12F};
+constexpr LayerSettings irradiance_settings{5, 0.9F, 0}, gloss_settings{4, 1, 0.3F};
 
 // Cuts every pixel to a little over the third brightest around it: lone bright samples go, lines
 // and areas stay. Their variance goes with them.

@@ -14,7 +14,8 @@ namespace marketgen::raytrace {
 namespace {
 
 constexpr int material_texture_px = 512;
-// Panes let rays straight through; glass rougher than this is drawn as milky and opaque.
+// Panes let rays straight through; glass rougher than this is milky: some of its diffuse light
+// leaves on the far side.
 constexpr double clearest_frost = 0.3;
 
 // Colour, the normal's x and y, roughness and metallic, one byte each.
@@ -108,6 +109,7 @@ std::uint16_t Draft::tiled_material(std::string_view id) {
   Material result{.color = {1, 1, 1},
                   .roughness = static_cast<float>(found->roughness),
                   .metallic = static_cast<float>(found->metallic)};
+  if (!clear) result.translucency = static_cast<float>(found->transmission);  // milky
   const MaterialRow copy = *found;
   result.texture = relief_texture(
       "material maps " + std::to_string(material_texture_px) + write_json_line(copy),

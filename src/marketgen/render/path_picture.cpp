@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <optional>
 
 #include "base/interrupt.h"
 #include "base/parallel.h"
@@ -147,22 +149,26 @@ ColorPlanes radiance_of(const PathFilm& film) {
   return radiance;
 }
 
-// The film's radiance, its noise taken out as asked for.
+// The neural denoiser's library where that is the one to use; asked for before hours of work.
+Result<std::optional<std::filesystem::path>> library_for(Denoiser denoiser) {
+  if (denoiser == Denoiser::own || denoiser == Denoiser::none)
+    return std::optional<std::filesystem::path>();
+  std::optional<std::filesystem::path> library = neural_denoiser_library();
+  if (library || denoiser == Denoiser::automatic) return library;
+  return Error{"usage.unavailable",
+               "--denoise neural",
+               "no Open Image Denoise here; `pip install pyoidn` into .venv, or name "
+               "libOpenImageDenoise.so.2 in MARKETGEN_OIDN, or take --denoise own"};
+}
+
+// The film's radiance, its noise taken out by the library if there is one, or as asked for.
 Result<ColorPlanes> without_noise(PathFilm film,
                                   const PictureGuides& guides,
                                   Denoiser denoiser,
+                                  const std::optional<std::filesystem::path>& library,
                                   float exposure) {
-  const auto library = neural_denoiser_library();
-  if (denoiser == Denoiser::none) return radiance_of(film);
-  if (denoiser == Denoiser::neural && !library) {
-    return Error{"usage.unavailable",
-                 "--denoise neural",
-                 "no Open Image Denoise here; `pip install pyoidn` into .venv, or name "
-                 "libOpenImageDenoise.so.2 in MARKETGEN_OIDN, or take --denoise own"};
-  }
-  if (library && (denoiser == Denoiser::neural || denoiser == Denoiser::automatic))
-    return neural_denoise(*library, film, guides, exposure);
-  denoise(film, guides);
+  if (library) return neural_denoise(*library, film, guides, exposure);
+  if (denoiser != Denoiser::none) denoise(film, guides);
   return radiance_of(film);
 }
 
@@ -204,7 +210,7 @@ PathEffort path_effort(Quality quality) {
     case Quality::fast:
       return {16, true};
     case Quality::balanced:
-      return {32, true};
+      return {24, true};
     case Quality::best:
       return {256, false};
   }
@@ -218,13 +224,15 @@ Result<Frame> path_picture(const PathScene& scene,
   const PathEffort effort = path_effort(options.quality);
   const PathSettings settings{options.hide_ceiling ? mask_solid : mask_opaque,
                               effort.end_in_stored_light};
+  MARKETGEN_TRY(const auto library, library_for(options.denoiser));
   PathPicture picture(scene, view, settings);
   MARKETGEN_CHECK(
       picture.run(options.samples > 0 ? options.samples : effort.paths, options.time_s, progress));
   const float exposure =
       scene.world.exposure * std::exp2(static_cast<float>(options.exposure_stops));
-  MARKETGEN_TRY(const ColorPlanes radiance,
-                without_noise(picture.film(), picture.guides(), options.denoiser, exposure));
+  MARKETGEN_TRY(
+      const ColorPlanes radiance,
+      without_noise(picture.film(), picture.guides(), options.denoiser, library, exposure));
   MARKETGEN_CHECK(check_interrupt());
   return frame_of(picture.guides(), radiance, view, exposure);
 }

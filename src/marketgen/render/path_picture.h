@@ -17,7 +17,7 @@ Result<Frame> path_picture(const PathScene& scene,
 
 // Paths a pixel that a quality asks for, and whether they end in stored light.
 struct PathEffort {
-  int paths = 32;
+  int paths = 24;
   bool end_in_stored_light = true;
 };
 PathEffort path_effort(Quality quality);
