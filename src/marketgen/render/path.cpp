@@ -22,7 +22,7 @@ constexpr float bounce_footprint = 0.05F;
 // Paths end in stored light only behind a bounce at least this rough: smoother ones are mirrors.
 constexpr float rough_from = 0.35F;
 constexpr float glass_index = 1.5F;
-constexpr Vec3f paper{0.7F, 0.7F, 0.68F};
+constexpr Vec3f label_back{0.7F, 0.7F, 0.68F};
 // Relief is read from stored light, which knows its tilt only roughly.
 constexpr float darkest_tilt = 0.5F, brightest_tilt = 1.8F;
 constexpr float least_tilt_turn = 1e-4F;
@@ -80,7 +80,7 @@ class PathTracer {
       }
       fade(hit.t);
       Surface surface = surface_at(scene_.world, ray, hit, footprint_at(hit.t));
-      if (inside_ && surface.back_face) surface.albedo = paper;  // a label seen from behind
+      if (inside_ && surface.back_face) surface.albedo = label_back;  // a label seen from behind
       const Material& material = scene_.world.materials[surface.material];
       if (surface.glass || material.clear) {
         ray = cross(surface, material, ray);
