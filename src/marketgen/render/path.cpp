@@ -16,9 +16,9 @@ constexpr int most_bounces = 12, most_crossings = 24;
 constexpr int roulette_from = 3;  // bounces before paths may end by chance
 // In units of white; caps fireflies. Light that reaches the eye by one bounce is never capped.
 constexpr float brightest_indirect = 10;
-constexpr float light_end_m = 5e-3F;
+constexpr float path_light_end_m = 5e-3F;
 // Metres per metre: textures are read blurred after the first bounce.
-constexpr float bounce_footprint = 0.05F;
+constexpr float path_bounce_footprint = 0.05F;
 // Paths end in stored light only behind a bounce at least this rough: smoother ones are mirrors.
 constexpr float rough_from = 0.35F;
 constexpr float glass_index = 1.5F;
@@ -55,7 +55,7 @@ Outlet outlet_of(const World& world, const Surface& surface, float reach_m, Path
       surface.position + aside + surface.face_normal * height, -surface.face_normal, 0, 2 * height};
   const Hit hit = trace_one(world, probe, mask_solid);
   if (!hit.any()) return straight;
-  const Surface found = surface_at(world, probe, hit, bounce_footprint * radius);
+  const Surface found = surface_at(world, probe, hit, path_bounce_footprint * radius);
   if (found.id != surface.id || found.back_face) return straight;
   return {found.position, found.relief_normal, found.face_normal};
 }
@@ -98,7 +98,7 @@ class PathTracer {
   enum class Lobe { none, diffuse, gloss };  // of the first surface that turned the path
 
   float footprint_at(float t) {
-    if (bounces_ > 0) return bounce_footprint * t;
+    if (bounces_ > 0) return path_bounce_footprint * t;
     travelled_ += t;
     return view_.footprint(travelled_);
   }
@@ -254,9 +254,11 @@ class PathTracer {
     if (sample.pdf <= 0) return;
     const Scattering::Value value = scattering.evaluate(sample.direction);
     if (value.pdf <= 0) return;
-    const Vec3f passed = light_through(
-        scene_.world,
-        {start_of(outlet, sample.direction), sample.direction, 0, sample.distance - light_end_m});
+    const Vec3f passed = light_through(scene_.world,
+                                       {start_of(outlet, sample.direction),
+                                        sample.direction,
+                                        0,
+                                        sample.distance - path_light_end_m});
     if (largest(passed) <= 0) return;
     const float weight =
         sample.pdf * sample.pdf / (sample.pdf * sample.pdf + value.pdf * value.pdf);
