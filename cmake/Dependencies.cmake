@@ -3,7 +3,7 @@
 #   MuJoCo::MuJoCo  embree::embree  TBB::tbb  Eigen3::Eigen  Cairo::Pango  Zint::Zint
 #   nlohmann_json::nlohmann_json  flatbuffers::flatbuffers  CLI11::CLI11  fmt::fmt  spdlog::spdlog  tinyxml2::tinyxml2
 #   xsimd::xsimd  squish::squish  TinyGLTF::TinyGLTF  meshoptimizer::meshoptimizer
-#   PNG::PNG  JPEG::JPEG  SQLite::SQLite3  utf8proc::utf8proc  OpenSSL::Crypto  CURL::libcurl  xxHash::xxhash
+#   PNG::PNG  JPEG::JPEG  TinyEXR::TinyEXR  SQLite::SQLite3  utf8proc::utf8proc  OpenSSL::Crypto  CURL::libcurl  xxHash::xxhash
 #   GTest::gtest  GTest::gtest_main  fcl::fcl (tests)
 #
 # All come from `tools/setup`: Debian 12 packages, and MuJoCo from PyPI in .venv.
@@ -61,6 +61,16 @@ if(NOT MARKETGEN_SQUISH)
 endif()
 add_library(squish::squish UNKNOWN IMPORTED)
 set_target_properties(squish::squish PROPERTIES IMPORTED_LOCATION "${MARKETGEN_SQUISH}")
+
+# Debian's libtinyexr has neither a CMake nor a pkg-config file.
+find_library(MARKETGEN_TINYEXR tinyexr)
+find_path(MARKETGEN_TINYEXR_INCLUDE tinyexr.h)
+if(NOT MARKETGEN_TINYEXR OR NOT MARKETGEN_TINYEXR_INCLUDE)
+  message(FATAL_ERROR "libtinyexr was not found: run tools/setup")
+endif()
+add_library(TinyEXR::TinyEXR UNKNOWN IMPORTED)
+set_target_properties(TinyEXR::TinyEXR PROPERTIES
+  IMPORTED_LOCATION "${MARKETGEN_TINYEXR}" INTERFACE_INCLUDE_DIRECTORIES "${MARKETGEN_TINYEXR_INCLUDE}")
 
 find_package(FlatBuffers QUIET CONFIG NAMES FlatBuffers Flatbuffers)
 if(NOT TARGET flatbuffers::flatbuffers)

@@ -6,8 +6,10 @@
 #include <filesystem>
 
 #include "base/parallel.h"
+#include "base/text.h"
 #include "camera_flags.h"
 #include "command.h"
+#include "io/exr.h"
 #include "io/file.h"
 #include "io/json.h"
 #include "io/npy.h"
@@ -27,10 +29,11 @@ struct RenderFlags {
   CommonFlags common;
   CameraFlags camera;
   std::string folder, output, mode = "sensor", quality = "balanced", depth, segmentation,
-                              object_ids, annotations, categories, normals, channels, noise, skin;
+                              object_ids, annotations, categories, normals, channels, noise, skin,
+                              denoise = "auto";
   std::vector<std::string> robots;
   std::uint64_t frame_number = 0;
-  double time_s = 0;
+  double time_s = 0, exposure_stops = 0;
   int samples = 0;
   bool list = false;
 };
@@ -103,6 +106,15 @@ Result<void> write_channels(const RenderFlags& flags,
   return write_png(folder / "sheet.png", channel_sheet(channels));
 }
 
+bool wants_exr(const RenderFlags& flags) {
+  return lower_ascii(std::filesystem::path(flags.output).extension().string()) == ".exr";
+}
+
+Result<void> write_picture(const RenderFlags& flags, const Frame& frame) {
+  if (!wants_exr(flags)) return write_png(flags.output, frame.color);
+  return write_exr(flags.output, {frame.color.width, frame.color.height, frame.radiance});
+}
+
 Result<void> write_planes(const RenderFlags& flags, const Frame& frame) {
   const int width = frame.color.width, height = frame.color.height;
   if (!flags.depth.empty()) MARKETGEN_CHECK(write_depth(flags.depth, frame));
@@ -121,6 +133,8 @@ RenderOptions options_of(const RenderFlags& flags, const Camera& camera) {
   options.quality = value_named<Quality>(flags.quality).value_or(Quality::balanced);
   options.samples = flags.samples;
   options.time_s = flags.time_s;
+  options.denoiser = value_named<Denoiser>(flags.denoise).value_or(Denoiser::automatic);
+  options.exposure_stops = flags.exposure_stops;
   options.hide_ceiling = camera.ortho_height_m > 0;
   return options;
 }
@@ -151,7 +165,7 @@ Result<void> write_all(const RenderFlags& flags,
     frame.color = std::move(noisy.color);
     frame.depth_m = std::move(noisy.depth_m);
   }
-  MARKETGEN_CHECK(write_png(flags.output, frame.color));
+  MARKETGEN_CHECK(write_picture(flags, frame));
   return write_planes(flags, frame);
 }
 
@@ -165,6 +179,8 @@ Result<void> render(const RenderFlags& flags) {
   }
   if (flags.output.empty())
     return Error{"usage.bad_flag", "-o", "say where the picture goes: -o picture.png"};
+  if (wants_exr(flags) && flags.mode != "path")
+    return Error{"usage.bad_flag", "-o", "linear light (EXR) is what --mode path draws"};
   MARKETGEN_TRY(const Camera camera, camera_of(flags.camera, scene));
   if ((!flags.noise.empty() || !flags.channels.empty()) && camera.ortho_height_m > 0)
     return Error{"usage.bad_flag",
@@ -186,7 +202,8 @@ Run add_render(CLI::App& app) {
   auto flags = std::make_shared<RenderFlags>();
   CLI::App* command = app.add_subcommand("render", "Draw a picture of a store");
   command->add_option("folder", flags->folder, "store folder")->required();
-  command->add_option("-o,--output", flags->output, "PNG file to write");
+  command->add_option(
+      "-o,--output", flags->output, "PNG file to write; EXR (--mode path): linear light in cd/m2");
   add_camera_flags(*command, flags->camera);
   command->add_flag("--list-cameras", flags->list, "print the standard views and stop");
   command->add_option("--mode", flags->mode, "sensor: seconds; path: full light transport")
@@ -199,6 +216,13 @@ Run add_render(CLI::App& app) {
       ->check(CLI::Range(0, 65536));
   command->add_option("--time", flags->time_s, "path mode: stop after this many seconds")
       ->check(CLI::Range(0.0, 1e6));
+  command->add_option("--denoise", flags->denoise, "path mode: auto, own, neural or none")
+      ->check(CLI::IsMember({"auto", "own", "neural", "none"}))
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--exposure", flags->exposure_stops, "path mode: stops brighter (+) or darker (-)")
+      ->check(CLI::Range(-10.0, 10.0));
   command->add_option("--skin", flags->skin, "draw the store in the look of this style");
   command
       ->add_option("--robot",
@@ -231,6 +255,7 @@ Run add_render(CLI::App& app) {
   add_common_flags(*command, flags->common, Takes::seed);
   command->footer(
       "Example:  marketgen render shop --camera aisle -o aisle.png --depth aisle-depth.png\n"
+      "          marketgen render shop --camera aisle --mode path -o aisle.exr\n"
       "          marketgen render shop --camera aisle -o robot.png "
       "--robot realman-rm65@4.2,3.1,90,posture=stow,lift=0.3");
   return [flags] {

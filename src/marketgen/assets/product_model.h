@@ -21,7 +21,9 @@ constexpr std::array<std::string_view, 3> names_of(SurfaceKind) {
   return {"opaque", "glass", "emissive"};
 }
 
-// What a triangle looks like. Colours are linear RGB 0..1.
+// What a triangle looks like. Colours are linear RGB 0..1. The wall of a clear pack with a clear
+// liquid in it is one surface: `color` is what both look like from afar, `refraction` the liquid's
+// index.
 struct Surface {
   Vec3f color{0.8F, 0.8F, 0.8F};
   float roughness = 0.5F;
@@ -29,6 +31,7 @@ struct Surface {
   SurfaceKind kind = SurfaceKind::opaque;
   std::string texture =
       {};  // "" none, "label" the product's label image, otherwise a material id (tiled by UV)
+  float refraction = 0;  // 0: not clear
 };
 
 enum class CollisionShape { box, cylinder, ellipsoid };

@@ -14,7 +14,8 @@ namespace marketgen::raytrace {
 namespace {
 
 constexpr int material_texture_px = 512;
-// Panes let rays straight through; glass rougher than this is drawn as milky and opaque.
+// Panes let rays straight through; glass rougher than this is milky: some of its diffuse light
+// leaves on the far side.
 constexpr double clearest_frost = 0.3;
 
 // Colour, the normal's x and y, roughness and metallic, one byte each.
@@ -61,13 +62,21 @@ std::uint16_t Draft::material(const Material& material) {
   if (!glows) {
     const float kind = static_cast<float>(material.texture) * 4 + (material.glass ? 1.0F : 0.0F) +
                        (material.clear ? 2.0F : 0.0F);
-    const std::array<float, 7> look{material.color.x,
-                                    material.color.y,
-                                    material.color.z,
-                                    material.roughness,
-                                    material.metallic,
-                                    material.roughness_scale,
-                                    kind};
+    const MaterialLook look{material.color.x,
+                            material.color.y,
+                            material.color.z,
+                            material.roughness,
+                            material.metallic,
+                            material.roughness_scale,
+                            kind,
+                            material.refraction,
+                            material.absorption_per_m.x,
+                            material.absorption_per_m.y,
+                            material.absorption_per_m.z,
+                            material.coat,
+                            material.coat_roughness,
+                            material.translucency,
+                            material.scatter_m};
     const auto [entry, is_new] = material_of_look_.try_emplace(look, next);
     if (!is_new) return entry->second;
   }
@@ -100,6 +109,7 @@ std::uint16_t Draft::tiled_material(std::string_view id) {
   Material result{.color = {1, 1, 1},
                   .roughness = static_cast<float>(found->roughness),
                   .metallic = static_cast<float>(found->metallic)};
+  if (!clear) result.translucency = static_cast<float>(found->transmission);  // milky
   const MaterialRow copy = *found;
   result.texture = relief_texture(
       "material maps " + std::to_string(material_texture_px) + write_json_line(copy),

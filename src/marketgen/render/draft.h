@@ -61,7 +61,8 @@ class Draft {
 
   std::vector<Order> orders_;
   std::map<std::string, std::int32_t> texture_of_content_;
-  std::map<std::array<float, 7>, std::uint16_t> material_of_look_;
+  using MaterialLook = std::array<float, 15>;
+  std::map<MaterialLook, std::uint16_t> material_of_look_;
 };
 
 }  // namespace marketgen::raytrace

@@ -11,8 +11,8 @@
 namespace marketgen {
 namespace {
 
-constexpr int room_mm = 4000, ceiling_mm = 3000;
-constexpr float middle_m = room_mm * 0.5e-3F;
+constexpr int booth_mm = 4000, ceiling_mm = 3000;
+constexpr float middle_m = booth_mm * 0.5e-3F;
 constexpr float table_m = 0.9F;  // height at which things are shown
 constexpr float ball_radius_m = 0.12F;
 constexpr float slab_m = 0.26F, slab_thickness_m = 0.018F;
@@ -22,7 +22,7 @@ constexpr double material_fov_deg = 22;
 
 Scene stage_for(const MaterialRow& material) {
   Scene scene;
-  scene.layout.shell.width_mm = scene.layout.shell.depth_mm = room_mm;
+  scene.layout.shell.width_mm = scene.layout.shell.depth_mm = booth_mm;
   scene.layout.shell.ceiling_mm = ceiling_mm;
   scene.layout.look.floor = scene.layout.look.wall = scene.layout.look.ceiling = "";
   scene.layout.look.accent = "#c8c8c4";  // no coloured band in what mirrors show

@@ -2,225 +2,303 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "render/light_through.h"
+#include "render/path_numbers.h"
+#include "render/scattering.h"
 #include "render/shading_math.h"
 
 namespace marketgen::raytrace {
 namespace {
 
-constexpr int most_bounces = 12, most_panes = 8;
+constexpr int most_bounces = 12, most_crossings = 24;
 constexpr int roulette_from = 3;  // bounces before paths may end by chance
-constexpr float brightest_indirect =
-    20;  // in units of white; caps fireflies, direct light is never capped
-constexpr float pane_step_m = 1.5e-3F, path_light_end_m = 5e-3F;
-constexpr float path_bounce_footprint =
-    0.05F;  // metres per metre: textures are read blurred after the first hit
-constexpr float least_alpha = 3e-3F;
+// In units of white; caps fireflies. Light that reaches the eye by one bounce is never capped.
+constexpr float brightest_indirect = 10;
+constexpr float path_light_end_m = 5e-3F;
+// Metres per metre: textures are read blurred after the first bounce.
+constexpr float path_bounce_footprint = 0.05F;
+// Paths end in stored light only behind a bounce at least this rough: smoother ones are mirrors.
+constexpr float rough_from = 0.35F;
+constexpr float glass_index = 1.5F;
+constexpr Vec3f label_back{0.7F, 0.7F, 0.68F};
+// Relief is read from stored light, which knows its tilt only roughly.
+constexpr float darkest_tilt = 0.5F, brightest_tilt = 1.8F;
+constexpr float least_tilt_turn = 1e-4F;
 
-// Uniform numbers of one path (PCG-XSH-RR, O'Neill 2014).
-class PathNumbers {
- public:
-  PathNumbers(std::uint32_t pixel, std::uint32_t number)
-      : state_((std::uint64_t{hashed(pixel)} << 32 | hashed(number ^ 0x5bd1e995U)) + pixel) {
-    next();
-  }
-  float next() {
-    state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
-    const auto mixed = static_cast<std::uint32_t>(((state_ >> 18U) ^ state_) >> 27U);
-    return unit_float(std::rotr(mixed, static_cast<int>(state_ >> 59U)));
-  }
+std::uint32_t pixel_number(const PathStart& start) {
+  return static_cast<std::uint32_t>(start.y) * 65536U + static_cast<std::uint32_t>(start.x);
+}
 
- private:
-  std::uint64_t state_;
+Finish finish_of(const Surface& s, const Material& m) {
+  return {s.albedo, s.roughness, s.metallic, m.coat, m.coat_roughness, m.translucency};
+}
+
+// Light that wandered below a surface leaves around where it came in: a point drawn from the
+// normalised diffusion profile (Christensen and Burley 2015), mean reach `reach_m`.
+struct Outlet {
+  Vec3f position, normal, face_normal;
 };
-
-// How a surface scatters: diffuse below a GGX coat, or metal.
-class Scattering {
- public:
-  Scattering(const Surface& surface, Vec3f view)
-      : surface_(surface),
-        frame_(surface.relief_normal),
-        view_(view),
-        n_dot_v_(std::max(dot(surface.relief_normal, view), 1e-3F)),
-        alpha_(std::max(surface.roughness * surface.roughness, least_alpha)) {
-    const float mirrored_share = luminance(fresnel(surface.reflectance(), n_dot_v_));
-    const float diffuse_share = luminance(surface.diffuse());
-    gloss_chance_ =
-        diffuse_share <= 0
-            ? 1
-            : std::clamp(mirrored_share / (mirrored_share + diffuse_share), 0.12F, 0.9F);
-    if (mirrored_share <= 0) gloss_chance_ = 0;
-  }
-
-  struct Value {
-    Vec3f diffuse, gloss;  // reflectance distribution times cosine
-    float pdf = 0;         // of `sample` choosing this direction
-  };
-  Value evaluate(Vec3f light) const {
-    Value value;
-    const float n_dot_l = dot(surface_.relief_normal, light);
-    if (n_dot_l <= 0 || dot(surface_.face_normal, light) <= 0) return value;
-    const Vec3f half = normalized(light + view_);
-    const float n_dot_h = std::max(dot(surface_.relief_normal, half), 0.0F);
-    const Vec3f mirrored_part = fresnel(surface_.reflectance(), dot(view_, half));
-    const float density =
-        ggx_density(n_dot_h, alpha_) * ggx_masking(n_dot_v_, alpha_) / (4 * n_dot_v_);
-    value.gloss = mirrored_part * (density * ggx_masking(n_dot_l, alpha_));
-    value.diffuse = surface_.diffuse() * (Vec3f{1, 1, 1} - mirrored_part) * (n_dot_l * inverse_pi);
-    value.pdf = gloss_chance_ * density + (1 - gloss_chance_) * n_dot_l * inverse_pi;
-    return value;
-  }
-
-  struct Choice {
-    Vec3f direction;
-    bool gloss = false;
-  };
-  Choice sample(PathNumbers& numbers) const {
-    const bool gloss = numbers.next() < gloss_chance_;
-    const float u = numbers.next(), v = numbers.next();
-    if (!gloss) return {frame_.to_world(cosine_direction(u, v)), false};
-    const Vec3f local = frame_.to_local(view_);
-    const Vec3f half = ggx_half_vector(local, alpha_, u, v);
-    return {frame_.to_world(half * (2 * dot(local, half)) - local), true};
-  }
-
- private:
-  const Surface& surface_;
-  TangentFrame frame_;
-  Vec3f view_;
-  float n_dot_v_, alpha_, gloss_chance_ = 0;
-};
-
-// Which first scattering a path went through: what its light counts as.
-enum class Lobe { none, diffuse, other };
+Outlet outlet_of(const World& world, const Surface& surface, float reach_m, PathNumbers& numbers) {
+  const Outlet straight{surface.position, surface.relief_normal, surface.face_normal};
+  const Vec2f at = numbers.pair();
+  const float depth = reach_m / 2.5F;  // the profile's mean radius is 2.5 of its parameter
+  const bool near = at.x < 0.25F;      // a quarter of the light keeps to the narrow exponential
+  const float u = near ? at.x * 4 : (at.x - 0.25F) / 0.75F;
+  const float radius = std::min(-(near ? depth : 3 * depth) * std::log(1 - u), 4 * reach_m);
+  const TangentFrame frame(surface.face_normal);
+  const Vec3f aside = frame.tangent * (radius * std::cos(two_pi * at.y)) +
+                      frame.bitangent * (radius * std::sin(two_pi * at.y));
+  const float height = radius + 1e-3F;
+  const Ray probe{
+      surface.position + aside + surface.face_normal * height, -surface.face_normal, 0, 2 * height};
+  const Hit hit = trace_one(world, probe, mask_solid);
+  if (!hit.any()) return straight;
+  const Surface found = surface_at(world, probe, hit, path_bounce_footprint * radius);
+  if (found.id != surface.id || found.back_face) return straight;
+  return {found.position, found.relief_normal, found.face_normal};
+}
 
 class PathTracer {
  public:
-  PathTracer(const Lighting& lighting, const View& view, PathNumbers numbers, PathSums& sums)
-      : lighting_(lighting), view_(view), numbers_(numbers), sums_(sums) {}
+  PathTracer(const PathScene& scene,
+             const View& view,
+             const PathSettings& settings,
+             PathNumbers numbers)
+      : scene_(scene),
+        view_(view),
+        settings_(settings),
+        numbers_(numbers),
+        firefly_(brightest_indirect / scene.world.exposure) {}
 
-  void run(Ray ray, unsigned mask) {
-    int bounces = 0, panes = 0;
-    while (bounces <= most_bounces && panes <= most_panes) {
-      const Hit hit = trace_one(lighting_.world, ray, mask | mask_glass);
-      if (!hit.any()) return add_surroundings(ray, bounces);
-      travelled_ += hit.t;
-      const float footprint =
-          bounces == 0 ? view_.footprint(travelled_) : path_bounce_footprint * hit.t;
-      const Surface surface = surface_at(lighting_.world, ray, hit, footprint);
-      if (surface.glass) {
-        ray = through_pane(surface, ray);
-        ++panes;
-        continue;
+  PathLight run(Ray ray, Hit hit) {
+    for (int crossings = 0; crossings <= most_crossings;) {
+      if (!hit.any()) {
+        add_surroundings(ray);
+        break;
       }
-      add_emission(surface, ray, bounces);
-      if (bounces == 0) sums_.albedo += surface.diffuse() * relief_shade(lighting_, surface);
-      if (!scatter(surface, ray, bounces)) return;
-      mask = mask_opaque;
-      ++bounces;
+      fade(hit.t);
+      Surface surface = surface_at(scene_.world, ray, hit, footprint_at(hit.t));
+      if (inside_ && surface.back_face) surface.albedo = label_back;  // a label seen from behind
+      const Material& material = scene_.world.materials[surface.material];
+      if (surface.glass || material.clear) {
+        ray = cross(surface, material, ray);
+        ++crossings;
+      } else if (!bounce(surface, material, ray)) {
+        break;
+      }
+      hit =
+          trace_one(scene_.world, ray, (bounces_ == 0 ? settings_.mask : mask_opaque) | mask_glass);
     }
+    return light_;
   }
 
  private:
-  void add(Vec3f light, Lobe lobe, int bounces) {
-    if (bounces > 0) {
-      const float limit = brightest_indirect / lighting_.world.exposure;
+  enum class Lobe { none, diffuse, gloss };  // of the first surface that turned the path
+
+  float footprint_at(float t) {
+    if (bounces_ > 0) return path_bounce_footprint * t;
+    travelled_ += t;
+    return view_.footprint(travelled_);
+  }
+
+  // What the contents of a pack take of the light since they were entered.
+  void fade(float t) {
+    if (!inside_) return;
+    const Vec3f depth = scene_.world.materials[*inside_].absorption_per_m * t;
+    throughput_ *= Vec3f{std::exp(-depth.x), std::exp(-depth.y), std::exp(-depth.z)};
+  }
+
+  void add(Vec3f light, Lobe lobe) {
+    if (bounces_ > 0) {
       const float top = largest(light);
-      if (top > limit) light = light * (limit / top);
+      if (top > firefly_) light = light * (firefly_ / top);
     }
     if (!is_finite(light)) return;
-    (lobe == Lobe::diffuse ? sums_.diffuse : sums_.other) += light;
+    if (lobe == Lobe::none) light_.glow += light;
+    if (lobe == Lobe::diffuse) light_.diffuse += light;
+    if (lobe == Lobe::gloss) light_.gloss += light;
   }
 
-  void add_surroundings(const Ray& ray, int bounces) {
+  // Whether a lamp found by chance was already counted in full where the path last scattered:
+  // light_through looks straight through clear packs.
+  bool counted_by_lamps() const { return bounces_ > 0 && bent_; }
+
+  void add_surroundings(const Ray& ray) {
     // After a rough bounce, daylight has been counted by the windows' area lights.
-    if (bounces > 0 && scatter_pdf_ > 0 && lighting_.world.surroundings.sampled_as_lights) return;
-    add(throughput_ * lighting_.world.surroundings.radiance(ray.direction), lobe_, bounces);
+    const bool sampled = scene_.world.surroundings.sampled_as_lights;
+    if (bounces_ > 0 && sampled && (bent_ || scatter_pdf_ > 0)) return;
+    add(throughput_ * scene_.world.surroundings.radiance(ray.direction), lobe_);
   }
 
-  Ray through_pane(const Surface& pane, const Ray& ray) {
-    const float reflected = fresnel({pane_reflectance, pane_reflectance, pane_reflectance},
-                                    -dot(pane.relief_normal, ray.direction))
-                                .x;
-    if (numbers_.next() < reflected) {
-      if (lobe_ == Lobe::none) lobe_ = Lobe::other;
-      return {pane.position, mirrored(ray.direction, pane.relief_normal)};
+  // Through a pane, a thin wall, or into and out of what fills a pack; or mirrored by it.
+  Ray cross(const Surface& surface, const Material& material, const Ray& ray) {
+    const bool bends = !surface.glass && material.refraction > 1;
+    const float eta = surface.back_face ? 1 / material.refraction : material.refraction;
+    const float cosine = -dot(surface.relief_normal, ray.direction);
+    const float reflected = bends           ? interface_reflectance(cosine, eta)
+                            : surface.glass ? interface_reflectance(cosine, glass_index)
+                                            : sheet_reflectance(cosine, glass_index);
+    if (numbers_.one() < reflected) {
+      if (lobe_ == Lobe::none && !inside_) lobe_ = Lobe::gloss;
+      scatter_pdf_ = 0;
+      return {surface.position, mirrored(ray.direction, surface.relief_normal)};
     }
-    throughput_ *= pane.albedo;
-    return {pane.position + ray.direction * pane_step_m, ray.direction};
+    const Vec3f beyond = surface.position - surface.face_normal * (2 * surface_lift_m);
+    if (surface.glass) throughput_ *= surface.albedo;
+    if (!bends) return {beyond, ray.direction};
+    inside_ = surface.back_face ? std::nullopt : std::optional<std::size_t>(surface.material);
+    bent_ = true;
+    const auto turned = refracted(ray.direction, surface.relief_normal, eta);
+    return {beyond, turned ? *turned : ray.direction};
   }
 
-  void add_emission(const Surface& surface, const Ray& ray, int bounces) {
+  // Takes the surface's light and turns `ray` into the next one; false when the path ends.
+  bool bounce(const Surface& surface, const Material& material, Ray& ray) {
+    add_emission(surface, ray);
+    if (bounces_ == 0) note_look(surface);
+    if (bounces_ > 0 && settings_.end_in_stored_light && softened_) {
+      add(throughput_ * stored(surface, ray.direction), lobe_);
+      return false;
+    }
+    return bounces_ < most_bounces && scatter(surface, material, ray);
+  }
+
+  void add_emission(const Surface& surface, const Ray& ray) {
     if (largest(surface.emission) <= 0) return;
     float weight = 1;
-    if (surface.light >= 0 && scatter_pdf_ > 0) {
-      const AreaLight& light = lighting_.world.lights[static_cast<std::size_t>(surface.light)];
-      if (dot(ray.direction, light.normal) >= 0) return;
-      const float lamp_pdf = lighting_.lights.pdf(
-          scattered_at_, surface.light, ray.direction, length(surface.position - scattered_at_));
-      weight = scatter_pdf_ * scatter_pdf_ / (scatter_pdf_ * scatter_pdf_ + lamp_pdf * lamp_pdf);
+    if (surface.light >= 0) {
+      if (counted_by_lamps()) return;
+      const AreaLight& light = scene_.world.lights[static_cast<std::size_t>(surface.light)];
+      if (bounces_ > 0 && dot(ray.direction, light.normal) >= 0) return;
+      if (scatter_pdf_ > 0) {
+        const float lamp_pdf = scene_.lights.pdf(
+            scattered_at_, surface.light, ray.direction, length(surface.position - scattered_at_));
+        weight = scatter_pdf_ * scatter_pdf_ / (scatter_pdf_ * scatter_pdf_ + lamp_pdf * lamp_pdf);
+      }
     }
-    add(throughput_ * surface.emission * weight, lobe_, bounces);
+    add(throughput_ * surface.emission * weight, lobe_);
   }
 
-  // Adds lamp light and turns `ray` into the next one; false when the path ends.
-  bool scatter(const Surface& surface, Ray& ray, int bounces) {
-    const Scattering scattering(surface, -ray.direction);
-    add_lamp(surface, scattering, bounces);
-    const Scattering::Choice choice = scattering.sample(numbers_);
+  void note_look(const Surface& surface) {
+    if (lobe_ != Lobe::none) return;  // seen in a mirror
+    const Vec3f through = throughput_ * tilt(surface);
+    light_.albedo = surface.diffuse() * through;
+    light_.paint = surface.albedo * through;
+  }
+
+  // How much more or less light relief catches than the flat face: keeps relief out of the filter.
+  float tilt(const Surface& surface) const {
+    if (dot(surface.relief_normal, surface.normal) > 1 - least_tilt_turn) return 1;
+    return std::clamp(scene_.field.tilt(place_of(surface), surface.normal, surface.relief_normal),
+                      darkest_tilt,
+                      brightest_tilt);
+  }
+
+  // Radiance towards where the ray came from, from stored light; lamps' own light left out.
+  Vec3f stored(const Surface& surface, Vec3f direction) const {
+    const Place place = place_of(surface);
+    const Vec3f mirrored_share = rough_fresnel(
+        surface.reflectance(), -dot(surface.relief_normal, direction), surface.roughness);
+    const Vec3f around =
+        scene_.field.at(place, mirrored(direction, surface.relief_normal)) * inverse_pi;
+    const Vec3f before = scene_.field.at(place, surface.relief_normal) * inverse_pi;
+    return surface.diffuse() * (Vec3f{1, 1, 1} - mirrored_share) * before + mirrored_share * around;
+  }
+
+  bool scatter(const Surface& surface, const Material& material, Ray& ray) {
+    Outlet outlet{surface.position, surface.relief_normal, surface.face_normal};
+    if (material.scatter_m > 0 && bounces_ == 0)
+      outlet = outlet_of(scene_.world, surface, material.scatter_m, numbers_);
+    const Scattering scattering(finish_of(surface, material),
+                                surface.relief_normal,
+                                outlet.normal,
+                                outlet.face_normal,
+                                -ray.direction);
+    add_lamp(outlet, scattering);
+    const float pick = numbers_.one();
+    const Vec2f at = numbers_.pair();
+    const Scattering::Choice choice = scattering.sample(pick, at.x, at.y);
     const Scattering::Value value = scattering.evaluate(choice.direction);
     if (value.pdf <= 1e-6F) return false;
     throughput_ *= (value.diffuse + value.gloss) / value.pdf;
-    if (lobe_ == Lobe::none) lobe_ = choice.gloss ? Lobe::other : Lobe::diffuse;
+    if (lobe_ == Lobe::none) lobe_ = choice.gloss ? Lobe::gloss : Lobe::diffuse;
+    softened_ = softened_ || !choice.gloss || surface.roughness >= rough_from;
     scatter_pdf_ = value.pdf;
-    scattered_at_ = surface.position;
-    ray = {surface.position, choice.direction};
-    if (bounces < roulette_from) return largest(throughput_) > 0;
+    scattered_at_ = outlet.position;
+    bent_ = false;
+    ++bounces_;
+    ray = {start_of(outlet, choice.direction), choice.direction};
+    return survives();
+  }
+
+  // Directions through a thin body start on its far side.
+  static Vec3f start_of(const Outlet& outlet, Vec3f direction) {
+    if (dot(direction, outlet.face_normal) >= 0) return outlet.position;
+    return outlet.position - outlet.face_normal * (2 * surface_lift_m);
+  }
+
+  bool survives() {
+    if (bounces_ <= roulette_from) return largest(throughput_) > 0;
     const float survival = std::clamp(largest(throughput_), 0.05F, 0.95F);
-    if (numbers_.next() >= survival) return false;
+    if (numbers_.one() >= survival) return false;
     throughput_ = throughput_ / survival;
     return true;
   }
 
-  void add_lamp(const Surface& surface, const Scattering& scattering, int bounces) {
-    const float pick = numbers_.next(), u = numbers_.next(), v = numbers_.next();
-    const LightSample sample = lighting_.lights.sample(surface.position, pick, u, v);
+  void add_lamp(const Outlet& outlet, const Scattering& scattering) {
+    const float pick = numbers_.one();
+    const Vec2f at = numbers_.pair();
+    const LightSample sample = scene_.lights.sample(outlet.position, pick, at.x, at.y);
     if (sample.pdf <= 0) return;
     const Scattering::Value value = scattering.evaluate(sample.direction);
     if (value.pdf <= 0) return;
-    const Ray shadow{surface.position, sample.direction, 0, sample.distance - path_light_end_m};
-    if (is_blocked(lighting_.world, shadow, mask_opaque)) return;
+    const Vec3f passed = light_through(scene_.world,
+                                       {start_of(outlet, sample.direction),
+                                        sample.direction,
+                                        0,
+                                        sample.distance - path_light_end_m});
+    if (largest(passed) <= 0) return;
     const float weight =
         sample.pdf * sample.pdf / (sample.pdf * sample.pdf + value.pdf * value.pdf);
-    const Vec3f light = throughput_ * sample.irradiance_scale * weight;
-    add(light * value.diffuse, lobe_ == Lobe::none ? Lobe::diffuse : lobe_, bounces);
-    add(light * value.gloss, lobe_ == Lobe::none ? Lobe::other : lobe_, bounces);
+    const Vec3f light = throughput_ * sample.irradiance_scale * passed * weight;
+    add(light * value.diffuse, lobe_ == Lobe::none ? Lobe::diffuse : lobe_);
+    add(light * value.gloss, lobe_ == Lobe::none ? Lobe::gloss : lobe_);
   }
 
-  const Lighting& lighting_;
+  const PathScene& scene_;
   const View& view_;
+  const PathSettings& settings_;
   PathNumbers numbers_;
-  PathSums& sums_;
+  float firefly_;
+  PathLight light_;
   Vec3f throughput_{1, 1, 1}, scattered_at_;
-  float scatter_pdf_ = 0;  // 0: the eye or a mirror-like pane; lamps seen then count in full
+  float scatter_pdf_ = 0;  // 0: the eye or a mirror; lamps seen then count in full
   float travelled_ = 0;
+  int bounces_ = 0;
+  std::optional<std::size_t> inside_;  // material of the wall whose contents the path is in
+  bool bent_ = false;                  // by contents since it last scattered
+  bool softened_ = false;              // by a rough bounce
   Lobe lobe_ = Lobe::none;
 };
 
 }  // namespace
 
-void add_path(const Lighting& lighting,
-              const View& view,
-              int x,
-              int y,
-              std::uint32_t number,
-              unsigned camera_mask,
-              PathSums& sums) {
-  PathNumbers numbers(static_cast<std::uint32_t>(y) * 65536U + static_cast<std::uint32_t>(x),
-                      number);
-  const float dx = numbers.next(), dy = numbers.next();
-  const Ray ray = view.ray(static_cast<float>(x) + dx, static_cast<float>(y) + dy);
-  PathTracer(lighting, view, numbers, sums).run(ray, camera_mask);
+Ray eye_ray(const View& view, const PathStart& start) {
+  const Vec2f inside = PathNumbers(pixel_number(start), start.number).pair();
+  return view.ray(static_cast<float>(start.x) + inside.x, static_cast<float>(start.y) + inside.y);
+}
+
+PathLight trace_path(const PathScene& scene,
+                     const View& view,
+                     const PathSettings& settings,
+                     const PathStart& start,
+                     const Ray& ray,
+                     const Hit& first) {
+  PathNumbers numbers(pixel_number(start), start.number);
+  (void)numbers.pair();  // the one that eye_ray took
+  return PathTracer(scene, view, settings, numbers).run(ray, first);
 }
 
 }  // namespace marketgen::raytrace

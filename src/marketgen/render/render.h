@@ -20,6 +20,7 @@
 #include "geometry/pose.h"
 #include "render/actor.h"
 #include "render/camera.h"
+#include "render/matter.h"
 #include "scene/scene.h"
 
 namespace marketgen {
@@ -34,6 +35,13 @@ constexpr std::array<std::string_view, 3> names_of(Quality) {
   return {"fast", "balanced", "best"};
 }
 
+// What takes the noise out of path-traced pictures. automatic: neural where Open Image Denoise is
+// installed (see neural_denoise.h), else own.
+enum class Denoiser { automatic, own, neural, none };
+constexpr std::array<std::string_view, 4> names_of(Denoiser) {
+  return {"auto", "own", "neural", "none"};
+}
+
 // How finely the print on packs is drawn. near: for cameras that come as close as a hand does;
 // distant: a quarter as fine (price labels a third), for pictures whose pixels cover 2 mm of a pack
 // or more, as previews.
@@ -45,15 +53,10 @@ struct RenderOptions {
   int samples = 0;    // per pixel; 0 = what the quality says
   double time_s = 0;  // path mode: stop adding samples after this long; 0 = no limit (then not
                       // reproducible if set)
-  bool hide_ceiling = false;  // for views from above
+  bool hide_ceiling = false;                // for views from above
+  Denoiser denoiser = Denoiser::automatic;  // path mode
+  double exposure_stops = 0;                // path mode: brighter (+) or darker than the store asks
 };
-
-// What light meets first on its way from the eye: the pane counts, not what is behind it.
-// metal: bare, so that it mirrors; clear: a clear pack with what it holds, as bottles of PET.
-enum class Matter : std::uint8_t { none, solid, glass, metal, clear };
-constexpr std::array<std::string_view, 5> names_of(Matter) {
-  return {"none", "solid", "glass", "metal", "clear"};
-}
 
 // Planes are row-major from the top left, one entry a pixel.
 struct Frame {
@@ -62,6 +65,7 @@ struct Frame {
   std::vector<std::uint32_t> instance;  // what is seen, by number: see picture_objects.h
   std::vector<float> normals;           // world frame, 3 a pixel
   std::vector<std::uint8_t> matter;     // Matter of what is met first
+  std::vector<float> radiance;          // path mode: linear RGB (Rec. 709) in cd/m2, 3 a pixel
 };
 
 // A caller's memory for one picture, row-major from the top left; null: not wanted. As the planes

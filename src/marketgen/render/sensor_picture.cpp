@@ -7,7 +7,6 @@
 
 #include "base/interrupt.h"
 #include "base/parallel.h"
-#include "render/first_hits.h"
 #include "render/sensor_edges.h"
 #include "render/tone.h"
 

@@ -8,9 +8,8 @@
 namespace marketgen::raytrace {
 namespace {
 
-constexpr float surface_lift_m =
-    3e-4F;  // longer than float error at 100 m, shorter than any gap that shows
-constexpr float least_tilt = 0.012F;  // 0.7 degrees: relief below shows nowhere
+constexpr float least_tilt = 0.012F;      // 0.7 degrees: relief below shows nowhere
+constexpr float least_bare_metal = 0.5F;  // metallic; lacquered tin has 0.3
 constexpr float past_hidden_m = 1e-4F;
 constexpr float least_slant = 0.15F;  // cosine below which footprints grow no more
 constexpr float least_facing =
@@ -55,13 +54,6 @@ alignas(64) constexpr std::array<std::array<int, packet_size>, packet_size + 1> 
   }
   return masks;
 }();
-
-const TriangleRecord& record_of(const World& world, const Hit& hit) {
-  if (hit.instance != RTC_INVALID_GEOMETRY_ID)
-    return world.instances[hit.instance].records[hit.geometry][hit.primitive];
-  if (hit.geometry == shell_glass_geometry) return world.shell_glass.records[hit.primitive];
-  return (hit.geometry == ceiling_geometry ? world.ceiling : world.shell).records[hit.primitive];
-}
 
 // A vector kept as 16-bit numbers, in 1/32767; reads eight bytes.
 Float4 unpacked4(const std::int16_t* v) {
@@ -295,6 +287,18 @@ bool is_blocked(const World& world, const Ray& ray, unsigned mask) {
   if (query.tfar >= 0 && meets_actors(world, mask))
     rtcOccluded1(world.actors.bvh.get(), &context, &query);
   return query.tfar < 0;
+}
+
+const TriangleRecord& record_of(const World& world, const Hit& hit) {
+  if (hit.instance != RTC_INVALID_GEOMETRY_ID)
+    return world.instances[hit.instance].records[hit.geometry][hit.primitive];
+  if (hit.geometry == shell_glass_geometry) return world.shell_glass.records[hit.primitive];
+  return (hit.geometry == ceiling_geometry ? world.ceiling : world.shell).records[hit.primitive];
+}
+
+Matter matter_of(const World& world, const Surface& surface) {
+  if (world.materials[surface.material].clear) return Matter::clear;
+  return surface.metallic > least_bare_metal ? Matter::metal : Matter::solid;
 }
 
 Vec3f Surface::reflectance() const {

@@ -6,12 +6,16 @@
 #include <limits>
 #include <span>
 
+#include "render/matter.h"
 #include "render/world.h"
 
 namespace marketgen::raytrace {
 
 constexpr float ray_infinity = std::numeric_limits<float>::infinity();
 constexpr std::size_t packet_size = 16;
+// Points are lifted off the triangle by this: longer than float error at 100 m, shorter than any
+// gap that shows.
+constexpr float surface_lift_m = 3e-4F;
 
 struct Ray {
   Vec3f origin, direction;  // direction is a unit vector
@@ -47,7 +51,7 @@ bool is_blocked(const World& world, const Ray& ray, unsigned mask);
 
 // A point seen, ready to be lit.
 struct Surface {
-  Vec3f position;             // lifted 0.3 mm off the triangle, towards the viewer
+  Vec3f position;             // lifted by surface_lift_m off the triangle, towards the viewer
   Vec3f face_normal, normal;  // towards the viewer
   Vec3f relief_normal;        // the same with the material's relief
   Vec3f albedo;               // diffuse colour, or the metal's colour
@@ -64,6 +68,9 @@ struct Surface {
   Vec3f reflectance() const;  // at normal incidence
 };
 
+// Of a surface that is no pane.
+Matter matter_of(const World& world, const Surface& surface);
+const TriangleRecord& record_of(const World& world, const Hit& hit);
 // full: textures between mip levels, and their relief. level: textures from one mip level, and the
 // relief's mean gloss; half the cost, for what is small or seen in a mirror.
 enum class TextureDetail { full, level };

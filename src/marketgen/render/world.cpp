@@ -63,6 +63,7 @@ void attach(RTCScene scene, RTCGeometry geometry, unsigned id) {
 
 void commit_mesh(RTCDevice device, TracedMesh& mesh) {
   mesh.bvh.reset(rtcNewScene(device));
+  rtcSetSceneFlags(mesh.bvh.get(), RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);  // light_through.h
   rtcSetSceneBuildQuality(mesh.bvh.get(), RTC_BUILD_QUALITY_MEDIUM);
   if (!mesh.solid.empty())
     attach(mesh.bvh.get(), make_geometry(device, mesh.solid, mask_solid), mesh_solid_geometry);
@@ -209,6 +210,7 @@ void commit(World& world) {
 
   world.bvh.reset(rtcNewScene(device));
   RTCScene top = world.bvh.get();
+  rtcSetSceneFlags(top, RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
   rtcSetSceneBuildQuality(top, RTC_BUILD_QUALITY_MEDIUM);
   if (!world.shell.empty())
     attach(top, make_geometry(device, world.shell, mask_solid), shell_geometry);

@@ -34,8 +34,16 @@ struct Material {
   // Index into World::reliefs: normals, and roughness and metallic instead of those above.
   std::int32_t relief = -1;
   float roughness_scale = 1;  // on the relief's
-  bool clear = false;         // a clear pack with its contents: Matter::clear; drawn as it is
   bool glass = false;  // thin pane: reflects, lets the rest straight through, tinted by `color`
+  // The wall of a clear pack, seen through; `color` is what pack and contents look like from afar.
+  bool clear = false;
+
+  // ---- What only path tracing reads ----
+  float refraction = 1;      // clear only: index of what fills the pack behind this wall; 1 = air
+  Vec3f absorption_per_m{};  // clear only: of what fills it (Beer-Lambert)
+  float coat = 0, coat_roughness = 0.1F;  // share of a clear lacquer on top
+  float translucency = 0;                 // share of diffuse light that leaves on the far side
+  float scatter_m = 0;  // how far light wanders below the surface, mean; 0 = not at all
 };
 
 // A rectangle that lights: corner + u * edge_u + v * edge_v, on the side of `normal`.

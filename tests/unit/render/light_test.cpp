@@ -1,83 +1,15 @@
-// Light with known answers: a furnace, a lamp over a floor, textures, tone.
+// Light with known answers: a lamp over a floor, textures, tone; path_test.cpp has furnaces.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "render/film.h"
-#include "render/filter.h"
-#include "render/path.h"
+#include "render/light_grid.h"
 #include "render/shading_math.h"
 #include "render/texture.h"
 #include "render/tone.h"
 
 namespace marketgen::raytrace {
 namespace {
-
-// A closed cube of 2 m around the origin, inside out, of one material.
-std::unique_ptr<World> cube_room(const Material& material) {
-  auto world = std::make_unique<World>();
-  world->device.reset(rtcNewDevice(nullptr));
-  world->materials = {material};
-  Mesh mesh;
-  add_quad(mesh, {-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, 0);  // floor
-  add_quad(mesh, {-1, -1, 1}, {-1, 1, 1}, {1, 1, 1}, {1, -1, 1}, 0);      // ceiling
-  add_quad(mesh, {1, -1, -1}, {-1, -1, -1}, {-1, -1, 1}, {1, -1, 1}, 0);
-  add_quad(mesh, {-1, 1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, 1}, 0);
-  add_quad(mesh, {-1, -1, -1}, {-1, 1, -1}, {-1, 1, 1}, {-1, -1, 1}, 0);
-  add_quad(mesh, {1, 1, -1}, {1, -1, -1}, {1, -1, 1}, {1, 1, 1}, 0);
-  append(world->shell, world->shell_glass, mesh, {0}, *world, {1, -1});
-  for (const Vec3f& p : world->shell.positions)
-    world->room.include(p);
-  return world;
-}
-
-View view_of_wall() {
-  Camera camera;
-  camera.from = {0, 0, 0};
-  camera.at = {0.3, 1, 0.1};
-  camera.width = camera.height = 16;
-  return View(camera);
-}
-
-Vec3f mean_path_light(const World& world, const View& view, int paths) {
-  const LightGrid lights(world);
-  const Scene none;
-  const IrradianceField field(world, lights, none);
-  const PanelReflection panels(world);
-  const Lighting lighting{world, lights, field, panels};
-  PathSums sums;
-  for (int i = 0; i < paths; ++i)
-    add_path(lighting, view, i % 16, i / 16 % 16, static_cast<std::uint32_t>(i), mask_opaque, sums);
-  return (sums.diffuse + sums.other) / static_cast<float>(paths);
-}
-
-// In a closed room whose walls all glow with radiance e and send back the share rho, radiance is e
-// / (1 - rho) everywhere.
-TEST(PathTracing, FurnaceIsEvenlyBright) {
-  Material walls{.color = {0.5F, 0.5F, 0.5F}, .emission = {1, 1, 1}, .roughness = 1};
-  walls.metallic = 0;
-  auto world = cube_room(walls);
-  world->exposure = 1e-6F;  // the firefly cap is in units of white: out of the way
-  commit(*world);
-  const Vec3f light = mean_path_light(*world, view_of_wall(), 20000);
-  // 4 % of the light is mirrored by the coat before the diffuse base takes its half of the rest;
-  // rho lies between.
-  const float diffuse_only = 1 / (1 - 0.5F),
-              with_whole_coat = 1 / (1 - (0.5F * 0.96F + 0.04F + 0.02F));
-  EXPECT_GT(light.x, diffuse_only * 0.98F);
-  EXPECT_LT(light.x, with_whole_coat * 1.04F);
-  EXPECT_NEAR(light.x, light.y, 0.01F);
-}
-
-// A lambertian mirror-free check: black walls only show their own glow.
-TEST(PathTracing, BlackWallsOnlyGlow) {
-  auto world =
-      cube_room({.color = {0, 0, 0}, .emission = {2, 2, 2}, .roughness = 1, .metallic = 1});
-  world->exposure = 1e-6F;
-  commit(*world);
-  const Vec3f light = mean_path_light(*world, view_of_wall(), 2000);
-  EXPECT_NEAR(light.x, 2, 0.05F);  // Fresnel at grazing angles adds a little even for a black metal
-}
 
 // Irradiance under the middle of a square lamp of side a at height h (form factor of a parallel
 // rectangle to a differential element, e.g. Howell's catalogue C-11): E = L * 4 * F, F over each
@@ -116,33 +48,6 @@ TEST(Texture, MipLevelsKeepTheMeanLight) {
   EXPECT_NEAR(texture.sample(0.5F / 64, 0.5F, 0).x, 1, 0.01F);
   EXPECT_NEAR(texture.sample(1.5F / 64, 0.5F, 0).x, 0, 0.01F);
   EXPECT_NEAR(texture.sample(1 + 0.5F / 64, -3.5F, 0).x, 1, 0.01F);  // repeats
-}
-
-TEST(Filter, TakesOutNoiseAndKeepsAnEdge) {
-  Film film(64, 32);
-  for (int y = 0; y < film.height; ++y) {
-    for (int x = 0; x < film.width; ++x) {
-      const std::size_t i = film.index(x, y);
-      const bool left = x < 32;
-      film.normal.set(i, left ? Vec3f{0, 0, 1} : Vec3f{1, 0, 0});  // two walls
-      film.position.set(
-          i,
-          left ? Vec3f{static_cast<float>(x) * 0.01F, static_cast<float>(y) * 0.01F, 0}
-               : Vec3f{0.32F, static_cast<float>(y) * 0.01F, static_cast<float>(x - 32) * 0.01F});
-      film.depth[i] = 1;
-      const float noise = unit_float(hashed(static_cast<std::uint32_t>(i))) - 0.5F;
-      const float value = (left ? 1.0F : 3.0F) + noise;
-      film.irradiance.set(i, {value, value, value});
-    }
-  }
-  smooth(film, film.irradiance, {});
-  EXPECT_NEAR(film.irradiance.at(film.index(31, 16)).x, 1, 0.12F);
-  EXPECT_NEAR(film.irradiance.at(film.index(32, 16)).x, 3, 0.12F);
-  double deviation = 0;
-  for (int y = 0; y < film.height; ++y)
-    deviation +=
-        std::fabs(static_cast<double>(film.irradiance.at(film.index(10, y)).x) - 1) / film.height;
-  EXPECT_LT(deviation, 0.06);  // uniform noise of +-0.5 has a mean deviation of 0.25
 }
 
 TEST(Tone, GreysStayGreyAndRise) {

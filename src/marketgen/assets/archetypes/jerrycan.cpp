@@ -66,7 +66,8 @@ Result<ProductModel> make_jerrycan(const Product& product) {
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   MARKETGEN_TRY(const Vec3f contents, contents_color(product));
   const LabelZone zone = label_zone_of(product);
-  const std::uint16_t body = pack.add_surface(filled_plastic(contents));
+  const std::uint16_t body =
+      pack.add_surface(filled_plastic(contents, contents_refraction(product)));
   const std::uint16_t print = pack.add_print(film_roughness);
   const std::uint16_t cap = pack.add_surface(plastic(colors.accent));
   const std::vector<Section> sections = blown_body(pack, jerrycan_levels, zone, body, print);

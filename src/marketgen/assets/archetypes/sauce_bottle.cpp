@@ -16,8 +16,8 @@ Result<ProductModel> make_sauce_bottle(const Product& product) {
   MARKETGEN_TRY(const Vec3f contents, contents_color(product));
   const LabelZone zone = label_zone_of(product);
   const bool glass = product.material == "glass";
-  const std::uint16_t bottle =
-      pack.add_surface(glass ? filled_glass(contents) : filled_plastic(contents));
+  const std::uint16_t bottle = pack.add_surface(
+      glass ? filled_glass(contents, contents_refraction(product)) : filled_plastic(contents));
   const std::uint16_t print = pack.add_print(gloss_paper_roughness);
   const std::uint16_t cap = pack.add_surface(plastic(colors.accent));
   const float h = pack.height();

@@ -15,7 +15,8 @@ Result<ProductModel> make_spirit_bottle(const Product& product) {
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   MARKETGEN_TRY(const Vec3f contents, contents_color(product));
   const LabelZone zone = label_zone_of(product);
-  const std::uint16_t glass = pack.add_surface(filled_glass(contents));
+  const std::uint16_t glass =
+      pack.add_surface(filled_glass(contents, contents_refraction(product)));
   const std::uint16_t print = pack.add_print(matt_paper_roughness);
   const std::uint16_t cap = pack.add_surface(lacquered_metal(colors.accent));
   const float h = pack.height();

@@ -1,16 +1,17 @@
 #include "assets/archetypes/surfaces.h"
 
-#include <utility>
-
 #include "assets/color.h"
 #include "base/text.h"
 
 namespace marketgen {
 namespace {
 
-using ContentRow = std::pair<std::string_view, std::string_view>;
+struct ContentRow {
+  std::string_view word, color;
+  float refraction;
+};
 constexpr ContentRow content_rows[] = {
-#define CONTENT(word, color) {word, color},
+#define CONTENT(word, color, refraction) {word, color, refraction},
 #include "assets/archetypes/contents.inc"
 #undef CONTENT
 };
@@ -21,6 +22,15 @@ std::string words_of(const Product& product) {
   for (const std::string& keyword : product.keywords)
     words += " " + keyword;
   return lower_ascii(words);
+}
+
+// The first row whose word the product's contain, or null.
+const ContentRow* content_row(const Product& product) {
+  const std::string words = words_of(product);
+  for (const ContentRow& row : content_rows) {
+    if (words.find(row.word) != std::string::npos) return &row;
+  }
+  return nullptr;
 }
 
 // The colour of one label field; an error names the field.
@@ -42,11 +52,13 @@ Result<PackColors> pack_colors(const Product& product) {
 }
 
 Result<Vec3f> contents_color(const Product& product) {
-  const std::string words = words_of(product);
-  for (const auto& [word, color] : content_rows) {
-    if (words.find(word) != std::string::npos) return linear_from_hex(color);
-  }
+  if (const ContentRow* row = content_row(product)) return linear_from_hex(row->color);
   return label_color(product, "primary", product.label.primary);
+}
+
+float contents_refraction(const Product& product) {
+  const ContentRow* row = content_row(product);
+  return row == nullptr ? 0 : row->refraction;
 }
 
 Surface aluminium() {
@@ -67,14 +79,14 @@ Surface paper(Vec3f color) {
 Surface film(Vec3f color) {
   return {.color = color, .roughness = film_roughness};
 }
-Surface filled_plastic(Vec3f contents) {
-  return {.color = contents, .roughness = 0.12F};
+Surface filled_plastic(Vec3f contents, float refraction) {
+  return {.color = contents, .roughness = 0.12F, .refraction = refraction};
 }
 Surface dark_glass() {
   return filled_glass({0.0103F, 0.0176F, 0.0060F});  // #1a2412
 }
-Surface filled_glass(Vec3f contents) {
-  return {.color = contents, .roughness = 0.06F};
+Surface filled_glass(Vec3f contents, float refraction) {
+  return {.color = contents, .roughness = 0.06F, .refraction = refraction};
 }
 
 }  // namespace marketgen

@@ -22,15 +22,20 @@ Result<PackColors> pack_colors(const Product& product);  // Errors: assets.bad_r
 // name, variant, subcategory or keywords contain, otherwise the label's ground colour.
 Result<Vec3f> contents_color(const Product& product);  // Errors: assets.bad_row
 
+// Index of refraction of what is inside by the same word, when it is a liquid one sees through;
+// otherwise 0.
+float contents_refraction(const Product& product);
+
 Surface aluminium();
 Surface tinplate();
 Surface lacquered_metal(Vec3f color);
 Surface plastic(Vec3f color);
 Surface paper(Vec3f color);
 Surface film(Vec3f color);
-// Clear plastic or glass with what it holds, as one opaque glossy surface.
-Surface filled_plastic(Vec3f contents);
-Surface filled_glass(Vec3f contents);
+// Clear plastic or glass with what it holds, as one glossy surface: opaque, unless a `refraction`
+// says that one sees through it (Surface::refraction).
+Surface filled_plastic(Vec3f contents, float refraction = 0);
+Surface filled_glass(Vec3f contents, float refraction = 0);
 // Antique green: it hides what it holds.
 Surface dark_glass();
 

@@ -27,8 +27,9 @@ Result<ProductModel> make_wine_bottle(const Product& product) {
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   MARKETGEN_TRY(const Vec3f contents, contents_color(product));
   const LabelZone zone = label_zone_of(product);
-  const std::uint16_t glass =
-      pack.add_surface(in_light_glass(product) ? filled_glass(contents) : dark_glass());
+  const std::uint16_t glass = pack.add_surface(
+      in_light_glass(product) ? filled_glass(contents, contents_refraction(product))
+                              : dark_glass());
   const std::uint16_t print = pack.add_print(matt_paper_roughness);
   const std::uint16_t capsule = pack.add_surface(lacquered_metal(colors.accent));
   const float h = pack.height();

@@ -1,0 +1,91 @@
+// Clear packs: parted at the fill height, the outline as it was.
+#include "render/clear_pack.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace marketgen::raytrace {
+namespace {
+
+Product bottle_of(const std::string& name, const std::string& archetype) {
+  Product product;
+  product.sku = "test-bottle";
+  product.name = name;
+  product.archetype = archetype;
+  product.material = "glass";
+  product.unit_of_measure = "l";
+  product.size_mm = {70, 70, 250};
+  return product;
+}
+
+ProductModel model_of(const std::string& name, const std::string& archetype) {
+  return make_product_model(bottle_of(name, archetype)).value();
+}
+
+TEST(ClearPack, WaterOilAndHoneyAreClearKetchupAndMilkAreNot) {
+  EXPECT_TRUE(is_clear_pack(model_of("Still Water", "water_bottle")));
+  EXPECT_TRUE(is_clear_pack(model_of("Sunflower Oil", "oil_bottle")));
+  EXPECT_TRUE(is_clear_pack(model_of("Blossom Honey", "jar")));
+  EXPECT_FALSE(is_clear_pack(model_of("Ketchup", "sauce_bottle")));
+  EXPECT_FALSE(is_clear_pack(model_of("Strawberry Jam", "jar")));
+  EXPECT_FALSE(is_clear_pack(model_of("Extra Virgin Olive Oil", "box")));
+}
+
+TEST(ClearPack, CuttingKeepsTheOutline) {
+  const ProductModel model = model_of("Still Water", "water_bottle");
+  const ClearPack pack = clear_pack(model);
+  const Bounds3 before = bounds_of(model.mesh), after = bounds_of(pack.mesh);
+  EXPECT_EQ(before.low, after.low);
+  EXPECT_EQ(before.high, after.high);
+  Mesh outline = pack.mesh;  // less the liquid's surface, which lies inside
+  for (std::size_t t = outline.triangles.size(); t-- > 0;) {
+    const auto& [a, b, c] = outline.triangles[t];
+    const bool level = outline.positions[a].z == outline.positions[b].z &&
+                       outline.positions[b].z == outline.positions[c].z &&
+                       outline.positions[a].z > 0.1F && outline.normals[a].z == 1 &&
+                       outline.normals[b].z == 1 && outline.normals[c].z == 1;
+    if (!level || outline.positions[a].z > 0.24F) continue;
+    outline.triangles.erase(outline.triangles.begin() + static_cast<std::ptrdiff_t>(t));
+    outline.surfaces.erase(outline.surfaces.begin() + static_cast<std::ptrdiff_t>(t));
+  }
+  EXPECT_LT(outline.triangles.size(), pack.mesh.triangles.size());
+  EXPECT_TRUE(is_watertight(outline));
+  EXPECT_NEAR(volume_of(outline), volume_of(model.mesh), 1e-4 * volume_of(model.mesh));
+  EXPECT_LT(pack.mesh.triangles.size(), model.mesh.triangles.size() * 5 / 4);
+}
+
+// The body of liquid is closed: walls and label below the fill height, and its surface.
+TEST(ClearPack, LiquidReachesItsSurfaceAndTheSheetStartsThere) {
+  const ProductModel model = model_of("Still Water", "water_bottle");
+  const ClearPack pack = clear_pack(model);
+  float liquid_top = 0, sheet_foot = 1;
+  for (std::size_t t = 0; t < pack.mesh.triangles.size(); ++t) {
+    const std::uint16_t surface = pack.mesh.surfaces[t];
+    const bool sheet = surface >= model.surfaces.size();
+    const bool liquid = !sheet && model.surfaces[surface].refraction > 0;
+    for (const std::uint32_t v : pack.mesh.triangles[t]) {
+      if (liquid) liquid_top = std::max(liquid_top, pack.mesh.positions[v].z);
+      if (sheet) sheet_foot = std::min(sheet_foot, pack.mesh.positions[v].z);
+    }
+  }
+  EXPECT_NEAR(liquid_top, sheet_foot, 1e-5F);
+  EXPECT_GT(liquid_top, 0.6F * 0.25F);
+  EXPECT_LT(liquid_top, 0.25F);
+}
+
+TEST(ClearPack, LiquidTakesItsColourOverTheDepthOfThePack) {
+  marketgen::Surface wall{.color = {0.5F, 0.25F, 1}, .roughness = 0.1F, .refraction = 1.47F};
+  const ClearMaterials made = clear_materials(wall, {.color = wall.color}, 0.07F);
+  EXPECT_TRUE(made.liquid.clear);
+  EXPECT_TRUE(made.sheet.clear);
+  EXPECT_EQ(made.liquid.refraction, 1.47F);
+  EXPECT_EQ(made.sheet.refraction, 1);
+  EXPECT_NEAR(std::exp(-made.liquid.absorption_per_m.x * 0.07F), 0.5F, 1e-3F);
+  EXPECT_NEAR(std::exp(-made.liquid.absorption_per_m.y * 0.07F), 0.25F, 1e-3F);
+  EXPECT_GT(made.liquid.absorption_per_m.z, 0);  // nothing is quite clear
+}
+
+}  // namespace
+}  // namespace marketgen::raytrace
