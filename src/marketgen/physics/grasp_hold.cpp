@@ -134,7 +134,7 @@ Result<void> GraspHold::squeeze(double force_n, double seconds) {
 
 Result<void> GraspHold::release(double seconds) {
   for (const int point : scene_.lip) {
-    if (point >= 0) data_->eq_active[point] = 0;
+    if (point >= 0) data_->eq_active[point] = false;
   }
   sealed_ = false;
   marked_ = false;
@@ -163,7 +163,7 @@ bool GraspHold::seal() {
     const mjtNum start[3] = {from.x, from.y, from.z};
     int geom = -1;
     const double at =
-        mj_ray(scene_.model.get(), data_.get(), start, way, groups, 1, -1, &geom, nullptr);
+        mj_ray(scene_.model.get(), data_.get(), start, way, groups, true, -1, &geom, nullptr);
     if (geom < 0 || scene_.owner_index[static_cast<std::size_t>(geom)] != 0) return false;
     least = std::min(least, at - ray_start_m);
     most = std::max(most, at - ray_start_m);
@@ -175,7 +175,7 @@ bool GraspHold::seal() {
     mjtNum* anchors = scene_.model->eq_data + mjNEQDATA * point;
     const Vec3 on_product = product_from_tool * vector_of(anchors);
     anchors[3] = on_product.x, anchors[4] = on_product.y, anchors[5] = on_product.z;
-    data_->eq_active[point] = 1;
+    data_->eq_active[point] = true;
   }
   sealed_ = true;
   return true;
@@ -301,7 +301,7 @@ void GraspHold::look_at_lip() {
   lip_over_ = over ? lip_over_ + 1 : 0;
   if (lip_over_ < lip_patience_steps) return;
   for (const int point : scene_.lip)
-    data_->eq_active[point] = 0;
+    data_->eq_active[point] = false;
   sealed_ = false;
 }
 
