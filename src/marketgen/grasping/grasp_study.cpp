@@ -46,9 +46,10 @@ class ProductStudy {
  public:
   ProductStudy(const Product& product,
                const ProductBody& body,
+               const std::optional<SoftPack>& soft,
                double friction,
                const StudyOptions& options)
-      : product_(product), body_(body), friction_(friction), options_(options) {}
+      : product_(product), body_(body), soft_(soft), friction_(friction), options_(options) {}
 
   // Once, before rates in a basket are asked for.
   Result<void> settle_basket() {
@@ -76,7 +77,8 @@ class ProductStudy {
     rate.reason = candidates.reason;
     if (candidates.found.empty()) return rate;
     if (setting == GraspSetting::free) {
-      MARKETGEN_TRY(const bool stands, stands_alone(product_, body_, tool));
+      MARKETGEN_TRY(const bool stands,
+                    stands_alone(product_, body_, tool, soft_for(tool, setting)));
       if (!stands) return without(std::move(rate), GraspExclusion::unstable, tips);
     }
     const auto count = std::min(static_cast<std::size_t>(options_.tries), candidates.found.size());
@@ -108,10 +110,16 @@ class ProductStudy {
                           .child("grasp", product_.sku)
                           .child(tool.id)
                           .child(name_of(setting), index);
-    MARKETGEN_TRY(
-        const GraspOutcome outcome,
-        try_grasp(
-            {product_, body_, tool, candidate.grasp, friction_, setting, seed, &basket_.basket}));
+    MARKETGEN_TRY(const GraspOutcome outcome,
+                  try_grasp({product_,
+                             body_,
+                             tool,
+                             candidate.grasp,
+                             friction_,
+                             setting,
+                             seed,
+                             &basket_.basket,
+                             soft_for(tool, setting)}));
     return GraspTry{candidate.strategy,
                     outcome.end,
                     candidate.width_m * 1e3,
@@ -121,8 +129,15 @@ class ProductStudy {
                     outcome.neighbour_n};
   }
 
+  // Bags bend on a table, in a gripper.
+  const SoftPack* soft_for(const GraspTool& tool, GraspSetting setting) const {
+    const bool bends = soft_ && setting == GraspSetting::free && tool.kind == ToolKind::gripper;
+    return bends ? &*soft_ : nullptr;
+  }
+
   const Product& product_;
   const ProductBody& body_;
+  const std::optional<SoftPack>& soft_;
   double friction_;
   const StudyOptions& options_;
   BasketCase basket_;
@@ -138,7 +153,8 @@ Result<std::vector<GraspRate>> rates_of(const Product& product,
                                         double friction,
                                         const StudyOptions& options) {
   MARKETGEN_TRY(const ProductBody body, make_product_body(product));
-  ProductStudy study(product, body, friction, options);
+  MARKETGEN_TRY(const std::optional<SoftPack> soft, soft_pack_of(product));
+  ProductStudy study(product, body, soft, friction, options);
   if (std::ranges::count(options.settings, GraspSetting::basket) > 0)
     MARKETGEN_CHECK(study.settle_basket());
   std::vector<GraspRate> rates;

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "physics/contact_shape.h"
+#include "physics/soft_pieces.h"
 
 namespace marketgen {
 namespace {
@@ -133,7 +134,7 @@ Result<void> GraspHold::squeeze(double force_n, double seconds) {
 
 Result<void> GraspHold::release(double seconds) {
   for (const int point : scene_.lip) {
-    if (point >= 0) data_->eq_active[point] = 0;
+    if (point >= 0) data_->eq_active[point] = false;
   }
   sealed_ = false;
   marked_ = false;
@@ -162,7 +163,7 @@ bool GraspHold::seal() {
     const mjtNum start[3] = {from.x, from.y, from.z};
     int geom = -1;
     const double at =
-        mj_ray(scene_.model.get(), data_.get(), start, way, groups, 1, -1, &geom, nullptr);
+        mj_ray(scene_.model.get(), data_.get(), start, way, groups, true, -1, &geom, nullptr);
     if (geom < 0 || scene_.owner_index[static_cast<std::size_t>(geom)] != 0) return false;
     least = std::min(least, at - ray_start_m);
     most = std::max(most, at - ray_start_m);
@@ -174,7 +175,7 @@ bool GraspHold::seal() {
     mjtNum* anchors = scene_.model->eq_data + mjNEQDATA * point;
     const Vec3 on_product = product_from_tool * vector_of(anchors);
     anchors[3] = on_product.x, anchors[4] = on_product.y, anchors[5] = on_product.z;
-    data_->eq_active[point] = 1;
+    data_->eq_active[point] = true;
   }
   sealed_ = true;
   return true;
@@ -186,20 +187,38 @@ void GraspHold::lean_product(Vec3 axis, double angle_rad) {
   // On its lower edge rather than into the table.
   const double lift = std::sin(std::abs(angle_rad)) *
                       std::max(trial_->product.width_m(), trial_->product.depth_m()) / 2;
-  const double pose[7] = {0, 0, lift, turned.w, turned.x, turned.y, turned.z};
-  std::copy(pose, pose + 7, data_->qpos + m.jnt_qposadr[m.body_jntadr[scene_.products[0]]]);
-  std::fill_n(data_->qvel + m.body_dofadr[scene_.products[0]], 6, 0.0);
+  const Vec3 at = Vec3{0, 0, lift} + rotate(turned, scene_.target_origin);
+  const double pose[7] = {at.x, at.y, at.z, turned.w, turned.x, turned.y, turned.z};
+  mjtNum* q = data_->qpos + m.jnt_qposadr[m.body_jntadr[scene_.products[0]]];
+  const std::size_t hinges = scene_.target.size() - 1;
+  std::copy(pose, pose + 7, q);
+  std::fill_n(q + 7, hinges, 0.0);
+  std::fill_n(data_->qvel + m.body_dofadr[scene_.products[0]], 6 + hinges, 0.0);
 }
 
 void GraspHold::mark() {
-  tool_from_product_ = inverse(tool()) * product();
+  held_part_ = static_cast<int>(std::ranges::max_element(part_n_) - part_n_.begin());
+  tool_from_product_ = inverse(tool()) * held();
   marked_ = true;
 }
 
 Pose GraspHold::product(std::size_t index) const {
   const mjModel& m = *scene_.model;
   const mjtNum* q = data_->qpos + m.jnt_qposadr[m.body_jntadr[scene_.products[index]]];
-  return {vector_of(q), {q[3], q[4], q[5], q[6]}};
+  const Pose body{vector_of(q), {q[3], q[4], q[5], q[6]}};
+  return index == 0 ? body * Pose{-scene_.target_origin, {}} : body;
+}
+
+Pose GraspHold::part(int index) const {
+  if (trial_->soft == nullptr) return product();
+  const mjModel& m = *scene_.model;
+  const mjtNum* q = data_->qpos + m.jnt_qposadr[m.body_jntadr[scene_.products[0]]];
+  const Pose middle{scene_.target_origin, {}};
+  return product() * middle * bent_part(*trial_->soft, index, {q[7], q[8]}) * inverse(middle);
+}
+
+int GraspHold::part_near(Vec3 point) const {
+  return trial_->soft == nullptr ? 0 : part_at(*trial_->soft, point - scene_.target_origin);
 }
 
 double GraspHold::speed(std::size_t index) const {
@@ -217,6 +236,7 @@ void GraspHold::look_at_contacts() {
   std::vector<double> on_neighbour(scene_.products.size(), 0);
   double on_still = 0;
   watch_.pad_n = {};
+  part_n_ = {};
   for (int i = 0; i < d.ncon; ++i) {
     const mjContact& contact = d.contact[i];
     if (contact.efc_address < 0) continue;
@@ -231,8 +251,11 @@ void GraspHold::look_at_contacts() {
       const bool target = other == GraspOwner::product && scene_.owner_index[b] == 0;
       if (owner == GraspOwner::product && index > 0 && (by_tool || target))
         on_neighbour[index] += force[0];
-      if (owner == GraspOwner::product && index == 0 && other == GraspOwner::pad)
+      if (owner == GraspOwner::product && index == 0 && other == GraspOwner::pad) {
         watch_.pad_n[static_cast<std::size_t>(scene_.owner_index[b])] += force[0];
+        const int part = scene_.model->geom_bodyid[contact.geom[side]] - scene_.target[0];
+        part_n_[static_cast<std::size_t>(part)] += force[0];
+      }
       if (owner == GraspOwner::still && by_tool) on_still += force[0];
     }
   }
@@ -245,7 +268,7 @@ void GraspHold::look_at_contacts() {
 }
 
 void GraspHold::look_at_slip() {
-  const Pose now = inverse(tool()) * product();
+  const Pose now = inverse(tool()) * held();
   const Pose moved = now * inverse(tool_from_product_);
   for (const Vec3& point : slip_points_)
     watch_.slip_m = std::max(watch_.slip_m, length(moved * point - point));
@@ -278,7 +301,7 @@ void GraspHold::look_at_lip() {
   lip_over_ = over ? lip_over_ + 1 : 0;
   if (lip_over_ < lip_patience_steps) return;
   for (const int point : scene_.lip)
-    data_->eq_active[point] = 0;
+    data_->eq_active[point] = false;
   sealed_ = false;
 }
 

@@ -43,7 +43,13 @@ class GraspHold {
 
   // ---- State ----
 
-  Pose product(std::size_t index = 0) const;  // world_from_product
+  // world_from_product; of a soft pack, as its base has it.
+  Pose product(std::size_t index = 0) const;
+  // The same of the target as one of its parts has it, 0 the base: where the whole pack would be
+  // if it were straight. Of a rigid one, as product().
+  Pose part(int index) const;
+  int part_near(Vec3 point) const;                // of the target, product frame
+  Pose held() const { return part(held_part_); }  // the part that the tool holds, since mark()
   std::size_t products() const { return scene_.products.size(); }
   double speed(std::size_t index = 0) const;  // m/s
   const GraspWatch& watch() const { return watch_; }
@@ -67,8 +73,10 @@ class GraspHold {
   double finger_force_n_ = 0;  // positive apart
   double held_open_m_ = -1;    // the fingers are held at this opening; -1: they are free
   bool sealed_ = false, marked_ = false;
+  int held_part_ = 0;
+  std::array<double, SoftPack::part_count> part_n_{};  // of both pads, now
   int lip_over_ = 0;                 // steps for which the lip had to hold too much
-  Pose tool_from_product_;           // at mark()
+  Pose tool_from_product_;           // at mark(), as the held part has it
   std::vector<Vec3> slip_points_;    // tool frame
   std::vector<double> neighbour_n_;  // of each product, smoothed
   double still_n_ = 0;

@@ -49,9 +49,10 @@ constexpr double cup_bellows_m = 0.03;
 
 class GraspSceneBuilder {
  public:
-  GraspSceneBuilder(const GraspTrial& trial, const GoodsContact& contact)
+  GraspSceneBuilder(const GraspTrial& trial, const GoodsContact& contact, Vec3 middle)
       : trial_(trial),
         contact_(contact),
+        middle_(middle),
         spec_(mj_makeSpec(), mj_deleteSpec),
         world_(mjs_findBody(spec_.get(), "world")),
         products_(*spec_) {
@@ -59,6 +60,7 @@ class GraspSceneBuilder {
     spec_->option.enableflags &= ~mjENBL_SLEEP;
     spec_->memory = grasp_arena_bytes;
     spec_->compiler.balanceinertia = true;
+    spec_->compiler.degree = false;
   }
 
   void add_surroundings() {
@@ -118,6 +120,12 @@ class GraspSceneBuilder {
     for (int i = 0; i < m.neq; ++i)
       if (m.eq_type[i] == mjEQ_CONNECT) scene.lip[static_cast<std::size_t>(lip_found_++)] = i;
     scene.headroom_m = headroom_;
+    scene.target.push_back(scene.products[0]);
+    if (trial_.soft != nullptr) {
+      scene.target_origin = middle_;
+      while (m.body_rootid[scene.target.back() + 1] == scene.products[0])
+        scene.target.push_back(scene.target.back() + 1);
+    }
     name_owners(m, scene);
     return scene;
   }
@@ -127,7 +135,7 @@ class GraspSceneBuilder {
   void name_owners(const mjModel& m, GraspScene& scene) const {
     for (int geom = 0; geom < m.ngeom; ++geom) {
       const int body = m.geom_bodyid[geom];
-      const auto product = std::ranges::find(scene.products, body);
+      const auto product = std::ranges::find(scene.products, m.body_rootid[body]);
       GraspOwner owner = GraspOwner::still;
       int index = 0;
       if (product != scene.products.end()) {
@@ -218,11 +226,13 @@ class GraspSceneBuilder {
   }
 
   void add_product(const Pose& world_from_product) {
-    products_.add(fmt::format("product{}", product_count_++),
-                  trial_.product,
-                  trial_.body,
-                  world_from_product,
-                  {contact_, product_geom_group, others_bit, goods_meet});
+    const ProductGeoms geoms{contact_, product_geom_group, others_bit, goods_meet};
+    const bool bends = trial_.soft != nullptr && product_count_ == 0;
+    const std::string name = fmt::format("product{}", product_count_++);
+    if (bends)
+      products_.add_soft(name, *trial_.soft, trial_.body, world_from_product, middle_, geoms);
+    else
+      products_.add(name, trial_.product, trial_.body, world_from_product, geoms);
   }
 
   mjsJoint* add_slide(mjsBody* body, const double axis[3], double inertia_kg, double damping) {
@@ -319,6 +329,7 @@ class GraspSceneBuilder {
 
   const GraspTrial& trial_;
   const GoodsContact& contact_;
+  Vec3 middle_;  // of the row's box
   MujocoSpec spec_;
   mjsBody* world_;
   ProductBodies products_;
@@ -341,6 +352,8 @@ Result<void> check_trial(const GraspTrial& trial) {
                              g.opening_m * 1e3,
                              trial.tool.id,
                              trial.tool.opening_m * 1e3)};
+  if (trial.soft != nullptr && trial.tool.kind == ToolKind::suction)
+    return Error{"motion.bad_configuration", p.sku, "a cup is tried on rigid packs only"};
   if (g.force_n < 0 || g.force_n > trial.tool.force_n + 1e-9)
     return Error{"motion.bad_configuration",
                  p.sku,
@@ -375,7 +388,7 @@ Result<GraspScene> grasp_scene(const GraspTrial& trial) {
   const GoodsContact contact = trial.setting == GraspSetting::basket
                                    ? bulk_contact_of(trial.product, primitive)
                                    : goods_contact_of(trial.product, primitive);
-  GraspSceneBuilder builder(trial, contact);
+  GraspSceneBuilder builder(trial, contact, to_double(primitive.center));
   builder.add_surroundings();
   builder.add_tool();
   return builder.finish();

@@ -14,6 +14,8 @@ struct GraspScene {
   std::vector<GraspOwner> owners;  // of each geom
   std::vector<int> owner_index;    // of each geom: which product (0 is the target), which finger
   std::vector<int> products;       // bodies; the target first
+  std::vector<int> target;         // its bodies: of a soft pack base, top and flap
+  Vec3 target_origin;              // of the first of them, product frame
   int tool_body = 0;               // its orientation may be set in the model
   int base_dof = 0;                // first of three slides along the world's axes
   int finger_dof = -1;             // first of two slides, positive apart; -1: a cup

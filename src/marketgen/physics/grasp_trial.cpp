@@ -46,12 +46,12 @@ class Trial {
     MARKETGEN_TRY(const bool taken, take());
     if (!taken) return ended(GraspEnd::missed);
     hold_.mark();
-    const Vec3 before = hold_.product().position;
+    const Vec3 before = hold_.held().position;
     MARKETGEN_CHECK(lift());
     for (const Vec3 axis : {Vec3{0, 0, 1}, Vec3{1, 0, 0}, Vec3{0, 1, 0}})
       MARKETGEN_CHECK(hold_.shake_tool(axis, shake_m, shake_s));
     MARKETGEN_CHECK(hold_.wait(hold_s));
-    const Vec3 carried = hold_.product().position - before - travelled_;
+    const Vec3 carried = hold_.held().position - before - travelled_;
     outcome_.squeeze_n = std::min(hold_.watch().pad_n[0], hold_.watch().pad_n[1]);
     const GraspEnd held = end_of_hold(length(carried));
     if (held != GraspEnd::held || trial_.setting != GraspSetting::free) return ended(held);
@@ -80,16 +80,18 @@ class Trial {
     return loose() || (length(now.position) < stands_m && upright(start, now) > stands_cosine);
   }
 
-  // The tool comes to where it sees the product, with its error.
+  // The tool comes to where it sees the product (of a soft pack, the part it is to take), with its
+  // error.
   Result<void> approach() {
     Stream draw = trial_.seed.child("tool").stream();
     const auto error = [&](double most) { return draw.uniform(-most, most); };
-    Pose seen = hold_.product();
+    const Pose& aimed = trial_.grasp.product_from_tool;
+    Pose seen = hold_.part(hold_.part_near(aimed * trial_.tool.pad_center));
     seen.position += Vec3{error(tool_error_m), error(tool_error_m), error(tool_error_m)};
     seen.rotation = rotation_about({0, 0, 1}, error(tool_error_rad)) * seen.rotation;
     const bool shelved = on_shelf();
     const double way = shelved ? shelf_approach_m : free_approach_m;
-    Pose goal = seen * trial_.grasp.product_from_tool;
+    Pose goal = seen * aimed;
     ahead_ = rotate(goal.rotation, {0, 0, 1});
     goal.position += ahead_ * -way;
     hold_.put_tool(goal);
@@ -166,7 +168,7 @@ class Trial {
     const Pose now = hold_.product();
     if (loose()) return now.position.z < stood_[0].position.z + stays_m;
     return length(now.position - stood_[0].position) < stays_m &&
-           upright(stood_[0], now) > stays_cosine;
+           std::min(upright(stood_[0], now), upright(stood_[0], hold_.part(1))) > stays_cosine;
   }
 
   GraspOutcome ended(GraspEnd end) {
@@ -186,9 +188,13 @@ class Trial {
 
 }  // namespace
 
-Result<bool> stands_alone(const Product& product, const ProductBody& body, const GraspTool& tool) {
+Result<bool> stands_alone(const Product& product,
+                          const ProductBody& body,
+                          const GraspTool& tool,
+                          const SoftPack* soft) {
   if (product.orientation == Orientation::any) return true;
-  const GraspTrial alone{product, body, tool, Grasp{}};
+  GraspTrial alone{product, body, tool, Grasp{}};
+  alone.soft = soft;
   MARKETGEN_TRY(GraspHold hold, GraspHold::start(alone));
   for (const Vec3 axis : {Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, -1, 0}}) {
     hold.lean_product(axis, lean_rad);

@@ -6,9 +6,10 @@
 // any distance: it seals where rays find the face even enough, holds by three points of its lip,
 // and lets go as soon as one of them, or friction, would have to hold more than its share.
 //
-// Products are their contact pieces, with their mass, centre of mass and inertia; they are rigid.
-// World frame: the target's product frame as it stands at first; in a basket, the basket's. SI
-// units. Deterministic; thread-safe.
+// Products are their contact pieces, with their mass, centre of mass and inertia. They are rigid,
+// but for a target that is given as a soft pack: its pieces are cut where it bends. World frame:
+// the target's product frame as it stands at first; in a basket, the basket's. SI units.
+// Deterministic; thread-safe.
 #pragma once
 #include <array>
 #include <string_view>
@@ -17,6 +18,7 @@
 #include "base/result.h"
 #include "base/seed.h"
 #include "physics/bulk_settle.h"
+#include "physics/soft_pack.h"
 #include "robots/grasp_tool.h"
 
 namespace marketgen {
@@ -76,14 +78,16 @@ struct GraspTrial {
   GraspSetting setting = GraspSetting::free;
   Seed seed{1};  // of gaps, headroom and the error with which the tool comes
   const BasketOfLikes* basket = nullptr;  // of the setting `basket`
+  const SoftPack* soft = nullptr;         // how the target bends, for a gripper; null: it is rigid
 };
 
 struct GraspOutcome {
   GraspEnd end = GraspEnd::held;
   // Of the product under the pads' middles and corners, or under the cup, from when the tool has
-  // closed to the end of the shaking: the greatest.
+  // closed to the end of the shaking: the greatest. Of a soft pack, of the part on which the pads
+  // press hardest when they have closed.
   double slip_m = 0;
-  double turned_rad = 0;   // of the product in the tool meanwhile
+  double turned_rad = 0;   // of the product (of that part) in the tool meanwhile
   double neighbour_n = 0;  // greatest push on a neighbour
   double squeeze_n = 0;    // on the weaker pad, at the end of the shaking
 };
@@ -92,13 +96,17 @@ struct GraspOutcome {
 constexpr double tool_error_m = 0.001, tool_error_rad = 0.01745;
 
 // Whether a product stands by itself: let go leaning by 1 degree to the front, the back or a side,
-// it comes to rest upright. Loose produce counts as standing. Errors: as try_grasp.
-Result<bool> stands_alone(const Product& product, const ProductBody& body, const GraspTool& tool);
+// it comes to rest upright. Loose produce counts as standing. `soft`: as in GraspTrial. Errors: as
+// try_grasp.
+Result<bool> stands_alone(const Product& product,
+                          const ProductBody& body,
+                          const GraspTool& tool,
+                          const SoftPack* soft = nullptr);
 
 // Errors: catalog.bad_row for a product without mass or size; motion.bad_configuration for a grasp
 // that the tool cannot make (wider than its opening, stronger than its force, not finite) and for
 // the setting `basket` without a basket or target; physics.bad_command for a container without
-// room; physics.failed.
+// room; physics.failed. A soft pack for a cup is motion.bad_configuration as well.
 Result<GraspOutcome> try_grasp(const GraspTrial& trial);
 
 }  // namespace marketgen

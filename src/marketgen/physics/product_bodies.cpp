@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "physics/soft_body.h"
+#include "physics/soft_pieces.h"
 #include "physics/spec_geoms.h"
 
 namespace marketgen {
@@ -62,19 +64,61 @@ mjsGeom* ProductBodies::add_piece(mjsBody* made, const ProductBody& body, std::s
   return geom;
 }
 
+std::string ProductBodies::add_hull(const std::vector<float>& corners) {
+  std::string name = fmt::format("piece{}", hulls_++);
+  mjsMesh* mesh = mjs_addMesh(&spec_, nullptr);
+  mjs_setName(mesh->element, name.c_str());
+  mjs_setFloat(mesh->uservert, corners.data(), static_cast<int>(corners.size()));
+  mesh->inertia = mjMESH_INERTIA_CONVEX;
+  return name;
+}
+
 std::string ProductBodies::mesh_of(const ProductBody& body, std::size_t index) {
-  const auto [found, is_new] =
-      meshes_.try_emplace({&body, index}, fmt::format("piece{}", meshes_.size()));
+  const auto [found, is_new] = meshes_.try_emplace({&body, index});
   if (is_new) {
-    std::vector<float> flat;
+    std::vector<float> corners;
     for (const Vec3f& p : body.pieces[index].points)
-      flat.insert(flat.end(), {p.x, p.y, p.z});
-    mjsMesh* mesh = mjs_addMesh(&spec_, nullptr);
-    mjs_setName(mesh->element, found->second.c_str());
-    mjs_setFloat(mesh->uservert, flat.data(), static_cast<int>(flat.size()));
-    mesh->inertia = mjMESH_INERTIA_CONVEX;
+      corners.insert(corners.end(), {p.x, p.y, p.z});
+    found->second = add_hull(corners);
   }
   return found->second;
+}
+
+void ProductBodies::add_soft(const std::string& name,
+                             const SoftPack& pack,
+                             const ProductBody& body,
+                             const Pose& world_from_product,
+                             Vec3 middle,
+                             const ProductGeoms& geoms) {
+  const SoftElements made = add_soft_body(mjs_findBody(&spec_, "world"), pack, name);
+  set_pose(made.bodies[0]->pos, made.bodies[0]->quat, world_from_product * Pose{middle, {}});
+  const auto meet = [&](mjsGeom* geom) {
+    set_goods_contact(geom, geoms.contact);
+    geom->group = geoms.group;
+    geom->contype = geoms.own_bit;
+    geom->conaffinity = geoms.meets;
+  };
+  const auto parts = cut_at_hinges(body, pack, middle);
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    if (parts[part].empty()) {
+      meet(made.geoms[part]);
+      continue;
+    }
+    made.geoms[part]->contype = made.geoms[part]->conaffinity = 0;  // the box is only its mass
+    const Vec3 frame = part == 0 ? Vec3{} : pack.hinges[part - 1].at;
+    for (const PieceCorners& piece : parts[part]) {
+      std::vector<float> corners;
+      for (const Vec3& p : piece)
+        for (const double x : {p.x - frame.x, p.y - frame.y, p.z - frame.z})
+          corners.push_back(static_cast<float>(x));
+      mjsGeom* geom = mjs_addGeom(made.bodies[part], nullptr);
+      geom->type = mjGEOM_MESH;
+      mjs_setString(geom->meshname, add_hull(corners).c_str());
+      geom->solref[0] = contact_time_s;
+      geom->mass = 0;
+      meet(geom);
+    }
+  }
 }
 
 }  // namespace marketgen

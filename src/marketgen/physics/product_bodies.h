@@ -6,6 +6,7 @@
 
 #include "physics/contact_shape.h"
 #include "physics/mujoco_guard.h"
+#include "physics/soft_pack.h"
 
 namespace marketgen {
 
@@ -29,13 +30,24 @@ class ProductBodies {
            const ProductBody& body,
            const Pose& world_from_product,
            const ProductGeoms& geoms);
+  // The same as a soft pack, straight: NAME is its base, then come NAME-top and NAME-flap. Each is
+  // the contact pieces that it has, cut where the pack bends, or else the pack's box. `middle`: of
+  // the row's box, where the base has its origin.
+  void add_soft(const std::string& name,
+                const SoftPack& pack,
+                const ProductBody& body,
+                const Pose& world_from_product,
+                Vec3 middle,
+                const ProductGeoms& geoms);
 
  private:
+  std::string add_hull(const std::vector<float>& corners);
   mjsGeom* add_piece(mjsBody* made, const ProductBody& body, std::size_t index);
   std::string mesh_of(const ProductBody& body, std::size_t index);
 
   mjSpec& spec_;
   std::map<std::pair<const ProductBody*, std::size_t>, std::string> meshes_;
+  int hulls_ = 0;
 };
 
 }  // namespace marketgen

@@ -83,6 +83,37 @@ TEST(World, ThirtySecondsAreTheSameOverThreadsSnapshotAndReplay) {
   EXPECT_EQ(told.state_hash(), straight.state_hash());
 }
 
+// The finger goes on by a millimetre every other step, into the side of the first can.
+void poke(World& world, int from_mm, int to_mm) {
+  const float start_x = 2.6F - 0.033F - 0.02F;
+  for (int i = from_mm; i < to_mm; ++i) {
+    const Vec3 tip{start_x + 0.001 * i, on_shelf_y, lower + 0.05};
+    ASSERT_TRUE(world.move_mocap("finger", {tip, {}}).ok());
+    run(world, 2);
+  }
+}
+
+// How contacts are solved depends on whether an actor touches something.
+TEST(World, GoesOnFromASnapshotTakenWhileAnActorPushes) {
+  const HandMadeScene shop = row_of_cans(4);
+  World straight = made(shop.scene, with_finger());
+  poke(straight, 0, 30);
+  const WorldSnapshot pushing = straight.snapshot();
+  EXPECT_TRUE(std::ranges::any_of(straight.contacts(), [](const WorldContact& contact) {
+    return contact.a.kind == BodyKind::product && contact.b.kind == BodyKind::actor;
+  }));
+  EXPECT_GT(straight.model().opt.noslip_iterations, 0);
+  poke(straight, 30, 60);
+
+  World other = made(shop.scene, with_finger());
+  ASSERT_TRUE(other.restore(pushing).ok());
+  poke(other, 30, 60);
+  EXPECT_EQ(other.state_hash(), straight.state_hash());
+  World told = made(shop.scene, with_finger());
+  ASSERT_TRUE(replay(told, straight.commands()).ok());
+  EXPECT_EQ(told.state_hash(), straight.state_hash());
+}
+
 TEST(World, TellingAnotherWorldTheSameGivesTheSame) {
   const HandMadeScene shop = row_of_cans(10);
   World world = pushed_row(shop.scene);
