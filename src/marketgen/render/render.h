@@ -25,7 +25,8 @@
 
 namespace marketgen {
 
-// sensor: one bounce, noise-filtered, seconds; path: full path tracing, `samples` a pixel.
+// sensor: stored light, no chance and so no noise, a tenth of a second; path: light transport in
+// full, `samples` a pixel.
 enum class RenderMode { sensor, path };
 constexpr std::array<std::string_view, 2> names_of(RenderMode) {
   return {"sensor", "path"};

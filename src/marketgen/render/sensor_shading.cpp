@@ -51,6 +51,7 @@ constexpr float rough_from =
     0.55F;  // such gloss is so wide that stored light knows panels well enough
 constexpr float least_panel_share = 0.012F;  // of white: dimmer highlights need no shadow ray
 constexpr float shadow_end_m = 0.02F;
+constexpr float ceiling_room_m = 0.03F;  // panels hang in it
 constexpr float nearest_contact_m = 0.005F, contact_reach_m = 0.035F;
 constexpr float contact_until_m = 3.5F;  // farther, contact shadows are smaller than pixels
 constexpr float darkest_contact = 0.45F;
@@ -157,14 +158,52 @@ class TileShader {
       const PanelReflection::Seen seen = lighting_.panels.at(surface, mirror);
       panels_[i] = seen.radiance;
       const bool shows = largest(seen.radiance * reflectance_of(i)) > least_panel_share * white_;
-      if (!effort_.panel_shadows || !shows) continue;
+      if (!effort_.panel_shadows || !shows || is_polished_floor(surface)) continue;
       if (waiting.add(i, {surface.position, mirror, 0, seen.distance - shadow_end_m}))
         hide_panels(waiting);
     }
     hide_panels(waiting);
     for (std::size_t i = 0; i < sensor_tile_pixels; ++i) {
-      if (tile_.lit(i)) tile_.gloss[i] += panels_[like_[i]];
+      if (tile_.lit(i)) panels_[i] = panels_[like_[i]];
     }
+    if (effort_.panel_shadows) hide_panels_from_floor();
+    for (std::size_t i = 0; i < sensor_tile_pixels; ++i) {
+      if (tile_.lit(i)) tile_.gloss[i] += panels_[i];
+    }
+  }
+
+  // A floor's lobe is wide and its face even: one ray a pixel would cut highlights off sharply.
+  // Every other pixel sends one into its lobe, and a window of 4 x 4 pixels knows how much of the
+  // ceiling can be seen.
+  void hide_panels_from_floor() {
+    blocked_rows_.fill(0);
+    WaitingRays waiting;
+    bool any = false;
+    for (std::size_t i = 0; i < sensor_tile_pixels; ++i) {
+      mirror_[i] = tile_.lit(i) && is_polished_floor(tile_.surface[i]);
+      sampled_[i] = mirror_[i] && is_even(i) && largest(panels_[i]) > 0;
+      if (!sampled_[i]) continue;
+      any = true;
+      const Vec3f direction = floor_direction(i);
+      const float up = lighting_.world.room.high.z - ceiling_room_m - tile_.surface[i].position.z;
+      if (waiting.add(i, {tile_.surface[i].position, direction, 0, up / direction.z}))
+        finish_contacts(waiting);
+    }
+    finish_contacts(waiting);
+    for (std::size_t i = 0; any && i < sensor_tile_pixels; ++i) {
+      if (mirror_[i]) panels_[i] *= floor_share(i);
+    }
+  }
+
+  // Share of the rays of the floor around a pixel that met nothing.
+  float floor_share(std::size_t i) const {
+    float open = 0, count = 0;
+    for_window(i, [&](std::size_t q) {
+      if (!sampled_[q]) return;
+      count += 1;
+      open += is_blocked_pixel(q) ? 0.0F : 1.0F;
+    });
+    return count > 0 ? open / count : 1;
   }
 
   Vec3f reflectance_of(std::size_t i) const {
@@ -263,7 +302,7 @@ class TileShader {
         sum += floor_[q];
         count += 1;
       });
-      if (count > 0) tile_.gloss[i] = sum / count + panels_[like_[i]];
+      if (count > 0) tile_.gloss[i] = sum / count + panels_[i];
     }
   }
 
