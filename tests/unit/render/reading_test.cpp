@@ -204,7 +204,7 @@ LabelReading read_label(const Frame& frame,
              name_file = part("name", {0.02, 0.02, 0.56, 0.56});
   LabelReading reading;
   reading.price = read_by_tesseract(euros_file, "10", true) == std::to_string(cents / 100) &&
-                  read_by_tesseract(cents_file, "8", true) == fmt::format("{:02}", cents % 100);
+                  read_by_tesseract(cents_file, "6", true) == fmt::format("{:02}", cents % 100);
   reading.name = names(read_by_tesseract(name_file, "6", false), product);
   return reading;
 }
