@@ -34,22 +34,19 @@ struct Intrinsics {
 // of the picture.
 Intrinsics centred_pinhole(int width, int height, double fov_deg);
 
-// Where the ideal point (x, y) = (X, Y) / Z really falls on the plane at distance 1.
-Vec2 distorted(const LensDistortion& lens, Vec2 ideal);
+// Where the ideal point p = (X, Y) / Z really falls on the plane at distance 1.
+Vec2 distorted(const LensDistortion& lens, Vec2 p);
 // The inverse, by Newton's method; nothing where it does not converge to 1e-12.
 std::optional<Vec2> undistorted(const LensDistortion& lens, Vec2 seen);
 
-// The picture point of a point in the camera's frame, metres; nothing behind the lens, and nothing
-// where the lens has folded its image plane (which happens outside the picture of a lens that
-// passes check_lens).
-std::optional<Vec2> project(const Intrinsics& intrinsics, Vec3 camera_point);
+// The picture point of the point p in the camera's frame, metres; nothing behind the lens, and
+// nothing where the lens has folded its image plane (which happens outside the picture of a lens
+// that passes check_lens).
+std::optional<Vec2> project(const Intrinsics& k, Vec3 p);
 
 // Error camera.bad_lens: numbers that are not finite, focal lengths that are not positive, a field
 // of view beyond 170 degrees, and a distortion that brings two directions to one picture point (its
 // radius does not grow all the way to the picture's corners).
-Result<void> check_lens(const Intrinsics& intrinsics,
-                        int width,
-                        int height,
-                        const std::string& where);
+Result<void> check_lens(const Intrinsics& k, int width, int height, const std::string& where);
 
 }  // namespace marketgen

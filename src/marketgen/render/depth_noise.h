@@ -7,8 +7,8 @@
 //     performance", Intel RealSense documentation; its D435 has subpixel errors below 0.1 px.
 //   Disparity has five fractional bits: librealsense, proc/disparity-transform.
 //   The left edge without depth, fx * baseline / depth wide, the baseline of 50 mm and the least
-//     depths: "Intel RealSense D400 Series Product Family Datasheet", 337029, sections "Invalid Depth
-//     Band" and "Minimum-Z Depth".
+//     depths: "Intel RealSense D400 Series Product Family Datasheet", 337029, sections "Invalid
+//     Depth Band" and "Minimum-Z Depth".
 //   Edges: depth is looked up half a pixel away at random and interpolated, A. Handa et al., "A
 //     benchmark for RGB-D visual odometry, 3D reconstruction and SLAM", ICRA 2014.
 //   What a missing match looks like on glass and clear packs (holes, and depth of what is behind):

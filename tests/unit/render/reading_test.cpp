@@ -136,7 +136,11 @@ Image enlarged_part(const Frame& frame,
   constexpr int zoom = 4, margin = 40;
   Image image(static_cast<int>((high.x - low.x) * zoom) + 2 * margin,
               static_cast<int>((high.y - low.y) * zoom) + 2 * margin);
-  std::fill(image.pixels.begin(), image.pixels.end(), std::uint8_t{235});
+  // Round it the label's own ground: readers take an edge for ink.
+  const std::uint8_t* ground =
+      frame.color.at(static_cast<int>(high.x) - 1, static_cast<int>(low.y) + 1);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = ground[i % 3];
   for (int y = margin; y < image.height - margin; ++y) {
     for (int x = margin; x < image.width - margin; ++x) {
       const double u = low.x + (x - margin) / double(zoom), v = low.y + (y - margin) / double(zoom);
@@ -154,11 +158,18 @@ Image enlarged_part(const Frame& frame,
   return image;
 }
 
-std::string read_by_tesseract(const std::filesystem::path& file, bool digits) {
+std::string read_by_tesseract(const std::filesystem::path& file,
+                              const std::string& layout,
+                              bool digits) {
   std::vector<std::string> command{
-      "tesseract", file.string(), "stdout", "--psm", digits ? "7" : "6"};
+      "tesseract", file.string(), "stdout", "--dpi", "300", "--psm", layout};
   if (digits) command.insert(command.end(), {"-c", "tessedit_char_whitelist=0123456789"});
-  return run(command).out;
+  const std::string text = run(command).out;
+  std::string found;
+  std::copy_if(text.begin(), text.end(), std::back_inserter(found), [&](char c) {
+    return !digits || (c >= '0' && c <= '9');
+  });
+  return found;
 }
 
 // Whether one of the name's words of four letters or more is in the text.
@@ -170,9 +181,39 @@ bool names(const std::string& text, const Product& product) {
   return false;
 }
 
+struct LabelReading {
+  bool price = false, name = false;
+};
+
+// The euros are large, the cents raised beside them: no layout that tesseract knows, so each is
+// read by itself.
+LabelReading read_label(const Frame& frame,
+                        const Camera& camera,
+                        Vec3 middle,
+                        const Product& product,
+                        const std::filesystem::path& stem) {
+  const auto part = [&](const char* what, std::array<double, 4> area) {
+    std::filesystem::path file = stem;
+    file += std::string("-") + what + ".png";
+    EXPECT_TRUE(write_png(file, enlarged_part(frame, camera, middle, area)).ok());
+    return file;
+  };
+  const long cents = std::lround(product.price * 100);
+  const auto euros_file = part("euros", {0.58, 0.10, 0.85, 0.74}),
+             cents_file = part("cents", {0.85, 0.12, 0.985, 0.45}),
+             name_file = part("name", {0.02, 0.02, 0.56, 0.56});
+  LabelReading reading;
+  reading.price = read_by_tesseract(euros_file, "10", true) == std::to_string(cents / 100) &&
+                  read_by_tesseract(cents_file, "6", true) == fmt::format("{:02}", cents % 100);
+  reading.name = names(read_by_tesseract(name_file, "6", false), product);
+  return reading;
+}
+
 TEST(Reading, LabelsAtArmsLength) {
   if (!reads_all()) GTEST_SKIP() << "tools/read_distances reads labels";
-  const std::vector<Product> products = some_products(19);
+  std::vector<Product> products = some_products(24);
+  std::erase_if(products, [](const Product& p) { return p.price >= 9.995; });  // one digit of euros
+  products.resize(std::min<std::size_t>(products.size(), 19));                 // a row of the board
   const LabelBoard board(products);
   const ScratchFolder scratch;
   const std::filesystem::path folder = picture_folder(scratch);
@@ -184,27 +225,23 @@ TEST(Reading, LabelsAtArmsLength) {
     for (std::size_t i = 0; i < products.size(); ++i) {
       const Camera camera = hand_camera(products[i].sku, board.middles[i], distance_m);
       const Frame frame = renderer->render(camera, options).value();
-      const std::string stem = fmt::format("{}-{:.1f}", products[i].sku, distance_m);
-      const auto price = folder / (stem + "-price.png"), name = folder / (stem + "-name.png");
-      EXPECT_TRUE(
-          write_png(price,
-                    enlarged_part(frame, camera, board.middles[i], {0.57, 0.06, 0.985, 0.74}))
-              .ok());
-      EXPECT_TRUE(
-          write_png(name, enlarged_part(frame, camera, board.middles[i], {0.01, 0.02, 0.57, 0.7}))
-              .ok());
-      const std::string cents = std::to_string(std::lround(products[i].price * 100));
-      const std::string digits = read_by_tesseract(price, true);
-      prices += digits.find(cents) != std::string::npos ? 1 : 0;
-      named += names(read_by_tesseract(name, false), products[i]) ? 1 : 0;
+      const LabelReading reading =
+          read_label(frame,
+                     camera,
+                     board.middles[i],
+                     products[i],
+                     folder / fmt::format("{}-{:.1f}", products[i].sku, distance_m));
+      prices += reading.price ? 1 : 0;
+      named += reading.name ? 1 : 0;
     }
     std::printf("labels at %.1f m: price of %d, name of %d of %zu\n",
                 distance_m,
                 prices,
                 named,
                 products.size());
+    std::fflush(stdout);
     if (distance_m == 0.3) {
-      EXPECT_GE(named, static_cast<int>(products.size() * 6 / 10));
+      EXPECT_GE(named, static_cast<int>(products.size() * 8 / 10));
     }
   }
 }
