@@ -103,7 +103,7 @@ class Cutter {
 };
 
 float absorption_per_m(float left, float depth_m) {
-  return -std::log(std::clamp(left, darkest_liquid, clearest_liquid)) / depth_m;
+  return -std::log(std::clamp(left, darkest_liquid, clearest_liquid)) / (2 * depth_m);
 }
 
 }  // namespace
@@ -141,6 +141,7 @@ ClearPack clear_pack(const ProductModel& model) {
     const std::uint16_t surface = model.mesh.surfaces[t];
     cutter.add(t, surface, pack.sheet_of[surface]);
   }
+  pack.outline_triangles = pack.mesh.triangles.size();
   cutter.close(liquid);
   return pack;
 }

@@ -18,7 +18,8 @@ namespace marketgen::raytrace {
 bool is_clear_pack(const ProductModel& model);
 
 // The materials of a clear surface, by the number of its opaque look: `material` plus what light
-// does in it. The colour is what is left of white light after crossing `depth_m` of the liquid.
+// does in it. The colour is what is left of white
+// light after crossing `depth_m` of the liquid twice, in and out again, as one sees a pack.
 struct ClearMaterials {
   Material liquid, sheet;
 };
@@ -32,6 +33,7 @@ struct ClearPack {
   Mesh mesh;
   std::vector<std::uint16_t> sheet_of;  // by surface; of opaque ones their own number
   std::uint16_t surface_count = 0;
+  std::size_t outline_triangles = 0;  // the mesh's first so many; the rest is the liquid's surface
 };
 ClearPack clear_pack(const ProductModel& model);
 

@@ -39,20 +39,21 @@ TEST(ClearPack, CuttingKeepsTheOutline) {
   const Bounds3 before = bounds_of(model.mesh), after = bounds_of(pack.mesh);
   EXPECT_EQ(before.low, after.low);
   EXPECT_EQ(before.high, after.high);
-  Mesh outline = pack.mesh;  // less the liquid's surface, which lies inside
-  for (std::size_t t = outline.triangles.size(); t-- > 0;) {
-    const auto& [a, b, c] = outline.triangles[t];
-    const bool level = outline.positions[a].z == outline.positions[b].z &&
-                       outline.positions[b].z == outline.positions[c].z &&
-                       outline.positions[a].z > 0.1F && outline.normals[a].z == 1 &&
-                       outline.normals[b].z == 1 && outline.normals[c].z == 1;
-    if (!level || outline.positions[a].z > 0.24F) continue;
-    outline.triangles.erase(outline.triangles.begin() + static_cast<std::ptrdiff_t>(t));
-    outline.surfaces.erase(outline.surfaces.begin() + static_cast<std::ptrdiff_t>(t));
-  }
-  EXPECT_LT(outline.triangles.size(), pack.mesh.triangles.size());
+  Mesh outline = pack.mesh;
+  outline.triangles.resize(pack.outline_triangles);
+  outline.surfaces.resize(pack.outline_triangles);
   EXPECT_TRUE(is_watertight(outline));
   EXPECT_NEAR(volume_of(outline), volume_of(model.mesh), 1e-4 * volume_of(model.mesh));
+  double level_area = 0, brim_z = 0;
+  for (std::size_t t = pack.outline_triangles; t < pack.mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = pack.mesh.triangles[t];
+    const std::vector<Vec3f>& p = pack.mesh.positions;
+    level_area += 0.5 * static_cast<double>(cross(p[b] - p[a], p[c] - p[a]).z);
+    brim_z = static_cast<double>(p[a].z);
+  }
+  EXPECT_GT(level_area, 1e-5);  // faces up, all of it
+  EXPECT_LT(level_area, 0.07 * 0.07);
+  EXPECT_GT(brim_z, 0.15);
   EXPECT_LT(pack.mesh.triangles.size(), model.mesh.triangles.size() * 5 / 4);
 }
 
@@ -75,15 +76,15 @@ TEST(ClearPack, LiquidReachesItsSurfaceAndTheSheetStartsThere) {
   EXPECT_LT(liquid_top, 0.25F);
 }
 
-TEST(ClearPack, LiquidTakesItsColourOverTheDepthOfThePack) {
+TEST(ClearPack, LiquidTakesItsColourOverTwiceTheDepthOfThePack) {
   marketgen::Surface wall{.color = {0.5F, 0.25F, 1}, .roughness = 0.1F, .refraction = 1.47F};
   const ClearMaterials made = clear_materials(wall, {.color = wall.color}, 0.07F);
   EXPECT_TRUE(made.liquid.clear);
   EXPECT_TRUE(made.sheet.clear);
   EXPECT_EQ(made.liquid.refraction, 1.47F);
   EXPECT_EQ(made.sheet.refraction, 1);
-  EXPECT_NEAR(std::exp(-made.liquid.absorption_per_m.x * 0.07F), 0.5F, 1e-3F);
-  EXPECT_NEAR(std::exp(-made.liquid.absorption_per_m.y * 0.07F), 0.25F, 1e-3F);
+  EXPECT_NEAR(std::exp(-made.liquid.absorption_per_m.x * 0.14F), 0.5F, 1e-3F);
+  EXPECT_NEAR(std::exp(-made.liquid.absorption_per_m.y * 0.14F), 0.25F, 1e-3F);
   EXPECT_GT(made.liquid.absorption_per_m.z, 0);  // nothing is quite clear
 }
 
