@@ -206,7 +206,10 @@ Run add_render(CLI::App& app) {
       "-o,--output", flags->output, "PNG file to write; EXR (--mode path): linear light in cd/m2");
   add_camera_flags(*command, flags->camera);
   command->add_flag("--list-cameras", flags->list, "print the standard views and stop");
-  command->add_option("--mode", flags->mode, "sensor: a tenth of a second, without noise; path: full light transport")
+  command
+      ->add_option("--mode",
+                   flags->mode,
+                   "sensor: a tenth of a second, without noise; path: full light transport")
       ->check(CLI::IsMember({"sensor", "path"}))
       ->capture_default_str();
   command->add_option("--quality", flags->quality, "fast, balanced or best")
