@@ -4,45 +4,11 @@
 #include <bit>
 #include <cmath>
 
+#include "render/sensor_window.h"
 #include "render/shading_math.h"
 
 namespace marketgen::raytrace {
 namespace {
-
-// One number in [0, 1) for each pixel of a 4 x 4 block, two ways: each 2 x 2 quarter is stratified
-// by itself (bit-reversed order, and the same turned).
-constexpr std::array<float, 16> first_numbers = {0.5F / 16,
-                                                 8.5F / 16,
-                                                 2.5F / 16,
-                                                 10.5F / 16,
-                                                 12.5F / 16,
-                                                 4.5F / 16,
-                                                 14.5F / 16,
-                                                 6.5F / 16,
-                                                 3.5F / 16,
-                                                 11.5F / 16,
-                                                 1.5F / 16,
-                                                 9.5F / 16,
-                                                 15.5F / 16,
-                                                 7.5F / 16,
-                                                 13.5F / 16,
-                                                 5.5F / 16};
-constexpr std::array<float, 16> second_numbers = {0.5F / 16,
-                                                  13.5F / 16,
-                                                  10.5F / 16,
-                                                  7.5F / 16,
-                                                  4.5F / 16,
-                                                  1.5F / 16,
-                                                  14.5F / 16,
-                                                  11.5F / 16,
-                                                  8.5F / 16,
-                                                  5.5F / 16,
-                                                  2.5F / 16,
-                                                  15.5F / 16,
-                                                  12.5F / 16,
-                                                  9.5F / 16,
-                                                  6.5F / 16,
-                                                  3.5F / 16};
 
 constexpr float polished_below = 0.45F;  // roughness of floors that get mirror rays
 constexpr float level_floor = 0.98F;     // z of their normals
@@ -176,7 +142,7 @@ class TileShader {
   // Every other pixel sends one into its lobe, and a window of 4 x 4 pixels knows how much of the
   // ceiling can be seen.
   void hide_panels_from_floor() {
-    blocked_rows_.fill(0);
+    blocked_ = {};
     WaitingRays waiting;
     bool any = false;
     for (std::size_t i = 0; i < sensor_tile_pixels; ++i) {
@@ -201,7 +167,7 @@ class TileShader {
     for_window(i, [&](std::size_t q) {
       if (!sampled_[q]) return;
       count += 1;
-      open += is_blocked_pixel(q) ? 0.0F : 1.0F;
+      open += blocked_.has(q) ? 0.0F : 1.0F;
     });
     return count > 0 ? open / count : 1;
   }
@@ -306,22 +272,11 @@ class TileShader {
     }
   }
 
-  // The 4 x 4 pixels around one, moved into the tile where they would stand over its edge.
-  template <class Body>
-  static void for_window(std::size_t i, const Body& body) {
-    const int column = std::clamp(SensorTile::column_of(i) - 2, 0, sensor_tile_side - 4);
-    const int row = std::clamp(SensorTile::row_of(i) - 2, 0, sensor_tile_side - 4);
-    for (int y = row; y < row + 4; ++y) {
-      for (int x = column; x < column + 4; ++x)
-        body(SensorTile::number_of(x, y));
-    }
-  }
-
   // Short rays find what stands close: the stored light is too coarse to know.
   void shade_contacts() {
     tile_.openness.fill(1);
     if (!effort_.contact_shadows) return;
-    blocked_rows_.fill(0);
+    blocked_ = {};
     WaitingRays waiting;
     for (std::size_t i = 0; i < sensor_tile_pixels; ++i) {
       sampled_[i] = tile_.lit(i) && tile_.surface[i].distance < contact_until_m &&
@@ -330,7 +285,7 @@ class TileShader {
     }
     finish_contacts(waiting);
     for (std::size_t i = 0; i < sensor_tile_pixels; ++i) {
-      if (tile_.lit(i) && blocked_near(i))
+      if (tile_.lit(i) && blocked_.near(i))
         tile_.openness[i] = darkest_contact + (1 - darkest_contact) * open_share(i, 1);
     }
   }
@@ -361,21 +316,6 @@ class TileShader {
     note_blocked(waiting, blocked);
   }
 
-  bool is_blocked_pixel(std::size_t i) const {
-    return (blocked_rows_[static_cast<std::size_t>(SensorTile::row_of(i))] >>
-                SensorTile::column_of(i) &
-            1) != 0;
-  }
-
-  bool blocked_near(std::size_t i) const {
-    const int column = std::clamp(SensorTile::column_of(i) - 2, 0, sensor_tile_side - 4);
-    const auto row =
-        static_cast<std::size_t>(std::clamp(SensorTile::row_of(i) - 2, 0, sensor_tile_side - 4));
-    const unsigned rows = static_cast<unsigned>(blocked_rows_[row]) | blocked_rows_[row + 1] |
-                          blocked_rows_[row + 2] | blocked_rows_[row + 3];
-    return (rows >> column & 15U) != 0;
-  }
-
   // Actors are not in the stored light: what they keep away from the surfaces around them is found
   // by longer rays that meet nothing else.
   void shade_under_actors() {
@@ -388,7 +328,7 @@ class TileShader {
              p.y > box.lower_y - actor_reach_m && p.y < box.upper_y + actor_reach_m &&
              p.z > box.lower_z - actor_reach_m && p.z < box.upper_z + actor_reach_m;
     };
-    blocked_rows_.fill(0);
+    blocked_ = {};
     WaitingRays waiting;
     for (std::size_t i = 0; i < sensor_tile_pixels; ++i) {
       sampled_[i] = tile_.lit(i) && is_near(tile_.surface[i].position);
@@ -399,7 +339,7 @@ class TileShader {
     }
     finish_under_actors(waiting);
     for (std::size_t i = 0; i < sensor_tile_pixels; ++i) {
-      if (sampled_[i] && blocked_near(i))
+      if (sampled_[i] && blocked_.near(i))
         tile_.openness[i] *= 1 - actor_darkness * (1 - open_share(i, 1));
     }
   }
@@ -415,10 +355,7 @@ class TileShader {
 
   void note_blocked(WaitingRays& waiting, const std::array<bool, packet_size>& blocked) {
     for (std::size_t k = 0; k < waiting.used; ++k) {
-      if (!blocked[k]) continue;
-      const std::size_t i = waiting.pixels[k];
-      blocked_rows_[static_cast<std::size_t>(SensorTile::row_of(i))] |=
-          static_cast<std::uint16_t>(1U << SensorTile::column_of(i));
+      if (blocked[k]) blocked_.add(waiting.pixels[k]);
     }
     waiting.used = 0;
   }
@@ -433,7 +370,7 @@ class TileShader {
           std::fabs(dot(surface.normal, tile_.surface[q].position - surface.position)) > plane)
         return;
       count += 1;
-      open += is_blocked_pixel(q) ? 0.0F : 1.0F;
+      open += blocked_.has(q) ? 0.0F : 1.0F;
     });
     return count > 0 ? open / count : none;
   }
@@ -488,7 +425,7 @@ class TileShader {
   std::array<std::uint16_t, sensor_tile_pixels> like_{};  // whose light a pixel takes over
   std::array<Vec3f, sensor_tile_pixels> panels_, floor_;
   std::array<bool, sensor_tile_pixels> mirror_{}, sampled_{};
-  std::array<std::uint16_t, sensor_tile_side> blocked_rows_{};
+  TilePixels blocked_;  // whose ray met something
   WaitingRays pane_rays_;
   std::array<std::uint16_t, packet_size> pane_slots_{};
 };

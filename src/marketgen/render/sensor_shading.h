@@ -4,8 +4,8 @@
 // Deterministic by construction: what is sampled is sampled in a fixed pattern of 4 x 4 pixels, and
 // averaged over windows of that size.
 #pragma once
-#include "render/sensor_light.h"
 #include "render/sensor_tile.h"
+#include "render/stored_light.h"
 
 namespace marketgen::raytrace {
 

@@ -21,8 +21,4 @@ Vec3f stored_radiance(const Lighting& lighting,
                       Vec3f direction,
                       Lamps lamps);
 
-// How much more or less diffuse light the surface's relief catches than its flat face: from stored
-// light, so without noise.
-float relief_shade(const Lighting& lighting, const Surface& surface);
-
 }  // namespace marketgen::raytrace
