@@ -201,9 +201,12 @@ class PathTracer {
     const Place place = place_of(surface);
     const Vec3f mirrored_share = rough_fresnel(
         surface.reflectance(), -dot(surface.relief_normal, direction), surface.roughness);
-    const Vec3f around =
-        scene_.field.at(place, mirrored(direction, surface.relief_normal)) * inverse_pi;
     const Vec3f before = scene_.field.at(place, surface.relief_normal) * inverse_pi;
+    // What little a coat mirrors is taken for as bright as what lights it.
+    const Vec3f around =
+        surface.metallic > 0
+            ? scene_.field.at(place, mirrored(direction, surface.relief_normal)) * inverse_pi
+            : before;
     return surface.diffuse() * (Vec3f{1, 1, 1} - mirrored_share) * before + mirrored_share * around;
   }
 

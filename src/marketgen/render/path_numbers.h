@@ -21,14 +21,18 @@ class PathNumbers {
 
   // Two numbers in [0, 1) for the next decision.
   Vec2f pair() {
-    const std::uint32_t seed = hashed(seed_ ^ (++decision_ * 0x9E3779B9U));
+    const std::uint32_t seed = next_seed();
     const std::uint32_t index = scrambled(number_, seed);
     return {unit_float(scrambled(reversed(index), hashed(seed ^ 0x51633e2dU))),
             unit_float(scrambled(second_coordinate(index), hashed(seed ^ 0x68bc21ebU)))};
   }
-  float one() { return pair().x; }
+  float one() {
+    const std::uint32_t seed = next_seed();
+    return unit_float(scrambled(reversed(scrambled(number_, seed)), hashed(seed ^ 0x51633e2dU)));
+  }
 
  private:
+  std::uint32_t next_seed() { return hashed(seed_ ^ (++decision_ * 0x9E3779B9U)); }
   static constexpr std::uint32_t reversed(std::uint32_t x) {
     x = __builtin_bswap32(x);
     x = (x & 0x0F0F0F0FU) << 4 | (x >> 4 & 0x0F0F0F0FU);
