@@ -128,9 +128,10 @@ ClearMaterials clear_materials(const marketgen::Surface& surface,
 
 ClearPack clear_pack(const ProductModel& model) {
   ClearPack pack;
-  pack.surface_count = static_cast<std::uint16_t>(model.surfaces.size());
+  const auto count = static_cast<std::uint16_t>(model.surfaces.size());
+  pack.surface_count = count;
   std::uint16_t liquid = 0;
-  for (std::uint16_t k = 0; k < model.surfaces.size(); ++k) {
+  for (std::uint16_t k = 0; k < count; ++k) {
     pack.sheet_of.push_back(k);
     if (!is_clear(model, k)) continue;
     liquid = k;
