@@ -77,27 +77,81 @@ Result<void> write_exr(const std::filesystem::path& path, const FloatImage& imag
   return write_file(path, bytes);
 }
 
-Result<FloatImage> decode_exr(std::string_view bytes, const std::string& where) {
-  float* rgba = nullptr;
-  const char* message = nullptr;
-  FloatImage image;
-  const int state = LoadEXRFromMemory(&rgba,
-                                      &image.width,
-                                      &image.height,
-                                      reinterpret_cast<const unsigned char*>(bytes.data()),
-                                      bytes.size(),
-                                      &message);
-  const std::unique_ptr<float, Freed> owned(rgba);
-  if (state != TINYEXR_SUCCESS) {
-    return Error{"image.bad_file",
-                 where,
-                 fmt::format("is not a readable EXR file ({})", taken_message(message))};
+namespace {
+
+// TinyEXR's reader step by step: its one-call form loses memory when a file is cut off.
+class ExrReader {
+ public:
+  ExrReader(std::string_view bytes, std::string where)
+      : data_(reinterpret_cast<const unsigned char*>(bytes.data())),
+        size_(bytes.size()),
+        where_(std::move(where)) {
+    InitEXRHeader(&header_);
+    InitEXRImage(&image_);
   }
-  const auto count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-  image.pixels.resize(3 * count);
-  for (std::size_t i = 0; i < count; ++i)
-    std::copy_n(rgba + 4 * i, 3, &image.pixels[3 * i]);
-  return image;
+  ~ExrReader() {
+    FreeEXRImage(&image_);
+    FreeEXRHeader(&header_);
+  }
+  ExrReader(const ExrReader&) = delete;
+  ExrReader& operator=(const ExrReader&) = delete;
+
+  Result<FloatImage> read() {
+    EXRVersion version{};
+    if (ParseEXRVersionFromMemory(&version, data_, size_) != TINYEXR_SUCCESS)
+      return unreadable("it does not start as one");
+    if (version.multipart != 0 || version.tiled != 0 || version.non_image != 0)
+      return unreadable("only pictures of one part, in lines, are read");
+    const char* message = nullptr;
+    if (ParseEXRHeaderFromMemory(&header_, &version, data_, size_, &message) != TINYEXR_SUCCESS)
+      return unreadable(taken_message(message));
+    for (int c = 0; c < header_.num_channels; ++c)
+      header_.requested_pixel_types[c] = TINYEXR_PIXELTYPE_FLOAT;
+    if (LoadEXRImageFromMemory(&image_, &header_, data_, size_, &message) != TINYEXR_SUCCESS)
+      return unreadable(taken_message(message));
+    return colors();
+  }
+
+ private:
+  Error unreadable(const std::string& why) const {
+    return {"image.bad_file", where_, fmt::format("is not a readable EXR file ({})", why)};
+  }
+
+  const float* channel(std::string_view name) const {
+    for (int c = 0; c < header_.num_channels; ++c) {
+      if (name == header_.channels[c].name) return reinterpret_cast<const float*>(image_.images[c]);
+    }
+    return nullptr;
+  }
+
+  Result<FloatImage> colors() const {
+    FloatImage result;
+    result.width = image_.width;
+    result.height = image_.height;
+    const auto count =
+        static_cast<std::size_t>(image_.width) * static_cast<std::size_t>(image_.height);
+    result.pixels.resize(3 * count);
+    constexpr std::array<std::string_view, 3> names{"R", "G", "B"};
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      const float* values = channel(names[k]);
+      if (values == nullptr) return unreadable("it has no R, G and B");
+      for (std::size_t i = 0; i < count; ++i)
+        result.pixels[3 * i + k] = values[i];
+    }
+    return result;
+  }
+
+  const unsigned char* data_;
+  std::size_t size_;
+  std::string where_;
+  EXRHeader header_;
+  EXRImage image_;
+};
+
+}  // namespace
+
+Result<FloatImage> decode_exr(std::string_view bytes, const std::string& where) {
+  return ExrReader(bytes, where).read();
 }
 
 }  // namespace marketgen
