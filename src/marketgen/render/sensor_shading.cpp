@@ -10,8 +10,9 @@
 namespace marketgen::raytrace {
 namespace {
 
-constexpr float polished_below = 0.45F;  // roughness of floors that get mirror rays
-constexpr float level_floor = 0.98F;     // z of their normals
+constexpr float polished_below = 0.45F;   // roughness of floors that get mirror rays
+constexpr float mirroring_below = 0.35F;  // and that mirror more than panels
+constexpr float level_floor = 0.98F;      // z of their normals
 constexpr float like_facing = 0.985F, like_plane_m = 0.02F;
 constexpr float rough_from =
     0.55F;  // such gloss is so wide that stored light knows panels well enough
@@ -25,9 +26,9 @@ constexpr float darkest_contact = 0.45F;
 // they send back themselves.
 constexpr float actor_reach_m = 0.8F, actor_darkness = 0.8F;
 constexpr float window_plane_m = 0.006F, window_plane_per_m = 0.004F, window_facing = 0.85F;
-constexpr float mirror_blur = 1.5F;      // footprint of a mirror ray, times alpha and distance
-constexpr float widest_mirror = 1.02F;   // keeps GGX's long tail finite
-constexpr float brightest_mirrored = 5;  // times white
+constexpr float mirror_blur = 1.5F;         // footprint of a mirror ray, times alpha and distance
+constexpr float widest_mirror = 1.02F;      // keeps GGX's long tail finite
+constexpr float brightest_mirrored = 1.5F;  // times white
 
 bool is_polished_floor(const Surface& surface) {
   return surface.roughness < polished_below && surface.normal.z > level_floor &&
@@ -197,8 +198,11 @@ class TileShader {
     WaitingRays waiting;
     bool any = false;
     for (std::size_t i = 0; i < sensor_tile_pixels; ++i) {
-      if (!tile_.lit(i) || !is_polished_floor(tile_.surface[i])) continue;
-      mirror_[i] = any = true;
+      // Few rays in a wide lobe would leave a lamp as sparks: such floors keep their stored light.
+      mirror_[i] = tile_.lit(i) && is_polished_floor(tile_.surface[i]) &&
+                   tile_.surface[i].roughness < mirroring_below;
+      if (!mirror_[i]) continue;
+      any = true;
       sampled_[i] = is_even(i);
       if (!sampled_[i]) continue;
       const Surface& surface = tile_.surface[i];
