@@ -27,7 +27,7 @@ void shade_tile(const Lighting& lighting,
                 SensorTile& tile);
 
 // Radiance of a pixel of a shaded tile, and of any surface lit as one of its pixels is.
-Float4 radiance_of(const World& world, const SensorTile& tile, std::size_t pixel);
+Float4 radiance_of(const World& world, const SensorTile& tile, std::size_t i);
 Float4 lit_radiance(const Surface& surface, Float4 direction, Float4 irradiance, Float4 gloss);
 
 }  // namespace marketgen::raytrace
