@@ -196,6 +196,54 @@ Result<void> render(const RenderFlags& flags) {
   return {};
 }
 
+void add_drawing_flags(CLI::App& command, RenderFlags& flags) {
+  command
+      .add_option("--mode",
+                  flags.mode,
+                  "sensor: a tenth of a second, without noise; path: full light transport")
+      ->check(CLI::IsMember({"sensor", "path"}))
+      ->capture_default_str();
+  command.add_option("--quality", flags.quality, "fast, balanced or best")
+      ->check(CLI::IsMember({"fast", "balanced", "best"}))
+      ->capture_default_str();
+  command.add_option("--spp", flags.samples, "samples a pixel; 0 = what the quality says")
+      ->check(CLI::Range(0, 65536));
+  command.add_option("--time", flags.time_s, "path mode: stop after this many seconds")
+      ->check(CLI::Range(0.0, 1e6));
+  command.add_option("--denoise", flags.denoise, "path mode: auto, own, neural or none")
+      ->check(CLI::IsMember({"auto", "own", "neural", "none"}))
+      ->capture_default_str();
+  command
+      .add_option("--exposure", flags.exposure_stops, "path mode: stops brighter (+) or darker (-)")
+      ->check(CLI::Range(-10.0, 10.0));
+}
+
+// What is written beside the picture.
+void add_plane_flags(CLI::App& command, RenderFlags& flags) {
+  command.add_option(
+      "--depth",
+      flags.depth,
+      "also write depth: F.png in whole millimetres, 16 bits; F.npy in metres, float32");
+  command.add_option("--segmentation", flags.segmentation, "also write a colour per object");
+  command.add_option(
+      "--object-ids", flags.object_ids, "also write object numbers: red + 256 green + 65536 blue");
+  command.add_option(
+      "--annotations",
+      flags.annotations,
+      "also write what is to be seen: boxes, masks, poses, the camera, as JSON (docs/cameras.md)");
+  command.add_option("--categories", flags.categories, "also write category numbers, 16-bit PNG");
+  command.add_option("--normals", flags.normals, "also write normals");
+  command.add_option(
+      "--channels", flags.channels, "also write every channel as a picture, into this folder");
+  command
+      .add_option("--noise",
+                  flags.noise,
+                  "colour and --depth as this sensor records them; drawn from --seed and --frame")
+      ->check(CLI::IsMember({"d435"}));
+  command.add_option("--frame", flags.frame_number, "number of the picture, for --noise")
+      ->capture_default_str();
+}
+
 }  // namespace
 
 Run add_render(CLI::App& app) {
@@ -206,26 +254,7 @@ Run add_render(CLI::App& app) {
       "-o,--output", flags->output, "PNG file to write; EXR (--mode path): linear light in cd/m2");
   add_camera_flags(*command, flags->camera);
   command->add_flag("--list-cameras", flags->list, "print the standard views and stop");
-  command
-      ->add_option("--mode",
-                   flags->mode,
-                   "sensor: a tenth of a second, without noise; path: full light transport")
-      ->check(CLI::IsMember({"sensor", "path"}))
-      ->capture_default_str();
-  command->add_option("--quality", flags->quality, "fast, balanced or best")
-      ->check(CLI::IsMember({"fast", "balanced", "best"}))
-      ->capture_default_str();
-  command->add_option("--spp", flags->samples, "samples a pixel; 0 = what the quality says")
-      ->check(CLI::Range(0, 65536));
-  command->add_option("--time", flags->time_s, "path mode: stop after this many seconds")
-      ->check(CLI::Range(0.0, 1e6));
-  command->add_option("--denoise", flags->denoise, "path mode: auto, own, neural or none")
-      ->check(CLI::IsMember({"auto", "own", "neural", "none"}))
-      ->capture_default_str();
-  command
-      ->add_option(
-          "--exposure", flags->exposure_stops, "path mode: stops brighter (+) or darker (-)")
-      ->check(CLI::Range(-10.0, 10.0));
+  add_drawing_flags(*command, *flags);
   command->add_option("--skin", flags->skin, "draw the store in the look of this style");
   command
       ->add_option("--robot",
@@ -233,28 +262,7 @@ Run add_render(CLI::App& app) {
                    "put a robot into the picture (repeatable): "
                    "ROW@X,Y[,HEADING_DEG][,z=M][,posture=NAME][,JOINT=VALUE][,SLOT=TOOL]")
       ->allow_extra_args(false);
-  command->add_option(
-      "--depth",
-      flags->depth,
-      "also write depth: F.png in whole millimetres, 16 bits; F.npy in metres, float32");
-  command->add_option("--segmentation", flags->segmentation, "also write a colour per object");
-  command->add_option(
-      "--object-ids", flags->object_ids, "also write object numbers: red + 256 green + 65536 blue");
-  command->add_option(
-      "--annotations",
-      flags->annotations,
-      "also write what is to be seen: boxes, masks, poses, the camera, as JSON (docs/cameras.md)");
-  command->add_option("--categories", flags->categories, "also write category numbers, 16-bit PNG");
-  command->add_option("--normals", flags->normals, "also write normals");
-  command->add_option(
-      "--channels", flags->channels, "also write every channel as a picture, into this folder");
-  command
-      ->add_option("--noise",
-                   flags->noise,
-                   "colour and --depth as this sensor records them; drawn from --seed and --frame")
-      ->check(CLI::IsMember({"d435"}));
-  command->add_option("--frame", flags->frame_number, "number of the picture, for --noise")
-      ->capture_default_str();
+  add_plane_flags(*command, *flags);
   add_common_flags(*command, flags->common, Takes::seed);
   command->footer(
       "Example:  marketgen render shop --camera aisle -o aisle.png --depth aisle-depth.png\n"

@@ -204,4 +204,14 @@ Result<std::optional<SoftPack>> soft_pack_of(const Product& product) {
   return std::optional(pack);
 }
 
+SoftPack plain_soft_pack() {
+  SoftPack pack;
+  pack.parts = {{{{0, 0, -0.08}, {0.1, 0.05, 0.07}, 0.5},
+                 {{0, 0, 0.06}, {0.1, 0.05, 0.07}, 0.5},
+                 {{0, 0, 0.14}, {0.1, 0.001, 0.01}, 0.03}}};
+  pack.hinges = {
+      {{{0, 0, -0.01}, {1, 0, 0}, 1, 0.1, 0.8}, {{0, 0, 0.13}, {1, 0, 0}, 0.01, 0.01, 1}}};
+  return pack;
+}
+
 }  // namespace marketgen

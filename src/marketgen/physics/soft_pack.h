@@ -45,4 +45,8 @@ bool may_be_soft_pack(const Product& product);
 // Errors: catalog.bad_row (no mass or size), and as make_product_model.
 Result<std::optional<SoftPack>> soft_pack_of(const Product& product);
 
+// A bag of 2 x 1 x 3 decimetres, bent in the middle of its 28 cm below the flap: what stands for a
+// pack that is not known yet.
+SoftPack plain_soft_pack();
+
 }  // namespace marketgen

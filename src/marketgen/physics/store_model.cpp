@@ -78,17 +78,6 @@ Result<GoodsShape> goods_shape_of(const Product& product) {
   return goods;
 }
 
-// What a soft slot is before it first becomes a pack: a bag of 2 x 1 x 3 decimetres.
-SoftPack unused_soft_pack() {
-  SoftPack pack;
-  pack.parts = {{{{0, 0, -0.08}, {0.1, 0.05, 0.07}, 0.5},
-                 {{0, 0, 0.06}, {0.1, 0.05, 0.07}, 0.5},
-                 {{0, 0, 0.14}, {0.1, 0.001, 0.01}, 0.03}}};
-  pack.hinges = {
-      {{{0, 0, -0.01}, {1, 0, 0}, 1, 0.1, 0.8}, {{0, 0, 0.13}, {1, 0, 0}, 0.01, 0.01, 1}}};
-  return pack;
-}
-
 class StoreBuilder {
  public:
   StoreBuilder(const Scene& scene, const WorldOptions& options)
@@ -151,7 +140,7 @@ class StoreBuilder {
     }
     for (int i = 0; i < options_.soft_pool; ++i) {
       const std::string name = fmt::format("soft-{}", i);
-      const SoftElements made = add_soft_body(world_, unused_soft_pack(), name);
+      const SoftElements made = add_soft_body(world_, plain_soft_pack(), name);
       add_slot(name, made.bodies[0], {made.geoms.begin(), made.geoms.end()});
     }
   }

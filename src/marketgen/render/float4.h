@@ -51,13 +51,4 @@ inline Float4 mirrored(Float4 d, Float4 n) {
   return d - n * (2 * dot(d, n));
 }
 
-// Rotation and shift with its columns in registers; see Placement.
-struct Frame4 {
-  Float4 x, y, z, position;
-  Float4 turn(Float4 v) const {
-    return x * Float4(_mm_shuffle_ps(v.m, v.m, 0x00)) + y * Float4(_mm_shuffle_ps(v.m, v.m, 0x55)) +
-           z * Float4(_mm_shuffle_ps(v.m, v.m, 0xAA));
-  }
-};
-
 }  // namespace marketgen::raytrace

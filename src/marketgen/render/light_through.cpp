@@ -14,6 +14,7 @@ constexpr float sheet_index = 1.5F;
 struct CrossingContext {
   RTCIntersectContext embree;  // first: Embree's pointer is this struct's
   const World* world;
+  bool in_store;  // else among the actors
   Vec3f direction;
   Vec3f passed{1, 1, 1}, optical_depth{};
 };
@@ -46,7 +47,11 @@ void pass_clear(const RTCFilterFunctionNArguments* args) {
   hit.geometry = RTCHitN_geomID(args->hit, args->N, 0);
   hit.primitive = RTCHitN_primID(args->hit, args->N, 0);
   const unsigned instance = RTCHitN_instID(args->hit, args->N, 0, 0);
-  if (instance != RTC_INVALID_GEOMETRY_ID) hit.instance = instance - first_instance_geometry;
+  hit.instance = context.in_store ? store_row(instance) : actor_row(*context.world, instance);
+  if (context.in_store && is_hidden(*context.world, hit)) {
+    args->valid[0] = 0;
+    return;
+  }
   const Material& material = context.world->materials[record_of(*context.world, hit).material];
   if (!material.clear && !material.glass) return;
   cross(context, hit);
@@ -62,21 +67,11 @@ Vec3f light_through(const World& world, const Ray& ray) {
   context.world = &world;
   context.direction = ray.direction;
   context.passed = {1, 1, 1};
-  RTCRay query{};
-  query.org_x = ray.origin.x;
-  query.org_y = ray.origin.y;
-  query.org_z = ray.origin.z;
-  query.dir_x = ray.direction.x;
-  query.dir_y = ray.direction.y;
-  query.dir_z = ray.direction.z;
-  query.tnear = ray.near;
-  query.tfar = ray.far;
-  query.mask = mask_opaque | mask_glass;
-  rtcOccluded1(world.bvh.get(), &context.embree, &query);
-  if (query.tfar < 0) return {};
-  if (world.actors.bvh) {
-    rtcInitIntersectContext(&context.embree);  // robots are solid
-    rtcOccluded1(world.actors.bvh.get(), &context.embree, &query);
+  RTCRay query = embree_ray(ray, mask_opaque | mask_glass);
+  for (const Bvh* bvh : {&world.bvh, &world.actors.bvh}) {
+    if (!*bvh) continue;
+    context.in_store = bvh == &world.bvh;
+    rtcOccluded1(bvh->get(), &context.embree, &query);
     if (query.tfar < 0) return {};
   }
   const auto left = [](float passed, float depth) {

@@ -1,7 +1,6 @@
 #include "render/sensor_shading.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "render/sensor_window.h"
@@ -14,8 +13,7 @@ constexpr float polished_below = 0.45F;   // roughness of floors that get mirror
 constexpr float mirroring_below = 0.35F;  // and that mirror more than panels
 constexpr float level_floor = 0.98F;      // z of their normals
 constexpr float like_facing = 0.985F, like_plane_m = 0.02F;
-constexpr float rough_from =
-    0.55F;  // such gloss is so wide that stored light knows panels well enough
+constexpr float rough_from = 0.55F;          // gloss so wide is as bright as the face is lit
 constexpr float least_panel_share = 0.012F;  // of white: dimmer highlights need no shadow ray
 constexpr float shadow_end_m = 0.02F;
 constexpr float ceiling_room_m = 0.03F;  // panels hang in it
@@ -46,6 +44,16 @@ struct WaitingRays {
     return used == packet_size;
   }
 };
+
+// The same as rough_fresnel(), in registers.
+Float4 reflectance_of(const Surface& surface, Float4 direction) {
+  const Float4 at_normal =
+      Float4(dielectric_reflectance) +
+      (Float4(surface.albedo) - Float4(dielectric_reflectance)) * surface.metallic;
+  const float cosine = -dot(Float4(surface.relief_normal), direction);
+  const Float4 lift = max(Float4(1 - surface.roughness), at_normal) - at_normal;
+  return at_normal + lift * fifth_power(1 - std::clamp(cosine, 0.0F, 1.0F));
+}
 
 class TileShader {
  public:
@@ -124,7 +132,9 @@ class TileShader {
       const Vec3f mirror = mirrored(tile_.direction[i], surface.relief_normal);
       const PanelReflection::Seen seen = lighting_.panels.at(surface, mirror);
       panels_[i] = seen.radiance;
-      const bool shows = largest(seen.radiance * reflectance_of(i)) > least_panel_share * white_;
+      const Vec3f reflected =
+          seen.radiance * reflectance_of(surface, Float4(tile_.direction[i])).xyz();
+      const bool shows = largest(reflected) > least_panel_share * white_;
       if (!effort_.panel_shadows || !shows || is_polished_floor(surface)) continue;
       if (waiting.add(i, {surface.position, mirror, 0, seen.distance - shadow_end_m}))
         hide_panels(waiting);
@@ -158,34 +168,22 @@ class TileShader {
     }
     finish_contacts(waiting);
     for (std::size_t i = 0; any && i < sensor_tile_pixels; ++i) {
-      if (mirror_[i]) panels_[i] *= floor_share(i);
+      if (mirror_[i]) panels_[i] *= open_share(i);
     }
   }
 
-  // Share of the rays of the floor around a pixel that met nothing.
-  float floor_share(std::size_t i) const {
-    float open = 0, count = 0;
-    for_window(i, [&](std::size_t q) {
-      if (!sampled_[q]) return;
-      count += 1;
-      open += blocked_.has(q) ? 0.0F : 1.0F;
-    });
-    return count > 0 ? open / count : 1;
-  }
-
-  Vec3f reflectance_of(std::size_t i) const {
-    const Surface& surface = tile_.surface[i];
-    return rough_fresnel(
-        surface.reflectance(), -dot(surface.relief_normal, tile_.direction[i]), surface.roughness);
-  }
-
-  void hide_panels(WaitingRays& waiting) {
-    if (waiting.used == 0) return;
+  std::array<bool, packet_size> blocked_of(const WaitingRays& waiting) const {
     std::array<bool, packet_size> blocked{};
     find_blocked(lighting_.world,
                  std::span(waiting.rays).first(waiting.used),
                  std::span(blocked).first(waiting.used),
                  mask_solid);
+    return blocked;
+  }
+
+  void hide_panels(WaitingRays& waiting) {
+    if (waiting.used == 0) return;
+    const std::array<bool, packet_size> blocked = blocked_of(waiting);
     for (std::size_t k = 0; k < waiting.used; ++k) {
       if (blocked[k]) panels_[waiting.pixels[k]] = {};
     }
@@ -290,7 +288,7 @@ class TileShader {
     finish_contacts(waiting);
     for (std::size_t i = 0; i < sensor_tile_pixels; ++i) {
       if (tile_.lit(i) && blocked_.near(i))
-        tile_.openness[i] = darkest_contact + (1 - darkest_contact) * open_share(i, 1);
+        tile_.openness[i] = darkest_contact + (1 - darkest_contact) * open_share(i);
     }
   }
 
@@ -311,13 +309,7 @@ class TileShader {
   }
 
   void finish_contacts(WaitingRays& waiting) {
-    if (waiting.used == 0) return;
-    std::array<bool, packet_size> blocked{};
-    find_blocked(lighting_.world,
-                 std::span(waiting.rays).first(waiting.used),
-                 std::span(blocked).first(waiting.used),
-                 mask_solid);
-    note_blocked(waiting, blocked);
+    if (waiting.used > 0) note_blocked(waiting, blocked_of(waiting));
   }
 
   // Actors are not in the stored light: what they keep away from the surfaces around them is found
@@ -344,7 +336,7 @@ class TileShader {
     finish_under_actors(waiting);
     for (std::size_t i = 0; i < sensor_tile_pixels; ++i) {
       if (sampled_[i] && blocked_.near(i))
-        tile_.openness[i] *= 1 - actor_darkness * (1 - open_share(i, 1));
+        tile_.openness[i] *= 1 - actor_darkness * (1 - open_share(i));
     }
   }
 
@@ -364,8 +356,8 @@ class TileShader {
     waiting.used = 0;
   }
 
-  // Share of the rays around a pixel that met nothing; `none` where there were none.
-  float open_share(std::size_t i, float none) const {
+  // Share of the rays around a pixel, on its face, that met nothing; 1 where there were none.
+  float open_share(std::size_t i) const {
     const Surface& surface = tile_.surface[i];
     const float plane = window_plane_m + window_plane_per_m * tile_.depth[i];
     float open = 0, count = 0;
@@ -376,7 +368,7 @@ class TileShader {
       count += 1;
       open += blocked_.has(q) ? 0.0F : 1.0F;
     });
-    return count > 0 ? open / count : none;
+    return count > 0 ? open / count : 1;
   }
 
   void mirror_pane(TilePane& pane) {
@@ -444,14 +436,8 @@ void shade_tile(const Lighting& lighting,
 }
 
 Float4 lit_radiance(const Surface& surface, Float4 direction, Float4 irradiance, Float4 gloss) {
-  const Float4 albedo(surface.albedo);
-  const Float4 at_normal =
-      Float4(dielectric_reflectance) + (albedo - Float4(dielectric_reflectance)) * surface.metallic;
-  const float cosine = -dot(Float4(surface.relief_normal), direction);
-  const Float4 lift = max(Float4(1 - surface.roughness), at_normal) - at_normal;
-  const Float4 reflectance = at_normal + lift * fifth_power(1 - std::clamp(cosine, 0.0F, 1.0F));
-  return albedo * irradiance * ((1 - surface.metallic) * inverse_pi) + reflectance * gloss +
-         Float4(surface.emission);
+  return Float4(surface.albedo) * irradiance * ((1 - surface.metallic) * inverse_pi) +
+         reflectance_of(surface, direction) * gloss + Float4(surface.emission);
 }
 
 Float4 radiance_of(const World& world, const SensorTile& tile, std::size_t i) {

@@ -64,7 +64,6 @@ class TileTracer {
       TilePane& pane = tile_.panes[tile_.pane_count++];
       pane.pixel = static_cast<std::uint16_t>(i);
       pane.first = tile_.surface[i];
-      pane.first_depth = view_.depth_of(ray, hit.t);
       pane.reflected = reflected_by(pane.first, ray.direction);
       pane.transmittance = pane.first.albedo * (1 - pane.reflected);
       look_behind(i, ray, hit.t);

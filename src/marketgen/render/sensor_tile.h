@@ -21,7 +21,6 @@ struct TilePane {
   Surface first;        // the nearest pane
   Vec3f transmittance;  // of all of them
   float reflected = 0;  // share that the nearest mirrors
-  float first_depth = 0;
 };
 
 struct SensorTile {

@@ -52,17 +52,8 @@ PixelArea pixels_of(const std::optional<Box>& box, const View& view) {
 
 bool covers(const World& world, const Instance& part, const Ray& ray) {
   const Placement& place = part.world_from_mesh;
-  const Vec3f origin = place.to_local(ray.origin), direction = place.turn_back(ray.direction);
-  RTCRay query{};
-  query.org_x = origin.x;
-  query.org_y = origin.y;
-  query.org_z = origin.z;
-  query.dir_x = direction.x;
-  query.dir_y = direction.y;
-  query.dir_z = direction.z;
-  query.tnear = ray.near;
-  query.tfar = ray.far;
-  query.mask = mask_solid;
+  const Ray turned{place.to_local(ray.origin), place.turn_back(ray.direction), ray.near, ray.far};
+  RTCRay query = embree_ray(turned, mask_solid);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcOccluded1(world.meshes[part.mesh].bvh.get(), &context, &query);
@@ -105,9 +96,10 @@ std::vector<Silhouette> silhouettes_of(const World& world,
   std::map<std::uint32_t, std::vector<const Instance*>> parts;
   for (const std::uint32_t object : objects)
     parts[object];
-  for (const Instance& instance : world.instances) {
-    if (const auto found = parts.find(instance.id); found != parts.end())
-      found->second.push_back(&instance);
+  for (std::size_t i = 0; i < world.instances.size(); ++i) {
+    if (world.hidden.has(i)) continue;  // its copy among the actors' is what is to be seen
+    if (const auto found = parts.find(world.instances[i].id); found != parts.end())
+      found->second.push_back(&world.instances[i]);
   }
   const View view(camera);
   const Projection project(camera);

@@ -31,20 +31,6 @@ void set_ray(Packet& packet, std::size_t k, const Ray& ray, unsigned mask) {
   packet.id[k] = static_cast<unsigned>(k);
 }
 
-RTCRay single(const Ray& ray, unsigned mask) {
-  RTCRay r{};
-  r.org_x = ray.origin.x;
-  r.org_y = ray.origin.y;
-  r.org_z = ray.origin.z;
-  r.dir_x = ray.direction.x;
-  r.dir_y = ray.direction.y;
-  r.dir_z = ray.direction.z;
-  r.tnear = ray.near;
-  r.tfar = ray.far;
-  r.mask = mask;
-  return r;
-}
-
 // The lanes in use; the rest point at a ray that exists, so that no lane holds garbage.
 alignas(64) constexpr std::array<std::array<int, packet_size>, packet_size + 1> lane_masks = [] {
   std::array<std::array<int, packet_size>, packet_size + 1> masks{};
@@ -62,7 +48,9 @@ Float4 unpacked4(const std::int16_t* v) {
 }
 
 Float4 turned(const Placement& place, Float4 v) {
-  return Frame4{Float4(place.x), Float4(place.y), Float4(place.z), {}}.turn(v);
+  return Float4(place.x) * Float4(_mm_shuffle_ps(v.m, v.m, 0x00)) +
+         Float4(place.y) * Float4(_mm_shuffle_ps(v.m, v.m, 0x55)) +
+         Float4(place.z) * Float4(_mm_shuffle_ps(v.m, v.m, 0xAA));
 }
 
 // Turns both normals towards the viewer; the shading normal keeps facing him where the mesh is
@@ -132,13 +120,6 @@ std::uint32_t instance_row(unsigned instance, std::size_t first_row, unsigned fi
   if (instance == RTC_INVALID_GEOMETRY_ID) return instance;
   return static_cast<std::uint32_t>(first_row) + (instance - first_geometry);
 }
-std::uint32_t store_row(unsigned instance) {
-  return instance_row(instance, 0, first_instance_geometry);
-}
-std::uint32_t actor_row(const World& world, unsigned instance) {
-  return instance_row(instance, world.actors.first_instance, 0);
-}
-
 Hit hit_in(const RTCRayHit16& packet, std::size_t k, std::uint32_t instance) {
   return {packet.ray.tfar[k],
           packet.hit.geomID[k],
@@ -168,20 +149,20 @@ void trace_actors(const World& world,
   }
 }
 
-Hit trace_in_store(const World& world, const Ray& ray, unsigned mask) {
+RTCRayHit query_of(const Ray& ray, unsigned mask) {
   RTCRayHit query{};
-  query.ray = single(ray, mask);
+  query.ray = embree_ray(ray, mask);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  return query;
+}
+
+Hit trace_in_store(const World& world, const Ray& ray, unsigned mask) {
+  RTCRayHit query = query_of(ray, mask);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcIntersect1(world.bvh.get(), &context, &query);
   return hit_in(query, store_row(query.hit.instID[0]));
-}
-
-bool is_hidden(const World& world, const Hit& hit) {
-  return hit.instance != RTC_INVALID_GEOMETRY_ID && !world.hidden.is_hidden.empty() &&
-         hit.instance < world.hidden.is_hidden.size() && world.hidden.is_hidden[hit.instance] != 0;
 }
 
 // The first hit in the store on a ray that passes through what is hidden.
@@ -206,6 +187,31 @@ bool may_meet_hidden(const World& world, const Ray& ray) {
 }
 
 }  // namespace
+
+RTCRay embree_ray(const Ray& ray, unsigned mask) {
+  RTCRay r{};
+  r.org_x = ray.origin.x;
+  r.org_y = ray.origin.y;
+  r.org_z = ray.origin.z;
+  r.dir_x = ray.direction.x;
+  r.dir_y = ray.direction.y;
+  r.dir_z = ray.direction.z;
+  r.tnear = ray.near;
+  r.tfar = ray.far;
+  r.mask = mask;
+  return r;
+}
+
+std::uint32_t store_row(unsigned instance) {
+  return instance_row(instance, 0, first_instance_geometry);
+}
+std::uint32_t actor_row(const World& world, unsigned instance) {
+  return instance_row(instance, world.actors.first_instance, 0);
+}
+
+bool is_hidden(const World& world, const Hit& hit) {
+  return world.hidden.has(hit.instance);
+}
 
 void trace(const World& world,
            std::span<const Ray> rays,
@@ -266,27 +272,13 @@ void find_blocked_by_actors(const World& world,
 Hit trace_one(const World& world, const Ray& ray, unsigned mask) {
   const Hit in_store = past_hidden(world, ray, trace_in_store(world, ray, mask), mask);
   if (!meets_actors(world, mask)) return in_store;
-  RTCRayHit query{};
-  query.ray = single(ray, mask);
+  RTCRayHit query = query_of(ray, mask);
   if (in_store.any()) query.ray.tfar = in_store.t;
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcIntersect1(world.actors.bvh.get(), &context, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return in_store;
   return hit_in(query, actor_row(world, query.hit.instID[0]));
-}
-
-bool is_blocked(const World& world, const Ray& ray, unsigned mask) {
-  if (may_meet_hidden(world, ray)) return trace_one(world, ray, mask).any();
-  RTCRay query = single(ray, mask);
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcOccluded1(world.bvh.get(), &context, &query);
-  if (query.tfar >= 0 && meets_actors(world, mask))
-    rtcOccluded1(world.actors.bvh.get(), &context, &query);
-  return query.tfar < 0;
 }
 
 const TriangleRecord& record_of(const World& world, const Hit& hit) {

@@ -47,7 +47,14 @@ void find_blocked(const World& world,
 // The same, asking for actors alone.
 void find_blocked_by_actors(const World& world, std::span<const Ray> rays, std::span<bool> blocked);
 Hit trace_one(const World& world, const Ray& ray, unsigned mask);
-bool is_blocked(const World& world, const Ray& ray, unsigned mask);
+// The ray as Embree takes it alone.
+RTCRay embree_ray(const Ray& ray, unsigned mask);
+// Whether what was met stands elsewhere now: rays pass through its place in the store.
+bool is_hidden(const World& world, const Hit& hit);
+// The row in World::instances of an Embree instance of the store's tree, or of the actors'; an
+// invalid number stays one.
+std::uint32_t store_row(unsigned instance);
+std::uint32_t actor_row(const World& world, unsigned instance);
 
 // A point seen, ready to be lit.
 struct Surface {

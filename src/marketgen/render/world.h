@@ -135,6 +135,9 @@ struct ActorRows {
 struct HiddenRows {
   std::vector<std::uint8_t> is_hidden;  // of each of the store's instances; empty when none is
   Bounds3 bounds;                       // around the hidden places
+  bool has(std::size_t instance) const {
+    return instance < is_hidden.size() && is_hidden[instance] != 0;
+  }
 };
 
 struct World {

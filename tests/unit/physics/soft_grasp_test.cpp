@@ -24,21 +24,10 @@ Extremes heights(const std::vector<PieceCorners>& pieces) {
   return found;
 }
 
-// 20 x 10 x 30 cm, bent in the middle of its 28 cm below the flap.
-SoftPack plain_pack() {
-  SoftPack pack;
-  pack.parts = {{{{0, 0, -0.08}, {0.1, 0.05, 0.07}, 0.5},
-                 {{0, 0, 0.06}, {0.1, 0.05, 0.07}, 0.5},
-                 {{0, 0, 0.14}, {0.1, 0.001, 0.01}, 0.03}}};
-  pack.hinges = {
-      {{{0, 0, -0.01}, {1, 0, 0}, 1, 0.1, 0.8}, {{0, 0, 0.13}, {1, 0, 0}, 0.01, 0.01, 1}}};
-  return pack;
-}
-
 TEST(SoftPieces, ABoxIsCutAtBothHinges) {
   ProductBody body;
   body.pieces.push_back({.center = {0, 0, 0.15F}, .half_size = {0.1F, 0.05F, 0.15F}});
-  const auto parts = cut_at_hinges(body, plain_pack(), {0, 0, 0.15});
+  const auto parts = cut_at_hinges(body, plain_soft_pack(), {0, 0, 0.15});
   const Extremes base = heights(parts[0]), top = heights(parts[1]), flap = heights(parts[2]);
   EXPECT_NEAR(base.low, -0.15, 1e-6);
   EXPECT_NEAR(base.high, -0.01, 1e-6);
@@ -51,7 +40,7 @@ TEST(SoftPieces, ABoxIsCutAtBothHinges) {
 TEST(SoftPieces, APieceInOnePartIsInNoOther) {
   ProductBody body;
   body.pieces.push_back({.center = {0, 0, 0.05F}, .half_size = {0.1F, 0.05F, 0.05F}});
-  const auto parts = cut_at_hinges(body, plain_pack(), {0, 0, 0.15});
+  const auto parts = cut_at_hinges(body, plain_soft_pack(), {0, 0, 0.15});
   EXPECT_EQ(parts[0].size(), 1U);
   EXPECT_TRUE(parts[1].empty());
   EXPECT_TRUE(parts[2].empty());
@@ -91,7 +80,7 @@ TEST(SoftPieces, NoPackOfTheCatalogueLosesItsFootOrItsTop) {
 }
 
 TEST(SoftPieces, PartsAreWhereTheHingesPutThem) {
-  const SoftPack pack = plain_pack();
+  const SoftPack pack = plain_soft_pack();
   EXPECT_EQ(part_at(pack, {0, 0, -0.1}), 0);
   EXPECT_EQ(part_at(pack, {0, 0, 0.1}), 1);
   EXPECT_EQ(part_at(pack, {0, 0, 0.14}), 2);

@@ -130,6 +130,49 @@ TEST(MovedThings, ADoorSwings) {
   EXPECT_NE(moved.instance, taken(s.scene, s.camera).instance);
 }
 
+// In path mode, too, nothing is left of a product where it stood, its shadow included; and its
+// outline is the one of where it stands.
+TEST(MovedThings, LeaveNoShadowAndNoOutlineBehind) {
+  CansAndDoor s;
+  Scene without = s.scene;
+  without.products.clear();
+  const auto renderer = Renderer::create(s.scene), empty = Renderer::create(without);
+  ASSERT_TRUE(renderer.ok() && empty.ok());
+  const Pose away{{0.5, 5.5, 0}, {}}, beside{{3.2, 3.1, 0.8}, {}};
+  ASSERT_TRUE((*renderer)->move_things(std::vector<MovedProduct>{{0, away}, {1, away}}, {}).ok());
+  RenderOptions options;
+  options.mode = RenderMode::path;
+  options.quality = Quality::best;
+  options.samples = 64;
+  options.denoiser = Denoiser::none;
+  const Frame moved = *(*renderer)->render(s.camera, options);
+  const Frame clear = *(*empty)->render(s.camera, options);
+  double sum_moved = 0, sum_clear = 0;  // on the block's top, where the cans stood
+  for (int y = 70; y < 90; ++y) {
+    for (int x = 70; x < 90; ++x) {
+      const auto i = static_cast<std::size_t>(y * s.camera.width + x);
+      ASSERT_EQ(moved.instance[i], clear.instance[i]);
+      sum_moved += static_cast<double>(moved.radiance[3 * i]);
+      sum_clear += static_cast<double>(clear.radiance[3 * i]);
+    }
+  }
+  EXPECT_NEAR(sum_moved / sum_clear, 1, 0.02);
+
+  ASSERT_TRUE((*renderer)->move_things(std::vector<MovedProduct>{{0, beside}}, {}).ok());
+  const Frame frame = taken(**renderer, s.camera);
+  const std::vector<Silhouette> outline =
+      (*renderer)->silhouettes(s.camera, frame, std::span(&s.cans, 1));
+  int left = s.camera.width, right = 0;
+  for (std::size_t i = 0; i < frame.instance.size(); ++i) {
+    if (frame.instance[i] != s.cans) continue;
+    left = std::min(left, static_cast<int>(i) % s.camera.width);
+    right = std::max(right, static_cast<int>(i) % s.camera.width);
+  }
+  ASSERT_TRUE(outline[0].box_px.has_value());
+  EXPECT_NEAR((*outline[0].box_px)[0], left, 1.5);
+  EXPECT_NEAR((*outline[0].box_px)[2], right + 1, 1.5);
+}
+
 TEST(MovedThings, FaultyOnesAreRefusedAndNothingMoves) {
   CansAndDoor s;
   const auto renderer = Renderer::create(s.scene);
