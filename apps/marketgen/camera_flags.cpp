@@ -79,11 +79,17 @@ void add_camera_flags(CLI::App& command, CameraFlags& flags) {
                      "a camera in any pose with its lens, market-camera/1 (docs/cameras.md)");
   command.add_option("--from", flags.from, "stand at x,y,z (metres)");
   command.add_option("--at", flags.at, "look at x,y,z (metres)");
-  command.add_option("--fov-deg", flags.fov_deg, "vertical field of view")->capture_default_str();
+  command.add_option("--fov-deg",
+                     flags.fov_deg,
+                     "vertical field of view, with --from and --at; 60 when not given");
   command.add_option("--size", flags.size, "picture size in pixels")->capture_default_str();
 }
 
 Result<Camera> camera_of(const CameraFlags& flags, const Scene& scene) {
+  if (flags.fov_deg && flags.from.empty())
+    return Error{"usage.bad_flag",
+                 "--fov-deg",
+                 "cameras with a name or a file have their own; give --from and --at with it"};
   if (!flags.file.empty()) {
     MARKETGEN_TRY(const Camera camera, camera_from_file(flags));
     MARKETGEN_CHECK(check_viewpoint(scene, camera, flags.file));
@@ -99,7 +105,7 @@ Result<Camera> camera_of(const CameraFlags& flags, const Scene& scene) {
   camera.name = "custom";
   MARKETGEN_TRY(camera.from, parse_point(flags.from, "--from"));
   MARKETGEN_TRY(camera.at, parse_point(flags.at, "--at"));
-  camera.fov_deg = flags.fov_deg;
+  camera.fov_deg = flags.fov_deg.value_or(60);
   camera.width = pixels.first;
   camera.height = pixels.second;
   MARKETGEN_CHECK(check_camera(camera, "render"));

@@ -2,6 +2,7 @@
 #pragma once
 #include <CLI/CLI.hpp>
 
+#include <optional>
 #include <string>
 
 #include "base/result.h"
@@ -12,7 +13,7 @@ namespace marketgen::app {
 
 struct CameraFlags {
   std::string name, file, from, at, size = "1280x720";
-  double fov_deg = 60;
+  std::optional<double> fov_deg;  // 60 with --from and --at
 };
 
 void add_camera_flags(CLI::App& command, CameraFlags& flags);

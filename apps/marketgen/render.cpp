@@ -188,7 +188,8 @@ Result<void> render(const RenderFlags& flags) {
                  "views from above are orthographic and have no sensor; take another camera"};
   MARKETGEN_TRY(const std::vector<Actor> actors, actors_of(flags, scene));
   Progress& progress = progress_for(flags.common);
-  MARKETGEN_TRY(const std::unique_ptr<Renderer> renderer, Renderer::create(scene, progress));
+  MARKETGEN_TRY(const std::unique_ptr<Renderer> renderer,
+                Renderer::create(scene, progress, {.keep_light = true}));
   MARKETGEN_CHECK(renderer->set_actors(actors));
   MARKETGEN_TRY(Frame frame, renderer->render(camera, options_of(flags, camera), progress));
   MARKETGEN_CHECK(write_all(flags, scene, camera, *renderer, actors, std::move(frame)));

@@ -5,9 +5,9 @@
 #include <bit>
 #include <map>
 #include <numeric>
-#include <unordered_map>
 #include <utility>
 
+#include "base/flat_index.h"
 #include "geometry/weld.h"
 
 namespace marketgen {
@@ -16,17 +16,6 @@ namespace {
 constexpr float apart_m = 4e-6F;  // more than that, less than anyone sees
 
 using WedgeKey = std::array<std::uint32_t, 4>;
-struct WedgeKeyHash {
-  std::size_t operator()(const WedgeKey& key) const {
-    std::uint64_t h = 0;
-    for (const std::uint32_t part : key) {
-      h = (h ^ part) * 0x9E3779B97F4A7C15ULL;
-      h ^= h >> 29;
-    }
-    return static_cast<std::size_t>(h);
-  }
-};
-
 std::uint32_t root_of(std::vector<std::uint32_t>& parents, std::uint32_t i) {
   while (parents[i] != i)
     i = parents[i] = parents[parents[i]];
@@ -89,7 +78,7 @@ std::vector<Vec3f> steps_apart(const MeshWedges& wedges,
 
 MeshWedges wedges_of(const Mesh& mesh) {
   const std::vector<std::uint32_t> welded = weld_positions(mesh.positions, weld_distance_m);
-  std::unordered_map<WedgeKey, unsigned int, WedgeKeyHash> known;  // only looked up
+  FlatIndex<WedgeKey> known(3 * mesh.triangles.size());
   MeshWedges wedges;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (const std::uint32_t vertex : mesh.triangles[t]) {
@@ -98,7 +87,7 @@ MeshWedges wedges_of(const Mesh& mesh) {
                          std::bit_cast<std::uint32_t>(uv.x),
                          std::bit_cast<std::uint32_t>(uv.y),
                          mesh.surfaces[t]};
-      const auto next = static_cast<unsigned int>(wedges.positions.size());
+      const auto next = static_cast<std::uint32_t>(wedges.positions.size());
       const auto [found, is_new] = known.try_emplace(key, next);
       if (is_new) {
         wedges.positions.push_back(mesh.positions[welded[vertex]]);
@@ -106,7 +95,7 @@ MeshWedges wedges_of(const Mesh& mesh) {
         wedges.surfaces.push_back(mesh.surfaces[t]);
         wedges.places.push_back(welded[vertex]);
       }
-      wedges.indices.push_back(found->second);
+      wedges.indices.push_back(found);
     }
   }
   return wedges;

@@ -69,19 +69,34 @@ Vec3f corner_normal(const FaceNormals& faces,
   return to_float(normalized(sum));
 }
 
-// The vertices of the mesh under construction that came from one old vertex, by their normals.
-using Copies = std::vector<std::pair<Vec3f, std::uint32_t>>;
+// The mesh under construction. Each old vertex has become some new ones that differ by their
+// normals; they are chained in the order in which they were made.
+class CreasedMesh {
+ public:
+  explicit CreasedMesh(const Mesh& source)
+      : source_(source), first_(source.positions.size(), none) {}
 
-std::uint32_t vertex_with_normal(
-    Mesh& target, Copies& copies, const Mesh& source, std::uint32_t vertex, Vec3f normal) {
-  for (const auto& [known_normal, index] : copies) {
-    if (dot(known_normal, normal) > 0.9999F) return index;
+  std::uint32_t vertex_with_normal(std::uint32_t vertex, Vec3f normal) {
+    std::uint32_t* link = &first_[vertex];
+    while (*link != none) {
+      if (dot(mesh.normals[*link], normal) > 0.9999F) return *link;
+      link = &next_[*link];
+    }
+    const std::uint32_t made =
+        mesh.add_vertex(source_.positions[vertex], normal, source_.uvs[vertex]);
+    *link = made;
+    next_.push_back(none);
+    return made;
   }
-  const std::uint32_t made =
-      target.add_vertex(source.positions[vertex], normal, source.uvs[vertex]);
-  copies.emplace_back(normal, made);
-  return made;
-}
+
+  Mesh mesh;
+
+ private:
+  static constexpr std::uint32_t none = 0xFFFFFFFF;
+  const Mesh& source_;
+  std::vector<std::uint32_t> first_;  // of an old vertex
+  std::vector<std::uint32_t> next_;   // of a new one
+};
 
 }  // namespace
 
@@ -89,18 +104,17 @@ void recompute_normals(Mesh& mesh, float crease_cos) {
   const std::vector<std::uint32_t> welded = weld_positions(mesh.positions, weld_distance_m);
   const FaceNormals faces = face_normals(mesh);
   const TrianglesAtPoints around = triangles_at_points(mesh, welded);
-  std::vector<Copies> copies(mesh.positions.size());
-  Mesh smooth;
+  CreasedMesh smooth(mesh);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     std::array<std::uint32_t, 3> corners{};
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t vertex = mesh.triangles[t][i];
       const Vec3f normal = corner_normal(faces, t, around.at(welded[vertex]), crease_cos);
-      corners[i] = vertex_with_normal(smooth, copies[vertex], mesh, vertex, normal);
+      corners[i] = smooth.vertex_with_normal(vertex, normal);
     }
-    smooth.add_triangle(corners[0], corners[1], corners[2], mesh.surfaces[t]);
+    smooth.mesh.add_triangle(corners[0], corners[1], corners[2], mesh.surfaces[t]);
   }
-  mesh = std::move(smooth);
+  mesh = std::move(smooth.mesh);
 }
 
 }  // namespace marketgen

@@ -3,23 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <unordered_map>
+
+#include "base/flat_index.h"
 
 namespace marketgen {
 namespace {
 
 using Cell = std::array<std::int64_t, 3>;
-
-struct CellHash {
-  std::size_t operator()(const Cell& cell) const {
-    std::uint64_t h = 0;
-    for (const std::int64_t part : cell) {
-      h = (h ^ static_cast<std::uint64_t>(part)) * 0x9E3779B97F4A7C15ULL;
-      h ^= h >> 29;
-    }
-    return static_cast<std::size_t>(h);
-  }
-};
 
 Cell cell_at(Vec3 p, double cell_size) {
   return {static_cast<std::int64_t>(std::floor(p.x / cell_size)),
@@ -37,17 +27,17 @@ bool within(Vec3 a, Vec3 b, double distance) {
 class CellIndex {
  public:
   CellIndex(const std::vector<Vec3f>& positions, double distance)
-      : positions_(positions), distance_(distance), cell_size_(16.0 * distance) {
-    first_in_.reserve(positions.size());
-    next_.resize(positions.size(), none);
-  }
+      : positions_(positions),
+        distance_(distance),
+        cell_size_(16.0 * distance),
+        first_in_(positions.size()),
+        next_(positions.size(), none) {}
 
   void add(std::uint32_t i) {
-    const auto [cell, is_new] =
-        first_in_.try_emplace(cell_at(to_double(positions_[i]), cell_size_), i);
+    auto [first, is_new] = first_in_.try_emplace(cell_at(to_double(positions_[i]), cell_size_), i);
     if (is_new) return;
-    next_[i] = cell->second;
-    cell->second = i;
+    next_[i] = first;
+    first = i;
   }
 
   // The lowest index within the distance of position i among those added; i itself when there is
@@ -69,9 +59,9 @@ class CellIndex {
   static constexpr std::uint32_t none = 0xFFFFFFFF;
 
   std::uint32_t lowest_in(const Cell& cell, Vec3 p, std::uint32_t lowest) const {
-    const auto found = first_in_.find(cell);
-    if (found == first_in_.end()) return lowest;
-    for (std::uint32_t i = found->second; i != none; i = next_[i]) {
+    const std::uint32_t* first = first_in_.find(cell);
+    if (first == nullptr) return lowest;
+    for (std::uint32_t i = *first; i != none; i = next_[i]) {
       if (i < lowest && within(p, to_double(positions_[i]), distance_)) lowest = i;
     }
     return lowest;
@@ -79,8 +69,8 @@ class CellIndex {
 
   const std::vector<Vec3f>& positions_;
   double distance_, cell_size_;
-  std::unordered_map<Cell, std::uint32_t, CellHash> first_in_;  // only looked up, never walked
-  std::vector<std::uint32_t> next_;                             // in the same cell
+  FlatIndex<Cell> first_in_;
+  std::vector<std::uint32_t> next_;  // in the same cell
 };
 
 }  // namespace

@@ -1,12 +1,17 @@
 #include "render/draft.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
 #include "assets/color.h"
 #include "assets/material_texture.h"
+#include "base/hash.h"
 #include "base/parallel.h"
+#include "base/progress.h"
 #include "io/json.h"
 #include "render/picture_cache.h"
 
@@ -101,9 +106,32 @@ std::uint16_t Draft::pane(const MaterialRow& row) {
                    .glass = true});
 }
 
+// What cannot be drawn is seen, and said.
+std::uint16_t Draft::missing_material(std::string_view id) {
+  if (missing_.insert(std::string(id)).second)
+    log_warning(fmt::format("material \"{}\" is not among the store's: drawn as a checker", id));
+  Material checker{.color = {1, 1, 1}, .roughness = 0.8F};
+  checker.texture = texture("missing material", [] {
+    constexpr int side = 64, square = 8;
+    Image image(side, side);
+    for (int y = 0; y < side; ++y) {
+      for (int x = 0; x < side; ++x) {
+        const bool dark = (x / square + y / square) % 2 != 0;
+        const std::array<std::uint8_t, 3> color = dark ? std::array<std::uint8_t, 3>{20, 20, 20}
+                                                       : std::array<std::uint8_t, 3>{255, 0, 220};
+        std::copy(color.begin(), color.end(), image.at(x, y));
+      }
+    }
+    return Result<Image>(std::move(image));
+  });
+  return material(checker);
+}
+
 std::uint16_t Draft::tiled_material(std::string_view id) {
   const MaterialRow* found = row(id);
-  if (found == nullptr) return material({.color = {0.8F, 0.8F, 0.78F}, .roughness = 0.8F});
+  if (found == nullptr && (id.empty() || scene_.materials.empty()))
+    return material({.color = {0.8F, 0.8F, 0.78F}, .roughness = 0.8F});
+  if (found == nullptr) return missing_material(id);
   const bool clear = found->transmission > 0 && found->roughness < clearest_frost;
   if (clear && found->pattern == MaterialPattern::smooth) return pane(*found);
   Material result{.color = {1, 1, 1},
@@ -156,6 +184,10 @@ Result<void> Draft::draw_textures(Progress& progress) {
   for (const std::optional<Error>& error : errors) {
     if (error) return *error;
   }
+  Hasher contents;
+  for (const Order& order : orders_)
+    contents.add(order.content);
+  world_.art_key = contents.hex();
   return {};
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -35,8 +36,8 @@ class Draft {
                              std::function<Result<PrintedPicture>()> draw);
   // Number of a material; equal ones share it, except glowing ones, whose light is measured later.
   std::uint16_t material(const Material& material);
-  // A catalogue material tiled by UV in units of its own extent; plain white plaster when the scene
-  // lacks the row.
+  // A catalogue material tiled by UV in units of its own extent; plain white plaster in scenes
+  // without materials, a bright checker and a warning when the scene lacks the row.
   std::uint16_t tiled_material(std::string_view id);
   // What one metre of UV must be divided by for `tiled_material(id)`.
   float extent_m(std::string_view id) const;
@@ -58,9 +59,11 @@ class Draft {
   std::int32_t add_order(Order wanted);
   Result<void> carry_out(std::size_t order);  // into the textures of the same number
   std::uint16_t pane(const MaterialRow& row);
+  std::uint16_t missing_material(std::string_view id);
 
   std::vector<Order> orders_;
   std::map<std::string, std::int32_t> texture_of_content_;
+  std::set<std::string> missing_;  // materials that were asked for
   using MaterialLook = std::array<float, 15>;
   std::map<MaterialLook, std::uint16_t> material_of_look_;
 };

@@ -20,6 +20,6 @@ struct Exhibit {
 Result<std::unique_ptr<Renderer>> create_renderer(const Scene& scene,
                                                   const std::vector<Exhibit>& exhibits,
                                                   Progress& progress,
-                                                  PrintDetail print = PrintDetail::near);
+                                                  const RendererOptions& options = {});
 
 }  // namespace marketgen::raytrace

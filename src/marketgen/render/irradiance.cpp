@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "render/light_cache.h"
 #include "render/shading_math.h"
 
 namespace marketgen::raytrace {
@@ -187,10 +188,19 @@ Vec3f AmbientCube::irradiance(Vec3f n) const {
          faces[n.z < 0 ? 5 : 4] * (n.z * n.z);
 }
 
-IrradianceField::IrradianceField(const World& world, const LightGrid& lights, const Scene& scene) {
+IrradianceField::IrradianceField(const World& world,
+                                 const LightGrid& lights,
+                                 const Scene& scene,
+                                 bool keep) {
   place_room(world);
   place_shelves(scene);
+  const std::string key = keep ? light_key(world, positions_) : std::string();
+  if (std::optional<BakedLight> light = kept_light(key, positions_.size())) {
+    light_ = *std::move(light);
+    return;
+  }
   bake(world, lights);
+  if (keep) keep_light(key, light_);
 }
 
 void IrradianceField::place_room(const World& world) {
@@ -261,9 +271,9 @@ void IrradianceField::bake(const World& world, const LightGrid& lights) {
       32);
   constexpr float solid_angle = 4 * pi / rays_per_probe;
   for (int bounce = 0; bounce < bounces; ++bounce) {
-    find_mean();
+    light_.mean = mean_of_room();
     fill_invalid(probes_);
-    packed_ = packed(probes_);
+    light_.probes = packed(probes_);
     parallel_for(
         probes_.size(),
         [&](std::size_t i) {
@@ -279,7 +289,8 @@ void IrradianceField::bake(const World& world, const LightGrid& lights) {
         },
         32);
   }
-  find_mean();
+  light_.mean = mean_of_room();
+  light_.floor_mean = mean_of_floor();
   std::vector<AmbientCube> rest = probes_;
   for (std::size_t i = 0; i < rest.size(); ++i) {
     for (std::size_t a = 0; a < axes.size(); ++a)
@@ -287,11 +298,12 @@ void IrradianceField::bake(const World& world, const LightGrid& lights) {
   }
   fill_invalid(probes_);
   fill_invalid(rest);
-  packed_ = packed(probes_);
-  without_panels_ = packed(rest);
+  light_.probes = packed(probes_);
+  light_.without_panels = packed(rest);
+  probes_ = {};
 }
 
-void IrradianceField::find_mean() {
+Vec3f IrradianceField::mean_of_room() const {
   const auto room_count = static_cast<std::size_t>(size_[0] * size_[1] * size_[2]);
   Vec3f sum;
   float count = 0;
@@ -300,7 +312,7 @@ void IrradianceField::find_mean() {
       sum += face * (probes_[i].validity / 6);
     count += probes_[i].validity;
   }
-  if (count > 0) mean_ = sum / count;
+  return count > 0 ? sum / count : Vec3f{};
 }
 
 // Within a shelf, a point in a pack takes the mean of the shelf's free points at the same depth,
@@ -457,7 +469,7 @@ Float4 IrradianceField::gathered(const std::vector<PackedCube>& probes,
   }
   // Light was stored times validity, so that what is in matter counts by itself for nothing.
   const float weight = Float4(sum).w();
-  return weight > 1e-5F ? Float4(sum) * (1 / weight) : Float4(mean_);
+  return weight > 1e-5F ? Float4(sum) * (1 / weight) : Float4(light_.mean);
 }
 
 IrradianceField::Corners IrradianceField::corners_at(const Place& place, Float4 facing) const {
@@ -468,23 +480,24 @@ IrradianceField::Corners IrradianceField::corners_at(const Place& place, Float4 
 
 Vec3f IrradianceField::at(const Place& place, Vec3f facing) const {
   const Float4 normal(facing);
-  return gathered(packed_, corners_at(place, normal), normal).xyz();
+  return gathered(light_.probes, corners_at(place, normal), normal).xyz();
 }
 
 IrradianceField::TwoSided IrradianceField::at(const Place& place,
                                               Float4 facing,
                                               Float4 mirror) const {
   const Corners corners = corners_at(place, facing);
-  return {gathered(packed_, corners, facing), gathered(without_panels_, corners, mirror)};
+  return {gathered(light_.probes, corners, facing),
+          gathered(light_.without_panels, corners, mirror)};
 }
 
 float IrradianceField::tilt(const Place& place, Vec3f facing, Vec3f tilted) const {
   const Corners corners = corners_at(place, Float4(facing));
-  const float flat = luminance(gathered(packed_, corners, Float4(facing)).xyz());
-  return flat > 0 ? luminance(gathered(packed_, corners, Float4(tilted)).xyz()) / flat : 1;
+  const float flat = luminance(gathered(light_.probes, corners, Float4(facing)).xyz());
+  return flat > 0 ? luminance(gathered(light_.probes, corners, Float4(tilted)).xyz()) / flat : 1;
 }
 
-float IrradianceField::floor_mean() const {
+float IrradianceField::mean_of_floor() const {
   const auto layer = static_cast<std::size_t>(size_[0] * size_[1]);
   float sum = 0, count = 0;
   for (std::size_t i = 0; i < layer; ++i) {

@@ -28,6 +28,13 @@ struct alignas(64) PackedCube {
   std::array<std::array<std::uint16_t, 4>, 6> faces;
 };
 
+// What a bake makes: of each probe.
+struct BakedLight {
+  std::vector<PackedCube> probes, without_panels;  // all light, and all but the panels' own
+  Vec3f mean;            // of the valid room probes: where nothing is known
+  float floor_mean = 0;  // irradiance, see IrradianceField::floor_mean()
+};
+
 // Where light is asked for, and what stands there: rows of the scene, -1 = none.
 struct Place {
   Vec3f point;
@@ -37,8 +44,12 @@ Place place_of(const Surface& surface);
 
 class IrradianceField {
  public:
-  // Deterministic for any thread count.
-  IrradianceField(const World& world, const LightGrid& lights, const Scene& scene);
+  // Deterministic for any thread count. With `keep`, light is taken from the disk where an earlier
+  // bake left it, and left there; see light_cache.h.
+  IrradianceField(const World& world,
+                  const LightGrid& lights,
+                  const Scene& scene,
+                  bool keep = false);
 
   // Irradiance on something at `place` that faces `facing`; over pi it is the mean radiance from
   // that side.
@@ -59,7 +70,7 @@ class IrradianceField {
 
   // Mean irradiance on level surfaces just above the free floor: what a light meter carried through
   // the shop reads.
-  float floor_mean() const;
+  float floor_mean() const { return light_.floor_mean; }
 
  private:
   struct Shelf {
@@ -77,7 +88,8 @@ class IrradianceField {
   void place_shelves(const Scene& scene);
   void bake(const World& world, const LightGrid& lights);
   void fill_invalid(std::vector<AmbientCube>& probes) const;
-  void find_mean();
+  Vec3f mean_of_room() const;
+  float mean_of_floor() const;
   const Shelf* shelf_of(const Place& place) const;
   Corners corners_at(const Place& place, Float4 facing) const;
   Corners corners_in_shelf(const Shelf& shelf, Vec3f point) const;
@@ -87,13 +99,12 @@ class IrradianceField {
                   Float4 facing) const;
 
   std::vector<Vec3f> positions_;
-  std::vector<AmbientCube> probes_;                  // while baking
-  std::vector<PackedCube> packed_, without_panels_;  // of probes_
+  std::vector<AmbientCube> probes_;  // while baking
+  BakedLight light_;
   std::vector<Shelf> shelves_;
   std::vector<std::array<std::uint32_t, 2>> shelves_of_fixture_;  // first, count
   Vec3f low_, step_;
   std::array<int, 3> size_{2, 2, 2};
-  Vec3f mean_{};  // of the valid room probes: where nothing is known
 };
 
 }  // namespace marketgen::raytrace

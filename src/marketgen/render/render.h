@@ -48,6 +48,13 @@ constexpr std::array<std::string_view, 4> names_of(Denoiser) {
 // or more, as previews.
 enum class PrintDetail { near, distant };
 
+struct RendererOptions {
+  PrintDetail print = PrintDetail::near;
+  // Whether baked light is kept on disk between runs (light_cache.h): another renderer of the same
+  // store and look need not bake it again.
+  bool keep_light = false;
+};
+
 struct RenderOptions {
   RenderMode mode = RenderMode::sensor;
   Quality quality = Quality::balanced;
@@ -105,7 +112,7 @@ class Renderer {
  public:
   static Result<std::unique_ptr<Renderer>> create(const Scene& scene,
                                                   Progress& progress = silent_progress(),
-                                                  PrintDetail print = PrintDetail::near);
+                                                  const RendererOptions& options = {});
   virtual ~Renderer() = default;
   // What stands in the pictures from now on, instead of the actors before; none at first. Costs
   // milliseconds a robot. Errors: render.bad_actor, and nothing has changed; io.out_of_memory.

@@ -24,11 +24,11 @@ constexpr float meter_share = 0.75F;
 
 class EmbreeRenderer : public Renderer {
  public:
-  EmbreeRenderer(std::unique_ptr<World> world, const Scene& scene)
+  EmbreeRenderer(std::unique_ptr<World> world, const Scene& scene, bool keep_light)
       : scene_(scene),
         world_(std::move(world)),
         lights_(*world_),
-        field_(*world_, lights_, scene),
+        field_(*world_, lights_, scene, keep_light),
         panels_(*world_),
         actors_(*world_, first_actor_object(scene)),
         lighting_{*world_, lights_, field_, panels_} {
@@ -126,9 +126,11 @@ class EmbreeRenderer : public Renderer {
 Result<std::unique_ptr<Renderer>> create_renderer(const Scene& scene,
                                                   const std::vector<Exhibit>& exhibits,
                                                   Progress& progress,
-                                                  PrintDetail print) {
-  MARKETGEN_TRY(std::unique_ptr<World> world, build_world(scene, exhibits, progress, print));
-  return std::unique_ptr<Renderer>(std::make_unique<EmbreeRenderer>(std::move(world), scene));
+                                                  const RendererOptions& options) {
+  MARKETGEN_TRY(std::unique_ptr<World> world,
+                build_world(scene, exhibits, progress, options.print));
+  return std::unique_ptr<Renderer>(
+      std::make_unique<EmbreeRenderer>(std::move(world), scene, options.keep_light));
 }
 
 }  // namespace raytrace
@@ -152,8 +154,8 @@ Result<void> render_batch(std::span<const Shot> shots,
 
 Result<std::unique_ptr<Renderer>> Renderer::create(const Scene& scene,
                                                    Progress& progress,
-                                                   PrintDetail print) {
-  return raytrace::create_renderer(scene, {}, progress, print);
+                                                   const RendererOptions& options) {
+  return raytrace::create_renderer(scene, {}, progress, options);
 }
 
 }  // namespace marketgen

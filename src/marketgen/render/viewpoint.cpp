@@ -105,15 +105,16 @@ Result<void> check_viewpoint(const Scene& scene, const Camera& camera, const std
   const Shell& shell = scene.layout.shell;
   const Vec3 eye = place_of(camera);
   if (!is_in_room(shell, eye)) {
-    return Error{"camera.outside_store",
-                 where,
-                 fmt::format("it stands at {}, and the store spans 0 to {} m east, 0 to {} m north "
-                             "and 0 to {} m up within its walls; move it inside, or take "
-                             "--camera top",
-                             written(eye),
-                             shell.width_mm * 1e-3,
-                             shell.depth_mm * 1e-3,
-                             shell.ceiling_mm * 1e-3)};
+    return Error{
+        "camera.outside_store",
+        where,
+        fmt::format("it stands at {}, and the store spans 0 to {:.2f} m east, 0 to {:.2f} m north "
+                    "and 0 to {:.2f} m up within its walls; move it inside, or take "
+                    "--camera top",
+                    written(eye),
+                    shell.width_mm * 1e-3,
+                    shell.depth_mm * 1e-3,
+                    shell.ceiling_mm * 1e-3)};
   }
   MARKETGEN_TRY(const std::optional<std::string> holder, holder_of(scene, eye));
   if (!holder) return {};

@@ -243,7 +243,8 @@ void commit_actors(World& world) {
     commit_mesh(device, mesh);
   });
   actors.bvh.reset(rtcNewScene(device));
-  rtcSetSceneFlags(actors.bvh.get(), RTC_SCENE_FLAG_DYNAMIC);
+  rtcSetSceneFlags(actors.bvh.get(),
+                   RTC_SCENE_FLAG_DYNAMIC | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
   for (std::size_t i = actors.first_instance; i < world.instances.size(); ++i) {
     Instance& instance = world.instances[i];
     find_records(world, instance);

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "geometry/mesh.h"
@@ -142,6 +143,7 @@ struct HiddenRows {
 
 struct World {
   Device device;
+  std::string art_key;  // over what decides the textures' pixels
   std::vector<Texture> textures;
   std::vector<ReliefTexture> reliefs;
   std::vector<Material> materials;

@@ -10,7 +10,7 @@ Result<void> draw_previews(const Scene& scene,
                            const std::filesystem::path& folder,
                            Progress& progress) {
   MARKETGEN_TRY(const std::unique_ptr<Renderer> renderer,
-                Renderer::create(scene, progress, PrintDetail::distant));
+                Renderer::create(scene, progress, {.print = PrintDetail::distant}));
   for (const char* name : {"top", "entrance", "aisle", "checkout"}) {
     MARKETGEN_CHECK(check_interrupt());
     MARKETGEN_TRY(const Camera camera,

@@ -2,8 +2,9 @@
 
 #include <bit>
 #include <cmath>
-#include <unordered_map>
 #include <utility>
+
+#include "base/flat_index.h"
 
 namespace marketgen {
 namespace {
@@ -17,17 +18,6 @@ bool same_place(Vec3f a, Vec3f b) {
 }
 
 using VertexKey = std::array<std::uint32_t, 5>;
-
-struct VertexKeyHash {
-  std::size_t operator()(const VertexKey& key) const {
-    std::uint64_t h = 0;
-    for (const std::uint32_t part : key) {
-      h = (h ^ part) * 0x9E3779B97F4A7C15ULL;
-      h ^= h >> 29;
-    }
-    return static_cast<std::size_t>(h);
-  }
-};
 
 std::uint32_t bits_of(float value) {
   return std::bit_cast<std::uint32_t>(value + 0.0F);
@@ -148,8 +138,7 @@ ProductModel PackBuilder::finish(float crease_cos) const {
   ProductModel model;
   model.surfaces = surfaces_;
   model.features = features_;
-  std::unordered_map<VertexKey, std::uint32_t, VertexKeyHash> known;  // only looked up
-  known.reserve(triangles_.size() * 3);
+  FlatIndex<VertexKey> known(triangles_.size() * 3);
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
     std::array<std::uint32_t, 3> v{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -157,7 +146,7 @@ ProductModel PackBuilder::finish(float crease_cos) const {
       const auto next = static_cast<std::uint32_t>(model.mesh.positions.size());
       const auto [found, is_new] = known.try_emplace(key_of(corner), next);
       if (is_new) model.mesh.add_vertex(corner.position, {}, corner.uv);
-      v[i] = found->second;
+      v[i] = found;
     }
     model.mesh.add_triangle(v[0], v[1], v[2], triangle_surfaces_[t]);
   }

@@ -1,0 +1,139 @@
+#include "render/light_cache.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "base/build_info.h"
+#include "base/hash.h"
+#include "io/file.h"
+#include "render/art_fingerprint.h"
+#include "render/render_fingerprint.h"
+
+namespace marketgen::raytrace {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_files = 256;
+constexpr std::array<char, 8> light_mark{'M', 'G', 'L', 'I', 'G', 'H', 'T', '1'};
+
+struct LightHeader {
+  std::array<char, 8> mark{};
+  std::uint64_t probes = 0;
+  Vec3f mean;
+  float floor_mean = 0;
+  std::uint64_t checksum = 0;  // of what follows
+};
+
+template <class T>
+void add_rows(Hasher& hasher, const std::vector<T>& rows) {
+  hasher.add(static_cast<std::int64_t>(rows.size())).add_bytes(std::as_bytes(std::span(rows)));
+}
+
+void add_triangles(Hasher& hasher, const TriangleSet& set) {
+  add_rows(hasher, set.positions);
+  add_rows(hasher, set.triangles);
+  add_rows(hasher, set.records);
+}
+
+template <class... T>
+void add_numbers(Hasher& hasher, const T&... numbers) {
+  (hasher.add_bytes(std::as_bytes(std::span(&numbers, 1))), ...);
+}
+
+void add_material(Hasher& hasher, const Material& m) {
+  add_numbers(hasher, m.color, m.emission, m.roughness, m.metallic, m.texture, m.relief);
+  add_numbers(hasher, m.roughness_scale, m.glass, m.clear);
+}
+
+void add_instance(Hasher& hasher, const Instance& i) {
+  add_numbers(hasher, i.mesh, i.fixture, i.shelf, i.brightness, i.world_from_mesh);
+}
+
+fs::path light_folder() {
+  return cache_folder() / "light";
+}
+
+fs::path file_of(const std::string& key) {
+  return light_folder() / (key + ".bin");
+}
+
+void leave_newest(const fs::path& folder, std::size_t count) {
+  std::error_code ignored;
+  std::vector<std::pair<fs::file_time_type, fs::path>> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+    files.emplace_back(entry.last_write_time(ignored), entry.path());
+  if (files.size() <= count) return;
+  std::sort(files.begin(), files.end(), std::greater<>());
+  for (std::size_t i = count; i < files.size(); ++i)
+    fs::remove(files[i].second, ignored);
+}
+
+std::string_view payload_of(const std::vector<PackedCube>& probes) {
+  return {reinterpret_cast<const char*>(probes.data()), probes.size() * sizeof(PackedCube)};
+}
+
+}  // namespace
+
+std::string light_key(const World& world, std::span<const Vec3f> probe_positions) {
+  Hasher hasher;
+  hasher.add(program_version).add(art_fingerprint).add(render_fingerprint);
+  hasher.add(world.art_key);
+  for (const TriangleSet* set : {&world.shell, &world.shell_glass, &world.ceiling})
+    add_triangles(hasher, *set);
+  for (const TracedMesh& mesh : world.meshes) {
+    add_triangles(hasher, mesh.solid);
+    add_triangles(hasher, mesh.glass);
+  }
+  for (const Material& material : world.materials)
+    add_material(hasher, material);
+  for (const Instance& instance : world.instances)
+    add_instance(hasher, instance);
+  add_rows(hasher, world.lights);
+  add_numbers(hasher, world.panel_count, world.room, world.exposure);
+  add_numbers(hasher, world.surroundings.zenith, world.surroundings.horizon);
+  add_numbers(hasher, world.surroundings.ground, world.surroundings.sampled_as_lights);
+  hasher.add_bytes(std::as_bytes(probe_positions));
+  return hasher.hex();
+}
+
+std::optional<BakedLight> kept_light(const std::string& key, std::size_t probes) {
+  if (key.empty()) return std::nullopt;
+  LightHeader header;
+  const std::size_t part = probes * sizeof(PackedCube);
+  const Result<MappedFile> mapped = MappedFile::open(file_of(key));
+  if (!mapped.ok() || mapped->bytes().size() != sizeof(header) + 2 * part) return std::nullopt;
+  const std::string_view bytes(reinterpret_cast<const char*>(mapped->bytes().data()),
+                               mapped->bytes().size());
+  std::memcpy(&header, bytes.data(), sizeof(header));
+  const std::string_view payload = bytes.substr(sizeof(header));
+  if (header.mark != light_mark || header.probes != probes || hash64(payload) != header.checksum)
+    return std::nullopt;
+  BakedLight light{std::vector<PackedCube>(probes),
+                   std::vector<PackedCube>(probes),
+                   header.mean,
+                   header.floor_mean};
+  std::memcpy(light.probes.data(), payload.data(), part);
+  std::memcpy(light.without_panels.data(), payload.data() + part, part);
+  return light;
+}
+
+void keep_light(const std::string& key, const BakedLight& light) {
+  LightHeader header{light_mark, light.probes.size(), light.mean, light.floor_mean, 0};
+  std::string bytes(sizeof(header), '\0');
+  bytes.append(payload_of(light.probes)).append(payload_of(light.without_panels));
+  header.checksum = hash64(std::string_view(bytes).substr(sizeof(header)));
+  std::memcpy(bytes.data(), &header, sizeof(header));
+  std::error_code ignored;  // see the header
+  fs::create_directories(light_folder(), ignored);
+  (void)write_file(file_of(key), bytes).ok();
+  leave_newest(light_folder(), most_files);
+}
+
+}  // namespace marketgen::raytrace
