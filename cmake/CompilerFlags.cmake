@@ -12,6 +12,11 @@ if(CMAKE_CXX_FLAGS MATCHES "-ffast-math|-Ofast")
   message(FATAL_ERROR "-ffast-math makes results depend on the compiler; take it out of CMAKE_CXX_FLAGS")
 endif()
 
+# The libraries end up in Python's module, too. What nobody outside sees is called directly all the same.
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+
 # Sign conversions are left out: Eigen, Embree and FlatBuffers mix signed and unsigned sizes in every signature.
 add_compile_options(-Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion)
 # In a unity build the constants of one file are global to the next: a local of the same name hides nothing.
@@ -41,8 +46,9 @@ if(MARKETGEN_FUZZ)
 endif()
 
 find_program(MARKETGEN_CCACHE ccache)
-if(MARKETGEN_CCACHE)
-  set(CMAKE_CXX_COMPILER_LAUNCHER "${MARKETGEN_CCACHE}")
+if(MARKETGEN_CCACHE)  # build folders of one tree (release, a wheel) share what they compile
+  set(CMAKE_CXX_COMPILER_LAUNCHER
+      "${CMAKE_COMMAND};-E;env;CCACHE_BASEDIR=${PROJECT_SOURCE_DIR};${MARKETGEN_CCACHE}")
 endif()
 
 include(CheckLinkerFlag)

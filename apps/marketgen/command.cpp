@@ -1,11 +1,9 @@
 #include "command.h"
 
-#include "assets/product_model.h"
-
 #include <fmt/format.h>
 
+#include "assets/usable_catalog.h"
 #include "base/error_codes.h"
-#include "io/file.h"
 #include "plan/style_look.h"
 #include "scene/reskin.h"
 #include "scene/scene_file.h"
@@ -42,11 +40,7 @@ int fail(const Error& error) {
 }
 
 Result<Catalog> load_rows(const std::vector<std::string>& extra) {
-  MARKETGEN_TRY(const std::filesystem::path data, data_folder());
-  MARKETGEN_TRY(Catalog catalog, load_catalog(data, {extra.begin(), extra.end()}));
-  for (const Product& product : catalog.products)  // the catalogue itself knows no shapes
-    MARKETGEN_CHECK(collision_of(product));
-  return catalog;
+  return usable_catalog({extra.begin(), extra.end()});
 }
 
 Result<Scene> scene_in_skin(const std::string& folder, const std::string& skin) {

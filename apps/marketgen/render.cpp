@@ -38,38 +38,6 @@ struct RenderFlags {
   bool list = false;
 };
 
-Result<std::vector<Actor>> actors_of(const RenderFlags& flags, const Scene& scene) {
-  std::vector<PlacedRobot> placed;
-  for (const std::string& text : flags.robots) {
-    const std::string where = "--robot " + text;
-    MARKETGEN_TRY(const std::filesystem::path data, data_folder());
-    MARKETGEN_TRY(const RobotSpec spec, parse_robot_spec(text, where));
-    MARKETGEN_TRY(PlacedRobot robot, place_robot(data, spec, where));
-    placed.push_back(std::move(robot));
-  }
-  MARKETGEN_CHECK(check_standing(scene, placed));
-  std::vector<Actor> actors;
-  for (const PlacedRobot& robot : placed) {
-    MARKETGEN_TRY(Actor actor, robot_actor(robot.robot, robot.q, robot.world_from_base));
-    actors.push_back(std::move(actor));
-  }
-  return actors;
-}
-
-// "panda", and "panda-2" for the second of them; where its first body stands.
-std::vector<PictureActor> picture_actors(const std::vector<Actor>& actors) {
-  std::vector<PictureActor> named;
-  for (std::size_t i = 0; i < actors.size(); ++i) {
-    const auto same = [&](const Actor& other) { return other.name == actors[i].name; };
-    const auto before =
-        std::count_if(actors.begin(), actors.begin() + static_cast<std::ptrdiff_t>(i), same);
-    named.push_back(
-        {before == 0 ? actors[i].name : fmt::format("{}-{}", actors[i].name, before + 1),
-         actors[i].bodies.empty() ? Pose{} : actors[i].bodies.front().world_from_body});
-  }
-  return named;
-}
-
 Result<void> write_depth(const std::filesystem::path& path, const Frame& frame) {
   if (path.extension() == ".npy")
     return write_npy(path, frame.depth_m, {frame.color.height, frame.color.width});
@@ -186,7 +154,9 @@ Result<void> render(const RenderFlags& flags) {
     return Error{"usage.bad_flag",
                  flags.noise.empty() ? "--channels" : "--noise",
                  "views from above are orthographic and have no sensor; take another camera"};
-  MARKETGEN_TRY(const std::vector<Actor> actors, actors_of(flags, scene));
+  MARKETGEN_TRY(const std::vector<PlacedRobot> robots,
+                standing_robots(scene, flags.robots, "--robot "));
+  MARKETGEN_TRY(const std::vector<Actor> actors, robot_actors(robots));
   Progress& progress = progress_for(flags.common);
   MARKETGEN_TRY(const std::unique_ptr<Renderer> renderer,
                 Renderer::create(scene, progress, {.keep_light = true}));

@@ -19,6 +19,13 @@ void watch_for_interrupts() {
   std::signal(SIGTERM, on_signal);
 }
 
+InterruptWatch::InterruptWatch() : before_(std::signal(SIGINT, on_signal)) {}
+
+InterruptWatch::~InterruptWatch() {
+  std::signal(SIGINT, before_ == SIG_ERR ? SIG_DFL : before_);
+  interrupted = 0;
+}
+
 Result<void> check_interrupt() {
   if (interrupted != 0)
     return Error{"internal.interrupted", "", "interrupted; nothing was left behind"};

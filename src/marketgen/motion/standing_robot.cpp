@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "io/file.h"
 #include "motion/collision_world.h"
 
 namespace marketgen {
@@ -234,6 +235,20 @@ Result<void> check_standing(const Scene& scene, std::span<const PlacedRobot> rob
   if (robots.empty()) return {};
   MARKETGEN_TRY(const StoreObstacles store, StoreObstacles::make(scene, robots));
   return StandingCheck(store, robots).run();
+}
+
+Result<std::vector<PlacedRobot>> standing_robots(const Scene& scene,
+                                                 std::span<const std::string> texts,
+                                                 const std::string& where) {
+  std::vector<PlacedRobot> placed;
+  for (const std::string& text : texts) {
+    MARKETGEN_TRY(const std::filesystem::path data, data_folder());
+    MARKETGEN_TRY(const RobotSpec spec, parse_robot_spec(text, where + text));
+    MARKETGEN_TRY(PlacedRobot robot, place_robot(data, spec, where + text));
+    placed.push_back(std::move(robot));
+  }
+  MARKETGEN_CHECK(check_standing(scene, placed));
+  return placed;
 }
 
 }  // namespace marketgen

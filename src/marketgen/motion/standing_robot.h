@@ -7,6 +7,8 @@
 // Doors and drawers count where they are at rest. Products do not count: a hand may hold one.
 #pragma once
 #include <span>
+#include <string>
+#include <vector>
 
 #include "base/result.h"
 #include "robots/placed_robot.h"
@@ -20,5 +22,11 @@ namespace marketgen {
 //                        both, and the nearest place within 1.5 m where the robot would be clear
 //   robot.no_support     its base is in the air; says how high the thing under it is
 Result<void> check_standing(const Scene& scene, std::span<const PlacedRobot> robots);
+
+// Robots as a person writes them (placed_robot.h), loaded from the data rows and checked. Errors
+// name `where` + the text: those of parse_robot_spec(), place_robot() and check_standing().
+Result<std::vector<PlacedRobot>> standing_robots(const Scene& scene,
+                                                 std::span<const std::string> texts,
+                                                 const std::string& where);
 
 }  // namespace marketgen

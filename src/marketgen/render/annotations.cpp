@@ -1,5 +1,7 @@
 #include "render/annotations.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -54,9 +56,11 @@ class Annotator {
   Annotator(const Frame& frame,
             const Camera& camera,
             const Scene& scene,
+            const Renderer& renderer,
             std::span<const PictureActor> actors)
       : frame_(frame),
         scene_(scene),
+        renderer_(renderer),
         actors_(actors),
         camera_from_world_(inverse(opencv_pose_of(camera))),
         categories_(scene),
@@ -65,14 +69,14 @@ class Annotator {
 
   const PictureCategories& categories() const { return categories_; }
 
-  std::vector<ObjectAnnotation> objects(const Camera& camera, const Renderer& renderer) {
+  std::vector<ObjectAnnotation> objects(const Camera& camera) {
     std::vector<ObjectAnnotation> rows;
     std::vector<std::uint32_t> with_shape;
     for (const auto& [id, part] : parts_) {
       rows.push_back(described(id, part));
       if (rows.back().kind != ObjectKind::shell) with_shape.push_back(id);
     }
-    const std::vector<Silhouette> silhouettes = renderer.silhouettes(camera, frame_, with_shape);
+    const std::vector<Silhouette> silhouettes = renderer_.silhouettes(camera, frame_, with_shape);
     std::size_t next = 0;
     for (ObjectAnnotation& row : rows) {
       if (row.kind != ObjectKind::shell) add_silhouette(row, silhouettes[next++]);
@@ -111,8 +115,7 @@ class Annotator {
         const std::uint32_t i = row.id - first_product_object(scene_);
         row.name = product_id(scene_, i);
         row.sku = scene_.catalog[scene_.products[i].sku].sku;
-        row.camera_from_object =
-            pose_row(camera_from_world_ * world_from_product(scene_.products[i]));
+        row.camera_from_object = pose_row(camera_from_world_ * product_pose(i));
         return;
       }
       case ObjectKind::actor: {
@@ -122,6 +125,13 @@ class Annotator {
         return;
       }
     }
+  }
+
+  Pose product_pose(std::uint32_t i) const {
+    for (const MovedProduct& moved : renderer_.moved_products()) {
+      if (moved.product == i) return moved.world_from_product;
+    }
+    return world_from_product(scene_.products[i]);
   }
 
   static void add_silhouette(ObjectAnnotation& row, const Silhouette& silhouette) {
@@ -136,6 +146,7 @@ class Annotator {
 
   const Frame& frame_;
   const Scene& scene_;
+  const Renderer& renderer_;
   std::span<const PictureActor> actors_;
   Pose camera_from_world_;
   PictureCategories categories_;
@@ -159,6 +170,19 @@ CameraMatrices matrices_of(const Camera& camera) {
   return matrices;
 }
 
+std::vector<PictureActor> picture_actors(std::span<const Actor> actors) {
+  std::vector<PictureActor> named;
+  for (std::size_t i = 0; i < actors.size(); ++i) {
+    const auto before = std::count_if(actors.begin(),
+                                      actors.begin() + static_cast<std::ptrdiff_t>(i),
+                                      [&](const Actor& a) { return a.name == actors[i].name; });
+    named.push_back(
+        {before == 0 ? actors[i].name : fmt::format("{}-{}", actors[i].name, before + 1),
+         actors[i].bodies.empty() ? Pose{} : actors[i].bodies.front().world_from_body});
+  }
+  return named;
+}
+
 PictureAnnotations annotate(const Frame& frame,
                             const Camera& camera,
                             const Scene& scene,
@@ -168,9 +192,9 @@ PictureAnnotations annotate(const Frame& frame,
   annotations.scene_hash = scene_hash(scene);
   annotations.camera = camera_file_of(camera);
   annotations.matrices = matrices_of(camera);
-  Annotator annotator(frame, camera, scene, actors);
+  Annotator annotator(frame, camera, scene, renderer, actors);
   annotations.categories = annotator.categories().rows();
-  annotations.objects = annotator.objects(camera, renderer);
+  annotations.objects = annotator.objects(camera);
   return annotations;
 }
 

@@ -121,6 +121,8 @@ struct PictureActor {
   std::string name;
   Pose world_from_actor;
 };
+// Each with its name, "panda" and "panda-2" for the second of them, where its first body stands.
+std::vector<PictureActor> picture_actors(std::span<const Actor> actors);
 
 // Precondition: `frame` is the picture that `camera` took of `scene` with these actors, in their
 // order in Renderer::set_actors(). `renderer` is asked for what each object would cover alone.

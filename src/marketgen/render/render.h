@@ -127,6 +127,8 @@ class Renderer {
   // nothing has moved.
   virtual Result<void> move_things(std::span<const MovedProduct> products,
                                    std::span<const MovedJoint> joints) = 0;
+  // The products that move_things() named last.
+  virtual std::span<const MovedProduct> moved_products() const = 0;
   // Errors: camera.* of check_camera(). An eye inside a thing sees it from within, and one outside
   // the store sees what there is to see from there: check_viewpoint() says so beforehand. The scene
   // must outlive the renderer.

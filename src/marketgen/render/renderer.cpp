@@ -56,8 +56,11 @@ class EmbreeRenderer : public Renderer {
                       place});
     }
     add_moved_joints(*world_, scene_, joints, rows);
-    return actors_.displace(std::move(rows));
+    MARKETGEN_CHECK(actors_.displace(std::move(rows)));
+    moved_.assign(products.begin(), products.end());
+    return {};
   }
+  std::span<const MovedProduct> moved_products() const override { return moved_; }
 
   SensorShot shot(const Camera& camera, const FrameBuffers& to) const {
     return {&lighting_, View(camera), to};
@@ -118,6 +121,7 @@ class EmbreeRenderer : public Renderer {
   IrradianceField field_;
   PanelReflection panels_;
   ActorStage actors_;
+  std::vector<MovedProduct> moved_;
   Lighting lighting_;
 };
 

@@ -48,4 +48,13 @@ Result<Actor> robot_actor(const Robot& robot,
   return actor;
 }
 
+Result<std::vector<Actor>> robot_actors(std::span<const PlacedRobot> robots) {
+  std::vector<Actor> actors;
+  for (const PlacedRobot& placed : robots) {
+    MARKETGEN_TRY(Actor actor, robot_actor(placed.robot, placed.q, placed.world_from_base));
+    actors.push_back(std::move(actor));
+  }
+  return actors;
+}
+
 }  // namespace marketgen

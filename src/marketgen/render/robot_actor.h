@@ -8,6 +8,7 @@
 
 #include "base/result.h"
 #include "render/actor.h"
+#include "robots/placed_robot.h"
 #include "robots/robot.h"
 
 namespace marketgen {
@@ -22,5 +23,6 @@ std::vector<Pose> world_link_poses(const Robot& robot,
 Result<Actor> robot_actor(const Robot& robot,
                           std::span<const double> q,
                           const Pose& world_from_base);
+Result<std::vector<Actor>> robot_actors(std::span<const PlacedRobot> robots);
 
 }  // namespace marketgen

@@ -1,0 +1,30 @@
+"""RGB-D from 64 cameras on the spot of the aisle's view, drawn in one call into one array each.
+
+    python examples/many_cameras.py STORE OUT.npz
+"""
+
+import math
+import sys
+import time
+
+import numpy as np
+
+import marketgen
+
+COUNT, SIDE = 64, 128
+
+store = marketgen.open_store(sys.argv[1])
+renderer = store.renderer()
+eye = store.camera("aisle").cam2world_gl[:3, 3]
+cameras = [
+    marketgen.Camera.look_at(
+        eye, eye + (math.cos(angle), math.sin(angle), -0.3), fov_deg=60, width=SIDE, height=SIDE
+    )
+    for angle in np.linspace(0, 2 * math.pi, COUNT, endpoint=False)
+]
+rgb = np.empty((COUNT, SIDE, SIDE, 3), np.uint8)
+depth = np.empty((COUNT, SIDE, SIDE), np.float32)
+started = time.perf_counter()
+marketgen.render_batch([(renderer, camera) for camera in cameras], rgb=rgb, depth=depth)
+print(f"{COUNT} pictures of {SIDE} x {SIDE} in {time.perf_counter() - started:.2f} s")
+np.savez_compressed(sys.argv[2], rgb=rgb, depth=depth)

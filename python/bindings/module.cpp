@@ -1,0 +1,13 @@
+// marketgen._core: the C++ program's library for Python. Documents cross as JSON texts, which
+// marketgen/*.py turns into dicts; planes of pictures cross as NumPy arrays without a copy.
+#include "base/build_info.h"
+#include "binding.h"
+
+NB_MODULE(_core, module) {
+  using namespace marketgen::python;
+  module.attr("__version__") = marketgen::program_version;
+  add_errors(module);
+  add_cameras(module);
+  add_stores(module);
+  add_renderers(module);
+}

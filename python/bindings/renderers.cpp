@@ -1,0 +1,172 @@
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include "binding.h"
+#include "frame_handle.h"
+#include "io/json.h"
+#include "motion/standing_robot.h"
+#include "render/annotations.h"
+#include "render/color_noise.h"
+#include "render/depth_noise.h"
+#include "render/robot_actor.h"
+#include "store_handle.h"
+
+namespace marketgen::python {
+namespace {
+
+template <class T>
+using Rows = nb::ndarray<const T, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
+using Poses = nb::ndarray<const double, nb::shape<-1, 7>, nb::c_contig, nb::device::cpu>;
+template <class T>
+using Plane = nb::ndarray<T, nb::c_contig, nb::device::cpu>;  // a caller's memory
+
+struct RendererHandle {
+  std::shared_ptr<const Store> store;  // before the renderer, which reads its scene
+  std::unique_ptr<Renderer> renderer;
+  std::vector<Actor> actors;
+};
+
+RendererHandle create(const StoreHandle& handle, bool fine_print, bool keep_light) {
+  const RendererOptions options{fine_print ? PrintDetail::near : PrintDetail::distant, keep_light};
+  RendererHandle made{handle.store, nullptr, {}};
+  made.renderer = value_or_raise(without_interpreter(
+      [&] { return Renderer::create(made.store->scene, silent_progress(), options); }));
+  return made;
+}
+
+FrameHandle render(RendererHandle& handle,
+                   const Camera& camera,
+                   const std::string& mode,
+                   const std::string& quality,
+                   int samples,
+                   double time_s,
+                   const std::string& denoise,
+                   double exposure_stops) {
+  RenderOptions options;
+  options.mode = named<RenderMode>(mode, "mode");
+  options.quality = named<Quality>(quality, "quality");
+  options.samples = samples;
+  options.time_s = time_s;
+  options.denoiser = named<Denoiser>(denoise, "denoise");
+  options.exposure_stops = exposure_stops;
+  options.hide_ceiling = camera.ortho_height_m > 0;
+  return {value_or_raise(
+      without_interpreter([&] { return handle.renderer->render(camera, options); }))};
+}
+
+// The same picture as this sensor records it.
+FrameHandle noisy(const FrameHandle& seen,
+                  const Camera& camera,
+                  std::uint64_t seed,
+                  std::uint64_t number) {
+  const NoiseSource source{seed, number};
+  FrameHandle recorded = seen;
+  recorded.frame.depth_m = value_or_raise(noisy_depth(seen.frame, camera, StereoCamera{}, source));
+  recorded.frame.color = noisy_color(seen.frame.color, camera, ColorSensor{}, source);
+  return recorded;
+}
+
+std::string annotations(const RendererHandle& handle,
+                        const FrameHandle& seen,
+                        const Camera& camera) {
+  return write_json(annotate(
+      seen.frame, camera, handle.store->scene, *handle.renderer, picture_actors(handle.actors)));
+}
+
+void set_robots(RendererHandle& handle, const std::vector<std::string>& texts) {
+  const std::vector<PlacedRobot> robots =
+      value_or_raise(standing_robots(handle.store->scene, texts, "robot "));
+  std::vector<Actor> actors = value_or_raise(robot_actors(robots));
+  check_or_raise(handle.renderer->set_actors(actors));
+  handle.actors = std::move(actors);
+}
+
+void move(RendererHandle& handle,
+          const Rows<std::uint32_t>& products,
+          const Poses& poses,
+          const Rows<std::uint32_t>& joints,
+          const Rows<double>& positions) {
+  if (products.shape(0) != poses.shape(0) || joints.shape(0) != positions.shape(0))
+    raise({"render.bad_move", "move", "there must be one pose a product and one position a joint"});
+  std::vector<MovedProduct> moved(products.shape(0));
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    const double* p = poses.data() + 7 * i;
+    moved[i] = {products.data()[i], {{p[0], p[1], p[2]}, {p[3], p[4], p[5], p[6]}}};
+  }
+  std::vector<MovedJoint> turned(joints.shape(0));
+  for (std::size_t i = 0; i < turned.size(); ++i)
+    turned[i] = {joints.data()[i], positions.data()[i]};
+  check_or_raise(handle.renderer->move_things(moved, turned));
+}
+
+// Memory for `count` pictures of one size, one after another, or none.
+template <class T>
+T* memory_for(const std::optional<Plane<T>>& plane, std::size_t numbers, const char* name) {
+  if (!plane) return nullptr;
+  if (plane->size() != numbers) {
+    raise({"camera.bad_size",
+           name,
+           "it has room for " + std::to_string(plane->size()) + " numbers, the pictures have " +
+               std::to_string(numbers)});
+  }
+  return plane->data();
+}
+
+void render_batch(const std::vector<RendererHandle*>& renderers,
+                  const std::vector<Camera>& cameras,
+                  const std::string& quality,
+                  const std::optional<Plane<std::uint8_t>>& rgb,
+                  const std::optional<Plane<float>>& depth,
+                  const std::optional<Plane<std::uint32_t>>& instance) {
+  if (renderers.size() != cameras.size() || cameras.empty())
+    raise({"camera.degenerate", "render_batch", "give one renderer for each camera"});
+  const auto pixels =
+      static_cast<std::size_t>(cameras[0].width) * static_cast<std::size_t>(cameras[0].height);
+  for (const Camera& camera : cameras) {
+    if (camera.width != cameras[0].width || camera.height != cameras[0].height)
+      raise({"camera.bad_size", camera.name, "all pictures of a batch have one size"});
+  }
+  const FrameBuffers all{.rgb = memory_for(rgb, 3 * pixels * cameras.size(), "rgb"),
+                         .depth_m = memory_for(depth, pixels * cameras.size(), "depth"),
+                         .instance = memory_for(instance, pixels * cameras.size(), "instance")};
+  std::vector<Shot> shots;
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    FrameBuffers to;
+    if (all.rgb != nullptr) to.rgb = all.rgb + 3 * pixels * i;
+    if (all.depth_m != nullptr) to.depth_m = all.depth_m + pixels * i;
+    if (all.instance != nullptr) to.instance = all.instance + pixels * i;
+    shots.push_back({renderers[i]->renderer.get(), cameras[i], to});
+  }
+  RenderOptions options;
+  options.quality = named<Quality>(quality, "quality");
+  check_or_raise(without_interpreter([&] { return marketgen::render_batch(shots, options); }));
+}
+
+}  // namespace
+
+void add_renderers(nb::module_& module) {
+  add_frames(module);
+  nb::class_<RendererHandle>(module, "Renderer")
+      .def("_render", &render)
+      .def("_noisy",
+           [](const RendererHandle&,
+              const FrameHandle& seen,
+              const Camera& camera,
+              std::uint64_t seed,
+              std::uint64_t number) { return noisy(seen, camera, seed, number); })
+      .def("_annotations", &annotations)
+      .def("_set_robots", &set_robots)
+      .def("_move", &move);
+  module.def("create_renderer", &create);
+  module.def("render_batch",
+             &render_batch,
+             nb::arg("renderers"),
+             nb::arg("cameras"),
+             nb::arg("quality"),
+             nb::arg("rgb").noconvert().none(),
+             nb::arg("depth").noconvert().none(),
+             nb::arg("instance").noconvert().none());
+}
+
+}  // namespace marketgen::python

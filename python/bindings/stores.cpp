@@ -1,0 +1,86 @@
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <optional>
+
+#include "assets/usable_catalog.h"
+#include "binding.h"
+#include "intake/brief.h"
+#include "io/json.h"
+#include "render/camera.h"
+#include "scene/query.h"
+#include "store_handle.h"
+
+namespace marketgen::python {
+namespace {
+
+StoreHandle opened(const std::string& folder, const Catalog& catalog) {
+  Store store = value_or_raise(without_interpreter([&] { return open_store(folder, catalog); }));
+  return {std::make_shared<const Store>(std::move(store))};
+}
+
+StoreHandle open(const std::string& folder, const std::vector<std::string>& catalogs) {
+  return opened(folder, value_or_raise(usable_catalog({catalogs.begin(), catalogs.end()})));
+}
+
+// The keyword arguments of marketgen.generate().
+StoreHandle generate(const std::string& prompt,
+                     const std::string& folder,
+                     std::uint64_t seed,
+                     const std::string& size,
+                     const std::optional<std::string>& profile,
+                     const std::optional<std::string>& style,
+                     const std::optional<std::string>& plan,
+                     const std::vector<std::string>& catalogs,
+                     bool previews,
+                     bool strict) {
+  CreateOptions options;
+  options.folder = folder;
+  options.seed = seed;
+  options.previews = previews;
+  options.strict = strict;
+  options.brief.prompt = prompt;
+  options.brief.planner = "offline";
+  options.brief.profile = profile;
+  options.brief.style = style;
+  if (plan) options.plan_file = *plan;
+  if (!size.empty()) options.brief.size_mm = value_or_raise(parse_size(size, "size"));
+  const Catalog catalog = value_or_raise(usable_catalog({catalogs.begin(), catalogs.end()}));
+  value_or_raise(without_interpreter([&] { return create_store(options, catalog); }));
+  return opened(folder, catalog);
+}
+
+std::vector<std::string> camera_names(const StoreHandle& handle) {
+  std::vector<std::string> names;
+  for (const Camera& camera : standard_cameras(handle.store->scene, 16, 9))
+    names.push_back(camera.name);
+  return names;
+}
+
+}  // namespace
+
+void add_stores(nb::module_& module) {
+  nb::class_<StoreHandle>(module, "Store")
+      .def_prop_ro("folder", [](const StoreHandle& h) { return h.store->folder.string(); })
+      .def("_manifest", [](const StoreHandle& h) { return write_json(h.store->manifest); })
+      .def("_plan", [](const StoreHandle& h) { return write_json(h.store->plan); })
+      .def("_layout", [](const StoreHandle& h) { return write_json(h.store->scene.layout); })
+      .def("_report",
+           [](const StoreHandle& h) {
+             return write_json(value_or_raise(read_report(h.store->folder)));
+           })
+      .def("_query",
+           [](const StoreHandle& h, const std::string& table, const std::string& where) {
+             return to_json(value_or_raise(query_scene(h.store->scene, table, where)));
+           })
+      .def("camera_names", &camera_names)
+      .def("camera", [](const StoreHandle& h, const std::string& name, int width, int height) {
+        return value_or_raise(camera_named(h.store->scene, name, width, height));
+      });
+  module.def("open_store", &open);
+  module.def("generate", &generate);
+}
+
+}  // namespace marketgen::python

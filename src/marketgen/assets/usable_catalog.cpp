@@ -1,0 +1,16 @@
+#include "assets/usable_catalog.h"
+
+#include "assets/product_model.h"
+#include "io/file.h"
+
+namespace marketgen {
+
+Result<Catalog> usable_catalog(const std::vector<std::filesystem::path>& extra) {
+  MARKETGEN_TRY(const std::filesystem::path data, data_folder());
+  MARKETGEN_TRY(Catalog catalog, load_catalog(data, extra));
+  for (const Product& product : catalog.products)  // the catalogue itself knows no shapes
+    MARKETGEN_CHECK(collision_of(product));
+  return catalog;
+}
+
+}  // namespace marketgen

@@ -1,0 +1,16 @@
+// The catalogue as programs use it: from the data folder, with users' own rows, every product with
+// a shape that collides.
+#pragma once
+#include <filesystem>
+#include <vector>
+
+#include "base/result.h"
+#include "catalog/catalog.h"
+
+namespace marketgen {
+
+// `extra`: CSV, JSON or asset.json files. Errors: those of data_folder(), load_catalog() and
+// collision_of().
+Result<Catalog> usable_catalog(const std::vector<std::filesystem::path>& extra = {});
+
+}  // namespace marketgen

@@ -1,0 +1,59 @@
+"""Stores from Python are the program's stores."""
+
+import json
+import pickle
+
+import pytest
+
+import marketgen
+from conftest import PROMPT, run
+
+
+def test_the_program_makes_the_same_store(store, tmp_path):
+    run("generate", PROMPT, "-o", tmp_path / "shop", "--seed", 5, "--size", "9x7m", "--no-previews", "--quiet")
+    made = json.loads((tmp_path / "shop" / "store.json").read_text())
+    assert made["scene_hash"] == store.manifest["scene_hash"]
+    assert made["look_hash"] == store.manifest["look_hash"]
+
+
+def test_documents_are_the_files(store):
+    folder = store.folder
+    for name, document in (("store", store.manifest), ("plan", store.plan), ("report", store.report)):
+        with open(f"{folder}/{name}.json", encoding="utf-8") as file:
+            assert document == json.load(file)
+    assert store.layout["schema"] == "market-layout/1"
+    assert marketgen.open_store(folder).manifest == store.manifest
+
+
+def test_queries_are_the_programs(store):
+    for table in ("products", "fixtures", "zones", "prices", "materials", "planogram"):
+        assert store.query(table) == json.loads(run("query", store.folder, table, "--format", "json"))
+    some = store.query("products", "category=snacks")
+    assert 0 < len(some) < len(store.query("products"))
+    assert {row["category"] for row in some} == {"snacks"}
+
+
+@pytest.mark.parametrize(
+    ("code", "call"),
+    [
+        ("store.not_a_store", lambda store, tmp: marketgen.open_store(tmp)),
+        ("input.not_found", lambda store, tmp: marketgen.open_store(tmp / "nowhere")),
+        ("store.exists", lambda store, tmp: marketgen.generate(PROMPT, store.folder)),
+        ("usage.bad_flag", lambda store, tmp: store.query("produce")),
+        ("camera.unknown", lambda store, tmp: store.camera("isle")),
+        ("input.not_found", lambda store, tmp: marketgen.generate("", tmp / "x", plan=tmp / "no.json")),
+    ],
+)
+def test_errors_have_codes(store, tmp_path, code, call):
+    with pytest.raises(marketgen.Error) as caught:
+        call(store, tmp_path)
+    assert caught.value.code == code
+    assert caught.value.message
+    again = pickle.loads(pickle.dumps(caught.value))
+    assert (again.code, again.where, again.message) == (code, caught.value.where, caught.value.message)
+
+
+def test_a_failed_generate_leaves_nothing(tmp_path):
+    with pytest.raises(marketgen.Error):
+        marketgen.generate(PROMPT, tmp_path / "shop", size="2x2m")
+    assert list(tmp_path.iterdir()) == []
