@@ -263,6 +263,7 @@ void IrradianceField::bake(const World& world, const LightGrid& lights) {
   for (int bounce = 0; bounce < bounces; ++bounce) {
     find_mean();
     fill_invalid(probes_);
+    fill_room(probes_);
     packed_ = packed(probes_);
     parallel_for(
         probes_.size(),
@@ -285,8 +286,10 @@ void IrradianceField::bake(const World& world, const LightGrid& lights) {
     for (std::size_t a = 0; a < axes.size(); ++a)
       rest[i].faces[a] = rest[i].faces[a] - rays[i].panels.faces[a];
   }
-  fill_invalid(probes_);
-  fill_invalid(rest);
+  for (std::vector<AmbientCube>* cubes : {&probes_, &rest}) {
+    fill_invalid(*cubes);
+    fill_room(*cubes);
+  }
   packed_ = packed(probes_);
   without_panels_ = packed(rest);
 }
@@ -334,6 +337,42 @@ void IrradianceField::fill_invalid(std::vector<AmbientCube>& probes) const {
       std::copy(filled.begin(), filled.end(), probes.begin() + shelf.first);
     }
   }
+}
+
+// A room point in matter or in a hollow takes the mean of the known ones beside it, those that were
+// filled before included, so that gaps without a point of their own get their surroundings' light.
+void IrradianceField::fill_room(std::vector<AmbientCube>& probes) const {
+  constexpr int passes = 4;               // points this far from a measured one stay unknown
+  constexpr float filled_weight = 0.01F;  // beside a measured one it counts for next to nothing
+  for (int pass = 0; pass < passes; ++pass) {
+    const std::vector<AmbientCube> before(probes.begin(), probes.begin() + room_count());
+    for (int i = 0; i < room_count(); ++i) {
+      AmbientCube& probe = probes[static_cast<std::size_t>(i)];
+      if (probe.validity > 0) continue;
+      probe = mean_around(before, i);
+      probe.validity = std::min(probe.validity, 1.0F) * filled_weight;
+    }
+  }
+}
+
+AmbientCube IrradianceField::mean_around(const std::vector<AmbientCube>& room, int index) const {
+  const std::array<int, 3> at{
+      index % size_[0], index / size_[0] % size_[1], index / (size_[0] * size_[1])};
+  const std::array<int, 3> stride{1, size_[0], size_[0] * size_[1]};
+  AmbientCube mean;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const int side : {-1, 1}) {
+      if (at[axis] + side < 0 || at[axis] + side >= size_[axis]) continue;
+      const AmbientCube& other = room[static_cast<std::size_t>(index + side * stride[axis])];
+      if (other.validity <= 0) continue;
+      for (std::size_t a = 0; a < axes.size(); ++a)
+        mean.faces[a] += other.faces[a];
+      mean.validity += 1;
+    }
+  }
+  for (Vec3f& face : mean.faces)
+    face = face / std::max(mean.validity, 1.0F);
+  return mean;
 }
 
 std::int32_t IrradianceField::shelf_at(Vec3f point) const {

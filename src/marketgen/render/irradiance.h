@@ -77,6 +77,9 @@ class IrradianceField {
   void place_shelves(const Scene& scene);
   void bake(const World& world, const LightGrid& lights);
   void fill_invalid(std::vector<AmbientCube>& probes) const;
+  void fill_room(std::vector<AmbientCube>& probes) const;
+  AmbientCube mean_around(const std::vector<AmbientCube>& room, int index) const;
+  int room_count() const { return size_[0] * size_[1] * size_[2]; }
   void find_mean();
   const Shelf* shelf_of(const Place& place) const;
   Corners corners_at(const Place& place, Float4 facing) const;
