@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "render/room.h"
 #include "render/shading_math.h"
 
 namespace marketgen::raytrace {
@@ -176,6 +177,12 @@ void shoot(const World& world, Vec3f position, Hollows hollows, ProbeRays& resul
       (hollows == Hollows::lit || static_cast<float>(near) <= most_near * rays_per_probe);
 }
 
+bool is_outside(const PolygonMm& outline, Vec3f point) {
+  return !contains(outline,
+                   {static_cast<int>(std::lround(point.x * 1000)),
+                    static_cast<int>(std::lround(point.y * 1000))});
+}
+
 }  // namespace
 
 Place place_of(const Surface& surface) {
@@ -190,7 +197,7 @@ Vec3f AmbientCube::irradiance(Vec3f n) const {
 IrradianceField::IrradianceField(const World& world, const LightGrid& lights, const Scene& scene) {
   place_room(world);
   place_shelves(scene);
-  bake(world, lights);
+  bake(world, lights, room_of(scene.layout.shell).outline);
 }
 
 void IrradianceField::place_room(const World& world) {
@@ -243,14 +250,15 @@ void IrradianceField::place_shelves(const Scene& scene) {
   }
 }
 
-void IrradianceField::bake(const World& world, const LightGrid& lights) {
+void IrradianceField::bake(const World& world, const LightGrid& lights, const PolygonMm& outline) {
   probes_.resize(positions_.size());
   std::vector<ProbeRays> rays(positions_.size());
   const auto room_count = static_cast<std::size_t>(size_[0] * size_[1] * size_[2]);
   parallel_for(
       positions_.size(),
       [&](std::size_t i) {
-        if (i < room_count && shelf_at(positions_[i]) >= 0) rays[i].valid = false;
+        if (i < room_count && (is_outside(outline, positions_[i]) || shelf_at(positions_[i]) >= 0))
+          rays[i].valid = false;
         const Hollows hollows = i < room_count ? Hollows::left_out : Hollows::lit;
         if (rays[i].valid) shoot(world, positions_[i], hollows, rays[i]);
         if (!rays[i].valid) return;

@@ -75,7 +75,7 @@ class IrradianceField {
   };
   void place_room(const World& world);
   void place_shelves(const Scene& scene);
-  void bake(const World& world, const LightGrid& lights);
+  void bake(const World& world, const LightGrid& lights, const PolygonMm& outline);
   void fill_invalid(std::vector<AmbientCube>& probes) const;
   void fill_room(std::vector<AmbientCube>& probes) const;
   AmbientCube mean_around(const std::vector<AmbientCube>& room, int index) const;
