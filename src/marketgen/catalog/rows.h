@@ -1,6 +1,7 @@
 // The smaller rows of the catalogue: categories, zone types, materials, profiles and styles.
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -190,6 +191,13 @@ struct ProfileRow {
       field("zones", &ProfileRow::zones, "zone types of a complete shop, most important first"));
 };
 
+// How lamps are fitted: square into the ceiling, as bright lines below it, or as single shades on
+// cords.
+enum class LampFitting { panel, line, pendant };
+constexpr std::array<std::string_view, 3> names_of(LampFitting) {
+  return {"panel", "line", "pendant"};
+}
+
 // A look: materials, colours and light.
 struct StyleRow {
   std::string id;  // "scandinavian"
@@ -202,6 +210,9 @@ struct StyleRow {
   std::string accent = "#2e7d32";
   int light_kelvin = 4000;
   int light_lux = 800;
+  std::optional<LampFitting> lamps;
+  std::optional<double> daylight;
+  std::optional<bool> neon;
   std::vector<std::string> keywords;
 
   static constexpr auto fields = field_list(
@@ -218,6 +229,12 @@ struct StyleRow {
             "colour temperature of the light",
             range(1500, 10000)),
       field("light_lux", &StyleRow::light_lux, "illuminance on the floor", range(50, 3000)),
+      field("lamps", &StyleRow::lamps, "how lamps are fitted; left out: panel"),
+      field("daylight",
+            &StyleRow::daylight,
+            "outside, share of an overcast day, 0 is night; left out: 1",
+            range(0, 1)),
+      field("neon", &StyleRow::neon, "a glowing line below the bands on the walls"),
       field("keywords", &StyleRow::keywords, "words that name it"));
 };
 

@@ -92,6 +92,9 @@ struct Look {
   std::string accent = "#2e7d32";
   int light_kelvin = 4000;
   int light_lux = 800;
+  std::optional<LampFitting> lamps;  // none said: panel
+  std::optional<double> daylight;    // none said: 1
+  std::optional<bool> neon;          // none said: no
 
   static constexpr auto fields = field_list(
       field("floor", &Look::floor, "floor material", reference()),
@@ -100,7 +103,13 @@ struct Look {
       field("fixture", &Look::fixture, "fixture material", reference()),
       field("accent", &Look::accent, "signs and bands, #rrggbb", at_most_bytes(7)),
       field("light_kelvin", &Look::light_kelvin, "colour temperature", range(1500, 10000)),
-      field("light_lux", &Look::light_lux, "illuminance on the floor", range(50, 3000)));
+      field("light_lux", &Look::light_lux, "illuminance on the floor", range(50, 3000)),
+      field("lamps", &Look::lamps, "how lamps are fitted; left out: panel"),
+      field("daylight",
+            &Look::daylight,
+            "outside, share of an overcast day, 0 is night; left out: 1",
+            range(0, 1)),
+      field("neon", &Look::neon, "a glowing line below the bands on the walls"));
 };
 
 enum class Axis { x, y };

@@ -11,7 +11,10 @@ Look look_of(const StyleRow& style) {
           style.fixture,
           style.accent,
           style.light_kelvin,
-          style.light_lux};
+          style.light_lux,
+          style.lamps,
+          style.daylight,
+          style.neon};
 }
 
 Result<const StyleRow*> style_called(const Catalog& catalog,

@@ -1,8 +1,10 @@
 #include "render/build_light.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "assets/color.h"
 #include "base/parallel.h"
 #include "render/shading_math.h"
 #include "render/tone.h"
@@ -10,21 +12,20 @@
 namespace marketgen::raytrace {
 namespace {
 
-constexpr float panel_length_m = 1.2F, panel_width_m = 0.3F;
-constexpr float panel_pitch_m = 2.4F;  // along a row
+// Of one fitting: what glows, how far apart along a row, how far below the ceiling.
+struct FittingSize {
+  float length_m, width_m, pitch_m, below_ceiling_m;
+};
+constexpr std::array<FittingSize, names_of(LampFitting{}).size()> fitting_sizes{
+    FittingSize{1.2F, 0.3F, 2.4F, 0.015F}, {2.26F, 0.09F, 2.4F, 0.14F}, {0.22F, 0.22F, 1.8F, 0.9F}};
+constexpr float lowest_lamp_m = 2.6F;  // people, signs and open doors pass below
 constexpr float row_pitch_m = 2.8F;    // between rows where no aisle says otherwise
 constexpr float closest_rows_m = 1.5F;
 constexpr float wall_distance_m = 0.6F;  // panels keep this far from walls
-constexpr float below_ceiling_m = 0.015F;
-constexpr float panel_frame_m = 0.02F;
 constexpr double neutral_kelvin = 4700;  // the camera's white point
-constexpr double adaptation = 0.42;      // how much of the difference to it the picture keeps
-// Daylight in units of the shop's own white: an overcast day, brighter than the room, as
-// photographed from inside.
-constexpr float sky_over_white = 4.5F, horizon_over_white = 3.2F, pavement_over_white = 1.6F;
-constexpr float daylight_reach =
-    0.35F;  // share of it that the openings' area lights send in (awning, street, dirt)
-
+constexpr double adaptation = 0.32;      // how much of the difference to it the picture keeps
+// Share of what is seen outside that the openings' area lights send in (awning, street, dirt).
+constexpr float daylight_reach = 0.7F;
 enum class RowAxis { x, y };
 
 // The direction of most gondolas; of the room's longer side when there are none.
@@ -94,14 +95,14 @@ bool hangs_free(const Layout& layout, const Room& room, const Panel& panel) {
       });
 }
 
-std::vector<Panel> place_panels(const Layout& layout, const Room& room) {
+std::vector<Panel> place_panels(const Layout& layout, const Room& room, const FittingSize& size) {
   const RectMm bounds = bounds_of(room.outline);
   const RowAxis axis = row_axis(layout);
   const auto metres = [](int mm) { return static_cast<float>(mm) * 1e-3F; };
   const bool along_x = axis == RowAxis::x;
   const float low = metres(along_x ? bounds.x0 : bounds.y0),
               high = metres(along_x ? bounds.x1 : bounds.y1);
-  const int count = std::max(1, static_cast<int>((high - low) / panel_pitch_m + 0.3F));
+  const int count = std::max(1, static_cast<int>((high - low) / size.pitch_m + 0.3F));
   const float pitch = (high - low) / static_cast<float>(count);
   std::vector<Panel> panels;
   for (const float across : row_places(layout,
@@ -110,8 +111,8 @@ std::vector<Panel> place_panels(const Layout& layout, const Room& room) {
                                        metres(along_x ? bounds.y1 : bounds.x1))) {
     for (int i = 0; i < count; ++i) {
       const float along = low + pitch * (static_cast<float>(i) + 0.5F);
-      const Panel panel = along_x ? Panel{along, across, panel_length_m / 2, panel_width_m / 2}
-                                  : Panel{across, along, panel_width_m / 2, panel_length_m / 2};
+      const Panel panel = along_x ? Panel{along, across, size.length_m / 2, size.width_m / 2}
+                                  : Panel{across, along, size.width_m / 2, size.length_m / 2};
       if (hangs_free(layout, room, panel)) panels.push_back(panel);
     }
   }
@@ -146,37 +147,111 @@ Vec3f tint(double kelvin) {
   return color / luminance(color);
 }
 
-void add_daylight(World& world, const Room& room, float white) {
-  const Vec3f day = tint(6500);
-  world.surroundings = {day * (sky_over_white * white),
-                        day * (horizon_over_white * white),
-                        day * (pavement_over_white * white),
-                        true};
+void add_daylight(World& world, const Room& room, const Look& look, float white) {
+  world.surroundings.white = white;
+  world.surroundings.daylight = static_cast<float>(look.daylight.value_or(1));
+  world.surroundings.day_tint = tint(6500);
+  world.surroundings.sampled_as_lights = true;
+  const Vec3f radiance = world.surroundings.mean_radiance() * daylight_reach;
   for (const WallEdge& edge : room.walls) {
     for (const WallOpening& o : edge.openings) {
       if (!o.glazed()) continue;
       // Outside the frame; the light side faces the room.
       const Vec3f corner = edge.world_from_wall({o.high, -0.2F, o.sill});
       const Vec3f u = edge.world_from_wall.turn({o.low - o.high, 0, 0}), v{0, 0, o.head - o.sill};
-      world.lights.push_back(
-          make_area_light(corner, u, v, world.surroundings.horizon * daylight_reach));
+      world.lights.push_back(make_area_light(corner, u, v, radiance));
     }
   }
+}
+
+// The bodies of fittings around what glows at height z. Surfaces: 0 their outside, 1 white inside.
+
+void add_panel_frame(Mesh& mesh, const Panel& p, float z, float ceiling) {
+  constexpr float rim = 0.02F, lip = 0.004F;
+  const float ox = p.half_x + rim, oy = p.half_y + rim;
+  add_box(mesh, {p.x - ox, p.y - oy, z - lip}, {p.x + ox, p.y - p.half_y, ceiling}, 0, 0);
+  add_box(mesh, {p.x - ox, p.y + p.half_y, z - lip}, {p.x + ox, p.y + oy, ceiling}, 0, 0);
+  add_box(
+      mesh, {p.x - ox, p.y - p.half_y, z - lip}, {p.x - p.half_x, p.y + p.half_y, ceiling}, 0, 0);
+  add_box(
+      mesh, {p.x + p.half_x, p.y - p.half_y, z - lip}, {p.x + ox, p.y + p.half_y, ceiling}, 0, 0);
+}
+
+void add_cord(Mesh& mesh, float x, float y, float low, float ceiling) {
+  constexpr float half = 0.003F;
+  add_box(mesh, {x - half, y - half, low}, {x + half, y + half, ceiling}, 0, 0);
+}
+
+// A profile on two cords; neighbours in a row all but touch.
+void add_line_body(Mesh& mesh, const Panel& p, float z, float ceiling) {
+  constexpr float rim = 0.006F, height = 0.06F, cord_share = 0.8F;
+  add_box(mesh,
+          {p.x - p.half_x - rim, p.y - p.half_y - rim, z + 0.002F},
+          {p.x + p.half_x + rim, p.y + p.half_y + rim, z + height},
+          0.003F,
+          0);
+  const bool along_x = p.half_x > p.half_y;
+  for (const float side : {-cord_share, cord_share}) {
+    add_cord(mesh,
+             p.x + (along_x ? side * p.half_x : 0),
+             p.y + (along_x ? 0 : side * p.half_y),
+             z + height,
+             ceiling);
+  }
+}
+
+// A round shade on a cord, white within; the light sits inside its mouth.
+void add_pendant_body(Mesh& mesh, const Panel& p, float z, float ceiling) {
+  constexpr int segments = 28;
+  constexpr float wall = 0.004F;
+  const std::vector<ProfilePoint> shade{{0.225F, -0.045F, 0},
+                                        {0.215F, 0.02F, 0},
+                                        {0.175F, 0.085F, 0},
+                                        {0.105F, 0.135F, 0},
+                                        {0.045F, 0.165F, 0, true},
+                                        {0.035F, 0.235F, 0, true},
+                                        {0, 0.24F, 0}};
+  const std::size_t first = mesh.positions.size();
+  add_lathe(mesh, shade, segments);
+  Mesh inside;
+  add_lathe(inside, {shade.begin(), shade.begin() + 5}, segments);
+  for (std::size_t v = 0; v < inside.positions.size(); ++v) {
+    inside.positions[v] = inside.positions[v] - inside.normals[v] * wall;
+    inside.normals[v] = -inside.normals[v];
+  }
+  for (std::size_t t = 0; t < inside.triangles.size(); ++t) {
+    std::swap(inside.triangles[t][1], inside.triangles[t][2]);
+    inside.surfaces[t] = 1;
+  }
+  mesh.append(inside);
+  for (std::size_t v = first; v < mesh.positions.size(); ++v)
+    mesh.positions[v] += Vec3f{p.x, p.y, z};
+  add_cord(mesh, p.x, p.y, z + 0.235F, ceiling);
 }
 
 }  // namespace
 
 LightBuilder::LightBuilder(Draft& draft) {
+  const Look& look = draft.scene().layout.look;
+  fitting_ = look.lamps.value_or(LampFitting::panel);
   panel_ = draft.material({.color = {0, 0, 0}, .emission = {1, 1, 1}});
-  frame_ = draft.material({.color = {0.75F, 0.75F, 0.75F}, .roughness = 0.5F});
+  Material body{.color = {0.75F, 0.75F, 0.75F}, .roughness = 0.5F};
+  if (fitting_ == LampFitting::line) body.color = {0.22F, 0.22F, 0.225F};
+  if (fitting_ == LampFitting::pendant) {
+    const Result<Vec3f> accent = linear_from_hex(look.accent);
+    if (accent.ok()) body.color = *accent;
+    body.roughness = 0.3F;
+  }
+  body_ = draft.material(body);
+  inside_ = draft.material({.color = {0.85F, 0.85F, 0.83F}, .roughness = 0.6F});
 }
 
-void LightBuilder::build(Draft& draft, const Room& room) const {
-  World& world = draft.world();
-  const Look& look = draft.scene().layout.look;
-  const float z = room.ceiling - below_ceiling_m;
-  Mesh frames;
-  for (const Panel& p : place_panels(draft.scene().layout, room)) {
+void LightBuilder::add_lamps(World& world, const Layout& layout, const Room& room) const {
+  const FittingSize& size = fitting_sizes[static_cast<std::size_t>(fitting_)];
+  const float z = std::min(room.ceiling - fitting_sizes[0].below_ceiling_m,
+                           std::max(lowest_lamp_m, room.ceiling - size.below_ceiling_m));
+  Mesh bodies;
+  for (const Panel& p : place_panels(layout, room, size)) {
     const Vec3f corner{p.x - p.half_x, p.y + p.half_y, z}, u{2 * p.half_x, 0, 0},
         v{0, -2 * p.half_y, 0};
     Mesh quad;
@@ -188,24 +263,20 @@ void LightBuilder::build(Draft& draft, const Room& room) const {
            world,
            {1, static_cast<std::int32_t>(world.lights.size())});
     world.lights.push_back(make_area_light(corner, u, v, {1, 1, 1}));
-    const float ox = p.half_x + panel_frame_m, oy = p.half_y + panel_frame_m;
-    add_box(
-        frames, {p.x - ox, p.y - oy, z - 0.004F}, {p.x + ox, p.y - p.half_y, room.ceiling}, 0, 0);
-    add_box(
-        frames, {p.x - ox, p.y + p.half_y, z - 0.004F}, {p.x + ox, p.y + oy, room.ceiling}, 0, 0);
-    add_box(frames,
-            {p.x - ox, p.y - p.half_y, z - 0.004F},
-            {p.x - p.half_x, p.y + p.half_y, room.ceiling},
-            0,
-            0);
-    add_box(frames,
-            {p.x + p.half_x, p.y - p.half_y, z - 0.004F},
-            {p.x + ox, p.y + p.half_y, room.ceiling},
-            0,
-            0);
+    if (fitting_ == LampFitting::line)
+      add_line_body(bodies, p, z, room.ceiling);
+    else if (fitting_ == LampFitting::pendant)
+      add_pendant_body(bodies, p, z, room.ceiling);
+    else
+      add_panel_frame(bodies, p, z, room.ceiling);
   }
-  append(world.ceiling, world.shell_glass, frames, {frame_}, world, {1, -1});
+  append(world.ceiling, world.shell_glass, bodies, {body_, inside_}, world, {1, -1});
+}
 
+void LightBuilder::build(Draft& draft, const Room& room) const {
+  World& world = draft.world();
+  const Look& look = draft.scene().layout.look;
+  add_lamps(world, draft.scene().layout, room);
   const auto lux = static_cast<float>(look.light_lux);
   const float white = lux * inverse_pi;  // radiance of a white sheet on the floor
   const Vec3f radiance = tint(look.light_kelvin) *
@@ -215,7 +286,7 @@ void LightBuilder::build(Draft& draft, const Room& room) const {
   world.panel_count = static_cast<std::uint32_t>(world.lights.size());
   world.materials[panel_].emission = radiance;
   world.exposure = 1 / white;
-  add_daylight(world, room, white);
+  add_daylight(world, room, look, white);
 }
 
 }  // namespace marketgen::raytrace

@@ -1,4 +1,5 @@
-// The room's own light: LED panels in rows over the aisles, and daylight through its openings.
+// The room's own light: lamps in rows over the aisles, fitted as the look says, and daylight
+// through its openings.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -11,11 +12,14 @@ namespace marketgen::raytrace {
 class LightBuilder {
  public:
   explicit LightBuilder(Draft& draft);
-  // Hangs the panels and sets radiance and exposure from the look's lux and colour temperature.
+  // Hangs the lamps and sets radiance and exposure from the look's lux and colour temperature.
   void build(Draft& draft, const Room& room) const;
 
  private:
-  std::uint16_t panel_ = 0, frame_ = 0;
+  void add_lamps(World& world, const Layout& layout, const Room& room) const;
+
+  LampFitting fitting_ = LampFitting::panel;
+  std::uint16_t panel_ = 0, body_ = 0, inside_ = 0;
 };
 
 }  // namespace marketgen::raytrace

@@ -213,8 +213,11 @@ void ShellBuilder::build(Draft& draft) const {
   add_ceiling(over);
   append(world.shell, world.shell_glass, mesh, materials_, world, {1, -1});
   append(world.ceiling, world.shell_glass, over, materials_, world, {1, -1});
-  for (const Vec3f& p : world.shell.positions)
-    world.room.include(p);
+  // What is inside: walls have thickness, and a light probe in or behind them would see the day.
+  for (const WallEdge& edge : room_.walls) {
+    for (const float z : {0.0F, room_.ceiling})
+      world.room.include(edge.world_from_wall({0, 0, z}));
+  }
 }
 
 }  // namespace marketgen::raytrace

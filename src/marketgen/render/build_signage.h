@@ -44,12 +44,14 @@ class SignBuilder {
   void hang_boards(Draft& draft);
   void write_names(Draft& draft);
   void add_board(Mesh& mesh, const Board& board) const;
-  void add_band(Mesh& mesh, const WallEdge& edge) const;
+  // A strip along the wall between two heights, broken where openings are as high.
+  void add_band(Mesh& mesh, const WallEdge& edge, float low, float high, float depth) const;
 
   const Room& room_;
   std::vector<Board> boards_;
   std::vector<WallName> names_;
   std::uint16_t band_ = 0, metal_ = 0;
+  std::optional<std::uint16_t> neon_;  // of looks that have it
   float band_low_ = 2.55F, board_low_ = 2.35F;
 };
 

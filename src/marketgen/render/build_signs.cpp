@@ -19,6 +19,8 @@ constexpr float board_from_end_m = 0.8F;
 constexpr float cable_m = 0.004F;
 constexpr float near_wall_m = 0.4F;  // fixtures whose back is this near stand against the wall
 constexpr int name_px = 128, board_px = 192;
+constexpr float neon_m = 0.022F, neon_below_m = 0.05F;  // the tube, and how far below a band
+constexpr float neon_over_white = 3;
 constexpr std::string_view white_text = "#ffffff";
 
 std::uint16_t sign_material(
@@ -78,6 +80,8 @@ SignBuilder::SignBuilder(Draft& draft, const Room& room) : room_(room) {
   if (const Result<Vec3f> accent = linear_from_hex(draft.scene().layout.look.accent); accent.ok())
     band.color = *accent;
   band_ = draft.material(band);
+  if (draft.scene().layout.look.neon.value_or(false))
+    neon_ = draft.material({.color = {0, 0, 0}, .emission = band.color});
   metal_ = draft.material({.color = {0.5F, 0.5F, 0.5F}, .roughness = 0.4F});
   hang_boards(draft);
   write_names(draft);
@@ -161,19 +165,15 @@ void SignBuilder::add_board(Mesh& mesh, const Board& board) const {
   }
 }
 
-void SignBuilder::add_band(Mesh& mesh, const WallEdge& edge) const {
+void SignBuilder::add_band(
+    Mesh& mesh, const WallEdge& edge, float low, float high, float depth) const {
   float done = 0;
   const auto strip = [&](float from, float to) {
     if (to - from > 0.05F)
-      add_framed_box(mesh,
-                     edge.world_from_wall,
-                     {from, 0, band_low_},
-                     {to, band_depth_m, band_low_ + band_height_m},
-                     0,
-                     0);
+      add_framed_box(mesh, edge.world_from_wall, {from, 0, low}, {to, depth, high}, 0, 0);
   };
   for (const WallOpening& o : edge.openings) {
-    if (o.head <= band_low_) continue;
+    if (o.head <= low) continue;
     strip(done, o.low);
     done = o.high;
   }
@@ -187,10 +187,18 @@ void SignBuilder::build(Draft& draft) const {
     add_board(mesh, board);
     append(world.ceiling, world.shell_glass, mesh, {metal_, board.material}, world, {1, -1});
   }
-  Mesh bands;
-  for (const WallEdge& edge : room_.walls)
-    add_band(bands, edge);
+  Mesh bands, neon;
+  for (const WallEdge& edge : room_.walls) {
+    add_band(bands, edge, band_low_, band_low_ + band_height_m, band_depth_m);
+    const float low = band_low_ - neon_below_m;
+    add_band(neon, edge, low, low + neon_m, neon_m);
+  }
   append(world.shell, world.shell_glass, bands, {band_}, world, {1, -1});
+  if (neon_) {
+    Vec3f& light = world.materials[*neon_].emission;
+    light = light * (neon_over_white / world.exposure);
+    append(world.shell, world.shell_glass, neon, {*neon_}, world, {1, -1});
+  }
   for (const WallName& name : names_) {
     Mesh mesh;
     add_wall_picture(mesh,

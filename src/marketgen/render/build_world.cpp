@@ -1,5 +1,7 @@
 #include "render/build_world.h"
 
+#include "render/build_ceiling.h"
+#include "render/build_decor.h"
 #include "render/build_fixtures.h"
 #include "render/build_light.h"
 #include "render/build_products.h"
@@ -45,6 +47,8 @@ Result<std::unique_ptr<World>> build_world(const Scene& scene,
   const LightBuilder light(draft);
   const PriceLabelBuilder price_labels(draft);
   const SignBuilder signs(draft, room);
+  const CeilingBuilder services(draft, room);
+  const DecorBuilder decor(draft, room);
   std::vector<std::uint16_t> exhibited;
   for (const Exhibit& exhibit : exhibits)
     exhibited.push_back(draft.tiled_material(exhibit.material));
@@ -55,6 +59,8 @@ Result<std::unique_ptr<World>> build_world(const Scene& scene,
   light.build(draft, room);
   price_labels.build(draft);
   signs.build(draft);
+  services.build(draft);
+  decor.build(draft);
   fixtures.build(draft);
   products.build(draft);
   add_exhibits(*world, exhibits, exhibited);

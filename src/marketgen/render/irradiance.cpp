@@ -5,6 +5,7 @@
 
 #include "base/parallel.h"
 #include "render/light_cache.h"
+#include "render/room.h"
 #include "render/shading_math.h"
 
 namespace marketgen::raytrace {
@@ -177,6 +178,12 @@ void shoot(const World& world, Vec3f position, Hollows hollows, ProbeRays& resul
       (hollows == Hollows::lit || static_cast<float>(near) <= most_near * rays_per_probe);
 }
 
+bool is_outside(const PolygonMm& outline, Vec3f point) {
+  return !contains(outline,
+                   {static_cast<int>(std::lround(point.x * 1000)),
+                    static_cast<int>(std::lround(point.y * 1000))});
+}
+
 }  // namespace
 
 Place place_of(const Surface& surface) {
@@ -199,7 +206,7 @@ IrradianceField::IrradianceField(const World& world,
     light_ = *std::move(light);
     return;
   }
-  bake(world, lights);
+  bake(world, lights, room_of(scene.layout.shell).outline);
   if (keep) keep_light(key, light_);
 }
 
@@ -253,14 +260,15 @@ void IrradianceField::place_shelves(const Scene& scene) {
   }
 }
 
-void IrradianceField::bake(const World& world, const LightGrid& lights) {
+void IrradianceField::bake(const World& world, const LightGrid& lights, const PolygonMm& outline) {
   probes_.resize(positions_.size());
   std::vector<ProbeRays> rays(positions_.size());
   const auto room_count = static_cast<std::size_t>(size_[0] * size_[1] * size_[2]);
   parallel_for(
       positions_.size(),
       [&](std::size_t i) {
-        if (i < room_count && shelf_at(positions_[i]) >= 0) rays[i].valid = false;
+        if (i < room_count && (is_outside(outline, positions_[i]) || shelf_at(positions_[i]) >= 0))
+          rays[i].valid = false;
         const Hollows hollows = i < room_count ? Hollows::left_out : Hollows::lit;
         if (rays[i].valid) shoot(world, positions_[i], hollows, rays[i]);
         if (!rays[i].valid) return;
@@ -273,6 +281,7 @@ void IrradianceField::bake(const World& world, const LightGrid& lights) {
   for (int bounce = 0; bounce < bounces; ++bounce) {
     light_.mean = mean_of_room();
     fill_invalid(probes_);
+    fill_room(probes_);
     light_.probes = packed(probes_);
     parallel_for(
         probes_.size(),
@@ -296,8 +305,10 @@ void IrradianceField::bake(const World& world, const LightGrid& lights) {
     for (std::size_t a = 0; a < axes.size(); ++a)
       rest[i].faces[a] = rest[i].faces[a] - rays[i].panels.faces[a];
   }
-  fill_invalid(probes_);
-  fill_invalid(rest);
+  for (std::vector<AmbientCube>* cubes : {&probes_, &rest}) {
+    fill_invalid(*cubes);
+    fill_room(*cubes);
+  }
   light_.probes = packed(probes_);
   light_.without_panels = packed(rest);
   probes_ = {};
@@ -346,6 +357,42 @@ void IrradianceField::fill_invalid(std::vector<AmbientCube>& probes) const {
       std::copy(filled.begin(), filled.end(), probes.begin() + shelf.first);
     }
   }
+}
+
+// A room point in matter or in a hollow takes the mean of the known ones beside it, those that were
+// filled before included, so that gaps without a point of their own get their surroundings' light.
+void IrradianceField::fill_room(std::vector<AmbientCube>& probes) const {
+  constexpr int passes = 4;               // points this far from a measured one stay unknown
+  constexpr float filled_weight = 0.01F;  // beside a measured one it counts for next to nothing
+  for (int pass = 0; pass < passes; ++pass) {
+    const std::vector<AmbientCube> before(probes.begin(), probes.begin() + room_count());
+    for (int i = 0; i < room_count(); ++i) {
+      AmbientCube& probe = probes[static_cast<std::size_t>(i)];
+      if (probe.validity > 0) continue;
+      probe = mean_around(before, i);
+      probe.validity = std::min(probe.validity, 1.0F) * filled_weight;
+    }
+  }
+}
+
+AmbientCube IrradianceField::mean_around(const std::vector<AmbientCube>& room, int index) const {
+  const std::array<int, 3> at{
+      index % size_[0], index / size_[0] % size_[1], index / (size_[0] * size_[1])};
+  const std::array<int, 3> stride{1, size_[0], size_[0] * size_[1]};
+  AmbientCube mean;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const int side : {-1, 1}) {
+      if (at[axis] + side < 0 || at[axis] + side >= size_[axis]) continue;
+      const AmbientCube& other = room[static_cast<std::size_t>(index + side * stride[axis])];
+      if (other.validity <= 0) continue;
+      for (std::size_t a = 0; a < axes.size(); ++a)
+        mean.faces[a] += other.faces[a];
+      mean.validity += 1;
+    }
+  }
+  for (Vec3f& face : mean.faces)
+    face = face / std::max(mean.validity, 1.0F);
+  return mean;
 }
 
 std::int32_t IrradianceField::shelf_at(Vec3f point) const {

@@ -86,8 +86,11 @@ class IrradianceField {
   };
   void place_room(const World& world);
   void place_shelves(const Scene& scene);
-  void bake(const World& world, const LightGrid& lights);
+  void bake(const World& world, const LightGrid& lights, const PolygonMm& outline);
   void fill_invalid(std::vector<AmbientCube>& probes) const;
+  void fill_room(std::vector<AmbientCube>& probes) const;
+  AmbientCube mean_around(const std::vector<AmbientCube>& room, int index) const;
+  int room_count() const { return size_[0] * size_[1] * size_[2]; }
   Vec3f mean_of_room() const;
   float mean_of_floor() const;
   const Shelf* shelf_of(const Place& place) const;

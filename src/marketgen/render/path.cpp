@@ -14,8 +14,9 @@ namespace {
 
 constexpr int most_bounces = 12, most_crossings = 24;
 constexpr int roulette_from = 3;  // bounces before paths may end by chance
-// In units of white; caps fireflies. Light that reaches the eye by one bounce is never capped.
-constexpr float brightest_indirect = 10;
+// In units of white; caps fireflies. Light that reaches the eye by one bounce is never capped, but
+// for lamps found through the contents of a pack: few paths find them, as bright dots.
+constexpr float brightest_indirect = 10, brightest_through_pack = 2.5F;
 constexpr float path_light_end_m = 5e-3F;
 // Metres per metre: textures are read blurred after the first bounce.
 constexpr float path_bounce_footprint = 0.05F;
@@ -111,9 +112,11 @@ class PathTracer {
   }
 
   void add(Vec3f light, Lobe lobe) {
-    if (bounces_ > 0) {
+    if (bounces_ > 0 || bent_) {
+      const float most =
+          bent_ ? firefly_ * (brightest_through_pack / brightest_indirect) : firefly_;
       const float top = largest(light);
-      if (top > firefly_) light = light * (firefly_ / top);
+      if (top > most) light = light * (most / top);
     }
     if (!is_finite(light)) return;
     if (lobe == Lobe::none) light_.glow += light;

@@ -148,11 +148,6 @@ Placement placement_of(const Pose& pose) {
           to_float(pose.position)};
 }
 
-Vec3f Surroundings::radiance(Vec3f direction) const {
-  if (direction.z < 0) return mix(horizon, ground, std::min(1.0F, -direction.z * 6));
-  return mix(horizon, zenith, std::sqrt(std::min(1.0F, direction.z)));
-}
-
 void append(TriangleSet& solid,
             TriangleSet& glass,
             const Mesh& mesh,

@@ -16,6 +16,7 @@
 #include "geometry/pose.h"
 #include "render/embree_handle.h"
 #include "render/relief_texture.h"
+#include "render/surroundings.h"
 #include "render/texture.h"
 
 namespace marketgen::raytrace {
@@ -116,13 +117,6 @@ struct Instance {
   Placement world_from_mesh;
   // Of its mesh's geometries, by MeshGeometry; set when the BVHs are built.
   std::array<const TriangleRecord*, 2> records{};
-};
-
-// Daylight behind doors and windows, and what a ray that leaves the shop sees.
-struct Surroundings {
-  Vec3f zenith, horizon, ground;   // radiance
-  bool sampled_as_lights = false;  // openings have area lights that stand for it
-  Vec3f radiance(Vec3f direction) const;
 };
 
 // What stands in the store beside its scene. The World's rows from these on are theirs.

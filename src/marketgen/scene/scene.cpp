@@ -106,6 +106,9 @@ std::string look_hash(const Scene& scene) {
       .add(look.accent)
       .add(look.light_kelvin)
       .add(look.light_lux);
+  if (look.lamps) hash.add(static_cast<std::int64_t>(*look.lamps));
+  if (look.daylight) hash.add_rounded(*look.daylight, 1e-3);
+  if (look.neon) hash.add(static_cast<std::int64_t>(*look.neon));
   for (const MaterialRow& m : scene.materials) {
     hash.add(m.id)
         .add(static_cast<std::int64_t>(m.pattern))

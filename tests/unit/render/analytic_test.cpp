@@ -185,6 +185,8 @@ int compare(const Bodies& bodies, const Camera& camera) {
       if (met.object == shell_object && (pose.position + d * met.t).z < 0.1) {
         if (met.normal.z == 0) continue;  // the skirting
       }
+      const bool on_wall = met.object == shell_object && met.normal.z == 0;
+      if (on_wall && (pose.position + d * met.t).z > 1.2) continue;  // posters hang there
       const auto i = static_cast<std::size_t>(y * camera.width + x);
       EXPECT_EQ(frame.instance[i], met.object) << x << "," << y;
       const double depth = dot(d, rotate(pose.rotation, {0, 0, 1})) * met.t;
@@ -203,7 +205,7 @@ TEST(Analytic, APlainCameraSeesWhatTheFormulasSay) {
   camera.from = {2.4, 1.2, 1.4};
   camera.at = {3, 4, 0.7};
   camera.width = 320, camera.height = 240;
-  EXPECT_GT(compare(bodies, camera), 6000);
+  EXPECT_GT(compare(bodies, camera), 5000);
 }
 
 TEST(Analytic, SoDoesADistortedLensInAnyPose) {

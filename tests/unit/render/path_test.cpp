@@ -150,7 +150,7 @@ TEST(PathTracing, WhiteAndClearThingsVanishInAnEvenSky) {
   Material sheet{.clear = true};
   for (const Material& material : {rough, mirror, paint, lacquer, glass, sheet}) {
     auto world = empty_world(material);
-    world->surroundings = {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, false};
+    world->surroundings.even = {1, 1, 1};
     Mesh mesh;
     add_box(mesh, {-0.5F, -0.5F, -0.5F}, {0.5F, 0.5F, 0.5F}, 0, 0);
     finish_world(*world, mesh);
@@ -163,7 +163,7 @@ TEST(PathTracing, WhiteAndClearThingsVanishInAnEvenSky) {
 // Light wandering below the skin leaves elsewhere, but all of it leaves.
 TEST(PathTracing, SkinOfFruitKeepsItsAlbedo) {
   auto world = empty_world({.color = {1, 1, 1}, .roughness = 0.5F, .scatter_m = 0.01F});
-  world->surroundings = {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, false};
+  world->surroundings.even = {1, 1, 1};
   Mesh mesh;
   add_box(mesh, {-0.5F, -0.5F, -0.5F}, {0.5F, 0.5F, 0.5F}, 0, 0);
   finish_world(*world, mesh);
@@ -174,7 +174,7 @@ TEST(PathTracing, SkinOfFruitKeepsItsAlbedo) {
 // Beer and Lambert: 0.2 m of what takes 3 per metre leave exp(-0.6), and two faces mirror a little.
 TEST(PathTracing, SlabsOfColouredWaterDimByTheirDepth) {
   auto world = empty_world({.clear = true, .refraction = 1.33F, .absorption_per_m = {3, 0, 0}});
-  world->surroundings = {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, false};
+  world->surroundings.even = {1, 1, 1};
   Mesh mesh;
   add_box(mesh, {-5, -0.1F, -5}, {5, 0.1F, 5}, 0, 0);
   finish_world(*world, mesh);

@@ -1,0 +1,38 @@
+// Posters: every row can be drawn, and looks like something.
+#include "assets/poster.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace marketgen {
+namespace {
+
+TEST(Posters, EveryRowIsDrawnInEveryDesign) {
+  for (const Poster& poster : posters()) {
+    for (unsigned design = 0; design < 3; ++design) {
+      const Result<Image> picture = draw_poster(poster, "#2e7d32", design, 128);
+      ASSERT_TRUE(picture.ok()) << poster.headline << ": " << picture.error().message;
+      EXPECT_EQ(picture->height, 128);
+      EXPECT_EQ(picture->width, 91);
+      const auto [darkest, brightest] =
+          std::minmax_element(picture->pixels.begin(), picture->pixels.end());
+      EXPECT_GT(*brightest - *darkest, 100) << poster.headline;
+    }
+  }
+}
+
+TEST(Posters, ZonesHaveTheirOwnOrThoseOfAnyZone) {
+  for (const Poster* poster : posters_for("bakery"))
+    EXPECT_EQ(poster->zone_type, "bakery");
+  ASSERT_FALSE(posters_for("backroom").empty());
+  EXPECT_TRUE(posters_for("backroom").front()->zone_type.empty());
+}
+
+TEST(Posters, ABadColourOrSizeIsAnError) {
+  EXPECT_FALSE(draw_poster(posters().front(), "green", 0, 128).ok());
+  EXPECT_FALSE(draw_poster(posters().front(), "#2e7d32", 0, 10).ok());
+}
+
+}  // namespace
+}  // namespace marketgen
