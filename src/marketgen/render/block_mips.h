@@ -25,13 +25,14 @@ class BlockMips {
   bool empty() const { return blocks_.empty(); }
   int width() const { return empty() ? 1 : levels_[0].width; }
   int height() const { return empty() ? 1 : levels_[0].height; }
+  const std::vector<MipChain::Level>& levels() const { return levels_; }  // offsets count blocks
   const std::vector<std::uint64_t>& blocks() const { return blocks_; }
   std::size_t bytes() const { return blocks_.size() * sizeof(blocks_[0]); }
 
   static std::size_t block_count(int width, int height);  // of all levels
 
  private:
-  std::vector<MipChain::Level> levels_;  // offsets count blocks
+  std::vector<MipChain::Level> levels_;
   std::vector<std::uint64_t> blocks_;
 };
 

@@ -186,8 +186,11 @@ bool is_outside(const PolygonMm& outline, Vec3f point) {
 
 }  // namespace
 
+Place place_of(Vec3f position, Vec3f face_normal, std::int32_t fixture, std::int32_t shelf) {
+  return {position + face_normal * lookup_lift_m, fixture, shelf};
+}
 Place place_of(const Surface& surface) {
-  return {surface.position + surface.face_normal * lookup_lift_m, surface.fixture, surface.shelf};
+  return place_of(surface.position, surface.face_normal, surface.fixture, surface.shelf);
 }
 
 Vec3f AmbientCube::irradiance(Vec3f n) const {
@@ -441,6 +444,19 @@ Between between(int count, float at) {
   return {before, inside - static_cast<float>(before)};
 }
 
+// The corners of a cell side by side: which way each lies, 0 or 1, and its trilinear weight.
+struct EightCorners {
+  Float8 dx{_mm256_setr_ps(0, 1, 0, 1, 0, 1, 0, 1)}, dy{_mm256_setr_ps(0, 0, 1, 1, 0, 0, 1, 1)},
+      dz{_mm256_setr_ps(0, 0, 0, 0, 1, 1, 1, 1)}, near;
+
+  EightCorners(const Between& x, const Between& y, const Between& z) {
+    const auto share = [](const Between& at, Float8 far) {
+      return select(far > Float8(0), Float8(at.share), Float8(1 - at.share));
+    };
+    near = share(x, dx) * share(y, dy) * share(z, dz);
+  }
+};
+
 }  // namespace
 
 IrradianceField::Corners IrradianceField::corners_in_shelf(const Shelf& shelf, Vec3f point) const {
@@ -449,17 +465,12 @@ IrradianceField::Corners IrradianceField::corners_in_shelf(const Shelf& shelf, V
       shelf.columns, (p.x / shelf.size.x + 0.5F) * static_cast<float>(shelf.columns) - 0.5F);
   const Between inward = between(depth_share, p.y / shelf.size.y);
   const Between up = between(height_share, p.z / shelf.size.z);
-  Corners corners;
-  for (std::size_t k = 0; k < 8; ++k) {
-    const bool c = (k & 1U) != 0, d = (k & 2U) != 0, h = (k & 4U) != 0;
-    corners.weight[k] = (c ? along.share : 1 - along.share) *
-                        (d ? inward.share : 1 - inward.share) * (h ? up.share : 1 - up.share);
-    const int column = along.before + (c ? 1 : 0), row = inward.before + (d ? 1 : 0);
-    corners.probe[k] =
-        shelf.first + static_cast<std::uint32_t>((column * depth_rows + row) * height_rows +
-                                                 up.before + (h ? 1 : 0));
-  }
-  return corners;
+  const EightCorners eight(along, inward, up);
+  const int first = static_cast<int>(shelf.first) +
+                    (along.before * depth_rows + inward.before) * height_rows + up.before;
+  return {Int8(first) + to_int(eight.dx) * (depth_rows * height_rows) +
+              to_int(eight.dy) * height_rows + to_int(eight.dz),
+          eight.near};
 }
 
 // Probes behind the surface count for little: they may be on the other side of a wall (as in
@@ -469,54 +480,50 @@ IrradianceField::Corners IrradianceField::corners_in_room(Vec3f point, Float4 fa
   const Vec3f at = point - low_;
   const Between x = between(size_[0], at.x / step_.x), y = between(size_[1], at.y / step_.y),
                 z = between(size_[2], at.z / step_.z);
-  // Of the eight corners side by side: where each lies from the point, and how near.
-  std::array<float, 8> off_x, off_y, off_z, near;
-  for (int k = 0; k < 8; ++k) {
-    const int dx = k & 1, dy = k >> 1 & 1, dz = k >> 2 & 1;
-    const auto i = static_cast<std::size_t>(k);
-    off_x[i] = static_cast<float>(x.before + dx) * step_.x - at.x;
-    off_y[i] = static_cast<float>(y.before + dy) * step_.y - at.y;
-    off_z[i] = static_cast<float>(z.before + dz) * step_.z - at.z;
-    near[i] = (dx != 0 ? x.share : 1 - x.share) * (dy != 0 ? y.share : 1 - y.share) *
-              (dz != 0 ? z.share : 1 - z.share);
-  }
-  const Vec3f n = facing.xyz();
-  Corners corners;
-  for (std::size_t k = 0; k < 8; ++k) {
-    const float along = off_x[k] * n.x + off_y[k] * n.y + off_z[k] * n.z;
-    const float distance =
-        std::sqrt(off_x[k] * off_x[k] + off_y[k] * off_y[k] + off_z[k] * off_z[k] + 1e-6F);
-    const float before = 0.5F + 0.5F * along / distance;
-    corners.weight[k] = (near[k] + 1e-4F) * (before * before + least_behind);
-  }
-  const int first = (z.before * size_[1] + y.before) * size_[0] + x.before;
-  for (int k = 0; k < 8; ++k) {
-    const int dx = k & 1, dy = k >> 1 & 1, dz = k >> 2 & 1;
-    corners.probe[static_cast<std::size_t>(k)] =
-        static_cast<std::uint32_t>(first + (dz * size_[1] + dy) * size_[0] + dx);
-  }
-  return corners;
+  const EightCorners eight(x, y, z);
+  // Where each corner lies from the point, and how near.
+  const Float8 off_x = (static_cast<float>(x.before) + eight.dx) * step_.x - at.x;
+  const Float8 off_y = (static_cast<float>(y.before) + eight.dy) * step_.y - at.y;
+  const Float8 off_z = (static_cast<float>(z.before) + eight.dz) * step_.z - at.z;
+  const Float8 along = off_x * facing.x() + off_y * facing.y() + off_z * facing.z();
+  const Float8 distance = square_root(off_x * off_x + off_y * off_y + off_z * off_z + 1e-6F);
+  const Float8 before = 0.5F + 0.5F * along / distance;
+  const int row = size_[0], layer = size_[0] * size_[1];
+  const int first = z.before * layer + y.before * row + x.before;
+  return {Int8(first) + to_int(eight.dx) + to_int(eight.dy) * row + to_int(eight.dz) * layer,
+          (eight.near + 1e-4F) * (before * before + least_behind)};
 }
 
+// Two faces lie in one register, the one in front along an axis and the one behind; one of them
+// counts.
 Float4 IrradianceField::gathered(const std::vector<PackedCube>& probes,
                                  const Corners& corners,
                                  Float4 facing) const {
   const Float4 square = facing * facing;
   const float share[3] = {square.x(), square.y(), square.z()};
   const int negative = _mm_movemask_ps(facing.m);
-  __m128 sum = _mm_setzero_ps();
-  for (std::size_t k = 0; k < 8; ++k) {
-    const PackedCube& probe = probes[corners.probe[k]];
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto& face = probe.faces[static_cast<std::size_t>(2 * axis + (negative >> axis & 1))];
-      const __m128 light =
-          _mm_cvtph_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(face.data())));
-      sum = _mm_add_ps(sum, _mm_mul_ps(light, _mm_set1_ps(corners.weight[k] * share[axis])));
+  std::array<Float8, 3> shares;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const __m128 counts = _mm_set1_ps(share[axis]), none = _mm_setzero_ps();
+    shares[axis] = Float8((negative >> axis & 1) != 0 ? _mm256_set_m128(counts, none)
+                                                      : _mm256_set_m128(none, counts));
+  }
+  alignas(32) std::array<std::int32_t, lane_count> probe;
+  alignas(32) std::array<float, lane_count> weight;
+  corners.probe.store(probe.data());
+  corners.weight.store(weight.data());
+  std::array<Float8, 3> sum;
+  for (std::size_t k = 0; k < lane_count; ++k) {
+    const auto& faces = probes[static_cast<std::size_t>(probe[k])].faces;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto* pair = reinterpret_cast<const __m128i*>(faces[2 * axis].data());
+      sum[axis] += Float8(_mm256_cvtph_ps(_mm_load_si128(pair))) * weight[k];
     }
   }
+  const Float8 both = sum[0] * shares[0] + sum[1] * shares[1] + sum[2] * shares[2];
+  const Float4 light(_mm_add_ps(_mm256_castps256_ps128(both.m), _mm256_extractf128_ps(both.m, 1)));
   // Light was stored times validity, so that what is in matter counts by itself for nothing.
-  const float weight = Float4(sum).w();
-  return weight > 1e-5F ? Float4(sum) * (1 / weight) : Float4(light_.mean);
+  return light.w() > 1e-5F ? light * (1 / light.w()) : Float4(light_.mean);
 }
 
 IrradianceField::Corners IrradianceField::corners_at(const Place& place, Float4 facing) const {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "render/float4.h"
+#include "render/float8.h"
 #include "render/light_grid.h"
 #include "render/tracing.h"
 #include "scene/scene.h"
@@ -40,6 +41,7 @@ struct Place {
   Vec3f point;
   std::int32_t fixture = -1, shelf = -1;
 };
+Place place_of(Vec3f position, Vec3f face_normal, std::int32_t fixture, std::int32_t shelf);
 Place place_of(const Surface& surface);
 
 class IrradianceField {
@@ -81,8 +83,8 @@ class IrradianceField {
   };
   // Probe indices around a point and their weights.
   struct Corners {
-    std::array<std::uint32_t, 8> probe{};
-    std::array<float, 8> weight{};
+    Int8 probe;
+    Float8 weight;
   };
   void place_room(const World& world);
   void place_shelves(const Scene& scene);

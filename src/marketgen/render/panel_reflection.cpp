@@ -19,7 +19,7 @@ constexpr float narrowest =
     0.12F;                         // across the plane of incidence, in units of the spread along it
 constexpr float flattest = 0.03F;  // flatter rays never reach the ceiling
 constexpr float longest_reach_m = 6;  // of the lobe's footprint to each side
-constexpr int taps = 7;
+constexpr std::size_t taps = 7;
 constexpr float one_tap_below = 1.5F;  // times the blur: shorter lobes are round enough
 constexpr float tap_step = 0.6F;       // in standard deviations
 constexpr std::array<float, taps> tap_weight{
@@ -34,16 +34,14 @@ PanelReflection::PanelReflection(const World& world) {
   const auto texels = [](float extent) {
     return std::max(1, static_cast<int>(std::ceil(extent / texel_m)));
   };
-  Level finest{texels(room.size().x), texels(room.size().y), {}};
-  finest.share.resize(static_cast<std::size_t>(finest.width) *
-                      static_cast<std::size_t>(finest.height));
-  levels_.push_back(std::move(finest));
+  levels_.push_back({texels(room.size().x), texels(room.size().y)});
+  shares_.resize(static_cast<std::size_t>(levels_[0].width * levels_[0].height));
   draw_panels(world);
   halve_levels();
 }
 
 void PanelReflection::draw_panels(const World& world) {
-  Level& finest = levels_[0];
+  const Level finest = levels_[0];
   for (std::uint32_t i = 0; i < world.panel_count; ++i) {
     const AreaLight& light = world.lights[i];
     const Vec3f middle = light.corner + (light.edge_u + light.edge_v) * 0.5F;
@@ -63,7 +61,7 @@ void PanelReflection::draw_panels(const World& world) {
       for (int x = std::max(0, static_cast<int>(x0));
            x < std::min(finest.width, static_cast<int>(x1) + 1);
            ++x)
-        finest.share[static_cast<std::size_t>(y * finest.width + x)] +=
+        shares_[static_cast<std::size_t>(y * finest.width + x)] +=
             overlap(x, x0, x1) * overlap(y, y0, y1);
     }
   }
@@ -71,72 +69,100 @@ void PanelReflection::draw_panels(const World& world) {
 
 void PanelReflection::halve_levels() {
   while (levels_.back().width > 1 || levels_.back().height > 1) {
-    const Level& fine = levels_.back();
+    const Level fine = levels_.back();
     // Rounded up: what lies over the room's edge is dark.
-    Level coarse{(fine.width + 1) / 2, (fine.height + 1) / 2, {}};
+    const Level coarse{
+        (fine.width + 1) / 2, (fine.height + 1) / 2, static_cast<int>(shares_.size())};
     for (int y = 0; y < coarse.height; ++y) {
       for (int x = 0; x < coarse.width; ++x) {
         float sum = 0;
         for (int k = 0; k < 4; ++k) {
           const int column = 2 * x + k % 2, row = 2 * y + k / 2;
           if (column < fine.width && row < fine.height)
-            sum += fine.share[static_cast<std::size_t>(row * fine.width + column)];
+            sum += shares_[static_cast<std::size_t>(fine.first + row * fine.width + column)];
         }
-        coarse.share.push_back(sum / 4);
+        shares_.push_back(sum / 4);
       }
     }
-    levels_.push_back(std::move(coarse));
+    levels_.push_back(coarse);
+  }
+  for (std::size_t l = 0; l < widths_.size(); ++l) {
+    const Level& level = levels_[std::min(l, levels_.size() - 1)];
+    widths_[l] = level.width;
+    heights_[l] = level.height;
+    firsts_[l] = level.first;
   }
 }
 
-float PanelReflection::covered(Vec2f point, float spread) const {
-  const float fineness = rough_log2(std::max(spread * texels_of_spread / texel_m, 1.0F));
-  const auto number = std::min(static_cast<std::size_t>(fineness + 0.5F), levels_.size() - 1);
-  const Level& level = levels_[number];
-  const float texel = texel_m * static_cast<float>(1U << number);
-  const float x = (point.x - low_.x) / texel - 0.5F, y = (point.y - low_.y) / texel - 0.5F;
-  const int column = static_cast<int>(std::floor(x)), row = static_cast<int>(std::floor(y));
-  const float fx = x - static_cast<float>(column), fy = y - static_cast<float>(row);
-  const auto share = [&](int at_x, int at_y) {
-    const bool inside = at_x >= 0 && at_y >= 0 && at_x < level.width && at_y < level.height;
-    return inside ? level.share[static_cast<std::size_t>(at_y * level.width + at_x)] : 0.0F;
+Float8 PanelReflection::covered(Float8 at_x, Float8 at_y, Float8 spread) const {
+  const auto last = static_cast<int>(std::min(levels_.size(), widths_.size()) - 1);
+  const Float8 fineness = rough_log2(max(spread * (texels_of_spread / texel_m), Float8(1)));
+  const Int8 number = min(to_int(fineness + 0.5F), Int8(last));
+  const auto of_level = [&](const std::array<std::int32_t, 16>& table) {
+    return Int8(_mm256_i32gather_epi32(table.data(), number.m, 4));
   };
-  return (share(column, row) * (1 - fx) + share(column + 1, row) * fx) * (1 - fy) +
-         (share(column, row + 1) * (1 - fx) + share(column + 1, row + 1) * fx) * fy;
+  const Int8 width = of_level(widths_), height = of_level(heights_), first = of_level(firsts_);
+  // 2^-number / texel_m: texels a metre.
+  const Float8 per_m = float_of_bits((Int8(127) - number) << 23) * (1 / texel_m);
+  // Far outside is as dark as just outside, and fits an integer.
+  const auto texel = [&](Float8 at, float low, Int8 size) {
+    return clamp((at - low) * per_m - 0.5F, Float8(-2), to_float(size) + 1.0F);
+  };
+  const Float8 x = texel(at_x, low_.x, width), y = texel(at_y, low_.y, height);
+  const Float8 left = floor(x), top = floor(y), fx = x - left, fy = y - top;
+  const Int8 column = to_int(left), row = to_int(top);
+  const auto share = [&](Int8 across, Int8 down) {
+    const Mask8 inside =
+        (across > Int8(-1)) & (down > Int8(-1)) & (width > across) & (height > down);
+    const Int8 place = select(inside, first + down * width + across, Int8(0));
+    return select(inside, gathered(shares_.data(), place), Float8(0));
+  };
+  const Int8 right = column + 1, below = row + 1;
+  return (share(column, row) * (1 - fx) + share(right, row) * fx) * (1 - fy) +
+         (share(column, below) * (1 - fx) + share(right, below) * fx) * fy;
 }
 
-PanelReflection::Seen PanelReflection::at(const Surface& surface, Vec3f mirror) const {
-  if (levels_.empty() || mirror.z < flattest) return {};
+PanelReflection::Seen PanelReflection::at(const Points& points) const {
   Seen seen;
-  seen.distance = (height_ - surface.position.z) / mirror.z;
-  if (seen.distance <= 0) return {};
+  if (levels_.empty()) return seen;
+  const Vec8& mirror = points.mirror;
+  const Float8 rise = max(mirror.z, Float8(flattest));
+  const Float8 distance = (Float8(height_) - points.position.z) / rise;
+  const Mask8 meets = (mirror.z >= Float8(flattest)) & (distance > Float8(0));
+  if (!meets.any()) return seen;
+  seen.distance = select(meets, distance, Float8(0));
   // How the point on the ceiling moves when the direction turns within, and out of, the plane of
   // incidence.
-  const float cosine = std::clamp(dot(mirror, surface.relief_normal), 0.0F, 1.0F);
-  const Vec3f within = normalized(surface.relief_normal - mirror * cosine);
-  const Vec3f across = cross(mirror, within);
-  const auto shift = [&](Vec3f turn) {
-    return (turn - mirror * (turn.z / mirror.z)) * seen.distance;
+  const Float8 cosine = clamp(dot(mirror, points.normal), Float8(0), Float8(1));
+  const Vec8 bend = points.normal - mirror * cosine;
+  const Vec8 within = bend * (Float8(1) / square_root(max(dot(bend, bend), Float8(1e-12F))));
+  const Vec8 across = cross(mirror, within);
+  const auto shift = [&](const Vec8& turn) {
+    return (turn - mirror * (turn.z / rise)) * seen.distance;
   };
-  const float alpha = std::max(surface.roughness * surface.roughness, 2e-3F);
-  const float spread = spread_of_alpha * alpha;
-  Vec3f along = shift(within) * spread;
-  const float reach = length(along);
-  if (reach > longest_reach_m) along = along * (longest_reach_m / reach);
-  const float width = length(shift(across)) * spread * std::max(cosine, narrowest);
-  const float blur =
-      std::clamp(std::max(width, 0.3F * tap_step * length(along)), 1e-3F, widest_spread_m);
-  const Vec3f point = surface.position + mirror * seen.distance;
-  float cover = 0;
-  if (length(along) < one_tap_below * blur) {
-    cover = covered({point.x, point.y}, blur);
-  } else {
-    for (int k = 0; k < taps; ++k) {
-      const Vec3f p = point + along * (tap_step * static_cast<float>(k - taps / 2));
-      cover += tap_weight[static_cast<std::size_t>(k)] * covered({p.x, p.y}, blur);
+  const auto size = [](const Vec8& v) { return square_root(dot(v, v)); };
+  const Float8 alpha = max(points.roughness * points.roughness, Float8(2e-3F));
+  const Float8 spread = spread_of_alpha * alpha;
+  Vec8 along = shift(within) * spread;
+  const Float8 reach = size(along);
+  along *= min(Float8(longest_reach_m) / max(reach, Float8(1e-6F)), Float8(1));
+  const Float8 span = size(along);
+  const Float8 width = size(shift(across)) * spread * max(cosine, Float8(narrowest));
+  const Float8 blur =
+      clamp(max(width, 0.3F * tap_step * span), Float8(1e-3F), Float8(widest_spread_m));
+  const Vec8 point = points.position + mirror * seen.distance;
+  const Mask8 round = span < one_tap_below * blur;
+  Float8 cover = covered(point.x, point.y, blur);
+  if ((~round & meets).any()) {
+    Float8 row = tap_weight[taps / 2] * cover;
+    for (std::size_t k = 0; k < taps; ++k) {
+      if (k == taps / 2) continue;
+      const Float8 step = tap_step * (static_cast<float>(k) - static_cast<float>(taps / 2));
+      row += tap_weight[k] * covered(point.x + along.x * step, point.y + along.y * step, blur);
     }
+    cover = select(round, cover, row);
   }
-  seen.radiance = radiance_ * std::min(cover, 1.0F);
+  seen.radiance = all(radiance_) * select(meets, min(cover, Float8(1)), Float8(0));
   return seen;
 }
 

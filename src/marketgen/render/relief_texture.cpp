@@ -60,14 +60,6 @@ std::vector<Moments> moments_of(const Image& image, int first) {
   return texels;
 }
 
-Relief decoded(__m128 bytes) {
-  alignas(16) std::array<float, 4> value;
-  _mm_store_ps(value.data(), bytes);
-  constexpr float middle = 128;  // the byte that stands for no tilt
-  return {
-      (value[0] - middle) / 127.5F, (value[1] - middle) / 127.5F, value[2] / 255, value[3] / 255};
-}
-
 }  // namespace
 
 ReliefTexture::ReliefTexture(const Image& image, int first) : mips_(image.width, image.height) {
@@ -87,8 +79,17 @@ ReliefTexture::ReliefTexture(const Image& image, int first) : mips_(image.width,
   mean_ = sample(0.5F, 0.5F, static_cast<float>(levels.size()));
 }
 
+Relief ReliefTexture::decoded(const std::array<float, 4>& bytes) {
+  constexpr float middle = 128;  // the byte that stands for no tilt
+  return {
+      (bytes[0] - middle) / 127.5F, (bytes[1] - middle) / 127.5F, bytes[2] / 255, bytes[3] / 255};
+}
+
 Relief ReliefTexture::sample(float u, float v, float lod) const {
-  return mips_.empty() ? Relief{} : decoded(mips_.sample(u, v, lod));
+  if (mips_.empty()) return {};
+  alignas(16) std::array<float, 4> bytes;
+  _mm_store_ps(bytes.data(), mips_.sample(u, v, lod));
+  return decoded(bytes);
 }
 
 }  // namespace marketgen::raytrace

@@ -4,6 +4,8 @@
 // Where texels run together, what their normals differ by becomes roughness (Olano and Baker, LEAN
 // mapping, I3D 2010), so that a surface keeps its gloss from near to far.
 #pragma once
+#include <array>
+
 #include "geometry/image.h"
 #include "render/mip_chain.h"
 
@@ -23,6 +25,9 @@ class ReliefTexture {
 
   Relief sample(float u, float v, float lod) const;
   const Relief& mean() const { return mean_; }  // of the whole texture
+  const MipChain& mips() const { return mips_; }
+  // What four bytes 0..255 of a texel stand for.
+  static Relief decoded(const std::array<float, 4>& bytes);
   // From this level on all normals have run together.
   float flat_lod() const { return flat_lod_; }
 

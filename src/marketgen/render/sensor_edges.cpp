@@ -1,7 +1,6 @@
 #include "render/sensor_edges.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <optional>
@@ -29,260 +28,335 @@ constexpr float edge_plane_m = 0.02F, edge_plane_per_m = 0.005F, edge_facing = 0
 // A sample brighter than this many times white counts as this much: lamps' edges would stay jagged
 // when the tone curve clips them afterwards.
 constexpr float brightest_sample_of_white = 3;
+constexpr std::uint32_t behind_pane = 1U << 24;
 
-std::uint32_t packed_normal(Vec3f n) {
-  const auto part = [](float x) {
-    return static_cast<std::uint32_t>(
-        static_cast<std::uint8_t>(static_cast<std::int8_t>(std::lrint(x * 127))));
+Int8 packed_normals(const Vec8& n) {
+  const auto part = [](Float8 x) { return Int8(_mm256_cvtps_epi32((x * 127).m)) & 0xFF; };
+  return part(n.x) | (part(n.y) << 8) | (part(n.z) << 16);
+}
+
+Vec8 unpacked_normals(Int8 packed) {
+  const auto part = [&](int shift) {
+    return to_float(Int8(_mm256_srai_epi32((packed << shift).m, 24))) * (1.0F / 127);
   };
-  return part(n.x) | part(n.y) << 8 | part(n.z) << 16;
+  return {part(24), part(16), part(8)};
 }
 
-Float4 unpacked_normal4(std::uint32_t packed) {
-  const __m128i bytes = _mm_cvtsi32_si128(static_cast<int>(packed));
-  return Float4(_mm_mul_ps(_mm_cvtepi32_ps(_mm_cvtepi8_epi32(bytes)), _mm_set1_ps(1.0F / 127)));
+Vec3f unpacked_signed_bytes(std::uint32_t packed) {
+  const auto part = [&](int shift) {
+    return static_cast<float>(static_cast<std::int8_t>(packed >> shift & 255U)) * (1.0F / 127);
+  };
+  return {part(0), part(8), part(16)};
 }
 
-std::uint64_t halves(Float4 v) {
-  return static_cast<std::uint64_t>(
-      _mm_cvtsi128_si64(_mm_cvtps_ph(v.m, _MM_FROUND_TO_NEAREST_INT)));
+void store_halves(Float8 v, std::uint16_t* to) {
+  _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm256_cvtps_ph(v.m, _MM_FROUND_TO_NEAREST_INT));
 }
 
-Float4 from_halves(std::uint64_t bits) {
-  return Float4(_mm_cvtph_ps(_mm_cvtsi64_si128(static_cast<long long>(bits))));
+float half_at(const SensorPlanes::Halves& plane, std::size_t p) {
+  return _cvtsh_ss(plane[p]);
+}
+Vec3f halves_at(const std::array<SensorPlanes::Halves, 3>& planes, std::size_t p) {
+  return {half_at(planes[0], p), half_at(planes[1], p), half_at(planes[2], p)};
 }
 
-class TileResolver {
+template <class Planes>
+Vec8 eight_at(const Planes& planes, std::size_t p) {
+  return {Float8::load(&planes[0][p]), Float8::load(&planes[1][p]), Float8::load(&planes[2][p])};
+}
+
+class StripResolver {
  public:
-  TileResolver(const Lighting& lighting,
-               const View& view,
-               const SensorEffort& effort,
-               const SensorPlanes& planes,
-               std::uint8_t* rgb)
+  StripResolver(const Lighting& lighting,
+                const View& view,
+                const SensorEffort& effort,
+                const SensorPlanes& planes,
+                int first_row)
       : lighting_(lighting),
         view_(view),
         effort_(effort),
         planes_(planes),
-        rgb_(rgb),
+        groups_(planes.stride / lane_count),
+        first_row_(first_row),
+        rows_(std::min(sensor_strip_rows, view.height() - first_row)),
         samples_(std::min(static_cast<std::size_t>(effort.edge_samples), most_samples)),
         limit_(brightest_sample_of_white / lighting.world.exposure),
-        dark_(dark_of_white / lighting.world.exposure) {}
+        dark_(dark_of_white / lighting.world.exposure),
+        edges_(groups_ * sensor_strip_rows + 1) {}
 
-  void run(int x0, int y0, int x1, int y1) {
-    for (int y = y0; y < y1; ++y) {
-      for (int x = x0; x < x1; ++x) {
-        if (is_edge(x, y)) add_samples(x, y);
-      }
-    }
-    finish();
-    std::array<Float4, sensor_tile_side> row;
-    std::size_t e = 0;  // edges lie row by row
-    for (int y = y0; y < y1; ++y) {
-      const std::size_t first = index(x0, y);
-      const auto count = static_cast<std::size_t>(x1 - x0);
-      std::copy_n(
-          planes_.radiance.begin() + static_cast<std::ptrdiff_t>(first), count, row.begin());
-      for (; e < edges_ && edge_pixel_[e] < first + count; ++e)
-        row[edge_pixel_[e] - first] = edge_sum_[e] * (1 / static_cast<float>(samples_ + 1));
-      tone_curve().write(std::span(row).first(count), lighting_.world.exposure, rgb_ + 3 * first);
-    }
+  void run(std::uint8_t* rgb) {
+    find_edges();
+    for_groups([this](std::size_t group, int row) {
+      for_lanes(edges_at(group, row), [&](std::size_t k) {
+        add_samples(static_cast<int>(group * lane_count + k), first_row_ + row);
+      });
+    });
+    if (used_ > 0) finish();
+    write(rgb);
   }
 
  private:
-  struct Pending {
-    std::uint16_t edge = 0;
-    Ray ray;
-  };
-
-  std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(planes_.width) +
-           static_cast<std::size_t>(x);
-  }
-  std::uint32_t number_at(std::size_t p) const {
-    return std::bit_cast<std::uint32_t>(planes_.position[p].w());
-  }
-
-  // Whether an edge runs between two pixels that would show when it is jagged.
-  bool differ(std::size_t p, std::size_t q) const {
-    return contrast(p, q) && differ_in_shape(p, q);
-  }
-
-  bool contrast(std::size_t p, std::size_t q) const {
-    const __m128 a = planes_.radiance[p].m, b = planes_.radiance[q].m;
-    const __m128 off = _mm_andnot_ps(_mm_set1_ps(-0.0F), _mm_sub_ps(a, b));
-    const __m128 bright = _mm_add_ps(_mm_max_ps(a, b), _mm_set1_ps(dark_));
-    const __m128 shows = _mm_cmpgt_ps(off, _mm_mul_ps(bright, _mm_set1_ps(least_contrast)));
-    return (_mm_movemask_ps(shows) & 7) != 0;
-  }
-
-  bool differ_in_shape(std::size_t p, std::size_t q) const {
-    if (number_at(p) != number_at(q)) return true;
-    if (planes_.normal[p] == planes_.normal[q] && number_at(p) == 0) return false;
-    const Float4 normal = unpacked_normal4(planes_.normal[p]);
-    if (planes_.normal[p] != planes_.normal[q] &&
-        dot(normal, unpacked_normal4(planes_.normal[q])) < edge_facing)
-      return true;
-    const float off = std::fabs(dot(normal, planes_.position[q] - planes_.position[p]));
-    return off > edge_plane_m && off > edge_plane_m + edge_plane_per_m * distance_to(p);
-  }
-
-  float distance_to(std::size_t p) const {
-    const Float4 way = planes_.position[p] - Float4(view_.ray(0, 0).origin);
-    return std::sqrt(dot(way, way));
-  }
-
-  bool is_edge(int x, int y) const {
-    const std::size_t p = index(x, y);
-    return (x > 0 && differ(p, p - 1)) || (x + 1 < planes_.width && differ(p, p + 1)) ||
-           (y > 0 && differ(p, index(x, y - 1))) ||
-           (y + 1 < planes_.height && differ(p, index(x, y + 1)));
-  }
-
-  void add_samples(int x, int y) {
-    const std::size_t p = index(x, y);
-    const auto edge = static_cast<std::uint16_t>(edges_++);
-    edge_pixel_[edge] = p;
-    edge_x_[edge] = x;
-    edge_y_[edge] = y;
-    edge_sum_[edge] = soft(planes_.radiance[p]);
-    for (std::size_t s = 0; s < samples_; ++s) {
-      pending_[used_++] = {edge,
-                           view_.ray(static_cast<float>(x) + sample_offsets[s].x,
-                                     static_cast<float>(y) + sample_offsets[s].y)};
-      if (used_ == packet_size) finish();
+  // Blocks of 8 x 4 pixels one after another, so that rays of a packet are near.
+  template <class Body>
+  void for_groups(const Body& body) const {
+    const auto width = static_cast<std::size_t>(view_.width());
+    for (std::size_t group = 0; group * lane_count < width; ++group) {
+      for (int row = 0; row < rows_; ++row)
+        body(group, row);
     }
   }
 
-  Float4 soft(Float4 radiance) const {
-    const float top = std::max(radiance.x(), std::max(radiance.y(), radiance.z()));
+  std::uint8_t& edges_at(std::size_t group, int row) {
+    return edges_[static_cast<std::size_t>(row) * groups_ + group];
+  }
+  std::size_t place(std::size_t group, int y) const {
+    return static_cast<std::size_t>(y) * planes_.stride + group * lane_count;
+  }
+
+  // Marks both pixels of each pair of neighbours with an edge between them.
+  void find_edges() {
+    const auto width = static_cast<std::size_t>(view_.width());
+    for (int row = -1; row < rows_; ++row) {
+      const int y = first_row_ + row;
+      if (y < 0) continue;
+      for (std::size_t group = 0; group * lane_count < width; ++group) {
+        const std::size_t p = place(group, y), left = width - group * lane_count;
+        const unsigned inside = left < lane_count ? (1U << left) - 1 : 255U;
+        if (y + 1 < view_.height()) {
+          const unsigned down = differ(p, p + planes_.stride) & inside;
+          if (row >= 0) edges_at(group, row) |= static_cast<std::uint8_t>(down);
+          if (row + 1 < rows_) edges_at(group, row + 1) |= static_cast<std::uint8_t>(down);
+        }
+        if (row < 0) continue;
+        const unsigned right = differ(p, p + 1) & (left <= lane_count ? inside >> 1 : 255U);
+        edges_at(group, row) |= static_cast<std::uint8_t>(right | right << 1);
+        if (left > lane_count) edges_at(group + 1, row) |= static_cast<std::uint8_t>(right >> 7);
+      }
+    }
+  }
+
+  // Between which of eight neighbours an edge runs that would show when it is jagged.
+  unsigned differ(std::size_t p, std::size_t q) const {
+    const Mask8 contrast = contrasts(p, q);
+    return contrast.any() ? (contrast & differ_in_shape(p, q)).bits() : 0;
+  }
+
+  Mask8 contrasts(std::size_t p, std::size_t q) const {
+    const Vec8 a = eight_at(planes_.radiance, p), b = eight_at(planes_.radiance, q);
+    const auto shows = [this](Float8 x, Float8 y) {
+      return absolute(x - y) > (max(x, y) + dark_) * least_contrast;
+    };
+    return shows(a.x, b.x) | shows(a.y, b.y) | shows(a.z, b.z);
+  }
+
+  Mask8 differ_in_shape(std::size_t p, std::size_t q) const {
+    const Int8 packed = Int8::load(&planes_.normal[p]), other = Int8::load(&planes_.normal[q]);
+    const Vec8 normal = unpacked_normals(packed), at = eight_at(planes_.position, p);
+    const Mask8 turned =
+        (dot(normal, unpacked_normals(other)) < Float8(edge_facing)) & ~(packed == other);
+    const Vec8 way = at - all(view_.ray(0, 0).origin);
+    const Float8 distance = square_root(dot(way, way));
+    const Float8 off = absolute(dot(normal, eight_at(planes_.position, q) - at));
+    const Mask8 same = Int8::load(&planes_.number[p]) == Int8::load(&planes_.number[q]);
+    return ~same | turned | (off > edge_plane_m + edge_plane_per_m * distance);
+  }
+
+  void add_samples(int x, int y) {
+    const std::size_t p =
+        static_cast<std::size_t>(y) * planes_.stride + static_cast<std::size_t>(x);
+    sums_.push_back(soft({planes_.radiance[0][p], planes_.radiance[1][p], planes_.radiance[2][p]}));
+    for (std::size_t s = 0; s < samples_; ++s) {
+      asked_[used_] = {static_cast<std::uint32_t>(sums_.size() - 1), x, y};
+      x_[used_] = static_cast<float>(x) + sample_offsets[s].x;
+      y_[used_] = static_cast<float>(y) + sample_offsets[s].y;
+      if (++used_ == packet_size) finish();
+    }
+  }
+
+  Vec3f soft(Vec3f radiance) const {
+    const float top = largest(radiance);
     return top > limit_ ? radiance * (limit_ / top) : radiance;
   }
 
   void finish() {
-    if (used_ == 0) return;
-    std::array<Ray, packet_size> rays;
-    std::array<Hit, packet_size> hits;
-    for (std::size_t k = 0; k < used_; ++k)
-      rays[k] = pending_[k].ray;
-    trace(lighting_.world,
-          std::span(rays).first(used_),
-          std::span(hits).first(used_),
-          effort_.detail.opaque_mask,
-          RayBundle::coherent);
-    fetch_surfaces(lighting_.world, std::span(hits).first(used_));
-    for (std::size_t k = 0; k < used_; ++k)
-      edge_sum_[pending_[k].edge] += soft(seen(pending_[k], hits[k]));
+    for (std::size_t k = used_; k < packet_size; ++k) {
+      x_[k] = x_[0];
+      y_[k] = y_[0];
+    }
+    RTCRayHit16 packet;
+    std::array<Rays8, 2> rays;
+    for (std::size_t half = 0; half < 2; ++half) {
+      rays[half] =
+          view_.rays(Float8::load(&x_[half * lane_count]), Float8::load(&y_[half * lane_count]));
+      set_rays(packet.ray, half, rays[half], View::near_m);
+    }
+    trace(lighting_.world, packet, used_, effort_.detail.opaque_mask, RayBundle::coherent);
+    fetch_surfaces(lighting_.world, packet);
+    for (std::size_t half = 0; half < 2; ++half)
+      see(half, rays[half], hits_of(packet, half));
     used_ = 0;
   }
 
-  Float4 seen(const Pending& pending, const Hit& hit) const {
-    const std::size_t p = edge_pixel_[pending.edge];
-    if (!hit.any())
-      return veiled(p, Float4(lighting_.world.surroundings.radiance(pending.ray.direction)));
-    const Surface surface =
-        surface_at(lighting_.world, pending.ray, hit, view_.footprint(hit.t), TextureDetail::level);
-    const auto like = like_of(surface, edge_x_[pending.edge], edge_y_[pending.edge]);
-    if (!like)
-      return veiled(
-          p, Float4(stored_radiance(lighting_, surface, pending.ray.direction, Lamps::seen)));
-    return veiled(*like,
-                  lit_radiance(surface,
-                               Float4(pending.ray.direction),
-                               from_halves(planes_.irradiance[*like]),
-                               from_halves(planes_.gloss[*like])));
+  // Adds what eight samples see.
+  void see(std::size_t half, const Rays8& rays, const Hits8& hits) {
+    Surface8 s;
+    see_surfaces(lighting_.world, rays, hits, view_.footprint(hits.t), TextureDetail::level, s);
+    const std::size_t first = half * lane_count;
+    const std::size_t count = std::min(lane_count, std::max(used_, first) - first);
+    Vec8 irradiance, gloss;
+    std::array<std::optional<std::size_t>, lane_count> like;
+    for (std::size_t k = 0; k < count; ++k) {
+      if (!hits.any[k]) continue;
+      like[k] = like_of(s, k, asked_[first + k]);
+      if (!like[k]) continue;
+      set_lane(irradiance, k, halves_at(planes_.irradiance, *like[k]));
+      set_lane(gloss, k, halves_at(planes_.gloss, *like[k]));
+    }
+    const Vec8 lit = lit_radiance(s, rays.direction, irradiance, gloss);
+    for (std::size_t k = 0; k < count; ++k) {
+      const Asked& asked = asked_[first + k];
+      const Vec3f behind = like[k] ? lane(lit, k) : unlike(s, k, lane(rays.direction, k), hits);
+      sums_[asked.edge] += soft(veiled(like[k] ? *like[k] : place_of(asked.x, asked.y), behind));
+    }
   }
 
-  Float4 veiled(std::size_t p, Float4 behind) const {
-    return behind * from_halves(planes_.transmittance[p]) + from_halves(planes_.overlay[p]);
+  // Light of what no pixel around shows.
+  Vec3f unlike(const Surface8& s, std::size_t k, Vec3f direction, const Hits8& hits) const {
+    if (!hits.any[k]) return lighting_.world.surroundings.radiance(direction);
+    return stored_radiance(lighting_, surface_in(s, k), direction, Lamps::seen);
   }
+
+  std::size_t place_of(int x, int y) const {
+    return static_cast<std::size_t>(y) * planes_.stride + static_cast<std::size_t>(x);
+  }
+
+  Vec3f veiled(std::size_t p, Vec3f behind) const {
+    if ((planes_.normal[p] & behind_pane) == 0) return behind;
+    return behind * halves_at(planes_.transmittance, p) + halves_at(planes_.overlay, p);
+  }
+
+  struct Asked {
+    std::uint32_t edge = 0;  // index into sums_
+    int x = 0, y = 0;
+  };
 
   // The pixel itself, or else one around it, that shows the surface given.
-  std::optional<std::size_t> like_of(const Surface& surface, int x, int y) const {
+  std::optional<std::size_t> like_of(const Surface8& s, std::size_t k, const Asked& asked) const {
     constexpr std::array<std::array<int, 2>, 9> places{
         {{0, 0}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
-    const Float4 position(surface.position), normal(surface.normal);
-    const float plane = edge_plane_m + edge_plane_per_m * surface.distance;
+    const auto number = static_cast<std::uint32_t>(s.id[k]);
+    const Vec3f position = lane(s.position, k), normal = lane(s.normal, k);
+    const float plane = edge_plane_m + edge_plane_per_m * s.distance[k];
     for (const auto& [dx, dy] : places) {
-      const int qx = x + dx, qy = y + dy;
-      if (qx < 0 || qy < 0 || qx >= planes_.width || qy >= planes_.height) continue;
-      const std::size_t q = index(qx, qy);
-      if (number_at(q) == surface.id &&
-          std::fabs(dot(normal, planes_.position[q] - position)) < plane &&
-          dot(normal, unpacked_normal4(planes_.normal[q])) > edge_facing)
+      const int x = asked.x + dx, y = asked.y + dy;
+      if (x < 0 || y < 0 || x >= view_.width() || y >= view_.height()) continue;
+      const std::size_t q = place_of(x, y);
+      if (planes_.number[q] != number) continue;
+      const Vec3f there{planes_.position[0][q], planes_.position[1][q], planes_.position[2][q]};
+      if (std::fabs(dot(normal, there - position)) < plane &&
+          dot(normal, unpacked_signed_bytes(planes_.normal[q])) > edge_facing)
         return q;
     }
     return std::nullopt;
+  }
+
+  void write(std::uint8_t* rgb) {
+    const auto width = static_cast<std::size_t>(view_.width());
+    std::size_t edge = 0;
+    const float share = 1 / static_cast<float>(samples_ + 1);
+    for_groups([&](std::size_t group, int row) {
+      const int y = first_row_ + row;
+      Vec8 radiance = eight_at(planes_.radiance, place(group, y));
+      for_lanes(edges_at(group, row),
+                [&](std::size_t k) { set_lane(radiance, k, sums_[edge++] * share); });
+      const ToneCurve::Pixels shown =
+          tone_curve().shown(radiance * Float8(lighting_.world.exposure));
+      const std::size_t x = group * lane_count;
+      std::copy_n(shown.begin(),
+                  3 * std::min(lane_count, width - x),
+                  rgb + 3 * (static_cast<std::size_t>(y) * width + x));
+    });
   }
 
   const Lighting& lighting_;
   const View& view_;
   const SensorEffort& effort_;
   const SensorPlanes& planes_;
-  std::uint8_t* rgb_;
+  std::size_t groups_;  // of a row
+  int first_row_, rows_;
   std::size_t samples_;
   float limit_, dark_;
-  std::size_t edges_ = 0, used_ = 0;
-  std::array<Pending, packet_size> pending_;
-  std::array<std::size_t, sensor_tile_pixels> edge_pixel_;
-  std::array<int, sensor_tile_pixels> edge_x_, edge_y_;
-  std::array<Float4, sensor_tile_pixels> edge_sum_;
+  std::vector<std::uint8_t> edges_;  // bits of the lanes of each group
+  std::vector<Vec3f> sums_;          // of each edge pixel's samples, in the order of for_groups
+  std::size_t used_ = 0;
+  std::array<Asked, packet_size> asked_;
+  alignas(32) std::array<float, packet_size> x_, y_;
 };
 
 }  // namespace
 
-void SensorPlanes::resize(int w, int h) {
-  width = w;
-  height = h;
-  const auto count = static_cast<std::size_t>(w) * static_cast<std::size_t>(h);
-  if (radiance.size() == count) return;
-  radiance.resize(count);
-  position.resize(count);
+void SensorPlanes::resize(const View& view) {
+  const auto tiles_down = static_cast<std::size_t>(sensor_tiles_down(view));
+  stride = static_cast<std::size_t>(sensor_tiles_across(view)) * sensor_tile_side;
+  // Eight neighbours are read from any pixel on.
+  const std::size_t count = stride * tiles_down * sensor_tile_side + lane_count;
+  if (number.size() == count) return;
+  for (auto* planes : {&radiance, &position}) {
+    for (Floats& plane : *planes)
+      plane.resize(count);
+  }
+  number.resize(count);
   normal.resize(count);
-  for (std::vector<std::uint64_t>* plane : {&irradiance, &gloss, &transmittance, &overlay})
-    plane->resize(count);
-}
-
-void SensorPlanes::take(const World& world, const SensorTile& tile) {
-  const std::uint64_t clear = halves(Float4(1.0F));
-  for (std::size_t i = 0; i < sensor_tile_pixels; ++i) {
-    if (!tile.inside(i)) continue;
-    const auto p = static_cast<std::size_t>(tile.y0 + SensorTile::row_of(i)) *
-                       static_cast<std::size_t>(width) +
-                   static_cast<std::size_t>(tile.x0 + SensorTile::column_of(i));
-    radiance[p] = radiance_of(world, tile, i);
-    transmittance[p] = clear;
-    overlay[p] = 0;
-    if (tile.pane_of[i] >= 0) {
-      transmittance[p] =
-          halves(Float4(tile.panes[static_cast<std::size_t>(tile.pane_of[i])].transmittance));
-      overlay[p] = halves(Float4(tile.overlay[i]));
-    }
-    if (tile.depth[i] <= 0) {
-      position[p] = Float4(0.0F);
-      normal[p] = 0;
-      continue;
-    }
-    const Surface& s = tile.surface[i];
-    position[p] = Float4(s.position.x, s.position.y, s.position.z, std::bit_cast<float>(s.id));
-    normal[p] = packed_normal(s.normal);
-    irradiance[p] = halves(Float4(tile.irradiance[i]) * tile.openness[i]);
-    gloss[p] = halves(Float4(tile.gloss[i]));
+  for (auto* planes : {&irradiance, &gloss, &transmittance, &overlay}) {
+    for (Halves& plane : *planes)
+      plane.resize(count);
   }
 }
 
-void resolve_tile(const Lighting& lighting,
-                  const View& view,
-                  const SensorEffort& effort,
-                  const SensorPlanes& planes,
-                  int index,
-                  std::uint8_t* rgb) {
-  const int x0 = index % sensor_tiles_across(view) * sensor_tile_side;
-  const int y0 = index / sensor_tiles_across(view) * sensor_tile_side;
-  TileResolver(lighting, view, effort, planes, rgb)
-      .run(x0,
-           y0,
-           std::min(x0 + sensor_tile_side, view.width()),
-           std::min(y0 + sensor_tile_side, view.height()));
+void SensorPlanes::take(const World& world, const SensorTile& tile) {
+  const auto store = [](std::array<Floats, 3>& planes, std::size_t p, const Vec8& v) {
+    v.x.store(&planes[0][p]);
+    v.y.store(&planes[1][p]);
+    v.z.store(&planes[2][p]);
+  };
+  const auto store_half = [](std::array<Halves, 3>& planes, std::size_t p, const Vec8& v) {
+    store_halves(v.x, &planes[0][p]);
+    store_halves(v.y, &planes[1][p]);
+    store_halves(v.z, &planes[2][p]);
+  };
+  tile.for_groups(static_cast<int>(stride), [&](std::size_t g, std::size_t p, std::size_t) {
+    const Surface8& s = tile.surface[g];
+    const Mask8 seen = tile.depth[g] > Float8();
+    store(radiance, p, radiance_of(world, tile, g));
+    store(position, p, select(seen, s.position, Vec8{}));
+    select(seen, s.id, Int8(0)).store(&number[p]);
+    select(seen, packed_normals(s.normal), Int8(0)).store(&normal[p]);
+    store_half(irradiance, p, tile.irradiance[g] * tile.openness[g]);
+    store_half(gloss, p, tile.gloss[g]);
+  });
+  for (std::size_t n = 0; n < tile.pane_count; ++n) {
+    const TilePane& pane = tile.panes[n];
+    if (!tile.inside(pane.pixel)) continue;
+    const auto p = static_cast<std::size_t>(tile.y0 + SensorTile::row_of(pane.pixel)) * stride +
+                   static_cast<std::size_t>(tile.x0 + SensorTile::column_of(pane.pixel));
+    const auto store_one = [p](std::array<Halves, 3>& planes, Vec3f v) {
+      planes[0][p] = _cvtss_sh(v.x, _MM_FROUND_TO_NEAREST_INT);
+      planes[1][p] = _cvtss_sh(v.y, _MM_FROUND_TO_NEAREST_INT);
+      planes[2][p] = _cvtss_sh(v.z, _MM_FROUND_TO_NEAREST_INT);
+    };
+    normal[p] |= behind_pane;
+    store_one(transmittance, pane.transmittance);
+    store_one(overlay, tile.overlay[pane.pixel]);
+  }
+}
+
+void resolve_strip(const Lighting& lighting,
+                   const View& view,
+                   const SensorEffort& effort,
+                   const SensorPlanes& planes,
+                   int index,
+                   std::uint8_t* rgb) {
+  StripResolver(lighting, view, effort, planes, index * sensor_strip_rows).run(rgb);
 }
 
 }  // namespace marketgen::raytrace

@@ -2,6 +2,7 @@
 //
 // The light found for the pixels around is used again: a new ray asks for the surface alone.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -9,25 +10,32 @@
 
 namespace marketgen::raytrace {
 
-// What is kept of the shaded tiles of one picture, row by row.
+// What is kept of the shaded tiles of one picture, row by row. Rows are as long as whole tiles.
 struct SensorPlanes {
-  int width = 0, height = 0;
-  std::vector<Float4> radiance;
-  std::vector<Float4> position;       // of what is seen; fourth lane: its number, as bits
-  std::vector<std::uint32_t> normal;  // packed_normal()
-  std::vector<std::uint64_t> irradiance, gloss;       // halves: with contact shadows; mirror side
-  std::vector<std::uint64_t> transmittance, overlay;  // halves: of panes before it
+  using Floats = std::vector<float>;
+  using Halves = std::vector<std::uint16_t>;
+  std::size_t stride = 0;
+  std::array<Floats, 3> radiance, position;
+  std::vector<std::uint32_t> number;  // Frame::instance
+  std::vector<std::uint32_t> normal;  // three signed bytes; the fourth: whether a pane is before it
+  std::array<Halves, 3> irradiance, gloss;       // with contact shadows; mirror side
+  std::array<Halves, 3> transmittance, overlay;  // of the panes before it, where there are
 
-  void resize(int w, int h);
+  void resize(const View& view);
   void take(const World& world, const SensorTile& tile);
 };
 
-// Writes colour of tile number `index` to the picture's `rgb`. Precondition: all tiles were taken.
-void resolve_tile(const Lighting& lighting,
-                  const View& view,
-                  const SensorEffort& effort,
-                  const SensorPlanes& planes,
-                  int index,
-                  std::uint8_t* rgb);
+// Pictures are resolved in strips of so many rows.
+constexpr int sensor_strip_rows = 4;
+inline int sensor_strips(const View& view) {
+  return (view.height() + sensor_strip_rows - 1) / sensor_strip_rows;
+}
+// Writes colour of strip number `index` to the picture's `rgb`. Precondition: all tiles were taken.
+void resolve_strip(const Lighting& lighting,
+                   const View& view,
+                   const SensorEffort& effort,
+                   const SensorPlanes& planes,
+                   int index,
+                   std::uint8_t* rgb);
 
 }  // namespace marketgen::raytrace

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "render/ray_queue.h"
 #include "render/sensor_window.h"
 #include "render/shading_math.h"
 
@@ -23,36 +25,56 @@ constexpr float darkest_contact = 0.45F;
 // How far actors' shadows reach, and how dark they are: what they hide they replace in part by what
 // they send back themselves.
 constexpr float actor_reach_m = 0.8F, actor_darkness = 0.8F;
-constexpr float window_plane_m = 0.006F, window_plane_per_m = 0.004F, window_facing = 0.85F;
 constexpr float mirror_blur = 1.5F;         // footprint of a mirror ray, times alpha and distance
 constexpr float widest_mirror = 1.02F;      // keeps GGX's long tail finite
 constexpr float brightest_mirrored = 1.5F;  // times white
 
-bool is_polished_floor(const Surface& surface) {
-  return surface.roughness < polished_below && surface.normal.z > level_floor &&
-         surface.fixture < 0 && surface.shelf < 0;
+Mask8 polished_floor(const Surface8& s) {
+  return (s.roughness < Float8(polished_below)) & (s.normal.z > Float8(level_floor)) &
+         (Int8(0) > s.fixture) & (Int8(0) > s.shelf);
 }
 
-// Rays of a tile's pixels waiting for a full packet.
-struct WaitingRays {
-  std::array<Ray, packet_size> rays;
-  std::array<std::uint16_t, packet_size> pixels{};
-  std::size_t used = 0;
-  bool add(std::size_t pixel, const Ray& ray) {
-    rays[used] = ray;
-    pixels[used++] = static_cast<std::uint16_t>(pixel);
-    return used == packet_size;
-  }
+// What gloss needs to know of eight points.
+struct Gloss8 {
+  Vec8 albedo, normal;
+  Float8 roughness, metallic;
 };
 
-// The same as rough_fresnel(), in registers.
-Float4 reflectance_of(const Surface& surface, Float4 direction) {
-  const Float4 at_normal =
-      Float4(dielectric_reflectance) +
-      (Float4(surface.albedo) - Float4(dielectric_reflectance)) * surface.metallic;
-  const float cosine = -dot(Float4(surface.relief_normal), direction);
-  const Float4 lift = max(Float4(1 - surface.roughness), at_normal) - at_normal;
-  return at_normal + lift * fifth_power(1 - std::clamp(cosine, 0.0F, 1.0F));
+// The same as rough_fresnel(), side by side.
+Vec8 reflectance_of(const Gloss8& s, const Vec8& direction) {
+  const Float8 cosine = clamp(-dot(s.normal, direction), Float8(0), Float8(1));
+  const Float8 away = 1 - cosine, away2 = away * away, away5 = away2 * away2 * away;
+  const auto channel = [&](Float8 albedo) {
+    const Float8 dielectric = dielectric_reflectance;
+    const Float8 at_normal = dielectric + (albedo - dielectric) * s.metallic;
+    return at_normal + (max(1 - s.roughness, at_normal) - at_normal) * away5;
+  };
+  return {channel(s.albedo.x), channel(s.albedo.y), channel(s.albedo.z)};
+}
+
+// The values of the even lanes, twice each: those of the left of two neighbours.
+Float8 of_left(Float8 v) {
+  return Float8(_mm256_moveldup_ps(v.m));
+}
+Int8 of_left(Int8 v) {
+  return bits_of(of_left(float_of_bits(v)));
+}
+Vec8 of_left(const Vec8& v) {
+  return {of_left(v.x), of_left(v.y), of_left(v.z)};
+}
+
+// Lanes that lie on the same face as the left upper one of their 2 x 2 pixels.
+unsigned alike(const Surface8& upper, const Surface8& s) {
+  const Vec8 way = of_left(upper.position) - s.position;
+  return ((of_left(upper.id) == s.id) & (of_left(upper.material) == s.material) &
+          (dot(of_left(upper.relief_normal), s.relief_normal) > Float8(like_facing)) &
+          (absolute(dot(way, s.face_normal)) < Float8(like_plane_m)))
+      .bits();
+}
+
+Mask8 mask_of(unsigned bits) {
+  const __m256i lane_bits = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
+  return (Int8(static_cast<std::int32_t>(bits)) & Int8(lane_bits)) == Int8(lane_bits);
 }
 
 class TileShader {
@@ -68,182 +90,226 @@ class TileShader {
         white_(1 / lighting.world.exposure) {}
 
   void run() {
+    find_alike();
     take_stored_light();
     add_panels();
     if (effort_.mirror_floor) mirror_floor();
-    shade_contacts();
+    tile_.openness.fill(1);
+    if (effort_.contact_shadows) shade_contacts();
     shade_under_actors();
-    for (std::size_t p = 0; p < tile_.pane_count; ++p)
-      mirror_pane(tile_.panes[p]);
-    finish_panes();
+    if (effort_.mirror_panes)
+      mirror_panes();
+    else
+      light_panes();
   }
 
  private:
   // A quarter of the pixels stand for their neighbours, where those lie on the same face.
-  void take_stored_light() {
-    for (std::size_t i = 0; i < sensor_tile_pixels; ++i) {
-      like_[i] = static_cast<std::uint16_t>(i);
-      mirror_[i] = false;
-      if (!tile_.lit(i)) continue;
-      const Surface& surface = tile_.surface[i];
-      const std::size_t corner = i & ~std::size_t{5};  // of its 2 x 2 pixels
-      if (corner != i && tile_.lit(corner) && alike(tile_.surface[corner], surface)) {
-        like_[i] = static_cast<std::uint16_t>(corner);
-        tile_.irradiance[i] = tile_.irradiance[corner];
-        tile_.gloss[i] = tile_.gloss[corner];
-      } else {
-        look_up(i);
-      }
+  void find_alike() {
+    constexpr std::size_t across = sensor_tile_side / lane_count;
+    asked_count_ = 0;
+    for (std::size_t g = 0; g < sensor_tile_groups; ++g) {
+      const std::size_t upper = g & ~across;
+      const unsigned lit = tile_.lit(g);
+      const unsigned left = tile_.lit(upper) & 0x55U;
+      like_[g] = alike(tile_.surface[upper], tile_.surface[g]) & lit & (left | left << 1);
+      if (g == upper) like_[g] &= 0xAAU;
+      for_lanes(lit & ~like_[g], [&](std::size_t k) {
+        asked_[asked_count_++] = static_cast<std::uint16_t>(g * lane_count + k);
+      });
     }
   }
 
-  static bool alike(const Surface& a, const Surface& b) {
-    return a.id == b.id && a.material == b.material &&
-           dot(a.relief_normal, b.relief_normal) > like_facing &&
-           std::fabs(dot(a.position - b.position, b.face_normal)) < like_plane_m;
+  // Hands what the left upper pixels have to those that are like them.
+  void spread(TileVectors& values) const {
+    constexpr std::size_t across = sensor_tile_side / lane_count;
+    for (std::size_t g = 0; g < sensor_tile_groups; ++g) {
+      if (like_[g] != 0)
+        values[g] = select(mask_of(like_[g]), of_left(values[g & ~across]), values[g]);
+    }
+  }
+
+  void take_stored_light() {
+    for (std::size_t a = 0; a < asked_count_; ++a)
+      look_up(asked_[a]);
+    spread(tile_.irradiance);
+    spread(tile_.gloss);
   }
 
   void look_up(std::size_t i) {
-    const Surface& surface = tile_.surface[i];
-    const Float4 normal(surface.relief_normal);
-    if (surface.roughness >= rough_from) {
-      tile_.irradiance[i] = lighting_.field.at(place_of(surface), surface.relief_normal);
-      tile_.gloss[i] = tile_.irradiance[i] * inverse_pi;
+    const std::size_t g = i / lane_count, k = i % lane_count;
+    const Surface8& s = tile_.surface[g];
+    const Vec3f normal = lane(s.relief_normal, k);
+    const Place place =
+        place_of(lane(s.position, k), lane(s.face_normal, k), s.fixture[k], s.shelf[k]);
+    if (s.roughness[k] >= rough_from) {
+      const Vec3f light = lighting_.field.at(place, normal);
+      set_lane(tile_.irradiance[g], k, light);
+      set_lane(tile_.gloss[g], k, light * inverse_pi);
       return;
     }
+    const Vec3f mirror = mirrored(lane(tile_.direction[g], k), normal);
     const IrradianceField::TwoSided light =
-        lighting_.field.at(place_of(surface), normal, mirrored(Float4(tile_.direction[i]), normal));
-    tile_.irradiance[i] = light.facing.xyz();
-    tile_.gloss[i] = (light.mirror * inverse_pi).xyz();
+        lighting_.field.at(place, Float4(normal), Float4(mirror));
+    set_lane(tile_.irradiance[g], k, light.facing.xyz());
+    set_lane(tile_.gloss[g], k, (light.mirror * inverse_pi).xyz());
   }
 
   // Panels in gloss. Where they would show, a ray tells whether they can be seen.
   void add_panels() {
-    WaitingRays waiting;
-    for (std::size_t i = 0; i < sensor_tile_pixels; ++i) {
-      if (!tile_.lit(i)) continue;
-      const Surface& surface = tile_.surface[i];
-      if (like_[i] != i) {
-        panels_[i] = panels_[like_[i]];
-        continue;
-      }
-      panels_[i] = {};
-      if (surface.roughness >= rough_from) continue;
-      const Vec3f mirror = mirrored(tile_.direction[i], surface.relief_normal);
-      const PanelReflection::Seen seen = lighting_.panels.at(surface, mirror);
-      panels_[i] = seen.radiance;
-      const Vec3f reflected =
-          seen.radiance * reflectance_of(surface, Float4(tile_.direction[i])).xyz();
-      const bool shows = largest(reflected) > least_panel_share * white_;
-      if (!effort_.panel_shadows || !shows || is_polished_floor(surface)) continue;
-      if (waiting.add(i, {surface.position, mirror, 0, seen.distance - shadow_end_m}))
-        hide_panels(waiting);
+    panels_.fill({});
+    std::array<std::uint16_t, lane_count> pixels{};
+    std::size_t count = 0;
+    for (std::size_t a = 0; a < asked_count_; ++a) {
+      const std::size_t i = asked_[a];
+      if (tile_.surface[i / lane_count].roughness[i % lane_count] >= rough_from) continue;
+      pixels[count++] = static_cast<std::uint16_t>(i);
+      if (count < lane_count) continue;
+      see_panels(pixels, count);
+      count = 0;
     }
-    hide_panels(waiting);
-    for (std::size_t i = 0; i < sensor_tile_pixels; ++i) {
-      if (tile_.lit(i)) panels_[i] = panels_[like_[i]];
-    }
+    if (count > 0) see_panels(pixels, count);
+    hide_panels();
+    spread(panels_);
     if (effort_.panel_shadows) hide_panels_from_floor();
-    for (std::size_t i = 0; i < sensor_tile_pixels; ++i) {
-      if (tile_.lit(i)) tile_.gloss[i] += panels_[i];
+    for (std::size_t g = 0; g < sensor_tile_groups; ++g)
+      tile_.gloss[g] += panels_[g];
+  }
+
+  // Of `count` pixels, side by side.
+  void see_panels(const std::array<std::uint16_t, lane_count>& pixels, std::size_t count) {
+    PanelReflection::Points points;
+    Gloss8 gloss;
+    Vec8 direction;
+    unsigned floor = 0;
+    for (std::size_t l = 0; l < lane_count; ++l) {
+      const std::size_t i = pixels[l < count ? l : 0], g = i / lane_count, k = i % lane_count;
+      const Surface8& s = tile_.surface[g];
+      set_lane(points.position, l, lane(s.position, k));
+      set_lane(gloss.albedo, l, lane(s.albedo, k));
+      set_lane(gloss.normal, l, lane(s.relief_normal, k));
+      gloss.roughness.set(l, s.roughness[k]);
+      gloss.metallic.set(l, s.metallic[k]);
+      set_lane(direction, l, lane(tile_.direction[g], k));
+      floor |= (polished_floor(s).bits() >> k & 1U) << l;
     }
+    points.normal = gloss.normal;
+    points.roughness = gloss.roughness;
+    points.mirror = mirrored(direction, gloss.normal);
+    const PanelReflection::Seen seen = lighting_.panels.at(points);
+    const Float8 reflected = largest(seen.radiance * reflectance_of(gloss, direction));
+    const unsigned shows = (reflected > Float8(least_panel_share * white_)).bits() & ~floor;
+    for (std::size_t l = 0; l < count; ++l) {
+      const std::size_t i = pixels[l];
+      set_lane(panels_[i / lane_count], i % lane_count, lane(seen.radiance, l));
+      if (!effort_.panel_shadows || (shows >> l & 1U) == 0) continue;
+      if (queue_.add(i,
+                     {lane(points.position, l),
+                      lane(points.mirror, l),
+                      0,
+                      seen.distance[l] - shadow_end_m}))
+        hide_panels();
+    }
+  }
+
+  void hide_panels() {
+    for_lanes(blocked_in_queue(), [&](std::size_t k) {
+      set_lane(panels_[queue_.pixels[k] / lane_count], queue_.pixels[k] % lane_count, {});
+    });
   }
 
   // A floor's lobe is wide and its face even: one ray a pixel would cut highlights off sharply.
   // Every other pixel sends one into its lobe, and a window of 4 x 4 pixels knows how much of the
   // ceiling can be seen.
   void hide_panels_from_floor() {
-    blocked_ = {};
-    WaitingRays waiting;
-    bool any = false;
-    for (std::size_t i = 0; i < sensor_tile_pixels; ++i) {
-      mirror_[i] = tile_.lit(i) && is_polished_floor(tile_.surface[i]);
-      sampled_[i] = mirror_[i] && is_even(i) && largest(panels_[i]) > 0;
-      if (!sampled_[i]) continue;
-      any = true;
-      const Vec3f direction = floor_direction(i);
-      const float up = lighting_.world.room.high.z - ceiling_room_m - tile_.surface[i].position.z;
-      if (waiting.add(i, {tile_.surface[i].position, direction, 0, up / direction.z}))
-        finish_contacts(waiting);
+    sampled_ = blocked_ = mirror_ = {};
+    for (std::size_t g = 0; g < sensor_tile_groups; ++g) {
+      const unsigned floor = polished_floor(tile_.surface[g]).bits() & tile_.lit(g);
+      mirror_.set_group(g, floor);
+      if (floor == 0) continue;
+      const unsigned asked = floor & even_lanes(g) & (largest(panels_[g]) > Float8()).bits();
+      sampled_.set_group(g, asked);
+      for_lanes(asked, [&](std::size_t k) {
+        const std::size_t i = g * lane_count + k;
+        const Vec3f direction = floor_direction(i), position = lane(tile_.surface[g].position, k);
+        const float up = lighting_.world.room.high.z - ceiling_room_m - position.z;
+        if (queue_.add(i, {position, direction, 0, up / direction.z})) note_blocked();
+      });
     }
-    finish_contacts(waiting);
-    for (std::size_t i = 0; any && i < sensor_tile_pixels; ++i) {
-      if (mirror_[i]) panels_[i] *= open_share(i);
+    note_blocked();
+    if (!sampled_.any()) return;
+    const TileWindows windows(tile_);
+    for (std::size_t g = 0; g < sensor_tile_groups; ++g) {
+      for_lanes(mirror_.group(g), [&](std::size_t k) {
+        const float open = windows.open_share(g * lane_count + k, sampled_, blocked_);
+        set_lane(panels_[g], k, lane(panels_[g], k) * open);
+      });
     }
   }
 
-  std::array<bool, packet_size> blocked_of(const WaitingRays& waiting) const {
-    std::array<bool, packet_size> blocked{};
-    find_blocked(lighting_.world,
-                 std::span(waiting.rays).first(waiting.used),
-                 std::span(blocked).first(waiting.used),
-                 mask_solid);
-    return blocked;
+  // Which of the waiting rays something lies on; none waits afterwards.
+  unsigned blocked_in_queue() {
+    if (queue_.used == 0) return 0;
+    queue_.fill();
+    const std::size_t used = std::exchange(queue_.used, 0);
+    return find_blocked(lighting_.world, queue_.packet.ray, used, mask_solid);
   }
 
-  void hide_panels(WaitingRays& waiting) {
-    if (waiting.used == 0) return;
-    const std::array<bool, packet_size> blocked = blocked_of(waiting);
-    for (std::size_t k = 0; k < waiting.used; ++k) {
-      if (blocked[k]) panels_[waiting.pixels[k]] = {};
-    }
-    waiting.used = 0;
+  void note_blocked() {
+    for_lanes(blocked_in_queue(), [&](std::size_t k) { blocked_.add(queue_.pixels[k]); });
   }
+
+  // Every other pixel, as on a chessboard.
+  static unsigned even_lanes(std::size_t group) { return group / 2 % 2 == 0 ? 0x55U : 0xAAU; }
 
   // Every other pixel of a polished floor sends one ray into its lobe; a window of 4 x 4 pixels
   // makes one blurred mirror picture of them.
   void mirror_floor() {
-    WaitingRays waiting;
-    bool any = false;
-    for (std::size_t i = 0; i < sensor_tile_pixels; ++i) {
+    sampled_ = mirror_ = {};
+    for (std::size_t g = 0; g < sensor_tile_groups; ++g) {
       // Few rays in a wide lobe would leave a lamp as sparks: such floors keep their stored light.
-      mirror_[i] = tile_.lit(i) && is_polished_floor(tile_.surface[i]) &&
-                   tile_.surface[i].roughness < mirroring_below;
-      if (!mirror_[i]) continue;
-      any = true;
-      sampled_[i] = is_even(i);
-      if (!sampled_[i]) continue;
-      const Surface& surface = tile_.surface[i];
-      if (waiting.add(i, {surface.position, floor_direction(i)})) finish_floor(waiting);
+      const Surface8& s = tile_.surface[g];
+      const unsigned floor =
+          (polished_floor(s) & (s.roughness < Float8(mirroring_below))).bits() & tile_.lit(g);
+      mirror_.set_group(g, floor);
+      sampled_.set_group(g, floor & even_lanes(g));
+      for_lanes(floor & even_lanes(g), [&](std::size_t k) {
+        const std::size_t i = g * lane_count + k;
+        if (queue_.add(i, {lane(s.position, k), floor_direction(i)})) finish_floor();
+      });
     }
-    finish_floor(waiting);
-    if (any) blur_floor();
-  }
-
-  static bool is_even(std::size_t i) {
-    return (SensorTile::column_of(i) + SensorTile::row_of(i)) % 2 == 0;
+    if (queue_.used > 0) finish_floor();
+    if (mirror_.any()) blur_floor();
   }
 
   Vec3f floor_direction(std::size_t i) const {
-    const Surface& surface = tile_.surface[i];
-    const std::size_t lane = i % packet_size;
-    const float alpha = surface.roughness * surface.roughness;
-    const float u = first_numbers[lane], angle = two_pi * second_numbers[lane];
+    const Surface8& s = tile_.surface[i / lane_count];
+    const std::size_t number = number_in_block(i);
+    const float roughness = s.roughness[i % lane_count], alpha = roughness * roughness;
+    const float u = first_numbers[number], angle = two_pi * second_numbers[number];
     const float slope = alpha * std::sqrt(u / (widest_mirror - u));
-    const TangentFrame frame(surface.relief_normal);
+    const TangentFrame frame(lane(s.relief_normal, i % lane_count));
     const Vec3f half =
         normalized(frame.to_world({slope * std::cos(angle), slope * std::sin(angle), 1}));
-    Vec3f direction = mirrored(tile_.direction[i], half);
+    Vec3f direction = mirrored(tile_.direction_of(i), half);
     constexpr float least_rise = 0.004F;
     direction.z = std::max(direction.z, least_rise);
     return normalized(direction);
   }
 
-  void finish_floor(WaitingRays& waiting) {
-    if (waiting.used == 0) return;
-    std::array<Hit, packet_size> hits;
-    trace(lighting_.world,
-          std::span(waiting.rays).first(waiting.used),
-          std::span(hits).first(waiting.used),
-          mask_opaque,
-          RayBundle::scattered);
-    fetch_surfaces(lighting_.world, std::span(hits).first(waiting.used));
-    for (std::size_t k = 0; k < waiting.used; ++k) {
-      const std::size_t i = waiting.pixels[k];
-      const float alpha = tile_.surface[i].roughness * tile_.surface[i].roughness;
-      floor_[i] = mirrored_light(waiting.rays[k], hits[k], alpha, tile_.surface[i].distance);
+  void finish_floor() {
+    queue_.fill();
+    trace(lighting_.world, queue_.packet, queue_.used, mask_opaque, RayBundle::scattered);
+    fetch_surfaces(lighting_.world, queue_.packet);
+    for (std::size_t k = 0; k < queue_.used; ++k) {
+      const Surface8& s = tile_.surface[queue_.pixels[k] / lane_count];
+      const std::size_t l = queue_.pixels[k] % lane_count;
+      floor_[queue_.pixels[k]] = mirrored_light(ray_in(queue_.packet.ray, k),
+                                                hit_in(queue_.packet, k),
+                                                s.roughness[l] * s.roughness[l],
+                                                s.distance[l]);
     }
-    waiting.used = 0;
+    queue_.used = 0;
   }
 
   // What a mirror ray sees; panels are accounted for apart. `alpha` blurs its textures.
@@ -261,40 +327,57 @@ class TileShader {
   }
 
   void blur_floor() {
-    for (std::size_t i = 0; i < sensor_tile_pixels; ++i) {
-      if (!mirror_[i]) continue;
-      Vec3f sum;
-      float count = 0;
-      for_window(i, [&](std::size_t q) {
-        if (!mirror_[q] || !sampled_[q]) return;
-        sum += floor_[q];
-        count += 1;
+    for (std::size_t g = 0; g < sensor_tile_groups; ++g) {
+      for_lanes(mirror_.group(g), [&](std::size_t k) {
+        const WindowCorner corner(g * lane_count + k);
+        Vec3f sum;
+        float count = 0;
+        for (int row = corner.row; row < corner.row + 4; ++row) {
+          for_lanes(sampled_.four(row, corner.column), [&](std::size_t column) {
+            sum += floor_[SensorTile::number_of(corner.column, row) + column];
+            count += 1;
+          });
+        }
+        if (count > 0) set_lane(tile_.gloss[g], k, sum / count + lane(panels_[g], k));
       });
-      if (count > 0) tile_.gloss[i] = sum / count + panels_[i];
     }
   }
 
   // Short rays find what stands close: the stored light is too coarse to know.
   void shade_contacts() {
-    tile_.openness.fill(1);
-    if (!effort_.contact_shadows) return;
-    blocked_ = {};
-    WaitingRays waiting;
-    for (std::size_t i = 0; i < sensor_tile_pixels; ++i) {
-      sampled_[i] = tile_.lit(i) && tile_.surface[i].distance < contact_until_m &&
-                    (effort_.all_contact_pixels || is_even(i));
-      if (sampled_[i] && waiting.add(i, contact_ray(i))) finish_contacts(waiting);
+    sampled_ = blocked_ = {};
+    for (std::size_t g = 0; g < sensor_tile_groups; ++g) {
+      const unsigned near = (tile_.surface[g].distance < Float8(contact_until_m)).bits();
+      const unsigned asked =
+          tile_.lit(g) & near & (effort_.all_contact_pixels ? 255U : even_lanes(g));
+      sampled_.set_group(g, asked);
+      for_lanes(asked, [&](std::size_t k) {
+        const std::size_t i = g * lane_count + k;
+        if (queue_.add(i, contact_ray(i))) note_blocked();
+      });
     }
-    finish_contacts(waiting);
-    for (std::size_t i = 0; i < sensor_tile_pixels; ++i) {
-      if (tile_.lit(i) && blocked_.near(i))
-        tile_.openness[i] = darkest_contact + (1 - darkest_contact) * open_share(i);
+    note_blocked();
+    darken([](float open) { return darkest_contact + (1 - darkest_contact) * open; });
+  }
+
+  // Openness of the pixels near a blocked one, by what their windows say.
+  template <class Remaining>
+  void darken(const Remaining& remaining) {
+    if (!blocked_.any()) return;
+    const TileWindows windows(tile_);
+    for (std::size_t g = 0; g < sensor_tile_groups; ++g) {
+      for_lanes(tile_.lit(g), [&](std::size_t k) {
+        const std::size_t i = g * lane_count + k;
+        if (!blocked_.near(i)) return;
+        const float open = windows.open_share(i, sampled_, blocked_);
+        tile_.openness[g].set(k, tile_.openness[g][k] * remaining(open));
+      });
     }
   }
 
   Ray contact_ray(std::size_t i) const {
-    const Surface& surface = tile_.surface[i];
-    const float u = first_numbers[i % packet_size], v = second_numbers[i % packet_size];
+    const std::size_t number = number_in_block(i);
+    const float u = first_numbers[number], v = second_numbers[number];
     static const std::array<Vec3f, packet_size> directions = [] {
       std::array<Vec3f, packet_size> made;
       for (std::size_t k = 0; k < packet_size; ++k)
@@ -302,14 +385,11 @@ class TileShader {
       return made;
     }();
     const float far = nearest_contact_m + contact_reach_m * std::fmod(u * 5.37F + v, 1.0F);
-    return {surface.position,
-            TangentFrame(surface.normal).to_world(directions[i % packet_size]),
+    const Surface8& s = tile_.surface[i / lane_count];
+    return {lane(s.position, i % lane_count),
+            TangentFrame(lane(s.normal, i % lane_count)).to_world(directions[number]),
             0,
             far};
-  }
-
-  void finish_contacts(WaitingRays& waiting) {
-    if (waiting.used > 0) note_blocked(waiting, blocked_of(waiting));
   }
 
   // Actors are not in the stored light: what they keep away from the surfaces around them is found
@@ -319,111 +399,103 @@ class TileShader {
     if (!world.actors.bvh) return;
     RTCBounds box;
     rtcGetSceneBounds(world.actors.bvh.get(), &box);
-    const auto is_near = [&](Vec3f p) {
-      return p.x > box.lower_x - actor_reach_m && p.x < box.upper_x + actor_reach_m &&
-             p.y > box.lower_y - actor_reach_m && p.y < box.upper_y + actor_reach_m &&
-             p.z > box.lower_z - actor_reach_m && p.z < box.upper_z + actor_reach_m;
+    const auto within = [](Float8 p, float low, float high) {
+      return (p > Float8(low - actor_reach_m)) & (p < Float8(high + actor_reach_m));
     };
-    blocked_ = {};
-    WaitingRays waiting;
-    for (std::size_t i = 0; i < sensor_tile_pixels; ++i) {
-      sampled_[i] = tile_.lit(i) && is_near(tile_.surface[i].position);
-      if (!sampled_[i]) continue;
-      Ray ray = contact_ray(i);
-      ray.far = actor_reach_m;
-      if (waiting.add(i, ray)) finish_under_actors(waiting);
+    sampled_ = blocked_ = {};
+    for (std::size_t g = 0; g < sensor_tile_groups; ++g) {
+      const Vec8& p = tile_.surface[g].position;
+      const unsigned asked = tile_.lit(g) & (within(p.x, box.lower_x, box.upper_x) &
+                                             within(p.y, box.lower_y, box.upper_y) &
+                                             within(p.z, box.lower_z, box.upper_z))
+                                                .bits();
+      sampled_.set_group(g, asked);
+      for_lanes(asked, [&](std::size_t k) {
+        Ray ray = contact_ray(g * lane_count + k);
+        ray.far = actor_reach_m;
+        if (queue_.add(g * lane_count + k, ray)) note_blocked_by_actors();
+      });
     }
-    finish_under_actors(waiting);
-    for (std::size_t i = 0; i < sensor_tile_pixels; ++i) {
-      if (sampled_[i] && blocked_.near(i))
-        tile_.openness[i] *= 1 - actor_darkness * (1 - open_share(i));
+    note_blocked_by_actors();
+    darken([](float open) { return 1 - actor_darkness * (1 - open); });
+  }
+
+  void note_blocked_by_actors() {
+    if (queue_.used == 0) return;
+    queue_.fill();
+    const std::size_t used = std::exchange(queue_.used, 0);
+    for_lanes(find_blocked_by_actors(lighting_.world, queue_.packet.ray, used),
+              [&](std::size_t k) { blocked_.add(queue_.pixels[k]); });
+  }
+
+  // Stored light stands for what panes mirror.
+  void light_panes() {
+    for (std::size_t p = 0; p < tile_.pane_count; p += lane_count) {
+      const std::size_t count = std::min(lane_count, tile_.pane_count - p);
+      PanelReflection::Points points;
+      for (std::size_t k = 0; k < count; ++k) {
+        const TilePane& pane = tile_.panes[p + k];
+        set_lane(points.position, k, pane.first.position);
+        set_lane(points.normal, k, pane.first.relief_normal);
+        set_lane(points.mirror, k, mirrored(tile_.direction_of(pane.pixel), pane.first.normal));
+        points.roughness.set(k, pane.first.roughness);
+      }
+      const Vec8 panels = lighting_.panels.at(points).radiance;
+      for (std::size_t k = 0; k < count; ++k) {
+        const TilePane& pane = tile_.panes[p + k];
+        const Float4 light =
+            lighting_.field
+                .at(place_of(pane.first), Float4(pane.first.normal), Float4(lane(points.mirror, k)))
+                .mirror;
+        tile_.overlay[pane.pixel] = ((light * inverse_pi).xyz() + lane(panels, k)) * pane.reflected;
+      }
     }
   }
 
-  void finish_under_actors(WaitingRays& waiting) {
-    if (waiting.used == 0) return;
-    std::array<bool, packet_size> blocked{};
-    find_blocked_by_actors(lighting_.world,
-                           std::span(waiting.rays).first(waiting.used),
-                           std::span(blocked).first(waiting.used));
-    note_blocked(waiting, blocked);
-  }
-
-  void note_blocked(WaitingRays& waiting, const std::array<bool, packet_size>& blocked) {
-    for (std::size_t k = 0; k < waiting.used; ++k) {
-      if (blocked[k]) blocked_.add(waiting.pixels[k]);
+  void mirror_panes() {
+    for (std::size_t p = 0; p < tile_.pane_count; ++p) {
+      const TilePane& pane = tile_.panes[p];
+      const Vec3f mirror = mirrored(tile_.direction_of(pane.pixel), pane.first.normal);
+      if (queue_.add(p, {pane.first.position, mirror})) finish_panes();
     }
-    waiting.used = 0;
+    if (queue_.used > 0) finish_panes();
   }
 
-  // Share of the rays around a pixel, on its face, that met nothing; 1 where there were none.
-  float open_share(std::size_t i) const {
-    const Surface& surface = tile_.surface[i];
-    const float plane = window_plane_m + window_plane_per_m * tile_.depth[i];
-    float open = 0, count = 0;
-    for_window(i, [&](std::size_t q) {
-      if (!sampled_[q] || dot(tile_.surface[q].normal, surface.normal) < window_facing ||
-          std::fabs(dot(surface.normal, tile_.surface[q].position - surface.position)) > plane)
-        return;
-      count += 1;
-      open += blocked_.has(q) ? 0.0F : 1.0F;
-    });
-    return count > 0 ? open / count : 1;
-  }
-
-  void mirror_pane(TilePane& pane) {
-    const Vec3f direction = tile_.direction[pane.pixel];
-    const Vec3f mirror = mirrored(direction, pane.first.normal);
-    if (!effort_.mirror_panes) {
-      const Float4 light =
-          lighting_.field.at(place_of(pane.first), Float4(pane.first.normal), Float4(mirror))
-              .mirror;
-      const Vec3f panels = lighting_.panels.at(pane.first, mirror).radiance;
-      tile_.overlay[pane.pixel] = ((light * inverse_pi).xyz() + panels) * pane.reflected;
-      return;
-    }
-    pane_slots_[pane_rays_.used] = static_cast<std::uint16_t>(&pane - tile_.panes.data());
-    if (pane_rays_.add(pane.pixel, {pane.first.position, mirror})) finish_panes();
-  }
-
+  // The queue's numbers are panes here.
   void finish_panes() {
-    if (pane_rays_.used == 0) return;
-    std::array<Hit, packet_size> hits;
-    const auto rays = std::span(pane_rays_.rays).first(pane_rays_.used);
-    trace(lighting_.world,
-          rays,
-          std::span(hits).first(pane_rays_.used),
-          mask_opaque,
-          RayBundle::scattered);
-    for (std::size_t k = 0; k < pane_rays_.used; ++k) {
-      const TilePane& pane = tile_.panes[pane_slots_[k]];
-      Vec3f light;
-      if (hits[k].any()) {
-        const Surface seen = surface_at(lighting_.world,
-                                        rays[k],
-                                        hits[k],
-                                        view_.footprint(pane.first.distance + hits[k].t),
-                                        TextureDetail::level);
-        light = stored_radiance(lighting_, seen, rays[k].direction, Lamps::seen);
-      } else {
-        light = lighting_.world.surroundings.radiance(rays[k].direction);
+    const World& world = lighting_.world;
+    queue_.fill();
+    trace(world, queue_.packet, queue_.used, mask_opaque, RayBundle::scattered);
+    for (std::size_t k = 0; k < queue_.used; ++k) {
+      const TilePane& pane = tile_.panes[queue_.pixels[k]];
+      const Ray ray = ray_in(queue_.packet.ray, k);
+      const Hit hit = hit_in(queue_.packet, k);
+      Vec3f light = world.surroundings.radiance(ray.direction);
+      if (hit.any()) {
+        const float footprint = view_.footprint(pane.first.distance + hit.t);
+        const Surface seen = surface_at(world, ray, hit, footprint, TextureDetail::level);
+        light = stored_radiance(lighting_, seen, ray.direction, Lamps::seen);
       }
       tile_.overlay[pane.pixel] = light * pane.reflected;
     }
-    pane_rays_.used = 0;
+    queue_.used = 0;
   }
 
   const Lighting& lighting_;
   const View& view_;
   const SensorEffort& effort_;
   SensorTile& tile_;
-  float white_;                                           // radiance shown as white
-  std::array<std::uint16_t, sensor_tile_pixels> like_{};  // whose light a pixel takes over
-  std::array<Vec3f, sensor_tile_pixels> panels_, floor_;
-  std::array<bool, sensor_tile_pixels> mirror_{}, sampled_{};
+  float white_;  // radiance shown as white
+  // Lanes of each group that take over the light of the left upper of their 2 x 2 pixels; the
+  // other pixels.
+  std::array<unsigned, sensor_tile_groups> like_;
+  std::array<std::uint16_t, sensor_tile_pixels> asked_;
+  std::size_t asked_count_ = 0;
+  TileVectors panels_;
+  std::array<Vec3f, sensor_tile_pixels> floor_;
+  TilePixels mirror_, sampled_;
   TilePixels blocked_;  // whose ray met something
-  WaitingRays pane_rays_;
-  std::array<std::uint16_t, packet_size> pane_slots_{};
+  RayQueue queue_;
 };
 
 }  // namespace
@@ -435,21 +507,33 @@ void shade_tile(const Lighting& lighting,
   TileShader(lighting, view, effort, tile).run();
 }
 
-Float4 lit_radiance(const Surface& surface, Float4 direction, Float4 irradiance, Float4 gloss) {
-  return Float4(surface.albedo) * irradiance * ((1 - surface.metallic) * inverse_pi) +
-         reflectance_of(surface, direction) * gloss + Float4(surface.emission);
+Vec8 lit_radiance(const Surface8& s,
+                  const Vec8& direction,
+                  const Vec8& irradiance,
+                  const Vec8& gloss) {
+  const Vec8 reflectance =
+      reflectance_of({s.albedo, s.relief_normal, s.roughness, s.metallic}, direction);
+  return s.albedo * irradiance * ((1 - s.metallic) * Float8(inverse_pi)) + reflectance * gloss +
+         s.emission;
 }
 
-Float4 radiance_of(const World& world, const SensorTile& tile, std::size_t i) {
-  const Float4 behind = tile.depth[i] > 0
-                            ? lit_radiance(tile.surface[i],
-                                           Float4(tile.direction[i]),
-                                           Float4(tile.irradiance[i]) * tile.openness[i],
-                                           Float4(tile.gloss[i]))
-                            : Float4(world.surroundings.radiance(tile.direction[i]));
-  if (tile.pane_of[i] < 0) return behind;
-  const TilePane& pane = tile.panes[static_cast<std::size_t>(tile.pane_of[i])];
-  return behind * Float4(pane.transmittance) + Float4(tile.overlay[i]);
+Vec8 radiance_of(const World& world, const SensorTile& tile, std::size_t group) {
+  Vec8 radiance = lit_radiance(tile.surface[group],
+                               tile.direction[group],
+                               tile.irradiance[group] * tile.openness[group],
+                               tile.gloss[group]);
+  const unsigned inside = tile.inside_of(group);
+  for_lanes(inside & ~tile.lit(group), [&](std::size_t k) {
+    set_lane(radiance, k, world.surroundings.radiance(lane(tile.direction[group], k)));
+  });
+  if (tile.pane_count == 0) return radiance;
+  for_lanes(inside, [&](std::size_t k) {
+    const std::size_t i = group * lane_count + k;
+    if (tile.pane_of[i] < 0) return;
+    const TilePane& pane = tile.panes[static_cast<std::size_t>(tile.pane_of[i])];
+    set_lane(radiance, k, lane(radiance, k) * pane.transmittance + tile.overlay[i]);
+  });
+  return radiance;
 }
 
 }  // namespace marketgen::raytrace

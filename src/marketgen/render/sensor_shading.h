@@ -26,8 +26,11 @@ void shade_tile(const Lighting& lighting,
                 const SensorEffort& effort,
                 SensorTile& tile);
 
-// Radiance of a pixel of a shaded tile, and of any surface lit as one of its pixels is.
-Float4 radiance_of(const World& world, const SensorTile& tile, std::size_t i);
-Float4 lit_radiance(const Surface& surface, Float4 direction, Float4 irradiance, Float4 gloss);
+// Radiance of a group of a shaded tile, and of any surfaces lit as pixels are.
+Vec8 radiance_of(const World& world, const SensorTile& tile, std::size_t group);
+Vec8 lit_radiance(const Surface8& surfaces,
+                  const Vec8& direction,
+                  const Vec8& irradiance,
+                  const Vec8& gloss);
 
 }  // namespace marketgen::raytrace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/ray_queue.h"
 #include "render/shading_math.h"
 
 namespace marketgen::raytrace {
@@ -9,13 +10,6 @@ namespace {
 
 constexpr int most_panes_deep = 4;  // seen through one another
 constexpr float behind_pane_m = 2e-3F;
-
-// Rays of any pixels of a tile waiting for a full packet.
-struct PixelRays {
-  std::array<Ray, packet_size> rays;
-  std::array<std::uint16_t, packet_size> pixels;
-  std::size_t used = 0;
-};
 
 class TileTracer {
  public:
@@ -27,49 +21,68 @@ class TileTracer {
         mask_(detail.opaque_mask | (world.has_glass ? mask_glass : 0U)) {}
 
   void run() {
-    for (std::size_t block = 0; block < sensor_tile_pixels / packet_size; ++block) {
-      const std::size_t first = block * packet_size;
-      if (SensorTile::column_of(first) < tile_.columns && SensorTile::row_of(first) < tile_.rows)
-        trace_block(first);
-      else
-        std::fill_n(tile_.depth.begin() + static_cast<std::ptrdiff_t>(first), packet_size, 0.0F);
+    for (int row = 0; row < sensor_tile_side; row += 2) {
+      for (int column = 0; column < sensor_tile_side; column += static_cast<int>(lane_count)) {
+        const std::size_t group = SensorTile::number_of(column, row) / lane_count;
+        if (column < tile_.columns && row < tile_.rows) {
+          trace_block(column, row);
+        } else {
+          tile_.depth[group] = tile_.depth[group + groups_across] = 0;
+        }
+      }
     }
-    finish_behind();
+    if (behind_.used > 0) trace_behind();
   }
 
  private:
-  void trace_block(std::size_t first) {
-    std::array<Ray, packet_size> rays;
-    std::array<Hit, packet_size> hits;
-    for (std::size_t k = 0; k < packet_size; ++k) {
-      // Pixels past the picture's edge repeat the last one: a full packet is as cheap as a part.
-      const int x = std::min(tile_.x0 + SensorTile::column_of(first + k), view_.width() - 1);
-      const int y = std::min(tile_.y0 + SensorTile::row_of(first + k), view_.height() - 1);
-      rays[k] = view_.ray(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
-      tile_.direction[first + k] = rays[k].direction;
+  static constexpr std::size_t groups_across = sensor_tile_side / lane_count;
+
+  // A packet of 8 x 2 pixels.
+  void trace_block(int column, int row) {
+    RTCRayHit16 packet;
+    std::array<Rays8, 2> rays;
+    for (std::size_t half = 0; half < 2; ++half) {
+      rays[half] = rays_of(column, row + static_cast<int>(half));
+      set_rays(packet.ray, half, rays[half], View::near_m);
     }
-    trace(world_, rays, hits, mask_, RayBundle::coherent);
-    fetch_surfaces(world_, hits);
-    for (std::size_t k = 0; k < packet_size; ++k)
-      take(first + k, rays[k], hits[k]);
+    trace(world_, packet, packet_size, mask_, RayBundle::coherent);
+    fetch_surfaces(world_, packet);
+    for (std::size_t half = 0; half < 2; ++half)
+      take(SensorTile::number_of(column, row + static_cast<int>(half)) / lane_count,
+           rays[half],
+           hits_of(packet, half));
   }
 
-  void take(std::size_t i, const Ray& ray, const Hit& hit) {
-    tile_.pane_of[i] = -1;
-    tile_.depth[i] = 0;
-    if (!hit.any()) return;
-    see_surface(world_, ray, hit, view_.footprint(hit.t), detail_.textures, tile_.surface[i]);
-    if (tile_.surface[i].glass) {
-      tile_.pane_of[i] = static_cast<std::int16_t>(tile_.pane_count);
-      TilePane& pane = tile_.panes[tile_.pane_count++];
-      pane.pixel = static_cast<std::uint16_t>(i);
-      pane.first = tile_.surface[i];
-      pane.reflected = reflected_by(pane.first, ray.direction);
-      pane.transmittance = pane.first.albedo * (1 - pane.reflected);
-      look_behind(i, ray, hit.t);
-      return;
-    }
-    tile_.depth[i] = view_.depth_of(ray, hit.t);
+  // Pixels past the picture's edge repeat the last one: a full packet is as cheap as a part.
+  Rays8 rays_of(int column, int row) const {
+    const Float8 lanes(_mm256_setr_ps(0, 1, 2, 3, 4, 5, 6, 7));
+    const Float8 x = min(static_cast<float>(tile_.x0 + column) + lanes,
+                         Float8(static_cast<float>(view_.width() - 1)));
+    const auto y = static_cast<float>(std::min(tile_.y0 + row, view_.height() - 1));
+    return view_.rays(x + 0.5F, y + 0.5F);
+  }
+
+  void take(std::size_t group, const Rays8& rays, const Hits8& hits) {
+    Surface8& seen = tile_.surface[group];
+    see_surfaces(world_, rays, hits, view_.footprint(hits.t), detail_.textures, seen);
+    tile_.direction[group] = rays.direction;
+    tile_.depth[group] = select(hits.any, view_.depth_of(rays.direction, hits.t), Float8());
+    std::fill_n(&tile_.pane_of[group * lane_count], lane_count, std::int16_t{-1});
+    if (!world_.has_glass) return;
+    for_lanes((hits.any & seen.glass).bits(), [&](std::size_t k) {
+      tile_.depth[group].set(k, 0);
+      take_pane(group * lane_count + k, {lane(rays.origin, k), lane(rays.direction, k)});
+    });
+  }
+
+  void take_pane(std::size_t i, const Ray& ray) {
+    tile_.pane_of[i] = static_cast<std::int16_t>(tile_.pane_count);
+    TilePane& pane = tile_.panes[tile_.pane_count++];
+    pane.pixel = static_cast<std::uint16_t>(i);
+    pane.first = tile_.surface_of(i);
+    pane.reflected = reflected_by(pane.first, ray.direction);
+    pane.transmittance = pane.first.albedo * (1 - pane.reflected);
+    look_behind(i, ray, pane.first.distance);
   }
 
   static float reflected_by(const Surface& pane, Vec3f direction) {
@@ -81,32 +94,26 @@ class TileTracer {
   // Goes on behind the pane that was met at `distance`.
   void look_behind(std::size_t i, Ray ray, float distance) {
     ray.near = distance + behind_pane_m;
-    behind_.rays[behind_.used] = ray;
-    behind_.pixels[behind_.used++] = static_cast<std::uint16_t>(i);
-    if (behind_.used == packet_size) trace_behind();
+    if (behind_.add(i, ray)) trace_behind();
   }
 
   // Every pass goes through one more pane; the last looks through all that are left.
   void trace_behind() {
-    PixelRays now = behind_;
-    behind_.used = 0;
-    for (int pane = 1; now.used > 0; ++pane) {
+    for (int pane = 1; behind_.used > 0; ++pane) {
       const unsigned mask = pane < most_panes_deep ? mask_ : detail_.opaque_mask;
-      std::array<Hit, packet_size> hits;
-      trace(world_,
-            std::span(now.rays).first(now.used),
-            std::span(hits).first(now.used),
-            mask,
-            RayBundle::scattered);
-      PixelRays next;
+      RayQueue now = behind_;
+      behind_.used = 0;
+      now.fill();
+      trace(world_, now.packet, now.used, mask, RayBundle::scattered);
       for (std::size_t k = 0; k < now.used; ++k) {
-        if (!hits[k].any()) continue;
-        if (see_behind(now.pixels[k], now.rays[k], hits[k])) continue;
-        next.rays[next.used] = now.rays[k];
-        next.rays[next.used].near = hits[k].t + behind_pane_m;
-        next.pixels[next.used++] = now.pixels[k];
+        const Hit hit = hit_in(now.packet, k);
+        if (!hit.any()) continue;
+        Ray ray = ray_in(now.packet.ray, k);
+        if (see_behind(now.pixels[k], ray, hit)) continue;
+        ray.near = hit.t + behind_pane_m;
+        ray.far = ray_infinity;
+        behind_.add(now.pixels[k], ray);
       }
-      now = next;
     }
   }
 
@@ -118,13 +125,10 @@ class TileTracer {
       pane.transmittance *= seen.albedo * (1 - reflected_by(seen, ray.direction));
       return false;
     }
-    tile_.surface[i] = seen;
-    tile_.depth[i] = view_.depth_of(ray, hit.t);
+    const std::size_t group = i / lane_count, k = i % lane_count;
+    set_surface(tile_.surface[group], k, seen, world_.materials[seen.material].clear);
+    tile_.depth[group].set(k, view_.depth_of(ray, hit.t));
     return true;
-  }
-
-  void finish_behind() {
-    if (behind_.used > 0) trace_behind();
   }
 
   const World& world_;
@@ -132,7 +136,7 @@ class TileTracer {
   const SensorDetail& detail_;
   SensorTile& tile_;
   unsigned mask_;
-  PixelRays behind_;
+  RayQueue behind_;
 };
 
 }  // namespace

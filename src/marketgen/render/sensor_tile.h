@@ -1,19 +1,21 @@
 // What the pixels of one tile of a sensor picture see: first hits, panes before them, and the light
 // that reaches them. Filled step by step: trace_tile() here, then sensor_shading.h.
 //
-// Pixels lie in blocks of 4 x 4, the packets that are traced together: number = 16 * block + lane.
+// Pixels lie row by row: number = 16 * row + column. Eight neighbours in a row are a group, worked
+// on side by side: group = number / 8.
 #pragma once
 #include <algorithm>
 #include <array>
 #include <cstdint>
 
-#include "render/tracing.h"
+#include "render/surface8.h"
 #include "render/view.h"
 
 namespace marketgen::raytrace {
 
-constexpr int sensor_tile_side = 16, sensor_block_side = 4;
+constexpr int sensor_tile_side = 16;
 constexpr std::size_t sensor_tile_pixels = sensor_tile_side * sensor_tile_side;
+constexpr std::size_t sensor_tile_groups = sensor_tile_pixels / lane_count;
 
 // Panes of glass between the eye and what a pixel shows.
 struct TilePane {
@@ -23,44 +25,65 @@ struct TilePane {
   float reflected = 0;  // share that the nearest mirrors
 };
 
+// One value for each of a tile's pixels.
+using TileFloats = std::array<Float8, sensor_tile_groups>;
+using TileVectors = std::array<Vec8, sensor_tile_groups>;
+
 struct SensorTile {
   int x0 = 0, y0 = 0, columns = 0, rows = 0;  // columns and rows lie inside the picture
   std::size_t pane_count = 0;
-  std::array<float, sensor_tile_pixels> depth;  // along the optical axis; 0: nothing was hit
-  std::array<Vec3f, sensor_tile_pixels> direction;
-  std::array<Surface, sensor_tile_pixels> surface;       // valid where something was hit
+  TileFloats depth;  // along the optical axis; 0: nothing was hit
+  TileVectors direction;
+  std::array<Surface8, sensor_tile_groups> surface;      // means something where something was hit
   std::array<TilePane, sensor_tile_pixels> panes;        // the first `pane_count`
   std::array<std::int16_t, sensor_tile_pixels> pane_of;  // index into panes, -1 = none
-  // Light: on the surface (diffuse), from its mirror side, and what panes mirror.
-  std::array<Vec3f, sensor_tile_pixels> irradiance, gloss, overlay;
-  std::array<float, sensor_tile_pixels> openness;  // 0..1: what contact shadows leave of irradiance
+  // Light: on the surface (diffuse), and from its mirror side.
+  TileVectors irradiance, gloss;
+  std::array<Vec3f, sensor_tile_pixels> overlay;  // what panes mirror; set where there is one
+  TileFloats openness;                            // 0..1: what contact shadows leave of irradiance
 
-  static int column_of(std::size_t i) {
-    return static_cast<int>(i / 16 % 4 * sensor_block_side + i % sensor_block_side);
-  }
-  static int row_of(std::size_t i) {
-    return static_cast<int>(i / 64 * sensor_block_side + i / sensor_block_side % 4);
-  }
+  static int column_of(std::size_t i) { return static_cast<int>(i % sensor_tile_side); }
+  static int row_of(std::size_t i) { return static_cast<int>(i / sensor_tile_side); }
   static std::size_t number_of(int column, int row) {
-    return static_cast<std::size_t>((row / 4 * 4 + column / 4) * 16 + row % 4 * 4 + column % 4);
+    return static_cast<std::size_t>(row * sensor_tile_side + column);
   }
-  // Calls body(first pixel's number in the tile, its place in the picture, count) for each row of
-  // each block, as far as it lies inside a picture of this width.
-  template <class Body>
-  void for_runs(int width, const Body& body) const {
-    for (int y = 0; y < rows; ++y) {
-      for (int x = 0; x < columns; x += sensor_block_side) {
-        const auto place = static_cast<std::size_t>(y0 + y) * static_cast<std::size_t>(width) +
-                           static_cast<std::size_t>(x0 + x);
-        body(number_of(x, y),
-             place,
-             static_cast<std::size_t>(std::min(sensor_block_side, columns - x)));
-      }
-    }
+
+  Surface surface_of(std::size_t i) const {
+    return surface_in(surface[i / lane_count], i % lane_count);
+  }
+  Vec3f direction_of(std::size_t i) const {
+    return lane(direction[i / lane_count], i % lane_count);
   }
   bool inside(std::size_t i) const { return column_of(i) < columns && row_of(i) < rows; }
-  bool lit(std::size_t i) const { return depth[i] > 0 && inside(i); }
+  // Lanes of a group that lie in the picture and show something.
+  unsigned lit(std::size_t group) const {
+    return (depth[group] > Float8()).bits() & inside_of(group);
+  }
+  unsigned inside_of(std::size_t group) const {
+    const int first = static_cast<int>(group % 2 * lane_count);
+    if (static_cast<int>(group / 2) >= rows) return 0;
+    return (1U << std::clamp(columns - first, 0, static_cast<int>(lane_count))) - 1;
+  }
+  // Calls body(group, its first pixel's place in the picture, count) for each group, as far as it
+  // lies inside a picture of this width.
+  template <class Body>
+  void for_groups(int width, const Body& body) const {
+    for (std::size_t g = 0; g < sensor_tile_groups; ++g) {
+      const int row = static_cast<int>(g / 2), column = static_cast<int>(g % 2 * lane_count);
+      if (row >= rows || column >= columns) continue;
+      const auto place = static_cast<std::size_t>(y0 + row) * static_cast<std::size_t>(width) +
+                         static_cast<std::size_t>(x0 + column);
+      body(g, place, std::min(lane_count, static_cast<std::size_t>(columns - column)));
+    }
+  }
 };
+
+// Calls body(lane) for each set bit.
+template <class Body>
+void for_lanes(unsigned bits, const Body& body) {
+  for (; bits != 0; bits &= bits - 1)
+    body(static_cast<std::size_t>(std::countr_zero(bits)));
+}
 
 // What may be met and how finely it is looked at.
 struct SensorDetail {

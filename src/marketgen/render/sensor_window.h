@@ -46,45 +46,65 @@ inline constexpr std::array<float, 16> second_numbers = {0.5F / 16,
                                                          6.5F / 16,
                                                          3.5F / 16};
 
-// Calls body(pixel) for the 4 x 4 pixels around one, moved into the tile where they would stand
-// over its edge.
+// Its place in both.
+inline std::size_t number_in_block(std::size_t i) {
+  return static_cast<std::size_t>(SensorTile::row_of(i) % 4 * 4 + SensorTile::column_of(i) % 4);
+}
+
+// The 4 x 4 pixels around one, moved into the tile where they would stand over its edge.
 struct WindowCorner {
   int column = 0, row = 0;
   explicit WindowCorner(std::size_t i)
       : column(std::clamp(SensorTile::column_of(i) - 2, 0, sensor_tile_side - 4)),
         row(std::clamp(SensorTile::row_of(i) - 2, 0, sensor_tile_side - 4)) {}
 };
-template <class Body>
-void for_window(std::size_t i, const Body& body) {
-  const WindowCorner corner(i);
-  for (int y = corner.row; y < corner.row + 4; ++y) {
-    for (int x = corner.column; x < corner.column + 4; ++x)
-      body(SensorTile::number_of(x, y));
-  }
-}
 
 // A set of a tile's pixels.
 class TilePixels {
  public:
+  bool any() const {
+    return std::any_of(rows_.begin(), rows_.end(), [](std::uint16_t row) { return row != 0; });
+  }
   void add(std::size_t i) {
     rows_[static_cast<std::size_t>(SensorTile::row_of(i))] |=
         static_cast<std::uint16_t>(1U << SensorTile::column_of(i));
   }
-  bool has(std::size_t i) const {
-    return (rows_[static_cast<std::size_t>(SensorTile::row_of(i))] >> SensorTile::column_of(i) &
-            1) != 0;
+  void set_group(std::size_t group, unsigned bits) {
+    std::uint16_t& row = rows_[group / 2];
+    const unsigned shift = group % 2 * lane_count;
+    row = static_cast<std::uint16_t>((row & ~(255U << shift)) | bits << shift);
+  }
+  unsigned group(std::size_t g) const { return rows_[g / 2] >> g % 2 * lane_count & 255U; }
+  // Bit k: column + k of that row.
+  unsigned four(int row, int column) const {
+    return static_cast<unsigned>(rows_[static_cast<std::size_t>(row)]) >> column & 15U;
   }
   // Whether one of the window around a pixel is in it.
   bool near(std::size_t i) const {
     const WindowCorner corner(i);
-    const auto row = static_cast<std::size_t>(corner.row);
-    const unsigned rows =
-        static_cast<unsigned>(rows_[row]) | rows_[row + 1] | rows_[row + 2] | rows_[row + 3];
-    return (rows >> corner.column & 15U) != 0;
+    unsigned rows = 0;
+    for (int row = corner.row; row < corner.row + 4; ++row)
+      rows |= four(row, corner.column);
+    return rows != 0;
   }
 
  private:
   std::array<std::uint16_t, sensor_tile_side> rows_{};
+};
+
+// Averages over windows of the pixels that lie on the same face.
+class TileWindows {
+ public:
+  // Takes over where the tile's faces lie.
+  explicit TileWindows(const SensorTile& tile);
+
+  // Share of a pixel's window that is not blocked, of what was sampled there; 1 where nothing was.
+  float open_share(std::size_t i, const TilePixels& sampled, const TilePixels& blocked) const;
+
+ private:
+  using Numbers = std::array<float, sensor_tile_pixels>;
+  alignas(32) std::array<Numbers, 3> position_, normal_;
+  alignas(32) Numbers depth_;
 };
 
 }  // namespace marketgen::raytrace

@@ -12,6 +12,10 @@
 
 namespace marketgen::raytrace {
 
+// full: textures between mip levels, and their relief. level: textures from one mip level, and the
+// relief's mean gloss; half the cost, for what is small or seen in a mirror.
+enum class TextureDetail { full, level };
+
 class Texture {
  public:
   Texture() = default;
@@ -27,9 +31,14 @@ class Texture {
   // From the nearest level alone: half the work, and levels change in steps.
   Float4 filtered_in_level(float u, float v, float lod) const;
   Vec3f mean() const { return sample(0.5F, 0.5F, 1e9F); }
+  bool empty() const { return mips_.empty() && blocks_.empty(); }
   int width() const { return mips_.empty() ? blocks_.width() : mips_.width(); }
   int height() const { return mips_.empty() ? blocks_.height() : mips_.height(); }
   std::size_t bytes() const { return mips_.bytes() + blocks_.bytes(); }
+  // One of the two is empty.
+  const MipChain& mips() const { return mips_; }
+  const BlockMips& blocks() const { return blocks_; }
+  const PrintedBars* bars() const { return bars_ ? &*bars_ : nullptr; }
 
   friend BlockMips blocks_of(const Image& image);
 

@@ -42,48 +42,70 @@ ToneCurve::ToneCurve() {
   }
 }
 
-float ToneCurve::at(float linear) const {
+Float8 ToneCurve::at(Float8 linear) const {
   constexpr int bits_per_step = 23 - 7;  // of a float's mantissa; 2^7 steps a stop
   static_assert(steps_per_stop == 1 << 7);
   constexpr int first = (127 + lowest_stop) << 7;
-  const int step = (std::bit_cast<std::int32_t>(linear) >> bits_per_step) - first;
-  return table_[static_cast<std::size_t>(std::clamp(step, 0, static_cast<int>(table_.size()) - 1))];
+  // As positive floats: their bits grow with them.
+  const Float8 lowest = float_of_bits(Int8(first << bits_per_step));
+  const Int8 step = (bits_of(max(linear, lowest)) >> bits_per_step) - first;
+  return gathered(table_.data(), min(step, Int8(static_cast<int>(table_.size()) - 1)));
 }
 
-void ToneCurve::write(std::span<const Float4> radiance, float exposure, std::uint8_t* rgb) const {
-  constexpr std::size_t most = 64;  // at a time
-  std::array<float, most> r, g, b;
-  for (std::size_t first = 0; first < radiance.size(); first += most) {
-    const std::size_t count = std::min(most, radiance.size() - first);
-    const float scale = exposure * base_exposure;
-    for (std::size_t i = 0; i < count; ++i) {
-      const Float4 c = radiance[first + i] * scale;
-      r[i] = c.x();
-      g[i] = c.y();
-      b[i] = c.z();
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      const float x = at(0.842479062F * r[i] + 0.0784335999F * g[i] + 0.0792237451F * b[i]);
-      const float y = at(0.0423282422F * r[i] + 0.878468636F * g[i] + 0.0791661274F * b[i]);
-      const float z = at(0.0423756549F * r[i] + 0.0784336F * g[i] + 0.879142973F * b[i]);
-      const float grey = 0.2126F * x + 0.7152F * y + 0.0722F * z;
-      const float dx = grey + (x - grey) * look_saturation;
-      const float dy = grey + (y - grey) * look_saturation;
-      const float dz = grey + (z - grey) * look_saturation;
-      r[i] = 1.19687900F * dx - 0.0980208811F * dy - 0.0990297441F * dz;
-      g[i] = -0.0528968518F * dx + 1.15190313F * dy - 0.0989611768F * dz;
-      b[i] = -0.0529716355F * dx - 0.0980434501F * dy + 1.15107367F * dz;
-    }
-    const auto byte = [](float x) {
-      return static_cast<std::uint8_t>(std::min(std::max(x, 0.0F), 1.0F) * 255 + 0.5F);
-    };
-    std::uint8_t* to = rgb + 3 * first;
-    for (std::size_t i = 0; i < count; ++i) {
-      to[3 * i] = byte(r[i]);
-      to[3 * i + 1] = byte(g[i]);
-      to[3 * i + 2] = byte(b[i]);
-    }
-  }
+ToneCurve::Pixels ToneCurve::shown(const Vec8& exposed) const {
+  const Vec8 c = exposed * Float8(base_exposure);
+  const Float8 x = at(0.842479062F * c.x + 0.0784335999F * c.y + 0.0792237451F * c.z);
+  const Float8 y = at(0.0423282422F * c.x + 0.878468636F * c.y + 0.0791661274F * c.z);
+  const Float8 z = at(0.0423756549F * c.x + 0.0784336F * c.y + 0.879142973F * c.z);
+  const Float8 grey = 0.2126F * x + 0.7152F * y + 0.0722F * z;
+  const Float8 dx = grey + (x - grey) * look_saturation;
+  const Float8 dy = grey + (y - grey) * look_saturation;
+  const Float8 dz = grey + (z - grey) * look_saturation;
+  const auto byte = [](Float8 value) {
+    return to_int(clamp(value, Float8(0), Float8(1)) * 255 + 0.5F);
+  };
+  const Int8 r = byte(1.19687900F * dx - 0.0980208811F * dy - 0.0990297441F * dz);
+  const Int8 g = byte(-0.0528968518F * dx + 1.15190313F * dy - 0.0989611768F * dz);
+  const Int8 b = byte(-0.0529716355F * dx - 0.0980434501F * dy + 1.15107367F * dz);
+  // Four bytes a pixel to three: twelve in each half of the register.
+  const __m256i order = _mm256_setr_epi8(0,
+                                         1,
+                                         2,
+                                         4,
+                                         5,
+                                         6,
+                                         8,
+                                         9,
+                                         10,
+                                         12,
+                                         13,
+                                         14,
+                                         -1,
+                                         -1,
+                                         -1,
+                                         -1,
+                                         0,
+                                         1,
+                                         2,
+                                         4,
+                                         5,
+                                         6,
+                                         8,
+                                         9,
+                                         10,
+                                         12,
+                                         13,
+                                         14,
+                                         -1,
+                                         -1,
+                                         -1,
+                                         -1);
+  alignas(32) std::array<std::uint8_t, 32> spread;
+  Int8(_mm256_shuffle_epi8((r | (g << 8) | (b << 16)).m, order)).store(spread.data());
+  Pixels pixels;
+  std::copy_n(spread.begin(), 12, pixels.begin());
+  std::copy_n(spread.begin() + 16, 12, pixels.begin() + 12);
+  return pixels;
 }
 
 const ToneCurve& tone_curve() {
@@ -92,9 +114,7 @@ const ToneCurve& tone_curve() {
 }
 
 Rgb8 display_color(Vec3f exposed) {
-  std::array<std::uint8_t, 3> rgb{};
-  const Float4 pixel(is_finite(exposed) ? exposed : Vec3f{});
-  tone_curve().write(std::span(&pixel, 1), 1, rgb.data());
+  const ToneCurve::Pixels rgb = tone_curve().shown(all(is_finite(exposed) ? exposed : Vec3f{}));
   return {rgb[0], rgb[1], rgb[2]};
 }
 

@@ -2,28 +2,28 @@
 #pragma once
 #include <array>
 #include <cstdint>
-#include <span>
 
 #include "geometry/image.h"
 #include "geometry/vector.h"
-#include "render/float4.h"
+#include "render/float8.h"
 
 namespace marketgen::raytrace {
 
 // `radiance` times exposure: 1 is a white sheet under the store's own light.
 Rgb8 display_color(Vec3f exposed);
 
-// The same for many pixels: the film curve as a table over the logarithm of its input, within a
+// The same for eight pixels: the film curve as a table over the logarithm of its input, within a
 // third of a byte's step.
 class ToneCurve {
  public:
   ToneCurve();
-  // To three bytes a pixel, one after another.
-  void write(std::span<const Float4> radiance, float exposure, std::uint8_t* rgb) const;
+  // Three bytes a pixel, one after another.
+  using Pixels = std::array<std::uint8_t, 3 * lane_count>;
+  Pixels shown(const Vec8& exposed) const;
 
  private:
   static constexpr int steps_per_stop = 128, lowest_stop = -13, stops = 18;
-  float at(float linear) const;
+  Float8 at(Float8 linear) const;
   std::array<float, steps_per_stop * stops> table_;
 };
 const ToneCurve& tone_curve();

@@ -8,27 +8,20 @@
 namespace marketgen::raytrace {
 namespace {
 
-constexpr float least_tilt = 0.012F;      // 0.7 degrees: relief below shows nowhere
-constexpr float least_bare_metal = 0.5F;  // metallic; lacquered tin has 0.3
 constexpr float past_hidden_m = 1e-4F;
-constexpr float least_slant = 0.15F;  // cosine below which footprints grow no more
-constexpr float least_facing =
-    0.03F;  // shading normals are bent to face the viewer at least this much
 
-template <class Packet>
-void set_ray(Packet& packet, std::size_t k, const Ray& ray, unsigned mask) {
-  packet.org_x[k] = ray.origin.x;
-  packet.org_y[k] = ray.origin.y;
-  packet.org_z[k] = ray.origin.z;
-  packet.dir_x[k] = ray.direction.x;
-  packet.dir_y[k] = ray.direction.y;
-  packet.dir_z[k] = ray.direction.z;
-  packet.tnear[k] = ray.near;
-  packet.tfar[k] = ray.far;
-  packet.mask[k] = mask;
-  packet.time[k] = 0;
-  packet.flags[k] = 0;
-  packet.id[k] = static_cast<unsigned>(k);
+void describe_rays(RTCRay16& packet, unsigned mask) {
+  for (std::size_t k = 0; k < packet_size; ++k) {
+    packet.mask[k] = mask;
+    packet.time[k] = 0;
+    packet.flags[k] = 0;
+    packet.id[k] = static_cast<unsigned>(k);
+  }
+}
+
+void set_rays(RTCRay16& packet, std::span<const Ray> rays) {
+  for (std::size_t k = 0; k < packet_size; ++k)
+    set_ray(packet, k, rays[std::min(k, rays.size() - 1)]);
 }
 
 // The lanes in use; the rest point at a ray that exists, so that no lane holds garbage.
@@ -74,16 +67,6 @@ TextureAxes axes_at(const World& world, const TriangleRecord& record, const Hit&
   return {place.turn(axes.along), place.turn(axes.up)};
 }
 
-// Tilts the shading normal, which keeps facing the viewer.
-void tilt(Surface& s, const Relief& relief, const TextureAxes& axes, Vec3f direction) {
-  const float squared = relief.tilt_x * relief.tilt_x + relief.tilt_y * relief.tilt_y;
-  const Vec3f tilted = s.normal * std::sqrt(std::max(0.0F, 1 - squared)) +
-                       axes.along * relief.tilt_x + axes.up * relief.tilt_y;
-  const float facing = dot(tilted, direction);
-  s.relief_normal =
-      normalized(facing > -least_facing ? tilted - direction * (facing + least_facing) : tilted);
-}
-
 // Colour, gloss and tilt from the material's textures.
 void add_textures(Surface& s,
                   const World& world,
@@ -105,9 +88,16 @@ void add_textures(Surface& s,
   const Relief relief = full ? reliefs.sample(uv.x, uv.y, lod) : reliefs.mean();
   s.roughness = std::min(1.0F, relief.roughness * material.roughness_scale);
   s.metallic = relief.metallic;
-  const bool tilted = std::max(std::fabs(relief.tilt_x), std::fabs(relief.tilt_y)) > least_tilt;
-  if (full && tilted && lod < reliefs.flat_lod() && !s.back_face)
-    tilt(s, relief, axes_at(world, record, hit), direction);
+  if (full && is_tilted(relief) && lod < reliefs.flat_lod() && !s.back_face)
+    s.relief_normal = tilted(s.normal, relief, axes_at(world, record, hit), direction);
+}
+
+// Bit k: something lies on ray k.
+unsigned blocked_lanes(const RTCRay16& packet, std::size_t used) {
+  unsigned blocked = 0;
+  for (std::size_t k = 0; k < used; ++k)
+    blocked |= (packet.tfar[k] < 0 ? 1U : 0U) << k;
+  return blocked;
 }
 
 // Whether rays of this mask can meet actors and what stands elsewhere.
@@ -120,32 +110,43 @@ std::uint32_t instance_row(unsigned instance, std::size_t first_row, unsigned fi
   if (instance == RTC_INVALID_GEOMETRY_ID) return instance;
   return static_cast<std::uint32_t>(first_row) + (instance - first_geometry);
 }
-Hit hit_in(const RTCRayHit16& packet, std::size_t k, std::uint32_t instance) {
-  return {packet.ray.tfar[k],
-          packet.hit.geomID[k],
-          packet.hit.primID[k],
-          instance,
-          packet.hit.u[k],
-          packet.hit.v[k]};
+void set_hit(RTCHit16& packet, std::size_t k, const Hit& hit) {
+  packet.geomID[k] = hit.geometry;
+  packet.primID[k] = hit.primitive;
+  packet.instID[0][k] = hit.instance;
+  packet.u[k] = hit.u;
+  packet.v[k] = hit.v;
 }
 
-Hit hit_in(const RTCRayHit& query, std::uint32_t instance) {
+Hit hit_of(const RTCRayHit& query, std::uint32_t instance) {
   return {query.ray.tfar, query.hit.geomID, query.hit.primID, instance, query.hit.u, query.hit.v};
+}
+
+void forget_hits(RTCHit16& hits) {
+  for (std::size_t k = 0; k < packet_size; ++k) {
+    hits.geomID[k] = RTC_INVALID_GEOMETRY_ID;
+    hits.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
+  }
 }
 
 // Rays end by now at what they met in the store: what they meet here lies before it.
 void trace_actors(const World& world,
                   RTCRayHit16& packet,
-                  std::span<Hit> hits,
+                  std::size_t used,
                   RTCIntersectContext& context) {
-  for (std::size_t k = 0; k < packet_size; ++k) {
-    packet.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
-    packet.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
-  }
-  rtcIntersect16(lane_masks[hits.size()].data(), world.actors.bvh.get(), &context, &packet);
-  for (std::size_t k = 0; k < hits.size(); ++k) {
-    if (packet.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID)
-      hits[k] = hit_in(packet, k, actor_row(world, packet.hit.instID[0][k]));
+  const RTCHit16 in_store = packet.hit;
+  forget_hits(packet.hit);
+  rtcIntersect16(lane_masks[used].data(), world.actors.bvh.get(), &context, &packet);
+  for (std::size_t k = 0; k < used; ++k) {
+    if (packet.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID) {
+      packet.hit.instID[0][k] = actor_row(world, packet.hit.instID[0][k]);
+      continue;
+    }
+    packet.hit.geomID[k] = in_store.geomID[k];
+    packet.hit.primID[k] = in_store.primID[k];
+    packet.hit.instID[0][k] = in_store.instID[0][k];
+    packet.hit.u[k] = in_store.u[k];
+    packet.hit.v[k] = in_store.v[k];
   }
 }
 
@@ -162,7 +163,7 @@ Hit trace_in_store(const World& world, const Ray& ray, unsigned mask) {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcIntersect1(world.bvh.get(), &context, &query);
-  return hit_in(query, store_row(query.hit.instID[0]));
+  return hit_of(query, store_row(query.hit.instID[0]));
 }
 
 // The first hit in the store on a ray that passes through what is hidden.
@@ -172,6 +173,21 @@ Hit past_hidden(const World& world, Ray ray, Hit hit, unsigned mask) {
     hit = trace_in_store(world, ray, mask);
   }
   return hit;
+}
+
+// `sent`: the rays before they met something.
+void pass_hidden(const World& world,
+                 const RTCRay16& sent,
+                 RTCRayHit16& packet,
+                 std::size_t used,
+                 unsigned mask) {
+  for (std::size_t k = 0; k < used; ++k) {
+    const Hit met = hit_in(packet, k);
+    if (!is_hidden(world, met)) continue;
+    const Hit hit = past_hidden(world, ray_in(sent, k), met, mask);
+    set_hit(packet.hit, k, hit);
+    packet.ray.tfar[k] = hit.t;
+  }
 }
 
 // Whether a ray comes near a hidden place at all.
@@ -213,60 +229,110 @@ bool is_hidden(const World& world, const Hit& hit) {
   return world.hidden.has(hit.instance);
 }
 
+void trace(
+    const World& world, RTCRayHit16& packet, std::size_t used, unsigned mask, RayBundle bundle) {
+  describe_rays(packet.ray, mask);
+  forget_hits(packet.hit);
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  if (bundle == RayBundle::coherent) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  const bool any_hidden = !world.hidden.is_hidden.empty();
+  RTCRay16 sent;
+  if (any_hidden) sent = packet.ray;
+  rtcIntersect16(lane_masks[used].data(), world.bvh.get(), &context, &packet);
+  for (std::size_t k = 0; k < packet_size; ++k)
+    packet.hit.instID[0][k] = store_row(packet.hit.instID[0][k]);
+  if (any_hidden) pass_hidden(world, sent, packet, used, mask);
+  if (meets_actors(world, mask)) trace_actors(world, packet, used, context);
+}
+
 void trace(const World& world,
            std::span<const Ray> rays,
            std::span<Hit> hits,
            unsigned mask,
            RayBundle bundle) {
-  alignas(64) RTCRayHit16 packet;
-  for (std::size_t k = 0; k < packet_size; ++k) {
-    set_ray(packet.ray, k, rays[std::min(k, rays.size() - 1)], mask);
-    packet.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
-    packet.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
-  }
+  RTCRayHit16 packet;
+  set_rays(packet.ray, rays);
+  trace(world, packet, rays.size(), mask, bundle);
+  for (std::size_t k = 0; k < rays.size(); ++k)
+    hits[k] = hit_in(packet, k);
+}
+
+unsigned find_blocked(const World& world, RTCRay16& packet, std::size_t used, unsigned mask) {
+  describe_rays(packet, mask);
+  const bool any_hidden = !world.hidden.is_hidden.empty();
+  RTCRay16 sent;
+  if (any_hidden) sent = packet;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  if (bundle == RayBundle::coherent) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  rtcIntersect16(lane_masks[rays.size()].data(), world.bvh.get(), &context, &packet);
-  for (std::size_t k = 0; k < rays.size(); ++k) {
-    hits[k] = hit_in(packet, k, store_row(packet.hit.instID[0][k]));
-    if (!is_hidden(world, hits[k])) continue;
-    hits[k] = past_hidden(world, rays[k], hits[k], mask);
-    packet.ray.tfar[k] = hits[k].any() ? hits[k].t : rays[k].far;
+  rtcOccluded16(lane_masks[used].data(), world.bvh.get(), &context, &packet);
+  if (meets_actors(world, mask))  // blocked lanes have tfar < tnear by now: they are passed over
+    rtcOccluded16(lane_masks[used].data(), world.actors.bvh.get(), &context, &packet);
+  unsigned blocked = blocked_lanes(packet, used);
+  for (std::size_t k = 0; any_hidden && k < used; ++k) {
+    if ((blocked >> k & 1U) == 0) continue;
+    const Ray ray = ray_in(sent, k);
+    if (may_meet_hidden(world, ray) && !trace_one(world, ray, mask).any()) blocked ^= 1U << k;
   }
-  if (meets_actors(world, mask)) trace_actors(world, packet, hits.first(rays.size()), context);
+  return blocked;
 }
 
 void find_blocked(const World& world,
                   std::span<const Ray> rays,
                   std::span<bool> blocked,
                   unsigned mask) {
-  alignas(64) RTCRay16 packet;
-  for (std::size_t k = 0; k < packet_size; ++k)
-    set_ray(packet, k, rays[std::min(k, rays.size() - 1)], mask);
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcOccluded16(lane_masks[rays.size()].data(), world.bvh.get(), &context, &packet);
-  if (meets_actors(world, mask))  // blocked lanes have tfar < tnear by now: they are passed over
-    rtcOccluded16(lane_masks[rays.size()].data(), world.actors.bvh.get(), &context, &packet);
-  for (std::size_t k = 0; k < rays.size(); ++k) {
-    blocked[k] = packet.tfar[k] < 0;
-    if (blocked[k] && may_meet_hidden(world, rays[k]))
-      blocked[k] = trace_one(world, rays[k], mask).any();
-  }
+  RTCRay16 packet;
+  set_rays(packet, rays);
+  const unsigned lanes = find_blocked(world, packet, rays.size(), mask);
+  for (std::size_t k = 0; k < rays.size(); ++k)
+    blocked[k] = (lanes >> k & 1U) != 0;
 }
 
-void find_blocked_by_actors(const World& world,
-                            std::span<const Ray> rays,
-                            std::span<bool> blocked) {
-  alignas(64) RTCRay16 packet;
-  for (std::size_t k = 0; k < packet_size; ++k)
-    set_ray(packet, k, rays[std::min(k, rays.size() - 1)], mask_solid);
+unsigned find_blocked_by_actors(const World& world, RTCRay16& packet, std::size_t used) {
+  describe_rays(packet, mask_solid);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  rtcOccluded16(lane_masks[rays.size()].data(), world.actors.bvh.get(), &context, &packet);
-  for (std::size_t k = 0; k < rays.size(); ++k)
-    blocked[k] = packet.tfar[k] < 0;
+  rtcOccluded16(lane_masks[used].data(), world.actors.bvh.get(), &context, &packet);
+  return blocked_lanes(packet, used);
+}
+
+void set_ray(RTCRay16& packet, std::size_t k, const Ray& ray) {
+  packet.org_x[k] = ray.origin.x;
+  packet.org_y[k] = ray.origin.y;
+  packet.org_z[k] = ray.origin.z;
+  packet.dir_x[k] = ray.direction.x;
+  packet.dir_y[k] = ray.direction.y;
+  packet.dir_z[k] = ray.direction.z;
+  packet.tnear[k] = ray.near;
+  packet.tfar[k] = ray.far;
+}
+
+void set_rays(RTCRay16& packet, std::size_t half, const Rays8& rays, float near) {
+  const std::size_t from = half * lane_count;
+  rays.origin.x.store(packet.org_x + from);
+  rays.origin.y.store(packet.org_y + from);
+  rays.origin.z.store(packet.org_z + from);
+  rays.direction.x.store(packet.dir_x + from);
+  rays.direction.y.store(packet.dir_y + from);
+  rays.direction.z.store(packet.dir_z + from);
+  Float8(near).store(packet.tnear + from);
+  Float8(ray_infinity).store(packet.tfar + from);
+}
+
+Ray ray_in(const RTCRay16& packet, std::size_t k) {
+  return {{packet.org_x[k], packet.org_y[k], packet.org_z[k]},
+          {packet.dir_x[k], packet.dir_y[k], packet.dir_z[k]},
+          packet.tnear[k],
+          packet.tfar[k]};
+}
+
+Hit hit_in(const RTCRayHit16& packet, std::size_t k) {
+  return {packet.ray.tfar[k],
+          packet.hit.geomID[k],
+          packet.hit.primID[k],
+          packet.hit.instID[0][k],
+          packet.hit.u[k],
+          packet.hit.v[k]};
 }
 
 Hit trace_one(const World& world, const Ray& ray, unsigned mask) {
@@ -278,7 +344,7 @@ Hit trace_one(const World& world, const Ray& ray, unsigned mask) {
   rtcInitIntersectContext(&context);
   rtcIntersect1(world.actors.bvh.get(), &context, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return in_store;
-  return hit_in(query, actor_row(world, query.hit.instID[0]));
+  return hit_of(query, actor_row(world, query.hit.instID[0]));
 }
 
 const TriangleRecord& record_of(const World& world, const Hit& hit) {
@@ -291,6 +357,19 @@ const TriangleRecord& record_of(const World& world, const Hit& hit) {
 Matter matter_of(const World& world, const Surface& surface) {
   if (world.materials[surface.material].clear) return Matter::clear;
   return surface.metallic > least_bare_metal ? Matter::metal : Matter::solid;
+}
+
+bool is_tilted(const Relief& relief) {
+  constexpr float least = 0.012F;  // 0.7 degrees: relief below shows nowhere
+  return std::max(std::fabs(relief.tilt_x), std::fabs(relief.tilt_y)) > least;
+}
+
+Vec3f tilted(Vec3f normal, const Relief& relief, const TextureAxes& axes, Vec3f direction) {
+  const float squared = relief.tilt_x * relief.tilt_x + relief.tilt_y * relief.tilt_y;
+  const Vec3f bent = normal * std::sqrt(std::max(0.0F, 1 - squared)) + axes.along * relief.tilt_x +
+                     axes.up * relief.tilt_y;
+  const float facing = dot(bent, direction);
+  return normalized(facing > -least_facing ? bent - direction * (facing + least_facing) : bent);
 }
 
 Vec3f Surface::reflectance() const {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "render/float8.h"
 #include "render/matter.h"
 #include "render/world.h"
 
@@ -17,9 +18,18 @@ constexpr std::size_t packet_size = 16;
 // gap that shows.
 constexpr float surface_lift_m = 3e-4F;
 
+constexpr float least_slant = 0.15F;  // cosine below which footprints grow no more
+// Shading normals are bent to face the viewer at least this much.
+constexpr float least_facing = 0.03F;
+constexpr float least_bare_metal = 0.5F;  // metallic; lacquered tin has 0.3
+
 struct Ray {
   Vec3f origin, direction;  // direction is a unit vector
   float near = 0, far = ray_infinity;
+};
+
+struct Rays8 {
+  Vec8 origin, direction;
 };
 
 struct Hit {
@@ -39,13 +49,24 @@ void trace(const World& world,
            std::span<Hit> hits,
            unsigned mask,
            RayBundle bundle);
+// The same in Embree's own arrangement: origin, direction, tnear and tfar of all sixteen rays are
+// given, the first `used` are traced. Hits name rows of World::instances.
+void trace(
+    const World& world, RTCRayHit16& packet, std::size_t used, unsigned mask, RayBundle bundle);
+void set_ray(RTCRay16& packet, std::size_t k, const Ray& ray);
+// Rays half * 8 and on, without end.
+void set_rays(RTCRay16& packet, std::size_t half, const Rays8& rays, float near);
+Ray ray_in(const RTCRay16& packet, std::size_t k);
+Hit hit_in(const RTCRayHit16& packet, std::size_t k);
 // blocked[i]: something lies on rays[i] between near and far.
 void find_blocked(const World& world,
                   std::span<const Ray> rays,
                   std::span<bool> blocked,
                   unsigned mask);
+// The same of a packet, as bits; where they are set, its rays are used up.
+unsigned find_blocked(const World& world, RTCRay16& packet, std::size_t used, unsigned mask);
 // The same, asking for actors alone.
-void find_blocked_by_actors(const World& world, std::span<const Ray> rays, std::span<bool> blocked);
+unsigned find_blocked_by_actors(const World& world, RTCRay16& packet, std::size_t used);
 Hit trace_one(const World& world, const Ray& ray, unsigned mask);
 // The ray as Embree takes it alone.
 RTCRay embree_ray(const Ray& ray, unsigned mask);
@@ -78,9 +99,6 @@ struct Surface {
 // Of a surface that is no pane.
 Matter matter_of(const World& world, const Surface& surface);
 const TriangleRecord& record_of(const World& world, const Hit& hit);
-// full: textures between mip levels, and their relief. level: textures from one mip level, and the
-// relief's mean gloss; half the cost, for what is small or seen in a mirror.
-enum class TextureDetail { full, level };
 // `footprint` is the width that one sample stands for at the hit, metres: it picks the mip level.
 void see_surface(const World& world,
                  const Ray& ray,
@@ -97,6 +115,9 @@ inline Surface surface_at(const World& world,
   see_surface(world, ray, hit, footprint, detail, surface);
   return surface;
 }
+// A shading normal tilted by a relief that shows; it keeps facing the viewer.
+bool is_tilted(const Relief& relief);
+Vec3f tilted(Vec3f normal, const Relief& relief, const TextureAxes& axes, Vec3f direction);
 // Brings what see_surface() will read of these hits nearer. Only a matter of speed.
 void fetch_surfaces(const World& world, std::span<const Hit> hits);
 

@@ -4,12 +4,6 @@
 #include <numbers>
 
 namespace marketgen::raytrace {
-namespace {
-
-constexpr float near_m = 0.02F;  // a lens has a size: what touches it is not seen
-
-}  // namespace
-
 View::View(const Camera& camera)
     : origin_(to_float(place_of(camera))),
       width_(camera.width),
@@ -51,6 +45,22 @@ Ray View::ray(float x, float y) const {
   const Vec3f offset = right_ * across + up_ * up;
   if (orthographic_) return {origin_ + offset, forward_, near_m};
   return {origin_, normalized(forward_ + offset), near_m};
+}
+
+Rays8 View::rays(Float8 x, Float8 y) const {
+  if (lens_) {
+    Vec8 directions;
+    for (std::size_t k = 0; k < lane_count; ++k)
+      set_lane(directions, k, ray(x[k], y[k]).direction);
+    return {all(origin_), directions};
+  }
+  const Float8 across =
+      (2 * x / static_cast<float>(width_) - 1) * Float8(half_width_) + Float8(shift_x_);
+  const Float8 up =
+      (1 - 2 * y / static_cast<float>(height_)) * Float8(half_height_) + Float8(shift_y_);
+  const Vec8 offset = all(right_) * across + all(up_) * up;
+  if (orthographic_) return {all(origin_) + offset, all(forward_)};
+  return {all(origin_), normalized(all(forward_) + offset)};
 }
 
 }  // namespace marketgen::raytrace

@@ -15,12 +15,21 @@ class View {
   // Through picture point (x, y) in pixels, (0, 0) the top left CORNER of the picture: half a pixel
   // more than in the pixels of camera_model.h.
   Ray ray(float x, float y) const;
+  // The same through eight points.
+  Rays8 rays(Float8 x, Float8 y) const;
+  static constexpr float near_m = 0.02F;  // rays start here: a lens has a size
   // Along the optical axis, of a point at `distance` along a ray.
   float depth_of(const Ray& ray, float distance) const {
     return dot(ray.direction, forward_) * distance;
   }
+  Float8 depth_of(const Vec8& direction, Float8 distance) const {
+    return dot(direction, all(forward_)) * distance;
+  }
   // Width that one pixel covers at `distance`.
   float footprint(float distance) const { return pixel_ + pixel_per_m_ * distance; }
+  Float8 footprint(Float8 distance) const {
+    return Float8(pixel_) + Float8(pixel_per_m_) * distance;
+  }
   int width() const { return width_; }
   int height() const { return height_; }
 

@@ -28,6 +28,7 @@ constexpr unsigned mask_ceiling =
     4;  // ceiling, panels and what hangs there: left out of views from above
 constexpr unsigned mask_opaque = mask_solid | mask_ceiling;
 
+// The first 64 bytes are read as numbers side by side: see surface8.cpp.
 struct Material {
   Vec3f color{0.8F, 0.8F, 0.8F};  // linear; multiplies the texture
   Vec3f emission{};               // radiance it sends out by itself
@@ -107,7 +108,8 @@ struct Placement {
 };
 Placement placement_of(const Pose& pose);
 
-struct Instance {
+// The first 64 bytes are read as numbers side by side: see surface8.cpp.
+struct alignas(32) Instance {
   std::uint32_t mesh = 0;
   std::uint32_t id = 0;                   // Frame::instance
   std::int32_t fixture = -1, shelf = -1;  // rows of the scene it belongs to, -1 = none

@@ -1,0 +1,37 @@
+// What eight hits mean for shading, side by side: see_surface() of tracing.h in eight lanes.
+#pragma once
+#include "render/float8.h"
+#include "render/tracing.h"
+
+namespace marketgen::raytrace {
+
+// Lanes that met nothing have t = u = v = 0.
+struct Hits8 {
+  Float8 t, u, v;
+  Int8 geometry, primitive, instance;
+  Mask8 any;
+};
+// Rays half * 8 and on of a packet that was traced.
+Hits8 hits_of(const RTCRayHit16& packet, std::size_t half);
+
+// The same as Surface, as far as sensor pictures need it.
+struct Surface8 {
+  Vec8 position, face_normal, normal, relief_normal, albedo, emission;
+  Float8 roughness, metallic, distance;
+  Int8 id, material, fixture, shelf;
+  Mask8 glass, clear;
+};
+Surface surface_in(const Surface8& surfaces, std::size_t k);
+void set_surface(Surface8& surfaces, std::size_t k, const Surface& surface, bool clear);
+
+// Lanes that met nothing hold numbers that are finite and mean nothing.
+void see_surfaces(const World& world,
+                  const Rays8& rays,
+                  const Hits8& hits,
+                  Float8 footprint,
+                  TextureDetail detail,
+                  Surface8& surfaces);
+// Brings what see_surfaces() will read nearer. Only a matter of speed.
+void fetch_surfaces(const World& world, const RTCRayHit16& packet);
+
+}  // namespace marketgen::raytrace
