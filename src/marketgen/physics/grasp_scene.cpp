@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "physics/bulk_model.h"
+#include "physics/pad_balls.h"
 #include "physics/product_bodies.h"
 #include "physics/spec_geoms.h"
 #include "scene/planogram.h"
@@ -33,9 +34,6 @@ constexpr double block_half_m = 0.02;
 // makes them (impedance 0.9 to 0.95: 0.4 mm at 70 N on 0.35 kg): at 0.99 they lost contact in turns
 // when shaken across, and a litre carton crept by 2 mm.
 constexpr double base_inertia_kg = 1e4, finger_inertia_kg = 0.5;
-
-// The balls of a pad: how large, how far apart at most, and how far out the outermost stand.
-constexpr double pad_ball_m = 0.006, pad_spacing_m = 0.0055, pad_inset = 0.85;
 
 constexpr double close_m_s = 0.06;  // of each finger, at most
 
@@ -258,35 +256,11 @@ class GraspSceneBuilder {
     geom->mass = 0;
   }
 
-  // The pad's face as a grid of balls that touch it from behind: rubber lies on in many places.
-  // (The edge of a flat box on a hull touches in two, which jump along it from step to step;
-  // pouches crept by 2 mm.)
   void add_pad(mjsBody* body, const ToolSolid& pad, double side) {
-    const Vec3& h = pad.half_size;
-    const Vec3 middle = pad.tool_from_solid.position;
-    const auto count = [](double half) {
-      return std::max(2, static_cast<int>(std::ceil(2 * pad_inset * half / pad_spacing_m)) + 1);
-    };
-    const int across = count(h.x), along = count(h.z);
-    const auto place = [](double half, int i, int n) {
-      return pad_inset * half * (2.0 * i / (n - 1) - 1);
-    };
-    for (int i = 0; i < across; ++i) {
-      for (int k = 0; k < along; ++k) {
-        mjsGeom* ball = mjs_addGeom(body, nullptr);
-        ball->type = mjGEOM_SPHERE;
-        ball->size[0] = pad_ball_m;
-        ball->pos[0] = middle.x + place(h.x, i, across);
-        ball->pos[1] = middle.y + side * (pad_ball_m - h.y);
-        ball->pos[2] = middle.z + place(h.z, k, along);
-        set_meeting(ball, ball_bit, 0);
-        ball->mass = 0;
-        ball->priority = 1;
-        ball->condim = 4;
-        ball->friction[0] = trial_.pad_friction;
-        ball->friction[1] = torsional_friction_m;
-        ball->solref[0] = contact_time_s;
-      }
+    for (mjsGeom* ball : add_pad_balls(body, pad.tool_from_solid.position, pad.half_size, side)) {
+      set_meeting(ball, ball_bit, 0);
+      ball->priority = 1;
+      ball->friction[0] = trial_.pad_friction;
     }
   }
 

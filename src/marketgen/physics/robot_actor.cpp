@@ -255,7 +255,12 @@ std::map<std::string, std::string> robot_materials(const Robot& robot,
 Result<RobotActor> RobotActor::find(const World& world,
                                     const Robot& robot,
                                     const std::string& prefix) {
-  const mjModel& model = world.model();
+  return find(world.model(), robot, prefix);
+}
+
+Result<RobotActor> RobotActor::find(const mjModel& model,
+                                    const Robot& robot,
+                                    const std::string& prefix) {
   RobotActor actor;
   actor.robot_ = &robot;
   for (std::size_t dof = 0; dof < robot.dof_count(); ++dof) {
@@ -283,16 +288,24 @@ Result<RobotActor> RobotActor::find(const World& world,
 }
 
 std::vector<double> RobotActor::position(const World& world) const {
-  std::vector<double> q;
-  for (const Axis& axis : axes_)
-    q.push_back(world.data().qpos[axis.joint_position]);
-  return q;
+  return position(world.data());
 }
 
 std::vector<double> RobotActor::velocity(const World& world) const {
+  return velocity(world.data());
+}
+
+std::vector<double> RobotActor::position(const mjData& data) const {
+  std::vector<double> q;
+  for (const Axis& axis : axes_)
+    q.push_back(data.qpos[axis.joint_position]);
+  return q;
+}
+
+std::vector<double> RobotActor::velocity(const mjData& data) const {
   std::vector<double> v;
   for (const Axis& axis : axes_)
-    v.push_back(world.data().qvel[axis.joint_velocity]);
+    v.push_back(data.qvel[axis.joint_velocity]);
   return v;
 }
 
@@ -326,18 +339,59 @@ Result<void> RobotActor::check(std::span<const double> values, bool servo, const
 Result<void> RobotActor::command(World& world,
                                  std::span<const double> position,
                                  std::span<const double> velocity) const {
+  const SetControl set = [&](int actuator, double value) {
+    return world.set_control(actuator, value);
+  };
+  return command(set, position, velocity);
+}
+
+Result<void> RobotActor::command(mjData& data,
+                                 std::span<const double> position,
+                                 std::span<const double> velocity) const {
+  const SetControl set = [&](int actuator, double value) {
+    data.ctrl[actuator] = value;
+    return Result<void>{};
+  };
+  return command(set, position, velocity);
+}
+
+Result<void> RobotActor::command(const SetControl& set,
+                                 std::span<const double> position,
+                                 std::span<const double> velocity) const {
   MARKETGEN_CHECK(check(position, true, "positions"));
   MARKETGEN_CHECK(check(velocity, true, "velocities"));
   for (std::size_t dof = 0; dof < axes_.size(); ++dof) {
     const Axis& axis = axes_[dof];
     if (axis.actuator < 0 || gripper_of(*robot_, static_cast<int>(dof)) != nullptr) continue;
     const double lead = velocity[dof] * axis.damping / axis.stiffness;
-    MARKETGEN_CHECK(world.set_control(axis.actuator, position[dof] + lead));
+    MARKETGEN_CHECK(set(axis.actuator, position[dof] + lead));
   }
   return {};
 }
 
 Result<void> RobotActor::grip(World& world,
+                              const Tool& tool,
+                              double opening_m,
+                              double force_n) const {
+  const SetControl set = [&](int actuator, double value) {
+    return world.set_control(actuator, value);
+  };
+  return grip(set, world.data(), tool, opening_m, force_n);
+}
+
+Result<void> RobotActor::grip(mjData& data,
+                              const Tool& tool,
+                              double opening_m,
+                              double force_n) const {
+  const SetControl set = [&](int actuator, double value) {
+    data.ctrl[actuator] = value;
+    return Result<void>{};
+  };
+  return grip(set, data, tool, opening_m, force_n);
+}
+
+Result<void> RobotActor::grip(const SetControl& set,
+                              const mjData& data,
                               const Tool& tool,
                               double opening_m,
                               double force_n) const {
@@ -353,11 +407,11 @@ Result<void> RobotActor::grip(World& world,
   for (const int dof : fingers->dofs) {
     const Axis& axis = axes_[static_cast<std::size_t>(dof)];
     if (axis.actuator < 0) continue;
-    const double now = world.data().qpos[axis.joint_position];
+    const double now = data.qpos[axis.joint_position];
     const double reach = 2 * force_n / axis.stiffness;  // the drive presses both fingers
     const double wanted =
         opening_m > 0 ? std::min(opening_m / tool.opening, 1.0) * axis.upper : now - reach;
-    MARKETGEN_CHECK(world.set_control(axis.actuator, std::clamp(wanted, now - reach, now + reach)));
+    MARKETGEN_CHECK(set(axis.actuator, std::clamp(wanted, now - reach, now + reach)));
   }
   return {};
 }

@@ -7,6 +7,7 @@
 // of a gripper with their solids, which are flat where they hold. Links that cannot or need not
 // touch one another are left out (pairs_that_may_touch()).
 #pragma once
+#include <functional>
 #include <map>
 #include <span>
 #include <string>
@@ -46,8 +47,15 @@ class RobotActor {
                                  const Robot& robot,
                                  const std::string& prefix = {});
 
+  // The same in a model of one's own, outside a World.
+  static Result<RobotActor> find(const mjModel_& model,
+                                 const Robot& robot,
+                                 const std::string& prefix = {});
+
   std::vector<double> position(const World& world) const;
   std::vector<double> velocity(const World& world) const;
+  std::vector<double> position(const mjData_& data) const;
+  std::vector<double> velocity(const mjData_& data) const;
   std::vector<double> effort(const World& world) const;  // of the drives, gravity included
 
   // Position drive. The servos lead by what their damping would take at the wanted velocity, so
@@ -61,6 +69,11 @@ class RobotActor {
   // since the force is measured from where the fingers are. Errors: physics.bad_command (NaN,
   // negative, no gripper, more force than the tool has).
   Result<void> grip(World& world, const Tool& tool, double opening_m, double force_n) const;
+  // Both in a model of one's own.
+  Result<void> command(mjData_& data,
+                       std::span<const double> position,
+                       std::span<const double> velocity) const;
+  Result<void> grip(mjData_& data, const Tool& tool, double opening_m, double force_n) const;
   // Torque drive: efforts beyond gravity, which is carried already.
   Result<void> apply(World& world, std::span<const double> effort) const;
 
@@ -71,7 +84,16 @@ class RobotActor {
     double stiffness = 0, damping = 0;           // of the servo
     double lower = 0, upper = 0;
   };
+  using SetControl = std::function<Result<void>(int actuator, double value)>;
   Result<void> check(std::span<const double> values, bool servo, const char* what) const;
+  Result<void> command(const SetControl& set,
+                       std::span<const double> position,
+                       std::span<const double> velocity) const;
+  Result<void> grip(const SetControl& set,
+                    const mjData_& data,
+                    const Tool& tool,
+                    double opening_m,
+                    double force_n) const;
 
   const Robot* robot_ = nullptr;
   std::vector<Axis> axes_;  // of the robot's degrees of freedom

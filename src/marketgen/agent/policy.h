@@ -1,0 +1,44 @@
+// What a policy may see and do: the one interface behind which every agent stands.
+//
+// A policy is asked once every control step (20 Hz). It sees observations only; what it must not
+// know (poses, ids, goals) is not in them. World frame of a track as its rows say; SI units.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+
+namespace marketgen {
+
+// One arm with a gripper, as it is. Of the arm's joints, rad and rad/s.
+struct Observation {
+  double time_s = 0;
+  std::vector<double> position, velocity;
+  double opening_m = 0;  // between the pads
+};
+
+// Until the next control step. The joints' targets move evenly from the last ones to these.
+struct Action {
+  std::vector<double> position;  // of the arm's joints, rad
+  double opening_m = 0;          // between the pads; 0 presses with `force_n`
+  double force_n = 20;           // most, on each pad
+  bool stop = false;             // the agent says that it has done: no more steps
+};
+
+// What the agent is told before it begins.
+struct Task {
+  std::string instruction;
+  double limit_s = 0;
+};
+
+class Policy {
+ public:
+  virtual ~Policy() = default;
+  // Once, before the first act().
+  virtual Result<void> begin(const Task& task, const Observation& first) = 0;
+  virtual Result<Action> act(const Observation& now) = 0;
+  // One word for what kept it from its goals: a name of FailureCode; "None" when nothing did.
+  virtual std::string failure() const { return "None"; }
+};
+
+}  // namespace marketgen

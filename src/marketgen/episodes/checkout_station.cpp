@@ -1,0 +1,88 @@
+#include "episodes/checkout_station.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "io/file.h"
+#include "io/json.h"
+
+namespace marketgen {
+namespace {
+
+constexpr char station_file[] = "checkout.json";
+
+Error bad_station(const std::string& place, const std::string& message) {
+  return {"catalog.bad_row", std::string(station_file) + ":" + place, message};
+}
+
+Result<void> check_keys(const CheckoutStation& station,
+                        const std::string& place,
+                        const std::string& keys) {
+  std::istringstream words(keys);
+  for (std::string key; words >> key;) {
+    if (std::ranges::none_of(station.sources, [&](const SourceRow& s) { return s.key == key; }))
+      return bad_station(place, fmt::format("there is no source \"{}\" in its sources", key));
+  }
+  return {};
+}
+
+bool apart(const AreaRow& a, const AreaRow& b) {
+  return a.high_m[0] <= b.low_m[0] || b.high_m[0] <= a.low_m[0] || a.high_m[1] <= b.low_m[1] ||
+         b.high_m[1] <= a.low_m[1];
+}
+
+Result<void> check_station(const CheckoutStation& s) {
+  MARKETGEN_CHECK(check_keys(s, "/counter", s.counter.source));
+  MARKETGEN_CHECK(check_keys(s, "/belt", s.belt.source));
+  MARKETGEN_CHECK(check_keys(s, "/basket", s.basket.source));
+  MARKETGEN_CHECK(check_keys(s, "/unloading", s.unloading.source));
+  MARKETGEN_CHECK(check_keys(s, "/set_aside", s.set_aside.source));
+  MARKETGEN_CHECK(check_keys(s, "/scene_camera", s.scene_camera.source));
+  MARKETGEN_CHECK(check_keys(s, "/wrist_camera", s.wrist_camera.source));
+  const AreaRow area = s.unloading.area();
+  const AreaRow top{s.counter.low_m, s.counter.high_m, {}};
+  if (!top.holds(area.low_m[0], area.low_m[1]) || !top.holds(area.high_m[0], area.high_m[1]))
+    return bad_station("/unloading", "expected an area on the counter");
+  const double x = s.basket.top_m[0] / 2 + s.basket.wall_m,
+               y = s.basket.top_m[1] / 2 + s.basket.wall_m;
+  const AreaRow basket{{s.basket.center_m[0] - x, s.basket.center_m[1] - y},
+                       {s.basket.center_m[0] + x, s.basket.center_m[1] + y},
+                       {}};
+  if (!apart(basket, area)) return bad_station("/unloading", "expected an area beside the basket");
+  return {};
+}
+
+}  // namespace
+
+OpenContainer CheckoutStation::container() const {
+  return {basket.top_m[0],
+          basket.top_m[1],
+          basket.height_m,
+          basket.taper_m,
+          basket.wall_m,
+          basket.ledge_width_m,
+          basket.ledge_height_m};
+}
+
+Pose CheckoutStation::basket_pose() const {
+  return {{basket.center_m[0], basket.center_m[1], basket.floor_m}, {}};
+}
+
+Result<CheckoutStation> load_checkout_station(const std::filesystem::path& data) {
+  MARKETGEN_TRY(const std::string text, read_file(data / "benchmark" / station_file, 1U << 20));
+  MARKETGEN_TRY(CheckoutStation station, read_json<CheckoutStation>(text, station_file));
+  MARKETGEN_CHECK(check_station(station));
+  return station;
+}
+
+Result<Robot> load_station_robot(const std::filesystem::path& data,
+                                 const CheckoutStation& station) {
+  RobotTools tools;
+  for (const ToolChoiceRow& tool : station.tools)
+    tools.emplace(tool.slot, tool.row);
+  return load_robot(data, station.robot, tools);
+}
+
+}  // namespace marketgen

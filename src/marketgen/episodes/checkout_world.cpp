@@ -1,0 +1,242 @@
+#include "episodes/checkout_world.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/hash.h"
+#include "physics/contact_shape.h"
+
+namespace marketgen {
+namespace {
+
+constexpr char world_where[] = "checkout";
+constexpr int substeps = static_cast<int>(control_step_s / time_step_s + 0.5);
+constexpr double displaced_m = 0.02;
+constexpr double hold_n = 20;
+
+Error bad_action(const std::string& message) {
+  return {"episode.bad_action", world_where, message};
+}
+
+}  // namespace
+
+Result<CheckoutWorld> CheckoutWorld::create(const std::filesystem::path& data,
+                                            std::vector<FrictionRow> frictions) {
+  CheckoutWorld world(std::move(frictions));
+  MARKETGEN_TRY(world.station_, load_checkout_station(data));
+  MARKETGEN_TRY(Robot robot, load_station_robot(data, world.station_));
+  world.robot_ = std::make_unique<Robot>(std::move(robot));
+  const JointGroup* arm = world.robot_->find_group("arm");
+  if (arm == nullptr || world.robot_->tools.empty())
+    return Error{"robot.unknown", world.station_.robot, "expected an arm with a gripper"};
+  world.arm_ = arm->dofs;
+  return world;
+}
+
+Result<void> CheckoutWorld::reset(const EpisodeSpec& spec, const std::vector<Product>& products) {
+  if (spec.robot != station_.robot)
+    return Error{"robot.unknown",
+                 spec.id,
+                 fmt::format("the station has \"{}\", not \"{}\"", station_.robot, spec.robot)};
+  item_goods_.clear();
+  for (const EpisodeItem& item : spec.items) {
+    std::unique_ptr<CheckoutGoods>& known = known_goods_[item.sku];
+    if (known == nullptr) {
+      const auto row = std::ranges::find(products, item.sku, &Product::sku);
+      if (row == products.end())
+        return Error{"catalog.unknown_sku", spec.id, "there is no product \"" + item.sku + "\""};
+      MARKETGEN_TRY(CheckoutGoods goods, checkout_goods(*row, frictions_));
+      known = std::make_unique<CheckoutGoods>(std::move(goods));
+    }
+    item_goods_.push_back(known.get());
+  }
+  spec_ = spec;
+  const std::vector<double> ready = ready_state(station_, *robot_);
+  MARKETGEN_TRY(model_, checkout_model(station_, *robot_, ready, spec.items, item_goods_));
+  MARKETGEN_TRY(data_, make_data(*model_.model, world_where));
+  MARKETGEN_TRY(actor_, RobotActor::find(*model_.model, *robot_));
+  MARKETGEN_CHECK(guarded(world_where, [&] { mj_forward(model_.model.get(), data_.get()); }));
+  target_.clear();
+  for (const int dof : arm_)
+    target_.push_back(ready[static_cast<std::size_t>(dof)]);
+  watch_ = CheckoutWatch(model_, *data_);
+  steps_ = 0;
+  done_ = false;
+  return {};
+}
+
+double CheckoutWorld::time_s() const {
+  return data_->time;
+}
+
+std::vector<double> CheckoutWorld::robot_state() const {
+  return actor_.position(*data_);
+}
+
+Observation CheckoutWorld::observe() const {
+  const std::vector<double> q = actor_.position(*data_), v = actor_.velocity(*data_);
+  Observation seen;
+  seen.time_s = data_->time;
+  for (const int dof : arm_) {
+    seen.position.push_back(q[static_cast<std::size_t>(dof)]);
+    seen.velocity.push_back(v[static_cast<std::size_t>(dof)]);
+  }
+  if (const JointGroup* fingers = robot_->find_group("fingers")) {
+    for (const int dof : fingers->dofs)
+      seen.opening_m += q[static_cast<std::size_t>(dof)];
+  }
+  return seen;
+}
+
+Result<void> CheckoutWorld::check(const Action& action) const {
+  if (done_) return bad_action("the episode is over: reset it first");
+  if (action.position.size() != arm_.size())
+    return bad_action(
+        fmt::format("{} joint values for {} joints", action.position.size(), arm_.size()));
+  const bool finite =
+      std::ranges::all_of(action.position, [](double q) { return std::isfinite(q); }) &&
+      std::isfinite(action.opening_m) && std::isfinite(action.force_n);
+  if (!finite || action.opening_m < 0 || action.force_n < 0)
+    return bad_action("expected finite joint values, opening and force from 0 on");
+  return {};
+}
+
+Result<void> CheckoutWorld::move(const std::vector<double>& target,
+                                 double opening_m,
+                                 double force_n) {
+  std::vector<double> position = actor_.position(*data_), rates(position.size());
+  const Tool& tool = robot_->tools.front();
+  for (int i = 1; i <= substeps; ++i) {
+    const double share = static_cast<double>(i) / substeps;
+    for (std::size_t j = 0; j < arm_.size(); ++j) {
+      const auto dof = static_cast<std::size_t>(arm_[j]);
+      position[dof] = target_[j] + (target[j] - target_[j]) * share;
+      rates[dof] = (target[j] - target_[j]) / control_step_s;
+    }
+    MARKETGEN_CHECK(actor_.command(*data_, position, rates));
+    MARKETGEN_CHECK(actor_.grip(*data_, tool, opening_m, std::min(force_n, tool.force)));
+    MARKETGEN_CHECK(guarded(world_where, [&] { mj_step(model_.model.get(), data_.get()); }));
+    watch_.look(model_, *data_);
+  }
+  target_ = target;
+  return {};
+}
+
+Result<Observation> CheckoutWorld::step(const Action& action) {
+  MARKETGEN_CHECK(check(action));
+  if (action.stop) {
+    done_ = true;
+    return observe();
+  }
+  std::vector<double> target = action.position;
+  for (std::size_t j = 0; j < arm_.size(); ++j) {
+    const Joint& joint = robot_->joint_of_dof(static_cast<std::size_t>(arm_[j]));
+    target[j] = std::clamp(target[j], joint.lower, joint.upper);
+  }
+  MARKETGEN_CHECK(move(target, action.opening_m, action.force_n));
+  ++steps_;
+  done_ = data_->time >= spec_.limit_s - time_step_s / 2;
+  return observe();
+}
+
+std::vector<ItemState> CheckoutWorld::item_states() const {
+  std::vector<ItemState> states;
+  for (std::size_t i = 0; i < item_goods_.size(); ++i) {
+    const CheckoutGoods& goods = *item_goods_[i];
+    const CheckoutWatch::Item& seen = watch_.items()[i];
+    states.push_back({goods.product.sku,
+                      item_pose(i),
+                      to_double(goods.body.center_of_mass),
+                      goods.volume,
+                      seen.touched,
+                      seen.rested_s,
+                      seen.impact_m_s});
+  }
+  return states;
+}
+
+SideEffects CheckoutWorld::side_effects(const CheckoutOutcome& outcome) const {
+  SideEffects effects = watch_.effects();
+  effects.wrong_items = outcome.wrong;
+  for (std::size_t i = 0; i < item_goods_.size(); ++i) {
+    if (std::ranges::count(spec_.goals, spec_.items[i].sku, &EpisodeGoal::sku) > 0) continue;
+    const Pose now = inverse(basket_pose()) * item_pose(i);
+    if (length(now.position - watch_.items()[i].first.position) > displaced_m) ++effects.displaced;
+  }
+  return effects;
+}
+
+Result<EpisodeResult> CheckoutWorld::finish() {
+  done_ = true;
+  const double opening = observe().opening_m;
+  for (double waited = 0; waited < judged_after_s - time_step_s; waited += control_step_s)
+    MARKETGEN_CHECK(move(target_, opening, hold_n));
+  const CheckoutOutcome outcome = judge_checkout(
+      station_.unloading.area(), spec_.goals, item_states(), watch_.greatest_tilt_deg());
+  EpisodeResult result;
+  result.episode = spec_.id;
+  result.store = spec_.store;
+  result.goals = outcome.goals;
+  result.is_void = outcome.is_void;
+  result.success_partial =
+      outcome.asked > 0 ? static_cast<double>(outcome.hits) / outcome.asked : 0;
+  result.success_strict = outcome.asked > 0 && outcome.hits == outcome.asked;
+  result.side_effects = side_effects(outcome);
+  const SideEffects& e = result.side_effects;
+  result.success_clean =
+      result.success_strict && e.hard_contacts == 0 && e.toppled == 0 && e.dropped == 0;
+  result.steps = steps_;
+  result.simulated_s = data_->time;
+  result.state_hash = state_hash();
+  return result;
+}
+
+CheckoutSnapshot CheckoutWorld::save() const {
+  CheckoutSnapshot moment;
+  moment.physics.resize(
+      static_cast<std::size_t>(mj_stateSize(model_.model.get(), mjSTATE_INTEGRATION)));
+  mj_getState(model_.model.get(), data_.get(), moment.physics.data(), mjSTATE_INTEGRATION);
+  moment.target = target_;
+  moment.watch = watch_;
+  moment.steps = steps_;
+  moment.done = done_;
+  return moment;
+}
+
+Result<void> CheckoutWorld::restore(const CheckoutSnapshot& moment) {
+  const auto size = static_cast<std::size_t>(mj_stateSize(model_.model.get(), mjSTATE_INTEGRATION));
+  if (moment.physics.size() != size || moment.watch.items().size() != item_goods_.size())
+    return Error{"physics.bad_command", world_where, "the moment is of another episode"};
+  mj_setState(model_.model.get(), data_.get(), moment.physics.data(), mjSTATE_INTEGRATION);
+  target_ = moment.target;
+  watch_ = moment.watch;
+  steps_ = moment.steps;
+  done_ = moment.done;
+  return guarded(world_where, [&] { mj_kinematics(model_.model.get(), data_.get()); });
+}
+
+std::string CheckoutWorld::state_hash() const {
+  const std::vector<double> physics = save().physics;
+  Hasher hash;
+  hash.add_bytes(std::as_bytes(std::span(physics)));
+  return hash.hex();
+}
+
+Pose CheckoutWorld::item_pose(std::size_t item) const {
+  return body_pose(*data_, model_.items[item]);
+}
+
+Pose CheckoutWorld::basket_pose() const {
+  return body_pose(*data_, model_.basket);
+}
+
+double CheckoutWorld::deepest_overlap_m() const {
+  double deepest = 0;
+  for (int c = 0; c < data_->ncon; ++c)
+    deepest = std::max(deepest, -data_->contact[c].dist);
+  return deepest;
+}
+
+}  // namespace marketgen

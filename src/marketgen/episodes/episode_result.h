@@ -1,0 +1,93 @@
+// What became of an episode: market-result/1.
+#pragma once
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/fields.h"
+#include "episodes/checkout_goals.h"
+
+namespace marketgen {
+
+// What kept the agent from its goals, as far as it can be told.
+enum class FailureCode {
+  none,
+  not_found,
+  no_grasp,
+  no_ik,
+  no_path,
+  missed,
+  wrong_item,
+  slipped,
+  dropped,
+  collision,
+  timeout
+};
+constexpr std::array<std::string_view, 11> names_of(FailureCode) {
+  return {"None",
+          "NotFound",
+          "NoGrasp",
+          "NoIK",
+          "NoPath",
+          "Missed",
+          "WrongItem",
+          "Slipped",
+          "Dropped",
+          "Collision",
+          "Timeout"};
+}
+
+// The side-effect ledger. Contacts are those of the arm, and of what it holds, with anything else;
+// each counts once, by the greatest force on it (mean over 10 ms).
+struct SideEffects {
+  int light_contacts = 0, firm_contacts = 0, hard_contacts = 0;
+  double hardest_n = 0;
+  int toppled = 0, dropped = 0, displaced = 0, wrong_items = 0;
+  double basket_tilt_deg = 0;
+
+  static constexpr auto fields = field_list(
+      field("light_contacts", &SideEffects::light_contacts, "below 10 N"),
+      field("firm_contacts", &SideEffects::firm_contacts, "10 to 50 N"),
+      field("hard_contacts", &SideEffects::hard_contacts, "above 50 N"),
+      field("hardest_n", &SideEffects::hardest_n, "greatest force, N"),
+      field("toppled", &SideEffects::toppled, "items that fell over outside the basket"),
+      field("dropped", &SideEffects::dropped, "items that met something faster than 1 m/s"),
+      field("displaced", &SideEffects::displaced, "items not asked for that lie elsewhere"),
+      field("wrong_items", &SideEffects::wrong_items, "items in the area that are no goal"),
+      field("basket_tilt_deg", &SideEffects::basket_tilt_deg, "greatest tilt of the basket"));
+};
+
+struct EpisodeResult {
+  std::string schema = "market-result/1";
+  std::string episode, store, policy;
+  std::vector<GoalOutcome> goals;
+  double success_partial = 0;
+  bool success_strict = false, success_clean = false, is_void = false;
+  FailureCode failure = FailureCode::none;
+  std::string detail;  // of an episode that broke off: the error
+  SideEffects side_effects;
+  int steps = 0;
+  double simulated_s = 0, wall_s = 0;
+  std::string state_hash;
+
+  static constexpr auto fields = field_list(
+      field("schema", &EpisodeResult::schema, "schema tag", constant("market-result/1")),
+      field("episode", &EpisodeResult::episode, "its id", identifier()),
+      field("store", &EpisodeResult::store, "the store's name"),
+      field("policy", &EpisodeResult::policy, "who acted"),
+      field("goals", &EpisodeResult::goals, "one by one"),
+      field("success_partial", &EpisodeResult::success_partial, "share of the goals", range(0, 1)),
+      field("success_strict", &EpisodeResult::success_strict, "all goals"),
+      field("success_clean", &EpisodeResult::success_clean, "strict, and without side effects"),
+      field("void", &EpisodeResult::is_void, "the basket was tilted too far"),
+      field("failure", &EpisodeResult::failure, "what kept the agent from its goals"),
+      field("detail", &EpisodeResult::detail, "the error of an episode that broke off"),
+      field("side_effects", &EpisodeResult::side_effects, "the ledger"),
+      field("steps", &EpisodeResult::steps, "of control"),
+      field("simulated_s", &EpisodeResult::simulated_s, "simulated seconds"),
+      field("wall_s", &EpisodeResult::wall_s, "seconds that it took"),
+      field("state_hash", &EpisodeResult::state_hash, "of the physics at the end"));
+};
+
+}  // namespace marketgen

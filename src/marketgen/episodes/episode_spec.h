@@ -1,0 +1,134 @@
+// One task as data: market-episode/1, and the file that holds many of them.
+//
+// An episodes file is JSON Lines. The first line is its header (market-episodes/1) with the stores'
+// plans and the rows of every product that lies in a basket; each further line is one episode. With
+// the program's own data nothing else is needed to run it.
+#pragma once
+#include <array>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/fields.h"
+#include "base/result.h"
+#include "catalog/product.h"
+#include "geometry/pose.h"
+#include "plan/plan.h"
+
+namespace marketgen {
+
+enum class Track { checkout };
+constexpr std::array<std::string_view, 1> names_of(Track) {
+  return {"checkout"};
+}
+// Error: episode.unknown_track, with those there are.
+Result<Track> track_named(std::string_view name);
+
+// An item of the basket. The pose is basket_from_product, as it lies when the episode begins; the
+// basket's frame is that of its inner floor (physics/bulk_settle.h).
+struct EpisodeItem {
+  std::string sku;
+  std::array<double, 3> position_m{};
+  std::array<double, 4> rotation_wxyz{1, 0, 0, 0};
+
+  static constexpr auto fields = field_list(
+      field("sku", &EpisodeItem::sku, "product", identifier()),
+      field("position_m", &EpisodeItem::position_m, "in the basket's frame", range(-2, 2)),
+      field("rotation_wxyz", &EpisodeItem::rotation_wxyz, "unit quaternion", range(-1.001, 1.001)));
+  Pose pose() const {
+    return {{position_m[0], position_m[1], position_m[2]},
+            {rotation_wxyz[0], rotation_wxyz[1], rotation_wxyz[2], rotation_wxyz[3]}};
+  }
+};
+
+// So many of this product, whichever of them.
+struct EpisodeGoal {
+  std::string sku;
+  int count = 1;
+  static constexpr auto fields =
+      field_list(field("sku", &EpisodeGoal::sku, "product", identifier()),
+                 field("count", &EpisodeGoal::count, "how many", range(1, 100)));
+};
+
+struct EpisodeCertificate {
+  std::vector<std::string> proved;  // conditions that were shown: "settled", "oracle"
+  static constexpr auto fields =
+      field_list(field("proved", &EpisodeCertificate::proved, "conditions that were shown"));
+};
+
+struct EpisodeSpec {
+  std::string schema = "market-episode/1";
+  std::string id;
+  Track track = Track::checkout;
+  std::string store, scene_hash, plan_hash;
+  std::string robot;
+  std::uint64_t seed = 0;
+  std::string instruction;
+  std::vector<EpisodeItem> items;
+  std::vector<EpisodeGoal> goals;
+  std::vector<std::string> cameras;
+  double limit_s = 180;
+  EpisodeCertificate certificate;
+
+  static constexpr auto fields = field_list(
+      field("schema", &EpisodeSpec::schema, "schema tag", constant("market-episode/1")),
+      field("id", &EpisodeSpec::id, "unique in its file", identifier()),
+      field("track", &EpisodeSpec::track, "what kind of task"),
+      field("store", &EpisodeSpec::store, "its name", required()),
+      field("scene_hash", &EpisodeSpec::scene_hash, "of the store's scene", required()),
+      field("plan_hash", &EpisodeSpec::plan_hash, "SHA-256 of the store's plan", required()),
+      field("robot", &EpisodeSpec::robot, "row in data/robots", required()),
+      field("seed", &EpisodeSpec::seed, "of what the policy draws"),
+      field("instruction", &EpisodeSpec::instruction, "what the agent is told", required()),
+      field("items", &EpisodeSpec::items, "what lies in the basket", required(), at_most_items(64)),
+      field("goals", &EpisodeSpec::goals, "what is to be done", required(), at_most_items(16)),
+      field("cameras", &EpisodeSpec::cameras, "that the agent has", at_most_items(16)),
+      field("limit_s", &EpisodeSpec::limit_s, "simulated seconds", range(1, 3600)),
+      field("certificate", &EpisodeSpec::certificate, "what is known to be possible"));
+};
+
+struct EpisodeStore {
+  std::string name, scene_hash, plan_hash;
+  Plan plan;
+  static constexpr auto fields =
+      field_list(field("name", &EpisodeStore::name, "the store's name", required()),
+                 field("scene_hash", &EpisodeStore::scene_hash, "of its scene", required()),
+                 field("plan_hash", &EpisodeStore::plan_hash, "SHA-256 of the plan", required()),
+                 field("plan", &EpisodeStore::plan, "what the store is", required()));
+};
+
+struct EpisodeHeader {
+  std::string schema = "market-episodes/1";
+  std::uint64_t seed = 0;
+  int episodes = 0;
+  std::vector<EpisodeStore> stores;
+  std::vector<Product> products;
+  static constexpr auto fields = field_list(
+      field("schema", &EpisodeHeader::schema, "schema tag", constant("market-episodes/1")),
+      field("seed", &EpisodeHeader::seed, "with which they were drawn"),
+      field("episodes", &EpisodeHeader::episodes, "lines that follow", range(0, 1e6)),
+      field("stores", &EpisodeHeader::stores, "where the goods are from"),
+      field("products", &EpisodeHeader::products, "rows of what lies in the baskets"));
+};
+
+struct EpisodeFile {
+  EpisodeHeader header;
+  std::vector<EpisodeSpec> episodes;
+};
+
+std::string plan_hash(const Plan& plan);  // SHA-256 of its JSON
+
+// Errors: of read_json, at "FILE:LINE"; episode.truncated when lines are missing or the last one
+// breaks off; catalog.unknown_sku; episode.other_store when an episode's hashes are none of the
+// header's.
+Result<EpisodeFile> read_episodes(std::string_view text, const std::string& source);
+Result<EpisodeFile> read_episode_file(const std::filesystem::path& file);
+std::string write_episodes(const EpisodeFile& file);
+
+// Error: episode.other_store when the store is not the one that the episode was drawn from.
+Result<void> check_store(const EpisodeSpec& spec,
+                         const std::string& scene_hash,
+                         const std::string& plan_hash);
+
+}  // namespace marketgen

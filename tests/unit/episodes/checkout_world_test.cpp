@@ -1,0 +1,193 @@
+// Baskets as they are drawn, and the world that they are put in: at rest, repeatable, watched.
+#include "episodes/checkout_world.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "episodes/sample_checkout.h"
+#include "support/committed_catalog.h"
+
+namespace marketgen {
+namespace {
+
+const std::filesystem::path data = std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data";
+
+template <class T>
+T value_of(Result<T> result) {
+  if (!result.ok()) fatal(to_string(result.error()).c_str());
+  return std::move(result).value();
+}
+
+const std::vector<Product>& stock() {
+  static const std::vector<Product> chosen = [] {
+    std::vector<Product> goods;
+    for (const Product& product : committed_catalog().products)
+      if (is_checkout_item(product)) goods.push_back(product);
+    return goods;
+  }();
+  return chosen;
+}
+
+EpisodeSpec drawn(std::uint64_t seed, int index = 0) {
+  return value_of(sample_checkout(data,
+                                  stock(),
+                                  committed_catalog().frictions,
+                                  {"corner", "scene", "plan"},
+                                  Seed(seed),
+                                  index));
+}
+
+CheckoutWorld world_of(const EpisodeSpec& spec) {
+  CheckoutWorld world = value_of(CheckoutWorld::create(data, committed_catalog().frictions));
+  const auto reset = world.reset(spec, stock());
+  if (!reset.ok()) fatal(to_string(reset.error()).c_str());
+  return world;
+}
+
+Action waiting(const CheckoutWorld& world) {
+  Action action;
+  action.position = world.observe().position;
+  action.opening_m = 0.08;
+  return action;
+}
+
+// To and fro over the basket.
+std::vector<Action> swaying(const CheckoutWorld& world, int steps) {
+  std::vector<Action> actions;
+  for (int i = 0; i < steps; ++i) {
+    actions.push_back(waiting(world));
+    actions.back().position[0] += 0.3 * std::sin(i * 0.1);
+    actions.back().position[1] += 0.02 * i;
+    actions.back().opening_m = i % 7 == 0 ? 0 : 0.06;
+  }
+  return actions;
+}
+
+void perform(CheckoutWorld& world, std::span<const Action> actions) {
+  for (const Action& action : actions)
+    value_of(world.step(action));
+}
+
+TEST(SampleCheckout, ItemsLieAtRestInTheBasketAndApart) {
+  for (int index = 0; index < 3; ++index) {
+    const EpisodeSpec spec = drawn(7, index);
+    CheckoutWorld world = world_of(spec);
+    EXPECT_GE(spec.goals.size(), 2U);
+    EXPECT_LE(spec.goals.size(), 4U);
+    EXPECT_GE(spec.items.size(), spec.goals.size() + 4);
+    std::vector<Vec3> before;
+    for (std::size_t i = 0; i < world.item_count(); ++i)
+      before.push_back(world.item_pose(i).position);
+    EXPECT_LE(world.deepest_overlap_m(), 0.002);
+    perform(world, std::vector<Action>(20, waiting(world)));
+    const OpenContainer basket = world.station().container();
+    for (std::size_t i = 0; i < world.item_count(); ++i) {
+      const Pose pose = inverse(world.basket_pose()) * world.item_pose(i);
+      const Vec3 middle = pose * to_double(world.goods(i).body.center_of_mass);
+      EXPECT_LT(std::abs(middle.x), basket.top_x_m / 2) << spec.items[i].sku;
+      EXPECT_LT(std::abs(middle.y), basket.top_y_m / 2) << spec.items[i].sku;
+      EXPECT_LT(length(world.item_pose(i).position - before[i]), 0.003) << spec.items[i].sku;
+      EXPECT_LT(world.watch().items()[i].speed_m_s, 0.02) << spec.items[i].sku;
+    }
+    EXPECT_LE(world.deepest_overlap_m(), 0.002);
+  }
+}
+
+TEST(SampleCheckout, TheSameSeedGivesTheSameBytes) {
+  const EpisodeFile one{{}, {drawn(3)}}, again{{}, {drawn(3)}}, other{{}, {drawn(4)}};
+  EXPECT_EQ(write_episodes(one), write_episodes(again));
+  EXPECT_NE(write_episodes(one), write_episodes(other));
+}
+
+TEST(SampleCheckout, TooFewKindsOfGoodsIsAnError) {
+  const std::vector<Product> few(stock().begin(), stock().begin() + 3);
+  const auto made = sample_checkout(
+      data, few, committed_catalog().frictions, {"kiosk", "scene", "plan"}, Seed(1), 0);
+  ASSERT_FALSE(made.ok());
+  EXPECT_EQ(made.error().code, "episode.impossible");
+}
+
+TEST(CheckoutWorld, TheSameActionsGiveTheSameState) {
+  const EpisodeSpec spec = drawn(7);
+  CheckoutWorld one = world_of(spec), again = world_of(spec);
+  EXPECT_EQ(one.state_hash(), again.state_hash());
+  const std::vector<Action> actions = swaying(one, 40);
+  perform(one, actions);
+  perform(again, actions);
+  EXPECT_EQ(one.state_hash(), again.state_hash());
+  ASSERT_TRUE(again.reset(spec, stock()).ok());  // a world may be used again
+  perform(again, actions);
+  EXPECT_EQ(one.state_hash(), again.state_hash());
+}
+
+TEST(CheckoutWorld, GoingOnFromASavedMomentGivesTheSameState) {
+  CheckoutWorld world = world_of(drawn(7));
+  const std::vector<Action> actions = swaying(world, 40);
+  perform(world, std::span(actions).first(20));
+  const CheckoutSnapshot moment = world.save();
+  perform(world, std::span(actions).subspan(20));
+  const std::string end = world.state_hash();
+  ASSERT_TRUE(world.restore(moment).ok());
+  EXPECT_EQ(world.steps(), 20);
+  perform(world, std::span(actions).subspan(20));
+  EXPECT_EQ(world.state_hash(), end);
+}
+
+TEST(CheckoutWorld, NothingDoneReachesNothing) {
+  CheckoutWorld world = world_of(drawn(7));
+  Action stop = waiting(world);
+  stop.stop = true;
+  value_of(world.step(stop));
+  EXPECT_TRUE(world.done());
+  const EpisodeResult result = value_of(world.finish());
+  EXPECT_EQ(result.success_partial, 0);
+  EXPECT_FALSE(result.success_strict);
+  EXPECT_EQ(result.side_effects.hard_contacts, 0);
+  EXPECT_EQ(result.side_effects.displaced, 0);
+  EXPECT_NEAR(result.simulated_s, 2, 0.1);
+}
+
+TEST(CheckoutWorld, PressingOnTheCounterIsAHardContact) {
+  CheckoutWorld world = world_of(drawn(7));
+  Action down = waiting(world);
+  for (int i = 0; i < 60; ++i) {
+    down.position[0] = -0.8;  // away from the basket
+    down.position[1] += 0.025;
+    value_of(world.step(down));
+  }
+  EXPECT_GT(world.watch().effects().hard_contacts, 0);
+  EXPECT_GT(world.watch().effects().hardest_n, 50);
+}
+
+TEST(CheckoutWorld, RefusesBadActions) {
+  CheckoutWorld world = world_of(drawn(7));
+  const std::string before = world.state_hash();
+  Action nan = waiting(world), short_one = nan, late = nan;
+  nan.position[2] = std::numeric_limits<double>::quiet_NaN();
+  short_one.position.pop_back();
+  for (const Action& bad : {nan, short_one}) {
+    const auto stepped = world.step(bad);
+    ASSERT_FALSE(stepped.ok());
+    EXPECT_EQ(stepped.error().code, "episode.bad_action");
+  }
+  EXPECT_EQ(world.state_hash(), before);
+  late.stop = true;
+  value_of(world.step(late));
+  ASSERT_FALSE(world.step(late).ok());
+}
+
+TEST(CheckoutWorld, UnknownGoodsAndOtherRobotsAreErrors) {
+  CheckoutWorld world = value_of(CheckoutWorld::create(data, committed_catalog().frictions));
+  EpisodeSpec spec = drawn(7);
+  const auto reset = world.reset(spec, {});
+  ASSERT_FALSE(reset.ok());
+  EXPECT_EQ(reset.error().code, "catalog.unknown_sku");
+  spec.robot = "realman-rm75";
+  EXPECT_EQ(world.reset(spec, stock()).error().code, "robot.unknown");
+}
+
+}  // namespace
+}  // namespace marketgen
