@@ -10,4 +10,5 @@ NB_MODULE(_core, module) {
   add_cameras(module);
   add_stores(module);
   add_renderers(module);
+  add_checkout(module);
 }

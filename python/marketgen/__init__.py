@@ -11,6 +11,7 @@ Calls that fail raise marketgen.Error with a stable code. Long calls let other t
 cores; what they make does not depend on how many there are.
 """
 
+import importlib.util
 import os
 import pathlib
 
@@ -23,6 +24,9 @@ from ._core import __version__  # noqa: E402
 from .errors import Error  # noqa: E402
 from .pictures import Camera, Frame, Renderer, camera_from_dict, camera_to_dict, render_batch  # noqa: E402
 from .store import Store, generate, open_store  # noqa: E402
+
+if importlib.util.find_spec("gymnasium"):
+    from . import environments as _environments  # noqa: F401  registers them
 
 __all__ = [
     "Camera",

@@ -16,8 +16,15 @@ PathLike = str | os.PathLike[str]
 class Store:
     """A store folder, opened: docs/formats.md describes its files."""
 
-    def __init__(self, handle: _core.Store):
+    def __init__(self, handle: _core.Store, catalogs: Sequence[str] = ()):
         self._handle = handle
+        self._catalogs = tuple(catalogs)
+
+    def __reduce__(self):  # another process opens the folder anew
+        return _opened, (self.folder, self._catalogs)
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Store:
+        return self  # nothing in it changes
 
     def __repr__(self) -> str:
         return f"<marketgen.Store {self.folder!r}>"
@@ -73,7 +80,11 @@ class Store:
 
 def open_store(folder: PathLike, *, catalogs: Sequence[PathLike] = ()) -> Store:
     """Opens a store folder. `catalogs`: product files of your own that it was made with. Raises Error store.*, scene.*."""
-    return Store(_core.open_store(os.fspath(folder), [os.fspath(file) for file in catalogs]))
+    return _opened(os.fspath(folder), [os.fspath(file) for file in catalogs])
+
+
+def _opened(folder: str, catalogs: Sequence[str]) -> Store:
+    return Store(_core.open_store(folder, list(catalogs)), catalogs)
 
 
 def generate(
@@ -101,6 +112,7 @@ def generate(
 
     Equal arguments make equal bytes. Nothing is left behind when it fails or is interrupted.
     """
+    rows = [os.fspath(file) for file in catalogs]
     handle = _core.generate(
         prompt,
         os.fspath(folder),
@@ -109,8 +121,8 @@ def generate(
         profile,
         style,
         None if plan is None else os.fspath(plan),
-        [os.fspath(file) for file in catalogs],
+        rows,
         previews,
         strict,
     )
-    return Store(handle)
+    return Store(handle, rows)

@@ -21,7 +21,6 @@ namespace {
 constexpr char checkout_where[] = "checkout";
 constexpr mjtSize checkout_arena_bytes = 64U << 20;
 constexpr int volume_points_a_side = 8;
-constexpr double lip_width_m = 0.01;
 constexpr double basket_feet_friction =
     0.5;                                 // moulded plastic on a rubber belt: data/friction.json
 constexpr double finger_friction = 0.5;  // of its metal; pads have that of their pairs
@@ -56,15 +55,8 @@ class CheckoutModelBuilder {
     mjsGeom* floor = add_floor(world_);
     floor->pos[2] = -c.height_m;
     floor->conaffinity = all_bit | pad_box_bit;
-    const auto& [center, size, lip, source] = station_.unloading;
-    if (lip <= 0) return;
-    const double w = lip_width_m / 2;
-    for (const double side : {-1.0, 1.0}) {
-      add_still({center[0] + side * (size[0] / 2 + w), center[1], lip / 2},
-                {w, size[1] / 2 + lip_width_m, lip / 2});
-      add_still({center[0], center[1] + side * (size[1] / 2 + w), lip / 2},
-                {size[0] / 2, w, lip / 2});
-    }
+    for (const ContainerBox& box : station_.lip())
+      add_still(box.container_from_box.position, box.half_size);
   }
 
   void add_basket() {
@@ -72,13 +64,8 @@ class CheckoutModelBuilder {
     mjs_setName(body->element, "basket");
     set_pose(body->pos, body->quat, station_.basket_pose());
     mjs_addFreeJoint(body);
-    const OpenContainer container = station_.container();
     const BasketRow& b = station_.basket;
-    const double x = b.top_m[0] / 2 - b.taper_m + b.wall_m,
-                 y = b.top_m[1] / 2 - b.taper_m + b.wall_m;
-    std::vector<ContainerBox> boxes = boxes_of(container);
-    boxes.push_back({{{0, 0, -b.floor_m / 4}, {}}, {x, y, b.floor_m / 4}});
-    boxes.push_back({{{0, 0, -b.floor_m * 0.75}, {}}, {x, y, b.floor_m / 4}});
+    const std::vector<ContainerBox> boxes = station_.basket_boxes();
     double volume = 0;
     for (const ContainerBox& box : boxes)
       volume += 8 * box.half_size.x * box.half_size.y * box.half_size.z;

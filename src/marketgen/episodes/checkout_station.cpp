@@ -11,6 +11,8 @@
 namespace marketgen {
 namespace {
 
+constexpr double lip_width_m = 0.01;
+
 constexpr char station_file[] = "checkout.json";
 
 Error bad_station(const std::string& place, const std::string& message) {
@@ -68,6 +70,29 @@ OpenContainer CheckoutStation::container() const {
 
 Pose CheckoutStation::basket_pose() const {
   return {{basket.center_m[0], basket.center_m[1], basket.floor_m}, {}};
+}
+
+std::vector<ContainerBox> CheckoutStation::basket_boxes() const {
+  const BasketRow& b = basket;
+  const double x = b.top_m[0] / 2 - b.taper_m + b.wall_m, y = b.top_m[1] / 2 - b.taper_m + b.wall_m;
+  std::vector<ContainerBox> boxes = boxes_of(container());
+  boxes.push_back({{{0, 0, -b.floor_m / 4}, {}}, {x, y, b.floor_m / 4}});
+  boxes.push_back({{{0, 0, -b.floor_m * 0.75}, {}}, {x, y, b.floor_m / 4}});
+  return boxes;
+}
+
+std::vector<ContainerBox> CheckoutStation::lip() const {
+  std::vector<ContainerBox> boxes;
+  const auto& [center, size, height, source] = unloading;
+  if (height <= 0) return boxes;
+  const double w = lip_width_m / 2;
+  for (const double side : {-1.0, 1.0}) {
+    boxes.push_back({{{center[0] + side * (size[0] / 2 + w), center[1], height / 2}, {}},
+                     {w, size[1] / 2 + lip_width_m, height / 2}});
+    boxes.push_back({{{center[0], center[1] + side * (size[1] / 2 + w), height / 2}, {}},
+                     {size[0] / 2, w, height / 2}});
+  }
+  return boxes;
 }
 
 Result<CheckoutStation> load_checkout_station(const std::filesystem::path& data) {

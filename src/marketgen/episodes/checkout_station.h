@@ -147,6 +147,9 @@ struct CheckoutStation {
 
   OpenContainer container() const;
   Pose basket_pose() const;  // station_from_container at the start
+  // Walls and ledge, then the floor's two layers: the upper touches goods, the lower the belt.
+  std::vector<ContainerBox> basket_boxes() const;
+  std::vector<ContainerBox> lip() const;  // station_from_box; none when it has no height
 };
 
 // `data` is usually data_folder(). Errors: catalog.missing_data, those of read_json,

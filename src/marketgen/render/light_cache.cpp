@@ -47,6 +47,9 @@ void add_numbers(Hasher& hasher, const T&... numbers) {
   (hasher.add_bytes(std::as_bytes(std::span(&numbers, 1))), ...);
 }
 
+// What is added to these belongs into the key, unless no baked light depends on it.
+static_assert(sizeof(Material) == 80 && sizeof(Surroundings) == 36 && sizeof(AreaLight) == 64);
+
 void add_material(Hasher& hasher, const Material& m) {
   add_numbers(hasher, m.color, m.emission, m.roughness, m.metallic, m.texture, m.relief);
   add_numbers(hasher, m.roughness_scale, m.glass, m.clear);
@@ -97,8 +100,8 @@ std::string light_key(const World& world, std::span<const Vec3f> probe_positions
     add_instance(hasher, instance);
   add_rows(hasher, world.lights);
   add_numbers(hasher, world.panel_count, world.room, world.exposure);
-  add_numbers(hasher, world.surroundings.zenith, world.surroundings.horizon);
-  add_numbers(hasher, world.surroundings.ground, world.surroundings.sampled_as_lights);
+  const Surroundings& s = world.surroundings;
+  add_numbers(hasher, s.white, s.daylight, s.day_tint, s.even, s.sampled_as_lights);
   hasher.add_bytes(std::as_bytes(probe_positions));
   return hasher.hex();
 }
