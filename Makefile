@@ -1,5 +1,5 @@
 # The commands a contributor needs; `make help` lists them. What they run is in tools/ and CMakePresets.json.
-.PHONY: help setup build demo test bench format lint clean
+.PHONY: help setup build demo gallery test bench format lint clean
 .DEFAULT_GOAL := help
 
 # WERROR=ON: warnings stop the release build, as in CI. TIDY=ON: `make test` runs clang-tidy too (about 4 s a file).
@@ -29,6 +29,9 @@ demo: build ## make, draw and check a 24 x 15 m store in out/demo
 	$(MARKETGEN) render $(DEMO) --camera aisle --size 1280x720 -o out/demo-aisle.png
 	@printf '\nstore     %s\n' "$(CURDIR)/$(DEMO)"
 	@ls -1 $(CURDIR)/$(DEMO)/*.png $(CURDIR)/$(DEMO)/previews/*.png $(CURDIR)/out/demo-aisle.png | sed 's/^/picture   /'
+
+gallery: build ## the stores and stills of docs/gallery.md; about 20 minutes
+	tools/gallery
 
 test: ## everything CI checks; ends with the release tests' summary
 	tools/test --werror=$(WERROR) --lint=$(TIDY)

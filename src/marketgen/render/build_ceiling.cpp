@@ -106,6 +106,48 @@ void add_camera(Mesh& mesh, Vec3f at, std::uint16_t white, std::uint16_t dome) {
   add_turned(mesh, at, profile);
 }
 
+// A tube from z = 0 to `length` with collars where its pieces meet.
+std::vector<ProfilePoint> duct_profile(float length, std::uint16_t sheet) {
+  constexpr float lip = 0.012F, half = 0.025F;
+  std::vector<ProfilePoint> profile{{0, 0, sheet, true}, {duct_radius_m, 0, sheet, true}};
+  for (float z = collar_pitch_m; z < length - collar_pitch_m / 2; z += collar_pitch_m) {
+    profile.push_back({duct_radius_m, z - half, sheet, true});
+    profile.push_back({duct_radius_m + lip, z - half, sheet, true});
+    profile.push_back({duct_radius_m + lip, z + half, sheet, true});
+    profile.push_back({duct_radius_m, z + half, sheet, true});
+  }
+  profile.push_back({duct_radius_m, length, sheet, true});
+  profile.push_back({0, length, sheet});
+  return profile;
+}
+
+bool rows_run_along_x(const World& world) {
+  if (world.panel_count == 0) return true;
+  return std::fabs(world.lights[0].edge_u.x) >= std::fabs(world.lights[0].edge_v.y);
+}
+
+// Where across the lamps' rows a duct hangs: the place nearest to `share` of the width that keeps
+// clear of them.
+float duct_place(const World& world, bool along_x, float low, float across, float share) {
+  constexpr float step = 0.05F, clear = duct_radius_m + 0.12F;
+  float best = low + across * share, nearest = 1e9F;
+  for (float place = low + 0.6F; place < low + across - 0.6F; place += step) {
+    bool free = true;
+    for (std::uint32_t i = 0; i < world.panel_count; ++i) {
+      const AreaLight& light = world.lights[i];
+      const Vec3f middle = light.corner + (light.edge_u + light.edge_v) * 0.5F;
+      const float half = std::fabs(along_x ? light.edge_v.y : light.edge_u.x) / 2;
+      free = free && std::fabs((along_x ? middle.y : middle.x) - place) > half + clear;
+    }
+    const float off = std::fabs(place - (low + across * share));
+    if (free && off < nearest) {
+      nearest = off;
+      best = place;
+    }
+  }
+  return best;
+}
+
 }  // namespace
 
 CeilingBuilder::CeilingBuilder(Draft& draft, const Room& room) : room_(room), materials_(finishes) {
@@ -150,34 +192,25 @@ void CeilingBuilder::add_services(Mesh& mesh, const World& world) const {
   }
 }
 
-// Along the longer side, where the room is a rectangle.
-void CeilingBuilder::add_ducts(Mesh& mesh) const {
+// Beside the rows of lamps and along them, in rooms that are rectangles.
+void CeilingBuilder::add_ducts(Mesh& mesh, const World& world) const {
   const RectMm bounds = bounds_of(room_.outline);
-  const bool along_x = bounds.width() >= bounds.depth();
+  const bool along_x = rows_run_along_x(world);
   const auto metres = [](int mm) { return static_cast<float>(mm) * 1e-3F; };
   const float length = metres(along_x ? bounds.width() : bounds.depth()) - 2 * duct_end_m;
   const float across = metres(along_x ? bounds.depth() : bounds.width());
   const Vec3f low{metres(bounds.x0), metres(bounds.y0), room_.ceiling - duct_below_m};
-  const int count = across > second_duct_from_m ? 2 : 1;
-  std::vector<ProfilePoint> profile{{0, 0, duct, true}, {duct_radius_m, 0, duct, true}};
-  for (float z = collar_pitch_m; z < length - collar_pitch_m / 2; z += collar_pitch_m) {
-    constexpr float lip = 0.012F, half = 0.025F;
-    profile.push_back({duct_radius_m, z - half, duct, true});
-    profile.push_back({duct_radius_m + lip, z - half, duct, true});
-    profile.push_back({duct_radius_m + lip, z + half, duct, true});
-    profile.push_back({duct_radius_m, z + half, duct, true});
-  }
-  profile.push_back({duct_radius_m, length, duct, true});
-  profile.push_back({0, length, duct});
   const Quaternion turn = along_x ? rotation_about({0, 1, 0}, double{pi} / 2)
                                   : rotation_about({1, 0, 0}, -double{pi} / 2);
-  for (int k = 0; k < count; ++k) {
-    const float share = (static_cast<float>(k) + 0.5F) / static_cast<float>(count) + 0.08F;
-    const Vec3f start = low + (along_x ? Vec3f{duct_end_m, across * share, 0}
-                                       : Vec3f{across * share, duct_end_m, 0});
+  const std::vector<float> shares =
+      across > second_duct_from_m ? std::vector<float>{0.3F, 0.72F} : std::vector<float>{0.55F};
+  for (const float share : shares) {
+    const float place = duct_place(world, along_x, along_x ? low.y : low.x, across, share);
+    const Vec3f start =
+        along_x ? Vec3f{low.x + duct_end_m, place, low.z} : Vec3f{place, low.y + duct_end_m, low.z};
     const std::size_t first = mesh.positions.size();
-    add_lathe(mesh, profile, duct_segments);
-    place(mesh, Pose{to_double(start), turn}, first);
+    add_lathe(mesh, duct_profile(length, duct), duct_segments);
+    marketgen::place(mesh, Pose{to_double(start), turn}, first);
   }
 }
 
@@ -186,7 +219,7 @@ void CeilingBuilder::build(Draft& draft) const {
   World& world = draft.world();
   Mesh mesh;
   add_services(mesh, world);
-  if (open_ && room_.outline.size() == 4) add_ducts(mesh);
+  if (open_ && room_.outline.size() == 4) add_ducts(mesh, world);
   append(world.ceiling, world.shell_glass, mesh, materials_, world, {1, -1});
 }
 

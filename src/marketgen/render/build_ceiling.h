@@ -17,7 +17,7 @@ class CeilingBuilder {
  private:
   enum Finish : std::uint16_t { white, slot, metal, dome, duct, finishes };
   void add_services(Mesh& mesh, const World& world) const;
-  void add_ducts(Mesh& mesh) const;
+  void add_ducts(Mesh& mesh, const World& world) const;
 
   const Room& room_;
   std::vector<std::uint16_t> materials_;  // by Finish

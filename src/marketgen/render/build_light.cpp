@@ -17,7 +17,7 @@ struct FittingSize {
   float length_m, width_m, pitch_m, below_ceiling_m;
 };
 constexpr std::array<FittingSize, names_of(LampFitting{}).size()> fitting_sizes{
-    FittingSize{1.2F, 0.3F, 2.4F, 0.015F}, {2.26F, 0.09F, 2.4F, 0.14F}, {0.22F, 0.22F, 1.8F, 0.9F}};
+    FittingSize{1.2F, 0.3F, 2.4F, 0.015F}, {2.26F, 0.15F, 2.4F, 0.14F}, {0.22F, 0.22F, 1.8F, 0.9F}};
 constexpr float lowest_lamp_m = 2.6F;  // people, signs and open doors pass below
 constexpr float row_pitch_m = 2.8F;    // between rows where no aisle says otherwise
 constexpr float closest_rows_m = 1.5F;

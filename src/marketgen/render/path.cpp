@@ -23,6 +23,7 @@ constexpr float path_bounce_footprint = 0.05F;
 // Paths end in stored light only behind a bounce at least this rough: smoother ones are mirrors.
 constexpr float rough_from = 0.35F;
 constexpr float glass_index = 1.5F;
+constexpr float least_mirror_chance = 0.25F;
 constexpr Vec3f label_back{0.7F, 0.7F, 0.68F};
 // Relief is read from stored light, which knows its tilt only roughly.
 constexpr float darkest_tilt = 0.5F, brightest_tilt = 1.8F;
@@ -143,11 +144,17 @@ class PathTracer {
     const float reflected = bends           ? interface_reflectance(cosine, eta)
                             : surface.glass ? interface_reflectance(cosine, glass_index)
                                             : sheet_reflectance(cosine, glass_index);
-    if (numbers_.one() < reflected) {
+    // What the first pane mirrors may be far brighter than what is behind it, as in a window at
+    // night: one path in a few looks, not one in twenty.
+    const bool first_pane = surface.glass && lobe_ == Lobe::none && !surface.back_face;
+    const float chance = first_pane ? std::max(reflected, least_mirror_chance) : reflected;
+    if (numbers_.one() < chance) {
+      throughput_ *= Vec3f{1, 1, 1} * (reflected / chance);
       if (lobe_ == Lobe::none && !inside_) lobe_ = Lobe::gloss;
       scatter_pdf_ = 0;
       return {surface.position, mirrored(ray.direction, surface.relief_normal)};
     }
+    if (first_pane) throughput_ *= Vec3f{1, 1, 1} * ((1 - reflected) / (1 - chance));
     const Vec3f beyond = surface.position - surface.face_normal * (2 * surface_lift_m);
     if (surface.glass) throughput_ *= surface.albedo;
     if (!bends) return {beyond, ray.direction};

@@ -107,7 +107,8 @@ class PathPicture {
     for_pixels(range, settings_.mask, middle, [&](int x, int y, const Ray& ray, const Hit& hit) {
       const std::size_t i = index(x, y);
       if (!hit.any()) {
-        guides_.position.set(i, ray.origin + ray.direction * 1e4F);
+        // Near, so that the filter takes neighbours for one surface: panes mirror the shop there.
+        guides_.position.set(i, ray.origin + ray.direction * 4);
         guides_.normal.set(i, -ray.direction);
         return;
       }

@@ -24,7 +24,7 @@ constexpr float mean_night_over_white = 0.05F;
 const Vec3f night_sky{0.006F, 0.008F, 0.018F};
 const Vec3f sodium{1.0F, 0.62F, 0.30F};  // street lanterns
 const Vec3f lamplight{1.0F, 0.78F, 0.52F};
-const Vec3f dark_glass{0.135F, 0.145F, 0.155F};
+const Vec3f dark_glass{0.15F, 0.15F, 0.15F};
 
 const std::array<Vec3f, 6> facade_colors{Vec3f{0.62F, 0.56F, 0.46F},
                                          {0.46F, 0.26F, 0.19F},
@@ -32,11 +32,11 @@ const std::array<Vec3f, 6> facade_colors{Vec3f{0.62F, 0.56F, 0.46F},
                                          {0.50F, 0.50F, 0.48F},
                                          {0.68F, 0.58F, 0.40F},
                                          {0.40F, 0.33F, 0.28F}};
-const std::array<Vec3f, 5> car_colors{Vec3f{0.30F, 0.31F, 0.33F},
-                                      {0.05F, 0.05F, 0.06F},
-                                      {0.60F, 0.60F, 0.60F},
-                                      {0.08F, 0.14F, 0.30F},
-                                      {0.32F, 0.05F, 0.05F}};
+const std::array<Vec3f, 5> car_colors{Vec3f{0.26F, 0.27F, 0.28F},
+                                      {0.06F, 0.06F, 0.065F},
+                                      {0.52F, 0.52F, 0.51F},
+                                      {0.08F, 0.10F, 0.15F},
+                                      {0.17F, 0.06F, 0.055F}};
 
 // A place's number on the ring and how far along it a direction points, 0..1.
 struct RingPlace {
@@ -86,7 +86,8 @@ StreetSpot shop_spot(std::uint32_t house, float across, float rise) {
       static_cast<std::uint32_t>(across * columns) + 64 * static_cast<std::uint32_t>(rise * rows);
   const float things = 0.35F + 0.65F * chance(house * 977 + cell, 10);
   const float bright = (lit ? 0.16F : 0.012F) * things * (0.4F + 0.9F * rise);
-  return {dark_glass * (facade_over_white * (0.55F + 0.5F * things * rise)), lamplight * bright};
+  return {dark_glass * (facade_over_white * (0.2F + 0.5F * things + 0.35F * rise)),
+          lamplight * bright};
 }
 
 // The house front at `up` metres above the pavement.
@@ -132,7 +133,7 @@ StreetSpot car_spot(std::uint32_t number, float x, float up) {
   if (wheel) return {Vec3f{0.05F, 0.05F, 0.05F}, Vec3f{0.002F, 0.002F, 0.002F}};
   const Vec3f color = picked(car_colors, number, 3);
   if (window) return {dark_glass * 1.6F, Vec3f{0.008F, 0.009F, 0.012F}};
-  return {color * (2.2F + 1.5F * up), color * sodium * 0.05F + Vec3f{0.003F, 0.003F, 0.004F}};
+  return {color * (1.3F + 0.9F * up), color * sodium * 0.05F + Vec3f{0.003F, 0.003F, 0.004F}};
 }
 
 StreetSpot ground(float distance) {
