@@ -23,7 +23,7 @@ constexpr std::array<Vec2f, most_samples> sample_offsets{Vec2f{0.25F, 0.75F},
                                                          {0.9375F, 0.5625F}};
 // Neighbours that differ by less of their brightness need no smoothing; this much of white counts
 // as dark.
-constexpr float least_contrast = 0.08F, dark_of_white = 0.04F;
+constexpr float least_contrast = 0.12F, dark_of_white = 0.04F;
 constexpr float edge_plane_m = 0.02F, edge_plane_per_m = 0.005F, edge_facing = 0.8F;
 // A sample brighter than this many times white counts as this much: lamps' edges would stay jagged
 // when the tone curve clips them afterwards.

@@ -20,37 +20,45 @@ class TileTracer {
         tile_(tile),
         mask_(detail.opaque_mask | (world.has_glass ? mask_glass : 0U)) {}
 
+  // All rays first: what their hits need is on its way meanwhile.
   void run() {
-    for (int row = 0; row < sensor_tile_side; row += 2) {
-      for (int column = 0; column < sensor_tile_side; column += static_cast<int>(lane_count)) {
-        const std::size_t group = SensorTile::number_of(column, row) / lane_count;
-        if (column < tile_.columns && row < tile_.rows) {
-          trace_block(column, row);
-        } else {
-          tile_.depth[group] = tile_.depth[group + groups_across] = 0;
-        }
-      }
-    }
+    for_blocks([this](int column, int row) { trace_block(column, row); });
+    for_blocks([this](int column, int row) {
+      take(group_at(column, row));
+      take(group_at(column, row + 1));
+    });
     if (behind_.used > 0) trace_behind();
   }
 
  private:
-  static constexpr std::size_t groups_across = sensor_tile_side / lane_count;
+  static std::size_t group_at(int column, int row) {
+    return SensorTile::number_of(column, row) / lane_count;
+  }
 
-  // A packet of 8 x 2 pixels.
+  // Calls body(column, row) for each packet of 8 x 2 pixels that lies in the picture.
+  template <class Body>
+  void for_blocks(const Body& body) {
+    for (int row = 0; row < sensor_tile_side; row += 2) {
+      for (int column = 0; column < sensor_tile_side; column += static_cast<int>(lane_count)) {
+        if (column < tile_.columns && row < tile_.rows)
+          body(column, row);
+        else
+          tile_.depth[group_at(column, row)] = tile_.depth[group_at(column, row + 1)] = 0;
+      }
+    }
+  }
+
   void trace_block(int column, int row) {
     RTCRayHit16 packet;
-    std::array<Rays8, 2> rays;
     for (std::size_t half = 0; half < 2; ++half) {
-      rays[half] = rays_of(column, row + static_cast<int>(half));
-      set_rays(packet.ray, half, rays[half], View::near_m);
+      const int at = row + static_cast<int>(half);
+      rays_[group_at(column, at)] = rays_of(column, at);
+      set_rays(packet.ray, half, rays_[group_at(column, at)], View::near_m);
     }
     trace(world_, packet, packet_size, mask_, RayBundle::coherent);
     fetch_surfaces(world_, packet);
-    for (std::size_t half = 0; half < 2; ++half)
-      take(SensorTile::number_of(column, row + static_cast<int>(half)) / lane_count,
-           rays[half],
-           hits_of(packet, half));
+    hits_[group_at(column, row)] = hits_of(packet, 0);
+    hits_[group_at(column, row + 1)] = hits_of(packet, 1);
   }
 
   // Pixels past the picture's edge repeat the last one: a full packet is as cheap as a part.
@@ -62,7 +70,9 @@ class TileTracer {
     return view_.rays(x + 0.5F, y + 0.5F);
   }
 
-  void take(std::size_t group, const Rays8& rays, const Hits8& hits) {
+  void take(std::size_t group) {
+    const Rays8& rays = rays_[group];
+    const Hits8& hits = hits_[group];
     Surface8& seen = tile_.surface[group];
     see_surfaces(world_, rays, hits, view_.footprint(hits.t), detail_.textures, seen);
     tile_.direction[group] = rays.direction;
@@ -137,6 +147,8 @@ class TileTracer {
   SensorTile& tile_;
   unsigned mask_;
   RayQueue behind_;
+  std::array<Rays8, sensor_tile_groups> rays_;
+  std::array<Hits8, sensor_tile_groups> hits_;
 };
 
 }  // namespace

@@ -41,14 +41,18 @@ const Instance room_itself;  // what stands in the store frame as it is
 
 SurfaceRows rows_of(const World& world, const Hits8& hits) {
   SurfaceRows rows;
+  std::array<std::uint32_t, lane_count> geometry, primitive, instance;
+  hits.geometry.store(geometry.data());
+  hits.primitive.store(primitive.data());
+  hits.instance.store(instance.data());
   const unsigned met = hits.any.bits();
   const auto first = static_cast<std::size_t>(std::countr_zero(met));
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
     const std::size_t k = (met >> lane & 1U) != 0 ? lane : first;
     Hit hit;
-    hit.geometry = static_cast<std::uint32_t>(hits.geometry[k]);
-    hit.primitive = static_cast<std::uint32_t>(hits.primitive[k]);
-    hit.instance = static_cast<std::uint32_t>(hits.instance[k]);
+    hit.geometry = geometry[k];
+    hit.primitive = primitive[k];
+    hit.instance = instance[k];
     rows.records[lane] = &record_of(world, hit);
     rows.instances[lane] =
         hit.instance == RTC_INVALID_GEOMETRY_ID ? &room_itself : &world.instances[hit.instance];
@@ -289,9 +293,11 @@ void see_surfaces(const World& world,
 
 void fetch_surfaces(const World& world, const RTCRayHit16& packet) {
   for (std::size_t k = 0; k < packet_size; ++k) {
-    if (packet.hit.instID[0][k] != RTC_INVALID_GEOMETRY_ID)
-      _mm_prefetch(reinterpret_cast<const char*>(&world.instances[packet.hit.instID[0][k]]),
-                   _MM_HINT_T0);
+    const std::uint32_t instance = packet.hit.instID[0][k];
+    if (instance == RTC_INVALID_GEOMETRY_ID) continue;
+    const auto* row = reinterpret_cast<const char*>(&world.instances[instance]);
+    _mm_prefetch(row, _MM_HINT_T0);
+    _mm_prefetch(row + sizeof(Instance) - 1, _MM_HINT_T0);
   }
   for (std::size_t k = 0; k < packet_size; ++k) {
     if (packet.hit.geomID[k] == RTC_INVALID_GEOMETRY_ID) continue;

@@ -61,7 +61,7 @@ Texture::Texture(const Image& image) {
 
 Texture::Texture(BlockMips blocks, const std::optional<LabelBars>& bars)
     : blocks_(std::move(blocks)) {
-  if (bars) bars_.emplace(*bars, width(), height());
+  if (bars) bars_ = std::make_shared<const PrintedBars>(*bars, width(), height());
 }
 
 BlockMips blocks_of(const Image& image) {

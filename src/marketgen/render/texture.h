@@ -1,6 +1,7 @@
 // Textures: linear light in square-root encoding with mip levels; trilinear look-up. Either eight
 // bits a channel, or BC1 blocks with the bars of a code beside them.
 #pragma once
+#include <memory>
 #include <optional>
 
 #include "geometry/image.h"
@@ -38,14 +39,14 @@ class Texture {
   // One of the two is empty.
   const MipChain& mips() const { return mips_; }
   const BlockMips& blocks() const { return blocks_; }
-  const PrintedBars* bars() const { return bars_ ? &*bars_ : nullptr; }
+  const PrintedBars* bars() const { return bars_.get(); }
 
   friend BlockMips blocks_of(const Image& image);
 
  private:
   MipChain mips_;
   BlockMips blocks_;
-  std::optional<PrintedBars> bars_;
+  std::shared_ptr<const PrintedBars> bars_;  // few have them, and they are large
 };
 
 // The picture in the encoding of textures, compressed.
