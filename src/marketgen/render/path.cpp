@@ -6,6 +6,7 @@
 
 #include "render/light_through.h"
 #include "render/path_numbers.h"
+#include "render/picture_objects.h"
 #include "render/scattering.h"
 #include "render/shading_math.h"
 
@@ -144,9 +145,10 @@ class PathTracer {
     const float reflected = bends           ? interface_reflectance(cosine, eta)
                             : surface.glass ? interface_reflectance(cosine, glass_index)
                                             : sheet_reflectance(cosine, glass_index);
-    // What the first pane mirrors may be far brighter than what is behind it, as in a window at
-    // night: one path in a few looks, not one in twenty.
-    const bool first_pane = surface.glass && lobe_ == Lobe::none && !surface.back_face;
+    // What a window mirrors by night is far brighter than what is behind it: one path in a few
+    // looks, not one in twenty.
+    const bool first_pane =
+        surface.glass && surface.id == shell_object && lobe_ == Lobe::none && !surface.back_face;
     const float chance = first_pane ? std::max(reflected, least_mirror_chance) : reflected;
     if (numbers_.one() < chance) {
       throughput_ *= Vec3f{1, 1, 1} * (reflected / chance);
