@@ -1,5 +1,7 @@
 #include "render/render.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -13,7 +15,7 @@
 namespace marketgen::bench {
 namespace {
 
-constexpr int robot_runs = 15;
+constexpr int robot_runs = 15, picture_runs = 15;
 
 Figure seconds_figure(const std::string& name, double seconds, int runs) {
   return {name, seconds, "s", runs, std::nullopt, std::nullopt, machine_name()};
@@ -103,6 +105,41 @@ void draw_first_picture(const std::filesystem::path& store) {
     (void)(*renderer)->render(*camera, {.quality = Quality::fast}).ok();
 }
 
+struct StoreFrames {
+  double seconds = 0;
+  std::size_t products = 0;
+};
+
+// A fast picture of a store's aisle.
+Result<StoreFrames> aisle_of(const CreateOptions& options, const Catalog& catalog) {
+  MARKETGEN_TRY(const Created created, create_store(options, catalog));
+  MARKETGEN_TRY(const Scene scene, open_scene(options.folder / "scene.bin"));
+  MARKETGEN_TRY(const std::unique_ptr<Renderer> renderer, Renderer::create(scene));
+  MARKETGEN_TRY(const Camera camera, camera_named(scene, "aisle", 640, 480));
+  RenderOptions fast;
+  fast.quality = Quality::fast;
+  const double seconds =
+      median_seconds(picture_runs, [&] { (void)renderer->render(camera, fast).ok(); });
+  return StoreFrames{seconds, scene.products.size()};
+}
+
+// What ten times the goods cost: the same view of an aisle in a small and in a large store.
+Figures with_more_products(const ScratchFolder& scratch, const Catalog& catalog) {
+  CreateOptions small = neighbourhood_store(scratch / "small", false);
+  small.brief.prompt = "A 16 x 11 m supermarket with dairy along the back wall and a checkout";
+  CreateOptions large = large_store(scratch / "large");
+  large.brief.prompt = "A 44 x 27 m supermarket with dairy along the back wall and eight checkouts";
+  MARKETGEN_TRY(const StoreFrames few, aisle_of(small, catalog));
+  MARKETGEN_TRY(const StoreFrames many, aisle_of(large, catalog));
+  return std::vector<Figure>{{"render_640x480_fast_many_products_s",
+                              many.seconds,
+                              "s",
+                              picture_runs,
+                              fmt::format("{} products instead of {}", few.products, many.products),
+                              many.seconds / few.seconds,
+                              machine_name()}};
+}
+
 }  // namespace
 
 Figures run_render(const Catalog& catalog) {
@@ -120,13 +157,12 @@ Figures run_render(const Catalog& catalog) {
     MARKETGEN_TRY(const Camera camera, camera_named(scene, "aisle", 640, 480));
     RenderOptions options;
     options.quality = quality;
-    constexpr int runs = 15;
     const double seconds =
-        median_seconds(runs, [&] { (void)renderer->render(camera, options).ok(); });
+        median_seconds(picture_runs, [&] { (void)renderer->render(camera, options).ok(); });
     figures.push_back({"render_640x480_" + std::string(name_of(quality)) + "_s",
                        seconds,
                        "s",
-                       runs,
+                       picture_runs,
                        std::nullopt,
                        std::nullopt,
                        machine_name()});
@@ -138,6 +174,8 @@ Figures run_render(const Catalog& catalog) {
   figures.insert(figures.end(), small.begin(), small.end());
   MARKETGEN_TRY(const std::vector<Figure> moved, with_moved_products(*renderer, scene));
   figures.insert(figures.end(), moved.begin(), moved.end());
+  MARKETGEN_TRY(const std::vector<Figure> more, with_more_products(scratch, catalog));
+  figures.insert(figures.end(), more.begin(), more.end());
   return figures;
 }
 

@@ -92,6 +92,12 @@ bool wants_light(const SensorShot& shot) {
   return shot.to.rgb != nullptr;
 }
 
+// What is not asked for costs nothing. Relief may say what is bare metal.
+SensorDetail detail_of(const SensorShot& shot, SensorDetail detail) {
+  if (!wants_light(shot) && shot.to.matter == nullptr) detail.textures = TextureDetail::none;
+  return detail;
+}
+
 }  // namespace
 
 SensorEffort sensor_effort(const RenderOptions& options) {
@@ -133,7 +139,8 @@ void take_pictures(std::span<const SensorShot> shots,
     if (!check_interrupt().ok()) return;
     static thread_local SensorTile tile;
     const SensorShot& shot = shots[tiles[t].shot];
-    trace_tile(shot.lighting->world, shot.view, tiles[t].part, effort.detail, tile);
+    trace_tile(
+        shot.lighting->world, shot.view, tiles[t].part, detail_of(shot, effort.detail), tile);
     write_geometry(tile, shot.view.width(), shot.to);
     if (wants_light(shot)) {
       shade_tile(*shot.lighting, shot.view, effort, tile);

@@ -280,6 +280,7 @@ void see_surfaces(const World& world,
   const Int8 kind = material.whole(offsetof(Material, glass));
   s.glass = (kind & 0xFF) > Int8(0);
   s.clear = (kind & 0xFF00) > Int8(0);
+  if (detail == TextureDetail::none) return;
   TextureLanes(world, hits, rows, s)
       .add(record,
            material.whole(offsetof(Material, texture)),

@@ -14,8 +14,9 @@
 namespace marketgen::raytrace {
 
 // full: textures between mip levels, and their relief. level: textures from one mip level, and the
-// relief's mean gloss; half the cost, for what is small or seen in a mirror.
-enum class TextureDetail { full, level };
+// relief's mean gloss; half the cost, for what is small or seen in a mirror. none: the material's
+// own colour and gloss, where nobody looks at them.
+enum class TextureDetail { full, level, none };
 
 class Texture {
  public:

@@ -418,7 +418,7 @@ void see_surface(const World& world,
   face_viewer(s, face_normal, normal, direction);
   s.roughness = material.roughness;
   s.metallic = material.metallic;
-  if (material.texture >= 0) {
+  if (material.texture >= 0 && detail != TextureDetail::none) {
     const float slant = std::max(least_slant, -dot(s.face_normal, ray.direction));
     add_textures(s, world, record, hit, ray.direction, footprint / std::sqrt(slant), detail);
   }

@@ -146,8 +146,10 @@ std::vector<WishCase> cases() {
 Scene dressed() {
   AuditedShop shop;
   const StyleRow& style = *committed_catalog().style("scandinavian");
-  shop.scene.layout.look = {
-      style.floor, style.wall, style.ceiling, style.fixture, style.accent, 3000, 800};
+  Look& look = shop.scene.layout.look;
+  look = look_of(style);
+  look.light_kelvin = 3000;
+  look.light_lux = 800;
   return std::move(shop.scene);
 }
 
