@@ -6,6 +6,9 @@
 #include "catalog/fixture_kind.h"
 #include "catalog/product.h"
 #include "command.h"
+#include "episodes/checkout_station.h"
+#include "episodes/episode_result.h"
+#include "episodes/episode_spec.h"
 #include "intake/brief.h"
 #include "io/file.h"
 #include "io/flatbuffer.h"
@@ -36,6 +39,10 @@ std::vector<Document> documents() {
       {"market-asset-1", "An outside model taken into a library", type_of<AssetFile>()},
       {"market-fixture-1", "A fixture row of the catalogue", type_of<FixtureKind>()},
       {"market-robot-1", "A robot, an arm or a tool", type_of<RobotRow>()},
+      {"market-checkout-1", "The place of Checkout Unloading", type_of<CheckoutStation>()},
+      {"market-episode-1", "One task for a robot", type_of<EpisodeSpec>()},
+      {"market-episodes-1", "The first line of an episodes file", type_of<EpisodeHeader>()},
+      {"market-result-1", "What became of an episode", type_of<EpisodeResult>()},
       {"market-camera-1", "Where a picture is taken from, and its lens", type_of<CameraFile>()},
       {"market-annotations-1", "What is to be seen in a picture", type_of<PictureAnnotations>()}};
 }

@@ -18,7 +18,7 @@ constexpr double still_m_s = 0.01;  // at the end of it
 constexpr double most_overlap_m = 0.002;
 
 // ---- What the gripper can be expected to hold ----
-constexpr int widest_mm = 70, flattest_mm = 20, longest_mm = 255;
+constexpr int widest_mm = 68, flattest_mm = 30, longest_mm = 255;
 constexpr int least_round_mm = 55;  // smaller ones have a low yield
 constexpr double heaviest_kg = 1.0;
 
@@ -176,7 +176,7 @@ Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
   MARKETGEN_TRY(CheckoutWorld world, CheckoutWorld::create(data, frictions));
   const Seed own = seed.child("checkout", static_cast<std::uint64_t>(index));
   EpisodeSpec spec;
-  spec.id = fmt::format("checkout/{}/{}/{}", origin.store, seed.value(), index);
+  spec.id = fmt::format("checkout/{}/{:016x}/{}", origin.scene_hash.substr(0, 8), seed.value(), index);
   spec.store = origin.store;
   spec.scene_hash = origin.scene_hash;
   spec.plan_hash = origin.plan_hash;

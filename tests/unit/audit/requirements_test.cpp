@@ -6,6 +6,7 @@
 #include <map>
 
 #include "audited_shop.h"
+#include "plan/style_look.h"
 #include "support/hand_laid_shop.h"
 
 namespace marketgen {

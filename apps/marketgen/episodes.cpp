@@ -1,0 +1,126 @@
+// marketgen episodes: draws tasks from stores and writes them as JSON Lines.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "base/parallel.h"
+#include "command.h"
+#include "episodes/sample_checkout.h"
+#include "io/file.h"
+#include "io/json.h"
+#include "store/store.h"
+
+namespace marketgen::app {
+namespace {
+
+struct EpisodesFlags {
+  CommonFlags common;
+  std::vector<std::string> folders;
+  std::string track = "checkout", output;
+  int count = 10;
+};
+
+struct StockedStore {
+  EpisodeStore store;
+  std::vector<Product> stock;
+};
+
+Result<std::vector<StockedStore>> open_stores(const EpisodesFlags& flags, const Catalog& catalog) {
+  std::vector<StockedStore> stores;
+  for (const std::string& folder : flags.folders) {
+    MARKETGEN_TRY(const Store store, open_store(folder, catalog));
+    stores.push_back(
+        {{store.manifest.name, store.manifest.scene_hash, plan_hash(store.plan), store.plan},
+         checkout_stock(store.scene)});
+  }
+  return stores;
+}
+
+// The rows of what lies in the baskets, by SKU.
+std::vector<Product> products_of(const std::vector<EpisodeSpec>& episodes,
+                                 const std::vector<StockedStore>& stores) {
+  std::map<std::string, Product> products;
+  for (const EpisodeSpec& spec : episodes) {
+    for (const EpisodeItem& item : spec.items) {
+      for (const StockedStore& store : stores) {
+        const auto row = std::ranges::find(store.stock, item.sku, &Product::sku);
+        if (row != store.stock.end()) products.emplace(item.sku, *row);
+      }
+    }
+  }
+  std::vector<Product> rows;
+  for (auto& [sku, product] : products)
+    rows.push_back(std::move(product));
+  return rows;
+}
+
+// Shared out over the stores in turn.
+Result<std::vector<EpisodeSpec>> draw(const EpisodesFlags& flags,
+                                      const std::vector<StockedStore>& stores,
+                                      const Catalog& catalog) {
+  MARKETGEN_TRY(const std::filesystem::path data, data_folder());
+  Progress& progress = progress_for(flags.common);
+  const auto count = static_cast<std::size_t>(flags.count);
+  progress.begin("episodes", count);
+  const auto made = parallel_map(count, [&](std::size_t i) {
+    const StockedStore& from = stores[i % stores.size()];
+    const EpisodeStore& store = from.store;
+    auto spec = sample_checkout(data,
+                                from.stock,
+                                catalog.frictions,
+                                {store.name, store.scene_hash, store.plan_hash},
+                                Seed(flags.common.seed).child("store", store.scene_hash),
+                                static_cast<int>(i / stores.size()));
+    progress.advance();
+    return std::make_shared<Result<EpisodeSpec>>(std::move(spec));
+  });
+  progress.end();
+  std::vector<EpisodeSpec> episodes;
+  for (const auto& spec : made) {
+    if (!spec->ok()) return spec->error();
+    episodes.push_back(spec->value());
+  }
+  return episodes;
+}
+
+Result<void> write(const EpisodesFlags& flags) {
+  const ThreadLimit limit(flags.common.threads);
+  MARKETGEN_TRY([[maybe_unused]] const Track track, track_named(flags.track));
+  MARKETGEN_TRY(const Catalog catalog, load_rows());
+  MARKETGEN_TRY(const std::vector<StockedStore> stores, open_stores(flags, catalog));
+  EpisodeFile file;
+  MARKETGEN_TRY(file.episodes, draw(flags, stores, catalog));
+  file.header.seed = flags.common.seed;
+  file.header.episodes = flags.count;
+  file.header.products = products_of(file.episodes, stores);
+  for (const StockedStore& store : stores)
+    file.header.stores.push_back(store.store);
+  MARKETGEN_CHECK(write_file(flags.output, write_episodes(file)));
+  if (!flags.common.quiet)
+    fmt::print("{} episodes of {} stores: {}\n", flags.count, stores.size(), flags.output);
+  return {};
+}
+
+}  // namespace
+
+Run add_episodes(CLI::App& app) {
+  auto flags = std::make_shared<EpisodesFlags>();
+  CLI::App* command = app.add_subcommand("episodes", "Draw tasks for robots from stores");
+  command->add_option("folders", flags->folders, "store folders")->required();
+  command->add_option("--track", flags->track, "what kind of task: checkout")
+      ->capture_default_str();
+  command->add_option("--count", flags->count, "episodes, shared out over the stores")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  command->add_option("-o,--output", flags->output, "JSON Lines file")->required();
+  add_common_flags(*command, flags->common, Takes::seed);
+  command->footer("Example:  marketgen episodes shop --track checkout --count 20 -o tasks.jsonl");
+  return [flags] {
+    const auto done = write(*flags);
+    return done.ok() ? 0 : fail(done.error());
+  };
+}
+
+}  // namespace marketgen::app

@@ -1,0 +1,83 @@
+// Carries out what a policy decided: plans collision-free motions of one arm and plays them, one
+// control step after another. It knows obstacles as it is told them, and nothing else.
+//
+// Motions are queued; each is planned from where the last one ends. Base frame of the arm's group,
+// SI units.
+#pragma once
+#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "agent/policy.h"
+#include "motion/tool_line.h"
+#include "robots/robot.h"
+
+namespace marketgen {
+
+struct ExecutorOptions {
+  double step_s = 0.05;        // between two actions
+  double speed = 0.6;          // share of the joints' velocity limits on free ways
+  double line_speed = 0.25;    // on straight lines
+  double acceleration = 0.35;  // share of the joints' acceleration limits
+  double way_margin_m = 0.004, line_margin_m = 0.002;  // kept from obstacles
+  int most_samples = 3000;                             // of one search
+};
+
+// `way`: on free ways. `line`: on straight lines, without what may be touched there.
+struct Surroundings {
+  Obstacles way, line;
+};
+
+struct ReachRequest {
+  Pose base_from_tip;    // where the tip is to end
+  Vec3 approach;         // of the straight line to there, tip frame
+  double opening_m = 0;  // of the gripper meanwhile; 0 presses
+  double force_n = 20;
+  std::vector<AttachedObject> attached = {};  // on the free way
+};
+
+class ArmExecutor {
+ public:
+  // Plans for the group "arm". Errors: of make_arm_model. The robot must outlive it.
+  static Result<ArmExecutor> make(const Robot& robot, const ExecutorOptions& options = {});
+
+  void start(const Observation& now);  // forgets what is queued; stands where the arm is
+
+  // ---- Each queues a motion. Errors: as plan_reach and tool_line; nothing is queued then. ----
+  Result<void> reach(const Surroundings& around, const ReachRequest& request, Seed seed);
+  // The tip straight to a pose.
+  Result<void> straight(const Surroundings& around,
+                        const Pose& base_from_tip,
+                        double opening_m,
+                        double force_n);
+  void wait(double seconds, double opening_m, double force_n);
+
+  bool idle() const { return queue_.empty(); }
+  Action next();  // of the next control step; stands still when idle
+
+  Pose tip() const;  // base_from_tip, where the queued motions end
+  const Configuration& posture() const { return end_; }
+  // Whether some posture brings the tip there; nearest joint difference to where the arm is.
+  std::optional<double> effort_to(const Pose& base_from_tip) const;
+
+ private:
+  struct Motion {
+    JointTrajectory trajectory;  // empty: stands still
+    double duration_s = 0, opening_m = 0, force_n = 0;
+  };
+  ArmExecutor() = default;
+  std::vector<double> state(double opening_m) const;
+  Result<std::vector<MotionLimits>> limits(double speed) const;
+  void queue(JointTrajectory trajectory, double opening_m, double force_n);
+
+  const Robot* robot_ = nullptr;
+  std::unique_ptr<ArmModel> model_;
+  ExecutorOptions options_;
+  std::deque<Motion> queue_;
+  double played_s_ = 0;      // of the first motion in the queue
+  Configuration now_, end_;  // commanded last; at the end of the queue
+  double opening_m_ = 0, force_n_ = 0;
+};
+
+}  // namespace marketgen

@@ -1,0 +1,252 @@
+#include "policy/oracle_places.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "geometry/box_extents.h"
+#include "physics/contact_shape.h"
+
+namespace marketgen {
+namespace {
+
+constexpr double pi_ = std::numbers::pi;
+constexpr int yaws = 24, rolls = 12;
+constexpr double steepest_deg = 62;  // tilt of the tool when it lets go
+constexpr double edge_m = 0.006;     // to the edge of the area
+constexpr double apart_m = 0.012;    // to what stands there
+constexpr double grid_m = 0.035;
+constexpr double over_counter_m = 0.003;  // of the tool
+constexpr double down_m = 0.08;
+constexpr double round_within_m = 0.002;
+
+struct Extents {
+  Vec3 low, high;  // from the item's origin, station axes
+};
+
+// Of the item when it is turned so; exact.
+Extents turned_extents(const CheckoutGoods& goods, const Quaternion& turned) {
+  constexpr double far = 1e9;
+  Extents e{{far, far, far}, {-far, -far, -far}};
+  const auto add = [&](Vec3 low, Vec3 high) {
+    e.low = {std::min(e.low.x, low.x), std::min(e.low.y, low.y), std::min(e.low.z, low.z)};
+    e.high = {std::max(e.high.x, high.x), std::max(e.high.y, high.y), std::max(e.high.z, high.z)};
+  };
+  for (const ContactPiece& piece : goods.body.pieces) {
+    if (piece.shape == PieceShape::hull) {
+      for (const Vec3f& point : piece.points) {
+        const Vec3 at = rotate(turned, to_double(point));
+        add(at, at);
+      }
+      continue;
+    }
+    const ContactShape shape =
+        Pose{{}, turned} *
+        contact_shape_of(CollisionPrimitive{
+            static_cast<CollisionShape>(piece.shape), piece.center, piece.half_size, piece.lying});
+    const Vec3 half = half_extents(shape);
+    add(shape.pose.position - half, shape.pose.position + half);
+  }
+  return e;
+}
+
+double tilt_of(const Quaternion& tip) {
+  return std::acos(std::clamp(-rotate(tip, {0, 0, 1}).z, -1.0, 1.0)) * 180 / pi_;
+}
+
+// The turn that brings a direction of the product to point straight down.
+Quaternion with_down(Vec3 axis) {
+  const Vec3 down{0, 0, -1};
+  const double cosine = dot(axis, down);
+  if (cosine < -1 + 1e-9) return rotation_about({1, 0, 0}, pi_);
+  if (cosine > 1 - 1e-9) return {};
+  return rotation_about(normalized(cross(axis, down)), std::acos(cosine));
+}
+
+// Ways round in which it stays, but for the yaw.
+std::vector<Quaternion> stable_turns(const CheckoutGoods& goods, const Quaternion& now) {
+  std::vector<Quaternion> turns;
+  for (const Vec3 down : {Vec3{0, 0, -1},
+                          Vec3{0, 0, 1},
+                          Vec3{1, 0, 0},
+                          Vec3{-1, 0, 0},
+                          Vec3{0, 1, 0},
+                          Vec3{0, -1, 0}})
+    turns.push_back(with_down(down));
+  const Product& p = goods.product;
+  const bool round = std::abs(p.width_m() - p.depth_m()) < round_within_m && p.archetype != "box";
+  for (int i = 0; round && i < rolls; ++i) {
+    const double angle = 2 * pi_ * (i + 0.5) / rolls;
+    turns.push_back(with_down({std::cos(angle), std::sin(angle), 0}));
+  }
+  if (p.orientation == Orientation::any) turns.push_back(now);
+  return turns;
+}
+
+struct Turn {
+  Quaternion item;
+  double cost = 0;
+};
+
+class PlaceSearch {
+ public:
+  PlaceSearch(const OracleScene& scene, const ArmExecutor& arm, const PlaceQuestion& question)
+      : scene_(scene), arm_(arm), q_(question), item_from_tip_(inverse(question.tip_from_item)) {
+    for (std::size_t other = 0; other < scene.items(); ++other) {
+      if (other == question.item || scene.in_basket(other)) continue;
+      const Pose pose = scene.world().item_pose(other);
+      const Extents e = turned_extents(scene.world().goods(other), pose.rotation);
+      taken_.push_back({pose.position + e.low, pose.position + e.high});
+      others_.push_back(other);
+    }
+  }
+
+  std::vector<PlaceChoice> find(std::size_t most) const {
+    std::vector<PlaceChoice> found;
+    for (const Turn& turn : turns()) {
+      const std::size_t before = found.size();
+      for (const Pose& pose : poses(turn.item)) {
+        if (found.size() >= most) return found;
+        if (found.size() - before >= 2) break;  // of one way round
+        const PlaceChoice choice = choice_of(pose);
+        if (tool_has_room(choice) && arm_.effort_to(choice.station_from_tip) &&
+            arm_.effort_to(above(choice.station_from_tip)))
+          found.push_back(choice);
+      }
+    }
+    return found;
+  }
+
+ private:
+  static Pose above(Pose tip) {
+    tip.position.z += down_m;
+    return tip;
+  }
+
+  PlaceChoice choice_of(const Pose& pose) const {
+    const Pose tip = pose * item_from_tip_;
+    return {pose, tip, rotate(inverse(tip.rotation), {0, 0, -down_m})};
+  }
+
+  // The tool straight down and the item low and wide come first.
+  std::vector<Turn> turns() const {
+    std::vector<Turn> turns;
+    const CheckoutGoods& goods = scene_.world().goods(q_.item);
+    const Quaternion now = scene_.world().item_pose(q_.item).rotation;
+    for (const Quaternion& stable : stable_turns(goods, now)) {
+      const Extents e = turned_extents(goods, stable);
+      const Vec3 size = e.high - e.low;
+      const double slender = size.z / std::min(size.x, size.y);
+      for (int yaw = 0; yaw < yaws; ++yaw) {
+        const Quaternion item = rotation_about({0, 0, 1}, 2 * pi_ * yaw / yaws) * stable;
+        const double tilt = tilt_of(item * item_from_tip_.rotation);
+        if (tilt <= steepest_deg) turns.push_back({item, tilt + 15 * std::max(0.0, slender - 1)});
+      }
+    }
+    std::ranges::stable_sort(turns, {}, &Turn::cost);
+    return turns;
+  }
+
+  bool is_free(const AreaRow& footprint) const {
+    for (const AreaRow& kept : q_.kept_free) {
+      if (overlaps(footprint, kept, 0)) return false;
+    }
+    return std::ranges::none_of(taken_, [&](const Extents& e) {
+      return overlaps(footprint, {{e.low.x, e.low.y}, {e.high.x, e.high.y}, {}}, apart_m);
+    });
+  }
+
+  static bool overlaps(const AreaRow& a, const AreaRow& b, double gap) {
+    return a.low_m[0] < b.high_m[0] + gap && b.low_m[0] < a.high_m[0] + gap &&
+           a.low_m[1] < b.high_m[1] + gap && b.low_m[1] < a.high_m[1] + gap;
+  }
+
+  double nearest_taken(double x, double y) const {
+    double nearest = 0.3;
+    for (const Extents& e : taken_)
+      nearest =
+          std::min(nearest, std::hypot((e.low.x + e.high.x) / 2 - x, (e.low.y + e.high.y) / 2 - y));
+    return nearest;
+  }
+
+  // Free places of the item turned so, the roomiest first, then those near the middle.
+  std::vector<Pose> poses(const Quaternion& turned) const {
+    const Extents e = turned_extents(scene_.world().goods(q_.item), turned);
+    std::vector<std::pair<double, Pose>> ranked;
+    const AreaRow& area = q_.area;
+    for (double x = area.low_m[0] + edge_m - e.low.x; x <= area.high_m[0] - edge_m - e.high.x;
+         x += grid_m) {
+      for (double y = area.low_m[1] + edge_m - e.low.y; y <= area.high_m[1] - edge_m - e.high.y;
+           y += grid_m) {
+        if (!is_free({{x + e.low.x, y + e.low.y}, {x + e.high.x, y + e.high.y}, {}})) continue;
+        const double away = std::hypot(x - (area.low_m[0] + area.high_m[0]) / 2,
+                                       y - (area.low_m[1] + area.high_m[1]) / 2);
+        ranked.push_back({away - 2 * nearest_taken(x, y), {{x, y, release_m - e.low.z}, turned}});
+      }
+    }
+    std::ranges::stable_sort(ranked, {}, [](const auto& entry) { return entry.first; });
+    std::vector<Pose> poses;
+    constexpr std::size_t most_tried = 12;
+    for (std::size_t i = 0; i < std::min(ranked.size(), most_tried); ++i)
+      poses.push_back(ranked[i].second);
+    return poses;
+  }
+
+  bool tool_has_room(const PlaceChoice& choice) const {
+    std::vector<ToolSolid> solids = opened(scene_.tool(), q_.opening_m);
+    solids.insert(solids.end(), scene_.tool().body.begin(), scene_.tool().body.end());
+    for (const ToolSolid& solid : solids) {
+      const Pose pose = choice.station_from_tip * solid.tool_from_solid;
+      if (pose.position.z - box_half_extents(pose.rotation, solid.half_size).z < over_counter_m)
+        return false;
+    }
+    return std::ranges::none_of(others_, [&](std::size_t other) {
+      return scene_.tool_overlap(other, choice.station_from_tip, q_.opening_m) > 0;
+    });
+  }
+
+  const OracleScene& scene_;
+  const ArmExecutor& arm_;
+  const PlaceQuestion& q_;
+  Pose item_from_tip_;
+  std::vector<Extents> taken_;
+  std::vector<std::size_t> others_;  // that stand outside the basket
+};
+
+}  // namespace
+
+std::vector<PlaceChoice> item_places(const OracleScene& scene,
+                                     const ArmExecutor& arm,
+                                     const PlaceQuestion& question,
+                                     std::size_t most) {
+  return PlaceSearch(scene, arm, question).find(most);
+}
+
+AttachedObject held_object(const OracleScene& scene, std::size_t item, const Pose& tip_from_item) {
+  const Robot& robot = scene.world().robot();
+  const RobotFrame& tip = robot.frames[static_cast<std::size_t>(robot.find_group("arm")->tip)];
+  AttachedObject held;
+  held.link = tip.link;
+  for (const int link : {robot.find_link("hand"),
+                         robot.find_link("finger_left"),
+                         robot.find_link("finger_right"),
+                         robot.find_link("link7")})
+    if (link >= 0) held.may_touch.push_back(link);
+  const Extents e = turned_extents(scene.world().goods(item), {});
+  const Vec3 half = (e.high - e.low) * 0.5, middle = (e.high + e.low) * 0.5;
+  std::array<std::pair<double, Vec3>, 3> axes{
+      std::pair{half.x, Vec3{1, 0, 0}}, {half.y, {0, 1, 0}}, {half.z, {0, 0, 1}}};
+  std::ranges::sort(axes, {}, [](const auto& axis) { return axis.first; });
+  const double radius = std::max(axes[0].first, axes[1].first);
+  const double run = std::max(0.0, axes[2].first - radius);
+  const int count = 1 + 2 * static_cast<int>(std::ceil(run / radius));
+  for (int i = 0; i < count; ++i) {
+    const double along = count > 1 ? run * (2.0 * i / (count - 1) - 1) : 0;
+    held.spheres.push_back(
+        {tip.link_from_frame * (tip_from_item * (middle + axes[2].second * along)), radius});
+  }
+  return held;
+}
+
+}  // namespace marketgen

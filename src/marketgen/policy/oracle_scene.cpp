@@ -1,0 +1,138 @@
+#include "policy/oracle_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "geometry/box_extents.h"
+#include "physics/contact_shape.h"
+
+namespace marketgen {
+namespace {
+
+// Where the open tool is looked at on its way: so far back.
+constexpr std::array on_the_way_m{0.0, 0.02, 0.04, 0.07, 0.1, 0.14};
+constexpr double skin_m = 0.002;  // of the basket's walls that arms keep clear of on lines
+constexpr double counter_half_m = 0.03;
+
+}  // namespace
+
+OracleScene::OracleScene(const CheckoutWorld& world, const GraspTool& tool)
+    : world_(world), tool_(tool) {
+  for (std::size_t i = 0; i < world.item_count(); ++i)
+    surfaces_.emplace_back(world.goods(i).body.pieces);
+}
+
+double OracleScene::overlap(std::size_t item, const Pose& station_from_box, Vec3 half) const {
+  const Pose pose = inverse(world_.item_pose(item)) * station_from_box;
+  const Bounds3& bounds = surfaces_[item].bounds();
+  const double reach = length(half);
+  const Vec3 low = to_double(bounds.low), high = to_double(bounds.high), at = pose.position;
+  if (at.x < low.x - reach || at.x > high.x + reach || at.y < low.y - reach ||
+      at.y > high.y + reach || at.z < low.z - reach || at.z > high.z + reach)
+    return 0;
+  return std::max(0.0, -surfaces_[item].gap_to_box(pose, half));
+}
+
+double OracleScene::tool_overlap(std::size_t item,
+                                 const Pose& station_from_tip,
+                                 double opening_m) const {
+  std::vector<ToolSolid> solids = opened(tool_, opening_m);
+  solids.insert(solids.end(), tool_.body.begin(), tool_.body.end());
+  double most = 0;
+  for (const double back : on_the_way_m) {
+    const Pose tip = station_from_tip * Pose{{0, 0, -back}, {}};
+    for (const ToolSolid& solid : solids)
+      most = std::max(most, overlap(item, tip * solid.tool_from_solid, solid.half_size));
+  }
+  return most;
+}
+
+double OracleScene::item_overlap(std::size_t a, Vec3 by, std::size_t b) const {
+  const Pose pose = world_.item_pose(a);
+  double most = 0;
+  const std::vector<Vec3>& points = world_.goods(a).volume;
+  for (std::size_t i = 0; i < points.size(); i += 2)
+    most = std::max(most, overlap(b, {pose * points[i] + by, {}}, {1e-6, 1e-6, 1e-6}));
+  return most;
+}
+
+Vec3 OracleScene::middle(std::size_t item) const {
+  return world_.item_pose(item) * to_double(world_.goods(item).body.center_of_mass);
+}
+
+Vec3 OracleScene::half_extents_at(std::size_t item, const Quaternion& turned) const {
+  const Bounds3& bounds = surfaces_[item].bounds();
+  return box_half_extents(turned, (to_double(bounds.high) - to_double(bounds.low)) * 0.5);
+}
+
+Vec3 OracleScene::box_middle(std::size_t item, const Pose& pose) const {
+  const Bounds3& bounds = surfaces_[item].bounds();
+  return pose * ((to_double(bounds.high) + to_double(bounds.low)) * 0.5);
+}
+
+bool OracleScene::in_basket(std::size_t item) const {
+  const Vec3 at = inverse(world_.basket_pose()) * middle(item);
+  const OpenContainer c = world_.station().container();
+  return std::abs(at.x) < c.top_x_m / 2 + c.wall_m && std::abs(at.y) < c.top_y_m / 2 + c.wall_m;
+}
+
+bool OracleScene::in_unloading(std::size_t item) const {
+  const CheckoutGoods& goods = world_.goods(item);
+  return inside(world_.station().unloading.area(),
+                {goods.product.sku,
+                 world_.item_pose(item),
+                 to_double(goods.body.center_of_mass),
+                 goods.volume});
+}
+
+std::vector<GraspObstacle> OracleScene::walls() const {
+  std::vector<GraspObstacle> walls;
+  for (const ContainerBox& box : boxes_of(world_.station().container()))
+    walls.push_back({world_.basket_pose() * box.container_from_box, box.half_size});
+  return walls;
+}
+
+void OracleScene::add_item(std::size_t item, Obstacles& obstacles) const {
+  const Pose pose = world_.item_pose(item);
+  for (const ContactPiece& piece : world_.goods(item).body.pieces) {
+    if (piece.shape == PieceShape::hull) {
+      obstacles.convex.push_back({pose, piece.points});
+      continue;
+    }
+    const ContactShape shape =
+        pose *
+        contact_shape_of(CollisionPrimitive{
+            static_cast<CollisionShape>(piece.shape), piece.center, piece.half_size, piece.lying});
+    if (shape.shape == CollisionShape::cylinder)
+      obstacles.cylinders.push_back({shape.pose, shape.size.x, shape.size.y});
+    else  // an ellipsoid is taken for its box
+      obstacles.boxes.push_back({shape.pose, shape.size});
+  }
+}
+
+Surroundings OracleScene::surroundings(const std::vector<std::size_t>& without) const {
+  Surroundings around;
+  const CounterRow& c = world_.station().counter;
+  const BoxObstacle counter{
+      {{(c.low_m[0] + c.high_m[0]) / 2, (c.low_m[1] + c.high_m[1]) / 2, -counter_half_m}, {}},
+      {(c.high_m[0] - c.low_m[0]) / 2, (c.high_m[1] - c.low_m[1]) / 2, counter_half_m}};
+  around.way.boxes.push_back(counter);
+  around.line.boxes.push_back(counter);
+  const double wall = world_.station().basket.wall_m;
+  for (const ContainerBox& box : boxes_of(world_.station().container())) {
+    const Pose pose = world_.basket_pose() * box.container_from_box;
+    around.way.boxes.push_back({pose, box.half_size});
+    const bool is_wall = std::abs(box.half_size.x - wall / 2) < 1e-9;
+    if (!is_wall) continue;  // a ledge
+    // Boxes have their outer face towards their own +X.
+    const Pose skin = pose * Pose{{box.half_size.x - skin_m / 2, 0, 0}, {}};
+    around.line.boxes.push_back({skin, {skin_m / 2, box.half_size.y, box.half_size.z}});
+  }
+  for (std::size_t item = 0; item < items(); ++item) {
+    if (std::ranges::find(without, item) == without.end()) add_item(item, around.way);
+  }
+  return around;
+}
+
+}  // namespace marketgen

@@ -1,0 +1,74 @@
+// Whole episodes with the oracle: run, judged, repeated bit for bit.
+#include "evaluation/run_episode.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "episodes/sample_checkout.h"
+#include "io/json.h"
+#include "support/committed_catalog.h"
+
+namespace marketgen {
+namespace {
+
+const std::filesystem::path data = std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data";
+
+const std::vector<Product>& stock() {
+  static const std::vector<Product> chosen = [] {
+    std::vector<Product> goods;
+    for (const Product& product : committed_catalog().products)
+      if (is_checkout_item(product)) goods.push_back(product);
+    return goods;
+  }();
+  return chosen;
+}
+
+EpisodeSpec drawn(std::uint64_t seed, int index) {
+  auto spec = sample_checkout(
+      data, stock(), committed_catalog().frictions, {"corner", "s", "p"}, Seed(seed), index);
+  if (!spec.ok()) fatal(to_string(spec.error()).c_str());
+  return std::move(spec).value();
+}
+
+EpisodeResult run(const EpisodeSpec& spec) {
+  auto result = run_episode(data, spec, stock(), committed_catalog().frictions, "oracle");
+  if (!result.ok()) fatal(to_string(result.error()).c_str());
+  return std::move(result).value();
+}
+
+TEST(RunEpisode, TheOracleUnloadsABasketTwiceAlike) {
+  const EpisodeSpec spec = drawn(7, 0);
+  const EpisodeResult one = run(spec), again = run(spec);
+  EXPECT_EQ(one.state_hash, again.state_hash);
+  EXPECT_TRUE(one.success_strict) << write_json(one);
+  EXPECT_TRUE(one.detail.empty()) << one.detail;
+}
+
+TEST(RunEpisode, UnknownPoliciesAreErrors) {
+  const auto result =
+      run_episode(data, drawn(7, 0), stock(), committed_catalog().frictions, "orakel");
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().code, "usage.bad_flag");
+}
+
+TEST(Summarize, CountsEpisodesAndGoals) {
+  EpisodeResult all, half;
+  all.goals = {{"a", 1, 1}, {"b", 1, 1}};
+  all.success_partial = 1;
+  all.success_strict = all.success_clean = true;
+  half.goals = {{"a", 1, 1}, {"b", 1, 0}};
+  half.success_partial = 0.5;
+  half.failure = FailureCode::no_grasp;
+  const EvaluationSummary summary = summarize({all, half});
+  EXPECT_EQ(summary.goals.number, 3);
+  EXPECT_EQ(summary.goals.of, 4);
+  EXPECT_EQ(summary.strict.number, 1);
+  EXPECT_DOUBLE_EQ(summary.success_partial, 0.75);
+  ASSERT_EQ(summary.failures.size(), 1U);
+  EXPECT_EQ(summary.failures[0].failure, FailureCode::no_grasp);
+  EXPECT_EQ(summarize({}).episodes, 0);
+}
+
+}  // namespace
+}  // namespace marketgen
