@@ -108,8 +108,8 @@ Result<void> check_viewpoint(const Scene& scene, const Camera& camera, const std
     return Error{
         "camera.outside_store",
         where,
-        fmt::format("it stands at {}, and the store spans 0 to {:.2f} m east, 0 to {:.2f} m north "
-                    "and 0 to {:.2f} m up within its walls; move it inside, or take "
+        fmt::format("it stands at {}, and the store spans 0 to {:.4g} m east, 0 to {:.4g} m north "
+                    "and 0 to {:.4g} m up within its walls; move it inside, or take "
                     "--camera top",
                     written(eye),
                     shell.width_mm * 1e-3,
