@@ -126,9 +126,13 @@ Result<StoreFrames> aisle_of(const CreateOptions& options, const Catalog& catalo
 // What ten times the goods cost: the same view of an aisle in a small and in a large store.
 Figures with_more_products(const ScratchFolder& scratch, const Catalog& catalog) {
   CreateOptions small = neighbourhood_store(scratch / "small", false);
-  small.brief.prompt = "A 16 x 11 m supermarket with dairy along the back wall and a checkout";
+  small.brief.prompt =
+      "A 16 x 11 m neighbourhood supermarket with produce by the entrance, dairy along the back "
+      "wall and a checkout";
   CreateOptions large = large_store(scratch / "large");
-  large.brief.prompt = "A 44 x 27 m supermarket with dairy along the back wall and eight checkouts";
+  large.brief.prompt =
+      "A 44 x 27 m supermarket with produce by the entrance, dairy along the back wall and six "
+      "checkouts";
   MARKETGEN_TRY(const StoreFrames few, aisle_of(small, catalog));
   MARKETGEN_TRY(const StoreFrames many, aisle_of(large, catalog));
   return std::vector<Figure>{{"render_640x480_fast_many_products_s",

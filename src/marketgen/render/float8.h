@@ -170,6 +170,19 @@ inline Float8 rough_log2(Float8 x) {
   return to_float(bits_of(x)) * (1.0F / 8388608.0F) - 126.957F;
 }
 
+// Four lanes of `a`, then four of `b`: the first of each, or the last.
+enum class Side { first, last };
+inline Float8 four_each(Float8 a, Float8 b, Side side) {
+  return Float8(side == Side::first ? _mm256_permute2f128_ps(a.m, b.m, 0x20)
+                                    : _mm256_permute2f128_ps(a.m, b.m, 0x31));
+}
+inline Int8 four_each(Int8 a, Int8 b, Side side) {
+  return bits_of(four_each(float_of_bits(a), float_of_bits(b), side));
+}
+inline Vec8 four_each(const Vec8& a, const Vec8& b, Side side) {
+  return {four_each(a.x, b.x, side), four_each(a.y, b.y, side), four_each(a.z, b.z, side)};
+}
+
 // rows[k] are 32 bytes of lane k; result[i] has the four bytes number i of every lane.
 using Rows8 = std::array<Int8, lane_count>;
 inline Rows8 side_by_side(const std::array<const void*, lane_count>& rows) {
@@ -188,8 +201,8 @@ inline Rows8 side_by_side(const std::array<const void*, lane_count>& rows) {
   }
   Rows8 columns;
   for (std::size_t k = 0; k < lane_count / 2; ++k) {
-    columns[k] = bits_of(Float8(_mm256_permute2f128_ps(r[k].m, r[k + 4].m, 0x20)));
-    columns[k + 4] = bits_of(Float8(_mm256_permute2f128_ps(r[k].m, r[k + 4].m, 0x31)));
+    columns[k] = bits_of(four_each(r[k], r[k + 4], Side::first));
+    columns[k + 4] = bits_of(four_each(r[k], r[k + 4], Side::last));
   }
   return columns;
 }

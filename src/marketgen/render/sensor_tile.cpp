@@ -24,41 +24,60 @@ class TileTracer {
   void run() {
     for_blocks([this](int column, int row) { trace_block(column, row); });
     for_blocks([this](int column, int row) {
-      take(group_at(column, row));
-      take(group_at(column, row + 1));
+      for (int r = row; r < row + block_rows; ++r)
+        take(group_at(column, r));
     });
     if (behind_.used > 0) trace_behind();
   }
 
  private:
+  static constexpr int block_rows = 4;
+
   static std::size_t group_at(int column, int row) {
     return SensorTile::number_of(column, row) / lane_count;
   }
 
-  // Calls body(column, row) for each packet of 8 x 2 pixels that lies in the picture.
+  // Calls body(column, row) for each block of 8 x 4 pixels that lies in the picture.
   template <class Body>
   void for_blocks(const Body& body) {
-    for (int row = 0; row < sensor_tile_side; row += 2) {
+    for (int row = 0; row < sensor_tile_side; row += block_rows) {
       for (int column = 0; column < sensor_tile_side; column += static_cast<int>(lane_count)) {
-        if (column < tile_.columns && row < tile_.rows)
+        if (column < tile_.columns && row < tile_.rows) {
           body(column, row);
-        else
-          tile_.depth[group_at(column, row)] = tile_.depth[group_at(column, row + 1)] = 0;
+          continue;
+        }
+        for (int r = row; r < row + block_rows; ++r)
+          tile_.depth[group_at(column, r)] = 0;
       }
     }
   }
 
+  // Two packets of 4 x 4 pixels side by side: squares hold together better than strips.
   void trace_block(int column, int row) {
-    RTCRayHit16 packet;
-    for (std::size_t half = 0; half < 2; ++half) {
-      const int at = row + static_cast<int>(half);
-      rays_[group_at(column, at)] = rays_of(column, at);
-      set_rays(packet.ray, half, rays_[group_at(column, at)], View::near_m);
+    std::array<std::array<Hits8, 2>, 2> hits;
+    for (int r = row; r < row + block_rows; ++r)
+      rays_[group_at(column, r)] = rays_of(column, r);
+    for (const Side side : {Side::first, Side::last}) {
+      RTCRayHit16 packet;
+      for (std::size_t half = 0; half < 2; ++half) {
+        const Rays8& upper = rays_[group_at(column, row + 2 * static_cast<int>(half))];
+        const Rays8& lower = rays_[group_at(column, row + 2 * static_cast<int>(half) + 1)];
+        set_rays(packet.ray,
+                 half,
+                 {four_each(upper.origin, lower.origin, side),
+                  four_each(upper.direction, lower.direction, side)},
+                 View::near_m);
+      }
+      trace(world_, packet, packet_size, mask_, RayBundle::coherent);
+      fetch_surfaces(world_, packet);
+      for (std::size_t half = 0; half < 2; ++half)
+        hits[half][side == Side::first ? 0 : 1] = hits_of(packet, half);
     }
-    trace(world_, packet, packet_size, mask_, RayBundle::coherent);
-    fetch_surfaces(world_, packet);
-    hits_[group_at(column, row)] = hits_of(packet, 0);
-    hits_[group_at(column, row + 1)] = hits_of(packet, 1);
+    for (std::size_t half = 0; half < 2; ++half) {
+      const int upper = row + 2 * static_cast<int>(half);
+      hits_[group_at(column, upper)] = four_each(hits[half][0], hits[half][1], Side::first);
+      hits_[group_at(column, upper + 1)] = four_each(hits[half][0], hits[half][1], Side::last);
+    }
   }
 
   // Pixels past the picture's edge repeat the last one: a full packet is as cheap as a part.

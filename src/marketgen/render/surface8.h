@@ -14,6 +14,16 @@ struct Hits8 {
 // Rays half * 8 and on of a packet that was traced.
 Hits8 hits_of(const RTCRayHit16& packet, std::size_t half);
 
+inline Hits8 four_each(const Hits8& a, const Hits8& b, Side side) {
+  return {four_each(a.t, b.t, side),
+          four_each(a.u, b.u, side),
+          four_each(a.v, b.v, side),
+          four_each(a.geometry, b.geometry, side),
+          four_each(a.primitive, b.primitive, side),
+          four_each(a.instance, b.instance, side),
+          Mask8(four_each(Float8(a.any.m), Float8(b.any.m), side).m)};
+}
+
 // The same as Surface, as far as sensor pictures need it.
 struct Surface8 {
   Vec8 position, face_normal, normal, relief_normal, albedo, emission;
