@@ -75,6 +75,11 @@ class IrradianceField {
   float floor_mean() const { return light_.floor_mean; }
 
  private:
+  static constexpr int depth_rows = 4, height_rows = 3;
+  // Depths of the probe rows behind a shelf's front edge: one row before the edge, where goods
+  // catch the most light.
+  static constexpr std::array<float, depth_rows> depth_share{-0.1F, 0.12F, 0.4F, 0.85F};
+  static constexpr std::array<float, height_rows> height_share{0.12F, 0.5F, 0.88F};
   struct Shelf {
     Placement world_from_shelf;
     Vec3f size;               // width, depth, clearance
