@@ -176,7 +176,8 @@ Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
   MARKETGEN_TRY(CheckoutWorld world, CheckoutWorld::create(data, frictions));
   const Seed own = seed.child("checkout", static_cast<std::uint64_t>(index));
   EpisodeSpec spec;
-  spec.id = fmt::format("checkout/{}/{:016x}/{}", origin.scene_hash.substr(0, 8), seed.value(), index);
+  spec.id =
+      fmt::format("checkout/{}/{:016x}/{}", origin.scene_hash.substr(0, 8), seed.value(), index);
   spec.store = origin.store;
   spec.scene_hash = origin.scene_hash;
   spec.plan_hash = origin.plan_hash;
