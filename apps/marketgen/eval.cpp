@@ -1,12 +1,11 @@
 // marketgen eval: runs episodes with a policy and reports what it reached.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 
 #include "base/parallel.h"
 #include "command.h"
-#include "evaluation/run_episode.h"
+#include "evaluation/evaluate.h"
 #include "io/file.h"
 #include "io/json.h"
 
@@ -17,39 +16,8 @@ struct EvalFlags {
   CommonFlags common;
   std::string episodes, policy = "oracle", output;
   int jobs = 0;
+  bool resume = false;
 };
-
-Result<std::vector<EpisodeResult>> run_all(const EvalFlags& flags, const EpisodeFile& file) {
-  MARKETGEN_TRY(const std::filesystem::path data, data_folder());
-  MARKETGEN_TRY(const Catalog catalog, load_rows());
-  Progress& progress = progress_for(flags.common);
-  progress.begin("episodes", file.episodes.size());
-  const auto made = parallel_map(file.episodes.size(), [&](std::size_t i) {
-    auto result =
-        run_episode(data, file.episodes[i], file.header.products, catalog.frictions, flags.policy);
-    progress.advance();
-    return std::make_shared<Result<EpisodeResult>>(std::move(result));
-  });
-  progress.end();
-  std::vector<EpisodeResult> results;
-  for (const auto& result : made) {
-    if (!result->ok()) return result->error();
-    results.push_back(result->value());
-  }
-  return results;
-}
-
-Result<void> write_results(const EvalFlags& flags,
-                           const std::vector<EpisodeResult>& results,
-                           const EvaluationSummary& summary) {
-  MARKETGEN_TRY(FolderDraft draft, FolderDraft::begin(flags.output));
-  std::string lines;
-  for (const EpisodeResult& result : results)
-    lines += write_json_line(result) + "\n";
-  MARKETGEN_CHECK(write_file(draft.folder() / "results.jsonl", lines));
-  MARKETGEN_CHECK(write_file(draft.folder() / "summary.json", write_json(summary)));
-  return draft.commit();
-}
 
 void print_share(const char* name, const Share& share) {
   fmt::print("{:<12}{:5.1f} %  ({:.1f} to {:.1f}), {} of {}\n",
@@ -73,12 +41,18 @@ void print_summary(const EvaluationSummary& summary) {
     fmt::print("{:<12}{}\n", name_of(failure.failure), failure.episodes);
 }
 
-Result<void> evaluate(const EvalFlags& flags) {
+Result<void> eval(const EvalFlags& flags) {
   const ThreadLimit limit(flags.jobs > 0 ? flags.jobs : flags.common.threads);
   MARKETGEN_TRY(const EpisodeFile file, read_episode_file(flags.episodes));
-  MARKETGEN_TRY(const std::vector<EpisodeResult> results, run_all(flags, file));
+  MARKETGEN_TRY(const std::filesystem::path data, data_folder());
+  MARKETGEN_TRY(const Catalog catalog, load_rows());
+  MARKETGEN_TRY(const std::vector<EpisodeResult> results,
+                marketgen::evaluate(data,
+                                    file,
+                                    catalog.frictions,
+                                    {flags.policy, flags.output, flags.resume},
+                                    progress_for(flags.common)));
   const EvaluationSummary summary = summarize(results);
-  MARKETGEN_CHECK(write_results(flags, results, summary));
   if (flags.common.json)
     fmt::print("{}", write_json(summary));
   else if (!flags.common.quiet)
@@ -96,10 +70,11 @@ Run add_eval(CLI::App& app) {
   command->add_option("--jobs", flags->jobs, "episodes at a time; 0 = as --threads")
       ->check(CLI::Range(0, 1024));
   command->add_option("-o,--output", flags->output, "folder for the results")->required();
+  command->add_flag("--resume", flags->resume, "go on with a run that was broken off");
   add_common_flags(*command, flags->common, Takes::json);
   command->footer("Example:  marketgen eval --episodes tasks.jsonl --policy oracle -o results");
   return [flags] {
-    const auto done = evaluate(*flags);
+    const auto done = eval(*flags);
     return done.ok() ? 0 : fail(done.error());
   };
 }

@@ -24,7 +24,6 @@ constexpr int volume_points_a_side = 8;
 constexpr double basket_feet_friction =
     0.5;                                 // moulded plastic on a rubber belt: data/friction.json
 constexpr double finger_friction = 0.5;  // of its metal; pads have that of their pairs
-constexpr double basket_density = 900;   // shares its mass out over floor and walls, kg/m^3
 
 // Which geoms look for contact with which: pad boxes meet what stands still and the basket; their
 // balls meet goods, as pairs with a friction of their own.
@@ -150,7 +149,7 @@ class CheckoutModelBuilder {
     int count = 0;
     for (mjsElement* e = mjs_firstChild(body, mjOBJ_GEOM, 0); e != nullptr;
          e = mjs_nextChild(body, e, 0)) {
-      item_geoms_.push_back({fmt::format("{}/{}", name, count++), friction});
+      item_geoms_.emplace_back(fmt::format("{}/{}", name, count++), friction);
       mjs_setName(e, item_geoms_.back().first.c_str());
     }
   }

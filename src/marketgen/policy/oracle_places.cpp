@@ -194,9 +194,8 @@ class PlaceSearch {
   }
 
   bool tool_has_room(const PlaceChoice& choice) const {
-    std::vector<ToolSolid> solids = opened(scene_.tool(), q_.opening_m);
-    solids.insert(solids.end(), scene_.tool().body.begin(), scene_.tool().body.end());
-    for (const ToolSolid& solid : solids) {
+    if (scene_.tool_meets_basket(choice.station_from_tip, q_.opening_m)) return false;
+    for (const ToolSolid& solid : scene_.tool_solids(q_.opening_m)) {
       const Pose pose = choice.station_from_tip * solid.tool_from_solid;
       if (pose.position.z - box_half_extents(pose.rotation, solid.half_size).z < over_counter_m)
         return false;

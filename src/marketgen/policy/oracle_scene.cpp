@@ -12,8 +12,11 @@ namespace {
 
 // Where the open tool is looked at on its way: so far back.
 constexpr std::array on_the_way_m{0.0, 0.02, 0.04, 0.07, 0.1, 0.14};
-constexpr double skin_m = 0.002;  // of the basket's walls that arms keep clear of on lines
+// Of the basket's walls, what arms keep clear of on lines: the spheres of a hand are larger than
+// it.
+constexpr double skin_m = 0.002, below_rim_m = 0.015;
 constexpr double counter_half_m = 0.03;
+constexpr double wall_gap_m = 0.012;  // of the tool when it puts something down beside the basket
 
 }  // namespace
 
@@ -21,6 +24,29 @@ OracleScene::OracleScene(const CheckoutWorld& world, const GraspTool& tool)
     : world_(world), tool_(tool) {
   for (std::size_t i = 0; i < world.item_count(); ++i)
     surfaces_.emplace_back(world.goods(i).body.pieces);
+  for (const ContainerBox& box : boxes_of(world.station().container())) {
+    ContactPiece piece;
+    piece.half_size = to_float(box.half_size);
+    walls_.emplace_back(box.container_from_box, GraspSurface({piece}));
+  }
+}
+
+std::vector<ToolSolid> OracleScene::tool_solids(double opening_m) const {
+  std::vector<ToolSolid> solids = opened(tool_, opening_m);
+  solids.insert(solids.end(), tool_.body.begin(), tool_.body.end());
+  return solids;
+}
+
+bool OracleScene::tool_meets_basket(const Pose& station_from_tip, double opening_m) const {
+  const Pose basket_from_tip = inverse(world_.basket_pose()) * station_from_tip;
+  const std::vector<ToolSolid> solids = tool_solids(opening_m);
+  return std::ranges::any_of(walls_, [&](const auto& wall) {
+    const Pose wall_from_tip = inverse(wall.first) * basket_from_tip;
+    return std::ranges::any_of(solids, [&](const ToolSolid& solid) {
+      return wall.second.gap_to_box(wall_from_tip * solid.tool_from_solid, solid.half_size) <
+             wall_gap_m;
+    });
+  });
 }
 
 double OracleScene::overlap(std::size_t item, const Pose& station_from_box, Vec3 half) const {
@@ -37,8 +63,7 @@ double OracleScene::overlap(std::size_t item, const Pose& station_from_box, Vec3
 double OracleScene::tool_overlap(std::size_t item,
                                  const Pose& station_from_tip,
                                  double opening_m) const {
-  std::vector<ToolSolid> solids = opened(tool_, opening_m);
-  solids.insert(solids.end(), tool_.body.begin(), tool_.body.end());
+  const std::vector<ToolSolid> solids = tool_solids(opening_m);
   double most = 0;
   for (const double back : on_the_way_m) {
     const Pose tip = station_from_tip * Pose{{0, 0, -back}, {}};
@@ -126,8 +151,9 @@ Surroundings OracleScene::surroundings(const std::vector<std::size_t>& without) 
     const bool is_wall = std::abs(box.half_size.x - wall / 2) < 1e-9;
     if (!is_wall) continue;  // a ledge
     // Boxes have their outer face towards their own +X.
-    const Pose skin = pose * Pose{{box.half_size.x - skin_m / 2, 0, 0}, {}};
-    around.line.boxes.push_back({skin, {skin_m / 2, box.half_size.y, box.half_size.z}});
+    const Pose skin = pose * Pose{{box.half_size.x - skin_m / 2, 0, -below_rim_m / 2}, {}};
+    around.line.boxes.push_back(
+        {skin, {skin_m / 2, box.half_size.y, box.half_size.z - below_rim_m / 2}});
   }
   for (std::size_t item = 0; item < items(); ++item) {
     if (std::ranges::find(without, item) == without.end()) add_item(item, around.way);

@@ -1,6 +1,7 @@
 // What the oracle knows of a running Checkout Unloading: everything, as shapes.
 #pragma once
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "episodes/checkout_world.h"
@@ -24,6 +25,8 @@ class OracleScene {
   double overlap(std::size_t item, const Pose& station_from_box, Vec3 half) const;
   // The same of the open tool, standing there and on its way to there.
   double tool_overlap(std::size_t item, const Pose& station_from_tip, double opening_m) const;
+  // Whether the open tool, standing there, meets a wall of the basket.
+  bool tool_meets_basket(const Pose& station_from_tip, double opening_m) const;
   // How deep points of item `a`, moved by `by`, lie in item `b`.
   double item_overlap(std::size_t a, Vec3 by, std::size_t b) const;
 
@@ -32,6 +35,8 @@ class OracleScene {
   Vec3 box_middle(std::size_t item, const Pose& pose) const;
   bool in_basket(std::size_t item) const;
   bool in_unloading(std::size_t item) const;
+
+  std::vector<ToolSolid> tool_solids(double opening_m) const;  // tool frame
 
   // Walls of the basket, station frame.
   std::vector<GraspObstacle> walls() const;
@@ -45,6 +50,7 @@ class OracleScene {
   const CheckoutWorld& world_;
   const GraspTool& tool_;
   std::vector<GraspSurface> surfaces_;
+  std::vector<std::pair<Pose, GraspSurface>> walls_;  // basket_from_wall, and the wall
 };
 
 }  // namespace marketgen

@@ -1,0 +1,28 @@
+// Many episodes, several at a time, kept as they finish: a run that was broken off goes on where it
+// was.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "evaluation/run_episode.h"
+
+namespace marketgen {
+
+struct EvaluationOptions {
+  std::string policy = "oracle";
+  std::filesystem::path folder;  // gets results.jsonl and summary.json
+  bool resume = false;           // keeps what an earlier run has finished there
+};
+
+// Each finished episode is a line of results.jsonl at once; at the end the lines are in the order
+// of the episodes. The same for any number of threads, wall times apart. Errors: store.exists when
+// the folder has results and `resume` is off; io.*; those of run_episode.
+Result<std::vector<EpisodeResult>> evaluate(const std::filesystem::path& data,
+                                            const EpisodeFile& file,
+                                            const std::vector<FrictionRow>& frictions,
+                                            const EvaluationOptions& options,
+                                            Progress& progress);
+
+}  // namespace marketgen
