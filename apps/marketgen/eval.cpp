@@ -66,7 +66,8 @@ Run add_eval(CLI::App& app) {
   auto flags = std::make_shared<EvalFlags>();
   CLI::App* command = app.add_subcommand("eval", "Run episodes with a policy, in physics");
   command->add_option("--episodes", flags->episodes, "file of `marketgen episodes`")->required();
-  command->add_option("--policy", flags->policy, "who acts: oracle")->capture_default_str();
+  command->add_option("--policy", flags->policy, "who acts: oracle (knows everything) or random")
+      ->capture_default_str();
   command->add_option("--jobs", flags->jobs, "episodes at a time; 0 = as --threads")
       ->check(CLI::Range(0, 1024));
   command->add_option("-o,--output", flags->output, "folder for the results")->required();

@@ -6,8 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "base/interrupt.h"
 #include "episodes/checkout_world.h"
 #include "policy/oracle_checkout.h"
+#include "policy/random_policy.h"
 
 namespace marketgen {
 namespace {
@@ -17,8 +19,12 @@ Result<std::unique_ptr<Policy>> policy_named(const std::string& name,
                                              const std::filesystem::path& data) {
   if (name == "oracle")
     return make_checkout_oracle(world, data, Seed(world.spec().seed).child("oracle"));
-  return Error{
-      "usage.bad_flag", "--policy", "there is no policy \"" + name + "\"; there is: oracle"};
+  if (name == "random")
+    return std::unique_ptr<Policy>(
+        std::make_unique<RandomPolicy>(Seed(world.spec().seed).child("random")));
+  return Error{"usage.bad_flag",
+               "--policy",
+               "there is no policy \"" + name + "\"; there are: oracle, random"};
 }
 
 // Until the policy stops or the time is over.
@@ -26,6 +32,7 @@ Result<void> act_out(CheckoutWorld& world, Policy& policy) {
   Observation now = world.observe();
   MARKETGEN_CHECK(policy.begin({world.spec().instruction, world.spec().limit_s}, now));
   while (!world.done()) {
+    MARKETGEN_CHECK(check_interrupt());
     MARKETGEN_TRY(const Action action, policy.act(now));
     MARKETGEN_TRY(now, world.step(action));
   }
@@ -52,6 +59,7 @@ Result<EpisodeResult> run_episode(const std::filesystem::path& data,
   MARKETGEN_CHECK(world.reset(spec, products));
   MARKETGEN_TRY(const std::unique_ptr<Policy> policy, policy_named(policy_name, world, data));
   const auto acted = act_out(world, *policy);
+  MARKETGEN_CHECK(check_interrupt());  // an episode that was broken off has no result
   const bool in_time = world.time_s() < spec.limit_s - control_step_s / 2;
   MARKETGEN_TRY(EpisodeResult result, world.finish());
   result.policy = policy_name;

@@ -3,36 +3,15 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
-#include "episodes/sample_checkout.h"
+#include "drawn_checkout.h"
 #include "io/json.h"
-#include "support/committed_catalog.h"
 
 namespace marketgen {
 namespace {
 
-const std::filesystem::path data = std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data";
-
-const std::vector<Product>& stock() {
-  static const std::vector<Product> chosen = [] {
-    std::vector<Product> goods;
-    for (const Product& product : committed_catalog().products)
-      if (is_checkout_item(product)) goods.push_back(product);
-    return goods;
-  }();
-  return chosen;
-}
-
-EpisodeSpec drawn(std::uint64_t seed, int index) {
-  auto spec = sample_checkout(
-      data, stock(), committed_catalog().frictions, {"corner", "s", "p"}, Seed(seed), index);
-  if (!spec.ok()) fatal(to_string(spec.error()).c_str());
-  return std::move(spec).value();
-}
-
 EpisodeResult run(const EpisodeSpec& spec) {
-  auto result = run_episode(data, spec, stock(), committed_catalog().frictions, "oracle");
+  auto result = run_episode(
+      data_rows(), spec, checkout_goods_rows(), committed_catalog().frictions, "oracle");
   if (!result.ok()) fatal(to_string(result.error()).c_str());
   return std::move(result).value();
 }
@@ -47,8 +26,8 @@ TEST(RunEpisode, TheOracleActsTwiceAlike) {
 }
 
 TEST(RunEpisode, UnknownPoliciesAreErrors) {
-  const auto result =
-      run_episode(data, drawn(7, 0), stock(), committed_catalog().frictions, "orakel");
+  const auto result = run_episode(
+      data_rows(), drawn(7, 0), checkout_goods_rows(), committed_catalog().frictions, "orakel");
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.error().code, "usage.bad_flag");
 }

@@ -1,0 +1,28 @@
+#include "policy/random_policy.h"
+
+namespace marketgen {
+namespace {
+
+constexpr double most_step_rad = 0.05;  // in a control step of 50 ms
+constexpr double widest_m = 0.08;
+constexpr double pull_back = 0.05;  // of the way to where the arm is: targets do not run off
+
+}  // namespace
+
+Result<void> RandomPolicy::begin(const Task&, const Observation& first) {
+  target_ = first.position;
+  return {};
+}
+
+Result<Action> RandomPolicy::act(const Observation& now) {
+  for (std::size_t j = 0; j < target_.size(); ++j) {
+    target_[j] += (now.position[j] - target_[j]) * pull_back;
+    target_[j] += draw_.uniform(-most_step_rad, most_step_rad);
+  }
+  Action action;
+  action.position = target_;
+  action.opening_m = draw_.uniform(0, widest_m);
+  return action;
+}
+
+}  // namespace marketgen
