@@ -1,7 +1,7 @@
 """Does one job for the marketgen program: a JSON request on standard input, a JSON answer on standard output.
 
-    python -m marketgen.worker parts            which outside libraries are there: {"coacd": "1.0.14"}
-    python -m marketgen.worker convex_pieces    a closed or open triangle mesh cut into convex pieces by CoACD
+    python worker.py parts            which outside libraries are there: {"coacd": "1.0.14"}
+    python worker.py convex_pieces    a closed or open triangle mesh cut into convex pieces by CoACD
 
 A job that cannot be done ends with status 1 and one line on standard error.
 """
@@ -51,7 +51,7 @@ JOBS = {"parts": parts, "convex_pieces": convex_pieces}
 
 def main():
     if len(sys.argv) != 2 or sys.argv[1] not in JOBS:
-        print(f"usage: python -m marketgen.worker {'|'.join(JOBS)}", file=sys.stderr)
+        print(f"usage: python worker.py {'|'.join(JOBS)}", file=sys.stderr)
         return 2
     # Libraries that print must not spoil the answer.
     answer = os.fdopen(os.dup(1), "w", encoding="utf-8")

@@ -46,15 +46,5 @@ TEST(Examples, PlansAreValid) {
   EXPECT_GT(plans, 0);
 }
 
-TEST(Examples, ScriptsRunOnAStore) {
-  for (const fs::directory_entry& entry : fs::directory_iterator(root() / "examples")) {
-    if (entry.path().extension() != ".py") continue;
-    const Ran ran =
-        run({"python3", entry.path().string(), small_store().string(), MARKETGEN_BINARY});
-    EXPECT_EQ(ran.status, 0) << entry.path() << ": " << ran.err;
-    EXPECT_FALSE(ran.out.empty());
-  }
-}
-
 }  // namespace
 }  // namespace marketgen

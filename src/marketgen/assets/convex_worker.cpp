@@ -35,15 +35,14 @@ struct WorkerParts {
 };
 
 Result<std::string> run_worker(const std::string& job, std::string_view request, double seconds) {
-  MARKETGEN_TRY(const std::filesystem::path folder, worker_folder());
+  MARKETGEN_TRY(const std::filesystem::path script, worker_script());
   // Threads of CoACD that wait must not keep others from working.
   return run_program({"env",
                       "OMP_WAIT_POLICY=passive",
-                      "PYTHONPATH=" + folder.string(),
+                      "PYTHONSAFEPATH=1",  // what lies beside the script is not for it
                       "PYTHONDONTWRITEBYTECODE=1",
                       worker_python(),
-                      "-m",
-                      "marketgen.worker",
+                      script.string(),
                       job},
                      request,
                      {.seconds = seconds});

@@ -202,15 +202,15 @@ std::string worker_python() {
   return fs::exists(ours, failed) ? ours.string() : "python3";
 }
 
-Result<fs::path> worker_folder() {
+Result<fs::path> worker_script() {
   std::error_code failed;
   const fs::path program = fs::read_symlink("/proc/self/exe", failed).parent_path();
-  for (const fs::path& place :
-       {program / installed_share_folder / "python", fs::path(source_folder) / "python"}) {
-    if (fs::exists(place / "marketgen/worker.py", failed)) return place.lexically_normal();
+  const char* script = "python/marketgen/worker.py";
+  for (const fs::path& place : {program / installed_share_folder, fs::path(source_folder)}) {
+    if (fs::exists(place / script, failed)) return (place / script).lexically_normal();
   }
   return Error{"usage.unavailable",
-               "python/marketgen/worker.py",
+               script,
                "is not there; restore it or install the program again"};
 }
 

@@ -25,8 +25,8 @@ Result<std::string> run_program(const std::vector<std::string>& command,
 
 // The Python that runs our workers: $MARKETGEN_PYTHON, .venv of the source tree, else python3.
 std::string worker_python();
-// The folder that holds the Python package `marketgen`: beside the data of the source tree or of
-// the installation. Error: usage.unavailable.
-Result<std::filesystem::path> worker_folder();
+// The script of our workers, run by itself: beside the data of the installation or in the source
+// tree. Error: usage.unavailable.
+Result<std::filesystem::path> worker_script();
 
 }  // namespace marketgen
