@@ -209,9 +209,8 @@ Result<fs::path> worker_script() {
   for (const fs::path& place : {program / installed_share_folder, fs::path(source_folder)}) {
     if (fs::exists(place / script, failed)) return (place / script).lexically_normal();
   }
-  return Error{"usage.unavailable",
-               script,
-               "is not there; restore it or install the program again"};
+  return Error{
+      "usage.unavailable", script, "is not there; restore it or install the program again"};
 }
 
 }  // namespace marketgen
