@@ -87,6 +87,7 @@ Observation CheckoutWorld::observe() const {
     for (const int dof : fingers->dofs)
       seen.opening_m += q[static_cast<std::size_t>(dof)];
   }
+  seen.opening_m = std::max(seen.opening_m, 0.0);  // pads that press on one another give way
   return seen;
 }
 
