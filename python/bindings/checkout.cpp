@@ -3,7 +3,6 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
-#include "assets/usable_catalog.h"
 #include "base/seed.h"
 #include "binding.h"
 #include "episodes/checkout_view.h"
@@ -24,7 +23,7 @@ class CheckoutHandle {
   explicit CheckoutHandle(const StoreHandle& store)
       : store_(store.store),
         data_(value_or_raise(data_folder())),
-        frictions_(value_or_raise(load_catalog(data_)).frictions),
+        frictions_(store.frictions),
         stock_(checkout_stock(store_->scene)),
         world_(value_or_raise(CheckoutWorld::create(data_, frictions_))) {}
 

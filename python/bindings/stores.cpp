@@ -8,6 +8,7 @@
 #include "assets/usable_catalog.h"
 #include "binding.h"
 #include "intake/brief.h"
+#include "io/file.h"
 #include "io/json.h"
 #include "render/camera.h"
 #include "scene/query.h"
@@ -18,7 +19,7 @@ namespace {
 
 StoreHandle opened(const std::string& folder, const Catalog& catalog) {
   Store store = value_or_raise(without_interpreter([&] { return open_store(folder, catalog); }));
-  return {std::make_shared<const Store>(std::move(store))};
+  return {std::make_shared<const Store>(std::move(store)), catalog.frictions};
 }
 
 StoreHandle open(const std::string& folder, const std::vector<std::string>& catalogs) {
@@ -79,6 +80,7 @@ void add_stores(nb::module_& module) {
       .def("camera", [](const StoreHandle& h, const std::string& name, int width, int height) {
         return value_or_raise(camera_named(h.store->scene, name, width, height));
       });
+  module.def("cache_folder", [] { return cache_folder().string(); });
   module.def("open_store", &open);
   module.def("generate", &generate);
 }

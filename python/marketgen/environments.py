@@ -36,10 +36,7 @@ MOVES = {"pd_joint_pos": 7, "pd_joint_delta_pos": 7, "pd_ee_delta_pos": 3, "pd_e
 @functools.lru_cache(maxsize=1)
 def default_store() -> Store:
     """A small shop, made once into the cache folder."""
-    cache = os.environ.get("MARKETGEN_CACHE") or pathlib.Path(
-        os.environ.get("XDG_CACHE_HOME") or pathlib.Path.home() / ".cache", "marketgen"
-    )
-    folder = pathlib.Path(cache) / "stores" / f"{_core.__version__}-corner-shop"
+    folder = pathlib.Path(_core.cache_folder()) / "stores" / f"{_core.__version__}-corner-shop"
     if not (folder / "store.json").exists():
         try:
             return generate(DEFAULT_PROMPT, folder, seed=1, size="9x7m")

@@ -38,6 +38,11 @@ ContactShape contact_shape_of(const CollisionPrimitive& primitive) {
   return made;
 }
 
+ContactShape contact_shape_of(const ContactPiece& piece) {
+  return contact_shape_of(CollisionPrimitive{
+      static_cast<CollisionShape>(piece.shape), piece.center, piece.half_size, piece.lying});
+}
+
 ContactShape operator*(const Pose& pose, const ContactShape& shape) {
   return {shape.shape, pose * shape.pose, shape.size};
 }

@@ -15,6 +15,7 @@ struct ContactShape {
 
 ContactShape contact_shape_of(const ScenePart& part);                 // in the fixture frame
 ContactShape contact_shape_of(const CollisionPrimitive& primitive);   // in the product frame
+ContactShape contact_shape_of(const ContactPiece& piece);             // the same; not of a hull
 ContactShape operator*(const Pose& pose, const ContactShape& shape);  // moved along with its owner
 
 // Half extents of the axis-aligned box around the shape, in its owner's frame.

@@ -52,11 +52,7 @@ void ProductBodies::add(const std::string& name,
 
 mjsGeom* ProductBodies::add_piece(mjsBody* made, const ProductBody& body, std::size_t index) {
   const ContactPiece& piece = body.pieces[index];
-  if (piece.shape != PieceShape::hull) {
-    const CollisionPrimitive primitive{
-        static_cast<CollisionShape>(piece.shape), piece.center, piece.half_size, piece.lying};
-    return add_shape(made, contact_shape_of(primitive));
-  }
+  if (piece.shape != PieceShape::hull) return add_shape(made, contact_shape_of(piece));
   mjsGeom* geom = mjs_addGeom(made, nullptr);
   geom->type = mjGEOM_MESH;
   mjs_setString(geom->meshname, mesh_of(body, index).c_str());

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numbers>
 
 namespace marketgen {
 namespace {
@@ -20,11 +18,6 @@ constexpr double firmness = 2, least_grip_n = 30, most_grip_n = 60;
 constexpr double most_room_m = 0.015;
 constexpr double of_room = 1000, of_tilt_deg = 0.2, of_offset = 250;
 
-double tilt_deg(const Pose& tip) {
-  const Vec3 ahead = rotate(tip.rotation, {0, 0, 1});
-  return std::acos(std::clamp(-ahead.z, -1.0, 1.0)) * 180 / std::numbers::pi;
-}
-
 GraspChoice choice_of(const OracleScene& scene, std::size_t item, const GraspCandidate& candidate) {
   GraspChoice choice;
   choice.station_from_tip = scene.world().item_pose(item) * candidate.grasp.product_from_tool;
@@ -32,7 +25,7 @@ GraspChoice choice_of(const OracleScene& scene, std::size_t item, const GraspCan
   choice.force_n = std::clamp(candidate.grasp.force_n * firmness, least_grip_n, most_grip_n);
   const double offset = length(choice.station_from_tip.position - scene.middle(item));
   choice.score = of_room * std::min(candidate.clearance_m, most_room_m) -
-                 of_tilt_deg * tilt_deg(choice.station_from_tip) - of_offset * offset;
+                 of_tilt_deg * tilt_deg(choice.station_from_tip.rotation) - of_offset * offset;
   for (std::size_t other = 0; other < scene.items(); ++other) {
     if (other == item) continue;
     const double over = scene.tool_overlap(other, choice.station_from_tip, choice.opening_m);

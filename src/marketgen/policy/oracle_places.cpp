@@ -41,18 +41,11 @@ Extents turned_extents(const CheckoutGoods& goods, const Quaternion& turned) {
       }
       continue;
     }
-    const ContactShape shape =
-        Pose{{}, turned} *
-        contact_shape_of(CollisionPrimitive{
-            static_cast<CollisionShape>(piece.shape), piece.center, piece.half_size, piece.lying});
+    const ContactShape shape = Pose{{}, turned} * contact_shape_of(piece);
     const Vec3 half = half_extents(shape);
     add(shape.pose.position - half, shape.pose.position + half);
   }
   return e;
-}
-
-double tilt_of(const Quaternion& tip) {
-  return std::acos(std::clamp(-rotate(tip, {0, 0, 1}).z, -1.0, 1.0)) * 180 / pi_;
 }
 
 // The turn that brings a direction of the product to point straight down.
@@ -140,7 +133,7 @@ class PlaceSearch {
       const double slender = size.z / std::min(size.x, size.y);
       for (int yaw = 0; yaw < yaws; ++yaw) {
         const Quaternion item = rotation_about({0, 0, 1}, 2 * pi_ * yaw / yaws) * stable;
-        const double tilt = tilt_of(item * item_from_tip_.rotation);
+        const double tilt = tilt_deg(item * item_from_tip_.rotation);
         if (tilt <= steepest_deg) turns.push_back({item, tilt + 15 * std::max(0.0, slender - 1)});
       }
     }

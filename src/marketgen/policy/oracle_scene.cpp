@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "geometry/box_extents.h"
 #include "physics/contact_shape.h"
@@ -19,6 +20,11 @@ constexpr double counter_half_m = 0.03;
 constexpr double wall_gap_m = 0.012;  // of the tool when it puts something down beside the basket
 
 }  // namespace
+
+double tilt_deg(const Quaternion& station_from_tip) {
+  const Vec3 ahead = rotate(station_from_tip, {0, 0, 1});
+  return std::acos(std::clamp(-ahead.z, -1.0, 1.0)) * 180 / std::numbers::pi;
+}
 
 OracleScene::OracleScene(const CheckoutWorld& world, const GraspTool& tool)
     : world_(world), tool_(tool) {
@@ -125,10 +131,7 @@ void OracleScene::add_item(std::size_t item, Obstacles& obstacles) const {
       obstacles.convex.push_back({pose, piece.points});
       continue;
     }
-    const ContactShape shape =
-        pose *
-        contact_shape_of(CollisionPrimitive{
-            static_cast<CollisionShape>(piece.shape), piece.center, piece.half_size, piece.lying});
+    const ContactShape shape = pose * contact_shape_of(piece);
     if (shape.shape == CollisionShape::cylinder)
       obstacles.cylinders.push_back({shape.pose, shape.size.x, shape.size.y});
     else  // an ellipsoid is taken for its box

@@ -12,6 +12,9 @@
 
 namespace marketgen {
 
+// Of a tool from straight down.
+double tilt_deg(const Quaternion& station_from_tip);
+
 class OracleScene {
  public:
   // Both must outlive it. The world is reset before.

@@ -24,7 +24,7 @@ constexpr int duct_segments = 32, small_segments = 20;
 bool is_clear_of_lamps(const World& world, float x, float y, float clear) {
   for (std::uint32_t i = 0; i < world.panel_count; ++i) {
     const AreaLight& light = world.lights[i];
-    const Vec3f middle = light.corner + (light.edge_u + light.edge_v) * 0.5F;
+    const Vec3f middle = light.middle();
     const float dx =
         std::fabs(middle.x - x) - (std::fabs(light.edge_u.x) + std::fabs(light.edge_v.x)) / 2;
     const float dy =
@@ -38,9 +38,7 @@ bool is_in_room(const Room& room, float x, float y) {
   constexpr float beside = 0.35F;
   for (const float dx : {-beside, beside}) {
     for (const float dy : {-beside, beside}) {
-      const PointMm p{static_cast<int>(std::lround((x + dx) * 1000)),
-                      static_cast<int>(std::lround((y + dy) * 1000))};
-      if (!contains(room.outline, p)) return false;
+      if (!contains(room.outline, floor_mm(Vec3f{x + dx, y + dy, 0}))) return false;
     }
   }
   return true;
@@ -135,7 +133,7 @@ float duct_place(const World& world, bool along_x, float low, float across, floa
     bool free = true;
     for (std::uint32_t i = 0; i < world.panel_count; ++i) {
       const AreaLight& light = world.lights[i];
-      const Vec3f middle = light.corner + (light.edge_u + light.edge_v) * 0.5F;
+      const Vec3f middle = light.middle();
       const float half = std::fabs(along_x ? light.edge_v.y : light.edge_u.x) / 2;
       free = free && std::fabs((along_x ? middle.y : middle.x) - place) > half + clear;
     }
@@ -196,7 +194,6 @@ void CeilingBuilder::add_services(Mesh& mesh, const World& world) const {
 void CeilingBuilder::add_ducts(Mesh& mesh, const World& world) const {
   const RectMm bounds = bounds_of(room_.outline);
   const bool along_x = rows_run_along_x(world);
-  const auto metres = [](int mm) { return static_cast<float>(mm) * 1e-3F; };
   const float length = metres(along_x ? bounds.width() : bounds.depth()) - 2 * duct_end_m;
   const float across = metres(along_x ? bounds.depth() : bounds.width());
   const Vec3f low{metres(bounds.x0), metres(bounds.y0), room_.ceiling - duct_below_m};

@@ -65,10 +65,8 @@ std::vector<WallSpan> taken_spans(const Layout& layout, const WallEdge& edge) {
 
 // Type of the zone in which a place lies, empty where there is none.
 std::string zone_type_at(const Layout& layout, Vec3f place) {
-  const PointMm p{static_cast<int>(std::lround(place.x * 1000)),
-                  static_cast<int>(std::lround(place.y * 1000))};
   for (const LayoutZone& zone : layout.zones) {
-    if (contains(zone.polygon_mm, p)) return zone.type;
+    if (contains(zone.polygon_mm, floor_mm(place))) return zone.type;
   }
   return {};
 }
@@ -81,7 +79,6 @@ struct ShelfEnd {
 std::array<ShelfEnd, 2> ends_of(const Fixture& fixture) {
   const RectMm r = footprint_of(fixture);
   const bool along_x = fixture.yaw_deg % 180 == 0;
-  const auto metres = [](int mm) { return static_cast<float>(mm) * 1e-3F; };
   const Vec3f middle{metres(r.x0 + r.x1) / 2, metres(r.y0 + r.y1) / 2, 0};
   if (along_x) {
     return {

@@ -98,7 +98,6 @@ bool hangs_free(const Layout& layout, const Room& room, const Panel& panel) {
 std::vector<Panel> place_panels(const Layout& layout, const Room& room, const FittingSize& size) {
   const RectMm bounds = bounds_of(room.outline);
   const RowAxis axis = row_axis(layout);
-  const auto metres = [](int mm) { return static_cast<float>(mm) * 1e-3F; };
   const bool along_x = axis == RowAxis::x;
   const float low = metres(along_x ? bounds.x0 : bounds.y0),
               high = metres(along_x ? bounds.x1 : bounds.y1);
@@ -130,7 +129,7 @@ float mean_floor_irradiance(const std::vector<AreaLight>& lights, const Bounds3&
                                          size.y * (static_cast<float>(i / grid) + 0.5F) / grid,
                                          0};
     for (const AreaLight& light : lights) {
-      const Vec3f to_light = light.corner + (light.edge_u + light.edge_v) * 0.5F - point;
+      const Vec3f to_light = light.middle() - point;
       const float distance2 = dot(to_light, to_light);
       sum += light.area * to_light.z * to_light.z / (distance2 * distance2);
     }

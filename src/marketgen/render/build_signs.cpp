@@ -101,7 +101,6 @@ void SignBuilder::hang_boards(Draft& draft) {
     const Ground& ground = grounds[zone.id];
     if (!ground.any || zone.label.empty()) continue;
     const bool along_x = ground.along_x > ground.along_y;
-    const auto metres = [](int mm) { return static_cast<float>(mm) * 1e-3F; };
     const float low = metres(along_x ? ground.bounds.x0 : ground.bounds.y0),
                 high = metres(along_x ? ground.bounds.x1 : ground.bounds.y1);
     const float across = metres(along_x ? ground.bounds.y0 + ground.bounds.y1

@@ -55,7 +55,7 @@ class LampRays {
 
   void add(std::uint32_t number) {
     const AreaLight& light = world_.lights[number];
-    const Vec3f middle = light.corner + (light.edge_u + light.edge_v) * 0.5F;
+    const Vec3f middle = light.middle();
     const float size = std::max(length(light.edge_u), length(light.edge_v));
     if (length(middle - position_) > near_light * size) return add_point(number, 0.5F, 0.5F, 1);
     constexpr float quarters[2] = {0.25F, 0.75F};
@@ -168,9 +168,7 @@ void shoot(const World& world, Vec3f position, Hollows hollows, ProbeRays& resul
 }
 
 bool is_outside(const PolygonMm& outline, Vec3f point) {
-  return !contains(outline,
-                   {static_cast<int>(std::lround(point.x * 1000)),
-                    static_cast<int>(std::lround(point.y * 1000))});
+  return !contains(outline, floor_mm(point));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ constexpr float most_cells = 40'000;
 // What a light gives unblocked at `point`, however a surface there is turned. Distances are kept
 // off zero by the cell's size.
 float strength(const AreaLight& light, Vec3f point) {
-  const Vec3f to_light = light.corner + (light.edge_u + light.edge_v) * 0.5F - point;
+  const Vec3f to_light = light.middle() - point;
   const float distance2 = std::max(dot(to_light, to_light), 0.15F);
   const float facing = -dot(to_light, light.normal) / std::sqrt(distance2);
   // A cell straddles the light's plane: what is behind its middle may be before its edge.

@@ -44,7 +44,7 @@ void PanelReflection::draw_panels(const World& world) {
   const Level finest = levels_[0];
   for (std::uint32_t i = 0; i < world.panel_count; ++i) {
     const AreaLight& light = world.lights[i];
-    const Vec3f middle = light.corner + (light.edge_u + light.edge_v) * 0.5F;
+    const Vec3f middle = light.middle();
     const float half_x = (std::fabs(light.edge_u.x) + std::fabs(light.edge_v.x)) / 2;
     const float half_y = (std::fabs(light.edge_u.y) + std::fabs(light.edge_v.y)) / 2;
     const float x0 = (middle.x - half_x - low_.x) / texel_m, x1 = x0 + 2 * half_x / texel_m;

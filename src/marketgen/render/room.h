@@ -1,6 +1,7 @@
 // The room as walls: its outline's edges, each with a frame to build in and the openings that
 // pierce it.
 #pragma once
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,16 @@ struct Room {
 };
 
 Room room_of(const Shell& shell);
+
+// Where a place is on the floor plan; of a Vec3 or a Vec3f, metres.
+template <class Vector>
+PointMm floor_mm(const Vector& place) {
+  return {static_cast<int>(std::lround(place.x * 1000)),
+          static_cast<int>(std::lround(place.y * 1000))};
+}
+inline float metres(int mm) {
+  return static_cast<float>(mm) * 1e-3F;
+}
 
 // Triangles (counter-clockwise) of a simple polygon, by ear clipping.
 std::vector<std::array<std::uint32_t, 3>> triangulated(const PolygonMm& polygon);

@@ -1,5 +1,7 @@
 #include "render/standing_room.h"
 
+#include "render/room.h"
+
 #include <cmath>
 
 namespace marketgen::raytrace {
@@ -9,10 +11,6 @@ constexpr int cell_mm = 100;
 constexpr int clearance_mm = 300;    // half a person with a camera
 constexpr int eye_height_mm = 1500;  // lower fixtures do not block the view
 constexpr double step_m = 0.05;
-
-PointMm as_mm(Vec3 p) {
-  return {static_cast<int>(std::lround(p.x * 1000)), static_cast<int>(std::lround(p.y * 1000))};
-}
 
 OccupancyGrid occupancy(const Scene& scene, int clearance, int higher_than_mm) {
   const Shell& shell = scene.layout.shell;
@@ -26,7 +24,7 @@ OccupancyGrid occupancy(const Scene& scene, int clearance, int higher_than_mm) {
 }
 
 bool free_at(const OccupancyGrid& grid, Vec3 point) {
-  const PointMm p = as_mm(point);
+  const PointMm p = floor_mm(point);
   const auto index = [&](int mm, int start) {
     return static_cast<int>(std::floor(static_cast<double>(mm - start) / grid.cell_mm));
   };
@@ -54,7 +52,7 @@ bool StandingRoom::is_main(std::size_t cell) const {
 }
 
 Vec3 StandingRoom::nearest(Vec3 point) const {
-  const PointMm wanted = as_mm(point);
+  const PointMm wanted = floor_mm(point);
   double least = 1e18;
   Vec3 best = point;
   for (int row = 0; row < floor_.rows; ++row) {

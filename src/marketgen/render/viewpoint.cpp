@@ -16,15 +16,11 @@ std::string written(Vec3 p) {
   return fmt::format("({:.3f}, {:.3f}, {:.3f}) m", p.x, p.y, p.z);
 }
 
-PointMm point_mm(Vec3 p) {
-  return {static_cast<int>(std::lround(p.x * 1000)), static_cast<int>(std::lround(p.y * 1000))};
-}
-
 bool is_in_room(const Shell& shell, Vec3 p) {
   if (!(p.z >= 0 && p.z <= shell.ceiling_mm * 1e-3)) return false;
   if (std::fabs(p.x) > 1e4 || std::fabs(p.y) > 1e4)
     return false;  // beyond what fits in millimetres
-  return contains(raytrace::room_of(shell).outline, point_mm(p));
+  return contains(raytrace::room_of(shell).outline, raytrace::floor_mm(p));
 }
 
 bool is_in_part(const ScenePart& part, Vec3 fixture_point) {

@@ -53,6 +53,7 @@ struct Material {
 struct AreaLight {
   Vec3f corner, edge_u, edge_v, normal, radiance;
   float area = 0;
+  Vec3f middle() const { return corner + (edge_u + edge_v) * 0.5F; }
 };
 AreaLight make_area_light(Vec3f corner, Vec3f edge_u, Vec3f edge_v, Vec3f radiance);
 
