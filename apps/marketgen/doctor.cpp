@@ -104,13 +104,13 @@ Finding check_program(const std::string& name,
   return {name, "optional", "not found; " + used_for, package};
 }
 
-Finding check_coacd() {
-  const Result<std::string> version = coacd_version();
-  if (version.ok()) return {"coacd", "ok", *version + "; contact pieces of imported models", ""};
-  return {"coacd",
-          "optional",
-          "not found; imported models get one hull as contact shape",
-          worker_python() + " -m pip install coacd"};
+Finding check_worker_part(const std::string& package,
+                          const std::string& use,
+                          const std::string& without) {
+  const Result<std::string> version = worker_part(package);
+  if (version.ok()) return {package, "ok", *version + "; " + use, ""};
+  return {
+      package, "optional", "not found; " + without, worker_python() + " -m pip install " + package};
 }
 
 std::vector<Finding> look() {
@@ -123,7 +123,10 @@ std::vector<Finding> look() {
           {"renderer", "ok", "Embree " + renderer_version(), ""},
           check_program(
               "zbarimg", "reads the printed bar codes in tests", "apt-get install zbar-tools"),
-          check_coacd(),
+          check_worker_part("coacd",
+                            "contact pieces of imported models",
+                            "imported models get one hull as contact shape"),
+          check_worker_part("av", "films of episodes", "`replay` writes no films"),
           check_program("flatc", "reads scene.bin as JSON", "apt-get install flatbuffers-compiler"),
           check_program("node", "runs the glTF validator in tests", "tools/setup test")};
 }

@@ -7,7 +7,7 @@
 
 #include "base/parallel.h"
 #include "command.h"
-#include "episodes/sample_checkout.h"
+#include "episodes/sample_aisle.h"
 #include "io/file.h"
 #include "io/json.h"
 #include "store/store.h"
@@ -24,31 +24,57 @@ struct EpisodesFlags {
 
 struct StockedStore {
   EpisodeStore store;
-  std::vector<Product> stock;
+  std::vector<Product> stock;              // of which episodes are drawn
+  std::unique_ptr<AisleSampler> in_aisle;  // of that track only
 };
 
-Result<std::vector<StockedStore>> open_stores(const EpisodesFlags& flags, const Catalog& catalog) {
+Result<StockedStore> stocked(Store store,
+                             Track track,
+                             const std::filesystem::path& data,
+                             const Catalog& catalog) {
+  const Manifest& manifest = store.manifest;
+  StockedStore made{
+      {manifest.name, manifest.scene_hash, plan_hash(store.plan), manifest.seed, store.plan},
+      {},
+      {}};
+  if (track == Track::checkout) {
+    made.stock = checkout_stock(store.scene);
+    return made;
+  }
+  made.stock = store.scene.catalog;
+  MARKETGEN_TRY(auto shared, open_aisle_store(data, std::move(store.scene)));
+  MARKETGEN_TRY(made.in_aisle, AisleSampler::make(data, std::move(shared), catalog.frictions));
+  return made;
+}
+
+Result<std::vector<StockedStore>> open_stores(const EpisodesFlags& flags,
+                                              const std::filesystem::path& data,
+                                              const Catalog& catalog) {
+  MARKETGEN_TRY(const Track track, track_named(flags.track));
   std::vector<StockedStore> stores;
   for (const std::string& folder : flags.folders) {
-    MARKETGEN_TRY(const Store store, open_store(folder, catalog));
-    stores.push_back(
-        {{store.manifest.name, store.manifest.scene_hash, plan_hash(store.plan), store.plan},
-         checkout_stock(store.scene)});
+    MARKETGEN_TRY(Store store, open_store(folder, catalog));
+    MARKETGEN_TRY(StockedStore made, stocked(std::move(store), track, data, catalog));
+    stores.push_back(std::move(made));
   }
   return stores;
 }
 
-// The rows of what lies in the baskets, by SKU.
+// The rows of what lies in the baskets and of what is asked for, by SKU.
 std::vector<Product> products_of(const std::vector<EpisodeSpec>& episodes,
                                  const std::vector<StockedStore>& stores) {
   std::map<std::string, Product> products;
-  for (const EpisodeSpec& spec : episodes) {
-    for (const EpisodeItem& item : spec.items) {
-      for (const StockedStore& store : stores) {
-        const auto row = std::ranges::find(store.stock, item.sku, &Product::sku);
-        if (row != store.stock.end()) products.emplace(item.sku, *row);
-      }
+  const auto add = [&](const std::string& sku) {
+    for (const StockedStore& store : stores) {
+      const auto row = std::ranges::find(store.stock, sku, &Product::sku);
+      if (row != store.stock.end()) products.emplace(sku, *row);
     }
+  };
+  for (const EpisodeSpec& spec : episodes) {
+    for (const EpisodeItem& item : spec.items)
+      add(item.sku);
+    for (const EpisodeGoal& goal : spec.goals)
+      add(goal.sku);
   }
   std::vector<Product> rows;
   for (auto& [sku, product] : products)
@@ -58,21 +84,21 @@ std::vector<Product> products_of(const std::vector<EpisodeSpec>& episodes,
 
 // Shared out over the stores in turn.
 Result<std::vector<EpisodeSpec>> draw(const EpisodesFlags& flags,
+                                      const std::filesystem::path& data,
                                       const std::vector<StockedStore>& stores,
                                       const Catalog& catalog) {
-  MARKETGEN_TRY(const std::filesystem::path data, data_folder());
   Progress& progress = progress_for(flags.common);
   const auto count = static_cast<std::size_t>(flags.count);
   progress.begin("episodes", count);
   const auto made = parallel_map(count, [&](std::size_t i) {
     const StockedStore& from = stores[i % stores.size()];
     const EpisodeStore& store = from.store;
-    auto spec = sample_checkout(data,
-                                from.stock,
-                                catalog.frictions,
-                                {store.name, store.scene_hash, store.plan_hash},
-                                Seed(flags.common.seed).child("store", store.scene_hash),
-                                static_cast<int>(i / stores.size()));
+    const EpisodeOrigin origin{store.name, store.scene_hash, store.plan_hash};
+    const Seed seed = Seed(flags.common.seed).child("store", store.scene_hash);
+    const int index = static_cast<int>(i / stores.size());
+    auto spec = from.in_aisle
+                    ? from.in_aisle->sample(origin, seed, index)
+                    : sample_checkout(data, from.stock, catalog.frictions, origin, seed, index);
     progress.advance();
     return std::make_shared<Result<EpisodeSpec>>(std::move(spec));
   });
@@ -85,13 +111,25 @@ Result<std::vector<EpisodeSpec>> draw(const EpisodesFlags& flags,
   return episodes;
 }
 
+// What the grasp study says of the products that were considered as targets.
+void print_shares(const std::vector<StockedStore>& stores) {
+  std::map<std::string, int> counts;
+  for (const StockedStore& store : stores) {
+    if (!store.in_aisle) continue;
+    for (const TargetShare& share : store.in_aisle->shares())
+      counts[share.reason] += share.products;
+  }
+  for (const auto& [reason, products] : counts)
+    fmt::print("considered  {:<12}{} products\n", reason, products);
+}
+
 Result<void> write(const EpisodesFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
-  MARKETGEN_TRY([[maybe_unused]] const Track track, track_named(flags.track));
+  MARKETGEN_TRY(const std::filesystem::path data, data_folder());
   MARKETGEN_TRY(const Catalog catalog, load_rows());
-  MARKETGEN_TRY(const std::vector<StockedStore> stores, open_stores(flags, catalog));
+  MARKETGEN_TRY(const std::vector<StockedStore> stores, open_stores(flags, data, catalog));
   EpisodeFile file;
-  MARKETGEN_TRY(file.episodes, draw(flags, stores, catalog));
+  MARKETGEN_TRY(file.episodes, draw(flags, data, stores, catalog));
   file.header.seed = flags.common.seed;
   file.header.episodes = flags.count;
   file.header.products = products_of(file.episodes, stores);
@@ -100,6 +138,7 @@ Result<void> write(const EpisodesFlags& flags) {
   MARKETGEN_CHECK(write_file(flags.output, write_episodes(file)));
   if (!flags.common.quiet)
     fmt::print("{} episodes of {} stores: {}\n", flags.count, stores.size(), flags.output);
+  if (!flags.common.quiet) print_shares(stores);
   return {};
 }
 
@@ -109,7 +148,7 @@ Run add_episodes(CLI::App& app) {
   auto flags = std::make_shared<EpisodesFlags>();
   CLI::App* command = app.add_subcommand("episodes", "Draw tasks for robots from stores");
   command->add_option("folders", flags->folders, "store folders")->required();
-  command->add_option("--track", flags->track, "what kind of task: checkout")
+  command->add_option("--track", flags->track, "what kind of task: checkout or aisle")
       ->capture_default_str();
   command->add_option("--count", flags->count, "episodes, shared out over the stores")
       ->check(CLI::Range(1, 100000))

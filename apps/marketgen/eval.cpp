@@ -33,6 +33,14 @@ void print_summary(const EvaluationSummary& summary) {
   print_share("SR strict", summary.strict);
   print_share("SR clean", summary.clean);
   print_share("goals", summary.goals);
+  if (summary.mean_path_m > 0)
+    fmt::print(
+        "SPL         {:5.1f} %  ({:.1f} % of the goals reached); {:.1f} m an episode, {:.1f} m "
+        "a success\n",
+        summary.spl * 100,
+        summary.spl_subset * 100,
+        summary.mean_path_m,
+        summary.mean_path_success_m);
   fmt::print("SR partial  {:5.1f} %\n", summary.success_partial * 100);
   fmt::print("{:.1f} simulated seconds and {:.1f} s of computing an episode\n",
              summary.mean_simulated_s,
@@ -49,7 +57,7 @@ Result<void> eval(const EvalFlags& flags) {
   MARKETGEN_TRY(const std::vector<EpisodeResult> results,
                 marketgen::evaluate(data,
                                     file,
-                                    catalog.frictions,
+                                    catalog,
                                     {flags.policy, flags.output, flags.resume},
                                     progress_for(flags.common)));
   const EvaluationSummary summary = summarize(results);

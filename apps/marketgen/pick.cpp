@@ -88,16 +88,8 @@ Result<CollectPlan> plan_first(const Scene& scene,
 
 Scene scene_at_moment(const Scene& scene, const Moment& moment) {
   Scene now = scene;
-  for (const auto& [row, pose] : moment.moved) {
-    SceneProduct& product = now.products[row];
-    product.position_m = {static_cast<float>(pose.position.x),
-                          static_cast<float>(pose.position.y),
-                          static_cast<float>(pose.position.z)};
-    product.rotation_wxyz = {static_cast<float>(pose.rotation.w),
-                             static_cast<float>(pose.rotation.x),
-                             static_cast<float>(pose.rotation.y),
-                             static_cast<float>(pose.rotation.z)};
-  }
+  for (const auto& [row, pose] : moment.moved)
+    place(now.products[row], pose);
   return now;
 }
 

@@ -6,6 +6,7 @@
 #include "catalog/fixture_kind.h"
 #include "catalog/product.h"
 #include "command.h"
+#include "episodes/aisle_station.h"
 #include "episodes/checkout_station.h"
 #include "episodes/episode_result.h"
 #include "episodes/episode_spec.h"
@@ -39,6 +40,7 @@ std::vector<Document> documents() {
       {"market-asset-1", "An outside model taken into a library", type_of<AssetFile>()},
       {"market-fixture-1", "A fixture row of the catalogue", type_of<FixtureKind>()},
       {"market-robot-1", "A robot, an arm or a tool", type_of<RobotRow>()},
+      {"market-aisle-1", "The robot of In-Aisle Item Collection", type_of<AisleStation>()},
       {"market-checkout-1", "The place of Checkout Unloading", type_of<CheckoutStation>()},
       {"market-episode-1", "One task for a robot", type_of<EpisodeSpec>()},
       {"market-episodes-1", "The first line of an episodes file", type_of<EpisodeHeader>()},

@@ -47,8 +47,7 @@ class CheckoutHandle {
   nb::tuple step(const Joints& position, double opening_m, double force_n, bool stop) {
     Action action;
     action.position.assign(position.data(), position.data() + position.size());
-    action.opening_m = opening_m;
-    action.force_n = force_n;
+    action.tools = {{opening_m, force_n}};
     action.stop = stop;
     return told(value_or_raise(without_interpreter([&] { return world_.step(action); })));
   }
@@ -125,7 +124,7 @@ class CheckoutHandle {
 
  private:
   static nb::tuple told(const Observation& seen) {
-    return nb::make_tuple(seen.time_s, seen.position, seen.velocity, seen.opening_m);
+    return nb::make_tuple(seen.time_s, seen.position, seen.velocity, seen.openings_m.front());
   }
   static std::vector<double> seven(const Pose& p) {
     return {p.position.x,

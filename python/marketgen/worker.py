@@ -2,10 +2,12 @@
 
     python worker.py parts            which outside libraries are there: {"coacd": "1.0.14"}
     python worker.py convex_pieces    a closed or open triangle mesh cut into convex pieces by CoACD
+    python worker.py film             pictures of a folder as an MP4 file, by PyAV
 
 A job that cannot be done ends with status 1 and one line on standard error.
 """
 
+import fractions
 import json
 import os
 import sys
@@ -14,7 +16,7 @@ from importlib import metadata
 
 def parts(_request):
     found = {}
-    for name in ("coacd",):
+    for name in ("coacd", "av"):
         try:
             found[name] = metadata.version(name)
         except metadata.PackageNotFoundError:
@@ -46,7 +48,32 @@ def convex_pieces(request):
     return {"pieces": [[round(float(v), 5) for v in numpy.asarray(points).ravel()] for points, _ in pieces]}
 
 
-JOBS = {"parts": parts, "convex_pieces": convex_pieces}
+# Whichever the installed PyAV has, most widely played first.
+FILM_CODECS = (("libx264", {"crf": "23", "preset": "medium"}), ("libsvtav1", {"crf": "30"}), ("mpeg4", {"q": "4"}))
+
+
+def film(request):
+    """folder of 000000.png ..., film, pictures, frame_rate; answers codec."""
+    import av
+
+    codec, options = next(entry for entry in FILM_CODECS if entry[0] in av.codecs_available)
+    rate = round(request["frame_rate"])
+    with av.open(request["film"], "w", format="mp4", options={"movflags": "+faststart"}) as movie:
+        stream = None
+        for number in range(request["pictures"]):
+            with av.open(os.path.join(request["folder"], f"{number:06}.png")) as picture:
+                frame = next(picture.decode(video=0))
+            if stream is None:
+                stream = movie.add_stream(codec, rate=rate, options=options)
+                stream.width, stream.height, stream.pix_fmt = frame.width, frame.height, "yuv420p"
+            frame = frame.reformat(format="yuv420p")
+            frame.pts, frame.time_base = number, fractions.Fraction(1, rate)
+            movie.mux(stream.encode(frame))
+        movie.mux(stream.encode())
+    return {"codec": codec}
+
+
+JOBS = {"parts": parts, "convex_pieces": convex_pieces, "film": film}
 
 
 def main():

@@ -10,19 +10,32 @@
 
 namespace marketgen {
 
-// One arm with a gripper, as it is. Of the arm's joints, rad and rad/s.
+// Of a base that drives, by its own reckoning: on the floor, heading about Z from X.
+struct BasePlace {
+  double x_m = 0, y_m = 0, heading = 0;
+};
+
+// A robot as it is. Joints are those that an action commands: every one but wheels and fingers, in
+// the order of the robot's degrees of freedom; rad or m, and a second.
 struct Observation {
   double time_s = 0;
   std::vector<double> position, velocity;
+  std::vector<double> openings_m;  // between the pads, one a tool
+  BasePlace base;                  // zeros of a robot that stands still
+};
+
+// 0 presses with `force_n`, or as hard as the tool can.
+struct ToolCommand {
   double opening_m = 0;  // between the pads
+  double force_n = 20;   // most, on each pad
 };
 
 // Until the next control step. The joints' targets move evenly from the last ones to these.
 struct Action {
-  std::vector<double> position;  // of the arm's joints, rad
-  double opening_m = 0;          // between the pads; 0 presses with `force_n`
-  double force_n = 20;           // most, on each pad
-  bool stop = false;             // the agent says that it has done: no more steps
+  std::vector<double> position;          // of the joints, as in Observation
+  std::vector<ToolCommand> tools;        // one a tool
+  double drive_m_s = 0, turn_rad_s = 0;  // of the base, reached at the end of the step
+  bool stop = false;                     // the agent says that it has done: no more steps
 };
 
 // What the agent is told before it begins.

@@ -29,25 +29,6 @@ struct PiecesAnswer {
       field_list(field("pieces", &PiecesAnswer::pieces, "x, y, z of each point", required()));
 };
 
-struct WorkerParts {
-  std::string coacd;
-  static constexpr auto fields = field_list(field("coacd", &WorkerParts::coacd, "version"));
-};
-
-Result<std::string> run_worker(const std::string& job, std::string_view request, double seconds) {
-  MARKETGEN_TRY(const std::filesystem::path script, worker_script());
-  // Threads of CoACD that wait must not keep others from working.
-  return run_program({"env",
-                      "OMP_WAIT_POLICY=passive",
-                      "PYTHONSAFEPATH=1",  // what lies beside the script is not for it
-                      "PYTHONDONTWRITEBYTECODE=1",
-                      worker_python(),
-                      script.string(),
-                      job},
-                     request,
-                     {.seconds = seconds});
-}
-
 PiecesRequest request_of(const Mesh& mesh) {
   PiecesRequest request;
   const std::vector<std::uint32_t> welded = weld_positions(mesh.positions, weld_m);
@@ -61,13 +42,6 @@ PiecesRequest request_of(const Mesh& mesh) {
 }
 
 }  // namespace
-
-Result<std::string> coacd_version() {
-  MARKETGEN_TRY(const std::string answer, run_worker("parts", "", 20));
-  MARKETGEN_TRY(const WorkerParts parts, read_json<WorkerParts>(answer, "worker"));
-  if (!parts.coacd.empty()) return parts.coacd;
-  return Error{"usage.unavailable", "coacd", "is not installed; run: pip install coacd"};
-}
 
 Result<std::vector<std::vector<Vec3f>>> convex_pieces(const Mesh& mesh) {
   if (mesh.triangles.size() > most_triangles)

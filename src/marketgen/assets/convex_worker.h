@@ -8,10 +8,6 @@
 
 namespace marketgen {
 
-// The version of CoACD that can be used. Error: usage.unavailable or program.failed, with what
-// installs it.
-Result<std::string> coacd_version();
-
 // At most 16 pieces of at most 64 points each, in the mesh's frame; to 0.01 mm. Takes seconds; is
 // given up after 120 s (program.failed). The same mesh gives the same pieces. Errors:
 // usage.unavailable, program.failed, input.too_large (more than 200,000 triangles).

@@ -25,37 +25,22 @@ struct Hand {
   int tool = -1;
 };
 
-Result<Hand> hand_of(const Robot& robot) {
+// All of them end in the same gripper.
+Result<std::vector<Hand>> hands_of(const Robot& robot) {
+  std::vector<Hand> hands;
   for (std::size_t t = 0; t < robot.tools.size(); ++t) {
-    if (robot.tools[t].kind != ToolKind::gripper) continue;
+    const Tool& tool = robot.tools[t];
+    if (tool.kind != ToolKind::gripper) continue;
     for (const JointGroup& group : robot.groups) {
-      if (!group.solver.empty() && group.tip == robot.tools[t].frame)
-        return Hand{&group, static_cast<int>(t)};
+      const bool same =
+          hands.empty() || robot.tools[static_cast<std::size_t>(hands[0].tool)].row == tool.row;
+      if (!group.solver.empty() && group.tip == tool.frame && same)
+        hands.push_back({&group, static_cast<int>(t)});
     }
   }
-  return Error{"robot.unknown", robot.name, "no arm of this robot ends in a gripper"};
-}
-
-// The state at the start: the robot's first posture, the lift at the grasp's height, fingers open.
-std::vector<double> start_state(const Robot& robot,
-                                const Hand& hand,
-                                double grasp_height_m,
-                                double opening_m) {
-  std::vector<double> q = neutral_state(robot);
-  if (!robot.postures.empty()) q = with_posture(robot.postures.front(), std::move(q));
-  if (const int lift = robot.find_dof("lift"); lift >= 0) {
-    const Joint& joint = robot.joint_of_dof(static_cast<std::size_t>(lift));
-    q[static_cast<std::size_t>(lift)] =
-        std::clamp(grasp_height_m - lift_below_m, joint.lower, joint.upper);
-  }
-  const Tool& tool = robot.tools[static_cast<std::size_t>(hand.tool)];
-  if (const JointGroup* fingers = robot.find_group(tool.prefix + "fingers")) {
-    for (const int dof : fingers->dofs) {
-      const Joint& joint = robot.joint_of_dof(static_cast<std::size_t>(dof));
-      q[static_cast<std::size_t>(dof)] = std::min(opening_m / tool.opening, 1.0) * joint.upper;
-    }
-  }
-  return with_followers(robot, std::move(q));
+  if (hands.empty())
+    return Error{"robot.unknown", robot.name, "no arm of this robot ends in a gripper"};
+  return hands;
 }
 
 Pose lifted(Pose pose, Vec3 by) {
@@ -86,19 +71,20 @@ class Planner {
     Obstacles way = still, line = std::move(still);
     MARKETGEN_CHECK(add_product_obstacles(scene_, middle, reach_m, {}, way));
     MARKETGEN_CHECK(add_product_obstacles(scene_, middle, reach_m, neighbours(), line));
-    MARKETGEN_TRY(way_, CollisionWorld::make(way));
-    MARKETGEN_TRY(line_, CollisionWorld::make(line));
+    way_ = std::move(way), line_ = std::move(line);
     MARKETGEN_TRY(model_, make_arm_model(robot_, hand_.arm->name));
     return {};
   }
 
   // The plan at the first place that serves; otherwise the error of the last one tried.
   Result<CollectPlan> plan(const GraspCandidate& grasp) const {
+    if (options_.world_from_base) return at_place(grasp, *options_.world_from_base);
     Error error{"collect.no_place", where(), "the robot can stand nowhere in front of it"};
     for (const double side : sides_m) {
       if (robot_.drive && side == 0) break;
       for (const double distance : distances_m) {
-        auto found = at_place(grasp, distance, robot_.drive ? side : side * 0.5);
+        auto found =
+            at_place(grasp, base_at(distance, robot_.drive ? side * arm_side() : side * 0.5));
         if (found.ok()) return found;
         error.message =
             fmt::format("at {:.2f} m from its front: {}", distance, found.error().message);
@@ -110,6 +96,12 @@ class Planner {
  private:
   std::string where() const { return product_id(scene_, product_); }
 
+  Result<CollisionWorld> around(Obstacles obstacles, const Pose& world_from_base) const {
+    for (const BoxObstacle& box : carried_at(options_.carried, world_from_base))
+      obstacles.boxes.push_back(box);
+    return CollisionWorld::make(obstacles);
+  }
+
   std::vector<std::uint32_t> neighbours() const {
     std::vector<std::uint32_t> rows;
     for (std::uint32_t row = 0; row < scene_.products.size(); ++row) {
@@ -118,6 +110,12 @@ class Planner {
         rows.push_back(row);
     }
     return rows;
+  }
+
+  // 1 for an arm on the left of its robot, -1 on the right.
+  double arm_side() const {
+    const auto base = static_cast<std::size_t>(hand_.arm->base);
+    return link_poses(robot_, neutral_state(robot_))[base].position.y < -1e-6 ? -1 : 1;
   }
 
   // Facing the shelf, the product `side` to the left of the robot.
@@ -130,21 +128,24 @@ class Planner {
     return {at, rotation_about({0, 0, 1}, std::atan2(-out_.y, -out_.x))};
   }
 
-  Result<CollectPlan> at_place(const GraspCandidate& grasp, double distance, double side) const {
+  Result<CollectPlan> at_place(const GraspCandidate& grasp, const Pose& world_from_base) const {
     CollectPlan plan;
     plan.product = product_;
     plan.group = hand_.arm->name;
     plan.tool = hand_.tool;
     plan.grasp = grasp;
-    plan.world_from_base = base_at(distance, side);
+    plan.world_from_base = world_from_base;
     const Pose world_from_tip = world_from_product_ * grasp.grasp.product_from_tool;
-    plan.state = start_state(robot_, hand_, world_from_tip.position.z, grasp.grasp.opening_m);
+    plan.state = stowed_state(
+        robot_, options_.posture, world_from_tip.position.z - lift_below_m, grasp.grasp.opening_m);
     const PlacedRobot placed{where(), robot_, plan.state, plan.world_from_base};
     MARKETGEN_CHECK(check_standing(scene_, {&placed, 1}));
+    MARKETGEN_TRY(const CollisionWorld way_world, around(way_, world_from_base));
+    MARKETGEN_TRY(const CollisionWorld line_world, around(line_, world_from_base));
     MARKETGEN_TRY(const ArmChecker way,
-                  ArmChecker::make(model_, plan.state, plan.world_from_base, way_));
+                  ArmChecker::make(model_, plan.state, plan.world_from_base, way_world));
     MARKETGEN_TRY(const ArmChecker line,
-                  ArmChecker::make(model_, plan.state, plan.world_from_base, line_));
+                  ArmChecker::make(model_, plan.state, plan.world_from_base, line_world));
     const Pose base_from_world =
         inverse(plan.world_from_base *
                 link_poses(robot_, plan.state)[static_cast<std::size_t>(model_.group.base)]);
@@ -155,6 +156,7 @@ class Planner {
     question.approach = {0, 0, options_.approach_m};
     ArmPlanOptions arm;
     arm.speed = options_.speed;
+    arm.acceleration = options_.acceleration;
     MARKETGEN_TRY(plan.reach, plan_reach(way, line, question, seed_, arm));
     return with_way_out(std::move(plan), line, base_from_world, world_from_tip);
   }
@@ -170,6 +172,7 @@ class Planner {
     MARKETGEN_TRY(const JointPath leaving, tool_line(line, rising.back(), base_from_world * out));
     ArmPlanOptions slow;
     slow.speed = options_.speed * 0.25;
+    slow.acceleration = options_.acceleration;
     MARKETGEN_TRY(const auto limits, motion_limits(model_, slow));
     MARKETGEN_TRY(plan.lift, timed_curve(rising, limits));
     MARKETGEN_TRY(plan.retreat, timed_curve(leaving, limits));
@@ -184,15 +187,46 @@ class Planner {
   const CollectOptions& options_;
   Pose world_from_product_;
   Vec3 out_;  // from the shelf into the aisle
-  CollisionWorld way_, line_;
+  Obstacles way_, line_;
   ArmModel model_;
 };
 
 }  // namespace
 
 Result<std::string> gripper_row(const Robot& robot) {
-  MARKETGEN_TRY(const Hand hand, hand_of(robot));
-  return robot.tools[static_cast<std::size_t>(hand.tool)].row;
+  MARKETGEN_TRY(const std::vector<Hand> hands, hands_of(robot));
+  return robot.tools[static_cast<std::size_t>(hands.front().tool)].row;
+}
+
+std::vector<double> stowed_state(const Robot& robot,
+                                 const std::string& posture,
+                                 double lift_m,
+                                 double opening_m) {
+  std::vector<double> q = neutral_state(robot);
+  const Posture* stow = robot.find_posture(posture);
+  if (stow == nullptr && !robot.postures.empty()) stow = &robot.postures.front();
+  if (stow != nullptr) q = with_posture(*stow, std::move(q));
+  if (const int lift = robot.find_dof("lift"); lift >= 0) {
+    const Joint& joint = robot.joint_of_dof(static_cast<std::size_t>(lift));
+    q[static_cast<std::size_t>(lift)] = std::clamp(lift_m, joint.lower, joint.upper);
+  }
+  for (const Tool& tool : robot.tools) {
+    const JointGroup* fingers = robot.find_group(tool.prefix + "fingers");
+    if (tool.kind != ToolKind::gripper || fingers == nullptr) continue;
+    for (const int dof : fingers->dofs) {
+      const Joint& joint = robot.joint_of_dof(static_cast<std::size_t>(dof));
+      q[static_cast<std::size_t>(dof)] = std::min(opening_m / tool.opening, 1.0) * joint.upper;
+    }
+  }
+  return with_followers(robot, std::move(q));
+}
+
+std::vector<BoxObstacle> carried_at(const std::vector<BoxObstacle>& carried,
+                                    const Pose& world_from_base) {
+  std::vector<BoxObstacle> boxes = carried;
+  for (BoxObstacle& box : boxes)
+    box.pose = world_from_base * box.pose;
+  return boxes;
 }
 
 Result<CollectPlan> plan_collect(const Scene& scene,
@@ -204,7 +238,7 @@ Result<CollectPlan> plan_collect(const Scene& scene,
   if (product >= scene.products.size())
     return Error{
         "collect.no_product", fmt::format("row {}", product), "the store has no such product"};
-  MARKETGEN_TRY(const Hand hand, hand_of(robot));
+  MARKETGEN_TRY(const std::vector<Hand> hands, hands_of(robot));
   const Product& goods = scene.catalog[scene.products[product].sku];
   MARKETGEN_TRY(const ProductBody body, make_product_body(goods));
   GraspQuery query;
@@ -212,13 +246,18 @@ Result<CollectPlan> plan_collect(const Scene& scene,
   query.from_front = true;
   MARKETGEN_TRY(const GraspCandidates grasps, grasp_candidates(goods, body, tool, query));
   if (grasps.found.empty()) return Error{"motion.no_grasp", goods.sku, grasps.reason};
-  Planner planner(scene, product, robot, hand, seed, options);
-  MARKETGEN_CHECK(planner.look_around());
+  std::vector<Planner> planners;
+  for (const Hand& hand : hands) {
+    planners.emplace_back(scene, product, robot, hand, seed, options);
+    MARKETGEN_CHECK(planners.back().look_around());
+  }
   Error error{"collect.no_place", goods.sku, ""};
   for (const GraspCandidate& grasp : grasps.found) {
-    auto plan = planner.plan(grasp);
-    if (plan.ok()) return plan;
-    error = plan.error();
+    for (const Planner& planner : planners) {
+      auto plan = planner.plan(grasp);
+      if (plan.ok()) return plan;
+      error = plan.error();
+    }
   }
   return error;
 }

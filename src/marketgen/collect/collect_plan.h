@@ -3,7 +3,9 @@
 // may use.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "base/seed.h"
 #include "motion/grasp_candidates.h"
@@ -14,7 +16,12 @@
 namespace marketgen {
 
 struct CollectOptions {
+  std::string posture = {};               // of the arms at the start; empty: the robot's first
+  std::vector<BoxObstacle> carried = {};  // by the robot, in its base frame: a basket
+  // Stands there and nowhere else.
+  std::optional<Pose> world_from_base = {};
   double speed = 0.6;             // share of the joints' velocity limits, over 0 to 1
+  double acceleration = 1;        // the same of their acceleration limits
   double approach_m = 0.12;       // length of the straight line to the grasp
   double lift_m = 0.015;          // straight up before it goes out
   double retreat_m = 0.22;        // straight out of the shelf
@@ -36,10 +43,21 @@ struct CollectPlan {
 // Error: robot.unknown when no arm ends in a gripper.
 Result<std::string> gripper_row(const Robot& robot);
 
-// Looks for it over the product's grasps from the front, best first, and over places in front of
-// it. `tool` describes that gripper. Errors: collect.no_product for a row that does not exist;
-// motion.no_grasp with the reason; collect.no_place with what was wrong at the place that came
-// nearest; robot.unknown when no arm of the robot ends in a gripper; assets.*.
+// The robot as it drives: in the posture, the lift at `lift_m`, fingers open so far.
+std::vector<double> stowed_state(const Robot& robot,
+                                 const std::string& posture,
+                                 double lift_m,
+                                 double opening_m);
+
+// Boxes that a robot carries, in the store frame.
+std::vector<BoxObstacle> carried_at(const std::vector<BoxObstacle>& carried,
+                                    const Pose& world_from_base);
+
+// Looks for it over the product's grasps from the front, best first, over the robot's arms that end
+// in that gripper, and over places in front of it. `tool` describes that gripper. Errors:
+// collect.no_product for a row that does not exist; motion.no_grasp with the reason;
+// collect.no_place with what was wrong at the place that came nearest; robot.unknown when no arm of
+// the robot ends in a gripper; assets.*.
 Result<CollectPlan> plan_collect(const Scene& scene,
                                  std::uint32_t product,
                                  const Robot& robot,

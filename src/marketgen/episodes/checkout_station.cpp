@@ -1,10 +1,6 @@
 #include "episodes/checkout_station.h"
 
-#include <algorithm>
-#include <sstream>
-
-#include <fmt/format.h>
-
+#include "episodes/source_keys.h"
 #include "io/file.h"
 #include "io/json.h"
 
@@ -22,12 +18,7 @@ Error bad_station(const std::string& place, const std::string& message) {
 Result<void> check_keys(const CheckoutStation& station,
                         const std::string& place,
                         const std::string& keys) {
-  std::istringstream words(keys);
-  for (std::string key; words >> key;) {
-    if (std::ranges::none_of(station.sources, [&](const SourceRow& s) { return s.key == key; }))
-      return bad_station(place, fmt::format("there is no source \"{}\" in its sources", key));
-  }
-  return {};
+  return check_source_keys(station.sources, keys, station_file, place);
 }
 
 bool apart(const AreaRow& a, const AreaRow& b) {

@@ -1,8 +1,6 @@
 #include "episodes/checkout_view.h"
 
-#include <cmath>
-#include <numbers>
-
+#include "episodes/field_of_view.h"
 #include "geometry/rotation_axes.h"
 #include "render/robot_actor.h"
 
@@ -125,11 +123,6 @@ Actor basket_actor(const CheckoutStation& station) {
   return {"basket", {std::move(body)}};
 }
 
-double degrees_down(double fov_across_deg, double width, double height) {
-  constexpr double half = std::numbers::pi / 360;
-  return std::atan(std::tan(fov_across_deg * half) * height / width) / half;
-}
-
 }  // namespace
 
 Result<std::unique_ptr<CheckoutView>> CheckoutView::create(const CheckoutWorld& world) {
@@ -165,7 +158,7 @@ Camera CheckoutView::camera(StationCamera which, int width, int height) const {
   const auto size = [&](const auto& row) {
     camera.width = width > 0 ? width : row.width;
     camera.height = height > 0 ? height : row.height;
-    camera.fov_deg = degrees_down(row.fov_deg, camera.width, camera.height);
+    camera.fov_deg = fov_down_deg(row.fov_deg, camera.width, camera.height);
   };
   if (which == StationCamera::scene) {
     const StationCameraRow& row = station_.scene_camera;

@@ -16,10 +16,6 @@ constexpr int substeps = static_cast<int>(control_step_s / time_step_s + 0.5);
 constexpr double displaced_m = 0.02;
 constexpr double hold_n = 20;
 
-Error bad_action(const std::string& message) {
-  return {"episode.bad_action", world_where, message};
-}
-
 }  // namespace
 
 Result<CheckoutWorld> CheckoutWorld::create(const std::filesystem::path& data,
@@ -28,10 +24,9 @@ Result<CheckoutWorld> CheckoutWorld::create(const std::filesystem::path& data,
   MARKETGEN_TRY(world.station_, load_checkout_station(data));
   MARKETGEN_TRY(Robot robot, load_station_robot(data, world.station_));
   world.robot_ = std::make_unique<Robot>(std::move(robot));
-  const JointGroup* arm = world.robot_->find_group("arm");
-  if (arm == nullptr || world.robot_->tools.empty())
+  if (world.robot_->find_group("arm") == nullptr || world.robot_->tools.size() != 1)
     return Error{"robot.unknown", world.station_.robot, "expected an arm with a gripper"};
-  world.arm_ = arm->dofs;
+  world.arm_ = commanded_dofs(*world.robot_);
   return world;
 }
 
@@ -83,30 +78,11 @@ Observation CheckoutWorld::observe() const {
     seen.position.push_back(q[static_cast<std::size_t>(dof)]);
     seen.velocity.push_back(v[static_cast<std::size_t>(dof)]);
   }
-  if (const JointGroup* fingers = robot_->find_group("fingers")) {
-    for (const int dof : fingers->dofs)
-      seen.opening_m += q[static_cast<std::size_t>(dof)];
-  }
-  seen.opening_m = std::max(seen.opening_m, 0.0);  // pads that press on one another give way
+  seen.openings_m = tool_openings_m(*robot_, q);
   return seen;
 }
 
-Result<void> CheckoutWorld::check(const Action& action) const {
-  if (done_) return bad_action("the episode is over: reset it first");
-  if (action.position.size() != arm_.size())
-    return bad_action(
-        fmt::format("{} joint values for {} joints", action.position.size(), arm_.size()));
-  const bool finite =
-      std::ranges::all_of(action.position, [](double q) { return std::isfinite(q); }) &&
-      std::isfinite(action.opening_m) && std::isfinite(action.force_n);
-  if (!finite || action.opening_m < 0 || action.force_n < 0)
-    return bad_action("expected finite joint values, opening and force from 0 on");
-  return {};
-}
-
-Result<void> CheckoutWorld::move(const std::vector<double>& target,
-                                 double opening_m,
-                                 double force_n) {
+Result<void> CheckoutWorld::move(const std::vector<double>& target, const ToolCommand& grip) {
   std::vector<double> position = actor_.position(*data_), rates(position.size());
   const Tool& tool = robot_->tools.front();
   for (int i = 1; i <= substeps; ++i) {
@@ -117,7 +93,7 @@ Result<void> CheckoutWorld::move(const std::vector<double>& target,
       rates[dof] = (target[j] - target_[j]) / control_step_s;
     }
     MARKETGEN_CHECK(actor_.command(*data_, position, rates));
-    MARKETGEN_CHECK(actor_.grip(*data_, tool, opening_m, std::min(force_n, tool.force)));
+    MARKETGEN_CHECK(actor_.grip(*data_, tool, grip.opening_m, std::min(grip.force_n, tool.force)));
     MARKETGEN_CHECK(guarded(world_where, [&] { mj_step(model_.model.get(), data_.get()); }));
     watch_.look(model_, *data_);
   }
@@ -126,7 +102,7 @@ Result<void> CheckoutWorld::move(const std::vector<double>& target,
 }
 
 Result<Observation> CheckoutWorld::step(const Action& action) {
-  MARKETGEN_CHECK(check(action));
+  MARKETGEN_CHECK(check_action(action, *robot_, arm_.size(), done_));
   if (action.stop) {
     done_ = true;
     return observe();
@@ -136,7 +112,7 @@ Result<Observation> CheckoutWorld::step(const Action& action) {
     const Joint& joint = robot_->joint_of_dof(static_cast<std::size_t>(arm_[j]));
     target[j] = std::clamp(target[j], joint.lower, joint.upper);
   }
-  MARKETGEN_CHECK(move(target, action.opening_m, action.force_n));
+  MARKETGEN_CHECK(move(target, action.tools.front()));
   ++steps_;
   done_ = data_->time >= spec_.limit_s - time_step_s / 2;
   return observe();
@@ -158,7 +134,7 @@ std::vector<ItemState> CheckoutWorld::item_states() const {
   return states;
 }
 
-SideEffects CheckoutWorld::side_effects(const CheckoutOutcome& outcome) const {
+SideEffects CheckoutWorld::side_effects(const EpisodeOutcome& outcome) const {
   SideEffects effects = watch_.effects();
   effects.wrong_items = outcome.wrong;
   for (std::size_t i = 0; i < item_goods_.size(); ++i) {
@@ -171,23 +147,16 @@ SideEffects CheckoutWorld::side_effects(const CheckoutOutcome& outcome) const {
 
 Result<EpisodeResult> CheckoutWorld::finish() {
   done_ = true;
-  const double opening = observe().opening_m;
+  const ToolCommand hold{observe().openings_m.front(), hold_n};
   for (double waited = 0; waited < judged_after_s - time_step_s; waited += control_step_s)
-    MARKETGEN_CHECK(move(target_, opening, hold_n));
-  const CheckoutOutcome outcome = judge_checkout(
+    MARKETGEN_CHECK(move(target_, hold));
+  const EpisodeOutcome outcome = judge_checkout(
       station_.unloading.area(), spec_.goals, item_states(), watch_.greatest_tilt_deg());
   EpisodeResult result;
   result.episode = spec_.id;
   result.store = spec_.store;
-  result.goals = outcome.goals;
-  result.is_void = outcome.is_void;
-  result.success_partial =
-      outcome.asked > 0 ? static_cast<double>(outcome.hits) / outcome.asked : 0;
-  result.success_strict = outcome.asked > 0 && outcome.hits == outcome.asked;
   result.side_effects = side_effects(outcome);
-  const SideEffects& e = result.side_effects;
-  result.success_clean =
-      result.success_strict && e.hard_contacts == 0 && e.toppled == 0 && e.dropped == 0;
+  add_outcome(outcome, result);
   result.steps = steps_;
   result.simulated_s = data_->time;
   result.state_hash = state_hash();

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/fields.h"
-#include "episodes/checkout_goals.h"
+#include "episodes/goal_judge.h"
 
 namespace marketgen {
 
@@ -45,6 +45,7 @@ struct SideEffects {
   double hardest_n = 0;
   int toppled = 0, dropped = 0, displaced = 0, wrong_items = 0;
   double basket_tilt_deg = 0;
+  int base_collisions = 0;
 
   static constexpr auto fields = field_list(
       field("light_contacts", &SideEffects::light_contacts, "below 10 N"),
@@ -55,7 +56,10 @@ struct SideEffects {
       field("dropped", &SideEffects::dropped, "items that met something faster than 1 m/s"),
       field("displaced", &SideEffects::displaced, "items not asked for that lie elsewhere"),
       field("wrong_items", &SideEffects::wrong_items, "items in the area that are no goal"),
-      field("basket_tilt_deg", &SideEffects::basket_tilt_deg, "greatest tilt of the basket"));
+      field("basket_tilt_deg", &SideEffects::basket_tilt_deg, "greatest tilt of the basket"),
+      field("base_collisions",
+            &SideEffects::base_collisions,
+            "times that the robot's base met something that stands"));
 };
 
 struct EpisodeResult {
@@ -67,6 +71,7 @@ struct EpisodeResult {
   FailureCode failure = FailureCode::none;
   std::string detail;  // of an episode that broke off: the error
   SideEffects side_effects;
+  double path_m = 0, shortest_m = 0, spl = 0, spl_subset = 0;
   int steps = 0;
   double simulated_s = 0, wall_s = 0;
   std::string state_hash;
@@ -84,10 +89,20 @@ struct EpisodeResult {
       field("failure", &EpisodeResult::failure, "what kept the agent from its goals"),
       field("detail", &EpisodeResult::detail, "the error of an episode that broke off"),
       field("side_effects", &EpisodeResult::side_effects, "the ledger"),
+      field("path_m", &EpisodeResult::path_m, "driven by the robot's base"),
+      field("shortest_m", &EpisodeResult::shortest_m, "shortest way past all goals"),
+      field("spl", &EpisodeResult::spl, "success_partial by shortest_m over path_m", range(0, 1)),
+      field("spl_subset",
+            &EpisodeResult::spl_subset,
+            "the same with the shortest way past the goals that were reached",
+            range(0, 1)),
       field("steps", &EpisodeResult::steps, "of control"),
       field("simulated_s", &EpisodeResult::simulated_s, "simulated seconds"),
       field("wall_s", &EpisodeResult::wall_s, "seconds that it took"),
       field("state_hash", &EpisodeResult::state_hash, "of the physics at the end"));
 };
+
+// Sets goals, shares and verdicts; the side effects are there already, without `wrong_items`.
+void add_outcome(const EpisodeOutcome& outcome, EpisodeResult& result);
 
 }  // namespace marketgen

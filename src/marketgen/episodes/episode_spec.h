@@ -18,9 +18,9 @@
 
 namespace marketgen {
 
-enum class Track { checkout };
-constexpr std::array<std::string_view, 1> names_of(Track) {
-  return {"checkout"};
+enum class Track { checkout, aisle };
+constexpr std::array<std::string_view, 2> names_of(Track) {
+  return {"checkout", "aisle"};
 }
 // Error: episode.unknown_track, with those there are.
 Result<Track> track_named(std::string_view name);
@@ -51,10 +51,47 @@ struct EpisodeGoal {
                  field("count", &EpisodeGoal::count, "how many", range(1, 100)));
 };
 
+// On the store's floor.
+struct FloorPlaceRow {
+  double x_m = 0, y_m = 0, heading_deg = 0;
+  static constexpr auto fields =
+      field_list(field("x_m", &FloorPlaceRow::x_m, "east", range(-1000, 1000)),
+                 field("y_m", &FloorPlaceRow::y_m, "north", range(-1000, 1000)),
+                 field("heading_deg", &FloorPlaceRow::heading_deg, "from east", range(-360, 360)));
+};
+
+// Where products of a goal's category stand: what the agent knows beforehand.
+struct CategoryPlace {
+  std::string sku, category;
+  double x_m = 0, y_m = 0;
+  static constexpr auto fields =
+      field_list(field("sku", &CategoryPlace::sku, "of the goal", identifier()),
+                 field("category", &CategoryPlace::category, "of that product"),
+                 field("x_m", &CategoryPlace::x_m, "middle of its products in the store, east"),
+                 field("y_m", &CategoryPlace::y_m, "north"));
+};
+
+// One way to fetch a goal that was found when the episode was drawn.
+struct WitnessPick {
+  std::string sku, product, arm, strategy;
+  FloorPlaceRow base;
+  double lift_m = 0, drive_m = 0;
+  static constexpr auto fields =
+      field_list(field("sku", &WitnessPick::sku, "of the goal", identifier()),
+                 field("product", &WitnessPick::product, "item id"),
+                 field("arm", &WitnessPick::arm, "of the robot"),
+                 field("strategy", &WitnessPick::strategy, "how it takes hold"),
+                 field("base", &WitnessPick::base, "where the robot stands"),
+                 field("lift_m", &WitnessPick::lift_m, "height of its lift"),
+                 field("drive_m", &WitnessPick::drive_m, "way to there from the pick before"));
+};
+
 struct EpisodeCertificate {
   std::vector<std::string> proved;  // conditions that were shown: "settled", "oracle"
+  std::vector<WitnessPick> witness;
   static constexpr auto fields =
-      field_list(field("proved", &EpisodeCertificate::proved, "conditions that were shown"));
+      field_list(field("proved", &EpisodeCertificate::proved, "conditions that were shown"),
+                 field("witness", &EpisodeCertificate::witness, "picks, in their order"));
 };
 
 struct EpisodeSpec {
@@ -67,6 +104,8 @@ struct EpisodeSpec {
   std::string instruction;
   std::vector<EpisodeItem> items;
   std::vector<EpisodeGoal> goals;
+  FloorPlaceRow start;
+  std::vector<CategoryPlace> categories;
   std::vector<std::string> cameras;
   double limit_s = 180;
   EpisodeCertificate certificate;
@@ -81,8 +120,13 @@ struct EpisodeSpec {
       field("robot", &EpisodeSpec::robot, "row in data/robots", required()),
       field("seed", &EpisodeSpec::seed, "of what the policy draws"),
       field("instruction", &EpisodeSpec::instruction, "what the agent is told", required()),
-      field("items", &EpisodeSpec::items, "what lies in the basket", required(), at_most_items(64)),
+      field("items", &EpisodeSpec::items, "checkout: what lies in the basket", at_most_items(64)),
       field("goals", &EpisodeSpec::goals, "what is to be done", required(), at_most_items(16)),
+      field("start", &EpisodeSpec::start, "aisle: where the robot stands"),
+      field("categories",
+            &EpisodeSpec::categories,
+            "aisle: where products of the goals' categories are",
+            at_most_items(16)),
       field("cameras", &EpisodeSpec::cameras, "that the agent has", at_most_items(16)),
       field("limit_s", &EpisodeSpec::limit_s, "simulated seconds", range(1, 3600)),
       field("certificate", &EpisodeSpec::certificate, "what is known to be possible"));
@@ -90,11 +134,13 @@ struct EpisodeSpec {
 
 struct EpisodeStore {
   std::string name, scene_hash, plan_hash;
+  std::uint64_t seed = 0;
   Plan plan;
   static constexpr auto fields =
       field_list(field("name", &EpisodeStore::name, "the store's name", required()),
                  field("scene_hash", &EpisodeStore::scene_hash, "of its scene", required()),
                  field("plan_hash", &EpisodeStore::plan_hash, "SHA-256 of the plan", required()),
+                 field("seed", &EpisodeStore::seed, "with which it was made"),
                  field("plan", &EpisodeStore::plan, "what the store is", required()));
 };
 

@@ -114,9 +114,7 @@ class CheckoutSampler {
   // Lets go in the station, and notes where things lie then. False when they do not rest inside.
   Result<bool> settle(EpisodeSpec& spec) {
     MARKETGEN_CHECK(world_.reset(spec, stock_));
-    Action wait;
-    wait.position = world_.observe().position;
-    wait.opening_m = world_.robot().tools.front().opening;
+    const Action wait = still_action(world_.observe());
     while (world_.time_s() < settle_s) {
       if (const auto stepped = world_.step(wait); !stepped.ok()) return stepped.error();
     }

@@ -16,19 +16,6 @@ namespace {
 
 constexpr char results_file[] = "results.jsonl";
 
-// By episode. A line that was cut off is one that was not finished.
-Result<std::map<std::string, EpisodeResult>> finished_results(const std::filesystem::path& file) {
-  std::map<std::string, EpisodeResult> finished;
-  if (!std::filesystem::exists(file)) return finished;
-  MARKETGEN_TRY(const std::string text, read_file(file));
-  std::istringstream lines(text.substr(0, text.rfind('\n') + 1));
-  for (std::string line; std::getline(lines, line);) {
-    MARKETGEN_TRY(EpisodeResult result, read_json<EpisodeResult>(line, file.string()));
-    finished[result.episode] = std::move(result);
-  }
-  return finished;
-}
-
 std::string lines_of(const std::vector<EpisodeResult>& results) {
   std::string lines;
   for (const EpisodeResult& result : results)
@@ -55,15 +42,28 @@ Result<std::map<std::string, EpisodeResult>> begin_folder(const EvaluationOption
 
 }  // namespace
 
+Result<std::map<std::string, EpisodeResult>> finished_results(const std::filesystem::path& file) {
+  std::map<std::string, EpisodeResult> finished;
+  if (!std::filesystem::exists(file)) return finished;
+  MARKETGEN_TRY(const std::string text, read_file(file));
+  std::istringstream lines(text.substr(0, text.rfind('\n') + 1));
+  for (std::string line; std::getline(lines, line);) {
+    MARKETGEN_TRY(EpisodeResult result, read_json<EpisodeResult>(line, file.string()));
+    finished[result.episode] = std::move(result);
+  }
+  return finished;
+}
+
 Result<std::vector<EpisodeResult>> evaluate(const std::filesystem::path& data,
                                             const EpisodeFile& file,
-                                            const std::vector<FrictionRow>& frictions,
+                                            const Catalog& catalog,
                                             const EvaluationOptions& options,
                                             Progress& progress) {
   MARKETGEN_TRY(const auto finished, begin_folder(options));
   std::ofstream kept(options.folder / results_file, std::ios::app);
   std::mutex writing;
   progress.begin("episodes", file.episodes.size());
+  Arena arena(data, file.header, catalog);
   const auto made = parallel_map(file.episodes.size(), [&](std::size_t i) {
     const EpisodeSpec& spec = file.episodes[i];
     const auto before = finished.find(spec.id);
@@ -71,7 +71,7 @@ Result<std::vector<EpisodeResult>> evaluate(const std::filesystem::path& data,
       progress.advance();
       return std::make_shared<Result<EpisodeResult>>(before->second);
     }
-    auto result = run_episode(data, spec, file.header.products, frictions, options.policy);
+    auto result = run_episode(arena, spec, options.policy);
     progress.advance();
     if (result.ok()) {
       const std::scoped_lock lock(writing);

@@ -2,6 +2,7 @@
 // was.
 #pragma once
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,12 +17,16 @@ struct EvaluationOptions {
   bool resume = false;           // keeps what an earlier run has finished there
 };
 
+// What a results.jsonl holds, by episode. A line that was cut off is one that was not finished.
+// Errors: those of read_json.
+Result<std::map<std::string, EpisodeResult>> finished_results(const std::filesystem::path& file);
+
 // Each finished episode is a line of results.jsonl at once; at the end the lines are in the order
 // of the episodes. The same for any number of threads, wall times apart. Errors: store.exists when
 // the folder has results and `resume` is off; io.*; those of run_episode.
 Result<std::vector<EpisodeResult>> evaluate(const std::filesystem::path& data,
                                             const EpisodeFile& file,
-                                            const std::vector<FrictionRow>& frictions,
+                                            const Catalog& catalog,
                                             const EvaluationOptions& options,
                                             Progress& progress);
 

@@ -2,41 +2,46 @@
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
 #include <map>
 
 #include <fmt/format.h>
 
 #include "base/interrupt.h"
-#include "episodes/checkout_world.h"
-#include "policy/oracle_checkout.h"
-#include "policy/random_policy.h"
 
 namespace marketgen {
 namespace {
 
-Result<std::unique_ptr<Policy>> policy_named(const std::string& name,
-                                             const CheckoutWorld& world,
-                                             const std::filesystem::path& data) {
-  if (name == "oracle")
-    return make_checkout_oracle(world, data, Seed(world.spec().seed).child("oracle"));
-  if (name == "random")
-    return std::unique_ptr<Policy>(
-        std::make_unique<RandomPolicy>(Seed(world.spec().seed).child("random")));
-  return Error{"usage.bad_flag",
-               "--policy",
-               "there is no policy \"" + name + "\"; there are: oracle, random"};
+// A policy of somebody else's may throw.
+Result<Action> asked(Policy& policy, const Observation& now) {
+  try {
+    return policy.act(now);
+  } catch (const std::exception& thrown) {
+    return Error{"episode.policy_failed", "policy", thrown.what()};
+  }
 }
 
 // Until the policy stops or the time is over.
-Result<void> act_out(CheckoutWorld& world, Policy& policy) {
+Result<void> act_out(TrackWorld& world, Policy& policy, EpisodeWatcher* watcher) {
   Observation now = world.observe();
   MARKETGEN_CHECK(policy.begin({world.spec().instruction, world.spec().limit_s}, now));
   while (!world.done()) {
     MARKETGEN_CHECK(check_interrupt());
-    MARKETGEN_TRY(const Action action, policy.act(now));
+    MARKETGEN_TRY(const Action action, asked(policy, now));
     MARKETGEN_TRY(now, world.step(action));
+    if (watcher != nullptr) MARKETGEN_CHECK(watcher->step());
   }
   return {};
+}
+
+// Of an episode whose physics broke down: nothing is in place.
+EpisodeResult unjudged(const EpisodeSpec& spec) {
+  EpisodeResult result;
+  result.episode = spec.id;
+  result.store = spec.store;
+  for (const EpisodeGoal& goal : spec.goals)
+    result.goals.push_back({goal.sku, goal.count, 0});
+  return result;
 }
 
 FailureCode failure_of(const EpisodeResult& result, const Policy& policy) {
@@ -49,22 +54,23 @@ FailureCode failure_of(const EpisodeResult& result, const Policy& policy) {
 
 }  // namespace
 
-Result<EpisodeResult> run_episode(const std::filesystem::path& data,
+Result<EpisodeResult> run_episode(Arena& arena,
                                   const EpisodeSpec& spec,
-                                  const std::vector<Product>& products,
-                                  const std::vector<FrictionRow>& frictions,
-                                  const std::string& policy_name) {
+                                  const std::string& policy_name,
+                                  EpisodeWatcher* watcher) {
   const auto began = std::chrono::steady_clock::now();
-  MARKETGEN_TRY(CheckoutWorld world, CheckoutWorld::create(data, frictions));
-  MARKETGEN_CHECK(world.reset(spec, products));
-  MARKETGEN_TRY(const std::unique_ptr<Policy> policy, policy_named(policy_name, world, data));
-  const auto acted = act_out(world, *policy);
+  MARKETGEN_TRY(const std::unique_ptr<TrackWorld> world, arena.open(spec));
+  MARKETGEN_TRY(const std::unique_ptr<Policy> policy, arena.policy(policy_name, *world));
+  if (watcher != nullptr) MARKETGEN_CHECK(watcher->begin(*world));
+  const auto acted = act_out(*world, *policy, watcher);
   MARKETGEN_CHECK(check_interrupt());  // an episode that was broken off has no result
-  const bool in_time = world.time_s() < spec.limit_s - control_step_s / 2;
-  MARKETGEN_TRY(EpisodeResult result, world.finish());
+  const bool in_time = world->time_s() < spec.limit_s - control_step_s / 2;
+  auto judged = world->finish();
+  EpisodeResult result = judged.ok() ? std::move(judged).value() : unjudged(spec);
   result.policy = policy_name;
   result.failure = failure_of(result, *policy);
   if (!in_time && !result.success_strict) result.failure = FailureCode::timeout;
+  if (!judged.ok()) result.detail = to_string(judged.error());
   if (!acted.ok()) result.detail = to_string(acted.error());
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
   result.wall_s = took.count();
@@ -87,9 +93,19 @@ EvaluationSummary summarize(const std::vector<EpisodeResult>& results) {
     if (!result.success_strict) ++failures[result.failure];
     const auto count = static_cast<double>(results.size());
     summary.success_partial += result.success_partial / count;
+    summary.spl += result.spl / count;
+    summary.spl_subset += result.spl_subset / count;
+    summary.mean_path_m += result.path_m / count;
     summary.mean_simulated_s += result.simulated_s / count;
     summary.mean_wall_s += result.wall_s / count;
   }
+  int succeeded = 0;
+  for (const EpisodeResult& result : results) {
+    if (!result.success_strict) continue;
+    summary.mean_path_success_m += result.path_m;
+    ++succeeded;
+  }
+  summary.mean_path_success_m /= std::max(succeeded, 1);
   summary.goals = share_of(reached, asked);
   summary.strict = share_of(strict, summary.episodes);
   summary.clean = share_of(clean, summary.episodes);

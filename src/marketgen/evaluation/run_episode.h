@@ -1,24 +1,30 @@
 // Runs episodes with a policy and sums up what became of them.
 #pragma once
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "base/progress.h"
-#include "catalog/rows.h"
 #include "episodes/episode_result.h"
 #include "episodes/episode_spec.h"
+#include "evaluation/arena.h"
 #include "grasping/grasp_shares.h"
 
 namespace marketgen {
 
-// A policy's error ends its episode and stands in the result. Errors: those of CheckoutWorld and,
-// for a name that is no policy's, usage.bad_flag.
-Result<EpisodeResult> run_episode(const std::filesystem::path& data,
+// Looks on while an episode is run: a film, a test.
+class EpisodeWatcher {
+ public:
+  virtual ~EpisodeWatcher() = default;
+  virtual Result<void> begin(const TrackWorld& world) = 0;  // which outlives the run's steps
+  virtual Result<void> step() = 0;                          // after every control step
+};
+
+// A policy's error ends its episode and stands in the result. Errors: those of Arena and of the
+// watcher.
+Result<EpisodeResult> run_episode(Arena& arena,
                                   const EpisodeSpec& spec,
-                                  const std::vector<Product>& products,
-                                  const std::vector<FrictionRow>& frictions,
-                                  const std::string& policy);
+                                  const std::string& policy,
+                                  EpisodeWatcher* watcher = nullptr);
 
 struct FailureCount {
   FailureCode failure = FailureCode::none;
@@ -32,6 +38,7 @@ struct EvaluationSummary {
   int episodes = 0;
   double success_partial = 0;
   Share goals, strict, clean;  // goals: over all goals of all episodes
+  double spl = 0, spl_subset = 0, mean_path_m = 0, mean_path_success_m = 0;
   double mean_simulated_s = 0, mean_wall_s = 0;
   std::vector<FailureCount> failures;  // of episodes that are not strict; those that occur
 
@@ -41,6 +48,12 @@ struct EvaluationSummary {
       field("goals", &EvaluationSummary::goals, "goals reached, of all"),
       field("strict", &EvaluationSummary::strict, "episodes with all goals reached"),
       field("clean", &EvaluationSummary::clean, "those without side effects"),
+      field("spl", &EvaluationSummary::spl, "mean over the episodes; as the paper has it"),
+      field("spl_subset", &EvaluationSummary::spl_subset, "against the goals that were reached"),
+      field("mean_path_m", &EvaluationSummary::mean_path_m, "driven, an episode"),
+      field("mean_path_success_m",
+            &EvaluationSummary::mean_path_success_m,
+            "driven, an episode with all goals reached"),
       field("mean_simulated_s", &EvaluationSummary::mean_simulated_s, "simulated, an episode"),
       field("mean_wall_s", &EvaluationSummary::mean_wall_s, "of computing, an episode"),
       field("failures", &EvaluationSummary::failures, "by what kept the agent from its goals"));

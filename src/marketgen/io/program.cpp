@@ -1,5 +1,8 @@
 #include "io/program.h"
 
+#include "base/fields.h"
+#include "io/json.h"
+
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
@@ -167,6 +170,13 @@ std::string last_line(const std::string& text) {
   return text.substr(start == std::string::npos ? 0 : start + 1, end - start);
 }
 
+struct WorkerParts {
+  std::string coacd, av;
+  static constexpr auto fields =
+      field_list(field("coacd", &WorkerParts::coacd, "version"),
+                 field("av", &WorkerParts::av, "version of PyAV, for films"));
+};
+
 }  // namespace
 
 Result<std::string> run_program(const std::vector<std::string>& command,
@@ -211,6 +221,30 @@ Result<fs::path> worker_script() {
   }
   return Error{
       "usage.unavailable", script, "is not there; restore it or install the program again"};
+}
+
+Result<std::string> run_worker(const std::string& job, std::string_view request, double seconds) {
+  MARKETGEN_TRY(const fs::path script, worker_script());
+  // Threads of libraries that wait must not keep others from working.
+  return run_program({"env",
+                      "OMP_WAIT_POLICY=passive",
+                      "PYTHONSAFEPATH=1",  // what lies beside the script is not for it
+                      "PYTHONDONTWRITEBYTECODE=1",
+                      worker_python(),
+                      script.string(),
+                      job},
+                     request,
+                     {.seconds = seconds});
+}
+
+Result<std::string> worker_part(const std::string& package) {
+  MARKETGEN_TRY(const std::string answer, run_worker("parts", "", 20));
+  MARKETGEN_TRY(const WorkerParts parts, read_json<WorkerParts>(answer, "worker"));
+  const std::string& version = package == "av" ? parts.av : parts.coacd;
+  if (!version.empty()) return version;
+  return Error{"usage.unavailable",
+               package,
+               "is not installed; run: " + worker_python() + " -m pip install " + package};
 }
 
 }  // namespace marketgen

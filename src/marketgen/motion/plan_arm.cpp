@@ -37,8 +37,11 @@ Error explained(Error error,
 
 Result<std::vector<MotionLimits>> motion_limits(const ArmModel& model,
                                                 const ArmPlanOptions& options) {
-  if (!positive(options.speed) || options.speed > 1 || !positive(options.jerk_time_s))
-    return Error{"motion.bad_limits", "speed and jerk time", "speed is over 0 to 1, time over 0"};
+  const auto share = [](double value) { return positive(value) && value <= 1; };
+  if (!share(options.speed) || !share(options.acceleration) || !positive(options.jerk_time_s))
+    return Error{"motion.bad_limits",
+                 "speed, acceleration and jerk time",
+                 "shares are over 0 to 1, the time over 0"};
   std::vector<MotionLimits> limits;
   for (const int dof : model.group.dofs) {
     const Joint& joint = model.robot->joint_of_dof(static_cast<std::size_t>(dof));
@@ -47,9 +50,9 @@ Result<std::vector<MotionLimits>> motion_limits(const ArmModel& model,
                    joint.name,
                    "the robot's row gives it no velocity or no acceleration"};
     }
-    const double jerk =
-        positive(joint.jerk) ? joint.jerk : joint.acceleration / options.jerk_time_s;
-    limits.push_back({joint.velocity * options.speed, joint.acceleration, jerk});
+    const double acceleration = joint.acceleration * options.acceleration;
+    const double jerk = positive(joint.jerk) ? joint.jerk : acceleration / options.jerk_time_s;
+    limits.push_back({joint.velocity * options.speed, acceleration, jerk});
   }
   return limits;
 }

@@ -20,6 +20,7 @@ struct ArmPlanOptions {
   double coarse_step_m = 0.03;  // farthest that a point of the arm moves between two tests
   int shortcuts = 25;           // random chords that are tried
   double speed = 1;             // share of each velocity limit that is used, over 0 to 1
+  double acceleration = 1;      // the same of each acceleration limit
   double jerk_time_s = 0.05;    // to full acceleration, of joints whose row has no jerk limit
 };
 

@@ -102,7 +102,7 @@ Result<void> World::apply(const WorldCommand& command) {
                                    command.index));
   }
   MARKETGEN_CHECK(s.obey(command));
-  s.commands.push_back(command);
+  if (s.options.keep_commands) s.commands.push_back(command);
   return {};
 }
 

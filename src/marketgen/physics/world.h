@@ -42,7 +42,8 @@ struct WorldOptions {
   double wake_within_m = 0;  // wakes products this near to an actor before it touches them, 0..0.5
   bool articulated = true;   // doors, drawers, flaps and keys move; otherwise they stand at 0
   std::vector<FrictionRow> frictions =
-      {};  // catalog.frictions; a pair without a row rubs as MuJoCo has it
+      {};                     // catalog.frictions; a pair without a row rubs as MuJoCo has it
+  bool keep_commands = true;  // for commands(); a long run of a robot holds hundreds of megabytes
   // Adds robots, tools, tables: anything that is neither fixture nor product. Called once. Bodies
   // that it adds are "actors": a product that one of them touches is woken.
   std::function<Result<void>(mjSpec_& spec)> add_actors = {};

@@ -18,7 +18,7 @@ void ArmExecutor::start(const Observation& now) {
   queue_.clear();
   played_s_ = 0;
   now_ = end_ = now.position;
-  opening_m_ = now.opening_m;
+  opening_m_ = now.openings_m.front();
 }
 
 std::vector<double> ArmExecutor::state(double opening_m) const {
@@ -110,7 +110,7 @@ Action ArmExecutor::next() {
       played_s_ = 0;
     }
   }
-  return {now_, opening_m_, force_n_, false};
+  return {now_, {{opening_m_, force_n_}}};
 }
 
 Pose ArmExecutor::tip() const {

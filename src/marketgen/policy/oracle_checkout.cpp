@@ -263,7 +263,7 @@ class CheckoutOracle : public Policy {
   // Opens where it is, and goes back the way it came.
   Result<void> let_go(FailureCode why) {
     note(why);
-    const double opening = std::min(tool_.opening_m, now_.opening_m + let_go_m);
+    const double opening = std::min(tool_.opening_m, now_.openings_m.front() + let_go_m);
     arm_.wait(open_s, opening, force_n_);
     back_off(opening);
     phase_ = Phase::released;
@@ -303,7 +303,7 @@ class CheckoutOracle : public Policy {
     PlaceQuestion question;
     question.item = item_;
     question.tip_from_item = inverse(arm_.tip()) * world_.item_pose(item_);
-    question.opening_m = std::min(tool_.opening_m, now_.opening_m + let_go_m);
+    question.opening_m = std::min(tool_.opening_m, now_.openings_m.front() + let_go_m);
     const bool wanted = is_target(item_);
     question.area = wanted ? world_.station().unloading.area() : world_.station().set_aside;
     if (!wanted) question.kept_free = kept_free();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "episodes/checkout_goals.h"
 #include "geometry/box_extents.h"
 #include "physics/contact_shape.h"
 
@@ -110,11 +111,11 @@ bool OracleScene::in_basket(std::size_t item) const {
 
 bool OracleScene::in_unloading(std::size_t item) const {
   const CheckoutGoods& goods = world_.goods(item);
-  return inside(world_.station().unloading.area(),
-                {goods.product.sku,
-                 world_.item_pose(item),
-                 to_double(goods.body.center_of_mass),
-                 goods.volume});
+  return is_inside(over_area(world_.station().unloading.area()),
+                   {goods.product.sku,
+                    world_.item_pose(item),
+                    to_double(goods.body.center_of_mass),
+                    goods.volume});
 }
 
 std::vector<GraspObstacle> OracleScene::walls() const {

@@ -5,6 +5,7 @@ namespace {
 
 constexpr double most_step_rad = 0.05;  // in a control step of 50 ms
 constexpr double widest_m = 0.08;
+constexpr double fastest_m_s = 0.3, fastest_rad_s = 0.5;
 constexpr double pull_back = 0.05;  // of the way to where the arm is: targets do not run off
 
 }  // namespace
@@ -21,7 +22,12 @@ Result<Action> RandomPolicy::act(const Observation& now) {
   }
   Action action;
   action.position = target_;
-  action.opening_m = draw_.uniform(0, widest_m);
+  for (std::size_t tool = 0; tool < now.openings_m.size(); ++tool)
+    action.tools.push_back({draw_.uniform(0, widest_m)});
+  if (drives_) {
+    action.drive_m_s = draw_.uniform(-fastest_m_s, fastest_m_s);
+    action.turn_rad_s = draw_.uniform(-fastest_rad_s, fastest_rad_s);
+  }
   return action;
 }
 

@@ -8,7 +8,7 @@ namespace marketgen {
 
 class RandomPolicy : public Policy {
  public:
-  explicit RandomPolicy(Seed seed) : draw_(seed.stream()) {}
+  RandomPolicy(Seed seed, bool drives) : draw_(seed.stream()), drives_(drives) {}
   Result<void> begin(const Task& task, const Observation& first) override;
   Result<Action> act(const Observation& now) override;
   // It never says that it has done.
@@ -16,6 +16,7 @@ class RandomPolicy : public Policy {
 
  private:
   Stream draw_;
+  bool drives_;
   std::vector<double> target_;
 };
 

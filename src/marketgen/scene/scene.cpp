@@ -42,6 +42,16 @@ Pose world_from_product(const SceneProduct& product) {
   return pose_of(product.position_m, product.rotation_wxyz);
 }
 
+void place(SceneProduct& product, const Pose& pose) {
+  const Vec3& p = pose.position;
+  const Quaternion& q = pose.rotation;
+  product.position_m = {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+  product.rotation_wxyz = {static_cast<float>(q.w),
+                           static_cast<float>(q.x),
+                           static_cast<float>(q.y),
+                           static_cast<float>(q.z)};
+}
+
 Pose fixture_from_part(const ScenePart& part) {
   return pose_of(part.position_m, part.rotation_wxyz);
 }

@@ -249,6 +249,8 @@ Result<Scene> build_scene(const Layout& layout,
 Pose world_from_fixture(const Scene& scene, std::uint32_t fixture);
 Pose world_from_shelf(const Scene& scene, std::uint32_t shelf);
 Pose world_from_product(const SceneProduct& product);
+// Puts it there.
+void place(SceneProduct& product, const Pose& world_from_product);
 Pose fixture_from_part(const ScenePart& part);
 // "dairy/run-2/module-3/level-4/facing-7/item-12": stable id of a product.
 std::string product_id(const Scene& scene, std::uint32_t product);

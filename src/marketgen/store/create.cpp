@@ -115,6 +115,8 @@ Result<void> require_no_hard_violation(const std::vector<Violation>& rules) {
   return {};
 }
 
+constexpr std::string_view layout_stream = "layout", scene_stream = "scene";
+
 struct Built {
   Planned planned;
   Repaired repaired;
@@ -128,13 +130,13 @@ Result<Built> build(const CreateOptions& options, const Catalog& catalog, Stages
                 stages.run("plan", [&] { return plan_of(options, catalog, seed); }));
   MARKETGEN_CHECK(put_on_skin(planned.plan, options.brief, catalog));
   MARKETGEN_TRY(Repaired repaired, stages.run("repair", [&] {
-    return repair_plan(planned.plan, catalog, seed.child("layout"));
+    return repair_plan(planned.plan, catalog, seed.child(layout_stream));
   }));
   MARKETGEN_TRY(const Layout layout, stages.run("layout", [&] {
-    return make_layout(repaired.plan, catalog, seed.child("layout"));
+    return make_layout(repaired.plan, catalog, seed.child(layout_stream));
   }));
   MARKETGEN_TRY(Scene scene, stages.run("scene", [&] {
-    return build_scene(layout, repaired.plan, catalog, seed.child("scene"));
+    return build_scene(layout, repaired.plan, catalog, seed.child(scene_stream));
   }));
   MARKETGEN_TRY(Audit audit, stages.run("audit", [&] {
     return audit_store(scene, catalog, planned.requirements);
@@ -169,6 +171,11 @@ Manifest manifest_of(const Built& built, const CreateOptions& options, const Cat
 }
 
 }  // namespace
+
+Result<Scene> scene_of_plan(const Plan& plan, const Catalog& catalog, std::uint64_t seed) {
+  MARKETGEN_TRY(const Layout layout, make_layout(plan, catalog, Seed(seed).child(layout_stream)));
+  return build_scene(layout, plan, catalog, Seed(seed).child(scene_stream));
+}
 
 Result<Created> create_store(const CreateOptions& options,
                              const Catalog& catalog,

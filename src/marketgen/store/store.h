@@ -113,6 +113,9 @@ struct Created {
   StoreReport report;
 };
 
+// The scene of a store that was made from this (repaired) plan with this seed, again.
+Result<Scene> scene_of_plan(const Plan& plan, const Catalog& catalog, std::uint64_t seed);
+
 // Plans, lays out, stocks, checks, draws and saves. Nothing is left behind when it fails.
 Result<Created> create_store(const CreateOptions& options,
                              const Catalog& catalog,

@@ -16,6 +16,7 @@
 #include "catalog/user_products.h"
 #include "io/json.h"
 #include "io/png.h"
+#include "io/program.h"
 #include "support/committed_catalog.h"
 #include "support/glb_bytes.h"
 #include "support/run_program.h"
@@ -269,7 +270,8 @@ TEST(OuterHull, OfABoxAndABall) {
 
 // An L of two arms: no convex shape; CoACD gives two pieces that fill it.
 TEST(ConvexPieces, OfAnLAreItsArms) {
-  if (!coacd_version().ok()) GTEST_SKIP() << to_string(coacd_version().error());
+  if (const auto coacd = worker_part("coacd"); !coacd.ok())
+    GTEST_SKIP() << to_string(coacd.error());
   const std::vector<Vec2f> outline{
       {0, 0}, {0.1F, 0}, {0.1F, 0.03F}, {0.03F, 0.03F}, {0.03F, 0.1F}, {0, 0.1F}};
   Mesh mesh;

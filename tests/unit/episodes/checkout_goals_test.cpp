@@ -21,21 +21,21 @@ ItemState standing_box(double x, double y, const std::string& sku = "tea") {
   return item;
 }
 
-CheckoutOutcome judged(const std::vector<ItemState>& items, double tilt_deg = 0) {
+EpisodeOutcome judged(const std::vector<ItemState>& items, double tilt_deg = 0) {
   return judge_checkout(area, {{"tea", 1}, {"rice", 1}}, items, tilt_deg);
 }
 
 TEST(CheckoutGoals, AnItemAtRestInTheAreaIsInPlace) {
-  EXPECT_TRUE(in_place(area, standing_box(0.2, 0.2)));
+  EXPECT_TRUE(is_in_place(over_area(area), standing_box(0.2, 0.2)));
 }
 
 TEST(CheckoutGoals, HalfOutIsOutWhenItsMiddleIs) {
-  EXPECT_TRUE(in_place(area, standing_box(0.39, 0.2)));  // 3 of 5 columns inside
-  EXPECT_FALSE(in_place(area, standing_box(0.41, 0.2)));
+  EXPECT_TRUE(is_in_place(over_area(area), standing_box(0.39, 0.2)));  // 3 of 5 columns inside
+  EXPECT_FALSE(is_in_place(over_area(area), standing_box(0.41, 0.2)));
   ItemState leaning = standing_box(0.39, 0.2);  // its middle inside, most of its volume out
   for (Vec3& point : leaning.volume)
     point.x += 0.03;
-  EXPECT_FALSE(in_place(area, leaning));
+  EXPECT_FALSE(is_in_place(over_area(area), leaning));
 }
 
 TEST(CheckoutGoals, MovingTouchedAndThrownItemsAreNotInPlace) {
@@ -43,19 +43,19 @@ TEST(CheckoutGoals, MovingTouchedAndThrownItemsAreNotInPlace) {
   moving.rested_s = 0.5;
   touched.touched = true;
   thrown.impact_m_s = 1.2;
-  EXPECT_FALSE(in_place(area, moving));
-  EXPECT_FALSE(in_place(area, touched));
-  EXPECT_FALSE(in_place(area, thrown));
+  EXPECT_FALSE(is_in_place(over_area(area), moving));
+  EXPECT_FALSE(is_in_place(over_area(area), touched));
+  EXPECT_FALSE(is_in_place(over_area(area), thrown));
 }
 
 TEST(CheckoutGoals, UnderTheCounterIsNotInPlace) {
   ItemState fallen = standing_box(0.2, 0.2);
   fallen.pose.position.z = -0.88;
-  EXPECT_FALSE(in_place(area, fallen));
+  EXPECT_FALSE(is_in_place(over_area(area), fallen));
 }
 
 TEST(CheckoutGoals, EachGoalCountsOnce) {
-  const CheckoutOutcome outcome = judged({standing_box(0.2, 0.2), standing_box(0.9, 0.2, "rice")});
+  const EpisodeOutcome outcome = judged({standing_box(0.2, 0.2), standing_box(0.9, 0.2, "rice")});
   EXPECT_EQ(outcome.asked, 2);
   EXPECT_EQ(outcome.hits, 1);
   EXPECT_EQ(outcome.goals[0].reached, 1);
@@ -64,14 +64,14 @@ TEST(CheckoutGoals, EachGoalCountsOnce) {
 }
 
 TEST(CheckoutGoals, AWrongItemCancelsAHit) {
-  const CheckoutOutcome outcome = judged(
+  const EpisodeOutcome outcome = judged(
       {standing_box(0.1, 0.1), standing_box(0.2, 0.2, "rice"), standing_box(0.3, 0.3, "soap")});
   EXPECT_EQ(outcome.wrong, 1);
   EXPECT_EQ(outcome.hits, 1);
 }
 
 TEST(CheckoutGoals, MoreThanWereAskedForIsWrong) {
-  const CheckoutOutcome outcome = judged({standing_box(0.1, 0.1), standing_box(0.3, 0.3)});
+  const EpisodeOutcome outcome = judged({standing_box(0.1, 0.1), standing_box(0.3, 0.3)});
   EXPECT_EQ(outcome.wrong, 1);
   EXPECT_EQ(outcome.hits, 0);
 }
@@ -79,7 +79,7 @@ TEST(CheckoutGoals, MoreThanWereAskedForIsWrong) {
 TEST(CheckoutGoals, ATiltedBasketIsVoid) {
   const std::vector<ItemState> items{standing_box(0.1, 0.1), standing_box(0.3, 0.3, "rice")};
   EXPECT_EQ(judged(items, 14).hits, 2);
-  const CheckoutOutcome tilted = judged(items, 16);
+  const EpisodeOutcome tilted = judged(items, 16);
   EXPECT_TRUE(tilted.is_void);
   EXPECT_EQ(tilted.hits, 0);
 }

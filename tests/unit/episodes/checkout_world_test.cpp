@@ -48,10 +48,7 @@ CheckoutWorld world_of(const EpisodeSpec& spec) {
 }
 
 Action waiting(const CheckoutWorld& world) {
-  Action action;
-  action.position = world.observe().position;
-  action.opening_m = 0.08;
-  return action;
+  return still_action(world.observe());
 }
 
 // To and fro over the basket.
@@ -61,7 +58,7 @@ std::vector<Action> swaying(const CheckoutWorld& world, int steps) {
     actions.push_back(waiting(world));
     actions.back().position[0] += 0.3 * std::sin(i * 0.1);
     actions.back().position[1] += 0.02 * i;
-    actions.back().opening_m = i % 7 == 0 ? 0 : 0.06;
+    actions.back().tools.front().opening_m = i % 7 == 0 ? 0 : 0.06;
   }
   return actions;
 }

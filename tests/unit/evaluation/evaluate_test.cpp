@@ -28,11 +28,8 @@ EpisodeFile three_episodes() {
 Result<std::vector<EpisodeResult>> evaluated(const EpisodeFile& file,
                                              const std::filesystem::path& folder,
                                              bool resume) {
-  return evaluate(data_rows(),
-                  file,
-                  committed_catalog().frictions,
-                  {"random", folder, resume},
-                  silent_progress());
+  return evaluate(
+      data_rows(), file, committed_catalog(), {"random", folder, resume}, silent_progress());
 }
 
 TEST(Evaluate, ABrokenRunGoesOnAndKeepsWhatWasFinished) {

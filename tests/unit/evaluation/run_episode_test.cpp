@@ -9,9 +9,15 @@
 namespace marketgen {
 namespace {
 
+Result<EpisodeResult> run_by(const std::string& policy, const EpisodeSpec& spec) {
+  EpisodeHeader header;
+  header.products = checkout_goods_rows();
+  Arena arena(data_rows(), header, committed_catalog());
+  return run_episode(arena, spec, policy);
+}
+
 EpisodeResult run(const EpisodeSpec& spec) {
-  auto result = run_episode(
-      data_rows(), spec, checkout_goods_rows(), committed_catalog().frictions, "oracle");
+  auto result = run_by("oracle", spec);
   if (!result.ok()) fatal(to_string(result.error()).c_str());
   return std::move(result).value();
 }
@@ -26,8 +32,7 @@ TEST(RunEpisode, TheOracleActsTwiceAlike) {
 }
 
 TEST(RunEpisode, UnknownPoliciesAreErrors) {
-  const auto result = run_episode(
-      data_rows(), drawn(7, 0), checkout_goods_rows(), committed_catalog().frictions, "orakel");
+  const auto result = run_by("orakel", drawn(7, 0));
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.error().code, "usage.bad_flag");
 }

@@ -1,0 +1,134 @@
+// marketgen replay: runs one episode again, compares it with what was kept, and films it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include "base/parallel.h"
+#include "base/text.h"
+#include "command.h"
+#include "evaluation/evaluate.h"
+#include "evaluation/film.h"
+#include "io/file.h"
+#include "io/json.h"
+
+namespace marketgen::app {
+namespace {
+
+struct ReplayFlags {
+  CommonFlags common;
+  std::string episodes, episode, policy = "oracle", results, film, strip;
+  int width = 640, height = 480;
+  double speed = 4;
+};
+
+class Filming : public EpisodeWatcher {
+ public:
+  explicit Filming(FilmOptions options) : options_(std::move(options)) {}
+  Result<void> begin(const TrackWorld& world) override {
+    MARKETGEN_TRY(film_, Film::begin(world, options_));
+    return {};
+  }
+  Result<void> step() override { return film_->look(); }
+  Result<void> finish() { return film_->finish(); }
+
+ private:
+  FilmOptions options_;
+  std::unique_ptr<Film> film_;
+};
+
+// By its id, or its number from 0 on.
+Result<EpisodeSpec> episode_named(const EpisodeFile& file, const std::string& name) {
+  std::vector<std::string_view> ids;
+  for (std::size_t i = 0; i < file.episodes.size(); ++i) {
+    ids.push_back(file.episodes[i].id);
+    if (file.episodes[i].id == name || std::to_string(i) == name) return file.episodes[i];
+  }
+  return Error{"usage.bad_flag",
+               "--episode",
+               fmt::format("the file has no episode \"{}\"{}; it has {}, from 0 on",
+                           name,
+                           did_you_mean(name, ids),
+                           ids.size())};
+}
+
+// Error episode.not_repeated: the states at the end differ.
+Result<void> compare(const ReplayFlags& flags, const EpisodeResult& result) {
+  if (flags.results.empty()) return {};
+  MARKETGEN_TRY(const auto kept, finished_results(flags.results));
+  const auto before = kept.find(result.episode);
+  if (before == kept.end())
+    return Error{"episode.not_repeated", flags.results, "has no result of " + result.episode};
+  if (before->second.state_hash != result.state_hash)
+    return Error{"episode.not_repeated",
+                 result.episode,
+                 fmt::format("ended in state {}, before in {}: another policy, version or machine",
+                             result.state_hash,
+                             before->second.state_hash)};
+  if (!flags.common.quiet) fmt::print("the same    {}\n", result.state_hash);
+  return {};
+}
+
+Result<void> replay_episode(const ReplayFlags& flags) {
+  const ThreadLimit limit(flags.common.threads);
+  MARKETGEN_TRY(const EpisodeFile file, read_episode_file(flags.episodes));
+  MARKETGEN_TRY(const EpisodeSpec spec, episode_named(file, flags.episode));
+  MARKETGEN_TRY(const std::filesystem::path data, data_folder());
+  MARKETGEN_TRY(const Catalog catalog, load_rows());
+  Arena arena(data, file.header, catalog);
+  constexpr double frame_rate = 20;
+  Filming filming({.film = flags.film,
+                   .strip = flags.strip,
+                   .width = flags.width,
+                   .height = flags.height,
+                   .every_s = flags.speed / frame_rate,
+                   .frame_rate = frame_rate});
+  const bool filmed = !flags.film.empty() || !flags.strip.empty();
+  MARKETGEN_TRY(const EpisodeResult result,
+                run_episode(arena, spec, flags.policy, filmed ? &filming : nullptr));
+  if (filmed) MARKETGEN_CHECK(filming.finish());
+  if (flags.common.json)
+    fmt::print("{}\n", write_json_line(result));
+  else if (!flags.common.quiet)
+    fmt::print("{}  {} of {} goals, {:.1f} s; {}\n",
+               result.success_strict ? "reached" : "missed",
+               std::ranges::count_if(result.goals,
+                                     [](const auto& goal) { return goal.reached >= goal.count; }),
+               result.goals.size(),
+               result.simulated_s,
+               name_of(result.failure));
+  return compare(flags, result);
+}
+
+}  // namespace
+
+Run add_replay(CLI::App& app) {
+  auto flags = std::make_shared<ReplayFlags>();
+  CLI::App* command = app.add_subcommand("replay", "Run one episode again, and film it");
+  command->add_option("--episodes", flags->episodes, "file of `marketgen episodes`")->required();
+  command->add_option("--episode", flags->episode, "its id, or its number from 0 on")->required();
+  command->add_option("--policy", flags->policy, "who acts")->capture_default_str();
+  command->add_option("--results", flags->results, "results.jsonl with which it is compared");
+  command->add_option("--film", flags->film, "MP4 file");
+  command->add_option("--strip", flags->strip, "PNG file with six pictures of it");
+  command->add_option("--speed", flags->speed, "of the film, times real time")
+      ->check(CLI::Range(0.1, 100.0))
+      ->capture_default_str();
+  command->add_option("--width", flags->width, "pixels of the film")
+      ->check(CLI::Range(64, 4096))
+      ->capture_default_str();
+  command->add_option("--height", flags->height, "pixels of the film")
+      ->check(CLI::Range(64, 4096))
+      ->capture_default_str();
+  add_common_flags(*command, flags->common, Takes::json);
+  command->footer(
+      "Example:  marketgen replay --episodes tasks.jsonl --episode 0 --film film.mp4 --strip "
+      "film.png");
+  return [flags] {
+    const auto done = replay_episode(*flags);
+    return done.ok() ? 0 : fail(done.error());
+  };
+}
+
+}  // namespace marketgen::app

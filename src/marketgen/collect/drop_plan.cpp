@@ -1,0 +1,242 @@
+#include "collect/drop_plan.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "geometry/box_extents.h"
+#include "physics/contact_shape.h"
+
+namespace marketgen {
+namespace {
+
+constexpr double off_walls_m = 0.008;  // of what is let down
+constexpr int drop_yaws = 16;
+constexpr std::array drop_tilts{0.0, 0.35, 0.7, 1.05};  // of the tool from straight down, rad
+constexpr int drop_columns = 5;                         // places along each side of the basket
+constexpr std::size_t most_drops = 1200;                // that are looked at
+constexpr double mixed_m = 0.06;
+constexpr int most_searches = 6;     // in vain, before the basket is given up
+constexpr double over_rim_m = 0.06;  // where the line down begins, of the lowest point held
+constexpr double of_tilt = 0.03, of_offset = 0.1,
+                 of_rim = 2;  // metres of height that they are worth
+constexpr double line_speed_share = 0.25;
+constexpr int most_drop_samples = 6000;
+
+void widen(Vec3& low, Vec3& high, Vec3 point) {
+  low = {std::min(low.x, point.x), std::min(low.y, point.y), std::min(low.z, point.z)};
+  high = {std::max(high.x, point.x), std::max(high.y, point.y), std::max(high.z, point.z)};
+}
+
+struct Drop {
+  Pose base_from_tip;
+  double lowest_m = 0;  // of what is held, over the basket's floor
+  double cost = 0;
+};
+
+class DropSearch {
+ public:
+  DropSearch(const CarriedBasket& basket, const DropQuestion& question)
+      : basket_(basket), question_(question) {}
+
+  // Best first, but mixed: neighbours of what cannot be reached cannot be reached either.
+  std::vector<Drop> drops(Seed seed) const {
+    std::vector<Drop> found;
+    for (const double tilt : drop_tilts) {
+      for (int yaw = 0; yaw < drop_yaws; ++yaw) {
+        for (int side = 0; side < (tilt > 0 ? 4 : 1); ++side)
+          add(turned(tilt, side * std::numbers::pi / 2, 2 * std::numbers::pi * yaw / drop_yaws),
+              tilt,
+              found);
+      }
+    }
+    Stream draw = seed.child("mixed").stream();
+    for (Drop& drop : found)
+      drop.cost += draw.uniform(0, mixed_m);
+    std::ranges::stable_sort(found, {}, &Drop::cost);
+    if (found.size() > most_drops) found.resize(most_drops);
+    return found;
+  }
+
+ private:
+  // Basket's frame: straight down, leaning towards `side`, turned about its own axis.
+  static Quaternion turned(double tilt, double side, double yaw) {
+    return rotation_about({std::cos(side), std::sin(side), 0}, tilt) *
+           rotation_about({0, 0, 1}, yaw) * rotation_about({1, 0, 0}, std::numbers::pi);
+  }
+
+  void add(const Quaternion& tip, double tilt, std::vector<Drop>& found) const {
+    const Pose product = Pose{{}, tip} * question_.tip_from_product;
+    const TurnedBox box = turned_box(*question_.held, product);
+    const double x = basket_.size.x / 2 - off_walls_m - box.half.x,
+                 y = basket_.size.y / 2 - off_walls_m - box.half.y;
+    if (x < 0 || y < 0) return;
+    for (int i = 0; i < drop_columns; ++i) {
+      for (int j = 0; j < drop_columns; ++j) {
+        const double at_x = x * (2.0 * i / (drop_columns - 1) - 1),
+                     at_y = y * (2.0 * j / (drop_columns - 1) - 1);
+        const double support = support_under({at_x, at_y, 0}, box.half);
+        const double above = std::max(0.0, support + 2 * box.half.z - basket_.size.z);
+        for (const double fall : drop_heights_m) {
+          const Vec3 tip_at = Vec3{at_x, at_y, support + fall + box.half.z} - box.middle;
+          found.push_back({basket_.base_from_floor * Pose{tip_at, tip},
+                           support,
+                           support + fall + of_tilt * tilt + of_offset * std::hypot(at_x, at_y) +
+                               of_rim * above});
+        }
+      }
+    }
+  }
+
+  // Top of what lies there, basket's frame; 0 for its floor.
+  double support_under(Vec3 at, Vec3 half) const {
+    double top = 0;
+    for (const BoxObstacle& box : question_.inside) {
+      const Pose pose = inverse(basket_.base_from_floor) * box.pose;
+      const Vec3 size = box_half_extents(pose.rotation, box.half_size);
+      const bool apart = std::abs(pose.position.x - at.x) > size.x + half.x ||
+                         std::abs(pose.position.y - at.y) > size.y + half.y;
+      if (!apart) top = std::max(top, pose.position.z + size.z);
+    }
+    return top;
+  }
+
+  const CarriedBasket& basket_;
+  const DropQuestion& question_;
+};
+
+class DropPlanner {
+ public:
+  DropPlanner(const Robot& robot, const CarriedBasket& basket, const DropQuestion& q)
+      : robot_(robot), basket_(basket), question_(q) {
+    options_.speed = carrying_speed;
+    options_.acceleration = carrying_acceleration;
+    options_.search.most_iterations = most_drop_samples;
+  }
+
+  Result<void> look_around() {
+    Obstacles all = question_.around;
+    for (const auto* boxes : {&basket_.walls, &question_.inside}) {
+      for (const BoxObstacle& box : *boxes)
+        all.boxes.push_back({question_.world_from_base * box.pose, box.half_size});
+    }
+    MARKETGEN_TRY(world_, CollisionWorld::make(all));
+    MARKETGEN_TRY(model_, make_arm_model(robot_, question_.group));
+    state_ = question_.state;
+    for (const int dof : model_.group.dofs)
+      start_.push_back(state_[static_cast<std::size_t>(dof)]);
+    base_from_arm_ = link_poses(robot_, state_)[static_cast<std::size_t>(model_.group.base)];
+    return {};
+  }
+
+  Result<DropPlan> plan(const Drop& drop, Seed seed) const {
+    const Tool& tool = robot_.tools[static_cast<std::size_t>(question_.tool)];
+    const std::vector<AttachedObject> held{
+        held_by(robot_, tool, *question_.held, question_.tip_from_product)};
+    MARKETGEN_TRY(
+        const ArmChecker way,
+        ArmChecker::make(model_, state_, question_.world_from_base, world_, {0.004, held}));
+    MARKETGEN_TRY(const ArmChecker line,
+                  ArmChecker::make(model_, state_, question_.world_from_base, world_, {0.002, {}}));
+    ReachQuestion reach;
+    reach.start = start_;
+    reach.base_from_grasp = inverse(base_from_arm_) * drop.base_from_tip;
+    const double up = std::max(0.05, basket_.size.z + over_rim_m - drop.lowest_m);
+    const Vec3 down_in_tip = rotate(inverse(drop.base_from_tip.rotation), {0, 0, -1});
+    reach.approach = down_in_tip * up;
+    MARKETGEN_TRY(const ReachPlan there, plan_reach(way, line, reach, seed, options_));
+    MARKETGEN_TRY(const auto quick, motion_limits(model_, options_));
+    ArmPlanOptions gentle = options_;
+    gentle.speed *= line_speed_share;
+    MARKETGEN_TRY(const auto slow, motion_limits(model_, gentle));
+    DropPlan plan;
+    plan.base_from_tip = drop.base_from_tip;
+    MARKETGEN_TRY(plan.way, timed_path(there.way, quick));
+    MARKETGEN_TRY(const JointTrajectory down, timed_curve(there.line, slow));
+    plan.way.append(down);
+    const JointPath back(there.line.rbegin(), there.line.rend());
+    MARKETGEN_TRY(plan.retreat, timed_curve(back, slow));
+    MARKETGEN_TRY(const ArmPlan home,
+                  plan_arm(line, back.back(), {question_.stow}, seed.child("home"), options_));
+    plan.home = home.trajectory;
+    return plan;
+  }
+
+ private:
+  const Robot& robot_;
+  const CarriedBasket& basket_;
+  const DropQuestion& question_;
+  ArmPlanOptions options_;
+  CollisionWorld world_;
+  ArmModel model_;
+  std::vector<double> state_;
+  Configuration start_;
+  Pose base_from_arm_;
+};
+
+}  // namespace
+
+TurnedBox turned_box(const ProductBody& body, const Pose& pose) {
+  Vec3 low{1e9, 1e9, 1e9}, high{-1e9, -1e9, -1e9};
+  for (const ContactPiece& piece : body.pieces) {
+    if (piece.shape == PieceShape::hull) {
+      for (const Vec3f& point : piece.points)
+        widen(low, high, pose * to_double(point));
+      continue;
+    }
+    const ContactShape shape = pose * contact_shape_of(piece);
+    const Vec3 half = half_extents(shape);
+    widen(low, high, shape.pose.position - half);
+    widen(low, high, shape.pose.position + half);
+  }
+  return {(low + high) * 0.5, (high - low) * 0.5};
+}
+
+AttachedObject held_by(const Robot& robot,
+                       const Tool& tool,
+                       const ProductBody& body,
+                       const Pose& tip_from_product) {
+  const RobotFrame& tip = robot.frames[static_cast<std::size_t>(tool.frame)];
+  AttachedObject held;
+  held.link = tip.link;
+  for (std::size_t link = 0; link < robot.links.size(); ++link) {
+    const bool of_tool = robot.links[link].name.starts_with(tool.prefix);
+    if (of_tool) held.may_touch.push_back(static_cast<int>(link));
+  }
+  const TurnedBox box = turned_box(body, {});
+  std::array<std::pair<double, Vec3>, 3> axes{
+      std::pair{box.half.x, Vec3{1, 0, 0}}, {box.half.y, {0, 1, 0}}, {box.half.z, {0, 0, 1}}};
+  std::ranges::sort(axes, {}, [](const auto& axis) { return axis.first; });
+  const double radius = std::max(axes[0].first, axes[1].first);
+  const double run = std::max(0.0, axes[2].first - radius);
+  const int count = 1 + 2 * static_cast<int>(std::ceil(run / radius));
+  for (int i = 0; i < count; ++i) {
+    const double along = count > 1 ? run * (2.0 * i / (count - 1) - 1) : 0;
+    held.spheres.push_back(
+        {tip.link_from_frame * (tip_from_product * (box.middle + axes[2].second * along)), radius});
+  }
+  return held;
+}
+
+Result<DropPlan> plan_drop(const Robot& robot,
+                           const CarriedBasket& basket,
+                           const DropQuestion& question,
+                           Seed seed) {
+  DropPlanner planner(robot, basket, question);
+  MARKETGEN_CHECK(planner.look_around());
+  const std::vector<Drop> drops = DropSearch(basket, question).drops(seed);
+  Error error{"collect.no_drop", robot.name, "the basket has no room for what is held"};
+  int searches = 0;
+  for (std::size_t i = 0; i < drops.size() && searches < most_searches; ++i) {
+    auto plan = planner.plan(drops[i], seed.child("drop", i));
+    if (plan.ok()) return plan;
+    if (plan.error().code == "motion.no_path") ++searches;
+    error.message = fmt::format("in the best place that was tried: {}", plan.error().message);
+  }
+  return error;
+}
+
+}  // namespace marketgen

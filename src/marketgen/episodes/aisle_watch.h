@@ -1,0 +1,70 @@
+// Watches a running In-Aisle Item Collection, step by step: who touches what and how hard, what was
+// taken, what fell.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "episodes/push_ledger.h"
+#include "physics/robot_actor.h"
+#include "physics/world.h"
+
+namespace marketgen {
+
+class AisleWatch {
+ public:
+  AisleWatch() = default;
+  // After the world was made with the robot in it. The basket's geoms are named "basket/...".
+  AisleWatch(const World& world, const Robot& robot);
+
+  // After every step. `base`: velocity of the robot's base in the store frame, and its turn rate
+  // about `axle`.
+  struct BaseMotion {
+    Vec3 axle, velocity_m_s;
+    double turn_rad_s = 0;
+  };
+  void look(World& world, const BaseMotion& base);
+
+  // A product that a finger or the basket has touched.
+  struct Item {
+    int touched_by = -1, held_by = -1;  // tool, in the last step: one finger, both
+    bool in_basket = false;             // rests on a part of the basket, or on what does
+    bool met = true;                    // something other than a finger
+    bool was_held = false;
+    double speed_m_s = 0;  // against the base
+    double rested_s = 0, impact_m_s = 0;
+  };
+  const std::map<std::uint32_t, Item>& items() const { return items_; }
+  bool is_held(std::uint32_t product) const;
+
+  SideEffects effects() const;
+
+ private:
+  enum class Part { body, base, basket, finger };
+  struct GeomRole {
+    Part part = Part::body;
+    int tool = -1, finger = -1;
+  };
+  struct Touches {
+    std::map<std::uint32_t, std::set<std::pair<int, int>>> fingers;  // product: tool, finger
+    std::set<std::uint32_t> met, basket;
+    std::map<std::uint64_t, double> force_n;
+    bool base_hit = false;
+  };
+  Touches touches(const World& world) const;
+  bool lies_in_basket(std::uint32_t geom, std::uint32_t product) const;
+  void add_push(const WorldContact& contact, Touches& seen) const;
+  void follow_item(std::uint32_t product, Item& item, const World& world, const BaseMotion& base);
+  void follow_events(World& world);
+
+  std::vector<GeomRole> roles_;  // by geom
+  std::map<std::uint32_t, Item> items_;
+  PushLedger pushes_;
+  std::set<std::uint32_t> toppled_, dropped_, displaced_;
+  int base_collisions_ = 0;
+  bool base_touches_ = false;
+};
+
+}  // namespace marketgen

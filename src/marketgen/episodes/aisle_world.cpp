@@ -1,0 +1,270 @@
+#include "episodes/aisle_world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+#include <mujoco/mujoco.h>
+
+#include "physics/spec_geoms.h"
+
+namespace marketgen {
+namespace {
+
+constexpr double physics_step_s = 0.002;
+constexpr int aisle_substeps = 25;
+constexpr double let_go_s = judged_after_s;
+constexpr std::string_view basket_material = "pet";  // moulded, against goods
+
+// One box a wall: bodies of the robot's base.
+void add_basket(mjSpec& spec, const AisleStation& station, const Robot& robot) {
+  const RobotFrame& frame =
+      robot.frames[static_cast<std::size_t>(robot.find_frame(station.basket.frame))];
+  mjsBody* body =
+      mjs_findBody(&spec, robot.links[static_cast<std::size_t>(frame.link)].name.c_str());
+  int number = 0;
+  for (const ContainerBox& box : station.basket_boxes()) {
+    mjsGeom* geom = add_shape(body,
+                              {CollisionShape::box,
+                               link_from_basket(station, robot) * box.container_from_box,
+                               box.half_size});
+    geom->mass = 0;
+    mjs_setName(geom->element, fmt::format("basket/{}", number++).c_str());
+  }
+}
+
+std::map<std::string, std::string> materials_of(const AisleStation& station, const Robot& robot) {
+  std::map<std::string, std::string> materials = robot_materials(robot, {});
+  for (std::size_t i = 0; i < station.basket_boxes().size(); ++i)
+    materials.emplace(fmt::format("basket/{}", i), std::string(basket_material));
+  return materials;
+}
+
+std::size_t dof_named(const Robot& robot, std::string_view name) {
+  return static_cast<std::size_t>(robot.find_dof(name));
+}
+
+}  // namespace
+
+Result<void> AisleWorld::reset(const EpisodeSpec& spec) {
+  const AisleStation& station = store_->station;
+  const Robot& robot = store_->robot;
+  if (spec.robot != station.robot)
+    return Error{"robot.unknown",
+                 spec.id,
+                 fmt::format("the track has \"{}\", not \"{}\"", station.robot, spec.robot)};
+  for (const EpisodeGoal& goal : spec.goals) {
+    if (store_->front_items(goal.sku).empty())
+      return Error{
+          "catalog.unknown_sku", spec.id, "the store offers no \"" + goal.sku + "\" within reach"};
+  }
+  RobotActorOptions place;
+  place.state = store_->driving;
+  place.state[dof_named(robot, "base_x")] = spec.start.x_m;
+  place.state[dof_named(robot, "base_y")] = spec.start.y_m;
+  place.state[dof_named(robot, "base_yaw")] = spec.start.heading_deg * std::numbers::pi / 180;
+  WorldOptions options;
+  options.frictions = frictions_;
+  options.keep_commands = false;
+  options.actor_materials = materials_of(station, robot);
+  options.add_actors = [&](mjSpec_& made) -> Result<void> {
+    MARKETGEN_CHECK(add_robot(made, robot, place));
+    add_basket(made, station, robot);
+    return {};
+  };
+  MARKETGEN_TRY(World world, World::create(store_->scene, std::move(options)));
+  world_ = std::make_unique<World>(std::move(world));
+  MARKETGEN_TRY(actor_, RobotActor::find(*world_, robot));
+  spec_ = spec;
+  commanded_ = commanded_dofs(robot);
+  base_ = robot.find_group("base")->dofs;
+  target_ = place.state;
+  speed_ = turn_ = path_m_ = 0;
+  watch_ = AisleWatch(*world_, robot);
+  axle_ = axle_of(robot, world_from_base());
+  steps_ = 0;
+  done_ = false;
+  return {};
+}
+
+double AisleWorld::time_s() const {
+  return world_->time_s();
+}
+
+std::vector<double> AisleWorld::robot_state() const {
+  return actor_.position(*world_);
+}
+
+Pose AisleWorld::world_from_base() const {
+  const std::vector<double> q = robot_state();
+  const auto at = [&](std::string_view name) { return q[dof_named(robot(), name)]; };
+  return {{at("base_x"), at("base_y"), 0}, rotation_about({0, 0, 1}, at("base_yaw"))};
+}
+
+Pose AisleWorld::world_from_basket() const {
+  return world_from_base() * store_->basket.base_from_floor;
+}
+
+Observation AisleWorld::observe() const {
+  const std::vector<double> q = robot_state(), v = actor_.velocity(*world_);
+  Observation seen;
+  seen.time_s = time_s();
+  for (const int dof : commanded_) {
+    seen.position.push_back(q[static_cast<std::size_t>(dof)]);
+    seen.velocity.push_back(v[static_cast<std::size_t>(dof)]);
+  }
+  seen.openings_m = tool_openings_m(robot(), q);
+  seen.base = {q[dof_named(robot(), "base_x")],
+               q[dof_named(robot(), "base_y")],
+               q[dof_named(robot(), "base_yaw")]};
+  return seen;
+}
+
+// Where the base is meant to be after one step of physics; `share`: of the control step, at its
+// middle. It turns about the middle between its wheels.
+void AisleWorld::drive(double share, const Action& action, std::vector<double>& rates) {
+  const Drive& limits = *robot().drive;
+  const double v =
+      std::lerp(speed_, std::clamp(action.drive_m_s, -limits.speed, limits.speed), share);
+  const double w =
+      std::lerp(turn_, std::clamp(action.turn_rad_s, -limits.turn_rate, limits.turn_rate), share);
+  const std::size_t x = dof_named(robot(), "base_x"), y = dof_named(robot(), "base_y"),
+                    yaw = dof_named(robot(), "base_yaw");
+  const double middle = target_[yaw] + w * physics_step_s / 2;
+  rates[x] = v * std::cos(middle) + w * limits.axle_x * std::sin(middle);
+  rates[y] = v * std::sin(middle) - w * limits.axle_x * std::cos(middle);
+  rates[yaw] = w;
+  for (const std::size_t dof : {x, y, yaw})
+    target_[dof] += rates[dof] * physics_step_s;
+}
+
+Result<void> AisleWorld::move(const Action& action) {
+  const std::vector<double> from = target_;
+  for (int i = 1; i <= aisle_substeps; ++i) {
+    std::vector<double> rates(target_.size());
+    const double share = static_cast<double>(i) / aisle_substeps;
+    for (std::size_t j = 0; j < commanded_.size(); ++j) {
+      const auto dof = static_cast<std::size_t>(commanded_[j]);
+      const Joint& joint = robot().joint_of_dof(dof);
+      const double wanted = std::clamp(action.position[j], joint.lower, joint.upper);
+      target_[dof] = from[dof] + (wanted - from[dof]) * share;
+      rates[dof] = (wanted - from[dof]) / control_step_s;
+    }
+    drive((i - 0.5) / aisle_substeps, action, rates);
+    MARKETGEN_CHECK(actor_.command(*world_, target_, rates));
+    for (std::size_t t = 0; t < robot().tools.size(); ++t) {
+      const Tool& tool = robot().tools[t];
+      if (tool.kind != ToolKind::gripper) continue;
+      const ToolCommand& grip = action.tools[t];
+      MARKETGEN_CHECK(
+          actor_.grip(*world_, tool, grip.opening_m, std::min(grip.force_n, tool.force)));
+    }
+    MARKETGEN_CHECK(world_->step());
+    const Vec3 now = axle_of(robot(), world_from_base());
+    const Vec3 way = now - axle_;
+    path_m_ += std::hypot(way.x, way.y);
+    const double turn = actor_.velocity(*world_)[dof_named(robot(), "base_yaw")];
+    watch_.look(*world_, {now, way / physics_step_s, turn});
+    axle_ = now;
+  }
+  const Drive& limits = *robot().drive;
+  speed_ = std::clamp(action.drive_m_s, -limits.speed, limits.speed);
+  turn_ = std::clamp(action.turn_rad_s, -limits.turn_rate, limits.turn_rate);
+  return {};
+}
+
+Result<Observation> AisleWorld::step(const Action& action) {
+  MARKETGEN_CHECK(check_action(action, robot(), commanded_.size(), done_));
+  if (action.stop) {
+    done_ = true;
+    return observe();
+  }
+  MARKETGEN_CHECK(move(action));
+  ++steps_;
+  done_ = time_s() >= spec_.limit_s - physics_step_s / 2;
+  return observe();
+}
+
+HoldsPoint AisleWorld::region() const {
+  const CarriedBasketRow& b = store_->station.basket;
+  return [b](Vec3 at) {
+    return std::abs(at.x) <= b.top_m[0] / 2 && std::abs(at.y) <= b.top_m[1] / 2 && at.z >= 0 &&
+           at.z <= b.height_m;
+  };
+}
+
+ItemState AisleWorld::item_state(std::uint32_t product, const AisleWatch::Item& item) const {
+  const CheckoutGoods& goods = goods_.at(store_->scene.products[product].sku);
+  return {goods.product.sku,
+          inverse(world_from_basket()) * world_->product_pose(product),
+          to_double(goods.body.center_of_mass),
+          goods.volume,
+          item.touched_by >= 0,
+          item.rested_s,
+          item.impact_m_s};
+}
+
+Result<std::vector<ItemState>> AisleWorld::item_states() {
+  std::vector<ItemState> states;
+  for (const auto& [product, item] : watch_.items()) {
+    const std::uint32_t sku = store_->scene.products[product].sku;
+    if (!goods_.contains(sku)) {
+      MARKETGEN_TRY(CheckoutGoods made, checkout_goods(store_->scene.catalog[sku], frictions_));
+      goods_.emplace(sku, std::move(made));
+    }
+    states.push_back(item_state(product, item));
+  }
+  return states;
+}
+
+std::vector<std::uint32_t> AisleWorld::in_basket() const {
+  const HoldsPoint inside = region();
+  const Pose basket_from_world = inverse(world_from_basket());
+  std::vector<std::uint32_t> rows;
+  for (const auto& [product, item] : watch_.items())
+    if (inside(basket_from_world * world_->product_pose(product).position)) rows.push_back(product);
+  return rows;
+}
+
+// How far it went, and how far it would have had to go.
+void AisleWorld::add_lengths(EpisodeResult& result) const {
+  const PointMm from = floor_point_mm({spec_.start.x_m, spec_.start.y_m, 0});
+  std::vector<std::string> all, reached;
+  for (const GoalOutcome& goal : result.goals) {
+    all.push_back(goal.sku);
+    if (goal.reached >= goal.count) reached.push_back(goal.sku);
+  }
+  result.path_m = path_m_;
+  const auto share_of = [&](const std::vector<std::string>& skus, double& shortest) {
+    shortest = shortest_tour_m(*store_, from, skus).value_or(0);
+    const double longer = std::max(shortest, path_m_);
+    return longer > 0 ? result.success_partial * shortest / longer : 0;
+  };
+  double shortest_subset = 0;
+  result.spl = share_of(all, result.shortest_m);
+  result.spl_subset = share_of(reached, shortest_subset);
+}
+
+Result<EpisodeResult> AisleWorld::finish() {
+  done_ = true;
+  Action hold = still_action(observe());
+  for (std::size_t j = 0; j < commanded_.size(); ++j)
+    hold.position[j] = target_[static_cast<std::size_t>(commanded_[j])];
+  for (double waited = 0; waited < let_go_s - physics_step_s; waited += control_step_s)
+    MARKETGEN_CHECK(move(hold));
+  MARKETGEN_TRY(const std::vector<ItemState> states, item_states());
+  const EpisodeOutcome outcome = judge(region(), spec_.goals, states);
+  EpisodeResult result;
+  result.episode = spec_.id;
+  result.store = spec_.store;
+  result.side_effects = watch_.effects();
+  add_outcome(outcome, result);
+  result.steps = steps_;
+  result.simulated_s = time_s();
+  result.state_hash = state_hash();
+  add_lengths(result);
+  return result;
+}
+
+}  // namespace marketgen

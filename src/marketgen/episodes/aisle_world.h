@@ -1,0 +1,72 @@
+// In-Aisle Item Collection in physics: a robot with two arms in a whole stocked store. Store frame,
+// SI units.
+#pragma once
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "episodes/aisle_store.h"
+#include "episodes/aisle_watch.h"
+#include "episodes/checkout_model.h"
+#include "episodes/track_world.h"
+#include "motion/collision_world.h"
+
+namespace marketgen {
+
+class AisleWorld : public TrackWorld {
+ public:
+  AisleWorld(std::shared_ptr<const AisleStore> store, std::vector<FrictionRow> frictions)
+      : store_(std::move(store)), frictions_(std::move(frictions)) {}
+
+  // Errors: robot.unknown when the episode is for another robot; episode.impossible when its start
+  // is not free; catalog.unknown_sku for a goal that the store does not have; assets.*,
+  // physics.failed.
+  Result<void> reset(const EpisodeSpec& spec);
+
+  const EpisodeSpec& spec() const override { return spec_; }
+  const Robot& robot() const override { return store_->robot; }
+  Observation observe() const override;
+  Result<Observation> step(const Action& action) override;
+  bool done() const override { return done_; }
+  double time_s() const override;
+  int steps() const override { return steps_; }
+  Result<EpisodeResult> finish() override;
+  std::string state_hash() const override { return world_->state_hash(); }
+
+  // ---- The truth: for the oracle, pictures and tests; no policy may look. ----
+
+  const AisleStore& store() const { return *store_; }
+  const World& world() const { return *world_; }
+  const AisleWatch& watch() const { return watch_; }
+  std::vector<double> robot_state() const;
+  Pose world_from_base() const;
+  Pose world_from_basket() const;  // middle of its inner floor
+  std::vector<std::uint32_t> in_basket() const;
+  double path_m() const { return path_m_; }
+
+ private:
+  Result<void> move(const Action& action);
+  void drive(double share, const Action& action, std::vector<double>& rates);
+  ItemState item_state(std::uint32_t product, const AisleWatch::Item& item) const;
+  Result<std::vector<ItemState>> item_states();
+  HoldsPoint region() const;
+  void add_lengths(EpisodeResult& result) const;
+
+  std::shared_ptr<const AisleStore> store_;
+  std::vector<FrictionRow> frictions_;
+  std::map<std::uint32_t, CheckoutGoods> goods_;  // by SKU row
+
+  EpisodeSpec spec_;
+  std::unique_ptr<World> world_;
+  RobotActor actor_;
+  std::vector<int> commanded_, base_;  // degrees of freedom
+  std::vector<double> target_;         // of all, at the end of the last step
+  double speed_ = 0, turn_ = 0;        // of the base, at the end of the last step
+  AisleWatch watch_;
+  Vec3 axle_;  // where the middle between the wheels was
+  double path_m_ = 0;
+  int steps_ = 0;
+  bool done_ = true;
+};
+
+}  // namespace marketgen

@@ -1,0 +1,17 @@
+#include "episodes/episode_result.h"
+
+namespace marketgen {
+
+void add_outcome(const EpisodeOutcome& outcome, EpisodeResult& result) {
+  SideEffects& effects = result.side_effects;
+  effects.wrong_items = outcome.wrong;
+  result.goals = outcome.goals;
+  result.is_void = outcome.is_void;
+  result.success_partial =
+      outcome.asked > 0 ? static_cast<double>(outcome.hits) / outcome.asked : 0;
+  result.success_strict = outcome.asked > 0 && outcome.hits == outcome.asked;
+  result.success_clean = result.success_strict && effects.hard_contacts == 0 &&
+                         effects.toppled == 0 && effects.dropped == 0;
+}
+
+}  // namespace marketgen

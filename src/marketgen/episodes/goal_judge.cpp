@@ -1,0 +1,43 @@
+#include "episodes/goal_judge.h"
+
+#include <algorithm>
+
+namespace marketgen {
+
+bool is_inside(const HoldsPoint& region, const ItemState& item) {
+  const auto in_region = [&](Vec3 point) { return region(item.pose * point); };
+  if (!in_region(item.center_of_mass)) return false;
+  const auto there = std::ranges::count_if(item.volume, in_region);
+  return static_cast<double>(there) >= least_volume_share * static_cast<double>(item.volume.size());
+}
+
+bool is_in_place(const HoldsPoint& region, const ItemState& item) {
+  return is_inside(region, item) && !item.touched && item.rested_s >= least_rest_s &&
+         item.impact_m_s <= most_impact_m_s;
+}
+
+EpisodeOutcome judge(const HoldsPoint& region,
+                     const std::vector<EpisodeGoal>& goals,
+                     const std::vector<ItemState>& items) {
+  EpisodeOutcome outcome;
+  int rightly_there = 0;
+  for (const EpisodeGoal& goal : goals) {
+    const auto of_goal = [&](const ItemState& item) { return item.sku == goal.sku; };
+    const auto placed = std::ranges::count_if(
+        items, [&](const ItemState& item) { return of_goal(item) && is_in_place(region, item); });
+    const auto there = std::ranges::count_if(
+        items, [&](const ItemState& item) { return of_goal(item) && is_inside(region, item); });
+    const int reached = std::min(static_cast<int>(placed), goal.count);
+    outcome.goals.push_back({goal.sku, goal.count, reached});
+    outcome.asked += goal.count;
+    outcome.hits += reached;
+    rightly_there += std::min(static_cast<int>(there), goal.count);
+  }
+  const auto in_region =
+      std::ranges::count_if(items, [&](const ItemState& item) { return is_inside(region, item); });
+  outcome.wrong = static_cast<int>(in_region) - rightly_there;
+  outcome.hits = std::max(0, outcome.hits - outcome.wrong);
+  return outcome;
+}
+
+}  // namespace marketgen

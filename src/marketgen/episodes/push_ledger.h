@@ -1,0 +1,28 @@
+// Pushes, one after another, by the greatest force of each (mean over 10 ms): below 10 N, to 50 N,
+// above. A value.
+#pragma once
+#include <cstdint>
+#include <map>
+
+#include "episodes/episode_result.h"
+
+namespace marketgen {
+
+class PushLedger {
+ public:
+  // After every step: the force on each thing that is pushed, N. A thing that is left out is not.
+  void follow(const std::map<std::uint64_t, double>& force_n, double step_s);
+  // Counts pushes that still last as ended.
+  void add_to(SideEffects& effects) const;
+
+ private:
+  struct Push {
+    double smooth_n = 0, peak_n = 0;
+    bool lasts = false;
+  };
+  bool follow(Push& push, double force_n, double step_s);  // false: nothing is left of it
+  std::map<std::uint64_t, Push> pushes_;
+  SideEffects ended_;
+};
+
+}  // namespace marketgen

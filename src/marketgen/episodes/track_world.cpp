@@ -1,0 +1,81 @@
+#include "episodes/track_world.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace marketgen {
+namespace {
+
+Error bad_action(const std::string& message) {
+  return {"episode.bad_action", "action", message};
+}
+
+bool is_finite(const Action& action) {
+  const auto finite = [](double value) { return std::isfinite(value); };
+  return std::ranges::all_of(action.position, finite) && finite(action.drive_m_s) &&
+         finite(action.turn_rad_s) &&
+         std::ranges::all_of(action.tools, [&](const ToolCommand& tool) {
+           return finite(tool.opening_m) && finite(tool.force_n);
+         });
+}
+
+}  // namespace
+
+std::vector<int> commanded_dofs(const Robot& robot) {
+  std::vector<bool> left_out(robot.dof_count());
+  const auto leave_out = [&](const JointGroup* group) {
+    if (group == nullptr) return;
+    for (const int dof : group->dofs)
+      left_out[static_cast<std::size_t>(dof)] = true;
+  };
+  if (robot.drive) leave_out(robot.find_group("base"));
+  for (const Tool& tool : robot.tools)
+    leave_out(robot.find_group(tool.prefix + "fingers"));
+  std::vector<int> dofs;
+  for (std::size_t dof = 0; dof < robot.dof_count(); ++dof) {
+    if (!left_out[dof] && robot.joint_of_dof(dof).follows < 0)
+      dofs.push_back(static_cast<int>(dof));
+  }
+  return dofs;
+}
+
+std::vector<double> tool_openings_m(const Robot& robot, const std::vector<double>& state) {
+  std::vector<double> openings;
+  for (const Tool& tool : robot.tools) {
+    const JointGroup* fingers = robot.find_group(tool.prefix + "fingers");
+    double opening = 0;
+    for (const int dof : fingers == nullptr ? std::vector<int>{} : fingers->dofs)
+      opening += state[static_cast<std::size_t>(dof)];
+    openings.push_back(std::max(opening, 0.0));
+  }
+  return openings;
+}
+
+Action still_action(const Observation& now) {
+  Action action;
+  action.position = now.position;
+  for (const double opening : now.openings_m)
+    action.tools.push_back({opening});
+  return action;
+}
+
+Result<void> check_action(const Action& action, const Robot& robot, std::size_t joints, bool done) {
+  if (done) return bad_action("the episode is over: reset it first");
+  if (action.position.size() != joints)
+    return bad_action(fmt::format("{} joint values for {} joints", action.position.size(), joints));
+  if (action.tools.size() != robot.tools.size())
+    return bad_action(
+        fmt::format("commands for {} tools, of {}", action.tools.size(), robot.tools.size()));
+  const bool positive = std::ranges::all_of(action.tools, [](const ToolCommand& tool) {
+    return tool.opening_m >= 0 && tool.force_n >= 0;
+  });
+  if (!is_finite(action) || !positive)
+    return bad_action("expected finite values, openings and forces from 0 on");
+  if (!robot.drive && (action.drive_m_s != 0 || action.turn_rad_s != 0))
+    return bad_action("this robot stands still: it cannot drive");
+  return {};
+}
+
+}  // namespace marketgen

@@ -1,0 +1,45 @@
+// A running episode, whatever its track: act, be judged. Each track's world adds its reset and the
+// truth that oracles may look at.
+#pragma once
+#include <string>
+
+#include "agent/policy.h"
+#include "episodes/episode_result.h"
+#include "robots/robot.h"
+
+namespace marketgen {
+
+constexpr double control_step_s = 0.05;
+
+// Physics 500 Hz, control 20 Hz. A function of its episode and its actions: bit for bit, in any
+// process. Not thread-safe; one a thread.
+class TrackWorld {
+ public:
+  virtual ~TrackWorld() = default;
+  virtual const EpisodeSpec& spec() const = 0;
+  virtual const Robot& robot() const = 0;
+  virtual Observation observe() const = 0;
+  // One control step. Error episode.bad_action: not finite, another number of values, or after the
+  // end; the world is then as before. physics.failed.
+  virtual Result<Observation> step(const Action& action) = 0;
+  virtual bool done() const = 0;  // the agent stopped, or the time is over
+  virtual double time_s() const = 0;
+  virtual int steps() const = 0;
+  // Waits for the judgement, and judges. Names, times and failure code are the caller's to add.
+  virtual Result<EpisodeResult> finish() = 0;
+  virtual std::string state_hash() const = 0;  // 32 hex digits over the physics
+};
+
+// Degrees of freedom that actions command: all but a base's, and those of fingers.
+std::vector<int> commanded_dofs(const Robot& robot);
+
+// Between the pads of each tool; 0 for a cup, and of pads that press on one another.
+std::vector<double> tool_openings_m(const Robot& robot, const std::vector<double>& state);
+
+// The action that keeps everything where it is.
+Action still_action(const Observation& now);
+
+// Error episode.bad_action, with what is wrong. `done`: the episode is over.
+Result<void> check_action(const Action& action, const Robot& robot, std::size_t joints, bool done);
+
+}  // namespace marketgen

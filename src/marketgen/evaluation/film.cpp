@@ -1,0 +1,142 @@
+#include "evaluation/film.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "episodes/aisle_view.h"
+#include "episodes/checkout_view.h"
+#include "io/file.h"
+#include "io/json.h"
+#include "io/png.h"
+#include "io/program.h"
+#include "render/picture_grid.h"
+
+namespace marketgen {
+namespace {
+
+constexpr double longest_encoding_s = 600;
+
+struct FilmRequest {
+  std::string folder, film;
+  int pictures = 0;
+  double frame_rate = 20;
+  static constexpr auto fields =
+      field_list(field("folder", &FilmRequest::folder, "of 000000.png and so on"),
+                 field("film", &FilmRequest::film, "MP4 file to write"),
+                 field("pictures", &FilmRequest::pictures, "how many"),
+                 field("frame_rate", &FilmRequest::frame_rate, "pictures a second"));
+};
+
+// The largest square in its middle.
+Image middle_square(const Image& whole) {
+  const int side = std::min(whole.width, whole.height);
+  const int x0 = (whole.width - side) / 2, y0 = (whole.height - side) / 2;
+  Image square(side, side, whole.channels);
+  for (int y = 0; y < side; ++y)
+    std::copy_n(
+        whole.at(x0, y0 + y), static_cast<std::size_t>(side * whole.channels), square.at(0, y));
+  return square;
+}
+
+Result<void> checked(const Result<std::string>& part) {
+  return part.ok() ? Result<void>{} : Result<void>{part.error()};
+}
+
+std::filesystem::path picture_file(const std::filesystem::path& folder, std::size_t number) {
+  return folder / fmt::format("{:06}.png", number);
+}
+
+}  // namespace
+
+// The view of whichever track it is.
+class Film::Eye {
+ public:
+  static Result<std::unique_ptr<Eye>> open(const TrackWorld& world) {
+    auto eye = std::make_unique<Eye>();
+    eye->checkout_ = dynamic_cast<const CheckoutWorld*>(&world);
+    eye->aisle_ = dynamic_cast<const AisleWorld*>(&world);
+    if (eye->checkout_ != nullptr) {
+      MARKETGEN_TRY(eye->checkout_view_, CheckoutView::create(*eye->checkout_));
+    } else {
+      MARKETGEN_TRY(eye->aisle_view_, AisleView::create(*eye->aisle_));
+    }
+    return eye;
+  }
+
+  Result<Image> look(int width, int height) {
+    RenderOptions options;
+    options.quality = Quality::balanced;
+    if (checkout_view_ != nullptr) {
+      MARKETGEN_CHECK(checkout_view_->follow(*checkout_));
+      const Camera camera = checkout_view_->camera(StationCamera::scene, width, height);
+      MARKETGEN_TRY(Frame frame, checkout_view_->renderer().render(camera, options));
+      return std::move(frame.color);
+    }
+    MARKETGEN_CHECK(aisle_view_->follow(*aisle_));
+    MARKETGEN_TRY(const Camera camera, aisle_view_->camera("film_camera", width, height));
+    MARKETGEN_TRY(Frame frame, aisle_view_->renderer().render(camera, options));
+    return std::move(frame.color);
+  }
+
+ private:
+  const CheckoutWorld* checkout_ = nullptr;
+  const AisleWorld* aisle_ = nullptr;
+  std::unique_ptr<CheckoutView> checkout_view_;
+  std::unique_ptr<AisleView> aisle_view_;
+};
+
+Film::~Film() {
+  std::error_code ignored;
+  if (!scratch_.empty()) std::filesystem::remove_all(scratch_, ignored);
+}
+
+Result<std::unique_ptr<Film>> Film::begin(const TrackWorld& world, const FilmOptions& options) {
+  if (!options.film.empty()) MARKETGEN_CHECK(checked(worker_part("av")));
+  std::unique_ptr<Film> film(new Film);
+  film->world_ = &world;
+  film->options_ = options;
+  MARKETGEN_TRY(film->eye_, Eye::open(world));
+  std::string pattern = (std::filesystem::temp_directory_path() / "marketgen-film-XXXXXX").string();
+  if (mkdtemp(pattern.data()) == nullptr)
+    return Error{"io.cannot_write", pattern, "no folder for the film's pictures can be made"};
+  film->scratch_ = pattern;
+  MARKETGEN_CHECK(film->look());
+  return film;
+}
+
+Result<void> Film::look() {
+  const double due_s = static_cast<double>(pictures_) * options_.every_s;
+  if (world_->time_s() + 1e-9 < due_s) return {};
+  MARKETGEN_TRY(const Image picture, eye_->look(options_.width, options_.height));
+  return write_png(picture_file(scratch_, pictures_++), picture);
+}
+
+Result<void> Film::write_film() const {
+  const std::filesystem::path draft = scratch_ / "film.mp4";
+  MARKETGEN_CHECK(run_worker(
+      "film",
+      write_json_line(FilmRequest{
+          scratch_.string(), draft.string(), static_cast<int>(pictures_), options_.frame_rate}),
+      longest_encoding_s));
+  MARKETGEN_TRY(const std::string bytes, read_file(draft));
+  return write_file(options_.film, bytes);
+}
+
+Result<void> Film::write_strip() const {
+  const std::size_t count = std::min(options_.strip_pictures, pictures_);
+  MARKETGEN_TRY(const Image strip,
+                picture_grid(count, options_.height, [&](std::size_t i) -> Result<Image> {
+                  const std::size_t at = count < 2 ? 0 : i * (pictures_ - 1) / (count - 1);
+                  MARKETGEN_TRY(const Image whole, read_png(picture_file(scratch_, at)));
+                  return middle_square(whole);
+                }));
+  return write_png(options_.strip, strip);
+}
+
+Result<void> Film::finish() {
+  if (!options_.strip.empty()) MARKETGEN_CHECK(write_strip());
+  return options_.film.empty() ? Result<void>{} : write_film();
+}
+
+}  // namespace marketgen

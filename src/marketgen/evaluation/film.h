@@ -1,0 +1,46 @@
+// A film of an episode: pictures as it goes on, an MP4 file and a strip of a few of them.
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "episodes/track_world.h"
+#include "geometry/image.h"
+
+namespace marketgen {
+
+struct FilmOptions {
+  std::filesystem::path film, strip;  // MP4 and PNG; empty: none
+  int width = 640, height = 480;
+  double every_s = 0.2;  // simulated, between two pictures
+  double frame_rate = 20;
+  std::size_t strip_pictures = 6;
+};
+
+// Pictures are kept in a scratch folder until finish(). Not thread-safe.
+class Film {
+ public:
+  // `world` was reset and must outlive the film. Errors: those of the views;
+  // usage.unavailable when Python lacks PyAV, with what to install.
+  static Result<std::unique_ptr<Film>> begin(const TrackWorld& world, const FilmOptions& options);
+  ~Film();
+
+  // To be called after every control step: takes a picture when it is time for one.
+  Result<void> look();
+  // Errors: io.*, program.failed.
+  Result<void> finish();
+
+ private:
+  class Eye;
+  Film() = default;
+  Result<void> write_film() const;
+  Result<void> write_strip() const;
+
+  const TrackWorld* world_ = nullptr;
+  FilmOptions options_;
+  std::unique_ptr<Eye> eye_;
+  std::filesystem::path scratch_;
+  std::size_t pictures_ = 0;
+};
+
+}  // namespace marketgen

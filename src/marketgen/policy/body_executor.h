@@ -1,0 +1,58 @@
+// Carries out what a policy decided for a robot that drives: ways of its base, its lift and its
+// arms, one after another, one control step at a time. It knows nothing of what stands around.
+#pragma once
+#include <deque>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "agent/policy.h"
+#include "motion/base_follower.h"
+#include "motion/joint_trajectory.h"
+#include "robots/robot.h"
+
+namespace marketgen {
+
+class BodyExecutor {
+ public:
+  // `commanded`: the degrees of freedom of an action's positions. The robot must outlive it.
+  BodyExecutor(const Robot& robot, std::vector<int> commanded);
+
+  void start(const Observation& now);  // forgets what is queued
+
+  // ---- Each queues a motion. ----
+  void follow(BaseFollower follower);
+  // Error motion.bad_limits. Backwards where it is negative.
+  Result<void> drive_straight(double distance_m, double speed_m_s);
+  void play(const std::vector<int>& dofs, JointTrajectory trajectory);
+  // One joint alone, at a share of its limits. Errors: motion.bad_limits.
+  Result<void> move_joint(int dof, double to, double speed_share);
+  void grip(int tool, ToolCommand command);  // from then on
+  void wait(double seconds);
+
+  bool idle() const { return queue_.empty(); }
+  Action next(const Observation& now);
+
+ private:
+  struct Motion {
+    std::optional<BaseFollower> base;
+    JointTrajectory trajectory = {};        // of `dofs`; of the base's way when there are none
+    std::vector<std::size_t> columns = {};  // in an action's positions
+    double duration_s = 0;
+    std::optional<std::pair<std::size_t, ToolCommand>> grip = {};
+    bool straight = false;
+  };
+  void play_step(Motion& motion, const Observation& now, Action& action);
+  void steer(const BaseFollower& wanted, const Observation& now, Action& action) const;
+  std::size_t column_of(int dof) const;
+
+  const Robot* robot_;
+  std::vector<int> commanded_;
+  std::deque<Motion> queue_;
+  double played_s_ = 0;  // of the first motion
+  std::vector<double> position_;
+  std::vector<double> queued_position_;  // at the end of the queue
+  std::vector<ToolCommand> tools_;
+};
+
+}  // namespace marketgen

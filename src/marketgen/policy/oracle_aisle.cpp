@@ -1,0 +1,434 @@
+#include "policy/oracle_aisle.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "collect/collect_plan.h"
+#include "collect/drop_plan.h"
+#include "collect/scene_obstacles.h"
+#include "policy/body_executor.h"
+
+namespace marketgen {
+namespace {
+
+constexpr int most_item_tries = 3;
+constexpr std::size_t most_items_looked_at = 4;  // of a SKU at a time
+constexpr double pressed_s = 0.7, opened_s = 0.5, rest_s = 0.3;
+constexpr double back_off_m_s = 0.2;
+constexpr double lift_share = 0.9, arm_speed = 0.4;
+constexpr double way_reach_m = 1.4;  // obstacles farther from the robot do not count
+constexpr double wider_m = 0.02;     // than what was held, when it is let go
+constexpr double least_left_s = 25;  // no new item with less time left
+constexpr std::array drop_lifts{0.3, 0.45, 0.15, 0.6};  // at which both arms reach the basket
+constexpr double grip_factor = 2;  // of the force that a grasp needs; it is carried about
+
+enum class AislePhase { choose, arrived, pressed, out, away, dropped };
+
+class AisleOracle : public Policy {
+ public:
+  AisleOracle(const AisleWorld& world, GraspTool tool, Seed seed)
+      : world_(world),
+        robot_(world.robot()),
+        tool_(std::move(tool)),
+        seed_(seed),
+        body_(world.robot(), commanded_dofs(world.robot())) {}
+
+  Result<void> begin(const Task& task, const Observation& first) override {
+    task_ = task;
+    body_.start(first);
+    return {};
+  }
+
+  Result<Action> act(const Observation& now) override {
+    now_ = now;
+    if (body_.idle()) MARKETGEN_CHECK(decide());
+    Action action = body_.next(now);
+    action.stop = done_;
+    return action;
+  }
+
+  std::string failure() const override { return std::string(name_of(failure_)); }
+
+ private:
+  Result<void> decide() {
+    switch (phase_) {
+      case AislePhase::choose:
+        return choose();
+      case AislePhase::arrived:
+        return reach();
+      case AislePhase::pressed:
+        return pull_out();
+      case AislePhase::out:
+        return back_off();
+      case AislePhase::away:
+        return drop();
+      case AislePhase::dropped:
+        return check();
+    }
+    return {};
+  }
+
+  void note(FailureCode why) { failure_ = why; }
+
+  // ---- What to fetch next ----
+
+  std::vector<std::string> missing() const {
+    std::vector<std::string> skus;
+    const std::vector<std::uint32_t> inside = world_.in_basket();
+    for (const EpisodeGoal& goal : world_.spec().goals) {
+      const auto there =
+          std::ranges::count_if(inside, [&](std::uint32_t row) { return sku_of(row) == goal.sku; });
+      if (there < goal.count && tries_[goal.sku] < most_item_tries) skus.push_back(goal.sku);
+    }
+    return skus;
+  }
+
+  const std::string& sku_of(std::uint32_t product) const {
+    const Scene& scene = world_.store().scene;
+    return scene.catalog[scene.products[product].sku].sku;
+  }
+
+  // Length of the way to where it could stand; empty when it could not.
+  std::optional<double> way_to(std::uint32_t product) const {
+    const auto place = world_.store().standing_place(product);
+    if (!place) return std::nullopt;
+    const Vec3 at = axle_of(robot_, world_.world_from_base());
+    const auto path = world_.store().ways.shortest_path(floor_point_mm(at), *place);
+    return path.ok() ? std::optional(path->length_m) : std::nullopt;
+  }
+
+  struct Fetch {
+    double way_m = 0;
+    std::uint32_t product = 0;
+  };
+  // Items of all missing goals, nearest first; of a facing only the first one.
+  std::vector<Fetch> fetches(const std::vector<std::string>& skus) const {
+    std::vector<Fetch> found;
+    for (const std::string& sku : skus) {
+      std::map<std::uint32_t, bool> seen;
+      for (const std::uint32_t row : world_.store().front_items(sku)) {
+        if (refused_.contains(row) || world_.watch().items().contains(row)) continue;
+        const auto& facing = world_.store().scene.products[row].facing;
+        if (seen.size() > most_items_looked_at && !seen.contains(facing)) continue;
+        seen[facing] = true;
+        if (const auto way = way_to(row)) found.push_back({*way, row});
+      }
+    }
+    std::ranges::stable_sort(found, {}, &Fetch::way_m);
+    return found;
+  }
+
+  Result<void> choose() {
+    const std::vector<std::string> skus = missing();
+    if (skus.empty() || now_.time_s + least_left_s > task_.limit_s) {
+      if (!skus.empty()) note(FailureCode::timeout);
+      done_ = true;
+      return {};
+    }
+    std::map<std::string, std::size_t> looked_at;
+    for (const Fetch& fetch : fetches(skus)) {
+      if (looked_at[sku_of(fetch.product)]++ >= most_items_looked_at) continue;
+      if (go_to(fetch.product)) return {};
+      refused_.insert(fetch.product);
+    }
+    note(looked_at.empty() ? FailureCode::not_found : failure_);
+    done_ = true;
+    return {};
+  }
+
+  // The scene as it is now.
+  Scene scene_now() const {
+    Scene scene = world_.store().scene;
+    for (const std::uint32_t row : world_.world().moved_products())
+      place(scene.products[row], world_.world().product_pose(row));
+    return scene;
+  }
+
+  CollectOptions collect_options() const {
+    CollectOptions options;
+    options.posture = world_.store().station.posture;
+    options.carried = world_.store().basket.walls;
+    options.speed = arm_speed;
+    options.acceleration = carrying_acceleration;
+    return options;
+  }
+
+  void note_plan(const Error& error) {
+    if (error.code == "motion.no_grasp")
+      note(FailureCode::no_grasp);
+    else if (error.code == "robot.unreachable")
+      note(FailureCode::no_ik);
+    else
+      note(FailureCode::no_path);
+  }
+
+  bool go_to(std::uint32_t product) {
+    const Seed seed = seed_.child("place", static_cast<std::uint64_t>(moves_++));
+    scene_ = std::make_unique<Scene>(scene_now());
+    auto plan = plan_collect(*scene_, product, robot_, tool_, seed, collect_options());
+    if (!plan.ok()) {
+      note_plan(plan.error());
+      return false;
+    }
+    const Vec3 from = axle_of(robot_, world_.world_from_base()),
+               to = axle_of(robot_, plan->world_from_base);
+    const Vec3 ahead = rotate(plan->world_from_base.rotation, {1, 0, 0});
+    auto drive = plan_drive(world_.store().ways,
+                            robot_,
+                            world_.store().driving,
+                            {{from.x, from.y}, now_.base.heading},
+                            {{to.x, to.y}, std::atan2(ahead.y, ahead.x)});
+    if (!drive.ok()) {
+      note(FailureCode::no_path);
+      return false;
+    }
+    body_.follow(std::move(drive->follower));
+    body_.wait(rest_s);
+    const int lift = robot_.find_dof("lift");
+    const auto raised =
+        body_.move_joint(lift, plan->state[static_cast<std::size_t>(lift)], lift_share);
+    if (!raised.ok()) return false;
+    body_.grip(plan->tool, {plan->grasp.grasp.opening_m});
+    body_.wait(opened_s);
+    ++tries_[sku_of(product)];
+    plan_ = std::move(*plan);
+    phase_ = AislePhase::arrived;
+    return true;
+  }
+
+  // ---- Taking it ----
+
+  // Planned anew from where the base came to stand.
+  Result<void> reach() {
+    CollectOptions options = collect_options();
+    options.world_from_base = world_.world_from_base();
+    const Seed seed = seed_.child("reach", static_cast<std::uint64_t>(moves_++));
+    auto plan = plan_collect(*scene_, plan_.product, robot_, tool_, seed, options);
+    if (!plan.ok()) {
+      note_plan(plan.error());
+      phase_ = AislePhase::choose;
+      return {};
+    }
+    const int lift = robot_.find_dof("lift");
+    MARKETGEN_CHECK(
+        body_.move_joint(lift, plan->state[static_cast<std::size_t>(lift)], lift_share));
+    plan_ = std::move(*plan);
+    const Grasp& grasp = plan_.grasp.grasp;
+    const Tool& tool = robot_.tools[static_cast<std::size_t>(plan_.tool)];
+    force_n_ = std::min(grasp.force_n * grip_factor, tool.force);
+    body_.grip(plan_.tool, {grasp.opening_m});
+    body_.wait(opened_s);
+    body_.play(arm(), plan_.reach.trajectory);
+    body_.grip(plan_.tool, {0, force_n_});
+    body_.wait(pressed_s);
+    phase_ = AislePhase::pressed;
+    return {};
+  }
+
+  const std::vector<int>& arm() const { return robot_.find_group(plan_.group)->dofs; }
+
+  bool holds_it() const { return world_.watch().is_held(plan_.product); }
+
+  Result<void> pull_out() {
+    const bool held = holds_it();
+    if (!held) {
+      note(FailureCode::missed);
+      body_.grip(plan_.tool, {plan_.grasp.grasp.opening_m});
+      body_.wait(opened_s);
+    } else {
+      body_.play(arm(), plan_.lift);
+    }
+    if (held)
+      body_.play(arm(), plan_.retreat);
+    else
+      MARKETGEN_CHECK(straight_out());
+    phase_ = AislePhase::out;
+    return {};
+  }
+
+  // Back along the line on which the arm came.
+  Result<void> straight_out() {
+    MARKETGEN_TRY(const ArmModel model, make_arm_model(robot_, plan_.group));
+    ArmPlanOptions slow;
+    slow.speed = arm_speed / 2;
+    slow.acceleration = carrying_acceleration;
+    MARKETGEN_TRY(const auto limits, motion_limits(model, slow));
+    const JointPath back(plan_.reach.line.rbegin(), plan_.reach.line.rend());
+    MARKETGEN_TRY(JointTrajectory way, timed_curve(back, limits));
+    body_.play(arm(), std::move(way));
+    return {};
+  }
+
+  Result<void> back_off() {
+    if (const double back = world_.store().room_behind_m(world_.world_from_base()); back > 0)
+      MARKETGEN_CHECK(body_.drive_straight(-back, back_off_m_s));
+    body_.wait(rest_s);
+    if (!holds_it() && failure_ != FailureCode::missed) note(FailureCode::slipped);
+    if (holds_it())
+      MARKETGEN_CHECK(body_.move_joint(robot_.find_dof("lift"), drop_lifts[0], lift_share));
+    drop_lift_ = 0;
+    phase_ = AislePhase::away;
+    return {};
+  }
+
+  // ---- Into the basket ----
+
+  std::vector<double> state_now() const {
+    std::vector<double> q = world_.robot_state();
+    for (std::size_t dof = 0; dof < q.size(); ++dof) {
+      const Joint& joint = robot_.joint_of_dof(dof);
+      q[dof] = std::clamp(q[dof], joint.lower, joint.upper);
+    }
+    for (const int dof : robot_.find_group("base")->dofs)
+      q[static_cast<std::size_t>(dof)] = 0;
+    return with_followers(robot_, std::move(q));
+  }
+
+  Configuration stowed_arm() const {
+    Configuration stow;
+    for (const int dof : arm())
+      stow.push_back(world_.store().driving[static_cast<std::size_t>(dof)]);
+    return stow;
+  }
+
+  Result<Obstacles> around() const {
+    const Vec3 middle = world_.world_from_base().position + Vec3{0, 0, 0.9};
+    const Scene scene = scene_now();
+    Obstacles obstacles = fixture_obstacles(scene, middle, way_reach_m);
+    std::vector<std::uint32_t> carried = world_.in_basket();
+    carried.push_back(plan_.product);
+    MARKETGEN_CHECK(add_product_obstacles(scene, middle, way_reach_m, carried, obstacles));
+    return obstacles;
+  }
+
+  Result<std::vector<BoxObstacle>> inside() const {
+    std::vector<BoxObstacle> boxes;
+    const Pose base_from_world = inverse(world_.world_from_base());
+    for (const std::uint32_t row : world_.in_basket()) {
+      if (row == plan_.product && holds_it()) continue;
+      const Scene& scene = world_.store().scene;
+      MARKETGEN_TRY(const ProductBody body,
+                    make_product_body(scene.catalog[scene.products[row].sku]));
+      const TurnedBox box = turned_box(body, base_from_world * world_.world().product_pose(row));
+      boxes.push_back({{box.middle, {}}, box.half});
+    }
+    return boxes;
+  }
+
+  Pose base_from_tip() const {
+    const int frame = robot_.tools[static_cast<std::size_t>(plan_.tool)].frame;
+    return frame_pose(robot_, state_now(), frame);
+  }
+
+  Result<void> drop() {
+    if (!holds_it()) return go_home();
+    const Scene& scene = world_.store().scene;
+    MARKETGEN_TRY(const ProductBody body,
+                  make_product_body(scene.catalog[scene.products[plan_.product].sku]));
+    DropQuestion question;
+    question.state = state_now();
+    question.world_from_base = world_.world_from_base();
+    question.group = plan_.group;
+    question.tool = plan_.tool;
+    question.held = &body;
+    question.tip_from_product = inverse(world_.world_from_base() * base_from_tip()) *
+                                world_.world().product_pose(plan_.product);
+    const double opening = now_.openings_m[static_cast<std::size_t>(plan_.tool)] + wider_m;
+    MARKETGEN_TRY(question.around, around());
+    MARKETGEN_TRY(question.inside, inside());
+    question.stow = stowed_arm();
+    const Seed seed = seed_.child("drop", static_cast<std::uint64_t>(moves_++));
+    auto plan = plan_drop(robot_, world_.store().basket, question, seed);
+    if (!plan.ok()) {
+      return try_other_lift();
+    }
+    body_.play(arm(), plan->way);
+    body_.wait(rest_s);
+    body_.grip(plan_.tool, {opening, force_n_});
+    body_.wait(opened_s);
+    body_.play(arm(), plan->retreat);
+    body_.play(arm(), plan->home);
+    body_.wait(rest_s);
+    phase_ = AislePhase::dropped;
+    return {};
+  }
+
+  Result<void> try_other_lift() {
+    note(FailureCode::no_path);
+    if (++drop_lift_ >= drop_lifts.size()) {
+      done_ = true;  // with the item in its hand: it cannot go on
+      return {};
+    }
+    return body_.move_joint(robot_.find_dof("lift"), drop_lifts[drop_lift_], lift_share);
+  }
+
+  // The arm to its stowed posture, empty.
+  Result<void> go_home() {
+    phase_ = AislePhase::choose;
+    MARKETGEN_TRY(const ArmModel model, make_arm_model(robot_, plan_.group));
+    MARKETGEN_TRY(Obstacles obstacles, around());
+    for (const BoxObstacle& box : carried_at(world_.store().basket.walls, world_.world_from_base()))
+      obstacles.boxes.push_back(box);
+    MARKETGEN_TRY(const CollisionWorld world, CollisionWorld::make(obstacles));
+    const std::vector<double> state = state_now();
+    MARKETGEN_TRY(const ArmChecker checker,
+                  ArmChecker::make(model, state, world_.world_from_base(), world, {0.002, {}}));
+    Configuration start;
+    for (const int dof : arm())
+      start.push_back(state[static_cast<std::size_t>(dof)]);
+    ArmPlanOptions options;
+    options.speed = arm_speed;
+    options.acceleration = carrying_acceleration;
+    const Seed seed = seed_.child("home", static_cast<std::uint64_t>(moves_++));
+    auto plan = plan_arm(checker, start, {stowed_arm()}, seed, options);
+    if (!plan.ok()) {
+      note(FailureCode::no_path);
+      done_ = true;
+      return {};
+    }
+    body_.play(arm(), plan->trajectory);
+    return {};
+  }
+
+  Result<void> check() {
+    phase_ = AislePhase::choose;
+    const std::vector<std::uint32_t> inside = world_.in_basket();
+    if (std::ranges::count(inside, plan_.product) == 0)
+      note(FailureCode::dropped);
+    else
+      failure_ = FailureCode::none;
+    return {};
+  }
+
+  const AisleWorld& world_;
+  const Robot& robot_;
+  GraspTool tool_;
+  Seed seed_;
+  BodyExecutor body_;
+  Task task_;
+  Observation now_;
+  AislePhase phase_ = AislePhase::choose;
+  std::unique_ptr<Scene> scene_;  // as it was when the plan was made
+  CollectPlan plan_;
+  double force_n_ = 0;
+  std::size_t drop_lift_ = 0;
+  mutable std::map<std::string, int> tries_;
+  std::set<std::uint32_t> refused_;
+  int moves_ = 0;
+  bool done_ = false;
+  FailureCode failure_ = FailureCode::none;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Policy>> make_aisle_oracle(const AisleWorld& world,
+                                                  const std::filesystem::path& data,
+                                                  Seed seed) {
+  MARKETGEN_TRY(const std::string row, gripper_row(world.robot()));
+  MARKETGEN_TRY(GraspTool tool, load_grasp_tool(data, row));
+  return std::unique_ptr<Policy>(std::make_unique<AisleOracle>(world, std::move(tool), seed));
+}
+
+}  // namespace marketgen

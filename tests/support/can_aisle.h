@@ -1,0 +1,48 @@
+// A hand-made shop with cans on its upper board, as a store of In-Aisle Item Collection.
+#pragma once
+#include <filesystem>
+#include <memory>
+
+#include "episodes/aisle_world.h"
+#include "support/committed_catalog.h"
+#include "support/hand_made_scene.h"
+
+namespace marketgen {
+
+inline std::shared_ptr<const AisleStore> can_aisle() {
+  HandMadeScene shop;
+  constexpr std::uint32_t can = 1;
+  for (int i = 0; i < 4; ++i) {
+    const std::uint32_t row = shop.add(can,
+                                       {2.8F + 0.106F * static_cast<float>(i),
+                                        HandMadeScene::shelf_y_m - 0.12F,
+                                        HandMadeScene::upper_board_m});
+    shop.scene.products[row].flags |= product_front_row;
+  }
+  auto store = open_aisle_store(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data", shop.scene);
+  if (!store.ok()) fatal(to_string(store.error()).c_str());
+  return std::move(store).value();
+}
+
+// One can is to be fetched; the robot stands in the middle of the room and looks east.
+inline EpisodeSpec can_episode(const AisleStore& store) {
+  EpisodeSpec spec;
+  spec.id = "aisle/can";
+  spec.track = Track::aisle;
+  spec.store = "corner";
+  spec.robot = store.station.robot;
+  spec.goals = {{"can-cola", 1}};
+  spec.start = {2.0, 1.6, 0};
+  spec.limit_s = 120;
+  return spec;
+}
+
+inline std::unique_ptr<AisleWorld> can_world(const EpisodeSpec& spec) {
+  static const std::shared_ptr<const AisleStore> store = can_aisle();
+  auto world = std::make_unique<AisleWorld>(store, committed_catalog().frictions);
+  const auto reset = world->reset(spec);
+  if (!reset.ok()) fatal(to_string(reset.error()).c_str());
+  return world;
+}
+
+}  // namespace marketgen
