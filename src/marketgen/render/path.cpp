@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "render/clear_pack.h"
 #include "render/light_through.h"
 #include "render/path_numbers.h"
 #include "render/picture_objects.h"
@@ -25,7 +26,6 @@ constexpr float path_bounce_footprint = 0.05F;
 constexpr float rough_from = 0.35F;
 constexpr float glass_index = 1.5F;
 constexpr float least_mirror_chance = 0.25F;
-constexpr Vec3f label_back{0.7F, 0.7F, 0.68F};
 // Relief is read from stored light, which knows its tilt only roughly.
 constexpr float darkest_tilt = 0.5F, brightest_tilt = 1.8F;
 constexpr float least_tilt_turn = 1e-4F;
