@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include "render/clear_pack.h"
 #include "render/ray_queue.h"
@@ -11,7 +12,7 @@
 namespace marketgen::raytrace {
 namespace {
 
-constexpr int most_pack_crossings = 6;  // of the walls of one pack
+constexpr int most_pack_crossings = 8;  // of walls, all packs together
 constexpr float least_share = 0.01F;    // of light: what lies behind less is not looked for
 
 // A look through one pixel's packs.
@@ -20,7 +21,7 @@ struct PackWalk {
   Vec3f left{1, 1, 1};  // share of light that comes back this way
   float travelled = 0;  // from the eye
   std::uint32_t instance = 0;
-  int packs = 0;
+  int packs = 0, crossings = 0;
   const Material* inside = nullptr;  // wall of the pack whose contents the ray is in
 
   void go(float distance) {
@@ -57,6 +58,7 @@ class PackLooker {
   void run() {
     for (std::size_t w = 0; w < tile_.wall_count; ++w) {
       const TilePane& wall = tile_.walls[w];
+      if (detail_.share_packs && &tile_.model_of(wall) != &wall) continue;
       PackWalk& walk = walks_[w];
       walk = {};
       walk.ray.direction = tile_.direction_of(wall.pixel);
@@ -67,6 +69,7 @@ class PackLooker {
     }
     while (behind_.used > 0)
       look_behind();
+    if (detail_.share_packs) share();
   }
 
  private:
@@ -74,12 +77,27 @@ class PackLooker {
     return world_.materials[surface.material];
   }
 
-  // From the outer wall of a pack to something in it, or to where the ray leaves it.
+  // Hands what the looking pixels have found to their neighbours.
+  void share() {
+    for (TilePane& wall : std::span(tile_.walls).first(tile_.wall_count)) {
+      const TilePane& model = tile_.model_of(wall);
+      if (&model == &wall) continue;
+      wall.transmittance = model.transmittance;
+      const std::size_t from = model.pixel / lane_count, source = model.pixel % lane_count;
+      const std::size_t to = wall.pixel / lane_count, k = wall.pixel % lane_count;
+      set_surface(tile_.surface[to], k, tile_.surface_of(model.pixel), false);
+      tile_.depth[to].set(k, tile_.depth[from][source]);
+      set_lane(tile_.direction[to], k, tile_.direction_of(model.pixel));
+    }
+  }
+
+  // From a wall of a pack to something in it, or to where the ray leaves it.
   void enter(std::size_t w, Surface surface) {
     PackWalk& walk = walks_[w];
-    ++walk.packs;
-    for (int crossing = 0; crossing < most_pack_crossings; ++crossing) {
+    for (; walk.crossings < most_pack_crossings; ++walk.crossings) {
       walk.cross(surface, material_of(surface));
+      const bool out = surface.back_face && dot(walk.ray.direction, surface.face_normal) < 0;
+      if (out) return leave(w);
       const Hit hit = trace_instance(world_, walk.instance, walk.ray);
       if (!hit.any()) return leave(w);
       walk.go(hit.t);
@@ -103,7 +121,7 @@ class PackLooker {
     RayQueue now = behind_;
     behind_.used = 0;
     now.fill();
-    trace(world_, now.packet, now.used, detail_.opaque_mask, RayBundle::scattered);
+    trace(world_, now.packet, now.used, detail_.opaque_mask, RayBundle::coherent);
     for (std::size_t k = 0; k < now.used; ++k) {
       const std::size_t w = now.pixels[k];
       const Hit hit = hit_in(now.packet, k);
@@ -119,7 +137,9 @@ class PackLooker {
     walk.go(hit.t);
     const Surface surface =
         surface_at(world_, walk.ray, hit, view_.footprint(walk.travelled), TextureDetail::level);
-    if (!material_of(surface).clear || walk.packs >= detail_.packs_deep) return arrive(w, surface);
+    if (!material_of(surface).clear) return arrive(w, surface);
+    if (hit.instance != walk.instance && ++walk.packs == detail_.packs_deep)
+      return arrive(w, surface);
     walk.instance = hit.instance;
     enter(w, surface);
   }

@@ -25,30 +25,52 @@ class PaneLighter {
     if (effort_.mirror_panes)
       mirror_panes();
     else
-      light_panes(std::span(tile_.panes).first(tile_.pane_count));
-    light_panes(std::span(tile_.walls).first(tile_.wall_count));
+      light_panes();
+    light_walls();
   }
 
  private:
-  // Stored light stands for what panes and walls mirror.
-  void light_panes(std::span<TilePane> panes) {
-    for (std::size_t first = 0; first < panes.size(); first += lane_count)
-      light_few(panes.subspan(first, std::min(lane_count, panes.size() - first)));
+  // Stored light stands for what panes mirror.
+  void light_panes() {
+    for (TilePane& pane : std::span(tile_.panes).first(tile_.pane_count))
+      add(pane);
+    light_few();
   }
 
-  // Of at most eight, side by side.
-  void light_few(std::span<TilePane> panes) {
+  // The same of packs; a quarter of the pixels stand for their neighbours.
+  void light_walls() {
+    const std::span<TilePane> walls = std::span(tile_.walls).first(tile_.wall_count);
+    for (TilePane& wall : walls) {
+      if (&tile_.model_of(wall) == &wall) add(wall);
+    }
+    light_few();
+    for (TilePane& wall : walls) {
+      const TilePane& model = tile_.model_of(wall);
+      if (&model != &wall) wall.light = model.light * (wall.reflected / model.reflected);
+    }
+  }
+
+  void add(TilePane& pane) {
+    few_[few_count_++] = &pane;
+    if (few_count_ == lane_count) light_few();
+  }
+
+  // Those that wait, at most eight, side by side.
+  void light_few() {
+    const std::span<TilePane* const> panes = std::span(few_).first(few_count_);
+    few_count_ = 0;
+    if (panes.empty()) return;
     PanelReflection::Points points;
     for (std::size_t k = 0; k < panes.size(); ++k) {
-      set_lane(points.position, k, panes[k].first.position);
-      set_lane(points.normal, k, panes[k].first.relief_normal);
-      set_lane(points.mirror, k, panes[k].mirror);
-      points.roughness.set(k, panes[k].first.roughness);
+      set_lane(points.position, k, panes[k]->first.position);
+      set_lane(points.normal, k, panes[k]->first.relief_normal);
+      set_lane(points.mirror, k, panes[k]->mirror);
+      points.roughness.set(k, panes[k]->first.roughness);
     }
     const PanelReflection::Seen seen = lighting_.panels.at(points);
     const unsigned hidden = effort_.panel_shadows ? hidden_panels(panes, seen) : 0;
     for (std::size_t k = 0; k < panes.size(); ++k) {
-      TilePane& pane = panes[k];
+      TilePane& pane = *panes[k];
       const Float4 around =
           lighting_.field.at(place_of(pane.first), Float4(pane.first.normal), Float4(pane.mirror))
               .mirror;
@@ -58,16 +80,18 @@ class PaneLighter {
   }
 
   // Bits of those at whose panels something stands in the way.
-  unsigned hidden_panels(std::span<const TilePane> panes, const PanelReflection::Seen& seen) const {
+  unsigned hidden_panels(std::span<TilePane* const> panes,
+                         const PanelReflection::Seen& seen) const {
     std::array<Ray, lane_count> rays;
     std::array<std::size_t, lane_count> whose{};
     std::array<bool, lane_count> blocked{};
     std::size_t used = 0;
     for (std::size_t k = 0; k < panes.size(); ++k) {
-      const float shows = largest(lane(seen.radiance, k)) * panes[k].reflected;
+      const float shows = largest(lane(seen.radiance, k)) * panes[k]->reflected;
       if (shows <= least_panel_share * white_) continue;
       whose[used] = k;
-      rays[used++] = {panes[k].first.position, panes[k].mirror, 0, seen.distance[k] - shadow_end_m};
+      rays[used++] = {
+          panes[k]->first.position, panes[k]->mirror, 0, seen.distance[k] - shadow_end_m};
     }
     if (used == 0) return 0;
     find_blocked(
@@ -112,6 +136,8 @@ class PaneLighter {
   SensorTile& tile_;
   float white_;  // radiance shown as white
   RayQueue queue_;
+  std::array<TilePane*, lane_count> few_{};
+  std::size_t few_count_ = 0;
 };
 
 }  // namespace

@@ -111,6 +111,7 @@ SensorEffort sensor_effort(const RenderOptions& options) {
       effort.mirror_panes = effort.panel_shadows = effort.contact_shadows = false;
       effort.edge_samples = 0;
       effort.detail.packs_deep = 1;
+      effort.detail.share_packs = true;
       break;
     case Quality::balanced:
       break;

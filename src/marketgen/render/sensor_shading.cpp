@@ -108,14 +108,20 @@ class TileShader {
     for (std::size_t g = 0; g < sensor_tile_groups; ++g) {
       const std::size_t upper = g & ~across;
       const unsigned lit = tile_.lit(g);
-      const unsigned left = tile_.lit(upper) & ~tile_.walled(upper) & 0x55U;
+      const unsigned left = tile_.lit(upper) & 0x55U;
       like_[g] = alike(tile_.surface[upper], tile_.surface[g]) & lit & (left | left << 1);
-      like_[g] &= ~tile_.walled(g);
+      like_[g] &= ~(tile_.walled(g) ^ left_walled(upper));
       if (g == upper) like_[g] &= 0xAAU;
       for_lanes(lit & ~like_[g], [&](std::size_t k) {
         asked_[asked_count_++] = static_cast<std::uint16_t>(g * lane_count + k);
       });
     }
+  }
+
+  // Lanes whose left upper pixel looks through a pack; `upper` is that one's group.
+  unsigned left_walled(std::size_t upper) const {
+    const unsigned left = tile_.walled(upper) & 0x55U;
+    return left | left << 1;
   }
 
   // Hands what the left upper pixels have to those that are like them.

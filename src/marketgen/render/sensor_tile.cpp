@@ -195,6 +195,17 @@ class TileTracer {
 
 }  // namespace
 
+const TilePane& SensorTile::model_of(const TilePane& wall) const {
+  constexpr float same_facing = 0.985F;  // cosine between their normals
+  const int column = column_of(wall.pixel), row = row_of(wall.pixel);
+  const std::int16_t found = wall_of[number_of(column & ~1, row & ~1)];
+  if (found < 0) return wall;
+  const TilePane& model = walls[static_cast<std::size_t>(found)];
+  const bool same =
+      model.instance == wall.instance && dot(model.first.normal, wall.first.normal) > same_facing;
+  return same ? model : wall;
+}
+
 void trace_tile(
     const World& world, const View& view, int index, const SensorDetail& detail, SensorTile& tile) {
   tile.x0 = index % sensor_tiles_across(view) * sensor_tile_side;

@@ -62,6 +62,9 @@ struct SensorTile {
   unsigned lit(std::size_t group) const {
     return (depth[group] > Float8()).bits() & inside_of(group);
   }
+  // The wall that the left upper one of 2 x 2 pixels shows, where it is the same as `wall`; else
+  // `wall` itself.
+  const TilePane& model_of(const TilePane& wall) const;
   // Lanes of a group that look through a clear pack.
   unsigned walled(std::size_t group) const {
     unsigned lanes = 0;
@@ -99,7 +102,8 @@ void for_lanes(unsigned bits, const Body& body) {
 struct SensorDetail {
   unsigned opaque_mask = mask_opaque;
   TextureDetail textures = TextureDetail::full;
-  int packs_deep = 2;  // clear packs looked through one after another; 0: taken for opaque
+  int packs_deep = 2;        // clear packs looked through one after another; 0: taken for opaque
+  bool share_packs = false;  // a quarter of the pixels look, for their neighbours too
 };
 
 // Fills everything but the light of tile number `index` (row by row).
