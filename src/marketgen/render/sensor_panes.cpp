@@ -9,6 +9,8 @@
 namespace marketgen::raytrace {
 namespace {
 
+constexpr float let_in_share = 0.7F;  // of the light before a clear pack, behind it
+
 class PaneLighter {
  public:
   PaneLighter(const Lighting& lighting,
@@ -147,6 +149,18 @@ void light_panes(const Lighting& lighting,
                  const SensorEffort& effort,
                  SensorTile& tile) {
   PaneLighter(lighting, view, effort, tile).run();
+}
+
+Vec3f light_let_in(const Lighting& lighting,
+                   const SensorTile& tile,
+                   std::size_t pixel,
+                   Vec3f normal,
+                   Vec3f behind) {
+  if (tile.wall_count == 0 || tile.wall_of[pixel] < 0) return {};
+  const TilePane& wall = tile.walls[static_cast<std::size_t>(tile.wall_of[pixel])];
+  const Vec3f more = lighting.field.at(place_of(wall.first), normal) - behind;
+  return Vec3f{std::max(more.x, 0.0F), std::max(more.y, 0.0F), std::max(more.z, 0.0F)} *
+         wall.transmittance * let_in_share;
 }
 
 }  // namespace marketgen::raytrace

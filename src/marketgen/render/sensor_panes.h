@@ -14,4 +14,13 @@ void light_panes(const Lighting& lighting,
                  const SensorEffort& effort,
                  SensorTile& tile);
 
+// Packs are opaque to stored light. What a clear one lets in besides, to a surface facing `normal`
+// that is seen through it: as much as there is more light before the pack than `behind` it, as far
+// as that gets through. Nothing for pixels that look through none.
+Vec3f light_let_in(const Lighting& lighting,
+                   const SensorTile& tile,
+                   std::size_t pixel,
+                   Vec3f normal,
+                   Vec3f behind);
+
 }  // namespace marketgen::raytrace

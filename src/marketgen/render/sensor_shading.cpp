@@ -17,7 +17,6 @@ constexpr float mirroring_below = 0.35F;  // and that mirror more than panels
 constexpr float level_floor = 0.98F;      // z of their normals
 constexpr float like_facing = 0.985F, like_plane_m = 0.02F;
 constexpr float rough_from = 0.55F;      // gloss so wide is as bright as the face is lit
-constexpr float let_in_share = 0.7F;     // of the light before a clear pack, behind it
 constexpr float ceiling_room_m = 0.03F;  // panels hang in it
 constexpr float nearest_contact_m = 0.005F, contact_reach_m = 0.035F;
 constexpr float contact_until_m = 3.5F;  // farther, contact shadows are smaller than pixels
@@ -148,7 +147,7 @@ class TileShader {
         place_of(lane(s.position, k), lane(s.face_normal, k), s.fixture[k], s.shelf[k]);
     if (s.roughness[k] >= rough_from) {
       const Vec3f light = lighting_.field.at(place, normal);
-      set_lane(tile_.irradiance[g], k, light + let_in(i, normal, light));
+      set_lane(tile_.irradiance[g], k, light + light_let_in(lighting_, tile_, i, normal, light));
       set_lane(tile_.gloss[g], k, light * inverse_pi);
       return;
     }
@@ -156,18 +155,8 @@ class TileShader {
     const IrradianceField::TwoSided light =
         lighting_.field.at(place, Float4(normal), Float4(mirror));
     const Vec3f facing = light.facing.xyz();
-    set_lane(tile_.irradiance[g], k, facing + let_in(i, normal, facing));
+    set_lane(tile_.irradiance[g], k, facing + light_let_in(lighting_, tile_, i, normal, facing));
     set_lane(tile_.gloss[g], k, (light.mirror * inverse_pi).xyz());
-  }
-
-  // Packs are opaque to stored light. What a clear one lets in besides, to where it is looked
-  // through: what is lighter before it, as far as that gets through.
-  Vec3f let_in(std::size_t i, Vec3f normal, Vec3f behind) const {
-    if (tile_.wall_count == 0 || tile_.wall_of[i] < 0) return {};
-    const TilePane& wall = tile_.walls[static_cast<std::size_t>(tile_.wall_of[i])];
-    const Vec3f more = lighting_.field.at(place_of(wall.first), normal) - behind;
-    return Vec3f{std::max(more.x, 0.0F), std::max(more.y, 0.0F), std::max(more.z, 0.0F)} *
-           wall.transmittance * let_in_share;
   }
 
   // Panels in gloss. Where they would show, a ray tells whether they can be seen.
