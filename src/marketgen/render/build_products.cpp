@@ -14,9 +14,6 @@
 namespace marketgen::raytrace {
 namespace {
 
-constexpr float brightness_spread =
-    0.04F;  // between items of one SKU, each way: print runs, dust, wear
-
 // How far light wanders below the skin of fruit and vegetables. An apple's reduced scattering and
 // absorption (Jensen et al., SIGGRAPH 2001, table 2: 2.3 and 0.003 to 0.046 per mm) give diffusion
 // lengths of 7 mm in red to 2 mm in blue; most light leaves nearer.
@@ -68,10 +65,6 @@ std::vector<std::uint16_t> add_materials(Draft& draft,
   return materials;
 }
 
-float brightness_of(std::size_t product) {
-  return 1 + brightness_spread * (2 * unit_float(hashed(static_cast<std::uint32_t>(product))) - 1);
-}
-
 }  // namespace
 
 Result<ProductBuilder> ProductBuilder::begin(Draft& draft) {
@@ -102,12 +95,14 @@ void ProductBuilder::build(Draft& draft) const {
   const std::size_t first_mesh = world.meshes.size();
   world.meshes.resize(first_mesh + skus_.size());
   std::vector<std::uint32_t> mesh_of_sku(scene.catalog.size());
+  std::vector<ItemKind> kind_of_sku(scene.catalog.size(), ItemKind::packed);
   parallel_for(skus_.size(), [&](std::size_t i) {
     TracedMesh& mesh = world.meshes[first_mesh + i];
     const ProductModel& model = skus_[i].model;
     const Mesh shown = is_clear_pack(model) ? clear_pack(model).mesh : model.mesh;
     append(mesh.solid, mesh.glass, shown, skus_[i].materials, world, {});
     mesh_of_sku[skus_[i].row] = static_cast<std::uint32_t>(first_mesh + i);
+    if (is_grown(scene.catalog[skus_[i].row])) kind_of_sku[skus_[i].row] = ItemKind::grown;
   });
   const auto first_id = first_product_object(scene);
   world.first_product_instance = static_cast<std::uint32_t>(world.instances.size());
@@ -118,7 +113,7 @@ void ProductBuilder::build(Draft& draft) const {
     instance.id = first_id + static_cast<std::uint32_t>(i);
     if (product.facing < scene.facings.size())
       instance.shelf = static_cast<std::int32_t>(scene.facings[product.facing].shelf);
-    instance.brightness = brightness_of(i);
+    instance.look = look_of_item(i, product.sku, kind_of_sku[product.sku]);
     instance.world_from_mesh = placement_of(world_from_product(product));
     world.instances.push_back(instance);
   }

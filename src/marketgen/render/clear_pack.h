@@ -14,6 +14,9 @@
 
 namespace marketgen::raytrace {
 
+// Labels seen from within the pack.
+constexpr Vec3f label_back{0.7F, 0.7F, 0.68F};
+
 // Whether light passes any wall of the pack.
 bool is_clear_pack(const ProductModel& model);
 

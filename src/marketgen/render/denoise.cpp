@@ -22,8 +22,12 @@ struct LayerSettings {
   int passes;             // reach: 2 * (2^passes - 1) pixels
   float tolerance;        // differences of this many standard deviations are edges
   float paint_tolerance;  // difference in colour that is an edge; 0 = colour does not matter
+  float rough_blur;       // how much less edges count on the roughest surfaces, 0..1
 };
-constexpr LayerSettings irradiance_settings{5, 0.9F, 0}, gloss_settings{4, 1, 0.3F};
+constexpr LayerSettings irradiance_settings{5, 0.9F, 0, 0}, gloss_settings{4, 1, 0.3F, 0.9F};
+// Between these, what a surface mirrors loses its edges: those that are left in it are noise, which
+// few bright paths make look like edges.
+constexpr float sharp_gloss = 0.1F, soft_gloss = 0.3F;
 
 // Cuts every pixel to a little over the third brightest around it: lone bright samples go, lines
 // and areas stay. Their variance goes with them.
@@ -82,10 +86,14 @@ class LayerFilter {
         guides_(guides),
         settings_(settings),
         plane_scale_(film.count()),
+        edge_scale_(film.count()),
         level_(film.count()),
         noise_(film.count()) {
-    for (std::size_t i = 0; i < film.count(); ++i)
+    for (std::size_t i = 0; i < film.count(); ++i) {
       plane_scale_[i] = 1 / (off_plane_m + off_plane_per_m * guides.depth_m[i]);
+      const float soft = (guides.roughness[i] - sharp_gloss) / (soft_gloss - sharp_gloss);
+      edge_scale_[i] = 1 - settings.rough_blur * std::clamp(soft, 0.0F, 1.0F);
+    }
   }
 
   void run(ColorPlanes& light, FloatPlane& variance) {
@@ -244,6 +252,7 @@ class LayerFilter {
                TapSums& sums) const {
     const RowGuides p(film_, guides_, t.row), q(film_, guides_, t.neighbours);
     const float* const plane_scale = plane_scale_.data() + t.row;
+    const float* const edge_scale = edge_scale_.data() + t.row;
     const float* const apart = sums.patch.data();
     const float* const r = light.axis[0].data() + t.neighbours;
     const float* const g = light.axis[1].data() + t.neighbours;
@@ -255,8 +264,8 @@ class LayerFilter {
     const float paint = paint_scale();
 #pragma GCC ivdep
     for (int x = t.first; x < t.last; ++x) {
-      const float weight =
-          kernel * alike(p, q, plane_scale[x], paint, x) * bell(std::max(0.0F, apart[x]));
+      const float weight = kernel * alike(p, q, plane_scale[x], paint, x) *
+                           bell(std::max(0.0F, apart[x] * edge_scale[x]));
       weights[x] += weight;
       red[x] += weight * r[x];
       green[x] += weight * g[x];
@@ -297,7 +306,7 @@ class LayerFilter {
   const PathFilm& film_;
   const PictureGuides& guides_;
   const LayerSettings settings_;
-  FloatPlane plane_scale_, level_, noise_;
+  FloatPlane plane_scale_, edge_scale_, level_, noise_;
 };
 
 }  // namespace

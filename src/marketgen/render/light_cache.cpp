@@ -56,7 +56,7 @@ void add_material(Hasher& hasher, const Material& m) {
 }
 
 void add_instance(Hasher& hasher, const Instance& i) {
-  add_numbers(hasher, i.mesh, i.fixture, i.shelf, i.brightness, i.world_from_mesh);
+  add_numbers(hasher, i.mesh, i.fixture, i.shelf, i.look, i.world_from_mesh);
 }
 
 fs::path light_folder() {

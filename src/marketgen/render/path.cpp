@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "render/clear_pack.h"
 #include "render/light_through.h"
 #include "render/path_numbers.h"
 #include "render/picture_objects.h"
@@ -18,6 +19,9 @@ constexpr int roulette_from = 3;  // bounces before paths may end by chance
 // In units of white; caps fireflies. Light that reaches the eye by one bounce is never capped, but
 // for lamps found through the contents of a pack: few paths find them, as bright dots.
 constexpr float brightest_indirect = 10, brightest_through_pack = 2.5F;
+// The same of light that a pane or wall mirrors onto what the eye sees: lamps found that way are
+// found by one path in hundreds.
+constexpr float brightest_glint = 0.5F;
 constexpr float path_light_end_m = 5e-3F;
 // Metres per metre: textures are read blurred after the first bounce.
 constexpr float path_bounce_footprint = 0.05F;
@@ -25,7 +29,6 @@ constexpr float path_bounce_footprint = 0.05F;
 constexpr float rough_from = 0.35F;
 constexpr float glass_index = 1.5F;
 constexpr float least_mirror_chance = 0.25F;
-constexpr Vec3f label_back{0.7F, 0.7F, 0.68F};
 // Relief is read from stored light, which knows its tilt only roughly.
 constexpr float darkest_tilt = 0.5F, brightest_tilt = 1.8F;
 constexpr float least_tilt_turn = 1e-4F;
@@ -115,8 +118,10 @@ class PathTracer {
 
   void add(Vec3f light, Lobe lobe) {
     if (bounces_ > 0 || bent_) {
-      const float most =
-          bent_ ? firefly_ * (brightest_through_pack / brightest_indirect) : firefly_;
+      const float most = firefly_ * ((glint_  ? brightest_glint
+                                      : bent_ ? brightest_through_pack
+                                              : brightest_indirect) /
+                                     brightest_indirect);
       const float top = largest(light);
       if (top > most) light = light * (most / top);
     }
@@ -154,6 +159,7 @@ class PathTracer {
       throughput_ *= Vec3f{1, 1, 1} * (reflected / chance);
       if (lobe_ == Lobe::none && !inside_) lobe_ = Lobe::gloss;
       scatter_pdf_ = 0;
+      glint_ = bounces_ > 0;
       return {surface.position, mirrored(ray.direction, surface.relief_normal)};
     }
     if (first_pane) throughput_ *= Vec3f{1, 1, 1} * ((1 - reflected) / (1 - chance));
@@ -242,7 +248,7 @@ class PathTracer {
     softened_ = softened_ || !choice.gloss || surface.roughness >= rough_from;
     scatter_pdf_ = value.pdf;
     scattered_at_ = outlet.position;
-    bent_ = false;
+    bent_ = glint_ = false;
     ++bounces_;
     ray = {start_of(outlet, choice.direction), choice.direction};
     return survives();
@@ -294,6 +300,7 @@ class PathTracer {
   int bounces_ = 0;
   std::optional<std::size_t> inside_;  // material of the wall whose contents the path is in
   bool bent_ = false;                  // by contents since it last scattered
+  bool glint_ = false;                 // mirrored by something clear since it last scattered
   bool softened_ = false;              // by a rough bounce
   Lobe lobe_ = Lobe::none;
 };

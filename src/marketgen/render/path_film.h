@@ -26,11 +26,12 @@ struct ColorPlanes {
 
 // What a pixel's middle shows behind panes.
 struct PictureGuides {
-  ColorPlanes position, normal;         // store frame
-  FloatPlane depth_m;                   // along the optical axis, 0 = nothing
+  ColorPlanes position, normal;  // store frame
+  FloatPlane depth_m;            // along the optical axis, 0 = nothing
+  FloatPlane roughness;
   std::vector<std::uint32_t> instance;  // Frame::instance
   explicit PictureGuides(std::size_t count)
-      : position(count), normal(count), depth_m(count), instance(count) {}
+      : position(count), normal(count), depth_m(count), roughness(count), instance(count) {}
 };
 
 // Sums over one pixel's paths.

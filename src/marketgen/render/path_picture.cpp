@@ -116,6 +116,7 @@ class PathPicture {
       guides_.position.set(i, s.position);
       guides_.normal.set(i, s.normal);
       guides_.depth_m[i] = view_.depth_of(ray, s.distance);
+      guides_.roughness[i] = s.roughness;
       guides_.instance[i] = s.id;
     });
   }

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include "render/shading_math.h"
 #include "render/tone.h"
@@ -28,7 +29,7 @@ constexpr float edge_plane_m = 0.02F, edge_plane_per_m = 0.005F, edge_facing = 0
 // A sample brighter than this many times white counts as this much: lamps' edges would stay jagged
 // when the tone curve clips them afterwards.
 constexpr float brightest_sample_of_white = 3;
-constexpr std::uint32_t behind_pane = 1U << 24;
+constexpr std::uint32_t behind_pane = 1U << 24, clear_wall = 1U << 25;
 
 Int8 packed_normals(const Vec8& n) {
   const auto part = [](Float8 x) { return Int8(_mm256_cvtps_epi32((x * 127).m)) & 0xFF; };
@@ -215,6 +216,12 @@ class StripResolver {
     const Vec8 lit = lit_radiance(s, rays.direction, irradiance, gloss);
     for (std::size_t k = 0; k < count; ++k) {
       const Asked& asked = asked_[first + k];
+      if (like[k] && s.clear[k]) {  // as the pixel shows it: with what lies behind
+        const std::size_t q = *like[k];
+        sums_[asked.edge] +=
+            soft({planes_.radiance[0][q], planes_.radiance[1][q], planes_.radiance[2][q]});
+        continue;
+      }
       const Vec3f behind = like[k] ? lane(lit, k) : unlike(s, k, lane(rays.direction, k), hits);
       sums_[asked.edge] += soft(veiled(like[k] ? *like[k] : place_of(asked.x, asked.y), behind));
     }
@@ -252,6 +259,7 @@ class StripResolver {
       if (x < 0 || y < 0 || x >= view_.width() || y >= view_.height()) continue;
       const std::size_t q = place_of(x, y);
       if (planes_.number[q] != number) continue;
+      if (((planes_.normal[q] & clear_wall) != 0) != s.clear[k]) continue;
       const Vec3f there{planes_.position[0][q], planes_.position[1][q], planes_.position[2][q]};
       if (std::fabs(dot(normal, there - position)) < plane &&
           dot(normal, unpacked_signed_bytes(planes_.normal[q])) > edge_facing)
@@ -334,11 +342,21 @@ void SensorPlanes::take(const World& world, const SensorTile& tile) {
     store_half(irradiance, p, tile.irradiance[g] * tile.openness[g]);
     store_half(gloss, p, tile.gloss[g]);
   });
+  // Edges of clear packs are those of their walls.
+  for (const TilePane& wall : std::span(tile.walls).first(tile.wall_count)) {
+    if (!tile.inside(wall.pixel)) continue;
+    const std::size_t p = place_of(tile, wall.pixel);
+    const Surface& s = wall.first;
+    number[p] = s.id;
+    normal[p] = static_cast<std::uint32_t>(packed_normals(all(s.normal))[0]) | clear_wall;
+    position[0][p] = s.position.x;
+    position[1][p] = s.position.y;
+    position[2][p] = s.position.z;
+  }
   for (std::size_t n = 0; n < tile.pane_count; ++n) {
     const TilePane& pane = tile.panes[n];
     if (!tile.inside(pane.pixel)) continue;
-    const auto p = static_cast<std::size_t>(tile.y0 + SensorTile::row_of(pane.pixel)) * stride +
-                   static_cast<std::size_t>(tile.x0 + SensorTile::column_of(pane.pixel));
+    const std::size_t p = place_of(tile, pane.pixel);
     const auto store_one = [p](std::array<Halves, 3>& planes, Vec3f v) {
       planes[0][p] = _cvtss_sh(v.x, _MM_FROUND_TO_NEAREST_INT);
       planes[1][p] = _cvtss_sh(v.y, _MM_FROUND_TO_NEAREST_INT);
@@ -346,7 +364,7 @@ void SensorPlanes::take(const World& world, const SensorTile& tile) {
     };
     normal[p] |= behind_pane;
     store_one(transmittance, pane.transmittance);
-    store_one(overlay, tile.overlay[pane.pixel]);
+    store_one(overlay, pane.light);
   }
 }
 

@@ -23,6 +23,11 @@ struct SensorPlanes {
 
   void resize(const View& view);
   void take(const World& world, const SensorTile& tile);
+  // Where pixel number `i` of a tile is kept.
+  std::size_t place_of(const SensorTile& tile, std::size_t i) const {
+    return static_cast<std::size_t>(tile.y0 + SensorTile::row_of(i)) * stride +
+           static_cast<std::size_t>(tile.x0 + SensorTile::column_of(i));
+  }
 };
 
 // Pictures are resolved in strips of so many rows.

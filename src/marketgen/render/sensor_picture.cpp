@@ -8,6 +8,7 @@
 #include "base/interrupt.h"
 #include "base/parallel.h"
 #include "render/sensor_edges.h"
+#include "render/sensor_packs.h"
 #include "render/tone.h"
 
 namespace marketgen::raytrace {
@@ -95,6 +96,7 @@ bool wants_light(const SensorShot& shot) {
 // What is not asked for costs nothing. Relief may say what is bare metal.
 SensorDetail detail_of(const SensorShot& shot, SensorDetail detail) {
   if (!wants_light(shot) && shot.to.matter == nullptr) detail.textures = TextureDetail::none;
+  if (!wants_light(shot)) detail.packs_deep = 0;
   return detail;
 }
 
@@ -108,6 +110,8 @@ SensorEffort sensor_effort(const RenderOptions& options) {
       effort.detail.textures = TextureDetail::level;
       effort.mirror_panes = effort.panel_shadows = effort.contact_shadows = false;
       effort.edge_samples = 0;
+      effort.detail.packs_deep = 1;
+      effort.detail.share_packs = true;
       break;
     case Quality::balanced:
       break;
@@ -143,6 +147,7 @@ void take_pictures(std::span<const SensorShot> shots,
         shot.lighting->world, shot.view, tiles[t].part, detail_of(shot, effort.detail), tile);
     write_geometry(tile, shot.view.width(), shot.to);
     if (wants_light(shot)) {
+      look_through_packs(shot.lighting->world, shot.view, effort.detail, tile);
       shade_tile(*shot.lighting, shot.view, effort, tile);
       if (smooth)
         planes[tiles[t].shot].take(shot.lighting->world, tile);

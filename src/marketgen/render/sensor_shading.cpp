@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "render/ray_queue.h"
+#include "render/sensor_panes.h"
 #include "render/sensor_window.h"
 #include "render/shading_math.h"
 
@@ -15,9 +16,7 @@ constexpr float polished_below = 0.45F;   // roughness of floors that get mirror
 constexpr float mirroring_below = 0.35F;  // and that mirror more than panels
 constexpr float level_floor = 0.98F;      // z of their normals
 constexpr float like_facing = 0.985F, like_plane_m = 0.02F;
-constexpr float rough_from = 0.55F;          // gloss so wide is as bright as the face is lit
-constexpr float least_panel_share = 0.012F;  // of white: dimmer highlights need no shadow ray
-constexpr float shadow_end_m = 0.02F;
+constexpr float rough_from = 0.55F;      // gloss so wide is as bright as the face is lit
 constexpr float ceiling_room_m = 0.03F;  // panels hang in it
 constexpr float nearest_contact_m = 0.005F, contact_reach_m = 0.035F;
 constexpr float contact_until_m = 3.5F;  // farther, contact shadows are smaller than pixels
@@ -97,10 +96,7 @@ class TileShader {
     tile_.openness.fill(1);
     if (effort_.contact_shadows) shade_contacts();
     shade_under_actors();
-    if (effort_.mirror_panes)
-      mirror_panes();
-    else
-      light_panes();
+    light_panes(lighting_, view_, effort_, tile_);
   }
 
  private:
@@ -113,11 +109,18 @@ class TileShader {
       const unsigned lit = tile_.lit(g);
       const unsigned left = tile_.lit(upper) & 0x55U;
       like_[g] = alike(tile_.surface[upper], tile_.surface[g]) & lit & (left | left << 1);
+      like_[g] &= ~(tile_.walled(g) ^ left_walled(upper));
       if (g == upper) like_[g] &= 0xAAU;
       for_lanes(lit & ~like_[g], [&](std::size_t k) {
         asked_[asked_count_++] = static_cast<std::uint16_t>(g * lane_count + k);
       });
     }
+  }
+
+  // Lanes whose left upper pixel looks through a pack; `upper` is that one's group.
+  unsigned left_walled(std::size_t upper) const {
+    const unsigned left = tile_.walled(upper) & 0x55U;
+    return left | left << 1;
   }
 
   // Hands what the left upper pixels have to those that are like them.
@@ -144,14 +147,15 @@ class TileShader {
         place_of(lane(s.position, k), lane(s.face_normal, k), s.fixture[k], s.shelf[k]);
     if (s.roughness[k] >= rough_from) {
       const Vec3f light = lighting_.field.at(place, normal);
-      set_lane(tile_.irradiance[g], k, light);
+      set_lane(tile_.irradiance[g], k, light + light_let_in(lighting_, tile_, i, normal, light));
       set_lane(tile_.gloss[g], k, light * inverse_pi);
       return;
     }
     const Vec3f mirror = mirrored(lane(tile_.direction[g], k), normal);
     const IrradianceField::TwoSided light =
         lighting_.field.at(place, Float4(normal), Float4(mirror));
-    set_lane(tile_.irradiance[g], k, light.facing.xyz());
+    const Vec3f facing = light.facing.xyz();
+    set_lane(tile_.irradiance[g], k, facing + light_let_in(lighting_, tile_, i, normal, facing));
     set_lane(tile_.gloss[g], k, (light.mirror * inverse_pi).xyz());
   }
 
@@ -348,8 +352,8 @@ class TileShader {
     sampled_ = blocked_ = {};
     for (std::size_t g = 0; g < sensor_tile_groups; ++g) {
       const unsigned near = (tile_.surface[g].distance < Float8(contact_until_m)).bits();
-      const unsigned asked =
-          tile_.lit(g) & near & (effort_.all_contact_pixels ? 255U : even_lanes(g));
+      const unsigned asked = tile_.lit(g) & near &
+                             (effort_.all_contact_pixels ? 255U : even_lanes(g)) & ~tile_.walled(g);
       sampled_.set_group(g, asked);
       for_lanes(asked, [&](std::size_t k) {
         const std::size_t i = g * lane_count + k;
@@ -366,7 +370,7 @@ class TileShader {
     if (!blocked_.any()) return;
     const TileWindows windows(tile_);
     for (std::size_t g = 0; g < sensor_tile_groups; ++g) {
-      for_lanes(tile_.lit(g), [&](std::size_t k) {
+      for_lanes(tile_.lit(g) & ~tile_.walled(g), [&](std::size_t k) {
         const std::size_t i = g * lane_count + k;
         if (!blocked_.near(i)) return;
         const float open = windows.open_share(i, sampled_, blocked_);
@@ -428,59 +432,6 @@ class TileShader {
               [&](std::size_t k) { blocked_.add(queue_.pixels[k]); });
   }
 
-  // Stored light stands for what panes mirror.
-  void light_panes() {
-    for (std::size_t p = 0; p < tile_.pane_count; p += lane_count) {
-      const std::size_t count = std::min(lane_count, tile_.pane_count - p);
-      PanelReflection::Points points;
-      for (std::size_t k = 0; k < count; ++k) {
-        const TilePane& pane = tile_.panes[p + k];
-        set_lane(points.position, k, pane.first.position);
-        set_lane(points.normal, k, pane.first.relief_normal);
-        set_lane(points.mirror, k, mirrored(tile_.direction_of(pane.pixel), pane.first.normal));
-        points.roughness.set(k, pane.first.roughness);
-      }
-      const Vec8 panels = lighting_.panels.at(points).radiance;
-      for (std::size_t k = 0; k < count; ++k) {
-        const TilePane& pane = tile_.panes[p + k];
-        const Float4 light =
-            lighting_.field
-                .at(place_of(pane.first), Float4(pane.first.normal), Float4(lane(points.mirror, k)))
-                .mirror;
-        tile_.overlay[pane.pixel] = ((light * inverse_pi).xyz() + lane(panels, k)) * pane.reflected;
-      }
-    }
-  }
-
-  void mirror_panes() {
-    for (std::size_t p = 0; p < tile_.pane_count; ++p) {
-      const TilePane& pane = tile_.panes[p];
-      const Vec3f mirror = mirrored(tile_.direction_of(pane.pixel), pane.first.normal);
-      if (queue_.add(p, {pane.first.position, mirror})) finish_panes();
-    }
-    if (queue_.used > 0) finish_panes();
-  }
-
-  // The queue's numbers are panes here.
-  void finish_panes() {
-    const World& world = lighting_.world;
-    queue_.fill();
-    trace(world, queue_.packet, queue_.used, mask_opaque, RayBundle::scattered);
-    for (std::size_t k = 0; k < queue_.used; ++k) {
-      const TilePane& pane = tile_.panes[queue_.pixels[k]];
-      const Ray ray = ray_in(queue_.packet.ray, k);
-      const Hit hit = hit_in(queue_.packet, k);
-      Vec3f light = world.surroundings.radiance(ray.direction);
-      if (hit.any()) {
-        const float footprint = view_.footprint(pane.first.distance + hit.t);
-        const Surface seen = surface_at(world, ray, hit, footprint, TextureDetail::level);
-        light = stored_radiance(lighting_, seen, ray.direction, Lamps::seen);
-      }
-      tile_.overlay[pane.pixel] = light * pane.reflected;
-    }
-    queue_.used = 0;
-  }
-
   const Lighting& lighting_;
   const View& view_;
   const SensorEffort& effort_;
@@ -526,13 +477,16 @@ Vec8 radiance_of(const World& world, const SensorTile& tile, std::size_t group) 
   for_lanes(inside & ~tile.lit(group), [&](std::size_t k) {
     set_lane(radiance, k, world.surroundings.radiance(lane(tile.direction[group], k)));
   });
-  if (tile.pane_count == 0) return radiance;
-  for_lanes(inside, [&](std::size_t k) {
-    const std::size_t i = group * lane_count + k;
-    if (tile.pane_of[i] < 0) return;
-    const TilePane& pane = tile.panes[static_cast<std::size_t>(tile.pane_of[i])];
-    set_lane(radiance, k, lane(radiance, k) * pane.transmittance + tile.overlay[i]);
-  });
+  const auto veil = [&](const auto& panes, const auto& index) {
+    for_lanes(inside, [&](std::size_t k) {
+      const std::int16_t found = index[group * lane_count + k];
+      if (found < 0) return;
+      const TilePane& pane = panes[static_cast<std::size_t>(found)];
+      set_lane(radiance, k, lane(radiance, k) * pane.transmittance + pane.light);
+    });
+  };
+  if (tile.wall_count > 0) veil(tile.walls, tile.wall_of);
+  if (tile.pane_count > 0) veil(tile.panes, tile.pane_of);
   return radiance;
 }
 

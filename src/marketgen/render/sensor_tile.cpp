@@ -97,6 +97,13 @@ class TileTracer {
     tile_.direction[group] = rays.direction;
     tile_.depth[group] = select(hits.any, view_.depth_of(rays.direction, hits.t), Float8());
     std::fill_n(&tile_.pane_of[group * lane_count], lane_count, std::int16_t{-1});
+    std::fill_n(&tile_.wall_of[group * lane_count], lane_count, std::int16_t{-1});
+    if (detail_.packs_deep > 0) {
+      for_lanes((hits.any & seen.clear).bits(), [&](std::size_t k) {
+        const std::size_t i = group * lane_count + k;
+        note_wall(i, tile_.surface_of(i), static_cast<std::uint32_t>(hits.instance[k]));
+      });
+    }
     if (!world_.has_glass) return;
     for_lanes((hits.any & seen.glass).bits(), [&](std::size_t k) {
       tile_.depth[group].set(k, 0);
@@ -104,20 +111,33 @@ class TileTracer {
     });
   }
 
+  // A clear pack: what lies behind it is looked for later, see sensor_packs.h.
+  void note_wall(std::size_t i, const Surface& wall, std::uint32_t instance) {
+    const bool sheet = world_.materials[wall.material].refraction <= 1;
+    tile_.wall_of[i] = static_cast<std::int16_t>(tile_.wall_count);
+    TilePane& noted = tile_.walls[tile_.wall_count++];
+    noted.pixel = static_cast<std::uint16_t>(i);
+    noted.instance = instance;
+    noted.first = wall;
+    const Vec3f direction = tile_.direction_of(i);
+    noted.mirror = mirrored(direction, wall.normal);
+    noted.reflected = reflected_by(sheet ? pane_reflectance : dielectric_reflectance,
+                                   -dot(wall.normal, direction));
+  }
+
   void take_pane(std::size_t i, const Ray& ray) {
     tile_.pane_of[i] = static_cast<std::int16_t>(tile_.pane_count);
     TilePane& pane = tile_.panes[tile_.pane_count++];
     pane.pixel = static_cast<std::uint16_t>(i);
     pane.first = tile_.surface_of(i);
-    pane.reflected = reflected_by(pane.first, ray.direction);
+    pane.mirror = mirrored(ray.direction, pane.first.normal);
+    pane.reflected = reflected_by(pane_reflectance, -dot(pane.first.normal, ray.direction));
     pane.transmittance = pane.first.albedo * (1 - pane.reflected);
     look_behind(i, ray, pane.first.distance);
   }
 
-  static float reflected_by(const Surface& pane, Vec3f direction) {
-    return fresnel({pane_reflectance, pane_reflectance, pane_reflectance},
-                   -dot(pane.normal, direction))
-        .x;
+  static float reflected_by(float straight_on, float cosine) {
+    return fresnel({straight_on, straight_on, straight_on}, cosine).x;
   }
 
   // Goes on behind the pane that was met at `distance`.
@@ -151,11 +171,14 @@ class TileTracer {
     const Surface seen = surface_at(world_, ray, hit, view_.footprint(hit.t), detail_.textures);
     if (seen.glass) {
       TilePane& pane = tile_.panes[static_cast<std::size_t>(tile_.pane_of[i])];
-      pane.transmittance *= seen.albedo * (1 - reflected_by(seen, ray.direction));
+      pane.transmittance *=
+          seen.albedo * (1 - reflected_by(pane_reflectance, -dot(seen.normal, ray.direction)));
       return false;
     }
     const std::size_t group = i / lane_count, k = i % lane_count;
-    set_surface(tile_.surface[group], k, seen, world_.materials[seen.material].clear);
+    const bool clear = world_.materials[seen.material].clear;
+    set_surface(tile_.surface[group], k, seen, clear);
+    if (clear && detail_.packs_deep > 0) note_wall(i, seen, hit.instance);
     tile_.depth[group].set(k, view_.depth_of(ray, hit.t));
     return true;
   }
@@ -172,13 +195,24 @@ class TileTracer {
 
 }  // namespace
 
+const TilePane& SensorTile::model_of(const TilePane& wall) const {
+  constexpr float same_facing = 0.985F;  // cosine between their normals
+  const int column = column_of(wall.pixel), row = row_of(wall.pixel);
+  const std::int16_t found = wall_of[number_of(column & ~1, row & ~1)];
+  if (found < 0) return wall;
+  const TilePane& model = walls[static_cast<std::size_t>(found)];
+  const bool same =
+      model.instance == wall.instance && dot(model.first.normal, wall.first.normal) > same_facing;
+  return same ? model : wall;
+}
+
 void trace_tile(
     const World& world, const View& view, int index, const SensorDetail& detail, SensorTile& tile) {
   tile.x0 = index % sensor_tiles_across(view) * sensor_tile_side;
   tile.y0 = index / sensor_tiles_across(view) * sensor_tile_side;
   tile.columns = std::min(sensor_tile_side, view.width() - tile.x0);
   tile.rows = std::min(sensor_tile_side, view.height() - tile.y0);
-  tile.pane_count = 0;
+  tile.pane_count = tile.wall_count = 0;
   TileTracer(world, view, detail, tile).run();
 }
 

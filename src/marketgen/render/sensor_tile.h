@@ -17,12 +17,15 @@ constexpr int sensor_tile_side = 16;
 constexpr std::size_t sensor_tile_pixels = sensor_tile_side * sensor_tile_side;
 constexpr std::size_t sensor_tile_groups = sensor_tile_pixels / lane_count;
 
-// Panes of glass between the eye and what a pixel shows.
+// What is clear between the eye and what a pixel shows: panes of glass, or a clear pack.
 struct TilePane {
   std::uint16_t pixel = 0;
-  Surface first;        // the nearest pane
-  Vec3f transmittance;  // of all of them
-  float reflected = 0;  // share that the nearest mirrors
+  std::uint32_t instance = 0;  // of a pack: its row in World::instances
+  Surface first;               // the nearest pane, or the pack's wall
+  Vec3f transmittance;         // of all of them
+  Vec3f mirror;                // where the nearest mirrors to
+  float reflected = 0;         // share that it mirrors
+  Vec3f light;                 // that the eye sees in it
 };
 
 // One value for each of a tile's pixels.
@@ -31,16 +34,16 @@ using TileVectors = std::array<Vec8, sensor_tile_groups>;
 
 struct SensorTile {
   int x0 = 0, y0 = 0, columns = 0, rows = 0;  // columns and rows lie inside the picture
-  std::size_t pane_count = 0;
+  std::size_t pane_count = 0, wall_count = 0;
   TileFloats depth;  // along the optical axis; 0: nothing was hit
   TileVectors direction;
-  std::array<Surface8, sensor_tile_groups> surface;      // means something where something was hit
-  std::array<TilePane, sensor_tile_pixels> panes;        // the first `pane_count`
-  std::array<std::int16_t, sensor_tile_pixels> pane_of;  // index into panes, -1 = none
+  std::array<Surface8, sensor_tile_groups> surface;  // means something where something was hit
+  std::array<TilePane, sensor_tile_pixels> panes;    // the first `pane_count`
+  std::array<TilePane, sensor_tile_pixels> walls;    // of clear packs; the first `wall_count`
+  std::array<std::int16_t, sensor_tile_pixels> pane_of, wall_of;  // indices; -1 = none
   // Light: on the surface (diffuse), and from its mirror side.
   TileVectors irradiance, gloss;
-  std::array<Vec3f, sensor_tile_pixels> overlay;  // what panes mirror; set where there is one
-  TileFloats openness;                            // 0..1: what contact shadows leave of irradiance
+  TileFloats openness;  // 0..1: what contact shadows leave of irradiance
 
   static int column_of(std::size_t i) { return static_cast<int>(i % sensor_tile_side); }
   static int row_of(std::size_t i) { return static_cast<int>(i / sensor_tile_side); }
@@ -58,6 +61,16 @@ struct SensorTile {
   // Lanes of a group that lie in the picture and show something.
   unsigned lit(std::size_t group) const {
     return (depth[group] > Float8()).bits() & inside_of(group);
+  }
+  // The wall that the left upper one of 2 x 2 pixels shows, where it is the same as `wall`; else
+  // `wall` itself.
+  const TilePane& model_of(const TilePane& wall) const;
+  // Lanes of a group that look through a clear pack.
+  unsigned walled(std::size_t group) const {
+    unsigned lanes = 0;
+    for (std::size_t k = 0; wall_count > 0 && k < lane_count; ++k)
+      lanes |= (wall_of[group * lane_count + k] >= 0 ? 1U : 0U) << k;
+    return lanes;
   }
   unsigned inside_of(std::size_t group) const {
     const int first = static_cast<int>(group % 2 * lane_count);
@@ -89,6 +102,8 @@ void for_lanes(unsigned bits, const Body& body) {
 struct SensorDetail {
   unsigned opaque_mask = mask_opaque;
   TextureDetail textures = TextureDetail::full;
+  int packs_deep = 2;        // clear packs looked through one after another; 0: taken for opaque
+  bool share_packs = false;  // a quarter of the pixels look, for their neighbours too
 };
 
 // Fills everything but the light of tile number `index` (row by row).

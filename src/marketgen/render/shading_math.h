@@ -19,7 +19,8 @@ constexpr float dielectric_reflectance = 0.04F;
 // A pane of two faces reflects about twice what one face does.
 constexpr float pane_reflectance = 2 * dielectric_reflectance;
 
-inline float luminance(Vec3f c) {
+template <class Number>
+Number luminance(const Vector3<Number>& c) {
   return 0.2126F * c.x + 0.7152F * c.y + 0.0722F * c.z;
 }
 inline float largest(Vec3f c) {

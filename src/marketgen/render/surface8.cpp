@@ -272,8 +272,9 @@ void see_surfaces(const World& world,
   s.fixture = instance.whole(offsetof(Instance, fixture));
   s.shelf = instance.whole(offsetof(Instance, shelf));
   s.material = record.whole(offsetof(TriangleRecord, material)) & 0xFFFF;
+  constexpr std::size_t look = offsetof(Instance, look);
   s.albedo =
-      material.vector(offsetof(Material, color)) * instance.real(offsetof(Instance, brightness));
+      material.vector(offsetof(Material, color)) * instance.vector(look + offsetof(ItemLook, tint));
   s.emission = material.vector(offsetof(Material, emission));
   s.roughness = material.real(offsetof(Material, roughness));
   s.metallic = material.real(offsetof(Material, metallic));
@@ -290,6 +291,11 @@ void see_surfaces(const World& world,
            rays.direction,
            footprint,
            detail);
+  const Float8 wear = instance.real(look + offsetof(ItemLook, wear));
+  if (!(wear > Float8()).any()) return;
+  const Float8 flatness = dot(face_normal, record.unit_vector(normals));
+  wear_off<Float8>(
+      {wear, flatness, knock_of(s.id, hits.primitive), s.normal.z}, s.albedo, s.roughness);
 }
 
 void fetch_surfaces(const World& world, const RTCRayHit16& packet) {

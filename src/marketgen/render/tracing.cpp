@@ -92,6 +92,16 @@ void add_textures(Surface& s,
     s.relief_normal = tilted(s.normal, relief, axes_at(world, record, hit), direction);
 }
 
+// Of an item that shows wear.
+WornPlace<float> worn_place(const TriangleRecord& record,
+                            const Hit& hit,
+                            const Surface& s,
+                            float wear) {
+  const float flatness =
+      dot(unpacked4(record.face_normal.data()), unpacked4(record.normals[0].data()));
+  return {wear, flatness, knock_of(s.id, hit.primitive), s.normal.z};
+}
+
 // Bit k: something lies on ray k.
 unsigned blocked_lanes(const RTCRay16& packet, std::size_t used) {
   unsigned blocked = 0;
@@ -347,6 +357,20 @@ Hit trace_one(const World& world, const Ray& ray, unsigned mask) {
   return hit_of(query, actor_row(world, query.hit.instID[0]));
 }
 
+Hit trace_instance(const World& world, std::uint32_t instance, const Ray& ray) {
+  const Instance& row = world.instances[instance];
+  const Ray local{row.world_from_mesh.to_local(ray.origin),
+                  row.world_from_mesh.turn_back(ray.direction),
+                  ray.near,
+                  ray.far};
+  RTCRayHit query = query_of(local, mask_solid);
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(world.meshes[row.mesh].bvh.get(), &context, &query);
+  const bool met = query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+  return hit_of(query, met ? instance : RTC_INVALID_GEOMETRY_ID);
+}
+
 const TriangleRecord& record_of(const World& world, const Hit& hit) {
   if (hit.instance != RTC_INVALID_GEOMETRY_ID)
     return world.instances[hit.instance].records[hit.geometry][hit.primitive];
@@ -404,6 +428,7 @@ void see_surface(const World& world,
   s.fixture = -1;
   s.shelf = -1;
   s.albedo = material.color;
+  float wear = 0;
   if (hit.instance != RTC_INVALID_GEOMETRY_ID) {
     const Instance& instance = world.instances[hit.instance];
     face_normal = turned(instance.world_from_mesh, face_normal);
@@ -412,7 +437,8 @@ void see_surface(const World& world,
     s.fixture = instance.fixture;
     s.shelf = instance.shelf;
     if (s.light >= 0) s.light += instance.first_light;
-    s.albedo *= instance.brightness;
+    s.albedo *= instance.look.tint;
+    wear = instance.look.wear;
   }
   const Float4 direction(ray.direction);
   face_viewer(s, face_normal, normal, direction);
@@ -422,6 +448,7 @@ void see_surface(const World& world,
     const float slant = std::max(least_slant, -dot(s.face_normal, ray.direction));
     add_textures(s, world, record, hit, ray.direction, footprint / std::sqrt(slant), detail);
   }
+  if (wear > 0) wear_off(worn_place(record, hit, s, wear), s.albedo, s.roughness);
   s.position = ray.origin + ray.direction * hit.t + s.face_normal * surface_lift_m;
   s.emission = material.emission;
   s.distance = hit.t;

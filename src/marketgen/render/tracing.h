@@ -68,6 +68,8 @@ unsigned find_blocked(const World& world, RTCRay16& packet, std::size_t used, un
 // The same, asking for actors alone.
 unsigned find_blocked_by_actors(const World& world, RTCRay16& packet, std::size_t used);
 Hit trace_one(const World& world, const Ray& ray, unsigned mask);
+// Of one row of World::instances alone, whether it is hidden or not.
+Hit trace_instance(const World& world, std::uint32_t instance, const Ray& ray);
 // The ray as Embree takes it alone.
 RTCRay embree_ray(const Ray& ray, unsigned mask);
 // Whether what was met stands elsewhere now: rays pass through its place in the store.

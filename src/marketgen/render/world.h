@@ -15,6 +15,7 @@
 #include "geometry/mesh.h"
 #include "geometry/pose.h"
 #include "render/embree_handle.h"
+#include "render/item_look.h"
 #include "render/relief_texture.h"
 #include "render/surroundings.h"
 #include "render/texture.h"
@@ -110,14 +111,14 @@ struct Placement {
 Placement placement_of(const Pose& pose);
 
 // The first 64 bytes are read as numbers side by side: see surface8.cpp.
-struct alignas(32) Instance {
-  std::uint32_t mesh = 0;
+struct alignas(64) Instance {
   std::uint32_t id = 0;                   // Frame::instance
   std::int32_t fixture = -1, shelf = -1;  // rows of the scene it belongs to, -1 = none
-  std::int32_t joint = -1;                // row of the scene that moves it, -1 = none
-  std::int32_t first_light = 0;           // its mesh's lights in World::lights
-  float brightness = 1;                   // small print and wear differences between items
+  ItemLook look;
   Placement world_from_mesh;
+  std::uint32_t mesh = 0;
+  std::int32_t joint = -1;       // row of the scene that moves it, -1 = none
+  std::int32_t first_light = 0;  // its mesh's lights in World::lights
   // Of its mesh's geometries, by MeshGeometry; set when the BVHs are built.
   std::array<const TriangleRecord*, 2> records{};
 };

@@ -1,6 +1,7 @@
 // Eight side by side say what each says alone: textures, surfaces, stored rows.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "render/build_world.h"
@@ -8,6 +9,7 @@
 #include "render/surface8.h"
 #include "render/texture8.h"
 #include "render/view.h"
+#include "support/committed_catalog.h"
 #include "synthetic_scene.h"
 
 namespace marketgen::raytrace {
@@ -97,13 +99,22 @@ void expect_alike(const Surface& a, const Surface& b) {
   EXPECT_EQ(a.glass, b.glass);
 }
 
-// A room with a box and a pane: floor and walls have textures and relief.
+// A room with a box, a pane and packs: floor and walls have textures and relief.
 TEST(Lanes, EightSurfacesAreThoseOfSingleRays) {
   Scene scene = empty_room(6000, 6000, 3000);
   add_box_fixture(scene, {3, 3.5F, 0}, {0, 0, 0.5F}, {0.5F, 0.5F, 0.5F});
   add_box_fixture(scene, {4, 2.5F, 0}, {0, 0, 0.5F}, {0.3F, 0.02F, 0.5F}, SurfaceKind::glass);
+  // Two worn packs among them, one before the other.
+  const auto& products = committed_catalog().products;
+  scene.catalog.push_back(*std::find_if(
+      products.begin(), products.end(), [](const Product& row) { return row.archetype == "box"; }));
+  scene.products.resize(2);
+  scene.products[0].position_m = {3, 1.7F, 1.1F};
+  scene.products[1].position_m = {3.2F, 1.9F, 1.1F};
   const auto world = build_world(scene, {}, silent_progress(), PrintDetail::near);
   ASSERT_TRUE(world.ok());
+  for (std::uint32_t i = 0; i < 2; ++i)
+    (*world)->instances[(*world)->first_product_instance + i].look = {{1.08F, 0.97F, 0.9F}, 0.8F};
   Camera camera;
   camera.from = {3, 1, 1.5};
   camera.at = {3.1, 3, 0.7};
