@@ -4,13 +4,13 @@
 // CheckoutWorld is a function of its episode and its actions: bit for bit, in any process. Not
 // thread-safe; one a thread.
 #pragma once
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "agent/policy.h"
 #include "episodes/checkout_watch.h"
+#include "physics/mujoco_moment.h"
 #include "physics/robot_actor.h"
 
 namespace marketgen {
@@ -19,7 +19,7 @@ constexpr double control_step_s = 0.05;
 
 // A moment; may be restored by a world that was reset to the same episode.
 struct CheckoutSnapshot {
-  std::vector<double> physics;
+  MujocoMoment physics;
   std::vector<double> target;
   CheckoutWatch watch;
   int steps = 0;
@@ -75,10 +75,9 @@ class CheckoutWorld {
   std::unique_ptr<Robot> robot_;
   std::vector<int> arm_;  // degrees of freedom
   std::vector<FrictionRow> frictions_;
-  std::map<std::string, std::unique_ptr<CheckoutGoods>> known_goods_;
 
   EpisodeSpec spec_;
-  std::vector<const CheckoutGoods*> item_goods_;
+  std::vector<SharedGoods> item_goods_;
   CheckoutModel model_;
   MujocoData data_{nullptr, mj_deleteData};
   RobotActor actor_;

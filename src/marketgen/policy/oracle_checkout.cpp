@@ -7,6 +7,9 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/progress.h"
 
 #include "policy/oracle_grasps.h"
 #include "policy/oracle_places.h"
@@ -40,6 +43,7 @@ class CheckoutOracle : public Policy {
     scene_ = std::make_unique<OracleScene>(world_, tool_);
     arm_.start(first);
     phase_ = Phase::choose;
+    say("begins " + world_.spec().id);
     return {};
   }
 
@@ -143,6 +147,19 @@ class CheckoutOracle : public Policy {
         if (begun) return {};
       }
     }
+    say("gives up");
+    for (const std::size_t item : due) {
+      const ItemGrasps& g = grasps_.at(item);
+      say(fmt::format(
+          "  {}: {} grasps, best has {} blockers, lies under {}, tries {}, refused {}, basket {}",
+          called(item),
+          g.choices.size(),
+          g.choices.empty() ? 0 : g.choices.front().blockers.size(),
+          g.lies_under.size(),
+          tries_[item],
+          refused_.contains(item),
+          scene_->in_basket(item)));
+    }
     done_ = true;
     return {};
   }
@@ -191,6 +208,19 @@ class CheckoutOracle : public Policy {
 
   // ---- Taking it ----
 
+  void say(const std::string& what) const {
+    log_debug(fmt::format("oracle {:.2f} s: {}", now_.time_s, what));
+  }
+  std::string called(std::size_t item) const {
+    const CheckoutGoods& goods = world_.goods(item);
+    return fmt::format("{}{} {} {} ({:.2f} kg)",
+                       is_target(item) ? "target " : "other ",
+                       item,
+                       goods.product.archetype,
+                       fmt::join(goods.product.size_mm, "x"),
+                       goods.product.mass_kg);
+  }
+
   static Pose flipped(Pose tip) {
     tip.rotation = tip.rotation * rotation_about({0, 0, 1}, std::numbers::pi);
     return tip;
@@ -225,6 +255,15 @@ class CheckoutOracle : public Policy {
         item_ = item;
         force_n_ = choice.force_n;
         ++tries_[item];
+        say(fmt::format(
+            "takes {}, try {}, tilt {:.0f}, {:.0f} N, score {:.1f}, {} blockers, under {}",
+            called(item),
+            tries_[item],
+            tilt_deg(tip.rotation),
+            choice.force_n,
+            choice.score,
+            choice.blockers.size(),
+            grasps.lies_under.size()));
         phase_ = Phase::closed;
         return true;
       }
@@ -263,6 +302,7 @@ class CheckoutOracle : public Policy {
   // Opens where it is, and goes back the way it came.
   Result<void> let_go(FailureCode why) {
     note(why);
+    say(fmt::format("lets go of {}: {}", called(item_), name_of(why)));
     const double opening = std::min(tool_.opening_m, now_.opening_m + let_go_m);
     arm_.wait(open_s, opening, force_n_);
     back_off(opening);
@@ -321,6 +361,7 @@ class CheckoutOracle : public Policy {
           note(FailureCode::no_path);
           continue;
         }
+        say(fmt::format("puts {} down, carried {}", called(item_), attached));
         arm_.wait(settle_s, 0, force_n_);
         arm_.wait(open_s, question.opening_m, force_n_);
         back_off(question.opening_m);
