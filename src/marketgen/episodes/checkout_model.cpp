@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <mutex>
 #include <numbers>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "grasping/grasp_study.h"
+#include "io/json.h"
 #include "motion/grasp_surface.h"
 #include "physics/bulk_model.h"
 #include "physics/pad_balls.h"
@@ -37,8 +40,7 @@ class CheckoutModelBuilder {
         spec_(mj_makeSpec(), mj_deleteSpec),
         world_(mjs_findBody(spec_.get(), "world")),
         goods_(*spec_) {
-    set_contact_options(*spec_, 0);
-    spec_->option.enableflags &= ~mjENBL_SLEEP;
+    set_contact_options(*spec_, 1e-3);
     spec_->option.disableflags |= mjDSBL_AUTORESET;
     spec_->memory = checkout_arena_bytes;
     spec_->compiler.balanceinertia = true;
@@ -78,7 +80,7 @@ class CheckoutModelBuilder {
   }
 
   Result<void> add_items(const std::vector<EpisodeItem>& items,
-                         const std::vector<const CheckoutGoods*>& goods) {
+                         const std::vector<SharedGoods>& goods) {
     for (std::size_t i = 0; i < items.size(); ++i) {
       MARKETGEN_TRY(const CollisionPrimitive primitive, collision_of(goods[i]->product));
       const std::string name = item_name(i);
@@ -214,7 +216,7 @@ std::vector<Vec3> points_within(const ProductBody& body) {
     for (int j = 0; j < volume_points_a_side; ++j) {
       for (int k = 0; k < volume_points_a_side; ++k) {
         const Vec3 at = low + step * Vec3{i + 0.5, j + 0.5, k + 0.5};
-        if (surface.gap_to_box({at, {}}, {1e-6, 1e-6, 1e-6}) < 0) points.push_back(at);
+        if (surface.gap_to_box({at, {}}, {1e-6, 1e-6, 1e-6}, 0) < 0) points.push_back(at);
       }
     }
   }
@@ -222,15 +224,29 @@ std::vector<Vec3> points_within(const ProductBody& body) {
   return points;
 }
 
+Result<SharedGoods> made_goods(const Product& product, double pad_friction) {
+  auto goods = std::make_shared<CheckoutGoods>(CheckoutGoods{product, {}, {}, pad_friction});
+  MARKETGEN_TRY(goods->body, make_product_body(product));
+  MARKETGEN_CHECK(check_has_body(product, goods->body));
+  goods->volume = points_within(goods->body);
+  return SharedGoods(std::move(goods));
+}
+
 }  // namespace
 
-Result<CheckoutGoods> checkout_goods(const Product& product,
-                                     const std::vector<FrictionRow>& frictions) {
-  CheckoutGoods goods{product, {}, {}, rubber_friction(frictions, product)};
-  MARKETGEN_TRY(goods.body, make_product_body(product));
-  MARKETGEN_CHECK(check_has_body(product, goods.body));
-  goods.volume = points_within(goods.body);
-  return goods;
+Result<SharedGoods> checkout_goods(const Product& product,
+                                   const std::vector<FrictionRow>& frictions) {
+  static std::mutex changing;
+  static std::map<std::string, SharedGoods> made;  // by all that they are made from
+  const double pad_friction = rubber_friction(frictions, product);
+  const std::string key = fmt::format("{} {}", write_json_line(product), pad_friction);
+  {
+    const std::scoped_lock lock(changing);
+    if (const auto known = made.find(key); known != made.end()) return known->second;
+  }
+  MARKETGEN_TRY(SharedGoods goods, made_goods(product, pad_friction));
+  const std::scoped_lock lock(changing);
+  return made.emplace(key, std::move(goods)).first->second;
 }
 
 std::vector<double> ready_state(const CheckoutStation& station, const Robot& robot) {
@@ -250,7 +266,7 @@ Result<CheckoutModel> checkout_model(const CheckoutStation& station,
                                      const Robot& robot,
                                      const std::vector<double>& robot_state,
                                      const std::vector<EpisodeItem>& items,
-                                     const std::vector<const CheckoutGoods*>& goods) {
+                                     const std::vector<SharedGoods>& goods) {
   CheckoutModelBuilder builder(station, robot);
   builder.add_counter();
   builder.add_basket();

@@ -1,5 +1,6 @@
 // The MuJoCo model of Checkout Unloading: counter, lip, basket, items and the arm.
 #pragma once
+#include <memory>
 #include <vector>
 
 #include "assets/product_model.h"
@@ -18,9 +19,11 @@ struct CheckoutGoods {
   double pad_friction = 0.5;  // of rubber on it
 };
 
-// Errors: assets.*, catalog.bad_row.
-Result<CheckoutGoods> checkout_goods(const Product& product,
-                                     const std::vector<FrictionRow>& frictions);
+// A body is made once in a process: cutting packs into convex pieces takes longer than all the rest
+// of a reset. Thread-safe. Errors: assets.*, catalog.bad_row.
+using SharedGoods = std::shared_ptr<const CheckoutGoods>;
+Result<SharedGoods> checkout_goods(const Product& product,
+                                   const std::vector<FrictionRow>& frictions);
 
 enum class CheckoutOwner { still, basket, item, finger, arm };
 
@@ -37,7 +40,7 @@ Result<CheckoutModel> checkout_model(const CheckoutStation& station,
                                      const Robot& robot,
                                      const std::vector<double>& robot_state,
                                      const std::vector<EpisodeItem>& items,
-                                     const std::vector<const CheckoutGoods*>& goods);
+                                     const std::vector<SharedGoods>& goods);
 
 // The arm at rest, fingers open.
 std::vector<double> ready_state(const CheckoutStation& station, const Robot& robot);

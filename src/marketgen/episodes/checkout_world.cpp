@@ -37,15 +37,11 @@ Result<void> CheckoutWorld::reset(const EpisodeSpec& spec, const std::vector<Pro
                  fmt::format("the station has \"{}\", not \"{}\"", station_.robot, spec.robot)};
   item_goods_.clear();
   for (const EpisodeItem& item : spec.items) {
-    std::unique_ptr<CheckoutGoods>& known = known_goods_[item.sku];
-    if (known == nullptr) {
-      const auto row = std::ranges::find(products, item.sku, &Product::sku);
-      if (row == products.end())
-        return Error{"catalog.unknown_sku", spec.id, "there is no product \"" + item.sku + "\""};
-      MARKETGEN_TRY(CheckoutGoods goods, checkout_goods(*row, frictions_));
-      known = std::make_unique<CheckoutGoods>(std::move(goods));
-    }
-    item_goods_.push_back(known.get());
+    const auto row = std::ranges::find(products, item.sku, &Product::sku);
+    if (row == products.end())
+      return Error{"catalog.unknown_sku", spec.id, "there is no product \"" + item.sku + "\""};
+    MARKETGEN_TRY(SharedGoods goods, checkout_goods(*row, frictions_));
+    item_goods_.push_back(std::move(goods));
   }
   spec_ = spec;
   const std::vector<double> ready = ready_state(station_, *robot_);
@@ -165,9 +161,7 @@ Result<EpisodeResult> CheckoutWorld::finish() {
 
 CheckoutSnapshot CheckoutWorld::save() const {
   CheckoutSnapshot moment;
-  moment.physics.resize(
-      static_cast<std::size_t>(mj_stateSize(model_.model.get(), mjSTATE_INTEGRATION)));
-  mj_getState(model_.model.get(), data_.get(), moment.physics.data(), mjSTATE_INTEGRATION);
+  moment.physics = moment_of(*data_);
   moment.target = target_;
   moment.watch = watch_;
   moment.steps = steps_;
@@ -176,21 +170,24 @@ CheckoutSnapshot CheckoutWorld::save() const {
 }
 
 Result<void> CheckoutWorld::restore(const CheckoutSnapshot& moment) {
-  const auto size = static_cast<std::size_t>(mj_stateSize(model_.model.get(), mjSTATE_INTEGRATION));
-  if (moment.physics.size() != size || moment.watch.items().size() != item_goods_.size())
+  if (moment.physics.buffer.size() != static_cast<std::size_t>(data_->nbuffer) ||
+      moment.watch.items().size() != item_goods_.size())
     return Error{"physics.bad_command", world_where, "the moment is of another episode"};
-  mj_setState(model_.model.get(), data_.get(), moment.physics.data(), mjSTATE_INTEGRATION);
+  restore_moment(*data_, moment.physics);
   target_ = moment.target;
   watch_ = moment.watch;
   steps_ = moment.steps;
   done_ = moment.done;
-  return guarded(world_where, [&] { mj_kinematics(model_.model.get(), data_.get()); });
+  return {};
 }
 
 std::string CheckoutWorld::state_hash() const {
-  const std::vector<double> physics = save().physics;
+  const mjModel& m = *model_.model;
+  std::vector<double> physics(static_cast<std::size_t>(mj_stateSize(&m, mjSTATE_INTEGRATION)));
+  mj_getState(&m, data_.get(), physics.data(), mjSTATE_INTEGRATION);
   Hasher hash;
   hash.add_bytes(std::as_bytes(std::span(physics)));
+  hash.add_bytes(std::as_bytes(std::span(data_->tree_asleep, static_cast<std::size_t>(m.ntree))));
   return hash.hex();
 }
 

@@ -2,20 +2,20 @@
 //
 // Station frame (episodes/checkout_station.h), SI units.
 #pragma once
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "episodes/checkout_watch.h"
 #include "episodes/track_world.h"
+#include "physics/mujoco_moment.h"
 #include "physics/robot_actor.h"
 
 namespace marketgen {
 
 // A moment; may be restored by a world that was reset to the same episode.
 struct CheckoutSnapshot {
-  std::vector<double> physics;
+  MujocoMoment physics;
   std::vector<double> target;
   CheckoutWatch watch;
   int steps = 0;
@@ -66,10 +66,9 @@ class CheckoutWorld : public TrackWorld {
   std::unique_ptr<Robot> robot_;
   std::vector<int> arm_;  // degrees of freedom that are commanded
   std::vector<FrictionRow> frictions_;
-  std::map<std::string, std::unique_ptr<CheckoutGoods>> known_goods_;
 
   EpisodeSpec spec_;
-  std::vector<const CheckoutGoods*> item_goods_;
+  std::vector<SharedGoods> item_goods_;
   CheckoutModel model_;
   MujocoData data_{nullptr, mj_deleteData};
   RobotActor actor_;

@@ -42,8 +42,11 @@ std::string spoken(const Product& product) {
 
 class CheckoutSampler {
  public:
-  CheckoutSampler(const std::vector<Product>& stock, CheckoutWorld& world, Seed seed)
-      : stock_(stock), world_(world), seed_(seed) {
+  CheckoutSampler(const std::vector<Product>& stock,
+                  const std::vector<FrictionRow>& frictions,
+                  CheckoutWorld& world,
+                  Seed seed)
+      : stock_(stock), frictions_(frictions), world_(world), seed_(seed) {
     for (const Product& product : stock_)
       shapes_[product.archetype].push_back(&product);
   }
@@ -88,10 +91,10 @@ class CheckoutSampler {
     Stream draw = seed.child("order").stream();
     draw.shuffle(std::span(order));
     std::vector<BulkItem> bulk(drawn.size());
-    std::vector<ProductBody> bodies(drawn.size());
+    std::vector<SharedGoods> goods(drawn.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
-      MARKETGEN_TRY(bodies[i], make_product_body(*drawn[order[i]]));
-      bulk[i] = {drawn[order[i]], &bodies[i]};
+      MARKETGEN_TRY(goods[i], checkout_goods(*drawn[order[i]], frictions_));
+      bulk[i] = {drawn[order[i]], &goods[i]->body};
     }
     MARKETGEN_TRY(const SettledBulk settled, settle_bulk(world_.station().container(), bulk, seed));
     std::vector<std::pair<std::size_t, EpisodeItem>> inside;
@@ -131,6 +134,7 @@ class CheckoutSampler {
   }
 
   const std::vector<Product>& stock_;
+  const std::vector<FrictionRow>& frictions_;
   CheckoutWorld& world_;
   Seed seed_;
   std::map<std::string, std::vector<const Product*>> shapes_;
@@ -184,7 +188,7 @@ Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
   spec.cameras = {"scene", "wrist"};
   spec.limit_s = world.station().limit_s;
   spec.certificate.proved = {"settled"};
-  CheckoutSampler sampler(stock, world, own);
+  CheckoutSampler sampler(stock, frictions, world, own);
   for (int number = 0; number < most_baskets; ++number) {
     MARKETGEN_TRY(std::optional<EpisodeSpec> made, sampler.attempt(spec, number));
     if (made) return std::move(*made);

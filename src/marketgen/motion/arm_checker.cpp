@@ -120,13 +120,13 @@ bool ArmChecker::hits_world(Rake& rake, Hit* hit) const {
   for (std::size_t part = parts_.size(); part-- > 0;) {
     const Part& of = parts_[part];
     if (of.body < 0) continue;
-    world_->touched(rake.bounds[part], rake.shapes);
+    of.world->touched(rake.bounds[part], rake.shapes);
     if (rake.shapes.empty()) continue;
     place_balls(part, rake);
     for (std::size_t i = of.first_ball; i < of.end_ball; ++i) {
       for (const std::uint32_t shape : rake.shapes) {
-        if (!world_->hits_shape(shape, rake.balls[i])) continue;
-        if (hit != nullptr) *hit = {of.name, world_->name(shape)};
+        if (!of.world->hits_shape(shape, rake.balls[i])) continue;
+        if (hit != nullptr) *hit = {of.name, of.world->name(shape)};
         return true;
       }
     }

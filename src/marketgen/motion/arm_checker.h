@@ -46,10 +46,14 @@ struct AttachedObject {
 
 struct ArmCheckOptions {
   double margin_m = 0.004;  // every sphere of the robot is this much larger
-  std::vector<AttachedObject> attached;
+  std::vector<AttachedObject> attached = {};
+  // Links that are tested against `their_world` in place of the world: a hand at work goes where
+  // the arm that moves it must not.
+  std::vector<int> at_work = {};
+  const CollisionWorld* their_world = nullptr;
 };
 
-// Refers to the model and the world, which must outlive it. Any number of threads may ask.
+// Refers to the model and the worlds, which must outlive it. Any number of threads may ask.
 class ArmChecker {
  public:
   // `state`: every degree of freedom of the robot. Errors: those of check_state,
@@ -82,6 +86,7 @@ class ArmChecker {
   };
   struct Part {  // a link or an attached object
     std::string name;
+    const CollisionWorld* world = nullptr;
     int link = 0, body = -1;
     Ball bound;                                // holds every ball
     std::size_t first_ball = 0, end_ball = 0;  // body frame; world frame for body -1

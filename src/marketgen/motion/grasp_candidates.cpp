@@ -206,8 +206,9 @@ class Search {
     for (const double opening :
          {std::min(tool_.opening_m, made.width_m + 2 * query_.finger_gap_m), tool_.opening_m}) {
       made.grasp.opening_m = opening;
+      if (!room_.is_free(made.grasp)) continue;
       made.clearance_m = room_.clearance_of(made.grasp);
-      if (room_.is_free(made.grasp)) return room_.pads_touch_first(made.grasp, made.width_m);
+      return room_.pads_touch_first(made.grasp, made.width_m);
     }
     return false;
   }

@@ -14,6 +14,7 @@ namespace {
 constexpr std::array on_the_way_m = {0.01, 0.02, 0.035, 0.05, 0.075, 0.1};
 // A cup's body may be this near to what its bellows press on.
 constexpr double bellows_m = 0.03;
+constexpr double no_end = std::numeric_limits<double>::infinity();
 
 // Whether a ball touches the box: most of a tool is far from most packs, and hulls are slow.
 bool near_bounds(const Bounds3& bounds, Vec3 middle, double radius_m) {
@@ -45,22 +46,31 @@ GraspRoom::GraspRoom(const Product& product,
     product_from_likes_.push_back({{side * (product.width_m() + query.neighbour_gap_m), 0, 0}, {}});
 }
 
-std::vector<ToolSolid> GraspRoom::solids_of(const Grasp& grasp) const {
-  std::vector<ToolSolid> solids = opened(tool_, grasp.opening_m);
+GraspRoom::Solids GraspRoom::solids_of(const Grasp& grasp) const {
+  Solids solids = opened(tool_, grasp.opening_m);
   solids.insert(solids.end(), tool_.body.begin(), tool_.body.end());
   return solids;
 }
 
 double GraspRoom::clearance_of(const Grasp& grasp) const {
-  double least = std::numeric_limits<double>::infinity();
-  for (const ToolSolid& solid : solids_of(grasp)) {
-    const Pose pose = grasp.product_from_tool * solid.tool_from_solid;
-    least = std::min(
-        {least, room_over_and_under(pose, solid.half_size), gap_to_walls(pose, solid.half_size)});
+  return clearance_at(grasp.product_from_tool, solids_of(grasp), no_end);
+}
+
+double GraspRoom::clearance_at(const Pose& product_from_tool,
+                               const Solids& solids,
+                               double enough_m) const {
+  double least = no_end;
+  for (const ToolSolid& solid : solids) {
+    const Pose pose = product_from_tool * solid.tool_from_solid;
+    least = std::min(least, room_over_and_under(pose, solid.half_size));
+    if (least < least_clearance_m) return least;
+    least = std::min(least, gap_to_walls(pose, solid.half_size, std::min(least, enough_m)));
     if (least < least_clearance_m) return least;
     const bool bellows = tool_.kind == ToolKind::suction &&
                          solid.tool_from_solid.position.z + solid.half_size.z > -bellows_m;
-    if (!bellows) least = std::min(least, surface_.gap_to_box(pose, solid.half_size));
+    if (!bellows)
+      least =
+          std::min(least, surface_.gap_to_box(pose, solid.half_size, std::min(least, enough_m)));
     if (least < least_clearance_m) return least;
   }
   return least;
@@ -74,38 +84,47 @@ double GraspRoom::room_over_and_under(const Pose& product_from_box, Vec3 half) c
   return std::min(under, *query_.ceiling_m - pose.position.z - reach);
 }
 
-double GraspRoom::gap_to_walls(const Pose& product_from_box, Vec3 half) const {
-  double least = std::numeric_limits<double>::infinity();
+double GraspRoom::gap_to_walls(const Pose& product_from_box, Vec3 half, double enough_m) const {
+  double least = no_end;
   for (const Wall& wall : walls_)
-    least = std::min(least, wall.box.gap_to_box(wall.box_from_product * product_from_box, half));
+    least =
+        std::min(least,
+                 wall.box.gap_to_box(
+                     wall.box_from_product * product_from_box, half, std::min(least, enough_m)));
   return least;
 }
 
 double GraspRoom::overlap_with_likes(const Grasp& grasp) const {
+  return overlap_with_likes_at(grasp.product_from_tool, solids_of(grasp));
+}
+
+double GraspRoom::overlap_with_likes_at(const Pose& product_from_tool, const Solids& solids) const {
   double room = 0;
   for (const Pose& like : product_from_likes_) {
-    const Pose like_from_tool = inverse(like) * grasp.product_from_tool;
-    for (const ToolSolid& solid : solids_of(grasp)) {
+    const Pose like_from_tool = inverse(like) * product_from_tool;
+    for (const ToolSolid& solid : solids) {
       const Pose pose = like_from_tool * solid.tool_from_solid;
       if (near_bounds(surface_.bounds(), pose.position, length(solid.half_size)))
-        room = std::min(room, surface_.gap_to_box(pose, solid.half_size));
+        room = std::min(room, surface_.gap_to_box(pose, solid.half_size, 0));
     }
   }
   return -room;
 }
 
-bool GraspRoom::clear_here(const Grasp& grasp) const {
-  return clearance_of(grasp) >= least_clearance_m &&
-         (query_.likes.empty() || overlap_with_likes(grasp) <= most_like_overlap_m);
+bool GraspRoom::clear_at(const Pose& product_from_tool, const Solids& solids) const {
+  return clearance_at(product_from_tool, solids, least_clearance_m) >= least_clearance_m &&
+         (query_.likes.empty() ||
+          overlap_with_likes_at(product_from_tool, solids) <= most_like_overlap_m);
 }
 
 bool GraspRoom::is_free(const Grasp& grasp) const {
-  if (!clear_here(grasp)) return false;
-  const Vec3 back = rotate(grasp.product_from_tool.rotation, {0, 0, -1});
+  const Solids solids = solids_of(grasp);
+  Pose tool = grasp.product_from_tool;
+  if (!clear_at(tool, solids)) return false;
+  const Vec3 back = rotate(tool.rotation, {0, 0, -1});
   return std::ranges::all_of(on_the_way_m, [&](double by) {
-    Grasp before = grasp;
-    before.product_from_tool.position += back * by;
-    return clear_here(before);
+    tool.position = grasp.product_from_tool.position + back * by;
+    return clear_at(tool, solids);
   });
 }
 
@@ -114,7 +133,7 @@ bool GraspRoom::pads_touch_first(const Grasp& grasp, double width_m) const {
   for (std::size_t i = 0; i < shut.size(); ++i) {
     if (i == 0 || i == tool_.left.size()) continue;  // the pads
     const Pose pose = grasp.product_from_tool * shut[i].tool_from_solid;
-    if (surface_.gap_to_box(pose, shut[i].half_size) < 0) return false;
+    if (surface_.gap_to_box(pose, shut[i].half_size, 0) < 0) return false;
   }
   return true;
 }

@@ -38,10 +38,14 @@ class GraspRoom {
     GraspSurface box;
   };
 
-  std::vector<ToolSolid> solids_of(const Grasp& grasp) const;
+  using Solids = std::vector<ToolSolid>;
+
+  Solids solids_of(const Grasp& grasp) const;
   double room_over_and_under(const Pose& product_from_box, Vec3 half) const;
-  double gap_to_walls(const Pose& product_from_box, Vec3 half) const;
-  bool clear_here(const Grasp& grasp) const;
+  double gap_to_walls(const Pose& product_from_box, Vec3 half, double enough_m) const;
+  double clearance_at(const Pose& product_from_tool, const Solids& solids, double enough_m) const;
+  double overlap_with_likes_at(const Pose& product_from_tool, const Solids& solids) const;
+  bool clear_at(const Pose& product_from_tool, const Solids& solids) const;
 
   const GraspTool& tool_;
   const GraspQuery& query_;

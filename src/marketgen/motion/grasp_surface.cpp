@@ -60,16 +60,14 @@ void clip_round(Inside& inside, Vec3 center, Vec3 inverse_half, Vec3 origin, Vec
   }
 }
 
-double box_reach(const Pose& product_from_box, Vec3 half, Vec3 direction) {
-  const Vec3 d = rotate(inverse(product_from_box.rotation), direction);
-  return half.x * std::abs(d.x) + half.y * std::abs(d.y) + half.z * std::abs(d.z);
-}
+constexpr std::array<Vec3, 3> own_axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
 
 }  // namespace
 
 GraspSurface::GraspSurface(const std::vector<ContactPiece>& pieces) {
   for (const ContactPiece& from : pieces) {
-    Piece piece{from.shape, to_double(from.center), to_double(from.half_size), from.lying, {}, {}};
+    Piece piece{
+        from.shape, to_double(from.center), to_double(from.half_size), from.lying, {}, {}, 0};
     if (from.shape == PieceShape::cylinder && from.lying)
       piece.half = {piece.half.z, piece.half.x, piece.half.x};
     for (const Vec3f& point : from.points)
@@ -79,7 +77,10 @@ GraspSurface::GraspSurface(const std::vector<ContactPiece>& pieces) {
           normalized(cross(piece.points[b] - piece.points[a], piece.points[c] - piece.points[a]));
       piece.faces.push_back({n, dot(n, piece.points[a])});
     }
-    for (const Vec3 axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+    piece.radius = length(piece.half);
+    for (const Vec3& point : piece.points)
+      piece.radius = std::max(piece.radius, length(point - piece.center));
+    for (const Vec3 axis : own_axes) {
       const Vec3 high = axis * reach(piece, axis), low = -axis * reach(piece, -axis);
       const Vec3 keep = Vec3{1, 1, 1} - axis;
       bounds_.include(to_float(piece.center * keep + high));
@@ -221,36 +222,60 @@ std::optional<CupContact> GraspSurface::cup_contact(Vec3 origin,
   return contact;
 }
 
-double GraspSurface::gap(const Piece& piece, const Pose& product_from_box, Vec3 half_size) {
-  const Vec3 box = product_from_box.position;
+double GraspSurface::TurnedBox::reach(Vec3 direction) const {
+  return half.x * std::abs(dot(axes[0], direction)) + half.y * std::abs(dot(axes[1], direction)) +
+         half.z * std::abs(dot(axes[2], direction));
+}
+
+double GraspSurface::gap(const Piece& piece, const TurnedBox& box, double enough_m) {
   double most = -std::numeric_limits<double>::infinity();
-  // `d` looks from the piece to the box.
-  const auto try_direction = [&](Vec3 d) {
-    if (length(d) < 0.5) return;
-    const double apart = dot(box, d) - box_reach(product_from_box, half_size, d) - reach(piece, d);
-    most = std::max(most, apart);
+  // `d` looks from the piece, which reaches `out` along it, to the box. True when that is enough.
+  const auto apart_along = [&](Vec3 d, double out) {
+    most = std::max(most, dot(box.middle, d) - box.reach(d) - out);
+    return most >= enough_m;
   };
-  for (const Vec3 axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
-    const Vec3 of_box = rotate(product_from_box.rotation, axis);
-    for (const double side : {1.0, -1.0}) {
-      try_direction(of_box * side);
-      try_direction(axis * side);
-    }
+  const auto apart = [&](Vec3 d) { return apart_along(d, reach(piece, d)); };
+  const Vec3 to_box = box.middle - piece.center;
+  const Vec3 ahead = normalized(to_box);
+  if (length(ahead) > 0.5 && apart(ahead)) return most;
+  // Primitives are alike on both sides: only the nearer one can look at the box.
+  const bool both_sides = piece.shape == PieceShape::hull;
+  const auto apart_on_axis = [&](Vec3 axis) {
+    const double side = dot(to_box, axis) < 0 ? -1.0 : 1.0;
+    return apart(axis * side) || (both_sides && apart(axis * -side));
+  };
+  for (const Vec3 axis : own_axes) {
+    if (apart_on_axis(axis)) return most;
   }
-  for (const Face& face : piece.faces)
-    try_direction(face.normal);
-  const Vec3 to_box = box - piece.center;
-  try_direction(normalized(to_box));
-  if (piece.shape == PieceShape::cylinder)
-    try_direction(
-        normalized(piece.lying ? Vec3{0, to_box.y, to_box.z} : Vec3{to_box.x, to_box.y, 0}));
+  for (const Vec3 axis : box.axes) {
+    if (apart_on_axis(axis)) return most;
+  }
+  for (const Face& face : piece.faces) {
+    if (apart_along(face.normal, face.offset)) return most;
+  }
+  if (piece.shape == PieceShape::cylinder) {
+    const Vec3 out =
+        normalized(piece.lying ? Vec3{0, to_box.y, to_box.z} : Vec3{to_box.x, to_box.y, 0});
+    if (length(out) > 0.5) apart(out);
+  }
   return most;
 }
 
-double GraspSurface::gap_to_box(const Pose& product_from_box, Vec3 half_size) const {
+double GraspSurface::gap_to_box(const Pose& product_from_box,
+                                Vec3 half_size,
+                                double enough_m) const {
+  TurnedBox box{product_from_box.position, half_size, {}};
+  for (std::size_t i = 0; i < 3; ++i)
+    box.axes[i] = rotate(product_from_box.rotation, own_axes[i]);
+  const double radius = length(half_size);
   double least = std::numeric_limits<double>::infinity();
-  for (const Piece& piece : pieces_)
-    least = std::min(least, gap(piece, product_from_box, half_size));
+  for (const Piece& piece : pieces_) {
+    const double between_balls = length(box.middle - piece.center) - piece.radius - radius;
+    if (between_balls >= std::min(least, enough_m))
+      least = std::min(least, between_balls);
+    else
+      least = std::min(least, gap(piece, box, std::min(least, enough_m)));
+  }
   return least;
 }
 

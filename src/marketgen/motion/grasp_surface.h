@@ -1,6 +1,8 @@
 // The outside of a pack as a grasp meets it: rays against its convex contact pieces, and flat pads
 // and cups pressed on them. Product frame, metres.
 #pragma once
+#include <array>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -50,8 +52,12 @@ class GraspSurface {
   std::optional<CupContact> cup_contact(Vec3 origin, Vec3 travel, double radius_m) const;
 
   // How far apart the box and the pack are, at least; negative when they may overlap. Exact where a
-  // face of one of them looks at the other, less than the truth where edges do.
-  double gap_to_box(const Pose& product_from_box, Vec3 half_size) const;
+  // face of one of them looks at the other, less than the truth where edges do. Who only asks
+  // whether it is `enough` need not wait for the rest: what is greater may be told as less, but not
+  // as less than that.
+  double gap_to_box(const Pose& product_from_box,
+                    Vec3 half_size,
+                    double enough_m = std::numeric_limits<double>::infinity()) const;
 
  private:
   // Faces of a hull: inside is where dot(normal, p) <= offset for all.
@@ -65,11 +71,18 @@ class GraspSurface {
     bool lying = false;
     std::vector<Face> faces;
     std::vector<Vec3> points;  // of a hull
+    double radius = 0;         // of a ball round `center` that holds it
+  };
+  // A box with its axes, product frame.
+  struct TurnedBox {
+    Vec3 middle, half;
+    std::array<Vec3, 3> axes;
+    double reach(Vec3 direction) const;  // from its middle
   };
 
   static std::optional<SurfaceHit> hit(const Piece& piece, Vec3 origin, Vec3 direction);
   static double reach(const Piece& piece, Vec3 direction);
-  static double gap(const Piece& piece, const Pose& product_from_box, Vec3 half_size);
+  static double gap(const Piece& piece, const TurnedBox& box, double enough_m);
 
   std::vector<Piece> pieces_;
   Bounds3 bounds_;

@@ -93,7 +93,7 @@ void ArmChecker::add_part(int link, const std::vector<Sphere>& spheres, std::str
   const auto at = static_cast<std::size_t>(link);
   const int body = body_of_link_[at];
   const Pose& pose = body < 0 ? world_from_link_[at] : body_from_link_[at];
-  Part part{std::move(name), link, body, {}, balls_.size(), balls_.size() + spheres.size()};
+  Part part{std::move(name), world_, link, body, {}, balls_.size(), balls_.size() + spheres.size()};
   Vec3 low{1e30, 1e30, 1e30}, high = -low;
   for (const Sphere& sphere : spheres) {
     const Vec3 c = pose * sphere.center;
@@ -193,6 +193,10 @@ Result<ArmChecker> ArmChecker::make(const ArmModel& model,
     if (!link.spheres.empty()) checker.add_part(static_cast<int>(i), link.spheres, link.name);
   }
   checker.links_ = checker.parts_.size();
+  for (Part& part : checker.parts_) {
+    const bool works = std::ranges::find(options.at_work, part.link) != options.at_work.end();
+    if (works && options.their_world != nullptr) part.world = options.their_world;
+  }
   for (std::size_t i = 0; i < options.attached.size(); ++i) {
     MARKETGEN_CHECK(checker.add_attached(options.attached[i], i));
   }

@@ -1,28 +1,20 @@
 // Snapshots of a World: what the model was changed to, and MuJoCo's own state byte for byte.
-//
-// mj_getState is not enough: which trees sleep is in none of its parts.
-#include <cstring>
 #include <span>
 
 #include "base/hash.h"
+#include "physics/mujoco_moment.h"
 #include "physics/world_state.h"
 
 namespace marketgen {
 
 struct WorldSnapshot::Content {
-  // Members of mjData outside its buffer that carry state from step to step.
-  struct Scalars {
-    mjtNum time, energy[2];
-    int ntree_awake, nbody_awake, nparent_awake, nv_awake;
-  };
   struct MovedProduct {
     std::uint32_t product = 0;
     ShapePose first, stands;
   };
 
   std::string made_of;  // scene and model that it belongs to
-  std::vector<std::byte> buffer;
-  Scalars scalars{};
+  MujocoMoment physics;
   std::vector<MovedProduct> moved;
   std::vector<LiveBody> live;
   std::vector<bool> refused;
@@ -36,27 +28,7 @@ struct WorldSnapshot::Content {
 
 namespace {
 
-using Scalars = WorldSnapshot::Content::Scalars;
 using MovedProduct = WorldSnapshot::Content::MovedProduct;
-
-Scalars scalars_of(const mjData& d) {
-  return {d.time,
-          {d.energy[0], d.energy[1]},
-          d.ntree_awake,
-          d.nbody_awake,
-          d.nparent_awake,
-          d.nv_awake};
-}
-
-void set_scalars(mjData& d, const Scalars& s) {
-  d.time = s.time;
-  d.energy[0] = s.energy[0], d.energy[1] = s.energy[1];
-  d.ntree_awake = s.ntree_awake, d.nbody_awake = s.nbody_awake;
-  d.nparent_awake = s.nparent_awake, d.nv_awake = s.nv_awake;
-  d.ncon = d.nefc = d.ne = d.nf = d.nl = d.nisland = 0;  // made anew by the next step
-  for (mjWarningStat& warning : d.warning)
-    warning = {};
-}
 
 std::string identity(const Scene& scene, const mjModel& m, std::size_t buffer_bytes) {
   Hasher hash;
@@ -80,9 +52,7 @@ WorldSnapshot World::snapshot() const {
   const State& s = *state_;
   auto made = std::make_shared<WorldSnapshot::Content>();
   made->made_of = identity(s.scene, s.m(), s.d().nbuffer);
-  const auto* bytes = static_cast<const std::byte*>(s.d().buffer);
-  made->buffer.assign(bytes, bytes + s.d().nbuffer);
-  made->scalars = scalars_of(s.d());
+  made->physics = moment_of(s.d());
   for (const auto& [product, first] : s.moved)
     made->moved.push_back({product, first, geom_pose(s.m(), s.store.product_geom[product])});
   made->live = s.live;
@@ -146,8 +116,7 @@ Result<void> World::restore(const WorldSnapshot& snapshot) {
     if (s.live[body].hooked) s.hook(body, product);
     s.body_of[product] = static_cast<int>(body);
   }
-  std::memcpy(s.d().buffer, from.buffer.data(), from.buffer.size());
-  set_scalars(s.d(), from.scalars);
+  restore_moment(s.d(), from.physics);
   s.near.forget();
   for (std::uint32_t joint = 0; joint < s.belt_speed.size(); ++joint)
     s.run_belt(joint, from.belt_speed[joint]);

@@ -4,6 +4,19 @@
 #include <cmath>
 
 namespace marketgen {
+namespace {
+
+// What the last joint of the group moves.
+std::vector<int> hand_of(const Robot& robot, const JointGroup& group) {
+  std::vector<int> hand;
+  if (group.dofs.empty()) return hand;
+  hand.push_back(robot.joint_of_dof(static_cast<std::size_t>(group.dofs.back())).link);
+  for (const Joint& joint : robot.joints)  // parents come first
+    if (std::ranges::find(hand, joint.parent) != hand.end()) hand.push_back(joint.link);
+  return hand;
+}
+
+}  // namespace
 
 Result<ArmExecutor> ArmExecutor::make(const Robot& robot, const ExecutorOptions& options) {
   ArmExecutor made;
@@ -11,6 +24,7 @@ Result<ArmExecutor> ArmExecutor::make(const Robot& robot, const ExecutorOptions&
   made.options_ = options;
   MARKETGEN_TRY(ArmModel model, make_arm_model(robot, "arm"));
   made.model_ = std::make_unique<ArmModel>(std::move(model));
+  made.hand_ = hand_of(robot, made.model_->group);
   return made;
 }
 
@@ -44,6 +58,17 @@ Result<std::vector<MotionLimits>> ArmExecutor::limits(double speed) const {
   return limits;
 }
 
+Result<ArmChecker> ArmExecutor::line_checker(const std::vector<double>& state,
+                                             const CollisionWorld& way,
+                                             const CollisionWorld& line) const {
+  return ArmChecker::make(
+      *model_,
+      state,
+      {},
+      way,
+      {.margin_m = options_.line_margin_m, .at_work = hand_, .their_world = &line});
+}
+
 void ArmExecutor::queue(JointTrajectory trajectory, double opening_m, double force_n) {
   const double duration = trajectory.duration_s();
   end_ = trajectory.at(duration).position;
@@ -63,9 +88,12 @@ Result<void> ArmExecutor::reach(const Surroundings& around,
   const std::vector<double> q = state(opening);
   MARKETGEN_TRY(
       const ArmChecker way,
-      ArmChecker::make(*model_, q, {}, way_world, {options_.way_margin_m, request.attached}));
-  MARKETGEN_TRY(const ArmChecker line,
-                ArmChecker::make(*model_, q, {}, line_world, {options_.line_margin_m, {}}));
+      ArmChecker::make(*model_,
+                       q,
+                       {},
+                       way_world,
+                       {.margin_m = options_.way_margin_m, .attached = request.attached}));
+  MARKETGEN_TRY(const ArmChecker line, line_checker(q, way_world, line_world));
   ArmPlanOptions arm;
   arm.search.most_iterations = options_.most_samples;
   arm.speed = options_.speed;
@@ -75,7 +103,7 @@ Result<void> ArmExecutor::reach(const Surroundings& around,
   MARKETGEN_TRY(const auto slow, limits(options_.line_speed));
   MARKETGEN_TRY(JointTrajectory trajectory, timed_path(plan.way, quick));
   MARKETGEN_TRY(const JointTrajectory last, timed_curve(plan.line, slow));
-  trajectory.append(last);
+  if (!request.stops_before) trajectory.append(last);
   queue(std::move(trajectory), request.opening_m, request.force_n);
   return {};
 }
@@ -84,13 +112,10 @@ Result<void> ArmExecutor::straight(const Surroundings& around,
                                    const Pose& base_from_tip,
                                    double opening_m,
                                    double force_n) {
-  MARKETGEN_TRY(const CollisionWorld world, CollisionWorld::make(around.line));
+  MARKETGEN_TRY(const CollisionWorld way_world, CollisionWorld::make(around.way));
+  MARKETGEN_TRY(const CollisionWorld line_world, CollisionWorld::make(around.line));
   MARKETGEN_TRY(const ArmChecker line,
-                ArmChecker::make(*model_,
-                                 state(opening_m > 0 ? opening_m : opening_m_),
-                                 {},
-                                 world,
-                                 {options_.line_margin_m, {}}));
+                line_checker(state(opening_m > 0 ? opening_m : opening_m_), way_world, line_world));
   MARKETGEN_TRY(const JointPath path, tool_line(line, end_, base_from_tip));
   MARKETGEN_TRY(const auto slow, limits(options_.line_speed));
   MARKETGEN_TRY(JointTrajectory trajectory, timed_curve(path, slow));

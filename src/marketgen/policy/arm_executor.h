@@ -24,7 +24,8 @@ struct ExecutorOptions {
   int most_samples = 3000;                             // of one search
 };
 
-// `way`: on free ways. `line`: on straight lines, without what may be touched there.
+// `way`: on free ways, and for the arm everywhere. `line`: for the hand on straight lines, without
+// what it may touch there.
 struct Surroundings {
   Obstacles way, line;
 };
@@ -35,6 +36,7 @@ struct ReachRequest {
   double opening_m = 0;  // of the gripper meanwhile; 0 presses
   double force_n = 20;
   std::vector<AttachedObject> attached = {};  // on the free way
+  bool stops_before = false;  // where the straight line begins; that it can be gone is certain
 };
 
 class ArmExecutor {
@@ -69,10 +71,14 @@ class ArmExecutor {
   ArmExecutor() = default;
   std::vector<double> state(double opening_m) const;
   Result<std::vector<MotionLimits>> limits(double speed) const;
+  Result<ArmChecker> line_checker(const std::vector<double>& state,
+                                  const CollisionWorld& way,
+                                  const CollisionWorld& line) const;
   void queue(JointTrajectory trajectory, double opening_m, double force_n);
 
   const Robot* robot_ = nullptr;
   std::unique_ptr<ArmModel> model_;
+  std::vector<int> hand_;  // links that the group's last joint moves
   ExecutorOptions options_;
   std::deque<Motion> queue_;
   double played_s_ = 0;      // of the first motion in the queue

@@ -7,6 +7,9 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/progress.h"
 
 #include "policy/oracle_grasps.h"
 #include "policy/oracle_places.h"
@@ -14,18 +17,24 @@
 namespace marketgen {
 namespace {
 
-constexpr int most_tries = 3;            // of an item
+constexpr int most_tries = 3;            // of an item where it lies
+constexpr int most_takes = 6;            // of an item in all
 constexpr std::size_t most_grasps = 24;  // of which postures are sought
 constexpr std::size_t most_plans = 6;    // of an item at a time
 constexpr std::size_t most_places = 8;
-constexpr double close_s = 0.6, settle_s = 0.25, open_s = 0.35;
+constexpr std::size_t most_place_searches = 12;  // for the grasps of an item at a time
+constexpr double close_s = 0.6, firm_s = 0.2, settle_s = 0.25, open_s = 0.35;
+// Of the pads until both of them touch: one alone pushes the item against what lies beside it.
+constexpr double touch_n = 12;
+// What failed once is not tried again so near by.
+constexpr double same_grasp_m = 0.012, same_grasp_cosine = 0.96;
 constexpr double let_go_m = 0.014;   // wider than what was held
 constexpr double over_rim_m = 0.05;  // of what is lifted out
 constexpr double retreat_m = 0.12;
 constexpr double least_time_s = 8;  // no new grasp with less time left
 constexpr double keep_off_basket_m = 0.03, keep_off_area_m = 0.02;
 
-enum class Phase { choose, closed, lifted, released };
+enum class Phase { choose, closed, lifted, over_place, released };
 
 // clear: nothing is in the way of the hand, nor lies over the item. free: of the hand only.
 enum class Ease { clear, free, any };
@@ -40,6 +49,7 @@ class CheckoutOracle : public Policy {
     scene_ = std::make_unique<OracleScene>(world_, tool_);
     arm_.start(first);
     phase_ = Phase::choose;
+    say("begins " + world_.spec().id);
     return {};
   }
 
@@ -63,6 +73,8 @@ class CheckoutOracle : public Policy {
         return lift();
       case Phase::lifted:
         return put_down();
+      case Phase::over_place:
+        return lower();
     }
     return {};
   }
@@ -74,8 +86,12 @@ class CheckoutOracle : public Policy {
     return std::ranges::count(world_.spec().goals, sku, &EpisodeGoal::sku) > 0;
   }
 
-  // Targets that are not there yet, and what is there and should not be.
-  bool is_due(std::size_t item) const { return is_target(item) != scene_->in_unloading(item); }
+  // Targets that are not there yet or fell there, and what is there and should not be.
+  bool is_due(std::size_t item) const {
+    const bool there = scene_->in_unloading(item);
+    if (!is_target(item)) return there;
+    return !there || world_.watch().items()[item].impact_m_s > most_impact_m_s;
+  }
 
   Result<void> choose() {
     std::vector<std::size_t> due;
@@ -96,8 +112,21 @@ class CheckoutOracle : public Policy {
   }
 
   bool may_try(std::size_t item) const {
-    const auto tried = tries_.find(item);
-    return tried == tries_.end() || tried->second < most_tries;
+    const auto tried = tries_.find(item), taken = takes_.find(item);
+    return (tried == tries_.end() || tried->second < most_tries) &&
+           (taken == takes_.end() || taken->second < most_takes);
+  }
+
+  bool failed_before(std::size_t item, const Pose& tip) const {
+    const Pose now = inverse(world_.item_pose(item)) * tip;
+    return std::ranges::any_of(failed_, [&](const auto& failed) {
+      const Pose& then = failed.second;
+      const auto along = [&](Vec3 axis) {
+        return dot(rotate(now.rotation, axis), rotate(then.rotation, axis));
+      };
+      return failed.first == item && length(now.position - then.position) < same_grasp_m &&
+             along({0, 0, 1}) > same_grasp_cosine && std::abs(along({0, 1, 0})) > same_grasp_cosine;
+    });
   }
 
   // Of the item as everything lies now. Looked for once while the item lies still.
@@ -142,6 +171,19 @@ class CheckoutOracle : public Policy {
         MARKETGEN_TRY(const bool begun, take_if(item, how));
         if (begun) return {};
       }
+    }
+    say("gives up");
+    for (const std::size_t item : due) {
+      const ItemGrasps& g = grasps_.at(item);
+      say(fmt::format(
+          "  {}: {} grasps, best has {} blockers, lies under {}, tries {}, refused {}, basket {}",
+          called(item),
+          g.choices.size(),
+          g.choices.empty() ? 0 : g.choices.front().blockers.size(),
+          g.lies_under.size(),
+          tries_[item],
+          refused_.contains(item),
+          scene_->in_basket(item)));
     }
     done_ = true;
     return {};
@@ -191,6 +233,19 @@ class CheckoutOracle : public Policy {
 
   // ---- Taking it ----
 
+  void say(const std::string& what) const {
+    log_debug(fmt::format("oracle {:.2f} s: {}", now_.time_s, what));
+  }
+  std::string called(std::size_t item) const {
+    const CheckoutGoods& goods = world_.goods(item);
+    return fmt::format("{}{} {} {} ({:.2f} kg)",
+                       is_target(item) ? "target " : "other ",
+                       item,
+                       goods.product.archetype,
+                       fmt::join(goods.product.size_mm, "x"),
+                       goods.product.mass_kg);
+  }
+
   static Pose flipped(Pose tip) {
     tip.rotation = tip.rotation * rotation_about({0, 0, 1}, std::numbers::pi);
     return tip;
@@ -203,33 +258,76 @@ class CheckoutOracle : public Policy {
     return {0, 0, std::max(0.08, (rim - tip.position.z) / steep)};
   }
 
+  // A grasp with which the item can be put down as well, or else any.
   Result<bool> take(std::size_t item) {
+    note(grasps_.at(item).choices.empty() ? FailureCode::no_grasp : FailureCode::no_ik);
+    for (const bool to_be_placed : {true, false}) {
+      MARKETGEN_TRY(const bool begun, take(item, to_be_placed));
+      if (begun) return true;
+    }
+    return false;
+  }
+
+  Result<bool> take(std::size_t item, bool to_be_placed) {
     const ItemGrasps& grasps = grasps_.at(item);
     const Surroundings around = scene_->surroundings({});
-    std::size_t plans = 0;
-    note(grasps.choices.empty() ? FailureCode::no_grasp : FailureCode::no_ik);
+    std::size_t plans = 0, searches = 0;
     for (std::size_t i = 0; i < std::min(grasps.choices.size(), most_grasps); ++i) {
       const GraspChoice& choice = grasps.choices[i];
       for (const Pose& tip : nearest_flip_first(choice.station_from_tip)) {
-        const ReachRequest request{tip, approach_to(tip), choice.opening_m, choice.force_n};
+        const ReachRequest request{tip, approach_to(tip), choice.opening_m, touch_n};
         const Pose begin = tip * Pose{-request.approach, {}};
-        if (!arm_.effort_to(tip) || !arm_.effort_to(begin)) continue;
+        if (failed_before(item, tip) || !arm_.effort_to(tip) || !arm_.effort_to(begin)) continue;
+        if (to_be_placed && (searches++ >= most_place_searches || !has_place(item, tip, choice)))
+          continue;
         if (plans++ >= most_plans) return false;
         const Seed seed = seed_.child("reach", static_cast<std::uint64_t>(moves_++));
-        const auto reached = arm_.reach(around, request, seed);
-        if (!reached.ok()) {
+        if (!arm_.reach(around, request, seed).ok()) {
           note(FailureCode::no_path);
           continue;
         }
-        arm_.wait(close_s, 0, choice.force_n);
-        item_ = item;
-        force_n_ = choice.force_n;
-        ++tries_[item];
-        phase_ = Phase::closed;
+        close_on(item, tip, choice);
         return true;
       }
     }
     return false;
+  }
+
+  void close_on(std::size_t item, const Pose& tip, const GraspChoice& choice) {
+    arm_.wait(close_s, 0, touch_n);
+    arm_.wait(firm_s, 0, choice.force_n);
+    item_ = item;
+    force_n_ = choice.force_n;
+    product_from_tip_ = inverse(world_.item_pose(item)) * tip;
+    ++tries_[item];
+    ++takes_[item];
+    say(fmt::format("takes {}, try {}, tilt {:.0f}, {:.0f} N, score {:.1f}, {} blockers",
+                    called(item),
+                    tries_[item],
+                    tilt_deg(tip.rotation),
+                    choice.force_n,
+                    choice.score,
+                    choice.blockers.size()));
+    phase_ = Phase::closed;
+  }
+
+  PlaceQuestion place_question(std::size_t item,
+                               const Pose& tip_from_item,
+                               double opening_m,
+                               bool in_area) const {
+    PlaceQuestion question;
+    question.item = item;
+    question.tip_from_item = tip_from_item;
+    question.opening_m = std::min(tool_.opening_m, opening_m);
+    question.area = in_area ? world_.station().unloading.area() : world_.station().set_aside;
+    if (!in_area) question.kept_free = kept_free();
+    return question;
+  }
+
+  bool has_place(std::size_t item, const Pose& tip, const GraspChoice& choice) const {
+    const PlaceQuestion question = place_question(
+        item, inverse(tip) * world_.item_pose(item), choice.opening_m, is_target(item));
+    return !item_places(*scene_, arm_, question, 1).empty();
   }
 
   std::vector<Pose> nearest_flip_first(const Pose& tip) const {
@@ -242,7 +340,7 @@ class CheckoutOracle : public Policy {
   bool holds_it() const { return world_.watch().items()[item_].held; }
 
   Result<void> lift() {
-    if (!holds_it()) return let_go(FailureCode::missed);
+    if (!holds_it()) return let_go_for_good(FailureCode::missed);
     const Surroundings around = scene_->surroundings({item_});
     const double rim = scene_->in_basket(item_) ? world_.station().basket.height_m : 0.03;
     const Pose pose = world_.item_pose(item_);
@@ -260,9 +358,15 @@ class CheckoutOracle : public Policy {
     return let_go(FailureCode::no_path);
   }
 
+  Result<void> let_go_for_good(FailureCode why) {
+    failed_.emplace_back(item_, product_from_tip_);
+    return let_go(why);
+  }
+
   // Opens where it is, and goes back the way it came.
   Result<void> let_go(FailureCode why) {
     note(why);
+    say(fmt::format("lets go of {}: {}", called(item_), name_of(why)));
     const double opening = std::min(tool_.opening_m, now_.openings_m.front() + let_go_m);
     arm_.wait(open_s, opening, force_n_);
     back_off(opening);
@@ -298,38 +402,64 @@ class CheckoutOracle : public Policy {
     return {{{at.x - x, at.y - y}, {at.x + x, at.y + y}, {}}, area};
   }
 
+  // Where it belongs, or else where it can be taken anew.
   Result<void> put_down() {
-    if (!holds_it()) return let_go(FailureCode::slipped);
-    PlaceQuestion question;
-    question.item = item_;
-    question.tip_from_item = inverse(arm_.tip()) * world_.item_pose(item_);
-    question.opening_m = std::min(tool_.opening_m, now_.openings_m.front() + let_go_m);
-    const bool wanted = is_target(item_);
-    question.area = wanted ? world_.station().unloading.area() : world_.station().set_aside;
-    if (!wanted) question.kept_free = kept_free();
-    const AttachedObject held = held_object(*scene_, item_, question.tip_from_item);
-    const Surroundings around = scene_->surroundings({item_});
+    if (!holds_it()) return let_go_for_good(FailureCode::slipped);
+    const Pose tip_from_item = inverse(arm_.tip()) * world_.item_pose(item_);
+    const double opening = now_.openings_m.front() + let_go_m;
     note(FailureCode::no_ik);
-    const auto places = item_places(*scene_, arm_, question, most_places);
-    for (const bool attached : {true, false}) {
-      for (const PlaceChoice& place : places) {
-        ReachRequest request{place.station_from_tip, place.approach, 0, force_n_};
-        if (attached) request.attached = {held};
-        const Seed seed = seed_.child("place", static_cast<std::uint64_t>(moves_++));
-        const auto reached = arm_.reach(around, request, seed);
-        if (!reached.ok()) {
-          note(FailureCode::no_path);
-          continue;
-        }
-        arm_.wait(settle_s, 0, force_n_);
-        arm_.wait(open_s, question.opening_m, force_n_);
-        back_off(question.opening_m);
-        if (!wanted) tries_.erase(item_);
-        phase_ = Phase::released;
-        return {};
+    places_.clear();
+    in_area_ = is_target(item_);
+    for (const bool in_area : {is_target(item_), false}) {
+      if (!places_.empty()) break;
+      const PlaceQuestion question = place_question(item_, tip_from_item, opening, in_area);
+      places_ = item_places(*scene_, arm_, question, most_places);
+      in_area_ = in_area;
+    }
+    next_place_ = 0;
+    return go_over_place();
+  }
+
+  Result<void> go_over_place() {
+    const Pose tip_from_item = inverse(arm_.tip()) * world_.item_pose(item_);
+    const AttachedObject held = held_object(*scene_, item_, tip_from_item);
+    const Surroundings around = scene_->surroundings({item_});
+    for (; next_place_ < 2 * places_.size(); ++next_place_) {
+      const PlaceChoice& place = places_[next_place_ % places_.size()];
+      ReachRequest request{place.station_from_tip, place.approach, 0, force_n_};
+      request.stops_before = true;
+      if (next_place_ < places_.size()) request.attached = {held};
+      const Seed seed = seed_.child("place", static_cast<std::uint64_t>(moves_++));
+      if (!arm_.reach(around, request, seed).ok()) {
+        note(FailureCode::no_path);
+        continue;
       }
+      arm_.wait(settle_s, 0, force_n_);
+      phase_ = Phase::over_place;
+      return {};
     }
     return put_back();
+  }
+
+  // It may have turned in the hand on its way: the hand goes to where the item ends as planned.
+  Result<void> lower() {
+    if (!holds_it()) return let_go_for_good(FailureCode::slipped);
+    const PlaceChoice& place = places_[next_place_++ % places_.size()];
+    const Pose item_from_tip = inverse(world_.item_pose(item_)) * arm_.tip();
+    const Surroundings around = scene_->surroundings({item_});
+    for (const Pose& tip : {place.station_from_item * item_from_tip, place.station_from_tip}) {
+      if (!arm_.straight(around, tip, 0, force_n_).ok()) continue;
+      say(fmt::format(
+          "puts {} down, place {}, in the area {}", called(item_), next_place_, in_area_));
+      const double opening = std::min(tool_.opening_m, now_.openings_m.front() + let_go_m);
+      arm_.wait(settle_s, 0, force_n_);
+      arm_.wait(open_s, opening, force_n_);
+      back_off(opening);
+      if (in_area_ == is_target(item_)) tries_.erase(item_);
+      phase_ = Phase::released;
+      return {};
+    }
+    return go_over_place();
   }
 
   // Down again to where it was, as far as that goes.
@@ -358,9 +488,14 @@ class CheckoutOracle : public Policy {
   std::map<std::size_t, LoneGrasps> lone_;
   std::map<std::size_t, ItemGrasps> grasps_;  // of this decision
   std::set<std::size_t> refused_;             // no way to them was found in this decision
-  std::map<std::size_t, int> tries_;
-  std::size_t item_ = 0;  // that is being taken
+  std::map<std::size_t, int> tries_, takes_;
+  std::vector<std::pair<std::size_t, Pose>> failed_;  // of which item; product_from_tip
+  std::size_t item_ = 0;                              // that is being taken
   double force_n_ = 0;
+  Pose product_from_tip_;            // as it was to be grasped
+  std::vector<PlaceChoice> places_;  // of the item in the hand
+  std::size_t next_place_ = 0;       // first with what is held looked at, then again without
+  bool in_area_ = false;             // the places are where the item belongs
   int moves_ = 0;
   bool done_ = false;
   FailureCode failure_ = FailureCode::none;

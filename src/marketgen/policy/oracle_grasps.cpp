@@ -7,16 +7,18 @@ namespace marketgen {
 namespace {
 
 constexpr std::size_t most_candidates = 64;
-constexpr double most_tool_overlap_m = 0.008;  // neighbours give way so far
+// So far neighbours give way. Fingers come from above: what they meet they press down.
+constexpr double most_tool_overlap_m = 0.003;
 constexpr double most_lift_overlap_m = 0.005;
 constexpr std::array lifts_m{0.015, 0.035, 0.06, 0.09, 0.13, 0.19};
-constexpr double open_on_each_side_m = 0.005;
+// How far open pads stand off the item on either side; the second where the first finds nothing.
+constexpr std::array open_on_each_side_m{0.005, 0.0025};
 // Grips harder than must be, as far as the gripper can: goods are knocked while they are carried.
 constexpr double firmness = 2, least_grip_n = 30, most_grip_n = 60;
 
 // ---- Weights of the score: room, straight down, near the middle of mass; measured in the probe.
 constexpr double most_room_m = 0.015;
-constexpr double of_room = 1000, of_tilt_deg = 0.2, of_offset = 250;
+constexpr double of_room = 1000, of_tilt_deg = 0.2, of_offset = 250, of_overlap = 3000;
 
 GraspChoice choice_of(const OracleScene& scene, std::size_t item, const GraspCandidate& candidate) {
   GraspChoice choice;
@@ -29,7 +31,7 @@ GraspChoice choice_of(const OracleScene& scene, std::size_t item, const GraspCan
   for (std::size_t other = 0; other < scene.items(); ++other) {
     if (other == item) continue;
     const double over = scene.tool_overlap(other, choice.station_from_tip, choice.opening_m);
-    choice.score -= of_room * 0.5 * std::min(over, most_room_m);
+    choice.score -= of_overlap * std::min(over, most_room_m);
     if (over > most_tool_overlap_m) choice.blockers.push_back(other);
   }
   return choice;
@@ -41,7 +43,6 @@ Result<std::vector<GraspCandidate>> lone_grasps(const OracleScene& scene, std::s
   const CheckoutGoods& goods = scene.world().goods(item);
   GraspQuery query;
   query.friction = goods.pad_friction;
-  query.finger_gap_m = open_on_each_side_m;
   query.most = most_candidates;
   query.from_above = true;
   query.world_from_product = scene.world().item_pose(item);
@@ -51,9 +52,13 @@ Result<std::vector<GraspCandidate>> lone_grasps(const OracleScene& scene, std::s
   query.walls = scene.walls();
   for (GraspObstacle& wall : query.walls)
     wall.world_from_box.position.z -= floor;
-  MARKETGEN_TRY(GraspCandidates found,
-                grasp_candidates(goods.product, goods.body, scene.tool(), query));
-  return std::move(found.found);
+  for (const double gap : open_on_each_side_m) {
+    query.finger_gap_m = gap;
+    MARKETGEN_TRY(GraspCandidates found,
+                  grasp_candidates(goods.product, goods.body, scene.tool(), query));
+    if (!found.found.empty()) return std::move(found.found);
+  }
+  return std::vector<GraspCandidate>{};
 }
 
 ItemGrasps item_grasps(const OracleScene& scene,

@@ -50,8 +50,8 @@ bool OracleScene::tool_meets_basket(const Pose& station_from_tip, double opening
   return std::ranges::any_of(walls_, [&](const auto& wall) {
     const Pose wall_from_tip = inverse(wall.first) * basket_from_tip;
     return std::ranges::any_of(solids, [&](const ToolSolid& solid) {
-      return wall.second.gap_to_box(wall_from_tip * solid.tool_from_solid, solid.half_size) <
-             wall_gap_m;
+      return wall.second.gap_to_box(
+                 wall_from_tip * solid.tool_from_solid, solid.half_size, wall_gap_m) < wall_gap_m;
     });
   });
 }
@@ -64,7 +64,7 @@ double OracleScene::overlap(std::size_t item, const Pose& station_from_box, Vec3
   if (at.x < low.x - reach || at.x > high.x + reach || at.y < low.y - reach ||
       at.y > high.y + reach || at.z < low.z - reach || at.z > high.z + reach)
     return 0;
-  return std::max(0.0, -surfaces_[item].gap_to_box(pose, half));
+  return std::max(0.0, -surfaces_[item].gap_to_box(pose, half, 0));
 }
 
 double OracleScene::tool_overlap(std::size_t item,
