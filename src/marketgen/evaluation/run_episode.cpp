@@ -8,29 +8,56 @@
 
 #include "base/interrupt.h"
 #include "episodes/checkout_world.h"
+#include "evaluation/checkout_senses.h"
+#include "policy/classical_checkout.h"
 #include "policy/oracle_checkout.h"
 #include "policy/random_policy.h"
 
 namespace marketgen {
 namespace {
 
+// What `classical` sees and knows; it outlives the policy.
+struct Senses {
+  CheckoutEyes eyes;
+  PicturedProducts products;
+};
+
+Result<std::unique_ptr<Policy>> classical_policy(const CheckoutWorld& world,
+                                                 const std::filesystem::path& data,
+                                                 Senses& senses) {
+  ClassicalSetup setup;
+  setup.eyes = &senses.eyes;
+  setup.products = &senses.products;
+  setup.robot = &world.robot();
+  const std::vector<ToolChoiceRow>& tools = world.station().tools;
+  const std::string row = tools.empty() ? world.robot().tools.front().row : tools.front().row;
+  MARKETGEN_TRY(setup.tool, load_grasp_tool(data, row));
+  setup.place = workplace_of(world.station());
+  return make_classical_checkout(std::move(setup), Seed(world.spec().seed).child("classical"));
+}
+
 Result<std::unique_ptr<Policy>> policy_named(const std::string& name,
                                              const CheckoutWorld& world,
-                                             const std::filesystem::path& data) {
+                                             const std::filesystem::path& data,
+                                             Senses& senses) {
   if (name == "oracle")
     return make_checkout_oracle(world, data, Seed(world.spec().seed).child("oracle"));
+  if (name == "classical") return classical_policy(world, data, senses);
   if (name == "random")
     return std::unique_ptr<Policy>(
         std::make_unique<RandomPolicy>(Seed(world.spec().seed).child("random")));
   return Error{"usage.bad_flag",
                "--policy",
-               "there is no policy \"" + name + "\"; there are: oracle, random"};
+               "there is no policy \"" + name + "\"; there are: classical, oracle, random"};
 }
 
 // Until the policy stops or the time is over.
 Result<void> act_out(CheckoutWorld& world, Policy& policy) {
   Observation now = world.observe();
-  MARKETGEN_CHECK(policy.begin({world.spec().instruction, world.spec().limit_s}, now));
+  Task task{world.spec().instruction, world.spec().limit_s};
+  for (const EpisodeGoal& goal : world.spec().goals)
+    task.goals.push_back({goal.sku, goal.count});
+  MARKETGEN_CHECK(policy.begin(task, now));
   while (!world.done()) {
     MARKETGEN_CHECK(check_interrupt());
     MARKETGEN_TRY(const Action action, policy.act(now));
@@ -57,7 +84,9 @@ Result<EpisodeResult> run_episode(const std::filesystem::path& data,
   const auto began = std::chrono::steady_clock::now();
   MARKETGEN_TRY(CheckoutWorld world, CheckoutWorld::create(data, frictions));
   MARKETGEN_CHECK(world.reset(spec, products));
-  MARKETGEN_TRY(const std::unique_ptr<Policy> policy, policy_named(policy_name, world, data));
+  Senses senses{CheckoutEyes(world), PicturedProducts(products, frictions)};
+  MARKETGEN_TRY(const std::unique_ptr<Policy> policy,
+                policy_named(policy_name, world, data, senses));
   const auto acted = act_out(world, *policy);
   MARKETGEN_CHECK(check_interrupt());  // an episode that was broken off has no result
   const bool in_time = world.time_s() < spec.limit_s - control_step_s / 2;

@@ -1,0 +1,45 @@
+// What a policy may sense and know in Checkout Unloading, made from a running episode: pictures of
+// the cameras, the catalogue, the nominal place. Nothing else of the world passes through here.
+#pragma once
+#include <map>
+#include <memory>
+
+#include "agent/eyes.h"
+#include "agent/known_products.h"
+#include "agent/workplace.h"
+#include "catalog/rows.h"
+#include "episodes/checkout_view.h"
+
+namespace marketgen {
+
+// The station's cameras, without noise. `world` must outlive it.
+class CheckoutEyes : public Eyes {
+ public:
+  explicit CheckoutEyes(const CheckoutWorld& world) : world_(world) {}
+  Result<View> look(std::string_view camera) override;
+
+ private:
+  const CheckoutWorld& world_;
+  std::unique_ptr<CheckoutView> view_;  // of the episode that runs, once it was looked at
+};
+
+// Rows, shapes and pictures; made when they are asked for. `products` must outlive it.
+class PicturedProducts : public KnownProducts {
+ public:
+  PicturedProducts(const std::vector<Product>& products, const std::vector<FrictionRow>& frictions)
+      : products_(products), frictions_(frictions) {}
+
+  const std::vector<Product>& rows() const override { return products_; }
+  Result<const KnownProduct*> product(const std::string& sku) override;
+  Result<const std::vector<ProductPicture>*> pictures(const std::string& sku) override;
+
+ private:
+  const std::vector<Product>& products_;
+  const std::vector<FrictionRow>& frictions_;
+  std::map<std::string, KnownProduct> known_;
+  std::map<std::string, std::vector<ProductPicture>> pictures_;
+};
+
+Workplace workplace_of(const CheckoutStation& station);
+
+}  // namespace marketgen

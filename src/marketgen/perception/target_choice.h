@@ -1,0 +1,57 @@
+// Which of the masks is the product that is looked for, and how it lies.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "perception/pose_source.h"
+
+namespace marketgen {
+
+// Masks of one picture.
+struct MaskedView {
+  std::size_t view = 0;  // in the views they go with
+  std::vector<Mask> masks;
+};
+
+struct FoundProduct {
+  std::size_t look = 0;            // which of those looked for
+  std::size_t view = 0, mask = 0;  // that began it
+  FittedPose pose;
+};
+
+class TargetChoice {
+ public:
+  virtual ~TargetChoice() = default;
+  // Those of `looks` that lie there, each at most once, best first. What is not likely is left out:
+  // an agent that takes something rather than nothing takes the wrong thing.
+  virtual std::vector<FoundProduct> find(const std::vector<const ProductLook*>& looks,
+                                         const std::vector<ViewCloud>& views,
+                                         const std::vector<MaskedView>& masked) const = 0;
+};
+
+// Compares each mask with the catalogue: size, colours, then the pose that explains it best.
+class CatalogueMatching : public TargetChoice {
+ public:
+  explicit CatalogueMatching(const PoseSource& poses, double least_score = 0.12)
+      : poses_(poses), least_score_(least_score) {}
+
+  std::vector<FoundProduct> find(const std::vector<const ProductLook*>& looks,
+                                 const std::vector<ViewCloud>& views,
+                                 const std::vector<MaskedView>& masked) const override;
+
+ private:
+  // Where the product may lie: one for each mask that it explains well enough.
+  std::vector<FoundProduct> places_of(std::size_t number,
+                                      const ProductLook& look,
+                                      const std::vector<ViewCloud>& views,
+                                      const std::vector<MaskedView>& masked) const;
+
+  const PoseSource& poses_;
+  double least_score_;
+};
+
+// How alike seen colours and those of a product are, 0..1: what their histograms share.
+double color_likeness(const std::vector<Vec3f>& colors, const ProductLook& look);
+
+}  // namespace marketgen
