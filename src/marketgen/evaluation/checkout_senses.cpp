@@ -34,29 +34,24 @@ Result<View> CheckoutEyes::look(std::string_view camera) {
   return view;
 }
 
-namespace {
-
-Error unknown_product(const std::string& sku) {
-  return {"catalog.unknown_sku", sku, "the agent's catalogue has no such product"};
+Result<const Product*> PicturedProducts::row(const std::string& sku) const {
+  const auto found = std::ranges::find(products_, sku, &Product::sku);
+  if (found == products_.end())
+    return Error{"catalog.unknown_sku", sku, "the agent's catalogue has no such product"};
+  return &*found;
 }
-
-}  // namespace
 
 Result<const KnownProduct*> PicturedProducts::product(const std::string& sku) {
   if (const auto found = known_.find(sku); found != known_.end()) return &found->second;
-  const auto row = std::ranges::find(products_, sku, &Product::sku);
-  if (row == products_.end()) return unknown_product(sku);
-  MARKETGEN_TRY(ProductBody body, make_product_body(*row));
-  KnownProduct known{*row, std::move(body), rubber_friction(frictions_, *row)};
+  MARKETGEN_TRY(const Product* const product, row(sku));
+  MARKETGEN_TRY(ProductBody body, make_product_body(*product));
+  KnownProduct known{*product, std::move(body), rubber_friction(frictions_, *product)};
   return &known_.emplace(sku, std::move(known)).first->second;
 }
 
 Result<const std::vector<ProductPicture>*> PicturedProducts::pictures(const std::string& sku) {
-  if (const auto found = pictures_.find(sku); found != pictures_.end()) return &found->second;
-  const auto row = std::ranges::find(products_, sku, &Product::sku);
-  if (row == products_.end()) return unknown_product(sku);
-  MARKETGEN_TRY(std::vector<ProductPicture> made, product_pictures(*row));
-  return &pictures_.emplace(sku, std::move(made)).first->second;
+  MARKETGEN_TRY(const Product* const product, row(sku));
+  return library_.of(*product);
 }
 
 Workplace workplace_of(const CheckoutStation& station) {

@@ -63,6 +63,7 @@ Result<std::vector<EpisodeResult>> evaluate(const std::filesystem::path& data,
   MARKETGEN_TRY(const auto finished, begin_folder(options));
   std::ofstream kept(options.folder / results_file, std::ios::app);
   std::mutex writing;
+  PictureLibrary library;
   progress.begin("episodes", file.episodes.size());
   const auto made = parallel_map(file.episodes.size(), [&](std::size_t i) {
     const EpisodeSpec& spec = file.episodes[i];
@@ -71,7 +72,7 @@ Result<std::vector<EpisodeResult>> evaluate(const std::filesystem::path& data,
       progress.advance();
       return std::make_shared<Result<EpisodeResult>>(before->second);
     }
-    auto result = run_episode(data, spec, file.header.products, frictions, options.policy);
+    auto result = run_episode(data, spec, file.header.products, frictions, options.policy, library);
     progress.advance();
     if (result.ok()) {
       const std::scoped_lock lock(writing);

@@ -80,7 +80,8 @@ Result<PerceptionMeasure> measure_perception(const std::filesystem::path& data,
   measure.episode = spec.id;
 
   auto began = std::chrono::steady_clock::now();
-  PicturedProducts known(products, frictions);
+  PictureLibrary library;
+  PicturedProducts known(products, frictions, library);
   std::vector<ProductLook> looks;
   for (const EpisodeGoal& goal : spec.goals) {
     MARKETGEN_TRY(const auto* pictures, known.pictures(goal.sku));
@@ -105,9 +106,9 @@ Result<PerceptionMeasure> measure_perception(const std::filesystem::path& data,
     masked.push_back({v,
                       GeometricMasks().masks(
                           views[v], goods_in_basket(views[v], place, place.base_from_basket))});
-  std::vector<const ProductLook*> wanted;
+  std::vector<WantedProduct> wanted;
   for (const ProductLook& look : looks)
-    wanted.push_back(&look);
+    wanted.push_back({&look, {}});
   const SweptPoses poses;
   const std::vector<FoundProduct> found = CatalogueMatching(poses).find(wanted, views, masked);
   measure.find_s = seconds_since(began);

@@ -40,13 +40,19 @@ Scene picture_stage(const Product& product) {
   return scene;
 }
 
-Camera side_camera(const Pose& product_from_camera, const Pose& world_from_product, int pixels) {
+Camera side_camera(const Pose& world_from_camera, int width, int height) {
   Camera camera;
   camera.name = "product";
-  camera.width = camera.height = pixels;
-  camera.ortho_height_m = pixels * pixel_m;
-  camera.world_from_camera = world_from_product * product_from_camera;
+  camera.width = width;
+  camera.height = height;
+  camera.ortho_height_m = height * pixel_m;
+  camera.world_from_camera = world_from_camera;
   return camera;
+}
+
+int pixels_of(Vec3 size, Vec3 along) {
+  const double length = std::abs(dot(size, along));
+  return static_cast<int>(std::ceil((length + 2 * border_m) / pixel_m));
 }
 
 }  // namespace
@@ -56,18 +62,18 @@ Result<std::vector<ProductPicture>> product_pictures(const Product& product) {
   MARKETGEN_TRY(const std::unique_ptr<Renderer> renderer, Renderer::create(scene));
   const auto& at = scene.products.front().position_m;
   const Pose world_from_product{{at[0], at[1], at[2]}, {}};
-  const double longest = std::max({product.width_m(), product.depth_m(), product.height_m()});
-  const int pixels = static_cast<int>(std::ceil((longest + 2 * border_m) / pixel_m));
+  const Vec3 size{product.width_m(), product.depth_m(), product.height_m()};
+  const std::uint32_t shown = first_product_object(scene);
   std::vector<ProductPicture> pictures;
   for (const Side& side : picture_sides) {
     ProductPicture picture;
-    picture.product_from_camera = {Vec3{0, 0, product.height_m() / 2} + side.towards * away_m,
+    picture.product_from_camera = {Vec3{0, 0, size.z / 2} + side.towards * away_m,
                                    rotation_with_axes(side.down, -side.towards)};
     picture.pixel_m = pixel_m;
-    MARKETGEN_TRY(
-        Frame frame,
-        renderer->render(side_camera(picture.product_from_camera, world_from_product, pixels), {}));
-    const std::uint32_t shown = first_product_object(scene);
+    const Camera camera = side_camera(world_from_product * picture.product_from_camera,
+                                      pixels_of(size, cross(side.down, side.towards)),
+                                      pixels_of(size, side.down));
+    MARKETGEN_TRY(Frame frame, renderer->render(camera, {}));
     for (std::size_t i = 0; i < frame.depth_m.size(); ++i)
       if (frame.instance[i] != shown) frame.depth_m[i] = 0;
     picture.color = std::move(frame.color);
@@ -75,6 +81,15 @@ Result<std::vector<ProductPicture>> product_pictures(const Product& product) {
     pictures.push_back(std::move(picture));
   }
   return pictures;
+}
+
+Result<const std::vector<ProductPicture>*> PictureLibrary::of(const Product& product) {
+  const std::scoped_lock lock(guard_);
+  if (const auto found = pictures_.find(product.sku); found != pictures_.end())
+    return found->second.get();
+  MARKETGEN_TRY(std::vector<ProductPicture> made, product_pictures(product));
+  auto kept = std::make_unique<std::vector<ProductPicture>>(std::move(made));
+  return pictures_.emplace(product.sku, std::move(kept)).first->second.get();
 }
 
 }  // namespace marketgen

@@ -80,11 +80,12 @@ Result<EpisodeResult> run_episode(const std::filesystem::path& data,
                                   const EpisodeSpec& spec,
                                   const std::vector<Product>& products,
                                   const std::vector<FrictionRow>& frictions,
-                                  const std::string& policy_name) {
+                                  const std::string& policy_name,
+                                  PictureLibrary& library) {
   const auto began = std::chrono::steady_clock::now();
   MARKETGEN_TRY(CheckoutWorld world, CheckoutWorld::create(data, frictions));
   MARKETGEN_CHECK(world.reset(spec, products));
-  Senses senses{CheckoutEyes(world), PicturedProducts(products, frictions)};
+  Senses senses{CheckoutEyes(world), PicturedProducts(products, frictions, library)};
   MARKETGEN_TRY(const std::unique_ptr<Policy> policy,
                 policy_named(policy_name, world, data, senses));
   const auto acted = act_out(world, *policy);
@@ -98,6 +99,15 @@ Result<EpisodeResult> run_episode(const std::filesystem::path& data,
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
   result.wall_s = took.count();
   return result;
+}
+
+Result<EpisodeResult> run_episode(const std::filesystem::path& data,
+                                  const EpisodeSpec& spec,
+                                  const std::vector<Product>& products,
+                                  const std::vector<FrictionRow>& frictions,
+                                  const std::string& policy) {
+  PictureLibrary library;
+  return run_episode(data, spec, products, frictions, policy, library);
 }
 
 EvaluationSummary summarize(const std::vector<EpisodeResult>& results) {

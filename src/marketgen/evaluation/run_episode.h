@@ -8,6 +8,7 @@
 #include "catalog/rows.h"
 #include "episodes/episode_result.h"
 #include "episodes/episode_spec.h"
+#include "evaluation/product_pictures.h"
 #include "grasping/grasp_shares.h"
 
 namespace marketgen {
@@ -19,6 +20,13 @@ Result<EpisodeResult> run_episode(const std::filesystem::path& data,
                                   const std::vector<Product>& products,
                                   const std::vector<FrictionRow>& frictions,
                                   const std::string& policy);
+// The same with pictures that other episodes share.
+Result<EpisodeResult> run_episode(const std::filesystem::path& data,
+                                  const EpisodeSpec& spec,
+                                  const std::vector<Product>& products,
+                                  const std::vector<FrictionRow>& frictions,
+                                  const std::string& policy,
+                                  PictureLibrary& library);
 
 struct FailureCount {
   FailureCode failure = FailureCode::none;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int directions = 72, turns = 18;  // ways round that are tried: about 20 degrees apart
 constexpr std::size_t coarse_points = 50, fitted_points = 120;
-constexpr std::size_t kept_coarse = 60, kept_fitted = 5;
+constexpr std::size_t kept_coarse = 60, kept_fitted = 4;
 constexpr float coarse_reach_m = 0.012F;
 constexpr int fit_steps = 8;
 constexpr float first_gate_m = 0.018F, last_gate_m = 0.006F;
@@ -161,6 +161,13 @@ bool fit(const ProductLook& look, const SurfacePatch& patch, Pose& pose) {
   return true;
 }
 
+bool nearly_same(const Pose& a, const Pose& b) {
+  constexpr double same_m = 0.006, same_half_turn = 0.12;  // 14 degrees
+  const Quaternion turn = inverse(a.rotation) * b.rotation;
+  return length(a.position - b.position) < same_m &&
+         std::hypot(turn.x, turn.y, turn.z) < same_half_turn;
+}
+
 }  // namespace
 
 SurfacePatch patch_of(const ViewCloud& cloud, const Mask& mask, std::size_t most_points) {
@@ -222,8 +229,14 @@ FittedPose SweptPoses::pose(const ProductLook& look,
   std::ranges::stable_sort(
       fitted, std::greater<>{}, [](const FittedPose& p) { return p.evidence.score; });
   FittedPose best;
-  for (std::size_t i = 0; i < std::min(kept_fitted, fitted.size()); ++i) {
-    FittedPose refined = refined_pose(look, fitted[i].base_from_product, patch, views);
+  std::vector<Pose> begun;
+  for (const FittedPose& guess : fitted) {
+    const Pose& pose = guess.base_from_product;
+    if (begun.size() >= kept_fitted || guess.evidence.score < 0.5 * best.evidence.score) break;
+    if (std::ranges::any_of(begun, [&](const Pose& other) { return nearly_same(pose, other); }))
+      continue;
+    begun.push_back(pose);
+    const FittedPose refined = refined_pose(look, pose, patch, views);
     if (refined.evidence.score > best.evidence.score) best = refined;
   }
   return best;

@@ -12,6 +12,7 @@ constexpr double counter_thick_m = 0.06;
 // Of the basket's walls, what arms keep clear of on lines: the spheres of a hand are larger than
 // it.
 constexpr double outer_skin_m = 0.002, skin_below_rim_m = 0.015;
+constexpr double own_body_m = 0.012;  // round the spheres of the robot
 constexpr double round_basket_m = 0.03;
 
 // Goods in the basket, and what stands on the counter beside it.
@@ -50,6 +51,32 @@ void add_columns(const std::vector<Vec3f>& points, std::vector<BoxObstacle>& box
 
 }  // namespace
 
+std::vector<Vec3f> without_robot(const std::vector<Vec3f>& points,
+                                 const Robot& robot,
+                                 const Observation& now) {
+  const JointGroup& arm = *robot.find_group("arm");
+  std::vector<double> q = neutral_state(robot);
+  for (std::size_t j = 0; j < arm.dofs.size(); ++j)
+    q[static_cast<std::size_t>(arm.dofs[j])] = now.position[j];
+  if (const JointGroup* fingers = robot.find_group("fingers"))
+    for (const int dof : fingers->dofs)
+      q[static_cast<std::size_t>(dof)] = now.opening_m / 2;
+  const std::vector<Pose> links = link_poses(robot, with_followers(robot, q));
+  const Pose base_from_robot = inverse(links[static_cast<std::size_t>(arm.base)]);
+  std::vector<Sphere> body;
+  for (std::size_t link = 0; link < links.size(); ++link)
+    for (const Sphere& sphere : robot.links[link].spheres)
+      body.push_back({base_from_robot * (links[link] * sphere.center), sphere.radius + own_body_m});
+  std::vector<Vec3f> kept;
+  for (const Vec3f& point : points) {
+    const bool own = std::ranges::any_of(body, [&](const Sphere& sphere) {
+      return length(to_double(point) - sphere.center) < sphere.radius;
+    });
+    if (!own) kept.push_back(point);
+  }
+  return kept;
+}
+
 std::vector<WorkBox> placed_walls(const Workplace& place) {
   std::vector<WorkBox> walls;
   for (const WorkBox& wall : place.walls)
@@ -62,7 +89,7 @@ Result<Sight> take_sight(Eyes& eyes,
                          const Workplace& place,
                          const MaskSource& masks,
                          const TargetChoice& targets,
-                         const std::vector<const ProductLook*>& looks) {
+                         const std::vector<WantedProduct>& wanted) {
   Sight sight;
   for (const std::string& camera : cameras) {
     MARKETGEN_TRY(View view, eyes.look(camera));
@@ -71,7 +98,7 @@ Result<Sight> take_sight(Eyes& eyes,
     sight.masked.push_back(
         {sight.views.size() - 1, masks.masks(cloud, goods_pixels(cloud, place))});
   }
-  sight.found = targets.find(looks, sight.views, sight.masked);
+  sight.found = targets.find(wanted, sight.views, sight.masked);
   sight.points = thinned_points(sight.views, point_spacing_m, highest_goods_m);
   return sight;
 }

@@ -21,13 +21,18 @@ struct Sight {
   std::vector<Vec3f> points;        // measured, thinned
 };
 
-// Pictures of all `cameras`, masks, and where `looks` lie. Errors: of the eyes.
+// Pictures of all `cameras`, masks, and where `wanted` lie. Errors: of the eyes.
 Result<Sight> take_sight(Eyes& eyes,
                          const std::vector<std::string>& cameras,
                          const Workplace& place,
                          const MaskSource& masks,
                          const TargetChoice& targets,
-                         const std::vector<const ProductLook*>& looks);
+                         const std::vector<WantedProduct>& wanted);
+
+// Without those that show the robot's own body as it stands: it knows where it is.
+std::vector<Vec3f> without_robot(const std::vector<Vec3f>& points,
+                                 const Robot& robot,
+                                 const Observation& now);
 
 // The place and measured points as obstacles. Ways keep off everything; lines off the counter and
 // the outer skin of the basket, since grasps were tested against the rest.

@@ -23,6 +23,8 @@ constexpr double step_back_m = 0.12;
 constexpr double least_left_s = 8;  // no new grasp with less time left
 constexpr int most_cleared = 8;
 constexpr std::size_t patch_points = 160, others_tried = 4, likenesses_tried = 8;
+constexpr float same_size = 0.2F;  // of products that may be taken for one another
+constexpr std::size_t most_rivals = 4;
 constexpr double least_other_score = 0.25;
 constexpr double off_basket_area_m = 0.03, off_unloading_m = 0.02;
 constexpr double tight_m = 0.006, tightest_m = 0.012;  // intrusion of an open hand that is borne
@@ -50,8 +52,10 @@ class ClassicalCheckout : public Policy {
       MARKETGEN_TRY(const auto* pictures, setup_.products->pictures(goal.sku));
       MARKETGEN_TRY(ProductLook look, ProductLook::make(goal.sku, *pictures));
       looks_.push_back(std::make_unique<ProductLook>(std::move(look)));
-      wanted_.push_back(looks_.back().get());
     }
+    MARKETGEN_CHECK(learn_catalogue());
+    for (const auto& look : looks_)
+      wanted_.push_back({look.get(), rivals_of(*look)});
     return {};
   }
 
@@ -92,11 +96,14 @@ class ClassicalCheckout : public Policy {
     const Vec3 at = setup_.place.base_from_basket.position;
     const Pose tip{{at.x - look_back_m, at.y, look_height_m},
                    rotation_with_axes({0, -1, 0}, {0, 0, -1})};
-    for (const Pose& pose : nearest_flip_first(tip)) {
-      const ReachRequest request{pose, {0, 0, 0.02}, setup_.tool.opening_m, 20};
-      if (arm_.reach(seen_surroundings(setup_.place, others_), request, next_seed()).ok()) return;
-      break;  // the other flip turns the camera away
-    }
+    const ReachRequest request{tip, {0, 0, 0.02}, setup_.tool.opening_m, 20};
+    if (arm_.reach(seen_surroundings(setup_.place, others_), request, next_seed()).ok()) return;
+    // Something stands against the hand: up first, then past what is known of the place alone.
+    const Surroundings bare = seen_surroundings(setup_.place, {});
+    Pose up = arm_.tip();
+    up.position.z = std::max(up.position.z, look_height_m);
+    [[maybe_unused]] const auto higher = arm_.straight(bare, up, setup_.tool.opening_m, 20);
+    [[maybe_unused]] const auto there = arm_.reach(bare, request, next_seed());
   }
 
   Result<void> look() {
@@ -107,6 +114,7 @@ class ClassicalCheckout : public Policy {
                              *modules_.masks,
                              *modules_.targets,
                              wanted_));
+    sight_.points = without_robot(sight_.points, *setup_.robot, now_);
     if (now_.time_s + least_left_s > task_.limit_s) {
       stop("Timeout");
       return {};
@@ -154,7 +162,7 @@ class ClassicalCheckout : public Policy {
       MARKETGEN_TRY(const bool begun, take_one_of(targets, borne));
       if (begun) return {};
       if (cleared_ >= most_cleared) continue;
-      MARKETGEN_TRY(std::vector<Choice> others, others_near(targets));
+      std::vector<Choice> others = others_near(targets);
       MARKETGEN_TRY(const bool clears, take_one_of(others, borne));
       if (clears) return {};
     }
@@ -207,7 +215,7 @@ class ClassicalCheckout : public Policy {
 
   // Goods in the basket that are not asked for: nearest to the first target, or highest when none
   // was found.
-  Result<std::vector<Choice>> others_near(const std::vector<Choice>& targets) {
+  std::vector<Choice> others_near(const std::vector<Choice>& targets) const {
     const MaskedView& masked = sight_.masked.back();
     const ViewCloud& cloud = sight_.views[masked.view];
     std::vector<std::pair<double, SurfacePatch>> ranked;
@@ -225,8 +233,7 @@ class ClassicalCheckout : public Policy {
     std::ranges::stable_sort(ranked, {}, [](const auto& entry) { return entry.first; });
     std::vector<Choice> others;
     for (std::size_t i = 0; i < std::min(others_tried, ranked.size()); ++i) {
-      MARKETGEN_TRY(auto choice, recognised(ranked[i].second));
-      if (choice) others.push_back(std::move(*choice));
+      if (auto choice = recognised(ranked[i].second)) others.push_back(std::move(*choice));
     }
     return others;
   }
@@ -239,9 +246,27 @@ class ClassicalCheckout : public Policy {
     });
   }
 
+  // Products of nearly the same shape and size, those of the most alike colours.
+  std::vector<const ProductLook*> rivals_of(const ProductLook& look) const {
+    std::vector<std::pair<double, const ProductLook*>> alike;
+    std::vector<Vec3f> colors;
+    for (const Surfel& surfel : look.surfels())
+      colors.push_back(surfel.color);
+    for (const ProductLook* other : catalogue_) {
+      const Vec3f a = look.high() - look.low(), b = other->high() - other->low();
+      if (other->sku() == look.sku() || length(a - b) > same_size * length(a)) continue;
+      alike.emplace_back(color_likeness(colors, *other), other);
+    }
+    std::ranges::stable_sort(
+        alike, std::greater<>{}, [](const auto& entry) { return entry.first; });
+    std::vector<const ProductLook*> rivals;
+    for (std::size_t i = 0; i < std::min(most_rivals, alike.size()); ++i)
+      rivals.push_back(alike[i].second);
+    return rivals;
+  }
+
   // What of the whole catalogue explains the patch best.
-  Result<std::optional<Choice>> recognised(const SurfacePatch& patch) {
-    MARKETGEN_CHECK(learn_catalogue());
+  std::optional<Choice> recognised(const SurfacePatch& patch) const {
     std::vector<std::pair<double, const ProductLook*>> alike;
     for (const ProductLook* look : catalogue_)
       if (patch.diagonal_m < look->diagonal_m() * 1.1F + 0.015F)
@@ -260,9 +285,7 @@ class ClassicalCheckout : public Policy {
     return best;
   }
 
-  // Looks of all products, when they are needed first.
   Result<void> learn_catalogue() {
-    if (!catalogue_.empty()) return {};
     for (const Product& row : setup_.products->rows()) {
       MARKETGEN_TRY(const auto* pictures, setup_.products->pictures(row.sku));
       MARKETGEN_TRY(ProductLook look, ProductLook::make(row.sku, *pictures));
@@ -345,9 +368,11 @@ class ClassicalCheckout : public Policy {
     if (!holds_it()) return let_go("Missed");
     const Surroundings around = seen_surroundings(setup_.place, others_);
     const double up = std::max(0.05, setup_.place.rim_m + rim_room_m - lowest_of_held());
-    for (const double share : {1.0, 0.85, 0.7}) {
+    const Vec3 inwards = setup_.place.base_from_basket.position - arm_.tip().position;
+    for (const auto& [share, aside] :
+         {std::pair{1.0, 0.0}, {0.85, 0.0}, {1.0, 0.4}, {0.7, 0.0}, {0.7, 0.4}}) {
       Pose tip = arm_.tip();
-      tip.position.z += up * share;
+      tip.position += Vec3{inwards.x * aside, inwards.y * aside, up * share};
       if (!arm_.straight(around, tip, 0, force_n_).ok()) continue;
       arm_.wait(calming_s, 0, force_n_);
       step_ = Step::lifted;
@@ -372,7 +397,7 @@ class ClassicalCheckout : public Policy {
         break;
     }
     Pose up = arm_.tip();
-    const double clear = setup_.place.rim_m + 0.05;
+    const double clear = setup_.place.rim_m + 0.07;
     if (up.position.z >= clear) return;
     up.position.z = clear;
     [[maybe_unused]] const auto higher = arm_.straight(around, up, opening_m, force_n_);
@@ -446,14 +471,14 @@ class ClassicalCheckout : public Policy {
   Task task_;
   Observation now_;
   std::vector<std::unique_ptr<ProductLook>> looks_;  // of the goals, in their order
-  std::vector<const ProductLook*> wanted_;
+  std::vector<WantedProduct> wanted_;
   Step step_ = Step::go_to_look;
   Sight sight_;
   std::map<std::size_t, int> tries_;  // by goal
   std::set<std::size_t> put_down_;    // goals that were let go over the area
   std::optional<std::size_t> goal_;   // that is being taken; none: something in the way
   const ProductLook* held_look_ = nullptr;
-  std::vector<std::unique_ptr<ProductLook>> learned_;  // the whole catalogue, once it was needed
+  std::vector<std::unique_ptr<ProductLook>> learned_;  // the whole catalogue
   std::vector<const ProductLook*> catalogue_;
   int cleared_ = 0;
   HeldProduct held_;
