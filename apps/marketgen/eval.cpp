@@ -6,6 +6,7 @@
 #include "base/parallel.h"
 #include "command.h"
 #include "evaluation/evaluate.h"
+#include "evaluation/measure_perception.h"
 #include "io/file.h"
 #include "io/json.h"
 
@@ -16,7 +17,7 @@ struct EvalFlags {
   CommonFlags common;
   std::string episodes, policy = "oracle", output;
   int jobs = 0;
-  bool resume = false;
+  bool resume = false, perception = false;
 };
 
 void print_share(const char* name, const Share& share) {
@@ -49,7 +50,28 @@ void print_summary(const EvaluationSummary& summary) {
     fmt::print("{:<12}{}\n", name_of(failure.failure), failure.episodes);
 }
 
+// The eyes of `classical` by themselves, against the truth.
+Result<void> eval_perception(const EvalFlags& flags) {
+  const ThreadLimit limit(flags.jobs > 0 ? flags.jobs : flags.common.threads);
+  MARKETGEN_TRY(const EpisodeFile file, read_episode_file(flags.episodes));
+  MARKETGEN_TRY(const std::filesystem::path data, data_folder());
+  MARKETGEN_TRY(const Catalog catalog, load_rows());
+  std::vector<PerceptionMeasure> measures;
+  std::string lines;
+  for (const EpisodeSpec& spec : file.episodes) {
+    MARKETGEN_TRY(PerceptionMeasure measure,
+                  measure_perception(data, spec, file.header.products, catalog.frictions));
+    lines += write_json_line(measure) + "\n";
+    measures.push_back(std::move(measure));
+  }
+  std::filesystem::create_directories(flags.output);
+  MARKETGEN_CHECK(write_file(std::filesystem::path(flags.output) / "perception.jsonl", lines));
+  fmt::print("{}", write_json(summarize(measures)));
+  return {};
+}
+
 Result<void> eval(const EvalFlags& flags) {
+  if (flags.perception) return eval_perception(flags);
   const ThreadLimit limit(flags.jobs > 0 ? flags.jobs : flags.common.threads);
   MARKETGEN_TRY(const EpisodeFile file, read_episode_file(flags.episodes));
   MARKETGEN_TRY(const std::filesystem::path data, data_folder());
@@ -74,11 +96,17 @@ Run add_eval(CLI::App& app) {
   auto flags = std::make_shared<EvalFlags>();
   CLI::App* command = app.add_subcommand("eval", "Run episodes with a policy, in physics");
   command->add_option("--episodes", flags->episodes, "file of `marketgen episodes`")->required();
-  command->add_option("--policy", flags->policy, "who acts: oracle (knows everything) or random")
+  command
+      ->add_option("--policy",
+                   flags->policy,
+                   "who acts: oracle (knows everything), classical (sees pictures) or random")
       ->capture_default_str();
   command->add_option("--jobs", flags->jobs, "episodes at a time; 0 = as --threads")
       ->check(CLI::Range(0, 1024));
   command->add_option("-o,--output", flags->output, "folder for the results")->required();
+  command->add_flag("--perception",
+                    flags->perception,
+                    "measure masks, recognition and poses of `classical` alone, on the baskets");
   command->add_flag("--resume", flags->resume, "go on with a run that was broken off");
   add_common_flags(*command, flags->common, Takes::json);
   command->footer("Example:  marketgen eval --episodes tasks.jsonl --policy oracle -o results");

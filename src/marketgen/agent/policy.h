@@ -38,10 +38,17 @@ struct Action {
   bool stop = false;                     // the agent says that it has done: no more steps
 };
 
+// So many of this product of the catalogue, whichever of them.
+struct TaskGoal {
+  std::string sku;
+  int count = 1;
+};
+
 // What the agent is told before it begins.
 struct Task {
   std::string instruction;
   double limit_s = 0;
+  std::vector<TaskGoal> goals = {};  // what the instruction names
 };
 
 class Policy {

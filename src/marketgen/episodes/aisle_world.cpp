@@ -195,7 +195,7 @@ HoldsPoint AisleWorld::region() const {
 }
 
 ItemState AisleWorld::item_state(std::uint32_t product, const AisleWatch::Item& item) const {
-  const CheckoutGoods& goods = goods_.at(store_->scene.products[product].sku);
+  const CheckoutGoods& goods = *goods_.at(store_->scene.products[product].sku);
   return {goods.product.sku,
           inverse(world_from_basket()) * world_->product_pose(product),
           to_double(goods.body.center_of_mass),
@@ -210,7 +210,7 @@ Result<std::vector<ItemState>> AisleWorld::item_states() {
   for (const auto& [product, item] : watch_.items()) {
     const std::uint32_t sku = store_->scene.products[product].sku;
     if (!goods_.contains(sku)) {
-      MARKETGEN_TRY(CheckoutGoods made, checkout_goods(store_->scene.catalog[sku], frictions_));
+      MARKETGEN_TRY(SharedGoods made, checkout_goods(store_->scene.catalog[sku], frictions_));
       goods_.emplace(sku, std::move(made));
     }
     states.push_back(item_state(product, item));

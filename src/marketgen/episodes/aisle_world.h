@@ -54,7 +54,7 @@ class AisleWorld : public TrackWorld {
 
   std::shared_ptr<const AisleStore> store_;
   std::vector<FrictionRow> frictions_;
-  std::map<std::uint32_t, CheckoutGoods> goods_;  // by SKU row
+  std::map<std::uint32_t, SharedGoods> goods_;  // by SKU row
 
   EpisodeSpec spec_;
   std::unique_ptr<World> world_;

@@ -8,6 +8,8 @@
 
 #include "episodes/aisle_world.h"
 #include "episodes/checkout_world.h"
+#include "evaluation/checkout_senses.h"
+#include "policy/classical_checkout.h"
 #include "policy/oracle_aisle.h"
 #include "policy/oracle_checkout.h"
 #include "policy/random_policy.h"
@@ -16,7 +18,41 @@
 namespace marketgen {
 namespace {
 
-constexpr std::array<std::string_view, 2> policies{"oracle", "random"};
+constexpr std::array<std::string_view, 3> policies{"classical", "oracle", "random"};
+
+// A policy with what it sees and knows.
+class SensingPolicy : public Policy {
+ public:
+  SensingPolicy(const CheckoutWorld& world,
+                const std::vector<Product>& products,
+                const std::vector<FrictionRow>& frictions,
+                PictureLibrary& library)
+      : eyes_(world), products_(products, frictions, library) {}
+
+  Result<void> make(const CheckoutWorld& world, const std::filesystem::path& data, Seed seed) {
+    ClassicalSetup setup;
+    setup.eyes = &eyes_;
+    setup.products = &products_;
+    setup.robot = &world.robot();
+    const std::vector<ToolChoiceRow>& tools = world.station().tools;
+    const std::string row = tools.empty() ? world.robot().tools.front().row : tools.front().row;
+    MARKETGEN_TRY(setup.tool, load_grasp_tool(data, row));
+    setup.place = workplace_of(world.station());
+    MARKETGEN_TRY(policy_, make_classical_checkout(std::move(setup), seed));
+    return {};
+  }
+
+  Result<void> begin(const Task& task, const Observation& first) override {
+    return policy_->begin(task, first);
+  }
+  Result<Action> act(const Observation& now) override { return policy_->act(now); }
+  std::string failure() const override { return policy_->failure(); }
+
+ private:
+  CheckoutEyes eyes_;
+  PicturedProducts products_;
+  std::unique_ptr<Policy> policy_;
+};
 
 }  // namespace
 
@@ -53,22 +89,29 @@ Result<std::unique_ptr<TrackWorld>> Arena::open(const EpisodeSpec& spec) {
   return std::unique_ptr<TrackWorld>(std::move(world));
 }
 
-Result<std::unique_ptr<Policy>> Arena::policy(const std::string& name,
-                                              const TrackWorld& world) const {
+Result<std::unique_ptr<Policy>> Arena::policy(const std::string& name, const TrackWorld& world) {
   const Seed seed = Seed(world.spec().seed).child(name);
   if (name == "random")
     return std::unique_ptr<Policy>(
         std::make_unique<RandomPolicy>(seed, world.robot().drive.has_value()));
-  if (name == "oracle") {
-    if (const auto* checkout = dynamic_cast<const CheckoutWorld*>(&world))
-      return make_checkout_oracle(*checkout, data_, seed);
-    if (const auto* aisle = dynamic_cast<const AisleWorld*>(&world))
-      return make_aisle_oracle(*aisle, data_, seed);
+  const auto* checkout = dynamic_cast<const CheckoutWorld*>(&world);
+  const auto* aisle = dynamic_cast<const AisleWorld*>(&world);
+  if (name == "oracle" && checkout != nullptr) return make_checkout_oracle(*checkout, data_, seed);
+  if (name == "oracle" && aisle != nullptr) return make_aisle_oracle(*aisle, data_, seed);
+  if (name == "classical" && checkout != nullptr) {
+    auto policy =
+        std::make_unique<SensingPolicy>(*checkout, header_.products, catalog_.frictions, pictures_);
+    MARKETGEN_CHECK(policy->make(*checkout, data_, seed));
+    return std::unique_ptr<Policy>(std::move(policy));
   }
   return Error{
       "usage.bad_flag",
       "--policy",
-      fmt::format("there is no policy \"{}\"; there are: {}", name, fmt::join(policies, ", "))};
+      fmt::format("there is no policy \"{}\" for the track {}; there are: {}; classical is for "
+                  "checkout only",
+                  name,
+                  name_of(world.spec().track),
+                  fmt::join(policies, ", "))};
 }
 
 }  // namespace marketgen

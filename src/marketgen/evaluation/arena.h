@@ -15,6 +15,7 @@
 #include "episodes/aisle_store.h"
 #include "episodes/episode_spec.h"
 #include "episodes/track_world.h"
+#include "evaluation/product_pictures.h"
 
 namespace marketgen {
 
@@ -28,8 +29,8 @@ class Arena {
   // the header's plan does not give the store that the episode was drawn from.
   Result<std::unique_ptr<TrackWorld>> open(const EpisodeSpec& spec);
 
-  // Error usage.bad_flag: there is no such policy for the episode's track.
-  Result<std::unique_ptr<Policy>> policy(const std::string& name, const TrackWorld& world) const;
+  // `world` must outlive it. Error usage.bad_flag: there is no such policy for the episode's track.
+  Result<std::unique_ptr<Policy>> policy(const std::string& name, const TrackWorld& world);
 
   // The store of in-aisle episodes. Errors: as open().
   Result<std::shared_ptr<const AisleStore>> aisle_store(const std::string& scene_hash);
@@ -40,6 +41,7 @@ class Arena {
   const Catalog& catalog_;
   std::mutex mutex_;
   std::map<std::string, std::shared_ptr<const AisleStore>> stores_;  // by scene hash
+  PictureLibrary pictures_;
 };
 
 }  // namespace marketgen

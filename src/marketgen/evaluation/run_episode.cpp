@@ -24,7 +24,10 @@ Result<Action> asked(Policy& policy, const Observation& now) {
 // Until the policy stops or the time is over.
 Result<void> act_out(TrackWorld& world, Policy& policy, EpisodeWatcher* watcher) {
   Observation now = world.observe();
-  MARKETGEN_CHECK(policy.begin({world.spec().instruction, world.spec().limit_s}, now));
+  Task task{world.spec().instruction, world.spec().limit_s};
+  for (const EpisodeGoal& goal : world.spec().goals)
+    task.goals.push_back({goal.sku, goal.count});
+  MARKETGEN_CHECK(policy.begin(task, now));
   while (!world.done()) {
     MARKETGEN_CHECK(check_interrupt());
     MARKETGEN_TRY(const Action action, asked(policy, now));

@@ -18,9 +18,9 @@ constexpr std::size_t most_items_looked_at = 4;  // of a SKU at a time
 constexpr double pressed_s = 0.7, opened_s = 0.5, rest_s = 0.3;
 constexpr double back_off_m_s = 0.2;
 constexpr double lift_share = 0.9, arm_speed = 0.4;
-constexpr double way_reach_m = 1.4;  // obstacles farther from the robot do not count
-constexpr double wider_m = 0.02;     // than what was held, when it is let go
-constexpr double least_left_s = 25;  // no new item with less time left
+constexpr double way_reach_m = 1.4;      // obstacles farther from the robot do not count
+constexpr double let_go_wider_m = 0.02;  // than what was held, when it is let go
+constexpr double least_item_s = 25;      // no new item with less time left
 constexpr std::array drop_lifts{0.3, 0.45, 0.15, 0.6};  // at which both arms reach the basket
 constexpr double grip_factor = 2;  // of the force that a grasp needs; it is carried about
 
@@ -122,7 +122,7 @@ class AisleOracle : public Policy {
 
   Result<void> choose() {
     const std::vector<std::string> skus = missing();
-    if (skus.empty() || now_.time_s + least_left_s > task_.limit_s) {
+    if (skus.empty() || now_.time_s + least_item_s > task_.limit_s) {
       if (!skus.empty()) note(FailureCode::timeout);
       done_ = true;
       return {};
@@ -335,7 +335,7 @@ class AisleOracle : public Policy {
     question.held = &body;
     question.tip_from_product = inverse(world_.world_from_base() * base_from_tip()) *
                                 world_.world().product_pose(plan_.product);
-    const double opening = now_.openings_m[static_cast<std::size_t>(plan_.tool)] + wider_m;
+    const double opening = now_.openings_m[static_cast<std::size_t>(plan_.tool)] + let_go_wider_m;
     MARKETGEN_TRY(question.around, around());
     MARKETGEN_TRY(question.inside, inside());
     question.stow = stowed_arm();

@@ -1,0 +1,39 @@
+// The catalogue as an agent is given it: rows, shapes and pictures of products.
+//
+// A picture is orthographic, against nothing: what is not the product has no depth. Product frame
+// as in assets/product_model.h.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "assets/product_model.h"
+#include "base/result.h"
+#include "catalog/product.h"
+#include "geometry/image.h"
+#include "geometry/pose.h"
+
+namespace marketgen {
+
+struct KnownProduct {
+  Product product;
+  ProductBody body;           // convex pieces of its shape
+  double pad_friction = 0.5;  // of rubber on it
+};
+
+struct ProductPicture {
+  Pose product_from_camera;  // OpenCV's axes; the picture's middle is on the camera's axis
+  double pixel_m = 0;        // side of a pixel on the product
+  Image color;
+  std::vector<float> depth_m;  // along the optical axis, row-major; 0 = not the product
+};
+
+class KnownProducts {
+ public:
+  virtual ~KnownProducts() = default;
+  virtual const std::vector<Product>& rows() const = 0;
+  // What they return lives as long as this. Errors: catalog.unknown_sku; what making them reports.
+  virtual Result<const KnownProduct*> product(const std::string& sku) = 0;
+  virtual Result<const std::vector<ProductPicture>*> pictures(const std::string& sku) = 0;
+};
+
+}  // namespace marketgen

@@ -1,0 +1,73 @@
+#include "evaluation/checkout_senses.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "assets/product_model.h"
+#include "base/fields.h"
+#include "evaluation/product_pictures.h"
+#include "grasping/grasp_study.h"
+
+namespace marketgen {
+
+Result<View> CheckoutEyes::look(std::string_view camera) {
+  const auto which = value_named<StationCamera>(camera);
+  if (!which)
+    return Error{"usage.bad_flag",
+                 std::string(camera),
+                 "the agent has no such camera; it has scene_camera and wrist_camera"};
+  if (view_) {
+    MARKETGEN_CHECK(view_->follow(world_));
+  } else {
+    MARKETGEN_TRY(view_, CheckoutView::create(world_));
+  }
+  const Camera taken = view_->camera(*which);
+  MARKETGEN_TRY(Frame frame, view_->renderer().render(taken, {}));
+  View view;
+  view.camera = camera;
+  const Intrinsics lens = intrinsics_of(taken);
+  view.lens = {lens.fx, lens.fy, lens.cx, lens.cy};
+  view.base_from_camera = inverse(view_->world_from_station()) * opencv_pose_of(taken);
+  view.color = std::move(frame.color);
+  view.depth_m = std::move(frame.depth_m);
+  return view;
+}
+
+Result<const Product*> PicturedProducts::row(const std::string& sku) const {
+  const auto found = std::ranges::find(products_, sku, &Product::sku);
+  if (found == products_.end())
+    return Error{"catalog.unknown_sku", sku, "the agent's catalogue has no such product"};
+  return &*found;
+}
+
+Result<const KnownProduct*> PicturedProducts::product(const std::string& sku) {
+  if (const auto found = known_.find(sku); found != known_.end()) return &found->second;
+  MARKETGEN_TRY(const Product* const product, row(sku));
+  MARKETGEN_TRY(ProductBody body, make_product_body(*product));
+  KnownProduct known{*product, std::move(body), rubber_friction(frictions_, *product)};
+  return &known_.emplace(sku, std::move(known)).first->second;
+}
+
+Result<const std::vector<ProductPicture>*> PicturedProducts::pictures(const std::string& sku) {
+  MARKETGEN_TRY(const Product* const product, row(sku));
+  return library_.of(*product);
+}
+
+Workplace workplace_of(const CheckoutStation& station) {
+  const auto area = [](const AreaRow& row) { return WorkArea{row.low_m, row.high_m}; };
+  Workplace place;
+  place.counter = {station.counter.low_m, station.counter.high_m};
+  place.unloading = area(station.unloading.area());
+  place.set_aside = area(station.set_aside);
+  place.base_from_basket = station.basket_pose();
+  place.rim_m = station.basket.height_m;
+  place.inner_half = {station.basket.top_m[0] / 2, station.basket.top_m[1] / 2, 0};
+  for (const ContainerBox& box : boxes_of(station.container())) {
+    const bool is_wall = std::abs(box.half_size.x - station.basket.wall_m / 2) < 1e-9;
+    (is_wall ? place.walls : place.ledges).push_back({box.container_from_box, box.half_size});
+  }
+  return place;
+}
+
+}  // namespace marketgen

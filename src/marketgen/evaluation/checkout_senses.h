@@ -1,0 +1,50 @@
+// What a policy may sense and know in Checkout Unloading, made from a running episode: pictures of
+// the cameras, the catalogue, the nominal place. Nothing else of the world passes through here.
+#pragma once
+#include <map>
+#include <memory>
+
+#include "agent/eyes.h"
+#include "agent/known_products.h"
+#include "agent/workplace.h"
+#include "catalog/rows.h"
+#include "episodes/checkout_view.h"
+#include "evaluation/product_pictures.h"
+
+namespace marketgen {
+
+// The station's cameras, without noise. `world` must outlive it.
+class CheckoutEyes : public Eyes {
+ public:
+  explicit CheckoutEyes(const CheckoutWorld& world) : world_(world) {}
+  Result<View> look(std::string_view camera) override;
+
+ private:
+  const CheckoutWorld& world_;
+  std::unique_ptr<CheckoutView> view_;  // of the episode that runs, once it was looked at
+};
+
+// Rows, shapes and pictures; made when they are asked for. All three must outlive it.
+class PicturedProducts : public KnownProducts {
+ public:
+  PicturedProducts(const std::vector<Product>& products,
+                   const std::vector<FrictionRow>& frictions,
+                   PictureLibrary& library)
+      : products_(products), frictions_(frictions), library_(library) {}
+
+  const std::vector<Product>& rows() const override { return products_; }
+  Result<const KnownProduct*> product(const std::string& sku) override;
+  Result<const std::vector<ProductPicture>*> pictures(const std::string& sku) override;
+
+ private:
+  Result<const Product*> row(const std::string& sku) const;
+
+  const std::vector<Product>& products_;
+  const std::vector<FrictionRow>& frictions_;
+  PictureLibrary& library_;
+  std::map<std::string, KnownProduct> known_;
+};
+
+Workplace workplace_of(const CheckoutStation& station);
+
+}  // namespace marketgen

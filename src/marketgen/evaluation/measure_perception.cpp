@@ -1,0 +1,176 @@
+#include "evaluation/measure_perception.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+
+#include "evaluation/checkout_senses.h"
+#include "perception/target_choice.h"
+#include "render/picture_objects.h"
+
+namespace marketgen {
+namespace {
+
+constexpr double right_within_m = 0.03;  // of the true middle
+constexpr int least_visible_px = 150;
+
+double seconds_since(std::chrono::steady_clock::time_point began) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+}
+
+// Which item each pixel shows: -1 none.
+using TrueMask = std::vector<int>;
+Result<TrueMask> true_mask(CheckoutView& view, StationCamera which) {
+  MARKETGEN_TRY(const Frame frame, view.renderer().render(view.camera(which), {}));
+  const std::uint32_t first = first_product_object(view.scene());
+  TrueMask mask(frame.instance.size(), -1);
+  for (std::size_t i = 0; i < mask.size(); ++i)
+    if (frame.instance[i] >= first && frame.instance[i] < first_actor_object(view.scene()))
+      mask[i] = static_cast<int>(frame.instance[i] - first);
+  return mask;
+}
+
+double best_iou(const std::vector<Mask>& masks, const TrueMask& truth, int item) {
+  const auto shown = static_cast<double>(std::ranges::count(truth, item));
+  double best = 0;
+  for (const Mask& mask : masks) {
+    double common = 0;
+    for (const std::uint32_t pixel : mask.pixels)
+      common += truth[pixel] == item ? 1 : 0;
+    best = std::max(best, common / (shown + static_cast<double>(mask.pixels.size()) - common));
+  }
+  return best;
+}
+
+Vec3 middle_at(const ProductLook& look, const Pose& pose) {
+  return pose * to_double((look.low() + look.high()) * 0.5F);
+}
+
+// How far the outside of the one pose is from that of the other: symmetry does not matter.
+double surface_distance(const ProductLook& look, const Pose& found, const Pose& truth) {
+  const Pose true_from_found = inverse(truth) * found;
+  double sum = 0, count = 0;
+  for (std::size_t i = 0; i < look.surfels().size(); i += 7, ++count) {
+    const Vec3f at = to_float(true_from_found * to_double(look.surfels()[i].point));
+    const int nearest = look.nearest(at);
+    constexpr double far_m = 0.03;
+    sum += nearest < 0 ? far_m
+                       : static_cast<double>(
+                             length(look.surfels()[static_cast<std::size_t>(nearest)].point - at));
+  }
+  return sum / count;
+}
+
+double middle_value(std::vector<double> values) {
+  if (values.empty()) return 0;
+  std::ranges::sort(values);
+  return values[values.size() / 2];
+}
+
+}  // namespace
+
+Result<PerceptionMeasure> measure_perception(const std::filesystem::path& data,
+                                             const EpisodeSpec& spec,
+                                             const std::vector<Product>& products,
+                                             const std::vector<FrictionRow>& frictions) {
+  MARKETGEN_TRY(CheckoutWorld world, CheckoutWorld::create(data, frictions));
+  MARKETGEN_CHECK(world.reset(spec, products));
+  PerceptionMeasure measure;
+  measure.episode = spec.id;
+
+  auto began = std::chrono::steady_clock::now();
+  PictureLibrary library;
+  PicturedProducts known(products, frictions, library);
+  std::vector<ProductLook> looks;
+  for (const EpisodeGoal& goal : spec.goals) {
+    MARKETGEN_TRY(const auto* pictures, known.pictures(goal.sku));
+    MARKETGEN_TRY(ProductLook look, ProductLook::make(goal.sku, *pictures));
+    looks.push_back(std::move(look));
+  }
+  measure.pictures_s = seconds_since(began);
+
+  began = std::chrono::steady_clock::now();
+  CheckoutEyes eyes(world);
+  std::vector<ViewCloud> views;
+  for (const StationCamera which : {StationCamera::scene, StationCamera::wrist}) {
+    MARKETGEN_TRY(View view, eyes.look(name_of(which)));
+    views.emplace_back(std::move(view));
+  }
+  measure.look_s = seconds_since(began);
+
+  began = std::chrono::steady_clock::now();
+  const Workplace place = workplace_of(world.station());
+  std::vector<MaskedView> masked;
+  for (std::size_t v = 0; v < views.size(); ++v)
+    masked.push_back({v,
+                      GeometricMasks().masks(
+                          views[v], goods_in_basket(views[v], place, place.base_from_basket))});
+  std::vector<WantedProduct> wanted;
+  for (const ProductLook& look : looks)
+    wanted.push_back({&look, {}});
+  const SweptPoses poses;
+  const std::vector<FoundProduct> found = CatalogueMatching(poses).find(wanted, views, masked);
+  measure.find_s = seconds_since(began);
+
+  MARKETGEN_TRY(const auto truth, CheckoutView::create(world));
+  MARKETGEN_TRY(const TrueMask in_scene, true_mask(*truth, StationCamera::scene));
+  MARKETGEN_TRY(const TrueMask in_wrist, true_mask(*truth, StationCamera::wrist));
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    PerceivedTarget target;
+    target.sku = looks[i].sku();
+    const auto item = std::ranges::find(spec.items, target.sku, &EpisodeItem::sku);
+    const auto number = static_cast<int>(item - spec.items.begin());
+    const auto scene_px = static_cast<int>(std::ranges::count(in_scene, number));
+    const auto wrist_px = static_cast<int>(std::ranges::count(in_wrist, number));
+    target.visible_px = scene_px + wrist_px;
+    target.mask_iou = scene_px > wrist_px ? best_iou(masked[0].masks, in_scene, number)
+                                          : best_iou(masked[1].masks, in_wrist, number);
+    for (const FoundProduct& f : found) {
+      if (f.look != i) continue;
+      target.found = true;
+      const Pose true_pose = world.item_pose(static_cast<std::size_t>(number));
+      const Pose& pose = f.pose.base_from_product;
+      target.offset_m = length(middle_at(looks[i], pose) - middle_at(looks[i], true_pose));
+      target.right = target.offset_m < right_within_m;
+      target.surface_m = surface_distance(looks[i], pose, true_pose);
+      const PoseEvidence& e = f.pose.evidence;
+      target.score = e.score;
+      target.fit = e.fit;
+      target.seen = e.seen;
+      target.covered = e.covered;
+      target.color_error = e.color_error;
+    }
+    measure.targets.push_back(std::move(target));
+  }
+  return measure;
+}
+
+PerceptionSummary summarize(const std::vector<PerceptionMeasure>& measures) {
+  PerceptionSummary summary;
+  summary.baskets = static_cast<int>(measures.size());
+  int targets = 0, found = 0, right = 0, visible = 0;
+  std::vector<double> offsets, surfaces;
+  for (const PerceptionMeasure& measure : measures) {
+    for (const PerceivedTarget& target : measure.targets) {
+      ++targets;
+      found += target.found ? 1 : 0;
+      right += target.right ? 1 : 0;
+      if (target.visible_px >= least_visible_px) {
+        ++visible;
+        summary.mean_mask_iou += target.mask_iou;
+      }
+      if (!target.right) continue;
+      offsets.push_back(target.offset_m);
+      surfaces.push_back(target.surface_m);
+    }
+  }
+  if (visible > 0) summary.mean_mask_iou /= visible;
+  summary.found = share_of(found, targets);
+  summary.right = share_of(right, found);
+  summary.median_offset_m = middle_value(std::move(offsets));
+  summary.median_surface_m = middle_value(std::move(surfaces));
+  return summary;
+}
+
+}  // namespace marketgen

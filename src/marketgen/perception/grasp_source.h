@@ -1,0 +1,65 @@
+// Where a gripper may take hold of a product that was found, and what is seen to be in its way.
+//
+// Base frame, metres.
+#pragma once
+#include <vector>
+
+#include "agent/known_products.h"
+#include "agent/workplace.h"
+#include "motion/grasp_candidates.h"
+#include "perception/pose_source.h"
+#include "robots/grasp_tool.h"
+
+namespace marketgen {
+
+struct SeenGrasp {
+  Pose base_from_tip;
+  double opening_m = 0, force_n = 0, width_m = 0;
+  double intrusion_m = 0;  // how far the open hand reaches into what else is seen, at most
+  double score = 0;
+};
+
+struct GraspQuestion {
+  const KnownProduct& known;
+  Pose base_from_product;
+  Pose base_from_basket;
+  const std::vector<Vec3f>& others;  // measured points that are not the product's
+};
+
+class GraspSource {
+ public:
+  virtual ~GraspSource() = default;
+  // Best first. Errors: of grasp_candidates.
+  virtual Result<std::vector<SeenGrasp>> grasps(const GraspQuestion& question) const = 0;
+};
+
+// Antipodal grasps on the catalogue's shape where it was found, from above, off the basket's walls;
+// the hand then tested against the measured points there and on its way.
+class FittedGrasps : public GraspSource {
+ public:
+  // Both must outlive it.
+  FittedGrasps(const GraspTool& tool, const Workplace& place) : tool_(tool), place_(place) {}
+  Result<std::vector<SeenGrasp>> grasps(const GraspQuestion& question) const override;
+
+ private:
+  const GraspTool& tool_;
+  const Workplace& place_;
+};
+
+// How far the open hand, standing there and on its way to there, reaches into the points.
+double hand_intrusion(const GraspTool& tool,
+                      const Pose& base_from_tip,
+                      double opening_m,
+                      const std::vector<Vec3f>& points);
+
+// Points of all views, about `spacing_m` apart, below `most_z` and before the arm's own body.
+std::vector<Vec3f> thinned_points(const std::vector<ViewCloud>& views,
+                                  double spacing_m,
+                                  double most_z);
+
+// Those that a product, lying so, does not explain.
+std::vector<Vec3f> other_points(const std::vector<Vec3f>& points,
+                                const ProductLook& look,
+                                const Pose& base_from_product);
+
+}  // namespace marketgen

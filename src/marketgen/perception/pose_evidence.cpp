@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "perception/pose_source.h"
+
+namespace marketgen {
+namespace {
+
+constexpr float least_facing = 0.25F;  // cosine; surface more aslant says little
+constexpr float least_tolerance_m = 0.003F, tolerance_px = 1.0F;
+constexpr float covered_m = 0.006F;
+constexpr double violation_weight = 1.5;
+constexpr double color_scale = 0.16;  // error at which the score is down to 1/e
+constexpr double enough_seen = 0.35;  // share from which on more does not count
+constexpr double enough_area_m2 = 1.2e-3;
+constexpr float least_gain = 0.55F, most_gain = 1.7F;  // of light on a side against its picture
+constexpr std::size_t sides = 6;
+
+std::size_t side_of(Vec3f n) {
+  const Vec3f size{std::abs(n.x), std::abs(n.y), std::abs(n.z)};
+  if (size.x >= size.y && size.x >= size.z) return n.x > 0 ? 0 : 1;
+  if (size.y >= size.z) return n.y > 0 ? 2 : 3;
+  return n.z > 0 ? 4 : 5;
+}
+
+// Sums over pairs of a picture's colour m and a seen colour o: the gain that suits best and what
+// then remains.
+class ColorPairs {
+ public:
+  void add(std::size_t side, Vec3f model, Vec3f seen) {
+    Sum& s = sums_[side];
+    s.mm += dot(model, model);
+    s.mo += dot(model, seen);
+    s.oo += dot(seen, seen);
+    s.count += 3;
+  }
+  double error() const {
+    double squares = 0, count = 0;
+    for (const Sum& s : sums_) {
+      if (s.count == 0) continue;
+      const double gain = std::clamp(s.mo / std::max(1e-6F, s.mm), least_gain, most_gain);
+      squares += std::max(0.0, s.oo - 2 * gain * s.mo + gain * gain * s.mm);
+      count += s.count;
+    }
+    return count > 0 ? std::sqrt(squares / count) : 1;
+  }
+
+ private:
+  struct Sum {
+    float mm = 0, mo = 0, oo = 0, count = 0;
+  };
+  std::array<Sum, sides> sums_{};
+};
+
+// The turn and shift of a pose in single precision.
+class Placed {
+ public:
+  explicit Placed(const Pose& pose)
+      : x_(to_float(rotate(pose.rotation, {1, 0, 0}))),
+        y_(to_float(rotate(pose.rotation, {0, 1, 0}))),
+        z_(to_float(rotate(pose.rotation, {0, 0, 1}))),
+        at_(to_float(pose.position)) {}
+  Vec3f turned(Vec3f v) const { return x_ * v.x + y_ * v.y + z_ * v.z; }
+  Vec3f operator()(Vec3f v) const { return turned(v) + at_; }
+  Vec3f back(Vec3f p) const {
+    const Vec3f d = p - at_;
+    return {dot(d, x_), dot(d, y_), dot(d, z_)};
+  }
+
+ private:
+  Vec3f x_, y_, z_, at_;
+};
+
+double covered_share(const ProductLook& look, const Placed& placed, const SurfacePatch& patch) {
+  if (patch.points.empty()) return 1;
+  double covered = 0;
+  for (const Vec3f& point : patch.points) {
+    const Vec3f q = placed.back(point);
+    const int nearest = look.nearest(q);
+    if (nearest < 0) continue;
+    const float off = length(look.surfels()[static_cast<std::size_t>(nearest)].point - q);
+    covered += std::clamp(2.0 - static_cast<double>(off / covered_m), 0.0, 1.0);
+  }
+  return covered / static_cast<double>(patch.points.size());
+}
+
+struct Tally {
+  double supported = 0, violated = 0, hidden = 0, area_m2 = 0;
+  ColorPairs colors;
+};
+
+void look_at(const Surfel& surfel,
+             const Placed& placed,
+             const ViewCloud& cloud,
+             double surfel_m2,
+             Tally& tally) {
+  const Vec3f point = placed(surfel.point), normal = placed.turned(surfel.normal);
+  const float facing = dot(normal, normalized(cloud.eye() - point));
+  if (facing < least_facing) return;
+  const auto seen = cloud.project(point);
+  if (!seen || !cloud.has(seen->pixel)) return;
+  const float off = seen->depth_m - cloud.view().depth_m[seen->pixel];
+  const float slope = std::sqrt(1 - facing * facing) / facing;
+  const float tolerance = least_tolerance_m + tolerance_px * cloud.pixel_m(seen->depth_m) * slope;
+  if (off > 2 * tolerance) {
+    tally.hidden += 1;
+  } else if (off < -2 * tolerance) {
+    tally.violated += 1;
+  } else {
+    const double near = std::clamp(2.0 - static_cast<double>(std::abs(off) / tolerance), 0.0, 1.0);
+    tally.supported += near;
+    (off > 0 ? tally.hidden : tally.violated) += 1 - near;
+    tally.area_m2 += near * surfel_m2;
+    if (near > 0.5)
+      tally.colors.add(side_of(surfel.normal), surfel.color, cloud.color(seen->pixel));
+  }
+}
+
+}  // namespace
+
+PoseEvidence evidence_of(const ProductLook& look,
+                         const Pose& base_from_product,
+                         const SurfacePatch& patch,
+                         const std::vector<ViewCloud>& views,
+                         std::size_t most_surfels) {
+  const Placed placed(base_from_product);
+  const std::vector<Surfel>& surfels = look.surfels();
+  const std::size_t step = std::max<std::size_t>(1, surfels.size() / most_surfels);
+  constexpr double spacing_m = 0.0035;
+  const double surfel_m2 = spacing_m * spacing_m * static_cast<double>(step);
+  Tally tally;
+  for (const ViewCloud& cloud : views)
+    for (std::size_t i = 0; i < surfels.size(); i += step)
+      look_at(surfels[i], placed, cloud, surfel_m2, tally);
+  PoseEvidence e;
+  const double shown = tally.supported + tally.violated;
+  if (tally.supported < 4) return e;
+  e.fit = tally.supported / (tally.supported + violation_weight * tally.violated);
+  e.seen = shown / (shown + tally.hidden);
+  e.covered = covered_share(look, placed, patch);
+  e.color_error = tally.colors.error();
+  e.area_m2 = tally.area_m2;
+  e.score =
+      e.fit * e.covered * std::exp(-e.color_error / color_scale) *
+      std::sqrt(std::min(1.0, e.seen / enough_seen) * std::min(1.0, e.area_m2 / enough_area_m2));
+  return e;
+}
+
+}  // namespace marketgen

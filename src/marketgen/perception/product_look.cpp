@@ -1,0 +1,197 @@
+#include "perception/product_look.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <unordered_set>
+
+namespace marketgen {
+namespace {
+
+constexpr float cell_m = 0.004F, around_m = 0.03F;  // of the table of nearest surfels
+constexpr std::size_t most_surfels = 30000;
+constexpr float least_picture_facing =
+    0.25F;  // surface seen more aslant than this is left to other sides
+
+// A picture's surface in the product's frame.
+class PictureSurface {
+ public:
+  explicit PictureSurface(const ProductPicture& picture) : picture_(picture) {
+    const Quaternion& q = picture.product_from_camera.rotation;
+    right_ = to_float(rotate(q, {1, 0, 0}));
+    down_ = to_float(rotate(q, {0, 1, 0}));
+    ahead_ = to_float(rotate(q, {0, 0, 1}));
+  }
+
+  void add_to(std::vector<Surfel>& surfels, float spacing_m) const {
+    const int step = std::max(1, static_cast<int>(spacing_m / picture_.pixel_m));
+    for (int y = step; y + step < picture_.color.height; y += step) {
+      for (int x = step; x + step < picture_.color.width; x += step) {
+        if (!all_there(x, y)) continue;
+        const Vec3f across = point(x + 1, y) - point(x - 1, y);
+        const Vec3f along = point(x, y + 1) - point(x, y - 1);
+        const Vec3f normal = normalized(cross(along, across));
+        if (dot(normal, ahead_) > -least_picture_facing) continue;
+        surfels.push_back({point(x, y), normal, color(x, y, step)});
+      }
+    }
+  }
+
+ private:
+  float depth(int x, int y) const {
+    return picture_.depth_m[static_cast<std::size_t>(y * picture_.color.width + x)];
+  }
+  bool all_there(int x, int y) const {
+    return depth(x, y) > 0 && depth(x - 1, y) > 0 && depth(x + 1, y) > 0 && depth(x, y - 1) > 0 &&
+           depth(x, y + 1) > 0;
+  }
+  Vec3f point(int x, int y) const {
+    const auto side = static_cast<float>(picture_.pixel_m);
+    const float across =
+        (static_cast<float>(x) - 0.5F * static_cast<float>(picture_.color.width - 1)) * side;
+    const float along =
+        (static_cast<float>(y) - 0.5F * static_cast<float>(picture_.color.height - 1)) * side;
+    return to_float(picture_.product_from_camera.position) + right_ * across + down_ * along +
+           ahead_ * depth(x, y);
+  }
+  // Mean over what the surfel stands for.
+  Vec3f color(int x, int y, int step) const {
+    Vec3f sum;
+    float count = 0;
+    for (int v = y - step / 2; v <= y + step / 2; ++v) {
+      for (int u = x - step / 2; u <= x + step / 2; ++u) {
+        if (!(depth(u, v) > 0)) continue;
+        const std::uint8_t* rgb = picture_.color.at(u, v);
+        sum += Vec3f{
+            static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2])};
+        ++count;
+      }
+    }
+    return sum / (255 * std::max(1.0F, count));
+  }
+
+  const ProductPicture& picture_;
+  Vec3f right_, down_, ahead_;
+};
+
+// One of those that share a cell and a side: the first.
+std::vector<Surfel> thinned(const std::vector<Surfel>& surfels, float spacing_m) {
+  std::vector<Surfel> kept;
+  std::unordered_set<std::uint64_t> taken;
+  for (const Surfel& surfel : surfels) {
+    const auto cell = [&](float v) {
+      return static_cast<std::uint64_t>(std::lround(v / spacing_m) + 4096) & 0x3fff;
+    };
+    const Vec3f n = surfel.normal;
+    const Vec3f size{std::abs(n.x), std::abs(n.y), std::abs(n.z)};
+    const int axis = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+    const float sign = axis == 0 ? n.x : axis == 1 ? n.y : n.z;
+    const auto side = static_cast<std::uint64_t>(2 * axis + (sign > 0 ? 1 : 0));
+    const std::uint64_t key =
+        (((cell(surfel.point.x) << 14 | cell(surfel.point.y)) << 14) | cell(surfel.point.z)) << 3 |
+        side;
+    if (taken.insert(key).second) kept.push_back(surfel);
+  }
+  return kept;
+}
+
+}  // namespace
+
+Result<ProductLook> ProductLook::make(const std::string& sku,
+                                      const std::vector<ProductPicture>& pictures,
+                                      float spacing_m) {
+  ProductLook look;
+  look.sku_ = sku;
+  std::vector<Surfel> all;
+  for (const ProductPicture& picture : pictures)
+    PictureSurface(picture).add_to(all, spacing_m);
+  look.surfels_ = thinned(all, spacing_m);
+  if (look.surfels_.empty() || look.surfels_.size() > most_surfels)
+    return Error{"perception.no_picture",
+                 sku,
+                 "its pictures show nothing of it, or far too much: expected some sides of the "
+                 "product with depth"};
+  look.low_ = look.high_ = look.surfels_.front().point;
+  for (const Surfel& s : look.surfels_) {
+    const Vec3f p = s.point;
+    look.low_ = {
+        std::min(look.low_.x, p.x), std::min(look.low_.y, p.y), std::min(look.low_.z, p.z)};
+    look.high_ = {
+        std::max(look.high_.x, p.x), std::max(look.high_.y, p.y), std::max(look.high_.z, p.z)};
+  }
+  look.make_table();
+  return look;
+}
+
+void ProductLook::make_table() {
+  const Vec3f margin{around_m, around_m, around_m};
+  origin_ = low_ - margin;
+  const Vec3f size = high_ + margin - origin_;
+  cells_ = {static_cast<int>(size.x / cell_m) + 1,
+            static_cast<int>(size.y / cell_m) + 1,
+            static_cast<int>(size.z / cell_m) + 1};
+  table_.assign(static_cast<std::size_t>(cells_[0]) * static_cast<std::size_t>(cells_[1]) *
+                    static_cast<std::size_t>(cells_[2]),
+                -1);
+  for (std::size_t i = 0; i < surfels_.size(); ++i) {
+    const Vec3f off = (surfels_[i].point - origin_) / cell_m;
+    const int cell = (static_cast<int>(off.z) * cells_[1] + static_cast<int>(off.y)) * cells_[0] +
+                     static_cast<int>(off.x);
+    table_[static_cast<std::size_t>(cell)] = static_cast<std::int16_t>(i);
+  }
+  // Each cell takes the best of its neighbours', forth and back, twice.
+  for (int i = 0; i < 2; ++i) {
+    spread(true);
+    spread(false);
+  }
+}
+
+void ProductLook::spread(bool forwards) {
+  const int sign = forwards ? 1 : -1;
+  const int last_x = cells_[0] - 1, last_y = cells_[1] - 1, last_z = cells_[2] - 1;
+  const auto at = [&](int x, int y, int z) -> std::int16_t& {
+    return table_[static_cast<std::size_t>((z * cells_[1] + y) * cells_[0] + x)];
+  };
+  const auto inside = [&](int x, int y, int z) {
+    return x >= 0 && y >= 0 && z >= 0 && x <= last_x && y <= last_y && z <= last_z;
+  };
+  const auto visit = [&](int x, int y, int z) {
+    const Vec3f middle = origin_ + Vec3f{static_cast<float>(x) + 0.5F,
+                                         static_cast<float>(y) + 0.5F,
+                                         static_cast<float>(z) + 0.5F} *
+                                       cell_m;
+    const auto off = [&](std::int16_t i) {
+      const Vec3f d = surfels_[static_cast<std::size_t>(i)].point - middle;
+      return dot(d, d);
+    };
+    std::int16_t& best = at(x, y, z);
+    for (const auto& [dx, dy, dz] : {std::array{1, 0, 0},
+                                     {0, 1, 0},
+                                     {0, 0, 1},
+                                     {1, 1, 0},
+                                     {-1, 1, 0},
+                                     {1, 0, 1},
+                                     {0, 1, 1},
+                                     {-1, 0, 1},
+                                     {0, -1, 1}}) {
+      const int u = x - sign * dx, v = y - sign * dy, w = z - sign * dz;
+      if (!inside(u, v, w)) continue;
+      const std::int16_t other = at(u, v, w);
+      if (other >= 0 && (best < 0 || off(other) < off(best))) best = other;
+    }
+  };
+  for (int c = 0; c <= last_z; ++c)
+    for (int b = 0; b <= last_y; ++b)
+      for (int a = 0; a <= last_x; ++a)
+        visit(forwards ? a : last_x - a, forwards ? b : last_y - b, forwards ? c : last_z - c);
+}
+
+int ProductLook::nearest(Vec3f product_point) const {
+  const Vec3f off = (product_point - origin_) / cell_m;
+  const int x = static_cast<int>(std::floor(off.x)), y = static_cast<int>(std::floor(off.y)),
+            z = static_cast<int>(std::floor(off.z));
+  if (x < 0 || y < 0 || z < 0 || x >= cells_[0] || y >= cells_[1] || z >= cells_[2]) return -1;
+  return table_[static_cast<std::size_t>((z * cells_[1] + y) * cells_[0] + x)];
+}
+
+}  // namespace marketgen

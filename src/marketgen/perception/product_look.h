@@ -1,0 +1,48 @@
+// What a product looks like from all sides, as small pieces of coloured surface, made from its
+// pictures. Product frame, metres.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "agent/known_products.h"
+#include "base/result.h"
+
+namespace marketgen {
+
+struct Surfel {
+  Vec3f point, normal;  // unit, outwards
+  Vec3f color;          // sRGB as 0..1
+};
+
+class ProductLook {
+ public:
+  // Pieces about `spacing_m` apart. Errors: perception.no_picture when nothing is seen in them.
+  static Result<ProductLook> make(const std::string& sku,
+                                  const std::vector<ProductPicture>& pictures,
+                                  float spacing_m = 0.0035F);
+
+  const std::string& sku() const { return sku_; }
+  const std::vector<Surfel>& surfels() const { return surfels_; }
+  Vec3f low() const { return low_; }
+  Vec3f high() const { return high_; }
+  float diagonal_m() const { return length(high_ - low_); }
+
+  // The surfel nearest to a point, by a table as coarse as its cells; -1 farther away than the
+  // table reaches.
+  int nearest(Vec3f product_point) const;
+
+ private:
+  void make_table();
+  void spread(bool forwards);
+
+  std::string sku_;
+  std::vector<Surfel> surfels_;
+  Vec3f low_, high_;
+  Vec3f origin_;  // of the table
+  std::array<int, 3> cells_{};
+  std::vector<std::int16_t> table_;
+};
+
+}  // namespace marketgen

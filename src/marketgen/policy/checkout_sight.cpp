@@ -1,0 +1,126 @@
+#include "policy/checkout_sight.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace marketgen {
+namespace {
+
+constexpr double point_spacing_m = 0.003, highest_goods_m = 0.33;
+constexpr double column_m = 0.02, least_column_m = 0.012;  // of what stands about, as boxes
+constexpr double counter_thick_m = 0.06;
+// Of the basket's walls, what arms keep clear of on lines: the spheres of a hand are larger than
+// it.
+constexpr double outer_skin_m = 0.002, skin_below_rim_m = 0.015;
+constexpr double own_body_m = 0.012;  // round the spheres of the robot
+constexpr double round_basket_m = 0.03;
+
+// Goods in the basket, and what stands on the counter beside it.
+std::vector<std::uint8_t> goods_pixels(const ViewCloud& cloud, const Workplace& place) {
+  std::vector<std::uint8_t> wanted = goods_in_basket(cloud, place, place.base_from_basket);
+  WorkArea before_arm = place.counter;
+  before_arm.low_m[0] = place.set_aside.low_m[0];
+  const std::vector<std::uint8_t> beside = goods_over(cloud, before_arm);
+  const Vec3 at = place.base_from_basket.position, half = place.inner_half;
+  const WorkArea basket{{at.x - half.x - round_basket_m, at.y - half.y - round_basket_m},
+                        {at.x + half.x + round_basket_m, at.y + half.y + round_basket_m}};
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    const Vec3f p = cloud.point(i);
+    if (beside[i] != 0 && !basket.holds(p.x, p.y)) wanted[i] = 1;
+  }
+  return wanted;
+}
+
+// Upright boxes under the points.
+void add_columns(const std::vector<Vec3f>& points, std::vector<BoxObstacle>& boxes) {
+  std::map<std::pair<int, int>, float> tops;
+  for (const Vec3f& p : points) {
+    if (p.z < static_cast<float>(least_column_m)) continue;
+    const auto cell = [](float v) {
+      return static_cast<int>(std::floor(static_cast<double>(v) / column_m));
+    };
+    float& top = tops[{cell(p.x), cell(p.y)}];
+    top = std::max(top, p.z);
+  }
+  for (const auto& [cell, top] : tops) {
+    const double half = static_cast<double>(top) / 2;
+    boxes.push_back({{{(cell.first + 0.5) * column_m, (cell.second + 0.5) * column_m, half}, {}},
+                     {column_m / 2, column_m / 2, half}});
+  }
+}
+
+}  // namespace
+
+std::vector<Vec3f> without_robot(const std::vector<Vec3f>& points,
+                                 const Robot& robot,
+                                 const Observation& now) {
+  const JointGroup& arm = *robot.find_group("arm");
+  std::vector<double> q = neutral_state(robot);
+  for (std::size_t j = 0; j < arm.dofs.size(); ++j)
+    q[static_cast<std::size_t>(arm.dofs[j])] = now.position[j];
+  if (const JointGroup* fingers = robot.find_group("fingers"))
+    for (const int dof : fingers->dofs)
+      q[static_cast<std::size_t>(dof)] = now.openings_m.front() / 2;
+  const std::vector<Pose> links = link_poses(robot, with_followers(robot, q));
+  const Pose base_from_robot = inverse(links[static_cast<std::size_t>(arm.base)]);
+  std::vector<Sphere> body;
+  for (std::size_t link = 0; link < links.size(); ++link)
+    for (const Sphere& sphere : robot.links[link].spheres)
+      body.push_back({base_from_robot * (links[link] * sphere.center), sphere.radius + own_body_m});
+  std::vector<Vec3f> kept;
+  for (const Vec3f& point : points) {
+    const bool own = std::ranges::any_of(body, [&](const Sphere& sphere) {
+      return length(to_double(point) - sphere.center) < sphere.radius;
+    });
+    if (!own) kept.push_back(point);
+  }
+  return kept;
+}
+
+std::vector<WorkBox> placed_walls(const Workplace& place) {
+  std::vector<WorkBox> walls;
+  for (const WorkBox& wall : place.walls)
+    walls.push_back({place.base_from_basket * wall.pose, wall.half_size});
+  return walls;
+}
+
+Result<Sight> take_sight(Eyes& eyes,
+                         const std::vector<std::string>& cameras,
+                         const Workplace& place,
+                         const MaskSource& masks,
+                         const TargetChoice& targets,
+                         const std::vector<WantedProduct>& wanted) {
+  Sight sight;
+  for (const std::string& camera : cameras) {
+    MARKETGEN_TRY(View view, eyes.look(camera));
+    sight.views.emplace_back(std::move(view));
+    const ViewCloud& cloud = sight.views.back();
+    sight.masked.push_back(
+        {sight.views.size() - 1, masks.masks(cloud, goods_pixels(cloud, place))});
+  }
+  sight.found = targets.find(wanted, sight.views, sight.masked);
+  sight.points = thinned_points(sight.views, point_spacing_m, highest_goods_m);
+  return sight;
+}
+
+Surroundings seen_surroundings(const Workplace& place, const std::vector<Vec3f>& points) {
+  Surroundings around;
+  const auto& [low, high] = place.counter;
+  const BoxObstacle counter{
+      {{(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, -counter_thick_m / 2}, {}},
+      {(high[0] - low[0]) / 2, (high[1] - low[1]) / 2, counter_thick_m / 2}};
+  around.way.boxes.push_back(counter);
+  around.line.boxes.push_back(counter);
+  for (const WorkBox& wall : placed_walls(place)) {
+    around.way.boxes.push_back({wall.pose, wall.half_size});
+    // Boxes have their outer face towards their own +X.
+    const Pose skin =
+        wall.pose * Pose{{wall.half_size.x - outer_skin_m / 2, 0, -skin_below_rim_m / 2}, {}};
+    around.line.boxes.push_back(
+        {skin, {outer_skin_m / 2, wall.half_size.y, wall.half_size.z - skin_below_rim_m / 2}});
+  }
+  add_columns(points, around.way.boxes);
+  return around;
+}
+
+}  // namespace marketgen

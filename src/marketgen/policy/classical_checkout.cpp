@@ -1,0 +1,500 @@
+#include "policy/classical_checkout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <set>
+
+#include "geometry/rotation_axes.h"
+#include "policy/checkout_sight.h"
+#include "policy/place_search.h"
+
+namespace marketgen {
+namespace {
+
+constexpr int tries_an_item = 3;
+constexpr std::size_t grasps_tried = 16, plans_tried = 5, places_tried = 8;
+constexpr double closing_s = 0.6, calming_s = 0.25, opening_s = 0.35;
+constexpr double wider_m = 0.014;    // than what was held, when it is let go
+constexpr double rim_room_m = 0.05;  // over the rim, of what is lifted out
+constexpr double step_back_m = 0.12;
+constexpr double least_left_s = 8;  // no new grasp with less time left
+constexpr int most_cleared = 8;
+constexpr std::size_t patch_points = 160, others_tried = 4, likenesses_tried = 8;
+constexpr float same_size = 0.2F;  // of products that may be taken for one another
+constexpr std::size_t most_rivals = 4;
+constexpr double least_other_score = 0.25;
+constexpr double off_basket_area_m = 0.03, off_unloading_m = 0.02;
+constexpr double tight_m = 0.006, tightest_m = 0.012;  // intrusion of an open hand that is borne
+// From where the wrist camera looks into the basket: tip over its middle, fingers down.
+constexpr double look_back_m = 0.06, look_height_m = 0.40;
+
+const std::vector<std::string> station_cameras{"scene_camera", "wrist_camera"};
+
+enum class Step { go_to_look, look, closed, lifted };
+
+class ClassicalCheckout : public Policy {
+ public:
+  ClassicalCheckout(ClassicalSetup setup, ArmExecutor arm, Seed seed)
+      : setup_(std::move(setup)), arm_(std::move(arm)), seed_(seed) {
+    modules_.masks = std::make_unique<GeometricMasks>();
+    modules_.poses = std::make_unique<SweptPoses>();
+    modules_.targets = std::make_unique<CatalogueMatching>(*modules_.poses);
+    modules_.grasps = std::make_unique<FittedGrasps>(setup_.tool, setup_.place);
+  }
+
+  Result<void> begin(const Task& task, const Observation& first) override {
+    task_ = task;
+    arm_.start(first);
+    for (const TaskGoal& goal : task.goals) {
+      MARKETGEN_TRY(const auto* pictures, setup_.products->pictures(goal.sku));
+      MARKETGEN_TRY(ProductLook look, ProductLook::make(goal.sku, *pictures));
+      looks_.push_back(std::make_unique<ProductLook>(std::move(look)));
+    }
+    MARKETGEN_CHECK(learn_catalogue());
+    for (const auto& look : looks_)
+      wanted_.push_back({look.get(), rivals_of(*look)});
+    return {};
+  }
+
+  Result<Action> act(const Observation& now) override {
+    now_ = now;
+    // A motion that could not be planned leads on to the next step at once.
+    for (int i = 0; i < 3 && arm_.idle() && !done_; ++i)
+      MARKETGEN_CHECK(decide());
+    Action action = arm_.next();
+    action.stop = done_;
+    return action;
+  }
+
+  std::string failure() const override { return failure_; }
+
+ private:
+  Result<void> decide() {
+    switch (step_) {
+      case Step::go_to_look:
+        go_to_look();
+        return {};
+      case Step::look:
+        return look();
+      case Step::closed:
+        lift();
+        return {};
+      case Step::lifted:
+        put_down();
+        return {};
+    }
+    return {};
+  }
+
+  // ---- Looking ----
+
+  void go_to_look() {
+    step_ = Step::look;
+    const Vec3 at = setup_.place.base_from_basket.position;
+    const Pose tip{{at.x - look_back_m, at.y, look_height_m},
+                   rotation_with_axes({0, -1, 0}, {0, 0, -1})};
+    const ReachRequest request{tip, {0, 0, 0.02}, setup_.tool.opening_m, 20};
+    if (arm_.reach(seen_surroundings(setup_.place, others_), request, next_seed()).ok()) return;
+    // Something stands against the hand: up first, then past what is known of the place alone.
+    const Surroundings bare = seen_surroundings(setup_.place, {});
+    Pose up = arm_.tip();
+    up.position.z = std::max(up.position.z, look_height_m);
+    [[maybe_unused]] const auto higher = arm_.straight(bare, up, setup_.tool.opening_m, 20);
+    [[maybe_unused]] const auto there = arm_.reach(bare, request, next_seed());
+  }
+
+  Result<void> look() {
+    MARKETGEN_TRY(sight_,
+                  take_sight(*setup_.eyes,
+                             station_cameras,
+                             setup_.place,
+                             *modules_.masks,
+                             *modules_.targets,
+                             wanted_));
+    sight_.points = without_robot(sight_.points, *setup_.robot, now_);
+    if (now_.time_s + least_left_s > task_.limit_s) {
+      stop("Timeout");
+      return {};
+    }
+    return choose();
+  }
+
+  static Vec3 middle_of(const ProductLook& look, const Pose& base_from_product) {
+    return base_from_product * to_double((look.low() + look.high()) * 0.5F);
+  }
+
+  // What was put down counts as there until it is seen elsewhere.
+  bool is_there(std::size_t goal) const {
+    for (const FoundProduct& found : sight_.found) {
+      if (found.look != goal) continue;
+      const Vec3 at = middle_of(*looks_[goal], found.pose.base_from_product);
+      return setup_.place.unloading.holds(at.x, at.y);
+    }
+    return put_down_.contains(goal);
+  }
+
+  // ---- What to take next ----
+
+  // What may be taken, and how.
+  struct Choice {
+    const ProductLook* look = nullptr;
+    std::optional<std::size_t> goal;  // none: it is in the way
+    Pose base_from_product;
+    double seen = 0;  // share of it that nothing hides
+    const KnownProduct* known = nullptr;
+    std::vector<SeenGrasp> grasps;
+    std::vector<Vec3f> others;
+  };
+
+  // What is asked for, where the hand has room; then what is in the way; then what is asked for
+  // though the hand has to press something aside.
+  Result<void> choose() {
+    std::vector<Choice> targets;
+    if (due_targets(targets)) {
+      stop("None");
+      return {};
+    }
+    if (targets.empty() && failure_ == "None") note("NotFound");
+    for (const double borne : {tight_m, tightest_m}) {
+      MARKETGEN_TRY(const bool begun, take_one_of(targets, borne));
+      if (begun) return {};
+      if (cleared_ >= most_cleared) continue;
+      std::vector<Choice> others = others_near(targets);
+      MARKETGEN_TRY(const bool clears, take_one_of(others, borne));
+      if (clears) return {};
+    }
+    done_ = true;
+    return {};
+  }
+
+  // Those that are not there yet and were found, what lies open first. True when all are there.
+  bool due_targets(std::vector<Choice>& targets) const {
+    bool all_there = true;
+    for (std::size_t goal = 0; goal < looks_.size(); ++goal) {
+      if (is_there(goal)) continue;
+      all_there = false;
+      const auto tried = tries_.find(goal);
+      if (tried != tries_.end() && tried->second >= tries_an_item) continue;
+      for (const FoundProduct& found : sight_.found)
+        if (found.look == goal)
+          targets.push_back({looks_[goal].get(),
+                             goal,
+                             found.pose.base_from_product,
+                             found.pose.evidence.seen,
+                             nullptr,
+                             {},
+                             {}});
+    }
+    std::ranges::stable_sort(targets, std::greater<>{}, &Choice::seen);
+    return all_there;
+  }
+
+  Result<bool> take_one_of(std::vector<Choice>& choices, double borne_m) {
+    for (Choice& choice : choices) {
+      if (choice.known == nullptr) MARKETGEN_CHECK(find_grasps(choice));
+      if (take(choice, borne_m)) return true;
+    }
+    return false;
+  }
+
+  Result<void> find_grasps(Choice& choice) {
+    MARKETGEN_TRY(choice.known, setup_.products->product(choice.look->sku()));
+    choice.others = other_points(sight_.points, *choice.look, choice.base_from_product);
+    MARKETGEN_TRY(choice.grasps,
+                  modules_.grasps->grasps({*choice.known,
+                                           choice.base_from_product,
+                                           setup_.place.base_from_basket,
+                                           choice.others}));
+    return {};
+  }
+
+  // ---- What is in the way ----
+
+  // Goods in the basket that are not asked for: nearest to the first target, or highest when none
+  // was found.
+  std::vector<Choice> others_near(const std::vector<Choice>& targets) const {
+    const MaskedView& masked = sight_.masked.back();
+    const ViewCloud& cloud = sight_.views[masked.view];
+    std::vector<std::pair<double, SurfacePatch>> ranked;
+    for (const Mask& mask : masked.masks) {
+      SurfacePatch patch = patch_of(cloud, mask, patch_points);
+      const Vec3 at = inverse(setup_.place.base_from_basket) * to_double(patch.middle);
+      const Vec3 half = setup_.place.inner_half;
+      if (std::abs(at.x) > half.x || std::abs(at.y) > half.y || is_of_target(patch)) continue;
+      const double rank = targets.empty()
+                              ? -at.z
+                              : length(to_double(patch.middle) -
+                                       middle_of(*targets[0].look, targets[0].base_from_product));
+      ranked.emplace_back(rank, std::move(patch));
+    }
+    std::ranges::stable_sort(ranked, {}, [](const auto& entry) { return entry.first; });
+    std::vector<Choice> others;
+    for (std::size_t i = 0; i < std::min(others_tried, ranked.size()); ++i) {
+      if (auto choice = recognised(ranked[i].second)) others.push_back(std::move(*choice));
+    }
+    return others;
+  }
+
+  bool is_of_target(const SurfacePatch& patch) const {
+    return std::ranges::any_of(sight_.found, [&](const FoundProduct& found) {
+      const auto left =
+          other_points(patch.points, *looks_[found.look], found.pose.base_from_product);
+      return left.size() < patch.points.size() * 7 / 10;
+    });
+  }
+
+  // Products of nearly the same shape and size, those of the most alike colours.
+  std::vector<const ProductLook*> rivals_of(const ProductLook& look) const {
+    std::vector<std::pair<double, const ProductLook*>> alike;
+    std::vector<Vec3f> colors;
+    for (const Surfel& surfel : look.surfels())
+      colors.push_back(surfel.color);
+    for (const ProductLook* other : catalogue_) {
+      const Vec3f a = look.high() - look.low(), b = other->high() - other->low();
+      if (other->sku() == look.sku() || length(a - b) > same_size * length(a)) continue;
+      alike.emplace_back(color_likeness(colors, *other), other);
+    }
+    std::ranges::stable_sort(
+        alike, std::greater<>{}, [](const auto& entry) { return entry.first; });
+    std::vector<const ProductLook*> rivals;
+    for (std::size_t i = 0; i < std::min(most_rivals, alike.size()); ++i)
+      rivals.push_back(alike[i].second);
+    return rivals;
+  }
+
+  // What of the whole catalogue explains the patch best.
+  std::optional<Choice> recognised(const SurfacePatch& patch) const {
+    std::vector<std::pair<double, const ProductLook*>> alike;
+    for (const ProductLook* look : catalogue_)
+      if (patch.diagonal_m < look->diagonal_m() * 1.1F + 0.015F)
+        alike.emplace_back(color_likeness(patch.colors, *look), look);
+    std::ranges::stable_sort(
+        alike, std::greater<>{}, [](const auto& entry) { return entry.first; });
+    std::optional<Choice> best;
+    double best_score = least_other_score;
+    for (std::size_t i = 0; i < std::min(likenesses_tried, alike.size()); ++i) {
+      const FittedPose pose = modules_.poses->pose(*alike[i].second, patch, sight_.views);
+      if (pose.evidence.score < best_score) continue;
+      best_score = pose.evidence.score;
+      best =
+          Choice{alike[i].second, {}, pose.base_from_product, pose.evidence.seen, nullptr, {}, {}};
+    }
+    return best;
+  }
+
+  Result<void> learn_catalogue() {
+    for (const Product& row : setup_.products->rows()) {
+      MARKETGEN_TRY(const auto* pictures, setup_.products->pictures(row.sku));
+      MARKETGEN_TRY(ProductLook look, ProductLook::make(row.sku, *pictures));
+      learned_.push_back(std::make_unique<ProductLook>(std::move(look)));
+      catalogue_.push_back(learned_.back().get());
+    }
+    return {};
+  }
+
+  // ---- Taking it ----
+
+  std::vector<Pose> nearest_flip_first(const Pose& tip) const {
+    Pose other = tip;
+    other.rotation = tip.rotation * rotation_about({0, 0, 1}, std::numbers::pi);
+    const double a = arm_.effort_to(tip).value_or(1e9), b = arm_.effort_to(other).value_or(1e9);
+    if (b < a) return {other, tip};
+    return {tip, other};
+  }
+
+  // Long enough that the fingers come from over the rim.
+  Vec3 approach_to(const Pose& tip) const {
+    const double rim = setup_.place.rim_m + 0.04;
+    const double steep = std::max(0.4, -rotate(tip.rotation, {0, 0, 1}).z);
+    return {0, 0, std::max(0.08, (rim - tip.position.z) / steep)};
+  }
+
+  bool take(const Choice& choice, double borne_m) {
+    if (choice.grasps.empty()) note("NoGrasp");
+    const Surroundings around = seen_surroundings(setup_.place, sight_.points);
+    std::size_t plans = 0, tried = 0;
+    for (const SeenGrasp& grasp : choice.grasps) {
+      if (grasp.intrusion_m > borne_m) continue;
+      if (tried++ >= grasps_tried) break;
+      for (const Pose& tip : nearest_flip_first(grasp.base_from_tip)) {
+        const ReachRequest request{tip, approach_to(tip), grasp.opening_m, grasp.force_n};
+        if (!arm_.effort_to(tip) || !arm_.effort_to(tip * Pose{-request.approach, {}})) {
+          note("NoIK");
+          continue;
+        }
+        if (plans++ >= plans_tried) return false;
+        if (!arm_.reach(around, request, next_seed()).ok()) {
+          note("NoPath");
+          continue;
+        }
+        begin_grasp(choice, grasp);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void begin_grasp(const Choice& choice, const SeenGrasp& grasp) {
+    arm_.wait(closing_s, 0, grasp.force_n);
+    goal_ = choice.goal;
+    held_look_ = choice.look;
+    held_.known = choice.known;
+    held_.tip_from_product = inverse(arm_.tip()) * choice.base_from_product;
+    width_m_ = grasp.width_m;
+    force_n_ = grasp.force_n;
+    others_ = choice.others;
+    if (goal_)
+      ++tries_[*goal_];
+    else
+      ++cleared_;
+    step_ = Step::closed;
+  }
+
+  // By the fingers alone: shut on nothing they come together.
+  bool holds_it() const { return now_.openings_m.front() > std::max(0.004, 0.4 * width_m_); }
+
+  double lowest_of_held() const {
+    const Pose pose = arm_.tip() * held_.tip_from_product;
+    double lowest = 1e9;
+    for (const Surfel& surfel : held_look_->surfels())
+      lowest = std::min(lowest, (pose * to_double(surfel.point)).z);
+    return lowest;
+  }
+
+  void lift() {
+    if (!holds_it()) return let_go("Missed");
+    const Surroundings around = seen_surroundings(setup_.place, others_);
+    const double up = std::max(0.05, setup_.place.rim_m + rim_room_m - lowest_of_held());
+    const Vec3 inwards = setup_.place.base_from_basket.position - arm_.tip().position;
+    for (const auto& [share, aside] :
+         {std::pair{1.0, 0.0}, {0.85, 0.0}, {1.0, 0.4}, {0.7, 0.0}, {0.7, 0.4}}) {
+      Pose tip = arm_.tip();
+      tip.position += Vec3{inwards.x * aside, inwards.y * aside, up * share};
+      if (!arm_.straight(around, tip, 0, force_n_).ok()) continue;
+      arm_.wait(calming_s, 0, force_n_);
+      step_ = Step::lifted;
+      return;
+    }
+    let_go("NoPath");
+  }
+
+  // Opens where it is, and goes back the way it came.
+  void let_go(const char* why) {
+    note(why);
+    const double opening = std::min(setup_.tool.opening_m, now_.openings_m.front() + wider_m);
+    arm_.wait(opening_s, opening, force_n_);
+    step_back(opening);
+    step_ = Step::go_to_look;
+  }
+
+  void step_back(double opening_m) {
+    const Surroundings around = seen_surroundings(setup_.place, others_);
+    for (const double by : {step_back_m, step_back_m / 2}) {
+      if (arm_.straight(around, arm_.tip() * Pose{{0, 0, -by}, {}}, opening_m, force_n_).ok())
+        break;
+    }
+    Pose up = arm_.tip();
+    const double clear = setup_.place.rim_m + 0.07;
+    if (up.position.z >= clear) return;
+    up.position.z = clear;
+    [[maybe_unused]] const auto higher = arm_.straight(around, up, opening_m, force_n_);
+  }
+
+  // ---- Putting it down ----
+
+  void put_down() {
+    if (!holds_it()) return let_go("Slipped");
+    held_.opening_m = std::min(setup_.tool.opening_m, now_.openings_m.front() + wider_m);
+    const Workplace& at = setup_.place;
+    PlaceAsk ask{at.unloading, {}, others_, placed_walls(at)};
+    if (!goal_) {
+      ask.area = at.set_aside;
+      ask.kept_free = areas_kept_free();
+    }
+    const Surroundings around = seen_surroundings(setup_.place, others_);
+    const auto places = free_places(setup_.tool, arm_, held_, ask, places_tried);
+    if (places.empty()) note("NoIK");
+    for (const bool attached : {true, false}) {
+      for (const FreePlace& place : places) {
+        ReachRequest request{place.base_from_tip, place.approach, 0, force_n_};
+        if (attached) request.attached = {held_spheres(*setup_.robot, held_)};
+        if (!arm_.reach(around, request, next_seed()).ok()) {
+          note("NoPath");
+          continue;
+        }
+        arm_.wait(calming_s, 0, force_n_);
+        arm_.wait(opening_s, held_.opening_m, force_n_);
+        step_back(held_.opening_m);
+        if (goal_) put_down_.insert(*goal_);
+        step_ = Step::go_to_look;
+        return;
+      }
+    }
+    put_back();
+  }
+
+  // Round the basket, and where the targets go.
+  std::vector<WorkArea> areas_kept_free() const {
+    const Vec3 at = setup_.place.base_from_basket.position, half = setup_.place.inner_half;
+    const double x = half.x + off_basket_area_m, y = half.y + off_basket_area_m;
+    WorkArea unloading = setup_.place.unloading;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      unloading.low_m[axis] -= off_unloading_m;
+      unloading.high_m[axis] += off_unloading_m;
+    }
+    return {{{at.x - x, at.y - y}, {at.x + x, at.y + y}}, unloading};
+  }
+
+  // Down again to where it was, as far as that goes.
+  void put_back() {
+    Pose tip = arm_.tip();
+    tip.position.z -= 0.1;
+    [[maybe_unused]] const auto down =
+        arm_.straight(seen_surroundings(setup_.place, others_), tip, 0, force_n_);
+    let_go(failure_.c_str());
+  }
+
+  void note(const std::string& why) { failure_ = why; }
+  void stop(const std::string& why) {
+    note(why);
+    done_ = true;
+  }
+  Seed next_seed() { return seed_.child("reach", static_cast<std::uint64_t>(moves_++)); }
+
+  ClassicalSetup setup_;
+  ClassicalModules modules_;
+  ArmExecutor arm_;
+  Seed seed_;
+  Task task_;
+  Observation now_;
+  std::vector<std::unique_ptr<ProductLook>> looks_;  // of the goals, in their order
+  std::vector<WantedProduct> wanted_;
+  Step step_ = Step::go_to_look;
+  Sight sight_;
+  std::map<std::size_t, int> tries_;  // by goal
+  std::set<std::size_t> put_down_;    // goals that were let go over the area
+  std::optional<std::size_t> goal_;   // that is being taken; none: something in the way
+  const ProductLook* held_look_ = nullptr;
+  std::vector<std::unique_ptr<ProductLook>> learned_;  // the whole catalogue
+  std::vector<const ProductLook*> catalogue_;
+  int cleared_ = 0;
+  HeldProduct held_;
+  double width_m_ = 0, force_n_ = 0;  // of the grasp
+  std::vector<Vec3f> others_;         // what stood about when it was taken
+  int moves_ = 0;
+  bool done_ = false;
+  std::string failure_ = "None";
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Policy>> make_classical_checkout(ClassicalSetup setup, Seed seed) {
+  MARKETGEN_TRY(ArmExecutor arm, ArmExecutor::make(*setup.robot));
+  return std::unique_ptr<Policy>(
+      std::make_unique<ClassicalCheckout>(std::move(setup), std::move(arm), seed));
+}
+
+}  // namespace marketgen

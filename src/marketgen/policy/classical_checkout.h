@@ -1,0 +1,40 @@
+// The modular system without learned weights: it looks, finds what it is asked for by its pictures
+// and shape in the catalogue, takes hold of it where the hand has room, puts it down where there is
+// room, and looks again. It knows what a robot at that counter knows and nothing of the simulation
+// (tools/check_layers).
+#pragma once
+#include <memory>
+
+#include "agent/eyes.h"
+#include "agent/known_products.h"
+#include "agent/policy.h"
+#include "agent/workplace.h"
+#include "base/seed.h"
+#include "perception/grasp_source.h"
+#include "perception/target_choice.h"
+#include "robots/grasp_tool.h"
+#include "robots/robot.h"
+
+namespace marketgen {
+
+// What the agent is given. Eyes, catalogue and robot must outlive the policy.
+struct ClassicalSetup {
+  Eyes* eyes = nullptr;
+  KnownProducts* products = nullptr;
+  const Robot* robot = nullptr;
+  GraspTool tool;
+  Workplace place;
+};
+
+// Its modules; each may be another.
+struct ClassicalModules {
+  std::unique_ptr<MaskSource> masks;
+  std::unique_ptr<PoseSource> poses;
+  std::unique_ptr<TargetChoice> targets;
+  std::unique_ptr<GraspSource> grasps;
+};
+
+// Errors: those of ArmExecutor.
+Result<std::unique_ptr<Policy>> make_classical_checkout(ClassicalSetup setup, Seed seed);
+
+}  // namespace marketgen

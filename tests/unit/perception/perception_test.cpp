@@ -1,0 +1,143 @@
+// Masks, recognition, poses and room for the hand, on boxes whose answer is known.
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "perception/grasp_source.h"
+#include "perception/target_choice.h"
+#include "support/drawn_boxes.h"
+
+namespace marketgen {
+namespace {
+
+constexpr Rgb8 red{200, 40, 30}, green{40, 170, 60}, white{235, 235, 230}, grey{120, 120, 120};
+constexpr int width = 640, height = 480;  // as the station's cameras
+constexpr double focal_px = 530;
+
+// A table with a tall carton, a flat box that leans on nothing, and one that lies across the
+// carton's foot.
+std::vector<DrawnBox> table_with_goods() {
+  return {{{{0.5, 0, -0.02}, {}}, {1.0, 1.0, 0.02}, plain(grey)},
+          {{{0.45, 0.05, 0}, rotation_about({0, 0, 1}, 0.4)}, {0.06, 0.09, 0.12}, plain(red)},
+          {{{0.60, -0.06, 0}, rotation_about({0, 0, 1}, -0.7)}, {0.05, 0.16, 0.04}, plain(green)}};
+}
+
+std::vector<std::uint8_t> over_table(const ViewCloud& cloud) {
+  return goods_over(cloud, {{0, -0.5}, {1, 0.5}});
+}
+
+TEST(GeometricMasks, OneMaskForEachBoxWhateverItsSides) {
+  std::vector<int> shown;
+  const ViewCloud cloud(drawn_view(
+      table_with_goods(), camera_over({0.5, 0.1, 0.6}), width, height, focal_px, &shown));
+  const std::vector<Mask> masks = GeometricMasks().masks(cloud, over_table(cloud));
+  ASSERT_EQ(masks.size(), 2U);
+  for (const Mask& mask : masks) {
+    const int box = shown[mask.pixels[mask.pixels.size() / 2]];
+    double common = 0;
+    for (const std::uint32_t pixel : mask.pixels)
+      common += shown[pixel] == box ? 1 : 0;
+    const auto all = static_cast<double>(std::ranges::count(shown, box));
+    EXPECT_GT(common / static_cast<double>(mask.pixels.size()), 0.99) << box;
+    EXPECT_GT(common / all, 0.8) << box;  // but for a seam at its edges
+  }
+}
+
+TEST(ViewCloud, PointsProjectOntoTheirPixels) {
+  const ViewCloud cloud(
+      drawn_view(table_with_goods(), camera_over({0.5, 0, 0.6}), width, height, focal_px));
+  for (std::size_t pixel = 5; pixel < cloud.size(); pixel += 997) {
+    const auto seen = cloud.project(cloud.point(pixel));
+    ASSERT_TRUE(seen) << pixel;
+    EXPECT_EQ(seen->pixel, pixel);
+  }
+}
+
+class Matching : public ::testing::Test {
+ protected:
+  static ProductLook look(const char* sku, Vec3 size, const std::array<Rgb8, 6>& colors) {
+    auto made = ProductLook::make(sku, drawn_pictures(size, colors));
+    if (!made.ok()) fatal(to_string(made.error()).c_str());
+    return std::move(made).value();
+  }
+  Matching() {
+    for (const Vec3 eye : {Vec3{0.5, 0.1, 0.6}, Vec3{0.35, -0.1, 0.7}})
+      views_.emplace_back(
+          drawn_view(table_with_goods(), camera_over(eye), width, height, focal_px));
+    for (std::size_t v = 0; v < views_.size(); ++v)
+      masked_.push_back({v, GeometricMasks().masks(views_[v], over_table(views_[v]))});
+  }
+  std::vector<FoundProduct> find(const std::vector<const ProductLook*>& looks) const {
+    std::vector<WantedProduct> wanted;
+    for (const ProductLook* look : looks)
+      wanted.push_back({look, {}});
+    return CatalogueMatching(poses_).find(wanted, views_, masked_);
+  }
+
+  SweptPoses poses_;
+  std::vector<ViewCloud> views_;
+  std::vector<MaskedView> masked_;
+};
+
+TEST_F(Matching, FindsProductsByShapeAndColourWithinMillimetres) {
+  const ProductLook carton = look("carton", {0.06, 0.09, 0.12}, plain(red));
+  const ProductLook box = look("box", {0.05, 0.16, 0.04}, plain(green));
+  const auto found = find({&carton, &box});
+  ASSERT_EQ(found.size(), 2U);
+  const std::vector<DrawnBox> truth = table_with_goods();
+  for (const FoundProduct& f : found) {
+    const ProductLook& of = f.look == 0 ? carton : box;
+    const Vec3 middle = to_double((of.low() + of.high()) * 0.5F);
+    const Vec3 off = f.pose.base_from_product * middle - truth[f.look + 1].pose * middle;
+    EXPECT_LT(length(off), 0.003) << of.sku();
+    EXPECT_GT(f.pose.evidence.fit, 0.9);
+  }
+}
+
+TEST_F(Matching, WhatIsNotThereIsNotFound) {
+  const ProductLook white_carton = look("white", {0.06, 0.09, 0.12}, plain(white));
+  const ProductLook slab = look("slab", {0.2, 0.2, 0.02}, plain(red));
+  EXPECT_TRUE(find({&slab}).empty());
+  // The right shape in the wrong colour comes behind the right one, and gives way to it.
+  const ProductLook carton = look("carton", {0.06, 0.09, 0.12}, plain(red));
+  const auto found = find({&white_carton, &carton});
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(found.front().look, 1U);
+}
+
+TEST_F(Matching, WhatARivalExplainsBetterIsNotTaken) {
+  const ProductLook white_carton = look("white", {0.06, 0.09, 0.12}, plain(white));
+  const ProductLook carton = look("carton", {0.06, 0.09, 0.12}, plain(red));
+  const CatalogueMatching matching(poses_);
+  const std::vector<WantedProduct> wrong{WantedProduct{&white_carton, {&carton}}};
+  const std::vector<WantedProduct> right{WantedProduct{&carton, {&white_carton}}};
+  EXPECT_TRUE(matching.find(wrong, views_, masked_).empty());
+  EXPECT_EQ(matching.find(right, views_, masked_).size(), 1U);
+}
+
+TEST(ProductLook, PicturesWithoutTheProductAreAnError) {
+  auto pictures = drawn_pictures({0.05, 0.05, 0.1}, plain(red));
+  for (ProductPicture& picture : pictures)
+    std::ranges::fill(picture.depth_m, 0.0F);
+  const auto made = ProductLook::make("ghost", pictures);
+  ASSERT_FALSE(made.ok());
+  EXPECT_EQ(made.error().code, "perception.no_picture");
+}
+
+TEST(HandIntrusion, IsAsDeepAsThePointsReachIntoTheFingers) {
+  const auto tool =
+      load_grasp_tool(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data", "panda-long-hand");
+  ASSERT_TRUE(tool.ok());
+  const Pose tip{{0.5, 0, 0.05}, rotation_about({1, 0, 0}, std::numbers::pi)};
+  EXPECT_EQ(hand_intrusion(*tool, tip, 0.06, {}), 0);
+  // In the middle of the left pad, at its tip.
+  const ToolSolid pad = opened(*tool, 0.06).front();
+  const Vec3f inside = to_float(tip * pad.tool_from_solid.position);
+  const std::vector<Vec3f> points(5, inside);
+  EXPECT_GT(hand_intrusion(*tool, tip, 0.06, points), 0.002);
+  // A hand's width aside there is room.
+  EXPECT_EQ(hand_intrusion(*tool, Pose{{0, 0.3, 0}, {}} * tip, 0.06, points), 0);
+}
+
+}  // namespace
+}  // namespace marketgen
