@@ -21,14 +21,19 @@ build: ## the program: build/release/marketgen
 	cmake --preset release -DMARKETGEN_TESTS=OFF -DMARKETGEN_WERROR=$(WERROR)
 	cmake --build --preset release
 
-demo: build ## make, draw and check a 24 x 15 m store in out/demo
+demo: build ## make, draw and check a 24 x 15 m store in out/demo; film a robot at both tasks in it
 	rm -rf $(DEMO)
 	@mkdir -p $(dir $(DEMO))
 	$(MARKETGEN) generate "$(DEMO_PROMPT)" --size 24x15m --seed 7 -o $(DEMO)
 	$(MARKETGEN) check $(DEMO)
 	$(MARKETGEN) render $(DEMO) --camera aisle --size 1280x720 -o out/demo-aisle.png
+	for track in checkout aisle; do \
+	  $(MARKETGEN) episodes $(DEMO) --track $$track --count 1 --seed 7 -o out/demo-$$track.jsonl && \
+	  $(MARKETGEN) replay --episodes out/demo-$$track.jsonl --episode 0 --film out/demo-$$track.mp4 \
+	    --strip out/demo-$$track-strip.png || exit 1; done
 	@printf '\nstore     %s\n' "$(CURDIR)/$(DEMO)"
-	@ls -1 $(CURDIR)/$(DEMO)/*.png $(CURDIR)/$(DEMO)/previews/*.png $(CURDIR)/out/demo-aisle.png | sed 's/^/picture   /'
+	@ls -1 $(CURDIR)/$(DEMO)/*.png $(CURDIR)/$(DEMO)/previews/*.png $(CURDIR)/out/demo-*.png | sed 's/^/picture   /'
+	@ls -1 $(CURDIR)/out/demo-*.mp4 | sed 's/^/film      /'
 
 gallery: build ## the stores and stills of docs/gallery.md; about 20 minutes
 	tools/gallery
