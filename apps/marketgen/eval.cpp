@@ -64,7 +64,9 @@ Result<void> eval_perception(const EvalFlags& flags) {
     lines += write_json_line(measure) + "\n";
     measures.push_back(std::move(measure));
   }
-  std::filesystem::create_directories(flags.output);
+  std::error_code failed;
+  std::filesystem::create_directories(flags.output, failed);
+  if (failed) return Error{"io.cannot_write", flags.output, failed.message()};
   MARKETGEN_CHECK(write_file(std::filesystem::path(flags.output) / "perception.jsonl", lines));
   fmt::print("{}", write_json(summarize(measures)));
   return {};

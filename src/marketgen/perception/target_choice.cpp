@@ -12,6 +12,8 @@ constexpr std::size_t patch_points = 160;
 // Measured on 10 baskets: of 23 found rightly the lowest fit was 0.97 and the lowest score 0.51; of
 // 4 found wrongly three had a fit of 0.94 and less.
 constexpr double least_score = 0.4, least_fit = 0.92;
+constexpr float same_size = 0.2F;  // of products that may be taken for one another
+constexpr std::size_t most_rivals = 4;
 constexpr std::size_t most_checked = 3;  // places, for products that may be meant instead
 constexpr double clearly_better = 1.02;
 constexpr std::size_t most_masks = 8;  // of a product, that are looked at closely
@@ -136,6 +138,24 @@ std::vector<FoundProduct> CatalogueMatching::find(const std::vector<WantedProduc
     if (!taken) found.push_back(product);
   }
   return found;
+}
+
+std::vector<const ProductLook*> rivals_of(const ProductLook& look,
+                                          const std::vector<const ProductLook*>& catalogue) {
+  std::vector<Vec3f> colors;
+  for (const Surfel& surfel : look.surfels())
+    colors.push_back(surfel.color);
+  std::vector<std::pair<double, const ProductLook*>> alike;
+  for (const ProductLook* other : catalogue) {
+    const Vec3f a = look.high() - look.low(), b = other->high() - other->low();
+    if (other->sku() == look.sku() || length(a - b) > same_size * length(a)) continue;
+    alike.emplace_back(color_likeness(colors, *other), other);
+  }
+  std::ranges::stable_sort(alike, std::greater<>{}, [](const auto& entry) { return entry.first; });
+  std::vector<const ProductLook*> rivals;
+  for (std::size_t i = 0; i < std::min(most_rivals, alike.size()); ++i)
+    rivals.push_back(alike[i].second);
+  return rivals;
 }
 
 }  // namespace marketgen

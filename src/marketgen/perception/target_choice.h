@@ -67,4 +67,8 @@ class CatalogueMatching : public TargetChoice {
 // How alike seen colours and those of a product are, 0..1: what their histograms share.
 double color_likeness(const std::vector<Vec3f>& colors, const ProductLook& look);
 
+// Products of nearly the same shape and size as `look`, those of the most alike colours.
+std::vector<const ProductLook*> rivals_of(const ProductLook& look,
+                                          const std::vector<const ProductLook*>& catalogue);
+
 }  // namespace marketgen

@@ -23,8 +23,6 @@ constexpr double step_back_m = 0.12;
 constexpr double least_left_s = 8;  // no new grasp with less time left
 constexpr int most_cleared = 8;
 constexpr std::size_t patch_points = 160, others_tried = 4, likenesses_tried = 8;
-constexpr float same_size = 0.2F;  // of products that may be taken for one another
-constexpr std::size_t most_rivals = 4;
 constexpr double least_other_score = 0.25;
 constexpr double off_basket_area_m = 0.03, off_unloading_m = 0.02;
 constexpr double tight_m = 0.006, tightest_m = 0.012;  // intrusion of an open hand that is borne
@@ -49,13 +47,15 @@ class ClassicalCheckout : public Policy {
     task_ = task;
     arm_.start(first);
     for (const TaskGoal& goal : task.goals) {
+      if (goal.count != 1)
+        return Error{"episode.impossible", goal.sku, "classical takes one of each product so far"};
       MARKETGEN_TRY(const auto* pictures, setup_.products->pictures(goal.sku));
       MARKETGEN_TRY(ProductLook look, ProductLook::make(goal.sku, *pictures));
       looks_.push_back(std::make_unique<ProductLook>(std::move(look)));
     }
     MARKETGEN_CHECK(learn_catalogue());
     for (const auto& look : looks_)
-      wanted_.push_back({look.get(), rivals_of(*look)});
+      wanted_.push_back({look.get(), rivals_of(*look, catalogue_)});
     return {};
   }
 
@@ -244,25 +244,6 @@ class ClassicalCheckout : public Policy {
           other_points(patch.points, *looks_[found.look], found.pose.base_from_product);
       return left.size() < patch.points.size() * 7 / 10;
     });
-  }
-
-  // Products of nearly the same shape and size, those of the most alike colours.
-  std::vector<const ProductLook*> rivals_of(const ProductLook& look) const {
-    std::vector<std::pair<double, const ProductLook*>> alike;
-    std::vector<Vec3f> colors;
-    for (const Surfel& surfel : look.surfels())
-      colors.push_back(surfel.color);
-    for (const ProductLook* other : catalogue_) {
-      const Vec3f a = look.high() - look.low(), b = other->high() - other->low();
-      if (other->sku() == look.sku() || length(a - b) > same_size * length(a)) continue;
-      alike.emplace_back(color_likeness(colors, *other), other);
-    }
-    std::ranges::stable_sort(
-        alike, std::greater<>{}, [](const auto& entry) { return entry.first; });
-    std::vector<const ProductLook*> rivals;
-    for (std::size_t i = 0; i < std::min(most_rivals, alike.size()); ++i)
-      rivals.push_back(alike[i].second);
-    return rivals;
   }
 
   // What of the whole catalogue explains the patch best.
