@@ -31,9 +31,12 @@ Result<std::vector<StockedStore>> open_stores(const EpisodesFlags& flags, const 
   std::vector<StockedStore> stores;
   for (const std::string& folder : flags.folders) {
     MARKETGEN_TRY(const Store store, open_store(folder, catalog));
-    stores.push_back(
-        {{store.manifest.name, store.manifest.scene_hash, plan_hash(store.plan), store.plan},
-         checkout_stock(store.scene)});
+    stores.push_back({{store.manifest.name,
+                       store.manifest.scene_hash,
+                       plan_hash(store.plan),
+                       store.plan,
+                       checkout_exclusions(store.scene)},
+                      checkout_stock(store.scene)});
   }
   return stores;
 }
@@ -85,6 +88,20 @@ Result<std::vector<EpisodeSpec>> draw(const EpisodesFlags& flags,
   return episodes;
 }
 
+void print_exclusions(const EpisodeStore& store) {
+  int left_out = 0;
+  std::string reasons;
+  for (const auto& [reason, products] : store.exclusions.left_out) {
+    left_out += products;
+    reasons += fmt::format("{}{} {}", reasons.empty() ? "" : ", ", reason, products);
+  }
+  fmt::print("{}: {} of {} products are never asked for ({})\n",
+             store.name,
+             left_out,
+             store.exclusions.on_offer,
+             reasons);
+}
+
 Result<void> write(const EpisodesFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
   MARKETGEN_TRY([[maybe_unused]] const Track track, track_named(flags.track));
@@ -98,8 +115,10 @@ Result<void> write(const EpisodesFlags& flags) {
   for (const StockedStore& store : stores)
     file.header.stores.push_back(store.store);
   MARKETGEN_CHECK(write_file(flags.output, write_episodes(file)));
-  if (!flags.common.quiet)
-    fmt::print("{} episodes of {} stores: {}\n", flags.count, stores.size(), flags.output);
+  if (flags.common.quiet) return {};
+  for (const StockedStore& store : stores)
+    print_exclusions(store.store);
+  fmt::print("{} episodes of {} stores: {}\n", flags.count, stores.size(), flags.output);
   return {};
 }
 
