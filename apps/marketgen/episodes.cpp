@@ -34,10 +34,11 @@ Result<StockedStore> stocked(Store store,
                              const Catalog& catalog) {
   const Manifest& manifest = store.manifest;
   StockedStore made{
-      {manifest.name, manifest.scene_hash, plan_hash(store.plan), manifest.seed, store.plan},
+      {manifest.name, manifest.scene_hash, plan_hash(store.plan), manifest.seed, store.plan, {}},
       {},
       {}};
   if (track == Track::checkout) {
+    made.store.exclusions = checkout_exclusions(store.scene);
     made.stock = checkout_stock(store.scene);
     return made;
   }
@@ -111,34 +112,39 @@ Result<std::vector<EpisodeSpec>> draw(const EpisodesFlags& flags,
   return episodes;
 }
 
-// What the grasp study says of the products that were considered as targets.
-void print_shares(const std::vector<StockedStore>& stores) {
-  std::map<std::string, int> counts;
-  for (const StockedStore& store : stores) {
-    if (!store.in_aisle) continue;
-    for (const TargetShare& share : store.in_aisle->shares())
-      counts[share.reason] += share.products;
+void print_exclusions(const EpisodeStore& store) {
+  int left_out = 0;
+  std::string reasons;
+  for (const auto& [reason, products] : store.exclusions.left_out) {
+    left_out += products;
+    reasons += fmt::format("{}{} {}", reasons.empty() ? "" : ", ", reason, products);
   }
-  for (const auto& [reason, products] : counts)
-    fmt::print("considered  {:<12}{} products\n", reason, products);
+  fmt::print("{}: {} of {} products are never asked for ({})\n",
+             store.name,
+             left_out,
+             store.exclusions.on_offer,
+             reasons);
 }
 
 Result<void> write(const EpisodesFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
   MARKETGEN_TRY(const std::filesystem::path data, data_folder());
   MARKETGEN_TRY(const Catalog catalog, load_rows());
-  MARKETGEN_TRY(const std::vector<StockedStore> stores, open_stores(flags, data, catalog));
+  MARKETGEN_TRY(std::vector<StockedStore> stores, open_stores(flags, data, catalog));
   EpisodeFile file;
   MARKETGEN_TRY(file.episodes, draw(flags, data, stores, catalog));
+  for (StockedStore& store : stores)
+    if (store.in_aisle) store.store.exclusions = store.in_aisle->exclusions();
   file.header.seed = flags.common.seed;
   file.header.episodes = flags.count;
   file.header.products = products_of(file.episodes, stores);
   for (const StockedStore& store : stores)
     file.header.stores.push_back(store.store);
   MARKETGEN_CHECK(write_file(flags.output, write_episodes(file)));
-  if (!flags.common.quiet)
-    fmt::print("{} episodes of {} stores: {}\n", flags.count, stores.size(), flags.output);
-  if (!flags.common.quiet) print_shares(stores);
+  if (flags.common.quiet) return {};
+  for (const StockedStore& store : stores)
+    print_exclusions(store.store);
+  fmt::print("{} episodes of {} stores: {}\n", flags.count, stores.size(), flags.output);
   return {};
 }
 

@@ -132,16 +132,35 @@ struct EpisodeSpec {
       field("certificate", &EpisodeSpec::certificate, "what is known to be possible"));
 };
 
+struct EpisodeExclusion {
+  std::string reason;
+  int products = 0;
+  static constexpr auto fields =
+      field_list(field("reason", &EpisodeExclusion::reason, "why no task asks for them"),
+                 field("products", &EpisodeExclusion::products, "how many", range(0, 1e6)));
+};
+
+// What of a store's offer no task asks for.
+struct EpisodeExclusions {
+  int on_offer = 0;
+  std::vector<EpisodeExclusion> left_out;
+  static constexpr auto fields = field_list(
+      field("on_offer", &EpisodeExclusions::on_offer, "products on its shelves", range(0, 1e6)),
+      field("left_out", &EpisodeExclusions::left_out, "of these, by reason", at_most_items(64)));
+};
+
 struct EpisodeStore {
   std::string name, scene_hash, plan_hash;
   std::uint64_t seed = 0;
   Plan plan;
+  EpisodeExclusions exclusions = {};
   static constexpr auto fields =
       field_list(field("name", &EpisodeStore::name, "the store's name", required()),
                  field("scene_hash", &EpisodeStore::scene_hash, "of its scene", required()),
                  field("plan_hash", &EpisodeStore::plan_hash, "SHA-256 of the plan", required()),
                  field("seed", &EpisodeStore::seed, "with which it was made"),
-                 field("plan", &EpisodeStore::plan, "what the store is", required()));
+                 field("plan", &EpisodeStore::plan, "what the store is", required()),
+                 field("exclusions", &EpisodeStore::exclusions, "what no task asks for"));
 };
 
 struct EpisodeHeader {

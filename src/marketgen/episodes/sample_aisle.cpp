@@ -92,15 +92,16 @@ Result<bool> AisleSampler::is_holdable(const Product& product) {
   return verdict == "held";
 }
 
-std::vector<TargetShare> AisleSampler::shares() const {
+EpisodeExclusions AisleSampler::exclusions() const {
   const std::scoped_lock lock(mutex_);
   std::map<std::string, int> counts;
   for (const auto& [sku, verdict] : studied_)
-    ++counts[verdict];
-  std::vector<TargetShare> shares;
+    if (verdict != "held") ++counts[verdict];
+  EpisodeExclusions exclusions;
+  exclusions.on_offer = static_cast<int>(studied_.size());
   for (const auto& [reason, products] : counts)
-    shares.push_back({reason, products});
-  return shares;
+    exclusions.left_out.push_back({reason, products});
+  return exclusions;
 }
 
 // From where the arm is when it has pulled the item out, backed off so far as there is room.

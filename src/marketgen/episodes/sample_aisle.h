@@ -15,12 +15,6 @@ namespace marketgen {
 
 constexpr int least_goals = 2, most_goals = 4;
 
-// What became of the products that were considered as targets.
-struct TargetShare {
-  std::string reason;  // "held" of those that may be drawn
-  int products = 0;
-};
-
 // For one store. Any number of threads may draw at once: an episode depends on seed and index only.
 class AisleSampler {
  public:
@@ -33,8 +27,8 @@ class AisleSampler {
   // product.
   Result<EpisodeSpec> sample(const EpisodeOrigin& origin, Seed seed, int index);
 
-  // Products of the store by what the grasp study says of them, as far as they were drawn.
-  std::vector<TargetShare> shares() const;
+  // Of the products that were considered so far: those that the grasp study does not hold, by why.
+  EpisodeExclusions exclusions() const;
 
  private:
   struct Witness;

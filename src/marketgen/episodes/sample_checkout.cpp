@@ -18,7 +18,9 @@ constexpr double still_m_s = 0.01;  // at the end of it
 constexpr double most_overlap_m = 0.002;
 
 // ---- What the gripper can be expected to hold ----
-constexpr int widest_mm = 68, flattest_mm = 30, longest_mm = 255;
+// Flat goods: a finger of 16 mm and its room fit between a pack and the wall only over the ledge,
+// so that the pads' lower ends, 21 mm under the pack's upper side, must stand 16 mm over the floor.
+constexpr int widest_mm = 68, flattest_mm = 37, longest_mm = 255;
 constexpr int least_round_mm = 55;  // smaller ones have a low yield
 constexpr double heaviest_kg = 1.0;
 
@@ -142,24 +144,52 @@ class CheckoutSampler {
 
 }  // namespace
 
-bool is_checkout_item(const Product& product) {
+CheckoutRefusal checkout_refusal(const Product& product) {
   std::array<int, 3> size = product.size_mm;
   std::ranges::sort(size);
   const bool round = product.orientation == Orientation::any;
-  return product.rigidity != Rigidity::soft && product.archetype != "mesh" &&
-         size[0] >= (round ? least_round_mm : flattest_mm) && size[1] <= widest_mm &&
-         size[2] <= longest_mm && product.mass_kg <= heaviest_kg &&
-         fits_in(checkout_basket, product);
+  if (product.rigidity == Rigidity::soft) return CheckoutRefusal::soft;
+  if (product.archetype == "mesh") return CheckoutRefusal::imported;
+  if (product.mass_kg > heaviest_kg) return CheckoutRefusal::too_heavy;
+  if (size[1] > widest_mm) return CheckoutRefusal::too_wide;
+  if (round && size[0] < least_round_mm) return CheckoutRefusal::small_round;
+  if (size[0] < flattest_mm) return CheckoutRefusal::too_flat;
+  if (size[2] > longest_mm) return CheckoutRefusal::too_long;
+  return fits_in(checkout_basket, product) ? CheckoutRefusal::none : CheckoutRefusal::too_large;
 }
 
-std::vector<Product> checkout_stock(const Scene& scene) {
+namespace {
+
+template <class Use>
+void for_products_on_offer(const Scene& scene, const Use& use) {
   std::vector<bool> on_offer(scene.catalog.size());
   for (const SceneProduct& product : scene.products)
     on_offer[product.sku] = true;
-  std::vector<Product> stock;
   for (std::size_t row = 0; row < scene.catalog.size(); ++row)
-    if (on_offer[row] && is_checkout_item(scene.catalog[row])) stock.push_back(scene.catalog[row]);
+    if (on_offer[row]) use(scene.catalog[row]);
+}
+
+}  // namespace
+
+std::vector<Product> checkout_stock(const Scene& scene) {
+  std::vector<Product> stock;
+  for_products_on_offer(scene, [&](const Product& product) {
+    if (is_checkout_item(product)) stock.push_back(product);
+  });
   return stock;
+}
+
+EpisodeExclusions checkout_exclusions(const Scene& scene) {
+  EpisodeExclusions exclusions;
+  std::map<CheckoutRefusal, int> counts;
+  for_products_on_offer(scene, [&](const Product& product) {
+    ++exclusions.on_offer;
+    ++counts[checkout_refusal(product)];
+  });
+  for (const auto& [why, products] : counts)
+    if (why != CheckoutRefusal::none)
+      exclusions.left_out.push_back({std::string(name_of(why)), products});
+  return exclusions;
 }
 
 Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,

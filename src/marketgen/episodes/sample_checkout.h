@@ -1,5 +1,7 @@
 // Draws episodes of Checkout Unloading from a store's stock.
 #pragma once
+#include <array>
+#include <string_view>
 #include <vector>
 
 #include "base/progress.h"
@@ -13,13 +15,39 @@ namespace marketgen {
 constexpr int least_targets = 2, most_targets = 4;
 constexpr int least_others = 4, most_others = 8;
 
-// Whether the Panda can be expected to hold it, some way round, as it lies in the basket. What is
-// left out, and why, is measured in the probe (docs: robot-tasks.md): flat and wide goods, goods
-// wider than the gripper opens, small rounds, long produce, soft packs.
-bool is_checkout_item(const Product& product);
+// Why the Panda cannot be expected to hold a product as it lies in the basket; measured in the
+// probe (docs: robot-tasks.md) and here. The first that applies.
+enum class CheckoutRefusal {
+  none,
+  soft,         // packs that give way
+  imported,     // a mesh of one's own: its contact shape is unknown to the study
+  too_heavy,    // for the arm, held off its middle
+  too_wide,     // for the gripper
+  too_flat,     // beside the ledge there is no room for a finger
+  too_long,     // to be turned in the basket
+  small_round,  // rolls away between the fingers
+  too_large     // for the basket
+};
+constexpr std::array<std::string_view, 9> names_of(CheckoutRefusal) {
+  return {"none",
+          "soft",
+          "imported",
+          "too_heavy",
+          "too_wide",
+          "too_flat",
+          "too_long",
+          "small_round",
+          "too_large"};
+}
+CheckoutRefusal checkout_refusal(const Product& product);
+inline bool is_checkout_item(const Product& product) {
+  return checkout_refusal(product) == CheckoutRefusal::none;
+}
 
 // Of the products on the store's shelves, sorted by SKU.
 std::vector<Product> checkout_stock(const Scene& scene);
+// How many products of the store's shelves are left out, by reason.
+EpisodeExclusions checkout_exclusions(const Scene& scene);
 
 struct EpisodeOrigin {
   std::string store, scene_hash, plan_hash;

@@ -13,12 +13,11 @@
 
 #include "policy/oracle_grasps.h"
 #include "policy/oracle_places.h"
+#include "policy/oracle_tries.h"
 
 namespace marketgen {
 namespace {
 
-constexpr int most_tries = 3;            // of an item where it lies
-constexpr int most_takes = 6;            // of an item in all
 constexpr std::size_t most_grasps = 24;  // of which postures are sought
 constexpr std::size_t most_plans = 6;    // of an item at a time
 constexpr std::size_t most_places = 8;
@@ -26,13 +25,12 @@ constexpr std::size_t most_place_searches = 12;  // for the grasps of an item at
 constexpr double close_s = 0.6, firm_s = 0.2, settle_s = 0.25, open_s = 0.35;
 // Of the pads until both of them touch: one alone pushes the item against what lies beside it.
 constexpr double touch_n = 12;
-// What failed once is not tried again so near by.
-constexpr double same_grasp_m = 0.012, same_grasp_cosine = 0.96;
 constexpr double let_go_m = 0.014;   // wider than what was held
-constexpr double over_rim_m = 0.05;  // of what is lifted out
+constexpr double over_rim_m = 0.07;  // of what is lifted out
 constexpr double retreat_m = 0.12;
+constexpr double walls_clear_m = 0.002, look_every_m = 0.03;  // of the open tool on its way in
+constexpr double escape_m = 0.12;
 constexpr double least_time_s = 8;  // no new grasp with less time left
-constexpr double keep_off_basket_m = 0.03, keep_off_area_m = 0.02;
 
 enum class Phase { choose, closed, lifted, over_place, released };
 
@@ -111,24 +109,6 @@ class CheckoutOracle : public Policy {
     return take_first(due);
   }
 
-  bool may_try(std::size_t item) const {
-    const auto tried = tries_.find(item), taken = takes_.find(item);
-    return (tried == tries_.end() || tried->second < most_tries) &&
-           (taken == takes_.end() || taken->second < most_takes);
-  }
-
-  bool failed_before(std::size_t item, const Pose& tip) const {
-    const Pose now = inverse(world_.item_pose(item)) * tip;
-    return std::ranges::any_of(failed_, [&](const auto& failed) {
-      const Pose& then = failed.second;
-      const auto along = [&](Vec3 axis) {
-        return dot(rotate(now.rotation, axis), rotate(then.rotation, axis));
-      };
-      return failed.first == item && length(now.position - then.position) < same_grasp_m &&
-             along({0, 0, 1}) > same_grasp_cosine && std::abs(along({0, 1, 0})) > same_grasp_cosine;
-    });
-  }
-
   // Of the item as everything lies now. Looked for once while the item lies still.
   Result<const ItemGrasps*> grasps_of(std::size_t item) {
     if (const auto found = grasps_.find(item); found != grasps_.end()) return &found->second;
@@ -172,21 +152,27 @@ class CheckoutOracle : public Policy {
         if (begun) return {};
       }
     }
-    say("gives up");
-    for (const std::size_t item : due) {
-      const ItemGrasps& g = grasps_.at(item);
+    if (escape()) return {};
+    for (const std::size_t item : due)
       say(fmt::format(
-          "  {}: {} grasps, best has {} blockers, lies under {}, tries {}, refused {}, basket {}",
+          "gives up {}: {} grasps, {} in the way of the best, lies under {}",
           called(item),
-          g.choices.size(),
-          g.choices.empty() ? 0 : g.choices.front().blockers.size(),
-          g.lies_under.size(),
-          tries_[item],
-          refused_.contains(item),
-          scene_->in_basket(item)));
-    }
+          grasps_.at(item).choices.size(),
+          grasps_.at(item).choices.empty() ? 0 : grasps_.at(item).choices.front().blockers.size(),
+          grasps_.at(item).lies_under.size()));
     done_ = true;
     return {};
+  }
+
+  // Once between two grasps: the arm may touch something, so that no way begins where it is.
+  bool escape() {
+    if (escaped_) return false;
+    escaped_ = true;
+    Pose up = arm_.tip();
+    up.position.z += escape_m;
+    const bool moved = arm_.straight(scene_->counter_alone(), up, tool_.opening_m, 20).ok();
+    say(moved ? "moves up to get free" : "cannot move up");
+    return moved;
   }
 
   static Result<void> checked(const Result<const ItemGrasps*>& grasps) {
@@ -194,7 +180,7 @@ class CheckoutOracle : public Policy {
   }
 
   Result<bool> take_if(std::size_t item, Ease how) {
-    if (!may_try(item) || refused_.contains(item)) return false;
+    if (!tried_.may_take(item) || refused_.contains(item)) return false;
     MARKETGEN_TRY(const ItemGrasps* const grasps, grasps_of(item));
     if (how != Ease::any && !grasps->free()) return false;
     if (how == Ease::clear && !grasps->lies_under.empty()) return false;
@@ -277,7 +263,10 @@ class CheckoutOracle : public Policy {
       for (const Pose& tip : nearest_flip_first(choice.station_from_tip)) {
         const ReachRequest request{tip, approach_to(tip), choice.opening_m, touch_n};
         const Pose begin = tip * Pose{-request.approach, {}};
-        if (failed_before(item, tip) || !arm_.effort_to(tip) || !arm_.effort_to(begin)) continue;
+        if (tried_.failed_before(item, inverse(world_.item_pose(item)) * tip) ||
+            !arm_.effort_to(tip) || !arm_.effort_to(begin))
+          continue;
+        if (!way_in_is_clear(tip, request.approach.z, choice.opening_m)) continue;
         if (to_be_placed && (searches++ >= most_place_searches || !has_place(item, tip, choice)))
           continue;
         if (plans++ >= most_plans) return false;
@@ -293,17 +282,26 @@ class CheckoutOracle : public Policy {
     return false;
   }
 
+  // The last 10 cm were looked at when the grasp was found.
+  bool way_in_is_clear(const Pose& tip, double approach_m, double opening_m) const {
+    for (double back = 0.1; back < approach_m; back += look_every_m) {
+      if (scene_->tool_meets_basket(tip * Pose{{0, 0, -back}, {}}, opening_m, walls_clear_m))
+        return false;
+    }
+    return true;
+  }
+
   void close_on(std::size_t item, const Pose& tip, const GraspChoice& choice) {
     arm_.wait(close_s, 0, touch_n);
     arm_.wait(firm_s, 0, choice.force_n);
     item_ = item;
+    escaped_ = false;
     force_n_ = choice.force_n;
     product_from_tip_ = inverse(world_.item_pose(item)) * tip;
-    ++tries_[item];
-    ++takes_[item];
+    const int tries = tried_.take(item);
     say(fmt::format("takes {}, try {}, tilt {:.0f}, {:.0f} N, score {:.1f}, {} blockers",
                     called(item),
-                    tries_[item],
+                    tries,
                     tilt_deg(tip.rotation),
                     choice.force_n,
                     choice.score,
@@ -311,22 +309,9 @@ class CheckoutOracle : public Policy {
     phase_ = Phase::closed;
   }
 
-  PlaceQuestion place_question(std::size_t item,
-                               const Pose& tip_from_item,
-                               double opening_m,
-                               bool in_area) const {
-    PlaceQuestion question;
-    question.item = item;
-    question.tip_from_item = tip_from_item;
-    question.opening_m = std::min(tool_.opening_m, opening_m);
-    question.area = in_area ? world_.station().unloading.area() : world_.station().set_aside;
-    if (!in_area) question.kept_free = kept_free();
-    return question;
-  }
-
   bool has_place(std::size_t item, const Pose& tip, const GraspChoice& choice) const {
     const PlaceQuestion question = place_question(
-        item, inverse(tip) * world_.item_pose(item), choice.opening_m, is_target(item));
+        *scene_, item, inverse(tip) * world_.item_pose(item), choice.opening_m, is_target(item));
     return !item_places(*scene_, arm_, question, 1).empty();
   }
 
@@ -347,19 +332,21 @@ class CheckoutOracle : public Policy {
     const Vec3 half = scene_->half_extents_at(item_, pose.rotation);
     const double lowest = scene_->box_middle(item_, pose).z - half.z;
     const double up = std::max(0.05, rim + over_rim_m - lowest);
-    for (const double share : {1.0, 0.85, 0.7}) {
-      Pose tip = arm_.tip();
-      tip.position.z += up * share;
-      if (!arm_.straight(around, tip, 0, force_n_).ok()) continue;
-      arm_.wait(settle_s, 0, force_n_);
-      phase_ = Phase::lifted;
-      return {};
+    for (const Surroundings& where : {around, scene_->counter_alone()}) {
+      for (const double share : {1.0, 0.85, 0.7}) {
+        Pose tip = arm_.tip();
+        tip.position.z += up * share;
+        if (!arm_.straight(where, tip, 0, force_n_).ok()) continue;
+        arm_.wait(settle_s, 0, force_n_);
+        phase_ = Phase::lifted;
+        return {};
+      }
     }
     return let_go(FailureCode::no_path);
   }
 
   Result<void> let_go_for_good(FailureCode why) {
-    failed_.emplace_back(item_, product_from_tip_);
+    tried_.fail(item_, product_from_tip_);
     return let_go(why);
   }
 
@@ -375,9 +362,10 @@ class CheckoutOracle : public Policy {
   }
 
   void back_off(double opening_m) {
-    const Surroundings around = scene_->surroundings({});
-    for (const double by : {retreat_m, retreat_m / 2}) {
-      if (arm_.straight(around, arm_.tip() * Pose{{0, 0, -by}, {}}, opening_m, force_n_).ok())
+    const Surroundings around = scene_->surroundings({}), counter = scene_->counter_alone();
+    for (const auto& [where, by] :
+         {std::pair{&around, retreat_m}, {&around, retreat_m / 2}, {&counter, retreat_m}}) {
+      if (arm_.straight(*where, arm_.tip() * Pose{{0, 0, -by}, {}}, opening_m, force_n_).ok())
         break;
     }
     Pose up = arm_.tip();
@@ -389,19 +377,6 @@ class CheckoutOracle : public Policy {
 
   // ---- Putting it down ----
 
-  std::vector<AreaRow> kept_free() const {
-    const BasketRow& b = world_.station().basket;
-    const Vec3 at = world_.basket_pose().position;
-    const double x = b.top_m[0] / 2 + b.wall_m + keep_off_basket_m,
-                 y = b.top_m[1] / 2 + b.wall_m + keep_off_basket_m;
-    AreaRow area = world_.station().unloading.area();
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      area.low_m[axis] -= keep_off_area_m;
-      area.high_m[axis] += keep_off_area_m;
-    }
-    return {{{at.x - x, at.y - y}, {at.x + x, at.y + y}, {}}, area};
-  }
-
   // Where it belongs, or else where it can be taken anew.
   Result<void> put_down() {
     if (!holds_it()) return let_go_for_good(FailureCode::slipped);
@@ -412,7 +387,8 @@ class CheckoutOracle : public Policy {
     in_area_ = is_target(item_);
     for (const bool in_area : {is_target(item_), false}) {
       if (!places_.empty()) break;
-      const PlaceQuestion question = place_question(item_, tip_from_item, opening, in_area);
+      const PlaceQuestion question =
+          place_question(*scene_, item_, tip_from_item, opening, in_area);
       places_ = item_places(*scene_, arm_, question, most_places);
       in_area_ = in_area;
     }
@@ -455,7 +431,7 @@ class CheckoutOracle : public Policy {
       arm_.wait(settle_s, 0, force_n_);
       arm_.wait(open_s, opening, force_n_);
       back_off(opening);
-      if (in_area_ == is_target(item_)) tries_.erase(item_);
+      if (in_area_ == is_target(item_)) tried_.put_down(item_);
       phase_ = Phase::released;
       return {};
     }
@@ -488,15 +464,15 @@ class CheckoutOracle : public Policy {
   std::map<std::size_t, LoneGrasps> lone_;
   std::map<std::size_t, ItemGrasps> grasps_;  // of this decision
   std::set<std::size_t> refused_;             // no way to them was found in this decision
-  std::map<std::size_t, int> tries_, takes_;
-  std::vector<std::pair<std::size_t, Pose>> failed_;  // of which item; product_from_tip
-  std::size_t item_ = 0;                              // that is being taken
+  OracleTries tried_;
+  std::size_t item_ = 0;  // that is being taken
   double force_n_ = 0;
   Pose product_from_tip_;            // as it was to be grasped
   std::vector<PlaceChoice> places_;  // of the item in the hand
   std::size_t next_place_ = 0;       // first with what is held looked at, then again without
   bool in_area_ = false;             // the places are where the item belongs
   int moves_ = 0;
+  bool escaped_ = false;  // since the last grasp
   bool done_ = false;
   FailureCode failure_ = FailureCode::none;
 };

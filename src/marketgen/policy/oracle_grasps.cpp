@@ -19,15 +19,18 @@ constexpr double firmness = 2, least_grip_n = 30, most_grip_n = 60;
 // ---- Weights of the score: room, straight down, near the middle of mass; measured in the probe.
 constexpr double most_room_m = 0.015;
 constexpr double of_room = 1000, of_tilt_deg = 0.2, of_offset = 250, of_overlap = 3000;
+// Of how firm the grasp is, 0..1 (GraspCandidate::score): faces that lean press the item out.
+constexpr double of_firmness = 30;
 
 GraspChoice choice_of(const OracleScene& scene, std::size_t item, const GraspCandidate& candidate) {
   GraspChoice choice;
   choice.station_from_tip = scene.world().item_pose(item) * candidate.grasp.product_from_tool;
   choice.opening_m = candidate.grasp.opening_m;
   choice.force_n = std::clamp(candidate.grasp.force_n * firmness, least_grip_n, most_grip_n);
+  choice.score = of_firmness * candidate.score;
   const double offset = length(choice.station_from_tip.position - scene.middle(item));
-  choice.score = of_room * std::min(candidate.clearance_m, most_room_m) -
-                 of_tilt_deg * tilt_deg(choice.station_from_tip.rotation) - of_offset * offset;
+  choice.score += of_room * std::min(candidate.clearance_m, most_room_m) -
+                  of_tilt_deg * tilt_deg(choice.station_from_tip.rotation) - of_offset * offset;
   for (std::size_t other = 0; other < scene.items(); ++other) {
     if (other == item) continue;
     const double over = scene.tool_overlap(other, choice.station_from_tip, choice.opening_m);

@@ -18,8 +18,10 @@ constexpr double edge_m = 0.006;     // to the edge of the area
 constexpr double apart_m = 0.012;    // to what stands there
 constexpr double grid_m = 0.035;
 constexpr double over_counter_m = 0.003;  // of the tool
+constexpr double off_walls_m = 0.012;     // of the tool to the basket's walls, outside
 constexpr double down_m = 0.08;
 constexpr double round_within_m = 0.002;
+constexpr double keep_off_basket_m = 0.03, keep_off_area_m = 0.02;
 
 struct Extents {
   Vec3 low, high;  // from the item's origin, station axes
@@ -187,7 +189,7 @@ class PlaceSearch {
   }
 
   bool tool_has_room(const PlaceChoice& choice) const {
-    if (scene_.tool_meets_basket(choice.station_from_tip, q_.opening_m)) return false;
+    if (scene_.tool_meets_basket(choice.station_from_tip, q_.opening_m, off_walls_m)) return false;
     for (const ToolSolid& solid : scene_.tool_solids(q_.opening_m)) {
       const Pose pose = choice.station_from_tip * solid.tool_from_solid;
       if (pose.position.z - box_half_extents(pose.rotation, solid.half_size).z < over_counter_m)
@@ -206,7 +208,36 @@ class PlaceSearch {
   std::vector<std::size_t> others_;  // that stand outside the basket
 };
 
+// The basket and the unloading area, with room round them.
+std::vector<AreaRow> basket_and_area(const CheckoutWorld& world) {
+  const BasketRow& b = world.station().basket;
+  const Vec3 at = world.basket_pose().position;
+  const double x = b.top_m[0] / 2 + b.wall_m + keep_off_basket_m,
+               y = b.top_m[1] / 2 + b.wall_m + keep_off_basket_m;
+  AreaRow area = world.station().unloading.area();
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    area.low_m[axis] -= keep_off_area_m;
+    area.high_m[axis] += keep_off_area_m;
+  }
+  return {{{at.x - x, at.y - y}, {at.x + x, at.y + y}, {}}, area};
+}
+
 }  // namespace
+
+PlaceQuestion place_question(const OracleScene& scene,
+                             std::size_t item,
+                             const Pose& tip_from_item,
+                             double opening_m,
+                             bool in_area) {
+  const CheckoutStation& station = scene.world().station();
+  PlaceQuestion question;
+  question.item = item;
+  question.tip_from_item = tip_from_item;
+  question.opening_m = std::min(scene.tool().opening_m, opening_m);
+  question.area = in_area ? station.unloading.area() : station.set_aside;
+  if (!in_area) question.kept_free = basket_and_area(scene.world());
+  return question;
+}
 
 std::vector<PlaceChoice> item_places(const OracleScene& scene,
                                      const ArmExecutor& arm,

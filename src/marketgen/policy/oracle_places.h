@@ -20,6 +20,13 @@ struct PlaceQuestion {
   std::vector<AreaRow> kept_free;  // and in none of these
 };
 
+// The item is to stand in the unloading area, or else beside it and the basket.
+PlaceQuestion place_question(const OracleScene& scene,
+                             std::size_t item,
+                             const Pose& tip_from_item,
+                             double opening_m,
+                             bool in_area);
+
 constexpr double release_m = 0.004;  // over what it is put on
 
 // Best first, at most `most`.

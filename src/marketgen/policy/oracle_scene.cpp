@@ -18,7 +18,6 @@ constexpr std::array on_the_way_m{0.0, 0.02, 0.04, 0.07, 0.1, 0.14};
 // it.
 constexpr double skin_m = 0.002, below_rim_m = 0.015;
 constexpr double counter_half_m = 0.03;
-constexpr double wall_gap_m = 0.012;  // of the tool when it puts something down beside the basket
 
 }  // namespace
 
@@ -44,14 +43,16 @@ std::vector<ToolSolid> OracleScene::tool_solids(double opening_m) const {
   return solids;
 }
 
-bool OracleScene::tool_meets_basket(const Pose& station_from_tip, double opening_m) const {
+bool OracleScene::tool_meets_basket(const Pose& station_from_tip,
+                                    double opening_m,
+                                    double gap_m) const {
   const Pose basket_from_tip = inverse(world_.basket_pose()) * station_from_tip;
   const std::vector<ToolSolid> solids = tool_solids(opening_m);
   return std::ranges::any_of(walls_, [&](const auto& wall) {
     const Pose wall_from_tip = inverse(wall.first) * basket_from_tip;
     return std::ranges::any_of(solids, [&](const ToolSolid& solid) {
-      return wall.second.gap_to_box(
-                 wall_from_tip * solid.tool_from_solid, solid.half_size, wall_gap_m) < wall_gap_m;
+      return wall.second.gap_to_box(wall_from_tip * solid.tool_from_solid, solid.half_size, gap_m) <
+             gap_m;
     });
   });
 }
@@ -140,12 +141,22 @@ void OracleScene::add_item(std::size_t item, Obstacles& obstacles) const {
   }
 }
 
+BoxObstacle OracleScene::counter_top() const {
+  const CounterRow& c = world_.station().counter;
+  return {{{(c.low_m[0] + c.high_m[0]) / 2, (c.low_m[1] + c.high_m[1]) / 2, -counter_half_m}, {}},
+          {(c.high_m[0] - c.low_m[0]) / 2, (c.high_m[1] - c.low_m[1]) / 2, counter_half_m}};
+}
+
+Surroundings OracleScene::counter_alone() const {
+  Surroundings around;
+  around.way.boxes.push_back(counter_top());
+  around.line = around.way;
+  return around;
+}
+
 Surroundings OracleScene::surroundings(const std::vector<std::size_t>& without) const {
   Surroundings around;
-  const CounterRow& c = world_.station().counter;
-  const BoxObstacle counter{
-      {{(c.low_m[0] + c.high_m[0]) / 2, (c.low_m[1] + c.high_m[1]) / 2, -counter_half_m}, {}},
-      {(c.high_m[0] - c.low_m[0]) / 2, (c.high_m[1] - c.low_m[1]) / 2, counter_half_m}};
+  const BoxObstacle counter = counter_top();
   around.way.boxes.push_back(counter);
   around.line.boxes.push_back(counter);
   const double wall = world_.station().basket.wall_m;

@@ -28,8 +28,8 @@ class OracleScene {
   double overlap(std::size_t item, const Pose& station_from_box, Vec3 half) const;
   // The same of the open tool, standing there and on its way to there.
   double tool_overlap(std::size_t item, const Pose& station_from_tip, double opening_m) const;
-  // Whether the open tool, standing there, meets a wall of the basket.
-  bool tool_meets_basket(const Pose& station_from_tip, double opening_m) const;
+  // Whether the open tool, standing there, is nearer than `gap_m` to a wall of the basket.
+  bool tool_meets_basket(const Pose& station_from_tip, double opening_m, double gap_m) const;
   // How deep points of item `a`, moved by `by`, lie in item `b`.
   double item_overlap(std::size_t a, Vec3 by, std::size_t b) const;
 
@@ -46,8 +46,11 @@ class OracleScene {
   // For ways: everything but `without`. For lines: counter and the outer skin of the basket, since
   // grasps were tested against the walls themselves.
   Surroundings surroundings(const std::vector<std::size_t>& without) const;
+  // The counter alone, for getting away from where something is touched.
+  Surroundings counter_alone() const;
 
  private:
+  BoxObstacle counter_top() const;
   void add_item(std::size_t item, Obstacles& obstacles) const;
 
   const CheckoutWorld& world_;
