@@ -29,7 +29,7 @@ demo: build ## make, draw and check a 24 x 15 m store in out/demo; film a robot 
 	$(MARKETGEN) render $(DEMO) --camera aisle --size 1280x720 -o out/demo-aisle.png
 	for track in checkout aisle; do \
 	  $(MARKETGEN) episodes $(DEMO) --track $$track --count 1 --seed 7 -o out/demo-$$track.jsonl && \
-	  $(MARKETGEN) replay --episodes out/demo-$$track.jsonl --episode 0 --film out/demo-$$track.mp4 \
+	  $(MARKETGEN) replay --episodes out/demo-$$track.jsonl --episode 0 --speed 8 --film out/demo-$$track.mp4 \
 	    --strip out/demo-$$track-strip.png || exit 1; done
 	@printf '\nstore     %s\n' "$(CURDIR)/$(DEMO)"
 	@ls -1 $(CURDIR)/$(DEMO)/*.png $(CURDIR)/$(DEMO)/previews/*.png $(CURDIR)/out/demo-*.png | sed 's/^/picture   /'

@@ -91,8 +91,7 @@ Result<void> replay_episode(const ReplayFlags& flags) {
   if (flags.common.json)
     fmt::print("{}\n", write_json_line(result));
   else if (!flags.common.quiet)
-    fmt::print("{}  {} of {} goals, {:.1f} s; {}\n",
-               result.success_strict ? "reached" : "missed",
+    fmt::print("reached {} of {} goals, {:.1f} s; {}\n",
                std::ranges::count_if(result.goals,
                                      [](const auto& goal) { return goal.reached >= goal.count; }),
                result.goals.size(),
