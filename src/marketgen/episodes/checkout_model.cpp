@@ -5,6 +5,7 @@
 #include <map>
 #include <mutex>
 #include <numbers>
+#include <set>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -98,9 +99,14 @@ class CheckoutModelBuilder {
     RobotActorOptions options;
     options.state = state;
     MARKETGEN_CHECK(add_robot(*spec_, robot_, options));
+    std::set<int> hands;
     for (const Joint& joint : robot_.joints) {
-      if (joint.kind == JointType::prismatic && joint.dof >= 0) add_finger(joint);
+      if (joint.kind != JointType::prismatic || joint.dof < 0) continue;
+      add_finger(joint);
+      hands.insert(joint.parent);
     }
+    for (const int hand : hands)
+      shape_hand(robot_.links[static_cast<std::size_t>(hand)]);
     add_pairs();
     return {};
   }
@@ -153,6 +159,24 @@ class CheckoutModelBuilder {
          e = mjs_nextChild(body, e, 0)) {
       item_geoms_.emplace_back(fmt::format("{}/{}", name, count++), friction);
       mjs_setName(e, item_geoms_.back().first.c_str());
+    }
+  }
+
+  // A hand is the boxes of its look, as grasps know it: capsules stand out beyond them by a
+  // centimetre, which is more than there is between hand and rim.
+  void shape_hand(const Link& link) {
+    const auto boxes = [](const BodyShape& shape) { return shape.kind == ShapeKind::box; };
+    if (std::ranges::none_of(link.look, boxes)) return;
+    mjsBody* body = mjs_findBody(spec_.get(), link.name.c_str());
+    for (mjsElement* e = mjs_firstChild(body, mjOBJ_GEOM, 0); e != nullptr;
+         e = mjs_nextChild(body, e, 0))
+      mjs_asGeom(e)->contype = mjs_asGeom(e)->conaffinity = 0;
+    for (const BodyShape& shape : link.look) {
+      if (!boxes(shape)) continue;
+      mjsGeom* geom =
+          add_shape(body, {CollisionShape::box, shape.link_from_shape, shape.size * 0.5});
+      geom->mass = 0;
+      geom->friction[0] = finger_friction;
     }
   }
 

@@ -12,6 +12,8 @@ namespace {
 
 // Where else on the way to the pack the open tool is looked at: so far back.
 constexpr std::array on_the_way_m = {0.01, 0.02, 0.035, 0.05, 0.075, 0.1};
+// Between shut (0) and open (1): where fingers that close are looked at.
+constexpr std::array while_closing = {0.0, 0.25, 0.5, 0.75};
 // A cup's body may be this near to what its bellows press on.
 constexpr double bellows_m = 0.03;
 constexpr double no_end = std::numeric_limits<double>::infinity();
@@ -128,6 +130,17 @@ bool GraspRoom::is_free(const Grasp& grasp) const {
   });
 }
 
+// One finger may be inside a basket and the other outside.
+bool GraspRoom::closes_past_walls(const Grasp& grasp, double width_m) const {
+  if (walls_.empty()) return true;
+  return std::ranges::all_of(while_closing, [&](double share) {
+    const double opening = width_m + share * (grasp.opening_m - width_m);
+    return std::ranges::all_of(opened(tool_, opening), [&](const ToolSolid& solid) {
+      return gap_to_walls(grasp.product_from_tool * solid.tool_from_solid, solid.half_size, 0) >= 0;
+    });
+  });
+}
+
 bool GraspRoom::pads_touch_first(const Grasp& grasp, double width_m) const {
   const std::vector<ToolSolid> shut = opened(tool_, width_m);
   for (std::size_t i = 0; i < shut.size(); ++i) {
@@ -135,7 +148,7 @@ bool GraspRoom::pads_touch_first(const Grasp& grasp, double width_m) const {
     const Pose pose = grasp.product_from_tool * shut[i].tool_from_solid;
     if (surface_.gap_to_box(pose, shut[i].half_size, 0) < 0) return false;
   }
-  return true;
+  return closes_past_walls(grasp, width_m);
 }
 
 }  // namespace marketgen

@@ -29,7 +29,7 @@ class GraspRoom {
   double overlap_with_likes(const Grasp& grasp) const;
 
   // Whether the pads meet the pack before the fingers behind them do, when `width_m` is between
-  // them: a lid or shoulder may stand out above what is held.
+  // them (a lid or shoulder may stand out above what is held), and no wall is between them and it.
   bool pads_touch_first(const Grasp& grasp, double width_m) const;
 
  private:
@@ -45,6 +45,7 @@ class GraspRoom {
   double gap_to_walls(const Pose& product_from_box, Vec3 half, double enough_m) const;
   double clearance_at(const Pose& product_from_tool, const Solids& solids, double enough_m) const;
   double overlap_with_likes_at(const Pose& product_from_tool, const Solids& solids) const;
+  bool closes_past_walls(const Grasp& grasp, double width_m) const;
   bool clear_at(const Pose& product_from_tool, const Solids& solids) const;
 
   const GraspTool& tool_;

@@ -30,7 +30,7 @@ Result<ArmExecutor> ArmExecutor::make(const Robot& robot, const ExecutorOptions&
 
 void ArmExecutor::start(const Observation& now) {
   queue_.clear();
-  played_s_ = 0;
+  played_s_ = held_m_ = 0;
   now_ = end_ = now.position;
   opening_m_ = now.openings_m.front();
 }
@@ -69,6 +69,11 @@ Result<ArmChecker> ArmExecutor::line_checker(const std::vector<double>& state,
       {.margin_m = options_.line_margin_m, .at_work = hand_, .their_world = &line});
 }
 
+double ArmExecutor::opening_for(double asked_m) const {
+  if (asked_m > 0) return asked_m;
+  return opening_m_ > 0 ? opening_m_ : held_m_;
+}
+
 void ArmExecutor::queue(JointTrajectory trajectory, double opening_m, double force_n) {
   const double duration = trajectory.duration_s();
   end_ = trajectory.at(duration).position;
@@ -84,8 +89,7 @@ Result<void> ArmExecutor::reach(const Surroundings& around,
                                 Seed seed) {
   MARKETGEN_TRY(const CollisionWorld way_world, CollisionWorld::make(around.way));
   MARKETGEN_TRY(const CollisionWorld line_world, CollisionWorld::make(around.line));
-  const double opening = request.opening_m > 0 ? request.opening_m : opening_m_;
-  const std::vector<double> q = state(opening);
+  const std::vector<double> q = state(opening_for(request.opening_m));
   MARKETGEN_TRY(
       const ArmChecker way,
       ArmChecker::make(*model_,
@@ -115,7 +119,7 @@ Result<void> ArmExecutor::straight(const Surroundings& around,
   MARKETGEN_TRY(const CollisionWorld way_world, CollisionWorld::make(around.way));
   MARKETGEN_TRY(const CollisionWorld line_world, CollisionWorld::make(around.line));
   MARKETGEN_TRY(const ArmChecker line,
-                line_checker(state(opening_m > 0 ? opening_m : opening_m_), way_world, line_world));
+                line_checker(state(opening_for(opening_m)), way_world, line_world));
   MARKETGEN_TRY(const JointPath path, tool_line(line, end_, base_from_tip));
   MARKETGEN_TRY(const auto slow, limits(options_.line_speed));
   MARKETGEN_TRY(JointTrajectory trajectory, timed_curve(path, slow));

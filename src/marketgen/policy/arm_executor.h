@@ -55,6 +55,9 @@ class ArmExecutor {
                         double force_n);
   void wait(double seconds, double opening_m, double force_n);
 
+  // How far apart the pads are while they press on something: fingers are looked at there.
+  void hold(double opening_m) { held_m_ = opening_m; }
+
   bool idle() const { return queue_.empty(); }
   Action next();  // of the next control step; stands still when idle
 
@@ -74,6 +77,7 @@ class ArmExecutor {
   Result<ArmChecker> line_checker(const std::vector<double>& state,
                                   const CollisionWorld& way,
                                   const CollisionWorld& line) const;
+  double opening_for(double asked_m) const;
   void queue(JointTrajectory trajectory, double opening_m, double force_n);
 
   const Robot* robot_ = nullptr;
@@ -84,6 +88,7 @@ class ArmExecutor {
   double played_s_ = 0;      // of the first motion in the queue
   Configuration now_, end_;  // commanded last; at the end of the queue
   double opening_m_ = 0, force_n_ = 0;
+  double held_m_ = 0;
 };
 
 }  // namespace marketgen
