@@ -53,7 +53,7 @@ class CheckoutOracle : public Policy {
 
   Result<Action> act(const Observation& now) override {
     now_ = now;
-    arm_.hold(now.opening_m);
+    arm_.hold(now.openings_m.front());
     if (arm_.idle()) MARKETGEN_CHECK(decide());
     Action action = arm_.next();
     action.stop = done_;
