@@ -363,7 +363,9 @@ class CheckoutOracle : public Policy {
   }
 
   void back_off(double opening_m) {
-    const Surroundings around = scene_->surroundings({}), counter = scene_->counter_alone();
+    const auto hand =
+        scene_->in_basket(item_) ? OracleScene::Hand::inside : OracleScene::Hand::outside;
+    const Surroundings around = scene_->surroundings({}, hand), counter = scene_->counter_alone();
     for (const auto& [where, by] :
          {std::pair{&around, retreat_m}, {&around, retreat_m / 2}, {&counter, retreat_m}}) {
       if (arm_.straight(*where, arm_.tip() * Pose{{0, 0, -by}, {}}, opening_m, force_n_).ok())
@@ -400,7 +402,7 @@ class CheckoutOracle : public Policy {
   Result<void> go_over_place() {
     const Pose tip_from_item = inverse(arm_.tip()) * world_.item_pose(item_);
     const AttachedObject held = held_object(*scene_, item_, tip_from_item);
-    const Surroundings around = scene_->surroundings({item_});
+    const Surroundings around = scene_->surroundings({item_}, OracleScene::Hand::outside);
     for (; next_place_ < 2 * places_.size(); ++next_place_) {
       const PlaceChoice& place = places_[next_place_ % places_.size()];
       ReachRequest request{place.station_from_tip, place.approach, 0, force_n_};
@@ -423,7 +425,7 @@ class CheckoutOracle : public Policy {
     if (!holds_it()) return let_go_for_good(FailureCode::slipped);
     const PlaceChoice& place = places_[next_place_++ % places_.size()];
     const Pose item_from_tip = inverse(world_.item_pose(item_)) * arm_.tip();
-    const Surroundings around = scene_->surroundings({item_});
+    const Surroundings around = scene_->surroundings({item_}, OracleScene::Hand::outside);
     for (const Pose& tip : {place.station_from_item * item_from_tip, place.station_from_tip}) {
       if (!arm_.straight(around, tip, 0, force_n_).ok()) continue;
       say(fmt::format(

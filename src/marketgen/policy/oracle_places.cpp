@@ -261,8 +261,10 @@ AttachedObject held_object(const OracleScene& scene, std::size_t item, const Pos
   std::array<std::pair<double, Vec3>, 3> axes{
       std::pair{half.x, Vec3{1, 0, 0}}, {half.y, {0, 1, 0}}, {half.z, {0, 0, 1}}};
   std::ranges::sort(axes, {}, [](const auto& axis) { return axis.first; });
-  const double radius = std::max(axes[0].first, axes[1].first);
-  const double run = std::max(0.0, axes[2].first - radius);
+  // Edges stand out from between balls: the balls are larger, and the last reach beyond the ends.
+  constexpr double larger = 1.1, end_share = 0.4;
+  const double radius = larger * std::max(axes[0].first, axes[1].first);
+  const double run = std::max(0.0, axes[2].first - end_share * radius);
   const int count = 1 + 2 * static_cast<int>(std::ceil(run / radius));
   for (int i = 0; i < count; ++i) {
     const double along = count > 1 ? run * (2.0 * i / (count - 1) - 1) : 0;

@@ -154,7 +154,7 @@ Surroundings OracleScene::counter_alone() const {
   return around;
 }
 
-Surroundings OracleScene::surroundings(const std::vector<std::size_t>& without) const {
+Surroundings OracleScene::surroundings(const std::vector<std::size_t>& without, Hand hand) const {
   Surroundings around;
   const BoxObstacle counter = counter_top();
   around.way.boxes.push_back(counter);
@@ -163,8 +163,9 @@ Surroundings OracleScene::surroundings(const std::vector<std::size_t>& without) 
   for (const ContainerBox& box : boxes_of(world_.station().container())) {
     const Pose pose = world_.basket_pose() * box.container_from_box;
     around.way.boxes.push_back({pose, box.half_size});
+    if (hand == Hand::outside) around.line.boxes.push_back({pose, box.half_size});
     const bool is_wall = std::abs(box.half_size.x - wall / 2) < 1e-9;
-    if (!is_wall) continue;  // a ledge
+    if (!is_wall || hand == Hand::outside) continue;  // a ledge, or there already
     // Boxes have their outer face towards their own +X.
     const Pose skin = pose * Pose{{box.half_size.x - skin_m / 2, 0, -below_rim_m / 2}, {}};
     around.line.boxes.push_back(

@@ -43,9 +43,12 @@ class OracleScene {
 
   // Walls of the basket, station frame.
   std::vector<GraspObstacle> walls() const;
-  // For ways: everything but `without`. For lines: counter and the outer skin of the basket, since
-  // grasps were tested against the walls themselves.
-  Surroundings surroundings(const std::vector<std::size_t>& without) const;
+  // For ways: everything but `without`. For lines: the counter and, of the basket, the outer skin
+  // for a hand inside (grasps were tested against the walls themselves), whole walls for one
+  // outside.
+  enum class Hand { inside, outside };
+  Surroundings surroundings(const std::vector<std::size_t>& without,
+                            Hand hand = Hand::inside) const;
   // The counter alone, for getting away from where something is touched.
   Surroundings counter_alone() const;
 
