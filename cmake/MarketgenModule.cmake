@@ -40,6 +40,19 @@ function(marketgen_module name)
   set_property(GLOBAL APPEND PROPERTY MARKETGEN_BUILT_MODULES ${name})
 endfunction()
 
+# marketgen_fingerprint(MODULE NAME FOLDERS...): a header MODULE/NAME_fingerprint.h with a hash over the sources of those modules,
+# for what MODULE keeps on disk between runs: a program that would make it otherwise finds nothing of it.
+function(marketgen_fingerprint module name)
+  set(folders ${ARGN})
+  list(TRANSFORM folders PREPEND "${PROJECT_SOURCE_DIR}/src/marketgen/")
+  set(header "${MARKETGEN_GENERATED_DIR}/${module}/${name}_fingerprint.h")
+  add_custom_target(marketgen_${name}_fingerprint
+    COMMAND "${CMAKE_COMMAND}" "-DOUT=${header}" -DNAME=${name}_fingerprint "-DFOLDERS=${folders}"
+      -P "${PROJECT_SOURCE_DIR}/cmake/WriteFingerprint.cmake"
+    BYPRODUCTS "${header}" VERBATIM)
+  add_dependencies(marketgen_${module} marketgen_${name}_fingerprint)
+endfunction()
+
 # The library targets of every module in the tree.
 function(marketgen_all_modules out)
   get_property(modules GLOBAL PROPERTY MARKETGEN_BUILT_MODULES)

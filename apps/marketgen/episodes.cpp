@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "command.h"
 #include "episodes/sample_aisle.h"
+#include "grasping/grasp_database.h"
 #include "io/file.h"
 #include "io/json.h"
 #include "store/store.h"
@@ -28,34 +29,58 @@ struct StockedStore {
   std::unique_ptr<AisleSampler> in_aisle;  // of that track only
 };
 
+// What is known of the gripper of the robot in aisles.
+Result<std::shared_ptr<GraspBook>> open_book(const std::filesystem::path& data,
+                                             const Catalog& catalog) {
+  MARKETGEN_TRY(const AisleStation station, load_aisle_station(data));
+  MARKETGEN_TRY(const Robot robot, load_station_robot(data, station));
+  MARKETGEN_TRY(const std::string row, gripper_row(robot));
+  MARKETGEN_TRY(GraspTool tool, load_grasp_tool(data, row));
+  MARKETGEN_TRY(const std::string key,
+                grasp_study_key(data, catalog.content_hash, GraspBook::options()));
+  MARKETGEN_TRY(const std::vector<GraspRate> known, kept_grasp_rates(key));
+  return std::make_shared<GraspBook>(std::move(tool), catalog.frictions, known);
+}
+
+// The next draw need not try the same grasps again.
+Result<void> keep_book(const GraspBook& book,
+                       const std::filesystem::path& data,
+                       const Catalog& catalog) {
+  const std::vector<GraspRate> rates = book.studied();
+  if (rates.empty()) return {};
+  const StudyOptions study = GraspBook::options();
+  MARKETGEN_TRY(const std::string key, grasp_study_key(data, catalog.content_hash, study));
+  return keep_grasp_rates(rates, key, study.seed);
+}
+
 Result<StockedStore> stocked(Store store,
-                             Track track,
                              const std::filesystem::path& data,
-                             const Catalog& catalog) {
+                             const std::shared_ptr<GraspBook>& book) {
   const Manifest& manifest = store.manifest;
   StockedStore made{
       {manifest.name, manifest.scene_hash, plan_hash(store.plan), manifest.seed, store.plan, {}},
       {},
       {}};
-  if (track == Track::checkout) {
+  if (!book) {
     made.store.exclusions = checkout_exclusions(store.scene);
     made.stock = checkout_stock(store.scene);
     return made;
   }
   made.stock = store.scene.catalog;
   MARKETGEN_TRY(auto shared, open_aisle_store(data, std::move(store.scene)));
-  MARKETGEN_TRY(made.in_aisle, AisleSampler::make(data, std::move(shared), catalog.frictions));
+  MARKETGEN_TRY(made.in_aisle, AisleSampler::make(std::move(shared), book));
   return made;
 }
 
+// `book`: of episodes in aisles only.
 Result<std::vector<StockedStore>> open_stores(const EpisodesFlags& flags,
                                               const std::filesystem::path& data,
-                                              const Catalog& catalog) {
-  MARKETGEN_TRY(const Track track, track_named(flags.track));
+                                              const Catalog& catalog,
+                                              const std::shared_ptr<GraspBook>& book) {
   std::vector<StockedStore> stores;
   for (const std::string& folder : flags.folders) {
     MARKETGEN_TRY(Store store, open_store(folder, catalog));
-    MARKETGEN_TRY(StockedStore made, stocked(std::move(store), track, data, catalog));
+    MARKETGEN_TRY(StockedStore made, stocked(std::move(store), data, book));
     stores.push_back(std::move(made));
   }
   return stores;
@@ -130,9 +155,16 @@ Result<void> write(const EpisodesFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
   MARKETGEN_TRY(const std::filesystem::path data, data_folder());
   MARKETGEN_TRY(const Catalog catalog, load_rows());
-  MARKETGEN_TRY(std::vector<StockedStore> stores, open_stores(flags, data, catalog));
+  MARKETGEN_TRY(const Track track, track_named(flags.track));
+  std::shared_ptr<GraspBook> book;
+  if (track == Track::aisle) {
+    MARKETGEN_TRY(book, open_book(data, catalog));
+  }
+  MARKETGEN_TRY(std::vector<StockedStore> stores, open_stores(flags, data, catalog, book));
   EpisodeFile file;
-  MARKETGEN_TRY(file.episodes, draw(flags, data, stores, catalog));
+  auto episodes = draw(flags, data, stores, catalog);
+  if (book) MARKETGEN_CHECK(keep_book(*book, data, catalog));  // of a draw that failed, too
+  MARKETGEN_TRY(file.episodes, std::move(episodes));
   for (StockedStore& store : stores)
     if (store.in_aisle) store.store.exclusions = store.in_aisle->exclusions();
   file.header.seed = flags.common.seed;

@@ -164,12 +164,16 @@ Result<void> grasps(const GraspFlags& flags) {
   MARKETGEN_TRY(const Catalog catalog, load_rows(flags.catalogs));
   MARKETGEN_TRY(const std::vector<const Product*> products, chosen_products(catalog, flags));
   MARKETGEN_TRY(const std::vector<GraspTool> tools, chosen_tools(flags));
-  StudyOptions options{{}, flags.tries, flags.common.seed};
+  StudyOptions options;
+  options.tries = flags.tries;
+  options.seed = flags.common.seed;
   MARKETGEN_TRY(options.settings, chosen_settings(flags));
   MARKETGEN_TRY(
       const std::vector<GraspRate> rates,
       study_grasps(products, tools, catalog.frictions, options, progress_for(flags.common)));
-  MARKETGEN_CHECK(keep_grasp_rates(rates, catalog.content_hash, flags.common.seed));
+  MARKETGEN_TRY(const std::filesystem::path data, data_folder());
+  MARKETGEN_TRY(const std::string key, grasp_study_key(data, catalog.content_hash, options));
+  MARKETGEN_CHECK(keep_grasp_rates(rates, key, flags.common.seed));
 
   GraspReport report{static_cast<int>(products.size()),
                      monotonic_seconds() - started_s,

@@ -43,6 +43,19 @@ Result<std::vector<Hand>> hands_of(const Robot& robot) {
   return hands;
 }
 
+Result<std::vector<GraspCandidate>> grasps_of(const Product& goods,
+                                              const GraspTool& tool,
+                                              const CollectOptions& options) {
+  if (!options.grasps.empty()) return options.grasps;
+  MARKETGEN_TRY(const ProductBody body, make_product_body(goods));
+  GraspQuery query;
+  query.friction = options.fingers_friction;
+  query.from_front = true;
+  MARKETGEN_TRY(GraspCandidates grasps, grasp_candidates(goods, body, tool, query));
+  if (grasps.found.empty()) return Error{"motion.no_grasp", goods.sku, grasps.reason};
+  return std::move(grasps.found);
+}
+
 Pose lifted(Pose pose, Vec3 by) {
   pose.position += by;
   return pose;
@@ -240,19 +253,14 @@ Result<CollectPlan> plan_collect(const Scene& scene,
         "collect.no_product", fmt::format("row {}", product), "the store has no such product"};
   MARKETGEN_TRY(const std::vector<Hand> hands, hands_of(robot));
   const Product& goods = scene.catalog[scene.products[product].sku];
-  MARKETGEN_TRY(const ProductBody body, make_product_body(goods));
-  GraspQuery query;
-  query.friction = options.fingers_friction;
-  query.from_front = true;
-  MARKETGEN_TRY(const GraspCandidates grasps, grasp_candidates(goods, body, tool, query));
-  if (grasps.found.empty()) return Error{"motion.no_grasp", goods.sku, grasps.reason};
+  MARKETGEN_TRY(const std::vector<GraspCandidate> grasps, grasps_of(goods, tool, options));
   std::vector<Planner> planners;
   for (const Hand& hand : hands) {
     planners.emplace_back(scene, product, robot, hand, seed, options);
     MARKETGEN_CHECK(planners.back().look_around());
   }
   Error error{"collect.no_place", goods.sku, ""};
-  for (const GraspCandidate& grasp : grasps.found) {
+  for (const GraspCandidate& grasp : grasps) {
     for (const Planner& planner : planners) {
       auto plan = planner.plan(grasp);
       if (plan.ok()) return plan;

@@ -16,8 +16,9 @@
 namespace marketgen {
 
 struct CollectOptions {
-  std::string posture = {};               // of the arms at the start; empty: the robot's first
-  std::vector<BoxObstacle> carried = {};  // by the robot, in its base frame: a basket
+  std::string posture = {};                 // of the arms at the start; empty: the robot's first
+  std::vector<BoxObstacle> carried = {};    // by the robot, in its base frame: a basket
+  std::vector<GraspCandidate> grasps = {};  // tried in this order; empty: all from the front
   // Stands there and nowhere else.
   std::optional<Pose> world_from_base = {};
   double speed = 0.6;             // share of the joints' velocity limits, over 0 to 1

@@ -19,12 +19,16 @@ constexpr std::array drop_tilts{0.0, 0.35, 0.7, 1.05};  // of the tool from stra
 constexpr int drop_columns = 5;                         // places along each side of the basket
 constexpr std::size_t most_drops = 1200;                // that are looked at
 constexpr double mixed_m = 0.06;
-constexpr int most_searches = 6;     // in vain, before the basket is given up
+constexpr int most_searches = 3;  // in vain, before the basket is given up
+constexpr double let_go_back_m = 0.12;
+constexpr int most_descents = 2;              // ways down to one place
+constexpr std::size_t descents_at_once = 16;  // goals of one search
+constexpr double way_margin_m = 0.004, line_margin_m = 0.002;
 constexpr double over_rim_m = 0.06;  // where the line down begins, of the lowest point held
 constexpr double of_tilt = 0.03, of_offset = 0.1,
                  of_rim = 2;  // metres of height that they are worth
 constexpr double line_speed_share = 0.25;
-constexpr int most_drop_samples = 6000;
+constexpr int most_drop_samples = 8000;
 
 void widen(Vec3& low, Vec3& high, Vec3 point) {
   low = {std::min(low.x, point.x), std::min(low.y, point.y), std::min(low.z, point.z)};
@@ -108,15 +112,24 @@ class DropSearch {
   const DropQuestion& question_;
 };
 
+// A place over the basket that the arm can reach, and its straight way down from there.
+struct Descent {
+  Pose base_from_tip;  // where it lets go
+  JointPath line, out;
+};
+
 class DropPlanner {
  public:
-  DropPlanner(const Robot& robot, const CarriedBasket& basket, const DropQuestion& q)
-      : robot_(robot), basket_(basket), question_(q) {
+  DropPlanner(const Robot& robot, const CarriedBasket& basket, const DropQuestion& question)
+      : robot_(robot), basket_(basket), question_(question) {
     options_.speed = carrying_speed;
     options_.acceleration = carrying_acceleration;
     options_.search.most_iterations = most_drop_samples;
   }
+  DropPlanner(const DropPlanner&) = delete;  // its checkers refer to it
+  DropPlanner& operator=(const DropPlanner&) = delete;
 
+  // Before anything else. Errors: those of make_arm_model and of the checkers.
   Result<void> look_around() {
     Obstacles all = question_.around;
     for (const auto* boxes : {&basket_.walls, &question_.inside}) {
@@ -125,54 +138,95 @@ class DropPlanner {
     }
     MARKETGEN_TRY(world_, CollisionWorld::make(all));
     MARKETGEN_TRY(model_, make_arm_model(robot_, question_.group));
-    state_ = question_.state;
+    const std::vector<double>& state = question_.state;
     for (const int dof : model_.group.dofs)
-      start_.push_back(state_[static_cast<std::size_t>(dof)]);
-    base_from_arm_ = link_poses(robot_, state_)[static_cast<std::size_t>(model_.group.base)];
-    return {};
-  }
-
-  Result<DropPlan> plan(const Drop& drop, Seed seed) const {
+      start_.push_back(state[static_cast<std::size_t>(dof)]);
+    base_from_arm_ = link_poses(robot_, state)[static_cast<std::size_t>(model_.group.base)];
     const Tool& tool = robot_.tools[static_cast<std::size_t>(question_.tool)];
     const std::vector<AttachedObject> held{
         held_by(robot_, tool, *question_.held, question_.tip_from_product)};
-    MARKETGEN_TRY(
-        const ArmChecker way,
-        ArmChecker::make(model_, state_, question_.world_from_base, world_, {0.004, held}));
-    MARKETGEN_TRY(const ArmChecker line,
-                  ArmChecker::make(model_, state_, question_.world_from_base, world_, {0.002, {}}));
-    ReachQuestion reach;
-    reach.start = start_;
-    reach.base_from_grasp = inverse(base_from_arm_) * drop.base_from_tip;
+    const Pose& at = question_.world_from_base;
+    MARKETGEN_TRY(way_, ArmChecker::make(model_, state, at, world_, {way_margin_m, held}));
+    MARKETGEN_TRY(line_, ArmChecker::make(model_, state, at, world_, {line_margin_m, {}}));
+    return {};
+  }
+
+  // At most most_descents for one place; the arm's postures nearest to the start first.
+  Result<void> add_descents(const Drop& drop, std::vector<Descent>& found) {
     const double up = std::max(0.05, basket_.size.z + over_rim_m - drop.lowest_m);
-    const Vec3 down_in_tip = rotate(inverse(drop.base_from_tip.rotation), {0, 0, -1});
-    reach.approach = down_in_tip * up;
-    MARKETGEN_TRY(const ReachPlan there, plan_reach(way, line, reach, seed, options_));
+    const Pose end = inverse(base_from_arm_) * drop.base_from_tip;
+    Pose begin = end;
+    begin.position += rotate(inverse(base_from_arm_.rotation), {0, 0, up});
+    const auto postures = arm_goals(robot_, model_.group, begin, start_);
+    if (!postures.ok()) return postures.error();
+    Error error{"collect.no_drop", "", ""};
+    int added = 0;
+    for (const Configuration& q : *postures) {
+      if (!way_->free(q)) {
+        error = {"motion.goal_in_collision", "over the basket", way_->collision(q)};
+        continue;
+      }
+      auto line = tool_line(*line_, q, end);
+      if (!line.ok()) {
+        error = line.error();
+        continue;
+      }
+      JointPath out = way_out(*line, end);
+      found.push_back({drop.base_from_tip, std::move(*line), std::move(out)});
+      if (++added == most_descents) break;
+    }
+    if (added == 0) return error;
+    return {};
+  }
+
+  // By the first of the descents that is reached and from which the arm gets home.
+  Result<DropPlan> plan(std::vector<Descent> descents, Seed seed) const {
+    while (true) {
+      std::vector<Configuration> goals;
+      for (const Descent& descent : descents)
+        goals.push_back(descent.line.front());
+      MARKETGEN_TRY(const JointPath way, plan_arm_path(*way_, start_, goals, seed, options_));
+      const auto reached = std::ranges::find(goals, way.back()) - goals.begin();
+      auto plan = by_way(way, descents[static_cast<std::size_t>(reached)], seed);
+      if (plan.ok() || descents.size() == 1) return plan;
+      descents.erase(descents.begin() + reached);
+    }
+  }
+
+ private:
+  // Fingers that lean would lift what they let go: back along the tool, or else the way it came.
+  JointPath way_out(const JointPath& line, Pose end) const {
+    end.position += rotate(end.rotation, {0, 0, -let_go_back_m});
+    auto back = tool_line(*line_, line.back(), end);
+    if (back.ok()) return std::move(*back);
+    return {line.rbegin(), line.rend()};
+  }
+
+  Result<DropPlan> by_way(const JointPath& way, const Descent& descent, Seed seed) const {
     MARKETGEN_TRY(const auto quick, motion_limits(model_, options_));
     ArmPlanOptions gentle = options_;
     gentle.speed *= line_speed_share;
     MARKETGEN_TRY(const auto slow, motion_limits(model_, gentle));
     DropPlan plan;
-    plan.base_from_tip = drop.base_from_tip;
-    MARKETGEN_TRY(plan.way, timed_path(there.way, quick));
-    MARKETGEN_TRY(const JointTrajectory down, timed_curve(there.line, slow));
+    plan.base_from_tip = descent.base_from_tip;
+    MARKETGEN_TRY(plan.way, timed_path(way, quick));
+    MARKETGEN_TRY(const JointTrajectory down, timed_curve(descent.line, slow));
     plan.way.append(down);
-    const JointPath back(there.line.rbegin(), there.line.rend());
-    MARKETGEN_TRY(plan.retreat, timed_curve(back, slow));
-    MARKETGEN_TRY(const ArmPlan home,
-                  plan_arm(line, back.back(), {question_.stow}, seed.child("home"), options_));
+    MARKETGEN_TRY(plan.retreat, timed_curve(descent.out, slow));
+    MARKETGEN_TRY(
+        const ArmPlan home,
+        plan_arm(*line_, descent.out.back(), {question_.stow}, seed.child("home"), options_));
     plan.home = home.trajectory;
     return plan;
   }
 
- private:
   const Robot& robot_;
   const CarriedBasket& basket_;
   const DropQuestion& question_;
   ArmPlanOptions options_;
-  CollisionWorld world_;
   ArmModel model_;
-  std::vector<double> state_;
+  CollisionWorld world_;
+  std::optional<ArmChecker> way_, line_;  // with what is held, and without it
   Configuration start_;
   Pose base_from_arm_;
 };
@@ -229,12 +283,19 @@ Result<DropPlan> plan_drop(const Robot& robot,
   MARKETGEN_CHECK(planner.look_around());
   const std::vector<Drop> drops = DropSearch(basket, question).drops(seed);
   Error error{"collect.no_drop", robot.name, "the basket has no room for what is held"};
+  std::vector<Descent> descents;
   int searches = 0;
   for (std::size_t i = 0; i < drops.size() && searches < most_searches; ++i) {
-    auto plan = planner.plan(drops[i], seed.child("drop", i));
+    if (const auto added = planner.add_descents(drops[i], descents); !added.ok())
+      error.message = fmt::format("in the last place that was tried: {}", added.error().message);
+    const bool last = i + 1 == drops.size();
+    if (descents.empty() || (descents.size() < descents_at_once && !last)) continue;
+    auto plan = planner.plan(std::move(descents), seed.child("drop", i));
     if (plan.ok()) return plan;
-    if (plan.error().code == "motion.no_path") ++searches;
-    error.message = fmt::format("in the best place that was tried: {}", plan.error().message);
+    error.message = plan.error().message;
+    if (plan.error().code == "motion.start_in_collision") break;
+    descents.clear();
+    ++searches;
   }
   return error;
 }

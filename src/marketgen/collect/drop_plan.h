@@ -39,7 +39,7 @@ struct DropQuestion {
 struct DropPlan {
   Pose base_from_tip;       // where it lets go
   JointTrajectory way;      // to there
-  JointTrajectory retreat;  // straight up and out, empty
+  JointTrajectory retreat;  // straight out, empty
   JointTrajectory home;     // to the stowed posture
 };
 

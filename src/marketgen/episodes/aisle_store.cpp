@@ -97,6 +97,22 @@ double AisleStore::room_behind_m(const Pose& world_from_base) const {
   return 0;
 }
 
+// Another pack of its facing stands on it.
+bool AisleStore::carries_another(std::uint32_t row) const {
+  const SceneProduct& product = scene.products[row];
+  const Facing& facing = scene.facings[product.facing];
+  if (facing.stack < 2) return false;
+  const Product& goods = scene.catalog[product.sku];
+  const double near_m = std::min(goods.width_m(), goods.depth_m()) / 2;
+  for (std::uint32_t i = 0; i < facing.product_count; ++i) {
+    const auto& other = scene.products[facing.first_product + i].position_m;
+    const double aside =
+        std::hypot(other[0] - product.position_m[0], other[1] - product.position_m[1]);
+    if (aside < near_m && other[2] > product.position_m[2] + near_m / 2) return true;
+  }
+  return false;
+}
+
 std::vector<std::uint32_t> AisleStore::front_items(const std::string& sku) const {
   std::vector<std::uint32_t> rows;
   for (std::uint32_t row = 0; row < scene.products.size(); ++row) {
@@ -105,7 +121,8 @@ std::vector<std::uint32_t> AisleStore::front_items(const std::string& sku) const
     const SceneShelf& shelf = scene.shelves[scene.facings[product.facing].shelf];
     const double z = product.position_m[2];
     const bool reached = z >= station.shelf.lowest_m && z <= station.shelf.highest_m;
-    if (reached && shelf.use == ShelfUse::stand && !has_doors(scene, shelf.fixture))
+    if (reached && shelf.use == ShelfUse::stand && !has_doors(scene, shelf.fixture) &&
+        !carries_another(row))
       rows.push_back(row);
   }
   return rows;

@@ -31,8 +31,9 @@ struct AisleStore {
   std::vector<PointMm> standing_places(const std::string& sku) const;
   // How far it may go straight back, at most most_back_off_m.
   double room_behind_m(const Pose& world_from_base) const;
-  // Rows of its items that can be reached from the front, no door before them.
+  // Rows of its items that can be reached from the front, no door before them, nothing on them.
   std::vector<std::uint32_t> front_items(const std::string& sku) const;
+  bool carries_another(std::uint32_t product) const;  // a pack stands on it
 };
 
 // Errors: those of load_aisle_station, load_station_robot, drive_graph.

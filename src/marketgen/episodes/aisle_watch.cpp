@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "episodes/goal_judge.h"
+
 namespace marketgen {
 namespace {
 
@@ -104,11 +106,12 @@ void AisleWatch::follow_item(std::uint32_t product,
   item.rested_s = item.speed_m_s < rest_m_s ? item.rested_s + step_s : 0;
 }
 
+// What was taken is let down with the arm; it is dropped when it falls hard (look()).
 void AisleWatch::follow_events(World& world) {
   for (const WorldEvent& event : world.take_events()) {
     const auto item = items_.find(event.product);
     const bool taken = item != items_.end() && item->second.was_held;
-    if (event.kind == EventKind::dropped) dropped_.insert(event.product);
+    if (event.kind == EventKind::dropped && !taken) dropped_.insert(event.product);
     if (event.kind == EventKind::toppled && !taken) toppled_.insert(event.product);
     if (event.kind == EventKind::displaced && !taken) displaced_.insert(event.product);
   }
@@ -135,6 +138,7 @@ void AisleWatch::look(World& world, const BaseMotion& base) {
     item.in_basket = seen.basket.contains(product);
     item.was_held = item.was_held || item.held_by >= 0;
     if (item.held_by >= 0) item.impact_m_s = 0;
+    if (item.was_held && item.impact_m_s > most_impact_m_s) dropped_.insert(product);
     follow_item(product, item, world, base);
   }
   pushes_.follow(seen.force_n, step_s);

@@ -227,6 +227,15 @@ std::vector<std::uint32_t> AisleWorld::in_basket() const {
   return rows;
 }
 
+Result<std::vector<GraspCandidate>> AisleWorld::known_grasps(std::uint32_t product,
+                                                             const GraspTool& tool) const {
+  const Product& goods = store_->scene.catalog[store_->scene.products[product].sku];
+  const auto& witness = spec_.certificate.witness;
+  const auto pick = std::ranges::find(witness, goods.sku, &WitnessPick::sku);
+  return studied_grasps(
+      goods, tool, frictions_, pick == witness.end() ? std::vector<int>() : pick->grasps);
+}
+
 // How far it went, and how far it would have had to go.
 void AisleWorld::add_lengths(EpisodeResult& result) const {
   const PointMm from = floor_point_mm({spec_.start.x_m, spec_.start.y_m, 0});

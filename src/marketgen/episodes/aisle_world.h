@@ -8,6 +8,7 @@
 #include "episodes/aisle_store.h"
 #include "episodes/aisle_watch.h"
 #include "episodes/checkout_model.h"
+#include "episodes/studied_grasps.h"
 #include "episodes/track_world.h"
 #include "motion/collision_world.h"
 
@@ -43,6 +44,10 @@ class AisleWorld : public TrackWorld {
   Pose world_from_basket() const;  // middle of its inner floor
   std::vector<std::uint32_t> in_basket() const;
   double path_m() const { return path_m_; }
+  // Grasps of the product by which the episode's witness would have it taken; all of them for a
+  // product that is no goal. Errors: those of studied_grasps().
+  Result<std::vector<GraspCandidate>> known_grasps(std::uint32_t product,
+                                                   const GraspTool& tool) const;
 
  private:
   Result<void> move(const Action& action);

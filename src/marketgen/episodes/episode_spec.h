@@ -74,6 +74,7 @@ struct CategoryPlace {
 // One way to fetch a goal that was found when the episode was drawn.
 struct WitnessPick {
   std::string sku, product, arm, strategy;
+  std::vector<int> grasps;
   FloorPlaceRow base;
   double lift_m = 0, drive_m = 0;
   static constexpr auto fields =
@@ -81,6 +82,9 @@ struct WitnessPick {
                  field("product", &WitnessPick::product, "item id"),
                  field("arm", &WitnessPick::arm, "of the robot"),
                  field("strategy", &WitnessPick::strategy, "how it takes hold"),
+                 field("grasps",
+                       &WitnessPick::grasps,
+                       "candidates of the grasp study that held it as stocked, from 0"),
                  field("base", &WitnessPick::base, "where the robot stands"),
                  field("lift_m", &WitnessPick::lift_m, "height of its lift"),
                  field("drive_m", &WitnessPick::drive_m, "way to there from the pick before"));

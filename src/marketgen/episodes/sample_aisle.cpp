@@ -12,7 +12,7 @@
 #include "collect/drop_plan.h"
 #include "collect/scene_obstacles.h"
 #include "episodes/aisle_world.h"
-#include "grasping/grasp_study.h"
+#include "episodes/studied_grasps.h"
 
 namespace marketgen {
 namespace {
@@ -21,7 +21,6 @@ constexpr int most_attempts = 12;     // at an episode
 constexpr int most_skus_drawn = 40;   // at an attempt
 constexpr int most_starts = 200;      // places drawn
 constexpr std::size_t most_rows = 3;  // items of a SKU that are looked at
-constexpr int least_held = 2;         // of three tries of the grasp study
 constexpr double drop_reach_m = 1.4;
 
 std::string asked_for(const Product& product) {
@@ -42,14 +41,11 @@ struct AisleSampler::Witness {
   std::vector<std::uint32_t> taken;  // rows
 };
 
-Result<std::unique_ptr<AisleSampler>> AisleSampler::make(const std::filesystem::path& data,
-                                                         std::shared_ptr<const AisleStore> store,
-                                                         std::vector<FrictionRow> frictions) {
+Result<std::unique_ptr<AisleSampler>> AisleSampler::make(std::shared_ptr<const AisleStore> store,
+                                                         std::shared_ptr<GraspBook> book) {
   std::unique_ptr<AisleSampler> made(new AisleSampler);
   made->store_ = std::move(store);
-  made->frictions_ = std::move(frictions);
-  MARKETGEN_TRY(const std::string row, gripper_row(made->store_->robot));
-  MARKETGEN_TRY(made->tool_, load_grasp_tool(data, row));
+  made->book_ = std::move(book);
   const Scene& scene = made->store_->scene;
   std::set<std::uint32_t> seen;
   for (const SceneProduct& product : scene.products) {
@@ -70,35 +66,21 @@ Result<std::unique_ptr<AisleSampler>> AisleSampler::make(const std::filesystem::
   return made;
 }
 
-Result<bool> AisleSampler::is_holdable(const Product& product) {
-  {
-    const std::scoped_lock lock(mutex_);
-    if (const auto known = studied_.find(product.sku); known != studied_.end())
-      return known->second == "held";
-  }
-  StudyOptions options;
-  options.settings = {GraspSetting::stocked};
-  MARKETGEN_TRY(const std::vector<GraspRate> rates,
-                study_grasps({&product}, {tool_}, frictions_, options, silent_progress()));
-  const GraspRate& rate = rates.front();
-  std::string verdict = std::string(name_of(rate.excluded));
-  if (rate.fits()) {
-    const bool held = rate.held() >= std::min<int>(least_held, static_cast<int>(rate.tries.size()));
-    verdict = held ? "held" : std::string(name_of(rate.tries.front().end));
-    if (!held && verdict == "held") verdict = "unreliable";
-  }
+// Numbers of the grasps by which a product can be fetched; none when it cannot.
+Result<std::vector<int>> AisleSampler::grasps_for(const Product& product) {
+  MARKETGEN_TRY(StudiedProduct studied, book_->study(product));
   const std::scoped_lock lock(mutex_);
-  studied_[product.sku] = verdict;
-  return verdict == "held";
+  considered_.insert_or_assign(product.sku, studied.why_not);
+  return std::move(studied.grasps);
 }
 
 EpisodeExclusions AisleSampler::exclusions() const {
   const std::scoped_lock lock(mutex_);
   std::map<std::string, int> counts;
-  for (const auto& [sku, verdict] : studied_)
-    if (verdict != "held") ++counts[verdict];
+  for (const auto& [sku, why] : considered_)
+    if (!why.empty()) ++counts[why];
   EpisodeExclusions exclusions;
-  exclusions.on_offer = static_cast<int>(studied_.size());
+  exclusions.on_offer = static_cast<int>(considered_.size());
   for (const auto& [reason, products] : counts)
     exclusions.left_out.push_back({reason, products});
   return exclusions;
@@ -138,9 +120,11 @@ Result<bool> AisleSampler::can_drop(const CollectPlan& plan, Witness& witness, S
   return true;
 }
 
-Result<std::optional<WitnessPick>> AisleSampler::pick(const std::string& sku,
+Result<std::optional<WitnessPick>> AisleSampler::pick(const Product& product,
+                                                      const std::vector<int>& grasps,
                                                       Witness& witness,
                                                       Seed seed) {
+  const std::string& sku = product.sku;
   std::vector<std::pair<double, std::uint32_t>> rows;
   for (const std::uint32_t row : store_->front_items(sku)) {
     const auto place = store_->standing_place(row);
@@ -152,10 +136,11 @@ Result<std::optional<WitnessPick>> AisleSampler::pick(const std::string& sku,
   CollectOptions options;
   options.posture = store_->station.posture;
   options.carried = store_->basket.walls;
+  MARKETGEN_TRY(options.grasps, studied_grasps(product, book_->tool(), book_->frictions(), grasps));
   for (std::size_t i = 0; i < std::min(rows.size(), most_rows); ++i) {
     const auto& [way_m, row] = rows[i];
-    const auto plan =
-        plan_collect(store_->scene, row, store_->robot, tool_, seed.child("pick", i), options);
+    const auto plan = plan_collect(
+        store_->scene, row, store_->robot, book_->tool(), seed.child("pick", i), options);
     if (!plan.ok()) continue;
     const Vec3 axle = axle_of(store_->robot, plan->world_from_base);
     const auto path =
@@ -175,6 +160,7 @@ Result<std::optional<WitnessPick>> AisleSampler::pick(const std::string& sku,
     found.product = product_id(store_->scene, row);
     found.arm = plan->group;
     found.strategy = std::string(name_of(plan->grasp.strategy));
+    found.grasps = grasps;
     found.base = {at.x, at.y, std::atan2(ahead.y, ahead.x) * 180 / std::numbers::pi};
     found.lift_m = plan->state[static_cast<std::size_t>(store_->robot.find_dof("lift"))];
     found.drive_m = path->length_m;
@@ -226,10 +212,10 @@ Result<std::optional<EpisodeSpec>> AisleSampler::attempt(EpisodeSpec spec, Seed 
     const Product& product =
         *of_shape[static_cast<std::size_t>(draw.integer(0, static_cast<int>(of_shape.size()) - 1))];
     if (!drawn.insert(product.sku).second) continue;
-    MARKETGEN_TRY(const bool holdable, is_holdable(product));
-    if (!holdable) continue;
+    MARKETGEN_TRY(const std::vector<int> grasps, grasps_for(product));
+    if (grasps.empty()) continue;
     const auto number = static_cast<std::uint64_t>(i);
-    MARKETGEN_TRY(const auto found, pick(product.sku, witness, seed.child("witness", number)));
+    MARKETGEN_TRY(const auto found, pick(product, grasps, witness, seed.child("witness", number)));
     if (!found) continue;
     spec.goals.push_back({product.sku, 1});
     spec.certificate.witness.push_back(*found);

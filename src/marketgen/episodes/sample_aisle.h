@@ -8,8 +8,8 @@
 #include "base/seed.h"
 #include "collect/collect_plan.h"
 #include "episodes/aisle_store.h"
+#include "episodes/grasp_book.h"
 #include "episodes/sample_checkout.h"
-#include "robots/grasp_tool.h"
 
 namespace marketgen {
 
@@ -18,10 +18,9 @@ constexpr int least_goals = 2, most_goals = 4;
 // For one store. Any number of threads may draw at once: an episode depends on seed and index only.
 class AisleSampler {
  public:
-  // Errors: those of load_grasp_tool; episode.impossible when too few products stand within reach.
-  static Result<std::unique_ptr<AisleSampler>> make(const std::filesystem::path& data,
-                                                    std::shared_ptr<const AisleStore> store,
-                                                    std::vector<FrictionRow> frictions);
+  // Error episode.impossible when too few products stand within reach.
+  static Result<std::unique_ptr<AisleSampler>> make(std::shared_ptr<const AisleStore> store,
+                                                    std::shared_ptr<GraspBook> book);
 
   // Errors: episode.impossible with what was missing; those of plan_collect that are not about one
   // product.
@@ -33,19 +32,21 @@ class AisleSampler {
  private:
   struct Witness;
   AisleSampler() = default;
-  Result<bool> is_holdable(const Product& product);
-  Result<std::optional<WitnessPick>> pick(const std::string& sku, Witness& witness, Seed seed);
+  Result<std::vector<int>> grasps_for(const Product& product);
+  Result<std::optional<WitnessPick>> pick(const Product& product,
+                                          const std::vector<int>& grasps,
+                                          Witness& witness,
+                                          Seed seed);
   Result<bool> can_drop(const CollectPlan& plan, Witness& witness, Seed seed);
   CategoryPlace category_place(const Product& product) const;
   std::optional<FloorPlace> draw_start(Stream& draw) const;
   Result<std::optional<EpisodeSpec>> attempt(EpisodeSpec spec, Seed seed);
 
   std::shared_ptr<const AisleStore> store_;
-  std::vector<FrictionRow> frictions_;
-  GraspTool tool_;
+  std::shared_ptr<GraspBook> book_;
   std::map<std::string, std::vector<const Product*>> shapes_;  // within reach, by archetype
   mutable std::mutex mutex_;
-  std::map<std::string, std::string> studied_;  // SKU: "held", or why not
+  std::map<std::string, std::string> considered_;  // SKU: why it is not held, or empty
 };
 
 }  // namespace marketgen

@@ -3,8 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <system_error>
 
+#include <fmt/format.h>
+
+#include "base/hash.h"
+#include "grasping/grasping_fingerprint.h"
 #include "io/file.h"
 #include "io/sqlite.h"
 
@@ -130,8 +135,27 @@ std::filesystem::path grasp_database_file() {
   return cache_folder() / "grasps" / "grasps.sqlite";
 }
 
+Result<std::string> grasp_study_key(const std::filesystem::path& data,
+                                    const std::string& catalog_hash,
+                                    const StudyOptions& options) {
+  std::set<std::filesystem::path> files;
+  std::error_code failed;
+  for (const auto& entry : std::filesystem::directory_iterator(data / "robots", failed))
+    files.insert(entry.path());
+  Hasher hasher;
+  for (const std::filesystem::path& file : files) {
+    MARKETGEN_TRY(const std::string text, read_file(file));
+    hasher.add(text);
+  }
+  hasher.add(catalog_hash);
+  hasher.add(grasping_fingerprint);
+  hasher.add(
+      fmt::format("seed {}, tries {}, {}", options.seed, options.tries, options.enough_held));
+  return hasher.hex();
+}
+
 Result<void> keep_grasp_rates(const std::vector<GraspRate>& rates,
-                              const std::string& catalog_hash,
+                              const std::string& study_key,
                               std::uint64_t seed) {
   MARKETGEN_TRY(const std::vector<KeptRate> before, all_kept());
   std::map<std::array<std::string, 3>, KeptRate> merged;
@@ -141,7 +165,7 @@ Result<void> keep_grasp_rates(const std::vector<GraspRate>& rates,
   };
   std::ranges::for_each(before, put);
   for (const GraspRate& rate : rates)
-    put({rate, catalog_hash, std::to_string(seed)});
+    put({rate, study_key, std::to_string(seed)});
 
   MARKETGEN_TRY(SqlDatabase sql, SqlDatabase::create());
   MARKETGEN_CHECK(sql.run("BEGIN"));
@@ -159,11 +183,11 @@ Result<void> keep_grasp_rates(const std::vector<GraspRate>& rates,
   return write_file(grasp_database_file(), bytes);
 }
 
-Result<std::vector<GraspRate>> kept_grasp_rates(const std::string& catalog_hash) {
+Result<std::vector<GraspRate>> kept_grasp_rates(const std::string& study_key) {
   MARKETGEN_TRY(const std::vector<KeptRate> all, all_kept());
   std::vector<GraspRate> rates;
   for (const KeptRate& kept : all) {
-    if (kept.catalogue == catalog_hash) rates.push_back(kept.rate);
+    if (kept.catalogue == study_key) rates.push_back(kept.rate);
   }
   return rates;
 }

@@ -3,8 +3,8 @@
 //   grasp_rates(sku, tool, setting, archetype, excluded, reason, tries, held, first, catalogue,
 //   seed)
 //     one row a product, tool and setting: how many of its tries held; `first` = what became of the
-//     best candidate; `excluded` = "none", or why there were no tries; `catalogue` = content hash
-//     of the rows that it was made from
+//     best candidate; `excluded` = "none", or why there were no tries; `catalogue` =
+//     grasp_study_key(): changes with everything that it was made from
 //   grasp_tries(sku, tool, setting, number, strategy, ended, width_mm, force_n, slip_mm,
 //   turned_deg,
 //               neighbour_n)
@@ -24,13 +24,19 @@ namespace marketgen {
 
 std::filesystem::path grasp_database_file();
 
+// Of the catalogue's rows, the tools' rows under `data`, the options but the settings, and the
+// program's own sources. Errors: io.cannot_read.
+Result<std::string> grasp_study_key(const std::filesystem::path& data,
+                                    const std::string& catalog_hash,
+                                    const StudyOptions& options);
+
 // Errors: io.cannot_write, io.cannot_read, io.database (an existing file is damaged).
 Result<void> keep_grasp_rates(const std::vector<GraspRate>& rates,
-                              const std::string& catalog_hash,
+                              const std::string& study_key,
                               std::uint64_t seed);
 
-// All that was kept from this catalogue, by SKU, tool and setting; none when there is no file.
+// All that was kept under this key, by SKU, tool and setting; none when there is no file.
 // Errors: io.cannot_read, io.database.
-Result<std::vector<GraspRate>> kept_grasp_rates(const std::string& catalog_hash);
+Result<std::vector<GraspRate>> kept_grasp_rates(const std::string& study_key);
 
 }  // namespace marketgen

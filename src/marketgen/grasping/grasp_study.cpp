@@ -16,20 +16,6 @@ constexpr std::string_view pad_material = "rubber";
 // Between neighbours fingers come as narrow as the tool's own error lets them.
 constexpr double wedge_gap_m = 0.0015;
 
-GraspQuery query_for(GraspSetting setting, const Product& product, double friction) {
-  GraspQuery query;
-  query.friction = friction;
-  if (setting == GraspSetting::free) return query;
-  query.from_front = true;
-  query.ceiling_m = product.height_m() + least_headroom_m;
-  query.neighbour_gap_m = spaced_gap_m;
-  if (setting == GraspSetting::stocked) {
-    query.neighbour_gap_m = pack_gap_m;
-    query.finger_gap_m = wedge_gap_m;
-  }
-  return query;
-}
-
 GraspExclusion exclusion_of(GraspRefusal refusal) {
   return static_cast<GraspExclusion>(refusal);
 }
@@ -72,7 +58,7 @@ class ProductStudy {
                                    body_,
                                    tool,
                                    in_basket ? basket_query(basket_.basket, friction_)
-                                             : query_for(setting, product_, friction_)));
+                                             : grasp_query(setting, product_, friction_)));
     rate.excluded = exclusion_of(candidates.refusal);
     rate.reason = candidates.reason;
     if (candidates.found.empty()) return rate;
@@ -82,7 +68,7 @@ class ProductStudy {
       if (!stands) return without(std::move(rate), GraspExclusion::unstable, tips);
     }
     const auto count = std::min(static_cast<std::size_t>(options_.tries), candidates.found.size());
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < count && !is_settled(rate, count); ++i) {
       MARKETGEN_TRY(const GraspTry tried, try_once(tool, setting, candidates.found[i], i));
       if (tried.end == GraspEnd::unstable)
         return without(std::move(rate), GraspExclusion::unstable, in_basket ? restless : tips);
@@ -92,6 +78,13 @@ class ProductStudy {
   }
 
  private:
+  // More tries would not change whether enough of them hold.
+  bool is_settled(const GraspRate& rate, std::size_t count) const {
+    const int left = static_cast<int>(count - rate.tries.size());
+    return options_.enough_held > 0 &&
+           (rate.held() >= options_.enough_held || rate.held() + left < options_.enough_held);
+  }
+
   static constexpr const char* tips = "it does not stand by itself";
   static constexpr const char* restless = "it does not lie still in the basket";
 
@@ -173,6 +166,13 @@ int GraspRate::held() const {
   return static_cast<int>(std::ranges::count(tries, GraspEnd::held, &GraspTry::end));
 }
 
+std::vector<int> GraspRate::held_tries() const {
+  std::vector<int> numbers;
+  for (std::size_t i = 0; i < tries.size(); ++i)
+    if (tries[i].end == GraspEnd::held) numbers.push_back(static_cast<int>(i));
+  return numbers;
+}
+
 bool GraspRate::first_held() const {
   return !tries.empty() && tries.front().end == GraspEnd::held;
 }
@@ -182,6 +182,20 @@ double rubber_friction(const std::vector<FrictionRow>& frictions, const Product&
   const double known =
       table.sliding(table.material(pad_material), table.material(product.material));
   return known > 0 ? known : product.friction;
+}
+
+GraspQuery grasp_query(GraspSetting setting, const Product& product, double friction) {
+  GraspQuery query;
+  query.friction = friction;
+  if (setting == GraspSetting::free) return query;
+  query.from_front = true;
+  query.ceiling_m = product.height_m() + least_headroom_m;
+  query.neighbour_gap_m = spaced_gap_m;
+  if (setting == GraspSetting::stocked) {
+    query.neighbour_gap_m = pack_gap_m;
+    query.finger_gap_m = wedge_gap_m;
+  }
+  return query;
 }
 
 Result<std::vector<GraspRate>> study_grasps(const std::vector<const Product*>& products,

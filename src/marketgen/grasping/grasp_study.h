@@ -73,8 +73,9 @@ struct GraspRate {
   std::string reason;           // of the exclusion, a sentence
   std::vector<GraspTry> tries;  // best candidate first
 
-  int held() const;         // how many of the tries
-  bool first_held() const;  // the best candidate's
+  int held() const;                     // how many of the tries
+  std::vector<int> held_tries() const;  // their numbers
+  bool first_held() const;              // the best candidate's
   bool fits() const { return excluded == GraspExclusion::none; }
 
   static constexpr auto fields =
@@ -90,8 +91,14 @@ struct GraspRate {
 struct StudyOptions {
   std::vector<GraspSetting> settings{GraspSetting::free};
   int tries = 3;  // candidates of each product, 1..20
+  // Over 0: no more of a product's candidates are tried once so many held, or once so many cannot
+  // hold any more.
+  int enough_held = 0;
   std::uint64_t seed = 1;
 };
+
+// For the candidates that the study tries in a setting, which is not `basket`, in their order.
+GraspQuery grasp_query(GraspSetting setting, const Product& product, double friction);
 
 // Sliding friction of rubber (pads, lips) on the product's material: data/friction.json.
 double rubber_friction(const std::vector<FrictionRow>& frictions, const Product& product);

@@ -183,6 +183,7 @@ class Search {
       return refuse(slides > turns ? GraspRefusal::not_opposed : GraspRefusal::turns,
                     need / tool_.force_n);
     GraspCandidate made{.tool = tool_.kind, .strategy = seed.strategy, .width_m = width};
+    made.swing_n = swing_need_n(middle, c, left, right);
     made.grasp.product_from_tool.rotation = rotation_with_axes(c, a);
     made.grasp.product_from_tool.position =
         middle - rotate(made.grasp.product_from_tool.rotation, tool_.pad_center);
@@ -258,6 +259,18 @@ class Search {
     const double swinging =
         carry_acceleration_m_s2 * length(across) / std::min(half_width(left), half_width(right));
     return turn_safety * product_.mass_kg * std::max(turning, swinging) / 2;
+  }
+
+  // The same about the closing direction alone, for the lever at its longest.
+  double swing_need_n(Vec3 middle,
+                      Vec3 closing,
+                      const PadContact& left,
+                      const PadContact& right) const {
+    const Vec3 arm = to_double(body_.center_of_mass) - middle;
+    const double lever = length(arm - closing * dot(arm, closing));
+    const double turning = (gravity_m_s2 + carry_acceleration_m_s2) * lever /
+                           (query_.friction * std::max(patch_radius_m, least_spread(left, right)));
+    return turn_safety * product_.mass_kg * turning / 2;
   }
 
   static double least_spread(const PadContact& left, const PadContact& right) {

@@ -45,7 +45,9 @@ struct GraspCandidate {
   double clearance_m = 0;  // of the open tool: least distance to the pack, to what it stands on and
                            // to walls
   double side_room_m = 0;  // free space that each open finger takes up beside the pack
-  double score = 0;        // 0..1, best first
+  double swing_n = 0;  // force at which the pack does not turn between the pads, whichever way up
+                       // it is held; 0 for a cup
+  double score = 0;    // 0..1, best first
 };
 
 // Why there is no candidate: how far the best seed came.

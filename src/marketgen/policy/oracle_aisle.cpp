@@ -13,7 +13,7 @@
 namespace marketgen {
 namespace {
 
-constexpr int most_item_tries = 3;
+constexpr int most_item_tries = 3, most_unreached = 2;
 constexpr std::size_t most_items_looked_at = 4;  // of a SKU at a time
 constexpr double pressed_s = 0.7, opened_s = 0.5, rest_s = 0.3;
 constexpr double back_off_m_s = 0.2;
@@ -146,8 +146,9 @@ class AisleOracle : public Policy {
     return scene;
   }
 
-  CollectOptions collect_options() const {
+  Result<CollectOptions> collect_options(std::uint32_t product) const {
     CollectOptions options;
+    MARKETGEN_TRY(options.grasps, world_.known_grasps(product, tool_));
     options.posture = world_.store().station.posture;
     options.carried = world_.store().basket.walls;
     options.speed = arm_speed;
@@ -167,7 +168,12 @@ class AisleOracle : public Policy {
   bool go_to(std::uint32_t product) {
     const Seed seed = seed_.child("place", static_cast<std::uint64_t>(moves_++));
     scene_ = std::make_unique<Scene>(scene_now());
-    auto plan = plan_collect(*scene_, product, robot_, tool_, seed, collect_options());
+    const auto options = collect_options(product);
+    if (!options.ok()) {
+      note_plan(options.error());
+      return false;
+    }
+    auto plan = plan_collect(*scene_, product, robot_, tool_, seed, *options);
     if (!plan.ok()) {
       note_plan(plan.error());
       return false;
@@ -192,7 +198,6 @@ class AisleOracle : public Policy {
     if (!raised.ok()) return false;
     body_.grip(plan->tool, {plan->grasp.grasp.opening_m});
     body_.wait(opened_s);
-    ++tries_[sku_of(product)];
     plan_ = std::move(*plan);
     phase_ = AislePhase::arrived;
     return true;
@@ -202,15 +207,17 @@ class AisleOracle : public Policy {
 
   // Planned anew from where the base came to stand.
   Result<void> reach() {
-    CollectOptions options = collect_options();
+    MARKETGEN_TRY(CollectOptions options, collect_options(plan_.product));
     options.world_from_base = world_.world_from_base();
     const Seed seed = seed_.child("reach", static_cast<std::uint64_t>(moves_++));
     auto plan = plan_collect(*scene_, plan_.product, robot_, tool_, seed, options);
     if (!plan.ok()) {
       note_plan(plan.error());
+      if (++unreached_[plan_.product] == most_unreached) refused_.insert(plan_.product);
       phase_ = AislePhase::choose;
       return {};
     }
+    ++tries_[sku_of(plan_.product)];
     const int lift = robot_.find_dof("lift");
     MARKETGEN_CHECK(
         body_.move_joint(lift, plan->state[static_cast<std::size_t>(lift)], lift_share));
@@ -416,6 +423,7 @@ class AisleOracle : public Policy {
   std::size_t drop_lift_ = 0;
   mutable std::map<std::string, int> tries_;
   std::set<std::uint32_t> refused_;
+  std::map<std::uint32_t, int> unreached_;  // times that it came and could not reach it
   int moves_ = 0;
   bool done_ = false;
   FailureCode failure_ = FailureCode::none;

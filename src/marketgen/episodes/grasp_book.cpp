@@ -1,0 +1,90 @@
+#include "episodes/grasp_book.h"
+
+#include <algorithm>
+
+#include "episodes/studied_grasps.h"
+
+namespace marketgen {
+namespace {
+
+constexpr int least_held = 2;  // of three tries
+
+bool is_holdable(const GraspRate& rate) {
+  return rate.fits() &&
+         rate.held() >= std::min<int>(least_held, static_cast<int>(rate.tries.size()));
+}
+
+std::string why_not_held(const GraspRate& rate) {
+  if (!rate.fits()) return std::string(name_of(rate.excluded));
+  if (rate.tries.empty()) return "untried";
+  const GraspEnd end = rate.tries.front().end;
+  return end == GraspEnd::held ? "unreliable" : std::string(name_of(end));
+}
+
+// Numbers, among the first `most`, of those that keep the pack from turning between the pads while
+// the arm turns it over.
+std::vector<int> steady_grasps(const std::vector<GraspCandidate>& grasps,
+                               const GraspTool& tool,
+                               int most) {
+  std::vector<int> steady;
+  for (int i = 0; i < std::min(most, static_cast<int>(grasps.size())); ++i)
+    if (grasps[static_cast<std::size_t>(i)].swing_n <= tool.force_n) steady.push_back(i);
+  return steady;
+}
+
+}  // namespace
+
+StudyOptions GraspBook::options() {
+  StudyOptions options;
+  options.settings = {GraspSetting::stocked};
+  options.enough_held = least_held;
+  return options;
+}
+
+GraspBook::GraspBook(GraspTool tool,
+                     std::vector<FrictionRow> frictions,
+                     const std::vector<GraspRate>& known)
+    : tool_(std::move(tool)), frictions_(std::move(frictions)) {
+  for (const GraspRate& rate : known)
+    if (rate.tool == tool_.id && rate.setting == GraspSetting::stocked)
+      rates_.emplace(rate.sku, rate);
+}
+
+Result<GraspRate> GraspBook::rate(const Product& product) {
+  {
+    const std::scoped_lock lock(mutex_);
+    if (const auto known = rates_.find(product.sku); known != rates_.end()) return known->second;
+  }
+  MARKETGEN_TRY(const std::vector<GraspRate> rates,
+                study_grasps({&product}, {tool_}, frictions_, options(), silent_progress()));
+  const std::scoped_lock lock(mutex_);
+  rates_.emplace(product.sku, rates.front());
+  new_.insert(product.sku);
+  return rates.front();
+}
+
+std::vector<GraspRate> GraspBook::studied() const {
+  const std::scoped_lock lock(mutex_);
+  std::vector<GraspRate> rates;
+  for (const std::string& sku : new_)
+    rates.push_back(rates_.at(sku));
+  return rates;
+}
+
+Result<StudiedProduct> GraspBook::study(const Product& product) {
+  const int tries = options().tries;
+  const auto candidates = studied_grasps(product, tool_, frictions_, {});
+  if (candidates.ok() && steady_grasps(*candidates, tool_, tries).empty())
+    return StudiedProduct{{}, "swings"};
+  MARKETGEN_TRY(const GraspRate rate, this->rate(product));
+  if (!is_holdable(rate)) return StudiedProduct{{}, why_not_held(rate)};
+  MARKETGEN_TRY(const std::vector<GraspCandidate>& all, candidates);
+  StudiedProduct studied;
+  const std::vector<int> held = rate.held_tries();
+  for (const int steady : steady_grasps(all, tool_, tries))
+    if (std::ranges::count(held, steady) > 0) studied.grasps.push_back(steady);
+  if (studied.grasps.empty()) studied.why_not = "swings";
+  return studied;
+}
+
+}  // namespace marketgen

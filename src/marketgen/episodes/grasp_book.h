@@ -1,0 +1,51 @@
+// Which products a gripper can take off a stocked shelf, looked up or tried in physics when asked.
+// One book serves the samplers of all stores.
+#pragma once
+#include <map>
+#include <mutex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "grasping/grasp_study.h"
+
+namespace marketgen {
+
+struct StudiedProduct {
+  std::vector<int> grasps;  // numbers of the study's candidates that hold it; none when it is not
+                            // to be fetched
+  std::string why_not;      // then, a word
+};
+
+// Any number of threads may ask at once.
+class GraspBook {
+ public:
+  // The study that it makes: a product's candidates until two held or two cannot hold any more.
+  static StudyOptions options();
+
+  // `known`: rates of earlier studies of the same kind, which are not made again.
+  GraspBook(GraspTool tool,
+            std::vector<FrictionRow> frictions,
+            const std::vector<GraspRate>& known = {});
+
+  // A product is fetched when the study holds it in two of three tries, by those of the grasps that
+  // also keep it from turning between the pads while the arm turns it over. One that no grasp keeps
+  // from turning is not tried. Errors: those of study_grasps().
+  Result<StudiedProduct> study(const Product& product);
+  // Rates that were not known before.
+  std::vector<GraspRate> studied() const;
+
+  const GraspTool& tool() const { return tool_; }
+  const std::vector<FrictionRow>& frictions() const { return frictions_; }
+
+ private:
+  Result<GraspRate> rate(const Product& product);
+
+  GraspTool tool_;
+  std::vector<FrictionRow> frictions_;
+  mutable std::mutex mutex_;
+  std::map<std::string, GraspRate> rates_;  // by SKU
+  std::set<std::string> new_;               // SKUs
+};
+
+}  // namespace marketgen

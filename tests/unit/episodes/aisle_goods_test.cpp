@@ -1,0 +1,111 @@
+// Which items of a store are drawn as goals: those that can be reached and taken, by grasps that
+// the study numbers.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "assets/product_model.h"
+#include "episodes/grasp_book.h"
+#include "episodes/studied_grasps.h"
+#include "support/can_aisle.h"
+#include "support/committed_robot.h"
+
+namespace marketgen {
+namespace {
+
+const Product& can_row() {
+  static const std::shared_ptr<const AisleStore> store = can_aisle();
+  return *std::ranges::find(store->scene.catalog, "can-cola", &Product::sku);
+}
+
+GraspTool aisle_gripper() {
+  return load_grasp_tool(committed_rows, "parallel-gripper").value();
+}
+
+TEST(AisleStore, APackUnderAnotherIsNoFrontItem) {
+  const std::shared_ptr<const AisleStore> flat = can_aisle();
+  ASSERT_EQ(flat->front_items("can-cola").size(), 4U);
+  AisleStore stacked = *flat;
+  Scene& scene = stacked.scene;
+  Facing& facing = scene.facings[scene.products[1].facing];
+  facing.stack = 2, facing.first_product = 0;
+  facing.product_count = static_cast<std::uint32_t>(scene.products.size());
+  for (SceneProduct& product : scene.products)
+    product.facing = scene.products[1].facing;
+  scene.products[2].position_m = scene.products[1].position_m;
+  scene.products[2].position_m[2] += static_cast<float>(can_row().height_m());
+  EXPECT_TRUE(stacked.carries_another(1));
+  EXPECT_FALSE(stacked.carries_another(2));
+  const auto front = stacked.front_items("can-cola");
+  EXPECT_EQ(std::ranges::count(front, 1U), 0);
+  EXPECT_EQ(std::ranges::count(front, 2U), 1);
+}
+
+TEST(StudiedGrasps, NumbersChooseInTheirOrder) {
+  const auto& frictions = committed_catalog().frictions;
+  const auto all = studied_grasps(can_row(), aisle_gripper(), frictions, {});
+  ASSERT_TRUE(all.ok()) << to_string(all.error());
+  ASSERT_GE(all->size(), 2U);
+  const auto two = studied_grasps(can_row(), aisle_gripper(), frictions, {1, 0});
+  ASSERT_EQ(two->size(), 2U);
+  EXPECT_EQ((*two)[0].grasp.product_from_tool.position.z,
+            (*all)[1].grasp.product_from_tool.position.z);
+  const auto none = studied_grasps(can_row(), aisle_gripper(), frictions, {99});
+  EXPECT_EQ(none.error().code, "motion.no_grasp");
+}
+
+GraspRate rate_of_can(std::vector<GraspEnd> ends) {
+  GraspRate rate;
+  rate.sku = can_row().sku, rate.tool = "parallel-gripper";
+  rate.setting = GraspSetting::stocked;
+  for (const GraspEnd end : ends)
+    rate.tries.emplace_back().end = end;
+  return rate;
+}
+
+StudiedProduct studied_can(const GraspRate& known) {
+  GraspBook book(aisle_gripper(), committed_catalog().frictions, {known});
+  const auto studied = book.study(can_row());
+  EXPECT_TRUE(book.studied().empty()) << "what is known is not tried again";
+  return studied.value();
+}
+
+TEST(GraspBook, TwoOfThreeTriesHold) {
+  using enum GraspEnd;
+  EXPECT_EQ(studied_can(rate_of_can({held, missed, held})).grasps, (std::vector<int>{0, 2}));
+  EXPECT_EQ(studied_can(rate_of_can({held, missed, missed})).why_not, "unreliable");
+  EXPECT_EQ(studied_can(rate_of_can({toppled, missed})).why_not, "toppled");
+  GraspRate wide = rate_of_can({});
+  wide.excluded = GraspExclusion::too_wide;
+  EXPECT_EQ(studied_can(wide).why_not, "too_wide");
+}
+
+// A full bottle hangs from its neck and turns between the pads when the hand looks down.
+TEST(GraspBook, WhatSwingsIsNotTried) {
+  const Product* syrup = committed_catalog().product("beverages-fruit-syrup-lime-0-7l");
+  ASSERT_NE(syrup, nullptr);
+  GraspBook book(aisle_gripper(), committed_catalog().frictions);
+  const auto studied = book.study(*syrup);
+  ASSERT_TRUE(studied.ok()) << to_string(studied.error());
+  EXPECT_TRUE(studied->grasps.empty());
+  EXPECT_EQ(studied->why_not, "swings");
+  EXPECT_TRUE(book.studied().empty());
+  const auto grasps = studied_grasps(*syrup, aisle_gripper(), committed_catalog().frictions, {});
+  Product light = *syrup;
+  light.mass_kg /= 10;
+  const auto lighter = studied_grasps(light, aisle_gripper(), committed_catalog().frictions, {});
+  EXPECT_NEAR(grasps->front().swing_n, 10 * lighter->front().swing_n, 1);
+}
+
+TEST(GraspBook, ANewStudyStopsWhenItIsDecided) {
+  GraspBook book(aisle_gripper(), committed_catalog().frictions);
+  const auto studied = book.study(can_row());
+  ASSERT_TRUE(studied.ok()) << to_string(studied.error());
+  ASSERT_EQ(book.studied().size(), 1U);
+  const GraspRate rate = book.studied().front();
+  const int held = rate.held(), lost = static_cast<int>(rate.tries.size()) - held;
+  EXPECT_NE(held == 2, lost == 2) << held << " held, " << lost << " lost";
+}
+
+}  // namespace
+}  // namespace marketgen
