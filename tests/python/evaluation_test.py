@@ -70,7 +70,8 @@ def test_what_was_finished_is_kept(tasks, tmp_path):
     first = marketgen.evaluate(tasks, policies.still, tmp_path / "a", act_limit_s=0)
     file = tmp_path / "a" / "results.jsonl"
     lines = file.read_text().splitlines()
-    file.write_text(lines[1].replace('"detail":""', '"detail":"kept"') + "\n" + lines[0][:30])
+    marked = {**json.loads(lines[1]), "detail": "kept"}
+    file.write_text(json.dumps(marked) + "\n" + lines[0][:30])
     with pytest.raises(marketgen.Error) as caught:
         marketgen.evaluate(tasks, policies.still, tmp_path / "a", act_limit_s=0)
     assert caught.value.code == "store.exists"
