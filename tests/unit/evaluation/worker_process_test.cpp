@@ -48,7 +48,7 @@ Result<std::vector<EpisodeResult>> evaluated_by(const std::vector<std::string>& 
 
 TEST(WorkerProcess, AnAnswerThatNeverComesEndsTheWorker) {
   const auto worker =
-      WorkerProcess::start(script("echo ready; read n; echo asked; echo $$ >&2; sleep 1000"));
+      WorkerProcess::start(script("echo ready; read n; echo asked; exec sleep 1000"));
   ASSERT_TRUE(worker.ok()) << to_string(worker.error());
   const auto result = (*worker)->run(0, 0.4);
   ASSERT_FALSE(result.ok());
@@ -88,7 +88,7 @@ TEST(WorkerProcess, OneThatCannotBeginIsAnError) {
 
 TEST(Evaluate, AHangIsAFailureAndTheNextEpisodeFollows) {
   const ScratchFolder scratch;
-  const auto results = evaluated_by(all_but(1, "sleep 1000"), scratch.path());
+  const auto results = evaluated_by(all_but(1, "exec sleep 1000"), scratch.path());
   ASSERT_TRUE(results.ok()) << to_string(results.error());
   EXPECT_EQ((*results)[0].episode, "e");
   const EpisodeResult& hung = (*results)[1];
