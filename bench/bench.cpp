@@ -32,6 +32,13 @@ std::string machine_name() {
   return fmt::format("{}, {} cores", model, std::thread::hardware_concurrency());
 }
 
+double resident_mb() {
+  std::ifstream file("/proc/self/statm");
+  double total = 0, resident = 0;
+  file >> total >> resident;
+  return resident * 4096 / 1e6;
+}
+
 double median(std::vector<double> values) {
   std::ranges::sort(values);
   return values[values.size() / 2];

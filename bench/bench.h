@@ -42,6 +42,7 @@ struct Benchmark {
 const std::vector<Benchmark>& benchmarks();  // benchmarks.inc
 
 std::string machine_name();
+double resident_mb();  // memory of this process that is in use now
 // Median seconds of `runs` calls after one that is not counted.
 double median_seconds(int runs, const std::function<void()>& work);
 

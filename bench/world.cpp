@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
 #include <numeric>
 #include <optional>
 
@@ -113,13 +112,6 @@ Result<double> round_seconds(World& world, const std::vector<std::uint32_t>& pro
     MARKETGEN_CHECK(world.step(keep_awake_steps));
   }
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / steps;
-}
-
-double resident_mb() {
-  std::ifstream file("/proc/self/statm");
-  double total = 0, resident = 0;
-  file >> total >> resident;
-  return resident * 4096 / 1e6;
 }
 
 struct StepTimes {

@@ -1,10 +1,12 @@
 // marketgen eval: runs episodes with a policy and reports what it reached.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "base/parallel.h"
 #include "command.h"
+#include "evaluation/episode_worker.h"
 #include "evaluation/evaluate.h"
 #include "evaluation/measure_perception.h"
 #include "io/file.h"
@@ -17,7 +19,8 @@ struct EvalFlags {
   CommonFlags common;
   std::string episodes, policy = "oracle", output;
   int jobs = 0;
-  bool resume = false, perception = false;
+  double act_limit_s = 120;
+  bool resume = false, perception = false, worker = false;
 };
 
 void print_share(const char* name, const Share& share) {
@@ -72,18 +75,40 @@ Result<void> eval_perception(const EvalFlags& flags) {
   return {};
 }
 
+// This program once more, as a worker of ours with its share of the threads.
+std::vector<std::string> worker_command(const EvalFlags& flags, int jobs) {
+  std::error_code failed;
+  return {std::filesystem::read_symlink("/proc/self/exe", failed).string(),
+          "eval",
+          "--worker",
+          "--episodes",
+          flags.episodes,
+          "--policy",
+          flags.policy,
+          "--threads",
+          std::to_string(std::max(1, thread_count() / jobs))};
+}
+
+EvaluationOptions options_of(const EvalFlags& flags) {
+  EvaluationOptions options{flags.policy, flags.output, flags.resume};
+  options.jobs = flags.jobs > 0 ? flags.jobs : thread_count();
+  options.act_limit_s = flags.act_limit_s;
+  if (flags.act_limit_s > 0) options.worker = worker_command(flags, options.jobs);
+  return options;
+}
+
 Result<void> eval(const EvalFlags& flags) {
   if (flags.perception) return eval_perception(flags);
-  const ThreadLimit limit(flags.jobs > 0 ? flags.jobs : flags.common.threads);
+  const ThreadLimit limit(flags.common.threads);
   MARKETGEN_TRY(const EpisodeFile file, read_episode_file(flags.episodes));
   MARKETGEN_TRY(const std::filesystem::path data, data_folder());
   MARKETGEN_TRY(const Catalog catalog, load_rows());
-  MARKETGEN_TRY(const std::vector<EpisodeResult> results,
-                marketgen::evaluate(data,
-                                    file,
-                                    catalog,
-                                    {flags.policy, flags.output, flags.resume},
-                                    progress_for(flags.common)));
+  if (flags.worker) return serve_episodes(data, file, catalog, flags.policy);
+  if (flags.output.empty())
+    return Error{"usage.bad_flag", "--output", "name a folder for the results"};
+  MARKETGEN_TRY(
+      const std::vector<EpisodeResult> results,
+      marketgen::evaluate(data, file, catalog, options_of(flags), progress_for(flags.common)));
   const EvaluationSummary summary = summarize(results);
   if (flags.common.json)
     fmt::print("{}", write_json(summary));
@@ -105,7 +130,15 @@ Run add_eval(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--jobs", flags->jobs, "episodes at a time; 0 = as --threads")
       ->check(CLI::Range(0, 1024));
-  command->add_option("-o,--output", flags->output, "folder for the results")->required();
+  command->add_option("-o,--output", flags->output, "folder for the results");
+  command
+      ->add_option("--act-limit-s",
+                   flags->act_limit_s,
+                   "wall time for one answer of the policy, which acts in a process of its own; "
+                   "0 = none, and all in one process")
+      ->check(CLI::Range(0.0, 86400.0))
+      ->capture_default_str();
+  command->add_flag("--worker", flags->worker, "run what standard input says")->group("");
   command->add_flag("--perception",
                     flags->perception,
                     "measure masks, recognition and poses of `classical` alone, on the baskets");

@@ -19,7 +19,8 @@ void add_errors(nb::module_& module);
 void add_cameras(nb::module_& module);
 void add_stores(nb::module_& module);
 void add_renderers(nb::module_& module);
-void add_checkout(nb::module_& module);
+void add_environments(nb::module_& module);
+void add_evaluations(nb::module_& module);
 
 template <class T>
 T value_or_raise(Result<T> result) {

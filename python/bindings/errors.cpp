@@ -11,7 +11,7 @@ PyObject* error_type = nullptr;  // marketgen.Error, which lives as long as the 
 
 void raise(const Error& error) {
   if (error.code == "internal.interrupted") {
-    PyErr_SetNone(PyExc_KeyboardInterrupt);
+    if (PyErr_CheckSignals() == 0) PyErr_SetNone(PyExc_KeyboardInterrupt);
     throw nb::python_error();
   }
   const nb::object made = nb::borrow(error_type)(error.code, error.where, error.message);

@@ -10,5 +10,6 @@ NB_MODULE(_core, module) {
   add_cameras(module);
   add_stores(module);
   add_renderers(module);
-  add_checkout(module);
+  add_environments(module);
+  add_evaluations(module);
 }

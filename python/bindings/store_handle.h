@@ -1,15 +1,16 @@
 // A store that Python holds: shared, because renderers of it outlive the name that made them.
 #pragma once
 #include <memory>
-#include <vector>
 
+#include "environments/episode_ground.h"
 #include "store/store.h"
 
 namespace marketgen::python {
 
 struct StoreHandle {
   std::shared_ptr<const Store> store;
-  std::vector<FrictionRow> frictions;  // of the rows it was opened with
+  std::shared_ptr<const Catalog> catalog;      // the rows that it was opened with
+  std::shared_ptr<EpisodeGround> ground = {};  // of its environments, once there was one
 };
 
 }  // namespace marketgen::python

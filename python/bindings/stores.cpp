@@ -17,9 +17,10 @@
 namespace marketgen::python {
 namespace {
 
-StoreHandle opened(const std::string& folder, const Catalog& catalog) {
+StoreHandle opened(const std::string& folder, Catalog catalog) {
   Store store = value_or_raise(without_interpreter([&] { return open_store(folder, catalog); }));
-  return {std::make_shared<const Store>(std::move(store)), catalog.frictions};
+  return {std::make_shared<const Store>(std::move(store)),
+          std::make_shared<const Catalog>(std::move(catalog))};
 }
 
 StoreHandle open(const std::string& folder, const std::vector<std::string>& catalogs) {
@@ -48,9 +49,9 @@ StoreHandle generate(const std::string& prompt,
   options.brief.style = style;
   if (plan) options.plan_file = *plan;
   if (!size.empty()) options.brief.size_mm = value_or_raise(parse_size(size, "size"));
-  const Catalog catalog = value_or_raise(usable_catalog({catalogs.begin(), catalogs.end()}));
+  Catalog catalog = value_or_raise(usable_catalog({catalogs.begin(), catalogs.end()}));
   value_or_raise(without_interpreter([&] { return create_store(options, catalog); }));
-  return opened(folder, catalog);
+  return opened(folder, std::move(catalog));
 }
 
 std::vector<std::string> camera_names(const StoreHandle& handle) {

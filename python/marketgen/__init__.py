@@ -22,6 +22,7 @@ if _rows.is_dir():
 
 from ._core import __version__  # noqa: E402
 from .errors import Error  # noqa: E402
+from .evaluation import Evaluation, Policy, evaluate  # noqa: E402
 from .pictures import Camera, Frame, Renderer, camera_from_dict, camera_to_dict, render_batch  # noqa: E402
 from .store import Store, generate, open_store  # noqa: E402
 
@@ -31,12 +32,15 @@ if importlib.util.find_spec("gymnasium"):
 __all__ = [
     "Camera",
     "Error",
+    "Evaluation",
     "Frame",
+    "Policy",
     "Renderer",
     "Store",
     "__version__",
     "camera_from_dict",
     "camera_to_dict",
+    "evaluate",
     "generate",
     "open_store",
     "render_batch",

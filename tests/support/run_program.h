@@ -66,6 +66,7 @@ class Started {
   }
 
   void interrupt() const { kill(pid_, SIGINT); }
+  void end_at_once() const { kill(pid_, SIGKILL); }  // kill -9
   std::string errors_so_far() const { return contents_of(logs_.path() / "err"); }
 
   Ran wait() {

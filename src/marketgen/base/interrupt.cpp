@@ -1,11 +1,16 @@
 #include "base/interrupt.h"
 
 #include <csignal>
+#include <mutex>
 
 namespace marketgen {
 namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
+
+std::mutex watching;  // of what follows
+int watches = 0;
+void (*before_watch)(int) = SIG_DFL;
 
 void on_signal(int number) {
   interrupted = 1;
@@ -19,11 +24,18 @@ void watch_for_interrupts() {
   std::signal(SIGTERM, on_signal);
 }
 
-InterruptWatch::InterruptWatch() : before_(std::signal(SIGINT, on_signal)) {}
+InterruptWatch::InterruptWatch() {
+  const std::scoped_lock lock(watching);
+  if (watches++ == 0) before_watch = std::signal(SIGINT, on_signal);
+}
 
 InterruptWatch::~InterruptWatch() {
-  std::signal(SIGINT, before_ == SIG_ERR ? SIG_DFL : before_);
+  const std::scoped_lock lock(watching);
+  if (--watches > 0) return;
+  std::signal(SIGINT, before_watch == SIG_ERR ? SIG_DFL : before_watch);
+  if (interrupted == 0) return;
   interrupted = 0;
+  std::raise(SIGINT);
 }
 
 Result<void> check_interrupt() {

@@ -6,6 +6,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 namespace marketgen {
 namespace {
@@ -31,10 +32,14 @@ void parallel_for(std::size_t count,
                   const std::function<void(std::size_t)>& body,
                   std::size_t grain) {
   const tbb::blocked_range<std::size_t> all(0, count, grain == 0 ? 1 : grain);
-  tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& piece) {
-    const FlushDenormals flush;
-    for (std::size_t i = piece.begin(); i != piece.end(); ++i)
-      body(i);
+  // Isolated: a thread that waits for a loop inside another takes no more of the outer one's work,
+  // which might want a lock that this very thread holds.
+  tbb::this_task_arena::isolate([&] {
+    tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& piece) {
+      const FlushDenormals flush;
+      for (std::size_t i = piece.begin(); i != piece.end(); ++i)
+        body(i);
+    });
   });
 }
 

@@ -39,7 +39,7 @@ class AisleWorld : public TrackWorld {
   const AisleStore& store() const { return *store_; }
   const World& world() const { return *world_; }
   const AisleWatch& watch() const { return watch_; }
-  std::vector<double> robot_state() const;
+  std::vector<double> robot_state() const override;
   Pose world_from_base() const;
   Pose world_from_basket() const;  // middle of its inner floor
   std::vector<std::uint32_t> in_basket() const;

@@ -53,8 +53,10 @@ class CheckoutWorld : public TrackWorld {
   Pose item_pose(std::size_t item) const;  // station_from_product
   Pose basket_pose() const;                // station_from_container
   const CheckoutWatch& watch() const { return watch_; }
-  std::vector<double> robot_state() const;
+  std::vector<double> robot_state() const override;
   double deepest_overlap_m() const;  // between any two things but the arm's own
+  const mjModel_& model() const { return *model_.model; }
+  const mjData_& data() const { return *data_; }
 
  private:
   explicit CheckoutWorld(std::vector<FrictionRow> frictions) : frictions_(std::move(frictions)) {}

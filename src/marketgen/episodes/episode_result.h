@@ -22,9 +22,10 @@ enum class FailureCode {
   slipped,
   dropped,
   collision,
-  timeout
+  timeout,
+  policy_error  // it threw, hung, or told what is no action
 };
-constexpr std::array<std::string_view, 11> names_of(FailureCode) {
+constexpr std::array<std::string_view, 12> names_of(FailureCode) {
   return {"None",
           "NotFound",
           "NoGrasp",
@@ -35,7 +36,8 @@ constexpr std::array<std::string_view, 11> names_of(FailureCode) {
           "Slipped",
           "Dropped",
           "Collision",
-          "Timeout"};
+          "Timeout",
+          "PolicyError"};
 }
 
 // The side-effect ledger. Contacts are those of the arm, and of what it holds, with anything else;

@@ -25,6 +25,7 @@ class TrackWorld {
   virtual bool done() const = 0;  // the agent stopped, or the time is over
   virtual double time_s() const = 0;
   virtual int steps() const = 0;
+  virtual std::vector<double> robot_state() const = 0;  // of all degrees of freedom
   // Waits for the judgement, and judges. Names, times and failure code are the caller's to add.
   virtual Result<EpisodeResult> finish() = 0;
   virtual std::string state_hash() const = 0;  // 32 hex digits over the physics

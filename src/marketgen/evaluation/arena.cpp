@@ -13,7 +13,6 @@
 #include "policy/oracle_aisle.h"
 #include "policy/oracle_checkout.h"
 #include "policy/random_policy.h"
-#include "store/store.h"
 
 namespace marketgen {
 namespace {
@@ -56,9 +55,14 @@ class SensingPolicy : public Policy {
 
 }  // namespace
 
-Result<std::shared_ptr<const AisleStore>> Arena::aisle_store(const std::string& scene_hash) {
+void Arena::offer(std::shared_ptr<const Store> store) {
   const std::scoped_lock lock(mutex_);
-  if (const auto open = stores_.find(scene_hash); open != stores_.end()) return open->second;
+  offered_[store->manifest.scene_hash] = std::move(store);
+}
+
+Result<Scene> Arena::scene_of(const std::string& scene_hash) const {
+  if (const auto offered = offered_.find(scene_hash); offered != offered_.end())
+    return offered->second->scene;
   const auto row = std::ranges::find(header_.stores, scene_hash, &EpisodeStore::scene_hash);
   if (row == header_.stores.end())
     return Error{"episode.other_store", scene_hash, "the header has no store of this scene"};
@@ -71,6 +75,13 @@ Result<std::shared_ptr<const AisleStore>> Arena::aisle_store(const std::string& 
                     "version of marketgen drew them; draw them again",
                     made,
                     scene_hash)};
+  return scene;
+}
+
+Result<std::shared_ptr<const AisleStore>> Arena::aisle_store(const std::string& scene_hash) {
+  const std::scoped_lock lock(mutex_);
+  if (const auto open = stores_.find(scene_hash); open != stores_.end()) return open->second;
+  MARKETGEN_TRY(Scene scene, scene_of(scene_hash));
   MARKETGEN_TRY(auto store, open_aisle_store(data_, std::move(scene)));
   stores_.emplace(scene_hash, store);
   return store;

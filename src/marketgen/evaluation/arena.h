@@ -16,6 +16,7 @@
 #include "episodes/episode_spec.h"
 #include "episodes/track_world.h"
 #include "evaluation/product_pictures.h"
+#include "store/store.h"
 
 namespace marketgen {
 
@@ -32,14 +33,20 @@ class Arena {
   // `world` must outlive it. Error usage.bad_flag: there is no such policy for the episode's track.
   Result<std::unique_ptr<Policy>> policy(const std::string& name, const TrackWorld& world);
 
+  // From now on this store is taken as it is, and not made again from its plan.
+  void offer(std::shared_ptr<const Store> store);
+
   // The store of in-aisle episodes. Errors: as open().
   Result<std::shared_ptr<const AisleStore>> aisle_store(const std::string& scene_hash);
 
  private:
+  Result<Scene> scene_of(const std::string& scene_hash) const;
+
   std::filesystem::path data_;
   const EpisodeHeader& header_;
   const Catalog& catalog_;
   std::mutex mutex_;
+  std::map<std::string, std::shared_ptr<const Store>> offered_;      // by scene hash
   std::map<std::string, std::shared_ptr<const AisleStore>> stores_;  // by scene hash
   PictureLibrary pictures_;
 };

@@ -12,32 +12,70 @@
 namespace marketgen {
 namespace {
 
-// A policy of somebody else's may throw.
-Result<Action> asked(Policy& policy, const Observation& now) {
-  try {
-    return policy.act(now);
-  } catch (const std::exception& thrown) {
-    return Error{"episode.policy_failed", "policy", thrown.what()};
-  }
+// A policy of somebody else's may throw anything.
+template <class Answer>
+auto asked(EpisodeWatcher* watcher, const Answer& answer) -> decltype(answer()) {
+  const auto failed = [](std::string why) {
+    return Error{"episode.policy_failed", "policy", std::move(why)};
+  };
+  if (watcher != nullptr) watcher->asks();
+  auto given = [&]() -> decltype(answer()) {
+    try {
+      return answer();
+    } catch (const std::exception& thrown) {
+      return failed(thrown.what());
+    } catch (...) {
+      return failed("it threw something that is no std::exception");
+    }
+  }();
+  if (watcher != nullptr) watcher->answered();
+  return given;
 }
+
+Task task_of(const EpisodeSpec& spec) {
+  Task task{spec.instruction, spec.limit_s};
+  for (const EpisodeGoal& goal : spec.goals)
+    task.goals.push_back({goal.sku, goal.count});
+  return task;
+}
+
+// What ended an episode before its time.
+struct Break {
+  Error error;
+  bool by_policy = false;
+};
 
 // Until the policy stops or the time is over.
-Result<void> act_out(TrackWorld& world, Policy& policy, EpisodeWatcher* watcher) {
+std::optional<Break> act_out(TrackWorld& world, Policy& policy, EpisodeWatcher* watcher) {
   Observation now = world.observe();
-  Task task{world.spec().instruction, world.spec().limit_s};
-  for (const EpisodeGoal& goal : world.spec().goals)
-    task.goals.push_back({goal.sku, goal.count});
-  MARKETGEN_CHECK(policy.begin(task, now));
+  const Task task = task_of(world.spec());
+  const auto begun = asked(watcher, [&] { return policy.begin(task, now); });
+  if (!begun.ok()) return Break{begun.error(), true};
   while (!world.done()) {
-    MARKETGEN_CHECK(check_interrupt());
-    MARKETGEN_TRY(const Action action, asked(policy, now));
-    MARKETGEN_TRY(now, world.step(action));
-    if (watcher != nullptr) MARKETGEN_CHECK(watcher->step());
+    if (const auto go_on = check_interrupt(); !go_on.ok()) return Break{go_on.error()};
+    const auto action = asked(watcher, [&] { return policy.act(now); });
+    if (!action.ok()) return Break{action.error(), true};
+    auto stepped = world.step(*action);
+    if (!stepped.ok()) return Break{stepped.error(), stepped.error().code == "episode.bad_action"};
+    now = std::move(stepped).value();
+    if (watcher == nullptr) continue;
+    if (const auto seen = watcher->step(); !seen.ok()) return Break{seen.error()};
   }
-  return {};
+  return std::nullopt;
 }
 
-// Of an episode whose physics broke down: nothing is in place.
+FailureCode failure_of(const EpisodeResult& result, const EpisodeEnd& end) {
+  if (result.success_strict) return FailureCode::none;
+  if (!end.in_time) return FailureCode::timeout;
+  if (result.is_void) return FailureCode::collision;
+  if (result.side_effects.wrong_items > 0) return FailureCode::wrong_item;
+  const auto told = value_named<FailureCode>(end.told);
+  if (told && *told != FailureCode::none) return *told;
+  return end.broken && end.by_policy ? FailureCode::policy_error : FailureCode::dropped;
+}
+
+}  // namespace
+
 EpisodeResult unjudged(const EpisodeSpec& spec) {
   EpisodeResult result;
   result.episode = spec.id;
@@ -47,15 +85,13 @@ EpisodeResult unjudged(const EpisodeSpec& spec) {
   return result;
 }
 
-FailureCode failure_of(const EpisodeResult& result, const Policy& policy) {
-  if (result.success_strict) return FailureCode::none;
-  if (result.is_void) return FailureCode::collision;
-  if (result.side_effects.wrong_items > 0) return FailureCode::wrong_item;
-  const auto told = value_named<FailureCode>(policy.failure());
-  return told && *told != FailureCode::none ? *told : FailureCode::dropped;
+EpisodeResult with_end(EpisodeResult judged, const EpisodeEnd& end) {
+  judged.policy = end.policy;
+  judged.failure = failure_of(judged, end);
+  if (end.broken) judged.detail = to_string(*end.broken);
+  judged.wall_s = end.wall_s;
+  return judged;
 }
-
-}  // namespace
 
 Result<EpisodeResult> run_episode(Arena& arena,
                                   const EpisodeSpec& spec,
@@ -65,19 +101,19 @@ Result<EpisodeResult> run_episode(Arena& arena,
   MARKETGEN_TRY(const std::unique_ptr<TrackWorld> world, arena.open(spec));
   MARKETGEN_TRY(const std::unique_ptr<Policy> policy, arena.policy(policy_name, *world));
   if (watcher != nullptr) MARKETGEN_CHECK(watcher->begin(*world));
-  const auto acted = act_out(*world, *policy, watcher);
+  const auto broken = act_out(*world, *policy, watcher);
   MARKETGEN_CHECK(check_interrupt());  // an episode that was broken off has no result
-  const bool in_time = world->time_s() < spec.limit_s - control_step_s / 2;
+  EpisodeEnd end{policy_name, policy->failure()};
+  end.in_time = world->time_s() < spec.limit_s - control_step_s / 2;
   auto judged = world->finish();
-  EpisodeResult result = judged.ok() ? std::move(judged).value() : unjudged(spec);
-  result.policy = policy_name;
-  result.failure = failure_of(result, *policy);
-  if (!in_time && !result.success_strict) result.failure = FailureCode::timeout;
-  if (!judged.ok()) result.detail = to_string(judged.error());
-  if (!acted.ok()) result.detail = to_string(acted.error());
+  if (!judged.ok()) end.broken = judged.error();
+  if (broken) {
+    end.broken = broken->error;
+    end.by_policy = broken->by_policy;
+  }
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
-  result.wall_s = took.count();
-  return result;
+  end.wall_s = took.count();
+  return with_end(judged.ok() ? std::move(judged).value() : unjudged(spec), end);
 }
 
 EvaluationSummary summarize(const std::vector<EpisodeResult>& results) {

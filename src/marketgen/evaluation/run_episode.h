@@ -1,5 +1,6 @@
 // Runs episodes with a policy and sums up what became of them.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,14 +18,30 @@ class EpisodeWatcher {
   virtual ~EpisodeWatcher() = default;
   virtual Result<void> begin(const TrackWorld& world) = 0;  // which outlives the run's steps
   virtual Result<void> step() = 0;                          // after every control step
+  virtual void asks() {}                                    // before the policy is asked
+  virtual void answered() {}                                // it has answered, or failed
 };
 
-// A policy's error ends its episode and stands in the result. Errors: those of Arena and of the
-// watcher.
+// A policy's error, what it throws and an action that is none end its episode and stand in the
+// result. Errors: those of Arena.
 Result<EpisodeResult> run_episode(Arena& arena,
                                   const EpisodeSpec& spec,
                                   const std::string& policy,
                                   EpisodeWatcher* watcher = nullptr);
+
+// How an episode ended, as far as its world does not know.
+struct EpisodeEnd {
+  std::string policy = {};           // its name
+  std::string told = "None";         // what it says kept it from its goals
+  std::optional<Error> broken = {};  // the error that ended it before its time
+  bool by_policy = false;            // that error is the policy's
+  bool in_time = true;
+  double wall_s = 0;
+};
+// Adds to a judged result whose it is, why it failed, and the error.
+EpisodeResult with_end(EpisodeResult judged, const EpisodeEnd& end);
+// Of an episode that nobody could judge: nothing is in place.
+EpisodeResult unjudged(const EpisodeSpec& spec);
 
 struct FailureCount {
   FailureCode failure = FailureCode::none;

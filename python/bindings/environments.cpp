@@ -1,0 +1,240 @@
+// Environments of both tracks for marketgen/environments/: one by one, and many in one call.
+#include <nanobind/ndarray.h>
+#include <nanobind/stl/shared_ptr.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
+
+#include "base/parallel.h"
+#include "binding.h"
+#include "environments/environment_batch.h"
+#include "frame_handle.h"
+#include "io/json.h"
+#include "store_handle.h"
+
+namespace marketgen::python {
+namespace {
+
+// A caller's memory: a row an environment, or one number.
+template <class T>
+using Table = nb::ndarray<T, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
+template <class T>
+using Column = nb::ndarray<T, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
+
+struct EnvironmentHandle {
+  std::unique_ptr<Environment> environment;
+};
+using Handles = std::vector<EnvironmentHandle*>;
+
+std::shared_ptr<EpisodeGround> ground_of(StoreHandle& handle) {
+  if (!handle.ground)
+    handle.ground = value_or_raise(EpisodeGround::of_store(handle.store, handle.catalog));
+  return handle.ground;
+}
+
+std::shared_ptr<EpisodeGround> ground_of_file(const std::string& file) {
+  return value_or_raise(without_interpreter([&] { return EpisodeGround::of_file(file); }));
+}
+
+EnvironmentHandle create_environment(std::shared_ptr<EpisodeGround> ground,
+                                     const std::string& track,
+                                     const std::string& control_mode,
+                                     const std::string& reward_mode) {
+  const EnvironmentOptions options{named<ControlMode>(control_mode, "control_mode"),
+                                   named<RewardMode>(reward_mode, "reward_mode")};
+  const Track of = value_or_raise(track_named(track));
+  return {value_or_raise(Environment::create(std::move(ground), of, options))};
+}
+
+// name, low, high of each number.
+std::vector<std::tuple<std::string, double, double>> action_numbers(const EnvironmentHandle& h) {
+  std::vector<std::tuple<std::string, double, double>> rows;
+  for (const ActionNumber& number : h.environment->action_numbers())
+    rows.emplace_back(number.name, number.low, number.high);
+  return rows;
+}
+
+// group, name, shape.
+std::vector<std::tuple<std::string, std::string, std::vector<int>>> parts(
+    const EnvironmentHandle& h) {
+  std::vector<std::tuple<std::string, std::string, std::vector<int>>> rows;
+  for (const ObservationPart& part : h.environment->observation_parts())
+    rows.emplace_back(part.group, part.name, part.shape);
+  return rows;
+}
+
+const TrackWorld& world_of(const EnvironmentHandle& handle) {
+  if (!handle.environment->running() && !handle.environment->result())
+    raise({"episode.bad_action", "environment", "no episode has begun: reset it first"});
+  return handle.environment->world();
+}
+
+std::vector<Environment*> inner(const Handles& handles) {
+  std::vector<Environment*> environments;
+  for (const EnvironmentHandle* handle : handles)
+    environments.push_back(handle->environment.get());
+  return environments;
+}
+
+template <class Array>
+void check_rows(const Array& array, std::size_t rows, const char* name) {
+  if (array.shape(0) != rows)
+    raise({"episode.bad_action",
+           name,
+           std::to_string(array.shape(0)) + " rows for " + std::to_string(rows) + " environments"});
+}
+
+template <class T>
+std::span<T> span_of(const Table<T>& rows, const Environment& first) {
+  if (rows.shape(1) != first.observation_size())
+    raise({"episode.bad_action",
+           "observations",
+           std::to_string(rows.shape(1)) + " numbers a row; expected " +
+               std::to_string(first.observation_size())});
+  return {rows.data(), rows.size()};
+}
+
+void step_environments(const Handles& handles,
+                       const Table<const double>& actions,
+                       const Table<float>& observations,
+                       const Column<double>& rewards,
+                       const Column<bool>& terminated,
+                       const Column<bool>& truncated) {
+  const std::vector<Environment*> environments = inner(handles);
+  const std::size_t count = environments.size();
+  if (count == 0) return;
+  check_rows(actions, count, "actions");
+  check_rows(observations, count, "observations");
+  check_rows(rewards, count, "rewards");
+  check_rows(terminated, count, "terminated");
+  check_rows(truncated, count, "truncated");
+  const BatchBuffers into{span_of(observations, *environments[0]),
+                          {rewards.data(), count},
+                          {terminated.data(), count},
+                          {truncated.data(), count}};
+  const std::span<const double> all{actions.data(), actions.size()};
+  check_or_raise(without_interpreter([&] { return step_all(environments, all, into); }));
+}
+
+void reset_environments(const Handles& handles,
+                        const std::vector<std::string>& episodes,
+                        const Table<float>& observations) {
+  const std::vector<Environment*> environments = inner(handles);
+  if (environments.empty()) return;
+  check_rows(observations, environments.size(), "observations");
+  if (episodes.size() != environments.size())
+    raise({"episode.bad_action", "reset", "there must be one episode an environment"});
+  std::vector<EpisodeSpec> specs;
+  for (const std::string& episode : episodes)
+    specs.push_back(value_or_raise(read_json<EpisodeSpec>(episode, "episode")));
+  const std::span<float> into = span_of(observations, *environments[0]);
+  check_or_raise(without_interpreter([&] { return reset_all(environments, specs, into); }));
+}
+
+// The episodes of seeds as market-episode/1.
+std::vector<std::string> draw(EpisodeGround& ground,
+                              const std::string& track,
+                              const std::vector<std::uint64_t>& seeds) {
+  const Track of = value_or_raise(track_named(track));
+  const auto specs =
+      value_or_raise(without_interpreter([&] { return draw_all(ground, of, seeds); }));
+  std::vector<std::string> texts;
+  for (const EpisodeSpec& spec : specs)
+    texts.push_back(write_json(spec));
+  return texts;
+}
+
+FrameHandle picture_of(EnvironmentHandle& handle,
+                       const std::string& camera,
+                       int width,
+                       int height,
+                       const std::string& quality) {
+  world_of(handle);
+  RenderOptions options;
+  options.quality = named<Quality>(quality, "quality");
+  return {value_or_raise(without_interpreter(
+      [&] { return handle.environment->picture(camera, width, height, options); }))};
+}
+
+Camera camera_of_environment(EnvironmentHandle& handle,
+                             const std::string& name,
+                             int width,
+                             int height) {
+  world_of(handle);
+  return value_or_raise(
+      without_interpreter([&] { return handle.environment->camera(name, width, height); }));
+}
+
+std::string result_of(const EnvironmentHandle& handle) {
+  const auto& ended = handle.environment->result();
+  return ended ? write_json(*ended) : "";
+}
+
+// market-result/1 as evaluate() keeps it. `broken`: code, where and message of the error that ended
+// it, or nothing.
+std::string judged(EnvironmentHandle& handle,
+                   const std::string& policy,
+                   const std::string& told,
+                   const std::vector<std::string>& broken,
+                   bool by_policy,
+                   double wall_s) {
+  world_of(handle);
+  EpisodeEnd end{policy, told};
+  if (broken.size() == 3) {
+    end.broken = Error{broken[0], broken[1], broken[2]};
+    end.by_policy = by_policy;
+  }
+  end.wall_s = wall_s;
+  return write_json(without_interpreter([&] {
+    EpisodeResult result;
+    parallel_for(1, [&](std::size_t) { result = handle.environment->judged(end); });
+    return result;
+  }));
+}
+
+std::vector<std::string> episodes(const EpisodeGround& ground) {
+  std::vector<std::string> texts;
+  for (const EpisodeSpec& spec : ground.episodes())
+    texts.push_back(write_json(spec));
+  return texts;
+}
+
+}  // namespace
+
+void add_environments(nb::module_& module) {
+  nb::class_<EpisodeGround>(module, "EpisodeGround").def("episodes", &episodes).def("draw", &draw);
+  module.def("ground_of_store", &ground_of);
+  module.def("ground_of_file", &ground_of_file);
+  nb::class_<EnvironmentHandle>(module, "Environment")
+      .def("action_numbers", &action_numbers)
+      .def("observation_parts", &parts)
+      .def("cameras", [](const EnvironmentHandle& h) { return h.environment->cameras(); })
+      .def("running", [](const EnvironmentHandle& h) { return h.environment->running(); })
+      .def("time_s", [](const EnvironmentHandle& h) { return world_of(h).time_s(); })
+      .def("state_hash", [](const EnvironmentHandle& h) { return world_of(h).state_hash(); })
+      .def("map",
+           [](const EnvironmentHandle& h) {
+             world_of(h);
+             return h.environment->map();
+           })
+      .def("result", &result_of)
+      .def("judged", &judged)
+      .def("render", &picture_of)
+      .def("camera", &camera_of_environment);
+  module.def("create_environment", &create_environment);
+  module.def("reset_environments",
+             &reset_environments,
+             nb::arg("environments"),
+             nb::arg("episodes"),
+             nb::arg("observations").noconvert());
+  module.def("step_environments",
+             &step_environments,
+             nb::arg("environments"),
+             nb::arg("actions"),
+             nb::arg("observations").noconvert(),
+             nb::arg("rewards").noconvert(),
+             nb::arg("terminated").noconvert(),
+             nb::arg("truncated").noconvert());
+}
+
+}  // namespace marketgen::python

@@ -1,0 +1,120 @@
+// Evaluations for marketgen/evaluation.py: with the policies of the program, and with Python's.
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include "assets/usable_catalog.h"
+#include "base/parallel.h"
+#include "binding.h"
+#include "evaluation/episode_worker.h"
+#include "evaluation/evaluate.h"
+#include "io/file.h"
+#include "io/json.h"
+
+namespace marketgen::python {
+namespace {
+
+EvaluationOptions options_of(const std::string& policy,
+                             const std::string& folder,
+                             bool resume,
+                             int jobs) {
+  EvaluationOptions options{policy, folder, resume};
+  options.jobs = jobs > 0 ? jobs : thread_count();
+  return options;
+}
+
+// `worker`: a command that calls serve_episodes(), or nothing.
+void evaluate(const std::string& episodes,
+              const std::string& policy,
+              const std::string& folder,
+              bool resume,
+              int jobs,
+              const std::vector<std::string>& worker,
+              double act_limit_s) {
+  EvaluationOptions options = options_of(policy, folder, resume, jobs);
+  options.act_limit_s = act_limit_s;
+  options.worker = worker;
+  value_or_raise(without_interpreter([&]() -> Result<std::vector<EpisodeResult>> {
+    MARKETGEN_TRY(const EpisodeFile file, read_episode_file(episodes));
+    MARKETGEN_TRY(const std::filesystem::path data, data_folder());
+    MARKETGEN_TRY(const Catalog catalog, usable_catalog());
+    return marketgen::evaluate(data, file, catalog, options, silent_progress());
+  }));
+}
+
+void serve(const std::string& episodes, const std::string& policy, int threads) {
+  check_or_raise(without_interpreter([&]() -> Result<void> {
+    const ThreadLimit limit(threads);
+    MARKETGEN_TRY(const EpisodeFile file, read_episode_file(episodes));
+    MARKETGEN_TRY(const std::filesystem::path data, data_folder());
+    MARKETGEN_TRY(const Catalog catalog, usable_catalog());
+    return serve_episodes(data, file, catalog, policy);
+  }));
+}
+
+std::string text_of(const nb::handle& object, const char* attribute) {
+  return nb::cast<std::string>(nb::str(object.attr(attribute)));
+}
+
+// What a call into Python raised, as our error.
+Error error_of(nb::python_error& raised) {
+  if (raised.matches(PyExc_KeyboardInterrupt))
+    return {"internal.interrupted", "", "interrupted; nothing was left behind"};
+  const nb::handle value = raised.value();
+  if (nb::hasattr(value, "code") && nb::hasattr(value, "where") && nb::hasattr(value, "message"))
+    return {text_of(value, "code"), text_of(value, "where"), text_of(value, "message")};
+  return {"internal.bug", "evaluate", raised.what()};
+}
+
+// A Python object that C++ threads own: it is let go with the interpreter held.
+std::shared_ptr<nb::object> shared(nb::object object) {
+  return {new nb::object(std::move(object)), [](nb::object* kept) {
+            const nb::gil_scoped_acquire held;
+            delete kept;
+          }};
+}
+
+// `make_runner` is called once in each thread; what it returns takes an episode's text and returns
+// its result's.
+void evaluate_with(const std::string& episodes,
+                   const std::string& policy,
+                   const std::string& folder,
+                   bool resume,
+                   int jobs,
+                   nb::object make_runner) {
+  const EvaluationOptions options = options_of(policy, folder, resume, jobs);
+  const auto make = [&]() -> EpisodeRunner {
+    const nb::gil_scoped_acquire held;
+    std::shared_ptr<nb::object> runner;
+    Error fault;
+    try {
+      runner = shared(make_runner());
+    } catch (nb::python_error& raised) {
+      fault = error_of(raised);
+    }
+    return [runner, fault](std::size_t, const EpisodeSpec& spec) -> Result<EpisodeResult> {
+      if (!runner) return fault;
+      const nb::gil_scoped_acquire taken;
+      try {
+        const std::string result = nb::cast<std::string>((*runner)(write_json(spec)));
+        return read_json<EpisodeResult>(result, "policy");
+      } catch (nb::python_error& raised) {
+        return error_of(raised);
+      }
+    };
+  };
+  value_or_raise(without_interpreter([&]() -> Result<std::vector<EpisodeResult>> {
+    MARKETGEN_TRY(const EpisodeFile file, read_episode_file(episodes));
+    return marketgen::evaluate_with(file, options, make, silent_progress());
+  }));
+}
+
+}  // namespace
+
+void add_evaluations(nb::module_& module) {
+  module.def("evaluate", &evaluate);
+  module.def("evaluate_with", &evaluate_with);
+  module.def("serve_episodes", &serve);
+  module.def("thread_count", &thread_count);
+}
+
+}  // namespace marketgen::python

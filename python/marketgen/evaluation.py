@@ -1,0 +1,187 @@
+"""Scores of policies on episodes: the program's own policies and Python's, behind one interface."""
+
+from __future__ import annotations
+
+import copy
+import dataclasses
+import importlib.util
+import json
+import os
+import pathlib
+import sys
+import time
+from typing import TYPE_CHECKING, Any, Protocol, Unpack
+
+import numpy as np
+
+from . import _core
+from .errors import Error
+from .policy_process import PolicyFailed, PolicyHere, PolicyProcess
+
+if TYPE_CHECKING:
+    from .environments.task_setup import TaskOptions
+
+PathLike = str | os.PathLike[str]
+
+
+class Policy(Protocol):
+    """What evaluate() asks. Observations and actions are those of the environments (docs/python.md)."""
+
+    def begin(self, task: dict[str, Any], observation: dict[str, Any]) -> None:
+        """Once an episode. `task`: track, instruction, limit_s, goals, action_names; in the aisles also map, categories.
+        May be left out."""
+
+    def act(self, observation: dict[str, Any]) -> np.ndarray:
+        """The action until the next control step, 50 ms later."""
+        ...
+
+    def failure(self) -> str:
+        """Once, at the end: what kept it from its goals, a failure code (docs/episodes.md). May be left out."""
+        ...
+
+
+@dataclasses.dataclass(frozen=True)
+class Evaluation:
+    """results: a market-result/1 for each episode, in their order; summary: shares with 95 % intervals.
+
+    The same as results.jsonl and summary.json in `folder`.
+    """
+
+    results: list[dict[str, Any]]
+    summary: dict[str, Any]
+    folder: str
+
+
+def evaluate(
+    episodes: PathLike,
+    policy: str | Policy | type[Policy] | Any = "oracle",
+    folder: PathLike = "results",
+    *,
+    jobs: int = 0,
+    resume: bool = False,
+    act_limit_s: float = 120.0,
+    **options: Unpack[TaskOptions],
+) -> Evaluation:
+    """Runs the episodes of a file with a policy; `marketgen eval` from Python.
+
+    policy       "oracle", "classical", "random"; or an object with act(), a class of such, or a function that acts
+    folder       gets results.jsonl, a line as each episode finishes, and summary.json
+    jobs         episodes at a time; 0: as many as there are cores
+    resume       go on with a run that was broken off
+    act_limit_s  wall time for one answer; one that takes longer ends its episode with PolicyError. The policy then acts in
+                 a process of its own, and one written in Python must be picklable. 0: no limit, all in this process
+    options      of a policy written in Python, as of the environments: obs_mode, control_mode, cameras, width, height, quality
+
+    A policy that raises, hangs, crashes its process or gives what is no action has failed in that episode (PolicyError, with
+    the reason in `detail`), and the next one follows. Raises Error store.exists, episode.*, usage.bad_flag.
+    """
+    path, into = os.path.abspath(os.fspath(episodes)), os.path.abspath(os.fspath(folder))
+    if isinstance(policy, str):
+        if options:
+            raise Error("usage.bad_flag", ", ".join(options), f"the program's own policy {policy!r} takes no such options")
+        worker = _worker_command(path, policy, jobs) if act_limit_s > 0 else []
+        _core.evaluate(path, policy, into, resume, jobs, worker, act_limit_s)
+    else:
+        _evaluate_python(path, policy, into, resume, jobs, act_limit_s, options)
+    lines = (pathlib.Path(into) / "results.jsonl").read_text(encoding="utf-8").splitlines()
+    summary = json.loads((pathlib.Path(into) / "summary.json").read_text(encoding="utf-8"))
+    return Evaluation([json.loads(line) for line in lines], summary, into)
+
+
+def _worker_command(path: str, policy: str, jobs: int) -> list[str]:
+    """This Python once more, with this package."""
+    threads = max(1, _core.thread_count() // (jobs or _core.thread_count()))
+    package = str(pathlib.Path(__file__).parents[1])
+    program = (
+        "import sys; sys.path.insert(0, sys.argv[1]); from marketgen import _core; "
+        "_core.serve_episodes(sys.argv[2], sys.argv[3], int(sys.argv[4]))"
+    )
+    return [sys.executable, "-c", program, package, path, policy, str(threads)]
+
+
+def _evaluate_python(
+    path: str, policy: Any, into: str, resume: bool, jobs: int, act_limit_s: float, options: dict[str, Any]
+) -> None:
+    if not callable(getattr(policy, "act", None)) and not callable(policy):
+        raise Error("usage.bad_flag", "policy", f"{policy!r} is no name, has no act() and cannot be called")
+    if options.get("segmentation"):
+        raise Error("usage.bad_flag", "segmentation", "object numbers are the truth: they are refused in evaluation")
+    name = getattr(policy, "name", None) or getattr(policy, "__name__", None) or type(policy).__name__
+    if act_limit_s > 0:
+        PolicyProcess(policy, act_limit_s)  # said here, once, if it cannot be pickled
+    if importlib.util.find_spec("gymnasium") is None:
+        raise Error("usage.unavailable", "policy", "policies in Python need Gymnasium: pip install gymnasium")
+    stages = _Stages(path, options)
+
+    def make_runner():
+        player = PolicyProcess(policy, act_limit_s) if act_limit_s > 0 else PolicyHere(copy.deepcopy(policy))
+        return _Runner(str(name), player, stages)
+
+    _core.evaluate_with(path, str(name), into, resume, jobs, make_runner)
+
+
+class _Stages:
+    """Environments of a file's episodes."""
+
+    def __init__(self, path: str, options: dict[str, Any]):
+        self._path, self._options, self._setups = path, options, {}
+
+    def environment(self, track: str):
+        from .environments.checkout import CheckoutUnloading
+        from .environments.in_aisle import InAisleCollection
+        from .environments.task_setup import TaskSetup
+
+        if track not in self._setups:
+            self._setups[track] = TaskSetup(track, episodes=self._path, **self._options)
+        kind = CheckoutUnloading if track == "checkout" else InAisleCollection
+        return kind(setup=self._setups[track])
+
+
+class _Runner:
+    """Runs episodes one after another in one thread."""
+
+    def __init__(self, name: str, player: PolicyHere | PolicyProcess, stages: _Stages):
+        self._name, self._player, self._stages, self._environments = name, player, stages, {}
+
+    def __del__(self):
+        self._player.close()
+
+    def __call__(self, text: str) -> str:
+        began = time.monotonic()
+        track = json.loads(text)["track"]
+        if track not in self._environments:
+            self._environments[track] = self._stages.environment(track)
+        env = self._environments[track]
+        seen, info = env.reset(seed=0, options={"episode": text})
+        broken: list[str] = []
+        told, by_policy = "None", False
+        try:
+            self._act_out(env, seen, _task(env, info))
+            told = str(self._player.ask("failure") or "None")
+        except PolicyFailed as fault:
+            broken, by_policy = [fault.code, "policy", fault.message], True
+        except Error as error:
+            if error.code != "physics.failed":
+                raise
+            broken = [error.code, error.where, error.message]
+        return env.environment.judged(self._name, told, broken, by_policy, time.monotonic() - began)
+
+    def _act_out(self, env, seen, task) -> None:
+        self._player.ask("begin", task, seen)
+        over = False
+        while not over:
+            action = self._player.ask("act", seen)
+            try:
+                seen, _, terminated, truncated, _ = env.step(action)
+            except Error as error:
+                if error.code != "episode.bad_action":
+                    raise
+                raise PolicyFailed(error.code, error.message) from error
+            over = terminated or truncated
+
+
+def _task(env, info: dict[str, Any]) -> dict[str, Any]:
+    """What the agent is told before it begins."""
+    episode = env.episode
+    task = {key: episode[key] for key in ("track", "instruction", "limit_s", "goals")}
+    return task | {key: info[key] for key in ("map", "categories") if key in info} | {"action_names": env.action_names}

@@ -1,0 +1,178 @@
+#include "environments/control_mode.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/seed.h"
+#include "episodes/track_world.h"
+#include "robots/numeric_ik.h"
+
+namespace marketgen {
+namespace {
+
+constexpr double turn_rad = 0.1;  // in a control step: 2 rad/s, slower than any joint can
+constexpr double tool_m = 0.02;   // in a control step
+constexpr std::array<const char*, 6> tool_axes{"x", "y", "z", "turn_x", "turn_y", "turn_z"};
+
+bool by_joint(ControlMode mode) {
+  return mode == ControlMode::pd_joint_pos || mode == ControlMode::pd_joint_delta_pos;
+}
+
+std::size_t numbers_a_tool(ControlMode mode) {
+  return mode == ControlMode::pd_ee_delta_pos ? 3 : 6;
+}
+
+std::string prefix_of(const Tool& tool) {
+  return tool.prefix.empty() ? "tool_" : tool.prefix;
+}
+
+double share(double value) {
+  return std::clamp(value, -1.0, 1.0);
+}
+
+// `pose` moved and turned by shares of a step, about its own origin along its parent's axes.
+Pose moved_pose(Pose pose, std::span<const double> by) {
+  pose.position = pose.position + Vec3{share(by[0]), share(by[1]), share(by[2])} * tool_m;
+  if (by.size() < 6) return pose;
+  const Vec3 turn = Vec3{share(by[3]), share(by[4]), share(by[5])} * turn_rad;
+  const double angle = length(turn);
+  if (angle > 0) pose.rotation = rotation_about(turn / angle, angle) * pose.rotation;
+  return pose;
+}
+
+}  // namespace
+
+ActionMap::ActionMap(const Robot& robot, ControlMode mode)
+    : robot_(robot), mode_(mode), joints_(commanded_dofs(robot)) {
+  for (const Tool& tool : robot.tools) {
+    Arm arm{tool.frame, {}};
+    for (const JointGroup& group : robot.groups)
+      if (group.tip == tool.frame && group.name != tool.prefix + "fingers") arm.dofs = group.dofs;
+    arms_.push_back(std::move(arm));
+  }
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    const bool of_arm = std::ranges::any_of(
+        arms_, [&](const Arm& arm) { return std::ranges::count(arm.dofs, joints_[j]) > 0; });
+    if (!of_arm) other_.push_back(static_cast<int>(j));
+  }
+  if (by_joint(mode_))
+    add_joints(mode_ == ControlMode::pd_joint_pos);
+  else
+    add_tools();
+  for (const Tool& tool : robot.tools)
+    numbers_.push_back({prefix_of(tool) + "opening"});
+  if (robot.drive) {
+    numbers_.push_back({"drive"});
+    numbers_.push_back({"turn"});
+  }
+  numbers_.push_back({"stop"});
+}
+
+void ActionMap::add_joints(bool absolute) {
+  for (const int dof : joints_) {
+    const Joint& joint = robot_.joint_of_dof(static_cast<std::size_t>(dof));
+    numbers_.push_back(absolute ? ActionNumber{joint.name, joint.lower, joint.upper}
+                                : ActionNumber{joint.name});
+  }
+}
+
+void ActionMap::add_tools() {
+  for (const Tool& tool : robot_.tools)
+    for (std::size_t axis = 0; axis < numbers_a_tool(mode_); ++axis)
+      numbers_.push_back({prefix_of(tool) + tool_axes[axis]});
+  for (const int place : other_) {
+    const int dof = joints_[static_cast<std::size_t>(place)];
+    numbers_.push_back({robot_.joint_of_dof(static_cast<std::size_t>(dof)).name});
+  }
+}
+
+double ActionMap::step_of(int dof) const {
+  const Joint& joint = robot_.joint_of_dof(static_cast<std::size_t>(dof));
+  return joint.kind == JointType::prismatic ? joint.velocity * control_step_s : turn_rad;
+}
+
+std::vector<double> ActionMap::at_origin(std::vector<double> state) const {
+  if (const JointGroup* base = robot_.drive ? robot_.find_group("base") : nullptr)
+    for (const int dof : base->dofs)
+      state[static_cast<std::size_t>(dof)] = 0;
+  return state;
+}
+
+std::vector<Pose> ActionMap::tool_poses(const std::vector<double>& state) const {
+  const std::vector<double> there = at_origin(state);
+  std::vector<Pose> poses;
+  for (const Arm& arm : arms_)
+    poses.push_back(frame_pose(robot_, there, arm.frame));
+  return poses;
+}
+
+std::vector<double> ActionMap::within_limits(std::vector<double> position) const {
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    const Joint& joint = robot_.joint_of_dof(static_cast<std::size_t>(joints_[j]));
+    position[j] = std::clamp(position[j], joint.lower, joint.upper);
+  }
+  return position;
+}
+
+// The whole state with the arm's joints where they bring its tool.
+std::vector<double> ActionMap::moved_tool(const Arm& arm,
+                                          std::span<const double> by,
+                                          const std::vector<double>& state) const {
+  NumericIkOptions near;
+  near.restarts = 0;
+  near.tolerance = 1e-5;
+  const Pose wanted = moved_pose(frame_pose(robot_, state, arm.frame), by);
+  auto found = solve_numeric(robot_, arm.frame, arm.dofs, wanted, state, Seed(0), near);
+  return found.ok() ? std::move(found).value() : state;
+}
+
+std::vector<double> ActionMap::moved(std::span<const double> values,
+                                     const std::vector<double>& state,
+                                     const std::vector<double>& target) const {
+  std::vector<double> position = target;
+  const auto add_step = [&](std::size_t joint, double by) {
+    position[joint] += step_of(joints_[joint]) * share(by);
+  };
+  if (by_joint(mode_)) {
+    for (std::size_t j = 0; j < joints_.size(); ++j) {
+      if (mode_ == ControlMode::pd_joint_pos)
+        position[j] = values[j];
+      else
+        add_step(j, values[j]);
+    }
+    return position;
+  }
+  std::vector<double> reached = at_origin(state);
+  const std::size_t each = numbers_a_tool(mode_);
+  for (std::size_t t = 0; t < arms_.size(); ++t)
+    reached = moved_tool(arms_[t], values.subspan(t * each, each), reached);
+  for (std::size_t j = 0; j < joints_.size(); ++j)
+    position[j] = reached[static_cast<std::size_t>(joints_[j])];
+  for (std::size_t i = 0; i < other_.size(); ++i) {
+    const auto j = static_cast<std::size_t>(other_[i]);
+    position[j] = target[j];
+    add_step(j, values[arms_.size() * each + i]);
+  }
+  return position;
+}
+
+Action ActionMap::action(std::span<const double> values,
+                         const std::vector<double>& state,
+                         const std::vector<double>& target) const {
+  Action action;
+  action.position = moved(values, state, target);
+  const std::size_t tail = robot_.tools.size() + (robot_.drive ? 2 : 0) + 1;
+  std::span<const double> rest = values.last(tail);
+  for (const Tool& tool : robot_.tools) {
+    action.tools.push_back({(share(rest.front()) + 1) / 2 * tool.opening});
+    rest = rest.subspan(1);
+  }
+  if (robot_.drive) {
+    action.drive_m_s = share(rest[0]) * robot_.drive->speed;
+    action.turn_rad_s = share(rest[1]) * robot_.drive->turn_rate;
+  }
+  action.stop = values.back() > 0;
+  return action;
+}
+
+}  // namespace marketgen

@@ -1,0 +1,80 @@
+// What the numbers of an environment's action mean, for any robot: one arm that stands still, or
+// two on a base that drives.
+//
+// In this order: the move; an opening for each tool (-1 closed, 1 open); speed and turn rate of a
+// base that drives, as shares of the most; stop (above 0: the agent has done). All are in [-1, 1]
+// and clipped to it, but the joints of pd_joint_pos.
+#pragma once
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "agent/policy.h"
+#include "robots/robot.h"
+
+namespace marketgen {
+
+// What the move is. Names as in ManiSkill.
+//   pd_joint_pos        every joint that is commanded: rad or m
+//   pd_joint_delta_pos  the same from its last target: 1 = 0.1 rad, or what a slide does in a step
+//   pd_ee_delta_pos     of each tool x, y, z: 1 = 20 mm from where it is; then the joints of no arm
+//                       (lift, head) as in pd_joint_delta_pos
+//   pd_ee_delta_pose    the same, and after x, y, z a turn about these axes: 1 = 0.1 rad
+// Axes are those of the robot's base.
+enum class ControlMode { pd_joint_pos, pd_joint_delta_pos, pd_ee_delta_pos, pd_ee_delta_pose };
+constexpr std::array<std::string_view, 4> names_of(ControlMode) {
+  return {"pd_joint_pos", "pd_joint_delta_pos", "pd_ee_delta_pos", "pd_ee_delta_pose"};
+}
+
+// One number of an action.
+struct ActionNumber {
+  std::string name;  // "joint1", "left_tool_z", "left_tool_opening", "drive", "stop"
+  double low = -1, high = 1;
+};
+
+// Immutable; the robot must outlive it.
+class ActionMap {
+ public:
+  ActionMap(const Robot& robot, ControlMode mode);
+
+  const std::vector<ActionNumber>& numbers() const { return numbers_; }
+
+  // `state`: all degrees of freedom as they are; `target`: of the commanded joints, where the last
+  // step left them. Tools that cannot be brought where they are told stay. `values` has as many
+  // numbers as numbers(), finite.
+  Action action(std::span<const double> values,
+                const std::vector<double>& state,
+                const std::vector<double>& target) const;
+
+  // Of each tool in the frame of the robot's base.
+  std::vector<Pose> tool_poses(const std::vector<double>& state) const;
+  // Of the commanded joints.
+  std::vector<double> within_limits(std::vector<double> position) const;
+
+ private:
+  struct Arm {
+    int frame = -1;
+    std::vector<int> dofs;
+  };
+  void add_joints(bool absolute);
+  void add_tools();
+  std::vector<double> at_origin(std::vector<double> state) const;
+  std::vector<double> moved_tool(const Arm& arm,
+                                 std::span<const double> by,
+                                 const std::vector<double>& state) const;
+  std::vector<double> moved(std::span<const double> values,
+                            const std::vector<double>& state,
+                            const std::vector<double>& target) const;
+  double step_of(int dof) const;
+
+  const Robot& robot_;
+  ControlMode mode_;
+  std::vector<int> joints_;  // degrees of freedom that are commanded
+  std::vector<int> other_;   // of these, those of no arm, as places in joints_
+  std::vector<Arm> arms_;    // one a tool
+  std::vector<ActionNumber> numbers_;
+};
+
+}  // namespace marketgen

@@ -1,0 +1,117 @@
+#include "environments/episode_ground.h"
+
+#include <fmt/format.h>
+
+#include "assets/usable_catalog.h"
+#include "episodes/sample_checkout.h"
+#include "io/file.h"
+
+namespace marketgen {
+namespace {
+
+constexpr std::size_t most_kept_episodes = 1000;
+
+EpisodeStore row_of(const Store& store) {
+  const Manifest& m = store.manifest;
+  return {m.name, m.scene_hash, plan_hash(store.plan), m.seed, store.plan, {}};
+}
+
+}  // namespace
+
+EpisodeGround::EpisodeGround(std::filesystem::path data,
+                             EpisodeFile file,
+                             std::shared_ptr<const Catalog> catalog)
+    : data_(std::move(data)),
+      file_(std::move(file)),
+      catalog_(std::move(catalog)),
+      arena_(data_, file_.header, *catalog_) {}
+
+Result<std::shared_ptr<EpisodeGround>> EpisodeGround::of_store(
+    std::shared_ptr<const Store> store, std::shared_ptr<const Catalog> catalog) {
+  MARKETGEN_TRY(std::filesystem::path data, data_folder());
+  EpisodeFile file;
+  file.header.stores = {row_of(*store)};
+  file.header.products = checkout_stock(store->scene);
+  std::shared_ptr<EpisodeGround> ground(
+      new EpisodeGround(std::move(data), std::move(file), std::move(catalog)));
+  ground->arena_.offer(store);
+  ground->store_ = std::move(store);
+  return ground;
+}
+
+Result<std::shared_ptr<EpisodeGround>> EpisodeGround::of_file(const std::filesystem::path& file) {
+  MARKETGEN_TRY(std::filesystem::path data, data_folder());
+  MARKETGEN_TRY(EpisodeFile read, read_episode_file(file));
+  MARKETGEN_TRY(Catalog catalog, usable_catalog());
+  return std::shared_ptr<EpisodeGround>(new EpisodeGround(
+      std::move(data), std::move(read), std::make_shared<const Catalog>(std::move(catalog))));
+}
+
+Result<void> EpisodeGround::check(const EpisodeSpec& spec) const {
+  Result<void> last = Error{"episode.other_store", spec.id, "there is no store"};
+  for (const EpisodeStore& store : file_.header.stores) {
+    last = check_store(spec, store.scene_hash, store.plan_hash);
+    if (last.ok()) break;
+  }
+  return last;
+}
+
+Result<EpisodeSpec> EpisodeGround::pick(Track track, std::uint64_t seed) const {
+  std::vector<const EpisodeSpec*> of_track;
+  for (const EpisodeSpec& spec : file_.episodes)
+    if (spec.track == track) of_track.push_back(&spec);
+  if (of_track.empty())
+    return Error{"episode.impossible",
+                 "episodes",
+                 fmt::format("the file has no episodes of the track {}", name_of(track))};
+  return *of_track[seed % of_track.size()];
+}
+
+// The caller holds the lock.
+Result<AisleSampler*> EpisodeGround::aisle_sampler() {
+  if (!sampler_) {
+    MARKETGEN_TRY(auto store, arena_.aisle_store(store_->manifest.scene_hash));
+    MARKETGEN_TRY(sampler_, AisleSampler::make(data_, std::move(store), catalog_->frictions));
+  }
+  return sampler_.get();
+}
+
+Result<EpisodeSpec> EpisodeGround::sample(Track track, std::uint64_t seed) {
+  const EpisodeStore& row = file_.header.stores.front();
+  const EpisodeOrigin origin{row.name, row.scene_hash, row.plan_hash};
+  if (track == Track::checkout)
+    return sample_checkout(data_, products(), catalog_->frictions, origin, Seed(seed), 0);
+  AisleSampler* sampler = nullptr;
+  {
+    const std::scoped_lock lock(mutex_);
+    MARKETGEN_TRY(sampler, aisle_sampler());
+  }
+  return sampler->sample(origin, Seed(seed), 0);
+}
+
+Result<EpisodeSpec> EpisodeGround::draw(Track track, std::uint64_t seed) {
+  if (!store_) return pick(track, seed);
+  {
+    const std::scoped_lock lock(mutex_);
+    if (const auto kept = drawn_.find({track, seed}); kept != drawn_.end()) return kept->second;
+  }
+  MARKETGEN_TRY(EpisodeSpec spec, sample(track, seed));
+  const std::scoped_lock lock(mutex_);
+  if (drawn_.size() >= most_kept_episodes) drawn_.clear();
+  drawn_.try_emplace({track, seed}, spec);
+  return spec;
+}
+
+Result<std::shared_ptr<const AisleStore>> EpisodeGround::aisle_store(
+    const std::string& scene_hash) {
+  return arena_.aisle_store(scene_hash);
+}
+
+std::shared_ptr<SharedAisleView> EpisodeGround::aisle_view(const std::string& scene_hash) {
+  const std::scoped_lock lock(mutex_);
+  std::shared_ptr<SharedAisleView>& view = views_[scene_hash];
+  if (!view) view = std::make_shared<SharedAisleView>();
+  return view;
+}
+
+}  // namespace marketgen

@@ -1,0 +1,74 @@
+// What environments run episodes in: one opened store, or the stores of an episodes file.
+//
+// Any number of environments and threads may share one. Stores in which robots drive, and the
+// renderers of these, are opened once.
+#pragma once
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "catalog/catalog.h"
+#include "episodes/aisle_view.h"
+#include "episodes/sample_aisle.h"
+#include "evaluation/arena.h"
+#include "store/store.h"
+
+namespace marketgen {
+
+// One renderer of a store for all who stand in it: whoever has the lock shows its own world.
+struct SharedAisleView {
+  std::mutex mutex;
+  std::unique_ptr<AisleView> view;  // once a picture was asked for
+};
+
+class EpisodeGround {
+ public:
+  // Episodes are drawn from what the store sells. `catalog`: the rows that it was opened with.
+  // Error catalog.missing_data.
+  static Result<std::shared_ptr<EpisodeGround>> of_store(std::shared_ptr<const Store> store,
+                                                         std::shared_ptr<const Catalog> catalog);
+  // Episodes are those of the file. Errors: of read_episode_file, usable_catalog.
+  static Result<std::shared_ptr<EpisodeGround>> of_file(const std::filesystem::path& file);
+
+  // Those of the file; none of a store.
+  const std::vector<EpisodeSpec>& episodes() const { return file_.episodes; }
+  // Rows of what lies in baskets.
+  const std::vector<Product>& products() const { return file_.header.products; }
+  const std::filesystem::path& data() const { return data_; }
+  const Catalog& catalog() const { return *catalog_; }
+
+  // A file's: number `seed` of those of the track, round and round. A store's: drawn from the seed,
+  // which takes seconds; kept, for those who come back to their seeds. Errors: episode.impossible
+  // for a file without such episodes; those of the samplers.
+  Result<EpisodeSpec> draw(Track track, std::uint64_t seed);
+  // Error episode.other_store: it is of another store.
+  Result<void> check(const EpisodeSpec& spec) const;
+
+  // Errors: those of Arena.
+  Result<std::shared_ptr<const AisleStore>> aisle_store(const std::string& scene_hash);
+  std::shared_ptr<SharedAisleView> aisle_view(const std::string& scene_hash);
+
+ private:
+  EpisodeGround(std::filesystem::path data,
+                EpisodeFile file,
+                std::shared_ptr<const Catalog> catalog);
+  Result<EpisodeSpec> pick(Track track, std::uint64_t seed) const;
+  Result<EpisodeSpec> sample(Track track, std::uint64_t seed);
+  Result<AisleSampler*> aisle_sampler();
+
+  std::filesystem::path data_;
+  EpisodeFile file_;
+  std::shared_ptr<const Catalog> catalog_;
+  std::shared_ptr<const Store> store_;  // none of a file
+  Arena arena_;                         // reads the header and the catalogue above
+  std::mutex mutex_;                    // of what follows
+  std::map<std::pair<Track, std::uint64_t>, EpisodeSpec> drawn_;
+  std::unique_ptr<AisleSampler> sampler_;
+  std::map<std::string, std::shared_ptr<SharedAisleView>> views_;
+};
+
+}  // namespace marketgen

@@ -1,0 +1,28 @@
+// The inside of a worker process: runs the episodes of a file that it is told, one at a time.
+//
+// Why processes: a policy that never answers cannot be stopped from inside its own process. A
+// thread cannot be killed, only left behind, with the locks that it holds and the core that it
+// keeps busy; a process can be, with all that it has. It is also the only way to survive a policy
+// that crashes. So `evaluate` looks on from outside (evaluation/worker_process.h) and ends a worker
+// whose policy takes too long over one answer.
+//
+// A line each way: the episode's number in the file on standard input; on standard output "ready"
+// once, then "asked" and "answered" around every call of the policy, and at the end of the episode
+// "result " and a market-result/1, or "error ", the error's code, where and message between tabs.
+// What policies print goes to standard error.
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "catalog/catalog.h"
+#include "episodes/episode_spec.h"
+
+namespace marketgen {
+
+// Returns when standard input ends. Errors: io.cannot_write when nobody listens any more.
+Result<void> serve_episodes(const std::filesystem::path& data,
+                            const EpisodeFile& file,
+                            const Catalog& catalog,
+                            const std::string& policy);
+
+}  // namespace marketgen

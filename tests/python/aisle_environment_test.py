@@ -1,0 +1,150 @@
+"""The robot in the aisles keeps Gymnasium's contract, too, and knows beforehand what it may know."""
+
+import json
+import warnings
+
+import gymnasium
+import numpy as np
+import pytest
+from gymnasium.utils.env_checker import check_env
+
+import marketgen
+from conftest import same
+
+NAME = "MarketGen/InAisleCollection-v1"
+JOINTS = 17  # lift, two arms of seven, head
+CONTROL = {"pd_joint_pos": 17, "pd_joint_delta_pos": 17, "pd_ee_delta_pos": 6 + 3, "pd_ee_delta_pose": 12 + 3}
+
+
+def make(store, aisle_episode, **options):
+    env = gymnasium.make(NAME, store=store, **options)
+    seen, info = env.reset(seed=1, options={"episode": aisle_episode})
+    return env, seen, info
+
+
+def still(env, seen, **numbers):
+    action = np.zeros(env.action_space.shape, np.float32)
+    if env.unwrapped.control_mode == "pd_joint_pos":
+        action[:JOINTS] = seen["agent"]["qpos"][:JOINTS]
+    names = env.unwrapped.action_names
+    action[names.index("stop")] = -1
+    for name, value in numbers.items():
+        action[names.index(name)] = value
+    return action
+
+
+@pytest.mark.parametrize("options", [{}, {"obs_mode": "rgbd", "width": 32, "height": 24, "segmentation": True}])
+def test_the_checker_has_no_complaint(aisle_file, options):
+    env = gymnasium.make(NAME, episodes=aisle_file, render_mode="rgb_array", **options)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        warnings.filterwarnings("ignore", message=".*infinity.*")  # joints' speeds have no bound
+        check_env(env.unwrapped, skip_render_check=False)
+
+
+def test_what_it_sees_and_knows_beforehand(store, aisle_episode):
+    env, seen, info = make(store, aisle_episode, obs_mode="rgbd", width=48, height=32)
+    assert seen["agent"]["qpos"].shape == (JOINTS + 2,) and seen["agent"]["qvel"].shape == (JOINTS,)
+    assert seen["extra"]["tcp_pose"].shape == (2, 7)
+    start = aisle_episode["start"]
+    wanted = (start["x_m"], start["y_m"], np.radians(start["heading_deg"]))
+    assert np.allclose(seen["extra"]["base_pose"], wanted, atol=1e-4)
+    head = seen["sensor_data"]["head_camera"]
+    assert head["rgb"].shape == (32, 48, 3) and head["rgb"].std() > 1 and (head["depth"] > 0).any()
+    assert info["instruction"] == aisle_episode["instruction"]
+    assert info["categories"] == aisle_episode["categories"]
+    assert info["map"] == store.layout
+    _, _, _, _, later = env.step(still(env, seen))
+    assert set(later) == {"instruction", "time_s"}
+
+
+@pytest.mark.parametrize("control", CONTROL)
+def test_every_control_mode_moves_the_arms_and_the_lift(store, aisle_episode, control):
+    env, before, _ = make(store, aisle_episode, control_mode=control)
+    assert env.action_space.shape == (CONTROL[control] + 2 + 2 + 1,)
+    lift = {"lift": 0.35 if control == "pd_joint_pos" else 1.0}
+    bent = before["agent"]["qpos"][2] + 0.1 if control == "pd_joint_pos" else 1.0
+    arm = {"left_tool_x": 1.0} if "ee" in control else {"left_joint2": bent}
+    for _ in range(4):
+        after, *_ = env.step(still(env, before, **lift, **arm))
+    moved = after["agent"]["qpos"] - before["agent"]["qpos"]
+    assert moved[0] > 0.005
+    assert np.abs(moved[1:8]).max() > 0.01
+    assert np.abs(moved[8:15]).max() < 0.01, "the other arm holds still"
+
+
+def test_the_base_drives_and_the_tools_ride_along(store, aisle_episode):
+    env, before, _ = make(store, aisle_episode)
+    for _ in range(6):
+        after, *_ = env.step(still(env, before, drive=0.1, turn=0.1))
+    moved = after["extra"]["base_pose"] - before["extra"]["base_pose"]
+    heading = before["extra"]["base_pose"][2]
+    assert moved[:2] @ (np.cos(heading), np.sin(heading)) > 0.01 and moved[2] > 0.01
+    assert np.allclose(after["extra"]["tcp_pose"], before["extra"]["tcp_pose"], atol=0.01), "in the base's frame"
+
+
+def test_the_end_has_a_result(store, aisle_episode):
+    env, seen, _ = make(store, aisle_episode)
+    _, reward, terminated, truncated, info = env.step(still(env, seen, stop=1.0))
+    assert (reward, terminated, truncated) == (0, True, False)
+    assert info["failure_reason"] == "Missed" and info["path_length"] >= 0 and info["spl"] == 0
+    assert info["result"]["schema"] == "market-result/1"
+    with pytest.raises(marketgen.Error) as caught:
+        env.unwrapped.step(still(env, seen))
+    assert caught.value.code == "episode.bad_action"
+
+
+def test_dense_rewards_grow_on_the_way(store, aisle_episode):
+    env, seen, _ = make(store, aisle_episode, reward_mode="dense")
+    rewards = [env.step(still(env, seen))[1] for _ in range(2)]
+    assert all(0 < reward < 1 for reward in rewards)
+
+
+def test_episodes_of_a_file_are_picked_by_seed_or_number(aisle_file, aisle_episode):
+    env = gymnasium.make(NAME, episodes=aisle_file)
+    ids = {env.reset(seed=seed)[1]["instruction"] for seed in range(6)}
+    assert ids == {"Fetch one.", "Fetch two."}
+    assert env.reset(options={"episode": 1})[1]["instruction"] == "Fetch two."
+    with pytest.raises(marketgen.Error, match="the file has 2"):
+        env.reset(options={"episode": 2})
+    first, _ = env.reset(seed=3)
+    again, _ = env.reset(seed=3)
+    assert same(first, again)
+
+
+def test_files_and_stores_that_do_not_fit_are_said(store, aisle_file, aisle_episode, tmp_path):
+    with pytest.raises(marketgen.Error, match="one of the two"):
+        gymnasium.make(NAME, store=store, episodes=aisle_file)
+    with pytest.raises(marketgen.Error) as caught:
+        gymnasium.make(NAME, episodes=tmp_path / "none.jsonl")
+    assert caught.value.code == "input.not_found"
+    with pytest.raises(marketgen.Error) as caught:
+        gymnasium.make("MarketGen/CheckoutUnloading-v1", episodes=aisle_file).reset(seed=1)
+    assert caught.value.code == "episode.impossible"
+    cut = tmp_path / "cut.jsonl"
+    cut.write_text(aisle_file.read_text()[:-40])
+    with pytest.raises(marketgen.Error) as caught:
+        gymnasium.make(NAME, episodes=cut)
+    assert caught.value.code == "episode.truncated"
+    with pytest.raises(marketgen.Error) as caught:
+        make(store, {**aisle_episode, "scene_hash": "0" * 32})
+    assert caught.value.code == "episode.other_store"
+    with pytest.raises(marketgen.Error) as caught:
+        make(store, {**aisle_episode, "track": "checkout"})
+    assert caught.value.code == "episode.unknown_track"
+
+
+def test_bad_actions_change_nothing(store, aisle_episode):
+    env, seen, _ = make(store, aisle_episode)
+    env = env.unwrapped
+    before = env.state_hash()
+    with pytest.raises(marketgen.Error, match="drive"):
+        env.step(still(env, seen, drive=np.nan))
+    with pytest.raises(marketgen.Error, match="shape"):
+        env.step(still(env, seen)[1:])
+    assert env.state_hash() == before
+
+
+def test_stepping_before_a_reset_is_said(store):
+    with pytest.raises(marketgen.Error, match="reset it first"):
+        gymnasium.make(NAME, store=store).unwrapped.step(np.zeros(22, np.float32))

@@ -1,0 +1,89 @@
+"""marketgen.evaluate() is the program's eval; a policy that fails is a result, not a crash."""
+
+import json
+
+import pytest
+
+import marketgen
+import policies
+from conftest import run
+
+
+@pytest.fixture(scope="module")
+def tasks(checkout_file, tmp_path_factory):
+    """The two baskets, with a second for each."""
+    header, *episodes = checkout_file.read_text().splitlines()
+    short = [json.dumps({**json.loads(episode), "limit_s": 1}) for episode in episodes]
+    file = tmp_path_factory.mktemp("tasks") / "tasks.jsonl"
+    file.write_text("".join(line + "\n" for line in (header, *short)))
+    return file
+
+
+def timeless(results):
+    return [{key: value for key, value in result.items() if key != "wall_s"} for result in results]
+
+
+@pytest.mark.parametrize("act_limit_s", [0, 120])
+def test_the_programs_policies_are_the_programs(tasks, tmp_path, act_limit_s):
+    ours = marketgen.evaluate(tasks, "random", tmp_path / "ours", jobs=2, act_limit_s=act_limit_s)
+    run("eval", "--episodes", tasks, "--policy", "random", "-o", tmp_path / "theirs", "--quiet")
+    lines = (tmp_path / "theirs" / "results.jsonl").read_text().splitlines()
+    assert timeless(ours.results) == timeless(map(json.loads, lines))
+    summary = json.loads((tmp_path / "theirs" / "summary.json").read_text())
+    assert {**ours.summary, "mean_wall_s": 0} == {**summary, "mean_wall_s": 0}
+    assert ours.summary["episodes"] == 2 and [f["failure"] for f in ours.summary["failures"]] == ["Timeout"]
+
+
+@pytest.mark.parametrize("act_limit_s", [0, 120])
+def test_policies_in_python(tasks, tmp_path, act_limit_s):
+    scores = marketgen.evaluate(tasks, policies.StopsAtOnce, tmp_path / "a", act_limit_s=act_limit_s)
+    assert [result["failure"] for result in scores.results] == ["NoGrasp", "NoGrasp"]
+    assert [result["steps"] for result in scores.results] == [1, 1]
+    assert {result["policy"] for result in scores.results} == {"stops"}
+    assert scores.results == [json.loads(line) for line in open(tmp_path / "a" / "results.jsonl")]
+    function = marketgen.evaluate(tasks, policies.still, tmp_path / "b", jobs=2, act_limit_s=act_limit_s)
+    assert [result["failure"] for result in function.results] == ["Timeout", "Timeout"]
+    assert all(result["simulated_s"] > 2.9 and len(result["state_hash"]) == 32 for result in function.results)
+
+
+@pytest.mark.parametrize(
+    ("what", "code"),
+    [
+        ("raises", "policy_failed"),
+        ("hangs", "policy_hung"),
+        ("crashes", "policy_crashed"),
+        ("nan", "bad_action"),
+        ("short", "bad_action"),
+        ("nothing", "bad_action"),
+    ],
+)
+def test_a_policy_that_fails_is_a_result_and_the_next_episode_follows(tasks, tmp_path, what, code):
+    policy = policies.FailsOnce(what, str(tmp_path / "mark"))
+    scores = marketgen.evaluate(tasks, policy, tmp_path / "a", jobs=1, act_limit_s=3)
+    first, then = scores.results
+    assert first["failure"] == "PolicyError" and code in first["detail"]
+    assert first["goals"] and first["success_partial"] == 0
+    assert then["failure"] != "PolicyError" and then["detail"] == ""
+
+
+def test_what_was_finished_is_kept(tasks, tmp_path):
+    first = marketgen.evaluate(tasks, policies.still, tmp_path / "a", act_limit_s=0)
+    file = tmp_path / "a" / "results.jsonl"
+    lines = file.read_text().splitlines()
+    marked = {**json.loads(lines[1]), "detail": "kept"}
+    file.write_text(json.dumps(marked) + "\n" + lines[0][:30])
+    with pytest.raises(marketgen.Error) as caught:
+        marketgen.evaluate(tasks, policies.still, tmp_path / "a", act_limit_s=0)
+    assert caught.value.code == "store.exists"
+    again = marketgen.evaluate(tasks, policies.still, tmp_path / "a", resume=True, act_limit_s=0)
+    assert again.results[1]["detail"] == "kept"
+    assert timeless(again.results[:1]) == timeless(first.results[:1])
+
+
+def test_what_cannot_be_asked_is_said(tasks, tmp_path):
+    for policy, said in ((3, "cannot be called"), ("clairvoyant", "there is no policy"), (lambda seen: None, "act_limit_s=0")):
+        with pytest.raises(marketgen.Error, match=said) as caught:
+            marketgen.evaluate(tasks, policy, tmp_path / "a")
+        assert caught.value.code == "usage.bad_flag"
+    with pytest.raises(marketgen.Error, match="refused in evaluation"):
+        marketgen.evaluate(tasks, policies.still, tmp_path / "b", obs_mode="rgbd", segmentation=True)
