@@ -8,7 +8,6 @@
 #include "base/parallel.h"
 #include "command.h"
 #include "episodes/sample_aisle.h"
-#include "grasping/grasp_database.h"
 #include "io/file.h"
 #include "io/json.h"
 #include "store/store.h"
@@ -28,30 +27,6 @@ struct StockedStore {
   std::vector<Product> stock;              // of which episodes are drawn
   std::unique_ptr<AisleSampler> in_aisle;  // of that track only
 };
-
-// What is known of the gripper of the robot in aisles.
-Result<std::shared_ptr<GraspBook>> open_book(const std::filesystem::path& data,
-                                             const Catalog& catalog) {
-  MARKETGEN_TRY(const AisleStation station, load_aisle_station(data));
-  MARKETGEN_TRY(const Robot robot, load_station_robot(data, station));
-  MARKETGEN_TRY(const std::string row, gripper_row(robot));
-  MARKETGEN_TRY(GraspTool tool, load_grasp_tool(data, row));
-  MARKETGEN_TRY(const std::string key,
-                grasp_study_key(data, catalog.content_hash, GraspBook::options()));
-  MARKETGEN_TRY(const std::vector<GraspRate> known, kept_grasp_rates(key));
-  return std::make_shared<GraspBook>(std::move(tool), catalog.frictions, known);
-}
-
-// The next draw need not try the same grasps again.
-Result<void> keep_book(const GraspBook& book,
-                       const std::filesystem::path& data,
-                       const Catalog& catalog) {
-  const std::vector<GraspRate> rates = book.studied();
-  if (rates.empty()) return {};
-  const StudyOptions study = GraspBook::options();
-  MARKETGEN_TRY(const std::string key, grasp_study_key(data, catalog.content_hash, study));
-  return keep_grasp_rates(rates, key, study.seed);
-}
 
 Result<StockedStore> stocked(Store store,
                              const std::filesystem::path& data,
@@ -158,12 +133,12 @@ Result<void> write(const EpisodesFlags& flags) {
   MARKETGEN_TRY(const Track track, track_named(flags.track));
   std::shared_ptr<GraspBook> book;
   if (track == Track::aisle) {
-    MARKETGEN_TRY(book, open_book(data, catalog));
+    MARKETGEN_TRY(book, open_aisle_book(data, catalog));
   }
   MARKETGEN_TRY(std::vector<StockedStore> stores, open_stores(flags, data, catalog, book));
   EpisodeFile file;
   auto episodes = draw(flags, data, stores, catalog);
-  if (book) MARKETGEN_CHECK(keep_book(*book, data, catalog));  // of a draw that failed, too
+  if (book) MARKETGEN_CHECK(book->keep(data, catalog.content_hash));  // of a draw that failed, too
   MARKETGEN_TRY(file.episodes, std::move(episodes));
   for (StockedStore& store : stores)
     if (store.in_aisle) store.store.exclusions = store.in_aisle->exclusions();

@@ -71,7 +71,8 @@ Result<EpisodeSpec> EpisodeGround::pick(Track track, std::uint64_t seed) const {
 Result<AisleSampler*> EpisodeGround::aisle_sampler() {
   if (!sampler_) {
     MARKETGEN_TRY(auto store, arena_.aisle_store(store_->manifest.scene_hash));
-    MARKETGEN_TRY(sampler_, AisleSampler::make(data_, std::move(store), catalog_->frictions));
+    MARKETGEN_TRY(book_, open_aisle_book(data_, *catalog_));
+    MARKETGEN_TRY(sampler_, AisleSampler::make(std::move(store), book_));
   }
   return sampler_.get();
 }
@@ -86,7 +87,9 @@ Result<EpisodeSpec> EpisodeGround::sample(Track track, std::uint64_t seed) {
     const std::scoped_lock lock(mutex_);
     MARKETGEN_TRY(sampler, aisle_sampler());
   }
-  return sampler->sample(origin, Seed(seed), 0);
+  auto spec = sampler->sample(origin, Seed(seed), 0);
+  MARKETGEN_CHECK(book_->keep(data_, catalog_->content_hash));
+  return spec;
 }
 
 Result<EpisodeSpec> EpisodeGround::draw(Track track, std::uint64_t seed) {

@@ -67,6 +67,7 @@ class EpisodeGround {
   Arena arena_;                         // reads the header and the catalogue above
   std::mutex mutex_;                    // of what follows
   std::map<std::pair<Track, std::uint64_t>, EpisodeSpec> drawn_;
+  std::shared_ptr<GraspBook> book_;
   std::unique_ptr<AisleSampler> sampler_;
   std::map<std::string, std::shared_ptr<SharedAisleView>> views_;
 };

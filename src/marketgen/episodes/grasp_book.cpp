@@ -2,7 +2,10 @@
 
 #include <algorithm>
 
+#include "collect/collect_plan.h"
+#include "episodes/aisle_station.h"
 #include "episodes/studied_grasps.h"
+#include "grasping/grasp_database.h"
 
 namespace marketgen {
 namespace {
@@ -85,6 +88,26 @@ Result<StudiedProduct> GraspBook::study(const Product& product) {
     if (std::ranges::count(held, steady) > 0) studied.grasps.push_back(steady);
   if (studied.grasps.empty()) studied.why_not = "swings";
   return studied;
+}
+
+Result<void> GraspBook::keep(const std::filesystem::path& data,
+                             const std::string& catalog_hash) const {
+  const std::vector<GraspRate> rates = studied();
+  if (rates.empty()) return {};
+  MARKETGEN_TRY(const std::string key, grasp_study_key(data, catalog_hash, options()));
+  return keep_grasp_rates(rates, key, options().seed);
+}
+
+Result<std::shared_ptr<GraspBook>> open_aisle_book(const std::filesystem::path& data,
+                                                   const Catalog& catalog) {
+  MARKETGEN_TRY(const AisleStation station, load_aisle_station(data));
+  MARKETGEN_TRY(const Robot robot, load_station_robot(data, station));
+  MARKETGEN_TRY(const std::string row, gripper_row(robot));
+  MARKETGEN_TRY(GraspTool tool, load_grasp_tool(data, row));
+  MARKETGEN_TRY(const std::string key,
+                grasp_study_key(data, catalog.content_hash, GraspBook::options()));
+  MARKETGEN_TRY(const std::vector<GraspRate> known, kept_grasp_rates(key));
+  return std::make_shared<GraspBook>(std::move(tool), catalog.frictions, known);
 }
 
 }  // namespace marketgen

@@ -1,12 +1,15 @@
 // Which products a gripper can take off a stocked shelf, looked up or tried in physics when asked.
 // One book serves the samplers of all stores.
 #pragma once
+#include <filesystem>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "catalog/catalog.h"
 #include "grasping/grasp_study.h"
 
 namespace marketgen {
@@ -34,6 +37,9 @@ class GraspBook {
   Result<StudiedProduct> study(const Product& product);
   // Rates that were not known before.
   std::vector<GraspRate> studied() const;
+  // Puts them into the grasp database: the next book need not try the same grasps again. Errors:
+  // those of grasp_study_key() and keep_grasp_rates().
+  Result<void> keep(const std::filesystem::path& data, const std::string& catalog_hash) const;
 
   const GraspTool& tool() const { return tool_; }
   const std::vector<FrictionRow>& frictions() const { return frictions_; }
@@ -47,5 +53,10 @@ class GraspBook {
   std::map<std::string, GraspRate> rates_;  // by SKU
   std::set<std::string> new_;               // SKUs
 };
+
+// For the gripper of the robot in aisles, with what the grasp database knows of it. Errors: those
+// of load_aisle_station, load_station_robot, load_grasp_tool, kept_grasp_rates.
+Result<std::shared_ptr<GraspBook>> open_aisle_book(const std::filesystem::path& data,
+                                                   const Catalog& catalog);
 
 }  // namespace marketgen
