@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "geometry/box_extents.h"
-#include "physics/contact_shape.h"
 
 namespace marketgen {
 namespace {
@@ -30,9 +29,11 @@ constexpr double of_tilt = 0.03, of_offset = 0.1,
 constexpr double line_speed_share = 0.25;
 constexpr int most_drop_samples = 8000;
 
-void widen(Vec3& low, Vec3& high, Vec3 point) {
-  low = {std::min(low.x, point.x), std::min(low.y, point.y), std::min(low.z, point.z)};
-  high = {std::max(high.x, point.x), std::max(high.y, point.y), std::max(high.z, point.z)};
+std::vector<int> links_of(const Robot& robot, const Tool& tool) {
+  std::vector<int> links;
+  for (std::size_t link = 0; link < robot.links.size(); ++link)
+    if (robot.links[link].name.starts_with(tool.prefix)) links.push_back(static_cast<int>(link));
+  return links;
 }
 
 struct Drop {
@@ -143,8 +144,8 @@ class DropPlanner {
       start_.push_back(state[static_cast<std::size_t>(dof)]);
     base_from_arm_ = link_poses(robot_, state)[static_cast<std::size_t>(model_.group.base)];
     const Tool& tool = robot_.tools[static_cast<std::size_t>(question_.tool)];
-    const std::vector<AttachedObject> held{
-        held_by(robot_, tool, *question_.held, question_.tip_from_product)};
+    const std::vector<AttachedObject> held{held_product(
+        robot_, tool.frame, *question_.held, question_.tip_from_product, links_of(robot_, tool))};
     const Pose& at = question_.world_from_base;
     MARKETGEN_TRY(way_, ArmChecker::make(model_, state, at, world_, {way_margin_m, held}));
     MARKETGEN_TRY(line_, ArmChecker::make(model_, state, at, world_, {line_margin_m, {}}));
@@ -232,48 +233,6 @@ class DropPlanner {
 };
 
 }  // namespace
-
-TurnedBox turned_box(const ProductBody& body, const Pose& pose) {
-  Vec3 low{1e9, 1e9, 1e9}, high{-1e9, -1e9, -1e9};
-  for (const ContactPiece& piece : body.pieces) {
-    if (piece.shape == PieceShape::hull) {
-      for (const Vec3f& point : piece.points)
-        widen(low, high, pose * to_double(point));
-      continue;
-    }
-    const ContactShape shape = pose * contact_shape_of(piece);
-    const Vec3 half = half_extents(shape);
-    widen(low, high, shape.pose.position - half);
-    widen(low, high, shape.pose.position + half);
-  }
-  return {(low + high) * 0.5, (high - low) * 0.5};
-}
-
-AttachedObject held_by(const Robot& robot,
-                       const Tool& tool,
-                       const ProductBody& body,
-                       const Pose& tip_from_product) {
-  const RobotFrame& tip = robot.frames[static_cast<std::size_t>(tool.frame)];
-  AttachedObject held;
-  held.link = tip.link;
-  for (std::size_t link = 0; link < robot.links.size(); ++link) {
-    const bool of_tool = robot.links[link].name.starts_with(tool.prefix);
-    if (of_tool) held.may_touch.push_back(static_cast<int>(link));
-  }
-  const TurnedBox box = turned_box(body, {});
-  std::array<std::pair<double, Vec3>, 3> axes{
-      std::pair{box.half.x, Vec3{1, 0, 0}}, {box.half.y, {0, 1, 0}}, {box.half.z, {0, 0, 1}}};
-  std::ranges::sort(axes, {}, [](const auto& axis) { return axis.first; });
-  const double radius = std::max(axes[0].first, axes[1].first);
-  const double run = std::max(0.0, axes[2].first - radius);
-  const int count = 1 + 2 * static_cast<int>(std::ceil(run / radius));
-  for (int i = 0; i < count; ++i) {
-    const double along = count > 1 ? run * (2.0 * i / (count - 1) - 1) : 0;
-    held.spheres.push_back(
-        {tip.link_from_frame * (tip_from_product * (box.middle + axes[2].second * along)), radius});
-  }
-  return held;
-}
 
 Result<DropPlan> plan_drop(const Robot& robot,
                            const CarriedBasket& basket,

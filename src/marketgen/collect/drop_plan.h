@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "assets/product_model.h"
 #include "base/seed.h"
+#include "collect/held_product.h"
 #include "motion/tool_line.h"
 #include "robots/robot.h"
 
@@ -53,17 +53,5 @@ Result<DropPlan> plan_drop(const Robot& robot,
                            const CarriedBasket& basket,
                            const DropQuestion& question,
                            Seed seed);
-
-// What is held, as spheres on the link of the tool's tip, which touch its gripper.
-AttachedObject held_by(const Robot& robot,
-                       const Tool& tool,
-                       const ProductBody& body,
-                       const Pose& tip_from_product);
-
-// The pack's box, turned: its middle and half size in the frame of `pose`.
-struct TurnedBox {
-  Vec3 middle, half;
-};
-TurnedBox turned_box(const ProductBody& body, const Pose& pose);
 
 }  // namespace marketgen

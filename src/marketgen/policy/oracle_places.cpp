@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "collect/held_product.h"
 #include "geometry/box_extents.h"
-#include "physics/contact_shape.h"
 
 namespace marketgen {
 namespace {
@@ -29,25 +29,8 @@ struct Extents {
 
 // Of the item when it is turned so; exact.
 Extents turned_extents(const CheckoutGoods& goods, const Quaternion& turned) {
-  constexpr double far = 1e9;
-  Extents e{{far, far, far}, {-far, -far, -far}};
-  const auto add = [&](Vec3 low, Vec3 high) {
-    e.low = {std::min(e.low.x, low.x), std::min(e.low.y, low.y), std::min(e.low.z, low.z)};
-    e.high = {std::max(e.high.x, high.x), std::max(e.high.y, high.y), std::max(e.high.z, high.z)};
-  };
-  for (const ContactPiece& piece : goods.body.pieces) {
-    if (piece.shape == PieceShape::hull) {
-      for (const Vec3f& point : piece.points) {
-        const Vec3 at = rotate(turned, to_double(point));
-        add(at, at);
-      }
-      continue;
-    }
-    const ContactShape shape = Pose{{}, turned} * contact_shape_of(piece);
-    const Vec3 half = half_extents(shape);
-    add(shape.pose.position - half, shape.pose.position + half);
-  }
-  return e;
+  const TurnedBox box = turned_box(goods.body, {{}, turned});
+  return {box.middle - box.half, box.middle + box.half};
 }
 
 // The turn that brings a direction of the product to point straight down.
@@ -248,30 +231,14 @@ std::vector<PlaceChoice> item_places(const OracleScene& scene,
 
 AttachedObject held_object(const OracleScene& scene, std::size_t item, const Pose& tip_from_item) {
   const Robot& robot = scene.world().robot();
-  const RobotFrame& tip = robot.frames[static_cast<std::size_t>(robot.find_group("arm")->tip)];
-  AttachedObject held;
-  held.link = tip.link;
-  for (const int link : {robot.find_link("hand"),
-                         robot.find_link("finger_left"),
-                         robot.find_link("finger_right"),
-                         robot.find_link("link7")})
-    if (link >= 0) held.may_touch.push_back(link);
-  const Extents e = turned_extents(scene.world().goods(item), {});
-  const Vec3 half = (e.high - e.low) * 0.5, middle = (e.high + e.low) * 0.5;
-  std::array<std::pair<double, Vec3>, 3> axes{
-      std::pair{half.x, Vec3{1, 0, 0}}, {half.y, {0, 1, 0}}, {half.z, {0, 0, 1}}};
-  std::ranges::sort(axes, {}, [](const auto& axis) { return axis.first; });
-  // Edges stand out from between balls: the balls are larger, and the last reach beyond the ends.
-  constexpr double larger = 1.1, end_share = 0.4;
-  const double radius = larger * std::max(axes[0].first, axes[1].first);
-  const double run = std::max(0.0, axes[2].first - end_share * radius);
-  const int count = 1 + 2 * static_cast<int>(std::ceil(run / radius));
-  for (int i = 0; i < count; ++i) {
-    const double along = count > 1 ? run * (2.0 * i / (count - 1) - 1) : 0;
-    held.spheres.push_back(
-        {tip.link_from_frame * (tip_from_item * (middle + axes[2].second * along)), radius});
-  }
-  return held;
+  std::vector<int> may_touch;
+  for (const char* name : {"hand", "finger_left", "finger_right", "link7"})
+    if (const int link = robot.find_link(name); link >= 0) may_touch.push_back(link);
+  return held_product(robot,
+                      robot.find_group("arm")->tip,
+                      scene.world().goods(item).body,
+                      tip_from_item,
+                      std::move(may_touch));
 }
 
 }  // namespace marketgen
