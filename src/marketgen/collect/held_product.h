@@ -1,0 +1,24 @@
+// A product in a hand, as an arm planner sees it.
+#pragma once
+#include <vector>
+
+#include "assets/product_model.h"
+#include "motion/arm_checker.h"
+
+namespace marketgen {
+
+// The pack's box, turned: its middle and half size in the frame of `pose`. Exact.
+struct TurnedBox {
+  Vec3 middle, half;
+};
+TurnedBox turned_box(const ProductBody& body, const Pose& pose);
+
+// Balls along its longest side, on the link of the tip's frame (in Robot::frames), which may touch
+// these links. Edges stand out from between balls: these are a tenth larger than the pack.
+AttachedObject held_product(const Robot& robot,
+                            int tip_frame,
+                            const ProductBody& body,
+                            const Pose& tip_from_product,
+                            std::vector<int> may_touch);
+
+}  // namespace marketgen
