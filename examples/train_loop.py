@@ -15,7 +15,7 @@ import marketgen  # noqa: F401  registers the environments
 
 ENVS, PATIENCE = 4, 40  # steps until the policy says that it has done
 
-steps = int(sys.argv[2]) if len(sys.argv) > 2 else 100
+steps = int(sys.argv[2]) if len(sys.argv) > 2 else 60
 envs = gymnasium.make_vec(
     "MarketGen/CheckoutUnloading-v1",
     num_envs=ENVS,

@@ -69,7 +69,7 @@ std::vector<Json> results_in(const fs::path& folder) {
 }
 
 void wait_for_results(const fs::path& folder, std::size_t count) {
-  for (int i = 0; i < 1200 && results_in(folder).size() < count; ++i)
+  for (int i = 0; i < 4800 && results_in(folder).size() < count; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
 }
 
