@@ -18,6 +18,7 @@ constexpr double push_aside_m = 0.2;  // neighbours within it may be pushed by t
 constexpr std::array distances_m{0.62, 0.68, 0.74, 0.55, 0.48};
 constexpr std::array sides_m{0.30, 0.26, 0.34, 0.0, 0.12, -0.12};
 constexpr double lift_below_m = 0.9;  // height of the grasp over the lift's zero
+constexpr int most_blocked = 12;      // places from which a grasp is in reach and cannot be had
 
 // An arm that ends in a gripper.
 struct Hand {
@@ -54,6 +55,12 @@ Result<std::vector<GraspCandidate>> grasps_of(const Product& goods,
   MARKETGEN_TRY(GraspCandidates grasps, grasp_candidates(goods, body, tool, query));
   if (grasps.found.empty()) return Error{"motion.no_grasp", goods.sku, grasps.reason};
   return std::move(grasps.found);
+}
+
+// The arm comes to the grasp, but something is in its way.
+bool is_blocked(const Error& error) {
+  return error.code == "motion.line_blocked" || error.code == "motion.goal_in_collision" ||
+         error.code == "motion.no_path";
 }
 
 Pose lifted(Pose pose, Vec3 by) {
@@ -93,12 +100,15 @@ class Planner {
   Result<CollectPlan> plan(const GraspCandidate& grasp) const {
     if (options_.world_from_base) return at_place(grasp, *options_.world_from_base);
     Error error{"collect.no_place", where(), "the robot can stand nowhere in front of it"};
+    int blocked = 0;
     for (const double side : sides_m) {
       if (robot_.drive && side == 0) break;
       for (const double distance : distances_m) {
+        if (blocked == most_blocked) return error;
         auto found =
             at_place(grasp, base_at(distance, robot_.drive ? side * arm_side() : side * 0.5));
         if (found.ok()) return found;
+        blocked += is_blocked(found.error()) ? 1 : 0;
         error.message =
             fmt::format("at {:.2f} m from its front: {}", distance, found.error().message);
       }

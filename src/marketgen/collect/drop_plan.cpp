@@ -16,10 +16,11 @@ constexpr double off_walls_m = 0.008;  // of what is let down
 constexpr int drop_yaws = 16;
 constexpr std::array drop_tilts{0.0, 0.35, 0.7, 1.05};  // of the tool from straight down, rad
 constexpr int drop_columns = 5;                         // places along each side of the basket
-constexpr std::size_t most_drops = 1200;                // that are looked at
+constexpr std::size_t most_drops = 800;                 // that are looked at
 constexpr double mixed_m = 0.06;
 constexpr int most_searches = 3;  // in vain, before the basket is given up
 constexpr double let_go_back_m = 0.12;
+constexpr int most_lines = 4;                 // down to one place that are tried
 constexpr int most_descents = 2;              // ways down to one place
 constexpr std::size_t descents_at_once = 16;  // goals of one search
 constexpr double way_margin_m = 0.004, line_margin_m = 0.002;
@@ -160,13 +161,11 @@ class DropPlanner {
     begin.position += rotate(inverse(base_from_arm_.rotation), {0, 0, up});
     const auto postures = arm_goals(robot_, model_.group, begin, start_);
     if (!postures.ok()) return postures.error();
-    Error error{"collect.no_drop", "", ""};
-    int added = 0;
+    Error error{"motion.goal_in_collision", "over the basket", "the arm has no room"};
+    int added = 0, tried = 0;
     for (const Configuration& q : *postures) {
-      if (!way_->free(q)) {
-        error = {"motion.goal_in_collision", "over the basket", way_->collision(q)};
-        continue;
-      }
+      if (!way_->free(q)) continue;
+      if (++tried > most_lines) break;
       auto line = tool_line(*line_, q, end);
       if (!line.ok()) {
         error = line.error();
