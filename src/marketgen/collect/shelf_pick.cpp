@@ -16,11 +16,8 @@ constexpr double tip_over_lift_m = 0.9;  // height of the grasp over the lift's 
 constexpr double slow_share = 0.25;      // of the speed, with the product
 
 // The robot as it drives, its lift and one of its grippers set.
-std::vector<double> raised_state(const Robot& robot,
-                                 const Tool& tool,
-                                 std::vector<double> q,
-                                 double lift_m,
-                                 double opening_m) {
+std::vector<double> raised_state(
+    const Robot& robot, const Tool& tool, std::vector<double> q, double lift_m, double opening_m) {
   const auto set = [&](int dof, double value) {
     const Joint& joint = robot.joint_of_dof(static_cast<std::size_t>(dof));
     q[static_cast<std::size_t>(dof)] = std::clamp(value, joint.lower, joint.upper);
@@ -146,7 +143,7 @@ class ShelfPickPlanner {
   const JointGroup& arm_;
   int tool_;
   Seed seed_;
-  Vec3 out_;  // from the shelf into the aisle
+  Vec3 out_;         // from the shelf into the aisle
   double side_ = 1;  // 1 for an arm on the left of its robot, -1 on the right
   ArmModel model_;
 };

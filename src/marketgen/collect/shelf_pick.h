@@ -18,13 +18,13 @@ namespace marketgen {
 
 struct ShelfPickQuestion {
   Pose world_from_product;
-  double depth_m = 0;                  // of the pack
-  std::vector<Grasp> grasps;           // best first
-  std::string tool_row;                // of the gripper that they are for
-  std::vector<double> driving;         // the robot's state while it drives
-  std::vector<BoxObstacle> carried;    // by the robot, in its base frame
-  Obstacles way;                       // what the arm keeps off
-  Obstacles line;                      // the same on lines, where the hand may push things aside
+  double depth_m = 0;                // of the pack
+  std::vector<Grasp> grasps;         // best first
+  std::string tool_row;              // of the gripper that they are for
+  std::vector<double> driving;       // the robot's state while it drives
+  std::vector<BoxObstacle> carried;  // by the robot, in its base frame
+  Obstacles way;                     // what the arm keeps off
+  Obstacles line;                    // the same on lines, where the hand may push things aside
   std::function<bool(const Pose& world_from_base)> may_stand;
   std::optional<Pose> world_from_base = {};  // stands there and nowhere else
   double speed = 0.6, acceleration = 1;      // shares of the joints' limits

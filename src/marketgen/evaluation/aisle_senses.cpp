@@ -11,9 +11,8 @@ constexpr std::string_view head_camera_name = "head_camera";
 
 Result<View> AisleEyes::look(std::string_view camera) {
   if (camera != head_camera_name)
-    return Error{"usage.bad_flag",
-                 std::string(camera),
-                 "the agent has no such camera; it has head_camera"};
+    return Error{
+        "usage.bad_flag", std::string(camera), "the agent has no such camera; it has head_camera"};
   if (view_) {
     MARKETGEN_CHECK(view_->follow(world_));
   } else {

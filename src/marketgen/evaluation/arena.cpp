@@ -63,7 +63,9 @@ class SensingCollector : public Policy {
   SensingCollector(const AisleWorld& world,
                    const std::vector<FrictionRow>& frictions,
                    PictureLibrary& library)
-      : eyes_(world), map_(world.store()), products_(world.store().scene.catalog, frictions, library) {}
+      : eyes_(world),
+        map_(world.store()),
+        products_(world.store().scene.catalog, frictions, library) {}
 
   Result<void> make(const AisleWorld& world, const std::filesystem::path& data, Seed seed) {
     const AisleStore& store = world.store();

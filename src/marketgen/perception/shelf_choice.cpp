@@ -15,6 +15,11 @@ constexpr double apart_share = 0.6;      // of a pack's width, between two that 
 constexpr double first_step_m = 0.004, last_step_m = 0.0006;
 constexpr double step_rad_per_m = 12;  // of the turn, for each metre of the step
 constexpr double rival_better = 1.0;
+constexpr std::array over_top_m{0.008, 0.014, 0.020};
+constexpr float flush_m = 0.010F;  // along the view, between what goes on and what does not
+constexpr double mostly = 0.6;
+constexpr int most_stacked = 6;
+constexpr double alike_share = 0.75;  // of the score of the pack under it
 
 // The product with the middle of its front on the spot.
 Pose pose_on(const ShelfSpot& spot, const BoardAhead& board, const ProductLook& look) {
@@ -23,14 +28,19 @@ Pose pose_on(const ShelfSpot& spot, const BoardAhead& board, const ProductLook& 
          Pose{{spot.x_m - middle, spot.front_m - static_cast<double>(look.low().y), 0}, {}};
 }
 
-ShelfSpot spot_of(const Pose& pose, std::size_t number, const BoardAhead& board, const ProductLook& look) {
+ShelfSpot spot_of(const Pose& pose,
+                  std::size_t number,
+                  const BoardAhead& board,
+                  const ProductLook& look) {
   const Vec3 at = (inverse(board.base_from_board) * pose).position;
   const double middle = 0.5 * static_cast<double>(look.low().x + look.high().x);
   return {number, at.x + middle, at.y + static_cast<double>(look.low().y)};
 }
 
 // Along the board, into it, and about the upright: it goes on standing.
-FittedPose stood_best(const ProductLook& look, const Pose& near, const std::vector<ViewCloud>& views) {
+FittedPose stood_best(const ProductLook& look,
+                      const Pose& near,
+                      const std::vector<ViewCloud>& views) {
   const SurfacePatch none;
   FittedPose best{near, evidence_of(look, near, none, views, fit_surfels)};
   for (double step = first_step_m; step > last_step_m; step /= 2) {
@@ -53,6 +63,43 @@ FittedPose stood_best(const ProductLook& look, const Pose& near, const std::vect
     }
   }
   return best;
+}
+
+// Of what is measured right over its front, the share that goes on in the same surface: the front
+// of something taller, or what stands on it.
+double flush_above(const ProductLook& look, const Pose& pose, const std::vector<ViewCloud>& views) {
+  const Vec3 low = to_double(look.low()), high = to_double(look.high());
+  double flush = 0, seen = 0;
+  for (const ViewCloud& view : views) {
+    for (const double across : {-0.2, 0.0, 0.2}) {
+      for (const double above : over_top_m) {
+        const Vec3 point =
+            pose * Vec3{(low.x + high.x) / 2 + across * (high.x - low.x), low.y, high.z + above};
+        const auto at = view.project(to_float(point));
+        if (!at || !view.has(at->pixel)) continue;
+        const float off = view.view().depth_m[at->pixel] - at->depth_m;
+        if (off < -flush_m) continue;  // something before it: nothing is known
+        ++seen;
+        if (off < flush_m) ++flush;
+      }
+    }
+  }
+  return seen > 0 ? flush / seen : 0;
+}
+
+// From a pack up to the one that stands on all others: that one can be taken.
+FittedPose top_of_stack(const ProductLook& look,
+                        FittedPose found,
+                        const std::vector<ViewCloud>& views) {
+  const auto height = static_cast<double>(look.high().z);
+  for (int level = 1; level < most_stacked; ++level) {
+    if (flush_above(look, found.base_from_product, views) < mostly) break;
+    const Pose up = found.base_from_product * Pose{{0, 0, height}, {}};
+    const FittedPose above = stood_best(look, up, views);
+    if (above.evidence.score < alike_share * found.evidence.score) break;
+    found = above;
+  }
+  return found;
 }
 
 struct Swept {
@@ -108,13 +155,14 @@ std::vector<FoundOnShelf> UprightMatching::find(const WantedProduct& wanted,
     const Pose pose = pose_on(swept.spot, boards[swept.spot.board], look);
     FoundOnShelf there{swept.spot, stood_best(look, pose, views)};
     if (there.pose.evidence.score < least_found) continue;
-    there.spot = spot_of(
-        there.pose.base_from_product, swept.spot.board, boards[swept.spot.board], look);
+    there.spot =
+        spot_of(there.pose.base_from_product, swept.spot.board, boards[swept.spot.board], look);
+    there.pose = top_of_stack(look, there.pose, views);
+    if (flush_above(look, there.pose.base_from_product, views) > mostly) continue;
     if (!is_rival(wanted, there, views, boards[swept.spot.board])) found.push_back(there);
   }
-  std::ranges::stable_sort(found, std::greater<>{}, [](const FoundOnShelf& f) {
-    return f.pose.evidence.score;
-  });
+  std::ranges::stable_sort(
+      found, std::greater<>{}, [](const FoundOnShelf& f) { return f.pose.evidence.score; });
   return found;
 }
 

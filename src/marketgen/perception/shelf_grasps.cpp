@@ -5,9 +5,9 @@
 namespace marketgen {
 namespace {
 
-constexpr double carry_firmness = 2;     // of the force that a grasp needs; it is carried about
-constexpr double of_intrusion_per_m = 8; // of a candidate's score, 0..1
-constexpr double borne_m = 0.03;         // of intrusion; what is deeper is no worse
+constexpr double carry_firmness = 2;      // of the force that a grasp needs; it is carried about
+constexpr double of_intrusion_per_m = 8;  // of a candidate's score, 0..1
+constexpr double borne_m = 0.03;          // of intrusion; what is deeper is no worse
 
 }  // namespace
 

@@ -40,9 +40,7 @@ class FrontProfile {
     eye_side_ = back;
   }
 
-  bool faces(const ViewCloud& view) const {
-    return (eye_side_ * to_double(view.eye())).y < 0;
-  }
+  bool faces(const ViewCloud& view) const { return (eye_side_ * to_double(view.eye())).y < 0; }
 
   void add(const ViewCloud& view) {
     for (int y = 0; y < view.height(); y += pixel_step)
@@ -63,8 +61,7 @@ class FrontProfile {
     for (int i = first; i <= last; ++i)
       if (const auto& front = fronts_[static_cast<std::size_t>(i)]) seen.push_back(*front);
     const double bins = 2 * core * width_m / bin_m;
-    if (static_cast<double>(seen.size()) < least_filled * bins || seen.empty())
-      return std::nullopt;
+    if (static_cast<double>(seen.size()) < least_filled * bins || seen.empty()) return std::nullopt;
     return static_cast<double>(quantile(seen, row_share));
   }
 

@@ -10,13 +10,13 @@ namespace {
 constexpr double calm_s = 0.3, press_s = 0.7, let_go_s = 0.5;
 constexpr double leave_m_s = 0.2;
 constexpr double lift_speed_share = 0.9, head_speed_share = 0.9;
-constexpr double reach_speed = 0.4;          // of the arms, share of their limits
-constexpr double around_m = 1.4;             // what is farther from the robot does not count
+constexpr double reach_speed = 0.4;  // of the arms, share of their limits
+constexpr double around_m = 1.4;     // what is farther from the robot does not count
 constexpr double shoulder_height_m = 0.9;
-constexpr double let_go_wider_by_m = 0.02;   // than what was held
-constexpr double pressed_aside_m = 0.2;      // what is so near to a product gives way to fingers
-constexpr double point_radius_m = 0.006;     // of a measured point
-constexpr double least_held_m = 0.004;       // between fingers that hold something
+constexpr double let_go_wider_by_m = 0.02;  // than what was held
+constexpr double pressed_aside_m = 0.2;     // what is so near to a product gives way to fingers
+constexpr double point_radius_m = 0.006;    // of a measured point
+constexpr double least_held_m = 0.004;      // between fingers that hold something
 constexpr double most_leave_m = 0.30, leave_step_m = 0.04;
 constexpr std::array let_down_lifts_m{0.3, 0.45, 0.15, 0.6};  // both arms reach the basket
 
@@ -90,7 +90,7 @@ Configuration AisleBody::arm_at(const std::vector<double>& q) const {
 }
 
 bool AisleBody::holds_it() const {
-  return now_.openings_m[static_cast<std::size_t>(pick_.tool)] > least_held_m;
+  return closed_ && now_.openings_m[static_cast<std::size_t>(pick_.tool)] > least_held_m;
 }
 
 Obstacles AisleBody::around(const std::vector<Vec3f>& points) const {
@@ -150,6 +150,7 @@ Result<void> AisleBody::take(const ShelfItem& item, ShelfPick pick) {
   body_.play(arm(), pick_.reach.trajectory);
   body_.grip(pick_.tool, {0, pick_.grasp.force_n});
   body_.wait(press_s);
+  closed_ = true;
   return {};
 }
 
@@ -163,6 +164,7 @@ Result<void> AisleBody::pull_out() {
   MARKETGEN_TRY(const auto limits, motion_limits(model, carrying_options(0.5)));
   const JointPath back(pick_.reach.line.rbegin(), pick_.reach.line.rend());
   MARKETGEN_TRY(JointTrajectory way, timed_curve(back, limits));
+  closed_ = false;
   body_.grip(pick_.tool, {pick_.grasp.opening_m});
   body_.wait(let_go_s);
   body_.play(arm(), std::move(way));
@@ -205,6 +207,7 @@ Result<bool> AisleBody::drop(const std::vector<Vec3f>& points) {
     return false;
   }
   const double held = now_.openings_m[static_cast<std::size_t>(pick_.tool)];
+  closed_ = false;
   body_.play(arm(), plan->way);
   body_.wait(calm_s);
   body_.grip(pick_.tool, {held + let_go_wider_by_m, pick_.grasp.force_n});
@@ -227,12 +230,9 @@ Result<void> AisleBody::go_home(const std::vector<Vec3f>& points) {
   MARKETGEN_TRY(const CollisionWorld world, CollisionWorld::make(obstacles));
   const std::vector<double> q = state();
   MARKETGEN_TRY(const ArmChecker checker, ArmChecker::make(model, q, base, world, {0.002, {}}));
-  MARKETGEN_TRY(ArmPlan plan,
-                plan_arm(checker,
-                         arm_at(q),
-                         {arm_at(setup_.driving)},
-                         next_seed(),
-                         carrying_options(1)));
+  MARKETGEN_TRY(
+      ArmPlan plan,
+      plan_arm(checker, arm_at(q), {arm_at(setup_.driving)}, next_seed(), carrying_options(1)));
   body_.play(arm(), std::move(plan.trajectory));
   body_.wait(calm_s);
   return {};

@@ -56,8 +56,8 @@ class AisleBody {
                               const std::vector<Vec3f>& points,
                               std::optional<BasePlace> from);
   Result<void> take(const ShelfItem& item, ShelfPick pick);  // from where it stands: up to the grip
-  Result<void> pull_out();    // with what it holds; back along its way when that is nothing
-  Result<void> back_off();    // from the shelf; with something held also to the lift's height
+  Result<void> pull_out();  // with what it holds; back along its way when that is nothing
+  Result<void> back_off();  // from the shelf; with something held also to the lift's height
   // Tried from one lift height after another: true when it is on its way into the basket, false
   // when the lift moves first. Error: collect.no_drop when all were tried.
   Result<bool> drop(const std::vector<Vec3f>& points);
@@ -77,6 +77,7 @@ class AisleBody {
   ShelfItem item_;
   ShelfPick pick_;
   std::vector<BoxObstacle> inside_;  // of the basket, as let down; base frame
+  bool closed_ = false;              // the hand that takes: about something, or about nothing
   std::size_t lift_tried_ = 0;
   std::uint64_t moves_ = 0;
 };

@@ -18,8 +18,7 @@ std::vector<BoardAhead> ShelfSight::boards_ahead(const AisleMap& map) const {
     const Pose pose = base_from_store * board.store_from_board;
     const bool near = std::hypot(pose.position.x, pose.position.y) < ahead_m;
     const bool faces = dot(rotate(pose.rotation, {0, 1, 0}), pose.position) > 0;
-    if (near && faces)
-      ahead.push_back({pose, board.width_m, board.depth_m, board.clearance_m});
+    if (near && faces) ahead.push_back({pose, board.width_m, board.depth_m, board.clearance_m});
   }
   return ahead;
 }

@@ -12,27 +12,44 @@
 namespace marketgen {
 namespace {
 
-constexpr int most_tries = 3;           // an item
-constexpr int tries_a_find = 2;         // of what was found at one place
-constexpr double near_category_m = 7;   // shelves farther from the category's place are left out
+constexpr int most_tries = 3;    // an item
+constexpr int tries_a_find = 2;  // of what was found at one place
+// Shelves so near to the category's place are looked at before a doubtful find is taken; those
+// farther than the second are left out.
+constexpr double near_category_m = 3.5, far_from_category_m = 7;
+constexpr double sure = 0.55;           // score of a find that is taken at once
+constexpr double about_as_good = 0.06;  // of scores: the nearer one is taken
 constexpr double least_item_left_s = 45;
 constexpr double stop_tilts[] = {0.14, 0.75};  // of the head, down: upper and lower boards
 constexpr double same_find_m = 0.04;
-constexpr double least_again = 0.25;    // score of a second look that is believed
+constexpr double least_again = 0.25;  // score of a second look that is believed
 constexpr double most_tilt = 1.04, most_pan = 1.3;
-constexpr float rival_size = 0.15F;     // of products that may be taken for one another
-constexpr std::size_t most_rivals_looked_at = 12;
+constexpr double rival_size = 0.3;  // of each side, of products that may be taken for one another
+constexpr std::size_t most_rivals_looked_at = 20;
 constexpr double other_reach_m = 0.35;  // of a product, measured points that its grasps mind
 
 const std::string head_eye = "head_camera";
 
-enum class AisleStep { choose, look_up, look_down, at_shelf, look_again, pressed, out, away, dropped };
+enum class AisleStep {
+  choose,
+  look_up,
+  look_down,
+  at_shelf,
+  look_again,
+  pressed,
+  out,
+  away,
+  dropped
+};
 
 class ClassicalAisle : public Policy {
  public:
   ClassicalAisle(ClassicalAisleSetup setup, Seed seed)
-      : setup_(std::move(setup)), robot_(*setup_.body.robot), map_(*setup_.body.map),
-        body_(setup_.body, seed), sight_(BasePlace{}) {
+      : setup_(std::move(setup)),
+        robot_(*setup_.body.robot),
+        map_(*setup_.body.map),
+        body_(setup_.body, seed),
+        sight_(BasePlace{}) {
     modules_.spots = std::make_unique<SweptSpots>();
     modules_.choice = std::make_unique<UprightMatching>();
     modules_.grasps = std::make_unique<FrontGrasps>(setup_.tool);
@@ -72,7 +89,6 @@ class ClassicalAisle : public Policy {
     std::unique_ptr<ProductLook> look;
     std::vector<std::unique_ptr<ProductLook>> rivals;
     Vec2 hint;
-    bool given_up = false;  // its shelves were all looked at
     std::string failure = "NotFound";
   };
   struct Find {
@@ -119,11 +135,9 @@ class ClassicalAisle : public Policy {
     goal.wanted = asked.count;
     MARKETGEN_TRY(goal.look, look_of(asked.sku));
     MARKETGEN_TRY(const KnownProduct* known, setup_.products->product(asked.sku));
-    for (const Product& row : setup_.products->rows()) {
-      if (!may_be_mistaken(known->product, row) || goal.rivals.size() >= most_rivals_looked_at)
-        continue;
-      MARKETGEN_TRY(auto rival, look_of(row.sku));
-      goal.rivals.push_back(std::move(rival));
+    for (const std::string& rival : rivals_of(known->product)) {
+      MARKETGEN_TRY(auto look, look_of(rival));
+      goal.rivals.push_back(std::move(look));
     }
     const auto hint = std::ranges::find(setup_.hints, asked.sku, &CategoryHint::sku);
     if (hint == setup_.hints.end())
@@ -133,14 +147,21 @@ class ClassicalAisle : public Policy {
     return {};
   }
 
-  static bool may_be_mistaken(const Product& product, const Product& other) {
-    if (product.sku == other.sku || product.category != other.category) return false;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto size = static_cast<float>(product.size_mm[axis]);
-      if (std::abs(size - static_cast<float>(other.size_mm[axis])) > rival_size * size)
-        return false;
+  // Of its category and much its size, the most alike ones.
+  std::vector<std::string> rivals_of(const Product& product) const {
+    std::vector<std::pair<double, std::string>> alike;
+    for (const Product& other : setup_.products->rows()) {
+      if (product.sku == other.sku || product.category != other.category) continue;
+      double most = 0;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        most = std::max(most, std::abs(1.0 * other.size_mm[axis] / product.size_mm[axis] - 1));
+      if (most <= rival_size) alike.emplace_back(most, other.sku);
     }
-    return true;
+    std::ranges::stable_sort(alike);
+    std::vector<std::string> rivals;
+    for (std::size_t i = 0; i < std::min(most_rivals_looked_at, alike.size()); ++i)
+      rivals.push_back(alike[i].second);
+    return rivals;
   }
 
   static WantedProduct wanted_of(const Goal& goal) {
@@ -163,20 +184,34 @@ class ClassicalAisle : public Policy {
       done_ = true;
       return {};
     }
-    while (const auto find = nearest_find()) {
-      if (approach(*find)) return {};
-      refuse(*find);
-    }
-    return go_looking();
+    // Sure finds; then what may be seen nearby; then doubtful ones; then what is farther away.
+    if (go_to_find(sure)) return {};
+    MARKETGEN_TRY(const bool looks, go_looking(near_category_m));
+    if (looks || go_to_find(0)) return {};
+    MARKETGEN_TRY(const bool looks_on, go_looking(far_from_category_m));
+    done_ = !looks_on;
+    return {};
   }
 
-  // Of what was found and is still wanted.
-  std::optional<std::size_t> nearest_find() const {
+  bool go_to_find(double least_score) {
+    while (const auto find = next_find(least_score)) {
+      if (approach(*find)) return true;
+      refuse(*find);
+    }
+    return false;
+  }
+
+  // Of each goal the finds that are about as good as its best; of these the nearest.
+  std::optional<std::size_t> next_find(double least_score) const {
+    std::vector<double> best_of(goals_.size(), least_score);
+    for (const Find& find : finds_)
+      best_of[find.place.goal] = std::max(best_of[find.place.goal], find.place.score);
     std::optional<std::size_t> best;
     double least = 0;
     for (std::size_t i = 0; i < finds_.size(); ++i) {
       const ShelfFind& find = finds_[i].place;
-      if (!is_due(goals_[find.goal])) continue;
+      const bool good = find.score >= std::max(least_score, best_of[find.goal] - about_as_good);
+      if (!good || !is_due(goals_[find.goal])) continue;
       const Vec3 at = find.store_from_product.position;
       const double off = std::hypot(at.x - now_.base.x_m, at.y - now_.base.y_m);
       if (best && off >= least) continue;
@@ -191,27 +226,25 @@ class ClassicalAisle : public Policy {
     finds_.erase(finds_.begin() + static_cast<std::ptrdiff_t>(find));
   }
 
-  // To the next place from which a missing goal may be seen.
-  Result<void> go_looking() {
+  // To the next place from which a missing goal may be seen; false when there is none.
+  Result<bool> go_looking(double within_m) {
     std::optional<std::size_t> best;
     double least = 0;
     for (Goal& goal : goals_) {
       if (!is_due(goal)) continue;
-      const auto stop = next_stop(map_, stops_, seen_, now_.base, goal.hint, near_category_m);
+      const auto stop = next_stop(map_, stops_, seen_, now_.base, goal.hint, within_m);
       if (!stop) continue;
       const double way = map_.way_m(now_.base, stops_[*stop].place).value_or(1e9);
       if (best && way >= least) continue;
       best = stop;
       least = way;
     }
-    if (!best) {
-      done_ = true;
-      return {};
-    }
+    if (!best) return false;
     seen_[*best] = true;
-    if (!body_.drive_to(stops_[*best].place).ok()) return {};
+    if (!body_.drive_to(stops_[*best].place).ok()) return true;  // another one, the next time
     step_ = AisleStep::look_up;
-    return body_.look(0, stop_tilts[0]);
+    MARKETGEN_CHECK(body_.look(0, stop_tilts[0]));
+    return true;
   }
 
   // ---- Looking ----
@@ -230,8 +263,8 @@ class ClassicalAisle : public Policy {
     points_ = sight_.points(robot_, body_.state());
     for (std::size_t i = 0; i < goals_.size(); ++i) {
       if (!is_due(goals_[i])) continue;
-      for (const ShelfFind& find : sight_.find(
-               i, wanted_of(goals_[i]), map_, *modules_.spots, *modules_.choice))
+      for (const ShelfFind& find :
+           sight_.find(i, wanted_of(goals_[i]), map_, *modules_.spots, *modules_.choice))
         remember(find);
     }
     step_ = AisleStep::choose;
@@ -268,9 +301,8 @@ class ClassicalAisle : public Policy {
     MARKETGEN_TRY(const auto grasps,
                   modules_.grasps->grasps({*item.known, find.store_from_product, others}));
     for (const SeenGrasp& grasp : grasps)
-      item.grasps.push_back({inverse(find.store_from_product) * grasp.base_from_tip,
-                             grasp.opening_m,
-                             grasp.force_n});
+      item.grasps.push_back(
+          {inverse(find.store_from_product) * grasp.base_from_tip, grasp.opening_m, grasp.force_n});
     return item;
   }
 
@@ -295,9 +327,9 @@ class ClassicalAisle : public Policy {
   // Towards the product, as far as the head turns.
   Result<void> turn_head() {
     const Pose head = frame_pose(robot_, body_.state(), robot_.find_frame(head_eye));
-    const Vec3 at = inverse(store_from_base(now_.base)) *
-                        finds_[find_].place.store_from_product.position -
-                    head.position;
+    const Vec3 at =
+        inverse(store_from_base(now_.base)) * finds_[find_].place.store_from_product.position -
+        head.position;
     step_ = AisleStep::look_again;
     return body_.look(std::clamp(std::atan2(at.y, at.x), -most_pan, most_pan),
                       std::clamp(std::atan2(-at.z, std::hypot(at.x, at.y)), 0.0, most_tilt));
@@ -318,8 +350,8 @@ class ClassicalAisle : public Policy {
     points_.insert(points_.end(), more.begin(), more.end());
     step_ = AisleStep::choose;
     const auto item = item_at(find.place);
-    auto pick = item.ok() ? body_.plan_pick(*item, points_, now_.base)
-                          : Result<ShelfPick>(item.error());
+    auto pick =
+        item.ok() ? body_.plan_pick(*item, points_, now_.base) : Result<ShelfPick>(item.error());
     if (!pick.ok()) {
       note(goal, "NoPath");
       refuse(find_);
