@@ -201,9 +201,11 @@ Result<bool> AisleBody::drop(const std::vector<Vec3f>& points) {
   question.stow = arm_at(setup_.driving);
   auto plan = plan_drop(*setup_.robot, setup_.basket, question, next_seed());
   if (!plan.ok()) {
-    if (++lift_tried_ >= let_down_lifts_m.size()) return plan.error();
+    const bool last = ++lift_tried_ >= let_down_lifts_m.size();
+    if (last) lift_tried_ = 0;
     MARKETGEN_CHECK(body_.move_joint(
         setup_.robot->find_dof("lift"), let_down_lifts_m[lift_tried_], lift_speed_share));
+    if (last) return plan.error();
     return false;
   }
   const double held = now_.openings_m[static_cast<std::size_t>(pick_.tool)];

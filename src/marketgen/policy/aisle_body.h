@@ -59,7 +59,7 @@ class AisleBody {
   Result<void> pull_out();  // with what it holds; back along its way when that is nothing
   Result<void> back_off();  // from the shelf; with something held also to the lift's height
   // Tried from one lift height after another: true when it is on its way into the basket, false
-  // when the lift moves first. Error: collect.no_drop when all were tried.
+  // when the lift moves first. Error: collect.no_drop when all were tried; then the first is next.
   Result<bool> drop(const std::vector<Vec3f>& points);
   Result<void> go_home(const std::vector<Vec3f>& points);  // the empty arm, to its stowed posture
 

@@ -17,12 +17,13 @@ constexpr int tries_a_find = 2;  // of what was found at one place
 // Shelves so near to the category's place are looked at before a doubtful find is taken; those
 // farther than the second are left out.
 constexpr double near_category_m = 3.5, far_from_category_m = 7;
-constexpr double sure = 0.55;           // score of a find that is taken at once
-constexpr double about_as_good = 0.06;  // of scores: the nearer one is taken
+constexpr double worth_off_per_m = 0.02;  // of a find's score, off the category's place
+constexpr double sure = 0.58;             // worth of a find that is taken at once
+constexpr double about_as_good = 0.04;    // of worths: the nearer one is taken
 constexpr double least_item_left_s = 45;
 constexpr double stop_tilts[] = {0.14, 0.75};  // of the head, down: upper and lower boards
 constexpr double same_find_m = 0.04;
-constexpr double least_again = 0.25;  // score of a second look that is believed
+constexpr double least_again = 0.6;  // of its score, at a second look from before the shelf
 constexpr double most_tilt = 1.04, most_pan = 1.3;
 constexpr double rival_size = 0.3;  // of each side, of products that may be taken for one another
 constexpr std::size_t most_rivals_looked_at = 20;
@@ -93,6 +94,7 @@ class ClassicalAisle : public Policy {
   };
   struct Find {
     ShelfFind place;
+    double worth = 0;  // score, less what it stands off its category's place
     int tries = 0;
   };
 
@@ -107,7 +109,7 @@ class ClassicalAisle : public Policy {
       case AisleStep::at_shelf:
         return turn_head();
       case AisleStep::look_again:
-        return take();
+        return look_again();
       case AisleStep::pressed:
         return pull_out();
       case AisleStep::out:
@@ -193,8 +195,8 @@ class ClassicalAisle : public Policy {
     return {};
   }
 
-  bool go_to_find(double least_score) {
-    while (const auto find = next_find(least_score)) {
+  bool go_to_find(double least_worth) {
+    while (const auto find = next_find(least_worth)) {
       if (approach(*find)) return true;
       refuse(*find);
     }
@@ -202,15 +204,16 @@ class ClassicalAisle : public Policy {
   }
 
   // Of each goal the finds that are about as good as its best; of these the nearest.
-  std::optional<std::size_t> next_find(double least_score) const {
-    std::vector<double> best_of(goals_.size(), least_score);
+  std::optional<std::size_t> next_find(double least_worth) const {
+    std::vector<double> best_of(goals_.size(), least_worth);
     for (const Find& find : finds_)
-      best_of[find.place.goal] = std::max(best_of[find.place.goal], find.place.score);
+      best_of[find.place.goal] = std::max(best_of[find.place.goal], find.worth);
     std::optional<std::size_t> best;
     double least = 0;
     for (std::size_t i = 0; i < finds_.size(); ++i) {
       const ShelfFind& find = finds_[i].place;
-      const bool good = find.score >= std::max(least_score, best_of[find.goal] - about_as_good);
+      const bool good =
+          finds_[i].worth >= std::max(least_worth, best_of[find.goal] - about_as_good);
       if (!good || !is_due(goals_[find.goal])) continue;
       const Vec3 at = find.store_from_product.position;
       const double off = std::hypot(at.x - now_.base.x_m, at.y - now_.base.y_m);
@@ -222,7 +225,7 @@ class ClassicalAisle : public Policy {
   }
 
   void refuse(std::size_t find) {
-    refused_.push_back(finds_[find].place.store_from_product.position);
+    refused_.push_back(finds_[find].place);
     finds_.erase(finds_.begin() + static_cast<std::ptrdiff_t>(find));
   }
 
@@ -272,17 +275,19 @@ class ClassicalAisle : public Policy {
   }
 
   void remember(const ShelfFind& find) {
-    const auto is_here = [&](Vec3 at) {
-      return length(at - find.store_from_product.position) < same_find_m;
+    const auto is_same = [&](const ShelfFind& other) {
+      return other.goal == find.goal && length(other.store_from_product.position -
+                                               find.store_from_product.position) < same_find_m;
     };
-    if (std::ranges::any_of(refused_, is_here)) return;
-    const auto known = std::ranges::find_if(finds_, [&](const Find& other) {
-      return is_here(other.place.store_from_product.position);
-    });
+    if (std::ranges::any_of(refused_, is_same)) return;
+    const auto known = std::ranges::find_if(finds_, is_same, &Find::place);
+    const Vec2 hint = goals_[find.goal].hint;
+    const Vec3 at = find.store_from_product.position;
+    const double worth = find.score - worth_off_per_m * std::hypot(at.x - hint.x, at.y - hint.y);
     if (known == finds_.end())
-      finds_.push_back({find, 0});
+      finds_.push_back({find, worth, 0});
     else if (find.score > known->place.score)
-      known->place = find;
+      known->place = find, known->worth = worth;
   }
 
   // ---- Taking it ----
@@ -336,18 +341,28 @@ class ClassicalAisle : public Policy {
   }
 
   // From where it came to stand, by what is seen from there.
-  Result<void> take() {
+  Result<void> look_again() {
     Find& find = finds_[find_];
     Goal& goal = goals_[find.place.goal];
-    ++goal.tries;
-    ++find.tries;
     sight_ = ShelfSight(now_.base);
     MARKETGEN_TRY(View view, setup_.eyes->look(head_eye));
     sight_.add(std::move(view));
-    const ShelfFind again = sight_.again(find.place, *goal.look, *modules_.choice);
-    if (again.score > least_again) find.place = again;
     const std::vector<Vec3f> more = sight_.points(robot_, body_.state());
     points_.insert(points_.end(), more.begin(), more.end());
+    const ShelfFind again = sight_.again(find.place, *goal.look, *modules_.choice);
+    if (again.score >= least_again * find.place.score) {
+      find.place = again;
+      return take(find, goal);
+    }
+    note(goal, "NotFound");
+    refuse(find_);
+    step_ = AisleStep::choose;
+    return {};
+  }
+
+  Result<void> take(Find& find, Goal& goal) {
+    ++goal.tries;
+    ++find.tries;
     step_ = AisleStep::choose;
     const auto item = item_at(find.place);
     auto pick =
@@ -363,7 +378,8 @@ class ClassicalAisle : public Policy {
   }
 
   Result<void> pull_out() {
-    if (!body_.holds_it()) note(goals_[finds_[find_].place.goal], "Missed");
+    held_ = body_.holds_it();
+    if (!held_) note(goals_[finds_[find_].place.goal], "Missed");
     step_ = AisleStep::out;
     return body_.pull_out();
   }
@@ -371,16 +387,17 @@ class ClassicalAisle : public Policy {
   Result<void> drop() {
     Goal& goal = goals_[finds_[find_].place.goal];
     if (!body_.holds_it()) {
-      if (goal.failure != "Missed") note(goal, "Slipped");
+      if (held_) note(goal, "Slipped");
       return leave_empty();
     }
     const auto dropped = body_.drop(points_);
-    if (!dropped.ok()) {
-      note(goal, "NoPath");
-      done_ = true;  // with the item in its hand: it cannot go on
+    if (dropped.ok()) {
+      if (*dropped) step_ = AisleStep::dropped;
       return {};
     }
-    if (*dropped) step_ = AisleStep::dropped;
+    note(goal, "NoPath");
+    done_ = points_.empty();  // with the item in its hand: it cannot go on
+    points_.clear();          // once more, past what the map knows alone
     return {};
   }
 
@@ -409,8 +426,9 @@ class ClassicalAisle : public Policy {
   std::vector<ViewStop> stops_;
   std::vector<bool> seen_;  // of the stops
   std::vector<Find> finds_;
-  std::vector<Vec3> refused_;  // what stood there is taken, or cannot be
-  std::size_t find_ = 0;       // that is being taken
+  std::vector<ShelfFind> refused_;  // taken, or not to be taken
+  std::size_t find_ = 0;            // that is being taken
+  bool held_ = false;               // it was in the hand when that closed
   AisleStep step_ = AisleStep::choose;
   ShelfSight sight_;
   std::vector<Vec3f> points_;  // measured from the last stop and before the shelf
