@@ -6,9 +6,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "collect/collect_plan.h"
 #include "episodes/aisle_world.h"
 #include "episodes/checkout_world.h"
+#include "evaluation/aisle_senses.h"
 #include "evaluation/checkout_senses.h"
+#include "policy/classical_aisle.h"
 #include "policy/classical_checkout.h"
 #include "policy/oracle_aisle.h"
 #include "policy/oracle_checkout.h"
@@ -49,6 +52,42 @@ class SensingPolicy : public Policy {
 
  private:
   CheckoutEyes eyes_;
+  PicturedProducts products_;
+  std::unique_ptr<Policy> policy_;
+};
+
+// The same in a store.
+class SensingCollector : public Policy {
+ public:
+  SensingCollector(const AisleWorld& world,
+                   const std::vector<FrictionRow>& frictions,
+                   PictureLibrary& library)
+      : eyes_(world),
+        map_(world.store()),
+        products_(world.store().scene.catalog, frictions, library) {}
+
+  Result<void> make(const AisleWorld& world, const std::filesystem::path& data, Seed seed) {
+    const AisleStore& store = world.store();
+    ClassicalAisleSetup setup;
+    setup.eyes = &eyes_;
+    setup.products = &products_;
+    MARKETGEN_TRY(const std::string row, gripper_row(store.robot));
+    MARKETGEN_TRY(setup.tool, load_grasp_tool(data, row));
+    setup.hints = category_hints(world.spec());
+    setup.body = {&store.robot, &map_, store.basket, store.driving, commanded_dofs(store.robot)};
+    policy_ = make_classical_aisle(std::move(setup), seed);
+    return {};
+  }
+
+  Result<void> begin(const Task& task, const Observation& first) override {
+    return policy_->begin(task, first);
+  }
+  Result<Action> act(const Observation& now) override { return policy_->act(now); }
+  std::string failure() const override { return policy_->failure(); }
+
+ private:
+  AisleEyes eyes_;
+  StoreMap map_;
   PicturedProducts products_;
   std::unique_ptr<Policy> policy_;
 };
@@ -115,14 +154,17 @@ Result<std::unique_ptr<Policy>> Arena::policy(const std::string& name, const Tra
     MARKETGEN_CHECK(policy->make(*checkout, data_, seed));
     return std::unique_ptr<Policy>(std::move(policy));
   }
-  return Error{
-      "usage.bad_flag",
-      "--policy",
-      fmt::format("there is no policy \"{}\" for the track {}; there are: {}; classical is for "
-                  "checkout only",
-                  name,
-                  name_of(world.spec().track),
-                  fmt::join(policies, ", "))};
+  if (name == "classical" && aisle != nullptr) {
+    auto policy = std::make_unique<SensingCollector>(*aisle, catalog_.frictions, pictures_);
+    MARKETGEN_CHECK(policy->make(*aisle, data_, seed));
+    return std::unique_ptr<Policy>(std::move(policy));
+  }
+  return Error{"usage.bad_flag",
+               "--policy",
+               fmt::format("there is no policy \"{}\" for the track {}; there are: {}",
+                           name,
+                           name_of(world.spec().track),
+                           fmt::join(policies, ", "))};
 }
 
 }  // namespace marketgen

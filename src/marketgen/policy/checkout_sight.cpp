@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "policy/own_body.h"
+
 namespace marketgen {
 namespace {
 
@@ -12,7 +14,6 @@ constexpr double counter_thick_m = 0.06;
 // Of the basket's walls, what arms keep clear of on lines: the spheres of a hand are larger than
 // it.
 constexpr double outer_skin_m = 0.002, skin_below_rim_m = 0.015;
-constexpr double own_body_m = 0.012;  // round the spheres of the robot
 constexpr double round_basket_m = 0.03;
 
 // Goods in the basket, and what stands on the counter beside it.
@@ -61,20 +62,11 @@ std::vector<Vec3f> without_robot(const std::vector<Vec3f>& points,
   if (const JointGroup* fingers = robot.find_group("fingers"))
     for (const int dof : fingers->dofs)
       q[static_cast<std::size_t>(dof)] = now.openings_m.front() / 2;
-  const std::vector<Pose> links = link_poses(robot, with_followers(robot, q));
+  std::vector<Pose> links = link_poses(robot, with_followers(robot, q));
   const Pose base_from_robot = inverse(links[static_cast<std::size_t>(arm.base)]);
-  std::vector<Sphere> body;
-  for (std::size_t link = 0; link < links.size(); ++link)
-    for (const Sphere& sphere : robot.links[link].spheres)
-      body.push_back({base_from_robot * (links[link] * sphere.center), sphere.radius + own_body_m});
-  std::vector<Vec3f> kept;
-  for (const Vec3f& point : points) {
-    const bool own = std::ranges::any_of(body, [&](const Sphere& sphere) {
-      return length(to_double(point) - sphere.center) < sphere.radius;
-    });
-    if (!own) kept.push_back(point);
-  }
-  return kept;
+  for (Pose& link : links)
+    link = base_from_robot * link;
+  return outside_body(points, robot, links);
 }
 
 std::vector<WorkBox> placed_walls(const Workplace& place) {

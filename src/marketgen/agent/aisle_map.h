@@ -1,0 +1,54 @@
+// What an agent knows of a store before it looks: the map, and where products of a category are.
+//
+// Of goods the map knows nothing. Store frame, metres.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "agent/policy.h"
+#include "base/result.h"
+#include "geometry/pose.h"
+#include "motion/base_follower.h"
+#include "motion/collision_world.h"
+
+namespace marketgen {
+
+// A board on which goods stand, open to the aisle. Its frame: middle of the front edge, on the
+// surface; X to the right of who looks at it, Y into the shelf, Z up.
+struct ShelfBoard {
+  Pose store_from_board;
+  double width_m = 0, depth_m = 0;
+  double clearance_m = 0;  // to what is over it
+};
+
+// Middle of all products of the category that a goal's SKU belongs to.
+struct CategoryHint {
+  std::string sku;
+  Vec2 position;
+};
+
+class AisleMap {
+ public:
+  virtual ~AisleMap() = default;
+  // Within the track's range of heights, no door before them.
+  virtual const std::vector<ShelfBoard>& boards() const = 0;
+  // Whether the robot, as it drives, has room there to turn.
+  virtual bool has_room(const BasePlace& place) const = 0;
+  // From rest to rest. Errors: motion.base_blocked, motion.unreachable and those of plan_drive.
+  virtual Result<BaseFollower> way(const BasePlace& from, const BasePlace& to) const = 0;
+  // Its length; empty when there is none.
+  virtual std::optional<double> way_m(const BasePlace& from, const BasePlace& to) const = 0;
+  // Fixtures, walls and floor within `within_m`.
+  virtual Obstacles fixtures(Vec3 middle, double within_m) const = 0;
+};
+
+inline Pose store_from_base(const BasePlace& place) {
+  return {{place.x_m, place.y_m, 0}, rotation_about({0, 0, 1}, place.heading)};
+}
+
+inline BasePlace base_place(const Pose& store_from_base) {
+  return {store_from_base.position.x, store_from_base.position.y, yaw_of(store_from_base.rotation)};
+}
+
+}  // namespace marketgen

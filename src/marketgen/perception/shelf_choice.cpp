@@ -1,0 +1,184 @@
+#include "perception/shelf_choice.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace marketgen {
+namespace {
+
+constexpr std::size_t sweep_surfels = 150, fit_surfels = 700;
+constexpr std::size_t most_fitted = 10;  // of the spots, those that agree best
+constexpr double least_swept = 0.12;     // score of a spot that is worth a closer look
+constexpr double least_found = 0.30;     // score of what is taken for the product
+constexpr double apart_share = 0.6;      // of a pack's width, between two that are looked at
+constexpr double first_step_m = 0.004, last_step_m = 0.0006;
+constexpr double step_rad_per_m = 12;  // of the turn, for each metre of the step
+constexpr double rival_better = 1.0;
+constexpr std::array over_top_m{0.008, 0.014, 0.020};
+constexpr float flush_m = 0.010F;  // along the view, between what goes on and what does not
+constexpr double mostly = 0.6;
+constexpr int most_stacked = 6;
+constexpr double alike_share = 0.75;  // of the score of the pack under it
+
+// The product with the middle of its front on the spot.
+Pose pose_on(const ShelfSpot& spot, const BoardAhead& board, const ProductLook& look) {
+  const double middle = 0.5 * static_cast<double>(look.low().x + look.high().x);
+  return board.base_from_board *
+         Pose{{spot.x_m - middle, spot.front_m - static_cast<double>(look.low().y), 0}, {}};
+}
+
+ShelfSpot spot_of(const Pose& pose,
+                  std::size_t number,
+                  const BoardAhead& board,
+                  const ProductLook& look) {
+  const Vec3 at = (inverse(board.base_from_board) * pose).position;
+  const double middle = 0.5 * static_cast<double>(look.low().x + look.high().x);
+  return {number, at.x + middle, at.y + static_cast<double>(look.low().y)};
+}
+
+// Along the board, into it, and about the upright: it goes on standing.
+FittedPose stood_best(const ProductLook& look,
+                      const Pose& near,
+                      const std::vector<ViewCloud>& views) {
+  const SurfacePatch none;
+  FittedPose best{near, evidence_of(look, near, none, views, fit_surfels)};
+  for (double step = first_step_m; step > last_step_m; step /= 2) {
+    for (bool moved = true; moved;) {
+      moved = false;
+      const double turn = step * step_rad_per_m;
+      const std::array moves{Pose{{step, 0, 0}, {}},
+                             Pose{{-step, 0, 0}, {}},
+                             Pose{{0, step, 0}, {}},
+                             Pose{{0, -step, 0}, {}},
+                             Pose{{}, rotation_about({0, 0, 1}, turn)},
+                             Pose{{}, rotation_about({0, 0, 1}, -turn)}};
+      for (const Pose& move : moves) {
+        const Pose pose = best.base_from_product * move;
+        const PoseEvidence e = evidence_of(look, pose, none, views, fit_surfels);
+        if (e.score <= best.evidence.score * 1.001) continue;
+        best = {pose, e};
+        moved = true;
+      }
+    }
+  }
+  return best;
+}
+
+// Of what is measured right over its front, the share that goes on in the same surface: the front
+// of something taller, or what stands on it.
+double flush_above(const ProductLook& look, const Pose& pose, const std::vector<ViewCloud>& views) {
+  const Vec3 low = to_double(look.low()), high = to_double(look.high());
+  double flush = 0, seen = 0;
+  for (const ViewCloud& view : views) {
+    for (const double across : {-0.2, 0.0, 0.2}) {
+      for (const double above : over_top_m) {
+        const Vec3 point =
+            pose * Vec3{(low.x + high.x) / 2 + across * (high.x - low.x), low.y, high.z + above};
+        const auto at = view.project(to_float(point));
+        if (!at || !view.has(at->pixel)) continue;
+        const float off = view.view().depth_m[at->pixel] - at->depth_m;
+        if (off < -flush_m) continue;  // something before it: nothing is known
+        ++seen;
+        if (off < flush_m) ++flush;
+      }
+    }
+  }
+  return seen > 0 ? flush / seen : 0;
+}
+
+// From a pack up to the one that stands on all others: that one can be taken.
+FittedPose top_of_stack(const ProductLook& look,
+                        FittedPose found,
+                        const std::vector<ViewCloud>& views) {
+  const auto height = static_cast<double>(look.high().z);
+  for (int level = 1; level < most_stacked; ++level) {
+    if (flush_above(look, found.base_from_product, views) < mostly) break;
+    const Pose up = found.base_from_product * Pose{{0, 0, height}, {}};
+    const FittedPose above = stood_best(look, up, views);
+    if (above.evidence.score < alike_share * found.evidence.score) break;
+    found = above;
+  }
+  return found;
+}
+
+struct Swept {
+  ShelfSpot spot;
+  double score = 0;
+};
+
+// The best spots, so far apart that each may be another pack.
+std::vector<Swept> best_spots(const ProductLook& look,
+                              const std::vector<ViewCloud>& views,
+                              const std::vector<BoardAhead>& boards,
+                              const std::vector<ShelfSpot>& spots) {
+  std::vector<Swept> swept;
+  for (const ShelfSpot& spot : spots) {
+    const Pose pose = pose_on(spot, boards[spot.board], look);
+    const double score = evidence_of(look, pose, {}, views, sweep_surfels).score;
+    if (score >= least_swept) swept.push_back({spot, score});
+  }
+  std::ranges::stable_sort(swept, std::greater<>{}, &Swept::score);
+  const double apart = apart_share * static_cast<double>(look.high().x - look.low().x);
+  std::vector<Swept> best;
+  for (const Swept& candidate : swept) {
+    if (best.size() >= most_fitted) break;
+    const bool taken = std::ranges::any_of(best, [&](const Swept& other) {
+      return other.spot.board == candidate.spot.board &&
+             std::abs(other.spot.x_m - candidate.spot.x_m) < apart;
+    });
+    if (!taken) best.push_back(candidate);
+  }
+  return best;
+}
+
+bool is_rival(const WantedProduct& wanted,
+              const FoundOnShelf& found,
+              const std::vector<ViewCloud>& views,
+              const BoardAhead& board) {
+  return std::ranges::any_of(wanted.rivals, [&](const ProductLook* rival) {
+    const Pose pose = pose_on(found.spot, board, *rival);
+    return stood_best(*rival, pose, views).evidence.score >
+           found.pose.evidence.score * rival_better;
+  });
+}
+
+}  // namespace
+
+std::vector<FoundOnShelf> UprightMatching::find(const WantedProduct& wanted,
+                                                const std::vector<ViewCloud>& views,
+                                                const std::vector<BoardAhead>& boards,
+                                                const std::vector<ShelfSpot>& spots) const {
+  const ProductLook& look = *wanted.look;
+  std::vector<FoundOnShelf> found;
+  for (const Swept& swept : best_spots(look, views, boards, spots)) {
+    const Pose pose = pose_on(swept.spot, boards[swept.spot.board], look);
+    FoundOnShelf there{swept.spot, stood_best(look, pose, views)};
+    if (there.pose.evidence.score < least_found) continue;
+    there.spot =
+        spot_of(there.pose.base_from_product, swept.spot.board, boards[swept.spot.board], look);
+    there.pose = top_of_stack(look, there.pose, views);
+    if (flush_above(look, there.pose.base_from_product, views) > mostly) continue;
+    if (!is_rival(wanted, there, views, boards[swept.spot.board])) found.push_back(there);
+  }
+  std::ranges::stable_sort(
+      found, std::greater<>{}, [](const FoundOnShelf& f) { return f.pose.evidence.score; });
+  return found;
+}
+
+FittedPose UprightMatching::again(const ProductLook& look,
+                                  const std::vector<ViewCloud>& views,
+                                  const Pose& base_from_product) const {
+  constexpr std::array offsets_m{0.0, -0.01, 0.01, -0.02, 0.02};
+  FittedPose best;
+  for (const double x : offsets_m) {
+    for (const double y : offsets_m) {
+      const Pose pose = base_from_product * Pose{{x, y, 0}, {}};
+      const PoseEvidence e = evidence_of(look, pose, {}, views, sweep_surfels);
+      if (e.score > best.evidence.score) best = {pose, e};
+    }
+  }
+  return best.evidence.score > 0 ? stood_best(look, best.base_from_product, views) : best;
+}
+
+}  // namespace marketgen

@@ -1,0 +1,44 @@
+// Which of the spots on a shelf show the product that is looked for, and how exactly it stands.
+//
+// Base frame, metres.
+#pragma once
+#include <vector>
+
+#include "perception/shelf_spots.h"
+#include "perception/target_choice.h"
+
+namespace marketgen {
+
+struct FoundOnShelf {
+  ShelfSpot spot;
+  FittedPose pose;
+};
+
+class ShelfChoice {
+ public:
+  virtual ~ShelfChoice() = default;
+  // Best first, none overlapping another. What a rival explains better is left out.
+  virtual std::vector<FoundOnShelf> find(const WantedProduct& wanted,
+                                         const std::vector<ViewCloud>& views,
+                                         const std::vector<BoardAhead>& boards,
+                                         const std::vector<ShelfSpot>& spots) const = 0;
+  // The pose near one that was found before, as the pictures show it now; score 0 when they do not.
+  virtual FittedPose again(const ProductLook& look,
+                           const std::vector<ViewCloud>& views,
+                           const Pose& base_from_product) const = 0;
+};
+
+// Stands the product, upright and front ahead, on every spot, looks whether pictures agree in
+// depth and colour, and moves the best ones until they agree most (pose_source.h).
+class UprightMatching : public ShelfChoice {
+ public:
+  std::vector<FoundOnShelf> find(const WantedProduct& wanted,
+                                 const std::vector<ViewCloud>& views,
+                                 const std::vector<BoardAhead>& boards,
+                                 const std::vector<ShelfSpot>& spots) const override;
+  FittedPose again(const ProductLook& look,
+                   const std::vector<ViewCloud>& views,
+                   const Pose& base_from_product) const override;
+};
+
+}  // namespace marketgen

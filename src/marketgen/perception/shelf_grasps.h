@@ -1,0 +1,34 @@
+// Where a gripper may take hold of a product that was found on a shelf, from the aisle.
+//
+// Base frame, metres.
+#pragma once
+#include "perception/grasp_source.h"
+
+namespace marketgen {
+
+struct ShelfGraspQuestion {
+  const KnownProduct& known;
+  Pose base_from_product;
+  const std::vector<Vec3f>& others;  // measured points that are not the product's
+};
+
+class ShelfGraspSource {
+ public:
+  virtual ~ShelfGraspSource() = default;
+  // Best first. Errors: of grasp_candidates.
+  virtual Result<std::vector<SeenGrasp>> grasps(const ShelfGraspQuestion& question) const = 0;
+};
+
+// Antipodal grasps on the catalogue's shape from the front. Between packs that stand 2 to 8 mm
+// apart a finger must press its way, so that reaching into what is measured beside only puts a
+// grasp behind another.
+class FrontGrasps : public ShelfGraspSource {
+ public:
+  explicit FrontGrasps(const GraspTool& tool) : tool_(tool) {}  // must outlive it
+  Result<std::vector<SeenGrasp>> grasps(const ShelfGraspQuestion& question) const override;
+
+ private:
+  const GraspTool& tool_;
+};
+
+}  // namespace marketgen

@@ -1,0 +1,243 @@
+#include "policy/aisle_body.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace marketgen {
+namespace {
+
+constexpr double calm_s = 0.3, press_s = 0.7, let_go_s = 0.5;
+constexpr double leave_m_s = 0.2;
+constexpr double lift_speed_share = 0.9, head_speed_share = 0.9;
+constexpr double reach_speed = 0.4;  // of the arms, share of their limits
+constexpr double around_m = 1.4;     // what is farther from the robot does not count
+constexpr double shoulder_height_m = 0.9;
+constexpr double let_go_wider_by_m = 0.02;  // than what was held
+constexpr double pressed_aside_m = 0.2;     // what is so near to a product gives way to fingers
+constexpr double point_radius_m = 0.006;    // of a measured point
+constexpr double least_held_m = 0.004;      // between fingers that hold something
+constexpr double most_leave_m = 0.30, leave_step_m = 0.04;
+constexpr std::array let_down_lifts_m{0.3, 0.45, 0.15, 0.6};  // both arms reach the basket
+
+std::vector<Vec3f> near(const std::vector<Vec3f>& points, Vec3 middle, double within_m) {
+  std::vector<Vec3f> kept;
+  std::ranges::copy_if(points, std::back_inserter(kept), [&](Vec3f p) {
+    return length(to_double(p) - middle) < within_m;
+  });
+  return kept;
+}
+
+std::vector<Vec3f> beyond(const std::vector<Vec3f>& points, Vec3 middle, double from_m) {
+  std::vector<Vec3f> kept;
+  std::ranges::copy_if(points, std::back_inserter(kept), [&](Vec3f p) {
+    return length(to_double(p) - middle) >= from_m;
+  });
+  return kept;
+}
+
+void add_cloud(std::vector<Vec3f> points, Obstacles& obstacles) {
+  if (!points.empty()) obstacles.clouds.push_back({std::move(points), point_radius_m});
+}
+
+ArmPlanOptions carrying_options(double share) {
+  ArmPlanOptions options;
+  options.speed = reach_speed * share;
+  options.acceleration = carrying_acceleration;
+  return options;
+}
+
+}  // namespace
+
+AisleBody::AisleBody(AisleBodySetup setup, Seed seed)
+    : setup_(std::move(setup)), seed_(seed), body_(*setup_.robot, setup_.commanded) {}
+
+void AisleBody::start(const Observation& now) {
+  now_ = now;
+  body_.start(now);
+}
+
+Seed AisleBody::next_seed() {
+  return seed_.child("move", moves_++);
+}
+
+std::vector<double> AisleBody::state() const {
+  const Robot& robot = *setup_.robot;
+  std::vector<double> q = setup_.driving;
+  const auto set = [&](int dof, double value) {
+    const Joint& joint = robot.joint_of_dof(static_cast<std::size_t>(dof));
+    q[static_cast<std::size_t>(dof)] = std::clamp(value, joint.lower, joint.upper);
+  };
+  for (std::size_t i = 0; i < setup_.commanded.size(); ++i)
+    set(setup_.commanded[i], now_.position[i]);
+  for (std::size_t t = 0; t < robot.tools.size(); ++t) {
+    const JointGroup* fingers = robot.find_group(robot.tools[t].prefix + "fingers");
+    for (const int dof : fingers == nullptr ? std::vector<int>{} : fingers->dofs)
+      set(dof, now_.openings_m[t] / 2);
+  }
+  return with_followers(robot, std::move(q));
+}
+
+const std::vector<int>& AisleBody::arm() const {
+  return setup_.robot->find_group(pick_.group)->dofs;
+}
+
+Configuration AisleBody::arm_at(const std::vector<double>& q) const {
+  Configuration at;
+  for (const int dof : arm())
+    at.push_back(q[static_cast<std::size_t>(dof)]);
+  return at;
+}
+
+bool AisleBody::holds_it() const {
+  return closed_ && now_.openings_m[static_cast<std::size_t>(pick_.tool)] > least_held_m;
+}
+
+Obstacles AisleBody::around(const std::vector<Vec3f>& points) const {
+  const Vec3 middle{now_.base.x_m, now_.base.y_m, shoulder_height_m};
+  Obstacles obstacles = setup_.map->fixtures(middle, around_m);
+  add_cloud(near(points, middle, around_m), obstacles);
+  return obstacles;
+}
+
+Result<void> AisleBody::drive_to(const BasePlace& place) {
+  MARKETGEN_TRY(BaseFollower way, setup_.map->way(now_.base, place));
+  body_.follow(std::move(way));
+  body_.wait(calm_s);
+  return {};
+}
+
+Result<void> AisleBody::look(double pan, double tilt) {
+  const Robot& robot = *setup_.robot;
+  MARKETGEN_CHECK(body_.move_joint(robot.find_dof("head_pan"), pan, head_speed_share));
+  MARKETGEN_CHECK(body_.move_joint(robot.find_dof("head_tilt"), tilt, head_speed_share));
+  body_.wait(calm_s);
+  return {};
+}
+
+Result<ShelfPick> AisleBody::plan_pick(const ShelfItem& item,
+                                       const std::vector<Vec3f>& points,
+                                       std::optional<BasePlace> from) {
+  const Vec3 middle = item.store_from_product.position;
+  ShelfPickQuestion question;
+  question.world_from_product = item.store_from_product;
+  question.depth_m = item.known->product.depth_m();
+  question.grasps = item.grasps;
+  question.tool_row = item.tool_row;
+  question.driving = setup_.driving;
+  question.carried = setup_.basket.walls;
+  question.line = question.way = setup_.map->fixtures(middle, around_m);
+  add_cloud(near(points, middle, around_m), question.way);
+  add_cloud(beyond(near(points, middle, around_m), middle, pressed_aside_m), question.line);
+  question.may_stand = [&](const Pose& base) {
+    const BasePlace place = base_place(base);
+    return setup_.map->has_room(place) && setup_.map->way_m(now_.base, place).has_value();
+  };
+  if (from) question.world_from_base = store_from_base(*from);
+  question.speed = reach_speed;
+  question.acceleration = carrying_acceleration;
+  return plan_shelf_pick(*setup_.robot, question, next_seed());
+}
+
+Result<void> AisleBody::take(const ShelfItem& item, ShelfPick pick) {
+  item_ = item;
+  pick_ = std::move(pick);
+  const int lift = setup_.robot->find_dof("lift");
+  const double height = pick_.state[static_cast<std::size_t>(lift)];
+  MARKETGEN_CHECK(body_.move_joint(lift, height, lift_speed_share));
+  body_.grip(pick_.tool, {pick_.grasp.opening_m});
+  body_.wait(let_go_s);
+  body_.play(arm(), pick_.reach.trajectory);
+  body_.grip(pick_.tool, {0, pick_.grasp.force_n});
+  body_.wait(press_s);
+  closed_ = true;
+  return {};
+}
+
+Result<void> AisleBody::pull_out() {
+  if (holds_it()) {
+    body_.play(arm(), pick_.lift);
+    body_.play(arm(), pick_.retreat);
+    return {};
+  }
+  MARKETGEN_TRY(const ArmModel model, make_arm_model(*setup_.robot, pick_.group));
+  MARKETGEN_TRY(const auto limits, motion_limits(model, carrying_options(0.5)));
+  const JointPath back(pick_.reach.line.rbegin(), pick_.reach.line.rend());
+  MARKETGEN_TRY(JointTrajectory way, timed_curve(back, limits));
+  closed_ = false;
+  body_.grip(pick_.tool, {pick_.grasp.opening_m});
+  body_.wait(let_go_s);
+  body_.play(arm(), std::move(way));
+  return {};
+}
+
+double AisleBody::room_behind_m() const {
+  for (double back = most_leave_m; back > leave_step_m / 2; back -= leave_step_m)
+    if (setup_.map->has_room(base_place(store_from_base(now_.base) * Pose{{-back, 0, 0}, {}})))
+      return back;
+  return 0;
+}
+
+Result<void> AisleBody::back_off() {
+  if (const double back = room_behind_m(); back > 0)
+    MARKETGEN_CHECK(body_.drive_straight(-back, leave_m_s));
+  body_.wait(calm_s);
+  lift_tried_ = 0;
+  if (!holds_it()) return {};
+  return body_.move_joint(
+      setup_.robot->find_dof("lift"), let_down_lifts_m[lift_tried_], lift_speed_share);
+}
+
+Result<bool> AisleBody::drop(const std::vector<Vec3f>& points) {
+  DropQuestion question;
+  question.state = state();
+  question.world_from_base = store_from_base(now_.base);
+  question.group = pick_.group;
+  question.tool = pick_.tool;
+  question.held = &item_.known->body;
+  question.tip_from_product = inverse(pick_.grasp.product_from_tool);
+  question.around = around(points);
+  question.inside = inside_;
+  question.stow = arm_at(setup_.driving);
+  auto plan = plan_drop(*setup_.robot, setup_.basket, question, next_seed());
+  if (!plan.ok()) {
+    const bool last = ++lift_tried_ >= let_down_lifts_m.size();
+    if (last) lift_tried_ = 0;
+    MARKETGEN_CHECK(body_.move_joint(
+        setup_.robot->find_dof("lift"), let_down_lifts_m[lift_tried_], lift_speed_share));
+    if (last) return plan.error();
+    return false;
+  }
+  const double held = now_.openings_m[static_cast<std::size_t>(pick_.tool)];
+  closed_ = false;
+  body_.play(arm(), plan->way);
+  body_.wait(calm_s);
+  body_.grip(pick_.tool, {held + let_go_wider_by_m, pick_.grasp.force_n});
+  body_.wait(let_go_s);
+  body_.play(arm(), plan->retreat);
+  body_.play(arm(), plan->home);
+  body_.wait(calm_s);
+  const TurnedBox box =
+      turned_box(item_.known->body, plan->base_from_tip * question.tip_from_product);
+  inside_.push_back({{box.middle, {}}, box.half});
+  return true;
+}
+
+Result<void> AisleBody::go_home(const std::vector<Vec3f>& points) {
+  MARKETGEN_TRY(const ArmModel model, make_arm_model(*setup_.robot, pick_.group));
+  Obstacles obstacles = around(points);
+  const Pose base = store_from_base(now_.base);
+  for (const BoxObstacle& box : setup_.basket.walls)
+    obstacles.boxes.push_back({base * box.pose, box.half_size});
+  MARKETGEN_TRY(const CollisionWorld world, CollisionWorld::make(obstacles));
+  const std::vector<double> q = state();
+  MARKETGEN_TRY(const ArmChecker checker, ArmChecker::make(model, q, base, world, {0.002, {}}));
+  MARKETGEN_TRY(
+      ArmPlan plan,
+      plan_arm(checker, arm_at(q), {arm_at(setup_.driving)}, next_seed(), carrying_options(1)));
+  body_.play(arm(), std::move(plan.trajectory));
+  body_.wait(calm_s);
+  return {};
+}
+
+}  // namespace marketgen

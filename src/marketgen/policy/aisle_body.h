@@ -1,0 +1,85 @@
+// What a robot that collects does, one action at a time: drives, looks, takes from a shelf, lets
+// down into its basket. It plans against the map and the points it is given; of the world it knows
+// nothing else.
+//
+// Store frame where nothing else is said; SI units.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "agent/aisle_map.h"
+#include "agent/known_products.h"
+#include "collect/drop_plan.h"
+#include "collect/shelf_pick.h"
+#include "policy/body_executor.h"
+
+namespace marketgen {
+
+// Robot and map must outlive it.
+struct AisleBodySetup {
+  const Robot* robot = nullptr;
+  const AisleMap* map = nullptr;
+  CarriedBasket basket;
+  std::vector<double> driving;  // its state while it drives, on the origin
+  std::vector<int> commanded;   // degrees of freedom of an action's positions
+};
+
+// Something to be taken: where it stands and how.
+struct ShelfItem {
+  const KnownProduct* known = nullptr;
+  Pose store_from_product;
+  std::vector<Grasp> grasps;  // best first
+  std::string tool_row;       // of the gripper that they are for
+};
+
+class AisleBody {
+ public:
+  AisleBody(AisleBodySetup setup, Seed seed);
+
+  void start(const Observation& now);
+  void sense(const Observation& now) { now_ = now; }
+  bool idle() const { return body_.idle(); }
+  Action next() { return body_.next(now_); }
+
+  // ---- The robot as it is. ----
+  std::vector<double> state() const;  // base on the origin
+  const BasePlace& place() const { return now_.base; }
+  // By the fingers alone: shut on nothing they come together.
+  bool holds_it() const;
+
+  // ---- Each queues motions, or returns an error and queues nothing. ----
+  Result<void> drive_to(const BasePlace& place);
+  // The head: to the left and down, rad.
+  Result<void> look(double pan, double tilt);
+  // A place to stand and the arm's ways. `points`: measured. Queues nothing.
+  Result<ShelfPick> plan_pick(const ShelfItem& item,
+                              const std::vector<Vec3f>& points,
+                              std::optional<BasePlace> from);
+  Result<void> take(const ShelfItem& item, ShelfPick pick);  // from where it stands: up to the grip
+  Result<void> pull_out();  // with what it holds; back along its way when that is nothing
+  Result<void> back_off();  // from the shelf; with something held also to the lift's height
+  // Tried from one lift height after another: true when it is on its way into the basket, false
+  // when the lift moves first. Error: collect.no_drop when all were tried; then the first is next.
+  Result<bool> drop(const std::vector<Vec3f>& points);
+  Result<void> go_home(const std::vector<Vec3f>& points);  // the empty arm, to its stowed posture
+
+ private:
+  const std::vector<int>& arm() const;
+  Configuration arm_at(const std::vector<double>& q) const;
+  Obstacles around(const std::vector<Vec3f>& points) const;
+  double room_behind_m() const;
+  Seed next_seed();
+
+  AisleBodySetup setup_;
+  Seed seed_;
+  BodyExecutor body_;
+  Observation now_;
+  ShelfItem item_;
+  ShelfPick pick_;
+  std::vector<BoxObstacle> inside_;  // of the basket, as let down; base frame
+  bool closed_ = false;              // the hand that takes: about something, or about nothing
+  std::size_t lift_tried_ = 0;
+  std::uint64_t moves_ = 0;
+};
+
+}  // namespace marketgen

@@ -1,0 +1,59 @@
+#include "policy/aisle_sight.h"
+
+#include "perception/grasp_source.h"
+#include "policy/own_body.h"
+
+namespace marketgen {
+namespace {
+
+constexpr double ahead_m = 2.0;  // boards whose middle is farther are seen too small
+constexpr double cloud_spacing_m = 0.008, highest_point_m = 2.5;
+
+}  // namespace
+
+std::vector<BoardAhead> ShelfSight::boards_ahead(const AisleMap& map) const {
+  const Pose base_from_store = inverse(store_from_base(place_));
+  std::vector<BoardAhead> ahead;
+  for (const ShelfBoard& board : map.boards()) {
+    const Pose pose = base_from_store * board.store_from_board;
+    const bool near = std::hypot(pose.position.x, pose.position.y) < ahead_m;
+    const bool faces = dot(rotate(pose.rotation, {0, 1, 0}), pose.position) > 0;
+    if (near && faces) ahead.push_back({pose, board.width_m, board.depth_m, board.clearance_m});
+  }
+  return ahead;
+}
+
+std::vector<ShelfFind> ShelfSight::find(std::size_t goal,
+                                        const WantedProduct& wanted,
+                                        const AisleMap& map,
+                                        const SpotSource& spots,
+                                        const ShelfChoice& choice) const {
+  const std::vector<BoardAhead> boards = boards_ahead(map);
+  const Vec3f size = wanted.look->high() - wanted.look->low();
+  const Pose store = store_from_base(place_);
+  std::vector<ShelfFind> finds;
+  for (const FoundOnShelf& found :
+       choice.find(wanted, views_, boards, spots.spots(views_, boards, size)))
+    finds.push_back({goal, store * found.pose.base_from_product, found.pose.evidence.score});
+  return finds;
+}
+
+ShelfFind ShelfSight::again(const ShelfFind& known,
+                            const ProductLook& look,
+                            const ShelfChoice& choice) const {
+  const Pose store = store_from_base(place_);
+  const FittedPose seen = choice.again(look, views_, inverse(store) * known.store_from_product);
+  return {known.goal, store * seen.base_from_product, seen.evidence.score};
+}
+
+std::vector<Vec3f> ShelfSight::points(const Robot& robot, const std::vector<double>& state) const {
+  const std::vector<Vec3f> kept = outside_body(
+      thinned_points(views_, cloud_spacing_m, highest_point_m), robot, link_poses(robot, state));
+  const Pose store = store_from_base(place_);
+  std::vector<Vec3f> points;
+  for (const Vec3f& point : kept)
+    points.push_back(to_float(store * to_double(point)));
+  return points;
+}
+
+}  // namespace marketgen

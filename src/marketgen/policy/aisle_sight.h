@@ -1,0 +1,44 @@
+// What looks at shelves tell: where the products that are looked for stand, and what else was
+// measured. Store frame, metres.
+#pragma once
+#include <vector>
+
+#include "agent/aisle_map.h"
+#include "agent/eyes.h"
+#include "perception/shelf_choice.h"
+#include "robots/robot.h"
+
+namespace marketgen {
+
+// Of one product, as it was found from some place.
+struct ShelfFind {
+  std::size_t goal = 0;
+  Pose store_from_product;
+  double score = 0;
+};
+
+// Looks from one place, in the frame of the robot's base there.
+class ShelfSight {
+ public:
+  explicit ShelfSight(const BasePlace& place) : place_(place) {}
+  void add(View view) { views_.emplace_back(std::move(view)); }
+
+  // Where a product stands on the boards nearby; best first.
+  std::vector<ShelfFind> find(std::size_t goal,
+                              const WantedProduct& wanted,
+                              const AisleMap& map,
+                              const SpotSource& spots,
+                              const ShelfChoice& choice) const;
+  // The same product as it is seen from here; score 0 when it is not.
+  ShelfFind again(const ShelfFind& known, const ProductLook& look, const ShelfChoice& choice) const;
+  // Measured points without the robot itself, which stands as `state` says (base on the origin).
+  std::vector<Vec3f> points(const Robot& robot, const std::vector<double>& state) const;
+
+ private:
+  std::vector<BoardAhead> boards_ahead(const AisleMap& map) const;
+
+  BasePlace place_;
+  std::vector<ViewCloud> views_;
+};
+
+}  // namespace marketgen

@@ -1,0 +1,32 @@
+// Where to look for a product in a store: places before the shelves, and their order.
+//
+// Products of one category stand near one another, so the shelves nearest to the category's place
+// come first, and of these the ones on the way.
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "agent/aisle_map.h"
+
+namespace marketgen {
+
+// From `place` the robot looks straight at the boards of one front.
+struct ViewStop {
+  BasePlace place;
+  Vec2 front;  // middle of the boards' edges
+};
+
+// One for each front of a fixture before which the robot has room.
+std::vector<ViewStop> view_stops(const AisleMap& map);
+
+// The stop that is to be looked from next for something near `hint`; `seen`: those that were. Empty
+// when none is left within `most_m` of the hint that can be reached.
+std::optional<std::size_t> next_stop(const AisleMap& map,
+                                     const std::vector<ViewStop>& stops,
+                                     const std::vector<bool>& seen,
+                                     const BasePlace& from,
+                                     Vec2 hint,
+                                     double most_m);
+
+}  // namespace marketgen

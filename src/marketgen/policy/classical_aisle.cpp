@@ -1,0 +1,444 @@
+#include "policy/classical_aisle.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "policy/aisle_sight.h"
+#include "policy/aisle_tour.h"
+
+namespace marketgen {
+namespace {
+
+constexpr int most_tries = 3;    // an item
+constexpr int tries_a_find = 2;  // of what was found at one place
+// Shelves so near to the category's place are looked at before a doubtful find is taken; those
+// farther than the second are left out.
+constexpr double near_category_m = 3.5, far_from_category_m = 7;
+constexpr double worth_off_per_m = 0.02;  // of a find's score, off the category's place
+constexpr double sure = 0.58;             // worth of a find that is taken at once
+constexpr double about_as_good = 0.04;    // of worths: the nearer one is taken
+constexpr double least_item_left_s = 45;
+constexpr double stop_tilts[] = {0.14, 0.75};  // of the head, down: upper and lower boards
+constexpr double same_find_m = 0.04;
+constexpr double least_again = 0.6;  // of its score, at a second look from before the shelf
+constexpr double most_tilt = 1.04, most_pan = 1.3;
+constexpr double rival_size = 0.3;  // of each side, of products that may be taken for one another
+constexpr std::size_t most_rivals_looked_at = 20;
+constexpr double other_reach_m = 0.35;  // of a product, measured points that its grasps mind
+
+const std::string head_eye = "head_camera";
+
+enum class AisleStep {
+  choose,
+  look_up,
+  look_down,
+  at_shelf,
+  look_again,
+  pressed,
+  out,
+  away,
+  dropped
+};
+
+class ClassicalAisle : public Policy {
+ public:
+  ClassicalAisle(ClassicalAisleSetup setup, Seed seed)
+      : setup_(std::move(setup)),
+        robot_(*setup_.body.robot),
+        map_(*setup_.body.map),
+        body_(setup_.body, seed),
+        sight_(BasePlace{}) {
+    modules_.spots = std::make_unique<SweptSpots>();
+    modules_.choice = std::make_unique<UprightMatching>();
+    modules_.grasps = std::make_unique<FrontGrasps>(setup_.tool);
+  }
+
+  Result<void> begin(const Task& task, const Observation& first) override {
+    task_ = task;
+    body_.start(first);
+    stops_ = view_stops(map_);
+    seen_.assign(stops_.size(), false);
+    for (const TaskGoal& goal : task.goals)
+      MARKETGEN_CHECK(learn(goal));
+    return {};
+  }
+
+  Result<Action> act(const Observation& now) override {
+    now_ = now;
+    body_.sense(now);
+    // What could not be planned leads on to the next step at once.
+    for (int i = 0; i < 4 && body_.idle() && !done_; ++i)
+      MARKETGEN_CHECK(decide());
+    Action action = body_.next();
+    action.stop = done_;
+    return action;
+  }
+
+  std::string failure() const override {
+    for (const Goal& goal : goals_)
+      if (goal.fetched < goal.wanted) return goal.failure;
+    return "None";
+  }
+
+ private:
+  struct Goal {
+    std::string sku;
+    int wanted = 1, fetched = 0, tries = 0;
+    std::unique_ptr<ProductLook> look;
+    std::vector<std::unique_ptr<ProductLook>> rivals;
+    Vec2 hint;
+    std::string failure = "NotFound";
+  };
+  struct Find {
+    ShelfFind place;
+    double worth = 0;  // score, less what it stands off its category's place
+    int tries = 0;
+  };
+
+  Result<void> decide() {
+    switch (step_) {
+      case AisleStep::choose:
+        return choose();
+      case AisleStep::look_up:
+        return look_up();
+      case AisleStep::look_down:
+        return look_down();
+      case AisleStep::at_shelf:
+        return turn_head();
+      case AisleStep::look_again:
+        return look_again();
+      case AisleStep::pressed:
+        return pull_out();
+      case AisleStep::out:
+        step_ = AisleStep::away;
+        return body_.back_off();
+      case AisleStep::away:
+        return drop();
+      case AisleStep::dropped:
+        return count();
+    }
+    return {};
+  }
+
+  // ---- What it is to know ----
+
+  Result<std::unique_ptr<ProductLook>> look_of(const std::string& sku) {
+    MARKETGEN_TRY(const auto* pictures, setup_.products->pictures(sku));
+    MARKETGEN_TRY(ProductLook look, ProductLook::make(sku, *pictures));
+    return std::make_unique<ProductLook>(std::move(look));
+  }
+
+  Result<void> learn(const TaskGoal& asked) {
+    Goal goal;
+    goal.sku = asked.sku;
+    goal.wanted = asked.count;
+    MARKETGEN_TRY(goal.look, look_of(asked.sku));
+    MARKETGEN_TRY(const KnownProduct* known, setup_.products->product(asked.sku));
+    for (const std::string& rival : rivals_of(known->product)) {
+      MARKETGEN_TRY(auto look, look_of(rival));
+      goal.rivals.push_back(std::move(look));
+    }
+    const auto hint = std::ranges::find(setup_.hints, asked.sku, &CategoryHint::sku);
+    if (hint == setup_.hints.end())
+      return Error{"episode.impossible", asked.sku, "nothing says where its category stands"};
+    goal.hint = hint->position;
+    goals_.push_back(std::move(goal));
+    return {};
+  }
+
+  // Of its category and much its size, the most alike ones.
+  std::vector<std::string> rivals_of(const Product& product) const {
+    std::vector<std::pair<double, std::string>> alike;
+    for (const Product& other : setup_.products->rows()) {
+      if (product.sku == other.sku || product.category != other.category) continue;
+      double most = 0;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        most = std::max(most, std::abs(1.0 * other.size_mm[axis] / product.size_mm[axis] - 1));
+      if (most <= rival_size) alike.emplace_back(most, other.sku);
+    }
+    std::ranges::stable_sort(alike);
+    std::vector<std::string> rivals;
+    for (std::size_t i = 0; i < std::min(most_rivals_looked_at, alike.size()); ++i)
+      rivals.push_back(alike[i].second);
+    return rivals;
+  }
+
+  static WantedProduct wanted_of(const Goal& goal) {
+    WantedProduct wanted{goal.look.get(), {}};
+    for (const auto& rival : goal.rivals)
+      wanted.rivals.push_back(rival.get());
+    return wanted;
+  }
+
+  // ---- What to do next ----
+
+  bool is_due(const Goal& goal) const {
+    return goal.fetched < goal.wanted && goal.tries < most_tries;
+  }
+
+  Result<void> choose() {
+    if (now_.time_s + least_item_left_s > task_.limit_s) {
+      for (Goal& goal : goals_)
+        if (is_due(goal)) goal.failure = "Timeout";
+      done_ = true;
+      return {};
+    }
+    // Sure finds; then what may be seen nearby; then doubtful ones; then what is farther away.
+    if (go_to_find(sure)) return {};
+    MARKETGEN_TRY(const bool looks, go_looking(near_category_m));
+    if (looks || go_to_find(0)) return {};
+    MARKETGEN_TRY(const bool looks_on, go_looking(far_from_category_m));
+    done_ = !looks_on;
+    return {};
+  }
+
+  bool go_to_find(double least_worth) {
+    while (const auto find = next_find(least_worth)) {
+      if (approach(*find)) return true;
+      refuse(*find);
+    }
+    return false;
+  }
+
+  // Of each goal the finds that are about as good as its best; of these the nearest.
+  std::optional<std::size_t> next_find(double least_worth) const {
+    std::vector<double> best_of(goals_.size(), least_worth);
+    for (const Find& find : finds_)
+      best_of[find.place.goal] = std::max(best_of[find.place.goal], find.worth);
+    std::optional<std::size_t> best;
+    double least = 0;
+    for (std::size_t i = 0; i < finds_.size(); ++i) {
+      const ShelfFind& find = finds_[i].place;
+      const bool good =
+          finds_[i].worth >= std::max(least_worth, best_of[find.goal] - about_as_good);
+      if (!good || !is_due(goals_[find.goal])) continue;
+      const Vec3 at = find.store_from_product.position;
+      const double off = std::hypot(at.x - now_.base.x_m, at.y - now_.base.y_m);
+      if (best && off >= least) continue;
+      best = i;
+      least = off;
+    }
+    return best;
+  }
+
+  void refuse(std::size_t find) {
+    refused_.push_back(finds_[find].place);
+    finds_.erase(finds_.begin() + static_cast<std::ptrdiff_t>(find));
+  }
+
+  // To the next place from which a missing goal may be seen; false when there is none.
+  Result<bool> go_looking(double within_m) {
+    std::optional<std::size_t> best;
+    double least = 0;
+    for (Goal& goal : goals_) {
+      if (!is_due(goal)) continue;
+      const auto stop = next_stop(map_, stops_, seen_, now_.base, goal.hint, within_m);
+      if (!stop) continue;
+      const double way = map_.way_m(now_.base, stops_[*stop].place).value_or(1e9);
+      if (best && way >= least) continue;
+      best = stop;
+      least = way;
+    }
+    if (!best) return false;
+    seen_[*best] = true;
+    if (!body_.drive_to(stops_[*best].place).ok()) return true;  // another one, the next time
+    step_ = AisleStep::look_up;
+    MARKETGEN_CHECK(body_.look(0, stop_tilts[0]));
+    return true;
+  }
+
+  // ---- Looking ----
+
+  Result<void> look_up() {
+    sight_ = ShelfSight(now_.base);
+    MARKETGEN_TRY(View view, setup_.eyes->look(head_eye));
+    sight_.add(std::move(view));
+    step_ = AisleStep::look_down;
+    return body_.look(0, stop_tilts[1]);
+  }
+
+  Result<void> look_down() {
+    MARKETGEN_TRY(View view, setup_.eyes->look(head_eye));
+    sight_.add(std::move(view));
+    points_ = sight_.points(robot_, body_.state());
+    for (std::size_t i = 0; i < goals_.size(); ++i) {
+      if (!is_due(goals_[i])) continue;
+      for (const ShelfFind& find :
+           sight_.find(i, wanted_of(goals_[i]), map_, *modules_.spots, *modules_.choice))
+        remember(find);
+    }
+    step_ = AisleStep::choose;
+    return {};
+  }
+
+  void remember(const ShelfFind& find) {
+    const auto is_same = [&](const ShelfFind& other) {
+      return other.goal == find.goal && length(other.store_from_product.position -
+                                               find.store_from_product.position) < same_find_m;
+    };
+    if (std::ranges::any_of(refused_, is_same)) return;
+    const auto known = std::ranges::find_if(finds_, is_same, &Find::place);
+    const Vec2 hint = goals_[find.goal].hint;
+    const Vec3 at = find.store_from_product.position;
+    const double worth = find.score - worth_off_per_m * std::hypot(at.x - hint.x, at.y - hint.y);
+    if (known == finds_.end())
+      finds_.push_back({find, worth, 0});
+    else if (find.score > known->place.score)
+      known->place = find, known->worth = worth;
+  }
+
+  // ---- Taking it ----
+
+  Result<ShelfItem> item_at(const ShelfFind& find) {
+    const Goal& goal = goals_[find.goal];
+    ShelfItem item;
+    MARKETGEN_TRY(item.known, setup_.products->product(goal.sku));
+    item.store_from_product = find.store_from_product;
+    item.tool_row = setup_.tool.id;
+    const Vec3 middle = find.store_from_product.position;
+    std::vector<Vec3f> near;
+    for (const Vec3f& point : points_)
+      if (length(to_double(point) - middle) < other_reach_m) near.push_back(point);
+    const std::vector<Vec3f> others = other_points(near, *goal.look, find.store_from_product);
+    MARKETGEN_TRY(const auto grasps,
+                  modules_.grasps->grasps({*item.known, find.store_from_product, others}));
+    for (const SeenGrasp& grasp : grasps)
+      item.grasps.push_back(
+          {inverse(find.store_from_product) * grasp.base_from_tip, grasp.opening_m, grasp.force_n});
+    return item;
+  }
+
+  bool approach(std::size_t number) {
+    Find& find = finds_[number];
+    Goal& goal = goals_[find.place.goal];
+    const auto item = item_at(find.place);
+    if (!item.ok() || item->grasps.empty()) return note(goal, "NoGrasp");
+    const auto pick = body_.plan_pick(*item, points_, {});
+    if (!pick.ok()) return note(goal, "NoPath");
+    if (!body_.drive_to(base_place(pick->world_from_base)).ok()) return note(goal, "NoPath");
+    find_ = number;
+    step_ = AisleStep::at_shelf;
+    return true;
+  }
+
+  static bool note(Goal& goal, const char* why) {
+    goal.failure = why;
+    return false;
+  }
+
+  // Towards the product, as far as the head turns.
+  Result<void> turn_head() {
+    const Pose head = frame_pose(robot_, body_.state(), robot_.find_frame(head_eye));
+    const Vec3 at =
+        inverse(store_from_base(now_.base)) * finds_[find_].place.store_from_product.position -
+        head.position;
+    step_ = AisleStep::look_again;
+    return body_.look(std::clamp(std::atan2(at.y, at.x), -most_pan, most_pan),
+                      std::clamp(std::atan2(-at.z, std::hypot(at.x, at.y)), 0.0, most_tilt));
+  }
+
+  // From where it came to stand, by what is seen from there.
+  Result<void> look_again() {
+    Find& find = finds_[find_];
+    Goal& goal = goals_[find.place.goal];
+    sight_ = ShelfSight(now_.base);
+    MARKETGEN_TRY(View view, setup_.eyes->look(head_eye));
+    sight_.add(std::move(view));
+    const std::vector<Vec3f> more = sight_.points(robot_, body_.state());
+    points_.insert(points_.end(), more.begin(), more.end());
+    const ShelfFind again = sight_.again(find.place, *goal.look, *modules_.choice);
+    if (again.score >= least_again * find.place.score) {
+      find.place = again;
+      return take(find, goal);
+    }
+    note(goal, "NotFound");
+    refuse(find_);
+    step_ = AisleStep::choose;
+    return {};
+  }
+
+  Result<void> take(Find& find, Goal& goal) {
+    ++goal.tries;
+    ++find.tries;
+    step_ = AisleStep::choose;
+    const auto item = item_at(find.place);
+    auto pick =
+        item.ok() ? body_.plan_pick(*item, points_, now_.base) : Result<ShelfPick>(item.error());
+    if (!pick.ok()) {
+      note(goal, "NoPath");
+      refuse(find_);
+      return {};
+    }
+    MARKETGEN_CHECK(body_.take(*item, std::move(*pick)));
+    step_ = AisleStep::pressed;
+    return {};
+  }
+
+  Result<void> pull_out() {
+    held_ = body_.holds_it();
+    if (!held_) note(goals_[finds_[find_].place.goal], "Missed");
+    step_ = AisleStep::out;
+    return body_.pull_out();
+  }
+
+  Result<void> drop() {
+    Goal& goal = goals_[finds_[find_].place.goal];
+    if (!body_.holds_it()) {
+      if (held_) note(goal, "Slipped");
+      return leave_empty();
+    }
+    const auto dropped = body_.drop(points_);
+    if (dropped.ok()) {
+      if (*dropped) step_ = AisleStep::dropped;
+      return {};
+    }
+    note(goal, "NoPath");
+    done_ = points_.empty();  // with the item in its hand: it cannot go on
+    points_.clear();          // once more, past what the map knows alone
+    return {};
+  }
+
+  Result<void> leave_empty() {
+    step_ = AisleStep::choose;
+    if (finds_[find_].tries >= tries_a_find) refuse(find_);
+    if (!body_.go_home(points_).ok() && !body_.go_home({}).ok()) done_ = true;
+    return {};
+  }
+
+  Result<void> count() {
+    ++goals_[finds_[find_].place.goal].fetched;
+    refuse(find_);
+    step_ = AisleStep::choose;
+    return {};
+  }
+
+  ClassicalAisleSetup setup_;
+  ClassicalAisleModules modules_;
+  const Robot& robot_;
+  const AisleMap& map_;
+  AisleBody body_;
+  Task task_;
+  Observation now_;
+  std::vector<Goal> goals_;
+  std::vector<ViewStop> stops_;
+  std::vector<bool> seen_;  // of the stops
+  std::vector<Find> finds_;
+  std::vector<ShelfFind> refused_;  // taken, or not to be taken
+  std::size_t find_ = 0;            // that is being taken
+  bool held_ = false;               // it was in the hand when that closed
+  AisleStep step_ = AisleStep::choose;
+  ShelfSight sight_;
+  std::vector<Vec3f> points_;  // measured from the last stop and before the shelf
+  bool done_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Policy> make_classical_aisle(ClassicalAisleSetup setup, Seed seed) {
+  return std::make_unique<ClassicalAisle>(std::move(setup), seed);
+}
+
+}  // namespace marketgen

@@ -1,0 +1,38 @@
+// The modular system without learned weights, in a store: it drives to where the map and the
+// category's place say that a product may be, looks along the shelves, finds it by its pictures and
+// shape in the catalogue, takes it off its board and lets it down into its basket. It knows what a
+// robot in that store knows and nothing of the simulation (tools/check_layers).
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "agent/aisle_map.h"
+#include "agent/eyes.h"
+#include "agent/known_products.h"
+#include "agent/policy.h"
+#include "perception/shelf_choice.h"
+#include "perception/shelf_grasps.h"
+#include "policy/aisle_body.h"
+#include "robots/grasp_tool.h"
+
+namespace marketgen {
+
+// What the agent is given. Eyes, catalogue, map and robot must outlive the policy.
+struct ClassicalAisleSetup {
+  Eyes* eyes = nullptr;  // "head_camera"; base frame: that of the robot's base
+  KnownProducts* products = nullptr;
+  GraspTool tool;
+  std::vector<CategoryHint> hints;
+  AisleBodySetup body;
+};
+
+// Its modules; each may be another.
+struct ClassicalAisleModules {
+  std::unique_ptr<SpotSource> spots;
+  std::unique_ptr<ShelfChoice> choice;
+  std::unique_ptr<ShelfGraspSource> grasps;
+};
+
+std::unique_ptr<Policy> make_classical_aisle(ClassicalAisleSetup setup, Seed seed);
+
+}  // namespace marketgen

@@ -1,0 +1,85 @@
+// What the classical policy senses in a store, and the whole of it: it looks for a can, finds it by
+// its pictures, and brings it into its basket. No truth flag is on.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "catalog/catalog.h"
+#include "collect/collect_plan.h"
+#include "evaluation/aisle_senses.h"
+#include "evaluation/checkout_senses.h"
+#include "policy/classical_aisle.h"
+#include "support/can_aisle.h"
+
+namespace marketgen {
+namespace {
+
+EpisodeSpec hinted_can_episode() {
+  EpisodeSpec spec = can_episode(*can_aisle());
+  spec.categories = {{"can-cola", "beverages", 3.0, 3.0}};
+  return spec;
+}
+
+TEST(AisleSenses, TheHeadLooksOutOfItself) {
+  const auto world = can_world(hinted_can_episode());
+  AisleEyes eyes(*world);
+  const auto view = eyes.look("head_camera");
+  ASSERT_TRUE(view.ok()) << to_string(view.error());
+  EXPECT_EQ(view->width(), 640);
+  EXPECT_NEAR(view->base_from_camera.position.z, 1.70, 0.01);
+  const auto nearest = std::ranges::min_element(view->depth_m);
+  EXPECT_GT(*nearest, 0.3F) << "its own head is not in the picture";
+  EXPECT_EQ(eyes.look("scene_camera").error().code, "usage.bad_flag");
+}
+
+TEST(AisleSenses, TheMapHasBoardsAndRoomBeforeThem) {
+  const auto store = can_aisle();
+  const StoreMap map(*store);
+  ASSERT_FALSE(map.boards().empty());
+  for (const ShelfBoard& board : map.boards()) {
+    const double z = board.store_from_board.position.z;
+    EXPECT_GE(z, store->station.shelf.lowest_m);
+    EXPECT_LE(z, store->station.shelf.highest_m);
+  }
+  const BasePlace here{2.0, 1.6, 0};
+  EXPECT_TRUE(map.has_room(here));
+  EXPECT_FALSE(map.has_room({0.05, 0.05, 0}));
+  EXPECT_NEAR(map.way_m(here, {2.5, 1.6, 0}).value(), 0.5, 2e-3);
+  EXPECT_TRUE(map.way(here, {2.5, 1.6, 0}).ok());
+  EXPECT_FALSE(map.way(here, {0.05, 0.05, 0}).ok());
+}
+
+TEST(ClassicalAisle, FindsACanAndFetchesIt) {
+  const auto world = can_world(hinted_can_episode());
+  const AisleStore& store = world->store();
+  AisleEyes eyes(*world);
+  const StoreMap map(store);
+  PictureLibrary library;
+  PicturedProducts products(store.scene.catalog, committed_catalog().frictions, library);
+  ClassicalAisleSetup setup;
+  setup.eyes = &eyes;
+  setup.products = &products;
+  setup.tool = load_grasp_tool(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data",
+                               gripper_row(store.robot).value())
+                   .value();
+  setup.hints = category_hints(world->spec());
+  setup.body = {&store.robot, &map, store.basket, store.driving, commanded_dofs(store.robot)};
+  const auto policy = make_classical_aisle(std::move(setup), Seed(3));
+  Observation now = world->observe();
+  ASSERT_TRUE(policy->begin({"Collect a can", world->spec().limit_s, {{"can-cola", 1}}}, now).ok());
+  while (!world->done()) {
+    const auto action = policy->act(now);
+    ASSERT_TRUE(action.ok()) << to_string(action.error());
+    const auto next = world->step(*action);
+    ASSERT_TRUE(next.ok()) << to_string(next.error());
+    now = *next;
+  }
+  const auto result = world->finish();
+  ASSERT_TRUE(result.ok()) << to_string(result.error());
+  EXPECT_TRUE(result->success_strict) << policy->failure() << " after " << result->simulated_s;
+  EXPECT_EQ(policy->failure(), "None");
+  EXPECT_EQ(world->in_basket().size(), 1U);
+}
+
+}  // namespace
+}  // namespace marketgen

@@ -1,0 +1,118 @@
+// Finding a product on a shelf, on boxes whose answer is known: which spot, which of several alike,
+// and the top one of a stack.
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "perception/shelf_choice.h"
+#include "support/drawn_boxes.h"
+
+namespace marketgen {
+namespace {
+
+constexpr Rgb8 carton_red{200, 40, 30}, tea_green{40, 170, 60}, milk_white{235, 235, 230},
+    board_grey{120, 120, 120};
+constexpr Vec3 pack_size{0.06, 0.05, 0.12};
+constexpr double board_z = 1.0, edge_x = 1.0;  // the robot looks along X
+constexpr double front_behind_m = 0.015;
+
+// Facing the robot: its right is -Y, into the shelf is +X.
+Pose board_pose() {
+  return {{edge_x, 0, board_z}, rotation_about({0, 0, 1}, -std::numbers::pi / 2)};
+}
+
+BoardAhead board_ahead() {
+  return {board_pose(), 1.0, 0.4, 0.4};
+}
+
+DrawnBox pack_at(double x, Rgb8 color, double z = 0, Vec3 size = pack_size) {
+  return {board_pose() * Pose{{x, front_behind_m + size.y / 2, z}, {}}, size, plain(color)};
+}
+
+std::vector<ViewCloud> look_at(std::vector<DrawnBox> boxes) {
+  boxes.push_back(
+      {board_pose() * Pose{{0, 0.2, -0.025}, {}}, {1.0, 0.4, 0.025}, plain(board_grey)});
+  boxes.push_back({board_pose() * Pose{{0, 0.41, -1}, {}}, {1.2, 0.02, 2.5}, plain(board_grey)});
+  const Pose eye{{0.1, 0, 1.5}, rotation_with_axes({-0.4, 0, -0.9}, {0.9, 0, -0.4})};
+  std::vector<ViewCloud> views;
+  views.emplace_back(drawn_view(boxes, eye, 640, 480, 460));
+  return views;
+}
+
+ProductLook look_of(const char* sku, Rgb8 color, Vec3 size = pack_size) {
+  auto made = ProductLook::make(sku, drawn_pictures(size, plain(color)));
+  if (!made.ok()) fatal(to_string(made.error()).c_str());
+  return std::move(made).value();
+}
+
+std::vector<FoundOnShelf> find_on_shelf(const WantedProduct& wanted,
+                                        const std::vector<ViewCloud>& views) {
+  const std::vector<BoardAhead> boards{board_ahead()};
+  const Vec3f size = wanted.look->high() - wanted.look->low();
+  return UprightMatching().find(wanted, views, boards, SweptSpots().spots(views, boards, size));
+}
+
+double off_from(const FoundOnShelf& found, const DrawnBox& truth) {
+  return length(found.pose.base_from_product.position - truth.pose.position);
+}
+
+TEST(SweptSpots, LieOnTheFrontsThatWereMeasured) {
+  const auto views = look_at({pack_at(-0.2, carton_red), pack_at(0.1, tea_green)});
+  const auto spots = SweptSpots().spots(views, {board_ahead()}, to_float(pack_size));
+  ASSERT_FALSE(spots.empty());
+  bool near_first = false;
+  for (const ShelfSpot& spot : spots) {
+    if (std::abs(spot.x_m + 0.2) > 0.003) continue;
+    near_first = true;
+    EXPECT_NEAR(spot.front_m, front_behind_m, 0.003);
+  }
+  EXPECT_TRUE(near_first);
+  EXPECT_TRUE(SweptSpots().spots(views, {board_ahead()}, {0.06F, 0.05F, 0.5F}).empty())
+      << "higher than the shelf's clearance";
+}
+
+TEST(UprightMatching, FindsTheOneThatIsAskedFor) {
+  const std::vector<DrawnBox> packs{
+      pack_at(-0.2, carton_red), pack_at(0.1, tea_green), pack_at(0.3, milk_white)};
+  const auto views = look_at(packs);
+  const ProductLook green = look_of("tea", tea_green);
+  const auto found = find_on_shelf({&green, {}}, views);
+  ASSERT_FALSE(found.empty());
+  EXPECT_LT(off_from(found.front(), packs[1]), 0.005);
+}
+
+TEST(UprightMatching, WhatARivalExplainsBetterIsLeftOut) {
+  const auto views = look_at({pack_at(-0.2, {190, 60, 50})});
+  const ProductLook red = look_of("red", carton_red), meant = look_of("meant", {190, 60, 50});
+  EXPECT_FALSE(find_on_shelf({&red, {}}, views).empty());
+  EXPECT_TRUE(find_on_shelf({&red, {&meant}}, views).empty());
+  EXPECT_FALSE(find_on_shelf({&meant, {&red}}, views).empty());
+}
+
+TEST(UprightMatching, TakesTheTopOfAStack) {
+  const std::vector<DrawnBox> stack{pack_at(0, carton_red), pack_at(0, carton_red, pack_size.z)};
+  const ProductLook red = look_of("red", carton_red);
+  const auto found = find_on_shelf({&red, {}}, look_at(stack));
+  ASSERT_FALSE(found.empty());
+  EXPECT_LT(off_from(found.front(), stack[1]), 0.006);
+}
+
+TEST(UprightMatching, TheFootOfSomethingTallerIsNotIt) {
+  const auto tall = look_at({pack_at(0, carton_red, 0, {0.06, 0.05, 0.20})});
+  const ProductLook red = look_of("red", carton_red);
+  EXPECT_TRUE(find_on_shelf({&red, {}}, tall).empty());
+}
+
+TEST(UprightMatching, FindsAgainWhatMovedALittle) {
+  const DrawnBox pack = pack_at(0.05, carton_red);
+  const auto views = look_at({pack});
+  const ProductLook red = look_of("red", carton_red);
+  const Pose before = pack.pose * Pose{{0.012, -0.006, 0}, {}};
+  const FittedPose again = UprightMatching().again(red, views, before);
+  EXPECT_LT(length(again.base_from_product.position - pack.pose.position), 0.004);
+  const Pose elsewhere = board_pose() * Pose{{-0.3, 0.1, 0}, {}};
+  EXPECT_LT(UprightMatching().again(red, views, elsewhere).evidence.score, 0.1);
+}
+
+}  // namespace
+}  // namespace marketgen
