@@ -35,9 +35,11 @@ struct AisleStore {
   std::vector<std::uint32_t> front_items(const std::string& sku) const;
 };
 
-// Errors: those of load_aisle_station, load_station_robot, drive_graph.
+// `tools`: a tool set of the station, the first when empty. Errors: those of load_aisle_station,
+// load_station_robot, drive_graph.
 Result<std::shared_ptr<const AisleStore>> open_aisle_store(const std::filesystem::path& data,
-                                                           Scene scene);
+                                                           Scene scene,
+                                                           const std::string& tools = {});
 
 // Of the middle between the wheels.
 Vec3 axle_of(const Robot& robot, const Pose& world_from_base);

@@ -33,14 +33,16 @@ class Arena {
   Result<std::unique_ptr<Policy>> policy(const std::string& name, const TrackWorld& world);
 
   // The store of in-aisle episodes. Errors: as open().
-  Result<std::shared_ptr<const AisleStore>> aisle_store(const std::string& scene_hash);
+  Result<std::shared_ptr<const AisleStore>> aisle_store(const std::string& scene_hash,
+                                                        const std::string& tools);
 
  private:
   std::filesystem::path data_;
   const EpisodeHeader& header_;
   const Catalog& catalog_;
   std::mutex mutex_;
-  std::map<std::string, std::shared_ptr<const AisleStore>> stores_;  // by scene hash
+  std::map<std::pair<std::string, std::string>, std::shared_ptr<const AisleStore>>
+      stores_;  // by scene hash and tool set
   PictureLibrary pictures_;
 };
 
