@@ -3,6 +3,7 @@
 // A policy is asked once every control step (20 Hz). It sees observations only; what it must not
 // know (poses, ids, goals) is not in them. World frame of a track as its rows say; SI units.
 #pragma once
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -20,11 +21,17 @@ struct BasePlace {
 struct Observation {
   double time_s = 0;
   std::vector<double> position, velocity;
-  std::vector<double> openings_m;  // between the pads, one a tool
-  BasePlace base;                  // zeros of a robot that stands still
+  std::vector<double> openings_m;    // between the pads, one a tool; of a cup 0 or cup_off_m
+  std::vector<std::uint8_t> sealed;  // one a tool: 1 when a cup has sealed, by its vacuum sensor
+  BasePlace base;                    // zeros of a robot that stands still
 };
 
-// 0 presses with `force_n`, or as hard as the tool can.
+// Opening of a cup that does not suck.
+constexpr double cup_off_m = 0.05;
+
+// Of a gripper, 0 presses with `force_n`, or as hard as the tool can. A cup sucks at 0, with all it
+// has, and lets go at anything over 0; what it has lost it takes again only after that, or when its
+// lip has come off and lies on something anew.
 struct ToolCommand {
   double opening_m = 0;  // between the pads
   double force_n = 20;   // most, on each pad

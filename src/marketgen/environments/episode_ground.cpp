@@ -70,7 +70,7 @@ Result<EpisodeSpec> EpisodeGround::pick(Track track, std::uint64_t seed) const {
 // The caller holds the lock.
 Result<AisleSampler*> EpisodeGround::aisle_sampler() {
   if (!sampler_) {
-    MARKETGEN_TRY(auto store, arena_.aisle_store(store_->manifest.scene_hash));
+    MARKETGEN_TRY(auto store, arena_.aisle_store(store_->manifest.scene_hash, {}));
     MARKETGEN_TRY(book_, open_aisle_book(data_, *catalog_));
     MARKETGEN_TRY(sampler_, AisleSampler::make(std::move(store), book_));
   }
@@ -107,7 +107,7 @@ Result<EpisodeSpec> EpisodeGround::draw(Track track, std::uint64_t seed) {
 
 Result<std::shared_ptr<const AisleStore>> EpisodeGround::aisle_store(
     const std::string& scene_hash) {
-  return arena_.aisle_store(scene_hash);
+  return arena_.aisle_store(scene_hash, {});
 }
 
 std::shared_ptr<SharedAisleView> EpisodeGround::aisle_view(const std::string& scene_hash) {

@@ -1,5 +1,11 @@
 #include "episodes/aisle_station.h"
 
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/text.h"
 #include "episodes/source_keys.h"
 #include "io/file.h"
 #include "io/json.h"
@@ -16,6 +22,12 @@ Result<void> check_station(const AisleStation& s) {
                                     {"/head_camera", &s.head_camera.source},
                                     {"/film_camera", &s.film_camera.source}})
     MARKETGEN_CHECK(check_source_keys(s.sources, *keys, aisle_file, place));
+  if (s.tool_sets.empty())
+    return Error{
+        "catalog.bad_row", std::string(aisle_file) + ":/tool_sets", "expected one or more"};
+  for (std::size_t i = 0; i < s.tool_sets.size(); ++i)
+    MARKETGEN_CHECK(check_source_keys(
+        s.sources, s.tool_sets[i].source, aisle_file, fmt::format("/tool_sets/{}", i)));
   if (s.shelf.lowest_m > s.shelf.highest_m)
     return Error{"catalog.bad_row", std::string(aisle_file) + ":/shelf", "lowest is over highest"};
   return {};
@@ -32,6 +44,18 @@ Result<void> check_robot(const AisleStation& station, const Robot& robot) {
     if (robot.find_frame(frame) < 0) return lacks("the frame \"" + frame + "\"");
   if (robot.tools.empty()) return lacks("a tool");
   return {};
+}
+
+Error unknown_tools(const AisleStation& station, const std::string& tools) {
+  std::vector<std::string_view> known;
+  for (const ToolSetRow& set : station.tool_sets)
+    known.push_back(set.id);
+  return {"robot.unknown",
+          tools,
+          fmt::format("{} has no such tools{}; there are: {}",
+                      aisle_file,
+                      did_you_mean(tools, known),
+                      fmt::join(known, ", "))};
 }
 
 // What is seen of the basket; what is touched of it are its boxes.
@@ -75,16 +99,34 @@ CarriedBasket carried_basket(const AisleStation& station, const Robot& robot) {
   return basket;
 }
 
-Result<AisleStation> load_aisle_station(const std::filesystem::path& data) {
+Result<void> check_tools(const AisleStation& station,
+                         const std::string& tools,
+                         const std::string& where) {
+  const std::string& wanted = tools.empty() ? station.tool_sets.front().id : tools;
+  if (wanted == station.tools().id) return {};
+  return Error{"robot.unknown",
+               where,
+               fmt::format("the robot carries the tools \"{}\", the episode is for \"{}\": open "
+                           "the store with those",
+                           station.tools().id,
+                           wanted)};
+}
+
+Result<AisleStation> load_aisle_station(const std::filesystem::path& data,
+                                        const std::string& tools) {
   MARKETGEN_TRY(const std::string text, read_file(data / "benchmark" / aisle_file, 1U << 20));
   MARKETGEN_TRY(AisleStation station, read_json<AisleStation>(text, aisle_file));
   MARKETGEN_CHECK(check_station(station));
+  if (tools.empty()) return station;
+  const auto chosen = std::ranges::find(station.tool_sets, tools, &ToolSetRow::id);
+  if (chosen == station.tool_sets.end()) return unknown_tools(station, tools);
+  station.carries = static_cast<std::size_t>(chosen - station.tool_sets.begin());
   return station;
 }
 
 Result<Robot> load_station_robot(const std::filesystem::path& data, const AisleStation& station) {
   RobotTools tools;
-  for (const ToolChoiceRow& tool : station.tools)
+  for (const ToolChoiceRow& tool : station.tools().tools)
     tools.emplace(tool.slot, tool.row);
   MARKETGEN_TRY(Robot robot, load_robot(data, station.robot, tools));
   MARKETGEN_CHECK(check_robot(station, robot));

@@ -56,12 +56,23 @@ struct FrameCameraRow {
                  field("source", &FrameCameraRow::source, "keys of the sources, by blanks"));
 };
 
+// What the robot may carry instead of its row's own tools.
+struct ToolSetRow {
+  std::string id;
+  std::vector<ToolChoiceRow> tools;
+  std::string source;
+  static constexpr auto fields =
+      field_list(field("id", &ToolSetRow::id, "as episodes name it", identifier()),
+                 field("tools", &ToolSetRow::tools, "instead of the robot's own", at_most_items(8)),
+                 field("source", &ToolSetRow::source, "keys of the sources, by blanks"));
+};
+
 struct AisleStation {
   std::string schema = "market-aisle/1";
   std::string id;
   std::vector<SourceRow> sources;
   std::string robot;
-  std::vector<ToolChoiceRow> tools;
+  std::vector<ToolSetRow> tool_sets;
   std::string posture;
   double lift_m = 0;
   CarriedBasketRow basket;
@@ -69,13 +80,18 @@ struct AisleStation {
   FrameCameraRow head_camera;
   StationCameraRow film_camera;
   double limit_s = 900;
+  std::size_t carries = 0;  // row of tool_sets, no field of the file
 
   static constexpr auto fields = field_list(
       field("schema", &AisleStation::schema, "schema tag", constant("market-aisle/1")),
       field("id", &AisleStation::id, "the name of its file", identifier()),
       field("sources", &AisleStation::sources, "where its figures come from"),
       field("robot", &AisleStation::robot, "row in data/robots", required()),
-      field("tools", &AisleStation::tools, "that it carries instead of its own"),
+      field("tool_sets",
+            &AisleStation::tool_sets,
+            "of which an episode names one; the first by itself",
+            required(),
+            at_most_items(16)),
       field("posture", &AisleStation::posture, "of the robot while it drives", required()),
       field("lift_m", &AisleStation::lift_m, "at the start", range(0, 2)),
       field("basket", &AisleStation::basket, "that it carries", required()),
@@ -84,14 +100,22 @@ struct AisleStation {
       field("film_camera", &AisleStation::film_camera, "follows the robot, for films", required()),
       field("limit_s", &AisleStation::limit_s, "simulated, of an episode", range(1, 3600)));
 
+  const ToolSetRow& tools() const { return tool_sets[carries]; }
   // Walls and floor in the basket's frame: origin in the middle of its inner floor.
   std::vector<ContainerBox> basket_boxes() const;
 };
 
-// Errors: as load_checkout_station.
-Result<AisleStation> load_aisle_station(const std::filesystem::path& data);
+// With one of its tool sets, the first when `tools` is empty. Errors: as load_checkout_station;
+// robot.unknown for a set that there is not, with those there are.
+Result<AisleStation> load_aisle_station(const std::filesystem::path& data,
+                                        const std::string& tools = {});
+// Error robot.unknown, at `where`: the station has other tools than an episode asks for (empty: the
+// first set).
+Result<void> check_tools(const AisleStation& station,
+                         const std::string& tools,
+                         const std::string& where);
 // Errors: those of load_robot; robot.unknown when it lacks the posture, the basket's frame, a
-// drive, or an arm with a gripper.
+// drive, or a tool.
 Result<Robot> load_station_robot(const std::filesystem::path& data, const AisleStation& station);
 
 // From the link that carries the basket.

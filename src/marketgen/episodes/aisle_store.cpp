@@ -140,10 +140,11 @@ std::vector<PointMm> AisleStore::standing_places(const std::string& sku) const {
 }
 
 Result<std::shared_ptr<const AisleStore>> open_aisle_store(const std::filesystem::path& data,
-                                                           Scene scene) {
+                                                           Scene scene,
+                                                           const std::string& tools) {
   auto store = std::make_shared<AisleStore>();
   store->scene = std::move(scene);
-  MARKETGEN_TRY(store->station, load_aisle_station(data));
+  MARKETGEN_TRY(store->station, load_aisle_station(data, tools));
   MARKETGEN_TRY(store->robot, load_station_robot(data, store->station));
   store->basket = carried_basket(store->station, store->robot);
   store->driving =

@@ -36,9 +36,11 @@ struct AisleStore {
   bool carries_another(std::uint32_t product) const;  // a pack stands on it
 };
 
-// Errors: those of load_aisle_station, load_station_robot, drive_graph.
+// `tools`: a tool set of the station, the first when empty. Errors: those of load_aisle_station,
+// load_station_robot, drive_graph.
 Result<std::shared_ptr<const AisleStore>> open_aisle_store(const std::filesystem::path& data,
-                                                           Scene scene);
+                                                           Scene scene,
+                                                           const std::string& tools = {});
 
 // Of the middle between the wheels.
 Vec3 axle_of(const Robot& robot, const Pose& world_from_base);

@@ -20,21 +20,28 @@ std::uint64_t key_of(const ContactSide& side) {
 
 }  // namespace
 
+AisleWatch::GeomRole AisleWatch::role_of(const Robot& robot, std::string_view link) {
+  for (std::size_t t = 0; t < robot.tools.size(); ++t) {
+    const int tool = static_cast<int>(t);
+    if (robot.tools[t].kind == ToolKind::suction) {
+      const RobotFrame& lip = robot.frames[static_cast<std::size_t>(robot.tools[t].frame)];
+      if (robot.links[static_cast<std::size_t>(lip.link)].name == link)
+        return {Part::finger, tool, 0};
+    }
+    const JointGroup* fingers = robot.find_group(robot.tools[t].prefix + "fingers");
+    if (fingers == nullptr) continue;
+    for (std::size_t f = 0; f < fingers->dofs.size(); ++f) {
+      const Joint& joint = robot.joint_of_dof(static_cast<std::size_t>(fingers->dofs[f]));
+      if (robot.links[static_cast<std::size_t>(joint.link)].name == link)
+        return {Part::finger, tool, static_cast<int>(f)};
+    }
+  }
+  return {link == "base" ? Part::base : Part::body};
+}
+
 AisleWatch::AisleWatch(const World& world, const Robot& robot) {
   const mjModel& m = world.model();
   roles_.resize(static_cast<std::size_t>(m.ngeom));
-  const auto body_role = [&](std::string_view link) {
-    for (std::size_t t = 0; t < robot.tools.size(); ++t) {
-      const JointGroup* fingers = robot.find_group(robot.tools[t].prefix + "fingers");
-      if (fingers == nullptr) continue;
-      for (std::size_t f = 0; f < fingers->dofs.size(); ++f) {
-        const Joint& joint = robot.joint_of_dof(static_cast<std::size_t>(fingers->dofs[f]));
-        if (robot.links[static_cast<std::size_t>(joint.link)].name == link)
-          return GeomRole{Part::finger, static_cast<int>(t), static_cast<int>(f)};
-      }
-    }
-    return GeomRole{link == "base" ? Part::base : Part::body};
-  };
   for (int geom = 0; geom < m.ngeom; ++geom) {
     const char* name = mj_id2name(&m, mjOBJ_GEOM, geom);
     const char* body = mj_id2name(&m, mjOBJ_BODY, m.geom_bodyid[geom]);
@@ -42,7 +49,7 @@ AisleWatch::AisleWatch(const World& world, const Robot& robot) {
     if (name != nullptr && std::string_view(name).starts_with(basket_prefix))
       role.part = Part::basket;
     else if (body != nullptr)
-      role = body_role(body);
+      role = role_of(robot, body);
   }
 }
 
@@ -117,8 +124,27 @@ void AisleWatch::follow_events(World& world) {
   }
 }
 
-void AisleWatch::look(World& world, const BaseMotion& base) {
+void AisleWatch::find_holder(Item& item,
+                             const std::set<std::pair<int, int>>& fingers,
+                             int sealed_by) const {
+  item.touched_by = item.held_by = -1;
+  for (const auto& [tool, finger] : fingers) {
+    item.touched_by = tool;
+    if (fingers.contains({tool, 1 - finger})) item.held_by = tool;
+  }
+  if (sealed_by >= 0) item.touched_by = item.held_by = sealed_by;
+}
+
+void AisleWatch::look(World& world,
+                      const BaseMotion& base,
+                      std::span<const std::optional<std::uint32_t>> sealed) {
   const Touches seen = touches(world);
+  std::map<std::uint32_t, int> sealed_by;
+  for (std::size_t tool = 0; tool < sealed.size(); ++tool) {
+    if (!sealed[tool]) continue;
+    sealed_by.emplace(*sealed[tool], static_cast<int>(tool));
+    items_.try_emplace(*sealed[tool]);
+  }
   for (const auto& [product, fingers] : seen.fingers)
     items_.try_emplace(product);
   for (const std::uint32_t product : seen.basket)
@@ -126,14 +152,11 @@ void AisleWatch::look(World& world, const BaseMotion& base) {
   for (auto& [product, item] : items_) {
     const bool flew = !item.met && item.touched_by < 0, meets = seen.met.contains(product);
     if (flew && meets) item.impact_m_s = std::max(item.impact_m_s, item.speed_m_s);
-    item.touched_by = item.held_by = -1;
     const auto fingers = seen.fingers.find(product);
-    if (fingers != seen.fingers.end()) {
-      for (const auto& [tool, finger] : fingers->second) {
-        item.touched_by = tool;
-        if (fingers->second.contains({tool, 1 - finger})) item.held_by = tool;
-      }
-    }
+    const auto cup = sealed_by.find(product);
+    find_holder(item,
+                fingers == seen.fingers.end() ? std::set<std::pair<int, int>>{} : fingers->second,
+                cup == sealed_by.end() ? -1 : cup->second);
     item.met = meets;
     item.in_basket = seen.basket.contains(product);
     item.was_held = item.was_held || item.held_by >= 0;

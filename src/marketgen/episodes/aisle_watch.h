@@ -4,7 +4,9 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
+#include <span>
 #include <vector>
 
 #include "episodes/push_ledger.h"
@@ -25,13 +27,17 @@ class AisleWatch {
     Vec3 axle, velocity_m_s;
     double turn_rad_s = 0;
   };
-  void look(World& world, const BaseMotion& base);
+  // `sealed`: the product on which each tool has sealed.
+  void look(World& world,
+            const BaseMotion& base,
+            std::span<const std::optional<std::uint32_t>> sealed = {});
 
-  // A product that a finger or the basket has touched.
+  // A product that a finger, a cup or the basket has touched.
   struct Item {
-    int touched_by = -1, held_by = -1;  // tool, in the last step: one finger, both
-    bool in_basket = false;             // rests on a part of the basket, or on what does
-    bool met = true;                    // something other than a finger
+    int touched_by = -1;     // tool, in the last step: a finger or a cup
+    int held_by = -1;        // tool: both its fingers, or sealed on it
+    bool in_basket = false;  // rests on a part of the basket, or on what does
+    bool met = true;         // something other than a tool
     bool was_held = false;
     double speed_m_s = 0;  // against the base
     double rested_s = 0, impact_m_s = 0;
@@ -45,8 +51,9 @@ class AisleWatch {
   enum class Part { body, base, basket, finger };
   struct GeomRole {
     Part part = Part::body;
-    int tool = -1, finger = -1;
+    int tool = -1, finger = -1;  // finger: 0 and 1, a cup is the only one
   };
+  static GeomRole role_of(const Robot& robot, std::string_view link);
   struct Touches {
     std::map<std::uint32_t, std::set<std::pair<int, int>>> fingers;  // product: tool, finger
     std::set<std::uint32_t> met, basket;
@@ -56,6 +63,7 @@ class AisleWatch {
   Touches touches(const World& world) const;
   bool lies_in_basket(std::uint32_t geom, std::uint32_t product) const;
   void add_push(const WorldContact& contact, Touches& seen) const;
+  void find_holder(Item& item, const std::set<std::pair<int, int>>& fingers, int sealed_by) const;
   void follow_item(std::uint32_t product, Item& item, const World& world, const BaseMotion& base);
   void follow_events(World& world);
 

@@ -54,6 +54,7 @@ Result<void> AisleWorld::reset(const EpisodeSpec& spec) {
     return Error{"robot.unknown",
                  spec.id,
                  fmt::format("the track has \"{}\", not \"{}\"", station.robot, spec.robot)};
+  MARKETGEN_CHECK(check_tools(station, spec.tools, spec.id));
   for (const EpisodeGoal& goal : spec.goals) {
     if (store_->front_items(goal.sku).empty())
       return Error{
@@ -68,6 +69,7 @@ Result<void> AisleWorld::reset(const EpisodeSpec& spec) {
   options.frictions = frictions_;
   options.keep_commands = false;
   options.actor_materials = materials_of(station, robot);
+  options.cups = robot_cups(robot, place);
   options.add_actors = [&](mjSpec_& made) -> Result<void> {
     MARKETGEN_CHECK(add_robot(made, robot, place));
     add_basket(made, station, robot);
@@ -76,6 +78,7 @@ Result<void> AisleWorld::reset(const EpisodeSpec& spec) {
   MARKETGEN_TRY(World world, World::create(store_->scene, std::move(options)));
   world_ = std::make_unique<World>(std::move(world));
   MARKETGEN_TRY(actor_, RobotActor::find(*world_, robot));
+  MARKETGEN_TRY(cups_, SuctionActor::find(*world_, robot));
   spec_ = spec;
   commanded_ = commanded_dofs(robot);
   base_ = robot.find_group("base")->dofs;
@@ -115,6 +118,12 @@ Observation AisleWorld::observe() const {
     seen.velocity.push_back(v[static_cast<std::size_t>(dof)]);
   }
   seen.openings_m = tool_openings_m(robot(), q);
+  for (std::size_t t = 0; t < robot().tools.size(); ++t) {
+    const Tool& tool = robot().tools[t];
+    const bool off = tool.kind == ToolKind::suction && !cups_.sucks(*world_, tool);
+    if (off) seen.openings_m[t] = cup_off_m;
+    seen.sealed.push_back(cups_.sealed_product(*world_, tool).has_value());
+  }
   seen.base = {q[dof_named(robot(), "base_x")],
                q[dof_named(robot(), "base_y")],
                q[dof_named(robot(), "base_yaw")]};
@@ -139,6 +148,28 @@ void AisleWorld::drive(double share, const Action& action, std::vector<double>& 
     target_[dof] += rates[dof] * physics_step_s;
 }
 
+std::vector<std::optional<std::uint32_t>> AisleWorld::sealed_products() const {
+  std::vector<std::optional<std::uint32_t>> sealed;
+  for (const Tool& tool : robot().tools)
+    sealed.push_back(cups_.sealed_product(*world_, tool));
+  return sealed;
+}
+
+// Before every step of physics.
+Result<void> AisleWorld::use_tools(const Action& action) {
+  for (std::size_t t = 0; t < robot().tools.size(); ++t) {
+    const Tool& tool = robot().tools[t];
+    const ToolCommand& wanted = action.tools[t];
+    if (tool.kind == ToolKind::suction) {
+      MARKETGEN_CHECK(cups_.suck(*world_, tool, wanted.opening_m == 0));
+      continue;
+    }
+    MARKETGEN_CHECK(
+        actor_.grip(*world_, tool, wanted.opening_m, std::min(wanted.force_n, tool.force)));
+  }
+  return {};
+}
+
 Result<void> AisleWorld::move(const Action& action) {
   const std::vector<double> from = target_;
   for (int i = 1; i <= aisle_substeps; ++i) {
@@ -153,19 +184,13 @@ Result<void> AisleWorld::move(const Action& action) {
     }
     drive((i - 0.5) / aisle_substeps, action, rates);
     MARKETGEN_CHECK(actor_.command(*world_, target_, rates));
-    for (std::size_t t = 0; t < robot().tools.size(); ++t) {
-      const Tool& tool = robot().tools[t];
-      if (tool.kind != ToolKind::gripper) continue;
-      const ToolCommand& grip = action.tools[t];
-      MARKETGEN_CHECK(
-          actor_.grip(*world_, tool, grip.opening_m, std::min(grip.force_n, tool.force)));
-    }
+    MARKETGEN_CHECK(use_tools(action));
     MARKETGEN_CHECK(world_->step());
     const Vec3 now = axle_of(robot(), world_from_base());
     const Vec3 way = now - axle_;
     path_m_ += std::hypot(way.x, way.y);
     const double turn = actor_.velocity(*world_)[dof_named(robot(), "base_yaw")];
-    watch_.look(*world_, {now, way / physics_step_s, turn});
+    watch_.look(*world_, {now, way / physics_step_s, turn}, sealed_products());
     axle_ = now;
   }
   const Drive& limits = *robot().drive;
@@ -260,6 +285,8 @@ Result<EpisodeResult> AisleWorld::finish() {
   Action hold = still_action(observe());
   for (std::size_t j = 0; j < commanded_.size(); ++j)
     hold.position[j] = target_[static_cast<std::size_t>(commanded_[j])];
+  for (std::size_t t = 0; t < robot().tools.size(); ++t)
+    if (robot().tools[t].kind == ToolKind::suction) hold.tools[t].opening_m = cup_off_m;
   for (double waited = 0; waited < let_go_s - physics_step_s; waited += control_step_s)
     MARKETGEN_CHECK(move(hold));
   MARKETGEN_TRY(const std::vector<ItemState> states, item_states());

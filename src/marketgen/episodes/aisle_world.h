@@ -11,6 +11,7 @@
 #include "episodes/studied_grasps.h"
 #include "episodes/track_world.h"
 #include "motion/collision_world.h"
+#include "physics/suction_actor.h"
 
 namespace marketgen {
 
@@ -19,9 +20,9 @@ class AisleWorld : public TrackWorld {
   AisleWorld(std::shared_ptr<const AisleStore> store, std::vector<FrictionRow> frictions)
       : store_(std::move(store)), frictions_(std::move(frictions)) {}
 
-  // Errors: robot.unknown when the episode is for another robot; episode.impossible when its start
-  // is not free; catalog.unknown_sku for a goal that the store does not have; assets.*,
-  // physics.failed.
+  // Errors: robot.unknown when the episode is for another robot or for other tools;
+  // episode.impossible when its start is not free; catalog.unknown_sku for a goal that the store
+  // does not have; assets.*, physics.failed.
   Result<void> reset(const EpisodeSpec& spec);
 
   const EpisodeSpec& spec() const override { return spec_; }
@@ -43,6 +44,7 @@ class AisleWorld : public TrackWorld {
   Pose world_from_base() const;
   Pose world_from_basket() const;  // middle of its inner floor
   std::vector<std::uint32_t> in_basket() const;
+  std::vector<std::optional<std::uint32_t>> sealed_products() const;  // one a tool
   double path_m() const { return path_m_; }
   // Grasps of the product by which the episode's witness would have it taken; all of them for a
   // product that is no goal. Errors: those of studied_grasps().
@@ -51,6 +53,7 @@ class AisleWorld : public TrackWorld {
 
  private:
   Result<void> move(const Action& action);
+  Result<void> use_tools(const Action& action);
   void drive(double share, const Action& action, std::vector<double>& rates);
   ItemState item_state(std::uint32_t product, const AisleWatch::Item& item) const;
   Result<std::vector<ItemState>> item_states();
@@ -64,6 +67,7 @@ class AisleWorld : public TrackWorld {
   EpisodeSpec spec_;
   std::unique_ptr<World> world_;
   RobotActor actor_;
+  SuctionActor cups_;
   std::vector<int> commanded_, base_;  // degrees of freedom
   std::vector<double> target_;         // of all, at the end of the last step
   double speed_ = 0, turn_ = 0;        // of the base, at the end of the last step

@@ -75,6 +75,7 @@ Observation CheckoutWorld::observe() const {
     seen.velocity.push_back(v[static_cast<std::size_t>(dof)]);
   }
   seen.openings_m = tool_openings_m(*robot_, q);
+  seen.sealed.assign(robot_->tools.size(), 0);
   return seen;
 }
 

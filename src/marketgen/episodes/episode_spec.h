@@ -103,7 +103,7 @@ struct EpisodeSpec {
   std::string id;
   Track track = Track::checkout;
   std::string store, scene_hash, plan_hash;
-  std::string robot;
+  std::string robot, tools;
   std::uint64_t seed = 0;
   std::string instruction;
   std::vector<EpisodeItem> items;
@@ -122,6 +122,10 @@ struct EpisodeSpec {
       field("scene_hash", &EpisodeSpec::scene_hash, "of the store's scene", required()),
       field("plan_hash", &EpisodeSpec::plan_hash, "SHA-256 of the store's plan", required()),
       field("robot", &EpisodeSpec::robot, "row in data/robots", required()),
+      field("tools",
+            &EpisodeSpec::tools,
+            "aisle: a tool set of market-aisle/1, the first when empty",
+            reference()),
       field("seed", &EpisodeSpec::seed, "of what the policy draws"),
       field("instruction", &EpisodeSpec::instruction, "what the agent is told", required()),
       field("items", &EpisodeSpec::items, "checkout: what lies in the basket", at_most_items(64)),

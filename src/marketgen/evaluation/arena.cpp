@@ -117,18 +117,20 @@ Result<Scene> Arena::scene_of(const std::string& scene_hash) const {
   return scene;
 }
 
-Result<std::shared_ptr<const AisleStore>> Arena::aisle_store(const std::string& scene_hash) {
+Result<std::shared_ptr<const AisleStore>> Arena::aisle_store(const std::string& scene_hash,
+                                                             const std::string& tools) {
   const std::scoped_lock lock(mutex_);
-  if (const auto open = stores_.find(scene_hash); open != stores_.end()) return open->second;
+  if (const auto open = stores_.find({scene_hash, tools}); open != stores_.end())
+    return open->second;
   MARKETGEN_TRY(Scene scene, scene_of(scene_hash));
-  MARKETGEN_TRY(auto store, open_aisle_store(data_, std::move(scene)));
-  stores_.emplace(scene_hash, store);
+  MARKETGEN_TRY(auto store, open_aisle_store(data_, std::move(scene), tools));
+  stores_.emplace(std::pair{scene_hash, tools}, store);
   return store;
 }
 
 Result<std::unique_ptr<TrackWorld>> Arena::open(const EpisodeSpec& spec) {
   if (spec.track == Track::aisle) {
-    MARKETGEN_TRY(auto store, aisle_store(spec.scene_hash));
+    MARKETGEN_TRY(auto store, aisle_store(spec.scene_hash, spec.tools));
     auto world = std::make_unique<AisleWorld>(std::move(store), catalog_.frictions);
     MARKETGEN_CHECK(world->reset(spec));
     return std::unique_ptr<TrackWorld>(std::move(world));

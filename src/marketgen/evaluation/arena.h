@@ -37,7 +37,8 @@ class Arena {
   void offer(std::shared_ptr<const Store> store);
 
   // The store of in-aisle episodes. Errors: as open().
-  Result<std::shared_ptr<const AisleStore>> aisle_store(const std::string& scene_hash);
+  Result<std::shared_ptr<const AisleStore>> aisle_store(const std::string& scene_hash,
+                                                        const std::string& tools);
 
  private:
   Result<Scene> scene_of(const std::string& scene_hash) const;
@@ -47,7 +48,8 @@ class Arena {
   const Catalog& catalog_;
   std::mutex mutex_;
   std::map<std::string, std::shared_ptr<const Store>> offered_;      // by scene hash
-  std::map<std::string, std::shared_ptr<const AisleStore>> stores_;  // by scene hash
+  std::map<std::pair<std::string, std::string>, std::shared_ptr<const AisleStore>>
+      stores_;  // by scene hash and tool set
   PictureLibrary pictures_;
 };
 

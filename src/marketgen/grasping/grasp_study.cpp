@@ -179,9 +179,7 @@ bool GraspRate::first_held() const {
 
 double rubber_friction(const std::vector<FrictionRow>& frictions, const Product& product) {
   const FrictionTable table(frictions);
-  const double known =
-      table.sliding(table.material(pad_material), table.material(product.material));
-  return known > 0 ? known : product.friction;
+  return table.sliding_on(table.material(pad_material), product);
 }
 
 GraspQuery grasp_query(GraspSetting setting, const Product& product, double friction) {

@@ -33,4 +33,9 @@ FrictionTable::Material FrictionTable::material(std::string_view name) const {
   return found == names_.end() ? unknown : found->second;
 }
 
+double FrictionTable::sliding_on(Material a, const Product& product) const {
+  const double known = sliding(a, material(product.material));
+  return known > 0 ? known : product.friction;
+}
+
 }  // namespace marketgen

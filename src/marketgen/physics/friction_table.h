@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "catalog/product.h"
 #include "catalog/rows.h"
 
 namespace marketgen {
@@ -29,6 +30,8 @@ class FrictionTable {
   Material material(std::string_view name) const;  // unknown when no row has it
   // Sliding friction; 0 when one of the two is unknown, or has no row of its own and none on steel.
   double sliding(Material a, Material b) const { return table_[a * names_.size() + b]; }
+  // Of a product on `a`; by the product's own figure when the table has none.
+  double sliding_on(Material a, const Product& product) const;
 
  private:
   double& at(Material a, Material b) { return table_[a * names_.size() + b]; }

@@ -15,9 +15,6 @@ namespace {
 constexpr char hold_where[] = "grasp";
 constexpr Vec3 out_of_the_way{3, 0, 1};
 constexpr double smoothing = time_step_s / 0.010;  // of forces: a mean over about 10 ms
-constexpr int lip_patience_steps = 3;              // for which a lip may be overloaded
-constexpr int lip_rays = 16;
-constexpr double ray_start_m = 0.02, bellows_stroke_m = 0.004;
 
 Vec3 vector_of(const mjtNum* v) {
   return {v[0], v[1], v[2]};
@@ -133,9 +130,7 @@ Result<void> GraspHold::squeeze(double force_n, double seconds) {
 }
 
 Result<void> GraspHold::release(double seconds) {
-  for (const int point : scene_.lip) {
-    if (point >= 0) data_->eq_active[point] = false;
-  }
+  if (sealed_) let_go(*data_, scene_.lip);
   sealed_ = false;
   marked_ = false;
   const double most = trial_->grasp.opening_m / 2;
@@ -151,33 +146,23 @@ Result<void> GraspHold::release(double seconds) {
 }
 
 bool GraspHold::seal() {
-  const mjtByte groups[mjNGROUP] = {0, 1, 0, 0, 0, 0};
-  const Vec3 ahead = rotate(rotation_, {0, 0, 1});
-  const mjtNum way[3] = {ahead.x, ahead.y, ahead.z};
-  double least = 1e9, most = -1e9;
-  mj_kinematics(scene_.model.get(), data_.get());
-  for (int i = 0; i <= lip_rays; ++i) {
-    const double turn = 2 * std::numbers::pi * i / lip_rays;
-    const double radius = i == lip_rays ? 0 : trial_->tool.cup_radius_m;
-    const Vec3 from = tool() * Vec3{radius * std::cos(turn), radius * std::sin(turn), -ray_start_m};
-    const mjtNum start[3] = {from.x, from.y, from.z};
-    int geom = -1;
-    const double at =
-        mj_ray(scene_.model.get(), data_.get(), start, way, groups, true, -1, &geom, nullptr);
-    if (geom < 0 || scene_.owner_index[static_cast<std::size_t>(geom)] != 0) return false;
-    least = std::min(least, at - ray_start_m);
-    most = std::max(most, at - ray_start_m);
-  }
-  if (most - least > trial_->tool.seal_depth_m) return false;
-  if (least < -bellows_stroke_m || most > bellows_stroke_m) return false;
+  const mjModel& m = *scene_.model;
+  mj_kinematics(&m, data_.get());
+  const CupShape cup{trial_->tool.cup_radius_m, trial_->tool.seal_depth_m};
+  const auto under = look_under_lip(m, *data_, tool(), cup, scene_.product_geoms);
+  const auto of_target = [&](int geom) {
+    return scene_.owner_index[static_cast<std::size_t>(geom)] == 0;
+  };
+  if (!under || !std::ranges::all_of(under->geoms, of_target)) return false;
   const Pose product_from_tool = inverse(product()) * tool();
-  for (const int point : scene_.lip) {
-    mjtNum* anchors = scene_.model->eq_data + mjNEQDATA * point;
-    const Vec3 on_product = product_from_tool * vector_of(anchors);
-    anchors[3] = on_product.x, anchors[4] = on_product.y, anchors[5] = on_product.z;
-    data_->eq_active[point] = true;
-  }
+  for (const int point : scene_.lip)
+    hold_point(*scene_.model,
+               *data_,
+               point,
+               scene_.target[0],
+               product_from_tool * place_of_point(m, point));
   sealed_ = true;
+  lip_load_ = {};
   return true;
 }
 
@@ -277,31 +262,11 @@ void GraspHold::look_at_slip() {
   watch_.turned_rad = std::max(watch_.turned_rad, turned);
 }
 
-// The lip lets go when a third of it has to pull with more than a third of the cup's pull, or when
-// what presses it on does not hold it by friction.
 void GraspHold::look_at_lip() {
-  const mjData& d = *data_;
   const Vec3 ahead = rotate(rotation_, {0, 0, 1});
-  double most_pull = 0, pull = 0;
-  Vec3 shear{};
-  for (const int point : scene_.lip) {
-    for (int row = 0; row < d.nefc; ++row) {
-      if (d.efc_type[row] != mjCNSTR_EQUALITY || d.efc_id[row] != point) continue;
-      const Vec3 on_tool = vector_of(d.efc_force + row);  // world axes
-      const double along = dot(on_tool, ahead);
-      most_pull = std::max(most_pull, along);
-      pull += along;
-      shear += on_tool - ahead * along;
-      break;  // its other two rows follow
-    }
-  }
-  const double holds = trial_->grasp.force_n;
-  const bool over =
-      most_pull > holds / 3 || length(shear) > trial_->pad_friction * std::max(0.0, holds - pull);
-  lip_over_ = over ? lip_over_ + 1 : 0;
-  if (lip_over_ < lip_patience_steps) return;
-  for (const int point : scene_.lip)
-    data_->eq_active[point] = false;
+  const double pull_n = trial_->grasp.force_n;
+  if (!lip_load_.breaks(*data_, scene_.lip, ahead, pull_n, trial_->pad_friction)) return;
+  let_go(*data_, scene_.lip);
   sealed_ = false;
 }
 

@@ -75,7 +75,7 @@ class GraspHold {
   bool sealed_ = false, marked_ = false;
   int held_part_ = 0;
   std::array<double, SoftPack::part_count> part_n_{};  // of both pads, now
-  int lip_over_ = 0;                 // steps for which the lip had to hold too much
+  LipLoad lip_load_;
   Pose tool_from_product_;           // at mark(), as the held part has it
   std::vector<Vec3> slip_points_;    // tool frame
   std::vector<double> neighbour_n_;  // of each product, smoothed

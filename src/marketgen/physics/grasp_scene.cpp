@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <string_view>
 
@@ -18,6 +17,7 @@ namespace marketgen {
 namespace {
 
 constexpr char grasp_where[] = "grasp";
+constexpr int product_geom_group = 1;  // what touches of products: rays look for it
 constexpr mjtSize grasp_arena_bytes = 16 << 20;
 constexpr double shelf_thick_m = 0.02, board_half_width_m = 1.5, board_depth_m = 0.6;
 constexpr double set_back_m = 0.010;  // of the front row behind the shelf's edge
@@ -89,7 +89,7 @@ class GraspSceneBuilder {
     for (const ToolSolid& solid : trial_.tool.body)
       add_solid(tool, solid, tool_bit);
     if (trial_.tool.kind == ToolKind::suction) {
-      add_lip();
+      add_lip(*spec_, "tool", {}, trial_.tool.cup_radius_m, "product0");
       return;
     }
     add_finger(tool, trial_.tool.left, 1);
@@ -115,8 +115,7 @@ class GraspSceneBuilder {
     if (trial_.tool.kind == ToolKind::gripper) scene.finger_dof = m.body_dofadr[body("left")];
     for (int i = 0; i < product_count_; ++i)
       scene.products.push_back(body(fmt::format("product{}", i)));
-    for (int i = 0; i < m.neq; ++i)
-      if (m.eq_type[i] == mjEQ_CONNECT) scene.lip[static_cast<std::size_t>(lip_found_++)] = i;
+    if (trial_.tool.kind == ToolKind::suction) scene.lip = lip_points(m, "tool");
     scene.headroom_m = headroom_;
     scene.target.push_back(scene.products[0]);
     if (trial_.soft != nullptr) {
@@ -136,6 +135,7 @@ class GraspSceneBuilder {
       const auto product = std::ranges::find(scene.products, m.body_rootid[body]);
       GraspOwner owner = GraspOwner::still;
       int index = 0;
+      if (m.geom_group[geom] == product_geom_group) scene.product_geoms.push_back(geom);
       if (product != scene.products.end()) {
         owner = GraspOwner::product;
         index = static_cast<int>(product - scene.products.begin());
@@ -285,29 +285,13 @@ class GraspSceneBuilder {
       add_solid(finger, solids[i], i == 0 ? pad_box_bit : tool_bit);
   }
 
-  void add_lip() {
-    for (int i = 0; i < 3; ++i) {
-      const double turn = 2 * std::numbers::pi * i / 3;
-      mjsEquality* point = mjs_addEquality(spec_.get(), nullptr);
-      point->type = mjEQ_CONNECT;
-      point->objtype = mjOBJ_BODY;
-      point->active = false;
-      mjs_setString(point->name1, "tool");
-      mjs_setString(point->name2, "product0");
-      std::fill(point->data, point->data + mjNEQDATA, 0.0);
-      point->data[0] = trial_.tool.cup_radius_m * std::cos(turn);
-      point->data[1] = trial_.tool.cup_radius_m * std::sin(turn);
-      point->solref[0] = contact_time_s;
-    }
-  }
-
   const GraspTrial& trial_;
   const GoodsContact& contact_;
   Vec3 middle_;  // of the row's box
   MujocoSpec spec_;
   mjsBody* world_;
   ProductBodies products_;
-  int product_count_ = 0, lip_found_ = 0;
+  int product_count_ = 0;
   double headroom_ = 0;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "physics/cup_lip.h"
 #include "physics/grasp_trial.h"
 #include "physics/mujoco_guard.h"
 
@@ -19,12 +20,10 @@ struct GraspScene {
   int tool_body = 0;               // its orientation may be set in the model
   int base_dof = 0;                // first of three slides along the world's axes
   int finger_dof = -1;             // first of two slides, positive apart; -1: a cup
-  std::array<int, 3> lip{-1, -1, -1};  // equalities that hold the cup's lip, inactive
-  double headroom_m = 0;               // over the product; 0 = none above
+  LipPoints lip{-1, -1, -1};       // of a cup
+  std::vector<int> product_geoms;  // of all products, for rays
+  double headroom_m = 0;           // over the product; 0 = none above
 };
-
-// MuJoCo's group of the product's geoms: rays look for it.
-constexpr int product_geom_group = 1;
 
 // Errors: those of try_grasp.
 Result<GraspScene> grasp_scene(const GraspTrial& trial);

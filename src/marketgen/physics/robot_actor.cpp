@@ -7,6 +7,7 @@
 #include <mujoco/mujoco.h>
 
 #include "physics/spec_geoms.h"
+#include "physics/suction_actor.h"
 #include "robots/self_collision.h"
 
 namespace marketgen {
@@ -125,6 +126,9 @@ class RobotBuilder {
       }
       if (count > 0) return;
     }
+    for (const ContactShape& solid : cup_solids(robot_, index))
+      finish_geom(add_shape(body, solid), link, count++);
+    if (count > 0) return;
     for (const Capsule& c : link.capsules) {
       mjsGeom* geom = mjs_addGeom(body, nullptr);
       const bool ball = length(c.b - c.a) < 1e-9;

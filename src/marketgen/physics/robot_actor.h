@@ -4,8 +4,8 @@
 // add_robot() is for WorldOptions::add_actors. Afterwards a RobotActor reads the joints and drives
 // them. Vectors have one entry per degree of freedom of the Robot, rad or m; those that follow
 // another (second fingers) are read and never driven. Links touch with their capsules, the fingers
-// of a gripper with their solids, which are flat where they hold. Links that cannot or need not
-// touch one another are left out (pairs_that_may_touch()).
+// of a gripper with their solids, which are flat where they hold, cups with theirs behind the lip.
+// Links that cannot or need not touch one another are left out (pairs_that_may_touch()).
 #pragma once
 #include <functional>
 #include <map>

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/cup_lip.h"
 #include "physics/fixture_bodies.h"
 #include "physics/shell_pieces.h"
 #include "physics/soft_body.h"
@@ -78,6 +79,10 @@ Result<GoodsShape> goods_shape_of(const Product& product) {
   return goods;
 }
 
+Error bad_option(const std::string& name, const std::string& message) {
+  return {"physics.bad_command", "WorldOptions." + name, message};
+}
+
 class StoreBuilder {
  public:
   StoreBuilder(const Scene& scene, const WorldOptions& options)
@@ -146,11 +151,12 @@ class StoreBuilder {
   }
 
   Result<void> add_actors() {
-    if (!options_.add_actors) return {};
     Result<void> added;
-    MARKETGEN_CHECK(
-        guarded("WorldOptions.add_actors", [&] { added = options_.add_actors(*spec_); }));
-    return added;
+    if (options_.add_actors)
+      MARKETGEN_CHECK(
+          guarded("WorldOptions.add_actors", [&] { added = options_.add_actors(*spec_); }));
+    MARKETGEN_CHECK(added);
+    return add_cups();
   }
 
   Result<void> finish(StoreModel& made) {
@@ -175,6 +181,15 @@ class StoreBuilder {
   }
 
  private:
+  Result<void> add_cups() {
+    for (const WorldCup& cup : options_.cups) {
+      if (mjs_findBody(spec_.get(), cup.body.c_str()) == nullptr)
+        return bad_option("cups", fmt::format("add_actors has added no body \"{}\"", cup.body));
+      add_lip(*spec_, cup.body, cup.body_from_lip, cup.radius_m);
+    }
+    return {};
+  }
+
   struct PoolElements {
     mjsBody* body;
     std::vector<mjsGeom*> geoms;
@@ -261,10 +276,6 @@ class StoreBuilder {
   std::vector<PoolElements> pool_;
 };
 
-Error bad_option(const std::string& name, const std::string& message) {
-  return {"physics.bad_command", "WorldOptions." + name, message};
-}
-
 Result<void> check_options(const WorldOptions& options) {
   if (options.pool < 1 || options.pool > most_pool)
     return bad_option("pool",
@@ -284,6 +295,11 @@ Result<void> check_options(const WorldOptions& options) {
                                     row.b,
                                     row.sliding,
                                     most_friction));
+  }
+  for (const WorldCup& cup : options.cups) {
+    const bool sized = cup.radius_m > 0 && cup.seal_depth_m >= 0 && cup.pull_n >= 0;
+    if (!sized || !std::isfinite(cup.radius_m + cup.seal_depth_m + cup.pull_n))
+      return bad_option("cups", fmt::format("\"{}\": expected finite, positive sizes", cup.body));
   }
   if (!options.region_m) return {};
   const auto& [x0, y0, x1, y1] = *options.region_m;

@@ -123,6 +123,8 @@ Result<void> World::State::obey(const WorldCommand& command) {
       return start_belt(index, value);
     case CommandKind::mocap:
       return put_mocap(index, pose_from(command.value));
+    case CommandKind::suck:
+      return suck(index, value != 0);
     case CommandKind::push:
     case CommandKind::wake:
     case CommandKind::place:
@@ -169,6 +171,8 @@ Result<void> World::State::obey_product(const WorldCommand& command) {
   live[body].hooked = false;
   d().eq_active[store.pool[body].hook] = false;
   live[body].woke_at = pose;
+  for (std::size_t cup = 0; cup < cups.size(); ++cup)
+    if (live_cups[cup].product == product) release(cup);
   const Pose& in_product = store.goods[sku_of(product)].shape.pose;
   dress(body, product, shape_pose_of(pose * in_product));
   return {};
@@ -281,6 +285,10 @@ Result<void> World::wake(std::uint32_t product) {
 }
 Result<void> World::place(std::uint32_t product, const Pose& world_from_product) {
   return apply({CommandKind::place, product, values_of(world_from_product)});
+}
+
+Result<void> World::suck(std::uint32_t cup, bool on) {
+  return apply({CommandKind::suck, cup, {on ? 1.0 : 0.0}});
 }
 
 Result<void> replay(World& world, std::span<const WorldCommand> commands) {

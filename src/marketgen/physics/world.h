@@ -34,6 +34,14 @@ struct mjData_;
 
 namespace marketgen {
 
+// A suction cup of an actor. It seals on goods as physics/cup_lip.h says.
+struct WorldCup {
+  std::string body;  // of the specification, that carries it; one cup a body
+  Pose body_from_lip;
+  double radius_m = 0, seal_depth_m = 0, pull_n = 0;
+  std::string material = "rubber";  // of its lip
+};
+
 struct WorldOptions {
   // x0, y0, x1, y1: only what stands there is in the model; other products are absent. Empty: all.
   std::optional<std::array<double, 4>> region_m = {};
@@ -48,7 +56,8 @@ struct WorldOptions {
   // that it adds are "actors": a product that one of them touches is woken.
   std::function<Result<void>(mjSpec_& spec)> add_actors = {};
   std::map<std::string, std::string> actor_materials =
-      {};  // geom name -> contact material ("rubber")
+      {};                           // geom name -> contact material ("rubber")
+  std::vector<WorldCup> cups = {};  // on bodies that add_actors adds
 };
 
 struct Wrench {
@@ -56,10 +65,10 @@ struct Wrench {
 };
 
 // What one World was told, in order; replay() tells it to another.
-enum class CommandKind { step, control, joint_force, belt_speed, mocap, push, wake, place };
+enum class CommandKind { step, control, joint_force, belt_speed, mocap, push, wake, place, suck };
 struct WorldCommand {
   CommandKind kind = CommandKind::step;
-  std::uint32_t index = 0;        // actuator, joint, mocap body or product; step: how many
+  std::uint32_t index = 0;        // actuator, joint, mocap body, product or cup; step: how many
   std::array<double, 7> value{};  // as far as the kind needs it
 };
 
@@ -132,6 +141,10 @@ class World {
   Result<void> push(std::uint32_t product, const Wrench& wrench);
   Result<void> wake(std::uint32_t product);
   Result<void> place(std::uint32_t product, const Pose& world_from_product);  // at rest, awake
+  // From now on a cup seals on the product that its lip comes to lie on, or, off, lets go. While it
+  // is sealed the product stays awake. An overloaded lip breaks, and seals again only when it has
+  // come off, or was told off and on.
+  Result<void> suck(std::uint32_t cup, bool on);
   Result<void> apply(const WorldCommand& command);
 
   // ---- State. A row that does not exist is a programming fault. ----
@@ -151,6 +164,9 @@ class World {
   // ---- For robots. ----
 
   Result<int> actuator(std::string_view name) const;
+  Result<std::uint32_t> cup(std::string_view body) const;  // its row in WorldOptions::cups
+  bool sucks(std::uint32_t cup) const;                     // it is on, sealed or not
+  std::optional<std::uint32_t> sealed_product(std::uint32_t cup) const;
   const mjModel_& model() const;
   const mjData_& data() const;
 

@@ -17,6 +17,7 @@ struct WorldSnapshot::Content {
   MujocoMoment physics;
   std::vector<MovedProduct> moved;
   std::vector<LiveBody> live;
+  std::vector<LiveCup> cups;
   std::vector<bool> refused;
   std::vector<double> belt_speed, looked_at;
   std::vector<std::pair<std::uint32_t, Wrench>> pushes;
@@ -32,7 +33,7 @@ using MovedProduct = WorldSnapshot::Content::MovedProduct;
 
 std::string identity(const Scene& scene, const mjModel& m, std::size_t buffer_bytes) {
   Hasher hash;
-  for (const mjtSize size : {m.nbody, m.ngeom, m.nv, m.nu, m.nbvh})
+  for (const mjtSize size : {m.nbody, m.ngeom, m.nv, m.nu, m.nbvh, m.neq})
     hash.add(static_cast<std::int64_t>(size));
   hash.add(static_cast<std::int64_t>(buffer_bytes));
   hash.add(static_cast<std::int64_t>(scene.seed));
@@ -56,6 +57,7 @@ WorldSnapshot World::snapshot() const {
   for (const auto& [product, first] : s.moved)
     made->moved.push_back({product, first, geom_pose(s.m(), s.store.product_geom[product])});
   made->live = s.live;
+  made->cups = s.live_cups;
   made->refused = s.refused;
   made->belt_speed = s.belt_speed;
   made->looked_at = s.looked_at;
@@ -116,6 +118,9 @@ Result<void> World::restore(const WorldSnapshot& snapshot) {
     if (s.live[body].hooked) s.hook(body, product);
     s.body_of[product] = static_cast<int>(body);
   }
+  s.live_cups = from.cups;
+  for (std::size_t cup = 0; cup < s.cups.size(); ++cup)
+    s.hold(cup);
   restore_moment(s.d(), from.physics);
   s.near.forget();
   for (std::uint32_t joint = 0; joint < s.belt_speed.size(); ++joint)
@@ -151,6 +156,16 @@ std::string World::state_hash() const {
   }
   hash.add_bytes(bytes_of(s.belt_speed.data(), s.belt_speed.size()));
   hash.add_bytes(bytes_of(s.looked_at.data(), s.looked_at.size()));
+  for (const LiveCup& cup : s.live_cups) {
+    hash.add(std::int64_t{cup.sucks})
+        .add(std::int64_t{cup.broken})
+        .add(cup.product)
+        .add(std::int64_t{cup.load.steps()});
+    for (const LiveCup::Hold& hold : cup.holds) {
+      hash.add(std::int64_t{hold.body});
+      hash.add_bytes(bytes_of(&hold.on_body.x, 3));
+    }
+  }
   return hash.hex();
 }
 

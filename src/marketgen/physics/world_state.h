@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "physics/body_patch.h"
+#include "physics/cup_lip.h"
 #include "physics/friction_table.h"
 #include "physics/near_tree.h"
 #include "physics/product_grid.h"
@@ -26,6 +27,26 @@ struct LiveBody {
   std::vector<std::uint32_t> carries;  // static products that rest on it, until it moves away
   bool toppled = false, dropped = false, hooked = false;  // toppled, dropped: reported
   bool keeps = false;  // soft packs: asleep, and reported, but may not rest yet
+};
+
+// A row of WorldOptions::cups in the model.
+struct ModelCup {
+  int body = 0;
+  CupShape shape;
+  LipPoints lip{};
+  FrictionTable::Material material = FrictionTable::unknown;
+};
+
+// What a cup does.
+struct LiveCup {
+  struct Hold {
+    int body = 0;  // of the model: of a soft pack the part under that point
+    Vec3 on_body;
+  };
+  bool sucks = false, broken = false;  // broken: by load; until it has come off what it held
+  std::int64_t product = -1;           // sealed on; -1: none
+  std::array<Hold, LipPoints{}.size()> holds{};
+  LipLoad load = {};
 };
 
 // A soft pack of the catalog, made when one of them first wakes.
@@ -84,6 +105,20 @@ struct World::State {
   void clear_wakes();
   Result<void> check_warnings() const;
 
+  // ---- world_cups.cpp ----
+
+  void find_cups();
+  Result<void> suck(std::uint32_t cup, bool on);
+  void keep_sealed_awake();
+  Result<void> seal_cups();  // after the contacts are known
+  Result<bool> seal(std::size_t cup);
+  std::optional<UnderLip> under_lip(std::size_t cup) const;  // of one product
+  std::uint32_t product_of(int geom) const;
+  void hold(std::size_t cup);  // by its points, as it is sealed
+  void release(std::size_t cup);
+  void look_at_lips();  // after a step
+  Pose world_from_lip(std::size_t cup) const;
+
   // ---- world_near.cpp: what the near tree holds ----
 
   Result<void> find_contacts();  // mj_step1, with all that can touch in the near tree
@@ -119,6 +154,7 @@ struct World::State {
   std::vector<int> jointed_geoms;            // of these, those of bodies with joints: no mocap
   std::vector<std::vector<int>> belt_geoms;  // by joint
   std::vector<FixtureTree> fixture_trees;
+  std::vector<ModelCup> cups;  // as WorldOptions::cups
 
   std::vector<int> body_of;                  // by product: in the pool, -1 static
   std::vector<LiveBody> live;                // by pool body
@@ -128,6 +164,7 @@ struct World::State {
   std::vector<double> looked_at;  // by joint: where it was when its goods were looked for
   std::vector<Box3> running_belts;
   std::vector<std::pair<std::uint32_t, Wrench>> pushes;
+  std::vector<LiveCup> live_cups;  // by cup
   std::vector<WorldContact> contacts;
   std::vector<WorldEvent> events;
   std::vector<WorldCommand> commands;

@@ -180,12 +180,14 @@ Result<void> World::State::step_once() {
     if (!wake(product)) continue;
     push_body(static_cast<std::size_t>(body_of[product]), wrench);
   }
+  keep_sealed_awake();
   MARKETGEN_CHECK(wake_near_actors());
   MARKETGEN_CHECK(wake_near_moving_fixtures());
   m().opt.noslip_iterations = in_hand() ? noslip_iterations : 0;
   MARKETGEN_CHECK(find_contacts());
   for (int pass = 0; pass < most_passes && wake_touched(); ++pass)
     MARKETGEN_CHECK(find_contacts());
+  MARKETGEN_CHECK(seal_cups());
   set_frictions();
   MARKETGEN_CHECK(guarded(step_where, [=] { mj_step2(model, now); }));
   ++steps;
@@ -198,6 +200,7 @@ Result<void> World::State::step_once() {
   clear_wakes();
   MARKETGEN_CHECK(read_contacts());
   release_hooks();
+  look_at_lips();
   for (std::size_t body = 0; body < live.size(); ++body) {
     if (live[body].product >= 0) follow(body);
   }

@@ -14,22 +14,6 @@ namespace {
 
 constexpr double square = 1e-6;  // cosines and metres nearer than this are taken for equal
 
-// Meshes have no solid; rows of tools have none.
-std::vector<ToolSolid> solids_of(const Link& link, const Pose& tool_from_link) {
-  std::vector<ToolSolid> solids;
-  for (const BodyShape& shape : link.look) {
-    const Pose pose = tool_from_link * shape.link_from_shape;
-    const double radius = std::max(shape.radius, shape.radius_end);
-    if (shape.kind == ShapeKind::box) solids.push_back({pose, shape.size * 0.5, false});
-    if (shape.kind == ShapeKind::ball) solids.push_back({pose, {radius, radius, radius}, false});
-    if (shape.kind == ShapeKind::tube) {
-      const Pose middle = pose * Pose{{0, 0, shape.length / 2}, {}};
-      solids.push_back({middle, {radius, radius, shape.length / 2}, true});
-    }
-  }
-  return solids;
-}
-
 // The solid that reaches furthest towards the other finger comes first.
 void pad_first(std::vector<ToolSolid>& finger, double side) {
   const auto inner_face = [&](const ToolSolid& s) {
@@ -74,6 +58,21 @@ Result<void> read_fingers(const Robot& robot,
 }
 
 }  // namespace
+
+std::vector<ToolSolid> solids_of(const Link& link, const Pose& tool_from_link) {
+  std::vector<ToolSolid> solids;
+  for (const BodyShape& shape : link.look) {
+    const Pose pose = tool_from_link * shape.link_from_shape;
+    const double radius = std::max(shape.radius, shape.radius_end);
+    if (shape.kind == ShapeKind::box) solids.push_back({pose, shape.size * 0.5, false});
+    if (shape.kind == ShapeKind::ball) solids.push_back({pose, {radius, radius, radius}, false});
+    if (shape.kind == ShapeKind::tube) {
+      const Pose middle = pose * Pose{{0, 0, shape.length / 2}, {}};
+      solids.push_back({middle, {radius, radius, shape.length / 2}, true});
+    }
+  }
+  return solids;
+}
 
 std::vector<ToolSolid> opened(const GraspTool& tool, double opening_m) {
   std::vector<ToolSolid> solids;

@@ -56,6 +56,9 @@ std::vector<ToolSolid> opened(const GraspTool& tool, double opening_m);  // left
 // are; robot.bad_file when the row's fingers do not slide along Y, or have no flat pads.
 Result<GraspTool> load_grasp_tool(const std::filesystem::path& data, const std::string& id);
 
+// What a link looks like, as solids in the tool's frame. Meshes are left out.
+std::vector<ToolSolid> solids_of(const Link& link, const Pose& tool_from_link);
+
 // Ids of the rows that are tools, sorted.
 Result<std::vector<std::string>> grasp_tool_ids(const std::filesystem::path& data);
 
