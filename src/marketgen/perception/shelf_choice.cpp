@@ -11,7 +11,9 @@ constexpr std::size_t sweep_surfels = 150, fit_surfels = 700;
 constexpr std::size_t most_fitted = 10;  // of the spots, those that agree best
 constexpr double least_swept = 0.12;     // score of a spot that is worth a closer look
 constexpr double least_found = 0.30;     // score of what is taken for the product
-constexpr double apart_share = 0.6;      // of a pack's width, between two that are looked at
+constexpr double least_shelf_fit =
+    0.85;                            // of packs found rightly on 11 shelves the lowest had 0.98
+constexpr double apart_share = 0.6;  // of a pack's width, between two that are looked at
 constexpr double first_step_m = 0.004, last_step_m = 0.0006;
 constexpr double step_rad_per_m = 12;  // of the turn, for each metre of the step
 constexpr double rival_better = 1.0;
@@ -87,6 +89,10 @@ double flush_above(const ProductLook& look, const Pose& pose, const std::vector<
   return seen > 0 ? flush / seen : 0;
 }
 
+bool is_there(const FittedPose& pose) {
+  return pose.evidence.score >= least_found && pose.evidence.fit >= least_shelf_fit;
+}
+
 // From a pack up to the one that stands on all others: that one can be taken.
 FittedPose top_of_stack(const ProductLook& look,
                         FittedPose found,
@@ -96,7 +102,7 @@ FittedPose top_of_stack(const ProductLook& look,
     if (flush_above(look, found.base_from_product, views) < mostly) break;
     const Pose up = found.base_from_product * Pose{{0, 0, height}, {}};
     const FittedPose above = stood_best(look, up, views);
-    if (above.evidence.score < alike_share * found.evidence.score) break;
+    if (!is_there(above) || above.evidence.score < alike_share * found.evidence.score) break;
     found = above;
   }
   return found;
@@ -154,7 +160,7 @@ std::vector<FoundOnShelf> UprightMatching::find(const WantedProduct& wanted,
   for (const Swept& swept : best_spots(look, views, boards, spots)) {
     const Pose pose = pose_on(swept.spot, boards[swept.spot.board], look);
     FoundOnShelf there{swept.spot, stood_best(look, pose, views)};
-    if (there.pose.evidence.score < least_found) continue;
+    if (!is_there(there.pose)) continue;
     there.spot =
         spot_of(there.pose.base_from_product, swept.spot.board, boards[swept.spot.board], look);
     there.pose = top_of_stack(look, there.pose, views);

@@ -33,7 +33,8 @@ std::vector<ViewCloud> look_at(std::vector<DrawnBox> boxes) {
   boxes.push_back(
       {board_pose() * Pose{{0, 0.2, -0.025}, {}}, {1.0, 0.4, 0.025}, plain(board_grey)});
   boxes.push_back({board_pose() * Pose{{0, 0.41, -1}, {}}, {1.2, 0.02, 2.5}, plain(board_grey)});
-  const Pose eye{{0.1, 0, 1.5}, rotation_with_axes({-0.4, 0, -0.9}, {0.9, 0, -0.4})};
+  const Vec3 ahead = normalized(Vec3{0.9, 0, -0.4});
+  const Pose eye{{0.1, 0, 1.5}, rotation_with_axes(cross(ahead, {0, -1, 0}), ahead)};
   std::vector<ViewCloud> views;
   views.emplace_back(drawn_view(boxes, eye, 640, 480, 460));
   return views;
