@@ -47,7 +47,7 @@ class Arena {
   const EpisodeHeader& header_;
   const Catalog& catalog_;
   std::mutex mutex_;
-  std::map<std::string, std::shared_ptr<const Store>> offered_;      // by scene hash
+  std::map<std::string, std::shared_ptr<const Store>> offered_;  // by scene hash
   std::map<std::pair<std::string, std::string>, std::shared_ptr<const AisleStore>>
       stores_;  // by scene hash and tool set
   PictureLibrary pictures_;
