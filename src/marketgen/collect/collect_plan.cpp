@@ -20,28 +20,13 @@ constexpr std::array sides_m{0.30, 0.26, 0.34, 0.0, 0.12, -0.12};
 constexpr double lift_below_m = 0.9;  // height of the grasp over the lift's zero
 constexpr int most_blocked = 12;      // places from which a grasp is in reach and cannot be had
 
-// An arm that ends in a gripper.
-struct Hand {
-  const JointGroup* arm = nullptr;
-  int tool = -1;
-};
-
 // All of them end in the same gripper.
 Result<std::vector<Hand>> hands_of(const Robot& robot) {
-  std::vector<Hand> hands;
-  for (std::size_t t = 0; t < robot.tools.size(); ++t) {
-    const Tool& tool = robot.tools[t];
+  for (const Tool& tool : robot.tools) {
     if (tool.kind != ToolKind::gripper) continue;
-    for (const JointGroup& group : robot.groups) {
-      const bool same =
-          hands.empty() || robot.tools[static_cast<std::size_t>(hands[0].tool)].row == tool.row;
-      if (!group.solver.empty() && group.tip == tool.frame && same)
-        hands.push_back({&group, static_cast<int>(t)});
-    }
+    if (auto hands = hands_with(robot, tool.row); !hands.empty()) return hands;
   }
-  if (hands.empty())
-    return Error{"robot.unknown", robot.name, "no arm of this robot ends in a gripper"};
-  return hands;
+  return Error{"robot.unknown", robot.name, "no arm of this robot ends in a gripper"};
 }
 
 Result<std::vector<GraspCandidate>> grasps_of(const Product& goods,
@@ -63,11 +48,6 @@ bool is_blocked(const Error& error) {
          error.code == "motion.no_path";
 }
 
-Pose lifted(Pose pose, Vec3 by) {
-  pose.position += by;
-  return pose;
-}
-
 class Planner {
  public:
   Planner(const Scene& scene,
@@ -87,11 +67,10 @@ class Planner {
 
   Result<void> look_around() {
     const Vec3 middle = world_from_product_.position;
-    Obstacles still = fixture_obstacles(scene_, middle, reach_m);
-    Obstacles way = still, line = std::move(still);
-    MARKETGEN_CHECK(add_product_obstacles(scene_, middle, reach_m, {}, way));
-    MARKETGEN_CHECK(add_product_obstacles(scene_, middle, reach_m, neighbours(), line));
-    way_ = std::move(way), line_ = std::move(line);
+    around_.way = around_.line = fixture_obstacles(scene_, middle, reach_m);
+    around_.carried = options_.carried;
+    MARKETGEN_CHECK(add_product_obstacles(scene_, middle, reach_m, {}, around_.way));
+    MARKETGEN_CHECK(add_product_obstacles(scene_, middle, reach_m, neighbours(), around_.line));
     MARKETGEN_TRY(model_, make_arm_model(robot_, hand_.arm->name));
     return {};
   }
@@ -119,12 +98,6 @@ class Planner {
  private:
   std::string where() const { return product_id(scene_, product_); }
 
-  Result<CollisionWorld> around(Obstacles obstacles, const Pose& world_from_base) const {
-    for (const BoxObstacle& box : carried_at(options_.carried, world_from_base))
-      obstacles.boxes.push_back(box);
-    return CollisionWorld::make(obstacles);
-  }
-
   std::vector<std::uint32_t> neighbours() const {
     std::vector<std::uint32_t> rows;
     for (std::uint32_t row = 0; row < scene_.products.size(); ++row) {
@@ -141,14 +114,10 @@ class Planner {
     return link_poses(robot_, neutral_state(robot_))[base].position.y < -1e-6 ? -1 : 1;
   }
 
-  // Facing the shelf, the product `side` to the left of the robot.
+  // The product `side` to the left of the robot.
   Pose base_at(double distance, double side) const {
-    const Vec3 left{out_.y, -out_.x, 0};  // of one who looks at the shelf
-    const Product& product = scene_.catalog[scene_.products[product_].sku];
-    Vec3 at =
-        world_from_product_.position + out_ * (distance + product.depth_m() / 2) - left * side;
-    at.z = 0;
-    return {at, rotation_about({0, 0, 1}, std::atan2(-out_.y, -out_.x))};
+    const double depth = scene_.catalog[scene_.products[product_].sku].depth_m();
+    return place_before_shelf(world_from_product_.position, depth, out_, distance, side);
   }
 
   Result<CollectPlan> at_place(const GraspCandidate& grasp, const Pose& world_from_base) const {
@@ -163,42 +132,9 @@ class Planner {
         robot_, options_.posture, world_from_tip.position.z - lift_below_m, grasp.grasp.opening_m);
     const PlacedRobot placed{where(), robot_, plan.state, plan.world_from_base};
     MARKETGEN_CHECK(check_standing(scene_, {&placed, 1}));
-    MARKETGEN_TRY(const CollisionWorld way_world, around(way_, world_from_base));
-    MARKETGEN_TRY(const CollisionWorld line_world, around(line_, world_from_base));
-    MARKETGEN_TRY(const ArmChecker way,
-                  ArmChecker::make(model_, plan.state, plan.world_from_base, way_world));
-    MARKETGEN_TRY(const ArmChecker line,
-                  ArmChecker::make(model_, plan.state, plan.world_from_base, line_world));
-    const Pose base_from_world =
-        inverse(plan.world_from_base *
-                link_poses(robot_, plan.state)[static_cast<std::size_t>(model_.group.base)]);
-    ReachQuestion question;
-    for (const int dof : model_.group.dofs)
-      question.start.push_back(plan.state[static_cast<std::size_t>(dof)]);
-    question.base_from_grasp = base_from_world * world_from_tip;
-    question.approach = {0, 0, options_.approach_m};
-    ArmPlanOptions arm;
-    arm.speed = options_.speed;
-    arm.acceleration = options_.acceleration;
-    MARKETGEN_TRY(plan.reach, plan_reach(way, line, question, seed_, arm));
-    return with_way_out(std::move(plan), line, base_from_world, world_from_tip);
-  }
-
-  Result<CollectPlan> with_way_out(CollectPlan plan,
-                                   const ArmChecker& line,
-                                   const Pose& base_from_world,
-                                   const Pose& world_from_tip) const {
-    const Pose up = lifted(world_from_tip, {0, 0, options_.lift_m});
-    const Pose out = lifted(up, out_ * options_.retreat_m);
-    MARKETGEN_TRY(const JointPath rising,
-                  tool_line(line, plan.reach.line.back(), base_from_world * up));
-    MARKETGEN_TRY(const JointPath leaving, tool_line(line, rising.back(), base_from_world * out));
-    ArmPlanOptions slow;
-    slow.speed = options_.speed * 0.25;
-    slow.acceleration = options_.acceleration;
-    MARKETGEN_TRY(const auto limits, motion_limits(model_, slow));
-    MARKETGEN_TRY(plan.lift, timed_curve(rising, limits));
-    MARKETGEN_TRY(plan.retreat, timed_curve(leaving, limits));
+    const PickPlace place{world_from_base, plan.state, world_from_tip, out_};
+    MARKETGEN_TRY(PickWays ways, plan_pick_ways(model_, place, around_, options_, seed_));
+    static_cast<PickWays&>(plan) = std::move(ways);
     return plan;
   }
 
@@ -210,7 +146,7 @@ class Planner {
   const CollectOptions& options_;
   Pose world_from_product_;
   Vec3 out_;  // from the shelf into the aisle
-  Obstacles way_, line_;
+  PickSurroundings around_;
   ArmModel model_;
 };
 
@@ -242,14 +178,6 @@ std::vector<double> stowed_state(const Robot& robot,
     }
   }
   return with_followers(robot, std::move(q));
-}
-
-std::vector<BoxObstacle> carried_at(const std::vector<BoxObstacle>& carried,
-                                    const Pose& world_from_base) {
-  std::vector<BoxObstacle> boxes = carried;
-  for (BoxObstacle& box : boxes)
-    box.pose = world_from_base * box.pose;
-  return boxes;
 }
 
 Result<CollectPlan> plan_collect(const Scene& scene,

@@ -8,36 +8,29 @@
 #include <vector>
 
 #include "base/seed.h"
+#include "collect/pick_ways.h"
 #include "motion/grasp_candidates.h"
-#include "motion/tool_line.h"
 #include "robots/robot.h"
 #include "scene/scene.h"
 
 namespace marketgen {
 
-struct CollectOptions {
+struct CollectOptions : PickMotion {
   std::string posture = {};                 // of the arms at the start; empty: the robot's first
   std::vector<BoxObstacle> carried = {};    // by the robot, in its base frame: a basket
   std::vector<GraspCandidate> grasps = {};  // tried in this order; empty: all from the front
   // Stands there and nowhere else.
   std::optional<Pose> world_from_base = {};
-  double speed = 0.6;             // share of the joints' velocity limits, over 0 to 1
-  double acceleration = 1;        // the same of their acceleration limits
-  double approach_m = 0.12;       // length of the straight line to the grasp
-  double lift_m = 0.015;          // straight up before it goes out
-  double retreat_m = 0.22;        // straight out of the shelf
   double fingers_friction = 0.5;  // of the pads on the product
 };
 
-struct CollectPlan {
+struct CollectPlan : PickWays {
   std::uint32_t product = 0;
   std::string group;  // of the arm
   int tool = 0;       // in Robot::tools
   Pose world_from_base;
   std::vector<double> state;  // every degree of freedom at the start; fingers open
   GraspCandidate grasp;
-  ReachPlan reach;                // to the grasp
-  JointTrajectory lift, retreat;  // with the product
 };
 
 // The row of the gripper at the end of the robot's first arm that has one: "parallel-gripper".
@@ -49,10 +42,6 @@ std::vector<double> stowed_state(const Robot& robot,
                                  const std::string& posture,
                                  double lift_m,
                                  double opening_m);
-
-// Boxes that a robot carries, in the store frame.
-std::vector<BoxObstacle> carried_at(const std::vector<BoxObstacle>& carried,
-                                    const Pose& world_from_base);
 
 // Looks for it over the product's grasps from the front, best first, over the robot's arms that end
 // in that gripper, and over places in front of it. `tool` describes that gripper. Errors:

@@ -37,6 +37,20 @@ std::vector<int> links_of(const Robot& robot, const Tool& tool) {
   return links;
 }
 
+ArmPlanOptions carrying() {
+  ArmPlanOptions options;
+  options.speed = carrying_speed;
+  options.acceleration = carrying_acceleration;
+  return options;
+}
+
+Configuration values_of(const ArmModel& model, const std::vector<double>& state) {
+  Configuration q;
+  for (const int dof : model.group.dofs)
+    q.push_back(state[static_cast<std::size_t>(dof)]);
+  return q;
+}
+
 struct Drop {
   Pose base_from_tip;
   double lowest_m = 0;  // of what is held, over the basket's floor
@@ -123,9 +137,7 @@ struct Descent {
 class DropPlanner {
  public:
   DropPlanner(const Robot& robot, const CarriedBasket& basket, const DropQuestion& question)
-      : robot_(robot), basket_(basket), question_(question) {
-    options_.speed = carrying_speed;
-    options_.acceleration = carrying_acceleration;
+      : robot_(robot), basket_(basket), question_(question), options_(carrying()) {
     options_.search.most_iterations = most_drop_samples;
   }
   DropPlanner(const DropPlanner&) = delete;  // its checkers refer to it
@@ -135,14 +147,13 @@ class DropPlanner {
   Result<void> look_around() {
     Obstacles all = question_.around;
     for (const auto* boxes : {&basket_.walls, &question_.inside}) {
-      for (const BoxObstacle& box : *boxes)
-        all.boxes.push_back({question_.world_from_base * box.pose, box.half_size});
+      for (const BoxObstacle& box : carried_at(*boxes, question_.world_from_base))
+        all.boxes.push_back(box);
     }
     MARKETGEN_TRY(world_, CollisionWorld::make(all));
     MARKETGEN_TRY(model_, make_arm_model(robot_, question_.group));
     const std::vector<double>& state = question_.state;
-    for (const int dof : model_.group.dofs)
-      start_.push_back(state[static_cast<std::size_t>(dof)]);
+    start_ = values_of(model_, state);
     base_from_arm_ = link_poses(robot_, state)[static_cast<std::size_t>(model_.group.base)];
     const Tool& tool = robot_.tools[static_cast<std::size_t>(question_.tool)];
     const std::vector<AttachedObject> held{held_product(
@@ -256,6 +267,23 @@ Result<DropPlan> plan_drop(const Robot& robot,
     ++searches;
   }
   return error;
+}
+
+Result<JointTrajectory> plan_stow(const Robot& robot,
+                                  const CarriedBasket& basket,
+                                  const StowQuestion& question,
+                                  Seed seed) {
+  MARKETGEN_TRY(const ArmModel model, make_arm_model(robot, question.group));
+  Obstacles all = question.around;
+  for (const BoxObstacle& box : carried_at(basket.walls, question.world_from_base))
+    all.boxes.push_back(box);
+  MARKETGEN_TRY(const CollisionWorld world, CollisionWorld::make(all));
+  MARKETGEN_TRY(const ArmChecker checker,
+                ArmChecker::make(
+                    model, question.state, question.world_from_base, world, {line_margin_m, {}}));
+  const Configuration start = values_of(model, question.state);
+  MARKETGEN_TRY(ArmPlan plan, plan_arm(checker, start, {question.stow}, seed, carrying()));
+  return std::move(plan.trajectory);
 }
 
 }  // namespace marketgen

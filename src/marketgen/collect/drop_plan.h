@@ -11,7 +11,7 @@
 
 #include "base/seed.h"
 #include "collect/held_product.h"
-#include "motion/tool_line.h"
+#include "collect/pick_ways.h"
 #include "robots/robot.h"
 
 namespace marketgen {
@@ -23,17 +23,20 @@ struct CarriedBasket {
   std::vector<BoxObstacle> walls;  // base frame, floor included
 };
 
-struct DropQuestion {
+// An arm of a robot that stands in a store with its basket.
+struct StowQuestion {
   std::vector<double> state;  // every degree of freedom of the robot, as it stands now
   Pose world_from_base;
-  std::string group;  // of the arm that holds it
-  int tool = 0;       // in Robot::tools
+  std::string group;   // of the arm
+  Obstacles around;    // of the store, world frame
+  Configuration stow;  // of the arm, where it is to end
+};
+
+struct DropQuestion : StowQuestion {
+  int tool = 0;  // in Robot::tools, that holds it
   const ProductBody* held = nullptr;
   Pose tip_from_product;            // as it is held
-  double opening_m = 0;             // of the gripper when it lets go
-  Obstacles around;                 // of the store, world frame
   std::vector<BoxObstacle> inside;  // what lies in the basket, base frame
-  Configuration stow;               // of the arm, where it goes afterwards
 };
 
 struct DropPlan {
@@ -43,8 +46,6 @@ struct DropPlan {
   JointTrajectory home;     // to the stowed posture
 };
 
-// Shares of the joints' limits: an arm that carries something moves gently.
-constexpr double carrying_speed = 0.4, carrying_acceleration = 0.25;
 // Over what is under it, the better one first: from 40 mm it arrives with 0.9 m/s.
 inline constexpr std::array drop_heights_m{0.012, 0.040};
 
@@ -53,5 +54,14 @@ Result<DropPlan> plan_drop(const Robot& robot,
                            const CarriedBasket& basket,
                            const DropQuestion& question,
                            Seed seed);
+
+// The empty arm to its stowed posture. Errors: those of make_arm_model and plan_arm.
+Result<JointTrajectory> plan_stow(const Robot& robot,
+                                  const CarriedBasket& basket,
+                                  const StowQuestion& question,
+                                  Seed seed);
+
+// Heights of the lift at which both arms reach the basket, the best first.
+inline constexpr std::array drop_lifts_m{0.3, 0.45, 0.15, 0.6};
 
 }  // namespace marketgen

@@ -10,15 +10,13 @@ namespace {
 constexpr double calm_s = 0.3, press_s = 0.7, let_go_s = 0.5;
 constexpr double leave_m_s = 0.2;
 constexpr double lift_speed_share = 0.9, head_speed_share = 0.9;
-constexpr double reach_speed = 0.4;  // of the arms, share of their limits
-constexpr double around_m = 1.4;     // what is farther from the robot does not count
+constexpr double around_m = 1.4;  // what is farther from the robot does not count
 constexpr double shoulder_height_m = 0.9;
 constexpr double let_go_wider_by_m = 0.02;  // than what was held
 constexpr double pressed_aside_m = 0.2;     // what is so near to a product gives way to fingers
 constexpr double point_radius_m = 0.006;    // of a measured point
 constexpr double least_held_m = 0.004;      // between fingers that hold something
 constexpr double most_leave_m = 0.30, leave_step_m = 0.04;
-constexpr std::array let_down_lifts_m{0.3, 0.45, 0.15, 0.6};  // both arms reach the basket
 
 std::vector<Vec3f> near(const std::vector<Vec3f>& points, Vec3 middle, double within_m) {
   std::vector<Vec3f> kept;
@@ -38,13 +36,6 @@ std::vector<Vec3f> beyond(const std::vector<Vec3f>& points, Vec3 middle, double 
 
 void add_cloud(std::vector<Vec3f> points, Obstacles& obstacles) {
   if (!points.empty()) obstacles.clouds.push_back({std::move(points), point_radius_m});
-}
-
-ArmPlanOptions carrying_options(double share) {
-  ArmPlanOptions options;
-  options.speed = reach_speed * share;
-  options.acceleration = carrying_acceleration;
-  return options;
 }
 
 }  // namespace
@@ -125,16 +116,17 @@ Result<ShelfPick> AisleBody::plan_pick(const ShelfItem& item,
   question.grasps = item.grasps;
   question.tool_row = item.tool_row;
   question.driving = setup_.driving;
-  question.carried = setup_.basket.walls;
-  question.line = question.way = setup_.map->fixtures(middle, around_m);
-  add_cloud(near(points, middle, around_m), question.way);
-  add_cloud(beyond(near(points, middle, around_m), middle, pressed_aside_m), question.line);
+  question.around.carried = setup_.basket.walls;
+  question.around.line = question.around.way = setup_.map->fixtures(middle, around_m);
+  const std::vector<Vec3f> seen = near(points, middle, around_m);
+  add_cloud(seen, question.around.way);
+  add_cloud(beyond(seen, middle, pressed_aside_m), question.around.line);
   question.may_stand = [&](const Pose& base) {
     const BasePlace place = base_place(base);
     return setup_.map->has_room(place) && setup_.map->way_m(now_.base, place).has_value();
   };
   if (from) question.world_from_base = store_from_base(*from);
-  question.speed = reach_speed;
+  question.speed = carrying_speed;
   question.acceleration = carrying_acceleration;
   return plan_shelf_pick(*setup_.robot, question, next_seed());
 }
@@ -160,10 +152,7 @@ Result<void> AisleBody::pull_out() {
     body_.play(arm(), pick_.retreat);
     return {};
   }
-  MARKETGEN_TRY(const ArmModel model, make_arm_model(*setup_.robot, pick_.group));
-  MARKETGEN_TRY(const auto limits, motion_limits(model, carrying_options(0.5)));
-  const JointPath back(pick_.reach.line.rbegin(), pick_.reach.line.rend());
-  MARKETGEN_TRY(JointTrajectory way, timed_curve(back, limits));
+  MARKETGEN_TRY(JointTrajectory way, way_back(*setup_.robot, pick_.group, pick_.reach.line));
   closed_ = false;
   body_.grip(pick_.tool, {pick_.grasp.opening_m});
   body_.wait(let_go_s);
@@ -185,26 +174,30 @@ Result<void> AisleBody::back_off() {
   lift_tried_ = 0;
   if (!holds_it()) return {};
   return body_.move_joint(
-      setup_.robot->find_dof("lift"), let_down_lifts_m[lift_tried_], lift_speed_share);
+      setup_.robot->find_dof("lift"), drop_lifts_m[lift_tried_], lift_speed_share);
+}
+
+StowQuestion AisleBody::stow_question(const std::vector<Vec3f>& points) const {
+  return {.state = state(),
+          .world_from_base = store_from_base(now_.base),
+          .group = pick_.group,
+          .around = around(points),
+          .stow = arm_at(setup_.driving)};
 }
 
 Result<bool> AisleBody::drop(const std::vector<Vec3f>& points) {
   DropQuestion question;
-  question.state = state();
-  question.world_from_base = store_from_base(now_.base);
-  question.group = pick_.group;
+  static_cast<StowQuestion&>(question) = stow_question(points);
   question.tool = pick_.tool;
   question.held = &item_.known->body;
   question.tip_from_product = inverse(pick_.grasp.product_from_tool);
-  question.around = around(points);
   question.inside = inside_;
-  question.stow = arm_at(setup_.driving);
   auto plan = plan_drop(*setup_.robot, setup_.basket, question, next_seed());
   if (!plan.ok()) {
-    const bool last = ++lift_tried_ >= let_down_lifts_m.size();
+    const bool last = ++lift_tried_ >= drop_lifts_m.size();
     if (last) lift_tried_ = 0;
     MARKETGEN_CHECK(body_.move_joint(
-        setup_.robot->find_dof("lift"), let_down_lifts_m[lift_tried_], lift_speed_share));
+        setup_.robot->find_dof("lift"), drop_lifts_m[lift_tried_], lift_speed_share));
     if (last) return plan.error();
     return false;
   }
@@ -224,18 +217,9 @@ Result<bool> AisleBody::drop(const std::vector<Vec3f>& points) {
 }
 
 Result<void> AisleBody::go_home(const std::vector<Vec3f>& points) {
-  MARKETGEN_TRY(const ArmModel model, make_arm_model(*setup_.robot, pick_.group));
-  Obstacles obstacles = around(points);
-  const Pose base = store_from_base(now_.base);
-  for (const BoxObstacle& box : setup_.basket.walls)
-    obstacles.boxes.push_back({base * box.pose, box.half_size});
-  MARKETGEN_TRY(const CollisionWorld world, CollisionWorld::make(obstacles));
-  const std::vector<double> q = state();
-  MARKETGEN_TRY(const ArmChecker checker, ArmChecker::make(model, q, base, world, {0.002, {}}));
-  MARKETGEN_TRY(
-      ArmPlan plan,
-      plan_arm(checker, arm_at(q), {arm_at(setup_.driving)}, next_seed(), carrying_options(1)));
-  body_.play(arm(), std::move(plan.trajectory));
+  MARKETGEN_TRY(JointTrajectory way,
+                plan_stow(*setup_.robot, setup_.basket, stow_question(points), next_seed()));
+  body_.play(arm(), std::move(way));
   body_.wait(calm_s);
   return {};
 }

@@ -67,6 +67,7 @@ class AisleBody {
   const std::vector<int>& arm() const;
   Configuration arm_at(const std::vector<double>& q) const;
   Obstacles around(const std::vector<Vec3f>& points) const;
+  StowQuestion stow_question(const std::vector<Vec3f>& points) const;
   double room_behind_m() const;
   Seed next_seed();
 

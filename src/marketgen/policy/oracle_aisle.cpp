@@ -17,12 +17,11 @@ constexpr int most_item_tries = 3, most_unreached = 2;
 constexpr std::size_t most_items_looked_at = 4;  // of a SKU at a time
 constexpr double pressed_s = 0.7, opened_s = 0.5, rest_s = 0.3;
 constexpr double back_off_m_s = 0.2;
-constexpr double lift_share = 0.9, arm_speed = 0.4;
+constexpr double lift_share = 0.9;
 constexpr double way_reach_m = 1.4;      // obstacles farther from the robot do not count
 constexpr double let_go_wider_m = 0.02;  // than what was held, when it is let go
 constexpr double least_item_s = 25;      // no new item with less time left
-constexpr std::array drop_lifts{0.3, 0.45, 0.15, 0.6};  // at which both arms reach the basket
-constexpr double grip_factor = 2;  // of the force that a grasp needs; it is carried about
+constexpr double grip_factor = 2;        // of the force that a grasp needs; it is carried about
 
 enum class AislePhase { choose, arrived, pressed, out, away, dropped };
 
@@ -151,7 +150,7 @@ class AisleOracle : public Policy {
     MARKETGEN_TRY(options.grasps, world_.known_grasps(product, tool_));
     options.posture = world_.store().station.posture;
     options.carried = world_.store().basket.walls;
-    options.speed = arm_speed;
+    options.speed = carrying_speed;
     options.acceleration = carrying_acceleration;
     return options;
   }
@@ -239,32 +238,17 @@ class AisleOracle : public Policy {
   bool holds_it() const { return world_.watch().is_held(plan_.product); }
 
   Result<void> pull_out() {
-    const bool held = holds_it();
-    if (!held) {
+    if (holds_it()) {
+      body_.play(arm(), plan_.lift);
+      body_.play(arm(), plan_.retreat);
+    } else {
       note(FailureCode::missed);
+      MARKETGEN_TRY(JointTrajectory way, way_back(robot_, plan_.group, plan_.reach.line));
       body_.grip(plan_.tool, {plan_.grasp.grasp.opening_m});
       body_.wait(opened_s);
-    } else {
-      body_.play(arm(), plan_.lift);
+      body_.play(arm(), std::move(way));
     }
-    if (held)
-      body_.play(arm(), plan_.retreat);
-    else
-      MARKETGEN_CHECK(straight_out());
     phase_ = AislePhase::out;
-    return {};
-  }
-
-  // Back along the line on which the arm came.
-  Result<void> straight_out() {
-    MARKETGEN_TRY(const ArmModel model, make_arm_model(robot_, plan_.group));
-    ArmPlanOptions slow;
-    slow.speed = arm_speed / 2;
-    slow.acceleration = carrying_acceleration;
-    MARKETGEN_TRY(const auto limits, motion_limits(model, slow));
-    const JointPath back(plan_.reach.line.rbegin(), plan_.reach.line.rend());
-    MARKETGEN_TRY(JointTrajectory way, timed_curve(back, limits));
-    body_.play(arm(), std::move(way));
     return {};
   }
 
@@ -274,7 +258,7 @@ class AisleOracle : public Policy {
     body_.wait(rest_s);
     if (!holds_it() && failure_ != FailureCode::missed) note(FailureCode::slipped);
     if (holds_it())
-      MARKETGEN_CHECK(body_.move_joint(robot_.find_dof("lift"), drop_lifts[0], lift_share));
+      MARKETGEN_CHECK(body_.move_joint(robot_.find_dof("lift"), drop_lifts_m[0], lift_share));
     drop_lift_ = 0;
     phase_ = AislePhase::away;
     return {};
@@ -329,28 +313,32 @@ class AisleOracle : public Policy {
     return frame_pose(robot_, state_now(), frame);
   }
 
+  Result<StowQuestion> stow_question() const {
+    StowQuestion question{.state = state_now(),
+                          .world_from_base = world_.world_from_base(),
+                          .group = plan_.group,
+                          .around = {},
+                          .stow = stowed_arm()};
+    MARKETGEN_TRY(question.around, around());
+    return question;
+  }
+
   Result<void> drop() {
     if (!holds_it()) return go_home();
     const Scene& scene = world_.store().scene;
     MARKETGEN_TRY(const ProductBody body,
                   make_product_body(scene.catalog[scene.products[plan_.product].sku]));
     DropQuestion question;
-    question.state = state_now();
-    question.world_from_base = world_.world_from_base();
-    question.group = plan_.group;
+    MARKETGEN_TRY(static_cast<StowQuestion&>(question), stow_question());
     question.tool = plan_.tool;
     question.held = &body;
     question.tip_from_product = inverse(world_.world_from_base() * base_from_tip()) *
                                 world_.world().product_pose(plan_.product);
     const double opening = now_.openings_m[static_cast<std::size_t>(plan_.tool)] + let_go_wider_m;
-    MARKETGEN_TRY(question.around, around());
     MARKETGEN_TRY(question.inside, inside());
-    question.stow = stowed_arm();
     const Seed seed = seed_.child("drop", static_cast<std::uint64_t>(moves_++));
     auto plan = plan_drop(robot_, world_.store().basket, question, seed);
-    if (!plan.ok()) {
-      return try_other_lift();
-    }
+    if (!plan.ok()) return try_other_lift();
     body_.play(arm(), plan->way);
     body_.wait(rest_s);
     body_.grip(plan_.tool, {opening, force_n_});
@@ -364,38 +352,25 @@ class AisleOracle : public Policy {
 
   Result<void> try_other_lift() {
     note(FailureCode::no_path);
-    if (++drop_lift_ >= drop_lifts.size()) {
+    if (++drop_lift_ >= drop_lifts_m.size()) {
       done_ = true;  // with the item in its hand: it cannot go on
       return {};
     }
-    return body_.move_joint(robot_.find_dof("lift"), drop_lifts[drop_lift_], lift_share);
+    return body_.move_joint(robot_.find_dof("lift"), drop_lifts_m[drop_lift_], lift_share);
   }
 
   // The arm to its stowed posture, empty.
   Result<void> go_home() {
     phase_ = AislePhase::choose;
-    MARKETGEN_TRY(const ArmModel model, make_arm_model(robot_, plan_.group));
-    MARKETGEN_TRY(Obstacles obstacles, around());
-    for (const BoxObstacle& box : carried_at(world_.store().basket.walls, world_.world_from_base()))
-      obstacles.boxes.push_back(box);
-    MARKETGEN_TRY(const CollisionWorld world, CollisionWorld::make(obstacles));
-    const std::vector<double> state = state_now();
-    MARKETGEN_TRY(const ArmChecker checker,
-                  ArmChecker::make(model, state, world_.world_from_base(), world, {0.002, {}}));
-    Configuration start;
-    for (const int dof : arm())
-      start.push_back(state[static_cast<std::size_t>(dof)]);
-    ArmPlanOptions options;
-    options.speed = arm_speed;
-    options.acceleration = carrying_acceleration;
+    MARKETGEN_TRY(const StowQuestion question, stow_question());
     const Seed seed = seed_.child("home", static_cast<std::uint64_t>(moves_++));
-    auto plan = plan_arm(checker, start, {stowed_arm()}, seed, options);
-    if (!plan.ok()) {
+    auto way = plan_stow(robot_, world_.store().basket, question, seed);
+    if (!way.ok()) {
       note(FailureCode::no_path);
       done_ = true;
       return {};
     }
-    body_.play(arm(), plan->trajectory);
+    body_.play(arm(), std::move(*way));
     return {};
   }
 

@@ -1,0 +1,72 @@
+// The arm's ways of one pick off a shelf, from a place where the robot stands: to the grasp, up,
+// and straight out. What the planners of picks share, whoever knows the surroundings.
+//
+// Store frame, SI units.
+#pragma once
+#include <vector>
+
+#include "base/seed.h"
+#include "motion/collision_world.h"
+#include "motion/tool_line.h"
+#include "robots/robot.h"
+
+namespace marketgen {
+
+// What stands round a shelf, and how the arm moves there.
+struct PickSurroundings {
+  Obstacles way;                     // what the arm keeps off
+  Obstacles line;                    // the same on lines, where the hand may push things aside
+  std::vector<BoxObstacle> carried;  // by the robot, in its base frame: a basket
+};
+struct PickMotion {
+  double speed = 0.6;        // share of the joints' velocity limits, over 0 to 1
+  double acceleration = 1;   // the same of their acceleration limits
+  double approach_m = 0.12;  // length of the straight line to the grasp
+  double lift_m = 0.015;     // straight up before it goes out
+  double retreat_m = 0.22;   // straight out of the shelf
+};
+
+struct PickPlace {
+  Pose world_from_base;
+  std::vector<double> state;  // every degree of freedom at the start; fingers open
+  Pose world_from_tip;        // at the grasp
+  Vec3 out;                   // from the shelf into the aisle, unit
+};
+
+struct PickWays {
+  ReachPlan reach;                // to the grasp
+  JointTrajectory lift, retreat;  // with the product
+};
+
+// Errors: those of CollisionWorld, ArmChecker, plan_reach and tool_line.
+Result<PickWays> plan_pick_ways(const ArmModel& model,
+                                const PickPlace& place,
+                                const PickSurroundings& around,
+                                const PickMotion& motion,
+                                Seed seed);
+
+// Where the base stands so far before a product's front, the product `side` to its left. `out`:
+// from the shelf into the aisle.
+Pose place_before_shelf(Vec3 product, double depth_m, Vec3 out, double distance_m, double side_m);
+
+// An arm that ends in a tool.
+struct Hand {
+  const JointGroup* arm = nullptr;
+  int tool = -1;  // in Robot::tools
+};
+// Those that end in a tool of this row, by the order of the tools.
+std::vector<Hand> hands_with(const Robot& robot, const std::string& tool_row);
+
+// Boxes that a robot carries, in the store frame.
+std::vector<BoxObstacle> carried_at(const std::vector<BoxObstacle>& carried,
+                                    const Pose& world_from_base);
+
+// Back along a line on which the arm came, empty, at half the speed at which it carries.
+Result<JointTrajectory> way_back(const Robot& robot,
+                                 const std::string& group,
+                                 const JointPath& line);
+
+// Shares of the joints' limits: an arm that carries something moves gently.
+constexpr double carrying_speed = 0.4, carrying_acceleration = 0.25;
+
+}  // namespace marketgen
