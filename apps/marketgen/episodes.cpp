@@ -10,6 +10,7 @@
 #include "episodes/sample_aisle.h"
 #include "io/file.h"
 #include "io/json.h"
+#include "policy/oracle_witness.h"
 #include "store/store.h"
 
 namespace marketgen::app {
@@ -18,7 +19,7 @@ namespace {
 struct EpisodesFlags {
   CommonFlags common;
   std::vector<std::string> folders;
-  std::string track = "checkout", output;
+  std::string track = "checkout", tools, output;
   int count = 10;
 };
 
@@ -30,6 +31,7 @@ struct StockedStore {
 
 Result<StockedStore> stocked(Store store,
                              const std::filesystem::path& data,
+                             const std::string& tools,
                              const std::shared_ptr<GraspBook>& book) {
   const Manifest& manifest = store.manifest;
   StockedStore made{
@@ -42,7 +44,7 @@ Result<StockedStore> stocked(Store store,
     return made;
   }
   made.stock = store.scene.catalog;
-  MARKETGEN_TRY(auto shared, open_aisle_store(data, std::move(store.scene)));
+  MARKETGEN_TRY(auto shared, open_aisle_store(data, std::move(store.scene), tools));
   MARKETGEN_TRY(made.in_aisle, AisleSampler::make(std::move(shared), book));
   return made;
 }
@@ -55,7 +57,7 @@ Result<std::vector<StockedStore>> open_stores(const EpisodesFlags& flags,
   std::vector<StockedStore> stores;
   for (const std::string& folder : flags.folders) {
     MARKETGEN_TRY(Store store, open_store(folder, catalog));
-    MARKETGEN_TRY(StockedStore made, stocked(std::move(store), data, book));
+    MARKETGEN_TRY(StockedStore made, stocked(std::move(store), data, flags.tools, book));
     stores.push_back(std::move(made));
   }
   return stores;
@@ -91,15 +93,17 @@ Result<std::vector<EpisodeSpec>> draw(const EpisodesFlags& flags,
   Progress& progress = progress_for(flags.common);
   const auto count = static_cast<std::size_t>(flags.count);
   progress.begin("episodes", count);
+  const CheckoutCertifier certify = checkout_certifier(data);
   const auto made = parallel_map(count, [&](std::size_t i) {
     const StockedStore& from = stores[i % stores.size()];
     const EpisodeStore& store = from.store;
     const EpisodeOrigin origin{store.name, store.scene_hash, store.plan_hash};
     const Seed seed = Seed(flags.common.seed).child("store", store.scene_hash);
     const int index = static_cast<int>(i / stores.size());
-    auto spec = from.in_aisle
-                    ? from.in_aisle->sample(origin, seed, index)
-                    : sample_checkout(data, from.stock, catalog.frictions, origin, seed, index);
+    auto spec =
+        from.in_aisle
+            ? from.in_aisle->sample(origin, seed, index)
+            : sample_checkout(data, from.stock, catalog.frictions, origin, seed, index, certify);
     progress.advance();
     return std::make_shared<Result<EpisodeSpec>>(std::move(spec));
   });
@@ -133,7 +137,9 @@ Result<void> write(const EpisodesFlags& flags) {
   MARKETGEN_TRY(const Track track, track_named(flags.track));
   std::shared_ptr<GraspBook> book;
   if (track == Track::aisle) {
-    MARKETGEN_TRY(book, open_aisle_book(data, catalog));
+    MARKETGEN_TRY(book, open_aisle_book(data, catalog, flags.tools));
+  } else if (!flags.tools.empty()) {
+    return Error{"usage.bad_flag", "--tools", "only robots in aisles have a choice; drop the flag"};
   }
   MARKETGEN_TRY(std::vector<StockedStore> stores, open_stores(flags, data, catalog, book));
   EpisodeFile file;
@@ -163,6 +169,10 @@ Run add_episodes(CLI::App& app) {
   command->add_option("folders", flags->folders, "store folders")->required();
   command->add_option("--track", flags->track, "what kind of task: checkout or aisle")
       ->capture_default_str();
+  command->add_option(
+      "--tools",
+      flags->tools,
+      "what the robot in aisles fetches with: gripper or suction; gripper by itself");
   command->add_option("--count", flags->count, "episodes, shared out over the stores")
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();

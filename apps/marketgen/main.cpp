@@ -2,11 +2,13 @@
 // statuses.
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <exception>
 #include <new>
 
 #include "base/build_info.h"
 #include "base/interrupt.h"
+#include "base/progress.h"
 #include "base/text.h"
 #include "command.h"
 
@@ -116,6 +118,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   marketgen::watch_for_interrupts();
+  if (const char* const level = std::getenv("MARKETGEN_LOG")) marketgen::set_log_level(level);
   try {
     return marketgen::app::run(argc, argv);
   } catch (const std::bad_alloc&) {

@@ -20,15 +20,6 @@ constexpr std::array sides_m{0.30, 0.26, 0.34, 0.0, 0.12, -0.12};
 constexpr double lift_below_m = 0.9;  // height of the grasp over the lift's zero
 constexpr int most_blocked = 12;      // places from which a grasp is in reach and cannot be had
 
-// All of them end in the same gripper.
-Result<std::vector<Hand>> hands_of(const Robot& robot) {
-  for (const Tool& tool : robot.tools) {
-    if (tool.kind != ToolKind::gripper) continue;
-    if (auto hands = hands_with(robot, tool.row); !hands.empty()) return hands;
-  }
-  return Error{"robot.unknown", robot.name, "no arm of this robot ends in a gripper"};
-}
-
 Result<std::vector<GraspCandidate>> grasps_of(const Product& goods,
                                               const GraspTool& tool,
                                               const CollectOptions& options) {
@@ -153,8 +144,9 @@ class Planner {
 }  // namespace
 
 Result<std::string> gripper_row(const Robot& robot) {
-  MARKETGEN_TRY(const std::vector<Hand> hands, hands_of(robot));
-  return robot.tools[static_cast<std::size_t>(hands.front().tool)].row;
+  for (const Tool& tool : robot.tools)
+    if (tool.kind == ToolKind::gripper && !hands_with(robot, tool.row).empty()) return tool.row;
+  return Error{"robot.unknown", robot.name, "no arm of this robot ends in a gripper"};
 }
 
 std::vector<double> stowed_state(const Robot& robot,
@@ -189,7 +181,9 @@ Result<CollectPlan> plan_collect(const Scene& scene,
   if (product >= scene.products.size())
     return Error{
         "collect.no_product", fmt::format("row {}", product), "the store has no such product"};
-  MARKETGEN_TRY(const std::vector<Hand> hands, hands_of(robot));
+  const std::vector<Hand> hands = hands_with(robot, tool.id);
+  if (hands.empty())
+    return Error{"robot.unknown", robot.name, "no arm of this robot ends in a " + tool.id};
   const Product& goods = scene.catalog[scene.products[product].sku];
   MARKETGEN_TRY(const std::vector<GraspCandidate> grasps, grasps_of(goods, tool, options));
   std::vector<Planner> planners;

@@ -44,7 +44,7 @@ std::vector<double> stowed_state(const Robot& robot,
                                  double opening_m);
 
 // Looks for it over the product's grasps from the front, best first, over the robot's arms that end
-// in that gripper, and over places in front of it. `tool` describes that gripper. Errors:
+// in that tool, and over places in front of it. Errors:
 // collect.no_product for a row that does not exist; motion.no_grasp with the reason;
 // collect.no_place with what was wrong at the place that came nearest; robot.unknown when no arm of
 // the robot ends in a gripper; assets.*.

@@ -37,10 +37,10 @@ std::vector<int> links_of(const Robot& robot, const Tool& tool) {
   return links;
 }
 
-ArmPlanOptions carrying() {
+ArmPlanOptions carrying(double acceleration) {
   ArmPlanOptions options;
   options.speed = carrying_speed;
-  options.acceleration = carrying_acceleration;
+  options.acceleration = acceleration;
   return options;
 }
 
@@ -137,7 +137,10 @@ struct Descent {
 class DropPlanner {
  public:
   DropPlanner(const Robot& robot, const CarriedBasket& basket, const DropQuestion& question)
-      : robot_(robot), basket_(basket), question_(question), options_(carrying()) {
+      : robot_(robot),
+        basket_(basket),
+        question_(question),
+        options_(carrying(question.acceleration)) {
     options_.search.most_iterations = most_drop_samples;
   }
   DropPlanner(const DropPlanner&) = delete;  // its checkers refer to it
@@ -282,7 +285,8 @@ Result<JointTrajectory> plan_stow(const Robot& robot,
                 ArmChecker::make(
                     model, question.state, question.world_from_base, world, {line_margin_m, {}}));
   const Configuration start = values_of(model, question.state);
-  MARKETGEN_TRY(ArmPlan plan, plan_arm(checker, start, {question.stow}, seed, carrying()));
+  MARKETGEN_TRY(ArmPlan plan,
+                plan_arm(checker, start, {question.stow}, seed, carrying(carrying_acceleration)));
   return std::move(plan.trajectory);
 }
 

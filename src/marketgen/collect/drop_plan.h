@@ -35,8 +35,9 @@ struct StowQuestion {
 struct DropQuestion : StowQuestion {
   int tool = 0;  // in Robot::tools, that holds it
   const ProductBody* held = nullptr;
-  Pose tip_from_product;            // as it is held
-  std::vector<BoxObstacle> inside;  // what lies in the basket, base frame
+  Pose tip_from_product;                        // as it is held
+  std::vector<BoxObstacle> inside;              // what lies in the basket, base frame
+  double acceleration = carrying_acceleration;  // with it in the hand, share of the joints' limits
 };
 
 struct DropPlan {

@@ -5,6 +5,7 @@
 #include "assets/usable_catalog.h"
 #include "episodes/sample_checkout.h"
 #include "io/file.h"
+#include "policy/oracle_witness.h"
 
 namespace marketgen {
 namespace {
@@ -81,7 +82,8 @@ Result<EpisodeSpec> EpisodeGround::sample(Track track, std::uint64_t seed) {
   const EpisodeStore& row = file_.header.stores.front();
   const EpisodeOrigin origin{row.name, row.scene_hash, row.plan_hash};
   if (track == Track::checkout)
-    return sample_checkout(data_, products(), catalog_->frictions, origin, Seed(seed), 0);
+    return sample_checkout(
+        data_, products(), catalog_->frictions, origin, Seed(seed), 0, checkout_certifier(data_));
   AisleSampler* sampler = nullptr;
   {
     const std::scoped_lock lock(mutex_);

@@ -58,11 +58,15 @@ struct FrameCameraRow {
 
 // What the robot may carry instead of its row's own tools.
 struct ToolSetRow {
-  std::string id;
+  std::string id, picks_with;
   std::vector<ToolChoiceRow> tools;
   std::string source;
   static constexpr auto fields =
       field_list(field("id", &ToolSetRow::id, "as episodes name it", identifier()),
+                 field("picks_with",
+                       &ToolSetRow::picks_with,
+                       "row of the tool that fetches what is asked for",
+                       required()),
                  field("tools", &ToolSetRow::tools, "instead of the robot's own", at_most_items(8)),
                  field("source", &ToolSetRow::source, "keys of the sources, by blanks"));
 };

@@ -83,6 +83,7 @@ Result<void> AisleWorld::reset(const EpisodeSpec& spec) {
   commanded_ = commanded_dofs(robot);
   base_ = robot.find_group("base")->dofs;
   target_ = place.state;
+  rates_.assign(target_.size(), 0);
   speed_ = turn_ = path_m_ = 0;
   watch_ = AisleWatch(*world_, robot);
   axle_ = axle_of(robot, world_from_base());
@@ -170,17 +171,25 @@ Result<void> AisleWorld::use_tools(const Action& action) {
   return {};
 }
 
+// Joints follow cubic curves that take over the last step's speed: a servo that is told to jump to
+// another shakes what a cup holds out of it.
 Result<void> AisleWorld::move(const Action& action) {
-  const std::vector<double> from = target_;
+  const std::vector<double> from = target_, from_rates = rates_;
+  for (std::size_t j = 0; j < commanded_.size(); ++j) {
+    const auto dof = static_cast<std::size_t>(commanded_[j]);
+    const Joint& joint = robot().joint_of_dof(dof);
+    const double wanted = std::clamp(action.position[j], joint.lower, joint.upper);
+    rates_[dof] = (wanted - from[dof]) / control_step_s;
+  }
   for (int i = 1; i <= aisle_substeps; ++i) {
     std::vector<double> rates(target_.size());
-    const double share = static_cast<double>(i) / aisle_substeps;
-    for (std::size_t j = 0; j < commanded_.size(); ++j) {
-      const auto dof = static_cast<std::size_t>(commanded_[j]);
-      const Joint& joint = robot().joint_of_dof(dof);
-      const double wanted = std::clamp(action.position[j], joint.lower, joint.upper);
-      target_[dof] = from[dof] + (wanted - from[dof]) * share;
-      rates[dof] = (wanted - from[dof]) / control_step_s;
+    const double s = static_cast<double>(i) / aisle_substeps;
+    for (const int commanded : commanded_) {
+      const auto dof = static_cast<std::size_t>(commanded);
+      const double before = from_rates[dof], after = rates_[dof];
+      rates[dof] = before + (after - before) * s * (4 - 3 * s);
+      const double part = s * (before + (after - before) * s * (2 - s));
+      target_[dof] = from[dof] + part * control_step_s;
     }
     drive((i - 0.5) / aisle_substeps, action, rates);
     MARKETGEN_CHECK(actor_.command(*world_, target_, rates));

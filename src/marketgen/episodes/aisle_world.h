@@ -70,6 +70,7 @@ class AisleWorld : public TrackWorld {
   SuctionActor cups_;
   std::vector<int> commanded_, base_;  // degrees of freedom
   std::vector<double> target_;         // of all, at the end of the last step
+  std::vector<double> rates_;          // of the commanded ones, likewise
   double speed_ = 0, turn_ = 0;        // of the base, at the end of the last step
   AisleWatch watch_;
   Vec3 axle_;  // where the middle between the wheels was

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "collect/collect_plan.h"
 #include "episodes/aisle_station.h"
 #include "episodes/studied_grasps.h"
 #include "grasping/grasp_database.h"
@@ -13,7 +12,7 @@ namespace {
 constexpr int least_held = 2;  // of three tries
 
 bool is_holdable(const GraspRate& rate) {
-  return rate.fits() &&
+  return rate.fits() && !rate.tries.empty() &&
          rate.held() >= std::min<int>(least_held, static_cast<int>(rate.tries.size()));
 }
 
@@ -75,35 +74,39 @@ std::vector<GraspRate> GraspBook::studied() const {
 }
 
 Result<StudiedProduct> GraspBook::study(const Product& product) {
-  const int tries = options().tries;
   const auto candidates = studied_grasps(product, tool_, frictions_, {});
-  if (candidates.ok() && steady_grasps(*candidates, tool_, tries).empty())
-    return StudiedProduct{{}, "swings"};
+  std::vector<int> steady;
+  if (candidates.ok()) {
+    steady = steady_grasps(*candidates, tool_, options().tries);
+    if (steady.empty()) return StudiedProduct{{}, "swings"};
+  }
   MARKETGEN_TRY(const GraspRate rate, this->rate(product));
   if (!is_holdable(rate)) return StudiedProduct{{}, why_not_held(rate)};
-  MARKETGEN_TRY(const std::vector<GraspCandidate>& all, candidates);
+  MARKETGEN_CHECK(candidates);
   StudiedProduct studied;
   const std::vector<int> held = rate.held_tries();
-  for (const int steady : steady_grasps(all, tool_, tries))
-    if (std::ranges::count(held, steady) > 0) studied.grasps.push_back(steady);
+  for (const int number : steady)
+    if (std::ranges::count(held, number) > 0) studied.grasps.push_back(number);
   if (studied.grasps.empty()) studied.why_not = "swings";
   return studied;
 }
 
-Result<void> GraspBook::keep(const std::filesystem::path& data,
-                             const std::string& catalog_hash) const {
+Result<void> GraspBook::keep(const std::filesystem::path& data, const std::string& catalog_hash) {
   const std::vector<GraspRate> rates = studied();
   if (rates.empty()) return {};
   MARKETGEN_TRY(const std::string key, grasp_study_key(data, catalog_hash, options()));
-  return keep_grasp_rates(rates, key, options().seed);
+  MARKETGEN_CHECK(keep_grasp_rates(rates, key, options().seed));
+  const std::scoped_lock lock(mutex_);
+  for (const GraspRate& rate : rates)
+    new_.erase(rate.sku);
+  return {};
 }
 
 Result<std::shared_ptr<GraspBook>> open_aisle_book(const std::filesystem::path& data,
-                                                   const Catalog& catalog) {
-  MARKETGEN_TRY(const AisleStation station, load_aisle_station(data));
-  MARKETGEN_TRY(const Robot robot, load_station_robot(data, station));
-  MARKETGEN_TRY(const std::string row, gripper_row(robot));
-  MARKETGEN_TRY(GraspTool tool, load_grasp_tool(data, row));
+                                                   const Catalog& catalog,
+                                                   const std::string& tools) {
+  MARKETGEN_TRY(const AisleStation station, load_aisle_station(data, tools));
+  MARKETGEN_TRY(GraspTool tool, load_grasp_tool(data, station.tools().picks_with));
   MARKETGEN_TRY(const std::string key,
                 grasp_study_key(data, catalog.content_hash, GraspBook::options()));
   MARKETGEN_TRY(const std::vector<GraspRate> known, kept_grasp_rates(key));

@@ -1,4 +1,4 @@
-// Which products a gripper can take off a stocked shelf, looked up or tried in physics when asked.
+// Which products a tool can take off a stocked shelf, looked up or tried in physics when asked.
 // One book serves the samplers of all stores.
 #pragma once
 #include <filesystem>
@@ -35,11 +35,11 @@ class GraspBook {
   // also keep it from turning between the pads while the arm turns it over. One that no grasp keeps
   // from turning is not tried. Errors: those of study_grasps().
   Result<StudiedProduct> study(const Product& product);
-  // Rates that were not known before.
+  // Rates that were not known before, and are not kept yet.
   std::vector<GraspRate> studied() const;
-  // Puts them into the grasp database: the next book need not try the same grasps again. Errors:
-  // those of grasp_study_key() and keep_grasp_rates().
-  Result<void> keep(const std::filesystem::path& data, const std::string& catalog_hash) const;
+  // Puts them into the grasp database, once: the next book need not try the same grasps again.
+  // Errors: those of grasp_study_key() and keep_grasp_rates().
+  Result<void> keep(const std::filesystem::path& data, const std::string& catalog_hash);
 
   const GraspTool& tool() const { return tool_; }
   const std::vector<FrictionRow>& frictions() const { return frictions_; }
@@ -54,9 +54,11 @@ class GraspBook {
   std::set<std::string> new_;               // SKUs
 };
 
-// For the gripper of the robot in aisles, with what the grasp database knows of it. Errors: those
-// of load_aisle_station, load_station_robot, load_grasp_tool, kept_grasp_rates.
+// For the tool with which the robot in aisles fetches, with what the grasp database knows of it.
+// `tools`: a tool set of the station, the first when empty. Errors: those of load_aisle_station,
+// load_grasp_tool, kept_grasp_rates.
 Result<std::shared_ptr<GraspBook>> open_aisle_book(const std::filesystem::path& data,
-                                                   const Catalog& catalog);
+                                                   const Catalog& catalog,
+                                                   const std::string& tools = {});
 
 }  // namespace marketgen

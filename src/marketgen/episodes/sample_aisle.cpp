@@ -231,12 +231,17 @@ Result<std::optional<EpisodeSpec>> AisleSampler::attempt(EpisodeSpec spec, Seed 
 Result<EpisodeSpec> AisleSampler::sample(const EpisodeOrigin& origin, Seed seed, int index) {
   const Seed own = seed.child("aisle", static_cast<std::uint64_t>(index));
   EpisodeSpec spec;
-  spec.id = fmt::format("aisle/{}/{:016x}/{}", origin.scene_hash.substr(0, 8), seed.value(), index);
+  spec.id = fmt::format("aisle/{}/{}/{:016x}/{}",
+                        store_->station.tools().id,
+                        origin.scene_hash.substr(0, 8),
+                        seed.value(),
+                        index);
   spec.track = Track::aisle;
   spec.store = origin.store;
   spec.scene_hash = origin.scene_hash;
   spec.plan_hash = origin.plan_hash;
   spec.robot = store_->station.robot;
+  spec.tools = store_->station.tools().id;
   spec.seed = own.value();
   spec.cameras = {"head_camera"};
   spec.limit_s = store_->station.limit_s;

@@ -47,8 +47,9 @@ class CheckoutSampler {
   CheckoutSampler(const std::vector<Product>& stock,
                   const std::vector<FrictionRow>& frictions,
                   CheckoutWorld& world,
+                  const CheckoutCertifier& certify,
                   Seed seed)
-      : stock_(stock), frictions_(frictions), world_(world), seed_(seed) {
+      : stock_(stock), frictions_(frictions), world_(world), certify_(certify), seed_(seed) {
     for (const Product& product : stock_)
       shapes_[product.archetype].push_back(&product);
   }
@@ -72,7 +73,7 @@ class CheckoutSampler {
         fmt::format("Put these from the basket on the unloading area: {}.", fmt::join(names, "; "));
     MARKETGEN_TRY(const bool rests, settle(spec));
     if (!rests) return std::optional<EpisodeSpec>{};
-    return std::optional(std::move(spec));
+    return certified(std::move(spec), seed_.child("witness", static_cast<std::uint64_t>(number)));
   }
 
  private:
@@ -135,9 +136,22 @@ class CheckoutSampler {
     return world_.deepest_overlap_m() <= most_overlap_m;
   }
 
+  // Empty when no way through is found.
+  Result<std::optional<EpisodeSpec>> certified(EpisodeSpec spec, Seed seed) {
+    spec.certificate.proved = {"settled"};
+    if (!certify_) return std::optional(std::move(spec));
+    MARKETGEN_TRY(auto witness, certify_(world_, seed));
+    if (!witness) return std::optional<EpisodeSpec>{};
+    for (const char* shown : {"order", "grasp", "reach", "approach", "place"})
+      spec.certificate.proved.emplace_back(shown);
+    spec.certificate.witness = std::move(*witness);
+    return std::optional(std::move(spec));
+  }
+
   const std::vector<Product>& stock_;
   const std::vector<FrictionRow>& frictions_;
   CheckoutWorld& world_;
+  const CheckoutCertifier& certify_;
   Seed seed_;
   std::map<std::string, std::vector<const Product*>> shapes_;
 };
@@ -197,7 +211,8 @@ Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
                                     const std::vector<FrictionRow>& frictions,
                                     const EpisodeOrigin& origin,
                                     Seed seed,
-                                    int index) {
+                                    int index,
+                                    const CheckoutCertifier& certify) {
   if (stock.size() < static_cast<std::size_t>(most_targets + most_others))
     return Error{"episode.impossible",
                  origin.store,
@@ -217,15 +232,16 @@ Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
   spec.seed = own.value();
   spec.cameras = {"scene", "wrist"};
   spec.limit_s = world.station().limit_s;
-  spec.certificate.proved = {"settled"};
-  CheckoutSampler sampler(stock, frictions, world, own);
+  CheckoutSampler sampler(stock, frictions, world, certify, own);
   for (int number = 0; number < most_baskets; ++number) {
     MARKETGEN_TRY(std::optional<EpisodeSpec> made, sampler.attempt(spec, number));
     if (made) return std::move(*made);
   }
-  return Error{"episode.impossible",
-               spec.id,
-               fmt::format("in {} baskets drawn, too few goods stayed inside", most_baskets)};
+  return Error{
+      "episode.impossible",
+      spec.id,
+      fmt::format("in {} baskets drawn, too few goods stayed inside, or could be taken out again",
+                  most_baskets)};
 }
 
 }  // namespace marketgen

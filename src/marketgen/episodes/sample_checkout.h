@@ -1,12 +1,15 @@
 // Draws episodes of Checkout Unloading from a store's stock.
 #pragma once
 #include <array>
+#include <functional>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "base/progress.h"
 #include "base/seed.h"
 #include "catalog/rows.h"
+#include "episodes/checkout_world.h"
 #include "episodes/episode_spec.h"
 #include "scene/scene.h"
 
@@ -53,14 +56,20 @@ struct EpisodeOrigin {
   std::string store, scene_hash, plan_hash;
 };
 
+// Looks for a way through a settled basket: picks in their order, or nothing when it finds none.
+using CheckoutCertifier = std::function<Result<std::optional<std::vector<WitnessPick>>>(
+    const CheckoutWorld& world, Seed seed)>;
+
 // Episode `index` of a seed. Targets and others are different products, drawn evenly over shapes;
 // dropped into the basket one after another, and settled. What spills is left out; drawn anew when
-// too few stay. Errors: episode.impossible (too few kinds of goods); those of CheckoutWorld.
+// too few stay, or `certify` finds no way through (empty: not asked for). Errors:
+// episode.impossible (too few kinds of goods); those of CheckoutWorld and of `certify`.
 Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
                                     const std::vector<Product>& stock,
                                     const std::vector<FrictionRow>& frictions,
                                     const EpisodeOrigin& origin,
                                     Seed seed,
-                                    int index);
+                                    int index,
+                                    const CheckoutCertifier& certify = {});
 
 }  // namespace marketgen

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <map>
 
+#include <fmt/format.h>
+
+#include "base/progress.h"
 #include "collect/collect_plan.h"
 #include "collect/drop_plan.h"
 #include "collect/scene_obstacles.h"
@@ -18,10 +21,11 @@ constexpr std::size_t most_items_looked_at = 4;  // of a SKU at a time
 constexpr double pressed_s = 0.7, opened_s = 0.5, rest_s = 0.3;
 constexpr double back_off_m_s = 0.2;
 constexpr double lift_share = 0.9;
-constexpr double way_reach_m = 1.4;      // obstacles farther from the robot do not count
-constexpr double let_go_wider_m = 0.02;  // than what was held, when it is let go
-constexpr double least_item_s = 25;      // no new item with less time left
-constexpr double grip_factor = 2;        // of the force that a grasp needs; it is carried about
+constexpr double way_reach_m = 1.4;       // obstacles farther from the robot do not count
+constexpr double let_go_wider_m = 0.02;   // than what was held, when it is let go
+constexpr double least_item_s = 25;       // no new item with less time left
+constexpr double cup_acceleration = 0.1;  // share of the joints' limits, with something on the cup
+constexpr double grip_factor = 2;         // of the force that a grasp needs; it is carried about
 
 enum class AislePhase { choose, arrived, pressed, out, away, dropped };
 
@@ -79,7 +83,9 @@ class AisleOracle : public Policy {
     for (const EpisodeGoal& goal : world_.spec().goals) {
       const auto there =
           std::ranges::count_if(inside, [&](std::uint32_t row) { return sku_of(row) == goal.sku; });
-      if (there < goal.count && tries_[goal.sku] < most_item_tries) skus.push_back(goal.sku);
+      const auto tried = tries_.find(goal.sku);
+      const bool again = tried == tries_.end() || tried->second < most_item_tries;
+      if (there < goal.count && again) skus.push_back(goal.sku);
     }
     return skus;
   }
@@ -145,9 +151,13 @@ class AisleOracle : public Policy {
     return scene;
   }
 
-  Result<CollectOptions> collect_options(std::uint32_t product) const {
+  Result<CollectOptions> collect_options(std::uint32_t product) {
     CollectOptions options;
-    MARKETGEN_TRY(options.grasps, world_.known_grasps(product, tool_));
+    std::vector<GraspCandidate>& known = grasps_[sku_of(product)];
+    if (known.empty()) {
+      MARKETGEN_TRY(known, world_.known_grasps(product, tool_));
+    }
+    options.grasps = known;
     options.posture = world_.store().station.posture;
     options.carried = world_.store().basket.walls;
     options.speed = carrying_speed;
@@ -156,6 +166,7 @@ class AisleOracle : public Policy {
   }
 
   void note_plan(const Error& error) {
+    log_debug(fmt::format("oracle {:.2f} s: no way to it: {}", now_.time_s, to_string(error)));
     if (error.code == "motion.no_grasp")
       note(FailureCode::no_grasp);
     else if (error.code == "robot.unreachable")
@@ -195,9 +206,9 @@ class AisleOracle : public Policy {
     const auto raised =
         body_.move_joint(lift, plan->state[static_cast<std::size_t>(lift)], lift_share);
     if (!raised.ok()) return false;
-    body_.grip(plan->tool, {plan->grasp.grasp.opening_m});
-    body_.wait(opened_s);
     plan_ = std::move(*plan);
+    body_.grip(plan_.tool, opened());
+    body_.wait(opened_s);
     phase_ = AislePhase::arrived;
     return true;
   }
@@ -224,13 +235,23 @@ class AisleOracle : public Policy {
     const Grasp& grasp = plan_.grasp.grasp;
     const Tool& tool = robot_.tools[static_cast<std::size_t>(plan_.tool)];
     force_n_ = std::min(grasp.force_n * grip_factor, tool.force);
-    body_.grip(plan_.tool, {grasp.opening_m});
+    body_.grip(plan_.tool, opened());
     body_.wait(opened_s);
     body_.play(arm(), plan_.reach.trajectory);
     body_.grip(plan_.tool, {0, force_n_});
     body_.wait(pressed_s);
     phase_ = AislePhase::pressed;
     return {};
+  }
+
+  // On the way to the grasp: the fingers apart, the cup off.
+  ToolCommand opened() const {
+    return {tool_.kind == ToolKind::suction ? cup_off_m : plan_.grasp.grasp.opening_m};
+  }
+  ToolCommand let_go() const {
+    if (tool_.kind == ToolKind::suction) return {cup_off_m};
+    const double held = now_.openings_m[static_cast<std::size_t>(plan_.tool)];
+    return {held + let_go_wider_m, force_n_};
   }
 
   const std::vector<int>& arm() const { return robot_.find_group(plan_.group)->dofs; }
@@ -244,7 +265,7 @@ class AisleOracle : public Policy {
     } else {
       note(FailureCode::missed);
       MARKETGEN_TRY(JointTrajectory way, way_back(robot_, plan_.group, plan_.reach.line));
-      body_.grip(plan_.tool, {plan_.grasp.grasp.opening_m});
+      body_.grip(plan_.tool, opened());
       body_.wait(opened_s);
       body_.play(arm(), std::move(way));
     }
@@ -331,17 +352,17 @@ class AisleOracle : public Policy {
     DropQuestion question;
     MARKETGEN_TRY(static_cast<StowQuestion&>(question), stow_question());
     question.tool = plan_.tool;
+    if (tool_.kind == ToolKind::suction) question.acceleration = cup_acceleration;
     question.held = &body;
     question.tip_from_product = inverse(world_.world_from_base() * base_from_tip()) *
                                 world_.world().product_pose(plan_.product);
-    const double opening = now_.openings_m[static_cast<std::size_t>(plan_.tool)] + let_go_wider_m;
     MARKETGEN_TRY(question.inside, inside());
     const Seed seed = seed_.child("drop", static_cast<std::uint64_t>(moves_++));
     auto plan = plan_drop(robot_, world_.store().basket, question, seed);
     if (!plan.ok()) return try_other_lift();
     body_.play(arm(), plan->way);
     body_.wait(rest_s);
-    body_.grip(plan_.tool, {opening, force_n_});
+    body_.grip(plan_.tool, let_go());
     body_.wait(opened_s);
     body_.play(arm(), plan->retreat);
     body_.play(arm(), plan->home);
@@ -396,7 +417,8 @@ class AisleOracle : public Policy {
   CollectPlan plan_;
   double force_n_ = 0;
   std::size_t drop_lift_ = 0;
-  mutable std::map<std::string, int> tries_;
+  std::map<std::string, int> tries_;                           // by SKU
+  std::map<std::string, std::vector<GraspCandidate>> grasps_;  // by SKU
   std::set<std::uint32_t> refused_;
   std::map<std::uint32_t, int> unreached_;  // times that it came and could not reach it
   int moves_ = 0;
@@ -409,7 +431,7 @@ class AisleOracle : public Policy {
 Result<std::unique_ptr<Policy>> make_aisle_oracle(const AisleWorld& world,
                                                   const std::filesystem::path& data,
                                                   Seed seed) {
-  MARKETGEN_TRY(const std::string row, gripper_row(world.robot()));
+  const std::string& row = world.store().station.tools().picks_with;
   MARKETGEN_TRY(GraspTool tool, load_grasp_tool(data, row));
   return std::unique_ptr<Policy>(std::make_unique<AisleOracle>(world, std::move(tool), seed));
 }

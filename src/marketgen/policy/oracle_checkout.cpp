@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <set>
 
 #include <fmt/format.h>
@@ -11,8 +10,7 @@
 
 #include "base/progress.h"
 
-#include "policy/oracle_grasps.h"
-#include "policy/oracle_places.h"
+#include "policy/oracle_reach.h"
 #include "policy/oracle_tries.h"
 
 namespace marketgen {
@@ -28,8 +26,7 @@ constexpr double touch_n = 12;
 constexpr double let_go_m = 0.014;   // wider than what was held
 constexpr double over_rim_m = 0.07;  // of what is lifted out
 constexpr double retreat_m = 0.12;
-constexpr double walls_clear_m = 0.002, look_every_m = 0.03;  // of the open tool on its way in
-constexpr double escape_m = 0.12;
+constexpr double escape_m = 0.12, home_approach_m = 0.02;
 constexpr double least_time_s = 8;  // no new grasp with less time left
 
 enum class Phase { choose, closed, lifted, over_place, released };
@@ -46,6 +43,7 @@ class CheckoutOracle : public Policy {
     task_ = task;
     scene_ = std::make_unique<OracleScene>(world_, tool_);
     arm_.start(first);
+    home_ = arm_.tip();
     phase_ = Phase::choose;
     say("begins " + world_.spec().id);
     return {};
@@ -80,15 +78,10 @@ class CheckoutOracle : public Policy {
 
   // ---- What to take next ----
 
-  bool is_target(std::size_t item) const {
-    const std::string& sku = world_.spec().items[item].sku;
-    return std::ranges::count(world_.spec().goals, sku, &EpisodeGoal::sku) > 0;
-  }
-
   // Targets that are not there yet or fell there, and what is there and should not be.
   bool is_due(std::size_t item) const {
     const bool there = scene_->in_unloading(item);
-    if (!is_target(item)) return there;
+    if (!scene_->is_target(item)) return there;
     return !there || world_.watch().items()[item].impact_m_s > most_impact_m_s;
   }
 
@@ -165,15 +158,34 @@ class CheckoutOracle : public Policy {
     return {};
   }
 
-  // Once between two grasps: the arm may touch something, so that no way begins where it is.
+  // Once between two grasps: the arm may touch something, even the counter, so that no way begins
+  // where it is. Up, or back along the tool, as far as it can; or else to where it began.
   bool escape() {
     if (escaped_) return false;
     escaped_ = true;
-    Pose up = arm_.tip();
-    up.position.z += escape_m;
-    const bool moved = arm_.straight(scene_->counter_alone(), up, tool_.opening_m, 20).ok();
-    say(moved ? "moves up to get free" : "cannot move up");
-    return moved;
+    const Pose tip = arm_.tip();
+    const Surroundings counter = scene_->counter_alone(), nothing;
+    for (const Surroundings* const around : {&counter, &nothing}) {
+      for (const double by : {escape_m, escape_m * 0.7, escape_m * 0.4}) {
+        const Pose up{tip.position + Vec3{0, 0, by}, tip.rotation},
+            back = tip * Pose{{0, 0, -by}, {}};
+        if (!arm_.straight(*around, up, tool_.opening_m, 20).ok() &&
+            !arm_.straight(*around, back, tool_.opening_m, 20).ok())
+          continue;
+        say("moves away to get free");
+        return true;
+      }
+    }
+    ReachRequest home{home_, {0, 0, home_approach_m}, tool_.opening_m};
+    for (const Surroundings* const around : {&counter, &nothing}) {
+      if (!arm_.reach(*around, home, seed_.child("home", static_cast<std::uint64_t>(moves_++)))
+               .ok())
+        continue;
+      say("goes to where it began");
+      return true;
+    }
+    say("cannot move away");
+    return false;
   }
 
   static Result<void> checked(const Result<const ItemGrasps*>& grasps) {
@@ -193,7 +205,7 @@ class CheckoutOracle : public Policy {
   std::vector<std::size_t> blockers_of(const std::vector<std::size_t>& due) const {
     std::vector<std::size_t> blockers;
     const auto add = [&](std::size_t item) {
-      const bool stays = scene_->in_unloading(item) && is_target(item);
+      const bool stays = scene_->in_unloading(item) && scene_->is_target(item);
       if (!stays && std::ranges::find(blockers, item) == blockers.end()) blockers.push_back(item);
     };
     for (const std::size_t item : due) {
@@ -211,7 +223,7 @@ class CheckoutOracle : public Policy {
   std::vector<std::size_t> nearest_to(const std::vector<std::size_t>& due) const {
     std::vector<std::size_t> others;
     for (std::size_t item = 0; item < scene_->items(); ++item)
-      if (!is_target(item) && scene_->in_basket(item)) others.push_back(item);
+      if (!scene_->is_target(item) && scene_->in_basket(item)) others.push_back(item);
     const Vec3 at = scene_->middle(due.front());
     std::ranges::stable_sort(
         others, {}, [&](std::size_t item) { return length(scene_->middle(item) - at); });
@@ -226,23 +238,11 @@ class CheckoutOracle : public Policy {
   std::string called(std::size_t item) const {
     const CheckoutGoods& goods = world_.goods(item);
     return fmt::format("{}{} {} {} ({:.2f} kg)",
-                       is_target(item) ? "target " : "other ",
+                       scene_->is_target(item) ? "target " : "other ",
                        item,
                        goods.product.archetype,
                        fmt::join(goods.product.size_mm, "x"),
                        goods.product.mass_kg);
-  }
-
-  static Pose flipped(Pose tip) {
-    tip.rotation = tip.rotation * rotation_about({0, 0, 1}, std::numbers::pi);
-    return tip;
-  }
-
-  // Long enough that the fingers come from over the rim.
-  Vec3 approach_to(const Pose& tip) const {
-    const double rim = world_.station().basket.height_m + 0.04;
-    const double steep = std::max(0.4, -rotate(tip.rotation, {0, 0, 1}).z);
-    return {0, 0, std::max(0.08, (rim - tip.position.z) / steep)};
   }
 
   // A grasp with which the item can be put down as well, or else any.
@@ -261,14 +261,14 @@ class CheckoutOracle : public Policy {
     std::size_t plans = 0, searches = 0;
     for (std::size_t i = 0; i < std::min(grasps.choices.size(), most_grasps); ++i) {
       const GraspChoice& choice = grasps.choices[i];
-      for (const Pose& tip : nearest_flip_first(choice.station_from_tip)) {
-        const ReachRequest request{tip, approach_to(tip), choice.opening_m, touch_n};
-        const Pose begin = tip * Pose{-request.approach, {}};
+      for (const Pose& tip : either_way_round(arm_, choice.station_from_tip)) {
+        ReachRequest request = reach_request(*scene_, tip, choice.opening_m);
+        request.force_n = touch_n;
         if (tried_.failed_before(item, inverse(world_.item_pose(item)) * tip) ||
-            !arm_.effort_to(tip) || !arm_.effort_to(begin))
+            !is_reached(*scene_, arm_, request))
           continue;
-        if (!way_in_is_clear(tip, request.approach.z, choice.opening_m)) continue;
-        if (to_be_placed && (searches++ >= most_place_searches || !has_place(item, tip, choice)))
+        if (to_be_placed && (searches++ >= most_place_searches ||
+                             !has_place(*scene_, arm_, item, tip, choice.opening_m)))
           continue;
         if (plans++ >= most_plans) return false;
         const Seed seed = seed_.child("reach", static_cast<std::uint64_t>(moves_++));
@@ -281,15 +281,6 @@ class CheckoutOracle : public Policy {
       }
     }
     return false;
-  }
-
-  // The last 10 cm were looked at when the grasp was found.
-  bool way_in_is_clear(const Pose& tip, double approach_m, double opening_m) const {
-    for (double back = 0.1; back < approach_m; back += look_every_m) {
-      if (scene_->tool_meets_basket(tip * Pose{{0, 0, -back}, {}}, opening_m, walls_clear_m))
-        return false;
-    }
-    return true;
   }
 
   void close_on(std::size_t item, const Pose& tip, const GraspChoice& choice) {
@@ -308,19 +299,6 @@ class CheckoutOracle : public Policy {
                     choice.score,
                     choice.blockers.size()));
     phase_ = Phase::closed;
-  }
-
-  bool has_place(std::size_t item, const Pose& tip, const GraspChoice& choice) const {
-    const PlaceQuestion question = place_question(
-        *scene_, item, inverse(tip) * world_.item_pose(item), choice.opening_m, is_target(item));
-    return !item_places(*scene_, arm_, question, 1).empty();
-  }
-
-  std::vector<Pose> nearest_flip_first(const Pose& tip) const {
-    const Pose other = flipped(tip);
-    const double a = arm_.effort_to(tip).value_or(1e9), b = arm_.effort_to(other).value_or(1e9);
-    if (b < a) return {other, tip};
-    return {tip, other};
   }
 
   bool holds_it() const { return world_.watch().items()[item_].held; }
@@ -343,9 +321,10 @@ class CheckoutOracle : public Policy {
         return {};
       }
     }
-    return let_go(FailureCode::no_path);
+    return let_go_for_good(FailureCode::no_path);
   }
 
+  // And never takes it so again.
   Result<void> let_go_for_good(FailureCode why) {
     tried_.fail(item_, product_from_tip_);
     return let_go(why);
@@ -387,8 +366,8 @@ class CheckoutOracle : public Policy {
     const double opening = now_.openings_m.front() + let_go_m;
     note(FailureCode::no_ik);
     places_.clear();
-    in_area_ = is_target(item_);
-    for (const bool in_area : {is_target(item_), false}) {
+    in_area_ = scene_->is_target(item_);
+    for (const bool in_area : {scene_->is_target(item_), false}) {
       if (!places_.empty()) break;
       const PlaceQuestion question =
           place_question(*scene_, item_, tip_from_item, opening, in_area);
@@ -434,7 +413,7 @@ class CheckoutOracle : public Policy {
       arm_.wait(settle_s, 0, force_n_);
       arm_.wait(open_s, opening, force_n_);
       back_off(opening);
-      if (in_area_ == is_target(item_)) tried_.put_down(item_);
+      if (in_area_ == scene_->is_target(item_)) tried_.put_down(item_);
       phase_ = Phase::released;
       return {};
     }
@@ -447,7 +426,7 @@ class CheckoutOracle : public Policy {
     tip.position.z -= 0.1;
     [[maybe_unused]] const auto down =
         arm_.straight(scene_->surroundings({item_}), tip, 0, force_n_);
-    return let_go(failure_);
+    return let_go_for_good(failure_);
   }
 
   void note(FailureCode why) { failure_ = why; }
@@ -470,6 +449,7 @@ class CheckoutOracle : public Policy {
   OracleTries tried_;
   std::size_t item_ = 0;  // that is being taken
   double force_n_ = 0;
+  Pose home_;                        // of the tip, at the start
   Pose product_from_tip_;            // as it was to be grasped
   std::vector<PlaceChoice> places_;  // of the item in the hand
   std::size_t next_place_ = 0;       // first with what is held looked at, then again without
@@ -485,9 +465,7 @@ class CheckoutOracle : public Policy {
 Result<std::unique_ptr<Policy>> make_checkout_oracle(const CheckoutWorld& world,
                                                      const std::filesystem::path& data,
                                                      Seed seed) {
-  const std::vector<ToolChoiceRow>& tools = world.station().tools;
-  const std::string row = tools.empty() ? world.robot().tools.front().row : tools.front().row;
-  MARKETGEN_TRY(GraspTool tool, load_grasp_tool(data, row));
+  MARKETGEN_TRY(GraspTool tool, load_checkout_tool(world, data));
   MARKETGEN_TRY(ArmExecutor arm, ArmExecutor::make(world.robot()));
   return std::unique_ptr<Policy>(
       std::make_unique<CheckoutOracle>(world, std::move(tool), std::move(arm), seed));

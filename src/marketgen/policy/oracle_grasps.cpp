@@ -24,6 +24,7 @@ constexpr double of_firmness = 30;
 
 GraspChoice choice_of(const OracleScene& scene, std::size_t item, const GraspCandidate& candidate) {
   GraspChoice choice;
+  choice.strategy = candidate.strategy;
   choice.station_from_tip = scene.world().item_pose(item) * candidate.grasp.product_from_tool;
   choice.opening_m = candidate.grasp.opening_m;
   choice.force_n = std::clamp(candidate.grasp.force_n * firmness, least_grip_n, most_grip_n);

@@ -7,6 +7,7 @@
 namespace marketgen {
 
 struct GraspChoice {
+  GraspStrategy strategy = GraspStrategy::side;
   Pose station_from_tip;
   double opening_m = 0, force_n = 0;
   double score = 0;

@@ -26,6 +26,12 @@ double tilt_deg(const Quaternion& station_from_tip) {
   return std::acos(std::clamp(-ahead.z, -1.0, 1.0)) * 180 / std::numbers::pi;
 }
 
+Result<GraspTool> load_checkout_tool(const CheckoutWorld& world,
+                                     const std::filesystem::path& data) {
+  const std::vector<ToolChoiceRow>& tools = world.station().tools;
+  return load_grasp_tool(data, tools.empty() ? world.robot().tools.front().row : tools.front().row);
+}
+
 OracleScene::OracleScene(const CheckoutWorld& world, const GraspTool& tool)
     : world_(world), tool_(tool) {
   for (std::size_t i = 0; i < world.item_count(); ++i)
@@ -102,6 +108,11 @@ Vec3 OracleScene::half_extents_at(std::size_t item, const Quaternion& turned) co
 Vec3 OracleScene::box_middle(std::size_t item, const Pose& pose) const {
   const Bounds3& bounds = surfaces_[item].bounds();
   return pose * ((to_double(bounds.high) + to_double(bounds.low)) * 0.5);
+}
+
+bool OracleScene::is_target(std::size_t item) const {
+  const EpisodeSpec& spec = world_.spec();
+  return std::ranges::count(spec.goals, spec.items[item].sku, &EpisodeGoal::sku) > 0;
 }
 
 bool OracleScene::in_basket(std::size_t item) const {

@@ -1,6 +1,7 @@
 // What the oracle knows of a running Checkout Unloading: everything, as shapes.
 #pragma once
 #include <cstdint>
+#include <filesystem>
 #include <utility>
 #include <vector>
 
@@ -14,6 +15,9 @@ namespace marketgen {
 
 // Of a tool from straight down.
 double tilt_deg(const Quaternion& station_from_tip);
+
+// Of the gripper that the counter's robot carries. Errors: of load_grasp_tool.
+Result<GraspTool> load_checkout_tool(const CheckoutWorld& world, const std::filesystem::path& data);
 
 class OracleScene {
  public:
@@ -36,6 +40,7 @@ class OracleScene {
   Vec3 middle(std::size_t item) const;                                     // of its mass
   Vec3 half_extents_at(std::size_t item, const Quaternion& turned) const;  // of its box, turned
   Vec3 box_middle(std::size_t item, const Pose& pose) const;
+  bool is_target(std::size_t item) const;
   bool in_basket(std::size_t item) const;
   bool in_unloading(std::size_t item) const;
 

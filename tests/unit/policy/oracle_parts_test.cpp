@@ -10,6 +10,7 @@
 #include "episodes/sample_checkout.h"
 #include "policy/oracle_grasps.h"
 #include "policy/oracle_places.h"
+#include "policy/oracle_witness.h"
 #include "support/committed_catalog.h"
 
 namespace marketgen {
@@ -119,6 +120,35 @@ TEST_F(OracleParts, PlacesAreInTheAreaOverTheCounterAndInReach) {
     }
   }
   EXPECT_GT(found, 0U);
+}
+
+// ---- The witness of a basket ----
+
+TEST_F(OracleParts, AWitnessTakesEveryTargetOnceAndIsTheSameAgain) {
+  const CheckoutCertifier certify = checkout_certifier(data());
+  const EpisodeSpec drawn = taken(sample_checkout(
+      data(), stock(), committed_catalog().frictions, {"corner", "s", "p"}, Seed(5), 0, certify));
+  EXPECT_EQ(std::ranges::count(drawn.certificate.proved, "reach"), 1);
+  for (const EpisodeGoal& goal : drawn.goals)
+    EXPECT_EQ(std::ranges::count(drawn.certificate.witness, goal.sku, &WitnessPick::sku), 1);
+  ASSERT_TRUE(world_.reset(drawn, stock()).ok());
+  const auto once = taken(certify(world_, Seed(1))), again = taken(certify(world_, Seed(1)));
+  ASSERT_TRUE(once && again);
+  EXPECT_TRUE(std::ranges::equal(*once, *again, {}, &WitnessPick::product, &WitnessPick::product));
+}
+
+TEST_F(OracleParts, ABasketWithAPackThatNoHandSpansHasNoWitness) {
+  const auto wide = std::ranges::find_if(committed_catalog().products, [](const Product& product) {
+    const auto& size = product.size_mm;
+    return product.archetype == "box" && std::ranges::min(size) > 90 &&
+           std::ranges::max(size) < 200;
+  });
+  ASSERT_NE(wide, committed_catalog().products.end());
+  EpisodeSpec basket = spec();
+  basket.items = {{wide->sku, {0, 0, 0.01}, {1, 0, 0, 0}}};
+  basket.goals = {{wide->sku, 1}};
+  ASSERT_TRUE(world_.reset(basket, {*wide}).ok());
+  EXPECT_FALSE(taken(checkout_certifier(data())(world_, Seed(1))).has_value());
 }
 
 TEST_F(OracleParts, TheExecutorStopsOverAPlaceAndGoesStraightDown) {
