@@ -256,8 +256,11 @@ std::vector<std::uint32_t> AisleWorld::in_basket() const {
   const HoldsPoint inside = region();
   const Pose basket_from_world = inverse(world_from_basket());
   std::vector<std::uint32_t> rows;
-  for (const auto& [product, item] : watch_.items())
-    if (inside(basket_from_world * world_->product_pose(product).position)) rows.push_back(product);
+  for (const auto& [product, item] : watch_.items()) {
+    const double height = store_->scene.catalog[store_->scene.products[product].sku].height_m();
+    const Vec3 middle = world_->product_pose(product) * Vec3{0, 0, height / 2};
+    if (inside(basket_from_world * middle)) rows.push_back(product);
+  }
   return rows;
 }
 
