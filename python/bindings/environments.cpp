@@ -39,9 +39,11 @@ std::shared_ptr<EpisodeGround> ground_of_file(const std::string& file) {
 EnvironmentHandle create_environment(std::shared_ptr<EpisodeGround> ground,
                                      const std::string& track,
                                      const std::string& control_mode,
-                                     const std::string& reward_mode) {
+                                     const std::string& reward_mode,
+                                     const std::string& tools) {
   const EnvironmentOptions options{named<ControlMode>(control_mode, "control_mode"),
-                                   named<RewardMode>(reward_mode, "reward_mode")};
+                                   named<RewardMode>(reward_mode, "reward_mode"),
+                                   tools};
   const Track of = value_or_raise(track_named(track));
   return {value_or_raise(Environment::create(std::move(ground), of, options))};
 }
@@ -134,10 +136,11 @@ void reset_environments(const Handles& handles,
 // The episodes of seeds as market-episode/1.
 std::vector<std::string> draw(EpisodeGround& ground,
                               const std::string& track,
-                              const std::vector<std::uint64_t>& seeds) {
+                              const std::vector<std::uint64_t>& seeds,
+                              const std::string& tools) {
   const Track of = value_or_raise(track_named(track));
   const auto specs =
-      value_or_raise(without_interpreter([&] { return draw_all(ground, of, seeds); }));
+      value_or_raise(without_interpreter([&] { return draw_all(ground, of, seeds, tools); }));
   std::vector<std::string> texts;
   for (const EpisodeSpec& spec : specs)
     texts.push_back(write_json(spec));

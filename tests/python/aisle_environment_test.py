@@ -148,3 +148,29 @@ def test_bad_actions_change_nothing(store, aisle_episode):
 def test_stepping_before_a_reset_is_said(store):
     with pytest.raises(marketgen.Error, match="reset it first"):
         gymnasium.make(NAME, store=store).unwrapped.step(np.zeros(22, np.float32))
+
+
+def test_a_cup_instead_of_the_right_gripper(store, aisle_episode):
+    env, seen, _ = make(store, aisle_episode | {"tools": "suction"}, tools="suction")
+    assert seen["agent"]["sealed"].shape == (2,) and not seen["agent"]["sealed"].any()
+    cup = JOINTS + 1  # its opening
+    sucks = env.step(still(env, seen, right_tool_opening=-1))[0]["agent"]
+    assert sucks["qpos"][cup] == 0 and not sucks["sealed"].any(), "nothing is there"
+    lets_go = env.step(still(env, seen, right_tool_opening=1))[0]["agent"]
+    assert lets_go["qpos"][cup] == pytest.approx(0.05)
+    with pytest.raises(marketgen.Error, match="the episode is for"):
+        make(store, aisle_episode | {"tools": "suction"})
+    with pytest.raises(marketgen.Error, match="suctoin"):
+        gymnasium.make(NAME, store=store, tools="suctoin")
+    with pytest.raises(marketgen.Error, match="only robots in aisles"):
+        gymnasium.make("MarketGen/CheckoutUnloading-v1", store=store, tools="suction")
+
+
+@pytest.mark.parametrize("options", [{"tools": "suction"}])
+def test_the_checker_has_no_complaint_of_a_cup(store, aisle_episode, options):
+    env = gymnasium.make(NAME, store=store, **options).unwrapped
+    env.setup.draw = lambda seeds: [json.dumps(aisle_episode | options)] * len(seeds)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        warnings.filterwarnings("ignore", message=".*infinity.*")
+        check_env(env, skip_render_check=True)

@@ -16,6 +16,9 @@ class InAisleCollection(TaskEnv):
                   Then the left and the right gripper: -1 closed, 1 open. Then speed and turn rate of the base as shares of
                   the most (1.5 m/s ahead, turning left). Then `stop`. `action_names` says it number by number.
 
+    tools         "gripper" (one on each arm) or "suction": the right arm ends in a cup. Its number sucks up to 0 and lets go
+                  above; `agent.sealed` is 1 for each tool that has sealed
+
     `extra.base_pose` is the base's place by its own reckoning: x, y, heading in the store's frame.
     The `info` of a reset also has what the agent knows beforehand: `map`, the store's market-layout/1 (room, zones,
     fixtures, aisles; no products), and `categories`, where products of each goal's category stand on average.

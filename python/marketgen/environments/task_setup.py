@@ -30,6 +30,7 @@ class TaskOptions(TypedDict, total=False):
     obs_mode: ObsMode
     control_mode: ControlMode
     reward_mode: RewardMode
+    tools: str
     cameras: Sequence[str] | None
     width: int
     height: int
@@ -79,6 +80,7 @@ class TaskSetup:
         obs_mode: ObsMode = "state",
         control_mode: ControlMode = "pd_joint_delta_pos",
         reward_mode: RewardMode = "sparse",
+        tools: str = "",
         cameras: Sequence[str] | None = None,
         width: int = 128,
         height: int = 128,
@@ -86,7 +88,9 @@ class TaskSetup:
         segmentation: bool = False,
     ):
         check_name("obs_mode", obs_mode, ("state", "rgbd"))
-        self.track, self.control_mode, self.reward_mode = track, control_mode, reward_mode
+        if tools and track != "aisle":
+            raise _core.Error("usage.bad_flag", "tools", "only robots in aisles have a choice; leave it out")
+        self.track, self.control_mode, self.reward_mode, self.tools = track, control_mode, reward_mode, tools
         self.ground = ground_of(store, episodes)
         self.from_file = episodes is not None
         first = self.new_environment()
@@ -106,7 +110,7 @@ class TaskSetup:
         self.observation_space = self._observation_space()
 
     def new_environment(self) -> _core.Environment:
-        return _core.create_environment(self.ground, self.track, self.control_mode, self.reward_mode)
+        return _core.create_environment(self.ground, self.track, self.control_mode, self.reward_mode, self.tools)
 
     def _observation_space(self) -> spaces.Dict:
         inf = float("inf")
@@ -189,7 +193,7 @@ class TaskSetup:
 
     def draw(self, seeds: Sequence[int]) -> list[str]:
         """Episodes of seeds, side by side on all cores."""
-        return self.ground.draw(self.track, list(seeds))
+        return self.ground.draw(self.track, list(seeds), self.tools)
 
     def map_of(self, environment: _core.Environment) -> dict[str, Any] | None:
         """The functional map of the store, market-layout/1; None at a counter."""

@@ -43,9 +43,9 @@ class AisleEnvironment : public Environment {
  protected:
   Result<TrackWorld*> begin(const EpisodeSpec& spec) override {
     if (spec.scene_hash != scene_hash_) {
-      MARKETGEN_TRY(auto store, ground().aisle_store(spec.scene_hash));
+      MARKETGEN_TRY(auto store, ground().aisle_store(spec.scene_hash, options().tools));
       aisles_ = std::make_unique<AisleWorld>(std::move(store), ground().catalog().frictions);
-      view_ = ground().aisle_view(spec.scene_hash);
+      view_ = ground().aisle_view(spec.scene_hash, options().tools);
       scene_hash_ = spec.scene_hash;
     }
     MARKETGEN_CHECK(aisles_->reset(spec));
@@ -85,7 +85,7 @@ class AisleEnvironment : public Environment {
 
 Result<std::unique_ptr<Environment>> make_aisle_environment(std::shared_ptr<EpisodeGround> ground,
                                                             const EnvironmentOptions& options) {
-  MARKETGEN_TRY(const AisleStation station, load_aisle_station(ground->data()));
+  MARKETGEN_TRY(const AisleStation station, load_aisle_station(ground->data(), options.tools));
   MARKETGEN_TRY(Robot robot, load_station_robot(ground->data(), station));
   return std::unique_ptr<Environment>(
       std::make_unique<AisleEnvironment>(std::move(ground), options, std::move(robot)));

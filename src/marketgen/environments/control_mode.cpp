@@ -164,7 +164,9 @@ Action ActionMap::action(std::span<const double> values,
   const std::size_t tail = robot_.tools.size() + (robot_.drive ? 2 : 0) + 1;
   std::span<const double> rest = values.last(tail);
   for (const Tool& tool : robot_.tools) {
-    action.tools.push_back({(share(rest.front()) + 1) / 2 * tool.opening});
+    const double open = (share(rest.front()) + 1) / 2;
+    const double cup = open > 0.5 ? cup_off_m : 0;
+    action.tools.push_back({tool.kind == ToolKind::suction ? cup : open * tool.opening});
     rest = rest.subspan(1);
   }
   if (robot_.drive) {

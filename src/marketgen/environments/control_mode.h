@@ -1,9 +1,9 @@
 // What the numbers of an environment's action mean, for any robot: one arm that stands still, or
 // two on a base that drives.
 //
-// In this order: the move; an opening for each tool (-1 closed, 1 open); speed and turn rate of a
-// base that drives, as shares of the most; stop (above 0: the agent has done). All are in [-1, 1]
-// and clipped to it, but the joints of pd_joint_pos.
+// In this order: the move; an opening for each tool (-1 closed, 1 open; a cup sucks up to 0); speed
+// and turn rate of a base that drives, as shares of the most; stop (above 0: the agent has done).
+// All are in [-1, 1] and clipped to it, but the joints of pd_joint_pos.
 #pragma once
 #include <array>
 #include <span>

@@ -20,6 +20,10 @@ std::size_t count_of(const ObservationPart& part) {
   return count;
 }
 
+bool has_cup(const Robot& robot) {
+  return std::ranges::find(robot.tools, ToolKind::suction, &Tool::kind) != robot.tools.end();
+}
+
 std::vector<ObservationPart> parts_of(const Robot& robot) {
   const int joints = static_cast<int>(commanded_dofs(robot).size());
   const int tools = static_cast<int>(robot.tools.size());
@@ -29,6 +33,7 @@ std::vector<ObservationPart> parts_of(const Robot& robot) {
                    "tcp_pose",
                    tools == 1 ? std::vector{pose_numbers} : std::vector{tools, pose_numbers}});
   if (robot.drive) parts.push_back({"extra", "base_pose", {place_numbers}});
+  if (has_cup(robot)) parts.push_back({"agent", "sealed", {tools}});
   return parts;
 }
 
@@ -131,9 +136,10 @@ void Environment::observe(std::span<float> into) const {
                                p.rotation.y,
                                p.rotation.z})
       add(value);
-  if (!world_->robot().drive) return;
-  for (const double value : {seen.base.x_m, seen.base.y_m, seen.base.heading})
-    add(value);
+  if (world_->robot().drive)
+    for (const double value : {seen.base.x_m, seen.base.y_m, seen.base.heading})
+      add(value);
+  if (has_cup(world_->robot())) std::ranges::for_each(seen.sealed, add);
 }
 
 }  // namespace marketgen

@@ -28,6 +28,7 @@ constexpr std::array<std::string_view, 2> names_of(RewardMode) {
 struct EnvironmentOptions {
   ControlMode control = ControlMode::pd_joint_delta_pos;
   RewardMode reward = RewardMode::sparse;
+  std::string tools = {};  // in aisles: a tool set of the station, the first when empty
 };
 
 // Numbers of an observation that belong together, row-major.
@@ -51,7 +52,8 @@ class Environment {
   virtual ~Environment() = default;
 
   const std::vector<ActionNumber>& action_numbers() const { return actions_->numbers(); }
-  // agent.qpos (joints, then openings), agent.qvel, extra.tcp_pose (x, y, z, qw, qx, qy, qz in the
+  // agent.qpos (joints, then openings), agent.qvel, agent.sealed (of a robot with a cup: 1 for each
+  // tool that has sealed), extra.tcp_pose (x, y, z, qw, qx, qy, qz in the
   // frame of the robot's base, a row a tool) and, of a base that drives, extra.base_pose (x, y,
   // heading by its own reckoning).
   const std::vector<ObservationPart>& observation_parts() const { return parts_; }
@@ -82,6 +84,7 @@ class Environment {
   virtual std::string map() const { return ""; }
 
   EpisodeGround& ground() { return *ground_; }
+  const EnvironmentOptions& options() const { return options_; }
   Track track() const { return track_; }
   bool running() const { return world_ != nullptr && !world_->done(); }
   // Of the episode to which it was reset, which must have been done.

@@ -58,10 +58,11 @@ Result<void> reset_all(std::span<Environment* const> environments,
 
 Result<std::vector<EpisodeSpec>> draw_all(EpisodeGround& ground,
                                           Track track,
-                                          std::span<const std::uint64_t> seeds) {
+                                          std::span<const std::uint64_t> seeds,
+                                          const std::string& tools) {
   std::vector<EpisodeSpec> drawn(seeds.size());
   MARKETGEN_CHECK(for_each_of(seeds.size(), [&](std::size_t i) -> Result<void> {
-    MARKETGEN_TRY(drawn[i], ground.draw(track, seeds[i]));
+    MARKETGEN_TRY(drawn[i], ground.draw(track, seeds[i], tools));
     return {};
   }));
   return drawn;

@@ -31,6 +31,7 @@ Result<void> reset_all(std::span<Environment* const> environments,
 // Episodes of seeds, drawn side by side. Errors: of EpisodeGround::draw.
 Result<std::vector<EpisodeSpec>> draw_all(EpisodeGround& ground,
                                           Track track,
-                                          std::span<const std::uint64_t> seeds);
+                                          std::span<const std::uint64_t> seeds,
+                                          const std::string& tools = {});
 
 }  // namespace marketgen

@@ -69,52 +69,57 @@ Result<EpisodeSpec> EpisodeGround::pick(Track track, std::uint64_t seed) const {
 }
 
 // The caller holds the lock.
-Result<AisleSampler*> EpisodeGround::aisle_sampler() {
-  if (!sampler_) {
-    MARKETGEN_TRY(auto store, arena_.aisle_store(store_->manifest.scene_hash, {}));
-    MARKETGEN_TRY(book_, open_aisle_book(data_, *catalog_));
-    MARKETGEN_TRY(sampler_, AisleSampler::make(std::move(store), book_));
+Result<const EpisodeGround::AisleDraw*> EpisodeGround::aisle_draw(const std::string& tools) {
+  AisleDraw& draw = aisle_draws_[tools];
+  if (!draw.sampler) {
+    MARKETGEN_TRY(auto store, arena_.aisle_store(store_->manifest.scene_hash, tools));
+    MARKETGEN_TRY(draw.book, open_aisle_book(data_, *catalog_, tools));
+    MARKETGEN_TRY(draw.sampler, AisleSampler::make(std::move(store), draw.book));
   }
-  return sampler_.get();
+  return &draw;
 }
 
-Result<EpisodeSpec> EpisodeGround::sample(Track track, std::uint64_t seed) {
+Result<EpisodeSpec> EpisodeGround::sample(Track track,
+                                          std::uint64_t seed,
+                                          const std::string& tools) {
   const EpisodeStore& row = file_.header.stores.front();
   const EpisodeOrigin origin{row.name, row.scene_hash, row.plan_hash};
   if (track == Track::checkout)
     return sample_checkout(
         data_, products(), catalog_->frictions, origin, Seed(seed), 0, checkout_certifier(data_));
-  AisleSampler* sampler = nullptr;
+  const AisleDraw* draw = nullptr;
   {
     const std::scoped_lock lock(mutex_);
-    MARKETGEN_TRY(sampler, aisle_sampler());
+    MARKETGEN_TRY(draw, aisle_draw(tools));
   }
-  auto spec = sampler->sample(origin, Seed(seed), 0);
-  MARKETGEN_CHECK(book_->keep(data_, catalog_->content_hash));
+  auto spec = draw->sampler->sample(origin, Seed(seed), 0);
+  MARKETGEN_CHECK(draw->book->keep(data_, catalog_->content_hash));
   return spec;
 }
 
-Result<EpisodeSpec> EpisodeGround::draw(Track track, std::uint64_t seed) {
+Result<EpisodeSpec> EpisodeGround::draw(Track track, std::uint64_t seed, const std::string& tools) {
   if (!store_) return pick(track, seed);
+  const std::tuple key{track, tools, seed};
   {
     const std::scoped_lock lock(mutex_);
-    if (const auto kept = drawn_.find({track, seed}); kept != drawn_.end()) return kept->second;
+    if (const auto kept = drawn_.find(key); kept != drawn_.end()) return kept->second;
   }
-  MARKETGEN_TRY(EpisodeSpec spec, sample(track, seed));
+  MARKETGEN_TRY(EpisodeSpec spec, sample(track, seed, tools));
   const std::scoped_lock lock(mutex_);
   if (drawn_.size() >= most_kept_episodes) drawn_.clear();
-  drawn_.try_emplace({track, seed}, spec);
+  drawn_.try_emplace(key, spec);
   return spec;
 }
 
-Result<std::shared_ptr<const AisleStore>> EpisodeGround::aisle_store(
-    const std::string& scene_hash) {
-  return arena_.aisle_store(scene_hash, {});
+Result<std::shared_ptr<const AisleStore>> EpisodeGround::aisle_store(const std::string& scene_hash,
+                                                                     const std::string& tools) {
+  return arena_.aisle_store(scene_hash, tools);
 }
 
-std::shared_ptr<SharedAisleView> EpisodeGround::aisle_view(const std::string& scene_hash) {
+std::shared_ptr<SharedAisleView> EpisodeGround::aisle_view(const std::string& scene_hash,
+                                                           const std::string& tools) {
   const std::scoped_lock lock(mutex_);
-  std::shared_ptr<SharedAisleView>& view = views_[scene_hash];
+  std::shared_ptr<SharedAisleView>& view = views_[{scene_hash, tools}];
   if (!view) view = std::make_shared<SharedAisleView>();
   return view;
 }

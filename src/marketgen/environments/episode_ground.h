@@ -8,6 +8,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -43,22 +44,30 @@ class EpisodeGround {
 
   // A file's: number `seed` of those of the track, round and round. A store's: drawn from the seed,
   // which takes seconds; kept, for those who come back to their seeds. Errors: episode.impossible
-  // for a file without such episodes; those of the samplers.
-  Result<EpisodeSpec> draw(Track track, std::uint64_t seed);
+  // for a file without such episodes; those of the samplers. `tools`: of the robot in aisles, see
+  // open_aisle_store.
+  Result<EpisodeSpec> draw(Track track, std::uint64_t seed, const std::string& tools = {});
   // Error episode.other_store: it is of another store.
   Result<void> check(const EpisodeSpec& spec) const;
 
   // Errors: those of Arena.
-  Result<std::shared_ptr<const AisleStore>> aisle_store(const std::string& scene_hash);
-  std::shared_ptr<SharedAisleView> aisle_view(const std::string& scene_hash);
+  Result<std::shared_ptr<const AisleStore>> aisle_store(const std::string& scene_hash,
+                                                        const std::string& tools = {});
+  std::shared_ptr<SharedAisleView> aisle_view(const std::string& scene_hash,
+                                              const std::string& tools = {});
 
  private:
   EpisodeGround(std::filesystem::path data,
                 EpisodeFile file,
                 std::shared_ptr<const Catalog> catalog);
   Result<EpisodeSpec> pick(Track track, std::uint64_t seed) const;
-  Result<EpisodeSpec> sample(Track track, std::uint64_t seed);
-  Result<AisleSampler*> aisle_sampler();
+  Result<EpisodeSpec> sample(Track track, std::uint64_t seed, const std::string& tools);
+  // Samplers of the store, by tools.
+  struct AisleDraw {
+    std::shared_ptr<GraspBook> book;
+    std::unique_ptr<AisleSampler> sampler;
+  };
+  Result<const AisleDraw*> aisle_draw(const std::string& tools);
 
   std::filesystem::path data_;
   EpisodeFile file_;
@@ -66,10 +75,9 @@ class EpisodeGround {
   std::shared_ptr<const Store> store_;  // none of a file
   Arena arena_;                         // reads the header and the catalogue above
   std::mutex mutex_;                    // of what follows
-  std::map<std::pair<Track, std::uint64_t>, EpisodeSpec> drawn_;
-  std::shared_ptr<GraspBook> book_;
-  std::unique_ptr<AisleSampler> sampler_;
-  std::map<std::string, std::shared_ptr<SharedAisleView>> views_;
+  std::map<std::tuple<Track, std::string, std::uint64_t>, EpisodeSpec> drawn_;
+  std::map<std::string, AisleDraw> aisle_draws_;
+  std::map<std::pair<std::string, std::string>, std::shared_ptr<SharedAisleView>> views_;
 };
 
 }  // namespace marketgen
