@@ -9,9 +9,6 @@
 namespace marketgen {
 namespace {
 
-constexpr double mean_over_s = 0.010;
-constexpr double push_begins_n = 1, push_ends_n = 0.2;
-constexpr double light_n = 10, hard_n = 50;
 constexpr double toppled_rad = std::numbers::pi / 4;
 constexpr double stands_after_s = 0.3;
 constexpr double in_basket_m = 0.03;  // lower than this over the counter only goods outside lie
@@ -33,7 +30,7 @@ Pose body_pose(const mjData& data, int body) {
 }
 
 CheckoutWatch::CheckoutWatch(const CheckoutModel& model, const mjData& data)
-    : items_(model.items.size()), pushes_(model.items.size() + 2) {
+    : items_(model.items.size()) {
   const Pose basket = body_pose(data, model.basket);
   for (std::size_t i = 0; i < items_.size(); ++i) {
     items_[i].first = inverse(basket) * body_pose(data, model.items[i]);
@@ -44,9 +41,7 @@ CheckoutWatch::CheckoutWatch(const CheckoutModel& model, const mjData& data)
 CheckoutWatch::Touches CheckoutWatch::touches(const CheckoutModel& model,
                                               const mjData& data) const {
   const std::size_t count = items_.size();
-  Touches seen{std::vector<std::array<bool, 2>>(count),
-               std::vector<bool>(count),
-               std::vector<double>(count + 2)};
+  Touches seen{std::vector<std::array<bool, 2>>(count), std::vector<bool>(count), {}};
   const auto row = [&](int geom) {
     const CheckoutOwner owner = model.owners[static_cast<std::size_t>(geom)];
     if (owner == CheckoutOwner::item)
@@ -81,23 +76,6 @@ CheckoutWatch::Touches CheckoutWatch::touches(const CheckoutModel& model,
   return seen;
 }
 
-void CheckoutWatch::count(SideEffects& effects, double peak_n) {
-  (peak_n > hard_n    ? effects.hard_contacts
-   : peak_n > light_n ? effects.firm_contacts
-                      : effects.light_contacts) += 1;
-}
-
-void CheckoutWatch::follow_push(Push& push, double force_n) {
-  push.smooth_n += (force_n - push.smooth_n) * time_step_s / mean_over_s;
-  ended_.hardest_n = std::max(ended_.hardest_n, push.smooth_n);
-  if (push.smooth_n > push_begins_n) push.lasts = true;
-  if (!push.lasts) return;
-  push.peak_n = std::max(push.peak_n, push.smooth_n);
-  if (push.smooth_n >= push_ends_n) return;
-  count(ended_, push.peak_n);
-  push = {};
-}
-
 void CheckoutWatch::follow_item(std::size_t index, const CheckoutModel& model, const mjData& data) {
   Item& item = items_[index];
   const int body = model.items[index];
@@ -127,16 +105,14 @@ void CheckoutWatch::look(const CheckoutModel& model, const mjData& data) {
     if (item.held) item.impact_m_s = 0;
     follow_item(i, model, data);
   }
-  for (std::size_t i = 0; i < pushes_.size(); ++i)
-    follow_push(pushes_[i], seen.force_n[i]);
+  pushes_.follow(seen.force_n, time_step_s);
   const Vec3 up = rotate(body_pose(data, model.basket).rotation, {0, 0, 1});
   tilt_deg_ = std::max(tilt_deg_, degrees(std::atan2(std::hypot(up.x, up.y), up.z)));
 }
 
 SideEffects CheckoutWatch::effects() const {
-  SideEffects effects = ended_;
-  for (const Push& push : pushes_)
-    if (push.lasts) count(effects, push.peak_n);
+  SideEffects effects;
+  pushes_.add_to(effects);
   for (const Item& item : items_) {
     effects.toppled += item.toppled ? 1 : 0;
     effects.dropped += item.dropped ? 1 : 0;

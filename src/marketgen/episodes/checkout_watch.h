@@ -1,11 +1,12 @@
 // Watches a running Checkout Unloading, step by step: who touches what and how hard, how things
 // come to rest. A value: copied with the state it belongs to.
 #pragma once
+#include <map>
 #include <optional>
 #include <vector>
 
 #include "episodes/checkout_model.h"
-#include "episodes/episode_result.h"
+#include "episodes/push_ledger.h"
 
 namespace marketgen {
 
@@ -33,24 +34,17 @@ class CheckoutWatch {
   SideEffects effects() const;
 
  private:
-  struct Push {
-    double smooth_n = 0, peak_n = 0;
-    bool lasts = false;
-  };
   struct Touches {
     std::vector<std::array<bool, 2>> fingers;  // of each item
     std::vector<bool> met;
-    std::vector<double> force_n;  // on each item, the basket, and what stands still
+    std::map<std::uint64_t, double> force_n;  // on items, the basket, and what stands still
   };
   Touches touches(const CheckoutModel& model, const mjData& data) const;
   void follow_item(std::size_t item, const CheckoutModel& model, const mjData& data);
-  void follow_push(Push& push, double force_n);
-  static void count(SideEffects& effects, double peak_n);
 
   std::vector<Item> items_;
-  std::vector<Push> pushes_;
+  PushLedger pushes_;
   double tilt_deg_ = 0;
-  SideEffects ended_;
 };
 
 Pose body_pose(const mjData& data, int body);

@@ -15,6 +15,7 @@
 #include "policy/classical_checkout.h"
 #include "policy/oracle_aisle.h"
 #include "policy/oracle_checkout.h"
+#include "policy/oracle_scene.h"
 #include "policy/random_policy.h"
 
 namespace marketgen {
@@ -22,8 +23,21 @@ namespace {
 
 constexpr std::array<std::string_view, 3> policies{"classical", "oracle", "random"};
 
+// A policy that needs things that live as long as it does.
+class WrappedPolicy : public Policy {
+ public:
+  Result<void> begin(const Task& task, const Observation& first) override {
+    return policy_->begin(task, first);
+  }
+  Result<Action> act(const Observation& now) override { return policy_->act(now); }
+  std::string failure() const override { return policy_->failure(); }
+
+ protected:
+  std::unique_ptr<Policy> policy_;
+};
+
 // A policy with what it sees and knows.
-class SensingPolicy : public Policy {
+class SensingPolicy : public WrappedPolicy {
  public:
   SensingPolicy(const CheckoutWorld& world,
                 const std::vector<Product>& products,
@@ -36,28 +50,19 @@ class SensingPolicy : public Policy {
     setup.eyes = &eyes_;
     setup.products = &products_;
     setup.robot = &world.robot();
-    const std::vector<ToolChoiceRow>& tools = world.station().tools;
-    const std::string row = tools.empty() ? world.robot().tools.front().row : tools.front().row;
-    MARKETGEN_TRY(setup.tool, load_grasp_tool(data, row));
+    MARKETGEN_TRY(setup.tool, load_checkout_tool(world, data));
     setup.place = workplace_of(world.station());
     MARKETGEN_TRY(policy_, make_classical_checkout(std::move(setup), seed));
     return {};
   }
 
-  Result<void> begin(const Task& task, const Observation& first) override {
-    return policy_->begin(task, first);
-  }
-  Result<Action> act(const Observation& now) override { return policy_->act(now); }
-  std::string failure() const override { return policy_->failure(); }
-
  private:
   CheckoutEyes eyes_;
   PicturedProducts products_;
-  std::unique_ptr<Policy> policy_;
 };
 
 // The same in a store.
-class SensingCollector : public Policy {
+class SensingCollector : public WrappedPolicy {
  public:
   SensingCollector(const AisleWorld& world,
                    const std::vector<FrictionRow>& frictions,
@@ -79,17 +84,10 @@ class SensingCollector : public Policy {
     return {};
   }
 
-  Result<void> begin(const Task& task, const Observation& first) override {
-    return policy_->begin(task, first);
-  }
-  Result<Action> act(const Observation& now) override { return policy_->act(now); }
-  std::string failure() const override { return policy_->failure(); }
-
  private:
   AisleEyes eyes_;
   StoreMap map_;
   PicturedProducts products_;
-  std::unique_ptr<Policy> policy_;
 };
 
 }  // namespace
