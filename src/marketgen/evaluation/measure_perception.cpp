@@ -68,6 +68,108 @@ double middle_value(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
+// One basket, looked at as `classical` looks at it at first: its steps, each timed.
+class PerceptionTrial {
+ public:
+  PerceptionTrial(const CheckoutWorld& world, const EpisodeSpec& spec)
+      : world_(world), spec_(spec) {
+    measure_.episode = spec.id;
+  }
+
+  Result<void> learn_goals(const std::vector<Product>& products,
+                           const std::vector<FrictionRow>& frictions) {
+    const auto began = std::chrono::steady_clock::now();
+    PictureLibrary library;
+    PicturedProducts known(products, frictions, library);
+    for (const EpisodeGoal& goal : spec_.goals) {
+      MARKETGEN_TRY(const auto* pictures, known.pictures(goal.sku));
+      MARKETGEN_TRY(ProductLook look, ProductLook::make(goal.sku, *pictures));
+      looks_.push_back(std::move(look));
+    }
+    measure_.pictures_s = seconds_since(began);
+    return {};
+  }
+
+  Result<void> look() {
+    const auto began = std::chrono::steady_clock::now();
+    CheckoutEyes eyes(world_);
+    for (const StationCamera which : {StationCamera::scene, StationCamera::wrist}) {
+      MARKETGEN_TRY(View view, eyes.look(name_of(which)));
+      views_.emplace_back(std::move(view));
+    }
+    measure_.look_s = seconds_since(began);
+    return {};
+  }
+
+  void find() {
+    const auto began = std::chrono::steady_clock::now();
+    const Workplace place = workplace_of(world_.station());
+    for (std::size_t v = 0; v < views_.size(); ++v)
+      masked_.push_back(
+          {v,
+           GeometricMasks().masks(views_[v],
+                                  goods_in_basket(views_[v], place, place.base_from_basket))});
+    std::vector<WantedProduct> wanted;
+    for (const ProductLook& look : looks_)
+      wanted.push_back({&look, {}});
+    const SweptPoses poses;
+    found_ = CatalogueMatching(poses).find(wanted, views_, masked_);
+    measure_.find_s = seconds_since(began);
+  }
+
+  // With what there is.
+  Result<PerceptionMeasure> compared() {
+    MARKETGEN_TRY(const auto truth, CheckoutView::create(world_));
+    MARKETGEN_TRY(const TrueMask in_scene, true_mask(*truth, StationCamera::scene));
+    MARKETGEN_TRY(const TrueMask in_wrist, true_mask(*truth, StationCamera::wrist));
+    for (std::size_t look = 0; look < looks_.size(); ++look)
+      measure_.targets.push_back(compared(look, in_scene, in_wrist));
+    return std::move(measure_);
+  }
+
+ private:
+  PerceivedTarget compared(std::size_t look,
+                           const TrueMask& in_scene,
+                           const TrueMask& in_wrist) const {
+    PerceivedTarget target;
+    target.sku = looks_[look].sku();
+    const auto item = std::ranges::find(spec_.items, target.sku, &EpisodeItem::sku);
+    const auto number = static_cast<int>(item - spec_.items.begin());
+    const auto scene_px = static_cast<int>(std::ranges::count(in_scene, number));
+    const auto wrist_px = static_cast<int>(std::ranges::count(in_wrist, number));
+    target.visible_px = scene_px + wrist_px;
+    target.mask_iou = scene_px > wrist_px ? best_iou(masked_[0].masks, in_scene, number)
+                                          : best_iou(masked_[1].masks, in_wrist, number);
+    for (const FoundProduct& found : found_)
+      if (found.look == look)
+        add_pose(found, world_.item_pose(static_cast<std::size_t>(number)), target);
+    return target;
+  }
+
+  void add_pose(const FoundProduct& found, const Pose& true_pose, PerceivedTarget& target) const {
+    const ProductLook& look = looks_[found.look];
+    const Pose& pose = found.pose.base_from_product;
+    target.found = true;
+    target.offset_m = length(middle_at(look, pose) - middle_at(look, true_pose));
+    target.right = target.offset_m < right_within_m;
+    target.surface_m = surface_distance(look, pose, true_pose);
+    const PoseEvidence& e = found.pose.evidence;
+    target.score = e.score;
+    target.fit = e.fit;
+    target.seen = e.seen;
+    target.covered = e.covered;
+    target.color_error = e.color_error;
+  }
+
+  const CheckoutWorld& world_;
+  const EpisodeSpec& spec_;
+  PerceptionMeasure measure_;
+  std::vector<ProductLook> looks_;  // one a goal
+  std::vector<ViewCloud> views_;
+  std::vector<MaskedView> masked_;
+  std::vector<FoundProduct> found_;
+};
+
 }  // namespace
 
 Result<PerceptionMeasure> measure_perception(const std::filesystem::path& data,
@@ -76,74 +178,11 @@ Result<PerceptionMeasure> measure_perception(const std::filesystem::path& data,
                                              const std::vector<FrictionRow>& frictions) {
   MARKETGEN_TRY(CheckoutWorld world, CheckoutWorld::create(data, frictions));
   MARKETGEN_CHECK(world.reset(spec, products));
-  PerceptionMeasure measure;
-  measure.episode = spec.id;
-
-  auto began = std::chrono::steady_clock::now();
-  PictureLibrary library;
-  PicturedProducts known(products, frictions, library);
-  std::vector<ProductLook> looks;
-  for (const EpisodeGoal& goal : spec.goals) {
-    MARKETGEN_TRY(const auto* pictures, known.pictures(goal.sku));
-    MARKETGEN_TRY(ProductLook look, ProductLook::make(goal.sku, *pictures));
-    looks.push_back(std::move(look));
-  }
-  measure.pictures_s = seconds_since(began);
-
-  began = std::chrono::steady_clock::now();
-  CheckoutEyes eyes(world);
-  std::vector<ViewCloud> views;
-  for (const StationCamera which : {StationCamera::scene, StationCamera::wrist}) {
-    MARKETGEN_TRY(View view, eyes.look(name_of(which)));
-    views.emplace_back(std::move(view));
-  }
-  measure.look_s = seconds_since(began);
-
-  began = std::chrono::steady_clock::now();
-  const Workplace place = workplace_of(world.station());
-  std::vector<MaskedView> masked;
-  for (std::size_t v = 0; v < views.size(); ++v)
-    masked.push_back({v,
-                      GeometricMasks().masks(
-                          views[v], goods_in_basket(views[v], place, place.base_from_basket))});
-  std::vector<WantedProduct> wanted;
-  for (const ProductLook& look : looks)
-    wanted.push_back({&look, {}});
-  const SweptPoses poses;
-  const std::vector<FoundProduct> found = CatalogueMatching(poses).find(wanted, views, masked);
-  measure.find_s = seconds_since(began);
-
-  MARKETGEN_TRY(const auto truth, CheckoutView::create(world));
-  MARKETGEN_TRY(const TrueMask in_scene, true_mask(*truth, StationCamera::scene));
-  MARKETGEN_TRY(const TrueMask in_wrist, true_mask(*truth, StationCamera::wrist));
-  for (std::size_t i = 0; i < looks.size(); ++i) {
-    PerceivedTarget target;
-    target.sku = looks[i].sku();
-    const auto item = std::ranges::find(spec.items, target.sku, &EpisodeItem::sku);
-    const auto number = static_cast<int>(item - spec.items.begin());
-    const auto scene_px = static_cast<int>(std::ranges::count(in_scene, number));
-    const auto wrist_px = static_cast<int>(std::ranges::count(in_wrist, number));
-    target.visible_px = scene_px + wrist_px;
-    target.mask_iou = scene_px > wrist_px ? best_iou(masked[0].masks, in_scene, number)
-                                          : best_iou(masked[1].masks, in_wrist, number);
-    for (const FoundProduct& f : found) {
-      if (f.look != i) continue;
-      target.found = true;
-      const Pose true_pose = world.item_pose(static_cast<std::size_t>(number));
-      const Pose& pose = f.pose.base_from_product;
-      target.offset_m = length(middle_at(looks[i], pose) - middle_at(looks[i], true_pose));
-      target.right = target.offset_m < right_within_m;
-      target.surface_m = surface_distance(looks[i], pose, true_pose);
-      const PoseEvidence& e = f.pose.evidence;
-      target.score = e.score;
-      target.fit = e.fit;
-      target.seen = e.seen;
-      target.covered = e.covered;
-      target.color_error = e.color_error;
-    }
-    measure.targets.push_back(std::move(target));
-  }
-  return measure;
+  PerceptionTrial trial(world, spec);
+  MARKETGEN_CHECK(trial.learn_goals(products, frictions));
+  MARKETGEN_CHECK(trial.look());
+  trial.find();
+  return trial.compared();
 }
 
 PerceptionSummary summarize(const std::vector<PerceptionMeasure>& measures) {
