@@ -74,6 +74,9 @@ class AisleOracle : public Policy {
   }
 
   void note(FailureCode why) { failure_ = why; }
+  void say(const std::string& what) const {
+    log_debug(fmt::format("oracle {:.2f} s: {}", now_.time_s, what));
+  }
 
   // ---- What to fetch next ----
 
@@ -166,7 +169,7 @@ class AisleOracle : public Policy {
   }
 
   void note_plan(const Error& error) {
-    log_debug(fmt::format("oracle {:.2f} s: no way to it: {}", now_.time_s, to_string(error)));
+    say("no way to it: " + to_string(error));
     if (error.code == "motion.no_grasp")
       note(FailureCode::no_grasp);
     else if (error.code == "robot.unreachable")
@@ -235,6 +238,12 @@ class AisleOracle : public Policy {
     const Grasp& grasp = plan_.grasp.grasp;
     const Tool& tool = robot_.tools[static_cast<std::size_t>(plan_.tool)];
     force_n_ = std::min(grasp.force_n * grip_factor, tool.force);
+    say(fmt::format("takes {} with {}, {}, {:.0f} N, try {}",
+                    product_id(world_.store().scene, plan_.product),
+                    plan_.group,
+                    name_of(plan_.grasp.strategy),
+                    force_n_,
+                    tries_[sku_of(plan_.product)]));
     body_.grip(plan_.tool, opened());
     body_.wait(opened_s);
     body_.play(arm(), plan_.reach.trajectory);
@@ -263,6 +272,7 @@ class AisleOracle : public Policy {
       body_.play(arm(), plan_.lift);
       body_.play(arm(), plan_.retreat);
     } else {
+      say("took hold of nothing");
       note(FailureCode::missed);
       MARKETGEN_TRY(JointTrajectory way, way_back(robot_, plan_.group, plan_.reach.line));
       body_.grip(plan_.tool, opened());
@@ -277,7 +287,10 @@ class AisleOracle : public Policy {
     if (const double back = world_.store().room_behind_m(world_.world_from_base()); back > 0)
       MARKETGEN_CHECK(body_.drive_straight(-back, back_off_m_s));
     body_.wait(rest_s);
-    if (!holds_it() && failure_ != FailureCode::missed) note(FailureCode::slipped);
+    if (!holds_it() && failure_ != FailureCode::missed) {
+      say("lost it while it pulled it out");
+      note(FailureCode::slipped);
+    }
     if (holds_it())
       MARKETGEN_CHECK(body_.move_joint(robot_.find_dof("lift"), drop_lifts_m[0], lift_share));
     drop_lift_ = 0;
@@ -359,7 +372,10 @@ class AisleOracle : public Policy {
     MARKETGEN_TRY(question.inside, inside());
     const Seed seed = seed_.child("drop", static_cast<std::uint64_t>(moves_++));
     auto plan = plan_drop(robot_, world_.store().basket, question, seed);
-    if (!plan.ok()) return try_other_lift();
+    if (!plan.ok()) {
+      say("no way into the basket: " + to_string(plan.error()));
+      return try_other_lift();
+    }
     body_.play(arm(), plan->way);
     body_.wait(rest_s);
     body_.grip(plan_.tool, let_go());
@@ -398,10 +414,9 @@ class AisleOracle : public Policy {
   Result<void> check() {
     phase_ = AislePhase::choose;
     const std::vector<std::uint32_t> inside = world_.in_basket();
-    if (std::ranges::count(inside, plan_.product) == 0)
-      note(FailureCode::dropped);
-    else
-      failure_ = FailureCode::none;
+    const bool there = std::ranges::count(inside, plan_.product) > 0;
+    say(there ? "it is in the basket" : "lost it on its way into the basket");
+    failure_ = there ? FailureCode::none : FailureCode::dropped;
     return {};
   }
 
