@@ -40,7 +40,7 @@ class CheckoutWatch {
     std::map<std::uint64_t, double> force_n;  // on items, the basket, and what stands still
   };
   Touches touches(const CheckoutModel& model, const mjData& data) const;
-  void follow_item(std::size_t item, const CheckoutModel& model, const mjData& data);
+  void follow_item(std::size_t index, const CheckoutModel& model, const mjData& data);
 
   std::vector<Item> items_;
   PushLedger pushes_;

@@ -82,7 +82,7 @@ Result<StudiedProduct> GraspBook::study(const Product& product) {
   }
   MARKETGEN_TRY(const GraspRate rate, this->rate(product));
   if (!is_holdable(rate)) return StudiedProduct{{}, why_not_held(rate)};
-  MARKETGEN_CHECK(candidates);
+  if (!candidates.ok()) return candidates.error();
   StudiedProduct studied;
   const std::vector<int> held = rate.held_tries();
   for (const int number : steady)

@@ -103,7 +103,7 @@ class CheckoutSampler {
     std::vector<std::pair<std::size_t, EpisodeItem>> inside;
     for (std::size_t i = 0; i < order.size(); ++i) {
       const Pose& p = settled.items[i].container_from_product;
-      if (settled.items[i].inside) inside.push_back({order[i], item_at(drawn[order[i]]->sku, p)});
+      if (settled.items[i].inside) inside.emplace_back(order[i], item_at(drawn[order[i]]->sku, p));
     }
     std::ranges::sort(inside, {}, [](const auto& entry) { return entry.first; });
     for (auto& [index, item] : inside)
