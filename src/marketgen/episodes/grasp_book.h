@@ -32,8 +32,8 @@ class GraspBook {
             const std::vector<GraspRate>& known = {});
 
   // A product is fetched when the study holds it in two of three tries, by those of the grasps that
-  // also keep it from turning between the pads while the arm turns it over. One that no grasp keeps
-  // from turning is not tried. Errors: those of study_grasps().
+  // also keep it from turning between the pads, or from peeling off the cup, while the arm turns it
+  // over. One that no grasp keeps so is not tried. Errors: those of study_grasps().
   Result<StudiedProduct> study(const Product& product);
   // Rates that were not known before, and are not kept yet.
   std::vector<GraspRate> studied() const;

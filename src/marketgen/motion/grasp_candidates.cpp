@@ -315,6 +315,7 @@ class Search {
     made.clearance_m = room_.clearance_of(made.grasp);
     if ((query_.from_above && !wanted(approach)) || !room_.is_free(made.grasp))
       return refuse(GraspRefusal::no_room);
+    made.swing_n = peel_need_n(lip->center, approach);
     made.score = 0.7 * (1 - load) + 0.3 * (1 - lip->unevenness_m / tool_.seal_depth_m);
     return {made, {}};
   }
@@ -335,6 +336,17 @@ class Search {
       return std::abs(along) < part_reach_m &&
              length(off - approach * along) < tool_.cup_radius_m + lip_margin_m;
     });
+  }
+
+  // Pull that keeps the pack on the cup whichever way up they are. Along the cup the load pulls and
+  // turns by how far the middle of mass lies off the cup's axis, across it by how far it lies
+  // ahead.
+  double peel_need_n(Vec3 at, Vec3 approach) const {
+    const Vec3 arm = to_double(body_.center_of_mass) - at;
+    const double ahead = dot(arm, approach), off = length(arm - approach * ahead);
+    const double radius = tool_.cup_radius_m;
+    return turn_safety * product_.mass_kg * (gravity_m_s2 + carry_acceleration_m_s2) *
+           std::hypot(1 + 2 * off / radius, 2 * ahead / radius);
   }
 
   // Of what the cup holds, the most over the directions in which it may be moved.

@@ -46,7 +46,7 @@ struct GraspCandidate {
                            // to walls
   double side_room_m = 0;  // free space that each open finger takes up beside the pack
   double swing_n = 0;  // force at which the pack does not turn between the pads, whichever way up
-                       // it is held; 0 for a cup
+                       // it is held; of a cup, the pull with which it is not peeled off then
   double score = 0;    // 0..1, best first
 };
 

@@ -45,6 +45,10 @@ class AisleOracle : public Policy {
   }
 
   Result<Action> act(const Observation& now) override {
+    if (plan_.tool < static_cast<int>(now_.sealed.size()) && tool_.kind == ToolKind::suction) {
+      const auto cup = static_cast<std::size_t>(plan_.tool);
+      if (now_.sealed[cup] && !now.sealed[cup] && now.openings_m[cup] == 0) say("the cup came off");
+    }
     now_ = now;
     if (body_.idle()) MARKETGEN_CHECK(decide());
     Action action = body_.next(now);
