@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "geometry/rotation_axes.h"
 #include "motion/grasp_seeds.h"
@@ -137,6 +138,32 @@ TEST(GraspCandidates, CupsWantEvenFaces) {
   GraspQuery shelf;
   shelf.from_front = true;
   EXPECT_EQ(found(can_of(0.033F, 0.115F), cup, shelf).refusal, GraspRefusal::no_seal);
+}
+
+// Against loads from all sides: three places of the lip hold a third of the pull each.
+TEST(GraspCandidates, ACupsSwingIsThePullThatItNeedsWhicheverWayUp) {
+  const GraspTool cup = tool_called("suction-cup");
+  const Pack box = pack_of(PieceShape::box, {0.05F, 0.02F, 0.08F}, 0.15);
+  const GraspCandidates answer = found(box, cup);
+  ASSERT_GT(answer.found.size(), 1U);
+  for (const GraspCandidate& candidate : answer.found) {
+    const Vec3 at = candidate.grasp.product_from_tool.position,
+               ahead = axis_of(candidate, {0, 0, 1});
+    const double load_n = turn_safety * 0.15 * (9.81 + carry_acceleration_m_s2);
+    double most = 0;
+    for (int turn = 0; turn < 72; ++turn) {
+      for (int lean = 0; lean <= 36; ++lean) {
+        const double a = turn * std::numbers::pi / 36, b = lean * std::numbers::pi / 36;
+        const Vec3 load =
+            Vec3{std::sin(b) * std::cos(a), std::sin(b) * std::sin(a), std::cos(b)} * load_n;
+        const Vec3 moment = cross(to_double(box.body.center_of_mass) - at, load);
+        const double peel = length(moment - ahead * dot(moment, ahead));
+        most = std::max(most, dot(load, ahead) + 2 * peel / cup.cup_radius_m);
+      }
+    }
+    EXPECT_LE(most, candidate.swing_n * 1.001);
+    EXPECT_GE(most, candidate.swing_n * 0.98);
+  }
 }
 
 TEST(GraspCandidates, NoCupSealsOverARingPull) {
