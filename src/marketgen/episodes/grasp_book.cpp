@@ -1,10 +1,14 @@
 #include "episodes/grasp_book.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "episodes/aisle_station.h"
 #include "episodes/studied_grasps.h"
 #include "grasping/grasp_database.h"
+#include "physics/contact_shape.h"
+#include "physics/cup_lip.h"
 
 namespace marketgen {
 namespace {
@@ -32,6 +36,27 @@ std::vector<int> steady_grasps(const std::vector<GraspCandidate>& grasps,
   for (int i = 0; i < std::min(most, static_cast<int>(grasps.size())); ++i)
     if (grasps[static_cast<std::size_t>(i)].swing_n <= tool.force_n) steady.push_back(i);
   return steady;
+}
+
+// A pack in a store is one solid, simpler than the study's pieces: whether a cup's lip lies on it
+// evenly enough there, too.
+bool seals_on(const ContactShape& solid, const GraspTool& cup, const Pose& product_from_tool) {
+  if (solid.shape != CollisionShape::box) return false;
+  const Quaternion solid_from_product = inverse(solid.pose.rotation);
+  const Vec3 ahead = rotate(solid_from_product * product_from_tool.rotation, {0, 0, 1});
+  const Vec3 at = inverse(solid.pose) * product_from_tool.position;
+  struct Axis {
+    double ahead, at, half;
+  };
+  std::array<Axis, 3> axes{Axis{std::abs(ahead.x), std::abs(at.x), solid.size.x},
+                           {std::abs(ahead.y), std::abs(at.y), solid.size.y},
+                           {std::abs(ahead.z), std::abs(at.z), solid.size.z}};
+  std::ranges::sort(axes, {}, &Axis::ahead);
+  const Axis& face = axes[2];
+  const double tilt = std::hypot(axes[0].ahead, axes[1].ahead) / face.ahead;
+  const auto inside = [&](const Axis& axis) { return axis.at + cup.cup_radius_m < axis.half; };
+  return 2 * cup.cup_radius_m * tilt < cup.seal_depth_m &&
+         std::abs(face.at - face.half) < bellows_stroke_m && inside(axes[0]) && inside(axes[1]);
 }
 
 }  // namespace
@@ -73,12 +98,28 @@ std::vector<GraspRate> GraspBook::studied() const {
   return rates;
 }
 
+// Of a cup's: those with which it seals on the pack as a store has it.
+Result<void> GraspBook::leave_sealed(const Product& product,
+                                     const std::vector<GraspCandidate>& candidates,
+                                     std::vector<int>& numbers) const {
+  if (tool_.kind != ToolKind::suction) return {};
+  MARKETGEN_TRY(const CollisionPrimitive primitive, collision_of(product));
+  const ContactShape solid = contact_shape_of(primitive);
+  std::erase_if(numbers, [&](int number) {
+    const GraspCandidate& candidate = candidates[static_cast<std::size_t>(number)];
+    return !seals_on(solid, tool_, candidate.grasp.product_from_tool);
+  });
+  return {};
+}
+
 Result<StudiedProduct> GraspBook::study(const Product& product) {
   const auto candidates = studied_grasps(product, tool_, frictions_, {});
   std::vector<int> steady;
   if (candidates.ok()) {
     steady = steady_grasps(*candidates, tool_, options().tries);
     if (steady.empty()) return StudiedProduct{{}, "swings"};
+    MARKETGEN_CHECK(leave_sealed(product, *candidates, steady));
+    if (steady.empty()) return StudiedProduct{{}, "no_seal"};
   }
   MARKETGEN_TRY(const GraspRate rate, this->rate(product));
   if (!is_holdable(rate)) return StudiedProduct{{}, why_not_held(rate)};

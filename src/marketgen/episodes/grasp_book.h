@@ -33,7 +33,9 @@ class GraspBook {
 
   // A product is fetched when the study holds it in two of three tries, by those of the grasps that
   // also keep it from turning between the pads, or from peeling off the cup, while the arm turns it
-  // over. One that no grasp keeps so is not tried. Errors: those of study_grasps().
+  // over. One that no grasp keeps so is not tried. A cup must also
+  // seal on the pack as a store has it: one solid, plainer than the study's pieces. Errors: those
+  // of study_grasps().
   Result<StudiedProduct> study(const Product& product);
   // Rates that were not known before, and are not kept yet.
   std::vector<GraspRate> studied() const;
@@ -46,6 +48,9 @@ class GraspBook {
 
  private:
   Result<GraspRate> rate(const Product& product);
+  Result<void> leave_sealed(const Product& product,
+                            const std::vector<GraspCandidate>& candidates,
+                            std::vector<int>& numbers) const;
 
   GraspTool tool_;
   std::vector<FrictionRow> frictions_;
