@@ -97,7 +97,7 @@ TEST(GraspBook, WhatSwingsIsNotTried) {
   EXPECT_NEAR(grasps->front().swing_n, 10 * lighter->front().swing_n, 1);
 }
 
-// The study's bag bulges, and its best grasps lean with it; a store's bag is a box.
+// The study's bag bulges, and some of its grasps lean with it; a store's bag is a box.
 TEST(GraspBook, ACupMustSealOnThePackAsAStoreHasIt) {
   const Product* noodles =
       committed_catalog().product("dry-goods-instant-noodles-shrimp-noodoki-75-g");
@@ -105,13 +105,17 @@ TEST(GraspBook, ACupMustSealOnThePackAsAStoreHasIt) {
   const GraspTool cup = load_grasp_tool(committed_rows, "suction-cup").value();
   const auto leaning = studied_grasps(*noodles, cup, committed_catalog().frictions, {});
   ASSERT_TRUE(leaning.ok()) << to_string(leaning.error());
-  EXPECT_LT(rotate(leaning->front().grasp.product_from_tool.rotation, {0, 0, 1}).y, 0.99);
+  const auto ahead = [&](const GraspCandidate& grasp) {
+    return rotate(grasp.grasp.product_from_tool.rotation, {0, 0, 1}).y;
+  };
+  EXPECT_TRUE(std::ranges::any_of(
+      *leaning, [](double y) { return y < 0.99; }, ahead));
   GraspBook book(cup, committed_catalog().frictions);
   const StudiedProduct studied = book.study(*noodles).value();
   ASSERT_FALSE(studied.grasps.empty()) << studied.why_not;
   for (const int number : studied.grasps) {
     const GraspCandidate& grasp = (*leaning)[static_cast<std::size_t>(number)];
-    EXPECT_GT(rotate(grasp.grasp.product_from_tool.rotation, {0, 0, 1}).y, 0.997) << number;
+    EXPECT_GT(ahead(grasp), 0.997) << number;
   }
 }
 
