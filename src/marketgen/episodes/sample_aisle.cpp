@@ -18,7 +18,7 @@ namespace marketgen {
 namespace {
 
 constexpr int most_attempts = 12;     // at an episode
-constexpr int most_skus_drawn = 40;   // at an attempt
+constexpr int most_skus_drawn = 200;  // at an attempt; few suit a cup
 constexpr int most_starts = 200;      // places drawn
 constexpr std::size_t most_rows = 3;  // items of a SKU that are looked at
 constexpr double drop_reach_m = 1.4;
