@@ -19,6 +19,16 @@ void widen(Vec3& low, Vec3& high, Vec3 point) {
 
 }  // namespace
 
+Result<ProductBody> make_store_body(const Product& product) {
+  MARKETGEN_TRY(ProductBody body, make_product_body(product));
+  MARKETGEN_TRY(const CollisionPrimitive solid, collision_of(product));
+  const PieceShape shape = solid.shape == CollisionShape::box        ? PieceShape::box
+                           : solid.shape == CollisionShape::cylinder ? PieceShape::cylinder
+                                                                     : PieceShape::ellipsoid;
+  body.pieces = {{shape, solid.center, solid.half_size, solid.lying}};
+  return body;
+}
+
 TurnedBox turned_box(const ProductBody& body, const Pose& pose) {
   Vec3 low{1e9, 1e9, 1e9}, high{-1e9, -1e9, -1e9};
   for (const ContactPiece& piece : body.pieces) {

@@ -7,6 +7,11 @@
 
 namespace marketgen {
 
+// The pack as a store has it: one solid, which may stand out beyond the pieces of
+// make_product_body(). What is carried there must pass with that. Errors: of make_product_body and
+// collision_of.
+Result<ProductBody> make_store_body(const Product& product);
+
 // The pack's box, turned: its middle and half size in the frame of `pose`. Exact.
 struct TurnedBox {
   Vec3 middle, half;

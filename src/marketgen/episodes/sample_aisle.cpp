@@ -92,7 +92,7 @@ Result<bool> AisleSampler::can_drop(const CollectPlan& plan, Witness& witness, S
   const JointGroup& arm = *robot.find_group(plan.group);
   const Scene& scene = store_->scene;
   MARKETGEN_TRY(const ProductBody body,
-                make_product_body(scene.catalog[scene.products[plan.product].sku]));
+                make_store_body(scene.catalog[scene.products[plan.product].sku]));
   DropQuestion question;
   question.state = plan.state;
   const std::vector<double> end = plan.retreat.at(plan.retreat.duration_s()).position;

@@ -339,7 +339,7 @@ class AisleOracle : public Policy {
       if (row == plan_.product && holds_it()) continue;
       const Scene& scene = world_.store().scene;
       MARKETGEN_TRY(const ProductBody body,
-                    make_product_body(scene.catalog[scene.products[row].sku]));
+                    make_store_body(scene.catalog[scene.products[row].sku]));
       const TurnedBox box = turned_box(body, base_from_world * world_.world().product_pose(row));
       boxes.push_back({{box.middle, {}}, box.half});
     }
@@ -365,7 +365,7 @@ class AisleOracle : public Policy {
     if (!holds_it()) return go_home();
     const Scene& scene = world_.store().scene;
     MARKETGEN_TRY(const ProductBody body,
-                  make_product_body(scene.catalog[scene.products[plan_.product].sku]));
+                  make_store_body(scene.catalog[scene.products[plan_.product].sku]));
     DropQuestion question;
     MARKETGEN_TRY(static_cast<StowQuestion&>(question), stow_question());
     question.tool = plan_.tool;
