@@ -52,10 +52,10 @@ class Environment {
   virtual ~Environment() = default;
 
   const std::vector<ActionNumber>& action_numbers() const { return actions_->numbers(); }
-  // agent.qpos (joints, then openings), agent.qvel, agent.sealed (of a robot with a cup: 1 for each
-  // tool that has sealed), extra.tcp_pose (x, y, z, qw, qx, qy, qz in the
-  // frame of the robot's base, a row a tool) and, of a base that drives, extra.base_pose (x, y,
-  // heading by its own reckoning).
+  // In this order: agent.qpos (joints, then openings), agent.qvel, extra.tcp_pose (x, y, z, qw, qx,
+  // qy, qz in the frame of the robot's base, a row a tool); of a base that drives extra.base_pose
+  // (x, y, heading by its own reckoning); of a robot with a cup agent.sealed (1 for each tool that
+  // has sealed).
   const std::vector<ObservationPart>& observation_parts() const { return parts_; }
   std::size_t observation_size() const { return size_; }
   virtual std::vector<std::string> cameras() const = 0;

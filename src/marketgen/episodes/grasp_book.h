@@ -33,9 +33,8 @@ class GraspBook {
 
   // A product is fetched when the study holds it in two of three tries, by those of the grasps that
   // also keep it from turning between the pads, or from peeling off the cup, while the arm turns it
-  // over. One that no grasp keeps so is not tried. A cup must also
-  // seal on the pack as a store has it: one solid, plainer than the study's pieces. Errors: those
-  // of study_grasps().
+  // over. One that no grasp keeps so is not tried. A cup must also seal on the pack as a store has
+  // it: one solid, plainer than the study's pieces. Errors: those of study_grasps().
   Result<StudiedProduct> study(const Product& product);
   // Rates that were not known before, and are not kept yet.
   std::vector<GraspRate> studied() const;
