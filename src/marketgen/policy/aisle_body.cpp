@@ -7,9 +7,6 @@
 namespace marketgen {
 namespace {
 
-constexpr double calm_s = 0.3, press_s = 0.7, let_go_s = 0.5;
-constexpr double leave_m_s = 0.2;
-constexpr double lift_speed_share = 0.9, head_speed_share = 0.9;
 constexpr double around_m = 1.4;  // what is farther from the robot does not count
 constexpr double shoulder_height_m = 0.9;
 constexpr double let_go_wider_by_m = 0.02;  // than what was held
@@ -41,11 +38,11 @@ void add_cloud(std::vector<Vec3f> points, Obstacles& obstacles) {
 }  // namespace
 
 AisleBody::AisleBody(AisleBodySetup setup, Seed seed)
-    : setup_(std::move(setup)), seed_(seed), body_(*setup_.robot, setup_.commanded) {}
+    : setup_(std::move(setup)), seed_(seed), executor_(*setup_.robot, setup_.commanded) {}
 
 void AisleBody::start(const Observation& now) {
   now_ = now;
-  body_.start(now);
+  executor_.start(now);
 }
 
 Seed AisleBody::next_seed() {
@@ -69,15 +66,11 @@ std::vector<double> AisleBody::state() const {
   return with_followers(robot, std::move(q));
 }
 
-const std::vector<int>& AisleBody::arm() const {
-  return setup_.robot->find_group(pick_.group)->dofs;
-}
-
-Configuration AisleBody::arm_at(const std::vector<double>& q) const {
-  Configuration at;
-  for (const int dof : arm())
-    at.push_back(q[static_cast<std::size_t>(dof)]);
-  return at;
+Configuration AisleBody::stowed_arm() const {
+  Configuration stowed;
+  for (const int dof : setup_.robot->find_group(pick_.group)->dofs)
+    stowed.push_back(setup_.driving[static_cast<std::size_t>(dof)]);
+  return stowed;
 }
 
 bool AisleBody::holds_it() const {
@@ -93,16 +86,7 @@ Obstacles AisleBody::around(const std::vector<Vec3f>& points) const {
 
 Result<void> AisleBody::drive_to(const BasePlace& place) {
   MARKETGEN_TRY(BaseFollower way, setup_.map->way(now_.base, place));
-  body_.follow(std::move(way));
-  body_.wait(calm_s);
-  return {};
-}
-
-Result<void> AisleBody::look(double pan, double tilt) {
-  const Robot& robot = *setup_.robot;
-  MARKETGEN_CHECK(body_.move_joint(robot.find_dof("head_pan"), pan, head_speed_share));
-  MARKETGEN_CHECK(body_.move_joint(robot.find_dof("head_tilt"), tilt, head_speed_share));
-  body_.wait(calm_s);
+  executor_.drive(std::move(way));
   return {};
 }
 
@@ -132,32 +116,25 @@ Result<ShelfPick> AisleBody::plan_pick(const ShelfItem& item,
 }
 
 Result<void> AisleBody::take(const ShelfItem& item, ShelfPick pick) {
-  item_ = item;
+  MARKETGEN_TRY(carried_, make_store_body(item.known->product));
   pick_ = std::move(pick);
-  const int lift = setup_.robot->find_dof("lift");
-  const double height = pick_.state[static_cast<std::size_t>(lift)];
-  MARKETGEN_CHECK(body_.move_joint(lift, height, lift_speed_share));
-  body_.grip(pick_.tool, {pick_.grasp.opening_m});
-  body_.wait(let_go_s);
-  body_.play(arm(), pick_.reach.trajectory);
-  body_.grip(pick_.tool, {0, pick_.grasp.force_n});
-  body_.wait(press_s);
   closed_ = true;
-  return {};
+  return executor_.take(
+      {.ways = pick_,
+       .group = pick_.group,
+       .tool = pick_.tool,
+       .lift_m = pick_.state[static_cast<std::size_t>(setup_.robot->find_dof("lift"))],
+       .open = {pick_.grasp.opening_m},
+       .close = {0, pick_.grasp.force_n}});
 }
 
 Result<void> AisleBody::pull_out() {
   if (holds_it()) {
-    body_.play(arm(), pick_.lift);
-    body_.play(arm(), pick_.retreat);
+    executor_.pull_out();
     return {};
   }
-  MARKETGEN_TRY(JointTrajectory way, way_back(*setup_.robot, pick_.group, pick_.reach.line));
   closed_ = false;
-  body_.grip(pick_.tool, {pick_.grasp.opening_m});
-  body_.wait(let_go_s);
-  body_.play(arm(), std::move(way));
-  return {};
+  return executor_.go_back();
 }
 
 double AisleBody::room_behind_m() const {
@@ -168,13 +145,10 @@ double AisleBody::room_behind_m() const {
 }
 
 Result<void> AisleBody::back_off() {
-  if (const double back = room_behind_m(); back > 0)
-    MARKETGEN_CHECK(body_.drive_straight(-back, leave_m_s));
-  body_.wait(calm_s);
+  MARKETGEN_CHECK(executor_.back_off(room_behind_m()));
   lift_tried_ = 0;
   if (!holds_it()) return {};
-  return body_.move_joint(
-      setup_.robot->find_dof("lift"), drop_lifts_m[lift_tried_], lift_speed_share);
+  return executor_.raise(drop_lifts_m[lift_tried_]);
 }
 
 StowQuestion AisleBody::stow_question(const std::vector<Vec3f>& points) const {
@@ -182,45 +156,36 @@ StowQuestion AisleBody::stow_question(const std::vector<Vec3f>& points) const {
           .world_from_base = store_from_base(now_.base),
           .group = pick_.group,
           .around = around(points),
-          .stow = arm_at(setup_.driving)};
+          .stow = stowed_arm()};
 }
 
 Result<bool> AisleBody::drop(const std::vector<Vec3f>& points) {
   DropQuestion question;
   static_cast<StowQuestion&>(question) = stow_question(points);
   question.tool = pick_.tool;
-  question.held = &item_.known->body;
+  question.held = &carried_;
   question.tip_from_product = inverse(pick_.grasp.product_from_tool);
   question.inside = inside_;
   auto plan = plan_drop(*setup_.robot, setup_.basket, question, next_seed());
   if (!plan.ok()) {
     const bool last = ++lift_tried_ >= drop_lifts_m.size();
     if (last) lift_tried_ = 0;
-    MARKETGEN_CHECK(body_.move_joint(
-        setup_.robot->find_dof("lift"), drop_lifts_m[lift_tried_], lift_speed_share));
+    MARKETGEN_CHECK(executor_.raise(drop_lifts_m[lift_tried_]));
     if (last) return plan.error();
     return false;
   }
   const double held = now_.openings_m[static_cast<std::size_t>(pick_.tool)];
   closed_ = false;
-  body_.play(arm(), plan->way);
-  body_.wait(calm_s);
-  body_.grip(pick_.tool, {held + let_go_wider_by_m, pick_.grasp.force_n});
-  body_.wait(let_go_s);
-  body_.play(arm(), plan->retreat);
-  body_.play(arm(), plan->home);
-  body_.wait(calm_s);
-  const TurnedBox box =
-      turned_box(item_.known->body, plan->base_from_tip * question.tip_from_product);
+  const TurnedBox box = turned_box(carried_, plan->base_from_tip * question.tip_from_product);
   inside_.push_back({{box.middle, {}}, box.half});
+  executor_.let_down(std::move(*plan), {held + let_go_wider_by_m, pick_.grasp.force_n});
   return true;
 }
 
 Result<void> AisleBody::go_home(const std::vector<Vec3f>& points) {
   MARKETGEN_TRY(JointTrajectory way,
                 plan_stow(*setup_.robot, setup_.basket, stow_question(points), next_seed()));
-  body_.play(arm(), std::move(way));
-  body_.wait(calm_s);
+  executor_.stow(std::move(way));
   return {};
 }
 

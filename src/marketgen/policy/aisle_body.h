@@ -11,7 +11,7 @@
 #include "agent/known_products.h"
 #include "collect/drop_plan.h"
 #include "collect/shelf_pick.h"
-#include "policy/body_executor.h"
+#include "policy/aisle_executor.h"
 
 namespace marketgen {
 
@@ -38,8 +38,8 @@ class AisleBody {
 
   void start(const Observation& now);
   void sense(const Observation& now) { now_ = now; }
-  bool idle() const { return body_.idle(); }
-  Action next() { return body_.next(now_); }
+  bool idle() const { return executor_.idle(); }
+  Action next() { return executor_.next(now_); }
 
   // ---- The robot as it is. ----
   std::vector<double> state() const;  // base on the origin
@@ -50,7 +50,7 @@ class AisleBody {
   // ---- Each queues motions, or returns an error and queues nothing. ----
   Result<void> drive_to(const BasePlace& place);
   // The head: to the left and down, rad.
-  Result<void> look(double pan, double tilt);
+  Result<void> look(double pan, double tilt) { return executor_.look(pan, tilt); }
   // A place to stand and the arm's ways. `points`: measured. Queues nothing.
   Result<ShelfPick> plan_pick(const ShelfItem& item,
                               const std::vector<Vec3f>& points,
@@ -64,8 +64,7 @@ class AisleBody {
   Result<void> go_home(const std::vector<Vec3f>& points);  // the empty arm, to its stowed posture
 
  private:
-  const std::vector<int>& arm() const;
-  Configuration arm_at(const std::vector<double>& q) const;
+  Configuration stowed_arm() const;
   Obstacles around(const std::vector<Vec3f>& points) const;
   StowQuestion stow_question(const std::vector<Vec3f>& points) const;
   double room_behind_m() const;
@@ -73,10 +72,10 @@ class AisleBody {
 
   AisleBodySetup setup_;
   Seed seed_;
-  BodyExecutor body_;
+  AisleExecutor executor_;
   Observation now_;
-  ShelfItem item_;
   ShelfPick pick_;
+  ProductBody carried_;              // what it takes, as one solid
   std::vector<BoxObstacle> inside_;  // of the basket, as let down; base frame
   bool closed_ = false;              // the hand that takes: about something, or about nothing
   std::size_t lift_tried_ = 0;

@@ -11,19 +11,16 @@
 #include "collect/collect_plan.h"
 #include "collect/drop_plan.h"
 #include "collect/scene_obstacles.h"
-#include "policy/body_executor.h"
+#include "policy/aisle_executor.h"
 
 namespace marketgen {
 namespace {
 
 constexpr int most_item_tries = 3, most_unreached = 2;
 constexpr std::size_t most_items_looked_at = 4;  // of a SKU at a time
-constexpr double pressed_s = 0.7, opened_s = 0.5, rest_s = 0.3;
-constexpr double back_off_m_s = 0.2;
-constexpr double lift_share = 0.9;
-constexpr double way_reach_m = 1.4;       // obstacles farther from the robot do not count
-constexpr double let_go_wider_m = 0.02;   // than what was held, when it is let go
-constexpr double least_item_s = 25;       // no new item with less time left
+constexpr double way_reach_m = 1.4;              // obstacles farther from the robot do not count
+constexpr double let_go_wider_m = 0.02;          // than what was held, when it is let go
+constexpr double least_item_s = 25;              // no new item with less time left
 constexpr double cup_acceleration = 0.1;  // share of the joints' limits, with something on the cup
 constexpr double grip_factor = 2;         // of the force that a grasp needs; it is carried about
 
@@ -36,11 +33,11 @@ class AisleOracle : public Policy {
         robot_(world.robot()),
         tool_(std::move(tool)),
         seed_(seed),
-        body_(world.robot(), commanded_dofs(world.robot())) {}
+        executor_(world.robot(), commanded_dofs(world.robot())) {}
 
   Result<void> begin(const Task& task, const Observation& first) override {
     task_ = task;
-    body_.start(first);
+    executor_.start(first);
     return {};
   }
 
@@ -50,8 +47,8 @@ class AisleOracle : public Policy {
       if (now_.sealed[cup] && !now.sealed[cup] && now.openings_m[cup] == 0) say("the cup came off");
     }
     now_ = now;
-    if (body_.idle()) MARKETGEN_CHECK(decide());
-    Action action = body_.next(now);
+    if (executor_.idle()) MARKETGEN_CHECK(decide());
+    Action action = executor_.next(now);
     action.stop = done_;
     return action;
   }
@@ -207,15 +204,10 @@ class AisleOracle : public Policy {
       note(FailureCode::no_path);
       return false;
     }
-    body_.follow(std::move(drive->follower));
-    body_.wait(rest_s);
-    const int lift = robot_.find_dof("lift");
-    const auto raised =
-        body_.move_joint(lift, plan->state[static_cast<std::size_t>(lift)], lift_share);
-    if (!raised.ok()) return false;
+    executor_.drive(std::move(drive->follower));
     plan_ = std::move(*plan);
-    body_.grip(plan_.tool, opened());
-    body_.wait(opened_s);
+    if (!executor_.raise(lift_height()).ok()) return false;
+    executor_.open(plan_.tool, opened());
     phase_ = AislePhase::arrived;
     return true;
   }
@@ -235,9 +227,6 @@ class AisleOracle : public Policy {
       return {};
     }
     ++tries_[sku_of(plan_.product)];
-    const int lift = robot_.find_dof("lift");
-    MARKETGEN_CHECK(
-        body_.move_joint(lift, plan->state[static_cast<std::size_t>(lift)], lift_share));
     plan_ = std::move(*plan);
     const Grasp& grasp = plan_.grasp.grasp;
     const Tool& tool = robot_.tools[static_cast<std::size_t>(plan_.tool)];
@@ -248,13 +237,13 @@ class AisleOracle : public Policy {
                     name_of(plan_.grasp.strategy),
                     force_n_,
                     tries_[sku_of(plan_.product)]));
-    body_.grip(plan_.tool, opened());
-    body_.wait(opened_s);
-    body_.play(arm(), plan_.reach.trajectory);
-    body_.grip(plan_.tool, {0, force_n_});
-    body_.wait(pressed_s);
     phase_ = AislePhase::pressed;
-    return {};
+    return executor_.take({.ways = plan_,
+                           .group = plan_.group,
+                           .tool = plan_.tool,
+                           .lift_m = lift_height(),
+                           .open = opened(),
+                           .close = {0, force_n_}});
   }
 
   // On the way to the grasp: the fingers apart, the cup off.
@@ -267,39 +256,34 @@ class AisleOracle : public Policy {
     return {held + let_go_wider_m, force_n_};
   }
 
-  const std::vector<int>& arm() const { return robot_.find_group(plan_.group)->dofs; }
+  double lift_height() const {
+    return plan_.state[static_cast<std::size_t>(robot_.find_dof("lift"))];
+  }
 
   bool holds_it() const { return world_.watch().is_held(plan_.product); }
 
   Result<void> pull_out() {
-    if (holds_it()) {
-      body_.play(arm(), plan_.lift);
-      body_.play(arm(), plan_.retreat);
-    } else {
-      say("took hold of nothing");
-      note(FailureCode::missed);
-      MARKETGEN_TRY(JointTrajectory way, way_back(robot_, plan_.group, plan_.reach.line));
-      body_.grip(plan_.tool, opened());
-      body_.wait(opened_s);
-      body_.play(arm(), std::move(way));
-    }
     phase_ = AislePhase::out;
-    return {};
+    if (holds_it()) {
+      executor_.pull_out();
+      return {};
+    }
+    say("took hold of nothing");
+    note(FailureCode::missed);
+    return executor_.go_back();
   }
 
   Result<void> back_off() {
-    if (const double back = world_.store().room_behind_m(world_.world_from_base()); back > 0)
-      MARKETGEN_CHECK(body_.drive_straight(-back, back_off_m_s));
-    body_.wait(rest_s);
+    const double room = world_.store().room_behind_m(world_.world_from_base());
+    MARKETGEN_CHECK(executor_.back_off(room));
     if (!holds_it() && failure_ != FailureCode::missed) {
       say("lost it while it pulled it out");
       note(FailureCode::slipped);
     }
-    if (holds_it())
-      MARKETGEN_CHECK(body_.move_joint(robot_.find_dof("lift"), drop_lifts_m[0], lift_share));
     drop_lift_ = 0;
     phase_ = AislePhase::away;
-    return {};
+    if (!holds_it()) return {};
+    return executor_.raise(drop_lifts_m[drop_lift_]);
   }
 
   // ---- Into the basket ----
@@ -317,7 +301,7 @@ class AisleOracle : public Policy {
 
   Configuration stowed_arm() const {
     Configuration stow;
-    for (const int dof : arm())
+    for (const int dof : robot_.find_group(plan_.group)->dofs)
       stow.push_back(world_.store().driving[static_cast<std::size_t>(dof)]);
     return stow;
   }
@@ -380,13 +364,7 @@ class AisleOracle : public Policy {
       say("no way into the basket: " + to_string(plan.error()));
       return try_other_lift();
     }
-    body_.play(arm(), plan->way);
-    body_.wait(rest_s);
-    body_.grip(plan_.tool, let_go());
-    body_.wait(opened_s);
-    body_.play(arm(), plan->retreat);
-    body_.play(arm(), plan->home);
-    body_.wait(rest_s);
+    executor_.let_down(std::move(*plan), let_go());
     phase_ = AislePhase::dropped;
     return {};
   }
@@ -397,7 +375,7 @@ class AisleOracle : public Policy {
       done_ = true;  // with the item in its hand: it cannot go on
       return {};
     }
-    return body_.move_joint(robot_.find_dof("lift"), drop_lifts_m[drop_lift_], lift_share);
+    return executor_.raise(drop_lifts_m[drop_lift_]);
   }
 
   // The arm to its stowed posture, empty.
@@ -411,7 +389,7 @@ class AisleOracle : public Policy {
       done_ = true;
       return {};
     }
-    body_.play(arm(), std::move(*way));
+    executor_.stow(std::move(*way));
     return {};
   }
 
@@ -428,7 +406,7 @@ class AisleOracle : public Policy {
   const Robot& robot_;
   GraspTool tool_;
   Seed seed_;
-  BodyExecutor body_;
+  AisleExecutor executor_;
   Task task_;
   Observation now_;
   AislePhase phase_ = AislePhase::choose;
