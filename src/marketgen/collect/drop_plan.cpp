@@ -7,8 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "geometry/box_extents.h"
-
 namespace marketgen {
 namespace {
 
@@ -60,7 +58,7 @@ struct Drop {
 class DropSearch {
  public:
   DropSearch(const CarriedBasket& basket, const DropQuestion& question)
-      : basket_(basket), question_(question) {}
+      : basket_(basket), question_(question), fill_(basket, question.inside) {}
 
   // Best first, but mixed: neighbours of what cannot be reached cannot be reached either.
   std::vector<Drop> drops(Seed seed) const {
@@ -90,7 +88,8 @@ class DropSearch {
 
   void add(const Quaternion& tip, double tilt, std::vector<Drop>& found) const {
     const Pose product = Pose{{}, tip} * question_.tip_from_product;
-    const TurnedBox box = turned_box(*question_.held, product);
+    const Underside held(*question_.held, product.rotation);
+    const TurnedBox box{product.position + held.box().middle, held.box().half};
     const double x = basket_.size.x / 2 - off_walls_m - box.half.x,
                  y = basket_.size.y / 2 - off_walls_m - box.half.y;
     if (x < 0 || y < 0) return;
@@ -98,7 +97,7 @@ class DropSearch {
       for (int j = 0; j < drop_columns; ++j) {
         const double at_x = x * (2.0 * i / (drop_columns - 1) - 1),
                      at_y = y * (2.0 * j / (drop_columns - 1) - 1);
-        const double support = support_under({at_x, at_y, 0}, box.half);
+        const double support = fill_.rest_m(held, at_x, at_y);
         const double above = std::max(0.0, support + 2 * box.half.z - basket_.size.z);
         for (const double fall : drop_heights_m) {
           const Vec3 tip_at = Vec3{at_x, at_y, support + fall + box.half.z} - box.middle;
@@ -111,21 +110,9 @@ class DropSearch {
     }
   }
 
-  // Top of what lies there, basket's frame; 0 for its floor.
-  double support_under(Vec3 at, Vec3 half) const {
-    double top = 0;
-    for (const BoxObstacle& box : question_.inside) {
-      const Pose pose = inverse(basket_.base_from_floor) * box.pose;
-      const Vec3 size = box_half_extents(pose.rotation, box.half_size);
-      const bool apart = std::abs(pose.position.x - at.x) > size.x + half.x ||
-                         std::abs(pose.position.y - at.y) > size.y + half.y;
-      if (!apart) top = std::max(top, pose.position.z + size.z);
-    }
-    return top;
-  }
-
   const CarriedBasket& basket_;
   const DropQuestion& question_;
+  BasketFill fill_;
 };
 
 // A place over the basket that the arm can reach, and its straight way down from there.
@@ -149,10 +136,11 @@ class DropPlanner {
   // Before anything else. Errors: those of make_arm_model and of the checkers.
   Result<void> look_around() {
     Obstacles all = question_.around;
-    for (const auto* boxes : {&basket_.walls, &question_.inside}) {
-      for (const BoxObstacle& box : carried_at(*boxes, question_.world_from_base))
-        all.boxes.push_back(box);
-    }
+    std::vector<BoxObstacle> carried = basket_.walls;
+    for (const CarriedItem& item : question_.inside)
+      carried.push_back(box_of(item));
+    for (const BoxObstacle& box : carried_at(carried, question_.world_from_base))
+      all.boxes.push_back(box);
     MARKETGEN_TRY(world_, CollisionWorld::make(all));
     MARKETGEN_TRY(model_, make_arm_model(robot_, question_.group));
     const std::vector<double>& state = question_.state;

@@ -10,18 +10,11 @@
 #include <vector>
 
 #include "base/seed.h"
-#include "collect/held_product.h"
+#include "collect/carried_basket.h"
 #include "collect/pick_ways.h"
 #include "robots/robot.h"
 
 namespace marketgen {
-
-// The inside of the basket: a box that is open above.
-struct CarriedBasket {
-  Pose base_from_floor;            // middle of its inner floor, Z up
-  Vec3 size;                       // inner; z up to the rim
-  std::vector<BoxObstacle> walls;  // base frame, floor included
-};
 
 // An arm of a robot that stands in a store with its basket.
 struct StowQuestion {
@@ -36,7 +29,7 @@ struct DropQuestion : StowQuestion {
   int tool = 0;  // in Robot::tools, that holds it
   const ProductBody* held = nullptr;
   Pose tip_from_product;                        // as it is held
-  std::vector<BoxObstacle> inside;              // what lies in the basket, base frame
+  std::vector<CarriedItem> inside;              // what lies in the basket
   double acceleration = carrying_acceleration;  // with it in the hand, share of the joints' limits
 };
 

@@ -37,7 +37,7 @@ Pose upright(const FloorPlace& place) {
 // A way through the episode as far as it was found.
 struct AisleSampler::Witness {
   Vec3 axle;                         // where the robot is
-  std::vector<BoxObstacle> inside;   // of its basket, base frame
+  std::vector<CarriedItem> inside;   // of its basket
   std::vector<std::uint32_t> taken;  // rows
 };
 
@@ -115,8 +115,9 @@ Result<bool> AisleSampler::can_drop(const CollectPlan& plan, Witness& witness, S
   question.inside = witness.inside;
   const auto drop = plan_drop(robot, store_->basket, question, seed);
   if (!drop.ok()) return false;
-  const TurnedBox box = turned_box(body, drop->base_from_tip * question.tip_from_product);
-  witness.inside.push_back({{box.middle, {}}, box.half});
+  // How it comes to lie is not known: somewhere in the box in which it is let go.
+  witness.inside.push_back(
+      carried_box(turned_box(body, drop->base_from_tip * question.tip_from_product)));
   return true;
 }
 

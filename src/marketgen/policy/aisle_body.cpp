@@ -176,8 +176,8 @@ Result<bool> AisleBody::drop(const std::vector<Vec3f>& points) {
   }
   const double held = now_.openings_m[static_cast<std::size_t>(pick_.tool)];
   closed_ = false;
-  const TurnedBox box = turned_box(carried_, plan->base_from_tip * question.tip_from_product);
-  inside_.push_back({{box.middle, {}}, box.half});
+  inside_.push_back(
+      carried_box(turned_box(carried_, plan->base_from_tip * question.tip_from_product)));
   executor_.let_down(std::move(*plan), {held + let_go_wider_by_m, pick_.grasp.force_n});
   return true;
 }

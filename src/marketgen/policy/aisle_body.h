@@ -76,7 +76,7 @@ class AisleBody {
   Observation now_;
   ShelfPick pick_;
   ProductBody carried_;              // what it takes, as one solid
-  std::vector<BoxObstacle> inside_;  // of the basket, as let down; base frame
+  std::vector<CarriedItem> inside_;  // of the basket, as let down
   bool closed_ = false;              // the hand that takes: about something, or about nothing
   std::size_t lift_tried_ = 0;
   std::uint64_t moves_ = 0;

@@ -22,7 +22,8 @@ constexpr double way_reach_m = 1.4;              // obstacles farther from the r
 constexpr double let_go_wider_m = 0.02;          // than what was held, when it is let go
 constexpr double least_item_s = 25;              // no new item with less time left
 constexpr double cup_acceleration = 0.1;  // share of the joints' limits, with something on the cup
-constexpr double grip_factor = 2;         // of the force that a grasp needs; it is carried about
+constexpr double most_aside_m = 0.10, least_upright = 0.99;  // of what may be tried once more
+constexpr double grip_factor = 2;  // of the force that a grasp needs; it is carried about
 
 enum class AislePhase { choose, arrived, pressed, out, away, dropped };
 
@@ -108,6 +109,15 @@ class AisleOracle : public Policy {
     return path.ok() ? std::optional(path->length_m) : std::nullopt;
   }
 
+  // Touched, and no longer about where it stood on its shelf, upright.
+  bool was_moved(std::uint32_t product) const {
+    if (!world_.watch().items().contains(product)) return false;
+    const Pose stood = world_from_product(world_.store().scene.products[product]),
+               now = world_.world().product_pose(product);
+    return length(now.position - stood.position) > most_aside_m ||
+           rotate(now.rotation, {0, 0, 1}).z < least_upright;
+  }
+
   struct Fetch {
     double way_m = 0;
     std::uint32_t product = 0;
@@ -118,7 +128,7 @@ class AisleOracle : public Policy {
     for (const std::string& sku : skus) {
       std::map<std::uint32_t, bool> seen;
       for (const std::uint32_t row : world_.store().front_items(sku)) {
-        if (refused_.contains(row) || world_.watch().items().contains(row)) continue;
+        if (refused_.contains(row) || was_moved(row)) continue;
         const auto& facing = world_.store().scene.products[row].facing;
         if (seen.size() > most_items_looked_at && !seen.contains(facing)) continue;
         seen[facing] = true;
@@ -162,6 +172,11 @@ class AisleOracle : public Policy {
       MARKETGEN_TRY(known, world_.known_grasps(product, tool_));
     }
     options.grasps = known;
+    // Once more by another one, if there is one.
+    const std::vector<Vec3>& missed = missed_[product];
+    std::ranges::stable_partition(options.grasps, [&](const GraspCandidate& grasp) {
+      return std::ranges::find(missed, grasp.grasp.product_from_tool.position) == missed.end();
+    });
     options.posture = world_.store().station.posture;
     options.carried = world_.store().basket.walls;
     options.speed = carrying_speed;
@@ -268,8 +283,18 @@ class AisleOracle : public Policy {
       executor_.pull_out();
       return {};
     }
-    say("took hold of nothing");
+    const Pose from_shelf =
+        inverse(world_from_product(world_.store().scene.products[plan_.product])) *
+        world_.world().product_pose(plan_.product);
+    const Vec3 moved = from_shelf.position;
+    say(fmt::format(
+        "took hold of nothing; it was moved by {:.3f} {:.3f} {:.3f}, its upright is {:.2f}",
+        moved.x,
+        moved.y,
+        moved.z,
+        rotate(from_shelf.rotation, {0, 0, 1}).z));
     note(FailureCode::missed);
+    missed_[plan_.product].push_back(plan_.grasp.grasp.product_from_tool.position);
     return executor_.go_back();
   }
 
@@ -316,18 +341,17 @@ class AisleOracle : public Policy {
     return obstacles;
   }
 
-  Result<std::vector<BoxObstacle>> inside() const {
-    std::vector<BoxObstacle> boxes;
+  Result<std::vector<CarriedItem>> inside() const {
+    std::vector<CarriedItem> items;
     const Pose base_from_world = inverse(world_.world_from_base());
     for (const std::uint32_t row : world_.in_basket()) {
       if (row == plan_.product && holds_it()) continue;
       const Scene& scene = world_.store().scene;
       MARKETGEN_TRY(const ProductBody body,
                     make_store_body(scene.catalog[scene.products[row].sku]));
-      const TurnedBox box = turned_box(body, base_from_world * world_.world().product_pose(row));
-      boxes.push_back({{box.middle, {}}, box.half});
+      items.push_back({body.pieces, base_from_world * world_.world().product_pose(row)});
     }
-    return boxes;
+    return items;
   }
 
   Pose base_from_tip() const {
@@ -417,7 +441,8 @@ class AisleOracle : public Policy {
   std::map<std::string, int> tries_;                           // by SKU
   std::map<std::string, std::vector<GraspCandidate>> grasps_;  // by SKU
   std::set<std::uint32_t> refused_;
-  std::map<std::uint32_t, int> unreached_;  // times that it came and could not reach it
+  std::map<std::uint32_t, std::vector<Vec3>> missed_;  // where the tip was in vain, product frame
+  std::map<std::uint32_t, int> unreached_;             // times that it came and could not reach it
   int moves_ = 0;
   bool done_ = false;
   FailureCode failure_ = FailureCode::none;

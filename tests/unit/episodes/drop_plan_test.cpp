@@ -85,7 +85,7 @@ TEST(DropPlan, WhatLiesThereIsUnderIt) {
   const Vec3 size = hand.store->basket.size;
   Pose middle = hand.store->basket.base_from_floor;
   middle.position.z += 0.03;
-  hand.question.inside = {{middle, {size.x / 2, size.y / 2, 0.03}}};
+  hand.question.inside = {carried_box({middle.position, {size.x / 2, size.y / 2, 0.03}})};
   const auto plan = plan_drop(hand.robot(), hand.store->basket, hand.question, Seed(2));
   ASSERT_TRUE(plan.ok()) << to_string(plan.error());
   const TurnedBox box = hand.let_go(*plan);
