@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "collect/held_product.h"
+#include "geometry/pose.h"
 #include "motion/collision_world.h"
 
 namespace marketgen {
