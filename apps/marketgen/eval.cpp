@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "base/parallel.h"
 #include "command.h"
 #include "evaluation/episode_worker.h"
 #include "evaluation/evaluate.h"
 #include "evaluation/measure_perception.h"
+#include "evaluation/policy_name.h"
 #include "io/file.h"
 #include "io/json.h"
 
@@ -18,6 +21,7 @@ namespace {
 struct EvalFlags {
   CommonFlags common;
   std::string episodes, policy = "oracle", output;
+  std::vector<std::string> truth;
   int jobs = 0;
   double act_limit_s = 120;
   bool resume = false, perception = false, worker = false;
@@ -97,8 +101,18 @@ EvaluationOptions options_of(const EvalFlags& flags) {
   return options;
 }
 
-Result<void> eval(const EvalFlags& flags) {
-  if (flags.perception) return eval_perception(flags);
+// The policy's whole name: with the modules in whose place the truth stands.
+Result<EvalFlags> with_truth(EvalFlags flags) {
+  for (const std::string& module : flags.truth)
+    flags.policy += "+" + module;
+  MARKETGEN_TRY(const PolicyName policy, read_policy_name(flags.policy));
+  flags.policy = policy.written();
+  return flags;
+}
+
+Result<void> eval(const EvalFlags& given) {
+  if (given.perception) return eval_perception(given);
+  MARKETGEN_TRY(const EvalFlags flags, with_truth(given));
   const ThreadLimit limit(flags.common.threads);
   MARKETGEN_TRY(const EpisodeFile file, read_episode_file(flags.episodes));
   MARKETGEN_TRY(const std::filesystem::path data, data_folder());
@@ -128,6 +142,11 @@ Run add_eval(CLI::App& app) {
                    flags->policy,
                    "who acts: oracle (knows everything), classical (sees pictures) or random")
       ->capture_default_str();
+  command
+      ->add_option("--truth",
+                   flags->truth,
+                   "modules of classical in whose place the truth stands: masks, target, grasp")
+      ->delimiter(',');
   command->add_option("--jobs", flags->jobs, "episodes at a time; 0 = as --threads")
       ->check(CLI::Range(0, 1024));
   command->add_option("-o,--output", flags->output, "folder for the results");

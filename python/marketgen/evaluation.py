@@ -64,7 +64,8 @@ def evaluate(
 ) -> Evaluation:
     """Runs the episodes of a file with a policy; `marketgen eval` from Python.
 
-    policy       "oracle", "classical", "random"; or an object with act(), a class of such, or a function that acts
+    policy       "oracle", "classical" (or "classical+target": docs/episodes.md, what each module costs), "random"; or an object
+                 with act(), a class of such, or a function that acts
     folder       gets results.jsonl, a line as each episode finishes, and summary.json
     jobs         episodes at a time; 0: as many as there are cores
     resume       go on with a run that was broken off

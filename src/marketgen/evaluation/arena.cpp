@@ -1,16 +1,17 @@
 #include "evaluation/arena.h"
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "collect/collect_plan.h"
 #include "episodes/aisle_world.h"
 #include "episodes/checkout_world.h"
 #include "evaluation/aisle_senses.h"
+#include "evaluation/aisle_truth.h"
 #include "evaluation/checkout_senses.h"
+#include "evaluation/checkout_truth.h"
+#include "evaluation/policy_name.h"
 #include "policy/classical_aisle.h"
 #include "policy/classical_checkout.h"
 #include "policy/oracle_aisle.h"
@@ -20,8 +21,6 @@
 
 namespace marketgen {
 namespace {
-
-constexpr std::array<std::string_view, 3> policies{"classical", "oracle", "random"};
 
 // A policy that needs things that live as long as it does.
 class WrappedPolicy : public Policy {
@@ -43,22 +42,34 @@ class SensingPolicy : public WrappedPolicy {
                 const std::vector<Product>& products,
                 const std::vector<FrictionRow>& frictions,
                 PictureLibrary& library)
-      : eyes_(world), products_(products, frictions, library) {}
+      : world_(world), eyes_(world), products_(products, frictions, library) {}
 
-  Result<void> make(const CheckoutWorld& world, const std::filesystem::path& data, Seed seed) {
+  Result<void> make(const std::filesystem::path& data, const PolicyName& name, Seed seed) {
+    MARKETGEN_TRY(tool_, load_checkout_tool(world_, data));
     ClassicalSetup setup;
     setup.eyes = &eyes_;
     setup.products = &products_;
-    setup.robot = &world.robot();
-    MARKETGEN_TRY(setup.tool, load_checkout_tool(world, data));
-    setup.place = workplace_of(world.station());
+    setup.robot = &world_.robot();
+    setup.tool = tool_;
+    setup.place = workplace_of(world_.station());
+    setup.modules = true_modules(name);
     MARKETGEN_TRY(policy_, make_classical_checkout(std::move(setup), seed));
     return {};
   }
 
  private:
+  ClassicalModules true_modules(const PolicyName& name) const {
+    ClassicalModules modules;
+    if (name.knows(TrueModule::masks)) modules.masks = std::make_unique<TrueMasks>(eyes_);
+    if (name.knows(TrueModule::target)) modules.targets = std::make_unique<TrueTargets>(world_);
+    if (name.knows(TrueModule::grasp)) modules.grasps = std::make_unique<TrueGrasps>(world_, tool_);
+    return modules;
+  }
+
+  const CheckoutWorld& world_;
   CheckoutEyes eyes_;
   PicturedProducts products_;
+  GraspTool tool_;
 };
 
 // The same in a store.
@@ -67,27 +78,41 @@ class SensingCollector : public WrappedPolicy {
   SensingCollector(const AisleWorld& world,
                    const std::vector<FrictionRow>& frictions,
                    PictureLibrary& library)
-      : eyes_(world),
+      : world_(world),
+        eyes_(world),
         map_(world.store()),
         products_(world.store().scene.catalog, frictions, library) {}
 
-  Result<void> make(const AisleWorld& world, const std::filesystem::path& data, Seed seed) {
-    const AisleStore& store = world.store();
+  Result<void> make(const std::filesystem::path& data, const PolicyName& name, Seed seed) {
+    const AisleStore& store = world_.store();
+    MARKETGEN_TRY(const std::string row, gripper_row(store.robot));
+    MARKETGEN_TRY(tool_, load_grasp_tool(data, row));
     ClassicalAisleSetup setup;
     setup.eyes = &eyes_;
     setup.products = &products_;
-    MARKETGEN_TRY(const std::string row, gripper_row(store.robot));
-    MARKETGEN_TRY(setup.tool, load_grasp_tool(data, row));
-    setup.hints = category_hints(world.spec());
+    setup.tool = tool_;
+    setup.hints = category_hints(world_.spec());
     setup.body = {&store.robot, &map_, store.basket, store.driving, commanded_dofs(store.robot)};
+    setup.modules = true_modules(name);
     policy_ = make_classical_aisle(std::move(setup), seed);
     return {};
   }
 
  private:
+  ClassicalAisleModules true_modules(const PolicyName& name) const {
+    ClassicalAisleModules modules;
+    if (name.knows(TrueModule::masks)) modules.spots = std::make_unique<TrueSpots>(world_);
+    if (name.knows(TrueModule::target)) modules.choice = std::make_unique<TrueShelfChoice>(world_);
+    if (name.knows(TrueModule::grasp))
+      modules.grasps = std::make_unique<TrueShelfGrasps>(world_, tool_);
+    return modules;
+  }
+
+  const AisleWorld& world_;
   AisleEyes eyes_;
   StoreMap map_;
   PicturedProducts products_;
+  GraspTool tool_;
 };
 
 }  // namespace
@@ -140,31 +165,32 @@ Result<std::unique_ptr<TrackWorld>> Arena::open(const EpisodeSpec& spec) {
 }
 
 Result<std::unique_ptr<Policy>> Arena::policy(const std::string& name, const TrackWorld& world) {
-  const Seed seed = Seed(world.spec().seed).child(name);
-  if (name == "random")
+  MARKETGEN_TRY(const PolicyName asked, read_policy_name(name));
+  const Seed seed = Seed(world.spec().seed).child(asked.name);
+  if (asked.name == "random")
     return std::unique_ptr<Policy>(
         std::make_unique<RandomPolicy>(seed, world.robot().drive.has_value()));
   const auto* checkout = dynamic_cast<const CheckoutWorld*>(&world);
   const auto* aisle = dynamic_cast<const AisleWorld*>(&world);
-  if (name == "oracle" && checkout != nullptr) return make_checkout_oracle(*checkout, data_, seed);
-  if (name == "oracle" && aisle != nullptr) return make_aisle_oracle(*aisle, data_, seed);
-  if (name == "classical" && checkout != nullptr) {
+  if (asked.name == "oracle" && checkout != nullptr)
+    return make_checkout_oracle(*checkout, data_, seed);
+  if (asked.name == "oracle" && aisle != nullptr) return make_aisle_oracle(*aisle, data_, seed);
+  if (checkout != nullptr) {
     auto policy =
         std::make_unique<SensingPolicy>(*checkout, header_.products, catalog_.frictions, pictures_);
-    MARKETGEN_CHECK(policy->make(*checkout, data_, seed));
+    MARKETGEN_CHECK(policy->make(data_, asked, seed));
     return std::unique_ptr<Policy>(std::move(policy));
   }
-  if (name == "classical" && aisle != nullptr) {
+  if (aisle != nullptr) {
     auto policy = std::make_unique<SensingCollector>(*aisle, catalog_.frictions, pictures_);
-    MARKETGEN_CHECK(policy->make(*aisle, data_, seed));
+    MARKETGEN_CHECK(policy->make(data_, asked, seed));
     return std::unique_ptr<Policy>(std::move(policy));
   }
-  return Error{"usage.bad_flag",
-               "--policy",
-               fmt::format("there is no policy \"{}\" for the track {}; there are: {}",
-                           name,
-                           name_of(world.spec().track),
-                           fmt::join(policies, ", "))};
+  return Error{
+      "usage.bad_flag",
+      "--policy",
+      fmt::format(
+          "there is no policy \"{}\" for the track {}", asked.name, name_of(world.spec().track))};
 }
 
 }  // namespace marketgen

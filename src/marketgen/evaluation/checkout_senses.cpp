@@ -8,8 +8,26 @@
 #include "base/fields.h"
 #include "evaluation/product_pictures.h"
 #include "grasping/grasp_study.h"
+#include "render/picture_objects.h"
 
 namespace marketgen {
+namespace {
+
+std::vector<int> items_in(const Frame& frame, const Scene& scene) {
+  const std::uint32_t first = first_product_object(scene), end = first_actor_object(scene);
+  std::vector<int> items;
+  for (const std::uint32_t object : frame.instance)
+    items.push_back(object >= first && object < end ? static_cast<int>(object - first) : -1);
+  return items;
+}
+
+}  // namespace
+
+const std::vector<int>& CheckoutEyes::items_shown(const std::string& camera) const {
+  static const std::vector<int> none;
+  const auto found = items_shown_.find(camera);
+  return found == items_shown_.end() ? none : found->second;
+}
 
 Result<View> CheckoutEyes::look(std::string_view camera) {
   const auto which = value_named<StationCamera>(camera);
@@ -24,6 +42,7 @@ Result<View> CheckoutEyes::look(std::string_view camera) {
   }
   const Camera taken = view_->camera(*which);
   MARKETGEN_TRY(Frame frame, view_->renderer().render(taken, {}));
+  items_shown_.insert_or_assign(std::string(camera), items_in(frame, view_->scene()));
   View view;
   view.camera = camera;
   const Intrinsics lens = intrinsics_of(taken);

@@ -1,5 +1,6 @@
 // What a policy may sense and know in Checkout Unloading, made from a running episode: pictures of
-// the cameras, the catalogue, the nominal place. Nothing else of the world passes through here.
+// the cameras, the catalogue, the nominal place. Nothing else of the world passes through these
+// interfaces.
 #pragma once
 #include <map>
 #include <memory>
@@ -19,8 +20,13 @@ class CheckoutEyes : public Eyes {
   explicit CheckoutEyes(const CheckoutWorld& world) : world_(world) {}
   Result<View> look(std::string_view camera) override;
 
+  // The truth, for TrueMasks and measures; no policy sees it: which item each pixel of the camera's
+  // last picture shows, -1 none. Empty before there is one.
+  const std::vector<int>& items_shown(const std::string& camera) const;
+
  private:
   const CheckoutWorld& world_;
+  std::map<std::string, std::vector<int>> items_shown_;  // by camera
   std::unique_ptr<CheckoutView> view_;  // of the episode that runs, once it was looked at
 };
 

@@ -7,7 +7,6 @@
 
 #include "evaluation/checkout_senses.h"
 #include "perception/target_choice.h"
-#include "render/picture_objects.h"
 
 namespace marketgen {
 namespace {
@@ -19,19 +18,8 @@ double seconds_since(std::chrono::steady_clock::time_point began) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
 }
 
-// Which item each pixel shows: -1 none.
-using TrueMask = std::vector<int>;
-Result<TrueMask> true_mask(CheckoutView& view, StationCamera which) {
-  MARKETGEN_TRY(const Frame frame, view.renderer().render(view.camera(which), {}));
-  const std::uint32_t first = first_product_object(view.scene());
-  TrueMask mask(frame.instance.size(), -1);
-  for (std::size_t i = 0; i < mask.size(); ++i)
-    if (frame.instance[i] >= first && frame.instance[i] < first_actor_object(view.scene()))
-      mask[i] = static_cast<int>(frame.instance[i] - first);
-  return mask;
-}
-
-double best_iou(const std::vector<Mask>& masks, const TrueMask& truth, int item) {
+// `truth`: which item each pixel shows.
+double best_iou(const std::vector<Mask>& masks, const std::vector<int>& truth, int item) {
   const auto shown = static_cast<double>(std::ranges::count(truth, item));
   double best = 0;
   for (const Mask& mask : masks) {
@@ -72,7 +60,7 @@ double middle_value(std::vector<double> values) {
 class PerceptionTrial {
  public:
   PerceptionTrial(const CheckoutWorld& world, const EpisodeSpec& spec)
-      : world_(world), spec_(spec) {
+      : world_(world), spec_(spec), eyes_(world) {
     measure_.episode = spec.id;
   }
 
@@ -92,9 +80,8 @@ class PerceptionTrial {
 
   Result<void> look() {
     const auto began = std::chrono::steady_clock::now();
-    CheckoutEyes eyes(world_);
     for (const StationCamera which : {StationCamera::scene, StationCamera::wrist}) {
-      MARKETGEN_TRY(View view, eyes.look(name_of(which)));
+      MARKETGEN_TRY(View view, eyes_.look(name_of(which)));
       views_.emplace_back(std::move(view));
     }
     measure_.look_s = seconds_since(began);
@@ -118,19 +105,16 @@ class PerceptionTrial {
   }
 
   // With what there is.
-  Result<PerceptionMeasure> compared() {
-    MARKETGEN_TRY(const auto truth, CheckoutView::create(world_));
-    MARKETGEN_TRY(const TrueMask in_scene, true_mask(*truth, StationCamera::scene));
-    MARKETGEN_TRY(const TrueMask in_wrist, true_mask(*truth, StationCamera::wrist));
+  PerceptionMeasure compared() {
     for (std::size_t look = 0; look < looks_.size(); ++look)
-      measure_.targets.push_back(compared(look, in_scene, in_wrist));
+      measure_.targets.push_back(compared(look));
     return std::move(measure_);
   }
 
  private:
-  PerceivedTarget compared(std::size_t look,
-                           const TrueMask& in_scene,
-                           const TrueMask& in_wrist) const {
+  PerceivedTarget compared(std::size_t look) const {
+    const std::vector<int>&in_scene = eyes_.items_shown(views_[0].view().camera),
+          &in_wrist = eyes_.items_shown(views_[1].view().camera);
     PerceivedTarget target;
     target.sku = looks_[look].sku();
     const auto item = std::ranges::find(spec_.items, target.sku, &EpisodeItem::sku);
@@ -163,6 +147,7 @@ class PerceptionTrial {
 
   const CheckoutWorld& world_;
   const EpisodeSpec& spec_;
+  CheckoutEyes eyes_;
   PerceptionMeasure measure_;
   std::vector<ProductLook> looks_;  // one a goal
   std::vector<ViewCloud> views_;

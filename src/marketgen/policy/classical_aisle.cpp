@@ -47,13 +47,14 @@ class ClassicalAisle : public Policy {
  public:
   ClassicalAisle(ClassicalAisleSetup setup, Seed seed)
       : setup_(std::move(setup)),
+        modules_(setup_.modules),
         robot_(*setup_.body.robot),
         map_(*setup_.body.map),
         body_(setup_.body, seed),
         sight_(BasePlace{}) {
-    modules_.spots = std::make_unique<SweptSpots>();
-    modules_.choice = std::make_unique<UprightMatching>();
-    modules_.grasps = std::make_unique<FrontGrasps>(setup_.tool);
+    if (!modules_.spots) modules_.spots = std::make_unique<SweptSpots>();
+    if (!modules_.choice) modules_.choice = std::make_unique<UprightMatching>();
+    if (!modules_.grasps) modules_.grasps = std::make_unique<FrontGrasps>(setup_.tool);
   }
 
   Result<void> begin(const Task& task, const Observation& first) override {
@@ -416,7 +417,7 @@ class ClassicalAisle : public Policy {
   }
 
   ClassicalAisleSetup setup_;
-  ClassicalAisleModules modules_;
+  ClassicalAisleModules& modules_;
   const Robot& robot_;
   const AisleMap& map_;
   AisleBody body_;

@@ -17,20 +17,22 @@
 
 namespace marketgen {
 
-// What the agent is given. Eyes, catalogue, map and robot must outlive the policy.
+// Its modules; each may be another.
+struct ClassicalAisleModules {
+  std::unique_ptr<SpotSource> spots;
+  std::unique_ptr<ShelfChoice> choice;
+  std::unique_ptr<ShelfGraspSource> grasps;
+};
+
+// What the agent is given. Eyes, catalogue, map and robot must outlive the policy. Modules that are
+// null are its own: SweptSpots, UprightMatching, FrontGrasps.
 struct ClassicalAisleSetup {
   Eyes* eyes = nullptr;  // "head_camera"; base frame: that of the robot's base
   KnownProducts* products = nullptr;
   GraspTool tool;
   std::vector<CategoryHint> hints;
   AisleBodySetup body;
-};
-
-// Its modules; each may be another.
-struct ClassicalAisleModules {
-  std::unique_ptr<SpotSource> spots;
-  std::unique_ptr<ShelfChoice> choice;
-  std::unique_ptr<ShelfGraspSource> grasps;
+  ClassicalAisleModules modules = {};
 };
 
 std::unique_ptr<Policy> make_classical_aisle(ClassicalAisleSetup setup, Seed seed);

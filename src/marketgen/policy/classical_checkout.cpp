@@ -36,11 +36,12 @@ enum class Step { go_to_look, look, closed, lifted };
 class ClassicalCheckout : public Policy {
  public:
   ClassicalCheckout(ClassicalSetup setup, ArmExecutor arm, Seed seed)
-      : setup_(std::move(setup)), arm_(std::move(arm)), seed_(seed) {
-    modules_.masks = std::make_unique<GeometricMasks>();
-    modules_.poses = std::make_unique<SweptPoses>();
-    modules_.targets = std::make_unique<CatalogueMatching>(*modules_.poses);
-    modules_.grasps = std::make_unique<FittedGrasps>(setup_.tool, setup_.place);
+      : setup_(std::move(setup)), modules_(setup_.modules), arm_(std::move(arm)), seed_(seed) {
+    if (!modules_.masks) modules_.masks = std::make_unique<GeometricMasks>();
+    if (!modules_.poses) modules_.poses = std::make_unique<SweptPoses>();
+    if (!modules_.targets) modules_.targets = std::make_unique<CatalogueMatching>(*modules_.poses);
+    if (!modules_.grasps)
+      modules_.grasps = std::make_unique<FittedGrasps>(setup_.tool, setup_.place);
   }
 
   Result<void> begin(const Task& task, const Observation& first) override {
@@ -446,7 +447,7 @@ class ClassicalCheckout : public Policy {
   Seed next_seed() { return seed_.child("reach", static_cast<std::uint64_t>(moves_++)); }
 
   ClassicalSetup setup_;
-  ClassicalModules modules_;
+  ClassicalModules& modules_;
   ArmExecutor arm_;
   Seed seed_;
   Task task_;

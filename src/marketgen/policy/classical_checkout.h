@@ -17,21 +17,23 @@
 
 namespace marketgen {
 
-// What the agent is given. Eyes, catalogue and robot must outlive the policy.
-struct ClassicalSetup {
-  Eyes* eyes = nullptr;
-  KnownProducts* products = nullptr;
-  const Robot* robot = nullptr;
-  GraspTool tool;
-  Workplace place;
-};
-
 // Its modules; each may be another.
 struct ClassicalModules {
   std::unique_ptr<MaskSource> masks;
   std::unique_ptr<PoseSource> poses;
   std::unique_ptr<TargetChoice> targets;
   std::unique_ptr<GraspSource> grasps;
+};
+
+// What the agent is given. Eyes, catalogue and robot must outlive the policy. Modules that are null
+// are its own: GeometricMasks, SweptPoses, CatalogueMatching, FittedGrasps.
+struct ClassicalSetup {
+  Eyes* eyes = nullptr;
+  KnownProducts* products = nullptr;
+  const Robot* robot = nullptr;
+  GraspTool tool;
+  Workplace place;
+  ClassicalModules modules = {};
 };
 
 // Errors: those of ArmExecutor.

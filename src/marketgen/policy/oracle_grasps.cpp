@@ -27,6 +27,7 @@ GraspChoice choice_of(const OracleScene& scene, std::size_t item, const GraspCan
   choice.strategy = candidate.strategy;
   choice.station_from_tip = scene.world().item_pose(item) * candidate.grasp.product_from_tool;
   choice.opening_m = candidate.grasp.opening_m;
+  choice.width_m = candidate.width_m;
   choice.force_n = std::clamp(candidate.grasp.force_n * firmness, least_grip_n, most_grip_n);
   choice.score = of_firmness * candidate.score;
   const double offset = length(choice.station_from_tip.position - scene.middle(item));

@@ -9,7 +9,7 @@ namespace marketgen {
 struct GraspChoice {
   GraspStrategy strategy = GraspStrategy::side;
   Pose station_from_tip;
-  double opening_m = 0, force_n = 0;
+  double opening_m = 0, force_n = 0, width_m = 0;
   double score = 0;
   std::vector<std::size_t> blockers;  // items that the open tool would press aside too far
 };

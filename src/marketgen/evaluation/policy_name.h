@@ -1,0 +1,33 @@
+// A policy by its name, as `--policy` and results have it: "oracle", or "classical+masks+target"
+// when modules of `classical` know the truth.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+
+namespace marketgen {
+
+// A module of `classical` in whose place the truth may stand, which shows what that module costs.
+// masks: which pixels belong together; in a store, where on a shelf something stands. target: which
+// of them is asked for, and how it lies. grasp: where it can be held, past what truly stands there.
+enum class TrueModule { masks, target, grasp };
+constexpr std::array<std::string_view, 3> names_of(TrueModule) {
+  return {"masks", "target", "grasp"};
+}
+
+struct PolicyName {
+  std::string name;
+  std::vector<TrueModule> truth = {};  // ascending, each once
+
+  bool knows(TrueModule module) const { return std::ranges::find(truth, module) != truth.end(); }
+  std::string written() const;
+};
+
+// Error usage.bad_flag: no such policy, no such module, or a policy that has no modules.
+Result<PolicyName> read_policy_name(const std::string& text);
+
+}  // namespace marketgen
