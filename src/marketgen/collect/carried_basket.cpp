@@ -11,7 +11,8 @@ namespace {
 
 constexpr double column_m = 0.005;
 constexpr double beyond_m = 1;  // rays begin so far outside
-constexpr int off_grid_columns = 2;
+// What is compared lies up to a column off, and both edges reach up to one beyond what was probed.
+constexpr int aside_columns = 2;
 
 int column_of(double at) {
   return static_cast<int>(std::floor(at / column_m));
@@ -61,11 +62,11 @@ Underside::Underside(const ProductBody& held, const Quaternion& basket_from_prod
 }
 
 BasketFill::BasketFill(const CarriedBasket& basket, const std::vector<CarriedItem>& inside)
-    : low_{-basket.size.x / 2 - off_grid_columns * column_m,
-           -basket.size.y / 2 - off_grid_columns * column_m,
+    : low_{-basket.size.x / 2 - aside_columns * column_m,
+           -basket.size.y / 2 - aside_columns * column_m,
            0},
-      wide_(column_of(basket.size.x) + 1 + 2 * off_grid_columns),
-      deep_(column_of(basket.size.y) + 1 + 2 * off_grid_columns),
+      wide_(column_of(basket.size.x) + 1 + 2 * aside_columns),
+      deep_(column_of(basket.size.y) + 1 + 2 * aside_columns),
       tops_(static_cast<std::size_t>(wide_ * deep_), 0.0) {
   const Pose basket_from_base = inverse(basket.base_from_floor);
   for (const CarriedItem& item : inside) {
@@ -74,8 +75,10 @@ BasketFill::BasketFill(const CarriedBasket& basket, const std::vector<CarriedIte
       for (int x = 0; x < wide_; ++x) {
         const auto top = probe.height(low_ + Vec3{middle_of(x), middle_of(y), beyond_m}, -1);
         if (!top) continue;
-        for (int v = std::max(0, y - 1); v <= std::min(deep_ - 1, y + 1); ++v)
-          for (int u = std::max(0, x - 1); u <= std::min(wide_ - 1, x + 1); ++u) {
+        for (int v = std::max(0, y - aside_columns); v <= std::min(deep_ - 1, y + aside_columns);
+             ++v)
+          for (int u = std::max(0, x - aside_columns); u <= std::min(wide_ - 1, x + aside_columns);
+               ++u) {
             double& most = tops_[static_cast<std::size_t>(v * wide_ + u)];
             most = std::max(most, *top);
           }

@@ -45,7 +45,7 @@ class Underside {
   TurnedBox box_;
 };
 
-// How high what lies in the basket reaches, column by column. Rounded up by a column aside.
+// How high what lies in the basket reaches, column by column; never less wide than it is.
 class BasketFill {
  public:
   BasketFill(const CarriedBasket& basket, const std::vector<CarriedItem>& inside);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -49,9 +50,20 @@ Configuration values_of(const ArmModel& model, const std::vector<double>& state)
   return q;
 }
 
+// The store, the basket and what lies in it.
+Result<CollisionWorld> around_robot(const CarriedBasket& basket, const StowQuestion& question) {
+  std::vector<BoxObstacle> carried = basket.walls;
+  for (const CarriedItem& item : question.inside)
+    carried.push_back(box_of(item));
+  Obstacles all = question.around;
+  for (const BoxObstacle& box : carried_at(carried, question.world_from_base))
+    all.boxes.push_back(box);
+  return CollisionWorld::make(all);
+}
+
 struct Drop {
   Pose base_from_tip;
-  double lowest_m = 0;  // of what is held, over the basket's floor
+  double lowest_m = 0;  // of what is held, over the basket's floor, when it has come to rest
   double cost = 0;
 };
 
@@ -88,11 +100,11 @@ class DropSearch {
 
   void add(const Quaternion& tip, double tilt, std::vector<Drop>& found) const {
     const Pose product = Pose{{}, tip} * question_.tip_from_product;
-    const Underside held(*question_.held, product.rotation);
-    const TurnedBox box{product.position + held.box().middle, held.box().half};
+    const TurnedBox box = turned_box(*question_.held, product);
     const double x = basket_.size.x / 2 - off_walls_m - box.half.x,
                  y = basket_.size.y / 2 - off_walls_m - box.half.y;
     if (x < 0 || y < 0) return;
+    const Underside held(*question_.held, product.rotation);
     for (int i = 0; i < drop_columns; ++i) {
       for (int j = 0; j < drop_columns; ++j) {
         const double at_x = x * (2.0 * i / (drop_columns - 1) - 1),
@@ -135,13 +147,7 @@ class DropPlanner {
 
   // Before anything else. Errors: those of make_arm_model and of the checkers.
   Result<void> look_around() {
-    Obstacles all = question_.around;
-    std::vector<BoxObstacle> carried = basket_.walls;
-    for (const CarriedItem& item : question_.inside)
-      carried.push_back(box_of(item));
-    for (const BoxObstacle& box : carried_at(carried, question_.world_from_base))
-      all.boxes.push_back(box);
-    MARKETGEN_TRY(world_, CollisionWorld::make(all));
+    MARKETGEN_TRY(world_, around_robot(basket_, question_));
     MARKETGEN_TRY(model_, make_arm_model(robot_, question_.group));
     const std::vector<double>& state = question_.state;
     start_ = values_of(model_, state);
@@ -265,10 +271,7 @@ Result<JointTrajectory> plan_stow(const Robot& robot,
                                   const StowQuestion& question,
                                   Seed seed) {
   MARKETGEN_TRY(const ArmModel model, make_arm_model(robot, question.group));
-  Obstacles all = question.around;
-  for (const BoxObstacle& box : carried_at(basket.walls, question.world_from_base))
-    all.boxes.push_back(box);
-  MARKETGEN_TRY(const CollisionWorld world, CollisionWorld::make(all));
+  MARKETGEN_TRY(const CollisionWorld world, around_robot(basket, question));
   MARKETGEN_TRY(const ArmChecker checker,
                 ArmChecker::make(
                     model, question.state, question.world_from_base, world, {line_margin_m, {}}));

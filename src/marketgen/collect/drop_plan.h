@@ -4,8 +4,6 @@
 // that it never falls far. Base frame: that of the robot (on the floor, X ahead). SI units.
 #pragma once
 #include <array>
-#include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -20,16 +18,16 @@ namespace marketgen {
 struct StowQuestion {
   std::vector<double> state;  // every degree of freedom of the robot, as it stands now
   Pose world_from_base;
-  std::string group;   // of the arm
-  Obstacles around;    // of the store, world frame
-  Configuration stow;  // of the arm, where it is to end
+  std::string group;                     // of the arm
+  Obstacles around;                      // of the store, world frame
+  Configuration stow;                    // of the arm, where it is to end
+  std::vector<CarriedItem> inside = {};  // what lies in the basket
 };
 
 struct DropQuestion : StowQuestion {
   int tool = 0;  // in Robot::tools, that holds it
   const ProductBody* held = nullptr;
   Pose tip_from_product;                        // as it is held
-  std::vector<CarriedItem> inside;              // what lies in the basket
   double acceleration = carrying_acceleration;  // with it in the hand, share of the joints' limits
 };
 

@@ -58,11 +58,12 @@ bool AisleWatch::is_held(std::uint32_t product) const {
   return item != items_.end() && item->second.held_by >= 0;
 }
 
-// On the basket, or on the deck on which that stands.
+// What was taken, on the basket or on the deck on which that stands.
 bool AisleWatch::lies_in_basket(std::uint32_t geom, std::uint32_t product) const {
-  if (roles_[geom].part == Part::basket) return true;
+  const Part part = roles_[geom].part;
   const auto item = items_.find(product);
-  return roles_[geom].part == Part::base && item != items_.end() && item->second.was_held;
+  return (part == Part::basket || part == Part::base) && item != items_.end() &&
+         item->second.was_held;
 }
 
 // What the robot, or what it holds, presses on. Not what it holds itself, nor what lies in its
@@ -158,7 +159,6 @@ void AisleWatch::look(World& world,
                 fingers == seen.fingers.end() ? std::set<std::pair<int, int>>{} : fingers->second,
                 cup == sealed_by.end() ? -1 : cup->second);
     item.met = meets;
-    item.in_basket = seen.basket.contains(product);
     item.was_held = item.was_held || item.held_by >= 0;
     if (item.held_by >= 0) item.impact_m_s = 0;
     if (item.was_held && item.impact_m_s > most_impact_m_s) dropped_.insert(product);

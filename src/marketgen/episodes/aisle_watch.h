@@ -34,10 +34,9 @@ class AisleWatch {
 
   // A product that a finger, a cup or the basket has touched.
   struct Item {
-    int touched_by = -1;     // tool, in the last step: a finger or a cup
-    int held_by = -1;        // tool: both its fingers, or sealed on it
-    bool in_basket = false;  // rests on a part of the basket, or on what does
-    bool met = true;         // something other than a tool
+    int touched_by = -1;  // tool, in the last step: a finger or a cup
+    int held_by = -1;     // tool: both its fingers, or sealed on it
+    bool met = true;      // something other than a tool
     bool was_held = false;
     double speed_m_s = 0;  // against the base
     double rested_s = 0, impact_m_s = 0;

@@ -12,6 +12,7 @@
 namespace marketgen {
 namespace {
 
+constexpr double about_basket_m = 0.6;  // of its floor
 constexpr double physics_step_s = 0.002;
 constexpr int aisle_substeps = 25;
 constexpr double let_go_s = judged_after_s;
@@ -62,9 +63,14 @@ Result<void> AisleWorld::reset(const EpisodeSpec& spec) {
   }
   RobotActorOptions place;
   place.state = store_->driving;
+  const double heading = spec.start.heading_deg * std::numbers::pi / 180;
   place.state[dof_named(robot, "base_x")] = spec.start.x_m;
   place.state[dof_named(robot, "base_y")] = spec.start.y_m;
-  place.state[dof_named(robot, "base_yaw")] = spec.start.heading_deg * std::numbers::pi / 180;
+  place.state[dof_named(robot, "base_yaw")] = heading;
+  const Pose start{{spec.start.x_m, spec.start.y_m, 0}, rotation_about({0, 0, 1}, heading)};
+  if (!store_->ways.space().free(floor_point_mm(axle_of(robot, start))))
+    return Error{
+        "episode.impossible", spec.id, "the robot would begin in something that stands there"};
   WorldOptions options;
   options.frictions = frictions_;
   options.keep_commands = false;
@@ -81,7 +87,6 @@ Result<void> AisleWorld::reset(const EpisodeSpec& spec) {
   MARKETGEN_TRY(cups_, SuctionActor::find(*world_, robot));
   spec_ = spec;
   commanded_ = commanded_dofs(robot);
-  base_ = robot.find_group("base")->dofs;
   target_ = place.state;
   rates_.assign(target_.size(), 0);
   speed_ = turn_ = path_m_ = 0;
@@ -239,9 +244,15 @@ ItemState AisleWorld::item_state(std::uint32_t product, const AisleWatch::Item& 
           item.impact_m_s};
 }
 
+// What was touched, and what else has moved about the basket: that may lie on goods in it.
 Result<std::vector<ItemState>> AisleWorld::item_states() {
+  std::map<std::uint32_t, AisleWatch::Item> items = watch_.items();
+  const Vec3 basket = world_from_basket().position;
+  for (const std::uint32_t product : world_->moved_products())
+    if (length(world_->product_pose(product).position - basket) < about_basket_m)
+      items.try_emplace(product);
   std::vector<ItemState> states;
-  for (const auto& [product, item] : watch_.items()) {
+  for (const auto& [product, item] : items) {
     const std::uint32_t sku = store_->scene.products[product].sku;
     if (!goods_.contains(sku)) {
       MARKETGEN_TRY(SharedGoods made, checkout_goods(store_->scene.catalog[sku], frictions_));

@@ -68,10 +68,10 @@ class AisleWorld : public TrackWorld {
   std::unique_ptr<World> world_;
   RobotActor actor_;
   SuctionActor cups_;
-  std::vector<int> commanded_, base_;  // degrees of freedom
-  std::vector<double> target_;         // of all, at the end of the last step
-  std::vector<double> rates_;          // of the commanded ones, likewise
-  double speed_ = 0, turn_ = 0;        // of the base, at the end of the last step
+  std::vector<int> commanded_;   // degrees of freedom
+  std::vector<double> target_;   // of all, at the end of the last step
+  std::vector<double> rates_;    // of the commanded ones, likewise
+  double speed_ = 0, turn_ = 0;  // of the base, at the end of the last step
   AisleWatch watch_;
   Vec3 axle_;  // where the middle between the wheels was
   double path_m_ = 0;

@@ -11,7 +11,6 @@
 #include "collect/collect_plan.h"
 #include "collect/drop_plan.h"
 #include "collect/scene_obstacles.h"
-#include "episodes/aisle_world.h"
 #include "episodes/studied_grasps.h"
 
 namespace marketgen {

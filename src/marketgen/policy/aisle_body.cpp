@@ -1,8 +1,6 @@
 #include "policy/aisle_body.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace marketgen {
 namespace {
@@ -156,7 +154,8 @@ StowQuestion AisleBody::stow_question(const std::vector<Vec3f>& points) const {
           .world_from_base = store_from_base(now_.base),
           .group = pick_.group,
           .around = around(points),
-          .stow = stowed_arm()};
+          .stow = stowed_arm(),
+          .inside = inside_};
 }
 
 Result<bool> AisleBody::drop(const std::vector<Vec3f>& points) {
@@ -165,7 +164,6 @@ Result<bool> AisleBody::drop(const std::vector<Vec3f>& points) {
   question.tool = pick_.tool;
   question.held = &carried_;
   question.tip_from_product = inverse(pick_.grasp.product_from_tool);
-  question.inside = inside_;
   auto plan = plan_drop(*setup_.robot, setup_.basket, question, next_seed());
   if (!plan.ok()) {
     const bool last = ++lift_tried_ >= drop_lifts_m.size();

@@ -43,7 +43,6 @@ class AisleBody {
 
   // ---- The robot as it is. ----
   std::vector<double> state() const;  // base on the origin
-  const BasePlace& place() const { return now_.base; }
   // By the fingers alone: shut on nothing they come together.
   bool holds_it() const;
 

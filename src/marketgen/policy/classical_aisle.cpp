@@ -1,9 +1,7 @@
 #include "policy/classical_aisle.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 #include <string>
 
 #include "policy/aisle_sight.h"
@@ -410,7 +408,9 @@ class ClassicalAisle : public Policy {
   }
 
   Result<void> count() {
-    ++goals_[finds_[find_].place.goal].fetched;
+    Goal& goal = goals_[finds_[find_].place.goal];
+    ++goal.fetched;
+    goal.tries = 0;
     refuse(find_);
     step_ = AisleStep::choose;
     return {};

@@ -1,9 +1,10 @@
 #include "policy/oracle_aisle.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -54,7 +55,12 @@ class AisleOracle : public Policy {
     return action;
   }
 
-  std::string failure() const override { return std::string(name_of(failure_)); }
+  std::string failure() const override {
+    for (const std::string& sku : unmet())
+      if (const auto why = failures_.find(sku); why != failures_.end())
+        return std::string(name_of(why->second));
+    return "None";
+  }
 
  private:
   Result<void> decide() {
@@ -75,23 +81,31 @@ class AisleOracle : public Policy {
     return {};
   }
 
-  void note(FailureCode why) { failure_ = why; }
+  void note(const std::string& sku, FailureCode why) { failures_[sku] = why; }
+  void note(FailureCode why) { note(sku_of(plan_.product), why); }
   void say(const std::string& what) const {
     log_debug(fmt::format("oracle {:.2f} s: {}", now_.time_s, what));
   }
 
   // ---- What to fetch next ----
 
-  std::vector<std::string> missing() const {
+  // Of which too few lie in the basket.
+  std::vector<std::string> unmet() const {
     std::vector<std::string> skus;
     const std::vector<std::uint32_t> inside = world_.in_basket();
     for (const EpisodeGoal& goal : world_.spec().goals) {
       const auto there =
           std::ranges::count_if(inside, [&](std::uint32_t row) { return sku_of(row) == goal.sku; });
-      const auto tried = tries_.find(goal.sku);
-      const bool again = tried == tries_.end() || tried->second < most_item_tries;
-      if (there < goal.count && again) skus.push_back(goal.sku);
+      if (there < goal.count) skus.push_back(goal.sku);
     }
+    return skus;
+  }
+  std::vector<std::string> missing() const {
+    std::vector<std::string> skus = unmet();
+    std::erase_if(skus, [&](const std::string& sku) {
+      const auto tried = tries_.find(sku);
+      return tried != tries_.end() && tried->second >= most_item_tries;
+    });
     return skus;
   }
 
@@ -109,9 +123,8 @@ class AisleOracle : public Policy {
     return path.ok() ? std::optional(path->length_m) : std::nullopt;
   }
 
-  // Touched, and no longer about where it stood on its shelf, upright.
+  // No longer about where it stood on its shelf, upright.
   bool was_moved(std::uint32_t product) const {
-    if (!world_.watch().items().contains(product)) return false;
     const Pose stood = world_from_product(world_.store().scene.products[product]),
                now = world_.world().product_pose(product);
     return length(now.position - stood.position) > most_aside_m ||
@@ -126,12 +139,10 @@ class AisleOracle : public Policy {
   std::vector<Fetch> fetches(const std::vector<std::string>& skus) const {
     std::vector<Fetch> found;
     for (const std::string& sku : skus) {
-      std::map<std::uint32_t, bool> seen;
+      std::set<std::uint32_t> seen;
       for (const std::uint32_t row : world_.store().front_items(sku)) {
         if (refused_.contains(row) || was_moved(row)) continue;
-        const auto& facing = world_.store().scene.products[row].facing;
-        if (seen.size() > most_items_looked_at && !seen.contains(facing)) continue;
-        seen[facing] = true;
+        if (!seen.insert(world_.store().scene.products[row].facing).second) continue;
         if (const auto way = way_to(row)) found.push_back({*way, row});
       }
     }
@@ -142,7 +153,8 @@ class AisleOracle : public Policy {
   Result<void> choose() {
     const std::vector<std::string> skus = missing();
     if (skus.empty() || now_.time_s + least_item_s > task_.limit_s) {
-      if (!skus.empty()) note(FailureCode::timeout);
+      for (const std::string& sku : skus)
+        note(sku, FailureCode::timeout);
       done_ = true;
       return {};
     }
@@ -152,8 +164,10 @@ class AisleOracle : public Policy {
       if (go_to(fetch.product)) return {};
       refused_.insert(fetch.product);
     }
-    note(looked_at.empty() ? FailureCode::not_found : failure_);
-    done_ = true;
+    // The others at the next step: one answer must not take for ever.
+    done_ = looked_at.empty();
+    for (const std::string& sku : skus)
+      if (done_) failures_.try_emplace(sku, FailureCode::not_found);
     return {};
   }
 
@@ -184,14 +198,14 @@ class AisleOracle : public Policy {
     return options;
   }
 
-  void note_plan(const Error& error) {
+  void note_plan(std::uint32_t product, const Error& error) {
     say("no way to it: " + to_string(error));
     if (error.code == "motion.no_grasp")
-      note(FailureCode::no_grasp);
+      note(sku_of(product), FailureCode::no_grasp);
     else if (error.code == "robot.unreachable")
-      note(FailureCode::no_ik);
+      note(sku_of(product), FailureCode::no_ik);
     else
-      note(FailureCode::no_path);
+      note(sku_of(product), FailureCode::no_path);
   }
 
   bool go_to(std::uint32_t product) {
@@ -199,12 +213,12 @@ class AisleOracle : public Policy {
     scene_ = std::make_unique<Scene>(scene_now());
     const auto options = collect_options(product);
     if (!options.ok()) {
-      note_plan(options.error());
+      note_plan(product, options.error());
       return false;
     }
     auto plan = plan_collect(*scene_, product, robot_, tool_, seed, *options);
     if (!plan.ok()) {
-      note_plan(plan.error());
+      note_plan(product, plan.error());
       return false;
     }
     const Vec3 from = axle_of(robot_, world_.world_from_base()),
@@ -216,7 +230,7 @@ class AisleOracle : public Policy {
                             {{from.x, from.y}, now_.base.heading},
                             {{to.x, to.y}, std::atan2(ahead.y, ahead.x)});
     if (!drive.ok()) {
-      note(FailureCode::no_path);
+      note(sku_of(product), FailureCode::no_path);
       return false;
     }
     executor_.drive(std::move(drive->follower));
@@ -236,7 +250,7 @@ class AisleOracle : public Policy {
     const Seed seed = seed_.child("reach", static_cast<std::uint64_t>(moves_++));
     auto plan = plan_collect(*scene_, plan_.product, robot_, tool_, seed, options);
     if (!plan.ok()) {
-      note_plan(plan.error());
+      note_plan(plan_.product, plan.error());
       if (++unreached_[plan_.product] == most_unreached) refused_.insert(plan_.product);
       phase_ = AislePhase::choose;
       return {};
@@ -279,7 +293,8 @@ class AisleOracle : public Policy {
 
   Result<void> pull_out() {
     phase_ = AislePhase::out;
-    if (holds_it()) {
+    held_ = holds_it();
+    if (held_) {
       executor_.pull_out();
       return {};
     }
@@ -301,7 +316,7 @@ class AisleOracle : public Policy {
   Result<void> back_off() {
     const double room = world_.store().room_behind_m(world_.world_from_base());
     MARKETGEN_CHECK(executor_.back_off(room));
-    if (!holds_it() && failure_ != FailureCode::missed) {
+    if (!holds_it() && held_) {
       say("lost it while it pulled it out");
       note(FailureCode::slipped);
     }
@@ -366,6 +381,7 @@ class AisleOracle : public Policy {
                           .around = {},
                           .stow = stowed_arm()};
     MARKETGEN_TRY(question.around, around());
+    MARKETGEN_TRY(question.inside, inside());
     return question;
   }
 
@@ -381,7 +397,6 @@ class AisleOracle : public Policy {
     question.held = &body;
     question.tip_from_product = inverse(world_.world_from_base() * base_from_tip()) *
                                 world_.world().product_pose(plan_.product);
-    MARKETGEN_TRY(question.inside, inside());
     const Seed seed = seed_.child("drop", static_cast<std::uint64_t>(moves_++));
     auto plan = plan_drop(robot_, world_.store().basket, question, seed);
     if (!plan.ok()) {
@@ -422,7 +437,10 @@ class AisleOracle : public Policy {
     const std::vector<std::uint32_t> inside = world_.in_basket();
     const bool there = std::ranges::count(inside, plan_.product) > 0;
     say(there ? "it is in the basket" : "lost it on its way into the basket");
-    failure_ = there ? FailureCode::none : FailureCode::dropped;
+    if (there)
+      tries_[sku_of(plan_.product)] = 0;
+    else
+      note(FailureCode::dropped);
     return {};
   }
 
@@ -445,7 +463,8 @@ class AisleOracle : public Policy {
   std::map<std::uint32_t, int> unreached_;             // times that it came and could not reach it
   int moves_ = 0;
   bool done_ = false;
-  FailureCode failure_ = FailureCode::none;
+  bool held_ = false;                            // when the tool had closed
+  std::map<std::string, FailureCode> failures_;  // by SKU, the last one
 };
 
 }  // namespace

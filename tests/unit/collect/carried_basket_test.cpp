@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 namespace marketgen {
@@ -43,6 +44,23 @@ TEST(CarriedBasket, ABoxIsMetAtItsTop) {
   EXPECT_NEAR(fill.rest_m(can, 0.1, 0), 0.06, 1e-6);
   EXPECT_EQ(fill.rest_m(can, -0.1, 0), 0);
   EXPECT_NEAR(box_of(box).half_size.z, 0.03, 1e-6);
+}
+
+// Sides that overlap by less than a column count, whichever side it is.
+TEST(CarriedBasket, WhatOverlapsALittleIsMet) {
+  CarriedBasket narrow = basket();
+  narrow.size.x = 0.28;
+  const ProductBody box{{{PieceShape::box, {}, {0.0324F, 0.03F, 0.05F}}}, {}, {}, {}};
+  const Underside held(box, {});
+  for (const double side : {-1.0, 1.0}) {
+    const Vec3 middle{side * 0.0526, 0, 0.04};  // its near face at 2.6 mm
+    const CarriedItem lies{{{PieceShape::box, {}, {0.05F, 0.05F, 0.04F}}},
+                           narrow.base_from_floor * Pose{middle, {}}};
+    const BasketFill fill(narrow, {lies});
+    for (double apart = -0.0045; apart < 0; apart += 0.0005)
+      EXPECT_NEAR(fill.rest_m(held, side * (0.0026 - 0.0324 - apart), 0.01), 0.08, 1e-6) << apart;
+    EXPECT_EQ(fill.rest_m(held, side * (0.0026 - 0.0324 - 0.016), 0.01), 0);
+  }
 }
 
 // In the corners of the box round a bottle that lies askew there is room down to the floor.

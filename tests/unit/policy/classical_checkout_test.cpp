@@ -88,7 +88,7 @@ class Classical : public ::testing::Test {
   // Acts until it stops or a time is over; the arm follows at once, and the fingers shut.
   std::unique_ptr<Policy> act(Eyes& eyes, double until_s, std::vector<Action>& actions) {
     setup_.eyes = &eyes;
-    auto policy = make_classical_checkout(setup_, Seed(1));
+    auto policy = make_classical_checkout(std::move(setup_), Seed(1));
     if (!policy.ok()) fatal(to_string(policy.error()).c_str());
     Observation now = ready_;
     const Task task{"Put the carton there.", 60, {{"carton", 1}}};
