@@ -31,7 +31,8 @@ std::string lines_of(const std::vector<EpisodeResult>& results) {
   return lines;
 }
 
-Result<std::map<std::string, EpisodeResult>> begin_folder(const EvaluationOptions& options) {
+Result<std::map<std::string, EpisodeResult>> begin_folder(const EpisodeFile& episodes,
+                                                          const EvaluationOptions& options) {
   const std::filesystem::path file = options.folder / results_file;
   if (std::filesystem::exists(file) && !options.resume)
     return Error{"store.exists",
@@ -49,6 +50,13 @@ Result<std::map<std::string, EpisodeResult>> begin_folder(const EvaluationOption
                    fmt::format("{} has results of \"{}\": go on with that, or name another folder",
                                file.string(),
                                result.policy)};
+    if (std::ranges::find(episodes.episodes, id, &EpisodeSpec::id) == episodes.episodes.end())
+      return Error{"usage.bad_flag",
+                   "--resume",
+                   fmt::format("{} has a result of {}, which is not among these episodes: go on "
+                               "with the file it is of, or name another folder",
+                               file.string(),
+                               id)};
     kept.push_back(result);
   }
   MARKETGEN_CHECK(write_file(file, lines_of(kept)));
@@ -140,7 +148,7 @@ Result<std::vector<EpisodeResult>> evaluate_with(const EpisodeFile& file,
                                                  const EvaluationOptions& options,
                                                  const std::function<EpisodeRunner()>& make_runner,
                                                  Progress& progress) {
-  MARKETGEN_TRY(const auto finished, begin_folder(options));
+  MARKETGEN_TRY(const auto finished, begin_folder(file, options));
   const std::size_t count = file.episodes.size();
   ResultKeeper keeper(options.folder / results_file, count);
   progress.begin("episodes", count);

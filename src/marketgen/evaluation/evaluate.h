@@ -31,7 +31,8 @@ Result<std::map<std::string, EpisodeResult>> finished_results(const std::filesys
 // of the episodes. The same for any number of jobs, in this process or in workers, wall times
 // apart. An answer that takes too long, or a worker that dies, ends its episode with PolicyError:
 // nothing of it is judged. Errors: store.exists when the folder has results and `resume` is off;
-// usage.bad_flag when these are of another policy; io.*; those of run_episode and WorkerProcess.
+// usage.bad_flag when these are of another policy or of other episodes; io.*; those of run_episode
+// and WorkerProcess.
 Result<std::vector<EpisodeResult>> evaluate(const std::filesystem::path& data,
                                             const EpisodeFile& file,
                                             const Catalog& catalog,

@@ -66,5 +66,19 @@ TEST(Evaluate, ResultsAreNotOverwritten) {
   EXPECT_EQ(refused.error().code, "store.exists");
 }
 
+// A folder's results belong to its file: with another one they would be lost at the end.
+TEST(Evaluate, ResultsOfOtherEpisodesAreKept) {
+  const ScratchFolder scratch;
+  EpisodeResult other;
+  other.episode = "of-another-file";
+  other.policy = "random";
+  const std::string line = write_json_line(other) + "\n";
+  ASSERT_TRUE(write_file(scratch.path() / "results.jsonl", line).ok());
+  const auto refused = evaluated(three_episodes(), scratch.path(), true);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, "usage.bad_flag");
+  EXPECT_EQ(read_file(scratch.path() / "results.jsonl").value(), line);
+}
+
 }  // namespace
 }  // namespace marketgen
