@@ -11,7 +11,6 @@ constexpr double same_pack_m = 0.10;  // between where it is thought to stand an
 constexpr double on_board_m = 0.02, before_edge_m = 0.06;
 constexpr float hidden_m = 0.03F;  // what is measured so far before a pack's front hides it
 constexpr double near_m = 3;
-constexpr double carry_firmness = 2;  // of the force that a grasp needs; it is carried about
 
 Pose base_from_pack(const AisleWorld& world, std::uint32_t row) {
   return inverse(world.world_from_base()) * world.world().product_pose(row);
@@ -112,15 +111,8 @@ Result<std::vector<SeenGrasp>> TrueShelfGrasps::grasps(const ShelfGraspQuestion&
   if (!row) return grasps;
   MARKETGEN_TRY(const auto known, world_.known_grasps(*row, tool_));
   const Pose store_from_product = world_.world().product_pose(*row);
-  for (const GraspCandidate& candidate : known) {
-    SeenGrasp grasp;
-    grasp.base_from_tip = store_from_product * candidate.grasp.product_from_tool;
-    grasp.opening_m = candidate.grasp.opening_m;
-    grasp.force_n = std::min(candidate.grasp.force_n * carry_firmness, tool_.force_n);
-    grasp.width_m = candidate.width_m;
-    grasp.score = candidate.score;
-    grasps.push_back(grasp);
-  }
+  for (const GraspCandidate& candidate : known)
+    grasps.push_back(carried_grasp(store_from_product, candidate, tool_));
   return grasps;
 }
 

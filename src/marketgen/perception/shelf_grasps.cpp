@@ -11,6 +11,18 @@ constexpr double borne_m = 0.03;          // of intrusion; what is deeper is no 
 
 }  // namespace
 
+SeenGrasp carried_grasp(const Pose& base_from_product,
+                        const GraspCandidate& candidate,
+                        const GraspTool& tool) {
+  SeenGrasp grasp;
+  grasp.base_from_tip = base_from_product * candidate.grasp.product_from_tool;
+  grasp.opening_m = candidate.grasp.opening_m;
+  grasp.force_n = std::min(candidate.grasp.force_n * carry_firmness, tool.force_n);
+  grasp.width_m = candidate.width_m;
+  grasp.score = candidate.score;
+  return grasp;
+}
+
 Result<std::vector<SeenGrasp>> FrontGrasps::grasps(const ShelfGraspQuestion& question) const {
   GraspQuery query;
   query.friction = question.known.pad_friction;
@@ -19,14 +31,10 @@ Result<std::vector<SeenGrasp>> FrontGrasps::grasps(const ShelfGraspQuestion& que
                 grasp_candidates(question.known.product, question.known.body, tool_, query));
   std::vector<SeenGrasp> grasps;
   for (const GraspCandidate& candidate : candidates.found) {
-    SeenGrasp grasp;
-    grasp.base_from_tip = question.base_from_product * candidate.grasp.product_from_tool;
-    grasp.opening_m = candidate.grasp.opening_m;
-    grasp.force_n = std::min(candidate.grasp.force_n * carry_firmness, tool_.force_n);
-    grasp.width_m = candidate.width_m;
+    SeenGrasp grasp = carried_grasp(question.base_from_product, candidate, tool_);
     grasp.intrusion_m =
         hand_intrusion(tool_, grasp.base_from_tip, grasp.opening_m, question.others);
-    grasp.score = candidate.score - of_intrusion_per_m * std::min(grasp.intrusion_m, borne_m);
+    grasp.score -= of_intrusion_per_m * std::min(grasp.intrusion_m, borne_m);
     grasps.push_back(grasp);
   }
   std::ranges::stable_sort(grasps, std::greater<>{}, &SeenGrasp::score);
