@@ -1,0 +1,2 @@
+# an empty virtual environment !
+"$NEWCOMER_PYTHON" -m venv "$VENV"

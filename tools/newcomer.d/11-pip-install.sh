@@ -1,0 +1,5 @@
+# pip install . !
+cd "$TREE"
+pip install .
+cd /
+test "$(command -v marketgen)" = "$VENV/bin/marketgen"

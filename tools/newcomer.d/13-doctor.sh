@@ -1,0 +1,3 @@
+# marketgen doctor
+marketgen doctor
+! marketgen doctor | grep "$TREE"
