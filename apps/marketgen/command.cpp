@@ -6,7 +6,7 @@
 #include "base/error_codes.h"
 #include "plan/style_look.h"
 #include "scene/reskin.h"
-#include "scene/scene_file.h"
+#include "store/store.h"
 
 namespace marketgen::app {
 namespace {
@@ -44,7 +44,7 @@ Result<Catalog> load_rows(const std::vector<std::string>& extra) {
 }
 
 Result<Scene> scene_in_skin(const std::string& folder, const std::string& skin) {
-  MARKETGEN_TRY(Scene scene, open_scene(std::filesystem::path(folder) / "scene.bin"));
+  MARKETGEN_TRY(Scene scene, open_store_scene(folder));
   if (skin.empty()) return scene;
   MARKETGEN_TRY(const Catalog catalog, load_rows());
   MARKETGEN_TRY(const StyleRow* style, style_called(catalog, skin, "--skin"));

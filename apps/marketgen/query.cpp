@@ -4,7 +4,7 @@
 #include "command.h"
 #include "io/file.h"
 #include "scene/query.h"
-#include "scene/scene_file.h"
+#include "store/store.h"
 
 namespace marketgen::app {
 namespace {
@@ -15,7 +15,7 @@ struct QueryFlags {
 };
 
 Result<void> query(const QueryFlags& flags) {
-  MARKETGEN_TRY(const Scene scene, open_scene(std::filesystem::path(flags.folder) / "scene.bin"));
+  MARKETGEN_TRY(const Scene scene, open_store_scene(flags.folder));
   MARKETGEN_TRY(const Table table, query_scene(scene, flags.table, flags.where));
   const bool json = flags.common.json || flags.format == "json";
   const std::string text = json ? to_json(table) : to_csv(table);

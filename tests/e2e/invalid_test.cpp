@@ -3,8 +3,8 @@
 //
 // cases.json has one row a fault: args (with {dir} for this folder, {out} for a path that does not
 // exist yet, {store} for a good store, {bad_index} for one whose scene.bin names a product that is
-// not in its catalogue, "hex:" for bytes that JSON cannot hold), the exit status, the error code
-// and a part of the message.
+// not in its catalogue, {changed} for one whose scene.bin is another than its manifest says, "hex:"
+// for bytes that JSON cannot hold), the exit status, the error code and a part of the message.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -13,8 +13,10 @@
 
 #include "base/error_codes.h"
 #include "io/file.h"
+#include "io/json.h"
 #include "scene/scene_file.h"
 #include "small_store.h"
+#include "store/store.h"
 
 namespace marketgen {
 namespace {
@@ -46,9 +48,26 @@ const fs::path& store_with_bad_index() {
   static const fs::path folder = [] {
     Scene scene = open_scene(small_store() / "scene.bin").value();
     scene.products.at(0).sku = 99'999;
-    const fs::path file = scratch.path() / "scene.bin";
-    EXPECT_TRUE(write_file(file, encode_scene(scene)).ok());
+    const std::string bytes = encode_scene(scene);
+    EXPECT_TRUE(write_file(scratch.path() / "scene.bin", bytes).ok());
+    Manifest manifest;
+    manifest.files = {{"scene.bin", sha256_hex(bytes), bytes.size()}};
+    EXPECT_TRUE(write_file(scratch.path() / "store.json", write_json(manifest)).ok());
     return scratch.path();
+  }();
+  return folder;
+}
+
+// A good store with one byte of its scene changed: the coordinate of some product, say, which is
+// still a number.
+const fs::path& changed_store() {
+  static const ScratchFolder scratch;
+  static const fs::path folder = [] {
+    fs::copy(small_store(), scratch.path() / "shop", fs::copy_options::recursive);
+    std::string bytes = contents_of(scratch.path() / "shop/scene.bin");
+    bytes[bytes.size() / 2] ^= 1;
+    EXPECT_TRUE(write_file(scratch.path() / "shop/scene.bin", bytes).ok());
+    return scratch.path() / "shop";
   }();
   return folder;
 }
@@ -66,6 +85,8 @@ std::vector<std::string> arguments_of(const nlohmann::json& row, const fs::path&
       word = replaced(word, "{store}", small_store().string());
     if (word.find("{bad_index}") != std::string::npos)
       word = replaced(word, "{bad_index}", store_with_bad_index().string());
+    if (word.find("{changed}") != std::string::npos)
+      word = replaced(word, "{changed}", changed_store().string());
     arguments.push_back(word);
   }
   return arguments;

@@ -69,15 +69,15 @@ Result<GltfJson> GlbMaterials::textured(const MaterialRow& material) {
   MARKETGEN_TRY(const std::string color, encode_png(draw_material(material, color_px)));
   MARKETGEN_TRY(const std::string normal, encode_png(relief.normal));
   MARKETGEN_TRY(const std::string gloss, encode_png(metallic_roughness(relief)));
-  GltfJson gltf{{"name", material.id}};
-  GltfJson& pbr = gltf["pbrMetallicRoughness"];
-  pbr["baseColorTexture"] = {{"index", document_.add_texture(color)}};
-  pbr["metallicRoughnessTexture"] = {{"index", document_.add_texture(gloss)}};
+  // A value of its own until it is whole: a reference into an ordered object does not outlive the
+  // next insertion.
+  GltfJson pbr{{"baseColorTexture", {{"index", document_.add_texture(color)}}},
+               {"metallicRoughnessTexture", {{"index", document_.add_texture(gloss)}}}};
+  const bool clear = material.transmission > 0;
+  if (clear) pbr["baseColorFactor"] = {1, 1, 1, 1 - material.transmission};
+  GltfJson gltf{{"name", material.id}, {"pbrMetallicRoughness", std::move(pbr)}};
   gltf["normalTexture"] = {{"index", document_.add_texture(normal)}};
-  if (material.transmission > 0) {
-    pbr["baseColorFactor"] = {1, 1, 1, 1 - material.transmission};
-    gltf["alphaMode"] = "BLEND";
-  }
+  if (clear) gltf["alphaMode"] = "BLEND";
   return gltf;
 }
 

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -262,46 +264,83 @@ Result<void> read_value(const Json& json,
   return {};
 }
 
-// Parses with limits on nesting and refuses duplicate keys, which nlohmann's reader would silently
-// merge.
-Result<Json> parse(std::string_view text, const std::string& source) {
-  std::vector<std::set<std::string>> keys;
-  std::string duplicate;
-  bool too_deep = false;
-  const auto watch = [&](int depth, Json::parse_event_t event, Json& value) {
-    if (depth > static_cast<int>(max_nesting)) too_deep = true;
-    if (event == Json::parse_event_t::object_start) keys.emplace_back();
-    if (event == Json::parse_event_t::object_end) keys.pop_back();
-    if (event == Json::parse_event_t::key) {
-      const std::string& key = value.get_ref<const std::string&>();
-      if (!keys.back().insert(key).second && duplicate.empty()) duplicate = key;
-    }
-    return !too_deep;
-  };
-  try {
-    Json json = Json::parse(text, watch, true, false);
-    if (too_deep)
-      return Error{"json.too_deep", source, fmt::format("nested more than {} deep", max_nesting)};
-    if (!duplicate.empty())
-      return Error{"json.duplicate_key",
-                   source,
-                   fmt::format("key \"{}\" stands twice in one object", duplicate)};
-    return json;
-  } catch (const Json::parse_error& e) {
-    const std::size_t at = std::min<std::size_t>(e.byte == 0 ? 0 : e.byte - 1, text.size());
-    const auto line =
-        1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-    const std::string what = e.what();
-    const std::size_t colon = what.find(": ", what.find("parse error"));
-    return Error{"json.syntax",
-                 fmt::format("{}:{}", source, line),
-                 colon == std::string::npos ? what : what.substr(colon + 2)};
-  } catch (const Json::exception& e) {  // a number that does not fit, for instance
-    const std::string what = e.what();  // "[json.exception.out_of_range.406] number overflow ..."
-    const std::size_t bracket = what.find("] ");
-    return Error{
-        "json.syntax", source, bracket == std::string::npos ? what : what.substr(bracket + 2)};
+// What the parser's events say against a text: nesting and keys that stand twice, which nlohmann's
+// reader would silently merge. Each event costs the same, however long the list that it stands in:
+// the reader's own callback looks through the whole list at the end of every object.
+class Watcher : public nlohmann::json_sax<Json> {
+ public:
+  explicit Watcher(std::string_view text, const std::string& source)
+      : text_(text), source_(source) {}
+
+  // Precondition: the text was refused.
+  const Error& fault() const { return *fault_; }
+
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t, const string_t&) override { return true; }
+  bool string(string_t&) override { return true; }
+  bool binary(binary_t&) override { return true; }
+
+  bool start_object(std::size_t) override {
+    keys_.emplace_back();
+    return deeper();
   }
+  bool start_array(std::size_t) override { return deeper(); }
+  bool end_object() override {
+    keys_.pop_back();
+    --depth_;
+    return true;
+  }
+  bool end_array() override {
+    --depth_;
+    return true;
+  }
+  bool key(string_t& key) override {
+    if (keys_.back().insert(key).second) return true;
+    return refuse(
+        {"json.duplicate_key", source_, fmt::format("key \"{}\" stands twice in one object", key)});
+  }
+
+  bool parse_error(std::size_t position, const std::string&, const Json::exception& e) override {
+    const std::string what = e.what();
+    if (dynamic_cast<const Json::parse_error*>(&e) == nullptr) {
+      // A number that does not fit: "[json.exception.out_of_range.406] number overflow ..."
+      const std::size_t bracket = what.find("] ");
+      return refuse(
+          {"json.syntax", source_, bracket == std::string::npos ? what : what.substr(bracket + 2)});
+    }
+    const std::size_t at = std::min<std::size_t>(position == 0 ? 0 : position - 1, text_.size());
+    const auto line =
+        1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+    const std::size_t colon = what.find(": ", what.find("parse error"));
+    return refuse({"json.syntax",
+                   fmt::format("{}:{}", source_, line),
+                   colon == std::string::npos ? what : what.substr(colon + 2)});
+  }
+
+ private:
+  bool deeper() {
+    if (++depth_ <= max_nesting) return true;
+    return refuse({"json.too_deep", source_, fmt::format("nested more than {} deep", max_nesting)});
+  }
+  bool refuse(Error error) {
+    fault_ = std::move(error);
+    return false;
+  }
+
+  std::string_view text_;
+  const std::string& source_;
+  std::vector<std::set<std::string>> keys_;  // of every open object
+  std::size_t depth_ = 0;
+  std::optional<Error> fault_;
+};
+
+Result<Json> parse(std::string_view text, const std::string& source) {
+  Watcher watcher(text, source);
+  if (!Json::sax_parse(text, &watcher)) return watcher.fault();
+  return Json::parse(text);
 }
 
 }  // namespace

@@ -1,5 +1,8 @@
+#include <algorithm>
+
 #include <fmt/format.h>
 
+#include "catalog/own_mesh.h"
 #include "io/file.h"
 #include "io/json.h"
 #include "physics/settle.h"
@@ -16,6 +19,10 @@ Result<Document> read_document(const fs::path& file) {
   return read_json<Document>(text, file.string());
 }
 
+std::string_view text_of(const MappedFile& file) {
+  return {reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size()};
+}
+
 Result<Manifest> read_manifest(const fs::path& folder) {
   std::error_code failed;
   if (!fs::exists(folder, failed))
@@ -29,13 +36,58 @@ Result<Manifest> read_manifest(const fs::path& folder) {
   return read_document<Manifest>(folder / "store.json");
 }
 
+Error changed(const fs::path& path, std::string what) {
+  return {"store.changed",
+          path.string(),
+          std::move(what) + "; restore the file or generate the store again"};
+}
+
+// The bytes of one of the store's files, if they are those that the manifest was written for.
+Result<MappedFile> open_unchanged(const fs::path& folder, const FileDigest& file) {
+  const fs::path path = folder / file.path;
+  if (fs::path(file.path).is_absolute() || file.path.find("..") != std::string::npos)
+    return Error{"store.changed", file.path, "the manifest names a file outside the store"};
+  std::error_code failed;
+  if (!fs::exists(path, failed))
+    return changed(path, "the manifest names this file, but it is gone");
+  MARKETGEN_TRY(MappedFile mapped, MappedFile::open(path));
+  const std::string found = sha256_hex(text_of(mapped));
+  if (found == file.sha256) return mapped;
+  return changed(path,
+                 fmt::format("SHA-256 is {}..., the manifest says {}...",
+                             found.substr(0, 12),
+                             file.sha256.substr(0, 12)));
+}
+
+Result<MappedFile> open_unchanged(const fs::path& folder,
+                                  const Manifest& manifest,
+                                  std::string_view name) {
+  const auto file = std::ranges::find(manifest.files, name, &FileDigest::path);
+  if (file == manifest.files.end())
+    return changed(folder / "store.json", fmt::format("names no {}", name));
+  return open_unchanged(folder, *file);
+}
+
+Result<Scene> scene_of(const fs::path& folder, const Manifest& manifest) {
+  MARKETGEN_TRY(const MappedFile file, open_unchanged(folder, manifest, "scene.bin"));
+  MARKETGEN_TRY(Scene scene, decode_scene(file.bytes(), (folder / "scene.bin").string()));
+  // Meshes are called after their own digests, and are read only when those are right.
+  MARKETGEN_CHECK(restore_meshes(scene.catalog, folder));
+  return scene;
+}
+
 }  // namespace
+
+Result<Scene> open_store_scene(const fs::path& folder) {
+  MARKETGEN_TRY(const Manifest manifest, read_manifest(folder));
+  return scene_of(folder, manifest);
+}
 
 Result<Store> open_store(const fs::path& folder, const Catalog& catalog) {
   MARKETGEN_TRY(Manifest manifest, read_manifest(folder));
-  MARKETGEN_TRY(const std::string plan_text, read_file(folder / "plan.json"));
-  MARKETGEN_TRY(Plan plan, read_plan(plan_text, (folder / "plan.json").string(), catalog));
-  MARKETGEN_TRY(Scene scene, open_scene(folder / "scene.bin"));
+  MARKETGEN_TRY(const MappedFile plan_file, open_unchanged(folder, manifest, "plan.json"));
+  MARKETGEN_TRY(Plan plan, read_plan(text_of(plan_file), (folder / "plan.json").string(), catalog));
+  MARKETGEN_TRY(Scene scene, scene_of(folder, manifest));
   return Store{folder, std::move(manifest), std::move(plan), std::move(scene)};
 }
 
@@ -45,28 +97,14 @@ Result<StoreReport> read_report(const fs::path& folder) {
 
 Result<void> verify_store(const fs::path& folder, const Catalog& catalog) {
   MARKETGEN_TRY(const Manifest manifest, read_manifest(folder));
-  for (const FileDigest& file : manifest.files) {
-    const fs::path path = folder / file.path;
-    if (fs::path(file.path).is_absolute() || file.path.find("..") != std::string::npos) {
-      return Error{"store.changed", file.path, "the manifest names a file outside the store"};
-    }
-    if (!fs::exists(path))
-      return Error{"store.changed", path.string(), "the manifest names this file, but it is gone"};
-    MARKETGEN_TRY(const std::string found, sha256_of_file(path));
-    if (found != file.sha256) {
-      return Error{"store.changed",
-                   path.string(),
-                   fmt::format("SHA-256 is {}..., the manifest says {}...",
-                               found.substr(0, 12),
-                               file.sha256.substr(0, 12))};
-    }
-  }
+  for (const FileDigest& file : manifest.files)
+    MARKETGEN_CHECK(open_unchanged(folder, file));
   MARKETGEN_TRY(const Store store, open_store(folder, catalog));
   const std::string hash = scene_hash(store.scene);
   if (hash != manifest.scene_hash) {
-    return Error{"store.changed",
-                 (folder / "scene.bin").string(),
-                 fmt::format("scene_hash is {}, the manifest says {}", hash, manifest.scene_hash)};
+    return changed(
+        folder / "scene.bin",
+        fmt::format("scene_hash is {}, the manifest says {}", hash, manifest.scene_hash));
   }
   return {};
 }

@@ -127,9 +127,11 @@ struct Store {
   Plan plan;
   Scene scene;
 };
-// Reads manifest, plan and scene; verifies scene.bin, not the digests. Errors: store.not_a_store,
-// scene.*, json.*.
+// Reads manifest, plan and scene; each file that is read must have the digest that the manifest
+// says. Errors: store.not_a_store, store.changed, scene.*, json.*.
 Result<Store> open_store(const std::filesystem::path& folder, const Catalog& catalog);
+// The scene alone, verified alike.
+Result<Scene> open_store_scene(const std::filesystem::path& folder);
 Result<StoreReport> read_report(const std::filesystem::path& folder);
 // Every file against its digest, scene against its hash. Error: store.changed with the file's name.
 Result<void> verify_store(const std::filesystem::path& folder, const Catalog& catalog);

@@ -98,6 +98,23 @@ TEST_F(Glb, TiledMaterialsHaveReliefAndGloss) {
   EXPECT_EQ(found, 1);
 }
 
+// A clear material has values beside its textures: all of them are in the file.
+TEST_F(Glb, AFloorOfGlassIsSeenThrough) {
+  lay_tiles(made_.scene);
+  made_.scene.materials.back().transmission = 0.75;
+  const tinygltf::Model model = exported();
+  int found = 0;
+  for (const tinygltf::Material& material : model.materials) {
+    if (material.name != "tile-test") continue;
+    ++found;
+    EXPECT_EQ(material.alphaMode, "BLEND");
+    EXPECT_EQ(material.pbrMetallicRoughness.baseColorFactor.at(3), 0.25);
+    EXPECT_GE(material.pbrMetallicRoughness.baseColorTexture.index, 0);
+    EXPECT_GE(material.normalTexture.index, 0);
+  }
+  EXPECT_EQ(found, 1);
+}
+
 TEST_F(Glb, PlainInstancesNeedNoExtension) {
   ExportOptions options;
   options.plain_instances = true;

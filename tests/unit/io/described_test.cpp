@@ -1,6 +1,8 @@
 // JSON, schemas and FlatBuffers of described structs.
 #include <gtest/gtest.h>
 
+#include <chrono>
+
 #include <cstring>
 
 #include "io/flatbuffer.h"
@@ -151,6 +153,34 @@ TEST(Json, RefusesDeepNestingWithoutOverflow) {
   const auto read = read_json<Sample>(std::string(100'000, '['), "f");
   ASSERT_FALSE(read.ok());
   EXPECT_TRUE(read.error().code == "json.too_deep" || read.error().code == "json.syntax");
+}
+
+// Reading costs in proportion to the text: what looked through the list at the end of every object
+// took minutes for this one.
+TEST(Json, AListOfAMillionObjectsIsReadInTime) {
+  std::string text = R"({"id": "a", "points": [{})";
+  for (int i = 1; i < 1'200'000; ++i)
+    text += ",{}";
+  text += "]}";
+  const auto start = std::chrono::steady_clock::now();
+  const auto read = read_json<Sample>(text, "f");
+  const auto took = std::chrono::steady_clock::now() - start;
+  ASSERT_FALSE(read.ok());
+  EXPECT_EQ(read.error().message, "the list has 1200000 entries; at most 100000 are allowed");
+  EXPECT_LT(took, std::chrono::seconds(10));
+}
+
+TEST(Json, WatchesKeysAndNestingAtAnyDepth) {
+  const std::string lists(64, '['), ends(64, ']');
+  EXPECT_EQ((read_json<Sample>(lists + "1" + ends, "f").error().code), "json.wrong_type");
+  EXPECT_EQ((read_json<Sample>("[" + lists + "1" + ends + "]", "f").error().code), "json.too_deep");
+  const auto same_in_two = read_json<Sample>(R"({"id": "a", "points": [{"x": 1}, {"x": 1}]})", "f");
+  EXPECT_TRUE(same_in_two.ok());
+  const auto twice = read_json<Sample>(R"({"id": "a", "points": [{}, {"x": 1, "x": 2}]})", "f");
+  ASSERT_FALSE(twice.ok());
+  EXPECT_EQ(twice.error().code, "json.duplicate_key");
+  EXPECT_EQ((read_json<Sample>(R"({"id": "a", "levels": 1e999})", "f").error().code),
+            "json.syntax");
 }
 
 TEST(Json, NullIsAbsentOnlyForOptionals) {

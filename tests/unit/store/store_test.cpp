@@ -139,6 +139,41 @@ TEST_F(StoreFolder, AChangedByteIsSeenInEveryFile) {
   EXPECT_TRUE(verify_store(parent_ / "shop", committed_catalog()).ok());
 }
 
+// Opening looks at what it reads: a number that was changed into another is no fault of format.
+TEST_F(StoreFolder, OpeningRefusesAChangedFile) {
+  create(tiny());
+  for (const char* name : {"plan.json", "scene.bin"}) {
+    const fs::path path = parent_ / "shop" / name;
+    const std::string good = text_of(path);
+    std::string bad = good;
+    bad[bad.size() / 2] ^= 1;
+    std::ofstream(path, std::ios::binary) << bad;
+    const auto store = open_store(parent_ / "shop", committed_catalog());
+    ASSERT_FALSE(store.ok()) << name;
+    EXPECT_EQ(store.error().code, "store.changed") << name;
+    EXPECT_NE(store.error().where.find(name), std::string::npos) << store.error().where;
+    EXPECT_NE(store.error().message.find("restore the file or generate the store again"),
+              std::string::npos);
+    EXPECT_EQ(open_store_scene(parent_ / "shop").ok(), name == std::string("plan.json"));
+    std::ofstream(path, std::ios::binary) << good;
+  }
+  EXPECT_TRUE(open_store(parent_ / "shop", committed_catalog()).ok());
+}
+
+TEST_F(StoreFolder, OpeningNeedsWhatTheManifestLists) {
+  create(tiny());
+  const fs::path path = parent_ / "shop/store.json";
+  std::string text = text_of(path);
+  const std::size_t at = text.find("\"scene.bin\"");
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, 11, "\"other.bin\"");
+  std::ofstream(path) << text;
+  const auto scene = open_store_scene(parent_ / "shop");
+  ASSERT_FALSE(scene.ok());
+  EXPECT_EQ(scene.error().code, "store.changed");
+  EXPECT_NE(scene.error().message.find("names no scene.bin"), std::string::npos);
+}
+
 TEST_F(StoreFolder, AMissingFileIsAChange) {
   create(tiny());
   fs::remove(parent_ / "shop/planogram.csv");
