@@ -55,6 +55,23 @@ void print_summary(const EvaluationSummary& summary) {
              summary.mean_wall_s);
   for (const FailureCount& failure : summary.failures)
     fmt::print("{:<12}{}\n", name_of(failure.failure), failure.episodes);
+  for (const ErrorCount& count : summary.errors)
+    fmt::print(
+        "not run     {} ({}): they are in none of these shares\n", count.episodes, count.error);
+}
+
+// Episodes that could not be run: the summary stands, and the caller is told. The first of them.
+Result<void> check_all_run(const std::vector<EpisodeResult>& results, const EvalFlags& flags) {
+  const auto failed = [](const EpisodeResult& result) { return !result.error.empty(); };
+  const auto first = std::ranges::find_if(results, failed);
+  if (first == results.end()) return {};
+  return Error{first->error,
+               first->episode,
+               fmt::format("{} of {} episodes could not be run; {} says why, of this one: {}",
+                           std::ranges::count_if(results, failed),
+                           results.size(),
+                           (std::filesystem::path(flags.output) / "results.jsonl").string(),
+                           first->detail)};
 }
 
 // The eyes of `classical` by themselves, against the truth.
@@ -79,7 +96,8 @@ Result<void> eval_perception(const EvalFlags& flags) {
   return {};
 }
 
-// This program once more, as a worker of ours with its share of the threads.
+// This program once more, as a worker of ours with its share of the threads. It is told its
+// episodes; their file's name is for whoever looks at a list of processes.
 std::vector<std::string> worker_command(const EvalFlags& flags, int jobs) {
   std::error_code failed;
   return {std::filesystem::read_symlink("/proc/self/exe", failed).string(),
@@ -114,12 +132,12 @@ Result<void> eval(const EvalFlags& given) {
   if (given.perception) return eval_perception(given);
   MARKETGEN_TRY(const EvalFlags flags, with_truth(given));
   const ThreadLimit limit(flags.common.threads);
-  MARKETGEN_TRY(const EpisodeFile file, read_episode_file(flags.episodes));
   MARKETGEN_TRY(const std::filesystem::path data, data_folder());
   MARKETGEN_TRY(const Catalog catalog, load_rows());
-  if (flags.worker) return serve_episodes(data, file, catalog, flags.policy);
+  if (flags.worker) return serve_episodes(data, catalog, flags.policy);
   if (flags.output.empty())
     return Error{"usage.bad_flag", "--output", "name a folder for the results"};
+  MARKETGEN_TRY(const EpisodeFile file, read_episode_file(flags.episodes));
   MARKETGEN_TRY(
       const std::vector<EpisodeResult> results,
       marketgen::evaluate(data, file, catalog, options_of(flags), progress_for(flags.common)));
@@ -128,7 +146,7 @@ Result<void> eval(const EvalFlags& given) {
     fmt::print("{}", write_json(summary));
   else if (!flags.common.quiet)
     print_summary(summary);
-  return {};
+  return check_all_run(results, flags);
 }
 
 }  // namespace
@@ -136,7 +154,10 @@ Result<void> eval(const EvalFlags& given) {
 Run add_eval(CLI::App& app) {
   auto flags = std::make_shared<EvalFlags>();
   CLI::App* command = app.add_subcommand("eval", "Run episodes with a policy, in physics");
-  command->add_option("--episodes", flags->episodes, "file of `marketgen episodes`")->required();
+  command
+      ->add_option(
+          "--episodes", flags->episodes, "file of `marketgen episodes`; - = standard input")
+      ->required();
   command
       ->add_option("--policy",
                    flags->policy,

@@ -53,19 +53,39 @@ Result<EpisodeSpec> episode_named(const EpisodeFile& file, const std::string& na
                            ids.size())};
 }
 
-// Error episode.not_repeated: the states at the end differ.
-Result<void> compare(const ReplayFlags& flags, const EpisodeResult& result) {
-  if (flags.results.empty()) return {};
+// The kept result with which the run will be compared; nothing when none was named. Errors: those
+// of finished_results; episode.not_repeated when it cannot be compared with.
+Result<std::optional<EpisodeResult>> kept_result(const ReplayFlags& flags,
+                                                 const EpisodeHeader& header,
+                                                 const EpisodeSpec& spec) {
+  if (flags.results.empty()) return std::optional<EpisodeResult>();
   MARKETGEN_TRY(const auto kept, finished_results(flags.results));
-  const auto before = kept.find(result.episode);
-  if (before == kept.end())
-    return Error{"episode.not_repeated", flags.results, "has no result of " + result.episode};
-  if (before->second.state_hash != result.state_hash)
+  const auto before = kept.find(spec.id);
+  const auto fault = [&](std::string why) {
+    return Error{"episode.not_repeated", flags.results, std::move(why)};
+  };
+  if (before == kept.end()) return fault("has no result of " + spec.id);
+  const EpisodeResult& result = before->second;
+  if (result.policy != flags.policy)
+    return fault(
+        fmt::format("{} was run by \"{}\": name it with --policy", spec.id, result.policy));
+  if (!result.episode_hash.empty() && result.episode_hash != episode_hash(header, spec))
+    return fault(spec.id + " has changed since it was run: take the file that it is of");
+  if (result.state_hash.empty())
+    return fault(fmt::format("{} was not run to its end: {}", spec.id, result.detail));
+  return std::optional(result);
+}
+
+// Error episode.not_repeated: the states at the end differ.
+Result<void> compare(const ReplayFlags& flags,
+                     const EpisodeResult& before,
+                     const EpisodeResult& result) {
+  if (before.state_hash != result.state_hash)
     return Error{"episode.not_repeated",
                  result.episode,
-                 fmt::format("ended in state {}, before in {}: another policy, version or machine",
+                 fmt::format("ended in state {}, before in {}: another version or machine",
                              result.state_hash,
-                             before->second.state_hash)};
+                             before.state_hash)};
   if (!flags.common.quiet) fmt::print("the same    {}\n", result.state_hash);
   return {};
 }
@@ -74,6 +94,7 @@ Result<void> replay_episode(const ReplayFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
   MARKETGEN_TRY(const EpisodeFile file, read_episode_file(flags.episodes));
   MARKETGEN_TRY(const EpisodeSpec spec, episode_named(file, flags.episode));
+  MARKETGEN_TRY(const auto before, kept_result(flags, file.header, spec));
   MARKETGEN_TRY(const std::filesystem::path data, data_folder());
   MARKETGEN_TRY(const Catalog catalog, load_rows());
   Arena arena(data, file.header, catalog);
@@ -97,7 +118,7 @@ Result<void> replay_episode(const ReplayFlags& flags) {
                result.goals.size(),
                result.simulated_s,
                name_of(result.failure));
-  return compare(flags, result);
+  return before ? compare(flags, *before, result) : Result<void>();
 }
 
 }  // namespace
@@ -105,7 +126,10 @@ Result<void> replay_episode(const ReplayFlags& flags) {
 Run add_replay(CLI::App& app) {
   auto flags = std::make_shared<ReplayFlags>();
   CLI::App* command = app.add_subcommand("replay", "Run one episode again, and film it");
-  command->add_option("--episodes", flags->episodes, "file of `marketgen episodes`")->required();
+  command
+      ->add_option(
+          "--episodes", flags->episodes, "file of `marketgen episodes`; - = standard input")
+      ->required();
   command->add_option("--episode", flags->episode, "its id, or its number from 0 on")->required();
   command->add_option("--policy", flags->policy, "who acts")->capture_default_str();
   command->add_option("--results", flags->results, "results.jsonl with which it is compared");

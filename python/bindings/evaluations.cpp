@@ -1,6 +1,10 @@
 // Evaluations for marketgen/evaluation.py: with the policies of the program, and with Python's.
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
+
+#include <tuple>
 
 #include "assets/usable_catalog.h"
 #include "base/parallel.h"
@@ -9,6 +13,7 @@
 #include "evaluation/evaluate.h"
 #include "io/file.h"
 #include "io/json.h"
+#include "io/process_group.h"
 
 namespace marketgen::python {
 namespace {
@@ -22,16 +27,17 @@ EvaluationOptions options_of(const std::string& policy,
   return options;
 }
 
-// `worker`: a command that calls serve_episodes(), or nothing.
+// `worker`: a command that calls serve_episodes(), or nothing. `limits_s`: for an answer of the
+// policy, and until a worker is ready.
 void evaluate(const std::string& episodes,
               const std::string& policy,
               const std::string& folder,
               bool resume,
               int jobs,
               const std::vector<std::string>& worker,
-              double act_limit_s) {
+              const std::pair<double, double>& limits_s) {
   EvaluationOptions options = options_of(policy, folder, resume, jobs);
-  options.act_limit_s = act_limit_s;
+  std::tie(options.act_limit_s, options.start_limit_s) = limits_s;
   options.worker = worker;
   value_or_raise(without_interpreter([&]() -> Result<std::vector<EpisodeResult>> {
     MARKETGEN_TRY(const EpisodeFile file, read_episode_file(episodes));
@@ -41,13 +47,12 @@ void evaluate(const std::string& episodes,
   }));
 }
 
-void serve(const std::string& episodes, const std::string& policy, int threads) {
+void serve(const std::string& policy, int threads) {
   check_or_raise(without_interpreter([&]() -> Result<void> {
     const ThreadLimit limit(threads);
-    MARKETGEN_TRY(const EpisodeFile file, read_episode_file(episodes));
     MARKETGEN_TRY(const std::filesystem::path data, data_folder());
     MARKETGEN_TRY(const Catalog catalog, usable_catalog());
-    return serve_episodes(data, file, catalog, policy);
+    return serve_episodes(data, catalog, policy);
   }));
 }
 
@@ -91,7 +96,7 @@ void evaluate_with(const std::string& episodes,
     } catch (nb::python_error& raised) {
       fault = error_of(raised);
     }
-    return [runner, fault](std::size_t, const EpisodeSpec& spec) -> Result<EpisodeResult> {
+    return [runner, fault](const EpisodeSpec& spec) -> Result<EpisodeResult> {
       if (!runner) return fault;
       const nb::gil_scoped_acquire taken;
       try {
@@ -108,9 +113,22 @@ void evaluate_with(const std::string& episodes,
   }));
 }
 
+ProcessGroup started(const std::vector<std::string>& command, const std::array<int, 3>& ends) {
+  return value_or_raise(ProcessGroup::start(command, ends));
+}
+
 }  // namespace
 
 void add_evaluations(nb::module_& module) {
+  nb::class_<ProcessGroup>(module, "ProcessGroup")
+      .def("is_over", &ProcessGroup::is_over)
+      .def("end", [](ProcessGroup& group) { return end_of_program(group.end()); })
+      .def(
+          "wait",
+          [](ProcessGroup& group, double limit_s) { return end_of_program(group.wait(limit_s)); },
+          nb::call_guard<nb::gil_scoped_release>());
+  module.def("check_interrupt", [] { check_or_raise(check_interrupt()); });
+  module.def("start_process_group", &started);
   module.def("evaluate", &evaluate);
   module.def("evaluate_with", &evaluate_with);
   module.def("serve_episodes", &serve);

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import contextlib
 import copy
 import dataclasses
 import importlib.util
 import json
 import os
 import pathlib
+import shutil
 import sys
+import tempfile
 import time
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, Protocol, Unpack
 
 import numpy as np
@@ -60,6 +64,7 @@ def evaluate(
     jobs: int = 0,
     resume: bool = False,
     act_limit_s: float = 120.0,
+    start_limit_s: float = 120.0,
     **options: Unpack[TaskOptions],
 ) -> Evaluation:
     """Runs the episodes of a file with a policy; `marketgen eval` from Python.
@@ -71,51 +76,86 @@ def evaluate(
     resume       go on with a run that was broken off
     act_limit_s  wall time for one answer; one that takes longer ends its episode with PolicyError. The policy then acts in
                  a process of its own, and one written in Python must be picklable. 0: no limit, all in this process
+    start_limit_s  wall time until that process is ready; a policy that takes longer over its imports ends the run
     options      of a policy written in Python, as of the environments: obs_mode, control_mode, cameras, width, height, quality
 
     A policy that raises, hangs, crashes its process or gives what is no action has failed in that episode (PolicyError, with
-    the reason in `detail`), and the next one follows. Raises Error store.exists, episode.*, usage.bad_flag.
+    the reason in `detail`), and the next one follows. An episode that cannot be run is a result with `error`; it counts in no
+    share. Ctrl-C keeps what was finished. Raises Error store.exists, io.in_use, episode.*, usage.bad_flag.
     """
-    path, into = os.path.abspath(os.fspath(episodes)), os.path.abspath(os.fspath(folder))
-    if isinstance(policy, str):
-        if options:
-            raise Error("usage.bad_flag", ", ".join(options), f"the program's own policy {policy!r} takes no such options")
-        worker = _worker_command(path, policy, jobs) if act_limit_s > 0 else []
-        _core.evaluate(path, policy, into, resume, jobs, worker, act_limit_s)
-    else:
-        _evaluate_python(path, policy, into, resume, jobs, act_limit_s, options)
+    into = os.path.abspath(os.fspath(folder))
+    with _read_once(os.path.abspath(os.fspath(episodes))) as path:
+        _run(path, policy, into, resume, jobs, (act_limit_s, start_limit_s), options)
     lines = (pathlib.Path(into) / "results.jsonl").read_text(encoding="utf-8").splitlines()
     summary = json.loads((pathlib.Path(into) / "summary.json").read_text(encoding="utf-8"))
     return Evaluation([json.loads(line) for line in lines], summary, into)
 
 
-def _worker_command(path: str, policy: str, jobs: int) -> list[str]:
+@contextlib.contextmanager
+def _read_once(path: str) -> Iterator[str]:
+    """The file itself; what can be read but once, as a pipe, as a file."""
+    if os.path.isfile(path) or not os.path.exists(path):
+        yield path
+        return
+    with tempfile.TemporaryDirectory(prefix="marketgen-") as folder:
+        copy_of_it = os.path.join(folder, os.path.basename(path))
+        with open(path, "rb") as told, open(copy_of_it, "wb") as kept:
+            shutil.copyfileobj(told, kept)
+        yield copy_of_it
+
+
+def _run(
+    path: str,
+    policy: Any,
+    into: str,
+    resume: bool,
+    jobs: int,
+    limits_s: tuple[float, float],
+    options: dict[str, Any],
+) -> None:
+    if isinstance(policy, str):
+        if options:
+            raise Error("usage.bad_flag", ", ".join(options), f"the program's own policy {policy!r} takes no such options")
+        worker = _worker_command(policy, jobs) if limits_s[0] > 0 else []
+        _core.evaluate(path, policy, into, resume, jobs, worker, limits_s)
+    else:
+        _evaluate_python(path, policy, into, resume, jobs, limits_s, options)
+
+
+def _worker_command(policy: str, jobs: int) -> list[str]:
     """This Python once more, with this package."""
     threads = max(1, _core.thread_count() // (jobs or _core.thread_count()))
     package = str(pathlib.Path(__file__).parents[1])
     program = (
         "import sys; sys.path.insert(0, sys.argv[1]); from marketgen import _core; "
-        "_core.serve_episodes(sys.argv[2], sys.argv[3], int(sys.argv[4]))"
+        "_core.serve_episodes(sys.argv[2], int(sys.argv[3]))"
     )
-    return [sys.executable, "-c", program, package, path, policy, str(threads)]
+    return [sys.executable, "-c", program, package, policy, str(threads)]
 
 
 def _evaluate_python(
-    path: str, policy: Any, into: str, resume: bool, jobs: int, act_limit_s: float, options: dict[str, Any]
+    path: str,
+    policy: Any,
+    into: str,
+    resume: bool,
+    jobs: int,
+    limits_s: tuple[float, float],
+    options: dict[str, Any],
 ) -> None:
     if not callable(getattr(policy, "act", None)) and not callable(policy):
         raise Error("usage.bad_flag", "policy", f"{policy!r} is no name, has no act() and cannot be called")
     if options.get("segmentation"):
         raise Error("usage.bad_flag", "segmentation", "object numbers are the truth: they are refused in evaluation")
     name = getattr(policy, "name", None) or getattr(policy, "__name__", None) or type(policy).__name__
-    if act_limit_s > 0:
-        PolicyProcess(policy, act_limit_s)  # said here, once, if it cannot be pickled
+    apart = limits_s[0] > 0
+    if apart:
+        PolicyProcess(policy, *limits_s)  # said here, once, if it cannot be pickled
     if importlib.util.find_spec("gymnasium") is None:
         raise Error("usage.unavailable", "policy", "policies in Python need Gymnasium: pip install gymnasium")
     stages = _Stages(path, options)
 
     def make_runner():
-        player = PolicyProcess(policy, act_limit_s) if act_limit_s > 0 else PolicyHere(copy.deepcopy(policy))
+        player = PolicyProcess(policy, *limits_s) if apart else PolicyHere(copy.deepcopy(policy))
         return _Runner(str(name), player, stages)
 
     _core.evaluate_with(path, str(name), into, resume, jobs, make_runner)
@@ -171,6 +211,7 @@ class _Runner:
         self._player.ask("begin", task, seen)
         over = False
         while not over:
+            _core.check_interrupt()
             action = self._player.ask("act", seen)
             try:
                 seen, _, terminated, truncated, _ = env.step(action)

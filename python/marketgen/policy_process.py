@@ -1,20 +1,32 @@
 """Policies written in Python, in this process or in one of their own.
 
 One that never answers cannot be stopped from inside its own process (a thread cannot be killed); a process can. So with a
-limit the policy is pickled into a new process, and that is ended when an answer takes too long.
+limit the policy is pickled into a new process, and that is ended when an answer takes too long, with whatever the policy has
+started. It ends with this process, too, however this one ends.
 """
 
 from __future__ import annotations
 
 import multiprocessing
+import multiprocessing.connection
+import multiprocessing.spawn
+import os
+import pathlib
 import pickle
+import socket
+import struct
 import time
 import traceback
 from typing import Any
 
+from . import _core
 from .errors import Error
 
-FIRST_WORD_S = 120.0  # a new process imports what the policy needs
+LOOK_UP_S = 0.2  # how often an interrupt is looked for
+GRACE_S = 1.0  # that a process which has closed its end may take to end
+
+# The inside of the process; its standard input is the connection.
+PROGRAM = "import sys; sys.path.insert(0, sys.argv[1]); from marketgen.policy_process import serve; serve()"
 
 
 class PolicyFailed(Exception):
@@ -59,9 +71,16 @@ class PolicyHere:
         pass
 
 
-def _serve(connection: Any, pickled: bytes) -> None:
+def serve() -> None:
     """The inside of the process: ("ok", answer) or ("error", text) for each call."""
+    connection = multiprocessing.connection.Connection(os.dup(0))
+    null = os.open(os.devnull, os.O_RDONLY)
+    os.dup2(null, 0)
+    os.close(null)
+    connection.send(("ok", None))
     try:
+        about_main, pickled = connection.recv()
+        _import_main(about_main)
         policy = ready(pickle.loads(pickled))
     except Exception as fault:
         connection.send(("error", _said(fault)))
@@ -78,10 +97,26 @@ def _serve(connection: Any, pickled: bytes) -> None:
             connection.send(("error", _said(fault)))
 
 
+def _about_main() -> dict[str, Any]:
+    """What another process needs to find what this one's script defines; as multiprocessing has it."""
+    about = multiprocessing.spawn.get_preparation_data("policy")
+    about.pop("authkey")  # a secret of this process
+    return about
+
+
+def _import_main(about: dict[str, Any]) -> None:
+    process: Any = multiprocessing.current_process()
+    process._inheriting = True  # a script that starts processes as it is imported is told so
+    try:
+        multiprocessing.spawn.prepare(about)
+    finally:
+        del process._inheriting
+
+
 class PolicyProcess:
     """A policy in a process of its own, started at the first question and anew after it was ended."""
 
-    def __init__(self, policy: Any, limit_s: float):
+    def __init__(self, policy: Any, limit_s: float, start_limit_s: float = 120.0):
         try:
             self._pickled = pickle.dumps(policy)
         except Exception as fault:
@@ -91,60 +126,73 @@ class PolicyProcess:
                 f"it cannot be sent to a process of its own ({fault}): define it in a module that can be imported, "
                 "or give act_limit_s=0, which runs it in this one",
             ) from fault
-        self._limit_s = limit_s
-        self._process: Any = None
+        self._limit_s, self._start_limit_s = limit_s, start_limit_s
+        self._group: Any = None
         self._connection: Any = None
 
     def ask(self, method: str, *arguments: Any) -> Any:
-        if self._process is None:
+        if self._group is None:
             self._start()
-        try:
-            self._connection.send((method, arguments))
-        except OSError:
-            self._died()
-        return self._answer(self._limit_s)
+        return self._asked((method, arguments), self._limit_s)
 
     def _start(self) -> None:
-        context = multiprocessing.get_context("spawn")
-        self._connection, theirs = context.Pipe()
-        self._process = context.Process(target=_serve, args=(theirs, self._pickled), daemon=True)
-        self._process.start()
-        theirs.close()
+        ours, theirs = socket.socketpair()
+        # One that stops reading or writing in the middle of a message must not hold us, either.
+        longest = struct.pack("ll", int(max(self._limit_s, self._start_limit_s)) + 1, 0)
+        for way in (socket.SO_SNDTIMEO, socket.SO_RCVTIMEO):
+            ours.setsockopt(socket.SOL_SOCKET, way, longest)
+        python = os.fsdecode(multiprocessing.spawn.get_executable())
+        package = str(pathlib.Path(__file__).parents[1])
+        with theirs:
+            self._group = _core.start_process_group([python, "-c", PROGRAM, package], [theirs.fileno(), -1, -1])
+        self._connection = multiprocessing.connection.Connection(ours.detach())
         try:
-            self._answer(FIRST_WORD_S)
+            self._answer(self._start_limit_s)  # it listens: what follows may be larger than any buffer
+            self._asked((_about_main(), self._pickled), self._start_limit_s)
         except PolicyFailed as fault:
             self.close()
-            raise Error(
-                "episode.policy_failed",
-                "policy",
-                f"it does not start in a process of its own: {fault.message}; a script's own code belongs under "
-                'if __name__ == "__main__"',
-            ) from fault
+            if fault.code == "episode.policy_hung":
+                why = f"it was not ready after {self._start_limit_s:g} s (start_limit_s): what it imports or loads takes too long"
+            else:
+                why = f"{fault.message}; a script's own code belongs under if __name__ == \"__main__\""
+            raise Error("episode.no_policy", "policy", f"it does not start in a process of its own: {why}") from fault
+
+    def _asked(self, message: Any, limit_s: float) -> Any:
+        try:
+            self._connection.send(message)
+        except BlockingIOError:
+            self._hung(limit_s)
+        except OSError:
+            self._died()
+        return self._answer(limit_s)
 
     def _answer(self, limit_s: float) -> Any:
         until = time.monotonic() + limit_s
         try:
-            if not self._connection.poll(max(0.0, until - time.monotonic())):
-                self.close()
-                raise PolicyFailed(
-                    "episode.policy_hung", f"took longer than {limit_s:g} s over one answer (act_limit_s)"
-                )
+            while not self._connection.poll(min(LOOK_UP_S, max(0.0, until - time.monotonic()))):
+                _core.check_interrupt()
+                if time.monotonic() >= until:
+                    self._hung(limit_s)
             word, value = self._connection.recv()
+        except BlockingIOError:
+            self._hung(limit_s)
         except (EOFError, OSError):
             self._died()
         if word == "error":
             raise PolicyFailed("episode.policy_failed", value)
         return value
 
-    def _died(self) -> None:
-        self._process.join(1)
-        status = self._process.exitcode
+    def _hung(self, limit_s: float) -> None:
         self.close()
-        raise PolicyFailed("episode.policy_crashed", f"its process ended with status {status}")
+        raise PolicyFailed("episode.policy_hung", f"took longer than {limit_s:g} s over one answer (act_limit_s)")
+
+    def _died(self) -> None:
+        ended = self._group.wait(GRACE_S)
+        self.close()
+        raise PolicyFailed("episode.policy_crashed", f"its process ended with {ended}")
 
     def close(self) -> None:
-        if self._process is not None:
-            self._process.kill()
-            self._process.join()
+        if self._group is not None:
+            self._group.end()
             self._connection.close()
-        self._process = None
+        self._group = None

@@ -17,9 +17,11 @@ using Json = nlohmann::json;
 constexpr int episodes = 6;
 constexpr double short_limit_s = 4;
 
-// Baskets of the small store, with little time for each.
-fs::path short_tasks(const fs::path& folder) {
-  const fs::path drawn = folder / "drawn.jsonl", file = folder / "tasks.jsonl";
+// Baskets of the small store, with little time for each; drawn once.
+const fs::path& drawn_tasks() {
+  static const ScratchFolder scratch;
+  static const fs::path drawn = scratch.path() / "drawn.jsonl";
+  if (fs::exists(drawn)) return drawn;
   const Ran made = marketgen_run({"episodes",
                                   small_store().string(),
                                   "--count",
@@ -30,7 +32,12 @@ fs::path short_tasks(const fs::path& folder) {
                                   "-o",
                                   drawn.string()});
   EXPECT_EQ(made.status, 0) << made.err;
-  std::istringstream lines(contents_of(drawn));
+  return drawn;
+}
+
+fs::path short_tasks(const fs::path& folder) {
+  const fs::path file = folder / "tasks.jsonl";
+  std::istringstream lines(contents_of(drawn_tasks()));
   std::ofstream out(file);
   std::string line;
   std::getline(lines, line);
@@ -125,6 +132,153 @@ TEST(Evaluation, InOneProcessOrInWorkersIsTheSame) {
   ASSERT_EQ(in_one.status, 0) << in_one.err;
   ASSERT_EQ(in_many.status, 0) << in_many.err;
   EXPECT_EQ(results_in(scratch.path() / "together"), results_in(scratch.path() / "apart"));
+}
+
+// ---- Of three baskets, a second for each: what is asked of is not how well they are done. ----
+
+class ShortEvaluation : public testing::Test {
+ protected:
+  ShortEvaluation() {
+    std::istringstream lines(contents_of(drawn_tasks()));
+    std::string line;
+    std::getline(lines, line);
+    header_ = Json::parse(line);
+    while (specs_.size() < 3 && std::getline(lines, line)) {
+      specs_.push_back(Json::parse(line));
+      specs_.back()["limit_s"] = 1;
+    }
+  }
+
+  fs::path written(const std::string& name = "tasks.jsonl") {
+    header_["episodes"] = specs_.size();
+    std::ofstream out(scratch_.path() / name);
+    out << header_.dump() << "\n";
+    for (const Json& spec : specs_)
+      out << spec.dump() << "\n";
+    return scratch_.path() / name;
+  }
+
+  Ran evaluated(const fs::path& tasks, const std::string& folder, bool resume = false) {
+    std::vector<std::string> command = eval_command(tasks, scratch_.path() / folder);
+    if (resume) command.push_back("--resume");
+    return run(command);
+  }
+
+  std::vector<Json> results(const std::string& folder) {
+    return results_in(scratch_.path() / folder);
+  }
+
+  ScratchFolder scratch_;
+  Json header_;
+  std::vector<Json> specs_;
+};
+
+// A pipe can be read but once, by one process.
+TEST_F(ShortEvaluation, EpisodesComeThroughAPipe) {
+  const fs::path tasks = written();
+  ASSERT_EQ(evaluated(tasks, "whole").status, 0);
+  for (const std::string from : {"/dev/stdin", "-"}) {
+    std::string shell = "cat '" + tasks.string() + "' | timeout 300";
+    for (const std::string& word : eval_command(from, scratch_.path() / ("of" + from)))
+      shell += " '" + word + "'";
+    const Ran piped = run({"/bin/sh", "-c", shell});
+    ASSERT_EQ(piped.status, 0) << piped.err;
+    EXPECT_EQ(results("of" + from), results("whole")) << from;
+  }
+}
+
+// It is a result of its own kind, and no share counts it; once it is mended, only it is run.
+TEST_F(ShortEvaluation, AnEpisodeThatCannotBeRunIsAResult) {
+  const Json sound = specs_[1];
+  // Its robot would begin outside the store: nothing that the file alone tells.
+  specs_[1]["track"] = "aisle";
+  specs_[1]["robot"] = "realman-rm75";
+  specs_[1].erase("items");
+  specs_[1].erase("cameras");
+  specs_[1]["start"] = {{"x_m", -900}, {"y_m", -900}, {"heading_deg", 0}};
+  const Ran ran = evaluated(written(), "run");
+  EXPECT_EQ(ran.status, 2) << ran.err;
+  EXPECT_NE(ran.err.find("1 of 3 episodes could not be run"), std::string::npos) << ran.err;
+  const std::vector<Json> rows = results("run");
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[1]["episode"], specs_[1]["id"]);
+  EXPECT_EQ(rows[1]["failure"], "NotRun");
+  EXPECT_NE(rows[1]["error"], "");
+  const Json summary = Json::parse(contents_of(scratch_.path() / "run" / "summary.json"));
+  EXPECT_EQ(summary["episodes"], 2);
+  EXPECT_EQ(summary["strict"]["of"], 2);
+  EXPECT_EQ(summary["errors"][0]["error"], rows[1]["error"]);
+
+  specs_[1] = sound;
+  const Ran mended = evaluated(written(), "run", true);
+  EXPECT_EQ(mended.status, 0) << mended.err;
+  EXPECT_EQ(results("run")[0], rows[0]);
+  EXPECT_EQ(results("run")[1]["error"], "");
+}
+
+TEST_F(ShortEvaluation, FaultsOfAFileAreSaidBeforeAnythingIsRun) {
+  specs_[2]["id"] = specs_[0]["id"];
+  const Ran twice = evaluated(written(), "twice");
+  EXPECT_EQ(twice.status, 2);
+  EXPECT_NE(twice.err.find("error[episode.duplicate_id] tasks.jsonl:4/id"), std::string::npos)
+      << twice.err;
+  EXPECT_FALSE(fs::exists(scratch_.path() / "twice"));
+  specs_[2]["id"] = "another";
+  specs_[2]["robot"] = "realman-rm75";
+  const Ran robot = evaluated(written(), "robot");
+  EXPECT_NE(robot.err.find("error[robot.unknown] tasks.jsonl:4/robot"), std::string::npos)
+      << robot.err;
+}
+
+TEST_F(ShortEvaluation, TwoRunsDoNotShareAFolder) {
+  for (Json& spec : specs_)
+    spec["limit_s"] = 20;
+  const fs::path tasks = written();
+  Started first(eval_command(tasks, scratch_.path() / "run"));
+  for (int i = 0; i < 1200 && !fs::exists(scratch_.path() / "run/.lock"); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  const Ran second = evaluated(tasks, "run");
+  EXPECT_EQ(second.status, 3);
+  EXPECT_NE(second.err.find("error[io.in_use]"), std::string::npos) << second.err;
+  first.interrupt();
+  const Ran ended = first.wait();
+  EXPECT_EQ(ended.status, 130);
+  EXPECT_NE(ended.err.find("interrupted; "), std::string::npos) << ended.err;
+  EXPECT_EQ(ended.err.find("nothing was left behind"), std::string::npos) << ended.err;
+  EXPECT_FALSE(fs::exists(scratch_.path() / "run/.lock"));
+  EXPECT_TRUE(fs::exists(scratch_.path() / "run/summary.json"));
+}
+
+// Before an episode of minutes is run.
+TEST_F(ShortEvaluation, ReplayLooksAtTheResultsFirst) {
+  const fs::path tasks = written();
+  ASSERT_EQ(evaluated(tasks, "run").status, 0);
+  const auto replayed = [&](const fs::path& results, const std::string& policy) {
+    return marketgen_run({"replay",
+                          "--episodes",
+                          tasks.string(),
+                          "--episode",
+                          "1",
+                          "--policy",
+                          policy,
+                          "--results",
+                          results.string()});
+  };
+  const fs::path results = scratch_.path() / "run" / "results.jsonl";
+  const Ran same = replayed(results, "random");
+  EXPECT_EQ(same.status, 0) << same.err;
+  EXPECT_NE(same.out.find("the same"), std::string::npos) << same.out;
+  const Ran missing = replayed(scratch_.path() / "none.jsonl", "random");
+  EXPECT_EQ(missing.status, 2);
+  EXPECT_NE(missing.err.find("input.not_found"), std::string::npos) << missing.err;
+  EXPECT_EQ(missing.out, "");
+  const Ran other = replayed(results, "oracle");
+  EXPECT_NE(other.err.find("was run by \"random\""), std::string::npos) << other.err;
+  EXPECT_EQ(other.out, "");
+  specs_[1]["limit_s"] = 2;
+  written();
+  const Ran edited = replayed(results, "random");
+  EXPECT_NE(edited.err.find("has changed since"), std::string::npos) << edited.err;
 }
 
 }  // namespace

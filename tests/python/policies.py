@@ -1,6 +1,8 @@
 """Policies for evaluation_test.py: a module of its own, so that another process finds them."""
 
 import os
+import subprocess
+import sys
 import time
 
 import numpy as np
@@ -56,3 +58,57 @@ class FailsOnce:
         if self.what == "nan":
             action[0] = np.nan
         return action[:3] if self.what == "short" else None if self.what == "nothing" else action
+
+
+class Stuck:
+    """Starts a child that sleeps, notes both numbers in a file, and never answers."""
+
+    def __init__(self, file):
+        self.file = file
+
+    def act(self, observation):
+        child = subprocess.Popen([sys.executable, "-c", "import time; time.sleep(1000)"])
+        with open(self.file + ".part", "w") as out:
+            out.write(f"{os.getpid()} {child.pid}")
+        os.rename(self.file + ".part", self.file)
+        while True:
+            pass
+
+
+class HangsAtImport:
+    """As a policy whose module never gets to its end."""
+
+    def __init__(self, payload):
+        self.payload = payload
+
+    def __reduce__(self):
+        return _sleep, (1000, bytes(self.payload))
+
+    def act(self, observation):
+        return None
+
+
+def _sleep(seconds, _payload):
+    time.sleep(seconds)
+
+
+class BreaksAtImport(HangsAtImport):
+    def __init__(self):
+        super().__init__(0)
+
+    def __reduce__(self):
+        return _divide, (0,)
+
+
+def _divide(number):
+    return 1 / number
+
+
+class Echo:
+    """Answers how much it was given, in all."""
+
+    def __init__(self, payload):
+        self.payload = payload
+
+    def act(self, observation):
+        return len(self.payload) + len(observation)

@@ -7,6 +7,7 @@
 
 #include "environments/aisle_environment.h"
 #include "environments/checkout_environment.h"
+#include "episodes/check_episodes.h"
 
 namespace marketgen {
 namespace {
@@ -60,6 +61,7 @@ Result<void> Environment::reset(const EpisodeSpec& spec) {
         spec.id,
         fmt::format(
             "it is of the track {}, the environment of {}", name_of(spec.track), name_of(track_))};
+  MARKETGEN_CHECK(check_episode(spec, spec.id));
   MARKETGEN_CHECK(ground_->check(spec));
   world_ = nullptr;
   result_.reset();

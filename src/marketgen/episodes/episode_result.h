@@ -23,9 +23,10 @@ enum class FailureCode {
   dropped,
   collision,
   timeout,
-  policy_error  // it threw, hung, or told what is no action
+  policy_error,  // it threw, hung, or told what is no action
+  not_run        // the episode itself could not be run
 };
-constexpr std::array<std::string_view, 12> names_of(FailureCode) {
+constexpr std::array<std::string_view, 13> names_of(FailureCode) {
   return {"None",
           "NotFound",
           "NoGrasp",
@@ -37,7 +38,8 @@ constexpr std::array<std::string_view, 12> names_of(FailureCode) {
           "Dropped",
           "Collision",
           "Timeout",
-          "PolicyError"};
+          "PolicyError",
+          "NotRun"};
 }
 
 // The side-effect ledger. Contacts are those of the arm, and of what it holds, with anything else;
@@ -66,12 +68,13 @@ struct SideEffects {
 
 struct EpisodeResult {
   std::string schema = "market-result/1";
-  std::string episode, store, policy;
+  std::string episode, episode_hash, store, policy;
   std::vector<GoalOutcome> goals;
   double success_partial = 0;
   bool success_strict = false, success_clean = false, is_void = false;
   FailureCode failure = FailureCode::none;
-  std::string detail;  // of an episode that broke off: the error
+  std::string error;   // of an episode that could not be run: the error's code
+  std::string detail;  // of an episode that broke off, or could not be run: the error
   SideEffects side_effects;
   double path_m = 0, shortest_m = 0, spl = 0, spl_subset = 0;
   int steps = 0;
@@ -81,6 +84,9 @@ struct EpisodeResult {
   static constexpr auto fields = field_list(
       field("schema", &EpisodeResult::schema, "schema tag", constant("market-result/1")),
       field("episode", &EpisodeResult::episode, "its id", identifier()),
+      field("episode_hash",
+            &EpisodeResult::episode_hash,
+            "over the episode as it was run; a result is gone on with only if it is the same"),
       field("store", &EpisodeResult::store, "the store's name"),
       field("policy", &EpisodeResult::policy, "who acted"),
       field("goals", &EpisodeResult::goals, "one by one"),
@@ -89,7 +95,12 @@ struct EpisodeResult {
       field("success_clean", &EpisodeResult::success_clean, "strict, and without side effects"),
       field("void", &EpisodeResult::is_void, "the basket was tilted too far"),
       field("failure", &EpisodeResult::failure, "what kept the agent from its goals"),
-      field("detail", &EpisodeResult::detail, "the error of an episode that broke off"),
+      field("error",
+            &EpisodeResult::error,
+            "code of the error for which the episode could not be run: it counts in no share"),
+      field("detail",
+            &EpisodeResult::detail,
+            "the error of an episode that broke off or could not be run"),
       field("side_effects", &EpisodeResult::side_effects, "the ledger"),
       field("path_m", &EpisodeResult::path_m, "driven by the robot's base"),
       field("shortest_m", &EpisodeResult::shortest_m, "shortest way past all goals"),

@@ -1,11 +1,13 @@
 #include "episodes/episode_spec.h"
 
-#include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/hash.h"
 #include "base/text.h"
+#include "episodes/check_episodes.h"
 #include "io/file.h"
 #include "io/json.h"
 
@@ -14,41 +16,6 @@ namespace {
 
 std::string line_of(const std::string& source, std::size_t line) {
   return fmt::format("{}:{}", source, line);
-}
-
-Result<void> check_sku(const EpisodeHeader& header,
-                       const std::string& sku,
-                       const std::string& where) {
-  std::vector<std::string_view> known;
-  for (const Product& product : header.products)
-    known.push_back(product.sku);
-  if (std::ranges::find(known, sku) != known.end()) return {};
-  return Error{"catalog.unknown_sku",
-               where,
-               fmt::format("the header has no product \"{}\"{}", sku, did_you_mean(sku, known))};
-}
-
-Result<void> check_episode(const EpisodeFile& file,
-                           const EpisodeSpec& spec,
-                           const std::string& where) {
-  for (const EpisodeItem& item : spec.items)
-    MARKETGEN_CHECK(check_sku(file.header, item.sku, where + "/items"));
-  for (const EpisodeGoal& goal : spec.goals) {
-    MARKETGEN_CHECK(check_sku(file.header, goal.sku, where + "/goals"));
-    if (spec.track != Track::checkout) continue;
-    const auto lying = std::ranges::count(spec.items, goal.sku, &EpisodeItem::sku);
-    if (lying < goal.count)
-      return Error{
-          "episode.impossible",
-          where + "/goals",
-          fmt::format("asks for {} of \"{}\"; {} lie in the basket", goal.count, goal.sku, lying)};
-  }
-  const bool known = std::ranges::any_of(file.header.stores, [&](const EpisodeStore& store) {
-    return check_store(spec, store.scene_hash, store.plan_hash).ok();
-  });
-  if (!known)
-    return Error{"episode.other_store", where, "its hashes are those of no store in the header"};
-  return {};
 }
 
 }  // namespace
@@ -64,6 +31,19 @@ Result<Track> track_named(std::string_view name) {
 
 std::string plan_hash(const Plan& plan) {
   return sha256_hex(write_json(plan));
+}
+
+std::string episode_hash(const EpisodeHeader& header, const EpisodeSpec& spec) {
+  std::set<std::string_view> used;
+  for (const EpisodeItem& item : spec.items)
+    used.insert(item.sku);
+  for (const EpisodeGoal& goal : spec.goals)
+    used.insert(goal.sku);
+  Hasher hasher;
+  hasher.add(write_json_line(spec));
+  for (const Product& product : header.products)
+    if (used.contains(product.sku)) hasher.add(write_json_line(product));
+  return hasher.hex();
 }
 
 Result<void> check_store(const EpisodeSpec& spec,
@@ -96,7 +76,6 @@ Result<EpisodeFile> read_episodes(std::string_view text, const std::string& sour
       continue;
     }
     MARKETGEN_TRY(EpisodeSpec spec, read_json<EpisodeSpec>(row, where));
-    MARKETGEN_CHECK(check_episode(file, spec, where));
     file.episodes.push_back(std::move(spec));
   }
   if (line == 0 || file.episodes.size() != static_cast<std::size_t>(file.header.episodes))
@@ -105,12 +84,18 @@ Result<EpisodeFile> read_episodes(std::string_view text, const std::string& sour
                  fmt::format("the header says {} episodes, {} are there; draw them again",
                              file.header.episodes,
                              file.episodes.size())};
+  MARKETGEN_CHECK(check_episodes(file, source));
   return file;
 }
 
 Result<EpisodeFile> read_episode_file(const std::filesystem::path& file) {
-  MARKETGEN_TRY(const std::string text, read_file(file));
-  return read_episodes(text, file.filename().string());
+  const bool told = file == "-";
+  MARKETGEN_TRY(const std::string text, read_file(told ? "/dev/stdin" : file));
+  const std::string source = told ? "standard input" : file.filename().string();
+  MARKETGEN_TRY(EpisodeFile episodes, read_episodes(text, source));
+  MARKETGEN_TRY(const std::filesystem::path data, data_folder());
+  MARKETGEN_CHECK(check_robots(episodes, source, data));
+  return episodes;
 }
 
 std::string write_episodes(const EpisodeFile& file) {

@@ -191,11 +191,14 @@ struct EpisodeFile {
 };
 
 std::string plan_hash(const Plan& plan);  // SHA-256 of its JSON
+// 32 hex digits over all that decides what becomes of the episode: itself and the rows of its
+// products.
+std::string episode_hash(const EpisodeHeader& header, const EpisodeSpec& spec);
 
 // Errors: of read_json, at "FILE:LINE"; episode.truncated when lines are missing or the last one
-// breaks off; catalog.unknown_sku; episode.other_store when an episode's hashes are none of the
-// header's.
+// breaks off; those of check_episodes (episodes/check_episodes.h).
 Result<EpisodeFile> read_episodes(std::string_view text, const std::string& source);
+// "-": standard input. Errors: those of read_file, read_episodes, data_folder and check_robots.
 Result<EpisodeFile> read_episode_file(const std::filesystem::path& file);
 std::string write_episodes(const EpisodeFile& file);
 

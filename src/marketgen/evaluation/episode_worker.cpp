@@ -3,11 +3,14 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <iostream>
 #include <optional>
+#include <string>
 
 #include <fmt/format.h>
 
 #include "base/parallel.h"
+#include "episodes/episode_spec.h"
 #include "evaluation/run_episode.h"
 #include "io/json.h"
 
@@ -43,27 +46,28 @@ class Report : public EpisodeWatcher {
   bool broken_ = false;
 };
 
-std::optional<std::size_t> next_number() {
-  unsigned long long number = 0;
-  return std::scanf("%llu", &number) == 1 ? std::optional<std::size_t>(number) : std::nullopt;
+// Nothing at the end of standard input.
+std::optional<std::string> next_line() {
+  std::string line;
+  return std::getline(std::cin, line) ? std::optional(std::move(line)) : std::nullopt;
 }
+
+constexpr char told[] = "standard input";
 
 }  // namespace
 
 Result<void> serve_episodes(const std::filesystem::path& data,
-                            const EpisodeFile& file,
                             const Catalog& catalog,
                             const std::string& policy) {
   Report report;
-  Arena arena(data, file.header, catalog);
+  MARKETGEN_TRY(const EpisodeHeader header,
+                read_json<EpisodeHeader>(next_line().value_or(""), told));
+  Arena arena(data, header, catalog);
   report.say("ready");
-  while (const auto number = next_number()) {
-    if (*number >= file.episodes.size())
-      return Error{"usage.bad_flag", "worker", fmt::format("there is no episode {}", *number)};
+  while (const auto line = next_line()) {
+    MARKETGEN_TRY(const EpisodeSpec spec, read_json<EpisodeSpec>(*line, told));
     std::optional<Result<EpisodeResult>> result;
-    parallel_for(1, [&](std::size_t) {
-      result = run_episode(arena, file.episodes[*number], policy, &report);
-    });
+    parallel_for(1, [&](std::size_t) { result = run_episode(arena, spec, policy, &report); });
     if (result->ok()) {
       report.say("result " + write_json_line(**result));
     } else {

@@ -6,22 +6,23 @@
 // that crashes. So `evaluate` looks on from outside (evaluation/worker_process.h) and ends a worker
 // whose policy takes too long over one answer.
 //
-// A line each way: the episode's number in the file on standard input; on standard output "ready"
-// once, then "asked" and "answered" around every call of the policy, and at the end of the episode
-// "result " and a market-result/1, or "error ", the error's code, where and message between tabs.
-// What policies print goes to standard error.
+// A line each way, all of JSON: first, on standard input, the header of the episodes' file; then
+// one episode after the other. So the file is read once, by whoever has it, be it a pipe. On
+// standard output "ready" once, then "asked" and "answered" around every call of the policy, and at
+// the end of the episode "result " and a market-result/1, or "error ", the error's code, where and
+// message between tabs. What policies print goes to standard error.
 #pragma once
 #include <filesystem>
 #include <string>
 
+#include "base/result.h"
 #include "catalog/catalog.h"
-#include "episodes/episode_spec.h"
 
 namespace marketgen {
 
-// Returns when standard input ends. Errors: io.cannot_write when nobody listens any more.
+// Returns when standard input ends. Errors: those of read_json; io.cannot_write when nobody listens
+// any more.
 Result<void> serve_episodes(const std::filesystem::path& data,
-                            const EpisodeFile& file,
                             const Catalog& catalog,
                             const std::string& policy);
 

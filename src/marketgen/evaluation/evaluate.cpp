@@ -1,14 +1,12 @@
 #include "evaluation/evaluate.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
-#include <fstream>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <sstream>
 #include <thread>
 
 #include <fmt/format.h>
@@ -16,106 +14,31 @@
 #include "base/interrupt.h"
 #include "base/parallel.h"
 #include "evaluation/worker_process.h"
-#include "io/file.h"
 #include "io/json.h"
 
 namespace marketgen {
 namespace {
 
-constexpr char results_file[] = "results.jsonl";
-
-std::string lines_of(const std::vector<EpisodeResult>& results) {
-  std::string lines;
-  for (const EpisodeResult& result : results)
-    lines += write_json_line(result) + "\n";
-  return lines;
+// Whether an error is not that of the episode: any other would end likewise.
+bool ends_the_run(const Error& error) {
+  constexpr std::array<std::string_view, 3> families{"internal.", "usage.", "io."};
+  return error.code == "episode.no_policy" ||
+         std::ranges::any_of(
+             families, [&](std::string_view family) { return error.code.starts_with(family); });
 }
 
-Result<std::map<std::string, EpisodeResult>> begin_folder(const EpisodeFile& episodes,
-                                                          const EvaluationOptions& options) {
-  const std::filesystem::path file = options.folder / results_file;
-  if (std::filesystem::exists(file) && !options.resume)
-    return Error{"store.exists",
-                 file.string(),
-                 "there are results already: name another folder, or go on with --resume"};
-  std::error_code failed;
-  std::filesystem::create_directories(options.folder, failed);
-  if (failed) return Error{"io.cannot_write", options.folder.string(), failed.message()};
-  MARKETGEN_TRY(auto finished, finished_results(file));
-  std::vector<EpisodeResult> kept;
-  for (const auto& [id, result] : finished) {
-    if (result.policy != options.policy)
-      return Error{"usage.bad_flag",
-                   "--policy",
-                   fmt::format("{} has results of \"{}\": go on with that, or name another folder",
-                               file.string(),
-                               result.policy)};
-    if (std::ranges::find(episodes.episodes, id, &EpisodeSpec::id) == episodes.episodes.end())
-      return Error{"usage.bad_flag",
-                   "--resume",
-                   fmt::format("{} has a result of {}, which is not among these episodes: go on "
-                               "with the file it is of, or name another folder",
-                               file.string(),
-                               id)};
-    kept.push_back(result);
-  }
-  MARKETGEN_CHECK(write_file(file, lines_of(kept)));
-  return finished;
+EpisodeResult not_run(const EpisodeSpec& spec, const std::string& policy, const Error& error) {
+  EpisodeResult result = unjudged(spec);
+  result.policy = policy;
+  result.failure = FailureCode::not_run;
+  result.error = error.code;
+  result.detail = to_string(error);
+  return result;
 }
-
-}  // namespace
-
-Result<std::map<std::string, EpisodeResult>> finished_results(const std::filesystem::path& file) {
-  std::map<std::string, EpisodeResult> finished;
-  if (!std::filesystem::exists(file)) return finished;
-  MARKETGEN_TRY(const std::string text, read_file(file));
-  std::istringstream lines(text.substr(0, text.rfind('\n') + 1));
-  for (std::string line; std::getline(lines, line);) {
-    MARKETGEN_TRY(EpisodeResult result, read_json<EpisodeResult>(line, file.string()));
-    finished[result.episode] = std::move(result);
-  }
-  return finished;
-}
-
-namespace {
-
-// Results as they come in, from any thread.
-class ResultKeeper {
- public:
-  ResultKeeper(const std::filesystem::path& file, std::size_t count)
-      : file_(file), lines_(file, std::ios::app), results_(count) {}
-
-  // `is_new`: not in the file yet.
-  void keep(std::size_t number, Result<EpisodeResult> result, bool is_new) {
-    const std::scoped_lock lock(mutex_);
-    if (result.ok() && is_new) {
-      lines_ << write_json_line(*result) << "\n" << std::flush;
-      if (!lines_) result = Error{"io.cannot_write", file_.string(), "is the disk full?"};
-    }
-    results_[number] = std::move(result);
-  }
-
-  // In the order of the episodes; the first error instead.
-  Result<std::vector<EpisodeResult>> all() {
-    lines_.close();
-    std::vector<EpisodeResult> ordered;
-    for (auto& result : results_) {
-      if (!result->ok()) return result->error();
-      ordered.push_back(std::move(*result).value());
-    }
-    return ordered;
-  }
-
- private:
-  std::filesystem::path file_;
-  std::mutex mutex_;
-  std::ofstream lines_;
-  std::vector<std::optional<Result<EpisodeResult>>> results_;
-};
 
 // In this process, rounding as every parallel loop does.
 EpisodeRunner runner_here(Arena& arena, const std::string& policy) {
-  return [&arena, &policy](std::size_t, const EpisodeSpec& spec) {
+  return [&arena, &policy](const EpisodeSpec& spec) {
     std::optional<Result<EpisodeResult>> result;
     parallel_for(1, [&](std::size_t) { result = run_episode(arena, spec, policy); });
     return *std::move(result);
@@ -123,14 +46,14 @@ EpisodeRunner runner_here(Arena& arena, const std::string& policy) {
 }
 
 // In a process that is started anew when it has died or had to be ended.
-EpisodeRunner runner_in_worker(const EvaluationOptions& options) {
+EpisodeRunner runner_in_worker(const EvaluationOptions& options, const std::string& header) {
   const auto worker = std::make_shared<std::unique_ptr<WorkerProcess>>();
-  return [worker, &options](std::size_t number, const EpisodeSpec& spec) -> Result<EpisodeResult> {
+  return [worker, &options, &header](const EpisodeSpec& spec) -> Result<EpisodeResult> {
     const auto began = std::chrono::steady_clock::now();
     if (!*worker) {
-      MARKETGEN_TRY(*worker, WorkerProcess::start(options.worker));
+      MARKETGEN_TRY(*worker, WorkerProcess::start(options.worker, header, options.start_limit_s));
     }
-    auto result = (*worker)->run(number, options.act_limit_s);
+    auto result = (*worker)->run(write_json_line(spec), options.act_limit_s);
     if (result.ok() || (*worker)->alive()) return result;
     worker->reset();
     if (!WorkerProcess::is_policys(result.error())) return result;
@@ -142,42 +65,89 @@ EpisodeRunner runner_in_worker(const EvaluationOptions& options) {
   };
 }
 
+// The threads of one run.
+class EvaluationRun {
+ public:
+  EvaluationRun(const EpisodeFile& file,
+                const EvaluationOptions& options,
+                ResultsFolder& folder,
+                Progress& progress)
+      : file_(file), options_(options), folder_(folder), progress_(progress) {}
+
+  void go(const std::function<EpisodeRunner()>& make_runner) {
+    const std::size_t count = file_.episodes.size();
+    progress_.begin("episodes", count);
+    const int jobs = options_.jobs > 0 ? options_.jobs : thread_count();
+    {
+      std::vector<std::jthread> threads;
+      for (std::size_t job = 0; job < std::min(count, static_cast<std::size_t>(jobs)); ++job)
+        threads.emplace_back([&] { work(make_runner()); });
+    }
+    progress_.end();
+  }
+
+  const std::optional<Error>& fault() const { return fault_; }  // that ended it
+
+ private:
+  void work(const EpisodeRunner& run) {
+    for (std::size_t i = next_++; i < file_.episodes.size() && !over_; i = next_++) {
+      if (!folder_.has(i)) {
+        if (const auto kept = run_and_keep(run, i); !kept.ok()) stop(kept.error());
+      }
+      progress_.advance();
+    }
+  }
+
+  Result<void> run_and_keep(const EpisodeRunner& run, std::size_t number) {
+    const EpisodeSpec& spec = file_.episodes[number];
+    MARKETGEN_CHECK(check_interrupt());
+    auto result = run(spec);
+    if (result.ok()) return folder_.keep(number, *std::move(result));
+    if (ends_the_run(result.error())) return result.error();
+    return folder_.keep(number, not_run(spec, options_.policy, result.error()));
+  }
+
+  void stop(const Error& error) {
+    const std::scoped_lock lock(mutex_);
+    if (!fault_) fault_ = error;
+    over_ = true;
+  }
+
+  const EpisodeFile& file_;
+  const EvaluationOptions& options_;
+  ResultsFolder& folder_;
+  Progress& progress_;
+  std::atomic<std::size_t> next_ = 0;
+  std::atomic<bool> over_ = false;
+  std::mutex mutex_;
+  std::optional<Error> fault_;
+};
+
+// With what became of the rest.
+Error with_what_is_kept(Error fault,
+                        const ResultsFolder& folder,
+                        const EvaluationOptions& options) {
+  if (fault.code == "internal.interrupted") fault.message = "interrupted";
+  fault.message += folder.count() == 0
+                       ? "; no episode had been finished"
+                       : fmt::format("; {} finished episodes are kept in {}: go on with --resume",
+                                     folder.count(),
+                                     options.folder.string());
+  return fault;
+}
+
 }  // namespace
 
 Result<std::vector<EpisodeResult>> evaluate_with(const EpisodeFile& file,
                                                  const EvaluationOptions& options,
                                                  const std::function<EpisodeRunner()>& make_runner,
                                                  Progress& progress) {
-  MARKETGEN_TRY(const auto finished, begin_folder(file, options));
-  const std::size_t count = file.episodes.size();
-  ResultKeeper keeper(options.folder / results_file, count);
-  progress.begin("episodes", count);
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&] {
-    const EpisodeRunner run = make_runner();
-    for (std::size_t i = next++; i < count; i = next++) {
-      const EpisodeSpec& spec = file.episodes[i];
-      const auto before = finished.find(spec.id);
-      const auto go_on = check_interrupt();
-      if (before != finished.end())
-        keeper.keep(i, before->second, false);
-      else if (go_on.ok())
-        keeper.keep(i, run(i, spec), true);
-      else
-        keeper.keep(i, go_on.error(), false);
-      progress.advance();
-    }
-  };
-  const int jobs = options.jobs > 0 ? options.jobs : thread_count();
-  {
-    std::vector<std::jthread> threads;
-    for (std::size_t job = 0; job < std::min(count, static_cast<std::size_t>(jobs)); ++job)
-      threads.emplace_back(work);
-  }
-  progress.end();
-  MARKETGEN_TRY(std::vector<EpisodeResult> results, keeper.all());
-  MARKETGEN_CHECK(write_file(options.folder / results_file, lines_of(results)));
-  MARKETGEN_CHECK(write_file(options.folder / "summary.json", write_json(summarize(results))));
+  MARKETGEN_TRY(const auto folder,
+                ResultsFolder::open(file, options.folder, options.policy, options.resume));
+  EvaluationRun run(file, options, *folder, progress);
+  run.go(make_runner);
+  auto results = folder->close();
+  if (run.fault()) return with_what_is_kept(*run.fault(), *folder, options);
   return results;
 }
 
@@ -187,8 +157,10 @@ Result<std::vector<EpisodeResult>> evaluate(const std::filesystem::path& data,
                                             const EvaluationOptions& options,
                                             Progress& progress) {
   Arena arena(data, file.header, catalog);
+  const std::string header = write_json_line(file.header);
   const auto make_runner = [&] {
-    return options.worker.empty() ? runner_here(arena, options.policy) : runner_in_worker(options);
+    return options.worker.empty() ? runner_here(arena, options.policy)
+                                  : runner_in_worker(options, header);
   };
   return evaluate_with(file, options, make_runner, progress);
 }

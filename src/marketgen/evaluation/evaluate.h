@@ -3,45 +3,42 @@
 #pragma once
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "base/progress.h"
+#include "evaluation/results_folder.h"
 #include "evaluation/run_episode.h"
 
 namespace marketgen {
 
 struct EvaluationOptions {
   std::string policy = "oracle";
-  std::filesystem::path folder;  // gets results.jsonl and summary.json
+  std::filesystem::path folder;  // evaluation/results_folder.h
   bool resume = false;           // keeps what an earlier run has finished there
   int jobs = 0;                  // episodes at a time; 0 = as many as threads may work
-  // A command whose process serves the episodes of the same file (evaluation/episode_worker.h); one
-  // runs for each job. Empty: episodes are run in this process, and a policy that hangs hangs all.
+  // A command whose process serves episodes (evaluation/episode_worker.h); one runs for each job.
+  // Empty: episodes are run in this process, and a policy that hangs hangs all.
   std::vector<std::string> worker = {};
-  double act_limit_s = 0;  // of wall time for one answer of a policy in a worker; 0 = none
+  double act_limit_s = 0;      // of wall time for one answer of a policy in a worker; 0 = none
+  double start_limit_s = 120;  // until a worker is ready; 0 = none
 };
-
-// What a results.jsonl holds, by episode. A line that was cut off is one that was not finished.
-// Errors: those of read_json.
-Result<std::map<std::string, EpisodeResult>> finished_results(const std::filesystem::path& file);
 
 // Each finished episode is a line of results.jsonl at once; at the end the lines are in the order
 // of the episodes. The same for any number of jobs, in this process or in workers, wall times
 // apart. An answer that takes too long, or a worker that dies, ends its episode with PolicyError:
-// nothing of it is judged. Errors: store.exists when the folder has results and `resume` is off;
-// usage.bad_flag when these are of another policy or of other episodes; io.*; those of run_episode
-// and WorkerProcess.
+// nothing of it is judged. An episode that cannot be run is a result too (EpisodeResult::error).
+//
+// What would befall every episode ends the run: an interrupt, a policy that does not start, a full
+// disk. What was finished by then is kept and summed up. Errors, which say how much that is:
+// internal.interrupted, episode.no_policy, usage.*, io.*; those of ResultsFolder::open.
 Result<std::vector<EpisodeResult>> evaluate(const std::filesystem::path& data,
                                             const EpisodeFile& file,
                                             const Catalog& catalog,
                                             const EvaluationOptions& options,
                                             Progress& progress);
 
-// Runs one episode, the number of which in the file is given.
-using EpisodeRunner =
-    std::function<Result<EpisodeResult>(std::size_t number, const EpisodeSpec& spec)>;
+using EpisodeRunner = std::function<Result<EpisodeResult>(const EpisodeSpec& spec)>;
 
 // The same with runners of one's own: `make_runner` is called once in each of the threads that run
 // episodes, and its runner is used and destroyed there. `options.worker` is not read.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <iterator>
 #include <map>
 
 #include <fmt/format.h>
@@ -116,8 +117,24 @@ Result<EpisodeResult> run_episode(Arena& arena,
   return with_end(judged.ok() ? std::move(judged).value() : unjudged(spec), end);
 }
 
-EvaluationSummary summarize(const std::vector<EpisodeResult>& results) {
+namespace {
+
+void count_errors(const std::vector<EpisodeResult>& results, EvaluationSummary& summary) {
+  std::map<std::string, int> errors;
+  for (const EpisodeResult& result : results)
+    if (!result.error.empty()) ++errors[result.error];
+  for (const auto& [error, episodes] : errors)
+    summary.errors.push_back({error, episodes});
+}
+
+}  // namespace
+
+EvaluationSummary summarize(const std::vector<EpisodeResult>& all) {
   EvaluationSummary summary;
+  count_errors(all, summary);
+  std::vector<EpisodeResult> results;
+  std::ranges::copy_if(
+      all, std::back_inserter(results), [](const EpisodeResult& r) { return r.error.empty(); });
   summary.episodes = static_cast<int>(results.size());
   int strict = 0, clean = 0, asked = 0, reached = 0;
   std::map<FailureCode, int> failures;

@@ -51,6 +51,14 @@ struct FailureCount {
                  field("episodes", &FailureCount::episodes, "how many"));
 };
 
+struct ErrorCount {
+  std::string error;
+  int episodes = 0;
+  static constexpr auto fields =
+      field_list(field("error", &ErrorCount::error, "why they could not be run"),
+                 field("episodes", &ErrorCount::episodes, "how many"));
+};
+
 struct EvaluationSummary {
   int episodes = 0;
   double success_partial = 0;
@@ -58,9 +66,11 @@ struct EvaluationSummary {
   double spl = 0, spl_subset = 0, mean_path_m = 0, mean_path_success_m = 0;
   double mean_simulated_s = 0, mean_wall_s = 0;
   std::vector<FailureCount> failures;  // of episodes that are not strict; those that occur
+  std::vector<ErrorCount> errors;      // of episodes that could not be run
+  int unfinished = 0;
 
   static constexpr auto fields = field_list(
-      field("episodes", &EvaluationSummary::episodes, "how many"),
+      field("episodes", &EvaluationSummary::episodes, "that were run; all shares are of these"),
       field("success_partial", &EvaluationSummary::success_partial, "mean over the episodes"),
       field("goals", &EvaluationSummary::goals, "goals reached, of all"),
       field("strict", &EvaluationSummary::strict, "episodes with all goals reached"),
@@ -73,8 +83,11 @@ struct EvaluationSummary {
             "driven, an episode with all goals reached"),
       field("mean_simulated_s", &EvaluationSummary::mean_simulated_s, "simulated, an episode"),
       field("mean_wall_s", &EvaluationSummary::mean_wall_s, "of computing, an episode"),
-      field("failures", &EvaluationSummary::failures, "by what kept the agent from its goals"));
+      field("failures", &EvaluationSummary::failures, "by what kept the agent from its goals"),
+      field("errors", &EvaluationSummary::errors, "episodes that could not be run: in no share"),
+      field("unfinished", &EvaluationSummary::unfinished, "episodes without a result so far"));
 };
+// Of the results that have no error; `unfinished` is the caller's to add.
 EvaluationSummary summarize(const std::vector<EpisodeResult>& results);
 
 }  // namespace marketgen

@@ -2,11 +2,8 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/prctl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -21,39 +18,21 @@ namespace marketgen {
 namespace {
 
 constexpr int look_up_ms = 200;  // how often an interrupt is looked for
-// How long one that has closed its output may take to end.
-constexpr int grace_looks = 100, grace_look_us = 10'000;
+constexpr double grace_s = 1;    // that one which has closed its output may take to end
 
-struct WorkerPipe {
-  std::array<int, 2> ends{-1, -1};
-  bool open() { return pipe2(ends.data(), O_CLOEXEC) == 0; }
-  void close_both() const {
-    for (const int end : ends)
-      if (end >= 0) close(end);
-  }
-};
-
-// In the new process: only what is safe after a fork among threads.
-[[noreturn]] void become(char* const* words, int in, int out, pid_t parent) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(127);  // it has ended already
-  dup2(in, STDIN_FILENO);
-  dup2(out, STDOUT_FILENO);
-  execv(words[0], words);
-  _exit(127);
-}
-
-// Writing to a worker that has ended must be an error, not a signal.
-bool tell(int to, const std::string& line) {
+// Writing to a worker that has ended must be an error, not a signal. -1 as write() does.
+ssize_t write_quietly(int to, std::string_view text) {
   sigset_t pipe_signal, before;
   sigemptyset(&pipe_signal);
   sigaddset(&pipe_signal, SIGPIPE);
   pthread_sigmask(SIG_BLOCK, &pipe_signal, &before);
-  const bool told = write(to, line.data(), line.size()) == static_cast<ssize_t>(line.size());
+  const ssize_t written = write(to, text.data(), text.size());
+  const int fault = errno;
   const timespec now{0, 0};
-  if (!told) sigtimedwait(&pipe_signal, nullptr, &now);
+  if (written < 0 && fault == EPIPE) sigtimedwait(&pipe_signal, nullptr, &now);
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  return told;
+  errno = fault;
+  return written;
 }
 
 Error error_told(const std::string& text) {
@@ -64,57 +43,85 @@ Error error_told(const std::string& text) {
       text.substr(0, first), text.substr(first + 1, second - first - 1), text.substr(second + 1)};
 }
 
+// Over some wall time; 0: never.
+class Deadline {
+ public:
+  explicit Deadline(double limit_s) : limit_s_(limit_s) {}
+  bool is_over() const {
+    const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - since_;
+    return limit_s_ > 0 && waited.count() >= limit_s_;
+  }
+
+ private:
+  double limit_s_;
+  std::chrono::steady_clock::time_point since_ = std::chrono::steady_clock::now();
+};
+
 }  // namespace
 
-Result<std::unique_ptr<WorkerProcess>> WorkerProcess::start(
-    const std::vector<std::string>& command) {
-  std::vector<char*> words;
-  for (const std::string& word : command)
-    words.push_back(const_cast<char*>(word.c_str()));
-  words.push_back(nullptr);
-  WorkerPipe in, out;
-  if (!in.open() || !out.open()) {
-    in.close_both();
+Result<std::unique_ptr<WorkerProcess>> WorkerProcess::start(const std::vector<std::string>& command,
+                                                            const std::string& header,
+                                                            double limit_s) {
+  Pipe in, out;
+  if (!in.open() || !out.open())
     return Error{"usage.unavailable", command[0], std::strerror(errno)};
-  }
-  const pid_t parent = getpid(), pid = fork();
-  if (pid == 0) become(words.data(), in.ends[0], out.ends[1], parent);
-  close(in.ends[0]);
-  close(out.ends[1]);
-  std::unique_ptr<WorkerProcess> worker(new WorkerProcess(pid, in.ends[1], out.ends[0]));
-  if (pid < 0) return Error{"usage.unavailable", command[0], std::strerror(errno)};
-  auto ready = worker->next_line(false, 0);
-  if (ready.ok() && *ready == "ready") return worker;
-  if (!ready.ok() && ready.error().code == "internal.interrupted") return ready.error();
-  return Error{"program.failed", command[0], "ended before it was ready to run episodes"};
+  MARKETGEN_TRY(ProcessGroup group,
+                ProcessGroup::start(command, {in.read_end(), out.write_end(), -1}));
+  std::unique_ptr<WorkerProcess> worker(
+      new WorkerProcess(std::move(group), in.take_end(1), out.take_end(0)));
+  fcntl(worker->to_, F_SETFL, O_NONBLOCK);
+  in.close_end(0);
+  out.close_end(1);
+  const Wait until_ready{
+      limit_s,
+      {"episode.no_policy",
+       command[0],
+       fmt::format("was not ready to run episodes after {} s (start_limit_s)", limit_s)}};
+  const auto unready = [&](const Error& error) {
+    if (error.code != "episode.policy_crashed") return error;
+    return Error{"episode.no_policy", command[0], "ended before it was ready to run episodes"};
+  };
+  if (const auto told = worker->tell(header, until_ready); !told.ok()) return unready(told.error());
+  const auto ready = worker->next_line(until_ready);
+  if (!ready.ok()) return unready(ready.error());
+  if (*ready == "ready") return worker;
+  return Error{"episode.no_policy", command[0], "is no worker: it says \"" + *ready + "\""};
 }
 
 WorkerProcess::~WorkerProcess() {
   if (to_ >= 0) close(to_);
   if (from_ >= 0) close(from_);
-  if (pid_ > 0) ended();
 }
 
 // Ends it, unless it is about to end by itself, and says how it was found.
 Error WorkerProcess::ended(bool by_itself) {
-  int state = 0;
-  for (int i = 0; by_itself && i < grace_looks; ++i) {
-    siginfo_t none{};
-    const bool over =
-        waitid(P_PID, static_cast<id_t>(pid_), &none, WEXITED | WNOHANG | WNOWAIT) == 0;
-    if (over && none.si_pid != 0) break;
-    usleep(grace_look_us);
-  }
-  kill(pid_, SIGKILL);
-  while (waitpid(pid_, &state, 0) < 0 && errno == EINTR) {
-  }
-  pid_ = -1;
-  const bool exited = WIFEXITED(state);
+  const int state = by_itself ? group_.wait(grace_s) : group_.end();
   return {"episode.policy_crashed",
           "worker",
-          fmt::format("ended with {} {}; its last words, if any, are on standard error",
-                      exited ? "status" : "signal",
-                      exited ? WEXITSTATUS(state) : WTERMSIG(state))};
+          fmt::format("ended with {}; its last words, if any, are on standard error",
+                      end_of_program(state))};
+}
+
+Result<void> WorkerProcess::tell(const std::string& line, const Wait& wait) {
+  const std::string text = line + "\n";
+  std::string_view left = text;
+  const Deadline deadline(wait.limit_s);
+  while (!left.empty()) {
+    const ssize_t written = write_quietly(to_, left);
+    if (written > 0) {
+      left.remove_prefix(static_cast<std::size_t>(written));
+      continue;
+    }
+    if (errno != EAGAIN && errno != EINTR) return ended(true);
+    pollfd end{to_, POLLOUT, 0};
+    poll(&end, 1, look_up_ms);
+    const auto go_on = check_interrupt();
+    if (!go_on.ok() || deadline.is_over()) {
+      ended();
+      return go_on.ok() ? wait.too_long : go_on.error();
+    }
+  }
+  return {};
 }
 
 WorkerProcess::Heard WorkerProcess::listen() {
@@ -128,22 +135,16 @@ WorkerProcess::Heard WorkerProcess::listen() {
   return heard_.find('\n') != std::string::npos ? Heard::line : Heard::nothing;
 }
 
-Result<std::string> WorkerProcess::next_line(bool asked, double limit_s) {
-  const auto since = std::chrono::steady_clock::now();
+Result<std::string> WorkerProcess::next_line(const Wait& wait) {
+  const Deadline deadline(wait.limit_s);
   while (true) {
     const Heard heard = listen();
     if (heard == Heard::line) break;
     if (heard == Heard::end) return ended(true);
-    if (const auto go_on = check_interrupt(); !go_on.ok()) {
-      ended();
-      return go_on.error();
-    }
-    const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - since;
-    if (!asked || limit_s <= 0 || waited.count() < limit_s) continue;
+    const auto go_on = check_interrupt();
+    if (go_on.ok() && !deadline.is_over()) continue;
     ended();
-    return Error{"episode.policy_hung",
-                 "policy",
-                 fmt::format("took longer than {} s over one answer (--act-limit-s)", limit_s)};
+    return go_on.ok() ? wait.too_long : go_on.error();
   }
   const std::size_t end = heard_.find('\n');
   std::string line = heard_.substr(0, end);
@@ -151,12 +152,18 @@ Result<std::string> WorkerProcess::next_line(bool asked, double limit_s) {
   return line;
 }
 
-Result<EpisodeResult> WorkerProcess::run(std::size_t episode, double act_limit_s) {
+Result<EpisodeResult> WorkerProcess::run(const std::string& episode, double act_limit_s) {
   constexpr std::string_view result = "result ", error = "error ";
-  if (!tell(to_, fmt::format("{}\n", episode))) return ended(true);
+  const Wait for_ever,
+      for_an_answer{
+          act_limit_s,
+          {"episode.policy_hung",
+           "policy",
+           fmt::format("took longer than {} s over one answer (--act-limit-s)", act_limit_s)}};
+  MARKETGEN_CHECK(tell(episode, for_ever));
   bool asked = false;
   while (true) {
-    MARKETGEN_TRY(const std::string line, next_line(asked, act_limit_s));
+    MARKETGEN_TRY(const std::string line, next_line(asked ? for_an_answer : for_ever));
     asked = line == "asked";
     if (line.starts_with(result))
       return read_json<EpisodeResult>(line.substr(result.size()), "worker");

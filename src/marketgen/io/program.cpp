@@ -1,14 +1,11 @@
 #include "io/program.h"
 
-#include "base/fields.h"
-#include "io/json.h"
-
 #include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -19,6 +16,10 @@
 #include <fmt/format.h>
 
 #include "base/build_info.h"
+#include "base/fields.h"
+#include "base/interrupt.h"
+#include "io/json.h"
+#include "io/process_group.h"
 
 namespace marketgen {
 namespace fs = std::filesystem;
@@ -26,54 +27,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr int look_up_ms = 200;                 // how often an interrupt is looked for
 constexpr std::size_t kept_error_bytes = 4096;  // of standard error: its end says what went wrong
-
-// Both ends of a pipe, closed when they go.
-class Pipe {
- public:
-  Pipe() : open_(pipe2(ends_.data(), O_CLOEXEC) == 0) {}
-  ~Pipe() {
-    close_end(0);
-    close_end(1);
-  }
-  Pipe(const Pipe&) = delete;
-  Pipe& operator=(const Pipe&) = delete;
-  bool open() const { return open_; }
-  int read_end() const { return ends_[0]; }
-  int write_end() const { return ends_[1]; }
-  void close_end(std::size_t end) {
-    if (ends_[end] >= 0) close(std::exchange(ends_[end], -1));
-  }
-
- private:
-  std::array<int, 2> ends_{-1, -1};
-  bool open_ = false;
-};
-
-// A started program; ended and waited for when it goes.
-class Child {
- public:
-  explicit Child(pid_t pid) : pid_(pid) {}
-  ~Child() {
-    if (pid_ > 0) {
-      kill(pid_, SIGKILL);
-      wait();
-    }
-  }
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
-  // The state of waitpid().
-  int wait() {
-    int state = 0;
-    while (waitpid(pid_, &state, 0) < 0 && errno == EINTR) {
-    }
-    pid_ = -1;
-    return state;
-  }
-
- private:
-  pid_t pid_;
-};
 
 // Writing to a program that has ended must be an error, not a signal.
 class NoPipeSignal {
@@ -87,38 +42,21 @@ class NoPipeSignal {
   void (*before_)(int);
 };
 
-Result<pid_t> start(const std::vector<std::string>& command,
-                    const Pipe& in,
-                    const Pipe& out,
-                    const Pipe& err) {
-  std::vector<char*> words;
-  for (const std::string& word : command)
-    words.push_back(const_cast<char*>(word.c_str()));
-  words.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, in.read_end(), 0);
-  posix_spawn_file_actions_adddup2(&actions, out.write_end(), 1);
-  posix_spawn_file_actions_adddup2(&actions, err.write_end(), 2);
-  pid_t pid = -1;
-  const int fault = posix_spawnp(&pid, words[0], &actions, nullptr, words.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (fault != 0)
-    return Error{"usage.unavailable",
-                 command[0],
-                 fmt::format("cannot be started: {}", std::strerror(fault))};
-  return pid;
-}
-
-// Moves bytes to and from the program until it closes its output. Says what limit it broke.
+// Moves bytes to and from the program until it closes its output. Errors: program.failed with the
+// limit that it broke; internal.interrupted.
 class Conversation {
  public:
-  Conversation(Pipe& in, Pipe& out, Pipe& err, std::string_view input, const ProgramLimits& limits)
-      : in_(in), out_(out), err_(err), input_(input), limits_(limits) {
+  Conversation(const std::string& program,
+               Pipe& in,
+               Pipe& out,
+               Pipe& err,
+               std::string_view input,
+               const ProgramLimits& limits)
+      : program_(program), in_(in), out_(out), err_(err), input_(input), limits_(limits) {
     fcntl(in_.write_end(), F_SETFL, O_NONBLOCK);
   }
 
-  std::string run() {
+  Result<void> run() {
     const auto until = Clock::now() + std::chrono::duration<double>(limits_.seconds);
     bool out_open = true, err_open = true;
     while (out_open || err_open) {
@@ -127,13 +65,15 @@ class Conversation {
                                  pollfd{out_open ? out_.read_end() : -1, POLLIN, 0},
                                  pollfd{err_open ? err_.read_end() : -1, POLLIN, 0}};
       const double left = std::chrono::duration<double>(until - Clock::now()).count();
-      if (left <= 0) return fmt::format("took longer than {:.0f} s", limits_.seconds);
-      if (poll(ends.data(), ends.size(), static_cast<int>(1000 * left) + 1) < 0 && errno != EINTR)
-        return std::string("cannot be listened to: ") + std::strerror(errno);
+      if (left <= 0) return broken(fmt::format("took longer than {:.0f} s", limits_.seconds));
+      MARKETGEN_CHECK(check_interrupt());  // its group does not hear Ctrl-C
+      const int pause_ms = std::min(look_up_ms, static_cast<int>(1000 * left) + 1);
+      if (poll(ends.data(), ends.size(), pause_ms) < 0 && errno != EINTR)
+        return broken(std::string("cannot be listened to: ") + std::strerror(errno));
       if (ends[0].revents != 0) feed();
       if (ends[1].revents != 0) out_open = take(out_.read_end(), output);
       if (ends[2].revents != 0) err_open = take(err_.read_end(), complaints);
-      if (output.size() > limits_.output_bytes) return "wrote more than was expected";
+      if (output.size() > limits_.output_bytes) return broken("wrote more than was expected");
       if (complaints.size() > 2 * kept_error_bytes)
         complaints.erase(0, complaints.size() - kept_error_bytes);
     }
@@ -143,6 +83,8 @@ class Conversation {
   std::string output, complaints;
 
  private:
+  Error broken(std::string limit) const { return {"program.failed", program_, std::move(limit)}; }
+
   void feed() {
     const ssize_t written = write(in_.write_end(), input_.data(), input_.size());
     if (written > 0)
@@ -158,6 +100,7 @@ class Conversation {
     return got > 0 || (got < 0 && errno == EINTR);
   }
 
+  const std::string& program_;
   Pipe &in_, &out_, &err_;
   std::string_view input_;
   const ProgramLimits& limits_;
@@ -186,22 +129,18 @@ Result<std::string> run_program(const std::vector<std::string>& command,
   if (!in.open() || !out.open() || !err.open())
     return Error{"usage.unavailable", command[0], std::strerror(errno)};
   const NoPipeSignal quiet;
-  MARKETGEN_TRY(const pid_t pid, start(command, in, out, err));
-  Child child(pid);
+  MARKETGEN_TRY(ProcessGroup group,
+                ProcessGroup::start(command, {in.read_end(), out.write_end(), err.write_end()}));
   in.close_end(0);
   out.close_end(1);
   err.close_end(1);
-  Conversation talk(in, out, err, input, limits);
-  if (const std::string broken = talk.run(); !broken.empty())
-    return Error{"program.failed", command[0], broken};
-  const int state = child.wait();
+  Conversation talk(command[0], in, out, err, input, limits);
+  MARKETGEN_CHECK(talk.run());
+  const int state = group.wait(limits.seconds);
   if (WIFEXITED(state) && WEXITSTATUS(state) == 0) return std::move(talk.output);
   return Error{"program.failed",
                command[0],
-               fmt::format("ended with {} {}: {}",
-                           WIFEXITED(state) ? "status" : "signal",
-                           WIFEXITED(state) ? WEXITSTATUS(state) : WTERMSIG(state),
-                           last_line(talk.complaints))};
+               fmt::format("ended with {}: {}", end_of_program(state), last_line(talk.complaints))};
 }
 
 std::string worker_python() {

@@ -1,4 +1,5 @@
-// Outside programs: started with a command, fed a text, read to the end, within limits.
+// Outside programs: started with a command, fed a text, read to the end, within limits. What they
+// start ends with them (io/process_group.h).
 #pragma once
 #include <cstddef>
 #include <filesystem>
@@ -18,7 +19,7 @@ struct ProgramLimits {
 // What the program wrote to its standard output. `command[0]` is a path, or a name that is looked
 // up in PATH; no shell is involved. Its standard error is kept for the message. Errors:
 // usage.unavailable when it cannot be started; program.failed when it ends with another status
-// than 0, with a signal, or breaks a limit.
+// than 0, with a signal, or breaks a limit; internal.interrupted.
 Result<std::string> run_program(const std::vector<std::string>& command,
                                 std::string_view input,
                                 const ProgramLimits& limits = {});

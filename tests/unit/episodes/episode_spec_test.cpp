@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "episodes/check_episodes.h"
 #include "io/json.h"
 
 namespace marketgen {
@@ -13,7 +14,7 @@ EpisodeFile small_file() {
   EpisodeStore store;
   store.name = "corner";
   store.scene_hash = "aa";
-  store.plan_hash = "bb";
+  store.plan_hash = plan_hash(store.plan);
   file.header.stores.push_back(store);
   Product tea;
   tea.sku = "tea";
@@ -26,7 +27,7 @@ EpisodeFile small_file() {
   spec.id = "checkout/corner/1/0";
   spec.store = "corner";
   spec.scene_hash = "aa";
-  spec.plan_hash = "bb";
+  spec.plan_hash = store.plan_hash;
   spec.robot = "panda";
   spec.instruction = "Put the tea on the area.";
   spec.items = {{"tea", {0.01, 0.02, 0.03}, {1, 0, 0, 0}}};
@@ -86,7 +87,105 @@ TEST(EpisodeFile, AnotherStoreIsAnError) {
   file.episodes[0].scene_hash = "cc";
   EXPECT_EQ(error_of(write_episodes(file)).code, "episode.other_store");
   EXPECT_EQ(check_store(small_file().episodes[0], "aa", "cc").error().code, "episode.other_store");
-  EXPECT_TRUE(check_store(small_file().episodes[0], "aa", "bb").ok());
+  EXPECT_TRUE(check_store(small_file().episodes[0], "aa", plan_hash(Plan{})).ok());
+}
+
+// Every fault that a hand or another program may put in: with its line and its field.
+TEST(EpisodeFile, FaultsAreNamed) {
+  struct Fault {
+    const char *code, *where;
+    void (*make)(EpisodeFile&);
+  };
+  const Fault faults[] = {
+      {"episode.duplicate_id",
+       "e.jsonl:3/id",
+       [](EpisodeFile& f) { f.episodes[1].id = f.episodes[0].id; }},
+      {"episode.bad_value",
+       "e.jsonl:3/items/0/rotation_wxyz",
+       [](EpisodeFile& f) {
+         f.episodes[1].items[0].rotation_wxyz = {0, 0, 0, 0};
+       }},
+      {"episode.bad_value",
+       "e.jsonl:2/items/0/rotation_wxyz",
+       [](EpisodeFile& f) {
+         f.episodes[0].items[0].rotation_wxyz = {1, 1, 0, 0};
+       }},
+      {"episode.bad_value",
+       "e.jsonl:2/cameras",
+       [](EpisodeFile& f) { f.episodes[0].cameras = {"wrst"}; }},
+      {"episode.impossible",
+       "e.jsonl:2/goals",
+       [](EpisodeFile& f) { f.episodes[0].goals.clear(); }},
+      {"json.out_of_range",
+       "e.jsonl:2:/goals/0/count",
+       [](EpisodeFile& f) { f.episodes[0].goals[0].count = 0; }},
+      {"episode.bad_value",
+       "e.jsonl:2/goals",
+       [](EpisodeFile& f) {
+         f.episodes[0].items.push_back(f.episodes[0].items[0]);
+         f.episodes[0].goals.push_back(f.episodes[0].goals[0]);
+       }},
+      {"episode.bad_value",
+       "e.jsonl:2/items",
+       [](EpisodeFile& f) { f.episodes[0].track = Track::aisle; }},
+      {"episode.bad_value",
+       "e.jsonl:2/tools",
+       [](EpisodeFile& f) { f.episodes[0].tools = "suction"; }},
+      {"episode.bad_value", "e.jsonl:2/start", [](EpisodeFile& f) { f.episodes[0].start.x_m = 1; }},
+      {"episode.bad_value",
+       "e.jsonl:2/categories",
+       [](EpisodeFile& f) {
+         f.episodes[0].categories = {{"tea", "beverages", 1, 2}};
+       }},
+      {"catalog.unknown_sku",
+       "e.jsonl:2/goals",
+       [](EpisodeFile& f) { f.episodes[0].goals[0].sku = "coffee"; }},
+      {"catalog.duplicate_sku",
+       "e.jsonl:1/products",
+       [](EpisodeFile& f) { f.header.products.push_back(f.header.products[0]); }},
+      {"episode.other_store",
+       "e.jsonl:1/stores/0",
+       [](EpisodeFile& f) { f.header.stores[0].plan.name = "another"; }},
+  };
+  for (const Fault& fault : faults) {
+    EpisodeFile file = small_file();
+    fault.make(file);
+    const Error error = error_of(write_episodes(file));
+    EXPECT_EQ(error.code, fault.code) << to_string(error);
+    EXPECT_EQ(error.where, fault.where) << to_string(error);
+  }
+}
+
+TEST(EpisodeFile, RobotsAndToolsAreThoseOfTheTrack) {
+  const std::filesystem::path data = std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data";
+  EpisodeFile file = small_file();
+  EXPECT_TRUE(check_robots(file, "e.jsonl", data).ok());
+  file.episodes[1].track = Track::aisle;
+  file.episodes[1].robot = "realman-rm75";
+  file.episodes[1].tools = "suction";
+  EXPECT_TRUE(check_robots(file, "e.jsonl", data).ok());
+  file.episodes[1].tools = "suktion";
+  const Error tools = check_robots(file, "e.jsonl", data).error();
+  EXPECT_EQ(tools.where, "e.jsonl:3/tools");
+  EXPECT_NE(tools.message.find("did you mean \"suction\""), std::string::npos) << tools.message;
+  file.episodes[1].robot = "panda";
+  EXPECT_EQ(check_robots(file, "e.jsonl", data).error().where, "e.jsonl:3/robot");
+}
+
+// What a result is worth depends on all of this.
+TEST(EpisodeFile, TheHashOfAnEpisodeSeesWhatItDependsOn) {
+  const EpisodeFile file = small_file();
+  const auto hash = [](const EpisodeFile& f) { return episode_hash(f.header, f.episodes[0]); };
+  EpisodeFile other = file;
+  other.header.products[0].mass_kg += 0.1;
+  EXPECT_NE(hash(other), hash(file));
+  other = file;
+  other.episodes[0].items[0].position_m[0] += 1e-9;
+  EXPECT_NE(hash(other), hash(file));
+  other = file;
+  other.header.products.push_back(file.header.products[0]);
+  other.header.products.back().sku = "coffee";
+  EXPECT_EQ(hash(other), hash(file)) << "nothing of the episode";
 }
 
 TEST(EpisodeFile, AnotherTrackIsAnError) {

@@ -60,7 +60,7 @@ TEST(Evaluate, ABrokenRunGoesOnAndKeepsWhatWasFinished) {
 
 TEST(Evaluate, ResultsAreNotOverwritten) {
   const ScratchFolder scratch;
-  ASSERT_TRUE(write_file(scratch.path() / "results.jsonl", "").ok());
+  ASSERT_TRUE(write_file(scratch.path() / "results.jsonl", "{").ok());
   const auto refused = evaluated(three_episodes(), scratch.path(), false);
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().code, "store.exists");
@@ -78,6 +78,112 @@ TEST(Evaluate, ResultsOfOtherEpisodesAreKept) {
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().code, "usage.bad_flag");
   EXPECT_EQ(read_file(scratch.path() / "results.jsonl").value(), line);
+}
+
+// ---- Runs without physics: a runner that answers at once. ----
+
+EpisodeFile named(const std::vector<std::string>& ids) {
+  EpisodeFile file;
+  for (const std::string& id : ids) {
+    EpisodeSpec spec;
+    spec.id = id;
+    spec.goals = {{"can-cola", 1}};
+    file.episodes.push_back(spec);
+  }
+  return file;
+}
+
+// Notes in `ran` what it runs; `fails`, if any, is interrupted.
+Result<std::vector<EpisodeResult>> quick_run(const EpisodeFile& file,
+                                             const std::filesystem::path& folder,
+                                             bool resume,
+                                             std::string& ran,
+                                             const std::string& fails = {}) {
+  EvaluationOptions options{"quick", folder, resume, 1};
+  const EpisodeRunner runner = [&](const EpisodeSpec& spec) -> Result<EpisodeResult> {
+    if (spec.id == fails) return Error{"internal.interrupted", "", "interrupted"};
+    ran += spec.id;
+    return with_end(unjudged(spec), {"quick"});
+  };
+  return evaluate_with(
+      file, options, [&] { return runner; }, silent_progress());
+}
+
+TEST(Evaluate, AnEpisodeThatWasEditedIsRunAgain) {
+  const ScratchFolder scratch;
+  std::string first, second, third;
+  EpisodeFile file = named({"a", "b", "c"});
+  ASSERT_TRUE(quick_run(file, scratch.path(), false, first).ok());
+  file.episodes[1].goals[0].count = 2;
+  const auto resumed = quick_run(file, scratch.path(), true, second);
+  ASSERT_TRUE(resumed.ok()) << to_string(resumed.error());
+  EXPECT_EQ(first, "abc");
+  EXPECT_EQ(second, "b");
+  EXPECT_EQ((*resumed)[1].goals[0].count, 2);
+  // So is one whose product has another mass: nothing in its own line has changed.
+  Product cola;
+  cola.sku = "can-cola";
+  file.header.products = {cola};
+  ASSERT_TRUE(quick_run(file, scratch.path(), true, third).ok());
+  EXPECT_EQ(third, "abc");
+}
+
+TEST(Evaluate, WhatCouldNotBeRunIsTriedAgain) {
+  const ScratchFolder scratch;
+  const EpisodeFile file = named({"a", "b"});
+  std::string ran;
+  const auto all = quick_run(file, scratch.path(), false, ran);
+  ASSERT_TRUE(all.ok());
+  std::vector<EpisodeResult> results = *all;
+  results[0].error = "robot.unknown";
+  ASSERT_TRUE(write_file(scratch.path() / "results.jsonl",
+                         write_json_line(results[0]) + "\n" + write_json_line(results[1]) + "\n")
+                  .ok());
+  std::string again;
+  const auto resumed = quick_run(file, scratch.path(), true, again);
+  ASSERT_TRUE(resumed.ok());
+  EXPECT_EQ(again, "a");
+  EXPECT_TRUE((*resumed)[0].error.empty());
+}
+
+TEST(Evaluate, AnInterruptedRunSaysWhatIsKept) {
+  const ScratchFolder scratch;
+  std::string ran;
+  const auto ended = quick_run(named({"a", "b", "c"}), scratch.path(), false, ran, "b");
+  ASSERT_FALSE(ended.ok());
+  EXPECT_EQ(ended.error().code, "internal.interrupted");
+  EXPECT_EQ(ended.error().message,
+            "interrupted; 1 finished episodes are kept in " + scratch.path().string() +
+                ": go on with --resume");
+  EXPECT_EQ(finished_results(scratch.path() / "results.jsonl")->size(), 1U);
+  const std::string summary = *read_file(scratch.path() / "summary.json");
+  EXPECT_NE(summary.find("\"unfinished\": 2"), std::string::npos) << summary;
+  ASSERT_TRUE(quick_run(named({"a", "b", "c"}), scratch.path(), true, ran).ok());
+  EXPECT_EQ(ran, "abc");
+}
+
+TEST(Evaluate, AFolderIsOneRunsAtATime) {
+  const ScratchFolder scratch;
+  std::string ran;
+  const auto other = FolderLock::take(scratch.path());
+  ASSERT_TRUE(other.ok());
+  const auto refused = quick_run(named({"a"}), scratch.path(), false, ran);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, "io.in_use");
+  EXPECT_EQ(ran, "");
+}
+
+TEST(Evaluate, ADamagedLineOfResultsIsNamed) {
+  const ScratchFolder scratch;
+  EpisodeResult result;
+  result.episode = "a";
+  const std::string line = write_json_line(result);
+  const std::filesystem::path file = scratch.path() / "results.jsonl";
+  ASSERT_TRUE(write_file(file, line + "\n" + line.substr(0, 30) + "\n" + line + "\n").ok());
+  const auto read = finished_results(file);
+  ASSERT_FALSE(read.ok());
+  EXPECT_TRUE(read.error().where.starts_with(file.string() + ":2")) << read.error().where;
+  EXPECT_EQ(finished_results(scratch.path() / "none").error().code, "input.not_found");
 }
 
 }  // namespace

@@ -9,13 +9,19 @@
 
 #include "drawn_checkout.h"
 #include "evaluation/evaluate.h"
+#include "io/file.h"
 #include "support/run_program.h"
 
 namespace marketgen {
 namespace {
 
+// After it was told the header of the file.
 std::vector<std::string> script(const std::string& text) {
-  return {"/bin/sh", "-c", text};
+  return {"/bin/sh", "-c", "read -r header; " + text};
+}
+
+Result<std::unique_ptr<WorkerProcess>> started(const std::vector<std::string>& command) {
+  return WorkerProcess::start(command, R"({"schema": "market-episodes/1"})", 20);
 }
 
 EpisodeFile three_named() {
@@ -30,10 +36,11 @@ EpisodeFile three_named() {
   return file;
 }
 
-// Answers every episode but that of `number`, where it does `instead`.
-std::vector<std::string> all_but(int number, const std::string& instead) {
-  return script(R"(echo ready; while read n; do echo asked; if [ $n = )" + std::to_string(number) +
-                " ]; then " + instead + R"(; fi; echo answered
+// Answers every episode but that of the id, where it does `instead`.
+std::vector<std::string> all_but(const std::string& id, const std::string& instead) {
+  return script(R"(echo ready; while read -r spec; do echo asked
+                 if echo "$spec" | grep -q '"id": *")" +
+                id + "\"'; then " + instead + R"(; fi; echo answered
                  echo "result {\"schema\": \"market-result/1\", \"episode\": \"e\", \"policy\": \"p\"}"; done)");
 }
 
@@ -47,10 +54,9 @@ Result<std::vector<EpisodeResult>> evaluated_by(const std::vector<std::string>& 
 }
 
 TEST(WorkerProcess, AnAnswerThatNeverComesEndsTheWorker) {
-  const auto worker =
-      WorkerProcess::start(script("echo ready; read n; echo asked; exec sleep 1000"));
+  const auto worker = started(script("echo ready; read -r spec; echo asked; exec sleep 1000"));
   ASSERT_TRUE(worker.ok()) << to_string(worker.error());
-  const auto result = (*worker)->run(0, 0.4);
+  const auto result = (*worker)->run("{}", 0.4);
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.error().code, "episode.policy_hung");
   EXPECT_FALSE((*worker)->alive());
@@ -58,20 +64,20 @@ TEST(WorkerProcess, AnAnswerThatNeverComesEndsTheWorker) {
 
 TEST(WorkerProcess, OnlyThePolicysTimeCounts) {  // resets and physics may take as long as they do
   const auto worker =
-      WorkerProcess::start(script(R"(echo ready; read n; sleep 1; echo asked; echo answered; sleep 1
+      started(script(R"(echo ready; read -r spec; sleep 1; echo asked; echo answered; sleep 1
                 echo "result {\"schema\": \"market-result/1\", \"episode\": \"e\"}")"));
   ASSERT_TRUE(worker.ok()) << to_string(worker.error());
-  const auto result = (*worker)->run(0, 0.5);
+  const auto result = (*worker)->run("{}", 0.5);
   ASSERT_TRUE(result.ok()) << to_string(result.error());
   EXPECT_EQ(result->episode, "e");
 }
 
 TEST(WorkerProcess, ErrorsComeThroughAndTheWorkerLivesOn) {
-  const auto worker = WorkerProcess::start(
-      script(R"(echo ready; while read n; do printf 'error a.b\twhere\twhat happened\n'; done)"));
+  const auto worker = started(script(
+      R"(echo ready; while read -r spec; do printf 'error a.b\twhere\twhat happened\n'; done)"));
   ASSERT_TRUE(worker.ok()) << to_string(worker.error());
   for (int i = 0; i < 2; ++i) {
-    const auto result = (*worker)->run(0, 1);
+    const auto result = (*worker)->run("{}", 1);
     ASSERT_FALSE(result.ok());
     EXPECT_EQ(to_string(result.error()), "error[a.b] where: what happened");
     EXPECT_TRUE((*worker)->alive());
@@ -79,16 +85,37 @@ TEST(WorkerProcess, ErrorsComeThroughAndTheWorkerLivesOn) {
 }
 
 TEST(WorkerProcess, OneThatCannotBeginIsAnError) {
-  for (const auto& command : {script("exit 3"), {"/no/such/program"}}) {
-    const auto worker = WorkerProcess::start(command);
+  EXPECT_EQ(started(script("exit 3")).error().code, "episode.no_policy");
+  EXPECT_EQ(started({"/no/such/program"}).error().code, "usage.unavailable");
+}
+
+// It neither reads nor speaks: a header larger than any pipe must not keep us waiting, either.
+TEST(WorkerProcess, OneThatIsNeverReadyIsEnded) {
+  for (const std::size_t size : {10UL, 3'000'000UL}) {
+    const auto worker =
+        WorkerProcess::start({"/bin/sh", "-c", "exec sleep 1000"}, std::string(size, 'x'), 0.5);
     ASSERT_FALSE(worker.ok());
-    EXPECT_EQ(worker.error().code, "program.failed");
+    EXPECT_EQ(worker.error().code, "episode.no_policy");
+    EXPECT_NE(worker.error().message.find("after 0.5 s"), std::string::npos)
+        << worker.error().message;
   }
+}
+
+TEST(WorkerProcess, ItIsToldTheHeaderAndTheEpisode) {
+  const std::string header(300'000, 'h');
+  const auto worker = WorkerProcess::start(
+      {"/bin/sh",
+       "-c",
+       R"(read -r header; echo ready; read -r spec; printf 'error a.b\twhere\t%s %s\n' ${#header} "$spec")"},
+      header,
+      20);
+  ASSERT_TRUE(worker.ok()) << to_string(worker.error());
+  EXPECT_EQ((*worker)->run(R"({"id": "a\\b"})", 1).error().message, R"(300000 {"id": "a\\b"})");
 }
 
 TEST(Evaluate, AHangIsAFailureAndTheNextEpisodeFollows) {
   const ScratchFolder scratch;
-  const auto results = evaluated_by(all_but(1, "exec sleep 1000"), scratch.path());
+  const auto results = evaluated_by(all_but("b", "exec sleep 1000"), scratch.path());
   ASSERT_TRUE(results.ok()) << to_string(results.error());
   EXPECT_EQ((*results)[0].episode, "e");
   const EpisodeResult& hung = (*results)[1];
@@ -103,16 +130,47 @@ TEST(Evaluate, AHangIsAFailureAndTheNextEpisodeFollows) {
 
 TEST(Evaluate, ACrashIsAFailureAndTheNextEpisodeFollows) {
   const ScratchFolder scratch;
-  const auto results = evaluated_by(all_but(1, "kill -SEGV $$"), scratch.path());
+  const auto results = evaluated_by(all_but("b", "kill -SEGV $$"), scratch.path());
   ASSERT_TRUE(results.ok()) << to_string(results.error());
   EXPECT_EQ((*results)[1].failure, FailureCode::policy_error);
   EXPECT_NE((*results)[1].detail.find("signal 11"), std::string::npos) << (*results)[1].detail;
   EXPECT_EQ((*results)[2].episode, "e");
 }
 
+// A policy that does not start would not for the next episode, either.
+TEST(Evaluate, APolicyThatDoesNotStartEndsTheRun) {
+  const ScratchFolder scratch;
+  const auto ended = evaluated_by(script("exit 3"), scratch.path());
+  ASSERT_FALSE(ended.ok());
+  EXPECT_EQ(ended.error().code, "episode.no_policy");
+  EXPECT_NE(ended.error().message.find("no episode had been finished"), std::string::npos);
+  EXPECT_NE(read_file(scratch.path() / "summary.json")->find("\"unfinished\": 3"),
+            std::string::npos);
+}
+
+// An episode that cannot be run is a result of its own kind: the others are run and summed up.
+TEST(Evaluate, AnEpisodeThatCannotBeRunIsAResult) {
+  const ScratchFolder scratch;
+  const std::vector<std::string> worker =
+      all_but("b", R"(printf 'error episode.impossible\tb\tno room\n'; continue)");
+  const auto results = evaluated_by(worker, scratch.path());
+  ASSERT_TRUE(results.ok()) << to_string(results.error());
+  ASSERT_EQ(results->size(), 3U);
+  EXPECT_EQ((*results)[1].episode, "b");
+  EXPECT_EQ((*results)[1].error, "episode.impossible");
+  EXPECT_EQ((*results)[1].failure, FailureCode::not_run);
+  EXPECT_NE((*results)[1].detail.find("no room"), std::string::npos);
+  const auto summary = summarize(*results);
+  EXPECT_EQ(summary.episodes, 2);
+  EXPECT_EQ(summary.strict.of, 2) << "it counts in no share";
+  ASSERT_EQ(summary.errors.size(), 1U);
+  EXPECT_EQ(summary.errors[0].error, "episode.impossible");
+  EXPECT_EQ(summary.errors[0].episodes, 1);
+}
+
 TEST(Evaluate, ResultsOfAnotherPolicyAreNotGoneOnWith) {
   const ScratchFolder scratch;
-  ASSERT_TRUE(evaluated_by(all_but(9, "true"), scratch.path()).ok());
+  ASSERT_TRUE(evaluated_by(all_but("z", "true"), scratch.path()).ok());
   EvaluationOptions other{"random", scratch.path(), true};
   const auto refused =
       evaluate(data_rows(), three_named(), committed_catalog(), other, silent_progress());

@@ -1,0 +1,225 @@
+#include "episodes/check_episodes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/text.h"
+#include "episodes/aisle_station.h"
+
+namespace marketgen {
+namespace {
+
+constexpr double unit_tolerance = 1e-3;  // of a quaternion's length
+constexpr std::size_t first_line = 2;    // of the episodes: the header is the first
+
+using Skus = std::vector<std::string_view>;  // sorted
+
+Error bad_value(const std::string& where, std::string message) {
+  return {"episode.bad_value", where, std::move(message)};
+}
+
+Result<void> check_items(const EpisodeSpec& spec, const std::string& where) {
+  for (std::size_t i = 0; i < spec.items.size(); ++i) {
+    const auto& [w, x, y, z] = spec.items[i].rotation_wxyz;
+    const double length = std::sqrt(w * w + x * x + y * y + z * z);
+    if (std::abs(length - 1) > unit_tolerance)
+      return bad_value(fmt::format("{}/items/{}/rotation_wxyz", where, i),
+                       fmt::format("has the length {:.4g}; expected a unit quaternion, as 1, 0, 0, "
+                                   "0 for no turn",
+                                   length));
+  }
+  return {};
+}
+
+Result<void> check_goals(const EpisodeSpec& spec, const std::string& where) {
+  if (spec.goals.empty())
+    return Error{"episode.impossible", where + "/goals", "asks for nothing; expected a goal"};
+  std::set<std::string_view> asked;
+  for (const EpisodeGoal& goal : spec.goals) {
+    if (!asked.insert(goal.sku).second)
+      return bad_value(where + "/goals",
+                       "asks twice for \"" + goal.sku + "\": make it one goal with their count");
+    if (spec.track != Track::checkout) continue;
+    const auto lying = std::ranges::count(spec.items, goal.sku, &EpisodeItem::sku);
+    if (lying < goal.count)
+      return Error{
+          "episode.impossible",
+          where + "/goals",
+          fmt::format("asks for {} of \"{}\"; {} lie in the basket", goal.count, goal.sku, lying)};
+  }
+  for (const CategoryPlace& place : spec.categories)
+    if (!asked.contains(place.sku))
+      return bad_value(where + "/categories",
+                       "tells of \"" + place.sku + "\", which is no goal: leave it out");
+  return {};
+}
+
+// What the episode says of the other track would be passed over.
+Result<void> check_track(const EpisodeSpec& spec, const std::string& where) {
+  const bool aisle = spec.track == Track::aisle;
+  const FloorPlaceRow& start = spec.start;
+  const bool starts = start.x_m != 0 || start.y_m != 0 || start.heading_deg != 0;
+  const std::map<std::string_view, bool> of_the_other{
+      {"items", aisle && !spec.items.empty()},
+      {"categories", !aisle && !spec.categories.empty()},
+      {"tools", !aisle && !spec.tools.empty()},
+      {"start", !aisle && starts}};
+  for (const auto& [field, is_there] : of_the_other)
+    if (is_there)
+      return bad_value(fmt::format("{}/{}", where, field),
+                       fmt::format("episodes of the track {} have none: leave it out, or correct "
+                                   "the track",
+                                   name_of(spec.track)));
+  const auto known = cameras_of(spec.track);
+  for (const std::string& camera : spec.cameras)
+    if (std::ranges::find(known, camera) == known.end())
+      return bad_value(where + "/cameras",
+                       fmt::format("the track {} has no camera \"{}\"{}; there are: {}",
+                                   name_of(spec.track),
+                                   camera,
+                                   did_you_mean(camera, known),
+                                   fmt::join(known, ", ")));
+  return {};
+}
+
+Result<void> check_sku(const Skus& known, const std::string& sku, const std::string& where) {
+  if (std::ranges::binary_search(known, sku)) return {};
+  return Error{"catalog.unknown_sku",
+               where,
+               fmt::format("the header has no product \"{}\"{}", sku, did_you_mean(sku, known))};
+}
+
+Result<Skus> known_skus(const EpisodeHeader& header, const std::string& where) {
+  Skus skus;
+  for (const Product& product : header.products)
+    skus.push_back(product.sku);
+  std::ranges::sort(skus);
+  if (const auto twice = std::ranges::adjacent_find(skus); twice != skus.end())
+    return Error{"catalog.duplicate_sku",
+                 where + "/products",
+                 fmt::format("two rows are \"{}\": remove one", *twice)};
+  return skus;
+}
+
+Result<void> check_stores(const EpisodeHeader& header, const std::string& where) {
+  for (std::size_t i = 0; i < header.stores.size(); ++i) {
+    const EpisodeStore& store = header.stores[i];
+    if (const std::string made = plan_hash(store.plan); made != store.plan_hash)
+      return Error{"episode.other_store",
+                   fmt::format("{}/stores/{}", where, i),
+                   fmt::format("its plan has the hash {}, the episodes are of {}: it was changed, "
+                               "or another version of marketgen wrote it; draw them again",
+                               made,
+                               store.plan_hash)};
+  }
+  return {};
+}
+
+Result<void> check_against_header(const EpisodeHeader& header,
+                                  const Skus& known,
+                                  const EpisodeSpec& spec,
+                                  const std::string& where) {
+  for (const EpisodeItem& item : spec.items)
+    MARKETGEN_CHECK(check_sku(known, item.sku, where + "/items"));
+  for (const EpisodeGoal& goal : spec.goals)
+    MARKETGEN_CHECK(check_sku(known, goal.sku, where + "/goals"));
+  const bool drawn_there = std::ranges::any_of(header.stores, [&](const EpisodeStore& store) {
+    return check_store(spec, store.scene_hash, store.plan_hash).ok();
+  });
+  if (drawn_there) return {};
+  return Error{"episode.other_store", where, "its hashes are those of no store in the header"};
+}
+
+std::string line_at(const std::string& source, std::size_t line) {
+  return fmt::format("{}:{}", source, line);
+}
+
+// What the row of a track has.
+struct TrackRow {
+  std::string robot;
+  std::vector<std::string_view> tools;
+};
+
+Result<void> check_robot(const TrackRow& row, const EpisodeSpec& spec, const std::string& where) {
+  if (spec.robot != row.robot)
+    return Error{
+        "robot.unknown",
+        where + "/robot",
+        fmt::format(
+            "the track {} has \"{}\", not \"{}\"", name_of(spec.track), row.robot, spec.robot)};
+  if (spec.tools.empty() || std::ranges::find(row.tools, spec.tools) != row.tools.end()) return {};
+  return Error{"robot.unknown",
+               where + "/tools",
+               fmt::format("there are no tools \"{}\"{}; there are: {}",
+                           spec.tools,
+                           did_you_mean(spec.tools, row.tools),
+                           fmt::join(row.tools, ", "))};
+}
+
+}  // namespace
+
+std::vector<std::string_view> cameras_of(Track track) {
+  if (track == Track::aisle) return {"head_camera"};
+  return {"scene", "wrist"};
+}
+
+Result<void> check_episode(const EpisodeSpec& spec, const std::string& where) {
+  MARKETGEN_CHECK(check_items(spec, where));
+  MARKETGEN_CHECK(check_goals(spec, where));
+  return check_track(spec, where);
+}
+
+Result<void> check_episodes(const EpisodeFile& file, const std::string& source) {
+  const std::string header = line_at(source, 1);
+  MARKETGEN_TRY(const Skus known, known_skus(file.header, header));
+  MARKETGEN_CHECK(check_stores(file.header, header));
+  std::map<std::string_view, std::size_t> lines;  // by id
+  for (std::size_t i = 0; i < file.episodes.size(); ++i) {
+    const EpisodeSpec& spec = file.episodes[i];
+    const std::size_t line = first_line + i;
+    const std::string where = line_at(source, line);
+    if (const auto [before, is_new] = lines.try_emplace(spec.id, line); !is_new)
+      return Error{"episode.duplicate_id",
+                   where + "/id",
+                   fmt::format("line {} has \"{}\" too: give each episode an id of its own",
+                               before->second,
+                               spec.id)};
+    MARKETGEN_CHECK(check_against_header(file.header, known, spec, where));
+    MARKETGEN_CHECK(check_episode(spec, where));
+  }
+  return {};
+}
+
+Result<void> check_robots(const EpisodeFile& file,
+                          const std::string& source,
+                          const std::filesystem::path& data) {
+  std::optional<CheckoutStation> counter;
+  std::optional<AisleStation> aisle;
+  for (std::size_t i = 0; i < file.episodes.size(); ++i) {
+    const EpisodeSpec& spec = file.episodes[i];
+    TrackRow row;
+    if (spec.track == Track::checkout) {
+      if (!counter) {
+        MARKETGEN_TRY(counter, load_checkout_station(data));
+      }
+      row.robot = counter->robot;
+    } else {
+      if (!aisle) {
+        MARKETGEN_TRY(aisle, load_aisle_station(data));
+      }
+      row.robot = aisle->robot;
+      for (const ToolSetRow& set : aisle->tool_sets)
+        row.tools.push_back(set.id);
+    }
+    MARKETGEN_CHECK(check_robot(row, spec, line_at(source, first_line + i)));
+  }
+  return {};
+}
+
+}  // namespace marketgen

@@ -1,0 +1,109 @@
+// Programs end with everything that they started: when they are ended, and when we die.
+#include "io/process_group.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
+
+#include "io/program.h"
+#include "support/run_program.h"
+
+namespace marketgen {
+namespace {
+
+constexpr std::array ours{-1, -1, -1};
+
+std::vector<std::string> shell(const std::string& text) {
+  return {"/bin/sh", "-c", text};
+}
+
+// The number that a script wrote into the file; waits for it.
+pid_t number_in(const std::filesystem::path& file) {
+  pid_t number = 0;
+  for (int i = 0; i < 2000 && number == 0; ++i) {
+    std::ifstream(file) >> number;
+    usleep(10'000);
+  }
+  return number;
+}
+
+// A zombie that nobody waits for runs no more, either.
+bool runs(pid_t pid) {
+  const std::string about = contents_of("/proc/" + std::to_string(pid) + "/stat");
+  const std::size_t state = about.rfind(") ");
+  return state != std::string::npos && about[state + 2] != 'Z' && about[state + 2] != 'X';
+}
+
+bool is_gone(pid_t pid) {
+  for (int i = 0; i < 2000 && runs(pid); ++i)
+    usleep(10'000);
+  return !runs(pid);
+}
+
+// Starts a child of its own that sleeps, and is stuck itself.
+std::vector<std::string> stuck(const ScratchFolder& scratch) {
+  return shell("sleep 1000 & echo $! > " + (scratch.path() / "child").string() +
+               "; while true; do true; done");
+}
+
+TEST(ProcessGroup, ItsChildrenEndWithIt) {
+  const ScratchFolder scratch;
+  auto group = ProcessGroup::start(stuck(scratch), ours);
+  ASSERT_TRUE(group.ok()) << to_string(group.error());
+  const pid_t child = number_in(scratch.path() / "child");
+  ASSERT_TRUE(runs(child));
+  EXPECT_FALSE(group->is_over());
+  EXPECT_EQ(end_of_program(group->end()), "signal 9");
+  EXPECT_TRUE(is_gone(child));
+  EXPECT_EQ(end_of_program(group->end()), "signal 9") << "told again";
+}
+
+TEST(ProcessGroup, WhatAProgramLeavesBehindEndsToo) {
+  const ScratchFolder scratch;
+  auto group = ProcessGroup::start(
+      shell("sleep 1000 & echo $! > " + (scratch.path() / "child").string() + "; exit 3"), ours);
+  ASSERT_TRUE(group.ok()) << to_string(group.error());
+  EXPECT_EQ(end_of_program(group->wait(20)), "status 3");
+  EXPECT_TRUE(is_gone(number_in(scratch.path() / "child")));
+}
+
+// kill -9: nothing of ours is asked.
+TEST(ProcessGroup, EndsWhenItsStarterIsKilled) {
+  const ScratchFolder scratch;
+  const pid_t starter = fork();
+  if (starter == 0) {
+    const auto group = ProcessGroup::start(stuck(scratch), ours);
+    pause();
+    _exit(group.ok() ? 0 : 1);
+  }
+  const pid_t child = number_in(scratch.path() / "child");
+  ASSERT_TRUE(runs(child));
+  kill(starter, SIGKILL);
+  waitpid(starter, nullptr, 0);
+  EXPECT_TRUE(is_gone(child));
+}
+
+TEST(ProcessGroup, OneThatLeavesItsGroupIsEndedAllTheSame) {
+  auto group = ProcessGroup::start({"setsid", "sleep", "1000"}, ours);
+  ASSERT_TRUE(group.ok()) << to_string(group.error());
+  EXPECT_EQ(end_of_program(group->wait(0.3)), "signal 9");
+}
+
+TEST(ProcessGroup, WhatCannotBeStartedIsSaid) {
+  const auto group = ProcessGroup::start({"no-such-program-here"}, ours);
+  ASSERT_FALSE(group.ok());
+  EXPECT_EQ(group.error().code, "usage.unavailable");
+}
+
+TEST(Program, AChildThatOutlivesItsLimitIsEnded) {
+  const ScratchFolder scratch;
+  const auto slow = run_program(stuck(scratch), "", {.seconds = 0.5});
+  EXPECT_EQ(slow.error().code, "program.failed");
+  EXPECT_TRUE(is_gone(number_in(scratch.path() / "child")));
+}
+
+}  // namespace
+}  // namespace marketgen
