@@ -357,8 +357,8 @@ Result<void> settle_all(const AssetFlags& flags) {
 
 void add_show(CLI::App& sub, AssetFlags& flags) {
   sub.add_option("id", flags.shown.id, "SKU, fixture kind or material")->required();
-  sub.add_option("--picture", flags.shown.picture, "PNG: three-quarter view");
-  sub.add_option("--label", flags.shown.label, "PNG: the printed sheet");
+  sub.add_option("--picture", flags.shown.picture, "PNG or JPEG: three-quarter view");
+  sub.add_option("--label", flags.shown.label, "PNG or JPEG: the printed sheet");
   sub.add_option("--joint", flags.shown.joints, "NAME=STATE or NAME=NUMBER, all=open (repeatable)");
   sub.add_option("--size", flags.size_px, "pixels a side")
       ->check(CLI::Range(64, 4096))

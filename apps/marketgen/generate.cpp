@@ -113,6 +113,8 @@ void print_summary(const GenerateOutput& output) {
       m.NAV);
   print_requirements(output.report);
   print_rules(output.report);
+  for (const Unstocked& own : output.report.unstocked)
+    fmt::print("not stocked {}: {}\n", own.sku, own.why);
   std::string times;
   for (const StageTiming& t : output.report.timing_s)
     times += fmt::format("{}{} {:.2f}", times.empty() ? "" : ", ", t.stage, t.seconds);

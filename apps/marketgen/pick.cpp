@@ -11,7 +11,7 @@
 #include "command.h"
 #include "io/file.h"
 #include "io/json.h"
-#include "io/png.h"
+#include "io/picture_file.h"
 #include "render/picture_grid.h"
 #include "render/render.h"
 #include "render/robot_actor.h"
@@ -126,7 +126,7 @@ Result<void> write_strip(const PickFlags& flags,
                   const std::size_t at = count < 2 ? 0 : i * (moments.size() - 1) / (count - 1);
                   return draw_moment(flags, scene, robot, plan, moments[at]);
                 }));
-  MARKETGEN_CHECK(write_png(flags.output, strip));
+  MARKETGEN_CHECK(write_picture(flags.output, strip));
   if (!flags.common.quiet) fmt::print("picture     {}\n", flags.output);
   return {};
 }
@@ -151,6 +151,7 @@ void print_report(const PickReport& report) {
 
 Result<void> pick(const PickFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
+  MARKETGEN_CHECK(check_picture_ending(flags.output, "-o"));
   MARKETGEN_TRY(const Scene scene, scene_in_skin(flags.folder, ""));
   MARKETGEN_TRY(const std::vector<std::uint32_t> rows, items_named(scene, flags.product));
   MARKETGEN_TRY(const std::filesystem::path data, data_folder());
@@ -189,7 +190,7 @@ Run add_pick(CLI::App& app) {
   command->add_option("product", flags->product, "item id, or a SKU: its first item within reach")
       ->required();
   command->add_option("--robot", flags->robot, "row in data/robots")->capture_default_str();
-  command->add_option("-o,--output", flags->output, "PNG file for a strip of pictures");
+  command->add_option("-o,--output", flags->output, "PNG or JPEG file for a strip of pictures");
   command->add_option("--frames", flags->frames, "pictures in the strip")
       ->check(CLI::Range(1, 64))
       ->capture_default_str();

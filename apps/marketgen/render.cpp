@@ -13,6 +13,7 @@
 #include "io/file.h"
 #include "io/json.h"
 #include "io/npy.h"
+#include "io/picture_file.h"
 #include "io/png.h"
 #include "motion/standing_robot.h"
 #include "render/annotations.h"
@@ -79,8 +80,19 @@ bool wants_exr(const RenderFlags& flags) {
 }
 
 Result<void> write_picture(const RenderFlags& flags, const Frame& frame) {
-  if (!wants_exr(flags)) return write_png(flags.output, frame.color);
+  if (!wants_exr(flags)) return marketgen::write_picture(flags.output, frame.color);
   return write_exr(flags.output, {frame.color.width, frame.color.height, frame.radiance});
+}
+
+// Before the work: every name says a format that its file can have. Numbers would not survive JPEG.
+Result<void> check_endings(const RenderFlags& flags) {
+  MARKETGEN_CHECK(check_ending(flags.output, {".png", ".jpg", ".jpeg", ".exr"}, "-o"));
+  MARKETGEN_CHECK(check_ending(flags.depth, {".png", ".npy"}, "--depth"));
+  MARKETGEN_CHECK(check_ending(flags.segmentation, {".png"}, "--segmentation"));
+  MARKETGEN_CHECK(check_ending(flags.object_ids, {".png"}, "--object-ids"));
+  MARKETGEN_CHECK(check_ending(flags.normals, {".png"}, "--normals"));
+  MARKETGEN_CHECK(check_ending(flags.categories, {".png"}, "--categories"));
+  return check_ending(flags.annotations, {".json"}, "--annotations");
 }
 
 Result<void> write_planes(const RenderFlags& flags, const Frame& frame) {
@@ -147,6 +159,7 @@ Result<void> render(const RenderFlags& flags) {
   }
   if (flags.output.empty())
     return Error{"usage.bad_flag", "-o", "say where the picture goes: -o picture.png"};
+  MARKETGEN_CHECK(check_endings(flags));
   if (wants_exr(flags) && flags.mode != "path")
     return Error{"usage.bad_flag", "-o", "linear light (EXR) is what --mode path draws"};
   MARKETGEN_TRY(const Camera camera, camera_of(flags.camera, scene));
@@ -222,7 +235,7 @@ Run add_render(CLI::App& app) {
   CLI::App* command = app.add_subcommand("render", "Draw a picture of a store");
   command->add_option("folder", flags->folder, "store folder")->required();
   command->add_option(
-      "-o,--output", flags->output, "PNG file to write; EXR (--mode path): linear light in cd/m2");
+      "-o,--output", flags->output, "PNG or JPEG file; EXR (--mode path): linear light in cd/m2");
   add_camera_flags(*command, flags->camera);
   command->add_flag("--list-cameras", flags->list, "print the standard views and stop");
   add_drawing_flags(*command, *flags);

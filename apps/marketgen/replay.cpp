@@ -12,6 +12,7 @@
 #include "evaluation/film.h"
 #include "io/file.h"
 #include "io/json.h"
+#include "io/picture_file.h"
 
 namespace marketgen::app {
 namespace {
@@ -92,6 +93,8 @@ Result<void> compare(const ReplayFlags& flags,
 
 Result<void> replay_episode(const ReplayFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
+  MARKETGEN_CHECK(check_ending(flags.film, {".mp4"}, "--film"));
+  MARKETGEN_CHECK(check_picture_ending(flags.strip, "--strip"));
   MARKETGEN_TRY(const EpisodeFile file, read_episode_file(flags.episodes));
   MARKETGEN_TRY(const EpisodeSpec spec, episode_named(file, flags.episode));
   MARKETGEN_TRY(const auto before, kept_result(flags, file.header, spec));
@@ -134,7 +137,7 @@ Run add_replay(CLI::App& app) {
   command->add_option("--policy", flags->policy, "who acts")->capture_default_str();
   command->add_option("--results", flags->results, "results.jsonl with which it is compared");
   command->add_option("--film", flags->film, "MP4 file");
-  command->add_option("--strip", flags->strip, "PNG file with six pictures of it");
+  command->add_option("--strip", flags->strip, "PNG or JPEG file with six pictures of it");
   command->add_option("--speed", flags->speed, "of the film, times real time")
       ->check(CLI::Range(0.1, 100.0))
       ->capture_default_str();

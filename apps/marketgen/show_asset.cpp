@@ -5,7 +5,7 @@
 #include "assets/asset_detail.h"
 #include "assets/label.h"
 #include "io/json.h"
-#include "io/png.h"
+#include "io/picture_file.h"
 #include "render/contact_sheet.h"
 #include "render/material_picture.h"
 #include "show_fixture.h"
@@ -18,11 +18,11 @@ constexpr int label_px = 1024;
 Result<void> show_product(const Product& product, const Catalog& catalog, const ShownAsset& asset) {
   if (!asset.picture.empty()) {
     MARKETGEN_TRY(const Image picture, draw_product(product, asset.size_px));
-    MARKETGEN_CHECK(write_png(asset.picture, picture));
+    MARKETGEN_CHECK(write_picture(asset.picture, picture));
   }
   if (!asset.label.empty()) {
     MARKETGEN_TRY(const Image label, draw_label(product, label_px));
-    MARKETGEN_CHECK(write_png(asset.label, label));
+    MARKETGEN_CHECK(write_picture(asset.label, label));
   }
   MARKETGEN_TRY(const ProductDetail detail, detail_of(product, catalog));
   fmt::print("{}", write_json(detail));
@@ -32,7 +32,7 @@ Result<void> show_product(const Product& product, const Catalog& catalog, const 
 Result<void> show_material(const MaterialRow& material, const ShownAsset& asset) {
   if (!asset.picture.empty()) {
     MARKETGEN_TRY(const Image picture, draw_material_picture(material, asset.size_px));
-    MARKETGEN_CHECK(write_png(asset.picture, picture));
+    MARKETGEN_CHECK(write_picture(asset.picture, picture));
   }
   fmt::print("{}", write_json(material));
   return {};
@@ -52,6 +52,8 @@ Error unknown_asset(const Catalog& catalog, const std::string& id) {
 }  // namespace
 
 Result<void> show_asset(const Catalog& catalog, const ShownAsset& asset) {
+  MARKETGEN_CHECK(check_picture_ending(asset.picture, "--picture"));
+  MARKETGEN_CHECK(check_picture_ending(asset.label, "--label"));
   const Product* product = catalog.product(asset.id);
   const FixtureKind* kind = catalog.fixture_kind(asset.id);
   const MaterialRow* material = catalog.material(asset.id);

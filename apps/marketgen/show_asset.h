@@ -10,7 +10,7 @@ namespace marketgen::app {
 
 struct ShownAsset {
   std::string id;                   // SKU, fixture kind or material id
-  std::string picture, label;       // PNG files; empty: none
+  std::string picture, label;       // PNG or JPEG files; empty: none
   std::vector<std::string> joints;  // of a fixture: "door-1=open"
   int size_px = 400;
 };

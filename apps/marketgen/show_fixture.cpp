@@ -6,7 +6,7 @@
 
 #include "base/inherited_fields.h"
 #include "io/json.h"
-#include "io/png.h"
+#include "io/picture_file.h"
 #include "render/fixture_picture.h"
 #include "scene/articulation.h"
 #include "scene/fixture_stage.h"
@@ -70,7 +70,7 @@ Result<void> show_fixture(const FixtureKind& kind,
   if (view.picture.empty()) return {};
   MARKETGEN_TRY(const Image picture,
                 draw_fixture(scene_at(std::move(stage), positions), view.size_px));
-  return write_png(view.picture, picture);
+  return write_picture(view.picture, picture);
 }
 
 }  // namespace marketgen::app

@@ -11,7 +11,7 @@ namespace marketgen::app {
 
 struct FixtureView {
   std::vector<std::string> joints;  // "door-1=open", "till=0.2", "all=open"
-  std::string picture;              // PNG; empty: none
+  std::string picture;              // PNG or JPEG; empty: none
   int size_px = 400;
 };
 

@@ -4,7 +4,7 @@
 #include "binding.h"
 #include "frame_handle.h"
 #include "io/exr.h"
-#include "io/png.h"
+#include "io/picture_file.h"
 
 namespace marketgen::python {
 namespace {
@@ -23,7 +23,7 @@ Array<T> plane(FrameHandle& handle, std::vector<T>& numbers, std::size_t channel
 
 void save(const FrameHandle& handle, const std::string& path) {
   const Frame& frame = handle.frame;
-  if (!path.ends_with(".exr")) return check_or_raise(write_png(path, frame.color));
+  if (!path.ends_with(".exr")) return check_or_raise(write_picture(path, frame.color));
   if (frame.radiance.empty())
     raise({"usage.bad_flag", path, "linear light (EXR) is what mode=\"path\" draws"});
   check_or_raise(write_exr(path, {frame.color.width, frame.color.height, frame.radiance}));
@@ -66,7 +66,8 @@ void add_frames(nb::module_& module) {
             return nb::cast(plane(h, h.frame.radiance, 3), inside, nb::find(h));
           },
           "float32 linear Rec. 709 light in cd/m2; None unless mode=\"path\".")
-      .def("save", &save, nb::arg("path"), "Writes a PNG, or an EXR of the linear light.");
+      .def(
+          "save", &save, nb::arg("path"), "Writes a PNG or a JPEG, or an EXR of the linear light.");
 }
 
 }  // namespace marketgen::python

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import warnings
 from collections.abc import Sequence
 from typing import Any
 
@@ -107,6 +108,7 @@ def generate(
     profile   kind of shop: "supermarket-eu", "discounter-eu", "convenience-us", ...
     style     look: "scandinavian", "industrial", ...
     plan      a market-plan/1 file instead of a prompt
+    catalogs  product files of your own; each product stands in the store, or a warning says why not
     previews  draw its pictures, too (seconds)
     strict    raise layout.violation when a hard rule is broken
 
@@ -125,4 +127,7 @@ def generate(
         previews,
         strict,
     )
-    return Store(handle, rows)
+    store = Store(handle, rows)
+    for product in store.report.get("unstocked", []):
+        warnings.warn(f"{product['sku']} stands nowhere in the store: {product['why']}", stacklevel=2)
+    return store

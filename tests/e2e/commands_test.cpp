@@ -136,20 +136,30 @@ TEST(Generate, ProductsOfOnesOwn) {
   const ScratchFolder scratch;
   std::ofstream(scratch.path() / "own.json")
       << R"([{"sku": "own-elderflower", "ean": "2999999999991", "name": "Elderflower Lemonade", "category": "beverages",
-      "subcategory": "soft drinks", "archetype": "can", "size_mm": [66, 66, 115], "mass_kg": 0.35, "unit_of_measure": "l", "unit_amount": 0.33}])";
+      "subcategory": "soft drinks", "archetype": "can", "size_mm": [66, 66, 115], "mass_kg": 0.35, "unit_of_measure": "l", "unit_amount": 0.33},
+      {"sku": "own-giant", "ean": "2999999999984", "name": "Giant", "category": "beverages", "subcategory": "soft drinks",
+      "archetype": "can", "size_mm": [66, 66, 915], "mass_kg": 0.35}])";
   const json found = json_of({"assets", "search", "elderflower", "--json", "--catalog", "own.json"},
                              scratch.path());
   ASSERT_FALSE(found.empty());
   EXPECT_EQ(found[0]["id"], "own-elderflower");
-  output_of({"generate",
-             "a shop that sells only drinks",
-             "--size=9x8m",
-             "--no-previews",
-             "--catalog",
-             "own.json",
-             "-o",
-             "shop"},
-            scratch.path());
+  const std::string out = output_of({"generate",
+                                     "a shop that sells only drinks",
+                                     "--size=9x8m",
+                                     "--no-previews",
+                                     "--catalog",
+                                     "own.json",
+                                     "-o",
+                                     "shop"},
+                                    scratch.path());
+  EXPECT_GE(json_of({"query", "shop", "products", "--where", "sku=own-elderflower", "--json"},
+                    scratch.path())
+                .size(),
+            1U);
+  EXPECT_NE(out.find("not stocked own-giant: it is 915 mm tall"), std::string::npos) << out;
+  const json report = json::parse(contents_of(scratch.path() / "shop/report.json"));
+  ASSERT_EQ(report["unstocked"].size(), 1U);
+  EXPECT_EQ(report["unstocked"][0]["sku"], "own-giant");
 }
 
 // A model becomes an asset, the asset stands in a store, and the store needs neither the model nor
@@ -340,6 +350,24 @@ TEST(Render, PictureDepthSegmentationNormals) {
     EXPECT_GT(values.size(), 16U) << name << " is nearly one colour";
   }
   EXPECT_GT(fs::file_size(scratch.path() / "depth.png"), 1000U);
+}
+
+TEST(Render, TheEndingOfAFilesNameSaysItsFormat) {
+  const ScratchFolder scratch;
+  std::vector<std::string> command{
+      "render", shop(), "--camera=aisle", "--size=64x36", "--quality=fast", "--quiet", "-o"};
+  command.emplace_back("aisle.jpg");
+  output_of(command, scratch.path());
+  EXPECT_EQ(contents_of(scratch.path() / "aisle.jpg").substr(0, 3), "\xFF\xD8\xFF");
+  command.back() = "aisle.tiff";
+  const Ran refused = marketgen_run(command, scratch.path());
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("error[usage.bad_flag] -o: \"aisle.tiff\""), std::string::npos)
+      << refused.err;
+  command.back() = "aisle.png";
+  command.insert(command.end(), {"--depth", "depth.jpg"});
+  EXPECT_EQ(marketgen_run(command, scratch.path()).status, 2);  // numbers do not survive JPEG
+  EXPECT_FALSE(fs::exists(scratch.path() / "aisle.png"));
 }
 
 TEST(Render, StandardCamerasAndOnesOwn) {

@@ -57,3 +57,24 @@ def test_a_failed_generate_leaves_nothing(tmp_path):
     with pytest.raises(marketgen.Error):
         marketgen.generate(PROMPT, tmp_path / "shop", size="2x2m")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_own_products_stand_in_the_store_or_a_warning_says_why_not(tmp_path):
+    rows = tmp_path / "own.csv"
+    rows.write_text(
+        "sku,ean,name,category,subcategory,archetype,size_mm,mass_kg\n"
+        "own-cola,2999999999991,Lemonade,beverages,soft drinks,can,66x66x115,0.35\n"
+        "own-giant,2999999999984,Giant,beverages,soft drinks,can,66x66x915,0.35\n"
+    )
+    with pytest.warns(UserWarning, match="own-giant stands nowhere in the store: it is 915 mm tall"):
+        store = marketgen.generate("a kiosk with cold drinks", tmp_path / "shop", seed=2, size="8x7m", catalogs=[rows])
+    assert store.query("products", "sku=own-cola")
+    assert not store.query("products", "sku=own-giant")
+
+
+def test_pictures_are_saved_by_the_ending_of_their_name(store, renderer, tmp_path):
+    frame = renderer.render(store.camera("aisle", 64, 48), quality="fast")
+    frame.save(str(tmp_path / "aisle.jpg"))
+    assert (tmp_path / "aisle.jpg").read_bytes()[:3] == b"\xff\xd8\xff"
+    with pytest.raises(marketgen.Error, match="cannot be written as .gif"):
+        frame.save(str(tmp_path / "aisle.gif"))

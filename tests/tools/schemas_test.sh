@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # schemas/ and docs/fields/ are what the program writes (refresh both with tools/refresh_golden), and outside readers agree with
-# it: jsonschema accepts the JSON files of a generated store, flatc reads scene.bin with the committed schema.
+# it: jsonschema accepts the JSON files of a generated store, flatc reads scene.bin with the committed schema, and so does the
+# Python code that flatc makes of it, beside our own package.
 set -euo pipefail
 repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 program=${MARKETGEN_BINARY:-$repository/build/release/marketgen}
@@ -17,12 +18,16 @@ diff -r "$repository/docs/fields" "$scratch/docs/fields"
 # --size-prefixed: the file starts with its length.
 flatc --json --strict-json --size-prefixed -o "$scratch" "$repository/schemas/market-scene-1.fbs" -- "$scratch/shop/scene.bin"
 
+# Classes for Python, where a user makes them: in the folder from which `import marketgen` must still find our package.
+(cd "$scratch" && flatc --python "$repository/schemas/market-scene-1.fbs")
+
 "$python" - "$repository" "$scratch" <<'JUDGE'
 import json
 import pathlib
 import sys
 
 import jsonschema
+import numpy
 
 repository, scratch = map(pathlib.Path, sys.argv[1:])
 
@@ -68,5 +73,17 @@ assert len(scene["fixtures"]) == manifest["counts"]["fixtures"]
 assert len(scene["catalog"]) == manifest["counts"]["skus"]
 assert sum(facing.get("facings", 0) for facing in scene["facings"]) == manifest["counts"]["facings"]
 assert all(product["sku"] < len(scene["catalog"]) for product in scene["products"])
+
+sys.path.insert(0, str(scratch))
+import marketgen_scene.Scene  # noqa: E402
+
+assert not (scratch / "marketgen").exists(), "the classes of flatc shadow the package marketgen"
+bytes_of_scene = (scratch / "shop/scene.bin").read_bytes()
+assert bytes_of_scene[8:12] == b"MGS1"  # behind the length and the root's offset
+flat = marketgen_scene.Scene.Scene.GetRootAs(bytes_of_scene, 4)
+assert flat.ProductsLength() == len(scene["products"])
+assert [flat.Catalog(i).Sku().decode() for i in range(flat.CatalogLength())] == [row["sku"] for row in scene["catalog"]]
+row = len(scene["products"]) // 2
+assert numpy.allclose(flat.Products(row).PositionM(), scene["products"][row]["position_m"], atol=1e-5)  # flatc rounds
 print(f"{checked} documents agree with their schemas; flatc reads {len(scene['products'])} products")
 JUDGE

@@ -11,6 +11,7 @@
 
 #include "assets/product_model.h"
 #include "base/text.h"
+#include "catalog/usual_pack.h"
 
 namespace marketgen {
 namespace {
@@ -149,6 +150,13 @@ class OfflineAnnotator {
     annotation.keywords = words;
     annotation.material = material_seen(words, evidence.look, annotation.reasons);
     annotation.archetype = archetype_named(words);
+    if (annotation.material.empty() && !annotation.archetype.empty()) {
+      Product named;
+      named.archetype = annotation.archetype;
+      annotation.material = usual_material(catalog_.products, named);
+      annotation.reasons.push_back(fmt::format(
+          "most rows of archetype {} are of {}", annotation.archetype, annotation.material));
+    }
     MARKETGEN_CHECK(vote(words, annotation));
     return annotation;
   }

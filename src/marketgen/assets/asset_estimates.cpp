@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "catalog/usual_pack.h"
+
 namespace marketgen {
 namespace {
 
@@ -52,10 +54,8 @@ Estimate estimated_mass(const Product& product, double volume_m3, const Catalog&
 }
 
 Estimate estimated_friction(const std::string& material, const Catalog& catalog) {
-  for (const FrictionRow& row : catalog.frictions) {
-    if ((row.a == material && row.b == "steel") || (row.b == material && row.a == "steel"))
-      return {row.sliding, row.a + " on " + row.b + ": " + row.source};
-  }
+  if (const FrictionRow* row = friction_on_steel(catalog.frictions, material))
+    return {row->sliding, row->a + " on " + row->b + ": " + row->source};
   return {usual_friction, "no row for " + material + " on steel: that of cardboard"};
 }
 

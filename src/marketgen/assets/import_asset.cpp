@@ -11,6 +11,7 @@
 #include "assets/outer_hull.h"
 #include "base/text.h"
 #include "catalog/gtin.h"
+#include "catalog/usual_pack.h"
 #include "geometry/convex_hull.h"
 #include "io/file.h"
 #include "io/json.h"
@@ -173,7 +174,13 @@ class Importer {
     row().archetype = mesh_archetype;
     row().size_mm = size_in_mm(bounds_of(model_.mesh).size());
     row().material = chosen(options_.material, said.material);
-    if (row().material.empty()) row().material = "cardboard";
+    if (row().material.empty()) {
+      Product like = row();
+      like.archetype = said.archetype;
+      row().material = usual_material(catalog_.products, like);
+      note(
+          fmt::format("nothing says what it is made of: {}, as most rows like it", row().material));
+    }
     row().rigidity = said.rigidity;
     row().storage = said.storage;
     row().unit_of_measure = "piece";

@@ -46,6 +46,21 @@ Result<void> read_lexicon(const fs::path& file, SearchLexicon& lexicon) {
   return {};
 }
 
+Result<void> add_own_products(const std::vector<fs::path>& files, Catalog& catalog) {
+  std::vector<Product> all;
+  for (const fs::path& file : files) {
+    MARKETGEN_TRY(std::vector<Product> own, read_user_products(file));
+    for (Product& product : own) {
+      fill_in(product, catalog.products, catalog.frictions);
+      catalog.own.push_back(product.sku);
+      all.push_back(std::move(product));
+    }
+  }
+  std::ranges::sort(catalog.own);
+  std::ranges::move(all, std::back_inserter(catalog.products));
+  return {};
+}
+
 template <class Row>
 void add_rows(Hasher& hash, const std::vector<Row>& rows) {
   hash.add(static_cast<std::int64_t>(rows.size()));
@@ -112,10 +127,6 @@ const HeapRow* Catalog::heap(const Product& product) const {
 Result<Catalog> load_catalog(const fs::path& data, const std::vector<fs::path>& extra) {
   Catalog catalog;
   MARKETGEN_CHECK(read_products(data / "products", catalog.products));
-  for (const fs::path& file : extra) {
-    MARKETGEN_TRY(const std::vector<Product> own, read_user_products(file));
-    catalog.products.insert(catalog.products.end(), own.begin(), own.end());
-  }
   MARKETGEN_CHECK(read_rows(data / "fixtures.json", catalog.fixture_kinds));
   MARKETGEN_CHECK(read_rows(data / "categories.json", catalog.categories));
   MARKETGEN_CHECK(read_rows(data / "zone_types.json", catalog.zone_types));
@@ -124,6 +135,7 @@ Result<Catalog> load_catalog(const fs::path& data, const std::vector<fs::path>& 
   MARKETGEN_CHECK(read_rows(data / "styles.json", catalog.styles));
   MARKETGEN_CHECK(read_rows(data / "friction.json", catalog.frictions));
   MARKETGEN_CHECK(read_rows(data / "heaps.json", catalog.heaps));
+  MARKETGEN_CHECK(add_own_products(extra, catalog));
   MARKETGEN_CHECK(read_lexicon(data / "asset_intents.json", catalog.search_lexicon));
   std::stable_sort(catalog.products.begin(),
                    catalog.products.end(),

@@ -29,6 +29,8 @@ struct Catalog {
   std::vector<StyleRow> styles;
   std::vector<FrictionRow> frictions;
   std::vector<HeapRow> heaps;
+  std::vector<std::string>
+      own;  // SKUs of the user's own files, sorted; their rows stand in products
   SearchLexicon search_lexicon;  // how free text is understood; no row
   std::string content_hash;      // of all rows: changes when any row does
 

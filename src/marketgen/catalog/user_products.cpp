@@ -5,10 +5,12 @@
 
 #include <fmt/format.h>
 
+#include "base/inherited_fields.h"
 #include "base/text.h"
 #include "catalog/asset_file.h"
 #include "catalog/catalog.h"
 #include "catalog/own_mesh.h"
+#include "catalog/usual_pack.h"
 #include "io/csv.h"
 #include "io/file.h"
 #include "io/json.h"
@@ -18,6 +20,16 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uint64_t most_bytes = 64U << 20;
+
+// A row as it is written, with nothing where Product has a default that depends on what it is.
+constexpr double no_friction = 0;
+struct OwnRow : Product {
+  OwnRow() {
+    material.clear();
+    friction = no_friction;
+  }
+  static constexpr auto fields = inherited_fields<OwnRow>(Product::fields, field_list());
+};
 
 // ---- CSV: each line becomes the JSON text of a row, so that there is one reader of rows. ----
 
@@ -118,7 +130,8 @@ Result<Product> product_of(const CsvRow& row,
     if (!name.empty())
       json += fmt::format("{}\"{}\": {{{}}}", json.empty() ? "" : ", ", name, fields);
   }
-  return read_json<Product>("{" + json + "}", where);
+  MARKETGEN_TRY(OwnRow own, read_json<OwnRow>("{" + json + "}", where));
+  return Product(std::move(own));
 }
 
 Result<std::vector<Product>> products_of_csv(std::string_view text, const std::string& source) {
@@ -141,8 +154,10 @@ Result<std::vector<Product>> products_of_csv(std::string_view text, const std::s
 
 Result<std::vector<Product>> products_of_json(const std::string& text, const std::string& source) {
   const std::size_t start = text.find_first_not_of(" \t\r\n");
-  if (start == std::string::npos || text[start] != '{')
-    return read_json<std::vector<Product>>(text, source);
+  if (start == std::string::npos || text[start] != '{') {
+    MARKETGEN_TRY(std::vector<OwnRow> rows, read_json<std::vector<OwnRow>>(text, source));
+    return std::vector<Product>(rows.begin(), rows.end());
+  }
   MARKETGEN_TRY(AssetFile asset, read_json<AssetFile>(text, source));
   return std::vector<Product>{std::move(asset.product)};
 }
@@ -164,6 +179,15 @@ Result<void> keep_own_mesh(Product& product, const fs::path& folder, const std::
 }
 
 }  // namespace
+
+void fill_in(Product& own,
+             const std::vector<Product>& rows,
+             const std::vector<FrictionRow>& frictions) {
+  if (own.material.empty()) own.material = usual_material(rows, own);
+  if (own.friction != no_friction) return;
+  const FrictionRow* row = friction_on_steel(frictions, own.material);
+  own.friction = row != nullptr ? row->sliding : Product().friction;
+}
 
 Result<std::vector<Product>> read_user_products(const fs::path& file) {
   const std::string source = file.filename().string();

@@ -9,11 +9,19 @@
 
 #include "base/result.h"
 #include "catalog/product.h"
+#include "catalog/rows.h"
 
 namespace marketgen {
 
-// By the file's ending, .json or .csv. Meshes that rows name are kept (catalog/own_mesh.h). Errors:
-// json.*, csv.*, input.*, model.*, catalog.bad_row.
+// By the file's ending, .json or .csv. Meshes that rows name are kept (catalog/own_mesh.h). A row
+// that does not name its contact material, or its friction, has none: fill_in() gives it one.
+// Errors: json.*, csv.*, input.*, model.*, catalog.bad_row.
 Result<std::vector<Product>> read_user_products(const std::filesystem::path& file);
+
+// The contact material that packs of the row's shape among `rows` usually have, and the friction of
+// that material, where the row says neither.
+void fill_in(Product& own,
+             const std::vector<Product>& rows,
+             const std::vector<FrictionRow>& frictions);
 
 }  // namespace marketgen

@@ -18,8 +18,8 @@ namespace marketgen {
 constexpr int least_targets = 2, most_targets = 4;
 constexpr int least_others = 4, most_others = 8;
 
-// Why the Panda cannot be expected to hold a product as it lies in the basket; measured in the
-// probe (docs: robot-tasks.md) and here. The first that applies.
+// Why the Panda cannot be expected to hold a product as it lies in the basket; measured
+// (docs/episodes.md). The first that applies.
 enum class CheckoutRefusal {
   none,
   soft,         // packs that give way

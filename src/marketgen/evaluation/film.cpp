@@ -8,6 +8,7 @@
 #include "episodes/checkout_view.h"
 #include "io/file.h"
 #include "io/json.h"
+#include "io/picture_file.h"
 #include "io/png.h"
 #include "io/program.h"
 #include "render/picture_grid.h"
@@ -131,7 +132,7 @@ Result<void> Film::write_strip() const {
                   MARKETGEN_TRY(const Image whole, read_png(picture_file(scratch_, at)));
                   return middle_square(whole);
                 }));
-  return write_png(options_.strip, strip);
+  return write_picture(options_.strip, strip);
 }
 
 Result<void> Film::finish() {

@@ -16,8 +16,8 @@ namespace marketgen {
 // x0, y0, x1, y1 in metres: products whose centre lies inside become free bodies (MJCF).
 struct ExportOptions {
   std::optional<std::array<double, 4>> free_region_m;
-  bool plain_instances = false;  // glb: plain nodes instead of EXT_mesh_gpu_instancing
-  bool still_fixtures = false;   // mjcf: no part of a fixture can move
+  bool instanced = false;       // glb: EXT_mesh_gpu_instancing, a node a SKU instead of one an item
+  bool still_fixtures = false;  // mjcf: no part of a fixture can move
 };
 
 // What a file holds, read back with another code path than the one that wrote it.

@@ -76,30 +76,68 @@ std::array<float, 3> as_array(Vec3 v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-// Draws `mesh` at every place: as one instanced node, or as a plain node each.
+void add_place(GlbInstances& copies, const Pose& pose) {
+  copies.translations.push_back(as_array(pose.position));
+  copies.rotations.push_back(gltf_rotation(pose.rotation));
+}
+
+// Draws the node's mesh at every place: as a node each, by its id, or as one instanced node.
 void add_copies(GltfJson node,
                 const GlbInstances& copies,
                 const ExportOptions& options,
                 GlbDocument& document,
                 int group) {
-  if (!options.plain_instances) {
+  if (options.instanced) {
     document.add_instanced_node(std::move(node), copies, group);
     return;
   }
   for (std::size_t i = 0; i < copies.translations.size(); ++i) {
     GltfJson copy = node;
-    if (!copies.ids.empty()) copy["name"] = copies.ids[i];
+    copy["name"] = copies.ids[i];
     copy["translation"] = json_array(copies.translations[i]);
     copy["rotation"] = json_array(copies.rotations[i]);
     document.add_node(std::move(copy), group);
   }
 }
 
-// One tag design and where it is stuck on.
-struct Tags {
+// One design of tag or card and where it is stuck on.
+struct Prints {
   const PriceLabel* first = nullptr;
-  GlbInstances places;
+  std::vector<Pose> places;
 };
+
+Mesh upright_quad(float width_m, float height_m) {
+  const float x = width_m / 2, z = height_m / 2;
+  Mesh quad;
+  add_quad(quad, {-x, 0, -z}, {x, 0, -z}, {x, 0, z}, {-x, 0, z}, 0);
+  return quad;
+}
+
+// Nobody asks for one print among its copies: without instances they are one mesh and one node, for
+// every node costs a viewer time.
+void add_prints(const std::string& name,
+                const Mesh& print,
+                int material,
+                const std::vector<Pose>& places,
+                const ExportOptions& options,
+                GlbDocument& document,
+                int group) {
+  if (options.instanced) {
+    GlbInstances copies;
+    for (const Pose& pose : places)
+      add_place(copies, pose);
+    const int mesh = document.add_mesh(name, print, {material});
+    document.add_instanced_node({{"name", name}, {"mesh", mesh}}, copies, group);
+    return;
+  }
+  Mesh all;
+  for (const Pose& pose : places) {
+    const std::size_t first = all.positions.size();
+    all.append(print);
+    place(all, pose, first);
+  }
+  document.add_node({{"name", name}, {"mesh", document.add_mesh(name, all, {material})}}, group);
+}
 
 Pose place_of(const Scene& scene, const PriceLabel& label) {
   const SceneShelf& shelf = scene.shelves[label.shelf];
@@ -116,37 +154,26 @@ Pose place_of_card(const Scene& scene, std::size_t row) {
          Pose{{0, -apart_m, -static_cast<double>(label.height_m + card_height_m) / 2}, {}};
 }
 
-Mesh upright_quad(float width_m, float height_m) {
-  const float x = width_m / 2, z = height_m / 2;
-  Mesh quad;
-  add_quad(quad, {-x, 0, -z}, {x, 0, -z}, {x, 0, z}, {-x, 0, z}, 0);
-  return quad;
-}
-
 // One card a SKU on offer, at all its places.
 Result<void> add_promotion_cards(const Scene& scene,
                                  const ExportOptions& options,
                                  GlbDocument& document,
                                  GlbMaterials& materials,
                                  int group) {
-  std::map<std::uint32_t, GlbInstances> places;  // by SKU
+  std::map<std::uint32_t, std::vector<Pose>> cards;  // by SKU
   for (std::size_t row = 0; row < scene.price_labels.size(); ++row) {
     const PriceLabel& label = scene.price_labels[row];
-    if (label.promotion == 0) continue;
-    const Pose pose = place_of_card(scene, row);
-    places[label.sku].translations.push_back(as_array(pose.position));
-    places[label.sku].rotations.push_back(gltf_rotation(pose.rotation));
+    if (label.promotion != 0) cards[label.sku].push_back(place_of_card(scene, row));
   }
-  for (const auto& [sku, copies] : places) {
+  const Mesh card = upright_quad(card_width_m, card_height_m);
+  for (const auto& [sku, places] : cards) {
     const Product& product = scene.catalog[sku];
     MARKETGEN_TRY(const std::string png,
                   png_of(fmt::format("promotion card {} {}", card_px, write_json_line(product)),
                          [&] { return draw_promotion_card(product, card_px); }));
     const int material = materials.add(
         {.color = {1, 1, 1}, .roughness = tag_roughness, .texture = ""}, document.add_texture(png));
-    const std::string name = "offer/" + product.sku;
-    const int mesh = document.add_mesh(name, upright_quad(card_width_m, card_height_m), {material});
-    add_copies({{"name", name}, {"mesh", mesh}}, copies, options, document, group);
+    add_prints("offer/" + product.sku, card, material, places, options, document, group);
   }
   return {};
 }
@@ -160,9 +187,7 @@ Result<void> add_products(const Scene& scene,
   std::vector<GlbInstances> copies(scene.catalog.size());
   for (std::uint32_t row = 0; row < scene.products.size(); ++row) {
     const SceneProduct& item = scene.products[row];
-    const Pose pose = world_from_product(item);
-    copies[item.sku].translations.push_back(as_array(pose.position));
-    copies[item.sku].rotations.push_back(gltf_rotation(pose.rotation));
+    add_place(copies[item.sku], world_from_product(item));
     copies[item.sku].ids.push_back(product_id(scene, row));
   }
   const std::vector<MadeProduct> made = parallel_map(scene.catalog.size(), [&](std::size_t sku) {
@@ -186,14 +211,12 @@ Result<void> add_price_labels(const Scene& scene,
                               const ExportOptions& options,
                               GlbDocument& document,
                               GlbMaterials& materials) {
-  std::map<std::tuple<std::uint32_t, std::uint32_t>, int> material_of;          // SKU, promotion
-  std::map<std::tuple<std::uint32_t, std::uint32_t, float, float>, Tags> tags;  // and size
+  std::map<std::tuple<std::uint32_t, std::uint32_t>, int> material_of;            // SKU, promotion
+  std::map<std::tuple<std::uint32_t, std::uint32_t, float, float>, Prints> tags;  // and size
   for (const PriceLabel& label : scene.price_labels) {
-    Tags& same = tags[{label.sku, label.promotion, label.width_m, label.height_m}];
+    Prints& same = tags[{label.sku, label.promotion, label.width_m, label.height_m}];
     if (same.first == nullptr) same.first = &label;
-    const Pose pose = place_of(scene, label);
-    same.places.translations.push_back(as_array(pose.position));
-    same.places.rotations.push_back(gltf_rotation(pose.rotation));
+    same.places.push_back(place_of(scene, label));
     material_of[{label.sku, label.promotion}] = -1;
   }
   std::vector<std::pair<std::tuple<std::uint32_t, std::uint32_t>, PictureResult>> drawn;
@@ -215,11 +238,13 @@ Result<void> add_price_labels(const Scene& scene,
   }
   const int group = document.add_node({{"name", "price-labels"}}, -1);
   for (const auto& [key, same] : tags) {
-    const std::string name = "price/" + scene.catalog[same.first->sku].sku;
-    const int mesh = document.add_mesh(name,
-                                       upright_quad(same.first->width_m, same.first->height_m),
-                                       {material_of[{same.first->sku, same.first->promotion}]});
-    add_copies({{"name", name}, {"mesh", mesh}}, same.places, options, document, group);
+    add_prints("price/" + scene.catalog[same.first->sku].sku,
+               upright_quad(same.first->width_m, same.first->height_m),
+               material_of[{same.first->sku, same.first->promotion}],
+               same.places,
+               options,
+               document,
+               group);
   }
   return add_promotion_cards(scene, options, document, materials, group);
 }

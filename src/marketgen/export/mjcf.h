@@ -9,8 +9,8 @@
 
 namespace marketgen {
 
-// The XML text. Geom names are fixture and product ids. Contact parameters: engines.md, "Options
-// that hold a grasp".
+// The XML text. Geom names are fixture and product ids. Contact parameters:
+// physics/contact_shape.h.
 Result<std::string> write_mjcf(const Scene& scene, const ExportOptions& options);
 
 }  // namespace marketgen

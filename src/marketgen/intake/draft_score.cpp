@@ -22,7 +22,7 @@ constexpr double short_core_per_m = 8;  // gondola runs shorter than a few secti
 constexpr double aisle_missed = 12;     // each aisle more or less than asked for
 constexpr double least_run_mm = 3800;
 
-// Adjacency facts of shop design, in points (sources: design/generation.md, "Adjacency").
+// Adjacency in shop design, in points: our own weights of what planners of shops advise.
 constexpr double produce_far_from_entrance = 7;  // over the diagonal
 constexpr double bakery_far_from_entrance = 3;
 constexpr double destination_near_entrance =

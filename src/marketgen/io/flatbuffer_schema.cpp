@@ -118,7 +118,7 @@ std::string flatbuffer_schema_of(const TypeInfo& type, std::string_view file_ide
   return fmt::format(
       "// Written from the field lists of the C++ structs by `marketgen schemas`; do not edit.\n"
       "// The file is size-prefixed: flatc --json --size-prefixed --raw-binary <this> -- <file>\n"
-      "namespace marketgen.fbs;\n\n{}root_type {};\nfile_identifier \"{}\";\n",
+      "namespace marketgen_scene;\n\n{}root_type {};\nfile_identifier \"{}\";\n",
       writer.take(),
       type.name,
       file_identifier);

@@ -2,6 +2,7 @@
 
 #include <csetjmp>
 #include <cstdio>
+#include <cstdlib>
 
 #include <fmt/format.h>
 #include <jpeglib.h>
@@ -63,7 +64,55 @@ Decoded decode(std::string_view bytes, Fault& fault, Image& image) {
   return Decoded::picture;
 }
 
+// Of 100; above it files grow and pictures look the same.
+constexpr int written_quality = 92;
+
+// No object with a destructor may live here either. `bytes` is malloc's.
+bool encode(const Image& image, Fault& fault, unsigned char** bytes, unsigned long* size) {
+  jpeg_compress_struct jpeg{};
+  jpeg.err = jpeg_std_error(&fault.manager);
+  fault.manager.error_exit = leave;
+  if (setjmp(fault.back) != 0) {
+    jpeg_destroy_compress(&jpeg);
+    return false;
+  }
+  jpeg_create_compress(&jpeg);
+  jpeg_mem_dest(&jpeg, bytes, size);
+  jpeg.image_width = static_cast<JDIMENSION>(image.width);
+  jpeg.image_height = static_cast<JDIMENSION>(image.height);
+  jpeg.input_components = 3;
+  jpeg.in_color_space = JCS_RGB;
+  jpeg_set_defaults(&jpeg);
+  jpeg_set_quality(&jpeg, written_quality, TRUE);
+  jpeg.comp_info[0].h_samp_factor = jpeg.comp_info[0].v_samp_factor =
+      1;  // colour as sharp as light
+  jpeg_start_compress(&jpeg, TRUE);
+  while (jpeg.next_scanline < jpeg.image_height) {
+    // libjpeg takes rows without const, and does not write to them.
+    auto* row = const_cast<JSAMPROW>(image.at(0, static_cast<int>(jpeg.next_scanline)));
+    jpeg_write_scanlines(&jpeg, &row, 1);
+  }
+  jpeg_finish_compress(&jpeg);
+  jpeg_destroy_compress(&jpeg);
+  return true;
+}
+
 }  // namespace
+
+Result<std::string> encode_jpeg(const Image& image) {
+  if (image.channels != 3)
+    return Error{"image.bad_file", "JPEG", fmt::format("{} channels, not 3", image.channels)};
+  Fault fault;
+  unsigned char* bytes = nullptr;
+  unsigned long size = 0;
+  const bool done = encode(image, fault, &bytes, &size);
+  std::string file(reinterpret_cast<const char*>(bytes), done ? size : 0);
+  std::free(bytes);
+  if (done) return file;
+  return Error{"image.bad_file",
+               fmt::format("{} x {} pixels", image.width, image.height),
+               fmt::format("cannot be written as JPEG ({})", fault.message)};
+}
 
 Result<Image> decode_jpeg(std::string_view bytes, const std::string& where) {
   Fault fault;

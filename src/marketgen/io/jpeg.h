@@ -1,4 +1,4 @@
-// JPEG pictures by libjpeg: reading only.
+// JPEG pictures by libjpeg.
 #pragma once
 #include <string>
 #include <string_view>
@@ -11,5 +11,9 @@ namespace marketgen {
 // Three channels, sRGB. `where` names the bytes in errors: image.bad_file (damaged pictures too),
 // input.too_large (more than 64 megapixels).
 Result<Image> decode_jpeg(std::string_view bytes, const std::string& where);
+
+// Three channels, sRGB, at a quality at which a person sees no loss. Same picture, same bytes.
+// Errors: image.bad_file for a side longer than JPEG's 65,535 pixels.
+Result<std::string> encode_jpeg(const Image& image);
 
 }  // namespace marketgen

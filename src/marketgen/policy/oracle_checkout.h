@@ -1,5 +1,5 @@
 // The oracle of Checkout Unloading: knows where everything is, and uses the same executor as every
-// other policy. Its strategy is that of the probe (docs: robot-tasks.md): grasps from all sides
+// other policy. Its strategy (docs/episodes.md, "The oracle"): grasps from all sides
 // against a ghost of the hand, what lies over a target cleared first, what is held measured again
 // and put down in a stable way, three tries an item.
 #pragma once

@@ -33,6 +33,18 @@ bool has_word(const std::string& text, const std::string& word) {
   return false;
 }
 
+// Categories and subcategories that a zone sells: its own list, or its type's.
+struct GoodsLists {
+  const std::vector<std::string>&categories, &subcategories;
+};
+
+GoodsLists lists_of(const Zone& zone, const Catalog& catalog) {
+  static const std::vector<std::string> none;
+  const ZoneTypeRow* type = catalog.zone_type(zone.type);
+  if (!zone.stock.categories.empty() || type == nullptr) return {zone.stock.categories, none};
+  return {type->categories, type->subcategories};
+}
+
 }  // namespace
 
 bool named_by(const Product& product, const std::vector<std::string>& words) {
@@ -52,20 +64,20 @@ bool named_by(const Product& product, const std::vector<std::string>& words) {
   return false;
 }
 
+bool sells(const Zone& zone, const Product& product, const Catalog& catalog) {
+  const auto& [categories, subcategories] = lists_of(zone, catalog);
+  return sold_in(product, categories, subcategories);
+}
+
 std::vector<std::uint32_t> assortment_of(const Zone& zone,
                                          Storage temperature,
                                          const Catalog& catalog) {
-  const ZoneTypeRow* type = catalog.zone_type(zone.type);
-  const bool own_list = !zone.stock.categories.empty();
-  const std::vector<std::string> none;
-  const auto& categories = own_list || type == nullptr ? zone.stock.categories : type->categories;
-  const auto& subcategories = own_list || type == nullptr ? none : type->subcategories;
+  const std::vector<std::string>& categories = lists_of(zone, catalog).categories;
 
   std::vector<std::uint32_t> rows;
   for (std::uint32_t i = 0; i < catalog.products.size(); ++i) {
     const Product& product = catalog.products[i];
-    if (!keeps(temperature, product.storage) || !sold_in(product, categories, subcategories))
-      continue;
+    if (!keeps(temperature, product.storage) || !sells(zone, product, catalog)) continue;
     if (!named_by(product, zone.stock.exclude)) rows.push_back(i);
   }
   std::sort(rows.begin(), rows.end(), [&](std::uint32_t a, std::uint32_t b) {

@@ -15,6 +15,10 @@ std::vector<std::uint32_t> assortment_of(const Zone& zone,
                                          Storage temperature,
                                          const Catalog& catalog);
 
+// True when the zone's lists have the product's category and subcategory: its own list, or else its
+// type's. What its stock leaves out, and what its fixtures keep, is asked apart.
+bool sells(const Zone& zone, const Product& product, const Catalog& catalog);
+
 // True when one of the words names the product: its name, variant, brand, subcategory, category or
 // a keyword.
 bool named_by(const Product& product, const std::vector<std::string>& words);

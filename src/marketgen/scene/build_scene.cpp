@@ -3,9 +3,8 @@
 #include <tuple>
 
 #include "base/parallel.h"
-#include "scene/assortment.h"
+#include "scene/bays.h"
 #include "scene/placements.h"
-#include "scene/planogram.h"
 #include "scene/row_arrays.h"
 #include "scene/scene.h"
 #include "scene/shelf_fill.h"
@@ -183,95 +182,6 @@ void add_fixture(Scene& scene,
   for (const ShelfSurface& shelf : model.shelves)
     add_shelf(scene, index, shelf);
   scene.fixtures.push_back(row);
-}
-
-// One side of one module, with its shelves from the lowest up.
-struct BayRef {
-  std::string zone, run;
-  int side = 0;
-  int along = 0;  // place along the run, left to right for a shopper
-  std::uint32_t fixture = 0;
-  std::vector<std::uint32_t> shelves;  // rows of scene.shelves
-  Bay bay;
-  std::vector<PlannedShelf> plan;
-};
-
-// Position of a module along its run as a shopper before this side sees it.
-int place_along(const Fixture& fixture, int side) {
-  const int turns = (fixture.yaw_deg / 90 + 2 * side) % 4;
-  switch (turns) {
-    case 0:
-      return fixture.x_mm;
-    case 1:
-      return fixture.y_mm;
-    case 2:
-      return -fixture.x_mm;
-    default:
-      return -fixture.y_mm;
-  }
-}
-
-bool shows_promotions(const Fixture& fixture) {
-  return !fixture.endcap_of.empty() || fixture.kind == "bin" || fixture.kind == "pallet";
-}
-
-std::vector<BayRef> bays_of(const Scene& scene) {
-  std::vector<BayRef> bays;
-  for (std::uint32_t f = 0; f < scene.fixtures.size(); ++f) {
-    const Fixture& fixture = scene.layout.fixtures[f];
-    const SceneFixture& row = scene.fixtures[f];
-    for (int side = 0; side < 2; ++side) {
-      BayRef ref{fixture.zone, fixture.run, side, place_along(fixture, side), f, {}, {}, {}};
-      ref.bay.promotion = shows_promotions(fixture);
-      for (std::uint32_t s = row.first_shelf; s < row.first_shelf + row.shelf_count; ++s) {
-        const SceneShelf& shelf = scene.shelves[s];
-        if (shelf.side != side) continue;
-        ref.shelves.push_back(s);
-        ref.bay.shelves.push_back({shelf.width_m,
-                                   shelf.depth_m - goods_front_m,
-                                   shelf.clearance_m,
-                                   shelf.use,
-                                   shelf.position_m[2]});
-      }
-      if (!ref.shelves.empty()) bays.push_back(std::move(ref));
-    }
-  }
-  std::sort(bays.begin(), bays.end(), [](const BayRef& a, const BayRef& b) {
-    return std::tie(a.zone, a.run, a.side, a.along, a.fixture) <
-           std::tie(b.zone, b.run, b.side, b.along, b.fixture);
-  });
-  return bays;
-}
-
-// Slices of the assortment run on from bay to bay, separately for each zone and temperature.
-void plan_bays(std::vector<BayRef>& bays,
-               const Scene& scene,
-               const Plan& plan,
-               const Catalog& catalog,
-               Seed seed) {
-  struct Stock {
-    std::vector<std::uint32_t> assortment;
-    AssortmentCursor cursor;
-  };
-  std::map<std::pair<std::string, Storage>, Stock> stocks;
-  const Zone fallback;
-  for (BayRef& ref : bays) {
-    const Fixture& fixture = scene.layout.fixtures[ref.fixture];
-    const Zone* found = find_zone(plan, ref.zone);
-    const Zone& zone = found != nullptr ? *found : fallback;
-    const FixtureKind* kind = catalog.fixture_kind(fixture.kind);
-    const Storage temperature = kind != nullptr ? kind->temperature : Storage::ambient;
-    const auto [entry, is_new] = stocks.try_emplace({ref.zone, temperature});
-    if (is_new) entry->second.assortment = assortment_of(zone, temperature, catalog);
-    const Seed bay_seed =
-        seed.child("bay", fixture.id).child("side", static_cast<std::uint64_t>(ref.side));
-    ref.plan = plan_bay(ref.bay,
-                        entry->second.assortment,
-                        zone.stock,
-                        catalog,
-                        entry->second.cursor,
-                        bay_seed.stream());
-  }
 }
 
 using FilledBay = std::vector<std::vector<FilledBlock>>;  // per shelf

@@ -11,12 +11,6 @@ double pitch_of(const Product& product) {
   return product.width_m() + pack_gap_m;
 }
 
-bool fits(const Product& product, const ShelfRoom& room) {
-  if (product.mass_kg > heavy_lift_kg && room.board_m > heavy_board_m) return false;
-  return stack_height(product, room) > 0 && product.depth_m() <= room.depth_m &&
-         pitch_of(product) <= room.width_m;
-}
-
 // What a shopper should not have to lift high: mass first, then bulk.
 double heaviness(const Product& product) {
   return product.mass_kg + 4.0 * product.width_m() * product.height_m();
@@ -42,12 +36,14 @@ class BayPlan {
           const std::vector<std::uint32_t>& assortment,
           const StockSpec& stock,
           const Catalog& catalog,
-          Stream draw)
+          Stream draw,
+          const std::vector<std::uint32_t>& certain)
       : bay_(bay),
         assortment_(assortment),
         stock_(stock),
         catalog_(catalog),
         draw_(draw),
+        certain_(certain),
         piles_only_(bay.promotion && std::ranges::any_of(assortment, [&](std::uint32_t row) {
                       return piles_up_somewhere(catalog.products[row]);
                     })) {
@@ -57,6 +53,7 @@ class BayPlan {
   }
 
   std::vector<PlannedShelf> plan(AssortmentCursor& cursor) {
+    place_certain();
     place(take_slice(cursor));
     for (std::size_t level = 0; level < bay_.shelves.size(); ++level)
       top_up(level);
@@ -94,6 +91,32 @@ class BayPlan {
     return piles_only_ ? piles_up(p, room) : fits(p, room);
   }
 
+  bool is_certain(std::size_t place) const {
+    return std::ranges::find(certain_, assortment_[place]) != certain_.end();
+  }
+
+  // One facing each before any of them has more, in their order: what stood here stays.
+  void place_certain() {
+    for (const std::uint32_t row : certain_) {
+      const auto found = std::ranges::find(assortment_, row);
+      if (found == assortment_.end()) continue;
+      const auto place = static_cast<std::size_t>(found - assortment_.begin());
+      const Product& p = product(place);
+      for (std::size_t level = 0; level < free_m_.size(); ++level) {
+        if (pitch_of(p) > free_m_[level] || !fits(p, bay_.shelves[level])) continue;
+        blocks_[level].push_back({place, 1});
+        free_m_[level] -= pitch_of(p);
+        break;
+      }
+    }
+    if (certain_.empty()) return;
+    const int wanted = wanted_facings();
+    for (std::size_t level = 0; level < free_m_.size(); ++level) {
+      while (widen(level, wanted)) {
+      }
+    }
+  }
+
   // The next products of the assortment, until their blocks fill the bay.
   std::vector<Block> take_slice(AssortmentCursor& cursor) {
     double capacity = 0;
@@ -104,7 +127,7 @@ class BayPlan {
     std::size_t looked = 0;
     for (; looked < assortment_.size() && taken < capacity; ++looked) {
       const std::size_t place = (cursor.next + looked) % assortment_.size();
-      if (!fits_somewhere(product(place))) continue;
+      if (!fits_somewhere(product(place)) || is_certain(place)) continue;
       if (piles_only_ && !piles_up_somewhere(product(place))) continue;
       slice.push_back({place, wanted_facings()});
       taken += slice.back().facings * pitch_of(product(place));
@@ -211,7 +234,7 @@ class BayPlan {
       });
       PlannedShelf shelf;
       for (const Block& block : level)
-        shelf.push_back({assortment_[block.place], block.facings});
+        shelf.push_back({assortment_[block.place], block.facings, is_certain(block.place)});
       shelves.push_back(std::move(shelf));
     }
     return shelves;
@@ -222,12 +245,19 @@ class BayPlan {
   const StockSpec& stock_;
   const Catalog& catalog_;
   Stream draw_;
+  const std::vector<std::uint32_t>& certain_;
   bool piles_only_ = false;                 // offers, and some of the assortment piles up
   std::vector<double> free_m_;              // per level
   std::vector<std::vector<Block>> blocks_;  // per level
 };
 
 }  // namespace
+
+bool fits(const Product& product, const ShelfRoom& room) {
+  if (product.mass_kg > heavy_lift_kg && room.board_m > heavy_board_m) return false;
+  return stack_height(product, room) > 0 && product.depth_m() <= room.depth_m &&
+         pitch_of(product) <= room.width_m;
+}
 
 int stack_height(const Product& product, const ShelfRoom& room) {
   const double usable = room.clearance_m - finger_room_m;
@@ -240,9 +270,10 @@ std::vector<PlannedShelf> plan_bay(const Bay& bay,
                                    const StockSpec& stock,
                                    const Catalog& catalog,
                                    AssortmentCursor& cursor,
-                                   Stream draw) {
+                                   Stream draw,
+                                   const std::vector<std::uint32_t>& certain) {
   if (assortment.empty()) return std::vector<PlannedShelf>(bay.shelves.size());
-  return BayPlan(bay, assortment, stock, catalog, draw).plan(cursor);
+  return BayPlan(bay, assortment, stock, catalog, draw, certain).plan(cursor);
 }
 
 }  // namespace marketgen

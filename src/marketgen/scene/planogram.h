@@ -31,6 +31,7 @@ constexpr double heavy_lift_kg = 7, heavy_board_m = 1.15;
 struct PlannedBlock {
   std::uint32_t product = 0;  // row of catalog.products
   int facings = 1;
+  bool certain = false;  // never out of stock
 };
 
 using PlannedShelf = std::vector<PlannedBlock>;  // from left to right
@@ -52,13 +53,19 @@ struct AssortmentCursor {
   std::size_t next = 0;
 };
 
-// Plans one bay and moves the cursor on. An empty assortment gives empty shelves.
+// Plans one bay and moves the cursor on. An empty assortment gives empty shelves. `certain`: rows
+// of the assortment that stand here first, whatever comes next; one for which the bay has no room
+// is left out.
 std::vector<PlannedShelf> plan_bay(const Bay& bay,
                                    const std::vector<std::uint32_t>& assortment,
                                    const StockSpec& stock,
                                    const Catalog& catalog,
                                    AssortmentCursor& cursor,
-                                   Stream draw);
+                                   Stream draw,
+                                   const std::vector<std::uint32_t>& certain = {});
+
+// Whether one pack fits on an empty shelf: its size, and its mass at that height.
+bool fits(const Product& product, const ShelfRoom& room);
 
 // Packs on one another on a shelf of this clearance; 0 when not even one fits.
 int stack_height(const Product& product, const ShelfRoom& room);

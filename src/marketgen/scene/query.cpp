@@ -220,23 +220,43 @@ std::vector<PlanogramRow> planogram_rows(const Scene& scene) {
 
 // ---- Described rows to a text table. ----
 
+ColumnKind kind_of(const TypeInfo& type) {
+  switch (type.kind) {
+    case TypeKind::boolean:
+      return ColumnKind::boolean;
+    case TypeKind::integer:
+    case TypeKind::number:
+      return ColumnKind::number;
+    case TypeKind::string:
+    case TypeKind::enumeration:
+      return ColumnKind::text;
+    case TypeKind::object:
+    case TypeKind::array:
+    case TypeKind::optional:
+      return ColumnKind::list;
+  }
+  fatal("no such kind of type");
+}
+
+std::string cell_of(const TypeInfo& type, const void* value) {
+  if (type.kind == TypeKind::string) return *static_cast<const std::string*>(value);
+  const std::string json = write_json_line_of(type, value);
+  if (type.kind != TypeKind::enumeration) return json;
+  return json.substr(1, json.size() - 2);  // a plain word between its quotes
+}
+
 template <class Row>
 Table table_of(const std::vector<Row>& rows) {
   const TypeInfo& type = type_of<Row>();
   Table table;
   for (const FieldInfo& f : type.fields) {
     table.columns.emplace_back(f.name);
-    const TypeKind kind = f.type().kind;
-    table.numeric.push_back(kind == TypeKind::integer || kind == TypeKind::number ||
-                            kind == TypeKind::boolean);
+    table.kinds.push_back(kind_of(f.type()));
   }
   for (const Row& row : rows) {
     std::vector<std::string> cells;
-    for (const FieldInfo& f : type.fields) {
-      cells.push_back(f.type().kind == TypeKind::string
-                          ? *static_cast<const std::string*>(f.in(&row))
-                          : write_json_line_of(f.type(), f.in(&row)));
-    }
+    for (const FieldInfo& f : type.fields)
+      cells.push_back(cell_of(f.type(), f.in(&row)));
     table.rows.push_back(std::move(cells));
   }
   return table;
@@ -246,6 +266,7 @@ Table table_of(const std::vector<Row>& rows) {
 
 struct Condition {
   std::size_t column;
+  ColumnKind kind;
   std::string op, value;
 };
 
@@ -260,7 +281,9 @@ std::optional<double> number_in(const std::string& text) {
 bool holds(const Condition& condition, const std::string& cell) {
   if (condition.op == "~")
     return lower_ascii(cell).find(lower_ascii(condition.value)) != std::string::npos;
-  const auto a = number_in(cell), b = number_in(condition.value);
+  const bool numbers = condition.kind == ColumnKind::number;
+  const auto a = numbers ? number_in(cell) : std::nullopt;
+  const auto b = numbers ? number_in(condition.value) : std::nullopt;
   const int order = a && b ? (*a < *b ? -1 : (*a > *b ? 1 : 0)) : cell.compare(condition.value);
   if (condition.op == "=") return order == 0;
   if (condition.op == "!=") return order != 0;
@@ -281,6 +304,33 @@ std::string_view first_operator(std::string_view text) {
   return {};
 }
 
+// A value that no cell of the column can be compared with is a slip: it would keep nothing, or all.
+Result<void> check_value(const Condition& condition,
+                         const std::string& column,
+                         const std::string& text) {
+  if (condition.op == "~") return {};
+  std::string expected;
+  if (condition.kind == ColumnKind::number && !number_in(condition.value))
+    expected = "numbers";
+  else if (condition.kind == ColumnKind::boolean && condition.value != "true" &&
+           condition.value != "false")
+    expected = "true or false";
+  else if (condition.kind == ColumnKind::list && condition.op != "=" && condition.op != "!=")
+    return Error{"usage.bad_flag",
+                 "--where " + text,
+                 fmt::format("column \"{0}\" holds lists; ask with {0}~{1} what they contain",
+                             column,
+                             condition.value)};
+  if (expected.empty()) return {};
+  return Error{"usage.bad_flag",
+               "--where " + text,
+               fmt::format("\"{}\" stands at character {}, but column \"{}\" holds {}",
+                           condition.value,
+                           text.size() - condition.value.size() + 1,
+                           column,
+                           expected)};
+}
+
 Result<Condition> parse_condition(const std::string& text, const Table& table) {
   const std::string_view op = first_operator(text);
   if (op.empty()) {
@@ -291,7 +341,10 @@ Result<Condition> parse_condition(const std::string& text, const Table& table) {
   const auto at = static_cast<std::size_t>(op.data() - text.data());
   const std::string name = text.substr(0, at);
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    if (table.columns[i] == name) return Condition{i, std::string(op), text.substr(at + op.size())};
+    if (table.columns[i] != name) continue;
+    Condition condition{i, table.kinds[i], std::string(op), text.substr(at + op.size())};
+    MARKETGEN_CHECK(check_value(condition, name, text));
+    return condition;
   }
   const std::vector<std::string_view> names(table.columns.begin(), table.columns.end());
   return Error{"usage.bad_flag",
@@ -368,8 +421,9 @@ std::string to_json(const Table& table) {
     out += r == 0 ? "\n  {" : ",\n  {";
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
       const std::string& cell = table.rows[r][i];
-      const std::string text =
-          table.numeric[i] ? cell : write_json_line_of(type_of<std::string>(), &cell);
+      const std::string text = table.kinds[i] != ColumnKind::text
+                                   ? cell
+                                   : write_json_line_of(type_of<std::string>(), &cell);
       out += fmt::format("{}\"{}\": {}", i == 0 ? "" : ", ", table.columns[i], text);
     }
     out += "}";

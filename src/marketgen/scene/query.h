@@ -34,16 +34,19 @@ struct ProductQueryRow {
                  field("misplaced", &ProductQueryRow::misplaced, "stands in the wrong place"));
 };
 
+// What the cells of a column hold; those of a list, and no others but text, are JSON.
+enum class ColumnKind { text, number, boolean, list };
+
 // A table as text cells, ready for CSV or JSON.
 struct Table {
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;
-  std::vector<bool> numeric;  // per column: cells are JSON literals (numbers, true, false)
+  std::vector<ColumnKind> kinds;  // per column
 };
 
 // `table` is products, fixtures, zones, prices, materials or planogram. `where` keeps rows of which
 // every "column=value" (also != < > <= >= ~ for "contains") holds, separated by commas. Errors:
-// usage.bad_flag with the nearest name.
+// usage.bad_flag with the nearest name, or for a value that the column cannot have.
 Result<Table> query_scene(const Scene& scene, std::string_view name, std::string_view where);
 std::string to_csv(const Table& table);   // RFC 4180
 std::string to_json(const Table& table);  // array of objects, one per line

@@ -226,7 +226,7 @@ std::vector<FilledBlock> fill_shelf(const PlannedShelf& plan,
     if (heaped && block.items.empty())  // no settled heap, or none of it has room
       heap_items(block, product, room, stock, draw);
     if (!heaped) stand_items(block, product, room, stock, draw);
-    if (draw.chance(stock.out_of_stock)) block.items.clear();
+    if (draw.chance(stock.out_of_stock) && !planned.certain) block.items.clear();
     x += block.width_m + gap;
     blocks.push_back(std::move(block));
   }

@@ -122,6 +122,7 @@ struct Built {
   Repaired repaired;
   Scene scene;
   Audit audit;
+  std::vector<Unstocked> unstocked;
 };
 
 Result<Built> build(const CreateOptions& options, const Catalog& catalog, Stages& stages) {
@@ -142,7 +143,12 @@ Result<Built> build(const CreateOptions& options, const Catalog& catalog, Stages
     return audit_store(scene, catalog, planned.requirements);
   }));
   if (options.strict) MARKETGEN_CHECK(require_no_hard_violation(audit.rules));
-  return Built{std::move(planned), std::move(repaired), std::move(scene), std::move(audit)};
+  std::vector<Unstocked> unstocked = unstocked_products(scene, repaired.plan, catalog);
+  return Built{std::move(planned),
+               std::move(repaired),
+               std::move(scene),
+               std::move(audit),
+               std::move(unstocked)};
 }
 
 StoreReport report_of(Built& built) {
@@ -153,6 +159,7 @@ StoreReport report_of(Built& built) {
   report.unparsed = std::move(built.planned.unparsed);
   report.conflicts = std::move(built.planned.conflicts);
   report.repairs = std::move(built.repaired.changes);
+  report.unstocked = std::move(built.unstocked);
   return report;
 }
 

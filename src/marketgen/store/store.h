@@ -14,6 +14,7 @@
 #include "intake/brief.h"
 #include "layout/layout.h"
 #include "plan/plan.h"
+#include "scene/own_goods.h"
 #include "scene/scene.h"
 
 namespace marketgen {
@@ -84,19 +85,21 @@ struct StoreReport {
   std::vector<UnparsedWord> unparsed;
   std::vector<Conflict> conflicts;
   std::vector<std::string> repairs;  // what repair changed
+  std::vector<Unstocked> unstocked;  // products of the user's own that stand nowhere
   std::vector<StageTiming> timing_s;
   double peak_rss_mb = 0;
 
-  static constexpr auto fields =
-      field_list(field("schema", &StoreReport::schema, "schema tag", constant("market-report/1")),
-                 field("requirements", &StoreReport::requirements, "wishes and whether they hold"),
-                 field("rules", &StoreReport::rules, "broken rules"),
-                 field("metrics", &StoreReport::metrics, "measured on the scene"),
-                 field("unparsed", &StoreReport::unparsed, "words not understood"),
-                 field("conflicts", &StoreReport::conflicts, "wishes that could not all hold"),
-                 field("repairs", &StoreReport::repairs, "what repair changed"),
-                 field("timing_s", &StoreReport::timing_s, "wall time by stage"),
-                 field("peak_rss_mb", &StoreReport::peak_rss_mb, "most memory in use"));
+  static constexpr auto fields = field_list(
+      field("schema", &StoreReport::schema, "schema tag", constant("market-report/1")),
+      field("requirements", &StoreReport::requirements, "wishes and whether they hold"),
+      field("rules", &StoreReport::rules, "broken rules"),
+      field("metrics", &StoreReport::metrics, "measured on the scene"),
+      field("unparsed", &StoreReport::unparsed, "words not understood"),
+      field("conflicts", &StoreReport::conflicts, "wishes that could not all hold"),
+      field("repairs", &StoreReport::repairs, "what repair changed"),
+      field("unstocked", &StoreReport::unstocked, "products of the user's own that stand nowhere"),
+      field("timing_s", &StoreReport::timing_s, "wall time by stage"),
+      field("peak_rss_mb", &StoreReport::peak_rss_mb, "most memory in use"));
 };
 
 struct CreateOptions {

@@ -5,6 +5,7 @@
 
 #include <fstream>
 
+#include "catalog/catalog.h"
 #include "catalog/own_mesh.h"
 #include "support/glb_bytes.h"
 #include "support/run_program.h"
@@ -42,6 +43,35 @@ class UserProducts : public testing::Test {
 
 constexpr const char* header =
     "sku,ean,name,category,subcategory,archetype,size_mm,mass_kg,keywords,storage,label.primary\n";
+
+// What a row does not say about what it is made of comes from packs of its shape, and the friction
+// from that; what it says, stays.
+TEST_F(UserProducts, AContactMaterialThatIsNotNamedIsThatOfThePack) {
+  const fs::path file =
+      write("own.csv",
+            "sku,ean,name,category,subcategory,archetype,size_mm,mass_kg,material\n"
+            "own-a,2999999999991,A,beverages,soft drinks,can,66x66x115,0.35,\n"
+            "own-b,2999999999984,B,canned,soup,food_tin,75x75x110,0.4,\n"
+            "own-c,2999999999977,C,dry_goods,sauces,jar,70x70x120,0.5,\n"
+            "own-d,2999999999960,D,snacks,crisps,pillow_bag,150x60x220,0.2,foil\n");
+  const fs::path rows =
+      write("own.json",
+            R"([{"sku": "own-e", "ean": "2999999999953", "name": "E", "category": "beverages",
+          "subcategory": "soft drinks", "archetype": "can", "size_mm": [66, 66, 115],
+          "mass_kg": 0.35, "friction": 0.31}])");
+  const auto catalog = load_catalog(fs::path(MARKETGEN_SOURCE_DIR) / "data", {file, rows});
+  ASSERT_TRUE(catalog.ok()) << to_string(catalog.error());
+  const auto material = [&](const char* sku) { return catalog->product(sku)->material; };
+  EXPECT_EQ(material("own-a"), "aluminium");
+  EXPECT_EQ(material("own-b"), "tin");
+  EXPECT_EQ(material("own-c"), "glass");
+  EXPECT_EQ(material("own-d"), "foil");
+  EXPECT_EQ(material("own-e"), "aluminium");
+  EXPECT_DOUBLE_EQ(catalog->product("own-a")->friction, 0.25);  // data/friction.json
+  EXPECT_DOUBLE_EQ(catalog->product("own-d")->friction, 0.28);
+  EXPECT_DOUBLE_EQ(catalog->product("own-e")->friction, 0.31);
+  EXPECT_EQ(catalog->own, (std::vector<std::string>{"own-a", "own-b", "own-c", "own-d", "own-e"}));
+}
 
 TEST_F(UserProducts, CsvRow) {
   const auto products =

@@ -3,8 +3,10 @@
 #include <tiny_gltf.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 
 #include "export/export.h"
 #include "support/hand_made_scene.h"
@@ -33,8 +35,12 @@ class Glb : public testing::Test {
       fs::temp_directory_path() / ("marketgen-glb-test-" + std::to_string(getpid()) + ".glb");
 };
 
-TEST_F(Glb, OneMeshPerSkuDrawnAtEveryItemsPlace) {
-  const tinygltf::Model model = exported();
+TEST_F(Glb, InstancedOneNodePerSkuIsDrawnAtEveryItemsPlace) {
+  ExportOptions options;
+  options.instanced = true;
+  const tinygltf::Model model = exported(options);
+  EXPECT_EQ(model.extensionsRequired, std::vector<std::string>{"EXT_mesh_gpu_instancing"});
+  EXPECT_TRUE(check_export(made_.scene, "glb", file_, options).ok());
   int instanced = 0;
   for (const tinygltf::Node& node : model.nodes) {
     if (node.name != "can-cola") continue;
@@ -115,16 +121,42 @@ TEST_F(Glb, AFloorOfGlassIsSeenThrough) {
   EXPECT_EQ(found, 1);
 }
 
-TEST_F(Glb, PlainInstancesNeedNoExtension) {
-  ExportOptions options;
-  options.plain_instances = true;
-  const tinygltf::Model model = exported(options);
+// What a viewer that knows no extension shows is the whole store.
+TEST_F(Glb, ByDefaultEveryItemIsANodeAndNoExtensionIsNeeded) {
+  const tinygltf::Model model = exported();
   EXPECT_TRUE(model.extensionsRequired.empty());
-  int cans = 0;
-  for (const tinygltf::Node& node : model.nodes)
-    cans += node.extras.Has("sku") && node.extras.Get("sku").Get<std::string>() == "can-cola";
-  EXPECT_EQ(cans, 5);
-  EXPECT_TRUE(check_export(made_.scene, "glb", file_, options).ok());
+  EXPECT_TRUE(model.extensionsUsed.empty());
+  std::set<std::string> names;
+  std::set<int> meshes;
+  for (const tinygltf::Node& node : model.nodes) {
+    if (!node.extras.Has("sku")) continue;
+    EXPECT_TRUE(names.insert(node.name).second) << node.name;
+    if (node.extras.Get("sku").Get<std::string>() == "can-cola") meshes.insert(node.mesh);
+  }
+  EXPECT_EQ(names.size(), made_.scene.products.size());
+  EXPECT_EQ(meshes.size(), 1U);  // five cans share it
+  EXPECT_TRUE(check_export(made_.scene, "glb", file_).ok());
+}
+
+// The same prints at the same places, whether instanced or merged into one mesh.
+TEST_F(Glb, PrintsOfOneDesignAreOneNode) {
+  const PriceLabel first = made_.scene.price_labels.front();
+  for (int i = 1; i <= 3; ++i) {
+    made_.scene.price_labels.push_back(first);
+    made_.scene.price_labels.back().x_m += 0.1F * static_cast<float>(i);
+  }
+  const std::string name = "price/" + made_.scene.catalog[first.sku].sku;
+  const auto corners_of = [&](const tinygltf::Model& model) {
+    const auto node = std::ranges::find(model.nodes, name, &tinygltf::Node::name);
+    const auto& mesh = model.meshes[static_cast<std::size_t>(node->mesh)];
+    const int positions = mesh.primitives[0].attributes.at("POSITION");
+    return model.accessors[static_cast<std::size_t>(positions)].count;
+  };
+  EXPECT_EQ(corners_of(exported()), 16U);
+  ExportOptions instanced;
+  instanced.instanced = true;
+  EXPECT_EQ(corners_of(exported(instanced)), 4U);
+  EXPECT_TRUE(check_export(made_.scene, "glb", file_, instanced).ok());
 }
 
 TEST_F(Glb, PassesTheKhronosValidator) {
@@ -132,9 +164,9 @@ TEST_F(Glb, PassesTheKhronosValidator) {
   if (!fs::exists(MARKETGEN_SOURCE_DIR "/tools/node/node_modules/gltf-validator"))
     GTEST_SKIP() << "run tools/setup test";
   lay_tiles(made_.scene);
-  for (const bool plain : {false, true}) {
+  for (const bool instanced : {false, true}) {
     ExportOptions options;
-    options.plain_instances = plain;
+    options.instanced = instanced;
     exported(options);
     EXPECT_EQ(std::system(("node " + tool + " " + file_.string()).c_str()), 0);
   }

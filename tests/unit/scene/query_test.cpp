@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include "support/hand_made_scene.h"
@@ -113,9 +115,29 @@ TEST(Query, OperatorsInsideAValueAreText) {
   EXPECT_EQ(rows_where("sku!=a~b"), 8U);
 }
 
-TEST(Query, WordsThatLookLikeNumbersAreNotAllNumbers) {
-  EXPECT_EQ(rows_where("price=nan"), 0U);
-  EXPECT_EQ(rows_where("price=inf"), 0U);
+TEST(Query, AValueThatTheColumnCannotHaveIsAnErrorWithItsPlace) {
+  const Scene scene = query_sample();
+  for (const std::string where : {"price<abc",
+                                  "level=low",
+                                  "x_m>=",
+                                  "price=nan",
+                                  "price!=inf",
+                                  "y_m<1e999",
+                                  "level=1 ",
+                                  "misplaced=yes",
+                                  "misplaced<1",
+                                  "sku=can-cola,price>cheap"}) {
+    const auto found = query_scene(scene, "products", where);
+    ASSERT_FALSE(found.ok()) << where;
+    EXPECT_EQ(found.error().code, "usage.bad_flag") << where;
+    EXPECT_NE(found.error().message.find(" holds "), std::string::npos) << found.error().message;
+  }
+  const auto found = query_scene(scene, "products", "sku=can-cola,price>cheap");
+  EXPECT_EQ(found.error().where, "--where price>cheap");
+  EXPECT_EQ(found.error().message,
+            "\"cheap\" stands at character 7, but column \"price\" holds numbers");
+  EXPECT_EQ(rows_where("price~9"), 8U);  // what it contains is asked of the text
+  EXPECT_EQ(rows_where("sku<c"), 3U);    // and texts have an order of their own
 }
 
 TEST(Query, MistakesNameTheNearest) {
@@ -172,6 +194,30 @@ TEST(Query, CsvReadsBackByRfc4180) {
   for (std::size_t i = 0; i < table.rows.size(); ++i)
     EXPECT_EQ(rows[i + 1], table.rows[i]);
   EXPECT_NE(to_csv(table).find("\"Fonda Cereal, \"\"crunchy\"\"\nwith nuts\""), std::string::npos);
+}
+
+// A word of a closed list is a text like any other; a list is JSON, quoted once.
+TEST(Query, EnumerationsAndListsAreQuotedOnce) {
+  Scene scene = query_sample();
+  MaterialRow tiles;
+  tiles.id = "tile-test";
+  tiles.pattern = MaterialPattern::tiles;
+  tiles.uses = {"floor", "wall"};
+  scene.materials.push_back(tiles);
+  const auto table = query_scene(scene, "materials", "pattern=tiles,uses~wall");
+  ASSERT_TRUE(table.ok()) << to_string(table.error());
+  ASSERT_EQ(table->rows.size(), 1U);
+  const auto rows = parse_csv(to_csv(*table));
+  const auto json = nlohmann::json::parse(to_json(*table));
+  const auto column = [&](std::string_view name) {
+    return static_cast<std::size_t>(std::ranges::find(rows[0], name) - rows[0].begin());
+  };
+  EXPECT_EQ(rows[1][column("pattern")], "tiles");
+  EXPECT_EQ(rows[1][column("uses")], R"(["floor", "wall"])");
+  EXPECT_EQ(json[0]["pattern"], "tiles");
+  EXPECT_EQ(json[0]["uses"], (nlohmann::json{"floor", "wall"}));
+  EXPECT_NE(to_csv(*table).find(R"(,tiles,)"), std::string::npos) << to_csv(*table);
+  EXPECT_FALSE(query_scene(scene, "materials", "uses<wall").ok());
 }
 
 TEST(Query, JsonReadsBack) {

@@ -1,0 +1,117 @@
+#include "scene/bays.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "scene/assortment.h"
+#include "scene/own_goods.h"
+
+namespace marketgen {
+namespace {
+
+// Position of a module along its run as a shopper before this side sees it.
+int place_along(const Fixture& fixture, int side) {
+  const int turns = (fixture.yaw_deg / 90 + 2 * side) % 4;
+  switch (turns) {
+    case 0:
+      return fixture.x_mm;
+    case 1:
+      return fixture.y_mm;
+    case 2:
+      return -fixture.x_mm;
+    default:
+      return -fixture.y_mm;
+  }
+}
+
+bool shows_promotions(const Fixture& fixture) {
+  return !fixture.endcap_of.empty() || fixture.kind == "bin" || fixture.kind == "pallet";
+}
+
+}  // namespace
+
+std::vector<BayRef> bays_of(const Scene& scene) {
+  std::vector<BayRef> bays;
+  for (std::uint32_t f = 0; f < scene.fixtures.size(); ++f) {
+    const Fixture& fixture = scene.layout.fixtures[f];
+    const SceneFixture& row = scene.fixtures[f];
+    for (int side = 0; side < 2; ++side) {
+      BayRef ref{fixture.zone, fixture.run, side, place_along(fixture, side), f, {}, {}, {}, {}};
+      ref.bay.promotion = shows_promotions(fixture);
+      for (std::uint32_t s = row.first_shelf; s < row.first_shelf + row.shelf_count; ++s) {
+        const SceneShelf& shelf = scene.shelves[s];
+        if (shelf.side != side) continue;
+        ref.shelves.push_back(s);
+        ref.bay.shelves.push_back({shelf.width_m,
+                                   shelf.depth_m - goods_front_m,
+                                   shelf.clearance_m,
+                                   shelf.use,
+                                   shelf.position_m[2]});
+      }
+      if (!ref.shelves.empty()) bays.push_back(std::move(ref));
+    }
+  }
+  std::sort(bays.begin(), bays.end(), [](const BayRef& a, const BayRef& b) {
+    return std::tie(a.zone, a.run, a.side, a.along, a.fixture) <
+           std::tie(b.zone, b.run, b.side, b.along, b.fixture);
+  });
+  return bays;
+}
+
+const Zone& Stocks::zone_of(const BayRef& bay) const {
+  static const Zone fallback;
+  const Zone* found = find_zone(plan_, bay.zone);
+  return found != nullptr ? *found : fallback;
+}
+
+Storage Stocks::temperature_of(const BayRef& bay) const {
+  const FixtureKind* kind = catalog_.fixture_kind(scene_.layout.fixtures[bay.fixture].kind);
+  return kind != nullptr ? kind->temperature : Storage::ambient;
+}
+
+Stock& Stocks::of(const BayRef& bay) {
+  const Storage temperature = temperature_of(bay);
+  const auto [entry, is_new] = stocks_.try_emplace({bay.zone, temperature});
+  Stock& stock = entry->second;
+  if (!is_new) return stock;
+  stock.assortment = assortment_of(zone_of(bay), temperature, catalog_);
+  stock.sells.resize(catalog_.products.size(), false);
+  for (const std::uint32_t row : stock.assortment)
+    stock.sells[row] = true;
+  return stock;
+}
+
+void plan_bays(std::vector<BayRef>& bays,
+               const Scene& scene,
+               const Plan& plan,
+               const Catalog& catalog,
+               Seed seed) {
+  Stocks stocks(scene, plan, catalog);
+  const auto plan_again = [&](BayRef& bay, AssortmentCursor& cursor) {
+    const std::string& fixture = scene.layout.fixtures[bay.fixture].id;
+    const Seed bay_seed =
+        seed.child("bay", fixture).child("side", static_cast<std::uint64_t>(bay.side));
+    bay.plan = plan_bay(bay.bay,
+                        stocks.of(bay).assortment,
+                        stocks.zone_of(bay).stock,
+                        catalog,
+                        cursor,
+                        bay_seed.stream(),
+                        bay.certain);
+  };
+  std::vector<AssortmentCursor> cursors;  // before each bay
+  for (BayRef& bay : bays) {
+    cursors.push_back(stocks.of(bay).cursor);
+    plan_again(bay, stocks.of(bay).cursor);
+  }
+  if (catalog.own.empty()) return;
+  OwnGoods own(catalog, stocks);
+  while (own.give_out(bays)) {
+    for (std::size_t i = 0; i < bays.size(); ++i) {
+      AssortmentCursor before = cursors[i];
+      if (own.changed(i)) plan_again(bays[i], before);
+    }
+  }
+}
+
+}  // namespace marketgen

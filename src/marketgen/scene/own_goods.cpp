@@ -1,0 +1,207 @@
+#include "scene/own_goods.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "catalog/zone_goods.h"
+#include "scene/assortment.h"
+
+namespace marketgen {
+namespace {
+
+constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
+
+bool holds_product(const BayRef& bay, const Product& product) {
+  return std::ranges::any_of(bay.bay.shelves,
+                             [&](const ShelfRoom& room) { return fits(product, room); });
+}
+
+PlannedBlock* block_of(BayRef& bay, std::uint32_t row) {
+  for (PlannedShelf& shelf : bay.plan) {
+    for (PlannedBlock& block : shelf) {
+      if (block.product == row) return &block;
+    }
+  }
+  return nullptr;
+}
+
+std::vector<std::uint32_t> own_rows(const Catalog& catalog) {
+  std::vector<std::uint32_t> rows;
+  for (std::uint32_t row = 0; row < catalog.products.size(); ++row) {
+    if (std::ranges::binary_search(catalog.own, catalog.products[row].sku)) rows.push_back(row);
+  }
+  return rows;
+}
+
+// ---- Why a product stands nowhere. ----
+
+std::string whole_mm(double metres) {
+  return fmt::format("{:.0f} mm", metres * 1e3);
+}
+
+// `bays` sell it.
+std::string why_it_does_not_fit(const Product& product, const std::vector<const BayRef*>& bays) {
+  double height_m = 0, depth_m = 0, width_m = 0;
+  for (const BayRef* bay : bays) {
+    for (const ShelfRoom& room : bay->bay.shelves) {
+      height_m = std::max(height_m, room.clearance_m - finger_room_m);
+      depth_m = std::max(depth_m, room.depth_m);
+      width_m = std::max(width_m, room.width_m - pack_gap_m);
+    }
+  }
+  const auto too = [](std::string_view what, double has, double most) {
+    return fmt::format("it is {} {}; no shelf that sells it takes more than {}",
+                       whole_mm(has),
+                       what,
+                       whole_mm(most));
+  };
+  if (product.height_m() > height_m) return too("tall", product.height_m(), height_m);
+  if (product.depth_m() > depth_m) return too("deep", product.depth_m(), depth_m);
+  if (product.width_m() > width_m) return too("wide", product.width_m(), width_m);
+  return fmt::format("no one shelf that sells it takes {:.1f} kg of {} x {} x {} mm",
+                     product.mass_kg,
+                     product.size_mm[0],
+                     product.size_mm[1],
+                     product.size_mm[2]);
+}
+
+std::string why_nobody_sells_it(const Product& product,
+                                const std::vector<BayRef>& bays,
+                                const Stocks& stocks,
+                                const Catalog& catalog) {
+  for (const BayRef& bay : bays) {
+    const Zone& zone = stocks.zone_of(bay);
+    if (!sells(zone, product, catalog)) continue;
+    if (named_by(product, zone.stock.exclude))
+      return fmt::format("zone \"{}\" leaves out {}", zone.id, fmt::join(zone.stock.exclude, ", "));
+    if (!keeps(stocks.temperature_of(bay), product.storage))
+      return fmt::format("it is kept {}, but the fixtures of zone \"{}\" are {}",
+                         name_of(product.storage),
+                         zone.id,
+                         name_of(stocks.temperature_of(bay)));
+  }
+  std::vector<std::string_view> types;
+  std::set<std::string_view> known;
+  for (const ZoneTypeRow& type : catalog.zone_types) {
+    if (belongs_to(type, product, catalog) && !type.categories.empty()) types.push_back(type.type);
+  }
+  for (const Product& other : catalog.products) {
+    if (other.category == product.category) known.insert(other.subcategory);
+  }
+  if (!types.empty())
+    return fmt::format("no zone of this store sells {} of {}; zones of type {} do",
+                       product.subcategory,
+                       product.category,
+                       fmt::join(types, ", "));
+  return fmt::format("no type of zone sells {} {} of {}; subcategories are: {}",
+                     name_of(product.storage),
+                     product.subcategory,
+                     product.category,
+                     fmt::join(known, ", "));
+}
+
+std::string why_unstocked(std::uint32_t row,
+                          const std::vector<BayRef>& bays,
+                          Stocks& stocks,
+                          const Catalog& catalog) {
+  const Product& product = catalog.products[row];
+  std::vector<const BayRef*> selling;
+  for (const BayRef& bay : bays) {
+    if (stocks.of(bay).sells[row]) selling.push_back(&bay);
+  }
+  if (selling.empty()) return why_nobody_sells_it(product, bays, stocks, catalog);
+  const bool fit =
+      std::ranges::any_of(selling, [&](const BayRef* bay) { return holds_product(*bay, product); });
+  if (!fit) return why_it_does_not_fit(product, selling);
+  return fmt::format(
+      "{} would hold it, but they are full of other products of your own, or are to "
+      "be kept empty",
+      selling.size() == 1 ? "one bay" : fmt::format("{} bays", selling.size()));
+}
+
+}  // namespace
+
+OwnGoods::OwnGoods(const Catalog& catalog, Stocks& stocks)
+    : catalog_(catalog), stocks_(stocks), rows_(own_rows(catalog)), tried_(rows_.size()) {}
+
+double OwnGoods::room_left_m(const BayRef& bay) const {
+  double left_m = 0;
+  for (const ShelfRoom& room : bay.bay.shelves)
+    left_m += room.width_m * stocks_.zone_of(bay).stock.fill;
+  for (const std::uint32_t row : bay.certain)
+    left_m -= catalog_.products[row].width_m() + pack_gap_m;
+  return left_m;
+}
+
+std::size_t OwnGoods::best_bay(const std::vector<BayRef>& bays, std::size_t own) const {
+  const Product& product = catalog_.products[rows_[own]];
+  const auto rank = [&](std::size_t i) {
+    return std::tuple(bays[i].bay.promotion, bays[i].certain.size(), i);
+  };
+  std::size_t best = nowhere;
+  for (std::size_t i = 0; i < bays.size(); ++i) {
+    if (left_m_[i] < product.width_m() + pack_gap_m || tried_[own].contains(i) ||
+        !stocks_.of(bays[i]).sells[rows_[own]] || !holds_product(bays[i], product))
+      continue;
+    if (best == nowhere || rank(i) < rank(best)) best = i;
+  }
+  return best;
+}
+
+// What stands somewhere is promised to go on standing there. Bays that this round has changed are
+// not planned yet: there a promise counts, and nothing else.
+bool OwnGoods::stands(std::vector<BayRef>& bays, std::uint32_t row) const {
+  for (std::size_t i = 0; i < bays.size(); ++i) {
+    const bool promised = std::ranges::find(bays[i].certain, row) != bays[i].certain.end();
+    if (promised && changed(i)) return true;
+    PlannedBlock* block = changed(i) ? nullptr : block_of(bays[i], row);
+    if (block == nullptr) continue;
+    block->certain = true;
+    if (!promised) bays[i].certain.push_back(row);
+    return true;
+  }
+  return false;
+}
+
+bool OwnGoods::give_out(std::vector<BayRef>& bays) {
+  changed_.clear();
+  left_m_.clear();
+  for (const BayRef& bay : bays)
+    left_m_.push_back(room_left_m(bay));
+  for (std::size_t own = 0; own < rows_.size(); ++own) {
+    const std::uint32_t row = rows_[own];
+    if (stands(bays, row)) continue;
+    for (BayRef& bay : bays)
+      std::erase(bay.certain, row);
+    const std::size_t bay = best_bay(bays, own);
+    if (bay == nowhere) continue;
+    tried_[own].insert(bay);
+    bays[bay].certain.push_back(row);
+    left_m_[bay] -= catalog_.products[row].width_m() + pack_gap_m;
+    changed_.insert(bay);
+  }
+  return !changed_.empty();
+}
+
+std::vector<Unstocked> unstocked_products(const Scene& scene,
+                                          const Plan& plan,
+                                          const Catalog& catalog) {
+  std::vector<Unstocked> unstocked;
+  if (catalog.own.empty()) return unstocked;
+  std::set<std::string_view> stocked;
+  for (const SceneProduct& item : scene.products)
+    stocked.insert(scene.catalog[item.sku].sku);
+  const std::vector<BayRef> bays = bays_of(scene);
+  Stocks stocks(scene, plan, catalog);
+  for (const std::uint32_t row : own_rows(catalog)) {
+    const std::string& sku = catalog.products[row].sku;
+    if (!stocked.contains(sku))
+      unstocked.push_back({sku, why_unstocked(row, bays, stocks, catalog)});
+  }
+  return unstocked;
+}
+
+}  // namespace marketgen
