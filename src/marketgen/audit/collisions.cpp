@@ -5,6 +5,7 @@
 
 #include "audit/item_bounds.h"
 #include "base/parallel.h"
+#include "geometry/box_tree.h"
 #include "scene/placements.h"
 
 namespace marketgen {
@@ -13,76 +14,21 @@ namespace {
 constexpr float near_m = 0.005F;
 constexpr float tolerance_m = 0.001F;
 
-// Smallest overlap of two boxes over the axes; negative when apart.
-float overlap_of(const Bounds3& a, const Bounds3& b) {
-  const float x = std::min(a.high.x, b.high.x) - std::max(a.low.x, b.low.x);
-  const float y = std::min(a.high.y, b.high.y) - std::max(a.low.y, b.low.y);
-  const float z = std::min(a.high.z, b.high.z) - std::max(a.low.z, b.low.z);
-  return std::min({x, y, z});
-}
-
-// Items sorted by their west side, so that neighbours are found by one sweep.
-std::vector<std::uint32_t> west_to_east(const std::vector<Bounds3>& bounds) {
-  std::vector<std::uint32_t> order(bounds.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i)
-    order[i] = i;
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return bounds[a].low.x != bounds[b].low.x ? bounds[a].low.x < bounds[b].low.x : a < b;
-  });
-  return order;
-}
-
-// Rows of the sweep are cut into strips along Y, so that a long store does not compare its two
-// ends.
-constexpr float strip_m = 0.5F;
-
-struct Strips {
-  std::vector<std::vector<std::uint32_t>> items;  // per strip, from west to east
-  std::vector<std::size_t> first;  // per item: the southernmost strip that it reaches
-};
-
-Strips strips_of(const std::vector<Bounds3>& bounds) {
-  if (bounds.empty()) return {};
-  float low = 1e30F, high = -1e30F;
-  for (const Bounds3& b : bounds) {
-    low = std::min(low, b.low.y);
-    high = std::max(high, b.high.y);
-  }
-  Strips strips;
-  strips.items.resize(static_cast<std::size_t>((high - low) / strip_m) + 1);
-  strips.first.resize(bounds.size());
-  for (const std::uint32_t i : west_to_east(bounds)) {
-    strips.first[i] =
-        static_cast<std::size_t>(std::max(0.0F, (bounds[i].low.y - near_m - low) / strip_m));
-    const auto last = static_cast<std::size_t>((bounds[i].high.y + near_m - low) / strip_m);
-    for (std::size_t s = strips.first[i]; s <= last && s < strips.items.size(); ++s)
-      strips.items[s].push_back(i);
-  }
-  return strips;
-}
-
 struct NearPairs {
   std::uint64_t number = 0;
   std::vector<ProductPair> suspects;  // boxes overlap by more than the limit
 };
 
-// A pair in several strips belongs to the southernmost of those that both reach.
-NearPairs sweep(const Strips& strips, std::size_t number, const std::vector<Bounds3>& bounds) {
-  const std::vector<std::uint32_t>& strip = strips.items[number];
+// Pairs of an item with those that stand after it.
+NearPairs pairs_of(std::uint32_t item, const BoxTree& tree, const std::vector<Bounds3>& bounds) {
   NearPairs found;
-  for (std::size_t a = 0; a < strip.size(); ++a) {
-    const Bounds3& first = bounds[strip[a]];
-    for (std::size_t b = a + 1; b < strip.size() && bounds[strip[b]].low.x <= first.high.x + near_m;
-         ++b) {
-      const Bounds3& second = bounds[strip[b]];
-      if (std::max(strips.first[strip[a]], strips.first[strip[b]]) != number) continue;
-      const float overlap = overlap_of(first, second);
-      if (overlap < -near_m) continue;
-      ++found.number;
-      if (overlap > static_cast<float>(penetration_limit_m))
-        found.suspects.emplace_back(strip[a], strip[b]);
-    }
-  }
+  tree.each_near(bounds[item], -near_m, [&](std::uint32_t other) {
+    if (other <= item) return;
+    ++found.number;
+    if (overlap_of(bounds[item], bounds[other]) > static_cast<float>(penetration_limit_m))
+      found.suspects.emplace_back(item, other);
+  });
+  std::ranges::sort(found.suspects);
   return found;
 }
 
@@ -122,14 +68,17 @@ bool inside_room(const Scene& scene, const Bounds3& b) {
 }  // namespace
 
 Result<CollisionCount> count_collisions(const Scene& scene, const std::vector<Bounds3>& bounds) {
-  const Strips strips = strips_of(bounds);
-  const auto found =
-      parallel_map(strips.items.size(), [&](std::size_t s) { return sweep(strips, s, bounds); });
+  const BoxTree tree(bounds);
+  constexpr std::size_t grain = 256;
+  const auto found = parallel_map(
+      bounds.size(),
+      [&](std::size_t i) { return pairs_of(static_cast<std::uint32_t>(i), tree, bounds); },
+      grain);
   CollisionCount count;
   std::vector<ProductPair> suspects;
-  for (const NearPairs& strip : found) {
-    count.near_pairs += strip.number;
-    suspects.insert(suspects.end(), strip.suspects.begin(), strip.suspects.end());
+  for (const NearPairs& item : found) {
+    count.near_pairs += item.number;
+    suspects.insert(suspects.end(), item.suspects.begin(), item.suspects.end());
   }
   MARKETGEN_TRY(const std::vector<double> depths, penetration_depths(scene, suspects));
   for (std::size_t i = 0; i < depths.size(); ++i) {

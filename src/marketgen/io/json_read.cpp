@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <set>
 #include <vector>
@@ -8,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/text.h"
+#include "io/field_check.h"
 #include "io/json.h"
 
 namespace marketgen {
@@ -61,14 +61,9 @@ Error wrong_type(const Place& place, std::string_view wanted, const Json& value)
 Result<void> read_value(
     const Json& json, const Place& place, const TypeInfo& type, const FieldRules& rules, void* out);
 
-Result<void> check_range(double value, const Place& place, const FieldRules& rules) {
-  if (value >= rules.min && value <= rules.max) return {};
-  if (std::isinf(rules.max))
-    return place.error("json.out_of_range", fmt::format("{} is less than {}", value, rules.min));
-  if (std::isinf(rules.min))
-    return place.error("json.out_of_range", fmt::format("{} is more than {}", value, rules.max));
-  return place.error("json.out_of_range",
-                     fmt::format("{} is outside {} to {}", value, rules.min, rules.max));
+Result<void> result_of(const std::optional<FieldFault>& fault, const Place& place) {
+  if (!fault) return {};
+  return place.error(std::string(fault->code), fault->message);
 }
 
 Result<void> check_width(const Json& json, const Place& place, const TypeInfo& type) {
@@ -89,23 +84,11 @@ Result<void> read_integer(const Json& json,
                           void* out) {
   if (!json.is_number_integer()) return wrong_type(place, "a whole number", json);
   MARKETGEN_CHECK(check_width(json, place, type));
-  MARKETGEN_CHECK(check_range(json.get<double>(), place, rules));
+  MARKETGEN_CHECK(result_of(fault_of_number(json.get<double>(), type, rules), place));
   type.set_integer(out,
                    json.is_number_unsigned() ? static_cast<std::int64_t>(json.get<std::uint64_t>())
                                              : json.get<std::int64_t>());
   return {};
-}
-
-bool is_identifier(std::string_view text) {
-  const auto letter_or_digit = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-  };
-  if (text.empty() || !letter_or_digit(text[0]) || text.find("..") != std::string_view::npos)
-    return false;
-  for (const char c : text) {
-    if (!letter_or_digit(c) && c != '_' && c != '-' && c != '.' && c != '/') return false;
-  }
-  return true;
 }
 
 Result<void> read_string(const Json& json,
@@ -114,24 +97,7 @@ Result<void> read_string(const Json& json,
                          std::string& out) {
   if (!json.is_string()) return wrong_type(place, "a text", json);
   const auto& text = json.get_ref<const std::string&>();
-  if (!rules.constant.empty() && text != rules.constant) {
-    return place.error("json.wrong_schema",
-                       fmt::format("expected \"{}\", found {}", rules.constant, shown(json)));
-  }
-  if (text.size() > rules.max_length) {
-    return place.error(
-        "json.out_of_range",
-        fmt::format(
-            "the text is {} bytes long; at most {} are allowed", text.size(), rules.max_length));
-  }
-  const bool may_be_empty = !rules.required;
-  if (rules.identifier && !is_identifier(text) && !(text.empty() && may_be_empty)) {
-    return place.error(
-        "json.bad_identifier",
-        fmt::format(
-            "{} is not an id: use letters, digits, '_', '-', '.' and '/', a letter or digit first",
-            shown(json)));
-  }
+  MARKETGEN_CHECK(result_of(fault_of_text(text, rules), place));
   out = text;
   return {};
 }
@@ -166,15 +132,9 @@ Result<void> read_array(const Json& json,
         "json.wrong_type",
         fmt::format("expected a list of {}, found {}", type.fixed_count, json.size()));
   }
-  if (json.size() > rules.max_items) {
-    return place.error(
-        "json.out_of_range",
-        fmt::format(
-            "the list has {} entries; at most {} are allowed", json.size(), rules.max_items));
-  }
+  MARKETGEN_CHECK(result_of(fault_of_count(json.size(), rules), place));
   if (type.fixed_count == 0) type.resize(out, json.size());
-  FieldRules element_rules = rules;
-  element_rules.max_items = FieldRules{}.max_items;
+  const FieldRules element_rules = rules_of_elements(rules);
   for (std::size_t i = 0; i < json.size(); ++i) {
     MARKETGEN_CHECK(
         read_value(json[i], place.child(i), type.element(), element_rules, type.at(out, i)));
@@ -242,7 +202,7 @@ Result<void> read_value(const Json& json,
       return read_integer(json, place, type, rules, out);
     case TypeKind::number:
       if (!json.is_number()) return wrong_type(place, "a number", json);
-      MARKETGEN_CHECK(check_range(json.get<double>(), place, rules));
+      MARKETGEN_CHECK(result_of(fault_of_number(json.get<double>(), type, rules), place));
       type.set_number(out, json.get<double>());
       return {};
     case TypeKind::string:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <span>
 
 #include "assets/product_model.h"
 #include "physics/spec_geoms.h"
@@ -23,12 +24,10 @@ Result<MujocoModel> model_of(const Scene& scene, const std::vector<std::uint32_t
   return compile(*spec, penetration_where);
 }
 
-}  // namespace
-
-Result<std::vector<double>> penetration_depths(const Scene& scene,
-                                               const std::vector<ProductPair>& pairs) {
-  std::vector<double> depths;
-  if (pairs.empty()) return depths;
+// Appends the depths of the pairs, by one model that holds their items.
+Result<void> measure(const Scene& scene,
+                     std::span<const ProductPair> pairs,
+                     std::vector<double>& depths) {
   std::map<std::uint32_t, int> geom_of;
   std::vector<std::uint32_t> items;
   for (const auto& [a, b] : pairs) {
@@ -43,6 +42,22 @@ Result<std::vector<double>> penetration_depths(const Scene& scene,
     const double distance =
         mj_geomDistance(model.get(), data.get(), geom_of.at(a), geom_of.at(b), 0.001, nullptr);
     depths.push_back(std::max(0.0, -distance));
+  }
+  return {};
+}
+
+}  // namespace
+
+// MuJoCo takes a time that grows with the square of what a model holds to add to it: many small
+// models are made instead of a large one.
+Result<std::vector<double>> penetration_depths(const Scene& scene,
+                                               const std::vector<ProductPair>& pairs) {
+  constexpr std::size_t pairs_of_a_model = 200;
+  std::vector<double> depths;
+  depths.reserve(pairs.size());
+  for (std::size_t first = 0; first < pairs.size(); first += pairs_of_a_model) {
+    const std::size_t count = std::min(pairs_of_a_model, pairs.size() - first);
+    MARKETGEN_CHECK(measure(scene, std::span(pairs).subspan(first, count), depths));
   }
   return depths;
 }

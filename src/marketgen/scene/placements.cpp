@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
+#include "catalog/standing_box.h"
+#include "geometry/box_tree.h"
 #include "scene/row_arrays.h"
 #include "scene/shelf_fill.h"
 
@@ -35,51 +38,114 @@ std::uint32_t stranger_for(std::uint32_t row, const Catalog& catalog, Stream& dr
   return row;
 }
 
-struct Box {
-  Vec3 low, high;
-};
-
-// Box of an item at any yaw: its footprint's circumscribed circle would be too wide, so the turned
-// rectangle is used.
-Box box_of(const Vec3& position, const Quaternion& rotation, const Product& product) {
-  const Vec3 x = rotate(rotation, {product.width_m() / 2, 0, 0}),
-             y = rotate(rotation, {0, product.depth_m() / 2, 0});
-  const double half_x = std::abs(x.x) + std::abs(y.x), half_y = std::abs(x.y) + std::abs(y.y);
-  return {{position.x - half_x, position.y - half_y, position.z},
-          {position.x + half_x, position.y + half_y, position.z + product.height_m()}};
-}
-
 constexpr double touching_m = 1e-4;  // what only touches does not meet: poses are rounded to floats
 
-bool meet_in_plan(const Box& a, const Box& b) {
+bool meet_in_plan(const StandingBox& a, const StandingBox& b) {
   return a.low.x + touching_m < b.high.x && b.low.x + touching_m < a.high.x &&
          a.low.y + touching_m < b.high.y && b.low.y + touching_m < a.high.y;
 }
-bool meet(const Box& a, const Box& b) {
+bool meet(const StandingBox& a, const StandingBox& b) {
   return meet_in_plan(a, b) && a.low.z + touching_m < b.high.z && b.low.z + touching_m < a.high.z;
 }
 
-// Items in the way of one of `pinned`, and what stands on those: a block lists lower items first.
-std::vector<std::uint8_t> items_in_the_way(const Scene& scene,
-                                           const std::vector<Box>& pinned,
-                                           const Catalog& catalog) {
-  std::vector<std::uint8_t> drop(scene.products.size(), 0);
-  for (const Facing& facing : scene.facings) {
-    std::vector<Box> gone;
-    for (std::uint32_t i = facing.first_product; i < facing.first_product + facing.product_count;
-         ++i) {
-      const Pose pose = world_from_product(scene.products[i]);
-      const Box box = box_of(pose.position, pose.rotation, catalog.products[scene.products[i].sku]);
-      const bool hit =
-          std::any_of(pinned.begin(), pinned.end(), [&](const Box& b) { return meet(b, box); });
-      const bool unsupported = std::any_of(gone.begin(), gone.end(), [&](const Box& b) {
-        return b.low.z < box.low.z && meet_in_plan(b, box);
-      });
-      if (!hit && !unsupported) continue;
-      drop[i] = 1;
-      gone.push_back(box);
+// What was taken out of one block, by place: an item asks only about what lay around it.
+class TakenOut {
+ public:
+  // `pitch_m`: no box of the block is wider or deeper.
+  explicit TakenOut(double pitch_m) : pitch_m_(pitch_m) {}
+
+  void add(const StandingBox& box) { boxes_[cell_of(box)].push_back(box); }
+
+  bool lay_below(const StandingBox& box) const {
+    const auto [column, row] = cell_of(box);
+    for (std::int64_t x = column - 1; x <= column + 1; ++x) {
+      for (std::int64_t y = row - 1; y <= row + 1; ++y) {
+        const auto cell = boxes_.find({x, y});
+        if (cell == boxes_.end()) continue;
+        const bool below = std::ranges::any_of(cell->second, [&](const StandingBox& b) {
+          return b.low.z < box.low.z && meet_in_plan(b, box);
+        });
+        if (below) return true;
+      }
     }
+    return false;
   }
+
+ private:
+  using Cell = std::pair<std::int64_t, std::int64_t>;
+
+  Cell cell_of(const StandingBox& box) const {
+    const auto at = [&](double low, double high) {
+      return static_cast<std::int64_t>(std::floor((low + high) / 2 / pitch_m_));
+    };
+    return {at(box.low.x, box.high.x), at(box.low.y, box.high.y)};
+  }
+
+  double pitch_m_;
+  std::map<Cell, std::vector<StandingBox>> boxes_;
+};
+
+// The pinned products' boxes, to be asked who meets them.
+class Pinned {
+ public:
+  explicit Pinned(const std::vector<StandingBox>& boxes) : boxes_(boxes), tree_(bounds(boxes)) {}
+
+  bool meets(const StandingBox& box) const {
+    constexpr float rounding_m = 1e-3F;  // the tree's boxes are single precision
+    bool found = false;
+    tree_.each_near(bounds_of(box), -rounding_m, [&](std::uint32_t pin) {
+      found = found || meet(boxes_[pin], box);
+    });
+    return found;
+  }
+
+ private:
+  static std::vector<Bounds3> bounds(const std::vector<StandingBox>& boxes) {
+    std::vector<Bounds3> all;
+    for (const StandingBox& box : boxes)
+      all.push_back(bounds_of(box));
+    return all;
+  }
+
+  const std::vector<StandingBox>& boxes_;
+  BoxTree tree_;
+};
+
+// Items of a block in the way of a pinned product, and what stands on those: a block lists lower
+// items first.
+void take_out(const Scene& scene,
+              const Facing& facing,
+              const Pinned& pinned,
+              const Catalog& catalog,
+              std::vector<std::uint8_t>& drop) {
+  std::vector<StandingBox> boxes;
+  double pitch_m = 0;
+  bool hit = false;
+  for (std::uint32_t k = 0; k < facing.product_count; ++k) {
+    const SceneProduct& item = scene.products[facing.first_product + k];
+    const Pose pose = world_from_product(item);
+    boxes.push_back(standing_box(catalog.products[item.sku], pose.position, pose.rotation));
+    const StandingBox& box = boxes.back();
+    pitch_m = std::max({pitch_m, box.high.x - box.low.x, box.high.y - box.low.y});
+    drop[facing.first_product + k] = pinned.meets(box) ? 1 : 0;
+    hit = hit || drop[facing.first_product + k] != 0;
+  }
+  if (!hit) return;
+  TakenOut gone(pitch_m);
+  for (std::uint32_t k = 0; k < facing.product_count; ++k) {
+    std::uint8_t& dropped = drop[facing.first_product + k];
+    if (dropped == 0 && gone.lay_below(boxes[k])) dropped = 1;
+    if (dropped != 0) gone.add(boxes[k]);
+  }
+}
+
+std::vector<std::uint8_t> items_in_the_way(const Scene& scene,
+                                           const std::vector<StandingBox>& boxes,
+                                           const Catalog& catalog) {
+  const Pinned pinned(boxes);
+  std::vector<std::uint8_t> drop(scene.products.size(), 0);
+  for (const Facing& facing : scene.facings)
+    take_out(scene, facing, pinned, catalog, drop);
   return drop;
 }
 
@@ -134,7 +200,7 @@ void misplace_items(Scene& scene, const Plan& plan, const Catalog& catalog, Seed
 Result<void> add_placements(Scene& scene, const Plan& plan, const Catalog& catalog) {
   if (plan.placements.empty()) return {};
   std::vector<SceneProduct> pinned;
-  std::vector<Box> boxes;
+  std::vector<StandingBox> boxes;
   for (std::size_t i = 0; i < plan.placements.size(); ++i) {
     const Placement& placement = plan.placements[i];
     const Product* product = catalog.product(placement.sku);
@@ -151,7 +217,7 @@ Result<void> add_placements(Scene& scene, const Plan& plan, const Catalog& catal
     const Vec3 position{placement.position_m[0], placement.position_m[1], placement.position_m[2]};
     const Quaternion rotation =
         rotation_about({0, 0, 1}, placement.yaw_deg * std::numbers::pi / 180);
-    boxes.push_back(box_of(position, rotation, *product));
+    boxes.push_back(standing_box(*product, position, rotation));
     pinned.push_back({static_cast<std::uint32_t>(product - catalog.products.data()),
                       no_facing,
                       {static_cast<float>(position.x),
