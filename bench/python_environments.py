@@ -2,6 +2,8 @@
 
     PYTHONPATH=build/release/python .venv/bin/python bench/python_environments.py STORE
 
+The last line counts processor seconds, not the clock's: what a learner has on a busy machine, too.
+
 On the store of bench/sample_store.cpp (24 x 15 m, seed 7) the basket and the actions are those of `marketgen bench environment`,
 whose bare mj_step is then the rival.
 """
@@ -52,3 +54,17 @@ say("python_checkout_steps", rate(alone, 1))
 many = gymnasium.make_vec(NAME, num_envs=2 * os.cpu_count(), store=store)
 many.reset(options={"episode": text})
 say(f"python_checkout_steps_of_{many.num_envs}", rate(many, many.num_envs))
+
+# What a learner steps: one row of numbers in, another out; random actions, and a reset at each end.
+learner = gymnasium.make("MarketGen/CheckoutOneItem-v1", disable_env_checker=True)
+learner.action_space.seed(SEED)
+learner.reset(seed=SEED)
+rates = []
+for _ in range(ROUNDS):
+    started = time.process_time()
+    for _ in range(10 * STEPS):
+        _, _, terminated, truncated, _ = learner.step(learner.action_space.sample())
+        if terminated or truncated:
+            learner.reset()
+    rates.append(10 * STEPS / (time.process_time() - started))
+say("python_one_item_steps_a_second_of_computing", statistics.median(rates))

@@ -6,7 +6,7 @@
 #include <nanobind/stl/vector.h>
 
 #include "base/parallel.h"
-#include "binding.h"
+#include "environment_handle.h"
 #include "environments/environment_batch.h"
 #include "frame_handle.h"
 #include "io/json.h"
@@ -21,9 +21,6 @@ using Table = nb::ndarray<T, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
 template <class T>
 using Column = nb::ndarray<T, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 
-struct EnvironmentHandle {
-  std::unique_ptr<Environment> environment;
-};
 using Handles = std::vector<EnvironmentHandle*>;
 
 std::shared_ptr<EpisodeGround> ground_of(StoreHandle& handle) {
@@ -36,14 +33,27 @@ std::shared_ptr<EpisodeGround> ground_of_file(const std::string& file) {
   return value_or_raise(without_interpreter([&] { return EpisodeGround::of_file(file); }));
 }
 
+std::shared_ptr<EpisodeGround> ground_of_pool(const std::string& track) {
+  const Track of = value_or_raise(track_named(track));
+  return value_or_raise(without_interpreter([&] { return EpisodeGround::of_pool(of); }));
+}
+
 EnvironmentHandle create_environment(std::shared_ptr<EpisodeGround> ground,
                                      const std::string& track,
                                      const std::string& control_mode,
                                      const std::string& reward_mode,
-                                     const std::string& tools) {
-  const EnvironmentOptions options{named<ControlMode>(control_mode, "control_mode"),
-                                   named<RewardMode>(reward_mode, "reward_mode"),
-                                   tools};
+                                     const std::string& tools,
+                                     const std::string& station,
+                                     bool stop,
+                                     bool privileged,
+                                     int item_rows) {
+  const EnvironmentOptions options{.control = named<ControlMode>(control_mode, "control_mode"),
+                                   .reward = named<RewardMode>(reward_mode, "reward_mode"),
+                                   .tools = tools,
+                                   .station = station,
+                                   .stop = stop,
+                                   .privileged = privileged,
+                                   .item_rows = item_rows};
   const Track of = value_or_raise(track_named(track));
   return {value_or_raise(Environment::create(std::move(ground), of, options))};
 }
@@ -56,19 +66,14 @@ std::vector<std::tuple<std::string, double, double>> action_numbers(const Enviro
   return rows;
 }
 
-// group, name, shape.
-std::vector<std::tuple<std::string, std::string, std::vector<int>>> parts(
-    const EnvironmentHandle& h) {
-  std::vector<std::tuple<std::string, std::string, std::vector<int>>> rows;
+// group, name, shape, low and high of each number.
+using PartRow = std::
+    tuple<std::string, std::string, std::vector<int>, std::vector<double>, std::vector<double>>;
+std::vector<PartRow> parts(const EnvironmentHandle& h) {
+  std::vector<PartRow> rows;
   for (const ObservationPart& part : h.environment->observation_parts())
-    rows.emplace_back(part.group, part.name, part.shape);
+    rows.emplace_back(part.group, part.name, part.shape, part.low, part.high);
   return rows;
-}
-
-const TrackWorld& world_of(const EnvironmentHandle& handle) {
-  if (!handle.environment->running() && !handle.environment->result())
-    raise({"episode.bad_action", "environment", "no episode has begun: reset it first"});
-  return handle.environment->world();
 }
 
 std::vector<Environment*> inner(const Handles& handles) {
@@ -205,11 +210,17 @@ std::vector<std::string> episodes(const EpisodeGround& ground) {
 }  // namespace
 
 void add_environments(nb::module_& module) {
-  nb::class_<EpisodeGround>(module, "EpisodeGround").def("episodes", &episodes).def("draw", &draw);
+  nb::class_<EpisodeGround>(module, "EpisodeGround")
+      .def("episodes", &episodes)
+      .def("draw", &draw)
+      .def("draw_one_item", [](const EpisodeGround& ground, std::uint64_t seed) {
+        return write_json(value_or_raise(ground.draw_one_item(seed)));
+      });
   module.def("ground_of_store", &ground_of);
   module.def("ground_of_file", &ground_of_file);
-  nb::class_<EnvironmentHandle>(module, "Environment")
-      .def("action_numbers", &action_numbers)
+  module.def("ground_of_pool", &ground_of_pool);
+  nb::class_<EnvironmentHandle> environment(module, "Environment");
+  environment.def("action_numbers", &action_numbers)
       .def("observation_parts", &parts)
       .def("cameras", [](const EnvironmentHandle& h) { return h.environment->cameras(); })
       .def("running", [](const EnvironmentHandle& h) { return h.environment->running(); })
@@ -224,6 +235,7 @@ void add_environments(nb::module_& module) {
       .def("judged", &judged)
       .def("render", &picture_of)
       .def("camera", &camera_of_environment);
+  add_environment_truth(environment);
   module.def("create_environment", &create_environment);
   module.def("reset_environments",
              &reset_environments,

@@ -146,6 +146,12 @@ def _evaluate_python(
         raise Error("usage.bad_flag", "policy", f"{policy!r} is no name, has no act() and cannot be called")
     if options.get("segmentation"):
         raise Error("usage.bad_flag", "segmentation", "object numbers are the truth: they are refused in evaluation")
+    if options.setdefault("obs_mode", "state_robot") == "state":
+        raise Error(
+            "usage.bad_flag",
+            "obs_mode",
+            "'state' is the truth: it is refused in evaluation; take 'state_robot', 'rgbd' or 'pointcloud'",
+        )
     name = getattr(policy, "name", None) or getattr(policy, "__name__", None) or type(policy).__name__
     apart = limits_s[0] > 0
     if apart:
@@ -167,15 +173,17 @@ class _Stages:
     def __init__(self, path: str, options: dict[str, Any]):
         self._path, self._options, self._setups = path, options, {}
 
-    def environment(self, track: str):
+    def environment(self, track: str, station: str | None):
         from .environments.checkout import CheckoutUnloading
         from .environments.in_aisle import InAisleCollection
-        from .environments.task_setup import TaskSetup
+        from .environments.task_setup import CHECKOUT_STATION, TaskSetup
 
-        if track not in self._setups:
-            self._setups[track] = TaskSetup(track, episodes=self._path, **self._options)
+        key = track, station
+        if key not in self._setups:
+            where = station or CHECKOUT_STATION
+            self._setups[key] = TaskSetup(track, episodes=self._path, station=where, **self._options)
         kind = CheckoutUnloading if track == "checkout" else InAisleCollection
-        return kind(setup=self._setups[track])
+        return kind(setup=self._setups[key])
 
 
 class _Runner:
@@ -189,10 +197,11 @@ class _Runner:
 
     def __call__(self, text: str) -> str:
         began = time.monotonic()
-        track = json.loads(text)["track"]
-        if track not in self._environments:
-            self._environments[track] = self._stages.environment(track)
-        env = self._environments[track]
+        episode = json.loads(text)
+        place = episode["track"], episode.get("station")
+        if place not in self._environments:
+            self._environments[place] = self._stages.environment(*place)
+        env = self._environments[place]
         seen, info = env.reset(seed=0, options={"episode": text})
         broken: list[str] = []
         told, by_policy = "None", False

@@ -42,18 +42,7 @@ def test_the_checker_has_no_complaint(store, options):
     env = make(store, render_mode="rgb_array", **options)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        warnings.filterwarnings("ignore", message=".*infinity.*")  # joints' speeds have no bound
         check_env(env.unwrapped, skip_render_check=False)
-
-
-def test_it_makes_a_shop_of_its_own(tmp_path, monkeypatch):
-    monkeypatch.setenv("MARKETGEN_CACHE", str(tmp_path))
-    marketgen.environments.default_store.cache_clear()
-    env = gymnasium.make(NAME)
-    observation, info = env.reset(seed=1)
-    assert observation["agent"]["qpos"].shape == (8,)
-    assert info["instruction"]
-    marketgen.environments.default_store.cache_clear()
 
 
 def test_equal_seeds_repeat_bit_for_bit_pictures_included(store):

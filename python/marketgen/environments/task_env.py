@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import json
 from typing import Any, ClassVar, Literal, Unpack
 
@@ -9,7 +10,8 @@ import gymnasium
 import numpy as np
 
 from .. import _core
-from .task_setup import StoreLike, TaskOptions, TaskSetup, Track, check_name, outcome_of
+from .state import generator_of, packed, random_state, unpacked
+from .task_setup import CHECKOUT_STATION, StoreLike, TaskOptions, TaskSetup, Track, check_name, outcome_of
 
 MOST_SEED = 2**32
 
@@ -30,6 +32,8 @@ class TaskEnv(gymnasium.Env):
 
     metadata = {"render_modes": ["rgb_array"], "render_fps": 20}
     track: ClassVar[Track]
+    station: ClassVar[str] = CHECKOUT_STATION
+    preset: ClassVar[str | None] = None  # unless another is given
 
     def __init__(
         self,
@@ -40,12 +44,17 @@ class TaskEnv(gymnasium.Env):
         **options: Unpack[TaskOptions],
     ):
         check_name("render_mode", render_mode, (None, "rgb_array"))
-        self.setup = TaskSetup(self.track, store, **options) if setup is None else setup
+        self.setup = self.new_setup(store, options) if setup is None else setup
         self.render_mode = render_mode
         self.control_mode, self.cameras = self.setup.control_mode, self.setup.cameras
         self.action_space, self.observation_space = self.setup.action_space, self.setup.observation_space
         self.environment = self.setup.new_environment()
         self._episode: dict[str, Any] = {}
+        self._row = np.zeros(self.setup.row_length, np.float32)
+
+    @classmethod
+    def new_setup(cls, store: StoreLike | None, options: TaskOptions) -> TaskSetup:
+        return TaskSetup(cls.track, store, station=cls.station, **{"preset": cls.preset, **options})
 
     @property
     def action_names(self) -> tuple[str, ...]:
@@ -61,9 +70,13 @@ class TaskEnv(gymnasium.Env):
         text, drawn = self.next_episode(seed, options)
         if text is None:
             text = self.setup.draw([drawn])[0]
+        self._begin(text)
+        return self.observation(), self.info_of_reset(text)
+
+    def _begin(self, text: str) -> None:
         row = np.empty((1, self.setup.row_length), np.float32)
         _core.reset_environments([self.environment], [text], row)
-        return self._seen(row[0]), self.info_of_reset(text)
+        self._row = row[0]
 
     def next_episode(self, seed: int | None, options: dict[str, Any] | None) -> tuple[str | None, int]:
         """The episode that was asked for, or else the seed of which one is to be drawn."""
@@ -75,7 +88,7 @@ class TaskEnv(gymnasium.Env):
 
     def info_of_reset(self, text: str) -> dict[str, Any]:
         self._episode = json.loads(text)
-        info = self._info()
+        info = self._info() | {"products": self.setup.products_of(self.environment, self._episode["scene_hash"])}
         layout = self.setup.map_of(self.environment)
         if layout is not None:
             info |= {"map": layout, "categories": self._episode.get("categories", [])}
@@ -86,20 +99,91 @@ class TaskEnv(gymnasium.Env):
         row = np.empty((1, self.setup.row_length), np.float32)
         reward, terminated, truncated = np.zeros(1), np.zeros(1, bool), np.zeros(1, bool)
         _core.step_environments([self.environment], numbers[None], row, reward, terminated, truncated)
+        self._row = row[0]
         info = self.info_of_step(terminated=bool(terminated[0]), truncated=bool(truncated[0]))
-        return self._seen(row[0]), float(reward[0]), bool(terminated[0]), bool(truncated[0]), info
+        return self.observation(), float(reward[0]), bool(terminated[0]), bool(truncated[0]), info
 
     def info_of_step(self, *, terminated: bool, truncated: bool) -> dict[str, Any]:
         info = self._info()
         if terminated or truncated:
-            info |= outcome_of(json.loads(self.environment.result()), stopped=terminated)
+            stopped = terminated and self.setup.stop_action
+            info |= outcome_of(json.loads(self.environment.result()), stopped=stopped)
         return info
 
     def _info(self) -> dict[str, Any]:
         return {"instruction": self._episode["instruction"], "time_s": self.environment.time_s()}
 
-    def _seen(self, row: np.ndarray) -> dict[str, Any]:
-        return {**self.setup.numbers_of(row), **self.setup.pictures_of(self.environment)}
+    def observation(self) -> Any:
+        """What the last reset(), step() or set_state() showed."""
+        seen = self.setup.observations
+        numbers = seen.numbers_of(self._row)
+        return numbers if seen.flat else {**numbers, **seen.pictures_of(self.environment, self._row)}
+
+    def parts(self) -> dict[str, dict[str, np.ndarray]]:
+        """The numbers of that observation by name, of a flat one, too."""
+        return self.setup.observations.parts_of(self._row)
+
+    # ---- The truth: for training and tests, never for evaluation. ----
+
+    def items(self) -> list[dict[str, Any]]:
+        """Where things are: sku, pose (x, y, z, qw, qx, qy, qz of the footprint's middle), size, goal, held, in_place,
+        segmentation_id.
+
+        In the frame of the robot's base, metres. At a counter all things of the episode; in aisles, for each goal, as many as
+        are asked for: those in the basket, then those next to the robot.
+        """
+        rows = self.environment.items()
+        return [{**row, "pose": np.array(row["pose"]), "size": np.array(row["size"])} for row in rows]
+
+    def get_state(self) -> bytes:
+        """Everything that the rest of the episode depends on, and the generator of further ones: set_state() goes on from it
+        bit for bit, here or in another environment of the same store and action options, in another process too."""
+        head = {
+            "episode": self._episode,
+            "random": random_state(self.np_random),
+            "seed": self._np_random_seed,
+        }
+        return packed(head, self.environment.save())
+
+    def set_state(self, state: bytes) -> Any:
+        """Goes back, or over, to where get_state() was called; returns the observation there.
+
+        Raises Error physics.bad_command for other bytes, episode.other_store for an episode of another store. As with pickle,
+        bytes of strangers may do harm.
+        """
+        head, body = unpacked(state)
+        row = np.empty((1, self.setup.row_length), np.float32)
+        before = None
+        if head["episode"] != self._episode:
+            before = self.get_state() if self._episode else None
+            self._begin(json.dumps(head["episode"]))
+            self._episode = head["episode"]
+        try:
+            self.environment.restore(body, row)
+        except _core.Error:
+            if before is not None:
+                self.set_state(before)
+            raise
+        self._row = row[0]
+        self._np_random, self._np_random_seed = generator_of(head["random"]), head["seed"]
+        return self.observation()
+
+    def mujoco_model(self) -> bytes:
+        """The physics as an MJB file's bytes: mujoco.MjModel.from_binary_path() of MuJoCo's own package opens it."""
+        return self.environment.mujoco_model()
+
+    def mujoco_state(self) -> np.ndarray:
+        """How that model stands now: mujoco.mj_setState(model, data, state, mujoco.mjtState.mjSTATE_INTEGRATION)."""
+        return np.array(self.environment.mujoco_state())
+
+    def __reduce__(self):
+        """copy and pickle: an environment made anew of the same options, set to the same state."""
+        begun = bool(self._episode)
+        about = {"spec": self.spec, "random": self._np_random, "seed": self._np_random_seed}
+        return _env_again, (type(self), self.setup, self._rendering_options(), self.get_state() if begun else None, about)
+
+    def _rendering_options(self) -> dict[str, Any]:
+        return {"render_mode": self.render_mode}
 
     def state_hash(self) -> str:
         """32 hex digits over the physics: equal states, equal hashes."""
@@ -109,3 +193,14 @@ class TaskEnv(gymnasium.Env):
         if self.render_mode is None:
             return None
         return self.environment.render("film_camera", 640, 480, "balanced").rgb.copy()
+
+
+def _env_again(
+    kind: type[TaskEnv], setup: TaskSetup, rendering: dict[str, Any], state: bytes | None, about: dict[str, Any]
+) -> TaskEnv:
+    env = kind(setup=setup, **rendering)
+    env.spec = about["spec"]
+    env._np_random, env._np_random_seed = copy.deepcopy(about["random"]), about["seed"]
+    if state is not None:
+        env.set_state(state)
+    return env

@@ -1,41 +1,73 @@
-"""What single and vector environments of a task have in common: where episodes come from, spaces, observations, info."""
+"""What single and vector environments of a task have in common: where episodes come from, options, spaces, info."""
 
 from __future__ import annotations
 
 import functools
 import json
-import math
 import os
 from collections.abc import Sequence
-from typing import Any, Literal, TypedDict
+from typing import Any, Literal, TypedDict, Unpack
 
 import numpy as np
 from gymnasium import spaces
 
 from .. import _core
 from ..store import Store, open_store
-from .default_store import default_store
+from .observations import Observations
 
 Track = Literal["checkout", "aisle"]
-ObsMode = Literal["state", "rgbd"]
+ObsMode = Literal["state", "state_robot", "rgbd", "pointcloud"]
 ControlMode = Literal["pd_joint_pos", "pd_joint_delta_pos", "pd_ee_delta_pos", "pd_ee_delta_pose"]
-RewardMode = Literal["sparse", "dense"]
+RewardMode = Literal["sparse", "dense", "shaped"]
 StoreLike = Store | str | os.PathLike[str]
+CHECKOUT_STATION, ONE_ITEM_STATION = "checkout", "one-item"
 
 
 class TaskOptions(TypedDict, total=False):
     """Keyword arguments of every environment; docs/python.md says what each does."""
 
     episodes: str | os.PathLike[str] | None
+    preset: Literal["rl"] | None
     obs_mode: ObsMode
     control_mode: ControlMode
     reward_mode: RewardMode
+    stop_action: bool
+    flat: bool
     tools: str
     cameras: Sequence[str] | None
     width: int
     height: int
+    points: int
     quality: Literal["fast", "balanced", "best"]
     segmentation: bool
+
+
+DEFAULTS: TaskOptions = {
+    "episodes": None,
+    "obs_mode": "state",
+    "control_mode": "pd_joint_delta_pos",
+    "reward_mode": "sparse",
+    "stop_action": True,
+    "flat": False,
+    "tools": "",
+    "cameras": None,
+    "width": 128,
+    "height": 128,
+    "points": 4096,
+    "quality": "fast",
+    "segmentation": False,
+}
+# What a learner starts from; options that are given count before these.
+PRESETS: dict[str | None, TaskOptions] = {
+    None: {},
+    "rl": {
+        "obs_mode": "state",
+        "control_mode": "pd_ee_delta_pos",
+        "reward_mode": "shaped",
+        "stop_action": False,
+        "flat": True,
+    },
+}
 
 
 def check_name(option: str, value: object, known: Sequence[object]) -> None:
@@ -43,17 +75,37 @@ def check_name(option: str, value: object, known: Sequence[object]) -> None:
         raise _core.Error("usage.bad_flag", option, f"{value!r} is none of {', '.join(map(str, known))}")
 
 
+def full_options(preset: str | None, options: TaskOptions) -> dict[str, Any]:
+    """All of them. Raises Error usage.bad_flag for those that do not go together, TypeError for one that there is not."""
+    check_name("preset", preset, tuple(PRESETS))
+    unknown = [name for name in options if name not in DEFAULTS]
+    if unknown:
+        raise TypeError(f"there is no option {unknown[0]!r}; there are: preset, {', '.join(DEFAULTS)}")
+    wanted: dict[str, Any] = {**DEFAULTS, **PRESETS[preset], **options}
+    check_name("obs_mode", wanted["obs_mode"], ("state", "state_robot", "rgbd", "pointcloud"))
+    if wanted["flat"] and wanted["obs_mode"] not in ("state", "state_robot"):
+        raise _core.Error("usage.bad_flag", "flat", "only obs_mode='state' and 'state_robot' make one row of numbers")
+    if wanted["obs_mode"] == "pointcloud" and not 1 <= wanted["points"] <= 10**7:
+        raise _core.Error("usage.bad_flag", "points", f"{wanted['points']} is not within 1 to 10,000,000")
+    return wanted
+
+
 @functools.lru_cache(maxsize=4)
 def _file_ground(path: str, _changed: int, _bytes: int) -> _core.EpisodeGround:
     return _core.ground_of_file(path)
 
 
-def ground_of(store: StoreLike | None, episodes: str | os.PathLike[str] | None) -> _core.EpisodeGround:
-    """Where episodes are run; environments of one store or file share it."""
+@functools.lru_cache(maxsize=2)
+def _pool_ground(track: Track) -> _core.EpisodeGround:
+    return _core.ground_of_pool(track)
+
+
+def ground_of(track: Track, store: StoreLike | None, episodes: str | os.PathLike[str] | None) -> _core.EpisodeGround:
+    """Where episodes are run; environments of one store or file share it. Without either: the pool that comes with us."""
     if episodes is None:
-        if not isinstance(store, Store):
-            store = default_store() if store is None else open_store(store)
-        return _core.ground_of_store(store._handle)
+        if store is None:
+            return _pool_ground(track)
+        return _core.ground_of_store((store if isinstance(store, Store) else open_store(store))._handle)
     if store is not None:
         raise _core.Error("usage.bad_flag", "store", "an episodes file has its stores in it: give one of the two")
     path = os.path.abspath(os.fspath(episodes))
@@ -64,10 +116,6 @@ def ground_of(store: StoreLike | None, episodes: str | os.PathLike[str] | None) 
     return _file_ground(path, about.st_mtime_ns, about.st_size)
 
 
-def _box(low: float, high: float, shape: tuple[int, ...], dtype: Any) -> spaces.Box:
-    return spaces.Box(low, high, shape, dtype)
-
-
 class TaskSetup:
     """One task as options choose it. Immutable, and shared by the members of a vector environment."""
 
@@ -76,107 +124,68 @@ class TaskSetup:
         track: Track,
         store: StoreLike | None = None,
         *,
-        episodes: str | os.PathLike[str] | None = None,
-        obs_mode: ObsMode = "state",
-        control_mode: ControlMode = "pd_joint_delta_pos",
-        reward_mode: RewardMode = "sparse",
-        tools: str = "",
-        cameras: Sequence[str] | None = None,
-        width: int = 128,
-        height: int = 128,
-        quality: Literal["fast", "balanced", "best"] = "fast",
-        segmentation: bool = False,
+        station: str = CHECKOUT_STATION,
+        preset: str | None = None,
+        **options: Unpack[TaskOptions],
     ):
-        check_name("obs_mode", obs_mode, ("state", "rgbd"))
-        if tools and track != "aisle":
+        self._made_of = (track, store, station, preset, options)
+        wanted = full_options(preset, options)
+        if wanted["tools"] and track != "aisle":
             raise _core.Error("usage.bad_flag", "tools", "only robots in aisles have a choice; leave it out")
-        self.track, self.control_mode, self.reward_mode, self.tools = track, control_mode, reward_mode, tools
-        self.ground = ground_of(store, episodes)
-        self.from_file = episodes is not None
+        self.track, self.station, self.tools = track, station, wanted["tools"]
+        self.control_mode, self.reward_mode = wanted["control_mode"], wanted["reward_mode"]
+        self.stop_action, self.obs_mode = bool(wanted["stop_action"]), wanted["obs_mode"]
+        self.ground = ground_of(track, store, wanted["episodes"])
+        self.has_file = store is None
         first = self.new_environment()
-        known = first.cameras()
-        for camera in cameras or ():
-            check_name("cameras", camera, known)
-        self.cameras = tuple(known if cameras is None else cameras) if obs_mode == "rgbd" else ()
-        self.size, self.quality, self.segmentation = (width, height), quality, segmentation
+        self.observations = Observations(
+            first,
+            track,
+            cameras=self._cameras_of(first, wanted["cameras"]),
+            size=(wanted["width"], wanted["height"]),
+            quality=wanted["quality"],
+            segmentation=wanted["segmentation"],
+            points=wanted["points"] if self.obs_mode == "pointcloud" else 0,
+            flat=wanted["flat"],
+        )
+        self.cameras = self.observations.cameras
+        self.observation_space, self.row_length = self.observations.space, self.observations.row_length
         self.action_names, low, high = zip(*first.action_numbers(), strict=True)
         self.action_space = spaces.Box(np.float32(low), np.float32(high), dtype=np.float32)
-        self._parts: list[tuple[str, str, tuple[int, ...], slice]] = []
-        end = 0
-        for group, name, shape in first.observation_parts():
-            start, end = end, end + math.prod(shape)
-            self._parts.append((group, name, tuple(shape), slice(start, end)))
-        self.row_length = end
-        self.observation_space = self._observation_space()
+        self._products: dict[str, dict[int, str]] = {}
+
+    def __reduce__(self):  # another process makes it anew
+        return _setup_again, self._made_of
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> TaskSetup:
+        return self  # nothing in it changes
+
+    def _cameras_of(self, environment: _core.Environment, wanted: Sequence[str] | None) -> tuple[str, ...]:
+        known = environment.cameras()
+        for camera in wanted or ():
+            check_name("cameras", camera, known)
+        if self.obs_mode not in ("rgbd", "pointcloud"):
+            return ()
+        if wanted is not None and not wanted and self.obs_mode == "pointcloud":
+            raise _core.Error("usage.bad_flag", "cameras", "points come from at least one camera")
+        return tuple(known if wanted is None else wanted)
 
     def new_environment(self) -> _core.Environment:
-        return _core.create_environment(self.ground, self.track, self.control_mode, self.reward_mode, self.tools)
-
-    def _observation_space(self) -> spaces.Dict:
-        inf = float("inf")
-        groups: dict[str, dict[str, spaces.Space]] = {}
-        for group, name, shape, _ in self._parts:
-            groups.setdefault(group, {})[name] = _box(-inf, inf, shape, np.float32)
-        if self.cameras:
-            groups["sensor_data"] = {name: spaces.Dict(self._planes()) for name in self.cameras}
-            groups["sensor_param"] = {
-                name: spaces.Dict(
-                    {
-                        "cam2world_gl": _box(-inf, inf, (4, 4), np.float32),
-                        "extrinsic_cv": _box(-inf, inf, (4, 4), np.float32),
-                        "intrinsic_cv": _box(-inf, inf, (3, 3), np.float32),
-                    }
-                )
-                for name in self.cameras
-            }
-        return spaces.Dict({group: spaces.Dict(parts) for group, parts in groups.items()})
-
-    def _planes(self) -> dict[str, spaces.Space]:
-        width, height = self.size
-        planes: dict[str, spaces.Space] = {
-            "rgb": _box(0, 255, (height, width, 3), np.uint8),
-            "depth": _box(0, 32767, (height, width, 1), np.int16),
-        }
-        if self.segmentation:
-            planes["segmentation"] = _box(0, 2**31 - 1, (height, width, 1), np.int32)
-        return planes
-
-    def numbers_of(self, rows: np.ndarray) -> dict[str, dict[str, np.ndarray]]:
-        """The parts of one row of numbers, or of many: views where they can be."""
-        seen: dict[str, dict[str, np.ndarray]] = {}
-        for group, name, shape, place in self._parts:
-            seen.setdefault(group, {})[name] = rows[..., place].reshape(*rows.shape[:-1], *shape)
-        return seen
-
-    def pictures_of(self, environment: _core.Environment) -> dict[str, dict[str, dict[str, np.ndarray]]]:
-        """sensor_data and sensor_param as things stand now; nothing without cameras."""
-        if not self.cameras:
-            return {}
-        return {
-            "sensor_data": {name: self._picture(environment, name) for name in self.cameras},
-            "sensor_param": {name: self._matrices(environment, name) for name in self.cameras},
-        }
-
-    def _picture(self, environment: _core.Environment, camera: str) -> dict[str, np.ndarray]:
-        frame = environment.render(camera, *self.size, self.quality)
-        millimetres = np.rint(frame.depth * 1000)
-        millimetres[millimetres > 32767] = 0
-        planes = {"rgb": frame.rgb.copy(), "depth": millimetres.astype(np.int16)[..., None]}
-        if self.segmentation:
-            planes["segmentation"] = frame.instance.astype(np.int32)[..., None]
-        return planes
-
-    def _matrices(self, environment: _core.Environment, name: str) -> dict[str, np.ndarray]:
-        camera = environment.camera(name, *self.size)
-        return {
-            "cam2world_gl": camera.cam2world_gl.astype(np.float32),
-            "extrinsic_cv": camera.extrinsic_cv.astype(np.float32),
-            "intrinsic_cv": camera.intrinsic_cv.astype(np.float32),
-        }
+        return _core.create_environment(
+            self.ground,
+            self.track,
+            self.control_mode,
+            self.reward_mode,
+            self.tools,
+            self.station,
+            self.stop_action,
+            self.obs_mode == "state",
+            1 if self.station == ONE_ITEM_STATION else 0,
+        )
 
     @functools.cached_property
     def episodes(self) -> list[str]:
-        """Those of the file, as market-episode/1."""
+        """Those of the file or the pool, as market-episode/1."""
         return self.ground.episodes()
 
     def episode_text(self, episode: dict[str, Any] | str | int) -> str:
@@ -193,11 +202,27 @@ class TaskSetup:
 
     def draw(self, seeds: Sequence[int]) -> list[str]:
         """Episodes of seeds, side by side on all cores."""
+        if self.station == ONE_ITEM_STATION:
+            return [self.ground.draw_one_item(seed) for seed in seeds]
         return self.ground.draw(self.track, list(seeds), self.tools)
 
     def map_of(self, environment: _core.Environment) -> dict[str, Any] | None:
         """The functional map of the store, market-layout/1; None at a counter."""
         return None if self.track == "checkout" else json.loads(environment.map())
+
+    def products_of(self, environment: _core.Environment, scene_hash: str) -> dict[int, str]:
+        """SKUs by the numbers of pictures. Those of a whole store are thousands: they are kept."""
+        if self.track == "checkout":
+            return environment.products()
+        if scene_hash not in self._products:
+            self._products[scene_hash] = environment.products()
+        return dict(self._products[scene_hash])
+
+
+def _setup_again(
+    track: Track, store: StoreLike | None, station: str, preset: str | None, options: TaskOptions
+) -> TaskSetup:
+    return TaskSetup(track, store, station=station, preset=preset, **options)
 
 
 def outcome_of(result: dict[str, Any], *, stopped: bool) -> dict[str, Any]:

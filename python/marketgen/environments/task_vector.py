@@ -36,9 +36,10 @@ class TaskVectorEnv(gymnasium.vector.VectorEnv):
         autoreset_mode: AutoresetMode | str = AutoresetMode.NEXT_STEP,
         copy: bool = True,
         render_mode: Literal["rgb_array"] | None = None,
+        setup: TaskSetup | None = None,
         **options: Unpack[TaskOptions],
     ):
-        self.setup = TaskSetup(self.single.track, store, **options)
+        self.setup = self.single.new_setup(store, options) if setup is None else setup
         self.autoreset_mode = AutoresetMode(autoreset_mode)
         self.metadata = {**self.single.metadata, "autoreset_mode": self.autoreset_mode}
         self.envs = [self.single(setup=self.setup, render_mode=render_mode) for _ in range(num_envs)]
@@ -79,6 +80,18 @@ class TaskVectorEnv(gymnasium.vector.VectorEnv):
         for i, info in self._reset(chosen, [seeds[i] for i in chosen], options).items():
             infos = self._add_info(infos, info, i)
         return self._seen(), infos
+
+    def _add_info(self, vector_infos: dict[str, Any], env_info: dict[str, Any], env_num: int) -> dict[str, Any]:
+        """Numbers of pictures mean something else in each environment: a whole dict each, in an array of objects."""
+        products = env_info.get("products")
+        if products is None:
+            return super()._add_info(vector_infos, env_info, env_num)
+        rest = {key: value for key, value in env_info.items() if key != "products"}
+        vector_infos = super()._add_info(vector_infos, rest, env_num)
+        every = vector_infos.setdefault("products", np.full(self.num_envs, None, object))
+        every[env_num] = products
+        vector_infos.setdefault("_products", np.zeros(self.num_envs, bool))[env_num] = True
+        return vector_infos
 
     def _checked_mask(self, mask: Any) -> np.ndarray:
         fits = isinstance(mask, np.ndarray) and mask.dtype == np.bool_ and mask.shape == (self.num_envs,)
@@ -136,22 +149,42 @@ class TaskVectorEnv(gymnasium.vector.VectorEnv):
         infos: dict[str, Any] = {}
         ended = np.flatnonzero(self._ended)
         for i in ended:
-            last = {**self.setup.numbers_of(self._rows[i].copy()), **self._pictures[i]}
+            numbers = self.setup.observations.numbers_of(self._rows[i].copy())
+            last = numbers if self.setup.observations.flat else {**numbers, **self._pictures[i]}
             infos = self._add_info(infos, {"final_obs": last, "final_info": infos_of[i]}, i)
         return infos, self._reset(ended, [None] * len(ended), None)
 
     def _look(self, chosen: np.ndarray) -> None:
         for i in chosen:
-            self._pictures[i] = self.setup.pictures_of(self.envs[i].environment)
+            self._pictures[i] = self.setup.observations.pictures_of(self.envs[i].environment, self._rows[i])
 
-    def _seen(self) -> dict[str, Any]:
-        seen: dict[str, Any] = self.setup.numbers_of(self._rows.copy() if self.copy else self._rows)
-        for group in self._pictures[0]:
-            seen[group] = {
-                camera: {plane: np.stack([pictures[group][camera][plane] for pictures in self._pictures]) for plane in planes}
-                for camera, planes in self._pictures[0][group].items()
-            }
+    def _seen(self) -> Any:
+        seen: Any = self.setup.observations.numbers_of(self._rows.copy() if self.copy else self._rows)
+        if not self.setup.observations.flat:
+            seen |= _stacked(self._pictures)
         return seen
+
+    def get_state(self) -> list[bytes]:
+        """Of each, see TaskEnv.get_state()."""
+        return [env.get_state() for env in self.envs]
+
+    def set_state(self, states: Sequence[bytes]) -> Any:
+        """All of them; returns their observations. Raises the errors of TaskEnv.set_state(); those before are set then."""
+        if len(states) != self.num_envs:
+            raise _core.Error("physics.bad_command", "state", f"{len(states)} states for {self.num_envs} environments")
+        for i, (env, state) in enumerate(zip(self.envs, states, strict=True)):
+            env.set_state(state)
+            self._rows[i] = env._row
+            self._ended[i] = bool(env.environment.result())
+        self._look(np.arange(self.num_envs))
+        return self._seen()
+
+    def __reduce__(self):
+        """copy and pickle: environments made anew of the same options, set to the same states."""
+        begun = all(env.episode for env in self.envs)
+        options = {"autoreset_mode": self.autoreset_mode, "copy": self.copy, **self.envs[0]._rendering_options()}
+        states = self.get_state() if begun else []
+        return _vector_again, (type(self), self.num_envs, self.setup, options, states, self.spec)
 
     def render(self):
         return tuple(env.render() for env in self.envs)
@@ -162,3 +195,25 @@ class TaskVectorEnv(gymnasium.vector.VectorEnv):
 
     def get_attr(self, name: str) -> tuple[Any, ...]:
         return self.call(name)
+
+
+def _stacked(parts: Sequence[Any]) -> Any:
+    """Dicts of arrays as one dict of stacked arrays."""
+    if isinstance(parts[0], dict):
+        return {key: _stacked([part[key] for part in parts]) for key in parts[0]}
+    return np.stack(parts)
+
+
+def _vector_again(
+    kind: type[TaskVectorEnv],
+    count: int,
+    setup: TaskSetup,
+    options: dict[str, Any],
+    states: list[bytes],
+    spec: Any,
+) -> TaskVectorEnv:
+    many = kind(count, setup=setup, **options)
+    many.spec = spec
+    if states:
+        many.set_state(states)
+    return many

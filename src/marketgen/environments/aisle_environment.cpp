@@ -4,11 +4,13 @@
 
 #include "environments/goal_nearness.h"
 #include "io/json.h"
+#include "render/picture_objects.h"
 
 namespace marketgen {
 namespace {
 
 constexpr double aisle_reward_scale_m = 3;  // 4.4 m away counts 0.1
+constexpr ProgressScale aisle_scale{aisle_reward_scale_m, aisle_reward_scale_m};
 constexpr char head[] = "head_camera";
 
 class AisleEnvironment : public Environment {
@@ -17,7 +19,8 @@ class AisleEnvironment : public Environment {
                    const EnvironmentOptions& options,
                    Robot robot)
       : Environment(std::move(shared), Track::aisle, options), robot_(std::move(robot)) {
-    set_robot(robot_);
+    const double far = ground().largest_side_m();
+    set_robot(robot_, {far, 2 * far});  // from one corner of a store to another
   }
 
   std::vector<std::string> cameras() const override { return {head}; }
@@ -37,6 +40,39 @@ class AisleEnvironment : public Environment {
     MARKETGEN_CHECK(show());
     return view_->view->camera(camera, width, height);
   }
+
+  Result<std::vector<std::pair<std::uint32_t, std::string>>> products() override {
+    const Scene& scene = aisles_->store().scene;
+    std::vector<std::pair<std::uint32_t, std::string>> rows;
+    for (std::uint32_t row = 0; row < scene.products.size(); ++row)
+      rows.emplace_back(first_product_object(scene) + row,
+                        scene.catalog[scene.products[row].sku].sku);
+    return rows;
+  }
+
+  Result<std::vector<EnvironmentItem>> items() override {
+    const std::vector<std::uint32_t> carried = aisles_->in_basket();
+    const Pose base_from_world = inverse(aisles_->world_from_base());
+    std::vector<EnvironmentItem> rows;
+    for (const EpisodeGoal& goal : aisles_->spec().goals) {
+      for (const std::uint32_t row : next_of(goal, carried)) {
+        MARKETGEN_TRY(EnvironmentItem made, item(row, base_from_world));
+        made.in_region = std::ranges::find(carried, row) != carried.end();
+        rows.push_back(std::move(made));
+      }
+    }
+    return rows;
+  }
+
+  EnvironmentPlace place() const override {
+    const AisleStore& store = aisles_->store();
+    const CarriedBasketRow& b = store.station.basket;
+    const Pose floor = store.basket.base_from_floor;
+    return {floor * Vec3{0, 0, b.height_m / 2}, {b.top_m[0], b.top_m[1], b.height_m}, floor};
+  }
+
+  const mjModel_& model() const override { return aisles_->world().model(); }
+  const mjData_& data() const override { return aisles_->world().data(); }
 
   std::string map() const override { return write_json(aisles_->store().scene.layout); }
 
@@ -66,7 +102,50 @@ class AisleEnvironment : public Environment {
     });
   }
 
+  ProgressScale progress_scale() const override { return aisle_scale; }
+
  private:
+  // As many as are asked for: those in the basket, then those next to the robot.
+  std::vector<std::uint32_t> next_of(const EpisodeGoal& goal,
+                                     const std::vector<std::uint32_t>& carried) const {
+    const Scene& scene = aisles_->store().scene;
+    std::vector<std::uint32_t> rows;
+    for (const std::uint32_t row : carried)
+      if (scene.catalog[scene.products[row].sku].sku == goal.sku) rows.push_back(row);
+    const Vec3 robot = aisles_->world_from_base().position;
+    std::vector<std::pair<double, std::uint32_t>> others;
+    for (const std::uint32_t row : wanted_.at(goal.sku))
+      if (std::ranges::find(carried, row) == carried.end())
+        others.emplace_back(length(aisles_->world().product_pose(row).position - robot), row);
+    std::ranges::sort(others);
+    for (const auto& [distance, row] : others)
+      rows.push_back(row);
+    rows.resize(std::min(rows.size(), static_cast<std::size_t>(goal.count)));
+    return rows;
+  }
+
+  Result<EnvironmentItem> item(std::uint32_t row, const Pose& base_from_world) {
+    const Scene& scene = aisles_->store().scene;
+    const Product& product = scene.catalog[scene.products[row].sku];
+    const ProductMotion motion = aisles_->world().product_motion(row);
+    EnvironmentItem made;
+    made.sku = product.sku;
+    made.pose = base_from_world * motion.pose;
+    made.middle = made.pose * Vec3{0, 0, product.height_m() / 2};
+    made.size_m = {product.width_m(), product.depth_m(), product.height_m()};
+    made.velocity_m_s = rotate(base_from_world.rotation, motion.velocity_m_s);
+    made.wanted = true;
+    made.held = aisles_->watch().is_held(row);
+    if (const auto seen = aisles_->watch().items().find(row);
+        seen != aisles_->watch().items().end()) {
+      made.touched = seen->second.touched_by >= 0;
+      made.rested_s = seen->second.rested_s;
+    }
+    MARKETGEN_TRY(made.in_place, aisles_->in_place(row));
+    made.object = first_product_object(scene) + row;
+    return made;
+  }
+
   // The caller has the view's lock.
   Result<void> show() {
     if (view_->view) return view_->view->follow(*aisles_);

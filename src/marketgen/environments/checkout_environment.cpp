@@ -1,15 +1,21 @@
 #include "environments/checkout_environment.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "environments/goal_nearness.h"
+#include "episodes/checkout_goals.h"
 #include "episodes/checkout_view.h"
 
 namespace marketgen {
 namespace {
 
 constexpr double reward_scale_m = 1.0 / 3;  // half a metre away counts 0.1
-constexpr char filming[] = "film_camera";   // seen as by the scene camera
+constexpr ProgressScale counter_scale{0.15, 0.25};
+// Beyond that a thing lies on the floor, and far off.
+constexpr ObservationBounds counter_bounds{3, 3};
+constexpr char filming[] = "film_camera";  // seen as by the scene camera
 
 class CheckoutEnvironment : public Environment {
  public:
@@ -17,7 +23,7 @@ class CheckoutEnvironment : public Environment {
                       const EnvironmentOptions& options,
                       CheckoutWorld world)
       : Environment(std::move(shared), Track::checkout, options), counter_(std::move(world)) {
-    set_robot(counter_.robot());
+    set_robot(counter_.robot(), counter_bounds);
   }
 
   std::vector<std::string> cameras() const override {
@@ -29,17 +35,42 @@ class CheckoutEnvironment : public Environment {
                         int width,
                         int height,
                         const RenderOptions& options) override {
-    MARKETGEN_TRY(const Camera from, this->camera(camera, width, height));
+    MARKETGEN_TRY(const Camera from, camera_in_room(camera, width, height));
     return view_->renderer().render(from, options);
   }
 
   Result<Camera> camera(const std::string& camera, int width, int height) override {
-    const auto which =
-        camera == filming ? StationCamera::scene : value_named<StationCamera>(camera);
-    if (!which) return Error{"camera.unknown", camera, "there are scene_camera and wrist_camera"};
-    MARKETGEN_CHECK(show());
-    return view_->camera(*which, width, height);
+    MARKETGEN_TRY(const Camera there, camera_in_room(camera, width, height));
+    return posed_camera(there.name,
+                        inverse(view_->world_from_station()) * opencv_pose_of(there),
+                        intrinsics_of(there),
+                        there.width,
+                        there.height);
   }
+
+  Result<std::vector<std::pair<std::uint32_t, std::string>>> products() override {
+    std::vector<std::pair<std::uint32_t, std::string>> rows;
+    for (std::size_t i = 0; i < counter_.item_count(); ++i)
+      rows.emplace_back(CheckoutView::object_of_item(i), counter_.spec().items[i].sku);
+    return rows;
+  }
+
+  Result<std::vector<EnvironmentItem>> items() override {
+    std::vector<EnvironmentItem> rows;
+    for (std::size_t i = 0; i < counter_.item_count(); ++i)
+      rows.push_back(item(i));
+    return rows;
+  }
+
+  EnvironmentPlace place() const override {
+    const UnloadingRow& area = counter_.station().unloading;
+    return {{area.center_m[0], area.center_m[1], 0},
+            {area.size_m[0], area.size_m[1], 0},
+            counter_.basket_pose()};
+  }
+
+  const mjModel_& model() const override { return counter_.model(); }
+  const mjData_& data() const override { return counter_.data(); }
 
  protected:
   Result<TrackWorld*> begin(const EpisodeSpec& spec) override {
@@ -63,7 +94,37 @@ class CheckoutEnvironment : public Environment {
     return goal_nearness(counter_.spec().goals, reward_scale_m, distances);
   }
 
+  ProgressScale progress_scale() const override { return counter_scale; }
+
  private:
+  EnvironmentItem item(std::size_t i) const {
+    const CheckoutWatch::Item& seen = counter_.watch().items()[i];
+    const CheckoutGoods& goods = counter_.goods(i);
+    EnvironmentItem made;
+    made.sku = goods.product.sku;
+    made.pose = counter_.item_pose(i);
+    made.middle = made.pose * Vec3{0, 0, goods.product.height_m() / 2};
+    made.size_m = {goods.product.width_m(), goods.product.depth_m(), goods.product.height_m()};
+    made.velocity_m_s = counter_.item_velocity(i);
+    made.wanted = std::ranges::count(counter_.spec().goals, made.sku, &EpisodeGoal::sku) > 0;
+    made.held = seen.held;
+    made.touched = seen.touched;
+    made.in_place = counter_.in_place(i);
+    const Vec3 center = made.pose * to_double(goods.body.center_of_mass);
+    made.in_region = over_area(counter_.station().unloading.area())(center);
+    made.rested_s = seen.rested_s;
+    made.object = CheckoutView::object_of_item(i);
+    return made;
+  }
+
+  Result<Camera> camera_in_room(const std::string& camera, int width, int height) {
+    const auto which =
+        camera == filming ? StationCamera::scene : value_named<StationCamera>(camera);
+    if (!which) return Error{"camera.unknown", camera, "there are scene_camera and wrist_camera"};
+    MARKETGEN_CHECK(show());
+    return view_->camera(*which, width, height);
+  }
+
   Result<void> show() {
     if (view_) return view_->follow(counter_);
     MARKETGEN_TRY(view_, CheckoutView::create(counter_));
@@ -78,8 +139,9 @@ class CheckoutEnvironment : public Environment {
 
 Result<std::unique_ptr<Environment>> make_checkout_environment(
     std::shared_ptr<EpisodeGround> ground, const EnvironmentOptions& options) {
-  MARKETGEN_TRY(CheckoutWorld world,
-                CheckoutWorld::create(ground->data(), ground->catalog().frictions));
+  MARKETGEN_TRY(
+      CheckoutWorld world,
+      CheckoutWorld::create(ground->data(), ground->catalog().frictions, options.station));
   return std::unique_ptr<Environment>(
       std::make_unique<CheckoutEnvironment>(std::move(ground), options, std::move(world)));
 }

@@ -42,8 +42,8 @@ Pose moved_pose(Pose pose, std::span<const double> by) {
 
 }  // namespace
 
-ActionMap::ActionMap(const Robot& robot, ControlMode mode)
-    : robot_(robot), mode_(mode), joints_(commanded_dofs(robot)) {
+ActionMap::ActionMap(const Robot& robot, ControlMode mode, bool stop)
+    : robot_(robot), mode_(mode), stop_(stop), joints_(commanded_dofs(robot)) {
   for (const Tool& tool : robot.tools) {
     Arm arm{tool.frame, {}};
     for (const JointGroup& group : robot.groups)
@@ -65,7 +65,7 @@ ActionMap::ActionMap(const Robot& robot, ControlMode mode)
     numbers_.push_back({"drive"});
     numbers_.push_back({"turn"});
   }
-  numbers_.push_back({"stop"});
+  if (stop_) numbers_.push_back({"stop"});
 }
 
 void ActionMap::add_joints(bool absolute) {
@@ -122,7 +122,13 @@ std::vector<double> ActionMap::moved_tool(const Arm& arm,
   near.restarts = 0;
   near.tolerance = 1e-5;
   const Pose wanted = moved_pose(frame_pose(robot_, state, arm.frame), by);
-  auto found = solve_numeric(robot_, arm.frame, arm.dofs, wanted, state, Seed(0), near);
+  // Fingers that press on one another stand beyond their stops, where no search begins.
+  std::vector<double> from = state;
+  for (std::size_t dof = 0; dof < from.size(); ++dof) {
+    const Joint& joint = robot_.joint_of_dof(dof);
+    from[dof] = std::clamp(from[dof], joint.lower, joint.upper);
+  }
+  auto found = solve_numeric(robot_, arm.frame, arm.dofs, wanted, from, Seed(0), near);
   return found.ok() ? std::move(found).value() : state;
 }
 
@@ -161,7 +167,7 @@ Action ActionMap::action(std::span<const double> values,
                          const std::vector<double>& target) const {
   Action action;
   action.position = moved(values, state, target);
-  const std::size_t tail = robot_.tools.size() + (robot_.drive ? 2 : 0) + 1;
+  const std::size_t tail = robot_.tools.size() + (robot_.drive ? 2 : 0) + (stop_ ? 1 : 0);
   std::span<const double> rest = values.last(tail);
   for (const Tool& tool : robot_.tools) {
     const double open = (share(rest.front()) + 1) / 2;
@@ -173,7 +179,7 @@ Action ActionMap::action(std::span<const double> values,
     action.drive_m_s = share(rest[0]) * robot_.drive->speed;
     action.turn_rad_s = share(rest[1]) * robot_.drive->turn_rate;
   }
-  action.stop = values.back() > 0;
+  action.stop = stop_ && values.back() > 0;
   return action;
 }
 

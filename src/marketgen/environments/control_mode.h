@@ -2,7 +2,8 @@
 // two on a base that drives.
 //
 // In this order: the move; an opening for each tool (-1 closed, 1 open; a cup sucks up to 0); speed
-// and turn rate of a base that drives, as shares of the most; stop (above 0: the agent has done).
+// and turn rate of a base that drives, as shares of the most; where wanted, stop (above 0: the
+// agent has done).
 // All are in [-1, 1] and clipped to it, but the joints of pd_joint_pos.
 #pragma once
 #include <array>
@@ -37,7 +38,7 @@ struct ActionNumber {
 // Immutable; the robot must outlive it.
 class ActionMap {
  public:
-  ActionMap(const Robot& robot, ControlMode mode);
+  ActionMap(const Robot& robot, ControlMode mode, bool stop = true);
 
   const std::vector<ActionNumber>& numbers() const { return numbers_; }
 
@@ -71,6 +72,7 @@ class ActionMap {
 
   const Robot& robot_;
   ControlMode mode_;
+  bool stop_;
   std::vector<int> joints_;  // degrees of freedom that are commanded
   std::vector<int> other_;   // of these, those of no arm, as places in joints_
   std::vector<Arm> arms_;    // one a tool

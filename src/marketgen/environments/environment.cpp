@@ -5,37 +5,22 @@
 
 #include <fmt/format.h>
 
+#include "base/build_info.h"
+#include "base/byte_archive.h"
+#include "base/hash.h"
 #include "environments/aisle_environment.h"
 #include "environments/checkout_environment.h"
 #include "episodes/check_episodes.h"
+#include "io/json.h"
 
 namespace marketgen {
 namespace {
 
-constexpr int pose_numbers = 7, place_numbers = 3;
+constexpr char state_tag[] = "market-state/1";
 
-std::size_t count_of(const ObservationPart& part) {
-  std::size_t count = 1;
-  for (const int length : part.shape)
-    count *= static_cast<std::size_t>(length);
-  return count;
-}
-
-bool has_cup(const Robot& robot) {
-  return std::ranges::find(robot.tools, ToolKind::suction, &Tool::kind) != robot.tools.end();
-}
-
-std::vector<ObservationPart> parts_of(const Robot& robot) {
-  const int joints = static_cast<int>(commanded_dofs(robot).size());
-  const int tools = static_cast<int>(robot.tools.size());
-  std::vector<ObservationPart> parts{{"agent", "qpos", {joints + tools}},
-                                     {"agent", "qvel", {joints}}};
-  parts.push_back({"extra",
-                   "tcp_pose",
-                   tools == 1 ? std::vector{pose_numbers} : std::vector{tools, pose_numbers}});
-  if (robot.drive) parts.push_back({"extra", "base_pose", {place_numbers}});
-  if (has_cup(robot)) parts.push_back({"agent", "sealed", {tools}});
-  return parts;
+// What the numbers of a state mean depends on these.
+std::string made_by(const EpisodeSpec& spec) {
+  return fmt::format("{} {} {:016x}", state_tag, program_version, hash64(write_json_line(spec)));
 }
 
 }  // namespace
@@ -47,11 +32,36 @@ Result<std::unique_ptr<Environment>> Environment::create(std::shared_ptr<Episode
   return make_checkout_environment(std::move(ground), options);
 }
 
-void Environment::set_robot(const Robot& robot) {
-  actions_.emplace(robot, options_.control);
-  parts_ = parts_of(robot);
-  for (const ObservationPart& part : parts_)
+void Environment::set_robot(const Robot& robot, const ObservationBounds& bounds) {
+  actions_.emplace(robot, options_.control, options_.stop);
+  parts_ = robot_parts(robot, bounds);
+  item_rows_ = options_.item_rows > 0 ? options_.item_rows : ground_->most_items(track_);
+  if (options_.privileged)
+    std::ranges::move(privileged_parts(robot, item_rows_, bounds), std::back_inserter(parts_));
+  for (const ObservationPart& part : parts_) {
     size_ += count_of(part);
+    low_.insert(low_.end(), part.low.begin(), part.low.end());
+    high_.insert(high_.end(), part.high.begin(), part.high.end());
+  }
+}
+
+Result<void> Environment::check_room(const EpisodeSpec& spec) const {
+  const int items = items_of(spec);
+  if (!options_.privileged || items <= item_rows_) return {};
+  return Error{"episode.impossible",
+               spec.id,
+               fmt::format("observations of \"state\" have room for {} items, the episode is about "
+                           "{}; use \"state_robot\", or a file that has it",
+                           item_rows_,
+                           items)};
+}
+
+// At what only some options need.
+Result<void> Environment::look() {
+  if (!options_.privileged && options_.reward != RewardMode::shaped) return {};
+  MARKETGEN_TRY(seen_items_, items());
+  if (options_.reward == RewardMode::shaped) progress_ = progress();
+  return {};
 }
 
 Result<void> Environment::reset(const EpisodeSpec& spec) {
@@ -63,11 +73,12 @@ Result<void> Environment::reset(const EpisodeSpec& spec) {
             "it is of the track {}, the environment of {}", name_of(spec.track), name_of(track_))};
   MARKETGEN_CHECK(check_episode(spec, spec.id));
   MARKETGEN_CHECK(ground_->check(spec));
+  MARKETGEN_CHECK(check_room(spec));
   world_ = nullptr;
   result_.reset();
   MARKETGEN_TRY(world_, begin(spec));
   target_ = world_->observe().position;
-  return {};
+  return look();
 }
 
 Result<void> Environment::check(std::span<const double> action) const {
@@ -90,20 +101,24 @@ Result<StepOutcome> Environment::step(std::span<const double> action) {
   const auto stepped = world_->step(made);
   if (!stepped.ok()) return stepped.error();
   target_ = actions_->within_limits(made.position);
+  const double before = progress_;
+  MARKETGEN_CHECK(look());
   StepOutcome outcome;
-  if (world_->done()) {
-    MARKETGEN_CHECK(finish());
+  if (options_.stop) {
     outcome.terminated = made.stop;
-    outcome.truncated = !made.stop;
+  } else {
+    MARKETGEN_TRY(outcome.terminated, world_->goals_met());
   }
-  outcome.reward = reward();
+  outcome.truncated = world_->done() && !outcome.terminated;
+  if (outcome.terminated || outcome.truncated) MARKETGEN_CHECK(finish());
+  outcome.reward = options_.reward == RewardMode::shaped ? progress_ - before : reward();
   return outcome;
 }
 
 Result<void> Environment::finish() {
   in_time_ = world_->time_s() < world_->spec().limit_s - control_step_s / 2;
   MARKETGEN_TRY(result_, world_->finish());
-  return {};
+  return look();
 }
 
 EpisodeResult Environment::judged(EpisodeEnd end) {
@@ -117,31 +132,63 @@ EpisodeResult Environment::judged(EpisodeEnd end) {
   return with_end(*result_, end);
 }
 
+double Environment::progress() const {
+  if (result_ && result_->success_strict) return 1;
+  const auto tools = actions_->tool_poses(world_->robot_state());
+  return goal_progress(world_->spec().goals, seen_items_, place(), tools, progress_scale());
+}
+
 double Environment::reward() const {
-  if (options_.reward == RewardMode::sparse) return result_ ? result_->success_partial : 0;
+  if (options_.reward == RewardMode::sparse) return result_ ? result_->success_partial : 0.0;
   return result_ && result_->success_strict ? 1 : nearness();
 }
 
 void Environment::observe(std::span<float> into) const {
-  const Observation seen = world_->observe();
-  auto next = into.begin();
-  const auto add = [&](double value) { *next++ = static_cast<float>(value); };
-  std::ranges::for_each(seen.position, add);
-  std::ranges::for_each(seen.openings_m, add);
-  std::ranges::for_each(seen.velocity, add);
-  for (const Pose& p : actions_->tool_poses(world_->robot_state()))
-    for (const double value : {p.position.x,
-                               p.position.y,
-                               p.position.z,
-                               p.rotation.w,
-                               p.rotation.x,
-                               p.rotation.y,
-                               p.rotation.z})
-      add(value);
-  if (world_->robot().drive)
-    for (const double value : {seen.base.x_m, seen.base.y_m, seen.base.heading})
-      add(value);
-  if (has_cup(world_->robot())) std::ranges::for_each(seen.sealed, add);
+  const RobotSeen seen{world_->observe(), actions_->tool_poses(world_->robot_state())};
+  std::vector<double> numbers;
+  numbers.reserve(size_);
+  add_robot_numbers(world_->robot(), seen, numbers);
+  if (options_.privileged)
+    add_privileged_numbers(
+        seen_items_, item_rows_, place(), seen.tools, world_->spec().instruction, numbers);
+  for (std::size_t i = 0; i < size_; ++i)
+    into[i] = static_cast<float>(std::clamp(numbers[i], low_[i], high_[i]));
+}
+
+std::string Environment::save() const {
+  ByteWriter writer;
+  const std::string result = result_ ? write_json(*result_) : "";
+  writer(made_by(world_->spec()), world_->save(), target_, in_time_, result);
+  const std::string content = writer.take();
+  writer(hash64(content), content);
+  return writer.take();
+}
+
+Result<void> Environment::restore(std::string_view moment) {
+  const auto bad = [&](const char* message) {
+    return Error{"physics.bad_command", "state", message};
+  };
+  std::uint64_t hash = 0;
+  std::string content, made, world, result;
+  ByteReader whole(moment);
+  whole(hash, content);
+  if (!whole.ok() || hash64(content) != hash)
+    return bad("these bytes are no whole state of an environment");
+  std::vector<double> target;
+  bool in_time = true;
+  ByteReader reader(content);
+  reader(made, world, target, in_time, result);
+  if (!reader.ok() || made != made_by(world_->spec()) || target.size() != target_.size())
+    return bad("the state is of another episode, or of another version of marketgen");
+  std::optional<EpisodeResult> ended;
+  if (!result.empty()) {
+    MARKETGEN_TRY(ended, read_json<EpisodeResult>(result, "state"));
+  }
+  MARKETGEN_CHECK(world_->restore(world));
+  target_ = std::move(target);
+  in_time_ = in_time;
+  result_ = std::move(ended);
+  return look();
 }
 
 }  // namespace marketgen

@@ -8,10 +8,14 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "environments/control_mode.h"
 #include "environments/episode_ground.h"
+#include "environments/goal_progress.h"
+#include "environments/observation_parts.h"
 #include "episodes/track_world.h"
 #include "evaluation/run_episode.h"
 #include "render/render.h"
@@ -19,27 +23,26 @@
 namespace marketgen {
 
 // sparse: at the end, the share of the goals. dense: after each step, from 0 to 1, nearer is more;
-// 1 when all goals are met.
-enum class RewardMode { sparse, dense };
-constexpr std::array<std::string_view, 2> names_of(RewardMode) {
-  return {"sparse", "dense"};
+// 1 when all goals are met. shaped: by how much the step has raised goal_progress(), so that the
+// sum over an episode is how far it has come.
+enum class RewardMode { sparse, dense, shaped };
+constexpr std::array<std::string_view, 3> names_of(RewardMode) {
+  return {"sparse", "dense", "shaped"};
 }
 
 struct EnvironmentOptions {
   ControlMode control = ControlMode::pd_joint_delta_pos;
   RewardMode reward = RewardMode::sparse;
   std::string tools = {};  // in aisles: a tool set of the station, the first when empty
-};
-
-// Numbers of an observation that belong together, row-major.
-struct ObservationPart {
-  std::string group, name;  // "agent", "qpos"
-  std::vector<int> shape;
+  std::string station = checkout_station;  // at a counter: a row of data/benchmark
+  bool stop = true;  // an action ends with `stop`; without it the goals' being met is the end
+  bool privileged = false;  // observations have the truth, too
+  int item_rows = 0;        // of that; 0: as many as any episode of the ground needs
 };
 
 struct StepOutcome {
   double reward = 0;
-  bool terminated = false;  // the agent stopped
+  bool terminated = false;  // the agent stopped; without `stop`: the goals are met
   bool truncated = false;   // the time is over
 };
 
@@ -52,10 +55,7 @@ class Environment {
   virtual ~Environment() = default;
 
   const std::vector<ActionNumber>& action_numbers() const { return actions_->numbers(); }
-  // In this order: agent.qpos (joints, then openings), agent.qvel, extra.tcp_pose (x, y, z, qw, qx,
-  // qy, qz in the frame of the robot's base, a row a tool); of a base that drives extra.base_pose
-  // (x, y, heading by its own reckoning); of a robot with a cup agent.sealed (1 for each tool that
-  // has sealed).
+  // robot_parts(), then, where asked for, privileged_parts().
   const std::vector<ObservationPart>& observation_parts() const { return parts_; }
   std::size_t observation_size() const { return size_; }
   virtual std::vector<std::string> cameras() const = 0;
@@ -78,10 +78,30 @@ class Environment {
                                 int width,
                                 int height,
                                 const RenderOptions& options) = 0;
+  // Its place is in the frame that the observations' base_pose is in: of the station or the store.
   virtual Result<Camera> camera(const std::string& camera, int width, int height) = 0;
+  // By the numbers of pictures: the SKU of each product that they can show.
+  virtual Result<std::vector<std::pair<std::uint32_t, std::string>>> products() = 0;
   // What the agent knows of the place beforehand, as JSON: market-layout/1 of a store; "" of a
   // counter.
   virtual std::string map() const { return ""; }
+
+  // ---- The truth, of a running or ended episode: no policy may look. ----
+
+  // At a counter all that the episode has, in its order; in aisles, for each goal, as many of its
+  // product as are asked for: those in the basket, then those next to the robot. Errors: assets.*.
+  virtual Result<std::vector<EnvironmentItem>> items() = 0;
+  virtual EnvironmentPlace place() const = 0;
+  // MuJoCo's own model and what moves in it (its qpos, qvel, act, ...: mjSTATE_INTEGRATION).
+  // Errors: physics.failed.
+  virtual const mjModel_& model() const = 0;
+  virtual const mjData_& data() const = 0;
+
+  // A moment, for an environment with the same episode and the same actions, of this process or
+  // another one of this version: it then goes on bit for bit as this one does. Error of restore,
+  // and nothing has changed: physics.bad_command, they are no such bytes.
+  std::string save() const;
+  Result<void> restore(std::string_view moment);
 
   EpisodeGround& ground() { return *ground_; }
   const EnvironmentOptions& options() const { return options_; }
@@ -95,14 +115,20 @@ class Environment {
   Environment(std::shared_ptr<EpisodeGround> ground, Track track, const EnvironmentOptions& options)
       : ground_(std::move(ground)), track_(track), options_(options) {}
   // Once, before anything else.
-  void set_robot(const Robot& robot);
+  void set_robot(const Robot& robot, const ObservationBounds& bounds);
   virtual Result<TrackWorld*> begin(const EpisodeSpec& spec) = 0;
   // How near the goals are, mean over them, 0 to 1.
   virtual double nearness() const = 0;
+  virtual ProgressScale progress_scale() const = 0;
+  // Most that an episode may have, so that observations have one shape.
+  int item_rows() const { return item_rows_; }
 
  private:
   double reward() const;
+  double progress() const;
   Result<void> finish();
+  Result<void> check_room(const EpisodeSpec& spec) const;
+  Result<void> look();
 
   std::shared_ptr<EpisodeGround> ground_;
   Track track_;
@@ -110,9 +136,13 @@ class Environment {
   std::optional<ActionMap> actions_;
   std::vector<ObservationPart> parts_;
   std::size_t size_ = 0;
+  std::vector<double> low_, high_;  // of the numbers
   TrackWorld* world_ = nullptr;
   std::vector<double> target_;  // of the joints, where the last step left them
   bool in_time_ = true;         // it ended before the time was over
+  int item_rows_ = 0;
+  std::vector<EnvironmentItem> seen_items_;  // after the last step, where they are asked for
+  double progress_ = 0;                      // likewise
   std::optional<EpisodeResult> result_;
 };
 

@@ -1,10 +1,14 @@
 #include "environments/episode_ground.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "assets/usable_catalog.h"
 #include "episodes/sample_checkout.h"
+#include "episodes/sample_one_item.h"
 #include "io/file.h"
+#include "io/json.h"
 #include "policy/oracle_witness.h"
 
 namespace marketgen {
@@ -18,6 +22,14 @@ EpisodeStore row_of(const Store& store) {
 }
 
 }  // namespace
+
+int items_of(const EpisodeSpec& spec) {
+  if (spec.track == Track::checkout) return static_cast<int>(spec.items.size());
+  int asked = 0;
+  for (const EpisodeGoal& goal : spec.goals)
+    asked += goal.count;
+  return asked;
+}
 
 EpisodeGround::EpisodeGround(std::filesystem::path data,
                              EpisodeFile file,
@@ -46,6 +58,46 @@ Result<std::shared_ptr<EpisodeGround>> EpisodeGround::of_file(const std::filesys
   MARKETGEN_TRY(Catalog catalog, usable_catalog());
   return std::shared_ptr<EpisodeGround>(new EpisodeGround(
       std::move(data), std::move(read), std::make_shared<const Catalog>(std::move(catalog))));
+}
+
+Result<std::shared_ptr<EpisodeGround>> EpisodeGround::of_pool(Track track) {
+  MARKETGEN_TRY(std::filesystem::path data, data_folder());
+  const std::filesystem::path name =
+      std::filesystem::path("benchmark") / "pool" / fmt::format("{}.jsonl", name_of(track));
+  MARKETGEN_TRY(EpisodeFile read, read_episode_file(data / name));
+  MARKETGEN_TRY(Catalog catalog, load_catalog(data, {}));
+  for (const Product& product : read.header.products) {
+    const auto row = std::ranges::find(catalog.products, product.sku, &Product::sku);
+    if (row != catalog.products.end() && write_json(*row) == write_json(product)) continue;
+    return Error{"episode.other_store",
+                 name.string(),
+                 fmt::format("the product \"{}\" is no longer as the pool's episodes have it: make "
+                             "the pool anew with tools/refresh_pool, or give a store or a file of "
+                             "episodes of your own",
+                             product.sku)};
+  }
+  return std::shared_ptr<EpisodeGround>(new EpisodeGround(
+      std::move(data), std::move(read), std::make_shared<const Catalog>(std::move(catalog))));
+}
+
+int EpisodeGround::most_items(Track track) const {
+  int most = track == Track::checkout ? most_targets + most_others : most_goals;
+  for (const EpisodeSpec& spec : file_.episodes)
+    if (spec.track == track) most = std::max(most, items_of(spec));
+  return most;
+}
+
+double EpisodeGround::largest_side_m() const {
+  int most_mm = 0;
+  for (const EpisodeStore& store : file_.header.stores)
+    most_mm = std::max({most_mm, store.plan.shell.width_mm, store.plan.shell.depth_mm});
+  return most_mm * 1e-3;
+}
+
+Result<EpisodeSpec> EpisodeGround::draw_one_item(std::uint64_t seed) const {
+  const EpisodeStore& row = file_.header.stores.front();
+  return sample_one_item(
+      data_, products(), {row.name, row.scene_hash, row.plan_hash}, Seed(seed), 0);
 }
 
 Result<void> EpisodeGround::check(const EpisodeSpec& spec) const {

@@ -26,6 +26,9 @@ struct SharedAisleView {
   std::unique_ptr<AisleView> view;  // once a picture was asked for
 };
 
+// At a counter all that lies there, in aisles what is asked for.
+int items_of(const EpisodeSpec& spec);
+
 class EpisodeGround {
  public:
   // Episodes are drawn from what the store sells. `catalog`: the rows that it was opened with.
@@ -34,6 +37,11 @@ class EpisodeGround {
                                                          std::shared_ptr<const Catalog> catalog);
   // Episodes are those of the file. Errors: of read_episode_file, usable_catalog.
   static Result<std::shared_ptr<EpisodeGround>> of_file(const std::filesystem::path& file);
+
+  // Episodes are those of data/benchmark/pool, which need no drawing. Errors: as of_file();
+  // episode.other_store when products are not as the pool's episodes have them: its files are to be
+  // made anew (tools/refresh_pool).
+  static Result<std::shared_ptr<EpisodeGround>> of_pool(Track track);
 
   // Those of the file; none of a store.
   const std::vector<EpisodeSpec>& episodes() const { return file_.episodes; }
@@ -47,6 +55,12 @@ class EpisodeGround {
   // for a file without such episodes; those of the samplers. `tools`: of the robot in aisles, see
   // open_aisle_store.
   Result<EpisodeSpec> draw(Track track, std::uint64_t seed, const std::string& tools = {});
+  // One of sample_one_item(), from the rows of products(). Errors: as there.
+  Result<EpisodeSpec> draw_one_item(std::uint64_t seed) const;
+  // As many things as an episode may be about, see items_of(): of the file, and as many as are
+  // drawn from stores.
+  int most_items(Track track) const;
+  double largest_side_m() const;  // of any of its stores
   // Error episode.other_store: it is of another store.
   Result<void> check(const EpisodeSpec& spec) const;
 

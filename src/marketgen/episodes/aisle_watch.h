@@ -40,11 +40,24 @@ class AisleWatch {
     bool was_held = false;
     double speed_m_s = 0;  // against the base
     double rested_s = 0, impact_m_s = 0;
+
+    template <class Archive, class Self>
+    static void bytes(Archive& archive, Self& self) {
+      archive(self.touched_by, self.held_by, self.met, self.was_held);
+      archive(self.speed_m_s, self.rested_s, self.impact_m_s);
+    }
   };
   const std::map<std::uint32_t, Item>& items() const { return items_; }
   bool is_held(std::uint32_t product) const;
 
   SideEffects effects() const;
+
+  // What it has seen; what the geoms are it knows from the world.
+  template <class Archive, class Self>
+  static void bytes(Archive& archive, Self& self) {
+    archive(self.items_, self.pushes_, self.toppled_, self.dropped_, self.displaced_);
+    archive(self.base_collisions_, self.base_touches_);
+  }
 
  private:
   enum class Part { body, base, basket, finger };

@@ -253,14 +253,71 @@ Result<std::vector<ItemState>> AisleWorld::item_states() {
       items.try_emplace(product);
   std::vector<ItemState> states;
   for (const auto& [product, item] : items) {
-    const std::uint32_t sku = store_->scene.products[product].sku;
-    if (!goods_.contains(sku)) {
-      MARKETGEN_TRY(SharedGoods made, checkout_goods(store_->scene.catalog[sku], frictions_));
-      goods_.emplace(sku, std::move(made));
-    }
+    MARKETGEN_CHECK(know_goods(product));
     states.push_back(item_state(product, item));
   }
   return states;
+}
+
+Result<void> AisleWorld::know_goods(std::uint32_t product) {
+  const std::uint32_t sku = store_->scene.products[product].sku;
+  if (goods_.contains(sku)) return {};
+  MARKETGEN_TRY(SharedGoods made, checkout_goods(store_->scene.catalog[sku], frictions_));
+  goods_.emplace(sku, std::move(made));
+  return {};
+}
+
+Result<bool> AisleWorld::in_place(std::uint32_t product) {
+  const auto item = watch_.items().find(product);
+  if (item == watch_.items().end() || item->second.touched_by >= 0 ||
+      item->second.rested_s < least_rest_s)
+    return false;
+  MARKETGEN_CHECK(know_goods(product));
+  return is_in_place(region(), item_state(product, item->second));
+}
+
+Result<bool> AisleWorld::goals_met() {
+  int asked = 0, there = 0;
+  for (const EpisodeGoal& goal : spec_.goals)
+    asked += goal.count;
+  for (const auto& [product, item] : watch_.items()) {
+    MARKETGEN_TRY(const bool placed, in_place(product));
+    there += placed ? 1 : 0;
+  }
+  if (there < asked) return false;  // most of the time: judging costs more
+  MARKETGEN_TRY(const std::vector<ItemState> states, item_states());
+  const EpisodeOutcome outcome = judge(region(), spec_.goals, states);
+  return outcome.hits >= outcome.asked;
+}
+
+std::string AisleWorld::save() const {
+  ByteWriter writer;
+  writer(world_->snapshot().bytes(), target_, rates_, speed_, turn_, watch_, axle_, path_m_);
+  writer(steps_, done_);
+  return writer.take();
+}
+
+Result<void> AisleWorld::restore(std::string_view moment) {
+  std::string physics;
+  std::vector<double> target, rates;
+  double speed = 0, turn = 0, path = 0;
+  AisleWatch watch = watch_;
+  Vec3 axle;
+  int steps = 0;
+  bool done = false;
+  ByteReader reader(moment);
+  reader(physics, target, rates, speed, turn, watch, axle, path, steps, done);
+  if (!reader.ok() || target.size() != target_.size() || rates.size() != rates_.size())
+    return Error{"physics.bad_command", spec_.id, "the moment is of another episode"};
+  MARKETGEN_TRY(const WorldSnapshot snapshot, WorldSnapshot::of_bytes(physics));
+  MARKETGEN_CHECK(world_->restore(snapshot));
+  target_ = std::move(target), rates_ = std::move(rates);
+  speed_ = speed, turn_ = turn, path_m_ = path;
+  watch_ = std::move(watch);
+  axle_ = axle;
+  steps_ = steps;
+  done_ = done;
+  return {};
 }
 
 std::vector<std::uint32_t> AisleWorld::in_basket() const {

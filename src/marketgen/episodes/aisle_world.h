@@ -34,6 +34,9 @@ class AisleWorld : public TrackWorld {
   int steps() const override { return steps_; }
   Result<EpisodeResult> finish() override;
   std::string state_hash() const override { return world_->state_hash(); }
+  Result<bool> goals_met() override;
+  std::string save() const override;
+  Result<void> restore(std::string_view moment) override;
 
   // ---- The truth: for the oracle, pictures and tests; no policy may look. ----
 
@@ -44,6 +47,7 @@ class AisleWorld : public TrackWorld {
   Pose world_from_base() const;
   Pose world_from_basket() const;  // middle of its inner floor
   std::vector<std::uint32_t> in_basket() const;
+  Result<bool> in_place(std::uint32_t product);  // in the basket, let go, at rest
   std::vector<std::optional<std::uint32_t>> sealed_products() const;  // one a tool
   double path_m() const { return path_m_; }
   // Grasps of the product by which the episode's witness would have it taken; all of them for a
@@ -55,6 +59,7 @@ class AisleWorld : public TrackWorld {
   Result<void> move(const Action& action);
   Result<void> use_tools(const Action& action);
   void drive(double share, const Action& action, std::vector<double>& rates);
+  Result<void> know_goods(std::uint32_t product);
   ItemState item_state(std::uint32_t product, const AisleWatch::Item& item) const;
   Result<std::vector<ItemState>> item_states();
   HoldsPoint region() const;

@@ -69,6 +69,7 @@ Result<void> check_track(const EpisodeSpec& spec, const std::string& where) {
       {"items", aisle && !spec.items.empty()},
       {"categories", !aisle && !spec.categories.empty()},
       {"tools", !aisle && !spec.tools.empty()},
+      {"station", aisle && spec.station.has_value()},
       {"start", !aisle && starts}};
   for (const auto& [field, is_there] : of_the_other)
     if (is_there)

@@ -9,16 +9,20 @@ namespace {
 
 constexpr double lip_width_m = 0.01;
 
-constexpr char station_file[] = "checkout.json";
+std::string file_of(const std::string& id) {
+  return id + ".json";
+}
 
-Error bad_station(const std::string& place, const std::string& message) {
-  return {"catalog.bad_row", std::string(station_file) + ":" + place, message};
+Error bad_station(const CheckoutStation& station,
+                  const std::string& place,
+                  const std::string& message) {
+  return {"catalog.bad_row", file_of(station.id) + ":" + place, message};
 }
 
 Result<void> check_keys(const CheckoutStation& station,
                         const std::string& place,
                         const std::string& keys) {
-  return check_source_keys(station.sources, keys, station_file, place);
+  return check_source_keys(station.sources, keys, file_of(station.id), place);
 }
 
 bool apart(const AreaRow& a, const AreaRow& b) {
@@ -37,13 +41,14 @@ Result<void> check_station(const CheckoutStation& s) {
   const AreaRow area = s.unloading.area();
   const AreaRow top{s.counter.low_m, s.counter.high_m, {}};
   if (!top.holds(area.low_m[0], area.low_m[1]) || !top.holds(area.high_m[0], area.high_m[1]))
-    return bad_station("/unloading", "expected an area on the counter");
+    return bad_station(s, "/unloading", "expected an area on the counter");
   const double x = s.basket.top_m[0] / 2 + s.basket.wall_m,
                y = s.basket.top_m[1] / 2 + s.basket.wall_m;
   const AreaRow basket{{s.basket.center_m[0] - x, s.basket.center_m[1] - y},
                        {s.basket.center_m[0] + x, s.basket.center_m[1] + y},
                        {}};
-  if (!apart(basket, area)) return bad_station("/unloading", "expected an area beside the basket");
+  if (!apart(basket, area))
+    return bad_station(s, "/unloading", "expected an area beside the basket");
   return {};
 }
 
@@ -86,9 +91,12 @@ std::vector<ContainerBox> CheckoutStation::lip() const {
   return boxes;
 }
 
-Result<CheckoutStation> load_checkout_station(const std::filesystem::path& data) {
-  MARKETGEN_TRY(const std::string text, read_file(data / "benchmark" / station_file, 1U << 20));
-  MARKETGEN_TRY(CheckoutStation station, read_json<CheckoutStation>(text, station_file));
+Result<CheckoutStation> load_checkout_station(const std::filesystem::path& data,
+                                              const std::string& id) {
+  const std::string file = file_of(id);
+  MARKETGEN_TRY(const std::string text, read_file(data / "benchmark" / file, 1U << 20));
+  MARKETGEN_TRY(CheckoutStation station, read_json<CheckoutStation>(text, file));
+  if (station.id != id) return bad_station(station, "/id", "expected the name of its file: " + id);
   MARKETGEN_CHECK(check_station(station));
   return station;
 }

@@ -1,4 +1,5 @@
-// The place where Checkout Unloading happens: the rows of data/benchmark/checkout.json.
+// The place where Checkout Unloading happens: the rows of data/benchmark/checkout.json, or of
+// another station of its form.
 //
 // Station frame, that of every pose of the track: origin where the robot stands on the counter's
 // top, X over the counter, Z up. Metres.
@@ -152,9 +153,12 @@ struct CheckoutStation {
   std::vector<ContainerBox> lip() const;  // station_from_box; none when it has no height
 };
 
-// `data` is usually data_folder(). Errors: catalog.missing_data, those of read_json,
-// catalog.bad_row when a source key is unknown or areas overlap that must not.
-Result<CheckoutStation> load_checkout_station(const std::filesystem::path& data);
+inline constexpr char checkout_station[] = "checkout";
+
+// `data` is usually data_folder(), `id` the name of its file. Errors: catalog.missing_data, those
+// of read_json, catalog.bad_row when a source key is unknown or areas overlap that must not.
+Result<CheckoutStation> load_checkout_station(const std::filesystem::path& data,
+                                              const std::string& id = checkout_station);
 Result<Robot> load_station_robot(const std::filesystem::path& data, const CheckoutStation& station);
 
 }  // namespace marketgen

@@ -2,6 +2,7 @@
 
 #include "episodes/field_of_view.h"
 #include "geometry/rotation_axes.h"
+#include "render/picture_objects.h"
 #include "render/robot_actor.h"
 
 namespace marketgen {
@@ -136,6 +137,11 @@ Result<std::unique_ptr<CheckoutView>> CheckoutView::create(const CheckoutWorld& 
   MARKETGEN_CHECK(view->renderer_->set_actors({basket_actor(world.station()), std::move(robot)}));
   MARKETGEN_CHECK(view->follow(world));
   return view;
+}
+
+// Behind the one fixture, as first_product_object() has it.
+std::uint32_t CheckoutView::object_of_item(std::size_t item) {
+  return first_fixture_object + 1 + static_cast<std::uint32_t>(item);
 }
 
 Result<void> CheckoutView::follow(const CheckoutWorld& world) {

@@ -31,6 +31,7 @@ class CheckoutView {
   Camera camera(StationCamera which, int width = 0, int height = 0) const;
   Renderer& renderer() { return *renderer_; }
   const Scene& scene() const { return *scene_; }
+  static std::uint32_t object_of_item(std::size_t item);  // in its pictures, without making one
   const Pose& world_from_station() const { return world_from_station_; }  // of its pictures' frame
 
  private:

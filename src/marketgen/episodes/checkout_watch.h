@@ -26,12 +26,23 @@ class CheckoutWatch {
     bool toppled = false, dropped = false;
     std::optional<Quaternion> stood;  // outside the basket, when it came to rest there
     Pose first;                       // basket_from_product
+
+    template <class Archive, class Self>
+    static void bytes(Archive& archive, Self& self) {
+      archive(self.touched, self.held, self.met, self.speed_m_s, self.rested_s, self.impact_m_s);
+      archive(self.toppled, self.dropped, self.stood, self.first);
+    }
   };
   const std::vector<Item>& items() const { return items_; }
   double greatest_tilt_deg() const { return tilt_deg_; }
 
   // Counts contacts that still last as ended. `displaced` and `wrong_items` are the judge's.
   SideEffects effects() const;
+
+  template <class Archive, class Self>
+  static void bytes(Archive& archive, Self& self) {
+    archive(self.items_, self.pushes_, self.tilt_deg_);
+  }
 
  private:
   struct Touches {

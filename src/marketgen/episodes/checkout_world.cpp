@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/hash.h"
+#include "episodes/checkout_goals.h"
 #include "physics/contact_shape.h"
 
 namespace marketgen {
@@ -19,9 +20,10 @@ constexpr double hold_n = 20;
 }  // namespace
 
 Result<CheckoutWorld> CheckoutWorld::create(const std::filesystem::path& data,
-                                            std::vector<FrictionRow> frictions) {
+                                            std::vector<FrictionRow> frictions,
+                                            const std::string& station) {
   CheckoutWorld world(std::move(frictions));
-  MARKETGEN_TRY(world.station_, load_checkout_station(data));
+  MARKETGEN_TRY(world.station_, load_checkout_station(data, station));
   MARKETGEN_TRY(Robot robot, load_station_robot(data, world.station_));
   world.robot_ = std::make_unique<Robot>(std::move(robot));
   if (world.robot_->find_group("arm") == nullptr || world.robot_->tools.size() != 1)
@@ -35,6 +37,10 @@ Result<void> CheckoutWorld::reset(const EpisodeSpec& spec, const std::vector<Pro
     return Error{"robot.unknown",
                  spec.id,
                  fmt::format("the station has \"{}\", not \"{}\"", station_.robot, spec.robot)};
+  if (const std::string asked = spec.station.value_or(checkout_station); asked != station_.id)
+    return Error{"robot.unknown",
+                 spec.id,
+                 fmt::format("it is of the station \"{}\", this is \"{}\"", asked, station_.id)};
   item_goods_.clear();
   for (const EpisodeItem& item : spec.items) {
     const auto row = std::ranges::find(products, item.sku, &Product::sku);
@@ -115,20 +121,42 @@ Result<Observation> CheckoutWorld::step(const Action& action) {
   return observe();
 }
 
+ItemState CheckoutWorld::item_state(std::size_t item) const {
+  const CheckoutGoods& goods = *item_goods_[item];
+  const CheckoutWatch::Item& seen = watch_.items()[item];
+  return {goods.product.sku,
+          item_pose(item),
+          to_double(goods.body.center_of_mass),
+          goods.volume,
+          seen.touched,
+          seen.rested_s,
+          seen.impact_m_s};
+}
+
 std::vector<ItemState> CheckoutWorld::item_states() const {
   std::vector<ItemState> states;
-  for (std::size_t i = 0; i < item_goods_.size(); ++i) {
-    const CheckoutGoods& goods = *item_goods_[i];
-    const CheckoutWatch::Item& seen = watch_.items()[i];
-    states.push_back({goods.product.sku,
-                      item_pose(i),
-                      to_double(goods.body.center_of_mass),
-                      goods.volume,
-                      seen.touched,
-                      seen.rested_s,
-                      seen.impact_m_s});
-  }
+  for (std::size_t i = 0; i < item_goods_.size(); ++i)
+    states.push_back(item_state(i));
   return states;
+}
+
+bool CheckoutWorld::in_place(std::size_t item) const {
+  const CheckoutWatch::Item& seen = watch_.items()[item];
+  if (seen.touched || seen.rested_s < least_rest_s) return false;  // before its volume is looked at
+  return is_in_place(over_area(station_.unloading.area()), item_state(item));
+}
+
+Result<bool> CheckoutWorld::goals_met() {
+  int asked = 0, there = 0;
+  for (const EpisodeGoal& goal : spec_.goals) {
+    asked += goal.count;
+    for (std::size_t i = 0; i < item_goods_.size(); ++i)
+      there += spec_.items[i].sku == goal.sku && in_place(i) ? 1 : 0;
+  }
+  if (there < asked) return false;  // most of the time: judging costs more
+  const EpisodeOutcome outcome = judge_checkout(
+      station_.unloading.area(), spec_.goals, item_states(), watch_.greatest_tilt_deg());
+  return outcome.hits >= outcome.asked;
 }
 
 SideEffects CheckoutWorld::side_effects(const EpisodeOutcome& outcome) const {
@@ -160,25 +188,28 @@ Result<EpisodeResult> CheckoutWorld::finish() {
   return result;
 }
 
-CheckoutSnapshot CheckoutWorld::save() const {
-  CheckoutSnapshot moment;
-  moment.physics = moment_of(*data_);
-  moment.target = target_;
-  moment.watch = watch_;
-  moment.steps = steps_;
-  moment.done = done_;
-  return moment;
+std::string CheckoutWorld::save() const {
+  ByteWriter writer;
+  writer(moment_of(*data_), target_, watch_, steps_, done_);
+  return writer.take();
 }
 
-Result<void> CheckoutWorld::restore(const CheckoutSnapshot& moment) {
-  if (moment.physics.buffer.size() != static_cast<std::size_t>(data_->nbuffer) ||
-      moment.watch.items().size() != item_goods_.size())
+Result<void> CheckoutWorld::restore(std::string_view moment) {
+  MujocoMoment physics;
+  std::vector<double> target;
+  CheckoutWatch watch;
+  int steps = 0;
+  bool done = false;
+  ByteReader reader(moment);
+  reader(physics, target, watch, steps, done);
+  if (!reader.ok() || physics.buffer.size() != static_cast<std::size_t>(data_->nbuffer) ||
+      target.size() != arm_.size() || watch.items().size() != item_goods_.size())
     return Error{"physics.bad_command", world_where, "the moment is of another episode"};
-  restore_moment(*data_, moment.physics);
-  target_ = moment.target;
-  watch_ = moment.watch;
-  steps_ = moment.steps;
-  done_ = moment.done;
+  restore_moment(*data_, physics);
+  target_ = std::move(target);
+  watch_ = std::move(watch);
+  steps_ = steps;
+  done_ = done;
   return {};
 }
 
@@ -194,6 +225,12 @@ std::string CheckoutWorld::state_hash() const {
 
 Pose CheckoutWorld::item_pose(std::size_t item) const {
   return body_pose(*data_, model_.items[item]);
+}
+
+Vec3 CheckoutWorld::item_velocity(std::size_t item) const {
+  mjtNum velocity[6];
+  mj_objectVelocity(model_.model.get(), data_.get(), mjOBJ_BODY, model_.items[item], velocity, 0);
+  return {velocity[3], velocity[4], velocity[5]};
 }
 
 Pose CheckoutWorld::basket_pose() const {

@@ -4,6 +4,7 @@
 #pragma once
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "episodes/checkout_watch.h"
@@ -13,23 +14,15 @@
 
 namespace marketgen {
 
-// A moment; may be restored by a world that was reset to the same episode.
-struct CheckoutSnapshot {
-  MujocoMoment physics;
-  std::vector<double> target;
-  CheckoutWatch watch;
-  int steps = 0;
-  bool done = false;
-};
-
 class CheckoutWorld : public TrackWorld {
  public:
-  // Errors: those of load_station_robot.
+  // Errors: those of load_checkout_station, load_station_robot.
   static Result<CheckoutWorld> create(const std::filesystem::path& data,
-                                      std::vector<FrictionRow> frictions);
+                                      std::vector<FrictionRow> frictions,
+                                      const std::string& station = checkout_station);
 
   // Errors: catalog.unknown_sku for an item without a row in `products`; robot.unknown when the
-  // episode is for another robot; assets.*, physics.failed.
+  // episode is for another robot or station; assets.*, physics.failed.
   Result<void> reset(const EpisodeSpec& spec, const std::vector<Product>& products);
 
   Observation observe() const override;
@@ -39,8 +32,8 @@ class CheckoutWorld : public TrackWorld {
   int steps() const override { return steps_; }
   Result<EpisodeResult> finish() override;
 
-  CheckoutSnapshot save() const;
-  Result<void> restore(const CheckoutSnapshot& moment);  // error physics.bad_command
+  std::string save() const override;
+  Result<void> restore(std::string_view moment) override;
   std::string state_hash() const override;
 
   // ---- The truth: for the oracle, pictures and tests; no policy may look. ----
@@ -50,9 +43,12 @@ class CheckoutWorld : public TrackWorld {
   const Robot& robot() const override { return *robot_; }
   const CheckoutGoods& goods(std::size_t item) const { return *item_goods_[item]; }
   std::size_t item_count() const { return item_goods_.size(); }
-  Pose item_pose(std::size_t item) const;  // station_from_product
-  Pose basket_pose() const;                // station_from_container
+  Pose item_pose(std::size_t item) const;      // station_from_product
+  Vec3 item_velocity(std::size_t item) const;  // of its body's middle
+  Pose basket_pose() const;                    // station_from_container
   const CheckoutWatch& watch() const { return watch_; }
+  bool in_place(std::size_t item) const;  // on the unloading area, let go, at rest
+  Result<bool> goals_met() override;
   std::vector<double> robot_state() const override;
   double deepest_overlap_m() const;  // between any two things but the arm's own
   const mjModel_& model() const { return *model_.model; }
@@ -61,6 +57,7 @@ class CheckoutWorld : public TrackWorld {
  private:
   explicit CheckoutWorld(std::vector<FrictionRow> frictions) : frictions_(std::move(frictions)) {}
   Result<void> move(const std::vector<double>& target, const ToolCommand& tool);
+  ItemState item_state(std::size_t item) const;
   std::vector<ItemState> item_states() const;
   SideEffects side_effects(const EpisodeOutcome& outcome) const;
 

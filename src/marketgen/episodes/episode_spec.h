@@ -6,6 +6,7 @@
 #pragma once
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -104,6 +105,7 @@ struct EpisodeSpec {
   Track track = Track::checkout;
   std::string store, scene_hash, plan_hash;
   std::string robot, tools;
+  std::optional<std::string> station;  // the counter of Checkout Unloading when absent
   std::uint64_t seed = 0;
   std::string instruction;
   std::vector<EpisodeItem> items;
@@ -125,6 +127,10 @@ struct EpisodeSpec {
       field("tools",
             &EpisodeSpec::tools,
             "aisle: a tool set of market-aisle/1, the first when empty",
+            reference()),
+      field("station",
+            &EpisodeSpec::station,
+            "checkout: a row of data/benchmark, that of Checkout Unloading when absent",
             reference()),
       field("seed", &EpisodeSpec::seed, "of what the policy draws"),
       field("instruction", &EpisodeSpec::instruction, "what the agent is told", required()),

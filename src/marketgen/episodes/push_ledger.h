@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 
+#include "base/byte_archive.h"
 #include "episodes/episode_result.h"
 
 namespace marketgen {
@@ -15,10 +16,22 @@ class PushLedger {
   // Counts pushes that still last as ended.
   void add_to(SideEffects& effects) const;
 
+  template <class Archive, class Self>
+  static void bytes(Archive& archive, Self& self) {
+    archive(self.pushes_);
+    auto& ended = self.ended_;  // of pushes; the rest of it is not this ledger's
+    archive(ended.light_contacts, ended.firm_contacts, ended.hard_contacts, ended.hardest_n);
+  }
+
  private:
   struct Push {
     double smooth_n = 0, peak_n = 0;
     bool lasts = false;
+
+    template <class Archive, class Self>
+    static void bytes(Archive& archive, Self& self) {
+      archive(self.smooth_n, self.peak_n, self.lasts);
+    }
   };
   bool follow(Push& push, double force_n, double step_s);  // false: nothing is left of it
   std::map<std::uint64_t, Push> pushes_;

@@ -37,11 +37,6 @@ const Product* draw_product(const std::map<std::string, std::vector<const Produc
   return free[static_cast<std::size_t>(draw.integer(0, static_cast<int>(free.size()) - 1))];
 }
 
-std::string spoken(const Product& product) {
-  const std::string variant = product.variant.empty() ? "" : " " + product.variant;
-  return fmt::format("{} {}{} ({})", product.brand, product.name, variant, product.net);
-}
-
 class CheckoutSampler {
  public:
   CheckoutSampler(const std::vector<Product>& stock,
@@ -57,17 +52,18 @@ class CheckoutSampler {
   // Empty when too few stay in the basket.
   Result<std::optional<EpisodeSpec>> attempt(EpisodeSpec spec, int number) {
     Stream draw = seed_.child("basket", static_cast<std::uint64_t>(number)).stream();
-    const int targets = draw.integer(least_targets, most_targets);
-    const int others = draw.integer(least_others, most_others);
+    const auto kinds = static_cast<int>(stock_.size());
+    const int targets = std::min(draw.integer(least_targets, most_targets), std::max(1, kinds / 3));
+    const int others = std::min(draw.integer(least_others, most_others), kinds - targets);
     const std::vector<const Product*> drawn = draw_products(targets + others, draw);
     MARKETGEN_CHECK(pour(drawn, seed_.child("pour", static_cast<std::uint64_t>(number)), spec));
-    if (static_cast<int>(spec.items.size()) < targets + least_others)
+    if (static_cast<int>(spec.items.size()) < targets + std::min(others, least_others))
       return std::optional<EpisodeSpec>{};
     std::vector<std::string> names;
     for (int i = 0; i < targets; ++i) {
       const std::string& sku = spec.items[static_cast<std::size_t>(i)].sku;
       spec.goals.push_back({sku, 1});
-      names.push_back(spoken(*std::ranges::find(stock_, sku, &Product::sku)));
+      names.push_back(spoken_product(*std::ranges::find(stock_, sku, &Product::sku)));
     }
     spec.instruction =
         fmt::format("Put these from the basket on the unloading area: {}.", fmt::join(names, "; "));
@@ -158,6 +154,11 @@ class CheckoutSampler {
 
 }  // namespace
 
+std::string spoken_product(const Product& product) {
+  const std::string variant = product.variant.empty() ? "" : " " + product.variant;
+  return fmt::format("{} {}{} ({})", product.brand, product.name, variant, product.net);
+}
+
 CheckoutRefusal checkout_refusal(const Product& product) {
   std::array<int, 3> size = product.size_mm;
   std::ranges::sort(size);
@@ -213,13 +214,14 @@ Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
                                     Seed seed,
                                     int index,
                                     const CheckoutCertifier& certify) {
-  if (stock.size() < static_cast<std::size_t>(most_targets + most_others))
+  if (stock.size() < least_stock)
     return Error{"episode.impossible",
                  origin.store,
-                 fmt::format("the store offers {} products for a checkout basket; at least {} are "
-                             "needed",
+                 fmt::format("of what the store offers, the gripper can take {} products out of a "
+                             "basket; at least {} are needed: give it more kinds of boxes, cans or "
+                             "bottles",
                              stock.size(),
-                             most_targets + most_others)};
+                             least_stock)};
   MARKETGEN_TRY(CheckoutWorld world, CheckoutWorld::create(data, frictions));
   const Seed own = seed.child("checkout", static_cast<std::uint64_t>(index));
   EpisodeSpec spec;

@@ -17,6 +17,8 @@ namespace marketgen {
 
 constexpr int least_targets = 2, most_targets = 4;
 constexpr int least_others = 4, most_others = 8;
+// Kinds of goods; baskets of stores with fewer than most_targets + most_others are smaller.
+constexpr std::size_t least_stock = 2;
 
 // Why the Panda cannot be expected to hold a product as it lies in the basket; measured
 // (docs/episodes.md). The first that applies.
@@ -47,6 +49,9 @@ inline bool is_checkout_item(const Product& product) {
   return checkout_refusal(product) == CheckoutRefusal::none;
 }
 
+// As instructions name it: brand, name, variant, net content.
+std::string spoken_product(const Product& product);
+
 // Of the products on the store's shelves, sorted by SKU.
 std::vector<Product> checkout_stock(const Scene& scene);
 // How many products of the store's shelves are left out, by reason.
@@ -60,7 +65,8 @@ struct EpisodeOrigin {
 using CheckoutCertifier = std::function<Result<std::optional<std::vector<WitnessPick>>>(
     const CheckoutWorld& world, Seed seed)>;
 
-// Episode `index` of a seed. Targets and others are different products, drawn evenly over shapes;
+// Episode `index` of a seed. Targets and others are different products, drawn evenly over shapes,
+// of a small stock at most a third of it targets;
 // dropped into the basket one after another, and settled. What spills is left out; drawn anew when
 // too few stay, or `certify` finds no way through (empty: not asked for). Errors:
 // episode.impossible (too few kinds of goods); those of CheckoutWorld and of `certify`.

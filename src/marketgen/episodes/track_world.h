@@ -2,6 +2,7 @@
 // truth that oracles may look at.
 #pragma once
 #include <string>
+#include <string_view>
 
 #include "agent/policy.h"
 #include "episodes/episode_result.h"
@@ -29,6 +30,15 @@ class TrackWorld {
   // Waits for the judgement, and judges. Names, times and failure code are the caller's to add.
   virtual Result<EpisodeResult> finish() = 0;
   virtual std::string state_hash() const = 0;  // 32 hex digits over the physics
+
+  // All goals are met as things stand: those of finish() without its waiting. Errors: assets.*.
+  virtual Result<bool> goals_met() = 0;
+
+  // A moment, for a world that was reset to the same episode, of this process or another: it then
+  // goes on bit for bit as this one does. Error of restore, and the world is as before:
+  // physics.bad_command, it is of another episode.
+  virtual std::string save() const = 0;
+  virtual Result<void> restore(std::string_view moment) = 0;
 };
 
 // Degrees of freedom that actions command: all but a base's, and those of fingers.

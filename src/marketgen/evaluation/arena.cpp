@@ -158,7 +158,9 @@ Result<std::unique_ptr<TrackWorld>> Arena::open(const EpisodeSpec& spec) {
     MARKETGEN_CHECK(world->reset(spec));
     return std::unique_ptr<TrackWorld>(std::move(world));
   }
-  MARKETGEN_TRY(CheckoutWorld made, CheckoutWorld::create(data_, catalog_.frictions));
+  MARKETGEN_TRY(
+      CheckoutWorld made,
+      CheckoutWorld::create(data_, catalog_.frictions, spec.station.value_or(checkout_station)));
   auto world = std::make_unique<CheckoutWorld>(std::move(made));
   MARKETGEN_CHECK(world->reset(spec, header_.products));
   return std::unique_ptr<TrackWorld>(std::move(world));

@@ -65,6 +65,11 @@ class LipLoad {
   bool breaks(const mjData& data, const LipPoints& lip, Vec3 ahead, double pull_n, double friction);
   int steps() const { return steps_; }
 
+  template <class Archive, class Self>
+  static void bytes(Archive& archive, Self& self) {
+    archive(self.steps_);
+  }
+
  private:
   int steps_ = 0;
 };

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/byte_archive.h"
+
 namespace marketgen {
 
 struct MujocoMoment {
@@ -16,6 +18,11 @@ struct MujocoMoment {
   };
   std::vector<std::byte> buffer;
   Scalars scalars{};
+
+  template <class Archive, class Self>
+  static void bytes(Archive& archive, Self& self) {
+    archive(self.buffer, self.scalars);
+  }
 };
 
 MujocoMoment moment_of(const mjData& data);

@@ -186,10 +186,16 @@ class World {
   friend struct WorldSnapshot;
 };
 
-// A moment of a World. Cheap to copy; may be restored by any World made alike.
+// A moment of a World. Cheap to copy; may be restored by any World made alike, in another process
+// too: as bytes it goes there.
 struct WorldSnapshot {
   struct Content;
   std::shared_ptr<const Content> content;
+
+  std::string bytes() const;  // of one that World::snapshot() made
+  // Error physics.bad_command: they end too soon. Bytes that were changed otherwise must not come
+  // here: whoever keeps them checks that.
+  static Result<WorldSnapshot> of_bytes(std::string_view bytes);
 };
 
 // Tells `world` all of `commands`. Errors: those of the commands.

@@ -11,6 +11,11 @@ struct WorldSnapshot::Content {
   struct MovedProduct {
     std::uint32_t product = 0;
     ShapePose first, stands;
+
+    template <class Archive, class Self>
+    static void bytes(Archive& archive, Self& self) {
+      archive(self.product, self.first, self.stands);
+    }
   };
 
   std::string made_of;  // scene and model that it belongs to
@@ -25,6 +30,13 @@ struct WorldSnapshot::Content {
   std::vector<WorldEvent> events;
   std::vector<WorldCommand> commands;
   std::int64_t steps = 0, woken = 0, refusals = 0, stiffened = 0;
+
+  template <class Archive, class Self>
+  static void bytes(Archive& archive, Self& self) {
+    archive(self.made_of, self.physics, self.moved, self.live, self.cups, self.refused);
+    archive(self.belt_speed, self.looked_at, self.pushes, self.contacts, self.events);
+    archive(self.commands, self.steps, self.woken, self.refusals, self.stiffened);
+  }
 };
 
 namespace {
@@ -68,6 +80,23 @@ WorldSnapshot World::snapshot() const {
   made->steps = s.steps, made->woken = s.woken, made->refusals = s.refusals;
   made->stiffened = s.stiffened;
   return {made};
+}
+
+std::string WorldSnapshot::bytes() const {
+  ByteWriter writer;
+  writer(*content);
+  return writer.take();
+}
+
+Result<WorldSnapshot> WorldSnapshot::of_bytes(std::string_view bytes) {
+  auto made = std::make_shared<Content>();
+  ByteReader reader(bytes);
+  reader(*made);
+  if (!reader.ok())
+    return Error{"physics.bad_command",
+                 "WorldSnapshot::of_bytes",
+                 "these bytes are no whole moment of a world"};
+  return WorldSnapshot{std::move(made)};
 }
 
 void World::State::stand(std::uint32_t product, const ShapePose& pose) {

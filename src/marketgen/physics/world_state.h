@@ -27,6 +27,12 @@ struct LiveBody {
   std::vector<std::uint32_t> carries;  // static products that rest on it, until it moves away
   bool toppled = false, dropped = false, hooked = false;  // toppled, dropped: reported
   bool keeps = false;  // soft packs: asleep, and reported, but may not rest yet
+
+  template <class Archive, class Self>
+  static void bytes(Archive& archive, Self& self) {
+    archive(self.product, self.woke_at, self.carries, self.toppled, self.dropped, self.hooked);
+    archive(self.keeps);
+  }
 };
 
 // A row of WorldOptions::cups in the model.
@@ -42,11 +48,21 @@ struct LiveCup {
   struct Hold {
     int body = 0;  // of the model: of a soft pack the part under that point
     Vec3 on_body;
+
+    template <class Archive, class Self>
+    static void bytes(Archive& archive, Self& self) {
+      archive(self.body, self.on_body);
+    }
   };
   bool sucks = false, broken = false;  // broken: by load; until it has come off what it held
   std::int64_t product = -1;           // sealed on; -1: none
   std::array<Hold, LipPoints{}.size()> holds{};
   LipLoad load = {};
+
+  template <class Archive, class Self>
+  static void bytes(Archive& archive, Self& self) {
+    archive(self.sucks, self.broken, self.product, self.holds, self.load);
+  }
 };
 
 // A soft pack of the catalog, made when one of them first wakes.

@@ -124,13 +124,31 @@ TEST(CheckoutWorld, GoingOnFromASavedMomentGivesTheSameState) {
   CheckoutWorld world = world_of(drawn(7));
   const std::vector<Action> actions = swaying(world, 40);
   perform(world, std::span(actions).first(20));
-  const CheckoutSnapshot moment = world.save();
+  const std::string moment = world.save();
   perform(world, std::span(actions).subspan(20));
   const std::string end = world.state_hash();
   ASSERT_TRUE(world.restore(moment).ok());
   EXPECT_EQ(world.steps(), 20);
   perform(world, std::span(actions).subspan(20));
   EXPECT_EQ(world.state_hash(), end);
+  CheckoutWorld other = world_of(drawn(7));
+  ASSERT_TRUE(other.restore(moment).ok());
+  EXPECT_EQ(other.save(), moment);
+  perform(other, std::span(actions).subspan(20));
+  EXPECT_EQ(other.state_hash(), end);
+}
+
+TEST(CheckoutWorld, MomentsOfOtherEpisodesAndHalvesOfOnesAreErrors) {
+  CheckoutWorld world = world_of(drawn(7));
+  const std::string whole = world.save(), before = world.state_hash();
+  const std::string other = world_of(drawn(8)).save();
+  for (const std::string& moment :
+       {std::string(), other, whole.substr(0, whole.size() / 2), whole + "x"}) {
+    const auto restored = world.restore(moment);
+    ASSERT_FALSE(restored.ok());
+    EXPECT_EQ(restored.error().code, "physics.bad_command");
+    EXPECT_EQ(world.state_hash(), before);
+  }
 }
 
 TEST(CheckoutWorld, NothingDoneReachesNothing) {
