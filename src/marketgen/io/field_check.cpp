@@ -58,7 +58,8 @@ std::optional<Found> fault_in_fields(const TypeInfo& type, const void* object) {
                     fmt::format("field \"{}\" is missing ({})", field.name, field.doc)},
                    ""};
     }
-    if (auto found = find_fault(own, field.rules, value)) return std::move(*found).below(field.name);
+    if (auto found = find_fault(own, field.rules, value))
+      return std::move(*found).below(field.name);
   }
   return std::nullopt;
 }
