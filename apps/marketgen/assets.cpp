@@ -14,6 +14,7 @@
 #include "io/json.h"
 #include "io/png.h"
 #include "llm/language_model.h"
+#include "number_flags.h"
 #include "render/contact_sheet.h"
 #include "render/fixture_picture.h"
 #include "render/material_picture.h"
@@ -339,10 +340,11 @@ void add_filters(CLI::App& sub, AssetFlags& flags) {
   sub.add_option("--material", q.material, "contact material, or body material of facilities");
   sub.add_option("--style", q.style, "what suits a style");
   sub.add_option("--storage", q.storage, "ambient, chilled or frozen");
-  sub.add_option("--max-width-mm", q.max_width_mm, "no wider")->check(CLI::PositiveNumber);
-  sub.add_option("--max-depth-mm", q.max_depth_mm, "no deeper")->check(CLI::PositiveNumber);
-  sub.add_option("--max-height-mm", q.max_height_mm, "no higher")->check(CLI::PositiveNumber);
-  sub.add_option("--max-mass-kg", q.max_mass_kg, "no heavier")->check(CLI::PositiveNumber);
+  const NumberCheck size_mm = real_number(0.1, 1e5);
+  sub.add_option("--max-width-mm", q.max_width_mm, "no wider")->check(size_mm);
+  sub.add_option("--max-depth-mm", q.max_depth_mm, "no deeper")->check(size_mm);
+  sub.add_option("--max-height-mm", q.max_height_mm, "no higher")->check(size_mm);
+  sub.add_option("--max-mass-kg", q.max_mass_kg, "no heavier")->check(real_number(1e-6, 1e4));
 }
 
 Result<void> build_all(const AssetFlags& flags) {
@@ -361,7 +363,7 @@ void add_show(CLI::App& sub, AssetFlags& flags) {
   sub.add_option("--label", flags.shown.label, "PNG or JPEG: the printed sheet");
   sub.add_option("--joint", flags.shown.joints, "NAME=STATE or NAME=NUMBER, all=open (repeatable)");
   sub.add_option("--size", flags.size_px, "pixels a side")
-      ->check(CLI::Range(64, 4096))
+      ->check(whole_number(64, 4096))
       ->capture_default_str();
 }
 
@@ -369,7 +371,7 @@ void add_sheet(CLI::App& sub, AssetFlags& flags) {
   sub.add_option("-o,--output", flags.folder, "folder for the pictures")->required();
   sub.add_option("--only", flags.only, "a category, facilities or materials (repeatable)");
   sub.add_option("--pixels,--size", flags.size_px, "pixels an asset")
-      ->check(CLI::Range(64, 1024))
+      ->check(whole_number(64, 1024))
       ->capture_default_str();
 }
 
@@ -399,7 +401,7 @@ void add_import(CLI::App& sub, AssetFlags& flags) {
   sub.add_option("--subcategory", flags.import.subcategory, "shelf group");
   sub.add_option("--material", flags.import.material, "contact material");
   sub.add_option("--mass-kg", flags.mass_kg, "gross mass; estimated otherwise")
-      ->check(CLI::PositiveNumber);
+      ->check(real_number(1e-6, 1e4));
   sub.add_flag("!--no-coacd", flags.coacd, "one hull as contact shape, without CoACD");
   add_vlm(sub, flags);
 }

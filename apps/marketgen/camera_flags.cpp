@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "io/file.h"
 #include "io/json.h"
+#include "number_flags.h"
 #include "render/camera_file.h"
 #include "render/viewpoint.h"
 
@@ -79,9 +80,11 @@ void add_camera_flags(CLI::App& command, CameraFlags& flags) {
                      "a camera in any pose with its lens, market-camera/1 (docs/cameras.md)");
   command.add_option("--from", flags.from, "stand at x,y,z (metres)");
   command.add_option("--at", flags.at, "look at x,y,z (metres)");
-  command.add_option("--fov-deg",
-                     flags.fov_deg,
-                     "vertical field of view, with --from and --at; 60 when not given");
+  command
+      .add_option("--fov-deg",
+                  flags.fov_deg,
+                  "vertical field of view, with --from and --at; 60 when not given")
+      ->check(real_number(-1e6, 1e6));
   command.add_option("--size", flags.size, "picture size in pixels")->capture_default_str();
 }
 

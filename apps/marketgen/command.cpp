@@ -4,33 +4,24 @@
 
 #include "assets/usable_catalog.h"
 #include "base/error_codes.h"
+#include "number_flags.h"
 #include "plan/style_look.h"
 #include "scene/reskin.h"
 #include "store/store.h"
 
 namespace marketgen::app {
-namespace {
-
-// CLI11 would read -1 as the largest number that there is.
-std::string whole_number(const std::string& text) {
-  const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-  return digits ? "" : "\"" + text + "\" is not a whole number from 0 to 18446744073709551615";
-}
-
-}  // namespace
-
 void add_common_flags(CLI::App& command, CommonFlags& flags, Takes takes) {
   const int bits = static_cast<int>(takes);
   if ((bits & static_cast<int>(Takes::seed)) != 0)
     command.add_option("--seed", flags.seed, "seed of every random choice")
-        ->check(whole_number)
+        ->check(whole_number(0, any_seed))
         ->capture_default_str();
   if ((bits & static_cast<int>(Takes::json)) != 0)
     command.add_flag("--json", flags.json, "print the result as JSON");
   command
       .add_option(
           "--threads", flags.threads, "threads to use; 0 = all cores (results do not depend on it)")
-      ->check(CLI::Range(0, 1024));
+      ->check(whole_number(0, 1024));
   command.add_flag("--quiet", flags.quiet, "no progress, no remarks");
 }
 

@@ -10,6 +10,7 @@
 #include "episodes/sample_aisle.h"
 #include "io/file.h"
 #include "io/json.h"
+#include "number_flags.h"
 #include "policy/oracle_witness.h"
 #include "store/store.h"
 
@@ -174,7 +175,7 @@ Run add_episodes(CLI::App& app) {
       flags->tools,
       "what the robot in aisles fetches with: gripper or suction; gripper by itself");
   command->add_option("--count", flags->count, "episodes, shared out over the stores")
-      ->check(CLI::Range(1, 100000))
+      ->check(whole_number(1, 100000))
       ->capture_default_str();
   command->add_option("-o,--output", flags->output, "JSON Lines file")->required();
   add_common_flags(*command, flags->common, Takes::seed);

@@ -14,6 +14,7 @@
 #include "evaluation/policy_name.h"
 #include "io/file.h"
 #include "io/json.h"
+#include "number_flags.h"
 
 namespace marketgen::app {
 namespace {
@@ -169,14 +170,14 @@ Run add_eval(CLI::App& app) {
                    "modules of classical in whose place the truth stands: masks, target, grasp")
       ->delimiter(',');
   command->add_option("--jobs", flags->jobs, "episodes at a time; 0 = as --threads")
-      ->check(CLI::Range(0, 1024));
+      ->check(whole_number(0, 1024));
   command->add_option("-o,--output", flags->output, "folder for the results");
   command
       ->add_option("--act-limit-s",
                    flags->act_limit_s,
                    "wall time for one answer of the policy, which acts in a process of its own; "
                    "0 = none, and all in one process")
-      ->check(CLI::Range(0.0, 86400.0))
+      ->check(real_number(0, 86400))
       ->capture_default_str();
   command->add_flag("--worker", flags->worker, "run what standard input says")->group("");
   command->add_flag("--perception",

@@ -6,6 +6,7 @@
 #include "command.h"
 #include "io/file.h"
 #include "io/json.h"
+#include "number_flags.h"
 #include "store/store.h"
 
 namespace marketgen::app {
@@ -67,6 +68,8 @@ std::vector<std::string> pictures_of(const std::filesystem::path& folder,
 }
 
 void print_requirements(const StoreReport& report) {
+  if (!report.understood)
+    fmt::print("understood  nothing: this is the usual store, not what was asked for\n");
   std::size_t met = 0;
   for (const RequirementResult& r : report.requirements)
     met += r.met ? 1 : 0;
@@ -74,6 +77,8 @@ void print_requirements(const StoreReport& report) {
   for (const RequirementResult& r : report.requirements) {
     if (!r.met) fmt::print("  not met   \"{}\": {}\n", r.text, r.why);
   }
+  for (const Conflict& c : report.conflicts)
+    fmt::print("  given up  {}: kept {}, not \"{}\": {}\n", c.what, c.kept, c.dropped, c.why);
   if (report.unparsed.empty()) return;
   std::vector<std::string> words;
   for (const UnparsedWord& word : report.unparsed)
@@ -140,6 +145,12 @@ Result<void> generate_one(const GenerateFlags& flags,
   GenerateOutput output{
       options.folder.string(), std::move(created.manifest), std::move(created.report), {}};
   output.pictures = pictures_of(options.folder, output.manifest);
+  if (!output.report.understood)
+    fmt::print(
+        stderr,
+        "warning: nothing of the prompt was understood; {} is the usual store. Describe it in "
+        "English, as in \"a 24 x 15 m supermarket with a bakery\" (docs/prompts.md)\n",
+        output.folder);
   if (flags.common.json)
     fmt::print("{}\n", write_json_line(output));
   else
@@ -178,7 +189,7 @@ Run add_generate(CLI::App& app) {
       "--catalog", flags->catalogs, "products of your own: CSV, JSON or asset.json (repeatable)");
   command->add_option("--planner", flags->planner, "who plans: offline")->capture_default_str();
   command->add_option("--count", flags->count, "make this many variants, DIR/variant-1 ...")
-      ->check(CLI::Range(1, 10000));
+      ->check(whole_number(1, 10000));
   command->add_flag("--strict", flags->strict, "fail when a hard rule is broken");
   command->add_flag("--no-previews", flags->no_previews, "draw no pictures");
   add_common_flags(*command, flags->common, Takes::seed_and_json);

@@ -11,6 +11,7 @@
 #include "grasping/grasp_shares.h"
 #include "io/file.h"
 #include "io/json.h"
+#include "number_flags.h"
 
 namespace marketgen::app {
 namespace {
@@ -217,10 +218,10 @@ Run add_grasps(CLI::App& app) {
                    "30 mm) or basket (among its likes); again for more; none = free")
       ->allow_extra_args(false);
   command->add_option("--archetype", flags->archetype, "only products of this shape");
-  command->add_option(
-      "--sample", flags->sample, "only so many of them, drawn by the seed; 0 = all");
+  command->add_option("--sample", flags->sample, "only so many of them, drawn by the seed; 0 = all")
+      ->check(whole_number(0, 100000));
   command->add_option("--tries", flags->tries, "candidates tried of each product, best first")
-      ->check(CLI::Range(1, 20))
+      ->check(whole_number(1, 20))
       ->capture_default_str();
   command->add_option(
       "--catalog", flags->catalogs, "products of your own: CSV, JSON or asset.json (repeatable)");

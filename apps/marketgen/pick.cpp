@@ -12,6 +12,7 @@
 #include "io/file.h"
 #include "io/json.h"
 #include "io/picture_file.h"
+#include "number_flags.h"
 #include "render/picture_grid.h"
 #include "render/render.h"
 #include "render/robot_actor.h"
@@ -192,10 +193,10 @@ Run add_pick(CLI::App& app) {
   command->add_option("--robot", flags->robot, "row in data/robots")->capture_default_str();
   command->add_option("-o,--output", flags->output, "PNG or JPEG file for a strip of pictures");
   command->add_option("--frames", flags->frames, "pictures in the strip")
-      ->check(CLI::Range(1, 64))
+      ->check(whole_number(1, 64))
       ->capture_default_str();
   command->add_option("--size", flags->size_px, "pixels of each, a side")
-      ->check(CLI::Range(64, 1024))
+      ->check(whole_number(64, 1024))
       ->capture_default_str();
   add_common_flags(*command, flags->common, Takes::seed_and_json);
   command->footer(

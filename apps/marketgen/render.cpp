@@ -16,6 +16,7 @@
 #include "io/picture_file.h"
 #include "io/png.h"
 #include "motion/standing_robot.h"
+#include "number_flags.h"
 #include "render/annotations.h"
 #include "render/channel_pictures.h"
 #include "render/color_noise.h"
@@ -191,15 +192,15 @@ void add_drawing_flags(CLI::App& command, RenderFlags& flags) {
       ->check(CLI::IsMember({"fast", "balanced", "best"}))
       ->capture_default_str();
   command.add_option("--spp", flags.samples, "samples a pixel; 0 = what the quality says")
-      ->check(CLI::Range(0, 65536));
+      ->check(whole_number(0, 65536));
   command.add_option("--time", flags.time_s, "path mode: stop after this many seconds")
-      ->check(CLI::Range(0.0, 1e6));
+      ->check(real_number(0, 1e6));
   command.add_option("--denoise", flags.denoise, "path mode: auto, own, neural or none")
       ->check(CLI::IsMember({"auto", "own", "neural", "none"}))
       ->capture_default_str();
   command
       .add_option("--exposure", flags.exposure_stops, "path mode: stops brighter (+) or darker (-)")
-      ->check(CLI::Range(-10.0, 10.0));
+      ->check(real_number(-10, 10));
 }
 
 // What is written beside the picture.
@@ -225,6 +226,7 @@ void add_plane_flags(CLI::App& command, RenderFlags& flags) {
                   "colour and --depth as this sensor records them; drawn from --seed and --frame")
       ->check(CLI::IsMember({"d435"}));
   command.add_option("--frame", flags.frame_number, "number of the picture, for --noise")
+      ->check(whole_number(0, any_seed))
       ->capture_default_str();
 }
 

@@ -13,6 +13,7 @@
 #include "io/file.h"
 #include "io/json.h"
 #include "io/picture_file.h"
+#include "number_flags.h"
 
 namespace marketgen::app {
 namespace {
@@ -139,13 +140,13 @@ Run add_replay(CLI::App& app) {
   command->add_option("--film", flags->film, "MP4 file");
   command->add_option("--strip", flags->strip, "PNG or JPEG file with six pictures of it");
   command->add_option("--speed", flags->speed, "of the film, times real time")
-      ->check(CLI::Range(0.1, 100.0))
+      ->check(real_number(0.1, 100))
       ->capture_default_str();
   command->add_option("--width", flags->width, "pixels of the film")
-      ->check(CLI::Range(64, 4096))
+      ->check(whole_number(64, 4096))
       ->capture_default_str();
   command->add_option("--height", flags->height, "pixels of the film")
-      ->check(CLI::Range(64, 4096))
+      ->check(whole_number(64, 4096))
       ->capture_default_str();
   add_common_flags(*command, flags->common, Takes::json);
   command->footer(

@@ -88,12 +88,48 @@ bool in_zone(const Facts& facts, const Fixture& fixture, const std::string& name
   return zone != nullptr && is_of(*zone, name);
 }
 
+// A zone is there when it covers floor and what its type needs stands in it: shelving with goods on
+// it, or tills and equipment. What stands at the entrance happens to lie in some zone.
+bool zone_is_there(const Facts& facts, const LayoutZone& zone) {
+  const ZoneTypeRow* type = facts.catalog.zone_type(zone.type);
+  if (type == nullptr || type->fixture.empty()) return zone.area_m2 > 0;
+  const FixtureKind* usual = facts.catalog.fixture_kind(type->fixture);
+  const FixtureRole role = usual != nullptr ? usual->role : FixtureRole::shelving;
+  const auto& fixtures = facts.scene.layout.fixtures;
+  for (std::size_t i = 0; i < fixtures.size(); ++i) {
+    const bool at_entrance = fixtures[i].run.find("/entrance/") != std::string::npos;
+    if (fixtures[i].zone != zone.id || at_entrance) continue;
+    const FixtureKind* kind = facts.catalog.fixture_kind(fixtures[i].kind);
+    const bool of_use = role == FixtureRole::shelving ? facts.items_on_fixture[i] > 0
+                                                      : kind != nullptr && kind->role == role;
+    if (of_use) return true;
+  }
+  return false;
+}
+
+// Nothing, or the zone type among the names that the store has no goods or equipment of.
+std::string missing_zone(const Facts& facts, std::initializer_list<std::string_view> names) {
+  for (const std::string_view name : names) {
+    if (facts.catalog.zone_type(name) == nullptr) continue;
+    const auto there = [&](const LayoutZone& zone) {
+      const bool till = name == "checkout" && zone.type == "self_checkout";
+      return (is_of(zone, std::string(name)) || till) && zone_is_there(facts, zone);
+    };
+    const auto& zones = facts.scene.layout.zones;
+    if (std::none_of(zones.begin(), zones.end(), there)) return std::string(name);
+  }
+  return {};
+}
+
 // ---- One function per kind of requirement. ----
 
 Verdict check_size(const Facts& facts, const Requirement& r) {
   const Shell& shell = facts.scene.layout.shell;
-  const bool met =
-      std::abs(shell.width_mm - r.value) <= 10 && std::abs(shell.depth_mm - r.second_value) <= 10;
+  const auto as_asked = [](double said, int built) {  // 0: that side was not said
+    constexpr double tolerance_mm = 10;
+    return said == 0 || std::abs(built - said) <= tolerance_mm;
+  };
+  const bool met = as_asked(r.value, shell.width_mm) && as_asked(r.second_value, shell.depth_mm);
   return {met,
           fmt::format("the room is {:g} x {:g} m", shell.width_mm * 1e-3, shell.depth_mm * 1e-3)};
 }
@@ -104,22 +140,9 @@ Verdict check_area(const Facts& facts, const Requirement& r) {
         r, area_m2(floor_of(facts.scene.layout.shell)), "the room has", " m2", 0.05 * r.value);
   double area = 0;
   for (const LayoutZone* zone : zones_of(facts, r.subject))
-    area += zone->area_m2;
+    area += zone_is_there(facts, *zone) ? zone->area_m2 : 0;
   constexpr double share = 0.15;  // zones snap to whole modules and aisles
   return number_verdict(r, std::round(area * 10) / 10, r.subject + " has", " m2", share * r.value);
-}
-
-// A zone is there when it covers floor and, if its type sells goods, holds some.
-bool zone_is_there(const Facts& facts, const LayoutZone& zone) {
-  const ZoneTypeRow* type = facts.catalog.zone_type(zone.type);
-  if (type == nullptr || type->fixture.empty()) return zone.area_m2 > 0;
-  const auto& fixtures = facts.scene.layout.fixtures;
-  for (std::size_t i = 0; i < fixtures.size(); ++i) {
-    if (fixtures[i].zone == zone.id && (facts.items_on_fixture[i] > 0 || type->categories.empty() ||
-                                        type->fixture == "checkout_lane"))
-      return true;
-  }
-  return false;
 }
 
 std::size_t zones_there(const Facts& facts, const std::string& name) {
@@ -146,7 +169,8 @@ Verdict check_fixture_count(const Facts& facts, const Requirement& r) {
   int modules = 0;
   const FixtureKind* row = facts.catalog.fixture_kind(kind);
   for (const Fixture& f : facts.scene.layout.fixtures) {
-    if (f.kind != kind) continue;
+    const bool counter = kind == "checkout_lane" && f.kind == "till-counter";  // of a small shop
+    if (f.kind != kind && !counter) continue;
     runs.insert(f.run);
     ++modules;
   }
@@ -194,6 +218,11 @@ Verdict check_levels(const Facts& facts, const Requirement& r) {
 }
 
 Verdict check_relation_holds(const Facts& facts, const Requirement& r) {
+  const bool apart = r.relation == RelationKind::far ||
+                     r.relation == RelationKind::not_adjacent;  // of what is there
+  const std::string missing = missing_zone(facts, {r.subject, r.object, r.second_object});
+  if (!apart && !missing.empty())
+    return {false, "there is no " + missing + " zone with goods or equipment"};
   const RelationCheck check =
       check_relation(facts.scene, r.relation, r.subject, r.object, r.second_object);
   return {check.holds,
@@ -243,12 +272,19 @@ Verdict check_color(const Facts& facts, const Requirement& r) {
   return {all > 0 && with == all, fmt::format("{} of {} shelves are {}", with, all, r.object)};
 }
 
+// Wanted products stand on a shelf; those that are not wanted are not even on offer.
 Verdict check_product(const Facts& facts, const Requirement& r, bool wanted) {
-  const auto number = std::count_if(facts.scene.catalog.begin(),
-                                    facts.scene.catalog.end(),
-                                    [&](const Product& p) { return named_by(p, {r.subject}); });
-  return {(number > 0) == wanted,
-          fmt::format("{} products on offer are named \"{}\"", number, r.subject)};
+  const auto& rows = facts.scene.catalog;
+  std::vector<bool> named(rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    named[i] = named_by(rows[i], {r.subject});
+  const auto offered = std::count(named.begin(), named.end(), true);
+  const auto standing = std::count_if(facts.scene.products.begin(),
+                                      facts.scene.products.end(),
+                                      [&](const SceneProduct& p) { return named[p.sku]; });
+  const std::string why = fmt::format(
+      "{} products on offer are named \"{}\", {} items of them", offered, r.subject, standing);
+  return {wanted ? standing > 0 : offered == 0 && standing == 0, why};
 }
 
 // In the wall that was named, and on the side of it: the west or south half, the other, or the
@@ -312,6 +348,11 @@ Verdict check_aisle_width(const Facts& facts, const Requirement& r) {
   }
   Requirement at_least = r;
   if (r.comparison == Comparison::equal) at_least.comparison = Comparison::at_least;
+  constexpr double too_wide = 1.5;  // of what was asked for: another kind of aisle
+  if (r.comparison == Comparison::equal && narrowest > too_wide * r.value)
+    return {false,
+            fmt::format(
+                "narrowest aisle between shelves {} mm; asked for {:g} mm", narrowest, r.value)};
   return number_verdict(at_least, narrowest, "narrowest aisle between shelves", " mm", 10);
 }
 

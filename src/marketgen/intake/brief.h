@@ -3,6 +3,7 @@
 // A planner is a plug-in: the offline one here, language models later. All see the same Brief and
 // answer with the same Planned.
 #pragma once
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -75,7 +76,7 @@ constexpr std::array<std::string_view, 3> names_of(Comparison) {
 
 // One atomic wish, in a form that the audit can check on the finished scene without knowing the
 // planner.
-//   size            value x second_value: width and depth in mm
+//   size            value x second_value: width and depth in mm; 0 = that side was not said
 //   area            subject: zone type, or "" for the whole floor; value: m2
 //   zone_present, zone_absent, zone_count   subject: zone type; value: how many zones of it
 //   fixture_count   subject: fixture kind ("checkout_lane"); object: the zone type it implies;
@@ -144,14 +145,30 @@ struct Planned {
   std::vector<Requirement> requirements;
   std::vector<UnparsedWord> unparsed;
   std::vector<Conflict> conflicts;
+  bool understood = true;          // false: not one word of the prompt said anything
   std::vector<std::string> trace;  // what the planner decided, for a person
+};
+
+// What a planner no longer insists on, because the store that it planned broke a hard rule.
+struct Concessions {
+  std::size_t max_zones = 1000;          // the least important ones are left out first
+  bool till_counter = false;             // a counter instead of lanes
+  bool relations_may_fail = false;       // every relation is only preferred
+  bool plain = false;                    // nothing but a till and ordinary shelves
+  int draw = 0;                          // which of the floors that the seed can give
+  std::map<std::string, int> max_count;  // of tills and desks, by zone type
+
+  friend bool operator==(const Concessions&, const Concessions&) = default;
 };
 
 // Turns a brief into a plan. Implementations must be deterministic for a given seed.
 class Planner {
  public:
   virtual ~Planner() = default;
-  virtual Result<Planned> plan(const Brief& brief, const Catalog& catalog, Seed seed) const = 0;
+  virtual Result<Planned> plan(const Brief& brief,
+                               const Catalog& catalog,
+                               Seed seed,
+                               const Concessions& concessions) const = 0;
 };
 
 // "offline" now; language models later. Error usage.unavailable or usage.bad_flag for others.
@@ -162,7 +179,8 @@ Result<std::unique_ptr<Planner>> make_planner(std::string_view name);
 Result<Planned> plan_from_brief(const Brief& brief,
                                 const Catalog& catalog,
                                 const Planner& planner,
-                                Seed seed);
+                                Seed seed,
+                                const Concessions& concessions = {});
 
 // "24x15m", "24 x 15 m", "40m x 25m", "80x50ft" -> millimetres [width, depth]. Error:
 // brief.bad_size.

@@ -137,13 +137,15 @@ class DoorPlacer {
 
   // A second entrance or exit, and more.
   void place_further(OpeningKind kind, int width_mm) {
+    double wanted = 0;
     for (const Requirement& wish : found_.requirements) {
       const bool further = wish.kind == RequirementKind::opening && wish.subject == name_of(kind) &&
                            wish.comparison != Comparison::at_most;
-      for (int i = 2; further && i <= static_cast<int>(wish.value); ++i) {
-        const std::string id = std::string(name_of(kind)) + "-" + std::to_string(i);
-        place_free(id, kind, front_, kind == OpeningKind::entrance ? 0.08 : 0.92, width_mm);
-      }
+      if (further) wanted = std::max(wanted, wish.value);
+    }
+    for (int i = 2; i <= static_cast<int>(wanted); ++i) {
+      const std::string id = std::string(name_of(kind)) + "-" + std::to_string(i);
+      place_free(id, kind, front_, kind == OpeningKind::entrance ? 0.08 : 0.92, width_mm);
     }
   }
 

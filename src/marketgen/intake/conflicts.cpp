@@ -90,7 +90,9 @@ bool openings_clash(const Requirement& a, const Requirement& b) {
   const auto differ = [](const std::string& x, const std::string& y) {
     return !x.empty() && !y.empty() && x != y;
   };
-  return a.subject == b.subject && a.value == 0 && b.value == 0 &&
+  if (a.subject != b.subject) return false;
+  if (a.value > 0 && b.value > 0) return numbers_clash(a, b);
+  return a.value == 0 && b.value == 0 &&
          (differ(a.object, b.object) || differ(a.second_object, b.second_object));
 }
 
@@ -148,9 +150,13 @@ bool flag_contradicts(const Brief& brief, const Requirement& wish) {
       return brief.profile && *brief.profile != wish.object;
     case Kind::style:
       return brief.style && *brief.style != wish.object;
-    case Kind::size:
-      return brief.size_mm && (std::abs((*brief.size_mm)[0] - wish.value) > rounding_mm ||
-                               std::abs((*brief.size_mm)[1] - wish.second_value) > rounding_mm);
+    case Kind::size: {
+      const auto differ = [](double said, int flag) {  // 0: that side was not said
+        return said > 0 && std::abs(flag - said) > rounding_mm;
+      };
+      return brief.size_mm && (differ(wish.value, (*brief.size_mm)[0]) ||
+                               differ(wish.second_value, (*brief.size_mm)[1]));
+    }
     default:
       return false;
   }

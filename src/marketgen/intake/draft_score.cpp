@@ -45,28 +45,27 @@ double diagonal_mm(const RectMm& floor) {
 
 // How far apart, in diagonals, things are that were said to be beside, behind or opposite one
 // another.
-double remoteness_of(const Requirement& wish,
-                     const Candidate& candidate,
-                     const StoreProgram& program) {
+double remoteness_of(const Requirement& wish, Places& places) {
   constexpr RelationKind kinds[] = {
       RelationKind::left_of, RelationKind::right_of, RelationKind::behind, RelationKind::facing};
   if (std::ranges::find(kinds, wish.relation) == std::ranges::end(kinds)) return 0;
-  double nearest = diagonal_mm(candidate.floor);
-  for (const RectMm& a : places_named(candidate, program, wish.subject)) {
-    for (const RectMm& b : places_named(candidate, program, wish.object)) {
+  const double diagonal = diagonal_mm(places.candidate().floor);
+  double nearest = diagonal;
+  for (const RectMm& a : places.named(wish.subject)) {
+    for (const RectMm& b : places.named(wish.object)) {
       nearest = std::min(nearest, distance_mm(a, b));
     }
   }
-  return nearest / diagonal_mm(candidate.floor);
+  return nearest / diagonal;
 }
 
 double wish_penalty(const Candidate& candidate, const ScoreInput& input) {
   double sum = 0;
+  Places places(candidate, input.program);
   for (const Requirement& wish : input.understanding.requirements) {
     const double weight = wish.strength == Strength::must ? must_missed : prefer_missed;
     if (wish.kind == RequirementKind::relation) {
-      sum += weight * miss_of(wish, candidate, input.program) +
-             aside_but_remote * remoteness_of(wish, candidate, input.program);
+      sum += weight * miss_of(wish, places) + aside_but_remote * remoteness_of(wish, places);
     }
     if (wish.kind != RequirementKind::opening || wish.second_object.empty()) continue;
     if (wish.subject != "entrance" && wish.subject != "exit") continue;

@@ -5,6 +5,7 @@
 
 #include "intake/conflicts.h"
 #include "intake/draft_search.h"
+#include "intake/limits.h"
 #include "intake/plan_writer.h"
 #include "intake/relation_geometry.h"
 #include "intake/store_program.h"
@@ -16,12 +17,19 @@ namespace {
 
 constexpr double crowded_m = 0.4;  // zones that lack more than this do not fit
 constexpr std::size_t fewest_zones = 2;
+constexpr int patient_searches = 5;  // that lose one zone each; then more at once
+
+// The first wish that names a zone of this type; null when nobody asked for one.
+const Requirement* wish_for(const Understanding& found, const ProgramZone& zone) {
+  const auto wish = std::ranges::find_if(found.requirements, [&](const Requirement& one) {
+    return one.kind != RequirementKind::zone_absent &&
+           (one.subject == zone.type->type || one.object == zone.type->type);
+  });
+  return wish == found.requirements.end() ? nullptr : &*wish;
+}
 
 bool is_named(const Understanding& found, const ProgramZone& zone) {
-  return std::ranges::any_of(found.requirements, [&](const Requirement& wish) {
-    return wish.kind != RequirementKind::zone_absent &&
-           (wish.subject == zone.type->type || wish.object == zone.type->type);
-  });
+  return wish_for(found, zone) != nullptr;
 }
 
 // A shop keeps its lanes, or its machines where it has no lanes.
@@ -37,8 +45,13 @@ std::size_t most_dispensable(const StoreProgram& program, const Understanding& f
   for (std::size_t i = program.zones.size(); i-- > 0;) {
     if (!is_kept(program, program.zones[i]) && !is_named(found, program.zones[i])) return i;
   }
-  for (std::size_t i = program.zones.size(); i-- > 0;) {
-    if (!is_kept(program, program.zones[i])) return i;
+  for (const bool goods :
+       {false, true}) {  // a shop without a back room is one, without goods is none
+    for (std::size_t i = program.zones.size(); i-- > 0;) {
+      const ProgramZone& zone = program.zones[i];
+      const bool sells = zone.kind != nullptr && zone.kind->role == FixtureRole::shelving;
+      if (!is_kept(program, zone) && sells == goods) return i;
+    }
   }
   return program.zones.size() - 1;
 }
@@ -49,11 +62,25 @@ void give_up_zone(StoreProgram& program, Understanding& found, std::vector<std::
   const ProgramZone zone = program.zones[lost];
   program.zones.erase(program.zones.begin() + static_cast<std::ptrdiff_t>(lost));
   trace.push_back("no room for " + zone.id);
-  if (!is_named(found, zone)) return;
+  const Requirement* wish = wish_for(found, zone);
+  if (wish == nullptr) return;
   found.conflicts.push_back({"zone " + zone.type->type,
                              "the size of the store",
-                             zone.type->label,
+                             wish->text,
                              "the floor has no room for another zone"});
+}
+
+// Wishes for zones that a plain store has no floor for.
+void give_up_all_but_plain(const StoreProgram& program, Understanding& found) {
+  for (const Requirement& wish : found.requirements) {
+    const bool there = std::ranges::any_of(
+        program.zones, [&](const ProgramZone& zone) { return zone.type->type == wish.subject; });
+    if (wish.kind != RequirementKind::zone_present || there) continue;
+    found.conflicts.push_back({"zone " + wish.subject,
+                               "the size of the store",
+                               wish.text,
+                               "the floor has room for a till and ordinary shelves only"});
+  }
 }
 
 bool fits(const Candidate& candidate, std::size_t zones) {
@@ -93,18 +120,20 @@ Candidate find_floor(StoreProgram& program,
                      const Catalog& catalog,
                      Seed seed,
                      std::vector<std::string>& trace) {
-  for (;;) {
+  for (int searches = 1;; ++searches) {
     FoundDraft best = search_draft(program, found, catalog, seed.child("floor"));
+    trace.push_back("judged " + std::to_string(best.evaluations) + " floors");
     const bool found_one =
         std::isfinite(best.penalty);  // on a sliver no draft can be judged at all
     if (found_one && fits(best.candidate, program.zones.size())) {
-      trace.push_back("best of " + std::to_string(best.evaluations) + " floors, penalty " +
+      trace.push_back("best one, penalty " +
                       std::to_string(static_cast<int>(std::lround(best.penalty))));
       return std::move(best.candidate);
     }
     if (program.zones.size() <= fewest_zones) return side_by_side(program, found, catalog);
     // Hopeless floors lose several zones at once, so that the search runs a few times only.
-    const int lost = 1 + static_cast<int>(best.candidate.drafted.crowding / 4);
+    const int hopeless = std::max(0, searches - patient_searches);
+    const int lost = 1 + static_cast<int>(best.candidate.drafted.crowding / 4) + hopeless;
     for (int i = 0; i < lost && program.zones.size() > fewest_zones; ++i) {
       give_up_zone(program, found, trace);
     }
@@ -130,9 +159,10 @@ void trace_relations(const Planned& planned,
                      const Candidate& candidate,
                      const StoreProgram& program,
                      std::vector<std::string>& trace) {
+  Places places(candidate, program);
   for (const Requirement& wish : planned.requirements) {
     if (wish.kind != RequirementKind::relation) continue;
-    const bool met = miss_of(wish, candidate, program) <= 0;
+    const bool met = miss_of(wish, places) <= 0;
     trace.push_back((met ? "met: " : "not met: ") + wish.subject + " " +
                     std::string(name_of(wish.relation)) + " " + wish.object);
   }
@@ -140,18 +170,33 @@ void trace_relations(const Planned& planned,
 
 }  // namespace
 
-Result<Planned> OfflinePlanner::plan(const Brief& brief, const Catalog& catalog, Seed seed) const {
+Result<Planned> OfflinePlanner::plan(const Brief& brief,
+                                     const Catalog& catalog,
+                                     Seed seed,
+                                     const Concessions& concessions) const {
   Understanding found = understand(brief.prompt, lexicon_.with_words_of(catalog), catalog);
   apply_flags(brief, found);
+  const BeyondLimits beyond = keep_within_limits(found);
   Planned planned;
-  MARKETGEN_TRY(StoreProgram program, make_program(brief, found, catalog, planned.trace));
+  MARKETGEN_TRY(StoreProgram program,
+                make_program(brief, found, catalog, concessions, planned.trace));
   keep_tills(found, program);
-  const Candidate candidate =
-      find_floor(program, found, catalog, seed.child("plan"), planned.trace);
+  if (concessions.plain) give_up_all_but_plain(program, found);
+  while (program.zones.size() > std::max(fewest_zones, concessions.max_zones))
+    give_up_zone(program, found, planned.trace);
+  const Seed floors = concessions.draw == 0
+                          ? seed.child("plan")
+                          : seed.child("plan", static_cast<std::uint64_t>(concessions.draw));
+  const Candidate candidate = find_floor(program, found, catalog, floors, planned.trace);
   planned.plan = write_plan({brief, found, program, candidate, catalog});
-  planned.requirements = std::move(found.requirements);
+  if (concessions.relations_may_fail) {
+    for (Relation& relation : planned.plan.relations)
+      relation.strength = Strength::prefer;
+  }
+  planned.requirements = as_asked(std::move(found.requirements), beyond);
   planned.unparsed = std::move(found.unparsed);
   planned.conflicts = std::move(found.conflicts);
+  planned.understood = found.understood;
   trace_relations(planned, candidate, program, planned.trace);
   return planned;
 }

@@ -11,7 +11,10 @@ class OfflinePlanner : public Planner {
   explicit OfflinePlanner(Lexicon lexicon) : lexicon_(std::move(lexicon)) {}
 
   // Error: brief.bad_size when the words ask for a store that cannot be built.
-  Result<Planned> plan(const Brief& brief, const Catalog& catalog, Seed seed) const override;
+  Result<Planned> plan(const Brief& brief,
+                       const Catalog& catalog,
+                       Seed seed,
+                       const Concessions& concessions) const override;
 
  private:
   Lexicon lexicon_;

@@ -78,9 +78,10 @@ Result<void> check_brief(const Brief& brief, const Catalog& catalog) {
 Result<Planned> plan_from_brief(const Brief& brief,
                                 const Catalog& catalog,
                                 const Planner& planner,
-                                Seed seed) {
+                                Seed seed,
+                                const Concessions& concessions) {
   MARKETGEN_CHECK(check_brief(brief, catalog));
-  MARKETGEN_TRY(Planned planned, planner.plan(brief, catalog, seed));
+  MARKETGEN_TRY(Planned planned, planner.plan(brief, catalog, seed, concessions));
   MARKETGEN_CHECK(validate_plan(planned.plan, "plan", catalog));
   return planned;
 }

@@ -123,6 +123,8 @@ class ZoneWriter {
     std::ranges::sort(stock.exclude);
     const auto repeated = std::ranges::unique(stock.exclude);
     stock.exclude.erase(repeated.begin(), repeated.end());
+    constexpr std::size_t max_excluded = 40;  // of StockSpec::exclude
+    if (stock.exclude.size() > max_excluded) stock.exclude.resize(max_excluded);
     return stock;
   }
 

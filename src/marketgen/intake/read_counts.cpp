@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "intake/reading.h"
@@ -76,13 +77,16 @@ void add_levels(Sentence& sentence,
   if (sentence.is(after, Sense::zone)) levels.subject = sentence.phrases[after].value;
 }
 
+// A number that an int holds; how many rows make sense is decided later (limits.h).
+constexpr double max_rows_read = 1e6;
+
 // "two rows of frozen food"
 void add_rows(Sentence& sentence, const Reading& reading, std::size_t number, std::size_t noun) {
   const std::size_t zone = zone_after(sentence, noun);
   if (!sentence.is(zone, Sense::zone)) return;
   reading.found.rows.push_back(
       {sentence.phrases[zone].value,
-       static_cast<int>(sentence.phrases[number].number),
+       static_cast<int>(std::min(sentence.phrases[number].number, max_rows_read)),
        joined(sentence.phrases[number].span, sentence.phrases[zone].span)});
   sentence.use(number, noun);
 }

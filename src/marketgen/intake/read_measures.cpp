@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <array>
 #include <optional>
 
+#include "intake/floor_owner.h"
 #include "intake/reading.h"
 
 namespace marketgen {
@@ -42,7 +44,12 @@ void add_size(
   size.second_value = depth_mm;
 }
 
-// "24 x 15 m", "24m by 15m"
+bool shop_is_measured(const Reading& reading) {
+  return reading.found.find(RequirementKind::size) != nullptr ||
+         reading.found.find(RequirementKind::area, "") != nullptr;
+}
+
+// "24 x 15 m", "24m by 15m"; "a 5 x 4 m bakery" asks for a zone's floor.
 void read_sizes(Sentence& sentence, const Reading& reading) {
   for (std::size_t i = 0; i + 2 < sentence.phrases.size(); ++i) {
     const bool numbers = (is_length(sentence, i) || is_bare(sentence, i)) &&
@@ -52,7 +59,15 @@ void read_sizes(Sentence& sentence, const Reading& reading) {
     const Phrase& second = sentence.phrases[i + 2];
     const auto sides = sides_mm(first, second);
     if (!sides) continue;
-    add_size(reading, joined(first.span, second.span), first.strength, (*sides)[0], (*sides)[1]);
+    const IntRange span = joined(first.span, second.span);
+    const std::string zone = zone_of_floor(sentence, i, i + 2, shop_is_measured(reading));
+    if (zone.empty()) {
+      add_size(reading, span, first.strength, (*sides)[0], (*sides)[1]);
+    } else {
+      Requirement& area = reading.add(RequirementKind::area, span, first.strength);
+      area.subject = zone;
+      area.value = 1e-6 * (*sides)[0] * (*sides)[1];
+    }
     sentence.use(i, i + 2);
   }
 }
@@ -116,7 +131,24 @@ bool add_measure(Sentence& sentence,
   return true;
 }
 
-// "12 m wide and 9 m deep" with no noun is the store.
+bool names_shop(const Sentence& sentence, std::size_t i) {
+  return sentence.is(i, Sense::shop) || sentence.is(i, Sense::profile);
+}
+
+// "a 10 m wide shop", "a shop 10 m wide", "shop, 10 m wide, …"; not "a 3 m wide entrance".
+bool is_side_of_shop(const Sentence& sentence, const Dimension& one) {
+  const double side = sentence.phrases[one.number].number;
+  if (side < least_store_m * metre_mm || side > most_store_m * metre_mm) return false;
+  std::size_t after = sentence.skip_fillers(one.word + 1);
+  while (sentence.is(after, Sense::size) || sentence.is(after, Sense::style))
+    after = sentence.skip_fillers(after + 1);
+  const std::size_t before = sentence.before(one.number);
+  const bool apart = after >= sentence.phrases.size() || sentence.is(after, Sense::separator);
+  return names_shop(sentence, after) || names_shop(sentence, before) ||
+         (apart && sentence.is(before, Sense::separator));
+}
+
+// "12 m wide and 9 m deep" with no noun is the store; so is "12 m wide", whose other side is open.
 void read_dimensions(Sentence& sentence, const Reading& reading) {
   std::optional<Dimension> width, depth;
   for (const Dimension& one : dimensions_of(sentence)) {
@@ -124,17 +156,23 @@ void read_dimensions(Sentence& sentence, const Reading& reading) {
     if (one.value == "width" && !width) width = one;
     if (one.value == "depth" && !depth) depth = one;
   }
-  if (!width || !depth) return;
+  if ((!width && !depth) || shop_is_measured(reading)) return;
+  if (!(width && depth) && !is_side_of_shop(sentence, width ? *width : *depth)) return;
   const auto span = [&](const Dimension& one) {
     return joined(sentence.phrases[one.number].span, sentence.phrases[one.word].span);
   };
+  const auto number = [&](const std::optional<Dimension>& one) {
+    return one ? sentence.phrases[one->number].number : 0;
+  };
+  const Dimension& one = width ? *width : *depth;
+  const Dimension& other = depth ? *depth : *width;
   add_size(reading,
-           joined(span(*width), span(*depth)),
-           sentence.phrases[width->number].strength,
-           sentence.phrases[width->number].number,
-           sentence.phrases[depth->number].number);
-  sentence.use(width->number, width->word);
-  sentence.use(depth->number, depth->word);
+           joined(span(one), span(other)),
+           sentence.phrases[one.number].strength,
+           number(width),
+           number(depth));
+  sentence.use(one.number, one.word);
+  sentence.use(other.number, other.word);
 }
 
 void read_bare_lengths(Sentence& sentence, const Reading& reading) {
@@ -147,29 +185,76 @@ void read_bare_lengths(Sentence& sentence, const Reading& reading) {
   }
 }
 
-// The zone of "a 20 m2 bakery", "a bakery of 20 m2"; size() when the area is the store's.
-std::size_t zone_of_area(const Sentence& sentence, std::size_t number) {
-  const std::size_t after = sentence.skip_fillers(number + 1);
-  bool sold = false;  // "a kiosk of 30 m2 selling snacks" is 30 m2 large
-  for (std::size_t i = number + 1; i < after; ++i)
-    sold = sold || sentence.is(i, Sense::filler, "selling");
-  if (sentence.is(after, Sense::zone) && !sold) return after;
-  std::size_t before = sentence.before(number);
-  if (sentence.is(before, Sense::comparison)) before = sentence.before(before);
-  return sentence.is(before, Sense::zone) ? before : sentence.phrases.size();
+// Where the lower number of "200 to 300 m2" and "200-300 m2" stands, or the thousands of
+// "1 200 m2"; size() when the area is one number.
+std::size_t number_before(const Sentence& sentence, std::size_t area) {
+  std::size_t at = sentence.before(area);
+  if (sentence.is(at, Sense::separator, "and")) {
+    at = sentence.before(at);
+    if (!sentence.is(sentence.before(at), Sense::relation, "between"))
+      return sentence.phrases.size();
+  }
+  const bool plain = is_bare(sentence, at) && !sentence.at(at).in_words;
+  return plain && sentence.at(at).written > 0 ? at : sentence.phrases.size();
+}
+
+// Spaces part thousands in many languages. No shop is that large, so "200 300 m2" is two numbers.
+bool is_thousands(const Reading& reading, const Phrase& high, const Phrase& low) {
+  constexpr double largest_thousands = 99, three_digits = 999;
+  const std::string between = reading.words({high.span[1], low.span[0]});
+  const std::size_t digits = reading.words(low.span).find_first_not_of("0123456789");
+  return between == " " && digits == 3 && high.written <= largest_thousands &&
+         low.written <= three_digits;
+}
+
+void add_area(const Reading& reading,
+              const Phrase& number,
+              const std::string& zone,
+              const Compared& compared) {
+  Requirement& area = reading.add(RequirementKind::area, compared.span, number.strength);
+  area.comparison = compared.comparison;
+  area.value = number.number;
+  area.subject = zone;
+}
+
+// "200 to 300 m2": at least the one and at most the other.
+void add_area_range(const Reading& reading,
+                    Phrase low,
+                    const Phrase& high,
+                    const std::string& zone) {
+  const IntRange span = joined(low.span, high.span);
+  low.number = low.written * high.number / high.written;
+  add_area(reading, low, zone, {Comparison::at_least, 0, span});
+  add_area(reading, high, zone, {Comparison::at_most, 0, span});
 }
 
 void read_areas(Sentence& sentence, const Reading& reading) {
   for (std::size_t i = 0; i < sentence.phrases.size(); ++i) {
     if (!is_area(sentence, i) || sentence.phrases[i].used) continue;
-    const std::size_t zone = zone_of_area(sentence, i);
-    const Compared compared = comparison_around(sentence, i, i);
-    Requirement& area =
-        reading.add(RequirementKind::area, compared.span, sentence.phrases[i].strength);
-    area.comparison = compared.comparison;
-    area.value = sentence.phrases[i].number;
-    if (zone < sentence.phrases.size()) area.subject = sentence.phrases[zone].value;
+    const std::size_t low = number_before(sentence, i);
+    const std::size_t first = std::min(low, i);
+    const std::string zone = zone_of_floor(sentence, first, i, shop_is_measured(reading));
     sentence.use(i, i);
+    const std::size_t adjective = sentence.before(first);  // "a large 30 m2 bakery": not the shop
+    if (!zone.empty() && sentence.is(adjective, Sense::size)) sentence.use(adjective, adjective);
+    if (low >= sentence.phrases.size()) {
+      add_area(reading, sentence.phrases[i], zone, comparison_around(sentence, i, i));
+      continue;
+    }
+    sentence.use(low, low);
+    const std::size_t before = sentence.before(low);
+    if (sentence.is(before, Sense::relation, "between")) sentence.use(before, before);
+    Phrase number = sentence.phrases[i];
+    if (is_thousands(reading, sentence.phrases[low], number)) {
+      constexpr double thousand = 1000;
+      number.number += sentence.phrases[low].written * thousand * number.number / number.written;
+      number.span = joined(sentence.phrases[low].span, number.span);
+      add_area(reading, number, zone, comparison_around(sentence, first, i));
+    } else if (sentence.phrases[low].written < number.written) {
+      add_area_range(reading, sentence.phrases[low], number, zone);
+    } else {
+      add_area(reading, number, zone, comparison_around(sentence, i, i));
+    }
   }
 }
 

@@ -162,14 +162,21 @@ std::vector<RectMm> places_named(const Candidate& candidate,
   return places;
 }
 
-double miss_of(const Requirement& wish, const Candidate& candidate, const StoreProgram& program) {
-  const std::vector<RectMm> as = places_named(candidate, program, wish.subject);
-  const std::vector<RectMm> bs = places_named(candidate, program, wish.object);
+const std::vector<RectMm>& Places::named(std::string_view name) {
+  const auto known = known_.find(name);
+  if (known != known_.end()) return known->second;
+  return known_.emplace(name, places_named(candidate_, program_, name)).first->second;
+}
+
+double miss_of(const Requirement& wish, Places& places) {
+  static const std::vector<RectMm> nowhere_needed{RectMm{}};
+  const Candidate& candidate = places.candidate();
+  const std::vector<RectMm>& as = places.named(wish.subject);
+  const std::vector<RectMm>& bs = places.named(wish.object);
   const bool every =
       wish.relation == RelationKind::far || wish.relation == RelationKind::not_adjacent;
   const bool between = wish.relation == RelationKind::between;
-  const std::vector<RectMm> cs = between ? places_named(candidate, program, wish.second_object)
-                                         : std::vector<RectMm>{RectMm{}};
+  const std::vector<RectMm>& cs = between ? places.named(wish.second_object) : nowhere_needed;
   if (as.empty() || bs.empty() || cs.empty()) return every ? 0 : 2;
   double worst = -HUGE_VAL, best = HUGE_VAL;
   for (const RectMm& a : as) {

@@ -1,5 +1,8 @@
 #include "intake/sentence.h"
 
+#include <cmath>
+#include <optional>
+
 namespace marketgen {
 namespace {
 
@@ -9,6 +12,7 @@ Phrase known_phrase(const Lexicon::Match& match, const std::vector<Token>& token
   phrase.value = match.row->value;
   phrase.number = phrase.written = match.row->number;
   phrase.zone = match.row->zone;
+  phrase.in_words = true;
   phrase.span = joined(tokens[at].span, tokens[at + match.tokens - 1].span);
   return phrase;
 }
@@ -32,6 +36,46 @@ std::vector<Token> with_corrections(std::vector<Token> tokens, const Lexicon& le
     if (const auto better = lexicon.corrected(token.stem)) token.stem = *better;
   }
   return tokens;
+}
+
+// What number words in a row make: 2 and 100 "two hundred", 20 and 5 "twenty-five", 300 and 20
+// "three hundred and twenty"; nothing when they are two numbers.
+std::optional<double> composed(double so_far, double next) {
+  if ((next == 100 && so_far < 100) || (next == 1000 && so_far < 1000)) return so_far * next;
+  const auto ends_in = [&](double unit) { return so_far >= unit && std::fmod(so_far, unit) == 0; };
+  const bool digit_after_tens = ends_in(10) && !ends_in(100) && so_far >= 20 && next < 10;
+  if (digit_after_tens || (ends_in(100) && next < 100) || (ends_in(1000) && next < 1000))
+    return so_far + next;
+  return std::nullopt;
+}
+
+// "two hundred and fifty" becomes one number.
+std::vector<Phrase> with_number_words(const std::vector<Phrase>& phrases) {
+  std::vector<Phrase> merged;
+  const auto is_word = [](const Phrase& phrase) {
+    return phrase.sense == Sense::number && phrase.in_words;
+  };
+  const auto is_digits = [](const Phrase& phrase) {
+    return phrase.sense == Sense::number && !phrase.in_words;
+  };
+  for (std::size_t i = 0; i < phrases.size(); ++i) {
+    const bool and_between = i + 1 < phrases.size() && phrases[i].sense == Sense::separator &&
+                             phrases[i].value == "and" && is_word(phrases[i + 1]);
+    const std::size_t at = and_between ? i + 1 : i;
+    const bool follows = !merged.empty() && is_word(phrases[at]) &&
+                         (is_word(merged.back()) || (is_digits(merged.back()) && !and_between &&
+                                                     phrases[at].number >= 100)) &&
+                         (!and_between || merged.back().number >= 100);
+    const auto sum = follows ? composed(merged.back().number, phrases[at].number) : std::nullopt;
+    if (!sum) {
+      merged.push_back(phrases[i]);
+      continue;
+    }
+    merged.back().number = merged.back().written = *sum;
+    merged.back().span = joined(merged.back().span, phrases[at].span);
+    i = at;
+  }
+  return merged;
 }
 
 bool is_unit_of(const Phrase& number, const Phrase& unit) {
@@ -117,8 +161,9 @@ std::vector<Sentence> make_sentences(const std::vector<Token>& raw, const Lexico
                                              : single_token(tokens[at]));
     at += match ? match->tokens : 1;
   }
+  sentences.front().first = true;
   for (Sentence& sentence : sentences) {
-    sentence.phrases = with_measures(sentence.phrases);
+    sentence.phrases = with_measures(with_number_words(sentence.phrases));
     spread_strengths(sentence.phrases);
   }
   return sentences;

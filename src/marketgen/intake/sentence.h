@@ -17,11 +17,12 @@ namespace marketgen {
 
 struct Phrase {
   Sense sense = Sense::ordinary;
-  std::string value;    // of the lexicon row; the folded words themselves when they are in no row
-  double number = 0;    // of the row, or the number that was written
-  std::string zone;     // of the row
-  IntRange span{0, 0};  // bytes of the prompt
-  bool used = false;    // some reader understood it
+  std::string value;      // of the lexicon row; the folded words themselves when they are in no row
+  double number = 0;      // of the row, or the number that was written
+  std::string zone;       // of the row
+  IntRange span{0, 0};    // bytes of the prompt
+  bool used = false;      // some reader understood it
+  bool in_words = false;  // of a lexicon row: a number was not written in digits
   bool measured =
       false;  // a number with a unit: `number` is in mm or m2, `value` is "length" or "area"
   double written = 0;                  // the number as it was written
@@ -31,6 +32,7 @@ struct Phrase {
 
 struct Sentence {
   std::vector<Phrase> phrases;
+  bool first = false;  // of the prompt: what it names first is what is asked for
 
   // Phrase i, or a filler beyond the ends.
   const Phrase& at(std::size_t i) const;

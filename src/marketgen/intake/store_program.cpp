@@ -32,34 +32,61 @@ const ProfileRow& profile_of(const Brief& brief,
 
 // Whole decimetres, as builders measure.
 int rounded_mm(double mm) {
-  return static_cast<int>(std::lround(mm / 100)) * 100;
+  constexpr double longest_mm = 1e9;
+  return static_cast<int>(std::lround(std::min(mm, longest_mm) / 100)) * 100;
 }
 
-// The profile's proportions at another area.
+// The profile's proportions at another area, as far as a shop may be so narrow or so long.
 std::array<int, 2> size_with_area(const ProfileRow& profile, double area_m2) {
   const double usual = 1e-6 * profile.default_size_mm[0] * profile.default_size_mm[1];
   const double scale = std::sqrt(area_m2 / usual);
-  return {rounded_mm(profile.default_size_mm[0] * scale),
-          rounded_mm(profile.default_size_mm[1] * scale)};
+  double width = profile.default_size_mm[0] * scale, depth = profile.default_size_mm[1] * scale;
+  const auto buildable = [](double side) {
+    return std::clamp(side, least_store_side_mm, most_store_side_mm);
+  };
+  if (buildable(width) != width) depth = 1e6 * area_m2 / (width = buildable(width));
+  if (buildable(depth) != depth) width = 1e6 * area_m2 / (depth = buildable(depth));
+  return {rounded_mm(width), rounded_mm(depth)};
 }
 
 std::string where_of(const Requirement& wish) {
   return "prompt:bytes " + std::to_string(wish.span[0]) + "-" + std::to_string(wish.span[1]);
 }
 
+// The floor that was asked for in m2: between "at least" and "at most" where both were said.
+const Requirement* area_wish(const Understanding& found, double& area_m2) {
+  const Requirement* first = nullptr;
+  double low = 0, high = HUGE_VAL;
+  for (const Requirement& wish : found.requirements) {
+    if (wish.kind != Kind::area || !wish.subject.empty()) continue;
+    if (first == nullptr) first = &wish;
+    if (wish.comparison != Comparison::at_most) low = std::max(low, wish.value);
+    if (wish.comparison != Comparison::at_least) high = std::min(high, wish.value);
+  }
+  area_m2 = low > 0 && high < HUGE_VAL ? (low + high) / 2 : (low > 0 ? low : high);
+  return first;
+}
+
 Result<std::array<int, 2>> size_of(const Brief& brief,
                                    const Understanding& found,
                                    const ProfileRow& profile) {
   if (brief.size_mm) return *brief.size_mm;
-  if (const Requirement* size = found.find(Kind::size)) {
-    MARKETGEN_CHECK(check_store_size(size->value, size->second_value, where_of(*size)));
-    return std::array{static_cast<int>(std::lround(size->value)),
-                      static_cast<int>(std::lround(size->second_value))};
-  }
   const double usual_m2 = 1e-6 * profile.default_size_mm[0] * profile.default_size_mm[1];
-  const Requirement* area = found.find(Kind::area, "");
-  const double wanted_m2 = area != nullptr ? area->value : usual_m2 * found.size_factor;
-  const std::array<int, 2> size = size_with_area(profile, wanted_m2);
+  double area_m2 = 0;
+  const Requirement* area = area_wish(found, area_m2);
+  if (area == nullptr) area_m2 = usual_m2 * found.size_factor;
+  if (const Requirement* size = found.find(Kind::size)) {
+    // One side that was not said is what the area leaves.
+    const auto other = [&](double side_mm) {
+      return std::clamp<double>(
+          rounded_mm(1e6 * area_m2 / side_mm), least_store_side_mm, most_store_side_mm);
+    };
+    const double width = size->value > 0 ? size->value : other(size->second_value);
+    const double depth = size->second_value > 0 ? size->second_value : other(size->value);
+    MARKETGEN_CHECK(check_store_size(width, depth, where_of(*size)));
+    return std::array{static_cast<int>(std::lround(width)), static_cast<int>(std::lround(depth))};
+  }
+  const std::array<int, 2> size = size_with_area(profile, area_m2);
   if (area != nullptr) MARKETGEN_CHECK(check_store_size(size[0], size[1], where_of(*area)));
   const auto built = [](int side) {
     return std::clamp(
@@ -120,12 +147,24 @@ NamedZones named_zones(const Understanding& found, const Catalog& catalog) {
   return named;
 }
 
+// What any room has floor for: the first of the profile's zones with ordinary shelves.
+NamedZones plain_zones(const StoreProgram& program, const Catalog& catalog) {
+  NamedZones zones;
+  for (const std::string& type : program.profile->zones) {
+    const ZoneTypeRow* row = catalog.zone_type(type);
+    if (row == nullptr || row->fixture != "gondola") continue;
+    zones.add(type);
+    break;
+  }
+  return zones;
+}
+
 // Zone types in order of importance: named ones first, then the profile's, as many as the floor can
 // hold.
 NamedZones chosen_zones(const Understanding& found,
                         const Catalog& catalog,
                         const StoreProgram& program) {
-  NamedZones chosen = named_zones(found, catalog);
+  NamedZones chosen = program.plain ? plain_zones(program, catalog) : named_zones(found, catalog);
   const bool only_machines = found.find(Kind::zone_absent, "checkout") != nullptr &&
                              chosen.count.contains("self_checkout");
   if (!only_machines) chosen.add("checkout");
@@ -134,7 +173,7 @@ NamedZones chosen_zones(const Understanding& found,
   const std::size_t most = std::min(wanted, most_zones);
   for (const std::string& type : program.profile->zones) {
     const bool refused = found.find(Kind::zone_absent, type) != nullptr;
-    if (chosen.order.size() < most && !refused) chosen.add(type);
+    if (chosen.order.size() < most && !refused && !program.plain) chosen.add(type);
   }
   return chosen;
 }
@@ -147,11 +186,24 @@ double emphasis_on(const Understanding& found, const std::string& type) {
   return std::clamp(factor, 0.3, 4.0);
 }
 
+// Small shops take money over a counter, and so do those whose floor has no room for lanes.
+bool pays_at_counter(const Understanding& found,
+                     const ZoneTypeRow& type,
+                     const StoreProgram& program) {
+  const bool only_machines = found.find(Kind::zone_absent, "checkout") != nullptr;
+  if (type.type == "self_checkout") return only_machines && program.till_counter;
+  const Requirement* lanes = found.find(Kind::fixture_count, "checkout_lane");
+  const bool one_till = lanes == nullptr || lanes->value <= 1;
+  return type.type == "checkout" &&
+         (program.till_counter || (one_till && program.area_m2() < lanes_from_m2));
+}
+
 // A named fixture kind replaces the zone's usual one when it can hold the same goods.
 const FixtureKind* kind_of(const Understanding& found,
                            const Catalog& catalog,
                            const ZoneTypeRow& type,
                            const StoreProgram& program) {
+  if (pays_at_counter(found, type, program)) return catalog.fixture_kind("till-counter");
   const FixtureKind* usual = type.fixture.empty() ? nullptr : catalog.fixture_kind(type.fixture);
   for (const Requirement& wish : found.requirements) {
     const bool named = wish.kind == Kind::fixture_count && wish.object == type.type &&
@@ -164,17 +216,11 @@ const FixtureKind* kind_of(const Understanding& found,
   // Convenience stores keep drinks behind glass doors; other shops in open coolers.
   const bool convenience = program.profile->id.starts_with("convenience");
   if (type.type == "chilled" && convenience) return catalog.fixture_kind("glass_door_cooler");
-  const bool one_till = found.find(Kind::fixture_count, "checkout_lane") == nullptr;
-  if (type.type == "checkout" && one_till && program.area_m2() < lanes_from_m2)
-    return catalog.fixture_kind("till-counter");
   const bool counter = usual != nullptr && usual->generator == "serve_over";
   if (counter && program.area_m2() < staffed_counter_from_m2)
     return catalog.fixture_kind("multideck");
   return usual;
 }
-
-// A plan counts at most so many fixtures (FixtureSpec::count); the layout then says how many stand.
-constexpr double most_counted = 200;
 
 std::optional<int> count_of(const Understanding& found, const FixtureKind* kind) {
   if (kind == nullptr) return std::nullopt;
@@ -182,8 +228,7 @@ std::optional<int> count_of(const Understanding& found, const FixtureKind* kind)
   const bool some = wish != nullptr && wish->value > 0;
   const bool exact =
       some && (kind->role != FixtureRole::shelving || wish->comparison != Comparison::at_least);
-  return exact ? std::optional<int>(static_cast<int>(std::min(wish->value, most_counted)))
-               : std::nullopt;
+  return exact ? std::optional<int>(static_cast<int>(wish->value)) : std::nullopt;
 }
 
 ProgramZone make_zone(const Understanding& found,
@@ -254,14 +299,19 @@ std::optional<int> whole(const Requirement* wish) {
 Result<StoreProgram> make_program(const Brief& brief,
                                   const Understanding& found,
                                   const Catalog& catalog,
+                                  const Concessions& concessions,
                                   std::vector<std::string>& trace) {
   StoreProgram program;
+  program.till_counter = concessions.till_counter;
+  program.plain = concessions.plain;
   program.profile = &profile_of(brief, found, catalog);
   MARKETGEN_TRY(const auto size, size_of(brief, found, *program.profile));
   program.width_mm = size[0];
   program.depth_mm = size[1];
   program.aisles = whole(found.find(Kind::aisle_count));
   program.aisle_mm = whole(found.find(Kind::aisle_width));
+  if (program.aisle_mm)  // narrower ones are against the rules of any shop
+    program.aisle_mm = std::max(*program.aisle_mm, program.profile->minimum_aisle_mm);
   const NamedZones chosen = chosen_zones(found, catalog, program);
   for (const std::string& type : chosen.order) {
     const ZoneTypeRow* row = catalog.zone_type(type);
@@ -274,6 +324,11 @@ Result<StoreProgram> make_program(const Brief& brief,
   }
   share_floor(program, found, chosen.count);
   count_lanes(program);
+  for (ProgramZone& zone : program.zones) {
+    const auto most = concessions.max_count.find(zone.type->type);
+    if (zone.count && most != concessions.max_count.end())
+      zone.count = std::min(*zone.count, most->second);
+  }
   trace.push_back("profile " + program.profile->id + ", " + metres(program.width_mm) + " x " +
                   metres(program.depth_mm) + " m, " + std::to_string(program.zones.size()) +
                   " zones");

@@ -38,6 +38,8 @@ struct StoreProgram {
   std::vector<ProgramZone> zones;
   std::optional<int> aisles;    // aisles asked for
   std::optional<int> aisle_mm;  // aisle width asked for
+  bool till_counter = false;    // no room for lanes
+  bool plain = false;           // no room for more than a till and ordinary shelves
   double area_m2() const { return 1e-6 * width_mm * depth_mm; }
 };
 
@@ -46,6 +48,7 @@ struct StoreProgram {
 Result<StoreProgram> make_program(const Brief& brief,
                                   const Understanding& found,
                                   const Catalog& catalog,
+                                  const Concessions& concessions,
                                   std::vector<std::string>& trace);
 
 }  // namespace marketgen

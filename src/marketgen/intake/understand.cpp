@@ -1,3 +1,5 @@
+#include <utf8proc.h>
+
 #include <algorithm>
 #include <array>
 
@@ -29,6 +31,24 @@ bool says_nothing(const Phrase& phrase) {
   }
 }
 
+// An emoji, not punctuation.
+bool is_picture(const Token& token) {
+  utf8proc_int32_t code = 0;
+  const auto* bytes = reinterpret_cast<const utf8proc_uint8_t*>(token.text.data());
+  utf8proc_iterate(bytes, static_cast<utf8proc_ssize_t>(token.text.size()), &code);
+  return token.kind == TokenKind::symbol && utf8proc_category(code) == UTF8PROC_CATEGORY_SO;
+}
+
+// A word said something when a reader used it; "please" and "must" alone do not.
+bool anything_understood(const std::vector<Sentence>& sentences, const Understanding& found) {
+  const auto says = [](const Phrase& phrase) {
+    return phrase.used && phrase.sense != Sense::strength;
+  };
+  return found.name || std::ranges::any_of(sentences, [&](const Sentence& sentence) {
+           return std::ranges::any_of(sentence.phrases, says);
+         });
+}
+
 void collect_unparsed(const std::vector<Token>& tokens,
                       const std::vector<Sentence>& sentences,
                       Reading& reading) {
@@ -37,7 +57,8 @@ void collect_unparsed(const std::vector<Token>& tokens,
     for (const Phrase& phrase : sentence.phrases) {
       for (; token != tokens.end() && token->span[1] <= phrase.span[1]; ++token) {
         const bool word = token->kind == TokenKind::word || token->kind == TokenKind::number;
-        if (phrase.used || says_nothing(phrase) || !word) continue;
+        const bool passed_over = phrase.used || (word && says_nothing(phrase));
+        if (passed_over || !(word || is_picture(*token))) continue;
         reading.found.unparsed.push_back({reading.words(token->span), token->span});
       }
     }
@@ -111,6 +132,7 @@ Understanding understand(std::string_view prompt, const Lexicon& lexicon, const 
     for (const Reader reader : readers)
       reader(sentence, reading);
   }
+  found.understood = anything_understood(sentences, found);
   collect_unparsed(tokens, sentences, reading);
   resolve_directions(found);
   settle_conflicts(found);

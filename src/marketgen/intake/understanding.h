@@ -39,6 +39,7 @@ struct Understanding {
   double size_factor = 1;  // "small", "large": of the profile's usual floor area
   std::vector<UnparsedWord> unparsed;
   std::vector<Conflict> conflicts;
+  bool understood = false;  // at least one word said something
 
   // The first requirement of that kind (and subject), or null.
   const Requirement* find(RequirementKind kind) const;

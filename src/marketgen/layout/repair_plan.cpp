@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdint>
 #include <set>
 
 #include "base/hash.h"
@@ -16,6 +17,9 @@ constexpr int most_trials_hard = 60;
 constexpr int most_trials_soft = 10;
 constexpr double large_shop_m2 = 600;
 constexpr int most_trials_soft_large = 4;
+// Modules that all trials may place together: a layout of a hall takes a hundred times as long as
+// one of a shop, so that fewer of them are tried.
+constexpr std::int64_t max_modules_tried = 12'000;
 constexpr int impossible = 1'000'000;  // hard faults of a plan that has no layout
 
 struct Score {
@@ -79,11 +83,12 @@ class Repair {
       for (const RepairMove move : rule->repairs) {
         for (RepairCandidate& candidate : propose(move, {now.plan, now.layout, fault, catalog_})) {
           int& left = fault.severity == Severity::hard ? hard_left_ : soft_left_;
-          if (left <= 0) break;
+          if (left <= 0 || modules_left_ <= 0) break;
           if (!is_new(candidate.plan) || !validate_plan(candidate.plan, "repair", catalog_).ok())
             continue;
           --left;
           Result<Trial> trial = lay_out(candidate.plan);
+          if (trial.ok()) modules_left_ -= std::ssize(trial->layout.fixtures);
           if (trial.ok() && improves(*trial, now, fault))
             return std::pair{std::move(trial).value(), std::move(candidate)};
         }
@@ -116,6 +121,7 @@ class Repair {
   Seed seed_;
   int hard_left_ = most_trials_hard;
   int soft_left_;
+  std::int64_t modules_left_ = max_modules_tried;
   std::set<std::uint64_t> tried_;
 };
 

@@ -12,6 +12,7 @@
 #include "plan/style_look.h"
 #include "scene/query.h"
 #include "scene/scene_file.h"
+#include "store/design.h"
 #include "store/previews.h"
 #include "store/store.h"
 
@@ -41,16 +42,11 @@ class Stages {
   std::vector<StageTiming> timings_;
 };
 
-Result<Planned> plan_of(const CreateOptions& options, const Catalog& catalog, Seed seed) {
-  if (options.plan_file) {
-    MARKETGEN_TRY(const std::string text, read_file(*options.plan_file, 64U << 20));
-    MARKETGEN_TRY(Plan plan, read_plan(text, options.plan_file->string(), catalog));
-    Planned planned;
-    planned.plan = std::move(plan);
-    return planned;
-  }
-  MARKETGEN_TRY(const std::unique_ptr<Planner> planner, make_planner(options.brief.planner));
-  return plan_from_brief(options.brief, catalog, *planner, seed.child("plan"));
+Result<Planned> read_planned(const std::filesystem::path& file, const Catalog& catalog) {
+  MARKETGEN_TRY(const std::string text, read_file(file, 64U << 20));
+  Planned planned;
+  MARKETGEN_TRY(planned.plan, read_plan(text, file.string(), catalog));
+  return planned;
 }
 
 // The look that was asked for apart from the plan: the layout does not depend on it.
@@ -125,27 +121,75 @@ struct Built {
   std::vector<Unstocked> unstocked;
 };
 
+// The plan of the options' file, or of their brief with what had to be conceded.
+Result<Planned> plan_of(const CreateOptions& options,
+                        const Catalog& catalog,
+                        const Concessions& concessions) {
+  Planned planned;
+  if (options.plan_file) {
+    MARKETGEN_TRY(planned, read_planned(*options.plan_file, catalog));
+  } else {
+    MARKETGEN_TRY(const std::unique_ptr<Planner> planner, make_planner(options.brief.planner));
+    const Seed seed = Seed(options.seed).child("plan");
+    MARKETGEN_TRY(planned, plan_from_brief(options.brief, catalog, *planner, seed, concessions));
+  }
+  MARKETGEN_CHECK(put_on_skin(planned.plan, options.brief, catalog));
+  return planned;
+}
+
+Result<void> require_understood(const Planned& planned) {
+  if (planned.understood) return {};
+  return Error{"brief.not_understood",
+               "prompt",
+               "nothing of it was understood; describe the store in English, as in \"a 24 x 15 m "
+               "supermarket with a bakery and five checkouts\" (docs/prompts.md has the words)"};
+}
+
+Result<Designed> design(const CreateOptions& options, const Catalog& catalog, Stages& stages) {
+  const Seed layout_seed = Seed(options.seed).child(layout_stream);
+  const PlanAgain plan = [&](const Concessions& concessions) {
+    return plan_of(options, catalog, concessions);
+  };
+  Designed designed;
+  MARKETGEN_TRY(designed.planned, stages.run("plan", [&] { return plan({}); }));
+  if (options.strict) MARKETGEN_CHECK(require_understood(designed.planned));
+  MARKETGEN_TRY(designed.repaired, stages.run("repair", [&] {
+    return repair_plan(designed.planned.plan, catalog, layout_seed);
+  }));
+  MARKETGEN_TRY(designed.layout, stages.run("layout", [&] {
+    // A plan that somebody wrote says itself what it is: nothing is conceded.
+    return options.plan_file ? make_layout(designed.repaired.plan, catalog, layout_seed)
+                             : layout_or_nothing(designed.repaired.plan, catalog, layout_seed);
+  }));
+  if (options.plan_file || keeps_hard_rules(designed.layout.violations)) return designed;
+  return stages.run("concede",
+                    [&] { return concede(std::move(designed), plan, catalog, layout_seed); });
+}
+
+// Why a wish was not met is what was measured, and what stood in its way.
+void add_reasons(std::vector<RequirementResult>& results, const std::vector<Conflict>& conflicts) {
+  for (RequirementResult& result : results) {
+    if (result.met) continue;
+    for (const Conflict& conflict : conflicts) {
+      if (conflict.dropped == result.text) result.why += "; " + conflict.why;
+    }
+  }
+}
+
 Result<Built> build(const CreateOptions& options, const Catalog& catalog, Stages& stages) {
   const Seed seed(options.seed);
-  MARKETGEN_TRY(Planned planned,
-                stages.run("plan", [&] { return plan_of(options, catalog, seed); }));
-  MARKETGEN_CHECK(put_on_skin(planned.plan, options.brief, catalog));
-  MARKETGEN_TRY(Repaired repaired, stages.run("repair", [&] {
-    return repair_plan(planned.plan, catalog, seed.child(layout_stream));
-  }));
-  MARKETGEN_TRY(const Layout layout, stages.run("layout", [&] {
-    return make_layout(repaired.plan, catalog, seed.child(layout_stream));
-  }));
+  MARKETGEN_TRY(Designed designed, design(options, catalog, stages));
   MARKETGEN_TRY(Scene scene, stages.run("scene", [&] {
-    return build_scene(layout, repaired.plan, catalog, seed.child(scene_stream));
+    return build_scene(designed.layout, designed.repaired.plan, catalog, seed.child(scene_stream));
   }));
   MARKETGEN_TRY(Audit audit, stages.run("audit", [&] {
-    return audit_store(scene, catalog, planned.requirements);
+    return audit_store(scene, catalog, designed.planned.requirements);
   }));
+  add_reasons(audit.requirements, designed.planned.conflicts);
   if (options.strict) MARKETGEN_CHECK(require_no_hard_violation(audit.rules));
-  std::vector<Unstocked> unstocked = unstocked_products(scene, repaired.plan, catalog);
-  return Built{std::move(planned),
-               std::move(repaired),
+  std::vector<Unstocked> unstocked = unstocked_products(scene, designed.repaired.plan, catalog);
+  return Built{std::move(designed.planned),
+               std::move(designed.repaired),
                std::move(scene),
                std::move(audit),
                std::move(unstocked)};
@@ -156,6 +200,7 @@ StoreReport report_of(Built& built) {
   report.requirements = std::move(built.audit.requirements);
   report.rules = std::move(built.audit.rules);
   report.metrics = built.audit.metrics;
+  report.understood = built.planned.understood;
   report.unparsed = std::move(built.planned.unparsed);
   report.conflicts = std::move(built.planned.conflicts);
   report.repairs = std::move(built.repaired.changes);

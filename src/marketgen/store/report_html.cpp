@@ -47,6 +47,11 @@ std::string requirement_rows(const StoreReport& report) {
                        escaped_markup(r.text),
                        escaped_markup(r.why));
   }
+  if (!report.understood) {
+    out +=
+        "<tr><td class=\"bad\">not understood</td><td>the whole prompt</td><td>this is the usual "
+        "store</td></tr>";
+  }
   for (const UnparsedWord& word : report.unparsed) {
     out += fmt::format("<tr><td class=\"warn\">not understood</td><td>{}</td><td></td></tr>",
                        escaped_markup(word.text));

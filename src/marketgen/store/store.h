@@ -82,6 +82,7 @@ struct StoreReport {
   std::vector<RequirementResult> requirements;
   std::vector<Violation> rules;
   Metrics metrics;
+  bool understood = true;
   std::vector<UnparsedWord> unparsed;
   std::vector<Conflict> conflicts;
   std::vector<std::string> repairs;  // what repair changed
@@ -94,6 +95,9 @@ struct StoreReport {
       field("requirements", &StoreReport::requirements, "wishes and whether they hold"),
       field("rules", &StoreReport::rules, "broken rules"),
       field("metrics", &StoreReport::metrics, "measured on the scene"),
+      field("understood",
+            &StoreReport::understood,
+            "false: not one word of the prompt said anything; the store is the usual one"),
       field("unparsed", &StoreReport::unparsed, "words not understood"),
       field("conflicts", &StoreReport::conflicts, "wishes that could not all hold"),
       field("repairs", &StoreReport::repairs, "what repair changed"),
@@ -108,7 +112,8 @@ struct CreateOptions {
   std::optional<std::filesystem::path> plan_file;  // skips the planner
   std::uint64_t seed = 1;
   bool previews = true;
-  bool strict = false;  // hard violations fail: layout.violation
+  bool strict = false;  // hard violations fail: layout.violation; so does a prompt of which nothing
+                        // was understood: brief.not_understood
 };
 
 struct Created {

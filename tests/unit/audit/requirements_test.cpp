@@ -89,8 +89,10 @@ std::vector<WishCase> cases() {
       {wish(Kind::levels, "dairy", "", 4, at_least), true},
       {wish(Kind::levels, "dairy", "", 5, at_least), false},
       {wish(Kind::levels, "deli", "", 4), false},  // there is none
-      {relation_wish("produce", RelationKind::near, "entrance"), true},
-      {relation_wish("produce", RelationKind::near, "dairy"), false},
+      {relation_wish("dairy", RelationKind::along, "north"), true},
+      {relation_wish("dairy", RelationKind::near, "checkout"), false},
+      {relation_wish("produce", RelationKind::near, "entrance"), false},  // nothing stands in it
+      {wish(Kind::area, "produce", "", 12), false},
       {wish(Kind::style, "", "scandinavian"), true},
       {wish(Kind::style, "", "industrial"), false},
       {wish(Kind::profile, "", "supermarket-eu"), true},
@@ -127,6 +129,7 @@ std::vector<WishCase> cases() {
       {wish(Kind::aisle_width, "", "", 1800), true},
       {wish(Kind::aisle_width, "", "", 1500), true},  // wider is fine
       {wish(Kind::aisle_width, "", "", 2500), false},
+      {wish(Kind::aisle_width, "", "", 300), false},         // another kind of aisle
       {wish(Kind::stock, "fill", "", 0.6, at_least), true},  // 0.8 on nine of ten shelves
       {wish(Kind::stock, "fill", "", 0.95, at_least), false},
       {wish(Kind::stock, "fill", "", 0.3, at_most), false},
@@ -208,6 +211,55 @@ TEST(Requirements, DisorderShowsAsMisplacedItems) {
   EXPECT_TRUE(results[0].met);
   EXPECT_TRUE(results[1].met);
   EXPECT_FALSE(results[2].met);
+}
+
+// ---- What an empty zone is worth ----
+
+bool is_met(const Scene& scene, const Requirement& r) {
+  return check_requirements(scene, committed_catalog(), {r})[0].met;
+}
+
+Fixture standing_in(const std::string& zone, const std::string& run, const std::string& kind) {
+  Fixture fixture;
+  fixture.id = run + "/module-1";
+  fixture.run = run;
+  fixture.zone = zone;
+  fixture.kind = kind;
+  return fixture;
+}
+
+TEST(Requirements, ShelvingWithoutGoodsMakesNoZone) {
+  AuditedShop shop;
+  shop.scene.layout.zones.push_back({"promo", "promo", "promo", {}, 4});
+  shop.scene.layout.fixtures.push_back(standing_in("promo", "promo/run-1", "pallet"));
+  shop.scene.fixtures.emplace_back();
+  EXPECT_FALSE(is_met(shop.scene, wish(Kind::zone_present, "promo")));
+}
+
+TEST(Requirements, BasketsAtTheDoorMakeNoZone) {
+  AuditedShop shop;
+  shop.scene.layout.zones.push_back({"service", "customer_service", "service", {}, 4});
+  shop.scene.layout.fixtures.push_back(
+      standing_in("service", "service/entrance/basket_stack", "basket_stack"));
+  shop.scene.fixtures.emplace_back();
+  EXPECT_FALSE(is_met(shop.scene, wish(Kind::zone_present, "customer_service")));
+  shop.scene.layout.fixtures.push_back(standing_in("service", "service/run-1", "kiosk"));
+  shop.scene.fixtures.emplace_back();
+  EXPECT_TRUE(is_met(shop.scene, wish(Kind::zone_present, "customer_service")));
+}
+
+TEST(Requirements, GoodsOnOfferStandOnAShelf) {
+  AuditedShop shop;
+  shop.scene.products.clear();
+  EXPECT_FALSE(is_met(shop.scene, wish(Kind::product_present, "cola")));
+  EXPECT_FALSE(is_met(shop.scene, wish(Kind::product_absent, "cola")));
+}
+
+TEST(Requirements, ACounterIsATill) {
+  AuditedShop shop;
+  for (Fixture& fixture : shop.scene.layout.fixtures)
+    if (fixture.kind == "checkout_lane") fixture.kind = "till-counter";
+  EXPECT_TRUE(is_met(shop.scene, wish(Kind::fixture_count, "checkout_lane", "checkout", 3)));
 }
 
 }  // namespace

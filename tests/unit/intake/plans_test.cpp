@@ -373,5 +373,74 @@ TEST(Plans, OfRandomWordsAreValidAndRepeatable) {
   }
 }
 
+// ---- Work ----
+
+// Two thousand words, every clause of them about a place.
+std::string salad(std::uint64_t seed) {
+  static constexpr const char* zones[] = {"bakery",
+                                          "dairy",
+                                          "produce",
+                                          "frozen",
+                                          "meat",
+                                          "deli",
+                                          "snacks",
+                                          "drinks",
+                                          "wine",
+                                          "household",
+                                          "canned food"};
+  static constexpr const char* relations[] = {
+      "next to", "left of", "behind", "far from", "opposite", "in front of", "right of"};
+  Stream draw = Seed(seed).child("salad").stream();
+  const auto one_of = [&](const auto& list) {
+    const int last = static_cast<int>(std::size(list)) - 1;
+    return std::string(list[static_cast<std::size_t>(draw.integer(0, last))]);
+  };
+  std::string prompt = "a 24 x 15 m shop";
+  for (int clause = 0; clause < 500; ++clause)
+    prompt += ", " + one_of(zones) + " " + one_of(relations) + " the " + one_of(zones);
+  return prompt;
+}
+
+// Floors that the search judged: the work of planning, whatever machine does it.
+int floors_judged(const Planned& planned) {
+  int judged = 0;
+  for (const std::string& line : planned.trace)
+    if (line.starts_with("judged ")) judged += std::stoi(line.substr(7));
+  return judged;
+}
+
+TEST(Plans, OfTwoThousandWordsTakeBoundedWork) {
+  constexpr int one_search = 8 * 221, max_searches = 12;
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    const auto made = planned(salad(seed), seed);
+    ASSERT_TRUE(made.ok()) << to_string(made.error());
+    EXPECT_LE(floors_judged(*made), max_searches * one_search);
+    EXPECT_LE(made->plan.relations.size(), 40U);
+    const auto surplus = std::ranges::find(made->conflicts, "relations", &Conflict::what);
+    ASSERT_NE(surplus, made->conflicts.end());
+    EXPECT_NE(surplus->why.find("at most 40"), std::string::npos);
+  }
+}
+
+TEST(Plans, NumbersBeyondTheirLimitsAreGivenUpAndSaid) {
+  struct LimitCase {
+    const char *prompt, *dropped, *kept;
+  };
+  for (const LimitCase& row : {LimitCase{"a shop with 10000 exits", "10000 exits", "6"},
+                               LimitCase{"a shop with 500 windows", "500 windows", "12"},
+                               LimitCase{"a shop with 50 bakeries", "50 bakeries", "12"},
+                               LimitCase{"a shop with 4000 aisles", "4000 aisles", "60"},
+                               LimitCase{"a shop with 900 checkouts", "900 checkouts", "200"},
+                               LimitCase{"0.3 m wide aisles", "0.3 m wide aisles", "600 mm"}}) {
+    const auto made = planned(row.prompt);
+    ASSERT_TRUE(made.ok()) << row.prompt << ": " << to_string(made.error());
+    const auto found = std::ranges::find(made->conflicts, row.dropped, &Conflict::dropped);
+    ASSERT_NE(found, made->conflicts.end()) << row.prompt;
+    EXPECT_EQ(found->kept, row.kept) << row.prompt;
+    EXPECT_LE(made->plan.shell.openings.size(), 40U);
+    EXPECT_LE(floors_judged(*made), 12 * 8 * 221) << row.prompt;
+  }
+}
+
 }  // namespace
 }  // namespace marketgen

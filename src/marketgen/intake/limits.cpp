@@ -1,0 +1,140 @@
+#include "intake/limits.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/fields.h"
+#include "plan/plan.h"
+
+namespace marketgen {
+namespace {
+
+using Kind = RequirementKind;
+
+// What market-plan/1 allows a field to be.
+template <class Struct>
+FieldRules rules_of(std::string_view name) {
+  for (const FieldInfo& field : type_of<Struct>().fields) {
+    if (field.name == name) return field.rules;
+  }
+  return {};
+}
+
+struct Limits {
+  double min = 0, max = 0;
+  std::string_view of, unit = "";
+};
+
+// A plan holds 40 openings in all.
+constexpr double max_doors = 6, max_emergency_exits = 10, max_windows = 12;
+
+Limits opening_limits(std::string_view kind) {
+  if (kind == "window") return {0, max_windows, "windows"};
+  if (kind == "emergency") return {0, max_emergency_exits, "emergency exits"};
+  return {0, max_doors, "doors of one kind"};
+}
+
+std::optional<Limits> limits_of(const Requirement& wish) {
+  constexpr double max_zones_of_a_type = 12, max_aisles = 60;
+  const auto within_plan = [](const FieldRules& rules, std::string_view of, std::string_view unit) {
+    return Limits{rules.min, rules.max, of, unit};
+  };
+  switch (wish.kind) {
+    case Kind::zone_count:
+      return Limits{0, max_zones_of_a_type, "zones of one type"};
+    case Kind::fixture_count:
+      return Limits{0, rules_of<FixtureSpec>("count").max, "fixtures in a zone"};
+    case Kind::aisle_count:
+      return Limits{1, max_aisles, "aisles"};
+    case Kind::levels:
+      return within_plan(rules_of<FixtureSpec>("levels"), "levels", "");
+    case Kind::aisle_width:
+      return within_plan(rules_of<FixtureSpec>("aisle_mm"), "the width of aisles", " mm");
+    case Kind::height:
+      if (wish.subject == "ceiling")
+        return within_plan(rules_of<Shell>("ceiling_mm"), "the height of the ceiling", " mm");
+      return within_plan(rules_of<FixtureSpec>("height_mm"), "the height of shelves", " mm");
+    case Kind::opening:
+      return opening_limits(wish.subject);
+    case Kind::area:
+      if (wish.subject.empty()) return std::nullopt;  // refused where the size is decided
+      return within_plan(rules_of<AreaRange>("target"), "the floor of a zone", " m2");
+    default:
+      return std::nullopt;
+  }
+}
+
+std::string written(double value, std::string_view unit) {
+  return fmt::format("{:g}{}", value, unit);
+}
+
+// A count of 0 stands for "any" or "none" and is no number that was asked for.
+void keep_number(Requirement& wish, Understanding& found, BeyondLimits& beyond) {
+  const auto limits = limits_of(wish);
+  if (!limits || wish.value == 0) return;
+  const double kept = std::clamp(wish.value, limits->min, limits->max);
+  if (kept == wish.value) return;
+  beyond.changed.push_back(wish);
+  found.conflicts.push_back({std::string(limits->of),
+                             written(kept, limits->unit),
+                             wish.text,
+                             fmt::format("{}: {} to {}",
+                                         limits->of,
+                                         written(limits->min, limits->unit),
+                                         written(limits->max, limits->unit))});
+  wish.value = kept;
+}
+
+void keep_rows(Understanding& found) {
+  constexpr int max_rows = 20;
+  for (WantedRows& rows : found.rows) {
+    if (rows.rows <= max_rows) continue;
+    found.conflicts.push_back({"rows of " + rows.zone,
+                               std::to_string(max_rows),
+                               std::to_string(rows.rows) + " rows",
+                               fmt::format("rows: 1 to {}", max_rows)});
+    rows.rows = max_rows;
+  }
+}
+
+void set_relations_aside(Understanding& found, BeyondLimits& beyond) {
+  std::size_t weighed = 0;
+  std::vector<Requirement> kept;
+  for (Requirement& wish : found.requirements) {
+    const bool surplus = wish.kind == Kind::relation && ++weighed > max_weighed_relations;
+    (surplus ? beyond.set_aside : kept).push_back(std::move(wish));
+  }
+  found.requirements = std::move(kept);
+  if (beyond.set_aside.empty()) return;
+  found.conflicts.push_back(
+      {"relations",
+       fmt::format("the first {}", max_weighed_relations),
+       fmt::format(
+           "{} more, from \"{}\" on", beyond.set_aside.size(), beyond.set_aside.front().text),
+       fmt::format("at most {} wishes about places are weighed", max_weighed_relations)});
+}
+
+}  // namespace
+
+BeyondLimits keep_within_limits(Understanding& found) {
+  BeyondLimits beyond;
+  for (Requirement& wish : found.requirements)
+    keep_number(wish, found, beyond);
+  keep_rows(found);
+  set_relations_aside(found, beyond);
+  return beyond;
+}
+
+std::vector<Requirement> as_asked(std::vector<Requirement> wishes, const BeyondLimits& beyond) {
+  for (Requirement& wish : wishes) {
+    const auto asked = std::ranges::find_if(beyond.changed, [&](const Requirement& other) {
+      return other.kind == wish.kind && other.span == wish.span && other.subject == wish.subject;
+    });
+    if (asked != beyond.changed.end()) wish.value = asked->value;
+  }
+  wishes.insert(wishes.end(), beyond.set_aside.begin(), beyond.set_aside.end());
+  return wishes;
+}
+
+}  // namespace marketgen

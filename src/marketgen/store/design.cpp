@@ -1,0 +1,159 @@
+#include "store/design.h"
+
+#include <algorithm>
+
+#include "base/interrupt.h"
+
+namespace marketgen {
+namespace {
+
+constexpr int max_rounds = 10;
+constexpr int plain_after_draws = 2;     // of the smallest program
+constexpr std::size_t fewest_zones = 2;  // a till, and something to buy
+
+int hard_faults(const Layout& layout) {
+  return static_cast<int>(
+      std::ranges::count(layout.violations, Severity::hard, &Violation::severity));
+}
+
+bool holds_tills(const Zone& zone) {
+  return zone.type == "checkout" || zone.type == "self_checkout";
+}
+
+// The wish that the store no longer fulfils; null when nobody asked.
+const Requirement* wish_behind(const Violation& fault, const Planned& planned) {
+  const Zone* zone = find_zone(planned.plan, fault.where);
+  const std::string type = zone != nullptr ? zone->type : fault.where;
+  const bool relation = fault.code == "RELATION_BROKEN";
+  const auto wish = std::ranges::find_if(planned.requirements, [&](const Requirement& one) {
+    if (relation) return one.kind == RequirementKind::relation && one.subject == type;
+    return one.kind == RequirementKind::fixture_count && one.object == type;
+  });
+  return wish == planned.requirements.end() ? nullptr : &*wish;
+}
+
+// Decides what to give up next.
+class Bargain {
+ public:
+  void concede(const Designed& now) {
+    const Concessions before = concessions_;
+    bool crowded = false, no_till = false;
+    for (const Violation& fault : now.layout.violations) {
+      if (fault.severity != Severity::hard) continue;
+      if (fault.code == "RELATION_BROKEN") {
+        concessions_.relations_may_fail = true;
+        note(fault, now.planned);
+      } else if (fault.code == "COUNT_SHORT" && fault.value >= 1) {
+        cap_count(fault, now.planned);
+      } else {
+        const bool tills = is_about_tills(fault, now.planned.plan);
+        (tills ? no_till : crowded) = true;
+        if (tills) note(fault, now.planned);
+      }
+    }
+    if (no_till && concessions_.till_counter) crowded = true;
+    if (no_till) concessions_.till_counter = true;
+    if (crowded) leave_out_zones(now.planned.plan.zones.size());
+    if (concessions_ == before) {  // another floor of the same, then one that is as plain as can be
+      ++concessions_.draw;
+      concessions_.plain = concessions_.draw > plain_after_draws;
+      concessions_.till_counter = concessions_.till_counter || concessions_.plain;
+    }
+  }
+
+  const Concessions& concessions() const { return concessions_; }
+  const std::vector<Conflict>& given_up() const { return given_up_; }
+
+ private:
+  void cap_count(const Violation& fault, const Planned& planned) {
+    const Zone* zone = find_zone(planned.plan, fault.where);
+    if (zone == nullptr) return;
+    concessions_.max_count[zone->type] = static_cast<int>(fault.value);
+    note(fault, planned);
+  }
+
+  static bool is_about_tills(const Violation& fault, const Plan& plan) {
+    const Zone* zone = find_zone(plan, fault.where.substr(0, fault.where.find('/')));
+    return fault.code == "CHECKOUT_MISSING" || fault.code == "LANE_TOO_NARROW" ||
+           (zone != nullptr && holds_tills(*zone));
+  }
+
+  // One zone first, then a quarter of them, then half.
+  void leave_out_zones(std::size_t zones) {
+    const std::size_t lost =
+        crowded_rounds_ == 0 ? 1 : (crowded_rounds_ == 1 ? zones / 4 : zones / 2);
+    ++crowded_rounds_;
+    const std::size_t left = zones - std::min(zones, std::max<std::size_t>(lost, 1));
+    concessions_.max_zones = std::max(fewest_zones, left);
+  }
+
+  void note(const Violation& fault, const Planned& planned) {
+    const Requirement* wish = wish_behind(fault, planned);
+    if (wish == nullptr) return;
+    Conflict conflict{fault.code, "the rules of the shop", wish->text, fault.message};
+    const auto same = [&](const Conflict& known) { return known.dropped == conflict.dropped; };
+    if (std::ranges::none_of(given_up_, same)) given_up_.push_back(std::move(conflict));
+  }
+
+  Concessions concessions_;
+  std::vector<Conflict> given_up_;
+  int crowded_rounds_ = 0;
+};
+
+Result<Designed> lay_out(Planned planned, const Catalog& catalog, Seed seed) {
+  Designed designed;
+  MARKETGEN_TRY(designed.repaired, repair_plan(planned.plan, catalog, seed));
+  MARKETGEN_TRY(designed.layout, layout_or_nothing(designed.repaired.plan, catalog, seed));
+  designed.planned = std::move(planned);
+  return designed;
+}
+
+}  // namespace
+
+Result<Layout> layout_or_nothing(const Plan& plan, const Catalog& catalog, Seed seed) {
+  Result<Layout> layout = make_layout(plan, catalog, seed);
+  if (layout.ok() || layout.error().code != "layout.impossible") return layout;
+  Layout nothing;
+  nothing.violations.push_back(
+      {"ZONE_EMPTY", Severity::hard, "", 0, 1, layout.error().message, std::nullopt});
+  return nothing;
+}
+
+bool keeps_hard_rules(const std::vector<Violation>& rules) {
+  return std::ranges::none_of(rules,
+                              [](const Violation& v) { return v.severity == Severity::hard; });
+}
+
+Result<Designed> concede(Designed first,
+                         const PlanAgain& plan_again,
+                         const Catalog& catalog,
+                         Seed layout_seed) {
+  Designed best = first, now = std::move(first);
+  Bargain bargain;
+  for (int round = 0; round < max_rounds && hard_faults(best.layout) > 0; ++round) {
+    MARKETGEN_CHECK(check_interrupt());
+    bargain.concede(now);
+    MARKETGEN_TRY(Planned planned, plan_again(bargain.concessions()));
+    MARKETGEN_TRY(now, lay_out(std::move(planned), catalog, layout_seed));
+    if (hard_faults(now.layout) >= hard_faults(best.layout)) continue;
+    best = now;
+    const std::vector<Conflict>& given_up = bargain.given_up();
+    best.planned.conflicts.insert(best.planned.conflicts.end(), given_up.begin(), given_up.end());
+  }
+  if (best.layout.fixtures.empty())
+    return Error{"layout.impossible", "prompt", best.layout.violations.front().message};
+  return best;
+}
+
+Result<Designed> design_store(const Brief& brief, const Catalog& catalog, Seed seed) {
+  MARKETGEN_TRY(const std::unique_ptr<Planner> planner, make_planner(brief.planner));
+  const PlanAgain plan = [&](const Concessions& concessions) {
+    return plan_from_brief(brief, catalog, *planner, seed.child("plan"), concessions);
+  };
+  MARKETGEN_TRY(Planned planned, plan({}));
+  const Seed layout_seed = seed.child("layout");
+  MARKETGEN_TRY(Designed first, lay_out(std::move(planned), catalog, layout_seed));
+  return concede(std::move(first), plan, catalog, layout_seed);
+}
+
+}  // namespace marketgen

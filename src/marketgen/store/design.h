@@ -1,0 +1,40 @@
+// From a plan to a layout that keeps its hard rules: mended where mending helps, and where it does
+// not, planned again with less.
+#pragma once
+#include <functional>
+
+#include "base/result.h"
+#include "base/seed.h"
+#include "catalog/catalog.h"
+#include "intake/brief.h"
+#include "layout/layout.h"
+
+namespace marketgen {
+
+struct Designed {
+  Planned planned;
+  Repaired repaired;
+  Layout layout;
+};
+
+bool keeps_hard_rules(const std::vector<Violation>& rules);
+
+// The layout, or one without a fixture that says so in its violations.
+Result<Layout> layout_or_nothing(const Plan& plan, const Catalog& catalog, Seed seed);
+
+// The same brief planned again.
+using PlanAgain = std::function<Result<Planned>(const Concessions&)>;
+
+// The nearest store to `first` that breaks no hard rule: gives up, step by step, what stands in the
+// way (lanes for a counter, tills, relations, the least important zones) and names each wish that
+// was given up in planned.conflicts. The store with the fewest hard faults when none keeps them
+// all. The wishes stay as they are: the audit says which were met.
+Result<Designed> concede(Designed first,
+                         const PlanAgain& plan_again,
+                         const Catalog& catalog,
+                         Seed layout_seed);
+
+// Plan, repair and layout of a brief, conceding what must be.
+Result<Designed> design_store(const Brief& brief, const Catalog& catalog, Seed seed);
+
+}  // namespace marketgen

@@ -1,0 +1,185 @@
+// What people ask for becomes a store that keeps its hard rules; what cannot be built becomes the
+// nearest store that does, and says what was given up. No goods and no pictures: design only.
+#include "store/design.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "io/json.h"
+#include "support/committed_catalog.h"
+
+namespace marketgen {
+namespace {
+
+std::vector<std::string> prompts_of(const std::string& file) {
+  std::ifstream in(std::string(MARKETGEN_SOURCE_DIR "/tests/fixtures/prompts/") + file);
+  std::vector<std::string> prompts;
+  for (std::string line; std::getline(in, line);)
+    if (!line.empty() && line[0] != '#') prompts.push_back(line);
+  return prompts;
+}
+
+Result<Designed> designed(const std::string& prompt, std::uint64_t seed) {
+  Brief brief;
+  brief.prompt = prompt;
+  return design_store(brief, committed_catalog(), Seed(seed));
+}
+
+std::string hard_faults(const Layout& layout) {
+  std::string text;
+  for (const Violation& v : layout.violations)
+    if (v.severity == Severity::hard) text += "\n  " + v.code + ": " + v.message;
+  return text;
+}
+
+// Whatever is written, its reader takes.
+void expect_readable(const Plan& plan, const std::string& prompt) {
+  const auto read = read_plan(write_json(plan), "plan.json", committed_catalog());
+  ASSERT_TRUE(read.ok()) << prompt << ": " << to_string(read.error());
+  EXPECT_EQ(write_json(*read), write_json(plan)) << prompt;
+}
+
+void expect_lawful(const std::vector<std::string>& prompts, std::uint64_t seed) {
+  for (const std::string& prompt : prompts) {
+    const auto store = designed(prompt, seed);
+    ASSERT_TRUE(store.ok()) << prompt << ": " << to_string(store.error());
+    EXPECT_EQ(hard_faults(store->layout), "") << prompt << ", seed " << seed;
+    expect_readable(store->planned.plan, prompt);
+    expect_readable(store->repaired.plan, prompt);
+  }
+}
+
+TEST(Designs, OfSensiblePromptsKeepTheirHardRules) {
+  const std::vector<std::string> prompts = prompts_of("sensible.txt");
+  ASSERT_GT(prompts.size(), 95U);
+  expect_lawful(prompts, 1);
+}
+
+TEST(Designs, OfImpossiblePromptsAreTheNearestLawfulStore) {
+  const std::vector<std::string> prompts = prompts_of("impossible.txt");
+  ASSERT_GT(prompts.size(), 20U);
+  expect_lawful(prompts, 1);
+}
+
+bool has_till(const Layout& layout) {
+  return std::ranges::any_of(layout.fixtures, [](const Fixture& fixture) {
+    const FixtureKind* kind = committed_catalog().fixture_kind(fixture.kind);
+    return kind != nullptr && kind->role == FixtureRole::checkout;
+  });
+}
+
+TEST(Designs, SayWhatWasGivenUp) {
+  const auto store = designed("a 5 x 38 m supermarket with six checkouts", 1);
+  ASSERT_TRUE(store.ok());
+  EXPECT_TRUE(has_till(store->layout));
+  const auto& conflicts = store->planned.conflicts;
+  const auto given_up = std::ranges::find(conflicts, "six checkouts", &Conflict::dropped);
+  ASSERT_NE(given_up, conflicts.end());
+  EXPECT_FALSE(given_up->why.empty());
+  // The wish itself stays as it was said: the audit finds it unmet.
+  const auto wish = std::ranges::find(
+      store->planned.requirements, RequirementKind::fixture_count, &Requirement::kind);
+  ASSERT_NE(wish, store->planned.requirements.end());
+  EXPECT_EQ(wish->value, 6);
+}
+
+TEST(Designs, ConcedeNothingThatStands) {
+  const auto store = designed("a 24 x 15 m supermarket with three checkouts", 1);
+  ASSERT_TRUE(store.ok());
+  EXPECT_TRUE(store->planned.conflicts.empty());
+  const auto tills = std::ranges::count(store->layout.fixtures, "checkout_lane", &Fixture::kind);
+  EXPECT_EQ(tills, 3);
+}
+
+// ---- Any words: plans that their reader takes ----
+
+// Sentences nobody would write, of words of every kind that the planner knows.
+std::string random_prompt(std::uint64_t seed) {
+  static constexpr const char* words[] = {"bakery",
+                                          "dairy",
+                                          "wine",
+                                          "no",
+                                          "two",
+                                          "300 m2",
+                                          "next to",
+                                          "left of",
+                                          "aisles",
+                                          "0.3 m wide",
+                                          "frozen",
+                                          "checkouts",
+                                          "entrance",
+                                          "and",
+                                          ",",
+                                          "along the north wall",
+                                          "without",
+                                          "self-checkouts",
+                                          "12 m",
+                                          "9 x 60 m",
+                                          "-5",
+                                          "exits",
+                                          "windows",
+                                          "999999999",
+                                          "5-tier",
+                                          "café",
+                                          "far from",
+                                          "small",
+                                          "huge",
+                                          "rows of",
+                                          "levels",
+                                          "3 m high shelves",
+                                          "20 m high ceiling",
+                                          "between",
+                                          "a 9000 m2",
+                                          "no milk",
+                                          "no cola",
+                                          "no coffee",
+                                          "emergency exit",
+                                          "called \"A \u201C\"",
+                                          "4",
+                                          "service door",
+                                          "in the middle",
+                                          "green accents"};
+  Stream draw = Seed(seed).child("prompt").stream();
+  std::string prompt = "shop";
+  const int length = draw.integer(3, 30);
+  for (int i = 0; i < length; ++i) {
+    const int at = draw.integer(0, static_cast<int>(std::size(words)) - 1);
+    prompt += std::string(" ") + words[static_cast<std::size_t>(at)];
+  }
+  return prompt;
+}
+
+TEST(Designs, OfAnyWordsAreReadable) {
+  const auto planner = make_planner("offline");
+  ASSERT_TRUE(planner.ok());
+  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    Brief brief;
+    brief.prompt = random_prompt(seed);
+    brief.size_mm = {{12000 + 100 * static_cast<int>(seed), 9000 + 70 * static_cast<int>(seed)}};
+    const auto planned = plan_from_brief(brief, committed_catalog(), **planner, Seed(seed));
+    ASSERT_TRUE(planned.ok()) << brief.prompt << ": " << to_string(planned.error());
+    expect_readable(planned->plan, brief.prompt);
+  }
+}
+
+TEST(Designs, OfFewWordsThatAskForTooMuchAreReadable) {
+  for (const char* prompt : {"drugstore, 0.3 m wide aisles",
+                             "3 entrances, 4 entrances",
+                             "a 30 x 20 m shop with at least 3 entrances and at most 5 entrances",
+                             "10000 exits",
+                             "999999999999999999999 checkouts",
+                             "1000000000000 rows of frozen food",
+                             "90 m high shelves and a 200 m ceiling",
+                             "a shop with 1000000000000000000000 aisles and 99999999999 levels"}) {
+    const auto store = designed(prompt, 1);
+    ASSERT_TRUE(store.ok()) << prompt << ": " << to_string(store.error());
+    expect_readable(store->repaired.plan, prompt);
+  }
+}
+
+}  // namespace
+}  // namespace marketgen
