@@ -1,10 +1,17 @@
-# MuJoCo, from the PyPI wheel `mujoco-core` that tools/setup puts into .venv, or from $MUJOCO_DIR (the folder
-# that holds include/ and libmujoco.so.<version>, as in the wheel, or under lib/, as in MuJoCo's own archives).
+# MuJoCo: from $MUJOCO_DIR (the folder that holds include/ and libmujoco.so.<version>, as in the wheel, or under lib/, as in MuJoCo's
+# own archives), from the PyPI wheel `mujoco-core` in the environment that pip builds in, or from that in .venv of tools/setup.
 # The wheel has headers and a versioned library, but no config file.
 #
 # Defines the imported target MuJoCo::MuJoCo and MuJoCo_VERSION.
 file(GLOB _mujoco_wheels "${PROJECT_SOURCE_DIR}/.venv/lib/python3*/site-packages/mujoco")
-set(_mujoco_roots "$ENV{MUJOCO_DIR}" ${_mujoco_wheels})
+set(_mujoco_roots "$ENV{MUJOCO_DIR}")
+if(SKBUILD)
+  execute_process(  # finds it without importing it
+    COMMAND "${Python_EXECUTABLE}" -c "import importlib.util as u; print(*u.find_spec('mujoco').submodule_search_locations)"
+    OUTPUT_VARIABLE _mujoco_built_with OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+  list(APPEND _mujoco_roots "${_mujoco_built_with}")
+endif()
+list(APPEND _mujoco_roots ${_mujoco_wheels})
 
 set(MuJoCo_LIBRARY "")
 set(MuJoCo_INCLUDE_DIR "")

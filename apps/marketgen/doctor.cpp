@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "assets/convex_worker.h"
+#include "assets/fonts.h"
 #include "base/build_info.h"
 #include "command.h"
 #include "io/file.h"
@@ -80,16 +81,11 @@ Finding check_cache() {
 }
 
 Finding check_fonts() {
-  static constexpr const char* families[] = {"dejavu", "lato", "open-sans"};
-  std::string absent;
-  for (const char* family : families) {
-    if (!fs::exists(fs::path("/usr/share/fonts/truetype") / family))
-      absent += std::string(absent.empty() ? "" : ", ") + family;
-  }
+  const std::string absent = fmt::format("{}", fmt::join(missing_fonts(), " "));
   return {"fonts",
           absent.empty() ? "ok" : "missing",
           absent.empty() ? "DejaVu, Lato, Open Sans" : "not found: " + absent,
-          absent.empty() ? "" : "apt-get install fonts-dejavu-core fonts-lato fonts-open-sans"};
+          absent.empty() ? "" : "apt-get install " + absent + ", or install marketgen again"};
 }
 
 Finding check_program(const std::string& name,

@@ -12,19 +12,16 @@ cores; what they make does not depend on how many there are.
 """
 
 import importlib.util
-import os
-import pathlib
+import sys
 
-# In a wheel the data rows lie inside the package; in a build tree the library finds those of the sources.
-_rows = pathlib.Path(__file__).parent / "share" / "marketgen" / "data"
-if _rows.is_dir():
-    os.environ.setdefault("MARKETGEN_DATA", str(_rows))
+from . import _core
+from ._core import __version__
+from .errors import Error
+from .evaluation import Evaluation, Policy, evaluate
+from .pictures import Camera, Frame, Renderer, camera_from_dict, camera_to_dict, render_batch
+from .store import Store, generate, open_store
 
-from ._core import __version__  # noqa: E402
-from .errors import Error  # noqa: E402
-from .evaluation import Evaluation, Policy, evaluate  # noqa: E402
-from .pictures import Camera, Frame, Renderer, camera_from_dict, camera_to_dict, render_batch  # noqa: E402
-from .store import Store, generate, open_store  # noqa: E402
+_core.use_python(sys.executable or "")  # its helper processes have this environment's packages
 
 if importlib.util.find_spec("gymnasium"):
     from . import environments as _environments  # noqa: F401  registers them

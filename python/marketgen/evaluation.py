@@ -14,7 +14,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any, Protocol, Unpack
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
@@ -23,6 +23,8 @@ from .errors import Error
 from .policy_process import PolicyFailed, PolicyHere, PolicyProcess
 
 if TYPE_CHECKING:
+    from typing import Unpack  # since Python 3.11
+
     from .environments.task_setup import TaskOptions
 
 PathLike = str | os.PathLike[str]

@@ -13,6 +13,7 @@ block() {
 
 # a_store: a folder with a small store; made once.
 a_store() {
-  [ -d "$WORK/kiosk" ] || marketgen generate "a kiosk with snacks and cold drinks" --size 6x5m -o "$WORK/kiosk" > /dev/null
-  printf '%s\n' "$WORK/kiosk"
+  [ -d "$WORK/corner" ] ||
+    marketgen generate "a corner shop with cold drinks, snacks, canned food and one checkout" --size 9x7m --no-previews -o "$WORK/corner" > /dev/null
+  printf '%s\n' "$WORK/corner"
 }

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import copy
 import json
-from typing import Any, ClassVar, Literal, Unpack
+from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 import gymnasium
 import numpy as np
@@ -12,6 +12,9 @@ import numpy as np
 from .. import _core
 from .state import generator_of, packed, random_state, unpacked
 from .task_setup import CHECKOUT_STATION, StoreLike, TaskOptions, TaskSetup, Track, check_name, outcome_of
+
+if TYPE_CHECKING:
+    from typing import Unpack  # since Python 3.11
 
 MOST_SEED = 2**32
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, ClassVar, Literal, Unpack
+from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 import gymnasium
 import numpy as np
@@ -13,6 +13,9 @@ from gymnasium.vector.utils import batch_space
 from .. import _core
 from .task_env import TaskEnv, numbers_of_action
 from .task_setup import StoreLike, TaskOptions, TaskSetup
+
+if TYPE_CHECKING:
+    from typing import Unpack  # since Python 3.11
 
 
 class TaskVectorEnv(gymnasium.vector.VectorEnv):

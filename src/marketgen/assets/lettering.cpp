@@ -1,6 +1,7 @@
 #include "assets/lettering.h"
 
 #include <pango/pangocairo.h>
+#include <pango/pangofc-fontmap.h>
 
 #include <algorithm>
 #include <map>
@@ -9,6 +10,7 @@
 #include <tuple>
 #include <vector>
 
+#include "assets/fonts.h"
 #include "base/text.h"
 
 namespace marketgen {
@@ -27,9 +29,11 @@ std::mutex glyph_mutex;
 // One thread's fonts. Pango's maps are not thread-safe, hence one each.
 struct FontRoom {
   Shared<PangoFontMap> map{pango_cairo_font_map_new_for_font_type(CAIRO_FONT_TYPE_FT)};
-  Shared<PangoContext> context{pango_font_map_create_context(map.get())};
+  Shared<PangoContext> context;
 
   FontRoom() {
+    pango_fc_font_map_set_config(PANGO_FC_FONT_MAP(map.get()), font_config());
+    context.reset(pango_font_map_create_context(map.get()));
     cairo_font_options_t* options = cairo_font_options_create();
     cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
     cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);

@@ -13,8 +13,8 @@
 #include <fmt/format.h>
 #include <openssl/evp.h>
 
-#include "base/build_info.h"
 #include "base/text.h"
+#include "io/installation.h"
 
 namespace marketgen {
 namespace fs = std::filesystem;
@@ -227,9 +227,9 @@ Result<fs::path> data_folder() {
   if (const char* named = std::getenv("MARKETGEN_DATA"); named != nullptr && *named != '\0') {
     places.emplace_back(named);
   } else {
-    std::error_code failed;
-    const fs::path program = fs::read_symlink("/proc/self/exe", failed).parent_path();
-    places = {program / "data", program / installed_share_folder, fs::path(source_folder) / "data"};
+    places = share_folders();
+    for (fs::path& place : places)
+      place /= "data";
   }
   for (const fs::path& place : places) {
     std::error_code failed;

@@ -15,9 +15,9 @@
 
 #include <fmt/format.h>
 
-#include "base/build_info.h"
 #include "base/fields.h"
 #include "base/interrupt.h"
+#include "io/installation.h"
 #include "io/json.h"
 #include "io/process_group.h"
 
@@ -26,6 +26,8 @@ namespace fs = std::filesystem;
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+std::string running_python;  // of use_python()
 
 constexpr int look_up_ms = 200;                 // how often an interrupt is looked for
 constexpr std::size_t kept_error_bytes = 4096;  // of standard error: its end says what went wrong
@@ -146,17 +148,22 @@ Result<std::string> run_program(const std::vector<std::string>& command,
 std::string worker_python() {
   if (const char* named = std::getenv("MARKETGEN_PYTHON"); named != nullptr && *named != '\0')
     return named;
-  std::error_code failed;
-  const fs::path ours = fs::path(source_folder) / ".venv/bin/python";
-  return fs::exists(ours, failed) ? ours.string() : "python3";
+  if (!running_python.empty()) return running_python;
+  for (const fs::path& packages : site_packages()) {
+    if (const fs::path python = python_of(packages); !python.empty()) return python.string();
+  }
+  return "python3";
+}
+
+void use_python(const std::string& interpreter) {
+  running_python = interpreter;
 }
 
 Result<fs::path> worker_script() {
   std::error_code failed;
-  const fs::path program = fs::read_symlink("/proc/self/exe", failed).parent_path();
   const char* script = "python/marketgen/worker.py";
-  for (const fs::path& place : {program / installed_share_folder, fs::path(source_folder)}) {
-    if (fs::exists(place / script, failed)) return (place / script).lexically_normal();
+  for (const fs::path& place : share_folders()) {
+    if (fs::exists(place / script, failed)) return place / script;
   }
   return Error{
       "usage.unavailable", script, "is not there; restore it or install the program again"};

@@ -24,8 +24,11 @@ Result<std::string> run_program(const std::vector<std::string>& command,
                                 std::string_view input,
                                 const ProgramLimits& limits = {});
 
-// The Python that runs our workers: $MARKETGEN_PYTHON, .venv of the source tree, else python3.
+// The Python that runs our workers: $MARKETGEN_PYTHON, the one this is running in, that of the
+// environment it is installed into, .venv of the source tree, else python3.
 std::string worker_python();
+// For Python's module: says which interpreter it is running in. Before any thread asks.
+void use_python(const std::string& interpreter);
 // The script of our workers, run by itself: beside the data of the installation or in the source
 // tree. Error: usage.unavailable.
 Result<std::filesystem::path> worker_script();

@@ -8,8 +8,8 @@
 #include <system_error>
 #include <utility>
 
-#include "base/build_info.h"
 #include "base/parallel.h"
+#include "io/installation.h"
 
 namespace marketgen::raytrace {
 namespace {
@@ -155,9 +155,8 @@ std::optional<fs::path> neural_denoiser_library() {
     if (*named == '\0') return std::nullopt;
     return fs::path(named);
   }
-  for (const fs::directory_entry& python :
-       fs::directory_iterator(fs::path(source_folder) / ".venv/lib", ignored)) {
-    const fs::path library = python.path() / "site-packages/pyoidn/oidn/lib" / library_name;
+  for (const fs::path& packages : site_packages()) {
+    const fs::path library = packages / "pyoidn/oidn/lib" / library_name;
     if (fs::exists(library, ignored)) return library;
   }
   return std::nullopt;

@@ -11,7 +11,8 @@
 namespace marketgen::raytrace {
 
 // libOpenImageDenoise.so.2: the file $MARKETGEN_OIDN (nowhere when that is empty), else in the
-// `pyoidn` package of the source tree's .venv. Nothing when there is none.
+// `pyoidn` package of the environment this is installed into, or of the source tree's .venv.
+// Nothing when there is none.
 std::optional<std::filesystem::path> neural_denoiser_library();
 
 // The film's radiance without noise. `exposure` times radiance is what is denoised, so that its

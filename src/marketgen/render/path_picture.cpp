@@ -7,6 +7,7 @@
 
 #include "base/interrupt.h"
 #include "base/parallel.h"
+#include "io/program.h"
 #include "render/denoise.h"
 #include "render/neural_denoise.h"
 #include "render/tone.h"
@@ -159,8 +160,9 @@ Result<std::optional<std::filesystem::path>> library_for(Denoiser denoiser) {
   if (library || denoiser == Denoiser::automatic) return library;
   return Error{"usage.unavailable",
                "--denoise neural",
-               "no Open Image Denoise here; `pip install pyoidn` into .venv, or name "
-               "libOpenImageDenoise.so.2 in MARKETGEN_OIDN, or take --denoise own"};
+               "no Open Image Denoise here; run: " + worker_python() +
+                   " -m pip install pyoidn; or name libOpenImageDenoise.so.2 in MARKETGEN_OIDN, or "
+                   "take --denoise own"};
 }
 
 // The film's radiance, its noise taken out by the library if there is one, or as asked for.
