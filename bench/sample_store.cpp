@@ -4,16 +4,20 @@
 
 #include <fmt/format.h>
 
+#include "base/interrupt.h"
+
 namespace marketgen::bench {
 namespace fs = std::filesystem;
 
 ScratchFolder::ScratchFolder()
     : folder_(fs::temp_directory_path() / fmt::format("marketgen-bench-{}", getpid())) {
   fs::create_directories(folder_);
+  add_leftover(folder_);
 }
 ScratchFolder::~ScratchFolder() {
   std::error_code ignored;
   fs::remove_all(folder_, ignored);
+  drop_leftover(folder_);
 }
 
 CreateOptions neighbourhood_store(const fs::path& folder, bool previews) {

@@ -12,6 +12,7 @@
 #include "command.h"
 #include "io/file.h"
 #include "io/json.h"
+#include "io/output.h"
 #include "io/png.h"
 #include "llm/language_model.h"
 #include "number_flags.h"
@@ -19,6 +20,7 @@
 #include "render/fixture_picture.h"
 #include "render/material_picture.h"
 #include "render/picture_grid.h"
+#include "say.h"
 #include "scene/fixture_stage.h"
 #include "settle_heaps.h"
 #include "show_asset.h"
@@ -160,16 +162,16 @@ Result<void> list_assets(const AssetFlags& flags) {
     fmt::print("{}", write_json(list));
     return {};
   }
-  fmt::print("{} goods of {} shapes, {} facilities ({} articulated), {} materials\n",
-             list.goods,
-             list.archetypes,
-             list.facilities,
-             list.articulated,
-             list.materials);
+  say("{} goods of {} shapes, {} facilities ({} articulated), {} materials\n",
+      list.goods,
+      list.archetypes,
+      list.facilities,
+      list.articulated,
+      list.materials);
   for (const CategoryCount& c : list.by_category)
-    fmt::print("  {:<14} {:>5}\n", c.category, c.products);
+    say("  {:<14} {:>5}\n", c.category, c.products);
   for (const AssetRow& row : list.rows)
-    fmt::print("{:<48} {:<20} {:<14} {}\n", row.id, row.kind, row.category, row.name);
+    say("{:<48} {:<20} {:<14} {}\n", row.id, row.kind, row.category, row.name);
   return {};
 }
 
@@ -193,12 +195,12 @@ Result<void> search_assets(const AssetFlags& flags) {
   }
   constexpr std::size_t shown = 20;
   for (std::size_t i = 0; i < std::min(rows.size(), shown); ++i)
-    fmt::print("{:>6.2f}  {:<9} {:<48} {}\n",
-               rows[i].score,
-               name_of(rows[i].kind),
-               rows[i].id,
-               rows[i].name);
-  fmt::print("{} assets match \"{}\"\n", rows.size(), flags.query.text);
+    say("{:>6.2f}  {:<9} {:<48} {}\n",
+        rows[i].score,
+        name_of(rows[i].kind),
+        rows[i].id,
+        rows[i].name);
+  say("{} assets match \"{}\"\n", rows.size(), flags.query.text);
   return {};
 }
 
@@ -212,27 +214,27 @@ Result<Value> named(const std::string& name, std::string_view flag) {
 
 void print_import(const AssetFile& asset, const fs::path& folder) {
   const Product& p = asset.product;
-  fmt::print("asset       {}  \"{}\"\n", p.sku, p.name);
-  fmt::print("taken for   {} / {}, {} ({:.0f} % sure, {})\n",
-             p.category,
-             p.subcategory,
-             p.material,
-             100 * asset.annotation.confidence,
-             asset.annotation.annotator);
-  fmt::print("size        {} x {} x {} mm, {:.3f} kg: {}\n",
-             p.size_mm[0],
-             p.size_mm[1],
-             p.size_mm[2],
-             p.mass_kg,
-             asset.estimates.mass_from);
-  fmt::print("mesh        {} triangles, {}; {} contact pieces by {}\n",
-             asset.source.triangles,
-             asset.source.watertight ? "closed" : "not closed",
-             asset.estimates.pieces,
-             asset.estimates.contact_from);
+  say("asset       {}  \"{}\"\n", p.sku, p.name);
+  say("taken for   {} / {}, {} ({:.0f} % sure, {})\n",
+      p.category,
+      p.subcategory,
+      p.material,
+      100 * asset.annotation.confidence,
+      asset.annotation.annotator);
+  say("size        {} x {} x {} mm, {:.3f} kg: {}\n",
+      p.size_mm[0],
+      p.size_mm[1],
+      p.size_mm[2],
+      p.mass_kg,
+      asset.estimates.mass_from);
+  say("mesh        {} triangles, {}; {} contact pieces by {}\n",
+      asset.source.triangles,
+      asset.source.watertight ? "closed" : "not closed",
+      asset.estimates.pieces,
+      asset.estimates.contact_from);
   for (const std::string& note : asset.notes)
-    fmt::print("note        {}\n", note);
-  fmt::print("use it      marketgen generate ... --catalog {}\n", (folder / "asset.json").string());
+    say("note        {}\n", note);
+  say("use it      marketgen generate ... --catalog {}\n", (folder / "asset.json").string());
 }
 
 // By the annotator that the flags name.
@@ -251,7 +253,17 @@ Result<ImportedAsset> imported(const AssetFlags& flags,
   return import_asset(flags.model, options, catalog, offline_annotator(catalog, database));
 }
 
+// Before any work: whether the folders that were named have a place.
+Result<void> probe_import(const AssetFlags& flags) {
+  Outputs record;
+  if (!flags.vlm_record.empty()) MARKETGEN_CHECK(record.add_folder(flags.vlm_record));
+  if (flags.folder.empty()) return {};
+  const Result<FolderDraft> draft = FolderDraft::begin(flags.folder);
+  return draft.ok() ? Result<void>{} : draft.error();
+}
+
 Result<void> import_model(const AssetFlags& flags) {
+  MARKETGEN_CHECK(probe_import(flags));
   MARKETGEN_TRY(const Catalog catalog, load_rows(flags.catalogs));
   ImportOptions options = flags.import;
   MARKETGEN_TRY(options.unit, named<LengthUnit>(flags.unit, "--unit"));
@@ -272,8 +284,8 @@ Result<void> import_model(const AssetFlags& flags) {
 
 Result<void> save_sheet(const AssetFlags& flags, const std::string& name, const Image& sheet) {
   const fs::path file = fs::path(flags.folder) / (name + ".png");
-  MARKETGEN_CHECK(write_png(file, sheet));
-  if (!flags.common.quiet) fmt::print("picture     {}\n", file.string());
+  MARKETGEN_CHECK(write_png(file, sheet));  // at once: what is finished is kept
+  if (!flags.common.quiet) say("picture     {}\n", file.string());
   return {};
 }
 
@@ -316,9 +328,8 @@ Result<void> draw_sheets(const AssetFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
   MARKETGEN_TRY(const Catalog catalog, load_rows(flags.catalogs));
   MARKETGEN_TRY(const auto names, sheet_names(catalog, flags.only));
-  std::error_code failed;
-  fs::create_directories(flags.folder, failed);
-  if (failed) return Error{"io.cannot_write", flags.folder, failed.message()};
+  Outputs folder;
+  MARKETGEN_CHECK(folder.add_folder(flags.folder));
   for (const std::string& name : names) {
     MARKETGEN_TRY(const Image sheet,
                   name == "facilities"  ? facility_sheet(catalog, flags.size_px)
@@ -359,8 +370,8 @@ Result<void> settle_all(const AssetFlags& flags) {
 
 void add_show(CLI::App& sub, AssetFlags& flags) {
   sub.add_option("id", flags.shown.id, "SKU, fixture kind or material")->required();
-  sub.add_option("--picture", flags.shown.picture, "PNG or JPEG: three-quarter view");
-  sub.add_option("--label", flags.shown.label, "PNG or JPEG: the printed sheet");
+  add_output(sub, "--picture", flags.shown.picture, "PNG or JPEG: three-quarter view");
+  add_output(sub, "--label", flags.shown.label, "PNG or JPEG: the printed sheet");
   sub.add_option("--joint", flags.shown.joints, "NAME=STATE or NAME=NUMBER, all=open (repeatable)");
   sub.add_option("--size", flags.size_px, "pixels a side")
       ->check(whole_number(64, 4096))
@@ -368,7 +379,7 @@ void add_show(CLI::App& sub, AssetFlags& flags) {
 }
 
 void add_sheet(CLI::App& sub, AssetFlags& flags) {
-  sub.add_option("-o,--output", flags.folder, "folder for the pictures")->required();
+  add_output(sub, "-o,--output", flags.folder, "folder for the pictures")->required();
   sub.add_option("--only", flags.only, "a category, facilities or materials (repeatable)");
   sub.add_option("--pixels,--size", flags.size_px, "pixels an asset")
       ->check(whole_number(64, 1024))
@@ -384,7 +395,7 @@ void add_vlm(CLI::App& sub, AssetFlags& flags) {
   sub.add_option("--vlm-url", flags.vlm_url, "base URL of another server of that kind")
       ->needs(model);
   CLI::Option* record =
-      sub.add_option("--vlm-record", flags.vlm_record, "folder to keep the exchange in")
+      add_output(sub, "--vlm-record", flags.vlm_record, "folder to keep the exchange in")
           ->needs(model);
   sub.add_option("--vlm-replay", flags.vlm_replay, "answer from that folder; nothing is sent")
       ->needs(model)
@@ -393,7 +404,7 @@ void add_vlm(CLI::App& sub, AssetFlags& flags) {
 
 void add_import(CLI::App& sub, AssetFlags& flags) {
   sub.add_option("model", flags.model, "GLB or OBJ file")->required();
-  sub.add_option("-o,--output", flags.folder, "new folder; default assets/<sku>");
+  add_output(sub, "-o,--output", flags.folder, "new folder; default assets/<sku>");
   sub.add_option("--unit", flags.unit, "length unit of the file")->capture_default_str();
   sub.add_option("--up", flags.up, "its axis that points up: y or z")->capture_default_str();
   sub.add_option("--name", flags.import.name, "what it is");
@@ -440,11 +451,13 @@ Run add_assets(CLI::App& app) {
                   Takes::json),
              *flags);
   add("build", "Draws every label sheet into the cache", build_all, Takes::json);
-  add("heaps",
-      "Settles heaps of loose goods in MuJoCo: data/heaps.json",
-      settle_all,
-      Takes::nothing)
-      ->add_option("-o,--output", flags->folder, "JSON file to write")
+  add_output(*add("heaps",
+                  "Settles heaps of loose goods in MuJoCo: data/heaps.json",
+                  settle_all,
+                  Takes::nothing),
+             "-o,--output",
+             flags->folder,
+             "JSON file to write")
       ->required();
   command->footer("Example:  marketgen assets search \"something to clean windows\"");
   return [flags, action] {

@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "io/file.h"
 #include "io/json.h"
+#include "io/output.h"
 #include "render/label_library.h"
 
 namespace marketgen::app {
@@ -26,6 +27,10 @@ struct LibraryReport {
 
 Result<void> build_library(const Catalog& catalog, const CommonFlags& flags) {
   const ThreadLimit limit(flags.threads);
+  const std::filesystem::path folder = cache_folder() / "labels";
+  Outputs cache;  // that they are kept is what this is for
+  MARKETGEN_CHECK(cache.add_folder(folder));
+  MARKETGEN_CHECK(cache.commit());
   const double started_s = monotonic_seconds();
   MARKETGEN_TRY(const raytrace::LabelLibrary library,
                 raytrace::build_label_library(catalog.products, progress_for(flags)));
@@ -33,7 +38,7 @@ Result<void> build_library(const Catalog& catalog, const CommonFlags& flags) {
                              static_cast<int>(library.drawn),
                              static_cast<double>(library.bytes) * 1e-6,
                              monotonic_seconds() - started_s,
-                             (cache_folder() / "labels").string()};
+                             folder.string()};
   if (flags.json)
     fmt::print("{}", write_json(report));
   else

@@ -7,6 +7,8 @@
 #include "io/file.h"
 #include "io/json.h"
 #include "layout/layout.h"
+#include "plan/plan_place.h"
+#include "say.h"
 #include "store/store.h"
 
 namespace marketgen::app {
@@ -33,8 +35,9 @@ struct CheckOutput {
 Result<CheckOutput> check_plan(const CheckFlags& flags, const Catalog& catalog) {
   MARKETGEN_TRY(const std::string text, read_file(flags.path, 64U << 20));
   MARKETGEN_TRY(const Plan plan, read_plan(text, flags.path, catalog));
-  MARKETGEN_TRY(const Layout layout, make_layout(plan, catalog, Seed(flags.common.seed)));
-  return CheckOutput{flags.path, true, layout.violations, {}};
+  const Result<Layout> layout = make_layout(plan, catalog, Seed(flags.common.seed));
+  if (!layout.ok()) return in_plan_file(layout.error(), flags.path);
+  return CheckOutput{flags.path, true, layout->violations, {}};
 }
 
 Result<CheckOutput> check_store(const CheckFlags& flags, const Catalog& catalog) {
@@ -57,12 +60,11 @@ Result<int> check(const CheckFlags& flags) {
     return output.ok ? 0 : 1;
   }
   for (const Violation& v : output.rules)
-    fmt::print("{:<5} {:<20} {}: {}\n", name_of(v.severity), v.code, v.where, v.message);
+    say("{:<5} {:<20} {}: {}\n", name_of(v.severity), v.code, v.where, v.message);
   for (const RequirementResult& r : output.requirements) {
-    if (!r.met) fmt::print("wish  not met              \"{}\": {}\n", r.text, r.why);
+    if (!r.met) say("wish  not met              \"{}\": {}\n", r.text, r.why);
   }
-  fmt::print(
-      "{} {}: {} rules broken\n", output.ok ? "ok" : "FAILED", flags.path, output.rules.size());
+  say("{} {}: {} rules broken\n", output.ok ? "ok" : "FAILED", flags.path, output.rules.size());
   return output.ok ? 0 : 1;
 }
 

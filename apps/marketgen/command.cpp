@@ -25,6 +25,17 @@ void add_common_flags(CLI::App& command, CommonFlags& flags, Takes takes) {
   command.add_flag("--quiet", flags.quiet, "no progress, no remarks");
 }
 
+CLI::Option* add_output(CLI::App& command,
+                        const std::string& name,
+                        std::string& path,
+                        const std::string& what) {
+  return command.add_option(name, path, what)
+      ->type_name("OUTPUT")
+      ->check([](const std::string& text) {
+        return text.empty() ? "is empty; name a file or folder to write" : "";
+      });
+}
+
 int fail(const Error& error) {
   fmt::print(stderr, "{}\n", to_string(error));
   return exit_status_of(error.code);

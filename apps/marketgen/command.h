@@ -24,6 +24,13 @@ struct CommonFlags {
 enum class Takes { nothing = 0, seed = 1, json = 2, seed_and_json = 3 };
 void add_common_flags(CLI::App& command, CommonFlags& flags, Takes takes);
 
+// An option that names an output: shown as OUTPUT in the help, and refused when it is empty. The
+// path goes to Outputs (io/output.h) before any work.
+CLI::Option* add_output(CLI::App& command,
+                        const std::string& name,
+                        std::string& path,
+                        const std::string& what);
+
 // Prints the error to stderr; the exit status that belongs to its code.
 int fail(const Error& error);
 

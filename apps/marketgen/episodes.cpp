@@ -5,13 +5,19 @@
 #include <filesystem>
 #include <map>
 
+#include "base/build_info.h"
+#include "base/hash.h"
+#include "base/interrupt.h"
 #include "base/parallel.h"
 #include "command.h"
+#include "episodes/episode_journal.h"
 #include "episodes/sample_aisle.h"
 #include "io/file.h"
 #include "io/json.h"
+#include "io/output.h"
 #include "number_flags.h"
 #include "policy/oracle_witness.h"
+#include "say.h"
 #include "store/store.h"
 
 namespace marketgen::app {
@@ -22,6 +28,7 @@ struct EpisodesFlags {
   std::vector<std::string> folders;
   std::string track = "checkout", tools, output;
   int count = 10;
+  bool resume = false;
 };
 
 struct StockedStore {
@@ -86,35 +93,118 @@ std::vector<Product> products_of(const std::vector<EpisodeSpec>& episodes,
   return rows;
 }
 
-// Shared out over the stores in turn.
+// What decides the episodes, beside their number.
+std::string draw_hash(const EpisodesFlags& flags,
+                      const std::vector<StockedStore>& stores,
+                      const Catalog& catalog) {
+  Hasher hasher;
+  hasher.add(program_version).add(catalog.content_hash).add(flags.track).add(flags.tools);
+  hasher.add(std::to_string(flags.common.seed));
+  for (const StockedStore& from : stores)
+    hasher.add(from.store.scene_hash).add(from.store.plan_hash);
+  return hasher.hex();
+}
+
+// Beside the output, as long as not all are drawn; none when the output is a device or pipe.
+Result<std::unique_ptr<EpisodeJournal>> begin_journal(const EpisodesFlags& flags,
+                                                      const std::string& draw) {
+  MARKETGEN_TRY(std::filesystem::path file, followed(flags.output));
+  std::error_code failed;
+  if (std::filesystem::exists(file, failed) && !std::filesystem::is_regular_file(file, failed))
+    return std::unique_ptr<EpisodeJournal>();
+  file += ".unfinished";
+  return EpisodeJournal::begin(file, draw, flags.resume);
+}
+
+// Draws one after the other, shared out over the stores in turn.
+class Drawing {
+ public:
+  Drawing(const EpisodesFlags& flags,
+          const std::filesystem::path& data,
+          const std::vector<StockedStore>& stores,
+          const Catalog& catalog,
+          EpisodeJournal* journal)
+      : flags_(flags),
+        data_(data),
+        stores_(stores),
+        catalog_(catalog),
+        journal_(journal),
+        certify_(checkout_certifier(data)) {}
+
+  Result<std::vector<EpisodeSpec>> draw() {
+    Progress& progress = progress_for(flags_.common);
+    const auto count = static_cast<std::size_t>(flags_.count);
+    progress.begin("episodes", count);
+    const auto made = parallel_map(count, [&](std::size_t i) {
+      auto spec = episode(i);
+      progress.advance();
+      return std::make_shared<Result<EpisodeSpec>>(std::move(spec));
+    });
+    progress.end();
+    std::vector<EpisodeSpec> episodes;
+    for (const auto& spec : made) {
+      if (!spec->ok()) return spec->error();
+      episodes.push_back(spec->value());
+    }
+    return episodes;
+  }
+
+ private:
+  // The number `i` of the file: kept before, or drawn now and kept.
+  Result<EpisodeSpec> episode(std::size_t i) {
+    const StockedStore& from = stores_[i % stores_.size()];
+    const int number = static_cast<int>(i);
+    if (journal_ == nullptr) return drawn(from, i);
+    if (const auto before = journal_->before().find(number); before != journal_->before().end()) {
+      if (from.in_aisle) from.in_aisle->consider(before->second.considered);
+      return before->second.episode;
+    }
+    MARKETGEN_TRY(EpisodeSpec spec, drawn(from, i));
+    DrawnEpisode kept{number, spec, {}};
+    if (from.in_aisle) kept.considered = from.in_aisle->considered();
+    MARKETGEN_CHECK(journal_->keep(std::move(kept)));
+    return spec;
+  }
+
+  Result<EpisodeSpec> drawn(const StockedStore& from, std::size_t i) const {
+    const EpisodeStore& store = from.store;
+    const EpisodeOrigin origin{store.name, store.scene_hash, store.plan_hash};
+    const Seed seed = Seed(flags_.common.seed).child("store", store.scene_hash);
+    const int index = static_cast<int>(i / stores_.size());
+    if (from.in_aisle) return from.in_aisle->sample(origin, seed, index);
+    return sample_checkout(data_, from.stock, catalog_.frictions, origin, seed, index, certify_);
+  }
+
+  const EpisodesFlags& flags_;
+  const std::filesystem::path& data_;
+  const std::vector<StockedStore>& stores_;
+  const Catalog& catalog_;
+  EpisodeJournal* journal_;
+  CheckoutCertifier certify_;
+};
+
+// The episodes, or why there are none: what was drawn and studied until then is kept.
 Result<std::vector<EpisodeSpec>> draw(const EpisodesFlags& flags,
                                       const std::filesystem::path& data,
                                       const std::vector<StockedStore>& stores,
-                                      const Catalog& catalog) {
-  Progress& progress = progress_for(flags.common);
-  const auto count = static_cast<std::size_t>(flags.count);
-  progress.begin("episodes", count);
-  const CheckoutCertifier certify = checkout_certifier(data);
-  const auto made = parallel_map(count, [&](std::size_t i) {
-    const StockedStore& from = stores[i % stores.size()];
-    const EpisodeStore& store = from.store;
-    const EpisodeOrigin origin{store.name, store.scene_hash, store.plan_hash};
-    const Seed seed = Seed(flags.common.seed).child("store", store.scene_hash);
-    const int index = static_cast<int>(i / stores.size());
-    auto spec =
-        from.in_aisle
-            ? from.in_aisle->sample(origin, seed, index)
-            : sample_checkout(data, from.stock, catalog.frictions, origin, seed, index, certify);
-    progress.advance();
-    return std::make_shared<Result<EpisodeSpec>>(std::move(spec));
-  });
-  progress.end();
-  std::vector<EpisodeSpec> episodes;
-  for (const auto& spec : made) {
-    if (!spec->ok()) return spec->error();
-    episodes.push_back(spec->value());
+                                      const Catalog& catalog,
+                                      GraspBook* book,
+                                      EpisodeJournal* journal) {
+  auto episodes =
+      until_interrupted([&] { return Drawing(flags, data, stores, catalog, journal).draw(); });
+  const NoForcedEnd keeping;
+  if (book != nullptr) MARKETGEN_CHECK(book->keep(data, catalog.content_hash));
+  if (episodes.ok() || journal == nullptr) return episodes;
+  if (episodes.error().code != interrupted_error().code) {
+    journal->remove();  // it would end so again
+    return episodes;
   }
-  return episodes;
+  return Error{interrupted_error().code,
+               flags.output,
+               fmt::format("interrupted; {} of {} episodes are kept in {}: go on with --resume",
+                           journal->count(),
+                           flags.count,
+                           journal->file().string())};
 }
 
 void print_exclusions(const EpisodeStore& store) {
@@ -124,15 +214,17 @@ void print_exclusions(const EpisodeStore& store) {
     left_out += products;
     reasons += fmt::format("{}{} {}", reasons.empty() ? "" : ", ", reason, products);
   }
-  fmt::print("{}: {} of {} products are never asked for ({})\n",
-             store.name,
-             left_out,
-             store.exclusions.on_offer,
-             reasons);
+  say("{}: {} of {} products are never asked for ({})\n",
+      store.name,
+      left_out,
+      store.exclusions.on_offer,
+      reasons);
 }
 
 Result<void> write(const EpisodesFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
+  Outputs outputs;
+  MARKETGEN_CHECK(outputs.add({{"--output", flags.output}}));
   MARKETGEN_TRY(const std::filesystem::path data, data_folder());
   MARKETGEN_TRY(const Catalog catalog, load_rows());
   MARKETGEN_TRY(const Track track, track_named(flags.track));
@@ -144,9 +236,9 @@ Result<void> write(const EpisodesFlags& flags) {
   }
   MARKETGEN_TRY(std::vector<StockedStore> stores, open_stores(flags, data, catalog, book));
   EpisodeFile file;
-  auto episodes = draw(flags, data, stores, catalog);
-  if (book) MARKETGEN_CHECK(book->keep(data, catalog.content_hash));  // of a draw that failed, too
-  MARKETGEN_TRY(file.episodes, std::move(episodes));
+  MARKETGEN_TRY(const std::unique_ptr<EpisodeJournal> journal,
+                begin_journal(flags, draw_hash(flags, stores, catalog)));
+  MARKETGEN_TRY(file.episodes, draw(flags, data, stores, catalog, book.get(), journal.get()));
   for (StockedStore& store : stores)
     if (store.in_aisle) store.store.exclusions = store.in_aisle->exclusions();
   file.header.seed = flags.common.seed;
@@ -154,11 +246,13 @@ Result<void> write(const EpisodesFlags& flags) {
   file.header.products = products_of(file.episodes, stores);
   for (const StockedStore& store : stores)
     file.header.stores.push_back(store.store);
-  MARKETGEN_CHECK(write_file(flags.output, write_episodes(file)));
+  MARKETGEN_CHECK(outputs.put(flags.output, write_episodes(file)));
+  MARKETGEN_CHECK(outputs.commit());
+  if (journal) journal->remove();
   if (flags.common.quiet) return {};
   for (const StockedStore& store : stores)
     print_exclusions(store.store);
-  fmt::print("{} episodes of {} stores: {}\n", flags.count, stores.size(), flags.output);
+  say("{} episodes of {} stores: {}\n", flags.count, stores.size(), flags.output);
   return {};
 }
 
@@ -177,7 +271,8 @@ Run add_episodes(CLI::App& app) {
   command->add_option("--count", flags->count, "episodes, shared out over the stores")
       ->check(whole_number(1, 100000))
       ->capture_default_str();
-  command->add_option("-o,--output", flags->output, "JSON Lines file")->required();
+  add_output(*command, "-o,--output", flags->output, "JSON Lines file")->required();
+  command->add_flag("--resume", flags->resume, "go on with a draw that was broken off");
   add_common_flags(*command, flags->common, Takes::seed);
   command->footer("Example:  marketgen episodes shop --track checkout --count 20 -o tasks.jsonl");
   return [flags] {

@@ -14,7 +14,9 @@
 #include "evaluation/policy_name.h"
 #include "io/file.h"
 #include "io/json.h"
+#include "io/output.h"
 #include "number_flags.h"
+#include "say.h"
 
 namespace marketgen::app {
 namespace {
@@ -29,13 +31,13 @@ struct EvalFlags {
 };
 
 void print_share(const char* name, const Share& share) {
-  fmt::print("{:<12}{:5.1f} %  ({:.1f} to {:.1f}), {} of {}\n",
-             name,
-             share.share * 100,
-             share.low * 100,
-             share.high * 100,
-             share.number,
-             share.of);
+  say("{:<12}{:5.1f} %  ({:.1f} to {:.1f}), {} of {}\n",
+      name,
+      share.share * 100,
+      share.low * 100,
+      share.high * 100,
+      share.number,
+      share.of);
 }
 
 void print_summary(const EvaluationSummary& summary) {
@@ -43,22 +45,20 @@ void print_summary(const EvaluationSummary& summary) {
   print_share("SR clean", summary.clean);
   print_share("goals", summary.goals);
   if (summary.mean_path_m > 0)
-    fmt::print(
-        "SPL         {:5.1f} %  ({:.1f} % of the goals reached); {:.1f} m an episode, {:.1f} m "
+    say("SPL         {:5.1f} %  ({:.1f} % of the goals reached); {:.1f} m an episode, {:.1f} m "
         "a success\n",
         summary.spl * 100,
         summary.spl_subset * 100,
         summary.mean_path_m,
         summary.mean_path_success_m);
-  fmt::print("SR partial  {:5.1f} %\n", summary.success_partial * 100);
-  fmt::print("{:.1f} simulated seconds and {:.1f} s of computing an episode\n",
-             summary.mean_simulated_s,
-             summary.mean_wall_s);
+  say("SR partial  {:5.1f} %\n", summary.success_partial * 100);
+  say("{:.1f} simulated seconds and {:.1f} s of computing an episode\n",
+      summary.mean_simulated_s,
+      summary.mean_wall_s);
   for (const FailureCount& failure : summary.failures)
-    fmt::print("{:<12}{}\n", name_of(failure.failure), failure.episodes);
+    say("{:<12}{}\n", name_of(failure.failure), failure.episodes);
   for (const ErrorCount& count : summary.errors)
-    fmt::print(
-        "not run     {} ({}): they are in none of these shares\n", count.episodes, count.error);
+    say("not run     {} ({}): they are in none of these shares\n", count.episodes, count.error);
 }
 
 // Episodes that could not be run: the summary stands, and the caller is told. The first of them.
@@ -78,6 +78,10 @@ Result<void> check_all_run(const std::vector<EpisodeResult>& results, const Eval
 // The eyes of `classical` by themselves, against the truth.
 Result<void> eval_perception(const EvalFlags& flags) {
   const ThreadLimit limit(flags.jobs > 0 ? flags.jobs : flags.common.threads);
+  if (flags.output.empty())
+    return Error{"usage.bad_flag", "--output", "name a folder for the results"};
+  Outputs outputs;
+  MARKETGEN_CHECK(outputs.add_folder(flags.output));
   MARKETGEN_TRY(const EpisodeFile file, read_episode_file(flags.episodes));
   MARKETGEN_TRY(const std::filesystem::path data, data_folder());
   MARKETGEN_TRY(const Catalog catalog, load_rows());
@@ -89,10 +93,8 @@ Result<void> eval_perception(const EvalFlags& flags) {
     lines += write_json_line(measure) + "\n";
     measures.push_back(std::move(measure));
   }
-  std::error_code failed;
-  std::filesystem::create_directories(flags.output, failed);
-  if (failed) return Error{"io.cannot_write", flags.output, failed.message()};
-  MARKETGEN_CHECK(write_file(std::filesystem::path(flags.output) / "perception.jsonl", lines));
+  MARKETGEN_CHECK(outputs.put(std::filesystem::path(flags.output) / "perception.jsonl", lines));
+  MARKETGEN_CHECK(outputs.commit());
   fmt::print("{}", write_json(summarize(measures)));
   return {};
 }
@@ -171,7 +173,7 @@ Run add_eval(CLI::App& app) {
       ->delimiter(',');
   command->add_option("--jobs", flags->jobs, "episodes at a time; 0 = as --threads")
       ->check(whole_number(0, 1024));
-  command->add_option("-o,--output", flags->output, "folder for the results");
+  add_output(*command, "-o,--output", flags->output, "folder for the results");
   command
       ->add_option("--act-limit-s",
                    flags->act_limit_s,

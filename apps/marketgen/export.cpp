@@ -10,6 +10,8 @@
 #include "base/text.h"
 #include "command.h"
 #include "io/json.h"
+#include "io/output.h"
+#include "say.h"
 
 namespace marketgen::app {
 namespace {
@@ -42,6 +44,8 @@ Result<std::array<double, 4>> parse_region(const std::string& text) {
 
 Result<void> run_export(const ExportFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
+  Outputs outputs;
+  MARKETGEN_CHECK(outputs.add({{"--output", flags.output}}));
   MARKETGEN_TRY(const Scene scene, scene_in_skin(flags.folder, flags.skin));
   ExportOptions options;
   options.instanced = flags.instanced;
@@ -52,7 +56,7 @@ Result<void> run_export(const ExportFlags& flags) {
   }
   MARKETGEN_CHECK(export_scene(scene, flags.format, flags.output, options));
   if (!flags.check) {
-    if (!flags.common.quiet) fmt::print("file        {}\n", flags.output);
+    if (!flags.common.quiet) say("file        {}\n", flags.output);
     return {};
   }
   MARKETGEN_TRY(const ExportSummary summary,
@@ -60,8 +64,7 @@ Result<void> run_export(const ExportFlags& flags) {
   if (flags.common.json)
     fmt::print("{}", write_json(summary));
   else
-    fmt::print(
-        "file        {}\nread back   {} products, {} fixtures, {} free bodies, {} joints; worst "
+    say("file        {}\nread back   {} products, {} fixtures, {} free bodies, {} joints; worst "
         "position error {:.3f} mm\n",
         flags.output,
         summary.products,
@@ -82,7 +85,7 @@ Run add_export(CLI::App& app) {
     formats += fmt::format("\n  {:<10} {}", format.name, format.description);
   command->add_option("folder", flags->folder, "store folder")->required();
   command->add_option("--format", flags->format, "format, see below")->required();
-  command->add_option("-o,--output", flags->output, "file to write")->required();
+  add_output(*command, "-o,--output", flags->output, "file to write")->required();
   command->add_option(
       "--free-region", flags->free_region, "mjcf: products in x0,y0,x1,y1 become free bodies");
   command->add_flag(

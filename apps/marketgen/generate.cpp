@@ -7,6 +7,7 @@
 #include "io/file.h"
 #include "io/json.h"
 #include "number_flags.h"
+#include "say.h"
 #include "store/store.h"
 
 namespace marketgen::app {
@@ -73,43 +74,42 @@ void print_requirements(const StoreReport& report) {
   std::size_t met = 0;
   for (const RequirementResult& r : report.requirements)
     met += r.met ? 1 : 0;
-  fmt::print("wishes      {} of {} met\n", met, report.requirements.size());
+  say("wishes      {} of {} met\n", met, report.requirements.size());
   for (const RequirementResult& r : report.requirements) {
-    if (!r.met) fmt::print("  not met   \"{}\": {}\n", r.text, r.why);
+    if (!r.met) say("  not met   \"{}\": {}\n", r.text, r.why);
   }
   for (const Conflict& c : report.conflicts)
-    fmt::print("  given up  {}: kept {}, not \"{}\": {}\n", c.what, c.kept, c.dropped, c.why);
+    say("  given up  {}: kept {}, not \"{}\": {}\n", c.what, c.kept, c.dropped, c.why);
   if (report.unparsed.empty()) return;
   std::vector<std::string> words;
   for (const UnparsedWord& word : report.unparsed)
     words.push_back("\"" + word.text + "\"");
-  fmt::print("unparsed    {}\n", fmt::join(words, ", "));
+  say("unparsed    {}\n", fmt::join(words, ", "));
 }
 
 void print_rules(const StoreReport& report) {
   std::size_t hard = 0;
   for (const Violation& v : report.rules)
     hard += v.severity == Severity::hard ? 1 : 0;
-  fmt::print("rules       {} hard and {} soft violations, {} repairs\n",
-             hard,
-             report.rules.size() - hard,
-             report.repairs.size());
+  say("rules       {} hard and {} soft violations, {} repairs\n",
+      hard,
+      report.rules.size() - hard,
+      report.repairs.size());
   for (const Violation& v : report.rules)
-    fmt::print("  {:<9} {} {}: {}\n", name_of(v.severity), v.code, v.where, v.message);
+    say("  {:<9} {} {}: {}\n", name_of(v.severity), v.code, v.where, v.message);
 }
 
 void print_summary(const GenerateOutput& output) {
   const SceneCounts& counts = output.manifest.counts;
   const auto number = [](std::uint64_t n) { return with_thousands(static_cast<std::int64_t>(n)); };
-  fmt::print("store       {}  \"{}\"\n", output.folder, output.manifest.name);
-  fmt::print("counts      {} products, {} SKUs, {} facings, {} fixtures\n",
-             number(counts.products),
-             number(counts.skus),
-             number(counts.facings),
-             number(counts.fixtures));
+  say("store       {}  \"{}\"\n", output.folder, output.manifest.name);
+  say("counts      {} products, {} SKUs, {} facings, {} fixtures\n",
+      number(counts.products),
+      number(counts.skus),
+      number(counts.facings),
+      number(counts.fixtures));
   const Metrics& m = output.report.metrics;
-  fmt::print(
-      "metrics     {:.0f} items/m2, {:.0f} % of shelf front stocked, COL {:.2f} %, OOB {}, NAV "
+  say("metrics     {:.0f} items/m2, {:.0f} % of shelf front stocked, COL {:.2f} %, OOB {}, NAV "
       "{:.3f}\n",
       m.DENS,
       100 * m.fill,
@@ -119,14 +119,28 @@ void print_summary(const GenerateOutput& output) {
   print_requirements(output.report);
   print_rules(output.report);
   for (const Unstocked& own : output.report.unstocked)
-    fmt::print("not stocked {}: {}\n", own.sku, own.why);
+    say("not stocked {}: {}\n", own.sku, own.why);
   std::string times;
   for (const StageTiming& t : output.report.timing_s)
     times += fmt::format("{}{} {:.2f}", times.empty() ? "" : ", ", t.stage, t.seconds);
-  fmt::print("seconds     {}; peak memory {:.0f} MB\n", times, output.report.peak_rss_mb);
-  fmt::print("scene_hash  {}\n", output.manifest.scene_hash);
+  say("seconds     {}; peak memory {:.0f} MB\n", times, output.report.peak_rss_mb);
+  say("scene_hash  {}\n", output.manifest.scene_hash);
   for (const std::string& picture : output.pictures)
-    fmt::print("picture     {}\n", picture);
+    say("picture     {}\n", picture);
+}
+
+std::filesystem::path folder_of(const GenerateFlags& flags, int variant) {
+  const std::filesystem::path folder = flags.folder;
+  return flags.count > 1 ? folder / fmt::format("variant-{}", variant + 1) : folder;
+}
+
+// Before any work: whether every store has a place.
+Result<void> probe_folders(const GenerateFlags& flags) {
+  for (int variant = 0; variant < flags.count; ++variant) {
+    const Result<FolderDraft> draft = FolderDraft::begin(folder_of(flags, variant));
+    if (!draft.ok()) return draft.error();
+  }
+  return {};
 }
 
 Result<void> generate_one(const GenerateFlags& flags,
@@ -134,8 +148,7 @@ Result<void> generate_one(const GenerateFlags& flags,
                           const Catalog& catalog,
                           int variant) {
   CreateOptions options;
-  options.folder = flags.folder;
-  if (flags.count > 1) options.folder /= fmt::format("variant-{}", variant + 1);
+  options.folder = folder_of(flags, variant);
   options.brief = brief;
   if (!flags.plan_file.empty()) options.plan_file = flags.plan_file;
   options.seed = flags.common.seed + static_cast<std::uint64_t>(variant);
@@ -161,6 +174,7 @@ Result<void> generate_one(const GenerateFlags& flags,
 Result<void> generate(const GenerateFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
   MARKETGEN_TRY(const Brief brief, brief_of(flags));
+  MARKETGEN_CHECK(probe_folders(flags));
   MARKETGEN_TRY(const Catalog catalog, load_rows(flags.catalogs));
   for (int variant = 0; variant < flags.count; ++variant)
     MARKETGEN_CHECK(generate_one(flags, brief, catalog, variant));
@@ -173,7 +187,7 @@ Run add_generate(CLI::App& app) {
   auto flags = std::make_shared<GenerateFlags>();
   CLI::App* command = app.add_subcommand("generate", "Make a store folder from a prompt or a plan");
   command->add_option("prompt", flags->words, "what the store should be, in words");
-  command->add_option("-o,--output", flags->folder, "folder to make; must not exist or be empty")
+  add_output(*command, "-o,--output", flags->folder, "folder to make; must not exist or be empty")
       ->required();
   command->add_option("--prompt-file", flags->prompt_file, "read the prompt from a file");
   command->add_option(

@@ -3,7 +3,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <mutex>
 
+#include "base/interrupt.h"
 #include "base/parallel.h"
 #include "base/seed.h"
 #include "command.h"
@@ -11,7 +13,9 @@
 #include "grasping/grasp_shares.h"
 #include "io/file.h"
 #include "io/json.h"
+#include "io/output.h"
 #include "number_flags.h"
+#include "say.h"
 
 namespace marketgen::app {
 namespace {
@@ -111,36 +115,35 @@ void print_shares(const std::vector<GraspShare>& shares) {
   for (const GraspShare& share : shares) {
     const bool all = share.archetype.empty();
     if (all)
-      fmt::print("\n{}, {}\n{:<18} {:>5} {:>5}  {:<20} {:<20} {:>8}  {} | {}\n",
-                 share.tool,
-                 name_of(share.setting),
-                 "shape",
-                 "SKUs",
-                 "fit",
-                 "best held (95 %)",
-                 "any held (95 %)",
-                 "slip mm",
-                 "excluded",
-                 "lost");
-    fmt::print("{:<18} {:>5} {:>5}  {:<20} {:<20} {:>8.2f}  {} | {}\n",
-               all ? "all" : share.archetype,
-               share.products,
-               share.fit.number,
-               percent(share.first),
-               percent(share.any),
-               share.slip_p99_mm,
-               excluded_text(share),
-               fmt::join(share.lost, ", "));
+      say("\n{}, {}\n{:<18} {:>5} {:>5}  {:<20} {:<20} {:>8}  {} | {}\n",
+          share.tool,
+          name_of(share.setting),
+          "shape",
+          "SKUs",
+          "fit",
+          "best held (95 %)",
+          "any held (95 %)",
+          "slip mm",
+          "excluded",
+          "lost");
+    say("{:<18} {:>5} {:>5}  {:<20} {:<20} {:>8.2f}  {} | {}\n",
+        all ? "all" : share.archetype,
+        share.products,
+        share.fit.number,
+        percent(share.first),
+        percent(share.any),
+        share.slip_p99_mm,
+        excluded_text(share),
+        fmt::join(share.lost, ", "));
   }
 }
 
 void print_rate(const GraspRate& rate) {
-  fmt::print("{} {} {}: ", rate.sku, rate.tool, name_of(rate.setting));
-  if (!rate.fits()) return fmt::print("{}: {}\n", name_of(rate.excluded), rate.reason);
-  fmt::print("{} of {} held\n", rate.held(), rate.tries.size());
+  say("{} {} {}: ", rate.sku, rate.tool, name_of(rate.setting));
+  if (!rate.fits()) return say("{}: {}\n", name_of(rate.excluded), rate.reason);
+  say("{} of {} held\n", rate.held(), rate.tries.size());
   for (const GraspTry& t : rate.tries)
-    fmt::print(
-        "  {:<14} {:<9} {:5.1f} mm {:5.1f} N  slip {:.3f} mm, turned {:.2f} deg, neighbours {:.1f} "
+    say("  {:<14} {:<9} {:5.1f} mm {:5.1f} N  slip {:.3f} mm, turned {:.2f} deg, neighbours {:.1f} "
         "N\n",
         name_of(t.strategy),
         name_of(t.end),
@@ -159,8 +162,37 @@ Result<void> check_graspable(const std::vector<GraspRate>& rates) {
                fmt::format("{} ({})", rates.front().reason, rates.front().tool)};
 }
 
+// Keeps the rates of the study; those that were finished, too, when it was broken off.
+Result<std::vector<GraspRate>> study_and_keep(const std::vector<const Product*>& products,
+                                              const std::vector<GraspTool>& tools,
+                                              const Catalog& catalog,
+                                              StudyOptions options,
+                                              const GraspFlags& flags) {
+  MARKETGEN_TRY(const std::filesystem::path data, data_folder());
+  MARKETGEN_TRY(const std::string key, grasp_study_key(data, catalog.content_hash, options));
+  constexpr double keep_every_s = 5;  // a study of the catalogue takes hours
+  std::mutex mutex;
+  std::vector<GraspRate> finished;
+  double kept_s = monotonic_seconds();
+  options.finished = [&](const std::vector<GraspRate>& rates) {
+    const std::scoped_lock lock(mutex);
+    finished.insert(finished.end(), rates.begin(), rates.end());
+    if (monotonic_seconds() < kept_s + keep_every_s) return;
+    kept_s = monotonic_seconds();  // an error shows at the end
+    (void)keep_grasp_rates(finished, key, flags.common.seed).ok();
+  };
+  auto rates = until_interrupted([&] {
+    return study_grasps(products, tools, catalog.frictions, options, progress_for(flags.common));
+  });
+  const NoForcedEnd keeping;
+  MARKETGEN_CHECK(keep_grasp_rates(finished, key, flags.common.seed));
+  return rates;
+}
+
 Result<void> grasps(const GraspFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
+  Outputs database;
+  MARKETGEN_CHECK(database.add({{"MARKETGEN_CACHE", grasp_database_file()}}));
   const double started_s = monotonic_seconds();
   MARKETGEN_TRY(const Catalog catalog, load_rows(flags.catalogs));
   MARKETGEN_TRY(const std::vector<const Product*> products, chosen_products(catalog, flags));
@@ -169,12 +201,8 @@ Result<void> grasps(const GraspFlags& flags) {
   options.tries = flags.tries;
   options.seed = flags.common.seed;
   MARKETGEN_TRY(options.settings, chosen_settings(flags));
-  MARKETGEN_TRY(
-      const std::vector<GraspRate> rates,
-      study_grasps(products, tools, catalog.frictions, options, progress_for(flags.common)));
-  MARKETGEN_TRY(const std::filesystem::path data, data_folder());
-  MARKETGEN_TRY(const std::string key, grasp_study_key(data, catalog.content_hash, options));
-  MARKETGEN_CHECK(keep_grasp_rates(rates, key, flags.common.seed));
+  MARKETGEN_TRY(const std::vector<GraspRate> rates,
+                study_and_keep(products, tools, catalog, options, flags));
 
   GraspReport report{static_cast<int>(products.size()),
                      monotonic_seconds() - started_s,
@@ -190,10 +218,10 @@ Result<void> grasps(const GraspFlags& flags) {
       std::ranges::for_each(rates, print_rate);
     else
       print_shares(report.shares);
-    fmt::print("\n{} products in {:.0f} s; rates kept in {}\n",
-               report.products,
-               report.seconds,
-               report.database);
+    say("\n{} products in {:.0f} s; rates kept in {}\n",
+        report.products,
+        report.seconds,
+        report.database);
   }
   return named ? check_graspable(rates) : Result<void>();
 }

@@ -2,15 +2,20 @@
 // statuses.
 #include <fmt/format.h>
 
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <new>
+#include <system_error>
 
 #include "base/build_info.h"
 #include "base/interrupt.h"
 #include "base/progress.h"
 #include "base/text.h"
 #include "command.h"
+#include "io/destination.h"
 
 namespace marketgen::app {
 namespace {
@@ -113,18 +118,37 @@ int run(int argc, char** argv) {
   return 2;
 }
 
+// What was printed must have gone out; a reader who has closed the pipe has seen what he wanted.
+int checked_output(int status, int fault) {
+  constexpr int ended_by_closed_pipe = 128 + SIGPIPE;
+  if (fault == 0 && std::fflush(stdout) != 0) fault = errno;
+  if (fault == 0 && std::ferror(stdout) != 0) fault = EIO;
+  if (fault == 0) return status;
+  if (fault == EPIPE) return ended_by_closed_pipe;
+  return fail(cannot_write("standard output", "cannot be written", fault));
+}
+
+int run_safely(int argc, char** argv) {
+  try {
+    return checked_output(run(argc, argv), 0);
+  } catch (const Interrupted&) {
+    return fail(interrupted_error());
+  } catch (const std::bad_alloc&) {
+    return fail(
+        {"io.out_of_memory", "", "there is not enough memory; try a smaller store or picture"});
+  } catch (const std::system_error& error) {
+    if (std::ferror(stdout) != 0) return checked_output(0, error.code().value());
+    return fail({"internal.bug", "", error.what()});
+  } catch (const std::exception& error) {
+    return fail({"internal.bug", "", error.what()});
+  }
+}
+
 }  // namespace
 }  // namespace marketgen::app
 
 int main(int argc, char** argv) {
   marketgen::watch_for_interrupts();
   if (const char* const level = std::getenv("MARKETGEN_LOG")) marketgen::set_log_level(level);
-  try {
-    return marketgen::app::run(argc, argv);
-  } catch (const std::bad_alloc&) {
-    return marketgen::app::fail(
-        {"io.out_of_memory", "", "there is not enough memory; try a smaller store or picture"});
-  } catch (const std::exception& e) {
-    return marketgen::app::fail({"internal.bug", "", e.what()});
-  }
+  return marketgen::app::run_safely(argc, argv);
 }

@@ -11,12 +11,14 @@
 #include "command.h"
 #include "io/file.h"
 #include "io/json.h"
+#include "io/output.h"
 #include "io/picture_file.h"
 #include "number_flags.h"
 #include "render/picture_grid.h"
 #include "render/render.h"
 #include "render/robot_actor.h"
 #include "robots/robot_row.h"
+#include "say.h"
 
 namespace marketgen::app {
 namespace {
@@ -121,26 +123,28 @@ Result<void> write_strip(const PickFlags& flags,
                          const Scene& scene,
                          const Robot& robot,
                          const CollectPlan& plan,
-                         const std::vector<Moment>& moments) {
+                         const std::vector<Moment>& moments,
+                         Outputs& outputs) {
   const auto count = std::min(static_cast<std::size_t>(flags.frames), moments.size());
   MARKETGEN_TRY(const Image strip, picture_grid(count, flags.size_px, [&](std::size_t i) {
                   const std::size_t at = count < 2 ? 0 : i * (moments.size() - 1) / (count - 1);
                   return draw_moment(flags, scene, robot, plan, moments[at]);
                 }));
-  MARKETGEN_CHECK(write_picture(flags.output, strip));
-  if (!flags.common.quiet) fmt::print("picture     {}\n", flags.output);
+  MARKETGEN_CHECK(
+      outputs.put(flags.output, [&](const auto& file) { return write_picture(file, strip); }));
+  MARKETGEN_CHECK(outputs.commit());
+  if (!flags.common.quiet) say("picture     {}\n", flags.output);
   return {};
 }
 
 void print_report(const PickReport& report) {
   const CollectResult& r = report.result;
-  fmt::print("{}  {}  by {}, {} grasp\n",
-             r.held ? "held" : "lost",
-             report.product,
-             report.robot,
-             report.strategy);
-  fmt::print(
-      "raised {:.0f} mm, slipped {:.1f} mm, pressed with {:.0f} N; neighbours: {} moved, {} "
+  say("{}  {}  by {}, {} grasp\n",
+      r.held ? "held" : "lost",
+      report.product,
+      report.robot,
+      report.strategy);
+  say("raised {:.0f} mm, slipped {:.1f} mm, pressed with {:.0f} N; neighbours: {} moved, {} "
       "toppled; {:.1f} s\n",
       r.raised_m * 1e3,
       r.slip_m * 1e3,
@@ -153,6 +157,8 @@ void print_report(const PickReport& report) {
 Result<void> pick(const PickFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
   MARKETGEN_CHECK(check_picture_ending(flags.output, "-o"));
+  Outputs outputs;
+  MARKETGEN_CHECK(outputs.add({{"--output", flags.output}}));
   MARKETGEN_TRY(const Scene scene, scene_in_skin(flags.folder, ""));
   MARKETGEN_TRY(const std::vector<std::uint32_t> rows, items_named(scene, flags.product));
   MARKETGEN_TRY(const std::filesystem::path data, data_folder());
@@ -178,7 +184,8 @@ Result<void> pick(const PickFlags& flags) {
     fmt::print("{}", write_json(report));
   else if (!flags.common.quiet)
     print_report(report);
-  return flags.output.empty() ? Result<void>{} : write_strip(flags, scene, robot, plan, moments);
+  return flags.output.empty() ? Result<void>{}
+                              : write_strip(flags, scene, robot, plan, moments, outputs);
 }
 
 }  // namespace
@@ -191,7 +198,7 @@ Run add_pick(CLI::App& app) {
   command->add_option("product", flags->product, "item id, or a SKU: its first item within reach")
       ->required();
   command->add_option("--robot", flags->robot, "row in data/robots")->capture_default_str();
-  command->add_option("-o,--output", flags->output, "PNG or JPEG file for a strip of pictures");
+  add_output(*command, "-o,--output", flags->output, "PNG or JPEG file for a strip of pictures");
   command->add_option("--frames", flags->frames, "pictures in the strip")
       ->check(whole_number(1, 64))
       ->capture_default_str();

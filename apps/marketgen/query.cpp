@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "command.h"
-#include "io/file.h"
+#include "io/output.h"
 #include "scene/query.h"
 #include "store/store.h"
 
@@ -15,13 +15,18 @@ struct QueryFlags {
 };
 
 Result<void> query(const QueryFlags& flags) {
+  Outputs outputs;
+  MARKETGEN_CHECK(outputs.add({{"--output", flags.output}}));
   MARKETGEN_TRY(const Scene scene, open_store_scene(flags.folder));
   MARKETGEN_TRY(const Table table, query_scene(scene, flags.table, flags.where));
   const bool json = flags.common.json || flags.format == "json";
   const std::string text = json ? to_json(table) : to_csv(table);
-  if (!flags.output.empty()) return write_file(flags.output, text);
-  fmt::print("{}", text);
-  return {};
+  if (flags.output.empty()) {
+    fmt::print("{}", text);
+    return {};
+  }
+  MARKETGEN_CHECK(outputs.put(flags.output, text));
+  return outputs.commit();
 }
 
 }  // namespace
@@ -40,7 +45,7 @@ Run add_query(CLI::App& app) {
   command->add_option("--where",
                       flags->where,
                       "keep rows with column=value (also != < <= > >= ~), commas mean \"and\"");
-  command->add_option("-o,--output", flags->output, "write to a file instead");
+  add_output(*command, "-o,--output", flags->output, "write to a file instead");
   add_common_flags(*command, flags->common, Takes::json);
   command->footer(
       "Example:  marketgen query shop products --where zone=dairy,level=2 --format json");

@@ -10,9 +10,9 @@
 #include "camera_flags.h"
 #include "command.h"
 #include "io/exr.h"
-#include "io/file.h"
 #include "io/json.h"
 #include "io/npy.h"
+#include "io/output.h"
 #include "io/picture_file.h"
 #include "io/png.h"
 #include "motion/standing_robot.h"
@@ -23,6 +23,7 @@
 #include "render/depth_noise.h"
 #include "render/render.h"
 #include "render/robot_actor.h"
+#include "say.h"
 
 namespace marketgen::app {
 namespace {
@@ -64,25 +65,28 @@ Result<void> write_channels(const RenderFlags& flags,
                             const Scene& scene,
                             const Frame& frame,
                             const Camera& camera,
-                            const PictureAnnotations& annotations) {
+                            const PictureAnnotations& annotations,
+                            Outputs& outputs) {
   MARKETGEN_TRY(const NoisyPlanes noisy, noisy_planes(flags, frame, camera));
-  const std::filesystem::path folder = flags.channels;
-  std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  if (failed) return Error{"io.cannot_write", flags.channels, failed.message()};
+  const auto put = [&](const std::string& name, const Image& image) {
+    return outputs.put(std::filesystem::path(flags.channels) / (name + ".png"),
+                       [&](const auto& file) { return write_png(file, image); });
+  };
   const auto channels = channel_pictures(frame, scene, annotations, noisy);
   for (const ChannelPicture& channel : channels)
-    MARKETGEN_CHECK(write_png(folder / (channel.name + ".png"), channel.image));
-  return write_png(folder / "sheet.png", channel_sheet(channels));
+    MARKETGEN_CHECK(put(channel.name, channel.image));
+  return put("sheet", channel_sheet(channels));
 }
 
 bool wants_exr(const RenderFlags& flags) {
   return lower_ascii(std::filesystem::path(flags.output).extension().string()) == ".exr";
 }
 
-Result<void> write_picture(const RenderFlags& flags, const Frame& frame) {
-  if (!wants_exr(flags)) return marketgen::write_picture(flags.output, frame.color);
-  return write_exr(flags.output, {frame.color.width, frame.color.height, frame.radiance});
+Result<void> put_picture(const RenderFlags& flags, const Frame& frame, Outputs& outputs) {
+  return outputs.put(flags.output, [&](const std::filesystem::path& file) {
+    if (!wants_exr(flags)) return write_picture(file, frame.color);
+    return write_exr(file, {frame.color.width, frame.color.height, frame.radiance});
+  });
 }
 
 // Before the work: every name says a format that its file can have. Numbers would not survive JPEG.
@@ -96,16 +100,30 @@ Result<void> check_endings(const RenderFlags& flags) {
   return check_ending(flags.annotations, {".json"}, "--annotations");
 }
 
-Result<void> write_planes(const RenderFlags& flags, const Frame& frame) {
+Result<void> put_planes(const RenderFlags& flags, const Frame& frame, Outputs& outputs) {
   const int width = frame.color.width, height = frame.color.height;
-  if (!flags.depth.empty()) MARKETGEN_CHECK(write_depth(flags.depth, frame));
-  if (!flags.segmentation.empty())
-    MARKETGEN_CHECK(write_png(flags.segmentation, draw_instances(frame, width, height)));
-  if (!flags.object_ids.empty())
-    MARKETGEN_CHECK(write_png(flags.object_ids, draw_object_ids(frame)));
-  if (!flags.normals.empty())
-    MARKETGEN_CHECK(write_png(flags.normals, draw_normals(frame, width, height)));
-  return {};
+  const auto put = [&](const std::string& name, const auto& draw) -> Result<void> {
+    if (name.empty()) return {};
+    return outputs.put(name, [&](const auto& file) { return write_png(file, draw()); });
+  };
+  if (!flags.depth.empty())
+    MARKETGEN_CHECK(
+        outputs.put(flags.depth, [&](const auto& file) { return write_depth(file, frame); }));
+  MARKETGEN_CHECK(put(flags.segmentation, [&] { return draw_instances(frame, width, height); }));
+  MARKETGEN_CHECK(put(flags.object_ids, [&] { return draw_object_ids(frame); }));
+  return put(flags.normals, [&] { return draw_normals(frame, width, height); });
+}
+
+// Everything that will be written, before any work.
+Result<void> probe(const RenderFlags& flags, Outputs& outputs) {
+  MARKETGEN_CHECK(outputs.add({{"--output", flags.output},
+                               {"--depth", flags.depth},
+                               {"--segmentation", flags.segmentation},
+                               {"--object-ids", flags.object_ids},
+                               {"--annotations", flags.annotations},
+                               {"--categories", flags.categories},
+                               {"--normals", flags.normals}}));
+  return flags.channels.empty() ? Result<void>{} : outputs.add_folder(flags.channels);
 }
 
 RenderOptions options_of(const RenderFlags& flags, const Camera& camera) {
@@ -126,28 +144,32 @@ Result<void> write_all(const RenderFlags& flags,
                        const Camera& camera,
                        const Renderer& renderer,
                        const std::vector<Actor>& actors,
-                       Frame frame) {
+                       Frame frame,
+                       Outputs& outputs) {
   if (!flags.categories.empty()) {
-    MARKETGEN_CHECK(write_png16(flags.categories,
-                                frame.color.width,
-                                frame.color.height,
-                                category_ids(frame, PictureCategories(scene))));
+    MARKETGEN_CHECK(outputs.put(flags.categories, [&](const auto& file) {
+      return write_png16(file,
+                         frame.color.width,
+                         frame.color.height,
+                         category_ids(frame, PictureCategories(scene)));
+    }));
   }
   if (!flags.annotations.empty() || !flags.channels.empty()) {
     const PictureAnnotations annotations =
         annotate(frame, camera, scene, renderer, picture_actors(actors));
     if (!flags.annotations.empty())
-      MARKETGEN_CHECK(write_file(flags.annotations, write_json(annotations)));
+      MARKETGEN_CHECK(outputs.put(flags.annotations, write_json(annotations)));
     if (!flags.channels.empty())
-      MARKETGEN_CHECK(write_channels(flags, scene, frame, camera, annotations));
+      MARKETGEN_CHECK(write_channels(flags, scene, frame, camera, annotations, outputs));
   }
   if (!flags.noise.empty()) {
     MARKETGEN_TRY(NoisyPlanes noisy, noisy_planes(flags, frame, camera));
     frame.color = std::move(noisy.color);
     frame.depth_m = std::move(noisy.depth_m);
   }
-  MARKETGEN_CHECK(write_picture(flags, frame));
-  return write_planes(flags, frame);
+  MARKETGEN_CHECK(put_picture(flags, frame, outputs));
+  MARKETGEN_CHECK(put_planes(flags, frame, outputs));
+  return outputs.commit();
 }
 
 Result<void> render(const RenderFlags& flags) {
@@ -155,7 +177,7 @@ Result<void> render(const RenderFlags& flags) {
   MARKETGEN_TRY(const Scene scene, scene_in_skin(flags.folder, flags.skin));
   if (flags.list) {
     for (const Camera& camera : standard_cameras(scene, 16, 9))
-      fmt::print("{}\n", camera.name);
+      say("{}\n", camera.name);
     return {};
   }
   if (flags.output.empty())
@@ -163,6 +185,8 @@ Result<void> render(const RenderFlags& flags) {
   MARKETGEN_CHECK(check_endings(flags));
   if (wants_exr(flags) && flags.mode != "path")
     return Error{"usage.bad_flag", "-o", "linear light (EXR) is what --mode path draws"};
+  Outputs outputs;
+  MARKETGEN_CHECK(probe(flags, outputs));
   MARKETGEN_TRY(const Camera camera, camera_of(flags.camera, scene));
   if ((!flags.noise.empty() || !flags.channels.empty()) && camera.ortho_height_m > 0)
     return Error{"usage.bad_flag",
@@ -176,8 +200,8 @@ Result<void> render(const RenderFlags& flags) {
                 Renderer::create(scene, progress, {.keep_light = true}));
   MARKETGEN_CHECK(renderer->set_actors(actors));
   MARKETGEN_TRY(Frame frame, renderer->render(camera, options_of(flags, camera), progress));
-  MARKETGEN_CHECK(write_all(flags, scene, camera, *renderer, actors, std::move(frame)));
-  if (!flags.common.quiet) fmt::print("picture     {}\n", flags.output);
+  MARKETGEN_CHECK(write_all(flags, scene, camera, *renderer, actors, std::move(frame), outputs));
+  if (!flags.common.quiet) say("picture     {}\n", flags.output);
   return {};
 }
 
@@ -205,21 +229,26 @@ void add_drawing_flags(CLI::App& command, RenderFlags& flags) {
 
 // What is written beside the picture.
 void add_plane_flags(CLI::App& command, RenderFlags& flags) {
-  command.add_option(
-      "--depth",
-      flags.depth,
-      "also write depth: F.png in whole millimetres, 16 bits; F.npy in metres, float32");
-  command.add_option("--segmentation", flags.segmentation, "also write a colour per object");
-  command.add_option(
-      "--object-ids", flags.object_ids, "also write object numbers: red + 256 green + 65536 blue");
-  command.add_option(
+  add_output(command,
+             "--depth",
+             flags.depth,
+             "also write depth: F.png in whole millimetres, 16 bits; F.npy in metres, float32");
+  add_output(command, "--segmentation", flags.segmentation, "also write a colour per object");
+  add_output(command,
+             "--object-ids",
+             flags.object_ids,
+             "also write object numbers: red + 256 green + 65536 blue");
+  add_output(
+      command,
       "--annotations",
       flags.annotations,
       "also write what is to be seen: boxes, masks, poses, the camera, as JSON (docs/cameras.md)");
-  command.add_option("--categories", flags.categories, "also write category numbers, 16-bit PNG");
-  command.add_option("--normals", flags.normals, "also write normals");
-  command.add_option(
-      "--channels", flags.channels, "also write every channel as a picture, into this folder");
+  add_output(command, "--categories", flags.categories, "also write category numbers, 16-bit PNG");
+  add_output(command, "--normals", flags.normals, "also write normals");
+  add_output(command,
+             "--channels",
+             flags.channels,
+             "also write every channel as a picture, into this folder");
   command
       .add_option("--noise",
                   flags.noise,
@@ -236,8 +265,10 @@ Run add_render(CLI::App& app) {
   auto flags = std::make_shared<RenderFlags>();
   CLI::App* command = app.add_subcommand("render", "Draw a picture of a store");
   command->add_option("folder", flags->folder, "store folder")->required();
-  command->add_option(
-      "-o,--output", flags->output, "PNG or JPEG file; EXR (--mode path): linear light in cd/m2");
+  add_output(*command,
+             "-o,--output",
+             flags->output,
+             "PNG or JPEG file; EXR (--mode path): linear light in cd/m2");
   add_camera_flags(*command, flags->camera);
   command->add_flag("--list-cameras", flags->list, "print the standard views and stop");
   add_drawing_flags(*command, *flags);

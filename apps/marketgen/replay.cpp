@@ -12,8 +12,10 @@
 #include "evaluation/film.h"
 #include "io/file.h"
 #include "io/json.h"
+#include "io/output.h"
 #include "io/picture_file.h"
 #include "number_flags.h"
+#include "say.h"
 
 namespace marketgen::app {
 namespace {
@@ -33,7 +35,7 @@ class Filming : public EpisodeWatcher {
     return {};
   }
   Result<void> step() override { return film_->look(); }
-  Result<void> finish() { return film_->finish(); }
+  Result<void> finish(Outputs& outputs) { return film_->finish(outputs); }
 
  private:
   FilmOptions options_;
@@ -88,7 +90,7 @@ Result<void> compare(const ReplayFlags& flags,
                  fmt::format("ended in state {}, before in {}: another version or machine",
                              result.state_hash,
                              before.state_hash)};
-  if (!flags.common.quiet) fmt::print("the same    {}\n", result.state_hash);
+  if (!flags.common.quiet) say("the same    {}\n", result.state_hash);
   return {};
 }
 
@@ -96,6 +98,8 @@ Result<void> replay_episode(const ReplayFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
   MARKETGEN_CHECK(check_ending(flags.film, {".mp4"}, "--film"));
   MARKETGEN_CHECK(check_picture_ending(flags.strip, "--strip"));
+  Outputs outputs;
+  MARKETGEN_CHECK(outputs.add({{"--film", flags.film}, {"--strip", flags.strip}}));
   MARKETGEN_TRY(const EpisodeFile file, read_episode_file(flags.episodes));
   MARKETGEN_TRY(const EpisodeSpec spec, episode_named(file, flags.episode));
   MARKETGEN_TRY(const auto before, kept_result(flags, file.header, spec));
@@ -112,16 +116,17 @@ Result<void> replay_episode(const ReplayFlags& flags) {
   const bool filmed = !flags.film.empty() || !flags.strip.empty();
   MARKETGEN_TRY(const EpisodeResult result,
                 run_episode(arena, spec, flags.policy, filmed ? &filming : nullptr));
-  if (filmed) MARKETGEN_CHECK(filming.finish());
+  if (filmed) MARKETGEN_CHECK(filming.finish(outputs));
+  MARKETGEN_CHECK(outputs.commit());
   if (flags.common.json)
     fmt::print("{}\n", write_json_line(result));
   else if (!flags.common.quiet)
-    fmt::print("reached {} of {} goals, {:.1f} s; {}\n",
-               std::ranges::count_if(result.goals,
-                                     [](const auto& goal) { return goal.reached >= goal.count; }),
-               result.goals.size(),
-               result.simulated_s,
-               name_of(result.failure));
+    say("reached {} of {} goals, {:.1f} s; {}\n",
+        std::ranges::count_if(result.goals,
+                              [](const auto& goal) { return goal.reached >= goal.count; }),
+        result.goals.size(),
+        result.simulated_s,
+        name_of(result.failure));
   return before ? compare(flags, *before, result) : Result<void>();
 }
 
@@ -137,8 +142,8 @@ Run add_replay(CLI::App& app) {
   command->add_option("--episode", flags->episode, "its id, or its number from 0 on")->required();
   command->add_option("--policy", flags->policy, "who acts")->capture_default_str();
   command->add_option("--results", flags->results, "results.jsonl with which it is compared");
-  command->add_option("--film", flags->film, "MP4 file");
-  command->add_option("--strip", flags->strip, "PNG or JPEG file with six pictures of it");
+  add_output(*command, "--film", flags->film, "MP4 file");
+  add_output(*command, "--strip", flags->strip, "PNG or JPEG file with six pictures of it");
   command->add_option("--speed", flags->speed, "of the film, times real time")
       ->check(real_number(0.1, 100))
       ->capture_default_str();

@@ -3,8 +3,9 @@
 
 #include "base/parallel.h"
 #include "command.h"
-#include "io/file.h"
 #include "io/json.h"
+#include "io/output.h"
+#include "say.h"
 #include "store/store.h"
 
 namespace marketgen::app {
@@ -18,6 +19,8 @@ struct ReportFlags {
 
 Result<void> report(const ReportFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
+  Outputs outputs;
+  MARKETGEN_CHECK(outputs.add({{"--output", flags.html}}));
   MARKETGEN_TRY(const Catalog catalog, load_rows());
   std::vector<std::pair<Manifest, StoreReport>> reports;
   for (const std::string& folder : flags.folders) {
@@ -26,11 +29,11 @@ Result<void> report(const ReportFlags& flags) {
     if (flags.common.json) fmt::print("{}\n", write_json_line(full));
     reports.emplace_back(store.manifest, std::move(full));
   }
-  MARKETGEN_CHECK(write_file(flags.html, report_html(reports)));
+  MARKETGEN_CHECK(outputs.put(flags.html, report_html(reports)));
+  MARKETGEN_CHECK(outputs.commit());
   if (flags.common.json) return {};
   for (const auto& [manifest, full] : reports) {
-    fmt::print(
-        "{:<28} {:>7} products  COL {:.2f} %  OOB {}  NAV {:.3f}  reach {:.1f} %  STB {:.1f} % of "
+    say("{:<28} {:>7} products  COL {:.2f} %  OOB {}  NAV {:.3f}  reach {:.1f} %  STB {:.1f} % of "
         "{}  wishes {:.0f} %\n",
         manifest.name,
         manifest.counts.products,
@@ -42,7 +45,7 @@ Result<void> report(const ReportFlags& flags) {
         full.metrics.stb_products.value_or(0),
         100 * full.metrics.prompt);
   }
-  fmt::print("page        {}\n", flags.html);
+  say("page        {}\n", flags.html);
   return {};
 }
 
@@ -53,7 +56,7 @@ Run add_report(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("report", "Measure stores, physics included: JSON and one HTML page");
   command->add_option("folders", flags->folders, "store folders")->required();
-  command->add_option("-o,--output", flags->html, "HTML page to write")->capture_default_str();
+  add_output(*command, "-o,--output", flags->html, "HTML page to write")->capture_default_str();
   add_common_flags(*command, flags->common, Takes::json);
   command->footer("Example:  marketgen report shop -o shop-report.html");
   return [flags] {

@@ -11,9 +11,9 @@
 #include "episodes/episode_result.h"
 #include "episodes/episode_spec.h"
 #include "intake/brief.h"
-#include "io/file.h"
 #include "io/flatbuffer.h"
 #include "io/json.h"
+#include "io/output.h"
 #include "render/annotations.h"
 #include "robots/robot_row.h"
 #include "scene/scene_file.h"
@@ -51,20 +51,20 @@ std::vector<Document> documents() {
 
 Result<void> write_schemas(const std::string& root) {
   const fs::path schemas = fs::path(root) / "schemas", docs = fs::path(root) / "docs" / "fields";
-  std::error_code failed;
-  fs::create_directories(schemas, failed);
-  fs::create_directories(docs, failed);
-  if (failed) return Error{"io.cannot_write", root, failed.message()};
+  Outputs outputs;
+  MARKETGEN_CHECK(outputs.add_folder(schemas));
+  MARKETGEN_CHECK(outputs.add_folder(docs));
   for (const Document& d : documents()) {
     const std::string name(d.file);
-    MARKETGEN_CHECK(write_file(schemas / (name + ".schema.json"),
-                               json_schema_of(d.type, name + ".schema.json", d.title)));
+    MARKETGEN_CHECK(outputs.put(schemas / (name + ".schema.json"),
+                                json_schema_of(d.type, name + ".schema.json", d.title)));
     MARKETGEN_CHECK(
-        write_file(docs / (name + ".md"),
-                   fmt::format("# {}\n\n{}.\n\n{}", name, d.title, markdown_of(d.type))));
+        outputs.put(docs / (name + ".md"),
+                    fmt::format("# {}\n\n{}.\n\n{}", name, d.title, markdown_of(d.type))));
   }
-  return write_file(schemas / "market-scene-1.fbs",
-                    flatbuffer_schema_of(type_of<Scene>(), scene_file_identifier));
+  MARKETGEN_CHECK(outputs.put(schemas / "market-scene-1.fbs",
+                              flatbuffer_schema_of(type_of<Scene>(), scene_file_identifier)));
+  return outputs.commit();
 }
 
 }  // namespace
@@ -73,7 +73,7 @@ Run add_schemas(CLI::App& app) {
   auto root = std::make_shared<std::string>(".");
   CLI::App* command = app.add_subcommand(
       "schemas", "Write schemas/ and docs/fields/ from the program's own field lists");
-  command->add_option("-o,--output", *root, "folder that has or gets schemas/ and docs/")
+  add_output(*command, "-o,--output", *root, "folder that has or gets schemas/ and docs/")
       ->capture_default_str();
   command->footer("Example:  marketgen schemas -o .");
   return [root] {

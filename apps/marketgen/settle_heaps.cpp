@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "base/parallel.h"
-#include "io/file.h"
 #include "io/json.h"
+#include "io/output.h"
 #include "physics/heap.h"
 #include "scene/shelf_fill.h"
 
@@ -32,6 +32,8 @@ Result<void> settle_heaps(const Catalog& catalog,
                           const CommonFlags& flags) {
   const std::vector<const Product*> kinds = kinds_of_pieces(catalog);
   const ThreadLimit limit(flags.threads);
+  Outputs outputs;
+  MARKETGEN_CHECK(outputs.add({{"--output", file}}));
   Progress& progress = progress_for(flags);
   progress.begin("heaps", kinds.size());
   std::vector<std::string> lines(kinds.size());
@@ -50,7 +52,8 @@ Result<void> settle_heaps(const Catalog& catalog,
     if (errors[i]) return *errors[i];
     text += "  " + lines[i] + (i + 1 < kinds.size() ? ",\n" : "\n");
   }
-  return write_file(file, text + "]\n");
+  MARKETGEN_CHECK(outputs.put(file, text + "]\n"));
+  return outputs.commit();
 }
 
 }  // namespace marketgen::app

@@ -5,6 +5,7 @@
 #include "assets/asset_detail.h"
 #include "assets/label.h"
 #include "io/json.h"
+#include "io/output.h"
 #include "io/picture_file.h"
 #include "render/contact_sheet.h"
 #include "render/material_picture.h"
@@ -15,24 +16,31 @@ namespace {
 
 constexpr int label_px = 1024;
 
-Result<void> show_product(const Product& product, const Catalog& catalog, const ShownAsset& asset) {
+Result<void> put_picture(Outputs& outputs, const std::string& name, const Image& picture) {
+  return outputs.put(name, [&](const auto& file) { return write_picture(file, picture); });
+}
+
+Result<void> show_product(const Product& product,
+                          const Catalog& catalog,
+                          const ShownAsset& asset,
+                          Outputs& outputs) {
   if (!asset.picture.empty()) {
     MARKETGEN_TRY(const Image picture, draw_product(product, asset.size_px));
-    MARKETGEN_CHECK(write_picture(asset.picture, picture));
+    MARKETGEN_CHECK(put_picture(outputs, asset.picture, picture));
   }
   if (!asset.label.empty()) {
     MARKETGEN_TRY(const Image label, draw_label(product, label_px));
-    MARKETGEN_CHECK(write_picture(asset.label, label));
+    MARKETGEN_CHECK(put_picture(outputs, asset.label, label));
   }
   MARKETGEN_TRY(const ProductDetail detail, detail_of(product, catalog));
   fmt::print("{}", write_json(detail));
   return {};
 }
 
-Result<void> show_material(const MaterialRow& material, const ShownAsset& asset) {
+Result<void> show_material(const MaterialRow& material, const ShownAsset& asset, Outputs& outputs) {
   if (!asset.picture.empty()) {
     MARKETGEN_TRY(const Image picture, draw_material_picture(material, asset.size_px));
-    MARKETGEN_CHECK(write_picture(asset.picture, picture));
+    MARKETGEN_CHECK(put_picture(outputs, asset.picture, picture));
   }
   fmt::print("{}", write_json(material));
   return {};
@@ -61,11 +69,17 @@ Result<void> show_asset(const Catalog& catalog, const ShownAsset& asset) {
     return Error{"usage.bad_flag", "--label", "only products have a printed label"};
   if (kind == nullptr && !asset.joints.empty())
     return Error{"usage.bad_flag", "--joint", "only facilities have joints"};
-  if (product != nullptr) return show_product(*product, catalog, asset);
-  if (kind != nullptr)
-    return show_fixture(*kind, catalog, {asset.joints, asset.picture, asset.size_px});
-  if (material != nullptr) return show_material(*material, asset);
-  return unknown_asset(catalog, asset.id);
+  Outputs outputs;
+  MARKETGEN_CHECK(outputs.add({{"--picture", asset.picture}, {"--label", asset.label}}));
+  const auto show = [&]() -> Result<void> {
+    if (product != nullptr) return show_product(*product, catalog, asset, outputs);
+    if (kind != nullptr)
+      return show_fixture(*kind, catalog, {asset.joints, asset.picture, asset.size_px}, outputs);
+    if (material != nullptr) return show_material(*material, asset, outputs);
+    return unknown_asset(catalog, asset.id);
+  };
+  MARKETGEN_CHECK(show());
+  return outputs.commit();
 }
 
 }  // namespace marketgen::app

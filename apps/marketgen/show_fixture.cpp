@@ -61,7 +61,8 @@ Result<void> put_joint(const Scene& stage,
 
 Result<void> show_fixture(const FixtureKind& kind,
                           const Catalog& catalog,
-                          const FixtureView& view) {
+                          const FixtureView& view,
+                          Outputs& outputs) {
   MARKETGEN_TRY(Scene stage, stage_fixture(kind, catalog));
   std::vector<double> positions(stage.joints.size(), 0);
   for (const std::string& flag : view.joints)
@@ -70,7 +71,7 @@ Result<void> show_fixture(const FixtureKind& kind,
   if (view.picture.empty()) return {};
   MARKETGEN_TRY(const Image picture,
                 draw_fixture(scene_at(std::move(stage), positions), view.size_px));
-  return write_picture(view.picture, picture);
+  return outputs.put(view.picture, [&](const auto& file) { return write_picture(file, picture); });
 }
 
 }  // namespace marketgen::app

@@ -6,6 +6,7 @@
 
 #include "base/result.h"
 #include "catalog/catalog.h"
+#include "io/output.h"
 
 namespace marketgen::app {
 
@@ -15,8 +16,11 @@ struct FixtureView {
   int size_px = 400;
 };
 
-// Prints JSON. "all=STATE" puts every joint there that has such a state. Errors: usage.bad_flag,
-// catalog.*, assets.*, io.*.
-Result<void> show_fixture(const FixtureKind& kind, const Catalog& catalog, const FixtureView& view);
+// Prints JSON; the picture becomes one of `outputs`. "all=STATE" puts every joint there that has
+// such a state. Errors: usage.bad_flag, catalog.*, assets.*, io.*.
+Result<void> show_fixture(const FixtureKind& kind,
+                          const Catalog& catalog,
+                          const FixtureView& view,
+                          Outputs& outputs);
 
 }  // namespace marketgen::app

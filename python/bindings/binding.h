@@ -37,7 +37,7 @@ template <class Work>
 auto without_interpreter(const Work& work) {
   const InterruptWatch watch;
   const nb::gil_scoped_release released;
-  return work();
+  return until_interrupted(work);
 }
 
 // The value that `text` names; raises usage.bad_flag at `where` with the names there are.

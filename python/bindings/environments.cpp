@@ -193,11 +193,11 @@ std::string judged(EnvironmentHandle& handle,
     end.by_policy = by_policy;
   }
   end.wall_s = wall_s;
-  return write_json(without_interpreter([&] {
+  return write_json(value_or_raise(without_interpreter([&]() -> Result<EpisodeResult> {
     EpisodeResult result;
     parallel_for(1, [&](std::size_t) { result = handle.environment->judged(end); });
     return result;
-  }));
+  })));
 }
 
 std::vector<std::string> episodes(const EpisodeGround& ground) {

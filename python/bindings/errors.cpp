@@ -1,5 +1,6 @@
 #include <nanobind/stl/string.h>
 
+#include "base/safe_line.h"
 #include "binding.h"
 
 namespace marketgen::python {
@@ -10,11 +11,13 @@ PyObject* error_type = nullptr;  // marketgen.Error, which lives as long as the 
 }  // namespace
 
 void raise(const Error& error) {
+  constexpr std::size_t longest_where = 300, longest_message = 2000;
   if (error.code == "internal.interrupted") {
     if (PyErr_CheckSignals() == 0) PyErr_SetNone(PyExc_KeyboardInterrupt);
     throw nb::python_error();
   }
-  const nb::object made = nb::borrow(error_type)(error.code, error.where, error.message);
+  const nb::object made = nb::borrow(error_type)(
+      error.code, safe_line(error.where, longest_where), safe_line(error.message, longest_message));
   PyErr_SetObject(error_type, made.ptr());
   throw nb::python_error();
 }
@@ -23,6 +26,14 @@ void add_errors(nb::module_& module) {
   const nb::object type = nb::module_::import_("marketgen.errors").attr("Error");
   error_type = type.ptr();
   module.attr("Error") = type;
+  // Of a loop that ran outside without_interpreter() while another call was interrupted.
+  nb::register_exception_translator([](const std::exception_ptr& thrown, void*) {
+    try {
+      std::rethrow_exception(thrown);
+    } catch (const Interrupted&) {
+      PyErr_SetNone(PyExc_KeyboardInterrupt);
+    }
+  });
 }
 
 }  // namespace marketgen::python

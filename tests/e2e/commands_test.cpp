@@ -10,6 +10,7 @@
 
 #include "io/png.h"
 #include "small_store.h"
+#include "support/command_list.h"
 #include "support/glb_bytes.h"
 
 namespace marketgen {
@@ -37,18 +38,6 @@ std::string shop() {
 }
 json manifest() {
   return json::parse(contents_of(small_store() / "store.json"));
-}
-
-std::vector<std::string> commands() {  // as apps/marketgen/commands.inc lists them
-  const std::string list =
-      contents_of(fs::path(MARKETGEN_SOURCE_DIR) / "apps/marketgen/commands.inc");
-  const std::regex entry("COMMAND\\(([a-z]+)\\)");
-  std::vector<std::string> names;
-  for (auto it = std::sregex_iterator(list.begin(), list.end(), entry);
-       it != std::sregex_iterator();
-       ++it)
-    names.push_back((*it)[1]);
-  return names;
 }
 
 // ---- Help. ----

@@ -66,6 +66,15 @@ class Started {
   }
 
   void interrupt() const { kill(pid_, SIGINT); }
+  void send(int number) const { kill(pid_, number); }
+  // Whether it has come so far that it handles the signal by itself.
+  bool handles(int number) const {
+    const std::string status = contents_of("/proc/" + std::to_string(pid_) + "/status");
+    const std::size_t at = status.find("SigCgt:");
+    if (at == std::string::npos) return false;
+    const unsigned long long caught = std::stoull(status.substr(at + 7), nullptr, 16);
+    return (caught >> static_cast<unsigned>(number - 1) & 1U) != 0;
+  }
   void end_at_once() const { kill(pid_, SIGKILL); }  // kill -9
   std::string errors_so_far() const { return contents_of(logs_.path() / "err"); }
 

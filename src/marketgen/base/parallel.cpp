@@ -8,6 +8,8 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "base/interrupt.h"
+
 namespace marketgen {
 namespace {
 
@@ -37,8 +39,10 @@ void parallel_for(std::size_t count,
   tbb::this_task_arena::isolate([&] {
     tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& piece) {
       const FlushDenormals flush;
-      for (std::size_t i = piece.begin(); i != piece.end(); ++i)
+      for (std::size_t i = piece.begin(); i != piece.end(); ++i) {
+        interrupt_point();
         body(i);
+      }
     });
   });
 }

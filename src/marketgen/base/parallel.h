@@ -11,7 +11,7 @@
 namespace marketgen {
 
 // Calls body(i) for i in 0..count-1, in any order, on up to the allowed number of threads. `grain`
-// indices run as one piece of work. The body must not throw.
+// indices run as one piece of work. Throws Interrupted (base/interrupt.h), as the body may.
 void parallel_for(std::size_t count,
                   const std::function<void(std::size_t)>& body,
                   std::size_t grain = 1);

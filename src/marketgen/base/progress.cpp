@@ -10,6 +10,8 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include "base/safe_line.h"
+
 namespace marketgen {
 
 void Progress::begin(std::string_view, std::size_t) {}
@@ -85,13 +87,13 @@ void set_log_level(std::string_view level) {
   logger().set_level(spdlog::level::from_str(std::string(level)));
 }
 void log_debug(std::string_view message) {
-  logger().debug(message);
+  logger().debug(safe_line(message));
 }
 void log_info(std::string_view message) {
-  logger().info(message);
+  logger().info(safe_line(message));
 }
 void log_warning(std::string_view message) {
-  logger().warn(message);
+  logger().warn(safe_line(message));
 }
 
 double monotonic_seconds() {

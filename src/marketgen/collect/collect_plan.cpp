@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/interrupt.h"
 #include "collect/scene_obstacles.h"
 #include "motion/standing_robot.h"
 
@@ -194,6 +195,7 @@ Result<CollectPlan> plan_collect(const Scene& scene,
   Error error{"collect.no_place", goods.sku, ""};
   for (const GraspCandidate& grasp : grasps) {
     for (const Planner& planner : planners) {
+      interrupt_point();
       auto plan = planner.plan(grasp);
       if (plan.ok()) return plan;
       error = plan.error();

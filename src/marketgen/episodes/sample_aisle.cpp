@@ -73,6 +73,20 @@ Result<std::vector<int>> AisleSampler::grasps_for(const Product& product) {
   return std::move(studied.grasps);
 }
 
+std::vector<ConsideredProduct> AisleSampler::considered() const {
+  const std::scoped_lock lock(mutex_);
+  std::vector<ConsideredProduct> products;
+  for (const auto& [sku, why] : considered_)
+    products.push_back({sku, why});
+  return products;
+}
+
+void AisleSampler::consider(const std::vector<ConsideredProduct>& products) {
+  const std::scoped_lock lock(mutex_);
+  for (const ConsideredProduct& product : products)
+    considered_.insert_or_assign(product.sku, product.why);
+}
+
 EpisodeExclusions AisleSampler::exclusions() const {
   const std::scoped_lock lock(mutex_);
   std::map<std::string, int> counts;

@@ -8,6 +8,7 @@
 #include "base/seed.h"
 #include "collect/collect_plan.h"
 #include "episodes/aisle_store.h"
+#include "episodes/episode_journal.h"
 #include "episodes/grasp_book.h"
 #include "episodes/sample_checkout.h"
 
@@ -28,6 +29,9 @@ class AisleSampler {
 
   // Of the products that were considered so far: those that the grasp study does not hold, by why.
   EpisodeExclusions exclusions() const;
+  // These products; and more, which another process considered while it drew for the same store.
+  std::vector<ConsideredProduct> considered() const;
+  void consider(const std::vector<ConsideredProduct>& products);
 
  private:
   struct Witness;

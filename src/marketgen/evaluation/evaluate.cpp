@@ -40,8 +40,10 @@ EpisodeResult not_run(const EpisodeSpec& spec, const std::string& policy, const 
 EpisodeRunner runner_here(Arena& arena, const std::string& policy) {
   return [&arena, &policy](const EpisodeSpec& spec) {
     std::optional<Result<EpisodeResult>> result;
-    parallel_for(1, [&](std::size_t) { result = run_episode(arena, spec, policy); });
-    return *std::move(result);
+    return until_interrupted([&]() -> Result<EpisodeResult> {
+      parallel_for(1, [&](std::size_t) { result = run_episode(arena, spec, policy); });
+      return *std::move(result);
+    });
   };
 }
 

@@ -1,13 +1,18 @@
 #include "evaluation/film.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
+#include <cerrno>
 
 #include <fmt/format.h>
 
+#include "base/interrupt.h"
 #include "episodes/aisle_view.h"
 #include "episodes/checkout_view.h"
 #include "io/file.h"
 #include "io/json.h"
+#include "io/part_name.h"
 #include "io/picture_file.h"
 #include "io/png.h"
 #include "io/program.h"
@@ -89,7 +94,9 @@ class Film::Eye {
 
 Film::~Film() {
   std::error_code ignored;
-  if (!scratch_.empty()) std::filesystem::remove_all(scratch_, ignored);
+  if (scratch_.empty()) return;
+  std::filesystem::remove_all(scratch_, ignored);
+  drop_leftover(scratch_);
 }
 
 Result<std::unique_ptr<Film>> Film::begin(const TrackWorld& world, const FilmOptions& options) {
@@ -98,10 +105,13 @@ Result<std::unique_ptr<Film>> Film::begin(const TrackWorld& world, const FilmOpt
   film->world_ = &world;
   film->options_ = options;
   MARKETGEN_TRY(film->eye_, Eye::open(world));
-  std::string pattern = (std::filesystem::temp_directory_path() / "marketgen-film-XXXXXX").string();
-  if (mkdtemp(pattern.data()) == nullptr)
-    return Error{"io.cannot_write", pattern, "no folder for the film's pictures can be made"};
-  film->scratch_ = pattern;
+  const std::filesystem::path temporary = std::filesystem::temp_directory_path();
+  sweep_parts_once(temporary);
+  const std::filesystem::path scratch = part_in(temporary, "marketgen-film");
+  if (mkdir(scratch.c_str(), 0700) != 0)
+    return cannot_write(scratch, "no folder for the film's pictures can be made", errno);
+  add_leftover(scratch);
+  film->scratch_ = scratch;
   MARKETGEN_CHECK(film->look());
   return film;
 }
@@ -110,10 +120,12 @@ Result<void> Film::look() {
   const double due_s = static_cast<double>(pictures_) * options_.every_s;
   if (world_->time_s() + 1e-9 < due_s) return {};
   MARKETGEN_TRY(const Image picture, eye_->look(options_.width, options_.height));
-  return write_png(picture_file(scratch_, pictures_++), picture);
+  MARKETGEN_TRY(const std::string bytes, encode_png(picture));
+  const std::filesystem::path file = picture_file(scratch_, pictures_++);
+  return write_new(file, bytes, Durable::no, file);
 }
 
-Result<void> Film::write_film() const {
+Result<void> Film::write_film(Outputs& outputs) const {
   const std::filesystem::path draft = scratch_ / "film.mp4";
   MARKETGEN_CHECK(run_worker(
       "film",
@@ -121,10 +133,10 @@ Result<void> Film::write_film() const {
           scratch_.string(), draft.string(), static_cast<int>(pictures_), options_.frame_rate}),
       longest_encoding_s));
   MARKETGEN_TRY(const std::string bytes, read_file(draft));
-  return write_file(options_.film, bytes);
+  return outputs.put(options_.film, bytes);
 }
 
-Result<void> Film::write_strip() const {
+Result<void> Film::write_strip(Outputs& outputs) const {
   const std::size_t count = std::min(options_.strip_pictures, pictures_);
   MARKETGEN_TRY(const Image strip,
                 picture_grid(count, options_.height, [&](std::size_t i) -> Result<Image> {
@@ -132,12 +144,12 @@ Result<void> Film::write_strip() const {
                   MARKETGEN_TRY(const Image whole, read_png(picture_file(scratch_, at)));
                   return middle_square(whole);
                 }));
-  return write_picture(options_.strip, strip);
+  return outputs.put(options_.strip, [&](const auto& file) { return write_picture(file, strip); });
 }
 
-Result<void> Film::finish() {
-  if (!options_.strip.empty()) MARKETGEN_CHECK(write_strip());
-  return options_.film.empty() ? Result<void>{} : write_film();
+Result<void> Film::finish(Outputs& outputs) {
+  if (!options_.strip.empty()) MARKETGEN_CHECK(write_strip(outputs));
+  return options_.film.empty() ? Result<void>{} : write_film(outputs);
 }
 
 }  // namespace marketgen

@@ -6,6 +6,7 @@
 
 #include "episodes/track_world.h"
 #include "geometry/image.h"
+#include "io/output.h"
 
 namespace marketgen {
 
@@ -27,14 +28,14 @@ class Film {
 
   // To be called after every control step: takes a picture when it is time for one.
   Result<void> look();
-  // Errors: io.*, program.failed.
-  Result<void> finish();
+  // Puts film and strip among `outputs`. Errors: io.*, program.failed.
+  Result<void> finish(Outputs& outputs);
 
  private:
   class Eye;
   Film() = default;
-  Result<void> write_film() const;
-  Result<void> write_strip() const;
+  Result<void> write_film(Outputs& outputs) const;
+  Result<void> write_strip(Outputs& outputs) const;
 
   const TrackWorld* world_ = nullptr;
   FilmOptions options_;

@@ -9,6 +9,7 @@
 #include "evaluation/run_episode.h"
 #include "io/file.h"
 #include "io/json.h"
+#include "io/output.h"
 
 namespace marketgen {
 namespace {
@@ -51,9 +52,10 @@ Result<std::unique_ptr<ResultsFolder>> ResultsFolder::open(const EpisodeFile& fi
                                                            const std::filesystem::path& folder,
                                                            const std::string& policy,
                                                            bool resume) {
+  Outputs place;
+  MARKETGEN_CHECK(place.add_folder(folder));
+  MARKETGEN_CHECK(place.commit());
   std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  if (failed) return Error{"io.cannot_write", folder.string(), failed.message()};
   MARKETGEN_TRY(FolderLock lock, FolderLock::take(folder));
   std::unique_ptr<ResultsFolder> opened(new ResultsFolder(file, folder, std::move(lock)));
   const std::string path = opened->results_path();

@@ -23,6 +23,8 @@ auto asked(EpisodeWatcher* watcher, const Answer& answer) -> decltype(answer()) 
   auto given = [&]() -> decltype(answer()) {
     try {
       return answer();
+    } catch (const Interrupted&) {
+      throw;
     } catch (const std::exception& thrown) {
       return failed(thrown.what());
     } catch (...) {

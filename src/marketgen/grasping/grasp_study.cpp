@@ -206,6 +206,7 @@ Result<std::vector<GraspRate>> study_grasps(const std::vector<const Product*>& p
     const Product& product = *products[i];
     Result<std::vector<GraspRate>> rates =
         rates_of(product, tools, rubber_friction(frictions, product), options);
+    if (rates.ok() && options.finished) options.finished(*rates);
     progress.advance();
     return rates.ok() ? ProductRates{std::move(rates).value(), {}}
                       : ProductRates{{}, rates.error()};

@@ -6,6 +6,7 @@
 // reason is kept. Success is read from the simulation only.
 #pragma once
 #include <array>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -95,6 +96,8 @@ struct StudyOptions {
   // hold any more.
   int enough_held = 0;
   std::uint64_t seed = 1;
+  // Told each product's rates as they are finished, from any thread; may be none.
+  std::function<void(const std::vector<GraspRate>&)> finished;
 };
 
 // For the candidates that the study tries in a setting, which is not `basket`, in their order.

@@ -5,16 +5,19 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <random>
 
 #include <fmt/format.h>
 #include <openssl/evp.h>
 
+#include "base/interrupt.h"
 #include "base/text.h"
+#include "io/destination.h"
 #include "io/installation.h"
+#include "io/part_name.h"
 
 namespace marketgen {
 namespace fs = std::filesystem;
@@ -30,7 +33,6 @@ class Descriptor {
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
   int get() const { return fd_; }
-  bool close_now() { return close(std::exchange(fd_, -1)) == 0; }
 
  private:
   int fd_;
@@ -53,25 +55,32 @@ Error cannot_open(const fs::path& path) {
   return cannot("io.cannot_read", path, "cannot be opened");
 }
 
-// A name beside `path` that no other process uses.
-fs::path beside(const fs::path& path) {
-  fs::path clean = path;
-  if (!clean.has_filename()) clean = clean.parent_path();
-  static thread_local std::random_device random;  // names only: nothing that is kept depends on it
-  return clean.parent_path() /
-         fmt::format(".{}.{}-{:08x}.part", clean.filename().string(), getpid(), random());
+// Where what becomes `target` is written: beside it; inside a folder that is there already, which
+// keeps its mode, its mount and whoever works in it.
+fs::path draft_of(const fs::path& target) {
+  std::error_code failed;
+  const bool there = fs::is_directory(target, failed);
+  return part_in(there ? target : target.parent_path(), target.filename().string());
 }
 
-bool write_all(int fd, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = write(fd, bytes.data(), bytes.size());
-    if (written < 0) {
-      if (errno == EINTR) continue;
-      return false;
-    }
-    bytes.remove_prefix(static_cast<std::size_t>(written));
+// Everything in `draft` into `folder`, the manifest last: a folder without it is no store.
+Result<void> move_up(const fs::path& draft, const fs::path& folder) {
+  constexpr std::string_view manifest = "store.json";
+  std::vector<fs::path> names;
+  std::error_code failed;
+  for (const auto& entry : fs::directory_iterator(draft, failed))
+    names.push_back(entry.path().filename());
+  std::ranges::sort(
+      names, {}, [&](const fs::path& name) { return std::pair(name == manifest, name.string()); });
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (rename((draft / names[i]).c_str(), (folder / names[i]).c_str()) == 0) continue;
+    const int fault = errno;
+    for (std::size_t k = 0; k < i; ++k)
+      fs::rename(folder / names[k], draft / names[k], failed);
+    return cannot_write(folder, "cannot be put in place", fault);
   }
-  return true;
+  fs::remove(draft, failed);
+  return {};
 }
 
 }  // namespace
@@ -98,21 +107,10 @@ Result<std::string> read_file(const fs::path& path, std::uint64_t max_bytes) {
 }
 
 Result<void> write_file(const fs::path& path, std::string_view bytes) {
-  const fs::path part = beside(path);
-  {
-    Descriptor file(open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
-    if (file.get() < 0) return cannot("io.cannot_write", path, "cannot be written");
-    if (!write_all(file.get(), bytes) || !file.close_now()) {
-      const Error error = cannot("io.cannot_write", path, "cannot be written");
-      unlink(part.c_str());
-      return error;
-    }
-  }
-  if (rename(part.c_str(), path.c_str()) != 0) {
-    const Error error = cannot("io.cannot_write", path, "cannot be replaced");
-    unlink(part.c_str());
-    return error;
-  }
+  MadeFolders made;
+  MARKETGEN_TRY(const Destination to, destination_of(path, made));
+  MARKETGEN_CHECK(write_to(to, bytes));
+  made.keep();
   return {};
 }
 
@@ -124,15 +122,20 @@ FolderDraft::FolderDraft(FolderDraft&& other) noexcept
 
 FolderDraft::~FolderDraft() {
   std::error_code ignored;
-  if (!draft_.empty()) fs::remove_all(draft_, ignored);
+  if (!draft_.empty()) {
+    fs::remove_all(draft_, ignored);
+    drop_leftover(draft_);
+  }
   for (; !parents_.empty(); parents_.pop_back())
     fs::remove(parents_.back(), ignored);  // only when it is empty
 }
 
 Result<FolderDraft> FolderDraft::begin(const fs::path& path) {
-  std::error_code failed;
-  fs::path target = fs::absolute(path, failed).lexically_normal();
+  MARKETGEN_TRY(fs::path target, followed(path));
+  target = target.lexically_normal();
   if (!target.has_filename()) target = target.parent_path();
+  std::error_code failed;
+  if (fs::is_directory(target, failed)) sweep_parts(target);
   if (fs::exists(target, failed) &&
       !(fs::is_directory(target, failed) && fs::is_empty(target, failed))) {
     return Error{"store.exists", path.string(), "exists already; name another folder or remove it"};
@@ -143,35 +146,31 @@ Result<FolderDraft> FolderDraft::begin(const fs::path& path) {
 }
 
 void FolderDraft::make_parents(std::error_code& failed) {
-  std::vector<fs::path> missing;
-  fs::path parent = target_.parent_path();
-  for (; !fs::exists(parent, failed) && !failed; parent = parent.parent_path())
-    missing.push_back(parent);
-  for (; !missing.empty() && !failed; missing.pop_back()) {
-    if (fs::create_directory(missing.back(), failed)) parents_.push_back(missing.back());
-  }
+  MadeFolders made;
+  failed.assign(made.make(target_.parent_path()), std::generic_category());
+  parents_ = made.release();
 }
 
 Result<void> FolderDraft::make(const std::string& shown) {
   std::error_code failed;
   make_parents(failed);
-  if (failed)
-    return Error{"io.cannot_write", shown, "its parent folder cannot be made: " + failed.message()};
-  const fs::path draft = beside(target_);
-  fs::create_directory(draft, failed);
-  if (failed) return Error{"io.cannot_write", shown, "cannot be made: " + failed.message()};
+  if (failed) return cannot_write(shown, "its parent folder cannot be made", failed.value());
+  sweep_parts_once(target_.parent_path());
+  const fs::path draft = draft_of(target_);
+  if (mkdir(draft.c_str(), 0777) != 0) return cannot_write(shown, "cannot be made", errno);
+  add_leftover(draft);
   draft_ = draft;
   return {};
 }
 
 Result<void> FolderDraft::commit() {
-  std::error_code failed;
-  if (fs::exists(target_, failed))
-    fs::remove(target_, failed);  // an empty folder; fails when it is not
-  fs::rename(draft_, target_, failed);
-  if (failed)
-    return Error{
-        "io.cannot_write", target_.string(), "cannot be put in place: " + failed.message()};
+  const NoForcedEnd together;
+  if (draft_.parent_path() == target_) {
+    MARKETGEN_CHECK(move_up(draft_, target_));
+  } else if (rename(draft_.c_str(), target_.c_str()) != 0) {
+    return cannot_write(target_, "cannot be put in place", errno);
+  }
+  drop_leftover(draft_);
   draft_.clear();
   parents_.clear();
   return {};

@@ -18,7 +18,7 @@ Result<std::string> read_file(const std::filesystem::path& path,
                               std::uint64_t max_bytes = 256U << 20);
 
 // Writes beside `path` and renames, so that a reader sees the old file or the new one, never half.
-// Parent folders must exist.
+// How it treats links, devices, modes and missing folders: io/destination.h.
 Result<void> write_file(const std::filesystem::path& path, std::string_view bytes);
 
 // A folder under construction: files go to a hidden sibling, `commit` renames it to `path`; without

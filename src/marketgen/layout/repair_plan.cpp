@@ -3,6 +3,7 @@
 #include <set>
 
 #include "base/hash.h"
+#include "base/interrupt.h"
 #include "io/json.h"
 #include "layout/layout.h"
 #include "layout/layout_rules.h"
@@ -134,6 +135,7 @@ Result<Repaired> repair_plan(const Plan& plan, const Catalog& catalog, Seed seed
   MARKETGEN_TRY(Trial now, repair.lay_out(plan));
   Repaired repaired{plan, {}};
   while (now.score > Score{}) {
+    MARKETGEN_CHECK(check_interrupt());
     auto next = repair.better(now);
     if (!next) break;
     now = std::move(next->first);

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "base/interrupt.h"
+
 namespace marketgen {
 namespace {
 
@@ -89,6 +91,7 @@ std::size_t connect(const ConfigurationSpace& space,
                     std::size_t most_nodes) {
   std::size_t at = tree.nearest(target);
   while (tree.size() < most_nodes) {
+    interrupt_point();
     const double left = distance(tree[at], target);
     if (left < 1e-12) return at;
     const double share = std::min(1.0, range / left);

@@ -96,11 +96,50 @@ std::vector<std::string> keys_of(const HttpRequest& request) {
   return keys;
 }
 
+// How many characters at `at` spell `c`, as it is or escaped: \u0073, \\u0073, \x73, %73, &#115;
+// or &#x73;, \/. 0: none do.
+std::size_t spelling_of(char c, std::string_view text, std::size_t at) {
+  if (at >= text.size()) return 0;
+  if (text[at] == c) return 1;
+  if (text[at] != '\\' && text[at] != '%' && text[at] != '&') return 0;
+  std::size_t i = at;
+  while (i < text.size() && text[i] == '\\')
+    ++i;
+  const std::string_view rest = text.substr(i);
+  if (i > at && !rest.empty() && rest[0] == c) return i + 1 - at;
+  const auto code = static_cast<unsigned>(static_cast<unsigned char>(c));
+  const std::string hex = fmt::format("{:02x}", code);
+  std::vector<std::string> spellings;
+  if (i > at) spellings = {"u00" + hex, "x" + hex};
+  if (i == at)
+    spellings = {"%" + hex, fmt::format("&#{};", code), "&#x" + hex + ";", "&#x00" + hex + ";"};
+  for (const std::string& spelling : spellings) {
+    if (lower_ascii(rest.substr(0, spelling.size())) == spelling) return i + spelling.size() - at;
+  }
+  return 0;
+}
+
+// The characters at `at` that spell the key; 0: they do not.
+std::size_t spelling_of(std::string_view key, std::string_view text, std::size_t at) {
+  std::size_t end = at;
+  for (const char c : key) {
+    const std::size_t length = spelling_of(c, text, end);
+    if (length == 0) return 0;
+    end += length;
+  }
+  return end - at;
+}
+
+// Wherever it is spelt, escaped or not: what is read from the text later undoes the escapes.
 void blot_out(std::string& text, const std::string& key) {
   constexpr std::string_view blot = "***";
-  for (std::size_t at = text.find(key); at != std::string::npos;
-       at = text.find(key, at + blot.size()))
-    text.replace(at, key.size(), blot);
+  std::string kept;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = spelling_of(key, text, at);
+    kept += length > 0 ? blot : std::string_view(text).substr(at, 1);
+    at += std::max<std::size_t>(length, 1);
+  }
+  text = std::move(kept);
 }
 
 HttpAnswer without_keys(HttpAnswer answer, const HttpRequest& request) {

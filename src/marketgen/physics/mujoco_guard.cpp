@@ -4,6 +4,7 @@
 #include <cstring>
 #include <mutex>
 
+#include "base/interrupt.h"
 #include "base/progress.h"
 
 namespace marketgen {
@@ -41,6 +42,7 @@ void route_mujoco_messages() {
 }
 
 Result<void> guarded(const std::string& where, const std::function<void()>& body) {
+  interrupt_point();  // every loop over steps passes here
   route_mujoco_messages();
   if (finishes(body)) return {};
   return Error{"physics.failed", where, failure};

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/safe_line.h"
 #include "base/text.h"
 #include "io/json.h"
 #include "scene/placements.h"
@@ -371,12 +372,24 @@ Result<void> filter(Table& table, std::string_view where) {
   return {};
 }
 
-std::string csv_cell(const std::string& cell) {
+std::string quoted_cell(const std::string& cell) {
   if (cell.find_first_of(",\"\r\n") == std::string::npos) return cell;
   std::string quoted = "\"";
   for (const char c : cell)
     quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
   return quoted + "\"";
+}
+
+// Text of others, in a table that spreadsheets and terminals open: what a spreadsheet would take
+// for a formula gets an apostrophe before it, and nothing but a line break moves a cursor.
+std::string text_cell(const std::string& text) {
+  constexpr std::string_view formula_signs = "=+-@";
+  std::vector<std::string> lines = split(text, '\n');
+  for (std::string& line : lines)
+    line = safe_line(line, std::string::npos);
+  const std::string cell = fmt::format("{}", fmt::join(lines, "\n"));
+  const bool formula = !cell.empty() && formula_signs.find(cell[0]) != std::string_view::npos;
+  return quoted_cell(formula ? "'" + cell : cell);
 }
 
 constexpr std::string_view table_names[] = {
@@ -409,7 +422,7 @@ std::string to_csv(const Table& table) {
   std::string out = fmt::format("{}\r\n", fmt::join(table.columns, ","));
   for (const auto& row : table.rows) {
     for (std::size_t i = 0; i < row.size(); ++i)
-      out += (i == 0 ? "" : ",") + csv_cell(row[i]);
+      out += (i == 0 ? "" : ",") + (table.numeric[i] ? quoted_cell(row[i]) : text_cell(row[i]));
     out += "\r\n";
   }
   return out;

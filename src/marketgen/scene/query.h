@@ -48,7 +48,10 @@ struct Table {
 // every "column=value" (also != < > <= >= ~ for "contains") holds, separated by commas. Errors:
 // usage.bad_flag with the nearest name, or for a value that the column cannot have.
 Result<Table> query_scene(const Scene& scene, std::string_view name, std::string_view where);
-std::string to_csv(const Table& table);   // RFC 4180
+// RFC 4180. Texts that a spreadsheet would take for a formula (= + - @) get an apostrophe before
+// them; control characters but line breaks are written out (safe_line). Numbers and JSON stay as
+// they are.
+std::string to_csv(const Table& table);
 std::string to_json(const Table& table);  // array of objects, one per line
 
 }  // namespace marketgen

@@ -9,6 +9,7 @@
 #include "io/json.h"
 #include "io/png.h"
 #include "layout/layout_picture.h"
+#include "plan/plan_place.h"
 #include "plan/style_look.h"
 #include "scene/query.h"
 #include "scene/scene_file.h"
@@ -234,7 +235,10 @@ Result<Created> create_store(const CreateOptions& options,
                              Progress& progress) {
   MARKETGEN_TRY(FolderDraft draft, FolderDraft::begin(options.folder));
   Stages stages(progress);
-  MARKETGEN_TRY(Built built, build(options, catalog, stages));
+  auto build_result = build(options, catalog, stages);
+  if (!build_result.ok() && options.plan_file)
+    return in_plan_file(build_result.error(), options.plan_file->string());
+  MARKETGEN_TRY(Built built, std::move(build_result));
   MARKETGEN_CHECK(stages.run(
       "save", [&] { return write_stages(draft.folder(), built.repaired.plan, built.scene); }));
   MARKETGEN_CHECK(save_meshes(built.scene.catalog, draft.folder()));

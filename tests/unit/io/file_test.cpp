@@ -37,7 +37,9 @@ TEST_F(Files, WriteReplacesAndLeavesNothingBeside) {
 TEST_F(Files, ErrorsNameTheFile) {
   EXPECT_EQ(read_file(folder_ / "none").error().code, "input.not_found");
   EXPECT_EQ(read_file(folder_).error().code, "io.cannot_read");
-  EXPECT_EQ(write_file(folder_ / "no" / "a", "x").error().code, "io.cannot_write");
+  std::ofstream(folder_ / "file") << "x";
+  EXPECT_EQ(write_file(folder_ / "file" / "a", "x").error().code, "io.cannot_write");
+  EXPECT_EQ(write_file(folder_, "x").error().code, "io.cannot_write");
   ASSERT_TRUE(write_file(folder_ / "big", std::string(100, 'x')).ok());
   EXPECT_EQ(read_file(folder_ / "big", 99).error().code, "input.too_large");
 }

@@ -85,6 +85,27 @@ TEST(HttpTape, WhatWasNotRecordedIsAnErrorAndOpensNoSocket) {
   EXPECT_TRUE(server.requests().empty());
 }
 
+// However a server spells it: what reads the answer as JSON, HTML or a URL undoes that.
+TEST(HttpTape, NoEscapedKeyIsInAnAnswer) {
+  const std::string key = "sk-A/23456789", after = " and more";
+  const std::vector<std::string> spellings{
+      R"(\u0073k-A/23456789)",
+      R"(\u0073\u006B\u002d\u0041\/\u0032\u0033\u0034\u0035\u0036\u0037\u0038\u0039)",
+      R"(\\u0073k-A\/23456789)",
+      R"(sk%2DA%2F23456789)",
+      R"(&#115;k-A&#x2f;23456789)",
+      R"(s\x6b-A/23456789)"};
+  for (const std::string& spelling : spellings) {
+    const ScratchFolder scratch;
+    MockServer server(json::array({{{"body", "{\"error\": \"" + spelling + after + "\"}"}}}));
+    HttpRequest request = question(server, "hello");
+    request.secret_headers = {{"x-api-key", key}};
+    const auto answer = recorder(scratch.path()).send(request);
+    ASSERT_TRUE(answer.ok());
+    EXPECT_EQ(answer->body, "{\"error\": \"***" + after + "\"}") << spelling;
+  }
+}
+
 TEST(HttpTape, NoKeyIsInAFileOrAnAnswer) {
   const ScratchFolder scratch;
   const std::string key = "sk-0123456789abcdef";

@@ -220,6 +220,22 @@ TEST(Query, EnumerationsAndListsAreQuotedOnce) {
   EXPECT_FALSE(query_scene(scene, "materials", "uses<wall").ok());
 }
 
+// A product of somebody's catalogue runs nothing in a spreadsheet and clears no terminal; numbers
+// are numbers, also negative ones.
+TEST(Query, CsvIsSafeToOpen) {
+  const Table table{{"name", "x_m"},
+                    {{"=HYPERLINK(\"http://x\")", "-1.5"},
+                     {"@SUM(A1)", "+2"},
+                     {"-1+2", "3"},
+                     {"+1", "4"},
+                     {"1 = 1", "5"},
+                     {"\x1b[2Ja\nb", "6"}},
+                    {false, true}};
+  EXPECT_EQ(to_csv(table),
+            "name,x_m\r\n\"'=HYPERLINK(\"\"http://x\"\")\",-1.5\r\n'@SUM(A1),+2\r\n'-1+2,3\r\n"
+            "'+1,4\r\n1 = 1,5\r\n\"\\x1b[2Ja\nb\",6\r\n");
+}
+
 TEST(Query, JsonReadsBack) {
   const Table table = table_of("products");
   const auto json = nlohmann::json::parse(to_json(table));
