@@ -82,6 +82,9 @@ Result<void> Outputs::put_in_place(Draft& draft) {
   if (to.mode && chmod(draft.part.c_str(), *to.mode) != 0)
     return cannot_write(to.shown, "cannot be put in place", errno);
   const char *part = draft.part.c_str(), *target = to.target.c_str();
+  std::error_code failed;
+  if (fs::is_directory(to.target, failed))  // since it was probed; it would be exchanged, too
+    return cannot_write(to.shown, "cannot be put in place", EISDIR);
   if (renameat2(AT_FDCWD, part, AT_FDCWD, target, RENAME_EXCHANGE) == 0) {
     draft.swapped = true;
     return {};

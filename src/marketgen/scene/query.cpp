@@ -421,8 +421,10 @@ Result<Table> query_scene(const Scene& scene, std::string_view name, std::string
 std::string to_csv(const Table& table) {
   std::string out = fmt::format("{}\r\n", fmt::join(table.columns, ","));
   for (const auto& row : table.rows) {
-    for (std::size_t i = 0; i < row.size(); ++i)
-      out += (i == 0 ? "" : ",") + (table.numeric[i] ? quoted_cell(row[i]) : text_cell(row[i]));
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const bool is_text = table.kinds[i] == ColumnKind::text;
+      out += (i == 0 ? "" : ",") + (is_text ? text_cell(row[i]) : quoted_cell(row[i]));
+    }
     out += "\r\n";
   }
   return out;

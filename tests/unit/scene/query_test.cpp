@@ -230,7 +230,7 @@ TEST(Query, CsvIsSafeToOpen) {
                      {"+1", "4"},
                      {"1 = 1", "5"},
                      {"\x1b[2Ja\nb", "6"}},
-                    {false, true}};
+                    {ColumnKind::text, ColumnKind::number}};
   EXPECT_EQ(to_csv(table),
             "name,x_m\r\n\"'=HYPERLINK(\"\"http://x\"\")\",-1.5\r\n'@SUM(A1),+2\r\n'-1+2,3\r\n"
             "'+1,4\r\n1 = 1,5\r\n\"\\x1b[2Ja\nb\",6\r\n");
