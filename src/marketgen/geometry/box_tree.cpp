@@ -30,25 +30,17 @@ int longest_axis(std::span<const std::uint32_t> rows, std::span<const Bounds3> b
 
 }  // namespace
 
-float overlap_of(const Bounds3& a, const Bounds3& b) {
-  const float x = std::min(a.high.x, b.high.x) - std::max(a.low.x, b.low.x);
-  const float y = std::min(a.high.y, b.high.y) - std::max(a.low.y, b.low.y);
-  const float z = std::min(a.high.z, b.high.z) - std::max(a.low.z, b.low.z);
-  return std::min({x, y, z});
-}
-
 BoxTree::BoxTree(std::span<const Bounds3> boxes) : rows_(boxes.size()) {
   std::iota(rows_.begin(), rows_.end(), 0U);
   boxes_.assign(boxes.begin(), boxes.end());
-  if (!rows_.empty()) add_node(0, static_cast<std::uint32_t>(rows_.size()), 1);
+  if (!rows_.empty()) add_node(0, static_cast<std::uint32_t>(rows_.size()));
   for (std::size_t k = 0; k < rows_.size(); ++k)
     boxes_[k] = boxes[rows_[k]];
 }
 
 // Halves at the middle box, whatever the boxes: boxes that all lie in one place halve as well.
 // Precondition: boxes_ is still in the caller's order.
-void BoxTree::add_node(std::uint32_t first, std::uint32_t last, int depth) {
-  depth_ = std::max(depth_, depth);
+void BoxTree::add_node(std::uint32_t first, std::uint32_t last) {
   const std::size_t at = nodes_.size();
   Node node;
   for (std::uint32_t k = first; k < last; ++k)
@@ -69,8 +61,8 @@ void BoxTree::add_node(std::uint32_t first, std::uint32_t last, int depth) {
                        const float p = along(boxes_[a], axis), q = along(boxes_[b], axis);
                        return p != q ? p < q : a < b;
                      });
-    add_node(first, middle, depth + 1);
-    add_node(middle, last, depth + 1);
+    add_node(first, middle);
+    add_node(middle, last);
   }
   nodes_[at].beyond = static_cast<std::uint32_t>(nodes_.size());
 }

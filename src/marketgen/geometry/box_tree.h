@@ -1,6 +1,7 @@
 // A balanced tree over boxes: who is near whom, in about n log n however the sizes are mixed and
 // however crowded a place is. Immutable once built; any thread may ask.
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -10,7 +11,12 @@
 namespace marketgen {
 
 // Smallest overlap of two boxes over the axes; negative when they are apart.
-float overlap_of(const Bounds3& a, const Bounds3& b);
+inline float overlap_of(const Bounds3& a, const Bounds3& b) {
+  const float x = std::min(a.high.x, b.high.x) - std::max(a.low.x, b.low.x);
+  const float y = std::min(a.high.y, b.high.y) - std::max(a.low.y, b.low.y);
+  const float z = std::min(a.high.z, b.high.z) - std::max(a.low.z, b.low.z);
+  return std::min({x, y, z});
+}
 
 class BoxTree {
  public:
@@ -33,9 +39,6 @@ class BoxTree {
     }
   }
 
-  // How many nodes stand above one another: what a question costs grows with it.
-  int depth() const { return depth_; }
-
  private:
   // Depth first: a node's children follow it, and `beyond` is the first node that is not below it.
   struct Node {
@@ -44,12 +47,11 @@ class BoxTree {
     std::uint32_t beyond = 0;
   };
 
-  void add_node(std::uint32_t first, std::uint32_t last, int depth);
+  void add_node(std::uint32_t first, std::uint32_t last);
 
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> rows_;  // of the caller's boxes, leaf by leaf
   std::vector<Bounds3> boxes_;       // in the order of rows_
-  int depth_ = 0;
 };
 
 }  // namespace marketgen

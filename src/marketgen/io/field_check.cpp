@@ -168,6 +168,16 @@ MaybeFault fault_of_count(std::size_t count, const FieldRules& rules) {
       fmt::format("the list has {} entries; at most {} are allowed", count, rules.max_items));
 }
 
+MaybeFault fault_of_field_of(const TypeInfo& type, std::string_view name, double value) {
+  for (const FieldInfo& field : type.fields) {
+    if (field.name != name) continue;
+    const TypeInfo& own = field.type();
+    return fault_of_number(
+        value, own.kind == TypeKind::optional ? own.element() : own, field.rules);
+  }
+  fatal("fault_of_field() of a field that the type does not have");
+}
+
 FieldRules rules_of_elements(FieldRules rules) {
   rules.max_items = FieldRules{}.max_items;
   return rules;

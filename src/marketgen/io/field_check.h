@@ -24,6 +24,15 @@ std::optional<FieldFault> fault_of_number(double value,
 std::optional<FieldFault> fault_of_text(std::string_view text, const FieldRules& rules);
 std::optional<FieldFault> fault_of_count(std::size_t count, const FieldRules& rules);
 
+// Against the rules of the field of that name, for a flag that sets it. Precondition: there is one.
+std::optional<FieldFault> fault_of_field_of(const TypeInfo& type,
+                                            std::string_view name,
+                                            double value);
+template <class T>
+std::optional<FieldFault> fault_of_field(std::string_view name, double value) {
+  return fault_of_field_of(type_of<T>(), name, value);
+}
+
 // Of a list's entries: what a list says of its numbers and texts holds for each, its length does
 // not.
 FieldRules rules_of_elements(FieldRules rules);

@@ -62,13 +62,32 @@ bool nearer_than(PointMm p, PointMm a, PointMm b, int clearance_mm) {
   return across * across < static_cast<double>(limit) * static_cast<double>(length2);
 }
 
+// Where a row of cells at this y may lie nearer than the clearance to the segment a-b: the part of
+// it that is no higher or lower than that, and the clearance beside it.
+CellSpan cells_near(const OccupancyGrid& grid, PointMm a, PointMm b, int y, int clearance_mm) {
+  double from = 0, to = 1;  // along the segment
+  if (a[1] != b[1]) {
+    const double one = static_cast<double>(y - clearance_mm - a[1]) / (b[1] - a[1]);
+    const double other = static_cast<double>(y + clearance_mm - a[1]) / (b[1] - a[1]);
+    from = std::clamp(std::min(one, other), 0.0, 1.0);
+    to = std::clamp(std::max(one, other), 0.0, 1.0);
+  }
+  const auto x_at = [&](double share) { return a[0] + share * (b[0] - a[0]); };
+  const double reach = clearance_mm + 1;  // rounding
+  return cells_within(static_cast<int>(std::floor(std::min(x_at(from), x_at(to)) - reach)),
+                      static_cast<int>(std::ceil(std::max(x_at(from), x_at(to)) + reach)),
+                      grid.bounds.x0,
+                      grid.cell_mm,
+                      grid.columns);
+}
+
 void block_edge(OccupancyGrid& grid, PointMm a, PointMm b, int clearance_mm) {
   const RectMm reach =
       RectMm{std::min(a[0], b[0]), std::min(a[1], b[1]), std::max(a[0], b[0]), std::max(a[1], b[1])}
           .grown(clearance_mm);
-  const CellSpan xs = cells_within(reach.x0, reach.x1, grid.bounds.x0, grid.cell_mm, grid.columns);
   const CellSpan ys = cells_within(reach.y0, reach.y1, grid.bounds.y0, grid.cell_mm, grid.rows);
   for (int row = ys.from; row <= ys.to; ++row) {
+    const CellSpan xs = cells_near(grid, a, b, grid.center(0, row)[1], clearance_mm);
     for (int column = xs.from; column <= xs.to; ++column) {
       if (nearer_than(grid.center(column, row), a, b, clearance_mm)) {
         grid.blocked[grid.index(column, row)] = 1;
@@ -93,7 +112,12 @@ void open_inside(OccupancyGrid& grid, const PolygonMm& floor) {
     }
     std::sort(crossings.begin(), crossings.end());
     for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
-      for (int column = 0; column < grid.columns; ++column) {
+      const CellSpan xs = cells_within(static_cast<int>(std::floor(crossings[i])),
+                                       static_cast<int>(std::ceil(crossings[i + 1])),
+                                       grid.bounds.x0,
+                                       grid.cell_mm,
+                                       grid.columns);
+      for (int column = xs.from; column <= xs.to; ++column) {
         const int x = grid.center(column, row)[0];
         if (x > crossings[i] && x < crossings[i + 1]) grid.blocked[grid.index(column, row)] = 0;
       }

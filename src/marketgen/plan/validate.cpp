@@ -1,3 +1,4 @@
+#include "io/field_check.h"
 #include "io/json.h"
 #include "plan/plan.h"
 #include "plan/validation.h"
@@ -12,6 +13,7 @@ std::string element_pointer(std::string_view list, std::size_t index, std::strin
 }
 
 Result<void> validate_plan(const Plan& plan, const std::string& source, const Catalog& catalog) {
+  MARKETGEN_CHECK(check_fields(plan, source));
   const PlanCheck check{plan, catalog, source};
   using Part = Result<void> (*)(const PlanCheck&);
   constexpr Part parts[] = {check_ids,

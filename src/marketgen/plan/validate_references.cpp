@@ -1,7 +1,11 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <numbers>
 
+#include "base/text.h"
+#include "catalog/standing_box.h"
+#include "geometry/box_tree.h"
 #include "plan/validation.h"
 
 namespace marketgen {
@@ -122,12 +126,49 @@ Result<void> check_placements(const PlanCheck& check) {
   return {};
 }
 
+std::vector<Bounds3> boxes_of(const PlanCheck& check) {
+  std::vector<Bounds3> boxes;
+  for (const Placement& placement : check.plan.placements) {
+    const auto& [x, y, z] = placement.position_m;
+    const Quaternion turn = rotation_about({0, 0, 1}, placement.yaw_deg * std::numbers::pi / 180);
+    boxes.push_back(
+        bounds_of(standing_box(*check.catalog.product(placement.sku), {x, y, z}, turn)));
+  }
+  return boxes;
+}
+
+// Products in one another are a fault that the audit measures pair by pair, and their pairs grow
+// with the square of their number. Precondition: every product is known.
+Result<void> check_crowding(const PlanCheck& check) {
+  constexpr float deep_m = 0.001F;
+  const std::vector<Bounds3> boxes = boxes_of(check);
+  const BoxTree tree(boxes);
+  std::size_t pairs = 0;
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+    std::uint32_t other = i;
+    tree.each_near(boxes[i], deep_m, [&](std::uint32_t k) {
+      if (k >= i) return;
+      other = k;
+      ++pairs;
+    });
+    if (pairs <= max_crowded_pairs) continue;
+    return Error{"plan.too_crowded",
+                 check.at(element_pointer("placements", i, "position_m")),
+                 "with this product, more than " +
+                     with_thousands(static_cast<std::int64_t>(max_crowded_pairs)) +
+                     " pairs of placed products stand in one another (it and /placements/" +
+                     std::to_string(other) + " do); spread them out"};
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<void> check_references(const PlanCheck& check) {
   MARKETGEN_CHECK(check_relations(check));
   MARKETGEN_CHECK(check_overrides(check));
-  return check_placements(check);
+  MARKETGEN_CHECK(check_placements(check));
+  return check_crowding(check);
 }
 
 }  // namespace marketgen

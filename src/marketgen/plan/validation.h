@@ -12,6 +12,8 @@
 
 namespace marketgen {
 
+constexpr std::size_t max_crowded_pairs = 100'000;  // of placed products that stand in one another
+
 // What every part looks at.
 struct PlanCheck {
   const Plan& plan;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -136,6 +138,54 @@ TEST(Clearance, EqualsTheBruteForceDistance) {
       }
     }
   }
+}
+
+double distance_to(PointMm p, PointMm a, PointMm b) {
+  const double dx = b[0] - a[0], dy = b[1] - a[1];
+  const double share = ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / (dx * dx + dy * dy);
+  const double t = std::min(1.0, std::max(0.0, share));
+  return std::hypot(p[0] - a[0] - t * dx, p[1] - a[1] - t * dy);
+}
+
+// Every cell of a room with slanted walls against its distance from each of them.
+TEST(Occupancy, SlantedWallsAreMeasuredCellByCell) {
+  const PolygonMm floor{
+      {1000, 0}, {9000, 700}, {8300, 6000}, {6000, 2500}, {3500, 7000}, {0, 4000}};
+  for (const int clearance : {0, 300, 850}) {
+    const OccupancyGrid grid = make_occupancy(floor, {}, clearance, 50);
+    std::size_t free = 0;
+    for (int row = 0; row < grid.rows; ++row) {
+      for (int column = 0; column < grid.columns; ++column) {
+        const PointMm p = grid.center(column, row);
+        double nearest = 1e9;
+        for (std::size_t i = 0; i < floor.size(); ++i)
+          nearest = std::min(nearest, distance_to(p, floor[i], floor[(i + 1) % floor.size()]));
+        if (std::abs(nearest - clearance) < 0.01) continue;  // rounding decides
+        EXPECT_EQ(grid.free(column, row), contains(floor, p) && nearest > clearance)
+            << p[0] << " " << p[1] << " " << clearance;
+        free += grid.free(column, row) ? 1 : 0;
+      }
+    }
+    EXPECT_GT(free, 1000U);
+  }
+}
+
+// Comb-shaped, as large as a plan may have it: what went over every cell for each of its teeth took
+// ten seconds for one grid.
+TEST(Occupancy, ALargeRoomWithManyCorners) {
+  PolygonMm comb{{0, 0}, {200'000, 0}};
+  for (int x = 200'000; x > 8000; x -= 4000) {
+    comb.push_back({x, 200'000});
+    comb.push_back({x - 2000, 200'000});
+    comb.push_back({x - 2000, 60'000});
+    comb.push_back({x - 4000, 60'000});
+  }
+  comb.push_back({8000, 200'000});
+  comb.push_back({0, 200'000});
+  const auto start = std::chrono::steady_clock::now();
+  const OccupancyGrid grid = make_occupancy(comb, {}, 400);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+  EXPECT_TRUE(grid.free(100, 3000));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // and where it points.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "io/json.h"
@@ -294,8 +295,9 @@ const std::vector<Fault> faults = {
     {"higher_than_the_ceiling",
      [](Plan& p) {
        p.shell.ceiling_mm = 2300;
-       p.zones[1].fixture.height_mm = 2250;
-       p.shell.ceiling_mm = 2200;
+       p.zones[1].fixture = {};
+       p.zones[1].fixture.kind = "pillar";  // a gondola is never that high
+       p.zones[1].fixture.height_mm = 2500;
      },
      "plan.bad_value",
      "/zones/1/fixture/height_mm"},
@@ -390,9 +392,11 @@ TEST(PlanValidation, TwentyFiveLeavesAreTooMany) {
       node.split = i % 3 == 0 ? Axis::x : Axis::y;
       node.children = {"n" + std::to_string(2 * i + 1), "n" + std::to_string(2 * i + 2)};
     } else {
-      node.zone = "z" + std::to_string(i);
-      plan.zones.push_back(sample);
-      plan.zones.back().id = *node.zone;
+      // There are 24 zones at most: the last leaf names one again.
+      const bool last = i + 1 == nodes;
+      node.zone = "z" + std::to_string(last ? first_leaf : i);
+      if (!last) plan.zones.push_back(sample);
+      plan.zones.back().id = last ? plan.zones.back().id : *node.zone;
     }
     plan.nodes.push_back(node);
   }
@@ -426,6 +430,46 @@ TEST(PlanReading, FindersFind) {
   EXPECT_EQ(find_zone(plan, "dairy")->type, "dairy");
   EXPECT_EQ(find_node(plan, "west")->zone, "snacks");
   EXPECT_EQ(find_zone(plan, "nowhere"), nullptr);
+}
+
+// A planner's plan is held to the limits of its fields as a file is.
+TEST(PlanValidation, LimitsHoldForPlansInMemory) {
+  Plan plan = valid_plan();
+  plan.zones[1].fixture.aisle_mm = 300;
+  const auto valid = validate_plan(plan, "plan", committed_catalog());
+  ASSERT_FALSE(valid.ok());
+  EXPECT_EQ(valid.error().code, "json.out_of_range");
+  EXPECT_EQ(valid.error().where, "plan:/zones/1/fixture/aisle_mm");
+  EXPECT_EQ(valid.error().message, "300 is outside 600 to 8000");
+  EXPECT_FALSE(read_plan(write_json(plan), "plan", committed_catalog()).ok());
+}
+
+// Their pairs grow with the square of their number: five thousand million here.
+TEST(PlanValidation, AHundredThousandProductsOnOneSpot) {
+  Plan plan = valid_plan();
+  const std::string sku = committed_catalog().products.front().sku;
+  plan.placements.assign(100'000, {sku, {6, 2, 0}, 0});
+  const auto valid = validate_plan(plan, "plan", committed_catalog());
+  ASSERT_FALSE(valid.ok());
+  EXPECT_EQ(valid.error().code, "plan.too_crowded");
+  EXPECT_NE(valid.error().where.find("/placements/"), std::string::npos) << valid.error().where;
+  EXPECT_NE(valid.error().message.find("spread them out"), std::string::npos);
+}
+
+TEST(PlanValidation, ManyProductsBesideOneAnother) {
+  Plan plan = valid_plan();
+  const Product& product = committed_catalog().products.front();
+  const double pitch = 0.001 + std::max(product.width_m(), product.depth_m());
+  for (int i = 0; i < 20'000; ++i)
+    plan.placements.push_back({product.sku,
+                               {0.5 + pitch * (i % 50),
+                                0.5 + pitch * (i / 50 % 40),
+                                (product.height_m() + 0.001) * (i / 2000)},
+                               i % 2 == 0 ? 0.0 : 180.0});
+  plan.shell.width_mm = plan.shell.depth_mm = 60'000;
+  plan.shell.ceiling_mm = 12'000;
+  const auto valid = validate_plan(plan, "plan", committed_catalog());
+  EXPECT_TRUE(valid.ok()) << to_string(valid.error());
 }
 
 }  // namespace
