@@ -1,7 +1,9 @@
 #include "intake/candidate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 namespace marketgen {
 namespace {
@@ -217,13 +219,17 @@ class DoorPlacer {
     return Wall::east;
   }
 
-  bool is_free(Wall wall, int from, int to) const {
-    return std::ranges::none_of(candidate_.openings, [&](const Opening& other) {
-      const int middle =
-          static_cast<int>(std::lround(other.center * wall_length(other.wall, candidate_.floor)));
+  // Where along the wall no door may begin or end: every opening with a margin on both sides.
+  std::vector<std::array<int, 2>> taken(Wall wall) const {
+    std::vector<std::array<int, 2>> stretches;
+    for (const Opening& other : candidate_.openings) {
+      if (other.wall != wall) continue;
+      const auto middle =
+          static_cast<int>(std::lround(other.center * wall_length(wall, candidate_.floor)));
       const int half = other.width_mm / 2 + corner_margin_mm;
-      return other.wall == wall && from < middle + half && middle - half < to;
-    });
+      stretches.push_back({middle - half, middle + half});
+    }
+    return stretches;
   }
 
   // The free place along the wall that is nearest to `center`; no opening when there is none.
@@ -231,11 +237,15 @@ class DoorPlacer {
     const int length = wall_length(wall, candidate_.floor);
     constexpr int step_mm = 100;
     const int wanted = static_cast<int>(std::lround(center * length));
+    const int half = width_mm / 2;
+    const std::vector<std::array<int, 2>> stretches = taken(wall);
     std::optional<int> best;
-    for (int at = corner_margin_mm + width_mm / 2; at <= length - corner_margin_mm - width_mm / 2;
-         at += step_mm) {
-      if (!is_free(wall, at - width_mm / 2, at + width_mm / 2)) continue;
-      if (!best || std::abs(at - wanted) < std::abs(*best - wanted)) best = at;
+    for (int at = corner_margin_mm + half; at <= length - corner_margin_mm - half; at += step_mm) {
+      const bool nearer = !best || std::abs(at - wanted) < std::abs(*best - wanted);
+      const auto meets = [&](const std::array<int, 2>& other) {
+        return at - half < other[1] && other[0] < at + half;
+      };
+      if (nearer && std::ranges::none_of(stretches, meets)) best = at;
     }
     if (!best) return;
     candidate_.openings.push_back(
