@@ -70,7 +70,7 @@ std::vector<std::string> pictures_of(const std::filesystem::path& folder,
 
 void print_requirements(const StoreReport& report) {
   if (!report.understood)
-    fmt::print("understood  nothing: this is the usual store, not what was asked for\n");
+    say("understood  nothing: this is the usual store, not what was asked for\n");
   std::size_t met = 0;
   for (const RequirementResult& r : report.requirements)
     met += r.met ? 1 : 0;
@@ -163,7 +163,7 @@ Result<void> generate_one(const GenerateFlags& flags,
         stderr,
         "warning: nothing of the prompt was understood; {} is the usual store. Describe it in "
         "English, as in \"a 24 x 15 m supermarket with a bakery\" (docs/prompts.md)\n",
-        output.folder);
+        shown(output.folder));
   if (flags.common.json)
     fmt::print("{}\n", write_json_line(output));
   else
