@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/text.h"
 #include "plan/bsp.h"
 
 namespace marketgen {
@@ -67,6 +68,22 @@ std::vector<RectMm> outside_of(const PolygonMm& outline, const RectMm& bounds) {
   return outside;
 }
 
+// How many rectangles outside_of() makes at most: between two heights, each wall ends one.
+std::size_t pieces_outside(const PolygonMm& outline, const RectMm& bounds) {
+  std::vector<int> heights = slab_heights(outline);
+  heights.insert(heights.begin(), bounds.y0);
+  heights.push_back(bounds.y1);
+  std::size_t crossings = 0;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const PointMm& a = outline[i];
+    const PointMm& b = outline[(i + 1) % outline.size()];
+    const auto first = std::ranges::lower_bound(heights, std::min(a[1], b[1]));
+    const auto last = std::ranges::lower_bound(heights, std::max(a[1], b[1]));
+    crossings += static_cast<std::size_t>(last - first);
+  }
+  return crossings / 2 + heights.size();
+}
+
 Doorway make_doorway(const Shell& shell, const RectMm& bounds, std::size_t index) {
   const Opening& opening = shell.openings[index];
   Doorway door{index, side_of(opening.wall), {}, {}, {}};
@@ -103,6 +120,18 @@ Floor make_floor(const Shell& shell) {
     floor.doorways.push_back(make_doorway(shell, floor.bounds, i));
   }
   return floor;
+}
+
+Result<void> check_floor(const Shell& shell) {
+  if (!shell.outline_mm) return {};
+  const std::size_t pieces = pieces_outside(*shell.outline_mm, shell_rect(shell));
+  if (pieces <= max_pieces_outside) return {};
+  return Error{"plan.bad_shell",
+               "/shell/outline_mm",
+               "its slanted walls cut the ground into " +
+                   with_thousands(static_cast<std::int64_t>(pieces)) + " pieces; at most " +
+                   with_thousands(static_cast<std::int64_t>(max_pieces_outside)) +
+                   " are laid out: use fewer corners, or walls that run along x and y"};
 }
 
 std::vector<Span> wall_spans(

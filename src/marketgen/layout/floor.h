@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "base/result.h"
 #include "geometry/rectangle.h"
 #include "layout/side.h"
 #include "plan/plan.h"
@@ -32,6 +33,10 @@ struct Floor {
   std::vector<Doorway> doorways;  // in the order of Shell::openings
 };
 
+// Slanted walls are laid out in steps: what is outside them is this many rectangles at most.
+constexpr std::size_t max_pieces_outside = 10'000;
+// Whether a layout of the room can be made in time. Error: plan.bad_shell.
+Result<void> check_floor(const Shell& shell);
 Floor make_floor(const Shell& shell);
 
 // The stretches of the rectangle's side, lengthened by `more` at either end, that have a wall

@@ -2,6 +2,7 @@
 
 #include "layout/aisles.h"
 #include "layout/faces.h"
+#include "layout/floor.h"
 #include "layout/layout.h"
 #include "layout/overrides.h"
 #include "layout/reach.h"
@@ -49,6 +50,7 @@ std::vector<LayoutZone> make_zones(const Design& design) {
 }  // namespace
 
 Result<Layout> make_layout(const Plan& plan, const Catalog& catalog, Seed seed) {
+  MARKETGEN_CHECK(check_floor(plan.shell));
   const Design design = make_design(plan, catalog);
   Layout layout;
   layout.name = plan.name;

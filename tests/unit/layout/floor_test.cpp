@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "layout/zone_ground.h"
 #include "sample_shop.h"
 
@@ -85,6 +88,37 @@ TEST(ZoneGround, WallsReachOverHalfTheGapToTheNextZone) {
 TEST(ZoneGround, PolygonIsClippedToTheOutline) {
   const PolygonMm polygon = zone_polygon({6000, 4000, 12000, 10000}, make_floor(l_shell()));
   EXPECT_DOUBLE_EQ(area_m2(polygon), 6 * 2 + 2 * 4.0);
+}
+
+// A star whose hundred slanted walls all stand at other heights: millions of steps.
+TEST(Floor, ARoomOfTooManySlantedWallsIsRefused) {
+  Shell shell;
+  shell.width_mm = shell.depth_mm = 200'000;
+  PolygonMm star;
+  for (int i = 0; i < 196; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 196 + 0.01, r = i % 2 == 0 ? 99'000 : 30'000;
+    star.push_back({100'000 + static_cast<int>(r * std::cos(angle)),
+                    100'000 + static_cast<int>(r * std::sin(angle))});
+  }
+  shell.outline_mm = star;
+  const auto possible = check_floor(shell);
+  ASSERT_FALSE(possible.ok());
+  EXPECT_EQ(possible.error().code, "plan.bad_shell");
+  EXPECT_NE(possible.error().message.find("fewer corners"), std::string::npos);
+}
+
+TEST(Floor, ARoundRoomIsNot) {
+  Shell shell;
+  shell.width_mm = shell.depth_mm = 60'000;
+  PolygonMm round;
+  for (int i = 0; i < 40; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 40;
+    round.push_back({30'000 + static_cast<int>(30'000 * std::cos(angle)),
+                     30'000 + static_cast<int>(30'000 * std::sin(angle))});
+  }
+  shell.outline_mm = round;
+  EXPECT_TRUE(check_floor(shell).ok());
+  EXPECT_LT(make_floor(shell).outside.size(), max_pieces_outside);
 }
 
 }  // namespace
