@@ -131,7 +131,7 @@ class Gate : public testing::Test {
   static std::set<std::string> names_in(const fs::path& folder) {
     std::set<std::string> names;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
-      names.insert(fs::relative(entry.path(), folder).string());
+      names.insert(entry.path().lexically_relative(folder).string());
     return names;
   }
 

@@ -39,7 +39,7 @@ class Destinations : public testing::Test {
   std::vector<std::string> names() const {
     std::vector<std::string> all;
     for (const auto& entry : fs::recursive_directory_iterator(folder_))
-      all.push_back(fs::relative(entry.path(), folder_).string());
+      all.push_back(entry.path().lexically_relative(folder_).string());
     std::ranges::sort(all);
     return all;
   }
