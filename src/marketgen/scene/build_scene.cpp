@@ -2,7 +2,10 @@
 #include <map>
 #include <tuple>
 
+#include <fmt/format.h>
+
 #include "base/parallel.h"
+#include "base/text.h"
 #include "scene/bays.h"
 #include "scene/placements.h"
 #include "scene/row_arrays.h"
@@ -184,6 +187,31 @@ void add_fixture(Scene& scene,
   scene.fixtures.push_back(row);
 }
 
+// Refuses a scene that would take gigabytes before the first item of it is laid.
+Result<void> check_number(const std::vector<BayRef>& bays,
+                          const Scene& scene,
+                          const Plan& plan,
+                          const Catalog& catalog) {
+  const Zone fallback;
+  std::uint64_t number = plan.placements.size();
+  for (const BayRef& ref : bays) {
+    const Zone* found = find_zone(plan, ref.zone);
+    const StockSpec& stock = (found != nullptr ? *found : fallback).stock;
+    for (std::size_t s = 0; s < ref.plan.size(); ++s) {
+      for (const PlannedBlock& block : ref.plan[s])
+        number += max_items(block, ref.bay.shelves[s], stock, catalog);
+    }
+  }
+  if (number <= max_scene_products) return {};
+  return Error{"scene.too_large",
+               "plan:/zones",
+               fmt::format("its {} shelves have room for {} products, more than the {} that a "
+                           "scene may hold; make the shop smaller, or stock larger goods",
+                           with_thousands(static_cast<std::int64_t>(scene.shelves.size())),
+                           with_thousands(static_cast<std::int64_t>(number)),
+                           with_thousands(static_cast<std::int64_t>(max_scene_products)))};
+}
+
 using FilledBay = std::vector<std::vector<FilledBlock>>;  // per shelf
 
 std::vector<FilledBay> fill_bays(const std::vector<BayRef>& bays,
@@ -329,6 +357,7 @@ Result<Scene> build_scene(const Layout& layout,
 
   std::vector<BayRef> bays = bays_of(scene);
   plan_bays(bays, scene, plan, catalog, seed);
+  MARKETGEN_CHECK(check_number(bays, scene, plan, catalog));
   add_stock(scene, bays, fill_bays(bays, scene, plan, catalog, seed), catalog, seed);
   misplace_items(scene, plan, catalog, seed);
   MARKETGEN_CHECK(add_placements(scene, plan, catalog));

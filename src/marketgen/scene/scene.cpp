@@ -1,5 +1,7 @@
 #include "scene/scene.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "base/hash.h"
@@ -23,6 +25,13 @@ void add_pose(Hasher& hash,
     hash.add_rounded(p, length_step);
   for (const float r : rotation)
     hash.add_rounded(r, rotation_step);
+}
+
+// The first of the placed products, which stand after those of the last block.
+std::uint32_t first_placement(const Scene& scene, std::uint32_t product) {
+  if (scene.facings.empty()) return 0;
+  const Facing& last = scene.facings.back();
+  return std::min(last.first_product + last.product_count, product);
 }
 
 }  // namespace
@@ -59,10 +68,7 @@ Pose fixture_from_part(const ScenePart& part) {
 std::string product_id(const Scene& scene, std::uint32_t product) {
   const SceneProduct& item = scene.products[product];
   if (item.facing == no_facing) {
-    std::uint32_t first = product;
-    while (first > 0 && scene.products[first - 1].facing == no_facing)
-      --first;
-    return fmt::format("placement-{}", product - first);
+    return fmt::format("placement-{}", product - first_placement(scene, product));
   }
   const Facing& facing = scene.facings[item.facing];
   const SceneShelf& shelf = scene.shelves[facing.shelf];

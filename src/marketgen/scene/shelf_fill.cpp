@@ -97,6 +97,7 @@ void stand_items(FilledBlock& block,
   }
 }
 
+constexpr int max_heap_layers = 3;         // of pieces that roll
 constexpr double heap_taken_share = 0.25;  // of the topmost pieces, where stock is untidiest
 
 // How loose pieces lie on one another: balls in the pockets of four, logs (along X) between two,
@@ -154,7 +155,7 @@ void heap_items(FilledBlock& block,
   const double h = product.height_m();
   const double limit = balls ? 1.0 : 0.0;  // tan(half angle): 90 degrees either way
   const double rise = h * layer_rise(kind);
-  const int most_layers = kind == HeapKind::blocks ? product.stack_max : 3;
+  const int most_layers = kind == HeapKind::blocks ? product.stack_max : max_heap_layers;
   const int columns = std::max(1, static_cast<int>(block.width_m / w));
   const int rows = std::max(1, static_cast<int>(room.depth_m / d));
   const int layers =
@@ -202,6 +203,17 @@ bool lies_in_a_heap(const Product& product) {
 
 bool lies_as_balls(const Product& product) {
   return lies_in_a_heap(product) && heap_kind_of(product) == HeapKind::balls;
+}
+
+std::uint64_t max_items(const PlannedBlock& block,
+                        const ShelfRoom& room,
+                        const StockSpec& stock,
+                        const Catalog& catalog) {
+  const Product& product = catalog.products[block.product];
+  const int rows = rows_that_fit(product, room, lies_in_a_heap(product) ? 1 : stock.depth_fill);
+  const int high = std::max(max_heap_layers, stack_height(product, room));
+  return static_cast<std::uint64_t>(block.facings) * static_cast<std::uint64_t>(rows) *
+         static_cast<std::uint64_t>(lies_in_a_heap(product) ? high : stack_height(product, room));
 }
 
 std::vector<FilledBlock> fill_shelf(const PlannedShelf& plan,

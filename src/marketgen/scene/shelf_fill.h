@@ -12,6 +12,9 @@
 
 namespace marketgen {
 
+// Of a scene: a shop of 200 x 200 m holds five million. build_scene refuses more (scene.too_large).
+constexpr std::uint64_t max_scene_products = 8'000'000;
+
 // An item in the shelf frame.
 struct ShelfItem {
   std::uint32_t product = 0;  // row of catalog.products
@@ -33,6 +36,12 @@ bool lies_in_a_heap(const Product& product);
 
 // Those of them that lie as balls do, any way round: they have settled heaps (catalog/heap.h).
 bool lies_as_balls(const Product& product);
+
+// The most items that the block could be of: what is sold, and what lies loose, only makes it less.
+std::uint64_t max_items(const PlannedBlock& block,
+                        const ShelfRoom& room,
+                        const StockSpec& stock,
+                        const Catalog& catalog);
 
 // Fills one shelf. Every item lies inside the shelf's width, depth and clearance, and keeps at
 // least 1 mm from items of other columns and rows; stacked items rest on one another. Heaps (loose

@@ -275,5 +275,40 @@ TEST(Placements, UnknownSkuNamesItsPlaceAndTheNearest) {
   EXPECT_NE(built.error().message.find(sku), std::string::npos);
 }
 
+// ---- Budgets. ----
+
+// Goods of 5 mm, twelve on one another: what a shop of twenty shelves has room for would not go
+// into the memory of the machine. It is refused before the first of them is laid.
+TEST(Budgets, AShopOfGrainsIsRefused) {
+  Catalog grains = committed_catalog();
+  for (Product& product : grains.products) {
+    product.size_mm = {5, 5, 5};
+    product.stack_max = 12;
+  }
+  HandLaidShop shop = shop_of({"canned"});
+  const Fixture first = shop.layout.fixtures.front();
+  for (int number = 2; number <= 40; ++number) {
+    shop.layout.fixtures.push_back(
+        module_of(*grains.fixture_kind(first.kind), "canned", 2000, number));
+    shop.layout.fixtures.back().y_mm = 1000 * number;
+  }
+  const auto built = build_scene(shop.layout, shop.plan, grains, Seed(1));
+  ASSERT_FALSE(built.ok());
+  EXPECT_EQ(built.error().code, "scene.too_large");
+  EXPECT_NE(built.error().message.find("8,000,000"), std::string::npos) << built.error().message;
+}
+
+TEST(Budgets, PlacementsAreCountedFromTheFirst) {
+  HandLaidShop shop = shop_of({"canned"});
+  const Product& product = committed_catalog().products.front();
+  for (int i = 0; i < 2000; ++i)
+    shop.plan.placements.push_back({product.sku, {10 + 0.5 * (i % 60), 1 + 0.2 * (i / 60), 0}, 0});
+  const Scene scene = scene_of(shop);
+  const auto first = static_cast<std::uint32_t>(scene.products.size() - 2000);
+  EXPECT_EQ(product_id(scene, first), "placement-0");
+  EXPECT_EQ(product_id(scene, first + 1999), "placement-1999");
+  EXPECT_NE(product_id(scene, first - 1).find("/facing-"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace marketgen
