@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # `pip install .` as a user does it: a copy of the tree, an empty environment, a build of its own. Then the tree is gone, and what
-# README and docs promise is done with what was installed: the steps of tools/newcomer. What the release build compiled is found by
-# ccache, for which the copy's build folder lies as deep in it.
+# README and docs promise is done with what was installed: the steps of tools/newcomer. With its libraries inside, the same wheel
+# works in a bare root. What the release build compiled is found by ccache, for which the copy's build folder lies as deep in it.
+# (Wheels for the other versions of Python: tools/wheels --check.)
 set -euo pipefail
 repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 scratch=$(mktemp -d)
@@ -16,8 +17,11 @@ git ls-files -z --cached --others --exclude-standard | xargs -0 ls -d 2> /dev/nu
 werror=$(sed -n 's/^MARKETGEN_WERROR:BOOL=//p' "$repository/build/release/CMakeCache.txt")
 "$repository/.venv/bin/python" -m venv "$scratch/venv"
 began=$SECONDS
-"$scratch/venv/bin/pip" install --quiet -Ccmake.define.MARKETGEN_WERROR="${werror:-OFF}" "$scratch/tree[gymnasium]"
-printf 'wheel: installed in %d s\n' $((SECONDS - began))
+# The first half of `pip install .`, in an environment of its own; the second takes the wheel.
+"$scratch/venv/bin/pip" wheel --quiet --no-deps -w "$scratch" -Ccmake.define.MARKETGEN_WERROR="${werror:-OFF}" "$scratch/tree"
+wheel=$(ls "$scratch"/*.whl)
+"$scratch/venv/bin/pip" install --quiet "$wheel[gymnasium]"
+printf 'wheel: built and installed, %d s\n' $((SECONDS - began))
 cp "$scratch/tree/README.md" "$scratch/docs/"
 rm -r "$scratch/tree"
 
@@ -30,4 +34,10 @@ for step in doctor readme-python check-env eval evaluate uninstall; do
     { cat "$scratch/log"; printf 'wheel: FAIL: %s\n' "$step"; exit 1; }
   printf 'wheel: %s, %d s\n' "$step" $((SECONDS - began))
 done
+
+began=$SECONDS
+mkdir "$scratch/repaired"
+tools/try_wheel "$(tools/wheels -o "$scratch/repaired" --repair "$wheel" 2> "$scratch/log")" "$repository/.venv/bin/python" ||
+  { cat "$scratch/log"; printf 'wheel: FAIL: a bare root\n'; exit 1; }
+printf 'wheel: a bare root, %d s\n' $((SECONDS - began))
 printf 'wheel: ok\n'

@@ -73,6 +73,10 @@ FcConfig* make_font_config() {
   const std::string xml = configuration();
   FcConfigParseAndLoadFromMemory(config, reinterpret_cast<const FcChar8*>(xml.c_str()), FcTrue);
   FcConfigBuildFonts(config);
+  // A machine without fontconfig has no configuration of its own; Pango would complain of that.
+  FcChar8* const own = FcConfigGetFilename(config, nullptr);
+  if (own == nullptr) FcConfigSetCurrent(config);
+  FcStrFree(own);
   return config;
 }
 

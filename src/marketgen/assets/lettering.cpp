@@ -26,14 +26,19 @@ using Shared = std::unique_ptr<T, ReleaseObject>;
 // evicts some while another thread draws them: labels made side by side came out wrong, or crashed.
 std::mutex glyph_mutex;
 
+Shared<PangoFontMap> our_font_map() {
+  FcConfig* const config = font_config();  // before Pango looks for the machine's
+  Shared<PangoFontMap> map(pango_cairo_font_map_new_for_font_type(CAIRO_FONT_TYPE_FT));
+  pango_fc_font_map_set_config(PANGO_FC_FONT_MAP(map.get()), config);
+  return map;
+}
+
 // One thread's fonts. Pango's maps are not thread-safe, hence one each.
 struct FontRoom {
-  Shared<PangoFontMap> map{pango_cairo_font_map_new_for_font_type(CAIRO_FONT_TYPE_FT)};
-  Shared<PangoContext> context;
+  Shared<PangoFontMap> map = our_font_map();
+  Shared<PangoContext> context{pango_font_map_create_context(map.get())};
 
   FontRoom() {
-    pango_fc_font_map_set_config(PANGO_FC_FONT_MAP(map.get()), font_config());
-    context.reset(pango_font_map_create_context(map.get()));
     cairo_font_options_t* options = cairo_font_options_create();
     cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
     cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
