@@ -11,8 +11,10 @@
 #include "assets/outer_hull.h"
 #include "base/text.h"
 #include "catalog/gtin.h"
+#include "catalog/product_check.h"
 #include "catalog/usual_pack.h"
 #include "geometry/convex_hull.h"
+#include "io/field_check.h"
 #include "io/file.h"
 #include "io/json.h"
 #include "io/model_glb.h"
@@ -95,6 +97,7 @@ class Importer {
       : file_(std::move(file)), options_(options), catalog_(catalog) {}
 
   Result<ImportedAsset> run(const AssetAnnotator& annotator) {
+    MARKETGEN_CHECK(check_options());
     MARKETGEN_CHECK(read());
     MARKETGEN_CHECK(annotate(annotator));
     MARKETGEN_CHECK(make_row());
@@ -102,6 +105,7 @@ class Importer {
     MARKETGEN_CHECK(make_pieces());
     MARKETGEN_CHECK(estimate());
     asset_.file.product.mesh = model_name;
+    MARKETGEN_CHECK(check_asset());
     MARKETGEN_TRY(asset_.model, encode_glb(model_, row().sku));
     return std::move(asset_);
   }
@@ -109,6 +113,19 @@ class Importer {
  private:
   Product& row() { return asset_.file.product; }
   void note(std::string text) { asset_.file.notes.push_back(std::move(text)); }
+
+  Result<void> check_options() const {
+    if (!options_.mass_kg) return {};
+    const auto fault = fault_of_field<Product>("mass_kg", *options_.mass_kg);
+    if (!fault) return {};
+    return Error{"usage.bad_flag", "--mass-kg", fault->message + " kg"};
+  }
+
+  // What is written is what --catalog takes.
+  Result<void> check_asset() const {
+    MARKETGEN_CHECK(check_fields(asset_.file, std::string(asset_name)));
+    return check_product(asset_.file.product, catalog_);
+  }
 
   Result<void> read() {
     MARKETGEN_TRY(model_, read_model_file(file_));

@@ -6,6 +6,7 @@
 
 #include "catalog/catalog.h"
 #include "catalog/gtin.h"
+#include "catalog/product_check.h"
 
 namespace marketgen {
 namespace {
@@ -94,7 +95,7 @@ Result<void> check_codes(const Product& p) {
   return {};
 }
 
-Result<void> check_product(const Product& p, const std::vector<std::string_view>& categories) {
+Result<void> check_row(const Product& p, const std::vector<std::string_view>& categories) {
   MARKETGEN_CHECK(
       require_known(categories, "products/" + p.sku + "/category", "category", p.category));
   MARKETGEN_CHECK(check_codes(p));
@@ -112,7 +113,7 @@ Result<void> check_products(const Catalog& c) {
   const auto categories = names_in(c.categories, &CategoryRow::id);
   std::map<std::string_view, std::string_view> sku_of_code;
   for (const Product& p : c.products) {
-    MARKETGEN_CHECK(check_product(p, categories));
+    MARKETGEN_CHECK(check_row(p, categories));
     const std::string_view code = p.ean.empty() ? p.plu : p.ean;
     const auto [entry, is_new] = sku_of_code.try_emplace(code, p.sku);
     if (!is_new)
@@ -175,6 +176,10 @@ Result<void> check_looks(const Catalog& c) {
 }
 
 }  // namespace
+
+Result<void> check_product(const Product& product, const Catalog& catalog) {
+  return check_row(product, names_in(catalog.categories, &CategoryRow::id));
+}
 
 Result<void> check_catalog(const Catalog& c) {
   MARKETGEN_CHECK(require_unique(c.fixture_kinds, &FixtureKind::kind, "fixtures"));

@@ -12,6 +12,7 @@
 #include "catalog/own_mesh.h"
 #include "catalog/usual_pack.h"
 #include "io/csv.h"
+#include "io/field_check.h"
 #include "io/file.h"
 #include "io/json.h"
 
@@ -138,6 +139,8 @@ Result<std::vector<Product>> products_of_csv(std::string_view text, const std::s
   MARKETGEN_TRY(const std::vector<CsvRow> rows, parse_csv(text, source));
   std::vector<Product> products;
   if (rows.empty()) return products;
+  if (auto fault = fault_of_count(rows.size() - 1, {}))
+    return Error{std::string(fault->code), source, std::move(fault->message)};
   std::vector<Column> columns;
   for (const std::string& heading : rows[0].fields) {
     MARKETGEN_TRY(const Column column, column_called(trimmed(heading), source + ":1"));

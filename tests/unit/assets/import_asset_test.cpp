@@ -124,6 +124,28 @@ TEST_F(Import, MeasuresNamesAndPixelsBecomeAnAsset) {
   EXPECT_NE(file.estimates.mass_from.find("median"), std::string::npos);
 }
 
+// What an import writes, --catalog reads: a mass that no row may have is refused before the work,
+// one that contradicts the size before anything is written.
+TEST_F(Import, AMassThatNoRowMayHave) {
+  for (const double mass_kg : {1e308, 50.001, 1e-7, 0.0, -1.0}) {
+    ImportOptions options;
+    options.mass_kg = mass_kg;
+    const auto asset = import("box.glb", painted_box(), options);
+    ASSERT_FALSE(asset.ok()) << mass_kg;
+    EXPECT_EQ(asset.error().code, "usage.bad_flag");
+    EXPECT_EQ(asset.error().where, "--mass-kg");
+    EXPECT_NE(asset.error().message.find("0.001 to 50 kg"), std::string::npos);
+  }
+  ImportOptions options;
+  options.mass_kg = 40;  // 0.7 litres
+  const auto heavy = import("box.glb", painted_box(), options);
+  ASSERT_FALSE(heavy.ok());
+  EXPECT_EQ(heavy.error().code, "catalog.bad_row");
+  EXPECT_NE(heavy.error().message.find("is plausible"), std::string::npos);
+  options.mass_kg = 0.5;
+  EXPECT_TRUE(import("box.glb", painted_box(), options).ok());
+}
+
 TEST_F(Import, TheAssetIsAProductLikeAnyOther) {
   const auto product = imported_product("green tea.glb", painted_box());
   ASSERT_TRUE(product.ok()) << to_string(product.error());

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 
 #include "audit/audit.h"
@@ -148,6 +149,42 @@ TEST(Collisions, TheSweepFindsEveryPair) {  // against all pairs, on places that
   }
   EXPECT_GT(near, 50U);
   EXPECT_EQ(counted(made.scene).near_pairs, near);
+}
+
+// A model of MuJoCo that holds them all takes minutes to make, and grows with the square.
+TEST(Collisions, ThirtyThousandPairsInOneAnother) {
+  HandMadeScene made;
+  for (int i = 0; i < 30'000; ++i) {
+    const float x = 0.5F * static_cast<float>(i % 300), north = 0.5F * static_cast<float>(i / 300);
+    made.add(cereal, {x, north, 0});
+    made.add(cereal, {x + 0.1F, north, 0});
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const CollisionCount count = counted(made.scene);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(40));
+  EXPECT_EQ(count.near_pairs, 30'000U);
+  EXPECT_EQ(count.colliding_pairs, 30'000U);
+}
+
+// Goods of 9 mm, as a shop of them has them: each is near to those around it only, however many
+// stand in the same strip of the store.
+TEST(Collisions, ATonOfSmallGoods) {
+  HandMadeScene made;
+  made.scene.catalog.at(can).size_mm = {9, 9, 9};
+  for (int i = 0; i < 200'000; ++i) {
+    made.scene.products.push_back({can,
+                                   no_facing,
+                                   {0.01F * static_cast<float>(i % 100),
+                                    0.01F * static_cast<float>(i / 100 % 50),
+                                    0.01F * static_cast<float>(i / 5000)},
+                                   {1, 0, 0, 0},
+                                   0});
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const CollisionCount count = counted(made.scene);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(40));
+  EXPECT_EQ(count.colliding_pairs, 0U);
+  EXPECT_GT(count.near_pairs, 2'000'000U);
 }
 
 // ---- Items out of place. ----
