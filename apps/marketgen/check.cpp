@@ -6,8 +6,6 @@
 #include "command.h"
 #include "io/file.h"
 #include "io/json.h"
-#include "layout/layout.h"
-#include "plan/plan_place.h"
 #include "say.h"
 #include "store/store.h"
 
@@ -24,27 +22,29 @@ struct CheckOutput {
   bool ok = true;
   std::vector<Violation> rules;
   std::vector<RequirementResult> requirements;
+  std::vector<std::string> repairs;
   static constexpr auto fields =
       field_list(field("path", &CheckOutput::path, "what was checked"),
                  field("ok", &CheckOutput::ok, "no hard rule is broken"),
                  field("rules", &CheckOutput::rules, "broken rules"),
-                 field("requirements", &CheckOutput::requirements, "wishes"));
+                 field("requirements", &CheckOutput::requirements, "wishes"),
+                 field("repairs", &CheckOutput::repairs, "what generate would mend in the plan"));
 };
 
-// A plan: repaired and laid out in memory, to see what its rules say.
+// A plan: all that generate makes of it, in memory.
 Result<CheckOutput> check_plan(const CheckFlags& flags, const Catalog& catalog) {
-  MARKETGEN_TRY(const std::string text, read_file(flags.path, 64U << 20));
-  MARKETGEN_TRY(const Plan plan, read_plan(text, flags.path, catalog));
-  const Result<Layout> layout = make_layout(plan, catalog, Seed(flags.common.seed));
-  if (!layout.ok()) return in_plan_file(layout.error(), flags.path);
-  return CheckOutput{flags.path, true, layout->violations, {}};
+  CreateOptions options;
+  options.plan_file = flags.path;
+  options.seed = flags.common.seed;
+  MARKETGEN_TRY(StoreReport report, try_store(options, catalog, progress_for(flags.common)));
+  return CheckOutput{flags.path, true, std::move(report.rules), {}, std::move(report.repairs)};
 }
 
 Result<CheckOutput> check_store(const CheckFlags& flags, const Catalog& catalog) {
   MARKETGEN_CHECK(verify_store(flags.path, catalog));
   MARKETGEN_TRY(const Store store, open_store(flags.path, catalog));
   MARKETGEN_TRY(Audit audit, audit_store(store.scene, catalog, store.manifest.requirements));
-  return CheckOutput{flags.path, true, std::move(audit.rules), std::move(audit.requirements)};
+  return CheckOutput{flags.path, true, std::move(audit.rules), std::move(audit.requirements), {}};
 }
 
 Result<int> check(const CheckFlags& flags) {
@@ -59,6 +59,8 @@ Result<int> check(const CheckFlags& flags) {
     fmt::print("{}", write_json(output));
     return output.ok ? 0 : 1;
   }
+  for (const std::string& repair : output.repairs)
+    say("mend  {}\n", repair);
   for (const Violation& v : output.rules)
     say("{:<5} {:<20} {}: {}\n", name_of(v.severity), v.code, v.where, v.message);
   for (const RequirementResult& r : output.requirements) {

@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <span>
 
 #include <fmt/format.h>
 
 #include "base/build_info.h"
 #include "base/interrupt.h"
 #include "catalog/own_mesh.h"
+#include "io/field_check.h"
 #include "io/file.h"
 #include "io/json.h"
 #include "io/png.h"
@@ -85,12 +87,55 @@ Result<std::vector<FileDigest>> digests_of(const fs::path& folder) {
   return digests;
 }
 
-Result<void> write_stages(const fs::path& folder, const Plan& plan, const Scene& scene) {
-  MARKETGEN_CHECK(write_file(folder / "plan.json", write_json(plan)));
-  MARKETGEN_CHECK(write_file(folder / "layout.json", write_json(scene.layout)));
-  MARKETGEN_CHECK(write_file(folder / "scene.bin", encode_scene(scene)));
+// A described document as text that its reader accepts.
+template <class Document>
+Result<std::string> text_of(const Document& document, const char* name) {
+  MARKETGEN_CHECK(check_fields(document, name));
+  return write_json(document);
+}
+
+Result<std::string> bytes_of(const Scene& scene) {
+  std::string bytes = encode_scene(scene);
+  MARKETGEN_CHECK(decode_scene(std::as_bytes(std::span(bytes)), "scene.bin"));
+  return bytes;
+}
+
+struct StageFile {
+  const char* name;
+  std::string bytes;
+};
+
+// What the stages leave in a store's folder, each such that opening takes it.
+Result<std::vector<StageFile>> stage_files(const Plan& plan,
+                                           const Scene& scene,
+                                           const Catalog& catalog) {
+  MARKETGEN_CHECK(validate_plan(plan, "plan.json", catalog));
+  MARKETGEN_TRY(std::string layout_text, text_of(scene.layout, "layout.json"));
+  MARKETGEN_TRY(std::string scene_bytes, bytes_of(scene));
   MARKETGEN_TRY(const Table planogram, query_scene(scene, "planogram", ""));
-  return write_file(folder / "planogram.csv", to_csv(planogram));
+  std::vector<StageFile> files;
+  files.push_back({"plan.json", write_json(plan)});
+  files.push_back({"layout.json", std::move(layout_text)});
+  files.push_back({"scene.bin", std::move(scene_bytes)});
+  files.push_back({"planogram.csv", to_csv(planogram)});
+  return files;
+}
+
+Result<void> write_stages(const fs::path& folder,
+                          const Plan& plan,
+                          const Scene& scene,
+                          const Catalog& catalog) {
+  MARKETGEN_TRY(const std::vector<StageFile> files, stage_files(plan, scene, catalog));
+  for (const StageFile& file : files)
+    MARKETGEN_CHECK(write_file(folder / file.name, file.bytes));
+  return {};
+}
+
+Result<void> write_documents(const fs::path& folder, const Created& created) {
+  MARKETGEN_TRY(const std::string manifest, text_of(created.manifest, "store.json"));
+  MARKETGEN_TRY(const std::string report, text_of(created.report, "report.json"));
+  MARKETGEN_CHECK(write_file(folder / "store.json", manifest));
+  return write_file(folder / "report.json", report);
 }
 
 Result<void> write_previews(const fs::path& folder,
@@ -196,6 +241,14 @@ Result<Built> build(const CreateOptions& options, const Catalog& catalog, Stages
                std::move(unstocked)};
 }
 
+// Faults of a plan that somebody wrote name its file.
+Result<Built> built_from(const CreateOptions& options, const Catalog& catalog, Stages& stages) {
+  Result<Built> built = build(options, catalog, stages);
+  if (!built.ok() && options.plan_file)
+    return in_plan_file(built.error(), options.plan_file->string());
+  return built;
+}
+
 StoreReport report_of(Built& built) {
   StoreReport report;
   report.requirements = std::move(built.audit.requirements);
@@ -230,17 +283,28 @@ Result<Scene> scene_of_plan(const Plan& plan, const Catalog& catalog, std::uint6
   return build_scene(layout, plan, catalog, Seed(seed).child(scene_stream));
 }
 
+Result<StoreReport> try_store(const CreateOptions& options,
+                              const Catalog& catalog,
+                              Progress& progress) {
+  Stages stages(progress);
+  MARKETGEN_TRY(Built built, built_from(options, catalog, stages));
+  MARKETGEN_CHECK(stage_files(built.repaired.plan, built.scene, catalog));
+  StoreReport report = report_of(built);
+  report.timing_s = stages.take();
+  report.peak_rss_mb = peak_rss_mb();
+  MARKETGEN_CHECK(check_fields(report, "report.json"));
+  return report;
+}
+
 Result<Created> create_store(const CreateOptions& options,
                              const Catalog& catalog,
                              Progress& progress) {
   MARKETGEN_TRY(FolderDraft draft, FolderDraft::begin(options.folder));
   Stages stages(progress);
-  auto build_result = build(options, catalog, stages);
-  if (!build_result.ok() && options.plan_file)
-    return in_plan_file(build_result.error(), options.plan_file->string());
-  MARKETGEN_TRY(Built built, std::move(build_result));
-  MARKETGEN_CHECK(stages.run(
-      "save", [&] { return write_stages(draft.folder(), built.repaired.plan, built.scene); }));
+  MARKETGEN_TRY(Built built, built_from(options, catalog, stages));
+  MARKETGEN_CHECK(stages.run("save", [&] {
+    return write_stages(draft.folder(), built.repaired.plan, built.scene, catalog);
+  }));
   MARKETGEN_CHECK(save_meshes(built.scene.catalog, draft.folder()));
   if (options.previews) {
     MARKETGEN_CHECK(stages.run("previews", [&] {
@@ -254,8 +318,7 @@ Result<Created> create_store(const CreateOptions& options,
   created.report = report_of(built);
   created.report.timing_s = stages.take();
   created.report.peak_rss_mb = peak_rss_mb();
-  MARKETGEN_CHECK(write_file(draft.folder() / "store.json", write_json(created.manifest)));
-  MARKETGEN_CHECK(write_file(draft.folder() / "report.json", write_json(created.report)));
+  MARKETGEN_CHECK(write_documents(draft.folder(), created));
   MARKETGEN_CHECK(check_interrupt());
   MARKETGEN_CHECK(draft.commit());
   return created;

@@ -129,6 +129,12 @@ Result<Created> create_store(const CreateOptions& options,
                              const Catalog& catalog,
                              Progress& progress = silent_progress());
 
+// What create_store would report, without a folder: the same repairs, the same rules, the same
+// refusals.
+Result<StoreReport> try_store(const CreateOptions& options,
+                              const Catalog& catalog,
+                              Progress& progress = silent_progress());
+
 struct Store {
   std::filesystem::path folder;
   Manifest manifest;
