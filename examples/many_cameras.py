@@ -1,6 +1,6 @@
 """RGB-D from 64 cameras on the spot of the aisle's view, drawn in one call into one array each.
 
-    python examples/many_cameras.py STORE OUT.npz
+    python examples/many_cameras.py [STORE [OUT.npz]]
 """
 
 import math
@@ -10,10 +10,12 @@ import time
 import numpy as np
 
 import marketgen
+from demo_shop import FOLDER, open_or_make
 
 COUNT, SIDE = 64, 128
 
-store = marketgen.open_store(sys.argv[1])
+store = open_or_make(*sys.argv[1:2])
+out = sys.argv[2] if len(sys.argv) > 2 else FOLDER / "many_cameras.npz"
 renderer = store.renderer()
 eye = store.camera("aisle").cam2world_gl[:3, 3]
 cameras = [
@@ -27,4 +29,5 @@ depth = np.empty((COUNT, SIDE, SIDE), np.float32)
 started = time.perf_counter()
 marketgen.render_batch([(renderer, camera) for camera in cameras], rgb=rgb, depth=depth)
 print(f"{COUNT} pictures of {SIDE} x {SIDE} in {time.perf_counter() - started:.2f} s")
-np.savez_compressed(sys.argv[2], rgb=rgb, depth=depth)
+np.savez_compressed(out, rgb=rgb, depth=depth)
+print(f"pictures: {out}")

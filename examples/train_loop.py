@@ -1,6 +1,6 @@
 """The rollouts of a training loop: many baskets at once, a scripted policy, its scores.
 
-    python examples/train_loop.py STORE [STEPS]
+    python examples/train_loop.py [STORE [STEPS]]
 
 The policy sways the arm and stops after a while, so that episodes end and others begin; a learner would take its place.
 """
@@ -8,18 +8,18 @@ The policy sways the arm and stops after a while, so that episodes end and other
 import sys
 import time
 
-import gymnasium
 import numpy as np
 
-import marketgen  # noqa: F401  registers the environments
+import marketgen
+from demo_shop import open_or_make
 
 ENVS, PATIENCE = 4, 40  # steps until the policy says that it has done
 
 steps = int(sys.argv[2]) if len(sys.argv) > 2 else 60
-envs = gymnasium.make_vec(
-    "MarketGen/CheckoutUnloading-v1",
+envs = marketgen.make_vec(
+    "CheckoutUnloading-v1",
     num_envs=ENVS,
-    store=sys.argv[1],
+    store=open_or_make(*sys.argv[1:2]),
     reward_mode="dense",
     control_mode="pd_ee_delta_pos",
     autoreset_mode="SameStep",

@@ -11,6 +11,7 @@
 #include "frame_handle.h"
 #include "io/json.h"
 #include "store_handle.h"
+#include "told_progress.h"
 
 namespace marketgen::python {
 namespace {
@@ -142,10 +143,11 @@ void reset_environments(const Handles& handles,
 std::vector<std::string> draw(EpisodeGround& ground,
                               const std::string& track,
                               const std::vector<std::uint64_t>& seeds,
-                              const std::string& tools) {
+                              const std::string& tools,
+                              const Callable& progress) {
   const Track of = value_or_raise(track_named(track));
-  const auto specs =
-      value_or_raise(without_interpreter([&] { return draw_all(ground, of, seeds, tools); }));
+  const auto specs = value_or_raise(
+      telling(progress, [&](Progress& told) { return draw_all(ground, of, seeds, tools, told); }));
   std::vector<std::string> texts;
   for (const EpisodeSpec& spec : specs)
     texts.push_back(write_json(spec));

@@ -6,7 +6,7 @@
 namespace marketgen::python {
 namespace {
 
-PyObject* error_type = nullptr;  // marketgen.Error, which lives as long as the module
+PyObject* error_of_library = nullptr;  // makes a marketgen.Error; lives as long as the module
 
 }  // namespace
 
@@ -16,16 +16,18 @@ void raise(const Error& error) {
     if (PyErr_CheckSignals() == 0) PyErr_SetNone(PyExc_KeyboardInterrupt);
     throw nb::python_error();
   }
-  const nb::object made = nb::borrow(error_type)(
+  const nb::object made = nb::borrow(error_of_library)(
       error.code, safe_line(error.where, longest_where), safe_line(error.message, longest_message));
-  PyErr_SetObject(error_type, made.ptr());
+  PyErr_SetObject(made.type().ptr(), made.ptr());
   throw nb::python_error();
 }
 
 void add_errors(nb::module_& module) {
-  const nb::object type = nb::module_::import_("marketgen.errors").attr("Error");
-  error_type = type.ptr();
-  module.attr("Error") = type;
+  const nb::module_ errors = nb::module_::import_("marketgen.errors");
+  module.attr("Error") = errors.attr("Error");
+  const nb::object of_library = errors.attr("of_library");
+  error_of_library = of_library.ptr();
+  module.attr("_error_of_library") = of_library;
   // Of a loop that ran outside without_interpreter() while another call was interrupted.
   nb::register_exception_translator([](const std::exception_ptr& thrown, void*) {
     try {

@@ -11,9 +11,11 @@
 #include "binding.h"
 #include "evaluation/episode_worker.h"
 #include "evaluation/evaluate.h"
+#include "evaluation/policy_name.h"
 #include "io/file.h"
 #include "io/json.h"
 #include "io/process_group.h"
+#include "told_progress.h"
 
 namespace marketgen::python {
 namespace {
@@ -35,15 +37,17 @@ void evaluate(const std::string& episodes,
               bool resume,
               int jobs,
               const std::vector<std::string>& worker,
-              const std::pair<double, double>& limits_s) {
+              const std::pair<double, double>& limits_s,
+              const Callable& progress) {
   EvaluationOptions options = options_of(policy, folder, resume, jobs);
   std::tie(options.act_limit_s, options.start_limit_s) = limits_s;
   options.worker = worker;
-  value_or_raise(without_interpreter([&]() -> Result<std::vector<EpisodeResult>> {
+  value_or_raise(read_policy_name(policy));
+  value_or_raise(telling(progress, [&](Progress& told) -> Result<std::vector<EpisodeResult>> {
     MARKETGEN_TRY(const EpisodeFile file, read_episode_file(episodes));
     MARKETGEN_TRY(const std::filesystem::path data, data_folder());
     MARKETGEN_TRY(const Catalog catalog, usable_catalog());
-    return marketgen::evaluate(data, file, catalog, options, silent_progress());
+    return marketgen::evaluate(data, file, catalog, options, told);
   }));
 }
 
@@ -85,7 +89,8 @@ void evaluate_with(const std::string& episodes,
                    const std::string& folder,
                    bool resume,
                    int jobs,
-                   nb::object make_runner) {
+                   nb::object make_runner,
+                   const Callable& progress) {
   const EvaluationOptions options = options_of(policy, folder, resume, jobs);
   const auto make = [&]() -> EpisodeRunner {
     const nb::gil_scoped_acquire held;
@@ -107,9 +112,9 @@ void evaluate_with(const std::string& episodes,
       }
     };
   };
-  value_or_raise(without_interpreter([&]() -> Result<std::vector<EpisodeResult>> {
+  value_or_raise(telling(progress, [&](Progress& told) -> Result<std::vector<EpisodeResult>> {
     MARKETGEN_TRY(const EpisodeFile file, read_episode_file(episodes));
-    return marketgen::evaluate_with(file, options, make, silent_progress());
+    return marketgen::evaluate_with(file, options, make, told);
   }));
 }
 

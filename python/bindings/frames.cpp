@@ -1,10 +1,12 @@
 #include <nanobind/ndarray.h>
+#include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/string.h>
 
 #include "binding.h"
 #include "frame_handle.h"
 #include "io/exr.h"
 #include "io/picture_file.h"
+#include "io/png.h"
 
 namespace marketgen::python {
 namespace {
@@ -21,12 +23,18 @@ Array<T> plane(FrameHandle& handle, std::vector<T>& numbers, std::size_t channel
   return Array<T>(numbers.data(), channels == 1 ? 2 : 3, shape, nb::handle());
 }
 
-void save(const FrameHandle& handle, const std::string& path) {
+void save(const FrameHandle& handle, const std::filesystem::path& to) {
   const Frame& frame = handle.frame;
+  const std::string path = to.string();
   if (!path.ends_with(".exr")) return check_or_raise(write_picture(path, frame.color));
   if (frame.radiance.empty())
     raise({"usage.bad_flag", path, "linear light (EXR) is what mode=\"path\" draws"});
   check_or_raise(write_exr(path, {frame.color.width, frame.color.height, frame.radiance}));
+}
+
+std::string written(const FrameHandle& handle) {
+  return "<marketgen.Frame " + std::to_string(handle.frame.color.width) + " x " +
+         std::to_string(handle.frame.color.height) + ">";
 }
 
 }  // namespace
@@ -66,6 +74,14 @@ void add_frames(nb::module_& module) {
             return nb::cast(plane(h, h.frame.radiance, 3), inside, nb::find(h));
           },
           "float32 linear Rec. 709 light in cd/m2; None unless mode=\"path\".")
+      .def(
+          "_repr_png_",
+          [](const FrameHandle& h) {
+            const std::string png = value_or_raise(encode_png(h.frame.color));
+            return nb::bytes(png.data(), png.size());
+          },
+          "How notebooks show it: the colours as a PNG.")
+      .def("__repr__", &written)
       .def(
           "save", &save, nb::arg("path"), "Writes a PNG or a JPEG, or an EXR of the linear light.");
 }

@@ -16,4 +16,5 @@ NB_MODULE(_core, module) {
   add_renderers(module);
   add_environments(module);
   add_evaluations(module);
+  add_program_policies(module);
 }

@@ -11,6 +11,7 @@
 #include "render/depth_noise.h"
 #include "render/robot_actor.h"
 #include "store_handle.h"
+#include "told_progress.h"
 
 namespace marketgen::python {
 namespace {
@@ -27,11 +28,15 @@ struct RendererHandle {
   std::vector<Actor> actors;
 };
 
-RendererHandle create(const StoreHandle& handle, bool fine_print, bool keep_light) {
+RendererHandle create(const StoreHandle& handle,
+                      bool fine_print,
+                      bool keep_light,
+                      const Callable& progress) {
   const RendererOptions options{fine_print ? PrintDetail::near : PrintDetail::distant, keep_light};
   RendererHandle made{handle.store, nullptr, {}};
-  made.renderer = value_or_raise(without_interpreter(
-      [&] { return Renderer::create(made.store->scene, silent_progress(), options); }));
+  made.renderer = value_or_raise(telling(progress, [&](Progress& told) {
+    return Renderer::create(made.store->scene, told, options);
+  }));
   return made;
 }
 
@@ -42,7 +47,8 @@ FrameHandle render(RendererHandle& handle,
                    int samples,
                    double time_s,
                    const std::string& denoise,
-                   double exposure_stops) {
+                   double exposure_stops,
+                   const Callable& progress) {
   RenderOptions options;
   options.mode = named<RenderMode>(mode, "mode");
   options.quality = named<Quality>(quality, "quality");
@@ -51,8 +57,8 @@ FrameHandle render(RendererHandle& handle,
   options.denoiser = named<Denoiser>(denoise, "denoise");
   options.exposure_stops = exposure_stops;
   options.hide_ceiling = camera.ortho_height_m > 0;
-  return {value_or_raise(
-      without_interpreter([&] { return handle.renderer->render(camera, options); }))};
+  return {value_or_raise(telling(
+      progress, [&](Progress& told) { return handle.renderer->render(camera, options, told); }))};
 }
 
 // The same picture as this sensor records it.

@@ -10,9 +10,12 @@
 #include "intake/brief.h"
 #include "io/file.h"
 #include "io/json.h"
+#include "io/png.h"
+#include "layout/layout_picture.h"
 #include "render/camera.h"
 #include "scene/query.h"
 #include "store_handle.h"
+#include "told_progress.h"
 
 namespace marketgen::python {
 namespace {
@@ -37,7 +40,8 @@ StoreHandle generate(const std::string& prompt,
                      const std::optional<std::string>& plan,
                      const std::vector<std::string>& catalogs,
                      bool previews,
-                     bool strict) {
+                     bool strict,
+                     const Callable& progress) {
   CreateOptions options;
   options.folder = folder;
   options.seed = seed;
@@ -50,7 +54,8 @@ StoreHandle generate(const std::string& prompt,
   if (plan) options.plan_file = *plan;
   if (!size.empty()) options.brief.size_mm = value_or_raise(parse_size(size, "size"));
   Catalog catalog = value_or_raise(usable_catalog({catalogs.begin(), catalogs.end()}));
-  value_or_raise(without_interpreter([&] { return create_store(options, catalog); }));
+  value_or_raise(
+      telling(progress, [&](Progress& told) { return create_store(options, catalog, told); }));
   return opened(folder, std::move(catalog));
 }
 
@@ -61,6 +66,12 @@ std::vector<std::string> camera_names(const StoreHandle& handle) {
   return names;
 }
 
+nb::bytes layout_png(const StoreHandle& handle) {
+  const std::string png = value_or_raise(without_interpreter(
+      [&] { return encode_png(draw_layout(handle.store->scene.layout, *handle.catalog)); }));
+  return nb::bytes(png.data(), png.size());
+}
+
 }  // namespace
 
 void add_stores(nb::module_& module) {
@@ -69,6 +80,7 @@ void add_stores(nb::module_& module) {
       .def("_manifest", [](const StoreHandle& h) { return write_json(h.store->manifest); })
       .def("_plan", [](const StoreHandle& h) { return write_json(h.store->plan); })
       .def("_layout", [](const StoreHandle& h) { return write_json(h.store->scene.layout); })
+      .def("_layout_png", &layout_png)
       .def("_report",
            [](const StoreHandle& h) {
              return write_json(value_or_raise(read_report(h.store->folder)));

@@ -14,7 +14,7 @@ cores; what they make does not depend on how many there are.
 import importlib.util
 import sys
 
-from . import _core
+from . import _core, policies
 from ._core import __version__
 from .errors import Error
 from .evaluation import Evaluation, Policy, evaluate
@@ -24,7 +24,14 @@ from .store import Store, generate, open_store
 _core.use_python(sys.executable or "")  # its helper processes have this environment's packages
 
 if importlib.util.find_spec("gymnasium"):
-    from . import environments as _environments  # noqa: F401  registers them
+    from .environments import make_vec  # noqa: F401  and registers them
+
+
+def __getattr__(name):
+    if name == "make_vec":
+        raise Error("usage.unavailable", "make_vec", "environments need Gymnasium: pip install gymnasium")
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
 
 __all__ = [
     "Camera",
@@ -40,5 +47,6 @@ __all__ = [
     "evaluate",
     "generate",
     "open_store",
+    "policies",
     "render_batch",
 ]

@@ -18,7 +18,8 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
-from . import _core
+from . import _core, arguments
+from .arguments import PathLike, Progress
 from .errors import Error
 from .policy_process import PolicyFailed, PolicyHere, PolicyProcess
 
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
 
     from .environments.task_setup import TaskOptions
 
-PathLike = str | os.PathLike[str]
+MAX_JOBS, MAX_LIMIT_S = 1000, 1e6
 
 
 class Policy(Protocol):
@@ -67,6 +68,7 @@ def evaluate(
     resume: bool = False,
     act_limit_s: float = 120.0,
     start_limit_s: float = 120.0,
+    progress: Progress | None = None,
     **options: Unpack[TaskOptions],
 ) -> Evaluation:
     """Runs the episodes of a file with a policy; `marketgen eval` from Python.
@@ -77,17 +79,28 @@ def evaluate(
     jobs         episodes at a time; 0: as many as there are cores
     resume       go on with a run that was broken off
     act_limit_s  wall time for one answer; one that takes longer ends its episode with PolicyError. The policy then acts in
-                 a process of its own, and one written in Python must be picklable. 0: no limit, all in this process
+                 a process of its own; one written in Python travels there as code, also out of a notebook's cell or a
+                 script, and must not hold what cannot travel (open files, locks). 0: no limit, all in this process
     start_limit_s  wall time until that process is ready; a policy that takes longer over its imports ends the run
+    progress     called as progress(done, total, text) in this thread as episodes finish; what it raises ends the run, and
+                 what was finished is kept
     options      of a policy written in Python, as of the environments: obs_mode, control_mode, cameras, width, height, quality
 
     A policy that raises, hangs, crashes its process or gives what is no action has failed in that episode (PolicyError, with
     the reason in `detail`), and the next one follows. An episode that cannot be run is a result with `error`; it counts in no
     share. Ctrl-C keeps what was finished. Raises Error store.exists, io.in_use, episode.*, usage.bad_flag.
     """
-    into = os.path.abspath(os.fspath(folder))
-    with _read_once(os.path.abspath(os.fspath(episodes))) as path:
-        _run(path, policy, into, resume, jobs, (act_limit_s, start_limit_s), options)
+    path = os.path.abspath(arguments.a_path("episodes", episodes))
+    into = os.path.abspath(arguments.a_path("folder", folder))
+    jobs = arguments.a_whole("jobs", jobs, 0, MAX_JOBS)
+    resume = arguments.a_truth("resume", resume)
+    limits_s = (
+        arguments.a_number("act_limit_s", act_limit_s, 0, MAX_LIMIT_S),
+        arguments.a_number("start_limit_s", start_limit_s, 0, MAX_LIMIT_S),
+    )
+    arguments.a_progress(progress)
+    with _read_once(path) as readable:
+        _run(readable, policy, into, resume, jobs, limits_s, progress, options)
     lines = (pathlib.Path(into) / "results.jsonl").read_text(encoding="utf-8").splitlines()
     summary = json.loads((pathlib.Path(into) / "summary.json").read_text(encoding="utf-8"))
     return Evaluation([json.loads(line) for line in lines], summary, into)
@@ -113,15 +126,16 @@ def _run(
     resume: bool,
     jobs: int,
     limits_s: tuple[float, float],
+    progress: Progress | None,
     options: dict[str, Any],
 ) -> None:
     if isinstance(policy, str):
         if options:
             raise Error("usage.bad_flag", ", ".join(options), f"the program's own policy {policy!r} takes no such options")
         worker = _worker_command(policy, jobs) if limits_s[0] > 0 else []
-        _core.evaluate(path, policy, into, resume, jobs, worker, limits_s)
+        _core.evaluate(path, policy, into, resume, jobs, worker, limits_s, progress)
     else:
-        _evaluate_python(path, policy, into, resume, jobs, limits_s, options)
+        _evaluate_python(path, policy, into, resume, jobs, limits_s, progress, options)
 
 
 def _worker_command(policy: str, jobs: int) -> list[str]:
@@ -142,6 +156,7 @@ def _evaluate_python(
     resume: bool,
     jobs: int,
     limits_s: tuple[float, float],
+    progress: Progress | None,
     options: dict[str, Any],
 ) -> None:
     if not callable(getattr(policy, "act", None)) and not callable(policy):
@@ -155,18 +170,18 @@ def _evaluate_python(
             "'state' is the truth: it is refused in evaluation; take 'state_robot', 'rgbd' or 'pointcloud'",
         )
     name = getattr(policy, "name", None) or getattr(policy, "__name__", None) or type(policy).__name__
-    apart = limits_s[0] > 0
-    if apart:
-        PolicyProcess(policy, *limits_s)  # said here, once, if it cannot be pickled
     if importlib.util.find_spec("gymnasium") is None:
         raise Error("usage.unavailable", "policy", "policies in Python need Gymnasium: pip install gymnasium")
+    apart = limits_s[0] > 0
+    if apart:
+        PolicyProcess(policy, *limits_s)  # said here, once, if it cannot be sent
     stages = _Stages(path, options)
 
     def make_runner():
         player = PolicyProcess(policy, *limits_s) if apart else PolicyHere(copy.deepcopy(policy))
         return _Runner(str(name), player, stages)
 
-    _core.evaluate_with(path, str(name), into, resume, jobs, make_runner)
+    _core.evaluate_with(path, str(name), into, resume, jobs, make_runner, progress)
 
 
 class _Stages:

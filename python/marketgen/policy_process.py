@@ -2,12 +2,12 @@
 
 One that never answers cannot be stopped from inside its own process (a thread cannot be killed); a process can. So with a
 limit the policy is pickled into a new process, and that is ended when an answer takes too long, with whatever the policy has
-started. It ends with this process, too, however this one ends.
+started. It ends with this process, too, however this one ends. What a notebook's cell or a script defines travels as code
+(cloudpickle), so that the new process imports neither.
 """
 
 from __future__ import annotations
 
-import multiprocessing
 import multiprocessing.connection
 import multiprocessing.spawn
 import os
@@ -15,6 +15,7 @@ import pathlib
 import pickle
 import socket
 import struct
+import sys
 import time
 import traceback
 from typing import Any
@@ -79,8 +80,8 @@ def serve() -> None:
     os.close(null)
     connection.send(("ok", None))
     try:
-        about_main, pickled = connection.recv()
-        _import_main(about_main)
+        path, pickled = connection.recv()
+        sys.path[:] = path
         policy = ready(pickle.loads(pickled))
     except Exception as fault:
         connection.send(("error", _said(fault)))
@@ -97,35 +98,25 @@ def serve() -> None:
             connection.send(("error", _said(fault)))
 
 
-def _about_main() -> dict[str, Any]:
-    """What another process needs to find what this one's script defines; as multiprocessing has it."""
-    about = multiprocessing.spawn.get_preparation_data("policy")
-    about.pop("authkey")  # a secret of this process
-    return about
+def _pickled(policy: Any) -> bytes:
+    import cloudpickle
 
-
-def _import_main(about: dict[str, Any]) -> None:
-    process: Any = multiprocessing.current_process()
-    process._inheriting = True  # a script that starts processes as it is imported is told so
     try:
-        multiprocessing.spawn.prepare(about)
-    finally:
-        del process._inheriting
+        return cloudpickle.dumps(policy)
+    except Exception as fault:
+        raise Error(
+            "usage.bad_flag",
+            "policy",
+            f"it cannot be sent to a process of its own ({_said(fault)}): give a class, which is made there, "
+            "or act_limit_s=0, which runs it in this one",
+        ) from fault
 
 
 class PolicyProcess:
     """A policy in a process of its own, started at the first question and anew after it was ended."""
 
     def __init__(self, policy: Any, limit_s: float, start_limit_s: float = 120.0):
-        try:
-            self._pickled = pickle.dumps(policy)
-        except Exception as fault:
-            raise Error(
-                "usage.bad_flag",
-                "policy",
-                f"it cannot be sent to a process of its own ({fault}): define it in a module that can be imported, "
-                "or give act_limit_s=0, which runs it in this one",
-            ) from fault
+        self._pickled = _pickled(policy)
         self._limit_s, self._start_limit_s = limit_s, start_limit_s
         self._group: Any = None
         self._connection: Any = None
@@ -148,13 +139,13 @@ class PolicyProcess:
         self._connection = multiprocessing.connection.Connection(ours.detach())
         try:
             self._answer(self._start_limit_s)  # it listens: what follows may be larger than any buffer
-            self._asked((_about_main(), self._pickled), self._start_limit_s)
+            self._asked((sys.path, self._pickled), self._start_limit_s)
         except PolicyFailed as fault:
             self.close()
             if fault.code == "episode.policy_hung":
                 why = f"it was not ready after {self._start_limit_s:g} s (start_limit_s): what it imports or loads takes too long"
             else:
-                why = f"{fault.message}; a script's own code belongs under if __name__ == \"__main__\""
+                why = f"{fault.message}; act_limit_s=0 runs it in this one"
             raise Error("episode.no_policy", "policy", f"it does not start in a process of its own: {why}") from fault
 
     def _asked(self, message: Any, limit_s: float) -> Any:

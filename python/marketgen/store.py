@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+import base64
+import html
 import json
-import os
+import pathlib
 import warnings
 from collections.abc import Sequence
 from typing import Any
 
-from . import _core
+from . import _core, arguments
+from .arguments import MAX_SEED, MAX_SIDE_PX, PathLike, Progress
 from .pictures import Camera, Renderer
-
-PathLike = str | os.PathLike[str]
 
 
 class Store:
@@ -29,6 +30,28 @@ class Store:
 
     def __repr__(self) -> str:
         return f"<marketgen.Store {self.folder!r}>"
+
+    def _repr_png_(self) -> bytes:
+        """layout.png, drawn anew: what notebooks show that can show pictures alone."""
+        return self._handle._layout_png()
+
+    def _repr_html_(self) -> str:
+        """How notebooks show it: what it has, its plan, and its aisle when that was drawn."""
+        manifest = self.manifest
+        rows = "".join(
+            f"<tr><th style='text-align:left'>{name}</th><td style='text-align:right'>{count:,}</td></tr>"
+            for name, count in manifest["counts"].items()
+        )
+        pictures = [self._repr_png_()]
+        view = pathlib.Path(self.folder) / "previews" / "aisle.png"
+        if view.is_file():
+            pictures.append(view.read_bytes())
+        shown = "".join(
+            f"<img style='max-width:48%;max-height:320px' src='data:image/png;base64,{base64.b64encode(png).decode()}'>"
+            for png in pictures
+        )
+        name, folder = html.escape(manifest["name"]), html.escape(self.folder)
+        return f"<b>{name}</b> <code>{folder}</code><table>{rows}</table>{shown}"
 
     @property
     def folder(self) -> str:
@@ -60,7 +83,7 @@ class Store:
         `where` keeps rows: "zone=dairy,price<2"; = != < <= > >= and ~ for "contains".
         Row i of query("products") without `where` is product i of Renderer.move().
         """
-        return json.loads(self._handle._query(table, where))
+        return json.loads(self._handle._query(arguments.a_text("table", table), arguments.a_text("where", where)))
 
     def camera_names(self) -> list[str]:
         """The views that every store has: top, entrance, aisle, checkout, and zone:<id> for each zone."""
@@ -68,20 +91,26 @@ class Store:
 
     def camera(self, name: str, width: int = 640, height: int = 480) -> Camera:
         """One of camera_names(), in pixels. Raises Error camera.unknown with the nearest name."""
-        return self._handle.camera(name, width, height)
+        width, height = arguments.a_whole("width", width, 1, MAX_SIDE_PX), arguments.a_whole("height", height, 1, MAX_SIDE_PX)
+        return self._handle.camera(arguments.a_text("name", name), width, height)
 
-    def renderer(self, *, fine_print: bool = True, keep_light: bool = True) -> Renderer:
+    def renderer(
+        self, *, fine_print: bool = True, keep_light: bool = True, progress: Progress | None = None
+    ) -> Renderer:
         """Builds what pictures need: about a second for 27,000 products, two when light has to be baked.
 
         fine_print  labels sharp at arm's length; False: a quarter of the memory
         keep_light  leave baked light in the cache folder, and take it from there
+        progress    as of generate()
         """
-        return Renderer(_core.create_renderer(self._handle, fine_print, keep_light))
+        fine_print = arguments.a_truth("fine_print", fine_print)
+        keep_light = arguments.a_truth("keep_light", keep_light)
+        return Renderer(_core.create_renderer(self._handle, fine_print, keep_light, arguments.a_progress(progress)))
 
 
 def open_store(folder: PathLike, *, catalogs: Sequence[PathLike] = ()) -> Store:
     """Opens a store folder. `catalogs`: product files of your own that it was made with. Raises Error store.*, scene.*."""
-    return _opened(os.fspath(folder), [os.fspath(file) for file in catalogs])
+    return _opened(arguments.a_path("folder", folder), arguments.paths("catalogs", catalogs))
 
 
 def _opened(folder: str, catalogs: Sequence[str]) -> Store:
@@ -100,6 +129,7 @@ def generate(
     catalogs: Sequence[PathLike] = (),
     previews: bool = False,
     strict: bool = False,
+    progress: Progress | None = None,
 ) -> Store:
     """Makes a store in `folder`, which must not exist or be empty, and opens it.
 
@@ -111,21 +141,24 @@ def generate(
     catalogs  product files of your own; each product stands in the store, or a warning says why not
     previews  draw its pictures, too (seconds)
     strict    raise layout.violation when a hard rule is broken
+    progress  called as progress(done, total, text) in this thread: so much of the stage `text` is done; what it raises ends
+              the work, and is raised here
 
     Equal arguments make equal bytes. Nothing is left behind when it fails or is interrupted.
     """
-    rows = [os.fspath(file) for file in catalogs]
+    rows = arguments.paths("catalogs", catalogs)
     handle = _core.generate(
-        prompt,
-        os.fspath(folder),
-        seed,
-        size,
-        profile,
-        style,
-        None if plan is None else os.fspath(plan),
+        arguments.a_text("prompt", prompt),
+        arguments.a_path("folder", folder),
+        arguments.a_whole("seed", seed, 0, MAX_SEED),
+        arguments.a_text("size", size),
+        None if profile is None else arguments.a_text("profile", profile),
+        None if style is None else arguments.a_text("style", style),
+        None if plan is None else arguments.a_path("plan", plan),
         rows,
-        previews,
-        strict,
+        arguments.a_truth("previews", previews),
+        arguments.a_truth("strict", strict),
+        arguments.a_progress(progress),
     )
     store = Store(handle, rows)
     for product in store.report.get("unstocked", []):

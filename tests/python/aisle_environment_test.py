@@ -168,7 +168,7 @@ def test_a_cup_instead_of_the_right_gripper(store, aisle_episode):
 @pytest.mark.parametrize("options", [{"tools": "suction"}])
 def test_the_checker_has_no_complaint_of_a_cup(store, aisle_episode, options):
     env = gymnasium.make(NAME, store=store, **options).unwrapped
-    env.setup.draw = lambda seeds: [json.dumps(aisle_episode | options)] * len(seeds)
+    env.setup.draw = lambda seeds, progress=None: [json.dumps(aisle_episode | options)] * len(seeds)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         warnings.filterwarnings("ignore", message=".*infinity.*")

@@ -129,9 +129,9 @@ def test_batches_refuse_wrong_memory(store, renderer):
     with pytest.raises(marketgen.Error) as caught:
         marketgen.render_batch(shots, rgb=np.zeros((1, 48, 60, 3), np.uint8))
     assert caught.value.code == "camera.bad_size"
-    with pytest.raises(TypeError):
+    with pytest.raises(marketgen.Error, match="rgb.*uint8"):
         marketgen.render_batch(shots, rgb=np.zeros((1, 48, 64, 3), np.float32))
-    with pytest.raises(TypeError):  # not contiguous: a copy would be filled
+    with pytest.raises(marketgen.Error, match="contiguous"):  # not contiguous: a copy would be filled
         marketgen.render_batch(shots, rgb=np.zeros((1, 48, 128, 3), np.uint8)[:, :, ::2])
 
 

@@ -6,11 +6,16 @@
     gymnasium.make("MarketGen/CheckoutOneItem-v1")    # the first task for a learner: numbers in, numbers out
 """
 
+from typing import Any
+
 import gymnasium
 
+from .. import arguments
 from .checkout import CheckoutUnloading, CheckoutUnloadingVector
 from .in_aisle import InAisleCollection, InAisleCollectionVector
 from .one_item import CheckoutOneItem, CheckoutOneItemVector
+
+MAX_ENVS = 4096
 
 __all__ = [
     "CheckoutOneItem",
@@ -19,6 +24,7 @@ __all__ = [
     "CheckoutUnloadingVector",
     "InAisleCollection",
     "InAisleCollectionVector",
+    "make_vec",
 ]
 
 for _env, _vector in (
@@ -31,3 +37,14 @@ for _env, _vector in (
         entry_point=f"{_env.__module__}:{_env.__name__}",
         vector_entry_point=f"{_vector.__module__}:{_vector.__name__}",
     )
+
+
+def make_vec(name: str, num_envs: int = 1, **options: Any) -> gymnasium.vector.VectorEnv:
+    """Many environments stepped in one call: gymnasium.make_vec, of ours, with or without "MarketGen/".
+
+    options  those of the environment, and autoreset_mode, copy, render_mode, render_size, render_camera
+    """
+    known = [spec for spec in gymnasium.registry if spec.startswith("MarketGen/")]
+    full = name if isinstance(name, str) and name.startswith("MarketGen/") else f"MarketGen/{name}"
+    arguments.a_name("name", full, known)
+    return gymnasium.make_vec(full, arguments.a_whole("num_envs", num_envs, 1, MAX_ENVS), **options)

@@ -9,14 +9,15 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal
 import gymnasium
 import numpy as np
 
-from .. import _core
+from .. import _core, arguments
 from .state import generator_of, packed, random_state, unpacked
-from .task_setup import CHECKOUT_STATION, StoreLike, TaskOptions, TaskSetup, Track, check_name, outcome_of
+from .task_setup import CHECKOUT_STATION, StoreLike, TaskOptions, TaskSetup, Track, outcome_of
 
 if TYPE_CHECKING:
     from typing import Unpack  # since Python 3.11
 
 MOST_SEED = 2**32
+FILM_CAMERA, RENDER_SIZE = "film_camera", (640, 480)
 
 
 def numbers_of_action(action: Any, shape: tuple[int, ...]) -> np.ndarray:
@@ -28,6 +29,27 @@ def numbers_of_action(action: Any, shape: tuple[int, ...]) -> np.ndarray:
     if numbers.shape != shape:
         raise _core.Error("episode.bad_action", "action", f"shape {numbers.shape}; expected {shape}")
     return numbers
+
+
+class Rendering:
+    """How render() draws. Raises Error usage.bad_flag for what it cannot draw."""
+
+    def __init__(self, environment: _core.Environment, mode: Any, size: Any, camera: Any):
+        if mode == "human":
+            raise _core.Error(
+                "usage.bad_flag",
+                "render_mode",
+                "'human': no window is opened here; take \"rgb_array\" and show what render() returns, "
+                "or let gymnasium.make(..., render_mode=\"human\") open one (it needs pygame)",
+            )
+        self.mode = arguments.a_name("render_mode", mode, (None, "rgb_array"))
+        self.size = arguments.a_size("render_size", size)
+        self.camera = arguments.a_name("render_camera", camera, (FILM_CAMERA, *environment.cameras()))
+
+    def picture(self, environment: _core.Environment) -> np.ndarray | None:
+        if self.mode is None:
+            return None
+        return environment.render(self.camera, *self.size, "balanced").rgb.copy()
 
 
 class TaskEnv(gymnasium.Env):
@@ -43,15 +65,17 @@ class TaskEnv(gymnasium.Env):
         store: StoreLike | None = None,
         *,
         render_mode: Literal["rgb_array"] | None = None,
+        render_size: tuple[int, int] = RENDER_SIZE,
+        render_camera: str = FILM_CAMERA,
         setup: TaskSetup | None = None,
         **options: Unpack[TaskOptions],
     ):
-        check_name("render_mode", render_mode, (None, "rgb_array"))
         self.setup = self.new_setup(store, options) if setup is None else setup
-        self.render_mode = render_mode
         self.control_mode, self.cameras = self.setup.control_mode, self.setup.cameras
         self.action_space, self.observation_space = self.setup.action_space, self.setup.observation_space
         self.environment = self.setup.new_environment()
+        self._rendering = Rendering(self.environment, render_mode, render_size, render_camera)
+        self.render_mode = render_mode
         self._episode: dict[str, Any] = {}
         self._row = np.zeros(self.setup.row_length, np.float32)
 
@@ -72,7 +96,7 @@ class TaskEnv(gymnasium.Env):
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None):
         text, drawn = self.next_episode(seed, options)
         if text is None:
-            text = self.setup.draw([drawn])[0]
+            text = self.setup.draw([drawn], (options or {}).get("progress"))[0]
         self._begin(text)
         return self.observation(), self.info_of_reset(text)
 
@@ -186,16 +210,15 @@ class TaskEnv(gymnasium.Env):
         return _env_again, (type(self), self.setup, self._rendering_options(), self.get_state() if begun else None, about)
 
     def _rendering_options(self) -> dict[str, Any]:
-        return {"render_mode": self.render_mode}
+        drawing = self._rendering
+        return {"render_mode": self.render_mode, "render_size": drawing.size, "render_camera": drawing.camera}
 
     def state_hash(self) -> str:
         """32 hex digits over the physics: equal states, equal hashes."""
         return self.environment.state_hash()
 
     def render(self):
-        if self.render_mode is None:
-            return None
-        return self.environment.render("film_camera", 640, 480, "balanced").rgb.copy()
+        return self._rendering.picture(self.environment)
 
 
 def _env_again(

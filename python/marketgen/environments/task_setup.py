@@ -12,6 +12,7 @@ import numpy as np
 from gymnasium import spaces
 
 from .. import _core
+from ..arguments import Progress, a_name, a_progress
 from ..store import Store, open_store
 from .observations import Observations
 
@@ -70,19 +71,14 @@ PRESETS: dict[str | None, TaskOptions] = {
 }
 
 
-def check_name(option: str, value: object, known: Sequence[object]) -> None:
-    if value not in known:
-        raise _core.Error("usage.bad_flag", option, f"{value!r} is none of {', '.join(map(str, known))}")
-
-
 def full_options(preset: str | None, options: TaskOptions) -> dict[str, Any]:
     """All of them. Raises Error usage.bad_flag for those that do not go together, TypeError for one that there is not."""
-    check_name("preset", preset, tuple(PRESETS))
+    a_name("preset", preset, tuple(PRESETS))
     unknown = [name for name in options if name not in DEFAULTS]
     if unknown:
         raise TypeError(f"there is no option {unknown[0]!r}; there are: preset, {', '.join(DEFAULTS)}")
     wanted: dict[str, Any] = {**DEFAULTS, **PRESETS[preset], **options}
-    check_name("obs_mode", wanted["obs_mode"], ("state", "state_robot", "rgbd", "pointcloud"))
+    a_name("obs_mode", wanted["obs_mode"], ("state", "state_robot", "rgbd", "pointcloud"))
     if wanted["flat"] and wanted["obs_mode"] not in ("state", "state_robot"):
         raise _core.Error("usage.bad_flag", "flat", "only obs_mode='state' and 'state_robot' make one row of numbers")
     if wanted["obs_mode"] == "pointcloud" and not 1 <= wanted["points"] <= 10**7:
@@ -163,7 +159,7 @@ class TaskSetup:
     def _cameras_of(self, environment: _core.Environment, wanted: Sequence[str] | None) -> tuple[str, ...]:
         known = environment.cameras()
         for camera in wanted or ():
-            check_name("cameras", camera, known)
+            a_name("cameras", camera, known)
         if self.obs_mode not in ("rgbd", "pointcloud"):
             return ()
         if wanted is not None and not wanted and self.obs_mode == "pointcloud":
@@ -200,11 +196,11 @@ class TaskSetup:
             )
         return self.episodes[int(episode)]
 
-    def draw(self, seeds: Sequence[int]) -> list[str]:
+    def draw(self, seeds: Sequence[int], progress: Progress | None = None) -> list[str]:
         """Episodes of seeds, side by side on all cores."""
         if self.station == ONE_ITEM_STATION:
             return [self.ground.draw_one_item(seed) for seed in seeds]
-        return self.ground.draw(self.track, list(seeds), self.tools)
+        return self.ground.draw(self.track, list(seeds), self.tools, a_progress(progress))
 
     def map_of(self, environment: _core.Environment) -> dict[str, Any] | None:
         """The functional map of the store, market-layout/1; None at a counter."""

@@ -11,7 +11,7 @@ from gymnasium.vector import AutoresetMode
 from gymnasium.vector.utils import batch_space
 
 from .. import _core
-from .task_env import TaskEnv, numbers_of_action
+from .task_env import FILM_CAMERA, RENDER_SIZE, TaskEnv, numbers_of_action
 from .task_setup import StoreLike, TaskOptions, TaskSetup
 
 if TYPE_CHECKING:
@@ -40,12 +40,15 @@ class TaskVectorEnv(gymnasium.vector.VectorEnv):
         copy: bool = True,
         render_mode: Literal["rgb_array"] | None = None,
         setup: TaskSetup | None = None,
+        render_size: tuple[int, int] = RENDER_SIZE,
+        render_camera: str = FILM_CAMERA,
         **options: Unpack[TaskOptions],
     ):
         self.setup = self.single.new_setup(store, options) if setup is None else setup
         self.autoreset_mode = AutoresetMode(autoreset_mode)
         self.metadata = {**self.single.metadata, "autoreset_mode": self.autoreset_mode}
-        self.envs = [self.single(setup=self.setup, render_mode=render_mode) for _ in range(num_envs)]
+        rendering = {"render_mode": render_mode, "render_size": render_size, "render_camera": render_camera}
+        self.envs = [self.single(setup=self.setup, **rendering) for _ in range(num_envs)]
         self.num_envs, self.copy, self.render_mode = num_envs, copy, render_mode
         self.single_action_space, self.single_observation_space = (
             self.setup.action_space,
@@ -105,7 +108,8 @@ class TaskVectorEnv(gymnasium.vector.VectorEnv):
     def _reset(self, chosen: np.ndarray, seeds: Sequence[int | None], options: dict[str, Any] | None) -> dict[int, Any]:
         """Begins these anew, side by side; their infos."""
         wanted = [self.envs[i].next_episode(seed, options) for i, seed in zip(chosen, seeds, strict=True)]
-        drawn = iter(self.setup.draw([seed for text, seed in wanted if text is None]))
+        progress = (options or {}).get("progress")
+        drawn = iter(self.setup.draw([seed for text, seed in wanted if text is None], progress))
         texts = [next(drawn) if text is None else text for text, _ in wanted]
         rows = np.empty((len(chosen), self.setup.row_length), np.float32)
         _core.reset_environments([self.envs[i].environment for i in chosen], texts, rows)

@@ -14,6 +14,7 @@
 #include <thread>
 #include <vector>
 
+#include "base/call_interrupt.h"
 #include "base/error_codes.h"
 
 namespace marketgen {
@@ -45,7 +46,7 @@ void on_signal_of_host(int number) {
 void on_nothing(int) {}
 
 bool is_interrupted() {
-  return interrupted.load(std::memory_order_relaxed);
+  return interrupted.load(std::memory_order_relaxed) || call_interrupted();
 }
 
 void handle(int number, void (*handler)(int), struct sigaction* before = nullptr) {

@@ -8,6 +8,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "base/call_interrupt.h"
 #include "base/interrupt.h"
 
 namespace marketgen {
@@ -36,9 +37,11 @@ void parallel_for(std::size_t count,
   const tbb::blocked_range<std::size_t> all(0, count, grain == 0 ? 1 : grain);
   // Isolated: a thread that waits for a loop inside another takes no more of the outer one's work,
   // which might want a lock that this very thread holds.
+  const std::atomic<bool>* const interrupt = CallInterrupt::of_this_thread();
   tbb::this_task_arena::isolate([&] {
     tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& piece) {
       const FlushDenormals flush;
+      const CallInterrupt same_call(interrupt);
       for (std::size_t i = piece.begin(); i != piece.end(); ++i) {
         interrupt_point();
         body(i);

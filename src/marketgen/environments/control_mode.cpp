@@ -183,4 +183,30 @@ Action ActionMap::action(std::span<const double> values,
   return action;
 }
 
+Result<std::vector<double>> ActionMap::values(const Action& wanted,
+                                              const std::vector<double>& target) const {
+  if (!by_joint(mode_))
+    return Error{
+        "usage.bad_flag",
+        "control_mode",
+        "what moves the joints cannot be said in pd_ee_delta_pos or pd_ee_delta_pose: take "
+        "pd_joint_pos, or pd_joint_delta_pos"};
+  std::vector<double> values;
+  for (std::size_t j = 0; j < joints_.size(); ++j)
+    values.push_back(mode_ == ControlMode::pd_joint_pos
+                         ? wanted.position[j]
+                         : share((wanted.position[j] - target[j]) / step_of(joints_[j])));
+  for (std::size_t t = 0; t < robot_.tools.size(); ++t) {
+    const bool cup = robot_.tools[t].kind == ToolKind::suction;
+    const double widest = cup ? cup_off_m : robot_.tools[t].opening;
+    values.push_back(2 * std::clamp(wanted.tools[t].opening_m / widest, 0.0, 1.0) - 1);
+  }
+  if (robot_.drive) {
+    values.push_back(share(wanted.drive_m_s / robot_.drive->speed));
+    values.push_back(share(wanted.turn_rad_s / robot_.drive->turn_rate));
+  }
+  if (stop_) values.push_back(wanted.stop ? 1 : -1);
+  return values;
+}
+
 }  // namespace marketgen

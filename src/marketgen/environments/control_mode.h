@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "agent/policy.h"
+#include "base/result.h"
 #include "robots/robot.h"
 
 namespace marketgen {
@@ -48,6 +49,11 @@ class ActionMap {
   Action action(std::span<const double> values,
                 const std::vector<double>& state,
                 const std::vector<double>& target) const;
+
+  // The other way: numbers of which action() makes `wanted`, as near as they can say it. They have
+  // no force of a tool, and a step of pd_joint_delta_pos is no longer than its most. Error
+  // usage.bad_flag: how an arm is bent cannot be said in the modes of tools.
+  Result<std::vector<double>> values(const Action& wanted, const std::vector<double>& target) const;
 
   // Of each tool in the frame of the robot's base.
   std::vector<Pose> tool_poses(const std::vector<double>& state) const;

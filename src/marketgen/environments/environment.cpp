@@ -78,6 +78,7 @@ Result<void> Environment::reset(const EpisodeSpec& spec) {
   result_.reset();
   MARKETGEN_TRY(world_, begin(spec));
   target_ = world_->observe().position;
+  ++resets_;
   return look();
 }
 

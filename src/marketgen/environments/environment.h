@@ -72,6 +72,12 @@ class Environment {
   // Of a running or ended episode; `into` has observation_size() places.
   void observe(std::span<float> into) const;
 
+  // What step() takes to act so from where it is, as near as its numbers can say it. Errors: of
+  // ActionMap::values.
+  Result<std::vector<double>> numbers_of(const Action& wanted) const {
+    return actions_->values(wanted, target_);
+  }
+
   // As things stand, from one of cameras(), or "film_camera". Errors: camera.unknown, those of the
   // renderer.
   virtual Result<Frame> picture(const std::string& camera,
@@ -106,6 +112,7 @@ class Environment {
   EpisodeGround& ground() { return *ground_; }
   const EnvironmentOptions& options() const { return options_; }
   Track track() const { return track_; }
+  std::uint64_t resets() const { return resets_; }  // how many there were
   bool running() const { return world_ != nullptr && !world_->done(); }
   // Of the episode to which it was reset, which must have been done.
   const TrackWorld& world() const { return *world_; }
@@ -138,6 +145,7 @@ class Environment {
   std::size_t size_ = 0;
   std::vector<double> low_, high_;  // of the numbers
   TrackWorld* world_ = nullptr;
+  std::uint64_t resets_ = 0;
   std::vector<double> target_;  // of the joints, where the last step left them
   bool in_time_ = true;         // it ended before the time was over
   int item_rows_ = 0;

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/interrupt.h"
 #include "base/parallel.h"
 
 namespace marketgen {
@@ -59,12 +60,18 @@ Result<void> reset_all(std::span<Environment* const> environments,
 Result<std::vector<EpisodeSpec>> draw_all(EpisodeGround& ground,
                                           Track track,
                                           std::span<const std::uint64_t> seeds,
-                                          const std::string& tools) {
+                                          const std::string& tools,
+                                          Progress& progress) {
   std::vector<EpisodeSpec> drawn(seeds.size());
-  MARKETGEN_CHECK(for_each_of(seeds.size(), [&](std::size_t i) -> Result<void> {
+  progress.begin("episodes", seeds.size());
+  const auto done = for_each_of(seeds.size(), [&](std::size_t i) -> Result<void> {
+    MARKETGEN_CHECK(check_interrupt());
     MARKETGEN_TRY(drawn[i], ground.draw(track, seeds[i], tools));
+    progress.advance();
     return {};
-  }));
+  });
+  progress.end();
+  MARKETGEN_CHECK(done);
   return drawn;
 }
 

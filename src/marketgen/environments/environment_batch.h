@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/progress.h"
 #include "environments/environment.h"
 
 namespace marketgen {
@@ -28,10 +29,11 @@ Result<void> reset_all(std::span<Environment* const> environments,
                        std::span<const EpisodeSpec> episodes,
                        std::span<float> observations);
 
-// Episodes of seeds, drawn side by side. Errors: of EpisodeGround::draw.
+// Episodes of seeds, drawn side by side. Errors: of EpisodeGround::draw; internal.interrupted.
 Result<std::vector<EpisodeSpec>> draw_all(EpisodeGround& ground,
                                           Track track,
                                           std::span<const std::uint64_t> seeds,
-                                          const std::string& tools = {});
+                                          const std::string& tools = {},
+                                          Progress& progress = silent_progress());
 
 }  // namespace marketgen

@@ -67,6 +67,10 @@ class EpisodeGround {
   // Errors: those of Arena.
   Result<std::shared_ptr<const AisleStore>> aisle_store(const std::string& scene_hash,
                                                         const std::string& tools = {});
+  // Of the program; `world` must outlive it. Errors: those of Arena.
+  Result<std::unique_ptr<Policy>> policy(const std::string& name, const TrackWorld& world) {
+    return arena_.policy(name, world);
+  }
   std::shared_ptr<SharedAisleView> aisle_view(const std::string& scene_hash,
                                               const std::string& tools = {});
 

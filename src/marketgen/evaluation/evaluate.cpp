@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "base/call_interrupt.h"
 #include "base/interrupt.h"
 #include "base/parallel.h"
 #include "evaluation/worker_process.h"
@@ -83,7 +84,10 @@ class EvaluationRun {
     {
       std::vector<std::jthread> threads;
       for (std::size_t job = 0; job < std::min(count, static_cast<std::size_t>(jobs)); ++job)
-        threads.emplace_back([&] { work(make_runner()); });
+        threads.emplace_back([&, interrupt = CallInterrupt::of_this_thread()] {
+          const CallInterrupt same_call(interrupt);
+          work(make_runner());
+        });
     }
     progress_.end();
   }

@@ -35,13 +35,6 @@ auto asked(EpisodeWatcher* watcher, const Answer& answer) -> decltype(answer()) 
   return given;
 }
 
-Task task_of(const EpisodeSpec& spec) {
-  Task task{spec.instruction, spec.limit_s};
-  for (const EpisodeGoal& goal : spec.goals)
-    task.goals.push_back({goal.sku, goal.count});
-  return task;
-}
-
 // What ended an episode before its time.
 struct Break {
   Error error;
@@ -78,6 +71,13 @@ FailureCode failure_of(const EpisodeResult& result, const EpisodeEnd& end) {
 }
 
 }  // namespace
+
+Task task_of(const EpisodeSpec& spec) {
+  Task task{spec.instruction, spec.limit_s};
+  for (const EpisodeGoal& goal : spec.goals)
+    task.goals.push_back({goal.sku, goal.count});
+  return task;
+}
 
 EpisodeResult unjudged(const EpisodeSpec& spec) {
   EpisodeResult result;

@@ -22,6 +22,9 @@ class EpisodeWatcher {
   virtual void answered() {}                                // it has answered, or failed
 };
 
+// What the policy is told before it begins.
+Task task_of(const EpisodeSpec& spec);
+
 // A policy's error, what it throws and an action that is none end its episode and stand in the
 // result. Errors: those of Arena.
 Result<EpisodeResult> run_episode(Arena& arena,

@@ -1,9 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <set>
+#include <thread>
 
+#include "base/call_interrupt.h"
 #include "base/hash.h"
+#include "base/interrupt.h"
 #include "base/parallel.h"
 #include "base/result.h"
 #include "base/seed.h"
@@ -81,6 +86,24 @@ TEST(Parallel, EverySlotIsWrittenOnceForAnyThreadCount) {
     for (std::size_t i = 0; i < squares.size(); ++i)
       ASSERT_EQ(squares[i], i * i);
   }
+}
+
+TEST(CallInterrupt, StopsOneCallAndTheLoopsInIt) {
+  std::atomic<bool> stop = true;
+  const auto stopped = [] {
+    const auto in_loop = parallel_map(64, [](std::size_t) { return !check_interrupt().ok(); });
+    return std::ranges::count(in_loop, true);
+  };
+  std::ptrdiff_t elsewhere = -1;
+  {
+    const CallInterrupt call(&stop);
+    EXPECT_EQ(stopped(), 64);
+    std::thread([&] { elsewhere = stopped(); }).join();
+    const CallInterrupt inner(nullptr);
+    EXPECT_TRUE(check_interrupt().ok());
+  }
+  EXPECT_EQ(elsewhere, 0);
+  EXPECT_EQ(stopped(), 0);
 }
 
 TEST(Parallel, EveryParticipantFlushesDenormals) {

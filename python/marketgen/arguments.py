@@ -1,0 +1,103 @@
+"""What public functions say of arguments that they cannot take, before anything is done."""
+
+from __future__ import annotations
+
+import difflib
+import math
+import operator
+import os
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
+
+from .errors import Error
+
+PathLike = str | os.PathLike[str]
+Progress = Callable[[int, int, str], Any]  # done, total, what is being done
+MAX_SEED = 2**64 - 1
+MAX_SIDE_PX = 16384
+
+
+def bad(name: str, value: Any, expected: str) -> Error:
+    shown = repr(value)
+    return Error("usage.bad_flag", name, f"{shown if len(shown) <= 80 else shown[:77] + '...'}: expected {expected}")
+
+
+def a_text(name: str, value: Any) -> str:
+    if not isinstance(value, str):
+        raise bad(name, value, "a text")
+    return value
+
+
+def a_path(name: str, value: Any) -> str:
+    """As a text; what may be a file or folder: str or os.PathLike."""
+    try:
+        return os.fsdecode(value)
+    except TypeError:
+        raise bad(name, value, "a path: str or os.PathLike") from None
+
+
+def paths(name: str, values: Any) -> list[str]:
+    if isinstance(values, (str, bytes, os.PathLike)) or not isinstance(values, Iterable):
+        raise bad(name, values, "a list of paths")
+    return [a_path(name, value) for value in values]
+
+
+def a_whole(name: str, value: Any, low: int, high: int) -> int:
+    try:
+        number = operator.index(value) if not isinstance(value, bool) else None
+    except TypeError:
+        number = None
+    if number is None or not low <= number <= high:
+        raise bad(name, value, f"a whole number from {low} to {high}")
+    return number
+
+
+def a_number(name: str, value: Any, low: float, high: float) -> float:
+    try:
+        number = float(value) if not isinstance(value, (bool, str, bytes)) else math.nan
+    except (TypeError, ValueError, OverflowError):
+        number = math.nan
+    if not low <= number <= high:
+        raise bad(name, value, f"a number from {low:g} to {high:g}")
+    return number
+
+
+def numbers(name: str, values: Any, count: int) -> tuple[float, ...]:
+    """So many finite ones."""
+    try:
+        made = tuple(float(value) for value in values)
+    except (TypeError, ValueError):
+        made = ()
+    if len(made) != count or not all(map(math.isfinite, made)):
+        raise bad(name, values, f"{count} finite numbers")
+    return made
+
+
+def a_truth(name: str, value: Any) -> bool:
+    if value not in (True, False) or isinstance(value, (int, float)) and not isinstance(value, bool):
+        raise bad(name, value, "True or False")
+    return bool(value)
+
+
+def a_name(name: str, value: Any, known: Sequence[Any]) -> Any:
+    if value in known:
+        return value
+    words = [word for word in known if isinstance(word, str)]
+    near = difflib.get_close_matches(value, words, 1) if isinstance(value, str) else []
+    meant = f"; did you mean {near[0]!r}?" if near else ""
+    raise bad(name, value, f"one of {', '.join(map(repr, known))}{meant}")
+
+
+def a_size(name: str, value: Any) -> tuple[int, int]:
+    """Width and height in pixels."""
+    try:
+        width, height = value
+    except (TypeError, ValueError):
+        raise bad(name, value, "(width, height) in pixels") from None
+    return a_whole(name, width, 1, MAX_SIDE_PX), a_whole(name, height, 1, MAX_SIDE_PX)
+
+
+def a_progress(value: Any) -> Progress | None:
+    if value is not None and not callable(value):
+        raise bad("progress", value, "a function of (done, total, text), or None")
+    return value

@@ -1,0 +1,198 @@
+"""Bad values of every public function are errors that name Python's arguments, and nothing has been done."""
+
+import pathlib
+import re
+
+import gymnasium
+import numpy as np
+import pytest
+
+import marketgen
+from conftest import PROMPT, ROOT
+from marketgen.errors import in_python
+
+CHECKOUT = "MarketGen/CheckoutUnloading-v1"
+
+# What each argument cannot be, by the call that takes it.
+GENERATE = [
+    ("prompt", 3),
+    ("prompt", None),
+    ("folder", 3),
+    ("seed", -1),
+    ("seed", 2**64),
+    ("seed", 1.5),
+    ("seed", "7"),
+    ("seed", True),
+    ("size", (9, 7)),
+    ("size", "9x"),
+    ("profile", "supermarkt-eu"),
+    ("profile", 7),
+    ("style", "scandinavia"),
+    ("plan", 5),
+    ("catalogs", "mine.csv"),
+    ("catalogs", [3]),
+    ("previews", "yes"),
+    ("strict", 2),
+]
+
+
+@pytest.mark.parametrize(("argument", "value"), GENERATE, ids=str)
+def test_generate_names_its_arguments(tmp_path, argument, value):
+    given = {"prompt": PROMPT, "folder": tmp_path / "shop", argument: value}
+    with pytest.raises(marketgen.Error) as caught:
+        marketgen.generate(**given)
+    assert argument in caught.value.where, caught.value
+    assert_pythonic(caught.value)
+    assert list(tmp_path.iterdir()) == []
+
+
+def assert_pythonic(error):
+    outside_quotes = re.sub(r'"[^"]*"', "", str(error))
+    assert not re.search(r"--[a-z]|\bflag\b(?!:)", outside_quotes.replace("usage.bad_flag", "")), str(error)
+    assert "incompatible function arguments" not in str(error)
+
+
+CALLS = {
+    "folder": [lambda on: marketgen.open_store(5)],
+    "catalogs": [lambda on: marketgen.open_store(on.store.folder, catalogs=on.store.folder)],
+    "table": [lambda on: on.store.query("produce"), lambda on: on.store.query(3)],
+    "where": [
+        lambda on: on.store.query("products", 3),
+        lambda on: on.store.query("products", "colour=red"),
+        lambda on: on.store.query("products", "price"),
+    ],
+    "name": [lambda on: on.store.camera(3), lambda on: marketgen.make_vec("Checkout"), lambda on: marketgen.make_vec(3)],
+    "camera": [
+        lambda on: on.store.camera("isle"),
+        lambda on: on.renderer.render("aisle"),
+        lambda on: on.renderer.with_noise(on.frame, None),
+        lambda on: on.renderer.annotate(on.frame, "aisle"),
+        lambda on: marketgen.camera_to_dict("aisle"),
+        lambda on: marketgen.camera_from_dict({"fx": object()}),
+        lambda on: marketgen.camera_from_dict({"fx": "wide"}),
+    ],
+    "width": [lambda on: on.store.camera("aisle", width=0), lambda on: on.store.camera("aisle", 64.5, 48)],
+    "height": [lambda on: on.store.camera("aisle", 64, 2**40)],
+    "fine_print": [lambda on: on.store.renderer(fine_print="no")],
+    "keep_light": [lambda on: on.store.renderer(keep_light=None)],
+    "mode": [lambda on: on.renderer.render(on.camera, mode="fast"), lambda on: on.renderer.render(on.camera, mode=1)],
+    "quality": [lambda on: on.renderer.render(on.camera, quality="ultra")],
+    "samples": [lambda on: on.renderer.render(on.camera, samples=-1), lambda on: on.renderer.render(on.camera, samples=2**40)],
+    "time_s": [lambda on: on.renderer.render(on.camera, time_s=float("nan"))],
+    "denoise": [lambda on: on.renderer.render(on.camera, mode="path", denoise="none at all")],
+    "exposure_stops": [lambda on: on.renderer.render(on.camera, exposure_stops="more")],
+    "frame": [lambda on: on.renderer.annotate(on.frame.rgb, on.camera), lambda on: on.renderer.with_noise(None, on.camera)],
+    "seed": [lambda on: on.renderer.with_noise(on.frame, on.camera, seed=-1)],
+    "number": [lambda on: on.renderer.with_noise(on.frame, on.camera, number=0.5)],
+    "robots": [lambda on: on.renderer.set_robots("realman-rm65@4,3"), lambda on: on.renderer.set_robots([3])],
+    "products": [
+        lambda on: on.renderer.move({0: (1, 2, 3)}),
+        lambda on: on.renderer.move({-1: (0, 0, 0, 1, 0, 0, 0)}),
+        lambda on: on.renderer.move({0: (np.nan, 0, 0, 1, 0, 0, 0)}),
+        lambda on: on.renderer.move([0]),
+    ],
+    "joints": [lambda on: on.renderer.move(joints={0: "open"}), lambda on: on.renderer.move(joints={0.5: 0})],
+    "shots": [lambda on: marketgen.render_batch([]), lambda on: marketgen.render_batch([on.camera])],
+    "rgb": [lambda on: marketgen.render_batch([(on.renderer, on.camera)], rgb=[0])],
+    "depth": [lambda on: marketgen.render_batch([(on.renderer, on.camera)], depth=np.zeros((1, 48, 64)))],
+    "policy": [lambda on: marketgen.evaluate(on.tasks, 3, on.folder), lambda on: marketgen.evaluate(on.tasks, "oracel", on.folder)],
+    "episodes": [lambda on: marketgen.evaluate(3, "oracle", on.folder)],
+    "jobs": [lambda on: marketgen.evaluate(on.tasks, jobs=-1, folder=on.folder)],
+    "resume": [lambda on: marketgen.evaluate(on.tasks, resume="yes", folder=on.folder)],
+    "act_limit_s": [lambda on: marketgen.evaluate(on.tasks, act_limit_s=-1, folder=on.folder)],
+    "num_envs": [lambda on: marketgen.make_vec(CHECKOUT, 0, store=on.store)],
+    "render_mode": [
+        lambda on: marketgen.environments.CheckoutUnloading(on.store, render_mode="human"),
+        lambda on: marketgen.make_vec(CHECKOUT, store=on.store, render_mode="ansi"),
+    ],
+    "render_size": [
+        lambda on: gymnasium.make(CHECKOUT, store=on.store, render_size=640),
+        lambda on: gymnasium.make(CHECKOUT, store=on.store, render_size=(640, 0)),
+    ],
+    "render_camera": [lambda on: gymnasium.make(CHECKOUT, store=on.store, render_camera="aisle")],
+    "obs_mode": [lambda on: gymnasium.make(CHECKOUT, store=on.store, obs_mode="pixels")],
+    "control_mode": [lambda on: gymnasium.make(CHECKOUT, store=on.store, control_mode="torque")],
+    "reward_mode": [lambda on: gymnasium.make(CHECKOUT, store=on.store, reward_mode="none")],
+    "cameras": [lambda on: gymnasium.make(CHECKOUT, store=on.store, obs_mode="rgbd", cameras=["wrist"])],
+    "env": [
+        lambda on: marketgen.policies.oracle(3),
+        lambda on: marketgen.policies.oracle(gymnasium.make(CHECKOUT, store=on.store, control_mode="pd_ee_delta_pos")),
+    ],
+}
+
+
+class On:
+    """What the calls are made on."""
+
+
+@pytest.fixture(scope="module")
+def on(store, renderer, checkout_file, tmp_path_factory):
+    made = On()
+    made.store, made.renderer, made.tasks = store, renderer, checkout_file
+    made.camera = store.camera("aisle", 64, 48)
+    made.frame = renderer.render(made.camera, quality="fast")
+    made.folder = tmp_path_factory.mktemp("results") / "none"
+    return made
+
+
+@pytest.mark.parametrize(("argument", "call"), [(name, call) for name, calls in CALLS.items() for call in calls])
+def test_every_function_names_its_arguments(on, argument, call):
+    with pytest.raises(marketgen.Error) as caught:
+        call(on)
+    assert argument in caught.value.where or f"no {argument}" in caught.value.message, caught.value
+    assert caught.value.message
+    assert_pythonic(caught.value)
+    assert not on.folder.exists()
+
+
+def test_results_that_are_there_are_said_in_python(on, tmp_path):
+    (tmp_path / "results.jsonl").write_text("")
+    with pytest.raises(marketgen.Error, match="go on with resume=True") as caught:
+        marketgen.evaluate(on.tasks, "random", tmp_path)
+    assert caught.value.code == "store.exists"
+
+
+def test_every_public_function_is_tried_above():
+    """A new argument of a public function needs a bad value here."""
+    import inspect
+
+    functions = [marketgen.generate, marketgen.open_store, marketgen.evaluate, marketgen.render_batch]
+    functions += [marketgen.Store.query, marketgen.Store.camera, marketgen.Store.renderer]
+    functions += [getattr(marketgen.Renderer, name) for name in ("render", "with_noise", "annotate", "set_robots", "move")]
+    tried = {name for name, _ in GENERATE} | set(CALLS) | {"progress"}  # progress: notebook_test.py
+    for function in functions:
+        for name in inspect.signature(function).parameters:
+            assert name in tried | {"self", "options", "instance", "value"}, f"{function.__name__}({name}=)"
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        ("go on with --resume", "go on with resume=True"),
+        ("take --denoise own", 'take denoise="own"'),
+        ("--where price<abc", "where price<abc"),
+        ("took longer than 3 s (--act-limit-s)", "took longer than 3 s (act_limit_s)"),
+        ("--size 24 x 15 m", "size 24 x 15 m"),
+        ('run "marketgen assets import FILE --unit mm"', 'run "marketgen assets import FILE --unit mm"'),
+        ("a -- b and a--b", "a -- b and a--b"),
+    ],
+)
+def test_flags_are_arguments_in_python(text, wanted):
+    assert in_python(text) == wanted
+
+
+def test_no_message_of_the_library_shows_a_flag():
+    """Whatever flag a text of the library names, Python shows none."""
+    texts = []
+    for file in sorted((ROOT / "src" / "marketgen").rglob("*.cpp")):
+        texts += re.findall(r'"((?:[^"\\\n]|\\.)*--[a-z](?:[^"\\\n]|\\.)*)"', file.read_text(encoding="utf-8"))
+    assert len(texts) > 20
+    for text in texts:
+        shown = in_python(text.replace('\\"', '"'))
+        assert not re.search("--[a-z]", re.sub(r'"[^"]*"?', "", shown)), text
+
+
+def test_paths_may_be_path_objects(on, tmp_path):
+    on.frame.save(tmp_path / "aisle.png")
+    assert (tmp_path / "aisle.png").stat().st_size > 100
+    assert marketgen.open_store(pathlib.Path(on.store.folder)).manifest == on.store.manifest
