@@ -65,6 +65,11 @@ Result<std::vector<StockedStore>> open_stores(const EpisodesFlags& flags,
   std::vector<StockedStore> stores;
   for (const std::string& folder : flags.folders) {
     MARKETGEN_TRY(Store store, open_store(folder, catalog));
+    const auto same = [&](const StockedStore& other) {
+      return other.store.scene_hash == store.manifest.scene_hash;
+    };
+    if (std::ranges::any_of(stores, same))
+      return Error{"usage.bad_flag", folder, "is the same store as another one: name each once"};
     MARKETGEN_TRY(StockedStore made, stocked(std::move(store), data, flags.tools, book));
     stores.push_back(std::move(made));
   }

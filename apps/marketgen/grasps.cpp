@@ -191,6 +191,7 @@ Result<std::vector<GraspRate>> study_and_keep(const std::vector<const Product*>&
 
 Result<void> grasps(const GraspFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
+  (void)kept_grasp_rates({});  // takes away what lies there and cannot be used
   Outputs database;
   MARKETGEN_CHECK(database.add({{"MARKETGEN_CACHE", grasp_database_file()}}));
   const double started_s = monotonic_seconds();

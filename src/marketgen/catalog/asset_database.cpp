@@ -7,6 +7,7 @@
 #include "base/hash.h"
 #include "catalog/search_words.h"
 #include "catalog/zone_goods.h"
+#include "io/cache_entry.h"
 #include "io/file.h"
 #include "io/json.h"
 
@@ -244,9 +245,14 @@ class Filler {
       style_of_words_;
 };
 
+constexpr std::string_view assets_kind = "assets/2";
+
 std::filesystem::path cache_file(const Catalog& catalog) {
   Hasher hash;
-  hash.add(table_version).add(SqlDatabase::engine_version()).add(catalog.content_hash);
+  hash.add(assets_kind)
+      .add(table_version)
+      .add(SqlDatabase::engine_version())
+      .add(catalog.content_hash);
   hash.add(write_json_line(catalog.search_lexicon));
   return cache_folder() / "assets" / (hash.hex() + ".sqlite");
 }
@@ -262,15 +268,15 @@ Result<AssetDatabase> AssetDatabase::build(const Catalog& catalog) {
 Result<AssetDatabase> AssetDatabase::open(const Catalog& catalog) {
   if (catalog.content_hash.empty()) return build(catalog);
   const std::filesystem::path file = cache_file(catalog);
-  if (const Result<std::string> bytes = read_file(file); bytes.ok()) {
+  if (const std::optional<std::string> bytes = kept_entry(file, assets_kind)) {
     if (Result<SqlDatabase> sql = SqlDatabase::open(*bytes); sql.ok())
       return AssetDatabase(std::move(sql).value(), catalog.search_lexicon);
+    else
+      drop_entry(file, sql.error().message);
   }
   MARKETGEN_TRY(AssetDatabase database, build(catalog));
   MARKETGEN_TRY(const std::string bytes, database.sql_.bytes());
-  std::error_code ignored;
-  std::filesystem::create_directories(file.parent_path(), ignored);
-  (void)write_file(file, bytes).ok();
+  (void)keep_entry(file, assets_kind, bytes).ok();
   return database;
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "geometry/mesh.h"
+#include "io/cache_entry.h"
 #include "io/file.h"
 #include "io/model_glb.h"
 
@@ -77,6 +78,19 @@ Result<void> write_into(const fs::path& file, std::string_view bytes) {
   return write_file(file, bytes);
 }
 
+// Whether the file is there and is what its name says; one that is not is taken away.
+bool holds_mesh(const fs::path& file) {
+  std::error_code failed;
+  const fs::file_status status = fs::symlink_status(file, failed);
+  if (!fs::exists(status)) return false;
+  if (fs::is_regular_file(status)) {
+    const auto digest = sha256_of_file(file);
+    if (digest.ok() && *digest + ".glb" == file.filename()) return true;
+  }
+  drop_entry(file, "was changed");
+  return false;
+}
+
 // Copies what `from` has and `to` lacks, of the meshes that the products use.
 Result<void> copy_meshes(const std::vector<Product>& products,
                          const fs::path& from,
@@ -85,8 +99,7 @@ Result<void> copy_meshes(const std::vector<Product>& products,
     if (product.archetype != mesh_archetype) continue;
     MARKETGEN_TRY(const fs::path source, kept_file(product, from));
     MARKETGEN_TRY(const fs::path target, kept_file(product, to));
-    std::error_code failed;
-    if (fs::exists(target, failed)) continue;
+    if (holds_mesh(target)) continue;
     MARKETGEN_TRY(const std::string bytes, read_file(source, most_model_bytes));
     if (sha256_hex(bytes) + ".glb" != product.mesh)
       return Error{"model.bad_file", source.string(), "was changed after it was made; restore it"};
@@ -157,16 +170,17 @@ Result<std::string> keep_mesh(const fs::path& file, const Product& product) {
   MARKETGEN_TRY(const std::string bytes, encode_glb(model, product.sku));
   const std::string name = sha256_hex(bytes) + ".glb";
   const fs::path kept = cache_folder() / "meshes" / name;
-  std::error_code failed;
-  if (!fs::exists(kept, failed)) MARKETGEN_CHECK(write_into(kept, bytes));
+  if (!holds_mesh(kept)) MARKETGEN_CHECK(write_into(kept, bytes));
   return name;
 }
 
 Result<OutsideModel> kept_mesh(const Product& product) {
   MARKETGEN_TRY(const fs::path file, kept_file(product, cache_folder()));
   const Result<std::string> bytes = read_file(file, most_model_bytes);
-  if (!bytes.ok())
-    return Error{bytes.error().code,
+  const bool whole = bytes.ok() && sha256_hex(*bytes) + ".glb" == product.mesh;
+  if (bytes.ok() && !whole) drop_entry(file, "was changed");
+  if (!whole)
+    return Error{bytes.ok() ? "input.not_found" : bytes.error().code,
                  product.sku + "/mesh",
                  fmt::format("its mesh {} cannot be read; open its store, or load its catalogue, "
                              "again",

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/progress.h"
 #include "episodes/aisle_station.h"
 #include "episodes/studied_grasps.h"
 #include "grasping/grasp_database.h"
@@ -136,7 +137,10 @@ Result<void> GraspBook::keep(const std::filesystem::path& data, const std::strin
   const std::vector<GraspRate> rates = studied();
   if (rates.empty()) return {};
   MARKETGEN_TRY(const std::string key, grasp_study_key(data, catalog_hash, options()));
-  MARKETGEN_CHECK(keep_grasp_rates(rates, key, options().seed));
+  if (const auto kept = keep_grasp_rates(rates, key, options().seed); !kept.ok()) {
+    log_warning(to_string(kept.error()));
+    return {};
+  }
   const std::scoped_lock lock(mutex_);
   for (const GraspRate& rate : rates)
     new_.erase(rate.sku);
@@ -150,8 +154,7 @@ Result<std::shared_ptr<GraspBook>> open_aisle_book(const std::filesystem::path& 
   MARKETGEN_TRY(GraspTool tool, load_grasp_tool(data, station.tools().picks_with));
   MARKETGEN_TRY(const std::string key,
                 grasp_study_key(data, catalog.content_hash, GraspBook::options()));
-  MARKETGEN_TRY(const std::vector<GraspRate> known, kept_grasp_rates(key));
-  return std::make_shared<GraspBook>(std::move(tool), catalog.frictions, known);
+  return std::make_shared<GraspBook>(std::move(tool), catalog.frictions, kept_grasp_rates(key));
 }
 
 }  // namespace marketgen

@@ -39,7 +39,7 @@ class GraspBook {
   // Rates that were not known before, and are not kept yet.
   std::vector<GraspRate> studied() const;
   // Puts them into the grasp database, once: the next book need not try the same grasps again.
-  // Errors: those of grasp_study_key() and keep_grasp_rates().
+  // Where that cannot be, the log says so. Errors: those of grasp_study_key().
   Result<void> keep(const std::filesystem::path& data, const std::string& catalog_hash);
 
   const GraspTool& tool() const { return tool_; }
@@ -60,7 +60,7 @@ class GraspBook {
 
 // For the tool with which the robot in aisles fetches, with what the grasp database knows of it.
 // `tools`: a tool set of the station, the first when empty. Errors: those of load_aisle_station,
-// load_grasp_tool, kept_grasp_rates.
+// load_grasp_tool, grasp_study_key.
 Result<std::shared_ptr<GraspBook>> open_aisle_book(const std::filesystem::path& data,
                                                    const Catalog& catalog,
                                                    const std::string& tools = {});

@@ -152,6 +152,7 @@ Result<std::vector<EpisodeResult>> evaluate_with(const EpisodeFile& file,
                 ResultsFolder::open(file, options.folder, options.policy, options.resume));
   EvaluationRun run(file, options, *folder, progress);
   run.go(make_runner);
+  const NoForcedEnd keeping;
   auto results = folder->close();
   if (run.fault()) return with_what_is_kept(*run.fault(), *folder, options);
   return results;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <set>
 #include <system_error>
 
@@ -10,7 +11,9 @@
 
 #include "base/hash.h"
 #include "grasping/grasping_fingerprint.h"
+#include "io/cache_entry.h"
 #include "io/file.h"
+#include "io/folder_lock.h"
 #include "io/sqlite.h"
 
 namespace marketgen {
@@ -25,12 +28,16 @@ constexpr const char* grasp_tables = R"sql(
     neighbour_n REAL, PRIMARY KEY(sku, tool, setting, number)) WITHOUT ROWID;
 )sql";
 
-// The value that is called so; the first one for a name that there is not.
+constexpr std::string_view grasps_kind = "grasp-rates/2";
+constexpr double wait_s = 20;  // for another process that keeps its own rates
+
+// Sets `value` to the one that is called so. Error io.database: there is none.
 template <class Enum>
-Enum value_called(std::string_view name) {
-  const auto names = names_of(Enum{});
-  const auto found = std::ranges::find(names, name);
-  return static_cast<Enum>(found == names.end() ? 0 : found - names.begin());
+Result<void> read_name(const std::string& name, Enum& value) {
+  const auto found = value_named<Enum>(name);
+  if (!found) return Error{"io.database", "sqlite", "has the unknown name \"" + name + "\""};
+  value = *found;
+  return {};
 }
 
 // A rate with what it was made from.
@@ -90,21 +97,18 @@ Result<std::vector<GraspTry>> tries_of(const SqlDatabase& sql, const GraspRate& 
   while (true) {
     MARKETGEN_TRY(const bool row, find.step());
     if (!row) return tries;
-    tries.push_back({value_called<GraspStrategy>(find.text(0)),
-                     value_called<GraspEnd>(find.text(1)),
-                     find.number(2),
-                     find.number(3),
-                     find.number(4),
-                     find.number(5),
-                     find.number(6)});
+    GraspTry& tried = tries.emplace_back();
+    MARKETGEN_CHECK(read_name(find.text(0), tried.strategy));
+    MARKETGEN_CHECK(read_name(find.text(1), tried.end));
+    tried.width_mm = find.number(2);
+    tried.force_n = find.number(3);
+    tried.slip_mm = find.number(4);
+    tried.turned_deg = find.number(5);
+    tried.neighbour_n = find.number(6);
   }
 }
 
-// By SKU, tool and setting; none when there is no file.
-Result<std::vector<KeptRate>> all_kept() {
-  std::error_code failed;
-  if (!std::filesystem::exists(grasp_database_file(), failed)) return std::vector<KeptRate>();
-  MARKETGEN_TRY(const std::string bytes, read_file(grasp_database_file()));
+Result<std::vector<KeptRate>> rates_in(const std::string& bytes) {
   MARKETGEN_TRY(const SqlDatabase sql, SqlDatabase::open(bytes));
   MARKETGEN_TRY(
       SqlStatement find,
@@ -115,18 +119,25 @@ Result<std::vector<KeptRate>> all_kept() {
   while (true) {
     MARKETGEN_TRY(const bool row, find.step());
     if (!row) return all;
-    KeptRate kept{{find.text(0),
-                   find.text(1),
-                   find.text(2),
-                   value_called<GraspSetting>(find.text(3)),
-                   value_called<GraspExclusion>(find.text(4)),
-                   find.text(5),
-                   {}},
+    KeptRate kept{{find.text(0), find.text(1), find.text(2), {}, {}, find.text(5), {}},
                   find.text(6),
                   find.text(7)};
+    MARKETGEN_CHECK(read_name(find.text(3), kept.rate.setting));
+    MARKETGEN_CHECK(read_name(find.text(4), kept.rate.excluded));
     MARKETGEN_TRY(kept.rate.tries, tries_of(sql, kept.rate));
     all.push_back(std::move(kept));
   }
+}
+
+// By SKU, tool and setting; none when there is no file that can be used.
+std::vector<KeptRate> all_kept() {
+  const std::filesystem::path file = grasp_database_file();
+  const std::optional<std::string> bytes = kept_entry(file, grasps_kind);
+  if (!bytes) return {};
+  Result<std::vector<KeptRate>> rates = rates_in(*bytes);
+  if (rates.ok()) return std::move(rates).value();
+  drop_entry(file, rates.error().message);
+  return {};
 }
 
 }  // namespace
@@ -157,7 +168,12 @@ Result<std::string> grasp_study_key(const std::filesystem::path& data,
 Result<void> keep_grasp_rates(const std::vector<GraspRate>& rates,
                               const std::string& study_key,
                               std::uint64_t seed) {
-  MARKETGEN_TRY(const std::vector<KeptRate> before, all_kept());
+  const std::filesystem::path folder = grasp_database_file().parent_path();
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed) return Error{"io.cannot_write", folder.string(), failed.message()};
+  MARKETGEN_TRY(const FolderLock lock, FolderLock::wait_for(folder, wait_s));
+  const std::vector<KeptRate> before = all_kept();
   std::map<std::array<std::string, 3>, KeptRate> merged;
   const auto put = [&](const KeptRate& kept) {
     const GraspRate& rate = kept.rate;
@@ -174,19 +190,12 @@ Result<void> keep_grasp_rates(const std::vector<GraspRate>& rates,
     MARKETGEN_CHECK(add_rate(sql, kept));
   MARKETGEN_CHECK(sql.run("COMMIT"));
   MARKETGEN_TRY(const std::string bytes, sql.bytes());
-  std::error_code failed;
-  std::filesystem::create_directories(grasp_database_file().parent_path(), failed);
-  if (failed)
-    return Error{"io.cannot_write",
-                 grasp_database_file().parent_path().string(),
-                 "the folder cannot be made: " + failed.message()};
-  return write_file(grasp_database_file(), bytes);
+  return keep_entry(grasp_database_file(), grasps_kind, bytes);
 }
 
-Result<std::vector<GraspRate>> kept_grasp_rates(const std::string& study_key) {
-  MARKETGEN_TRY(const std::vector<KeptRate> all, all_kept());
+std::vector<GraspRate> kept_grasp_rates(const std::string& study_key) {
   std::vector<GraspRate> rates;
-  for (const KeptRate& kept : all) {
+  for (const KeptRate& kept : all_kept()) {
     if (kept.catalogue == study_key) rates.push_back(kept.rate);
   }
   return rates;

@@ -10,7 +10,9 @@
 //               neighbour_n)
 //     one row a try, best candidate first, from 0
 //
-// A new study replaces the rows of the products, tools and settings that it tried. Safe to delete.
+// A new study replaces the rows of the products, tools and settings that it tried; those of two at
+// once both stay. An entry of the cache (io/cache_entry.h): what other programs write into it is
+// lost. Safe to delete.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -30,13 +32,13 @@ Result<std::string> grasp_study_key(const std::filesystem::path& data,
                                     const std::string& catalog_hash,
                                     const StudyOptions& options);
 
-// Errors: io.cannot_write, io.cannot_read, io.database (an existing file is damaged).
+// Errors: io.cannot_write; io.in_use when another process does not get done with it.
 Result<void> keep_grasp_rates(const std::vector<GraspRate>& rates,
                               const std::string& study_key,
                               std::uint64_t seed);
 
-// All that was kept under this key, by SKU, tool and setting; none when there is no file.
-// Errors: io.cannot_read, io.database.
-Result<std::vector<GraspRate>> kept_grasp_rates(const std::string& study_key);
+// All that was kept under this key, by SKU, tool and setting; none when there is no file that can
+// be used.
+std::vector<GraspRate> kept_grasp_rates(const std::string& study_key);
 
 }  // namespace marketgen

@@ -7,16 +7,20 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "base/interrupt.h"
+
 namespace marketgen {
 namespace {
 
 constexpr int most_looks = 100;  // at a file that others make and remove
+constexpr int wait_pause_us = 20'000;
 
 Error lock_fault(const std::filesystem::path& file) {
   return {"io.cannot_write", file.string(), std::strerror(errno)};
@@ -64,6 +68,17 @@ Result<FolderLock> FolderLock::take(const std::filesystem::path& folder) {
     return lock;
   }
   return Error{"io.in_use", folder.string(), "other processes come and go there: try again"};
+}
+
+Result<FolderLock> FolderLock::wait_for(const std::filesystem::path& folder, double limit_s) {
+  const auto until = std::chrono::steady_clock::now() + std::chrono::duration<double>(limit_s);
+  while (true) {
+    Result<FolderLock> lock = take(folder);
+    const bool in_use = !lock.ok() && lock.error().code == "io.in_use";
+    if (!in_use || std::chrono::steady_clock::now() > until) return lock;
+    MARKETGEN_CHECK(check_interrupt());
+    usleep(wait_pause_us);
+  }
 }
 
 FolderLock::FolderLock(FolderLock&& other) noexcept

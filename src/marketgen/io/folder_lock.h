@@ -13,6 +13,8 @@ class FolderLock {
   // Errors: io.in_use with the number of the process that has it, which may be this one;
   // io.cannot_write.
   static Result<FolderLock> take(const std::filesystem::path& folder);
+  // The same, but waits so long for another to let go of it; internal.interrupted.
+  static Result<FolderLock> wait_for(const std::filesystem::path& folder, double limit_s);
   FolderLock(FolderLock&& other) noexcept;
   FolderLock& operator=(FolderLock&&) = delete;
   ~FolderLock();

@@ -11,7 +11,7 @@
 namespace marketgen {
 namespace {
 
-constexpr std::size_t most_lines = 20'000'000, most_corners = 256, most_materials = 256;
+constexpr std::size_t most_lines = 20'000'000, most_corners = 256, most_obj_materials = 256;
 
 // The words of one line, cut at blanks.
 class Line {
@@ -173,7 +173,7 @@ class ObjReader {
     const auto [entry, is_new] =
         material_rows_.try_emplace(name, static_cast<std::uint16_t>(model_.materials.size()));
     if (is_new) {
-      if (model_.materials.size() >= most_materials) {
+      if (model_.materials.size() >= most_obj_materials) {
         material_rows_.erase(entry);
         return;
       }

@@ -11,6 +11,7 @@
 
 #include "base/build_info.h"
 #include "base/hash.h"
+#include "io/cache_entry.h"
 #include "io/file.h"
 #include "render/art_fingerprint.h"
 #include "render/render_fingerprint.h"
@@ -21,14 +22,12 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_files = 256;
-constexpr std::array<char, 8> light_mark{'M', 'G', 'L', 'I', 'G', 'H', 'T', '1'};
+constexpr std::string_view light_kind = "light/2";
 
 struct LightHeader {
-  std::array<char, 8> mark{};
   std::uint64_t probes = 0;
   Vec3f mean;
   float floor_mean = 0;
-  std::uint64_t checksum = 0;  // of what follows
 };
 
 template <class T>
@@ -64,7 +63,7 @@ fs::path light_folder() {
 }
 
 fs::path file_of(const std::string& key) {
-  return light_folder() / (key + ".bin");
+  return light_folder() / (key + ".light");
 }
 
 void leave_newest(const fs::path& folder, std::size_t count) {
@@ -108,16 +107,18 @@ std::string light_key(const World& world, std::span<const Vec3f> probe_positions
 
 std::optional<BakedLight> kept_light(const std::string& key, std::size_t probes) {
   if (key.empty()) return std::nullopt;
+  const fs::path file = file_of(key);
+  const std::optional<std::string> content = kept_entry(file, light_kind);
+  if (!content) return std::nullopt;
   LightHeader header;
   const std::size_t part = probes * sizeof(PackedCube);
-  const Result<MappedFile> mapped = MappedFile::open(file_of(key));
-  if (!mapped.ok() || mapped->bytes().size() != sizeof(header) + 2 * part) return std::nullopt;
-  const std::string_view bytes(reinterpret_cast<const char*>(mapped->bytes().data()),
-                               mapped->bytes().size());
-  std::memcpy(&header, bytes.data(), sizeof(header));
-  const std::string_view payload = bytes.substr(sizeof(header));
-  if (header.mark != light_mark || header.probes != probes || hash64(payload) != header.checksum)
+  const bool fits = content->size() == sizeof(header) + 2 * part;
+  if (fits) std::memcpy(&header, content->data(), sizeof(header));
+  if (!fits || header.probes != probes) {
+    drop_entry(file, "is of another store");
     return std::nullopt;
+  }
+  const std::string_view payload = std::string_view(*content).substr(sizeof(header));
   BakedLight light{std::vector<PackedCube>(probes),
                    std::vector<PackedCube>(probes),
                    header.mean,
@@ -128,14 +129,10 @@ std::optional<BakedLight> kept_light(const std::string& key, std::size_t probes)
 }
 
 void keep_light(const std::string& key, const BakedLight& light) {
-  LightHeader header{light_mark, light.probes.size(), light.mean, light.floor_mean, 0};
-  std::string bytes(sizeof(header), '\0');
-  bytes.append(payload_of(light.probes)).append(payload_of(light.without_panels));
-  header.checksum = hash64(std::string_view(bytes).substr(sizeof(header)));
-  std::memcpy(bytes.data(), &header, sizeof(header));
-  std::error_code ignored;  // see the header
-  fs::create_directories(light_folder(), ignored);
-  (void)write_file(file_of(key), bytes).ok();
+  const LightHeader header{light.probes.size(), light.mean, light.floor_mean};
+  std::string content(reinterpret_cast<const char*>(&header), sizeof(header));
+  content.append(payload_of(light.probes)).append(payload_of(light.without_panels));
+  (void)keep_entry(file_of(key), light_kind, content).ok();
   leave_newest(light_folder(), most_files);
 }
 

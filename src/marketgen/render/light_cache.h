@@ -1,9 +1,8 @@
 // Baked light kept on disk between runs, so that the next renderer of the same store need not bake
 // it again (a second for a shop of 27,000 goods).
 //
-// Files lie under $MARKETGEN_CACHE/light by content; the newest 256 stay (a gigabyte of shops of
-// that size). One that is damaged or cannot be written costs time, nothing else. They are put in
-// place whole, so any number of processes may share the folder.
+// Entries (io/cache_entry.h) lie under $MARKETGEN_CACHE/light by content; the newest 256 stay (a
+// gigabyte of shops of that size).
 #pragma once
 #include <optional>
 #include <span>

@@ -1,8 +1,7 @@
 // Drawn pictures (labels, price tags, signs, materials) kept on disk between runs, by content.
 //
-// Files under $MARKETGEN_CACHE/labels hold raw channels (.pic) or, of print, BC1 blocks (.bc1);
-// those that are damaged or cannot be written are ignored. They are put in place whole, so any
-// number of processes may share the folder.
+// Entries (io/cache_entry.h) under $MARKETGEN_CACHE/labels hold raw channels (.pic) or, of print,
+// BC1 blocks (.bc1).
 #pragma once
 #include <functional>
 #include <optional>

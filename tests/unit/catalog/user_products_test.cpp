@@ -134,6 +134,27 @@ TEST_F(UserProducts, MeshIsKeptByItsContent) {
   EXPECT_NEAR(bounds.center().z, 0, 1e-6);
 }
 
+// What lies in the cache under a mesh's name is that mesh or is put right: from the catalogue, or
+// from a store that has it.
+TEST_F(UserProducts, AChangedMeshIsPutRight) {
+  write("tea.glb", box_glb(0.0802F, 0.15F, 0.06F));
+  const Product tea = read("own.json", mesh_row("tea.glb"))->at(0);
+  const std::filesystem::path kept = scratch_.path() / "cache" / "meshes" / tea.mesh;
+  const std::string whole = contents_of(kept);
+  ASSERT_TRUE(save_meshes({tea}, scratch_.path() / "shop").ok());
+  for (const std::string& damaged : {whole.substr(0, 100), std::string(), whole + "x"}) {
+    std::ofstream(kept, std::ios::binary) << damaged;
+    EXPECT_EQ(kept_mesh(tea).error().code, "input.not_found") << "it is not used";
+    std::ofstream(kept, std::ios::binary) << damaged;
+    ASSERT_TRUE(read("own.json", mesh_row("tea.glb")).ok());
+    EXPECT_EQ(contents_of(kept), whole);
+    std::ofstream(kept, std::ios::binary) << damaged;
+    ASSERT_TRUE(restore_meshes({tea}, scratch_.path() / "shop").ok());
+    EXPECT_EQ(contents_of(kept), whole);
+    EXPECT_TRUE(kept_mesh(tea).ok());
+  }
+}
+
 TEST_F(UserProducts, MeshMustBeThereWithinTheFolderAndTheArchetype) {
   write("tea.glb", box_glb(0.08F, 0.15F, 0.06F));
   for (const char* name : {"../tea.glb", "/etc/passwd", "a/../../tea.glb"})

@@ -5,12 +5,15 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <fstream>
+#include <thread>
 
 #include "base/parallel.h"
 #include "grasping/grasp_basket.h"
 #include "grasping/grasp_database.h"
 #include "grasping/grasp_shares.h"
 #include "support/committed_catalog.h"
+#include "support/run_program.h"
 
 namespace marketgen {
 namespace {
@@ -193,15 +196,50 @@ TEST(GraspDatabase, RatesComeBackAsTheyWere) {
   rate.tries.pop_back();
   ASSERT_TRUE(keep_grasp_rates({rate}, "rows", 8).ok());  // replaces one, keeps the other
   const auto kept = kept_grasp_rates("rows");
-  ASSERT_TRUE(kept.ok()) << to_string(kept.error());
-  ASSERT_EQ(kept->size(), 2U);
-  EXPECT_EQ((*kept)[0].tries.size(), 1U);
-  EXPECT_EQ((*kept)[0].setting, GraspSetting::stocked);
-  EXPECT_EQ((*kept)[1].excluded, GraspExclusion::too_wide);
-  EXPECT_EQ((*kept)[1].reason, "wide");
-  EXPECT_TRUE(kept_grasp_rates("other rows")->empty());
+  ASSERT_EQ(kept.size(), 2U);
+  EXPECT_EQ(kept[0].tries.size(), 1U);
+  EXPECT_EQ(kept[0].setting, GraspSetting::stocked);
+  EXPECT_EQ(kept[1].excluded, GraspExclusion::too_wide);
+  EXPECT_EQ(kept[1].reason, "wide");
+  EXPECT_TRUE(kept_grasp_rates("other rows").empty());
   unsetenv("MARKETGEN_CACHE");
   std::filesystem::remove_all(folder);
+}
+
+// One that was damaged, or that another version wrote, costs the rates that it held; new ones are
+// kept all the same.
+TEST(GraspDatabase, ADamagedOneIsMadeAnew) {
+  const ScratchFolder scratch;
+  setenv("MARKETGEN_CACHE", scratch.path().c_str(), 1);
+  const GraspRate rate{"a", "can", "hand", GraspSetting::stocked, {}, {}, {GraspTry{}}};
+  ASSERT_TRUE(keep_grasp_rates({rate}, "rows", 7).ok());
+  const std::string whole = contents_of(grasp_database_file());
+  for (const std::string& damaged :
+       {std::string(), std::string("nonsense"), whole.substr(0, whole.size() / 2), whole + whole}) {
+    std::ofstream(grasp_database_file(), std::ios::binary) << damaged;
+    EXPECT_TRUE(kept_grasp_rates("rows").empty());
+    std::ofstream(grasp_database_file(), std::ios::binary) << damaged;
+    ASSERT_TRUE(keep_grasp_rates({rate}, "rows", 7).ok());
+    EXPECT_EQ(contents_of(grasp_database_file()), whole);
+  }
+  unsetenv("MARKETGEN_CACHE");
+}
+
+// Two that keep theirs at the same time lose nothing of one another's.
+TEST(GraspDatabase, RatesOfTwoAtOnceBothStay) {
+  const ScratchFolder scratch;
+  setenv("MARKETGEN_CACHE", scratch.path().c_str(), 1);
+  {
+    std::vector<std::jthread> threads;
+    for (int i = 0; i < 8; ++i)
+      threads.emplace_back([i] {
+        const GraspRate rate{
+            "sku-" + std::to_string(i), "can", "hand", GraspSetting::free, {}, {}, {GraspTry{}}};
+        EXPECT_TRUE(keep_grasp_rates({rate}, "rows", 7).ok());
+      });
+  }
+  EXPECT_EQ(kept_grasp_rates("rows").size(), 8U);
+  unsetenv("MARKETGEN_CACHE");
 }
 
 }  // namespace

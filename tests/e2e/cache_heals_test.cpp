@@ -1,0 +1,182 @@
+// Whatever befalls the files of the cache, commands answer as with a fresh one, name what they
+// found and put it right.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "support/glb_bytes.h"
+#include "support/run_program.h"
+
+namespace marketgen {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+const std::string can = "beverages-cola-original-330ml";
+
+// What the commands answer, and what they say besides.
+struct Answers {
+  std::map<std::string, std::string> of;
+  std::string said;
+};
+
+class CacheHeals : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    scratch_ = std::make_unique<ScratchFolder>();
+    std::ofstream(folder() / "soda.glb", std::ios::binary)
+        << box_glb(0.066F, 0.115F, 0.066F, R"({"mesh": 0})");
+    const Ran imported = cached({"assets",
+                                 "import",
+                                 "soda.glb",
+                                 "-o",
+                                 "soda",
+                                 "--no-coacd",
+                                 "--category",
+                                 "beverages",
+                                 "--subcategory",
+                                 "soft drinks",
+                                 "--json"});
+    ASSERT_EQ(imported.status, 0) << imported.err;
+    own_ = json::parse(imported.out)["product"]["sku"];
+    const Ran made = cached({"generate",
+                             "a kiosk with snacks and cold drinks",
+                             "--size",
+                             "5x4m",
+                             "--no-previews",
+                             "--quiet",
+                             "-o",
+                             "kiosk"});
+    ASSERT_EQ(made.status, 0) << made.err;
+    fs::remove_all(folder() / "cache");
+    fresh_ = answers();
+    for (const auto& entry : fs::recursive_directory_iterator(folder() / "cache"))
+      if (entry.is_regular_file()) files_[entry.path()] = contents_of(entry.path());
+  }
+  static void TearDownTestSuite() { scratch_.reset(); }
+
+  static const fs::path& folder() { return scratch_->path(); }
+  static Ran cached(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(),
+                     {"env",
+                      "MARKETGEN_CACHE=" + (folder() / "cache").string(),
+                      "timeout",
+                      "100",
+                      MARKETGEN_BINARY});
+    return run(arguments, folder());
+  }
+
+  // Of commands that together put every kind of file into the cache.
+  static Answers answers() {
+    Answers all;
+    const auto ask = [&](const std::string& name, const std::vector<std::string>& arguments) {
+      const Ran ran = cached(arguments);
+      EXPECT_EQ(ran.status, 0) << name << ": " << ran.err;
+      all.said += ran.err;
+      all.of[name] = ran.out;
+    };
+    ask("search", {"assets", "search", "something to drink", "--json"});
+    ask("own mesh", {"assets", "show", own_, "--json", "--catalog", "soda/asset.json"});
+    ask("grasps", {"grasps", can, "--tool", "panda-hand", "--tries", "1", "--json", "--quiet"});
+    ask("picture",
+        {"render",
+         "kiosk",
+         "--camera",
+         "entrance",
+         "--size=64x36",
+         "--quality",
+         "fast",
+         "--quiet",
+         "-o",
+         "out.png"});
+    const json report = json::parse(all.of["grasps"], nullptr, false);
+    all.of["grasps"] = report.is_object() ? report["rates"].dump() : "no JSON";
+    all.of["picture"] = contents_of(folder() / "out.png");
+    return all;
+  }
+
+  static std::unique_ptr<ScratchFolder> scratch_;
+  static std::string own_;
+  static Answers fresh_;
+  static std::map<fs::path, std::string> files_;  // of the cache, as they were made
+};
+std::unique_ptr<ScratchFolder> CacheHeals::scratch_;
+std::string CacheHeals::own_;
+Answers CacheHeals::fresh_;
+std::map<fs::path, std::string> CacheHeals::files_;
+
+void replace(const fs::path& file, const std::string& content) {
+  std::ofstream(file, std::ios::binary | std::ios::trunc) << content;
+}
+
+struct Damage {
+  const char* name;
+  std::function<void(const fs::path& file, std::string content)> make;
+};
+
+const std::vector<Damage>& damages() {
+  static const std::vector<Damage> all{
+      {"cut in half",
+       [](const fs::path& f, std::string c) { replace(f, c.substr(0, c.size() / 2)); }},
+      {"empty", [](const fs::path& f, const std::string&) { replace(f, ""); }},
+      {"zeros",
+       [](const fs::path& f, const std::string& c) { replace(f, std::string(c.size(), '\0')); }},
+      {"a bit turned",
+       [](const fs::path& f, std::string c) {
+         c[c.size() / 2] = static_cast<char>(c[c.size() / 2] ^ 4);
+         replace(f, c);
+       }},
+      {"its kind changed",
+       [](const fs::path& f, std::string c) {
+         c[c.size() - 24] = static_cast<char>(c[c.size() - 24] ^ 1);  // where the kind is noted
+         replace(f, c);
+       }},
+      {"a folder",
+       [](const fs::path& f, const std::string&) {
+         fs::remove(f);
+         fs::create_directory(f);
+       }},
+      {"a pipe",
+       [](const fs::path& f, const std::string&) {
+         fs::remove(f);
+         mkfifo(f.c_str(), 0600);
+       }},
+      {"without rights",
+       [](const fs::path& f, const std::string&) { fs::permissions(f, fs::perms::none); }},
+  };
+  return all;
+}
+
+TEST_F(CacheHeals, EveryKindOfFileIsThere) {
+  std::map<std::string, int> kinds;
+  for (const auto& [file, content] : files_)
+    ++kinds[file.parent_path().filename().string()];
+  for (const char* kind : {"assets", "grasps", "labels", "light", "meshes"})
+    EXPECT_GT(kinds[kind], 0) << kind;
+  EXPECT_EQ(kinds.size(), 5U) << "another kind of cached file belongs into this test";
+  EXPECT_EQ(fresh_.said, "");
+}
+
+TEST_F(CacheHeals, WhateverBefallsAllOfItsFiles) {
+  for (const Damage& damage : damages()) {
+    for (const auto& [file, content] : files_)
+      damage.make(file, content);
+    const Answers now = answers();
+    for (const auto& [name, answer] : fresh_.of)
+      EXPECT_TRUE(now.of.at(name) == answer) << name << ", " << damage.name;
+    const bool read_anyhow = std::string_view(damage.name) == "without rights" && geteuid() == 0;
+    for (const auto& [file, content] : files_) {
+      EXPECT_TRUE(contents_of(file) == content) << file << " is not put right, " << damage.name;
+      const bool is_named = now.said.find(file.string()) != std::string::npos;
+      EXPECT_TRUE(is_named || read_anyhow) << file << ", " << damage.name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace marketgen
