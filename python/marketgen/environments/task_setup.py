@@ -6,7 +6,7 @@ import functools
 import json
 import os
 from collections.abc import Sequence
-from typing import Any, Literal, TypedDict, Unpack
+from typing import TYPE_CHECKING, Any, Literal, TypedDict
 
 import numpy as np
 from gymnasium import spaces
@@ -15,6 +15,9 @@ from .. import _core
 from ..arguments import Progress, a_name, a_progress
 from ..store import Store, open_store
 from .observations import Observations
+
+if TYPE_CHECKING:
+    from typing import Unpack  # since Python 3.11
 
 Track = Literal["checkout", "aisle"]
 ObsMode = Literal["state", "state_robot", "rgbd", "pointcloud"]
