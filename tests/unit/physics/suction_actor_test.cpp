@@ -209,7 +209,9 @@ TEST(SuctionActor, RepeatsBitForBitAndGoesOnFromASnapshot) {
   ASSERT_EQ(stage->sealed(), 0U);
   const std::string end = stage->world->state_hash();
 
-  ASSERT_TRUE(other->world->restore(swaying).ok());
+  const auto as_bytes = WorldSnapshot::of_bytes(swaying.bytes());
+  ASSERT_TRUE(as_bytes.ok());
+  ASSERT_TRUE(other->world->restore(*as_bytes).ok());
   EXPECT_EQ(other->sealed(), 0U);
   other->sway(0.3, 1);
   EXPECT_EQ(other->world->state_hash(), end);

@@ -48,6 +48,17 @@ TEST(World, GoesOnFromASnapshotAsIfNothingHadHappened) {
   run(other, second);
   EXPECT_EQ(other.state_hash(), end);
   EXPECT_EQ(distance(other.product_pose(7), world_from_product(shop.scene.products[7])), 0);
+
+  const std::string bytes = half_way.bytes();  // as another process would have it
+  const auto read = WorldSnapshot::of_bytes(bytes);
+  ASSERT_TRUE(read.ok());
+  World third = made(shop.scene);
+  ASSERT_TRUE(third.restore(*read).ok());
+  EXPECT_EQ(third.snapshot().bytes(), bytes);
+  run(third, second);
+  EXPECT_EQ(third.state_hash(), end);
+  for (const std::size_t length : {std::size_t{0}, bytes.size() / 2, bytes.size() - 1})
+    EXPECT_FALSE(WorldSnapshot::of_bytes(bytes.substr(0, length)).ok());
 }
 
 // A push every five seconds.
