@@ -87,18 +87,6 @@ class TaskVectorEnv(gymnasium.vector.VectorEnv):
             infos = self._add_info(infos, info, i)
         return self._seen(), infos
 
-    def _add_info(self, vector_infos: dict[str, Any], env_info: dict[str, Any], env_num: int) -> dict[str, Any]:
-        """Numbers of pictures mean something else in each environment: a whole dict each, in an array of objects."""
-        products = env_info.get("products")
-        if products is None:
-            return super()._add_info(vector_infos, env_info, env_num)
-        rest = {key: value for key, value in env_info.items() if key != "products"}
-        vector_infos = super()._add_info(vector_infos, rest, env_num)
-        every = vector_infos.setdefault("products", np.full(self.num_envs, None, object))
-        every[env_num] = products
-        vector_infos.setdefault("_products", np.zeros(self.num_envs, bool))[env_num] = True
-        return vector_infos
-
     def _checked_mask(self, mask: Any) -> np.ndarray:
         fits = isinstance(mask, np.ndarray) and mask.dtype == np.bool_ and mask.shape == (self.num_envs,)
         if not fits or not mask.any():
