@@ -100,6 +100,7 @@ CALLS = {
     "jobs": [lambda on: marketgen.evaluate(on.tasks, jobs=-1, folder=on.folder)],
     "resume": [lambda on: marketgen.evaluate(on.tasks, resume="yes", folder=on.folder)],
     "act_limit_s": [lambda on: marketgen.evaluate(on.tasks, act_limit_s=-1, folder=on.folder)],
+    "start_limit_s": [lambda on: marketgen.evaluate(on.tasks, start_limit_s="long", folder=on.folder)],
     "num_envs": [lambda on: marketgen.make_vec(CHECKOUT, 0, store=on.store)],
     "render_mode": [
         lambda on: marketgen.environments.CheckoutUnloading(on.store, render_mode="human"),
@@ -146,7 +147,7 @@ def test_every_function_names_its_arguments(on, argument, call):
 
 
 def test_results_that_are_there_are_said_in_python(on, tmp_path):
-    (tmp_path / "results.jsonl").write_text("")
+    (tmp_path / "results.jsonl").write_text("{}\n")
     with pytest.raises(marketgen.Error, match="go on with resume=True") as caught:
         marketgen.evaluate(on.tasks, "random", tmp_path)
     assert caught.value.code == "store.exists"
