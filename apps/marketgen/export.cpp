@@ -11,6 +11,7 @@
 #include "command.h"
 #include "io/json.h"
 #include "io/output.h"
+#include "motion/standing_robot.h"
 #include "say.h"
 
 namespace marketgen::app {
@@ -19,7 +20,8 @@ namespace {
 struct ExportFlags {
   CommonFlags common;
   std::string folder, format, output, free_region, skin;
-  bool check = false, instanced = false, still = false;
+  std::vector<std::string> robots;
+  bool check = false, instanced = false, still = false, primitives = false;
 };
 
 Result<std::array<double, 4>> parse_region(const std::string& text) {
@@ -50,6 +52,10 @@ Result<void> run_export(const ExportFlags& flags) {
   ExportOptions options;
   options.instanced = flags.instanced;
   options.still_fixtures = flags.still;
+  options.looks = !flags.primitives;
+  if (!flags.robots.empty() && flags.format != "mjcf")
+    return Error{"usage.bad_flag", "--robot", "robots go into --format mjcf only"};
+  MARKETGEN_TRY(options.robots, standing_robots(scene, flags.robots, "--robot "));
   if (!flags.free_region.empty()) {
     MARKETGEN_TRY(const auto region, parse_region(flags.free_region));
     options.free_region_m = region;
@@ -95,11 +101,23 @@ Run add_export(CLI::App& app) {
       "and faster where they do");
   command->add_flag(
       "--still-fixtures", flags->still, "mjcf: doors, lids and drawers of fixtures do not move");
+  command->add_flag(
+      "--primitives",
+      flags->primitives,
+      "mjcf: contact primitives alone, in one file; no meshes and no pictures beside it");
+  command
+      ->add_option(
+          "--robot",
+          flags->robots,
+          "mjcf: put a robot in (repeatable): ROW@X,Y[,HEADING_DEG][,...] as `render` takes it")
+      ->allow_extra_args(false);
   command->add_option("--skin", flags->skin, "export the store in the look of this style");
   command->add_flag("--check", flags->check, "read the file back and compare it with the store");
   add_common_flags(*command, flags->common, Takes::json);
   command->footer("Formats:" + formats +
-                  "\nExample:  marketgen export shop --format glb -o shop.glb --check");
+                  "\nExample:  marketgen export shop --format glb -o shop.glb --check"
+                  "\n          marketgen export shop --format mjcf -o shop.xml --robot "
+                  "realman-rm75@4.2,3.1,90");
   return [flags] {
     const auto done = run_export(*flags);
     return done.ok() ? 0 : fail(done.error());

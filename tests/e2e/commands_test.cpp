@@ -581,6 +581,7 @@ TEST(Export, GlbAndMjcfReadBack) {
         {"export", shop(), "--format", format, "-o", file, "--check", "--json"}, scratch.path());
     EXPECT_EQ(summary["products"], counts["products"]) << format;
     EXPECT_LT(summary["worst_position_error_m"].get<double>(), 1e-4) << format;
+    EXPECT_EQ(summary["looks"], std::string(format) == "mjcf" ? counts["products"] : json(0));
     EXPECT_TRUE(fs::exists(scratch.path() / file));
   }
 }

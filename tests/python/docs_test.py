@@ -16,6 +16,8 @@ import subprocess
 import sys
 
 import pytest
+
+import marketgen
 from conftest import PROGRAM, ROOT
 
 PAGES = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md"), *(ROOT / "examples").rglob("*.md")])
@@ -223,7 +225,8 @@ def test_python_blocks_run(page, tmp_path):
         pytest.skip("each of its blocks says why it is not run")
     # Each block keeps its line number, so that a traceback points into the page.
     program = "".join(f"exec(compile({chr(10) * (line - 1) + body!r}, {name_of(page)!r}, 'exec'), globals())\n" for body, line in blocks)
-    done = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, env=os.environ, capture_output=True, text=True, timeout=300)
+    environment = {**os.environ, "PYTHONPATH": str(pathlib.Path(marketgen.__file__).resolve().parents[1])}
+    done = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=300)
     assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-4000:]
 
 

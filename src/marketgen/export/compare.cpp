@@ -196,6 +196,22 @@ Result<void> compare_joints(const Scene& scene,
   return {};
 }
 
+Result<void> compare_looks_and_robots(const ExportOptions& options,
+                                      const ExportContents& contents,
+                                      const std::string& where) {
+  const std::size_t looks = options.looks ? contents.products.size() : 0;
+  if (contents.looks && *contents.looks != looks)
+    return mismatch(
+        where,
+        fmt::format(
+            "{} have a mesh, {} were to have one", counted(*contents.looks, "products"), looks));
+  if (contents.robots == options.robots.size()) return {};
+  return mismatch(where,
+                  fmt::format("the file holds {}, {} were put in",
+                              counted(contents.robots, "robots"),
+                              options.robots.size()));
+}
+
 }  // namespace
 
 Result<ExportSummary> compare_with_scene(const Scene& scene,
@@ -207,6 +223,7 @@ Result<ExportSummary> compare_with_scene(const Scene& scene,
   MARKETGEN_CHECK(compare_bounds(bounds_of(scene), contents.bounds, where));
   MARKETGEN_CHECK(compare_free_bodies(scene, options, contents, where));
   MARKETGEN_CHECK(compare_joints(scene, options, contents, where));
+  MARKETGEN_CHECK(compare_looks_and_robots(options, contents, where));
   std::set<std::string_view> skus;
   for (const ExportedItem& item : contents.products)
     skus.insert(item.sku);
@@ -217,6 +234,8 @@ Result<ExportSummary> compare_with_scene(const Scene& scene,
   summary.meshes = contents.meshes;
   summary.free_bodies = contents.free_bodies.value_or(0);
   summary.joints = contents.joints ? contents.joints->size() : 0;
+  summary.looks = contents.looks.value_or(0);
+  summary.robots = contents.robots;
   const Bounds3& bounds = contents.bounds;
   summary.bounds_low_m = {bounds.low.x, bounds.low.y, bounds.low.z};
   summary.bounds_high_m = {bounds.high.x, bounds.high.y, bounds.high.z};

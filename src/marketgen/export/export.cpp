@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/interrupt.h"
 #include "base/text.h"
 #include "export/exporter.h"
 #include "io/file.h"
@@ -12,7 +13,7 @@ namespace {
 
 struct Exporter {
   ExportFormat format;
-  Result<std::string> (*write)(const Scene&, const ExportOptions&);
+  Result<ExportFiles> (*write)(const Scene&, const ExportOptions&);
   Result<ExportContents> (*read)(const std::filesystem::path&, const std::vector<Product>&);
 };
 
@@ -38,6 +39,19 @@ Result<const Exporter*> exporter_named(std::string_view name) {
                    " (formats: " + known + ")"};
 }
 
+Result<void> write_beside(const std::filesystem::path& folder,
+                          const std::vector<BesideFile>& files) {
+  if (files.empty()) return {};
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed) return Error{"io.cannot_write", folder.string(), failed.message()};
+  for (const BesideFile& file : files) {
+    MARKETGEN_CHECK(check_interrupt());
+    MARKETGEN_CHECK(write_file(folder / file.name, file.bytes));
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<ExportFormat> export_formats() {
@@ -52,8 +66,11 @@ Result<void> export_scene(const Scene& scene,
                           const std::filesystem::path& out,
                           const ExportOptions& options) {
   MARKETGEN_TRY(const Exporter* exporter, exporter_named(format));
-  MARKETGEN_TRY(const std::string bytes, exporter->write(scene, options));
-  return write_file(out, bytes);
+  ExportOptions named = options;
+  named.beside = out.stem().string() + "_assets";
+  MARKETGEN_TRY(const ExportFiles files, exporter->write(scene, named));
+  MARKETGEN_CHECK(write_beside(out.parent_path() / named.beside, files.beside));
+  return write_file(out, files.main);
 }
 
 Result<ExportSummary> check_export(const Scene& scene,

@@ -9,6 +9,7 @@
 
 #include "base/fields.h"
 #include "base/result.h"
+#include "robots/placed_robot.h"
 #include "scene/scene.h"
 
 namespace marketgen {
@@ -18,11 +19,15 @@ struct ExportOptions {
   std::optional<std::array<double, 4>> free_region_m;
   bool instanced = false;       // glb: EXT_mesh_gpu_instancing, a node a SKU instead of one an item
   bool still_fixtures = false;  // mjcf: no part of a fixture can move
+  bool looks = false;           // mjcf: meshes and pictures over the contact primitives
+  std::vector<PlacedRobot> robots;  // mjcf
+  std::string beside = "assets";    // folder of what lies beside the file; export_scene() names it
 };
 
 // What a file holds, read back with another code path than the one that wrote it.
 struct ExportSummary {
-  std::uint64_t fixtures = 0, products = 0, skus = 0, meshes = 0, free_bodies = 0, joints = 0;
+  std::uint64_t fixtures = 0, products = 0, skus = 0, meshes = 0, free_bodies = 0, joints = 0,
+                looks = 0, robots = 0;
   std::array<double, 3> bounds_low_m{}, bounds_high_m{};
   double worst_position_error_m = 0;  // of any product against the scene, after `check`
 
@@ -33,6 +38,8 @@ struct ExportSummary {
                  field("meshes", &ExportSummary::meshes, "meshes or geoms"),
                  field("free_bodies", &ExportSummary::free_bodies, "bodies that can move"),
                  field("joints", &ExportSummary::joints, "joints of fixtures"),
+                 field("looks", &ExportSummary::looks, "products with a mesh and a picture (mjcf)"),
+                 field("robots", &ExportSummary::robots, "robots that were put in"),
                  field("bounds_low_m", &ExportSummary::bounds_low_m, "lowest corner"),
                  field("bounds_high_m", &ExportSummary::bounds_high_m, "highest corner"),
                  field("worst_position_error_m",
@@ -45,7 +52,9 @@ struct ExportFormat {
 };
 std::vector<ExportFormat> export_formats();  // rows of export_formats.inc
 
-// Writes `scene` to the file `out`. Errors: export.unknown_format with the nearest name, io.*.
+// Writes `scene` to the file `out`; what lies beside it goes to the folder "<stem of out>_assets"
+// and is written first. Files of an earlier export there are written anew or left. Errors:
+// export.unknown_format with the nearest name, io.*.
 Result<void> export_scene(const Scene& scene,
                           std::string_view format,
                           const std::filesystem::path& out,

@@ -14,6 +14,15 @@
 
 namespace marketgen {
 
+// A file that lies beside the exported one, in a folder of its own.
+struct BesideFile {
+  std::string name, bytes;
+};
+struct ExportFiles {
+  std::string main;
+  std::vector<BesideFile> beside;
+};
+
 struct ExportedItem {
   std::string id, sku;
   Vec3 position;  // of the product frame's origin, in the store frame
@@ -36,14 +45,16 @@ struct ExportContents {
   std::uint64_t meshes = 0;
   std::optional<std::uint64_t> free_bodies;          // absent: nothing moves in this format
   std::optional<std::vector<ExportedJoint>> joints;  // absent: this format has none
-  Bounds3 bounds;                                    // of everything solid but an endless floor
+  std::optional<std::uint64_t> looks;  // products whose look is apart from what they touch with
+  std::uint64_t robots = 0;
+  Bounds3 bounds;  // of everything solid but an endless floor
 };
 
-// write_<name>: the whole file. read_<name>: what an independent library finds in it; `catalog` is
-// the scene's and may only be used to find where in a product's shape the origin of its frame lies.
-// Errors: export.mismatch when it cannot be read, io.*.
+// write_<name>: the whole file, and what lies beside it. read_<name>: what an independent library
+// finds in it; `catalog` is the scene's and may only be used to find where in a product's shape the
+// origin of its frame lies. Errors: export.mismatch when it cannot be read, io.*.
 #define EXPORT_FORMAT(name, description, extension)                                   \
-  Result<std::string> write_##name(const Scene& scene, const ExportOptions& options); \
+  Result<ExportFiles> write_##name(const Scene& scene, const ExportOptions& options); \
   Result<ExportContents> read_##name(const std::filesystem::path& file,               \
                                      const std::vector<Product>& catalog);
 #include "export/export_formats.inc"

@@ -9,6 +9,7 @@
 
 #include "assets/label.h"
 #include "base/parallel.h"
+#include "export/label_picture.h"
 #include "io/json.h"
 #include "io/png.h"
 #include "render/picture_cache.h"
@@ -16,7 +17,6 @@
 namespace marketgen {
 namespace {
 
-constexpr int label_px = 256;  // rows of a label sheet: legible from arm's length, 20-60 kB each
 constexpr int tag_px = 64, card_px = 148;  // heights
 constexpr auto card_width_m = static_cast<float>(promotion_card_width_mm * 1e-3);
 constexpr auto card_height_m = static_cast<float>(promotion_card_height_mm * 1e-3);
@@ -45,8 +45,8 @@ MadeProduct make(const Product& product) {
   if (std::ranges::none_of(made.model.surfaces,
                            [](const Surface& s) { return s.texture == "label"; }))
     return made;
-  PictureResult png = png_of(fmt::format("label {} {}", label_px, write_json_line(product)),
-                             [&] { return draw_label(product, label_px); });
+  const Result<Image> label = exported_label(product);
+  PictureResult png = label.ok() ? encode_png(*label) : label.error();
   if (!png.ok())
     made.error = png.error();
   else

@@ -5,12 +5,15 @@
 #include <string>
 
 #include "base/result.h"
-#include "export/export.h"
+#include "export/exporter.h"
 
 namespace marketgen {
 
-// The XML text. Geom names are fixture and product ids. Contact parameters:
+// The XML text, and the files that it names. Over the primitives that things touch with, in geom
+// group 3, lie the meshes of the goods, which touch nothing (options.looks). A robot is attached by
+// its first body, with its row's id in front of all names; the key "start" drives it to where it
+// stands. Geom names are fixture and product ids. Contact parameters:
 // physics/contact_shape.h.
-Result<std::string> write_mjcf(const Scene& scene, const ExportOptions& options);
+Result<ExportFiles> write_mjcf(const Scene& scene, const ExportOptions& options);
 
 }  // namespace marketgen

@@ -4,16 +4,12 @@
 #include <cmath>
 
 namespace marketgen {
-namespace {
 
-// The inverse of linear_from_srgb (IEC 61966-2-1), to three decimals.
 double srgb_from_linear(float linear) {
   const double l = std::clamp(static_cast<double>(linear), 0.0, 1.0);
   const double encoded = l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1 / 2.4) - 0.055;
   return std::round(encoded * 1000) / 1000;
 }
-
-}  // namespace
 
 std::string mjcf_vector(const Vec3& v) {
   return fmt::format(

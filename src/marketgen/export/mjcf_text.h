@@ -14,8 +14,9 @@
 
 namespace marketgen {
 
-// Groups 0 to 2 are shown by MuJoCo's viewer at once; 0, 1 and 2 on its keyboard hide them.
-enum GeomGroup { group_shell, group_fixture, group_product };
+// Groups 0 to 2 are shown by MuJoCo's viewer at once; 0, 1 and 2 on its keyboard hide them, 3 shows
+// what things touch with where that is not what they look like.
+enum GeomGroup { group_shell, group_fixture, group_product, group_solid };
 
 constexpr double mjcf_glass_alpha = 0.3;
 
@@ -40,6 +41,8 @@ std::string mjcf_vector(const Vec3& v);
 std::string mjcf_pose(const Pose& pose);
 // As many numbers as the shape's geom type takes.
 std::string mjcf_size(const ContactShape& shape);
+// The inverse of linear_from_srgb (IEC 61966-2-1), to three decimals.
+double srgb_from_linear(float linear);
 // sRGB and opacity of a linear colour.
 std::string mjcf_color(Vec3f linear, double alpha);
 

@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
+#include "base/text.h"
 #include "export/exporter.h"
+#include "export/mjcf_robot.h"
 #include "io/file.h"
 #include "physics/contact_shape.h"
 #include "physics/mujoco_guard.h"
@@ -74,10 +77,33 @@ std::optional<ExportedJoint> belt_of(const mjModel& model, const mjData& data, i
   return read;
 }
 
-std::vector<ExportedJoint> joints_of(const mjModel& model, const mjData& data) {
+std::vector<std::string> robots_in(const mjModel& model) {
+  const int text = mj_name2id(&model, mjOBJ_TEXT, mjcf_robots_text);
+  if (text < 0) return {};
+  return split(model.text_data + model.text_adr[text], ' ');
+}
+
+std::vector<bool> bodies_of(const mjModel& model, const std::vector<std::string>& robots) {
+  std::vector<bool> theirs(static_cast<std::size_t>(model.nbody), false);
+  for (int body = 1; body < model.nbody; ++body) {
+    const char* name = mj_id2name(&model, mjOBJ_BODY, body);
+    theirs[static_cast<std::size_t>(body)] =
+        name != nullptr && std::ranges::any_of(robots, [&](const std::string& prefix) {
+          return std::string_view(name).starts_with(prefix);
+        });
+  }
+  return theirs;
+}
+
+// Of fixtures.
+std::vector<ExportedJoint> joints_of(const mjModel& model,
+                                     const mjData& data,
+                                     const std::vector<bool>& of_robots) {
   std::vector<ExportedJoint> joints;
   for (int joint = 0; joint < model.njnt; ++joint) {
-    if (model.jnt_type[joint] != mjJNT_FREE) joints.push_back(joint_of(model, data, joint));
+    const bool robots = of_robots[static_cast<std::size_t>(model.jnt_bodyid[joint])];
+    if (model.jnt_type[joint] != mjJNT_FREE && !robots)
+      joints.push_back(joint_of(model, data, joint));
   }
   for (int numeric = 0; numeric < model.nnumeric; ++numeric) {
     if (auto belt = belt_of(model, data, numeric)) joints.push_back(*std::move(belt));
@@ -107,19 +133,61 @@ class ProductFrames {
   std::map<std::string, Pose> shape_from_product_;
 };
 
+// A look stands where the product before it stands, with that product's mesh and picture.
+constexpr std::string_view look_prefix = "look/";
+constexpr double look_tolerance_m = 1e-4;
+
+bool is_look(const std::string& material) {
+  return material.starts_with(look_prefix);
+}
+
+// MuJoCo moves a mesh to its own middle; the geom then stands there.
+Pose pose_of_look(const mjModel& model, const mjData& data, int geom) {
+  const int mesh = model.geom_dataid[geom];
+  const mjtNum* p = model.mesh_pos + 3 * mesh;
+  const mjtNum* q = model.mesh_quat + 4 * mesh;
+  return pose_of_geom(data, geom) * inverse(Pose{{p[0], p[1], p[2]}, {q[0], q[1], q[2], q[3]}});
+}
+
+Result<void> check_look(const ExportContents& contents,
+                        const std::string& material,
+                        const Pose& pose,
+                        const std::string& where) {
+  if (contents.products.empty() ||
+      contents.products.back().sku != material.substr(look_prefix.size()) ||
+      !(length(contents.products.back().position - pose.position) <= look_tolerance_m))
+    return Error{"export.mismatch",
+                 where,
+                 "a mesh of " + material + " stands by itself; export the store again"};
+  return {};
+}
+
 // Products carry their SKU as material; fixture parts are "<fixture>/<unit>-<n>" in group 1.
-ExportContents contents_of(const mjModel& model, const mjData& data, const ProductFrames& frames) {
+Result<ExportContents> contents_of(const mjModel& model,
+                                   const mjData& data,
+                                   const ProductFrames& frames,
+                                   const std::string& where) {
+  const std::vector<std::string> robots = robots_in(model);
+  const std::vector<bool> of_robots = bodies_of(model, robots);
   ExportContents contents;
   contents.meshes = static_cast<std::uint64_t>(model.ngeom);
-  contents.free_bodies = 0;
-  contents.joints = joints_of(model, data);
+  contents.free_bodies = contents.looks = 0;
+  contents.robots = robots.size();
+  contents.joints = joints_of(model, data, of_robots);
   for (int geom = 0; geom < model.ngeom; ++geom) {
-    if (model.geom_type[geom] == mjGEOM_PLANE) continue;
+    if (model.geom_type[geom] == mjGEOM_PLANE ||
+        of_robots[static_cast<std::size_t>(model.geom_bodyid[geom])])
+      continue;
     const std::string name = name_of_geom(model, geom);
     const int material = model.geom_matid[geom];
+    const std::string sku = material < 0 ? "" : mj_id2name(&model, mjOBJ_MATERIAL, material);
+    if (is_look(sku)) {
+      MARKETGEN_CHECK(check_look(contents, sku, pose_of_look(model, data, geom), where));
+      ++*contents.looks;
+      continue;
+    }
     include_geom(contents.bounds, model, data, geom);
     if (material >= 0) {
-      const std::string sku = mj_id2name(&model, mjOBJ_MATERIAL, material);
       const Pose* frame = frames.shape_from_product(sku);
       const Pose pose = pose_of_geom(data, geom) * (frame != nullptr ? *frame : Pose{});
       contents.products.push_back({name, sku, pose.position});
@@ -135,12 +203,11 @@ ExportContents contents_of(const mjModel& model, const mjData& data, const Produ
 
 Result<ExportContents> read_mjcf(const std::filesystem::path& file,
                                  const std::vector<Product>& catalog) {
-  MARKETGEN_TRY(const std::string text, read_file(file));
+  MARKETGEN_CHECK(read_file(file));  // MuJoCo's own words for one that is not there help nobody
   MARKETGEN_TRY(const ProductFrames frames, ProductFrames::of(catalog));
   route_mujoco_messages();
   char fault[1000] = "";
-  const MujocoSpec spec(mj_parseXMLString(text.c_str(), nullptr, fault, sizeof fault),
-                        mj_deleteSpec);
+  const MujocoSpec spec(mj_parseXML(file.c_str(), nullptr, fault, sizeof fault), mj_deleteSpec);
   if (spec == nullptr)
     return Error{"export.mismatch", file.string(), std::string("MuJoCo cannot read it: ") + fault};
   MujocoModel model(mj_compile(spec.get(), nullptr), mj_deleteModel);
@@ -151,7 +218,7 @@ Result<ExportContents> read_mjcf(const std::filesystem::path& file,
   }
   MARKETGEN_TRY(const MujocoData data, make_data(*model, file.string()));
   MARKETGEN_CHECK(guarded(file.string(), [&] { mj_kinematics(model.get(), data.get()); }));
-  return contents_of(*model, *data, frames);
+  return contents_of(*model, *data, frames, file.string());
 }
 
 }  // namespace marketgen

@@ -6,14 +6,14 @@
 
 namespace marketgen {
 
-Result<std::string> write_glb(const Scene& scene, const ExportOptions& options) {
+Result<ExportFiles> write_glb(const Scene& scene, const ExportOptions& options) {
   GlbDocument document(scene.layout.name);
   GlbMaterials materials(scene, document);
   MARKETGEN_CHECK(add_room(scene, document, materials));
   MARKETGEN_CHECK(add_fixtures(scene, document, materials));
   MARKETGEN_CHECK(add_products(scene, options, document, materials));
   MARKETGEN_CHECK(add_price_labels(scene, options, document, materials));
-  return document.finish();
+  return ExportFiles{document.finish(), {}};
 }
 
 }  // namespace marketgen

@@ -10,6 +10,8 @@
 #include "export/exporter.h"
 #include "export/mjcf.h"
 #include "export/mjcf_fixtures.h"
+#include "export/mjcf_looks.h"
+#include "export/mjcf_robot.h"
 #include "export/mjcf_text.h"
 #include "physics/contact_shape.h"
 #include "physics/shell_pieces.h"
@@ -18,9 +20,6 @@
 
 namespace marketgen {
 namespace {
-
-// Groups 0 to 2 are shown by MuJoCo's viewer at once; 0, 1 and 2 on its keyboard hide them.
-enum GeomGroup { group_shell, group_fixture, group_product };
 
 constexpr int lights_along = 4, lights_across = 2;  // MuJoCo's renderer takes eight
 constexpr int base_memory_mb = 64;  // measured: 20,000 still geoms, robot and contacts
@@ -32,7 +31,11 @@ class MjcfWriter {
   MjcfWriter(const Scene& scene, const ExportOptions& options)
       : scene_(scene), options_(options), free_(products_in_free_region(scene, options)) {}
 
-  Result<std::string> write() {
+  Result<ExportFiles> write() {
+    if (options_.looks) {
+      MARKETGEN_TRY(looks_, MjcfLooks::make(scene_));
+    }
+    MARKETGEN_TRY(robots_, mjcf_robots(options_.robots));
     for (const Product& product : scene_.catalog) {
       MARKETGEN_TRY(const CollisionPrimitive primitive, collision_of(product));
       shapes_.push_back(contact_shape_of(primitive));
@@ -49,11 +52,13 @@ class MjcfWriter {
     write_mjcf_fixtures(out_, scene_, options_);
     for (std::uint32_t row = 0; row < scene_.products.size(); ++row)
       write_product(row);
+    write_robots();
     out_.line(1, "</worldbody>");
     write_hooks();
     write_mjcf_belts(out_, scene_, options_);
+    write_start();
     out_.line(0, "</mujoco>");
-    return out_.take();
+    return files();
   }
 
  private:
@@ -65,7 +70,10 @@ class MjcfWriter {
   void write_header() {
     const auto free = std::ranges::count(free_, true);
     const Vec3 room = room_size();
-    out_.line(1, "<compiler angle=\"radian\"/>");
+    out_.line(
+        1,
+        "<compiler angle=\"radian\"{}/>",
+        options_.looks ? fmt::format(" assetdir=\"{}\"", escaped_markup(options_.beside)) : "");
     out_.line(1,
               "<option timestep=\"{}\" integrator=\"implicitfast\" cone=\"elliptic\" "
               "impratio=\"{}\" noslip_iterations=\"{}\"/>",
@@ -92,12 +100,19 @@ class MjcfWriter {
       MARKETGEN_TRY(const Vec3f color, linear_from_hex(product.label.primary));
       out_.line(2, "<material name=\"{}\" rgba=\"{}\"/>", product.sku, mjcf_color(color, 1));
     }
+    if (options_.looks) looks_.write_assets(out_);
+    for (const MjcfRobot& robot : robots_)
+      out_.line(2,
+                "<model name=\"{0}\" file=\"{1}/{0}.xml\"/>",
+                robot.name,
+                escaped_markup(options_.beside));
     out_.line(1, "</asset>");
     return {};
   }
 
   void write_defaults() {
     out_.line(1, "<default>");
+    out_.line(2, "<mesh inertia=\"shell\"/>");  // looks have no mass; some enclose no volume either
     out_.line(2,
               "<geom friction=\"{} {} {}\" solref=\"{} 1\"/>",
               still_friction,
@@ -112,10 +127,12 @@ class MjcfWriter {
               "<default class=\"fixture\"><geom type=\"box\" group=\"{}\"/></default>",
               static_cast<int>(group_fixture));
     out_.line(2, "<default class=\"product\">");
-    out_.line(3, "<geom group=\"{}\"/>", static_cast<int>(group_product));
+    out_.line(
+        3, "<geom group=\"{}\"/>", static_cast<int>(options_.looks ? group_solid : group_product));
     for (std::size_t sku = 0; sku < shapes_.size(); ++sku)
       write_sku_default(sku);
     out_.line(2, "</default>");
+    if (options_.looks) looks_.write_defaults(out_);
     out_.line(1, "</default>");
   }
 
@@ -172,13 +189,16 @@ class MjcfWriter {
 
   void write_room() {
     const Vec3 room = room_size();
-    out_.line(2,
-              "<geom name=\"floor\" class=\"shell\" type=\"plane\" size=\"{} {} 0.1\" pos=\"{}\" "
-              "rgba=\"{}\"/>",
-              static_cast<float>(room.x / 2),
-              static_cast<float>(room.y / 2),
-              mjcf_vector({room.x / 2, room.y / 2, 0}),
-              floor_color);
+    const std::string ground =
+        looks_.floor().empty() ? fmt::format("rgba=\"{}\"", floor_color)
+                               : fmt::format("material=\"{}\" rgba=\"1 1 1 1\"", looks_.floor());
+    out_.line(
+        2,
+        "<geom name=\"floor\" class=\"shell\" type=\"plane\" size=\"{} {} 0.1\" pos=\"{}\" {}/>",
+        static_cast<float>(room.x / 2),
+        static_cast<float>(room.y / 2),
+        mjcf_vector({room.x / 2, room.y / 2, 0}),
+        ground);
     for (const ShellPiece& piece : shell_pieces(scene_.layout.shell)) {
       const std::string look = piece.kind == ShellPieceKind::door
                                    ? fmt::format(" rgba=\"{}\"", door_color)
@@ -204,13 +224,49 @@ class MjcfWriter {
                 id,
                 sku,
                 mjcf_pose((world_from_item * shapes_[item.sku]).pose));
+      if (options_.looks)
+        out_.line(2, "<geom class=\"look/{}\"{}/>", sku, mjcf_pose(world_from_item));
       return;
     }
     out_.line(2, "<body name=\"{}\"{}>", id, mjcf_pose(world_from_item));
     out_.line(3, "<freejoint/>");
     out_.line(
         3, "<geom name=\"{}\" class=\"sku/{}\"{}/>", id, sku, mjcf_pose(shapes_[item.sku].pose));
+    if (options_.looks) out_.line(3, "<geom class=\"look/{}\"/>", sku);
     out_.line(2, "</body>");
+  }
+
+  void write_robots() {
+    for (const MjcfRobot& robot : robots_) {
+      out_.line(2, "<frame{}>", mjcf_pose(robot.world_from_base));
+      out_.line(3,
+                "<attach model=\"{}\" body=\"{}\" prefix=\"{}\"/>",
+                robot.name,
+                robot.base,
+                robot.prefix);
+      out_.line(2, "</frame>");
+    }
+  }
+
+  // Whose names are robots', for readers; and the drives' targets, without which every joint would
+  // be driven to 0.
+  void write_start() {
+    if (robots_.empty()) return;
+    std::string prefixes, targets;
+    for (const MjcfRobot& robot : robots_) {
+      prefixes += (prefixes.empty() ? "" : " ") + robot.prefix;
+      for (const double target : robot.start)
+        targets += fmt::format("{}{}", targets.empty() ? "" : " ", static_cast<float>(target));
+    }
+    out_.line(1, "<custom><text name=\"{}\" data=\"{}\"/></custom>", mjcf_robots_text, prefixes);
+    out_.line(1, "<keyframe><key name=\"start\" ctrl=\"{}\"/></keyframe>", targets);
+  }
+
+  ExportFiles files() {
+    ExportFiles files{out_.take(), looks_.files()};
+    for (const MjcfRobot& robot : robots_)
+      files.beside.insert(files.beside.end(), robot.files.begin(), robot.files.end());
+    return files;
   }
 
   // Free goods on pegs hang from the middle of their upper edge; a robot takes one by switching its
@@ -235,12 +291,14 @@ class MjcfWriter {
   std::vector<bool> free_;
   std::vector<ContactShape> shapes_;    // by SKU, in the product frame
   std::vector<GoodsContact> contacts_;  // by SKU
+  MjcfLooks looks_;                     // none without options.looks
+  std::vector<MjcfRobot> robots_;
   MjcfText out_;
 };
 
 }  // namespace
 
-Result<std::string> write_mjcf(const Scene& scene, const ExportOptions& options) {
+Result<ExportFiles> write_mjcf(const Scene& scene, const ExportOptions& options) {
   return MjcfWriter(scene, options).write();
 }
 

@@ -52,10 +52,10 @@ Stage stage_of(const FixtureKind& kind) {
   EXPECT_TRUE(scene.ok()) << to_string(scene.error());
   stage.scene = std::move(scene).value();
   if (stage.scene.joints.empty()) return stage;
-  const Result<std::string> text = write_mjcf(stage.scene, {});
+  const Result<ExportFiles> text = write_mjcf(stage.scene, {});
   EXPECT_TRUE(text.ok()) << to_string(text.error());
   char fault[500] = "";
-  mjSpec* spec = mj_parseXMLString(text->c_str(), nullptr, fault, sizeof fault);
+  mjSpec* spec = mj_parseXMLString(text->main.c_str(), nullptr, fault, sizeof fault);
   EXPECT_NE(spec, nullptr) << fault;
   stage.model.reset(mj_compile(spec, nullptr));
   EXPECT_NE(stage.model, nullptr) << mjs_getError(spec);
@@ -266,10 +266,10 @@ TEST(Articulation, StillFixturesHaveNoBodies) {
   ASSERT_TRUE(scene.ok());
   ExportOptions still;
   still.still_fixtures = true;
-  const Result<std::string> text = write_mjcf(*scene, still);
+  const Result<ExportFiles> text = write_mjcf(*scene, still);
   ASSERT_TRUE(text.ok());
-  EXPECT_EQ(text->find("<body"), std::string::npos);
-  EXPECT_EQ(text->find("<joint"), std::string::npos);
+  EXPECT_EQ(text->main.find("<body"), std::string::npos);
+  EXPECT_EQ(text->main.find("<joint"), std::string::npos);
 }
 
 TEST(Articulation, TheReaderFindsAJointThatIsNotAsItShouldBe) {

@@ -23,10 +23,10 @@ struct Loaded {
 };
 
 Loaded load(const Scene& scene, const ExportOptions& options = {}) {
-  const Result<std::string> text = write_mjcf(scene, options);
+  const Result<ExportFiles> text = write_mjcf(scene, options);
   EXPECT_TRUE(text.ok()) << (text.ok() ? "" : to_string(text.error()));
   char fault[500] = "";
-  mjSpec* spec = mj_parseXMLString(text->c_str(), nullptr, fault, sizeof fault);
+  mjSpec* spec = mj_parseXMLString(text->main.c_str(), nullptr, fault, sizeof fault);
   EXPECT_NE(spec, nullptr) << fault;
   Loaded loaded;
   loaded.model.reset(mj_compile(spec, nullptr));
@@ -141,9 +141,9 @@ TEST(Mjcf, FreeGoodsOnPegsHangFromASwitchableHook) {
 }
 
 TEST(Mjcf, ATextWithMarkupInTheStoresNameIsEscaped) {  // "Corner & Co <test>"
-  const Result<std::string> text = write_mjcf(HandMadeScene().scene, {});
+  const Result<ExportFiles> text = write_mjcf(HandMadeScene().scene, {});
   ASSERT_TRUE(text.ok());
-  EXPECT_NE(text->find("model=\"Corner &amp; Co &lt;test&gt;\""), std::string::npos);
+  EXPECT_NE(text->main.find("model=\"Corner &amp; Co &lt;test&gt;\""), std::string::npos);
 }
 
 }  // namespace

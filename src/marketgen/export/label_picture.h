@@ -1,0 +1,14 @@
+// The printed sheet of a pack, as exports have it.
+#pragma once
+#include "assets/label.h"
+#include "base/result.h"
+#include "geometry/image.h"
+
+namespace marketgen {
+
+constexpr int exported_label_px = 256;  // rows: legible from arm's length, 20-60 kB each
+
+// Kept between runs, so that every format draws it once. Errors: those of draw_label().
+Result<Image> exported_label(const Product& product);
+
+}  // namespace marketgen
