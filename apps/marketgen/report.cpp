@@ -6,7 +6,7 @@
 #include "io/json.h"
 #include "io/output.h"
 #include "say.h"
-#include "store/store.h"
+#include "store/report_page.h"
 
 namespace marketgen::app {
 namespace {
@@ -22,17 +22,20 @@ Result<void> report(const ReportFlags& flags) {
   Outputs outputs;
   MARKETGEN_CHECK(outputs.add({{"--output", flags.html}}));
   MARKETGEN_TRY(const Catalog catalog, load_rows());
-  std::vector<std::pair<Manifest, StoreReport>> reports;
+  std::vector<StorePage> pages;
   for (const std::string& folder : flags.folders) {
     MARKETGEN_TRY(const Store store, open_store(folder, catalog));
     MARKETGEN_TRY(StoreReport full, full_report(store, catalog, progress_for(flags.common)));
     if (flags.common.json) fmt::print("{}\n", write_json_line(full));
-    reports.emplace_back(store.manifest, std::move(full));
+    MARKETGEN_TRY(StorePage page, page_of(store, std::move(full), catalog));
+    pages.push_back(std::move(page));
   }
-  MARKETGEN_CHECK(outputs.put(flags.html, report_html(reports)));
+  MARKETGEN_CHECK(outputs.put(flags.html, report_html(pages)));
   MARKETGEN_CHECK(outputs.commit());
   if (flags.common.json) return {};
-  for (const auto& [manifest, full] : reports) {
+  for (const StorePage& page : pages) {
+    const Manifest& manifest = page.manifest;
+    const StoreReport& full = page.report;
     say("{:<28} {:>7} products  COL {:.2f} %  OOB {}  NAV {:.3f}  reach {:.1f} %  STB {:.1f} % of "
         "{}  wishes {:.0f} %\n",
         manifest.name,

@@ -1,7 +1,8 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
-#include "store/store.h"
+#include "net/http.h"
+#include "store/report_page.h"
 
 namespace marketgen {
 namespace {
@@ -14,27 +15,125 @@ h1{font-size:1.6rem;margin:0 0 .25rem}h2{font-size:1.15rem;margin:2rem 0 .5rem}p
 table{border-collapse:collapse;width:100%;font-variant-numeric:tabular-nums}th,td{text-align:left;padding:.3rem .6rem;border-bottom:1px solid var(--line);vertical-align:top}
 th{color:var(--soft);font-weight:600}.tiles{display:flex;flex-wrap:wrap;gap:.6rem}.tile{border:1px solid var(--line);border-radius:8px;padding:.5rem .9rem;min-width:7rem}
 .tile b{display:block;font-size:1.25rem}.tile span{color:var(--soft);font-size:.85rem}.good{color:var(--good)}.bad{color:var(--bad)}.warn{color:var(--warn)}
-section{border-top:2px solid var(--line);padding-top:1.2rem;margin-top:2rem}</style>)";
+section{border-top:2px solid var(--line);padding-top:1.2rem;margin-top:2rem}
+td.value{white-space:nowrap;font-weight:600}figure{margin:0}figcaption{color:var(--soft);font-size:.85rem;margin-top:.2rem}
+.layout img{width:100%;background:#fff;border-radius:6px}.views{display:grid;grid-template-columns:repeat(auto-fit,minmax(320px,1fr));gap:.8rem;margin-top:.8rem}
+.views img{width:100%;border-radius:6px}.plots{display:flex;flex-wrap:wrap;gap:1.2rem 2.5rem}.plots figure{flex:1 1 480px}
+svg{max-width:100%;height:auto;font:12px system-ui,sans-serif}svg text{fill:var(--ink)}.bar{fill:#2f7f79}.back{fill:var(--line)}</style>)";
+
+// One metric: what it is called, what was measured, and what that means.
+struct MetricLine {
+  std::string name, value, sentence;
+};
+
+std::string percent(double share, int decimals = 1) {
+  return fmt::format("{:.{}f} %", 100 * share, decimals);
+}
+
+std::vector<MetricLine> metric_lines(const Metrics& m) {
+  std::vector<MetricLine> lines{
+      {"wishes met",
+       percent(m.prompt, 0),
+       "Of the atomic wishes in the prompt, the share that holds in the finished store."},
+      {"density",
+       fmt::format("{:.0f} items/m²", m.DENS),
+       fmt::format("Items for each of the {:.0f} m² that shoppers use; the room has {:.0f} m².",
+                   m.selling_area_m2,
+                   m.gross_area_m2)},
+      {"fill",
+       percent(m.fill),
+       "Of the width of all shelves, the share with goods on it; the rest is gaps between blocks "
+       "and blocks that are sold out."},
+      {"facings per product",
+       fmt::format("{:.1f}", m.facings_per_sku),
+       "How many packs of one product stand side by side, on average."},
+      {"COL",
+       percent(m.COL, 2),
+       fmt::format("Of the pairs of items that nearly touch, the share that is more than 1 mm "
+                   "inside one another: {} pairs. A store that can exist has none.",
+                   m.colliding_pairs)},
+      {"OOB",
+       fmt::format("{}", m.OOB),
+       "Items that reach more than 1 mm out of their shelf or out of the room. There should be "
+       "none."},
+      {"NAV",
+       fmt::format("{:.3f}", m.NAV),
+       "Of the floor on which a round robot of 0.42 m radius can be, the share that it can reach "
+       "from one place; 1 when no corner is cut off."},
+      {"shelves in reach",
+       percent(m.reachable_shelves),
+       "Shelves before which such a robot can stand when it comes from the entrance."}};
+  if (m.STB)
+    lines.push_back({"STB",
+                     percent(*m.STB),
+                     fmt::format("Of {} products that were let go in physics around the busiest "
+                                 "aisle, the share that moved less than 5 cm in four seconds.",
+                                 m.stb_products.value_or(0))});
+  return lines;
+}
+
+std::string metric_rows(const Metrics& metrics) {
+  std::string out;
+  for (const MetricLine& line : metric_lines(metrics))
+    out += fmt::format("<tr><td>{}</td><td class=\"value\">{}</td><td>{}</td></tr>",
+                       line.name,
+                       line.value,
+                       line.sentence);
+  return out;
+}
+
+std::string figure(const PagePicture& picture) {
+  const std::string title = escaped_markup(picture.title);
+  return fmt::format(
+      "<figure><img alt=\"{0}\" src=\"data:{1};base64,{2}\"><figcaption>{0}</figcaption></figure>",
+      title,
+      picture.media_type,
+      base64_of(picture.bytes));
+}
+
+std::string pictures(const StorePage& page) {
+  if (page.pictures.empty()) return {};
+  std::string out =
+      "<h2>Pictures</h2><div class=\"layout\">" + figure(page.pictures.front()) + "</div>";
+  if (page.pictures.size() == 1)
+    return out + "<p>The store has no previews: it was made with --no-previews.</p>";
+  out += "<div class=\"views\">";
+  for (std::size_t i = 1; i < page.pictures.size(); ++i)
+    out += figure(page.pictures[i]);
+  return out + "</div>";
+}
+
+std::string plot(std::string_view title, const std::string& svg) {
+  if (svg.empty()) return {};
+  return fmt::format("<figure>{}<figcaption>{}</figcaption></figure>", svg, title);
+}
+
+std::string plots(const StorePage& page) {
+  const std::string all =
+      plot("Shelf width with goods on it, by zone.", bar_plot(page.fill)) +
+      plot("Items by category.", bar_plot(page.categories)) +
+      plot("How many products cost how much.", histogram(page.prices_eur, "shelf price, euro")) +
+      plot("How many products weigh how much.", histogram(page.masses_kg, "gross mass, kg"));
+  return all.empty() ? "" : "<h2>What is on the shelves</h2><div class=\"plots\">" + all + "</div>";
+}
 
 std::string tile(std::string_view name, std::string_view value) {
   return fmt::format("<div class=\"tile\"><b>{}</b><span>{}</span></div>", value, name);
 }
 
 std::string tiles(const Manifest& manifest, const StoreReport& report) {
-  const Metrics& m = report.metrics;
+  std::size_t hard = 0, met = 0;
+  for (const Violation& v : report.rules)
+    hard += v.severity == Severity::hard ? 1 : 0;
+  for (const RequirementResult& r : report.requirements)
+    met += r.met ? 1 : 0;
   std::string out = "<div class=\"tiles\">";
   out += tile("products", with_thousands(static_cast<std::int64_t>(manifest.counts.products)));
   out += tile("SKUs", with_thousands(static_cast<std::int64_t>(manifest.counts.skus)));
   out += tile("fixtures", with_thousands(static_cast<std::int64_t>(manifest.counts.fixtures)));
-  out += tile("items per m² sold on", fmt::format("{:.0f}", m.DENS));
-  out += tile("shelf front stocked", fmt::format("{:.0f} %", 100 * m.fill));
-  out += tile("COL", fmt::format("{:.2f} %", 100 * m.COL));
-  out += tile("OOB", fmt::format("{}", m.OOB));
-  out += tile("NAV", fmt::format("{:.3f}", m.NAV));
-  out += tile("shelves in reach of a robot", fmt::format("{:.1f} %", 100 * m.reachable_shelves));
-  if (m.STB)
-    out += tile(fmt::format("STB of {} let go", m.stb_products.value_or(0)),
-                fmt::format("{:.1f} %", 100 * *m.STB));
+  out += tile("wishes met", fmt::format("{} of {}", met, report.requirements.size()));
+  out += tile("hard rules broken", fmt::format("{}", hard));
+  out += tile("soft rules broken", fmt::format("{}", report.rules.size() - hard));
   return out + "</div>";
 }
 
@@ -80,6 +179,11 @@ std::string rule_rows(const StoreReport& report) {
   for (const std::string& change : report.repairs)
     out += fmt::format("<tr><td>repaired</td><td></td><td></td><td>{}</td></tr>",
                        escaped_markup(change));
+  for (const Unstocked& own : report.unstocked)
+    out +=
+        fmt::format("<tr><td class=\"warn\">not stocked</td><td></td><td>{}</td><td>{}</td></tr>",
+                    escaped_markup(own.sku),
+                    escaped_markup(own.why));
   return out;
 }
 
@@ -98,13 +202,21 @@ std::string table(std::string_view title,
   return fmt::format("<h2>{}</h2><table><tr>{}</tr>{}</table>", title, head, rows);
 }
 
-std::string section(const Manifest& manifest, const StoreReport& report) {
+std::string section(const StorePage& page) {
+  const Manifest& manifest = page.manifest;
+  const StoreReport& report = page.report;
   std::string out = fmt::format("<section><h1>{}</h1><p class=\"sub\">{}<br>seed {} · scene {}</p>",
                                 escaped_markup(manifest.name),
                                 escaped_markup(manifest.brief.prompt),
                                 manifest.seed,
-                                manifest.scene_hash);
+                                escaped_markup(manifest.scene_hash));
   out += tiles(manifest, report);
+  out += pictures(page);
+  out += table("Metrics",
+               "<th>metric</th><th>measured</th><th>what it says</th>",
+               metric_rows(report.metrics),
+               "");
+  out += plots(page);
   out += table("Requirements",
                "<th></th><th>asked for</th><th>measured</th>",
                requirement_rows(report),
@@ -119,15 +231,15 @@ std::string section(const Manifest& manifest, const StoreReport& report) {
 
 }  // namespace
 
-std::string report_html(const std::vector<std::pair<Manifest, StoreReport>>& stores) {
+std::string report_html(const std::vector<StorePage>& stores) {
   std::string out =
       "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
       "content=\"width=device-width\">"
       "<title>MarketGen report</title>";
   out += style;
   out += "</head><body>";
-  for (const auto& [manifest, report] : stores)
-    out += section(manifest, report);
+  for (const StorePage& page : stores)
+    out += section(page);
   return out + "</body></html>\n";
 }
 

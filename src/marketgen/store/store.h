@@ -154,7 +154,5 @@ Result<void> verify_store(const std::filesystem::path& folder, const Catalog& ca
 Result<StoreReport> full_report(const Store& store,
                                 const Catalog& catalog,
                                 Progress& progress = silent_progress());
-// One self-contained page over many stores.
-std::string report_html(const std::vector<std::pair<Manifest, StoreReport>>& stores);
 
 }  // namespace marketgen

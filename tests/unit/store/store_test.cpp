@@ -291,42 +291,6 @@ TEST_F(StoreFolder, TheSavedPlanMakesTheSameStoreAgain) {  // what repair mended
   EXPECT_TRUE(second.report.repairs.empty());
 }
 
-// ---- The HTML page. ----
-
-TEST(ReportHtml, TextOfAPersonIsNeverMarkup) {
-  const std::string evil = "<script>alert(\"x\")</script>&";
-  Manifest manifest;
-  manifest.name = manifest.brief.prompt = evil;
-  StoreReport report;
-  report.requirements.push_back({evil, {0, 1}, false, evil});
-  report.rules.push_back({evil, Severity::hard, evil, 1, 0, evil, std::nullopt});
-  report.unparsed.push_back({evil, {0, 1}});
-  report.conflicts.push_back({evil, evil, evil, evil});
-  report.repairs.push_back(evil);
-  report.timing_s.push_back({evil, 1});
-  const std::string page = report_html({{manifest, report}});
-  EXPECT_EQ(page.find("<script"), std::string::npos);
-  EXPECT_EQ(page.find("alert(\"x\")"), std::string::npos);
-  std::size_t shown = 0;
-  const std::string escaped = "&lt;script&gt;alert(&quot;x&quot;)&lt;/script&gt;&amp;";
-  for (std::size_t at = page.find(escaped); at != std::string::npos;
-       at = page.find(escaped, at + 1))
-    ++shown;
-  EXPECT_EQ(shown, 14U);  // name, prompt, 2 of the wish, 3 of the rule, the word, 4 of the
-                          // conflict, repair, stage
-}
-
-TEST(ReportHtml, OnePageHoldsEveryStoreAndLoadsNothing) {
-  Manifest first, second;
-  first.name = "North", second.name = "South";
-  const std::string page = report_html({{first, {}}, {second, {}}});
-  EXPECT_NE(page.find("<h1>North</h1>"), std::string::npos);
-  EXPECT_NE(page.find("<h1>South</h1>"), std::string::npos);
-  EXPECT_TRUE(page.starts_with("<!doctype html>"));
-  for (const char* outside : {"http:", "https:", "src=", "href=", "@import", "url("})
-    EXPECT_EQ(page.find(outside), std::string::npos) << outside;
-}
-
 // Small shops have no floor for a checkout lane: they take money over a counter.
 TEST_F(StoreFolder, TheSmallestShopsHaveAPlaceToPay) {
   constexpr std::array<std::array<int, 2>, 5> sizes_mm{
