@@ -18,7 +18,7 @@ werror=$(sed -n 's/^MARKETGEN_WERROR:BOOL=//p' "$repository/build/release/CMakeC
 "$repository/.venv/bin/python" -m venv "$scratch/venv"
 began=$SECONDS
 # The first half of `pip install .`, in an environment of its own; the second takes the wheel.
-"$scratch/venv/bin/pip" wheel --quiet --no-deps -w "$scratch" -Ccmake.define.MARKETGEN_WERROR="${werror:-OFF}" "$scratch/tree"
+"$scratch/venv/bin/pip" wheel --quiet --no-deps -w "$scratch" --config-settings=cmake.define.MARKETGEN_WERROR="${werror:-OFF}" "$scratch/tree"
 wheel=$(ls "$scratch"/*.whl)
 "$scratch/venv/bin/pip" install --quiet "$wheel[gymnasium]"
 printf 'wheel: built and installed, %d s\n' $((SECONDS - began))
