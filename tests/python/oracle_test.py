@@ -1,7 +1,5 @@
 """The oracle acts in Python's environments, in the numbers of their actions, and reaches its goals."""
 
-import json
-
 import gymnasium
 import numpy as np
 import pytest
@@ -27,6 +25,14 @@ def test_it_unloads_a_basket(checkout_file, control_mode):
     _, reward, info = play(env, policy, seen)
     assert info["success"] and info["goal_fraction"] == 1 and reward == 1, info
     assert policy.failure() == "None"
+
+
+def test_it_fetches_in_the_aisles():
+    env = gymnasium.make("MarketGen/InAisleCollection-v1", control_mode="pd_joint_pos")
+    policy = marketgen.policies.oracle(env)
+    seen, _ = env.reset(options={"episode": 1})  # the quickest of the first few of the pool
+    _, reward, info = play(env, policy, seen)
+    assert info["success"] and reward == 1, info
 
 
 def test_each_reset_is_a_new_beginning(checkout_file):
