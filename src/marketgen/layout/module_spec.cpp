@@ -91,7 +91,7 @@ void choose_levels(ModuleSpec& spec, const FixtureSpec& wish) {
   }
   if (wish.levels) spec.levels = clamped(*wish.levels, kind.level_range);
   if (spec.levels <= 1) {
-    spec.spacing_mm = std::max(0, room);
+    spec.spacing_mm = std::clamp(room, 0, max_spacing_mm);
     return;
   }
   if (wish.spacing_mm && !wish.height_mm) {

@@ -43,7 +43,7 @@ void respace(Fixture& fixture) {
   const int room = fixture.height_mm - fixture.base_mm;
   fixture.spacing_mm =
       fixture.levels <= 1
-          ? std::max(0, room)
+          ? std::clamp(room, 0, max_spacing_mm)
           : std::min(room / fixture.levels, (room - least_top_gap_mm) / (fixture.levels - 1));
 }
 

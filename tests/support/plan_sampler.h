@@ -1,0 +1,262 @@
+// Plans that take every value which market-plan/1 offers: the ends of every range, every name of
+// every enumeration, every material, fixture kind and zone type. The fields come from the field
+// lists, so that a new field, name or row is sampled as soon as it is there.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/fields.h"
+#include "base/seed.h"
+#include "plan/plan.h"
+#include "support/committed_catalog.h"
+
+namespace marketgen {
+
+// Small, so that its whole chain is quick: tills and one zone of goods, with everything in it that
+// a plan can have.
+inline Plan sampled_shop() {
+  Plan plan;
+  plan.shell.width_mm = 8000;
+  plan.shell.depth_mm = 9000;
+  plan.shell.openings = {{"in", OpeningKind::entrance, Wall::south, 0.25, 1800},
+                         {"out", OpeningKind::exit, Wall::south, 0.75, 1800},
+                         {"side", OpeningKind::window, Wall::north, 0.5, 1200}};
+  plan.shell.columns = {{7600, 8600, 300}};
+  Node root, front, back;
+  root.id = "root";
+  root.split = Axis::y;
+  root.ratio = 0.45;
+  root.gap_mm = 1200;
+  root.children = {"front", "back"};
+  front.id = "front";
+  front.zone = "tills";
+  back.id = "back";
+  back.zone = "goods";
+  plan.nodes = {root, front, back};
+  Zone tills, goods;
+  tills.id = "tills";
+  tills.type = "checkout";
+  tills.fixture.kind = "checkout_lane";
+  goods.id = "goods";
+  goods.type = "canned";
+  goods.stock.exclude = {"soup"};
+  plan.zones = {tills, goods};
+  Relation relation;
+  relation.a = "goods";
+  relation.b = "north";
+  plan.relations = {relation};
+  const std::vector<Product>& products = committed_catalog().products;
+  plan.placements = {{products.front().sku, {1, 4.6, 0}, 0},
+                     {products.back().sku, {1, 5.2, 0}, 30}};
+  return plan;
+}
+
+class PlanSampler {
+ public:
+  // A field of the sampled shop, and the values that it is given in turn.
+  struct Knob {
+    std::string path;  // JSON pointer
+    std::size_t count;
+    std::function<void(Plan&, std::size_t)> set;
+    std::vector<int> taken = {};  // how often each value was part of a valid plan
+  };
+
+  PlanSampler() {
+    collect(
+        type_of<Plan>(), {}, [](Plan& plan) { return static_cast<void*>(&plan); }, "");
+    for (Knob& knob : knobs_)
+      knob.taken.resize(knob.count);
+  }
+
+  const std::vector<Knob>& knobs() const { return knobs_; }
+
+  // Rounds after which each value has had its turn.
+  std::size_t rounds() const {
+    std::size_t most = 0;
+    for (const Knob& knob : knobs_)
+      most = std::max(most, knob.count);
+    return most;
+  }
+
+  // Every field at one of its values, each at another in the next round; a value that makes the
+  // plan invalid gives way to what was there.
+  Plan plan(std::size_t round) {
+    Plan plan = sampled_shop();
+    for (std::size_t k = 0; k < knobs_.size(); ++k)
+      turn(plan, knobs_[k], (round + 5 * k) % knobs_[k].count);
+    return plan;
+  }
+
+  // A few fields at values that chance decides.
+  Plan random_plan(Stream& draw) {
+    Plan plan = sampled_shop();
+    for (Knob& knob : knobs_) {
+      if (!draw.chance(0.15)) continue;
+      turn(plan, knob, static_cast<std::size_t>(draw.integer(0, static_cast<int>(knob.count) - 1)));
+    }
+    return plan;
+  }
+
+  // The same, valid or not.
+  Plan wild_plan(Stream& draw) const {
+    Plan plan = sampled_shop();
+    for (const Knob& knob : knobs_) {
+      if (!draw.chance(0.05)) continue;
+      knob.set(plan, static_cast<std::size_t>(draw.integer(0, static_cast<int>(knob.count) - 1)));
+    }
+    return plan;
+  }
+
+ private:
+  using At = std::function<void*(Plan&)>;
+
+  static void turn(Plan& plan, Knob& knob, std::size_t value) {
+    const Plan before = plan;
+    knob.set(plan, value);
+    if (validate_plan(plan, "sample", committed_catalog()).ok())
+      ++knob.taken[value];
+    else
+      plan = before;
+  }
+
+  void add(const std::string& path,
+           std::size_t count,
+           std::function<void(Plan&, std::size_t)> set) {
+    knobs_.push_back({path, count, std::move(set)});
+  }
+
+  void collect(const TypeInfo& type,
+               const FieldRules& rules,
+               const At& at,
+               const std::string& path) {
+    switch (type.kind) {
+      case TypeKind::object:
+        for (const FieldInfo& field : type.fields)
+          collect(
+              field.type(),
+              field.rules,
+              [at, &field](Plan& plan) { return field.in(at(plan)); },
+              path + "/" + std::string(field.name));
+        return;
+      case TypeKind::array:
+        return collect_entries(type, rules, at, path);
+      case TypeKind::optional:
+        return collect_optional(type, rules, at, path);
+      case TypeKind::boolean:
+        return collect_whole(type, {0, 1}, at, path);
+      case TypeKind::enumeration: {
+        std::vector<std::int64_t> all;
+        for (std::size_t i = 0; i < type.names.size(); ++i)
+          all.push_back(static_cast<std::int64_t>(i));
+        return collect_whole(type, all, at, path);
+      }
+      case TypeKind::integer: {
+        const auto values = ends_of(path, rules);
+        return collect_whole(type, {values.begin(), values.end()}, at, path);
+      }
+      case TypeKind::number: {
+        const std::vector<double> values = ends_of(path, rules);
+        if (!values.empty())
+          add(path, values.size(), [&type, at, values](Plan& plan, std::size_t i) {
+            type.set_number(at(plan), values[i]);
+          });
+        return;
+      }
+      case TypeKind::string: {
+        const std::vector<std::string> values = names_for(path);
+        if (!values.empty())
+          add(path, values.size(), [at, values](Plan& plan, std::size_t i) {
+            *static_cast<std::string*>(at(plan)) = values[i];
+          });
+        return;
+      }
+    }
+  }
+
+  void collect_whole(const TypeInfo& type,
+                     const std::vector<std::int64_t>& values,
+                     const At& at,
+                     const std::string& path) {
+    if (values.empty()) return;
+    add(path, values.size(), [&type, at, values](Plan& plan, std::size_t i) {
+      type.set_integer(at(plan), values[i]);
+    });
+  }
+
+  void collect_entries(const TypeInfo& type,
+                       const FieldRules& rules,
+                       const At& at,
+                       const std::string& path) {
+    Plan sample = sampled_shop();
+    const std::size_t count = type.count(at(sample));
+    for (std::size_t i = 0; i < count; ++i)
+      collect(
+          type.element(),
+          rules,
+          [at, &type, i](Plan& plan) { return type.at(at(plan), i); },
+          path + "/" + std::to_string(i));
+  }
+
+  // Absent, and then each value of what it may hold.
+  void collect_optional(const TypeInfo& type,
+                        const FieldRules& rules,
+                        const At& at,
+                        const std::string& path) {
+    const TypeInfo& element = type.element();
+    if (element.kind == TypeKind::object || element.kind == TypeKind::array) return;
+    const std::size_t before = knobs_.size();
+    const At inside = [at, &type](Plan& plan) {
+      if (type.count(at(plan)) == 0) type.resize(at(plan), 1);
+      return type.at(at(plan), 0);
+    };
+    collect(element, rules, inside, path);
+    if (knobs_.size() == before) return;
+    Knob& knob = knobs_.back();
+    knob.count += 1;
+    knob.set = [at, &type, set = std::move(knob.set)](Plan& plan, std::size_t i) {
+      if (i == 0)
+        type.resize(at(plan), 0);
+      else
+        set(plan, i - 1);
+    };
+  }
+
+  // Both ends of a range and its middle. A room stays small: large ones are another test's.
+  static std::vector<double> ends_of(const std::string& path, const FieldRules& rules) {
+    if (path == "/shell/width_mm" || path == "/shell/depth_mm") return {7000, 8000, 9000, 12000};
+    if (!std::isfinite(rules.min) || !std::isfinite(rules.max)) return {};
+    return {rules.min, std::floor((rules.min + rules.max) / 2), rules.max};
+  }
+
+  template <class Row>
+  static std::vector<std::string> all(const std::vector<Row>& rows, std::string Row::*name) {
+    std::vector<std::string> names;
+    for (const Row& row : rows)
+      names.push_back(row.*name);
+    return names;
+  }
+
+  static std::vector<std::string> names_for(const std::string& path) {
+    const Catalog& catalog = committed_catalog();
+    const std::string last = path.substr(path.rfind('/') + 1);
+    if (path.starts_with("/look/") && last != "accent")
+      return all(catalog.materials, &MaterialRow::id);
+    if (last == "material") return all(catalog.materials, &MaterialRow::id);
+    if (last == "profile") return all(catalog.profiles, &ProfileRow::id);
+    if (last == "accent" || last == "color") return {"#000000", "#ffffff", "#2e7d32"};
+    if (path == "/zones/1/type") return all(catalog.zone_types, &ZoneTypeRow::type);
+    if (path == "/zones/1/fixture/kind") return all(catalog.fixture_kinds, &FixtureKind::kind);
+    if (last == "anchor") return {"any", "north", "south", "east", "west", "center", "entrance"};
+    if (last == "label") return {"", "Goods & more", "Früchte"};
+    if (last == "name") return {"Market", "A", "Früchte & Gemüse <1>"};
+    if (path == "/relations/0/b") return {"north", "tills", "in", "entrance", "checkout", "center"};
+    return {};
+  }
+
+  std::vector<Knob> knobs_;
+};
+
+}  // namespace marketgen
