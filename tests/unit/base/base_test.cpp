@@ -90,11 +90,17 @@ TEST(Parallel, EverySlotIsWrittenOnceForAnyThreadCount) {
 
 TEST(CallInterrupt, StopsOneCallAndTheLoopsInIt) {
   std::atomic<bool> stop = true;
+  // How many rounds of a loop were not done.
   const auto stopped = [] {
-    const auto in_loop = parallel_map(64, [](std::size_t) { return !check_interrupt().ok(); });
-    return std::ranges::count(in_loop, true);
+    std::atomic<int> done = 0;
+    const Result<void> all = until_interrupted([&]() -> Result<void> {
+      parallel_for(64, [&](std::size_t) { ++done; });
+      return {};
+    });
+    EXPECT_EQ(all.ok(), done == 64);
+    return 64 - done;
   };
-  std::ptrdiff_t elsewhere = -1;
+  int elsewhere = -1;
   {
     const CallInterrupt call(&stop);
     EXPECT_EQ(stopped(), 64);
