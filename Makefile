@@ -1,5 +1,5 @@
 # The commands a contributor needs; `make help` lists them. What they run is in tools/ and CMakePresets.json.
-.PHONY: help setup build demo gallery test bench format lint clean
+.PHONY: help setup build demo gallery test sanitize bench format lint clean
 .DEFAULT_GOAL := help
 
 # WERROR=ON: warnings stop the release build, as in CI. TIDY=ON: `make test` runs clang-tidy too (about 4 s a file).
@@ -40,6 +40,13 @@ gallery: build ## the stores and stills of docs/gallery.md; about 20 minutes
 
 test: ## everything CI checks; ends with the release tests' summary
 	tools/test --werror=$(WERROR) --lint=$(TIDY)
+
+sanitize: ## the whole chain over every value of a plan, under address and undefined-behaviour sanitizers
+	cmake --preset asan && cmake --build --preset asan --target test_export
+	MARKETGEN_CHAINS=all ASAN_OPTIONS=detect_stack_use_after_return=1:strict_string_checks=1 \
+	  ASAN_SYMBOLIZER_PATH=/usr/lib/llvm-16/bin/llvm-symbolizer UBSAN_OPTIONS=print_stacktrace=1 \
+	  LSAN_OPTIONS=suppressions=cmake/lsan.supp \
+	  build/asan/tests/test_export --gtest_filter='*Chain*:PlanSampler*'
 
 bench: build ## the committed benchmarks, one JSON line a figure
 	$(MARKETGEN) bench

@@ -107,7 +107,10 @@ std::array<Float8, 3> from_blocks(const LevelLanes& level, const TexelLanes& t) 
     std::array<std::uint32_t, lane_count> colors, picks;
     select(level.blocks, (t.y[i] >> 2) * stride + (t.x[i] >> 2), Int8(0)).store(at.data());
     for (std::size_t k = 0; k < lane_count; ++k) {
-      const std::uint64_t block = reinterpret_cast<const std::uint64_t*>(level.texels[k])[at[k]];
+      // A plain lane's last level is one texel of four bytes: no block is read there.
+      const bool in_blocks = ((level.blocks.bits() >> k) & 1U) != 0;
+      const std::uint64_t block =
+          in_blocks ? reinterpret_cast<const std::uint64_t*>(level.texels[k])[at[k]] : 0;
       colors[k] = static_cast<std::uint32_t>(block);
       picks[k] = static_cast<std::uint32_t>(block >> 32);
     }

@@ -1,0 +1,161 @@
+// The whole chain over every value of market-plan/1: plan, layout, scene, its file, both exports, a
+// picture and a world of physics. Made for the sanitizers: what is checked here is that each stage
+// takes what the one before it may give.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+#include "export/export.h"
+#include "io/json.h"
+#include "layout/layout.h"
+#include "physics/world.h"
+#include "render/render.h"
+#include "scene/scene_file.h"
+#include "support/plan_sampler.h"
+
+namespace marketgen {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Chains that one test runs; with MARKETGEN_CHAINS=all every round of the sampler.
+constexpr std::size_t parts = 4, usual_rounds = 6;
+
+std::size_t rounds_of_a_part(const PlanSampler& sampler) {
+  const char* wanted = std::getenv("MARKETGEN_CHAINS");
+  const bool all = wanted != nullptr && std::string_view(wanted) == "all";
+  return all ? (sampler.rounds() + parts - 1) / parts : usual_rounds;
+}
+
+class Chain : public testing::TestWithParam<std::size_t> {
+ protected:
+  Chain() {
+    folder_ = fs::temp_directory_path() /
+              ("marketgen-chain-" + std::to_string(getpid()) + "-" + std::to_string(GetParam()));
+    fs::create_directories(folder_);
+  }
+  ~Chain() override { fs::remove_all(folder_); }
+
+  void expect_file(const Scene& scene) const {
+    const std::string bytes = encode_scene(scene);
+    const auto read = decode_scene(std::as_bytes(std::span(bytes)), "scene.bin");
+    ASSERT_TRUE(read.ok()) << to_string(read.error());
+    EXPECT_EQ(scene_hash(*read), scene_hash(scene));
+    EXPECT_EQ(look_hash(*read), look_hash(scene));
+  }
+
+  void expect_exports(const Scene& scene) const {
+    for (const ExportFormat& format : export_formats()) {
+      const fs::path file = folder_ / ("shop" + std::string(format.extension));
+      const auto written = export_scene(scene, format.name, file);
+      ASSERT_TRUE(written.ok()) << format.name << ": " << to_string(written.error());
+      const auto read = check_export(scene, format.name, file);
+      EXPECT_TRUE(read.ok()) << format.name << ": " << to_string(read.error());
+    }
+  }
+
+  void expect_picture(const Scene& scene) const {
+    const auto renderer =
+        Renderer::create(scene, silent_progress(), {.print = PrintDetail::distant});
+    ASSERT_TRUE(renderer.ok()) << to_string(renderer.error());
+    const auto camera = camera_named(scene, "top", 48, 32);
+    ASSERT_TRUE(camera.ok()) << to_string(camera.error());
+    RenderOptions options;
+    options.quality = Quality::fast;
+    options.hide_ceiling = true;
+    const auto frame = (*renderer)->render(*camera, options, silent_progress());
+    EXPECT_TRUE(frame.ok()) << to_string(frame.error());
+  }
+
+  void expect_world(const Scene& scene) const {
+    auto world = World::create(scene, {});
+    ASSERT_TRUE(world.ok()) << to_string(world.error());
+    const auto first = static_cast<std::uint32_t>(scene.products.size() / 2);
+    EXPECT_EQ(world->wake(first).ok(), !scene.products.empty());
+    EXPECT_TRUE(world->step(20).ok());
+  }
+
+  // Whether the plan has a layout; all that follows from one must hold.
+  bool run(const Plan& plan, std::uint64_t seed) const {
+    const auto layout = make_layout(plan, committed_catalog(), Seed(seed));
+    if (!layout.ok()) {
+      EXPECT_EQ(layout.error().code, "layout.impossible") << to_string(layout.error());
+      return false;
+    }
+    const auto scene = build_scene(*layout, plan, committed_catalog(), Seed(seed));
+    if (!scene.ok()) {  // a module may be narrower than its kind can be built
+      EXPECT_EQ(scene.error().code, "assets.bad_row") << to_string(scene.error());
+      return false;
+    }
+    expect_file(*scene);
+    expect_exports(*scene);
+    expect_picture(*scene);
+    expect_world(*scene);
+    return true;
+  }
+
+  fs::path folder_;
+};
+
+TEST_P(Chain, TakesEveryValueOfAPlan) {
+  PlanSampler sampler;
+  const std::size_t rounds = rounds_of_a_part(sampler);
+  // Rounds far apart: each takes other values.
+  const std::size_t apart = std::max<std::size_t>(1, sampler.rounds() / (parts * rounds));
+  std::size_t made = 0;
+  for (std::size_t i = 0; i < rounds; ++i) {
+    const std::size_t round = (GetParam() * rounds + i) * apart;
+    const Plan plan = sampler.plan(round);
+    SCOPED_TRACE("round " + std::to_string(round) + ": " + write_json_line(plan));
+    made += run(plan, round) ? 1 : 0;
+    if (HasFailure()) break;
+  }
+  EXPECT_GE(3 * made, rounds);
+}
+
+INSTANTIATE_TEST_SUITE_P(, Chain, testing::Range<std::size_t>(0, parts), [](const auto& part) {
+  return "Part" + std::to_string(part.param);
+});
+
+// Glass all around: materials that are rare enough for samples to miss them.
+TEST_P(Chain, RoomsOfGlass) {
+  const std::vector<MaterialRow>& rows = committed_catalog().materials;
+  std::vector<std::string> clear;
+  for (const MaterialRow& row : rows) {
+    if (row.transmission > 0) clear.push_back(row.id);
+  }
+  ASSERT_GE(clear.size(), 3U);
+  for (std::size_t i = GetParam(); i < clear.size(); i += parts) {
+    SCOPED_TRACE(clear[i]);
+    Plan plan = sampled_shop();
+    plan.look.floor = plan.look.wall = plan.look.ceiling = plan.look.fixture = clear[i];
+    EXPECT_TRUE(run(plan, i));
+  }
+}
+
+// What the sampler promises: a value that no plan ever takes would be tested by nobody.
+TEST(PlanSampler, EveryValueIsPartOfSomePlan) {
+  PlanSampler sampler;
+  for (std::size_t round = 0; round < sampler.rounds(); ++round)
+    sampler.plan(round);
+  std::size_t values = 0;
+  std::vector<std::string> never;
+  for (const PlanSampler::Knob& knob : sampler.knobs()) {
+    for (std::size_t i = 0; i < knob.count; ++i) {
+      ++values;
+      if (knob.taken[i] == 0) never.push_back(knob.path + " #" + std::to_string(i));
+    }
+  }
+  EXPECT_GT(values, 700U);
+  std::string list;
+  for (const std::string& value : never)
+    list += value + "\n";
+  EXPECT_LT(10 * never.size(), values) << list;
+}
+
+}  // namespace
+}  // namespace marketgen
