@@ -180,7 +180,7 @@ def test_progress_that_cannot_be_called_is_said(store, tmp_path, value):
 
 
 LONG = {
-    "generate": "marketgen.generate('a supermarket of 2500 m2', out, size='60x42m')",
+    "generate": "[marketgen.generate('a supermarket of 2500 m2', f'{out}/{i}', size='60x42m') for i in range(1000)]",
     "evaluate": "marketgen.evaluate(tasks, lambda seen: numpy.zeros(9, numpy.float32), out, act_limit_s=0)",
     "oracle": "marketgen.evaluate(tasks, 'oracle', out)",
     "with progress": "marketgen.evaluate(tasks, 'oracle', out, progress=lambda done, total, text: None)",
