@@ -8,7 +8,6 @@
 #include <system_error>
 
 #include "base/progress.h"
-#include "io/file.h"
 #include "io/installation.h"
 
 namespace marketgen {
@@ -38,28 +37,23 @@ fs::path folder_of(const Family& family) {
   return found == places.end() ? fs::path() : *found;
 }
 
-std::string escaped(const std::string& text) {
-  std::string xml;
-  for (const char c : text) {
-    if (c == '&')
-      xml += "&amp;";
-    else if (c == '<')
-      xml += "&lt;";
-    else
-      xml += c;
-  }
-  return xml;
-}
-
 // DejaVu Sans has the letters that the others lack.
-std::string configuration() {
-  std::string xml = "<?xml version=\"1.0\"?><fontconfig>";
-  for (const Family& family : families)
-    xml += "<dir>" + escaped(folder_of(family).string()) + "</dir>";
-  xml += "<cachedir>" + escaped((cache_folder() / "fonts").string()) + "</cachedir>";
-  return xml +
-         "<match target=\"pattern\"><edit name=\"family\" mode=\"append_last\">"
-         "<string>DejaVu Sans</string></edit></match></fontconfig>";
+constexpr char configuration[] =
+    "<?xml version=\"1.0\"?><fontconfig>"
+    "<match target=\"pattern\"><edit name=\"family\" mode=\"append_last\">"
+    "<string>DejaVu Sans</string></edit></match></fontconfig>";
+
+// File by file: of folders fontconfig would keep what it has read, in a cache that nobody checks.
+void add_fonts(FcConfig* config) {
+  for (const Family& family : families) {
+    std::vector<fs::path> files;
+    std::error_code failed;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_of(family), failed))
+      files.push_back(entry.path());
+    std::ranges::sort(files);
+    for (const fs::path& file : files)
+      FcConfigAppFontAddFile(config, reinterpret_cast<const FcChar8*>(file.c_str()));
+  }
 }
 
 FcConfig* make_font_config() {
@@ -70,9 +64,9 @@ FcConfig* make_font_config() {
     return FcInitLoadConfigAndFonts();
   }
   FcConfig* config = FcConfigCreate();
-  const std::string xml = configuration();
-  FcConfigParseAndLoadFromMemory(config, reinterpret_cast<const FcChar8*>(xml.c_str()), FcTrue);
+  FcConfigParseAndLoadFromMemory(config, reinterpret_cast<const FcChar8*>(configuration), FcTrue);
   FcConfigBuildFonts(config);
+  add_fonts(config);
   // A machine without fontconfig has no configuration of its own; Pango would complain of that.
   FcChar8* const own = FcConfigGetFilename(config, nullptr);
   if (own == nullptr) FcConfigSetCurrent(config);
