@@ -9,6 +9,7 @@
 #include "base/hash.h"
 #include "base/interrupt.h"
 #include "base/parallel.h"
+#include "catalog/user_products.h"
 #include "command.h"
 #include "episodes/episode_journal.h"
 #include "episodes/sample_aisle.h"
@@ -42,10 +43,15 @@ Result<StockedStore> stocked(Store store,
                              const std::string& tools,
                              const std::shared_ptr<GraspBook>& book) {
   const Manifest& manifest = store.manifest;
-  StockedStore made{
-      {manifest.name, manifest.scene_hash, plan_hash(store.plan), manifest.seed, store.plan, {}},
-      {},
-      {}};
+  StockedStore made{{manifest.name,
+                     manifest.scene_hash,
+                     plan_hash(store.plan),
+                     manifest.seed,
+                     store.plan,
+                     {},
+                     manifest.own},
+                    {},
+                    {}};
   if (!book) {
     made.store.exclusions = checkout_exclusions(store.scene);
     made.stock = checkout_stock(store.scene);
@@ -57,19 +63,28 @@ Result<StockedStore> stocked(Store store,
   return made;
 }
 
-// `book`: of episodes in aisles only.
-Result<std::vector<StockedStore>> open_stores(const EpisodesFlags& flags,
-                                              const std::filesystem::path& data,
-                                              const Catalog& catalog,
-                                              const std::shared_ptr<GraspBook>& book) {
-  std::vector<StockedStore> stores;
-  for (const std::string& folder : flags.folders) {
+Result<std::vector<Store>> open_all(const std::vector<std::string>& folders,
+                                    const Catalog& catalog) {
+  std::vector<Store> stores;
+  for (const std::string& folder : folders) {
     MARKETGEN_TRY(Store store, open_store(folder, catalog));
-    const auto same = [&](const StockedStore& other) {
-      return other.store.scene_hash == store.manifest.scene_hash;
+    const auto same = [&](const Store& other) {
+      return other.manifest.scene_hash == store.manifest.scene_hash;
     };
     if (std::ranges::any_of(stores, same))
       return Error{"usage.bad_flag", folder, "is the same store as another one: name each once"};
+    stores.push_back(std::move(store));
+  }
+  return stores;
+}
+
+// `book`: of episodes in aisles only.
+Result<std::vector<StockedStore>> stocked_stores(const EpisodesFlags& flags,
+                                                 const std::filesystem::path& data,
+                                                 std::vector<Store> opened,
+                                                 const std::shared_ptr<GraspBook>& book) {
+  std::vector<StockedStore> stores;
+  for (Store& store : opened) {
     MARKETGEN_TRY(StockedStore made, stocked(std::move(store), data, flags.tools, book));
     stores.push_back(std::move(made));
   }
@@ -231,7 +246,11 @@ Result<void> write(const EpisodesFlags& flags) {
   Outputs outputs;
   MARKETGEN_CHECK(outputs.add({{"--output", flags.output}}));
   MARKETGEN_TRY(const std::filesystem::path data, data_folder());
-  MARKETGEN_TRY(const Catalog catalog, load_rows());
+  MARKETGEN_TRY(Catalog catalog, load_rows());
+  MARKETGEN_TRY(std::vector<Store> opened, open_all(flags.folders, catalog));
+  for (const Store& store : opened) {
+    if (store.manifest.own) catalog = with_own_products(std::move(catalog), *store.manifest.own);
+  }
   MARKETGEN_TRY(const Track track, track_named(flags.track));
   std::shared_ptr<GraspBook> book;
   if (track == Track::aisle) {
@@ -239,7 +258,8 @@ Result<void> write(const EpisodesFlags& flags) {
   } else if (!flags.tools.empty()) {
     return Error{"usage.bad_flag", "--tools", "only robots in aisles have a choice; drop the flag"};
   }
-  MARKETGEN_TRY(std::vector<StockedStore> stores, open_stores(flags, data, catalog, book));
+  MARKETGEN_TRY(std::vector<StockedStore> stores,
+                stocked_stores(flags, data, std::move(opened), book));
   EpisodeFile file;
   MARKETGEN_TRY(const std::unique_ptr<EpisodeJournal> journal,
                 begin_journal(flags, draw_hash(flags, stores, catalog)));

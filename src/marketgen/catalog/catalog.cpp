@@ -56,7 +56,6 @@ Result<void> add_own_products(const std::vector<fs::path>& files, Catalog& catal
       all.push_back(std::move(product));
     }
   }
-  std::ranges::sort(catalog.own);
   std::ranges::move(all, std::back_inserter(catalog.products));
   return {};
 }
@@ -80,6 +79,11 @@ std::string hash_of(const Catalog& c) {
   add_rows(hash, c.frictions);
   add_rows(hash, c.heaps);
   return hash.hex();
+}
+
+void sort_products(Catalog& catalog) {
+  std::ranges::stable_sort(catalog.products, {}, &Product::sku);
+  std::ranges::sort(catalog.own);
 }
 
 template <class Row>
@@ -137,10 +141,22 @@ Result<Catalog> load_catalog(const fs::path& data, const std::vector<fs::path>& 
   MARKETGEN_CHECK(read_rows(data / "heaps.json", catalog.heaps));
   MARKETGEN_CHECK(add_own_products(extra, catalog));
   MARKETGEN_CHECK(read_lexicon(data / "asset_intents.json", catalog.search_lexicon));
-  std::stable_sort(catalog.products.begin(),
-                   catalog.products.end(),
-                   [](const Product& a, const Product& b) { return a.sku < b.sku; });
+  sort_products(catalog);
   MARKETGEN_CHECK(check_catalog(catalog));
+  catalog.content_hash = hash_of(catalog);
+  return catalog;
+}
+
+Catalog with_own_products(Catalog catalog, const std::vector<Product>& own) {
+  std::vector<Product> added;
+  for (const Product& product : own) {
+    if (catalog.product(product.sku) == nullptr) added.push_back(product);
+  }
+  for (Product& product : added) {
+    catalog.own.push_back(product.sku);
+    catalog.products.push_back(std::move(product));
+  }
+  sort_products(catalog);
   catalog.content_hash = hash_of(catalog);
   return catalog;
 }

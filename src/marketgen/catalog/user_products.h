@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "catalog/catalog.h"
 #include "catalog/product.h"
 #include "catalog/rows.h"
 
@@ -23,5 +24,9 @@ Result<std::vector<Product>> read_user_products(const std::filesystem::path& fil
 void fill_in(Product& own,
              const std::vector<Product>& rows,
              const std::vector<FrictionRow>& frictions);
+
+// The catalogue with rows of a user's beside its own, as load_catalog() has them, by another hash.
+// They were checked when they were read; a SKU that the catalogue has is passed over.
+Catalog with_own_products(Catalog catalog, const std::vector<Product>& own);
 
 }  // namespace marketgen

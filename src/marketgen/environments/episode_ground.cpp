@@ -18,7 +18,7 @@ constexpr std::size_t most_kept_episodes = 1000;
 
 EpisodeStore row_of(const Store& store) {
   const Manifest& m = store.manifest;
-  return {m.name, m.scene_hash, plan_hash(store.plan), m.seed, store.plan, {}};
+  return {m.name, m.scene_hash, plan_hash(store.plan), m.seed, store.plan, {}, m.own};
 }
 
 }  // namespace

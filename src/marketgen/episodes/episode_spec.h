@@ -168,13 +168,15 @@ struct EpisodeStore {
   std::uint64_t seed = 0;
   Plan plan;
   EpisodeExclusions exclusions = {};
+  std::optional<std::vector<Product>> own = {};  // rows of the user's own that it was made with
   static constexpr auto fields =
       field_list(field("name", &EpisodeStore::name, "the store's name", required()),
                  field("scene_hash", &EpisodeStore::scene_hash, "of its scene", required()),
                  field("plan_hash", &EpisodeStore::plan_hash, "SHA-256 of the plan", required()),
                  field("seed", &EpisodeStore::seed, "with which it was made"),
                  field("plan", &EpisodeStore::plan, "what the store is", required()),
-                 field("exclusions", &EpisodeStore::exclusions, "what no task asks for"));
+                 field("exclusions", &EpisodeStore::exclusions, "what no task asks for"),
+                 field("own", &EpisodeStore::own, "rows of the user's own that it was made with"));
 };
 
 struct EpisodeHeader {

@@ -164,7 +164,6 @@ CheckoutRefusal checkout_refusal(const Product& product) {
   std::ranges::sort(size);
   const bool round = product.orientation == Orientation::any;
   if (product.rigidity == Rigidity::soft) return CheckoutRefusal::soft;
-  if (product.archetype == "mesh") return CheckoutRefusal::imported;
   if (product.mass_kg > heaviest_kg) return CheckoutRefusal::too_heavy;
   if (size[1] > widest_mm) return CheckoutRefusal::too_wide;
   if (round && size[0] < least_round_mm) return CheckoutRefusal::small_round;

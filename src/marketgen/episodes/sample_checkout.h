@@ -25,7 +25,6 @@ constexpr std::size_t least_stock = 2;
 enum class CheckoutRefusal {
   none,
   soft,         // packs that give way
-  imported,     // a mesh of one's own: its contact shape is unknown to the study
   too_heavy,    // for the arm, held off its middle
   too_wide,     // for the gripper
   too_flat,     // beside the ledge there is no room for a finger
@@ -33,16 +32,9 @@ enum class CheckoutRefusal {
   small_round,  // rolls away between the fingers
   too_large     // for the basket
 };
-constexpr std::array<std::string_view, 9> names_of(CheckoutRefusal) {
-  return {"none",
-          "soft",
-          "imported",
-          "too_heavy",
-          "too_wide",
-          "too_flat",
-          "too_long",
-          "small_round",
-          "too_large"};
+constexpr std::array<std::string_view, 8> names_of(CheckoutRefusal) {
+  return {
+      "none", "soft", "too_heavy", "too_wide", "too_flat", "too_long", "small_round", "too_large"};
 }
 CheckoutRefusal checkout_refusal(const Product& product);
 inline bool is_checkout_item(const Product& product) {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "catalog/user_products.h"
 #include "collect/collect_plan.h"
 #include "episodes/aisle_world.h"
 #include "episodes/checkout_world.h"
@@ -128,7 +129,10 @@ Result<Scene> Arena::scene_of(const std::string& scene_hash) const {
   const auto row = std::ranges::find(header_.stores, scene_hash, &EpisodeStore::scene_hash);
   if (row == header_.stores.end())
     return Error{"episode.other_store", scene_hash, "the header has no store of this scene"};
-  MARKETGEN_TRY(Scene scene, scene_of_plan(row->plan, catalog_, row->seed));
+  MARKETGEN_TRY(Scene scene,
+                row->own
+                    ? scene_of_plan(row->plan, with_own_products(catalog_, *row->own), row->seed)
+                    : scene_of_plan(row->plan, catalog_, row->seed));
   if (const std::string made = marketgen::scene_hash(scene); made != scene_hash)
     return Error{
         "episode.other_store",

@@ -269,6 +269,9 @@ Manifest manifest_of(const Built& built, const CreateOptions& options, const Cat
   manifest.versions = {program_version, catalog.content_hash};
   manifest.brief = options.brief;
   manifest.requirements = built.planned.requirements;
+  if (!catalog.own.empty()) manifest.own.emplace();
+  for (const std::string& sku : catalog.own)
+    manifest.own->push_back(*catalog.product(sku));
   manifest.counts = count(built.scene);
   manifest.bounds = bounds_of(built.scene);
   manifest.scene_hash = scene_hash(built.scene);

@@ -50,6 +50,7 @@ struct Manifest {
   StoreVersions versions;
   Brief brief;
   std::vector<Requirement> requirements;
+  std::optional<std::vector<Product>> own;  // rows of the user's own that it was made with
   SceneCounts counts;
   StoreBounds bounds;
   std::string scene_hash, look_hash;
@@ -62,6 +63,7 @@ struct Manifest {
                  field("versions", &Manifest::versions, "what made it"),
                  field("brief", &Manifest::brief, "what was asked"),
                  field("requirements", &Manifest::requirements, "atomic wishes, as understood"),
+                 field("own", &Manifest::own, "rows of the user's own that it was made with"),
                  field("counts", &Manifest::counts, "how much there is"),
                  field("bounds", &Manifest::bounds, "of everything"),
                  field("scene_hash", &Manifest::scene_hash, "over SKU, geometry and pose"),

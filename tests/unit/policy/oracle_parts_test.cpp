@@ -186,6 +186,8 @@ TEST(CheckoutRefusal, NamesWhatIsInTheWay) {
   pack.size_mm = {60, 50, 120};
   pack.mass_kg = 0.3;
   EXPECT_EQ(checkout_refusal(pack), CheckoutRefusal::none);
+  pack.archetype = "mesh";  // a model of one's own
+  EXPECT_EQ(checkout_refusal(pack), CheckoutRefusal::none);
   pack.mass_kg = 1.5;
   EXPECT_EQ(checkout_refusal(pack), CheckoutRefusal::too_heavy);
   pack.mass_kg = 0.3;

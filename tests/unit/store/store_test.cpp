@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <map>
 #include <set>
 
+#include "catalog/user_products.h"
 #include "io/file.h"
 #include "io/json.h"
 #include "support/hand_laid_shop.h"
@@ -289,6 +291,38 @@ TEST_F(StoreFolder, TheSavedPlanMakesTheSameStoreAgain) {  // what repair mended
   EXPECT_EQ(second.manifest.scene_hash, first.manifest.scene_hash);
   EXPECT_EQ(text_of(parent_ / "again/plan.json"), text_of(parent_ / "shop/plan.json"));
   EXPECT_TRUE(second.report.repairs.empty());
+}
+
+// A store keeps the rows of the user's own that it was made with, so that it can be made again from
+// its plan: by a file of episodes, on a machine that has the committed rows only.
+TEST_F(StoreFolder, IsMadeAgainWithTheRowsOfOnesOwnThatItKeeps) {
+  Product own;
+  own.sku = "own-lemonade";
+  own.ean = "2999999999991";
+  own.name = "Lemonade";
+  own.category = "beverages";
+  own.subcategory = "soft drinks";
+  own.archetype = "can";
+  own.size_mm = {66, 66, 115};
+  own.mass_kg = 0.35;
+  const Catalog catalog = with_own_products(committed_catalog(), {own});
+  EXPECT_NE(catalog.content_hash, committed_catalog().content_hash);
+  const auto created = create_store(tiny(), catalog);
+  ASSERT_TRUE(created.ok()) << to_string(created.error());
+  const auto store = open_store(parent_ / "shop", committed_catalog());
+  ASSERT_TRUE(store.ok()) << to_string(store.error());
+  ASSERT_TRUE(store->manifest.own.has_value());
+  ASSERT_EQ(store->manifest.own->size(), 1U);
+  EXPECT_NE(std::ranges::find(store->scene.catalog, own.sku, &Product::sku),
+            store->scene.catalog.end());
+  const auto again = scene_of_plan(
+      store->plan, with_own_products(committed_catalog(), *store->manifest.own), 3);
+  ASSERT_TRUE(again.ok()) << to_string(again.error());
+  EXPECT_EQ(scene_hash(*again), store->manifest.scene_hash);
+  const auto without = scene_of_plan(store->plan, committed_catalog(), 3);
+  ASSERT_TRUE(without.ok());
+  EXPECT_NE(scene_hash(*without), store->manifest.scene_hash);
+  EXPECT_FALSE(create(tiny("plain")).manifest.own.has_value());
 }
 
 // Small shops have no floor for a checkout lane: they take money over a counter.
