@@ -315,8 +315,8 @@ TEST_F(StoreFolder, IsMadeAgainWithTheRowsOfOnesOwnThatItKeeps) {
   ASSERT_EQ(store->manifest.own->size(), 1U);
   EXPECT_NE(std::ranges::find(store->scene.catalog, own.sku, &Product::sku),
             store->scene.catalog.end());
-  const auto again = scene_of_plan(
-      store->plan, with_own_products(committed_catalog(), *store->manifest.own), 3);
+  const auto again =
+      scene_of_plan(store->plan, with_own_products(committed_catalog(), *store->manifest.own), 3);
   ASSERT_TRUE(again.ok()) << to_string(again.error());
   EXPECT_EQ(scene_hash(*again), store->manifest.scene_hash);
   const auto without = scene_of_plan(store->plan, committed_catalog(), 3);
