@@ -12,7 +12,9 @@ namespace {
 
 TEST(Fonts, OurFamiliesAndNoOthers) {
   EXPECT_TRUE(missing_fonts().empty());
-  const FcFontSet* fonts = FcConfigGetFonts(font_config(), FcSetSystem);
+  const FcFontSet* machine = FcConfigGetFonts(font_config(), FcSetSystem);
+  EXPECT_TRUE(machine == nullptr || machine->nfont == 0);
+  const FcFontSet* fonts = FcConfigGetFonts(font_config(), FcSetApplication);
   ASSERT_NE(fonts, nullptr);
   std::set<std::string> families;
   for (int i = 0; i < fonts->nfont; ++i) {
