@@ -1,5 +1,5 @@
 # The commands a contributor needs; `make help` lists them. What they run is in tools/ and CMakePresets.json.
-.PHONY: help setup build demo gallery test sanitize bench format lint clean
+.PHONY: help setup build demo gallery test sanitize fuzz bench format lint clean
 .DEFAULT_GOAL := help
 
 # WERROR=ON: warnings stop the release build, as in CI. TIDY=ON: `make test` runs clang-tidy too (about 4 s a file).
@@ -7,6 +7,7 @@ WERROR ?= OFF
 TIDY ?= OFF
 MARKETGEN := build/release/marketgen
 DEMO := out/demo
+FUZZ_SECONDS ?= 120
 DEMO_PROMPT := A bright neighbourhood supermarket with a fresh produce market by the entrance, a bakery, \
 dairy along the back wall, two rows of frozen food, seven aisles of groceries and snacks, and three checkouts
 
@@ -47,6 +48,10 @@ sanitize: ## the whole chain over every value of a plan, under address and undef
 	  ASAN_SYMBOLIZER_PATH=/usr/lib/llvm-16/bin/llvm-symbolizer UBSAN_OPTIONS=print_stacktrace=1 \
 	  LSAN_OPTIONS=suppressions=cmake/lsan.supp \
 	  build/asan/tests/test_export --gtest_filter='*Chain*:PlanSampler*'
+
+fuzz: ## every fuzz target for two minutes from a new seed (FUZZ_SECONDS=120)
+	cmake --preset asan && cmake --build --preset asan
+	tools/fuzz $(FUZZ_SECONDS)
 
 bench: build ## the committed benchmarks, one JSON line a figure
 	$(MARKETGEN) bench

@@ -52,11 +52,15 @@ void append_integer(std::string& out, const TypeInfo& type, const void* value) {
 }
 
 // Shortest text that reads back as the same float or double; always with a point or exponent left
-// out for whole numbers.
+// out for whole numbers, but for the zero below 0: readers take "-0" for the whole number 0.
 void append_number(std::string& out, const TypeInfo& type, const void* value) {
   const double number = type.get_number(value);
   if (!std::isfinite(number)) {  // JSON has no such number; readers see a missing one
     out += "null";
+    return;
+  }
+  if (number == 0 && std::signbit(number)) {
+    out += "-0.0";
     return;
   }
   char text[40];

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-
+#include <cmath>
 #include <cstring>
 
 #include "io/flatbuffer.h"
@@ -113,6 +113,18 @@ struct Fault {
   const char* where;
   const char* says;
 };
+
+TEST(Json, ZeroBelowZeroReadsBackAsItWas) {
+  Sample s;
+  s.fill = -0.0;
+  s.points = {{.x = -0.0F, .y = 1}};
+  const std::string text = write_json(s);
+  const auto again = read_json<Sample>(text, "test");
+  ASSERT_TRUE(again.ok()) << again.error().message;
+  EXPECT_TRUE(std::signbit(again->fill)) << text;
+  EXPECT_TRUE(std::signbit(again->points[0].x)) << text;
+  EXPECT_EQ(write_json(*again), text);
+}
 
 TEST(Json, RefusesEveryFaultWithItsPlace) {
   const Fault faults[] = {
