@@ -92,15 +92,21 @@ def evaluate(
     """
     path = os.path.abspath(arguments.a_path("episodes", episodes))
     into = os.path.abspath(arguments.a_path("folder", folder))
-    jobs = arguments.a_whole("jobs", jobs, 0, MAX_JOBS)
-    resume = arguments.a_truth("resume", resume)
-    limits_s = (
-        arguments.a_number("act_limit_s", act_limit_s, 0, MAX_LIMIT_S),
-        arguments.a_number("start_limit_s", start_limit_s, 0, MAX_LIMIT_S),
+    run = _Run(
+        into=into,
+        resume=arguments.a_truth("resume", resume),
+        jobs=arguments.a_whole("jobs", jobs, 0, MAX_JOBS),
+        limits_s=(
+            arguments.a_number("act_limit_s", act_limit_s, 0, MAX_LIMIT_S),
+            arguments.a_number("start_limit_s", start_limit_s, 0, MAX_LIMIT_S),
+        ),
+        progress=arguments.a_progress(progress),
     )
-    arguments.a_progress(progress)
     with _read_once(path) as readable:
-        _run(readable, policy, into, resume, jobs, limits_s, progress, options)
+        if isinstance(policy, str):
+            _evaluate_named(readable, policy, run, options)
+        else:
+            _evaluate_python(readable, policy, run, options)
     lines = (pathlib.Path(into) / "results.jsonl").read_text(encoding="utf-8").splitlines()
     summary = json.loads((pathlib.Path(into) / "summary.json").read_text(encoding="utf-8"))
     return Evaluation([json.loads(line) for line in lines], summary, into)
@@ -119,23 +125,27 @@ def _read_once(path: str) -> Iterator[str]:
         yield copy_of_it
 
 
-def _run(
-    path: str,
-    policy: Any,
-    into: str,
-    resume: bool,
-    jobs: int,
-    limits_s: tuple[float, float],
-    progress: Progress | None,
-    options: dict[str, Any],
-) -> None:
-    if isinstance(policy, str):
-        if options:
-            raise Error("usage.bad_flag", ", ".join(options), f"the program's own policy {policy!r} takes no such options")
-        worker = _worker_command(policy, jobs) if limits_s[0] > 0 else []
-        _core.evaluate(path, policy, into, resume, jobs, worker, limits_s, progress)
-    else:
-        _evaluate_python(path, policy, into, resume, jobs, limits_s, progress, options)
+@dataclasses.dataclass(frozen=True)
+class _Run:
+    """How the episodes are run and where their results go, whoever acts; checked."""
+
+    into: str
+    resume: bool
+    jobs: int
+    limits_s: tuple[float, float]  # for one answer, until the policy is ready
+    progress: Progress | None
+
+    @property
+    def acts_apart(self) -> bool:
+        """In a process of its own: what has a limit can be ended."""
+        return self.limits_s[0] > 0
+
+
+def _evaluate_named(path: str, policy: str, run: _Run, options: dict[str, Any]) -> None:
+    if options:
+        raise Error("usage.bad_flag", ", ".join(options), f"the program's own policy {policy!r} takes no such options")
+    worker = _worker_command(policy, run.jobs) if run.acts_apart else []
+    _core.evaluate(path, policy, run.into, run.resume, run.jobs, worker, run.limits_s, run.progress)
 
 
 def _worker_command(policy: str, jobs: int) -> list[str]:
@@ -149,16 +159,7 @@ def _worker_command(policy: str, jobs: int) -> list[str]:
     return [sys.executable, "-c", program, package, policy, str(threads)]
 
 
-def _evaluate_python(
-    path: str,
-    policy: Any,
-    into: str,
-    resume: bool,
-    jobs: int,
-    limits_s: tuple[float, float],
-    progress: Progress | None,
-    options: dict[str, Any],
-) -> None:
+def _evaluate_python(path: str, policy: Any, run: _Run, options: dict[str, Any]) -> None:
     if not callable(getattr(policy, "act", None)) and not callable(policy):
         raise Error("usage.bad_flag", "policy", f"{policy!r} is no name, has no act() and cannot be called")
     if options.get("segmentation"):
@@ -172,16 +173,15 @@ def _evaluate_python(
     name = getattr(policy, "name", None) or getattr(policy, "__name__", None) or type(policy).__name__
     if importlib.util.find_spec("gymnasium") is None:
         raise Error("usage.unavailable", "policy", "policies in Python need Gymnasium: pip install gymnasium")
-    apart = limits_s[0] > 0
-    if apart:
-        PolicyProcess(policy, *limits_s)  # said here, once, if it cannot be sent
+    if run.acts_apart:
+        PolicyProcess(policy, *run.limits_s)  # said here, once, if it cannot be sent
     stages = _Stages(path, options)
 
     def make_runner():
-        player = PolicyProcess(policy, *limits_s) if apart else PolicyHere(copy.deepcopy(policy))
+        player = PolicyProcess(policy, *run.limits_s) if run.acts_apart else PolicyHere(copy.deepcopy(policy))
         return _Runner(str(name), player, stages)
 
-    _core.evaluate_with(path, str(name), into, resume, jobs, make_runner, progress)
+    _core.evaluate_with(path, str(name), run.into, run.resume, run.jobs, make_runner, run.progress)
 
 
 class _Stages:
