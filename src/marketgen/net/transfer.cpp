@@ -15,7 +15,10 @@ namespace {
 
 constexpr std::size_t most_header_bytes = 256U << 10;
 
+constexpr int look_pause_ms = 100;  // for an interrupt
+
 using Curl = std::unique_ptr<CURL, decltype(&curl_easy_cleanup)>;
+using CurlMulti = std::unique_ptr<CURLM, decltype(&curl_multi_cleanup)>;
 using CurlText = std::unique_ptr<char, decltype(&curl_free)>;
 
 // Headers in libcurl's form.
@@ -72,10 +75,6 @@ std::size_t take_header(char* bytes, std::size_t size, std::size_t count, void* 
   return length;
 }
 
-int stop_when_interrupted(void*, curl_off_t, curl_off_t, curl_off_t, curl_off_t) {
-  return check_interrupt().ok() ? 0 : 1;
-}
-
 void start_libcurl() {
   static std::once_flag once;
   std::call_once(once, [] { curl_global_init(CURL_GLOBAL_DEFAULT); });
@@ -90,8 +89,6 @@ void limit(CURL* curl, const HttpLimits& limits) {
   curl_easy_setopt(curl, CURLOPT_FOLLOWLOCATION, 0L);
   curl_easy_setopt(curl, CURLOPT_NOSIGNAL, 1L);
   curl_easy_setopt(curl, CURLOPT_NETRC, static_cast<long>(CURL_NETRC_IGNORED));
-  curl_easy_setopt(curl, CURLOPT_NOPROGRESS, 0L);
-  curl_easy_setopt(curl, CURLOPT_XFERINFOFUNCTION, stop_when_interrupted);
 }
 
 void address(CURL* curl, const HttpRequest& request, const std::string& url, HeaderList& headers) {
@@ -150,6 +147,26 @@ Error error_of(CURLcode code, const std::string& url, const HttpLimits& limits, 
   return {"net.unreachable", url, curl_easy_strerror(code)};
 }
 
+// curl_easy_perform() asks only once a second whether to go on; this does all the time.
+CURLcode perform(CURL* curl) {
+  const CurlMulti multi(curl_multi_init(), curl_multi_cleanup);
+  if (multi == nullptr || curl_multi_add_handle(multi.get(), curl) != CURLM_OK)
+    return CURLE_OUT_OF_MEMORY;
+  CURLcode code = CURLE_ABORTED_BY_CALLBACK;
+  int running = 1;
+  while (running > 0 && check_interrupt().ok()) {
+    if (curl_multi_perform(multi.get(), &running) != CURLM_OK) break;
+    if (running > 0) curl_multi_poll(multi.get(), nullptr, 0, look_pause_ms, nullptr);
+  }
+  int left = 0;
+  if (const CURLMsg* message = curl_multi_info_read(multi.get(), &left))
+    code = message->data.result;
+  else
+    curl_easy_setopt(curl, CURLOPT_QUICK_EXIT, 1L);  // do not wait for a name server
+  curl_multi_remove_handle(multi.get(), curl);
+  return code;
+}
+
 Transfer transfer_of(CURL* curl, Inbox& inbox) {
   Transfer transfer;
   long status = 0;
@@ -189,7 +206,7 @@ Attempt transfer_once(const HttpRequest& request,
   curl_easy_setopt(curl.get(), CURLOPT_WRITEDATA, &inbox);
   curl_easy_setopt(curl.get(), CURLOPT_HEADERFUNCTION, take_header);
   curl_easy_setopt(curl.get(), CURLOPT_HEADERDATA, &inbox);
-  const CURLcode code = curl_easy_perform(curl.get());
+  const CURLcode code = perform(curl.get());
   if (code != CURLE_OK) return {error_of(code, url, limits, inbox.too_large), is_passing(code)};
   return {transfer_of(curl.get(), inbox), false};
 }
