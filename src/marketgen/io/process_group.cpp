@@ -6,9 +6,13 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -53,9 +57,9 @@ class SpawnPlan {
     posix_spawn_file_actions_addopen(&actions_, standard, "/dev/null", O_WRONLY, 0);
   }
 
-  Result<pid_t> start(char* const* words) const {
+  Result<pid_t> start(char* const* words, char* const* environment = environ) const {
     pid_t pid = -1;
-    const int fault = posix_spawnp(&pid, words[0], &actions_, &attributes_, words, environ);
+    const int fault = posix_spawnp(&pid, words[0], &actions_, &attributes_, words, environment);
     if (fault == 0) return pid;
     return Error{
         "usage.unavailable", words[0], fmt::format("cannot be started: {}", std::strerror(fault))};
@@ -76,6 +80,52 @@ Result<pid_t> start_sentinel(const Pipe& lifeline) {
   plan.silence(STDOUT_FILENO);
   plan.silence(STDERR_FILENO);
   return plan.start(words.data());
+}
+
+// A variable that no other group has; a name of its own, so that groups within groups carry all.
+std::string mark_of(pid_t sentinel) {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
+  return fmt::format("MARKETGEN_GROUP_{}_{}_{}=1", getpid(), sentinel, now);
+}
+
+// Ours, and the mark. Points into both.
+std::vector<char*> marked_environment(const std::string& mark) {
+  std::vector<char*> variables;
+  for (char** variable = environ; variable != nullptr && *variable != nullptr; ++variable)
+    variables.push_back(*variable);
+  variables.push_back(const_cast<char*>(mark.c_str()));
+  variables.push_back(nullptr);
+  return variables;
+}
+
+// The processes that inherited the mark, whichever group and parent they have now. One that has
+// ended has no environment.
+std::vector<pid_t> bearers_of(const std::string& mark) {
+  std::vector<pid_t> bearers;
+  std::error_code failed;
+  for (std::filesystem::directory_iterator entry("/proc", failed), end; !failed && entry != end;
+       entry.increment(failed)) {
+    const std::string name = entry->path().filename().string();
+    pid_t pid = 0;
+    std::from_chars(name.data(), name.data() + name.size(), pid);
+    if (pid <= 0) continue;
+    std::ifstream file(entry->path() / "environ", std::ios::binary);
+    const std::string variables(std::istreambuf_iterator<char>(file), {});
+    if (variables.find(mark) != std::string::npos) bearers.push_back(pid);
+  }
+  return bearers;
+}
+
+// Again and again: one may have started another while we looked.
+void end_bearers_of(const std::string& mark) {
+  constexpr int most_looks = 200;
+  for (int look = 0; look < most_looks; ++look) {
+    const std::vector<pid_t> bearers = bearers_of(mark);
+    if (bearers.empty()) return;
+    for (const pid_t bearer : bearers)
+      kill(bearer, SIGKILL);
+    usleep(look_pause_us);
+  }
 }
 
 int state_of(pid_t pid) {
@@ -115,7 +165,8 @@ Result<ProcessGroup> ProcessGroup::start(const std::vector<std::string>& command
   SpawnPlan plan(sentinel);
   for (std::size_t standard = 0; standard < ends.size(); ++standard)
     plan.connect(ends[standard], static_cast<int>(standard));
-  MARKETGEN_TRY(group.program_, plan.start(words.data()));
+  group.mark_ = mark_of(sentinel);
+  MARKETGEN_TRY(group.program_, plan.start(words.data(), marked_environment(group.mark_).data()));
   return group;
 }
 
@@ -123,7 +174,8 @@ ProcessGroup::ProcessGroup(ProcessGroup&& other) noexcept
     : sentinel_(std::exchange(other.sentinel_, -1)),
       program_(std::exchange(other.program_, -1)),
       lifeline_(std::exchange(other.lifeline_, -1)),
-      state_(other.state_) {}
+      state_(other.state_),
+      mark_(std::move(other.mark_)) {}
 
 ProcessGroup::~ProcessGroup() {
   end();
@@ -139,7 +191,10 @@ bool ProcessGroup::is_over() const {
 int ProcessGroup::end() {
   // While the sentinel is not waited for, its number is that of no other group.
   if (sentinel_ > 0) kill(-sentinel_, SIGKILL);
-  if (program_ > 0) kill(program_, SIGKILL);  // it may have left the group
+  if (program_ > 0) {
+    kill(program_, SIGKILL);  // it may have left the group
+    end_bearers_of(mark_);
+  }
   if (program_ > 0) state_ = state_of(std::exchange(program_, -1));
   if (sentinel_ > 0) state_of(std::exchange(sentinel_, -1));
   if (lifeline_ >= 0) close(std::exchange(lifeline_, -1));

@@ -2,8 +2,10 @@
 //
 // A sentinel in the group listens to us. When this process ends, however it does (kill -9), the
 // sentinel ends the group; so nothing that was started here goes on by itself, be it stuck or
-// a child of the program's own. What leaves the group (setsid, setpgid) is on its own. Ctrl-C on a
-// terminal does not reach the group: whoever started it ends it. Not thread-safe.
+// a child of the program's own. What leaves the group (setsid, setpgid, a daemon) is found by a
+// variable of the environment that it inherited, and ends with the group, unless this process is
+// killed or the variable is taken away (env -i). Ctrl-C on a terminal does not reach the group:
+// whoever started it ends it. Not thread-safe.
 #pragma once
 #include <sys/types.h>
 
@@ -41,6 +43,7 @@ class ProcessGroup {
   pid_t sentinel_ = -1, program_ = -1;  // the group has the sentinel's number
   int lifeline_ = -1;                   // closed when this process ends
   int state_ = 0;
+  std::string mark_;  // the variable
 };
 
 // "status 3" or "signal 9".

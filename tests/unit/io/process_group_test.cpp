@@ -92,6 +92,33 @@ TEST(ProcessGroup, OneThatLeavesItsGroupIsEndedAllTheSame) {
   EXPECT_EQ(end_of_program(group->wait(0.3)), "signal 9");
 }
 
+// A session of its own, with the program as its parent and as nobody's child; and what has nothing
+// to do with the group goes on.
+TEST(ProcessGroup, ChildrenThatLeaveItsGroupEndWithIt) {
+  const ScratchFolder scratch;
+  const std::string child = (scratch.path() / "child").string(),
+                    daemon = (scratch.path() / "daemon").string();
+  const pid_t other = fork();
+  if (other == 0) {
+    setsid();
+    while (true)
+      pause();
+  }
+  auto group = ProcessGroup::start(
+      shell("setsid sleep 1000 & echo $! > " + child + "; setsid -f sh -c 'echo $$ > " + daemon +
+            "; exec sleep 1000'; while true; do true; done"),
+      ours);
+  ASSERT_TRUE(group.ok()) << to_string(group.error());
+  const pid_t with_parent = number_in(child), without = number_in(daemon);
+  ASSERT_TRUE(runs(with_parent) && runs(without));
+  EXPECT_EQ(end_of_program(group->wait(0.3)), "signal 9");
+  EXPECT_FALSE(runs(with_parent));
+  EXPECT_FALSE(runs(without));
+  EXPECT_TRUE(runs(other));
+  kill(other, SIGKILL);
+  waitpid(other, nullptr, 0);
+}
+
 TEST(ProcessGroup, WhatCannotBeStartedIsSaid) {
   const auto group = ProcessGroup::start({"no-such-program-here"}, ours);
   ASSERT_FALSE(group.ok());
