@@ -84,7 +84,7 @@ void add_camera_flags(CLI::App& command, CameraFlags& flags) {
       .add_option("--fov-deg",
                   flags.fov_deg,
                   "vertical field of view, with --from and --at; 60 when not given")
-      ->check(real_number(-1e6, 1e6));
+      ->check(real_number(narrowest_view_deg, widest_view_deg));
   command.add_option("--size", flags.size, "picture size in pixels")->capture_default_str();
 }
 

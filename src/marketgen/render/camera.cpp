@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "base/text.h"
 #include "geometry/rotation_axes.h"
 
@@ -10,7 +12,6 @@ namespace {
 
 constexpr int largest_side_px = 16384;
 constexpr std::int64_t most_pixels = 64'000'000;
-constexpr double narrowest_deg = 1, widest_deg = 170;
 constexpr double farthest_m = 1e6;
 
 bool is_place(Vec3 p) {
@@ -131,10 +132,12 @@ Result<void> check_camera(const Camera& camera, const std::string& where) {
           "camera.degenerate", where, "an orthographic view has no lens; leave its intrinsics out"};
     return check_lens(*camera.intrinsics, camera.width, camera.height, where);
   }
-  if (!orthographic && !(camera.fov_deg >= narrowest_deg && camera.fov_deg <= widest_deg)) {
-    return Error{
-        "camera.degenerate", where, "its field of view must lie between 1 and 170 degrees"};
-  }
+  if (!orthographic && !(camera.fov_deg >= narrowest_view_deg && camera.fov_deg <= widest_view_deg))
+    return Error{"camera.degenerate",
+                 where,
+                 fmt::format("its field of view must lie between {:g} and {:g} degrees",
+                             narrowest_view_deg,
+                             widest_view_deg)};
   return {};
 }
 
