@@ -50,7 +50,10 @@ Result<CheckOutput> check_store(const CheckFlags& flags, const Catalog& catalog)
 Result<int> check(const CheckFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
   MARKETGEN_TRY(const Catalog catalog, load_rows());
-  const bool is_file = std::filesystem::is_regular_file(flags.path);
+  std::error_code failed;
+  if (!std::filesystem::exists(flags.path, failed))
+    return Error{"input.not_found", flags.path, "there is no such file or folder"};
+  const bool is_file = std::filesystem::is_regular_file(flags.path, failed);
   MARKETGEN_TRY(CheckOutput output,
                 is_file ? check_plan(flags, catalog) : check_store(flags, catalog));
   for (const Violation& v : output.rules)
