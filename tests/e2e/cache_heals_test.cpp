@@ -7,8 +7,9 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 
-#include "support/glb_bytes.h"
+#include "imported_soda.h"
 #include "support/run_program.h"
 
 namespace marketgen {
@@ -29,19 +30,7 @@ class CacheHeals : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     scratch_ = std::make_unique<ScratchFolder>();
-    std::ofstream(folder() / "soda.glb", std::ios::binary)
-        << box_glb(0.066F, 0.115F, 0.066F, R"({"mesh": 0})");
-    const Ran imported = cached({"assets",
-                                 "import",
-                                 "soda.glb",
-                                 "-o",
-                                 "soda",
-                                 "--no-coacd",
-                                 "--category",
-                                 "beverages",
-                                 "--subcategory",
-                                 "soft drinks",
-                                 "--json"});
+    const Ran imported = cached(soda_import(folder()));
     ASSERT_EQ(imported.status, 0) << imported.err;
     own_ = json::parse(imported.out)["product"]["sku"];
     const Ran made = cached({"generate",

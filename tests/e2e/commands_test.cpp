@@ -8,10 +8,10 @@
 #include <regex>
 #include <set>
 
+#include "imported_soda.h"
 #include "io/png.h"
 #include "small_store.h"
 #include "support/command_list.h"
-#include "support/glb_bytes.h"
 
 namespace marketgen {
 namespace {
@@ -155,20 +155,7 @@ TEST(Generate, ProductsOfOnesOwn) {
 // the cache to be drawn again.
 TEST(Assets, ImportedModelsStandInStores) {
   const ScratchFolder scratch;
-  std::ofstream(scratch.path() / "LemonSoda_can.glb", std::ios::binary)
-      << box_glb(0.066F, 0.115F, 0.066F, R"({"mesh": 0})");
-  const json asset = json_of({"assets",
-                              "import",
-                              "LemonSoda_can.glb",
-                              "-o",
-                              "soda",
-                              "--no-coacd",
-                              "--category",
-                              "beverages",
-                              "--subcategory",
-                              "soft drinks",
-                              "--json"},
-                             scratch.path());
+  const json asset = json_of(soda_import(scratch.path()), scratch.path());
   EXPECT_EQ(asset["schema"], "market-asset/1");
   EXPECT_EQ(asset["product"]["size_mm"], json({66, 66, 115}));
   const std::string sku = asset["product"]["sku"];

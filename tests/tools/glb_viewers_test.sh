@@ -2,13 +2,8 @@
 # "Opens in every glTF viewer": trimesh, pygltflib and three.js, none of them ours, find in a store's GLB as many products as the
 # store has, and the same box around them all. And three.js, which knows the extension, finds them in --instanced as well.
 set -euo pipefail
-repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-program=${MARKETGEN_BINARY:-$repository/build/release/marketgen}
-python=$repository/.venv/bin/python
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+. "$(dirname "${BASH_SOURCE[0]}")/../support/small_shop.bash"
 
-"$program" generate "a small shop with dairy and two checkouts" --size 12x9m --seed 3 --no-previews --quiet -o "$scratch/shop" > /dev/null
 "$program" export "$scratch/shop" --format glb --quiet -o "$scratch/shop.glb"
 "$program" export "$scratch/shop" --format glb --instanced --quiet -o "$scratch/instanced.glb"
 for name in shop instanced; do

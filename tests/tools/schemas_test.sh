@@ -3,17 +3,12 @@
 # it: jsonschema accepts the JSON files of a generated store, flatc reads scene.bin with the committed schema, and so does the
 # Python code that flatc makes of it, beside our own package.
 set -euo pipefail
-repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-program=${MARKETGEN_BINARY:-$repository/build/release/marketgen}
-python=$repository/.venv/bin/python
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+. "$(dirname "${BASH_SOURCE[0]}")/../support/small_shop.bash"
 
 "$program" schemas -o "$scratch"
 diff -r "$repository/schemas" "$scratch/schemas"
 diff -r "$repository/docs/fields" "$scratch/docs/fields"
 
-"$program" generate "a small shop with dairy and two checkouts" --size 12x9m --seed 3 --no-previews --quiet -o "$scratch/shop" > /dev/null
 "$program" render "$scratch/shop" --camera aisle --size 160x120 --quality fast --quiet -o "$scratch/aisle.png" --annotations "$scratch/shop/seen.json"
 # --size-prefixed: the file starts with its length.
 flatc --json --strict-json --size-prefixed -o "$scratch" "$repository/schemas/market-scene-1.fbs" -- "$scratch/shop/scene.bin"

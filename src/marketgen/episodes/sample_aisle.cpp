@@ -244,19 +244,10 @@ Result<std::optional<EpisodeSpec>> AisleSampler::attempt(EpisodeSpec spec, Seed 
 
 Result<EpisodeSpec> AisleSampler::sample(const EpisodeOrigin& origin, Seed seed, int index) {
   const Seed own = seed.child("aisle", static_cast<std::uint64_t>(index));
-  EpisodeSpec spec;
-  spec.id = fmt::format("aisle/{}/{}/{:016x}/{}",
-                        store_->station.tools().id,
-                        origin.scene_hash.substr(0, 8),
-                        seed.value(),
-                        index);
+  EpisodeSpec spec = begun_spec("aisle/" + store_->station.tools().id, origin, seed, index, own);
   spec.track = Track::aisle;
-  spec.store = origin.store;
-  spec.scene_hash = origin.scene_hash;
-  spec.plan_hash = origin.plan_hash;
   spec.robot = store_->station.robot;
   spec.tools = store_->station.tools().id;
-  spec.seed = own.value();
   spec.cameras = {"head_camera"};
   spec.limit_s = store_->station.limit_s;
   spec.certificate.proved = {"path", "base", "reach", "approach", "retreat", "place"};

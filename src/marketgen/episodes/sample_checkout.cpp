@@ -206,6 +206,18 @@ EpisodeExclusions checkout_exclusions(const Scene& scene) {
   return exclusions;
 }
 
+EpisodeSpec begun_spec(
+    std::string_view kind, const EpisodeOrigin& origin, Seed seed, int index, Seed own) {
+  EpisodeSpec spec;
+  spec.id =
+      fmt::format("{}/{}/{:016x}/{}", kind, origin.scene_hash.substr(0, 8), seed.value(), index);
+  spec.store = origin.store;
+  spec.scene_hash = origin.scene_hash;
+  spec.plan_hash = origin.plan_hash;
+  spec.seed = own.value();
+  return spec;
+}
+
 Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
                                     const std::vector<Product>& stock,
                                     const std::vector<FrictionRow>& frictions,
@@ -223,14 +235,8 @@ Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
                              least_stock)};
   MARKETGEN_TRY(CheckoutWorld world, CheckoutWorld::create(data, frictions));
   const Seed own = seed.child("checkout", static_cast<std::uint64_t>(index));
-  EpisodeSpec spec;
-  spec.id =
-      fmt::format("checkout/{}/{:016x}/{}", origin.scene_hash.substr(0, 8), seed.value(), index);
-  spec.store = origin.store;
-  spec.scene_hash = origin.scene_hash;
-  spec.plan_hash = origin.plan_hash;
+  EpisodeSpec spec = begun_spec("checkout", origin, seed, index, own);
   spec.robot = world.station().robot;
-  spec.seed = own.value();
   spec.cameras = {"scene", "wrist"};
   spec.limit_s = world.station().limit_s;
   CheckoutSampler sampler(stock, frictions, world, certify, own);

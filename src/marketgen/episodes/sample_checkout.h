@@ -53,6 +53,11 @@ struct EpisodeOrigin {
   std::string store, scene_hash, plan_hash;
 };
 
+// The beginning of episode `index` of a seed: its id, KIND/SCENE/SEED/INDEX, where it is from, and
+// `own`, the seed of what it draws.
+EpisodeSpec begun_spec(
+    std::string_view kind, const EpisodeOrigin& origin, Seed seed, int index, Seed own);
+
 // Looks for a way through a settled basket: picks in their order, or nothing when it finds none.
 using CheckoutCertifier = std::function<Result<std::optional<std::vector<WitnessPick>>>(
     const CheckoutWorld& world, Seed seed)>;

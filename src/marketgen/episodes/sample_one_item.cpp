@@ -68,15 +68,9 @@ Result<EpisodeSpec> sample_one_item(const std::filesystem::path& data,
   Stream draw = own.stream();
   const auto chosen = static_cast<std::size_t>(draw.integer(0, static_cast<int>(boxes.size()) - 1));
   const Product& product = *boxes[chosen];
-  EpisodeSpec spec;
-  spec.id =
-      fmt::format("one-item/{}/{:016x}/{}", origin.scene_hash.substr(0, 8), seed.value(), index);
-  spec.store = origin.store;
-  spec.scene_hash = origin.scene_hash;
-  spec.plan_hash = origin.plan_hash;
+  EpisodeSpec spec = begun_spec("one-item", origin, seed, index, own);
   spec.robot = station.robot;
   spec.station = one_item_station;
-  spec.seed = own.value();
   spec.items = {standing_item(station, product, draw)};
   spec.goals = {{product.sku, 1}};
   spec.instruction = fmt::format("Put this on the unloading area: {}.", spoken_product(product));
