@@ -36,7 +36,7 @@ struct AssetFlags {
   ShownAsset shown;
   std::string folder, model, unit = "m", up = "y";
   double mass_kg = 0;  // 0: estimate it
-  bool coacd = true;
+  bool coacd = true, resume = false;
   ImportOptions import;
   std::string vlm, vlm_url, vlm_record, vlm_replay;  // without --vlm: offline
   std::vector<std::string> catalogs, only;
@@ -365,7 +365,12 @@ Result<void> build_all(const AssetFlags& flags) {
 
 Result<void> settle_all(const AssetFlags& flags) {
   MARKETGEN_TRY(const Catalog catalog, load_rows(flags.catalogs));
-  return settle_heaps(catalog, flags.folder, flags.common);
+  return settle_heaps(catalog, flags.folder, flags.resume, flags.common);
+}
+
+void add_heaps(CLI::App& sub, AssetFlags& flags) {
+  add_output(sub, "-o,--output", flags.folder, "JSON file to write")->required();
+  sub.add_flag("--resume", flags.resume, "go on with a run that was broken off");
 }
 
 void add_show(CLI::App& sub, AssetFlags& flags) {
@@ -451,14 +456,11 @@ Run add_assets(CLI::App& app) {
                   Takes::json),
              *flags);
   add("build", "Draws every label sheet into the cache", build_all, Takes::json);
-  add_output(*add("heaps",
-                  "Settles heaps of loose goods in MuJoCo: data/heaps.json",
-                  settle_all,
-                  Takes::nothing),
-             "-o,--output",
-             flags->folder,
-             "JSON file to write")
-      ->required();
+  add_heaps(*add("heaps",
+                 "Settles heaps of loose goods in MuJoCo: data/heaps.json",
+                 settle_all,
+                 Takes::nothing),
+            *flags);
   command->footer("Example:  marketgen assets search \"something to clean windows\"");
   return [flags, action] {
     const auto done = (*action)(*flags);

@@ -128,12 +128,9 @@ std::string draw_hash(const EpisodesFlags& flags,
 // Beside the output, as long as not all are drawn; none when the output is a device or pipe.
 Result<std::unique_ptr<EpisodeJournal>> begin_journal(const EpisodesFlags& flags,
                                                       const std::string& draw) {
-  MARKETGEN_TRY(std::filesystem::path file, followed(flags.output));
-  std::error_code failed;
-  if (std::filesystem::exists(file, failed) && !std::filesystem::is_regular_file(file, failed))
-    return std::unique_ptr<EpisodeJournal>();
-  file += ".unfinished";
-  return EpisodeJournal::begin(file, draw, flags.resume);
+  MARKETGEN_TRY(const auto file, LineJournal::place_beside(flags.output));
+  if (!file) return std::unique_ptr<EpisodeJournal>();
+  return EpisodeJournal::begin(*file, draw, flags.resume);
 }
 
 // Draws one after the other, shared out over the stores in turn.
@@ -182,7 +179,7 @@ class Drawing {
     MARKETGEN_TRY(EpisodeSpec spec, drawn(from, i));
     DrawnEpisode kept{number, spec, {}};
     if (from.in_aisle) kept.considered = from.in_aisle->considered();
-    MARKETGEN_CHECK(journal_->keep(std::move(kept)));
+    MARKETGEN_CHECK(journal_->keep(kept));
     return spec;
   }
 
@@ -216,15 +213,11 @@ Result<std::vector<EpisodeSpec>> draw(const EpisodesFlags& flags,
   if (book != nullptr) MARKETGEN_CHECK(book->keep(data, catalog.content_hash));
   if (episodes.ok() || journal == nullptr) return episodes;
   if (episodes.error().code != interrupted_error().code) {
-    journal->remove();  // it would end so again
+    journal->lines().remove();  // it would end so again
     return episodes;
   }
-  return Error{interrupted_error().code,
-               flags.output,
-               fmt::format("interrupted; {} of {} episodes are kept in {}: go on with --resume",
-                           journal->count(),
-                           flags.count,
-                           journal->file().string())};
+  return interrupted_with(
+      journal->lines(), flags.output, static_cast<std::size_t>(flags.count), "episodes");
 }
 
 void print_exclusions(const EpisodeStore& store) {
@@ -273,7 +266,7 @@ Result<void> write(const EpisodesFlags& flags) {
     file.header.stores.push_back(store.store);
   MARKETGEN_CHECK(outputs.put(flags.output, write_episodes(file)));
   MARKETGEN_CHECK(outputs.commit());
-  if (journal) journal->remove();
+  if (journal) journal->lines().remove();
   if (flags.common.quiet) return {};
   for (const StockedStore& store : stores)
     print_exclusions(store.store);

@@ -1,10 +1,15 @@
 #include "settle_heaps.h"
 
 #include <algorithm>
-#include <optional>
+#include <map>
+#include <memory>
 
+#include "base/build_info.h"
+#include "base/hash.h"
+#include "base/interrupt.h"
 #include "base/parallel.h"
 #include "io/json.h"
+#include "io/line_journal.h"
 #include "io/output.h"
 #include "physics/heap.h"
 #include "scene/shelf_fill.h"
@@ -25,35 +30,93 @@ std::vector<const Product*> kinds_of_pieces(const Catalog& catalog) {
   return kinds;
 }
 
+// A line of the journal.
+struct SettledHeap {
+  int number = 0;
+  HeapRow heap;
+  static constexpr auto fields =
+      field_list(field("number", &SettledHeap::number, "of its kind, from 0", range(0, 1e6)),
+                 field("heap", &SettledHeap::heap, "as it will stand in its file", required()));
+};
+
+using Heaps = std::map<std::size_t, HeapRow>;  // by number of their kind
+
+Result<Heaps> heaps_in(const LineJournal& journal) {
+  Heaps heaps;
+  for (const std::string& line : journal.before()) {
+    MARKETGEN_TRY(SettledHeap kept, read_json<SettledHeap>(line, journal.file().string()));
+    heaps[static_cast<std::size_t>(kept.number)] = std::move(kept.heap);
+  }
+  return heaps;
+}
+
+// Beside the output, as long as not all are settled; none when the output is a device or pipe.
+Result<std::unique_ptr<LineJournal>> heap_journal(const Catalog& catalog,
+                                                  const std::string& output,
+                                                  bool resume) {
+  MARKETGEN_TRY(const auto file, LineJournal::place_beside(output));
+  if (!file) return std::unique_ptr<LineJournal>();
+  const std::string work =
+      Hasher().add("heaps").add(program_version).add(catalog.content_hash).hex();
+  return LineJournal::begin(*file, work, resume);
+}
+
+Result<HeapRow> settle_and_keep(const Product& kind, std::size_t number, LineJournal* journal) {
+  MARKETGEN_TRY(HeapRow row, settle_heap(kind));
+  if (journal != nullptr)
+    MARKETGEN_CHECK(journal->keep(write_json_line(SettledHeap{static_cast<int>(number), row})));
+  return row;
+}
+
+// The rows in the order of their kinds, but for those that are there already.
+Result<std::string> settled_text(const std::vector<const Product*>& kinds,
+                                 const Heaps& before,
+                                 LineJournal* journal,
+                                 Progress& progress) {
+  progress.begin("heaps", kinds.size());
+  const auto rows = parallel_map(kinds.size(), [&](std::size_t i) {
+    const auto known = before.find(i);
+    auto row = known == before.end() ? settle_and_keep(*kinds[i], i, journal)
+                                     : Result<HeapRow>(known->second);
+    progress.advance();
+    return std::make_shared<Result<HeapRow>>(std::move(row));
+  });
+  progress.end();
+  std::string text = "[\n";
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (!rows[i]->ok()) return rows[i]->error();
+    text += "  " + write_json_line(rows[i]->value()) + (i + 1 < rows.size() ? ",\n" : "\n");
+  }
+  return text + "]\n";
+}
+
 }  // namespace
 
 Result<void> settle_heaps(const Catalog& catalog,
                           const std::string& file,
+                          bool resume,
                           const CommonFlags& flags) {
   const std::vector<const Product*> kinds = kinds_of_pieces(catalog);
   const ThreadLimit limit(flags.threads);
   Outputs outputs;
   MARKETGEN_CHECK(outputs.add({{"--output", file}}));
-  Progress& progress = progress_for(flags);
-  progress.begin("heaps", kinds.size());
-  std::vector<std::string> lines(kinds.size());
-  std::vector<std::optional<Error>> errors(kinds.size());
-  parallel_for(kinds.size(), [&](std::size_t i) {
-    const Result<HeapRow> row = settle_heap(*kinds[i]);
-    if (row.ok())
-      lines[i] = write_json_line(*row);
-    else
-      errors[i] = row.error();
-    progress.advance();
-  });
-  progress.end();
-  std::string text = "[\n";
-  for (std::size_t i = 0; i < kinds.size(); ++i) {
-    if (errors[i]) return *errors[i];
-    text += "  " + lines[i] + (i + 1 < kinds.size() ? ",\n" : "\n");
+  MARKETGEN_TRY(const auto journal, heap_journal(catalog, file, resume));
+  Heaps before;
+  if (journal) {
+    MARKETGEN_TRY(before, heaps_in(*journal));
   }
-  MARKETGEN_CHECK(outputs.put(file, text + "]\n"));
-  return outputs.commit();
+  const auto text = until_interrupted(
+      [&] { return settled_text(kinds, before, journal.get(), progress_for(flags)); });
+  if (!text.ok()) {
+    if (journal && text.error().code == interrupted_error().code)
+      return interrupted_with(*journal, file, kinds.size(), "heaps");
+    if (journal) journal->remove();  // it would end so again
+    return text.error();
+  }
+  MARKETGEN_CHECK(outputs.put(file, *text));
+  MARKETGEN_CHECK(outputs.commit());
+  if (journal) journal->remove();
+  return {};
 }
 
 }  // namespace marketgen::app

@@ -9,9 +9,12 @@
 namespace marketgen::app {
 
 // Settles a heap of every shape and size of loose, round goods and writes the rows to `file`, one a
-// line. Errors: physics.failed, io.*.
+// line. Those that are finished when it is broken off are kept beside it; `resume` goes on with
+// them. Errors: physics.failed, io.*; internal.interrupted, with what is kept; usage.bad_flag when
+// what was kept is of another catalogue or version.
 Result<void> settle_heaps(const Catalog& catalog,
                           const std::string& file,
+                          bool resume,
                           const CommonFlags& flags);
 
 }  // namespace marketgen::app

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "small_store.h"
 #include "support/command_list.h"
@@ -214,6 +215,40 @@ TEST_F(EveryCommand, EpisodesOfAnotherDrawAreNotMixedIn) {
       marketgen_run({"episodes", small_store().string(), "--count", "1", "--resume", "-o", out});
   EXPECT_EQ(ran.status, 2);
   EXPECT_NE(ran.err.find("--resume"), std::string::npos) << ran.err;
+}
+
+// Broken off, gone on with and broken off again: what was settled first is not settled anew.
+TEST_F(EveryCommand, HeapsThatWereSettledAreKept) {
+  const fs::path out = scratch_.path() / "heaps.json", journal = out.string() + ".unfinished";
+  const auto broken_off = [&](Words words, std::size_t lines) {
+    words.insert(words.begin(), {MARKETGEN_BINARY, "assets", "heaps", "-o", out.string()});
+    Started settling(words);
+    for (int looks = 0; looks < 24'000 && lines_in(journal) < lines; ++looks)
+      usleep(5'000);
+    settling.interrupt();
+    return settling.wait();
+  };
+  const Ran first = broken_off({}, 2);
+  ASSERT_EQ(first.status, 130) << first.err;
+  EXPECT_NE(first.err.find("go on with --resume"), std::string::npos) << first.err;
+  const std::string kept = contents_of(journal);
+  const Ran second = broken_off({"--resume"}, lines_in(journal) + 1);
+  ASSERT_EQ(second.status, 130) << second.err;
+  EXPECT_TRUE(contents_of(journal).starts_with(kept));
+  EXPECT_FALSE(fs::exists(out));
+
+  std::set<std::size_t> numbers;
+  const std::string rows = contents_of(fs::path(MARKETGEN_SOURCE_DIR) / "data/heaps.json");
+  const nlohmann::json known = nlohmann::json::parse(rows);
+  std::istringstream lines(contents_of(journal));
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) {
+    const nlohmann::json settled = nlohmann::json::parse(line);
+    const std::size_t number = settled["number"];
+    EXPECT_TRUE(numbers.insert(number).second) << number << " twice";
+    EXPECT_EQ(settled["heap"], known.at(number));
+  }
 }
 
 // The rates of products that were finished lie in the cache, also while the study goes on.

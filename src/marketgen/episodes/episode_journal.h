@@ -1,17 +1,16 @@
-// Episodes as they are drawn, a line each, beside the file that they will become: what was finished
-// when a draw was broken off need not be drawn again.
+// Episodes as they are drawn, in a journal (io/line_journal.h) beside the file that they will
+// become.
 #pragma once
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
 #include "base/fields.h"
 #include "base/result.h"
 #include "episodes/episode_spec.h"
+#include "io/line_journal.h"
 
 namespace marketgen {
 
@@ -36,31 +35,22 @@ struct DrawnEpisode {
 // Any number of threads may keep episodes at once.
 class EpisodeJournal {
  public:
-  // `draw`: a hash of everything that decides the episodes. Goes on with the file when there is one
-  // and `resume` says so, else begins anew. Errors: usage.bad_flag when the file is of another
-  // draw; io.*; those of read_json.
+  // As LineJournal::begin. Errors: its own; those of read_json.
   static Result<std::unique_ptr<EpisodeJournal>> begin(const std::filesystem::path& file,
                                                        const std::string& draw,
                                                        bool resume);
 
   // By number: those that were there when it began.
   const std::map<int, DrawnEpisode>& before() const { return before_; }
-  std::size_t count() const;  // those that are there now
   // Errors: io.cannot_write.
-  Result<void> keep(DrawnEpisode drawn);
-  // The episodes have come to their own place, or never will: takes the file away.
-  void remove();
-  const std::filesystem::path& file() const { return file_; }
+  Result<void> keep(const DrawnEpisode& drawn);
+  LineJournal& lines() { return *lines_; }
 
  private:
   EpisodeJournal() = default;
-  Result<void> read(const std::string& draw);
 
-  std::filesystem::path file_;
+  std::unique_ptr<LineJournal> lines_;
   std::map<int, DrawnEpisode> before_;
-  mutable std::mutex mutex_;
-  std::ofstream lines_;
-  std::size_t count_ = 0;
 };
 
 }  // namespace marketgen
