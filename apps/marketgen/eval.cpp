@@ -62,16 +62,17 @@ void print_summary(const EvaluationSummary& summary) {
 }
 
 // Episodes that could not be run: the summary stands, and the caller is told. The first of them.
-Result<void> check_all_run(const std::vector<EpisodeResult>& results, const EvalFlags& flags) {
-  const auto failed = [](const EpisodeResult& result) { return !result.error.empty(); };
-  const auto first = std::ranges::find_if(results, failed);
-  if (first == results.end()) return {};
+template <class Row>
+Result<void> check_all_run(const std::vector<Row>& rows, const std::filesystem::path& file) {
+  const auto failed = [](const Row& row) { return !row.error.empty(); };
+  const auto first = std::ranges::find_if(rows, failed);
+  if (first == rows.end()) return {};
   return Error{first->error,
                first->episode,
                fmt::format("{} of {} episodes could not be run; {} says why, of this one: {}",
-                           std::ranges::count_if(results, failed),
-                           results.size(),
-                           (std::filesystem::path(flags.output) / "results.jsonl").string(),
+                           std::ranges::count_if(rows, failed),
+                           rows.size(),
+                           file.string(),
                            first->detail)};
 }
 
@@ -85,18 +86,16 @@ Result<void> eval_perception(const EvalFlags& flags) {
   MARKETGEN_TRY(const EpisodeFile file, read_episode_file(flags.episodes));
   MARKETGEN_TRY(const std::filesystem::path data, data_folder());
   MARKETGEN_TRY(const Catalog catalog, load_rows());
-  std::vector<PerceptionMeasure> measures;
+  MARKETGEN_TRY(const std::vector<PerceptionMeasure> measures,
+                measure_perception(data, file, catalog.frictions));
   std::string lines;
-  for (const EpisodeSpec& spec : file.episodes) {
-    MARKETGEN_TRY(PerceptionMeasure measure,
-                  measure_perception(data, spec, file.header.products, catalog.frictions));
+  for (const PerceptionMeasure& measure : measures)
     lines += write_json_line(measure) + "\n";
-    measures.push_back(std::move(measure));
-  }
-  MARKETGEN_CHECK(outputs.put(std::filesystem::path(flags.output) / "perception.jsonl", lines));
+  const std::filesystem::path results = std::filesystem::path(flags.output) / "perception.jsonl";
+  MARKETGEN_CHECK(outputs.put(results, lines));
   MARKETGEN_CHECK(outputs.commit());
   fmt::print("{}", write_json(summarize(measures)));
-  return {};
+  return check_all_run(measures, results);
 }
 
 // This program once more, as a worker of ours with its share of the threads. It is told its
@@ -149,7 +148,7 @@ Result<void> eval(const EvalFlags& given) {
     fmt::print("{}", write_json(summary));
   else if (!flags.common.quiet)
     print_summary(summary);
-  return check_all_run(results, flags);
+  return check_all_run(results, std::filesystem::path(flags.output) / "results.jsonl");
 }
 
 }  // namespace

@@ -64,14 +64,20 @@ std::vector<std::string> eval_command(const fs::path& tasks, const fs::path& fol
           folder.string()};
 }
 
-// The lines of results.jsonl without their wall times; a line that was cut off is none.
+// A line that was cut off is none.
+std::vector<Json> rows_in(const fs::path& file) {
+  std::istringstream lines(contents_of(file));
+  std::vector<Json> rows;
+  for (std::string line; std::getline(lines, line) && !lines.eof();)
+    rows.push_back(Json::parse(line));
+  return rows;
+}
+
+// The lines of results.jsonl without their wall times.
 std::vector<Json> results_in(const fs::path& folder) {
-  std::istringstream lines(contents_of(folder / "results.jsonl"));
-  std::vector<Json> results;
-  for (std::string line; std::getline(lines, line) && !lines.eof();) {
-    results.push_back(Json::parse(line));
-    results.back().erase("wall_s");
-  }
+  std::vector<Json> results = rows_in(folder / "results.jsonl");
+  for (Json& result : results)
+    result.erase("wall_s");
   return results;
 }
 
@@ -158,6 +164,15 @@ class ShortEvaluation : public testing::Test {
     return scratch_.path() / name;
   }
 
+  // Its robot would begin outside the store: nothing that the file alone tells.
+  static void put_outside(Json& spec) {
+    spec["track"] = "aisle";
+    spec["robot"] = "realman-rm75";
+    spec.erase("items");
+    spec.erase("cameras");
+    spec["start"] = {{"x_m", -900}, {"y_m", -900}, {"heading_deg", 0}};
+  }
+
   Ran evaluated(const fs::path& tasks, const std::string& folder, bool resume = false) {
     std::vector<std::string> command = eval_command(tasks, scratch_.path() / folder);
     if (resume) command.push_back("--resume");
@@ -187,15 +202,36 @@ TEST_F(ShortEvaluation, EpisodesComeThroughAPipe) {
   }
 }
 
+// The other baskets are measured.
+TEST_F(ShortEvaluation, ABasketThatCannotBeLookedAtIsARow) {
+  put_outside(specs_[0]);
+  const Ran ran = run({MARKETGEN_BINARY,
+                       "eval",
+                       "--perception",
+                       "--episodes",
+                       written().string(),
+                       "-o",
+                       (scratch_.path() / "run").string()});
+  EXPECT_EQ(ran.status, 2) << ran.err;
+  EXPECT_NE(ran.err.find("1 of 3 episodes could not be run"), std::string::npos) << ran.err;
+  const std::vector<Json> rows = rows_in(scratch_.path() / "run/perception.jsonl");
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[0]["episode"], specs_[0]["id"]);
+  EXPECT_NE(rows[0]["error"], "");
+  EXPECT_NE(rows[0]["detail"], "");
+  for (const std::size_t sound : {1U, 2U}) {
+    EXPECT_EQ(rows[sound]["error"], "");
+    EXPECT_EQ(rows[sound]["targets"].size(), specs_[sound]["goals"].size());
+  }
+  const Json summary = Json::parse(ran.out);
+  EXPECT_EQ(summary["baskets"], 2);
+  EXPECT_EQ(summary["errors"][0]["error"], rows[0]["error"]);
+}
+
 // It is a result of its own kind, and no share counts it; once it is mended, only it is run.
 TEST_F(ShortEvaluation, AnEpisodeThatCannotBeRunIsAResult) {
   const Json sound = specs_[1];
-  // Its robot would begin outside the store: nothing that the file alone tells.
-  specs_[1]["track"] = "aisle";
-  specs_[1]["robot"] = "realman-rm75";
-  specs_[1].erase("items");
-  specs_[1].erase("cameras");
-  specs_[1]["start"] = {{"x_m", -900}, {"y_m", -900}, {"heading_deg", 0}};
+  put_outside(specs_[1]);
   const Ran ran = evaluated(written(), "run");
   EXPECT_EQ(ran.status, 2) << ran.err;
   EXPECT_NE(ran.err.find("1 of 3 episodes could not be run"), std::string::npos) << ran.err;

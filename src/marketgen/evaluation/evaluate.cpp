@@ -1,7 +1,6 @@
 #include "evaluation/evaluate.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <chrono>
 #include <memory>
@@ -19,14 +18,6 @@
 
 namespace marketgen {
 namespace {
-
-// Whether an error is not that of the episode: any other would end likewise.
-bool ends_the_run(const Error& error) {
-  constexpr std::array<std::string_view, 3> families{"internal.", "usage.", "io."};
-  return error.code == "episode.no_policy" ||
-         std::ranges::any_of(
-             families, [&](std::string_view family) { return error.code.starts_with(family); });
-}
 
 EpisodeResult not_run(const EpisodeSpec& spec, const std::string& policy, const Error& error) {
   EpisodeResult result = unjudged(spec);

@@ -155,12 +155,10 @@ class PerceptionTrial {
   std::vector<FoundProduct> found_;
 };
 
-}  // namespace
-
-Result<PerceptionMeasure> measure_perception(const std::filesystem::path& data,
-                                             const EpisodeSpec& spec,
-                                             const std::vector<Product>& products,
-                                             const std::vector<FrictionRow>& frictions) {
+Result<PerceptionMeasure> measured(const std::filesystem::path& data,
+                                   const EpisodeSpec& spec,
+                                   const std::vector<Product>& products,
+                                   const std::vector<FrictionRow>& frictions) {
   MARKETGEN_TRY(CheckoutWorld world, CheckoutWorld::create(data, frictions));
   MARKETGEN_CHECK(world.reset(spec, products));
   PerceptionTrial trial(world, spec);
@@ -170,9 +168,36 @@ Result<PerceptionMeasure> measure_perception(const std::filesystem::path& data,
   return trial.compared();
 }
 
+}  // namespace
+
+Result<std::vector<PerceptionMeasure>> measure_perception(
+    const std::filesystem::path& data,
+    const EpisodeFile& file,
+    const std::vector<FrictionRow>& frictions) {
+  std::vector<PerceptionMeasure> measures;
+  for (const EpisodeSpec& spec : file.episodes) {
+    auto measure = measured(data, spec, file.header.products, frictions);
+    if (measure.ok()) {
+      measures.push_back(std::move(measure).value());
+      continue;
+    }
+    if (ends_the_run(measure.error())) return measure.error();
+    PerceptionMeasure& failed = measures.emplace_back();
+    failed.episode = spec.id;
+    failed.error = measure.error().code;
+    failed.detail = to_string(measure.error());
+  }
+  return measures;
+}
+
 PerceptionSummary summarize(const std::vector<PerceptionMeasure>& measures) {
   PerceptionSummary summary;
-  summary.baskets = static_cast<int>(measures.size());
+  std::vector<std::string> errors;
+  for (const PerceptionMeasure& measure : measures) {
+    errors.push_back(measure.error);
+    summary.baskets += measure.error.empty() ? 1 : 0;
+  }
+  summary.errors = counted_errors(errors);
   int targets = 0, found = 0, right = 0, visible = 0;
   std::vector<double> offsets, surfaces;
   for (const PerceptionMeasure& measure : measures) {

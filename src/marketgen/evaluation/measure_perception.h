@@ -9,6 +9,7 @@
 #include "base/result.h"
 #include "catalog/rows.h"
 #include "episodes/episode_spec.h"
+#include "evaluation/run_episode.h"
 #include "grasping/grasp_shares.h"
 
 namespace marketgen {
@@ -43,31 +44,40 @@ struct PerceptionMeasure {
   std::string episode;
   double pictures_s = 0, look_s = 0, find_s = 0;  // of computing
   std::vector<PerceivedTarget> targets;
+  std::string error, detail;  // of a basket that could not be looked at: its code, and the error
   static constexpr auto fields =
       field_list(field("episode", &PerceptionMeasure::episode, "its id"),
                  field("pictures_s", &PerceptionMeasure::pictures_s, "making the catalogue's"),
                  field("look_s", &PerceptionMeasure::look_s, "taking both pictures"),
                  field("find_s", &PerceptionMeasure::find_s, "masks, recognition and poses"),
-                 field("targets", &PerceptionMeasure::targets, "one by one"));
+                 field("targets", &PerceptionMeasure::targets, "one by one"),
+                 field("error",
+                       &PerceptionMeasure::error,
+                       "code of the error for which it could not be looked at"),
+                 field("detail", &PerceptionMeasure::detail, "that error"));
 };
 
-// Errors: those of CheckoutWorld, its pictures and the catalogue's.
-Result<PerceptionMeasure> measure_perception(const std::filesystem::path& data,
-                                             const EpisodeSpec& spec,
-                                             const std::vector<Product>& products,
-                                             const std::vector<FrictionRow>& frictions);
+// One for each episode, also for those that cannot be looked at: of the aisle, say. Errors: those
+// that would befall every episode (ends_the_run).
+Result<std::vector<PerceptionMeasure>> measure_perception(
+    const std::filesystem::path& data,
+    const EpisodeFile& file,
+    const std::vector<FrictionRow>& frictions);
 
+// All but `errors` is of the baskets that were looked at.
 struct PerceptionSummary {
   int baskets = 0;
   Share found, right;  // of all targets; right: of those found
   double mean_mask_iou = 0, median_offset_m = 0, median_surface_m = 0;
+  std::vector<ErrorCount> errors;
   static constexpr auto fields =
       field_list(field("baskets", &PerceptionSummary::baskets, "how many"),
                  field("found", &PerceptionSummary::found, "of the targets"),
                  field("right", &PerceptionSummary::right, "of what was found"),
                  field("mean_mask_iou", &PerceptionSummary::mean_mask_iou, "of the targets seen"),
                  field("median_offset_m", &PerceptionSummary::median_offset_m, "when right"),
-                 field("median_surface_m", &PerceptionSummary::median_surface_m, "when right"));
+                 field("median_surface_m", &PerceptionSummary::median_surface_m, "when right"),
+                 field("errors", &PerceptionSummary::errors, "baskets that are in none of these"));
 };
 PerceptionSummary summarize(const std::vector<PerceptionMeasure>& measures);
 

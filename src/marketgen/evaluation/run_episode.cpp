@@ -1,6 +1,7 @@
 #include "evaluation/run_episode.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <exception>
 #include <iterator>
@@ -119,21 +120,29 @@ Result<EpisodeResult> run_episode(Arena& arena,
   return with_end(judged.ok() ? std::move(judged).value() : unjudged(spec), end);
 }
 
-namespace {
-
-void count_errors(const std::vector<EpisodeResult>& results, EvaluationSummary& summary) {
-  std::map<std::string, int> errors;
-  for (const EpisodeResult& result : results)
-    if (!result.error.empty()) ++errors[result.error];
-  for (const auto& [error, episodes] : errors)
-    summary.errors.push_back({error, episodes});
+bool ends_the_run(const Error& error) {
+  constexpr std::array<std::string_view, 3> families{"internal.", "usage.", "io."};
+  return error.code == "episode.no_policy" ||
+         std::ranges::any_of(
+             families, [&](std::string_view family) { return error.code.starts_with(family); });
 }
 
-}  // namespace
+std::vector<ErrorCount> counted_errors(const std::vector<std::string>& errors) {
+  std::map<std::string, int> counts;
+  for (const std::string& error : errors)
+    if (!error.empty()) ++counts[error];
+  std::vector<ErrorCount> counted;
+  for (const auto& [error, episodes] : counts)
+    counted.push_back({error, episodes});
+  return counted;
+}
 
 EvaluationSummary summarize(const std::vector<EpisodeResult>& all) {
   EvaluationSummary summary;
-  count_errors(all, summary);
+  std::vector<std::string> errors;
+  for (const EpisodeResult& result : all)
+    errors.push_back(result.error);
+  summary.errors = counted_errors(errors);
   std::vector<EpisodeResult> results;
   std::ranges::copy_if(
       all, std::back_inserter(results), [](const EpisodeResult& r) { return r.error.empty(); });

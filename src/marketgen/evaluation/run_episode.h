@@ -62,6 +62,12 @@ struct ErrorCount {
                  field("episodes", &ErrorCount::episodes, "how many"));
 };
 
+// Whether an error is not that of the episode: any other would end likewise. An interrupt, a full
+// disk, a policy that does not start.
+bool ends_the_run(const Error& error);
+// Of the rows of episodes that could not be run, by the code in their `error`; empty: it was run.
+std::vector<ErrorCount> counted_errors(const std::vector<std::string>& errors);
+
 struct EvaluationSummary {
   int episodes = 0;
   double success_partial = 0;
