@@ -167,5 +167,40 @@ TEST_F(CacheHeals, WhateverBefallsAllOfItsFiles) {
   }
 }
 
+// The rows of this program, of every subcategory the first product only.
+void write_few_products(const fs::path& data) {
+  fs::copy(fs::path(MARKETGEN_SOURCE_DIR) / "data", data, fs::copy_options::recursive);
+  for (const auto& file : fs::directory_iterator(data / "products")) {
+    std::set<std::string> seen;
+    json few = json::array();
+    for (const json& row : json::parse(contents_of(file.path())))
+      if (seen.insert(row["subcategory"]).second) few.push_back(row);
+    replace(file.path(), few.dump());
+  }
+}
+
+// Large sheets find no room, as on a disk that fills up midway: no summary claims them.
+TEST(CacheWithoutRoom, WhatIsNotKeptIsNotClaimed) {
+  const ScratchFolder scratch;
+  write_few_products(scratch.path() / "data");
+  const std::string settings = "MARKETGEN_DATA=data MARKETGEN_CACHE=cache ";
+  const std::string build = std::string(MARKETGEN_BINARY) + " assets build --quiet";
+  const Ran short_of =
+      run({"sh", "-c", "ulimit -f 100; " + settings + "exec " + build + " --json"}, scratch.path());
+  EXPECT_EQ(short_of.status, 3) << short_of.err;
+  const json report = json::parse(short_of.out);
+  const auto kept = static_cast<std::size_t>(
+      std::distance(fs::directory_iterator(scratch.path() / "cache/labels"), {}));
+  EXPECT_EQ(report["kept"], kept);
+  EXPECT_GT(kept, 0U);
+  EXPECT_LT(kept, report["labels"].get<std::size_t>());
+  const std::string lost = std::to_string(report["labels"].get<std::size_t>() - kept) + " of ";
+  EXPECT_NE(short_of.err.find(lost), std::string::npos) << short_of.err;
+
+  const Ran with_room = run({"sh", "-c", settings + "exec " + build}, scratch.path());
+  EXPECT_EQ(with_room.status, 0) << with_room.err;
+  EXPECT_NE(with_room.out.find("all kept in"), std::string::npos) << with_room.out;
+}
+
 }  // namespace
 }  // namespace marketgen

@@ -39,7 +39,7 @@ Result<LabelLibrary> build_label_library(const std::vector<Product>& products, P
   struct Made {
     std::uint64_t bytes = 0;
     bool drawn = false;
-    std::optional<Error> error;
+    std::optional<Error> unkept, error;
   };
   std::vector<Made> made(products.size());
   progress.begin("labels", products.size());
@@ -47,7 +47,7 @@ Result<LabelLibrary> build_label_library(const std::vector<Product>& products, P
     const Result<Print> print =
         cached_print(label_content(products[i]), [&] { return library_label(products[i]); });
     if (print.ok())
-      made[i] = {print->blocks.bytes(), print->drawn, std::nullopt};
+      made[i] = {print->blocks.bytes(), print->drawn, print->unkept, std::nullopt};
     else
       made[i].error = print.error();
     progress.advance();
@@ -58,7 +58,9 @@ Result<LabelLibrary> build_label_library(const std::vector<Product>& products, P
     if (one.error) return *one.error;
     library.labels += one.bytes > 0 ? 1 : 0;
     library.drawn += one.drawn ? 1 : 0;
+    library.kept += one.bytes > 0 && !one.unkept ? 1 : 0;
     library.bytes += one.bytes;
+    if (!library.unkept && one.bytes > 0) library.unkept = one.unkept;
   }
   return library;
 }

@@ -3,6 +3,7 @@
 // A store asks for the sheets of what it shows; `build_label_library` draws them all beforehand.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,9 +28,11 @@ Result<PrintedPicture> library_label(const Product& product,
                                      PrintDetail detail = PrintDetail::near);
 
 struct LabelLibrary {
-  std::size_t labels = 0;   // products that show a sheet
-  std::size_t drawn = 0;    // of them, now; the others were in the cache
-  std::uint64_t bytes = 0;  // of all their textures in memory
+  std::size_t labels = 0;       // products that show a sheet
+  std::size_t drawn = 0;        // of them, now; the others were in the cache
+  std::size_t kept = 0;         // of them, in the cache now
+  std::uint64_t bytes = 0;      // of all their textures in memory
+  std::optional<Error> unkept;  // why the first that is not there could not be put there
 };
 
 // Puts the sheets of all products in the cache, side by side. Errors: as print_label(), of the

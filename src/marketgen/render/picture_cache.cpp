@@ -137,8 +137,9 @@ Result<Print> cached_print(const std::string& content,
   const std::filesystem::path path = path_of(print_kind, content);
   if (std::optional<Print> print = kept(path, print_kind, decode_print)) return *std::move(print);
   MARKETGEN_TRY(const PrintedPicture drawn, draw());
-  Print print{blocks_of(drawn.picture), drawn.bars, true};
-  (void)keep_entry(path, print_kind, encode_print(print)).ok();
+  Print print{blocks_of(drawn.picture), drawn.bars, true, std::nullopt};
+  if (const auto put = keep_entry(path, print_kind, encode_print(print)); !put.ok())
+    print.unkept = put.error();
   return print;
 }
 

@@ -23,7 +23,8 @@ Result<Image> cached_picture(const std::string& content,
 struct Print {
   BlockMips blocks;
   std::optional<LabelBars> bars;
-  bool drawn = false;  // now, not read from the cache
+  bool drawn = false;           // now, not read from the cache
+  std::optional<Error> unkept;  // why it could not be put there
 };
 
 // The same for print.
