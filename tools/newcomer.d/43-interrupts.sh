@@ -1,8 +1,8 @@
 # Ctrl-C, SIGTERM and SIGHUP end work within seconds; episodes --resume ends as an unbroken run
 store=$(a_store)
-ends() {  # ends SIGNAL COMMAND...: after two seconds of work
+ends() {  # ends SIGNAL COMMAND...: after two seconds of work; the signal is not ignored, as it would be under nohup
   local signal=$1 status=0 began pid; shift
-  "$@" > /dev/null 2> ends.err & pid=$!
+  env --default-signal="$signal" "$@" > /dev/null 2> ends.err & pid=$!
   sleep 2
   began=$(date +%s%N)
   kill -"$signal" "$pid"
