@@ -1,44 +1,95 @@
-#include <array>
+#include <algorithm>
+#include <numeric>
 
 #include "navigation/occupancy.h"
 
 namespace marketgen {
 namespace {
 
-// Labels everything that is connected to `start`; returns how many cells that is.
-int flood(const OccupancyGrid& grid, std::size_t start, int label, Components& found) {
-  const auto columns = static_cast<std::size_t>(grid.columns);
-  std::vector<std::size_t> pending{start};
-  found.label[start] = label;
-  int cells = 0;
-  while (!pending.empty()) {
-    const std::size_t cell = pending.back();
-    pending.pop_back();
-    ++cells;
-    const std::size_t column = cell % columns, row = cell / columns;
-    const auto visit = [&](std::size_t next) {
-      if (grid.blocked[next] != 0 || found.label[next] != 0) return;
-      found.label[next] = label;
-      pending.push_back(next);
-    };
-    if (column > 0) visit(cell - 1);
-    if (column + 1 < columns) visit(cell + 1);
-    if (row > 0) visit(cell - columns);
-    if (row + 1 < static_cast<std::size_t>(grid.rows)) visit(cell + columns);
+// Free cells side by side in one row.
+struct Run {
+  int from = 0, to = 0;  // columns, `to` excluded
+};
+
+// Which runs hang together. A part is known by the first of its runs, in scan order.
+class Parts {
+ public:
+  explicit Parts(std::size_t runs) : first_(runs) { std::iota(first_.begin(), first_.end(), 0U); }
+
+  std::size_t of(std::size_t run) {
+    while (first_[run] != run)
+      run = first_[run] = first_[first_[run]];
+    return run;
   }
-  return cells;
+  void join(std::size_t a, std::size_t b) {
+    a = of(a);
+    b = of(b);
+    first_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::size_t> first_;
+};
+
+struct Runs {
+  std::vector<Run> runs;               // row by row, west to east
+  std::vector<std::size_t> row_begin;  // of each row in `runs`, and one past the last
+};
+
+Runs runs_of(const OccupancyGrid& grid) {
+  Runs found;
+  const auto columns = static_cast<std::size_t>(grid.columns);
+  for (int row = 0; row < grid.rows; ++row) {
+    found.row_begin.push_back(found.runs.size());
+    const auto begin = grid.blocked.begin() + static_cast<std::ptrdiff_t>(grid.index(0, row));
+    const auto end = begin + static_cast<std::ptrdiff_t>(columns);
+    for (auto from = std::find(begin, end, 0); from != end;) {
+      const auto to = std::find_if(from, end, [](std::uint8_t blocked) { return blocked != 0; });
+      found.runs.push_back({static_cast<int>(from - begin), static_cast<int>(to - begin)});
+      from = std::find(to, end, 0);
+    }
+  }
+  found.row_begin.push_back(found.runs.size());
+  return found;
+}
+
+// Joins the runs of a row with those of the row south of it that they touch.
+void join_row(const Runs& all, std::size_t row, Parts& parts) {
+  std::size_t south = all.row_begin[row - 1];
+  const std::size_t south_end = all.row_begin[row];
+  for (std::size_t run = all.row_begin[row]; run < all.row_begin[row + 1]; ++run) {
+    while (south < south_end && all.runs[south].to <= all.runs[run].from)
+      ++south;
+    for (std::size_t s = south; s < south_end && all.runs[s].from < all.runs[run].to; ++s)
+      parts.join(s, run);
+  }
 }
 
 }  // namespace
 
 Components find_components(const OccupancyGrid& grid) {
+  const Runs all = runs_of(grid);
+  Parts parts(all.runs.size());
+  const auto rows = static_cast<std::size_t>(grid.rows);
+  for (std::size_t row = 1; row < rows; ++row)
+    join_row(all, row, parts);
   Components found;
   found.label.assign(grid.blocked.size(), 0);
   found.cells.push_back(0);
-  for (std::size_t cell = 0; cell < grid.blocked.size(); ++cell) {
-    if (grid.blocked[cell] != 0 || found.label[cell] != 0) continue;
-    const int label = static_cast<int>(found.cells.size());
-    found.cells.push_back(flood(grid, cell, label, found));
+  std::vector<int> labels(all.runs.size(), 0);  // of the first run of each part
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t i = all.row_begin[row]; i < all.row_begin[row + 1]; ++i) {
+      int& label = labels[parts.of(i)];
+      if (label == 0) {
+        label = static_cast<int>(found.cells.size());
+        found.cells.push_back(0);
+      }
+      const Run run = all.runs[i];
+      found.cells[static_cast<std::size_t>(label)] += run.to - run.from;
+      const auto at = found.label.begin() +
+                      static_cast<std::ptrdiff_t>(grid.index(run.from, static_cast<int>(row)));
+      std::fill(at, at + (run.to - run.from), label);
+    }
   }
   return found;
 }

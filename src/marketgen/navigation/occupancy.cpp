@@ -23,29 +23,50 @@ CellSpan cells_within(int low, int high, int origin, int cell_mm, int count) {
   return {std::max(0, cell(low)), std::min(count - 1, cell(high) + 1)};
 }
 
-std::int64_t squared_distance(PointMm p, const RectMm& r) {
-  const int dx = std::max({r.x0 - p[0], 0, p[0] - r.x1});
-  const int dy = std::max({r.y0 - p[1], 0, p[1] - r.y1});
-  return squared(dx) + squared(dy);
+// Cells whose centres lie at `low` to `high` along one axis, both included; low > high is none.
+CellSpan cells_between(int low, int high, int origin, int cell_mm, int count) {
+  const int first = origin + cell_mm / 2;
+  const auto rounded_up = [&](int mm) { return (mm + cell_mm - 1) / cell_mm; };
+  const int from = low > first ? rounded_up(low - first) : 0;
+  const int to = high >= first ? (high - first) / cell_mm : -1;
+  return {from, std::min(count - 1, to)};
 }
 
-// Inside counts as distance 0, so a clearance of 0 still blocks the obstacle's own floor.
-bool covers(const RectMm& r, PointMm p) {
-  return p[0] > r.x0 && p[0] < r.x1 && p[1] > r.y0 && p[1] < r.y1;
+// The largest k >= 0 with k * k < limit. Precondition: limit > 0.
+int below_root(std::int64_t limit) {
+  auto k = static_cast<std::int64_t>(std::sqrt(static_cast<double>(limit)));
+  while (k * k >= limit)
+    --k;
+  while ((k + 1) * (k + 1) < limit)
+    ++k;
+  return static_cast<int>(k);
+}
+
+void fill_row(OccupancyGrid& grid, int row, CellSpan columns, std::uint8_t value) {
+  if (columns.from > columns.to) return;
+  const auto at = grid.blocked.begin() + static_cast<std::ptrdiff_t>(grid.index(columns.from, row));
+  std::fill(at, at + (columns.to - columns.from + 1), value);
+}
+
+// How far beside the obstacle a row of centres at this y is blocked; nothing when it is not. A
+// clearance of 0 still blocks the obstacle's own floor: -1 leaves its edges free.
+std::optional<int> reach_beside(const RectMm& obstacle, int y, int clearance_mm) {
+  const int dy = std::max({obstacle.y0 - y, 0, y - obstacle.y1});
+  if (dy < clearance_mm) return below_root(squared(clearance_mm) - squared(dy));
+  const bool own_floor = y > obstacle.y0 && y < obstacle.y1;
+  return own_floor ? std::optional(-1) : std::nullopt;
 }
 
 void block_rectangle(OccupancyGrid& grid, const RectMm& obstacle, int clearance_mm) {
-  const RectMm reach = obstacle.grown(clearance_mm);
-  const CellSpan xs = cells_within(reach.x0, reach.x1, grid.bounds.x0, grid.cell_mm, grid.columns);
-  const CellSpan ys = cells_within(reach.y0, reach.y1, grid.bounds.y0, grid.cell_mm, grid.rows);
-  const std::int64_t limit = squared(clearance_mm);
+  const RectMm& bounds = grid.bounds;
+  const CellSpan ys = cells_between(
+      obstacle.y0 - clearance_mm, obstacle.y1 + clearance_mm, bounds.y0, grid.cell_mm, grid.rows);
   for (int row = ys.from; row <= ys.to; ++row) {
-    for (int column = xs.from; column <= xs.to; ++column) {
-      const PointMm p = grid.center(column, row);
-      if (squared_distance(p, obstacle) < limit || covers(obstacle, p)) {
-        grid.blocked[grid.index(column, row)] = 1;
-      }
-    }
+    const auto reach = reach_beside(obstacle, grid.center(0, row)[1], clearance_mm);
+    if (!reach) continue;
+    const CellSpan xs = cells_between(
+        obstacle.x0 - *reach, obstacle.x1 + *reach, bounds.x0, grid.cell_mm, grid.columns);
+    fill_row(grid, row, xs, 1);
   }
 }
 
@@ -112,15 +133,13 @@ void open_inside(OccupancyGrid& grid, const PolygonMm& floor) {
     }
     std::sort(crossings.begin(), crossings.end());
     for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
-      const CellSpan xs = cells_within(static_cast<int>(std::floor(crossings[i])),
-                                       static_cast<int>(std::ceil(crossings[i + 1])),
-                                       grid.bounds.x0,
-                                       grid.cell_mm,
-                                       grid.columns);
-      for (int column = xs.from; column <= xs.to; ++column) {
-        const int x = grid.center(column, row)[0];
-        if (x > crossings[i] && x < crossings[i + 1]) grid.blocked[grid.index(column, row)] = 0;
-      }
+      // Centres strictly between the two crossings.
+      const CellSpan xs = cells_between(static_cast<int>(std::floor(crossings[i])) + 1,
+                                        static_cast<int>(std::ceil(crossings[i + 1])) - 1,
+                                        grid.bounds.x0,
+                                        grid.cell_mm,
+                                        grid.columns);
+      fill_row(grid, row, xs, 0);
     }
   }
 }

@@ -53,6 +53,35 @@ TEST(Occupancy, CornersOfObstaclesAreRound) {
   EXPECT_FALSE(grid.free(26, 16));  // (1325, 825) is 247 mm from the corner
 }
 
+// Squared distance in mm; 0 on the rectangle.
+std::int64_t squared_distance(PointMm p, const RectMm& r) {
+  const std::int64_t dx = std::max({r.x0 - p[0], 0, p[0] - r.x1});
+  const std::int64_t dy = std::max({r.y0 - p[1], 0, p[1] - r.y1});
+  return dx * dx + dy * dy;
+}
+
+TEST(Occupancy, BlocksExactlyTheCentresNearerThanTheClearance) {
+  Stream draw = Seed(4).child("rectangles").stream();
+  for (const int clearance : {0, 1, 30, 420, 999}) {
+    for (int i = 0; i < 40; ++i) {
+      const int x = draw.integer(-300, 4200), y = draw.integer(-300, 3200);
+      const RectMm obstacle{x, y, x + draw.integer(0, 1500), y + draw.integer(0, 1500)};
+      const OccupancyGrid bare = make_occupancy(room_4x3, {}, clearance, 50);
+      const OccupancyGrid grid = make_occupancy(room_4x3, {obstacle}, clearance, 50);
+      for (int row = 0; row < grid.rows; ++row) {
+        for (int column = 0; column < grid.columns; ++column) {
+          const PointMm p = grid.center(column, row);
+          const bool inside =
+              p[0] > obstacle.x0 && p[0] < obstacle.x1 && p[1] > obstacle.y0 && p[1] < obstacle.y1;
+          const bool near = squared_distance(p, obstacle) < std::int64_t{clearance} * clearance;
+          ASSERT_EQ(grid.free(column, row), bare.free(column, row) && !inside && !near)
+              << clearance << " mm, obstacle " << i << ", cell " << column << ", " << row;
+        }
+      }
+    }
+  }
+}
+
 TEST(Occupancy, OutlineCutsTheFloor) {  // an L: the north-east quarter of 4 x 4 m is missing
   const PolygonMm outline{{0, 0}, {4000, 0}, {4000, 2000}, {2000, 2000}, {2000, 4000}, {0, 4000}};
   const OccupancyGrid grid = make_occupancy(outline, {}, 0, 100);
@@ -76,6 +105,47 @@ TEST(Components, AWallMakesTwoRooms) {
   EXPECT_EQ(found.cells[1], 300);
   EXPECT_EQ(found.cells[2], 870);
   EXPECT_EQ(found.largest(), 2);
+}
+
+// Every cell with its label's first cell, found by walking: what `find_components` promises.
+void expect_components(const OccupancyGrid& grid) {
+  const Components found = find_components(grid);
+  std::vector<int> label(grid.blocked.size(), 0);
+  int labels = 0;
+  for (std::size_t start = 0; start < label.size(); ++start) {
+    if (grid.blocked[start] != 0 || label[start] != 0) continue;
+    std::vector<std::size_t> pending{start};
+    label[start] = ++labels;
+    int cells = 0;
+    for (; !pending.empty(); ++cells) {
+      const auto column = static_cast<int>(pending.back()) % grid.columns;
+      const auto row = static_cast<int>(pending.back()) / grid.columns;
+      pending.pop_back();
+      for (const PointMm step : {PointMm{1, 0}, PointMm{-1, 0}, PointMm{0, 1}, PointMm{0, -1}}) {
+        if (!grid.free(column + step[0], row + step[1])) continue;
+        const std::size_t next = grid.index(column + step[0], row + step[1]);
+        if (label[next] != 0) continue;
+        label[next] = labels;
+        pending.push_back(next);
+      }
+    }
+    ASSERT_LT(static_cast<std::size_t>(labels), found.cells.size());
+    EXPECT_EQ(found.cells[static_cast<std::size_t>(labels)], cells);
+  }
+  EXPECT_EQ(found.cells.size(), static_cast<std::size_t>(labels) + 1);
+  EXPECT_EQ(found.label, label);
+}
+
+TEST(Components, AreThoseThatWalkingFinds) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed)
+    expect_components(cluttered_grid(seed, 150));
+  Stream draw = Seed(9).child("speckles").stream();  // mazes: parts that join late
+  for (int i = 0; i < 40; ++i) {
+    OccupancyGrid grid = make_occupancy(room_4x3, {}, 0, 100);
+    for (std::uint8_t& cell : grid.blocked)
+      cell = draw.chance(0.42) ? 1 : 0;
+    expect_components(grid);
+  }
 }
 
 TEST(Components, ADoorMustBeWideEnough) {  // an 800 mm door lets 390 mm radius through, not 450
