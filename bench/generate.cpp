@@ -1,8 +1,12 @@
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 
 #include "base/progress.h"
 #include "bench/bench.h"
 #include "bench/sample_store.h"
+#include "store/design.h"
 
 namespace marketgen::bench {
 namespace {
@@ -21,6 +25,31 @@ Result<Run> create(const CreateOptions& options, const Catalog& catalog) {
     (t.stage == "previews" ? run.previews_s : run.before_previews_s) += t.seconds;
   run.products = created.manifest.counts.products;
   return run;
+}
+
+// A hall, and 12,000 characters of clauses about it that no floor can fulfil together.
+std::string salad() {
+  constexpr std::array<std::string_view, 7> zones = {
+      "bakery", "dairy", "frozen", "wine", "snacks", "produce", "household"};
+  constexpr std::array<std::string_view, 5> relations = {
+      " next to the ", " left of the ", " far from the ", " behind the ", " opposite the "};
+  std::string prompt = "a 100 x 80 m hypermarket with 12 emergency exits and 12 windows";
+  for (std::size_t i = 0; prompt.size() < 12'000; ++i) {
+    prompt += fmt::format(", {}{}{}",
+                          zones[i % zones.size()],
+                          relations[i % relations.size()],
+                          zones[(3 * i + 1) % zones.size()]);
+  }
+  return prompt;
+}
+
+// From the words to a layout that keeps its rules; no goods.
+Result<double> planning_seconds(const Catalog& catalog) {
+  Brief brief;
+  brief.prompt = salad();
+  const double start = monotonic_seconds();
+  MARKETGEN_CHECK(design_store(brief, catalog, Seed(1)));
+  return monotonic_seconds() - start;
 }
 
 }  // namespace
@@ -46,6 +75,12 @@ Figures run_generate(const Catalog& catalog) {
     large.push_back(big.seconds);
     large_products = big.products;
   }
+  std::vector<double> planning;
+  for (int i = 0; i < runs; ++i) {
+    MARKETGEN_TRY(const double seconds, planning_seconds(catalog));
+    planning.push_back(seconds);
+  }
+  add("plan_12000_characters_s", median(planning), "s", runs);
   add("generate_24x15m_s", median(small), "s", runs);
   add("generate_24x15m_products", static_cast<double>(products), "items", 1);
   add("generate_40x25m_s", median(large), "s", runs);

@@ -156,6 +156,7 @@ struct Concessions {
   bool relations_may_fail = false;       // every relation is only preferred
   bool plain = false;                    // nothing but a till and ordinary shelves
   int draw = 0;                          // which of the floors that the seed can give
+  int plans_before = 0;                  // of the same brief: each plan may take half the work
   std::map<std::string, int> max_count;  // of tills and desks, by zone type
 
   friend bool operator==(const Concessions&, const Concessions&) = default;

@@ -65,6 +65,24 @@ Opening make_opening(std::string id, OpeningKind kind, Wall wall, double center,
   return opening;
 }
 
+// Where the middle of a door may be along a wall: every 100 mm from `first_mm` to `last_mm`.
+struct DoorSteps {
+  int first_mm, last_mm;
+
+  // The step within [from, to] that is nearest to `wanted`, the lower one of two.
+  std::optional<int> nearest(int wanted, int from, int to) const {
+    constexpr int step_mm = 100;
+    const int low = std::max(0, (from - first_mm + step_mm - 1) / step_mm);
+    const int end = std::min(to, last_mm) - first_mm;
+    if (end < 0 || low > end / step_mm) return std::nullopt;
+    const int below = std::clamp((wanted - first_mm) / step_mm, low, end / step_mm);
+    const int above = std::min(below + 1, end / step_mm);
+    const auto at = [&](int step) { return first_mm + step * step_mm; };
+    const bool up = std::abs(at(above) - wanted) < std::abs(at(below) - wanted);
+    return at(up ? above : below);
+  }
+};
+
 class DoorPlacer {
  public:
   DoorPlacer(Candidate& candidate, const StoreProgram& program, const Understanding& found)
@@ -219,34 +237,42 @@ class DoorPlacer {
     return Wall::east;
   }
 
-  // Where along the wall no door may begin or end: every opening with a margin on both sides.
-  std::vector<std::array<int, 2>> taken(Wall wall) const {
+  // Where along the wall the middle of a door this wide must not be: nearer than the margin to
+  // another opening. Sorted, open at both ends.
+  std::vector<std::array<int, 2>> taken(Wall wall, int half_mm) const {
     std::vector<std::array<int, 2>> stretches;
     for (const Opening& other : candidate_.openings) {
       if (other.wall != wall) continue;
       const auto middle =
           static_cast<int>(std::lround(other.center * wall_length(wall, candidate_.floor)));
-      const int half = other.width_mm / 2 + corner_margin_mm;
-      stretches.push_back({middle - half, middle + half});
+      const int away = other.width_mm / 2 + corner_margin_mm + half_mm;
+      stretches.push_back({middle - away, middle + away});
     }
+    std::ranges::sort(stretches);
     return stretches;
   }
 
-  // The free place along the wall that is nearest to `center`; no opening when there is none.
+  // The free place along the wall that is nearest to `center`, the lower one of two; no opening
+  // when there is none.
   void place_free(const std::string& id, OpeningKind kind, Wall wall, double center, int width_mm) {
     const int length = wall_length(wall, candidate_.floor);
-    constexpr int step_mm = 100;
     const int wanted = static_cast<int>(std::lround(center * length));
     const int half = width_mm / 2;
-    const std::vector<std::array<int, 2>> stretches = taken(wall);
+    const DoorSteps steps{corner_margin_mm + half, length - corner_margin_mm - half};
     std::optional<int> best;
-    for (int at = corner_margin_mm + half; at <= length - corner_margin_mm - half; at += step_mm) {
-      const bool nearer = !best || std::abs(at - wanted) < std::abs(*best - wanted);
-      const auto meets = [&](const std::array<int, 2>& other) {
-        return at - half < other[1] && other[0] < at + half;
-      };
-      if (nearer && std::ranges::none_of(stretches, meets)) best = at;
+    const auto consider = [&](int at) {
+      if (!best || std::abs(at - wanted) < std::abs(*best - wanted)) best = at;
+    };
+    // The steps of each stretch between two taken ones, of which the nearest is all that counts.
+    int from = steps.first_mm;
+    const auto consider_until = [&](int to) {
+      if (const auto at = steps.nearest(wanted, from, to)) consider(*at);
+    };
+    for (const auto& [begin, end] : taken(wall, half)) {
+      consider_until(begin);
+      from = std::max(from, end);
     }
+    consider_until(steps.last_mm);
     if (!best) return;
     candidate_.openings.push_back(
         make_opening(id, kind, wall, static_cast<double>(*best) / length, width_mm));

@@ -208,10 +208,21 @@ double band_habit(const ProgramZone& zone, Band band) {
   return points;
 }
 
-double penalty_of(const FloorDraft& draft, const Candidate& candidate, const ScoreInput& input) {
-  return wish_penalty(candidate, input) + room_penalty(candidate, input) +
-         core_penalty(draft, candidate, input) + flow_penalty(candidate, input) +
-         neighbour_penalty(candidate, input) + habit_penalty(draft, input);
+double penalty_of(const FloorDraft& draft,
+                  const Candidate& candidate,
+                  const ScoreInput& input,
+                  double accepted) {
+  // Only the habits can be less than nothing. The quick ones come first, the wishes last.
+  constexpr double rounding = 1e-6;
+  const double habits = habit_penalty(draft, input);
+  const double core = core_penalty(draft, candidate, input);
+  const double room = room_penalty(candidate, input);
+  if (habits + core + room > accepted + rounding) return HUGE_VAL;
+  const double flow = flow_penalty(candidate, input);
+  const double neighbours = neighbour_penalty(candidate, input);
+  if (habits + core + room + flow + neighbours > accepted + rounding) return HUGE_VAL;
+  const double sum = wish_penalty(candidate, input) + room + core + flow + neighbours + habits;
+  return sum > accepted ? HUGE_VAL : sum;
 }
 
 }  // namespace marketgen

@@ -18,7 +18,11 @@ struct ScoreInput {
 };
 
 // Wishes weigh most, then room, then the adjacency facts and habits of shop design, then taste.
-double penalty_of(const FloorDraft& draft, const Candidate& candidate, const ScoreInput& input);
+// Infinite when it is more than `accepted`, which is often found out early.
+double penalty_of(const FloorDraft& draft,
+                  const Candidate& candidate,
+                  const ScoreInput& input,
+                  double accepted);
 
 // What a zone's stance makes of a band, in penalty points; the search starts where this is least.
 double band_habit(const ProgramZone& zone, Band band);

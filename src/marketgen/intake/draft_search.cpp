@@ -8,7 +8,6 @@
 namespace marketgen {
 namespace {
 
-constexpr std::size_t starts = 8;
 constexpr int moves_per_start = 220;
 constexpr double wished_zone_chance = 0.35;  // moves of zones whose place was asked for
 constexpr double first_temperature = 6;  // in penalty points; falls to nothing over a start's moves
@@ -32,13 +31,14 @@ class Search {
     }
   }
 
-  FoundDraft run() {
-    std::vector<FoundDraft> found = parallel_map(starts, [&](std::size_t i) {
-      Stream draw = seed_.child("start", i).stream();
-      return improve(start(draw), draw);
-    });
+  FoundDraft run(int starts) {
+    std::vector<FoundDraft> found =
+        parallel_map(static_cast<std::size_t>(starts), [&](std::size_t i) {
+          Stream draw = seed_.child("start", i).stream();
+          return improve(start(draw), draw);
+        });
     FoundDraft& best = *std::ranges::min_element(found, {}, &FoundDraft::penalty);
-    best.evaluations = static_cast<int>(starts) * (moves_per_start + 1);
+    best.evaluations = starts * (moves_per_start + 1);
     return std::move(best);
   }
 
@@ -54,8 +54,9 @@ class Search {
   // otherwise. The test of the tree takes longest and comes last.
   double evaluate(const FloorDraft& draft, double accepted, FoundDraft& best) const {
     Candidate candidate = make_candidate(draft, program_, understanding_, catalog_);
-    const double penalty = penalty_of(draft, candidate, {program_, understanding_, taste_});
-    if (penalty > accepted || tree_depth(candidate.root) > max_bsp_depth) return HUGE_VAL;
+    const double penalty =
+        penalty_of(draft, candidate, {program_, understanding_, taste_}, accepted);
+    if (penalty == HUGE_VAL || tree_depth(candidate.root) > max_bsp_depth) return HUGE_VAL;
     if (penalty < best.penalty) best = {draft, std::move(candidate), penalty, 0};
     return penalty;
   }
@@ -267,11 +268,18 @@ class Search {
 
 }  // namespace
 
+std::int64_t work_of_a_start(const StoreProgram& program, const Understanding& understanding) {
+  const auto relations =
+      std::ranges::count(understanding.requirements, RequirementKind::relation, &Requirement::kind);
+  return (moves_per_start + 1) * (std::ssize(program.zones) + relations);
+}
+
 FoundDraft search_draft(const StoreProgram& program,
                         const Understanding& understanding,
                         const Catalog& catalog,
-                        Seed seed) {
-  return Search(program, understanding, catalog, seed).run();
+                        Seed seed,
+                        int starts) {
+  return Search(program, understanding, catalog, seed).run(starts);
 }
 
 }  // namespace marketgen

@@ -13,10 +13,17 @@ struct FoundDraft {
   int evaluations = 0;
 };
 
-// Deterministic for a seed. Precondition: the program has at least one zone.
+constexpr int most_starts = 8;  // of one search; more find nothing better
+
+// What one start costs, whatever machine does it: a floor that is judged costs as much as it has
+// zones and relations, of which each takes about a microsecond.
+std::int64_t work_of_a_start(const StoreProgram& program, const Understanding& understanding);
+
+// Deterministic for a seed. Precondition: the program has at least one zone, and 1 <= starts.
 FoundDraft search_draft(const StoreProgram& program,
                         const Understanding& understanding,
                         const Catalog& catalog,
-                        Seed seed);
+                        Seed seed,
+                        int starts = most_starts);
 
 }  // namespace marketgen

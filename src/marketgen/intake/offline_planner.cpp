@@ -17,7 +17,12 @@ namespace {
 
 constexpr double crowded_m = 0.4;  // zones that lack more than this do not fit
 constexpr std::size_t fewest_zones = 2;
+constexpr std::string_view no_room = "the floor has no room for another zone";
+constexpr std::string_view not_found =
+    "no floor for so many zones was found in the time that planning may take";
 constexpr int patient_searches = 5;  // that lose one zone each; then more at once
+// What the searches of one plan may cost (work_of_a_start): eight of a usual shop's.
+constexpr std::int64_t most_work = 150'000;
 
 // The first wish that names a zone of this type; null when nobody asked for one.
 const Requirement* wish_for(const Understanding& found, const ProgramZone& zone) {
@@ -57,17 +62,18 @@ std::size_t most_dispensable(const StoreProgram& program, const Understanding& f
 }
 
 // Takes one zone out; a zone that was asked for becomes a conflict.
-void give_up_zone(StoreProgram& program, Understanding& found, std::vector<std::string>& trace) {
+void give_up_zone(StoreProgram& program,
+                  Understanding& found,
+                  std::string_view why,
+                  std::vector<std::string>& trace) {
   const std::size_t lost = most_dispensable(program, found);
   const ProgramZone zone = program.zones[lost];
   program.zones.erase(program.zones.begin() + static_cast<std::ptrdiff_t>(lost));
   trace.push_back("no room for " + zone.id);
   const Requirement* wish = wish_for(found, zone);
   if (wish == nullptr) return;
-  found.conflicts.push_back({"zone " + zone.type->type,
-                             "the size of the store",
-                             wish->text,
-                             "the floor has no room for another zone"});
+  found.conflicts.push_back(
+      {"zone " + zone.type->type, "the size of the store", wish->text, std::string(why)});
 }
 
 // Wishes for zones that a plain store has no floor for.
@@ -115,13 +121,25 @@ Candidate side_by_side(const StoreProgram& program,
   return candidate;
 }
 
+// The starts of the next search: no more than half of the work that is left, so that searches with
+// fewer zones still have some.
+int affordable_starts(const StoreProgram& program,
+                      const Understanding& found,
+                      std::int64_t work_left) {
+  const std::int64_t starts = work_left / 2 / work_of_a_start(program, found);
+  return static_cast<int>(std::clamp<std::int64_t>(starts, 1, most_starts));
+}
+
 Candidate find_floor(StoreProgram& program,
                      Understanding& found,
                      const Catalog& catalog,
                      Seed seed,
+                     std::int64_t work_left,
                      std::vector<std::string>& trace) {
   for (int searches = 1;; ++searches) {
-    FoundDraft best = search_draft(program, found, catalog, seed.child("floor"));
+    const int starts = affordable_starts(program, found, work_left);
+    work_left -= starts * work_of_a_start(program, found);
+    FoundDraft best = search_draft(program, found, catalog, seed.child("floor"), starts);
     trace.push_back("judged " + std::to_string(best.evaluations) + " floors");
     const bool found_one =
         std::isfinite(best.penalty);  // on a sliver no draft can be judged at all
@@ -133,9 +151,10 @@ Candidate find_floor(StoreProgram& program,
     if (program.zones.size() <= fewest_zones) return side_by_side(program, found, catalog);
     // Hopeless floors lose several zones at once, so that the search runs a few times only.
     const int hopeless = std::max(0, searches - patient_searches);
-    const int lost = 1 + static_cast<int>(best.candidate.drafted.crowding / 4) + hopeless;
+    const int spent = work_left > 0 ? 0 : static_cast<int>(program.zones.size()) / 2;
+    const int lost = 1 + static_cast<int>(best.candidate.drafted.crowding / 4) + hopeless + spent;
     for (int i = 0; i < lost && program.zones.size() > fewest_zones; ++i) {
-      give_up_zone(program, found, trace);
+      give_up_zone(program, found, spent > 0 ? not_found : no_room, trace);
     }
   }
 }
@@ -183,11 +202,16 @@ Result<Planned> OfflinePlanner::plan(const Brief& brief,
   keep_tills(found, program);
   if (concessions.plain) give_up_all_but_plain(program, found);
   while (program.zones.size() > std::max(fewest_zones, concessions.max_zones))
-    give_up_zone(program, found, planned.trace);
+    give_up_zone(program, found, no_room, planned.trace);
   const Seed floors = concessions.draw == 0
                           ? seed.child("plan")
                           : seed.child("plan", static_cast<std::uint64_t>(concessions.draw));
-  const Candidate candidate = find_floor(program, found, catalog, floors, planned.trace);
+  const Candidate candidate = find_floor(program,
+                                         found,
+                                         catalog,
+                                         floors,
+                                         most_work >> std::min(concessions.plans_before, 4),
+                                         planned.trace);
   planned.plan = write_plan({brief, found, program, candidate, catalog});
   if (concessions.relations_may_fail) {
     for (Relation& relation : planned.plan.relations)

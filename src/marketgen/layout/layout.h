@@ -65,7 +65,7 @@ struct Fixture {
       field("y_mm", &Fixture::y_mm, "centre, north"),
       field("yaw_deg", &Fixture::yaw_deg, "0 = front faces south, 90 = east", range(0, 270)),
       field("width_mm", &Fixture::width_mm, "along its front", range(100, 6000)),
-      field("depth_mm", &Fixture::depth_mm, "front to back", range(100, 6000)),
+      field("depth_mm", &Fixture::depth_mm, "front to back", range(40, 6000)),
       field("height_mm", &Fixture::height_mm, "overall height", range(100, 4000)),
       field("levels", &Fixture::levels, "stocked levels, base included", range(0, 12)),
       field("base_mm", &Fixture::base_mm, "top of the lowest level", range(0, 2000)),
@@ -156,8 +156,17 @@ Result<Layout> make_layout(const Plan& plan, const Catalog& catalog, Seed seed);
 struct Repaired {
   Plan plan;
   std::vector<std::string> changes;  // one sentence each
+  std::optional<Layout> layout;      // of the plan; nothing when it has none
+  std::int64_t work = 0;             // of all layouts that were made for it
 };
-Result<Repaired> repair_plan(const Plan& plan, const Catalog& catalog, Seed seed);
+// What a layout costs, whatever machine makes it: one for each module (about 25 microseconds) and
+// one for ten square metres of floor. A layout of a hall costs a hundred times that of a shop, so
+// that fewer of them are tried: none is begun once a repair has done so much work.
+constexpr std::int64_t most_repair_work = 6'000;
+Result<Repaired> repair_plan(const Plan& plan,
+                             const Catalog& catalog,
+                             Seed seed,
+                             std::int64_t most_work = most_repair_work);
 
 // Evaluates every rule of layout_rules.inc. make_layout has already put the result into
 // `violations`.

@@ -95,17 +95,18 @@ bool near_way(const RectMm& rect,
 
 // Removes fixtures until everything that is free for this width hangs together.
 void join_parts(const Design& design, std::vector<Fixture>& fixtures, int width_mm) {
-  const OccupancyGrid bare =
-      make_occupancy(design.floor.outline, design.floor.columns, width_mm / 2, cell_mm);
+  std::optional<OccupancyGrid> bare;  // made when something is shut off
   std::set<int> given_up;
   for (int round = 0; round < most_rounds; ++round) {
     const Reach reach = reach_of(design.floor, design.plan.shell, fixtures, width_mm);
     const int label = shut_off_label(reach, given_up);
     if (label == 0 || reach.from_entrance == 0) return;
-    const std::vector<std::size_t> way = way_out(reach, bare, label);
+    if (!bare)
+      bare = make_occupancy(design.floor.outline, design.floor.columns, width_mm / 2, cell_mm);
+    const std::vector<std::size_t> way = way_out(reach, *bare, label);
     const std::size_t before = fixtures.size();
     std::erase_if(fixtures, [&](const Fixture& fixture) {
-      return near_way(footprint_of(fixture), way, bare, width_mm / 2);
+      return near_way(footprint_of(fixture), way, *bare, width_mm / 2);
     });
     if (fixtures.size() == before) {
       given_up.insert(label);

@@ -18,9 +18,6 @@ constexpr int most_trials_hard = 60;
 constexpr int most_trials_soft = 10;
 constexpr double large_shop_m2 = 600;
 constexpr int most_trials_soft_large = 4;
-// Modules that all trials may place together: a layout of a hall takes a hundred times as long as
-// one of a shop, so that fewer of them are tried.
-constexpr std::int64_t max_modules_tried = 12'000;
 constexpr int impossible = 1'000'000;  // hard faults of a plan that has no layout
 
 struct Score {
@@ -56,17 +53,25 @@ const LayoutRule* rule_of(const Violation& violation) {
   return rule == rules.end() ? nullptr : &*rule;
 }
 
+std::int64_t work_of_floor(const Shell& shell) {
+  constexpr double m2_per_module = 10;
+  return static_cast<std::int64_t>(1e-6 * shell.width_mm * shell.depth_mm / m2_per_module);
+}
+
 class Repair {
  public:
-  Repair(const Catalog& catalog, Seed seed, double store_m2)
+  Repair(const Catalog& catalog, Seed seed, double store_m2, std::int64_t most_work)
       : catalog_(catalog),
         seed_(seed),
+        most_work_(most_work),
         soft_left_(store_m2 > large_shop_m2 ? most_trials_soft_large : most_trials_soft) {}
 
-  Result<Trial> lay_out(const Plan& plan) const {
+  Result<Trial> lay_out(const Plan& plan) {
     Result<Layout> layout = make_layout(plan, catalog_, seed_);
+    work_ += work_of_floor(plan.shell);
     if (!layout.ok() && layout.error().code != "layout.impossible") return layout.error();
     if (!layout.ok()) return Trial{plan, {}, {impossible, 0}};
+    work_ += std::ssize(layout->fixtures);
     const Score score = score_of(layout->violations);
     return Trial{plan, std::move(layout).value(), score};
   }
@@ -84,12 +89,11 @@ class Repair {
       for (const RepairMove move : rule->repairs) {
         for (RepairCandidate& candidate : propose(move, {now.plan, now.layout, fault, catalog_})) {
           int& left = fault.severity == Severity::hard ? hard_left_ : soft_left_;
-          if (left <= 0 || modules_left_ <= 0) break;
+          if (left <= 0 || work_ >= most_work_) break;
           if (!is_new(candidate.plan) || !validate_plan(candidate.plan, "repair", catalog_).ok())
             continue;
           --left;
           Result<Trial> trial = lay_out(candidate.plan);
-          if (trial.ok()) modules_left_ -= std::ssize(trial->layout.fixtures);
           if (trial.ok() && improves(*trial, now, fault))
             return std::pair{std::move(trial).value(), std::move(candidate)};
         }
@@ -99,6 +103,7 @@ class Repair {
   }
 
   void remember(const Plan& plan) { is_new(plan); }
+  std::int64_t work() const { return work_; }
 
  private:
   bool is_new(const Plan& plan) { return tried_.insert(hash64(write_json_line(plan))).second; }
@@ -120,20 +125,23 @@ class Repair {
 
   const Catalog& catalog_;
   Seed seed_;
+  std::int64_t most_work_, work_ = 0;
   int hard_left_ = most_trials_hard;
   int soft_left_;
-  std::int64_t modules_left_ = max_modules_tried;
   std::set<std::uint64_t> tried_;
 };
 
 }  // namespace
 
-Result<Repaired> repair_plan(const Plan& plan, const Catalog& catalog, Seed seed) {
+Result<Repaired> repair_plan(const Plan& plan,
+                             const Catalog& catalog,
+                             Seed seed,
+                             std::int64_t most_work) {
   const double store_m2 = 1e-6 * plan.shell.width_mm * plan.shell.depth_mm;
-  Repair repair(catalog, seed, store_m2);
+  Repair repair(catalog, seed, store_m2, most_work);
   repair.remember(plan);
   MARKETGEN_TRY(Trial now, repair.lay_out(plan));
-  Repaired repaired{plan, {}};
+  Repaired repaired;
   while (now.score > Score{}) {
     MARKETGEN_CHECK(check_interrupt());
     auto next = repair.better(now);
@@ -145,6 +153,8 @@ Result<Repaired> repair_plan(const Plan& plan, const Catalog& catalog, Seed seed
     repaired.changes.push_back(std::move(next->second.change));
   }
   repaired.plan = std::move(now.plan);
+  if (now.score.hard < impossible) repaired.layout = std::move(now.layout);
+  repaired.work = repair.work();
   return repaired;
 }
 

@@ -60,9 +60,14 @@ int dead_end_depth(const Reach& reach, const Aisle& aisle) {
   };
   for (int row = row_of(around.y0); row <= row_of(around.y1); ++row) {
     for (int column = column_of(around.x0); column <= column_of(around.x1); ++column) {
-      if (!reach.reached(grid.index(column, row))) continue;
       const PointMm p = grid.center(column, row);
-      if (rect.contains(p)) {
+      const bool inside = rect.contains(p);
+      if (inside && inside_reached) {  // on to the ring east of the aisle
+        column = std::max(column, column_of(rect.x1) - 1);
+        continue;
+      }
+      if (!reach.reached(grid.index(column, row))) continue;
+      if (inside) {
         inside_reached = true;
         continue;
       }

@@ -26,6 +26,14 @@ bool zone_is_cold(const RuleFacts& facts, const LayoutZone& zone) {
   return type != nullptr && type->temperature != Storage::ambient;
 }
 
+std::vector<std::size_t> shelving_of(const RuleFacts& facts, const std::string& zone) {
+  std::vector<std::size_t> fixtures;
+  for (std::size_t i = 0; i < facts.footprints.size(); ++i) {
+    if (facts.is_shelving(i) && facts.layout.fixtures[i].zone == zone) fixtures.push_back(i);
+  }
+  return fixtures;
+}
+
 // The nearest two fixtures of two zones; nothing when one of them has none.
 struct NearestPair {
   std::size_t a = 0, b = 0;
@@ -35,10 +43,9 @@ std::optional<NearestPair> nearest_fixtures(const RuleFacts& facts,
                                             const std::string& a,
                                             const std::string& b) {
   std::optional<NearestPair> best;
-  for (std::size_t i = 0; i < facts.footprints.size(); ++i) {
-    if (facts.layout.fixtures[i].zone != a || !facts.is_shelving(i)) continue;
-    for (std::size_t k = 0; k < facts.footprints.size(); ++k) {
-      if (facts.layout.fixtures[k].zone != b || !facts.is_shelving(k)) continue;
+  const std::vector<std::size_t> of_b = shelving_of(facts, b);
+  for (const std::size_t i : shelving_of(facts, a)) {
+    for (const std::size_t k : of_b) {
       const int gap = gap_mm(facts.footprints[i], facts.footprints[k]);
       if (!best || gap < best->gap) best = NearestPair{i, k, gap};
     }

@@ -170,12 +170,12 @@ struct Built {
 // The plan of the options' file, or of their brief with what had to be conceded.
 Result<Planned> plan_of(const CreateOptions& options,
                         const Catalog& catalog,
+                        const Planner* planner,
                         const Concessions& concessions) {
   Planned planned;
   if (options.plan_file) {
     MARKETGEN_TRY(planned, read_planned(*options.plan_file, catalog));
   } else {
-    MARKETGEN_TRY(const std::unique_ptr<Planner> planner, make_planner(options.brief.planner));
     const Seed seed = Seed(options.seed).child("plan");
     MARKETGEN_TRY(planned, plan_from_brief(options.brief, catalog, *planner, seed, concessions));
   }
@@ -193,8 +193,12 @@ Result<void> require_understood(const Planned& planned) {
 
 Result<Designed> design(const CreateOptions& options, const Catalog& catalog, Stages& stages) {
   const Seed layout_seed = Seed(options.seed).child(layout_stream);
+  std::unique_ptr<Planner> planner;  // for words only
+  if (!options.plan_file) {
+    MARKETGEN_TRY(planner, make_planner(options.brief.planner));
+  }
   const PlanAgain plan = [&](const Concessions& concessions) {
-    return plan_of(options, catalog, concessions);
+    return plan_of(options, catalog, planner.get(), concessions);
   };
   Designed designed;
   MARKETGEN_TRY(designed.planned, stages.run("plan", [&] { return plan({}); }));
@@ -205,7 +209,7 @@ Result<Designed> design(const CreateOptions& options, const Catalog& catalog, St
   MARKETGEN_TRY(designed.layout, stages.run("layout", [&] {
     // A plan that somebody wrote says itself what it is: nothing is conceded.
     return options.plan_file ? make_layout(designed.repaired.plan, catalog, layout_seed)
-                             : layout_or_nothing(designed.repaired.plan, catalog, layout_seed);
+                             : layout_of(designed.repaired, catalog, layout_seed);
   }));
   if (options.plan_file || keeps_hard_rules(designed.layout.violations)) return designed;
   return stages.run("concede",

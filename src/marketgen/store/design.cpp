@@ -1,6 +1,7 @@
 #include "store/design.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/interrupt.h"
 
@@ -61,6 +62,12 @@ class Bargain {
     }
   }
 
+  // The plainest floor there is: nothing is left to try.
+  void concede_all() {
+    concessions_.relations_may_fail = true;
+    concessions_.till_counter = concessions_.plain = true;
+  }
+
   const Concessions& concessions() const { return concessions_; }
   const std::vector<Conflict>& given_up() const { return given_up_; }
 
@@ -100,15 +107,23 @@ class Bargain {
   int crowded_rounds_ = 0;
 };
 
-Result<Designed> lay_out(Planned planned, const Catalog& catalog, Seed seed) {
+Result<Designed> lay_out(Planned planned,
+                         const Catalog& catalog,
+                         Seed seed,
+                         std::int64_t most_work = most_repair_work) {
   Designed designed;
-  MARKETGEN_TRY(designed.repaired, repair_plan(planned.plan, catalog, seed));
-  MARKETGEN_TRY(designed.layout, layout_or_nothing(designed.repaired.plan, catalog, seed));
+  MARKETGEN_TRY(designed.repaired, repair_plan(planned.plan, catalog, seed, most_work));
+  MARKETGEN_TRY(designed.layout, layout_of(designed.repaired, catalog, seed));
   designed.planned = std::move(planned);
   return designed;
 }
 
 }  // namespace
+
+Result<Layout> layout_of(Repaired& repaired, const Catalog& catalog, Seed seed) {
+  if (repaired.layout) return *std::exchange(repaired.layout, std::nullopt);
+  return layout_or_nothing(repaired.plan, catalog, seed);
+}
 
 Result<Layout> layout_or_nothing(const Plan& plan, const Catalog& catalog, Seed seed) {
   Result<Layout> layout = make_layout(plan, catalog, seed);
@@ -130,11 +145,18 @@ Result<Designed> concede(Designed first,
                          Seed layout_seed) {
   Designed best = first, now = std::move(first);
   Bargain bargain;
+  std::int64_t work_left = most_repair_work / 2;  // for all rounds together
   for (int round = 0; round < max_rounds && hard_faults(best.layout) > 0; ++round) {
     MARKETGEN_CHECK(check_interrupt());
     bargain.concede(now);
-    MARKETGEN_TRY(Planned planned, plan_again(bargain.concessions()));
-    MARKETGEN_TRY(now, lay_out(std::move(planned), catalog, layout_seed));
+    const bool last = work_left <= 0;
+    if (last) bargain.concede_all();
+    Concessions concessions = bargain.concessions();
+    concessions.plans_before = round + 1;
+    MARKETGEN_TRY(Planned planned, plan_again(concessions));
+    MARKETGEN_TRY(now, lay_out(std::move(planned), catalog, layout_seed, work_left));
+    work_left -= now.repaired.work;
+    if (last) round = max_rounds;
     if (hard_faults(now.layout) >= hard_faults(best.layout)) continue;
     best = now;
     const std::vector<Conflict>& given_up = bargain.given_up();

@@ -19,7 +19,9 @@ struct Designed {
 
 bool keeps_hard_rules(const std::vector<Violation>& rules);
 
-// The layout, or one without a fixture that says so in its violations.
+// The layout, or one without a fixture that says so in its violations. The first takes it out of
+// `repaired` where it has it.
+Result<Layout> layout_of(Repaired& repaired, const Catalog& catalog, Seed seed);
 Result<Layout> layout_or_nothing(const Plan& plan, const Catalog& catalog, Seed seed);
 
 // The same brief planned again.

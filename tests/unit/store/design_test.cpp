@@ -181,5 +181,113 @@ TEST(Designs, OfFewWordsThatAskForTooMuchAreReadable) {
   }
 }
 
+// ---- Work: steps rather than seconds, which are the same on every machine ----
+
+// Twelve thousand characters of clauses that contradict one another.
+std::string salad(const std::string& shop, std::uint64_t seed) {
+  static constexpr const char* things[] = {"bakery",
+                                           "dairy",
+                                           "produce",
+                                           "frozen",
+                                           "meat",
+                                           "deli",
+                                           "snacks",
+                                           "drinks",
+                                           "wine",
+                                           "household",
+                                           "canned food",
+                                           "cosmetics",
+                                           "magazines",
+                                           "promo",
+                                           "cafe",
+                                           "storage",
+                                           "self-checkouts",
+                                           "checkouts",
+                                           "customer service"};
+  static constexpr const char* clauses[] = {"A next to the B",
+                                            "A left of the B",
+                                            "A far from the B",
+                                            "A between B and the entrance",
+                                            "A along the north wall",
+                                            "N A zones",
+                                            "A of 80 m2",
+                                            "N rows of A",
+                                            "no A",
+                                            "lots of A",
+                                            "N entrances",
+                                            "N exits",
+                                            "N windows",
+                                            "N emergency exits",
+                                            "N aisles",
+                                            "N checkouts",
+                                            "2.5 m wide aisles",
+                                            "A opposite the B",
+                                            "A behind the B"};
+  Stream draw = Seed(seed).child("salad").stream();
+  const auto one_of = [&](const auto& list) {
+    const int last = static_cast<int>(std::size(list)) - 1;
+    return std::string(list[static_cast<std::size_t>(draw.integer(0, last))]);
+  };
+  std::string prompt = shop;
+  while (prompt.size() < 12'000) {
+    prompt += ", ";
+    for (const char c : one_of(clauses))
+      prompt += c == 'A' || c == 'B' ? one_of(things)
+                : c == 'N'           ? std::to_string(draw.integer(1, 60))
+                                     : std::string(1, c);
+  }
+  return prompt;
+}
+
+// Floors that the search judged, each counted with what it holds and what is asked of it.
+std::int64_t work_of(const Planned& planned) {
+  std::int64_t floors = 0;
+  for (const std::string& line : planned.trace)
+    if (line.starts_with("judged ")) floors += std::stoll(line.substr(7));
+  return floors * (std::ssize(planned.plan.zones) + std::ssize(planned.plan.relations));
+}
+
+TEST(Designs, OfSaladsTakeBoundedWorkAndSayWhatWasGivenUp) {
+  // 150,000 for the first plan, half as much for each that follows.
+  constexpr std::int64_t most_search_work = 450'000, one_layout = 4'000;
+  const auto planner = make_planner("offline");
+  ASSERT_TRUE(planner.ok());
+  std::uint64_t seed = 0;
+  for (const char* shop : {"a 4 x 4 m kiosk",
+                           "a 8 x 5 m shop",
+                           "a 5 x 38 m supermarket",
+                           "a 24 x 15 m shop",
+                           "a 200 x 20 m supermarket",
+                           "a 100 x 80 m hypermarket"}) {
+    SCOPED_TRACE(shop);
+    Brief brief;
+    brief.prompt = salad(shop, ++seed);
+    std::int64_t searched = 0;
+    int plans = 0;
+    const PlanAgain plan = [&](const Concessions& concessions) {
+      auto planned =
+          plan_from_brief(brief, committed_catalog(), **planner, Seed(seed), concessions);
+      if (planned.ok()) searched += work_of(*planned);
+      ++plans;
+      return planned;
+    };
+    auto planned = plan({});
+    ASSERT_TRUE(planned.ok()) << to_string(planned.error());
+    EXPECT_GT(planned->conflicts.size(), 10U);
+    auto repaired = repair_plan(planned->plan, committed_catalog(), Seed(seed));
+    ASSERT_TRUE(repaired.ok());
+    EXPECT_LT(repaired->work, most_repair_work + one_layout);
+    auto layout = layout_of(*repaired, committed_catalog(), Seed(seed));
+    ASSERT_TRUE(layout.ok());
+    const auto made = concede({std::move(*planned), std::move(*repaired), std::move(*layout)},
+                              plan,
+                              committed_catalog(),
+                              Seed(seed));
+    EXPECT_LT(searched, most_search_work);
+    EXPECT_LE(plans, 11);
+    if (made.ok()) expect_readable(made->repaired.plan, brief.prompt);
+  }
+}
+
 }  // namespace
 }  // namespace marketgen
