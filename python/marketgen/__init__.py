@@ -16,7 +16,7 @@ import sys
 
 from . import _core, policies
 from ._core import __version__
-from .errors import Error
+from .errors import Error, StoreWarning
 from .evaluation import Evaluation, Policy, evaluate
 from .pictures import Camera, Frame, Renderer, camera_from_dict, camera_to_dict, render_batch
 from .store import Store, generate, open_store
@@ -41,6 +41,7 @@ __all__ = [
     "Policy",
     "Renderer",
     "Store",
+    "StoreWarning",
     "__version__",
     "camera_from_dict",
     "camera_to_dict",

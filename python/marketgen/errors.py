@@ -19,6 +19,10 @@ class Error(RuntimeError):
         return type(self), (self.code, self.where, self.message)
 
 
+class StoreWarning(UserWarning):
+    """A store was made, but it is not what was asked for."""
+
+
 # The library says what mends an error in the words of the command line. Flags that are switches here, and those whose value is
 # said with them; every other flag is an argument of the same name.
 _SWITCHES = ("resume", "strict", "previews")

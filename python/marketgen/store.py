@@ -12,6 +12,7 @@ from typing import Any
 
 from . import _core, arguments
 from .arguments import MAX_SEED, MAX_SIDE_PX, PathLike, Progress
+from .errors import StoreWarning
 from .pictures import Camera, Renderer
 
 
@@ -144,6 +145,7 @@ def generate(
     progress  called as progress(done, total, text) in this thread: so much of the stage `text` is done; what it raises ends
               the work, and is raised here
 
+    A StoreWarning says that nothing of the prompt was understood, or which of your products stand nowhere.
     Equal arguments make equal bytes. Nothing is left behind when it fails or is interrupted.
     """
     rows = arguments.paths("catalogs", catalogs)
@@ -162,5 +164,12 @@ def generate(
     )
     store = Store(handle, rows)
     for product in store.report.get("unstocked", []):
-        warnings.warn(f"{product['sku']} stands nowhere in the store: {product['why']}", stacklevel=2)
+        warnings.warn(f"{product['sku']} stands nowhere in the store: {product['why']}", StoreWarning, stacklevel=2)
+    if not store.report.get("understood", True):
+        warnings.warn(
+            f"nothing of the prompt was understood; {store.folder} is the usual store. Describe it in English, "
+            'as in "a 24 x 15 m supermarket with a bakery" (docs/prompts.md)',
+            StoreWarning,
+            stacklevel=2,
+        )
     return store

@@ -22,9 +22,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Refusals of a valid plan: no layout of it exists, it is too large to be made, or a module is
-// smaller than its kind can be built.
-const std::set<std::string> refusals{"layout.impossible", "scene.too_large", "assets.bad_row"};
+// Refusals of a valid plan: no layout of it exists, or it is too large to be made.
+const std::set<std::string> refusals{"layout.impossible", "scene.too_large"};
+
+// What only the builder of a fixture knows is refused where it was asked for.
+bool cannot_be_built(const Error& error) {
+  return error.code == "plan.bad_value" && error.where.find("/fixture/") != std::string::npos &&
+         error.message.find(" out for what is usual") != std::string::npos;
+}
 constexpr std::chrono::seconds longest_time(20);  // a shop of this size takes a tenth of a second
 
 std::size_t number_of_plans(std::size_t usual) {
@@ -63,7 +68,7 @@ TEST(PlanProperty, WhatValidatesIsMadeWithinLimits) {
     EXPECT_LT(std::chrono::steady_clock::now() - start, longest_time) << i;
     made += report.ok() ? 1 : 0;
     if (report.ok()) continue;
-    EXPECT_TRUE(refusals.contains(report.error().code))
+    EXPECT_TRUE(refusals.contains(report.error().code) || cannot_be_built(report.error()))
         << i << ": " << to_string(report.error()) << "\n"
         << write_json(plan);
   }

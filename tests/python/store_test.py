@@ -2,6 +2,7 @@
 
 import json
 import pickle
+import warnings
 
 import pytest
 
@@ -70,6 +71,16 @@ def test_own_products_stand_in_the_store_or_a_warning_says_why_not(tmp_path):
         store = marketgen.generate("a kiosk with cold drinks", tmp_path / "shop", seed=2, size="8x7m", catalogs=[rows])
     assert store.query("products", "sku=own-cola")
     assert not store.query("products", "sku=own-giant")
+
+
+def test_a_prompt_of_which_nothing_is_understood_is_a_warning(tmp_path):
+    with pytest.warns(marketgen.StoreWarning, match="nothing of the prompt was understood") as caught:
+        store = marketgen.generate("xyzzy plugh", tmp_path / "usual", size="9x7m")
+    assert store.folder in str(caught[0].message)
+    assert caught[0].filename == __file__  # whoever called is named
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        marketgen.generate(PROMPT, tmp_path / "asked", size="9x7m")
 
 
 def test_pictures_are_saved_by_the_ending_of_their_name(store, renderer, tmp_path):

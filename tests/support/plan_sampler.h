@@ -113,6 +113,13 @@ class PlanSampler {
  private:
   using At = std::function<void*(Plan&)>;
 
+  // Leaves of the tree are not cut.
+  static bool is_cut_of_a_leaf(const std::string& path) {
+    const bool leaf = path.starts_with("/nodes/1/") || path.starts_with("/nodes/2/");
+    return leaf &&
+           (path.ends_with("/split") || path.ends_with("/ratio") || path.ends_with("/gap_mm"));
+  }
+
   static void turn(Plan& plan, Knob& knob, std::size_t value) {
     const Plan before = plan;
     knob.set(plan, value);
@@ -132,6 +139,7 @@ class PlanSampler {
                const FieldRules& rules,
                const At& at,
                const std::string& path) {
+    if (is_cut_of_a_leaf(path)) return;
     switch (type.kind) {
       case TypeKind::object:
         for (const FieldInfo& field : type.fields)
@@ -224,9 +232,41 @@ class PlanSampler {
     };
   }
 
-  // Both ends of a range and its middle. A room stays small: large ones are another test's.
+  // Both ends of a range and its middle; where other fields of the shop leave less, of what they
+  // leave. A room stays small: large ones are another test's.
   static std::vector<double> ends_of(const std::string& path, const FieldRules& rules) {
-    if (path == "/shell/width_mm" || path == "/shell/depth_mm") return {7000, 8000, 9000, 12000};
+    if (path == "/shell/width_mm") return {7600, 8000, 9000, 12000};
+    if (path == "/shell/depth_mm") return {8800, 9000, 10000, 12000};
+    if (path.ends_with("/center")) return {0.25, 0.5, 0.75};
+    if (path.starts_with("/shell/openings/")) return {rules.min, 1500, 3000};
+    if (path.starts_with("/shell/columns/") && !path.ends_with("/size_mm"))
+      return {1000, 4000, 7600};
+    if (path.starts_with("/placements/") && path.find("/position_m/") != std::string::npos)
+      return {0.5, 1, 2};
+    if (path.ends_with("/facings/0")) return {rules.min, 2};
+    if (path.ends_with("/facings/1")) return {5, rules.max};
+    if (path.starts_with("/zones/0/fixture/")) return built_ends(path, "checkout_lane", rules);
+    if (path.starts_with("/zones/1/fixture/")) return built_ends(path, "gondola", rules);
+    return all_ends(rules);
+  }
+
+  // What a kind is built in, which is less than a plan may say.
+  static std::vector<double> built_ends(const std::string& path,
+                                        std::string_view name,
+                                        const FieldRules& rules) {
+    const FixtureKind* kind = committed_catalog().fixture_kind(name);
+    const auto of = [](const IntRange& range) {
+      return std::vector<double>{
+          double(range[0]), double((range[0] + range[1]) / 2), double(range[1])};
+    };
+    if (path.ends_with("/depth_mm")) return of(kind->depth_range_mm);
+    if (path.ends_with("/height_mm")) return of(kind->height_range_mm);
+    if (path.ends_with("/levels"))
+      return of({std::max(1, kind->level_range[0]), std::max(1, kind->level_range[1])});
+    return all_ends(rules);
+  }
+
+  static std::vector<double> all_ends(const FieldRules& rules) {
     if (!std::isfinite(rules.min) || !std::isfinite(rules.max)) return {};
     return {rules.min, std::floor((rules.min + rules.max) / 2), rules.max};
   }

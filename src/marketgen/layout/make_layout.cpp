@@ -4,6 +4,7 @@
 #include "layout/faces.h"
 #include "layout/floor.h"
 #include "layout/layout.h"
+#include "layout/module_spec.h"
 #include "layout/overrides.h"
 #include "layout/reach.h"
 #include "layout/zone_build.h"
@@ -52,6 +53,7 @@ std::vector<LayoutZone> make_zones(const Design& design) {
 Result<Layout> make_layout(const Plan& plan, const Catalog& catalog, Seed seed) {
   MARKETGEN_CHECK(check_floor(plan.shell));
   const Design design = make_design(plan, catalog);
+  MARKETGEN_CHECK(check_modules(design));
   Layout layout;
   layout.name = plan.name;
   layout.profile = plan.profile;

@@ -136,6 +136,43 @@ int sum(const std::vector<int>& widths) {
   return std::accumulate(widths.begin(), widths.end(), 0);
 }
 
+// The zone's module by itself, as it would be built.
+Result<FixtureModel> model_of(const Design& design, const Zone& zone, const FixtureKind& kind) {
+  const ModuleSpec spec = module_spec(design, zone, kind);
+  Fixture fixture = make_module(spec, zone);
+  fixture.width_mm = spec.widths_mm.front();
+  return make_fixture_model(fixture_shape(fixture, kind, design.plan.look), design.catalog);
+}
+
+// What a plan may say about the size of a module.
+struct ModuleMeasure {
+  std::string_view name;
+  std::optional<int> FixtureSpec::*field;
+};
+constexpr std::array<ModuleMeasure, 5> module_measures{{{"module_mm", &FixtureSpec::module_mm},
+                                                        {"depth_mm", &FixtureSpec::depth_mm},
+                                                        {"height_mm", &FixtureSpec::height_mm},
+                                                        {"levels", &FixtureSpec::levels},
+                                                        {"spacing_mm", &FixtureSpec::spacing_mm}}};
+
+// The measure without which the zone's module can be built: one alone, else the last of the first
+// few that are too much together. Nothing when it is the kind's row that cannot be built.
+std::optional<std::string_view> measure_at_fault(const Design& design,
+                                                 const Zone& zone,
+                                                 const FixtureKind& kind) {
+  Zone fewer = zone;
+  for (const ModuleMeasure& measure : module_measures) {
+    Zone without = zone;
+    (without.fixture.*measure.field).reset();
+    if (model_of(design, without, kind).ok()) return measure.name;
+  }
+  for (const ModuleMeasure& measure : module_measures) {
+    (fewer.fixture.*measure.field).reset();
+    if (model_of(design, fewer, kind).ok()) return measure.name;
+  }
+  return std::nullopt;
+}
+
 // `count` modules of the preferred width, then the widest that fit, over and over.
 std::vector<int> greedy_fill(const ModuleSpec& spec, int count, int length_mm) {
   std::vector<int> widths(static_cast<std::size_t>(count), spec.widths_mm.front());
@@ -238,6 +275,47 @@ Fixture make_module(const ModuleSpec& spec, const Zone& zone) {
   fixture.material = spec.material;
   fixture.color = spec.color;
   return fixture;
+}
+
+FixtureShape fixture_shape(const Fixture& fixture, const FixtureKind& kind, const Look& look) {
+  return {.generator = kind.generator,
+          .width_mm = fixture.width_mm,
+          .depth_mm = fixture.depth_mm,
+          .height_mm = fixture.height_mm,
+          .levels = fixture.levels,
+          .base_mm = fixture.base_mm,
+          .spacing_mm = fixture.spacing_mm,
+          .sides = fixture.sides,
+          .start = fixture.run_start,
+          .end = fixture.run_end,
+          .material = fixture.material,
+          .color = fixture.color,
+          .accent = kind.accent.empty() ? look.accent : kind.accent,
+          .spacings_mm = kind.spacings_mm,
+          .board_mm = kind.board_mm,
+          .shelf_tilt_deg = kind.shelf_tilt_deg,
+          .fence_mm = kind.fence_mm,
+          .header_mm = kind.header_mm};
+}
+
+Result<void> check_modules(const Design& design) {
+  for (std::size_t i = 0; i < design.plan.zones.size(); ++i) {
+    const Zone& zone = design.plan.zones[i];
+    const FixtureKind* kind = kinds_of(zone, design.catalog).main;
+    if (kind == nullptr || std::ranges::none_of(module_measures, [&](const ModuleMeasure& measure) {
+          return (zone.fixture.*measure.field).has_value();
+        }))
+      continue;
+    const Result<FixtureModel> model = model_of(design, zone, *kind);
+    if (model.ok()) continue;
+    const auto name = measure_at_fault(design, zone, *kind);
+    if (!name) continue;
+    return Error{
+        "plan.bad_value",
+        "/zones/" + std::to_string(i) + "/fixture/" + std::string(*name),
+        model.error().message + "; leave " + std::string(*name) + " out for what is usual"};
+  }
+  return {};
 }
 
 }  // namespace marketgen

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "assets/fixture_model.h"
 #include "layout/design.h"
 #include "layout/layout.h"
 
@@ -57,5 +58,12 @@ std::vector<int> fill_widths(const ModuleSpec& spec, int length_mm);
 Fixture lone_module(const FixtureKind& kind);
 // A fixture of this module with everything but its place and ids.
 Fixture make_module(const ModuleSpec& spec, const Zone& zone);
+
+// What its generator builds the fixture from.
+FixtureShape fixture_shape(const Fixture& fixture, const FixtureKind& kind, const Look& look);
+
+// Whether each zone's module can be built with the measures that it is to have; the kind's
+// generator knows. Error: plan.bad_value at the first that cannot.
+Result<void> check_modules(const Design& design);
 
 }  // namespace marketgen

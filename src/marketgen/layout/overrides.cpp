@@ -122,6 +122,18 @@ Result<void> apply(Fixture& fixture,
                    "\" cannot be overridden; levels, height_mm, color, material and kind can"};
 }
 
+// The kind's generator knows what it can build.
+Result<void> check_buildable(const Fixture& fixture,
+                             const Look& look,
+                             std::size_t index,
+                             const Catalog& catalog) {
+  const FixtureKind* kind = catalog.fixture_kind(fixture.kind);
+  if (kind == nullptr) return {};
+  const auto model = make_fixture_model(fixture_shape(fixture, *kind, look), catalog);
+  if (model.ok() || model.error().code != "assets.bad_row") return {};
+  return Error{"plan.bad_value", pointer(index, "value"), model.error().message};
+}
+
 }  // namespace
 
 Result<void> apply_overrides(std::vector<Fixture>& fixtures,
@@ -137,6 +149,7 @@ Result<void> apply_overrides(std::vector<Fixture>& fixtures,
       return unknown_reference(i, "fixture", "fixture", change.fixture, known);
     }
     MARKETGEN_CHECK(apply(*fixture, change, i, catalog));
+    MARKETGEN_CHECK(check_buildable(*fixture, plan.look, i, catalog));
   }
   return {};
 }

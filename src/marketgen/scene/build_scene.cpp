@@ -6,6 +6,7 @@
 
 #include "base/parallel.h"
 #include "base/text.h"
+#include "layout/module_spec.h"
 #include "scene/bays.h"
 #include "scene/placements.h"
 #include "scene/row_arrays.h"
@@ -14,27 +15,6 @@
 
 namespace marketgen {
 namespace {
-
-FixtureShape shape_of(const Fixture& fixture, const FixtureKind& kind, const Look& look) {
-  return {.generator = kind.generator,
-          .width_mm = fixture.width_mm,
-          .depth_mm = fixture.depth_mm,
-          .height_mm = fixture.height_mm,
-          .levels = fixture.levels,
-          .base_mm = fixture.base_mm,
-          .spacing_mm = fixture.spacing_mm,
-          .sides = fixture.sides,
-          .start = fixture.run_start,
-          .end = fixture.run_end,
-          .material = fixture.material,
-          .color = fixture.color,
-          .accent = kind.accent.empty() ? look.accent : kind.accent,
-          .spacings_mm = kind.spacings_mm,
-          .board_mm = kind.board_mm,
-          .shelf_tilt_deg = kind.shelf_tilt_deg,
-          .fence_mm = kind.fence_mm,
-          .header_mm = kind.header_mm};
-}
 
 auto key_of(const FixtureShape& s) {
   return std::tuple(s.generator,
@@ -70,7 +50,7 @@ class FixtureModels {
         return Error{"catalog.unknown_kind",
                      "layout:" + fixture.id,
                      "no fixture kind \"" + fixture.kind + "\""};
-      const FixtureShape shape = shape_of(fixture, *kind, layout.look);
+      const FixtureShape shape = fixture_shape(fixture, *kind, layout.look);
       const auto [entry, is_new] = known.try_emplace(key_of(shape), shapes.size());
       if (is_new) shapes.push_back(shape);
       models.model_of_fixture_.push_back(entry->second);

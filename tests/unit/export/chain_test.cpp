@@ -82,15 +82,15 @@ class Chain : public testing::TestWithParam<std::size_t> {
   // Whether the plan has a layout; all that follows from one must hold.
   bool run(const Plan& plan, std::uint64_t seed) const {
     const auto layout = make_layout(plan, committed_catalog(), Seed(seed));
-    if (!layout.ok()) {
-      EXPECT_EQ(layout.error().code, "layout.impossible") << to_string(layout.error());
+    if (!layout.ok()) {  // or a module has measures with which its kind cannot be built
+      const bool module = layout.error().where.find("/fixture/") != std::string::npos;
+      EXPECT_EQ(layout.error().code, module ? "plan.bad_value" : "layout.impossible")
+          << to_string(layout.error());
       return false;
     }
     const auto scene = build_scene(*layout, plan, committed_catalog(), Seed(seed));
-    if (!scene.ok()) {  // a module may be narrower than its kind can be built
-      EXPECT_EQ(scene.error().code, "assets.bad_row") << to_string(scene.error());
-      return false;
-    }
+    EXPECT_TRUE(scene.ok()) << to_string(scene.error());
+    if (!scene.ok()) return false;
     expect_file(*scene);
     expect_exports(*scene);
     expect_picture(*scene);
@@ -154,7 +154,7 @@ TEST(PlanSampler, EveryValueIsPartOfSomePlan) {
   std::string list;
   for (const std::string& value : never)
     list += value + "\n";
-  EXPECT_LT(10 * never.size(), values) << list;
+  EXPECT_LT(20 * never.size(), values) << list;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "sample_shop.h"
+#include "support/plan_sampler.h"
 
 namespace marketgen {
 namespace {
@@ -75,6 +76,45 @@ TEST_F(ModuleSpecTest, ZonesThatNeedCabinetsGetThemWhenNothingIsWished) {
   EXPECT_EQ(kinds_of(dry, catalog_).main->kind, "gondola");
   EXPECT_EQ(kinds_of(dry, catalog_).wall->kind, "wall_unit");
   EXPECT_EQ(kinds_of(sample::zone("z", "backroom", "gondola"), catalog_).main, nullptr);
+}
+
+// The least and the most that a layout's field may be.
+const FieldRules& rules_of(std::string_view name) {
+  for (const FieldInfo& field : type_of<Fixture>().fields)
+    if (field.name == name) return field.rules;
+  fatal("no such field");
+}
+
+bool holds(std::string_view field, const IntRange& range) {
+  return rules_of(field).min <= range[0] && range[1] <= rules_of(field).max;
+}
+
+// A layout that may be made can be written: its rules are no narrower than the rows'.
+TEST(FixtureKinds, AreBuiltInSizesThatALayoutHolds) {
+  for (const FixtureKind& kind : committed_catalog().fixture_kinds) {
+    EXPECT_TRUE(holds("depth_mm", kind.depth_range_mm)) << kind.kind;
+    EXPECT_TRUE(holds("height_mm", kind.height_range_mm)) << kind.kind;
+    EXPECT_TRUE(holds("levels", kind.level_range)) << kind.kind;
+    for (const int width : kind.module_widths_mm)
+      EXPECT_TRUE(holds("width_mm", {width, width})) << kind.kind;
+  }
+}
+
+// A module narrower than its kind can be built is refused where it was asked for, before the
+// layout; the narrowest that can be is not.
+TEST(FixtureKinds, AreRefusedNarrowerThanTheyCanBeBuilt) {
+  Plan plan = sampled_shop();
+  FixtureSpec& fixture = plan.zones[1].fixture;
+  fixture.module_mm = 300;
+  EXPECT_TRUE(make_layout(plan, committed_catalog(), Seed(1)).ok());
+  fixture.module_mm = 299;
+  const auto refused = make_layout(plan, committed_catalog(), Seed(1));
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, "plan.bad_value");
+  EXPECT_EQ(refused.error().where, "/zones/1/fixture/module_mm");
+  EXPECT_NE(refused.error().message.find("needs at least 300"), std::string::npos)
+      << refused.error().message;
+  EXPECT_NE(refused.error().message.find("leave module_mm out"), std::string::npos);
 }
 
 }  // namespace
