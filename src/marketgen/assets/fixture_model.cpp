@@ -58,13 +58,28 @@ Mesh cylinder_mesh(const FixturePart& part, std::uint16_t surface) {
   return mesh;
 }
 
+// Sizes that are too far from the usual ones leave nothing of some part.
+Result<void> require_parts(const FixtureShape& shape, const FixtureModel& model) {
+  const bool whole = std::ranges::all_of(model.parts, [](const FixturePart& part) {
+    return part.half_size.x > 0 && part.half_size.y > 0 && part.half_size.z > 0;
+  });
+  if (whole) return {};
+  return Error{"assets.bad_row",
+               shape.generator,
+               "a " + shape.generator + " of " + std::to_string(shape.width_mm) + " x " +
+                   std::to_string(shape.depth_mm) + " x " + std::to_string(shape.height_mm) +
+                   " mm has no room for all its parts; ask for measures nearer to the usual ones"};
+}
+
 }  // namespace
 
 Result<FixtureModel> make_fixture_model(const FixtureShape& shape, const Catalog& catalog) {
   for (const Generator& generator : generators) {
     if (generator.name != shape.generator) continue;
     MARKETGEN_TRY(const FixturePalette palette, make_palette(shape, catalog));
-    return generator.make(shape, palette);
+    MARKETGEN_TRY(FixtureModel model, generator.make(shape, palette));
+    MARKETGEN_CHECK(require_parts(shape, model));
+    return model;
   }
   return unknown_generator(shape.generator);
 }

@@ -126,14 +126,11 @@ bool earlier_wins(const Requirement& earlier, const Requirement& later) {
   return earlier.strength == Strength::must && later.strength == Strength::prefer;
 }
 
-void drop(Understanding& understanding,
-          std::size_t lost,
-          const Requirement& kept,
-          std::string why) {
-  const Requirement loser = understanding.requirements[lost];
+void note_loss(Understanding& understanding,
+               const Requirement& loser,
+               const Requirement& kept,
+               std::string why) {
   understanding.conflicts.push_back({topic(loser), kept.text, loser.text, std::move(why)});
-  understanding.requirements.erase(understanding.requirements.begin() +
-                                   static_cast<std::ptrdiff_t>(lost));
 }
 
 std::string describe_flag(const Brief& brief, Kind kind) {
@@ -165,32 +162,31 @@ bool flag_contradicts(const Brief& brief, const Requirement& wish) {
 }  // namespace
 
 void settle_conflicts(Understanding& understanding) {
-  std::vector<Requirement>& wishes = understanding.requirements;
-  for (std::size_t later = 1; later < wishes.size();) {
-    bool lost = false;
-    for (std::size_t earlier = 0; earlier < later && !lost;) {
+  const std::vector<Requirement>& wishes = understanding.requirements;
+  std::vector<bool> lost(wishes.size(), false);  // taken out at the end: texts are slow to move
+  for (std::size_t later = 1; later < wishes.size(); ++later) {
+    for (std::size_t earlier = 0; earlier < later && !lost[later]; ++earlier) {
+      if (lost[earlier]) continue;
       if (same_wish(wishes[earlier], wishes[later])) {
-        wishes.erase(wishes.begin() + static_cast<std::ptrdiff_t>(later));
-        lost = true;
-      } else if (!clash(wishes[earlier], wishes[later])) {
-        ++earlier;
-      } else if (earlier_wins(wishes[earlier], wishes[later])) {
-        const Requirement kept = wishes[earlier];
-        drop(understanding, later, kept, "what must be wins over what is preferred");
-        lost = true;
-      } else {
-        const Requirement kept = wishes[later];
-        const bool equal = kept.strength == wishes[earlier].strength;
-        drop(understanding,
-             earlier,
-             kept,
-             equal ? "the two contradict each other; what was said last holds"
-                   : "what must be wins over what is preferred");
-        --later;
+        lost[later] = true;
+      } else if (clash(wishes[earlier], wishes[later])) {
+        const bool first = earlier_wins(wishes[earlier], wishes[later]);
+        const std::size_t loser = first ? later : earlier;
+        const Requirement& kept = wishes[first ? earlier : later];
+        const bool equal = kept.strength == wishes[loser].strength;
+        note_loss(understanding,
+                  wishes[loser],
+                  kept,
+                  equal ? "the two contradict each other; what was said last holds"
+                        : "what must be wins over what is preferred");
+        lost[loser] = true;
       }
     }
-    if (!lost) ++later;
   }
+  std::vector<Requirement> left;
+  for (std::size_t i = 0; i < wishes.size(); ++i)
+    if (!lost[i]) left.push_back(std::move(understanding.requirements[i]));
+  understanding.requirements = std::move(left);
 }
 
 void apply_flags(const Brief& brief, Understanding& understanding) {
@@ -202,7 +198,9 @@ void apply_flags(const Brief& brief, Understanding& understanding) {
     }
     Requirement flag = wish;
     flag.text = describe_flag(brief, wish.kind);
-    drop(understanding, i, flag, "a flag wins over the text");
+    note_loss(understanding, wish, flag, "a flag wins over the text");
+    understanding.requirements.erase(understanding.requirements.begin() +
+                                     static_cast<std::ptrdiff_t>(i));
   }
 }
 

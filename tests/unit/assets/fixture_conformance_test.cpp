@@ -254,6 +254,29 @@ TEST(Fixtures, EveryCatalogueRowConformsOverItsRanges) {
   }
 }
 
+// Widths that a plan may ask of any kind: the whole fixture, or a refusal.
+TEST(Fixtures, OddWidthsAreWholeOrRefused) {
+  int refused = 0;
+  for (const FixtureKind& kind : committed_catalog().fixture_kinds) {
+    for (const int width : {200, 400, 900, 1800, 3000, 4500}) {
+      FixtureShape shape = shape_of(kind);
+      shape.width_mm = width;
+      const auto model = make_fixture_model(shape, committed_catalog());
+      if (!model.ok()) {
+        EXPECT_EQ(model.error().code, "assets.bad_row") << kind.kind << ", " << width << " mm";
+        ++refused;
+        continue;
+      }
+      for (std::size_t i = 0; i < model->parts.size(); ++i) {
+        const Vec3f half = model->parts[i].half_size;
+        EXPECT_GT(std::min({half.x, half.y, half.z}), 0)
+            << kind.kind << ", " << width << " mm: " << part_text(*model, i);
+      }
+    }
+  }
+  EXPECT_GT(refused, 100);
+}
+
 TEST(Fixtures, ModulesOfARunMeetAtTheirJoint) {
   const Catalog catalog = small_catalog();
   for (const FixtureShape& shape : table()) {
