@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -153,13 +154,19 @@ std::string random_prompt(std::uint64_t seed) {
   return prompt;
 }
 
+std::uint64_t number_of_prompts() {
+  const char* wanted = std::getenv("MARKETGEN_PROPERTY_PROMPTS");
+  return wanted == nullptr ? 150 : std::strtoull(wanted, nullptr, 10);
+}
+
 TEST(Designs, OfAnyWordsAreReadable) {
   const auto planner = make_planner("offline");
   ASSERT_TRUE(planner.ok());
-  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+  for (std::uint64_t seed = 0; seed < number_of_prompts(); ++seed) {
     Brief brief;
     brief.prompt = random_prompt(seed);
-    brief.size_mm = {{12000 + 100 * static_cast<int>(seed), 9000 + 70 * static_cast<int>(seed)}};
+    const int size = static_cast<int>(seed % 150);
+    brief.size_mm = {{12000 + 100 * size, 9000 + 70 * size}};
     const auto planned = plan_from_brief(brief, committed_catalog(), **planner, Seed(seed));
     ASSERT_TRUE(planned.ok()) << brief.prompt << ": " << to_string(planned.error());
     expect_readable(planned->plan, brief.prompt);
