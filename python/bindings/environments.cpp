@@ -175,6 +175,14 @@ Camera camera_of_environment(EnvironmentHandle& handle,
       without_interpreter([&] { return handle.environment->camera(name, width, height); }));
 }
 
+// Metres and radians of each tool.
+std::vector<std::tuple<double, double>> tool_cuts(const EnvironmentHandle& handle) {
+  std::vector<std::tuple<double, double>> rows;
+  for (const ToolCut& cut : handle.environment->tool_cuts())
+    rows.emplace_back(cut.off_m, cut.off_rad);
+  return rows;
+}
+
 std::string result_of(const EnvironmentHandle& handle) {
   const auto& ended = handle.environment->result();
   return ended ? write_json(*ended) : "";
@@ -233,6 +241,7 @@ void add_environments(nb::module_& module) {
              world_of(h);
              return h.environment->map();
            })
+      .def("tool_cuts", &tool_cuts)
       .def("result", &result_of)
       .def("judged", &judged)
       .def("render", &picture_of)

@@ -17,7 +17,8 @@ class CheckoutUnloading(TaskEnv):
                     pd_joint_pos        7 joint angles, rad
                     pd_joint_delta_pos  7, 1 = 0.1 rad from the last target
                     pd_ee_delta_pos     3, 1 = 20 mm along x, y, z of the station (x over the counter, z up)
-                    pd_ee_delta_pose    6, and 1 = 0.1 rad about those axes
+                    pd_ee_delta_pose    6, and 1 = 0.1 rad about those axes; where the arm does not reach, the tool goes as
+                                        near as it can: info["tool_cut_m"] and ["tool_cut_rad"] say how far off that is
                   Then the gripper: -1 closed, 1 open. Then `stop`: above 0, the agent says that it has done.
     reward_mode   "sparse": at the end, the share of the goals; "dense": each step from 0 to 1, nearer is more; "shaped": what
                   each step has brought nearer, 1 in all
@@ -30,7 +31,8 @@ class CheckoutUnloading(TaskEnv):
     `reset(options={"episode": {...}})` takes a market-episode/1 document (or the number of one in the file), in 20 ms;
     otherwise `seed` picks one, or draws one from the store's stock, in a second or two.
     Ends when the agent stops (terminated) or the time is over (truncated); judged 2 s later:
-    `info` then has success, goal_fraction and the whole `result` (market-result/1). Before, only `instruction` and `time_s`;
+    `info` then has success, goal_fraction and the whole `result` (market-result/1). Before, only `instruction`, `time_s` and, in
+    pd_ee_*, the tool's cuts;
     that of a reset also `products`: SKUs by their numbers in segmentation.
     """
 

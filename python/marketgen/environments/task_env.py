@@ -132,6 +132,8 @@ class TaskEnv(gymnasium.Env):
 
     def info_of_step(self, *, terminated: bool, truncated: bool) -> dict[str, Any]:
         info = self._info()
+        if cuts := self.environment.tool_cuts():
+            info |= dict(zip(("tool_cut_m", "tool_cut_rad"), np.array(cuts).T, strict=True))
         if terminated or truncated:
             stopped = terminated and self.setup.stop_action
             info |= outcome_of(json.loads(self.environment.result()), stopped=stopped)

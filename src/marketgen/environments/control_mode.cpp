@@ -5,7 +5,6 @@
 
 #include "base/seed.h"
 #include "episodes/track_world.h"
-#include "robots/numeric_ik.h"
 
 namespace marketgen {
 namespace {
@@ -114,59 +113,57 @@ std::vector<double> ActionMap::within_limits(std::vector<double> position) const
   return position;
 }
 
-// The whole state with the arm's joints where they bring its tool.
-std::vector<double> ActionMap::moved_tool(const Arm& arm,
-                                          std::span<const double> by,
-                                          const std::vector<double>& state) const {
+Result<NearestIk> ActionMap::moved_tool(const Arm& arm,
+                                        std::span<const double> by,
+                                        const std::vector<double>& state) const {
   NumericIkOptions near;
   near.restarts = 0;
   near.tolerance = 1e-5;
   const Pose wanted = moved_pose(frame_pose(robot_, state, arm.frame), by);
-  // Fingers that press on one another stand beyond their stops, where no search begins.
-  std::vector<double> from = state;
-  for (std::size_t dof = 0; dof < from.size(); ++dof) {
-    const Joint& joint = robot_.joint_of_dof(dof);
-    from[dof] = std::clamp(from[dof], joint.lower, joint.upper);
-  }
-  auto found = solve_numeric(robot_, arm.frame, arm.dofs, wanted, from, Seed(0), near);
-  return found.ok() ? std::move(found).value() : state;
+  return nearest_numeric(robot_, arm.frame, arm.dofs, wanted, state, Seed(0), near);
 }
 
-std::vector<double> ActionMap::moved(std::span<const double> values,
-                                     const std::vector<double>& state,
-                                     const std::vector<double>& target) const {
+std::vector<double> ActionMap::moved_joints(std::span<const double> values,
+                                            const std::vector<double>& target) const {
   std::vector<double> position = target;
-  const auto add_step = [&](std::size_t joint, double by) {
-    position[joint] += step_of(joints_[joint]) * share(by);
-  };
-  if (by_joint(mode_)) {
-    for (std::size_t j = 0; j < joints_.size(); ++j) {
-      if (mode_ == ControlMode::pd_joint_pos)
-        position[j] = values[j];
-      else
-        add_step(j, values[j]);
-    }
-    return position;
-  }
+  for (std::size_t j = 0; j < joints_.size(); ++j)
+    position[j] = mode_ == ControlMode::pd_joint_pos
+                      ? values[j]
+                      : target[j] + step_of(joints_[j]) * share(values[j]);
+  return position;
+}
+
+Result<MappedAction> ActionMap::moved_tools(std::span<const double> values,
+                                            const std::vector<double>& state,
+                                            const std::vector<double>& target) const {
+  MappedAction moved;
   std::vector<double> reached = at_origin(state);
   const std::size_t each = numbers_a_tool(mode_);
-  for (std::size_t t = 0; t < arms_.size(); ++t)
-    reached = moved_tool(arms_[t], values.subspan(t * each, each), reached);
+  for (std::size_t t = 0; t < arms_.size(); ++t) {
+    MARKETGEN_TRY(NearestIk near, moved_tool(arms_[t], values.subspan(t * each, each), reached));
+    moved.cuts.push_back({near.off_m, near.off_rad});
+    reached = std::move(near.q);
+  }
+  std::vector<double>& position = moved.action.position = target;
   for (std::size_t j = 0; j < joints_.size(); ++j)
     position[j] = reached[static_cast<std::size_t>(joints_[j])];
   for (std::size_t i = 0; i < other_.size(); ++i) {
     const auto j = static_cast<std::size_t>(other_[i]);
-    position[j] = target[j];
-    add_step(j, values[arms_.size() * each + i]);
+    position[j] = target[j] + step_of(joints_[j]) * share(values[arms_.size() * each + i]);
   }
-  return position;
+  return moved;
 }
 
-Action ActionMap::action(std::span<const double> values,
-                         const std::vector<double>& state,
-                         const std::vector<double>& target) const {
-  Action action;
-  action.position = moved(values, state, target);
+Result<MappedAction> ActionMap::action(std::span<const double> values,
+                                       const std::vector<double>& state,
+                                       const std::vector<double>& target) const {
+  MappedAction mapped;
+  if (by_joint(mode_)) {
+    mapped.action.position = moved_joints(values, target);
+  } else {
+    MARKETGEN_TRY(mapped, moved_tools(values, state, target));
+  }
+  Action& action = mapped.action;
   const std::size_t tail = robot_.tools.size() + (robot_.drive ? 2 : 0) + (stop_ ? 1 : 0);
   std::span<const double> rest = values.last(tail);
   for (const Tool& tool : robot_.tools) {
@@ -180,7 +177,7 @@ Action ActionMap::action(std::span<const double> values,
     action.turn_rad_s = share(rest[1]) * robot_.drive->turn_rate;
   }
   action.stop = stop_ && values.back() > 0;
-  return action;
+  return mapped;
 }
 
 Result<std::vector<double>> ActionMap::values(const Action& wanted,

@@ -14,6 +14,7 @@
 
 #include "agent/policy.h"
 #include "base/result.h"
+#include "robots/numeric_ik.h"
 #include "robots/robot.h"
 
 namespace marketgen {
@@ -24,7 +25,8 @@ namespace marketgen {
 //   pd_ee_delta_pos     of each tool x, y, z: 1 = 20 mm from where it is; then the joints of no arm
 //                       (lift, head) as in pd_joint_delta_pos
 //   pd_ee_delta_pose    the same, and after x, y, z a turn about these axes: 1 = 0.1 rad
-// Axes are those of the robot's base.
+// Axes are those of the robot's base. A tool that cannot be brought where it is told goes as near
+// as its arm can from where it is (nearest_numeric), and ToolCut says how far that stays off.
 enum class ControlMode { pd_joint_pos, pd_joint_delta_pos, pd_ee_delta_pos, pd_ee_delta_pose };
 constexpr std::array<std::string_view, 4> names_of(ControlMode) {
   return {"pd_joint_pos", "pd_joint_delta_pos", "pd_ee_delta_pos", "pd_ee_delta_pose"};
@@ -36,6 +38,17 @@ struct ActionNumber {
   double low = -1, high = 1;
 };
 
+// How far a tool's target was cut: from where its numbers told it to be to where it was sent; both
+// 0 when that is the same, to 1e-5.
+struct ToolCut {
+  double off_m = 0, off_rad = 0;
+};
+
+struct MappedAction {
+  Action action;
+  std::vector<ToolCut> cuts;  // one a tool in modes of tools, else none
+};
+
 // Immutable; the robot must outlive it.
 class ActionMap {
  public:
@@ -44,11 +57,10 @@ class ActionMap {
   const std::vector<ActionNumber>& numbers() const { return numbers_; }
 
   // `state`: all degrees of freedom as they are; `target`: of the commanded joints, where the last
-  // step left them. Tools that cannot be brought where they are told stay. `values` has as many
-  // numbers as numbers(), finite.
-  Action action(std::span<const double> values,
-                const std::vector<double>& state,
-                const std::vector<double>& target) const;
+  // step left them. `values` has as many numbers as numbers(), finite. Errors: robot.bad_state.
+  Result<MappedAction> action(std::span<const double> values,
+                              const std::vector<double>& state,
+                              const std::vector<double>& target) const;
 
   // The other way: numbers of which action() makes `wanted`, as near as they can say it. They have
   // no force of a tool, and a step of pd_joint_delta_pos is no longer than its most. Error
@@ -68,12 +80,14 @@ class ActionMap {
   void add_joints(bool absolute);
   void add_tools();
   std::vector<double> at_origin(std::vector<double> state) const;
-  std::vector<double> moved_tool(const Arm& arm,
-                                 std::span<const double> by,
-                                 const std::vector<double>& state) const;
-  std::vector<double> moved(std::span<const double> values,
-                            const std::vector<double>& state,
-                            const std::vector<double>& target) const;
+  Result<NearestIk> moved_tool(const Arm& arm,
+                               std::span<const double> by,
+                               const std::vector<double>& state) const;
+  std::vector<double> moved_joints(std::span<const double> values,
+                                   const std::vector<double>& target) const;
+  Result<MappedAction> moved_tools(std::span<const double> values,
+                                   const std::vector<double>& state,
+                                   const std::vector<double>& target) const;
   double step_of(int dof) const;
 
   const Robot& robot_;

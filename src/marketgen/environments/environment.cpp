@@ -78,6 +78,7 @@ Result<void> Environment::reset(const EpisodeSpec& spec) {
   result_.reset();
   MARKETGEN_TRY(world_, begin(spec));
   target_ = world_->observe().position;
+  cuts_.clear();
   ++resets_;
   return look();
 }
@@ -98,10 +99,11 @@ Result<void> Environment::check(std::span<const double> action) const {
 
 Result<StepOutcome> Environment::step(std::span<const double> action) {
   MARKETGEN_CHECK(check(action));
-  const Action made = actions_->action(action, world_->robot_state(), target_);
-  const auto stepped = world_->step(made);
-  if (!stepped.ok()) return stepped.error();
+  MARKETGEN_TRY(MappedAction mapped, actions_->action(action, world_->robot_state(), target_));
+  const Action& made = mapped.action;
+  MARKETGEN_CHECK(world_->step(made));
   target_ = actions_->within_limits(made.position);
+  cuts_ = std::move(mapped.cuts);
   const double before = progress_;
   MARKETGEN_CHECK(look());
   StepOutcome outcome;
@@ -187,6 +189,7 @@ Result<void> Environment::restore(std::string_view moment) {
   }
   MARKETGEN_CHECK(world_->restore(world));
   target_ = std::move(target);
+  cuts_.clear();
   in_time_ = in_time;
   result_ = std::move(ended);
   return look();

@@ -66,6 +66,9 @@ class Environment {
   Result<void> check(std::span<const double> action) const;
   // Errors: as check(), and the environment is as before; physics.failed.
   Result<StepOutcome> step(std::span<const double> action);
+  // Of the tools at the last step since reset() or restore(); none before there was one, and in
+  // modes of joints.
+  const std::vector<ToolCut>& tool_cuts() const { return cuts_; }
   // The result as evaluate() keeps it; an episode that still runs is ended and judged as it stands.
   // `end.in_time` is not read.
   EpisodeResult judged(EpisodeEnd end);
@@ -147,6 +150,7 @@ class Environment {
   TrackWorld* world_ = nullptr;
   std::uint64_t resets_ = 0;
   std::vector<double> target_;  // of the joints, where the last step left them
+  std::vector<ToolCut> cuts_;   // of the last step
   bool in_time_ = true;         // it ended before the time was over
   int item_rows_ = 0;
   std::vector<EnvironmentItem> seen_items_;  // after the last step, where they are asked for

@@ -81,19 +81,20 @@ std::vector<double> stepped(const Problem& problem,
 
 struct Try {
   std::vector<double> q;
-  double error = HUGE_VAL;  // largest component
+  Vector6 error;
+
+  double worst() const { return error.cwiseAbs().maxCoeff(); }
 };
 
 // Damping follows the squared error (Sugihara 2011): large steps far away, quadratic at the end.
 Try descend(const Problem& problem, std::vector<double> q, const NumericIkOptions& options) {
   constexpr double least_damping = 1e-10;
-  Try best;
   double bias = 1e-2;
   Vector6 error = error_of(problem, q);
+  Try best{q, error};
   for (int i = 0; i < options.steps; ++i) {
-    if (error.cwiseAbs().maxCoeff() < best.error)
-      best.q = q, best.error = error.cwiseAbs().maxCoeff();
-    if (best.error <= options.tolerance) return best;
+    if (error.cwiseAbs().maxCoeff() < best.worst()) best = {q, error};
+    if (best.worst() <= options.tolerance) return best;
     std::vector<double> next =
         stepped(problem, q, error, bias * error.squaredNorm() + least_damping);
     const Vector6 left = error_of(problem, next);
@@ -121,7 +122,50 @@ std::vector<double> restarted(const Problem& problem,
   return q;
 }
 
+Result<void> check_numbers(const Robot& robot, const std::vector<double>& seed, const Pose& goal) {
+  if (seed.size() != robot.dof_count() ||
+      !std::ranges::all_of(seed, [](double value) { return std::isfinite(value); }))
+    return Error{"robot.bad_state",
+                 robot.name,
+                 fmt::format("the search began from {} joint values; expected {} finite ones",
+                             seed.size(),
+                             robot.dof_count())};
+  const Quaternion& r = goal.rotation;
+  if (!std::isfinite(length(goal.position) + r.w + r.x + r.y + r.z))
+    return Error{"robot.unreachable", robot.name, "the goal is not finite"};
+  return {};
+}
+
+std::vector<double> begun_within_limits(const Problem& problem, std::vector<double> q) {
+  for (const int dof : problem.dofs) {
+    const Joint& joint = joint_of(problem, dof);
+    double& value = q[static_cast<std::size_t>(dof)];
+    value = std::clamp(value, joint.lower, joint.upper);
+  }
+  return q;
+}
+
 }  // namespace
+
+Result<NearestIk> nearest_numeric(const Robot& robot,
+                                  int frame,
+                                  const std::vector<int>& dofs,
+                                  const Pose& base_from_frame,
+                                  const std::vector<double>& seed,
+                                  const Seed& random,
+                                  const NumericIkOptions& options) {
+  MARKETGEN_CHECK(check_numbers(robot, seed, base_from_frame));
+  const Problem problem{robot, frame, dofs, base_from_frame};
+  const std::vector<double> first = begun_within_limits(problem, seed);
+  Stream draw = random.child("numeric_ik").stream();
+  Try best = descend(problem, first, options);
+  for (int i = 0; i < options.restarts && best.worst() > options.tolerance; ++i) {
+    Try other = descend(problem, restarted(problem, first, draw, options.unlimited_span), options);
+    if (other.worst() < best.worst()) best = std::move(other);
+  }
+  if (best.worst() <= options.tolerance) return NearestIk{std::move(best.q)};
+  return NearestIk{std::move(best.q), best.error.head<3>().norm(), best.error.tail<3>().norm()};
+}
 
 Result<std::vector<double>> solve_numeric(const Robot& robot,
                                           int frame,
@@ -130,21 +174,17 @@ Result<std::vector<double>> solve_numeric(const Robot& robot,
                                           const std::vector<double>& seed,
                                           const Seed& random,
                                           const NumericIkOptions& options) {
-  MARKETGEN_CHECK(check_state(robot, seed));
-  const Problem problem{robot, frame, dofs, base_from_frame};
-  Stream draw = random.child("numeric_ik").stream();
-  Try best = descend(problem, seed, options);
-  for (int i = 0; i < options.restarts && best.error > options.tolerance; ++i) {
-    Try other = descend(problem, restarted(problem, seed, draw, options.unlimited_span), options);
-    if (other.error < best.error) best = std::move(other);
-  }
-  if (best.error <= options.tolerance) return best.q;
-  return Error{"robot.unreachable",
-               robot.name + ":" + robot.frames[static_cast<std::size_t>(frame)].name,
-               fmt::format("the nearest of {} tries stays {:.2g} m or rad off; move the goal into "
-                           "reach or free more joints",
-                           options.restarts + 1,
-                           best.error)};
+  MARKETGEN_TRY(NearestIk best,
+                nearest_numeric(robot, frame, dofs, base_from_frame, seed, random, options));
+  if (best.exact()) return std::move(best.q);
+  return Error{
+      "robot.unreachable",
+      robot.name + ":" + robot.frames[static_cast<std::size_t>(frame)].name,
+      fmt::format("the nearest of {} tries stays {:.2g} m and {:.2g} rad off; move the goal "
+                  "into reach or free more joints",
+                  options.restarts + 1,
+                  best.off_m,
+                  best.off_rad)};
 }
 
 }  // namespace marketgen
