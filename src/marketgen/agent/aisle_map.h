@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "agent/policy.h"
+#include "assets/fixture_model.h"
 #include "base/result.h"
 #include "geometry/pose.h"
 #include "motion/base_follower.h"
@@ -14,12 +15,14 @@
 
 namespace marketgen {
 
-// A board on which goods stand, open to the aisle. Its frame: middle of the front edge, on the
-// surface; X to the right of who looks at it, Y into the shelf, Z up.
+// Its frame: middle of the front edge, on the surface; X to the right of who looks at it, Y into
+// the shelf, Z up.
 struct ShelfBoard {
   Pose store_from_board;
   double width_m = 0, depth_m = 0;
-  double clearance_m = 0;  // to what is over it
+  double clearance_m = 0;          // to what is over it
+  ShelfUse use = ShelfUse::stand;  // what goods do on it
+  bool has_door = false;           // between it and the aisle
 };
 
 // Middle of all products of the category that a goal's SKU belongs to.
@@ -31,7 +34,7 @@ struct CategoryHint {
 class AisleMap {
  public:
   virtual ~AisleMap() = default;
-  // Within the track's range of heights, no door before them.
+  // All of the store, whether anything is asked for from them or not.
   virtual const std::vector<ShelfBoard>& boards() const = 0;
   // Whether the robot, as it drives, has room there to turn.
   virtual bool has_room(const BasePlace& place) const = 0;

@@ -31,9 +31,10 @@ class KnownProducts {
  public:
   virtual ~KnownProducts() = default;
   virtual const std::vector<Product>& rows() const = 0;
-  // What they return lives as long as this. Errors: catalog.unknown_sku; what making them reports.
+  // Lives as long as this. Errors: catalog.unknown_sku; what making it reports.
   virtual Result<const KnownProduct*> product(const std::string& sku) = 0;
-  virtual Result<const std::vector<ProductPicture>*> pictures(const std::string& sku) = 0;
+  // Taken anew each time; any number of threads may ask. Errors: as product().
+  virtual Result<std::vector<ProductPicture>> pictures(const std::string& sku) const = 0;
 };
 
 }  // namespace marketgen

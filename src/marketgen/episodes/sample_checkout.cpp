@@ -172,34 +172,29 @@ CheckoutRefusal checkout_refusal(const Product& product) {
   return fits_in(checkout_basket, product) ? CheckoutRefusal::none : CheckoutRefusal::too_large;
 }
 
-namespace {
-
-template <class Use>
-void for_products_on_offer(const Scene& scene, const Use& use) {
+std::vector<Product> store_stock(const Scene& scene) {
   std::vector<bool> on_offer(scene.catalog.size());
   for (const SceneProduct& product : scene.products)
     on_offer[product.sku] = true;
+  std::vector<Product> stock;
   for (std::size_t row = 0; row < scene.catalog.size(); ++row)
-    if (on_offer[row]) use(scene.catalog[row]);
+    if (on_offer[row]) stock.push_back(scene.catalog[row]);
+  return stock;
 }
 
-}  // namespace
-
 std::vector<Product> checkout_stock(const Scene& scene) {
-  std::vector<Product> stock;
-  for_products_on_offer(scene, [&](const Product& product) {
-    if (is_checkout_item(product)) stock.push_back(product);
-  });
+  std::vector<Product> stock = store_stock(scene);
+  std::erase_if(stock, [](const Product& product) { return !is_checkout_item(product); });
   return stock;
 }
 
 EpisodeExclusions checkout_exclusions(const Scene& scene) {
   EpisodeExclusions exclusions;
   std::map<CheckoutRefusal, int> counts;
-  for_products_on_offer(scene, [&](const Product& product) {
+  for (const Product& product : store_stock(scene)) {
     ++exclusions.on_offer;
     ++counts[checkout_refusal(product)];
-  });
+  }
   for (const auto& [why, products] : counts)
     if (why != CheckoutRefusal::none)
       exclusions.left_out.push_back({std::string(name_of(why)), products});

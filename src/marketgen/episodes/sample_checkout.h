@@ -44,7 +44,9 @@ inline bool is_checkout_item(const Product& product) {
 // As instructions name it: brand, name, variant, net content.
 std::string spoken_product(const Product& product);
 
-// Of the products on the store's shelves, sorted by SKU.
+// All that stands on the store's shelves, lies or hangs there, sorted by SKU.
+std::vector<Product> store_stock(const Scene& scene);
+// Of these, what a checkout's basket may hold.
 std::vector<Product> checkout_stock(const Scene& scene);
 // How many products of the store's shelves are left out, by reason.
 EpisodeExclusions checkout_exclusions(const Scene& scene);

@@ -31,13 +31,14 @@ Result<View> AisleEyes::look(std::string_view camera) {
 }
 
 StoreMap::StoreMap(const AisleStore& store) : store_(store) {
-  const ShelfRangeRow& range = store.station.shelf;
   for (std::uint32_t row = 0; row < store.scene.shelves.size(); ++row) {
     const SceneShelf& shelf = store.scene.shelves[row];
-    const Pose pose = world_from_shelf(store.scene, row);
-    const bool reached = pose.position.z >= range.lowest_m && pose.position.z <= range.highest_m;
-    if (!reached || shelf.use != ShelfUse::stand || has_doors(store.scene, shelf.fixture)) continue;
-    boards_.push_back({pose, shelf.width_m, shelf.depth_m, shelf.clearance_m});
+    boards_.push_back({world_from_shelf(store.scene, row),
+                       shelf.width_m,
+                       shelf.depth_m,
+                       shelf.clearance_m,
+                       shelf.use,
+                       has_doors(store.scene, shelf.fixture)});
   }
 }
 

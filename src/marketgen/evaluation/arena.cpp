@@ -8,6 +8,7 @@
 #include "collect/collect_plan.h"
 #include "episodes/aisle_world.h"
 #include "episodes/checkout_world.h"
+#include "episodes/sample_checkout.h"
 #include "evaluation/aisle_senses.h"
 #include "evaluation/aisle_truth.h"
 #include "evaluation/checkout_senses.h"
@@ -40,16 +41,21 @@ class WrappedPolicy : public Policy {
 class SensingPolicy : public WrappedPolicy {
  public:
   SensingPolicy(const CheckoutWorld& world,
-                const std::vector<Product>& products,
+                std::shared_ptr<const std::vector<Product>> stock,
                 const std::vector<FrictionRow>& frictions,
-                PictureLibrary& library)
-      : world_(world), eyes_(world), products_(products, frictions, library) {}
+                LookLibrary& looks)
+      : world_(world),
+        eyes_(world),
+        stock_(std::move(stock)),
+        products_(*stock_, frictions),
+        looks_(looks) {}
 
   Result<void> make(const std::filesystem::path& data, const PolicyName& name, Seed seed) {
     MARKETGEN_TRY(tool_, load_checkout_tool(world_, data));
     ClassicalSetup setup;
     setup.eyes = &eyes_;
     setup.products = &products_;
+    setup.looks = &looks_;
     setup.robot = &world_.robot();
     setup.tool = tool_;
     setup.place = workplace_of(world_.station());
@@ -69,7 +75,9 @@ class SensingPolicy : public WrappedPolicy {
 
   const CheckoutWorld& world_;
   CheckoutEyes eyes_;
+  std::shared_ptr<const std::vector<Product>> stock_;
   PicturedProducts products_;
+  LookLibrary& looks_;
   GraspTool tool_;
 };
 
@@ -78,11 +86,12 @@ class SensingCollector : public WrappedPolicy {
  public:
   SensingCollector(const AisleWorld& world,
                    const std::vector<FrictionRow>& frictions,
-                   PictureLibrary& library)
+                   LookLibrary& looks)
       : world_(world),
         eyes_(world),
         map_(world.store()),
-        products_(world.store().scene.catalog, frictions, library) {}
+        products_(world.store().scene.catalog, frictions),
+        looks_(looks) {}
 
   Result<void> make(const std::filesystem::path& data, const PolicyName& name, Seed seed) {
     const AisleStore& store = world_.store();
@@ -91,6 +100,7 @@ class SensingCollector : public WrappedPolicy {
     ClassicalAisleSetup setup;
     setup.eyes = &eyes_;
     setup.products = &products_;
+    setup.looks = &looks_;
     setup.tool = tool_;
     setup.hints = category_hints(world_.spec());
     setup.body = {&store.robot, &map_, store.basket, store.driving, commanded_dofs(store.robot)};
@@ -113,6 +123,7 @@ class SensingCollector : public WrappedPolicy {
   AisleEyes eyes_;
   StoreMap map_;
   PicturedProducts products_;
+  LookLibrary& looks_;
   GraspTool tool_;
 };
 
@@ -155,6 +166,16 @@ Result<std::shared_ptr<const AisleStore>> Arena::aisle_store(const std::string& 
   return store;
 }
 
+Result<std::shared_ptr<const std::vector<Product>>> Arena::stock(const std::string& scene_hash) {
+  const std::scoped_lock lock(mutex_);
+  auto& stock = stocks_[scene_hash];
+  if (!stock) {
+    MARKETGEN_TRY(const Scene scene, scene_of(scene_hash));
+    stock = std::make_shared<const std::vector<Product>>(store_stock(scene));
+  }
+  return stock;
+}
+
 Result<std::unique_ptr<TrackWorld>> Arena::open(const EpisodeSpec& spec) {
   if (spec.track == Track::aisle) {
     MARKETGEN_TRY(auto store, aisle_store(spec.scene_hash, spec.tools));
@@ -182,13 +203,14 @@ Result<std::unique_ptr<Policy>> Arena::policy(const std::string& name, const Tra
     return make_checkout_oracle(*checkout, data_, seed);
   if (asked.name == "oracle" && aisle != nullptr) return make_aisle_oracle(*aisle, data_, seed);
   if (checkout != nullptr) {
+    MARKETGEN_TRY(auto sold, stock(world.spec().scene_hash));
     auto policy =
-        std::make_unique<SensingPolicy>(*checkout, header_.products, catalog_.frictions, pictures_);
+        std::make_unique<SensingPolicy>(*checkout, std::move(sold), catalog_.frictions, looks_);
     MARKETGEN_CHECK(policy->make(data_, asked, seed));
     return std::unique_ptr<Policy>(std::move(policy));
   }
   if (aisle != nullptr) {
-    auto policy = std::make_unique<SensingCollector>(*aisle, catalog_.frictions, pictures_);
+    auto policy = std::make_unique<SensingCollector>(*aisle, catalog_.frictions, looks_);
     MARKETGEN_CHECK(policy->make(data_, asked, seed));
     return std::unique_ptr<Policy>(std::move(policy));
   }

@@ -15,7 +15,7 @@
 #include "episodes/aisle_store.h"
 #include "episodes/episode_spec.h"
 #include "episodes/track_world.h"
-#include "evaluation/product_pictures.h"
+#include "perception/look_library.h"
 #include "store/store.h"
 
 namespace marketgen {
@@ -36,6 +36,10 @@ class Arena {
   // From now on this store is taken as it is, and not made again from its plan.
   void offer(std::shared_ptr<const Store> store);
 
+  // What the store sells, sorted by SKU: what an agent in it knows of, whatever an episode is
+  // about. Errors: as open().
+  Result<std::shared_ptr<const std::vector<Product>>> stock(const std::string& scene_hash);
+
   // The store of in-aisle episodes. Errors: as open().
   Result<std::shared_ptr<const AisleStore>> aisle_store(const std::string& scene_hash,
                                                         const std::string& tools);
@@ -50,7 +54,8 @@ class Arena {
   std::map<std::string, std::shared_ptr<const Store>> offered_;  // by scene hash
   std::map<std::pair<std::string, std::string>, std::shared_ptr<const AisleStore>>
       stores_;  // by scene hash and tool set
-  PictureLibrary pictures_;
+  std::map<std::string, std::shared_ptr<const std::vector<Product>>> stocks_;  // by scene hash
+  LookLibrary looks_;
 };
 
 }  // namespace marketgen

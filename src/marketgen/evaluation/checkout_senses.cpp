@@ -68,9 +68,9 @@ Result<const KnownProduct*> PicturedProducts::product(const std::string& sku) {
   return &known_.emplace(sku, std::move(known)).first->second;
 }
 
-Result<const std::vector<ProductPicture>*> PicturedProducts::pictures(const std::string& sku) {
+Result<std::vector<ProductPicture>> PicturedProducts::pictures(const std::string& sku) const {
   MARKETGEN_TRY(const Product* const product, row(sku));
-  return library_.of(*product);
+  return product_pictures(*product);
 }
 
 Workplace workplace_of(const CheckoutStation& station) {

@@ -10,7 +10,6 @@
 #include "agent/workplace.h"
 #include "catalog/rows.h"
 #include "episodes/checkout_view.h"
-#include "evaluation/product_pictures.h"
 
 namespace marketgen {
 
@@ -30,24 +29,21 @@ class CheckoutEyes : public Eyes {
   std::unique_ptr<CheckoutView> view_;  // of the episode that runs, once it was looked at
 };
 
-// Rows, shapes and pictures; made when they are asked for. All three must outlive it.
+// Rows, shapes and pictures; made when they are asked for. Both must outlive it.
 class PicturedProducts : public KnownProducts {
  public:
-  PicturedProducts(const std::vector<Product>& products,
-                   const std::vector<FrictionRow>& frictions,
-                   PictureLibrary& library)
-      : products_(products), frictions_(frictions), library_(library) {}
+  PicturedProducts(const std::vector<Product>& products, const std::vector<FrictionRow>& frictions)
+      : products_(products), frictions_(frictions) {}
 
   const std::vector<Product>& rows() const override { return products_; }
   Result<const KnownProduct*> product(const std::string& sku) override;
-  Result<const std::vector<ProductPicture>*> pictures(const std::string& sku) override;
+  Result<std::vector<ProductPicture>> pictures(const std::string& sku) const override;
 
  private:
   Result<const Product*> row(const std::string& sku) const;
 
   const std::vector<Product>& products_;
   const std::vector<FrictionRow>& frictions_;
-  PictureLibrary& library_;
   std::map<std::string, KnownProduct> known_;
 };
 

@@ -67,11 +67,10 @@ class PerceptionTrial {
   Result<void> learn_goals(const std::vector<Product>& products,
                            const std::vector<FrictionRow>& frictions) {
     const auto began = std::chrono::steady_clock::now();
-    PictureLibrary library;
-    PicturedProducts known(products, frictions, library);
+    const PicturedProducts known(products, frictions);
     for (const EpisodeGoal& goal : spec_.goals) {
-      MARKETGEN_TRY(const auto* pictures, known.pictures(goal.sku));
-      MARKETGEN_TRY(ProductLook look, ProductLook::make(goal.sku, *pictures));
+      MARKETGEN_TRY(const auto pictures, known.pictures(goal.sku));
+      MARKETGEN_TRY(ProductLook look, ProductLook::make(goal.sku, pictures));
       looks_.push_back(std::move(look));
     }
     measure_.pictures_s = seconds_since(began);

@@ -83,13 +83,4 @@ Result<std::vector<ProductPicture>> product_pictures(const Product& product) {
   return pictures;
 }
 
-Result<const std::vector<ProductPicture>*> PictureLibrary::of(const Product& product) {
-  const std::scoped_lock lock(guard_);
-  if (const auto found = pictures_.find(product.sku); found != pictures_.end())
-    return found->second.get();
-  MARKETGEN_TRY(std::vector<ProductPicture> made, product_pictures(product));
-  auto kept = std::make_unique<std::vector<ProductPicture>>(std::move(made));
-  return pictures_.emplace(product.sku, std::move(kept)).first->second.get();
-}
-
 }  // namespace marketgen

@@ -1,6 +1,7 @@
 #include "policy/aisle_sight.h"
 
 #include "perception/grasp_source.h"
+#include "policy/aisle_tour.h"
 #include "policy/own_body.h"
 
 namespace marketgen {
@@ -15,6 +16,7 @@ std::vector<BoardAhead> ShelfSight::boards_ahead(const AisleMap& map) const {
   const Pose base_from_store = inverse(store_from_base(place_));
   std::vector<BoardAhead> ahead;
   for (const ShelfBoard& board : map.boards()) {
+    if (!can_be_fetched_from(board)) continue;
     const Pose pose = base_from_store * board.store_from_board;
     const bool near = std::hypot(pose.position.x, pose.position.y) < ahead_m;
     const bool faces = dot(rotate(pose.rotation, {0, 1, 0}), pose.position) > 0;

@@ -33,6 +33,7 @@ std::optional<BasePlace> place_before(const AisleMap& map, const Pose& board) {
 std::vector<ViewStop> view_stops(const AisleMap& map) {
   std::vector<ViewStop> stops;
   for (const ShelfBoard& board : map.boards()) {
+    if (!can_be_fetched_from(board)) continue;
     const auto place = place_before(map, board.store_from_board);
     if (!place) continue;
     const Vec2 front{board.store_from_board.position.x, board.store_from_board.position.y};

@@ -11,13 +11,19 @@
 
 namespace marketgen {
 
+// Whether the robot can take goods from it at all: it opens no doors, and takes what stands, not
+// what lies in heaps or hangs.
+inline bool can_be_fetched_from(const ShelfBoard& board) {
+  return board.use == ShelfUse::stand && !board.has_door;
+}
+
 // From `place` the robot looks straight at the boards of one front.
 struct ViewStop {
   BasePlace place;
   Vec2 front;  // middle of the boards' edges
 };
 
-// One for each front of a fixture before which the robot has room.
+// One for each front of boards that it can fetch from and before which it has room.
 std::vector<ViewStop> view_stops(const AisleMap& map);
 
 // The stop that is to be looked from next for something near `hint`; `seen`: those that were. Empty

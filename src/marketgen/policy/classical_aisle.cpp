@@ -86,8 +86,8 @@ class ClassicalAisle : public Policy {
   struct Goal {
     std::string sku;
     int wanted = 1, fetched = 0, tries = 0;
-    std::unique_ptr<ProductLook> look;
-    std::vector<std::unique_ptr<ProductLook>> rivals;
+    const ProductLook* look = nullptr;
+    std::vector<const ProductLook*> rivals;
     Vec2 hint;
     std::string failure = "NotFound";
   };
@@ -124,21 +124,15 @@ class ClassicalAisle : public Policy {
 
   // ---- What it is to know ----
 
-  Result<std::unique_ptr<ProductLook>> look_of(const std::string& sku) {
-    MARKETGEN_TRY(const auto* pictures, setup_.products->pictures(sku));
-    MARKETGEN_TRY(ProductLook look, ProductLook::make(sku, *pictures));
-    return std::make_unique<ProductLook>(std::move(look));
-  }
-
   Result<void> learn(const TaskGoal& asked) {
     Goal goal;
     goal.sku = asked.sku;
     goal.wanted = asked.count;
-    MARKETGEN_TRY(goal.look, look_of(asked.sku));
     MARKETGEN_TRY(const KnownProduct* known, setup_.products->product(asked.sku));
-    for (const std::string& rival : rivals_of(known->product)) {
-      MARKETGEN_TRY(auto look, look_of(rival));
-      goal.rivals.push_back(std::move(look));
+    MARKETGEN_TRY(goal.look, setup_.looks->of(known->product, *setup_.products));
+    for (const Product* rival : rivals_of(known->product)) {
+      MARKETGEN_TRY(const ProductLook* look, setup_.looks->of(*rival, *setup_.products));
+      goal.rivals.push_back(look);
     }
     const auto hint = std::ranges::find(setup_.hints, asked.sku, &CategoryHint::sku);
     if (hint == setup_.hints.end())
@@ -149,28 +143,25 @@ class ClassicalAisle : public Policy {
   }
 
   // Of its category and much its size, the most alike ones.
-  std::vector<std::string> rivals_of(const Product& product) const {
-    std::vector<std::pair<double, std::string>> alike;
+  std::vector<const Product*> rivals_of(const Product& product) const {
+    std::vector<std::pair<double, const Product*>> alike;
     for (const Product& other : setup_.products->rows()) {
       if (product.sku == other.sku || product.category != other.category) continue;
       double most = 0;
       for (std::size_t axis = 0; axis < 3; ++axis)
         most = std::max(most, std::abs(1.0 * other.size_mm[axis] / product.size_mm[axis] - 1));
-      if (most <= rival_size) alike.emplace_back(most, other.sku);
+      if (most <= rival_size) alike.emplace_back(most, &other);
     }
-    std::ranges::stable_sort(alike);
-    std::vector<std::string> rivals;
+    std::ranges::sort(alike, {}, [](const auto& entry) {
+      return std::pair<double, std::string_view>(entry.first, entry.second->sku);
+    });
+    std::vector<const Product*> rivals;
     for (std::size_t i = 0; i < std::min(most_rivals_looked_at, alike.size()); ++i)
       rivals.push_back(alike[i].second);
     return rivals;
   }
 
-  static WantedProduct wanted_of(const Goal& goal) {
-    WantedProduct wanted{goal.look.get(), {}};
-    for (const auto& rival : goal.rivals)
-      wanted.rivals.push_back(rival.get());
-    return wanted;
-  }
+  static WantedProduct wanted_of(const Goal& goal) { return {goal.look, goal.rivals}; }
 
   // ---- What to do next ----
 

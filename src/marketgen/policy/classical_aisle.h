@@ -10,6 +10,7 @@
 #include "agent/eyes.h"
 #include "agent/known_products.h"
 #include "agent/policy.h"
+#include "perception/look_library.h"
 #include "perception/shelf_choice.h"
 #include "perception/shelf_grasps.h"
 #include "policy/aisle_body.h"
@@ -24,11 +25,12 @@ struct ClassicalAisleModules {
   std::unique_ptr<ShelfGraspSource> grasps;
 };
 
-// What the agent is given. Eyes, catalogue, map and robot must outlive the policy. Modules that are
-// null are its own: SweptSpots, UprightMatching, FrontGrasps.
+// What the agent is given. Eyes, catalogue, its looks, map and robot must outlive the policy.
+// Modules that are null are its own: SweptSpots, UprightMatching, FrontGrasps.
 struct ClassicalAisleSetup {
   Eyes* eyes = nullptr;  // "head_camera"; base frame: that of the robot's base
   KnownProducts* products = nullptr;
+  LookLibrary* looks = nullptr;
   GraspTool tool;
   std::vector<CategoryHint> hints;
   AisleBodySetup body;

@@ -47,16 +47,16 @@ class ClassicalCheckout : public Policy {
   Result<void> begin(const Task& task, const Observation& first) override {
     task_ = task;
     arm_.start(first);
+    MARKETGEN_CHECK(learn_catalogue());
     for (const TaskGoal& goal : task.goals) {
       if (goal.count != 1)
         return Error{"episode.impossible", goal.sku, "classical takes one of each product so far"};
-      MARKETGEN_TRY(const auto* pictures, setup_.products->pictures(goal.sku));
-      MARKETGEN_TRY(ProductLook look, ProductLook::make(goal.sku, *pictures));
-      looks_.push_back(std::make_unique<ProductLook>(std::move(look)));
+      const auto known = std::ranges::find(catalogue_, goal.sku, &ProductLook::sku);
+      if (known == catalogue_.end())
+        return Error{"catalog.unknown_sku", goal.sku, "the agent's catalogue has no such product"};
+      looks_.push_back(*known);
+      wanted_.push_back({*known, rivals_of(**known, catalogue_)});
     }
-    MARKETGEN_CHECK(learn_catalogue());
-    for (const auto& look : looks_)
-      wanted_.push_back({look.get(), rivals_of(*look, catalogue_)});
     return {};
   }
 
@@ -181,7 +181,7 @@ class ClassicalCheckout : public Policy {
       if (tried != tries_.end() && tried->second >= tries_an_item) continue;
       for (const FoundProduct& found : sight_.found)
         if (found.look == goal)
-          targets.push_back({looks_[goal].get(),
+          targets.push_back({looks_[goal],
                              goal,
                              found.pose.base_from_product,
                              found.pose.evidence.seen,
@@ -269,10 +269,8 @@ class ClassicalCheckout : public Policy {
 
   Result<void> learn_catalogue() {
     for (const Product& row : setup_.products->rows()) {
-      MARKETGEN_TRY(const auto* pictures, setup_.products->pictures(row.sku));
-      MARKETGEN_TRY(ProductLook look, ProductLook::make(row.sku, *pictures));
-      learned_.push_back(std::make_unique<ProductLook>(std::move(look)));
-      catalogue_.push_back(learned_.back().get());
+      MARKETGEN_TRY(const ProductLook* look, setup_.looks->of(row, *setup_.products));
+      catalogue_.push_back(look);
     }
     return {};
   }
@@ -452,7 +450,7 @@ class ClassicalCheckout : public Policy {
   Seed seed_;
   Task task_;
   Observation now_;
-  std::vector<std::unique_ptr<ProductLook>> looks_;  // of the goals, in their order
+  std::vector<const ProductLook*> looks_;  // of the goals, in their order
   std::vector<WantedProduct> wanted_;
   Step step_ = Step::go_to_look;
   Sight sight_;
@@ -460,8 +458,7 @@ class ClassicalCheckout : public Policy {
   std::set<std::size_t> put_down_;    // goals that were let go over the area
   std::optional<std::size_t> goal_;   // that is being taken; none: something in the way
   const ProductLook* held_look_ = nullptr;
-  std::vector<std::unique_ptr<ProductLook>> learned_;  // the whole catalogue
-  std::vector<const ProductLook*> catalogue_;
+  std::vector<const ProductLook*> catalogue_;  // the whole of it
   int cleared_ = 0;
   HeldProduct held_;
   double width_m_ = 0, force_n_ = 0;  // of the grasp

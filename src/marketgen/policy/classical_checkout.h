@@ -11,6 +11,7 @@
 #include "agent/workplace.h"
 #include "base/seed.h"
 #include "perception/grasp_source.h"
+#include "perception/look_library.h"
 #include "perception/target_choice.h"
 #include "robots/grasp_tool.h"
 #include "robots/robot.h"
@@ -25,11 +26,12 @@ struct ClassicalModules {
   std::unique_ptr<GraspSource> grasps;
 };
 
-// What the agent is given. Eyes, catalogue and robot must outlive the policy. Modules that are null
-// are its own: GeometricMasks, SweptPoses, CatalogueMatching, FittedGrasps.
+// What the agent is given. Eyes, catalogue, its looks and robot must outlive the policy. Modules
+// that are null are its own: GeometricMasks, SweptPoses, CatalogueMatching, FittedGrasps.
 struct ClassicalSetup {
   Eyes* eyes = nullptr;
   KnownProducts* products = nullptr;
+  LookLibrary* looks = nullptr;
   const Robot* robot = nullptr;
   GraspTool tool;
   Workplace place;

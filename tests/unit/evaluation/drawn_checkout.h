@@ -22,6 +22,13 @@ inline const std::vector<Product>& checkout_goods_rows() {
   return chosen;
 }
 
+// The episodes of two small stores that come with the program.
+inline EpisodeFile pool_file() {
+  auto read = read_episode_file(data_rows() / "benchmark" / "pool" / "checkout.jsonl");
+  if (!read.ok()) fatal(to_string(read.error()).c_str());
+  return std::move(read).value();
+}
+
 inline EpisodeSpec drawn(std::uint64_t seed, int index) {
   auto spec = sample_checkout(data_rows(),
                               checkout_goods_rows(),

@@ -48,19 +48,18 @@ class CheckoutTruth : public ::testing::Test {
     eyes_ = std::make_unique<CheckoutEyes>(world_);
     for (const StationCamera camera : {StationCamera::scene, StationCamera::wrist})
       views_.emplace_back(eyes_->look(name_of(camera)).value());
-    products_ = std::make_unique<PicturedProducts>(
-        checkout_goods_rows(), committed_catalog().frictions, library_);
+    products_ =
+        std::make_unique<PicturedProducts>(checkout_goods_rows(), committed_catalog().frictions);
   }
 
   ProductLook look_of(const std::string& sku) {
-    return ProductLook::make(sku, *products_->pictures(sku).value()).value();
+    return ProductLook::make(sku, products_->pictures(sku).value()).value();
   }
 
   EpisodeSpec spec_;
   CheckoutWorld world_;
   std::unique_ptr<CheckoutEyes> eyes_;
   std::vector<ViewCloud> views_;
-  PictureLibrary library_;
   std::unique_ptr<PicturedProducts> products_;
 };
 
@@ -124,11 +123,10 @@ TEST_F(CheckoutTruth, GraspsAreOfWhatLiesThere) {
 }
 
 TEST(TruthModules, AnEpisodeRunsWithAllOfThem) {
-  EpisodeSpec spec = drawn(7, 0);
+  EpisodeFile file = pool_file();
+  EpisodeSpec& spec = file.episodes.front();
   spec.limit_s = 20;
-  EpisodeHeader header;
-  header.products = checkout_goods_rows();
-  Arena arena(data_rows(), header, committed_catalog());
+  Arena arena(data_rows(), file.header, committed_catalog());
   const auto result = run_episode(arena, spec, "classical+masks+target+grasp");
   ASSERT_TRUE(result.ok()) << to_string(result.error());
   EXPECT_EQ(result->policy, "classical+masks+target+grasp");
@@ -153,10 +151,9 @@ TEST(AisleTruth, ACanIsFoundWhereItStands) {
   AisleEyes eyes(*world);
   std::vector<ViewCloud> views;
   views.emplace_back(eyes.look("head_camera").value());
-  PictureLibrary library;
-  PicturedProducts products(world->store().scene.catalog, committed_catalog().frictions, library);
+  PicturedProducts products(world->store().scene.catalog, committed_catalog().frictions);
   const ProductLook look =
-      ProductLook::make("can-cola", *products.pictures("can-cola").value()).value();
+      ProductLook::make("can-cola", products.pictures("can-cola").value()).value();
 
   const auto spots = TrueSpots(*world).spots(views, boards, {});
   ASSERT_FALSE(spots.empty());

@@ -14,8 +14,9 @@ class PlainMap : public AisleMap {
  public:
   explicit PlainMap(const std::vector<Vec3>& edges) {
     for (const Vec3& edge : edges)
-      boards_.push_back({{edge, {}}, 1.0, 0.4, 0.3});
+      boards_.push_back({{edge, {}}, 1.0, 0.4, 0.3, ShelfUse::stand, false});
   }
+  ShelfBoard& board(std::size_t i) { return boards_[i]; }
   const std::vector<ShelfBoard>& boards() const override { return boards_; }
   bool has_room(const BasePlace& place) const override { return place.y_m > 0; }
   Result<BaseFollower> way(const BasePlace&, const BasePlace&) const override {
@@ -38,6 +39,16 @@ TEST(AisleTour, OneStopLooksStraightAtAllBoardsOfAFront) {
   EXPECT_NEAR(stops[0].place.x_m, 1, 1e-9);
   EXPECT_LT(stops[0].place.y_m, 3 - 0.6);
   EXPECT_NEAR(stops[0].place.heading, std::numbers::pi / 2, 1e-9);
+}
+
+// It opens no doors and takes nothing out of heaps: it does not look there.
+TEST(AisleTour, ItStopsWhereItCanFetchFrom) {
+  PlainMap map({{1, 3, 0.5}, {3, 3, 0.5}, {5, 3, 0.1}});
+  map.board(0).has_door = true;
+  map.board(1).use = ShelfUse::heap;
+  const auto stops = view_stops(map);
+  ASSERT_EQ(stops.size(), 1U);
+  EXPECT_NEAR(stops[0].place.x_m, 5, 1e-9) << "a low board is looked at like any other";
 }
 
 TEST(AisleTour, GoesToTheCategoryFirstAndNeverTwice) {

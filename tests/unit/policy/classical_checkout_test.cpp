@@ -52,8 +52,8 @@ class DrawnProducts : public KnownProducts {
   }
   const std::vector<Product>& rows() const override { return rows_; }
   Result<const KnownProduct*> product(const std::string& sku) override { return &known_.at(sku); }
-  Result<const std::vector<ProductPicture>*> pictures(const std::string& sku) override {
-    return &pictures_.at(sku);
+  Result<std::vector<ProductPicture>> pictures(const std::string& sku) const override {
+    return pictures_.at(sku);
   }
 
  private:
@@ -80,6 +80,7 @@ class Classical : public ::testing::Test {
     setup_.place.inner_half = {0.15, 0.215, 0};
     products_.add("carton", {0.06, 0.09, 0.12}, {200, 40, 30});
     setup_.products = &products_;
+    setup_.looks = &looks_;
     ready_.position = {0, -0.785, 0, -2.356, 0, 1.571, 0.785};
     ready_.velocity.assign(7, 0);
     ready_.openings_m = {0.08};
@@ -105,6 +106,7 @@ class Classical : public ::testing::Test {
 
   std::unique_ptr<Robot> robot_;
   DrawnProducts products_;
+  LookLibrary looks_;
   ClassicalSetup setup_;
   Observation ready_;
 };

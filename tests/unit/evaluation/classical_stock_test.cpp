@@ -1,0 +1,68 @@
+// What `classical` knows at the counter is what the store sells: an episode by itself and among
+// others is the same to the last bit.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "drawn_checkout.h"
+#include "evaluation/run_episode.h"
+#include "scene/scene.h"
+
+namespace marketgen {
+namespace {
+
+// A file of this episode alone: its store, and the rows of its own basket.
+EpisodeFile alone(const EpisodeFile& file, const EpisodeSpec& spec) {
+  EpisodeFile one;
+  one.episodes = {spec};
+  for (const EpisodeStore& store : file.header.stores)
+    if (store.scene_hash == spec.scene_hash) one.header.stores = {store};
+  for (const Product& product : file.header.products)
+    if (std::ranges::count(spec.items, product.sku, &EpisodeItem::sku) > 0)
+      one.header.products.push_back(product);
+  return one;
+}
+
+TEST(ClassicalStock, IsAllThatTheStoreSells) {
+  const EpisodeFile file = pool_file();
+  for (const EpisodeStore& store : file.header.stores) {
+    const auto scene = scene_of_plan(store.plan, committed_catalog(), store.seed);
+    ASSERT_TRUE(scene.ok()) << to_string(scene.error());
+    std::set<std::string> on_shelves;
+    for (const SceneProduct& product : scene->products)
+      on_shelves.insert(scene->catalog[product.sku].sku);
+    Arena arena(data_rows(), file.header, committed_catalog());
+    const auto stock = arena.stock(store.scene_hash);
+    ASSERT_TRUE(stock.ok()) << to_string(stock.error());
+    std::set<std::string> known;
+    for (const Product& product : **stock)
+      known.insert(product.sku);
+    EXPECT_EQ(known, on_shelves);
+    EXPECT_GT(known.size(), file.header.products.size());
+  }
+}
+
+TEST(ClassicalStock, AnEpisodeAloneIsTheSameAsAmongOthers) {
+  EpisodeFile file = pool_file();
+  Arena together(data_rows(), file.header, committed_catalog());
+  // Two of those (4 of 16) that were not, while its file's baskets were its catalogue.
+  for (const std::size_t number : {std::size_t{3}, std::size_t{21}}) {
+    EpisodeSpec spec = file.episodes[number];
+    spec.limit_s = 30;
+    const EpisodeFile one = alone(file, spec);
+    ASSERT_LT(one.header.products.size(), file.header.products.size());
+    Arena by_itself(data_rows(), one.header, committed_catalog());
+    const auto among = run_episode(together, spec, "classical");
+    const auto single = run_episode(by_itself, spec, "classical");
+    ASSERT_TRUE(among.ok()) << to_string(among.error());
+    ASSERT_TRUE(single.ok()) << to_string(single.error());
+    EXPECT_TRUE(among->detail.empty()) << among->detail;
+    EXPECT_GT(among->simulated_s, 10) << "it was at work";
+    EXPECT_EQ(among->state_hash, single->state_hash) << spec.id;
+    EXPECT_EQ(among->failure, single->failure) << spec.id;
+  }
+}
+
+}  // namespace
+}  // namespace marketgen
