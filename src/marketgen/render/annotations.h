@@ -80,12 +80,13 @@ struct ObjectAnnotation {
       field("pixels", &ObjectAnnotation::pixels, "how many show it"),
       field("box_px",
             &ObjectAnnotation::box_px,
-            "x0, y0, x1, y1 around what shows; x1 and y1 are past the last pixel"),
+            "x0, y0, x1, y1 around what shows; x1 and y1 are past the last pixel: from the "
+            "picture's top left corner, where OpenCV's pixels are 0.5 less"),
       field(
           "full_box_px",
           &ObjectAnnotation::full_box_px,
           "x0, y0, x1, y1 around the whole object, hidden parts and those beyond the picture too, "
-          "in the same pixels; absent for the room, and when a part lies behind the camera"),
+          "from the same corner; absent for the room, and when a part lies behind the camera"),
       field("silhouette_px",
             &ObjectAnnotation::silhouette_px,
             "how many pixels of the picture would show it alone; products and actors"),
