@@ -78,12 +78,14 @@ class FixtureWriter {
   }
 
   void write_joint(int depth, const SceneJoint& joint) {
-    const std::string spring = joint.stiffness == 0
-                                   ? ""
-                                   : fmt::format(" stiffness=\"{} 0 {}\" springref=\"{}\"",
-                                                 joint.stiffness,
-                                                 static_cast<float>(mjcf_hold_open_factor(joint)),
-                                                 joint.spring_rest);
+    // MuJoCo before 3.7 knows no springs but straight ones: others only where a door stays open.
+    const double bend = mjcf_hold_open_factor(joint);
+    const std::string bent = bend == 0 ? "" : fmt::format(" 0 {}", static_cast<float>(bend));
+    const std::string spring =
+        joint.stiffness == 0
+            ? ""
+            : fmt::format(
+                  " stiffness=\"{}{}\" springref=\"{}\"", joint.stiffness, bent, joint.spring_rest);
     out_.line(depth,
               "<joint name=\"{}\" type=\"{}\" axis=\"0 0 1\" range=\"{} {}\" frictionloss=\"{}\" "
               "damping=\"{}\"{}/>",

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 
 #include "assets/color.h"
 #include "base/text.h"
@@ -22,6 +23,7 @@ namespace marketgen {
 namespace {
 
 constexpr int lights_along = 4, lights_across = 2;  // MuJoCo's renderer takes eight
+constexpr double flat_views_from = 20;              // times the room's longer side
 constexpr int base_memory_mb = 64;  // measured: 20,000 still geoms, robot and contacts
 constexpr std::string_view floor_color = "0.72 0.71 0.69 1", wall_color = "0.9 0.88 0.84 1",
                            door_color = "0.55 0.57 0.6 1";
@@ -89,7 +91,7 @@ class MjcfWriter {
     out_.line(2, "<global azimuth=\"60\" elevation=\"-40\" offwidth=\"1920\" offheight=\"1080\"/>");
     out_.line(
         2, "<headlight ambient=\"0.45 0.45 0.45\" diffuse=\"0.25 0.25 0.25\" specular=\"0 0 0\"/>");
-    out_.line(2, "<map znear=\"0.005\" zfar=\"10\"/>");
+    out_.line(2, "<map znear=\"0.005\" zfar=\"50\"/>");
     out_.line(1, "</visual>");
   }
 
@@ -169,21 +171,26 @@ class MjcfWriter {
     }
   }
 
+  // No word for an orthographic camera is known to all of MuJoCo 3.3 to 4 (orthographic=
+  // before 3.5, projection= since): what is drawn flat is seen from far off, where a metre of
+  // height moves what stands at the picture's edge by less than 3 % of a metre.
   void write_cameras() {
+    const double widest = std::max(room_size().x, room_size().y);
     for (const Camera& camera : standard_cameras(scene_, 1280, 720)) {
       const Vec3 back = normalized(camera.from - camera.at);
       const Vec3 up = std::abs(back.z) > 0.999 ? Vec3{0, 1, 0}
                                                : Vec3{0, 0, 1};  // north is up in views from above
       const Vec3 right = normalized(cross(up, back)), above = cross(back, right);
-      const bool flat = camera.ortho_height_m > 0;
+      const double flat_m = camera.ortho_height_m / 2, far_m = flat_views_from * widest;
+      const bool flat = flat_m > 0;
       out_.line(2,
-                "<camera name=\"{}\" pos=\"{}\" xyaxes=\"{} {}\" fovy=\"{}\"{}/>",
+                "<camera name=\"{}\" pos=\"{}\" xyaxes=\"{} {}\" fovy=\"{}\"/>",
                 escaped_markup(camera.name),
-                mjcf_vector(camera.from),
+                mjcf_vector(flat ? camera.at + back * far_m : camera.from),
                 mjcf_vector(right),
                 mjcf_vector(above),
-                static_cast<float>(flat ? camera.ortho_height_m : camera.fov_deg),
-                flat ? " projection=\"orthographic\"" : "");
+                static_cast<float>(flat ? 2 * std::atan2(flat_m, far_m) * 180 / std::numbers::pi
+                                        : camera.fov_deg));
     }
   }
 

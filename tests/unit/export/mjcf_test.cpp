@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
+#include <cmath>
 #include <memory>
 
+#include "render/camera.h"
 #include "support/hand_made_scene.h"
 
 namespace marketgen {
@@ -120,6 +122,31 @@ TEST(Mjcf, HasTheStandardCamerasAndAtMostEightLights) {
   EXPECT_GE(mj_name2id(m.model.get(), mjOBJ_CAMERA, "top"), 0);
   EXPECT_GE(mj_name2id(m.model.get(), mjOBJ_CAMERA, "entrance"), 0);
   EXPECT_LE(m.model->nlight, 8);
+}
+
+// The words for a camera without perspective came and went between MuJoCo 3.3 and 4.
+TEST(Mjcf, SaysOnlyWhatAllItsReadersKnow) {
+  HandMadeScene made;
+  made.stock();
+  const auto files = write_mjcf(made.scene, {});
+  ASSERT_TRUE(files.ok()) << to_string(files.error());
+  const std::string& text = files->main;
+  EXPECT_NE(text.find("<camera name=\"top\""), std::string::npos);
+  for (const char* word : {"projection=", "orthographic="})
+    EXPECT_EQ(text.find(word), std::string::npos) << word;
+}
+
+TEST(Mjcf, TheFlatViewsShowTheWholeFloorFromFarOff) {
+  HandMadeScene made;
+  made.stock();
+  const Loaded m = load(made.scene);
+  const Camera flat = camera_named(made.scene, "top", 1280, 720).value();
+  const int top = mj_name2id(m.model.get(), mjOBJ_CAMERA, "top");
+  const double away = m.model->cam_pos[3 * top + 2] - flat.at.z;
+  EXPECT_NEAR(2 * away * std::tan(m.model->cam_fovy[top] * 3.14159265358979 / 360),
+              flat.ortho_height_m,
+              1e-3);
+  EXPECT_LT(away, 1.0 * m.model->vis.map.zfar * m.model->stat.extent);
 }
 
 TEST(Mjcf, FreeGoodsOnPegsHangFromASwitchableHook) {
