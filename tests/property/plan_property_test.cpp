@@ -5,15 +5,14 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <charconv>
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <set>
 
 #include "io/file.h"
 #include "io/json.h"
 #include "store/store.h"
+#include "support/number_of_cases.h"
 #include "support/plan_sampler.h"
 #include "support/run_program.h"
 
@@ -33,10 +32,7 @@ bool cannot_be_built(const Error& error) {
 constexpr std::chrono::seconds longest_time(20);  // a shop of this size takes a tenth of a second
 
 std::size_t number_of_plans(std::size_t usual) {
-  const char* wanted = std::getenv("MARKETGEN_PROPERTY_PLANS");
-  std::size_t number = usual;
-  if (wanted != nullptr) std::from_chars(wanted, wanted + std::string_view(wanted).size(), number);
-  return number;
+  return number_of_cases("MARKETGEN_PROPERTY_PLANS", usual);
 }
 
 Stream stream_of(std::size_t number) {

@@ -107,13 +107,6 @@ TEST(Json, ReadsBackWhatItWrote) {
   expect_same(s, *read);
 }
 
-struct Fault {
-  const char* text;
-  const char* code;
-  const char* where;
-  const char* says;
-};
-
 TEST(Json, ZeroBelowZeroReadsBackAsItWas) {
   Sample s;
   s.fill = -0.0;
@@ -125,6 +118,13 @@ TEST(Json, ZeroBelowZeroReadsBackAsItWas) {
   EXPECT_TRUE(std::signbit(again->points[0].x)) << text;
   EXPECT_EQ(write_json(*again), text);
 }
+
+struct Fault {
+  const char* text;
+  const char* code;
+  const char* where;
+  const char* says;
+};
 
 TEST(Json, RefusesEveryFaultWithItsPlace) {
   const Fault faults[] = {

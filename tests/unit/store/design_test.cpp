@@ -5,13 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
 #include <string>
 #include <vector>
 
 #include "io/json.h"
 #include "support/committed_catalog.h"
+#include "support/number_of_cases.h"
 
 namespace marketgen {
 namespace {
@@ -154,15 +154,11 @@ std::string random_prompt(std::uint64_t seed) {
   return prompt;
 }
 
-std::uint64_t number_of_prompts() {
-  const char* wanted = std::getenv("MARKETGEN_PROPERTY_PROMPTS");
-  return wanted == nullptr ? 150 : std::strtoull(wanted, nullptr, 10);
-}
-
 TEST(Designs, OfAnyWordsAreReadable) {
   const auto planner = make_planner("offline");
   ASSERT_TRUE(planner.ok());
-  for (std::uint64_t seed = 0; seed < number_of_prompts(); ++seed) {
+  const std::uint64_t prompts = number_of_cases("MARKETGEN_PROPERTY_PROMPTS", 150);
+  for (std::uint64_t seed = 0; seed < prompts; ++seed) {
     Brief brief;
     brief.prompt = random_prompt(seed);
     const int size = static_cast<int>(seed % 150);
