@@ -1,10 +1,13 @@
 #include "policy/arm_executor.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace marketgen {
 namespace {
+
+constexpr std::array let_down_m{0.10, 0.06, 0.03};
 
 // What the last joint of the group moves.
 std::vector<int> hand_of(const Robot& robot, const JointGroup& group) {
@@ -125,6 +128,15 @@ Result<void> ArmExecutor::straight(const Surroundings& around,
   MARKETGEN_TRY(JointTrajectory trajectory, timed_curve(path, slow));
   queue(std::move(trajectory), opening_m, force_n);
   return {};
+}
+
+Result<void> ArmExecutor::let_down(const Surroundings& around, double force_n) {
+  Result<void> down;
+  for (const double by : let_down_m) {
+    down = straight(around, {tip().position - Vec3{0, 0, by}, tip().rotation}, 0, force_n);
+    if (down.ok()) break;
+  }
+  return down;
 }
 
 Action ArmExecutor::next() {

@@ -53,6 +53,8 @@ class ArmExecutor {
                         const Pose& base_from_tip,
                         double opening_m,
                         double force_n);
+  // The tip down, 10 cm or as far of that as goes.
+  Result<void> let_down(const Surroundings& around, double force_n);
   void wait(double seconds, double opening_m, double force_n);
 
   // How far apart the pads are while they press on something: fingers are looked at there.

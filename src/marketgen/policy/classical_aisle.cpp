@@ -6,6 +6,7 @@
 
 #include "policy/aisle_sight.h"
 #include "policy/aisle_tour.h"
+#include "policy/plan_failure.h"
 
 namespace marketgen {
 namespace {
@@ -177,17 +178,21 @@ class ClassicalAisle : public Policy {
       return {};
     }
     // Sure finds; then what may be seen nearby; then doubtful ones; then what is farther away.
-    if (go_to_find(sure)) return {};
+    MARKETGEN_TRY(const bool takes_sure, go_to_find(sure));
+    if (takes_sure) return {};
     MARKETGEN_TRY(const bool looks, go_looking(near_category_m));
-    if (looks || go_to_find(0)) return {};
+    if (looks) return {};
+    MARKETGEN_TRY(const bool takes_doubtful, go_to_find(0));
+    if (takes_doubtful) return {};
     MARKETGEN_TRY(const bool looks_on, go_looking(far_from_category_m));
     done_ = !looks_on;
     return {};
   }
 
-  bool go_to_find(double least_worth) {
+  Result<bool> go_to_find(double least_worth) {
     while (const auto find = next_find(least_worth)) {
-      if (approach(*find)) return true;
+      MARKETGEN_TRY(const bool goes, approach(*find));
+      if (goes) return true;
       refuse(*find);
     }
     return false;
@@ -301,22 +306,27 @@ class ClassicalAisle : public Policy {
     return item;
   }
 
-  bool approach(std::size_t number) {
+  Result<bool> approach(std::size_t number) {
     Find& find = finds_[number];
     Goal& goal = goals_[find.place.goal];
     const auto item = item_at(find.place);
-    if (!item.ok() || item->grasps.empty()) return note(goal, "NoGrasp");
+    if (!item.ok()) return given_up(goal, item.error());
+    if (item->grasps.empty()) return note(goal, "NoGrasp");
     const auto pick = body_.plan_pick(*item, points_, {});
-    if (!pick.ok()) return note(goal, "NoPath");
+    if (!pick.ok()) return given_up(goal, pick.error());
     if (!body_.drive_to(base_place(pick->world_from_base)).ok()) return note(goal, "NoPath");
     find_ = number;
     step_ = AisleStep::at_shelf;
     return true;
   }
 
-  static bool note(Goal& goal, const char* why) {
+  static bool note(Goal& goal, std::string_view why) {
     goal.failure = why;
     return false;
+  }
+  static Result<bool> given_up(Goal& goal, const Error& error) {
+    if (!is_of_planning(error)) return error;
+    return note(goal, failure_of_plan(error));
   }
 
   // Towards the product, as far as the head turns.
@@ -358,7 +368,7 @@ class ClassicalAisle : public Policy {
     auto pick =
         item.ok() ? body_.plan_pick(*item, points_, now_.base) : Result<ShelfPick>(item.error());
     if (!pick.ok()) {
-      note(goal, "NoPath");
+      MARKETGEN_CHECK(given_up(goal, pick.error()));
       refuse(find_);
       return {};
     }

@@ -7,9 +7,13 @@
 #include <optional>
 #include <set>
 
+#include <fmt/format.h>
+
+#include "base/progress.h"
 #include "geometry/rotation_axes.h"
 #include "policy/checkout_sight.h"
 #include "policy/place_search.h"
+#include "policy/plan_failure.h"
 
 namespace marketgen {
 namespace {
@@ -92,6 +96,7 @@ class ClassicalCheckout : public Policy {
 
   // ---- Looking ----
 
+  // Where no way leads there it looks from where it is: one camera stands still and sees most.
   void go_to_look() {
     step_ = Step::look;
     const Vec3 at = setup_.place.base_from_basket.position;
@@ -103,8 +108,11 @@ class ClassicalCheckout : public Policy {
     const Surroundings bare = seen_surroundings(setup_.place, {});
     Pose up = arm_.tip();
     up.position.z = std::max(up.position.z, look_height_m);
-    [[maybe_unused]] const auto higher = arm_.straight(bare, up, setup_.tool.opening_m, 20);
-    [[maybe_unused]] const auto there = arm_.reach(bare, request, next_seed());
+    say_failed("raise the hand", arm_.straight(bare, up, setup_.tool.opening_m, 20));
+    if (const auto there = arm_.reach(bare, request, next_seed()); !there.ok()) {
+      say_failed("go to where it looks from", there);
+      note(failure_of_plan(there.error()));
+    }
   }
 
   Result<void> look() {
@@ -306,8 +314,8 @@ class ClassicalCheckout : public Policy {
           continue;
         }
         if (plans++ >= plans_tried) return false;
-        if (!arm_.reach(around, request, next_seed()).ok()) {
-          note("NoPath");
+        if (const auto way = arm_.reach(around, request, next_seed()); !way.ok()) {
+          note(failure_of_plan(way.error()));
           continue;
         }
         begin_grasp(choice, grasp);
@@ -362,7 +370,7 @@ class ClassicalCheckout : public Policy {
   }
 
   // Opens where it is, and goes back the way it came.
-  void let_go(const char* why) {
+  void let_go(const std::string& why) {
     note(why);
     const double opening = std::min(setup_.tool.opening_m, now_.openings_m.front() + wider_m);
     arm_.wait(opening_s, opening, force_n_);
@@ -380,7 +388,7 @@ class ClassicalCheckout : public Policy {
     const double clear = setup_.place.rim_m + 0.07;
     if (up.position.z >= clear) return;
     up.position.z = clear;
-    [[maybe_unused]] const auto higher = arm_.straight(around, up, opening_m, force_n_);
+    say_failed("raise the hand", arm_.straight(around, up, opening_m, force_n_));
   }
 
   // ---- Putting it down ----
@@ -430,15 +438,19 @@ class ClassicalCheckout : public Policy {
 
   // Down again to where it was, as far as that goes.
   void put_back() {
-    Pose tip = arm_.tip();
-    tip.position.z -= 0.1;
-    [[maybe_unused]] const auto down =
-        arm_.straight(seen_surroundings(setup_.place, others_), tip, 0, force_n_);
-    let_go(failure_.c_str());
+    say_failed("let it down to where it was",
+               arm_.let_down(seen_surroundings(setup_.place, others_), force_n_));
+    let_go(failure_);
   }
 
-  void note(const std::string& why) { failure_ = why; }
-  void stop(const std::string& why) {
+  void note(std::string_view why) { failure_ = why; }
+  // Of a motion without which it goes on.
+  void say_failed(std::string_view motion, const Result<void>& planned) const {
+    if (planned.ok()) return;
+    log_debug(fmt::format(
+        "classical {:.2f} s: cannot {}: {}", now_.time_s, motion, to_string(planned.error())));
+  }
+  void stop(std::string_view why) {
     note(why);
     done_ = true;
   }

@@ -13,6 +13,7 @@
 #include "collect/drop_plan.h"
 #include "collect/scene_obstacles.h"
 #include "policy/aisle_executor.h"
+#include "policy/plan_failure.h"
 
 namespace marketgen {
 namespace {
@@ -200,12 +201,8 @@ class AisleOracle : public Policy {
 
   void note_plan(std::uint32_t product, const Error& error) {
     say("no way to it: " + to_string(error));
-    if (error.code == "motion.no_grasp")
-      note(sku_of(product), FailureCode::no_grasp);
-    else if (error.code == "robot.unreachable")
-      note(sku_of(product), FailureCode::no_ik);
-    else
-      note(sku_of(product), FailureCode::no_path);
+    note(sku_of(product),
+         value_named<FailureCode>(failure_of_plan(error)).value_or(FailureCode::no_path));
   }
 
   bool go_to(std::uint32_t product) {

@@ -235,6 +235,10 @@ class CheckoutOracle : public Policy {
   void say(const std::string& what) const {
     log_debug(fmt::format("oracle {:.2f} s: {}", now_.time_s, what));
   }
+  // Of a motion without which it goes on.
+  void say_failed(std::string_view motion, const Result<void>& planned) const {
+    if (!planned.ok()) say(fmt::format("cannot {}: {}", motion, to_string(planned.error())));
+  }
   std::string called(std::size_t item) const {
     const CheckoutGoods& goods = world_.goods(item);
     return fmt::format("{}{} {} {} ({:.2f} kg)",
@@ -354,7 +358,7 @@ class CheckoutOracle : public Policy {
     const double rim = world_.station().basket.height_m + 0.05;
     if (up.position.z >= rim) return;
     up.position.z = rim;
-    [[maybe_unused]] const auto higher = arm_.straight(around, up, opening_m, force_n_);
+    say_failed("raise the hand", arm_.straight(around, up, opening_m, force_n_));
   }
 
   // ---- Putting it down ----
@@ -422,10 +426,8 @@ class CheckoutOracle : public Policy {
 
   // Down again to where it was, as far as that goes.
   Result<void> put_back() {
-    Pose tip = arm_.tip();
-    tip.position.z -= 0.1;
-    [[maybe_unused]] const auto down =
-        arm_.straight(scene_->surroundings({item_}), tip, 0, force_n_);
+    say_failed("let it down to where it was",
+               arm_.let_down(scene_->surroundings({item_}), force_n_));
     return let_go_for_good(failure_);
   }
 
