@@ -26,7 +26,7 @@ struct EvalFlags {
   std::string episodes, policy = "oracle", output;
   std::vector<std::string> truth;
   int jobs = 0;
-  double act_limit_s = 120;
+  AnswerLimits answer{120, 1200};
   bool resume = false, perception = false, worker = false;
 };
 
@@ -116,8 +116,8 @@ std::vector<std::string> worker_command(const EvalFlags& flags, int jobs) {
 EvaluationOptions options_of(const EvalFlags& flags) {
   EvaluationOptions options{flags.policy, flags.output, flags.resume};
   options.jobs = flags.jobs > 0 ? flags.jobs : thread_count();
-  options.act_limit_s = flags.act_limit_s;
-  if (flags.act_limit_s > 0) options.worker = worker_command(flags, options.jobs);
+  options.answer = flags.answer;
+  if (flags.answer.cpu_s > 0) options.worker = worker_command(flags, options.jobs);
   return options;
 }
 
@@ -175,9 +175,16 @@ Run add_eval(CLI::App& app) {
   add_output(*command, "-o,--output", flags->output, "folder for the results");
   command
       ->add_option("--act-limit-s",
-                   flags->act_limit_s,
-                   "wall time for one answer of the policy, which acts in a process of its own; "
-                   "0 = none, and all in one process")
+                   flags->answer.cpu_s,
+                   "processor time for one answer of the policy, which acts in a process of its "
+                   "own; 0 = none, and all in one process")
+      ->check(real_number(0, 86400))
+      ->capture_default_str();
+  command
+      ->add_option("--hang-limit-s",
+                   flags->answer.hang_s,
+                   "wall time after which a policy in its own process that has not answered is "
+                   "taken to hang; 0 = never")
       ->check(real_number(0, 86400))
       ->capture_default_str();
   command->add_flag("--worker", flags->worker, "run what standard input says")->group("");

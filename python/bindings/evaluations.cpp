@@ -1,10 +1,9 @@
 // Evaluations for marketgen/evaluation.py: with the policies of the program, and with Python's.
 #include <nanobind/stl/array.h>
-#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
-#include <tuple>
+#include <array>
 
 #include "assets/usable_catalog.h"
 #include "base/parallel.h"
@@ -30,17 +29,18 @@ EvaluationOptions options_of(const std::string& policy,
 }
 
 // `worker`: a command that calls serve_episodes(), or nothing. `limits_s`: for an answer of the
-// policy, and until a worker is ready.
+// policy of processor time and, against hangs, of wall time; until a worker is ready.
 void evaluate(const std::string& episodes,
               const std::string& policy,
               const std::string& folder,
               bool resume,
               int jobs,
               const std::vector<std::string>& worker,
-              const std::pair<double, double>& limits_s,
+              const std::array<double, 3>& limits_s,
               const Callable& progress) {
   EvaluationOptions options = options_of(policy, folder, resume, jobs);
-  std::tie(options.act_limit_s, options.start_limit_s) = limits_s;
+  options.answer = {limits_s[0], limits_s[1]};
+  options.start_limit_s = limits_s[2];
   options.worker = worker;
   value_or_raise(read_policy_name(policy));
   value_or_raise(telling(progress, [&](Progress& told) -> Result<std::vector<EpisodeResult>> {
@@ -127,6 +127,7 @@ ProcessGroup started(const std::vector<std::string>& command, const std::array<i
 void add_evaluations(nb::module_& module) {
   nb::class_<ProcessGroup>(module, "ProcessGroup")
       .def("is_over", &ProcessGroup::is_over)
+      .def("cpu_s", &ProcessGroup::cpu_s)
       .def("end", [](ProcessGroup& group) { return end_of_program(group.end()); })
       .def(
           "wait",

@@ -67,6 +67,7 @@ def evaluate(
     jobs: int = 0,
     resume: bool = False,
     act_limit_s: float = 120.0,
+    hang_limit_s: float = 1200.0,
     start_limit_s: float = 120.0,
     progress: Progress | None = None,
     **options: Unpack[TaskOptions],
@@ -78,9 +79,13 @@ def evaluate(
     folder       gets results.jsonl, a line as each episode finishes, and summary.json
     jobs         episodes at a time; 0: as many as there are cores
     resume       go on with a run that was broken off
-    act_limit_s  wall time for one answer; one that takes longer ends its episode with PolicyError. The policy then acts in
-                 a process of its own; one written in Python travels there as code, also out of a notebook's cell or a
-                 script, and must not hold what cannot travel (open files, locks). 0: no limit, all in this process
+    act_limit_s  processor time for one answer; one that takes more ends its episode with PolicyError, on a busy machine as
+                 on a quiet one. The policy then acts in a process of its own, and what is counted is that process, all its
+                 threads, and children that it has waited for. One written in Python travels there as code, also out of a
+                 notebook's cell or a script, and must not hold what cannot travel (open files, locks). 0: no limit, all in
+                 this process
+    hang_limit_s  wall time after which a policy in its own process that has not answered is taken to hang (PolicyError,
+                 too): one that waits uses no processor time. 0: never
     start_limit_s  wall time until that process is ready; a policy that takes longer over its imports ends the run
     progress     called as progress(done, total, text) in this thread as episodes finish; what it raises ends the run, and
                  what was finished is kept
@@ -98,6 +103,7 @@ def evaluate(
         jobs=arguments.a_whole("jobs", jobs, 0, MAX_JOBS),
         limits_s=(
             arguments.a_number("act_limit_s", act_limit_s, 0, MAX_LIMIT_S),
+            arguments.a_number("hang_limit_s", hang_limit_s, 0, MAX_LIMIT_S),
             arguments.a_number("start_limit_s", start_limit_s, 0, MAX_LIMIT_S),
         ),
         progress=arguments.a_progress(progress),
@@ -132,7 +138,7 @@ class _Run:
     into: str
     resume: bool
     jobs: int
-    limits_s: tuple[float, float]  # for one answer, until the policy is ready
+    limits_s: tuple[float, float, float]  # of computing for one answer, until it is taken to hang, until it is ready
     progress: Progress | None
 
     @property

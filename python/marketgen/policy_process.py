@@ -1,13 +1,14 @@
 """Policies written in Python, in this process or in one of their own.
 
 One that never answers cannot be stopped from inside its own process (a thread cannot be killed); a process can. So with a
-limit the policy is pickled into a new process, and that is ended when an answer takes too long, with whatever the policy has
-started. It ends with this process, too, however this one ends. What a notebook's cell or a script defines travels as code
-(cloudpickle), so that the new process imports neither.
+limit the policy is pickled into a new process, and that is ended when it computes too long over an answer or never gives one,
+with whatever the policy has started. It ends with this process, too, however this one ends. What a notebook's cell or a script
+defines travels as code (cloudpickle), so that the new process imports neither.
 """
 
 from __future__ import annotations
 
+import math
 import multiprocessing.connection
 import multiprocessing.spawn
 import os
@@ -31,7 +32,7 @@ PROGRAM = "import sys; sys.path.insert(0, sys.argv[1]); from marketgen.policy_pr
 
 
 class PolicyFailed(Exception):
-    """The policy raised, hung or died; its episode ends with it."""
+    """The policy raised, was too slow, hung or died; its episode ends with it."""
 
     def __init__(self, code: str, message: str):
         super().__init__(message)
@@ -113,23 +114,34 @@ def _pickled(policy: Any) -> bytes:
 
 
 class PolicyProcess:
-    """A policy in a process of its own, started at the first question and anew after it was ended."""
+    """A policy in a process of its own, started at the first question and anew after it was ended.
 
-    def __init__(self, policy: Any, limit_s: float, start_limit_s: float = 120.0):
+    act_limit_s    of processor time of that process, over one answer: a busy machine does not change it
+    hang_limit_s   of wall time, against one that waits for what never comes and so uses no processor time; 0: none
+    start_limit_s  of wall time, until it is ready
+    """
+
+    def __init__(self, policy: Any, act_limit_s: float, hang_limit_s: float = 1200.0, start_limit_s: float = 120.0):
         self._pickled = _pickled(policy)
-        self._limit_s, self._start_limit_s = limit_s, start_limit_s
+        self._act_limit_s, self._hang_limit_s, self._start_limit_s = act_limit_s, hang_limit_s, start_limit_s
         self._group: Any = None
         self._connection: Any = None
 
     def ask(self, method: str, *arguments: Any) -> Any:
         if self._group is None:
             self._start()
-        return self._asked((method, arguments), self._limit_s)
+        computed_s = self._group.cpu_s()
+        answer = self._asked((method, arguments), self._hang_limit_s, computed_s + self._act_limit_s)
+        # What counts is how much it took, not when that was looked at.
+        if self._group.cpu_s() - computed_s >= self._act_limit_s:
+            self._slow()
+        return answer
 
     def _start(self) -> None:
         ours, theirs = socket.socketpair()
         # One that stops reading or writing in the middle of a message must not hold us, either.
-        longest = struct.pack("ll", int(max(self._limit_s, self._start_limit_s)) + 1, 0)
+        limits_s = (self._hang_limit_s, self._start_limit_s)
+        longest = struct.pack("ll", int(max(limits_s)) + 1 if all(limits_s) else 0, 0)
         for way in (socket.SO_SNDTIMEO, socket.SO_RCVTIMEO):
             ours.setsockopt(socket.SOL_SOCKET, way, longest)
         python = os.fsdecode(multiprocessing.spawn.get_executable())
@@ -148,20 +160,23 @@ class PolicyProcess:
                 why = f"{fault.message}; act_limit_s=0 runs it in this one"
             raise Error("episode.no_policy", "policy", f"it does not start in a process of its own: {why}") from fault
 
-    def _asked(self, message: Any, limit_s: float) -> Any:
+    def _asked(self, message: Any, limit_s: float, most_cpu_s: float = math.inf) -> Any:
         try:
             self._connection.send(message)
         except BlockingIOError:
             self._hung(limit_s)
         except OSError:
             self._died()
-        return self._answer(limit_s)
+        return self._answer(limit_s, most_cpu_s)
 
-    def _answer(self, limit_s: float) -> Any:
-        until = time.monotonic() + limit_s
+    def _answer(self, limit_s: float, most_cpu_s: float = math.inf) -> Any:
+        """`limit_s` of wall time, 0: none; until the process has used `most_cpu_s` since it began."""
+        until = time.monotonic() + (limit_s or math.inf)
         try:
             while not self._connection.poll(min(LOOK_UP_S, max(0.0, until - time.monotonic()))):
                 _core.check_interrupt()
+                if self._group.cpu_s() >= most_cpu_s:
+                    self._slow()
                 if time.monotonic() >= until:
                     self._hung(limit_s)
             word, value = self._connection.recv()
@@ -173,9 +188,14 @@ class PolicyProcess:
             raise PolicyFailed("episode.policy_failed", value)
         return value
 
+    def _slow(self) -> None:
+        self.close()
+        why = f"computed for more than {self._act_limit_s:g} s over one answer (act_limit_s)"
+        raise PolicyFailed("episode.policy_slow", why)
+
     def _hung(self, limit_s: float) -> None:
         self.close()
-        raise PolicyFailed("episode.policy_hung", f"took longer than {limit_s:g} s over one answer (act_limit_s)")
+        raise PolicyFailed("episode.policy_hung", f"gave no answer within {limit_s:g} s of wall time (hang_limit_s)")
 
     def _died(self) -> None:
         ended = self._group.wait(GRACE_S)

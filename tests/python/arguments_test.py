@@ -100,6 +100,7 @@ CALLS = {
     "jobs": [lambda on: marketgen.evaluate(on.tasks, jobs=-1, folder=on.folder)],
     "resume": [lambda on: marketgen.evaluate(on.tasks, resume="yes", folder=on.folder)],
     "act_limit_s": [lambda on: marketgen.evaluate(on.tasks, act_limit_s=-1, folder=on.folder)],
+    "hang_limit_s": [lambda on: marketgen.evaluate(on.tasks, hang_limit_s=float("nan"), folder=on.folder)],
     "start_limit_s": [lambda on: marketgen.evaluate(on.tasks, start_limit_s="long", folder=on.folder)],
     "num_envs": [lambda on: marketgen.make_vec(CHECKOUT, 0, store=on.store)],
     "render_mode": [

@@ -51,6 +51,7 @@ def test_policies_in_python(tasks, tmp_path, act_limit_s):
     [
         ("raises", "policy_failed"),
         ("hangs", "policy_hung"),
+        ("computes", "policy_slow"),
         ("crashes", "policy_crashed"),
         ("nan", "bad_action"),
         ("short", "bad_action"),
@@ -59,7 +60,7 @@ def test_policies_in_python(tasks, tmp_path, act_limit_s):
 )
 def test_a_policy_that_fails_is_a_result_and_the_next_episode_follows(tasks, tmp_path, what, code):
     policy = policies.FailsOnce(what, str(tmp_path / "mark"))
-    scores = marketgen.evaluate(tasks, policy, tmp_path / "a", jobs=1, act_limit_s=3)
+    scores = marketgen.evaluate(tasks, policy, tmp_path / "a", jobs=1, act_limit_s=3, hang_limit_s=3 if what == "hangs" else 300)
     first, then = scores.results
     assert first["failure"] == "PolicyError" and code in first["detail"]
     assert first["goals"] and first["success_partial"] == 0

@@ -53,6 +53,9 @@ class FailsOnce:
             raise KeyError("where is it?")
         if self.what == "hangs":
             time.sleep(1000)
+        if self.what == "computes":
+            while True:
+                pass
         if self.what == "crashes":
             os._exit(3)
         if self.what == "nan":
@@ -112,3 +115,21 @@ class Echo:
 
     def act(self, observation):
         return len(self.payload) + len(observation)
+
+
+class Waits:
+    """As one whose process gets no turn on a busy machine: it answers late and computes next to nothing."""
+
+    def act(self, seconds):
+        time.sleep(seconds)
+        return seconds
+
+
+class Computes:
+    """Answers by itself, after so much processor time."""
+
+    def act(self, seconds):
+        end = time.process_time() + seconds
+        while time.process_time() < end:
+            pass
+        return seconds

@@ -67,7 +67,7 @@ def test_children_do_not_outlive_the_limit(tmp_path):
     player = PolicyProcess(policies.Stuck(str(tmp_path / "pids")), 3)
     with pytest.raises(PolicyFailed, match="act_limit_s") as caught:
         player.ask("act", None)
-    assert caught.value.code == "episode.policy_hung"
+    assert caught.value.code == "episode.policy_slow"
     assert until(lambda: not any(map(runs, pids_in(tmp_path / "pids"))))
     assert zombies() == []
 
@@ -91,3 +91,24 @@ def test_large_policies_and_answers_come_through():
     assert player.ask("act", bytes(5_000_000)) == 15_000_000
     player.close()
     assert zombies() == []
+
+
+def test_time_in_which_it_does_not_compute_is_not_counted():
+    player = PolicyProcess(policies.Waits(), act_limit_s=0.5)
+    assert player.ask("act", 1.5) == 1.5
+    player.close()
+
+
+def test_one_that_waits_for_ever_hangs_and_is_not_called_slow():
+    with pytest.raises(PolicyFailed, match="hang_limit_s") as caught:
+        PolicyProcess(policies.Waits(), act_limit_s=100, hang_limit_s=1).ask("act", 1000)
+    assert caught.value.code == "episode.policy_hung"
+
+
+def test_an_answer_that_took_too_much_is_too_late_though_it_came():
+    player = PolicyProcess(policies.Computes(), act_limit_s=1)
+    assert player.ask("act", 0.5) == 0.5
+    assert player.ask("act", 0.5) == 0.5, "each answer has the whole of the limit"
+    with pytest.raises(PolicyFailed, match="act_limit_s") as caught:
+        player.ask("act", 1.1)
+    assert caught.value.code == "episode.policy_slow"

@@ -1,5 +1,6 @@
 #include "evaluation/episode_worker.h"
 
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -16,6 +17,18 @@
 
 namespace marketgen {
 namespace {
+
+// Seconds of processor time of this process, all its threads, and of children that it waited for.
+double cpu_s() {
+  double seconds = 0;
+  for (const int whose : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+    rusage usage{};
+    getrusage(whose, &usage);
+    for (const timeval& part : {usage.ru_utime, usage.ru_stime})
+      seconds += static_cast<double>(part.tv_sec) + static_cast<double>(part.tv_usec) * 1e-6;
+  }
+  return seconds;
+}
 
 // The standard output, which from now on nobody else has.
 class Report : public EpisodeWatcher {
@@ -38,10 +51,14 @@ class Report : public EpisodeWatcher {
 
   Result<void> begin(const TrackWorld&) override { return {}; }
   Result<void> step() override { return {}; }
-  void asks() override { say("asked"); }
-  void answered() override { say("answered"); }
+  void asks() override {
+    cpu_before_s_ = cpu_s();
+    say("asked");
+  }
+  void answered() override { say(fmt::format("answered {:.6f}", cpu_s() - cpu_before_s_)); }
 
  private:
+  double cpu_before_s_ = 0;
   std::FILE* out_;
   bool broken_ = false;
 };

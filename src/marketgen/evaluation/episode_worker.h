@@ -4,13 +4,14 @@
 // thread cannot be killed, only left behind, with the locks that it holds and the core that it
 // keeps busy; a process can be, with all that it has. It is also the only way to survive a policy
 // that crashes. So `evaluate` looks on from outside (evaluation/worker_process.h) and ends a worker
-// whose policy takes too long over one answer.
+// whose policy computes too long over one answer, or never gives one.
 //
 // A line each way, all of JSON: first, on standard input, the header of the episodes' file; then
 // one episode after the other. So the file is read once, by whoever has it, be it a pipe. On
-// standard output "ready" once, then "asked" and "answered" around every call of the policy, and at
-// the end of the episode "result " and a market-result/1, or "error ", the error's code, where and
-// message between tabs. What policies print goes to standard error.
+// standard output "ready" once, then around every call of the policy "asked" and "answered " with
+// the seconds of processor time that it took, and at the end of the episode "result " and a
+// market-result/1, or "error ", the error's code, where and message between tabs. What policies
+// print goes to standard error.
 #pragma once
 #include <filesystem>
 #include <string>

@@ -13,7 +13,6 @@
 #include "base/call_interrupt.h"
 #include "base/interrupt.h"
 #include "base/parallel.h"
-#include "evaluation/worker_process.h"
 #include "io/json.h"
 
 namespace marketgen {
@@ -47,7 +46,7 @@ EpisodeRunner runner_in_worker(const EvaluationOptions& options, const std::stri
     if (!*worker) {
       MARKETGEN_TRY(*worker, WorkerProcess::start(options.worker, header, options.start_limit_s));
     }
-    auto result = (*worker)->run(write_json_line(spec), options.act_limit_s);
+    auto result = (*worker)->run(write_json_line(spec), options.answer);
     if (result.ok() || (*worker)->alive()) return result;
     worker->reset();
     if (!WorkerProcess::is_policys(result.error())) return result;

@@ -9,6 +9,7 @@
 #include "base/progress.h"
 #include "evaluation/results_folder.h"
 #include "evaluation/run_episode.h"
+#include "evaluation/worker_process.h"
 
 namespace marketgen {
 
@@ -20,13 +21,13 @@ struct EvaluationOptions {
   // A command whose process serves episodes (evaluation/episode_worker.h); one runs for each job.
   // Empty: episodes are run in this process, and a policy that hangs hangs all.
   std::vector<std::string> worker = {};
-  double act_limit_s = 0;      // of wall time for one answer of a policy in a worker; 0 = none
-  double start_limit_s = 120;  // until a worker is ready; 0 = none
+  AnswerLimits answer = {};    // of a policy in a worker
+  double start_limit_s = 120;  // of wall time until a worker is ready; 0 = none
 };
 
 // Each finished episode is a line of results.jsonl at once; at the end the lines are in the order
 // of the episodes. The same for any number of jobs, in this process or in workers, wall times
-// apart. An answer that takes too long, or a worker that dies, ends its episode with PolicyError:
+// apart. An answer beyond its limits, or a worker that dies, ends its episode with PolicyError:
 // nothing of it is judged. An episode that cannot be run is a result too (EpisodeResult::error).
 //
 // What would befall every episode ends the run: an interrupt, a policy that does not start, a full

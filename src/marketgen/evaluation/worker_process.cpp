@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
 #include <chrono>
 #include <csignal>
 #include <cstring>
@@ -43,21 +44,52 @@ Error error_told(const std::string& text) {
       text.substr(0, first), text.substr(first + 1, second - first - 1), text.substr(second + 1)};
 }
 
-// Over some wall time; 0: never.
-class Deadline {
+Error too_slow(double limit_s) {
+  return {"episode.policy_slow",
+          "policy",
+          fmt::format("computed for more than {} s over one answer (--act-limit-s)", limit_s)};
+}
+
+Error too_long(double limit_s) {
+  return {"episode.policy_hung",
+          "policy",
+          fmt::format("gave no answer within {} s of wall time (--hang-limit-s)", limit_s)};
+}
+
+constexpr std::string_view answered = "answered ";
+
+// How much processor time an answer took, as the worker tells.
+std::optional<double> told_cpu_s(std::string_view line) {
+  line.remove_prefix(answered.size());
+  double cpu_s = 0;
+  const auto read = std::from_chars(line.data(), line.data() + line.size(), cpu_s);
+  if (read.ec != std::errc{} || read.ptr != line.data() + line.size()) return std::nullopt;
+  return cpu_s;
+}
+
+}  // namespace
+
+// Looks again and again whether it has to end.
+class WorkerProcess::Waiting {
  public:
-  explicit Deadline(double limit_s) : limit_s_(limit_s) {}
-  bool is_over() const {
+  Waiting(const Wait& wait, const ProcessGroup& group)
+      : wait_(wait), group_(group), cpu_before_s_(wait.cpu_limit_s > 0 ? group.cpu_s() : 0) {}
+
+  std::optional<Error> over() const {
+    if (const auto go_on = check_interrupt(); !go_on.ok()) return go_on.error();
     const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - since_;
-    return limit_s_ > 0 && waited.count() >= limit_s_;
+    if (wait_.limit_s > 0 && waited.count() >= wait_.limit_s) return wait_.too_long;
+    if (wait_.cpu_limit_s > 0 && group_.cpu_s() - cpu_before_s_ >= wait_.cpu_limit_s)
+      return wait_.too_much;
+    return std::nullopt;
   }
 
  private:
-  double limit_s_;
+  const Wait& wait_;
+  const ProcessGroup& group_;
+  double cpu_before_s_;
   std::chrono::steady_clock::time_point since_ = std::chrono::steady_clock::now();
 };
-
-}  // namespace
 
 Result<std::unique_ptr<WorkerProcess>> WorkerProcess::start(const std::vector<std::string>& command,
                                                             const std::string& header,
@@ -105,7 +137,7 @@ Error WorkerProcess::ended(bool by_itself) {
 Result<void> WorkerProcess::tell(const std::string& line, const Wait& wait) {
   const std::string text = line + "\n";
   std::string_view left = text;
-  const Deadline deadline(wait.limit_s);
+  const Waiting waiting(wait, group_);
   while (!left.empty()) {
     const ssize_t written = write_quietly(to_, left);
     if (written > 0) {
@@ -115,10 +147,9 @@ Result<void> WorkerProcess::tell(const std::string& line, const Wait& wait) {
     if (errno != EAGAIN && errno != EINTR) return ended(true);
     pollfd end{to_, POLLOUT, 0};
     poll(&end, 1, look_up_ms);
-    const auto go_on = check_interrupt();
-    if (!go_on.ok() || deadline.is_over()) {
+    if (auto over = waiting.over()) {
       ended();
-      return go_on.ok() ? wait.too_long : go_on.error();
+      return *std::move(over);
     }
   }
   return {};
@@ -136,15 +167,15 @@ WorkerProcess::Heard WorkerProcess::listen() {
 }
 
 Result<std::string> WorkerProcess::next_line(const Wait& wait) {
-  const Deadline deadline(wait.limit_s);
+  const Waiting waiting(wait, group_);
   while (true) {
     const Heard heard = listen();
     if (heard == Heard::line) break;
     if (heard == Heard::end) return ended(true);
-    const auto go_on = check_interrupt();
-    if (go_on.ok() && !deadline.is_over()) continue;
-    ended();
-    return go_on.ok() ? wait.too_long : go_on.error();
+    if (auto over = waiting.over()) {
+      ended();
+      return *std::move(over);
+    }
   }
   const std::size_t end = heard_.find('\n');
   std::string line = heard_.substr(0, end);
@@ -152,19 +183,27 @@ Result<std::string> WorkerProcess::next_line(const Wait& wait) {
   return line;
 }
 
-Result<EpisodeResult> WorkerProcess::run(const std::string& episode, double act_limit_s) {
+// The error of an answer that has come, if it took too much.
+std::optional<Error> WorkerProcess::late(const std::string& line, const AnswerLimits& limits) {
+  const auto cpu_s = told_cpu_s(line);
+  if (cpu_s && (limits.cpu_s <= 0 || *cpu_s < limits.cpu_s)) return std::nullopt;
+  ended();
+  if (cpu_s) return too_slow(limits.cpu_s);
+  return Error{"program.failed", "worker", fmt::format("it says \"{}\"", line)};
+}
+
+Result<EpisodeResult> WorkerProcess::run(const std::string& episode, const AnswerLimits& limits) {
   constexpr std::string_view result = "result ", error = "error ";
   const Wait for_ever,
-      for_an_answer{
-          act_limit_s,
-          {"episode.policy_hung",
-           "policy",
-           fmt::format("took longer than {} s over one answer (--act-limit-s)", act_limit_s)}};
+      for_an_answer{limits.hang_s, too_long(limits.hang_s), limits.cpu_s, too_slow(limits.cpu_s)};
   MARKETGEN_CHECK(tell(episode, for_ever));
   bool asked = false;
   while (true) {
     MARKETGEN_TRY(const std::string line, next_line(asked ? for_an_answer : for_ever));
     asked = line == "asked";
+    if (line.starts_with(answered)) {
+      if (auto fault = late(line, limits)) return *std::move(fault);
+    }
     if (line.starts_with(result))
       return read_json<EpisodeResult>(line.substr(result.size()), "worker");
     if (line.starts_with(error)) return error_told(line.substr(error.size()));
@@ -172,7 +211,8 @@ Result<EpisodeResult> WorkerProcess::run(const std::string& episode, double act_
 }
 
 bool WorkerProcess::is_policys(const Error& error) {
-  return error.code == "episode.policy_hung" || error.code == "episode.policy_crashed";
+  return error.code == "episode.policy_slow" || error.code == "episode.policy_hung" ||
+         error.code == "episode.policy_crashed";
 }
 
 }  // namespace marketgen

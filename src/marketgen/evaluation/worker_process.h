@@ -4,6 +4,7 @@
 // (io/process_group.h). Not thread-safe.
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,15 @@
 #include "io/process_group.h"
 
 namespace marketgen {
+
+// For one answer of a policy; 0: none.
+struct AnswerLimits {
+  // Of processor time, on all threads of the worker: the same on a busy machine as on a quiet one.
+  double cpu_s = 0;
+  // Of wall time. Only against a policy that waits for what never comes, and so uses no processor
+  // time; it is to be far more than the other, whatever else the machine does.
+  double hang_s = 0;
+};
 
 class WorkerProcess {
  public:
@@ -25,10 +35,11 @@ class WorkerProcess {
   WorkerProcess(const WorkerProcess&) = delete;
   WorkerProcess& operator=(const WorkerProcess&) = delete;
 
-  // Runs an episode, given as a line of JSON. The policy may take `act_limit_s` of wall time over
-  // each answer; 0 is no limit. Errors: what the worker reports, which lives on; and, the worker
-  // having ended, episode.policy_hung, episode.policy_crashed, internal.interrupted.
-  Result<EpisodeResult> run(const std::string& episode, double act_limit_s);
+  // Runs an episode, given as a line of JSON. An answer that came and took too much is too late,
+  // too: what counts is how much it took, not when that was looked at. Errors: what the worker
+  // reports, which lives on; and, the worker having ended, episode.policy_slow,
+  // episode.policy_hung, episode.policy_crashed, program.failed, internal.interrupted.
+  Result<EpisodeResult> run(const std::string& episode, const AnswerLimits& limits);
   bool alive() const { return group_.running(); }
   // Whether an error of run() is that of the policy.
   static bool is_policys(const Error& error);
@@ -37,15 +48,19 @@ class WorkerProcess {
   WorkerProcess(ProcessGroup group, int to, int from)
       : group_(std::move(group)), to_(to), from_(from) {}
   enum class Heard { line, nothing, end };
-  // What they do until the worker has ended, we are interrupted or, unless it is 0, the limit.
+  // Until the worker has ended, we are interrupted or one of the limits is over that are not 0.
   struct Wait {
-    double limit_s = 0;
+    double limit_s = 0;  // of wall time
     Error too_long = {};
+    double cpu_limit_s = 0;  // of the worker's processor time
+    Error too_much = {};
   };
+  class Waiting;
   Result<void> tell(const std::string& line, const Wait& wait);
   Heard listen();
   Result<std::string> next_line(const Wait& wait);
   Error ended(bool by_itself = false);
+  std::optional<Error> late(const std::string& line, const AnswerLimits& limits);
 
   ProcessGroup group_;
   int to_ = -1, from_ = -1;

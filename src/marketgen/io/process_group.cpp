@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <utility>
 
 #include <fmt/format.h>
@@ -186,6 +187,22 @@ bool ProcessGroup::is_over() const {
   return program_ < 0 ||
          (waitid(P_PID, static_cast<id_t>(program_), &found, WEXITED | WNOHANG | WNOWAIT) == 0 &&
           found.si_pid != 0);
+}
+
+// proc(5): after the name, which may hold anything but ends with the last ")", the 12th to 15th
+// words are utime, stime, cutime and cstime.
+double ProcessGroup::cpu_s() const {
+  if (program_ < 0) return 0;
+  std::ifstream file(fmt::format("/proc/{}/stat", program_), std::ios::binary);
+  const std::string stat(std::istreambuf_iterator<char>(file), {});
+  std::istringstream words(stat.substr(stat.rfind(')') + 1));
+  std::string word;
+  for (int i = 0; i < 11; ++i)
+    words >> word;
+  double ticks = 0, part = 0;
+  for (int i = 0; i < 4 && words >> part; ++i)
+    ticks += part;
+  return ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
 int ProcessGroup::end() {

@@ -31,6 +31,9 @@ class ProcessGroup {
 
   bool running() const { return program_ > 0; }  // end() has not been called
   bool is_over() const;                          // the program has ended by itself
+  // Seconds of processor time that the program has used so far, on all its threads, with those of
+  // its children that it has waited for; in steps of a hundredth. 0 after end().
+  double cpu_s() const;
   // Ends what still runs of it and waits. The program's state as waitpid() tells it, and again that
   // when it is called again.
   int end();

@@ -36,12 +36,18 @@ EpisodeFile three_named() {
   return file;
 }
 
+// As a shell's word in double quotes.
+std::string result_line(const std::string& more = {}) {
+  return R"(result {\"schema\": \"market-result/1\", \"episode\": \"e\")" + more + "}";
+}
+
 // Answers every episode but that of the id, where it does `instead`.
 std::vector<std::string> all_but(const std::string& id, const std::string& instead) {
   return script(R"(echo ready; while read -r spec; do echo asked
                  if echo "$spec" | grep -q '"id": *")" +
-                id + "\"'; then " + instead + R"(; fi; echo answered
-                 echo "result {\"schema\": \"market-result/1\", \"episode\": \"e\", \"policy\": \"p\"}"; done)");
+                id + "\"'; then " + instead + R"(; fi; echo "answered 0.1"
+                 echo ")" +
+                result_line(R"(, \"policy\": \"p\")") + R"("; done)");
 }
 
 Result<std::vector<EpisodeResult>> evaluated_by(const std::vector<std::string>& worker,
@@ -49,25 +55,63 @@ Result<std::vector<EpisodeResult>> evaluated_by(const std::vector<std::string>& 
   EvaluationOptions options{"p", folder};
   options.jobs = 1;
   options.worker = worker;
-  options.act_limit_s = 0.5;
+  options.answer = {20, 0.5};
   return evaluate(data_rows(), three_named(), committed_catalog(), options, silent_progress());
 }
 
+// It computes nothing, so that only the guard can find it.
 TEST(WorkerProcess, AnAnswerThatNeverComesEndsTheWorker) {
   const auto worker = started(script("echo ready; read -r spec; echo asked; exec sleep 1000"));
   ASSERT_TRUE(worker.ok()) << to_string(worker.error());
-  const auto result = (*worker)->run("{}", 0.4);
+  const auto result = (*worker)->run("{}", {20, 0.4});
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.error().code, "episode.policy_hung");
   EXPECT_FALSE((*worker)->alive());
 }
 
+// It computes without end, however long the guard would wait.
+TEST(WorkerProcess, AnAnswerThatTakesTooMuchComputingEndsTheWorker) {
+  const auto worker = started(script("echo ready; read -r spec; echo asked; while :; do :; done"));
+  ASSERT_TRUE(worker.ok()) << to_string(worker.error());
+  const auto result = (*worker)->run("{}", {0.3, 1000});
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().code, "episode.policy_slow");
+  EXPECT_NE(result.error().message.find("0.3 s"), std::string::npos) << result.error().message;
+  EXPECT_FALSE((*worker)->alive());
+}
+
+// On a machine that has no turn for it a policy answers late; that is no fault of its own.
+TEST(WorkerProcess, TimeInWhichItDoesNotComputeIsNotCounted) {
+  const auto worker = started(script(R"(echo ready; read -r spec; echo asked; sleep 1.2
+                echo "answered 0.1"; echo ")" +
+                                     result_line() + "\""));
+  ASSERT_TRUE(worker.ok()) << to_string(worker.error());
+  const auto result = (*worker)->run("{}", {0.5, 100});
+  ASSERT_TRUE(result.ok()) << to_string(result.error());
+}
+
+// Whether it is late must not depend on when we look.
+TEST(WorkerProcess, AnAnswerThatTookTooMuchIsTooLateThoughItCame) {
+  for (const auto& [told, code] : {std::pair{"answered 0.51", "episode.policy_slow"},
+                                   std::pair{"answered ", "program.failed"}}) {
+    const auto worker =
+        started(script(std::string("echo ready; read -r spec; echo asked; echo '") + told +
+                       "'; echo \"" + result_line() + "\"; exec sleep 1000"));
+    ASSERT_TRUE(worker.ok()) << to_string(worker.error());
+    const auto result = (*worker)->run("{}", {0.5, 100});
+    ASSERT_FALSE(result.ok());
+    EXPECT_EQ(result.error().code, code);
+    EXPECT_FALSE((*worker)->alive());
+  }
+}
+
 TEST(WorkerProcess, OnlyThePolicysTimeCounts) {  // resets and physics may take as long as they do
   const auto worker =
-      started(script(R"(echo ready; read -r spec; sleep 1; echo asked; echo answered; sleep 1
-                echo "result {\"schema\": \"market-result/1\", \"episode\": \"e\"}")"));
+      started(script(R"(echo ready; read -r spec; sleep 1; echo asked; echo "answered 0"; sleep 1
+                echo ")" +
+                     result_line() + "\""));
   ASSERT_TRUE(worker.ok()) << to_string(worker.error());
-  const auto result = (*worker)->run("{}", 0.5);
+  const auto result = (*worker)->run("{}", {0.5, 0.5});
   ASSERT_TRUE(result.ok()) << to_string(result.error());
   EXPECT_EQ(result->episode, "e");
 }
@@ -77,7 +121,7 @@ TEST(WorkerProcess, ErrorsComeThroughAndTheWorkerLivesOn) {
       R"(echo ready; while read -r spec; do printf 'error a.b\twhere\twhat happened\n'; done)"));
   ASSERT_TRUE(worker.ok()) << to_string(worker.error());
   for (int i = 0; i < 2; ++i) {
-    const auto result = (*worker)->run("{}", 1);
+    const auto result = (*worker)->run("{}", {1, 1});
     ASSERT_FALSE(result.ok());
     EXPECT_EQ(to_string(result.error()), "error[a.b] where: what happened");
     EXPECT_TRUE((*worker)->alive());
@@ -110,7 +154,8 @@ TEST(WorkerProcess, ItIsToldTheHeaderAndTheEpisode) {
       header,
       20);
   ASSERT_TRUE(worker.ok()) << to_string(worker.error());
-  EXPECT_EQ((*worker)->run(R"({"id": "a\\b"})", 1).error().message, R"(300000 {"id": "a\\b"})");
+  EXPECT_EQ((*worker)->run(R"({"id": "a\\b"})", {1, 1}).error().message,
+            R"(300000 {"id": "a\\b"})");
 }
 
 TEST(Evaluate, AHangIsAFailureAndTheNextEpisodeFollows) {

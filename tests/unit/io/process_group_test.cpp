@@ -132,5 +132,33 @@ TEST(Program, AChildThatOutlivesItsLimitIsEnded) {
   EXPECT_TRUE(is_gone(number_in(scratch.path() / "child")));
 }
 
+ProcessGroup started(const std::string& text) {
+  auto group = ProcessGroup::start(shell(text), ours);
+  if (!group.ok()) fatal(to_string(group.error()).c_str());
+  return std::move(group).value();
+}
+
+// Within a minute, on however busy a machine.
+bool comes_to_use(const ProcessGroup& group, double cpu_s) {
+  for (int i = 0; i < 6000 && group.cpu_s() < cpu_s; ++i)
+    usleep(10'000);
+  return group.cpu_s() >= cpu_s;
+}
+
+TEST(ProcessGroup, ProcessorTimeIsWhatItComputesAndNotWhatItWaits) {
+  const ProcessGroup waits = started("exec sleep 1000");
+  ProcessGroup computes = started("while :; do :; done");
+  EXPECT_TRUE(comes_to_use(computes, 0.3));
+  EXPECT_LT(waits.cpu_s(), 0.1);
+  computes.end();
+  EXPECT_EQ(computes.cpu_s(), 0);
+}
+
+TEST(ProcessGroup, ProcessorTimeOfChildrenCountsOnceTheyWereWaitedFor) {
+  const ProcessGroup waits =
+      started("/bin/sh -c 'i=0; while [ $i -lt 2000000 ]; do i=$((i+1)); done'; exec sleep 1000");
+  EXPECT_TRUE(comes_to_use(waits, 0.1));
+}
+
 }  // namespace
 }  // namespace marketgen
