@@ -98,7 +98,7 @@ def test_stopping_at_once_meets_no_goal(store):
     env.reset(seed=3)
     _, reward, terminated, truncated, info = env.step(still(env, stop=1.0))
     assert (terminated, truncated, reward) == (True, False, 0)
-    assert info["success"] is False and info["goal_fraction"] == 0 and info["failure_reason"] == "Missed"
+    assert info["success"] is False and info["goal_fraction"] == 0 and info["failure_reason"] == "Unknown"
     assert info["result"]["schema"] == "market-result/1"
     with pytest.raises(marketgen.Error) as caught:
         env.unwrapped.step(still(env))

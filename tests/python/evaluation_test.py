@@ -2,6 +2,7 @@
 
 import json
 
+import gymnasium
 import pytest
 
 import marketgen
@@ -44,6 +45,26 @@ def test_policies_in_python(tasks, tmp_path, act_limit_s):
     function = marketgen.evaluate(tasks, policies.still, tmp_path / "b", jobs=2, act_limit_s=act_limit_s)
     assert [result["failure"] for result in function.results] == ["Timeout", "Timeout"]
     assert all(result["simulated_s"] > 2.9 and len(result["state_hash"]) == 32 for result in function.results)
+
+
+def test_one_code_by_every_door(tasks, tmp_path):
+    """The same actions in the same episode have one result, whoever runs it: but for who acted, and how long that took."""
+
+    def stops(observation):
+        action = policies.still(observation)
+        action[-1] = 1
+        return action
+
+    scores = marketgen.evaluate(tasks, stops, tmp_path / "a", act_limit_s=0).results
+    apart = marketgen.evaluate(tasks, stops, tmp_path / "b").results
+    env = gymnasium.make("MarketGen/CheckoutUnloading-v1", episodes=tasks)
+    for number, (here, there) in enumerate(zip(scores, apart, strict=True)):
+        env.reset(options={"episode": number})
+        info = env.step(stops(None))[-1]
+        assert info["failure_reason"] == "Unknown"
+        theirs = info["result"] | {key: here[key] for key in ("policy", "wall_s", "episode_hash")}
+        assert theirs == here
+        assert timeless([here]) == timeless([there])
 
 
 @pytest.mark.parametrize(

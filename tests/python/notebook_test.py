@@ -44,7 +44,7 @@ def test_a_policy_of_no_module_acts_in_a_process_of_its_own(checkout_file, tmp_p
     command = [sys.executable, *source, str(checkout_file), str(tmp_path / "out")]
     run = subprocess.run(command, input=CELL, capture_output=True, text=True, timeout=120)
     assert run.returncode == 0, run.stderr
-    assert run.stdout.splitlines() == ["once", "['Dropped', 'Dropped'] ['', '']"]
+    assert run.stdout.splitlines() == ["once", "['Unknown', 'Unknown'] ['', '']"]
 
 
 def test_a_function_of_a_function_travels_too(checkout_file, tmp_path):

@@ -135,8 +135,7 @@ class TaskEnv(gymnasium.Env):
         if cuts := self.environment.tool_cuts():
             info |= dict(zip(("tool_cut_m", "tool_cut_rad"), np.array(cuts).T, strict=True))
         if terminated or truncated:
-            stopped = terminated and self.setup.stop_action
-            info |= outcome_of(json.loads(self.environment.result()), stopped=stopped)
+            info |= outcome_of(json.loads(self.environment.result()))
         return info
 
     def _info(self) -> dict[str, Any]:

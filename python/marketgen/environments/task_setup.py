@@ -224,7 +224,7 @@ def _setup_again(
     return TaskSetup(track, store, station=station, preset=preset, **options)
 
 
-def outcome_of(result: dict[str, Any], *, stopped: bool) -> dict[str, Any]:
+def outcome_of(result: dict[str, Any]) -> dict[str, Any]:
     """What `info` says at the end of an episode, of its market-result/1."""
     success = result["success_strict"]
     return {
@@ -235,6 +235,6 @@ def outcome_of(result: dict[str, Any], *, stopped: bool) -> dict[str, Any]:
         "goal_fraction": result["success_partial"],
         "path_length": result["path_m"],
         "spl": result["spl"],
-        "failure_reason": "None" if success else ("Missed" if stopped else "Timeout"),
+        "failure_reason": result["failure"],
         "result": result,
     }

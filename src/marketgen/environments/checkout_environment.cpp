@@ -111,7 +111,7 @@ class CheckoutEnvironment : public Environment {
     made.touched = seen.touched;
     made.in_place = counter_.in_place(i);
     const Vec3 center = made.pose * to_double(goods.body.center_of_mass);
-    made.in_region = over_area(counter_.station().unloading.area())(center);
+    made.in_region = counter_.region()(center);
     made.rested_s = seen.rested_s;
     made.object = CheckoutView::object_of_item(i);
     return made;

@@ -119,8 +119,11 @@ Result<StepOutcome> Environment::step(std::span<const double> action) {
 }
 
 Result<void> Environment::finish() {
-  in_time_ = world_->time_s() < world_->spec().limit_s - control_step_s / 2;
-  MARKETGEN_TRY(result_, world_->finish());
+  in_time_ = ended_in_time(*world_);
+  MARKETGEN_TRY(EpisodeResult judged, world_->finish());
+  EpisodeEnd end;
+  end.in_time = in_time_;
+  result_ = with_end(std::move(judged), end);
   return look();
 }
 
@@ -128,6 +131,7 @@ EpisodeResult Environment::judged(EpisodeEnd end) {
   if (!result_) {
     if (const auto done = finish(); !done.ok()) {
       if (!end.broken) end.broken = done.error();
+      end.in_time = in_time_;
       return with_end(unjudged(world_->spec()), end);
     }
   }

@@ -341,6 +341,17 @@ Result<std::vector<GraspCandidate>> AisleWorld::known_grasps(std::uint32_t produ
       goods, tool, frictions_, pick == witness.end() ? std::vector<int>() : pick->grasps);
 }
 
+// What lies outside the basket, farther from where it stood than a clean episode moves it.
+int AisleWorld::strayed() const {
+  const std::vector<std::uint32_t> carried = in_basket();
+  const std::vector<std::uint32_t> moved = world_->moved_products();
+  return static_cast<int>(std::ranges::count_if(moved, [&](std::uint32_t row) {
+    const Vec3 stood = world_from_product(store_->scene.products[row]).position;
+    return !std::ranges::binary_search(carried, row) &&
+           length(world_->product_pose(row).position - stood) > max_clean_shift_m;
+  }));
+}
+
 // How far it went, and how far it would have had to go.
 void AisleWorld::add_lengths(EpisodeResult& result) const {
   const PointMm from = floor_point_mm({spec_.start.x_m, spec_.start.y_m, 0});
@@ -375,6 +386,7 @@ Result<EpisodeResult> AisleWorld::finish() {
   result.episode = spec_.id;
   result.store = spec_.store;
   result.side_effects = watch_.effects();
+  result.side_effects.strayed = strayed();
   add_outcome(outcome, result);
   result.steps = steps_;
   result.simulated_s = time_s();

@@ -64,6 +64,7 @@ class AisleWorld : public TrackWorld {
   Result<std::vector<ItemState>> item_states();
   HoldsPoint region() const;
   void add_lengths(EpisodeResult& result) const;
+  int strayed() const;
 
   std::shared_ptr<const AisleStore> store_;
   std::vector<FrictionRow> frictions_;

@@ -140,10 +140,14 @@ std::vector<ItemState> CheckoutWorld::item_states() const {
   return states;
 }
 
+HoldsPoint CheckoutWorld::region() const {
+  return over_area(station_.unloading.area(), {station_.container(), basket_pose()});
+}
+
 bool CheckoutWorld::in_place(std::size_t item) const {
   const CheckoutWatch::Item& seen = watch_.items()[item];
   if (seen.touched || seen.rested_s < least_rest_s) return false;  // before its volume is looked at
-  return is_in_place(over_area(station_.unloading.area()), item_state(item));
+  return is_in_place(region(), item_state(item));
 }
 
 Result<bool> CheckoutWorld::goals_met() {
@@ -154,15 +158,17 @@ Result<bool> CheckoutWorld::goals_met() {
       there += spec_.items[i].sku == goal.sku && in_place(i) ? 1 : 0;
   }
   if (there < asked) return false;  // most of the time: judging costs more
-  const EpisodeOutcome outcome = judge_checkout(
-      station_.unloading.area(), spec_.goals, item_states(), watch_.greatest_tilt_deg());
+  const EpisodeOutcome outcome =
+      judge_checkout(region(), spec_.goals, item_states(), watch_.greatest_tilt_deg());
   return outcome.hits >= outcome.asked;
 }
 
 SideEffects CheckoutWorld::side_effects(const EpisodeOutcome& outcome) const {
   SideEffects effects = watch_.effects();
   effects.wrong_items = outcome.wrong;
+  const HoldsPoint belongs = where_goods_belong(station_, basket_pose());
   for (std::size_t i = 0; i < item_goods_.size(); ++i) {
+    if (!is_inside(belongs, item_state(i))) ++effects.strayed;
     if (std::ranges::count(spec_.goals, spec_.items[i].sku, &EpisodeGoal::sku) > 0) continue;
     const Pose now = inverse(basket_pose()) * item_pose(i);
     if (length(now.position - watch_.items()[i].first.position) > displaced_m) ++effects.displaced;
@@ -175,8 +181,8 @@ Result<EpisodeResult> CheckoutWorld::finish() {
   const ToolCommand hold{observe().openings_m.front(), hold_n};
   for (double waited = 0; waited < judged_after_s - time_step_s; waited += control_step_s)
     MARKETGEN_CHECK(move(target_, hold));
-  const EpisodeOutcome outcome = judge_checkout(
-      station_.unloading.area(), spec_.goals, item_states(), watch_.greatest_tilt_deg());
+  const EpisodeOutcome outcome =
+      judge_checkout(region(), spec_.goals, item_states(), watch_.greatest_tilt_deg());
   EpisodeResult result;
   result.episode = spec_.id;
   result.store = spec_.store;

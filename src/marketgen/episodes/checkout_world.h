@@ -47,6 +47,7 @@ class CheckoutWorld : public TrackWorld {
   Vec3 item_velocity(std::size_t item) const;  // of its body's middle
   Pose basket_pose() const;                    // station_from_container
   const CheckoutWatch& watch() const { return watch_; }
+  HoldsPoint region() const;              // where goals count, as the basket stands now
   bool in_place(std::size_t item) const;  // on the unloading area, let go, at rest
   Result<bool> goals_met() override;
   std::vector<double> robot_state() const override;

@@ -24,9 +24,10 @@ enum class FailureCode {
   collision,
   timeout,
   policy_error,  // it threw, hung, or told what is no action
-  not_run        // the episode itself could not be run
+  not_run,       // the episode itself could not be run
+  unknown        // nobody can say
 };
-constexpr std::array<std::string_view, 13> names_of(FailureCode) {
+constexpr std::array<std::string_view, 14> names_of(FailureCode) {
   return {"None",
           "NotFound",
           "NoGrasp",
@@ -39,15 +40,23 @@ constexpr std::array<std::string_view, 13> names_of(FailureCode) {
           "Collision",
           "Timeout",
           "PolicyError",
-          "NotRun"};
+          "NotRun",
+          "Unknown"};
 }
 
-// The side-effect ledger. Contacts are those of the arm, and of what it holds, with anything else;
-// each counts once, by the greatest force on it (mean over 10 ms).
+// Fingers that open between stocked packs push the neighbours aside: at 2 cm, from which a good is
+// `displaced`, no pick would be clean. At 10 cm, the width of a facing (median 97 mm of 3,274), it
+// stands before another good's label.
+constexpr double max_clean_shift_m = 0.10;
+
+// The side-effect ledger. An item has strayed when it ends, in aisles, outside the basket and more
+// than max_clean_shift_m from where it stood; at a counter, neither in the basket nor on the
+// unloading or set-aside area. Contacts are those of the arm, and of what it holds, with anything
+// else; each counts once, by the greatest force on it (mean over 10 ms).
 struct SideEffects {
   int light_contacts = 0, firm_contacts = 0, hard_contacts = 0;
   double hardest_n = 0;
-  int toppled = 0, dropped = 0, displaced = 0, wrong_items = 0;
+  int toppled = 0, dropped = 0, displaced = 0, strayed = 0, wrong_items = 0;
   double basket_tilt_deg = 0;
   int base_collisions = 0;
 
@@ -59,6 +68,7 @@ struct SideEffects {
       field("toppled", &SideEffects::toppled, "items that fell over outside the basket"),
       field("dropped", &SideEffects::dropped, "items that met something faster than 1 m/s"),
       field("displaced", &SideEffects::displaced, "items not asked for that lie elsewhere"),
+      field("strayed", &SideEffects::strayed, "items that lie where they do not belong"),
       field("wrong_items", &SideEffects::wrong_items, "items in the area that are no goal"),
       field("basket_tilt_deg", &SideEffects::basket_tilt_deg, "greatest tilt of the basket"),
       field("base_collisions",
@@ -70,6 +80,7 @@ struct EpisodeResult {
   std::string schema = "market-result/1";
   std::string episode, episode_hash, store, policy;
   std::vector<GoalOutcome> goals;
+  int hits = 0, asked = 0;
   double success_partial = 0;
   bool success_strict = false, success_clean = false, is_void = false;
   FailureCode failure = FailureCode::none;
@@ -90,9 +101,14 @@ struct EpisodeResult {
       field("store", &EpisodeResult::store, "the store's name"),
       field("policy", &EpisodeResult::policy, "who acted"),
       field("goals", &EpisodeResult::goals, "one by one"),
-      field("success_partial", &EpisodeResult::success_partial, "share of the goals", range(0, 1)),
+      field(
+          "hits", &EpisodeResult::hits, "goals that count: in place, less wrong ones", required()),
+      field("asked", &EpisodeResult::asked, "goals that there are", required()),
+      field("success_partial", &EpisodeResult::success_partial, "hits of asked", range(0, 1)),
       field("success_strict", &EpisodeResult::success_strict, "all goals"),
-      field("success_clean", &EpisodeResult::success_clean, "strict, and without side effects"),
+      field("success_clean",
+            &EpisodeResult::success_clean,
+            "strict, and within the limits on side effects"),
       field("void", &EpisodeResult::is_void, "the basket was tilted too far"),
       field("failure", &EpisodeResult::failure, "what kept the agent from its goals"),
       field("error",
@@ -115,6 +131,9 @@ struct EpisodeResult {
       field("state_hash", &EpisodeResult::state_hash, "of the physics at the end"));
 };
 
+// No contact above 50 N, nothing driven into, toppled or dropped, and no item strayed. `displaced`
+// is not asked for: what lies in a heap sinks into the room of what is taken out.
+bool is_clean(const SideEffects& effects);
 // Sets goals, shares and verdicts; the side effects are there already, without `wrong_items`.
 void add_outcome(const EpisodeOutcome& outcome, EpisodeResult& result);
 

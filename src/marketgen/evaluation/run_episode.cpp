@@ -6,6 +6,7 @@
 #include <exception>
 #include <iterator>
 #include <map>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -61,16 +62,6 @@ std::optional<Break> act_out(TrackWorld& world, Policy& policy, EpisodeWatcher* 
   return std::nullopt;
 }
 
-FailureCode failure_of(const EpisodeResult& result, const EpisodeEnd& end) {
-  if (result.success_strict) return FailureCode::none;
-  if (!end.in_time) return FailureCode::timeout;
-  if (result.is_void) return FailureCode::collision;
-  if (result.side_effects.wrong_items > 0) return FailureCode::wrong_item;
-  const auto told = value_named<FailureCode>(end.told);
-  if (told && *told != FailureCode::none) return *told;
-  return end.broken && end.by_policy ? FailureCode::policy_error : FailureCode::dropped;
-}
-
 }  // namespace
 
 Task task_of(const EpisodeSpec& spec) {
@@ -78,23 +69,6 @@ Task task_of(const EpisodeSpec& spec) {
   for (const EpisodeGoal& goal : spec.goals)
     task.goals.push_back({goal.sku, goal.count});
   return task;
-}
-
-EpisodeResult unjudged(const EpisodeSpec& spec) {
-  EpisodeResult result;
-  result.episode = spec.id;
-  result.store = spec.store;
-  for (const EpisodeGoal& goal : spec.goals)
-    result.goals.push_back({goal.sku, goal.count, 0});
-  return result;
-}
-
-EpisodeResult with_end(EpisodeResult judged, const EpisodeEnd& end) {
-  judged.policy = end.policy;
-  judged.failure = failure_of(judged, end);
-  if (end.broken) judged.detail = to_string(*end.broken);
-  judged.wall_s = end.wall_s;
-  return judged;
 }
 
 Result<EpisodeResult> run_episode(Arena& arena,
@@ -108,7 +82,7 @@ Result<EpisodeResult> run_episode(Arena& arena,
   const auto broken = act_out(*world, *policy, watcher);
   MARKETGEN_CHECK(check_interrupt());  // an episode that was broken off has no result
   EpisodeEnd end{policy_name, policy->failure()};
-  end.in_time = world->time_s() < spec.limit_s - control_step_s / 2;
+  end.in_time = ended_in_time(*world);
   auto judged = world->finish();
   if (!judged.ok()) end.broken = judged.error();
   if (broken) {
@@ -152,11 +126,8 @@ EvaluationSummary summarize(const std::vector<EpisodeResult>& all) {
   for (const EpisodeResult& result : results) {
     strict += result.success_strict ? 1 : 0;
     clean += result.success_clean ? 1 : 0;
-    int of_this = 0;
-    for (const GoalOutcome& goal : result.goals)
-      of_this += goal.count;
-    asked += of_this;
-    reached += static_cast<int>(result.success_partial * of_this + 0.5);
+    asked += result.asked;
+    reached += result.hits;
     if (!result.success_strict) ++failures[result.failure];
     const auto count = static_cast<double>(results.size());
     summary.success_partial += result.success_partial / count;

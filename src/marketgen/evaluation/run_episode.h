@@ -1,10 +1,10 @@
 // Runs episodes with a policy and sums up what became of them.
 #pragma once
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/progress.h"
+#include "episodes/episode_end.h"
 #include "episodes/episode_result.h"
 #include "episodes/episode_spec.h"
 #include "evaluation/arena.h"
@@ -31,20 +31,6 @@ Result<EpisodeResult> run_episode(Arena& arena,
                                   const EpisodeSpec& spec,
                                   const std::string& policy,
                                   EpisodeWatcher* watcher = nullptr);
-
-// How an episode ended, as far as its world does not know.
-struct EpisodeEnd {
-  std::string policy = {};           // its name
-  std::string told = "None";         // what it says kept it from its goals
-  std::optional<Error> broken = {};  // the error that ended it before its time
-  bool by_policy = false;            // that error is the policy's
-  bool in_time = true;
-  double wall_s = 0;
-};
-// Adds to a judged result whose it is, why it failed, and the error.
-EpisodeResult with_end(EpisodeResult judged, const EpisodeEnd& end);
-// Of an episode that nobody could judge: nothing is in place.
-EpisodeResult unjudged(const EpisodeSpec& spec);
 
 struct FailureCount {
   FailureCode failure = FailureCode::none;

@@ -123,7 +123,7 @@ bool OracleScene::in_basket(std::size_t item) const {
 
 bool OracleScene::in_unloading(std::size_t item) const {
   const CheckoutGoods& goods = world_.goods(item);
-  return is_inside(over_area(world_.station().unloading.area()),
+  return is_inside(world_.region(),
                    {goods.product.sku,
                     world_.item_pose(item),
                     to_double(goods.body.center_of_mass),

@@ -151,6 +151,21 @@ TEST(AisleTools, AtTheEndTheCupLetsGo) {
   EXPECT_FALSE(world->sealed_products()[cup].has_value());
 }
 
+TEST(AisleTools, WhatIsCarriedOffAndLetGoHasStrayed) {
+  const auto left = over_the_can(), carried = over_the_can();
+  acted(*left, 0, 10);
+  EXPECT_EQ(left->finish()->side_effects.strayed, 0);
+  acted(*carried, 0, 4);
+  acted(*carried, 0, 40, 0.03);
+  Action back = still_action(carried->observe());
+  back.tools[cup].opening_m = 0;
+  back.drive_m_s = -0.2;
+  for (int i = 0; i < 40; ++i)
+    ASSERT_TRUE(carried->step(back).ok());
+  ASSERT_TRUE(carried->sealed_products()[cup].has_value());
+  EXPECT_GE(carried->finish()->side_effects.strayed, 1);
+}
+
 TEST(AisleTools, RepeatsBitForBit) {
   const auto once = over_the_can(), again = over_the_can();
   for (const auto* world : {&once, &again})

@@ -7,6 +7,13 @@ namespace marketgen {
 namespace {
 
 const AreaRow area{{0, 0}, {0.4, 0.4}, {}};
+constexpr double basket_floor_m = 0.003;
+
+HoldsPoint with_basket_at(double x, double y, double turned = 0) {
+  return over_area(area,
+                   {checkout_basket, {{x, y, basket_floor_m}, rotation_about({0, 0, 1}, turned)}});
+}
+const HoldsPoint beside_basket = with_basket_at(-0.5, 0.2);
 
 // A box of 6 x 6 x 10 cm that stands with its middle over the point.
 ItemState standing_box(double x, double y, const std::string& sku = "tea") {
@@ -22,20 +29,20 @@ ItemState standing_box(double x, double y, const std::string& sku = "tea") {
 }
 
 EpisodeOutcome judged(const std::vector<ItemState>& items, double tilt_deg = 0) {
-  return judge_checkout(area, {{"tea", 1}, {"rice", 1}}, items, tilt_deg);
+  return judge_checkout(beside_basket, {{"tea", 1}, {"rice", 1}}, items, tilt_deg);
 }
 
 TEST(CheckoutGoals, AnItemAtRestInTheAreaIsInPlace) {
-  EXPECT_TRUE(is_in_place(over_area(area), standing_box(0.2, 0.2)));
+  EXPECT_TRUE(is_in_place(beside_basket, standing_box(0.2, 0.2)));
 }
 
 TEST(CheckoutGoals, HalfOutIsOutWhenItsMiddleIs) {
-  EXPECT_TRUE(is_in_place(over_area(area), standing_box(0.39, 0.2)));  // 3 of 5 columns inside
-  EXPECT_FALSE(is_in_place(over_area(area), standing_box(0.41, 0.2)));
+  EXPECT_TRUE(is_in_place(beside_basket, standing_box(0.39, 0.2)));  // 3 of 5 columns inside
+  EXPECT_FALSE(is_in_place(beside_basket, standing_box(0.41, 0.2)));
   ItemState leaning = standing_box(0.39, 0.2);  // its middle inside, most of its volume out
   for (Vec3& point : leaning.volume)
     point.x += 0.03;
-  EXPECT_FALSE(is_in_place(over_area(area), leaning));
+  EXPECT_FALSE(is_in_place(beside_basket, leaning));
 }
 
 TEST(CheckoutGoals, MovingTouchedAndThrownItemsAreNotInPlace) {
@@ -43,15 +50,38 @@ TEST(CheckoutGoals, MovingTouchedAndThrownItemsAreNotInPlace) {
   moving.rested_s = 0.5;
   touched.touched = true;
   thrown.impact_m_s = 1.2;
-  EXPECT_FALSE(is_in_place(over_area(area), moving));
-  EXPECT_FALSE(is_in_place(over_area(area), touched));
-  EXPECT_FALSE(is_in_place(over_area(area), thrown));
+  EXPECT_FALSE(is_in_place(beside_basket, moving));
+  EXPECT_FALSE(is_in_place(beside_basket, touched));
+  EXPECT_FALSE(is_in_place(beside_basket, thrown));
 }
 
 TEST(CheckoutGoals, UnderTheCounterIsNotInPlace) {
   ItemState fallen = standing_box(0.2, 0.2);
   fallen.pose.position.z = -0.88;
-  EXPECT_FALSE(is_in_place(over_area(area), fallen));
+  EXPECT_FALSE(is_in_place(beside_basket, fallen));
+}
+
+// A basket that was pushed onto the area takes what it holds along.
+TEST(CheckoutGoals, WhatIsStillInTheBasketIsNotUnloaded) {
+  ItemState tea = standing_box(0.2, 0.2);
+  tea.pose.position.z = basket_floor_m;
+  EXPECT_FALSE(is_in_place(with_basket_at(0.2, 0.2), tea));
+  EXPECT_FALSE(is_in_place(with_basket_at(0.2, 0.2, 0.4), tea));
+  EXPECT_TRUE(is_in_place(with_basket_at(0.2 - 0.30, 0.2), tea)) << "it stands beside its wall";
+  ItemState heaped = tea;  // on other goods, its middle above the rim
+  heaped.pose.position.z = 0.14;
+  EXPECT_FALSE(is_in_place(with_basket_at(0.2, 0.2), heaped));
+  const EpisodeOutcome outcome = judge_checkout(
+      with_basket_at(0.2, 0.2), {{"tea", 1}}, {tea, standing_box(0.25, 0.25, "soap")}, 0);
+  EXPECT_EQ(outcome.hits, 0);
+  EXPECT_EQ(outcome.wrong, 0) << "what lies in the basket is not in the area, goal or not";
+}
+
+TEST(CheckoutGoals, UnderTheLeaningWallIsOutOfTheBasket) {
+  // 0.15 - 0.02 m from its middle at the floor, 0.15 m at the rim
+  const auto basket = with_basket_at(0.2, 0.2);
+  EXPECT_TRUE(basket({0.2 + 0.14, 0.2, 0.01}));
+  EXPECT_FALSE(basket({0.2 + 0.14, 0.2, 0.14}));
 }
 
 TEST(CheckoutGoals, EachGoalCountsOnce) {

