@@ -134,11 +134,13 @@ void add_fruits(PackBuilder& pack,
                 Stream draw,
                 const std::vector<std::uint16_t>& surfaces) {
   const float room = std::min({pack.width() / 2.2F, 0.92F * pack.depth(), hull.high() / 2.2F});
-  const float r = std::min(goods.width_m, room) / 2;
   constexpr float filled = 0.80F;  // share of the hull that loose round pieces take
   const float hull_volume = 0.62F * pack.width() * pack.depth() * hull.high();
-  const int count =
-      std::clamp(static_cast<int>(filled * hull_volume / (4.19F * r * r * r)), 1, most_fruits);
+  const auto pieces = [&](float r) { return filled * hull_volume / (4.19F * r * r * r); };
+  const float usual = std::min(goods.width_m, room) / 2;
+  // A bag of more pieces than are drawn has larger ones: it is as full.
+  const float r = usual * std::max(1.0F, std::cbrt(pieces(usual) / most_fruits));
+  const int count = std::clamp(static_cast<int>(pieces(r)), 1, most_fruits);
   for (const Vec3f& middle : settled(hull, r, count, draw)) {
     const float size = r * static_cast<float>(draw.uniform(0.95, 1.04));
     const float grow = std::sqrt(goods.long_share);
