@@ -14,11 +14,19 @@ ShownPiece shown(const ContactPiece& piece) {
   return row;
 }
 
+std::string source_of(const FrictionRow& row, const Catalog& catalog) {
+  for (const FrictionSource& source : catalog.friction_sources) {
+    if (source.key != row.source) continue;
+    return row.detail.empty() ? source.text : source.text + "; " + row.detail;
+  }
+  return row.source;
+}
+
 std::vector<ShownFriction> pairs_of(const std::string& material, const Catalog& catalog) {
   std::vector<ShownFriction> pairs;
   for (const FrictionRow& row : catalog.frictions) {
     if (row.a == material || row.b == material)
-      pairs.push_back({row.a == material ? row.b : row.a, row.sliding, row.source});
+      pairs.push_back({row.a == material ? row.b : row.a, row.sliding, source_of(row, catalog)});
   }
   return pairs;
 }

@@ -138,6 +138,7 @@ Result<Catalog> load_catalog(const fs::path& data, const std::vector<fs::path>& 
   MARKETGEN_CHECK(read_rows(data / "profiles.json", catalog.profiles));
   MARKETGEN_CHECK(read_rows(data / "styles.json", catalog.styles));
   MARKETGEN_CHECK(read_rows(data / "friction.json", catalog.frictions));
+  MARKETGEN_CHECK(read_rows(data / "friction_sources.json", catalog.friction_sources));
   MARKETGEN_CHECK(read_rows(data / "heaps.json", catalog.heaps));
   MARKETGEN_CHECK(add_own_products(extra, catalog));
   MARKETGEN_CHECK(read_lexicon(data / "asset_intents.json", catalog.search_lexicon));

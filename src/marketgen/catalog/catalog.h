@@ -1,9 +1,8 @@
 // The catalogue: every row the generator may use, read once, checked, immutable.
 //
 // Rows are JSON arrays under data/: products/*.json, fixtures.json, categories.json,
-// zone_types.json, materials.json, profiles.json, styles.json, friction.json, heaps.json. A user's
-// file
-// (`--catalog F`) adds products beside ours.
+// zone_types.json, materials.json, profiles.json, styles.json, friction.json with
+// friction_sources.json, heaps.json. A user's file (`--catalog F`) adds products beside ours.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -28,6 +27,7 @@ struct Catalog {
   std::vector<ProfileRow> profiles;
   std::vector<StyleRow> styles;
   std::vector<FrictionRow> frictions;
+  std::vector<FrictionSource> friction_sources;
   std::vector<HeapRow> heaps;
   std::vector<std::string>
       own;  // SKUs of the user's own files, sorted; their rows stand in products

@@ -175,6 +175,22 @@ Result<void> check_looks(const Catalog& c) {
   return {};
 }
 
+// A number that a reader can look up, or an estimate with its range.
+Result<void> check_friction(const FrictionRow& row, const std::vector<FrictionSource>& sources) {
+  const std::string where = row.a + " on " + row.b;
+  const auto source = std::find_if(
+      sources.begin(), sources.end(), [&](const auto& known) { return known.key == row.source; });
+  if (source == sources.end())
+    return require_known(
+        names_in(sources, &FrictionSource::key), "frictions/" + where, "source", row.source);
+  const auto [least, most] = row.possible;
+  if (source->is_estimate() && !(least < row.sliding && row.sliding < most))
+    return bad_row("frictions", where, "an estimate needs a range that holds it");
+  if (!source->is_estimate() && most != 0)
+    return bad_row("frictions", where, "a range belongs to an estimate");
+  return {};
+}
+
 }  // namespace
 
 Result<void> check_product(const Product& product, const Catalog& catalog) {
@@ -191,6 +207,9 @@ Result<void> check_catalog(const Catalog& c) {
   MARKETGEN_CHECK(check_products(c));
   MARKETGEN_CHECK(check_zone_types(c));
   MARKETGEN_CHECK(check_looks(c));
+  MARKETGEN_CHECK(require_unique(c.friction_sources, &FrictionSource::key, "friction_sources"));
+  for (const FrictionRow& row : c.frictions)
+    MARKETGEN_CHECK(check_friction(row, c.friction_sources));
   const auto types = names_in(c.zone_types, &ZoneTypeRow::type);
   for (const ProfileRow& p : c.profiles) {
     for (const std::string& zone : p.zones)

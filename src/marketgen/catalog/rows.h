@@ -242,17 +242,36 @@ struct StyleRow {
 struct FrictionRow {
   std::string a, b;
   double sliding = 0.4;
-  std::string source;
+  std::string source;                // key of a FrictionSource
+  std::string detail;                // which of its entries
+  std::array<double, 2> possible{};  // of an estimate: least and most that is thought possible
+
+  static constexpr auto fields = field_list(
+      field("a", &FrictionRow::a, "contact material", required()),
+      field("b", &FrictionRow::b, "contact material", required()),
+      field("sliding",
+            &FrictionRow::sliding,
+            "coefficient of sliding friction",
+            range(0.01, 2),
+            required()),
+      field("source",
+            &FrictionRow::source,
+            "where the number comes from: a key of friction_sources.json",
+            required()),
+      field("detail", &FrictionRow::detail, "which of the source's entries"),
+      field("range", &FrictionRow::possible, "of an estimate: least and most, else absent"));
+};
+
+// Where frictions come from, as a reader can find it. The key of an estimate begins with
+// "estimate".
+struct FrictionSource {
+  std::string key, text;
+
+  bool is_estimate() const { return key.starts_with("estimate"); }
 
   static constexpr auto fields =
-      field_list(field("a", &FrictionRow::a, "contact material", required()),
-                 field("b", &FrictionRow::b, "contact material", required()),
-                 field("sliding",
-                       &FrictionRow::sliding,
-                       "coefficient of sliding friction",
-                       range(0.01, 2),
-                       required()),
-                 field("source", &FrictionRow::source, "where the number comes from"));
+      field_list(field("key", &FrictionSource::key, "unique", identifier(), required()),
+                 field("text", &FrictionSource::text, "title, edition, place in it", required()));
 };
 
 }  // namespace marketgen

@@ -28,6 +28,35 @@ TEST(Rows, PassTheirOwnRules) {
   EXPECT_TRUE(checked.ok()) << to_string(checked.error());
 }
 
+// A source that a reader can find, or an estimate that says so and gives its range.
+TEST(Rows, EveryFrictionHasASource) {
+  Catalog catalog = committed_catalog();
+  std::map<std::string, const FrictionSource*> sources;
+  for (const FrictionSource& source : catalog.friction_sources) {
+    EXPECT_TRUE(sources.emplace(source.key, &source).second) << source.key;
+    EXPECT_GE(source.text.size(), 60U) << source.key;
+  }
+  std::set<std::string> used;
+  for (const FrictionRow& row : catalog.frictions) {
+    const std::string pair = row.a + " on " + row.b;
+    ASSERT_TRUE(sources.contains(row.source)) << pair << ": no source " << row.source;
+    used.insert(row.source);
+    if (sources[row.source]->is_estimate()) {
+      EXPECT_LT(row.possible[0], row.sliding) << pair;
+      EXPECT_GT(row.possible[1], row.sliding) << pair;
+    } else {
+      EXPECT_FALSE(row.detail.empty()) << pair << ": which entry of its source";
+    }
+  }
+  EXPECT_EQ(used.size(), sources.size()) << "a source that no row names";
+  FrictionRow& first = catalog.frictions.front();
+  first.source = "hearsay";
+  EXPECT_EQ(check_catalog(catalog).error().code, "catalog.bad_row");
+  first.source = "estimate-rubber";
+  first.possible = {};
+  EXPECT_EQ(check_catalog(catalog).error().code, "catalog.bad_row");
+}
+
 TEST(Rows, ProductsAreSortedBySku) {
   const auto& products = committed_catalog().products;
   for (std::size_t i = 1; i < products.size(); ++i)

@@ -38,7 +38,7 @@ TEST(World, RefusesGoodsWithoutMassAndOptionsOutOfRange) {
   EXPECT_EQ(World::create(shop.scene, {.pool = 0}).error().where, "WorldOptions.pool");
   EXPECT_EQ(World::create(shop.scene, {.wake_within_m = -1}).error().code, "physics.bad_command");
   WorldOptions slippery;
-  slippery.frictions = {{"tin", "steel", std::numeric_limits<double>::quiet_NaN(), ""}};
+  slippery.frictions = {{"tin", "steel", std::numeric_limits<double>::quiet_NaN(), "", "", {}}};
   EXPECT_EQ(World::create(shop.scene, slippery).error().where, "WorldOptions.frictions");
   const std::array<double, 4> inside_out{3, 3, 1, 1};
   EXPECT_EQ(World::create(shop.scene, {.region_m = inside_out}).error().where,

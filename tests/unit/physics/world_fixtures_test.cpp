@@ -53,7 +53,7 @@ TEST(World,
   const Scene scene = with_joint(shop, JointKind::belt);
   for (const bool with_table : {true, false}) {
     WorldOptions options;
-    if (with_table) options.frictions = {{"cardboard", "rubber", 0.7, ""}};
+    if (with_table) options.frictions = {{"cardboard", "rubber", 0.7, "", "", {}}};
     World world = made(scene, options);
     ASSERT_TRUE(world.push(0, {{0.5 * 0.35 * 9.81, 0, 0}, {}}).ok());
     run(world, 100);

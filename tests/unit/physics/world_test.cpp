@@ -59,7 +59,8 @@ TEST(World, EveryContactHasTheFrictionOfItsPair) {
   const std::uint32_t below = shop.add(cereal, {3, on_shelf_y, upper});
   const std::uint32_t above = shop.add(cereal, {3, on_shelf_y, upper + static_cast<float>(height)});
   WorldOptions options;
-  options.frictions = {{"cardboard", "steel", 0.35, ""}, {"cardboard", "cardboard", 0.5, ""}};
+  options.frictions = {{"cardboard", "steel", 0.35, "", "", {}},
+                       {"cardboard", "cardboard", 0.5, "", "", {}}};
   World world = made(shop.scene, options);
   for (int i = 0; i < 50; ++i) {
     ASSERT_TRUE(world.push(below, {}).ok());
