@@ -42,6 +42,50 @@ class Patches {
   std::vector<double> nodes_;
 };
 
+// Numbers of mean 0 and variance 1 over the picture, those of neighbours alike as far as their
+// windows overlap: sums of even random numbers over the window of each pixel, 49 of them, whose
+// distribution is normal to 1 % out to three sigma.
+class MatchNoise {
+ public:
+  MatchNoise(const Seed& seed, int window, int width, int height)
+      : window_(window),
+        width_(static_cast<std::size_t>(width)),
+        scale_(std::sqrt(3.0F) / static_cast<float>(window)),
+        row_sums_(width_ * static_cast<std::size_t>(height + window - 1)) {
+    parallel_for(static_cast<std::size_t>(height + window - 1), [&](std::size_t row) {
+      add_row(seed.child("row", row).stream(), &row_sums_[row * width_]);
+    });
+  }
+
+  // Of the whole row `y`.
+  void read_row(int y, std::vector<float>& noise) const {
+    noise.assign(width_, 0);
+    for (int k = 0; k < window_; ++k) {
+      const float* const sums = &row_sums_[static_cast<std::size_t>(y + k) * width_];
+      for (std::size_t x = 0; x < width_; ++x)
+        noise[x] += sums[x];
+    }
+    for (float& value : noise)
+      value *= scale_;
+  }
+
+ private:
+  void add_row(Stream draw, float* sums) const {
+    const auto window = static_cast<std::size_t>(window_);
+    std::vector<float> numbers(width_ + window - 1);
+    for (float& number : numbers)
+      number = static_cast<float>(draw.uniform(-1, 1));
+    for (std::size_t k = 0; k < window; ++k)
+      for (std::size_t x = 0; x < width_; ++x)
+        sums[x] += numbers[x + k];
+  }
+
+  int window_;
+  std::size_t width_;
+  float scale_;  // the variance of an even number from -1 to 1 is 1/3
+  std::vector<float> row_sums_;
+};
+
 class StereoPicture {
  public:
   StereoPicture(const Frame& frame,
@@ -54,6 +98,7 @@ class StereoPicture {
         scale_(intrinsics_of(camera).fx * stereo.baseline_m),
         patches_(Seed(source.seed).child("depth holes"), camera.width, camera.height),
         noise_(Seed(source.seed).child("depth noise", source.frame)),
+        match_noise_(noise_.child("match"), stereo.match_window_px, camera.width, camera.height),
         disparity_(frame.depth_m.size()) {
     for (std::size_t i = 0; i < disparity_.size(); ++i)
       disparity_[i] = frame.depth_m[i] > 0 ? scale_ / static_cast<double>(frame.depth_m[i]) : 0;
@@ -68,8 +113,11 @@ class StereoPicture {
       seen_twice[static_cast<std::size_t>(x)] = right_x < nearest_right && right_x >= 0;
       nearest_right = std::min(nearest_right, right_x);
     }
+    std::vector<float> match_noise;
+    match_noise_.read_row(y, match_noise);
     for (int x = 0; x < view_.width(); ++x) {
-      const double measured = measured_disparity(x, y, draw);
+      const double error = double(match_noise[static_cast<std::size_t>(x)]);
+      const double measured = measured_disparity(x, y, error, draw);
       const bool hole = !seen_twice[static_cast<std::size_t>(x)] || has_no_match(x, y);
       depth_m[at(x, y)] = hole ? 0 : depth_of(measured);
     }
@@ -86,32 +134,43 @@ class StereoPicture {
                          std::clamp(y, 0, view_.height() - 1))];
   }
 
-  bool is_edge(int x, int y) const {
+  // Of a pixel and its eight neighbours.
+  struct Range {
     double low = 1e30, high = 0;
+  };
+  Range around(int x, int y) const {
+    Range range;
     for (int dy = -1; dy <= 1; ++dy) {
       for (int dx = -1; dx <= 1; ++dx) {
         const double d = clamped(x + dx, y + dy);
-        low = std::min(low, d), high = std::max(high, d);
+        range.low = std::min(range.low, d), range.high = std::max(range.high, d);
       }
     }
-    return high - low > edge_step_px;
+    return range;
+  }
+  bool is_edge(int x, int y) const {
+    const Range range = around(x, y);
+    return range.high - range.low > edge_step_px;
   }
 
-  double between_pixels(double x, double y) const {
+  // Near things, a pixel larger all round than they are.
+  double grown_between_pixels(double x, double y) const {
     const auto column = static_cast<int>(std::floor(x)), row = static_cast<int>(std::floor(y));
     const double fx = x - column, fy = y - row;
-    return (clamped(column, row) * (1 - fx) + clamped(column + 1, row) * fx) * (1 - fy) +
-           (clamped(column, row + 1) * (1 - fx) + clamped(column + 1, row + 1) * fx) * fy;
+    const auto grown = [&](int dx, int dy) { return around(column + dx, row + dy).high; };
+    return (grown(0, 0) * (1 - fx) + grown(1, 0) * fx) * (1 - fy) +
+           (grown(0, 1) * (1 - fx) + grown(1, 1) * fx) * fy;
   }
 
-  double measured_disparity(int x, int y, Stream& draw) const {
+  // `error`: of matching, in sigmas.
+  double measured_disparity(int x, int y, double error, Stream& draw) const {
     double disparity = disparity_[at(x, y)];
     if (is_edge(x, y)) {
       const double aside = stereo_.edge_shift_px * draw.normal();
-      disparity = between_pixels(x + aside, y + stereo_.edge_shift_px * draw.normal());
+      disparity = grown_between_pixels(x + aside, y + stereo_.edge_shift_px * draw.normal());
     }
     const double factor = matter(x, y) == Matter::clear ? stereo_.clear_noise_factor : 1;
-    disparity += factor * stereo_.disparity_noise_px * draw.normal();
+    disparity += factor * stereo_.disparity_noise_px * error;
     return std::round(disparity / stereo_.disparity_step_px) * stereo_.disparity_step_px;
   }
 
@@ -155,6 +214,7 @@ class StereoPicture {
   double scale_;  // disparity * depth, pixel metres
   Patches patches_;
   Seed noise_;
+  MatchNoise match_noise_;
   std::vector<double> disparity_;  // 0 = nothing there
 };
 

@@ -9,8 +9,16 @@
 //   The left edge without depth, fx * baseline / depth wide, the baseline of 50 mm and the least
 //     depths: "Intel RealSense D400 Series Product Family Datasheet", 337029, sections "Invalid
 //     Depth Band" and "Minimum-Z Depth".
+//   Neighbours are matched by windows that overlap, and err alike: two pixels share (1 - |dx| / w)
+//     (1 - |dy| / w) of a window of w, and of its error. Costs are added up
+//     over 7 x 7: L. Keselman et al., "Intel RealSense stereoscopic depth cameras", CVPR Workshops
+//     2017, of the R200; the D400 adds semi-global matching to it, whose reach is not published.
 //   Edges: depth is looked up half a pixel away at random and interpolated, A. Handa et al., "A
-//     benchmark for RGB-D visual odometry, 3D reconstruction and SLAM", ICRA 2014.
+//     benchmark for RGB-D visual odometry, 3D reconstruction and SLAM", ICRA 2014. What is looked
+//     up has grown: a window that holds an edge of something near takes its disparity (foreground
+//     fattening, D. Scharstein and R. Szeliski, "A taxonomy and evaluation of dense two-frame
+//     stereo correspondence algorithms", IJCV 2002), at most half a window, 3 px. One pixel is our
+//     assumption for a sensor that rejects what its two eyes do not agree on.
 //   What a missing match looks like on glass and clear packs (holes, and depth of what is behind):
 //     S. Sajjan et al., "ClearGrasp", ICRA 2020. The shares below are our assumptions.
 #pragma once
@@ -26,6 +34,7 @@ namespace marketgen {
 struct StereoCamera {
   double baseline_m = 0.050;
   double disparity_noise_px = 0.08;  // one sigma
+  int match_window_px = 7;           // noise of pixels as far apart as this is independent
   double disparity_step_px = 1.0 / 32;
   double largest_disparity_px = 126;  // what is nearer has no depth
   double farthest_m = 10;
