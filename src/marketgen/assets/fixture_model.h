@@ -99,7 +99,10 @@ struct FixtureJoint {
   double damping = 0;    // N m s/rad or N s/m
   double stiffness = 0;  // spring towards `spring_rest`, N m/rad or N/m: what makes it close itself
   double spring_rest = 0;
-  double hold_open = 0;            // position from which it stays open by itself; 0: nowhere
+  double hold_open = 0;  // position from which it stays open by itself; 0: nowhere
+  // What a magnetic gasket holds it shut with at position 0, N m, and the position at which that
+  // has gone; 0: it has none.
+  double gasket = 0, gasket_reach = 0;
   double mass_kg = 1;              // of everything that moves with it
   std::vector<JointState> states;  // named positions within the limits, "closed" first
 };

@@ -148,7 +148,9 @@ ExportedJoint wanted_joint(const Scene& scene, const SceneJoint& joint) {
           double(joint.stiffness),
           double(joint.spring_rest),
           mjcf_hold_open_factor(joint),
-          double(joint.mass_kg)};
+          double(joint.mass_kg),
+          double(joint.gasket),
+          double(joint.gasket_reach)};
 }
 
 // What differs between the two, or nothing.
@@ -168,6 +170,8 @@ std::string difference(const ExportedJoint& wanted, const ExportedJoint& found) 
   if (differ(wanted.stiffness, found.stiffness) || differ(wanted.spring_rest, found.spring_rest) ||
       differ(wanted.hold_open_factor, found.hold_open_factor))
     return "spring";
+  if (differ(wanted.gasket, found.gasket) || differ(wanted.gasket_reach, found.gasket_reach))
+    return "gasket";
   return "";
 }
 

@@ -36,6 +36,7 @@ struct ExportedJoint {
   double lower = 0, upper = 0, friction = 0, damping = 0;
   double stiffness = 0, spring_rest = 0, hold_open_factor = 0;  // of export/mjcf_fixtures.h
   double mass_kg = 0;
+  double gasket = 0, gasket_reach = 0;  // of export/mjcf_fixtures.h
 };
 
 // What a file holds, in the store frame whatever the format's own axes are.

@@ -103,8 +103,8 @@ class FixtureWriter {
   std::vector<std::vector<std::uint32_t>> parts_on_, children_;  // by joint
 };
 
-bool is_belt(const SceneJoint& joint) {
-  return joint.kind == JointKind::belt;
+bool needs_numbers(const SceneJoint& joint) {
+  return joint.kind == JointKind::belt || joint.gasket > 0;
 }
 
 }  // namespace
@@ -130,11 +130,17 @@ void write_mjcf_fixtures(MjcfText& out, const Scene& scene, const ExportOptions&
   }
 }
 
-void write_mjcf_belts(MjcfText& out, const Scene& scene, const ExportOptions& options) {
-  if (options.still_fixtures || std::ranges::none_of(scene.joints, is_belt)) return;
+void write_mjcf_joint_numbers(MjcfText& out, const Scene& scene, const ExportOptions& options) {
+  if (options.still_fixtures || std::ranges::none_of(scene.joints, needs_numbers)) return;
   out.line(1, "<custom>");
   for (const SceneJoint& joint : scene.joints) {
-    if (!is_belt(joint)) continue;
+    if (joint.gasket > 0)
+      out.line(2,
+               "<numeric name=\"{}/gasket\" data=\"{} {}\"/>",
+               mjcf_joint_name(scene, joint),
+               joint.gasket,
+               joint.gasket_reach);
+    if (joint.kind != JointKind::belt) continue;
     const Pose world = world_from_fixture(scene, joint.fixture) * fixture_from_joint(joint);
     out.line(2,
              "<numeric name=\"{}\" data=\"{} {} {}\"/>",

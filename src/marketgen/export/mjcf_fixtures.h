@@ -8,6 +8,11 @@
 // MuJoCo has no surface velocity. A belt is a body without a joint, to be known by its contacts,
 // and a custom numeric "<fixture id>/<joint>": the direction in which its surface runs (x y z,
 // store frame), its least and its greatest speed in m/s. A controller drives what lies on it.
+//
+// Nor has it a force that lets go. A door with a magnetic gasket has a custom numeric "<fixture
+// id>/<joint>/gasket": its torque t on the closed door in N m and the angle a at which that has
+// gone. Our World pulls with t (1 - q / a)^2 below a; whoever wants it elsewhere applies it at
+// every step (qfrc_applied). In the file alone such a door opens with the force of its spring.
 #pragma once
 #include "export/export.h"
 #include "export/mjcf_text.h"
@@ -17,8 +22,8 @@ namespace marketgen {
 
 // Inside <worldbody>.
 void write_mjcf_fixtures(MjcfText& out, const Scene& scene, const ExportOptions& options);
-// A <custom> section, or nothing when no belt runs.
-void write_mjcf_belts(MjcfText& out, const Scene& scene, const ExportOptions& options);
+// A <custom> section, or nothing when no joint is a belt or has a gasket.
+void write_mjcf_joint_numbers(MjcfText& out, const Scene& scene, const ExportOptions& options);
 
 // "<fixture id>/<joint>".
 std::string mjcf_joint_name(const Scene& scene, const SceneJoint& joint);

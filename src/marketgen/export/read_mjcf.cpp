@@ -56,6 +56,12 @@ ExportedJoint joint_of(const mjModel& model, const mjData& data, int joint) {
   read.spring_rest = model.qpos_spring[model.jnt_qposadr[joint]];
   read.hold_open_factor = model.jnt_stiffnesspoly[mjNPOLY * joint + 1];
   read.mass_kg = model.body_mass[model.jnt_bodyid[joint]];
+  const int gasket = mj_name2id(&model, mjOBJ_NUMERIC, (read.name + "/gasket").c_str());
+  if (gasket >= 0 && model.numeric_size[gasket] == 2) {
+    const mjtNum* numbers = model.numeric_data + model.numeric_adr[gasket];
+    read.gasket = numbers[0];
+    read.gasket_reach = numbers[1];
+  }
   return read;
 }
 

@@ -57,7 +57,7 @@ class MjcfWriter {
     write_robots();
     out_.line(1, "</worldbody>");
     write_hooks();
-    write_mjcf_belts(out_, scene_, options_);
+    write_mjcf_joint_numbers(out_, scene_, options_);
     write_start();
     out_.line(0, "</mujoco>");
     return files();

@@ -70,6 +70,7 @@ World::State::State(const Scene& scene_in,
     }
   }
   find_fixture_trees();
+  find_gaskets();
   find_cups();
   for (const PoolBody& body : store.pool)
     park_body(m(), d(), body);

@@ -20,6 +20,16 @@ struct FixtureTree {
   std::vector<int> geoms;
 };
 
+// A door with a magnetic gasket, and its spring as the model was made with it. Near the frame the
+// spring is replaced, before every step, by one that pulls as spring and gasket together do where
+// the door is: MuJoCo has no spring that lets go, and a force applied from outside would keep a
+// closed door awake for ever.
+struct GasketDoor {
+  std::uint32_t joint = 0;  // row of Scene::joints
+  int id = 0;               // MuJoCo's
+  double stiffness = 0, bend = 0, rest = 0;
+};
+
 // A body of the pool while it stands in for a product.
 struct LiveBody {
   std::int64_t product = -1;           // -1: free
@@ -121,6 +131,11 @@ struct World::State {
   void clear_wakes();
   Result<void> check_warnings() const;
 
+  // ---- world_gaskets.cpp ----
+
+  void find_gaskets();
+  void pull_gaskets();
+
   // ---- world_cups.cpp ----
 
   void find_cups();
@@ -170,6 +185,7 @@ struct World::State {
   std::vector<int> jointed_geoms;            // of these, those of bodies with joints: no mocap
   std::vector<std::vector<int>> belt_geoms;  // by joint
   std::vector<FixtureTree> fixture_trees;
+  std::vector<GasketDoor> gaskets;
   std::vector<ModelCup> cups;  // as WorldOptions::cups
 
   std::vector<int> body_of;                  // by product: in the pool, -1 static

@@ -181,6 +181,7 @@ Result<void> World::State::step_once() {
     push_body(static_cast<std::size_t>(body_of[product]), wrench);
   }
   keep_sealed_awake();
+  pull_gaskets();
   MARKETGEN_CHECK(wake_near_actors());
   MARKETGEN_CHECK(wake_near_moving_fixtures());
   m().opt.noslip_iterations = in_hand() ? noslip_iterations : 0;

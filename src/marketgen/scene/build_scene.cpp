@@ -126,6 +126,8 @@ void add_joint(Scene& scene,
   row.hold_open = static_cast<float>(joint.hold_open);
   row.mass_kg = static_cast<float>(joint.mass_kg);
   row.states = joint.states;
+  row.gasket = static_cast<float>(joint.gasket);
+  row.gasket_reach = static_cast<float>(joint.gasket_reach);
   scene.joints.push_back(std::move(row));
 }
 

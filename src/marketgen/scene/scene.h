@@ -58,6 +58,7 @@ struct SceneJoint {
   float stiffness = 0, spring_rest = 0, hold_open = 0;
   float mass_kg = 1;
   std::vector<JointState> states;
+  float gasket = 0, gasket_reach = 0;
 
   static constexpr auto fields = field_list(
       field("fixture", &SceneJoint::fixture, "row in fixtures"),
@@ -86,7 +87,15 @@ struct SceneJoint {
             &SceneJoint::mass_kg,
             "of the parts on it, without the joints that it carries",
             range(0, 10'000)),
-      field("states", &SceneJoint::states, "named positions, the one at rest first"));
+      field("states", &SceneJoint::states, "named positions, the one at rest first"),
+      field("gasket",
+            &SceneJoint::gasket,
+            "what a magnetic gasket holds it shut with at position 0, N m",
+            joint_force),
+      field("gasket_reach",
+            &SceneJoint::gasket_reach,
+            "position at which the gasket's pull has gone",
+            range(0, 1)));
 };
 
 // One minimal unit, in its fixture's frame.

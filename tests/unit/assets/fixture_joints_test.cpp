@@ -142,6 +142,8 @@ TEST(Joints, ACoolersDoorsOpenToTheFront) {
   EXPECT_NEAR(first.upper, radians(95), 1e-12);
   EXPECT_GT(first.hold_open, radians(80));
   EXPECT_GT(first.stiffness, 0);
+  EXPECT_NEAR(first.gasket * first.gasket_reach, gasket_n * gasket_gap_mm * 1e-3, 1e-12);
+  EXPECT_NEAR(first.gasket, gasket_n * (0.625 - 0.004 - 0.0225), 1e-9);
   int on_first = 0;
   for (const FixturePart& part : model.parts)
     on_first += part.joint == 0 ? 1 : 0;
