@@ -13,7 +13,7 @@
 namespace marketgen {
 namespace {
 
-constexpr double spare_m = 0.03;    // how far capsules reach beyond the bodies (docs/robots.md)
+constexpr double sunk_m = 0.03;     // below the floor, of a middle: it is not on it but in it
 constexpr double support_m = 0.02;  // a base rests on what is this near below it
 constexpr double probe_m = 0.005;
 constexpr int support_bisections = 6;
@@ -27,7 +27,7 @@ struct WorldSphere {
   int link = 0;
 };
 
-// Made smaller by what counts as touching; those of the foot end at the plane on which it stands.
+// Those of the foot end at the plane on which it stands.
 std::vector<WorldSphere> spheres_in_store(const PlacedRobot& placed) {
   const std::vector<Pose> base_from_link = link_poses(placed.robot, placed.q);
   const double ground = placed.world_from_base.position.z;
@@ -36,7 +36,7 @@ std::vector<WorldSphere> spheres_in_store(const PlacedRobot& placed) {
     const Pose world_from_link = placed.world_from_base * base_from_link[link];
     for (const Sphere& sphere : placed.robot.links[link].spheres) {
       const Vec3 center = world_from_link * sphere.center;
-      double radius = sphere.radius - spare_m;
+      double radius = sphere.radius;
       if (link == 0) radius = std::min(radius, center.z - ground);
       if (radius > 0) spheres.push_back({center, radius, static_cast<int>(link)});
     }
@@ -80,6 +80,12 @@ class StoreObstacles {
     return contains(
         floor_mm_,
         {static_cast<int>(std::lround(p.x * 1000)), static_cast<int>(std::lround(p.y * 1000))});
+  }
+
+  // Clear of the walls, too: its four sides.
+  bool on_floor(Vec3 center, double radius) const {
+    return on_floor(center + Vec3{radius, 0, 0}) && on_floor(center - Vec3{radius, 0, 0}) &&
+           on_floor(center + Vec3{0, radius, 0}) && on_floor(center - Vec3{0, radius, 0});
   }
 
   // The name of something that the sphere overlaps.
@@ -133,7 +139,7 @@ std::optional<Conflict> conflict_of(const std::vector<WorldSphere>& spheres,
                                     std::span<const std::vector<WorldSphere>> others,
                                     std::span<const PlacedRobot> robots) {
   for (const WorldSphere& sphere : spheres) {
-    if (!store.on_floor(sphere.center) || sphere.center.z < -spare_m)
+    if (!store.on_floor(sphere.center, sphere.radius) || sphere.center.z < -sunk_m)
       return Conflict{sphere.link, {}};
     if (auto name = store.hit(sphere.center, sphere.radius)) return Conflict{sphere.link, *name};
     for (std::size_t k = 0; k < others.size(); ++k) {

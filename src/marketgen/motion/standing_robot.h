@@ -1,9 +1,9 @@
 // Whether robots can stand where they are put in a store: on its floor or on something, clear of
 // what is built there and of one another.
 //
-// A robot is its links' spheres. They hold the bodies and reach up to 30 mm beyond them, so only
-// what lies more than 30 mm deep in a sphere is in the way. The root link's end at its base plane:
-// it stands on what carries it.
+// A robot is its links' spheres. They hold the capsules with which it touches in a World, and reach
+// at most 5 mm beyond them: what stands by this check begins without a contact. The root link's end
+// at its base plane: it stands on what carries it.
 // Doors and drawers count where they are at rest. Products do not count: a hand may hold one.
 #pragma once
 #include <span>
