@@ -4,63 +4,9 @@
 #include <cmath>
 
 #include "physics/fixture_bodies.h"
-#include "physics/soft_body.h"
-#include "physics/spec_geoms.h"
 
 namespace marketgen {
 namespace {
-
-// Half extents of the box around a shape along its own axes, and the radius of its sphere.
-struct Bounds {
-  Vec3 half;
-  double radius = 0;
-};
-
-Bounds bounds_of(const ContactShape& shape) {
-  const Vec3& s = shape.size;
-  switch (shape.shape) {
-    case CollisionShape::box:
-      return {s, length(s)};
-    case CollisionShape::cylinder:
-      return {{s.x, s.x, s.y}, std::sqrt(s.x * s.x + s.y * s.y)};
-    default:
-      return {s, std::max({s.x, s.y, s.z})};
-  }
-}
-
-void write(mjtNum* to, Vec3 v) {
-  to[0] = v.x, to[1] = v.y, to[2] = v.z;
-}
-
-void dress_geom(mjModel& m, int g, const GoodsShape& goods, const Bounds& bounds) {
-  m.geom_type[g] = geom_type_of(goods.shape.shape);
-  write(m.geom_size + 3 * g, goods.shape.size);
-  m.geom_condim[g] = goods.contact.dimensions;
-  m.geom_friction[3 * g] = goods.contact.sliding;
-  m.geom_friction[3 * g + 1] = goods.contact.torsional_m;
-  m.geom_friction[3 * g + 2] = goods.contact.rolling_m;
-  m.geom_rbound[g] = bounds.radius;
-  write(m.geom_aabb + 6 * g, {});
-  write(m.geom_aabb + 6 * g + 3, bounds.half);
-}
-
-// Inverse weights are those of a free body in its inertial frame.
-void dress_inertia(mjModel& m, const PoolBody& body, const GoodsShape& goods, double radius) {
-  const int b = body.body, d = body.dof;
-  const double mass = goods.mass_kg;
-  const Vec3& inertia = goods.inertia_kg_m2;
-  m.body_mass[b] = m.body_subtreemass[b] = mass;
-  write(m.body_inertia + 3 * b, inertia);
-  const double linear = 1 / mass;
-  const double angular = (1 / inertia.x + 1 / inertia.y + 1 / inertia.z) / 3;
-  m.body_invweight0[2 * b] = linear, m.body_invweight0[2 * b + 1] = angular;
-  for (int i = 0; i < 3; ++i) {
-    m.dof_invweight0[d + i] = linear, m.dof_invweight0[d + 3 + i] = angular;
-    m.dof_M0[d + i] = mass;
-    m.dof_length[d + 3 + i] = radius;
-  }
-  write(m.dof_M0 + d + 3, inertia);
-}
 
 // At rest at `pose`, a soft pack straight.
 void put_at_rest(mjData& d, const PoolBody& body, const ShapePose& pose) {
@@ -85,32 +31,25 @@ void sleep_alone(mjData& d, int tree) {
 
 }  // namespace
 
-void dress_body(
-    mjModel& m, mjData& d, const PoolBody& body, const GoodsShape& goods, const ShapePose& pose) {
-  const Bounds bounds = bounds_of(goods.shape);
-  dress_geom(m, body.geom, goods, bounds);
-  dress_inertia(m, body, goods, bounds.radius);
-  for (int node = 0; node < m.body_bvhnum[body.body]; ++node) {
-    mjtNum* box = m.bvh_aabb + 6 * (m.body_bvhadr[body.body] + node);
-    write(box, {});
-    write(box + 3, bounds.half);
-  }
-  collide_body(m, body, true);
-  put_at_rest(d, body, pose);
-}
-
-void dress_soft_body(
-    mjModel& m, mjData& d, const PoolBody& body, const mjModel& pack, const ShapePose& pose) {
-  copy_soft_tree(m, body.body, pack);
+void dress_body(mjModel& m,
+                mjData& d,
+                const PoolBody& body,
+                const mjModel& goods,
+                int first_mesh,
+                const ShapePose& pose) {
+  collide_body(m, body, false);
+  copy_tree(m, body.body, goods, first_mesh);
   collide_body(m, body, true);
   put_at_rest(d, body, pose);
 }
 
 void collide_body(mjModel& m, const PoolBody& body, bool on) {
   const int type = on ? goods_contact_type : 0, affinity = on ? goods_affinity : 0;
-  for (int part = 0; part < body.parts; ++part) {
-    m.geom_contype[body.geom + part] = m.body_contype[body.body + part] = type;
-    m.geom_conaffinity[body.geom + part] = m.body_conaffinity[body.body + part] = affinity;
+  for (int part = body.body; part < body.body + body.parts; ++part) {
+    m.body_contype[part] = type, m.body_conaffinity[part] = affinity;
+    const int first = m.body_geomadr[part], count = m.body_geomnum[part];
+    std::fill_n(m.geom_contype + first, count, type);
+    std::fill_n(m.geom_conaffinity + first, count, affinity);
   }
 }
 

@@ -2,9 +2,10 @@
 // geoms of products go and come back elsewhere.
 //
 // mj_setConst and mj_recompile would take 10 to 30 ms and wake everything; these take under 4 us.
-// Everything that MuJoCo derives from a shape at compile time is derived here as well, with its
-// formulas.
+// What MuJoCo derives from a product at compile time is copied from a model of it
+// (physics/goods/slot.h).
 #pragma once
+#include "physics/goods/slot.h"
 #include "physics/product_grid.h"
 #include "physics/store_model.h"
 
@@ -20,15 +21,14 @@ struct ShapePose {
   mjtNum rotation[4] = {1, 0, 0, 0};
 };
 
-// The body becomes such a product, at rest at `pose`, and collides.
+// The slot becomes the product of `goods`, a model of it alone, and collides: at rest at `pose` (of
+// its first body), a soft pack straight. `first_mesh` as in copy_tree().
 void dress_body(mjModel& model,
                 mjData& data,
                 const PoolBody& body,
-                const GoodsShape& goods,
+                const mjModel& goods,
+                int first_mesh,
                 const ShapePose& pose);
-// The same for a soft slot, which becomes the pack of soft_model(), straight.
-void dress_soft_body(
-    mjModel& model, mjData& data, const PoolBody& body, const mjModel& pack, const ShapePose& pose);
 void collide_body(mjModel& model, const PoolBody& body, bool on);
 // It no longer collides and sleeps alone. It must be asleep.
 void park_body(mjModel& model, mjData& data, const PoolBody& body);

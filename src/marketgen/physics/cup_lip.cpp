@@ -22,10 +22,34 @@ std::string point_name(const std::string& body, std::size_t point) {
   return fmt::format("{}/lip{}", body, point);
 }
 
+// To the convex mesh of a geom, from its faces: where the ray has come in by all that face it,
+// before it goes out by one.
+double ray_to_hull(
+    const mjModel& m, const mjData& d, int geom, const mjtNum from[3], const mjtNum way[3]) {
+  const int mesh = m.geom_dataid[geom];
+  mjtNum start[3], along[3], apart[3];
+  mju_sub3(apart, from, d.geom_xpos + 3 * geom);
+  mju_mulMatTVec3(start, d.geom_xmat + 9 * geom, apart);
+  mju_mulMatTVec3(along, d.geom_xmat + 9 * geom, way);
+  double in = -1e9, out = 1e9;
+  for (int i = m.mesh_polyadr[mesh]; i < m.mesh_polyadr[mesh] + m.mesh_polynum[mesh]; ++i) {
+    const Vec3 normal = vector_at(m.mesh_polynormal + 3 * i);
+    const int corner = m.mesh_vertadr[mesh] + m.mesh_polyvert[m.mesh_polyvertadr[i]];
+    const float* p = m.mesh_vert + 3 * corner;
+    const double height = dot(normal, Vec3{p[0], p[1], p[2]} - vector_at(start));
+    const double rate = dot(normal, vector_at(along));
+    if (rate == 0 && height < 0) return -1;
+    if (rate < 0) in = std::max(in, height / rate);
+    if (rate > 0) out = std::min(out, height / rate);
+  }
+  if (in > out) return -1;
+  return in >= 0 ? in : out;
+}
+
 // Along a unit vector; negative when it does not meet the geom.
 double ray_to(
     const mjModel& m, const mjData& d, int geom, const mjtNum from[3], const mjtNum way[3]) {
-  if (m.geom_type[geom] == mjGEOM_MESH) return mj_rayMesh(&m, &d, geom, from, way, nullptr);
+  if (m.geom_type[geom] == mjGEOM_MESH) return ray_to_hull(m, d, geom, from, way);
   return mju_rayGeom(d.geom_xpos + 3 * geom,
                      d.geom_xmat + 9 * geom,
                      m.geom_size + 3 * geom,

@@ -26,11 +26,11 @@ Result<void> check_has_body(const Product& product, const ProductBody& body) {
                            height)};
 }
 
-void ProductBodies::add(const std::string& name,
-                        const Product& product,
-                        const ProductBody& body,
-                        const Pose& world_from_product,
-                        const ProductGeoms& geoms) {
+mjsBody* ProductBodies::add(const std::string& name,
+                            const Product& product,
+                            const ProductBody& body,
+                            const Pose& world_from_product,
+                            const ProductGeoms& geoms) {
   mjsBody* made = mjs_addBody(mjs_findBody(&spec_, "world"), nullptr);
   mjs_setName(made->element, name.c_str());
   set_pose(made->pos, made->quat, world_from_product);
@@ -48,6 +48,7 @@ void ProductBodies::add(const std::string& name,
     geom->contype = geoms.own_bit;
     geom->conaffinity = geoms.meets;
   }
+  return made;
 }
 
 mjsGeom* ProductBodies::add_piece(mjsBody* made, const ProductBody& body, std::size_t index) {

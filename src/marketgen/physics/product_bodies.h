@@ -25,11 +25,11 @@ class ProductBodies {
   explicit ProductBodies(mjSpec& spec) : spec_(spec) {}
 
   // A free body with the name. Products with the same `body` share its meshes.
-  void add(const std::string& name,
-           const Product& product,
-           const ProductBody& body,
-           const Pose& world_from_product,
-           const ProductGeoms& geoms);
+  mjsBody* add(const std::string& name,
+               const Product& product,
+               const ProductBody& body,
+               const Pose& world_from_product,
+               const ProductGeoms& geoms);
   // The same as a soft pack, straight: NAME is its base, then come NAME-top and NAME-flap. Each is
   // the contact pieces that it has, cut where the pack bends, or else the pack's box. `middle`: of
   // the row's box, where the base has its origin.

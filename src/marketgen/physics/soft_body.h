@@ -1,9 +1,5 @@
-// Soft packs in MuJoCo: as bodies of a specification, and as a slot of a World's pool that becomes
-// one pack after another.
-//
-// A slot has the same bodies, joints and shapes whichever pack it is; only their numbers differ.
-// These are copied from a model of that pack alone, which MuJoCo itself has compiled, so that the
-// slot moves bit for bit as if the World had been compiled with the pack in it.
+// Soft packs in MuJoCo: as bodies of a specification, and as a slot of a World's pool
+// (physics/goods/slot.h) that becomes one pack after another.
 #pragma once
 #include <string>
 
@@ -25,10 +21,6 @@ SoftElements add_soft_body(mjsBody* parent, const SoftPack& pack, const std::str
 Result<MujocoModel> soft_model(const SoftPack& pack,
                                const GoodsContact& contact,
                                const std::string& where);
-
-// Makes the tree of `to` whose first body is `body` the one that soft_model() made. Which geoms
-// collide is left as it is.
-void copy_soft_tree(mjModel& to, int body, const mjModel& from);
 
 // How far any point of such a tree can be from the origin of its first body, however it bends.
 double soft_reach_m(const mjModel& model, int body);

@@ -26,9 +26,9 @@ mjsGeom* StillGeoms::add(const ContactShape& shape) {
   return geom;
 }
 
-Result<void> StillGeoms::attach_to(mjsBody* body, mjSpec& spec) {
+Result<void> StillGeoms::attach_to(mjsBody* body, mjSpec& spec, const std::string& name) {
   for (std::size_t i = 0; i < batches_.size(); ++i) {
-    const std::string prefix = fmt::format("still-{}-", i);
+    const std::string prefix = fmt::format("{}-{}-", name, i);
     const char* const text = prefix.c_str();
     const mjsElement* const frame = batches_[i].frame->element;
     const mjsElement* attached = nullptr;

@@ -3,6 +3,7 @@
 // mjs_addGeom numbers every element of its specification anew: adding 28,000 geoms to one takes 7
 // s. Here they are added to small specifications, which are then attached: 0.3 s.
 #pragma once
+#include <string>
 #include <vector>
 
 #include "physics/contact_shape.h"
@@ -15,8 +16,8 @@ class StillGeoms {
  public:
   mjsGeom* add(const ContactShape& shape);  // as add_shape(); valid as long as this
   // Makes them geoms of `body`, a body of `spec`, in their order. Once, after the last add().
-  // Errors: physics.failed.
-  Result<void> attach_to(mjsBody* body, mjSpec& spec);
+  // `name`: no other has it. Errors: physics.failed.
+  Result<void> attach_to(mjsBody* body, mjSpec& spec, const std::string& name);
 
  private:
   struct Batch {

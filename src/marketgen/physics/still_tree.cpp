@@ -31,10 +31,10 @@ Box3 joined(const Box3& a, const Box3& b) {
       {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y), std::max(a.high.z, b.high.z)}};
 }
 
-struct Extent {
+struct LeafExtent {
   Box3 box = nothing();
   int count = 0;
-  void add(const Extent& other) {
+  void add(const LeafExtent& other) {
     box = joined(box, other.box);
     count += other.count;
   }
@@ -58,7 +58,7 @@ int bin_of(const TreeLeaf& leaf, std::size_t axis, double low, double width) {
 
 // The best cut across one axis.
 Cut best_cut(std::span<const TreeLeaf> leaves, std::size_t axis, double low, double width) {
-  std::array<Extent, bins> filled, right;
+  std::array<LeafExtent, bins> filled, right;
   for (const TreeLeaf& leaf : leaves)
     filled[static_cast<std::size_t>(bin_of(leaf, axis, low, width))].add({leaf.box, 1});
   for (std::size_t i = bins - 1; i > 0; --i) {
@@ -66,7 +66,7 @@ Cut best_cut(std::span<const TreeLeaf> leaves, std::size_t axis, double low, dou
     right[i].add(filled[i]);
   }
   Cut best;
-  Extent left;
+  LeafExtent left;
   for (std::size_t i = 0; i + 1 < bins; ++i) {
     left.add(filled[i]);
     if (left.count == 0 || right[i + 1].count == 0) continue;

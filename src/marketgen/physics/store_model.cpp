@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assets/contact_pieces.h"
 #include "physics/cup_lip.h"
 #include "physics/fixture_bodies.h"
 #include "physics/shell_pieces.h"
@@ -24,6 +25,9 @@ constexpr double bubble_sleep_below_m_s = 1e-3;
 // MuJoCo's 0.9 is by the weight of the flap, which is little: the pack would hang 2 mm lower.
 constexpr double flap_hook_impedance = 0.999;
 constexpr double pool_depth_m = -100;  // where bodies of the pool wait until first used
+// Of a body of the pool until it is first used.
+const int pieces_a_body = PieceLimits{}.most_pieces;
+const ContactShape blank_piece{CollisionShape::box, {}, {0.05, 0.05, 0.05}};
 constexpr int most_pool = 1024, most_soft_pool = 256;
 constexpr double most_friction = 2;  // as in a FrictionRow
 
@@ -32,20 +36,6 @@ using Region = std::array<double, 4>;
 bool touches(const Region& r, Vec3 center, Vec3 half) {
   return center.x + half.x >= r[0] && center.x - half.x <= r[2] && center.y + half.y >= r[1] &&
          center.y - half.y <= r[3];
-}
-
-Vec3 inertia_of(const ContactShape& shape, double mass) {
-  const Vec3& s = shape.size;
-  switch (shape.shape) {
-    case CollisionShape::box:
-      return Vec3{s.y * s.y + s.z * s.z, s.x * s.x + s.z * s.z, s.x * s.x + s.y * s.y} * (mass / 3);
-    case CollisionShape::cylinder: {
-      const double across = mass * (3 * s.x * s.x + 4 * s.y * s.y) / 12;
-      return {across, across, mass * s.x * s.x / 2};
-    }
-    default:
-      return Vec3{s.y * s.y + s.z * s.z, s.x * s.x + s.z * s.z, s.x * s.x + s.y * s.y} * (mass / 5);
-  }
 }
 
 // A push of F at the top of a pack of weight W tips it from F / W = half its narrower side over its
@@ -73,7 +63,6 @@ Result<GoodsShape> goods_shape_of(const Product& product) {
   goods.shape = contact_shape_of(primitive);
   goods.contact = goods_contact_of(product, primitive);
   goods.mass_kg = product.mass_kg;
-  goods.inertia_kg_m2 = inertia_of(goods.shape, product.mass_kg);
   goods.stands_share = stands_share_of(product);
   goods.may_be_soft = may_be_soft_pack(product) && goods.shape.shape == CollisionShape::box;
   return goods;
@@ -138,15 +127,17 @@ class StoreBuilder {
       mjsBody* body = mjs_addBody(world_, nullptr);
       mjs_setName(body->element, name.c_str());
       mjs_addFreeJoint(body);
-      mjsGeom* geom = add_shape(
-          body, {CollisionShape::box, {}, {0.05, 0.05, 0.05}});  // replaced when first used
-      geom->mass = 1;
-      add_slot(name, body, {geom});
+      body->mass = body->inertia[0] = body->inertia[1] = body->inertia[2] = 1;
+      body->explicitinertial = true;
+      std::vector<mjsGeom*> geoms;
+      for (int piece = 0; piece < pieces_a_body; ++piece)
+        geoms.push_back(blanks_.add(blank_piece));
+      add_slot(name, body, std::move(geoms), 1);
     }
     for (int i = 0; i < options_.soft_pool; ++i) {
       const std::string name = fmt::format("soft-{}", i);
       const SoftElements made = add_soft_body(world_, plain_soft_pack(), name);
-      add_slot(name, made.bodies[0], {made.geoms.begin(), made.geoms.end()});
+      add_slot(name, made.bodies[0], {made.geoms.begin(), made.geoms.end()}, SoftPack::part_count);
     }
   }
 
@@ -160,9 +151,13 @@ class StoreBuilder {
   }
 
   Result<void> finish(StoreModel& made) {
+    mjsBody* const blank = mjs_addBody(world_, nullptr);
+    blank->explicitinertial = true;
+    MARKETGEN_CHECK(blanks_.attach_to(blank, *spec_, "blank"));
     mjsBody* const still = add_still_body();
-    MARKETGEN_CHECK(still_.attach_to(still, *spec_));
+    MARKETGEN_CHECK(still_.attach_to(still, *spec_, "still"));
     MARKETGEN_TRY(made.model, compile(*spec_, world_where));
+    hand_out_blanks(*made.model, mjs_getId(blank->element));
     made.still_body = mjs_getId(still->element);
     made.owners.assign(static_cast<std::size_t>(made.model->ngeom), {BodyKind::actor, 0});
     const int first_pool_body = mjs_getId(pool_.front().body->element);
@@ -194,10 +189,11 @@ class StoreBuilder {
     mjsBody* body;
     std::vector<mjsGeom*> geoms;
     mjsEquality* hook;
+    int parts;
   };
 
   // Asleep, in a row far below the floor, on no hook.
-  void add_slot(const std::string& name, mjsBody* body, std::vector<mjsGeom*> geoms) {
+  void add_slot(const std::string& name, mjsBody* body, std::vector<mjsGeom*> geoms, int parts) {
     body->pos[0] = static_cast<double>(pool_.size()), body->pos[2] = pool_depth_m;
     body->sleep = mjSLEEP_INIT;
     for (mjsGeom* geom : geoms)
@@ -208,8 +204,8 @@ class StoreBuilder {
     hook->active = false;
     mjs_setString(hook->name1, name.c_str());
     std::fill(hook->data, hook->data + mjNEQDATA, 0.0);
-    if (geoms.size() > 1) hook->solimp[0] = hook->solimp[1] = flap_hook_impedance;
-    pool_.push_back({body, std::move(geoms), hook});
+    if (parts > 1) hook->solimp[0] = hook->solimp[1] = flap_hook_impedance;
+    pool_.push_back({body, std::move(geoms), hook, parts});
   }
 
   // Added last, so that it comes last; its frame is the store's.
@@ -228,6 +224,24 @@ class StoreBuilder {
   void furnish(mjsGeom* geom) {
     geom->contype = furniture_contact_type;
     geom->conaffinity = furniture_affinity;
+  }
+
+  // Geoms of bodies that move take 50 us each to add, those of one that stands still 10: so the
+  // pool's are made there, with the nodes of its tree of boxes, and go to the pool's bodies when
+  // all is compiled.
+  void hand_out_blanks(mjModel& m, int blank) const {
+    int node = m.body_bvhadr[blank];
+    for (const PoolElements& elements : pool_) {
+      if (elements.parts > 1) continue;
+      const int body = mjs_getId(elements.body->element);
+      m.body_geomadr[body] = mjs_getId(elements.geoms.front()->element);
+      m.body_geomnum[body] = pieces_a_body;
+      m.body_bvhadr[body] = node;
+      m.body_bvhnum[body] = 2 * pieces_a_body - 1;
+      node += 2 * pieces_a_body - 1;
+      std::fill_n(m.geom_bodyid + m.body_geomadr[body], pieces_a_body, body);
+    }
+    m.body_geomnum[blank] = m.body_bvhnum[blank] = 0;
   }
 
   void name_owners(StoreModel& made) const {
@@ -252,7 +266,8 @@ class StoreBuilder {
     PoolBody made;
     made.body = mjs_getId(elements.body->element);
     made.geom = mjs_getId(elements.geoms.front()->element);
-    made.parts = static_cast<int>(elements.geoms.size());
+    made.parts = elements.parts;
+    made.geoms = static_cast<int>(elements.geoms.size());
     made.hook = mjs_getId(elements.hook->element);
     made.tree = model.body_treeid[made.body];
     made.dof = model.body_dofadr[made.body];
@@ -268,7 +283,7 @@ class StoreBuilder {
 
   const Scene& scene_;
   const WorldOptions& options_;
-  StillGeoms still_;  // outlives spec_
+  StillGeoms still_, blanks_;  // outlive spec_
   MujocoSpec spec_;
   mjsBody* world_;
   FixtureElements fixtures_;

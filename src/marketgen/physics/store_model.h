@@ -12,21 +12,22 @@
 
 namespace marketgen {
 
-// What every product of one SKU has in common.
+// What every product of one SKU has in common while it stands still: one solid round the whole
+// pack. Those that move have the pieces of physics/goods/rigid_goods.h.
 struct GoodsShape {
   ContactShape shape;  // product_from_shape
   GoodsContact contact;
   double mass_kg = 0;
-  Vec3 inertia_kg_m2;        // about the shape's axes, of a uniform body
   double stands_share = 0;   // of its weight: a lesser push sideways neither slides nor tips it
   bool may_be_soft = false;  // see may_be_soft_pack()
 };
 
 // A free body of the pool and the constraint that hangs it on a hook. Of a soft pack the first of
-// `parts` bodies, with as many geoms, and a hinge for each that hangs on it.
+// `parts` bodies, and a hinge for each that hangs on it. Its geoms follow one another; how many of
+// them are in use, the model's body_geomnum says.
 struct PoolBody {
   int body = 0, geom = 0, tree = 0, qpos = 0, dof = 0, hook = 0;
-  int parts = 1;
+  int parts = 1, geoms = 1;
 
   bool soft() const { return parts > 1; }
   int dofs() const { return 6 + parts - 1; }

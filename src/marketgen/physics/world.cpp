@@ -173,8 +173,7 @@ Result<void> World::State::obey_product(const WorldCommand& command) {
   live[body].woke_at = pose;
   for (std::size_t cup = 0; cup < cups.size(); ++cup)
     if (live_cups[cup].product == product) release(cup);
-  const Pose& in_product = store.goods[sku_of(product)].shape.pose;
-  dress(body, product, shape_pose_of(pose * in_product));
+  dress(body, product, pose);
   return {};
 }
 
@@ -316,10 +315,11 @@ ProductMotion World::product_motion(std::uint32_t product) const {
   const State& s = *state_;
   ProductMotion motion{s.product_pose(product), {}, {}};
   if (s.body_of[product] < 0) return motion;
-  const mjtNum* v = s.d().qvel + s.store.pool[static_cast<std::size_t>(s.body_of[product])].dof;
-  const Pose shape = pose_of(s.shape_pose(product));
+  const auto body = static_cast<std::size_t>(s.body_of[product]);
+  const mjtNum* v = s.d().qvel + s.store.pool[body].dof;
+  const Quaternion turned = s.world_from_body(body).rotation;
   motion.velocity_m_s = {v[0], v[1], v[2]};
-  motion.angular_rad_s = rotate(shape.rotation, {v[3], v[4], v[5]});  // MuJoCo's is the body's own
+  motion.angular_rad_s = rotate(turned, {v[3], v[4], v[5]});  // MuJoCo's is the body's own
   return motion;
 }
 

@@ -46,8 +46,10 @@ std::optional<UnderLip> World::State::under_lip(std::size_t cup) const {
     geoms.push_back(store.product_geom[product]);
   for (std::size_t body = 0; body < live.size(); ++body) {
     if (live[body].product < 0 || !body_box(body).meets(round, 0)) continue;
-    for (int part = 0; part < store.pool[body].parts; ++part)
-      geoms.push_back(store.pool[body].geom + part);
+    const PoolBody& made = store.pool[body];
+    for (int part = made.body; part < made.body + made.parts; ++part)
+      for (int i = 0; i < m().body_geomnum[part]; ++i)
+        geoms.push_back(m().body_geomadr[part] + i);
   }
   const auto under = look_under_lip(m(), d(), lip, cups[cup].shape, geoms);
   if (!under) return std::nullopt;

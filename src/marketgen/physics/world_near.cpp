@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/box_extents.h"
 #include "physics/soft_body.h"
 #include "physics/world_state.h"
 
@@ -13,14 +14,20 @@ constexpr int most_looks = 2;  // the second knows where everything is
 
 }  // namespace
 
-// A soft pack, however it bends, stays within its length of where its first half is.
+// Of a rigid one round its pieces, which may stand out of its still shape. A soft pack, however it
+// bends, stays within its length of where its first half is.
 Box3 World::State::body_box(std::size_t body) const {
   const auto product = static_cast<std::uint32_t>(live[body].product);
   const PoolBody& made = store.pool[body];
-  const ShapePose pose = shape_pose(product);
-  if (!made.soft()) return box_at(product, pose);
+  const Pose pose = world_from_body(body);
+  if (!made.soft()) {
+    const Box3& bounds = rigid.at(sku_of(product)).goods->bounds;
+    const Vec3 middle = pose * ((bounds.low + bounds.high) / 2);
+    const Vec3 half = box_half_extents(pose.rotation, (bounds.high - bounds.low) / 2);
+    return {middle - half, middle + half};
+  }
   const double reach = soft_reach_m(m(), made.body);
-  const Vec3 all{reach, reach, reach}, middle = vec3_of(pose.position);
+  const Vec3 all{reach, reach, reach}, middle = pose.position;
   return {middle - all, middle + all};
 }
 

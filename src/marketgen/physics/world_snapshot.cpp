@@ -128,8 +128,9 @@ Result<void> World::restore(const WorldSnapshot& snapshot) {
                  "the snapshot is empty or was taken of another scene or with other options"};
   }
   const WorldSnapshot::Content& from = *snapshot.content;
-  for (const LiveBody& body : from.live) {
-    if (body.product >= 0) s.soft_goods(static_cast<std::uint32_t>(body.product));
+  for (std::size_t body = 0; body < from.live.size(); ++body) {
+    if (from.live[body].product < 0) continue;
+    s.make_ready(static_cast<std::uint32_t>(from.live[body].product), s.store.pool[body].soft());
   }
   if (s.fault) return *std::exchange(s.fault, {});
   s.stand_as_built();

@@ -39,7 +39,8 @@ World::State::State(const Scene& scene_in,
       live(store.pool.size()),
       refused(scene.products.size(), false),
       belt_speed(scene.joints.size(), 0),
-      looked_at(scene.joints.size(), 0) {
+      looked_at(scene.joints.size(), 0),
+      hulls(*store.model) {
   for (std::size_t sku = 0; sku < scene.catalog.size(); ++sku) {
     sku_material.push_back(frictions.material(scene.catalog[sku].material));
     shape_from_product.push_back(inverse(store.goods[sku].shape.pose));
@@ -96,19 +97,16 @@ void World::State::find_fixture_trees() {
 }
 
 ShapePose World::State::shape_pose(std::uint32_t product) const {
-  const int body = body_of[product];
-  if (body < 0) return geom_pose(m(), store.product_geom[product]);
-  const mjtNum* q = d().qpos + store.pool[static_cast<std::size_t>(body)].qpos;
-  ShapePose pose;
-  mju_copy(pose.position, q, 3);
-  mju_copy(pose.rotation, q + 3, 4);
-  mju_normalize4(pose.rotation);
-  return pose;
+  if (body_of[product] < 0) return geom_pose(m(), store.product_geom[product]);
+  return shape_pose_of(product_pose(product) * store.goods[sku_of(product)].shape.pose);
 }
 
 Pose World::State::product_pose(std::uint32_t product) const {
   if (!moved.contains(product)) return world_from_product(scene.products[product]);
-  return pose_of(shape_pose(product)) * shape_from_product[sku_of(product)];
+  const int body = body_of[product];
+  if (body < 0) return pose_of(shape_pose(product)) * shape_from_product[sku_of(product)];
+  const auto has = static_cast<std::size_t>(body);
+  return world_from_body(has) * inverse(product_from_body(has));
 }
 
 Box3 World::State::box_at(std::uint32_t product, const ShapePose& pose) const {

@@ -6,6 +6,8 @@
 #include "physics/body_patch.h"
 #include "physics/cup_lip.h"
 #include "physics/friction_table.h"
+#include "physics/goods/hull_meshes.h"
+#include "physics/goods/rigid_goods.h"
 #include "physics/near_tree.h"
 #include "physics/product_grid.h"
 #include "physics/soft_body.h"
@@ -81,6 +83,16 @@ struct SoftGoods {
   MujocoModel model;
 };
 
+// A product that moves and is so deep in the still shape of another is where that is more than its
+// pack: beside the neck of a bottle, in the curve of a handle.
+constexpr double hollow_depth_m = 0.003;
+
+// A row of the catalog as a rigid body, made when one of its products first wakes.
+struct RigidRow {
+  std::shared_ptr<const RigidGoods> goods;
+  int first_mesh = 0;  // of its hulls in the World's model
+};
+
 struct World::State {
   State(const Scene& scene_in, WorldOptions options_in, StoreModel store_in, MujocoData data_in);
 
@@ -96,13 +108,17 @@ struct World::State {
   bool loose(std::uint32_t product) const;   // heaped, or has been moved
   void hook(std::size_t body, std::uint32_t product);
 
-  // ---- world_soft.cpp: soft packs, see soft_pack.h ----
+  // ---- world_bodies.cpp: what a product is while it moves ----
 
   // Null for a rigid product, and when `fault` is set.
   const SoftGoods* soft_goods(std::uint32_t product);
+  const RigidRow* rigid_row(std::uint32_t product);  // null when `fault` is set
   // Of the pool; -1: none. Rigid ones stand in for soft ones.
   int free_body(bool soft) const;
-  void dress(std::size_t body, std::uint32_t product, const ShapePose& pose);
+  bool make_ready(std::uint32_t product, bool soft);  // to be dressed so; false when `fault` is set
+  void dress(std::size_t body, std::uint32_t product, const Pose& world_from_product);
+  Pose product_from_body(std::size_t body) const;  // of its product; of a soft pack's base
+  Pose world_from_body(std::size_t body) const;
   bool may_rest(std::size_t body) const;  // asleep, and its still shape can take over
   void wake_kept();                       // those that sleep and may not rest
   void push_body(std::size_t body, const Wrench& wrench);
@@ -202,6 +218,8 @@ struct World::State {
   std::vector<WorldCommand> commands;
   std::int64_t steps = 0, woken = 0, refusals = 0, stiffened = 0;
   std::map<std::uint32_t, std::optional<SoftGoods>> soft;  // by row of the catalog, as needed
+  std::map<std::uint32_t, RigidRow> rigid;                 // the same
+  HullMeshes hulls;                                        // theirs
   std::optional<Error> fault;  // of a row that was needed; the command under way reports it
   bool failed = false;
 
@@ -211,7 +229,7 @@ struct World::State {
   const mjData& d() const { return *data; }
   bool asleep(std::size_t body) const { return data->tree_asleep[store.pool[body].tree] >= 0; }
   std::uint32_t sku_of(std::uint32_t product) const { return scene.products[product].sku; }
-  ShapePose shape_pose(std::uint32_t product) const;
+  ShapePose shape_pose(std::uint32_t product) const;  // of its still shape, also while it moves
   Pose product_pose(std::uint32_t product) const;
   Box3 box_at(std::uint32_t product, const ShapePose& pose) const;
   void report(EventKind kind, std::uint32_t product);

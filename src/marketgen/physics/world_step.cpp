@@ -51,11 +51,13 @@ bool World::State::wake_touched() {
       if (!pushes_it) {
         const Vec3 v = velocity_at(m(), d(), m().geom_bodyid[other], vec3_of(contact.pos));
         const bool heap = heaped(owner.row);
+        const bool visits = store.owners[static_cast<std::size_t>(other)].pool;
         const double across = heap                        ? heap_push_m_s
                               : moved.contains(owner.row) ? moved_push_m_s
                                                           : push_m_s;
         pushes_it = std::sqrt(v.x * v.x + v.y * v.y) > across ||
-                    std::abs(v.z) > (heap ? heap_push_m_s : impact_m_s);
+                    std::abs(v.z) > (heap ? heap_push_m_s : impact_m_s) ||
+                    (visits && !heap && contact.dist < -hollow_depth_m);
       }
       if (pushes_it && !refused[owner.row]) any = wake(owner.row) || any;
     }
@@ -113,8 +115,7 @@ void World::State::follow(std::size_t body) {
   here.keeps = false;
   const auto product = static_cast<std::uint32_t>(here.product);
   const PoolBody& made = store.pool[body];
-  const ShapePose shape = shape_pose(product);
-  const Pose pose = pose_of(shape) * shape_from_product[sku_of(product)];
+  const Pose pose = product_pose(product);
   const Vec3 way = pose.position - here.woke_at.position;
   const Vec3 up{0, 0, 1};
   const double lean = dot(rotate(pose.rotation, up), rotate(here.woke_at.rotation, up));
@@ -130,7 +131,7 @@ void World::State::follow(std::size_t body) {
   const bool left = length(way) > (heap ? heap_slack_m : carried_slack_m);
   if (!here.carries.empty() && (left || (!heap && lean < 0.9999))) wake_carried(body);
   if (running_belts.empty()) return;
-  const Box3 box = box_at(product, shape);
+  const Box3 box = box_at(product, shape_pose(product));
   const bool rides = std::ranges::any_of(
       running_belts, [&](const Box3& belt) { return belt.meets(box, untouchable_reach_m); });
   if (rides) mark_wake(d(), made);

@@ -47,7 +47,7 @@ void World::State::hook(std::size_t body, std::uint32_t product) {
   const std::uint32_t sku = sku_of(product);
   const PoolBody& made = store.pool[body];
   const Vec3 top{0, 0, scene.catalog[sku].height_m()};
-  Vec3 on_body = shape_from_product[sku] * top;
+  Vec3 on_body = inverse(product_from_body(body)) * top;
   m().eq_obj1id[made.hook] = made.body;
   if (made.soft() && soft.at(sku)->pack.parts.back().center.z > 0) {
     m().eq_obj1id[made.hook] = made.body + made.parts - 1;
@@ -78,18 +78,19 @@ bool World::State::wake(std::uint32_t product) {
     return false;
   }
   const auto body = static_cast<std::size_t>(found);
+  if (!make_ready(product, store.pool[body].soft())) return false;
   LiveBody* const free = &live[body];
   const PoolBody& made = store.pool[body];
-  const ShapePose pose = geom_pose(m(), geom);
-  const bool first = moved.try_emplace(product, pose).second;
+  const Pose stood = product_pose(product);
+  const bool first = moved.try_emplace(product, geom_pose(m(), geom)).second;
   *free = {};
   free->product = product;
-  free->woke_at = pose_of(pose) * shape_from_product[sku_of(product)];
+  free->woke_at = stood;
   free->carries = resting_on(product, grid.box(product));
   free->hooked = first && hangs_on_hook(scene, product);
   switch_geom(m(), geom, false);
   grid.remove(product);
-  dress(body, product, pose);
+  dress(body, product, stood);
   if (free->hooked) hook(body, product);
   d().eq_active[made.hook] = free->hooked;
   body_of[product] = found;

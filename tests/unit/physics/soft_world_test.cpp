@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "base/parallel.h"
+#include "physics/goods/slot.h"
 #include "physics/soft_body.h"
 #include "physics/spec_geoms.h"
 #include "unit/physics/small_worlds.h"
@@ -226,7 +227,7 @@ TEST(SoftBody, ASlotMovesBitForBitAsIfCompiled) {
     const MujocoModel straight = on_floor(soft_row(sku).pack, one);
     const MujocoModel slot = on_floor(soft_row(almonds).pack, other);
     EXPECT_NE(thrown(*straight), thrown(*slot));
-    copy_soft_tree(*slot, 1, *soft_model(soft_row(sku).pack, one, "test").value());
+    copy_tree(*slot, 1, *soft_model(soft_row(sku).pack, one, "test").value());
     EXPECT_EQ(thrown(*straight), thrown(*slot)) << sku;
   }
 }

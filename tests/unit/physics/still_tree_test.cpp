@@ -7,9 +7,12 @@
 #include <tuple>
 #include <vector>
 
-#include "physics/body_patch.h"
+#include "physics/goods/hull_meshes.h"
+#include "physics/goods/rigid_goods.h"
 #include "physics/near_tree.h"
 #include "physics/store_model.h"
+#include "physics/world_state.h"
+#include "scene/placements.h"
 #include "support/hand_laid_shop.h"
 
 namespace marketgen {
@@ -86,14 +89,17 @@ TEST(NearTree, ContactsAreThoseOfTheWholeTreeInTheSameOrder) {
   mjModel& m = *store.model;
   m.opt.enableflags &= ~mjENBL_SLEEP;
   const MujocoData data = make_data(m, "test").value();
+  HullMeshes hulls(m);
   NearTree near(m, store.still_body);
   const std::size_t step = store.product_geom.size() / 100;
   for (std::size_t body = 0; body < 100; ++body) {
     const auto product = static_cast<std::uint32_t>(body * step);
-    const GoodsShape& goods = store.goods[stocked_scene().products[product].sku];
-    ShapePose pose = geom_pose(m, store.product_geom[product]);
-    pose.position[0] += 0.004, pose.position[2] -= 0.001;
-    dress_body(m, *data, store.pool[body], goods, pose);
+    const SceneProduct& item = stocked_scene().products[product];
+    const auto goods = rigid_goods(stocked_scene().catalog[item.sku]).value();
+    const Pose pose =
+        Pose{{0.004, 0, -0.001}, {}} * world_from_product(item) * goods->product_from_body;
+    const int first_mesh = goods->model->nmesh > 0 ? hulls.add(*goods->model) : 0;
+    dress_body(m, *data, store.pool[body], *goods->model, first_mesh, shape_pose_of(pose));
     near.follow(store.pool[body].geom, box_of_product(store, product));
   }
   for (std::size_t body = 100; body < store.pool.size(); ++body)

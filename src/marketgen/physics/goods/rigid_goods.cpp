@@ -1,0 +1,112 @@
+#include "physics/goods/rigid_goods.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <string>
+
+#include "assets/contact_pieces.h"
+#include "io/json.h"
+#include "physics/product_bodies.h"
+
+namespace marketgen {
+namespace {
+
+using SharedRigidGoods = std::shared_ptr<const RigidGoods>;
+
+ContactPiece piece_of(const CollisionPrimitive& solid) {
+  const PieceShape shape = solid.shape == CollisionShape::box        ? PieceShape::box
+                           : solid.shape == CollisionShape::cylinder ? PieceShape::cylinder
+                                                                     : PieceShape::ellipsoid;
+  return {shape, solid.center, solid.half_size, solid.lying};
+}
+
+// A lean of 7 degrees, or nothing, tips it off the foot that its pieces have.
+constexpr double steady_tangent = 0.12;
+
+bool steady(const ProductBody& body) {
+  const ContactPiece& foot = body.pieces[0];
+  const Vec3f &middle = body.center_of_mass, &half = foot.half_size;
+  const double x = half.x - std::abs(middle.x - foot.center.x);
+  const double y = half.y - std::abs(middle.y - foot.center.y);
+  return std::min(x, y) > steady_tangent * middle.z;
+}
+
+// Of the whole pack one solid, see store_body().
+bool one_solid(const Product& product, const ProductBody& body) {
+  const bool too_many = static_cast<int>(body.pieces.size()) > PieceLimits{}.most_pieces;
+  return product.stack_max > 1 || product.category == "produce" || too_many || !steady(body);
+}
+
+Vec3 vec3_at(const mjtNum* v) {
+  return {v[0], v[1], v[2]};
+}
+
+Box3 bounds_of_geoms(const mjModel& m) {
+  Box3 all{{1e9, 1e9, 1e9}, {-1e9, -1e9, -1e9}};
+  for (int geom = 0; geom < m.ngeom; ++geom) {
+    mjtNum turned[9];
+    mju_quat2Mat(turned, m.geom_quat + 4 * geom);
+    const mjtNum *box = m.geom_aabb + 6 * geom, *at = m.geom_pos + 3 * geom;
+    for (int i = 0; i < 3; ++i) {
+      double middle = at[i], half = 0;
+      for (int j = 0; j < 3; ++j)
+        middle += turned[3 * i + j] * box[j], half += std::abs(turned[3 * i + j]) * box[3 + j];
+      double& low = i == 0 ? all.low.x : i == 1 ? all.low.y : all.low.z;
+      double& high = i == 0 ? all.high.x : i == 1 ? all.high.y : all.high.z;
+      low = std::min(low, middle - half), high = std::max(high, middle + half);
+    }
+  }
+  return all;
+}
+
+Result<SharedRigidGoods> compiled_alone(const Product& product) {
+  MARKETGEN_TRY(const ProductBody body, store_body(product));
+  MARKETGEN_TRY(const CollisionPrimitive solid, collision_of(product));
+  const MujocoSpec spec(mj_makeSpec(), mj_deleteSpec);
+  spec->compiler.balanceinertia = true;  // of flat packs the floats miss it by their last digit
+  mjsBody* made =
+      ProductBodies(*spec).add("goods", product, body, {}, {goods_contact_of(product, solid)});
+  mjs_asJoint(mjs_firstChild(made, mjOBJ_JOINT, 0))->align = mjALIGNFREE_TRUE;
+  auto goods = std::make_shared<RigidGoods>();
+  MARKETGEN_TRY(goods->model, compile(*spec, product.sku));
+  // The compiler leaves turns of length 1 + 1e-15. With an axis so long a cylinder that stands on a
+  // plane does not touch it (mjc_PlaneCylinder normalises what is left of it across the plane).
+  for (int geom = 0; geom < goods->model->ngeom; ++geom)
+    mju_normalize4(goods->model->geom_quat + 4 * geom);
+  mju_normalize4(goods->model->body_quat + 4);  // of the only body behind the world
+  const mjModel& m = *goods->model;
+  const mjtNum* q = m.body_quat + 4;
+  goods->product_from_body = {vec3_at(m.body_pos + 3), {q[0], q[1], q[2], q[3]}};
+  goods->bounds = bounds_of_geoms(m);
+  goods->hollow = body.pieces.size() > 1 || body.pieces[0].shape == PieceShape::hull;
+  return SharedRigidGoods(std::move(goods));
+}
+
+}  // namespace
+
+Result<ProductBody> store_body(const Product& product) {
+  MARKETGEN_TRY(ProductBody body, make_product_body(product));
+  MARKETGEN_CHECK(check_has_body(product, body));
+  if (one_solid(product, body)) {
+    MARKETGEN_TRY(const CollisionPrimitive solid, collision_of(product));
+    body.pieces = {piece_of(solid)};
+  }
+  return body;
+}
+
+Result<SharedRigidGoods> rigid_goods(const Product& product) {
+  static std::mutex changing;
+  static std::map<std::string, SharedRigidGoods> made;  // by all that they are made from
+  const std::string key = write_json_line(product);
+  {
+    const std::scoped_lock lock(changing);
+    if (const auto known = made.find(key); known != made.end()) return known->second;
+  }
+  MARKETGEN_TRY(SharedRigidGoods goods, compiled_alone(product));
+  const std::scoped_lock lock(changing);
+  return made.emplace(key, std::move(goods)).first->second;
+}
+
+}  // namespace marketgen
