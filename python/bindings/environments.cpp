@@ -242,6 +242,8 @@ void add_environments(nb::module_& module) {
              return h.environment->map();
            })
       .def("tool_cuts", &tool_cuts)
+      .def("robot_stopped",
+           [](const EnvironmentHandle& handle) { return handle.environment->robot_stopped(); })
       .def("result", &result_of)
       .def("judged", &judged)
       .def("render", &picture_of)

@@ -132,6 +132,7 @@ class TaskEnv(gymnasium.Env):
 
     def info_of_step(self, *, terminated: bool, truncated: bool) -> dict[str, Any]:
         info = self._info()
+        info["robot_stopped"] = self.environment.robot_stopped()
         if cuts := self.environment.tool_cuts():
             info |= dict(zip(("tool_cut_m", "tool_cut_rad"), np.array(cuts).T, strict=True))
         if terminated or truncated:

@@ -8,13 +8,9 @@
 #include <vector>
 
 #include "base/result.h"
+#include "robots/wheel_drive.h"
 
 namespace marketgen {
-
-// Of a base that drives, by its own reckoning: on the floor, heading about Z from X.
-struct BasePlace {
-  double x_m = 0, y_m = 0, heading = 0;
-};
 
 // A robot as it is. Joints are those that an action commands: every one but wheels and fingers, in
 // the order of the robot's degrees of freedom; rad or m, and a second.
@@ -23,7 +19,8 @@ struct Observation {
   std::vector<double> position, velocity;
   std::vector<double> openings_m;    // between the pads, one a tool; of a cup 0 or cup_off_m
   std::vector<std::uint8_t> sealed;  // one a tool: 1 when a cup has sealed, by its vacuum sensor
-  BasePlace base;                    // zeros of a robot that stands still
+  BasePlace base;        // as its wheels' encoders reckon it; zeros of a robot without wheels
+  bool stopped = false;  // a protective stop: it takes no command yet
 };
 
 // Opening of a cup that does not suck.
@@ -37,11 +34,12 @@ struct ToolCommand {
   double force_n = 20;   // most, on each pad
 };
 
-// Until the next control step. The joints' targets move evenly from the last ones to these.
+// Until the next control step. Joints go to these targets as far as the limits of the robot's row
+// allow, and go on to them in later steps as long as they are told to.
 struct Action {
   std::vector<double> position;          // of the joints, as in Observation
   std::vector<ToolCommand> tools;        // one a tool
-  double drive_m_s = 0, turn_rad_s = 0;  // of the base, reached at the end of the step
+  double drive_m_s = 0, turn_rad_s = 0;  // of the base, at the end of the step
   bool stop = false;                     // the agent says that it has done: no more steps
 };
 

@@ -33,8 +33,9 @@ class Run {
     options.add_actors = [this](mjSpec_& spec) { return add_robot(spec, robot_, place_); };
     MARKETGEN_TRY(World world, World::create(scene_, std::move(options)));
     world_ = std::make_unique<World>(std::move(world));
-    MARKETGEN_TRY(actor_, RobotActor::find(*world_, robot_));
-    target_ = plan_.state;
+    MARKETGEN_TRY(controller_, RobotController::start(world_->model(), world_->data(), robot_));
+    reference_.joints = controller_.setpoints();
+    reference_.grips.resize(robot_.tools.size());
     return {};
   }
 
@@ -47,7 +48,7 @@ class Run {
     MARKETGEN_CHECK(follow(plan_.lift, CollectPhase::lift, 0, grasp.force_n));
     MARKETGEN_CHECK(follow(plan_.retreat, CollectPhase::retreat, 0, grasp.force_n));
     MARKETGEN_CHECK(wait(hold_s, CollectPhase::hold, grasp.force_n));
-    return watch_ ? watch_(*world_, actor_, CollectPhase::hold) : Result<void>{};
+    return watch_ ? watch_(*world_, controller_.actor(), CollectPhase::hold) : Result<void>{};
   }
 
   CollectResult result() {
@@ -79,22 +80,21 @@ class Run {
 
   Pose tip_from_product() const {
     const int frame = robot_.tools[static_cast<std::size_t>(plan_.tool)].frame;
-    const Pose tip = plan_.world_from_base * frame_pose(robot_, actor_.position(*world_), frame);
+    const Pose tip =
+        plan_.world_from_base * frame_pose(robot_, controller_.actor().position(*world_), frame);
     return inverse(tip) * world_->product_pose(plan_.product);
   }
 
-  Result<void> step(std::span<const double> rates,
-                    CollectPhase phase,
-                    double opening_m,
-                    double force_n) {
+  Result<void> step(CollectPhase phase, double opening_m, double force_n) {
     if (watch_ && world_->time_s() >= next_watch_s_) {
-      MARKETGEN_CHECK(watch_(*world_, actor_, phase));
+      MARKETGEN_CHECK(watch_(*world_, controller_.actor(), phase));
       next_watch_s_ += watch_every_s_;
     }
-    MARKETGEN_CHECK(actor_.command(*world_, target_, rates));
-    const Tool& tool = robot_.tools[static_cast<std::size_t>(plan_.tool)];
-    MARKETGEN_CHECK(actor_.grip(*world_, tool, opening_m, std::min(force_n, tool.force)));
-    return world_->step();
+    reference_.grips[static_cast<std::size_t>(plan_.tool)] = {opening_m, force_n};
+    MARKETGEN_CHECK(controller_.command(*world_, reference_));
+    MARKETGEN_CHECK(world_->step());
+    controller_.feel(world_->model(), world_->data());
+    return {};
   }
 
   Result<void> follow(const JointTrajectory& way,
@@ -105,20 +105,19 @@ class Run {
     const double from_s = world_->time_s();
     for (double t = 0; t < way.duration_s(); t = world_->time_s() - from_s) {
       const TrajectoryState now = way.at(t + step_s);
-      std::vector<double> rates(target_.size());
-      for (std::size_t j = 0; j < group.dofs.size(); ++j) {
-        const auto dof = static_cast<std::size_t>(group.dofs[j]);
-        target_[dof] = now.position[j], rates[dof] = now.velocity[j];
-      }
-      MARKETGEN_CHECK(step(rates, phase, opening_m, force_n));
+      for (std::size_t j = 0; j < group.dofs.size(); ++j)
+        reference_.joints[static_cast<std::size_t>(group.dofs[j])] = {now.position[j],
+                                                                      now.velocity[j]};
+      MARKETGEN_CHECK(step(phase, opening_m, force_n));
     }
+    for (Setpoint& joint : reference_.joints)
+      joint.velocity = 0;
     return {};
   }
 
   Result<void> wait(double time_s, CollectPhase phase, double force_n) {
-    const std::vector<double> still(target_.size());
     for (int i = 0; i < static_cast<int>(time_s / step_s); ++i)
-      MARKETGEN_CHECK(step(still, phase, 0, force_n));
+      MARKETGEN_CHECK(step(phase, 0, force_n));
     return {};
   }
 
@@ -129,8 +128,8 @@ class Run {
   double watch_every_s_, next_watch_s_ = 0;
   RobotActorOptions place_;
   std::unique_ptr<World> world_;
-  RobotActor actor_;
-  std::vector<double> target_;
+  RobotController controller_;
+  RobotReference reference_;
   Pose tip_from_product_;  // when the fingers had closed
 };
 

@@ -6,7 +6,7 @@
 
 #include "catalog/rows.h"
 #include "collect/collect_plan.h"
-#include "physics/robot_actor.h"
+#include "physics/robot_controller.h"
 
 namespace marketgen {
 

@@ -105,12 +105,15 @@ std::vector<Pose> ActionMap::tool_poses(const std::vector<double>& state) const 
   return poses;
 }
 
-std::vector<double> ActionMap::within_limits(std::vector<double> position) const {
+std::vector<double> ActionMap::led(std::vector<double> target,
+                                   const std::vector<double>& told) const {
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     const Joint& joint = robot_.joint_of_dof(static_cast<std::size_t>(joints_[j]));
-    position[j] = std::clamp(position[j], joint.lower, joint.upper);
+    const double step = step_of(joints_[j]);
+    target[j] = std::clamp(target[j], told[j] - step, told[j] + step);
+    target[j] = std::clamp(target[j], joint.lower, joint.upper);
   }
-  return position;
+  return target;
 }
 
 Result<NearestIk> ActionMap::moved_tool(const Arm& arm,

@@ -21,7 +21,8 @@ namespace marketgen {
 
 // What the move is. Names as in ManiSkill.
 //   pd_joint_pos        every joint that is commanded: rad or m
-//   pd_joint_delta_pos  the same from its last target: 1 = 0.1 rad, or what a slide does in a step
+//   pd_joint_delta_pos  the same from its last target, or from a step before it when its drive
+//                       stays behind: 1 = 0.1 rad, or what a slide does in a step
 //   pd_ee_delta_pos     of each tool x, y, z: 1 = 20 mm from where it is; then the joints of no arm
 //                       (lift, head) as in pd_joint_delta_pos
 //   pd_ee_delta_pose    the same, and after x, y, z a turn about these axes: 1 = 0.1 rad
@@ -69,8 +70,10 @@ class ActionMap {
 
   // Of each tool in the frame of the robot's base.
   std::vector<Pose> tool_poses(const std::vector<double>& state) const;
-  // Of the commanded joints.
-  std::vector<double> within_limits(std::vector<double> position) const;
+  // Of the commanded joints: targets from which the next step goes on when the drives are told
+  // `told`. No farther from it than one step of pd_joint_delta_pos, so that what is held back does
+  // not run ahead.
+  std::vector<double> led(std::vector<double> target, const std::vector<double>& told) const;
 
  private:
   struct Arm {

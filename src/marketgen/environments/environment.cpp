@@ -102,7 +102,7 @@ Result<StepOutcome> Environment::step(std::span<const double> action) {
   MARKETGEN_TRY(MappedAction mapped, actions_->action(action, world_->robot_state(), target_));
   const Action& made = mapped.action;
   MARKETGEN_CHECK(world_->step(made));
-  target_ = actions_->within_limits(made.position);
+  target_ = actions_->led(made.position, world_->told());
   cuts_ = std::move(mapped.cuts);
   const double before = progress_;
   MARKETGEN_CHECK(look());

@@ -69,6 +69,8 @@ class Environment {
   // Of the tools at the last step since reset() or restore(); none before there was one, and in
   // modes of joints.
   const std::vector<ToolCut>& tool_cuts() const { return cuts_; }
+  // The robot makes a protective stop and takes no command yet.
+  bool robot_stopped() const { return world_ != nullptr && world_->observe().stopped; }
   // The result as evaluate() keeps it; an episode that still runs is ended and judged as it stands.
   // `end.in_time` is not read.
   EpisodeResult judged(EpisodeEnd end);

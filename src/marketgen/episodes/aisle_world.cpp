@@ -7,14 +7,13 @@
 #include <fmt/format.h>
 #include <mujoco/mujoco.h>
 
+#include "episodes/control_step.h"
 #include "physics/spec_geoms.h"
 
 namespace marketgen {
 namespace {
 
 constexpr double about_basket_m = 0.6;  // of its floor
-constexpr double physics_step_s = 0.002;
-constexpr int aisle_substeps = 25;
 constexpr double let_go_s = judged_after_s;
 constexpr std::string_view basket_material = "pet";  // moulded, against goods
 
@@ -83,13 +82,11 @@ Result<void> AisleWorld::reset(const EpisodeSpec& spec) {
   };
   MARKETGEN_TRY(World world, World::create(store_->scene, std::move(options)));
   world_ = std::make_unique<World>(std::move(world));
-  MARKETGEN_TRY(actor_, RobotActor::find(*world_, robot));
+  MARKETGEN_TRY(controller_, RobotController::start(world_->model(), world_->data(), robot));
   MARKETGEN_TRY(cups_, SuctionActor::find(*world_, robot));
   spec_ = spec;
   commanded_ = commanded_dofs(robot);
-  target_ = place.state;
-  rates_.assign(target_.size(), 0);
-  speed_ = turn_ = path_m_ = 0;
+  path_m_ = 0;
   watch_ = AisleWatch(*world_, robot);
   axle_ = axle_of(robot, world_from_base());
   steps_ = 0;
@@ -102,7 +99,7 @@ double AisleWorld::time_s() const {
 }
 
 std::vector<double> AisleWorld::robot_state() const {
-  return actor_.position(*world_);
+  return controller_.actor().position(*world_);
 }
 
 Pose AisleWorld::world_from_base() const {
@@ -116,7 +113,7 @@ Pose AisleWorld::world_from_basket() const {
 }
 
 Observation AisleWorld::observe() const {
-  const std::vector<double> q = robot_state(), v = actor_.velocity(*world_);
+  const std::vector<double> q = robot_state(), v = controller_.actor().velocity(*world_);
   Observation seen;
   seen.time_s = time_s();
   for (const int dof : commanded_) {
@@ -130,28 +127,9 @@ Observation AisleWorld::observe() const {
     if (off) seen.openings_m[t] = cup_off_m;
     seen.sealed.push_back(cups_.sealed_product(*world_, tool).has_value());
   }
-  seen.base = {q[dof_named(robot(), "base_x")],
-               q[dof_named(robot(), "base_y")],
-               q[dof_named(robot(), "base_yaw")]};
+  seen.base = controller_.wheels().reckoned();
+  seen.stopped = controller_.stopped(time_s());
   return seen;
-}
-
-// Where the base is meant to be after one step of physics; `share`: of the control step, at its
-// middle. It turns about the middle between its wheels.
-void AisleWorld::drive(double share, const Action& action, std::vector<double>& rates) {
-  const Drive& limits = *robot().drive;
-  const double v =
-      std::lerp(speed_, std::clamp(action.drive_m_s, -limits.speed, limits.speed), share);
-  const double w =
-      std::lerp(turn_, std::clamp(action.turn_rad_s, -limits.turn_rate, limits.turn_rate), share);
-  const std::size_t x = dof_named(robot(), "base_x"), y = dof_named(robot(), "base_y"),
-                    yaw = dof_named(robot(), "base_yaw");
-  const double middle = target_[yaw] + w * physics_step_s / 2;
-  rates[x] = v * std::cos(middle) + w * limits.axle_x * std::sin(middle);
-  rates[y] = v * std::sin(middle) - w * limits.axle_x * std::cos(middle);
-  rates[yaw] = w;
-  for (const std::size_t dof : {x, y, yaw})
-    target_[dof] += rates[dof] * physics_step_s;
 }
 
 std::vector<std::optional<std::uint32_t>> AisleWorld::sealed_products() const {
@@ -162,54 +140,30 @@ std::vector<std::optional<std::uint32_t>> AisleWorld::sealed_products() const {
 }
 
 // Before every step of physics.
-Result<void> AisleWorld::use_tools(const Action& action) {
+Result<void> AisleWorld::use_cups(const Action& action) {
   for (std::size_t t = 0; t < robot().tools.size(); ++t) {
     const Tool& tool = robot().tools[t];
-    const ToolCommand& wanted = action.tools[t];
-    if (tool.kind == ToolKind::suction) {
-      MARKETGEN_CHECK(cups_.suck(*world_, tool, wanted.opening_m == 0));
-      continue;
-    }
-    MARKETGEN_CHECK(
-        actor_.grip(*world_, tool, wanted.opening_m, std::min(wanted.force_n, tool.force)));
+    if (tool.kind == ToolKind::suction)
+      MARKETGEN_CHECK(cups_.suck(*world_, tool, action.tools[t].opening_m == 0));
   }
   return {};
 }
 
-// Joints follow cubic curves that take over the last step's speed: a servo that is told to jump to
-// another shakes what a cup holds out of it.
 Result<void> AisleWorld::move(const Action& action) {
-  const std::vector<double> from = target_, from_rates = rates_;
-  for (std::size_t j = 0; j < commanded_.size(); ++j) {
-    const auto dof = static_cast<std::size_t>(commanded_[j]);
-    const Joint& joint = robot().joint_of_dof(dof);
-    const double wanted = std::clamp(action.position[j], joint.lower, joint.upper);
-    rates_[dof] = (wanted - from[dof]) / control_step_s;
-  }
-  for (int i = 1; i <= aisle_substeps; ++i) {
-    std::vector<double> rates(target_.size());
-    const double s = static_cast<double>(i) / aisle_substeps;
-    for (const int commanded : commanded_) {
-      const auto dof = static_cast<std::size_t>(commanded);
-      const double before = from_rates[dof], after = rates_[dof];
-      rates[dof] = before + (after - before) * s * (4 - 3 * s);
-      const double part = s * (before + (after - before) * s * (2 - s));
-      target_[dof] = from[dof] + part * control_step_s;
-    }
-    drive((i - 0.5) / aisle_substeps, action, rates);
-    MARKETGEN_CHECK(actor_.command(*world_, target_, rates));
-    MARKETGEN_CHECK(use_tools(action));
+  const ControlStep step(controller_, robot(), commanded_, action);
+  for (int i = 0; i < ControlStep::count(); ++i) {
+    MARKETGEN_CHECK(controller_.command(*world_, step.at(i)));
+    MARKETGEN_CHECK(use_cups(action));
     MARKETGEN_CHECK(world_->step());
+    controller_.feel(world_->model(), world_->data());
     const Vec3 now = axle_of(robot(), world_from_base());
     const Vec3 way = now - axle_;
     path_m_ += std::hypot(way.x, way.y);
-    const double turn = actor_.velocity(*world_)[dof_named(robot(), "base_yaw")];
-    watch_.look(*world_, {now, way / physics_step_s, turn}, sealed_products());
+    const double turn = controller_.actor().velocity(*world_)[dof_named(robot(), "base_yaw")];
+    watch_.look(*world_, {now, way / time_step_s, turn}, sealed_products());
     axle_ = now;
+    if (physics_watch_) physics_watch_(world_->model(), world_->data());
   }
-  const Drive& limits = *robot().drive;
-  speed_ = std::clamp(action.drive_m_s, -limits.speed, limits.speed);
-  turn_ = std::clamp(action.turn_rad_s, -limits.turn_rate, limits.turn_rate);
   return {};
 }
 
@@ -221,7 +175,7 @@ Result<Observation> AisleWorld::step(const Action& action) {
   }
   MARKETGEN_CHECK(move(action));
   ++steps_;
-  done_ = time_s() >= spec_.limit_s - physics_step_s / 2;
+  done_ = time_s() >= spec_.limit_s - time_step_s / 2;
   return observe();
 }
 
@@ -292,27 +246,27 @@ Result<bool> AisleWorld::goals_met() {
 
 std::string AisleWorld::save() const {
   ByteWriter writer;
-  writer(world_->snapshot().bytes(), target_, rates_, speed_, turn_, watch_, axle_, path_m_);
+  writer(world_->snapshot().bytes(), controller_, watch_, axle_, path_m_);
   writer(steps_, done_);
   return writer.take();
 }
 
 Result<void> AisleWorld::restore(std::string_view moment) {
   std::string physics;
-  std::vector<double> target, rates;
-  double speed = 0, turn = 0, path = 0;
+  RobotController controller = controller_;
+  double path = 0;
   AisleWatch watch = watch_;
   Vec3 axle;
   int steps = 0;
   bool done = false;
   ByteReader reader(moment);
-  reader(physics, target, rates, speed, turn, watch, axle, path, steps, done);
-  if (!reader.ok() || target.size() != target_.size() || rates.size() != rates_.size())
+  reader(physics, controller, watch, axle, path, steps, done);
+  if (!reader.ok() || controller.setpoints().size() != robot().dof_count())
     return Error{"physics.bad_command", spec_.id, "the moment is of another episode"};
   MARKETGEN_TRY(const WorldSnapshot snapshot, WorldSnapshot::of_bytes(physics));
   MARKETGEN_CHECK(world_->restore(snapshot));
-  target_ = std::move(target), rates_ = std::move(rates);
-  speed_ = speed, turn_ = turn, path_m_ = path;
+  controller_ = std::move(controller);
+  path_m_ = path;
   watch_ = std::move(watch);
   axle_ = axle;
   steps_ = steps;
@@ -374,11 +328,10 @@ void AisleWorld::add_lengths(EpisodeResult& result) const {
 Result<EpisodeResult> AisleWorld::finish() {
   done_ = true;
   Action hold = still_action(observe());
-  for (std::size_t j = 0; j < commanded_.size(); ++j)
-    hold.position[j] = target_[static_cast<std::size_t>(commanded_[j])];
+  hold.position = told();
   for (std::size_t t = 0; t < robot().tools.size(); ++t)
     if (robot().tools[t].kind == ToolKind::suction) hold.tools[t].opening_m = cup_off_m;
-  for (double waited = 0; waited < let_go_s - physics_step_s; waited += control_step_s)
+  for (double waited = 0; waited < let_go_s - time_step_s; waited += control_step_s)
     MARKETGEN_CHECK(move(hold));
   MARKETGEN_TRY(const std::vector<ItemState> states, item_states());
   const EpisodeOutcome outcome = judge(region(), spec_.goals, states);
@@ -387,6 +340,7 @@ Result<EpisodeResult> AisleWorld::finish() {
   result.store = spec_.store;
   result.side_effects = watch_.effects();
   result.side_effects.strayed = strayed();
+  result.side_effects.protective_stops = controller_.stops();
   add_outcome(outcome, result);
   result.steps = steps_;
   result.simulated_s = time_s();

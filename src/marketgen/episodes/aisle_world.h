@@ -42,6 +42,7 @@ class AisleWorld : public TrackWorld {
 
   const AisleStore& store() const { return *store_; }
   const World& world() const { return *world_; }
+  const RobotController& controller() const override { return controller_; }
   const AisleWatch& watch() const { return watch_; }
   std::vector<double> robot_state() const override;
   Pose world_from_base() const;
@@ -57,8 +58,7 @@ class AisleWorld : public TrackWorld {
 
  private:
   Result<void> move(const Action& action);
-  Result<void> use_tools(const Action& action);
-  void drive(double share, const Action& action, std::vector<double>& rates);
+  Result<void> use_cups(const Action& action);
   Result<void> know_goods(std::uint32_t product);
   ItemState item_state(std::uint32_t product, const AisleWatch::Item& item) const;
   Result<std::vector<ItemState>> item_states();
@@ -72,12 +72,9 @@ class AisleWorld : public TrackWorld {
 
   EpisodeSpec spec_;
   std::unique_ptr<World> world_;
-  RobotActor actor_;
+  RobotController controller_;
   SuctionActor cups_;
-  std::vector<int> commanded_;   // degrees of freedom
-  std::vector<double> target_;   // of all, at the end of the last step
-  std::vector<double> rates_;    // of the commanded ones, likewise
-  double speed_ = 0, turn_ = 0;  // of the base, at the end of the last step
+  std::vector<int> commanded_;  // degrees of freedom
   AisleWatch watch_;
   Vec3 axle_;  // where the middle between the wheels was
   double path_m_ = 0;

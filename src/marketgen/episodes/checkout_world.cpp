@@ -7,13 +7,13 @@
 
 #include "base/hash.h"
 #include "episodes/checkout_goals.h"
+#include "episodes/control_step.h"
 #include "physics/contact_shape.h"
 
 namespace marketgen {
 namespace {
 
 constexpr char world_where[] = "checkout";
-constexpr int substeps = static_cast<int>(control_step_s / time_step_s + 0.5);
 constexpr double displaced_m = 0.02;
 constexpr double hold_n = 20;
 
@@ -53,11 +53,8 @@ Result<void> CheckoutWorld::reset(const EpisodeSpec& spec, const std::vector<Pro
   const std::vector<double> ready = ready_state(station_, *robot_);
   MARKETGEN_TRY(model_, checkout_model(station_, *robot_, ready, spec.items, item_goods_));
   MARKETGEN_TRY(data_, make_data(*model_.model, world_where));
-  MARKETGEN_TRY(actor_, RobotActor::find(*model_.model, *robot_));
   MARKETGEN_CHECK(guarded(world_where, [&] { mj_forward(model_.model.get(), data_.get()); }));
-  target_.clear();
-  for (const int dof : arm_)
-    target_.push_back(ready[static_cast<std::size_t>(dof)]);
+  MARKETGEN_TRY(controller_, RobotController::start(*model_.model, *data_, *robot_));
   watch_ = CheckoutWatch(model_, *data_);
   steps_ = 0;
   done_ = false;
@@ -69,11 +66,12 @@ double CheckoutWorld::time_s() const {
 }
 
 std::vector<double> CheckoutWorld::robot_state() const {
-  return actor_.position(*data_);
+  return controller_.actor().position(*data_);
 }
 
 Observation CheckoutWorld::observe() const {
-  const std::vector<double> q = actor_.position(*data_), v = actor_.velocity(*data_);
+  const RobotActor& actor = controller_.actor();
+  const std::vector<double> q = actor.position(*data_), v = actor.velocity(*data_);
   Observation seen;
   seen.time_s = data_->time;
   for (const int dof : arm_) {
@@ -82,25 +80,20 @@ Observation CheckoutWorld::observe() const {
   }
   seen.openings_m = tool_openings_m(*robot_, q);
   seen.sealed.assign(robot_->tools.size(), 0);
+  seen.stopped = controller_.stopped(data_->time);
   return seen;
 }
 
-Result<void> CheckoutWorld::move(const std::vector<double>& target, const ToolCommand& grip) {
-  std::vector<double> position = actor_.position(*data_), rates(position.size());
-  const Tool& tool = robot_->tools.front();
-  for (int i = 1; i <= substeps; ++i) {
-    const double share = static_cast<double>(i) / substeps;
-    for (std::size_t j = 0; j < arm_.size(); ++j) {
-      const auto dof = static_cast<std::size_t>(arm_[j]);
-      position[dof] = target_[j] + (target[j] - target_[j]) * share;
-      rates[dof] = (target[j] - target_[j]) / control_step_s;
-    }
-    MARKETGEN_CHECK(actor_.command(*data_, position, rates));
-    MARKETGEN_CHECK(actor_.grip(*data_, tool, grip.opening_m, std::min(grip.force_n, tool.force)));
-    MARKETGEN_CHECK(guarded(world_where, [&] { mj_step(model_.model.get(), data_.get()); }));
+Result<void> CheckoutWorld::move(const Action& action) {
+  const ControlStep step(controller_, *robot_, arm_, action);
+  const mjModel& model = *model_.model;
+  for (int i = 0; i < ControlStep::count(); ++i) {
+    MARKETGEN_CHECK(controller_.command(model, *data_, step.at(i)));
+    MARKETGEN_CHECK(guarded(world_where, [&] { mj_step(&model, data_.get()); }));
+    controller_.feel(model, *data_);
     watch_.look(model_, *data_);
+    if (physics_watch_) physics_watch_(model, *data_);
   }
-  target_ = target;
   return {};
 }
 
@@ -110,12 +103,7 @@ Result<Observation> CheckoutWorld::step(const Action& action) {
     done_ = true;
     return observe();
   }
-  std::vector<double> target = action.position;
-  for (std::size_t j = 0; j < arm_.size(); ++j) {
-    const Joint& joint = robot_->joint_of_dof(static_cast<std::size_t>(arm_[j]));
-    target[j] = std::clamp(target[j], joint.lower, joint.upper);
-  }
-  MARKETGEN_CHECK(move(target, action.tools.front()));
+  MARKETGEN_CHECK(move(action));
   ++steps_;
   done_ = data_->time >= spec_.limit_s - time_step_s / 2;
   return observe();
@@ -165,6 +153,7 @@ Result<bool> CheckoutWorld::goals_met() {
 
 SideEffects CheckoutWorld::side_effects(const EpisodeOutcome& outcome) const {
   SideEffects effects = watch_.effects();
+  effects.protective_stops = controller_.stops();
   effects.wrong_items = outcome.wrong;
   const HoldsPoint belongs = where_goods_belong(station_, basket_pose());
   for (std::size_t i = 0; i < item_goods_.size(); ++i) {
@@ -178,9 +167,9 @@ SideEffects CheckoutWorld::side_effects(const EpisodeOutcome& outcome) const {
 
 Result<EpisodeResult> CheckoutWorld::finish() {
   done_ = true;
-  const ToolCommand hold{observe().openings_m.front(), hold_n};
+  const Action hold{told(), {{observe().openings_m.front(), hold_n}}};
   for (double waited = 0; waited < judged_after_s - time_step_s; waited += control_step_s)
-    MARKETGEN_CHECK(move(target_, hold));
+    MARKETGEN_CHECK(move(hold));
   const EpisodeOutcome outcome =
       judge_checkout(region(), spec_.goals, item_states(), watch_.greatest_tilt_deg());
   EpisodeResult result;
@@ -196,23 +185,24 @@ Result<EpisodeResult> CheckoutWorld::finish() {
 
 std::string CheckoutWorld::save() const {
   ByteWriter writer;
-  writer(moment_of(*data_), target_, watch_, steps_, done_);
+  writer(moment_of(*data_), controller_, watch_, steps_, done_);
   return writer.take();
 }
 
 Result<void> CheckoutWorld::restore(std::string_view moment) {
   MujocoMoment physics;
-  std::vector<double> target;
+  RobotController controller = controller_;
   CheckoutWatch watch;
   int steps = 0;
   bool done = false;
   ByteReader reader(moment);
-  reader(physics, target, watch, steps, done);
+  reader(physics, controller, watch, steps, done);
   if (!reader.ok() || physics.buffer.size() != static_cast<std::size_t>(data_->nbuffer) ||
-      target.size() != arm_.size() || watch.items().size() != item_goods_.size())
+      controller.setpoints().size() != robot_->dof_count() ||
+      watch.items().size() != item_goods_.size())
     return Error{"physics.bad_command", world_where, "the moment is of another episode"};
   restore_moment(*data_, physics);
-  target_ = std::move(target);
+  controller_ = std::move(controller);
   watch_ = std::move(watch);
   steps_ = steps;
   done_ = done;

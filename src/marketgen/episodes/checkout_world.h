@@ -10,7 +10,6 @@
 #include "episodes/checkout_watch.h"
 #include "episodes/track_world.h"
 #include "physics/mujoco_moment.h"
-#include "physics/robot_actor.h"
 
 namespace marketgen {
 
@@ -46,6 +45,7 @@ class CheckoutWorld : public TrackWorld {
   Pose item_pose(std::size_t item) const;      // station_from_product
   Vec3 item_velocity(std::size_t item) const;  // of its body's middle
   Pose basket_pose() const;                    // station_from_container
+  const RobotController& controller() const override { return controller_; }
   const CheckoutWatch& watch() const { return watch_; }
   HoldsPoint region() const;              // where goals count, as the basket stands now
   bool in_place(std::size_t item) const;  // on the unloading area, let go, at rest
@@ -57,7 +57,7 @@ class CheckoutWorld : public TrackWorld {
 
  private:
   explicit CheckoutWorld(std::vector<FrictionRow> frictions) : frictions_(std::move(frictions)) {}
-  Result<void> move(const std::vector<double>& target, const ToolCommand& tool);
+  Result<void> move(const Action& action);
   ItemState item_state(std::size_t item) const;
   std::vector<ItemState> item_states() const;
   SideEffects side_effects(const EpisodeOutcome& outcome) const;
@@ -71,8 +71,7 @@ class CheckoutWorld : public TrackWorld {
   std::vector<SharedGoods> item_goods_;
   CheckoutModel model_;
   MujocoData data_{nullptr, mj_deleteData};
-  RobotActor actor_;
-  std::vector<double> target_;  // of the arm, at the end of the last step
+  RobotController controller_;
   CheckoutWatch watch_;
   int steps_ = 0;
   bool done_ = true;

@@ -59,6 +59,7 @@ struct SideEffects {
   int toppled = 0, dropped = 0, displaced = 0, strayed = 0, wrong_items = 0;
   double basket_tilt_deg = 0;
   int base_collisions = 0;
+  int protective_stops = 0;
 
   static constexpr auto fields = field_list(
       field("light_contacts", &SideEffects::light_contacts, "below 10 N"),
@@ -73,7 +74,10 @@ struct SideEffects {
       field("basket_tilt_deg", &SideEffects::basket_tilt_deg, "greatest tilt of the basket"),
       field("base_collisions",
             &SideEffects::base_collisions,
-            "times that the robot's base met something that stands"));
+            "times that the robot's base met something that stands"),
+      field("protective_stops",
+            &SideEffects::protective_stops,
+            "times that the robot stopped because something pressed on it"));
 };
 
 struct EpisodeResult {

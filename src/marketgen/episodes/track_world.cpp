@@ -23,6 +23,13 @@ bool is_finite(const Action& action) {
 
 }  // namespace
 
+std::vector<double> TrackWorld::told() const {
+  std::vector<double> places;
+  for (const int dof : commanded_dofs(robot()))
+    places.push_back(controller().setpoints()[static_cast<std::size_t>(dof)].position);
+  return places;
+}
+
 std::vector<int> commanded_dofs(const Robot& robot) {
   std::vector<bool> left_out(robot.dof_count());
   const auto leave_out = [&](const JointGroup* group) {

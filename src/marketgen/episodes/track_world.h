@@ -1,12 +1,13 @@
 // A running episode, whatever its track: act, be judged. Each track's world adds its reset and the
 // truth that oracles may look at.
 #pragma once
+#include <functional>
 #include <string>
 #include <string_view>
 
 #include "agent/policy.h"
 #include "episodes/episode_result.h"
-#include "robots/robot.h"
+#include "physics/robot_controller.h"
 
 namespace marketgen {
 
@@ -27,6 +28,12 @@ class TrackWorld {
   virtual double time_s() const = 0;
   virtual int steps() const = 0;
   virtual std::vector<double> robot_state() const = 0;  // of all degrees of freedom
+  // Of the commanded joints: where their drives are told to be, which is where the last action
+  // wanted them as far as the limits of the robot's row allow.
+  std::vector<double> told() const;
+  // Called after every step of physics, until it is replaced: for tests and recordings.
+  using PhysicsWatch = std::function<void(const mjModel_&, const mjData_&)>;
+  void watch_physics(PhysicsWatch watch) { physics_watch_ = std::move(watch); }
   // Waits for the judgement, and judges. Names, times and failure code are the caller's to add.
   virtual Result<EpisodeResult> finish() = 0;
   virtual std::string state_hash() const = 0;  // 32 hex digits over the physics
@@ -39,6 +46,13 @@ class TrackWorld {
   // physics.bad_command, it is of another episode.
   virtual std::string save() const = 0;
   virtual Result<void> restore(std::string_view moment) = 0;
+
+  // ---- The truth, as it is for the oracle, pictures and tests. ----
+
+  virtual const RobotController& controller() const = 0;
+
+ protected:
+  PhysicsWatch physics_watch_;
 };
 
 // Degrees of freedom that actions command: all but a base's, and those of fingers.

@@ -10,6 +10,10 @@
 namespace marketgen {
 namespace {
 
+// Of the robot's limits: the rest is left to whoever keeps it on its way. A drive planned at the
+// limits themselves can never catch up.
+constexpr double planned_share = 0.8;
+
 int in_mm(double m) {
   return static_cast<int>(std::lround(m * 1e3));
 }
@@ -83,7 +87,10 @@ Result<DrivePlan> plan_drive(const VisibilityGraph& graph,
       return Error{"motion.bad_configuration", "place on the floor", "expected finite numbers"};
   }
   MARKETGEN_TRY(const BaseEnvelope envelope, base_envelope(robot, state));
-  MARKETGEN_TRY(const BaseLimits limits, base_limits(robot));
+  MARKETGEN_TRY(BaseLimits limits, base_limits(robot));
+  for (double* limit :
+       {&limits.speed, &limits.acceleration, &limits.turn_rate, &limits.turn_acceleration})
+    *limit *= planned_share;
   MARKETGEN_TRY(FloorPath path,
                 graph.shortest_path({in_mm(from.position.x), in_mm(from.position.y)},
                                     {in_mm(to.position.x), in_mm(to.position.y)}));

@@ -37,6 +37,7 @@ struct DrivePlan {
   BaseFollower follower;  // at rest at the start
 };
 
+// Slower than the limits of the robot's row, so that there is room to steer back to the way.
 // Errors: those of base_envelope, motion.bad_configuration for a place that is not finite,
 // motion.outside_floor, motion.base_blocked (an end is too near to something), motion.unreachable.
 Result<DrivePlan> plan_drive(const VisibilityGraph& graph,

@@ -16,13 +16,18 @@ namespace {
 // Full effort at this error: about the gains of MuJoCo Menagerie's Panda (4500 N m/rad at 87 N m).
 constexpr double full_effort_rad = 0.02, full_effort_m = 0.002;
 constexpr double damping_time_s = 0.1;  // damping of a servo over its stiffness; as there
-// Of joints without a published effort (a base on its wheels): stiffness that moves the robot's
-// mass as quickly as this, rad/s.
-constexpr double base_quickness = 40;
-constexpr double base_gyration_m2 = 0.1;  // inertia over mass about the vertical, for that alone
-// Servo of a gripper's fingers, N/m and N s/m. Measured to hold cans, boxes and bottles within 0.1
-// mm while they are shaken.
-constexpr double finger_stiffness = 4000, finger_damping = 150;
+// Of joints without a published effort: stiffness that moves the robot's mass as quickly as this,
+// rad/s.
+constexpr double bare_quickness = 40;
+constexpr double bare_gyration_m2 = 0.1;  // inertia over mass, of one that turns
+// Servo of a gripper's fingers, N/m. Measured to hold cans, boxes and bottles within 0.1 mm while
+// they are shaken.
+constexpr double finger_stiffness = 4000;
+// Spindles and worm gears of grippers do not turn back: what tries to move the fingers at their top
+// speed needs this many times the tool's force.
+constexpr double finger_locking = 2;
+constexpr double finger_quickness = 10;   // what is left of their way is made up for, 1/s
+constexpr double plain_finger_m_s = 0.2;  // of fingers without a published speed
 // MuJoCo takes no moving body without mass; frames between joints get this much, kg and kg m^2.
 constexpr double frame_mass = 1e-6, frame_inertia = 1e-9;
 
@@ -41,28 +46,38 @@ const Tool* gripper_of(const Robot& robot, int dof) {
   return nullptr;
 }
 
-double mass_of(const Robot& robot) {
-  double mass = 0;
-  for (const Link& link : robot.links)
-    mass += link.mass;
-  return mass;
+// Degrees of freedom over the floor of a base that its wheels push.
+bool is_on_wheels(const Robot& robot, int dof) {
+  const JointGroup* base = robot.drive ? robot.find_group("base") : nullptr;
+  return base != nullptr && std::ranges::count(base->dofs, dof) > 0;
 }
 
 struct Servo {
-  double stiffness = 0, damping = 0, most = 0;  // most: effort, 0 for no limit
+  double stiffness = 0, damping = 0, max_effort = 0;  // 0 for no limit
 };
 
 Servo servo_of(const Robot& robot, const Joint& joint) {
-  if (const Tool* tool = gripper_of(robot, joint.dof))
-    return {finger_stiffness, finger_damping, 2 * tool->force};  // one drive moves both fingers
+  if (is_on_wheels(robot, joint.dof)) return {};
+  if (const Tool* tool = gripper_of(robot, joint.dof)) {
+    return {finger_stiffness, 0, 2 * tool->force};  // one drive moves both fingers
+  }
   const bool slides = joint.kind == JointType::prismatic;
   if (std::isfinite(joint.effort)) {
     const double stiffness = joint.effort / (slides ? full_effort_m : full_effort_rad);
     return {stiffness, stiffness * damping_time_s, joint.effort};
   }
-  const double inertia = mass_of(robot) * (slides ? 1 : base_gyration_m2);
-  const double stiffness = inertia * base_quickness * base_quickness;
+  const double inertia = total_mass(robot) * (slides ? 1 : bare_gyration_m2);
+  const double stiffness = inertia * bare_quickness * bare_quickness;
   return {stiffness, stiffness * damping_time_s, 0};
+}
+
+double finger_speed(const Joint& joint) {
+  return std::isfinite(joint.velocity) ? joint.velocity : plain_finger_m_s;
+}
+
+// Of each finger. The drive makes up for it as far as they are to move.
+double finger_damping(const Tool& tool, const Joint& joint) {
+  return finger_locking * tool.force / finger_speed(joint);
 }
 
 class RobotBuilder {
@@ -164,14 +179,17 @@ class RobotBuilder {
     made->ref = start;
     made->armature = joint.armature;
     made->damping[0] = joint.damping;
+    if (const Tool* tool = gripper_of(robot_, joint.dof))
+      made->damping[0] += finger_damping(*tool, joint);
     if (std::isfinite(joint.lower) && std::isfinite(joint.upper)) {
       made->limited = mjLIMITED_TRUE;
       made->range[0] = joint.lower, made->range[1] = joint.upper;
     }
-    if (const Servo servo = servo_of(robot_, joint); servo.most > 0 && joint.follows < 0) {
+    if (const Servo servo = servo_of(robot_, joint);
+        servo.max_effort > 0 && joint.follows < 0 && gripper_of(robot_, joint.dof) == nullptr) {
       made->actgravcomp = true;  // gravity is carried by the drive and counts against its effort
       made->actfrclimited = mjLIMITED_TRUE;
-      made->actfrcrange[0] = -servo.most, made->actfrcrange[1] = servo.most;
+      made->actfrcrange[0] = -servo.max_effort, made->actfrcrange[1] = servo.max_effort;
     }
   }
 
@@ -192,19 +210,35 @@ class RobotBuilder {
     mjs_setName(drive->element, name(joint.name).c_str());
     mjs_setString(drive->target, name(joint.name).c_str());
     drive->trntype = mjTRN_JOINT;
+    if (gripper_of(robot_, joint.dof) != nullptr) pull_evenly(*drive, joint);
     const Servo servo = servo_of(robot_, joint);
-    if (servo.most > 0) {
+    if (servo.max_effort > 0 && gripper_of(robot_, joint.dof) == nullptr) {
       drive->forcelimited = mjLIMITED_TRUE;
-      drive->forcerange[0] = -servo.most, drive->forcerange[1] = servo.most;
+      drive->forcerange[0] = -servo.max_effort, drive->forcerange[1] = servo.max_effort;
     }
     drive->gaintype = mjGAIN_FIXED;
-    if (options_.drive == RobotDrive::torque && gripper_of(robot_, joint.dof) == nullptr) {
+    const bool bare =
+        options_.drive == RobotDrive::torque && gripper_of(robot_, joint.dof) == nullptr;
+    if (bare || is_on_wheels(robot_, joint.dof)) {
       drive->gainprm[0] = 1;
       return;
     }
     drive->gainprm[0] = servo.stiffness;
     drive->biastype = mjBIAS_AFFINE;
     drive->biasprm[1] = -servo.stiffness, drive->biasprm[2] = -servo.damping;
+  }
+
+  // One drive moves a finger and those that follow it, each with its share of the force: its place
+  // is the mean of theirs.
+  void pull_evenly(mjsActuator& drive, const Joint& finger) {
+    std::vector<const Joint*> moved{&finger};
+    for (const Joint& joint : robot_.joints)
+      if (joint.dof >= 0 && joint.follows == finger.dof) moved.push_back(&joint);
+    mjsTendon* tendon = mjs_addTendon(&spec_, nullptr);
+    mjs_setName(tendon->element, name(finger.name).c_str());
+    for (const Joint* joint : moved)
+      mjs_wrapJoint(tendon, name(joint->name).c_str(), 1.0 / static_cast<double>(moved.size()));
+    drive.trntype = mjTRN_TENDON;
   }
 
   // Every pair of links but those that may touch.
@@ -279,12 +313,17 @@ Result<RobotActor> RobotActor::find(const mjModel& model,
     Axis axis;
     axis.joint_position = model.jnt_qposadr[found];
     axis.joint_velocity = model.jnt_dofadr[found];
-    axis.lower = joint.lower, axis.upper = joint.upper;
+    const bool slow = gripper_of(robot, static_cast<int>(dof)) != nullptr;
+    axis.max_velocity = slow ? finger_speed(joint) : joint.velocity;
+    axis.locking = model.dof_damping[axis.joint_velocity];
+    if (joint.follows >= 0)  // parents come first: the leader is there already
+      actor.axes_[static_cast<std::size_t>(joint.follows)].locking += axis.locking;
     axis.actuator = mj_name2id(&model, mjOBJ_ACTUATOR, name.c_str());
     if (axis.actuator >= 0) {
       axis.stiffness = -model.actuator_biasprm[axis.actuator * mjNBIAS + 1];
       axis.damping = -model.actuator_biasprm[axis.actuator * mjNBIAS + 2];
-      if (axis.stiffness == 0) actor.drive_ = RobotDrive::torque;
+      const bool wheels = is_on_wheels(robot, static_cast<int>(dof));
+      if (axis.stiffness == 0 && !wheels) actor.drive_ = RobotDrive::torque;
     }
     actor.axes_.push_back(axis);
   }
@@ -340,83 +379,125 @@ Result<void> RobotActor::check(std::span<const double> values, bool servo, const
   return {};
 }
 
+RobotActor::SetControl RobotActor::controls_of(World& world) {
+  return [&](int actuator, double value) { return world.set_control(actuator, value); };
+}
+
+RobotActor::SetControl RobotActor::controls_of(mjData& data) {
+  return [&](int actuator, double value) {
+    data.ctrl[actuator] = value;
+    return Result<void>{};
+  };
+}
+
 Result<void> RobotActor::command(World& world,
                                  std::span<const double> position,
                                  std::span<const double> velocity) const {
-  const SetControl set = [&](int actuator, double value) {
-    return world.set_control(actuator, value);
-  };
-  return command(set, position, velocity);
+  return command(controls_of(world), world.data(), position, velocity);
 }
 
 Result<void> RobotActor::command(mjData& data,
                                  std::span<const double> position,
                                  std::span<const double> velocity) const {
-  const SetControl set = [&](int actuator, double value) {
-    data.ctrl[actuator] = value;
-    return Result<void>{};
-  };
-  return command(set, position, velocity);
+  return command(controls_of(data), data, position, velocity);
 }
 
+// A servo's force is stiffness (control - place) - damping x velocity: it pushes no more at the
+// velocity at which the two are equal.
 Result<void> RobotActor::command(const SetControl& set,
+                                 const mjData& data,
                                  std::span<const double> position,
                                  std::span<const double> velocity) const {
   MARKETGEN_CHECK(check(position, true, "positions"));
   MARKETGEN_CHECK(check(velocity, true, "velocities"));
   for (std::size_t dof = 0; dof < axes_.size(); ++dof) {
     const Axis& axis = axes_[dof];
-    if (axis.actuator < 0 || gripper_of(*robot_, static_cast<int>(dof)) != nullptr) continue;
-    const double lead = velocity[dof] * axis.damping / axis.stiffness;
-    MARKETGEN_CHECK(set(axis.actuator, position[dof] + lead));
+    if (!follows_position(dof)) continue;
+    const double lag_s = axis.damping / axis.stiffness;
+    const double now = data.qpos[axis.joint_position], reach = axis.max_velocity * lag_s;
+    const double wanted = position[dof] + velocity[dof] * lag_s;
+    MARKETGEN_CHECK(set(axis.actuator, std::clamp(wanted, now - reach, now + reach)));
   }
   return {};
 }
 
+bool RobotActor::follows_position(std::size_t dof) const {
+  const Axis& axis = axes_[dof];
+  return axis.actuator >= 0 && axis.stiffness > 0 &&
+         gripper_of(*robot_, static_cast<int>(dof)) == nullptr;
+}
+
+const RobotActor::Axis* RobotActor::finger_axis(const Tool& tool) const {
+  const JointGroup* fingers = robot_->find_group(tool.prefix + "fingers");
+  if (tool.kind != ToolKind::gripper || fingers == nullptr) return nullptr;
+  for (const int dof : fingers->dofs) {
+    const Axis& axis = axes_[static_cast<std::size_t>(dof)];
+    if (axis.actuator >= 0) return &axis;
+  }
+  return nullptr;
+}
+
+double RobotActor::finger_reach_m(const Tool& tool, double force_n) const {
+  const Axis* axis = finger_axis(tool);
+  return axis == nullptr ? 0 : 2 * force_n / axis->stiffness;  // the drive presses both fingers
+}
+
 Result<void> RobotActor::grip(World& world,
                               const Tool& tool,
-                              double opening_m,
+                              const Setpoint& finger,
                               double force_n) const {
-  const SetControl set = [&](int actuator, double value) {
-    return world.set_control(actuator, value);
-  };
-  return grip(set, world.data(), tool, opening_m, force_n);
+  return grip(controls_of(world), world.data(), tool, finger, force_n);
 }
 
 Result<void> RobotActor::grip(mjData& data,
                               const Tool& tool,
-                              double opening_m,
+                              const Setpoint& finger,
                               double force_n) const {
-  const SetControl set = [&](int actuator, double value) {
-    data.ctrl[actuator] = value;
-    return Result<void>{};
-  };
-  return grip(set, data, tool, opening_m, force_n);
+  return grip(controls_of(data), data, tool, finger, force_n);
 }
 
 Result<void> RobotActor::grip(const SetControl& set,
                               const mjData& data,
                               const Tool& tool,
-                              double opening_m,
+                              const Setpoint& finger,
                               double force_n) const {
-  if (!(opening_m >= 0) || !(force_n >= 0) || !std::isfinite(opening_m))
-    return bad_robot_command(robot_->name, "opening and force are numbers from 0 on");
+  if (!(force_n >= 0) || !std::isfinite(finger.position) || !std::isfinite(finger.velocity))
+    return bad_robot_command(robot_->name, "places of fingers are numbers, forces from 0 on");
   if (force_n > tool.force)
     return bad_robot_command(
         robot_->name,
         fmt::format("{} N is more than the {} N that the gripper has", force_n, tool.force));
-  const JointGroup* fingers = robot_->find_group(tool.prefix + "fingers");
-  if (tool.kind != ToolKind::gripper || fingers == nullptr)
-    return bad_robot_command(robot_->name, "the tool is no gripper");
-  for (const int dof : fingers->dofs) {
-    const Axis& axis = axes_[static_cast<std::size_t>(dof)];
-    if (axis.actuator < 0) continue;
-    const double now = data.qpos[axis.joint_position];
-    const double reach = 2 * force_n / axis.stiffness;  // the drive presses both fingers
-    const double wanted =
-        opening_m > 0 ? std::min(opening_m / tool.opening, 1.0) * axis.upper : now - reach;
-    MARKETGEN_CHECK(set(axis.actuator, std::clamp(wanted, now - reach, now + reach)));
-  }
+  const Axis* axis = finger_axis(tool);
+  if (axis == nullptr) return bad_robot_command(robot_->name, "the tool is no gripper");
+  const double now = data.actuator_length[axis->actuator],
+               speed = data.actuator_velocity[axis->actuator];
+  const double both = 2 * force_n;  // the drive presses both fingers
+  const double pressing = std::clamp(axis->stiffness * (finger.position - now), -both, both);
+  // What moves them where they are to go is not held up by what locks them.
+  const double wanted = std::clamp(finger.velocity + (finger.position - now) * finger_quickness,
+                                   -axis->max_velocity,
+                                   axis->max_velocity);
+  const double free = std::clamp(speed, std::min(wanted, 0.0), std::max(wanted, 0.0));
+  const double top = axis->locking * axis->max_velocity;  // takes them to their top speed
+  const double force = std::clamp(pressing + axis->locking * free, -top, top);
+  return set(axis->actuator, now + force / axis->stiffness);
+}
+
+Result<void> RobotActor::push_base(World& world, const FloorForce& force) const {
+  return push_base(controls_of(world), force);
+}
+
+Result<void> RobotActor::push_base(mjData& data, const FloorForce& force) const {
+  return push_base(controls_of(data), force);
+}
+
+Result<void> RobotActor::push_base(const SetControl& set, const FloorForce& force) const {
+  const JointGroup* base = robot_->drive ? robot_->find_group("base") : nullptr;
+  if (base == nullptr || base->dofs.size() != 3)
+    return bad_robot_command(robot_->name, "it has no base that drives");
+  const double efforts[3] = {force.x_n, force.y_n, force.turn_n_m};
+  for (std::size_t i = 0; i < 3; ++i)
+    MARKETGEN_CHECK(set(axes_[static_cast<std::size_t>(base->dofs[i])].actuator, efforts[i]));
   return {};
 }
 
@@ -424,7 +505,8 @@ Result<void> RobotActor::apply(World& world, std::span<const double> effort) con
   MARKETGEN_CHECK(check(effort, false, "efforts"));
   for (std::size_t dof = 0; dof < axes_.size(); ++dof) {
     const Axis& axis = axes_[dof];
-    if (axis.actuator < 0 || axis.stiffness > 0) continue;
+    if (axis.actuator < 0 || axis.stiffness > 0 || is_on_wheels(*robot_, static_cast<int>(dof)))
+      continue;
     MARKETGEN_CHECK(world.set_control(axis.actuator, effort[dof]));
   }
   return {};

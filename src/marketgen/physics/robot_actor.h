@@ -14,13 +14,15 @@
 #include <vector>
 
 #include "physics/world.h"
-#include "robots/robot.h"
+#include "robots/setpoint.h"
+#include "robots/wheel_drive.h"
 
 namespace marketgen {
 
 // What a control is. `position`: a joint's place, followed by a servo that gives its full effort at
 // an error of 0.02 rad or 2 mm (about the gains published for the Panda) and is damped by a tenth
-// of its stiffness a second. `torque`: the effort itself, for controllers of one's own.
+// of its stiffness a second. `torque`: the effort itself, for controllers of one's own. A base that
+// drives is pushed by its wheels in both (push_base).
 enum class RobotDrive { position, torque };
 
 struct RobotActorOptions {
@@ -59,21 +61,30 @@ class RobotActor {
   std::vector<double> effort(const World& world) const;  // of the drives, gravity included
 
   // Position drive. The servos lead by what their damping would take at the wanted velocity, so
-  // that a trajectory is followed without lag. Errors: physics.bad_command (the number of values,
-  // NaN, a torque drive); the world is then as before. Values beyond a limit stop at it.
+  // that a trajectory is followed without lag, and drive no joint faster than its row says. Wheels
+  // and fingers are left out. Errors: physics.bad_command (the number of values, NaN, a torque
+  // drive); the world is then as before. Values beyond a limit stop at it. This is the bare drive:
+  // RobotController keeps the other limits.
   Result<void> command(World& world,
                        std::span<const double> position,
                        std::span<const double> velocity) const;
-  // Closes or opens a gripper: the pads go towards `opening_m` apart and press on what is between
-  // them with at most `force_n` each; towards 0 with just that. To be called before every step,
-  // since the force is measured from where the fingers are. Errors: physics.bad_command (NaN,
-  // negative, no gripper, more force than the tool has).
-  Result<void> grip(World& world, const Tool& tool, double opening_m, double force_n) const;
-  // Both in a model of one's own.
+  // The fingers of a gripper follow `finger`, a place of one of them, and press on what is in their
+  // way with at most `force_n` each. To be called before every step, since the force is measured
+  // from where they are. Errors: physics.bad_command (NaN, negative, no gripper, more force than
+  // the tool has).
+  Result<void> grip(World& world, const Tool& tool, const Setpoint& finger, double force_n) const;
+  // What its wheels do to a base that drives, until the next call. Error: physics.bad_command.
+  Result<void> push_base(World& world, const FloorForce& force) const;
+  // The same in a model of one's own.
   Result<void> command(mjData_& data,
                        std::span<const double> position,
                        std::span<const double> velocity) const;
-  Result<void> grip(mjData_& data, const Tool& tool, double opening_m, double force_n) const;
+  Result<void> grip(mjData_& data, const Tool& tool, const Setpoint& finger, double force_n) const;
+  Result<void> push_base(mjData_& data, const FloorForce& force) const;
+  // Whether command() moves it: no wheel, finger or follower.
+  bool follows_position(std::size_t dof) const;
+  // How far the fingers' servo has to be off to press with this force, m.
+  double finger_reach_m(const Tool& tool, double force_n) const;
   // Torque drive: efforts beyond gravity, which is carried already.
   Result<void> apply(World& world, std::span<const double> effort) const;
 
@@ -81,19 +92,24 @@ class RobotActor {
   struct Axis {
     int joint_position = 0, joint_velocity = 0;  // addresses in the model's state
     int actuator = -1;                           // none for a follower
-    double stiffness = 0, damping = 0;           // of the servo
-    double lower = 0, upper = 0;
+    double stiffness = 0, damping = 0;           // of the servo; 0: it takes an effort
+    double max_velocity = 0, locking = 0;        // locking: damping of the joint itself
   };
   using SetControl = std::function<Result<void>(int actuator, double value)>;
+  static SetControl controls_of(World& world);
+  static SetControl controls_of(mjData_& data);
   Result<void> check(std::span<const double> values, bool servo, const char* what) const;
   Result<void> command(const SetControl& set,
+                       const mjData_& data,
                        std::span<const double> position,
                        std::span<const double> velocity) const;
   Result<void> grip(const SetControl& set,
                     const mjData_& data,
                     const Tool& tool,
-                    double opening_m,
+                    const Setpoint& finger,
                     double force_n) const;
+  Result<void> push_base(const SetControl& set, const FloorForce& force) const;
+  const Axis* finger_axis(const Tool& tool) const;  // the one that is driven
 
   const Robot* robot_ = nullptr;
   std::vector<Axis> axes_;  // of the robot's degrees of freedom

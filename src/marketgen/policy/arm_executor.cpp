@@ -139,8 +139,8 @@ Result<void> ArmExecutor::let_down(const Surroundings& around, double force_n) {
   return down;
 }
 
-Action ArmExecutor::next() {
-  if (!queue_.empty()) {
+Action ArmExecutor::next(const Observation& now) {
+  if (!queue_.empty() && !now.stopped) {
     const Motion& motion = queue_.front();
     played_s_ += options_.step_s;
     opening_m_ = motion.opening_m;

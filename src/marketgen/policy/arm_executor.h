@@ -61,7 +61,8 @@ class ArmExecutor {
   void hold(double opening_m) { held_m_ = opening_m; }
 
   bool idle() const { return queue_.empty(); }
-  Action next();  // of the next control step; stands still when idle
+  // Of the next control step; stands still when idle. While the robot is stopped its motions wait.
+  Action next(const Observation& now);
 
   Pose tip() const;  // base_from_tip, where the queued motions end
   const Configuration& posture() const { return end_; }

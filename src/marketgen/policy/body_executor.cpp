@@ -14,6 +14,10 @@ constexpr double straight_m_s2 = 0.3;  // of short ways to and from a shelf
 constexpr double straight_jerk_m_s3 = 3;
 constexpr double jerk_time_s = 0.05;
 
+// A drive is over when the base stands where it was to go, or no nearer after a while: across its
+// heading it cannot be moved without going to and fro.
+constexpr double near_m = 0.002, near_rad = 0.002, max_settling_s = 1.0;
+
 double wrapped(double angle) {
   return std::remainder(angle, 2 * M_PI);
 }
@@ -88,18 +92,33 @@ void BodyExecutor::wait(double seconds) {
   queue_.push_back(std::move(motion));
 }
 
-// Towards where the follower is now.
-void BodyExecutor::steer(const BaseFollower& wanted, const Observation& now, Action& action) const {
+// From where the base is to where the follower is now.
+BodyExecutor::BaseError BodyExecutor::error_of(const BaseFollower& wanted,
+                                               const Observation& now) const {
   const BaseState& to = wanted.state();
   const double axle = robot_->drive ? robot_->drive->axle_x : 0;
   const double heading = now.base.heading;
   const double dx = to.position.x - (now.base.x_m + axle * std::cos(heading)),
                dy = to.position.y - (now.base.y_m + axle * std::sin(heading));
-  const double along = dx * std::cos(heading) + dy * std::sin(heading),
-               across = dy * std::cos(heading) - dx * std::sin(heading),
-               turn = wrapped(to.heading - heading);
-  action.drive_m_s = to.speed * std::cos(turn) + along_gain * along;
-  action.turn_rad_s = to.turn_rate + to.speed * across_gain * across + turn_gain * turn;
+  return {dx * std::cos(heading) + dy * std::sin(heading),
+          dy * std::cos(heading) - dx * std::sin(heading),
+          wrapped(to.heading - heading)};
+}
+
+void BodyExecutor::steer(const BaseFollower& wanted, const Observation& now, Action& action) const {
+  const BaseState& to = wanted.state();
+  const BaseError off = error_of(wanted, now);
+  action.drive_m_s = to.speed * std::cos(off.turn) + along_gain * off.along;
+  action.turn_rad_s = to.turn_rate + to.speed * across_gain * off.across + turn_gain * off.turn;
+}
+
+bool BodyExecutor::is_over(Motion& motion, const Observation& now) const {
+  if (!motion.base) return played_s_ >= motion.duration_s;
+  if (!motion.base->done()) return false;
+  const BaseError off = error_of(*motion.base, now);
+  motion.settling_s += body_step_s;
+  return motion.settling_s > max_settling_s ||
+         (std::abs(off.along) < near_m && std::abs(off.turn) < near_rad);
 }
 
 void BodyExecutor::play_step(Motion& motion, const Observation& now, Action& action) {
@@ -124,11 +143,10 @@ Action BodyExecutor::next(const Observation& now) {
     tools_[tool] = command;
     queue_.pop_front();
   }
-  if (!queue_.empty()) {
+  if (!queue_.empty() && !now.stopped) {
     Motion& motion = queue_.front();
     play_step(motion, now, action);
-    const bool over = motion.base ? motion.base->done() : played_s_ >= motion.duration_s;
-    if (over) {
+    if (is_over(motion, now)) {
       queue_.pop_front();
       played_s_ = 0;
     }

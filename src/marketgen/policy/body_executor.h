@@ -41,9 +41,15 @@ class BodyExecutor {
     double duration_s = 0;
     std::optional<std::pair<std::size_t, ToolCommand>> grip = {};
     bool straight = false;
+    double settling_s = 0;  // since the base's way was over
+  };
+  struct BaseError {
+    double along = 0, across = 0, turn = 0;
   };
   void play_step(Motion& motion, const Observation& now, Action& action);
+  BaseError error_of(const BaseFollower& wanted, const Observation& now) const;
   void steer(const BaseFollower& wanted, const Observation& now, Action& action) const;
+  bool is_over(Motion& motion, const Observation& now) const;
   std::size_t column_of(int dof) const;
 
   const Robot* robot_;

@@ -69,7 +69,7 @@ class ClassicalCheckout : public Policy {
     // A motion that could not be planned leads on to the next step at once.
     for (int i = 0; i < 3 && arm_.idle() && !done_; ++i)
       MARKETGEN_CHECK(decide());
-    Action action = arm_.next();
+    Action action = arm_.next(now);
     action.stop = done_;
     return action;
   }

@@ -53,7 +53,7 @@ class CheckoutOracle : public Policy {
     now_ = now;
     arm_.hold(now.openings_m.front());
     if (arm_.idle()) MARKETGEN_CHECK(decide());
-    Action action = arm_.next();
+    Action action = arm_.next(now);
     action.stop = done_;
     return action;
   }

@@ -55,6 +55,13 @@ std::vector<Sphere> spheres_of(const Capsule& capsule, double spare_m) {
   return spheres;
 }
 
+double total_mass(const Robot& robot) {
+  double mass = 0;
+  for (const Link& link : robot.links)
+    mass += link.mass;
+  return mass;
+}
+
 std::vector<double> neutral_state(const Robot& robot) {
   std::vector<double> q(robot.dof_count());
   for (std::size_t i = 0; i < q.size(); ++i) {

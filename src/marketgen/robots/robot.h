@@ -128,17 +128,26 @@ struct Drive {
   double axle_x = 0;                         // of the wheels in the base frame, m
   double speed = 0, turn_rate = 0;           // most, m/s and rad/s
   double acceleration = 0;                   // most, m/s^2
+  double wheel_torque = 0;                   // most, of each wheel's motor, N m
+  double tyre_friction = 0;                  // on the floor
+  double wheel_load = 0;                     // share of the robot's weight on its driven wheels
   double length = 0, width = 0;              // footprint, m
 
-  static constexpr auto fields =
-      field_list(field("wheel_radius", &Drive::wheel_radius, "m", at_least(0)),
-                 field("wheel_track", &Drive::wheel_track, "between the wheels, m", at_least(0)),
-                 field("axle_x", &Drive::axle_x, "of the wheels in the base frame, m"),
-                 field("speed", &Drive::speed, "most, m/s", at_least(0)),
-                 field("turn_rate", &Drive::turn_rate, "most, rad/s", at_least(0)),
-                 field("acceleration", &Drive::acceleration, "most, m/s^2", at_least(0)),
-                 field("length", &Drive::length, "footprint, m", at_least(0)),
-                 field("width", &Drive::width, "footprint, m", at_least(0)));
+  static constexpr auto fields = field_list(
+      field("wheel_radius", &Drive::wheel_radius, "m", at_least(0)),
+      field("wheel_track", &Drive::wheel_track, "between the wheels, m", at_least(0)),
+      field("axle_x", &Drive::axle_x, "of the wheels in the base frame, m"),
+      field("speed", &Drive::speed, "most, m/s", at_least(0)),
+      field("turn_rate", &Drive::turn_rate, "most, rad/s", at_least(0)),
+      field("acceleration", &Drive::acceleration, "most, m/s^2", at_least(0)),
+      field("wheel_torque", &Drive::wheel_torque, "most, of each wheel, N m", at_least(0)),
+      field("tyre_friction", &Drive::tyre_friction, "on the floor", at_least(0)),
+      field("wheel_load",
+            &Drive::wheel_load,
+            "share of the robot's weight on its driven wheels",
+            range(0, 1)),
+      field("length", &Drive::length, "footprint, m", at_least(0)),
+      field("width", &Drive::width, "footprint, m", at_least(0)));
 };
 
 enum class ToolKind { gripper, suction };
@@ -158,6 +167,14 @@ struct Tool {
   std::string row = {};   // its id in data/robots
 };
 
+// A part, an arm mostly, that stops the whole robot when something outside it presses on it harder
+// than this: `link` and all links that it carries.
+struct ContactLimit {
+  int link = 0;
+  double force = 0;  // N, of all that presses, added as vectors
+  double pause = 0;  // s, that the robot then stands still
+};
+
 struct Robot {
   std::string name;
   std::vector<Link> links;    // parents first; links[0] is the root
@@ -168,6 +185,7 @@ struct Robot {
   std::vector<Posture> postures;
   std::vector<Tool> tools;
   std::optional<Drive> drive;
+  std::vector<ContactLimit> contact_limits;
 
   std::size_t dof_count() const { return dofs.size(); }
   const Joint& joint_of_dof(std::size_t dof) const {
@@ -204,6 +222,8 @@ Result<Robot> make_robot(RobotParts parts, const std::string& source);
 
 // Spheres that together hold `capsule` and reach at most `spare_m` out of it.
 std::vector<Sphere> spheres_of(const Capsule& capsule, double spare_m = 0.005);
+
+double total_mass(const Robot& robot);  // kg
 
 // ---- State ----
 

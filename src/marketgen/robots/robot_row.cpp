@@ -116,6 +116,8 @@ class Assembly {
     for (const PostureRow& posture : row.postures)
       postures_.push_back(with_prefix(posture, prefix));
     if (row.drive) drive_ = row.drive;
+    if (row.protective_stop && !row.links.empty())
+      stops_.emplace_back(prefix + row.links.front().name, *row.protective_stop);
     if (row.tool)
       tools_made_.push_back({prefix,
                              row.tool->kind,
@@ -166,6 +168,8 @@ class Assembly {
       robot.postures.push_back(std::move(made));
     }
     robot.drive = drive_;
+    for (const auto& [link, stop] : stops_)
+      robot.contact_limits.push_back({robot.find_link(link), stop.contact_force, stop.pause});
     return robot;
   }
 
@@ -270,6 +274,7 @@ class Assembly {
   std::vector<std::string> slots_;
   std::vector<Tool> tools_made_;
   std::optional<Drive> drive_;
+  std::vector<std::pair<std::string, ProtectiveStopRow>> stops_;  // of a row's first link
 };
 
 Result<void> check_sources(const RobotRow& row, const std::string& part, const std::string& keys) {
@@ -324,6 +329,8 @@ Result<RobotRow> read_robot_row(const fs::path& data, const std::string& id) {
   for (const PostureRow& posture : row.postures)
     MARKETGEN_CHECK(check_sources(row, posture.name, posture.source));
   MARKETGEN_CHECK(check_sources(row, "drive", row.drive_source));
+  if (row.protective_stop)
+    MARKETGEN_CHECK(check_sources(row, "protective_stop", row.protective_stop->source));
   if (row.tool) MARKETGEN_CHECK(check_sources(row, "tool", row.tool->source));
   return row;
 }

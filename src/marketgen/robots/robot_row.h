@@ -198,6 +198,21 @@ struct ToolRow {
                  field("source", &ToolRow::source, "keys of the sources, by blanks"));
 };
 
+// Where a robot gives way: it stands still for `pause` when something presses on this row's links,
+// and on what they carry, harder than `contact_force`.
+struct ProtectiveStopRow {
+  double contact_force = 0, pause = 0;
+  std::string source;
+
+  static constexpr auto fields =
+      field_list(field("contact_force",
+                       &ProtectiveStopRow::contact_force,
+                       "N, of all that presses from outside, added as vectors",
+                       at_least(1)),
+                 field("pause", &ProtectiveStopRow::pause, "s, until it goes on", at_least(0)),
+                 field("source", &ProtectiveStopRow::source, "keys of the sources, by blanks"));
+};
+
 struct RobotRow {
   std::string schema = "market-robot/1";
   std::string id, name;
@@ -211,6 +226,7 @@ struct RobotRow {
   std::optional<Drive> drive;
   std::string drive_source;
   std::optional<ToolRow> tool;
+  std::optional<ProtectiveStopRow> protective_stop;
 
   static constexpr auto fields = field_list(
       field("schema", &RobotRow::schema, "schema tag", constant("market-robot/1")),
@@ -225,7 +241,8 @@ struct RobotRow {
       field("parts", &RobotRow::parts, "other rows that it carries"),
       field("drive", &RobotRow::drive, "differential drive"),
       field("drive_source", &RobotRow::drive_source, "keys of the drive's sources, by blanks"),
-      field("tool", &RobotRow::tool, "what it can do as a tool; it needs a frame \"tcp\""));
+      field("tool", &RobotRow::tool, "what it can do as a tool; it needs a frame \"tcp\""),
+      field("protective_stop", &RobotRow::protective_stop, "when it stops at a contact"));
 };
 
 // slot -> row id: {"left_tool", "suction-cup"}.

@@ -98,6 +98,21 @@ TEST(AisleWorld, DrivingIntoAShelfIsACollision) {
   EXPECT_GE(result->side_effects.hard_contacts, 1);
 }
 
+// Its wheels go on when it stands in front of a shelf that it rams with a corner, and then it is
+// not where it thinks.
+TEST(AisleWorld, RammingAShelfTurnsTheReckoning) {
+  EpisodeSpec spec = cans();
+  spec.start = {3.0, 2.2, 75};
+  const auto world = can_world(spec);
+  const double from_m = length(world->world_from_base().position -
+                               Vec3{world->observe().base.x_m, world->observe().base.y_m, 0});
+  EXPECT_LT(from_m, 1e-9);
+  drive(*world, 0.5, 0, 80);
+  const BasePlace reckoned = world->observe().base;
+  const Vec3 off = world->world_from_base().position - Vec3{reckoned.x_m, reckoned.y_m, 0};
+  EXPECT_GT(length(off), 0.2);
+}
+
 TEST(AisleWorld, UnknownGoalsAndRobotsAreErrors) {
   const auto store = can_aisle();
   AisleWorld world(store, committed_catalog().frictions);

@@ -220,5 +220,37 @@ TEST(CheckoutWorld, UnknownGoodsAndOtherRobotsAreErrors) {
   EXPECT_EQ(world.reset(spec, stock()).error().code, "robot.unknown");
 }
 
+// The arm leans on the counter until it is stopped, and goes on when it is told away from it.
+TEST(CheckoutWorld, AnArmThatPressesTooHardIsStoppedAndGoesOnAfterThePause) {
+  CheckoutWorld world = world_of(drawn(5));
+  constexpr std::size_t shoulder = 1;
+  Action lean = waiting(world);
+  const std::vector<double> upright = lean.position;
+  lean.position[0] -= 1;  // beside the basket
+  for (int i = 0; i < 400 && !world.observe().stopped; ++i) {
+    if (i > 40) lean.position[shoulder] += 0.02;
+    ASSERT_TRUE(world.step(lean).ok());
+  }
+  ASSERT_TRUE(world.observe().stopped);
+  EXPECT_EQ(world.controller().stops(), 1);
+  EXPECT_GT(world.controller().max_force_n(), world.robot().contact_limits.at(0).force);
+  const std::vector<double> at_stop = world.observe().position;
+  Action away = lean;
+  away.position[shoulder] = upright[shoulder];
+  for (int i = 0; i < 8; ++i)  // 0.4 of the 0.5 s
+    ASSERT_TRUE(world.step(away).ok());
+  const std::vector<double> still = world.observe().position;
+  for (std::size_t j = 0; j < still.size(); ++j)
+    EXPECT_NEAR(still[j], at_stop[j], 0.05) << j;
+  for (int i = 0; i < 60; ++i)
+    ASSERT_TRUE(world.step(away).ok());
+  EXPECT_FALSE(world.observe().stopped);
+  EXPECT_NEAR(world.observe().position[shoulder], upright[shoulder], 0.02);
+  const auto result = world.finish();
+  ASSERT_TRUE(result.ok());
+  EXPECT_EQ(result->side_effects.protective_stops, 1);
+  EXPECT_FALSE(is_clean(result->side_effects));
+}
+
 }  // namespace
 }  // namespace marketgen

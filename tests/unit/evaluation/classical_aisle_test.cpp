@@ -6,12 +6,12 @@
 
 #include "catalog/catalog.h"
 #include "collect/collect_plan.h"
-#include "drawn_checkout.h"
 #include "evaluation/aisle_senses.h"
 #include "evaluation/arena.h"
 #include "evaluation/checkout_senses.h"
 #include "policy/classical_aisle.h"
 #include "support/can_aisle.h"
+#include "support/drawn_checkout.h"
 
 namespace marketgen {
 namespace {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <set>
 
-#include "drawn_checkout.h"
 #include "evaluation/run_episode.h"
 #include "scene/scene.h"
+#include "support/drawn_checkout.h"
 
 namespace marketgen {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "drawn_checkout.h"
 #include "io/file.h"
 #include "io/json.h"
+#include "support/drawn_checkout.h"
 #include "support/run_program.h"
 
 namespace marketgen {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "drawn_checkout.h"
 #include "io/json.h"
+#include "support/drawn_checkout.h"
 
 namespace marketgen {
 namespace {

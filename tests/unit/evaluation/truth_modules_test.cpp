@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <set>
 
-#include "drawn_checkout.h"
 #include "evaluation/aisle_senses.h"
 #include "evaluation/aisle_truth.h"
 #include "evaluation/checkout_truth.h"
@@ -13,6 +12,7 @@
 #include "evaluation/run_episode.h"
 #include "policy/oracle_scene.h"
 #include "support/can_aisle.h"
+#include "support/drawn_checkout.h"
 
 namespace marketgen {
 namespace {

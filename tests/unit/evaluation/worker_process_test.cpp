@@ -7,9 +7,9 @@
 #include <csignal>
 #include <thread>
 
-#include "drawn_checkout.h"
 #include "evaluation/evaluate.h"
 #include "io/file.h"
+#include "support/drawn_checkout.h"
 #include "support/run_program.h"
 
 namespace marketgen {

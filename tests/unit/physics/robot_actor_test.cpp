@@ -1,6 +1,6 @@
 // Robots in a World: the drives carry what independent dynamics say, trajectories are followed, a
 // gripper presses with the force it is told and holds by it, an impedance yields like its spring.
-#include "physics/robot_actor.h"
+#include "physics/robot_controller.h"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,14 @@ struct Stage {
   RobotActorOptions options;
   std::unique_ptr<World> world;
   RobotActor actor;
+  RobotController controller;
+  RobotReference reference;  // at first: to stay
 
+  void follow_reference() {
+    ASSERT_TRUE(controller.command(*world, reference).ok());
+    run(*world, 1);
+    controller.feel(world->model(), world->data());
+  }
   std::vector<double> q() const { return actor.position(*world); }
   void hold(const std::vector<double>& q, int steps) {
     ASSERT_TRUE(actor.command(*world, q, std::vector<double>(q.size())).ok());
@@ -44,7 +51,14 @@ std::unique_ptr<Stage> stage_of(const std::string& id,
     return add_robot(spec, s->robot, s->options);
   };
   stage->world = std::make_unique<World>(made(stage->scene, std::move(world)));
-  stage->actor = RobotActor::find(*stage->world, stage->robot, stage->options.prefix).value();
+  const World& made_world = *stage->world;
+  stage->controller =
+      RobotController::start(
+          made_world.model(), made_world.data(), stage->robot, stage->options.prefix)
+          .value();
+  stage->actor = stage->controller.actor();
+  stage->reference.joints = stage->controller.setpoints();
+  stage->reference.grips.resize(stage->robot.tools.size());
   return stage;
 }
 
@@ -103,14 +117,15 @@ TEST(RobotActor, TheDualArmDrivesLiftsAndMovesBothArms) {
   const std::vector<double> from = options.state;
   for (int i = 0; i <= 2 * second; ++i) {  // a half cosine
     const double turn = 3.14159265358979 * i / (2 * second), share = (1 - std::cos(turn)) / 2;
-    const double rate = 3.14159265358979 / 4 * std::sin(turn) / 2 * 2 / 2;
-    std::vector<double> q(goal.size()), v(goal.size());
-    for (std::size_t j = 0; j < q.size(); ++j)
-      q[j] = from[j] + (goal[j] - from[j]) * share, v[j] = (goal[j] - from[j]) * rate;
-    ASSERT_TRUE(stage->actor.command(*stage->world, q, v).ok());
-    run(*stage->world, 1);
+    const double rate = 3.14159265358979 / 4 * std::sin(turn);
+    for (std::size_t j = 0; j < goal.size(); ++j)
+      stage->reference.joints[j] = {from[j] + (goal[j] - from[j]) * share,
+                                    (goal[j] - from[j]) * rate};
+    stage->reference.drive_m_s = 0.1 * rate;
+    stage->follow_reference();
   }
-  run(*stage->world, second);
+  for (int i = 0; i < second; ++i)
+    stage->follow_reference();
   for (std::size_t j = 0; j < goal.size(); ++j) {
     if (realman.joint_of_dof(j).follows < 0) {
       EXPECT_NEAR(stage->q()[j], goal[j], 2e-3) << realman.joint_of_dof(j).name;
@@ -132,28 +147,23 @@ std::unique_ptr<Stage> hand_round_a_can() {
 double slid_under(double grip_n, double pull_n) {
   const auto stage = hand_round_a_can();
   World& world = *stage->world;
-  const Tool& hand = stage->robot.tools.at(0);
-  for (int i = 0; i < second; ++i) {
-    EXPECT_TRUE(stage->actor.grip(world, hand, 0, grip_n).ok());
-    run(world, 1);
-  }
+  stage->reference.grips[0] = {0, grip_n};
+  for (int i = 0; i < second; ++i)
+    stage->follow_reference();
   const Pose before = world.product_pose(0);
   for (int i = 0; i < second; ++i) {
-    EXPECT_TRUE(stage->actor.grip(world, hand, 0, grip_n).ok());
     EXPECT_TRUE(world.push(0, {{0, 0, pull_n}, {}}).ok());
-    run(world, 1);
+    stage->follow_reference();
   }
   return distance(before, world.product_pose(0));
 }
 
 TEST(RobotActor, AGripperPressesWithTheForceItIsToldToHaveAndHoldsByIt) {
   const auto stage = hand_round_a_can();
-  const Tool& hand = stage->robot.tools.at(0);
   for (const double force : {70.0, 20.0}) {
-    for (int i = 0; i < second; ++i) {
-      ASSERT_TRUE(stage->actor.grip(*stage->world, hand, 0, force).ok());
-      run(*stage->world, 1);
-    }
+    stage->reference.grips[0] = {0, force};
+    for (int i = 0; i < second; ++i)
+      stage->follow_reference();
     double pressed = 0;
     for (const WorldContact& c : stage->world->contacts()) {
       if (c.a.kind == BodyKind::product && c.b.kind == BodyKind::actor) pressed += c.normal_n;
@@ -210,8 +220,15 @@ TEST(RobotActor, BadCommandsAreErrorsThatSayWhy) {
   EXPECT_EQ(code(stage->actor.command(world, q, v)), "physics.bad_command");
   EXPECT_EQ(code(stage->actor.apply(world, v)), "physics.bad_command");
   const Tool& hand = stage->robot.tools.at(0);
-  EXPECT_EQ(code(stage->actor.grip(world, hand, 0, 1000)), "physics.bad_command");
-  EXPECT_EQ(code(stage->actor.grip(world, hand, -1, 10)), "physics.bad_command");
+  EXPECT_EQ(code(stage->actor.grip(world, hand, {0.01, 0}, 1000)), "physics.bad_command");
+  EXPECT_EQ(code(stage->actor.grip(world, hand, {0.01, 0}, -1)), "physics.bad_command");
+  EXPECT_EQ(code(stage->actor.push_base(world, {})), "physics.bad_command");
+  RobotReference reference = stage->reference;
+  reference.grips[0].opening_m = -1;
+  EXPECT_EQ(code(stage->controller.command(world, reference)), "physics.bad_command");
+  reference = stage->reference;
+  reference.joints.pop_back();
+  EXPECT_EQ(code(stage->controller.command(world, reference)), "physics.bad_command");
   EXPECT_EQ(world.state_hash(), before);
   EXPECT_EQ(RobotActor::find(world, panda, "other/").error().code, "physics.bad_command");
   Scene scene = row_of_cans(1).scene;

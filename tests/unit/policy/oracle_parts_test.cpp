@@ -165,7 +165,7 @@ TEST_F(OracleParts, TheExecutorStopsOverAPlaceAndGoesStraightDown) {
   EXPECT_LT(length(executor.tip().position - request.base_from_tip.position), 1e-3);
   int steps = 0;
   while (!executor.idle()) {
-    executor.next();
+    executor.next(world_.observe());
     ASSERT_LT(++steps, 400) << "20 s for two short motions";
   }
 }

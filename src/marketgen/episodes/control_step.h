@@ -1,0 +1,33 @@
+// One control step of a robot, as what its controller is told before each step of physics: the same
+// for every track.
+#pragma once
+#include <vector>
+
+#include "agent/policy.h"
+#include "physics/robot_controller.h"
+
+namespace marketgen {
+
+// Joints go along cubic curves that take over the speed at which they go: a servo that is told to
+// jump to another shakes what a cup holds out of it. Wheels change their speed evenly.
+class ControlStep {
+ public:
+  // `commanded`: degrees of freedom of action.position. Targets beyond a joint's end mean its end.
+  ControlStep(const RobotController& controller,
+              const Robot& robot,
+              const std::vector<int>& commanded,
+              const Action& action);
+
+  static int count();  // steps of physics in it
+  // What is told before step 0, 1 .. count() - 1.
+  RobotReference at(int step) const;
+
+ private:
+  const std::vector<int>& commanded_;
+  std::vector<Setpoint> from_;  // of all degrees of freedom
+  std::vector<double> speeds_;  // of the commanded ones, at the end
+  double drive_from_ = 0, turn_from_ = 0;
+  RobotReference end_;
+};
+
+}  // namespace marketgen
