@@ -83,6 +83,13 @@ def test_paths_in_pages_exist(page):
     assert not dead, f"{name_of(page)} names what is not there: {dead}"
 
 
+def test_pictures_are_small():
+    pictures = [p for p in (ROOT / "docs").rglob("*") if p.suffix in {".png", ".jpg", ".webp"}]
+    assert len(pictures) > 30
+    large = {name_of(picture): picture.stat().st_size for picture in pictures if picture.stat().st_size > 300_000}
+    assert not large, "write them with tools/web_picture"
+
+
 def test_pages_that_sources_name_exist():
     dead = []
     for source in SOURCES:
