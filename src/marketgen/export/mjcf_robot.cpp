@@ -97,7 +97,9 @@ Result<MjcfRobot> mjcf_robot(const PlacedRobot& placed, const std::string& name)
   made.files.push_back({name + ".xml", std::move(text)});
   for (const Joint& joint : placed.robot.joints) {  // in the order of add_robot()'s drives
     if (joint.dof >= 0 && joint.follows < 0)
-      made.start.push_back(placed.q[static_cast<std::size_t>(joint.dof)]);
+      made.start.push_back(is_on_wheels(placed.robot, joint.dof)
+                               ? 0
+                               : placed.q[static_cast<std::size_t>(joint.dof)]);
   }
   return made;
 }

@@ -46,12 +46,6 @@ const Tool* gripper_of(const Robot& robot, int dof) {
   return nullptr;
 }
 
-// Degrees of freedom over the floor of a base that its wheels push.
-bool is_on_wheels(const Robot& robot, int dof) {
-  const JointGroup* base = robot.drive ? robot.find_group("base") : nullptr;
-  return base != nullptr && std::ranges::count(base->dofs, dof) > 0;
-}
-
 struct Servo {
   double stiffness = 0, damping = 0, max_effort = 0;  // 0 for no limit
 };

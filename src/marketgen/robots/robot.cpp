@@ -55,6 +55,11 @@ std::vector<Sphere> spheres_of(const Capsule& capsule, double spare_m) {
   return spheres;
 }
 
+bool is_on_wheels(const Robot& robot, int dof) {
+  const JointGroup* base = robot.drive ? robot.find_group("base") : nullptr;
+  return base != nullptr && std::ranges::count(base->dofs, dof) > 0;
+}
+
 double total_mass(const Robot& robot) {
   double mass = 0;
   for (const Link& link : robot.links)

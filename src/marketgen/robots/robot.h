@@ -224,6 +224,8 @@ Result<Robot> make_robot(RobotParts parts, const std::string& source);
 std::vector<Sphere> spheres_of(const Capsule& capsule, double spare_m = 0.005);
 
 double total_mass(const Robot& robot);  // kg
+// A degree of freedom over the floor of a base that its wheels push; no servo moves it.
+bool is_on_wheels(const Robot& robot, int dof);
 
 // ---- State ----
 
