@@ -54,7 +54,7 @@ def test_what_it_sees_and_knows_beforehand(store, aisle_episode):
     assert info["categories"] == aisle_episode["categories"]
     assert info["map"] == store.layout
     _, _, _, _, later = env.step(still(env, seen))
-    assert set(later) == {"instruction", "time_s"}
+    assert set(later) == {"instruction", "time_s", "robot_stopped"}
 
 
 @pytest.mark.parametrize("control", CONTROL)

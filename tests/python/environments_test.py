@@ -112,7 +112,7 @@ def test_time_runs_out(store):
         _, _, terminated, truncated, info = env.step(still(env))
         if truncated:
             break
-        assert set(info) == {"instruction", "time_s"}
+        assert set(info) == {"instruction", "time_s", "robot_stopped"}
     assert step == 20 and not terminated and info["failure_reason"] == "Timeout"
 
 
