@@ -41,6 +41,8 @@ Result<void> add_robot(mjSpec_& spec, const Robot& robot, const RobotActorOption
 std::map<std::string, std::string> robot_materials(const Robot& robot,
                                                    const RobotActorOptions& options);
 
+double finger_speed(const Joint& joint);  // of its row, or a usual one; m/s
+
 // Refers to the robot, which must outlive it; holds no state of the World's.
 class RobotActor {
  public:
@@ -82,7 +84,7 @@ class RobotActor {
   Result<void> grip(mjData_& data, const Tool& tool, const Setpoint& finger, double force_n) const;
   Result<void> push_base(mjData_& data, const FloorForce& force) const;
   // Whether command() moves it: no wheel, finger or follower.
-  bool follows_position(std::size_t dof) const;
+  bool follows_position(std::size_t dof) const { return axes_[dof].follows_position; }
   // How far the fingers' servo has to be off to press with this force, m.
   double finger_reach_m(const Tool& tool, double force_n) const;
   // Torque drive: efforts beyond gravity, which is carried already.
@@ -93,6 +95,7 @@ class RobotActor {
     int joint_position = 0, joint_velocity = 0;  // addresses in the model's state
     int actuator = -1;                           // none for a follower
     double stiffness = 0, damping = 0;           // of the servo; 0: it takes an effort
+    bool follows_position = false;               // its control is a place
     double max_velocity = 0, locking = 0;        // locking: damping of the joint itself
   };
   using SetControl = std::function<Result<void>(int actuator, double value)>;

@@ -18,31 +18,6 @@ Error bad_reference(const std::string& robot, const std::string& message) {
   return {"physics.bad_command", robot, message};
 }
 
-// Links that a link carries, and itself.
-std::vector<bool> carried_by(const Robot& robot, int link) {
-  std::vector<bool> carried(robot.links.size());
-  carried[static_cast<std::size_t>(link)] = true;
-  for (const Joint& joint : robot.joints)  // parents come first
-    if (carried[static_cast<std::size_t>(joint.parent)])
-      carried[static_cast<std::size_t>(joint.link)] = true;
-  return carried;
-}
-
-const JointGroup* fingers_of(const Robot& robot, const Tool& tool) {
-  return tool.kind == ToolKind::gripper ? robot.find_group(tool.prefix + "fingers") : nullptr;
-}
-
-// The finger that is driven.
-const Joint* driven_finger(const Robot& robot, const Tool& tool) {
-  const JointGroup* fingers = fingers_of(robot, tool);
-  if (fingers == nullptr) return nullptr;
-  for (const int dof : fingers->dofs) {
-    const Joint& joint = robot.joint_of_dof(static_cast<std::size_t>(dof));
-    if (joint.follows < 0) return &joint;
-  }
-  return nullptr;
-}
-
 FloorMotion floor_motion(const JointGroup& base,
                          const std::vector<double>& q,
                          const std::vector<double>& v) {
@@ -81,10 +56,8 @@ Result<RobotController> RobotController::start(const mjModel& model,
 void RobotController::find_parts(const mjModel& model, const std::string& prefix) {
   std::vector<int> of_body(static_cast<std::size_t>(model.nbody), -1);
   for (std::size_t limit = 0; limit < robot_->contact_limits.size(); ++limit) {
-    const std::vector<bool> carried = carried_by(*robot_, robot_->contact_limits[limit].link);
-    for (std::size_t link = 0; link < carried.size(); ++link) {
-      if (!carried[link]) continue;
-      const std::string name = prefix + robot_->links[link].name;
+    for (const int link : links_from(*robot_, robot_->contact_limits[limit].link)) {
+      const std::string name = prefix + robot_->links[static_cast<std::size_t>(link)].name;
       const int body = mj_name2id(&model, mjOBJ_BODY, name.c_str());
       if (body > 0) of_body[static_cast<std::size_t>(body)] = static_cast<int>(limit);
     }

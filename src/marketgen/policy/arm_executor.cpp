@@ -11,12 +11,8 @@ constexpr std::array let_down_m{0.10, 0.06, 0.03};
 
 // What the last joint of the group moves.
 std::vector<int> hand_of(const Robot& robot, const JointGroup& group) {
-  std::vector<int> hand;
-  if (group.dofs.empty()) return hand;
-  hand.push_back(robot.joint_of_dof(static_cast<std::size_t>(group.dofs.back())).link);
-  for (const Joint& joint : robot.joints)  // parents come first
-    if (std::ranges::find(hand, joint.parent) != hand.end()) hand.push_back(joint.link);
-  return hand;
+  if (group.dofs.empty()) return {};
+  return links_from(robot, robot.joint_of_dof(static_cast<std::size_t>(group.dofs.back())).link);
 }
 
 }  // namespace

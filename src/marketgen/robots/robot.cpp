@@ -60,6 +60,33 @@ bool is_on_wheels(const Robot& robot, int dof) {
   return base != nullptr && std::ranges::count(base->dofs, dof) > 0;
 }
 
+const Tool* gripper_of(const Robot& robot, int dof) {
+  for (const Tool& tool : robot.tools) {
+    const JointGroup* fingers = robot.find_group(tool.prefix + "fingers");
+    if (tool.kind == ToolKind::gripper && fingers != nullptr &&
+        std::ranges::count(fingers->dofs, dof) > 0)
+      return &tool;
+  }
+  return nullptr;
+}
+
+const Joint* driven_finger(const Robot& robot, const Tool& tool) {
+  const JointGroup* fingers = robot.find_group(tool.prefix + "fingers");
+  if (tool.kind != ToolKind::gripper || fingers == nullptr) return nullptr;
+  for (const int dof : fingers->dofs) {
+    const Joint& joint = robot.joint_of_dof(static_cast<std::size_t>(dof));
+    if (joint.follows < 0) return &joint;
+  }
+  return nullptr;
+}
+
+std::vector<int> links_from(const Robot& robot, int link) {
+  std::vector<int> links{link};
+  for (const Joint& joint : robot.joints)  // parents come first
+    if (std::ranges::find(links, joint.parent) != links.end()) links.push_back(joint.link);
+  return links;
+}
+
 double total_mass(const Robot& robot) {
   double mass = 0;
   for (const Link& link : robot.links)

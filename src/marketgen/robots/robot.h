@@ -226,6 +226,12 @@ std::vector<Sphere> spheres_of(const Capsule& capsule, double spare_m = 0.005);
 double total_mass(const Robot& robot);  // kg
 // A degree of freedom over the floor of a base that its wheels push; no servo moves it.
 bool is_on_wheels(const Robot& robot, int dof);
+// The gripper whose fingers a degree of freedom moves; null for any other.
+const Tool* gripper_of(const Robot& robot, int dof);
+// Of a gripper the finger that the others follow; null for a cup.
+const Joint* driven_finger(const Robot& robot, const Tool& tool);
+// A link and all that it carries, parents first.
+std::vector<int> links_from(const Robot& robot, int link);
 
 // ---- State ----
 

@@ -4,16 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <limits>
 
-#include "episodes/sample_checkout.h"
-#include "support/committed_catalog.h"
+#include "support/drawn_checkout.h"
 
 namespace marketgen {
 namespace {
-
-const std::filesystem::path data = std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data";
 
 template <class T>
 T value_of(Result<T> result) {
@@ -21,19 +17,9 @@ T value_of(Result<T> result) {
   return std::move(result).value();
 }
 
-const std::vector<Product>& stock() {
-  static const std::vector<Product> chosen = [] {
-    std::vector<Product> goods;
-    for (const Product& product : committed_catalog().products)
-      if (is_checkout_item(product)) goods.push_back(product);
-    return goods;
-  }();
-  return chosen;
-}
-
 EpisodeSpec drawn(std::uint64_t seed, int index = 0) {
-  return value_of(sample_checkout(data,
-                                  stock(),
+  return value_of(sample_checkout(data_rows(),
+                                  checkout_goods_rows(),
                                   committed_catalog().frictions,
                                   {"corner", "scene", "plan"},
                                   Seed(seed),
@@ -41,8 +27,8 @@ EpisodeSpec drawn(std::uint64_t seed, int index = 0) {
 }
 
 CheckoutWorld world_of(const EpisodeSpec& spec) {
-  CheckoutWorld world = value_of(CheckoutWorld::create(data, committed_catalog().frictions));
-  const auto reset = world.reset(spec, stock());
+  CheckoutWorld world = value_of(CheckoutWorld::create(data_rows(), committed_catalog().frictions));
+  const auto reset = world.reset(spec, checkout_goods_rows());
   if (!reset.ok()) fatal(to_string(reset.error()).c_str());
   return world;
 }
@@ -100,9 +86,9 @@ TEST(SampleCheckout, TheSameSeedGivesTheSameBytes) {
 }
 
 TEST(SampleCheckout, TooFewKindsOfGoodsIsAnError) {
-  const std::vector<Product> few(stock().begin(), stock().begin() + 1);
+  const std::vector<Product> few(checkout_goods_rows().begin(), checkout_goods_rows().begin() + 1);
   const auto made = sample_checkout(
-      data, few, committed_catalog().frictions, {"kiosk", "scene", "plan"}, Seed(1), 0);
+      data_rows(), few, committed_catalog().frictions, {"kiosk", "scene", "plan"}, Seed(1), 0);
   ASSERT_FALSE(made.ok());
   EXPECT_EQ(made.error().code, "episode.impossible");
 }
@@ -115,7 +101,7 @@ TEST(CheckoutWorld, TheSameActionsGiveTheSameState) {
   perform(one, actions);
   perform(again, actions);
   EXPECT_EQ(one.state_hash(), again.state_hash());
-  ASSERT_TRUE(again.reset(spec, stock()).ok());  // a world may be used again
+  ASSERT_TRUE(again.reset(spec, checkout_goods_rows()).ok());  // a world may be used again
   perform(again, actions);
   EXPECT_EQ(one.state_hash(), again.state_hash());
 }
@@ -211,13 +197,13 @@ TEST(CheckoutWorld, RefusesBadActions) {
 }
 
 TEST(CheckoutWorld, UnknownGoodsAndOtherRobotsAreErrors) {
-  CheckoutWorld world = value_of(CheckoutWorld::create(data, committed_catalog().frictions));
+  CheckoutWorld world = value_of(CheckoutWorld::create(data_rows(), committed_catalog().frictions));
   EpisodeSpec spec = drawn(7);
   const auto reset = world.reset(spec, {});
   ASSERT_FALSE(reset.ok());
   EXPECT_EQ(reset.error().code, "catalog.unknown_sku");
   spec.robot = "realman-rm75";
-  EXPECT_EQ(world.reset(spec, stock()).error().code, "robot.unknown");
+  EXPECT_EQ(world.reset(spec, checkout_goods_rows()).error().code, "robot.unknown");
 }
 
 // The arm leans on the counter until it is stopped, and goes on when it is told away from it.

@@ -5,13 +5,11 @@
 #include "episodes/checkout_goals.h"
 
 #include <algorithm>
-#include <filesystem>
 
-#include "episodes/sample_checkout.h"
 #include "policy/oracle_grasps.h"
 #include "policy/oracle_places.h"
 #include "policy/oracle_witness.h"
-#include "support/committed_catalog.h"
+#include "support/drawn_checkout.h"
 
 namespace marketgen {
 namespace {
@@ -26,27 +24,14 @@ T taken(Result<T> result) {
 class OracleParts : public testing::Test {
  protected:
   OracleParts()
-      : world_(taken(CheckoutWorld::create(data(), committed_catalog().frictions))),
-        tool_(taken(load_grasp_tool(data(), world_.station().tools.front().row))) {
-    const auto reset = world_.reset(spec(), stock());
+      : world_(taken(CheckoutWorld::create(data_rows(), committed_catalog().frictions))),
+        tool_(taken(load_grasp_tool(data_rows(), world_.station().tools.front().row))) {
+    const auto reset = world_.reset(spec(), checkout_goods_rows());
     if (!reset.ok()) fatal(to_string(reset.error()).c_str());
   }
 
-  static std::filesystem::path data() {
-    return std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data";
-  }
-  static const std::vector<Product>& stock() {
-    static const std::vector<Product> chosen = [] {
-      std::vector<Product> goods;
-      for (const Product& product : committed_catalog().products)
-        if (is_checkout_item(product)) goods.push_back(product);
-      return goods;
-    }();
-    return chosen;
-  }
   static const EpisodeSpec& spec() {
-    static const EpisodeSpec made = taken(sample_checkout(
-        data(), stock(), committed_catalog().frictions, {"corner", "s", "p"}, Seed(3), 0));
+    static const EpisodeSpec made = drawn(3, 0);
     return made;
   }
   ArmExecutor arm() const {
@@ -125,13 +110,18 @@ TEST_F(OracleParts, PlacesAreInTheAreaOverTheCounterAndInReach) {
 // ---- The witness of a basket ----
 
 TEST_F(OracleParts, AWitnessTakesEveryTargetOnceAndIsTheSameAgain) {
-  const CheckoutCertifier certify = checkout_certifier(data());
-  const EpisodeSpec drawn = taken(sample_checkout(
-      data(), stock(), committed_catalog().frictions, {"corner", "s", "p"}, Seed(5), 0, certify));
+  const CheckoutCertifier certify = checkout_certifier(data_rows());
+  const EpisodeSpec drawn = taken(sample_checkout(data_rows(),
+                                                  checkout_goods_rows(),
+                                                  committed_catalog().frictions,
+                                                  {"corner", "s", "p"},
+                                                  Seed(5),
+                                                  0,
+                                                  certify));
   EXPECT_EQ(std::ranges::count(drawn.certificate.proved, "reach"), 1);
   for (const EpisodeGoal& goal : drawn.goals)
     EXPECT_EQ(std::ranges::count(drawn.certificate.witness, goal.sku, &WitnessPick::sku), 1);
-  ASSERT_TRUE(world_.reset(drawn, stock()).ok());
+  ASSERT_TRUE(world_.reset(drawn, checkout_goods_rows()).ok());
   const auto once = taken(certify(world_, Seed(1))), again = taken(certify(world_, Seed(1)));
   ASSERT_TRUE(once && again);
   EXPECT_TRUE(std::ranges::equal(*once, *again, {}, &WitnessPick::product, &WitnessPick::product));
@@ -148,7 +138,7 @@ TEST_F(OracleParts, ABasketWithAPackThatNoHandSpansHasNoWitness) {
   basket.items = {{wide->sku, {0, 0, 0.01}, {1, 0, 0, 0}}};
   basket.goals = {{wide->sku, 1}};
   ASSERT_TRUE(world_.reset(basket, {*wide}).ok());
-  EXPECT_FALSE(taken(checkout_certifier(data())(world_, Seed(1))).has_value());
+  EXPECT_FALSE(taken(checkout_certifier(data_rows())(world_, Seed(1))).has_value());
 }
 
 TEST_F(OracleParts, TheExecutorStopsOverAPlaceAndGoesStraightDown) {
