@@ -1,6 +1,6 @@
 #include "bench/bench.h"
 #include "bench/sample_store.h"
-#include "physics/settle.h"
+#include "physics/settle/settle.h"
 #include "scene/scene_file.h"
 
 namespace marketgen::bench {

@@ -8,7 +8,7 @@
 #include "bench/bench.h"
 #include "bench/sample_store.h"
 #include "io/file.h"
-#include "render/robot_actor.h"
+#include "render/stage/robot_actor.h"
 #include "robots/placed_robot.h"
 #include "scene/scene_file.h"
 

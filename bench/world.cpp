@@ -1,5 +1,5 @@
 // The physics bubble in a whole store, beside the same bubble in an empty room.
-#include "physics/world.h"
+#include "physics/world/world.h"
 
 #include <malloc.h>
 #include <mujoco/mujoco.h>
@@ -11,7 +11,7 @@
 
 #include "bench/bench.h"
 #include "bench/sample_store.h"
-#include "physics/settle.h"
+#include "physics/settle/settle.h"
 #include "scene/placements.h"
 #include "scene/scene_file.h"
 

@@ -86,7 +86,7 @@ set_target_properties(TinyEXR::TinyEXR PROPERTIES
 find_package(FlatBuffers QUIET CONFIG NAMES FlatBuffers Flatbuffers)
 marketgen_need(libflatbuffers-dev TARGET flatbuffers::flatbuffers)
 
-# Fonts of labels: the program reads them here, an installation gets copies (src/marketgen/assets/fonts.cpp).
+# Fonts of labels: the program reads them here, an installation gets copies (src/marketgen/assets/print/fonts.cpp).
 set(MARKETGEN_FONTS DEJAVU LATO OPEN_SANS)
 function(marketgen_find_fonts family package file)
   find_path(MARKETGEN_FONTS_${family} ${file} NO_DEFAULT_PATH

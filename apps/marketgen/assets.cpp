@@ -1,10 +1,10 @@
 // marketgen assets: look into the asset library.
 #include <fmt/format.h>
 
-#include "assets/fixture_model.h"
-#include "assets/import_asset.h"
+#include "assets/fixtures/fixture_model.h"
+#include "assets/import/import_asset.h"
+#include "assets/import/vlm_annotator.h"
 #include "assets/product_model.h"
-#include "assets/vlm_annotator.h"
 #include "base/parallel.h"
 #include "base/text.h"
 #include "build_library.h"

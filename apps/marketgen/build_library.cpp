@@ -6,7 +6,7 @@
 #include "io/file.h"
 #include "io/json.h"
 #include "io/output.h"
-#include "render/label_library.h"
+#include "render/stage/label_library.h"
 
 namespace marketgen::app {
 namespace {

@@ -10,8 +10,8 @@
 #include "io/file.h"
 #include "io/json.h"
 #include "number_flags.h"
-#include "render/camera_file.h"
-#include "render/viewpoint.h"
+#include "render/cameras/camera_file.h"
+#include "render/cameras/viewpoint.h"
 
 namespace marketgen::app {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/result.h"
-#include "render/camera.h"
+#include "render/cameras/camera.h"
 #include "scene/scene.h"
 
 namespace marketgen::app {

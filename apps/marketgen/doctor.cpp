@@ -5,14 +5,14 @@
 
 #include <thread>
 
-#include "assets/convex_worker.h"
-#include "assets/fonts.h"
+#include "assets/print/fonts.h"
+#include "assets/shapes/convex_worker.h"
 #include "base/build_info.h"
 #include "command.h"
 #include "io/file.h"
 #include "io/json.h"
 #include "io/program.h"
-#include "physics/settle.h"
+#include "physics/settle/settle.h"
 #include "render/render.h"
 
 namespace marketgen::app {

@@ -17,7 +17,7 @@
 #include "io/json.h"
 #include "io/output.h"
 #include "number_flags.h"
-#include "policy/oracle_witness.h"
+#include "oracle/oracle_witness.h"
 #include "say.h"
 #include "store/store.h"
 

@@ -16,7 +16,7 @@
 #include "number_flags.h"
 #include "render/picture_grid.h"
 #include "render/render.h"
-#include "render/robot_actor.h"
+#include "render/stage/robot_actor.h"
 #include "robots/robot_row.h"
 #include "say.h"
 

@@ -19,10 +19,10 @@
 #include "number_flags.h"
 #include "render/annotations.h"
 #include "render/channel_pictures.h"
-#include "render/color_noise.h"
-#include "render/depth_noise.h"
 #include "render/render.h"
-#include "render/robot_actor.h"
+#include "render/sensor/color_noise.h"
+#include "render/sensor/depth_noise.h"
+#include "render/stage/robot_actor.h"
 #include "say.h"
 
 namespace marketgen::app {

@@ -11,7 +11,7 @@
 #include "io/json.h"
 #include "io/line_journal.h"
 #include "io/output.h"
-#include "physics/heap.h"
+#include "physics/settle/heap.h"
 #include "scene/shelf_fill.h"
 
 namespace marketgen::app {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "assets/asset_detail.h"
-#include "assets/label.h"
+#include "assets/print/label.h"
 #include "io/json.h"
 #include "io/output.h"
 #include "io/picture_file.h"

@@ -5,7 +5,7 @@
 #include "binding.h"
 #include "io/json.h"
 #include "render/annotations.h"
-#include "render/camera_file.h"
+#include "render/cameras/camera_file.h"
 
 namespace marketgen::python {
 namespace {

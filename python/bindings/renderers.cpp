@@ -7,9 +7,9 @@
 #include "io/json.h"
 #include "motion/standing_robot.h"
 #include "render/annotations.h"
-#include "render/color_noise.h"
-#include "render/depth_noise.h"
-#include "render/robot_actor.h"
+#include "render/sensor/color_noise.h"
+#include "render/sensor/depth_noise.h"
+#include "render/stage/robot_actor.h"
 #include "store_handle.h"
 #include "told_progress.h"
 

@@ -12,7 +12,7 @@
 #include "io/json.h"
 #include "io/png.h"
 #include "layout/layout_picture.h"
-#include "render/camera.h"
+#include "render/cameras/camera.h"
 #include "scene/query.h"
 #include "store_handle.h"
 #include "told_progress.h"

@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "assets/label.h"
+#include "assets/print/label.h"
 #include "assets/product_model.h"
 #include "geometry/pose.h"
 #include "io/png.h"
-#include "render/label_library.h"
 #include "render/render.h"
+#include "render/stage/label_library.h"
 #include "support/run_program.h"
 
 namespace marketgen {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "agent/policy.h"
-#include "assets/fixture_model.h"
+#include "assets/fixtures/fixture_model.h"
 #include "base/result.h"
 #include "geometry/pose.h"
 #include "motion/base_follower.h"

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "assets/contact_pieces.h"
-#include "assets/mesh_detail.h"
-#include "assets/outer_hull.h"
+#include "assets/shapes/contact_pieces.h"
+#include "assets/shapes/mesh_detail.h"
+#include "assets/shapes/outer_hull.h"
 #include "catalog/own_mesh.h"
 #include "geometry/solid.h"
 

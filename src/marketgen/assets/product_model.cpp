@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "assets/archetypes/registry.h"
-#include "assets/mesh_detail.h"
 #include "assets/own_pack.h"
+#include "assets/shapes/archetypes/registry.h"
+#include "assets/shapes/mesh_detail.h"
 #include "catalog/catalog.h"
 
 namespace marketgen {
@@ -20,7 +20,7 @@ struct Archetype {
 
 constexpr Archetype archetype_list[] = {
 #define ARCHETYPE(name, description) {{#name, description}, make_##name, collision_##name},
-#include "assets/archetypes.inc"
+#include "assets/shapes/archetypes.inc"
 #undef ARCHETYPE
 };
 

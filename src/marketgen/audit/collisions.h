@@ -6,7 +6,7 @@
 
 #include "base/result.h"
 #include "geometry/mesh.h"
-#include "physics/penetration.h"
+#include "physics/settle/penetration.h"
 #include "scene/scene.h"
 
 namespace marketgen {

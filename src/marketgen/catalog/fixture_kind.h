@@ -25,7 +25,7 @@ constexpr std::array<std::string_view, 3> names_of(FixtureMount) {
 struct FixtureKind {
   std::string kind;       // "gondola"
   std::string name;       // "Double-sided gondola"
-  std::string generator;  // assembly in assets/fixture_generators.inc
+  std::string generator;  // assembly in assets/fixtures/fixture_generators.inc
   FixtureRole role = FixtureRole::shelving;
   FixtureMount mount = FixtureMount::floor;
   Storage temperature = Storage::ambient;

@@ -33,7 +33,7 @@ struct LabelStyle {
   std::string accent = "#ffcc00";     // burst, cap, small marks
   std::string text = "#ffffff";       // colour of the name
   std::string motif =
-      "none";  // picture drawn on the front: one of the motifs in assets/label_motifs.inc
+      "none";  // picture drawn on the front: one of the motifs in assets/print/label_motifs.inc
 
   static constexpr auto fields =
       field_list(field("primary", &LabelStyle::primary, "ground colour of the pack, #rrggbb"),
@@ -55,8 +55,8 @@ struct Product {
   std::string category;               // one of data/categories.json
   std::string subcategory;            // "soft drinks"
   std::vector<std::string> keywords;  // for search
-  std::string archetype;              // container shape: one of assets/archetypes.inc, or "mesh"
-  std::string mesh;                   // of archetype "mesh" only: see catalog/own_mesh.h
+  std::string archetype;  // container shape: one of assets/shapes/archetypes.inc, or "mesh"
+  std::string mesh;       // of archetype "mesh" only: see catalog/own_mesh.h
   std::array<int, 3> size_mm{
       60, 60, 100};  // width, depth, height as it stands with its front to the shopper
   double mass_kg = 0.1;

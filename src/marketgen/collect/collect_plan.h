@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "base/seed.h"
-#include "collect/pick_ways.h"
 #include "motion/grasp_candidates.h"
 #include "robots/robot.h"
 #include "scene/scene.h"
+#include "skills/pick_ways.h"
 
 namespace marketgen {
 

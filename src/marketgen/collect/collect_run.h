@@ -6,7 +6,7 @@
 
 #include "catalog/rows.h"
 #include "collect/collect_plan.h"
-#include "physics/robot_controller.h"
+#include "physics/world/robot_controller.h"
 
 namespace marketgen {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "physics/contact_shape.h"
-#include "physics/shell_pieces.h"
+#include "physics/goods/contact_shape.h"
+#include "physics/world/shell_pieces.h"
 
 namespace marketgen {
 namespace {

@@ -9,7 +9,7 @@
 #include "episodes/sample_one_item.h"
 #include "io/file.h"
 #include "io/json.h"
-#include "policy/oracle_witness.h"
+#include "oracle/oracle_witness.h"
 
 namespace marketgen {
 namespace {

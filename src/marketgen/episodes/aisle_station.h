@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "collect/drop_plan.h"
 #include "episodes/checkout_station.h"
+#include "skills/drop_plan.h"
 
 namespace marketgen {
 

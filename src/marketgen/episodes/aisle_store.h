@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "collect/drop_plan.h"
 #include "episodes/aisle_station.h"
 #include "episodes/episode_spec.h"
 #include "motion/plan_drive.h"
 #include "scene/scene.h"
+#include "skills/drop_plan.h"
 
 namespace marketgen {
 

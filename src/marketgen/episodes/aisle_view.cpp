@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "episodes/field_of_view.h"
-#include "render/robot_actor.h"
+#include "render/stage/robot_actor.h"
 
 namespace marketgen {
 namespace {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "episodes/push_ledger.h"
-#include "physics/robot_actor.h"
-#include "physics/world.h"
+#include "physics/world/robot_actor.h"
+#include "physics/world/world.h"
 
 namespace marketgen {
 

@@ -8,7 +8,7 @@
 #include <mujoco/mujoco.h>
 
 #include "episodes/control_step.h"
-#include "physics/spec_geoms.h"
+#include "physics/goods/spec_geoms.h"
 
 namespace marketgen {
 namespace {

@@ -11,7 +11,7 @@
 #include "episodes/studied_grasps.h"
 #include "episodes/track_world.h"
 #include "motion/collision_world.h"
-#include "physics/suction_actor.h"
+#include "physics/world/suction_actor.h"
 
 namespace marketgen {
 

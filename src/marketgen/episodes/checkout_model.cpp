@@ -13,11 +13,11 @@
 #include "grasping/grasp_study.h"
 #include "io/json.h"
 #include "motion/grasp_surface.h"
-#include "physics/bulk_model.h"
-#include "physics/pad_balls.h"
-#include "physics/product_bodies.h"
-#include "physics/robot_actor.h"
-#include "physics/spec_geoms.h"
+#include "physics/goods/product_bodies.h"
+#include "physics/goods/spec_geoms.h"
+#include "physics/settle/bulk_model.h"
+#include "physics/world/pad_balls.h"
+#include "physics/world/robot_actor.h"
 
 namespace marketgen {
 namespace {

@@ -12,7 +12,7 @@
 #include "base/fields.h"
 #include "base/result.h"
 #include "geometry/pose.h"
-#include "physics/bulk_settle.h"
+#include "physics/settle/bulk_settle.h"
 #include "robots/robot_row.h"
 
 namespace marketgen {

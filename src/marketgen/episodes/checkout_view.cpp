@@ -3,7 +3,7 @@
 #include "episodes/field_of_view.h"
 #include "geometry/rotation_axes.h"
 #include "render/picture_objects.h"
-#include "render/robot_actor.h"
+#include "render/stage/robot_actor.h"
 
 namespace marketgen {
 namespace {

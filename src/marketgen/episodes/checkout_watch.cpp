@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "physics/contact_shape.h"
+#include "physics/goods/contact_shape.h"
 
 namespace marketgen {
 namespace {

@@ -8,7 +8,7 @@
 #include "base/hash.h"
 #include "episodes/checkout_goals.h"
 #include "episodes/control_step.h"
-#include "physics/contact_shape.h"
+#include "physics/goods/contact_shape.h"
 
 namespace marketgen {
 namespace {

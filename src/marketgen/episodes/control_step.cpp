@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "episodes/track_world.h"
-#include "physics/contact_shape.h"
+#include "physics/goods/contact_shape.h"
 
 namespace marketgen {
 namespace {

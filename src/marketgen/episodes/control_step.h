@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "agent/policy.h"
-#include "physics/robot_controller.h"
+#include "physics/world/robot_controller.h"
 
 namespace marketgen {
 

@@ -27,7 +27,7 @@ constexpr std::array<std::string_view, 2> names_of(Track) {
 Result<Track> track_named(std::string_view name);
 
 // An item of the basket. The pose is basket_from_product, as it lies when the episode begins; the
-// basket's frame is that of its inner floor (physics/bulk_settle.h).
+// basket's frame is that of its inner floor (physics/settle/bulk_settle.h).
 struct EpisodeItem {
   std::string sku;
   std::array<double, 3> position_m{};

@@ -8,8 +8,8 @@
 #include "episodes/aisle_station.h"
 #include "episodes/studied_grasps.h"
 #include "grasping/grasp_database.h"
-#include "physics/contact_shape.h"
-#include "physics/cup_lip.h"
+#include "physics/goods/contact_shape.h"
+#include "physics/world/cup_lip.h"
 
 namespace marketgen {
 namespace {

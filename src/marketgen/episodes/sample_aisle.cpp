@@ -9,9 +9,9 @@
 #include <fmt/ranges.h>
 
 #include "collect/collect_plan.h"
-#include "collect/drop_plan.h"
 #include "collect/scene_obstacles.h"
 #include "episodes/studied_grasps.h"
+#include "skills/drop_plan.h"
 
 namespace marketgen {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "agent/policy.h"
 #include "episodes/episode_result.h"
-#include "physics/robot_controller.h"
+#include "physics/world/robot_controller.h"
 
 namespace marketgen {
 

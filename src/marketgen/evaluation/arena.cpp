@@ -14,11 +14,11 @@
 #include "evaluation/checkout_senses.h"
 #include "evaluation/checkout_truth.h"
 #include "evaluation/policy_name.h"
+#include "oracle/oracle_aisle.h"
+#include "oracle/oracle_checkout.h"
+#include "oracle/oracle_scene.h"
 #include "policy/classical_aisle.h"
 #include "policy/classical_checkout.h"
-#include "policy/oracle_aisle.h"
-#include "policy/oracle_checkout.h"
-#include "policy/oracle_scene.h"
 #include "policy/random_policy.h"
 
 namespace marketgen {

@@ -4,7 +4,7 @@
 #include <map>
 #include <optional>
 
-#include "policy/oracle_grasps.h"
+#include "oracle/oracle_grasps.h"
 
 namespace marketgen {
 namespace {

@@ -9,8 +9,8 @@
 #include "base/text.h"
 #include "export/exporter.h"
 #include "export/mjcf_fixtures.h"
-#include "physics/contact_shape.h"
-#include "physics/shell_pieces.h"
+#include "physics/goods/contact_shape.h"
+#include "physics/world/shell_pieces.h"
 #include "scene/articulation.h"
 
 namespace marketgen {

@@ -1,6 +1,6 @@
 #include <map>
 
-#include "assets/fixture_model.h"
+#include "assets/fixtures/fixture_model.h"
 #include "export/glb_room.h"
 
 namespace marketgen {

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "assets/label.h"
+#include "assets/print/label.h"
 #include "base/parallel.h"
 #include "export/label_picture.h"
 #include "io/json.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "assets/material_texture.h"
+#include "assets/materials/material_texture.h"
 #include "io/png.h"
 
 namespace marketgen {

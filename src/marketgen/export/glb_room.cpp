@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "physics/shell_pieces.h"
-#include "render/room.h"
+#include "physics/world/shell_pieces.h"
+#include "render/stage/room.h"
 
 namespace marketgen {
 namespace {

@@ -1,6 +1,6 @@
 // The printed sheet of a pack, as exports have it.
 #pragma once
-#include "assets/label.h"
+#include "assets/print/label.h"
 #include "base/result.h"
 #include "geometry/image.h"
 

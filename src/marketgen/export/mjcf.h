@@ -13,7 +13,7 @@ namespace marketgen {
 // group 3, lie the meshes of the goods, which touch nothing (options.looks). A robot is attached by
 // its first body, with its row's id in front of all names; the key "start" drives it to where it
 // stands. Geom names are fixture and product ids. Contact parameters:
-// physics/contact_shape.h.
+// physics/goods/contact_shape.h.
 Result<ExportFiles> write_mjcf(const Scene& scene, const ExportOptions& options);
 
 }  // namespace marketgen

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "assets/color.h"
-#include "assets/material_texture.h"
+#include "assets/materials/material_texture.h"
+#include "assets/print/color.h"
 #include "base/hash.h"
 #include "base/parallel.h"
 #include "export/label_picture.h"

@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "assets/color.h"
+#include "assets/print/color.h"
 #include "export/mjcf_looks.h"
 #include "physics/mujoco_guard.h"
-#include "physics/robot_actor.h"
+#include "physics/world/robot_actor.h"
 #include "robots/link_parts.h"
 
 namespace marketgen {

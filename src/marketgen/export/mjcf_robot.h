@@ -22,8 +22,8 @@ struct MjcfRobot {
   std::vector<BesideFile> files;
 };
 
-// The same bodies, joints and drives as in our own physics (physics/robot_actor.h), with the links'
-// meshes over them. `name` is its row's, numbered from the second robot of a row on. Errors:
+// The same bodies, joints and drives as in our own physics (physics/world/robot_actor.h), with the
+// links' meshes over them. `name` is its row's, numbered from the second robot of a row on. Errors:
 // physics.*, robot.bad_file, assets.bad_row.
 Result<std::vector<MjcfRobot>> mjcf_robots(const std::vector<PlacedRobot>& robots);
 

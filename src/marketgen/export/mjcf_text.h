@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "geometry/pose.h"
-#include "physics/contact_shape.h"
+#include "physics/goods/contact_shape.h"
 
 namespace marketgen {
 

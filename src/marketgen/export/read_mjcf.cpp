@@ -7,7 +7,7 @@
 #include "export/exporter.h"
 #include "export/mjcf_robot.h"
 #include "io/file.h"
-#include "physics/contact_shape.h"
+#include "physics/goods/contact_shape.h"
 #include "physics/mujoco_guard.h"
 
 // Reads an MJCF export with MuJoCo's own compiler.

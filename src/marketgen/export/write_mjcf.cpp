@@ -6,7 +6,7 @@
 #include <iterator>
 #include <numbers>
 
-#include "assets/color.h"
+#include "assets/print/color.h"
 #include "base/text.h"
 #include "export/exporter.h"
 #include "export/mjcf.h"
@@ -14,9 +14,9 @@
 #include "export/mjcf_looks.h"
 #include "export/mjcf_robot.h"
 #include "export/mjcf_text.h"
-#include "physics/contact_shape.h"
-#include "physics/shell_pieces.h"
-#include "render/camera.h"
+#include "physics/goods/contact_shape.h"
+#include "physics/world/shell_pieces.h"
+#include "render/cameras/camera.h"
 #include "scene/placements.h"
 
 namespace marketgen {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "physics/bulk_settle.h"
+#include "physics/settle/bulk_settle.h"
 
 namespace marketgen {
 

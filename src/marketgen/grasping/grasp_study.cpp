@@ -6,7 +6,7 @@
 
 #include "base/parallel.h"
 #include "grasping/grasp_basket.h"
-#include "physics/friction_table.h"
+#include "physics/goods/friction_table.h"
 #include "scene/planogram.h"
 
 namespace marketgen {

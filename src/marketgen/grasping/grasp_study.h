@@ -1,9 +1,9 @@
 // The grasp study: what each tool can take hold of, product by product, tried in physics.
 //
 // For a product and a tool, candidates come from motion/grasp_candidates.h and the best k of them
-// are tried by physics/grasp_trial.h, each with an error of the tool drawn from the seed. A product
-// for which there is no candidate is excluded, and so is one that cannot be tried in a setting; the
-// reason is kept. Success is read from the simulation only.
+// are tried by grasping/grasp_trial.h, each with an error of the tool drawn from the seed. A
+// product for which there is no candidate is excluded, and so is one that cannot be tried in a
+// setting; the reason is kept. Success is read from the simulation only.
 #pragma once
 #include <array>
 #include <functional>
@@ -15,8 +15,8 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "catalog/catalog.h"
+#include "grasping/grasp_trial.h"
 #include "motion/grasp_candidates.h"
-#include "physics/grasp_trial.h"
 #include "robots/grasp_tool.h"
 
 namespace marketgen {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "assets/fixture_model.h"
+#include "assets/fixtures/fixture_model.h"
 #include "layout/design.h"
 #include "layout/layout.h"
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "assets/canvas.h"
-#include "assets/lettering.h"
+#include "assets/print/canvas.h"
+#include "assets/print/lettering.h"
 #include "layout/layout.h"
 
 namespace marketgen {

@@ -9,9 +9,9 @@
 
 #include "agent/aisle_map.h"
 #include "agent/known_products.h"
-#include "collect/drop_plan.h"
-#include "collect/shelf_pick.h"
-#include "policy/aisle_executor.h"
+#include "skills/aisle_executor.h"
+#include "skills/drop_plan.h"
+#include "skills/shelf_pick.h"
 
 namespace marketgen {
 

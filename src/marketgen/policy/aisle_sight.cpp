@@ -2,7 +2,7 @@
 
 #include "perception/grasp_source.h"
 #include "policy/aisle_tour.h"
-#include "policy/own_body.h"
+#include "skills/own_body.h"
 
 namespace marketgen {
 namespace {

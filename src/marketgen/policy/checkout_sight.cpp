@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "policy/own_body.h"
+#include "skills/own_body.h"
 
 namespace marketgen {
 namespace {

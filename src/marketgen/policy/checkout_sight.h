@@ -10,7 +10,7 @@
 #include "agent/workplace.h"
 #include "perception/grasp_source.h"
 #include "perception/target_choice.h"
-#include "policy/arm_executor.h"
+#include "skills/arm_executor.h"
 
 namespace marketgen {
 

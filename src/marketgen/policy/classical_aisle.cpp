@@ -6,7 +6,7 @@
 
 #include "policy/aisle_sight.h"
 #include "policy/aisle_tour.h"
-#include "policy/plan_failure.h"
+#include "skills/plan_failure.h"
 
 namespace marketgen {
 namespace {

@@ -12,8 +12,8 @@
 #include "base/progress.h"
 #include "geometry/rotation_axes.h"
 #include "policy/checkout_sight.h"
-#include "policy/place_search.h"
-#include "policy/plan_failure.h"
+#include "skills/place_search.h"
+#include "skills/plan_failure.h"
 
 namespace marketgen {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "base/fields.h"
 #include "geometry/pose.h"
-#include "render/camera_file.h"
+#include "render/cameras/camera_file.h"
 #include "render/mask_runs.h"
 #include "render/picture_objects.h"
 #include "render/render.h"

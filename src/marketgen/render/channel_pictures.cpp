@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "assets/lettering.h"
+#include "assets/print/lettering.h"
 
 namespace marketgen {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "assets/material_texture.h"
-#include "render/exhibit.h"
+#include "assets/materials/material_texture.h"
 #include "render/picture_grid.h"
+#include "render/stage/exhibit.h"
 
 namespace marketgen {
 namespace {

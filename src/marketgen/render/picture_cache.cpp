@@ -10,7 +10,7 @@
 #include "io/cache_entry.h"
 #include "io/file.h"
 #include "render/art_fingerprint.h"
-#include "render/texture.h"
+#include "render/stage/texture.h"
 
 namespace marketgen::raytrace {
 namespace {

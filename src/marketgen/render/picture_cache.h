@@ -7,10 +7,10 @@
 #include <optional>
 #include <string>
 
-#include "assets/label.h"
+#include "assets/print/label.h"
 #include "base/result.h"
 #include "geometry/image.h"
-#include "render/block_mips.h"
+#include "render/stage/block_mips.h"
 
 namespace marketgen::raytrace {
 

@@ -18,9 +18,9 @@
 #include "base/result.h"
 #include "geometry/image.h"
 #include "geometry/pose.h"
-#include "render/actor.h"
-#include "render/camera.h"
+#include "render/cameras/camera.h"
 #include "render/matter.h"
+#include "render/stage/actor.h"
 #include "scene/scene.h"
 
 namespace marketgen {

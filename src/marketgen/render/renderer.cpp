@@ -4,16 +4,16 @@
 
 #include "base/interrupt.h"
 #include "base/parallel.h"
-#include "render/actor_stage.h"
-#include "render/build_world.h"
-#include "render/displaced.h"
-#include "render/exhibit.h"
-#include "render/path_picture.h"
+#include "render/path/path_picture.h"
 #include "render/picture_objects.h"
 #include "render/render.h"
-#include "render/sensor_picture.h"
+#include "render/sensor/sensor_picture.h"
 #include "render/shading_math.h"
 #include "render/silhouette.h"
+#include "render/stage/actor_stage.h"
+#include "render/stage/build_world.h"
+#include "render/stage/displaced.h"
+#include "render/stage/exhibit.h"
 
 namespace marketgen {
 namespace raytrace {

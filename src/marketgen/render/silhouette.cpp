@@ -5,8 +5,8 @@
 #include <map>
 
 #include "base/parallel.h"
+#include "render/cameras/view.h"
 #include "render/tracing.h"
-#include "render/view.h"
 
 namespace marketgen::raytrace {
 namespace {

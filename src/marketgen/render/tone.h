@@ -5,7 +5,7 @@
 
 #include "geometry/image.h"
 #include "geometry/vector.h"
-#include "render/float8.h"
+#include "render/sensor/float8.h"
 
 namespace marketgen::raytrace {
 

@@ -6,9 +6,9 @@
 #include <limits>
 #include <span>
 
-#include "render/float8.h"
 #include "render/matter.h"
-#include "render/world.h"
+#include "render/sensor/float8.h"
+#include "render/stage/world.h"
 
 namespace marketgen::raytrace {
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "assets/fixture_model.h"
+#include "assets/fixtures/fixture_model.h"
 #include "base/seed.h"
 #include "catalog/catalog.h"
 #include "plan/plan.h"

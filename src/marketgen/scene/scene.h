@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "assets/fixture_model.h"
+#include "assets/fixtures/fixture_model.h"
 #include "base/fields.h"
 #include "base/result.h"
 #include "base/seed.h"

@@ -5,7 +5,7 @@
 #include "catalog/own_mesh.h"
 #include "io/file.h"
 #include "io/json.h"
-#include "physics/settle.h"
+#include "physics/settle/settle.h"
 #include "scene/scene_file.h"
 #include "store/store.h"
 

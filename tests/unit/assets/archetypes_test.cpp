@@ -7,7 +7,7 @@
 #include <numbers>
 #include <set>
 
-#include "assets/label_sheet.h"
+#include "assets/print/label_sheet.h"
 #include "assets/product_model.h"
 #include "sample_produce.h"
 

@@ -8,8 +8,8 @@
 #include <tuple>
 #include <vector>
 
-#include "assets/brand_mark.h"
-#include "assets/pack_design.h"
+#include "assets/print/brand_mark.h"
+#include "assets/print/pack_design.h"
 #include "catalog/catalog.h"
 #include "io/file.h"
 

@@ -1,5 +1,5 @@
 // Colours as written in rows become linear light by the sRGB standard.
-#include "assets/color.h"
+#include "assets/print/color.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// Every fixture generator keeps the promises of assets/fixture_model.h: at the sizes of the table,
-// anywhere in a run, and over the whole range of every row of data/fixtures.json.
+// Every fixture generator keeps the promises of assets/fixtures/fixture_model.h: at the sizes of
+// the table, anywhere in a run, and over the whole range of every row of data/fixtures.json.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "assets/fixture_model.h"
+#include "assets/fixtures/fixture_model.h"
 #include "catalog/catalog.h"
 #include "catalog/fixture_kind.h"
 

@@ -1,5 +1,5 @@
 // Labels are drawn with three families of ours, whatever else the machine has.
-#include "assets/fonts.h"
+#include "assets/print/fonts.h"
 
 #include <fontconfig/fontconfig.h>
 #include <gtest/gtest.h>

@@ -1,17 +1,17 @@
 // Outside models: what is measured is right, what is guessed says why, and the result can be used
 // as a product.
-#include "assets/import_asset.h"
+#include "assets/import/import_asset.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 
-#include "assets/convex_worker.h"
-#include "assets/label.h"
-#include "assets/model_look.h"
-#include "assets/outer_hull.h"
+#include "assets/import/model_look.h"
 #include "assets/own_pack.h"
+#include "assets/print/label.h"
 #include "assets/product_model.h"
+#include "assets/shapes/convex_worker.h"
+#include "assets/shapes/outer_hull.h"
 #include "catalog/gtin.h"
 #include "catalog/user_products.h"
 #include "io/json.h"

@@ -3,13 +3,13 @@
 
 #include <set>
 
-#include "assets/barcode.h"
-#include "assets/brand_mark.h"
-#include "assets/label_motif.h"
-#include "assets/lettering.h"
-#include "assets/pack_art.h"
-#include "assets/pack_design.h"
-#include "assets/pack_facts.h"
+#include "assets/print/barcode.h"
+#include "assets/print/brand_mark.h"
+#include "assets/print/label_motif.h"
+#include "assets/print/lettering.h"
+#include "assets/print/pack_art.h"
+#include "assets/print/pack_design.h"
+#include "assets/print/pack_facts.h"
 #include "sample_products.h"
 
 namespace marketgen {

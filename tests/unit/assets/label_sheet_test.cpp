@@ -1,5 +1,5 @@
 // The label sheet: known nets, and what every sheet keeps.
-#include "assets/label_sheet.h"
+#include "assets/print/label_sheet.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Labels, price tags and signs: the same row gives the same pixels, everything draws, outside
 // readers read the codes.
-#include "assets/label.h"
+#include "assets/print/label.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -14,7 +14,7 @@
 #include <set>
 #include <thread>
 
-#include "assets/label_sheet.h"
+#include "assets/print/label_sheet.h"
 #include "base/seed.h"
 #include "image_steps.h"
 #include "io/png.h"

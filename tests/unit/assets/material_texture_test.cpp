@@ -1,5 +1,5 @@
 // Material textures: seamless, in the row's colours, the same for the same row.
-#include "assets/material_texture.h"
+#include "assets/materials/material_texture.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "assets/texture_field.h"
+#include "assets/materials/texture_field.h"
 #include "catalog/catalog.h"
 #include "image_steps.h"
 #include "support/committed_catalog.h"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "assets/fixture_model.h"
+#include "assets/fixtures/fixture_model.h"
 #include "geometry/pose.h"
 
 namespace marketgen {

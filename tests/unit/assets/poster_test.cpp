@@ -1,5 +1,5 @@
 // Posters: every row can be drawn, and looks like something.
-#include "assets/poster.h"
+#include "assets/print/poster.h"
 
 #include <gtest/gtest.h>
 

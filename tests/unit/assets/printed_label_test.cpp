@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string>
 
-#include "assets/barcode.h"
-#include "assets/label.h"
-#include "assets/label_sheet.h"
+#include "assets/print/barcode.h"
+#include "assets/print/label.h"
+#include "assets/print/label_sheet.h"
 #include "sample_products.h"
 
 namespace marketgen {

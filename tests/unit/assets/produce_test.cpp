@@ -7,7 +7,7 @@
 #include <numbers>
 #include <set>
 
-#include "assets/label.h"
+#include "assets/print/label.h"
 #include "assets/product_model.h"
 #include "sample_produce.h"
 

@@ -7,9 +7,9 @@
 #include <numbers>
 #include <set>
 
-#include "assets/contact_pieces.h"
-#include "assets/label_sheet.h"
+#include "assets/print/label_sheet.h"
 #include "assets/product_model.h"
+#include "assets/shapes/contact_pieces.h"
 #include "sample_produce.h"
 #include "sample_products.h"
 

@@ -1,5 +1,5 @@
 // Small print: every product's ingredients and directions are of its kind.
-#include "assets/small_print.h"
+#include "assets/print/small_print.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "assets/pack_facts.h"
+#include "assets/print/pack_facts.h"
 #include "base/text.h"
 #include "catalog/catalog.h"
 #include "io/file.h"

@@ -1,10 +1,10 @@
 // The annotator that asks a model: what it shows, what it takes for an answer, and what becomes of
 // it in an import. A server on this machine stands for the provider.
-#include "assets/vlm_annotator.h"
+#include "assets/import/vlm_annotator.h"
 
 #include <gtest/gtest.h>
 
-#include "assets/import_asset.h"
+#include "assets/import/import_asset.h"
 #include "io/png.h"
 #include "support/committed_catalog.h"
 #include "support/glb_bytes.h"

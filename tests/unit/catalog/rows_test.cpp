@@ -12,11 +12,11 @@
 namespace marketgen {
 namespace {
 
-// Whether src/marketgen/assets/archetypes.inc lists it; read as text because the catalogue may not
-// include assets.
+// Whether src/marketgen/assets/shapes/archetypes.inc lists it; read as text because the catalogue
+// may not include assets.
 bool is_archetype(const std::string& name) {
   static const std::string list = [] {
-    auto text = read_file(MARKETGEN_SOURCE_DIR "/src/marketgen/assets/archetypes.inc");
+    auto text = read_file(MARKETGEN_SOURCE_DIR "/src/marketgen/assets/shapes/archetypes.inc");
     if (!text.ok()) fatal(to_string(text.error()).c_str());
     return std::move(text).value();
   }();

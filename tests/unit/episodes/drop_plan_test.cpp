@@ -1,5 +1,5 @@
 // The way of a held item into the basket that its robot carries.
-#include "collect/drop_plan.h"
+#include "skills/drop_plan.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include "evaluation/checkout_truth.h"
 #include "evaluation/policy_name.h"
 #include "evaluation/run_episode.h"
-#include "policy/oracle_scene.h"
+#include "oracle/oracle_scene.h"
 #include "support/can_aisle.h"
 #include "support/drawn_checkout.h"
 

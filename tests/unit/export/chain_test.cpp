@@ -12,7 +12,7 @@
 #include "export/export.h"
 #include "io/json.h"
 #include "layout/layout.h"
-#include "physics/world.h"
+#include "physics/world/world.h"
 #include "render/render.h"
 #include "scene/scene_file.h"
 #include "support/plan_sampler.h"

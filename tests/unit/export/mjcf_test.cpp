@@ -7,7 +7,7 @@
 #include <cmath>
 #include <memory>
 
-#include "render/camera.h"
+#include "render/cameras/camera.h"
 #include "support/hand_made_scene.h"
 
 namespace marketgen {

@@ -1,6 +1,6 @@
 // Bulk settling: what is poured lies still inside, does not overlap, is the same every time, and
 // what does not fit is counted.
-#include "physics/bulk_settle.h"
+#include "physics/settle/bulk_settle.h"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +10,10 @@
 #include <map>
 
 #include "base/parallel.h"
-#include "physics/bulk_model.h"
-#include "physics/penetration.h"
-#include "physics/product_bodies.h"
-#include "physics/spec_geoms.h"
+#include "physics/goods/product_bodies.h"
+#include "physics/goods/spec_geoms.h"
+#include "physics/settle/bulk_model.h"
+#include "physics/settle/penetration.h"
 #include "support/committed_catalog.h"
 
 namespace marketgen {

@@ -1,4 +1,4 @@
-#include "physics/friction_table.h"
+#include "physics/goods/friction_table.h"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <set>
 
-#include "physics/heap.h"
-#include "physics/penetration.h"
-#include "physics/settle.h"
+#include "physics/settle/heap.h"
+#include "physics/settle/penetration.h"
+#include "physics/settle/settle.h"
 #include "scene/heap_fill.h"
 #include "scene/placements.h"
 #include "scene/shelf_fill.h"

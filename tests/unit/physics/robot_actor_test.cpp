@@ -1,6 +1,6 @@
 // Robots in a World: the drives carry what independent dynamics say, trajectories are followed, a
 // gripper presses with the force it is told and holds by it, an impedance yields like its spring.
-#include "physics/robot_controller.h"
+#include "physics/world/robot_controller.h"
 
 #include <gtest/gtest.h>
 

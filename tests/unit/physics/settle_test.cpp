@@ -1,4 +1,4 @@
-#include "physics/settle.h"
+#include "physics/settle/settle.h"
 
 #include <gtest/gtest.h>
 

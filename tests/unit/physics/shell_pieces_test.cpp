@@ -1,4 +1,4 @@
-#include "physics/shell_pieces.h"
+#include "physics/world/shell_pieces.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "physics/world.h"
+#include "physics/world/world.h"
 #include "unit/physics/shelf_places.h"
 
 namespace marketgen {

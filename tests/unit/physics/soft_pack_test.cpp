@@ -1,7 +1,7 @@
 // What a soft pack is made of, for every bag and pouch of the catalogue.
-#include "physics/soft_pack.h"
+#include "physics/soft/soft_pack.h"
 
-#include "physics/soft_body.h"
+#include "physics/soft/soft_body.h"
 #include "support/committed_catalog.h"
 #include "unit/physics/soft_packs.h"
 

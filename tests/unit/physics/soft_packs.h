@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "physics/soft_pack.h"
+#include "physics/soft/soft_pack.h"
 #include "support/committed_catalog.h"
 #include "support/hand_made_scene.h"
 

@@ -1,5 +1,5 @@
 // Soft packs on the shelves, pegs and heaps of generated shops.
-#include "physics/soft_pack.h"
+#include "physics/soft/soft_pack.h"
 #include "support/hand_laid_shop.h"
 #include "unit/physics/small_worlds.h"
 

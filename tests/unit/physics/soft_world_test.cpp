@@ -3,8 +3,8 @@
 
 #include "base/parallel.h"
 #include "physics/goods/slot.h"
-#include "physics/soft_body.h"
-#include "physics/spec_geoms.h"
+#include "physics/goods/spec_geoms.h"
+#include "physics/soft/soft_body.h"
 #include "unit/physics/small_worlds.h"
 #include "unit/physics/soft_packs.h"
 

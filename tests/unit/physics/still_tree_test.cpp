@@ -1,5 +1,5 @@
 // What stands still in a tree, and what of it MuJoCo is shown: nothing that can touch is left out.
-#include "physics/still_tree.h"
+#include "physics/world/still_tree.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 
 #include "physics/goods/hull_meshes.h"
 #include "physics/goods/rigid_goods.h"
-#include "physics/near_tree.h"
-#include "physics/store_model.h"
-#include "physics/world_state.h"
+#include "physics/world/near_tree.h"
+#include "physics/world/store_model.h"
+#include "physics/world/world_state.h"
 #include "scene/placements.h"
 #include "support/hand_laid_shop.h"
 

@@ -1,6 +1,6 @@
 // A Panda with a suction cup over goods that stand on a shelf: on what it seals, what it carries,
 // what is too much, and the same again.
-#include "physics/suction_actor.h"
+#include "physics/world/suction_actor.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "physics/world.h"
+#include "physics/world/world.h"
 
-#include "physics/settle_model.h"
+#include "physics/settle/settle_model.h"
 #include "unit/physics/small_worlds.h"
 
 namespace marketgen {

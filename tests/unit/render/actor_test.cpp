@@ -1,6 +1,6 @@
 // Actors in pictures: boxes whose depth is known, robots against triangles met one by one, and what
 // a robot must leave as it was.
-#include "render/actor.h"
+#include "render/stage/actor.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include "base/parallel.h"
 #include "render/picture_objects.h"
 #include "render/render.h"
-#include "render/robot_actor.h"
+#include "render/stage/robot_actor.h"
 #include "robots/link_parts.h"
 #include "robots/placed_robot.h"
 #include "synthetic_scene.h"

@@ -1,5 +1,5 @@
 // Compressed textures: decoded as libsquish does, close to the picture, bars as fine as one looks.
-#include "render/block_mips.h"
+#include "render/stage/block_mips.h"
 
 #include <gtest/gtest.h>
 #include <squish.h>
@@ -9,9 +9,9 @@
 
 #include "catalog/catalog.h"
 #include "io/file.h"
-#include "render/label_library.h"
-#include "render/printed_bars.h"
-#include "render/texture.h"
+#include "render/stage/label_library.h"
+#include "render/stage/printed_bars.h"
+#include "render/stage/texture.h"
 
 namespace marketgen::raytrace {
 namespace {

@@ -1,5 +1,5 @@
 // Lenses and poses: known answers of OpenCV, inverses, and that rays and projection are one model.
-#include "render/camera_model.h"
+#include "render/cameras/camera_model.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <limits>
 #include <numbers>
 
-#include "render/camera_file.h"
-#include "render/view.h"
+#include "render/cameras/camera_file.h"
+#include "render/cameras/view.h"
 
 namespace marketgen {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "render/camera.h"
+#include "render/cameras/camera.h"
 #include "synthetic_scene.h"
 
 namespace marketgen {

@@ -1,5 +1,5 @@
 // Clear packs: parted at the fill height, the outline as it was.
-#include "render/clear_pack.h"
+#include "render/stage/clear_pack.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 #pragma once
 #include <memory>
 
-#include "render/path_picture.h"
-#include "render/world.h"
+#include "render/path/path_picture.h"
+#include "render/stage/world.h"
 
 namespace marketgen::raytrace {
 

@@ -1,6 +1,6 @@
 // Copies of one product differ a little, always in the same way; wear shows where hands and dust
 // get.
-#include "render/item_look.h"
+#include "render/stage/item_look.h"
 
 #include <gtest/gtest.h>
 

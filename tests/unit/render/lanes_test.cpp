@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/build_world.h"
-#include "render/exhibit.h"
-#include "render/surface8.h"
-#include "render/texture8.h"
-#include "render/view.h"
+#include "render/cameras/view.h"
+#include "render/sensor/surface8.h"
+#include "render/sensor/texture8.h"
+#include "render/stage/build_world.h"
+#include "render/stage/exhibit.h"
 #include "support/committed_catalog.h"
 #include "synthetic_scene.h"
 

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "render/light_grid.h"
+#include "render/light/light_grid.h"
 #include "render/shading_math.h"
-#include "render/texture.h"
+#include "render/stage/texture.h"
 #include "render/tone.h"
 
 namespace marketgen::raytrace {

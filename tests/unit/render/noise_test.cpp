@@ -6,8 +6,8 @@
 #include <set>
 
 #include "base/parallel.h"
-#include "render/color_noise.h"
-#include "render/depth_noise.h"
+#include "render/sensor/color_noise.h"
+#include "render/sensor/depth_noise.h"
 
 namespace marketgen {
 namespace {

@@ -6,11 +6,11 @@
 
 #include "base/parallel.h"
 #include "closed_room.h"
-#include "render/denoise.h"
-#include "render/light_through.h"
-#include "render/neural_denoise.h"
-#include "render/path_numbers.h"
-#include "render/scattering.h"
+#include "render/path/denoise.h"
+#include "render/path/light_through.h"
+#include "render/path/neural_denoise.h"
+#include "render/path/path_numbers.h"
+#include "render/path/scattering.h"
 #include "synthetic_scene.h"
 
 namespace marketgen::raytrace {

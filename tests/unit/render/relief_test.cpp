@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "render/relief_texture.h"
-#include "render/world.h"
+#include "render/stage/relief_texture.h"
+#include "render/stage/world.h"
 
 namespace marketgen::raytrace {
 namespace {

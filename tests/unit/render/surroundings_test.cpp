@@ -1,5 +1,5 @@
 // The street outside doors and windows.
-#include "render/surroundings.h"
+#include "render/stage/surroundings.h"
 
 #include <gtest/gtest.h>
 

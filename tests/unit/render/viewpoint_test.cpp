@@ -1,5 +1,5 @@
 // Where a camera may stand.
-#include "render/viewpoint.h"
+#include "render/cameras/viewpoint.h"
 
 #include <gtest/gtest.h>
 

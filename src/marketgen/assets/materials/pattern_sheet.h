@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "assets/material_pattern.h"
+#include "assets/materials/material_pattern.h"
 
 namespace marketgen {
 

@@ -6,9 +6,9 @@
 #include <mutex>
 #include <string>
 
-#include "assets/contact_pieces.h"
+#include "assets/shapes/contact_pieces.h"
 #include "io/json.h"
-#include "physics/product_bodies.h"
+#include "physics/goods/product_bodies.h"
 
 namespace marketgen {
 namespace {

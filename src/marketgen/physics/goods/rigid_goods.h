@@ -7,9 +7,9 @@
 
 #include "assets/product_model.h"
 #include "geometry/pose.h"
-#include "physics/contact_shape.h"
+#include "physics/goods/contact_shape.h"
 #include "physics/mujoco_guard.h"
-#include "physics/product_grid.h"
+#include "physics/world/product_grid.h"
 
 namespace marketgen {
 

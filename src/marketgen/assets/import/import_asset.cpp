@@ -1,0 +1,285 @@
+#include "assets/import/import_asset.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "assets/import/asset_estimates.h"
+#include "assets/import/model_look.h"
+#include "assets/shapes/convex_worker.h"
+#include "assets/shapes/outer_hull.h"
+#include "base/text.h"
+#include "catalog/gtin.h"
+#include "catalog/product_check.h"
+#include "catalog/usual_pack.h"
+#include "geometry/convex_hull.h"
+#include "io/field_check.h"
+#include "io/file.h"
+#include "io/json.h"
+#include "io/model_glb.h"
+
+namespace marketgen {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr double least_m = 0.005, most_m = 1.5;  // of a side, as product rows allow
+constexpr std::string_view model_name = "model.glb", asset_name = "asset.json";
+
+bool plausible(Vec3f size, double factor) {
+  for (const float side : {size.x, size.y, size.z}) {
+    if (side * factor < least_m || side * factor > most_m) return false;
+  }
+  return true;
+}
+
+// The scale error, with the unit that would make a pack of it: the one whose longest side is
+// nearest to an ordinary pack's.
+Error bad_scale(const fs::path& file, Vec3f size, LengthUnit given) {
+  constexpr double ordinary_m = 0.2;
+  std::string remedy = "give a model whose sides are 5 mm to 1.5 m";
+  double nearest = 1e9;
+  for (const std::string_view name : names_of(LengthUnit{})) {
+    const LengthUnit unit = *value_named<LengthUnit>(name);
+    const double factor = metres_in(unit) / metres_in(given);
+    const double away =
+        std::abs(std::log(std::max({size.x, size.y, size.z}) * factor / ordinary_m));
+    if (unit == given || !plausible(size, factor) || away >= nearest) continue;
+    nearest = away;
+    remedy = fmt::format("it looks as if it was made in {}: run again with --unit {}", name, name);
+  }
+  return {"model.bad_scale",
+          file.string(),
+          fmt::format("is {:.4g} x {:.4g} x {:.4g} m as read in {}; {}",
+                      size.x,
+                      size.z,
+                      size.y,
+                      name_of(given),
+                      remedy)};
+}
+
+void turn_up(OutsideModel& model) {  // Z up, front -Y: to Y up, front +Z
+  for (std::vector<Vec3f>* list : {&model.mesh.positions, &model.mesh.normals}) {
+    for (Vec3f& v : *list)
+      v = {v.x, v.z, -v.y};
+  }
+}
+
+std::string slug_of(std::string_view name) {
+  std::string slug;
+  for (const char c : lower_ascii(name)) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+    if (plain)
+      slug += c;
+    else if (!slug.empty() && slug.back() != '-')
+      slug += '-';
+  }
+  while (slug.ends_with('-'))
+    slug.pop_back();
+  return slug.empty() ? "model" : slug.substr(0, 80);
+}
+
+// A number from GS1's restricted prefix 299 that the file's content decides.
+std::string own_ean(const std::string& sha256) {
+  constexpr std::uint64_t billion = 1'000'000'000;
+  const std::uint64_t number = std::stoull(sha256.substr(0, 15), nullptr, 16) % billion;
+  const std::string digits = fmt::format("299{:09}", number);
+  for (char check = '0'; check <= '9'; ++check) {
+    if (is_ean13(digits + check)) return digits + check;
+  }
+  fatal("no digit is a check digit");
+}
+
+// One import on its way.
+class Importer {
+ public:
+  Importer(fs::path file, const ImportOptions& options, const Catalog& catalog)
+      : file_(std::move(file)), options_(options), catalog_(catalog) {}
+
+  Result<ImportedAsset> run(const AssetAnnotator& annotator) {
+    MARKETGEN_CHECK(check_options());
+    MARKETGEN_CHECK(read());
+    MARKETGEN_CHECK(annotate(annotator));
+    MARKETGEN_CHECK(make_row());
+    MARKETGEN_CHECK(fit_model(model_, row().size_mm, file_.string()));
+    MARKETGEN_CHECK(make_pieces());
+    MARKETGEN_CHECK(estimate());
+    asset_.file.product.mesh = model_name;
+    MARKETGEN_CHECK(check_asset());
+    MARKETGEN_TRY(asset_.model, encode_glb(model_, row().sku));
+    return std::move(asset_);
+  }
+
+ private:
+  Product& row() { return asset_.file.product; }
+  void note(std::string text) { asset_.file.notes.push_back(std::move(text)); }
+
+  Result<void> check_options() const {
+    if (!options_.mass_kg) return {};
+    const auto fault = fault_of_field<Product>("mass_kg", *options_.mass_kg);
+    if (!fault) return {};
+    return Error{"usage.bad_flag", "--mass-kg", fault->message + " kg"};
+  }
+
+  // What is written is what --catalog takes.
+  Result<void> check_asset() const {
+    MARKETGEN_CHECK(check_fields(asset_.file, std::string(asset_name)));
+    return check_product(asset_.file.product, catalog_);
+  }
+
+  Result<void> read() {
+    MARKETGEN_TRY(model_, read_model_file(file_));
+    if (options_.up == UpAxis::z) turn_up(model_);
+    scale_model(model_, metres_in(options_.unit));
+    const Vec3f size = bounds_of(model_.mesh).size();
+    if (!plausible(size, 1)) return bad_scale(file_, size, options_.unit);
+    merge_pictures(model_);
+    AssetSource& source = asset_.file.source;
+    source.file = file_.filename().string();
+    MARKETGEN_TRY(source.sha256, sha256_of_file(file_));
+    source.unit = options_.unit;
+    source.triangles = static_cast<int>(model_.mesh.triangles.size());
+    MARKETGEN_TRY(source.open_edges, open_edges_of(model_.mesh, file_.string()));
+    source.watertight = source.open_edges == 0 && volume_of(model_.mesh) > 0;
+    source.parts = model_.names;
+    for (const ModelMaterial& material : model_.materials) {
+      if (!material.name.empty()) source.parts.push_back(material.name);
+    }
+    asset_.file.notes = model_.remarks;
+    if (!source.watertight)
+      note(
+          fmt::format("the mesh is not closed ({} open edges): mass, inertia and contact are "
+                      "those of its hull",
+                      source.open_edges));
+    return {};
+  }
+
+  Result<void> annotate(const AssetAnnotator& annotator) {
+    asset_.file.look = look_of(model_);
+    const Vec3f size = bounds_of(model_.mesh).size();
+    AssetEvidence evidence;
+    evidence.file_name = asset_.file.source.file;
+    evidence.parts = asset_.file.source.parts;
+    evidence.size_mm = size_in_mm(size);
+    evidence.look = asset_.file.look;
+    evidence.pictures = &model_.pictures;
+    MARKETGEN_TRY(asset_.file.annotation, annotator(evidence));
+    return {};
+  }
+
+  static std::array<int, 3> size_in_mm(Vec3f size) {
+    const auto mm = [](float v) { return static_cast<int>(std::lround(1000 * v)); };
+    return {mm(size.x), mm(size.z), mm(size.y)};
+  }
+
+  // The row, as far as it does not depend on the volume.
+  Result<void> make_row() {
+    const AssetAnnotation& said = asset_.file.annotation;
+    const auto chosen = [](const std::string& given, const std::string& found) {
+      return given.empty() ? found : given;
+    };
+    row().name = chosen(options_.name, said.name);
+    if (row().name.empty()) row().name = "Imported model";
+    row().sku = "own-" + slug_of(row().name) + "-" + asset_.file.source.sha256.substr(0, 8);
+    row().ean = own_ean(asset_.file.source.sha256);
+    row().category = chosen(options_.category, said.category);
+    MARKETGEN_CHECK(check_category());
+    const bool as_said = row().category == said.category;
+    row().subcategory = chosen(options_.subcategory, as_said ? said.subcategory : "");
+    if (row().subcategory.empty()) row().subcategory = row().category;
+    row().keywords = said.keywords;
+    row().archetype = mesh_archetype;
+    row().size_mm = size_in_mm(bounds_of(model_.mesh).size());
+    row().material = chosen(options_.material, said.material);
+    if (row().material.empty()) {
+      Product like = row();
+      like.archetype = said.archetype;
+      row().material = usual_material(catalog_.products, like);
+      note(
+          fmt::format("nothing says what it is made of: {}, as most rows like it", row().material));
+    }
+    row().rigidity = said.rigidity;
+    row().storage = said.storage;
+    row().unit_of_measure = "piece";
+    if (!asset_.file.look.colors.empty()) row().label.primary = asset_.file.look.colors[0].color;
+    note("price, net quantity and shelf life are placeholders: set them in asset.json");
+    return {};
+  }
+
+  Result<void> check_category() {
+    if (catalog_.category(row().category) != nullptr) return {};
+    std::vector<std::string_view> known;
+    for (const CategoryRow& category : catalog_.categories)
+      known.push_back(category.id);
+    if (row().category.empty()) {
+      return Error{"catalog.unknown_kind",
+                   file_.string(),
+                   fmt::format("its names do not say what it is; give --category, one of: {}",
+                               fmt::join(known, ", "))};
+    }
+    return unknown_name("catalog.unknown_kind", "--category", "category", row().category, known);
+  }
+
+  // Contact pieces into the model, in its frame: by CoACD, else one hull.
+  Result<void> make_pieces() {
+    AssetEstimates& estimates = asset_.file.estimates;
+    hull_ = outer_hull(model_.mesh.positions);
+    if (hull_.triangles.empty())
+      return Error{"model.bad_file", file_.string(), "is flat: it encloses no volume"};
+    model_.pieces.clear();
+    if (options_.coacd) {
+      Result<std::vector<std::vector<Vec3f>>> pieces = convex_pieces(model_.mesh);
+      if (pieces.ok()) {
+        model_.pieces = std::move(pieces).value();
+        estimates.contact_from = "coacd";
+      } else {
+        note("CoACD was not used: " + to_string(pieces.error()));
+      }
+    }
+    if (model_.pieces.empty()) {
+      model_.pieces = {hull_.positions};
+      estimates.contact_from = "hull";
+    }
+    estimates.pieces = static_cast<int>(model_.pieces.size());
+    for (const std::vector<Vec3f>& piece : model_.pieces)
+      estimates.pieces_volume_m3 += convex_hull(piece).volume;
+    return {};
+  }
+
+  Result<void> estimate() {
+    AssetEstimates& estimates = asset_.file.estimates;
+    estimates.volume_m3 = asset_.file.source.watertight ? volume_of(model_.mesh) : volume_of(hull_);
+    const Estimate mass = estimated_mass(row(), estimates.volume_m3, catalog_);
+    row().mass_kg = options_.mass_kg.value_or(mass.value);
+    estimates.mass_from = options_.mass_kg ? "--mass-kg" : mass.from;
+    const Estimate friction = estimated_friction(row().material, catalog_);
+    row().friction = friction.value;
+    estimates.friction_from = friction.from;
+    return {};
+  }
+
+  fs::path file_;
+  const ImportOptions& options_;
+  const Catalog& catalog_;
+  OutsideModel model_;  // glTF frame, metres
+  Mesh hull_;           // of the whole model
+  ImportedAsset asset_;
+};
+
+}  // namespace
+
+Result<ImportedAsset> import_asset(const fs::path& file,
+                                   const ImportOptions& options,
+                                   const Catalog& catalog,
+                                   const AssetAnnotator& annotator) {
+  return Importer(file, options, catalog).run(annotator);
+}
+
+Result<void> write_asset(const ImportedAsset& asset, const fs::path& folder) {
+  MARKETGEN_TRY(FolderDraft draft, FolderDraft::begin(folder));
+  MARKETGEN_CHECK(write_file(draft.folder() / model_name, asset.model));
+  MARKETGEN_CHECK(write_file(draft.folder() / asset_name, write_json(asset.file)));
+  return draft.commit();
+}
+
+}  // namespace marketgen

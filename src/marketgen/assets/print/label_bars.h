@@ -1,0 +1,12 @@
+// From bars left out on a canvas to bars on a label's sheet.
+#pragma once
+#include <optional>
+
+#include "assets/print/canvas.h"
+#include "assets/print/label.h"
+
+namespace marketgen {
+
+std::optional<LabelBars> label_bars(const Canvas& canvas);
+
+}  // namespace marketgen

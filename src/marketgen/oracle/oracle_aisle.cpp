@@ -1,0 +1,477 @@
+#include "oracle/oracle_aisle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "base/progress.h"
+#include "collect/collect_plan.h"
+#include "collect/scene_obstacles.h"
+#include "skills/aisle_executor.h"
+#include "skills/drop_plan.h"
+#include "skills/plan_failure.h"
+
+namespace marketgen {
+namespace {
+
+constexpr int most_item_tries = 3, most_unreached = 2;
+constexpr std::size_t most_items_looked_at = 4;  // of a SKU at a time
+constexpr double way_reach_m = 1.4;              // obstacles farther from the robot do not count
+constexpr double let_go_wider_m = 0.02;          // than what was held, when it is let go
+constexpr double least_item_s = 25;              // no new item with less time left
+constexpr double cup_acceleration = 0.1;  // share of the joints' limits, with something on the cup
+constexpr double most_aside_m = 0.10, least_upright = 0.99;  // of what may be tried once more
+constexpr double grip_factor = 2;  // of the force that a grasp needs; it is carried about
+
+enum class AislePhase { choose, arrived, pressed, out, away, dropped };
+
+class AisleOracle : public Policy {
+ public:
+  AisleOracle(const AisleWorld& world, GraspTool tool, Seed seed)
+      : world_(world),
+        robot_(world.robot()),
+        tool_(std::move(tool)),
+        seed_(seed),
+        executor_(world.robot(), commanded_dofs(world.robot())) {}
+
+  Result<void> begin(const Task& task, const Observation& first) override {
+    task_ = task;
+    executor_.start(first);
+    return {};
+  }
+
+  Result<Action> act(const Observation& now) override {
+    if (plan_.tool < static_cast<int>(now_.sealed.size()) && tool_.kind == ToolKind::suction) {
+      const auto cup = static_cast<std::size_t>(plan_.tool);
+      if (now_.sealed[cup] && !now.sealed[cup] && now.openings_m[cup] == 0) say("the cup came off");
+    }
+    now_ = now;
+    if (executor_.idle()) MARKETGEN_CHECK(decide());
+    Action action = executor_.next(now);
+    action.stop = done_;
+    return action;
+  }
+
+  std::string failure() const override {
+    for (const std::string& sku : unmet())
+      if (const auto why = failures_.find(sku); why != failures_.end())
+        return std::string(name_of(why->second));
+    return "None";
+  }
+
+ private:
+  Result<void> decide() {
+    switch (phase_) {
+      case AislePhase::choose:
+        return choose();
+      case AislePhase::arrived:
+        return reach();
+      case AislePhase::pressed:
+        return pull_out();
+      case AislePhase::out:
+        return back_off();
+      case AislePhase::away:
+        return drop();
+      case AislePhase::dropped:
+        return check();
+    }
+    return {};
+  }
+
+  void note(const std::string& sku, FailureCode why) { failures_[sku] = why; }
+  void note(FailureCode why) { note(sku_of(plan_.product), why); }
+  void say(const std::string& what) const {
+    log_debug(fmt::format("oracle {:.2f} s: {}", now_.time_s, what));
+  }
+
+  // ---- What to fetch next ----
+
+  // Of which too few lie in the basket.
+  std::vector<std::string> unmet() const {
+    std::vector<std::string> skus;
+    const std::vector<std::uint32_t> inside = world_.in_basket();
+    for (const EpisodeGoal& goal : world_.spec().goals) {
+      const auto there =
+          std::ranges::count_if(inside, [&](std::uint32_t row) { return sku_of(row) == goal.sku; });
+      if (there < goal.count) skus.push_back(goal.sku);
+    }
+    return skus;
+  }
+  std::vector<std::string> missing() const {
+    std::vector<std::string> skus = unmet();
+    std::erase_if(skus, [&](const std::string& sku) {
+      const auto tried = tries_.find(sku);
+      return tried != tries_.end() && tried->second >= most_item_tries;
+    });
+    return skus;
+  }
+
+  const std::string& sku_of(std::uint32_t product) const {
+    const Scene& scene = world_.store().scene;
+    return scene.catalog[scene.products[product].sku].sku;
+  }
+
+  // Length of the way to where it could stand; empty when it could not.
+  std::optional<double> way_to(std::uint32_t product) const {
+    const auto place = world_.store().standing_place(product);
+    if (!place) return std::nullopt;
+    const Vec3 at = axle_of(robot_, world_.world_from_base());
+    const auto path = world_.store().ways.shortest_path(floor_point_mm(at), *place);
+    return path.ok() ? std::optional(path->length_m) : std::nullopt;
+  }
+
+  // No longer about where it stood on its shelf, upright.
+  bool was_moved(std::uint32_t product) const {
+    const Pose stood = world_from_product(world_.store().scene.products[product]),
+               now = world_.world().product_pose(product);
+    return length(now.position - stood.position) > most_aside_m ||
+           rotate(now.rotation, {0, 0, 1}).z < least_upright;
+  }
+
+  struct Fetch {
+    double way_m = 0;
+    std::uint32_t product = 0;
+  };
+  // Items of all missing goals, nearest first; of a facing only the first one.
+  std::vector<Fetch> fetches(const std::vector<std::string>& skus) const {
+    std::vector<Fetch> found;
+    for (const std::string& sku : skus) {
+      std::set<std::uint32_t> seen;
+      for (const std::uint32_t row : world_.store().front_items(sku)) {
+        if (refused_.contains(row) || was_moved(row)) continue;
+        if (!seen.insert(world_.store().scene.products[row].facing).second) continue;
+        if (const auto way = way_to(row)) found.push_back({*way, row});
+      }
+    }
+    std::ranges::stable_sort(found, {}, &Fetch::way_m);
+    return found;
+  }
+
+  Result<void> choose() {
+    const std::vector<std::string> skus = missing();
+    if (skus.empty() || now_.time_s + least_item_s > task_.limit_s) {
+      for (const std::string& sku : skus)
+        note(sku, FailureCode::timeout);
+      done_ = true;
+      return {};
+    }
+    std::map<std::string, std::size_t> looked_at;
+    for (const Fetch& fetch : fetches(skus)) {
+      if (looked_at[sku_of(fetch.product)]++ >= most_items_looked_at) continue;
+      if (go_to(fetch.product)) return {};
+      refused_.insert(fetch.product);
+    }
+    // The others at the next step: one answer must not take for ever.
+    done_ = looked_at.empty();
+    for (const std::string& sku : skus)
+      if (done_) failures_.try_emplace(sku, FailureCode::not_found);
+    return {};
+  }
+
+  // The scene as it is now.
+  Scene scene_now() const {
+    Scene scene = world_.store().scene;
+    for (const std::uint32_t row : world_.world().moved_products())
+      place(scene.products[row], world_.world().product_pose(row));
+    return scene;
+  }
+
+  Result<CollectOptions> collect_options(std::uint32_t product) {
+    CollectOptions options;
+    std::vector<GraspCandidate>& known = grasps_[sku_of(product)];
+    if (known.empty()) {
+      MARKETGEN_TRY(known, world_.known_grasps(product, tool_));
+    }
+    options.grasps = known;
+    // Once more by another one, if there is one.
+    const std::vector<Vec3>& missed = missed_[product];
+    std::ranges::stable_partition(options.grasps, [&](const GraspCandidate& grasp) {
+      return std::ranges::find(missed, grasp.grasp.product_from_tool.position) == missed.end();
+    });
+    options.posture = world_.store().station.posture;
+    options.carried = world_.store().basket.walls;
+    options.speed = carrying_speed;
+    options.acceleration = carrying_acceleration;
+    return options;
+  }
+
+  void note_plan(std::uint32_t product, const Error& error) {
+    say("no way to it: " + to_string(error));
+    note(sku_of(product),
+         value_named<FailureCode>(failure_of_plan(error)).value_or(FailureCode::no_path));
+  }
+
+  bool go_to(std::uint32_t product) {
+    const Seed seed = seed_.child("place", static_cast<std::uint64_t>(moves_++));
+    scene_ = std::make_unique<Scene>(scene_now());
+    const auto options = collect_options(product);
+    if (!options.ok()) {
+      note_plan(product, options.error());
+      return false;
+    }
+    auto plan = plan_collect(*scene_, product, robot_, tool_, seed, *options);
+    if (!plan.ok()) {
+      note_plan(product, plan.error());
+      return false;
+    }
+    const Vec3 from = axle_of(robot_, world_.world_from_base()),
+               to = axle_of(robot_, plan->world_from_base);
+    const Vec3 ahead = rotate(plan->world_from_base.rotation, {1, 0, 0});
+    auto drive = plan_drive(world_.store().ways,
+                            robot_,
+                            world_.store().driving,
+                            {{from.x, from.y}, now_.base.heading},
+                            {{to.x, to.y}, std::atan2(ahead.y, ahead.x)});
+    if (!drive.ok()) {
+      note(sku_of(product), FailureCode::no_path);
+      return false;
+    }
+    executor_.drive(std::move(drive->follower));
+    plan_ = std::move(*plan);
+    if (!executor_.raise(lift_height()).ok()) return false;
+    executor_.open(plan_.tool, opened());
+    phase_ = AislePhase::arrived;
+    return true;
+  }
+
+  // ---- Taking it ----
+
+  // Planned anew from where the base came to stand.
+  Result<void> reach() {
+    MARKETGEN_TRY(CollectOptions options, collect_options(plan_.product));
+    options.world_from_base = world_.world_from_base();
+    const Seed seed = seed_.child("reach", static_cast<std::uint64_t>(moves_++));
+    auto plan = plan_collect(*scene_, plan_.product, robot_, tool_, seed, options);
+    if (!plan.ok()) {
+      note_plan(plan_.product, plan.error());
+      if (++unreached_[plan_.product] == most_unreached) refused_.insert(plan_.product);
+      phase_ = AislePhase::choose;
+      return {};
+    }
+    ++tries_[sku_of(plan_.product)];
+    plan_ = std::move(*plan);
+    const Grasp& grasp = plan_.grasp.grasp;
+    const Tool& tool = robot_.tools[static_cast<std::size_t>(plan_.tool)];
+    force_n_ = std::min(grasp.force_n * grip_factor, tool.force);
+    say(fmt::format("takes {} with {}, {}, {:.0f} N, try {}",
+                    product_id(world_.store().scene, plan_.product),
+                    plan_.group,
+                    name_of(plan_.grasp.strategy),
+                    force_n_,
+                    tries_[sku_of(plan_.product)]));
+    phase_ = AislePhase::pressed;
+    return executor_.take({.ways = plan_,
+                           .group = plan_.group,
+                           .tool = plan_.tool,
+                           .lift_m = lift_height(),
+                           .open = opened(),
+                           .close = {0, force_n_}});
+  }
+
+  // On the way to the grasp: the fingers apart, the cup off.
+  ToolCommand opened() const {
+    return {tool_.kind == ToolKind::suction ? cup_off_m : plan_.grasp.grasp.opening_m};
+  }
+  ToolCommand let_go() const {
+    if (tool_.kind == ToolKind::suction) return {cup_off_m};
+    const double held = now_.openings_m[static_cast<std::size_t>(plan_.tool)];
+    return {held + let_go_wider_m, force_n_};
+  }
+
+  double lift_height() const {
+    return plan_.state[static_cast<std::size_t>(robot_.find_dof("lift"))];
+  }
+
+  bool holds_it() const { return world_.watch().is_held(plan_.product); }
+
+  Result<void> pull_out() {
+    phase_ = AislePhase::out;
+    held_ = holds_it();
+    if (held_) {
+      executor_.pull_out();
+      return {};
+    }
+    const Pose from_shelf =
+        inverse(world_from_product(world_.store().scene.products[plan_.product])) *
+        world_.world().product_pose(plan_.product);
+    const Vec3 moved = from_shelf.position;
+    say(fmt::format(
+        "took hold of nothing; it was moved by {:.3f} {:.3f} {:.3f}, its upright is {:.2f}",
+        moved.x,
+        moved.y,
+        moved.z,
+        rotate(from_shelf.rotation, {0, 0, 1}).z));
+    note(FailureCode::missed);
+    missed_[plan_.product].push_back(plan_.grasp.grasp.product_from_tool.position);
+    return executor_.go_back();
+  }
+
+  Result<void> back_off() {
+    const double room = world_.store().room_behind_m(world_.world_from_base());
+    MARKETGEN_CHECK(executor_.back_off(room));
+    if (!holds_it() && held_) {
+      say("lost it while it pulled it out");
+      note(FailureCode::slipped);
+    }
+    drop_lift_ = 0;
+    phase_ = AislePhase::away;
+    if (!holds_it()) return {};
+    return executor_.raise(drop_lifts_m[drop_lift_]);
+  }
+
+  // ---- Into the basket ----
+
+  std::vector<double> state_now() const {
+    std::vector<double> q = world_.robot_state();
+    for (std::size_t dof = 0; dof < q.size(); ++dof) {
+      const Joint& joint = robot_.joint_of_dof(dof);
+      q[dof] = std::clamp(q[dof], joint.lower, joint.upper);
+    }
+    for (const int dof : robot_.find_group("base")->dofs)
+      q[static_cast<std::size_t>(dof)] = 0;
+    return with_followers(robot_, std::move(q));
+  }
+
+  Configuration stowed_arm() const {
+    Configuration stow;
+    for (const int dof : robot_.find_group(plan_.group)->dofs)
+      stow.push_back(world_.store().driving[static_cast<std::size_t>(dof)]);
+    return stow;
+  }
+
+  Result<Obstacles> around() const {
+    const Vec3 middle = world_.world_from_base().position + Vec3{0, 0, 0.9};
+    const Scene scene = scene_now();
+    Obstacles obstacles = fixture_obstacles(scene, middle, way_reach_m);
+    std::vector<std::uint32_t> carried = world_.in_basket();
+    carried.push_back(plan_.product);
+    MARKETGEN_CHECK(add_product_obstacles(scene, middle, way_reach_m, carried, obstacles));
+    return obstacles;
+  }
+
+  Result<std::vector<CarriedItem>> inside() const {
+    std::vector<CarriedItem> items;
+    const Pose base_from_world = inverse(world_.world_from_base());
+    for (const std::uint32_t row : world_.in_basket()) {
+      if (row == plan_.product && holds_it()) continue;
+      const Scene& scene = world_.store().scene;
+      MARKETGEN_TRY(const ProductBody body,
+                    make_store_body(scene.catalog[scene.products[row].sku]));
+      items.push_back({body.pieces, base_from_world * world_.world().product_pose(row)});
+    }
+    return items;
+  }
+
+  Pose base_from_tip() const {
+    const int frame = robot_.tools[static_cast<std::size_t>(plan_.tool)].frame;
+    return frame_pose(robot_, state_now(), frame);
+  }
+
+  Result<StowQuestion> stow_question() const {
+    StowQuestion question{.state = state_now(),
+                          .world_from_base = world_.world_from_base(),
+                          .group = plan_.group,
+                          .around = {},
+                          .stow = stowed_arm()};
+    MARKETGEN_TRY(question.around, around());
+    MARKETGEN_TRY(question.inside, inside());
+    return question;
+  }
+
+  Result<void> drop() {
+    if (!holds_it()) return go_home();
+    const Scene& scene = world_.store().scene;
+    MARKETGEN_TRY(const ProductBody body,
+                  make_store_body(scene.catalog[scene.products[plan_.product].sku]));
+    DropQuestion question;
+    MARKETGEN_TRY(static_cast<StowQuestion&>(question), stow_question());
+    question.tool = plan_.tool;
+    if (tool_.kind == ToolKind::suction) question.acceleration = cup_acceleration;
+    question.held = &body;
+    question.tip_from_product = inverse(world_.world_from_base() * base_from_tip()) *
+                                world_.world().product_pose(plan_.product);
+    const Seed seed = seed_.child("drop", static_cast<std::uint64_t>(moves_++));
+    auto plan = plan_drop(robot_, world_.store().basket, question, seed);
+    if (!plan.ok()) {
+      say("no way into the basket: " + to_string(plan.error()));
+      return try_other_lift();
+    }
+    executor_.let_down(std::move(*plan), let_go());
+    phase_ = AislePhase::dropped;
+    return {};
+  }
+
+  Result<void> try_other_lift() {
+    note(FailureCode::no_path);
+    if (++drop_lift_ >= drop_lifts_m.size()) {
+      done_ = true;  // with the item in its hand: it cannot go on
+      return {};
+    }
+    return executor_.raise(drop_lifts_m[drop_lift_]);
+  }
+
+  // The arm to its stowed posture, empty.
+  Result<void> go_home() {
+    phase_ = AislePhase::choose;
+    MARKETGEN_TRY(const StowQuestion question, stow_question());
+    const Seed seed = seed_.child("home", static_cast<std::uint64_t>(moves_++));
+    auto way = plan_stow(robot_, world_.store().basket, question, seed);
+    if (!way.ok()) {
+      note(FailureCode::no_path);
+      done_ = true;
+      return {};
+    }
+    executor_.stow(std::move(*way));
+    return {};
+  }
+
+  Result<void> check() {
+    phase_ = AislePhase::choose;
+    const std::vector<std::uint32_t> inside = world_.in_basket();
+    const bool there = std::ranges::count(inside, plan_.product) > 0;
+    say(there ? "it is in the basket" : "lost it on its way into the basket");
+    if (there)
+      tries_[sku_of(plan_.product)] = 0;
+    else
+      note(FailureCode::dropped);
+    return {};
+  }
+
+  const AisleWorld& world_;
+  const Robot& robot_;
+  GraspTool tool_;
+  Seed seed_;
+  AisleExecutor executor_;
+  Task task_;
+  Observation now_;
+  AislePhase phase_ = AislePhase::choose;
+  std::unique_ptr<Scene> scene_;  // as it was when the plan was made
+  CollectPlan plan_;
+  double force_n_ = 0;
+  std::size_t drop_lift_ = 0;
+  std::map<std::string, int> tries_;                           // by SKU
+  std::map<std::string, std::vector<GraspCandidate>> grasps_;  // by SKU
+  std::set<std::uint32_t> refused_;
+  std::map<std::uint32_t, std::vector<Vec3>> missed_;  // where the tip was in vain, product frame
+  std::map<std::uint32_t, int> unreached_;             // times that it came and could not reach it
+  int moves_ = 0;
+  bool done_ = false;
+  bool held_ = false;                            // when the tool had closed
+  std::map<std::string, FailureCode> failures_;  // by SKU, the last one
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Policy>> make_aisle_oracle(const AisleWorld& world,
+                                                  const std::filesystem::path& data,
+                                                  Seed seed) {
+  const std::string& row = world.store().station.tools().picks_with;
+  MARKETGEN_TRY(GraspTool tool, load_grasp_tool(data, row));
+  return std::unique_ptr<Policy>(std::make_unique<AisleOracle>(world, std::move(tool), seed));
+}
+
+}  // namespace marketgen

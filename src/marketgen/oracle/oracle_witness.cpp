@@ -1,0 +1,100 @@
+#include "oracle/oracle_witness.h"
+
+#include <algorithm>
+#include <set>
+
+#include "oracle/oracle_reach.h"
+
+namespace marketgen {
+namespace {
+
+constexpr std::size_t most_choices = 24;    // of which postures are sought
+constexpr std::size_t most_ways_tried = 4;  // of an item
+
+class CheckoutWitness {
+ public:
+  CheckoutWitness(const CheckoutWorld& world, const GraspTool& tool, ArmExecutor arm, Seed seed)
+      : world_(world), scene_(world, tool), arm_(std::move(arm)), seed_(seed) {}
+
+  Result<std::optional<std::vector<WitnessPick>>> find() {
+    arm_.start(world_.observe());
+    std::vector<std::size_t> targets, others;
+    for (std::size_t item = 0; item < scene_.items(); ++item) {
+      MARKETGEN_TRY(const std::vector<GraspCandidate> lone, lone_grasps(scene_, item));
+      const bool wanted = scene_.is_target(item);
+      if (wanted && lone.empty()) return std::optional<std::vector<WitnessPick>>{};
+      grasps_.push_back(item_grasps(scene_, item, lone));
+      (wanted ? targets : others).push_back(item);
+    }
+    while (!std::ranges::all_of(targets, [&](std::size_t item) { return out_.contains(item); }))
+      if (!take_one_of(targets) && !take_one_of(others))
+        return std::optional<std::vector<WitnessPick>>{};
+    return std::optional(std::move(picks_));
+  }
+
+ private:
+  bool take_one_of(const std::vector<std::size_t>& items) {
+    return std::ranges::any_of(
+        items, [&](std::size_t item) { return !out_.contains(item) && take(item); });
+  }
+
+  bool is_out(const std::vector<std::size_t>& items) const {
+    return std::ranges::all_of(items, [&](std::size_t item) { return out_.contains(item); });
+  }
+
+  bool take(std::size_t item) {
+    const ItemGrasps& grasps = grasps_[item];
+    if (!is_out(grasps.lies_under)) return false;
+    const Surroundings around = scene_.surroundings({out_.begin(), out_.end()});
+    std::size_t plans = 0;
+    for (std::size_t i = 0; i < std::min(grasps.choices.size(), most_choices); ++i) {
+      const GraspChoice& choice = grasps.choices[i];
+      if (!is_out(choice.blockers)) continue;
+      for (const Pose& tip : either_way_round(arm_, choice.station_from_tip)) {
+        const ReachRequest request = reach_request(scene_, tip, choice.opening_m);
+        if (!is_reached(scene_, arm_, request) ||
+            !has_place(scene_, arm_, item, tip, choice.opening_m))
+          continue;
+        if (plans++ == most_ways_tried) return false;
+        const bool reached = arm_.reach(around, request, seed_.child("reach", moves_++)).ok();
+        arm_.start(world_.observe());  // and forgets it
+        if (!reached) continue;
+        out_.insert(item);
+        note(item, choice);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void note(std::size_t item, const GraspChoice& choice) {
+    WitnessPick pick;
+    pick.sku = world_.spec().items[item].sku;
+    pick.product = "item-" + std::to_string(item);
+    pick.arm = "arm";
+    pick.strategy = std::string(name_of(choice.strategy));
+    picks_.push_back(std::move(pick));
+  }
+
+  const CheckoutWorld& world_;
+  OracleScene scene_;
+  ArmExecutor arm_;
+  Seed seed_;
+  std::vector<ItemGrasps> grasps_;
+  std::set<std::size_t> out_;  // items that were taken
+  std::vector<WitnessPick> picks_;
+  std::uint64_t moves_ = 0;
+};
+
+}  // namespace
+
+CheckoutCertifier checkout_certifier(const std::filesystem::path& data) {
+  return [data](const CheckoutWorld& world,
+                Seed seed) -> Result<std::optional<std::vector<WitnessPick>>> {
+    MARKETGEN_TRY(const GraspTool tool, load_checkout_tool(world, data));
+    MARKETGEN_TRY(ArmExecutor arm, ArmExecutor::make(world.robot()));
+    return CheckoutWitness(world, tool, std::move(arm), seed).find();
+  };
+}
+
+}  // namespace marketgen

@@ -1,0 +1,141 @@
+#include "physics/settle/settle_model.h"
+
+#include <algorithm>
+#include <array>
+
+#include "physics/goods/contact_shape.h"
+#include "physics/goods/spec_geoms.h"
+#include "physics/world/shell_pieces.h"
+#include "scene/placements.h"
+
+namespace marketgen {
+namespace {
+
+constexpr char settle_where[] = "settle";
+constexpr mjtSize memory_base_bytes = 64 << 20,
+                  memory_per_body_bytes = 1 << 20;  // address space, touched as needed
+
+// What rests is put to sleep, which makes the simulation 20 times as fast. A creep slower than this
+// many metres (radians) a second counts as rest: at most 0.4 mm in the four seconds that are
+// watched.
+constexpr double sleep_below_m_s = 1e-4;
+
+// The floor area that the model covers.
+struct Extent {
+  double x0 = 1e9, y0 = 1e9, x1 = -1e9, y1 = -1e9;
+  void include(Vec3 p, double by) {
+    x0 = std::min(x0, p.x - by), y0 = std::min(y0, p.y - by);
+    x1 = std::max(x1, p.x + by), y1 = std::max(y1, p.y + by);
+  }
+  bool touches(Vec3 center, Vec3 half) const {
+    return center.x + half.x >= x0 && center.x - half.x <= x1 && center.y + half.y >= y0 &&
+           center.y - half.y <= y1;
+  }
+};
+
+bool hangs(const Scene& scene, const SceneProduct& item) {
+  return item.facing != no_facing &&
+         scene.shelves[scene.facings[item.facing].shelf].use == ShelfUse::hang;
+}
+
+class Builder {
+ public:
+  Builder(const Scene& scene, const std::vector<CollisionPrimitive>& primitives)
+      : scene_(scene),
+        primitives_(primitives),
+        spec_(mj_makeSpec(), mj_deleteSpec),
+        world_(mjs_findBody(spec_.get(), "world")) {}
+
+  void set_options(std::size_t bodies) {
+    set_contact_options(*spec_, sleep_below_m_s);
+    spec_->memory = memory_base_bytes + memory_per_body_bytes * static_cast<mjtSize>(bodies);
+  }
+
+  void add_room(const Extent& extent) {
+    add_floor(world_);
+    for (const ShellPiece& piece : shell_pieces(scene_.layout.shell)) {
+      add_if_near({CollisionShape::box, piece.pose, piece.half_size}, extent);
+    }
+    for (const ScenePart& part : scene_.parts) {
+      add_if_near(world_from_fixture(scene_, part.fixture) * contact_shape_of(part), extent);
+    }
+  }
+
+  void add_still(std::uint32_t row, const Extent& extent) {
+    const SceneProduct& item = scene_.products[row];
+    const CollisionPrimitive& primitive = primitives_[item.sku];
+    if (mjsGeom* geom =
+            add_if_near(world_from_product(item) * contact_shape_of(primitive), extent)) {
+      set_goods_contact(geom, goods_contact_of(scene_.catalog[item.sku], primitive));
+    }
+  }
+
+  void add_free(std::uint32_t row) {
+    const SceneProduct& item = scene_.products[row];
+    const Product& product = scene_.catalog[item.sku];
+    const CollisionPrimitive& primitive = primitives_[item.sku];
+    mjsBody* body = mjs_addBody(world_, nullptr);
+    set_pose(body->pos, body->quat, world_from_product(item));
+    mjs_addFreeJoint(body);
+    mjsGeom* geom = add_shape(body, contact_shape_of(primitive));
+    set_goods_contact(geom, goods_contact_of(product, primitive));
+    geom->mass = product.mass_kg;
+    if (hangs(scene_, item)) hang(body, product_id(scene_, row), product.height_m());
+  }
+
+  Result<MujocoModel> finish() { return compile(*spec_, settle_where); }
+
+ private:
+  mjsGeom* add_if_near(const ContactShape& shape, const Extent& extent) {
+    return extent.touches(shape.pose.position, half_extents(shape)) ? add_shape(world_, shape)
+                                                                    : nullptr;
+  }
+
+  void hang(mjsBody* body, const std::string& name, double height_m) {
+    mjs_setName(body->element, name.c_str());
+    mjsEquality* hook = mjs_addEquality(spec_.get(), nullptr);
+    hook->type = mjEQ_CONNECT;
+    hook->objtype = mjOBJ_BODY;
+    mjs_setString(hook->name1, name.c_str());
+    const double anchor[3] = {
+        0, 0, height_m};  // in the body's frame; MuJoCo's defaults are those of a joint coupling
+    std::copy(anchor, anchor + 3, hook->data);
+  }
+
+  const Scene& scene_;
+  const std::vector<CollisionPrimitive>& primitives_;
+  MujocoSpec spec_;
+  mjsBody* world_;
+};
+
+}  // namespace
+
+Result<SettleModel> settle_model(const Scene& scene,
+                                 const std::vector<std::uint32_t>& free,
+                                 double margin_m) {
+  std::vector<CollisionPrimitive> primitives;
+  for (const Product& product : scene.catalog) {
+    MARKETGEN_TRY(CollisionPrimitive primitive, collision_of(product));
+    primitives.push_back(primitive);
+  }
+  Extent extent;
+  std::vector<bool> is_free(scene.products.size(), false);
+  for (const std::uint32_t row : free) {
+    is_free[row] = true;
+    extent.include(world_from_product(scene.products[row]).position, margin_m);
+  }
+  Builder builder(scene, primitives);
+  builder.set_options(free.size());
+  builder.add_room(extent);
+  for (std::uint32_t row = 0; row < scene.products.size(); ++row) {
+    if (!is_free[row]) builder.add_still(row, extent);
+  }
+  for (const std::uint32_t row : free)
+    builder.add_free(row);
+  SettleModel built;
+  MARKETGEN_TRY(built.model, builder.finish());
+  built.products = free;
+  return built;
+}
+
+}  // namespace marketgen

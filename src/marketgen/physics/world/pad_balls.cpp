@@ -1,0 +1,45 @@
+#include "physics/world/pad_balls.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "physics/goods/contact_shape.h"
+
+namespace marketgen {
+namespace {
+
+// How large, how far apart at most, and how far out the outermost stand.
+constexpr double pad_ball_m = 0.006, pad_spacing_m = 0.0055, pad_inset = 0.85;
+
+int balls_along(double half) {
+  return std::max(2, static_cast<int>(std::ceil(2 * pad_inset * half / pad_spacing_m)) + 1);
+}
+
+double ball_place(double half, int i, int count) {
+  return pad_inset * half * (2.0 * i / (count - 1) - 1);
+}
+
+}  // namespace
+
+std::vector<mjsGeom*> add_pad_balls(mjsBody* body, Vec3 middle, Vec3 half, double side) {
+  std::vector<mjsGeom*> balls;
+  const int across = balls_along(half.x), along = balls_along(half.z);
+  for (int i = 0; i < across; ++i) {
+    for (int k = 0; k < along; ++k) {
+      mjsGeom* ball = mjs_addGeom(body, nullptr);
+      ball->type = mjGEOM_SPHERE;
+      ball->size[0] = pad_ball_m;
+      ball->pos[0] = middle.x + ball_place(half.x, i, across);
+      ball->pos[1] = middle.y + side * (pad_ball_m - half.y);
+      ball->pos[2] = middle.z + ball_place(half.z, k, along);
+      ball->mass = 0;
+      ball->condim = 4;
+      ball->friction[1] = torsional_friction_m;
+      ball->solref[0] = contact_time_s;
+      balls.push_back(ball);
+    }
+  }
+  return balls;
+}
+
+}  // namespace marketgen

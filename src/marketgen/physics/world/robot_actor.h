@@ -1,0 +1,122 @@
+// A robot's body in a World: links with their masses and inertias, joints with limits and rotor
+// inertia, drives, and its gravity carried by them.
+//
+// add_robot() is for WorldOptions::add_actors. Afterwards a RobotActor reads the joints and drives
+// them. Vectors have one entry per degree of freedom of the Robot, rad or m; those that follow
+// another (second fingers) are read and never driven. Links touch with their capsules, the fingers
+// of a gripper with their solids, which are flat where they hold, cups with theirs behind the lip.
+// Links that cannot or need not touch one another are left out (pairs_that_may_touch()).
+#pragma once
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "physics/world/world.h"
+#include "robots/setpoint.h"
+#include "robots/wheel_drive.h"
+
+namespace marketgen {
+
+// What a control is. `position`: a joint's place, followed by a servo that gives its full effort at
+// an error of 0.02 rad or 2 mm (about the gains published for the Panda) and is damped by a tenth
+// of its stiffness a second. `torque`: the effort itself, for controllers of one's own. A base that
+// drives is pushed by its wheels in both (push_base).
+enum class RobotDrive { position, torque };
+
+struct RobotActorOptions {
+  std::string prefix = {};  // in front of all its names in the model
+  Pose world_from_base = {};
+  std::vector<double> state = {};  // at the start; empty: neutral_state()
+  RobotDrive drive = RobotDrive::position;
+  std::string finger_material = "rubber";  // what it holds with, for robot_materials()
+};
+
+// Errors: robot.bad_state (state); physics.bad_command for a robot without a moving joint. What
+// MuJoCo refuses comes from World::create.
+Result<void> add_robot(mjSpec_& spec, const Robot& robot, const RobotActorOptions& options);
+
+// For WorldOptions::actor_materials: the geoms of the fingers.
+std::map<std::string, std::string> robot_materials(const Robot& robot,
+                                                   const RobotActorOptions& options);
+
+double finger_speed(const Joint& joint);  // of its row, or a usual one; m/s
+
+// Refers to the robot, which must outlive it; holds no state of the World's.
+class RobotActor {
+ public:
+  // Error physics.bad_command: no robot was added under this prefix.
+  static Result<RobotActor> find(const World& world,
+                                 const Robot& robot,
+                                 const std::string& prefix = {});
+
+  // The same in a model of one's own, outside a World.
+  static Result<RobotActor> find(const mjModel_& model,
+                                 const Robot& robot,
+                                 const std::string& prefix = {});
+
+  std::vector<double> position(const World& world) const;
+  std::vector<double> velocity(const World& world) const;
+  std::vector<double> position(const mjData_& data) const;
+  std::vector<double> velocity(const mjData_& data) const;
+  std::vector<double> effort(const World& world) const;  // of the drives, gravity included
+
+  // Position drive. The servos lead by what their damping would take at the wanted velocity, so
+  // that a trajectory is followed without lag, and drive no joint faster than its row says. Wheels
+  // and fingers are left out. Errors: physics.bad_command (the number of values, NaN, a torque
+  // drive); the world is then as before. Values beyond a limit stop at it. This is the bare drive:
+  // RobotController keeps the other limits.
+  Result<void> command(World& world,
+                       std::span<const double> position,
+                       std::span<const double> velocity) const;
+  // The fingers of a gripper follow `finger`, a place of one of them, and press on what is in their
+  // way with at most `force_n` each. To be called before every step, since the force is measured
+  // from where they are. Errors: physics.bad_command (NaN, negative, no gripper, more force than
+  // the tool has).
+  Result<void> grip(World& world, const Tool& tool, const Setpoint& finger, double force_n) const;
+  // What its wheels do to a base that drives, until the next call. Error: physics.bad_command.
+  Result<void> push_base(World& world, const FloorForce& force) const;
+  // The same in a model of one's own.
+  Result<void> command(mjData_& data,
+                       std::span<const double> position,
+                       std::span<const double> velocity) const;
+  Result<void> grip(mjData_& data, const Tool& tool, const Setpoint& finger, double force_n) const;
+  Result<void> push_base(mjData_& data, const FloorForce& force) const;
+  // Whether command() moves it: no wheel, finger or follower.
+  bool follows_position(std::size_t dof) const { return axes_[dof].follows_position; }
+  // How far the fingers' servo has to be off to press with this force, m.
+  double finger_reach_m(const Tool& tool, double force_n) const;
+  // Torque drive: efforts beyond gravity, which is carried already.
+  Result<void> apply(World& world, std::span<const double> effort) const;
+
+ private:
+  struct Axis {
+    int joint_position = 0, joint_velocity = 0;  // addresses in the model's state
+    int actuator = -1;                           // none for a follower
+    double stiffness = 0, damping = 0;           // of the servo; 0: it takes an effort
+    bool follows_position = false;               // its control is a place
+    double max_velocity = 0, locking = 0;        // locking: damping of the joint itself
+  };
+  using SetControl = std::function<Result<void>(int actuator, double value)>;
+  static SetControl controls_of(World& world);
+  static SetControl controls_of(mjData_& data);
+  Result<void> check(std::span<const double> values, bool servo, const char* what) const;
+  Result<void> command(const SetControl& set,
+                       const mjData_& data,
+                       std::span<const double> position,
+                       std::span<const double> velocity) const;
+  Result<void> grip(const SetControl& set,
+                    const mjData_& data,
+                    const Tool& tool,
+                    const Setpoint& finger,
+                    double force_n) const;
+  Result<void> push_base(const SetControl& set, const FloorForce& force) const;
+  const Axis* finger_axis(const Tool& tool) const;  // the one that is driven
+
+  const Robot* robot_ = nullptr;
+  std::vector<Axis> axes_;  // of the robot's degrees of freedom
+  RobotDrive drive_ = RobotDrive::position;
+};
+
+}  // namespace marketgen

@@ -1,0 +1,26 @@
+// The neural denoiser Open Image Denoise 2 (https://www.openimagedenoise.org), where somebody has
+// installed it: looked up and loaded at run time, never needed.
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "base/result.h"
+#include "render/path/path_film.h"
+
+namespace marketgen::raytrace {
+
+// libOpenImageDenoise.so.2: the file $MARKETGEN_OIDN (nowhere when that is empty), else in the
+// `pyoidn` package of the environment this is installed into, or of the source tree's .venv.
+// Nothing when there is none.
+std::optional<std::filesystem::path> neural_denoiser_library();
+
+// The film's radiance without noise. `exposure` times radiance is what is denoised, so that its
+// level suits the network. Errors: usage.unavailable when the library cannot be loaded, lacks a
+// function or fails. Pixels are not promised to be the same on another processor.
+Result<ColorPlanes> neural_denoise(const std::filesystem::path& library,
+                                   const PathFilm& film,
+                                   const PictureGuides& guides,
+                                   float exposure);
+
+}  // namespace marketgen::raytrace

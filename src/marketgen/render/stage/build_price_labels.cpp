@@ -1,0 +1,130 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "assets/print/label.h"
+#include "io/json.h"
+#include "render/picture_objects.h"
+#include "render/stage/build_signage.h"
+
+namespace marketgen::raytrace {
+namespace {
+
+// Heights in pixels: near, and a third of it from afar.
+constexpr int near_tag_px = 96, near_card_px = 222;
+constexpr auto card_width_m = static_cast<float>(promotion_card_width_mm * 1e-3);
+constexpr auto card_height_m = static_cast<float>(promotion_card_height_mm * 1e-3);
+constexpr float lift_m = 8e-4F;  // label stock before the rail
+// Where a rail's front usually is (assets/fixtures/units.h): 6 mm before the board, 38 mm down, 2
+// mm up.
+constexpr float usual_front_m = -0.006F, usual_middle_m = -0.018F;
+
+struct RailFace {
+  float y = usual_front_m, z = usual_middle_m;  // in the shelf frame
+};
+
+// The front of the price rail that belongs to a shelf.
+RailFace rail_of(const Scene& scene, const SceneShelf& shelf) {
+  const Placement fixture_from_shelf =
+      placement_of(Pose{{shelf.position_m[0], shelf.position_m[1], shelf.position_m[2]},
+                        {shelf.rotation_wxyz[0],
+                         shelf.rotation_wxyz[1],
+                         shelf.rotation_wxyz[2],
+                         shelf.rotation_wxyz[3]}});
+  const SceneFixture& fixture = scene.fixtures[shelf.fixture];
+  for (std::uint32_t i = fixture.first_part; i < fixture.first_part + fixture.part_count; ++i) {
+    const ScenePart& part = scene.parts[i];
+    if (part.unit != UnitKind::price_rail) continue;
+    const Vec3f middle =
+        fixture_from_shelf.to_local({part.position_m[0], part.position_m[1], part.position_m[2]});
+    const bool before_this_shelf = std::fabs(middle.x) < shelf.width_m / 2 && middle.y > -0.06F &&
+                                   middle.y < 0.06F && std::fabs(middle.z) < 0.08F;
+    if (before_this_shelf) return {middle.y - part.half_size_m[1], middle.z};
+  }
+  return {};
+}
+
+int pixels(int near_px, PrintDetail detail) {
+  return detail == PrintDetail::near ? near_px : near_px / 3;
+}
+
+Result<PrintedPicture> print_card(const Product& product, int card_px) {
+  MARKETGEN_TRY(Image card, draw_promotion_card(product, card_px));
+  return PrintedPicture{std::move(card), std::nullopt};
+}
+
+// A printed rectangle before a shelf: its middle and size in the shelf frame.
+struct Sticker {
+  float x = 0, y = 0, z = 0, width = 0, height = 0;
+  std::uint16_t material = 0;
+};
+
+void stick(Draft& draft, std::uint32_t shelf, const Sticker& sticker) {
+  const Placement at = placement_of(world_from_shelf(draft.scene(), shelf));
+  const float left = sticker.x - sticker.width / 2, right = sticker.x + sticker.width / 2;
+  const float low = sticker.z - sticker.height / 2, high = sticker.z + sticker.height / 2;
+  Mesh quad;
+  add_quad(quad,
+           at({left, sticker.y, low}),
+           at({right, sticker.y, low}),
+           at({right, sticker.y, high}),
+           at({left, sticker.y, high}),
+           0);
+  World& world = draft.world();
+  append(world.shell,
+         world.shell_glass,
+         quad,
+         {sticker.material},
+         world,
+         {first_fixture_object + draft.scene().shelves[shelf].fixture, -1});
+}
+
+}  // namespace
+
+PriceLabelBuilder::PriceLabelBuilder(Draft& draft) {
+  const Scene& scene = draft.scene();
+  const auto paper = [&](std::int32_t texture) {
+    return draft.material({.color = {1, 1, 1}, .roughness = 0.5F, .texture = texture});
+  };
+  const int tag_px = pixels(near_tag_px, draft.print()),
+            card_px = pixels(near_card_px, draft.print());
+  for (const PriceLabel& label : scene.price_labels) {
+    const Product& product = scene.catalog[label.sku];
+    const bool promotion = label.promotion != 0;
+    const std::string row = write_json_line(product);
+    Looks looks;
+    looks.tag = paper(draft.print_texture(
+        fmt::format("tag {} {} {}", tag_px, promotion ? "promotion" : "", row),
+        [&product, promotion, tag_px] { return print_price_tag(product, promotion, tag_px); }));
+    if (promotion)
+      looks.card =
+          paper(draft.print_texture(fmt::format("promotion card {} {}", card_px, row),
+                                    [&product, card_px] { return print_card(product, card_px); }));
+    looks_of_label_.push_back(looks);
+  }
+}
+
+void PriceLabelBuilder::build(Draft& draft) const {
+  const Scene& scene = draft.scene();
+  for (std::size_t i = 0; i < scene.price_labels.size(); ++i) {
+    const PriceLabel& label = scene.price_labels[i];
+    const SceneShelf& shelf = scene.shelves[label.shelf];
+    const RailFace rail = rail_of(scene, shelf);
+    const float x = label.x_m - shelf.width_m / 2, y = rail.y - lift_m;
+    const Sticker tag{x, y, rail.z, label.width_m, label.height_m, looks_of_label_[i].tag};
+    stick(draft, label.shelf, tag);
+    if (!looks_of_label_[i].card) continue;
+    // Cards of neighbours may overlap; they hang a little apart.
+    const float apart = static_cast<float>(i % 3) * lift_m;
+    stick(draft,
+          label.shelf,
+          {x,
+           y - lift_m - apart,
+           rail.z - label.height_m / 2 - card_height_m / 2,
+           card_width_m,
+           card_height_m,
+           *looks_of_label_[i].card});
+  }
+}
+
+}  // namespace marketgen::raytrace

@@ -1,0 +1,83 @@
+#include "skills/aisle_executor.h"
+
+namespace marketgen {
+namespace {
+
+constexpr double calm_s = 0.3;   // until nothing swings
+constexpr double press_s = 0.7;  // until a tool has taken hold
+constexpr double let_go_s = 0.5;
+constexpr double back_off_m_s = 0.2;
+constexpr double lift_speed_share = 0.9, head_speed_share = 0.9;
+
+}  // namespace
+
+AisleExecutor::AisleExecutor(const Robot& robot, std::vector<int> commanded)
+    : robot_(&robot), body_(robot, std::move(commanded)) {}
+
+void AisleExecutor::start(const Observation& now) {
+  body_.start(now);
+}
+
+void AisleExecutor::drive(BaseFollower way) {
+  body_.follow(std::move(way));
+  body_.wait(calm_s);
+}
+
+Result<void> AisleExecutor::look(double pan, double tilt) {
+  MARKETGEN_CHECK(body_.move_joint(robot_->find_dof("head_pan"), pan, head_speed_share));
+  MARKETGEN_CHECK(body_.move_joint(robot_->find_dof("head_tilt"), tilt, head_speed_share));
+  body_.wait(calm_s);
+  return {};
+}
+
+Result<void> AisleExecutor::raise(double lift_m) {
+  return body_.move_joint(robot_->find_dof("lift"), lift_m, lift_speed_share);
+}
+
+void AisleExecutor::open(int tool, ToolCommand command) {
+  body_.grip(tool, command);
+  body_.wait(let_go_s);
+}
+
+Result<void> AisleExecutor::take(Taking taking) {
+  taking_ = std::move(taking);
+  MARKETGEN_CHECK(raise(taking_.lift_m));
+  open(taking_.tool, taking_.open);
+  body_.play(arm(), taking_.ways.reach.trajectory);
+  body_.grip(taking_.tool, taking_.close);
+  body_.wait(press_s);
+  return {};
+}
+
+void AisleExecutor::pull_out() {
+  body_.play(arm(), taking_.ways.lift);
+  body_.play(arm(), taking_.ways.retreat);
+}
+
+Result<void> AisleExecutor::go_back() {
+  MARKETGEN_TRY(JointTrajectory way, way_back(*robot_, taking_.group, taking_.ways.reach.line));
+  open(taking_.tool, taking_.open);
+  body_.play(arm(), std::move(way));
+  return {};
+}
+
+Result<void> AisleExecutor::back_off(double room_m) {
+  if (room_m > 0) MARKETGEN_CHECK(body_.drive_straight(-room_m, back_off_m_s));
+  body_.wait(calm_s);
+  return {};
+}
+
+void AisleExecutor::let_down(DropPlan plan, ToolCommand let_go) {
+  body_.play(arm(), std::move(plan.way));
+  body_.wait(calm_s);
+  open(taking_.tool, let_go);
+  body_.play(arm(), std::move(plan.retreat));
+  stow(std::move(plan.home));
+}
+
+void AisleExecutor::stow(JointTrajectory way) {
+  body_.play(arm(), std::move(way));
+  body_.wait(calm_s);
+}
+
+}  // namespace marketgen

@@ -1,0 +1,56 @@
+// Carries out what a robot does to take an item off a shelf and let it down into the basket that it
+// carries: ways of its base, its lift, its head and an arm, one after another. Everyone's: whoever
+// knows the surroundings, or has measured them, plans the ways; it knows nothing of them.
+//
+// SI units.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "agent/policy.h"
+#include "skills/body_executor.h"
+#include "skills/drop_plan.h"
+#include "skills/pick_ways.h"
+
+namespace marketgen {
+
+// One item's: by which arm, and how its tool takes hold.
+struct Taking {
+  PickWays ways;
+  std::string group;  // of the arm
+  int tool = 0;       // in Robot::tools
+  double lift_m = 0;  // height of the lift
+  ToolCommand open, close;
+};
+
+class AisleExecutor {
+ public:
+  // `commanded`: the degrees of freedom of an action's positions. The robot must outlive it.
+  AisleExecutor(const Robot& robot, std::vector<int> commanded);
+
+  void start(const Observation& now);  // forgets what is queued
+  bool idle() const { return body_.idle(); }
+  Action next(const Observation& now) { return body_.next(now); }
+
+  // ---- Each queues motions. Errors: motion.bad_limits; those of way_back. ----
+  void drive(BaseFollower way);
+  Result<void> look(double pan, double tilt);  // the head, to the left and down, rad
+  Result<void> raise(double lift_m);
+  void open(int tool, ToolCommand command);
+
+  Result<void> take(Taking taking);  // from where it stands, up to the grip
+  void pull_out();                   // with the item
+  Result<void> go_back();            // empty, the way that the arm came
+  Result<void> back_off(double room_m);
+  void let_down(DropPlan plan, ToolCommand let_go);  // into the basket; then home
+  void stow(JointTrajectory way);                    // the empty arm
+
+ private:
+  const std::vector<int>& arm() const { return robot_->find_group(taking_.group)->dofs; }
+
+  const Robot* robot_;
+  BodyExecutor body_;
+  Taking taking_;  // the last one
+};
+
+}  // namespace marketgen

@@ -1,0 +1,168 @@
+#include "skills/arm_executor.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace marketgen {
+namespace {
+
+constexpr std::array let_down_m{0.10, 0.06, 0.03};
+
+// What the last joint of the group moves.
+std::vector<int> hand_of(const Robot& robot, const JointGroup& group) {
+  if (group.dofs.empty()) return {};
+  return links_from(robot, robot.joint_of_dof(static_cast<std::size_t>(group.dofs.back())).link);
+}
+
+}  // namespace
+
+Result<ArmExecutor> ArmExecutor::make(const Robot& robot, const ExecutorOptions& options) {
+  ArmExecutor made;
+  made.robot_ = &robot;
+  made.options_ = options;
+  MARKETGEN_TRY(ArmModel model, make_arm_model(robot, "arm"));
+  made.model_ = std::make_unique<ArmModel>(std::move(model));
+  made.hand_ = hand_of(robot, made.model_->group);
+  return made;
+}
+
+void ArmExecutor::start(const Observation& now) {
+  queue_.clear();
+  played_s_ = held_m_ = 0;
+  now_ = end_ = now.position;
+  opening_m_ = now.openings_m.front();
+}
+
+std::vector<double> ArmExecutor::state(double opening_m) const {
+  std::vector<double> q = neutral_state(*robot_);
+  for (std::size_t j = 0; j < end_.size(); ++j)
+    q[static_cast<std::size_t>(model_->group.dofs[j])] =
+        std::clamp(end_[j], model_->lower[j], model_->upper[j]);
+  if (const JointGroup* fingers = robot_->find_group("fingers")) {
+    for (const int dof : fingers->dofs) {
+      const Joint& joint = robot_->joint_of_dof(static_cast<std::size_t>(dof));
+      q[static_cast<std::size_t>(dof)] = std::clamp(opening_m / 2, joint.lower, joint.upper);
+    }
+  }
+  return with_followers(*robot_, std::move(q));
+}
+
+Result<std::vector<MotionLimits>> ArmExecutor::limits(double speed) const {
+  ArmPlanOptions arm;
+  arm.speed = speed;
+  MARKETGEN_TRY(std::vector<MotionLimits> limits, motion_limits(*model_, arm));
+  for (MotionLimits& limit : limits)
+    limit.acceleration *= options_.acceleration;
+  return limits;
+}
+
+Result<ArmChecker> ArmExecutor::line_checker(const std::vector<double>& state,
+                                             const CollisionWorld& way,
+                                             const CollisionWorld& line) const {
+  return ArmChecker::make(
+      *model_,
+      state,
+      {},
+      way,
+      {.margin_m = options_.line_margin_m, .at_work = hand_, .their_world = &line});
+}
+
+double ArmExecutor::opening_for(double asked_m) const {
+  if (asked_m > 0) return asked_m;
+  return opening_m_ > 0 ? opening_m_ : held_m_;
+}
+
+void ArmExecutor::queue(JointTrajectory trajectory, double opening_m, double force_n) {
+  const double duration = trajectory.duration_s();
+  end_ = trajectory.at(duration).position;
+  queue_.push_back({std::move(trajectory), duration, opening_m, force_n});
+}
+
+void ArmExecutor::wait(double seconds, double opening_m, double force_n) {
+  queue_.push_back({{}, seconds, opening_m, force_n});
+}
+
+Result<void> ArmExecutor::reach(const Surroundings& around,
+                                const ReachRequest& request,
+                                Seed seed) {
+  MARKETGEN_TRY(const CollisionWorld way_world, CollisionWorld::make(around.way));
+  MARKETGEN_TRY(const CollisionWorld line_world, CollisionWorld::make(around.line));
+  const std::vector<double> q = state(opening_for(request.opening_m));
+  MARKETGEN_TRY(
+      const ArmChecker way,
+      ArmChecker::make(*model_,
+                       q,
+                       {},
+                       way_world,
+                       {.margin_m = options_.way_margin_m, .attached = request.attached}));
+  MARKETGEN_TRY(const ArmChecker line, line_checker(q, way_world, line_world));
+  ArmPlanOptions arm;
+  arm.search.most_iterations = options_.most_samples;
+  arm.speed = options_.speed;
+  MARKETGEN_TRY(const ReachPlan plan,
+                plan_reach(way, line, {end_, request.base_from_tip, request.approach}, seed, arm));
+  MARKETGEN_TRY(const auto quick, limits(options_.speed));
+  MARKETGEN_TRY(const auto slow, limits(options_.line_speed));
+  MARKETGEN_TRY(JointTrajectory trajectory, timed_path(plan.way, quick));
+  MARKETGEN_TRY(const JointTrajectory last, timed_curve(plan.line, slow));
+  if (!request.stops_before) trajectory.append(last);
+  queue(std::move(trajectory), request.opening_m, request.force_n);
+  return {};
+}
+
+Result<void> ArmExecutor::straight(const Surroundings& around,
+                                   const Pose& base_from_tip,
+                                   double opening_m,
+                                   double force_n) {
+  MARKETGEN_TRY(const CollisionWorld way_world, CollisionWorld::make(around.way));
+  MARKETGEN_TRY(const CollisionWorld line_world, CollisionWorld::make(around.line));
+  MARKETGEN_TRY(const ArmChecker line,
+                line_checker(state(opening_for(opening_m)), way_world, line_world));
+  MARKETGEN_TRY(const JointPath path, tool_line(line, end_, base_from_tip));
+  MARKETGEN_TRY(const auto slow, limits(options_.line_speed));
+  MARKETGEN_TRY(JointTrajectory trajectory, timed_curve(path, slow));
+  queue(std::move(trajectory), opening_m, force_n);
+  return {};
+}
+
+Result<void> ArmExecutor::let_down(const Surroundings& around, double force_n) {
+  Result<void> down;
+  for (const double by : let_down_m) {
+    down = straight(around, {tip().position - Vec3{0, 0, by}, tip().rotation}, 0, force_n);
+    if (down.ok()) break;
+  }
+  return down;
+}
+
+Action ArmExecutor::next(const Observation& now) {
+  if (!queue_.empty() && !now.stopped) {
+    const Motion& motion = queue_.front();
+    played_s_ += options_.step_s;
+    opening_m_ = motion.opening_m;
+    force_n_ = motion.force_n;
+    if (motion.trajectory.joints() > 0) now_ = motion.trajectory.at(played_s_).position;
+    if (played_s_ >= motion.duration_s) {
+      queue_.pop_front();
+      played_s_ = 0;
+    }
+  }
+  return {now_, {{opening_m_, force_n_}}};
+}
+
+Pose ArmExecutor::tip() const {
+  const std::vector<double> q = state(opening_m_);
+  const Pose base = link_poses(*robot_, q)[static_cast<std::size_t>(model_->group.base)];
+  return inverse(base) * frame_pose(*robot_, q, model_->group.tip);
+}
+
+std::optional<double> ArmExecutor::effort_to(const Pose& base_from_tip) const {
+  const auto goals = arm_goals(*robot_, model_->group, base_from_tip, end_);
+  if (!goals.ok() || goals->empty()) return std::nullopt;
+  double most = 0;
+  for (std::size_t j = 0; j < end_.size(); ++j)
+    most = std::max(most, std::abs(goals->front()[j] - end_[j]));
+  return most;
+}
+
+}  // namespace marketgen

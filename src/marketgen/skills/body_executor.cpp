@@ -1,0 +1,159 @@
+#include "skills/body_executor.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace marketgen {
+namespace {
+
+constexpr double body_step_s = 0.05;
+// Of the errors along, across and about, per second: Kanayama et al., "A stable tracking control
+// method for an autonomous mobile robot", ICRA 1990.
+constexpr double along_gain = 2, across_gain = 8, turn_gain = 3;
+constexpr double straight_m_s2 = 0.3;  // of short ways to and from a shelf
+constexpr double straight_jerk_m_s3 = 3;
+constexpr double jerk_time_s = 0.05;
+
+// A drive is over when the base stands where it was to go, or no nearer after a while: across its
+// heading it cannot be moved without going to and fro.
+constexpr double near_m = 0.002, near_rad = 0.002, max_settling_s = 1.0;
+
+double wrapped(double angle) {
+  return std::remainder(angle, 2 * M_PI);
+}
+
+}  // namespace
+
+BodyExecutor::BodyExecutor(const Robot& robot, std::vector<int> commanded)
+    : robot_(&robot), commanded_(std::move(commanded)) {}
+
+void BodyExecutor::start(const Observation& now) {
+  queue_.clear();
+  played_s_ = 0;
+  position_ = queued_position_ = now.position;
+  tools_.clear();
+  for (const double opening : now.openings_m)
+    tools_.push_back({opening});
+}
+
+std::size_t BodyExecutor::column_of(int dof) const {
+  return static_cast<std::size_t>(std::ranges::find(commanded_, dof) - commanded_.begin());
+}
+
+void BodyExecutor::follow(BaseFollower follower) {
+  Motion motion;
+  motion.base = std::move(follower);
+  queue_.push_back(std::move(motion));
+}
+
+Result<void> BodyExecutor::drive_straight(double distance_m, double speed_m_s) {
+  Motion motion;
+  motion.straight = true;
+  MARKETGEN_TRY(
+      motion.trajectory,
+      timed_path({{0.0}, {distance_m}}, {{speed_m_s, straight_m_s2, straight_jerk_m_s3}}));
+  motion.duration_s = motion.trajectory.duration_s();
+  queue_.push_back(std::move(motion));
+  return {};
+}
+
+void BodyExecutor::play(const std::vector<int>& dofs, JointTrajectory trajectory) {
+  Motion motion;
+  for (const int dof : dofs)
+    motion.columns.push_back(column_of(dof));
+  motion.duration_s = trajectory.duration_s();
+  const std::vector<double> end = trajectory.at(motion.duration_s).position;
+  for (std::size_t i = 0; i < end.size(); ++i)
+    queued_position_[motion.columns[i]] = end[i];
+  motion.trajectory = std::move(trajectory);
+  queue_.push_back(std::move(motion));
+}
+
+Result<void> BodyExecutor::move_joint(int dof, double to, double speed_share) {
+  const Joint& joint = robot_->joint_of_dof(static_cast<std::size_t>(dof));
+  const double speed = joint.velocity * speed_share, quickly = joint.acceleration * speed_share;
+  const MotionLimits limits{speed, quickly, quickly / jerk_time_s};
+  const double from = queued_position_[column_of(dof)];
+  MARKETGEN_TRY(JointTrajectory way,
+                timed_path({{from}, {std::clamp(to, joint.lower, joint.upper)}}, {limits}));
+  play({dof}, std::move(way));
+  return {};
+}
+
+void BodyExecutor::grip(int tool, ToolCommand command) {
+  Motion motion;
+  motion.grip = {static_cast<std::size_t>(tool), command};
+  queue_.push_back(std::move(motion));
+}
+
+void BodyExecutor::wait(double seconds) {
+  Motion motion;
+  motion.duration_s = seconds;
+  queue_.push_back(std::move(motion));
+}
+
+// From where the base is to where the follower is now.
+BodyExecutor::BaseError BodyExecutor::error_of(const BaseFollower& wanted,
+                                               const Observation& now) const {
+  const BaseState& to = wanted.state();
+  const double axle = robot_->drive ? robot_->drive->axle_x : 0;
+  const double heading = now.base.heading;
+  const double dx = to.position.x - (now.base.x_m + axle * std::cos(heading)),
+               dy = to.position.y - (now.base.y_m + axle * std::sin(heading));
+  return {dx * std::cos(heading) + dy * std::sin(heading),
+          dy * std::cos(heading) - dx * std::sin(heading),
+          wrapped(to.heading - heading)};
+}
+
+void BodyExecutor::steer(const BaseFollower& wanted, const Observation& now, Action& action) const {
+  const BaseState& to = wanted.state();
+  const BaseError off = error_of(wanted, now);
+  action.drive_m_s = to.speed * std::cos(off.turn) + along_gain * off.along;
+  action.turn_rad_s = to.turn_rate + to.speed * across_gain * off.across + turn_gain * off.turn;
+}
+
+bool BodyExecutor::is_over(Motion& motion, const Observation& now) const {
+  if (!motion.base) return played_s_ >= motion.duration_s;
+  if (!motion.base->done()) return false;
+  const BaseError off = error_of(*motion.base, now);
+  motion.settling_s += body_step_s;
+  return motion.settling_s > max_settling_s ||
+         (std::abs(off.along) < near_m && std::abs(off.turn) < near_rad);
+}
+
+void BodyExecutor::play_step(Motion& motion, const Observation& now, Action& action) {
+  played_s_ += body_step_s;
+  if (motion.base) {
+    motion.base->step(body_step_s);
+    steer(*motion.base, now, action);
+  } else if (motion.straight) {
+    action.drive_m_s = motion.trajectory.at(std::min(played_s_, motion.duration_s)).velocity[0];
+    if (played_s_ >= motion.duration_s) action.drive_m_s = 0;
+  } else if (!motion.columns.empty()) {
+    const std::vector<double> q = motion.trajectory.at(played_s_).position;
+    for (std::size_t i = 0; i < q.size(); ++i)
+      position_[motion.columns[i]] = q[i];
+  }
+}
+
+Action BodyExecutor::next(const Observation& now) {
+  Action action;
+  while (!queue_.empty() && queue_.front().grip) {
+    const auto& [tool, command] = *queue_.front().grip;
+    tools_[tool] = command;
+    queue_.pop_front();
+  }
+  if (!queue_.empty() && !now.stopped) {
+    Motion& motion = queue_.front();
+    play_step(motion, now, action);
+    if (is_over(motion, now)) {
+      queue_.pop_front();
+      played_s_ = 0;
+    }
+  }
+  action.position = position_;
+  action.tools = tools_;
+  return action;
+}
+
+}  // namespace marketgen

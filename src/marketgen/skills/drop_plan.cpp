@@ -1,0 +1,284 @@
+#include "skills/drop_plan.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include <fmt/format.h>
+
+namespace marketgen {
+namespace {
+
+constexpr double off_walls_m = 0.008;  // of what is let down
+constexpr int drop_yaws = 16;
+constexpr std::array drop_tilts{0.0, 0.35, 0.7, 1.05};  // of the tool from straight down, rad
+constexpr int drop_columns = 5;                         // places along each side of the basket
+constexpr std::size_t most_drops = 800;                 // that are looked at
+constexpr double mixed_m = 0.06;
+constexpr int most_searches = 3;  // in vain, before the basket is given up
+constexpr double let_go_back_m = 0.12;
+constexpr int most_lines = 4;                 // down to one place that are tried
+constexpr int most_descents = 2;              // ways down to one place
+constexpr std::size_t descents_at_once = 16;  // goals of one search
+constexpr double way_margin_m = 0.004, line_margin_m = 0.002;
+constexpr double over_rim_m = 0.06;  // where the line down begins, of the lowest point held
+constexpr double of_tilt = 0.03, of_offset = 0.1,
+                 of_rim = 2;  // metres of height that they are worth
+constexpr double line_speed_share = 0.25;
+constexpr int most_drop_samples = 8000;
+
+std::vector<int> links_of(const Robot& robot, const Tool& tool) {
+  std::vector<int> links;
+  for (std::size_t link = 0; link < robot.links.size(); ++link)
+    if (robot.links[link].name.starts_with(tool.prefix)) links.push_back(static_cast<int>(link));
+  return links;
+}
+
+ArmPlanOptions carrying(double acceleration) {
+  ArmPlanOptions options;
+  options.speed = carrying_speed;
+  options.acceleration = acceleration;
+  return options;
+}
+
+Configuration values_of(const ArmModel& model, const std::vector<double>& state) {
+  Configuration q;
+  for (const int dof : model.group.dofs)
+    q.push_back(state[static_cast<std::size_t>(dof)]);
+  return q;
+}
+
+// The store, the basket and what lies in it.
+Result<CollisionWorld> around_robot(const CarriedBasket& basket, const StowQuestion& question) {
+  std::vector<BoxObstacle> carried = basket.walls;
+  for (const CarriedItem& item : question.inside)
+    carried.push_back(box_of(item));
+  Obstacles all = question.around;
+  for (const BoxObstacle& box : carried_at(carried, question.world_from_base))
+    all.boxes.push_back(box);
+  return CollisionWorld::make(all);
+}
+
+struct Drop {
+  Pose base_from_tip;
+  double lowest_m = 0;  // of what is held, over the basket's floor, when it has come to rest
+  double cost = 0;
+};
+
+class DropSearch {
+ public:
+  DropSearch(const CarriedBasket& basket, const DropQuestion& question)
+      : basket_(basket), question_(question), fill_(basket, question.inside) {}
+
+  // Best first, but mixed: neighbours of what cannot be reached cannot be reached either.
+  std::vector<Drop> drops(Seed seed) const {
+    std::vector<Drop> found;
+    for (const double tilt : drop_tilts) {
+      for (int yaw = 0; yaw < drop_yaws; ++yaw) {
+        for (int side = 0; side < (tilt > 0 ? 4 : 1); ++side)
+          add(turned(tilt, side * std::numbers::pi / 2, 2 * std::numbers::pi * yaw / drop_yaws),
+              tilt,
+              found);
+      }
+    }
+    Stream draw = seed.child("mixed").stream();
+    for (Drop& drop : found)
+      drop.cost += draw.uniform(0, mixed_m);
+    std::ranges::stable_sort(found, {}, &Drop::cost);
+    if (found.size() > most_drops) found.resize(most_drops);
+    return found;
+  }
+
+ private:
+  // Basket's frame: straight down, leaning towards `side`, turned about its own axis.
+  static Quaternion turned(double tilt, double side, double yaw) {
+    return rotation_about({std::cos(side), std::sin(side), 0}, tilt) *
+           rotation_about({0, 0, 1}, yaw) * rotation_about({1, 0, 0}, std::numbers::pi);
+  }
+
+  void add(const Quaternion& tip, double tilt, std::vector<Drop>& found) const {
+    const Pose product = Pose{{}, tip} * question_.tip_from_product;
+    const TurnedBox box = turned_box(*question_.held, product);
+    const double x = basket_.size.x / 2 - off_walls_m - box.half.x,
+                 y = basket_.size.y / 2 - off_walls_m - box.half.y;
+    if (x < 0 || y < 0) return;
+    const Underside held(*question_.held, product.rotation);
+    for (int i = 0; i < drop_columns; ++i) {
+      for (int j = 0; j < drop_columns; ++j) {
+        const double at_x = x * (2.0 * i / (drop_columns - 1) - 1),
+                     at_y = y * (2.0 * j / (drop_columns - 1) - 1);
+        const double support = fill_.rest_m(held, at_x, at_y);
+        const double above = std::max(0.0, support + 2 * box.half.z - basket_.size.z);
+        for (const double fall : drop_heights_m) {
+          const Vec3 tip_at = Vec3{at_x, at_y, support + fall + box.half.z} - box.middle;
+          found.push_back({basket_.base_from_floor * Pose{tip_at, tip},
+                           support,
+                           support + fall + of_tilt * tilt + of_offset * std::hypot(at_x, at_y) +
+                               of_rim * above});
+        }
+      }
+    }
+  }
+
+  const CarriedBasket& basket_;
+  const DropQuestion& question_;
+  BasketFill fill_;
+};
+
+// A place over the basket that the arm can reach, and its straight way down from there.
+struct Descent {
+  Pose base_from_tip;  // where it lets go
+  JointPath line, out;
+};
+
+class DropPlanner {
+ public:
+  DropPlanner(const Robot& robot, const CarriedBasket& basket, const DropQuestion& question)
+      : robot_(robot),
+        basket_(basket),
+        question_(question),
+        options_(carrying(question.acceleration)) {
+    options_.search.most_iterations = most_drop_samples;
+  }
+  DropPlanner(const DropPlanner&) = delete;  // its checkers refer to it
+  DropPlanner& operator=(const DropPlanner&) = delete;
+
+  // Before anything else. Errors: those of make_arm_model and of the checkers.
+  Result<void> look_around() {
+    MARKETGEN_TRY(world_, around_robot(basket_, question_));
+    MARKETGEN_TRY(model_, make_arm_model(robot_, question_.group));
+    const std::vector<double>& state = question_.state;
+    start_ = values_of(model_, state);
+    base_from_arm_ = link_poses(robot_, state)[static_cast<std::size_t>(model_.group.base)];
+    const Tool& tool = robot_.tools[static_cast<std::size_t>(question_.tool)];
+    const std::vector<AttachedObject> held{held_product(
+        robot_, tool.frame, *question_.held, question_.tip_from_product, links_of(robot_, tool))};
+    const Pose& at = question_.world_from_base;
+    MARKETGEN_TRY(way_, ArmChecker::make(model_, state, at, world_, {way_margin_m, held}));
+    MARKETGEN_TRY(line_, ArmChecker::make(model_, state, at, world_, {line_margin_m, {}}));
+    return {};
+  }
+
+  // At most most_descents for one place; the arm's postures nearest to the start first.
+  Result<void> add_descents(const Drop& drop, std::vector<Descent>& found) {
+    const double up = std::max(0.05, basket_.size.z + over_rim_m - drop.lowest_m);
+    const Pose end = inverse(base_from_arm_) * drop.base_from_tip;
+    Pose begin = end;
+    begin.position += rotate(inverse(base_from_arm_.rotation), {0, 0, up});
+    const auto postures = arm_goals(robot_, model_.group, begin, start_);
+    if (!postures.ok()) return postures.error();
+    Error error{"motion.goal_in_collision", "over the basket", "the arm has no room"};
+    int added = 0, tried = 0;
+    for (const Configuration& q : *postures) {
+      if (!way_->free(q)) continue;
+      if (++tried > most_lines) break;
+      auto line = tool_line(*line_, q, end);
+      if (!line.ok()) {
+        error = line.error();
+        continue;
+      }
+      JointPath out = way_out(*line, end);
+      found.push_back({drop.base_from_tip, std::move(*line), std::move(out)});
+      if (++added == most_descents) break;
+    }
+    if (added == 0) return error;
+    return {};
+  }
+
+  // By the first of the descents that is reached and from which the arm gets home.
+  Result<DropPlan> plan(std::vector<Descent> descents, Seed seed) const {
+    while (true) {
+      std::vector<Configuration> goals;
+      for (const Descent& descent : descents)
+        goals.push_back(descent.line.front());
+      MARKETGEN_TRY(const JointPath way, plan_arm_path(*way_, start_, goals, seed, options_));
+      const auto reached = std::ranges::find(goals, way.back()) - goals.begin();
+      auto plan = by_way(way, descents[static_cast<std::size_t>(reached)], seed);
+      if (plan.ok() || descents.size() == 1) return plan;
+      descents.erase(descents.begin() + reached);
+    }
+  }
+
+ private:
+  // Fingers that lean would lift what they let go: back along the tool, or else the way it came.
+  JointPath way_out(const JointPath& line, Pose end) const {
+    end.position += rotate(end.rotation, {0, 0, -let_go_back_m});
+    auto back = tool_line(*line_, line.back(), end);
+    if (back.ok()) return std::move(*back);
+    return {line.rbegin(), line.rend()};
+  }
+
+  Result<DropPlan> by_way(const JointPath& way, const Descent& descent, Seed seed) const {
+    MARKETGEN_TRY(const auto quick, motion_limits(model_, options_));
+    ArmPlanOptions gentle = options_;
+    gentle.speed *= line_speed_share;
+    MARKETGEN_TRY(const auto slow, motion_limits(model_, gentle));
+    DropPlan plan;
+    plan.base_from_tip = descent.base_from_tip;
+    MARKETGEN_TRY(plan.way, timed_path(way, quick));
+    MARKETGEN_TRY(const JointTrajectory down, timed_curve(descent.line, slow));
+    plan.way.append(down);
+    MARKETGEN_TRY(plan.retreat, timed_curve(descent.out, slow));
+    MARKETGEN_TRY(
+        const ArmPlan home,
+        plan_arm(*line_, descent.out.back(), {question_.stow}, seed.child("home"), options_));
+    plan.home = home.trajectory;
+    return plan;
+  }
+
+  const Robot& robot_;
+  const CarriedBasket& basket_;
+  const DropQuestion& question_;
+  ArmPlanOptions options_;
+  ArmModel model_;
+  CollisionWorld world_;
+  std::optional<ArmChecker> way_, line_;  // with what is held, and without it
+  Configuration start_;
+  Pose base_from_arm_;
+};
+
+}  // namespace
+
+Result<DropPlan> plan_drop(const Robot& robot,
+                           const CarriedBasket& basket,
+                           const DropQuestion& question,
+                           Seed seed) {
+  DropPlanner planner(robot, basket, question);
+  MARKETGEN_CHECK(planner.look_around());
+  const std::vector<Drop> drops = DropSearch(basket, question).drops(seed);
+  Error error{"collect.no_drop", robot.name, "the basket has no room for what is held"};
+  std::vector<Descent> descents;
+  int searches = 0;
+  for (std::size_t i = 0; i < drops.size() && searches < most_searches; ++i) {
+    if (const auto added = planner.add_descents(drops[i], descents); !added.ok())
+      error.message = fmt::format("in the last place that was tried: {}", added.error().message);
+    const bool last = i + 1 == drops.size();
+    if (descents.empty() || (descents.size() < descents_at_once && !last)) continue;
+    auto plan = planner.plan(std::move(descents), seed.child("drop", i));
+    if (plan.ok()) return plan;
+    error.message = plan.error().message;
+    if (plan.error().code == "motion.start_in_collision") break;
+    descents.clear();
+    ++searches;
+  }
+  return error;
+}
+
+Result<JointTrajectory> plan_stow(const Robot& robot,
+                                  const CarriedBasket& basket,
+                                  const StowQuestion& question,
+                                  Seed seed) {
+  MARKETGEN_TRY(const ArmModel model, make_arm_model(robot, question.group));
+  MARKETGEN_TRY(const CollisionWorld world, around_robot(basket, question));
+  MARKETGEN_TRY(const ArmChecker checker,
+                ArmChecker::make(
+                    model, question.state, question.world_from_base, world, {line_margin_m, {}}));
+  const Configuration start = values_of(model, question.state);
+  MARKETGEN_TRY(ArmPlan plan,
+                plan_arm(checker, start, {question.stow}, seed, carrying(carrying_acceleration)));
+  return std::move(plan.trajectory);
+}
+
+}  // namespace marketgen

@@ -1,0 +1,106 @@
+#include "skills/pick_ways.h"
+
+#include <cmath>
+
+namespace marketgen {
+namespace {
+
+constexpr double with_product = 0.25;  // share of the speed
+
+ArmPlanOptions pick_options(const PickMotion& motion, double share) {
+  ArmPlanOptions options;
+  options.speed = motion.speed * share;
+  options.acceleration = motion.acceleration;
+  return options;
+}
+
+Result<CollisionWorld> world_of(Obstacles obstacles,
+                                const std::vector<BoxObstacle>& carried,
+                                const Pose& world_from_base) {
+  for (const BoxObstacle& box : carried_at(carried, world_from_base))
+    obstacles.boxes.push_back(box);
+  return CollisionWorld::make(obstacles);
+}
+
+// Up from the grasp, and out of the shelf.
+Result<void> add_way_out(const ArmChecker& line,
+                         const PickPlace& place,
+                         const Pose& base_from_world,
+                         const PickMotion& motion,
+                         PickWays& ways) {
+  Pose world_from_tip = place.world_from_tip;
+  world_from_tip.position.z += motion.lift_m;
+  MARKETGEN_TRY(const JointPath rising,
+                tool_line(line, ways.reach.line.back(), base_from_world * world_from_tip));
+  world_from_tip.position += place.out * motion.retreat_m;
+  MARKETGEN_TRY(const JointPath leaving,
+                tool_line(line, rising.back(), base_from_world * world_from_tip));
+  MARKETGEN_TRY(const auto limits, motion_limits(line.model(), pick_options(motion, with_product)));
+  MARKETGEN_TRY(ways.lift, timed_curve(rising, limits));
+  MARKETGEN_TRY(ways.retreat, timed_curve(leaving, limits));
+  return {};
+}
+
+}  // namespace
+
+Result<PickWays> plan_pick_ways(const ArmModel& model,
+                                const PickPlace& place,
+                                const PickSurroundings& around,
+                                const PickMotion& motion,
+                                Seed seed) {
+  const Pose& base = place.world_from_base;
+  MARKETGEN_TRY(const CollisionWorld way_world, world_of(around.way, around.carried, base));
+  MARKETGEN_TRY(const CollisionWorld line_world, world_of(around.line, around.carried, base));
+  MARKETGEN_TRY(const ArmChecker way, ArmChecker::make(model, place.state, base, way_world));
+  MARKETGEN_TRY(const ArmChecker line, ArmChecker::make(model, place.state, base, line_world));
+  const std::vector<Pose> links = link_poses(*model.robot, place.state);
+  const Pose base_from_world = inverse(base * links[static_cast<std::size_t>(model.group.base)]);
+  ReachQuestion question;
+  for (const int dof : model.group.dofs)
+    question.start.push_back(place.state[static_cast<std::size_t>(dof)]);
+  question.base_from_grasp = base_from_world * place.world_from_tip;
+  question.approach = {0, 0, motion.approach_m};
+  PickWays ways;
+  MARKETGEN_TRY(ways.reach, plan_reach(way, line, question, seed, pick_options(motion, 1)));
+  MARKETGEN_CHECK(add_way_out(line, place, base_from_world, motion, ways));
+  return ways;
+}
+
+Pose place_before_shelf(Vec3 product, double depth_m, Vec3 out, double distance_m, double side_m) {
+  const Vec3 left{out.y, -out.x, 0};  // of one who looks at the shelf
+  Vec3 at = product + out * (distance_m + depth_m / 2) - left * side_m;
+  at.z = 0;
+  return {at, rotation_about({0, 0, 1}, std::atan2(-out.y, -out.x))};
+}
+
+std::vector<Hand> hands_with(const Robot& robot, const std::string& tool_row) {
+  std::vector<Hand> hands;
+  for (std::size_t t = 0; t < robot.tools.size(); ++t) {
+    if (robot.tools[t].row != tool_row) continue;
+    for (const JointGroup& group : robot.groups)
+      if (!group.solver.empty() && group.tip == robot.tools[t].frame)
+        hands.push_back({&group, static_cast<int>(t)});
+  }
+  return hands;
+}
+
+std::vector<BoxObstacle> carried_at(const std::vector<BoxObstacle>& carried,
+                                    const Pose& world_from_base) {
+  std::vector<BoxObstacle> boxes = carried;
+  for (BoxObstacle& box : boxes)
+    box.pose = world_from_base * box.pose;
+  return boxes;
+}
+
+Result<JointTrajectory> way_back(const Robot& robot,
+                                 const std::string& group,
+                                 const JointPath& line) {
+  MARKETGEN_TRY(const ArmModel model, make_arm_model(robot, group));
+  ArmPlanOptions slow;
+  slow.speed = carrying_speed / 2;
+  slow.acceleration = carrying_acceleration;
+  MARKETGEN_TRY(const auto limits, motion_limits(model, slow));
+  return timed_curve({line.rbegin(), line.rend()}, limits);
+}
+
+}  // namespace marketgen

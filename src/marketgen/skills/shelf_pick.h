@@ -1,0 +1,42 @@
+// How a robot takes what stands at a pose off a shelf: where it stands, and its arm's ways. What is
+// known of the surroundings is given, so that who plans may have measured it.
+//
+// Store frame, SI units.
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/seed.h"
+#include "robots/grasp_tool.h"
+#include "robots/robot.h"
+#include "skills/pick_ways.h"
+
+namespace marketgen {
+
+struct ShelfPickQuestion : PickMotion {
+  Pose world_from_product;
+  double depth_m = 0;           // of the pack
+  std::vector<Grasp> grasps;    // best first
+  std::string tool_row;         // of the gripper that they are for
+  std::vector<double> driving;  // the robot's state while it drives
+  PickSurroundings around;
+  std::function<bool(const Pose& world_from_base)> may_stand;
+  std::optional<Pose> world_from_base = {};  // stands there and nowhere else
+};
+
+struct ShelfPick : PickWays {
+  std::string group;  // of the arm
+  int tool = 0;       // in Robot::tools
+  Grasp grasp;
+  Pose world_from_base;
+  std::vector<double> state;  // every degree of freedom at the start; fingers open
+};
+
+// Over the grasps, the robot's arms that end in that gripper, and places in front of the product.
+// Errors: collect.no_place with what was wrong at the place that was tried last; robot.unknown when
+// no arm of the robot ends in the gripper; those of make_arm_model.
+Result<ShelfPick> plan_shelf_pick(const Robot& robot, const ShelfPickQuestion& question, Seed seed);
+
+}  // namespace marketgen

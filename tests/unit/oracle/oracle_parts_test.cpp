@@ -1,0 +1,196 @@
+// The parts that the oracle is made of, on one drawn basket: what it knows of the scene, where it
+// may grasp, where it may put down, and the executor that carries it out.
+#include <gtest/gtest.h>
+
+#include "episodes/checkout_goals.h"
+
+#include <algorithm>
+
+#include "oracle/oracle_grasps.h"
+#include "oracle/oracle_places.h"
+#include "oracle/oracle_witness.h"
+#include "support/drawn_checkout.h"
+
+namespace marketgen {
+namespace {
+
+template <class T>
+T taken(Result<T> result) {
+  if (!result.ok()) fatal(to_string(result.error()).c_str());
+  return std::move(result).value();
+}
+
+// One basket, drawn once: drawing takes a second.
+class OracleParts : public testing::Test {
+ protected:
+  OracleParts()
+      : world_(taken(CheckoutWorld::create(data_rows(), committed_catalog().frictions))),
+        tool_(taken(load_grasp_tool(data_rows(), world_.station().tools.front().row))) {
+    const auto reset = world_.reset(spec(), checkout_goods_rows());
+    if (!reset.ok()) fatal(to_string(reset.error()).c_str());
+  }
+
+  static const EpisodeSpec& spec() {
+    static const EpisodeSpec made = drawn(3, 0);
+    return made;
+  }
+  ArmExecutor arm() const {
+    ArmExecutor made = taken(ArmExecutor::make(world_.robot()));
+    made.start(world_.observe());
+    return made;
+  }
+
+  CheckoutWorld world_;
+  GraspTool tool_;
+};
+
+TEST_F(OracleParts, ItemsLieInTheBasketAndNotInTheArea) {
+  const OracleScene scene(world_, tool_);
+  for (std::size_t item = 0; item < scene.items(); ++item) {
+    EXPECT_TRUE(scene.in_basket(item)) << item;
+    EXPECT_FALSE(scene.in_unloading(item)) << item;
+  }
+}
+
+TEST_F(OracleParts, AnItemOverlapsItselfAndNotThePlaceAboveIt) {
+  const OracleScene scene(world_, tool_);
+  const Vec3 middle = scene.middle(0);
+  EXPECT_GT(scene.overlap(0, {middle, {}}, {0.002, 0.002, 0.002}), 0.005);
+  EXPECT_EQ(scene.overlap(0, {middle + Vec3{0, 0, 0.5}, {}}, {0.002, 0.002, 0.002}), 0);
+  EXPECT_EQ(scene.item_overlap(0, {0, 0, 0.5}, 1), 0);
+}
+
+TEST_F(OracleParts, GraspsComeFromAboveAndThoseWithoutBlockersFirst) {
+  const OracleScene scene(world_, tool_);
+  std::size_t with_grasps = 0;
+  for (std::size_t item = 0; item < scene.items(); ++item) {
+    const ItemGrasps grasps = item_grasps(scene, item, taken(lone_grasps(scene, item)));
+    with_grasps += grasps.choices.empty() ? 0 : 1;
+    EXPECT_TRUE(std::ranges::is_sorted(
+        grasps.choices, {}, [](const GraspChoice& choice) { return choice.blockers.size(); }));
+    for (const GraspChoice& choice : grasps.choices) {
+      EXPECT_LT(tilt_deg(choice.station_from_tip.rotation), 65.5);
+      EXPECT_GT(choice.opening_m, 0.02);
+      EXPECT_LE(choice.opening_m, tool_.opening_m);
+      EXPECT_FALSE(std::ranges::count(choice.blockers, item)) << "an item blocks itself";
+    }
+  }
+  EXPECT_GE(2 * with_grasps, scene.items()) << "grasps were found for less than half of the items";
+}
+
+TEST_F(OracleParts, PlacesAreInTheAreaOverTheCounterAndInReach) {
+  const OracleScene scene(world_, tool_);
+  const ArmExecutor executor = arm();
+  std::size_t found = 0;
+  for (std::size_t item = 0; item < scene.items(); ++item) {
+    const ItemGrasps grasps = item_grasps(scene, item, taken(lone_grasps(scene, item)));
+    if (grasps.choices.empty()) continue;
+    PlaceQuestion question;
+    question.item = item;
+    question.tip_from_item =
+        inverse(grasps.choices.front().station_from_tip) * world_.item_pose(item);
+    question.opening_m = grasps.choices.front().opening_m;
+    question.area = world_.station().unloading.area();
+    for (const PlaceChoice& place : item_places(scene, executor, question, 3)) {
+      ++found;
+      const CheckoutGoods& goods = world_.goods(item);
+      EXPECT_TRUE(is_inside(world_.region(),
+                            {goods.product.sku,
+                             place.station_from_item,
+                             to_double(goods.body.center_of_mass),
+                             goods.volume}));
+      for (const Vec3& point : goods.volume)
+        EXPECT_GT((place.station_from_item * point).z, 0);
+      EXPECT_TRUE(executor.effort_to(place.station_from_tip).has_value());
+    }
+  }
+  EXPECT_GT(found, 0U);
+}
+
+// ---- The witness of a basket ----
+
+TEST_F(OracleParts, AWitnessTakesEveryTargetOnceAndIsTheSameAgain) {
+  const CheckoutCertifier certify = checkout_certifier(data_rows());
+  const EpisodeSpec drawn = taken(sample_checkout(data_rows(),
+                                                  checkout_goods_rows(),
+                                                  committed_catalog().frictions,
+                                                  {"corner", "s", "p"},
+                                                  Seed(5),
+                                                  0,
+                                                  certify));
+  EXPECT_EQ(std::ranges::count(drawn.certificate.proved, "reach"), 1);
+  for (const EpisodeGoal& goal : drawn.goals)
+    EXPECT_EQ(std::ranges::count(drawn.certificate.witness, goal.sku, &WitnessPick::sku), 1);
+  ASSERT_TRUE(world_.reset(drawn, checkout_goods_rows()).ok());
+  const auto once = taken(certify(world_, Seed(1))), again = taken(certify(world_, Seed(1)));
+  ASSERT_TRUE(once && again);
+  EXPECT_TRUE(std::ranges::equal(*once, *again, {}, &WitnessPick::product, &WitnessPick::product));
+}
+
+TEST_F(OracleParts, ABasketWithAPackThatNoHandSpansHasNoWitness) {
+  const auto wide = std::ranges::find_if(committed_catalog().products, [](const Product& product) {
+    const auto& size = product.size_mm;
+    return product.archetype == "box" && std::ranges::min(size) > 90 &&
+           std::ranges::max(size) < 200;
+  });
+  ASSERT_NE(wide, committed_catalog().products.end());
+  EpisodeSpec basket = spec();
+  basket.items = {{wide->sku, {0, 0, 0.01}, {1, 0, 0, 0}}};
+  basket.goals = {{wide->sku, 1}};
+  ASSERT_TRUE(world_.reset(basket, {*wide}).ok());
+  EXPECT_FALSE(taken(checkout_certifier(data_rows())(world_, Seed(1))).has_value());
+}
+
+TEST_F(OracleParts, TheExecutorStopsOverAPlaceAndGoesStraightDown) {
+  const OracleScene scene(world_, tool_);
+  ArmExecutor executor = arm();
+  const Surroundings around = scene.surroundings({});
+  ReachRequest request{executor.tip(), {0, 0, 0.08}, 0.08, 20};
+  request.base_from_tip.position.z -= 0.1;
+  request.stops_before = true;
+  ASSERT_TRUE(executor.reach(around, request, Seed(1)).ok());
+  const Pose over = request.base_from_tip * Pose{{0, 0, -0.08}, {}};
+  EXPECT_LT(length(executor.tip().position - over.position), 1e-3);
+  ASSERT_TRUE(executor.straight(around, request.base_from_tip, 0.08, 20).ok());
+  EXPECT_LT(length(executor.tip().position - request.base_from_tip.position), 1e-3);
+  int steps = 0;
+  while (!executor.idle()) {
+    executor.next(world_.observe());
+    ASSERT_LT(++steps, 400) << "20 s for two short motions";
+  }
+}
+
+TEST_F(OracleParts, LinesThroughTheCounterAreRefused) {
+  const OracleScene scene(world_, tool_);
+  ArmExecutor executor = arm();
+  Pose under = executor.tip();
+  under.position.z = -0.1;
+  const auto refused = executor.straight(scene.surroundings({}), under, 0.08, 20);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_TRUE(executor.idle()) << "a refused motion was queued";
+}
+
+TEST(CheckoutRefusal, NamesWhatIsInTheWay) {
+  Product pack;
+  pack.archetype = "box";
+  pack.size_mm = {60, 50, 120};
+  pack.mass_kg = 0.3;
+  EXPECT_EQ(checkout_refusal(pack), CheckoutRefusal::none);
+  pack.archetype = "mesh";  // a model of one's own
+  EXPECT_EQ(checkout_refusal(pack), CheckoutRefusal::none);
+  pack.mass_kg = 1.5;
+  EXPECT_EQ(checkout_refusal(pack), CheckoutRefusal::too_heavy);
+  pack.mass_kg = 0.3;
+  pack.size_mm = {90, 80, 120};
+  EXPECT_EQ(checkout_refusal(pack), CheckoutRefusal::too_wide);
+  pack.size_mm = {60, 20, 120};
+  EXPECT_EQ(checkout_refusal(pack), CheckoutRefusal::too_flat);
+  pack.size_mm = {60, 50, 400};
+  EXPECT_EQ(checkout_refusal(pack), CheckoutRefusal::too_long);
+  pack.size_mm = {60, 50, 120};
+  pack.rigidity = Rigidity::soft;
+  EXPECT_EQ(checkout_refusal(pack), CheckoutRefusal::soft);
+}
+
+}  // namespace
+}  // namespace marketgen
