@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "assets/print/paint_color.h"
+
 namespace marketgen {
 namespace {
 
@@ -34,19 +36,12 @@ constexpr std::array<float, 256> make_table() {
 }
 constexpr std::array<float, 256> linear_table = make_table();
 
-std::optional<int> hex_digit(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-  return std::nullopt;
-}
-
 // The channel written at text[at], text[at + 1].
 std::optional<float> channel_at(std::string_view text, std::size_t at) {
-  const std::optional<int> high = hex_digit(text[at]);
-  const std::optional<int> low = hex_digit(text[at + 1]);
-  if (!high || !low) return std::nullopt;
-  return linear_from_srgb(static_cast<std::uint8_t>(*high * 16 + *low));
+  const int high = hex_digit(text[at]);
+  const int low = hex_digit(text[at + 1]);
+  if (high < 0 || low < 0) return std::nullopt;
+  return linear_from_srgb(static_cast<std::uint8_t>(high * 16 + low));
 }
 
 }  // namespace
