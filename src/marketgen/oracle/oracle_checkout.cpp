@@ -24,7 +24,7 @@ constexpr double close_s = 0.6, firm_s = 0.2, settle_s = 0.25, open_s = 0.35;
 // Of the pads until both of them touch: one alone pushes the item against what lies beside it.
 constexpr double touch_n = 12;
 constexpr double let_go_m = 0.014;   // wider than what was held
-constexpr double over_rim_m = 0.07;  // of what is lifted out
+constexpr double lift_over_rim_m = 0.07;  // of what is lifted out
 constexpr double retreat_m = 0.12;
 constexpr double escape_m = 0.12, home_approach_m = 0.02;
 constexpr double least_time_s = 8;  // no new grasp with less time left
@@ -314,7 +314,7 @@ class CheckoutOracle : public Policy {
     const Pose pose = world_.item_pose(item_);
     const Vec3 half = scene_->half_extents_at(item_, pose.rotation);
     const double lowest = scene_->box_middle(item_, pose).z - half.z;
-    const double up = std::max(0.05, rim + over_rim_m - lowest);
+    const double up = std::max(0.05, rim + lift_over_rim_m - lowest);
     for (const Surroundings& where : {around, scene_->counter_alone()}) {
       for (const double share : {1.0, 0.85, 0.7}) {
         Pose tip = arm_.tip();

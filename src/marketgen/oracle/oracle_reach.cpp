@@ -8,7 +8,7 @@ namespace {
 
 constexpr double walls_clear_m = 0.002, look_every_m = 0.03;  // of the open tool on its way in
 constexpr double looked_at_m = 0.1;  // of the way, when the grasp was found
-constexpr double least_approach_m = 0.08, over_rim_m = 0.04;
+constexpr double least_approach_m = 0.08, reach_over_rim_m = 0.04;
 
 }  // namespace
 
@@ -24,7 +24,7 @@ std::vector<Pose> either_way_round(const ArmExecutor& arm, const Pose& station_f
 ReachRequest reach_request(const OracleScene& scene,
                            const Pose& station_from_tip,
                            double opening_m) {
-  const double rim = scene.world().station().basket.height_m + over_rim_m;
+  const double rim = scene.world().station().basket.height_m + reach_over_rim_m;
   const double steep = std::max(0.4, -rotate(station_from_tip.rotation, {0, 0, 1}).z);
   const double way = std::max(least_approach_m, (rim - station_from_tip.position.z) / steep);
   return {station_from_tip, {0, 0, way}, opening_m};

@@ -17,7 +17,7 @@ constexpr float texels_of_spread = 3;  // a texel this wide blurs like a spot of
 constexpr float spread_of_alpha = 1.4F;
 constexpr float narrowest =
     0.12F;                         // across the plane of incidence, in units of the spread along it
-constexpr float flattest = 0.03F;  // flatter rays never reach the ceiling
+constexpr float min_rise = 0.03F;  // flatter rays never reach the ceiling
 constexpr float longest_reach_m = 6;  // of the lobe's footprint to each side
 constexpr std::size_t taps = 7;
 constexpr float one_tap_below = 1.5F;  // times the blur: shorter lobes are round enough
@@ -126,9 +126,9 @@ PanelReflection::Seen PanelReflection::at(const Points& points) const {
   Seen seen;
   if (levels_.empty()) return seen;
   const Vec8& mirror = points.mirror;
-  const Float8 rise = max(mirror.z, Float8(flattest));
+  const Float8 rise = max(mirror.z, Float8(min_rise));
   const Float8 distance = (Float8(height_) - points.position.z) / rise;
-  const Mask8 meets = (mirror.z >= Float8(flattest)) & (distance > Float8(0));
+  const Mask8 meets = (mirror.z >= Float8(min_rise)) & (distance > Float8(0));
   if (!meets.any()) return seen;
   seen.distance = select(meets, distance, Float8(0));
   // How the point on the ceiling moves when the direction turns within, and out of, the plane of

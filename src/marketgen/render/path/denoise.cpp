@@ -13,7 +13,7 @@ namespace {
 constexpr int tap_reach = 2;                                           // 5 x 5 taps
 constexpr float tap_spline[tap_reach + 1] = {0.375F, 0.25F, 0.0625F};  // cubic B-spline
 constexpr float off_plane_m = 0.006F, off_plane_per_m = 0.005F;        // per metre from the eye
-constexpr float flattest = 1e-3F;  // relative difference that is never an edge
+constexpr float edgeless_share = 1e-3F;  // relative difference that is never an edge
 constexpr std::size_t denoise_rows = 8;
 constexpr float sparkle_factor = 3;  // over the third brightest neighbour
 
@@ -218,7 +218,7 @@ class LayerFilter {
     for (int x = t.first; x < t.last; ++x) {
       const float difference = own[x] - other[x];
       const float expected = own_noise[x] + std::min(own_noise[x], other_noise[x]);
-      const float flat = flattest * own[x];
+      const float flat = edgeless_share * own[x];
       apart[x] += (difference * difference - expected) * edge /
                   (own_noise[x] + other_noise[x] + flat * flat + 1e-12F);
     }
