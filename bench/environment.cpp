@@ -7,9 +7,8 @@
 
 #include "bench/bench.h"
 #include "bench/sample_store.h"
+#include "environments/aisle/shared_aisle.h"
 #include "environments/environment_batch.h"
-#include "episodes/aisle_world.h"
-#include "episodes/checkout_world.h"
 #include "physics/mujoco_guard.h"
 
 namespace marketgen::bench {
@@ -18,15 +17,6 @@ namespace {
 constexpr int step_rounds = 9, steps_a_round = 20, substeps = 25;
 constexpr int reset_runs = 5;
 constexpr int resets_before = 100, resets_counted = 1000;
-
-const mjModel& model_of(const TrackWorld& world) {
-  if (const auto* counter = dynamic_cast<const CheckoutWorld*>(&world)) return counter->model();
-  return dynamic_cast<const AisleWorld&>(world).world().model();
-}
-const mjData& data_of(const TrackWorld& world) {
-  if (const auto* counter = dynamic_cast<const CheckoutWorld*>(&world)) return counter->data();
-  return dynamic_cast<const AisleWorld&>(world).world().data();
-}
 
 // One environment and memory for what it says.
 class Bench {
@@ -62,9 +52,9 @@ class Bench {
 
   // The same number of steps of physics from the same moment by MuJoCo alone, its commands held.
   Result<double> bare_steps_per_s() const {
-    const mjModel& model = model_of(environment_->world());
+    const mjModel& model = environment_->model();
     MARKETGEN_TRY(const MujocoData data, make_data(model, "bench"));
-    mj_copyData(data.get(), &model, &data_of(environment_->world()));
+    mj_copyData(data.get(), &model, &environment_->data());
     const auto start = std::chrono::steady_clock::now();
     for (int i = 0; i < steps_a_round * substeps; ++i)
       mj_step(&model, data.get());
@@ -92,7 +82,7 @@ Result<EpisodeSpec> aisle_episode(EpisodeGround& ground, const Store& store) {
   spec.scene_hash = store.manifest.scene_hash;
   spec.plan_hash = plan_hash(store.plan);
   spec.limit_s = 900;
-  MARKETGEN_TRY(const auto aisles, ground.aisle_store(spec.scene_hash));
+  MARKETGEN_TRY(const auto aisles, shared_aisle_store(ground.arena(), spec.scene_hash));
   spec.robot = aisles->station.robot;
   for (const Product& product : store.scene.catalog) {
     const auto places = aisles->standing_places(product.sku);

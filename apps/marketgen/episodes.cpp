@@ -1,5 +1,6 @@
 // marketgen episodes: draws tasks from stores and writes them as JSON Lines.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -11,13 +12,12 @@
 #include "base/parallel.h"
 #include "catalog/user_products.h"
 #include "command.h"
+#include "environments/environment_entry.h"
 #include "episodes/episode_journal.h"
-#include "episodes/sample_aisle.h"
 #include "io/file.h"
 #include "io/json.h"
 #include "io/output.h"
 #include "number_flags.h"
-#include "oracle/oracle_witness.h"
 #include "say.h"
 #include "store/store.h"
 
@@ -34,34 +34,8 @@ struct EpisodesFlags {
 
 struct StockedStore {
   EpisodeStore store;
-  std::vector<Product> stock;              // of which episodes are drawn
-  std::unique_ptr<AisleSampler> in_aisle;  // of that track only
+  std::unique_ptr<StoreSampler> sampler;
 };
-
-Result<StockedStore> stocked(Store store,
-                             const std::filesystem::path& data,
-                             const std::string& tools,
-                             const std::shared_ptr<GraspBook>& book) {
-  const Manifest& manifest = store.manifest;
-  StockedStore made{{manifest.name,
-                     manifest.scene_hash,
-                     plan_hash(store.plan),
-                     manifest.seed,
-                     store.plan,
-                     {},
-                     manifest.own},
-                    {},
-                    {}};
-  if (!book) {
-    made.store.exclusions = checkout_exclusions(store.scene);
-    made.stock = checkout_stock(store.scene);
-    return made;
-  }
-  made.stock = store.scene.catalog;
-  MARKETGEN_TRY(auto shared, open_aisle_store(data, std::move(store.scene), tools));
-  MARKETGEN_TRY(made.in_aisle, AisleSampler::make(std::move(shared), book));
-  return made;
-}
 
 Result<std::vector<Store>> open_all(const std::vector<std::string>& folders,
                                     const Catalog& catalog) {
@@ -78,14 +52,15 @@ Result<std::vector<Store>> open_all(const std::vector<std::string>& folders,
   return stores;
 }
 
-// `book`: of episodes in aisles only.
-Result<std::vector<StockedStore>> stocked_stores(const EpisodesFlags& flags,
-                                                 const std::filesystem::path& data,
-                                                 std::vector<Store> opened,
-                                                 const std::shared_ptr<GraspBook>& book) {
+Result<std::vector<StockedStore>> stocked_stores(std::vector<Store> opened,
+                                                 EpisodeSampler& sampler,
+                                                 Arena& arena) {
   std::vector<StockedStore> stores;
   for (Store& store : opened) {
-    MARKETGEN_TRY(StockedStore made, stocked(std::move(store), data, flags.tools, book));
+    StockedStore made{store_row(store), nullptr};
+    arena.offer(std::make_shared<const Store>(std::move(store)));
+    const EpisodeStore& row = made.store;
+    MARKETGEN_TRY(made.sampler, sampler.of_store({row.name, row.scene_hash, row.plan_hash}));
     stores.push_back(std::move(made));
   }
   return stores;
@@ -97,8 +72,9 @@ std::vector<Product> products_of(const std::vector<EpisodeSpec>& episodes,
   std::map<std::string, Product> products;
   const auto add = [&](const std::string& sku) {
     for (const StockedStore& store : stores) {
-      const auto row = std::ranges::find(store.stock, sku, &Product::sku);
-      if (row != store.stock.end()) products.emplace(sku, *row);
+      const std::vector<Product>& rows = store.sampler->products();
+      const auto row = std::ranges::find(rows, sku, &Product::sku);
+      if (row != rows.end()) products.emplace(sku, *row);
     }
   };
   for (const EpisodeSpec& spec : episodes) {
@@ -137,16 +113,9 @@ Result<std::unique_ptr<EpisodeJournal>> begin_journal(const EpisodesFlags& flags
 class Drawing {
  public:
   Drawing(const EpisodesFlags& flags,
-          const std::filesystem::path& data,
           const std::vector<StockedStore>& stores,
-          const Catalog& catalog,
           EpisodeJournal* journal)
-      : flags_(flags),
-        data_(data),
-        stores_(stores),
-        catalog_(catalog),
-        journal_(journal),
-        certify_(checkout_certifier(data)) {}
+      : flags_(flags), stores_(stores), journal_(journal) {}
 
   Result<std::vector<EpisodeSpec>> draw() {
     Progress& progress = progress_for(flags_.common);
@@ -173,44 +142,32 @@ class Drawing {
     const int number = static_cast<int>(i);
     if (journal_ == nullptr) return drawn(from, i);
     if (const auto before = journal_->before().find(number); before != journal_->before().end()) {
-      if (from.in_aisle) from.in_aisle->consider(before->second.considered);
+      from.sampler->consider(before->second.considered);
       return before->second.episode;
     }
     MARKETGEN_TRY(EpisodeSpec spec, drawn(from, i));
-    DrawnEpisode kept{number, spec, {}};
-    if (from.in_aisle) kept.considered = from.in_aisle->considered();
-    MARKETGEN_CHECK(journal_->keep(kept));
+    MARKETGEN_CHECK(journal_->keep({number, spec, from.sampler->considered()}));
     return spec;
   }
 
   Result<EpisodeSpec> drawn(const StockedStore& from, std::size_t i) const {
-    const EpisodeStore& store = from.store;
-    const EpisodeOrigin origin{store.name, store.scene_hash, store.plan_hash};
-    const Seed seed = Seed(flags_.common.seed).child("store", store.scene_hash);
-    const int index = static_cast<int>(i / stores_.size());
-    if (from.in_aisle) return from.in_aisle->sample(origin, seed, index);
-    return sample_checkout(data_, from.stock, catalog_.frictions, origin, seed, index, certify_);
+    const Seed seed = Seed(flags_.common.seed).child("store", from.store.scene_hash);
+    return from.sampler->sample(seed, static_cast<int>(i / stores_.size()));
   }
 
   const EpisodesFlags& flags_;
-  const std::filesystem::path& data_;
   const std::vector<StockedStore>& stores_;
-  const Catalog& catalog_;
   EpisodeJournal* journal_;
-  CheckoutCertifier certify_;
 };
 
 // The episodes, or why there are none: what was drawn and studied until then is kept.
 Result<std::vector<EpisodeSpec>> draw(const EpisodesFlags& flags,
-                                      const std::filesystem::path& data,
                                       const std::vector<StockedStore>& stores,
-                                      const Catalog& catalog,
-                                      GraspBook* book,
+                                      EpisodeSampler& sampler,
                                       EpisodeJournal* journal) {
-  auto episodes =
-      until_interrupted([&] { return Drawing(flags, data, stores, catalog, journal).draw(); });
+  auto episodes = until_interrupted([&] { return Drawing(flags, stores, journal).draw(); });
   const NoForcedEnd keeping;
-  if (book != nullptr) MARKETGEN_CHECK(book->keep(data, catalog.content_hash));
+  MARKETGEN_CHECK(sampler.keep());
   if (episodes.ok() || journal == nullptr) return episodes;
   if (episodes.error().code != interrupted_error().code) {
     journal->lines().remove();  // it would end so again
@@ -245,20 +202,16 @@ Result<void> write(const EpisodesFlags& flags) {
     if (store.manifest.own) catalog = with_own_products(std::move(catalog), *store.manifest.own);
   }
   MARKETGEN_TRY(const Track track, track_named(flags.track));
-  std::shared_ptr<GraspBook> book;
-  if (track == Track::aisle) {
-    MARKETGEN_TRY(book, open_aisle_book(data, catalog, flags.tools));
-  } else if (!flags.tools.empty()) {
-    return Error{"usage.bad_flag", "--tools", "only robots in aisles have a choice; drop the flag"};
-  }
-  MARKETGEN_TRY(std::vector<StockedStore> stores,
-                stocked_stores(flags, data, std::move(opened), book));
   EpisodeFile file;
+  Arena arena(data, file.header, catalog);
+  MARKETGEN_TRY(const auto sampler, environment_entry_of(track).sampler(arena, flags.tools));
+  MARKETGEN_TRY(std::vector<StockedStore> stores,
+                stocked_stores(std::move(opened), *sampler, arena));
   MARKETGEN_TRY(const std::unique_ptr<EpisodeJournal> journal,
                 begin_journal(flags, draw_hash(flags, stores, catalog)));
-  MARKETGEN_TRY(file.episodes, draw(flags, data, stores, catalog, book.get(), journal.get()));
+  MARKETGEN_TRY(file.episodes, draw(flags, stores, *sampler, journal.get()));
   for (StockedStore& store : stores)
-    if (store.in_aisle) store.store.exclusions = store.in_aisle->exclusions();
+    store.store.exclusions = store.sampler->exclusions();
   file.header.seed = flags.common.seed;
   file.header.episodes = flags.count;
   file.header.products = products_of(file.episodes, stores);
@@ -280,7 +233,10 @@ Run add_episodes(CLI::App& app) {
   auto flags = std::make_shared<EpisodesFlags>();
   CLI::App* command = app.add_subcommand("episodes", "Draw tasks for robots from stores");
   command->add_option("folders", flags->folders, "store folders")->required();
-  command->add_option("--track", flags->track, "what kind of task: checkout or aisle")
+  command
+      ->add_option("--track",
+                   flags->track,
+                   fmt::format("what kind of task: {}", fmt::join(names_of(Track{}), " or ")))
       ->capture_default_str();
   command->add_option(
       "--tools",

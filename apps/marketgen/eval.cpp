@@ -8,10 +8,10 @@
 
 #include "base/parallel.h"
 #include "command.h"
+#include "environments/policy_name.h"
 #include "evaluation/episode_worker.h"
 #include "evaluation/evaluate.h"
 #include "evaluation/measure_perception.h"
-#include "evaluation/policy_name.h"
 #include "io/file.h"
 #include "io/json.h"
 #include "io/output.h"

@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "base/text.h"
 #include "command.h"
+#include "environments/run_episode.h"
 #include "evaluation/evaluate.h"
 #include "evaluation/film.h"
 #include "io/file.h"

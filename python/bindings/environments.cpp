@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "environment_handle.h"
+#include "environments/checkout/checkout_environment.h"
 #include "environments/environment_batch.h"
 #include "frame_handle.h"
 #include "io/json.h"
@@ -224,7 +225,7 @@ void add_environments(nb::module_& module) {
       .def("episodes", &episodes)
       .def("draw", &draw)
       .def("draw_one_item", [](const EpisodeGround& ground, std::uint64_t seed) {
-        return write_json(value_or_raise(ground.draw_one_item(seed)));
+        return write_json(value_or_raise(draw_one_item(ground, seed)));
       });
   module.def("ground_of_store", &ground_of);
   module.def("ground_of_file", &ground_of_file);

@@ -4,8 +4,8 @@
 #include <set>
 
 #include "base/parallel.h"
-#include "episodes/sample_checkout.h"
-#include "evaluation/run_episode.h"
+#include "environments/run_episode.h"
+#include "episodes/checkout/sample_checkout.h"
 #include "support/committed_catalog.h"
 
 namespace marketgen {

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "episodes/aisle_world.h"
+#include "episodes/aisle/aisle_world.h"
 #include "support/committed_catalog.h"
 #include "support/hand_made_scene.h"
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "episodes/sample_checkout.h"
+#include "episodes/checkout/sample_checkout.h"
 #include "support/committed_catalog.h"
 
 namespace marketgen {

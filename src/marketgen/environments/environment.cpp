@@ -8,9 +8,9 @@
 #include "base/build_info.h"
 #include "base/byte_archive.h"
 #include "base/hash.h"
-#include "environments/aisle_environment.h"
-#include "environments/checkout_environment.h"
+#include "environments/environment_entry.h"
 #include "episodes/check_episodes.h"
+#include "episodes/track_entry.h"
 #include "io/json.h"
 
 namespace marketgen {
@@ -28,8 +28,7 @@ std::string made_by(const EpisodeSpec& spec) {
 Result<std::unique_ptr<Environment>> Environment::create(std::shared_ptr<EpisodeGround> ground,
                                                          Track track,
                                                          const EnvironmentOptions& options) {
-  if (track == Track::aisle) return make_aisle_environment(std::move(ground), options);
-  return make_checkout_environment(std::move(ground), options);
+  return environment_entry_of(track).environment(std::move(ground), options);
 }
 
 void Environment::set_robot(const Robot& robot, const ObservationBounds& bounds) {
@@ -46,7 +45,7 @@ void Environment::set_robot(const Robot& robot, const ObservationBounds& bounds)
 }
 
 Result<void> Environment::check_room(const EpisodeSpec& spec) const {
-  const int items = items_of(spec);
+  const int items = entry_of(track_).items_of(spec);
   if (!options_.privileged || items <= item_rows_) return {};
   return Error{"episode.impossible",
                spec.id,
@@ -74,10 +73,10 @@ Result<void> Environment::reset(const EpisodeSpec& spec) {
   MARKETGEN_CHECK(check_episode(spec, spec.id));
   MARKETGEN_CHECK(ground_->check(spec));
   MARKETGEN_CHECK(check_room(spec));
-  world_ = nullptr;
-  result_.reset();
-  MARKETGEN_TRY(world_, begin(spec));
-  target_ = world_->observe().position;
+  run_.reset();
+  MARKETGEN_TRY(TrackWorld* const world, begin(spec));
+  run_.emplace(*world, options_.stop ? EndsWhen::agent_stops : EndsWhen::goals_are_met);
+  target_ = world->observe().position;
   cuts_.clear();
   ++resets_;
   return look();
@@ -99,73 +98,62 @@ Result<void> Environment::check(std::span<const double> action) const {
 
 Result<StepOutcome> Environment::step(std::span<const double> action) {
   MARKETGEN_CHECK(check(action));
-  MARKETGEN_TRY(MappedAction mapped, actions_->action(action, world_->robot_state(), target_));
-  const Action& made = mapped.action;
-  MARKETGEN_CHECK(world_->step(made));
-  target_ = actions_->led(made.position, world_->told());
+  MARKETGEN_TRY(MappedAction mapped, actions_->action(action, world().robot_state(), target_));
+  MARKETGEN_TRY(const RunStep made, run_->step(mapped.action));
+  target_ = actions_->led(mapped.action.position, world().told());
   cuts_ = std::move(mapped.cuts);
   const double before = progress_;
-  MARKETGEN_CHECK(look());
-  StepOutcome outcome;
-  if (options_.stop) {
-    outcome.terminated = made.stop;
-  } else {
-    MARKETGEN_TRY(outcome.terminated, world_->goals_met());
-  }
-  outcome.truncated = world_->done() && !outcome.terminated;
-  if (outcome.terminated || outcome.truncated) MARKETGEN_CHECK(finish());
+  MARKETGEN_CHECK(made.terminated || made.truncated ? finish() : look());
+  StepOutcome outcome{0, made.terminated, made.truncated};
   outcome.reward = options_.reward == RewardMode::shaped ? progress_ - before : reward();
   return outcome;
 }
 
 Result<void> Environment::finish() {
-  in_time_ = ended_in_time(*world_);
-  MARKETGEN_TRY(EpisodeResult judged, world_->finish());
-  EpisodeEnd end;
-  end.in_time = in_time_;
-  result_ = with_end(std::move(judged), end);
+  MARKETGEN_CHECK(run_->finish());
   return look();
 }
 
 EpisodeResult Environment::judged(EpisodeEnd end) {
-  if (!result_) {
-    if (const auto done = finish(); !done.ok()) {
-      if (!end.broken) end.broken = done.error();
-      end.in_time = in_time_;
-      return with_end(unjudged(world_->spec()), end);
-    }
+  if (!run_->result()) {
+    const auto done = finish();
+    if (!done.ok() && !end.broken) end.broken = done.error();
   }
-  end.in_time = in_time_;
-  return with_end(*result_, end);
+  return run_->judged(std::move(end));
+}
+
+bool Environment::succeeded() const {
+  return run_->result() && run_->result()->success_strict;
 }
 
 double Environment::progress() const {
-  if (result_ && result_->success_strict) return 1;
-  const auto tools = actions_->tool_poses(world_->robot_state());
-  return goal_progress(world_->spec().goals, seen_items_, place(), tools, progress_scale());
+  if (succeeded()) return 1;
+  const auto tools = actions_->tool_poses(world().robot_state());
+  return goal_progress(world().spec().goals, seen_items_, place(), tools, progress_scale());
 }
 
 double Environment::reward() const {
-  if (options_.reward == RewardMode::sparse) return result_ ? result_->success_partial : 0.0;
-  return result_ && result_->success_strict ? 1 : nearness();
+  const auto& result = run_->result();
+  if (options_.reward == RewardMode::sparse) return result ? result->success_partial : 0.0;
+  return succeeded() ? 1 : nearness();
 }
 
 void Environment::observe(std::span<float> into) const {
-  const RobotSeen seen{world_->observe(), actions_->tool_poses(world_->robot_state())};
+  const RobotSeen seen{world().observe(), actions_->tool_poses(world().robot_state())};
   std::vector<double> numbers;
   numbers.reserve(size_);
-  add_robot_numbers(world_->robot(), seen, numbers);
+  add_robot_numbers(world().robot(), seen, numbers);
   if (options_.privileged)
     add_privileged_numbers(
-        seen_items_, item_rows_, place(), seen.tools, world_->spec().instruction, numbers);
+        seen_items_, item_rows_, place(), seen.tools, world().spec().instruction, numbers);
   for (std::size_t i = 0; i < size_; ++i)
     into[i] = static_cast<float>(std::clamp(numbers[i], low_[i], high_[i]));
 }
 
 std::string Environment::save() const {
   ByteWriter writer;
-  const std::string result = result_ ? write_json(*result_) : "";
-  writer(made_by(world_->spec()), world_->save(), target_, in_time_, result);
+  const std::string result = run_->result() ? write_json(*run_->result()) : "";
+  writer(made_by(world().spec()), world().save(), target_, run_->in_time(), result);
   const std::string content = writer.take();
   writer(hash64(content), content);
   return writer.take();
@@ -176,7 +164,7 @@ Result<void> Environment::restore(std::string_view moment) {
     return Error{"physics.bad_command", "state", message};
   };
   std::uint64_t hash = 0;
-  std::string content, made, world, result;
+  std::string content, made, state, result;
   ByteReader whole(moment);
   whole(hash, content);
   if (!whole.ok() || hash64(content) != hash)
@@ -184,18 +172,16 @@ Result<void> Environment::restore(std::string_view moment) {
   std::vector<double> target;
   bool in_time = true;
   ByteReader reader(content);
-  reader(made, world, target, in_time, result);
-  if (!reader.ok() || made != made_by(world_->spec()) || target.size() != target_.size())
+  reader(made, state, target, in_time, result);
+  if (!reader.ok() || made != made_by(world().spec()) || target.size() != target_.size())
     return bad("the state is of another episode, or of another version of marketgen");
   std::optional<EpisodeResult> ended;
   if (!result.empty()) {
     MARKETGEN_TRY(ended, read_json<EpisodeResult>(result, "state"));
   }
-  MARKETGEN_CHECK(world_->restore(world));
+  MARKETGEN_CHECK(run_->restore(state, in_time, std::move(ended)));
   target_ = std::move(target);
   cuts_.clear();
-  in_time_ = in_time;
-  result_ = std::move(ended);
   return look();
 }
 

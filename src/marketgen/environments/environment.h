@@ -1,5 +1,5 @@
 // An episode as reinforcement learning has it: observations and actions as rows of numbers, a
-// reward, an end. Both tracks behind one interface; Python's environments are made of these.
+// reward, an end. All tracks behind one interface; Python's environments are made of these.
 //
 // A function of its episode and its actions, bit for bit, when every environment is stepped through
 // step_all() and reset_all(). Not thread-safe; one a thread.
@@ -14,10 +14,10 @@
 
 #include "environments/control_mode.h"
 #include "environments/episode_ground.h"
+#include "environments/episode_run.h"
 #include "environments/goal_progress.h"
 #include "environments/observation_parts.h"
 #include "episodes/track_world.h"
-#include "evaluation/run_episode.h"
 #include "render/render.h"
 
 namespace marketgen {
@@ -33,8 +33,8 @@ constexpr std::array<std::string_view, 3> names_of(RewardMode) {
 struct EnvironmentOptions {
   ControlMode control = ControlMode::pd_joint_delta_pos;
   RewardMode reward = RewardMode::sparse;
-  std::string tools = {};  // in aisles: a tool set of the station, the first when empty
-  std::string station = checkout_station;  // at a counter: a row of data/benchmark
+  std::string tools = {};    // in aisles: a tool set of the station, the first when empty
+  std::string station = {};  // at a counter: a row of data/benchmark, that of the track when empty
   bool stop = true;  // an action ends with `stop`; without it the goals' being met is the end
   bool privileged = false;  // observations have the truth, too
   int item_rows = 0;        // of that; 0: as many as any episode of the ground needs
@@ -70,7 +70,7 @@ class Environment {
   // modes of joints.
   const std::vector<ToolCut>& tool_cuts() const { return cuts_; }
   // The robot makes a protective stop and takes no command yet.
-  bool robot_stopped() const { return world_ != nullptr && world_->observe().stopped; }
+  bool robot_stopped() const { return run_ && world().observe().stopped; }
   // The result as evaluate() keeps it; an episode that still runs is ended and judged as it stands.
   // `end.in_time` is not read.
   EpisodeResult judged(EpisodeEnd end);
@@ -83,8 +83,8 @@ class Environment {
     return actions_->values(wanted, target_);
   }
 
-  // As things stand, from one of cameras(), or "film_camera". Errors: camera.unknown, those of the
-  // renderer.
+  // As things stand, from one of cameras(), or the film's (episodes/track_view.h). Errors:
+  // camera.unknown, those of the renderer.
   virtual Result<Frame> picture(const std::string& camera,
                                 int width,
                                 int height,
@@ -104,9 +104,8 @@ class Environment {
   virtual Result<std::vector<EnvironmentItem>> items() = 0;
   virtual EnvironmentPlace place() const = 0;
   // MuJoCo's own model and what moves in it (its qpos, qvel, act, ...: mjSTATE_INTEGRATION).
-  // Errors: physics.failed.
-  virtual const mjModel_& model() const = 0;
-  virtual const mjData_& data() const = 0;
+  const mjModel_& model() const { return world().model(); }
+  const mjData_& data() const { return world().data(); }
 
   // A moment, for an environment with the same episode and the same actions, of this process or
   // another one of this version: it then goes on bit for bit as this one does. Error of restore,
@@ -118,16 +117,18 @@ class Environment {
   const EnvironmentOptions& options() const { return options_; }
   Track track() const { return track_; }
   std::uint64_t resets() const { return resets_; }  // how many there were
-  bool running() const { return world_ != nullptr && !world_->done(); }
+  bool running() const { return run_ && run_->running(); }
   // Of the episode to which it was reset, which must have been done.
-  const TrackWorld& world() const { return *world_; }
-  const std::optional<EpisodeResult>& result() const { return result_; }  // of one that has ended
+  const TrackWorld& world() const { return run_->world(); }
+  // Of an episode that has ended.
+  std::optional<EpisodeResult> result() const { return run_ ? run_->result() : std::nullopt; }
 
  protected:
   Environment(std::shared_ptr<EpisodeGround> ground, Track track, const EnvironmentOptions& options)
       : ground_(std::move(ground)), track_(track), options_(options) {}
   // Once, before anything else.
   void set_robot(const Robot& robot, const ObservationBounds& bounds);
+  // A world that was reset to it, and lives until the next call.
   virtual Result<TrackWorld*> begin(const EpisodeSpec& spec) = 0;
   // How near the goals are, mean over them, 0 to 1.
   virtual double nearness() const = 0;
@@ -138,6 +139,7 @@ class Environment {
  private:
   double reward() const;
   double progress() const;
+  bool succeeded() const;
   Result<void> finish();
   Result<void> check_room(const EpisodeSpec& spec) const;
   Result<void> look();
@@ -149,15 +151,13 @@ class Environment {
   std::vector<ObservationPart> parts_;
   std::size_t size_ = 0;
   std::vector<double> low_, high_;  // of the numbers
-  TrackWorld* world_ = nullptr;
+  std::optional<EpisodeRun> run_;   // since the last reset
   std::uint64_t resets_ = 0;
   std::vector<double> target_;  // of the joints, where the last step left them
   std::vector<ToolCut> cuts_;   // of the last step
-  bool in_time_ = true;         // it ended before the time was over
   int item_rows_ = 0;
   std::vector<EnvironmentItem> seen_items_;  // after the last step, where they are asked for
   double progress_ = 0;                      // likewise
-  std::optional<EpisodeResult> result_;
 };
 
 }  // namespace marketgen

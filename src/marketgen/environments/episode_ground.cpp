@@ -5,31 +5,23 @@
 #include <fmt/format.h>
 
 #include "assets/usable_catalog.h"
-#include "episodes/sample_checkout.h"
-#include "episodes/sample_one_item.h"
+#include "environments/environment_entry.h"
+#include "episodes/track_entry.h"
 #include "io/file.h"
 #include "io/json.h"
-#include "oracle/oracle_witness.h"
 
 namespace marketgen {
 namespace {
 
 constexpr std::size_t most_kept_episodes = 1000;
 
-EpisodeStore row_of(const Store& store) {
-  const Manifest& m = store.manifest;
-  return {m.name, m.scene_hash, plan_hash(store.plan), m.seed, store.plan, {}, m.own};
-}
-
 }  // namespace
 
-int items_of(const EpisodeSpec& spec) {
-  if (spec.track == Track::checkout) return static_cast<int>(spec.items.size());
-  int asked = 0;
-  for (const EpisodeGoal& goal : spec.goals)
-    asked += goal.count;
-  return asked;
-}
+// Samplers of the store, and of all stores.
+struct EpisodeGround::Sampling {
+  std::unique_ptr<EpisodeSampler> all;
+  std::unique_ptr<StoreSampler> of_store;
+};
 
 EpisodeGround::EpisodeGround(std::filesystem::path data,
                              EpisodeFile file,
@@ -43,8 +35,8 @@ Result<std::shared_ptr<EpisodeGround>> EpisodeGround::of_store(
     std::shared_ptr<const Store> store, std::shared_ptr<const Catalog> catalog) {
   MARKETGEN_TRY(std::filesystem::path data, data_folder());
   EpisodeFile file;
-  file.header.stores = {row_of(*store)};
-  file.header.products = checkout_stock(store->scene);
+  file.header.stores = {store_row(*store)};
+  file.header.products = store_stock(store->scene);
   std::shared_ptr<EpisodeGround> ground(
       new EpisodeGround(std::move(data), std::move(file), std::move(catalog)));
   ground->arena_.offer(store);
@@ -81,9 +73,10 @@ Result<std::shared_ptr<EpisodeGround>> EpisodeGround::of_pool(Track track) {
 }
 
 int EpisodeGround::most_items(Track track) const {
-  int most = track == Track::checkout ? most_targets + most_others : most_goals;
+  const TrackEntry& entry = entry_of(track);
+  int most = entry.max_items();
   for (const EpisodeSpec& spec : file_.episodes)
-    if (spec.track == track) most = std::max(most, items_of(spec));
+    if (spec.track == track) most = std::max(most, entry.items_of(spec));
   return most;
 }
 
@@ -92,12 +85,6 @@ double EpisodeGround::largest_side_m() const {
   for (const EpisodeStore& store : file_.header.stores)
     most_mm = std::max({most_mm, store.plan.shell.width_mm, store.plan.shell.depth_mm});
   return most_mm * 1e-3;
-}
-
-Result<EpisodeSpec> EpisodeGround::draw_one_item(std::uint64_t seed) const {
-  const EpisodeStore& row = file_.header.stores.front();
-  return sample_one_item(
-      data_, products(), {row.name, row.scene_hash, row.plan_hash}, Seed(seed), 0);
 }
 
 Result<void> EpisodeGround::check(const EpisodeSpec& spec) const {
@@ -120,32 +107,24 @@ Result<EpisodeSpec> EpisodeGround::pick(Track track, std::uint64_t seed) const {
   return *of_track[seed % of_track.size()];
 }
 
-// The caller holds the lock.
-Result<const EpisodeGround::AisleDraw*> EpisodeGround::aisle_draw(const std::string& tools) {
-  AisleDraw& draw = aisle_draws_[tools];
-  if (!draw.sampler) {
-    MARKETGEN_TRY(auto store, arena_.aisle_store(store_->manifest.scene_hash, tools));
-    MARKETGEN_TRY(draw.book, open_aisle_book(data_, *catalog_, tools));
-    MARKETGEN_TRY(draw.sampler, AisleSampler::make(std::move(store), draw.book));
-  }
-  return &draw;
+Result<std::shared_ptr<EpisodeGround::Sampling>> EpisodeGround::sampling(Track track,
+                                                                         const std::string& tools) {
+  const std::string key = fmt::format("{} {}", name_of(track), tools);
+  return arena_.shared().get<Sampling>(key, [&]() -> Result<std::shared_ptr<Sampling>> {
+    const EpisodeStore& row = file_.header.stores.front();
+    auto made = std::make_shared<Sampling>();
+    MARKETGEN_TRY(made->all, environment_entry_of(track).sampler(arena_, tools));
+    MARKETGEN_TRY(made->of_store, made->all->of_store({row.name, row.scene_hash, row.plan_hash}));
+    return made;
+  });
 }
 
 Result<EpisodeSpec> EpisodeGround::sample(Track track,
                                           std::uint64_t seed,
                                           const std::string& tools) {
-  const EpisodeStore& row = file_.header.stores.front();
-  const EpisodeOrigin origin{row.name, row.scene_hash, row.plan_hash};
-  if (track == Track::checkout)
-    return sample_checkout(
-        data_, products(), catalog_->frictions, origin, Seed(seed), 0, checkout_certifier(data_));
-  const AisleDraw* draw = nullptr;
-  {
-    const std::scoped_lock lock(mutex_);
-    MARKETGEN_TRY(draw, aisle_draw(tools));
-  }
-  auto spec = draw->sampler->sample(origin, Seed(seed), 0);
-  MARKETGEN_CHECK(draw->book->keep(data_, catalog_->content_hash));
+  MARKETGEN_TRY(const auto drawing, sampling(track, tools));
+  auto spec = drawing->of_store->sample(Seed(seed), 0);
+  MARKETGEN_CHECK(drawing->all->keep());
   return spec;
 }
 
@@ -161,19 +140,6 @@ Result<EpisodeSpec> EpisodeGround::draw(Track track, std::uint64_t seed, const s
   if (drawn_.size() >= most_kept_episodes) drawn_.clear();
   drawn_.try_emplace(key, spec);
   return spec;
-}
-
-Result<std::shared_ptr<const AisleStore>> EpisodeGround::aisle_store(const std::string& scene_hash,
-                                                                     const std::string& tools) {
-  return arena_.aisle_store(scene_hash, tools);
-}
-
-std::shared_ptr<SharedAisleView> EpisodeGround::aisle_view(const std::string& scene_hash,
-                                                           const std::string& tools) {
-  const std::scoped_lock lock(mutex_);
-  std::shared_ptr<SharedAisleView>& view = views_[{scene_hash, tools}];
-  if (!view) view = std::make_shared<SharedAisleView>();
-  return view;
 }
 
 }  // namespace marketgen

@@ -1,7 +1,7 @@
 // What environments run episodes in: one opened store, or the stores of an episodes file.
 //
-// Any number of environments and threads may share one. Stores in which robots drive, and the
-// renderers of these, are opened once.
+// Any number of environments and threads may share one. What they share beyond that (opened stores,
+// renderers) is the arena's.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -13,21 +13,11 @@
 #include <vector>
 
 #include "catalog/catalog.h"
-#include "episodes/aisle_view.h"
-#include "episodes/sample_aisle.h"
-#include "evaluation/arena.h"
+#include "environments/arena.h"
+#include "environments/episode_sampler.h"
 #include "store/store.h"
 
 namespace marketgen {
-
-// One renderer of a store for all who stand in it: whoever has the lock shows its own world.
-struct SharedAisleView {
-  std::mutex mutex;
-  std::unique_ptr<AisleView> view;  // once a picture was asked for
-};
-
-// At a counter all that lies there, in aisles what is asked for.
-int items_of(const EpisodeSpec& spec);
 
 class EpisodeGround {
  public:
@@ -45,34 +35,30 @@ class EpisodeGround {
 
   // Those of the file; none of a store.
   const std::vector<EpisodeSpec>& episodes() const { return file_.episodes; }
-  // Rows of what lies in baskets.
+  const std::vector<EpisodeStore>& stores() const { return file_.header.stores; }
+  // A file's: rows of what its episodes are about. A store's: of all that it sells.
   const std::vector<Product>& products() const { return file_.header.products; }
   const std::filesystem::path& data() const { return data_; }
   const Catalog& catalog() const { return *catalog_; }
 
   // A file's: number `seed` of those of the track, round and round. A store's: drawn from the seed,
   // which takes seconds; kept, for those who come back to their seeds. Errors: episode.impossible
-  // for a file without such episodes; those of the samplers. `tools`: of the robot in aisles, see
-  // open_aisle_store.
+  // for a file without such episodes; those of the samplers. `tools`: a tool set of the track's
+  // robot, the first when empty.
   Result<EpisodeSpec> draw(Track track, std::uint64_t seed, const std::string& tools = {});
-  // One of sample_one_item(), from the rows of products(). Errors: as there.
-  Result<EpisodeSpec> draw_one_item(std::uint64_t seed) const;
-  // As many things as an episode may be about, see items_of(): of the file, and as many as are
-  // drawn from stores.
+  // As many things as an episode may be about, see TrackEntry::items_of(): of the file, and as many
+  // as are drawn from stores.
   int most_items(Track track) const;
   double largest_side_m() const;  // of any of its stores
   // Error episode.other_store: it is of another store.
   Result<void> check(const EpisodeSpec& spec) const;
 
-  // Errors: those of Arena.
-  Result<std::shared_ptr<const AisleStore>> aisle_store(const std::string& scene_hash,
-                                                        const std::string& tools = {});
+  // Where they are run.
+  Arena& arena() { return arena_; }
   // Of the program; `world` must outlive it. Errors: those of Arena.
   Result<std::unique_ptr<Policy>> policy(const std::string& name, const TrackWorld& world) {
     return arena_.policy(name, world);
   }
-  std::shared_ptr<SharedAisleView> aisle_view(const std::string& scene_hash,
-                                              const std::string& tools = {});
 
  private:
   EpisodeGround(std::filesystem::path data,
@@ -80,22 +66,16 @@ class EpisodeGround {
                 std::shared_ptr<const Catalog> catalog);
   Result<EpisodeSpec> pick(Track track, std::uint64_t seed) const;
   Result<EpisodeSpec> sample(Track track, std::uint64_t seed, const std::string& tools);
-  // Samplers of the store, by tools.
-  struct AisleDraw {
-    std::shared_ptr<GraspBook> book;
-    std::unique_ptr<AisleSampler> sampler;
-  };
-  Result<const AisleDraw*> aisle_draw(const std::string& tools);
+  struct Sampling;
+  Result<std::shared_ptr<Sampling>> sampling(Track track, const std::string& tools);
 
   std::filesystem::path data_;
   EpisodeFile file_;
   std::shared_ptr<const Catalog> catalog_;
   std::shared_ptr<const Store> store_;  // none of a file
   Arena arena_;                         // reads the header and the catalogue above
-  std::mutex mutex_;                    // of what follows
+  std::mutex mutex_;                    // of what was drawn
   std::map<std::tuple<Track, std::string, std::uint64_t>, EpisodeSpec> drawn_;
-  std::map<std::string, AisleDraw> aisle_draws_;
-  std::map<std::pair<std::string, std::string>, std::shared_ptr<SharedAisleView>> views_;
 };
 
 }  // namespace marketgen

@@ -1,4 +1,4 @@
-// How near things are to where they are wanted: what the dense rewards of both tracks are made of.
+// How near things are to where they are wanted: what dense rewards are made of.
 #pragma once
 #include <cmath>
 #include <functional>

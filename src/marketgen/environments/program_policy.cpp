@@ -1,5 +1,7 @@
 #include "environments/program_policy.h"
 
+#include "environments/run_episode.h"
+
 namespace marketgen {
 
 Result<void> ProgramPolicy::begin() {

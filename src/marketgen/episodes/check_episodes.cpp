@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "base/text.h"
-#include "episodes/aisle_station.h"
+#include "episodes/track_entry.h"
 
 namespace marketgen {
 namespace {
@@ -45,14 +44,8 @@ Result<void> check_goals(const EpisodeSpec& spec, const std::string& where) {
     if (!asked.insert(goal.sku).second)
       return bad_value(where + "/goals",
                        "asks twice for \"" + goal.sku + "\": make it one goal with their count");
-    if (spec.track != Track::checkout) continue;
-    const auto lying = std::ranges::count(spec.items, goal.sku, &EpisodeItem::sku);
-    if (lying < goal.count)
-      return Error{
-          "episode.impossible",
-          where + "/goals",
-          fmt::format("asks for {} of \"{}\"; {} lie in the basket", goal.count, goal.sku, lying)};
   }
+  MARKETGEN_CHECK(entry_of(spec.track).check_goals(spec, where));
   for (const CategoryPlace& place : spec.categories)
     if (!asked.contains(place.sku))
       return bad_value(where + "/categories",
@@ -60,24 +53,27 @@ Result<void> check_goals(const EpisodeSpec& spec, const std::string& where) {
   return {};
 }
 
-// What the episode says of the other track would be passed over.
-Result<void> check_track(const EpisodeSpec& spec, const std::string& where) {
-  const bool aisle = spec.track == Track::aisle;
+// A field that the track does not have would be passed over.
+Result<void> check_fields(const EpisodeSpec& spec, const std::string& where) {
   const FloorPlaceRow& start = spec.start;
-  const bool starts = start.x_m != 0 || start.y_m != 0 || start.heading_deg != 0;
-  const std::map<std::string_view, bool> of_the_other{
-      {"items", aisle && !spec.items.empty()},
-      {"categories", !aisle && !spec.categories.empty()},
-      {"tools", !aisle && !spec.tools.empty()},
-      {"station", aisle && spec.station.has_value()},
-      {"start", !aisle && starts}};
-  for (const auto& [field, is_there] : of_the_other)
-    if (is_there)
+  const std::map<std::string_view, bool> said{
+      {"items", !spec.items.empty()},
+      {"categories", !spec.categories.empty()},
+      {"tools", !spec.tools.empty()},
+      {"station", spec.station.has_value()},
+      {"start", start.x_m != 0 || start.y_m != 0 || start.heading_deg != 0}};
+  const auto own = entry_of(spec.track).own_fields();
+  for (const auto& [field, is_there] : said)
+    if (is_there && std::ranges::find(own, field) == own.end())
       return bad_value(fmt::format("{}/{}", where, field),
                        fmt::format("episodes of the track {} have none: leave it out, or correct "
                                    "the track",
                                    name_of(spec.track)));
-  const auto known = cameras_of(spec.track);
+  return {};
+}
+
+Result<void> check_cameras(const EpisodeSpec& spec, const std::string& where) {
+  const auto known = entry_of(spec.track).cameras();
   for (const std::string& camera : spec.cameras)
     if (std::ranges::find(known, camera) == known.end())
       return bad_value(where + "/cameras",
@@ -141,13 +137,7 @@ std::string line_at(const std::string& source, std::size_t line) {
   return fmt::format("{}:{}", source, line);
 }
 
-// What the row of a track has.
-struct TrackRow {
-  std::string robot;
-  std::vector<std::string_view> tools;
-};
-
-Result<void> check_robot(const TrackRow& row, const EpisodeSpec& spec, const std::string& where) {
+Result<void> check_robot(const TrackRobot& row, const EpisodeSpec& spec, const std::string& where) {
   if (spec.robot != row.robot)
     return Error{
         "robot.unknown",
@@ -155,25 +145,22 @@ Result<void> check_robot(const TrackRow& row, const EpisodeSpec& spec, const std
         fmt::format(
             "the track {} has \"{}\", not \"{}\"", name_of(spec.track), row.robot, spec.robot)};
   if (spec.tools.empty() || std::ranges::find(row.tools, spec.tools) != row.tools.end()) return {};
+  const std::vector<std::string_view> known(row.tools.begin(), row.tools.end());
   return Error{"robot.unknown",
                where + "/tools",
                fmt::format("there are no tools \"{}\"{}; there are: {}",
                            spec.tools,
-                           did_you_mean(spec.tools, row.tools),
-                           fmt::join(row.tools, ", "))};
+                           did_you_mean(spec.tools, known),
+                           fmt::join(known, ", "))};
 }
 
 }  // namespace
 
-std::vector<std::string_view> cameras_of(Track track) {
-  if (track == Track::aisle) return {"head_camera"};
-  return {"scene", "wrist"};
-}
-
 Result<void> check_episode(const EpisodeSpec& spec, const std::string& where) {
   MARKETGEN_CHECK(check_items(spec, where));
   MARKETGEN_CHECK(check_goals(spec, where));
-  return check_track(spec, where);
+  MARKETGEN_CHECK(check_fields(spec, where));
+  return check_cameras(spec, where);
 }
 
 Result<void> check_episodes(const EpisodeFile& file, const std::string& source) {
@@ -200,25 +187,13 @@ Result<void> check_episodes(const EpisodeFile& file, const std::string& source) 
 Result<void> check_robots(const EpisodeFile& file,
                           const std::string& source,
                           const std::filesystem::path& data) {
-  std::optional<CheckoutStation> counter;
-  std::optional<AisleStation> aisle;
+  std::map<Track, TrackRobot> rows;
   for (std::size_t i = 0; i < file.episodes.size(); ++i) {
     const EpisodeSpec& spec = file.episodes[i];
-    TrackRow row;
-    if (spec.track == Track::checkout) {
-      if (!counter) {
-        MARKETGEN_TRY(counter, load_checkout_station(data));
-      }
-      row.robot = counter->robot;
-    } else {
-      if (!aisle) {
-        MARKETGEN_TRY(aisle, load_aisle_station(data));
-      }
-      row.robot = aisle->robot;
-      for (const ToolSetRow& set : aisle->tool_sets)
-        row.tools.push_back(set.id);
+    if (!rows.contains(spec.track)) {
+      MARKETGEN_TRY(rows[spec.track], entry_of(spec.track).robot(data));
     }
-    MARKETGEN_CHECK(check_robot(row, spec, line_at(source, first_line + i)));
+    MARKETGEN_CHECK(check_robot(rows[spec.track], spec, line_at(source, first_line + i)));
   }
   return {};
 }

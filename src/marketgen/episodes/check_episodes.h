@@ -1,18 +1,15 @@
 // Whether episodes can be run, as far as their file alone tells: read, edited by hand or made by
 // somebody else's program.
 #pragma once
+#include <filesystem>
 #include <string>
-#include <vector>
 
 #include "episodes/episode_spec.h"
 
 namespace marketgen {
 
-// Cameras that an agent of the track can have.
-std::vector<std::string_view> cameras_of(Track track);
-
 // Of one episode by itself, at "WHERE/FIELD". Errors: episode.bad_value for an attitude that is no
-// unit quaternion, a camera that the track does not have, a field of the other track, a category of
+// unit quaternion, a camera or a field that the track does not have, a category of
 // what is no goal, the same goal twice; episode.impossible for no goals, or more of a product than
 // lie in the basket.
 Result<void> check_episode(const EpisodeSpec& spec, const std::string& where);
@@ -24,8 +21,7 @@ Result<void> check_episode(const EpisodeSpec& spec, const std::string& where);
 Result<void> check_episodes(const EpisodeFile& file, const std::string& source);
 
 // Whether the tracks have the robots and tools that the episodes are for; `data` is usually
-// data_folder(). Errors: robot.unknown at "SOURCE:LINE/FIELD"; those of load_checkout_station and
-// load_aisle_station.
+// data_folder(). Errors: robot.unknown at "SOURCE:LINE/FIELD"; those of the stations' files.
 Result<void> check_robots(const EpisodeFile& file,
                           const std::string& source,
                           const std::filesystem::path& data);

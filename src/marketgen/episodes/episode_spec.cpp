@@ -3,10 +3,8 @@
 #include <set>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "base/hash.h"
-#include "base/text.h"
 #include "episodes/check_episodes.h"
 #include "io/file.h"
 #include "io/json.h"
@@ -19,15 +17,6 @@ std::string line_of(const std::string& source, std::size_t line) {
 }
 
 }  // namespace
-
-Result<Track> track_named(std::string_view name) {
-  if (const auto track = value_named<Track>(name)) return *track;
-  return Error{"episode.unknown_track",
-               std::string(name),
-               fmt::format("there is no such track{}; there are: {}",
-                           did_you_mean(name, names_of(Track{})),
-                           fmt::join(names_of(Track{}), ", "))};
-}
 
 std::string plan_hash(const Plan& plan) {
   return sha256_hex(write_json(plan));

@@ -14,17 +14,11 @@
 #include "base/fields.h"
 #include "base/result.h"
 #include "catalog/product.h"
+#include "episodes/track.h"
 #include "geometry/pose.h"
 #include "plan/plan.h"
 
 namespace marketgen {
-
-enum class Track { checkout, aisle };
-constexpr std::array<std::string_view, 2> names_of(Track) {
-  return {"checkout", "aisle"};
-}
-// Error: episode.unknown_track, with those there are.
-Result<Track> track_named(std::string_view name);
 
 // An item of the basket. The pose is basket_from_product, as it lies when the episode begins; the
 // basket's frame is that of its inner floor (physics/settle/bulk_settle.h).

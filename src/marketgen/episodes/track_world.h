@@ -2,8 +2,10 @@
 // truth that oracles may look at.
 #pragma once
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "agent/policy.h"
 #include "episodes/episode_result.h"
@@ -12,6 +14,23 @@
 namespace marketgen {
 
 constexpr double control_step_s = 0.05;
+
+class TrackView;  // episodes/track_view.h
+#define MARKETGEN_TRACK(name, Type) class Type##World;
+#include "episodes/tracks.inc"
+#undef MARKETGEN_TRACK
+
+template <class, class... Worlds>
+struct OneOfWorlds {
+  using type = std::variant<const Worlds*...>;
+};
+// A world of any track, to be visited by what differs from track to track in higher modules:
+// std::visit wants an answer for each track of the list.
+using AnyWorld = OneOfWorlds<void
+#define MARKETGEN_TRACK(name, Type) , Type##World
+#include "episodes/tracks.inc"
+#undef MARKETGEN_TRACK
+                             >::type;
 
 // Physics 500 Hz, control 20 Hz. A function of its episode and its actions: bit for bit, in any
 // process. Not thread-safe; one a thread.
@@ -50,6 +69,12 @@ class TrackWorld {
   // ---- The truth, as it is for the oracle, pictures and tests. ----
 
   virtual const RobotController& controller() const = 0;
+  // MuJoCo's own model and what moves in it.
+  virtual const mjModel_& model() const = 0;
+  virtual const mjData_& data() const = 0;
+  virtual AnyWorld any() const = 0;
+  // Of the episode that runs; the world must outlive it. Errors: those of Renderer::create.
+  virtual Result<std::unique_ptr<TrackView>> open_view() const = 0;
 
  protected:
   PhysicsWatch physics_watch_;

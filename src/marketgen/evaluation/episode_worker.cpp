@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 
 #include "base/parallel.h"
+#include "environments/run_episode.h"
 #include "episodes/episode_spec.h"
-#include "evaluation/run_episode.h"
 #include "io/json.h"
 
 namespace marketgen {

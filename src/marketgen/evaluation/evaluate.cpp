@@ -13,6 +13,7 @@
 #include "base/call_interrupt.h"
 #include "base/interrupt.h"
 #include "base/parallel.h"
+#include "environments/run_episode.h"
 #include "io/json.h"
 
 namespace marketgen {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "evaluation/evaluation_summary.h"
 #include "evaluation/results_folder.h"
-#include "evaluation/run_episode.h"
 #include "evaluation/worker_process.h"
 
 namespace marketgen {

@@ -8,8 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/interrupt.h"
-#include "episodes/aisle_view.h"
-#include "episodes/checkout_view.h"
+#include "episodes/track_view.h"
 #include "io/file.h"
 #include "io/json.h"
 #include "io/part_name.h"
@@ -55,43 +54,6 @@ std::filesystem::path picture_file(const std::filesystem::path& folder, std::siz
 
 }  // namespace
 
-// The view of whichever track it is.
-class Film::Eye {
- public:
-  static Result<std::unique_ptr<Eye>> open(const TrackWorld& world) {
-    auto eye = std::make_unique<Eye>();
-    eye->checkout_ = dynamic_cast<const CheckoutWorld*>(&world);
-    eye->aisle_ = dynamic_cast<const AisleWorld*>(&world);
-    if (eye->checkout_ != nullptr) {
-      MARKETGEN_TRY(eye->checkout_view_, CheckoutView::create(*eye->checkout_));
-    } else {
-      MARKETGEN_TRY(eye->aisle_view_, AisleView::create(*eye->aisle_));
-    }
-    return eye;
-  }
-
-  Result<Image> look(int width, int height) {
-    RenderOptions options;
-    options.quality = Quality::balanced;
-    if (checkout_view_ != nullptr) {
-      MARKETGEN_CHECK(checkout_view_->follow(*checkout_));
-      const Camera camera = checkout_view_->camera(StationCamera::scene, width, height);
-      MARKETGEN_TRY(Frame frame, checkout_view_->renderer().render(camera, options));
-      return std::move(frame.color);
-    }
-    MARKETGEN_CHECK(aisle_view_->follow(*aisle_));
-    MARKETGEN_TRY(const Camera camera, aisle_view_->camera("film_camera", width, height));
-    MARKETGEN_TRY(Frame frame, aisle_view_->renderer().render(camera, options));
-    return std::move(frame.color);
-  }
-
- private:
-  const CheckoutWorld* checkout_ = nullptr;
-  const AisleWorld* aisle_ = nullptr;
-  std::unique_ptr<CheckoutView> checkout_view_;
-  std::unique_ptr<AisleView> aisle_view_;
-};
-
 Film::~Film() {
   std::error_code ignored;
   if (scratch_.empty()) return;
@@ -104,7 +66,7 @@ Result<std::unique_ptr<Film>> Film::begin(const TrackWorld& world, const FilmOpt
   std::unique_ptr<Film> film(new Film);
   film->world_ = &world;
   film->options_ = options;
-  MARKETGEN_TRY(film->eye_, Eye::open(world));
+  MARKETGEN_TRY(film->view_, world.open_view());
   const std::filesystem::path temporary = std::filesystem::temp_directory_path();
   sweep_parts_once(temporary);
   const std::filesystem::path scratch = part_in(temporary, "marketgen-film");
@@ -119,8 +81,13 @@ Result<std::unique_ptr<Film>> Film::begin(const TrackWorld& world, const FilmOpt
 Result<void> Film::look() {
   const double due_s = static_cast<double>(pictures_) * options_.every_s;
   if (world_->time_s() + 1e-9 < due_s) return {};
-  MARKETGEN_TRY(const Image picture, eye_->look(options_.width, options_.height));
-  MARKETGEN_TRY(const std::string bytes, encode_png(picture));
+  MARKETGEN_CHECK(view_->follow());
+  MARKETGEN_TRY(const Camera camera,
+                view_->camera(film_camera_name, options_.width, options_.height));
+  RenderOptions quality;
+  quality.quality = Quality::balanced;
+  MARKETGEN_TRY(const Frame frame, view_->renderer().render(camera, quality));
+  MARKETGEN_TRY(const std::string bytes, encode_png(frame.color));
   const std::filesystem::path file = picture_file(scratch_, pictures_++);
   return write_new(file, bytes, Durable::no, file);
 }

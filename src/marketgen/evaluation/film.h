@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "episodes/track_view.h"
 #include "episodes/track_world.h"
 #include "geometry/image.h"
 #include "io/output.h"
@@ -32,14 +33,13 @@ class Film {
   Result<void> finish(Outputs& outputs);
 
  private:
-  class Eye;
   Film() = default;
   Result<void> write_film(Outputs& outputs) const;
   Result<void> write_strip(Outputs& outputs) const;
 
   const TrackWorld* world_ = nullptr;
   FilmOptions options_;
-  std::unique_ptr<Eye> eye_;
+  std::unique_ptr<TrackView> view_;
   std::filesystem::path scratch_;
   std::size_t pictures_ = 0;
 };

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <map>
 
-#include "evaluation/checkout_senses.h"
+#include "episodes/checkout/checkout_senses.h"
+#include "episodes/pictured_products.h"
 #include "perception/target_choice.h"
 
 namespace marketgen {

@@ -9,7 +9,7 @@
 #include "base/result.h"
 #include "catalog/rows.h"
 #include "episodes/episode_spec.h"
-#include "evaluation/run_episode.h"
+#include "evaluation/evaluation_summary.h"
 #include "grasping/grasp_shares.h"
 
 namespace marketgen {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/progress.h"
-#include "evaluation/run_episode.h"
+#include "evaluation/evaluation_summary.h"
 #include "io/file.h"
 #include "io/json.h"
 #include "io/output.h"

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "agent/policy.h"
-#include "episodes/aisle_world.h"
+#include "episodes/aisle/aisle_world.h"
 
 namespace marketgen {
 

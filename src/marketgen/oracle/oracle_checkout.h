@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "agent/policy.h"
-#include "episodes/checkout_world.h"
+#include "episodes/checkout/checkout_world.h"
 
 namespace marketgen {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "episodes/checkout_goals.h"
+#include "episodes/checkout/checkout_goals.h"
 #include "geometry/box_extents.h"
 #include "physics/goods/contact_shape.h"
 

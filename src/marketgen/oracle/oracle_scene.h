@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "episodes/checkout_world.h"
+#include "episodes/checkout/checkout_world.h"
 #include "motion/grasp_candidates.h"
 #include "motion/grasp_surface.h"
 #include "robots/grasp_tool.h"

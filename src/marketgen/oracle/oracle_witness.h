@@ -4,7 +4,7 @@
 #pragma once
 #include <filesystem>
 
-#include "episodes/sample_checkout.h"
+#include "episodes/checkout/sample_checkout.h"
 
 namespace marketgen {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "assets/product_model.h"
-#include "episodes/grasp_book.h"
-#include "episodes/studied_grasps.h"
+#include "episodes/aisle/grasp_book.h"
+#include "episodes/aisle/studied_grasps.h"
 #include "support/can_aisle.h"
 #include "support/committed_robot.h"
 

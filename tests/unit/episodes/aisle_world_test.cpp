@@ -1,6 +1,6 @@
 // The robot in a small shop: it drives as told, refuses what is no action, repeats bit for bit, and
 // what it did is judged.
-#include "episodes/aisle_world.h"
+#include "episodes/aisle/aisle_world.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Goals of Checkout Unloading on states made by hand.
-#include "episodes/checkout_goals.h"
+#include "episodes/checkout/checkout_goals.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The station's rows: read, and in agreement with what the grasp study uses.
-#include "episodes/checkout_station.h"
+#include "episodes/checkout/checkout_station.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Baskets as they are drawn, and the world that they are put in: at rest, repeatable, watched.
-#include "episodes/checkout_world.h"
+#include "episodes/checkout/checkout_world.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "episodes/studied_grasps.h"
+#include "episodes/aisle/studied_grasps.h"
 #include "support/can_aisle.h"
 #include "support/committed_robot.h"
 

@@ -8,8 +8,8 @@
 #include <deque>
 
 #include "base/seed.h"
-#include "episodes/aisle_world.h"
-#include "episodes/checkout_world.h"
+#include "episodes/aisle/aisle_world.h"
+#include "episodes/checkout/checkout_world.h"
 #include "support/can_aisle.h"
 #include "support/drawn_checkout.h"
 #include "support/number_of_cases.h"

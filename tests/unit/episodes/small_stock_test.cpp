@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <set>
 
-#include "episodes/sample_checkout.h"
-#include "episodes/sample_one_item.h"
+#include "episodes/checkout/sample_checkout.h"
+#include "episodes/checkout/sample_one_item.h"
 #include "support/committed_catalog.h"
 
 namespace marketgen {

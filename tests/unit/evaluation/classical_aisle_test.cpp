@@ -6,9 +6,9 @@
 
 #include "catalog/catalog.h"
 #include "collect/collect_plan.h"
-#include "evaluation/aisle_senses.h"
-#include "evaluation/arena.h"
-#include "evaluation/checkout_senses.h"
+#include "environments/aisle/shared_aisle.h"
+#include "episodes/aisle/aisle_senses.h"
+#include "episodes/pictured_products.h"
 #include "policy/classical_aisle.h"
 #include "support/can_aisle.h"
 #include "support/drawn_checkout.h"
@@ -41,7 +41,7 @@ TEST(AisleSenses, TheHeadLooksOutOfItself) {
 TEST(AisleSenses, TheMapHasEveryBoardOfTheStore) {
   const EpisodeFile file = pool_file();
   Arena arena(data_rows(), file.header, committed_catalog());
-  const auto store = arena.aisle_store(file.header.stores.front().scene_hash, "");
+  const auto store = shared_aisle_store(arena, file.header.stores.front().scene_hash);
   ASSERT_TRUE(store.ok()) << to_string(store.error());
   const StoreMap map(**store);
   EXPECT_EQ(map.boards().size(), (*store)->scene.shelves.size());

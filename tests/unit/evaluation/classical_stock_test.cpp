@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "evaluation/run_episode.h"
+#include "environments/run_episode.h"
 #include "scene/scene.h"
 #include "support/drawn_checkout.h"
 

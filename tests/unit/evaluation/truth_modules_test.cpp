@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <set>
 
-#include "evaluation/aisle_senses.h"
-#include "evaluation/aisle_truth.h"
-#include "evaluation/checkout_truth.h"
-#include "evaluation/policy_name.h"
-#include "evaluation/run_episode.h"
+#include "environments/policy_name.h"
+#include "environments/run_episode.h"
+#include "episodes/aisle/aisle_senses.h"
+#include "episodes/pictured_products.h"
+#include "oracle/aisle_truth.h"
+#include "oracle/checkout_truth.h"
 #include "oracle/oracle_scene.h"
 #include "support/can_aisle.h"
 #include "support/drawn_checkout.h"

@@ -2,7 +2,7 @@
 // may grasp, where it may put down, and the executor that carries it out.
 #include <gtest/gtest.h>
 
-#include "episodes/checkout_goals.h"
+#include "episodes/checkout/checkout_goals.h"
 
 #include <algorithm>
 

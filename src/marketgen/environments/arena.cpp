@@ -1,0 +1,76 @@
+#include "environments/arena.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "catalog/user_products.h"
+#include "environments/environment_entry.h"
+#include "environments/policy_name.h"
+#include "environments/track_policies.h"
+#include "episodes/episode_origin.h"
+#include "policy/random_policy.h"
+
+namespace marketgen {
+
+EpisodeStore store_row(const Store& store) {
+  const Manifest& m = store.manifest;
+  return {m.name, m.scene_hash, plan_hash(store.plan), m.seed, store.plan, {}, m.own};
+}
+
+void Arena::offer(std::shared_ptr<const Store> store) {
+  const std::scoped_lock lock(mutex_);
+  offered_[store->manifest.scene_hash] = std::move(store);
+}
+
+Result<std::shared_ptr<const Scene>> Arena::scene(const std::string& scene_hash) {
+  {
+    const std::scoped_lock lock(mutex_);
+    if (const auto offered = offered_.find(scene_hash); offered != offered_.end())
+      return std::shared_ptr<const Scene>(offered->second, &offered->second->scene);
+  }
+  const auto row = std::ranges::find(header_.stores, scene_hash, &EpisodeStore::scene_hash);
+  if (row == header_.stores.end())
+    return Error{"episode.other_store", scene_hash, "the header has no store of this scene"};
+  MARKETGEN_TRY(Scene scene,
+                row->own
+                    ? scene_of_plan(row->plan, with_own_products(catalog_, *row->own), row->seed)
+                    : scene_of_plan(row->plan, catalog_, row->seed));
+  if (const std::string made = marketgen::scene_hash(scene); made != scene_hash)
+    return Error{
+        "episode.other_store",
+        row->name,
+        fmt::format("its plan gives scene {}, the episodes are of {}: another catalogue or "
+                    "version of marketgen drew them; draw them again",
+                    made,
+                    scene_hash)};
+  return std::shared_ptr<const Scene>(std::make_shared<Scene>(std::move(scene)));
+}
+
+Result<std::shared_ptr<const std::vector<Product>>> Arena::stock(const std::string& scene_hash) {
+  using Stock = const std::vector<Product>;
+  return shared_.get<Stock>(scene_hash, [&]() -> Result<std::shared_ptr<Stock>> {
+    MARKETGEN_TRY(const auto made, scene(scene_hash));
+    return std::make_shared<Stock>(store_stock(*made));
+  });
+}
+
+Result<std::unique_ptr<TrackWorld>> Arena::open(const EpisodeSpec& spec) {
+  return environment_entry_of(spec.track).open(*this, spec);
+}
+
+Result<std::unique_ptr<Policy>> Arena::policy(const std::string& name, const TrackWorld& world) {
+  MARKETGEN_TRY(const PolicyName asked, read_policy_name(name));
+  const Seed seed = Seed(world.spec().seed).child(asked.name);
+  if (asked.name == "random")
+    return std::unique_ptr<Policy>(
+        std::make_unique<RandomPolicy>(seed, world.robot().drive.has_value()));
+  return std::visit(
+      [&](const auto* of_track) {
+        return asked.name == "oracle" ? make_oracle(*this, *of_track, seed)
+                                      : make_classical(*this, *of_track, asked, seed);
+      },
+      world.any());
+}
+
+}  // namespace marketgen

@@ -1,0 +1,34 @@
+// What this module asks of each track of episodes/tracks.inc: how its episodes are drawn, opened,
+// and given to learners. Defined in the track's own folder.
+#pragma once
+#include <memory>
+#include <string>
+
+#include "environments/arena.h"
+#include "environments/environment.h"
+#include "environments/episode_sampler.h"
+
+namespace marketgen {
+
+// Immutable; any number of threads may ask.
+class EnvironmentEntry {
+ public:
+  virtual ~EnvironmentEntry() = default;
+  // A world that was reset to the episode. Errors: as Arena::open.
+  virtual Result<std::unique_ptr<TrackWorld>> open(Arena& arena, const EpisodeSpec& spec) const = 0;
+  // Errors: of the station and its robot.
+  virtual Result<std::unique_ptr<Environment>> environment(
+      std::shared_ptr<EpisodeGround> ground, const EnvironmentOptions& options) const = 0;
+  // `tools`: a tool set of the track's robot, the first when empty. The arena must outlive it.
+  // Errors: of the station; usage.bad_flag when its robot has no choice.
+  virtual Result<std::unique_ptr<EpisodeSampler>> sampler(Arena& arena,
+                                                          const std::string& tools) const = 0;
+};
+
+#define MARKETGEN_TRACK(name, Type) const EnvironmentEntry& name##_environment_entry();
+#include "episodes/tracks.inc"
+#undef MARKETGEN_TRACK
+
+const EnvironmentEntry& environment_entry_of(Track track);
+
+}  // namespace marketgen

@@ -1,0 +1,45 @@
+#include "environments/episode_run.h"
+
+#include <utility>
+
+namespace marketgen {
+
+Result<RunStep> EpisodeRun::step(const Action& action) {
+  RunStep made;
+  MARKETGEN_TRY(made.now, world_.step(action));
+  made.terminated = action.stop;
+  if (rule_ == EndsWhen::goals_are_met) {
+    MARKETGEN_TRY(made.terminated, world_.goals_met());
+  }
+  made.truncated = world_.done() && !made.terminated;
+  return made;
+}
+
+Result<void> EpisodeRun::finish() {
+  if (result_) return {};
+  in_time_ = ended_in_time(world_);
+  MARKETGEN_TRY(EpisodeResult judged, world_.finish());
+  EpisodeEnd end;
+  end.in_time = in_time_;
+  result_ = with_end(std::move(judged), end);
+  return {};
+}
+
+EpisodeResult EpisodeRun::judged(EpisodeEnd end) {
+  const Result<void> done = finish();
+  end.in_time = in_time_;
+  if (result_) return with_end(*result_, end);
+  if (!end.broken) end.broken = done.error();
+  return with_end(unjudged(world_.spec()), end);
+}
+
+Result<void> EpisodeRun::restore(std::string_view world,
+                                 bool in_time,
+                                 std::optional<EpisodeResult> result) {
+  MARKETGEN_CHECK(world_.restore(world));
+  in_time_ = in_time;
+  result_ = std::move(result);
+  return {};
+}
+
+}  // namespace marketgen

@@ -1,0 +1,35 @@
+// Who acts in a world of each track of episodes/tracks.inc: defined in the track's own folder.
+#pragma once
+#include <memory>
+
+#include "agent/policy.h"
+#include "base/seed.h"
+#include "environments/arena.h"
+#include "environments/policy_name.h"
+
+namespace marketgen {
+
+// A policy that needs things that live as long as it does.
+class WrappedPolicy : public Policy {
+ public:
+  Result<void> begin(const Task& task, const Observation& first) override {
+    return policy_->begin(task, first);
+  }
+  Result<Action> act(const Observation& now) override { return policy_->act(now); }
+  std::string failure() const override { return policy_->failure(); }
+
+ protected:
+  std::unique_ptr<Policy> policy_;
+};
+
+// The oracle, which knows everything, and `classical`, which sees pictures, with the truth in place
+// of those modules that `name` says. Arena and world must outlive them. Errors: those of their
+// tools' rows, and of Arena::stock.
+#define MARKETGEN_TRACK(name, Type)                                                               \
+  Result<std::unique_ptr<Policy>> make_oracle(Arena& arena, const Type##World& world, Seed seed); \
+  Result<std::unique_ptr<Policy>> make_classical(                                                 \
+      Arena& arena, const Type##World& world, const PolicyName& asked, Seed seed);
+#include "episodes/tracks.inc"
+#undef MARKETGEN_TRACK
+
+}  // namespace marketgen

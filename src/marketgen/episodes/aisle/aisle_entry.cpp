@@ -1,0 +1,43 @@
+// In-Aisle Item Collection as an entry of episodes/tracks.inc.
+#include "episodes/aisle/sample_aisle.h"
+#include "episodes/track_entry.h"
+
+namespace marketgen {
+namespace {
+
+class AisleEntry : public TrackEntry {
+ public:
+  std::vector<std::string_view> cameras() const override { return {"head_camera"}; }
+  std::vector<std::string_view> own_fields() const override {
+    return {"categories", "tools", "start"};
+  }
+
+  // What the store offers is not in the episode: AisleWorld::reset looks.
+  Result<void> check_goals(const EpisodeSpec&, const std::string&) const override { return {}; }
+
+  Result<TrackRobot> robot(const std::filesystem::path& data) const override {
+    MARKETGEN_TRY(const AisleStation station, load_aisle_station(data));
+    TrackRobot row{station.robot};
+    for (const ToolSetRow& set : station.tool_sets)
+      row.tools.push_back(set.id);
+    return row;
+  }
+
+  // What is asked for.
+  int items_of(const EpisodeSpec& spec) const override {
+    int asked = 0;
+    for (const EpisodeGoal& goal : spec.goals)
+      asked += goal.count;
+    return asked;
+  }
+  int max_items() const override { return most_goals; }
+};
+
+}  // namespace
+
+const TrackEntry& aisle_entry() {
+  static const AisleEntry entry;
+  return entry;
+}
+
+}  // namespace marketgen

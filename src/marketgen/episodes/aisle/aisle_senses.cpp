@@ -1,0 +1,80 @@
+#include "episodes/aisle/aisle_senses.h"
+
+#include "collect/scene_obstacles.h"
+
+namespace marketgen {
+namespace {
+
+constexpr std::string_view head_camera_name = "head_camera";
+
+}  // namespace
+
+Result<View> AisleEyes::look(std::string_view camera) {
+  if (camera != head_camera_name)
+    return Error{
+        "usage.bad_flag", std::string(camera), "the agent has no such camera; it has head_camera"};
+  if (view_) {
+    MARKETGEN_CHECK(view_->follow(world_));
+  } else {
+    MARKETGEN_TRY(view_, AisleView::create(world_));
+  }
+  MARKETGEN_TRY(const Camera taken, view_->camera(camera));
+  MARKETGEN_TRY(Frame frame, view_->renderer().render(taken, {}));
+  View view;
+  view.camera = camera;
+  const Intrinsics lens = intrinsics_of(taken);
+  view.lens = {lens.fx, lens.fy, lens.cx, lens.cy};
+  view.base_from_camera = inverse(world_.world_from_base()) * opencv_pose_of(taken);
+  view.color = std::move(frame.color);
+  view.depth_m = std::move(frame.depth_m);
+  return view;
+}
+
+StoreMap::StoreMap(const AisleStore& store) : store_(store) {
+  for (std::uint32_t row = 0; row < store.scene.shelves.size(); ++row) {
+    const SceneShelf& shelf = store.scene.shelves[row];
+    boards_.push_back({world_from_shelf(store.scene, row),
+                       shelf.width_m,
+                       shelf.depth_m,
+                       shelf.clearance_m,
+                       shelf.use,
+                       has_doors(store.scene, shelf.fixture)});
+  }
+}
+
+PointMm StoreMap::axle_mm(const BasePlace& place) const {
+  return floor_point_mm(axle_of(store_.robot, store_from_base(place)));
+}
+
+bool StoreMap::has_room(const BasePlace& place) const {
+  return store_.ways.space().free(axle_mm(place));
+}
+
+Result<BaseFollower> StoreMap::way(const BasePlace& from, const BasePlace& to) const {
+  const auto floor_place = [&](const BasePlace& place) {
+    const Vec3 axle = axle_of(store_.robot, store_from_base(place));
+    return FloorPlace{{axle.x, axle.y}, place.heading};
+  };
+  MARKETGEN_TRY(
+      DrivePlan plan,
+      plan_drive(store_.ways, store_.robot, store_.driving, floor_place(from), floor_place(to)));
+  return std::move(plan.follower);
+}
+
+std::optional<double> StoreMap::way_m(const BasePlace& from, const BasePlace& to) const {
+  const auto path = store_.ways.shortest_path(axle_mm(from), axle_mm(to));
+  return path.ok() ? std::optional(path->length_m) : std::nullopt;
+}
+
+Obstacles StoreMap::fixtures(Vec3 middle, double within_m) const {
+  return fixture_obstacles(store_.scene, middle, within_m);
+}
+
+std::vector<CategoryHint> category_hints(const EpisodeSpec& spec) {
+  std::vector<CategoryHint> hints;
+  for (const CategoryPlace& place : spec.categories)
+    hints.push_back({place.sku, {place.x_m, place.y_m}});
+  return hints;
+}
+
+}  // namespace marketgen

@@ -1,0 +1,138 @@
+#include "episodes/aisle/aisle_station.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/text.h"
+#include "episodes/source_keys.h"
+#include "io/file.h"
+#include "io/json.h"
+
+namespace marketgen {
+namespace {
+
+constexpr char aisle_file[] = "aisle.json";
+constexpr std::string_view basket_color = "#2f6f4f";
+
+Result<void> check_station(const AisleStation& s) {
+  for (const auto& [place, keys] : {std::pair{"/basket", &s.basket.source},
+                                    {"/shelf", &s.shelf.source},
+                                    {"/head_camera", &s.head_camera.source},
+                                    {"/film_camera", &s.film_camera.source}})
+    MARKETGEN_CHECK(check_source_keys(s.sources, *keys, aisle_file, place));
+  if (s.tool_sets.empty())
+    return Error{
+        "catalog.bad_row", std::string(aisle_file) + ":/tool_sets", "expected one or more"};
+  for (std::size_t i = 0; i < s.tool_sets.size(); ++i)
+    MARKETGEN_CHECK(check_source_keys(
+        s.sources, s.tool_sets[i].source, aisle_file, fmt::format("/tool_sets/{}", i)));
+  if (s.shelf.lowest_m > s.shelf.highest_m)
+    return Error{"catalog.bad_row", std::string(aisle_file) + ":/shelf", "lowest is over highest"};
+  return {};
+}
+
+Result<void> check_robot(const AisleStation& station, const Robot& robot) {
+  const auto lacks = [&](const std::string& what) {
+    return Error{"robot.unknown", robot.name, "the robot of the aisles lacks " + what};
+  };
+  if (!robot.drive) return lacks("a drive");
+  if (robot.find_posture(station.posture) == nullptr)
+    return lacks("the posture \"" + station.posture + "\"");
+  for (const std::string& frame : {station.basket.frame, station.head_camera.frame})
+    if (robot.find_frame(frame) < 0) return lacks("the frame \"" + frame + "\"");
+  if (const std::string& row = station.tools().picks_with; hands_with(robot, row).empty())
+    return lacks("an arm with the tool \"" + row + "\"");
+  return {};
+}
+
+Error unknown_tools(const AisleStation& station, const std::string& tools) {
+  std::vector<std::string_view> known;
+  for (const ToolSetRow& set : station.tool_sets)
+    known.push_back(set.id);
+  return {"robot.unknown",
+          tools,
+          fmt::format("{} has no such tools{}; there are: {}",
+                      aisle_file,
+                      did_you_mean(tools, known),
+                      fmt::join(known, ", "))};
+}
+
+// What is seen of the basket; what is touched of it are its boxes.
+void add_basket_look(const AisleStation& station, Robot& robot) {
+  const RobotFrame& frame =
+      robot.frames[static_cast<std::size_t>(robot.find_frame(station.basket.frame))];
+  Link& link = robot.links[static_cast<std::size_t>(frame.link)];
+  for (const ContainerBox& box : station.basket_boxes()) {
+    BodyShape shape;
+    shape.link_from_shape = link_from_basket(station, robot) * box.container_from_box;
+    shape.size = box.half_size * 2;
+    shape.color = basket_color;
+    link.look.push_back(shape);
+  }
+}
+
+}  // namespace
+
+std::vector<ContainerBox> AisleStation::basket_boxes() const {
+  const CarriedBasketRow& b = basket;
+  std::vector<ContainerBox> boxes = boxes_of(
+      {.top_x_m = b.top_m[0], .top_y_m = b.top_m[1], .height_m = b.height_m, .wall_m = b.wall_m});
+  boxes.push_back({{{0, 0, -b.floor_m / 2}, {}}, {b.top_m[0] / 2, b.top_m[1] / 2, b.floor_m / 2}});
+  return boxes;
+}
+
+Pose link_from_basket(const AisleStation& station, const Robot& robot) {
+  const RobotFrame& frame =
+      robot.frames[static_cast<std::size_t>(robot.find_frame(station.basket.frame))];
+  return frame.link_from_frame * Pose{{0, 0, station.basket.above_frame_m}, {}};
+}
+
+CarriedBasket carried_basket(const AisleStation& station, const Robot& robot) {
+  const CarriedBasketRow& row = station.basket;
+  CarriedBasket basket;
+  basket.base_from_floor = frame_pose(robot, neutral_state(robot), robot.find_frame(row.frame)) *
+                           Pose{{0, 0, row.above_frame_m}, {}};
+  basket.size = {row.top_m[0], row.top_m[1], row.height_m};
+  for (const ContainerBox& box : station.basket_boxes())
+    basket.walls.push_back({basket.base_from_floor * box.container_from_box, box.half_size});
+  return basket;
+}
+
+Result<void> check_tools(const AisleStation& station,
+                         const std::string& tools,
+                         const std::string& where) {
+  const std::string& wanted = tools.empty() ? station.tool_sets.front().id : tools;
+  if (wanted == station.tools().id) return {};
+  return Error{"robot.unknown",
+               where,
+               fmt::format("the robot carries the tools \"{}\", the episode is for \"{}\": open "
+                           "the store with those",
+                           station.tools().id,
+                           wanted)};
+}
+
+Result<AisleStation> load_aisle_station(const std::filesystem::path& data,
+                                        const std::string& tools) {
+  MARKETGEN_TRY(const std::string text, read_file(data / "benchmark" / aisle_file, 1U << 20));
+  MARKETGEN_TRY(AisleStation station, read_json<AisleStation>(text, aisle_file));
+  MARKETGEN_CHECK(check_station(station));
+  if (tools.empty()) return station;
+  const auto chosen = std::ranges::find(station.tool_sets, tools, &ToolSetRow::id);
+  if (chosen == station.tool_sets.end()) return unknown_tools(station, tools);
+  station.carries = static_cast<std::size_t>(chosen - station.tool_sets.begin());
+  return station;
+}
+
+Result<Robot> load_station_robot(const std::filesystem::path& data, const AisleStation& station) {
+  RobotTools tools;
+  for (const ToolChoiceRow& tool : station.tools().tools)
+    tools.emplace(tool.slot, tool.row);
+  MARKETGEN_TRY(Robot robot, load_robot(data, station.robot, tools));
+  MARKETGEN_CHECK(check_robot(station, robot));
+  add_basket_look(station, robot);
+  return robot;
+}
+
+}  // namespace marketgen

@@ -1,0 +1,167 @@
+#include "episodes/aisle/aisle_store.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "collect/collect_plan.h"
+
+namespace marketgen {
+namespace {
+
+constexpr std::array standing_m{0.70, 0.65, 0.75, 0.60, 0.80};  // from the product's front
+constexpr std::array beside_m{0.30, -0.30, 0.0};
+constexpr std::size_t most_places = 6;      // of a SKU that are looked at
+constexpr double driving_opening_m = 0.06;  // of its grippers
+constexpr double unreachable = std::numeric_limits<double>::infinity();
+
+double way_m(const VisibilityGraph& ways, PointMm from, PointMm to) {
+  const auto path = ways.shortest_path(from, to);
+  return path.ok() ? path->length_m : unreachable;
+}
+
+// The shortest way over one place of every group that is left.
+class TourSearch {
+ public:
+  TourSearch(const VisibilityGraph& ways, std::vector<std::vector<PointMm>> groups)
+      : ways_(ways), groups_(std::move(groups)), done_(groups_.size()) {}
+
+  double shortest_from(PointMm from) {
+    double best = unreachable;
+    bool any = false;
+    for (std::size_t group = 0; group < groups_.size(); ++group) {
+      if (done_[group]) continue;
+      any = true;
+      done_[group] = true;
+      for (const PointMm& place : groups_[group]) {
+        const double first = length(from, place);
+        if (first < best) best = std::min(best, first + shortest_from(place));
+      }
+      done_[group] = false;
+    }
+    return any ? best : 0;
+  }
+
+ private:
+  double length(PointMm from, PointMm to) {
+    const auto [known, is_new] = lengths_.try_emplace({from, to});
+    if (is_new) known->second = way_m(ways_, from, to);
+    return known->second;
+  }
+
+  const VisibilityGraph& ways_;
+  std::vector<std::vector<PointMm>> groups_;
+  std::vector<bool> done_;
+  std::map<std::pair<PointMm, PointMm>, double> lengths_;
+};
+
+}  // namespace
+
+Vec3 axle_of(const Robot& robot, const Pose& world_from_base) {
+  return world_from_base * Vec3{robot.drive ? robot.drive->axle_x : 0, 0, 0};
+}
+
+PointMm floor_point_mm(Vec3 at) {
+  return {static_cast<int>(std::lround(at.x * 1e3)), static_cast<int>(std::lround(at.y * 1e3))};
+}
+
+bool has_doors(const Scene& scene, std::uint32_t fixture) {
+  const SceneFixture& row = scene.fixtures[fixture];
+  for (std::uint32_t j = row.first_joint; j < row.first_joint + row.joint_count; ++j)
+    if (scene.joints[j].kind != JointKind::belt) return true;
+  return false;
+}
+
+std::optional<PointMm> AisleStore::standing_place(std::uint32_t product) const {
+  const SceneProduct& row = scene.products[product];
+  const Pose pose = world_from_product(row);
+  const Vec3 out = rotate(pose.rotation, {0, -1, 0}), left{out.y, -out.x, 0};
+  const double front = scene.catalog[row.sku].depth_m() / 2;
+  for (const double side : beside_m) {
+    for (const double distance : standing_m) {
+      const PointMm at = floor_point_mm(pose.position + out * (front + distance) - left * side);
+      if (ways.space().free(at)) return at;
+    }
+  }
+  return std::nullopt;
+}
+
+double AisleStore::room_behind_m(const Pose& world_from_base) const {
+  constexpr double step_m = 0.04;
+  for (double back = most_back_off_m; back > step_m / 2; back -= step_m) {
+    const Pose there = world_from_base * Pose{{-back, 0, 0}, {}};
+    if (ways.space().free(floor_point_mm(axle_of(robot, there)))) return back;
+  }
+  return 0;
+}
+
+// Another pack of its facing stands on it.
+bool AisleStore::carries_another(std::uint32_t row) const {
+  const SceneProduct& product = scene.products[row];
+  const Facing& facing = scene.facings[product.facing];
+  if (facing.stack < 2) return false;
+  const Product& goods = scene.catalog[product.sku];
+  const double near_m = std::min(goods.width_m(), goods.depth_m()) / 2;
+  for (std::uint32_t i = 0; i < facing.product_count; ++i) {
+    const auto& other = scene.products[facing.first_product + i].position_m;
+    const double aside =
+        std::hypot(other[0] - product.position_m[0], other[1] - product.position_m[1]);
+    if (aside < near_m && other[2] > product.position_m[2] + near_m / 2) return true;
+  }
+  return false;
+}
+
+std::vector<std::uint32_t> AisleStore::front_items(const std::string& sku) const {
+  std::vector<std::uint32_t> rows;
+  for (std::uint32_t row = 0; row < scene.products.size(); ++row) {
+    const SceneProduct& product = scene.products[row];
+    if ((product.flags & product_front_row) == 0 || scene.catalog[product.sku].sku != sku) continue;
+    const SceneShelf& shelf = scene.shelves[scene.facings[product.facing].shelf];
+    const double z = product.position_m[2];
+    const bool reached = z >= station.shelf.lowest_m && z <= station.shelf.highest_m;
+    if (reached && shelf.use == ShelfUse::stand && !has_doors(scene, shelf.fixture) &&
+        !carries_another(row))
+      rows.push_back(row);
+  }
+  return rows;
+}
+
+std::vector<PointMm> AisleStore::standing_places(const std::string& sku) const {
+  std::vector<PointMm> places;
+  std::set<std::uint32_t> facings;
+  for (const std::uint32_t row : front_items(sku)) {
+    if (!facings.insert(scene.products[row].facing).second) continue;
+    if (const auto place = standing_place(row)) places.push_back(*place);
+    if (places.size() == most_places) break;
+  }
+  return places;
+}
+
+Result<std::shared_ptr<const AisleStore>> open_aisle_store(const std::filesystem::path& data,
+                                                           Scene scene,
+                                                           const std::string& tools) {
+  auto store = std::make_shared<AisleStore>();
+  store->scene = std::move(scene);
+  MARKETGEN_TRY(store->station, load_aisle_station(data, tools));
+  MARKETGEN_TRY(store->robot, load_station_robot(data, store->station));
+  store->basket = carried_basket(store->station, store->robot);
+  store->driving =
+      stowed_state(store->robot, store->station.posture, store->station.lift_m, driving_opening_m);
+  MARKETGEN_TRY(const BaseEnvelope envelope, base_envelope(store->robot, store->driving));
+  MARKETGEN_TRY(store->ways, drive_graph(store->scene, envelope));
+  return std::shared_ptr<const AisleStore>(std::move(store));
+}
+
+std::optional<double> shortest_tour_m(const AisleStore& store,
+                                      PointMm from,
+                                      const std::vector<std::string>& skus) {
+  std::vector<std::vector<PointMm>> groups;
+  for (const std::string& sku : skus)
+    groups.push_back(store.standing_places(sku));
+  const double length = TourSearch(store.ways, std::move(groups)).shortest_from(from);
+  return std::isfinite(length) ? std::optional(length) : std::nullopt;
+}
+
+}  // namespace marketgen

@@ -1,0 +1,58 @@
+// A store in which In-Aisle Item Collection happens: what all of its episodes share.
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "episodes/aisle/aisle_station.h"
+#include "episodes/episode_spec.h"
+#include "motion/plan_drive.h"
+#include "scene/scene.h"
+#include "skills/drop_plan.h"
+
+namespace marketgen {
+
+constexpr double most_back_off_m = 0.30;  // from a shelf, with an item in the hand
+
+// Immutable; any number of worlds and threads may share it.
+struct AisleStore {
+  Scene scene;
+  AisleStation station;
+  Robot robot;
+  std::vector<double> driving;  // the robot's state while it drives, on the origin
+  VisibilityGraph ways;         // for the robot as it drives
+  CarriedBasket basket;         // that it carries
+
+  // Where it may stand to reach a product: in front of it, 0.60 to 0.80 m away, perhaps to a side.
+  // Empty when nothing there is free.
+  std::optional<PointMm> standing_place(std::uint32_t product) const;
+  // Such places for all items of a SKU, at most one a facing.
+  std::vector<PointMm> standing_places(const std::string& sku) const;
+  // How far it may go straight back, at most most_back_off_m.
+  double room_behind_m(const Pose& world_from_base) const;
+  // Rows of its items that can be reached from the front, no door before them, nothing on them.
+  std::vector<std::uint32_t> front_items(const std::string& sku) const;
+  bool carries_another(std::uint32_t product) const;  // a pack stands on it
+};
+
+// `tools`: a tool set of the station, the first when empty. Errors: those of load_aisle_station,
+// load_station_robot, drive_graph.
+Result<std::shared_ptr<const AisleStore>> open_aisle_store(const std::filesystem::path& data,
+                                                           Scene scene,
+                                                           const std::string& tools = {});
+
+// Of the middle between the wheels.
+Vec3 axle_of(const Robot& robot, const Pose& world_from_base);
+PointMm floor_point_mm(Vec3 at);
+
+// Whether a door, a drawer or a flap is part of the fixture.
+bool has_doors(const Scene& scene, std::uint32_t fixture);
+
+// Length of the shortest way from `from` past a place for each of the SKUs, in any order, metres.
+// Empty when one of them cannot be reached.
+std::optional<double> shortest_tour_m(const AisleStore& store,
+                                      PointMm from,
+                                      const std::vector<std::string>& skus);
+
+}  // namespace marketgen

@@ -1,0 +1,33 @@
+// Pictures of a running In-Aisle Item Collection: from the robot's head, and from beside it.
+#pragma once
+#include <memory>
+#include <string_view>
+
+#include "episodes/aisle/aisle_world.h"
+#include "episodes/track_view.h"
+#include "render/render.h"
+
+namespace marketgen {
+
+class AisleView {
+ public:
+  // Of the episode to which `world` was reset; the world's store must outlive the view. Errors:
+  // those of Renderer::create, link_parts.
+  static Result<std::unique_ptr<AisleView>> create(const AisleWorld& world);
+
+  // From now on everything is seen where it stands in `world`. Errors: render.bad_move.
+  Result<void> follow(const AisleWorld& world);
+
+  // As it stood when follow() was called: "head_camera", "film_camera". 0: as many pixels as the
+  // station's row says. Error camera.unknown.
+  Result<Camera> camera(std::string_view name, int width = 0, int height = 0) const;
+  Renderer& renderer() { return *renderer_; }
+
+ private:
+  AisleView() = default;
+  AisleStation station_;
+  std::unique_ptr<Renderer> renderer_;
+  Pose world_from_base_, world_from_head_;
+};
+
+}  // namespace marketgen

@@ -1,0 +1,354 @@
+#include "episodes/aisle/aisle_world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+#include <mujoco/mujoco.h>
+
+#include "episodes/control_step.h"
+#include "physics/goods/spec_geoms.h"
+
+namespace marketgen {
+namespace {
+
+constexpr double about_basket_m = 0.6;  // of its floor
+constexpr double let_go_s = judged_after_s;
+constexpr std::string_view basket_material = "pet";  // moulded, against goods
+
+// One box a wall: bodies of the robot's base.
+void add_basket(mjSpec& spec, const AisleStation& station, const Robot& robot) {
+  const RobotFrame& frame =
+      robot.frames[static_cast<std::size_t>(robot.find_frame(station.basket.frame))];
+  mjsBody* body =
+      mjs_findBody(&spec, robot.links[static_cast<std::size_t>(frame.link)].name.c_str());
+  int number = 0;
+  for (const ContainerBox& box : station.basket_boxes()) {
+    mjsGeom* geom = add_shape(body,
+                              {CollisionShape::box,
+                               link_from_basket(station, robot) * box.container_from_box,
+                               box.half_size});
+    geom->mass = 0;
+    mjs_setName(geom->element, fmt::format("basket/{}", number++).c_str());
+  }
+}
+
+std::map<std::string, std::string> materials_of(const AisleStation& station, const Robot& robot) {
+  std::map<std::string, std::string> materials = robot_materials(robot, {});
+  for (std::size_t i = 0; i < station.basket_boxes().size(); ++i)
+    materials.emplace(fmt::format("basket/{}", i), std::string(basket_material));
+  return materials;
+}
+
+std::size_t dof_named(const Robot& robot, std::string_view name) {
+  return static_cast<std::size_t>(robot.find_dof(name));
+}
+
+}  // namespace
+
+Result<void> AisleWorld::reset(const EpisodeSpec& spec) {
+  const AisleStation& station = store_->station;
+  const Robot& robot = store_->robot;
+  if (spec.robot != station.robot)
+    return Error{"robot.unknown",
+                 spec.id,
+                 fmt::format("the track has \"{}\", not \"{}\"", station.robot, spec.robot)};
+  MARKETGEN_CHECK(check_tools(station, spec.tools, spec.id));
+  for (const EpisodeGoal& goal : spec.goals) {
+    if (store_->front_items(goal.sku).empty())
+      return Error{
+          "catalog.unknown_sku", spec.id, "the store offers no \"" + goal.sku + "\" within reach"};
+  }
+  RobotActorOptions place;
+  place.state = store_->driving;
+  const double heading = spec.start.heading_deg * std::numbers::pi / 180;
+  place.state[dof_named(robot, "base_x")] = spec.start.x_m;
+  place.state[dof_named(robot, "base_y")] = spec.start.y_m;
+  place.state[dof_named(robot, "base_yaw")] = heading;
+  const Pose start{{spec.start.x_m, spec.start.y_m, 0}, rotation_about({0, 0, 1}, heading)};
+  if (!store_->ways.space().free(floor_point_mm(axle_of(robot, start))))
+    return Error{
+        "episode.impossible", spec.id, "the robot would begin in something that stands there"};
+  WorldOptions options;
+  options.frictions = frictions_;
+  options.keep_commands = false;
+  options.actor_materials = materials_of(station, robot);
+  options.cups = robot_cups(robot, place);
+  options.add_actors = [&](mjSpec_& made) -> Result<void> {
+    MARKETGEN_CHECK(add_robot(made, robot, place));
+    add_basket(made, station, robot);
+    return {};
+  };
+  MARKETGEN_TRY(World world, World::create(store_->scene, std::move(options)));
+  world_ = std::make_unique<World>(std::move(world));
+  MARKETGEN_TRY(controller_, RobotController::start(world_->model(), world_->data(), robot));
+  MARKETGEN_TRY(cups_, SuctionActor::find(*world_, robot));
+  spec_ = spec;
+  commanded_ = commanded_dofs(robot);
+  path_m_ = 0;
+  watch_ = AisleWatch(*world_, robot);
+  axle_ = axle_of(robot, world_from_base());
+  steps_ = 0;
+  done_ = false;
+  return {};
+}
+
+double AisleWorld::time_s() const {
+  return world_->time_s();
+}
+
+std::vector<double> AisleWorld::robot_state() const {
+  return controller_.actor().position(*world_);
+}
+
+Pose AisleWorld::world_from_base() const {
+  const std::vector<double> q = robot_state();
+  const auto at = [&](std::string_view name) { return q[dof_named(robot(), name)]; };
+  return {{at("base_x"), at("base_y"), 0}, rotation_about({0, 0, 1}, at("base_yaw"))};
+}
+
+Pose AisleWorld::world_from_basket() const {
+  return world_from_base() * store_->basket.base_from_floor;
+}
+
+Observation AisleWorld::observe() const {
+  const std::vector<double> q = robot_state(), v = controller_.actor().velocity(*world_);
+  Observation seen;
+  seen.time_s = time_s();
+  for (const int dof : commanded_) {
+    seen.position.push_back(q[static_cast<std::size_t>(dof)]);
+    seen.velocity.push_back(v[static_cast<std::size_t>(dof)]);
+  }
+  seen.openings_m = tool_openings_m(robot(), q);
+  for (std::size_t t = 0; t < robot().tools.size(); ++t) {
+    const Tool& tool = robot().tools[t];
+    const bool off = tool.kind == ToolKind::suction && !cups_.sucks(*world_, tool);
+    if (off) seen.openings_m[t] = cup_off_m;
+    seen.sealed.push_back(cups_.sealed_product(*world_, tool).has_value());
+  }
+  seen.base = controller_.wheels().reckoned();
+  seen.stopped = controller_.stopped(time_s());
+  return seen;
+}
+
+std::vector<std::optional<std::uint32_t>> AisleWorld::sealed_products() const {
+  std::vector<std::optional<std::uint32_t>> sealed;
+  for (const Tool& tool : robot().tools)
+    sealed.push_back(cups_.sealed_product(*world_, tool));
+  return sealed;
+}
+
+// Before every step of physics.
+Result<void> AisleWorld::use_cups(const Action& action) {
+  for (std::size_t t = 0; t < robot().tools.size(); ++t) {
+    const Tool& tool = robot().tools[t];
+    if (tool.kind == ToolKind::suction)
+      MARKETGEN_CHECK(cups_.suck(*world_, tool, action.tools[t].opening_m == 0));
+  }
+  return {};
+}
+
+Result<void> AisleWorld::move(const Action& action) {
+  const ControlStep step(controller_, robot(), commanded_, action);
+  for (int i = 0; i < ControlStep::count(); ++i) {
+    MARKETGEN_CHECK(controller_.command(*world_, step.at(i)));
+    MARKETGEN_CHECK(use_cups(action));
+    MARKETGEN_CHECK(world_->step());
+    controller_.feel(world_->model(), world_->data());
+    const Vec3 now = axle_of(robot(), world_from_base());
+    const Vec3 way = now - axle_;
+    path_m_ += std::hypot(way.x, way.y);
+    const double turn = controller_.actor().velocity(*world_)[dof_named(robot(), "base_yaw")];
+    watch_.look(*world_, {now, way / time_step_s, turn}, sealed_products());
+    axle_ = now;
+    if (physics_watch_) physics_watch_(world_->model(), world_->data());
+  }
+  return {};
+}
+
+Result<Observation> AisleWorld::step(const Action& action) {
+  MARKETGEN_CHECK(check_action(action, robot(), commanded_.size(), done_));
+  if (action.stop) {
+    done_ = true;
+    return observe();
+  }
+  MARKETGEN_CHECK(move(action));
+  ++steps_;
+  done_ = time_s() >= spec_.limit_s - time_step_s / 2;
+  return observe();
+}
+
+HoldsPoint AisleWorld::region() const {
+  const CarriedBasketRow& b = store_->station.basket;
+  return [b](Vec3 at) {
+    return std::abs(at.x) <= b.top_m[0] / 2 && std::abs(at.y) <= b.top_m[1] / 2 && at.z >= 0 &&
+           at.z <= b.height_m;
+  };
+}
+
+ItemState AisleWorld::item_state(std::uint32_t product, const AisleWatch::Item& item) const {
+  const CheckoutGoods& goods = *goods_.at(store_->scene.products[product].sku);
+  return {goods.product.sku,
+          inverse(world_from_basket()) * world_->product_pose(product),
+          to_double(goods.body.center_of_mass),
+          goods.volume,
+          item.touched_by >= 0,
+          item.rested_s,
+          item.impact_m_s};
+}
+
+// What was touched, and what else has moved about the basket: that may lie on goods in it.
+Result<std::vector<ItemState>> AisleWorld::item_states() {
+  std::map<std::uint32_t, AisleWatch::Item> items = watch_.items();
+  const Vec3 basket = world_from_basket().position;
+  for (const std::uint32_t product : world_->moved_products())
+    if (length(world_->product_pose(product).position - basket) < about_basket_m)
+      items.try_emplace(product);
+  std::vector<ItemState> states;
+  for (const auto& [product, item] : items) {
+    MARKETGEN_CHECK(know_goods(product));
+    states.push_back(item_state(product, item));
+  }
+  return states;
+}
+
+Result<void> AisleWorld::know_goods(std::uint32_t product) {
+  const std::uint32_t sku = store_->scene.products[product].sku;
+  if (goods_.contains(sku)) return {};
+  MARKETGEN_TRY(SharedGoods made, checkout_goods(store_->scene.catalog[sku], frictions_));
+  goods_.emplace(sku, std::move(made));
+  return {};
+}
+
+Result<bool> AisleWorld::in_place(std::uint32_t product) {
+  const auto item = watch_.items().find(product);
+  if (item == watch_.items().end() || item->second.touched_by >= 0 ||
+      item->second.rested_s < least_rest_s)
+    return false;
+  MARKETGEN_CHECK(know_goods(product));
+  return is_in_place(region(), item_state(product, item->second));
+}
+
+Result<bool> AisleWorld::goals_met() {
+  int asked = 0, there = 0;
+  for (const EpisodeGoal& goal : spec_.goals)
+    asked += goal.count;
+  for (const auto& [product, item] : watch_.items()) {
+    MARKETGEN_TRY(const bool placed, in_place(product));
+    there += placed ? 1 : 0;
+  }
+  if (there < asked) return false;  // most of the time: judging costs more
+  MARKETGEN_TRY(const std::vector<ItemState> states, item_states());
+  const EpisodeOutcome outcome = judge(region(), spec_.goals, states);
+  return outcome.hits >= outcome.asked;
+}
+
+std::string AisleWorld::save() const {
+  ByteWriter writer;
+  writer(world_->snapshot().bytes(), controller_, watch_, axle_, path_m_);
+  writer(steps_, done_);
+  return writer.take();
+}
+
+Result<void> AisleWorld::restore(std::string_view moment) {
+  std::string physics;
+  RobotController controller = controller_;
+  double path = 0;
+  AisleWatch watch = watch_;
+  Vec3 axle;
+  int steps = 0;
+  bool done = false;
+  ByteReader reader(moment);
+  reader(physics, controller, watch, axle, path, steps, done);
+  if (!reader.ok() || controller.setpoints().size() != robot().dof_count())
+    return Error{"physics.bad_command", spec_.id, "the moment is of another episode"};
+  MARKETGEN_TRY(const WorldSnapshot snapshot, WorldSnapshot::of_bytes(physics));
+  MARKETGEN_CHECK(world_->restore(snapshot));
+  controller_ = std::move(controller);
+  path_m_ = path;
+  watch_ = std::move(watch);
+  axle_ = axle;
+  steps_ = steps;
+  done_ = done;
+  return {};
+}
+
+std::vector<std::uint32_t> AisleWorld::in_basket() const {
+  const HoldsPoint inside = region();
+  const Pose basket_from_world = inverse(world_from_basket());
+  std::vector<std::uint32_t> rows;
+  for (const auto& [product, item] : watch_.items()) {
+    const double height = store_->scene.catalog[store_->scene.products[product].sku].height_m();
+    const Vec3 middle = world_->product_pose(product) * Vec3{0, 0, height / 2};
+    if (inside(basket_from_world * middle)) rows.push_back(product);
+  }
+  return rows;
+}
+
+Result<std::vector<GraspCandidate>> AisleWorld::known_grasps(std::uint32_t product,
+                                                             const GraspTool& tool) const {
+  const Product& goods = store_->scene.catalog[store_->scene.products[product].sku];
+  const auto& witness = spec_.certificate.witness;
+  const auto pick = std::ranges::find(witness, goods.sku, &WitnessPick::sku);
+  return studied_grasps(
+      goods, tool, frictions_, pick == witness.end() ? std::vector<int>() : pick->grasps);
+}
+
+// What lies outside the basket, farther from where it stood than a clean episode moves it.
+int AisleWorld::strayed() const {
+  const std::vector<std::uint32_t> carried = in_basket();
+  const std::vector<std::uint32_t> moved = world_->moved_products();
+  return static_cast<int>(std::ranges::count_if(moved, [&](std::uint32_t row) {
+    const Vec3 stood = world_from_product(store_->scene.products[row]).position;
+    return !std::ranges::binary_search(carried, row) &&
+           length(world_->product_pose(row).position - stood) > max_clean_shift_m;
+  }));
+}
+
+// How far it went, and how far it would have had to go.
+void AisleWorld::add_lengths(EpisodeResult& result) const {
+  const PointMm from = floor_point_mm({spec_.start.x_m, spec_.start.y_m, 0});
+  std::vector<std::string> all, reached;
+  for (const GoalOutcome& goal : result.goals) {
+    all.push_back(goal.sku);
+    if (goal.reached >= goal.count) reached.push_back(goal.sku);
+  }
+  result.path_m = path_m_;
+  const auto share_of = [&](const std::vector<std::string>& skus, double& shortest) {
+    const std::optional<double> tour = shortest_tour_m(*store_, from, skus);
+    if (!tour) return 0.0;  // no way leads past all of them: nothing to compare with
+    shortest = *tour;
+    const double longer = std::max(shortest, path_m_);
+    return longer > 0 ? result.success_partial * shortest / longer : 0;
+  };
+  double shortest_subset = 0;
+  result.spl = share_of(all, result.shortest_m);
+  result.spl_subset = share_of(reached, shortest_subset);
+}
+
+Result<EpisodeResult> AisleWorld::finish() {
+  done_ = true;
+  Action hold = still_action(observe());
+  hold.position = told();
+  for (std::size_t t = 0; t < robot().tools.size(); ++t)
+    if (robot().tools[t].kind == ToolKind::suction) hold.tools[t].opening_m = cup_off_m;
+  for (double waited = 0; waited < let_go_s - time_step_s; waited += control_step_s)
+    MARKETGEN_CHECK(move(hold));
+  MARKETGEN_TRY(const std::vector<ItemState> states, item_states());
+  const EpisodeOutcome outcome = judge(region(), spec_.goals, states);
+  EpisodeResult result;
+  result.episode = spec_.id;
+  result.store = spec_.store;
+  result.side_effects = watch_.effects();
+  result.side_effects.strayed = strayed();
+  result.side_effects.protective_stops = controller_.stops();
+  add_outcome(outcome, result);
+  result.steps = steps_;
+  result.simulated_s = time_s();
+  result.state_hash = state_hash();
+  add_lengths(result);
+  return result;
+}
+
+}  // namespace marketgen

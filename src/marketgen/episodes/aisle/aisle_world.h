@@ -1,0 +1,89 @@
+// In-Aisle Item Collection in physics: a robot with two arms in a whole stocked store. Store frame,
+// SI units.
+#pragma once
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "episodes/aisle/aisle_store.h"
+#include "episodes/aisle/aisle_watch.h"
+#include "episodes/aisle/studied_grasps.h"
+#include "episodes/checkout/checkout_model.h"
+#include "episodes/track_world.h"
+#include "motion/collision_world.h"
+#include "physics/world/suction_actor.h"
+
+namespace marketgen {
+
+class AisleWorld : public TrackWorld {
+ public:
+  AisleWorld(std::shared_ptr<const AisleStore> store, std::vector<FrictionRow> frictions)
+      : store_(std::move(store)), frictions_(std::move(frictions)) {}
+
+  // Errors: robot.unknown when the episode is for another robot or for other tools;
+  // episode.impossible when its start is not free; catalog.unknown_sku for a goal that the store
+  // does not have; assets.*, physics.failed.
+  Result<void> reset(const EpisodeSpec& spec);
+
+  const EpisodeSpec& spec() const override { return spec_; }
+  const Robot& robot() const override { return store_->robot; }
+  Observation observe() const override;
+  Result<Observation> step(const Action& action) override;
+  bool done() const override { return done_; }
+  double time_s() const override;
+  int steps() const override { return steps_; }
+  Result<EpisodeResult> finish() override;
+  std::string state_hash() const override { return world_->state_hash(); }
+  Result<bool> goals_met() override;
+  std::string save() const override;
+  Result<void> restore(std::string_view moment) override;
+
+  // ---- The truth: for the oracle, pictures and tests; no policy may look. ----
+
+  const AisleStore& store() const { return *store_; }
+  const World& world() const { return *world_; }
+  const RobotController& controller() const override { return controller_; }
+  const mjModel_& model() const override { return world_->model(); }
+  const mjData_& data() const override { return world_->data(); }
+  AnyWorld any() const override { return this; }
+  Result<std::unique_ptr<TrackView>> open_view() const override;  // aisle_view.cpp
+  const AisleWatch& watch() const { return watch_; }
+  std::vector<double> robot_state() const override;
+  Pose world_from_base() const;
+  Pose world_from_basket() const;  // middle of its inner floor
+  std::vector<std::uint32_t> in_basket() const;
+  Result<bool> in_place(std::uint32_t product);  // in the basket, let go, at rest
+  std::vector<std::optional<std::uint32_t>> sealed_products() const;  // one a tool
+  double path_m() const { return path_m_; }
+  // Grasps of the product by which the episode's witness would have it taken; all of them for a
+  // product that is no goal. Errors: those of studied_grasps().
+  Result<std::vector<GraspCandidate>> known_grasps(std::uint32_t product,
+                                                   const GraspTool& tool) const;
+
+ private:
+  Result<void> move(const Action& action);
+  Result<void> use_cups(const Action& action);
+  Result<void> know_goods(std::uint32_t product);
+  ItemState item_state(std::uint32_t product, const AisleWatch::Item& item) const;
+  Result<std::vector<ItemState>> item_states();
+  HoldsPoint region() const;
+  void add_lengths(EpisodeResult& result) const;
+  int strayed() const;
+
+  std::shared_ptr<const AisleStore> store_;
+  std::vector<FrictionRow> frictions_;
+  std::map<std::uint32_t, SharedGoods> goods_;  // by SKU row
+
+  EpisodeSpec spec_;
+  std::unique_ptr<World> world_;
+  RobotController controller_;
+  SuctionActor cups_;
+  std::vector<int> commanded_;  // degrees of freedom
+  AisleWatch watch_;
+  Vec3 axle_;  // where the middle between the wheels was
+  double path_m_ = 0;
+  int steps_ = 0;
+  bool done_ = true;
+};
+
+}  // namespace marketgen

@@ -1,0 +1,273 @@
+#include "episodes/aisle/sample_aisle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "collect/collect_plan.h"
+#include "collect/scene_obstacles.h"
+#include "episodes/aisle/studied_grasps.h"
+#include "skills/drop_plan.h"
+
+namespace marketgen {
+namespace {
+
+constexpr int most_attempts = 12;     // at an episode
+constexpr int most_skus_drawn = 200;  // at an attempt; few suit a cup
+constexpr int most_starts = 200;      // places drawn
+constexpr std::size_t most_rows = 3;  // items of a SKU that are looked at
+constexpr double drop_reach_m = 1.4;
+
+// Whether an error says no more than that an item cannot be fetched so: others may be.
+bool is_about_the_item(const Error& error) {
+  const std::string& code = error.code;
+  return (code.starts_with("motion.") && code != "motion.bad_limits") ||
+         code == "robot.unreachable" || code == "collect.no_place" || code == "collect.no_drop";
+}
+
+Pose upright(const FloorPlace& place) {
+  return {{place.position.x, place.position.y, 0}, rotation_about({0, 0, 1}, place.heading)};
+}
+
+}  // namespace
+
+// A way through the episode as far as it was found.
+struct AisleSampler::Witness {
+  Vec3 axle;                         // where the robot is
+  std::vector<CarriedItem> inside;   // of its basket
+  std::vector<std::uint32_t> taken;  // rows
+};
+
+Result<std::unique_ptr<AisleSampler>> AisleSampler::make(std::shared_ptr<const AisleStore> store,
+                                                         std::shared_ptr<GraspBook> book) {
+  std::unique_ptr<AisleSampler> made(new AisleSampler);
+  made->store_ = std::move(store);
+  made->book_ = std::move(book);
+  const Scene& scene = made->store_->scene;
+  std::set<std::uint32_t> seen;
+  for (const SceneProduct& product : scene.products) {
+    if (!seen.insert(product.sku).second) continue;
+    const Product& goods = scene.catalog[product.sku];
+    if (goods.rigidity != Rigidity::soft && !made->store_->standing_places(goods.sku).empty())
+      made->shapes_[goods.archetype].push_back(&goods);
+  }
+  std::size_t products = 0;
+  for (const auto& [shape, of_shape] : made->shapes_)
+    products += of_shape.size();
+  if (products < static_cast<std::size_t>(most_goals))
+    return Error{"episode.impossible",
+                 "aisle",
+                 fmt::format("{} products stand within the robot's reach; at least {} are needed",
+                             products,
+                             most_goals)};
+  return made;
+}
+
+// Numbers of the grasps by which a product can be fetched; none when it cannot.
+Result<std::vector<int>> AisleSampler::grasps_for(const Product& product) {
+  MARKETGEN_TRY(StudiedProduct studied, book_->study(product));
+  const std::scoped_lock lock(mutex_);
+  considered_.insert_or_assign(product.sku, studied.why_not);
+  return std::move(studied.grasps);
+}
+
+std::vector<ConsideredProduct> AisleSampler::considered() const {
+  const std::scoped_lock lock(mutex_);
+  std::vector<ConsideredProduct> products;
+  for (const auto& [sku, why] : considered_)
+    products.push_back({sku, why});
+  return products;
+}
+
+void AisleSampler::consider(const std::vector<ConsideredProduct>& products) {
+  const std::scoped_lock lock(mutex_);
+  for (const ConsideredProduct& product : products)
+    considered_.insert_or_assign(product.sku, product.why);
+}
+
+EpisodeExclusions AisleSampler::exclusions() const {
+  const std::scoped_lock lock(mutex_);
+  std::map<std::string, int> counts;
+  for (const auto& [sku, why] : considered_)
+    if (!why.empty()) ++counts[why];
+  EpisodeExclusions exclusions;
+  exclusions.on_offer = static_cast<int>(considered_.size());
+  for (const auto& [reason, products] : counts)
+    exclusions.left_out.push_back({reason, products});
+  return exclusions;
+}
+
+// From where the arm is when it has pulled the item out, backed off so far as there is room.
+Result<bool> AisleSampler::can_drop(const CollectPlan& plan, Witness& witness, Seed seed) {
+  const Robot& robot = store_->robot;
+  const JointGroup& arm = *robot.find_group(plan.group);
+  const Scene& scene = store_->scene;
+  MARKETGEN_TRY(const ProductBody body,
+                make_store_body(scene.catalog[scene.products[plan.product].sku]));
+  DropQuestion question;
+  question.state = plan.state;
+  const std::vector<double> end = plan.retreat.at(plan.retreat.duration_s()).position;
+  for (std::size_t j = 0; j < arm.dofs.size(); ++j) {
+    const auto dof = static_cast<std::size_t>(arm.dofs[j]);
+    question.state[dof] = end[j];
+    question.stow.push_back(store_->driving[dof]);
+  }
+  question.state[static_cast<std::size_t>(robot.find_dof("lift"))] = store_->station.lift_m;
+  question.world_from_base =
+      plan.world_from_base * Pose{{-store_->room_behind_m(plan.world_from_base), 0, 0}, {}};
+  question.group = plan.group;
+  question.tool = plan.tool;
+  question.held = &body;
+  question.tip_from_product = inverse(plan.grasp.grasp.product_from_tool);
+  const Vec3 middle = question.world_from_base.position + Vec3{0, 0, 0.9};
+  question.around = fixture_obstacles(scene, middle, drop_reach_m);
+  MARKETGEN_CHECK(
+      add_product_obstacles(scene, middle, drop_reach_m, witness.taken, question.around));
+  question.inside = witness.inside;
+  const auto drop = plan_drop(robot, store_->basket, question, seed);
+  if (!drop.ok()) {
+    if (is_about_the_item(drop.error())) return false;
+    return drop.error();
+  }
+  // How it comes to lie is not known: somewhere in the box in which it is let go.
+  witness.inside.push_back(
+      carried_box(turned_box(body, drop->base_from_tip * question.tip_from_product)));
+  return true;
+}
+
+Result<std::optional<WitnessPick>> AisleSampler::pick(const Product& product,
+                                                      const std::vector<int>& grasps,
+                                                      Witness& witness,
+                                                      Seed seed) {
+  const std::string& sku = product.sku;
+  std::vector<std::pair<double, std::uint32_t>> rows;
+  for (const std::uint32_t row : store_->front_items(sku)) {
+    const auto place = store_->standing_place(row);
+    if (!place) continue;
+    const auto path = store_->ways.shortest_path(floor_point_mm(witness.axle), *place);
+    if (path.ok()) rows.emplace_back(path->length_m, row);
+  }
+  std::ranges::stable_sort(rows);
+  CollectOptions options;
+  options.posture = store_->station.posture;
+  options.carried = store_->basket.walls;
+  MARKETGEN_TRY(options.grasps, studied_grasps(product, book_->tool(), book_->frictions(), grasps));
+  for (std::size_t i = 0; i < std::min(rows.size(), most_rows); ++i) {
+    const auto& [way_m, row] = rows[i];
+    const auto plan = plan_collect(
+        store_->scene, row, store_->robot, book_->tool(), seed.child("pick", i), options);
+    if (!plan.ok()) {
+      if (is_about_the_item(plan.error())) continue;
+      return plan.error();
+    }
+    const Vec3 axle = axle_of(store_->robot, plan->world_from_base);
+    const auto path =
+        store_->ways.shortest_path(floor_point_mm(witness.axle), floor_point_mm(axle));
+    if (!path.ok()) continue;
+    witness.taken.push_back(row);
+    MARKETGEN_TRY(const bool dropped, can_drop(*plan, witness, seed.child("drop", i)));
+    if (!dropped) {
+      witness.taken.pop_back();
+      continue;
+    }
+    witness.axle = axle;
+    const Vec3 at = plan->world_from_base.position;
+    const Vec3 ahead = rotate(plan->world_from_base.rotation, {1, 0, 0});
+    WitnessPick found;
+    found.sku = sku;
+    found.product = product_id(store_->scene, row);
+    found.arm = plan->group;
+    found.strategy = std::string(name_of(plan->grasp.strategy));
+    found.grasps = grasps;
+    found.base = {at.x, at.y, std::atan2(ahead.y, ahead.x) * 180 / std::numbers::pi};
+    found.lift_m = plan->state[static_cast<std::size_t>(store_->robot.find_dof("lift"))];
+    found.drive_m = path->length_m;
+    return std::optional(found);
+  }
+  return std::optional<WitnessPick>{};
+}
+
+std::optional<FloorPlace> AisleSampler::draw_start(Stream& draw) const {
+  const RectMm bounds = bounds_of(floor_of(store_->scene.layout.shell));
+  for (int i = 0; i < most_starts; ++i) {
+    FloorPlace place{{draw.uniform(bounds.x0 * 1e-3, bounds.x1 * 1e-3),
+                      draw.uniform(bounds.y0 * 1e-3, bounds.y1 * 1e-3)},
+                     draw.uniform(-std::numbers::pi, std::numbers::pi)};
+    if (store_->ways.space().free(floor_point_mm(axle_of(store_->robot, upright(place)))))
+      return place;
+  }
+  return std::nullopt;
+}
+
+// Where the products of a category stand: the middle of their facings' first items.
+CategoryPlace AisleSampler::category_place(const Product& product) const {
+  const Scene& scene = store_->scene;
+  Vec3 sum;
+  int count = 0;
+  for (const Facing& facing : scene.facings) {
+    if (facing.product_count == 0 || scene.catalog[facing.sku].category != product.category)
+      continue;
+    const auto& at = scene.products[facing.first_product].position_m;
+    sum += Vec3{at[0], at[1], at[2]};
+    ++count;
+  }
+  const Vec3 middle = sum / std::max(count, 1);
+  return {product.sku, product.category, middle.x, middle.y};
+}
+
+Result<std::optional<EpisodeSpec>> AisleSampler::attempt(EpisodeSpec spec, Seed seed) {
+  Stream draw = seed.child("targets").stream();
+  const int wanted = draw.integer(least_goals, most_goals);
+  const auto start = draw_start(draw);
+  if (!start) return std::optional<EpisodeSpec>{};
+  Witness witness{axle_of(store_->robot, upright(*start)), {}, {}};
+  std::set<std::string> drawn;
+  std::vector<std::string> names;
+  for (int i = 0; i < most_skus_drawn && static_cast<int>(spec.goals.size()) < wanted; ++i) {
+    auto shape = shapes_.begin();
+    std::advance(shape, draw.integer(0, static_cast<int>(shapes_.size()) - 1));
+    const auto& of_shape = shape->second;
+    const Product& product =
+        *of_shape[static_cast<std::size_t>(draw.integer(0, static_cast<int>(of_shape.size()) - 1))];
+    if (!drawn.insert(product.sku).second) continue;
+    MARKETGEN_TRY(const std::vector<int> grasps, grasps_for(product));
+    if (grasps.empty()) continue;
+    const auto number = static_cast<std::uint64_t>(i);
+    MARKETGEN_TRY(const auto found, pick(product, grasps, witness, seed.child("witness", number)));
+    if (!found) continue;
+    spec.goals.push_back({product.sku, 1});
+    spec.certificate.witness.push_back(*found);
+    spec.categories.push_back(category_place(product));
+    names.push_back(spoken_product(product));
+  }
+  if (static_cast<int>(spec.goals.size()) < wanted) return std::optional<EpisodeSpec>{};
+  spec.start = {start->position.x, start->position.y, start->heading * 180 / std::numbers::pi};
+  spec.instruction = fmt::format("Collect these into your basket: {}.", fmt::join(names, "; "));
+  return std::optional(std::move(spec));
+}
+
+Result<EpisodeSpec> AisleSampler::sample(const EpisodeOrigin& origin, Seed seed, int index) {
+  const Seed own = seed.child("aisle", static_cast<std::uint64_t>(index));
+  EpisodeSpec spec = begun_spec("aisle/" + store_->station.tools().id, origin, seed, index, own);
+  spec.track = Track::aisle;
+  spec.robot = store_->station.robot;
+  spec.tools = store_->station.tools().id;
+  spec.cameras = {"head_camera"};
+  spec.limit_s = store_->station.limit_s;
+  spec.certificate.proved = {"path", "base", "reach", "approach", "retreat", "place"};
+  for (int number = 0; number < most_attempts; ++number) {
+    MARKETGEN_TRY(std::optional<EpisodeSpec> made,
+                  attempt(spec, own.child("attempt", static_cast<std::uint64_t>(number))));
+    if (made) return std::move(*made);
+  }
+  return Error{
+      "episode.impossible",
+      spec.id,
+      fmt::format("in {} attempts, too few goals were found that can be fetched", most_attempts)};
+}
+
+}  // namespace marketgen

@@ -1,0 +1,56 @@
+// Draws episodes of In-Aisle Item Collection from a store, each with a witness: one way to fetch
+// all of its goals, planned against everything that stands in the store.
+#pragma once
+#include <map>
+#include <memory>
+#include <mutex>
+
+#include "base/seed.h"
+#include "collect/collect_plan.h"
+#include "episodes/aisle/aisle_store.h"
+#include "episodes/aisle/grasp_book.h"
+#include "episodes/episode_journal.h"
+#include "episodes/episode_origin.h"
+
+namespace marketgen {
+
+constexpr int least_goals = 2, most_goals = 4;
+
+// For one store. Any number of threads may draw at once: an episode depends on seed and index only.
+class AisleSampler {
+ public:
+  // Error episode.impossible when too few products stand within reach.
+  static Result<std::unique_ptr<AisleSampler>> make(std::shared_ptr<const AisleStore> store,
+                                                    std::shared_ptr<GraspBook> book);
+
+  // Errors: episode.impossible with what was missing; those of plan_collect and plan_drop that are
+  // not about one product.
+  Result<EpisodeSpec> sample(const EpisodeOrigin& origin, Seed seed, int index);
+
+  // Of the products that were considered so far: those that the grasp study does not hold, by why.
+  EpisodeExclusions exclusions() const;
+  // These products; and more, which another process considered while it drew for the same store.
+  std::vector<ConsideredProduct> considered() const;
+  void consider(const std::vector<ConsideredProduct>& products);
+
+ private:
+  struct Witness;
+  AisleSampler() = default;
+  Result<std::vector<int>> grasps_for(const Product& product);
+  Result<std::optional<WitnessPick>> pick(const Product& product,
+                                          const std::vector<int>& grasps,
+                                          Witness& witness,
+                                          Seed seed);
+  Result<bool> can_drop(const CollectPlan& plan, Witness& witness, Seed seed);
+  CategoryPlace category_place(const Product& product) const;
+  std::optional<FloorPlace> draw_start(Stream& draw) const;
+  Result<std::optional<EpisodeSpec>> attempt(EpisodeSpec spec, Seed seed);
+
+  std::shared_ptr<const AisleStore> store_;
+  std::shared_ptr<GraspBook> book_;
+  std::map<std::string, std::vector<const Product*>> shapes_;  // within reach, by archetype
+  mutable std::mutex mutex_;
+  std::map<std::string, std::string> considered_;  // SKU: why it is not held, or empty
+};
+
+}  // namespace marketgen

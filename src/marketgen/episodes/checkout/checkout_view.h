@@ -1,0 +1,49 @@
+// Pictures of a running Checkout Unloading, as its cameras take them.
+//
+// The station stands in a room of its own. What does not move is a scene that is built at reset;
+// items, basket and arm are moved before each picture. Object numbers are those of
+// render/picture_objects.h: product i of the scene is item i of the episode, actor 0 the basket,
+// actor 1 the robot.
+#pragma once
+#include <memory>
+
+#include "episodes/checkout/checkout_world.h"
+#include "episodes/track_view.h"
+#include "render/render.h"
+
+namespace marketgen {
+
+enum class StationCamera { scene, wrist };
+constexpr std::array<std::string_view, 2> names_of(StationCamera) {
+  return {"scene_camera", "wrist_camera"};
+}
+
+class CheckoutView {
+ public:
+  // Of the episode to which `world` was reset. Errors: those of Renderer::create, link_parts.
+  static Result<std::unique_ptr<CheckoutView>> create(const CheckoutWorld& world);
+
+  // From now on everything is seen where it stands in `world`. Errors: render.bad_move, and nothing
+  // has moved: the physics has lost something.
+  Result<void> follow(const CheckoutWorld& world);
+
+  // As it stood when follow() was called. 0: as many pixels as the station's row says; other sizes
+  // see the same width.
+  Camera camera(StationCamera which, int width = 0, int height = 0) const;
+  // By its name; films are taken by the scene camera. Error camera.unknown.
+  Result<Camera> camera(std::string_view name, int width = 0, int height = 0) const;
+  Renderer& renderer() { return *renderer_; }
+  const Scene& scene() const { return *scene_; }
+  static std::uint32_t object_of_item(std::size_t item);  // in its pictures, without making one
+  const Pose& world_from_station() const { return world_from_station_; }  // of its pictures' frame
+
+ private:
+  CheckoutView() = default;
+
+  CheckoutStation station_;
+  std::unique_ptr<Scene> scene_;  // the renderer reads it
+  std::unique_ptr<Renderer> renderer_;
+  Pose world_from_station_, world_from_hand_;
+};
+
+}  // namespace marketgen

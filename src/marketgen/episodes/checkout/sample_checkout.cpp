@@ -1,0 +1,222 @@
+#include "episodes/checkout/sample_checkout.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "episodes/checkout/checkout_world.h"
+
+namespace marketgen {
+namespace {
+
+constexpr int most_baskets = 20;    // drawn until enough stays in
+constexpr double settle_s = 1.5;    // in the station, with the basket free
+constexpr double still_m_s = 0.01;  // at the end of it
+constexpr double most_overlap_m = 0.002;
+
+// ---- What the gripper can be expected to hold ----
+// Flat goods: a finger of 16 mm and its room fit between a pack and the wall only over the ledge,
+// so that the pads' lower ends, 21 mm under the pack's upper side, must stand 16 mm over the floor.
+constexpr int widest_mm = 68, flattest_mm = 37, longest_mm = 255;
+constexpr int least_round_mm = 55;  // smaller ones have a low yield
+constexpr double heaviest_kg = 1.0;
+
+// One of the shapes, then one of its products that is not taken yet.
+const Product* draw_product(const std::map<std::string, std::vector<const Product*>>& shapes,
+                            const std::vector<const Product*>& taken,
+                            Stream& draw) {
+  std::vector<const Product*> free;
+  auto shape = shapes.begin();
+  std::advance(shape, draw.integer(0, static_cast<int>(shapes.size()) - 1));
+  for (const Product* product : shape->second)
+    if (std::ranges::find(taken, product) == taken.end()) free.push_back(product);
+  if (free.empty()) return nullptr;
+  return free[static_cast<std::size_t>(draw.integer(0, static_cast<int>(free.size()) - 1))];
+}
+
+class CheckoutSampler {
+ public:
+  CheckoutSampler(const std::vector<Product>& stock,
+                  const std::vector<FrictionRow>& frictions,
+                  CheckoutWorld& world,
+                  const CheckoutCertifier& certify,
+                  Seed seed)
+      : stock_(stock), frictions_(frictions), world_(world), certify_(certify), seed_(seed) {
+    for (const Product& product : stock_)
+      shapes_[product.archetype].push_back(&product);
+  }
+
+  // Empty when too few stay in the basket.
+  Result<std::optional<EpisodeSpec>> attempt(EpisodeSpec spec, int number) {
+    Stream draw = seed_.child("basket", static_cast<std::uint64_t>(number)).stream();
+    const auto kinds = static_cast<int>(stock_.size());
+    const int targets = std::min(draw.integer(least_targets, most_targets), std::max(1, kinds / 3));
+    const int others = std::min(draw.integer(least_others, most_others), kinds - targets);
+    const std::vector<const Product*> drawn = draw_products(targets + others, draw);
+    MARKETGEN_CHECK(pour(drawn, seed_.child("pour", static_cast<std::uint64_t>(number)), spec));
+    if (static_cast<int>(spec.items.size()) < targets + std::min(others, least_others))
+      return std::optional<EpisodeSpec>{};
+    std::vector<std::string> names;
+    for (int i = 0; i < targets; ++i) {
+      const std::string& sku = spec.items[static_cast<std::size_t>(i)].sku;
+      spec.goals.push_back({sku, 1});
+      names.push_back(spoken_product(*std::ranges::find(stock_, sku, &Product::sku)));
+    }
+    spec.instruction =
+        fmt::format("Put these from the basket on the unloading area: {}.", fmt::join(names, "; "));
+    MARKETGEN_TRY(const bool rests, settle(spec));
+    if (!rests) return std::optional<EpisodeSpec>{};
+    return certified(std::move(spec), seed_.child("witness", static_cast<std::uint64_t>(number)));
+  }
+
+ private:
+  std::vector<const Product*> draw_products(int count, Stream& draw) const {
+    std::vector<const Product*> drawn;
+    constexpr int most_draws = 1000;
+    for (int i = 0; i < most_draws && static_cast<int>(drawn.size()) < count; ++i) {
+      if (const Product* product = draw_product(shapes_, drawn, draw)) drawn.push_back(product);
+    }
+    return drawn;
+  }
+
+  // In an order of its own, so that targets lie under others as well as over them.
+  Result<void> pour(const std::vector<const Product*>& drawn, Seed seed, EpisodeSpec& spec) {
+    std::vector<std::size_t> order(drawn.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+      order[i] = i;
+    Stream draw = seed.child("order").stream();
+    draw.shuffle(std::span(order));
+    std::vector<BulkItem> bulk(drawn.size());
+    std::vector<SharedGoods> goods(drawn.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      MARKETGEN_TRY(goods[i], checkout_goods(*drawn[order[i]], frictions_));
+      bulk[i] = {drawn[order[i]], &goods[i]->body};
+    }
+    MARKETGEN_TRY(const SettledBulk settled, settle_bulk(world_.station().container(), bulk, seed));
+    std::vector<std::pair<std::size_t, EpisodeItem>> inside;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const Pose& p = settled.items[i].container_from_product;
+      if (settled.items[i].inside) inside.emplace_back(order[i], item_at(drawn[order[i]]->sku, p));
+    }
+    std::ranges::sort(inside, {}, [](const auto& entry) { return entry.first; });
+    for (auto& [index, item] : inside)
+      spec.items.push_back(std::move(item));
+    return {};
+  }
+
+  static EpisodeItem item_at(const std::string& sku, const Pose& p) {
+    return {sku,
+            {p.position.x, p.position.y, p.position.z},
+            {p.rotation.w, p.rotation.x, p.rotation.y, p.rotation.z}};
+  }
+
+  // Lets go in the station, and notes where things lie then. False when they do not rest inside.
+  Result<bool> settle(EpisodeSpec& spec) {
+    MARKETGEN_CHECK(world_.reset(spec, stock_));
+    const Action wait = still_action(world_.observe());
+    while (world_.time_s() < settle_s) {
+      if (const auto stepped = world_.step(wait); !stepped.ok()) return stepped.error();
+    }
+    const OpenContainer container = world_.station().container();
+    for (std::size_t i = 0; i < spec.items.size(); ++i) {
+      const Pose pose = inverse(world_.basket_pose()) * world_.item_pose(i);
+      const Vec3 middle = pose * to_double(world_.goods(i).body.center_of_mass);
+      const bool in = std::abs(middle.x) < container.top_x_m / 2 &&
+                      std::abs(middle.y) < container.top_y_m / 2 && middle.z > 0;
+      if (!in || world_.watch().items()[i].speed_m_s > still_m_s) return false;
+      spec.items[i] = item_at(spec.items[i].sku, pose);
+    }
+    return world_.deepest_overlap_m() <= most_overlap_m;
+  }
+
+  // Empty when no way through is found.
+  Result<std::optional<EpisodeSpec>> certified(EpisodeSpec spec, Seed seed) {
+    spec.certificate.proved = {"settled"};
+    if (!certify_) return std::optional(std::move(spec));
+    MARKETGEN_TRY(auto witness, certify_(world_, seed));
+    if (!witness) return std::optional<EpisodeSpec>{};
+    for (const char* shown : {"order", "grasp", "reach", "approach", "place"})
+      spec.certificate.proved.emplace_back(shown);
+    spec.certificate.witness = std::move(*witness);
+    return std::optional(std::move(spec));
+  }
+
+  const std::vector<Product>& stock_;
+  const std::vector<FrictionRow>& frictions_;
+  CheckoutWorld& world_;
+  const CheckoutCertifier& certify_;
+  Seed seed_;
+  std::map<std::string, std::vector<const Product*>> shapes_;
+};
+
+}  // namespace
+
+CheckoutRefusal checkout_refusal(const Product& product) {
+  std::array<int, 3> size = product.size_mm;
+  std::ranges::sort(size);
+  const bool round = product.orientation == Orientation::any;
+  if (product.rigidity == Rigidity::soft) return CheckoutRefusal::soft;
+  if (product.mass_kg > heaviest_kg) return CheckoutRefusal::too_heavy;
+  if (size[1] > widest_mm) return CheckoutRefusal::too_wide;
+  if (round && size[0] < least_round_mm) return CheckoutRefusal::small_round;
+  if (size[0] < flattest_mm) return CheckoutRefusal::too_flat;
+  if (size[2] > longest_mm) return CheckoutRefusal::too_long;
+  return fits_in(checkout_basket, product) ? CheckoutRefusal::none : CheckoutRefusal::too_large;
+}
+
+std::vector<Product> checkout_stock(const Scene& scene) {
+  std::vector<Product> stock = store_stock(scene);
+  std::erase_if(stock, [](const Product& product) { return !is_checkout_item(product); });
+  return stock;
+}
+
+EpisodeExclusions checkout_exclusions(const Scene& scene) {
+  EpisodeExclusions exclusions;
+  std::map<CheckoutRefusal, int> counts;
+  for (const Product& product : store_stock(scene)) {
+    ++exclusions.on_offer;
+    ++counts[checkout_refusal(product)];
+  }
+  for (const auto& [why, products] : counts)
+    if (why != CheckoutRefusal::none)
+      exclusions.left_out.push_back({std::string(name_of(why)), products});
+  return exclusions;
+}
+
+Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
+                                    const std::vector<Product>& stock,
+                                    const std::vector<FrictionRow>& frictions,
+                                    const EpisodeOrigin& origin,
+                                    Seed seed,
+                                    int index,
+                                    const CheckoutCertifier& certify) {
+  if (stock.size() < least_stock)
+    return Error{"episode.impossible",
+                 origin.store,
+                 fmt::format("of what the store offers, the gripper can take {} products out of a "
+                             "basket; at least {} are needed: give it more kinds of boxes, cans or "
+                             "bottles",
+                             stock.size(),
+                             least_stock)};
+  MARKETGEN_TRY(CheckoutWorld world, CheckoutWorld::create(data, frictions));
+  const Seed own = seed.child("checkout", static_cast<std::uint64_t>(index));
+  EpisodeSpec spec = begun_spec("checkout", origin, seed, index, own);
+  spec.robot = world.station().robot;
+  spec.cameras = {"scene", "wrist"};
+  spec.limit_s = world.station().limit_s;
+  CheckoutSampler sampler(stock, frictions, world, certify, own);
+  for (int number = 0; number < most_baskets; ++number) {
+    MARKETGEN_TRY(std::optional<EpisodeSpec> made, sampler.attempt(spec, number));
+    if (made) return std::move(*made);
+  }
+  return Error{
+      "episode.impossible",
+      spec.id,
+      fmt::format("in {} baskets drawn, too few goods stayed inside, or could be taken out again",
+                  most_baskets)};
+}
+
+}  // namespace marketgen

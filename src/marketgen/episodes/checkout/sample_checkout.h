@@ -1,0 +1,66 @@
+// Draws episodes of Checkout Unloading from a store's stock.
+#pragma once
+#include <array>
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/seed.h"
+#include "catalog/rows.h"
+#include "episodes/checkout/checkout_world.h"
+#include "episodes/episode_origin.h"
+#include "scene/scene.h"
+
+namespace marketgen {
+
+constexpr int least_targets = 2, most_targets = 4;
+constexpr int least_others = 4, most_others = 8;
+// Kinds of goods; baskets of stores with fewer than most_targets + most_others are smaller.
+constexpr std::size_t least_stock = 2;
+
+// Why the Panda cannot be expected to hold a product as it lies in the basket; measured
+// (docs/episodes.md). The first that applies.
+enum class CheckoutRefusal {
+  none,
+  soft,         // packs that give way
+  too_heavy,    // for the arm, held off its middle
+  too_wide,     // for the gripper
+  too_flat,     // beside the ledge there is no room for a finger
+  too_long,     // to be turned in the basket
+  small_round,  // rolls away between the fingers
+  too_large     // for the basket
+};
+constexpr std::array<std::string_view, 8> names_of(CheckoutRefusal) {
+  return {
+      "none", "soft", "too_heavy", "too_wide", "too_flat", "too_long", "small_round", "too_large"};
+}
+CheckoutRefusal checkout_refusal(const Product& product);
+inline bool is_checkout_item(const Product& product) {
+  return checkout_refusal(product) == CheckoutRefusal::none;
+}
+
+// Of store_stock(), what a checkout's basket may hold.
+std::vector<Product> checkout_stock(const Scene& scene);
+// How many products of the store's shelves are left out, by reason.
+EpisodeExclusions checkout_exclusions(const Scene& scene);
+
+// Looks for a way through a settled basket: picks in their order, or nothing when it finds none.
+using CheckoutCertifier = std::function<Result<std::optional<std::vector<WitnessPick>>>(
+    const CheckoutWorld& world, Seed seed)>;
+
+// Episode `index` of a seed. Targets and others are different products, drawn evenly over shapes,
+// of a small stock at most a third of it targets;
+// dropped into the basket one after another, and settled. What spills is left out; drawn anew when
+// too few stay, or `certify` finds no way through (empty: not asked for). Errors:
+// episode.impossible (too few kinds of goods); those of CheckoutWorld and of `certify`.
+Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
+                                    const std::vector<Product>& stock,
+                                    const std::vector<FrictionRow>& frictions,
+                                    const EpisodeOrigin& origin,
+                                    Seed seed,
+                                    int index,
+                                    const CheckoutCertifier& certify = {});
+
+}  // namespace marketgen

@@ -1,0 +1,29 @@
+// What the episodes of every track begin with: the store that they are drawn from, and what it
+// sells.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/seed.h"
+#include "episodes/episode_spec.h"
+#include "scene/scene.h"
+
+namespace marketgen {
+
+struct EpisodeOrigin {
+  std::string store, scene_hash, plan_hash;
+};
+
+// The beginning of episode `index` of a seed: its id, KIND/SCENE/SEED/INDEX, where it is from, and
+// `own`, the seed of what it draws.
+EpisodeSpec begun_spec(
+    std::string_view kind, const EpisodeOrigin& origin, Seed seed, int index, Seed own);
+
+// As instructions name it: brand, name, variant, net content.
+std::string spoken_product(const Product& product);
+
+// All that stands on the store's shelves, lies or hangs there, sorted by SKU.
+std::vector<Product> store_stock(const Scene& scene);
+
+}  // namespace marketgen

@@ -1,0 +1,43 @@
+// What a track is to those who do not care which: its rows, and what its episodes say.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "episodes/episode_spec.h"
+
+namespace marketgen {
+
+// The robot of a track, and the tool sets between which its episodes may choose.
+struct TrackRobot {
+  std::string robot;
+  std::vector<std::string> tools = {};
+};
+
+// Immutable; any number of threads may ask.
+class TrackEntry {
+ public:
+  virtual ~TrackEntry() = default;
+  // Cameras that an agent can have, as EpisodeSpec::cameras names them.
+  virtual std::vector<std::string_view> cameras() const = 0;
+  // Of EpisodeSpec, those of its fields that not every track has: "items", "categories", "tools",
+  // "station", "start".
+  virtual std::vector<std::string_view> own_fields() const = 0;
+  // Whether the goals can be met, as far as the episode tells, at "WHERE/goals". Errors:
+  // episode.impossible.
+  virtual Result<void> check_goals(const EpisodeSpec& spec, const std::string& where) const = 0;
+  // Errors: those of the station's file.
+  virtual Result<TrackRobot> robot(const std::filesystem::path& data) const = 0;
+  // How many things an episode is about, and how many at most one that is drawn.
+  virtual int items_of(const EpisodeSpec& spec) const = 0;
+  virtual int max_items() const = 0;
+};
+
+#define MARKETGEN_TRACK(name, Type) const TrackEntry& name##_entry();
+#include "episodes/tracks.inc"
+#undef MARKETGEN_TRACK
+
+const TrackEntry& entry_of(Track track);
+
+}  // namespace marketgen

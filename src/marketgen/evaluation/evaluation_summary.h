@@ -1,0 +1,66 @@
+// Sums up what became of many episodes: what `summary.json` holds.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "base/fields.h"
+#include "base/result.h"
+#include "episodes/episode_result.h"
+#include "grasping/grasp_shares.h"
+
+namespace marketgen {
+
+struct FailureCount {
+  FailureCode failure = FailureCode::none;
+  int episodes = 0;
+  static constexpr auto fields =
+      field_list(field("failure", &FailureCount::failure, "what kept the agent from its goals"),
+                 field("episodes", &FailureCount::episodes, "how many"));
+};
+
+struct ErrorCount {
+  std::string error;
+  int episodes = 0;
+  static constexpr auto fields =
+      field_list(field("error", &ErrorCount::error, "why they could not be run"),
+                 field("episodes", &ErrorCount::episodes, "how many"));
+};
+
+// Whether an error is not that of the episode: any other would end likewise. An interrupt, a full
+// disk, a policy that does not start.
+bool ends_the_run(const Error& error);
+// Of the rows of episodes that could not be run, by the code in their `error`; empty: it was run.
+std::vector<ErrorCount> counted_errors(const std::vector<std::string>& errors);
+
+struct EvaluationSummary {
+  int episodes = 0;
+  double success_partial = 0;
+  Share goals, strict, clean;  // goals: over all goals of all episodes
+  double spl = 0, spl_subset = 0, mean_path_m = 0, mean_path_success_m = 0;
+  double mean_simulated_s = 0, mean_wall_s = 0;
+  std::vector<FailureCount> failures;  // of episodes that are not strict; those that occur
+  std::vector<ErrorCount> errors;      // of episodes that could not be run
+  int unfinished = 0;
+
+  static constexpr auto fields = field_list(
+      field("episodes", &EvaluationSummary::episodes, "that were run; all shares are of these"),
+      field("success_partial", &EvaluationSummary::success_partial, "mean over the episodes"),
+      field("goals", &EvaluationSummary::goals, "goals reached, of all"),
+      field("strict", &EvaluationSummary::strict, "episodes with all goals reached"),
+      field("clean", &EvaluationSummary::clean, "those without side effects"),
+      field("spl", &EvaluationSummary::spl, "mean over the episodes; as the paper has it"),
+      field("spl_subset", &EvaluationSummary::spl_subset, "against the goals that were reached"),
+      field("mean_path_m", &EvaluationSummary::mean_path_m, "driven, an episode"),
+      field("mean_path_success_m",
+            &EvaluationSummary::mean_path_success_m,
+            "driven, an episode with all goals reached"),
+      field("mean_simulated_s", &EvaluationSummary::mean_simulated_s, "simulated, an episode"),
+      field("mean_wall_s", &EvaluationSummary::mean_wall_s, "of computing, an episode"),
+      field("failures", &EvaluationSummary::failures, "by what kept the agent from its goals"),
+      field("errors", &EvaluationSummary::errors, "episodes that could not be run: in no share"),
+      field("unfinished", &EvaluationSummary::unfinished, "episodes without a result so far"));
+};
+// Of the results that have no error; `unfinished` is the caller's to add.
+EvaluationSummary summarize(const std::vector<EpisodeResult>& results);
+
+}  // namespace marketgen

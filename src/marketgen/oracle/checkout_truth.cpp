@@ -1,0 +1,86 @@
+#include "oracle/checkout_truth.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "oracle/oracle_grasps.h"
+
+namespace marketgen {
+namespace {
+
+constexpr double same_item_m = 0.12;  // between where it is thought to lie and where it lies
+constexpr std::size_t seen_surfels = 400;
+
+}  // namespace
+
+std::vector<Mask> TrueMasks::masks(const ViewCloud& cloud,
+                                   const std::vector<std::uint8_t>& wanted) const {
+  const std::vector<int>& items = eyes_.items_shown(cloud.view().camera);
+  std::map<int, Mask> of_item;
+  for (std::size_t pixel = 0; pixel < wanted.size(); ++pixel)
+    if (wanted[pixel] != 0 && items[pixel] >= 0)
+      of_item[items[pixel]].pixels.push_back(static_cast<std::uint32_t>(pixel));
+  std::vector<Mask> masks;
+  for (auto& [item, mask] : of_item)
+    masks.push_back(std::move(mask));
+  std::ranges::stable_sort(
+      masks, std::greater<>{}, [](const Mask& mask) { return mask.pixels.size(); });
+  return masks;
+}
+
+std::vector<FoundProduct> TrueTargets::find(const std::vector<WantedProduct>& wanted,
+                                            const std::vector<ViewCloud>& views,
+                                            const std::vector<MaskedView>&) const {
+  const WorkArea unloading = workplace_of(world_.station()).unloading;
+  std::vector<FoundProduct> found;
+  for (std::size_t number = 0; number < wanted.size(); ++number) {
+    const ProductLook& look = *wanted[number].look;
+    std::optional<FoundProduct> best;
+    double most = 0;
+    for (std::size_t item = 0; item < world_.item_count(); ++item) {
+      if (world_.goods(item).product.sku != look.sku()) continue;
+      const Pose pose = world_.item_pose(item);
+      PoseEvidence evidence = evidence_of(look, pose, {}, views, seen_surfels);
+      evidence.score = 1;
+      const double worth =
+          evidence.seen + (unloading.holds(pose.position.x, pose.position.y) ? 1 : 0);
+      if (best && worth <= most) continue;
+      best = FoundProduct{number, 0, 0, {pose, evidence}};
+      most = worth;
+    }
+    if (best) found.push_back(*best);
+  }
+  return found;
+}
+
+Result<std::vector<SeenGrasp>> TrueGrasps::grasps(const GraspQuestion& question) const {
+  const OracleScene scene(world_, tool_);
+  std::optional<std::size_t> nearest;
+  double least = same_item_m;
+  for (std::size_t item = 0; item < scene.items(); ++item) {
+    const double off =
+        length(world_.item_pose(item).position - question.base_from_product.position);
+    if (world_.goods(item).product.sku != question.known.product.sku || off >= least) continue;
+    nearest = item;
+    least = off;
+  }
+  std::vector<SeenGrasp> grasps;
+  if (!nearest) return grasps;
+  MARKETGEN_TRY(const auto lone, lone_grasps(scene, *nearest));
+  for (const GraspChoice& choice : item_grasps(scene, *nearest, lone).choices) {
+    double deepest = 0;
+    for (const std::size_t other : choice.blockers)
+      deepest =
+          std::max(deepest, scene.tool_overlap(other, choice.station_from_tip, choice.opening_m));
+    grasps.push_back({choice.station_from_tip,
+                      choice.opening_m,
+                      choice.force_n,
+                      choice.width_m,
+                      deepest,
+                      choice.score});
+  }
+  return grasps;
+}
+
+}  // namespace marketgen

@@ -1,0 +1,144 @@
+// One stepping loop: the same actions give the same physics, bit for bit, by whatever door they
+// come: a policy that is run, an environment that is stepped, many environments in one call.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+
+#include "base/parallel.h"
+#include "environments/environment_batch.h"
+#include "environments/run_episode.h"
+#include "support/pool_ground.h"
+
+namespace marketgen {
+namespace {
+
+constexpr double limit_s = 20;
+constexpr int steps = 30;
+constexpr EnvironmentOptions by_joints{.control = ControlMode::pd_joint_pos};
+using Row = std::vector<double>;
+
+// Joints that sway about where they begin, a base that creeps, hands that open; then the stop.
+std::vector<Row> swaying(const Environment& begun) {
+  const Row start = begun.world().observe().position;
+  std::vector<Row> rows;
+  for (int i = 0; i < steps; ++i) {
+    Row row = start;
+    for (std::size_t j = 0; j < row.size(); ++j)
+      row[j] += 0.05 * std::sin(0.2 * i + static_cast<double>(j));
+    row.resize(begun.action_numbers().size(), 0.1);
+    row.back() = i + 1 < steps ? -1 : 1;
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+// Does what the rows say, one after another.
+class Scripted : public Policy {
+ public:
+  Scripted(const Robot& robot, std::vector<Row> rows)
+      : map_(robot, ControlMode::pd_joint_pos), rows_(std::move(rows)) {}
+  Result<void> begin(const Task&, const Observation&) override { return {}; }
+  Result<Action> act(const Observation& now) override {
+    MARKETGEN_TRY(const MappedAction mapped, map_.action(rows_.at(next_++), {}, now.position));
+    return mapped.action;
+  }
+
+ private:
+  ActionMap map_;
+  std::vector<Row> rows_;
+  std::size_t next_ = 0;
+};
+
+// On a thread that steps: numbers are rounded as parallel loops round them.
+template <class Work>
+auto as_loops_round(const Work& work) {
+  std::optional<decltype(work())> made;
+  parallel_for(1, [&](std::size_t) { made = work(); });
+  return *std::move(made);
+}
+
+class EachDoor : public testing::TestWithParam<Track> {
+ protected:
+  static EpisodeSpec spec() { return pool_episode(GetParam(), limit_s); }
+
+  static std::unique_ptr<Environment> begun() {
+    auto environment = pool_environment(GetParam(), by_joints);
+    const auto reset = as_loops_round([&] { return environment->reset(spec()); });
+    if (!reset.ok()) fatal(to_string(reset.error()).c_str());
+    return environment;
+  }
+
+  static std::string end_of(const Environment& environment) {
+    return environment.result() ? environment.result()->state_hash : "still runs";
+  }
+};
+
+std::string by_steps(Environment& environment, const std::vector<Row>& rows) {
+  for (const Row& row : rows) {
+    const auto stepped = as_loops_round([&] { return environment.step(row); });
+    if (!stepped.ok()) return to_string(stepped.error());
+  }
+  return environment.result() ? environment.result()->state_hash : "still runs";
+}
+
+std::string by_policy(const EpisodeSpec& spec, const std::vector<Row>& rows) {
+  const auto run = [&]() -> Result<EpisodeResult> {
+    MARKETGEN_TRY(const auto world, pool_ground(spec.track)->arena().open(spec));
+    Scripted policy(world->robot(), rows);
+    return run_policy(*world, policy, "scripted");
+  };
+  const auto result = as_loops_round(run);
+  return result.ok() ? result->state_hash : to_string(result.error());
+}
+
+void in_one_call(const std::vector<Environment*>& environments, const std::vector<Row>& rows) {
+  const std::size_t count = environments.size();
+  std::vector<float> seen(count * environments.front()->observation_size());
+  std::vector<double> rewards(count);
+  const auto flags = std::make_unique<bool[]>(2 * count);
+  for (const Row& row : rows) {
+    Row all;
+    for (std::size_t i = 0; i < count; ++i)
+      all.insert(all.end(), row.begin(), row.end());
+    const auto done =
+        step_all(environments, all, {seen, rewards, {&flags[0], count}, {&flags[count], count}});
+    ASSERT_TRUE(done.ok()) << to_string(done.error());
+  }
+}
+
+TEST_P(EachDoor, LeadsToTheSameState) {
+  const auto alone = begun(), one = begun(), two = begun();
+  const std::vector<Row> rows = swaying(*alone);
+  const std::string stepped = by_steps(*alone, rows);
+  EXPECT_EQ(stepped.size(), 32U) << stepped;
+  EXPECT_EQ(by_policy(spec(), rows), stepped);
+  in_one_call({one.get(), two.get()}, rows);
+  EXPECT_EQ(end_of(*one), stepped);
+  EXPECT_EQ(end_of(*two), stepped);
+}
+
+// One bad row, and none has moved.
+TEST_P(EachDoor, ABatchIsRefusedAsAWhole) {
+  const auto one = begun(), two = begun();
+  const std::string before = one->world().state_hash();
+  const std::size_t numbers = one->action_numbers().size();
+  Row all(2 * numbers, 0.0);
+  all[numbers] = std::nan("");
+  Environment* both[] = {one.get(), two.get()};
+  std::vector<float> seen(2 * one->observation_size());
+  double rewards[2];
+  bool flags[4];
+  const auto done = step_all(both, all, {seen, rewards, {flags, 2}, {flags + 2, 2}});
+  ASSERT_FALSE(done.ok());
+  EXPECT_EQ(done.error().code, "episode.bad_action");
+  EXPECT_EQ(done.error().where, "action of environment 1");
+  EXPECT_EQ(one->world().state_hash(), before);
+}
+
+INSTANTIATE_TEST_SUITE_P(OfTracks, EachDoor, testing::ValuesIn(all_tracks), [](const auto& track) {
+  return std::string(name_of(track.param));
+});
+
+}  // namespace
+}  // namespace marketgen
