@@ -12,100 +12,11 @@
 #include "layout/floor.h"
 #include "layout/layout.h"
 #include "layout/reach.h"
-#include "plan/bsp.h"
 #include "support/committed_catalog.h"
+#include "support/random_plan.h"
 
 namespace marketgen {
 namespace {
-
-class RandomPlan {
- public:
-  explicit RandomPlan(std::uint64_t seed) : draw_(Seed(seed).child("random_plan").stream()) {}
-
-  Plan make() {
-    // 8 to 60 m, small shops more often.
-    plan_.shell.width_mm = 8000 + static_cast<int>(520 * draw_.uniform() * draw_.uniform()) * 100;
-    plan_.shell.depth_mm = 8000 + static_cast<int>(520 * draw_.uniform() * draw_.uniform()) * 100;
-    const std::vector<ProfileRow>& profiles = committed_catalog().profiles;
-    plan_.profile = profiles[pick(profiles.size())].id;
-    add_doors();
-    if (draw_.chance(0.3)) add_columns();
-    if (draw_.chance(0.25)) cut_a_corner();
-    divide("root", shell_rect(plan_.shell), 0);
-    // A door may have been in the corner that was cut off.
-    if (!validate_plan(plan_, "random plan", committed_catalog()).ok())
-      plan_.shell.outline_mm.reset();
-    return plan_;
-  }
-
- private:
-  std::size_t pick(std::size_t count) {
-    return static_cast<std::size_t>(draw_.integer(0, static_cast<int>(count) - 1));
-  }
-
-  void add_doors() {
-    const auto wall = static_cast<Wall>(draw_.integer(0, 3));
-    plan_.shell.openings = {{"in", OpeningKind::entrance, wall, draw_.uniform(0.2, 0.4), 1800},
-                            {"out", OpeningKind::exit, wall, draw_.uniform(0.6, 0.8), 1800}};
-    if (draw_.chance(0.5)) {
-      plan_.shell.openings.push_back({"dock",
-                                      OpeningKind::service,
-                                      static_cast<Wall>((static_cast<int>(wall) + 1) % 4),
-                                      draw_.uniform(0.3, 0.7),
-                                      1800});
-    }
-  }
-
-  void add_columns() {
-    for (int x = 6000; x + 3000 < plan_.shell.width_mm; x += 9000) {
-      for (int y = 6000; y + 3000 < plan_.shell.depth_mm; y += 9000)
-        plan_.shell.columns.push_back({x, y, 400});
-    }
-  }
-
-  void cut_a_corner() {
-    const int w = plan_.shell.width_mm, d = plan_.shell.depth_mm;
-    const int x = w * 7 / 10, y = d * 7 / 10;
-    plan_.shell.outline_mm = PolygonMm{{0, 0}, {w, 0}, {w, y}, {x, y}, {x, d}, {0, d}};
-    if (draw_.chance(0.5))
-      plan_.shell.outline_mm = PolygonMm{{0, 0}, {w, 0}, {w, y}, {x, d}, {0, d}};
-  }
-
-  void add_leaf(const std::string& id) {
-    const std::vector<ZoneTypeRow>& types = committed_catalog().zone_types;
-    Zone zone;
-    zone.type = plan_.zones.empty() ? "checkout" : types[pick(types.size())].type;
-    zone.id = "zone-" + std::to_string(plan_.zones.size());
-    const ZoneTypeRow* type = committed_catalog().zone_type(zone.type);
-    if (!type->fixture.empty()) zone.fixture.kind = type->fixture;
-    if (draw_.chance(0.5)) zone.fixture.endcaps = Endcaps::both;
-    if (draw_.chance(0.2)) zone.fixture.axis = static_cast<RunAxis>(draw_.integer(0, 2));
-    if (draw_.chance(0.2)) zone.fixture.run_max_mm = draw_.integer(3000, 9000);
-    Node leaf;
-    leaf.id = id;
-    leaf.zone = zone.id;
-    plan_.nodes.push_back(leaf);
-    plan_.zones.push_back(zone);
-  }
-
-  void divide(const std::string& id, const RectMm& rect, int depth) {
-    const bool small = rect.area_m2() < 30 || std::min(rect.width(), rect.depth()) < 4500;
-    if (small || depth >= 4 || draw_.chance(0.1 * depth)) return add_leaf(id);
-    Node node;
-    node.id = id;
-    node.split = rect.width() > rect.depth() ? Axis::x : Axis::y;
-    node.ratio = draw_.uniform(0.3, 0.7);
-    node.gap_mm = draw_.integer(0, 14) * 200;
-    node.children = {id + "a", id + "b"};
-    plan_.nodes.push_back(node);
-    const std::array<RectMm, 2> parts = split_rect(rect, node);
-    divide(node.children[0], parts[0], depth + 1);
-    divide(node.children[1], parts[1], depth + 1);
-  }
-
-  Stream draw_;
-  Plan plan_;
-};
 
 void expect_sound(const Layout& layout, const Plan& plan, std::uint64_t seed) {
   const Floor floor = make_floor(plan.shell);
@@ -154,7 +65,9 @@ bool kept_by_construction(const std::string& code) {
 }
 
 TEST(LayoutProperty, RandomPlansGiveSoundLayouts) {
-  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+  constexpr int plans = 200;
+  int laid_out = 0;
+  for (std::uint64_t seed = 0; seed < plans; ++seed) {
     const Plan plan = RandomPlan(seed).make();
     const Result<void> valid = validate_plan(plan, "random plan", committed_catalog());
     ASSERT_TRUE(valid.ok()) << "seed " << seed << ": " << to_string(valid.error());
@@ -163,6 +76,7 @@ TEST(LayoutProperty, RandomPlansGiveSoundLayouts) {
       EXPECT_EQ(layout.error().code, "layout.impossible") << seed;
       continue;
     }
+    ++laid_out;
     expect_sound(*layout, plan, seed);
     expect_sorted_ids(*layout, seed);
     for (const Violation& v : layout->violations) {
@@ -170,24 +84,30 @@ TEST(LayoutProperty, RandomPlansGiveSoundLayouts) {
           << "seed " << seed << ": " << v.code << " " << v.where << ": " << v.message;
     }
   }
+  EXPECT_GE(laid_out, 95 * plans / 100) << "an impossible plan is the exception: none was, of 200";
 }
 
 TEST(LayoutProperty, TheSamePlanGivesTheSameLayout) {
+  int laid_out = 0;
   for (std::uint64_t seed = 0; seed < 15; ++seed) {
     const Plan plan = RandomPlan(seed).make();
     const Result<Layout> a = make_layout(plan, committed_catalog(), Seed(seed));
     const Result<Layout> b = make_layout(plan, committed_catalog(), Seed(seed));
     ASSERT_EQ(a.ok(), b.ok());
     if (!a.ok()) continue;
+    ++laid_out;
     EXPECT_EQ(write_json(*a), write_json(*b)) << "seed " << seed;
   }
+  EXPECT_GE(laid_out, 14);
 }
 
 TEST(LayoutProperty, FreeFloorHangsTogether) {
+  int laid_out = 0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const Plan plan = RandomPlan(seed).make();
     const Result<Layout> layout = make_layout(plan, committed_catalog(), Seed(seed));
     if (!layout.ok()) continue;
+    ++laid_out;
     const Reach reach =
         reach_of(make_floor(plan.shell), plan.shell, layout->fixtures, robot_width_mm);
     int cut_off = 0;
@@ -196,6 +116,7 @@ TEST(LayoutProperty, FreeFloorHangsTogether) {
     }
     EXPECT_LE(cut_off, 16) << "seed " << seed;  // 0.04 m2: rounding of the grid
   }
+  EXPECT_GE(laid_out, 38);
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 #include "base/fields.h"
 #include "base/result.h"
 #include "catalog/catalog.h"
-#include "intake/brief.h"
 #include "layout/layout.h"
+#include "plan/requirement.h"
 #include "scene/scene.h"
 
 namespace marketgen {

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "audit/metrics.h"
-#include "audit/places.h"
 #include "audit/traffic.h"
+#include "layout/relations.h"
 #include "scene/assortment.h"
 
 namespace marketgen {
@@ -223,14 +223,10 @@ Verdict check_relation_holds(const Facts& facts, const Requirement& r) {
   const std::string missing = missing_zone(facts, {r.subject, r.object, r.second_object});
   if (!apart && !missing.empty())
     return {false, "there is no " + missing + " zone with goods or equipment"};
-  const RelationCheck check =
-      check_relation(facts.scene, r.relation, r.subject, r.object, r.second_object);
-  return {check.holds,
-          fmt::format("{} {} {}: measured {:.1f} m",
-                      r.subject,
-                      name_of(r.relation),
-                      r.object,
-                      check.measured_m)};
+  const NamedFloor floor = named_floor(facts.scene.layout);
+  const RelationTerms terms = terms_of(r);
+  const auto measure = measure_relation(floor, terms);
+  return {measure && measure->holds(), words_of(floor, terms, measure)};
 }
 
 Verdict check_style(const Facts& facts, const Requirement& r) {

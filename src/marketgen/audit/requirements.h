@@ -5,7 +5,7 @@
 
 #include "audit/audit.h"
 #include "catalog/catalog.h"
-#include "intake/brief.h"
+#include "plan/requirement.h"
 #include "scene/scene.h"
 
 namespace marketgen {

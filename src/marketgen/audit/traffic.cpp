@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "navigation/occupancy.h"
+#include "plan/bsp.h"
+#include "plan/floor_places.h"
 
 namespace marketgen {
 namespace {
@@ -23,8 +25,8 @@ int entrance_component(const Layout& layout,
   constexpr int search_mm = 1500;
   for (const Opening& opening : layout.shell.openings) {
     if (opening.kind != OpeningKind::entrance) continue;
-    const auto cell =
-        nearest_free(grid, inside_of(layout.shell, opening, robot_radius_mm + 100), search_mm);
+    const PointMm inside = point_inside(shell_rect(layout.shell), opening, robot_radius_mm + 100);
+    const auto cell = nearest_free(grid, inside, search_mm);
     if (cell) return components.label[*cell];
   }
   return components.largest();
@@ -37,22 +39,6 @@ PointMm standing_point(const Scene& scene, std::uint32_t shelf) {
 }
 
 }  // namespace
-
-PointMm inside_of(const Shell& shell, const Opening& opening, int by_mm) {
-  const auto along = [&](int length) {
-    return static_cast<int>(std::lround(opening.center * length));
-  };
-  switch (opening.wall) {
-    case Wall::south:
-      return {along(shell.width_mm), by_mm};
-    case Wall::north:
-      return {along(shell.width_mm), shell.depth_mm - by_mm};
-    case Wall::west:
-      return {by_mm, along(shell.depth_mm)};
-    default:
-      return {shell.width_mm - by_mm, along(shell.depth_mm)};
-  }
-}
 
 Traffic measure_traffic(const Scene& scene) {
   Traffic traffic;

@@ -17,7 +17,4 @@ struct Traffic {
 };
 Traffic measure_traffic(const Scene& scene);
 
-// A point just inside an opening.
-PointMm inside_of(const Shell& shell, const Opening& opening, int by_mm);
-
 }  // namespace marketgen

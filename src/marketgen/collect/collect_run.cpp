@@ -5,10 +5,11 @@
 #include <memory>
 #include <set>
 
+#include "physics/goods/contact_shape.h"
+
 namespace marketgen {
 namespace {
 
-constexpr double step_s = 0.002;
 constexpr double room_m = 2.0;  // of the store round the product that is in the world
 constexpr double close_s = 0.6, hold_s = 0.6;
 constexpr double held_slip_m = 0.010, moved_m = 0.020;
@@ -104,7 +105,7 @@ class Run {
     const JointGroup& group = *robot_.find_group(plan_.group);
     const double from_s = world_->time_s();
     for (double t = 0; t < way.duration_s(); t = world_->time_s() - from_s) {
-      const TrajectoryState now = way.at(t + step_s);
+      const TrajectoryState now = way.at(t + time_step_s);
       for (std::size_t j = 0; j < group.dofs.size(); ++j)
         reference_.joints[static_cast<std::size_t>(group.dofs[j])] = {now.position[j],
                                                                       now.velocity[j]};
@@ -116,7 +117,7 @@ class Run {
   }
 
   Result<void> wait(double time_s, CollectPhase phase, double force_n) {
-    for (int i = 0; i < static_cast<int>(time_s / step_s); ++i)
+    for (int i = 0; i < static_cast<int>(time_s / time_step_s); ++i)
       MARKETGEN_CHECK(step(phase, 0, force_n));
     return {};
   }

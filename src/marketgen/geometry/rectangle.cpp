@@ -21,6 +21,12 @@ int gap_mm(const RectMm& a, const RectMm& b) {
   return std::max(along_x, along_y);
 }
 
+double distance_mm(const RectMm& a, const RectMm& b) {
+  const double dx = std::max({0, a.x0 - b.x1, b.x0 - a.x1});
+  const double dy = std::max({0, a.y0 - b.y1, b.y0 - a.y1});
+  return std::sqrt(dx * dx + dy * dy);
+}
+
 PolygonMm polygon_of(const RectMm& r) {
   return {{r.x0, r.y0}, {r.x1, r.y0}, {r.x1, r.y1}, {r.x0, r.y1}};
 }

@@ -32,6 +32,11 @@ bool overlap(const RectMm& a, const RectMm& b);                        // with p
 std::optional<RectMm> intersection(const RectMm& a, const RectMm& b);  // of positive area
 // Gap between two rectangles along the axis in which they are apart; negative when they overlap.
 int gap_mm(const RectMm& a, const RectMm& b);
+// Straight across the floor from edge to edge; 0 when they touch or overlap.
+double distance_mm(const RectMm& a, const RectMm& b);
+constexpr RectMm point_rect(PointMm p) {  // of no size, for distances to a point
+  return {p[0], p[1], p[0], p[1]};
+}
 PolygonMm polygon_of(const RectMm& r);  // counter-clockwise from (x0, y0)
 RectMm bounds_of(const PolygonMm& polygon);
 // Twice the signed area of a, b, c in mm2: positive for a left turn.

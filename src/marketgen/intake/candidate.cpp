@@ -316,20 +316,4 @@ Candidate make_candidate(const FloorDraft& draft,
   return candidate;
 }
 
-PointMm threshold_of(const Opening& opening, const RectMm& floor) {
-  const int along =
-      static_cast<int>(std::lround(opening.center * wall_length(opening.wall, floor)));
-  switch (opening.wall) {
-    case Wall::north:
-      return {along, floor.y1};
-    case Wall::south:
-      return {along, floor.y0};
-    case Wall::east:
-      return {floor.x1, along};
-    case Wall::west:
-      break;
-  }
-  return {floor.x0, along};
-}
-
 }  // namespace marketgen

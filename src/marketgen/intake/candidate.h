@@ -26,7 +26,4 @@ Candidate make_candidate(const FloorDraft& draft,
                          const Understanding& found,
                          const Catalog& catalog);
 
-// The point on the floor in the middle of an opening.
-PointMm threshold_of(const Opening& opening, const RectMm& floor);
-
 }  // namespace marketgen

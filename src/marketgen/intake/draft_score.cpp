@@ -38,34 +38,28 @@ bool is_type(const ProgramZone& zone, std::initializer_list<std::string_view> ty
   return std::ranges::find(types, zone.type->type) != types.end();
 }
 
-double diagonal_mm(const RectMm& floor) {
-  return distance_mm({floor.x0, floor.y0, floor.x0, floor.y0},
-                     {floor.x1, floor.y1, floor.x1, floor.y1});
-}
-
 // How far apart, in diagonals, things are that were said to be beside, behind or opposite one
 // another.
-double remoteness_of(const Requirement& wish, Places& places) {
+double remoteness_of(const Requirement& wish, const NamedFloor& floor) {
   constexpr RelationKind kinds[] = {
       RelationKind::left_of, RelationKind::right_of, RelationKind::behind, RelationKind::facing};
   if (std::ranges::find(kinds, wish.relation) == std::ranges::end(kinds)) return 0;
-  const double diagonal = diagonal_mm(places.candidate().floor);
+  const double diagonal = 1e3 * diagonal_m(floor.bounds);
   double nearest = diagonal;
-  for (const RectMm& a : places.named(wish.subject)) {
-    for (const RectMm& b : places.named(wish.object)) {
-      nearest = std::min(nearest, distance_mm(a, b));
+  for (const FloorPlace& a : places_named(floor, wish.subject)) {
+    for (const FloorPlace& b : places_named(floor, wish.object)) {
+      nearest = std::min(nearest, distance_mm(a.rect, b.rect));
     }
   }
   return nearest / diagonal;
 }
 
-double wish_penalty(const Candidate& candidate, const ScoreInput& input) {
+double wish_penalty(const Candidate& candidate, const NamedFloor& floor, const ScoreInput& input) {
   double sum = 0;
-  Places places(candidate, input.program);
   for (const Requirement& wish : input.understanding.requirements) {
     const double weight = wish.strength == Strength::must ? must_missed : prefer_missed;
     if (wish.kind == RequirementKind::relation) {
-      sum += weight * miss_of(wish, places) + aside_but_remote * remoteness_of(wish, places);
+      sum += weight * miss_of(wish, floor) + aside_but_remote * remoteness_of(wish, floor);
     }
     if (wish.kind != RequirementKind::opening || wish.second_object.empty()) continue;
     if (wish.subject != "entrance" && wish.subject != "exit") continue;
@@ -120,11 +114,11 @@ double core_penalty(const FloorDraft& draft, const Candidate& candidate, const S
 }
 
 // Distances to doors and tills, over the diagonal.
-double flow_penalty(const Candidate& candidate, const ScoreInput& input) {
-  const double diagonal = diagonal_mm(candidate.floor);
-  const PointMm door = threshold_of(candidate.openings[0], candidate.floor);
+double flow_penalty(const Candidate& candidate, const NamedFloor& floor, const ScoreInput& input) {
+  const double diagonal = 1e3 * diagonal_m(candidate.floor);
+  const PointMm door = point_inside(candidate.floor, candidate.openings[0], 0);
   const RectMm entrance{door[0], door[1], door[0], door[1]};
-  const std::vector<RectMm> tills = places_named(candidate, input.program, "checkout");
+  const std::vector<FloorPlace> tills = places_named(floor, "checkout");
   double sum = 0;
   for (std::size_t i = 0; i < input.program.zones.size(); ++i) {
     const ProgramZone& zone = input.program.zones[i];
@@ -133,7 +127,7 @@ double flow_penalty(const Candidate& candidate, const ScoreInput& input) {
     if (is_type(zone, {"bakery"})) sum += bakery_far_from_entrance * from_door;
     if (is_type(zone, {"dairy", "meat_fish"})) sum += destination_near_entrance * (1 - from_door);
     if (is_type(zone, {"frozen"}) && !tills.empty()) {
-      sum += frozen_far_from_tills * distance_mm(candidate.rects[i], tills[0]) / diagonal;
+      sum += frozen_far_from_tills * distance_mm(candidate.rects[i], tills[0].rect) / diagonal;
     }
   }
   return sum;
@@ -218,10 +212,12 @@ double penalty_of(const FloorDraft& draft,
   const double core = core_penalty(draft, candidate, input);
   const double room = room_penalty(candidate, input);
   if (habits + core + room > accepted + rounding) return HUGE_VAL;
-  const double flow = flow_penalty(candidate, input);
+  const NamedFloor floor = named_floor(candidate, input.program);
+  const double flow = flow_penalty(candidate, floor, input);
   const double neighbours = neighbour_penalty(candidate, input);
   if (habits + core + room + flow + neighbours > accepted + rounding) return HUGE_VAL;
-  const double sum = wish_penalty(candidate, input) + room + core + flow + neighbours + habits;
+  const double sum =
+      wish_penalty(candidate, floor, input) + room + core + flow + neighbours + habits;
   return sum > accepted ? HUGE_VAL : sum;
 }
 

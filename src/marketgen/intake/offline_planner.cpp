@@ -178,12 +178,13 @@ void trace_relations(const Planned& planned,
                      const Candidate& candidate,
                      const StoreProgram& program,
                      std::vector<std::string>& trace) {
-  Places places(candidate, program);
+  const NamedFloor floor = named_floor(candidate, program);
   for (const Requirement& wish : planned.requirements) {
     if (wish.kind != RequirementKind::relation) continue;
-    const bool met = miss_of(wish, places) <= 0;
-    trace.push_back((met ? "met: " : "not met: ") + wish.subject + " " +
-                    std::string(name_of(wish.relation)) + " " + wish.object);
+    const RelationTerms terms = terms_of(wish);
+    const auto measure = measure_relation(floor, terms);
+    const bool met = measure && measure->slack_m() >= planner_margin_m(*measure);
+    trace.push_back((met ? "met: " : "not met: ") + words_of(floor, terms, measure));
   }
 }
 

@@ -28,20 +28,16 @@ Shell shell_of(const PlanSources& sources) {
 
 // The relations that were asked for, between things that the store has.
 std::vector<Relation> relations_of(const PlanSources& sources) {
-  const auto exists = [&](const std::string& name) {
-    return !places_named(sources.candidate, sources.program, name).empty();
-  };
+  const NamedFloor floor = named_floor(sources.candidate, sources.program);
   std::vector<Relation> relations;
   for (const Requirement& wish : sources.understanding.requirements) {
     if (wish.kind != RequirementKind::relation) continue;
-    const bool between = wish.relation == RelationKind::between;
-    if (!exists(wish.subject) || !exists(wish.object)) continue;
-    if (between && !exists(wish.second_object)) continue;
+    if (!missing_place(floor, terms_of(wish)).empty()) continue;
     Relation& relation = relations.emplace_back();
     relation.kind = wish.relation;
     relation.a = wish.subject;
     relation.b = wish.object;
-    if (between) relation.c = wish.second_object;
+    if (wish.relation == RelationKind::between) relation.c = wish.second_object;
     relation.strength = wish.strength;
   }
   return relations;

@@ -1,43 +1,22 @@
-// Do the relations that were asked for hold among the rectangles of a candidate?
+// Do the relations that were asked for hold on the floor of a candidate?
 //
-// The definitions are those by which the audit judges the finished store (docs/metrics.md): near is
-// a gap of at most 20 % of the store's diagonal (3 m at least), far of at least 35 %; along and at
-// a wall means within 1.5 m of it; left, right and behind are seen by someone who comes in.
+// They are measured as everywhere (plan/relation.h). A planner keeps a margin, because layouts
+// shift what it planned by some decimetres.
 #pragma once
-#include <map>
-#include <string_view>
-#include <vector>
-
 #include "intake/candidate.h"
+#include "plan/relation.h"
 
 namespace marketgen {
 
-// Rectangles of everything that goes by the name: zones of that type, openings of that kind, walls,
-// "center", "checkout".
-std::vector<RectMm> places_named(const Candidate& candidate,
-                                 const StoreProgram& program,
-                                 std::string_view name);
+// The candidate's floor with its zones and openings. Views of both.
+NamedFloor named_floor(const Candidate& candidate, const StoreProgram& program);
 
-// places_named of one candidate, each name looked up once.
-class Places {
- public:
-  Places(const Candidate& candidate, const StoreProgram& program)
-      : candidate_(candidate), program_(program) {}
-  const std::vector<RectMm>& named(std::string_view name);
-  const Candidate& candidate() const { return candidate_; }
+// The slack that the planner asks for: a tenth of the limit, a decimetre at least. Our own figure.
+double planner_margin_m(const RelationMeasure& measure);
 
- private:
-  const Candidate& candidate_;
-  const StoreProgram& program_;
-  std::map<std::string_view, std::vector<RectMm>> known_;
-};
-
-// How badly the wish is missed: 0 when it holds, otherwise 1 and more with the distance in store
-// diagonals added. Precondition: a relation. What it names but the store lacks counts as missed,
-// except by `far` and `not_adjacent`.
-double miss_of(const Requirement& wish, Places& places);
-
-// Free floor between two rectangles; 0 when they touch or overlap.
-double distance_mm(const RectMm& a, const RectMm& b);
+// How badly the wish is missed: 0 when it holds with the planner's margin, otherwise 1 and more
+// with the distance in store diagonals added; 2 when it cannot be judged here. Precondition: a
+// relation.
+double miss_of(const Requirement& wish, const NamedFloor& floor);
 
 }  // namespace marketgen

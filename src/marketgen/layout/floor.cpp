@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "plan/bsp.h"
+#include "plan/floor_places.h"
 
 namespace marketgen {
 namespace {
@@ -88,10 +89,9 @@ Doorway make_doorway(const Shell& shell, const RectMm& bounds, std::size_t index
   const Opening& opening = shell.openings[index];
   Doorway door{index, side_of(opening.wall), {}, {}, {}};
   const Span wall = along(bounds, door.wall);
-  const int middle = wall.from + static_cast<int>(opening.center * wall.length() + 0.5);
+  door.threshold = point_inside(bounds, opening, 0);
+  const int middle = door.threshold[lies_along_x(door.wall) ? 0 : 1];
   door.span = {middle - opening.width_mm / 2, middle - opening.width_mm / 2 + opening.width_mm};
-  const int line = coordinate(bounds, door.wall);
-  door.threshold = lies_along_x(door.wall) ? PointMm{middle, line} : PointMm{line, middle};
   if (opening.kind == OpeningKind::window) return door;
   const Span wide =
       intersection({door.span.from - approach_side_mm, door.span.to + approach_side_mm}, wall);

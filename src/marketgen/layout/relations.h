@@ -1,31 +1,14 @@
-// Relations between places, measured on a layout.
-//
-// Left, right and behind are seen by someone who comes in at the entrance. Distances are between
-// the edges of the zones.
+// The relations of a plan, measured on its layout (plan/relation.h).
 #pragma once
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "layout/layout.h"
+#include "plan/relation.h"
 
 namespace marketgen {
 
-struct RelationResult {
-  bool holds = false;
-  double value_m = 0, limit_m = 0;  // what was measured and what it is compared with
-  std::string message;  // "zone bakery is 9.2 m from entrance; near means 5.7 m at most"
-  std::optional<PointMm> at_mm;
-};
+// The layout's floor with its zones and openings. Views of the layout.
+NamedFloor named_floor(const Layout& layout);
 
-// A name that the layout does not have makes the relation hold: validation reports such names.
-RelationResult check_relation(const Layout& layout, const Relation& relation);
-
-// The places a name stands for: zones by id or type, openings by id or kind, walls, "checkout",
-// "center".
-std::vector<RectMm> places_named(const Layout& layout, std::string_view name);
-
-double distance_m(const RectMm& a, PointMm b);
-double distance_m(const RectMm& a, const RectMm& b);
+// The slack that the layout rules ask for. None: the audit measures these very zones.
+constexpr double layout_margin_m = 0;
 
 }  // namespace marketgen

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "layout/relations.h"
 #include "layout/rule_facts.h"
 
 namespace marketgen {
@@ -31,7 +30,7 @@ Findings checkout_not_at_exit(const RuleFacts& facts) {
   double nearest_m = 0;
   for (std::size_t i = 0; i < facts.kinds.size() && exit != nullptr; ++i) {
     if (!facts.is_checkout(i)) continue;
-    const double away = distance_m(facts.footprints[i], exit->threshold);
+    const double away = 1e-3 * distance_mm(facts.footprints[i], point_rect(exit->threshold));
     if (nearest && away >= nearest_m) continue;
     nearest = i;
     nearest_m = away;

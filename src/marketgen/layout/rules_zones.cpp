@@ -87,13 +87,18 @@ int cold_groups(const std::vector<RectMm>& cold) {
 }
 
 Findings relations_of(const RuleFacts& facts, Strength strength) {
+  const NamedFloor floor = named_floor(facts.layout);
   Findings found;
-  for (std::size_t i = 0; i < facts.design.plan.relations.size(); ++i) {
-    const Relation& relation = facts.design.plan.relations[i];
+  for (const Relation& relation : facts.design.plan.relations) {
     if (relation.strength != strength) continue;
-    const RelationResult result = check_relation(facts.layout, relation);
-    if (result.holds) continue;
-    found.push_back({relation.a, result.value_m, result.limit_m, result.message, result.at_mm});
+    const RelationTerms terms = terms_of(relation);
+    const auto measure = measure_relation(floor, terms);
+    if (!measure || measure->slack_m() >= layout_margin_m) continue;
+    found.push_back({relation.a,
+                     measure->measured_m,
+                     measure->limit_m,
+                     words_of(floor, terms, measure),
+                     measure->at_mm});
   }
   return found;
 }
@@ -189,13 +194,11 @@ Findings chemical_next_to_food(const RuleFacts& facts) {
 Findings produce_far(const RuleFacts& facts) {
   const Doorway* door = entrance_of(facts.design.floor, facts.shell());
   if (door == nullptr) return {};
-  const double wide = facts.design.floor.bounds.width() * 1e-3,
-               deep = facts.design.floor.bounds.depth() * 1e-3;
-  const double limit = produce_share * std::sqrt(wide * wide + deep * deep);
+  const double limit = produce_share * diagonal_m(facts.design.floor.bounds);
   Findings found;
   for (const LayoutZone& zone : facts.layout.zones) {
     if (zone.type != "produce") continue;
-    const double away = distance_m(bounds_of(zone.polygon_mm), door->threshold);
+    const double away = 1e-3 * distance_mm(bounds_of(zone.polygon_mm), point_rect(door->threshold));
     if (away <= limit) continue;
     found.push_back(
         {zone.id, away, limit, "zone " + zone.id + " is far from the entrance", middle(zone)});
@@ -209,6 +212,18 @@ Findings relation_broken(const RuleFacts& facts) {
 
 Findings relation_missed(const RuleFacts& facts) {
   return relations_of(facts, Strength::prefer);
+}
+
+Findings relation_not_judged(const RuleFacts& facts) {
+  const NamedFloor floor = named_floor(facts.layout);
+  Findings found;
+  for (const Relation& relation : facts.design.plan.relations) {
+    const RelationTerms terms = terms_of(relation);
+    const auto measure = measure_relation(floor, terms);
+    if (measure) continue;
+    found.push_back({relation.a, 0, 0, words_of(floor, terms, measure), std::nullopt});
+  }
+  return found;
 }
 
 }  // namespace marketgen

@@ -7,8 +7,8 @@
 namespace marketgen {
 namespace {
 
-constexpr int wall_gap_mm = 20;       // skirting and uneven walls behind a unit
-constexpr int window_sill_mm = 1000;  // lower units may stand under a window
+constexpr int wall_gap_mm = 20;            // skirting and uneven walls behind a unit
+constexpr int max_under_window_mm = 1000;  // units no higher may stand under a window
 constexpr int staff_aisle_mm =
     1000;  // behind a service counter; one person working, another passing (Neufert)
 
@@ -21,7 +21,7 @@ struct WallJob {
 
 // Without the windows that a unit of this height would cover.
 std::vector<Span> without_windows(const Build& build, Side side, Span span, int height_mm) {
-  if (height_mm <= window_sill_mm) return {span};
+  if (height_mm <= max_under_window_mm) return {span};
   std::vector<Span> windows;
   for (const Doorway& door : build.design.floor.doorways) {
     const Opening& opening = build.design.plan.shell.openings[door.opening];

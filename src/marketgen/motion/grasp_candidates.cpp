@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/gravity.h"
 #include "geometry/rotation_axes.h"
 #include "motion/grasp_room.h"
 #include "motion/grasp_seeds.h"
@@ -15,7 +16,6 @@
 namespace marketgen {
 namespace {
 
-constexpr double gravity_m_s2 = 9.81;
 constexpr double outside_m = 2;           // from where pads look at the pack: no pack is as long
 constexpr double patch_radius_m = 0.005;  // of a point contact, as MuJoCo's torsional friction
 constexpr double line_half_m = 0.001;     // least half width of what soft pads touch
@@ -248,7 +248,7 @@ class Search {
     const Vec3 across = arm - closing * dot(arm, closing);
     const Vec3 level = across - up_ * dot(across, up_);
     const double lever = length(level - closing * dot(level, closing));
-    const double turning = (gravity_m_s2 * lever + carry_acceleration_m_s2 * length(across)) /
+    const double turning = (standard_gravity * lever + carry_acceleration_m_s2 * length(across)) /
                            (query_.friction * std::max(patch_radius_m, least_spread(left, right)));
     const Vec3 way = normalized(across);
     const Vec3 z = cross(x, closing);
@@ -268,7 +268,7 @@ class Search {
                       const PadContact& right) const {
     const Vec3 arm = to_double(body_.center_of_mass) - middle;
     const double lever = length(arm - closing * dot(arm, closing));
-    const double turning = (gravity_m_s2 + carry_acceleration_m_s2) * lever /
+    const double turning = (standard_gravity + carry_acceleration_m_s2) * lever /
                            (query_.friction * std::max(patch_radius_m, least_spread(left, right)));
     return turn_safety * product_.mass_kg * turning / 2;
   }
@@ -345,7 +345,7 @@ class Search {
     const Vec3 arm = to_double(body_.center_of_mass) - at;
     const double ahead = dot(arm, approach), off = length(arm - approach * ahead);
     const double radius = tool_.cup_radius_m;
-    return turn_safety * product_.mass_kg * (gravity_m_s2 + carry_acceleration_m_s2) *
+    return turn_safety * product_.mass_kg * (standard_gravity + carry_acceleration_m_s2) *
            std::hypot(1 + 2 * off / radius, 2 * ahead / radius);
   }
 
@@ -354,7 +354,7 @@ class Search {
     double most = 0;
     for (const Vec3 way : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
       for (const double side : {1.0, -1.0}) {
-        const Vec3 felt = way * (side * carry_acceleration_m_s2) - up_ * gravity_m_s2;
+        const Vec3 felt = way * (side * carry_acceleration_m_s2) - up_ * standard_gravity;
         most = std::max(most, load_share(at, approach, felt * (product_.mass_kg * suction_safety)));
       }
     }
@@ -474,7 +474,7 @@ std::optional<GraspCandidates> beyond_strength(const Product& product,
 }  // namespace
 
 double pinch_force_n(double mass_kg, double friction) {
-  return grip_safety * mass_kg * (gravity_m_s2 + carry_acceleration_m_s2) / (2 * friction);
+  return grip_safety * mass_kg * (standard_gravity + carry_acceleration_m_s2) / (2 * friction);
 }
 
 Result<GraspCandidates> grasp_candidates(const Product& product,

@@ -6,14 +6,12 @@
 #include "base/text.h"
 #include "catalog/standing_box.h"
 #include "geometry/box_tree.h"
+#include "plan/floor_places.h"
 #include "plan/validation.h"
 
 namespace marketgen {
 namespace {
 
-// Places that a relation may name besides zones and openings.
-constexpr std::array<std::string_view, 6> fixed_places = {
-    "north", "south", "east", "west", "center", "checkout"};
 constexpr std::array<std::string_view, 5> override_fields = {
     "levels", "height_mm", "color", "material", "kind"};
 

@@ -8,11 +8,10 @@
 
 #include <Eigen/Core>
 
+#include "base/gravity.h"
 #include "robots/robot.h"
 
 namespace marketgen {
-
-inline constexpr double standard_gravity = 9.81;  // m/s^2; 9.80665 rounded as simulators use it
 
 using Jacobian = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 

@@ -177,6 +177,16 @@ TEST(Requirements, EveryKindMetAndNotMet) {
   }
 }
 
+TEST(Requirements, RelationsToWhatIsNotThereAreNotJudged) {
+  for (const RelationKind kind : {RelationKind::far, RelationKind::not_adjacent}) {
+    const auto results = check_requirements(
+        AuditedShop().scene, committed_catalog(), {relation_wish("dairy", kind, "moon")});
+    EXPECT_FALSE(results[0].met);
+    EXPECT_NE(results[0].why.find("cannot be judged: the store has no moon"), std::string::npos)
+        << results[0].why;
+  }
+}
+
 TEST(Requirements, TextAndSpanComeBackInOrder) {
   Requirement first = wish(Kind::zone_present, "dairy"), second = wish(Kind::zone_absent, "dairy");
   first.text = "dairy", first.span = {3, 8};

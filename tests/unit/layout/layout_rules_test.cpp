@@ -279,6 +279,9 @@ const std::map<std::string, Case>& cases() {
       {"RELATION_MISSED",
        {[] { return with_relation(Strength::prefer, RelationKind::left_of, "entrance"); },
         [] { return with_relation(Strength::prefer, RelationKind::right_of, "entrance"); }}},
+      {"RELATION_NOT_JUDGED",
+       {[] { return with_relation(Strength::must, RelationKind::near, "moon"); },
+        [] { return with_relation(Strength::must, RelationKind::near, "exit"); }}},
   };
   return all;
 }

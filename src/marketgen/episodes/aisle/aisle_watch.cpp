@@ -7,11 +7,11 @@
 #include <string_view>
 
 #include "episodes/goal_judge.h"
+#include "physics/goods/contact_shape.h"
 
 namespace marketgen {
 namespace {
 
-constexpr double step_s = 0.002;
 constexpr std::string_view basket_prefix = "basket/";
 
 std::uint64_t key_of(const ContactSide& side) {
@@ -111,7 +111,7 @@ void AisleWatch::follow_item(std::uint32_t product,
   const Vec3 carried =
       base.velocity_m_s + Vec3{-arm.y * base.turn_rad_s, arm.x * base.turn_rad_s, 0};
   item.speed_m_s = length(motion.velocity_m_s - carried);
-  item.rested_s = item.speed_m_s < rest_m_s ? item.rested_s + step_s : 0;
+  item.rested_s = item.speed_m_s < rest_m_s ? item.rested_s + time_step_s : 0;
 }
 
 // What was taken is let down with the arm; it is dropped when it falls hard (look()).
@@ -164,7 +164,7 @@ void AisleWatch::look(World& world,
     if (item.was_held && item.impact_m_s > most_impact_m_s) dropped_.insert(product);
     follow_item(product, item, world, base);
   }
-  pushes_.follow(seen.force_n, step_s);
+  pushes_.follow(seen.force_n, time_step_s);
   base_collisions_ += seen.base_hit && !base_touches_ ? 1 : 0;
   base_touches_ = seen.base_hit;
   follow_events(world);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/gravity.h"
+
 namespace marketgen {
 
 mjtGeom geom_type_of(CollisionShape shape) {
@@ -25,6 +27,7 @@ void set_pose(double position[3], double rotation[4], const Pose& pose) {
 void set_contact_options(mjSpec& spec, double sleep_below_m_s) {
   mjOption& option = spec.option;
   option.timestep = time_step_s;
+  option.gravity[2] = -standard_gravity;
   option.integrator = mjINT_IMPLICITFAST;
   option.cone = mjCONE_ELLIPTIC;
   option.impratio = friction_impedance_ratio;

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/gravity.h"
 #include "geometry/solid.h"
-#include "robots/dynamics.h"
 
 namespace marketgen {
 namespace {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "layout/floor.h"
+#include "plan/shell_measures.h"
 
 namespace marketgen {
 namespace {
@@ -43,14 +44,6 @@ WallLine wall_line(const PolygonMm& outline, std::size_t i) {
           turns_left(outline, (i + 1) % outline.size())};
 }
 
-double top_of(OpeningKind kind, double ceiling_m) {
-  const bool shop_door = kind == OpeningKind::entrance || kind == OpeningKind::exit;
-  const double usual = kind == OpeningKind::window ? window_top_m
-                       : shop_door                 ? door_height_m
-                                                   : service_door_height_m;
-  return std::min(usual, ceiling_m - least_lintel_m);
-}
-
 Hole hole_of(const Doorway& door,
              const Opening& opening,
              const WallLine& wall,
@@ -64,8 +57,7 @@ Hole hole_of(const Doorway& door,
     return dot(point - wall.start, wall.along);
   };
   const auto [from, to] = std::minmax({place(span.from), place(span.to)});
-  const double bottom = opening.kind == OpeningKind::window ? window_sill_m : 0.0;
-  return {from, to, bottom, top_of(opening.kind, ceiling_m), &opening};
+  return {from, to, opening_sill_m(opening.kind), opening_top_m(opening.kind, ceiling_m), &opening};
 }
 
 // Openings in this wall, from its start to its end. An opening belongs to the part of the bounding
@@ -84,12 +76,16 @@ std::vector<Hole> holes_in(const WallLine& wall, const Floor& floor, const Shell
   return holes;
 }
 
-// A box that covers from..to along the wall and bottom..top, centred `depth` metres outside the
-// floor.
+// What lies between two depths behind a wall's inner face.
+struct Slab {
+  double front, back;
+};
+
+// A box that covers from..to along the wall and bottom..top.
 ShellPiece piece(
-    const WallLine& wall, std::string id, ShellPieceKind kind, const Hole& area, double thickness) {
-  const Vec3 middle =
-      wall.start + wall.along * ((area.from + area.to) / 2) + wall.outward * (wall_thickness_m / 2);
+    const WallLine& wall, std::string id, ShellPieceKind kind, const Hole& area, Slab slab) {
+  const Vec3 middle = wall.start + wall.along * ((area.from + area.to) / 2) +
+                      wall.outward * ((slab.front + slab.back) / 2);
   const double yaw = std::atan2(wall.along.y, wall.along.x);
   const double quarters = yaw / (std::acos(-1.0) / 2), nearest = std::round(quarters);
   const Quaternion turn = std::abs(quarters - nearest) < 1e-9
@@ -98,7 +94,7 @@ ShellPiece piece(
   return {std::move(id),
           kind,
           {{middle.x, middle.y, (area.bottom + area.top) / 2}, turn},
-          {(area.to - area.from) / 2, thickness / 2, (area.top - area.bottom) / 2}};
+          {(area.to - area.from) / 2, (slab.back - slab.front) / 2, (area.top - area.bottom) / 2}};
 }
 
 void add_wall(std::vector<ShellPiece>& pieces,
@@ -112,7 +108,7 @@ void add_wall(std::vector<ShellPiece>& pieces,
                            fmt::format("{}/piece-{}", wall.id, count++),
                            ShellPieceKind::wall,
                            {from, to, bottom, top, nullptr},
-                           wall_thickness_m));
+                           {0, wall_thickness_m}));
   };
   double from = 0;
   for (const Hole& hole : holes) {
@@ -135,7 +131,8 @@ void add_closures(std::vector<ShellPiece>& pieces,
                            fmt::format("{}/{}", window ? "pane" : "door", hole.opening->id),
                            window ? ShellPieceKind::pane : ShellPieceKind::door,
                            hole,
-                           door_leaf_m));
+                           window ? Slab{glazing_front_m, glazing_back_m}
+                                  : Slab{door_leaf_front_m, door_leaf_back_m}));
   }
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/gravity.h"
 #include "physics/world/world_state.h"
 
 namespace marketgen {
@@ -15,7 +16,6 @@ constexpr double moved_share = 1;
 // Load from something that was not there before, as a share of the product's weight.
 constexpr double load_share = 0.1;
 constexpr double arrived_m = 0.002;
-constexpr double gravity_m_s2 = 9.81;
 
 void turn_round(WorldContact& contact) {
   std::swap(contact.a, contact.b);
@@ -80,7 +80,7 @@ void World::State::wake_pressed() {
       if (body_of[pressed.row] >= 0 || body_of[by.row] < 0 || refused[pressed.row]) continue;
       const Vec3 force = on_b ? contact.force_n : -contact.force_n;
       const GoodsShape& goods = store.goods[sku_of(pressed.row)];
-      const double weight = goods.mass_kg * gravity_m_s2;
+      const double weight = goods.mass_kg * standard_gravity;
       const double sideways = std::sqrt(force.x * force.x + force.y * force.y);
       const auto& visitor = live[static_cast<std::size_t>(body_of[by.row])];
       const bool came =

@@ -3,17 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plan/shell_measures.h"
+
 namespace marketgen::raytrace {
 namespace {
 
-constexpr float wall_thickness_m = 0.22F;
+constexpr float wall_depth_m = static_cast<float>(wall_thickness_m);
 constexpr float skirting_height_m = 0.09F, skirting_depth_m = 0.012F;
-constexpr float frame_m = 0.06F, frame_depth_m = 0.07F;  // aluminium profiles
-constexpr float operator_m = 0.16F;                      // box over a sliding door
+constexpr float frame_m = 0.06F;     // aluminium profiles
+constexpr float operator_m = 0.16F;  // box over a sliding door
 constexpr float pane_m = 0.012F;
-constexpr float window_module_m = 1.4F;   // mullions about this far apart
-constexpr float floor_polish = 0.65F;     // a shop's floor is sealed and machine-cleaned every day
-constexpr float glazing_depth_m = 0.12F;  // behind the wall's face
+constexpr float window_module_m = 1.4F;  // mullions about this far apart
+constexpr float floor_polish = 0.65F;    // a shop's floor is sealed and machine-cleaned every day
 
 void add_horizontal(Mesh& mesh,
                     const PolygonMm& outline,
@@ -84,8 +85,8 @@ void ShellBuilder::add_wall(Mesh& mesh, const WallEdge& edge) const {
   // The wall's top, for plans seen from above.
   add_framed_box(mesh,
                  at,
-                 {-wall_thickness_m, -wall_thickness_m, room_.ceiling},
-                 {edge.length + wall_thickness_m, 0, room_.ceiling + 0.02F},
+                 {-wall_depth_m, -wall_depth_m, room_.ceiling},
+                 {edge.length + wall_depth_m, 0, room_.ceiling + 0.02F},
                  0,
                  trim);
 }
@@ -113,7 +114,7 @@ void ShellBuilder::add_skirting(Mesh& mesh, const WallEdge& edge) const {
 void ShellBuilder::add_reveal(Mesh& mesh, const WallEdge& edge, const WallOpening& o) const {
   const Placement& at = edge.world_from_wall;
   constexpr float thin = 0.01F;
-  const float outside = -wall_thickness_m,
+  const float outside = -wall_depth_m,
               inside = -1e-3F;  // behind the wall's face, so that the two do not fight
   add_framed_box(mesh, at, {o.low - thin, outside, o.sill}, {o.low, inside, o.head}, 0, trim);
   add_framed_box(mesh, at, {o.high, outside, o.sill}, {o.high + thin, inside, o.head}, 0, trim);
@@ -123,7 +124,8 @@ void ShellBuilder::add_reveal(Mesh& mesh, const WallEdge& edge, const WallOpenin
 
 void ShellBuilder::add_glazing(Mesh& mesh, const WallEdge& edge, const WallOpening& o) const {
   const Placement& at = edge.world_from_wall;
-  const float y0 = -glazing_depth_m, y1 = y0 + frame_depth_m;
+  constexpr auto y0 = static_cast<float>(-glazing_back_m),
+                 y1 = static_cast<float>(-glazing_front_m);
   const bool door = o.is_door();
   const float head = door ? operator_m : frame_m;
   const int leaves = std::max(
@@ -163,7 +165,8 @@ void ShellBuilder::add_glazing(Mesh& mesh, const WallEdge& edge, const WallOpeni
 
 void ShellBuilder::add_steel_door(Mesh& mesh, const WallEdge& edge, const WallOpening& o) const {
   const Placement& at = edge.world_from_wall;
-  const float y0 = -0.10F, y1 = -0.04F;
+  constexpr auto y0 = static_cast<float>(-door_leaf_back_m),
+                 y1 = static_cast<float>(-door_leaf_front_m);
   const int leaves = o.high - o.low > 1.3F ? 2 : 1;
   const float step = (o.high - o.low) / static_cast<float>(leaves);
   constexpr float gap = 0.004F;

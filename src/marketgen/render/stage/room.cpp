@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plan/shell_measures.h"
 #include "render/shading_math.h"
 
 namespace marketgen::raytrace {
 namespace {
 
-constexpr float door_height_m = 2.3F, service_height_m = 2.1F;
-constexpr float window_sill_m = 0.9F, window_head_m = 2.5F;
-constexpr float lintel_m = 0.25F;  // at least this much wall stays above an opening
-constexpr float jamb_m = 0.02F;    // and this much beside it
+constexpr float jamb_m = 0.02F;  // at least this much wall stays beside an opening
 
 Wall wall_of(const Shell& shell, PointMm a, PointMm b, bool& on_wall) {
   on_wall = true;
@@ -26,12 +24,8 @@ Wall wall_of(const Shell& shell, PointMm a, PointMm b, bool& on_wall) {
 WallOpening opening_heights(OpeningKind kind, float ceiling) {
   WallOpening opening;
   opening.kind = kind;
-  const bool main_door = kind == OpeningKind::entrance || kind == OpeningKind::exit;
-  opening.sill = kind == OpeningKind::window ? window_sill_m : 0;
-  const float head = kind == OpeningKind::window ? window_head_m
-                     : main_door                 ? door_height_m
-                                                 : service_height_m;
-  opening.head = std::min(head, ceiling - lintel_m);
+  opening.sill = static_cast<float>(opening_sill_m(kind));
+  opening.head = static_cast<float>(opening_top_m(kind, ceiling));
   return opening;
 }
 
