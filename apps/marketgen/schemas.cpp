@@ -6,6 +6,7 @@
 #include "catalog/fixture_kind.h"
 #include "catalog/product.h"
 #include "command.h"
+#include "environments/told_task.h"
 #include "episodes/aisle/aisle_station.h"
 #include "episodes/checkout/checkout_station.h"
 #include "episodes/episode_result.h"
@@ -44,6 +45,7 @@ std::vector<Document> documents() {
       {"market-checkout-1", "The place of Checkout Unloading", type_of<CheckoutStation>()},
       {"market-episode-1", "One task for a robot", type_of<EpisodeSpec>()},
       {"market-episodes-1", "The first line of an episodes file", type_of<EpisodeHeader>()},
+      {"market-task-1", "What of an episode a policy may know", type_of<ToldTask>()},
       {"market-result-1", "What became of an episode", type_of<EpisodeResult>()},
       {"market-camera-1", "Where a picture is taken from, and its lens", type_of<CameraFile>()},
       {"market-annotations-1", "What is to be seen in a picture", type_of<PictureAnnotations>()}};

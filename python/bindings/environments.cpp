@@ -9,6 +9,7 @@
 #include "environment_handle.h"
 #include "environments/checkout/checkout_environment.h"
 #include "environments/environment_batch.h"
+#include "environments/told_task.h"
 #include "frame_handle.h"
 #include "io/json.h"
 #include "store_handle.h"
@@ -189,16 +190,22 @@ std::string result_of(const EnvironmentHandle& handle) {
   return ended ? write_json(*ended) : "";
 }
 
-// market-result/1 as evaluate() keeps it. `broken`: code, where and message of the error that ended
-// it, or nothing.
+std::string task_of(const EnvironmentHandle& handle) {
+  return write_json(told_task(world_of(handle).spec()));
+}
+
+// market-result/1 as evaluate() keeps it. `isolation`: of the policy's process. `broken`: code,
+// where and message of the error that ended it, or nothing.
 std::string judged(EnvironmentHandle& handle,
                    const std::string& policy,
+                   const std::string& isolation,
                    const std::string& told,
                    const std::vector<std::string>& broken,
                    bool by_policy,
                    double wall_s) {
   world_of(handle);
   EpisodeEnd end{policy, told};
+  end.isolation = named<PolicyIsolation>(isolation, "isolation");
   if (broken.size() == 3) {
     end.broken = Error{broken[0], broken[1], broken[2]};
     end.by_policy = by_policy;
@@ -218,11 +225,20 @@ std::vector<std::string> episodes(const EpisodeGround& ground) {
   return texts;
 }
 
+// The rows of the catalogue, each as JSON.
+std::vector<std::string> catalogue(const EpisodeGround& ground) {
+  std::vector<std::string> texts;
+  for (const Product& product : ground.known_products())
+    texts.push_back(write_json(product));
+  return texts;
+}
+
 }  // namespace
 
 void add_environments(nb::module_& module) {
   nb::class_<EpisodeGround>(module, "EpisodeGround")
       .def("episodes", &episodes)
+      .def("catalogue", &catalogue)
       .def("draw", &draw)
       .def("draw_one_item", [](const EpisodeGround& ground, std::uint64_t seed) {
         return write_json(value_or_raise(draw_one_item(ground, seed)));
@@ -242,6 +258,7 @@ void add_environments(nb::module_& module) {
              world_of(h);
              return h.environment->map();
            })
+      .def("task", &task_of)
       .def("tool_cuts", &tool_cuts)
       .def("robot_stopped",
            [](const EnvironmentHandle& handle) { return handle.environment->robot_stopped(); })

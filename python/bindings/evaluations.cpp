@@ -122,6 +122,10 @@ ProcessGroup started(const std::vector<std::string>& command, const std::array<i
   return value_or_raise(ProcessGroup::start(command, ends));
 }
 
+std::string data_folder_or_raise() {
+  return value_or_raise(data_folder()).string();
+}
+
 }  // namespace
 
 void add_evaluations(nb::module_& module) {
@@ -139,6 +143,8 @@ void add_evaluations(nb::module_& module) {
   module.def("evaluate_with", &evaluate_with);
   module.def("serve_episodes", &serve);
   module.def("thread_count", &thread_count);
+  module.def("data_folder", &data_folder_or_raise);
+  module.def("cache_folder", [] { return cache_folder().string(); });
 }
 
 }  // namespace marketgen::python

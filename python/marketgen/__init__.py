@@ -16,7 +16,7 @@ import sys
 
 from . import _core, policies
 from ._core import __version__
-from .errors import Error, StoreWarning
+from .errors import Error, IsolationWarning, StoreWarning
 from .evaluation import Evaluation, Policy, evaluate
 from .pictures import Camera, Frame, Renderer, camera_from_dict, camera_to_dict, render_batch
 from .store import Store, generate, open_store
@@ -38,6 +38,7 @@ __all__ = [
     "Error",
     "Evaluation",
     "Frame",
+    "IsolationWarning",
     "Policy",
     "Renderer",
     "Store",

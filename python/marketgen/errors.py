@@ -23,6 +23,10 @@ class StoreWarning(UserWarning):
     """A store was made, but it is not what was asked for."""
 
 
+class IsolationWarning(UserWarning):
+    """A policy runs where it could read the episodes' truth."""
+
+
 # The library says what mends an error in the words of the command line. Flags that are switches here, and those whose value is
 # said with them; every other flag is an argument of the same name.
 _SWITCHES = ("resume", "strict", "previews")

@@ -12,16 +12,19 @@ import pathlib
 import shutil
 import sys
 import tempfile
+import threading
 import time
-from collections.abc import Iterator
+import warnings
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
-from . import _core, arguments
+from . import _core, arguments, confinement
 from .arguments import PathLike, Progress
-from .errors import Error
-from .policy_process import PolicyFailed, PolicyHere, PolicyProcess
+from .errors import Error, IsolationWarning
+from .policy_process import PolicyFailed, PolicyFile, PolicyHere, PolicyProcess
+from .policy_sight import sight
 
 if TYPE_CHECKING:
     from typing import Unpack  # since Python 3.11
@@ -29,14 +32,15 @@ if TYPE_CHECKING:
     from .environments.task_setup import TaskOptions
 
 MAX_JOBS, MAX_LIMIT_S = 1000, 1e6
+NOT_ISOLATED = "none"
 
 
 class Policy(Protocol):
     """What evaluate() asks. Observations and actions are those of the environments (docs/python.md)."""
 
     def begin(self, task: dict[str, Any], observation: dict[str, Any]) -> None:
-        """Once an episode. `task`: track, instruction, limit_s, goals, action_names; in the aisles also map, categories.
-        May be left out."""
+        """Once an episode. `task` is a market-task/1 (track, instruction, limit_s, goals, robot, ...) with action_names and
+        catalogue, all products' rows; in the aisles also map, categories. May be left out."""
 
     def act(self, observation: dict[str, Any]) -> np.ndarray:
         """The action until the next control step, 50 ms later."""
@@ -69,13 +73,15 @@ def evaluate(
     act_limit_s: float = 120.0,
     hang_limit_s: float = 1200.0,
     start_limit_s: float = 120.0,
+    policy_files: Sequence[PathLike] = (),
     progress: Progress | None = None,
     **options: Unpack[TaskOptions],
 ) -> Evaluation:
     """Runs the episodes of a file with a policy; `marketgen eval` from Python.
 
     policy       "oracle", "classical" (or "classical+target": docs/episodes.md, what each module costs), "random"; or an object
-                 with act(), a class of such, or a function that acts
+                 with act(), a class of such, or a function that acts; or "FILE.py:NAME", one of these in a file that only
+                 the policy's own process loads
     folder       gets results.jsonl, a line as each episode finishes, and summary.json
     jobs         episodes at a time; 0: as many as there are cores
     resume       go on with a run that was broken off
@@ -87,6 +93,10 @@ def evaluate(
     hang_limit_s  wall time after which a policy in its own process that has not answered is taken to hang (PolicyError,
                  too): one that waits uses no processor time. 0: never
     start_limit_s  wall time until that process is ready; a policy that takes longer over its imports ends the run
+    policy_files  files and folders that a policy written in Python reads and writes, as weights and logs. Its process opens
+                 these, Python's own files and the folders of its code (sys.path), but no episodes and no stores, and looks
+                 into no other process. Where that cannot be had (no Landlock in the kernel, act_limit_s=0) it is an
+                 IsolationWarning, and `isolation` of the results is "none"
     progress     called as progress(done, total, text) in this thread as episodes finish; what it raises ends the run, and
                  what was finished is kept
     options      of a policy written in Python, as of the environments: obs_mode, control_mode, cameras, width, height, quality
@@ -106,16 +116,32 @@ def evaluate(
             arguments.a_number("hang_limit_s", hang_limit_s, 0, MAX_LIMIT_S),
             arguments.a_number("start_limit_s", start_limit_s, 0, MAX_LIMIT_S),
         ),
+        policy_files=tuple(_existing("policy_files", file) for file in arguments.paths("policy_files", policy_files)),
+        truth=(path, into, _core.cache_folder(), os.path.join(_core.data_folder(), "benchmark", "pool")),
         progress=arguments.a_progress(progress),
     )
     with _read_once(path) as readable:
-        if isinstance(policy, str):
+        if isinstance(policy, str) and ":" not in policy:
             _evaluate_named(readable, policy, run, options)
         else:
-            _evaluate_python(readable, policy, run, options)
+            _evaluate_python(readable, _policy_in(policy) if isinstance(policy, str) else policy, run, options)
     lines = (pathlib.Path(into) / "results.jsonl").read_text(encoding="utf-8").splitlines()
     summary = json.loads((pathlib.Path(into) / "summary.json").read_text(encoding="utf-8"))
     return Evaluation([json.loads(line) for line in lines], summary, into)
+
+
+def _existing(argument: str, file: str) -> str:
+    if not os.path.exists(file):
+        raise Error("input.not_found", file, f"{argument} names it, and it is not there")
+    return os.path.abspath(file)
+
+
+def _policy_in(text: str) -> PolicyFile:
+    """ "FILE.py:NAME"."""
+    file, _, name = text.rpartition(":")
+    if not file.endswith(".py") or not name.isidentifier():
+        raise Error("usage.bad_flag", "policy", f"{text!r} is neither a policy's name nor FILE.py:NAME")
+    return PolicyFile(_existing("policy", file), name)
 
 
 @contextlib.contextmanager
@@ -139,6 +165,8 @@ class _Run:
     resume: bool
     jobs: int
     limits_s: tuple[float, float, float]  # of computing for one answer, until it is taken to hang, until it is ready
+    policy_files: tuple[str, ...]
+    truth: tuple[str, ...]  # files and folders that no policy may open, wherever they lie
     progress: Progress | None
 
     @property
@@ -148,6 +176,8 @@ class _Run:
 
 
 def _evaluate_named(path: str, policy: str, run: _Run, options: dict[str, Any]) -> None:
+    if run.policy_files:
+        raise Error("usage.bad_flag", "policy_files", f"the program's own policy {policy!r} reads no files")
     if options:
         raise Error("usage.bad_flag", ", ".join(options), f"the program's own policy {policy!r} takes no such options")
     worker = _worker_command(policy, run.jobs) if run.acts_apart else []
@@ -166,7 +196,8 @@ def _worker_command(policy: str, jobs: int) -> list[str]:
 
 
 def _evaluate_python(path: str, policy: Any, run: _Run, options: dict[str, Any]) -> None:
-    if not callable(getattr(policy, "act", None)) and not callable(policy):
+    acts = isinstance(policy, PolicyFile) or callable(getattr(policy, "act", None)) or callable(policy)
+    if not acts:
         raise Error("usage.bad_flag", "policy", f"{policy!r} is no name, has no act() and cannot be called")
     if options.get("segmentation"):
         raise Error("usage.bad_flag", "segmentation", "object numbers are the truth: they are refused in evaluation")
@@ -181,13 +212,29 @@ def _evaluate_python(path: str, policy: Any, run: _Run, options: dict[str, Any])
         raise Error("usage.unavailable", "policy", "policies in Python need Gymnasium: pip install gymnasium")
     if run.acts_apart:
         PolicyProcess(policy, *run.limits_s)  # said here, once, if it cannot be sent
+    isolation = _isolation(run)
+    code = [os.path.dirname(policy.path)] if isinstance(policy, PolicyFile) else []
+    seen = None if isolation == NOT_ISOLATED else sight(run.truth, code=code, files=run.policy_files)
     stages = _Stages(path, options)
 
     def make_runner():
-        player = PolicyProcess(policy, *run.limits_s) if run.acts_apart else PolicyHere(copy.deepcopy(policy))
-        return _Runner(str(name), player, stages)
+        player = PolicyProcess(policy, *run.limits_s, seen) if run.acts_apart else PolicyHere(copy.deepcopy(policy))
+        return _Runner(str(name), isolation, player, stages)
 
     _core.evaluate_with(path, str(name), run.into, run.resume, run.jobs, make_runner, run.progress)
+
+
+def _isolation(run: _Run) -> str:
+    """What will stand in the results; warns when it is nothing."""
+    if run.acts_apart and confinement.version() > 0:
+        return "landlock"
+    why = "this kernel has no Landlock" if run.acts_apart else "act_limit_s=0 runs it in this process"
+    warnings.warn(
+        f'the policy is not isolated ({why}): it could read the truth of its episodes. Results say isolation: "none"',
+        IsolationWarning,
+        stacklevel=4,  # of who called evaluate()
+    )
+    return NOT_ISOLATED
 
 
 class _Stages:
@@ -195,6 +242,8 @@ class _Stages:
 
     def __init__(self, path: str, options: dict[str, Any]):
         self._path, self._options, self._setups = path, options, {}
+        self._rows: list[dict[str, Any]] | None = None
+        self._lock = threading.Lock()
 
     def environment(self, track: str, station: str | None):
         from .environments.checkout import CheckoutUnloading
@@ -208,12 +257,25 @@ class _Stages:
         kind = CheckoutUnloading if track == "checkout" else InAisleCollection
         return kind(setup=self._setups[key])
 
+    def task(self, env, info: dict[str, Any]) -> dict[str, Any]:
+        """What the agent is told before it begins."""
+        task = json.loads(env.environment.task())
+        known = {"map": info["map"]} if "map" in info else {}
+        return task | known | {"action_names": env.action_names, "catalogue": self._catalogue(env)}
+
+    def _catalogue(self, env) -> list[dict[str, Any]]:
+        with self._lock:
+            if self._rows is None:
+                self._rows = [json.loads(row) for row in env.setup.ground.catalogue()]
+            return self._rows
+
 
 class _Runner:
     """Runs episodes one after another in one thread."""
 
-    def __init__(self, name: str, player: PolicyHere | PolicyProcess, stages: _Stages):
-        self._name, self._player, self._stages, self._environments = name, player, stages, {}
+    def __init__(self, name: str, isolation: str, player: PolicyHere | PolicyProcess, stages: _Stages):
+        self._name, self._isolation, self._player = name, isolation, player
+        self._stages, self._environments = stages, {}
 
     def __del__(self):
         self._player.close()
@@ -229,7 +291,7 @@ class _Runner:
         broken: list[str] = []
         told, by_policy = "None", False
         try:
-            self._act_out(env, seen, _task(env, info))
+            self._act_out(env, seen, self._stages.task(env, info))
             told = str(self._player.ask("failure") or "None")
         except PolicyFailed as fault:
             broken, by_policy = [fault.code, "policy", fault.message], True
@@ -237,7 +299,8 @@ class _Runner:
             if error.code != "physics.failed":
                 raise
             broken = [error.code, error.where, error.message]
-        return env.environment.judged(self._name, told, broken, by_policy, time.monotonic() - began)
+        wall_s = time.monotonic() - began
+        return env.environment.judged(self._name, self._isolation, told, broken, by_policy, wall_s)
 
     def _act_out(self, env, seen, task) -> None:
         self._player.ask("begin", task, seen)
@@ -252,10 +315,3 @@ class _Runner:
                     raise
                 raise PolicyFailed(error.code, error.message) from error
             over = terminated or truncated
-
-
-def _task(env, info: dict[str, Any]) -> dict[str, Any]:
-    """What the agent is told before it begins."""
-    episode = env.episode
-    task = {key: episode[key] for key in ("track", "instruction", "limit_s", "goals")}
-    return task | {key: info[key] for key in ("map", "categories") if key in info} | {"action_names": env.action_names}

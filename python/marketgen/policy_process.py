@@ -4,10 +4,14 @@ One that never answers cannot be stopped from inside its own process (a thread c
 limit the policy is pickled into a new process, and that is ended when it computes too long over an answer or never gives one,
 with whatever the policy has started. It ends with this process, too, however this one ends. What a notebook's cell or a script
 defines travels as code (cloudpickle), so that the new process imports neither.
+
+This process simulates, so it knows the truth; the policy's is told a task and observations, over a pipe, and answers with
+numbers (answers.py). Where the kernel can it opens nothing else either (confinement.py).
 """
 
 from __future__ import annotations
 
+import importlib.util
 import math
 import multiprocessing.connection
 import multiprocessing.spawn
@@ -17,11 +21,13 @@ import pickle
 import socket
 import struct
 import sys
+import tempfile
 import time
 import traceback
-from typing import Any
+from collections.abc import Sequence
+from typing import Any, NamedTuple
 
-from . import _core
+from . import _core, answers, confinement
 from .errors import Error
 
 LOOK_UP_S = 0.2  # how often an interrupt is looked for
@@ -39,8 +45,25 @@ class PolicyFailed(Exception):
         self.code, self.message = code, message
 
 
+class PolicyFile(NamedTuple):
+    """A policy that only its own process loads: `name` in the Python file `path`."""
+
+    path: str
+    name: str
+
+    def load(self) -> Any:
+        sys.path.insert(0, os.path.dirname(self.path))  # as a script finds what lies beside it
+        spec = importlib.util.spec_from_file_location(pathlib.Path(self.path).stem, self.path)
+        assert spec is not None and spec.loader is not None  # its name ends with .py
+        module = sys.modules[spec.name] = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(module)
+        return getattr(module, self.name)
+
+
 def ready(policy: Any) -> Any:
     """The object that is asked: a class is called, an object with act() is taken, a function is what acts."""
+    if isinstance(policy, PolicyFile):
+        policy = policy.load()
     return policy() if isinstance(policy, type) else policy
 
 
@@ -74,29 +97,35 @@ class PolicyHere:
 
 
 def serve() -> None:
-    """The inside of the process: ("ok", answer) or ("error", text) for each call."""
+    """The inside of the process: "ok" and the answer, or "error" and a text, for each call."""
     connection = multiprocessing.connection.Connection(os.dup(0))
+
+    def say(word: str, value: Any) -> None:
+        connection.send_bytes(answers.packed(word, value))
+
     null = os.open(os.devnull, os.O_RDONLY)
     os.dup2(null, 0)
     os.close(null)
-    connection.send(("ok", None))
+    say("ok", None)
     try:
         path, pickled = connection.recv()
         sys.path[:] = path
         policy = ready(pickle.loads(pickled))
     except Exception as fault:
-        connection.send(("error", _said(fault)))
+        say("error", _said(fault))
         return
-    connection.send(("ok", None))
+    say("ok", None)
     while True:
         try:
             method, arguments = connection.recv()
         except EOFError:
             return
         try:
-            connection.send(("ok", asked(policy, method, *arguments)))
+            answer = asked(policy, method, *arguments)
         except Exception as fault:
-            connection.send(("error", _said(fault)))
+            say("error", _said(fault))
+        else:
+            say("ok", None if method == "begin" else answer)
 
 
 def _pickled(policy: Any) -> bytes:
@@ -119,13 +148,23 @@ class PolicyProcess:
     act_limit_s    of processor time of that process, over one answer: a busy machine does not change it
     hang_limit_s   of wall time, against one that waits for what never comes and so uses no processor time; 0: none
     start_limit_s  of wall time, until it is ready
+    sight          what it may open (policy_sight.py); None: what we may
     """
 
-    def __init__(self, policy: Any, act_limit_s: float, hang_limit_s: float = 1200.0, start_limit_s: float = 120.0):
+    def __init__(
+        self,
+        policy: Any,
+        act_limit_s: float,
+        hang_limit_s: float = 1200.0,
+        start_limit_s: float = 120.0,
+        sight: Sequence[confinement.Rule] | None = None,
+    ):
         self._pickled = _pickled(policy)
         self._act_limit_s, self._hang_limit_s, self._start_limit_s = act_limit_s, hang_limit_s, start_limit_s
+        self._sight = sight
         self._group: Any = None
         self._connection: Any = None
+        self._scratch: tempfile.TemporaryDirectory[str] | None = None
 
     def ask(self, method: str, *arguments: Any) -> Any:
         if self._group is None:
@@ -145,11 +184,14 @@ class PolicyProcess:
         for way in (socket.SO_SNDTIMEO, socket.SO_RCVTIMEO):
             ours.setsockopt(socket.SOL_SOCKET, way, longest)
         python = os.fsdecode(multiprocessing.spawn.get_executable())
-        package = str(pathlib.Path(__file__).parents[1])
+        command = [python, "-c", PROGRAM, str(pathlib.Path(__file__).parents[1])]
+        if self._sight is not None:
+            command = confinement.confined_command(command)
         with theirs:
-            self._group = _core.start_process_group([python, "-c", PROGRAM, package], [theirs.fileno(), -1, -1])
+            self._group = _core.start_process_group(command, [theirs.fileno(), -1, -1])
         self._connection = multiprocessing.connection.Connection(ours.detach())
         try:
+            self._confine()
             self._answer(self._start_limit_s)  # it listens: what follows may be larger than any buffer
             self._asked((sys.path, self._pickled), self._start_limit_s)
         except PolicyFailed as fault:
@@ -160,14 +202,24 @@ class PolicyProcess:
                 why = f"{fault.message}; act_limit_s=0 runs it in this one"
             raise Error("episode.no_policy", "policy", f"it does not start in a process of its own: {why}") from fault
 
+    def _confine(self) -> None:
+        if self._sight is None:
+            return
+        self._scratch = tempfile.TemporaryDirectory(prefix="marketgen-policy-", ignore_cleanup_errors=True)
+        rules = [*self._sight, confinement.Rule(self._scratch.name, "write")]
+        self._send(confinement.told(rules, {"TMPDIR": self._scratch.name}), self._start_limit_s)
+
     def _asked(self, message: Any, limit_s: float, most_cpu_s: float = math.inf) -> Any:
+        self._send(pickle.dumps(message, pickle.HIGHEST_PROTOCOL), limit_s)
+        return self._answer(limit_s, most_cpu_s)
+
+    def _send(self, message: bytes, limit_s: float) -> None:
         try:
-            self._connection.send(message)
+            self._connection.send_bytes(message)
         except BlockingIOError:
             self._hung(limit_s)
         except OSError:
             self._died()
-        return self._answer(limit_s, most_cpu_s)
 
     def _answer(self, limit_s: float, most_cpu_s: float = math.inf) -> Any:
         """`limit_s` of wall time, 0: none; until the process has used `most_cpu_s` since it began."""
@@ -179,14 +231,26 @@ class PolicyProcess:
                     self._slow()
                 if time.monotonic() >= until:
                     self._hung(limit_s)
-            word, value = self._connection.recv()
+            word, value = answers.unpacked(self._connection.recv_bytes(answers.MAX_BYTES))
         except BlockingIOError:
             self._hung(limit_s)
         except (EOFError, OSError):
             self._died()
+        except ValueError:
+            self._babbled()
         if word == "error":
-            raise PolicyFailed("episode.policy_failed", value)
+            raise PolicyFailed("episode.policy_failed", self._explained(str(value)))
         return value
+
+    def _explained(self, said: str) -> str:
+        """A file that is not there for it is the policy's commonest fault, and the hardest to guess."""
+        if self._sight is None or not said.startswith(("PermissionError", "ModuleNotFoundError")):
+            return said
+        return f"{said}; a policy's process opens Python's files, its code's folders and those named in policy_files"
+
+    def _babbled(self) -> None:
+        self.close()
+        raise PolicyFailed("episode.policy_crashed", "its process wrote what is no answer onto its connection")
 
     def _slow(self) -> None:
         self.close()
@@ -206,4 +270,6 @@ class PolicyProcess:
         if self._group is not None:
             self._group.end()
             self._connection.close()
-        self._group = None
+        if self._scratch is not None:
+            self._scratch.cleanup()
+        self._group = self._scratch = None

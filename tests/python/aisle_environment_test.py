@@ -72,6 +72,26 @@ def test_every_control_mode_moves_the_arms_and_the_lift(store, aisle_episode, co
     assert np.abs(moved[8:15]).max() < 0.01, "the other arm holds still"
 
 
+def test_a_camera_does_not_tell_where_the_robot_truly_stands(store, aisle_episode):
+    """Rammed against a shelf the wheels slip. The camera's place slips with base_pose, and keeps to the base."""
+    env, seen, _ = make(store, aisle_episode, obs_mode="rgbd", width=32, height=24)
+
+    def true_place():
+        return env.unwrapped.environment.camera("film_camera", 32, 24).cam2world_gl[:2, 3]
+
+    def base_from_camera(observation):
+        x, y, heading = observation["extra"]["base_pose"].astype(float)
+        turn = np.array([[np.cos(heading), np.sin(heading)], [-np.sin(heading), np.cos(heading)]])
+        return turn @ (observation["sensor_param"]["head_camera"]["cam2world_gl"][:2, 3] - (x, y))
+
+    began, stood = true_place(), seen
+    for _ in range(60):
+        seen, *_ = env.step(still(env, seen, drive=0.3))
+    reckoned = np.linalg.norm(seen["extra"]["base_pose"][:2] - stood["extra"]["base_pose"][:2])
+    assert reckoned > np.linalg.norm(true_place() - began) + 0.1, "the wheels slipped"
+    assert np.allclose(base_from_camera(seen), base_from_camera(stood), atol=0.02)
+
+
 def test_the_base_drives_and_the_tools_ride_along(store, aisle_episode):
     env, before, _ = make(store, aisle_episode)
     for _ in range(6):

@@ -60,6 +60,16 @@ def checkout_file(store, tmp_path_factory):
 
 
 @pytest.fixture(scope="session")
+def tasks(checkout_file, tmp_path_factory):
+    """The two baskets, with a second for each."""
+    header, *episodes = checkout_file.read_text().splitlines()
+    short = [json.dumps({**json.loads(episode), "limit_s": 1}) for episode in episodes]
+    file = tmp_path_factory.mktemp("tasks") / "tasks.jsonl"
+    file.write_text("".join(line + "\n" for line in (header, *short)))
+    return file
+
+
+@pytest.fixture(scope="session")
 def aisle_file(store, checkout_file, tmp_path_factory):
     """Two tasks in the aisles, made by hand: drawing one takes half a minute. The header is that of the baskets."""
     header, first, _ = checkout_file.read_text().splitlines()

@@ -10,16 +10,6 @@ import policies
 from conftest import run
 
 
-@pytest.fixture(scope="module")
-def tasks(checkout_file, tmp_path_factory):
-    """The two baskets, with a second for each."""
-    header, *episodes = checkout_file.read_text().splitlines()
-    short = [json.dumps({**json.loads(episode), "limit_s": 1}) for episode in episodes]
-    file = tmp_path_factory.mktemp("tasks") / "tasks.jsonl"
-    file.write_text("".join(line + "\n" for line in (header, *short)))
-    return file
-
-
 def timeless(results):
     return [{key: value for key, value in result.items() if key != "wall_s"} for result in results]
 
@@ -62,9 +52,9 @@ def test_one_code_by_every_door(tasks, tmp_path):
         env.reset(options={"episode": number})
         info = env.step(stops(None))[-1]
         assert info["failure_reason"] == "Unknown"
-        theirs = info["result"] | {key: here[key] for key in ("policy", "wall_s", "episode_hash")}
+        theirs = info["result"] | {key: here[key] for key in ("policy", "isolation", "wall_s", "episode_hash")}
         assert theirs == here
-        assert timeless([here]) == timeless([there])
+        assert timeless([here]) == timeless([there | {"isolation": here["isolation"]}])
 
 
 @pytest.mark.parametrize(
@@ -80,8 +70,11 @@ def test_one_code_by_every_door(tasks, tmp_path):
     ],
 )
 def test_a_policy_that_fails_is_a_result_and_the_next_episode_follows(tasks, tmp_path, what, code):
-    policy = policies.FailsOnce(what, str(tmp_path / "mark"))
-    scores = marketgen.evaluate(tasks, policy, tmp_path / "a", jobs=1, act_limit_s=3, hang_limit_s=3 if what == "hangs" else 300)
+    marks = tmp_path / "marks"
+    marks.mkdir()
+    policy = policies.FailsOnce(what, str(marks / "mark"))
+    limits = {"act_limit_s": 3, "hang_limit_s": 3 if what == "hangs" else 300}
+    scores = marketgen.evaluate(tasks, policy, tmp_path / "a", jobs=1, policy_files=[marks], **limits)
     first, then = scores.results
     assert first["failure"] == "PolicyError" and code in first["detail"]
     assert first["goals"] and first["success_partial"] == 0

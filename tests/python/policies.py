@@ -1,6 +1,9 @@
 """Policies for evaluation_test.py: a module of its own, so that another process finds them."""
 
+import ctypes
+import json
 import os
+import pathlib
 import subprocess
 import sys
 import time
@@ -105,6 +108,107 @@ class BreaksAtImport(HangsAtImport):
 
 def _divide(number):
     return 1 / number
+
+
+class Spy:
+    """Tries to read what it must not know, and notes in `folder` how far it got. `paths`: where it would look."""
+
+    name = "spy"
+
+    def __init__(self, folder, paths):
+        self.folder, self.paths = pathlib.Path(folder), paths
+
+    def begin(self, task, observation):
+        parent = f"/proc/{os.getppid()}"
+        looks = [*self.paths, *(f"{parent}{path}" for path in ("/environ", "/maps", "/mem", "/auxv"))]
+        looks += [f"{parent}/root{path}" for path in self.paths] + [f"{parent}/fd/{number}" for number in range(64)]
+        self.note("told", {"task": repr(task), "observation": repr(observation), "names": sorted(task)})
+        self.note("opened", [path for path in looks if opens(path)])
+        self.note("written", [path for path in self.paths if opens(path, os.O_WRONLY)])
+        self.note("traced", [look(os.getppid()) for look in (attached, read_from)])
+        self.note("held", {number: os.readlink(f"/proc/self/fd/{number}") for number in open_files()})
+        self.note("environment", dict(os.environ))
+        self.note("command", pathlib.Path("/proc/self/cmdline").read_text().split("\0"))
+
+    def note(self, what, found):
+        (self.folder / f"{what}.json").write_text(json.dumps(found))
+
+    def act(self, observation):
+        action = still(observation)
+        action[-1] = 1
+        return action
+
+
+def opens(path, flags=os.O_RDONLY):
+    try:
+        os.close(os.open(path, flags))
+    except OSError:
+        return False
+    return True
+
+
+def open_files():
+    return [number for number in os.listdir("/proc/self/fd") if os.path.lexists(f"/proc/self/fd/{number}")]
+
+
+def attached(pid):
+    """By PTRACE_ATTACH."""
+    return ctypes.CDLL(None).ptrace(16, pid, None, None) == 0
+
+
+def read_from(pid):
+    """Of its memory, where ours has something, by process_vm_readv."""
+    there, here = ctypes.create_string_buffer(8), ctypes.create_string_buffer(8)
+    part = ctypes.c_size_t * 2
+    to, at = part(ctypes.addressof(here), 8), part(ctypes.addressof(there), 8)
+    return ctypes.CDLL(None, use_errno=True).process_vm_readv(pid, to, 1, at, 1, 0) > 0 or ctypes.get_errno() == 14  # EFAULT
+
+
+class Bomb:
+    """Answers with what runs, where it is unpickled, `open(mark, "w")`."""
+
+    def __init__(self, mark):
+        self.mark = mark
+
+    def __reduce__(self):
+        return open, (self.mark, "w")
+
+
+class Answers:
+    """With one and the same thing."""
+
+    def __init__(self, answer):
+        self.answer = answer
+
+    def act(self, observation):
+        return self.answer() if callable(self.answer) else self.answer
+
+
+class Babbles:
+    """Writes onto its connection by itself."""
+
+    def act(self, observation):
+        for number in open_files():
+            if os.readlink(f"/proc/self/fd/{number}").startswith("socket:"):
+                os.write(int(number), b"\0\0\0\4what")
+        time.sleep(1000)
+
+
+class ReadsAtStart:
+    """Its process reads a file before it is ready."""
+
+    def __init__(self, file):
+        self.file = file
+
+    def __reduce__(self):
+        return _read, (self.file,)
+
+    def act(self, observation):
+        return None
+
+
+def _read(file):
+    return open(file).read()
 
 
 class Echo:

@@ -11,8 +11,10 @@ import pytest
 
 import marketgen
 import policies
+from marketgen import confinement
 from marketgen.policy_process import PolicyFailed, PolicyProcess
 
+confined = pytest.mark.skipif(confinement.version() == 0, reason="this kernel has no Landlock")
 LONG_S = 60  # that anything here may take on a loaded machine; it takes a hundredth
 
 
@@ -49,13 +51,16 @@ def zombies():
     return mine
 
 
-def test_kill_nine_takes_the_policy_and_its_children_along(tmp_path):
+@pytest.mark.parametrize("seen", ["None", pytest.param("sight([], files=[sys.argv[2]])", marks=confined)])
+def test_kill_nine_takes_the_policy_and_its_children_along(tmp_path, seen):
     script = (
         "import sys; from marketgen.policy_process import PolicyProcess; import policies; "
-        "PolicyProcess(policies.Stuck(sys.argv[1]), 1000).ask('act', None)"
+        "from marketgen.policy_sight import sight; "
+        f"PolicyProcess(policies.Stuck(sys.argv[1]), 1000, sight={seen}).ask('act', None)"
     )
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
-    evaluator = subprocess.Popen([sys.executable, "-c", script, str(tmp_path / "pids")], env=environment)
+    files = [str(tmp_path / "pids"), str(tmp_path)]
+    evaluator = subprocess.Popen([sys.executable, "-c", script, *files], env=environment)
     pids = pids_in(tmp_path / "pids")
     assert all(map(runs, pids))
     evaluator.send_signal(signal.SIGKILL)

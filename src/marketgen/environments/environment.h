@@ -90,6 +90,7 @@ class Environment {
                                 int height,
                                 const RenderOptions& options) = 0;
   // Its place is in the frame that the observations' base_pose is in: of the station or the store.
+  // One that a driving robot carries is where it would be if the robot stood at base_pose.
   virtual Result<Camera> camera(const std::string& camera, int width, int height) = 0;
   // By the numbers of pictures: the SKU of each product that they can show.
   virtual Result<std::vector<std::pair<std::uint32_t, std::string>>> products() = 0;

@@ -87,6 +87,19 @@ double EpisodeGround::largest_side_m() const {
   return most_mm * 1e-3;
 }
 
+std::vector<Product> EpisodeGround::known_products() const {
+  std::map<std::string, Product> rows;
+  for (const Product& row : catalog_->products)
+    rows.emplace(row.sku, row);
+  for (const EpisodeStore& store : file_.header.stores)
+    for (const Product& row : store.own.value_or(std::vector<Product>{}))
+      rows.emplace(row.sku, row);
+  std::vector<Product> known;
+  for (auto& [sku, row] : rows)
+    known.push_back(std::move(row));
+  return known;
+}
+
 Result<void> EpisodeGround::check(const EpisodeSpec& spec) const {
   Result<void> last = Error{"episode.other_store", spec.id, "there is no store"};
   for (const EpisodeStore& store : file_.header.stores) {

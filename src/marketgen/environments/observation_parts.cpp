@@ -101,15 +101,16 @@ std::vector<ObservationPart> robot_parts(const Robot& robot, const ObservationBo
     low.push_back(0);
     high.push_back(tool.kind == ToolKind::suction ? cup_off_m : tool.opening + limit_margin);
   }
-  PartBuilder agent("agent"), extra("extra"), sealed("agent");
+  PartBuilder agent("agent"), extra("extra"), signals("agent");
   agent.add("qpos", {joints + tools}, low, high);
   agent.add("qvel", {joints}, back, speed);
   extra.add_poses("tcp_pose", for_each_tool(robot, {pose_numbers}), reach_m);
   const double far = bounds.ground_m, half = std::numbers::pi;
   extra.add("base_pose", {3}, {-far, -far, -half}, {far, far, half});
-  if (has_cup(robot)) sealed.add_flags("sealed", tools);
+  if (has_cup(robot)) signals.add_flags("sealed", tools);
+  signals.add_flags("stopped", 1);
   std::vector<ObservationPart> parts = agent.take();
-  for (PartBuilder* more : {&extra, &sealed})
+  for (PartBuilder* more : {&extra, &signals})
     std::ranges::move(more->take(), std::back_inserter(parts));
   return parts;
 }
@@ -145,6 +146,7 @@ void add_robot_numbers(const Robot& robot, const RobotSeen& seen, std::vector<do
   into.insert(into.end(),
               {seen.now.base.x_m, seen.now.base.y_m, half_turn_within(seen.now.base.heading)});
   if (has_cup(robot)) add_all(seen.now.sealed);
+  into.push_back(seen.now.stopped ? 1 : 0);
 }
 
 void add_privileged_numbers(const std::vector<EnvironmentItem>& items,

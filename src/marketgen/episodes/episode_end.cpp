@@ -27,6 +27,7 @@ FailureCode failure_of(const EpisodeResult& judged, const EpisodeEnd& end) {
 
 EpisodeResult with_end(EpisodeResult judged, const EpisodeEnd& end) {
   judged.policy = end.policy;
+  judged.isolation = end.isolation;
   judged.failure = failure_of(judged, end);
   if (end.broken) judged.detail = to_string(*end.broken);
   judged.wall_s = end.wall_s;

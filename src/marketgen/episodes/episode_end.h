@@ -18,6 +18,7 @@ struct EpisodeEnd {
   bool by_policy = false;            // that error is the policy's
   bool in_time = true;
   double wall_s = 0;
+  PolicyIsolation isolation = PolicyIsolation::own;
 };
 
 // Whether the agent stopped before the time was over; asked before TrackWorld::finish().

@@ -44,6 +44,14 @@ constexpr std::array<std::string_view, 14> names_of(FailureCode) {
           "Unknown"};
 }
 
+// What kept an agent from reading what it must not know. own: it is a policy of the program's own,
+// whose code is known. none: nothing did. landlock: it acted in a process that opens no file of the
+// episodes and stores, nor another process (landlock(7)).
+enum class PolicyIsolation { own, none, landlock };
+constexpr std::array<std::string_view, 3> names_of(PolicyIsolation) {
+  return {"own", "none", "landlock"};
+}
+
 // Fingers that open between stocked packs push the neighbours aside: at 2 cm, from which a good is
 // `displaced`, no pick would be clean. At 10 cm, the width of a facing (median 97 mm of 3,274), it
 // stands before another good's label.
@@ -83,6 +91,7 @@ struct SideEffects {
 struct EpisodeResult {
   std::string schema = "market-result/1";
   std::string episode, episode_hash, store, policy;
+  PolicyIsolation isolation = PolicyIsolation::own;
   std::vector<GoalOutcome> goals;
   int hits = 0, asked = 0;
   double success_partial = 0;
@@ -104,6 +113,9 @@ struct EpisodeResult {
             "over the episode as it was run; a result is gone on with only if it is the same"),
       field("store", &EpisodeResult::store, "the store's name"),
       field("policy", &EpisodeResult::policy, "who acted"),
+      field("isolation",
+            &EpisodeResult::isolation,
+            "what kept it from reading what it must not know; own: it is the program's own"),
       field("goals", &EpisodeResult::goals, "one by one"),
       field(
           "hits", &EpisodeResult::hits, "goals that count: in place, less wrong ones", required()),

@@ -43,6 +43,13 @@ TEST(EpisodeEnd, WhatWasSeenCountsBeforeWhatIsTold) {
   EXPECT_EQ(failure_of(all, told("NoGrasp")), FailureCode::none);
 }
 
+TEST(EpisodeEnd, SaysWhatKeptThePolicyFromTheTruth) {
+  EXPECT_EQ(with_end(missed_one(), told("None")).isolation, PolicyIsolation::own);
+  EpisodeEnd apart = told("None");
+  apart.isolation = PolicyIsolation::landlock;
+  EXPECT_EQ(with_end(missed_one(), apart).isolation, PolicyIsolation::landlock);
+}
+
 // In this process the world is judged after the policy threw, in a worker it has gone with it; the
 // code is the same.
 TEST(EpisodeEnd, AnErrorThatBrokeItOffCountsBeforeAll) {

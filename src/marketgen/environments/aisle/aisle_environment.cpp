@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "agent/aisle_map.h"
 #include "environments/aisle/shared_aisle.h"
 #include "environments/goal_nearness.h"
 #include "episodes/aisle/aisle_world.h"
@@ -37,10 +38,16 @@ class AisleEnvironment : public Environment {
     return view_->view->renderer().render(from, options);
   }
 
+  // The robot knows where its head is from its joints and from where it reckons that it stands: the
+  // true place would tell it how far its wheels have slipped.
   Result<Camera> camera(const std::string& camera, int width, int height) override {
     const std::scoped_lock lock(view_->mutex);
     MARKETGEN_CHECK(show());
-    return view_->view->camera(camera, width, height);
+    MARKETGEN_TRY(Camera seen, view_->view->camera(camera, width, height));
+    if (camera == head)
+      seen.world_from_camera = store_from_base(aisles_->observe().base) *
+                               inverse(aisles_->world_from_base()) * *seen.world_from_camera;
+    return seen;
   }
 
   Result<std::vector<std::pair<std::uint32_t, std::string>>> products() override {

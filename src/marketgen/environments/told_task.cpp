@@ -1,0 +1,19 @@
+#include "environments/told_task.h"
+
+namespace marketgen {
+
+ToldTask told_task(const EpisodeSpec& spec) {
+  ToldTask task;
+  task.track = spec.track;
+  task.station = spec.station;
+  task.robot = spec.robot;
+  task.tools = spec.tools;
+  task.cameras = spec.cameras;
+  task.instruction = spec.instruction;
+  task.goals = spec.goals;
+  task.categories = spec.categories;
+  task.limit_s = spec.limit_s;
+  return task;
+}
+
+}  // namespace marketgen

@@ -1,0 +1,42 @@
+// What of an episode a policy from outside may know: market-task/1.
+//
+// It is all that leaves the process that simulates, beside observations. Made of what is named
+// here, never of an episode with something taken away: what a later episode has besides (poses,
+// seeds, a witness, ids and hashes by which a store can be found) does not get out unnoticed.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/fields.h"
+#include "episodes/episode_spec.h"
+
+namespace marketgen {
+
+struct ToldTask {
+  std::string schema = "market-task/1";
+  Track track = Track::checkout;
+  std::optional<std::string> station;
+  std::string robot, tools;
+  std::vector<std::string> cameras;
+  std::string instruction;
+  std::vector<EpisodeGoal> goals;
+  std::vector<CategoryPlace> categories;
+  double limit_s = 0;
+
+  static constexpr auto fields = field_list(
+      field("schema", &ToldTask::schema, "schema tag", constant("market-task/1")),
+      field("track", &ToldTask::track, "what kind of task"),
+      field("station", &ToldTask::station, "checkout: as of the episode"),
+      field("robot", &ToldTask::robot, "row in data/robots"),
+      field("tools", &ToldTask::tools, "aisle: a tool set of market-aisle/1"),
+      field("cameras", &ToldTask::cameras, "that the agent has"),
+      field("instruction", &ToldTask::instruction, "what is to be done"),
+      field("goals", &ToldTask::goals, "what the instruction names"),
+      field("categories", &ToldTask::categories, "aisle: where products of these stand on average"),
+      field("limit_s", &ToldTask::limit_s, "simulated seconds"));
+};
+
+ToldTask told_task(const EpisodeSpec& spec);
+
+}  // namespace marketgen
