@@ -23,7 +23,7 @@ constexpr std::size_t most_place_searches = 12;  // for the grasps of an item at
 constexpr double close_s = 0.6, firm_s = 0.2, settle_s = 0.25, open_s = 0.35;
 // Of the pads until both of them touch: one alone pushes the item against what lies beside it.
 constexpr double touch_n = 12;
-constexpr double let_go_m = 0.014;   // wider than what was held
+constexpr double let_go_m = 0.014;        // wider than what was held
 constexpr double lift_over_rim_m = 0.07;  // of what is lifted out
 constexpr double retreat_m = 0.12;
 constexpr double escape_m = 0.12, home_approach_m = 0.02;
