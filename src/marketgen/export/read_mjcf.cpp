@@ -194,10 +194,14 @@ Result<ExportContents> contents_of(const mjModel& model,
     }
     include_geom(contents.bounds, model, data, geom);
     if (material >= 0) {
+      const int body = model.geom_bodyid[geom];
+      const bool free = model.body_jntnum[body] > 0;
+      if (free && geom > model.body_geomadr[body]) continue;  // another piece of the same
       const Pose* frame = frames.shape_from_product(sku);
-      const Pose pose = pose_of_geom(data, geom) * (frame != nullptr ? *frame : Pose{});
-      contents.products.push_back({name, sku, pose.position});
-      if (model.body_jntnum[model.geom_bodyid[geom]] > 0) ++*contents.free_bodies;
+      const Pose standing = pose_of_geom(data, geom) * (frame != nullptr ? *frame : Pose{});
+      contents.products.push_back(
+          {name, sku, free ? vector_at(data.xpos, body) : standing.position});
+      if (free) ++*contents.free_bodies;
     } else if (model.geom_group[geom] == 1) {
       contents.fixtures.insert(name.substr(0, name.rfind('/')));
     }

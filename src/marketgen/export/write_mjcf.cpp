@@ -5,12 +5,13 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <optional>
 
-#include "assets/print/color.h"
 #include "base/text.h"
 #include "export/exporter.h"
 #include "export/mjcf.h"
 #include "export/mjcf_fixtures.h"
+#include "export/mjcf_goods.h"
 #include "export/mjcf_looks.h"
 #include "export/mjcf_robot.h"
 #include "export/mjcf_text.h"
@@ -38,14 +39,10 @@ class MjcfWriter {
       MARKETGEN_TRY(looks_, MjcfLooks::make(scene_));
     }
     MARKETGEN_TRY(robots_, mjcf_robots(options_.robots));
-    for (const Product& product : scene_.catalog) {
-      MARKETGEN_TRY(const CollisionPrimitive primitive, collision_of(product));
-      shapes_.push_back(contact_shape_of(primitive));
-      contacts_.push_back(goods_contact_of(product, primitive));
-    }
+    MARKETGEN_TRY(goods_, MjcfGoods::make(scene_, free_));
     out_.line(0, "<mujoco model=\"{}\">", escaped_markup(scene_.layout.name));
     write_header();
-    MARKETGEN_CHECK(write_materials());
+    write_assets();
     write_defaults();
     out_.line(1, "<worldbody>");
     write_lights();
@@ -74,7 +71,7 @@ class MjcfWriter {
     const Vec3 room = room_size();
     out_.line(
         1,
-        "<compiler angle=\"radian\"{}/>",
+        "<compiler angle=\"radian\" balanceinertia=\"true\"{}/>",
         options_.looks ? fmt::format(" assetdir=\"{}\"", escaped_markup(options_.beside)) : "");
     out_.line(1,
               "<option timestep=\"{}\" integrator=\"implicitfast\" cone=\"elliptic\" "
@@ -95,13 +92,9 @@ class MjcfWriter {
     out_.line(1, "</visual>");
   }
 
-  // A material per SKU: its name says what an item is, its colour is the pack's ground.
-  Result<void> write_materials() {
+  void write_assets() {
     out_.line(1, "<asset>");
-    for (const Product& product : scene_.catalog) {
-      MARKETGEN_TRY(const Vec3f color, linear_from_hex(product.label.primary));
-      out_.line(2, "<material name=\"{}\" rgba=\"{}\"/>", product.sku, mjcf_color(color, 1));
-    }
+    goods_->write_assets(out_);
     if (options_.looks) looks_.write_assets(out_);
     for (const MjcfRobot& robot : robots_)
       out_.line(2,
@@ -109,7 +102,6 @@ class MjcfWriter {
                 robot.name,
                 escaped_markup(options_.beside));
     out_.line(1, "</asset>");
-    return {};
   }
 
   void write_defaults() {
@@ -131,29 +123,10 @@ class MjcfWriter {
     out_.line(2, "<default class=\"product\">");
     out_.line(
         3, "<geom group=\"{}\"/>", static_cast<int>(options_.looks ? group_solid : group_product));
-    for (std::size_t sku = 0; sku < shapes_.size(); ++sku)
-      write_sku_default(sku);
+    goods_->write_defaults(out_);
     out_.line(2, "</default>");
     if (options_.looks) looks_.write_defaults(out_);
     out_.line(1, "</default>");
-  }
-
-  void write_sku_default(std::size_t sku) {
-    const Product& product = scene_.catalog[sku];
-    const ContactShape& shape = shapes_[sku];
-    const GoodsContact& contact = contacts_[sku];
-    out_.line(
-        3,
-        "<default class=\"sku/{0}\"><geom type=\"{1}\" size=\"{2}\" mass=\"{3}\" condim=\"{4}\" "
-        "friction=\"{5} {6} {7}\" material=\"{0}\"/></default>",
-        product.sku,
-        name_of(shape.shape),
-        mjcf_size(shape),
-        product.mass_kg,
-        contact.dimensions,
-        contact.sliding,
-        contact.torsional_m,
-        static_cast<float>(contact.rolling_m));
   }
 
   void write_lights() {
@@ -223,22 +196,16 @@ class MjcfWriter {
 
   void write_product(std::uint32_t row) {
     const SceneProduct& item = scene_.products[row];
-    const std::string id = product_id(scene_, row), &sku = scene_.catalog[item.sku].sku;
+    const std::string& sku = scene_.catalog[item.sku].sku;
     const Pose world_from_item = world_from_product(item);
     if (!free_[row]) {
-      out_.line(2,
-                "<geom name=\"{}\" class=\"sku/{}\"{}/>",
-                id,
-                sku,
-                mjcf_pose((world_from_item * shapes_[item.sku]).pose));
+      goods_->write_standing(out_, row);
       if (options_.looks)
         out_.line(2, "<geom class=\"look/{}\"{}/>", sku, mjcf_pose(world_from_item));
       return;
     }
-    out_.line(2, "<body name=\"{}\"{}>", id, mjcf_pose(world_from_item));
-    out_.line(3, "<freejoint/>");
-    out_.line(
-        3, "<geom name=\"{}\" class=\"sku/{}\"{}/>", id, sku, mjcf_pose(shapes_[item.sku].pose));
+    out_.line(2, "<body name=\"{}\"{}>", product_id(scene_, row), mjcf_pose(world_from_item));
+    goods_->write_free(out_, row);
     if (options_.looks) out_.line(3, "<geom class=\"look/{}\"/>", sku);
     out_.line(2, "</body>");
   }
@@ -296,9 +263,8 @@ class MjcfWriter {
   const Scene& scene_;
   const ExportOptions& options_;
   std::vector<bool> free_;
-  std::vector<ContactShape> shapes_;    // by SKU, in the product frame
-  std::vector<GoodsContact> contacts_;  // by SKU
-  MjcfLooks looks_;                     // none without options.looks
+  std::optional<MjcfGoods> goods_;  // from write() on
+  MjcfLooks looks_;                 // none without options.looks
   std::vector<MjcfRobot> robots_;
   MjcfText out_;
 };

@@ -16,7 +16,8 @@ int likes_in_basket(const Product& product) {
       std::clamp(most_basket_fill * basket / pack, 1.0, 1.0 * most_likes_in_basket));
 }
 
-Result<BasketCase> basket_case(const Product& product, const ProductBody& body, Seed seed) {
+Result<BasketCase> basket_case(const SharedGoodsBody& goods, Seed seed) {
+  const Product& product = goods->product;
   BasketCase made{{checkout_basket, {}}, GraspExclusion::none, {}};
   const auto without = [&](GraspExclusion why, std::string reason) {
     made.excluded = why;
@@ -29,8 +30,8 @@ Result<BasketCase> basket_case(const Product& product, const ProductBody& body, 
                                product.size_mm[0],
                                product.size_mm[1],
                                product.size_mm[2]));
-  const std::vector<BulkItem> items(static_cast<std::size_t>(likes_in_basket(product)),
-                                    BulkItem{&product, &body});
+  const std::vector<SharedGoodsBody> items(static_cast<std::size_t>(likes_in_basket(product)),
+                                           goods);
   MARKETGEN_TRY(const SettledBulk bulk, settle_bulk(checkout_basket, items, seed));
   if (!bulk.rests)
     return without(GraspExclusion::unstable, "poured into the basket it does not come to rest");

@@ -19,7 +19,8 @@ struct BasketCase {
 };
 
 // Errors: as settle_bulk.
-Result<BasketCase> basket_case(const Product& product, const ProductBody& body, Seed seed);
+// `goods`: of GoodsUse::bulk.
+Result<BasketCase> basket_case(const SharedGoodsBody& goods, Seed seed);
 
 // Candidates for the target: from above, clear of the walls.
 GraspQuery basket_query(const BasketOfLikes& basket, double friction);

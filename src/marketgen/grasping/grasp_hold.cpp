@@ -85,7 +85,7 @@ Result<void> GraspHold::step(Vec3 next_position) {
                    hold_where,
                    fmt::format("{} in {}: the simulation did not stay finite",
                                trial_->tool.id,
-                               trial_->product.sku)};
+                               trial_->goods.product.sku)};
   }
   look();
   return {};
@@ -171,7 +171,8 @@ void GraspHold::lean_product(Vec3 axis, double angle_rad) {
   const Quaternion turned = rotation_about(axis, angle_rad);
   // On its lower edge rather than into the table.
   const double lift = std::sin(std::abs(angle_rad)) *
-                      std::max(trial_->product.width_m(), trial_->product.depth_m()) / 2;
+                      std::max(trial_->goods.product.width_m(), trial_->goods.product.depth_m()) /
+                      2;
   const Vec3 at = Vec3{0, 0, lift} + rotate(turned, scene_.target_origin);
   const double pose[7] = {at.x, at.y, at.z, turned.w, turned.x, turned.y, turned.z};
   mjtNum* q = data_->qpos + m.jnt_qposadr[m.body_jntadr[scene_.products[0]]];

@@ -47,9 +47,8 @@ constexpr double cup_bellows_m = 0.03;
 
 class GraspSceneBuilder {
  public:
-  GraspSceneBuilder(const GraspTrial& trial, const GoodsContact& contact, Vec3 middle)
+  GraspSceneBuilder(const GraspTrial& trial, Vec3 middle)
       : trial_(trial),
-        contact_(contact),
         middle_(middle),
         spec_(mj_makeSpec(), mj_deleteSpec),
         world_(mjs_findBody(spec_.get(), "world")),
@@ -150,7 +149,7 @@ class GraspSceneBuilder {
 
   void add_shelf() {
     Stream draw = trial_.seed.child("shelf").stream();
-    const double width = trial_.product.width_m(), depth = trial_.product.depth_m();
+    const double width = trial_.goods.product.width_m(), depth = trial_.goods.product.depth_m();
     const auto gap = [&] {
       return trial_.setting == GraspSetting::spaced ? spaced_gap_m : draw.uniform(0.002, 0.008);
     };
@@ -173,7 +172,7 @@ class GraspSceneBuilder {
       add_product({{side * (width + gap()), behind, 0}, {}});
     add_back(behind);
     add_board(0);
-    add_board(trial_.product.height_m() + headroom_ + shelf_thick_m);
+    add_board(trial_.goods.product.height_m() + headroom_ + shelf_thick_m);
     add_floor(-floor_under_shelf_m);
   }
 
@@ -200,7 +199,7 @@ class GraspSceneBuilder {
   }
 
   void add_board(double top_z) {
-    const double front = -trial_.product.depth_m() / 2 - set_back_m;
+    const double front = -trial_.goods.product.depth_m() / 2 - set_back_m;
     add_block({0, front + board_depth_m / 2, top_z - shelf_thick_m / 2},
               {board_half_width_m, board_depth_m / 2, shelf_thick_m / 2});
   }
@@ -210,27 +209,28 @@ class GraspSceneBuilder {
   }
 
   void add_row_end(double x) {
-    const double height = trial_.product.height_m();
-    add_block({x, 0, height / 2}, {block_half_m, trial_.product.depth_m() / 2, height / 2});
+    const double height = trial_.goods.product.height_m();
+    add_block({x, 0, height / 2}, {block_half_m, trial_.goods.product.depth_m() / 2, height / 2});
   }
 
   // Where the second row stands when all rows behind it have been pushed together.
   void add_back(double second_row_y) {
-    const double depth = trial_.product.depth_m();
+    const double depth = trial_.goods.product.depth_m();
     const double rows = std::floor((stocked_depth_m + depth_gap_m) / (depth + depth_gap_m));
     const double slack = depth_gap_m * std::max(1.0, rows - 1);
-    add_block({0, second_row_y + depth / 2 + slack + block_half_m, trial_.product.height_m() / 2},
-              {board_half_width_m, block_half_m, trial_.product.height_m() / 2});
+    add_block(
+        {0, second_row_y + depth / 2 + slack + block_half_m, trial_.goods.product.height_m() / 2},
+        {board_half_width_m, block_half_m, trial_.goods.product.height_m() / 2});
   }
 
   void add_product(const Pose& world_from_product) {
-    const ProductGeoms geoms{contact_, product_geom_group, others_bit, goods_meet};
+    const ProductGeoms geoms{product_geom_group, others_bit, goods_meet};
     const bool bends = trial_.soft != nullptr && product_count_ == 0;
     const std::string name = fmt::format("product{}", product_count_++);
     if (bends)
-      products_.add_soft(name, *trial_.soft, trial_.body, world_from_product, middle_, geoms);
+      products_.add_soft(name, *trial_.soft, trial_.goods, world_from_product, middle_, geoms);
     else
-      products_.add(name, trial_.product, trial_.body, world_from_product, geoms);
+      products_.add(name, trial_.goods, world_from_product, geoms);
   }
 
   mjsJoint* add_slide(mjsBody* body, const double axis[3], double inertia_kg, double damping) {
@@ -286,7 +286,6 @@ class GraspSceneBuilder {
   }
 
   const GraspTrial& trial_;
-  const GoodsContact& contact_;
   Vec3 middle_;  // of the row's box
   MujocoSpec spec_;
   mjsBody* world_;
@@ -296,8 +295,8 @@ class GraspSceneBuilder {
 };
 
 Result<void> check_trial(const GraspTrial& trial) {
-  const Product& p = trial.product;
-  MARKETGEN_CHECK(check_has_body(p, trial.body));
+  const Product& p = trial.goods.product;
+  MARKETGEN_CHECK(check_has_body(p, trial.goods.body));
   const Grasp& g = trial.grasp;
   const Vec3& at = g.product_from_tool.position;
   const bool finite = std::isfinite(at.x + at.y + at.z) && std::isfinite(g.force_n + g.opening_m);
@@ -326,13 +325,13 @@ Result<void> check_basket(const GraspTrial& trial) {
   if (trial.setting != GraspSetting::basket) return {};
   if (trial.basket == nullptr || trial.basket->container_from_product.empty())
     return Error{"motion.bad_configuration",
-                 trial.product.sku,
+                 trial.goods.product.sku,
                  "a grasp in a basket needs the basket and where the packs lie in it"};
   for (const Pose& pose : trial.basket->container_from_product) {
     const Quaternion& q = pose.rotation;
     if (!is_finite(pose.position) || !std::isfinite(q.w + q.x + q.y + q.z))
       return Error{
-          "motion.bad_configuration", trial.product.sku, "expected packs at finite places"};
+          "motion.bad_configuration", trial.goods.product.sku, "expected packs at finite places"};
   }
   return check_container(trial.basket->container);
 }
@@ -342,11 +341,8 @@ Result<void> check_basket(const GraspTrial& trial) {
 Result<GraspScene> grasp_scene(const GraspTrial& trial) {
   MARKETGEN_CHECK(check_trial(trial));
   MARKETGEN_CHECK(check_basket(trial));
-  MARKETGEN_TRY(const CollisionPrimitive primitive, collision_of(trial.product));
-  const GoodsContact contact = trial.setting == GraspSetting::basket
-                                   ? bulk_contact_of(trial.product, primitive)
-                                   : goods_contact_of(trial.product, primitive);
-  GraspSceneBuilder builder(trial, contact, to_double(primitive.center));
+  MARKETGEN_TRY(const CollisionPrimitive solid, collision_of(trial.goods.product));
+  GraspSceneBuilder builder(trial, to_double(solid.center));
   builder.add_surroundings();
   builder.add_tool();
   return builder.finish();

@@ -1,6 +1,7 @@
 #include "grasping/grasp_study.h"
 
 #include <algorithm>
+#include <map>
 #include <numbers>
 #include <optional>
 
@@ -31,16 +32,17 @@ bool stands_on_boards(const Product& product, const ProductBody& body) {
 class ProductStudy {
  public:
   ProductStudy(const Product& product,
-               const ProductBody& body,
+               const std::map<GoodsUse, SharedGoodsBody>& goods,
                const std::optional<SoftPack>& soft,
                double friction,
                const StudyOptions& options)
-      : product_(product), body_(body), soft_(soft), friction_(friction), options_(options) {}
+      : product_(product), goods_(goods), soft_(soft), friction_(friction), options_(options) {}
 
   // Once, before rates in a basket are asked for.
   Result<void> settle_basket() {
-    MARKETGEN_TRY(basket_,
-                  basket_case(product_, body_, Seed(options_.seed).child("basket", product_.sku)));
+    MARKETGEN_TRY(
+        basket_,
+        basket_case(goods_.at(GoodsUse::bulk), Seed(options_.seed).child("basket", product_.sku)));
     return {};
   }
 
@@ -50,12 +52,12 @@ class ProductStudy {
     if (in_basket && basket_.excluded != GraspExclusion::none)
       return without(std::move(rate), basket_.excluded, basket_.reason);
     const bool on_shelf = setting != GraspSetting::free && !in_basket;
-    if (on_shelf && !stands_on_boards(product_, body_))
+    if (on_shelf && !stands_on_boards(product_, pack()))
       return without(
           std::move(rate), GraspExclusion::unshelved, "it lies in heaps or hangs from pegs");
     MARKETGEN_TRY(const GraspCandidates candidates,
                   grasp_candidates(product_,
-                                   body_,
+                                   pack(),
                                    tool,
                                    in_basket ? basket_query(basket_.basket, friction_)
                                              : grasp_query(setting, product_, friction_)));
@@ -64,7 +66,7 @@ class ProductStudy {
     if (candidates.found.empty()) return rate;
     if (setting == GraspSetting::free) {
       MARKETGEN_TRY(const bool stands,
-                    stands_alone(product_, body_, tool, soft_for(tool, setting)));
+                    stands_alone(goods_in(setting), tool, soft_for(tool, setting)));
       if (!stands) return without(std::move(rate), GraspExclusion::unstable, tips);
     }
     const auto count = std::min(static_cast<std::size_t>(options_.tries), candidates.found.size());
@@ -104,8 +106,7 @@ class ProductStudy {
                           .child(tool.id)
                           .child(name_of(setting), index);
     MARKETGEN_TRY(const GraspOutcome outcome,
-                  try_grasp({product_,
-                             body_,
+                  try_grasp({goods_in(setting),
                              tool,
                              candidate.grasp,
                              friction_,
@@ -122,6 +123,10 @@ class ProductStudy {
                     outcome.neighbour_n};
   }
 
+  // What grasps are aimed at: the pack's own shape.
+  const ProductBody& pack() const { return goods_.at(GoodsUse::single)->body; }
+  const GoodsBody& goods_in(GraspSetting setting) const { return *goods_.at(use_of(setting)); }
+
   // Bags bend on a table, in a gripper.
   const SoftPack* soft_for(const GraspTool& tool, GraspSetting setting) const {
     const bool bends = soft_ && setting == GraspSetting::free && tool.kind == ToolKind::gripper;
@@ -129,7 +134,7 @@ class ProductStudy {
   }
 
   const Product& product_;
-  const ProductBody& body_;
+  const std::map<GoodsUse, SharedGoodsBody>& goods_;
   const std::optional<SoftPack>& soft_;
   double friction_;
   const StudyOptions& options_;
@@ -145,9 +150,12 @@ Result<std::vector<GraspRate>> rates_of(const Product& product,
                                         const std::vector<GraspTool>& tools,
                                         double friction,
                                         const StudyOptions& options) {
-  MARKETGEN_TRY(const ProductBody body, make_product_body(product));
+  std::map<GoodsUse, SharedGoodsBody> goods;
+  for (const GoodsUse use : {GoodsUse::stocked, GoodsUse::single, GoodsUse::bulk}) {
+    MARKETGEN_TRY(goods[use], goods_body(product, use));
+  }
   MARKETGEN_TRY(const std::optional<SoftPack> soft, soft_pack_of(product));
-  ProductStudy study(product, body, soft, friction, options);
+  ProductStudy study(product, goods, soft, friction, options);
   if (std::ranges::count(options.settings, GraspSetting::basket) > 0)
     MARKETGEN_CHECK(study.settle_basket());
   std::vector<GraspRate> rates;

@@ -60,7 +60,7 @@ class Trial {
   }
 
  private:
-  bool loose() const { return trial_.product.orientation == Orientation::any; }
+  bool loose() const { return trial_.goods.product.orientation == Orientation::any; }
   bool in_basket() const { return trial_.setting == GraspSetting::basket; }
   bool on_shelf() const { return trial_.setting != GraspSetting::free && !in_basket(); }
 
@@ -123,8 +123,8 @@ class Trial {
   // Until the lowest corner of the pack's box is clear of the rim.
   Result<void> lift_out_of_basket() {
     const Pose now = hold_.product();
-    const Vec3 middle = now * Vec3{0, 0, trial_.product.height_m() / 2};
-    const double lowest = middle.z - turned_half_extents(trial_.product, now.rotation).z;
+    const Vec3 middle = now * Vec3{0, 0, trial_.goods.product.height_m() / 2};
+    const double lowest = middle.z - turned_half_extents(trial_.goods.product, now.rotation).z;
     const double by =
         std::max(free_lift_m, trial_.basket->container.height_m + clear_of_rim_m - lowest);
     return move({0, 0, by}, by / pull_m_s);
@@ -132,7 +132,7 @@ class Trial {
 
   Result<void> lift_off_shelf() {
     MARKETGEN_CHECK(move({0, 0, shelf_lift_m}, shelf_lift_s));
-    const double pull = trial_.product.depth_m() + pull_clear_m;
+    const double pull = trial_.goods.product.depth_m() + pull_clear_m;
     MARKETGEN_CHECK(move({0, -pull, 0}, pull / pull_m_s));
     return move({0, 0, clear_of_shelf_m}, clear_of_shelf_s);
   }
@@ -188,12 +188,9 @@ class Trial {
 
 }  // namespace
 
-Result<bool> stands_alone(const Product& product,
-                          const ProductBody& body,
-                          const GraspTool& tool,
-                          const SoftPack* soft) {
-  if (product.orientation == Orientation::any) return true;
-  GraspTrial alone{product, body, tool, Grasp{}};
+Result<bool> stands_alone(const GoodsBody& goods, const GraspTool& tool, const SoftPack* soft) {
+  if (goods.product.orientation == Orientation::any) return true;
+  GraspTrial alone{goods, tool, Grasp{}};
   alone.soft = soft;
   MARKETGEN_TRY(GraspHold hold, GraspHold::start(alone));
   for (const Vec3 axis : {Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, -1, 0}}) {

@@ -6,17 +6,17 @@
 // any distance: it seals where rays find the face even enough, holds by three points of its lip,
 // and lets go as soon as one of them, or friction, would have to hold more than its share.
 //
-// Products are their contact pieces, with their mass, centre of mass and inertia. They are rigid,
-// but for a target that is given as a soft pack: its pieces are cut where it bends. World frame:
-// the target's product frame as it stands at first; in a basket, the basket's. SI units.
-// Deterministic; thread-safe.
+// Products are what physics/goods makes of them where the trial is: on a shelf the bodies of
+// Worlds, in a basket those of checkouts. They are rigid, but for a target that is given as a soft
+// pack: its pieces are cut where it bends. World frame: the target's product frame as it stands at
+// first; in a basket, the basket's. SI units. Deterministic; thread-safe.
 #pragma once
 #include <array>
 #include <string_view>
 
-#include "assets/product_model.h"
 #include "base/result.h"
 #include "base/seed.h"
+#include "physics/goods/goods_body.h"
 #include "physics/settle/bulk_settle.h"
 #include "physics/soft/soft_pack.h"
 #include "robots/grasp_tool.h"
@@ -69,9 +69,14 @@ constexpr std::array<std::string_view, 9> names_of(GraspEnd) {
 constexpr double most_slip_m = 0.001;
 constexpr double most_neighbour_n = 50;  // mean over 10 ms
 
+// What the product is in a trial of the setting.
+constexpr GoodsUse use_of(GraspSetting setting) {
+  if (setting == GraspSetting::free) return GoodsUse::single;
+  return setting == GraspSetting::basket ? GoodsUse::bulk : GoodsUse::stocked;
+}
+
 struct GraspTrial {
-  const Product& product;
-  const ProductBody& body;
+  const GoodsBody& goods;  // of use_of(setting)
   const GraspTool& tool;
   Grasp grasp;
   double pad_friction = 0.5;  // of pads or lip on the product
@@ -98,8 +103,7 @@ constexpr double tool_error_m = 0.001, tool_error_rad = 0.01745;
 // Whether a product stands by itself: let go leaning by 1 degree to the front, the back or a side,
 // it comes to rest upright. Loose produce counts as standing. `soft`: as in GraspTrial. Errors: as
 // try_grasp.
-Result<bool> stands_alone(const Product& product,
-                          const ProductBody& body,
+Result<bool> stands_alone(const GoodsBody& goods,
                           const GraspTool& tool,
                           const SoftPack* soft = nullptr);
 

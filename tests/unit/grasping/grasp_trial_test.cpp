@@ -16,13 +16,18 @@ namespace {
 const Product& cola() {
   return *committed_catalog().product("beverages-cola-original-330ml");  // 66 mm, 115 mm high
 }
-const ProductBody& cola_body() {
-  static const ProductBody body = [] {
-    auto made = make_product_body(cola());
-    if (!made.ok()) fatal(to_string(made.error()).c_str());
-    return std::move(made).value();
-  }();
-  return body;
+const GoodsBody& cola_in(GraspSetting setting) {
+  static std::map<GraspSetting, SharedGoodsBody> made;
+  const auto [found, first] = made.try_emplace(setting);
+  if (first) {
+    auto body = goods_body(cola(), use_of(setting));
+    if (!body.ok()) fatal(to_string(body.error()).c_str());
+    found->second = std::move(body).value();
+  }
+  return *found->second;
+}
+const GoodsBody& cola_body() {
+  return cola_in(GraspSetting::free);
 }
 const GraspTool& tool_row(const std::string& id) {
   static std::map<std::string, GraspTool> tools;
@@ -58,8 +63,7 @@ TEST(GraspTrials, TheTestsOwnGraspIsLevel) {
 TEST(GraspTrials, AGripperCarriesACanAndPutsItDown) {
   for (const char* id : {"panda-hand", "parallel-gripper"}) {
     const GraspTool& tool = tool_row(id);
-    const GraspOutcome outcome =
-        outcome_of({cola(), cola_body(), tool, from_front(tool, 0.06, 0.076)});
+    const GraspOutcome outcome = outcome_of({cola_body(), tool, from_front(tool, 0.06, 0.076)});
     EXPECT_EQ(name_of(outcome.end), "held") << id << " slip " << outcome.slip_m;
     EXPECT_LE(outcome.slip_m, 0.001) << id;
     EXPECT_NEAR(outcome.squeeze_n, tool.force_n, 0.25 * tool.force_n) << id;
@@ -68,8 +72,7 @@ TEST(GraspTrials, AGripperCarriesACanAndPutsItDown) {
 
 TEST(GraspTrials, WithoutFrictionItIsDropped) {
   const GraspTool& hand = tool_row("panda-hand");
-  const GraspOutcome outcome =
-      outcome_of({cola(), cola_body(), hand, from_front(hand, 0.06, 0.076), 0.01});
+  const GraspOutcome outcome = outcome_of({cola_body(), hand, from_front(hand, 0.06, 0.076), 0.01});
   EXPECT_EQ(name_of(outcome.end), "dropped");
 }
 
@@ -77,12 +80,9 @@ TEST(GraspTrials, WithoutFrictionItIsDropped) {
 TEST(GraspTrials, WhatIsTooHeavyIsDropped) {
   const GraspTool& hand = tool_row("panda-hand");
   Product heavy = cola();
-  ProductBody body = cola_body();
-  const double times = 9 / heavy.mass_kg;
   heavy.mass_kg = 9;
-  for (float& moment : body.inertia_kg_m2)
-    moment *= static_cast<float>(times);
-  const GraspOutcome outcome = outcome_of({heavy, body, hand, from_front(hand, 0.06, 0.076)});
+  const SharedGoodsBody body = goods_body(heavy, GoodsUse::single).value();
+  const GraspOutcome outcome = outcome_of({*body, hand, from_front(hand, 0.06, 0.076)});
   EXPECT_NE(name_of(outcome.end), "held");
   EXPECT_NE(name_of(outcome.end), "unstable");
 }
@@ -91,13 +91,12 @@ TEST(GraspTrials, BesideTheCanNothingIsHeld) {
   const GraspTool& hand = tool_row("panda-hand");
   Grasp beside = from_front(hand, 0.06, 0.076);
   beside.product_from_tool.position.y -= 0.08;  // stops in front of it
-  EXPECT_EQ(name_of(outcome_of({cola(), cola_body(), hand, beside}).end), "missed");
+  EXPECT_EQ(name_of(outcome_of({cola_body(), hand, beside}).end), "missed");
 }
 
 TEST(GraspTrials, ThroughTheTableItCollides) {
   const GraspTool& hand = tool_row("panda-hand");
-  const GraspOutcome outcome =
-      outcome_of({cola(), cola_body(), hand, from_front(hand, 0.015, 0.076)});
+  const GraspOutcome outcome = outcome_of({cola_body(), hand, from_front(hand, 0.015, 0.076)});
   EXPECT_EQ(name_of(outcome.end), "collided");
 }
 
@@ -105,27 +104,26 @@ TEST(GraspTrials, ThroughTheTableItCollides) {
 // it must be lighter than it pulls.
 TEST(GraspTrials, ACupHoldsWhatItSealsOnAndWhatItsPullBears) {
   const GraspTool& cup = tool_row("suction-cup");
-  Product box = cola();
-  box.size_mm = {100, 80, 100};
-  box.mass_kg = 0.4;
-  ProductBody body;
-  body.pieces.push_back(
+  GoodsBody box = cola_body();
+  box.product.size_mm = {100, 80, 100};
+  box.product.mass_kg = 0.4;
+  box.body = {};
+  box.body.pieces.push_back(
       {.shape = PieceShape::box, .center = {0, 0, 0.05F}, .half_size = {0.05F, 0.04F, 0.05F}});
-  body.center_of_mass = {0, 0, 0.05F};
-  body.inertia_kg_m2 = {0.0006F, 0.0007F, 0.0006F, 0, 0, 0};
+  box.body.center_of_mass = {0, 0, 0.05F};
+  box.body.inertia_kg_m2 = {0.0006F, 0.0007F, 0.0006F, 0, 0, 0};
   const Grasp front{
       {{0, -0.04, 0.055}, from_front(cup, 0, 0).product_from_tool.rotation}, 0, cup.force_n};
-  EXPECT_EQ(name_of(outcome_of({box, body, cup, front}).end), "held");
+  EXPECT_EQ(name_of(outcome_of({box, cup, front}).end), "held");
 
-  Product heavy = box;
-  heavy.mass_kg = 1.4;
-  ProductBody heavy_body = body;
-  for (float& moment : heavy_body.inertia_kg_m2)
+  GoodsBody heavy = box;
+  heavy.product.mass_kg = 1.4;
+  for (float& moment : heavy.body.inertia_kg_m2)
     moment *= 3.5F;
-  EXPECT_EQ(name_of(outcome_of({heavy, heavy_body, cup, front}).end), "dropped");
+  EXPECT_EQ(name_of(outcome_of({heavy, cup, front}).end), "dropped");
 
   const Grasp side{{{0, -0.033, 0.06}, front.product_from_tool.rotation}, 0, cup.force_n};
-  EXPECT_EQ(name_of(outcome_of({cola(), cola_body(), cup, side}).end), "missed");
+  EXPECT_EQ(name_of(outcome_of({cola_body(), cup, side}).end), "missed");
 }
 
 // With a finger's thickness beside it the can comes out clean; with its neighbours 2 to 8 mm away
@@ -134,11 +132,11 @@ TEST(GraspTrials, NeighboursFeelTheFingers) {
   const GraspTool& hand = tool_row("panda-hand");
   const Grasp grasp = from_front(hand, 0.06, 0.074);
   const GraspOutcome apart =
-      outcome_of({cola(), cola_body(), hand, grasp, 0.5, GraspSetting::spaced, Seed(3)});
+      outcome_of({cola_in(GraspSetting::spaced), hand, grasp, 0.5, GraspSetting::spaced, Seed(3)});
   EXPECT_EQ(name_of(apart.end), "held");
   EXPECT_LT(apart.neighbour_n, 5);
-  const GraspOutcome close =
-      outcome_of({cola(), cola_body(), hand, grasp, 0.5, GraspSetting::stocked, Seed(3)});
+  const GraspOutcome close = outcome_of(
+      {cola_in(GraspSetting::stocked), hand, grasp, 0.5, GraspSetting::stocked, Seed(3)});
   EXPECT_GT(close.neighbour_n, apart.neighbour_n);
 }
 
@@ -153,8 +151,7 @@ TEST(GraspTrials, OutOfABasketFromAbove) {
   const BasketOfLikes basket{checkout_basket, {{{0, 0, 0}, {}}, {{0.08, 0.12, 0}, {}}}};
   for (const char* id : {"panda-hand", "parallel-gripper"}) {
     const GraspTool& tool = tool_row(id);
-    const GraspOutcome outcome = outcome_of({cola(),
-                                             cola_body(),
+    const GraspOutcome outcome = outcome_of({cola_in(GraspSetting::basket),
                                              tool,
                                              from_above(tool, 0.076),
                                              0.5,
@@ -170,8 +167,7 @@ TEST(GraspTrials, OutOfABasketFromAbove) {
 TEST(GraspTrials, ThroughTheBasketsWallItCollides) {
   const GraspTool& hand = tool_row("panda-hand");
   const BasketOfLikes basket{checkout_basket, {{{0, -0.14, 0}, {}}}};
-  const GraspTrial trial{cola(),
-                         cola_body(),
+  const GraspTrial trial{cola_in(GraspSetting::basket),
                          hand,
                          from_front(hand, 0.08, 0.076),
                          0.5,
@@ -180,14 +176,13 @@ TEST(GraspTrials, ThroughTheBasketsWallItCollides) {
                          &basket};
   EXPECT_EQ(name_of(outcome_of(trial).end), "collided");
   // Without the wall it is a good grasp.
-  EXPECT_EQ(name_of(outcome_of({cola(), cola_body(), hand, trial.grasp}).end), "held");
+  EXPECT_EQ(name_of(outcome_of({cola_body(), hand, trial.grasp}).end), "held");
 }
 
 TEST(GraspTrials, APackThatDoesNotLieStillInTheBasketIsNotTried) {
   const GraspTool& hand = tool_row("panda-hand");
   const BasketOfLikes basket{checkout_basket, {{{0, 0, 0.3}, {}}}};  // it falls
-  EXPECT_EQ(name_of(outcome_of({cola(),
-                                cola_body(),
+  EXPECT_EQ(name_of(outcome_of({cola_in(GraspSetting::basket),
                                 hand,
                                 from_above(hand, 0.076),
                                 0.5,
@@ -200,7 +195,7 @@ TEST(GraspTrials, APackThatDoesNotLieStillInTheBasketIsNotTried) {
 
 TEST(GraspTrials, TheSameSeedIsTheSameToTheBit) {
   const GraspTool& hand = tool_row("panda-hand");
-  const GraspTrial trial{cola(), cola_body(), hand, from_front(hand, 0.06, 0.076)};
+  const GraspTrial trial{cola_body(), hand, from_front(hand, 0.06, 0.076)};
   const GraspOutcome once = outcome_of(trial), again = outcome_of(trial);
   EXPECT_EQ(once.slip_m, again.slip_m);
   EXPECT_EQ(once.turned_rad, again.turned_rad);
@@ -209,21 +204,20 @@ TEST(GraspTrials, TheSameSeedIsTheSameToTheBit) {
 
 TEST(GraspTrials, WhatCannotBeTriedIsAnError) {
   const GraspTool& hand = tool_row("panda-hand");
-  const auto code_of = [&](const Product& product, const Grasp& grasp) {
-    const auto outcome = try_grasp({product, cola_body(), hand, grasp});
+  const auto code_of = [&](const GoodsBody& goods, const Grasp& grasp) {
+    const auto outcome = try_grasp({goods, hand, grasp});
     return outcome.ok() ? std::string() : outcome.error().code;
   };
-  Product weightless = cola();
-  weightless.mass_kg = 0;
+  GoodsBody weightless = cola_body();
+  weightless.product.mass_kg = 0;
   EXPECT_EQ(code_of(weightless, from_front(hand, 0.06, 0.07)), "catalog.bad_row");
-  EXPECT_EQ(code_of(cola(), from_front(hand, 0.06, 0.09)), "motion.bad_configuration");
+  EXPECT_EQ(code_of(cola_body(), from_front(hand, 0.06, 0.09)), "motion.bad_configuration");
   Grasp strong = from_front(hand, 0.06, 0.07);
   strong.force_n = 200;
-  EXPECT_EQ(code_of(cola(), strong), "motion.bad_configuration");
+  EXPECT_EQ(code_of(cola_body(), strong), "motion.bad_configuration");
 
   const auto code_in = [&](const BasketOfLikes* basket) {
-    const auto outcome = try_grasp({cola(),
-                                    cola_body(),
+    const auto outcome = try_grasp({cola_in(GraspSetting::basket),
                                     hand,
                                     from_above(hand, 0.07),
                                     0.5,

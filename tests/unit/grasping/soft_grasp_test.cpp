@@ -103,10 +103,10 @@ GraspTool hand() {
 GraspOutcome pinched_from_above(double below_top_m, double friction) {
   const SoftRow& row = soft_row(peas);
   const GraspTool tool = hand();
-  const ProductBody body = make_product_body(*row.product).value();
+  const SharedGoodsBody goods = goods_body(*row.product, GoodsUse::single).value();
   const Quaternion down = rotation_about({1, 0, 0}, std::numbers::pi);
   const Vec3 at = Vec3{0, 0, row.product->height_m() - below_top_m} - rotate(down, tool.pad_center);
-  GraspTrial trial{*row.product, body, tool, {{at, down}, tool.opening_m, 30}, friction};
+  GraspTrial trial{*goods, tool, {{at, down}, tool.opening_m, 30}, friction};
   trial.soft = &row.pack;
   return try_grasp(trial).value();
 }
@@ -134,11 +134,11 @@ TEST(SoftGrasps, AboveItsFlapThereIsNothingToHold) {
 
 TEST(SoftGrasps, ItStandsByItselfAndACupIsNotForIt) {
   const SoftRow& row = soft_row(peas);
-  const ProductBody body = make_product_body(*row.product).value();
-  EXPECT_TRUE(stands_alone(*row.product, body, hand(), &row.pack).value());
+  const SharedGoodsBody goods = goods_body(*row.product, GoodsUse::single).value();
+  EXPECT_TRUE(stands_alone(*goods, hand(), &row.pack).value());
   const GraspTool cup =
       load_grasp_tool(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data", "suction-cup").value();
-  GraspTrial trial{*row.product, body, cup, {{}, 0, cup.force_n}};
+  GraspTrial trial{*goods, cup, {{}, 0, cup.force_n}};
   trial.soft = &row.pack;
   EXPECT_EQ(try_grasp(trial).error().code, "motion.bad_configuration");
 }

@@ -25,26 +25,24 @@ const Product& first_shape(const std::string& archetype) {
   fatal(archetype.c_str());
 }
 
-const ProductBody& body_called(const Product& product) {
-  static std::map<std::string, ProductBody> bodies;
-  if (!bodies.contains(product.sku)) bodies[product.sku] = make_product_body(product).value();
-  return bodies.at(product.sku);
+SharedGoodsBody body_of(const Product& product) {
+  return goods_body(product, GoodsUse::bulk).value();
 }
 
-std::vector<BulkItem> items_of(const std::vector<std::string>& shapes) {
-  std::vector<BulkItem> items;
+std::vector<SharedGoodsBody> items_of(const std::vector<std::string>& shapes) {
+  std::vector<SharedGoodsBody> items;
   for (const std::string& shape : shapes)
-    items.push_back({&first_shape(shape), &body_called(first_shape(shape))});
+    items.push_back(body_of(first_shape(shape)));
   return items;
 }
 
-SettledBulk settled(const std::vector<BulkItem>& items, int seed = 1) {
+SettledBulk settled(const std::vector<SharedGoodsBody>& items, int seed = 1) {
   auto result = settle_bulk(checkout_basket, items, Seed(static_cast<std::uint64_t>(seed)));
   if (!result.ok()) fatal(to_string(result.error()).c_str());
   return std::move(result).value();
 }
 
-std::vector<BulkItem> mixed_items() {
+std::vector<SharedGoodsBody> mixed_items() {
   return items_of({"can", "box", "gable_carton", "pouch", "apple", "can", "banana_bunch"});
 }
 
@@ -53,7 +51,7 @@ struct Laid {
   MujocoModel model{nullptr, mj_deleteModel};
   MujocoData data{nullptr, mj_deleteData};
 };
-Laid laid(const std::vector<BulkItem>& items, const SettledBulk& bulk) {
+Laid laid(const std::vector<SharedGoodsBody>& items, const SettledBulk& bulk) {
   const MujocoSpec spec(mj_makeSpec(), mj_deleteSpec);
   set_contact_options(*spec, 0);
   spec->option.enableflags &= ~mjENBL_SLEEP;
@@ -61,11 +59,7 @@ Laid laid(const std::vector<BulkItem>& items, const SettledBulk& bulk) {
   add_container(mjs_findBody(spec.get(), "world"), checkout_basket);
   ProductBodies bodies(*spec);
   for (std::size_t i = 0; i < items.size(); ++i)
-    bodies.add("item" + std::to_string(i),
-               *items[i].product,
-               *items[i].body,
-               bulk.items[i].container_from_product,
-               {bulk_contact_of(*items[i].product, collision_of(*items[i].product).value())});
+    bodies.add("item" + std::to_string(i), *items[i], bulk.items[i].container_from_product);
   Laid made;
   made.model = std::move(compile(*spec, "test")).value();
   made.data = std::move(make_data(*made.model, "test")).value();
@@ -89,7 +83,7 @@ double deepest_in_bulk(const Laid& l) {
 TEST(BulkSettling, PacksLieStillInsideAndApart) {
   for (const int seed : {1, 2, 3}) {
     SCOPED_TRACE(seed);
-    const std::vector<BulkItem> items = mixed_items();
+    const std::vector<SharedGoodsBody> items = mixed_items();
     const SettledBulk bulk = settled(items, seed);
     EXPECT_TRUE(bulk.rests);
     EXPECT_EQ(bulk.spilled, 0);
@@ -109,13 +103,13 @@ TEST(BulkSettling, PacksLieStillInsideAndApart) {
     for (std::size_t i = 0; i < items.size(); ++i) {
       const mjtNum* q = l.data->qpos + l.model->jnt_qposadr[i];
       const Vec3 moved = Vec3{q[0], q[1], q[2]} - bulk.items[i].container_from_product.position;
-      EXPECT_LT(length(moved), 0.005) << items[i].product->sku;
+      EXPECT_LT(length(moved), 0.005) << items[i]->product.sku;
     }
   }
 }
 
 TEST(BulkSettling, TheSameTwiceAndOnAnyNumberOfThreads) {
-  const std::vector<BulkItem> items = mixed_items();
+  const std::vector<SharedGoodsBody> items = mixed_items();
   std::vector<std::vector<SettledBulk>> runs;
   for (const int threads : {1, 2}) {
     const ThreadLimit limit(threads);
@@ -138,16 +132,8 @@ TEST(BulkSettling, TheSameTwiceAndOnAnyNumberOfThreads) {
 
 TEST(BulkSettling, AHeavyAndALightOneBothRest) {
   Product heavy = first_shape("can"), light = first_shape("box");
-  ProductBody heavy_body = body_called(heavy), light_body = body_called(light);
-  const auto weigh = [](Product& product, ProductBody& body, double kg) {
-    for (float& moment : body.inertia_kg_m2)
-      moment *= static_cast<float>(kg / product.mass_kg);
-    product.mass_kg = kg;
-  };
-  weigh(heavy, heavy_body, 4);
-  weigh(light, light_body, 0.02);
-  const std::vector<BulkItem> items{
-      {&light, &light_body}, {&heavy, &heavy_body}, {&light, &light_body}};
+  heavy.mass_kg = 4, light.mass_kg = 0.02;
+  const std::vector<SharedGoodsBody> items{body_of(light), body_of(heavy), body_of(light)};
   const SettledBulk bulk = settled(items);
   EXPECT_TRUE(bulk.rests);
   EXPECT_EQ(bulk.spilled, 0);
@@ -156,7 +142,7 @@ TEST(BulkSettling, AHeavyAndALightOneBothRest) {
 
 TEST(BulkSettling, WhatDoesNotFitSpillsAndIsCounted) {
   const Product& box = first_shape("box");
-  const std::vector<BulkItem> many(30, BulkItem{&box, &body_called(box)});
+  const std::vector<SharedGoodsBody> many(30, body_of(box));
   const SettledBulk full = settled(many);
   const auto inside = std::ranges::count(full.items, true, &SettledItem::inside);
   EXPECT_EQ(full.spilled + inside, 30);
@@ -200,8 +186,8 @@ TEST(BulkSettling, TheWallsStandWhereTheMeasuresSay) {
 }
 
 TEST(BulkSettling, BadInputIsAnError) {
-  const std::vector<BulkItem> one = items_of({"can"});
-  const auto code = [&](const OpenContainer& container, const std::vector<BulkItem>& items) {
+  const std::vector<SharedGoodsBody> one = items_of({"can"});
+  const auto code = [&](const OpenContainer& container, const std::vector<SharedGoodsBody>& items) {
     const auto result = settle_bulk(container, items, Seed(1));
     return result.ok() ? std::string() : result.error().code;
   };
@@ -213,15 +199,15 @@ TEST(BulkSettling, BadInputIsAnError) {
   broken = checkout_basket;
   broken.taper_m = 0.14;  // the ledges meet
   EXPECT_EQ(code(broken, one), "physics.bad_command");
-  EXPECT_EQ(code(checkout_basket, std::vector<BulkItem>(most_bulk_items + 1, one[0])),
+  EXPECT_EQ(code(checkout_basket, std::vector<SharedGoodsBody>(most_bulk_items + 1, one[0])),
             "physics.bad_command");
 
-  Product weightless = first_shape("can"), flat = first_shape("can");
-  weightless.mass_kg = 0;
-  flat.size_mm[1] = 0;
-  const ProductBody& body = body_called(first_shape("can"));
-  EXPECT_EQ(code(checkout_basket, {{&weightless, &body}}), "catalog.bad_row");
-  EXPECT_EQ(code(checkout_basket, {{&flat, &body}}), "catalog.bad_row");
+  auto weightless = std::make_shared<GoodsBody>(*one[0]), flat = weightless;
+  weightless->product.mass_kg = 0;
+  EXPECT_EQ(code(checkout_basket, {weightless}), "catalog.bad_row");
+  flat = std::make_shared<GoodsBody>(*one[0]);
+  flat->product.size_mm[1] = 0;
+  EXPECT_EQ(code(checkout_basket, {flat}), "catalog.bad_row");
 
   const auto none = settle_bulk(checkout_basket, {}, Seed(1));
   ASSERT_TRUE(none.ok());

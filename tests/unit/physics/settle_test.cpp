@@ -55,8 +55,9 @@ TEST(Settle, ABoxOverTheEdgeFallsOffTheShelf) {
   EXPECT_GT(settled(made.scene).worst_drift_m, 0.3);
 }
 
-TEST(Settle, AStackOfCansStands) {
+TEST(Settle, AStackOfCansStands) {  // of a row that may be stacked
   HandMadeScene made;
+  made.scene.catalog[can].stack_max = 3;
   for (int level = 0; level < 3; ++level)
     made.add(can, {3, on_shelf_y, lower + 0.115F * static_cast<float>(level)});
   EXPECT_LT(settled(made.scene).worst_drift_m, 0.001);

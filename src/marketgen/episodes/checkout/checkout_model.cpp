@@ -15,7 +15,6 @@
 #include "motion/grasp_surface.h"
 #include "physics/goods/product_bodies.h"
 #include "physics/goods/spec_geoms.h"
-#include "physics/settle/bulk_model.h"
 #include "physics/world/pad_balls.h"
 #include "physics/world/robot_actor.h"
 
@@ -80,19 +79,12 @@ class CheckoutModelBuilder {
     }
   }
 
-  Result<void> add_items(const std::vector<EpisodeItem>& items,
-                         const std::vector<SharedGoods>& goods) {
+  void add_items(const std::vector<EpisodeItem>& items, const std::vector<SharedGoods>& goods) {
     for (std::size_t i = 0; i < items.size(); ++i) {
-      MARKETGEN_TRY(const CollisionPrimitive primitive, collision_of(goods[i]->product));
       const std::string name = item_name(i);
-      goods_.add(name,
-                 goods[i]->product,
-                 goods[i]->body,
-                 station_.basket_pose() * items[i].pose(),
-                 {bulk_contact_of(goods[i]->product, primitive)});
+      goods_.add(name, *goods[i]->made, station_.basket_pose() * items[i].pose());
       name_geoms(name, goods[i]->pad_friction);
     }
-    return {};
   }
 
   Result<void> add_arm(const std::vector<double>& state) {
@@ -249,11 +241,9 @@ std::vector<Vec3> points_within(const ProductBody& body) {
 }
 
 Result<SharedGoods> made_goods(const Product& product, double pad_friction) {
-  auto goods = std::make_shared<CheckoutGoods>(CheckoutGoods{product, {}, {}, pad_friction});
-  MARKETGEN_TRY(goods->body, make_product_body(product));
-  MARKETGEN_CHECK(check_has_body(product, goods->body));
-  goods->volume = points_within(goods->body);
-  return SharedGoods(std::move(goods));
+  MARKETGEN_TRY(const SharedGoodsBody made, goods_body(product, GoodsUse::bulk));
+  return SharedGoods(std::make_shared<CheckoutGoods>(
+      CheckoutGoods{made, made->product, made->body, points_within(made->body), pad_friction}));
 }
 
 }  // namespace
@@ -294,7 +284,7 @@ Result<CheckoutModel> checkout_model(const CheckoutStation& station,
   CheckoutModelBuilder builder(station, robot);
   builder.add_counter();
   builder.add_basket();
-  MARKETGEN_CHECK(builder.add_items(items, goods));
+  builder.add_items(items, goods);
   MARKETGEN_CHECK(builder.add_arm(robot_state));
   return builder.finish(items.size());
 }

@@ -3,18 +3,19 @@
 #include <memory>
 #include <vector>
 
-#include "assets/product_model.h"
 #include "catalog/rows.h"
 #include "episodes/checkout/checkout_station.h"
 #include "episodes/episode_spec.h"
+#include "physics/goods/goods_body.h"
 #include "physics/mujoco_guard.h"
 
 namespace marketgen {
 
 // A product with what physics and goals need of it.
 struct CheckoutGoods {
-  Product product;
-  ProductBody body;
+  SharedGoodsBody made;  // of GoodsUse::bulk
+  const Product& product;
+  const ProductBody& body;
   std::vector<Vec3> volume;   // points spread evenly through it, product frame
   double pad_friction = 0.5;  // of rubber on it
 };

@@ -89,11 +89,9 @@ class CheckoutSampler {
       order[i] = i;
     Stream draw = seed.child("order").stream();
     draw.shuffle(std::span(order));
-    std::vector<BulkItem> bulk(drawn.size());
-    std::vector<SharedGoods> goods(drawn.size());
+    std::vector<SharedGoodsBody> bulk(drawn.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
-      MARKETGEN_TRY(goods[i], checkout_goods(*drawn[order[i]], frictions_));
-      bulk[i] = {drawn[order[i]], &goods[i]->body};
+      MARKETGEN_TRY(bulk[i], goods_body(*drawn[order[i]], GoodsUse::bulk));
     }
     MARKETGEN_TRY(const SettledBulk settled, settle_bulk(world_.station().container(), bulk, seed));
     std::vector<std::pair<std::size_t, EpisodeItem>> inside;

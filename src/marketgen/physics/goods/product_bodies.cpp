@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 #include <vector>
 
 #include "physics/goods/spec_geoms.h"
@@ -11,52 +11,48 @@
 
 namespace marketgen {
 
-Result<void> check_has_body(const Product& product, const ProductBody& body) {
-  const auto& [width, depth, height] = product.size_mm;
-  const bool sized = width > 0 && depth > 0 && height > 0;
-  if (product.mass_kg > 0 && std::isfinite(product.mass_kg) && sized && !body.pieces.empty())
-    return {};
-  return Error{"catalog.bad_row",
-               product.sku,
-               fmt::format("a product to be held needs a mass and a size greater than 0; it has {} "
-                           "kg and {} x {} x {} mm",
-                           product.mass_kg,
-                           width,
-                           depth,
-                           height)};
+namespace {
+
+void set_meeting(mjsGeom* geom, const GoodsBody& goods, const ProductGeoms& geoms) {
+  set_goods_contact(geom, goods.contact);
+  geom->group = geoms.group;
+  geom->contype = geoms.own_bit;
+  geom->conaffinity = geoms.meets;
 }
 
+void set_inertia(mjsBody* made, const GoodsBody& goods) {
+  made->mass = goods.product.mass_kg;
+  const Vec3f& middle = goods.body.center_of_mass;
+  made->ipos[0] = middle.x, made->ipos[1] = middle.y, made->ipos[2] = middle.z;
+  std::copy(goods.body.inertia_kg_m2.begin(), goods.body.inertia_kg_m2.end(), made->fullinertia);
+  made->explicitinertial = true;
+}
+
+}  // namespace
+
 mjsBody* ProductBodies::add(const std::string& name,
-                            const Product& product,
-                            const ProductBody& body,
+                            const GoodsBody& goods,
                             const Pose& world_from_product,
                             const ProductGeoms& geoms) {
   mjsBody* made = mjs_addBody(mjs_findBody(&spec_, "world"), nullptr);
   mjs_setName(made->element, name.c_str());
   set_pose(made->pos, made->quat, world_from_product);
   mjs_addFreeJoint(made)->align = mjALIGNFREE_FALSE;
-  made->mass = product.mass_kg;
-  const Vec3f& middle = body.center_of_mass;
-  made->ipos[0] = middle.x, made->ipos[1] = middle.y, made->ipos[2] = middle.z;
-  for (std::size_t i = 0; i < 6; ++i)
-    made->fullinertia[i] = static_cast<double>(body.inertia_kg_m2[i]);
-  made->explicitinertial = true;
-  for (std::size_t i = 0; i < body.pieces.size(); ++i) {
-    mjsGeom* geom = add_piece(made, body, i);
-    set_goods_contact(geom, geoms.contact);
-    geom->group = geoms.group;
-    geom->contype = geoms.own_bit;
-    geom->conaffinity = geoms.meets;
+  for (std::size_t i = 0; i < goods.body.pieces.size(); ++i) {
+    mjsGeom* geom = add_piece(made, goods, i);
+    set_meeting(geom, goods, geoms);
+    if (goods.form == GoodsForm::ball) geom->mass = goods.product.mass_kg;
   }
+  if (goods.form != GoodsForm::ball) set_inertia(made, goods);  // a ball's is that of its geom
   return made;
 }
 
-mjsGeom* ProductBodies::add_piece(mjsBody* made, const ProductBody& body, std::size_t index) {
-  const ContactPiece& piece = body.pieces[index];
+mjsGeom* ProductBodies::add_piece(mjsBody* made, const GoodsBody& goods, std::size_t index) {
+  const ContactPiece& piece = goods.body.pieces[index];
   if (piece.shape != PieceShape::hull) return add_shape(made, contact_shape_of(piece));
   mjsGeom* geom = mjs_addGeom(made, nullptr);
   geom->type = mjGEOM_MESH;
-  mjs_setString(geom->meshname, mesh_of(body, index).c_str());
+  mjs_setString(geom->meshname, mesh_of(goods, index).c_str());
   geom->solref[0] = contact_time_s;
   return geom;
 }
@@ -70,11 +66,11 @@ std::string ProductBodies::add_hull(const std::vector<float>& corners) {
   return name;
 }
 
-std::string ProductBodies::mesh_of(const ProductBody& body, std::size_t index) {
-  const auto [found, is_new] = meshes_.try_emplace({&body, index});
+std::string ProductBodies::mesh_of(const GoodsBody& goods, std::size_t index) {
+  const auto [found, is_new] = meshes_.try_emplace({&goods, index});
   if (is_new) {
     std::vector<float> corners;
-    for (const Vec3f& p : body.pieces[index].points)
+    for (const Vec3f& p : goods.body.pieces[index].points)
       corners.insert(corners.end(), {p.x, p.y, p.z});
     found->second = add_hull(corners);
   }
@@ -83,22 +79,16 @@ std::string ProductBodies::mesh_of(const ProductBody& body, std::size_t index) {
 
 void ProductBodies::add_soft(const std::string& name,
                              const SoftPack& pack,
-                             const ProductBody& body,
+                             const GoodsBody& goods,
                              const Pose& world_from_product,
                              Vec3 middle,
                              const ProductGeoms& geoms) {
   const SoftElements made = add_soft_body(mjs_findBody(&spec_, "world"), pack, name);
   set_pose(made.bodies[0]->pos, made.bodies[0]->quat, world_from_product * Pose{middle, {}});
-  const auto meet = [&](mjsGeom* geom) {
-    set_goods_contact(geom, geoms.contact);
-    geom->group = geoms.group;
-    geom->contype = geoms.own_bit;
-    geom->conaffinity = geoms.meets;
-  };
-  const auto parts = cut_at_hinges(body, pack, middle);
+  const auto parts = cut_at_hinges(goods.body, pack, middle);
   for (std::size_t part = 0; part < parts.size(); ++part) {
     if (parts[part].empty()) {
-      meet(made.geoms[part]);
+      set_meeting(made.geoms[part], goods, geoms);
       continue;
     }
     made.geoms[part]->contype = made.geoms[part]->conaffinity = 0;  // the box is only its mass
@@ -113,7 +103,7 @@ void ProductBodies::add_soft(const std::string& name,
       mjs_setString(geom->meshname, add_hull(corners).c_str());
       geom->solref[0] = contact_time_s;
       geom->mass = 0;
-      meet(geom);
+      set_meeting(geom, goods, geoms);
     }
   }
 }

@@ -6,7 +6,6 @@
 #include <mutex>
 #include <string>
 
-#include "assets/shapes/contact_pieces.h"
 #include "io/json.h"
 #include "physics/goods/product_bodies.h"
 
@@ -14,30 +13,6 @@ namespace marketgen {
 namespace {
 
 using SharedRigidGoods = std::shared_ptr<const RigidGoods>;
-
-ContactPiece piece_of(const CollisionPrimitive& solid) {
-  const PieceShape shape = solid.shape == CollisionShape::box        ? PieceShape::box
-                           : solid.shape == CollisionShape::cylinder ? PieceShape::cylinder
-                                                                     : PieceShape::ellipsoid;
-  return {shape, solid.center, solid.half_size, solid.lying};
-}
-
-// A lean of 7 degrees, or nothing, tips it off the foot that its pieces have.
-constexpr double steady_tangent = 0.12;
-
-bool steady(const ProductBody& body) {
-  const ContactPiece& foot = body.pieces[0];
-  const Vec3f &middle = body.center_of_mass, &half = foot.half_size;
-  const double x = half.x - std::abs(middle.x - foot.center.x);
-  const double y = half.y - std::abs(middle.y - foot.center.y);
-  return std::min(x, y) > steady_tangent * middle.z;
-}
-
-// Of the whole pack one solid, see store_body().
-bool one_solid(const Product& product, const ProductBody& body) {
-  const bool too_many = static_cast<int>(body.pieces.size()) > PieceLimits{}.most_pieces;
-  return product.stack_max > 1 || product.category == "produce" || too_many || !steady(body);
-}
 
 Vec3 vec3_at(const mjtNum* v) {
   return {v[0], v[1], v[2]};
@@ -62,12 +37,10 @@ Box3 bounds_of_geoms(const mjModel& m) {
 }
 
 Result<SharedRigidGoods> compiled_alone(const Product& product) {
-  MARKETGEN_TRY(const ProductBody body, store_body(product));
-  MARKETGEN_TRY(const CollisionPrimitive solid, collision_of(product));
+  MARKETGEN_TRY(const SharedGoodsBody body, goods_body(product, GoodsUse::stocked));
   const MujocoSpec spec(mj_makeSpec(), mj_deleteSpec);
   spec->compiler.balanceinertia = true;  // of flat packs the floats miss it by their last digit
-  mjsBody* made =
-      ProductBodies(*spec).add("goods", product, body, {}, {goods_contact_of(product, solid)});
+  mjsBody* made = ProductBodies(*spec).add("goods", *body, {});
   mjs_asJoint(mjs_firstChild(made, mjOBJ_JOINT, 0))->align = mjALIGNFREE_TRUE;
   auto goods = std::make_shared<RigidGoods>();
   MARKETGEN_TRY(goods->model, compile(*spec, product.sku));
@@ -80,21 +53,12 @@ Result<SharedRigidGoods> compiled_alone(const Product& product) {
   const mjtNum* q = m.body_quat + 4;
   goods->product_from_body = {vec3_at(m.body_pos + 3), {q[0], q[1], q[2], q[3]}};
   goods->bounds = bounds_of_geoms(m);
-  goods->hollow = body.pieces.size() > 1 || body.pieces[0].shape == PieceShape::hull;
+  const std::vector<ContactPiece>& pieces = body->body.pieces;
+  goods->hollow = pieces.size() > 1 || pieces[0].shape == PieceShape::hull;
   return SharedRigidGoods(std::move(goods));
 }
 
 }  // namespace
-
-Result<ProductBody> store_body(const Product& product) {
-  MARKETGEN_TRY(ProductBody body, make_product_body(product));
-  MARKETGEN_CHECK(check_has_body(product, body));
-  if (one_solid(product, body)) {
-    MARKETGEN_TRY(const CollisionPrimitive solid, collision_of(product));
-    body.pieces = {piece_of(solid)};
-  }
-  return body;
-}
 
 Result<SharedRigidGoods> rigid_goods(const Product& product) {
   static std::mutex changing;

@@ -12,8 +12,6 @@
 namespace marketgen {
 namespace {
 
-constexpr double least_rolling_m = 0.0015;
-
 // The wall towards +X of a container that measures `x` across and `y` along it.
 ContainerBox wall_ahead(const OpenContainer& c, double x, double y) {
   const double slant = std::hypot(c.taper_m, c.height_m);
@@ -51,13 +49,6 @@ bool fits_in(const OpenContainer& c, const Product& product) {
   const double in = 2 * c.taper_m;
   return pack[0] <= c.height_m && pack[1] <= std::min(c.top_x_m, c.top_y_m) - in &&
          pack[2] <= std::max(c.top_x_m, c.top_y_m) - in;
-}
-
-GoodsContact bulk_contact_of(const Product& product, const CollisionPrimitive& primitive) {
-  GoodsContact contact = goods_contact_of(product, primitive);
-  contact.dimensions = 6;
-  contact.rolling_m = std::max(contact.rolling_m, least_rolling_m);
-  return contact;
 }
 
 std::vector<mjsGeom*> add_container(mjsBody* world, const OpenContainer& container) {

@@ -1,14 +1,9 @@
 // What goods in an open container are to MuJoCo: shared by bulk settling and grasps in a basket.
 #pragma once
-#include "physics/goods/contact_shape.h"
 #include "physics/mujoco_guard.h"
 #include "physics/settle/bulk_settle.h"
 
 namespace marketgen {
-
-// Lying packs roll: each has at least the rolling friction that let round packs come to rest in
-// the probe of robot-tasks.
-GoodsContact bulk_contact_of(const Product& product, const CollisionPrimitive& primitive);
 
 // The container's geoms on the world body, the floor (a plane without end) first.
 std::vector<mjsGeom*> add_container(mjsBody* world, const OpenContainer& container);

@@ -29,7 +29,7 @@ constexpr PourRules bulk_rules{.least_pause_s = 0.25,
 
 class BulkSettling {
  public:
-  BulkSettling(const OpenContainer& container, const std::vector<BulkItem>& items, Seed seed)
+  BulkSettling(const OpenContainer& container, const std::vector<SharedGoodsBody>& items, Seed seed)
       : container_(container), items_(items), seed_(seed) {}
 
   Result<SettledBulk> settle() {
@@ -60,14 +60,8 @@ class BulkSettling {
     add_container(mjs_findBody(spec.get(), "world"), container_);
     ProductBodies bodies(*spec);
     for (std::size_t i = 0; i < items_.size(); ++i) {
-      const auto& [product, body] = items_[i];
-      MARKETGEN_TRY(const CollisionPrimitive primitive, collision_of(*product));
       const double x = waiting_x_m + waiting_apart_m * static_cast<double>(i);
-      bodies.add(fmt::format("product{}", i),
-                 *product,
-                 *body,
-                 {{x, 0, waiting_z_m}, {}},
-                 {bulk_contact_of(*product, primitive)});
+      bodies.add(fmt::format("product{}", i), *items_[i], {{x, 0, waiting_z_m}, {}});
     }
     return compile(*spec, bulk_where);
   }
@@ -75,7 +69,7 @@ class BulkSettling {
   std::vector<PouredBody> poured_bodies() const {
     std::vector<PouredBody> bodies;
     for (std::size_t i = 0; i < items_.size(); ++i) {
-      const Product& p = *items_[i].product;
+      const Product& p = items_[i]->product;
       bodies.push_back(
           {static_cast<int>(i), length(Vec3{p.width_m(), p.depth_m(), p.height_m()}) / 2});
     }
@@ -85,7 +79,7 @@ class BulkSettling {
   // Over the rim and what lies highest, somewhere between the walls, any way round.
   void hang(const mjModel& model, mjData& data, int turn) const {
     const auto index = static_cast<std::size_t>(turn);
-    const Product& product = *items_[index].product;
+    const Product& product = items_[index]->product;
     Stream draw = seed_.child("bulk", index).stream();
     Quaternion turned;
     Vec3 half, room;
@@ -148,14 +142,14 @@ class BulkSettling {
   }
 
   const OpenContainer& container_;
-  const std::vector<BulkItem>& items_;
+  const std::vector<SharedGoodsBody>& items_;
   Seed seed_;
 };
 
 }  // namespace
 
 Result<SettledBulk> settle_bulk(const OpenContainer& container,
-                                const std::vector<BulkItem>& items,
+                                const std::vector<SharedGoodsBody>& items,
                                 Seed seed) {
   MARKETGEN_CHECK(check_container(container));
   if (items.size() > most_bulk_items)
@@ -163,8 +157,8 @@ Result<SettledBulk> settle_bulk(const OpenContainer& container,
         "physics.bad_command",
         "items",
         fmt::format("{} items; at most {} are poured at a time", items.size(), most_bulk_items)};
-  for (const BulkItem& item : items)
-    MARKETGEN_CHECK(check_has_body(*item.product, *item.body));
+  for (const SharedGoodsBody& item : items)
+    MARKETGEN_CHECK(check_has_body(item->product, item->body));
   if (items.empty()) return SettledBulk{.items = {}, .rests = true};
   return BulkSettling(container, items, seed).settle();
 }

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "assets/product_model.h"
 #include "base/result.h"
 #include "base/seed.h"
 #include "geometry/pose.h"
+#include "physics/goods/goods_body.h"
 
 namespace marketgen {
 
@@ -45,11 +45,6 @@ std::vector<ContainerBox> boxes_of(const OpenContainer& container);
 // Whether the pack can lie on the floor between the walls, some way round, without standing out.
 bool fits_in(const OpenContainer& container, const Product& product);
 
-struct BulkItem {
-  const Product* product = nullptr;
-  const ProductBody* body = nullptr;
-};
-
 struct SettledItem {
   Pose container_from_product;  // of what is inside
   bool inside = false;          // its middle of mass is over the floor
@@ -70,7 +65,7 @@ constexpr double most_pour_s = 2.0, most_rest_s = 6.0;
 // items than `most_bulk_items`; catalog.bad_row for a product without mass or size; physics.failed.
 // Packs that do not fit spill: no error. No item: an empty result that rests.
 Result<SettledBulk> settle_bulk(const OpenContainer& container,
-                                const std::vector<BulkItem>& items,
+                                const std::vector<SharedGoodsBody>& items,
                                 Seed seed);
 
 }  // namespace marketgen

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <set>
 
-#include "assets/product_model.h"
 #include "base/seed.h"
+#include "physics/goods/product_bodies.h"
 #include "physics/goods/spec_geoms.h"
 #include "physics/settle/pour.h"
 
@@ -40,11 +40,10 @@ Tray tray_for(const Product& product) {
 
 class HeapBuilder {
  public:
-  HeapBuilder(const Product& product, const CollisionPrimitive& primitive)
-      : product_(product),
-        shape_(contact_shape_of(primitive)),
-        contact_(goods_contact_of(product, primitive)),
-        tray_(tray_for(product)),
+  explicit HeapBuilder(const GoodsBody& goods)
+      : goods_(goods),
+        product_(goods.product),
+        tray_(tray_for(product_)),
         spec_(mj_makeSpec(), mj_deleteSpec),
         world_(mjs_findBody(spec_.get(), "world")) {}
 
@@ -78,6 +77,8 @@ class HeapBuilder {
     Stream draw = Seed(1).child("heap", product_.archetype).stream();
     const double pitch = tray_.piece_m * spread;
     const double diameter = 1.1 * tray_.piece_m;
+    const Vec3 middle = to_double(goods_.body.pieces[0].center);
+    ProductBodies bodies(*spec_);
     for (int layer = 0; layer < layers; ++layer) {
       const int fewer = layer;  // the heap narrows
       for (int row = 0; row < tray_.deep - fewer; ++row) {
@@ -86,14 +87,9 @@ class HeapBuilder {
           const Vec3 at{(column + 0.5 + shift) * pitch,
                         (row + 0.5 + shift) * pitch,
                         (0.6 + 1.3 * layer) * diameter + 0.1 * tray_.piece_m * draw.uniform()};
-          mjsBody* body = mjs_addBody(world_, nullptr);
           const Quaternion turn = any_rotation(draw);
           // The middle of the piece, not its foot, is at the place.
-          set_pose(body->pos, body->quat, {at - rotate(turn, shape_.pose.position), turn});
-          mjs_addFreeJoint(body);
-          mjsGeom* geom = add_shape(body, shape_);
-          set_goods_contact(geom, contact_);
-          geom->mass = product_.mass_kg;
+          bodies.add(fmt::format("piece{}", count()), goods_, {at - rotate(turn, middle), turn});
           layer_of_.push_back(layer);
         }
       }
@@ -177,9 +173,8 @@ class HeapBuilder {
                     pieces);
   }
 
+  const GoodsBody& goods_;
   const Product& product_;
-  ContactShape shape_;
-  GoodsContact contact_;
   Tray tray_;
   MujocoSpec spec_;
   mjsBody* world_;
@@ -189,8 +184,8 @@ class HeapBuilder {
 }  // namespace
 
 Result<HeapRow> settle_heap(const Product& product) {
-  MARKETGEN_TRY(const CollisionPrimitive primitive, collision_of(product));
-  return HeapBuilder(product, primitive).settle();
+  MARKETGEN_TRY(const SharedGoodsBody goods, goods_body(product, GoodsUse::stocked));
+  return HeapBuilder(*goods).settle();
 }
 
 }  // namespace marketgen

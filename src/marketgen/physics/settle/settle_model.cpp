@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 
-#include "physics/goods/contact_shape.h"
+#include "physics/goods/product_bodies.h"
 #include "physics/goods/spec_geoms.h"
+#include "physics/goods/standing_goods.h"
 #include "physics/world/shell_pieces.h"
 #include "scene/placements.h"
 
@@ -40,14 +41,16 @@ bool hangs(const Scene& scene, const SceneProduct& item) {
 
 class Builder {
  public:
-  Builder(const Scene& scene, const std::vector<CollisionPrimitive>& primitives)
+  Builder(const Scene& scene, const std::vector<StandingGoods>& standing)
       : scene_(scene),
-        primitives_(primitives),
+        standing_(standing),
         spec_(mj_makeSpec(), mj_deleteSpec),
-        world_(mjs_findBody(spec_.get(), "world")) {}
+        world_(mjs_findBody(spec_.get(), "world")),
+        bodies_(*spec_) {}
 
   void set_options(std::size_t bodies) {
     set_contact_options(*spec_, sleep_below_m_s);
+    spec_->compiler.balanceinertia = true;  // of flat packs the floats miss it by their last digit
     spec_->memory = memory_base_bytes + memory_per_body_bytes * static_cast<mjtSize>(bodies);
   }
 
@@ -63,24 +66,19 @@ class Builder {
 
   void add_still(std::uint32_t row, const Extent& extent) {
     const SceneProduct& item = scene_.products[row];
-    const CollisionPrimitive& primitive = primitives_[item.sku];
-    if (mjsGeom* geom =
-            add_if_near(world_from_product(item) * contact_shape_of(primitive), extent)) {
-      set_goods_contact(geom, goods_contact_of(scene_.catalog[item.sku], primitive));
-    }
+    const StandingGoods& goods = standing_[item.sku];
+    if (mjsGeom* geom = add_if_near(world_from_product(item) * goods.shape, extent))
+      set_goods_contact(geom, goods.contact);
   }
 
-  void add_free(std::uint32_t row) {
+  Result<void> add_free(std::uint32_t row) {
     const SceneProduct& item = scene_.products[row];
     const Product& product = scene_.catalog[item.sku];
-    const CollisionPrimitive& primitive = primitives_[item.sku];
-    mjsBody* body = mjs_addBody(world_, nullptr);
-    set_pose(body->pos, body->quat, world_from_product(item));
-    mjs_addFreeJoint(body);
-    mjsGeom* geom = add_shape(body, contact_shape_of(primitive));
-    set_goods_contact(geom, goods_contact_of(product, primitive));
-    geom->mass = product.mass_kg;
-    if (hangs(scene_, item)) hang(body, product_id(scene_, row), product.height_m());
+    MARKETGEN_TRY(const SharedGoodsBody goods, goods_body(product, GoodsUse::stocked));
+    const std::string name = product_id(scene_, row);
+    bodies_.add(name, *goods, world_from_product(item));
+    if (hangs(scene_, item)) hang(name, product.height_m());
+    return {};
   }
 
   Result<MujocoModel> finish() { return compile(*spec_, settle_where); }
@@ -91,8 +89,7 @@ class Builder {
                                                                     : nullptr;
   }
 
-  void hang(mjsBody* body, const std::string& name, double height_m) {
-    mjs_setName(body->element, name.c_str());
+  void hang(const std::string& name, double height_m) {
     mjsEquality* hook = mjs_addEquality(spec_.get(), nullptr);
     hook->type = mjEQ_CONNECT;
     hook->objtype = mjOBJ_BODY;
@@ -103,9 +100,10 @@ class Builder {
   }
 
   const Scene& scene_;
-  const std::vector<CollisionPrimitive>& primitives_;
+  const std::vector<StandingGoods>& standing_;  // by row of the catalog
   MujocoSpec spec_;
   mjsBody* world_;
+  ProductBodies bodies_;
 };
 
 }  // namespace
@@ -113,10 +111,9 @@ class Builder {
 Result<SettleModel> settle_model(const Scene& scene,
                                  const std::vector<std::uint32_t>& free,
                                  double margin_m) {
-  std::vector<CollisionPrimitive> primitives;
+  std::vector<StandingGoods> standing;
   for (const Product& product : scene.catalog) {
-    MARKETGEN_TRY(CollisionPrimitive primitive, collision_of(product));
-    primitives.push_back(primitive);
+    MARKETGEN_TRY(standing.emplace_back(), standing_goods(product));
   }
   Extent extent;
   std::vector<bool> is_free(scene.products.size(), false);
@@ -124,14 +121,14 @@ Result<SettleModel> settle_model(const Scene& scene,
     is_free[row] = true;
     extent.include(world_from_product(scene.products[row]).position, margin_m);
   }
-  Builder builder(scene, primitives);
+  Builder builder(scene, standing);
   builder.set_options(free.size());
   builder.add_room(extent);
   for (std::uint32_t row = 0; row < scene.products.size(); ++row) {
     if (!is_free[row]) builder.add_still(row, extent);
   }
   for (const std::uint32_t row : free)
-    builder.add_free(row);
+    MARKETGEN_CHECK(builder.add_free(row));
   SettleModel built;
   MARKETGEN_TRY(built.model, builder.finish());
   built.products = free;

@@ -38,36 +38,6 @@ bool touches(const Region& r, Vec3 center, Vec3 half) {
          center.y - half.y <= r[3];
 }
 
-// A push of F at the top of a pack of weight W tips it from F / W = half its narrower side over its
-// height, and slides it from the friction on painted steel.
-double stands_share_of(const Product& product) {
-  const double narrow = std::min(product.width_m(), product.depth_m());
-  return std::min(product.friction, narrow / 2 / product.height_m());
-}
-
-Result<GoodsShape> goods_shape_of(const Product& product) {
-  MARKETGEN_TRY(const CollisionPrimitive primitive, collision_of(product));
-  const Vec3f& half = primitive.half_size;
-  const bool sized = half.x > 0 && half.y > 0 && half.z > 0;
-  if (!(product.mass_kg > 0) || !std::isfinite(product.mass_kg) || !sized) {
-    return Error{"catalog.bad_row",
-                 product.sku,
-                 fmt::format("a product that can move needs a mass and a size greater than 0; it "
-                             "has {} kg and {} x {} x {} m",
-                             product.mass_kg,
-                             2 * half.x,
-                             2 * half.y,
-                             2 * half.z)};
-  }
-  GoodsShape goods;
-  goods.shape = contact_shape_of(primitive);
-  goods.contact = goods_contact_of(product, primitive);
-  goods.mass_kg = product.mass_kg;
-  goods.stands_share = stands_share_of(product);
-  goods.may_be_soft = may_be_soft_pack(product) && goods.shape.shape == CollisionShape::box;
-  return goods;
-}
-
 Error bad_option(const std::string& name, const std::string& message) {
   return {"physics.bad_command", "WorldOptions." + name, message};
 }
@@ -103,13 +73,13 @@ class StoreBuilder {
 
   Result<void> add_goods(StoreModel& made) {
     for (const Product& product : scene_.catalog) {
-      MARKETGEN_TRY(const GoodsShape goods, goods_shape_of(product));
+      MARKETGEN_TRY(const StandingGoods goods, standing_goods(product));
       made.goods.push_back(goods);
     }
     product_geoms_.resize(scene_.products.size(), nullptr);
     for (std::uint32_t row = 0; row < scene_.products.size(); ++row) {
       const SceneProduct& item = scene_.products[row];
-      const GoodsShape& goods = made.goods[item.sku];
+      const StandingGoods& goods = made.goods[item.sku];
       const ContactShape shape = world_from_product(item) * goods.shape;
       if (!near(shape)) continue;
       mjsGeom* geom = still_.add(shape);

@@ -6,21 +6,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "physics/goods/contact_shape.h"
+#include "physics/goods/standing_goods.h"
 #include "physics/mujoco_guard.h"
 #include "physics/world/world.h"
 
 namespace marketgen {
-
-// What every product of one SKU has in common while it stands still: one solid round the whole
-// pack. Those that move have the pieces of physics/goods/rigid_goods.h.
-struct GoodsShape {
-  ContactShape shape;  // product_from_shape
-  GoodsContact contact;
-  double mass_kg = 0;
-  double stands_share = 0;   // of its weight: a lesser push sideways neither slides nor tips it
-  bool may_be_soft = false;  // see may_be_soft_pack()
-};
 
 // A free body of the pool and the constraint that hangs it on a hook. Of a soft pack the first of
 // `parts` bodies, and a hinge for each that hangs on it. Its geoms follow one another; how many of
@@ -46,7 +36,7 @@ struct JointAddress {
 
 struct StoreModel {
   MujocoModel model{nullptr, mj_deleteModel};
-  std::vector<GoodsShape> goods;     // by row of the catalog
+  std::vector<StandingGoods> goods;  // by row of the catalog
   std::vector<int> product_geom;     // by product; -1: absent
   std::vector<GeomOwner> owners;     // by geom
   int still_body = 0;                // first the floor, then the products, then the rest

@@ -19,7 +19,7 @@ bool is_free(const LiveBody& body) {
 // Its seam is looked for on the pack's mesh (a millisecond), so only for what is touched.
 const SoftGoods* World::State::soft_goods(std::uint32_t product) {
   const std::uint32_t sku = sku_of(product);
-  const GoodsShape& goods = store.goods[sku];
+  const StandingGoods& goods = store.goods[sku];
   if (!goods.may_be_soft || options.soft_pool == 0) return nullptr;
   const auto [found, first] = soft.try_emplace(sku);
   if (!first) return found->second ? &*found->second : nullptr;

@@ -79,7 +79,7 @@ void World::State::wake_pressed() {
       const ContactSide &pressed = on_b ? contact.b : contact.a, &by = on_b ? contact.a : contact.b;
       if (body_of[pressed.row] >= 0 || body_of[by.row] < 0 || refused[pressed.row]) continue;
       const Vec3 force = on_b ? contact.force_n : -contact.force_n;
-      const GoodsShape& goods = store.goods[sku_of(pressed.row)];
+      const StandingGoods& goods = store.goods[sku_of(pressed.row)];
       const double weight = goods.mass_kg * standard_gravity;
       const double sideways = std::sqrt(force.x * force.x + force.y * force.y);
       const auto& visitor = live[static_cast<std::size_t>(body_of[by.row])];
