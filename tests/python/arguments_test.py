@@ -102,6 +102,7 @@ CALLS = {
     "act_limit_s": [lambda on: marketgen.evaluate(on.tasks, act_limit_s=-1, folder=on.folder)],
     "hang_limit_s": [lambda on: marketgen.evaluate(on.tasks, hang_limit_s=float("nan"), folder=on.folder)],
     "start_limit_s": [lambda on: marketgen.evaluate(on.tasks, start_limit_s="long", folder=on.folder)],
+    "policy_files": [lambda on: marketgen.evaluate(on.tasks, policy_files="weights.pt", folder=on.folder)],
     "num_envs": [lambda on: marketgen.make_vec(CHECKOUT, 0, store=on.store)],
     "render_mode": [
         lambda on: marketgen.environments.CheckoutUnloading(on.store, render_mode="human"),
