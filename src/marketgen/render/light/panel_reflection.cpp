@@ -109,7 +109,7 @@ Float8 PanelReflection::covered(Float8 at_x, Float8 at_y, Float8 spread) const {
     return clamp((at - low) * per_m - 0.5F, Float8(-2), to_float(size) + 1.0F);
   };
   const Float8 x = texel(at_x, low_.x, width), y = texel(at_y, low_.y, height);
-  const Float8 left = floor(x), top = floor(y), fx = x - left, fy = y - top;
+  const Float8 left = rounded_down(x), top = rounded_down(y), fx = x - left, fy = y - top;
   const Int8 column = to_int(left), row = to_int(top);
   const auto share = [&](Int8 across, Int8 down) {
     const Mask8 inside =

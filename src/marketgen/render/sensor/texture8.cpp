@@ -61,7 +61,7 @@ struct TexelLanes {
   TexelLanes(const LevelLanes& level, Float8 u, Float8 v) {
     const Float8 across = u * to_float(level.width) - 0.5F,
                  down = v * to_float(level.height) - 0.5F;
-    const Float8 left = floor(across), top = floor(down);
+    const Float8 left = rounded_down(across), top = rounded_down(down);
     const Float8 fx = across - left, fy = down - top;
     const Int8 column = to_int(left), row = to_int(top);
     const Int8 x0 = select(Int8(0) > column, level.width - 1, column);
@@ -140,7 +140,7 @@ std::array<Float8, 3> bilinear(const LevelLanes& level, Float8 u, Float8 v) {
 }
 
 Float8 repeated_lanes(Float8 x) {
-  return min(x - floor(x), Float8(0.9999999F));  // as mip_chain.h's
+  return min(x - rounded_down(x), Float8(0.9999999F));  // as mip_chain.h's
 }
 
 // Bars are drawn at every look-up.
