@@ -1,5 +1,4 @@
-// Convex hulls of small point sets: contact shapes, packing. Qhull finds the same triangles in 3 to
-// 22 times the time up to 200 points (docs/architecture.md, "Why our own").
+// Convex hulls of small point sets: contact shapes, packing.
 #pragma once
 #include <array>
 #include <cstdint>

@@ -1,8 +1,7 @@
 // A glTF 2.0 binary file under construction: the bytes, and the JSON that describes them.
 //
 // Equal blocks of data are stored once, so packs of one shape share their geometry whatever their
-// labels show. (tinygltf's writer needs the whole model beside the file, and shares nothing; see
-// docs/architecture.md, "Why our own".)
+// labels show.
 #pragma once
 #include <map>
 #include <span>
