@@ -98,25 +98,32 @@ TEST(GraspBook, WhatSwingsIsNotTried) {
 }
 
 // The study's bag bulges, and some of its grasps lean with it; a store's bag is a box.
+// Of flat packs whose own face leans: what a study keeps seals on the upright solid that stands in
+// a store.
 TEST(GraspBook, ACupMustSealOnThePackAsAStoreHasIt) {
+  const GraspTool cup = load_grasp_tool(committed_rows, "suction-cup").value();
+  const auto ahead = [](const GraspCandidate& grasp) {
+    return rotate(grasp.grasp.product_from_tool.rotation, {0, 0, 1}).y;
+  };
+  GraspBook book(cup, committed_catalog().frictions);
   const Product* noodles =
       committed_catalog().product("dry-goods-instant-noodles-shrimp-noodoki-75-g");
   ASSERT_NE(noodles, nullptr);
-  const GraspTool cup = load_grasp_tool(committed_rows, "suction-cup").value();
-  const auto leaning = studied_grasps(*noodles, cup, committed_catalog().frictions, {});
-  ASSERT_TRUE(leaning.ok()) << to_string(leaning.error());
-  const auto ahead = [&](const GraspCandidate& grasp) {
-    return rotate(grasp.grasp.product_from_tool.rotation, {0, 0, 1}).y;
-  };
-  EXPECT_TRUE(std::ranges::any_of(
-      *leaning, [](double y) { return y < 0.99; }, ahead));
-  GraspBook book(cup, committed_catalog().frictions);
-  const StudiedProduct studied = book.study(*noodles).value();
-  ASSERT_FALSE(studied.grasps.empty()) << studied.why_not;
-  for (const int number : studied.grasps) {
-    const GraspCandidate& grasp = (*leaning)[static_cast<std::size_t>(number)];
-    EXPECT_GT(ahead(grasp), 0.997) << number;
+  int packs = 0, kept = 0;
+  for (const Product& pack : committed_catalog().products) {
+    if (pack.archetype != noodles->archetype) continue;
+    const auto leaning = studied_grasps(pack, cup, committed_catalog().frictions, {});
+    ASSERT_TRUE(leaning.ok()) << to_string(leaning.error());
+    if (!std::ranges::any_of(
+            *leaning, [](double y) { return y < 0.99; }, ahead))
+      continue;
+    for (const int number : book.study(pack).value().grasps) {
+      ++kept;
+      EXPECT_GT(ahead((*leaning)[static_cast<std::size_t>(number)]), 0.997) << pack.sku;
+    }
+    if (++packs == 12 || kept > 0) break;
   }
+  EXPECT_GT(kept, 0) << "of " << packs << " packs";
 }
 
 TEST(GraspBook, ANewStudyStopsWhenItIsDecided) {

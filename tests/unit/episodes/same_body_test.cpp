@@ -259,8 +259,8 @@ TEST(SameBody, IsThatOfTheRow) {
   const Doors d = Sample().doors(wine).value();
   for (const MadeBody* body : {&d.world, &d.mjcf, &d.checkout}) {
     EXPECT_NEAR(body->mass_kg, wine.mass_kg, 1e-9);
-    EXPECT_NEAR(body->middle.z, 0.102, 0.001);
-    EXPECT_GE(body->geoms.size(), 3U);  // body, shoulder and neck
+    EXPECT_NEAR(body->middle.z, 0.102, 0.002);  // of a bottle drawn by hand
+    EXPECT_GE(body->geoms.size(), 3U);          // body, shoulder and neck
     for (const MadeGeom& geom : body->geoms)
       EXPECT_NEAR(geom.numbers[geom.numbers.size() - 2], wine.friction, 1e-6);
   }
