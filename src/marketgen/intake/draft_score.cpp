@@ -46,8 +46,8 @@ double remoteness_of(const Requirement& wish, const NamedFloor& floor) {
   if (std::ranges::find(kinds, wish.relation) == std::ranges::end(kinds)) return 0;
   const double diagonal = 1e3 * diagonal_m(floor.bounds);
   double nearest = diagonal;
-  for (const FloorPlace& a : places_named(floor, wish.subject)) {
-    for (const FloorPlace& b : places_named(floor, wish.object)) {
+  for (const NamedPlace& a : places_named(floor, wish.subject)) {
+    for (const NamedPlace& b : places_named(floor, wish.object)) {
       nearest = std::min(nearest, distance_mm(a.rect, b.rect));
     }
   }
@@ -118,7 +118,7 @@ double flow_penalty(const Candidate& candidate, const NamedFloor& floor, const S
   const double diagonal = 1e3 * diagonal_m(candidate.floor);
   const PointMm door = point_inside(candidate.floor, candidate.openings[0], 0);
   const RectMm entrance{door[0], door[1], door[0], door[1]};
-  const std::vector<FloorPlace> tills = places_named(floor, "checkout");
+  const std::vector<NamedPlace> tills = places_named(floor, "checkout");
   double sum = 0;
   for (std::size_t i = 0; i < input.program.zones.size(); ++i) {
     const ProgramZone& zone = input.program.zones[i];

@@ -38,8 +38,8 @@ bool goes_by(const PlacedZone& zone, std::string_view name) {
 
 }  // namespace
 
-std::vector<FloorPlace> places_named(const NamedFloor& floor, std::string_view name) {
-  std::vector<FloorPlace> places;
+std::vector<NamedPlace> places_named(const NamedFloor& floor, std::string_view name) {
+  std::vector<NamedPlace> places;
   if (const auto wall = value_named<Wall>(name))
     places.push_back({PlaceKind::wall, wall_strip(floor.bounds, *wall)});
   if (name == "center") places.push_back({PlaceKind::middle, middle_third(floor.bounds)});

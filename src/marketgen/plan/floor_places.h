@@ -28,10 +28,10 @@ constexpr int doorstep_mm = 1000;
 
 enum class PlaceKind { wall, middle, zone, opening };
 
-struct FloorPlace {
+struct NamedPlace {
   PlaceKind kind = PlaceKind::zone;
   RectMm rect;  // of a wall its strip, of an opening its doorstep, of the middle the middle third
-  friend bool operator==(const FloorPlace&, const FloorPlace&) = default;
+  friend bool operator==(const NamedPlace&, const NamedPlace&) = default;
 };
 
 // A zone and the floor that it has; empty when it has none.
@@ -49,7 +49,7 @@ struct NamedFloor {
 
 // Everything that goes by the name; "checkout" means self-checkouts, too. Empty when the floor has
 // no such thing.
-std::vector<FloorPlace> places_named(const NamedFloor& floor, std::string_view name);
+std::vector<NamedPlace> places_named(const NamedFloor& floor, std::string_view name);
 
 // The unit vector from a wall into the store: the way someone walks who comes in there.
 PointMm inward_from(Wall wall);

@@ -54,7 +54,7 @@ double offset_m(const RectMm& a, const RectMm& b, PointMm direction) {
                  static_cast<double>(p[1] - q[1]) * direction[1]);
 }
 
-RelationMeasure measure_at(const RectMm& a, const FloorPlace& b) {
+RelationMeasure measure_at(const RectMm& a, const NamedPlace& b) {
   if (b.kind == PlaceKind::zone || b.kind == PlaceKind::opening)
     return at_most("gap", gap_m(a, b.rect), beside_m);
   const double x = shared_x_m(a, b.rect), y = shared_y_m(a, b.rect);
@@ -92,7 +92,7 @@ RelationMeasure measure_between(const RectMm& a,
 
 RelationMeasure measure_pair(RelationKind kind,
                              const RectMm& a,
-                             const FloorPlace& place,
+                             const NamedPlace& place,
                              const RectMm& c,
                              const Yardstick& yardstick) {
   const RectMm& b = place.rect;
@@ -145,16 +145,16 @@ std::optional<RelationMeasure> measure_relation(const NamedFloor& floor,
                                                 const RelationTerms& relation) {
   const bool between = relation.kind == RelationKind::between;
   const Yardstick yardstick{diagonal_m(floor.bounds), inward_from(entrance_wall(floor.openings))};
-  const std::vector<FloorPlace> as = places_named(floor, relation.a),
+  const std::vector<NamedPlace> as = places_named(floor, relation.a),
                                 bs = places_named(floor, relation.b),
                                 cs = between ? places_named(floor, relation.c)
-                                             : std::vector<FloorPlace>(1);
+                                             : std::vector<NamedPlace>(1);
   const bool every = is_for_every_pair(relation.kind);
   std::optional<RelationMeasure> decides;
-  for (const FloorPlace& a : as) {
-    for (const FloorPlace& b : bs) {
+  for (const NamedPlace& a : as) {
+    for (const NamedPlace& b : bs) {
       if (a == b) continue;
-      for (const FloorPlace& c : cs) {
+      for (const NamedPlace& c : cs) {
         RelationMeasure m = measure_pair(relation.kind, a.rect, b, c.rect, yardstick);
         m.at_mm = a.rect.center();
         const bool more = decides && m.slack_m() > decides->slack_m();

@@ -8,7 +8,7 @@
 namespace marketgen {
 namespace {
 
-using Places = std::vector<FloorPlace>;
+using Places = std::vector<NamedPlace>;
 
 TEST(FloorPlaces, WallsAreStripsAndTheMiddleIsAThird) {
   const NamedShop shop;
