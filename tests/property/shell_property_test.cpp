@@ -99,6 +99,15 @@ const ShellPiece* touched(const std::vector<ShellPiece>& pieces, const Ray& ray)
   return first;
 }
 
+// The ray only clips an edge of the piece, which is bevelled in pictures: with as much taken off
+// all round, it would miss.
+bool only_clips(const ShellPiece& piece, const Ray& ray) {
+  constexpr double bevel_m = 0.015;  // the largest is that of columns: 10 mm
+  ShellPiece core = piece;
+  core.half_size = core.half_size - Vec3{bevel_m, bevel_m, 0};
+  return distance_to(ray, core) == nothing_m;
+}
+
 // How far a place is from the piece's surface, inside or outside.
 double off_surface_m(const ShellPiece& piece, Vec3 place) {
   const Vec3 at = inverse(piece.pose) * place;
@@ -114,7 +123,7 @@ double tolerance_m(ShellPieceKind kind) {
     case ShellPieceKind::wall:
       return 0.002;  // plans are in millimetres
     case ShellPieceKind::door:
-      return 0.005;  // a kick plate
+      return 0.010;  // kick plates, bevels and the gap between leaves
     case ShellPieceKind::column:
       return 0.015;  // a bevel
     case ShellPieceKind::pane:
@@ -171,7 +180,7 @@ bool is_in_the_room(const Shell& shell, Vec3 place) {
 }
 
 struct Compared {
-  int rays = 0, left_out = 0, apart = 0;
+  int rays = 0, left_out = 0;
   std::array<int, 4> met{};  // by ShellPieceKind
 };
 
@@ -190,8 +199,12 @@ void compare(const Shell& shell, Stream& draw, Compared& compared) {
     const double seen_m = drawn_m(*world, ray);
     ASSERT_NE(piece, nullptr) << "seen at " << seen_m << " m, but nothing is there";
     ASSERT_LT(seen_m, nothing_m) << piece->id << " is not drawn";
-    if (off_surface_m(*piece, ray.from + ray.way * seen_m) > tolerance_m(piece->kind))
-      ++compared.apart;
+    if (only_clips(*piece, ray)) {
+      ++compared.left_out;
+      continue;
+    }
+    EXPECT_LE(off_surface_m(*piece, ray.from + ray.way * seen_m), tolerance_m(piece->kind))
+        << piece->id;
     ++compared.met[static_cast<std::size_t>(piece->kind)];
   }
 }
@@ -207,7 +220,6 @@ TEST(ShellProperty, RaysMeetWhatIsDrawnWhereItIsTouched) {
   }
   EXPECT_GT(compared.rays, 15'000);
   EXPECT_LT(5 * compared.left_out, compared.rays);
-  EXPECT_LT(2000 * compared.apart, compared.rays);  // rays along an edge
   for (std::size_t kind = 0; kind < compared.met.size(); ++kind)
     EXPECT_GT(compared.met[kind], 20) << names_of(ShellPieceKind{})[kind];
 }
