@@ -254,7 +254,8 @@ void trace(
     packet.hit.instID[0][k] = store_row(packet.hit.instID[0][k]);
   if (any_hidden) pass_hidden(world, sent, packet, used, mask);
   if (meets_actors(world, mask)) trace_actors(world, packet, used, context);
-  // Embree may leave numbers in lanes that are off; whoever reads eight lanes at a time is to see no hit there.
+  // Embree may leave numbers in lanes that are off; whoever reads eight lanes at a time is to see
+  // no hit there.
   for (std::size_t k = used; k < packet_size; ++k)
     packet.hit.geomID[k] = packet.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
 }
