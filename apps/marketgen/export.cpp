@@ -8,10 +8,10 @@
 
 #include "base/parallel.h"
 #include "base/text.h"
+#include "collect/standing_robot.h"
 #include "command.h"
 #include "io/json.h"
 #include "io/output.h"
-#include "motion/standing_robot.h"
 #include "say.h"
 
 namespace marketgen::app {

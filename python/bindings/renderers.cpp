@@ -3,9 +3,9 @@
 #include <nanobind/stl/vector.h>
 
 #include "binding.h"
+#include "collect/standing_robot.h"
 #include "frame_handle.h"
 #include "io/json.h"
-#include "motion/standing_robot.h"
 #include "render/annotations.h"
 #include "render/sensor/color_noise.h"
 #include "render/sensor/depth_noise.h"

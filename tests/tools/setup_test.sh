@@ -6,7 +6,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
 fail() { printf 'setup_test: FAIL: %s\n' "$1"; exit 1; }
 
-for script in tools/setup tools/test tools/format tools/lint .ci/run; do
+for script in tools/setup tools/test tools/format .ci/run; do
   bash -n "$script" || fail "$script does not parse"
 done
 

@@ -28,6 +28,7 @@ struct Workplace {
   Pose base_from_basket;        // origin in the middle of the inner floor, Z up
   double rim_m = 0;             // height of the rim over the inner floor
   Vec3 inner_half;              // of the basket between the upper edges; z unused
+  double wall_m = 0;            // thickness of its walls
   std::vector<WorkBox> walls;   // basket_from_box: those that reach the rim
   std::vector<WorkBox> ledges;  // basket_from_box: other parts of the inside
 };

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "base/seed.h"
+#include "collect/goods_now.h"
 #include "motion/grasp_candidates.h"
 #include "robots/robot.h"
-#include "scene/scene.h"
 #include "skills/pick_ways.h"
 
 namespace marketgen {
@@ -37,18 +37,12 @@ struct CollectPlan : PickWays {
 // Error: robot.unknown when no arm ends in a gripper.
 Result<std::string> gripper_row(const Robot& robot);
 
-// The robot as it drives: in the posture, the lift at `lift_m`, fingers open so far.
-std::vector<double> stowed_state(const Robot& robot,
-                                 const std::string& posture,
-                                 double lift_m,
-                                 double opening_m);
-
 // Looks for it over the product's grasps from the front, best first, over the robot's arms that end
 // in that tool, and over places in front of it. Errors:
 // collect.no_product for a row that does not exist; motion.no_grasp with the reason;
 // collect.no_place with what was wrong at the place that came nearest; robot.unknown when no arm of
 // the robot ends in a gripper; assets.*.
-Result<CollectPlan> plan_collect(const Scene& scene,
+Result<CollectPlan> plan_collect(const GoodsNow& goods,
                                  std::uint32_t product,
                                  const Robot& robot,
                                  const GraspTool& tool,

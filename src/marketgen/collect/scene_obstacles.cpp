@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/shape_obstacles.h"
 #include "physics/goods/contact_shape.h"
 #include "physics/world/shell_pieces.h"
 
@@ -17,15 +18,8 @@ bool near(const ContactShape& shape, Vec3 middle, double within_m) {
          std::abs(apart.z) - half.z < within_m;
 }
 
-void add(const ContactShape& shape, Obstacles& obstacles) {
-  if (shape.shape == CollisionShape::cylinder)
-    obstacles.cylinders.push_back({shape.pose, shape.size.x, shape.size.y});
-  else  // an ellipsoid is taken for its box
-    obstacles.boxes.push_back({shape.pose, shape.size});
-}
-
 void add_if_near(const ContactShape& shape, Vec3 middle, double within_m, Obstacles& obstacles) {
-  if (near(shape, middle, within_m)) add(shape, obstacles);
+  if (near(shape, middle, within_m)) add_shape(shape, obstacles);
 }
 
 }  // namespace
@@ -43,11 +37,12 @@ Obstacles fixture_obstacles(const Scene& scene, Vec3 middle, double within_m) {
   return obstacles;
 }
 
-Result<void> add_product_obstacles(const Scene& scene,
+Result<void> add_product_obstacles(const GoodsNow& goods,
                                    Vec3 middle,
                                    double within_m,
                                    std::span<const std::uint32_t> without,
                                    Obstacles& obstacles) {
+  const Scene& scene = goods.scene();
   std::vector<ContactShape> shapes;
   for (const Product& product : scene.catalog) {
     MARKETGEN_TRY(const CollisionPrimitive primitive, collision_of(product));
@@ -55,8 +50,8 @@ Result<void> add_product_obstacles(const Scene& scene,
   }
   for (std::uint32_t row = 0; row < scene.products.size(); ++row) {
     if (std::find(without.begin(), without.end(), row) != without.end()) continue;
-    const SceneProduct& product = scene.products[row];
-    add_if_near(world_from_product(product) * shapes[product.sku], middle, within_m, obstacles);
+    const ContactShape& shape = shapes[scene.products[row].sku];
+    add_if_near(goods.pose(row) * shape, middle, within_m, obstacles);
   }
   return {};
 }

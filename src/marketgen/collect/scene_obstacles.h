@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <span>
 
+#include "collect/goods_now.h"
 #include "motion/collision_world.h"
-#include "scene/scene.h"
 
 namespace marketgen {
 
@@ -13,7 +13,7 @@ namespace marketgen {
 Obstacles fixture_obstacles(const Scene& scene, Vec3 middle, double within_m);
 
 // The same for products, without the rows in `without`. Errors: assets.*.
-Result<void> add_product_obstacles(const Scene& scene,
+Result<void> add_product_obstacles(const GoodsNow& goods,
                                    Vec3 middle,
                                    double within_m,
                                    std::span<const std::uint32_t> without,

@@ -3,10 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/box_extents.h"
-#include "layout/layout.h"
-#include "plan/plan.h"
-
 namespace marketgen {
 namespace {
 
@@ -16,30 +12,6 @@ constexpr double planned_share = 0.8;
 
 int in_mm(double m) {
   return static_cast<int>(std::lround(m * 1e3));
-}
-
-// Over the floor, of the lowest corner of any of the fixture's parts.
-double underside_m(const Scene& scene, std::uint32_t fixture) {
-  const SceneFixture& row = scene.fixtures[fixture];
-  double low = 1e9;
-  for (std::uint32_t p = row.first_part; p < row.first_part + row.part_count; ++p) {
-    const ScenePart& part = scene.parts[p];
-    const Pose pose = world_from_fixture(scene, fixture) * fixture_from_part(part);
-    const auto& [x, y, z] = part.half_size_m;
-    low = std::min(low, pose.position.z - box_half_extents(pose.rotation, {x, y, z}).z);
-  }
-  return low;
-}
-
-std::vector<RectMm> obstacles_below(const Scene& scene, double height_m) {
-  std::vector<RectMm> obstacles;
-  for (std::uint32_t f = 0; f < scene.fixtures.size(); ++f) {
-    if (underside_m(scene, f) < height_m)
-      obstacles.push_back(footprint_of(scene.layout.fixtures[f]));
-  }
-  for (const Column& column : scene.layout.shell.columns)
-    obstacles.push_back(footprint_of(column));
-  return obstacles;
 }
 
 }  // namespace
@@ -67,14 +39,6 @@ Result<BaseEnvelope> base_envelope(const Robot& robot, std::span<const double> s
     }
   }
   return envelope;
-}
-
-Result<VisibilityGraph> drive_graph(const Scene& scene,
-                                    const BaseEnvelope& envelope,
-                                    double margin_m) {
-  return VisibilityGraph::make(floor_of(scene.layout.shell),
-                               obstacles_below(scene, envelope.height_m),
-                               in_mm(envelope.radius_m + margin_m));
 }
 
 Result<DrivePlan> plan_drive(const VisibilityGraph& graph,

@@ -1,9 +1,8 @@
-// A robot's way through a store: how much room it takes as it holds its lift and arms, the floor
-// that leaves free, the shortest path there, and the base that follows it.
+// A robot's way over a floor: how much room it takes as it holds its lift and arms, the shortest
+// path where that much is free, and the base that follows it.
 //
 // The robot counts as the upright cylinder about the axis on which it turns that holds all of it,
-// so that it may turn on the spot anywhere on its way. Fixtures whose parts all hang over that
-// cylinder are no obstacle; the others are their footprint. Store frame, metres and radians.
+// so that it may turn on the spot anywhere on its way. Metres and radians.
 #pragma once
 #include <span>
 
@@ -11,7 +10,6 @@
 #include "motion/base_follower.h"
 #include "navigation/visibility_graph.h"
 #include "robots/robot.h"
-#include "scene/scene.h"
 
 namespace marketgen {
 
@@ -22,11 +20,6 @@ struct BaseEnvelope {
 };
 // Errors: motion.bad_limits for a robot without a drive; those of check_state.
 Result<BaseEnvelope> base_envelope(const Robot& robot, std::span<const double> state);
-
-// Made once for a store and an envelope. Errors: those of VisibilityGraph::make.
-Result<VisibilityGraph> drive_graph(const Scene& scene,
-                                    const BaseEnvelope& envelope,
-                                    double margin_m = 0.03);
 
 struct FloorPlace {
   Vec2 position;

@@ -112,7 +112,7 @@ Result<std::vector<SeenGrasp>> TrueShelfGrasps::grasps(const ShelfGraspQuestion&
   MARKETGEN_TRY(const auto known, world_.known_grasps(*row, tool_));
   const Pose store_from_product = world_.world().product_pose(*row);
   for (const GraspCandidate& candidate : known)
-    grasps.push_back(carried_grasp(store_from_product, candidate, tool_));
+    grasps.push_back({carrying_grasp(store_from_product, candidate, tool_.force_n)});
   return grasps;
 }
 

@@ -32,7 +32,7 @@ std::vector<Mask> TrueMasks::masks(const ViewCloud& cloud,
 std::vector<FoundProduct> TrueTargets::find(const std::vector<WantedProduct>& wanted,
                                             const std::vector<ViewCloud>& views,
                                             const std::vector<MaskedView>&) const {
-  const WorkArea unloading = workplace_of(world_.station()).unloading;
+  const AreaRow unloading = world_.station().unloading.area();
   std::vector<FoundProduct> found;
   for (std::size_t number = 0; number < wanted.size(); ++number) {
     const ProductLook& look = *wanted[number].look;
@@ -69,16 +69,11 @@ Result<std::vector<SeenGrasp>> TrueGrasps::grasps(const GraspQuestion& question)
   if (!nearest) return grasps;
   MARKETGEN_TRY(const auto lone, lone_grasps(scene, *nearest));
   for (const GraspChoice& choice : item_grasps(scene, *nearest, lone).choices) {
+    const std::vector<ToolSolid> hand = open_hand(tool_, choice.opening_m);
     double deepest = 0;
     for (const std::size_t other : choice.blockers)
-      deepest =
-          std::max(deepest, scene.tool_overlap(other, choice.station_from_tip, choice.opening_m));
-    grasps.push_back({choice.station_from_tip,
-                      choice.opening_m,
-                      choice.force_n,
-                      choice.width_m,
-                      deepest,
-                      choice.score});
+      deepest = std::max(deepest, hand_overlap(hand, choice.base_from_tip, scene.body(other)));
+    grasps.push_back({choice, deepest});
   }
   return grasps;
 }

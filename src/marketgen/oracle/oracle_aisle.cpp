@@ -13,6 +13,7 @@
 #include "collect/scene_obstacles.h"
 #include "skills/aisle_executor.h"
 #include "skills/drop_plan.h"
+#include "skills/hand_grasp.h"
 #include "skills/plan_failure.h"
 
 namespace marketgen {
@@ -25,7 +26,6 @@ constexpr double let_go_wider_m = 0.02;          // than what was held, when it 
 constexpr double least_item_s = 25;              // no new item with less time left
 constexpr double cup_acceleration = 0.1;  // share of the joints' limits, with something on the cup
 constexpr double most_aside_m = 0.10, least_upright = 0.99;  // of what may be tried once more
-constexpr double grip_factor = 2;  // of the force that a grasp needs; it is carried about
 
 enum class AislePhase { choose, arrived, pressed, out, away, dropped };
 
@@ -36,6 +36,7 @@ class AisleOracle : public Policy {
         robot_(world.robot()),
         tool_(std::move(tool)),
         seed_(seed),
+        goods_(world.store().scene),
         executor_(world.robot(), commanded_dofs(world.robot())) {}
 
   Result<void> begin(const Task& task, const Observation& first) override {
@@ -64,7 +65,33 @@ class AisleOracle : public Policy {
   }
 
  private:
+  // The arm or what it holds was pressed on, and has been moved back a second of its way: what was
+  // planned is given up, and goes on from here by another plan.
+  Result<void> recover() {
+    say("was stopped");
+    switch (phase_) {
+      case AislePhase::choose:  // on its way to its stowed posture
+        return go_home();
+      case AislePhase::arrived:
+        phase_ = AislePhase::choose;
+        return choose();
+      case AislePhase::pressed:
+        note(FailureCode::collision);
+        held_ = false;
+        missed_[plan_.product].push_back(plan_.grasp.grasp.product_from_tool.position);
+        return back_off();
+      case AislePhase::out:
+        return back_off();
+      case AislePhase::away:
+      case AislePhase::dropped:
+        phase_ = AislePhase::away;
+        return drop();
+    }
+    return {};
+  }
+
   Result<void> decide() {
+    if (executor_.take_stop()) return recover();
     switch (phase_) {
       case AislePhase::choose:
         return choose();
@@ -172,12 +199,11 @@ class AisleOracle : public Policy {
     return {};
   }
 
-  // The scene as it is now.
-  Scene scene_now() const {
-    Scene scene = world_.store().scene;
+  GoodsNow goods_now() const {
+    GoodsNow goods(world_.store().scene);
     for (const std::uint32_t row : world_.world().moved_products())
-      place(scene.products[row], world_.world().product_pose(row));
-    return scene;
+      goods.move(row, world_.world().product_pose(row));
+    return goods;
   }
 
   Result<CollectOptions> collect_options(std::uint32_t product) {
@@ -207,13 +233,13 @@ class AisleOracle : public Policy {
 
   bool go_to(std::uint32_t product) {
     const Seed seed = seed_.child("place", static_cast<std::uint64_t>(moves_++));
-    scene_ = std::make_unique<Scene>(scene_now());
+    goods_ = goods_now();
     const auto options = collect_options(product);
     if (!options.ok()) {
       note_plan(product, options.error());
       return false;
     }
-    auto plan = plan_collect(*scene_, product, robot_, tool_, seed, *options);
+    auto plan = plan_collect(goods_, product, robot_, tool_, seed, *options);
     if (!plan.ok()) {
       note_plan(product, plan.error());
       return false;
@@ -245,7 +271,7 @@ class AisleOracle : public Policy {
     MARKETGEN_TRY(CollectOptions options, collect_options(plan_.product));
     options.world_from_base = world_.world_from_base();
     const Seed seed = seed_.child("reach", static_cast<std::uint64_t>(moves_++));
-    auto plan = plan_collect(*scene_, plan_.product, robot_, tool_, seed, options);
+    auto plan = plan_collect(goods_, plan_.product, robot_, tool_, seed, options);
     if (!plan.ok()) {
       note_plan(plan_.product, plan.error());
       if (++unreached_[plan_.product] == most_unreached) refused_.insert(plan_.product);
@@ -254,9 +280,8 @@ class AisleOracle : public Policy {
     }
     ++tries_[sku_of(plan_.product)];
     plan_ = std::move(*plan);
-    const Grasp& grasp = plan_.grasp.grasp;
     const Tool& tool = robot_.tools[static_cast<std::size_t>(plan_.tool)];
-    force_n_ = std::min(grasp.force_n * grip_factor, tool.force);
+    force_n_ = carrying_grasp({}, plan_.grasp, tool.force).force_n;
     say(fmt::format("takes {} with {}, {}, {:.0f} N, try {}",
                     product_id(world_.store().scene, plan_.product),
                     plan_.group,
@@ -298,13 +323,9 @@ class AisleOracle : public Policy {
     const Pose from_shelf =
         inverse(world_from_product(world_.store().scene.products[plan_.product])) *
         world_.world().product_pose(plan_.product);
-    const Vec3 moved = from_shelf.position;
-    say(fmt::format(
-        "took hold of nothing; it was moved by {:.3f} {:.3f} {:.3f}, its upright is {:.2f}",
-        moved.x,
-        moved.y,
-        moved.z,
-        rotate(from_shelf.rotation, {0, 0, 1}).z));
+    say(fmt::format("took hold of nothing; it was moved by {:.3f} m, its upright is {:.2f}",
+                    length(from_shelf.position),
+                    rotate(from_shelf.rotation, {0, 0, 1}).z));
     note(FailureCode::missed);
     missed_[plan_.product].push_back(plan_.grasp.grasp.product_from_tool.position);
     return executor_.go_back();
@@ -345,11 +366,10 @@ class AisleOracle : public Policy {
 
   Result<Obstacles> around() const {
     const Vec3 middle = world_.world_from_base().position + Vec3{0, 0, 0.9};
-    const Scene scene = scene_now();
-    Obstacles obstacles = fixture_obstacles(scene, middle, way_reach_m);
+    Obstacles obstacles = fixture_obstacles(world_.store().scene, middle, way_reach_m);
     std::vector<std::uint32_t> carried = world_.in_basket();
     carried.push_back(plan_.product);
-    MARKETGEN_CHECK(add_product_obstacles(scene, middle, way_reach_m, carried, obstacles));
+    MARKETGEN_CHECK(add_product_obstacles(goods_now(), middle, way_reach_m, carried, obstacles));
     return obstacles;
   }
 
@@ -445,11 +465,11 @@ class AisleOracle : public Policy {
   const Robot& robot_;
   GraspTool tool_;
   Seed seed_;
+  GoodsNow goods_;  // as they stood when the plan was made
   AisleExecutor executor_;
   Task task_;
   Observation now_;
   AislePhase phase_ = AislePhase::choose;
-  std::unique_ptr<Scene> scene_;  // as it was when the plan was made
   CollectPlan plan_;
   double force_n_ = 0;
   std::size_t drop_lift_ = 0;

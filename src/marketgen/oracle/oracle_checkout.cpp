@@ -10,8 +10,11 @@
 
 #include "base/progress.h"
 
-#include "oracle/oracle_reach.h"
+#include "oracle/oracle_grasps.h"
+#include "oracle/oracle_places.h"
 #include "oracle/oracle_tries.h"
+#include "skills/basket_moves.h"
+#include "skills/hand_reach.h"
 
 namespace marketgen {
 namespace {
@@ -20,12 +23,9 @@ constexpr std::size_t most_grasps = 24;  // of which postures are sought
 constexpr std::size_t most_plans = 6;    // of an item at a time
 constexpr std::size_t most_places = 8;
 constexpr std::size_t most_place_searches = 12;  // for the grasps of an item at a time
-constexpr double close_s = 0.6, firm_s = 0.2, settle_s = 0.25, open_s = 0.35;
-// Of the pads until both of them touch: one alone pushes the item against what lies beside it.
-constexpr double touch_n = 12;
-constexpr double let_go_m = 0.014;        // wider than what was held
-constexpr double lift_over_rim_m = 0.07;  // of what is lifted out
-constexpr double retreat_m = 0.12;
+constexpr double settle_s = 0.25, open_s = 0.35;
+constexpr double let_go_m = 0.014;     // wider than what was held
+constexpr double lowest_rim_m = 0.03;  // over which it is lifted off the counter
 constexpr double escape_m = 0.12, home_approach_m = 0.02;
 constexpr double least_time_s = 8;  // no new grasp with less time left
 
@@ -61,7 +61,22 @@ class CheckoutOracle : public Policy {
   std::string failure() const override { return std::string(name_of(failure_)); }
 
  private:
+  // The arm or what it holds was pressed on, and has been moved back a second of its way: what was
+  // planned is given up, and goes on from here by another plan.
+  Result<void> recover() {
+    say("was stopped");
+    note(FailureCode::collision);
+    if (arm_.presses() && holds_it()) {
+      phase_ = Phase::lifted;
+      return scene_->in_basket(item_) ? lift() : put_down();
+    }
+    if (phase_ == Phase::closed) tried_.fail(item_, product_from_tip_);
+    phase_ = Phase::released;
+    return choose();
+  }
+
   Result<void> decide() {
+    if (arm_.take_stop()) return recover();
     switch (phase_) {
       case Phase::choose:
       case Phase::released:
@@ -164,7 +179,7 @@ class CheckoutOracle : public Policy {
     if (escaped_) return false;
     escaped_ = true;
     const Pose tip = arm_.tip();
-    const Surroundings counter = scene_->counter_alone(), nothing;
+    const Surroundings counter = counter_alone(scene_->place()), nothing;
     for (const Surroundings* const around : {&counter, &nothing}) {
       for (const double by : {escape_m, escape_m * 0.7, escape_m * 0.4}) {
         const Pose up{tip.position + Vec3{0, 0, by}, tip.rotation},
@@ -262,14 +277,16 @@ class CheckoutOracle : public Policy {
   Result<bool> take(std::size_t item, bool to_be_placed) {
     const ItemGrasps& grasps = grasps_.at(item);
     const Surroundings around = scene_->surroundings({});
+    const std::vector<PlacedBody> walls = scene_->walls();
     std::size_t plans = 0, searches = 0;
     for (std::size_t i = 0; i < std::min(grasps.choices.size(), most_grasps); ++i) {
       const GraspChoice& choice = grasps.choices[i];
-      for (const Pose& tip : either_way_round(arm_, choice.station_from_tip)) {
-        ReachRequest request = reach_request(*scene_, tip, choice.opening_m);
+      const std::vector<ToolSolid> hand = open_hand(tool_, choice.opening_m);
+      for (const Pose& tip : either_way_round(arm_, choice.base_from_tip)) {
+        ReachRequest request = reach_over_rim(tip, scene_->rim_z_m(), choice.opening_m);
         request.force_n = touch_n;
         if (tried_.failed_before(item, inverse(world_.item_pose(item)) * tip) ||
-            !is_reached(*scene_, arm_, request))
+            !is_reached(arm_, request, hand, walls))
           continue;
         if (to_be_placed && (searches++ >= most_place_searches ||
                              !has_place(*scene_, arm_, item, tip, choice.opening_m)))
@@ -288,8 +305,7 @@ class CheckoutOracle : public Policy {
   }
 
   void close_on(std::size_t item, const Pose& tip, const GraspChoice& choice) {
-    arm_.wait(close_s, 0, touch_n);
-    arm_.wait(firm_s, 0, choice.force_n);
+    close_hand(arm_, choice.force_n);
     item_ = item;
     escaped_ = false;
     force_n_ = choice.force_n;
@@ -309,23 +325,18 @@ class CheckoutOracle : public Policy {
 
   Result<void> lift() {
     if (!holds_it()) return let_go_for_good(FailureCode::missed);
-    const Surroundings around = scene_->surroundings({item_});
-    const double rim = scene_->in_basket(item_) ? world_.station().basket.height_m : 0.03;
     const Pose pose = world_.item_pose(item_);
     const Vec3 half = scene_->half_extents_at(item_, pose.rotation);
     const double lowest = scene_->box_middle(item_, pose).z - half.z;
-    const double up = std::max(0.05, rim + lift_over_rim_m - lowest);
-    for (const Surroundings& where : {around, scene_->counter_alone()}) {
-      for (const double share : {1.0, 0.85, 0.7}) {
-        Pose tip = arm_.tip();
-        tip.position.z += up * share;
-        if (!arm_.straight(where, tip, 0, force_n_).ok()) continue;
-        arm_.wait(settle_s, 0, force_n_);
-        phase_ = Phase::lifted;
-        return {};
-      }
-    }
-    return let_go_for_good(FailureCode::no_path);
+    const BasketSurroundings basket{scene_->surroundings({item_}),
+                                    counter_alone(scene_->place()),
+                                    scene_->in_basket(item_) ? scene_->rim_z_m() : lowest_rim_m};
+    const Vec3 middle = scene_->place().base_from_basket.position;
+    if (!lift_out(arm_, basket, lowest, middle, force_n_).ok())
+      return let_go_for_good(FailureCode::no_path);
+    arm_.wait(settle_s, 0, force_n_);
+    phase_ = Phase::lifted;
+    return {};
   }
 
   // And never takes it so again.
@@ -346,19 +357,10 @@ class CheckoutOracle : public Policy {
   }
 
   void back_off(double opening_m) {
-    const auto hand =
-        scene_->in_basket(item_) ? OracleScene::Hand::inside : OracleScene::Hand::outside;
-    const Surroundings around = scene_->surroundings({}, hand), counter = scene_->counter_alone();
-    for (const auto& [where, by] :
-         {std::pair{&around, retreat_m}, {&around, retreat_m / 2}, {&counter, retreat_m}}) {
-      if (arm_.straight(*where, arm_.tip() * Pose{{0, 0, -by}, {}}, opening_m, force_n_).ok())
-        break;
-    }
-    Pose up = arm_.tip();
-    const double rim = world_.station().basket.height_m + 0.05;
-    if (up.position.z >= rim) return;
-    up.position.z = rim;
-    say_failed("raise the hand", arm_.straight(around, up, opening_m, force_n_));
+    const HandAt hand = scene_->in_basket(item_) ? HandAt::basket : HandAt::counter;
+    const BasketSurroundings basket{
+        scene_->surroundings({}, hand), counter_alone(scene_->place()), scene_->rim_z_m()};
+    say_failed("raise the hand", draw_back(arm_, basket, opening_m, force_n_));
   }
 
   // ---- Putting it down ----
@@ -373,9 +375,9 @@ class CheckoutOracle : public Policy {
     in_area_ = scene_->is_target(item_);
     for (const bool in_area : {scene_->is_target(item_), false}) {
       if (!places_.empty()) break;
-      const PlaceQuestion question =
-          place_question(*scene_, item_, tip_from_item, opening, in_area);
-      places_ = item_places(*scene_, arm_, question, most_places);
+      const HeldPack held = held_pack(*scene_, item_, tip_from_item, opening);
+      places_ =
+          free_places(tool_, arm_, held, place_question(*scene_, item_, in_area), most_places);
       in_area_ = in_area;
     }
     next_place_ = 0;
@@ -384,11 +386,12 @@ class CheckoutOracle : public Policy {
 
   Result<void> go_over_place() {
     const Pose tip_from_item = inverse(arm_.tip()) * world_.item_pose(item_);
-    const AttachedObject held = held_object(*scene_, item_, tip_from_item);
-    const Surroundings around = scene_->surroundings({item_}, OracleScene::Hand::outside);
+    const AttachedObject held =
+        held_spheres(world_.robot(), world_.goods(item_).body, tip_from_item);
+    const Surroundings around = scene_->surroundings({item_}, HandAt::counter);
     for (; next_place_ < 2 * places_.size(); ++next_place_) {
-      const PlaceChoice& place = places_[next_place_ % places_.size()];
-      ReachRequest request{place.station_from_tip, place.approach, 0, force_n_};
+      const FreePlace& place = places_[next_place_ % places_.size()];
+      ReachRequest request{place.base_from_tip, place.approach, 0, force_n_};
       request.stops_before = true;
       if (next_place_ < places_.size()) request.attached = {held};
       const Seed seed = seed_.child("place", static_cast<std::uint64_t>(moves_++));
@@ -406,10 +409,10 @@ class CheckoutOracle : public Policy {
   // It may have turned in the hand on its way: the hand goes to where the item ends as planned.
   Result<void> lower() {
     if (!holds_it()) return let_go_for_good(FailureCode::slipped);
-    const PlaceChoice& place = places_[next_place_++ % places_.size()];
+    const FreePlace& place = places_[next_place_++ % places_.size()];
     const Pose item_from_tip = inverse(world_.item_pose(item_)) * arm_.tip();
-    const Surroundings around = scene_->surroundings({item_}, OracleScene::Hand::outside);
-    for (const Pose& tip : {place.station_from_item * item_from_tip, place.station_from_tip}) {
+    const Surroundings around = scene_->surroundings({item_}, HandAt::counter);
+    for (const Pose& tip : {place.base_from_product * item_from_tip, place.base_from_tip}) {
       if (!arm_.straight(around, tip, 0, force_n_).ok()) continue;
       say(fmt::format(
           "puts {} down, place {}, in the area {}", called(item_), next_place_, in_area_));
@@ -451,11 +454,11 @@ class CheckoutOracle : public Policy {
   OracleTries tried_;
   std::size_t item_ = 0;  // that is being taken
   double force_n_ = 0;
-  Pose home_;                        // of the tip, at the start
-  Pose product_from_tip_;            // as it was to be grasped
-  std::vector<PlaceChoice> places_;  // of the item in the hand
-  std::size_t next_place_ = 0;       // first with what is held looked at, then again without
-  bool in_area_ = false;             // the places are where the item belongs
+  Pose home_;                      // of the tip, at the start
+  Pose product_from_tip_;          // as it was to be grasped
+  std::vector<FreePlace> places_;  // of the item in the hand
+  std::size_t next_place_ = 0;     // first with what is held looked at, then again without
+  bool in_area_ = false;           // the places are where the item belongs
   int moves_ = 0;
   bool escaped_ = false;  // since the last grasp
   bool done_ = false;

@@ -6,11 +6,7 @@
 
 namespace marketgen {
 
-struct GraspChoice {
-  GraspStrategy strategy = GraspStrategy::side;
-  Pose station_from_tip;
-  double opening_m = 0, force_n = 0, width_m = 0;
-  double score = 0;
+struct GraspChoice : HandGrasp {
   std::vector<std::size_t> blockers;  // items that the open tool would press aside too far
 };
 
@@ -20,8 +16,8 @@ struct ItemGrasps {
   bool free() const { return !choices.empty() && choices.front().blockers.empty(); }
 };
 
-// Grasps of the item as it lies between the walls, whatever lies round it. Errors: of
-// grasp_candidates.
+// Of the item as it lies between the walls, whatever lies round it. Errors: of
+// grasps_from_above.
 Result<std::vector<GraspCandidate>> lone_grasps(const OracleScene& scene, std::size_t item);
 
 // The same with what is in their way now.

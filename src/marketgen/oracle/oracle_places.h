@@ -1,41 +1,27 @@
-// Where the oracle may put down what it holds: stable ways round, free places, postures.
+// Where the oracle may put down what it holds.
 #pragma once
-#include <optional>
 #include <vector>
 
 #include "oracle/oracle_scene.h"
+#include "skills/place_search.h"
 
 namespace marketgen {
 
-struct PlaceChoice {
-  Pose station_from_item, station_from_tip;
-  Vec3 approach;  // straight down, tip frame
-};
+// The item as a hand holds it, which opens so far when it lets go.
+HeldPack held_pack(const OracleScene& scene,
+                   std::size_t item,
+                   const Pose& tip_from_item,
+                   double opening_m);
 
-struct PlaceQuestion {
-  std::size_t item = 0;
-  Pose tip_from_item;              // as it is held
-  double opening_m = 0;            // of the gripper when it lets go
-  AreaRow area;                    // the whole item is to stand in it
-  std::vector<AreaRow> kept_free;  // and in none of these
-};
+// Past everything that stands outside the basket now but the item. It is to stand in the unloading
+// area, or else beside it and the basket.
+PlaceQuestion place_question(const OracleScene& scene, std::size_t item, bool in_area);
 
-// The item is to stand in the unloading area, or else beside it and the basket.
-PlaceQuestion place_question(const OracleScene& scene,
-                             std::size_t item,
-                             const Pose& tip_from_item,
-                             double opening_m,
-                             bool in_area);
-
-constexpr double release_m = 0.004;  // over what it is put on
-
-// Best first, at most `most`.
-std::vector<PlaceChoice> item_places(const OracleScene& scene,
-                                     const ArmExecutor& arm,
-                                     const PlaceQuestion& question,
-                                     std::size_t most);
-
-// What is held, as spheres on the link of the tip.
-AttachedObject held_object(const OracleScene& scene, std::size_t item, const Pose& tip_from_item);
+// Whether there is room for the item where it belongs, and a posture that puts it down there.
+bool has_place(const OracleScene& scene,
+               const ArmExecutor& arm,
+               std::size_t item,
+               const Pose& station_from_tip,
+               double opening_m);
 
 }  // namespace marketgen

@@ -1,20 +1,15 @@
 // What the oracle knows of a running Checkout Unloading: everything, as shapes.
 #pragma once
-#include <cstdint>
 #include <filesystem>
-#include <utility>
 #include <vector>
 
 #include "episodes/checkout/checkout_world.h"
-#include "motion/grasp_candidates.h"
-#include "motion/grasp_surface.h"
 #include "robots/grasp_tool.h"
-#include "skills/arm_executor.h"
+#include "skills/counter_obstacles.h"
+#include "skills/hand_grasp.h"
+#include "skills/hand_room.h"
 
 namespace marketgen {
-
-// Of a tool from straight down.
-double tilt_deg(const Quaternion& station_from_tip);
 
 // Of the gripper that the counter's robot carries. Errors: of load_grasp_tool.
 Result<GraspTool> load_checkout_tool(const CheckoutWorld& world, const std::filesystem::path& data);
@@ -28,43 +23,33 @@ class OracleScene {
   const GraspTool& tool() const { return tool_; }
   std::size_t items() const { return world_.item_count(); }
 
-  // How far a box overlaps the item, at most; 0 when apart. Station frame.
-  double overlap(std::size_t item, const Pose& station_from_box, Vec3 half) const;
-  // The same of the open tool, standing there and on its way to there.
-  double tool_overlap(std::size_t item, const Pose& station_from_tip, double opening_m) const;
-  // Whether the open tool, standing there, is nearer than `gap_m` to a wall of the basket.
-  bool tool_meets_basket(const Pose& station_from_tip, double opening_m, double gap_m) const;
+  // ---- As things stand now; station frame. ----
+  Workplace place() const;
+  PlacedBody body(std::size_t item) const;
+  std::vector<PlacedBody> walls() const;  // of the basket, and its ledges
+  LyingPack lying(std::size_t item) const;
+  double rim_z_m() const { return world_.station().basket.height_m; }
+
   // How deep points of item `a`, moved by `by`, lie in item `b`.
   double item_overlap(std::size_t a, Vec3 by, std::size_t b) const;
 
-  Vec3 middle(std::size_t item) const;                                     // of its mass
+  Vec3 middle(std::size_t item) const { return lying(item).middle(); }     // of its mass
   Vec3 half_extents_at(std::size_t item, const Quaternion& turned) const;  // of its box, turned
   Vec3 box_middle(std::size_t item, const Pose& pose) const;
   bool is_target(std::size_t item) const;
   bool in_basket(std::size_t item) const;
   bool in_unloading(std::size_t item) const;
 
-  std::vector<ToolSolid> tool_solids(double opening_m) const;  // tool frame
-
-  // Walls of the basket, station frame.
-  std::vector<GraspObstacle> walls() const;
-  // For ways: everything but `without`. For lines: the counter and, of the basket, the outer skin
-  // for a hand inside (grasps were tested against the walls themselves), whole walls for one
-  // outside.
-  enum class Hand { inside, outside };
+  // Everything but `without`.
   Surroundings surroundings(const std::vector<std::size_t>& without,
-                            Hand hand = Hand::inside) const;
-  // The counter alone, for getting away from where something is touched.
-  Surroundings counter_alone() const;
+                            HandAt hand = HandAt::basket) const;
 
  private:
-  BoxObstacle counter_top() const;
-  void add_item(std::size_t item, Obstacles& obstacles) const;
-
   const CheckoutWorld& world_;
   const GraspTool& tool_;
-  std::vector<GraspSurface> surfaces_;
-  std::vector<std::pair<Pose, GraspSurface>> walls_;  // basket_from_wall, and the wall
+  Workplace place_;                     // as it was at first
+  std::vector<GraspSurface> surfaces_;  // of the items
+  BasketWalls walls_;
 };
 
 }  // namespace marketgen

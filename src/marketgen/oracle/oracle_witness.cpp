@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <set>
 
-#include "oracle/oracle_reach.h"
+#include "oracle/oracle_grasps.h"
+#include "oracle/oracle_places.h"
+#include "skills/hand_reach.h"
 
 namespace marketgen {
 namespace {
@@ -46,13 +48,15 @@ class CheckoutWitness {
     const ItemGrasps& grasps = grasps_[item];
     if (!is_out(grasps.lies_under)) return false;
     const Surroundings around = scene_.surroundings({out_.begin(), out_.end()});
+    const std::vector<PlacedBody> walls = scene_.walls();
     std::size_t plans = 0;
     for (std::size_t i = 0; i < std::min(grasps.choices.size(), most_choices); ++i) {
       const GraspChoice& choice = grasps.choices[i];
       if (!is_out(choice.blockers)) continue;
-      for (const Pose& tip : either_way_round(arm_, choice.station_from_tip)) {
-        const ReachRequest request = reach_request(scene_, tip, choice.opening_m);
-        if (!is_reached(scene_, arm_, request) ||
+      const std::vector<ToolSolid> hand = open_hand(scene_.tool(), choice.opening_m);
+      for (const Pose& tip : either_way_round(arm_, choice.base_from_tip)) {
+        const ReachRequest request = reach_over_rim(tip, scene_.rim_z_m(), choice.opening_m);
+        if (!is_reached(arm_, request, hand, walls) ||
             !has_place(scene_, arm_, item, tip, choice.opening_m))
           continue;
         if (plans++ == most_ways_tried) return false;

@@ -6,17 +6,14 @@
 
 #include "agent/known_products.h"
 #include "agent/workplace.h"
-#include "motion/grasp_candidates.h"
 #include "perception/pose_source.h"
 #include "robots/grasp_tool.h"
+#include "skills/hand_grasp.h"
 
 namespace marketgen {
 
-struct SeenGrasp {
-  Pose base_from_tip;
-  double opening_m = 0, force_n = 0, width_m = 0;
+struct SeenGrasp : HandGrasp {
   double intrusion_m = 0;  // how far the open hand reaches into what else is seen, at most
-  double score = 0;
 };
 
 struct GraspQuestion {
@@ -45,12 +42,6 @@ class FittedGrasps : public GraspSource {
   const GraspTool& tool_;
   const Workplace& place_;
 };
-
-// How far the open hand, standing there and on its way to there, reaches into the points.
-double hand_intrusion(const GraspTool& tool,
-                      const Pose& base_from_tip,
-                      double opening_m,
-                      const std::vector<Vec3f>& points);
 
 // Points of all views, about `spacing_m` apart, below `most_z` and before the arm's own body.
 std::vector<Vec3f> thinned_points(const std::vector<ViewCloud>& views,

@@ -19,11 +19,6 @@ class ShelfGraspSource {
   virtual Result<std::vector<SeenGrasp>> grasps(const ShelfGraspQuestion& question) const = 0;
 };
 
-// A grasp as it is carried out on a pack that stands there: held firmly, it is carried about.
-SeenGrasp carried_grasp(const Pose& base_from_product,
-                        const GraspCandidate& candidate,
-                        const GraspTool& tool);
-
 // Antipodal grasps on the catalogue's shape from the front. Between packs that stand 2 to 8 mm
 // apart a finger must press its way, so that reaching into what is measured beside only puts a
 // grasp behind another.

@@ -72,7 +72,8 @@ Configuration AisleBody::stowed_arm() const {
 }
 
 bool AisleBody::holds_it() const {
-  return closed_ && now_.openings_m[static_cast<std::size_t>(pick_.tool)] > least_held_m;
+  return executor_.presses(pick_.tool) &&
+         now_.openings_m[static_cast<std::size_t>(pick_.tool)] > least_held_m;
 }
 
 Obstacles AisleBody::around(const std::vector<Vec3f>& points) const {
@@ -86,6 +87,11 @@ Result<void> AisleBody::drive_to(const BasePlace& place) {
   MARKETGEN_TRY(BaseFollower way, setup_.map->way(now_.base, place));
   executor_.drive(std::move(way));
   return {};
+}
+
+Result<void> AisleBody::may_stand(const BasePlace& place) const {
+  if (setup_.map->has_room(place) && setup_.map->way_m(now_.base, place)) return {};
+  return Error{"motion.base_blocked", setup_.robot->name, "the base has no room or no way there"};
 }
 
 Result<ShelfPick> AisleBody::plan_pick(const ShelfItem& item,
@@ -103,11 +109,13 @@ Result<ShelfPick> AisleBody::plan_pick(const ShelfItem& item,
   const std::vector<Vec3f> seen = near(points, middle, around_m);
   add_cloud(seen, question.around.way);
   add_cloud(beyond(seen, middle, pressed_aside_m), question.around.line);
-  question.may_stand = [&](const Pose& base) {
-    const BasePlace place = base_place(base);
-    return setup_.map->has_room(place) && setup_.map->way_m(now_.base, place).has_value();
-  };
-  if (from) question.world_from_base = store_from_base(*from);
+  question.where = item.known->product.sku;
+  if (from)
+    question.world_from_base = store_from_base(*from);
+  else
+    question.may_stand = [&](const Pose& base, const std::vector<double>&) {
+      return may_stand(base_place(base));
+    };
   question.speed = carrying_speed;
   question.acceleration = carrying_acceleration;
   return plan_shelf_pick(*setup_.robot, question, next_seed());
@@ -115,8 +123,8 @@ Result<ShelfPick> AisleBody::plan_pick(const ShelfItem& item,
 
 Result<void> AisleBody::take(const ShelfItem& item, ShelfPick pick) {
   MARKETGEN_TRY(carried_, make_store_body(item.known->product));
+  lets_down_ = false;
   pick_ = std::move(pick);
-  closed_ = true;
   return executor_.take(
       {.ways = pick_,
        .group = pick_.group,
@@ -131,7 +139,6 @@ Result<void> AisleBody::pull_out() {
     executor_.pull_out();
     return {};
   }
-  closed_ = false;
   return executor_.go_back();
 }
 
@@ -159,6 +166,8 @@ StowQuestion AisleBody::stow_question(const std::vector<Vec3f>& points) const {
 }
 
 Result<bool> AisleBody::drop(const std::vector<Vec3f>& points) {
+  if (lets_down_) inside_.pop_back();  // it was stopped on its way
+  lets_down_ = false;
   DropQuestion question;
   static_cast<StowQuestion&>(question) = stow_question(points);
   question.tool = pick_.tool;
@@ -173,7 +182,7 @@ Result<bool> AisleBody::drop(const std::vector<Vec3f>& points) {
     return false;
   }
   const double held = now_.openings_m[static_cast<std::size_t>(pick_.tool)];
-  closed_ = false;
+  lets_down_ = true;
   inside_.push_back(
       carried_box(turned_box(carried_, plan->base_from_tip * question.tip_from_product)));
   executor_.let_down(std::move(*plan), {held + let_go_wider_by_m, pick_.grasp.force_n});

@@ -39,6 +39,7 @@ class AisleBody {
   void start(const Observation& now);
   void sense(const Observation& now) { now_ = now; }
   bool idle() const { return executor_.idle(); }
+  bool take_stop() { return executor_.take_stop(); }  // as BodyExecutor
   Action next() { return executor_.next(now_); }
 
   // ---- The robot as it is. ----
@@ -67,6 +68,7 @@ class AisleBody {
   Obstacles around(const std::vector<Vec3f>& points) const;
   StowQuestion stow_question(const std::vector<Vec3f>& points) const;
   double room_behind_m() const;
+  Result<void> may_stand(const BasePlace& place) const;
   Seed next_seed();
 
   AisleBodySetup setup_;
@@ -76,7 +78,7 @@ class AisleBody {
   ShelfPick pick_;
   ProductBody carried_;              // what it takes, as one solid
   std::vector<CarriedItem> inside_;  // of the basket, as let down
-  bool closed_ = false;              // the hand that takes: about something, or about nothing
+  bool lets_down_ = false;           // what it holds is the last of these
   std::size_t lift_tried_ = 0;
   std::uint64_t moves_ = 0;
 };

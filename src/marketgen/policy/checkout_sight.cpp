@@ -10,10 +10,6 @@ namespace {
 
 constexpr double point_spacing_m = 0.003, highest_goods_m = 0.33;
 constexpr double column_m = 0.02, least_column_m = 0.012;  // of what stands about, as boxes
-constexpr double counter_thick_m = 0.06;
-// Of the basket's walls, what arms keep clear of on lines: the spheres of a hand are larger than
-// it.
-constexpr double outer_skin_m = 0.002, skin_below_rim_m = 0.015;
 constexpr double round_basket_m = 0.03;
 
 // Goods in the basket, and what stands on the counter beside it.
@@ -69,13 +65,6 @@ std::vector<Vec3f> without_robot(const std::vector<Vec3f>& points,
   return outside_body(points, robot, links);
 }
 
-std::vector<WorkBox> placed_walls(const Workplace& place) {
-  std::vector<WorkBox> walls;
-  for (const WorkBox& wall : place.walls)
-    walls.push_back({place.base_from_basket * wall.pose, wall.half_size});
-  return walls;
-}
-
 Result<Sight> take_sight(Eyes& eyes,
                          const std::vector<std::string>& cameras,
                          const Workplace& place,
@@ -95,22 +84,10 @@ Result<Sight> take_sight(Eyes& eyes,
   return sight;
 }
 
-Surroundings seen_surroundings(const Workplace& place, const std::vector<Vec3f>& points) {
-  Surroundings around;
-  const auto& [low, high] = place.counter;
-  const BoxObstacle counter{
-      {{(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, -counter_thick_m / 2}, {}},
-      {(high[0] - low[0]) / 2, (high[1] - low[1]) / 2, counter_thick_m / 2}};
-  around.way.boxes.push_back(counter);
-  around.line.boxes.push_back(counter);
-  for (const WorkBox& wall : placed_walls(place)) {
-    around.way.boxes.push_back({wall.pose, wall.half_size});
-    // Boxes have their outer face towards their own +X.
-    const Pose skin =
-        wall.pose * Pose{{wall.half_size.x - outer_skin_m / 2, 0, -skin_below_rim_m / 2}, {}};
-    around.line.boxes.push_back(
-        {skin, {outer_skin_m / 2, wall.half_size.y, wall.half_size.z - skin_below_rim_m / 2}});
-  }
+Surroundings seen_surroundings(const Workplace& place,
+                               const std::vector<Vec3f>& points,
+                               HandAt hand) {
+  Surroundings around = counter_surroundings(place, hand);
   add_columns(points, around.way.boxes);
   return around;
 }

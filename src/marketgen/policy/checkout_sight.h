@@ -10,7 +10,7 @@
 #include "agent/workplace.h"
 #include "perception/grasp_source.h"
 #include "perception/target_choice.h"
-#include "skills/arm_executor.h"
+#include "skills/counter_obstacles.h"
 
 namespace marketgen {
 
@@ -34,11 +34,9 @@ std::vector<Vec3f> without_robot(const std::vector<Vec3f>& points,
                                  const Robot& robot,
                                  const Observation& now);
 
-// The place and measured points as obstacles. Ways keep off everything; lines off the counter and
-// the outer skin of the basket, since grasps were tested against the rest.
-Surroundings seen_surroundings(const Workplace& place, const std::vector<Vec3f>& points);
-
-// The basket's walls, base_from_box.
-std::vector<WorkBox> placed_walls(const Workplace& place);
+// The place, and measured points for ways to keep off.
+Surroundings seen_surroundings(const Workplace& place,
+                               const std::vector<Vec3f>& points,
+                               HandAt hand);
 
 }  // namespace marketgen

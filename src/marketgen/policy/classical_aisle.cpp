@@ -98,7 +98,35 @@ class ClassicalAisle : public Policy {
     int tries = 0;
   };
 
+  // The arm or what it holds was pressed on, and has been moved back a second of its way: what was
+  // planned is given up, and goes on from here by another plan.
+  Result<void> recover() {
+    switch (step_) {
+      case AisleStep::choose:  // on its way to its stowed posture
+        if (!body_.go_home(points_).ok() && !body_.go_home({}).ok()) done_ = true;
+        return {};
+      case AisleStep::look_up:
+      case AisleStep::look_down:
+      case AisleStep::at_shelf:
+      case AisleStep::look_again:
+        step_ = AisleStep::choose;
+        return choose();
+      case AisleStep::pressed:
+      case AisleStep::out:
+        note(goals_[finds_[find_].place.goal], "Collision");
+        held_ = body_.holds_it();
+        step_ = AisleStep::away;
+        return body_.back_off();
+      case AisleStep::away:
+      case AisleStep::dropped:
+        step_ = AisleStep::away;
+        return drop();
+    }
+    return {};
+  }
+
   Result<void> decide() {
+    if (body_.take_stop()) return recover();
     switch (step_) {
       case AisleStep::choose:
         return choose();

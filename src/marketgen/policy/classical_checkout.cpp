@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <set>
 
@@ -12,6 +11,8 @@
 #include "base/progress.h"
 #include "geometry/rotation_axes.h"
 #include "policy/checkout_sight.h"
+#include "skills/basket_moves.h"
+#include "skills/hand_reach.h"
 #include "skills/place_search.h"
 #include "skills/plan_failure.h"
 
@@ -20,15 +21,13 @@ namespace {
 
 constexpr int tries_an_item = 3;
 constexpr std::size_t grasps_tried = 16, plans_tried = 5, places_tried = 8;
-constexpr double closing_s = 0.6, calming_s = 0.25, opening_s = 0.35;
-constexpr double wider_m = 0.014;    // than what was held, when it is let go
-constexpr double rim_room_m = 0.05;  // over the rim, of what is lifted out
-constexpr double step_back_m = 0.12;
+constexpr double calming_s = 0.25, opening_s = 0.35;
+constexpr double wider_m = 0.014;   // than what was held, when it is let go
 constexpr double least_left_s = 8;  // no new grasp with less time left
 constexpr int most_cleared = 8;
 constexpr std::size_t patch_points = 160, others_tried = 4, likenesses_tried = 8;
 constexpr double least_other_score = 0.25;
-constexpr double off_basket_area_m = 0.03, off_unloading_m = 0.02;
+constexpr double measured_within_m = 0.004;  // of a point of the cameras: noise and their grid
 constexpr double tight_m = 0.006, tightest_m = 0.012;  // intrusion of an open hand that is borne
 // From where the wrist camera looks into the basket: tip over its middle, fingers down.
 constexpr double look_back_m = 0.06, look_height_m = 0.40;
@@ -40,7 +39,11 @@ enum class Step { go_to_look, look, closed, lifted };
 class ClassicalCheckout : public Policy {
  public:
   ClassicalCheckout(ClassicalSetup setup, ArmExecutor arm, Seed seed)
-      : setup_(std::move(setup)), modules_(setup_.modules), arm_(std::move(arm)), seed_(seed) {
+      : setup_(std::move(setup)),
+        modules_(setup_.modules),
+        arm_(std::move(arm)),
+        seed_(seed),
+        walls_(setup_.place) {
     if (!modules_.masks) modules_.masks = std::make_unique<GeometricMasks>();
     if (!modules_.poses) modules_.poses = std::make_unique<SweptPoses>();
     if (!modules_.targets) modules_.targets = std::make_unique<CatalogueMatching>(*modules_.poses);
@@ -77,7 +80,23 @@ class ClassicalCheckout : public Policy {
   std::string failure() const override { return failure_; }
 
  private:
+  // The arm or what it holds was pressed on, and has been moved back a second of its way: it looks
+  // anew, or goes on with what it holds by another plan.
+  Result<void> recover() {
+    note("Collision");
+    const bool holds = arm_.presses() && holds_it();
+    step_ = Step::go_to_look;
+    if (!holds)
+      go_to_look();
+    else if (hand_at(arm_.tip()) == HandAt::basket)
+      lift();
+    else
+      put_down();
+    return {};
+  }
+
   Result<void> decide() {
+    if (arm_.take_stop()) return recover();
     switch (step_) {
       case Step::go_to_look:
         go_to_look();
@@ -103,9 +122,9 @@ class ClassicalCheckout : public Policy {
     const Pose tip{{at.x - look_back_m, at.y, look_height_m},
                    rotation_with_axes({0, -1, 0}, {0, 0, -1})};
     const ReachRequest request{tip, {0, 0, 0.02}, setup_.tool.opening_m, 20};
-    if (arm_.reach(seen_surroundings(setup_.place, others_), request, next_seed()).ok()) return;
+    if (arm_.reach(around(others_, HandAt::counter), request, next_seed()).ok()) return;
     // Something stands against the hand: up first, then past what is known of the place alone.
-    const Surroundings bare = seen_surroundings(setup_.place, {});
+    const Surroundings bare = around({}, HandAt::basket);
     Pose up = arm_.tip();
     up.position.z = std::max(up.position.z, look_height_m);
     say_failed("raise the hand", arm_.straight(bare, up, setup_.tool.opening_m, 20));
@@ -283,38 +302,39 @@ class ClassicalCheckout : public Policy {
     return {};
   }
 
+  // ---- Where things are ----
+
+  Surroundings around(const std::vector<Vec3f>& points, HandAt hand) const {
+    return seen_surroundings(setup_.place, points, hand);
+  }
+  double rim_z_m() const { return setup_.place.base_from_basket.position.z + setup_.place.rim_m; }
+  HandAt hand_at(const Pose& tip) const {
+    const Vec3 at = inverse(setup_.place.base_from_basket) * tip.position;
+    const bool inside =
+        std::abs(at.x) < setup_.place.inner_half.x && std::abs(at.y) < setup_.place.inner_half.y;
+    return inside ? HandAt::basket : HandAt::counter;
+  }
+
   // ---- Taking it ----
-
-  std::vector<Pose> nearest_flip_first(const Pose& tip) const {
-    Pose other = tip;
-    other.rotation = tip.rotation * rotation_about({0, 0, 1}, std::numbers::pi);
-    const double a = arm_.effort_to(tip).value_or(1e9), b = arm_.effort_to(other).value_or(1e9);
-    if (b < a) return {other, tip};
-    return {tip, other};
-  }
-
-  // Long enough that the fingers come from over the rim.
-  Vec3 approach_to(const Pose& tip) const {
-    const double rim = setup_.place.rim_m + 0.04;
-    const double steep = std::max(0.4, -rotate(tip.rotation, {0, 0, 1}).z);
-    return {0, 0, std::max(0.08, (rim - tip.position.z) / steep)};
-  }
 
   bool take(const Choice& choice, double borne_m) {
     if (choice.grasps.empty()) note("NoGrasp");
-    const Surroundings around = seen_surroundings(setup_.place, sight_.points);
+    const Surroundings seen = around(sight_.points, HandAt::basket);
+    const std::vector<PlacedBody> walls = walls_.at(setup_.place.base_from_basket);
     std::size_t plans = 0, tried = 0;
     for (const SeenGrasp& grasp : choice.grasps) {
       if (grasp.intrusion_m > borne_m) continue;
       if (tried++ >= grasps_tried) break;
-      for (const Pose& tip : nearest_flip_first(grasp.base_from_tip)) {
-        const ReachRequest request{tip, approach_to(tip), grasp.opening_m, grasp.force_n};
-        if (!arm_.effort_to(tip) || !arm_.effort_to(tip * Pose{-request.approach, {}})) {
+      const std::vector<ToolSolid> hand = open_hand(setup_.tool, grasp.opening_m);
+      for (const Pose& tip : either_way_round(arm_, grasp.base_from_tip)) {
+        ReachRequest request = reach_over_rim(tip, rim_z_m(), grasp.opening_m);
+        request.force_n = touch_n;
+        if (!is_reached(arm_, request, hand, walls)) {
           note("NoIK");
           continue;
         }
         if (plans++ >= plans_tried) return false;
-        if (const auto way = arm_.reach(around, request, next_seed()); !way.ok()) {
+        if (const auto way = arm_.reach(seen, request, next_seed()); !way.ok()) {
           note(failure_of_plan(way.error()));
           continue;
         }
@@ -326,11 +346,11 @@ class ClassicalCheckout : public Policy {
   }
 
   void begin_grasp(const Choice& choice, const SeenGrasp& grasp) {
-    arm_.wait(closing_s, 0, grasp.force_n);
+    close_hand(arm_, grasp.force_n);
     goal_ = choice.goal;
     held_look_ = choice.look;
-    held_.known = choice.known;
-    held_.tip_from_product = inverse(arm_.tip()) * choice.base_from_product;
+    known_ = choice.known;
+    tip_from_product_ = inverse(arm_.tip()) * choice.base_from_product;
     width_m_ = grasp.width_m;
     force_n_ = grasp.force_n;
     others_ = choice.others;
@@ -345,7 +365,7 @@ class ClassicalCheckout : public Policy {
   bool holds_it() const { return now_.openings_m.front() > std::max(0.004, 0.4 * width_m_); }
 
   double lowest_of_held() const {
-    const Pose pose = arm_.tip() * held_.tip_from_product;
+    const Pose pose = arm_.tip() * tip_from_product_;
     double lowest = 1e9;
     for (const Surfel& surfel : held_look_->surfels())
       lowest = std::min(lowest, (pose * to_double(surfel.point)).z);
@@ -354,19 +374,11 @@ class ClassicalCheckout : public Policy {
 
   void lift() {
     if (!holds_it()) return let_go("Missed");
-    const Surroundings around = seen_surroundings(setup_.place, others_);
-    const double up = std::max(0.05, setup_.place.rim_m + rim_room_m - lowest_of_held());
-    const Vec3 inwards = setup_.place.base_from_basket.position - arm_.tip().position;
-    for (const auto& [share, aside] :
-         {std::pair{1.0, 0.0}, {0.85, 0.0}, {1.0, 0.4}, {0.7, 0.0}, {0.7, 0.4}}) {
-      Pose tip = arm_.tip();
-      tip.position += Vec3{inwards.x * aside, inwards.y * aside, up * share};
-      if (!arm_.straight(around, tip, 0, force_n_).ok()) continue;
-      arm_.wait(calming_s, 0, force_n_);
-      step_ = Step::lifted;
-      return;
-    }
-    let_go("NoPath");
+    const Vec3 middle = setup_.place.base_from_basket.position;
+    if (!lift_out(arm_, basket_around(), lowest_of_held(), middle, force_n_).ok())
+      return let_go("NoPath");
+    arm_.wait(calming_s, 0, force_n_);
+    step_ = Step::lifted;
   }
 
   // Opens where it is, and goes back the way it came.
@@ -378,44 +390,49 @@ class ClassicalCheckout : public Policy {
     step_ = Step::go_to_look;
   }
 
+  BasketSurroundings basket_around() const {
+    return {around(others_, hand_at(arm_.tip())), counter_alone(setup_.place), rim_z_m()};
+  }
+
   void step_back(double opening_m) {
-    const Surroundings around = seen_surroundings(setup_.place, others_);
-    for (const double by : {step_back_m, step_back_m / 2}) {
-      if (arm_.straight(around, arm_.tip() * Pose{{0, 0, -by}, {}}, opening_m, force_n_).ok())
-        break;
-    }
-    Pose up = arm_.tip();
-    const double clear = setup_.place.rim_m + 0.07;
-    if (up.position.z >= clear) return;
-    up.position.z = clear;
-    say_failed("raise the hand", arm_.straight(around, up, opening_m, force_n_));
+    say_failed("raise the hand", draw_back(arm_, basket_around(), opening_m, force_n_));
   }
 
   // ---- Putting it down ----
 
   void put_down() {
     if (!holds_it()) return let_go("Slipped");
-    held_.opening_m = std::min(setup_.tool.opening_m, now_.openings_m.front() + wider_m);
+    const double opening = std::min(setup_.tool.opening_m, now_.openings_m.front() + wider_m);
     const Workplace& at = setup_.place;
-    PlaceAsk ask{at.unloading, {}, others_, placed_walls(at)};
+    PlaceQuestion question;
+    question.area = at.unloading;
+    question.points = &others_;
+    question.walls = walls_.at(at.base_from_basket);
+    question.unsure_m = measured_within_m;
     if (!goal_) {
-      ask.area = at.set_aside;
-      ask.kept_free = areas_kept_free();
+      question.area = at.set_aside;
+      question.kept_free = areas_kept_free(at);
     }
-    const Surroundings around = seen_surroundings(setup_.place, others_);
-    const auto places = free_places(setup_.tool, arm_, held_, ask, places_tried);
+    const Surroundings seen = around(others_, HandAt::counter);
+    const HeldPack held{&known_->product,
+                        &known_->body,
+                        tip_from_product_,
+                        arm_.tip().rotation * tip_from_product_.rotation,
+                        opening};
+    const auto places = free_places(setup_.tool, arm_, held, question, places_tried);
     if (places.empty()) note("NoIK");
     for (const bool attached : {true, false}) {
       for (const FreePlace& place : places) {
         ReachRequest request{place.base_from_tip, place.approach, 0, force_n_};
-        if (attached) request.attached = {held_spheres(*setup_.robot, held_)};
-        if (!arm_.reach(around, request, next_seed()).ok()) {
+        if (attached)
+          request.attached = {held_spheres(*setup_.robot, known_->body, tip_from_product_)};
+        if (!arm_.reach(seen, request, next_seed()).ok()) {
           note("NoPath");
           continue;
         }
         arm_.wait(calming_s, 0, force_n_);
-        arm_.wait(opening_s, held_.opening_m, force_n_);
-        step_back(held_.opening_m);
+        arm_.wait(opening_s, opening, force_n_);
+        step_back(opening);
         if (goal_) put_down_.insert(*goal_);
         step_ = Step::go_to_look;
         return;
@@ -424,22 +441,10 @@ class ClassicalCheckout : public Policy {
     put_back();
   }
 
-  // Round the basket, and where the targets go.
-  std::vector<WorkArea> areas_kept_free() const {
-    const Vec3 at = setup_.place.base_from_basket.position, half = setup_.place.inner_half;
-    const double x = half.x + off_basket_area_m, y = half.y + off_basket_area_m;
-    WorkArea unloading = setup_.place.unloading;
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      unloading.low_m[axis] -= off_unloading_m;
-      unloading.high_m[axis] += off_unloading_m;
-    }
-    return {{{at.x - x, at.y - y}, {at.x + x, at.y + y}}, unloading};
-  }
-
   // Down again to where it was, as far as that goes.
   void put_back() {
     say_failed("let it down to where it was",
-               arm_.let_down(seen_surroundings(setup_.place, others_), force_n_));
+               arm_.let_down(around(others_, HandAt::basket), force_n_));
     let_go(failure_);
   }
 
@@ -460,6 +465,7 @@ class ClassicalCheckout : public Policy {
   ClassicalModules& modules_;
   ArmExecutor arm_;
   Seed seed_;
+  BasketWalls walls_;
   Task task_;
   Observation now_;
   std::vector<const ProductLook*> looks_;  // of the goals, in their order
@@ -472,7 +478,8 @@ class ClassicalCheckout : public Policy {
   const ProductLook* held_look_ = nullptr;
   std::vector<const ProductLook*> catalogue_;  // the whole of it
   int cleared_ = 0;
-  HeldProduct held_;
+  const KnownProduct* known_ = nullptr;  // that is held, and how
+  Pose tip_from_product_;
   double width_m_ = 0, force_n_ = 0;  // of the grasp
   std::vector<Vec3f> others_;         // what stood about when it was taken
   int moves_ = 0;

@@ -30,6 +30,8 @@ class AisleExecutor {
 
   void start(const Observation& now);  // forgets what is queued
   bool idle() const { return body_.idle(); }
+  bool take_stop() { return body_.take_stop(); }  // as BodyExecutor
+  bool presses(int tool) const { return body_.told(tool).opening_m <= 0; }
   Action next(const Observation& now) { return body_.next(now); }
 
   // ---- Each queues motions. Errors: motion.bad_limits; those of way_back. ----

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "robots/arm_ik.h"
+
 namespace marketgen {
 namespace {
 
@@ -22,6 +24,7 @@ Result<ArmExecutor> ArmExecutor::make(const Robot& robot, const ExecutorOptions&
   made.robot_ = &robot;
   made.options_ = options;
   MARKETGEN_TRY(ArmModel model, make_arm_model(robot, "arm"));
+  if (const auto ik = make_arm_ik(robot, model.group); !ik.ok()) return ik.error();
   made.model_ = std::make_unique<ArmModel>(std::move(model));
   made.hand_ = hand_of(robot, made.model_->group);
   return made;
@@ -29,6 +32,8 @@ Result<ArmExecutor> ArmExecutor::make(const Robot& robot, const ExecutorOptions&
 
 void ArmExecutor::start(const Observation& now) {
   queue_.clear();
+  retrace_.start();
+  was_stopped_ = false;
   played_s_ = held_m_ = 0;
   now_ = end_ = now.position;
   opening_m_ = now.openings_m.front();
@@ -76,10 +81,12 @@ double ArmExecutor::opening_for(double asked_m) const {
 void ArmExecutor::queue(JointTrajectory trajectory, double opening_m, double force_n) {
   const double duration = trajectory.duration_s();
   end_ = trajectory.at(duration).position;
+  was_stopped_ = false;
   queue_.push_back({std::move(trajectory), duration, opening_m, force_n});
 }
 
 void ArmExecutor::wait(double seconds, double opening_m, double force_n) {
+  was_stopped_ = false;
   queue_.push_back({{}, seconds, opening_m, force_n});
 }
 
@@ -136,18 +143,32 @@ Result<void> ArmExecutor::let_down(const Surroundings& around, double force_n) {
 }
 
 Action ArmExecutor::next(const Observation& now) {
+  if (retrace_.begins(now)) {
+    queue_.clear();
+    played_s_ = 0;
+    was_stopped_ = true;
+  }
+  if (retrace_.goes_back() && !now.stopped) go_back();
   if (!queue_.empty() && !now.stopped) {
     const Motion& motion = queue_.front();
     played_s_ += options_.step_s;
     opening_m_ = motion.opening_m;
     force_n_ = motion.force_n;
-    if (motion.trajectory.joints() > 0) now_ = motion.trajectory.at(played_s_).position;
+    if (motion.trajectory.joints() > 0) {
+      now_ = motion.trajectory.at(played_s_).position;
+      retrace_.tell({now_});
+    }
     if (played_s_ >= motion.duration_s) {
       queue_.pop_front();
       played_s_ = 0;
     }
   }
   return {now_, {{opening_m_, force_n_}}};
+}
+
+void ArmExecutor::go_back() {
+  if (const auto step = retrace_.back()) now_ = step->position;
+  end_ = now_;
 }
 
 Pose ArmExecutor::tip() const {
@@ -157,8 +178,9 @@ Pose ArmExecutor::tip() const {
 }
 
 std::optional<double> ArmExecutor::effort_to(const Pose& base_from_tip) const {
+  // Of its errors make() has ruled out all but robot.unreachable.
   const auto goals = arm_goals(*robot_, model_->group, base_from_tip, end_);
-  if (!goals.ok() || goals->empty()) return std::nullopt;
+  if (!goals.ok()) return std::nullopt;
   double most = 0;
   for (std::size_t j = 0; j < end_.size(); ++j)
     most = std::max(most, std::abs(goals->front()[j] - end_[j]));

@@ -7,11 +7,13 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "agent/policy.h"
 #include "motion/tool_line.h"
 #include "robots/robot.h"
+#include "skills/retrace.h"
 
 namespace marketgen {
 
@@ -41,7 +43,8 @@ struct ReachRequest {
 
 class ArmExecutor {
  public:
-  // Plans for the group "arm". Errors: of make_arm_model. The robot must outlive it.
+  // Plans for the group "arm". Errors: of make_arm_model and make_arm_ik. The robot must outlive
+  // it.
   static Result<ArmExecutor> make(const Robot& robot, const ExecutorOptions& options = {});
 
   void start(const Observation& now);  // forgets what is queued; stands where the arm is
@@ -60,13 +63,19 @@ class ArmExecutor {
   // How far apart the pads are while they press on something: fingers are looked at there.
   void hold(double opening_m) { held_m_ = opening_m; }
 
-  bool idle() const { return queue_.empty(); }
-  // Of the next control step; stands still when idle. While the robot is stopped its motions wait.
+  bool idle() const { return queue_.empty() && !retrace_.goes_back(); }
+  // Of the next control step; stands still when idle. A protective stop breaks off what is queued:
+  // after it the arm goes back a second of its way, and is idle.
   Action next(const Observation& now);
+  // Whether what was queued last was broken off so. Says it once.
+  bool take_stop() { return std::exchange(was_stopped_, false); }
+  // Whether the gripper is told to press.
+  bool presses() const { return opening_m_ <= 0; }
 
   Pose tip() const;  // base_from_tip, where the queued motions end
   const Configuration& posture() const { return end_; }
-  // Whether some posture brings the tip there; nearest joint difference to where the arm is.
+  // The greatest joint difference from where the queued motions end to the nearest posture that
+  // brings the tip there; empty when none does.
   std::optional<double> effort_to(const Pose& base_from_tip) const;
 
  private:
@@ -82,6 +91,7 @@ class ArmExecutor {
                                   const CollisionWorld& line) const;
   double opening_for(double asked_m) const;
   void queue(JointTrajectory trajectory, double opening_m, double force_n);
+  void go_back();
 
   const Robot* robot_ = nullptr;
   std::unique_ptr<ArmModel> model_;
@@ -92,6 +102,8 @@ class ArmExecutor {
   Configuration now_, end_;  // commanded last; at the end of the queue
   double opening_m_ = 0, force_n_ = 0;
   double held_m_ = 0;
+  Retrace retrace_;
+  bool was_stopped_ = false;
 };
 
 }  // namespace marketgen

@@ -29,6 +29,8 @@ BodyExecutor::BodyExecutor(const Robot& robot, std::vector<int> commanded)
 
 void BodyExecutor::start(const Observation& now) {
   queue_.clear();
+  retrace_.start();
+  was_stopped_ = false;
   played_s_ = 0;
   position_ = queued_position_ = now.position;
   tools_.clear();
@@ -40,10 +42,15 @@ std::size_t BodyExecutor::column_of(int dof) const {
   return static_cast<std::size_t>(std::ranges::find(commanded_, dof) - commanded_.begin());
 }
 
+void BodyExecutor::push(Motion motion) {
+  was_stopped_ = false;
+  queue_.push_back(std::move(motion));
+}
+
 void BodyExecutor::follow(BaseFollower follower) {
   Motion motion;
   motion.base = std::move(follower);
-  queue_.push_back(std::move(motion));
+  push(std::move(motion));
 }
 
 Result<void> BodyExecutor::drive_straight(double distance_m, double speed_m_s) {
@@ -53,7 +60,7 @@ Result<void> BodyExecutor::drive_straight(double distance_m, double speed_m_s) {
       motion.trajectory,
       timed_path({{0.0}, {distance_m}}, {{speed_m_s, straight_m_s2, straight_jerk_m_s3}}));
   motion.duration_s = motion.trajectory.duration_s();
-  queue_.push_back(std::move(motion));
+  push(std::move(motion));
   return {};
 }
 
@@ -66,7 +73,7 @@ void BodyExecutor::play(const std::vector<int>& dofs, JointTrajectory trajectory
   for (std::size_t i = 0; i < end.size(); ++i)
     queued_position_[motion.columns[i]] = end[i];
   motion.trajectory = std::move(trajectory);
-  queue_.push_back(std::move(motion));
+  push(std::move(motion));
 }
 
 Result<void> BodyExecutor::move_joint(int dof, double to, double speed_share) {
@@ -83,13 +90,13 @@ Result<void> BodyExecutor::move_joint(int dof, double to, double speed_share) {
 void BodyExecutor::grip(int tool, ToolCommand command) {
   Motion motion;
   motion.grip = {static_cast<std::size_t>(tool), command};
-  queue_.push_back(std::move(motion));
+  push(std::move(motion));
 }
 
 void BodyExecutor::wait(double seconds) {
   Motion motion;
   motion.duration_s = seconds;
-  queue_.push_back(std::move(motion));
+  push(std::move(motion));
 }
 
 // From where the base is to where the follower is now.
@@ -136,8 +143,23 @@ void BodyExecutor::play_step(Motion& motion, const Observation& now, Action& act
   }
 }
 
+void BodyExecutor::go_back(Action& action) {
+  if (const auto step = retrace_.back()) {
+    position_ = step->position;
+    action.drive_m_s = step->drive_m_s;
+    action.turn_rad_s = step->turn_rad_s;
+  }
+  queued_position_ = position_;
+}
+
 Action BodyExecutor::next(const Observation& now) {
   Action action;
+  if (retrace_.begins(now)) {
+    queue_.clear();
+    played_s_ = 0;
+    was_stopped_ = true;
+  }
+  if (retrace_.goes_back() && !now.stopped) go_back(action);
   while (!queue_.empty() && queue_.front().grip) {
     const auto& [tool, command] = *queue_.front().grip;
     tools_[tool] = command;
@@ -146,6 +168,8 @@ Action BodyExecutor::next(const Observation& now) {
   if (!queue_.empty() && !now.stopped) {
     Motion& motion = queue_.front();
     play_step(motion, now, action);
+    if (motion.base || motion.trajectory.joints() > 0)
+      retrace_.tell({position_, action.drive_m_s, action.turn_rad_s});
     if (is_over(motion, now)) {
       queue_.pop_front();
       played_s_ = 0;

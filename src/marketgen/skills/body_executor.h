@@ -4,12 +4,14 @@
 #include <deque>
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "agent/policy.h"
 #include "motion/base_follower.h"
 #include "motion/joint_trajectory.h"
 #include "robots/robot.h"
+#include "skills/retrace.h"
 
 namespace marketgen {
 
@@ -30,8 +32,14 @@ class BodyExecutor {
   void grip(int tool, ToolCommand command);  // from then on
   void wait(double seconds);
 
-  bool idle() const { return queue_.empty(); }
+  bool idle() const { return queue_.empty() && !retrace_.goes_back(); }
+  // A protective stop breaks off what is queued: after it the robot goes back a second of its way,
+  // and is idle.
   Action next(const Observation& now);
+  // Whether what was queued last was broken off so. Says it once.
+  bool take_stop() { return std::exchange(was_stopped_, false); }
+  // As its tool is told to be.
+  const ToolCommand& told(int tool) const { return tools_[static_cast<std::size_t>(tool)]; }
 
  private:
   struct Motion {
@@ -51,6 +59,8 @@ class BodyExecutor {
   void steer(const BaseFollower& wanted, const Observation& now, Action& action) const;
   bool is_over(Motion& motion, const Observation& now) const;
   std::size_t column_of(int dof) const;
+  void push(Motion motion);
+  void go_back(Action& action);
 
   const Robot* robot_;
   std::vector<int> commanded_;
@@ -59,6 +69,8 @@ class BodyExecutor {
   std::vector<double> position_;
   std::vector<double> queued_position_;  // at the end of the queue
   std::vector<ToolCommand> tools_;
+  Retrace retrace_;
+  bool was_stopped_ = false;
 };
 
 }  // namespace marketgen

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "physics/goods/contact_shape.h"
+#include "assets/contact_shape.h"
 
 namespace marketgen {
 namespace {

@@ -1,5 +1,6 @@
 #include "skills/pick_ways.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace marketgen {
@@ -64,6 +65,37 @@ Result<PickWays> plan_pick_ways(const ArmModel& model,
   MARKETGEN_TRY(ways.reach, plan_reach(way, line, question, seed, pick_options(motion, 1)));
   MARKETGEN_CHECK(add_way_out(line, place, base_from_world, motion, ways));
   return ways;
+}
+
+std::vector<double> raised_state(const Robot& robot,
+                                 std::vector<double> driving,
+                                 double lift_m,
+                                 double opening_m) {
+  std::vector<double>& q = driving;
+  if (const int lift = robot.find_dof("lift"); lift >= 0) {
+    const Joint& joint = robot.joint_of_dof(static_cast<std::size_t>(lift));
+    q[static_cast<std::size_t>(lift)] = std::clamp(lift_m, joint.lower, joint.upper);
+  }
+  for (const Tool& tool : robot.tools) {
+    const JointGroup* fingers = robot.find_group(tool.prefix + "fingers");
+    if (tool.kind != ToolKind::gripper || fingers == nullptr) continue;
+    for (const int dof : fingers->dofs) {
+      const Joint& joint = robot.joint_of_dof(static_cast<std::size_t>(dof));
+      q[static_cast<std::size_t>(dof)] = std::min(opening_m / tool.opening, 1.0) * joint.upper;
+    }
+  }
+  return with_followers(robot, std::move(q));
+}
+
+std::vector<double> stowed_state(const Robot& robot,
+                                 const std::string& posture,
+                                 double lift_m,
+                                 double opening_m) {
+  std::vector<double> q = neutral_state(robot);
+  const Posture* stow = robot.find_posture(posture);
+  if (stow == nullptr && !robot.postures.empty()) stow = &robot.postures.front();
+  if (stow != nullptr) q = with_posture(*stow, std::move(q));
+  return raised_state(robot, std::move(q), lift_m, opening_m);
 }
 
 Pose place_before_shelf(Vec3 product, double depth_m, Vec3 out, double distance_m, double side_m) {

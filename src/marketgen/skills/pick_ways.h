@@ -3,6 +3,7 @@
 //
 // Store frame, SI units.
 #pragma once
+#include <string>
 #include <vector>
 
 #include "base/seed.h"
@@ -44,6 +45,18 @@ Result<PickWays> plan_pick_ways(const ArmModel& model,
                                 const PickSurroundings& around,
                                 const PickMotion& motion,
                                 Seed seed);
+
+// A robot that drives, its lift at this height (as far as it goes) and each of its grippers open so
+// far.
+std::vector<double> raised_state(const Robot& robot,
+                                 std::vector<double> driving,
+                                 double lift_m,
+                                 double opening_m);
+// The same in a posture; without its name, or where the robot has none of it, in its first.
+std::vector<double> stowed_state(const Robot& robot,
+                                 const std::string& posture,
+                                 double lift_m,
+                                 double opening_m);
 
 // Where the base stands so far before a product's front, the product `side` to its left. `out`:
 // from the shelf into the aisle.

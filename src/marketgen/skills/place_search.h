@@ -1,20 +1,37 @@
-// Where what is held may be put down: stable ways round, free places, postures, by what is known of
-// the product and what is seen of the counter. Base frame, metres.
+// Where what is held may be put down on a counter: stable ways round, free places, postures.
+//
+// What stands about is given: as bodies that are known, as points that were measured, or both. Base
+// frame of the arm, whose Z = 0 is the counter; metres.
 #pragma once
-#include <optional>
 #include <vector>
 
-#include "agent/known_products.h"
-#include "agent/workplace.h"
-#include "robots/grasp_tool.h"
 #include "skills/arm_executor.h"
+#include "skills/hand_room.h"
+#include "skills/held_product.h"
 
 namespace marketgen {
 
-struct HeldProduct {
-  const KnownProduct* known = nullptr;
+// What is held, and how.
+struct HeldPack {
+  const Product* product = nullptr;
+  const ProductBody* body = nullptr;
   Pose tip_from_product;
-  double opening_m = 0;  // of the gripper when it lets go
+  Quaternion base_from_product;  // as it is turned now
+  double opening_m = 0;          // of the gripper when it lets go
+};
+
+struct CounterBody : PlacedBody {
+  TurnedBox box;  // that holds it, base frame
+};
+
+struct PlaceQuestion {
+  WorkArea area;                    // the whole pack is to stand in it
+  std::vector<WorkArea> kept_free;  // and in none of these
+  std::vector<CounterBody> bodies;  // that stand about
+  const std::vector<Vec3f>* points =
+      nullptr;                    // measured, on what stands about; none: there are none
+  std::vector<PlacedBody> walls;  // of the basket
+  double unsure_m = 0;            // so far may be off what is said of all this
 };
 
 struct FreePlace {
@@ -22,23 +39,22 @@ struct FreePlace {
   Vec3 approach;  // straight down, tip frame
 };
 
-struct PlaceAsk {
-  WorkArea area;                      // the whole product is to stand in it
-  std::vector<WorkArea> kept_free;    // and in none of these
-  const std::vector<Vec3f>& counter;  // measured points of what stands about
-  std::vector<WorkBox> walls;         // of the basket, base_from_box
-};
-
 constexpr double let_go_height_m = 0.004;  // over the counter
 
-// Best first, at most `most`.
+// Best first, at most `max_places`.
 std::vector<FreePlace> free_places(const GraspTool& tool,
                                    const ArmExecutor& arm,
-                                   const HeldProduct& held,
-                                   const PlaceAsk& ask,
-                                   std::size_t most);
+                                   const HeldPack& held,
+                                   const PlaceQuestion& question,
+                                   std::size_t max_places);
 
-// What is held, as spheres on the link of the tip.
-AttachedObject held_spheres(const Robot& robot, const HeldProduct& held);
+// The basket and the area where goods that are asked for go, with room round both: what is in the
+// way is put beside them.
+std::vector<WorkArea> areas_kept_free(const Workplace& place);
+
+// What is held, as spheres on the link of the arm's tip.
+AttachedObject held_spheres(const Robot& robot,
+                            const ProductBody& body,
+                            const Pose& tip_from_product);
 
 }  // namespace marketgen

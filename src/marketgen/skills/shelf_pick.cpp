@@ -1,31 +1,27 @@
 #include "skills/shelf_pick.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 
 #include <fmt/format.h>
+
+#include "base/interrupt.h"
 
 namespace marketgen {
 namespace {
 
-// From the product's front to the base's middle, and to the side of the arm.
-constexpr std::array pick_distances_m{0.62, 0.68, 0.74, 0.55};
-constexpr std::array pick_sides_m{0.30, 0.26, 0.34, 0.20};
+// From the product's front to the base's middle, and to the side of the arm. A robot that stands
+// still has its arm in its middle: half as far, straight in front, and on the other side.
+constexpr std::array pick_distances_m{0.62, 0.68, 0.74, 0.55, 0.48};
+constexpr std::array driving_sides_m{0.30, 0.26, 0.34};
+constexpr std::array standing_sides_m{0.15, 0.13, 0.17, 0.0, 0.06, -0.06};
 constexpr double tip_over_lift_m = 0.9;  // height of the grasp over the lift's zero
+constexpr int max_blocked = 12;          // places from which a grasp is in reach and cannot be had
+constexpr double to_the_right_m = -1e-6;
 
-// The robot as it drives, its lift and one of its grippers set.
-std::vector<double> raised_state(
-    const Robot& robot, const Tool& tool, std::vector<double> q, double lift_m, double opening_m) {
-  const auto set = [&](int dof, double value) {
-    const Joint& joint = robot.joint_of_dof(static_cast<std::size_t>(dof));
-    q[static_cast<std::size_t>(dof)] = std::clamp(value, joint.lower, joint.upper);
-  };
-  if (const int lift = robot.find_dof("lift"); lift >= 0) set(lift, lift_m);
-  if (const JointGroup* fingers = robot.find_group(tool.prefix + "fingers"))
-    for (const int dof : fingers->dofs)
-      set(dof, opening_m / 2);
-  return with_followers(robot, std::move(q));
+// The arm comes to the grasp, but something is in its way.
+bool is_blocked(const Error& error) {
+  return error.code == "motion.line_blocked" || error.code == "motion.goal_in_collision" ||
+         error.code == "motion.no_path";
 }
 
 class ShelfPickPlanner {
@@ -43,21 +39,27 @@ class ShelfPickPlanner {
   Result<void> make_model() {
     MARKETGEN_TRY(model_, make_arm_model(robot_, hand_.arm->name));
     const std::vector<Pose> links = link_poses(robot_, question_.driving);
-    side_ = links[static_cast<std::size_t>(hand_.arm->base)].position.y < 0 ? -1 : 1;
+    const double left = links[static_cast<std::size_t>(hand_.arm->base)].position.y;
+    for (const double side : driving_sides_m)
+      if (robot_.drive) sides_m_.push_back(left < to_the_right_m ? -side : side);
+    if (!robot_.drive) sides_m_.assign(standing_sides_m.begin(), standing_sides_m.end());
     return {};
   }
 
   // At the first place that serves; otherwise the error of the last one tried.
-  Result<ShelfPick> plan(const Grasp& grasp) const {
-    if (question_.world_from_base) return at_place(grasp, *question_.world_from_base);
-    Error error{"collect.no_place", robot_.name, "there is no room to stand in front of it"};
-    for (const double side : pick_sides_m) {
+  Result<ShelfPick> plan(std::size_t number) const {
+    if (question_.world_from_base) return at_place(number, *question_.world_from_base);
+    Error error{"collect.no_place", question_.where, "the robot can stand nowhere in front of it"};
+    int blocked = 0;
+    for (const double side : sides_m_) {
       for (const double distance : pick_distances_m) {
-        const Pose place = place_before_shelf(
-            question_.world_from_product.position, question_.depth_m, out_, distance, side * side_);
-        if (!question_.may_stand(place)) continue;
-        auto found = at_place(grasp, place);
+        if (blocked == max_blocked) return error;
+        auto found = at_place(
+            number,
+            place_before_shelf(
+                question_.world_from_product.position, question_.depth_m, out_, distance, side));
         if (found.ok()) return found;
+        blocked += is_blocked(found.error()) ? 1 : 0;
         error.message =
             fmt::format("at {:.2f} m from its front: {}", distance, found.error().message);
       }
@@ -66,19 +68,18 @@ class ShelfPickPlanner {
   }
 
  private:
-  Result<ShelfPick> at_place(const Grasp& grasp, const Pose& world_from_base) const {
-    const Tool& tool = robot_.tools[static_cast<std::size_t>(hand_.tool)];
+  Result<ShelfPick> at_place(std::size_t number, const Pose& world_from_base) const {
+    const Grasp& grasp = question_.grasps[number];
     const Pose world_from_tip = question_.world_from_product * grasp.product_from_tool;
     ShelfPick pick;
     pick.group = hand_.arm->name;
     pick.tool = hand_.tool;
     pick.grasp = grasp;
+    pick.number = number;
     pick.world_from_base = world_from_base;
-    pick.state = raised_state(robot_,
-                              tool,
-                              question_.driving,
-                              world_from_tip.position.z - tip_over_lift_m,
-                              grasp.opening_m);
+    pick.state = raised_state(
+        robot_, question_.driving, world_from_tip.position.z - tip_over_lift_m, grasp.opening_m);
+    if (question_.may_stand) MARKETGEN_CHECK(question_.may_stand(world_from_base, pick.state));
     const PickPlace place{world_from_base, pick.state, world_from_tip, out_};
     MARKETGEN_TRY(PickWays ways, plan_pick_ways(model_, place, question_.around, question_, seed_));
     static_cast<PickWays&>(pick) = std::move(ways);
@@ -89,8 +90,8 @@ class ShelfPickPlanner {
   const ShelfPickQuestion& question_;
   Hand hand_;
   Seed seed_;
-  Vec3 out_;         // from the shelf into the aisle
-  double side_ = 1;  // 1 for an arm on the left of its robot, -1 on the right
+  Vec3 out_;                     // from the shelf into the aisle
+  std::vector<double> sides_m_;  // to the left of the robot, at which the product is
   ArmModel model_;
 };
 
@@ -108,10 +109,11 @@ Result<ShelfPick> plan_shelf_pick(const Robot& robot,
     return Error{"robot.unknown",
                  robot.name,
                  fmt::format("no arm of this robot ends in a {}", question.tool_row)};
-  Error error{"collect.no_place", robot.name, "there is no grasp to try"};
-  for (const Grasp& grasp : question.grasps) {
+  Error error{"collect.no_place", question.where, "there is no grasp to try"};
+  for (std::size_t number = 0; number < question.grasps.size(); ++number) {
     for (const ShelfPickPlanner& planner : planners) {
-      auto pick = planner.plan(grasp);
+      interrupt_point();
+      auto pick = planner.plan(number);
       if (pick.ok()) return pick;
       error = pick.error();
     }

@@ -22,20 +22,25 @@ struct ShelfPickQuestion : PickMotion {
   std::string tool_row;         // of the gripper that they are for
   std::vector<double> driving;  // the robot's state while it drives
   PickSurroundings around;
-  std::function<bool(const Pose& world_from_base)> may_stand;
+  // An error where the robot, in that state, cannot stand there. Not asked when there is none.
+  std::function<Result<void>(const Pose& world_from_base, const std::vector<double>& state)>
+      may_stand;
   std::optional<Pose> world_from_base = {};  // stands there and nowhere else
+  std::string where;                         // of errors: what is to be taken
 };
 
 struct ShelfPick : PickWays {
   std::string group;  // of the arm
   int tool = 0;       // in Robot::tools
   Grasp grasp;
+  std::size_t number = 0;  // of the grasp, in the question's
   Pose world_from_base;
   std::vector<double> state;  // every degree of freedom at the start; fingers open
 };
 
 // Over the grasps, the robot's arms that end in that gripper, and places in front of the product.
-// Errors: collect.no_place with what was wrong at the place that was tried last; robot.unknown when
+// Errors: collect.no_place with what was wrong at the place that was tried last; at a place that is
+// given, what is wrong there; robot.unknown when
 // no arm of the robot ends in the gripper; those of make_arm_model.
 Result<ShelfPick> plan_shelf_pick(const Robot& robot, const ShelfPickQuestion& question, Seed seed);
 

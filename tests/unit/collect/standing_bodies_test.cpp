@@ -8,9 +8,9 @@
 #include <memory>
 #include <numbers>
 
+#include "collect/standing_robot.h"
 #include "geometry/box_extents.h"
 #include "layout/layout.h"
-#include "motion/standing_robot.h"
 #include "physics/goods/contact_shape.h"
 #include "physics/goods/spec_geoms.h"
 #include "robots/robot_row.h"

@@ -55,8 +55,8 @@ TEST_F(OracleParts, ItemsLieInTheBasketAndNotInTheArea) {
 TEST_F(OracleParts, AnItemOverlapsItselfAndNotThePlaceAboveIt) {
   const OracleScene scene(world_, tool_);
   const Vec3 middle = scene.middle(0);
-  EXPECT_GT(scene.overlap(0, {middle, {}}, {0.002, 0.002, 0.002}), 0.005);
-  EXPECT_EQ(scene.overlap(0, {middle + Vec3{0, 0, 0.5}, {}}, {0.002, 0.002, 0.002}), 0);
+  EXPECT_GT(box_overlap(scene.body(0), {middle, {}}, {0.002, 0.002, 0.002}), 0.005);
+  EXPECT_EQ(box_overlap(scene.body(0), {middle + Vec3{0, 0, 0.5}, {}}, {0.002, 0.002, 0.002}), 0);
   EXPECT_EQ(scene.item_overlap(0, {0, 0, 0.5}, 1), 0);
 }
 
@@ -69,7 +69,7 @@ TEST_F(OracleParts, GraspsComeFromAboveAndThoseWithoutBlockersFirst) {
     EXPECT_TRUE(std::ranges::is_sorted(
         grasps.choices, {}, [](const GraspChoice& choice) { return choice.blockers.size(); }));
     for (const GraspChoice& choice : grasps.choices) {
-      EXPECT_LT(tilt_deg(choice.station_from_tip.rotation), 65.5);
+      EXPECT_LT(tilt_deg(choice.base_from_tip.rotation), 65.5);
       EXPECT_GT(choice.opening_m, 0.02);
       EXPECT_LE(choice.opening_m, tool_.opening_m);
       EXPECT_FALSE(std::ranges::count(choice.blockers, item)) << "an item blocks itself";
@@ -85,23 +85,21 @@ TEST_F(OracleParts, PlacesAreInTheAreaOverTheCounterAndInReach) {
   for (std::size_t item = 0; item < scene.items(); ++item) {
     const ItemGrasps grasps = item_grasps(scene, item, taken(lone_grasps(scene, item)));
     if (grasps.choices.empty()) continue;
-    PlaceQuestion question;
-    question.item = item;
-    question.tip_from_item =
-        inverse(grasps.choices.front().station_from_tip) * world_.item_pose(item);
-    question.opening_m = grasps.choices.front().opening_m;
-    question.area = world_.station().unloading.area();
-    for (const PlaceChoice& place : item_places(scene, executor, question, 3)) {
+    const GraspChoice& grasp = grasps.choices.front();
+    const HeldPack held = held_pack(
+        scene, item, inverse(grasp.base_from_tip) * world_.item_pose(item), grasp.opening_m);
+    for (const FreePlace& place :
+         free_places(tool_, executor, held, place_question(scene, item, true), 3)) {
       ++found;
       const CheckoutGoods& goods = world_.goods(item);
       EXPECT_TRUE(is_inside(world_.region(),
                             {goods.product.sku,
-                             place.station_from_item,
+                             place.base_from_product,
                              to_double(goods.body.center_of_mass),
                              goods.volume}));
       for (const Vec3& point : goods.volume)
-        EXPECT_GT((place.station_from_item * point).z, 0);
-      EXPECT_TRUE(executor.effort_to(place.station_from_tip).has_value());
+        EXPECT_GT((place.base_from_product * point).z, 0);
+      EXPECT_TRUE(executor.effort_to(place.base_from_tip).has_value());
     }
   }
   EXPECT_GT(found, 0U);

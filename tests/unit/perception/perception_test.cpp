@@ -1,4 +1,4 @@
-// Masks, recognition, poses and room for the hand, on boxes whose answer is known.
+// Masks, recognition and poses, on boxes whose answer is known.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -123,21 +123,6 @@ TEST(ProductLook, PicturesWithoutTheProductAreAnError) {
   const auto made = ProductLook::make("ghost", pictures);
   ASSERT_FALSE(made.ok());
   EXPECT_EQ(made.error().code, "perception.no_picture");
-}
-
-TEST(HandIntrusion, IsAsDeepAsThePointsReachIntoTheFingers) {
-  const auto tool =
-      load_grasp_tool(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data", "panda-long-hand");
-  ASSERT_TRUE(tool.ok());
-  const Pose tip{{0.5, 0, 0.05}, rotation_about({1, 0, 0}, std::numbers::pi)};
-  EXPECT_EQ(hand_intrusion(*tool, tip, 0.06, {}), 0);
-  // In the middle of the left pad, at its tip.
-  const ToolSolid pad = opened(*tool, 0.06).front();
-  const Vec3f inside = to_float(tip * pad.tool_from_solid.position);
-  const std::vector<Vec3f> points(5, inside);
-  EXPECT_GT(hand_intrusion(*tool, tip, 0.06, points), 0.002);
-  // A hand's width aside there is room.
-  EXPECT_EQ(hand_intrusion(*tool, Pose{{0, 0.3, 0}, {}} * tip, 0.06, points), 0);
 }
 
 }  // namespace

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "collect/drive_graph.h"
 #include "episodes/aisle/aisle_station.h"
 #include "episodes/episode_spec.h"
-#include "motion/plan_drive.h"
 #include "scene/scene.h"
 #include "skills/drop_plan.h"
 

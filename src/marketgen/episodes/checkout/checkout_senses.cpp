@@ -59,6 +59,7 @@ Workplace workplace_of(const CheckoutStation& station) {
   place.base_from_basket = station.basket_pose();
   place.rim_m = station.basket.height_m;
   place.inner_half = {station.basket.top_m[0] / 2, station.basket.top_m[1] / 2, 0};
+  place.wall_m = station.basket.wall_m;
   for (const ContainerBox& box : boxes_of(station.container())) {
     const bool is_wall = std::abs(box.half_size.x - station.basket.wall_m / 2) < 1e-9;
     (is_wall ? place.walls : place.ledges).push_back({box.container_from_box, box.half_size});

@@ -1,25 +1,12 @@
-// The primitives with which things meet in MuJoCo, and how they rub: the one description that both
-// the simulation and the MJCF file are made from.
+// How the primitives with which things meet in MuJoCo rub: the one description that both the
+// simulation and the MJCF file are made from.
 #pragma once
-#include "assets/product_model.h"
-#include "geometry/pose.h"
+#include "assets/contact_shape.h"
 #include "scene/scene.h"
 
 namespace marketgen {
 
-struct ContactShape {
-  CollisionShape shape = CollisionShape::box;
-  Pose pose;  // owner_from_shape; a cylinder's axis is Z
-  Vec3 size;  // as MuJoCo counts: half extents, or radius, half length and 0
-};
-
-ContactShape contact_shape_of(const ScenePart& part);                 // in the fixture frame
-ContactShape contact_shape_of(const CollisionPrimitive& primitive);   // in the product frame
-ContactShape contact_shape_of(const ContactPiece& piece);             // the same; not of a hull
-ContactShape operator*(const Pose& pose, const ContactShape& shape);  // moved along with its owner
-
-// Half extents of the axis-aligned box around the shape, in its owner's frame.
-Vec3 half_extents(const ContactShape& shape);
+ContactShape contact_shape_of(const ScenePart& part);  // in the fixture frame
 
 // ---- Parameters of the simulation. Measured to hold a grasp for 5 s within 0.1 mm. ----
 

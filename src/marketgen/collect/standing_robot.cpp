@@ -1,4 +1,4 @@
-#include "motion/standing_robot.h"
+#include "collect/standing_robot.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Where robots may stand: rooms with a box or a column, whose free places are plain to see.
-#include "motion/standing_robot.h"
+#include "collect/standing_robot.h"
 
 #include <gtest/gtest.h>
 

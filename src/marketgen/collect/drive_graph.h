@@ -1,0 +1,16 @@
+// The floor of a store that is free for a robot that drives.
+//
+// Fixtures whose parts all hang over the robot are no obstacle; the others are their footprint.
+// Store frame.
+#pragma once
+#include "motion/plan_drive.h"
+#include "scene/scene.h"
+
+namespace marketgen {
+
+// Made once for a store and an envelope. Errors: those of VisibilityGraph::make.
+Result<VisibilityGraph> drive_graph(const Scene& scene,
+                                    const BaseEnvelope& envelope,
+                                    double margin_m = 0.03);
+
+}  // namespace marketgen

@@ -1,0 +1,34 @@
+// Backing off after a protective stop: the last second of what a robot was told, backwards. What it
+// came past without touching it, it gets back past.
+#pragma once
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "agent/policy.h"
+
+namespace marketgen {
+
+// One control step, as it was told.
+struct ToldStep {
+  std::vector<double> position;          // as in Action
+  double drive_m_s = 0, turn_rad_s = 0;  // of the base
+};
+
+class Retrace {
+ public:
+  void start();              // forgets everything
+  void tell(ToldStep step);  // of a motion that goes on
+  // Whether a stop has just ended: then begins to go back. While the robot is stopped, no motion
+  // may be told.
+  bool begins(const Observation& now);
+  bool goes_back() const { return goes_back_; }
+  // The next step back, its base the other way; empty when all is gone back.
+  std::optional<ToldStep> back();
+
+ private:
+  std::deque<ToldStep> told_;
+  bool stopped_ = false, goes_back_ = false;
+};
+
+}  // namespace marketgen
