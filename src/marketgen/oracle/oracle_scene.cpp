@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "episodes/checkout/checkout_goals.h"
+#include "episodes/checkout/checkout_senses.h"
 #include "geometry/box_extents.h"
 #include "motion/shape_obstacles.h"
-#include "episodes/checkout/checkout_senses.h"
 
 namespace marketgen {
 
