@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "support/committed_robot.h"
+#include "support/outside_of_link.h"
 
 namespace marketgen {
 namespace {
@@ -53,18 +54,6 @@ TEST(LinkParts, EverySolidOfEveryRowIsClosed) {
         EXPECT_TRUE(is_watertight(mesh_of(shape))) << id << " " << link.name;
     }
   }
-}
-
-// How far a point lies outside of the link's capsules.
-double outside(const Link& link, Vec3 p) {
-  double least = HUGE_VAL;
-  for (const Capsule& c : link.capsules) {
-    const Vec3 along = c.b - c.a;
-    const double span = dot(along, along);
-    const double t = span > 0 ? std::clamp(dot(p - c.a, along) / span, 0.0, 1.0) : 0;
-    least = std::min(least, length(p - c.a - along * t) - c.radius);
-  }
-  return least;
 }
 
 // To 6 mm: what the spheres' margin of 5 mm nearly holds too. The lowest 70 mm of stand and

@@ -1,0 +1,17 @@
+// How far a point lies outside of a link's capsules; negative inside. Metres, link frame.
+#pragma once
+#include <algorithm>
+#include <cmath>
+
+#include "robots/self_collision.h"
+
+namespace marketgen {
+
+inline double outside(const Link& link, Vec3 p) {
+  double least = HUGE_VAL;
+  for (const Capsule& c : link.capsules)
+    least = std::min(least, distance_between(Capsule{p, p, 0}, c));
+  return least;
+}
+
+}  // namespace marketgen
