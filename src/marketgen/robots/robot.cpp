@@ -71,13 +71,8 @@ const Tool* gripper_of(const Robot& robot, int dof) {
 }
 
 const Joint* driven_finger(const Robot& robot, const Tool& tool) {
-  const JointGroup* fingers = robot.find_group(tool.prefix + "fingers");
-  if (tool.kind != ToolKind::gripper || fingers == nullptr) return nullptr;
-  for (const int dof : fingers->dofs) {
-    const Joint& joint = robot.joint_of_dof(static_cast<std::size_t>(dof));
-    if (joint.follows < 0) return &joint;
-  }
-  return nullptr;
+  return tool.driven_dof < 0 ? nullptr
+                             : &robot.joint_of_dof(static_cast<std::size_t>(tool.driven_dof));
 }
 
 std::vector<int> links_from(const Robot& robot, int link) {

@@ -165,6 +165,7 @@ struct Tool {
   double payload = 0;     // kg
   int frame = -1;         // "<prefix>tcp"
   std::string row = {};   // its id in data/robots
+  int driven_dof = -1;    // of a gripper: the finger that the others follow
 };
 
 // A part, an arm mostly, that stops the whole robot when something outside it presses on it harder
@@ -228,7 +229,7 @@ double total_mass(const Robot& robot);  // kg
 bool is_on_wheels(const Robot& robot, int dof);
 // The gripper whose fingers a degree of freedom moves; null for any other.
 const Tool* gripper_of(const Robot& robot, int dof);
-// Of a gripper the finger that the others follow; null for a cup.
+// Of a gripper the finger that the others follow (Tool::driven_dof); null for a cup.
 const Joint* driven_finger(const Robot& robot, const Tool& tool);
 // A link and all that it carries, parents first.
 std::vector<int> links_from(const Robot& robot, int link);

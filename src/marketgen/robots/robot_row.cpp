@@ -127,7 +127,8 @@ class Assembly {
                              row.tool->seal_depth,
                              row.tool->payload,
                              -1,
-                             row.id});
+                             row.id,
+                             -1});
     for (const PartRow& part : row.parts)
       MARKETGEN_CHECK(add_part(row, part, prefix, depth));
     return {};
@@ -161,6 +162,7 @@ class Assembly {
     for (Tool tool : tools_made_) {
       tool.frame = robot.find_frame(tool.prefix + "tcp");
       if (tool.frame < 0) return unknown(row, "frame", tool.prefix + "tcp");
+      tool.driven_dof = driven_dof(robot, tool);
       robot.tools.push_back(std::move(tool));
     }
     for (const PostureRow& posture : postures_) {
@@ -188,6 +190,15 @@ class Assembly {
     for (std::string& joint : posture.joints)
       joint.insert(0, prefix);
     return posture;
+  }
+
+  // -1 for a cup, and for a gripper without fingers.
+  static int driven_dof(const Robot& robot, const Tool& tool) {
+    const JointGroup* fingers = robot.find_group(tool.prefix + "fingers");
+    if (tool.kind != ToolKind::gripper || fingers == nullptr) return -1;
+    for (const int dof : fingers->dofs)
+      if (robot.joint_of_dof(static_cast<std::size_t>(dof)).follows < 0) return dof;
+    return -1;
   }
 
   static Error unknown(const RobotRow& row, const char* what, const std::string& name) {

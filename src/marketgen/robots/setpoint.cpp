@@ -16,10 +16,27 @@ double approach(double way, double acceleration, double step_s) {
   return lost * (ways / m + (m - 1) / 2);
 }
 
+// Over how many steps a mean turns full acceleration into full braking within the jerk.
+std::size_t steps_to_turn(const SetpointLimits& limits, double step_s) {
+  constexpr double rounding = 1e-9;
+  if (!std::isfinite(limits.acceleration) || !std::isfinite(limits.jerk) || limits.jerk <= 0)
+    return 1;
+  const double steps = 2 * limits.acceleration / (limits.jerk * step_s);
+  return static_cast<std::size_t>(std::max(1.0, std::ceil(steps - rounding)));
+}
+
+Setpoint mean_of(const std::vector<Setpoint>& list) {
+  Setpoint sum;
+  for (const Setpoint& each : list)
+    sum.position += each.position, sum.velocity += each.velocity;
+  const auto count = static_cast<double>(list.size());
+  return {sum.position / count, sum.velocity / count};
+}
+
 }  // namespace
 
 SetpointLimits setpoint_limits(const Joint& joint) {
-  return {joint.lower, joint.upper, joint.velocity, joint.acceleration};
+  return {joint.lower, joint.upper, joint.velocity, joint.acceleration, joint.jerk};
 }
 
 void Setpoint::follow(const Setpoint& wanted, const SetpointLimits& limits, double step_s) {
@@ -35,11 +52,33 @@ void Setpoint::follow(const Setpoint& wanted, const SetpointLimits& limits, doub
   position = std::clamp(position + velocity * step_s, limits.lower, limits.upper);
 }
 
-void Setpoint::keep_near(double joint_position, double reach) {
-  const double near = std::clamp(position, joint_position - reach, joint_position + reach);
+void Setpoint::keep_near(const Setpoint& joint, double reach) {
+  const double near = std::clamp(position, joint.position - reach, joint.position + reach);
   const bool runs_away = (near - position) * velocity < 0;
   position = near;
-  if (runs_away) velocity = 0;
+  if (runs_away)
+    velocity = std::clamp(joint.velocity, std::min(velocity, 0.0), std::max(velocity, 0.0));
+}
+
+void SmoothSetpoint::follow(const Setpoint& wanted, const SetpointLimits& limits, double step_s) {
+  if (recent_.empty()) recent_.assign(steps_to_turn(limits, step_s), now_);
+  const double late_s = static_cast<double>(recent_.size() - 1) / 2 * step_s;  // the mean is
+  Setpoint next = recent_.back();
+  next.follow({wanted.position + wanted.velocity * late_s, wanted.velocity}, limits, step_s);
+  recent_.erase(recent_.begin());
+  recent_.push_back(next);
+  const double before = now_.velocity;
+  now_ = mean_of(recent_);
+  acceleration_ = std::isfinite(limits.acceleration) ? (now_.velocity - before) / step_s : 0;
+}
+
+void SmoothSetpoint::keep_near(const Setpoint& joint, double reach) {
+  Setpoint kept = now_;
+  kept.keep_near(joint, reach);
+  if (kept.position == now_.position) return;
+  now_ = kept;
+  acceleration_ = 0;
+  std::ranges::fill(recent_, now_);
 }
 
 }  // namespace marketgen

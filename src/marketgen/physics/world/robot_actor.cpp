@@ -120,31 +120,36 @@ RobotActor::SetControl RobotActor::controls_of(mjData& data) {
 
 Result<void> RobotActor::command(World& world,
                                  std::span<const double> position,
-                                 std::span<const double> velocity) const {
-  return command(controls_of(world), world.data(), position, velocity);
+                                 std::span<const double> velocity,
+                                 std::span<const double> effort) const {
+  return command(controls_of(world), world.data(), position, velocity, effort);
 }
 
 Result<void> RobotActor::command(mjData& data,
                                  std::span<const double> position,
-                                 std::span<const double> velocity) const {
-  return command(controls_of(data), data, position, velocity);
+                                 std::span<const double> velocity,
+                                 std::span<const double> effort) const {
+  return command(controls_of(data), data, position, velocity, effort);
 }
 
 // A servo's force is stiffness (control - place) - damping x velocity: it pushes no more at the
-// velocity at which the two are equal.
+// velocity at which the two are equal, but for what it is to give beside.
 Result<void> RobotActor::command(const SetControl& set,
                                  const mjData& data,
                                  std::span<const double> position,
-                                 std::span<const double> velocity) const {
+                                 std::span<const double> velocity,
+                                 std::span<const double> effort) const {
   MARKETGEN_CHECK(check(position, true, "positions"));
   MARKETGEN_CHECK(check(velocity, true, "velocities"));
+  if (!effort.empty()) MARKETGEN_CHECK(check(effort, true, "efforts"));
   for (std::size_t dof = 0; dof < axes_.size(); ++dof) {
     const Axis& axis = axes_[dof];
     if (!follows_position(dof)) continue;
     const double lag_s = axis.damping / axis.stiffness;
     const double now = data.qpos[axis.joint_position], reach = axis.max_velocity * lag_s;
     const double wanted = position[dof] + velocity[dof] * lag_s;
-    MARKETGEN_CHECK(set(axis.actuator, std::clamp(wanted, now - reach, now + reach)));
+    const double beside = effort.empty() ? 0 : effort[dof] / axis.stiffness;
+    MARKETGEN_CHECK(set(axis.actuator, std::clamp(wanted, now - reach, now + reach) + beside));
   }
   return {};
 }

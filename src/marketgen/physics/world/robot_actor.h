@@ -63,13 +63,15 @@ class RobotActor {
   std::vector<double> effort(const World& world) const;  // of the drives, gravity included
 
   // Position drive. The servos lead by what their damping would take at the wanted velocity, so
-  // that a trajectory is followed without lag, and drive no joint faster than its row says. Wheels
+  // that a trajectory is followed without lag, and drive no joint faster than its row says.
+  // `effort` is what they give beside: what the motion is known to take (none when empty). Wheels
   // and fingers are left out. Errors: physics.bad_command (the number of values, NaN, a torque
   // drive); the world is then as before. Values beyond a limit stop at it. This is the bare drive:
   // RobotController keeps the other limits.
   Result<void> command(World& world,
                        std::span<const double> position,
-                       std::span<const double> velocity) const;
+                       std::span<const double> velocity,
+                       std::span<const double> effort = {}) const;
   // The fingers of a gripper follow `finger`, a place of one of them, and press on what is in their
   // way with at most `force_n` each. To be called before every step, since the force is measured
   // from where they are. Errors: physics.bad_command (NaN, negative, no gripper, more force than
@@ -80,7 +82,8 @@ class RobotActor {
   // The same in a model of one's own.
   Result<void> command(mjData_& data,
                        std::span<const double> position,
-                       std::span<const double> velocity) const;
+                       std::span<const double> velocity,
+                       std::span<const double> effort = {}) const;
   Result<void> grip(mjData_& data, const Tool& tool, const Setpoint& finger, double force_n) const;
   Result<void> push_base(mjData_& data, const FloorForce& force) const;
   // Whether command() moves it: no wheel, finger or follower.
@@ -105,7 +108,8 @@ class RobotActor {
   Result<void> command(const SetControl& set,
                        const mjData_& data,
                        std::span<const double> position,
-                       std::span<const double> velocity) const;
+                       std::span<const double> velocity,
+                       std::span<const double> effort) const;
   Result<void> grip(const SetControl& set,
                     const mjData_& data,
                     const Tool& tool,

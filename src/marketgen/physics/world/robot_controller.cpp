@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <mujoco/mujoco.h>
 
+#include "robots/dynamics.h"
+
 namespace marketgen {
 namespace {
 
@@ -38,7 +40,7 @@ Result<RobotController> RobotController::start(const mjModel& model,
   MARKETGEN_TRY(made.actor_, RobotActor::find(model, robot, prefix));
   const std::vector<double> q = made.actor_.position(data), v = made.actor_.velocity(data);
   for (const double place : q)
-    made.setpoints_.push_back({place, 0});
+    made.setpoints_.emplace_back(Setpoint{place, 0});
   for (const Tool& tool : robot.tools) {
     const Joint* finger = driven_finger(robot, tool);
     made.fingers_.push_back({finger == nullptr ? 0 : q[static_cast<std::size_t>(finger->dof)], 0});
@@ -87,14 +89,49 @@ Result<void> RobotController::check(const RobotReference& reference) const {
   return {};
 }
 
+std::vector<Setpoint> RobotController::setpoints() const {
+  std::vector<Setpoint> now;
+  for (const SmoothSetpoint& setpoint : setpoints_)
+    now.push_back(setpoint.now());
+  return now;
+}
+
 void RobotController::follow(const RobotReference& reference, bool stopped, double step_s) {
   for (std::size_t dof = 0; dof < setpoints_.size(); ++dof) {
     if (!actor_.follows_position(dof)) continue;
-    Setpoint& setpoint = setpoints_[dof];
-    const Setpoint stay{setpoint.position, 0};
+    SmoothSetpoint& setpoint = setpoints_[dof];
+    const Setpoint stay{setpoint.now().position, 0};
     setpoint.follow(
         stopped ? stay : reference.joints[dof], setpoint_limits(robot_->joint_of_dof(dof)), step_s);
   }
+}
+
+void RobotController::keep_near(const std::vector<double>& q, const std::vector<double>& v) {
+  for (std::size_t dof = 0; dof < setpoints_.size(); ++dof) {
+    const bool slides = robot_->joint_of_dof(dof).kind == JointType::prismatic;
+    setpoints_[dof].keep_near({q[dof], v[dof]}, slides ? max_lead_m : max_lead_rad);
+  }
+}
+
+// Where the robot is; going as its drives are told, and as its wheels turn. Gravity is carried
+// already.
+std::vector<double> RobotController::effort_of_motion(const std::vector<double>& q,
+                                                      const std::vector<double>& v) const {
+  constexpr double no_gravity = 0;
+  std::vector<double> speeds(q.size()), accelerations(q.size());
+  if (const JointGroup* base = robot_->drive ? robot_->find_group("base") : nullptr)
+    for (const int dof : base->dofs)
+      speeds[static_cast<std::size_t>(dof)] = v[static_cast<std::size_t>(dof)];
+  for (std::size_t dof = 0; dof < q.size(); ++dof) {
+    if (!actor_.follows_position(dof)) continue;
+    speeds[dof] = setpoints_[dof].now().velocity;
+    accelerations[dof] = setpoints_[dof].acceleration();
+  }
+  const Eigen::VectorXd inertial = inverse_dynamics(*robot_, q, speeds, accelerations, no_gravity);
+  std::vector<double> efforts(inertial.begin(), inertial.end());
+  for (std::size_t dof = 0; dof < q.size(); ++dof)
+    efforts[dof] += robot_->joint_of_dof(dof).damping * speeds[dof];
+  return efforts;
 }
 
 // A gripper that closes goes on until it presses: it is then told to be as far inside as takes its
@@ -111,7 +148,7 @@ void RobotController::follow_finger(std::size_t tool,
   SetpointLimits limits = setpoint_limits(*joint);
   limits.lower -= reach;  // pads that press on one another
   fingers_[tool].follow({wanted.opening_m > 0 ? open : limits.lower, 0}, limits, step_s);
-  fingers_[tool].keep_near(q[static_cast<std::size_t>(joint->dof)], reach);
+  fingers_[tool].keep_near({q[static_cast<std::size_t>(joint->dof)], 0}, reach);
 }
 
 FloorForce RobotController::push(const mjData& data,
@@ -133,15 +170,14 @@ Result<void> RobotController::drive(Target& target,
   const double step_s = model.opt.timestep;
   const bool halt = stopped(data.time);
   follow(reference, halt, step_s);
-  const std::vector<double> q = actor_.position(data);
+  const std::vector<double> q = actor_.position(data), v = actor_.velocity(data);
+  keep_near(q, v);
   std::vector<double> places, speeds;
-  for (std::size_t dof = 0; dof < setpoints_.size(); ++dof) {
-    const bool slides = robot_->joint_of_dof(dof).kind == JointType::prismatic;
-    setpoints_[dof].keep_near(q[dof], slides ? max_lead_m : max_lead_rad);
-    places.push_back(setpoints_[dof].position);
-    speeds.push_back(setpoints_[dof].velocity);
+  for (const SmoothSetpoint& setpoint : setpoints_) {
+    places.push_back(setpoint.now().position);
+    speeds.push_back(setpoint.now().velocity);
   }
-  MARKETGEN_CHECK(actor_.command(target, places, speeds));
+  MARKETGEN_CHECK(actor_.command(target, places, speeds, effort_of_motion(q, v)));
   for (std::size_t t = 0; t < fingers_.size(); ++t) {
     const Tool& tool = robot_->tools[t];
     if (driven_finger(*robot_, tool) == nullptr) continue;
@@ -168,7 +204,7 @@ void RobotController::give_way(const mjData& data) {
   const std::vector<double> q = actor_.position(data);
   for (std::size_t dof = 0; dof < setpoints_.size(); ++dof) {
     const Joint& joint = robot_->joint_of_dof(dof);
-    setpoints_[dof] = {std::clamp(q[dof], joint.lower, joint.upper), 0};
+    setpoints_[dof] = SmoothSetpoint({std::clamp(q[dof], joint.lower, joint.upper), 0});
   }
 }
 

@@ -1,6 +1,11 @@
 // What stands between a robot's commands and its drives, as a robot's own controller does: whatever
-// it is told, joints keep the velocity, acceleration and effort of their row, fingers theirs,
+// it is told, joints keep the velocity, acceleration, jerk and effort of their row, fingers theirs,
 // wheels their torque and grip; and the robot stops when something presses on it too hard.
+//
+// Joints are driven by their servos and by what their motion takes (inverse dynamics of the row's
+// links: their inertia, what they do to one another, friction; as a computed-torque controller
+// does), so that a joint that reverses does not pull its neighbours along. What the robot carries
+// is not in it.
 //
 // Protective stop (Robot::contact_limits): when the forces of all contacts of a limit's links with
 // anything else, added as vectors (so that a grip cancels out) and averaged over 10 ms, are more
@@ -47,7 +52,7 @@ class RobotController {
 
   const RobotActor& actor() const { return actor_; }
   // Where the drives are told to be now; of all degrees of freedom.
-  const std::vector<Setpoint>& setpoints() const { return setpoints_; }
+  std::vector<Setpoint> setpoints() const;
   const WheelDrive& wheels() const { return wheels_; }
   bool stopped(double time_s) const { return time_s < goes_on_s_; }
   int stops() const { return stops_; }                 // so far
@@ -64,6 +69,9 @@ class RobotController {
   void find_parts(const mjModel_& model, const std::string& prefix);
   Result<void> check(const RobotReference& reference) const;
   void follow(const RobotReference& reference, bool stopped, double step_s);
+  void keep_near(const std::vector<double>& q, const std::vector<double>& v);
+  std::vector<double> effort_of_motion(const std::vector<double>& q,
+                                       const std::vector<double>& v) const;
   FloorForce push(const mjData_& data,
                   const RobotReference& reference,
                   bool stopped,
@@ -82,7 +90,7 @@ class RobotController {
   const Robot* robot_ = nullptr;
   RobotActor actor_;
   std::vector<int> limit_of_;  // by geom: the contact limit of its link, or -1
-  std::vector<Setpoint> setpoints_;
+  std::vector<SmoothSetpoint> setpoints_;
   std::vector<Setpoint> fingers_;  // one a tool; of cups they stay 0
   WheelDrive wheels_;
   std::vector<Vec3> felt_;  // one a contact limit: mean force, store frame
