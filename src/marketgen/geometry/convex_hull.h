@@ -1,4 +1,5 @@
-// Convex hulls of small point sets: contact shapes, packing.
+// Convex hulls of small point sets: contact shapes, packing. Qhull finds the same triangles in 3 to
+// 22 times the time up to 200 points (docs/architecture.md, "Why our own").
 #pragma once
 #include <array>
 #include <cstdint>

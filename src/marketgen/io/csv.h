@@ -1,4 +1,8 @@
 // Comma-separated values as in RFC 4180: quoted fields, doubled quotes, LF or CRLF.
+//
+// Not Debian's libcsv: it is quicker (60 instead of 78 ms for 100,000 rows) but does not say on
+// which line a row begins, does not see rows of the wrong length, drops blanks around fields and
+// names a fault by its byte alone. See docs/architecture.md, "Why our own".
 #pragma once
 #include <string>
 #include <string_view>

@@ -1,7 +1,8 @@
 // A glTF 2.0 binary file under construction: the bytes, and the JSON that describes them.
 //
 // Equal blocks of data are stored once, so packs of one shape share their geometry whatever their
-// labels show.
+// labels show. (tinygltf's writer needs the whole model beside the file, and shares nothing; see
+// docs/architecture.md, "Why our own".)
 #pragma once
 #include <map>
 #include <span>

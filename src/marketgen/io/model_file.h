@@ -2,6 +2,10 @@
 //
 // Files are outside input: everything is bounded and checked before it is used, and a model never
 // makes the reader open a file outside its own folder (a GLB: any other file).
+//
+// Neither tinygltf nor tinyobjloader reads them: the first crashes on deeply nested extras and
+// hands lengths beyond the file on, the second takes "v 1 abc 0" for three numbers. See
+// docs/architecture.md, "Why our own".
 #pragma once
 #include <filesystem>
 #include <functional>

@@ -3,6 +3,7 @@
 // Two forms. A path of straight pieces (what the planner returns) rests for an instant at every
 // corner, so the robot goes exactly along the pieces that were checked. A dense row of
 // configurations (a tool's straight line) becomes one C2 cubic spline, run through without a stop.
+// Ruckig's library times neither: paths through given points are a service of its makers.
 #pragma once
 #include <vector>
 

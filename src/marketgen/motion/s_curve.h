@@ -1,6 +1,7 @@
 // The quickest motion from rest to rest along one coordinate under limits of velocity, acceleration
 // and jerk: at most seven pieces of constant jerk (the "double S" of Biagiotti and Melchiorri,
-// Trajectory Planning for Automatic Machines and Robots, 2008, section 3.4).
+// Trajectory Planning for Automatic Machines and Robots, 2008, section 3.4). Ruckig finds the same
+// times, to the last digit but one, in 40 times the time (docs/architecture.md, "Why our own").
 #pragma once
 
 namespace marketgen {

@@ -1,5 +1,6 @@
 // Three floats in one SSE register: points, directions and colours where a picture's time goes. The
-// fourth lane is free for its owner; unless said otherwise it is neither read nor kept.
+// fourth lane is free for its owner; unless said otherwise it is neither read nor kept. Not
+// xsimd's, which has no dot product of three lanes in one instruction; see float8.h.
 #pragma once
 #include <immintrin.h>
 
