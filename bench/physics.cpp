@@ -13,7 +13,7 @@ Figures run_physics(const Catalog& catalog) {
   constexpr int products = 200;
   SettleOptions options;
   options.region_m = region_around_aisle(scene, products);
-  options.most_products = products;
+  options.max_products = products;
   MARKETGEN_TRY(const SettleReport report, settle(scene, options));
   const std::string machine = machine_name();
   const double simulated_s = options.settle_s + options.watch_s;

@@ -43,8 +43,8 @@ Result<Brief> brief_of(const GenerateFlags& flags) {
     if (!brief.prompt.empty())
       return Error{
           "usage.bad_flag", "--prompt-file", "give the prompt as words or as a file, not both"};
-    constexpr std::uint64_t most_bytes = 1U << 20;
-    MARKETGEN_TRY(brief.prompt, read_file(flags.prompt_file, most_bytes));
+    constexpr std::uint64_t max_bytes = 1U << 20;
+    MARKETGEN_TRY(brief.prompt, read_file(flags.prompt_file, max_bytes));
   }
   if (!flags.plan_file.empty() && !brief.prompt.empty()) {
     return Error{"usage.bad_flag", "--plan", "a plan needs no prompt: it says everything itself"};

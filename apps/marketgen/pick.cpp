@@ -79,9 +79,9 @@ Result<CollectPlan> plan_first(const Scene& scene,
                                Seed seed) {
   MARKETGEN_TRY(const std::string row, gripper_row(robot));
   MARKETGEN_TRY(const GraspTool tool, load_grasp_tool(data, row));
-  constexpr std::size_t most_tried = 24;
+  constexpr std::size_t max_tried = 24;
   Error first;
-  for (std::size_t i = 0; i < std::min(rows.size(), most_tried); ++i) {
+  for (std::size_t i = 0; i < std::min(rows.size(), max_tried); ++i) {
     auto plan = plan_collect(scene, rows[i], robot, tool, seed);
     if (plan.ok()) return plan;
     if (i == 0) first = plan.error();

@@ -45,10 +45,10 @@ Result<void> write_depth(const std::filesystem::path& path, const Frame& frame) 
   if (path.extension() == ".npy")
     return write_npy(path, frame.depth_m, {frame.color.height, frame.color.width});
   std::vector<std::uint16_t> millimetres(frame.depth_m.size());
-  constexpr float most_mm = 65535;
+  constexpr float max_mm = 65535;
   for (std::size_t i = 0; i < millimetres.size(); ++i) {
     millimetres[i] =
-        static_cast<std::uint16_t>(std::min(frame.depth_m[i] * 1000.0F + 0.5F, most_mm));
+        static_cast<std::uint16_t>(std::min(frame.depth_m[i] * 1000.0F + 0.5F, max_mm));
   }
   return write_png16(path, frame.color.width, frame.color.height, millimetres);
 }

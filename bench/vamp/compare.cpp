@@ -18,7 +18,7 @@ namespace {
 constexpr int calls = 7;
 
 template <class Work>
-double least_us(Work&& work) {
+double min_us(Work&& work) {
   double least = 1e30;
   for (int i = 0; i < calls; ++i) {
     const auto from = std::chrono::steady_clock::now();
@@ -107,9 +107,9 @@ int main(int argc, char** argv) {
     if (!found.ok() || !its.solved) continue;
     const ConfigurationSpace space = checker.space(ArmPlanOptions{}.coarse_step_m);
     search.push_back(
-        least_us([&] { (void)rrt_connect(space, problem.start, {problem.goal}, Seed(1)); }));
+        min_us([&] { (void)rrt_connect(space, problem.start, {problem.goal}, Seed(1)); }));
     plan.push_back(
-        least_us([&] { (void)plan_arm(checker, problem.start, {problem.goal}, Seed(1)); }));
+        min_us([&] { (void)plan_arm(checker, problem.start, {problem.goal}, Seed(1)); }));
     vamp_search.push_back(its.search_us);
     vamp_plan.push_back(its.search_us + its.simplify_us);
     length += length_of(found->path);

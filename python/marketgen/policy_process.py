@@ -209,9 +209,9 @@ class PolicyProcess:
         rules = [*self._sight, confinement.Rule(self._scratch.name, "write")]
         self._send(confinement.told(rules, {"TMPDIR": self._scratch.name}), self._start_limit_s)
 
-    def _asked(self, message: Any, limit_s: float, most_cpu_s: float = math.inf) -> Any:
+    def _asked(self, message: Any, limit_s: float, max_cpu_s: float = math.inf) -> Any:
         self._send(pickle.dumps(message, pickle.HIGHEST_PROTOCOL), limit_s)
-        return self._answer(limit_s, most_cpu_s)
+        return self._answer(limit_s, max_cpu_s)
 
     def _send(self, message: bytes, limit_s: float) -> None:
         try:
@@ -221,13 +221,13 @@ class PolicyProcess:
         except OSError:
             self._died()
 
-    def _answer(self, limit_s: float, most_cpu_s: float = math.inf) -> Any:
-        """`limit_s` of wall time, 0: none; until the process has used `most_cpu_s` since it began."""
+    def _answer(self, limit_s: float, max_cpu_s: float = math.inf) -> Any:
+        """`limit_s` of wall time, 0: none; until the process has used `max_cpu_s` since it began."""
         until = time.monotonic() + (limit_s or math.inf)
         try:
             while not self._connection.poll(min(LOOK_UP_S, max(0.0, until - time.monotonic()))):
                 _core.check_interrupt()
-                if self._group.cpu_s() >= most_cpu_s:
+                if self._group.cpu_s() >= max_cpu_s:
                     self._slow()
                 if time.monotonic() >= until:
                     self._hung(limit_s)

@@ -38,10 +38,10 @@ def convex_pieces(request):
     pieces = coacd.run_coacd(
         mesh,
         threshold=request["threshold"],
-        max_convex_hull=request["most_pieces"],
+        max_convex_hull=request["max_pieces"],
         preprocess_mode="auto",
         decimate=True,
-        max_ch_vertex=request["most_points"],
+        max_ch_vertex=request["max_points"],
         seed=0,
     )
     # 0.01 mm: below any tolerance of ours, and the same text for the last bits of any machine.

@@ -25,14 +25,14 @@ constexpr Archetype archetype_list[] = {
 };
 
 // Limits of Product::fields, repeated here for rows that were not read from a file.
-constexpr int least_size_mm = 5, greatest_size_mm = 1500;
+constexpr int min_size_mm = 5, greatest_size_mm = 1500;
 
 // A quarter and a sixteenth of the near mesh's triangles, and what may go for it: across the aisle
 // a leaf is a sliver, but a can still has twelve sides.
 DetailLimits limits_of(Detail detail, std::size_t triangles) {
-  constexpr std::size_t least_triangles = 100;
-  if (detail == Detail::middle) return {std::max(triangles / 4, least_triangles), 0.05, 0.4};
-  return {std::max(triangles / 16, least_triangles), 0.10, 0.8};
+  constexpr std::size_t min_triangles = 100;
+  if (detail == Detail::middle) return {std::max(triangles / 4, min_triangles), 0.05, 0.4};
+  return {std::max(triangles / 16, min_triangles), 0.10, 0.8};
 }
 
 Result<const Archetype*> archetype_of(const Product& product) {
@@ -76,7 +76,7 @@ std::vector<ArchetypeInfo> archetypes() {
 
 Result<void> check_product_size(const Product& product) {
   for (const int size : product.size_mm) {
-    if (size < least_size_mm || size > greatest_size_mm) {
+    if (size < min_size_mm || size > greatest_size_mm) {
       return Error{
           "assets.bad_row",
           product.sku + "/size_mm",
@@ -84,7 +84,7 @@ Result<void> check_product_size(const Product& product) {
                       product.size_mm[0],
                       product.size_mm[1],
                       product.size_mm[2],
-                      least_size_mm,
+                      min_size_mm,
                       greatest_size_mm)};
     }
   }

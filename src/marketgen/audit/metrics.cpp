@@ -24,10 +24,10 @@ std::vector<std::array<int, 2>> stocked_stretches(const Scene& scene, bool acros
 
 // Gaps between them that a person walks through.
 int walkable_gaps(const std::vector<std::array<int, 2>>& stretches) {
-  constexpr int least_mm = 600;
+  constexpr int min_mm = 600;
   int number = 0, reached = stretches.empty() ? 0 : stretches.front()[1];
   for (const auto& [from, to] : stretches) {
-    if (from - reached >= least_mm) ++number;
+    if (from - reached >= min_mm) ++number;
     reached = std::max(reached, to);
   }
   return number;

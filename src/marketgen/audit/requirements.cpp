@@ -287,9 +287,9 @@ Verdict check_product(const Facts& facts, const Requirement& r, bool wanted) {
 // middle.
 bool is_in_place(const Opening& opening, const Requirement& r) {
   if (const auto wall = value_named<Wall>(r.object); wall && opening.wall != *wall) return false;
-  constexpr double middle = 0.5, most_off_middle = 0.2;
+  constexpr double middle = 0.5, max_off_middle = 0.2;
   const std::string& end = r.second_object;
-  if (end == "center") return std::abs(opening.center - middle) <= most_off_middle;
+  if (end == "center") return std::abs(opening.center - middle) <= max_off_middle;
   if (end == "west" || end == "south") return opening.center <= middle;
   if (end == "east" || end == "north") return opening.center >= middle;
   return true;

@@ -15,11 +15,11 @@ namespace marketgen {
 template <class Key>
 class FlatIndex {
  public:
-  explicit FlatIndex(std::size_t most_keys)
-      : places_(std::bit_ceil(2 * most_keys + 1)), mask_(places_.size() - 1) {}
+  explicit FlatIndex(std::size_t max_keys)
+      : places_(std::bit_ceil(2 * max_keys + 1)), mask_(places_.size() - 1) {}
 
   // The number of `key`, which is `number` when the key is new. Precondition: there are not
-  // most_keys others yet.
+  // max_keys others yet.
   std::pair<std::uint32_t&, bool> try_emplace(const Key& key, std::uint32_t number) {
     Place& place = places_[place_of(key)];
     const bool is_new = place.number == none;

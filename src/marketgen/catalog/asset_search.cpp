@@ -17,7 +17,7 @@ constexpr std::string_view score_query =
 constexpr double meaning_share = 0.6, saying_share = 1, beginning_share = 0.3, apart_share = 0.5;
 constexpr double named_bonus = 1.5;
 constexpr std::size_t shortest_beginning = 3, longest_saying = 3;
-constexpr std::size_t most_words = 24;  // of one question; the rest is ignored
+constexpr std::size_t max_words = 24;  // of one question; the rest is ignored
 
 using Scores = std::map<std::int64_t, double>;  // asset id -> score
 
@@ -47,7 +47,7 @@ struct Question {
 
 Question question_of(std::string_view text, const SearchLexicon& lexicon) {
   std::vector<SearchWord> words = search_words_of(text);
-  if (words.size() > most_words) words.resize(most_words);
+  if (words.size() > max_words) words.resize(max_words);
   Question question;
   bool turned = false;
   for (SearchWord& word : words) {

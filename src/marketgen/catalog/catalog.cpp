@@ -14,11 +14,11 @@ namespace marketgen {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::uint64_t most_row_bytes = 64U << 20;
+constexpr std::uint64_t max_row_bytes = 64U << 20;
 
 template <class Row>
 Result<void> read_rows(const fs::path& file, std::vector<Row>& rows) {
-  MARKETGEN_TRY(const std::string text, read_file(file, most_row_bytes));
+  MARKETGEN_TRY(const std::string text, read_file(file, max_row_bytes));
   MARKETGEN_TRY(std::vector<Row> read, read_json<std::vector<Row>>(text, file.filename().string()));
   std::move(read.begin(), read.end(), std::back_inserter(rows));
   return {};
@@ -41,7 +41,7 @@ Result<void> read_products(const fs::path& folder, std::vector<Product>& rows) {
 }
 
 Result<void> read_lexicon(const fs::path& file, SearchLexicon& lexicon) {
-  MARKETGEN_TRY(const std::string text, read_file(file, most_row_bytes));
+  MARKETGEN_TRY(const std::string text, read_file(file, max_row_bytes));
   MARKETGEN_TRY(lexicon, read_json<SearchLexicon>(text, file.filename().string()));
   return {};
 }
@@ -169,10 +169,10 @@ Error unknown_name(std::string code,
                    const std::vector<std::string_view>& known) {
   const std::string hint = did_you_mean(name, known);
   std::string message = fmt::format("there is no {} \"{}\"", what, name);
-  constexpr std::size_t most_listed = 30;
+  constexpr std::size_t max_listed = 30;
   if (!hint.empty())
     message += hint;
-  else if (known.size() <= most_listed)
+  else if (known.size() <= max_listed)
     message += fmt::format("; known are: {}", fmt::join(known, ", "));
   return {std::move(code), std::move(where), std::move(message)};
 }

@@ -58,11 +58,11 @@ Result<void> require_unique(const std::vector<Row>& rows,
 // Mass over the volume of the bounding box, kg/m3. From expanded polystyrene-light crisps (about
 // 35: 150 g in 5 l) to glass jars and detergents (1,400); paper rolls reach down to 45. Outside of
 // this a row has a slipped digit.
-constexpr double least_density = 20, most_density = 2200;
+constexpr double min_density = 20, max_density = 2200;
 
 Result<void> check_density(const Product& p) {
   const double density = p.mass_kg / (p.width_m() * p.depth_m() * p.height_m());
-  if (density >= least_density && density <= most_density) return {};
+  if (density >= min_density && density <= max_density) return {};
   return bad_row("products",
                  p.sku,
                  fmt::format("{:.3f} kg in {} x {} x {} mm is {:.0f} kg/m3; {} to {} is plausible: "
@@ -72,8 +72,8 @@ Result<void> check_density(const Product& p) {
                              p.size_mm[1],
                              p.size_mm[2],
                              density,
-                             least_density,
-                             most_density));
+                             min_density,
+                             max_density));
 }
 
 Result<void> check_codes(const Product& p) {

@@ -100,7 +100,7 @@ Result<void> copy_meshes(const std::vector<Product>& products,
     MARKETGEN_TRY(const fs::path source, kept_file(product, from));
     MARKETGEN_TRY(const fs::path target, kept_file(product, to));
     if (holds_mesh(target)) continue;
-    MARKETGEN_TRY(const std::string bytes, read_file(source, most_model_bytes));
+    MARKETGEN_TRY(const std::string bytes, read_file(source, max_model_bytes));
     if (sha256_hex(bytes) + ".glb" != product.mesh)
       return Error{"model.bad_file", source.string(), "was changed after it was made; restore it"};
     MARKETGEN_CHECK(write_into(target, bytes));
@@ -176,7 +176,7 @@ Result<std::string> keep_mesh(const fs::path& file, const Product& product) {
 
 Result<OutsideModel> kept_mesh(const Product& product) {
   MARKETGEN_TRY(const fs::path file, kept_file(product, cache_folder()));
-  const Result<std::string> bytes = read_file(file, most_model_bytes);
+  const Result<std::string> bytes = read_file(file, max_model_bytes);
   const bool whole = bytes.ok() && sha256_hex(*bytes) + ".glb" == product.mesh;
   if (bytes.ok() && !whole) drop_entry(file, "was changed");
   if (!whole)

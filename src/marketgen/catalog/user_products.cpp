@@ -20,7 +20,7 @@ namespace marketgen {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::uint64_t most_bytes = 64U << 20;
+constexpr std::uint64_t max_bytes = 64U << 20;
 
 // A row as it is written, with nothing where Product has a default that depends on what it is.
 constexpr double no_friction = 0;
@@ -194,7 +194,7 @@ void fill_in(Product& own,
 
 Result<std::vector<Product>> read_user_products(const fs::path& file) {
   const std::string source = file.filename().string();
-  MARKETGEN_TRY(const std::string text, read_file(file, most_bytes));
+  MARKETGEN_TRY(const std::string text, read_file(file, max_bytes));
   const bool csv = lower_ascii(file.extension().string()) == ".csv";
   MARKETGEN_TRY(std::vector<Product> products,
                 csv ? products_of_csv(text, source) : products_of_json(text, source));

@@ -8,8 +8,8 @@ namespace marketgen {
 namespace {
 
 // Empty when no row is alike.
-std::string most_common(const std::vector<Product>& rows,
-                        const std::function<bool(const Product&)>& alike) {
+std::string max_common(const std::vector<Product>& rows,
+                       const std::function<bool(const Product&)>& alike) {
   std::map<std::string, int> votes;
   for (const Product& row : rows) {
     if (alike(row)) ++votes[row.material];
@@ -31,7 +31,7 @@ std::string usual_material(const std::vector<Product>& rows, const Product& prod
        {std::function<bool(const Product&)>(same_shape),
         std::function<bool(const Product&)>(same_subcategory),
         std::function<bool(const Product&)>(same_category)}) {
-    if (std::string found = most_common(rows, alike); !found.empty()) return found;
+    if (std::string found = max_common(rows, alike); !found.empty()) return found;
   }
   return "cardboard";
 }

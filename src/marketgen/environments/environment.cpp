@@ -34,7 +34,7 @@ Result<std::unique_ptr<Environment>> Environment::create(std::shared_ptr<Episode
 void Environment::set_robot(const Robot& robot, const ObservationBounds& bounds) {
   actions_.emplace(robot, options_.control, options_.stop);
   parts_ = robot_parts(robot, bounds);
-  item_rows_ = options_.item_rows > 0 ? options_.item_rows : ground_->most_items(track_);
+  item_rows_ = options_.item_rows > 0 ? options_.item_rows : ground_->max_items(track_);
   if (options_.privileged)
     std::ranges::move(privileged_parts(robot, item_rows_, bounds), std::back_inserter(parts_));
   for (const ObservationPart& part : parts_) {

@@ -13,7 +13,7 @@
 namespace marketgen {
 namespace {
 
-constexpr std::size_t most_kept_episodes = 1000;
+constexpr std::size_t max_kept_episodes = 1000;
 
 }  // namespace
 
@@ -72,7 +72,7 @@ Result<std::shared_ptr<EpisodeGround>> EpisodeGround::of_pool(Track track) {
       std::move(data), std::move(read), std::make_shared<const Catalog>(std::move(catalog))));
 }
 
-int EpisodeGround::most_items(Track track) const {
+int EpisodeGround::max_items(Track track) const {
   const TrackEntry& entry = entry_of(track);
   int most = entry.max_items();
   for (const EpisodeSpec& spec : file_.episodes)
@@ -81,10 +81,10 @@ int EpisodeGround::most_items(Track track) const {
 }
 
 double EpisodeGround::largest_side_m() const {
-  int most_mm = 0;
+  int max_mm = 0;
   for (const EpisodeStore& store : file_.header.stores)
-    most_mm = std::max({most_mm, store.plan.shell.width_mm, store.plan.shell.depth_mm});
-  return most_mm * 1e-3;
+    max_mm = std::max({max_mm, store.plan.shell.width_mm, store.plan.shell.depth_mm});
+  return max_mm * 1e-3;
 }
 
 std::vector<Product> EpisodeGround::known_products() const {
@@ -150,7 +150,7 @@ Result<EpisodeSpec> EpisodeGround::draw(Track track, std::uint64_t seed, const s
   }
   MARKETGEN_TRY(EpisodeSpec spec, sample(track, seed, tools));
   const std::scoped_lock lock(mutex_);
-  if (drawn_.size() >= most_kept_episodes) drawn_.clear();
+  if (drawn_.size() >= max_kept_episodes) drawn_.clear();
   drawn_.try_emplace(key, spec);
   return spec;
 }

@@ -51,7 +51,7 @@ class EpisodeGround {
   Result<EpisodeSpec> draw(Track track, std::uint64_t seed, const std::string& tools = {});
   // As many things as an episode may be about, see TrackEntry::items_of(): of the file, and as many
   // as are drawn from stores.
-  int most_items(Track track) const;
+  int max_items(Track track) const;
   double largest_side_m() const;  // of any of its stores
   // Error episode.other_store: it is of another store.
   Result<void> check(const EpisodeSpec& spec) const;

@@ -35,8 +35,7 @@ double of_item(const EnvironmentItem& item,
                const ProgressScale& scale) {
   if (item.in_place) return 1;
   if (item.in_region)
-    return there +
-           (item.touched ? 0 : let_go + rested * std::min(item.rested_s / least_rest_s, 1.0));
+    return there + (item.touched ? 0 : let_go + rested * std::min(item.rested_s / min_rest_s, 1.0));
   return (item.held ? hold_share : 0) + carry_share * near(way_to(place, item), scale.carry_m);
 }
 

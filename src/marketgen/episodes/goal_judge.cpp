@@ -8,12 +8,12 @@ bool is_inside(const HoldsPoint& region, const ItemState& item) {
   const auto in_region = [&](Vec3 point) { return region(item.pose * point); };
   if (!in_region(item.center_of_mass)) return false;
   const auto there = std::ranges::count_if(item.volume, in_region);
-  return static_cast<double>(there) >= least_volume_share * static_cast<double>(item.volume.size());
+  return static_cast<double>(there) >= min_volume_share * static_cast<double>(item.volume.size());
 }
 
 bool is_in_place(const HoldsPoint& region, const ItemState& item) {
-  return is_inside(region, item) && !item.touched && item.rested_s >= least_rest_s &&
-         item.impact_m_s <= most_impact_m_s;
+  return is_inside(region, item) && !item.touched && item.rested_s >= min_rest_s &&
+         item.impact_m_s <= max_impact_m_s;
 }
 
 EpisodeOutcome judge(const HoldsPoint& region,

@@ -10,10 +10,10 @@
 
 namespace marketgen {
 
-constexpr double rest_m_s = 0.02, least_rest_s = 1.0;
+constexpr double rest_m_s = 0.02, min_rest_s = 1.0;
 constexpr double judged_after_s = 2.0;  // the agent's stop
-constexpr double most_impact_m_s = 1.0;
-constexpr double least_volume_share = 0.5;
+constexpr double max_impact_m_s = 1.0;
+constexpr double min_volume_share = 0.5;
 
 // What is known of an item when it is judged.
 struct ItemState {

@@ -13,7 +13,7 @@ namespace marketgen {
 namespace {
 
 constexpr double right_within_m = 0.03;  // of the true middle
-constexpr int least_visible_px = 150;
+constexpr int min_visible_px = 150;
 
 double seconds_since(std::chrono::steady_clock::time_point began) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
@@ -205,7 +205,7 @@ PerceptionSummary summarize(const std::vector<PerceptionMeasure>& measures) {
       ++targets;
       found += target.found ? 1 : 0;
       right += target.right ? 1 : 0;
-      if (target.visible_px >= least_visible_px) {
+      if (target.visible_px >= min_visible_px) {
         ++visible;
         summary.mean_mask_iou += target.mask_iou;
       }

@@ -13,7 +13,7 @@ int likes_in_basket(const Product& product) {
   const double basket = (c.top_x_m - c.taper_m) * (c.top_y_m - c.taper_m) * c.height_m;
   const double pack = product.width_m() * product.depth_m() * product.height_m();
   return static_cast<int>(
-      std::clamp(most_basket_fill * basket / pack, 1.0, 1.0 * most_likes_in_basket));
+      std::clamp(max_basket_fill * basket / pack, 1.0, 1.0 * max_likes_in_basket));
 }
 
 Result<BasketCase> basket_case(const SharedGoodsBody& goods, Seed seed) {

@@ -8,8 +8,8 @@
 namespace marketgen {
 
 // So many of a product are poured, and at least one: they fill at most this share of the basket.
-constexpr int most_likes_in_basket = 6;
-constexpr double most_basket_fill = 0.5;
+constexpr int max_likes_in_basket = 6;
+constexpr double max_basket_fill = 0.5;
 int likes_in_basket(const Product& product);
 
 struct BasketCase {

@@ -22,7 +22,7 @@ constexpr mjtSize grasp_arena_bytes = 16 << 20;
 constexpr double shelf_thick_m = 0.02, board_half_width_m = 1.5, board_depth_m = 0.6;
 constexpr double set_back_m = 0.010;  // of the front row behind the shelf's edge
 constexpr double floor_under_shelf_m = 1.5;
-constexpr double most_headroom_m = 0.050;
+constexpr double max_headroom_m = 0.050;
 // Neighbours on either side in the front row, one behind each of the three in the middle. Beyond
 // them the shelf is full: of as many more facings to a divider, and of the rows to the back panel,
 // only the gaps are there to be closed up.
@@ -153,7 +153,7 @@ class GraspSceneBuilder {
     const auto gap = [&] {
       return trial_.setting == GraspSetting::spaced ? spaced_gap_m : draw.uniform(0.002, 0.008);
     };
-    headroom_ = draw.uniform(least_headroom_m, most_headroom_m);
+    headroom_ = draw.uniform(min_headroom_m, max_headroom_m);
     add_product({});
     for (const double side : {-1.0, 1.0}) {
       double x = 0;

@@ -195,7 +195,7 @@ GraspQuery grasp_query(GraspSetting setting, const Product& product, double fric
   query.friction = friction;
   if (setting == GraspSetting::free) return query;
   query.from_front = true;
-  query.ceiling_m = product.height_m() + least_headroom_m;
+  query.ceiling_m = product.height_m() + min_headroom_m;
   query.neighbour_gap_m = spaced_gap_m;
   if (setting == GraspSetting::stocked) {
     query.neighbour_gap_m = pack_gap_m;

@@ -26,7 +26,7 @@ constexpr double stands_m = 0.010, stands_cosine = 0.985, rests_m_s = 0.02;
 constexpr double lean_rad = 0.01745, lean_s = 0.8;     // what a pack must stand: 1 degree
 constexpr double stays_m = 0.03, stays_cosine = 0.94;  // where it is put down: 20 degrees
 constexpr double touch_n = 0.5, lost_m = 0.02;
-constexpr double most_tool_n = 20;  // on shelf or table, mean over 10 ms
+constexpr double max_tool_n = 20;  // on shelf or table, mean over 10 ms
 constexpr double fallen_m = 0.05, toppled_cosine = 0.70710678118654752;
 
 double upright(const Pose& from, const Pose& to) {
@@ -42,7 +42,7 @@ class Trial {
     if (!stands()) return ended(GraspEnd::unstable);
     stood_ = all_poses();
     MARKETGEN_CHECK(approach());
-    if (hold_.watch().still_n > most_tool_n) return ended(GraspEnd::collided);
+    if (hold_.watch().still_n > max_tool_n) return ended(GraspEnd::collided);
     MARKETGEN_TRY(const bool taken, take());
     if (!taken) return ended(GraspEnd::missed);
     hold_.mark();
@@ -143,10 +143,10 @@ class Trial {
     const bool touched =
         gripper ? watch.pad_n[0] > touch_n && watch.pad_n[1] > touch_n : hold_.sealed();
     if (!touched || strayed_m > lost_m) return GraspEnd::dropped;
-    if (watch.slip_m > most_slip_m) return GraspEnd::slipped;
-    if (watch.still_n > most_tool_n) return GraspEnd::collided;
+    if (watch.slip_m > max_slip_m) return GraspEnd::slipped;
+    if (watch.still_n > max_tool_n) return GraspEnd::collided;
     if (!in_basket() && neighbour_toppled()) return GraspEnd::toppled;
-    return watch.neighbour_n > most_neighbour_n ? GraspEnd::pressed : GraspEnd::held;
+    return watch.neighbour_n > max_neighbour_n ? GraspEnd::pressed : GraspEnd::held;
   }
 
   // On a shelf. In a basket what lies round about may be moved, as long as it is not pressed hard.

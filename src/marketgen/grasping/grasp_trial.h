@@ -39,7 +39,7 @@ struct BasketOfLikes {
 };
 
 // Least height between a pack on the shelf and the board above.
-constexpr double least_headroom_m = 0.030;
+constexpr double min_headroom_m = 0.030;
 constexpr double spaced_gap_m = 0.030;
 
 enum class GraspEnd {
@@ -66,8 +66,8 @@ constexpr std::array<std::string_view, 9> names_of(GraspEnd) {
 }
 
 // ---- Limits of a success. ----
-constexpr double most_slip_m = 0.001;
-constexpr double most_neighbour_n = 50;  // mean over 10 ms
+constexpr double max_slip_m = 0.001;
+constexpr double max_neighbour_n = 50;  // mean over 10 ms
 
 // What the product is in a trial of the setting.
 constexpr GoodsUse use_of(GraspSetting setting) {

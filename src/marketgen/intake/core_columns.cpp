@@ -10,7 +10,7 @@ namespace marketgen {
 namespace {
 
 constexpr int wall_shelf_mm = 610;     // a wall unit with its skirting
-constexpr int least_cell_mm = 2600;    // two sections of a gondola
+constexpr int min_cell_mm = 2600;      // two sections of a gondola
 constexpr int stacked_cell_mm = 4200;  // worth a cross aisle
 constexpr double widest_aisle = 1.35;  // of the habitual width: wider looks empty
 constexpr int fit_margin_mm = 12;      // so that rounding never costs a run
@@ -19,7 +19,7 @@ constexpr int fit_margin_mm = 12;      // so that rounding never costs a run
 struct CoreColumn {
   std::vector<int> zones;
   int runs = 1;
-  int most_runs = 99;
+  int max_runs = 99;
   int line_mm = 0;
   double target_m2 = 0;
 
@@ -34,7 +34,7 @@ CoreColumn column_of(int zone, const StoreProgram& program) {
   column.target_m2 = row.target_m2;
   // An island freezer is two rows back to back.
   const bool island = row.kind != nullptr && row.kind->generator == "island_freezer";
-  if (row.rows) column.runs = column.most_runs = island ? (*row.rows + 1) / 2 : *row.rows;
+  if (row.rows) column.runs = column.max_runs = island ? (*row.rows + 1) / 2 : *row.rows;
   return column;
 }
 
@@ -42,7 +42,7 @@ CoreColumn merged(const CoreColumn& a, const CoreColumn& b) {
   CoreColumn column = a;
   column.zones.insert(column.zones.end(), b.zones.begin(), b.zones.end());
   column.runs = std::max(a.runs, b.runs);
-  column.most_runs = std::min(a.most_runs, b.most_runs);
+  column.max_runs = std::min(a.max_runs, b.max_runs);
   column.line_mm = std::max(a.line_mm, b.line_mm);
   column.target_m2 += b.target_m2;
   return column;
@@ -82,12 +82,12 @@ std::vector<CoreColumn> stacked_columns(std::vector<CoreColumn> columns, int dep
 }
 
 // Adds runs where the target is least met, while they fit.
-void grow(std::vector<CoreColumn>& columns, int width_mm, int aisle, int most_runs) {
-  while (runs_of(columns) < most_runs) {
+void grow(std::vector<CoreColumn>& columns, int width_mm, int aisle, int max_runs) {
+  while (runs_of(columns) < max_runs) {
     CoreColumn* neediest = nullptr;
     for (CoreColumn& column : columns) {
       const bool fits = width_of(columns, aisle) + column.line_mm + aisle <= width_mm;
-      if (!fits || column.runs >= column.most_runs) continue;
+      if (!fits || column.runs >= column.max_runs) continue;
       const auto need = [](const CoreColumn& c) { return c.target_m2 / (c.runs * c.line_mm); };
       if (neediest == nullptr || need(column) > need(*neediest)) neediest = &column;
     }
@@ -117,7 +117,7 @@ Slice slice_of(const CoreColumn& column, const StoreProgram& program, int depth_
   if (column.zones.size() == 1) return zone_slice(column.zones[0]);
   const bool roomy = depth_mm >= 2 * stacked_cell_mm;
   const int gap = roomy ? program.profile->cross_aisle_mm : program.profile->secondary_aisle_mm;
-  return make_strip(column.zones, program, {Axis::y, depth_mm, column.width(0), gap, least_cell_mm})
+  return make_strip(column.zones, program, {Axis::y, depth_mm, column.width(0), gap, min_cell_mm})
       .slice;
 }
 
@@ -138,9 +138,9 @@ Core make_core(const std::vector<int>& zones,
     merge_smallest(columns);
   }
   // n aisles lie between n + 1 lines; the lines on the two sides of the core are not its own.
-  const int most_runs = program.aisles ? std::max(1, *program.aisles - 1) : 99;
+  const int max_runs = program.aisles ? std::max(1, *program.aisles - 1) : 99;
   const int narrow = program.aisles ? program.profile->minimum_aisle_mm + 200 : room.run_aisle_mm;
-  grow(columns, width, narrow, most_runs);
+  grow(columns, width, narrow, max_runs);
 
   Core core;
   core.run_aisle_mm = fitted_aisle(columns, room, program);
@@ -158,7 +158,7 @@ Core make_core(const std::vector<int>& zones,
     if (i + 1 == columns.size()) size += at_east + spare % share;
     for (std::size_t k = 1; k < columns[i].zones.size(); ++k) {
       const int cell = room.depth_mm / static_cast<int>(columns[i].zones.size());
-      core.crowding += std::max(0, least_cell_mm - cell) * 1e-3;
+      core.crowding += std::max(0, min_cell_mm - cell) * 1e-3;
     }
     core.slice.add(slice_of(columns[i], program, room.depth_mm), size, core.run_aisle_mm);
   }

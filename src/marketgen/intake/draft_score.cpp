@@ -13,14 +13,14 @@ constexpr double unbuildable = 1000;
 constexpr double must_missed = 60, prefer_missed = 25;
 constexpr double crowding_per_m = 30;
 constexpr double waste_per_m2 = 0.3;
-constexpr double area_off = 3, most_area_off = 5;
+constexpr double area_off = 3, max_area_off = 5;
 constexpr double stressed_factor = 3;    // "lots of" cold drinks need their floor most
 constexpr double aside_but_remote = 20;  // "left of the entrance" is said of what is close to it
 constexpr double asked_area_off = 60;    // floor that was asked for in numbers
 constexpr double asked_area_tolerance = 0.1;
 constexpr double short_core_per_m = 8;  // gondola runs shorter than a few sections
 constexpr double aisle_missed = 12;     // each aisle more or less than asked for
-constexpr double least_run_mm = 3800;
+constexpr double min_run_mm = 3800;
 
 // Adjacency in shop design, in points: our own weights of what planners of shops advise.
 constexpr double produce_far_from_entrance = 7;  // over the diagonal
@@ -94,7 +94,7 @@ double room_penalty(const Candidate& candidate, const ScoreInput& input) {
     const double target = std::max(1.0, zone.target_m2);
     const double ratio = std::max(area / target, target / std::max(0.1, area));
     const bool stressed = zone.stressed && area < target;
-    sum += area_off * (stressed ? stressed_factor : 1) * std::min(most_area_off, ratio - 1);
+    sum += area_off * (stressed ? stressed_factor : 1) * std::min(max_area_off, ratio - 1);
   }
   return sum;
 }
@@ -106,7 +106,7 @@ double core_penalty(const FloorDraft& draft, const Candidate& candidate, const S
   for (const int zone : draft.band(Band::core)) {
     const RectMm& rect = candidate.rects[static_cast<std::size_t>(zone)];
     const int run = along_y ? rect.depth() : rect.width();
-    sum += short_core_per_m * 1e-3 * std::max(0.0, least_run_mm - run);
+    sum += short_core_per_m * 1e-3 * std::max(0.0, min_run_mm - run);
   }
   if (input.program.aisles)
     sum += std::abs(candidate.drafted.runs + 1 - *input.program.aisles) * aisle_missed;

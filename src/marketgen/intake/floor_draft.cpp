@@ -14,9 +14,9 @@ constexpr int door_side_mm = 500;  // floor kept free beside a door (layout: app
 constexpr int wide_door_mm = 2000;
 constexpr int narrow_door_mm = 1500;
 constexpr double small_store_m2 = 220;
-constexpr int least_cabinet_mm = 2100;  // a cabinet and a half: shorter is no department
-constexpr int least_front_mm = 3400;    // trolleys and baskets take part of a front zone's window
-constexpr int least_department_mm = 2000;  // behind corner tills
+constexpr int min_cabinet_mm = 2100;     // a cabinet and a half: shorter is no department
+constexpr int min_front_mm = 3400;       // trolleys and baskets take part of a front zone's window
+constexpr int min_department_mm = 2000;  // behind corner tills
 constexpr int roomy_store_mm =
     18000;  // from this depth on, aisles before cold cabinets have their full width
 constexpr double band_share =
@@ -89,7 +89,7 @@ class FloorBuilder {
     const Strip strip = make_strip(
         draft_.band(band),
         program_,
-        {axis, length_mm, depth_mm, 0, band == Band::front ? least_front_mm : least_cabinet_mm});
+        {axis, length_mm, depth_mm, 0, band == Band::front ? min_front_mm : min_cabinet_mm});
     floor_.crowding += strip.crowding;
     const double metres = 1e-3 * length_mm / static_cast<double>(draft_.band(band).size());
     for (const int z : draft_.band(band)) {
@@ -157,9 +157,7 @@ class FloorBuilder {
     return back;
   }
 
-  void need(int size_mm, int least_mm) {
-    floor_.crowding += std::max(0, least_mm - size_mm) * 1e-3;
-  }
+  void need(int size_mm, int min_mm) { floor_.crowding += std::max(0, min_mm - size_mm) * 1e-3; }
 
   // ---- Tills along the front ----
 
@@ -231,7 +229,7 @@ class FloorBuilder {
     const int inner_gap = at_tills ? 0 : entrance_gap;
     const int tills = tills_width(front_mm);
     const int for_zones = width - tills - till_gap - inner_gap;
-    need(for_zones, least_front_mm * static_cast<int>(zones.size()));
+    need(for_zones, min_front_mm * static_cast<int>(zones.size()));
     // Zones far from the tills, then those between the entrance and the tills.
     std::vector<int> far(zones.begin(), zones.begin() + static_cast<std::ptrdiff_t>(before));
     std::vector<int> near(zones.begin() + static_cast<std::ptrdiff_t>(before), zones.end());
@@ -255,13 +253,13 @@ class FloorBuilder {
     for (const int z : near)
       b += zone(z).target_m2 + 1;
     return std::clamp(static_cast<int>(length_mm * a / (a + b)),
-                      std::min(least_front_mm, length_mm / 2),
-                      std::max(length_mm - least_front_mm, length_mm / 2));
+                      std::min(min_front_mm, length_mm / 2),
+                      std::max(length_mm - min_front_mm, length_mm / 2));
   }
 
   Slice front_strip(const std::vector<int>& zones, int length_mm, int depth_mm) {
     const Strip strip =
-        make_strip(zones, program_, {Axis::x, length_mm, depth_mm, 0, least_front_mm});
+        make_strip(zones, program_, {Axis::x, length_mm, depth_mm, 0, min_front_mm});
     floor_.crowding += strip.crowding;
     return strip.slice;
   }
@@ -336,10 +334,10 @@ class FloorBuilder {
     const int gap = profile_.checkout_clear_mm;
     const int rest = depth_mm - front_mm - gap;
     if (draft_.band(side).empty()) {
-      need(least_department_mm, rest);  // the floor behind the tills would stay empty
+      need(min_department_mm, rest);  // the floor behind the tills would stay empty
       return simplified(till_slice(width_mm, front_mm));
     }
-    need(rest, least_department_mm);
+    need(rest, min_department_mm);
     Slice slice = cut_slice(Axis::y);
     slice.add(simplified(till_slice(width_mm, front_mm)), front_mm, 0);
     slice.add(strip_slice(side, Axis::y, rest, width_mm), rest, gap);

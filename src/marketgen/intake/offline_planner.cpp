@@ -16,13 +16,13 @@ namespace marketgen {
 namespace {
 
 constexpr double crowded_m = 0.4;  // zones that lack more than this do not fit
-constexpr std::size_t fewest_zones = 2;
+constexpr std::size_t min_zones = 2;
 constexpr std::string_view no_room = "the floor has no room for another zone";
 constexpr std::string_view not_found =
     "no floor for so many zones was found in the time that planning may take";
 constexpr int patient_searches = 5;  // that lose one zone each; then more at once
 // What the searches of one plan may cost (work_of_a_start): eight of a usual shop's.
-constexpr std::int64_t most_work = 150'000;
+constexpr std::int64_t max_work = 150'000;
 
 // The first wish that names a zone of this type; null when nobody asked for one.
 const Requirement* wish_for(const Understanding& found, const ProgramZone& zone) {
@@ -46,7 +46,7 @@ bool is_kept(const StoreProgram& program, const ProgramZone& zone) {
 
 // The zone that is given up first: the least important one that nobody asked for, else the last one
 // asked for.
-std::size_t most_dispensable(const StoreProgram& program, const Understanding& found) {
+std::size_t max_dispensable(const StoreProgram& program, const Understanding& found) {
   for (std::size_t i = program.zones.size(); i-- > 0;) {
     if (!is_kept(program, program.zones[i]) && !is_named(found, program.zones[i])) return i;
   }
@@ -66,7 +66,7 @@ void give_up_zone(StoreProgram& program,
                   Understanding& found,
                   std::string_view why,
                   std::vector<std::string>& trace) {
-  const std::size_t lost = most_dispensable(program, found);
+  const std::size_t lost = max_dispensable(program, found);
   const ProgramZone zone = program.zones[lost];
   program.zones.erase(program.zones.begin() + static_cast<std::ptrdiff_t>(lost));
   trace.push_back("no room for " + zone.id);
@@ -127,7 +127,7 @@ int affordable_starts(const StoreProgram& program,
                       const Understanding& found,
                       std::int64_t work_left) {
   const std::int64_t starts = work_left / 2 / work_of_a_start(program, found);
-  return static_cast<int>(std::clamp<std::int64_t>(starts, 1, most_starts));
+  return static_cast<int>(std::clamp<std::int64_t>(starts, 1, max_starts));
 }
 
 Candidate find_floor(StoreProgram& program,
@@ -148,12 +148,12 @@ Candidate find_floor(StoreProgram& program,
                       std::to_string(static_cast<int>(std::lround(best.penalty))));
       return std::move(best.candidate);
     }
-    if (program.zones.size() <= fewest_zones) return side_by_side(program, found, catalog);
+    if (program.zones.size() <= min_zones) return side_by_side(program, found, catalog);
     // Hopeless floors lose several zones at once, so that the search runs a few times only.
     const int hopeless = std::max(0, searches - patient_searches);
     const int spent = work_left > 0 ? 0 : static_cast<int>(program.zones.size()) / 2;
     const int lost = 1 + static_cast<int>(best.candidate.drafted.crowding / 4) + hopeless + spent;
-    for (int i = 0; i < lost && program.zones.size() > fewest_zones; ++i) {
+    for (int i = 0; i < lost && program.zones.size() > min_zones; ++i) {
       give_up_zone(program, found, spent > 0 ? not_found : no_room, trace);
     }
   }
@@ -202,7 +202,7 @@ Result<Planned> OfflinePlanner::plan(const Brief& brief,
                 make_program(brief, found, catalog, concessions, planned.trace));
   keep_tills(found, program);
   if (concessions.plain) give_up_all_but_plain(program, found);
-  while (program.zones.size() > std::max(fewest_zones, concessions.max_zones))
+  while (program.zones.size() > std::max(min_zones, concessions.max_zones))
     give_up_zone(program, found, no_room, planned.trace);
   const Seed floors = concessions.draw == 0
                           ? seed.child("plan")
@@ -211,7 +211,7 @@ Result<Planned> OfflinePlanner::plan(const Brief& brief,
                                          found,
                                          catalog,
                                          floors,
-                                         most_work >> std::min(concessions.plans_before, 4),
+                                         max_work >> std::min(concessions.plans_before, 4),
                                          planned.trace);
   planned.plan = write_plan({brief, found, program, candidate, catalog});
   if (concessions.relations_may_fail) {

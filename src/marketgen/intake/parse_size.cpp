@@ -63,7 +63,7 @@ std::optional<std::array<Side, 2>> read_sides(std::string_view text) {
 
 Result<void> check_store_size(double width_mm, double depth_mm, const std::string& where) {
   const auto buildable = [](double side) {
-    return side >= least_store_side_mm && side <= most_store_side_mm;
+    return side >= min_store_side_mm && side <= max_store_side_mm;
   };
   if (buildable(width_mm) && buildable(depth_mm)) return {};
   return Error{"brief.bad_size",

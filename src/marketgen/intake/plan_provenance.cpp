@@ -7,7 +7,7 @@ namespace {
 
 using Kind = RequirementKind;
 
-constexpr std::size_t most_entries = 2000;  // limit of Plan::provenance
+constexpr std::size_t max_entries = 2000;  // limit of Plan::provenance
 constexpr double said = 1, implied = 0.7;
 
 class ProvenanceWriter {
@@ -22,7 +22,7 @@ class ProvenanceWriter {
     for (const Emphasis& emphasis : sources_.understanding.emphases) {
       for_zones(emphasis.zone, "area_m2/target", emphasis.span, implied);
     }
-    if (entries_.size() > most_entries) entries_.resize(most_entries);
+    if (entries_.size() > max_entries) entries_.resize(max_entries);
     return std::move(entries_);
   }
 

@@ -11,7 +11,7 @@
 namespace marketgen {
 namespace {
 
-constexpr int least_ceiling_mm = 2300, most_ceiling_mm = 12000;  // limits of Shell::ceiling_mm
+constexpr int min_ceiling_mm = 2300, max_ceiling_mm = 12000;  // limits of Shell::ceiling_mm
 
 Shell shell_of(const PlanSources& sources) {
   Shell shell;
@@ -20,7 +20,7 @@ Shell shell_of(const PlanSources& sources) {
   shell.ceiling_mm = sources.program.profile->ceiling_mm;
   if (const Requirement* wish = sources.understanding.find(RequirementKind::height, "ceiling")) {
     shell.ceiling_mm =
-        std::clamp(static_cast<int>(std::lround(wish->value)), least_ceiling_mm, most_ceiling_mm);
+        std::clamp(static_cast<int>(std::lround(wish->value)), min_ceiling_mm, max_ceiling_mm);
   }
   shell.openings = sources.candidate.openings;
   return shell;

@@ -14,8 +14,8 @@ using Kind = RequirementKind;
 constexpr int six_levels_from_mm = 1900;     // gondolas this high hold a sixth level
 constexpr int endcaps_front_from_mm = 5200;  // runs this long spare the floor for an endcap
 constexpr int endcaps_both_from_mm = 8000;
-constexpr double least_area_share = 0.6;  // of the target
-constexpr double untidy_jitter = 0.5;     // from here on, items stand in wrong places too
+constexpr double min_area_share = 0.6;  // of the target
+constexpr double untidy_jitter = 0.5;   // from here on, items stand in wrong places too
 constexpr double untidy_misplaced = 0.03;
 
 class ZoneWriter {
@@ -31,7 +31,7 @@ class ZoneWriter {
     zone.type = from.type->type;
     zone.label = from.type->label;
     zone.area_m2.target = rounded(rect.area_m2());
-    zone.area_m2.min = rounded(rect.area_m2() * least_area_share);
+    zone.area_m2.min = rounded(rect.area_m2() * min_area_share);
     zone.anchor = from.type->anchor;
     zone.temperature = from.kind != nullptr ? from.kind->temperature : from.type->temperature;
     zone.fixture = fixture_of(from, rect);

@@ -10,8 +10,8 @@ namespace {
 
 constexpr double metre_mm = 1000;
 // Two bare numbers are metres when a shop could have that size.
-constexpr double least_store_m = 4;
-constexpr double most_store_m = 200;
+constexpr double min_store_m = 4;
+constexpr double max_store_m = 200;
 
 bool is_length(const Sentence& sentence, std::size_t i) {
   return sentence.is(i, Sense::number) && sentence.at(i).measured &&
@@ -32,7 +32,7 @@ std::optional<std::array<double, 2>> sides_mm(const Phrase& a, const Phrase& b) 
   if (b.measured) return {{a.written * unit_of(b), b.number}};
   if (a.measured) return {{a.number, b.written * unit_of(a)}};
   for (const double side : {a.written, b.written}) {
-    if (side < least_store_m || side > most_store_m) return std::nullopt;
+    if (side < min_store_m || side > max_store_m) return std::nullopt;
   }
   return {{a.written * metre_mm, b.written * metre_mm}};
 }
@@ -138,7 +138,7 @@ bool names_shop(const Sentence& sentence, std::size_t i) {
 // "a 10 m wide shop", "a shop 10 m wide", "shop, 10 m wide, …"; not "a 3 m wide entrance".
 bool is_side_of_shop(const Sentence& sentence, const Dimension& one) {
   const double side = sentence.phrases[one.number].number;
-  if (side < least_store_m * metre_mm || side > most_store_m * metre_mm) return false;
+  if (side < min_store_m * metre_mm || side > max_store_m * metre_mm) return false;
   std::size_t after = sentence.skip_fillers(one.word + 1);
   while (sentence.is(after, Sense::size) || sentence.is(after, Sense::style))
     after = sentence.skip_fillers(after + 1);

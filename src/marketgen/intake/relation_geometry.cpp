@@ -5,7 +5,7 @@
 namespace marketgen {
 namespace {
 
-constexpr double margin_share = 0.1, least_margin_m = 0.1;
+constexpr double margin_share = 0.1, min_margin_m = 0.1;
 constexpr double not_judged = 2;  // as bad as missed by the whole diagonal
 
 }  // namespace
@@ -19,7 +19,7 @@ NamedFloor named_floor(const Candidate& candidate, const StoreProgram& program) 
 }
 
 double planner_margin_m(const RelationMeasure& measure) {
-  return std::max(least_margin_m, margin_share * measure.limit_m);
+  return std::max(min_margin_m, margin_share * measure.limit_m);
 }
 
 double miss_of(const Requirement& wish, const NamedFloor& floor) {

@@ -8,8 +8,8 @@ namespace marketgen {
 namespace {
 
 // Limits of Node::ratio, with room for rounding.
-constexpr double least_ratio = 0.081;
-constexpr double most_ratio = 0.919;
+constexpr double min_ratio = 0.081;
+constexpr double max_ratio = 0.919;
 constexpr int forbidden_depth = 100;  // of a cut whose ratio is outside the limits
 constexpr double ratio_digits = 1e6;  // enough for whole millimetres in a 200 m store
 
@@ -35,7 +35,7 @@ class BinaryTree {
     double best_balance = 2;
     for (std::size_t k = range.first; k < range.last; ++k) {
       const double ratio = ratio_at(range, k);
-      const bool allowed = ratio >= least_ratio && ratio <= most_ratio;
+      const bool allowed = ratio >= min_ratio && ratio <= max_ratio;
       const int deep = 1 + std::max(depth({range.first, k}), depth({k + 1, range.last})) +
                        (allowed ? 0 : forbidden_depth);
       const double balance = std::abs(ratio - 0.5);
@@ -98,7 +98,7 @@ class NodeWriter {
     Node& node = nodes.emplace_back();
     node.id = id;
     node.split = slice.axis;
-    const double ratio = std::clamp(tree.ratio_at(range, k), least_ratio, most_ratio);
+    const double ratio = std::clamp(tree.ratio_at(range, k), min_ratio, max_ratio);
     node.ratio = std::floor(ratio * ratio_digits + 0.5) / ratio_digits;
     node.gap_mm = slice.gaps_mm[k];
     node.children = {id + "/1", id + "/2"};

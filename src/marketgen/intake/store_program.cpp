@@ -14,7 +14,7 @@ using Kind = RequirementKind;
 constexpr std::string_view usual_profile = "supermarket-eu";
 constexpr double zones_in_any_store = 5;
 constexpr double further_zone_m2 = 36;  // of store for each zone more; smaller ones hold no run
-constexpr std::size_t most_zones = 22;  // of max_bsp_leaves
+constexpr std::size_t max_zones = 22;   // of max_bsp_leaves
 constexpr double lanes_from_m2 = 70;    // smaller shops take money over a counter
 constexpr double staffed_counter_from_m2 = 500;  // smaller shops sell meat and cheese packed
 constexpr double checkout_zones_share = 0.09;    // tills take their own floor first
@@ -42,7 +42,7 @@ std::array<int, 2> size_with_area(const ProfileRow& profile, double area_m2) {
   const double scale = std::sqrt(area_m2 / usual);
   double width = profile.default_size_mm[0] * scale, depth = profile.default_size_mm[1] * scale;
   const auto buildable = [](double side) {
-    return std::clamp(side, least_store_side_mm, most_store_side_mm);
+    return std::clamp(side, min_store_side_mm, max_store_side_mm);
   };
   if (buildable(width) != width) depth = 1e6 * area_m2 / (width = buildable(width));
   if (buildable(depth) != depth) width = 1e6 * area_m2 / (depth = buildable(depth));
@@ -79,7 +79,7 @@ Result<std::array<int, 2>> size_of(const Brief& brief,
     // One side that was not said is what the area leaves.
     const auto other = [&](double side_mm) {
       return std::clamp<double>(
-          rounded_mm(1e6 * area_m2 / side_mm), least_store_side_mm, most_store_side_mm);
+          rounded_mm(1e6 * area_m2 / side_mm), min_store_side_mm, max_store_side_mm);
     };
     const double width = size->value > 0 ? size->value : other(size->second_value);
     const double depth = size->second_value > 0 ? size->second_value : other(size->value);
@@ -90,7 +90,7 @@ Result<std::array<int, 2>> size_of(const Brief& brief,
   if (area != nullptr) MARKETGEN_CHECK(check_store_size(size[0], size[1], where_of(*area)));
   const auto built = [](int side) {
     return std::clamp(
-        side, static_cast<int>(least_store_side_mm), static_cast<int>(most_store_side_mm));
+        side, static_cast<int>(min_store_side_mm), static_cast<int>(max_store_side_mm));
   };
   return std::array{built(size[0]), built(size[1])};
 }
@@ -170,7 +170,7 @@ NamedZones chosen_zones(const Understanding& found,
   if (!only_machines) chosen.add("checkout");
   const auto wanted =
       static_cast<std::size_t>(zones_in_any_store + program.area_m2() / further_zone_m2);
-  const std::size_t most = std::min(wanted, most_zones);
+  const std::size_t most = std::min(wanted, max_zones);
   for (const std::string& type : program.profile->zones) {
     const bool refused = found.find(Kind::zone_absent, type) != nullptr;
     if (chosen.order.size() < most && !refused && !program.plain) chosen.add(type);
@@ -317,7 +317,7 @@ Result<StoreProgram> make_program(const Brief& brief,
     const ZoneTypeRow* row = catalog.zone_type(type);
     if (row == nullptr) continue;
     for (int i = 0; i < chosen.count.at(type); ++i) {
-      const std::size_t room = is_till(type) ? most_zones : most_zones - 1;  // one is for the tills
+      const std::size_t room = is_till(type) ? max_zones : max_zones - 1;  // one is for the tills
       if (program.zones.size() >= room) break;
       program.zones.push_back(make_zone(found, catalog, *row, program, i));
     }

@@ -7,8 +7,8 @@
 namespace marketgen {
 
 // The limits of Shell::width_mm and depth_mm in market-plan/1.
-constexpr double least_store_side_mm = 4000;
-constexpr double most_store_side_mm = 200000;
+constexpr double min_store_side_mm = 4000;
+constexpr double max_store_side_mm = 200000;
 
 // brief.bad_size unless both sides can be built.
 Result<void> check_store_size(double width_mm, double depth_mm, const std::string& where);

@@ -6,14 +6,14 @@
 namespace marketgen {
 namespace {
 
-constexpr double least_share = 0.083;  // of a strip: what BSP ratios can express
+constexpr double min_share = 0.083;  // of a strip: what BSP ratios can express
 
 const ProgramZone& zone_at(const StoreProgram& program, int index) {
   return program.zones[static_cast<std::size_t>(index)];
 }
 
-int least_length(const StripRoom& room) {
-  return std::max(room.least_mm, static_cast<int>(room.length_mm * least_share));
+int min_length(const StripRoom& room) {
+  return std::max(room.min_mm, static_cast<int>(room.length_mm * min_share));
 }
 
 // Lengths of all zones; those below the least are raised at the cost of the others.
@@ -29,7 +29,7 @@ std::vector<int> lengths_of(const std::vector<int>& zones,
     const ProgramZone& zone = zone_at(program, zones[i]);
     if (!zone.wanted_m2 || count == 1) continue;
     lengths[i] = std::clamp(
-        static_cast<int>(*zone.wanted_m2 * 1e6 / room.depth_mm), least_length(room), length_mm);
+        static_cast<int>(*zone.wanted_m2 * 1e6 / room.depth_mm), min_length(room), length_mm);
     settled[i] = true;
     left -= lengths[i];
   }
@@ -43,8 +43,8 @@ std::vector<int> lengths_of(const std::vector<int>& zones,
       if (settled[i]) continue;
       const double target = std::max(0.1, zone_at(program, zones[i]).target_m2);
       lengths[i] = static_cast<int>(std::max(0, left) * target / targets);
-      if (lengths[i] >= least_length(room)) continue;
-      lengths[i] = least_length(room);
+      if (lengths[i] >= min_length(room)) continue;
+      lengths[i] = min_length(room);
       settled[i] = changed = true;
       left -= lengths[i];
       break;

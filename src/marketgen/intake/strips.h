@@ -12,7 +12,7 @@ struct StripRoom {
   int length_mm;
   int depth_mm;  // across
   int gap_mm;    // between neighbours
-  int least_mm;  // shortest zone
+  int min_mm;    // shortest zone
 };
 
 struct Strip {

@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array<char, 8> entry_mark{'M', 'G', 'C', 'A', 'C', 'H', 'E', '1'};
-constexpr std::uint64_t most_entry_bytes = 1U << 30;
+constexpr std::uint64_t max_entry_bytes = 1U << 30;
 
 struct EntryTrailer {
   std::uint64_t kind = 0, checksum = 0;  // of the content, with the kind as its seed
@@ -78,7 +78,7 @@ std::optional<std::string> kept_entry(const fs::path& file, std::string_view kin
     drop_entry(file, "is no file");
     return std::nullopt;
   }
-  Result<std::string> bytes = read_file(file, most_entry_bytes);
+  Result<std::string> bytes = read_file(file, max_entry_bytes);
   if (!bytes.ok()) {
     if (bytes.error().code != "input.not_found") drop_entry(file, bytes.error().message);
     return std::nullopt;  // another process took it away

@@ -7,7 +7,7 @@
 namespace marketgen {
 namespace {
 
-constexpr std::size_t most_rows = 100'000, most_columns = 200;
+constexpr std::size_t max_rows = 100'000, max_columns = 200;
 
 class CsvReader {
  public:
@@ -24,7 +24,7 @@ class CsvReader {
             fmt::format(
                 "has {} fields, the header has {}", row.fields.size(), rows[0].fields.size()));
       rows.push_back(std::move(row));
-      if (rows.size() > most_rows)
+      if (rows.size() > max_rows)
         return Error{"input.too_large", source_, "has more than 100,000 rows"};
     }
     return rows;
@@ -48,7 +48,7 @@ class CsvReader {
     do {
       MARKETGEN_TRY(std::string field, takes("\"") ? read_quoted() : Result(read_plain()));
       row.fields.push_back(std::move(field));
-      if (row.fields.size() > most_columns)
+      if (row.fields.size() > max_columns)
         return Error{"input.too_large", source_, "has more than 200 columns"};
     } while (takes(","));
     if (!rest_.empty() && !ends_row())

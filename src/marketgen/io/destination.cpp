@@ -19,7 +19,7 @@ namespace marketgen {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int most_links = 40;  // as Linux follows
+constexpr int max_links = 40;  // as Linux follows
 
 // Closes a file descriptor when it goes.
 class OpenFile {
@@ -256,7 +256,7 @@ int MadeFolders::make(const fs::path& folder) {
 
 Result<fs::path> followed(const fs::path& path) {
   MARKETGEN_TRY(fs::path target, absolute_path(path));
-  for (int links = 0; links < most_links; ++links) {
+  for (int links = 0; links < max_links; ++links) {
     const std::optional<fs::path> next = next_link(target);
     if (!next) return target;
     target = *next;

@@ -19,7 +19,7 @@
 namespace marketgen {
 namespace {
 
-constexpr int most_looks = 100;  // at a file that others make and remove
+constexpr int max_looks = 100;  // at a file that others make and remove
 constexpr int wait_pause_us = 20'000;
 
 Error lock_fault(const std::filesystem::path& file) {
@@ -48,7 +48,7 @@ bool is_named(int descriptor, const std::filesystem::path& file) {
 
 Result<FolderLock> FolderLock::take(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / ".lock";
-  for (int look = 0; look < most_looks; ++look) {
+  for (int look = 0; look < max_looks; ++look) {
     FolderLock lock(file, open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
     if (lock.descriptor_ < 0) return lock_fault(file);
     if (flock(lock.descriptor_, LOCK_EX | LOCK_NB) != 0) {

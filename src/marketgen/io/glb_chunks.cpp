@@ -12,7 +12,7 @@ namespace marketgen {
 namespace {
 
 constexpr std::size_t header_bytes = 12, chunk_header_bytes = 8;
-constexpr std::size_t most_json_bytes = 16U << 20;
+constexpr std::size_t max_json_bytes = 16U << 20;
 constexpr int deepest_json = 64;
 
 std::uint32_t uint_at(std::string_view bytes, std::size_t at) {
@@ -40,7 +40,7 @@ int nesting_of(std::string_view json) {
 }
 
 Result<GlbJson> parse_json_chunk(std::string_view text, const std::string& source) {
-  if (text.size() > most_json_bytes)
+  if (text.size() > max_json_bytes)
     return Error{"input.too_large", source, "its JSON chunk is larger than 16 MB"};
   if (nesting_of(text) > deepest_json)
     return bad_model(

@@ -14,10 +14,10 @@ namespace {
 
 // Numbers of the glTF 2.0 specification.
 enum PrimitiveMode : std::size_t { triangles = 4, triangle_strip = 5, triangle_fan = 6 };
-constexpr std::size_t most_nodes = 20'000, most_pictures = 32, most_materials = 256;
+constexpr std::size_t max_nodes = 20'000, max_pictures = 32, max_materials = 256;
 constexpr int deepest_node = 64;
-constexpr std::size_t most_pieces = 256;
-constexpr std::uint64_t most_pixels_together = 128'000'000;
+constexpr std::size_t max_pieces = 256;
+constexpr std::uint64_t max_pixels_together = 128'000'000;
 
 // A 3x4 transform, row by row.
 struct Affine {
@@ -172,13 +172,13 @@ class GlbReader {
     }
     const auto view = glb_index(*described, "bufferView");
     if (!view) return -1;
-    if (model_.pictures.size() >= most_pictures)
+    if (model_.pictures.size() >= max_pictures)
       return Error{"input.too_large", source_, "has more than 32 pictures"};
     MARKETGEN_TRY(const std::string_view bytes, glb_view(glb_, *view, source_));
     MARKETGEN_TRY(Image picture,
                   decode_picture(bytes, fmt::format("{}:/images/{}", source_, *image)));
     pixels_ += picture.pixels.size() / static_cast<std::size_t>(picture.channels);
-    if (pixels_ > most_pixels_together)
+    if (pixels_ > max_pixels_together)
       return Error{"input.too_large", source_, "its pictures have more than 128 megapixels"};
     model_.pictures.push_back(std::move(picture));
     const int index = static_cast<int>(model_.pictures.size()) - 1;
@@ -188,7 +188,7 @@ class GlbReader {
 
   Result<void> read_materials() {
     const GlbJson& rows = glb_list(glb_.json, "materials");
-    if (rows.size() > most_materials)
+    if (rows.size() > max_materials)
       return Error{"input.too_large", source_, "has more than 256 materials"};
     for (const GlbJson& row : rows) {
       MARKETGEN_TRY(const ModelMaterial material, material_of(row));
@@ -239,7 +239,7 @@ class GlbReader {
     if (!index.is_number_unsigned() || index.get<std::uint64_t>() >= nodes.size() ||
         !seen_.insert(index.get<std::size_t>()).second)
       return bad_model(source_, "its nodes are no tree; export it again");
-    if (depth > deepest_node || seen_.size() > most_nodes)
+    if (depth > deepest_node || seen_.size() > max_nodes)
       return Error{"input.too_large", source_, "has more than 20,000 nodes or 64 levels of them"};
     const GlbJson& node = nodes[index.get<std::size_t>()];
     const Affine scene_from_node = scene_from_parent * transform_of(node);
@@ -267,7 +267,7 @@ class GlbReader {
                                        std::size_t width) {
     const auto accessor = glb_index(glb_object(primitive, "attributes"), name.c_str());
     if (!accessor) return std::vector<float>{};
-    return glb_floats(glb_, *accessor, width, 3 * most_model_triangles, source_);
+    return glb_floats(glb_, *accessor, width, 3 * max_model_triangles, source_);
   }
 
   Result<std::vector<Vec3f>> positions_of(const GlbJson& primitive, const Affine& scene_from_mesh) {
@@ -282,7 +282,7 @@ class GlbReader {
 
   Result<void> read_piece(const GlbJson& primitive, const Affine& scene_from_mesh) {
     MARKETGEN_TRY(std::vector<Vec3f> points, positions_of(primitive, scene_from_mesh));
-    if (model_.pieces.size() >= most_pieces || points.size() > 4096)
+    if (model_.pieces.size() >= max_pieces || points.size() > 4096)
       return Error{"input.too_large", source_, "has more than 256 contact pieces or 4096 points"};
     if (!points.empty()) model_.pieces.push_back(std::move(points));
     return {};
@@ -307,8 +307,8 @@ class GlbReader {
     MARKETGEN_CHECK(read_uvs(primitive, texture_set_[surface], mesh));
     MARKETGEN_CHECK(read_normals(primitive, scene_from_mesh, mesh));
     model_.mesh.append(mesh);
-    if (model_.mesh.triangles.size() > most_model_triangles ||
-        model_.mesh.positions.size() > 3 * most_model_triangles)
+    if (model_.mesh.triangles.size() > max_model_triangles ||
+        model_.mesh.positions.size() > 3 * max_model_triangles)
       return Error{"input.too_large",
                    source_,
                    "has more than 1,000,000 triangles; export it with fewer (1,000 to 20,000 are "
@@ -319,7 +319,7 @@ class GlbReader {
   Result<void> read_triangles(const GlbJson& primitive, std::size_t mode, Mesh& mesh) {
     std::vector<std::uint32_t> corners;
     if (const auto accessor = glb_index(primitive, "indices")) {
-      MARKETGEN_TRY(corners, glb_indices(glb_, *accessor, 3 * most_model_triangles, source_));
+      MARKETGEN_TRY(corners, glb_indices(glb_, *accessor, 3 * max_model_triangles, source_));
     } else {
       for (std::uint32_t i = 0; i < mesh.positions.size(); ++i)
         corners.push_back(i);

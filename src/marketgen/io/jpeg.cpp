@@ -10,7 +10,7 @@
 namespace marketgen {
 namespace {
 
-constexpr std::uint64_t most_pixels = 64'000'000;
+constexpr std::uint64_t max_pixels = 64'000'000;
 
 struct Fault {
   jpeg_error_mgr manager{};
@@ -48,7 +48,7 @@ Decoded decode(std::string_view bytes, Fault& fault, Image& image) {
   jpeg_read_header(&jpeg, TRUE);
   image.width = static_cast<int>(jpeg.image_width);
   image.height = static_cast<int>(jpeg.image_height);
-  if (std::uint64_t{jpeg.image_width} * jpeg.image_height > most_pixels) {
+  if (std::uint64_t{jpeg.image_width} * jpeg.image_height > max_pixels) {
     jpeg_destroy_decompress(&jpeg);
     return Decoded::too_large;
   }

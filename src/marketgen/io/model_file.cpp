@@ -34,11 +34,11 @@ Result<OutsideModel> read_model_file(const fs::path& file) {
             ? "is a glTF text file; export it as binary glTF (.glb) with its data inside"
             : "is neither .glb nor .obj; export the model as binary glTF (.glb)");
   }
-  MARKETGEN_TRY(const std::string bytes, read_file(file, most_model_bytes));
+  MARKETGEN_TRY(const std::string bytes, read_file(file, max_model_bytes));
   if (ending == ".glb") return parse_glb(bytes, source);
   return parse_obj(bytes, source, [&](const std::string& name) -> Result<std::string> {
     MARKETGEN_TRY(const fs::path path, path_within(file.parent_path(), name, source));
-    return read_file(path, most_model_bytes);
+    return read_file(path, max_model_bytes);
   });
 }
 

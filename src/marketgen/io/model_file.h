@@ -20,8 +20,8 @@
 namespace marketgen {
 
 // Larger files, or models with more than this, are refused with input.too_large.
-constexpr std::uint64_t most_model_bytes = 256U << 20;
-constexpr std::size_t most_model_triangles = 1'000'000;
+constexpr std::uint64_t max_model_bytes = 256U << 20;
+constexpr std::size_t max_model_triangles = 1'000'000;
 
 struct ModelMaterial {
   std::string name;

@@ -13,9 +13,9 @@
 namespace marketgen {
 namespace {
 
-constexpr std::size_t most_names = 64, longest_name = 80;
+constexpr std::size_t max_names = 64, longest_name = 80;
 // Creases cost the square of the triangles round a point, and a hostile file puts all into one.
-constexpr std::size_t most_creased_triangles = 20'000;
+constexpr std::size_t max_creased_triangles = 20'000;
 
 void make_smooth_normals(Mesh& mesh) {
   mesh.normals.assign(mesh.positions.size(), Vec3f{});
@@ -63,7 +63,7 @@ Result<Image> decode_picture(std::string_view bytes, const std::string& where) {
 
 void keep_name(OutsideModel& model, std::string_view name) {
   const std::string text(name.substr(0, longest_name));
-  if (text.empty() || model.names.size() >= most_names || !is_utf8(text)) return;
+  if (text.empty() || model.names.size() >= max_names || !is_utf8(text)) return;
   if (std::find(model.names.begin(), model.names.end(), text) == model.names.end())
     model.names.push_back(text);
 }
@@ -86,7 +86,7 @@ Result<void> check_points(const std::vector<Vec3f>& points, const std::string& s
 
 void make_normals(Mesh& mesh) {
   make_smooth_normals(mesh);
-  if (mesh.triangles.size() <= most_creased_triangles) recompute_normals(mesh);
+  if (mesh.triangles.size() <= max_creased_triangles) recompute_normals(mesh);
 }
 
 Result<OutsideModel> finished_model(OutsideModel model, const std::string& source) {

@@ -11,7 +11,7 @@
 namespace marketgen {
 namespace {
 
-constexpr std::size_t most_lines = 20'000'000, most_corners = 256, most_obj_materials = 256;
+constexpr std::size_t max_lines = 20'000'000, max_corners = 256, max_obj_materials = 256;
 
 // The words of one line, cut at blanks.
 class Line {
@@ -76,7 +76,7 @@ class ObjReader {
     std::size_t number = 0;
     while (!text.empty()) {
       const std::size_t end = std::min(text.find('\n'), text.size());
-      if (++number > most_lines)
+      if (++number > max_lines)
         return Error{"input.too_large", source_, "has more than 20,000,000 lines"};
       MARKETGEN_CHECK(read_line(Line(text.substr(0, end)), number));
       text.remove_prefix(std::min(end + 1, text.size()));
@@ -110,7 +110,7 @@ class ObjReader {
       value = *read;
     }
     list.push_back(to_float(Vec3{values[0], values[1], values[2]}));
-    if (list.size() > 3 * most_model_triangles)
+    if (list.size() > 3 * max_model_triangles)
       return Error{"input.too_large", source_, "has more than 3,000,000 points"};
     return check_points({list.back()}, fmt::format("{}:{}", source_, number));
   }
@@ -119,7 +119,7 @@ class ObjReader {
     const auto u = number_of(line.next()), v = number_of(line.next());
     if (!u || !v) return fault(number, "expected two numbers");
     uvs_.push_back({static_cast<float>(*u), static_cast<float>(1 - *v)});  // v grows upwards here
-    if (uvs_.size() > 3 * most_model_triangles)
+    if (uvs_.size() > 3 * max_model_triangles)
       return Error{"input.too_large", source_, "has more than 3,000,000 UVs"};
     return {};
   }
@@ -127,7 +127,7 @@ class ObjReader {
   Result<void> read_face(Line& line, std::size_t number) {
     std::vector<std::uint32_t> corners;
     for (std::string_view word = line.next(); !word.empty(); word = line.next()) {
-      if (corners.size() >= most_corners) return fault(number, "a face has more than 256 corners");
+      if (corners.size() >= max_corners) return fault(number, "a face has more than 256 corners");
       const auto corner = corner_of(word);
       if (!corner) return fault(number, "a corner is not of the form 1, 1/2, 1//3 or 1/2/3");
       MARKETGEN_TRY(const std::uint32_t vertex, vertex_of(*corner, number));
@@ -135,7 +135,7 @@ class ObjReader {
     }
     for (std::size_t i = 1; i + 1 < corners.size(); ++i)
       model_.mesh.add_triangle(corners[0], corners[i], corners[i + 1], material_);
-    if (model_.mesh.triangles.size() > most_model_triangles)
+    if (model_.mesh.triangles.size() > max_model_triangles)
       return Error{"input.too_large",
                    source_,
                    "has more than 1,000,000 triangles; export it with fewer (1,000 to 20,000 are "
@@ -173,7 +173,7 @@ class ObjReader {
     const auto [entry, is_new] =
         material_rows_.try_emplace(name, static_cast<std::uint16_t>(model_.materials.size()));
     if (is_new) {
-      if (model_.materials.size() >= most_obj_materials) {
+      if (model_.materials.size() >= max_obj_materials) {
         material_rows_.erase(entry);
         return;
       }
@@ -218,13 +218,13 @@ class ObjReader {
   }
 
   Result<void> read_picture(const std::string& name, ModelMaterial& material) {
-    constexpr std::size_t most_pictures = 8;
+    constexpr std::size_t max_pictures = 8;
     const auto known = pictures_.find(name);
     if (known != pictures_.end()) {
       material.picture = known->second;
       return {};
     }
-    if (pictures_.size() >= most_pictures)
+    if (pictures_.size() >= max_pictures)
       return Error{"input.too_large", source_, "has more than 8 pictures"};
     const Result<std::string> bytes = companion_(name);
     if (!bytes.ok() && bytes.error().code == "input.not_found") {

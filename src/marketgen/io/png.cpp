@@ -104,8 +104,8 @@ Result<Image> decode_png(std::string_view bytes, const std::string& where) {
     return Error{
         "image.bad_file", where, fmt::format("is not a readable PNG file ({})", png.message)};
   }
-  constexpr std::uint64_t most_pixels = 64'000'000;
-  if (std::uint64_t{png.width} * png.height > most_pixels) {
+  constexpr std::uint64_t max_pixels = 64'000'000;
+  if (std::uint64_t{png.width} * png.height > max_pixels) {
     png_image_free(&png);
     return Error{
         "input.too_large",

@@ -119,8 +119,8 @@ std::vector<pid_t> bearers_of(const std::string& mark) {
 
 // Again and again: one may have started another while we looked.
 void end_bearers_of(const std::string& mark) {
-  constexpr int most_looks = 200;
-  for (int look = 0; look < most_looks; ++look) {
+  constexpr int max_looks = 200;
+  for (int look = 0; look < max_looks; ++look) {
     const std::vector<pid_t> bearers = bearers_of(mark);
     if (bearers.empty()) return;
     for (const pid_t bearer : bearers)

@@ -201,7 +201,7 @@ RectMm bounds_of_ends(const std::vector<RunEnd>& line) {
 void add_cross_strips(std::vector<Strip>& strips,
                       const Surroundings& around,
                       const std::vector<Face>& faces,
-                      int least_mm) {
+                      int min_mm) {
   std::map<std::string, int> numbers;
   for (const std::vector<RunEnd>& line : end_lines(run_ends(around, faces))) {
     const Side side = line.front().side;
@@ -214,7 +214,7 @@ void add_cross_strips(std::vector<Strip>& strips,
     }
     // An endcap stands there, or it is a gap that nobody needs to pass: fronts have their own
     // aisles.
-    const bool closed = distance < 1 || strip.width_mm < least_mm;
+    const bool closed = distance < 1 || strip.width_mm < min_mm;
     if (closed || distance >= reach_mm || along(box, side).length() < distance) continue;
     strip.id = line.front().zone + "/cross-" + std::to_string(++numbers[line.front().zone]);
     strip.rect = strip_beyond(box, side, distance);

@@ -178,7 +178,7 @@ void place_machines(Build& build, GroundBuild& ground) {
                   &spec,
                   opposite(backs[static_cast<std::size_t>(i)]),
                   band,
-                  build.design.least_aisle_mm(),
+                  build.design.min_aisle_mm(),
                   most};
     const std::vector<PlacedRun> runs = build.site.place(row, Packing::middle);
     if (!runs.empty()) ++zone.next_run;
@@ -202,7 +202,7 @@ void place_desks(Build& build, GroundBuild& ground) {
                   &spec,
                   opposite(back),
                   band,
-                  build.design.least_aisle_mm(),
+                  build.design.min_aisle_mm(),
                   wish - zone.main_modules};
     const std::vector<PlacedRun> runs = build.site.place(row, Packing::middle);
     if (!runs.empty()) ++zone.next_run;

@@ -14,10 +14,10 @@ bool is_cold(const Zone& zone, const Catalog& catalog) {
 }
 
 int wanted_aisle_mm(const Design& design, const Zone& zone) {
-  if (zone.fixture.aisle_mm) return std::max(*zone.fixture.aisle_mm, design.least_aisle_mm());
+  if (zone.fixture.aisle_mm) return std::max(*zone.fixture.aisle_mm, design.min_aisle_mm());
   const int habit = is_cold(zone, design.catalog) ? design.profile.cold_aisle_mm
                                                   : design.profile.secondary_aisle_mm;
-  return std::max(habit, design.least_aisle_mm());
+  return std::max(habit, design.min_aisle_mm());
 }
 
 }  // namespace marketgen

@@ -16,7 +16,7 @@ struct Design {
 
   // The least free floor before a stocked front. A grid cell is added to the wheelchair's width:
   // paths are checked on a 50 mm grid, which sees a passage only when it is that much wider.
-  int least_aisle_mm() const {
+  int min_aisle_mm() const {
     return std::max(profile.minimum_aisle_mm, profile.wheelchair_mm + 50);
   }
 };

@@ -53,7 +53,7 @@ std::optional<Stand> place_beside(const Build& build,
       const Stand stand{cut_along(strip, door.wall, {from, from + length}),
                         endwise ? toward_door : opposite(door.wall)};
       if (!build.site.can_stand(stand.rect)) continue;
-      const int clear = build.design.least_aisle_mm();
+      const int clear = build.design.min_aisle_mm();
       if (build.site.is_clear(strip_beyond(stand.rect, stand.front, clear)) &&
           build.site.is_clear(strip_beyond(stand.rect, opposite(door.wall), clear))) {
         return stand;
@@ -78,7 +78,7 @@ void place_kind(Build& build, const Doorway& door, std::string_view name, bool l
   unit.yaw_deg = yaw_facing(stand->front);
   unit.width_mm = spec.widths_mm.front();
   unit.run_start = unit.run_end = true;
-  build.site.add(std::move(unit), build.design.least_aisle_mm());
+  build.site.add(std::move(unit), build.design.min_aisle_mm());
 }
 
 // Posts that say "in": straight before the entrance, with room to pass on every side.
@@ -93,7 +93,7 @@ void place_gate(Build& build, const Doorway& door) {
                                 door.wall,
                                 {from, from + width});
   const int round_mm =
-      std::max(build.design.least_aisle_mm(), build.design.profile.secondary_aisle_mm * 4 / 5);
+      std::max(build.design.min_aisle_mm(), build.design.profile.secondary_aisle_mm * 4 / 5);
   const RectMm round = rect.grown(round_mm);
   if (!build.site.is_clear(round)) return;
   Fixture gate = make_module(spec, *owner->zone);

@@ -8,7 +8,7 @@ namespace marketgen {
 namespace {
 
 constexpr int service_island_mm = 1000;  // staff floor between two counters back to back
-constexpr double least_squeeze = 0.85;   // aisles give up to 15 % where that wins another run
+constexpr double min_squeeze = 0.85;     // aisles give up to 15 % where that wins another run
 constexpr double planned_gap_share =
     0.7;  // a plan's own gap is an aisle from this share of the habit on
 constexpr double tighter_factor = 1.2;      // narrower aisles must hold this much more
@@ -117,7 +117,7 @@ int block_count(const FloorTask& task, int room_mm, int depth_mm) {
   const int count = (room_mm + task.aisle_mm) / (depth_mm + task.aisle_mm);
   if (count == 0 || task.zone.zone->fixture.aisle_mm) return count;
   const int squeezed = (room_mm - (count + 1) * depth_mm) / count;
-  const int least = std::max(task.clear_mm, static_cast<int>(task.habit_mm * least_squeeze));
+  const int least = std::max(task.clear_mm, static_cast<int>(task.habit_mm * min_squeeze));
   return squeezed >= least ? count + 1 : count;
 }
 
@@ -284,7 +284,7 @@ std::vector<Span> common_spans(const Site& site, const std::vector<Row>& rows) {
 std::optional<FloorComb> choose_comb(FloorTask task, const ModuleSpec& spec) {
   std::optional<FloorComb> comb = double_faced(task, spec);
   if (!task.zone.zone->fixture.aisle_mm) {
-    task.aisle_mm = std::max(task.clear_mm, static_cast<int>(task.habit_mm * least_squeeze));
+    task.aisle_mm = std::max(task.clear_mm, static_cast<int>(task.habit_mm * min_squeeze));
     const std::optional<FloorComb> tighter = double_faced(task, spec);
     if (tighter && (!comb || tighter->score > comb->score * tighter_factor)) comb = tighter;
   }

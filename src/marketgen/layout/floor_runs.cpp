@@ -44,7 +44,7 @@ void add_endcap(const FloorTask& task,
 std::optional<PlacedRun> build_rows(const FloorTask& task, std::vector<Row> rows, Span span) {
   std::optional<PlacedRun> first;
   for (Row& row : rows) {
-    row.most_modules = task.zone.modules_left(row.spec->kind);
+    row.max_modules = task.zone.modules_left(row.spec->kind);
     row.run = task.zone.zone->id + "/run-" + std::to_string(task.zone.next_run);
     row.band = cut_along(row.band, row.front, span);
     const std::vector<PlacedRun> placed = task.build.site.place(row, Packing::middle);
@@ -123,7 +123,7 @@ void fill_empty_zones(Build& build) {
   for (GroundBuild& ground : build.grounds) {
     ZoneBuild& zone = build.zones[ground.zone];
     if (!is_shelving(zone) || zone.main_modules + zone.other_modules > 0) continue;
-    fill_ground(make_task(build, ground, build.design.least_aisle_mm()));
+    fill_ground(make_task(build, ground, build.design.min_aisle_mm()));
   }
 }
 

@@ -162,11 +162,11 @@ struct Repaired {
 // What a layout costs, whatever machine makes it: one for each module (about 25 microseconds) and
 // one for ten square metres of floor. A layout of a hall costs a hundred times that of a shop, so
 // that fewer of them are tried: none is begun once a repair has done so much work.
-constexpr std::int64_t most_repair_work = 6'000;
+constexpr std::int64_t max_repair_work = 6'000;
 Result<Repaired> repair_plan(const Plan& plan,
                              const Catalog& catalog,
                              Seed seed,
-                             std::int64_t most_work = most_repair_work);
+                             std::int64_t max_work = max_repair_work);
 
 // Evaluates every rule of layout_rules.inc. make_layout has already put the result into
 // `violations`.

@@ -12,7 +12,7 @@ namespace {
 constexpr double side_margin = 78, header = 110, footer = 86;  // pixels at the usual size
 constexpr double violation_line = 17;
 constexpr double key_width = 470;
-constexpr int most_listed = 8;
+constexpr int max_listed = 8;
 
 struct Page {
   int width = 0, height = 0;
@@ -22,7 +22,7 @@ struct Page {
 };
 
 double list_height(const Layout& layout) {
-  const auto count = std::min<std::size_t>(layout.violations.size(), most_listed + 1);
+  const auto count = std::min<std::size_t>(layout.violations.size(), max_listed + 1);
   return layout.violations.empty() ? 0 : violation_line * static_cast<double>(count) + 14;
 }
 
@@ -132,7 +132,7 @@ void draw_key(Sheet& sheet, double top) {
 void draw_violation_list(Sheet& sheet, double top) {
   const double w = sheet.canvas.width_px() - 2 * side_margin;
   const auto count = sheet.layout.violations.size();
-  for (std::size_t i = 0; i < std::min<std::size_t>(count, most_listed); ++i) {
+  for (std::size_t i = 0; i < std::min<std::size_t>(count, max_listed); ++i) {
     const Violation& v = sheet.layout.violations[i];
     const std::string text =
         fmt::format("{}  {} ({}): {}", i + 1, v.code, name_of(v.severity), v.message);
@@ -145,10 +145,10 @@ void draw_violation_list(Sheet& sheet, double top) {
            Align::left);
     top += violation_line;
   }
-  if (count > most_listed) {
+  if (count > max_listed) {
     letter(sheet,
            {side_margin, top, w, violation_line},
-           fmt::format("and {} more", count - most_listed),
+           fmt::format("and {} more", count - max_listed),
            12.5,
            sheet_grey,
            500,

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int back_panel_mm = 60;  // between the shelves of the two sides of a gondola
 constexpr int slot_pitch_mm = 50;  // European gondolas: shelves hang every 50 mm
-constexpr int most_fill_changes =
+constexpr int max_fill_changes =
     6;  // preferred modules that may be given up for others to fill a run better
 
 // What stands along the walls of a zone whose own fixtures stand free.
@@ -87,7 +87,7 @@ void choose_levels(ModuleSpec& spec, const FixtureSpec& wish) {
   spec.levels = kind.levels;
   const int room = spec.height_mm - spec.base_mm;
   if (wish.spacing_mm && !wish.levels && kind.levels > 0) {
-    spec.levels = clamped(1 + (room - least_top_gap_mm) / *wish.spacing_mm, kind.level_range);
+    spec.levels = clamped(1 + (room - min_top_gap_mm) / *wish.spacing_mm, kind.level_range);
   }
   if (wish.levels) spec.levels = clamped(*wish.levels, kind.level_range);
   if (spec.levels <= 1) {
@@ -95,11 +95,11 @@ void choose_levels(ModuleSpec& spec, const FixtureSpec& wish) {
     return;
   }
   if (wish.spacing_mm && !wish.height_mm) {
-    const int needed = spec.base_mm + (spec.levels - 1) * *wish.spacing_mm + least_top_gap_mm;
+    const int needed = spec.base_mm + (spec.levels - 1) * *wish.spacing_mm + min_top_gap_mm;
     spec.height_mm = clamped(std::max(spec.height_mm, needed), kind.height_range_mm);
   }
   const int even = (spec.height_mm - spec.base_mm) / spec.levels;
-  const int most = (spec.height_mm - spec.base_mm - least_top_gap_mm) / (spec.levels - 1);
+  const int most = (spec.height_mm - spec.base_mm - min_top_gap_mm) / (spec.levels - 1);
   spec.spacing_mm = std::min(wish.spacing_mm.value_or(std::min(most, even)), most);
   const bool slotted = !wish.spacing_mm && spec.spacing_mm > 4 * slot_pitch_mm;
   if (slotted) spec.spacing_mm -= spec.spacing_mm % slot_pitch_mm;
@@ -198,7 +198,7 @@ int ModuleSpec::door_swing_mm() const {
 }
 
 int ModuleSpec::clear_mm(const Design& design) const {
-  return std::max(design.least_aisle_mm() + door_swing_mm(),
+  return std::max(design.min_aisle_mm() + door_swing_mm(),
                   static_cast<int>(kind->front_clearance_mm));
 }
 
@@ -239,7 +239,7 @@ std::vector<int> fill_widths(const ModuleSpec& spec, int length_mm) {
   if (spec.widths_mm.empty() || length_mm <= 0) return {};
   const int most = length_mm / spec.widths_mm.front();
   std::vector<int> best;
-  for (int count = most; count >= std::max(0, most - most_fill_changes); --count) {
+  for (int count = most; count >= std::max(0, most - max_fill_changes); --count) {
     std::vector<int> widths = greedy_fill(spec, count, length_mm);
     if (sum(widths) > sum(best)) best = std::move(widths);
   }

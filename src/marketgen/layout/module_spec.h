@@ -10,7 +10,7 @@
 namespace marketgen {
 
 // The top shelf must hold something below the top of its fixture.
-inline constexpr int least_top_gap_mm = 150;
+inline constexpr int min_top_gap_mm = 150;
 constexpr int max_spacing_mm = 2000;  // of Fixture::fields; a single level has no next one
 
 // One module as it will be repeated along a run.

@@ -44,7 +44,7 @@ void respace(Fixture& fixture) {
   fixture.spacing_mm =
       fixture.levels <= 1
           ? std::clamp(room, 0, max_spacing_mm)
-          : std::min(room / fixture.levels, (room - least_top_gap_mm) / (fixture.levels - 1));
+          : std::min(room / fixture.levels, (room - min_top_gap_mm) / (fixture.levels - 1));
 }
 
 Result<void> change_kind(Fixture& fixture,

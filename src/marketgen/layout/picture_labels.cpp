@@ -168,11 +168,11 @@ void draw_zone_labels(Sheet& sheet) {
 }
 
 void draw_aisle_widths(Sheet& sheet) {
-  constexpr int least_length_mm = 1500, widest_mm = 4800;
+  constexpr int min_length_mm = 1500, widest_mm = 4800;
   const std::vector<Area> fixtures = fixture_areas(sheet);
   for (const Aisle& aisle : sheet.layout.aisles) {
     const RectMm rect = bounds_of(aisle.polygon_mm);
-    if (std::max(rect.width(), rect.depth()) < least_length_mm || aisle.width_mm > widest_mm)
+    if (std::max(rect.width(), rect.depth()) < min_length_mm || aisle.width_mm > widest_mm)
       continue;
     for (const double share : {0.5, 0.35, 0.65, 0.2, 0.8, 0.1, 0.9}) {
       if (draw_width(sheet, aisle, share, fixtures)) break;

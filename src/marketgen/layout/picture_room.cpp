@@ -11,8 +11,8 @@ namespace {
 // Thickness of the walls, drawn outside the floor; thinner in small rooms, whose sheets are drawn
 // large.
 double wall_mm(const Sheet& sheet) {
-  constexpr double usual_mm = 220, most_px = 16;
-  return std::min(usual_mm, most_px / sheet.px_per_mm);
+  constexpr double usual_mm = 220, max_px = 16;
+  return std::min(usual_mm, max_px / sheet.px_per_mm);
 }
 
 constexpr int tick_every_mm = 1000, number_every_mm = 5000;

@@ -14,8 +14,8 @@ namespace {
 
 constexpr int cell_mm = 50;
 constexpr int entrance_reach_mm = 2500;
-constexpr double least_pocket_m2 = 0.04;  // smaller pockets are rounding of the grid
-constexpr int most_rounds = 60;
+constexpr double min_pocket_m2 = 0.04;  // smaller pockets are rounding of the grid
+constexpr int max_rounds = 60;
 constexpr int open_cost = 1, blocked_cost = 50;  // a metre of fixture is worth a detour of 50 m
 
 std::vector<RectMm> obstacles_of(const Floor& floor, const std::vector<Fixture>& fixtures) {
@@ -32,7 +32,7 @@ int shut_off_label(const Reach& reach, const std::set<int>& given_up) {
   for (int label = 1; label < static_cast<int>(reach.components.cells.size()); ++label) {
     const int cells = reach.components.cells[static_cast<std::size_t>(label)];
     if (label == reach.from_entrance || given_up.contains(label)) continue;
-    if (cells * cell_m2 < least_pocket_m2) continue;
+    if (cells * cell_m2 < min_pocket_m2) continue;
     if (best == 0 || cells > reach.components.cells[static_cast<std::size_t>(best)]) best = label;
   }
   return best;
@@ -97,7 +97,7 @@ bool near_way(const RectMm& rect,
 void join_parts(const Design& design, std::vector<Fixture>& fixtures, int width_mm) {
   std::optional<OccupancyGrid> bare;  // made when something is shut off
   std::set<int> given_up;
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < max_rounds; ++round) {
     const Reach reach = reach_of(design.floor, design.plan.shell, fixtures, width_mm);
     const int label = shut_off_label(reach, given_up);
     if (label == 0 || reach.from_entrance == 0) return;

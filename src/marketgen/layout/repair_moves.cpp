@@ -13,13 +13,13 @@ namespace marketgen {
 namespace {
 
 constexpr int gap_step_mm = 300, widest_gap_mm = 4000;
-constexpr double least_ratio = 0.08, most_ratio = 0.92;   // market-plan/1
+constexpr double min_ratio = 0.08, max_ratio = 0.92;      // market-plan/1
 constexpr std::array<double, 2> ratio_steps{0.15, 0.35};  // of the zone's present share
 constexpr int levels_up = 3;                              // ancestors whose cut may move
-constexpr std::size_t most_swaps = 5;
+constexpr std::size_t max_swaps = 5;
 constexpr std::array<double, 4> door_steps{0.06, -0.06, 0.14, -0.14};  // of the wall
 constexpr int shortest_run_mm = 4000;
-constexpr std::size_t least_zones = 3;
+constexpr std::size_t min_zones = 3;
 constexpr double till_floor_mm = 6500;  // side of the floor a pair of lanes needs
 
 std::string node_path(std::size_t node, std::string_view field) {
@@ -111,8 +111,7 @@ std::vector<RepairCandidate> propose_set_ratio(const RepairTask& task) {
       const double share = (step.first ? old : 1 - old) * (1 + by);
       // Four decimals are a few millimetres of the longest wall, and stay readable.
       const double ratio =
-          std::round(1e4 * std::clamp(step.first ? share : 1 - share, least_ratio, most_ratio)) *
-          1e-4;
+          std::round(1e4 * std::clamp(step.first ? share : 1 - share, min_ratio, max_ratio)) * 1e-4;
       if (ratio == old) continue;
       node.ratio = ratio;
       c.change = fmt::format("gave zone {} more floor: ratio of {} from {:.3f} to {:.3f}",
@@ -142,7 +141,7 @@ std::vector<RepairCandidate> propose_swap_leaves(const RepairTask& task) {
     return std::max(a, b) / std::max(0.1, std::min(a, b));
   };
   std::ranges::stable_sort(others, {}, unlike);
-  if (others.size() > most_swaps) others.resize(most_swaps);
+  if (others.size() > max_swaps) others.resize(max_swaps);
   for (const std::size_t other : others) {
     const auto there = leaf_of(task.plan, task.plan.zones[other].id);
     if (!there) continue;
@@ -168,7 +167,7 @@ std::vector<RepairCandidate> propose_drop_endcaps(const RepairTask& task) {
 std::vector<RepairCandidate> propose_narrow_aisles(const RepairTask& task) {
   const auto zone = zone_of(task);
   if (!zone) return {};
-  const int least = make_design(task.plan, task.catalog).least_aisle_mm();
+  const int least = make_design(task.plan, task.catalog).min_aisle_mm();
   if (task.plan.zones[*zone].fixture.aisle_mm.value_or(widest_gap_mm) <= least) return {};
   RepairCandidate c{
       task.plan,
@@ -241,7 +240,7 @@ std::vector<RepairCandidate> propose_add_checkout(const RepairTask& task) {
     const int at = (axis == Axis::x ? exit->threshold[0] - rects[zone].x0
                                     : exit->threshold[1] - rects[zone].y0);
     const bool first = at < length / 2;
-    const double share = std::clamp(till_floor_mm / std::max(1, length), least_ratio, most_ratio);
+    const double share = std::clamp(till_floor_mm / std::max(1, length), min_ratio, max_ratio);
     RepairCandidate c{
         task.plan, "put a checkout zone at the exit", {node_path(*leaf, "split"), "/zones"}};
     Zone tills;
@@ -314,7 +313,7 @@ bool holds_tills(const Zone& zone, const Catalog& catalog) {
 // Never the place to pay.
 std::vector<RepairCandidate> propose_drop_zone(const RepairTask& task) {
   const auto zone = zone_of(task);
-  if (!zone || task.plan.zones.size() <= least_zones || somebody_asked_for(task.plan, *zone))
+  if (!zone || task.plan.zones.size() <= min_zones || somebody_asked_for(task.plan, *zone))
     return {};
   if (holds_tills(task.plan.zones[*zone], task.catalog)) return {};
   const std::string id = task.plan.zones[*zone].id;

@@ -14,10 +14,10 @@ namespace {
 
 // Layouts that may be tried: many while the shop is unlawful, few for the sake of habit, fewer
 // where each takes long.
-constexpr int most_trials_hard = 60;
-constexpr int most_trials_soft = 10;
+constexpr int max_trials_hard = 60;
+constexpr int max_trials_soft = 10;
 constexpr double large_shop_m2 = 600;
-constexpr int most_trials_soft_large = 4;
+constexpr int max_trials_soft_large = 4;
 constexpr int impossible = 1'000'000;  // hard faults of a plan that has no layout
 
 struct Score {
@@ -60,11 +60,11 @@ std::int64_t work_of_floor(const Shell& shell) {
 
 class Repair {
  public:
-  Repair(const Catalog& catalog, Seed seed, double store_m2, std::int64_t most_work)
+  Repair(const Catalog& catalog, Seed seed, double store_m2, std::int64_t max_work)
       : catalog_(catalog),
         seed_(seed),
-        most_work_(most_work),
-        soft_left_(store_m2 > large_shop_m2 ? most_trials_soft_large : most_trials_soft) {}
+        max_work_(max_work),
+        soft_left_(store_m2 > large_shop_m2 ? max_trials_soft_large : max_trials_soft) {}
 
   Result<Trial> lay_out(const Plan& plan) {
     Result<Layout> layout = make_layout(plan, catalog_, seed_);
@@ -89,7 +89,7 @@ class Repair {
       for (const RepairMove move : rule->repairs) {
         for (RepairCandidate& candidate : propose(move, {now.plan, now.layout, fault, catalog_})) {
           int& left = fault.severity == Severity::hard ? hard_left_ : soft_left_;
-          if (left <= 0 || work_ >= most_work_) break;
+          if (left <= 0 || work_ >= max_work_) break;
           if (!is_new(candidate.plan) || !validate_plan(candidate.plan, "repair", catalog_).ok())
             continue;
           --left;
@@ -125,8 +125,8 @@ class Repair {
 
   const Catalog& catalog_;
   Seed seed_;
-  std::int64_t most_work_, work_ = 0;
-  int hard_left_ = most_trials_hard;
+  std::int64_t max_work_, work_ = 0;
+  int hard_left_ = max_trials_hard;
   int soft_left_;
   std::set<std::uint64_t> tried_;
 };
@@ -136,9 +136,9 @@ class Repair {
 Result<Repaired> repair_plan(const Plan& plan,
                              const Catalog& catalog,
                              Seed seed,
-                             std::int64_t most_work) {
+                             std::int64_t max_work) {
   const double store_m2 = 1e-6 * plan.shell.width_mm * plan.shell.depth_mm;
-  Repair repair(catalog, seed, store_m2, most_work);
+  Repair repair(catalog, seed, store_m2, max_work);
   repair.remember(plan);
   MARKETGEN_TRY(Trial now, repair.lay_out(plan));
   Repaired repaired;

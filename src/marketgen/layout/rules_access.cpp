@@ -7,7 +7,7 @@
 namespace marketgen {
 namespace {
 
-constexpr double least_floor_m2 = 0.25;  // less is a corner behind a fixture
+constexpr double min_floor_m2 = 0.25;  // less is a corner behind a fixture
 
 bool front_reached(const Reach& reach, const Fixture& fixture, int width_mm) {
   for (int side = 0; side < fixture.sides; ++side) {
@@ -96,10 +96,10 @@ Findings floor_shut_off(const RuleFacts& facts) {
     largest = label;
     largest_cells = cells;
   }
-  if (shut_m2 <= least_floor_m2) return {};
+  if (shut_m2 <= min_floor_m2) return {};
   return {{"floor",
            shut_m2,
-           least_floor_m2,
+           min_floor_m2,
            "free floor is shut off from the entrance",
            somewhere_in(reach, largest)}};
 }

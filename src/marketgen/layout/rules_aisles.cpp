@@ -25,11 +25,11 @@ int length_of(const Aisle& aisle) {
   return runs_along_x(aisle) ? rect.width() : rect.depth();
 }
 
-Findings narrower_than(const RuleFacts& facts, double limit, bool checkout, int least_length) {
+Findings narrower_than(const RuleFacts& facts, double limit, bool checkout, int min_length) {
   Findings found;
   for (const Aisle& aisle : facts.layout.aisles) {
     if ((aisle.kind == AisleKind::checkout) != checkout || aisle.width_mm >= limit) continue;
-    if (length_of(aisle) < least_length) continue;
+    if (length_of(aisle) < min_length) continue;
     found.push_back(
         {aisle.id,
          static_cast<double>(aisle.width_mm),

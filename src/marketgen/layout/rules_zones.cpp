@@ -12,7 +12,7 @@ namespace marketgen {
 namespace {
 
 constexpr int cold_group_mm = 4000;  // cold zones nearer than this share their piping
-constexpr int most_cold_groups = 2;
+constexpr int max_cold_groups = 2;
 constexpr double produce_share = 0.5;  // of the shop's diagonal
 
 PointMm middle(const LayoutZone& zone) {
@@ -167,10 +167,10 @@ Findings cold_scattered(const RuleFacts& facts) {
     if (zone_is_cold(facts, zone)) cold.push_back(bounds_of(zone.polygon_mm));
   }
   const int groups = cold_groups(cold);
-  if (groups <= most_cold_groups) return {};
+  if (groups <= max_cold_groups) return {};
   return {{"refrigeration",
            static_cast<double>(groups),
-           most_cold_groups,
+           max_cold_groups,
            "refrigerated zones stand in " + std::to_string(groups) + " places",
            cold.front().center()}};
 }

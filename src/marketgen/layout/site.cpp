@@ -106,7 +106,7 @@ Span Site::add_modules(const Row& row,
 
 std::vector<PlacedRun> Site::place(const Row& row, Packing align) {
   std::vector<PlacedRun> placed;
-  int room = row.most_modules;
+  int room = row.max_modules;
   for (const Span& span : free_spans(row)) {
     std::vector<int> widths = fill_widths(*row.spec, span.length());
     if (room < static_cast<int>(widths.size())) widths.resize(static_cast<std::size_t>(room));

@@ -15,10 +15,10 @@ struct Row {
   std::string run;  // its id
   const Zone* zone;
   const ModuleSpec* spec;
-  Side front;        // the side its (first) front faces
-  RectMm band;       // where it may stand: as deep as the module
-  int clear_mm;      // free floor needed before each front
-  int most_modules;  // no more than this many
+  Side front;       // the side its (first) front faces
+  RectMm band;      // where it may stand: as deep as the module
+  int clear_mm;     // free floor needed before each front
+  int max_modules;  // no more than this many
 };
 
 // A line of modules that was placed.

@@ -91,9 +91,8 @@ void line_wall(Build& build, const WallJob& job) {
   const int clear = spec.clear_mm(build.design);
   const bool staffed = has_staff_aisle(ground, job, spec, clear);
   const int offset = staffed ? staff_aisle_mm : wall_gap_mm;
-  const Span span = staffed
-                        ? with_staff_entry(build, job.side, job.span, build.design.least_aisle_mm())
-                        : job.span;
+  const Span span =
+      staffed ? with_staff_entry(build, job.side, job.span, build.design.min_aisle_mm()) : job.span;
   const RectMm band =
       cut_along(strip_inside(ground.ground.rect, job.side, spec.depth_mm, offset), job.side, span);
   const int most = zone.modules_left(spec.kind);
@@ -110,7 +109,7 @@ void line_wall(Build& build, const WallJob& job) {
     Row row = whole;
     row.run = zone.zone->id + "/run-" + std::to_string(zone.next_run);
     row.band = cut_along(band, row.front, part);
-    row.most_modules = zone.modules_left(spec.kind);
+    row.max_modules = zone.modules_left(spec.kind);
     const std::vector<PlacedRun> runs = build.site.place(row, Packing::low);
     if (!runs.empty()) ++zone.next_run;
     zone.count(spec.kind, runs);

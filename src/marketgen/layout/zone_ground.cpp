@@ -8,8 +8,8 @@ namespace marketgen {
 namespace {
 
 constexpr int max_pieces = 3;
-constexpr int least_side_mm = 900;    // narrower ground holds no fixture with a shopper before it
-constexpr double least_piece_m2 = 3;  // further pieces must be worth a run of their own
+constexpr int min_side_mm = 900;    // narrower ground holds no fixture with a shopper before it
+constexpr double min_piece_m2 = 3;  // further pieces must be worth a run of their own
 constexpr int widest_shared_gap_mm = 3000;  // walls along wider gaps are left to the aisle
 
 // Sorted distinct cut lines of the rectangles within [low, high].
@@ -56,8 +56,8 @@ std::vector<RectMm> pieces_of(const RectMm& zone, const Floor& floor) {
   std::vector<RectMm> taken = floor.outside;
   for (int i = 0; i < max_pieces; ++i) {
     const RectMm piece = largest_free(zone, taken);
-    if (std::min(piece.width(), piece.depth()) < least_side_mm) break;
-    if (i > 0 && piece.area_m2() < least_piece_m2) break;
+    if (std::min(piece.width(), piece.depth()) < min_side_mm) break;
+    if (i > 0 && piece.area_m2() < min_piece_m2) break;
     pieces.push_back(piece);
     taken.push_back(piece);
   }

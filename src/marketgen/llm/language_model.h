@@ -30,14 +30,14 @@ struct ChatRequest {
   std::string system;           // what the model is and must keep to; may be empty
   std::vector<ChatTurn> turns;  // the user's first and last, in turn
   std::string answer_schema;    // JSON Schema that the answer must follow; empty: free text
-  int most_tokens = 2048;       // of the answer
+  int max_tokens = 2048;        // of the answer
 };
 
 struct ChatAnswer {
   std::string text;
   std::string model;  // as the provider names what answered
   std::int64_t tokens_in = 0, tokens_out = 0;
-  bool cut = false;  // ended by most_tokens
+  bool cut = false;  // ended by max_tokens
 };
 
 struct LanguageModel {

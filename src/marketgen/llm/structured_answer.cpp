@@ -86,11 +86,11 @@ std::string with_schema_in_words(const std::string& system, const std::string& s
 }
 
 // What is wrong with an answer.
-Result<void> fault_of(const ChatAnswer& answer, int most_tokens, const AnswerReader& read) {
+Result<void> fault_of(const ChatAnswer& answer, int max_tokens, const AnswerReader& read) {
   const std::optional<std::string> json = json_object_in(answer.text);
   if (json) return read(*json);
   const std::string why = answer.cut
-                              ? fmt::format("it was cut off at {} tokens; be shorter", most_tokens)
+                              ? fmt::format("it was cut off at {} tokens; be shorter", max_tokens)
                               : std::string("it holds no JSON object");
   return Error{"json.syntax", "answer", why};
 }
@@ -129,10 +129,10 @@ std::string with_names(const std::string& schema,
 }
 
 std::optional<std::string> json_object_in(std::string_view text) {
-  constexpr int most_tries = 64;  // each may read to the end of the text
+  constexpr int max_tries = 64;  // each may read to the end of the text
   text = after_thoughts(text);
   std::size_t start = text.find('{');
-  for (int tried = 0; tried < most_tries && start != std::string_view::npos; ++tried) {
+  for (int tried = 0; tried < max_tries && start != std::string_view::npos; ++tried) {
     const std::size_t end = end_of_object(text, start);
     if (end != std::string_view::npos) {
       const std::string_view object = text.substr(start, end - start);
@@ -146,7 +146,7 @@ std::optional<std::string> json_object_in(std::string_view text) {
 Result<AnswerCost> ask_for_json(const LanguageModel& model,
                                 ChatRequest request,
                                 const AnswerReader& read) {
-  constexpr int most_requests = 2;
+  constexpr int max_requests = 2;
   request.system = with_schema_in_words(request.system, request.answer_schema);
   AnswerCost cost;
   for (;;) {
@@ -154,10 +154,10 @@ Result<AnswerCost> ask_for_json(const LanguageModel& model,
     ++cost.requests;
     cost.tokens_in += answer.tokens_in;
     cost.tokens_out += answer.tokens_out;
-    const Result<void> sound = fault_of(answer, request.most_tokens, read);
+    const Result<void> sound = fault_of(answer, request.max_tokens, read);
     if (sound.ok()) return cost;
     if (sound.error().code == "internal.interrupted") return sound.error();
-    if (cost.requests == most_requests) {
+    if (cost.requests == max_requests) {
       return Error{"llm.bad_answer",
                    model.name,
                    fmt::format("its answer cannot be used, nor could its second: {}: {}",

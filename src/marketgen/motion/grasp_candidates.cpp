@@ -142,14 +142,14 @@ class Search {
   Tried pinch_at(const PinchSeed& seed) const {
     const Vec3 c = seed.closing, a = seed.approach, x = cross(c, a);
     const double start = seed.inside ? tool_.opening_m / 2 : outside_m;
-    const double most_width = tool_.opening_m - 2 * query_.finger_gap_m;
+    const double max_width = tool_.opening_m - 2 * query_.finger_gap_m;
     const auto line_end = [&](Vec3 way) {
       return surface_.first_hit(seed.center + way * start, -way);
     };
     const auto left_end = line_end(c), right_end = line_end(-c);
     if (!left_end || !right_end) return refuse(GraspRefusal::none);
     const double least = 2 * start - left_end->distance_m - right_end->distance_m;
-    if (least > most_width) return refuse(GraspRefusal::too_wide, least);
+    if (least > max_width) return refuse(GraspRefusal::too_wide, least);
 
     const auto pad = [&](Vec3 way) {
       return surface_.pad_contact(
@@ -158,7 +158,7 @@ class Search {
     const auto left = pad(c), right = pad(-c);
     if (!left || !right) return refuse(GraspRefusal::none);
     const double width = 2 * start + left->height_m + right->height_m;
-    if (width > most_width) return refuse(GraspRefusal::too_wide, width);
+    if (width > max_width) return refuse(GraspRefusal::too_wide, width);
     if (!(width > 0) || !opposed(*left, *right, c)) return refuse(GraspRefusal::not_opposed);
 
     return pinched({seed, *left, *right, width});
@@ -217,7 +217,7 @@ class Search {
   // 0..1. Beside a standing pack its likes make way to the side; among packs that lie, less may be
   // asked of them.
   double reach_into_likes(const Grasp& grasp) const {
-    const double most = query_.likes.empty() ? finger_thick_m : most_like_overlap_m;
+    const double most = query_.likes.empty() ? finger_thick_m : max_like_overlap_m;
     return std::min(1.0, room_.overlap_with_likes(grasp) / most);
   }
 
@@ -249,7 +249,7 @@ class Search {
     const Vec3 level = across - up_ * dot(across, up_);
     const double lever = length(level - closing * dot(level, closing));
     const double turning = (standard_gravity * lever + carry_acceleration_m_s2 * length(across)) /
-                           (query_.friction * std::max(patch_radius_m, least_spread(left, right)));
+                           (query_.friction * std::max(patch_radius_m, min_spread(left, right)));
     const Vec3 way = normalized(across);
     const Vec3 z = cross(x, closing);
     const auto half_width = [&](const PadContact& pad) {
@@ -269,11 +269,11 @@ class Search {
     const Vec3 arm = to_double(body_.center_of_mass) - middle;
     const double lever = length(arm - closing * dot(arm, closing));
     const double turning = (standard_gravity + carry_acceleration_m_s2) * lever /
-                           (query_.friction * std::max(patch_radius_m, least_spread(left, right)));
+                           (query_.friction * std::max(patch_radius_m, min_spread(left, right)));
     return turn_safety * product_.mass_kg * turning / 2;
   }
 
-  static double least_spread(const PadContact& left, const PadContact& right) {
+  static double min_spread(const PadContact& left, const PadContact& right) {
     return std::min(std::hypot(left.spread_x_m, left.spread_z_m),
                     std::hypot(right.spread_x_m, right.spread_z_m));
   }

@@ -95,7 +95,7 @@ constexpr double grip_safety = 2;
 constexpr double turn_safety = 1.2;
 
 // So far the open tool may reach into the likes of a pack that lies among them: they give way.
-constexpr double most_like_overlap_m = 0.008;
+constexpr double max_like_overlap_m = 0.008;
 
 // Force on each of two pads that holds the mass.
 double pinch_force_n(double mass_kg, double friction);

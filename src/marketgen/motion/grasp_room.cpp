@@ -65,15 +65,15 @@ double GraspRoom::clearance_at(const Pose& product_from_tool,
   for (const ToolSolid& solid : solids) {
     const Pose pose = product_from_tool * solid.tool_from_solid;
     least = std::min(least, room_over_and_under(pose, solid.half_size));
-    if (least < least_clearance_m) return least;
+    if (least < min_clearance_m) return least;
     least = std::min(least, gap_to_walls(pose, solid.half_size, std::min(least, enough_m)));
-    if (least < least_clearance_m) return least;
+    if (least < min_clearance_m) return least;
     const bool bellows = tool_.kind == ToolKind::suction &&
                          solid.tool_from_solid.position.z + solid.half_size.z > -bellows_m;
     if (!bellows)
       least =
           std::min(least, surface_.gap_to_box(pose, solid.half_size, std::min(least, enough_m)));
-    if (least < least_clearance_m) return least;
+    if (least < min_clearance_m) return least;
   }
   return least;
 }
@@ -114,9 +114,9 @@ double GraspRoom::overlap_with_likes_at(const Pose& product_from_tool, const Sol
 }
 
 bool GraspRoom::clear_at(const Pose& product_from_tool, const Solids& solids) const {
-  return clearance_at(product_from_tool, solids, least_clearance_m) >= least_clearance_m &&
+  return clearance_at(product_from_tool, solids, min_clearance_m) >= min_clearance_m &&
          (query_.likes.empty() ||
-          overlap_with_likes_at(product_from_tool, solids) <= most_like_overlap_m);
+          overlap_with_likes_at(product_from_tool, solids) <= max_like_overlap_m);
 }
 
 bool GraspRoom::is_free(const Grasp& grasp) const {

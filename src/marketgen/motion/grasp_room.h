@@ -8,7 +8,7 @@
 
 namespace marketgen {
 
-constexpr double least_clearance_m = 0.002;  // of the open tool
+constexpr double min_clearance_m = 0.002;  // of the open tool
 
 class GraspRoom {
  public:
@@ -18,11 +18,11 @@ class GraspRoom {
             const GraspSurface& surface);
 
   // Of everything of the open tool to the pack, the ground, what is over it, and walls. Exact down
-  // to least_clearance_m, below it only that it is less.
+  // to min_clearance_m, below it only that it is less.
   double clearance_of(const Grasp& grasp) const;
 
   // Whether the tool is clear there and on the last 10 cm of its way: of the pack and walls by
-  // least_clearance_m, and no deeper than most_like_overlap_m in the likes that lie round about.
+  // min_clearance_m, and no deeper than max_like_overlap_m in the likes that lie round about.
   bool is_free(const Grasp& grasp) const;
 
   // How far the open tool reaches into the pack's likes, at most; 0 when it is clear of them.

@@ -9,7 +9,7 @@
 namespace marketgen {
 namespace {
 
-constexpr std::size_t most_joints = 16;
+constexpr std::size_t max_joints = 16;
 
 // Column of the group that moves this joint, -1 when none does.
 int column_of(const JointGroup& group, const Joint& joint) {
@@ -32,12 +32,12 @@ Result<ArmModel> make_arm_model(const Robot& robot, std::string_view group) {
   if (found == nullptr) {
     return Error{"robot.unknown", robot.name, fmt::format("the robot has no group \"{}\"", group)};
   }
-  if (found->dofs.empty() || found->dofs.size() > most_joints) {
+  if (found->dofs.empty() || found->dofs.size() > max_joints) {
     return Error{
         "motion.bad_configuration",
         found->name,
         fmt::format(
-            "a group of {} joints; 1 to {} can be planned", found->dofs.size(), most_joints)};
+            "a group of {} joints; 1 to {} can be planned", found->dofs.size(), max_joints)};
   }
   ArmModel model{&robot, *found, pairs_that_may_touch(robot), {}, {}};
   for (const int dof : found->dofs) {

@@ -13,9 +13,9 @@ namespace marketgen {
 namespace {
 
 constexpr double farthest_m = 10'000;
-constexpr std::size_t most_points = 5'000'000;
+constexpr std::size_t max_points = 5'000'000;
 constexpr float cloud_cell_m = 0.03F;  // about the radius of a finger's sphere
-constexpr double most_cells = 4e6;
+constexpr double max_cells = 4e6;
 constexpr float nowhere = 1e15F;  // farther than anything, and its square still a float
 
 bool near_enough(Vec3 v) {  // false for NaN
@@ -57,8 +57,8 @@ Result<void> check(const Obstacles& obstacles) {
   for (std::size_t i = 0; i < obstacles.clouds.size(); ++i) {
     const CloudObstacle& cloud = obstacles.clouds[i];
     if (!valid_size(cloud.radius)) return bad("clouds", i, bad_size);
-    if (cloud.points.size() > most_points)
-      return bad("clouds", i, fmt::format("more than {} points; thin it out", most_points));
+    if (cloud.points.size() > max_points)
+      return bad("clouds", i, fmt::format("more than {} points; thin it out", max_points));
     for (const Vec3f& p : cloud.points)
       if (!near_enough(to_double(p))) return bad("clouds", i, "a point is not finite");
   }
@@ -189,7 +189,7 @@ void CollisionWorld::add_cloud(const CloudObstacle& cloud, std::size_t row) {
     }
   }
   const auto cells_along = [&](std::size_t k) { return (high[k] - made.low[k]) / made.cell + 1.0; };
-  while (cells_along(0) * cells_along(1) * cells_along(2) > most_cells)
+  while (cells_along(0) * cells_along(1) * cells_along(2) > max_cells)
     made.cell *= 2;
   for (std::size_t k = 0; k < 3; ++k)
     made.cells[k] = static_cast<int>(cells_along(k));

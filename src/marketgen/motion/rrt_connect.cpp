@@ -88,9 +88,9 @@ std::size_t connect(const ConfigurationSpace& space,
                     Tree& tree,
                     std::span<const double> target,
                     double range,
-                    std::size_t most_nodes) {
+                    std::size_t max_nodes) {
   std::size_t at = tree.nearest(target);
-  while (tree.size() < most_nodes) {
+  while (tree.size() < max_nodes) {
     interrupt_point();
     const double left = distance(tree[at], target);
     if (left < 1e-12) return at;
@@ -118,9 +118,9 @@ Result<JointPath> grow(const ConfigurationSpace& space,
                        Seed seed,
                        const RrtOptions& options) {
   const std::size_t joints = space.lower.size();
-  const auto most = static_cast<std::size_t>(std::max(options.most_nodes, 4)) / 2;
+  const auto most = static_cast<std::size_t>(std::max(options.max_nodes, 4)) / 2;
   Stream draw = seed.child("rrt_connect").stream();
-  for (int i = 0; i < options.most_iterations; ++i) {
+  for (int i = 0; i < options.max_iterations; ++i) {
     const bool forward = start_tree.size() <= goal_tree.size();  // the smaller tree is balanced up
     Tree& grown = forward ? start_tree : goal_tree;
     Tree& other = forward ? goal_tree : start_tree;
@@ -142,7 +142,7 @@ Result<JointPath> grow(const ConfigurationSpace& space,
                "arm path",
                fmt::format("none found in {} samples ({} and {} nodes); move the base or take "
                            "another grasp",
-                           options.most_iterations,
+                           options.max_iterations,
                            start_tree.size(),
                            goal_tree.size())};
 }

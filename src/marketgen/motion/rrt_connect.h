@@ -25,9 +25,9 @@ struct ConfigurationSpace {
 };
 
 struct RrtOptions {
-  int most_iterations = 20'000;  // random samples in all
-  int most_nodes = 40'000;       // of both trees
-  double range = 1.5;            // longest extension, Euclidean over the joints, rad
+  int max_iterations = 20'000;  // random samples in all
+  int max_nodes = 40'000;       // of both trees
+  double range = 1.5;           // longest extension, Euclidean over the joints, rad
 };
 
 // A path from `start` to one of `goals`; both ends included. Errors: motion.bad_configuration

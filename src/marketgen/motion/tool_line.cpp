@@ -12,7 +12,7 @@
 namespace marketgen {
 namespace {
 
-constexpr int most_steps = 10'000;  // of one line: 100 m
+constexpr int max_steps = 10'000;  // of one line: 100 m
 
 bool in_range(double value, double most) {
   return value > 0 && value <= most;
@@ -90,7 +90,7 @@ Walk walk(const ArmChecker& checker,
   const double steps = std::ceil(
       std::max({length(line.move) / options.step_m, length(line.turn) / options.step_rad, 1.0}));
   Walk walk{{start}, 0, out_of_reach(model, 0)};
-  if (!(steps <= most_steps)) return walk;
+  if (!(steps <= max_steps)) return walk;
   std::vector<double> state = checker.state_with(start);
   NumericIkOptions descent;
   descent.restarts = 0;

@@ -16,7 +16,7 @@
 namespace marketgen {
 namespace {
 
-constexpr int most_redirections = 3;
+constexpr int max_redirections = 3;
 constexpr std::size_t shortest_key = 6;  // shorter ones may stand in an answer by chance
 
 // Sleeps in short steps, so that an interrupt ends it.
@@ -55,7 +55,7 @@ Result<void> check_redirection(const HttpRequest& request,
 // One attempt, along the redirections.
 Attempt attempt(const HttpRequest& request, const HttpLimits& limits) {
   std::string url = request.url;
-  for (int hop = 0; hop <= most_redirections; ++hop) {
+  for (int hop = 0; hop <= max_redirections; ++hop) {
     Attempt made = transfer_once(request, url, limits);
     if (!made.transfer.ok()) return made;
     const Transfer& transfer = *made.transfer;

@@ -11,15 +11,14 @@ namespace marketgen {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::size_t most_text = 256U << 20, most_headers = 4096;
+constexpr std::size_t max_text = 256U << 20, max_headers = 4096;
 
 // Bytes as text where they are text, otherwise in base64.
 struct RecordedBody {
   std::string text, base64;
   static constexpr auto fields = field_list(
-      field(
-          "text", &RecordedBody::text, "the bytes, when they are UTF-8", at_most_bytes(most_text)),
-      field("base64", &RecordedBody::base64, "the bytes, when not", at_most_bytes(most_text)));
+      field("text", &RecordedBody::text, "the bytes, when they are UTF-8", at_most_bytes(max_text)),
+      field("base64", &RecordedBody::base64, "the bytes, when not", at_most_bytes(max_text)));
 };
 
 struct Exchange {
@@ -37,15 +36,15 @@ struct Exchange {
       field("request_headers",
             &Exchange::request_headers,
             "without keys",
-            at_most_bytes(most_text),
-            at_most_items(most_headers)),
+            at_most_bytes(max_text),
+            at_most_items(max_headers)),
       field("request", &Exchange::request, "what was sent"),
       field("status", &Exchange::status, "status of the answer", required(), range(100, 999)),
       field("answer_headers",
             &Exchange::answer_headers,
             "of the answer",
-            at_most_bytes(most_text),
-            at_most_items(most_headers)),
+            at_most_bytes(max_text),
+            at_most_items(max_headers)),
       field("answer", &Exchange::answer, "what came back"));
 };
 

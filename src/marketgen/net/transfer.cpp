@@ -13,7 +13,7 @@
 namespace marketgen {
 namespace {
 
-constexpr std::size_t most_header_bytes = 256U << 10;
+constexpr std::size_t max_header_bytes = 256U << 10;
 
 constexpr int look_pause_ms = 100;  // for an interrupt
 
@@ -63,7 +63,7 @@ std::size_t take_header(char* bytes, std::size_t size, std::size_t count, void* 
   Inbox& inbox = *static_cast<Inbox*>(to);
   const std::size_t length = size * count;
   inbox.header_bytes += length;
-  inbox.too_large = inbox.header_bytes > most_header_bytes;
+  inbox.too_large = inbox.header_bytes > max_header_bytes;
   if (inbox.too_large) return 0;
   const std::string_view line(bytes, length);
   if (line.starts_with("HTTP/")) inbox.answer.headers.clear();  // after "100 Continue"

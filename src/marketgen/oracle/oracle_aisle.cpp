@@ -19,13 +19,13 @@
 namespace marketgen {
 namespace {
 
-constexpr int most_item_tries = 3, most_unreached = 2;
-constexpr std::size_t most_items_looked_at = 4;  // of a SKU at a time
-constexpr double way_reach_m = 1.4;              // obstacles farther from the robot do not count
-constexpr double let_go_wider_m = 0.02;          // than what was held, when it is let go
-constexpr double least_item_s = 25;              // no new item with less time left
+constexpr int max_item_tries = 3, max_unreached = 2;
+constexpr std::size_t max_items_looked_at = 4;  // of a SKU at a time
+constexpr double way_reach_m = 1.4;             // obstacles farther from the robot do not count
+constexpr double let_go_wider_m = 0.02;         // than what was held, when it is let go
+constexpr double min_item_s = 25;               // no new item with less time left
 constexpr double cup_acceleration = 0.1;  // share of the joints' limits, with something on the cup
-constexpr double most_aside_m = 0.10, least_upright = 0.99;  // of what may be tried once more
+constexpr double max_aside_m = 0.10, min_upright = 0.99;  // of what may be tried once more
 
 enum class AislePhase { choose, arrived, pressed, out, away, dropped };
 
@@ -132,7 +132,7 @@ class AisleOracle : public Policy {
     std::vector<std::string> skus = unmet();
     std::erase_if(skus, [&](const std::string& sku) {
       const auto tried = tries_.find(sku);
-      return tried != tries_.end() && tried->second >= most_item_tries;
+      return tried != tries_.end() && tried->second >= max_item_tries;
     });
     return skus;
   }
@@ -155,8 +155,8 @@ class AisleOracle : public Policy {
   bool was_moved(std::uint32_t product) const {
     const Pose stood = world_from_product(world_.store().scene.products[product]),
                now = world_.world().product_pose(product);
-    return length(now.position - stood.position) > most_aside_m ||
-           rotate(now.rotation, {0, 0, 1}).z < least_upright;
+    return length(now.position - stood.position) > max_aside_m ||
+           rotate(now.rotation, {0, 0, 1}).z < min_upright;
   }
 
   struct Fetch {
@@ -180,7 +180,7 @@ class AisleOracle : public Policy {
 
   Result<void> choose() {
     const std::vector<std::string> skus = missing();
-    if (skus.empty() || now_.time_s + least_item_s > task_.limit_s) {
+    if (skus.empty() || now_.time_s + min_item_s > task_.limit_s) {
       for (const std::string& sku : skus)
         note(sku, FailureCode::timeout);
       done_ = true;
@@ -188,7 +188,7 @@ class AisleOracle : public Policy {
     }
     std::map<std::string, std::size_t> looked_at;
     for (const Fetch& fetch : fetches(skus)) {
-      if (looked_at[sku_of(fetch.product)]++ >= most_items_looked_at) continue;
+      if (looked_at[sku_of(fetch.product)]++ >= max_items_looked_at) continue;
       if (go_to(fetch.product)) return {};
       refused_.insert(fetch.product);
     }
@@ -274,7 +274,7 @@ class AisleOracle : public Policy {
     auto plan = plan_collect(goods_, plan_.product, robot_, tool_, seed, options);
     if (!plan.ok()) {
       note_plan(plan_.product, plan.error());
-      if (++unreached_[plan_.product] == most_unreached) refused_.insert(plan_.product);
+      if (++unreached_[plan_.product] == max_unreached) refused_.insert(plan_.product);
       phase_ = AislePhase::choose;
       return {};
     }

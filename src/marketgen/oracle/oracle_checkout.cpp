@@ -19,15 +19,15 @@
 namespace marketgen {
 namespace {
 
-constexpr std::size_t most_grasps = 24;  // of which postures are sought
-constexpr std::size_t most_plans = 6;    // of an item at a time
-constexpr std::size_t most_places = 8;
-constexpr std::size_t most_place_searches = 12;  // for the grasps of an item at a time
+constexpr std::size_t max_grasps = 24;  // of which postures are sought
+constexpr std::size_t max_plans = 6;    // of an item at a time
+constexpr std::size_t max_places = 8;
+constexpr std::size_t max_place_searches = 12;  // for the grasps of an item at a time
 constexpr double settle_s = 0.25, open_s = 0.35;
 constexpr double let_go_m = 0.014;     // wider than what was held
 constexpr double lowest_rim_m = 0.03;  // over which it is lifted off the counter
 constexpr double escape_m = 0.12, home_approach_m = 0.02;
-constexpr double least_time_s = 8;  // no new grasp with less time left
+constexpr double min_time_s = 8;  // no new grasp with less time left
 
 enum class Phase { choose, closed, lifted, over_place, released };
 
@@ -97,7 +97,7 @@ class CheckoutOracle : public Policy {
   bool is_due(std::size_t item) const {
     const bool there = scene_->in_unloading(item);
     if (!scene_->is_target(item)) return there;
-    return !there || world_.watch().items()[item].impact_m_s > most_impact_m_s;
+    return !there || world_.watch().items()[item].impact_m_s > max_impact_m_s;
   }
 
   Result<void> choose() {
@@ -109,7 +109,7 @@ class CheckoutOracle : public Policy {
       done_ = true;
       return {};
     }
-    if (now_.time_s + least_time_s > task_.limit_s) {
+    if (now_.time_s + min_time_s > task_.limit_s) {
       failure_ = FailureCode::timeout;
       done_ = true;
       return {};
@@ -279,7 +279,7 @@ class CheckoutOracle : public Policy {
     const Surroundings around = scene_->surroundings({});
     const std::vector<PlacedBody> walls = scene_->walls();
     std::size_t plans = 0, searches = 0;
-    for (std::size_t i = 0; i < std::min(grasps.choices.size(), most_grasps); ++i) {
+    for (std::size_t i = 0; i < std::min(grasps.choices.size(), max_grasps); ++i) {
       const GraspChoice& choice = grasps.choices[i];
       const std::vector<ToolSolid> hand = open_hand(tool_, choice.opening_m);
       for (const Pose& tip : either_way_round(arm_, choice.base_from_tip)) {
@@ -288,10 +288,10 @@ class CheckoutOracle : public Policy {
         if (tried_.failed_before(item, inverse(world_.item_pose(item)) * tip) ||
             !is_reached(arm_, request, hand, walls))
           continue;
-        if (to_be_placed && (searches++ >= most_place_searches ||
+        if (to_be_placed && (searches++ >= max_place_searches ||
                              !has_place(*scene_, arm_, item, tip, choice.opening_m)))
           continue;
-        if (plans++ >= most_plans) return false;
+        if (plans++ >= max_plans) return false;
         const Seed seed = seed_.child("reach", static_cast<std::uint64_t>(moves_++));
         if (!arm_.reach(around, request, seed).ok()) {
           note(FailureCode::no_path);
@@ -376,8 +376,7 @@ class CheckoutOracle : public Policy {
     for (const bool in_area : {scene_->is_target(item_), false}) {
       if (!places_.empty()) break;
       const HeldPack held = held_pack(*scene_, item_, tip_from_item, opening);
-      places_ =
-          free_places(tool_, arm_, held, place_question(*scene_, item_, in_area), most_places);
+      places_ = free_places(tool_, arm_, held, place_question(*scene_, item_, in_area), max_places);
       in_area_ = in_area;
     }
     next_place_ = 0;

@@ -6,8 +6,8 @@
 namespace marketgen {
 namespace {
 
-constexpr int most_tries = 3;  // of an item before it is put down where it belongs
-constexpr int most_takes = 6;  // of an item in all
+constexpr int max_tries = 3;  // of an item before it is put down where it belongs
+constexpr int max_takes = 6;  // of an item in all
 // What counts as the same grasp.
 constexpr double same_grasp_m = 0.012, same_grasp_cosine = 0.96;
 
@@ -19,7 +19,7 @@ int count_of(const std::map<std::size_t, int>& counts, std::size_t item) {
 }  // namespace
 
 bool OracleTries::may_take(std::size_t item) const {
-  return count_of(tries_, item) < most_tries && count_of(takes_, item) < most_takes;
+  return count_of(tries_, item) < max_tries && count_of(takes_, item) < max_takes;
 }
 
 bool OracleTries::failed_before(std::size_t item, const Pose& product_from_tip) const {

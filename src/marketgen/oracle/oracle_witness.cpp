@@ -10,8 +10,8 @@
 namespace marketgen {
 namespace {
 
-constexpr std::size_t most_choices = 24;    // of which postures are sought
-constexpr std::size_t most_ways_tried = 4;  // of an item
+constexpr std::size_t max_choices = 24;    // of which postures are sought
+constexpr std::size_t max_ways_tried = 4;  // of an item
 
 class CheckoutWitness {
  public:
@@ -50,7 +50,7 @@ class CheckoutWitness {
     const Surroundings around = scene_.surroundings({out_.begin(), out_.end()});
     const std::vector<PlacedBody> walls = scene_.walls();
     std::size_t plans = 0;
-    for (std::size_t i = 0; i < std::min(grasps.choices.size(), most_choices); ++i) {
+    for (std::size_t i = 0; i < std::min(grasps.choices.size(), max_choices); ++i) {
       const GraspChoice& choice = grasps.choices[i];
       if (!is_out(choice.blockers)) continue;
       const std::vector<ToolSolid> hand = open_hand(scene_.tool(), choice.opening_m);
@@ -59,7 +59,7 @@ class CheckoutWitness {
         if (!is_reached(arm_, request, hand, walls) ||
             !has_place(scene_, arm_, item, tip, choice.opening_m))
           continue;
-        if (plans++ == most_ways_tried) return false;
+        if (plans++ == max_ways_tried) return false;
         const bool reached = arm_.reach(around, request, seed_.child("reach", moves_++)).ok();
         arm_.start(world_.observe());  // and forgets it
         if (!reached) continue;

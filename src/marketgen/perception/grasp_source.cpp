@@ -9,14 +9,14 @@
 namespace marketgen {
 namespace {
 
-constexpr float own_m = 0.007F;    // points so near to a product are its own
-constexpr float least_x_m = 0.2F;  // before the arm's own body
+constexpr float own_m = 0.007F;  // points so near to a product are its own
+constexpr float min_x_m = 0.2F;  // before the arm's own body
 
 }  // namespace
 
 std::vector<Vec3f> thinned_points(const std::vector<ViewCloud>& views,
                                   double spacing_m,
-                                  double most_z) {
+                                  double max_z) {
   std::vector<Vec3f> kept;
   std::unordered_set<std::uint64_t> taken;
   const auto cell = [&](float v) {
@@ -27,7 +27,7 @@ std::vector<Vec3f> thinned_points(const std::vector<ViewCloud>& views,
     for (std::size_t i = 0; i < cloud.size(); ++i) {
       if (!cloud.has(i)) continue;
       const Vec3f p = cloud.point(i);
-      if (p.x < least_x_m || static_cast<double>(p.z) > most_z || p.z < -0.05F) continue;
+      if (p.x < min_x_m || static_cast<double>(p.z) > max_z || p.z < -0.05F) continue;
       if (taken.insert((cell(p.x) << 42) | (cell(p.y) << 21) | cell(p.z)).second) kept.push_back(p);
     }
   }

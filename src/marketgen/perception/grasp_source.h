@@ -43,10 +43,10 @@ class FittedGrasps : public GraspSource {
   const Workplace& place_;
 };
 
-// Points of all views, about `spacing_m` apart, below `most_z` and before the arm's own body.
+// Points of all views, about `spacing_m` apart, below `max_z` and before the arm's own body.
 std::vector<Vec3f> thinned_points(const std::vector<ViewCloud>& views,
                                   double spacing_m,
-                                  double most_z);
+                                  double max_z);
 
 // Those that a product, lying so, does not explain.
 std::vector<Vec3f> other_points(const std::vector<Vec3f>& points,

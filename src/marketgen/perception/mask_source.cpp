@@ -6,17 +6,17 @@
 namespace marketgen {
 namespace {
 
-constexpr float most_step_px = 4;      // sides of a pixel, between two neighbours
-constexpr float most_concave = 0.08F;  // sine of the fold between two neighbours
-constexpr float least_area_m2 = 2.5e-4F;
+constexpr float max_step_px = 4;      // sides of a pixel, between two neighbours
+constexpr float max_concave = 0.08F;  // sine of the fold between two neighbours
+constexpr float min_area_m2 = 2.5e-4F;
 constexpr double off_basket_m = 0.005;  // nearer to walls and floor than this is no goods
-constexpr double over_rim_m = 0.25, least_over_counter_m = 0.012;
+constexpr double over_rim_m = 0.25, min_over_counter_m = 0.012;
 
 // Whether two neighbours are one smooth or outward folded surface.
 bool belong_together(const ViewCloud& cloud, std::size_t a, std::size_t b) {
   const Vec3f way = cloud.point(b) - cloud.point(a);
   const float apart = length(way);
-  if (apart > most_step_px * cloud.pixel_m(cloud.view().depth_m[a])) return false;
+  if (apart > max_step_px * cloud.pixel_m(cloud.view().depth_m[a])) return false;
   return dot(cloud.normal(b) - cloud.normal(a), way) > -most_concave * apart;
 }
 
@@ -56,7 +56,7 @@ std::vector<Mask> GeometricMasks::masks(const ViewCloud& cloud,
         mask.pixels.push_back(near);
       }
     }
-    if (area_of(cloud, mask) < least_area_m2) continue;
+    if (area_of(cloud, mask) < min_area_m2) continue;
     std::ranges::sort(mask.pixels);
     masks.push_back(std::move(mask));
   }
@@ -99,7 +99,7 @@ std::vector<std::uint8_t> goods_over(const ViewCloud& cloud, const WorkArea& are
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (!cloud.has(i)) continue;
     const Vec3f p = cloud.point(i);
-    const bool over = area.holds(p.x, p.y) && p.z > least_over_counter_m && p.z < over_rim_m;
+    const bool over = area.holds(p.x, p.y) && p.z > min_over_counter_m && p.z < over_rim_m;
     wanted[i] = over ? 1 : 0;
   }
   return wanted;

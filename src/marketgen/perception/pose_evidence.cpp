@@ -7,14 +7,14 @@
 namespace marketgen {
 namespace {
 
-constexpr float least_facing = 0.25F;  // cosine; surface more aslant says little
-constexpr float least_tolerance_m = 0.003F, tolerance_px = 1.0F;
+constexpr float min_facing = 0.25F;  // cosine; surface more aslant says little
+constexpr float min_tolerance_m = 0.003F, tolerance_px = 1.0F;
 constexpr float covered_m = 0.006F;
 constexpr double violation_weight = 1.5;
 constexpr double color_scale = 0.16;  // error at which the score is down to 1/e
 constexpr double enough_seen = 0.35;  // share from which on more does not count
 constexpr double enough_area_m2 = 1.2e-3;
-constexpr float least_gain = 0.55F, most_gain = 1.7F;  // of light on a side against its picture
+constexpr float min_gain = 0.55F, max_gain = 1.7F;  // of light on a side against its picture
 constexpr std::size_t sides = 6;
 
 std::size_t side_of(Vec3f n) {
@@ -39,7 +39,7 @@ class ColorPairs {
     double squares = 0, count = 0;
     for (const Sum& s : sums_) {
       if (s.count == 0) continue;
-      const double gain = std::clamp(s.mo / std::max(1e-6F, s.mm), least_gain, most_gain);
+      const double gain = std::clamp(s.mo / std::max(1e-6F, s.mm), min_gain, max_gain);
       squares += std::max(0.0, s.oo - 2 * gain * s.mo + gain * gain * s.mm);
       count += s.count;
     }
@@ -97,12 +97,12 @@ void look_at(const Surfel& surfel,
              Tally& tally) {
   const Vec3f point = placed(surfel.point), normal = placed.turned(surfel.normal);
   const float facing = dot(normal, normalized(cloud.eye() - point));
-  if (facing < least_facing) return;
+  if (facing < min_facing) return;
   const auto seen = cloud.project(point);
   if (!seen || !cloud.has(seen->pixel)) return;
   const float off = seen->depth_m - cloud.view().depth_m[seen->pixel];
   const float slope = std::sqrt(1 - facing * facing) / facing;
-  const float tolerance = least_tolerance_m + tolerance_px * cloud.pixel_m(seen->depth_m) * slope;
+  const float tolerance = min_tolerance_m + tolerance_px * cloud.pixel_m(seen->depth_m) * slope;
   if (off > 2 * tolerance) {
     tally.hidden += 1;
   } else if (off < -2 * tolerance) {
@@ -123,10 +123,10 @@ PoseEvidence evidence_of(const ProductLook& look,
                          const Pose& base_from_product,
                          const SurfacePatch& patch,
                          const std::vector<ViewCloud>& views,
-                         std::size_t most_surfels) {
+                         std::size_t max_surfels) {
   const Placed placed(base_from_product);
   const std::vector<Surfel>& surfels = look.surfels();
-  const std::size_t step = std::max<std::size_t>(1, surfels.size() / most_surfels);
+  const std::size_t step = std::max<std::size_t>(1, surfels.size() / max_surfels);
   constexpr double spacing_m = 0.0035;
   const double surfel_m2 = spacing_m * spacing_m * static_cast<double>(step);
   Tally tally;

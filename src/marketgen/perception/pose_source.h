@@ -34,7 +34,7 @@ struct SurfacePatch {
   Vec3f to_eye;  // unit, from its middle
   float diagonal_m = 0;
 };
-SurfacePatch patch_of(const ViewCloud& cloud, const Mask& mask, std::size_t most_points);
+SurfacePatch patch_of(const ViewCloud& cloud, const Mask& mask, std::size_t max_points);
 
 class PoseSource {
  public:
@@ -52,12 +52,12 @@ class SweptPoses : public PoseSource {
                   const std::vector<ViewCloud>& views) const override;
 };
 
-// What the pictures say of a pose. About `most_surfels` pieces of the product are looked at.
+// What the pictures say of a pose. About `max_surfels` pieces of the product are looked at.
 PoseEvidence evidence_of(const ProductLook& look,
                          const Pose& base_from_product,
                          const SurfacePatch& patch,
                          const std::vector<ViewCloud>& views,
-                         std::size_t most_surfels);
+                         std::size_t max_surfels);
 
 // The pose nearby that explains the pictures best.
 FittedPose refined_pose(const ProductLook& look,

@@ -9,8 +9,8 @@ namespace marketgen {
 namespace {
 
 constexpr float cell_m = 0.004F, around_m = 0.03F;  // of the table of nearest surfels
-constexpr std::size_t most_surfels = 30000;
-constexpr float least_picture_facing =
+constexpr std::size_t max_surfels = 30000;
+constexpr float min_picture_facing =
     0.25F;  // surface seen more aslant than this is left to other sides
 
 // A picture's surface in the product's frame.
@@ -106,7 +106,7 @@ Result<ProductLook> ProductLook::make(const std::string& sku,
   for (const ProductPicture& picture : pictures)
     PictureSurface(picture).add_to(all, spacing_m);
   look.surfels_ = thinned(all, spacing_m);
-  if (look.surfels_.empty() || look.surfels_.size() > most_surfels)
+  if (look.surfels_.empty() || look.surfels_.size() > max_surfels)
     return Error{"perception.no_picture",
                  sku,
                  "its pictures show nothing of it, or far too much: expected some sides of the "

@@ -8,19 +8,18 @@ namespace marketgen {
 namespace {
 
 constexpr std::size_t sweep_surfels = 150, fit_surfels = 700;
-constexpr std::size_t most_fitted = 10;  // of the spots, those that agree best
-constexpr double least_swept = 0.12;     // score of a spot that is worth a closer look
-constexpr double least_found = 0.30;     // score of what is taken for the product
-constexpr double least_shelf_fit =
-    0.85;                            // of packs found rightly on 11 shelves the lowest had 0.98
-constexpr double apart_share = 0.6;  // of a pack's width, between two that are looked at
+constexpr std::size_t max_fitted = 10;  // of the spots, those that agree best
+constexpr double min_swept = 0.12;      // score of a spot that is worth a closer look
+constexpr double min_found = 0.30;      // score of what is taken for the product
+constexpr double min_shelf_fit = 0.85;  // of packs found rightly on 11 shelves the lowest had 0.98
+constexpr double apart_share = 0.6;     // of a pack's width, between two that are looked at
 constexpr double first_step_m = 0.004, last_step_m = 0.0006;
 constexpr double step_rad_per_m = 12;  // of the turn, for each metre of the step
 constexpr double rival_better = 1.0;
 constexpr std::array over_top_m{0.008, 0.014, 0.020};
 constexpr float flush_m = 0.010F;  // along the view, between what goes on and what does not
 constexpr double mostly = 0.6;
-constexpr int most_stacked = 6;
+constexpr int max_stacked = 6;
 constexpr double alike_share = 0.75;  // of the score of the pack under it
 
 // The product with the middle of its front on the spot.
@@ -90,7 +89,7 @@ double flush_above(const ProductLook& look, const Pose& pose, const std::vector<
 }
 
 bool is_there(const FittedPose& pose) {
-  return pose.evidence.score >= least_found && pose.evidence.fit >= least_shelf_fit;
+  return pose.evidence.score >= min_found && pose.evidence.fit >= min_shelf_fit;
 }
 
 // From a pack up to the one that stands on all others: that one can be taken.
@@ -98,7 +97,7 @@ FittedPose top_of_stack(const ProductLook& look,
                         FittedPose found,
                         const std::vector<ViewCloud>& views) {
   const auto height = static_cast<double>(look.high().z);
-  for (int level = 1; level < most_stacked; ++level) {
+  for (int level = 1; level < max_stacked; ++level) {
     if (flush_above(look, found.base_from_product, views) < mostly) break;
     const Pose up = found.base_from_product * Pose{{0, 0, height}, {}};
     const FittedPose above = stood_best(look, up, views);
@@ -122,13 +121,13 @@ std::vector<Swept> best_spots(const ProductLook& look,
   for (const ShelfSpot& spot : spots) {
     const Pose pose = pose_on(spot, boards[spot.board], look);
     const double score = evidence_of(look, pose, {}, views, sweep_surfels).score;
-    if (score >= least_swept) swept.push_back({spot, score});
+    if (score >= min_swept) swept.push_back({spot, score});
   }
   std::ranges::stable_sort(swept, std::greater<>{}, &Swept::score);
   const double apart = apart_share * static_cast<double>(look.high().x - look.low().x);
   std::vector<Swept> best;
   for (const Swept& candidate : swept) {
-    if (best.size() >= most_fitted) break;
+    if (best.size() >= max_fitted) break;
     const bool taken = std::ranges::any_of(best, [&](const Swept& other) {
       return other.spot.board == candidate.spot.board &&
              std::abs(other.spot.x_m - candidate.spot.x_m) < apart;

@@ -15,7 +15,7 @@ constexpr double from_height = 0.15, to_height = 0.9;
 constexpr double before_edge_m = 0.06;  // goods that overhang
 constexpr double front_share = 0.1;     // of what is measured in a bin, what counts as stray
 constexpr double row_share = 0.15;      // the same of the bins over a pack's width
-constexpr double least_filled = 0.4;    // of the bins over a pack's width
+constexpr double min_filled = 0.4;      // of the bins over a pack's width
 constexpr double core = 0.45;           // of the width, to each side, where bins are looked at
 
 float quantile(std::vector<float>& values, double share) {
@@ -61,7 +61,7 @@ class FrontProfile {
     for (int i = first; i <= last; ++i)
       if (const auto& front = fronts_[static_cast<std::size_t>(i)]) seen.push_back(*front);
     const double bins = 2 * core * width_m / bin_m;
-    if (static_cast<double>(seen.size()) < least_filled * bins || seen.empty()) return std::nullopt;
+    if (static_cast<double>(seen.size()) < min_filled * bins || seen.empty()) return std::nullopt;
     return static_cast<double>(quantile(seen, row_share));
   }
 

@@ -16,8 +16,8 @@ constexpr std::size_t kept_coarse = 60, kept_fitted = 4;
 constexpr float coarse_reach_m = 0.012F;
 constexpr int fit_steps = 8;
 constexpr float first_gate_m = 0.018F, last_gate_m = 0.006F;
-constexpr float least_normals = 0.5F;  // cosine between a point's normal and its surfel's
-constexpr double damping = 1e-3;       // of a fit in which a shape may slide along itself
+constexpr float min_normals = 0.5F;  // cosine between a point's normal and its surfel's
+constexpr double damping = 1e-3;     // of a fit in which a shape may slide along itself
 constexpr std::size_t quick_surfels = 120, careful_surfels = 500;
 
 // Directions spread evenly over the sphere (Fibonacci's lattice).
@@ -83,7 +83,7 @@ float coarse_distance(const ProductLook& look, const SurfacePatch& patch, const 
       continue;
     }
     const Surfel& surfel = look.surfels()[static_cast<std::size_t>(nearest)];
-    const bool faces = dot(surfel.normal, frame.turned(patch.normals[i])) > least_normals;
+    const bool faces = dot(surfel.normal, frame.turned(patch.normals[i])) > min_normals;
     sum += faces ? std::min(coarse_reach_m, length(surfel.point - q)) : coarse_reach_m;
   }
   return sum / count;
@@ -129,7 +129,7 @@ bool fit_step(const ProductLook& look, const SurfacePatch& patch, float gate_m, 
     if (nearest < 0) continue;
     const Surfel& surfel = look.surfels()[static_cast<std::size_t>(nearest)];
     if (length(surfel.point - q) > gate_m) continue;
-    if (dot(surfel.normal, frame.turned(patch.normals[i])) < least_normals) continue;
+    if (dot(surfel.normal, frame.turned(patch.normals[i])) < min_normals) continue;
     const Vec3 n = to_double(surfel.normal), arm = to_double(q - middle);
     const Vec3 turning = cross(arm, n) / scale;
     Eigen::Matrix<double, 6, 1> row;
@@ -170,9 +170,9 @@ bool nearly_same(const Pose& a, const Pose& b) {
 
 }  // namespace
 
-SurfacePatch patch_of(const ViewCloud& cloud, const Mask& mask, std::size_t most_points) {
+SurfacePatch patch_of(const ViewCloud& cloud, const Mask& mask, std::size_t max_points) {
   SurfacePatch patch;
-  const std::size_t step = std::max<std::size_t>(1, mask.pixels.size() / most_points);
+  const std::size_t step = std::max<std::size_t>(1, mask.pixels.size() / max_points);
   Vec3f low{1e9F, 1e9F, 1e9F}, high = -low;
   for (std::size_t i = 0; i < mask.pixels.size(); i += step) {
     const Vec3f p = cloud.point(mask.pixels[i]);

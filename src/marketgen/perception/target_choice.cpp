@@ -11,12 +11,12 @@ namespace {
 constexpr std::size_t patch_points = 160;
 // Measured on 10 baskets: of 23 found rightly the lowest fit was 0.97 and the lowest score 0.51; of
 // 4 found wrongly three had a fit of 0.94 and less.
-constexpr double least_score = 0.4, least_fit = 0.92;
+constexpr double min_score = 0.4, min_fit = 0.92;
 constexpr float same_size = 0.2F;  // of products that may be taken for one another
-constexpr std::size_t most_rivals = 4;
-constexpr std::size_t most_checked = 3;  // places, for products that may be meant instead
+constexpr std::size_t max_rivals = 4;
+constexpr std::size_t max_checked = 3;  // places, for products that may be meant instead
 constexpr double clearly_better = 1.02;
-constexpr std::size_t most_masks = 8;  // of a product, that are looked at closely
+constexpr std::size_t max_masks = 8;  // of a product, that are looked at closely
 constexpr float size_slack = 1.1F, size_slack_m = 0.015F;
 constexpr double same_place_m = 0.03;  // two products cannot have their middles nearer
 
@@ -84,7 +84,7 @@ std::vector<FoundProduct> CatalogueMatching::places_of(
   }
   std::ranges::stable_sort(candidates, std::greater<>{}, &Candidate::likeness);
   std::vector<FoundProduct> places;
-  for (std::size_t i = 0; i < std::min(most_masks, candidates.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(max_masks, candidates.size()); ++i) {
     const FittedPose pose = poses_.pose(look, candidates[i].patch, views);
     if (is_likely(look, pose))
       places.push_back({number, candidates[i].view, candidates[i].mask, pose});
@@ -96,7 +96,7 @@ std::vector<FoundProduct> CatalogueMatching::places_of(
 }
 
 bool CatalogueMatching::is_likely(const ProductLook& look, const FittedPose& pose) const {
-  if (pose.evidence.score < least_score || pose.evidence.fit < least_fit) return false;
+  if (pose.evidence.score < min_score || pose.evidence.fit < min_fit) return false;
   return std::ranges::all_of(look.surfels(), [&](const Surfel& surfel) {
     return (pose.base_from_product * to_double(surfel.point)).z > lowest_m_;
   });
@@ -106,7 +106,7 @@ void CatalogueMatching::drop_mistaken(const WantedProduct& wanted,
                                       const std::vector<ViewCloud>& views,
                                       const std::vector<MaskedView>& masked,
                                       std::vector<FoundProduct>& places) const {
-  for (std::size_t checked = 0; checked < most_checked && !places.empty(); ++checked) {
+  for (std::size_t checked = 0; checked < max_checked && !places.empty(); ++checked) {
     const FoundProduct& best = places.front();
     const auto of_view = std::ranges::find(masked, best.view, &MaskedView::view);
     const SurfacePatch patch = patch_of(views[best.view], of_view->masks[best.mask], patch_points);
@@ -153,7 +153,7 @@ std::vector<const ProductLook*> rivals_of(const ProductLook& look,
   }
   std::ranges::stable_sort(alike, std::greater<>{}, [](const auto& entry) { return entry.first; });
   std::vector<const ProductLook*> rivals;
-  for (std::size_t i = 0; i < std::min(most_rivals, alike.size()); ++i)
+  for (std::size_t i = 0; i < std::min(max_rivals, alike.size()); ++i)
     rivals.push_back(alike[i].second);
   return rivals;
 }

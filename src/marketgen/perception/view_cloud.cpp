@@ -9,7 +9,7 @@ namespace {
 
 constexpr int reach_px = 2;       // of the differences that give a normal
 constexpr float step_share = 12;  // what is farther apart than so many pixels' sides is a step
-constexpr float least_normal_facing = 0.08F;
+constexpr float min_normal_facing = 0.08F;
 
 }  // namespace
 
@@ -57,7 +57,7 @@ void ViewCloud::find_normals() {
       Vec3f normal = normalized(cross(along, across));
       const Vec3f to_eye = normalized(eye_ - points_[here]);
       if (dot(normal, to_eye) < 0) normal = -normal;
-      if (dot(normal, to_eye) > least_normal_facing) normals_[here] = normal;
+      if (dot(normal, to_eye) > min_normal_facing) normals_[here] = normal;
     }
   }
 }

@@ -101,7 +101,7 @@ RelationMeasure measure_pair(RelationKind kind,
   const double diagonal = yardstick.diagonal_m;
   switch (kind) {
     case RelationKind::near:
-      return at_most("gap", gap_m(a, b), std::max(least_near_m, near_share * diagonal));
+      return at_most("gap", gap_m(a, b), std::max(min_near_m, near_share * diagonal));
     case RelationKind::far:
       return at_least("gap", gap_m(a, b), far_share * diagonal);
     case RelationKind::along:

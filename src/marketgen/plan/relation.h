@@ -34,7 +34,7 @@ namespace marketgen {
 // Limits. No standard says how near "near" is: these are our own definitions (docs/metrics.md),
 // scaled with the shop, except where an aisle is the measure.
 constexpr double near_share = 0.20, far_share = 0.35, detour_share = 0.15;  // of the diagonal
-constexpr double least_near_m = 3;
+constexpr double min_near_m = 3;
 constexpr double beside_m = 1e-3 * wall_strip_mm;  // "at" a zone or a door, as at a wall
 constexpr double in_line_m = 0.1;                  // centres nearer than this are in one line
 constexpr double facing_m = 6;                     // across the widest aisle

@@ -14,7 +14,7 @@ constexpr double wall_thickness_m = 0.2;
 // Clear heights: automatic sliding doors of shops 2.2-2.5 m.
 constexpr double door_height_m = 2.3, service_door_height_m = 2.1;
 constexpr double window_sill_m = 0.9, window_top_m = 2.5;
-constexpr double least_lintel_m = 0.25;  // openings end this far below the ceiling
+constexpr double min_lintel_m = 0.25;  // openings end this far below the ceiling
 
 // Depths of what closes an opening: frames of windows and sliding doors, and steel leaves. Our own
 // choice: in the middle of the wall and nearer to its inner face.
@@ -27,7 +27,7 @@ constexpr double opening_top_m(OpeningKind kind, double ceiling_m) {
   const double usual = kind == OpeningKind::window ? window_top_m
                        : shop_door                 ? door_height_m
                                                    : service_door_height_m;
-  return std::min(usual, ceiling_m - least_lintel_m);
+  return std::min(usual, ceiling_m - min_lintel_m);
 }
 constexpr double opening_sill_m(OpeningKind kind) {
   return kind == OpeningKind::window ? window_sill_m : 0;

@@ -10,8 +10,8 @@ constexpr double shoulder_height_m = 0.9;
 constexpr double let_go_wider_by_m = 0.02;  // than what was held
 constexpr double pressed_aside_m = 0.2;     // what is so near to a product gives way to fingers
 constexpr double point_radius_m = 0.006;    // of a measured point
-constexpr double least_held_m = 0.004;      // between fingers that hold something
-constexpr double most_leave_m = 0.30, leave_step_m = 0.04;
+constexpr double min_held_m = 0.004;        // between fingers that hold something
+constexpr double max_leave_m = 0.30, leave_step_m = 0.04;
 
 std::vector<Vec3f> near(const std::vector<Vec3f>& points, Vec3 middle, double within_m) {
   std::vector<Vec3f> kept;
@@ -73,7 +73,7 @@ Configuration AisleBody::stowed_arm() const {
 
 bool AisleBody::holds_it() const {
   return executor_.presses(pick_.tool) &&
-         now_.openings_m[static_cast<std::size_t>(pick_.tool)] > least_held_m;
+         now_.openings_m[static_cast<std::size_t>(pick_.tool)] > min_held_m;
 }
 
 Obstacles AisleBody::around(const std::vector<Vec3f>& points) const {
@@ -143,7 +143,7 @@ Result<void> AisleBody::pull_out() {
 }
 
 double AisleBody::room_behind_m() const {
-  for (double back = most_leave_m; back > leave_step_m / 2; back -= leave_step_m)
+  for (double back = max_leave_m; back > leave_step_m / 2; back -= leave_step_m)
     if (setup_.map->has_room(base_place(store_from_base(now_.base) * Pose{{-back, 0, 0}, {}})))
       return back;
   return 0;

@@ -11,7 +11,7 @@ namespace {
 constexpr std::array view_distances_m{1.05, 0.95, 1.15, 0.85, 0.75, 0.66};
 constexpr double same_front_m = 0.25;
 constexpr double of_way = 0.25;  // metres off the category's place that a metre of way is worth
-constexpr std::size_t most_ways = 12;  // that are measured, of the stops nearest to the hint
+constexpr std::size_t max_ways = 12;  // that are measured, of the stops nearest to the hint
 
 double apart(Vec2 a, Vec2 b) {
   return std::hypot(a.x - b.x, a.y - b.y);
@@ -51,15 +51,15 @@ std::optional<std::size_t> next_stop(const AisleMap& map,
                                      const std::vector<bool>& seen,
                                      const BasePlace& from,
                                      Vec2 hint,
-                                     double most_m) {
+                                     double max_m) {
   std::vector<std::pair<double, std::size_t>> near;
   for (std::size_t i = 0; i < stops.size(); ++i)
-    if (const double off = apart(stops[i].front, hint); !seen[i] && off <= most_m)
+    if (const double off = apart(stops[i].front, hint); !seen[i] && off <= max_m)
       near.emplace_back(off, i);
   std::ranges::stable_sort(near);
   std::optional<std::size_t> best;
   double least = 0;
-  for (std::size_t i = 0, measured = 0; i < near.size() && measured < most_ways; ++i) {
+  for (std::size_t i = 0, measured = 0; i < near.size() && measured < max_ways; ++i) {
     const auto& [off, stop] = near[i];
     const auto way = map.way_m(from, stops[stop].place);
     if (!way) continue;

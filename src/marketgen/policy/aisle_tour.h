@@ -27,12 +27,12 @@ struct ViewStop {
 std::vector<ViewStop> view_stops(const AisleMap& map);
 
 // The stop that is to be looked from next for something near `hint`; `seen`: those that were. Empty
-// when none is left within `most_m` of the hint that can be reached.
+// when none is left within `max_m` of the hint that can be reached.
 std::optional<std::size_t> next_stop(const AisleMap& map,
                                      const std::vector<ViewStop>& stops,
                                      const std::vector<bool>& seen,
                                      const BasePlace& from,
                                      Vec2 hint,
-                                     double most_m);
+                                     double max_m);
 
 }  // namespace marketgen

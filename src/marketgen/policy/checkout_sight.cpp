@@ -9,7 +9,7 @@ namespace marketgen {
 namespace {
 
 constexpr double point_spacing_m = 0.003, highest_goods_m = 0.33;
-constexpr double column_m = 0.02, least_column_m = 0.012;  // of what stands about, as boxes
+constexpr double column_m = 0.02, min_column_m = 0.012;  // of what stands about, as boxes
 constexpr double round_basket_m = 0.03;
 
 // Goods in the basket, and what stands on the counter beside it.
@@ -32,7 +32,7 @@ std::vector<std::uint8_t> goods_pixels(const ViewCloud& cloud, const Workplace& 
 void add_columns(const std::vector<Vec3f>& points, std::vector<BoxObstacle>& boxes) {
   std::map<std::pair<int, int>, float> tops;
   for (const Vec3f& p : points) {
-    if (p.z < static_cast<float>(least_column_m)) continue;
+    if (p.z < static_cast<float>(min_column_m)) continue;
     const auto cell = [](float v) {
       return static_cast<int>(std::floor(static_cast<double>(v) / column_m));
     };

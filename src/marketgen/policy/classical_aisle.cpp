@@ -11,7 +11,7 @@
 namespace marketgen {
 namespace {
 
-constexpr int most_tries = 3;    // an item
+constexpr int max_tries = 3;     // an item
 constexpr int tries_a_find = 2;  // of what was found at one place
 // Shelves so near to the category's place are looked at before a doubtful find is taken; those
 // farther than the second are left out.
@@ -19,13 +19,13 @@ constexpr double near_category_m = 3.5, far_from_category_m = 7;
 constexpr double worth_off_per_m = 0.02;  // of a find's score, off the category's place
 constexpr double sure = 0.58;             // worth of a find that is taken at once
 constexpr double about_as_good = 0.04;    // of worths: the nearer one is taken
-constexpr double least_item_left_s = 45;
+constexpr double min_item_left_s = 45;
 constexpr double stop_tilts[] = {0.14, 0.75};  // of the head, down: upper and lower boards
 constexpr double same_find_m = 0.04;
-constexpr double least_again = 0.6;  // of its score, at a second look from before the shelf
-constexpr double most_tilt = 1.04, most_pan = 1.3;
+constexpr double min_again = 0.6;  // of its score, at a second look from before the shelf
+constexpr double max_tilt = 1.04, max_pan = 1.3;
 constexpr double rival_size = 0.3;  // of each side, of products that may be taken for one another
-constexpr std::size_t most_rivals_looked_at = 20;
+constexpr std::size_t max_rivals_looked_at = 20;
 constexpr double other_reach_m = 0.35;  // of a product, measured points that its grasps mind
 
 const std::string head_eye = "head_camera";
@@ -185,7 +185,7 @@ class ClassicalAisle : public Policy {
       return std::pair<double, std::string_view>(entry.first, entry.second->sku);
     });
     std::vector<const Product*> rivals;
-    for (std::size_t i = 0; i < std::min(most_rivals_looked_at, alike.size()); ++i)
+    for (std::size_t i = 0; i < std::min(max_rivals_looked_at, alike.size()); ++i)
       rivals.push_back(alike[i].second);
     return rivals;
   }
@@ -195,11 +195,11 @@ class ClassicalAisle : public Policy {
   // ---- What to do next ----
 
   bool is_due(const Goal& goal) const {
-    return goal.fetched < goal.wanted && goal.tries < most_tries;
+    return goal.fetched < goal.wanted && goal.tries < max_tries;
   }
 
   Result<void> choose() {
-    if (now_.time_s + least_item_left_s > task_.limit_s) {
+    if (now_.time_s + min_item_left_s > task_.limit_s) {
       for (Goal& goal : goals_)
         if (is_due(goal)) goal.failure = "Timeout";
       done_ = true;
@@ -217,8 +217,8 @@ class ClassicalAisle : public Policy {
     return {};
   }
 
-  Result<bool> go_to_find(double least_worth) {
-    while (const auto find = next_find(least_worth)) {
+  Result<bool> go_to_find(double min_worth) {
+    while (const auto find = next_find(min_worth)) {
       MARKETGEN_TRY(const bool goes, approach(*find));
       if (goes) return true;
       refuse(*find);
@@ -227,16 +227,15 @@ class ClassicalAisle : public Policy {
   }
 
   // Of each goal the finds that are about as good as its best; of these the nearest.
-  std::optional<std::size_t> next_find(double least_worth) const {
-    std::vector<double> best_of(goals_.size(), least_worth);
+  std::optional<std::size_t> next_find(double min_worth) const {
+    std::vector<double> best_of(goals_.size(), min_worth);
     for (const Find& find : finds_)
       best_of[find.place.goal] = std::max(best_of[find.place.goal], find.worth);
     std::optional<std::size_t> best;
     double least = 0;
     for (std::size_t i = 0; i < finds_.size(); ++i) {
       const ShelfFind& find = finds_[i].place;
-      const bool good =
-          finds_[i].worth >= std::max(least_worth, best_of[find.goal] - about_as_good);
+      const bool good = finds_[i].worth >= std::max(min_worth, best_of[find.goal] - about_as_good);
       if (!good || !is_due(goals_[find.goal])) continue;
       const Vec3 at = find.store_from_product.position;
       const double off = std::hypot(at.x - now_.base.x_m, at.y - now_.base.y_m);
@@ -364,8 +363,8 @@ class ClassicalAisle : public Policy {
         inverse(store_from_base(now_.base)) * finds_[find_].place.store_from_product.position -
         head.position;
     step_ = AisleStep::look_again;
-    return body_.look(std::clamp(std::atan2(at.y, at.x), -most_pan, most_pan),
-                      std::clamp(std::atan2(-at.z, std::hypot(at.x, at.y)), 0.0, most_tilt));
+    return body_.look(std::clamp(std::atan2(at.y, at.x), -most_pan, max_pan),
+                      std::clamp(std::atan2(-at.z, std::hypot(at.x, at.y)), 0.0, max_tilt));
   }
 
   // From where it came to stand, by what is seen from there.
@@ -378,7 +377,7 @@ class ClassicalAisle : public Policy {
     const std::vector<Vec3f> more = sight_.points(robot_, body_.state());
     points_.insert(points_.end(), more.begin(), more.end());
     const ShelfFind again = sight_.again(find.place, *goal.look, *modules_.choice);
-    if (again.score >= least_again * find.place.score) {
+    if (again.score >= min_again * find.place.score) {
       find.place = again;
       return take(find, goal);
     }

@@ -22,11 +22,11 @@ namespace {
 constexpr int tries_an_item = 3;
 constexpr std::size_t grasps_tried = 16, plans_tried = 5, places_tried = 8;
 constexpr double calming_s = 0.25, opening_s = 0.35;
-constexpr double wider_m = 0.014;   // than what was held, when it is let go
-constexpr double least_left_s = 8;  // no new grasp with less time left
-constexpr int most_cleared = 8;
+constexpr double wider_m = 0.014;  // than what was held, when it is let go
+constexpr double min_left_s = 8;   // no new grasp with less time left
+constexpr int max_cleared = 8;
 constexpr std::size_t patch_points = 160, others_tried = 4, likenesses_tried = 8;
-constexpr double least_other_score = 0.25;
+constexpr double min_other_score = 0.25;
 constexpr double measured_within_m = 0.004;  // of a point of the cameras: noise and their grid
 constexpr double tight_m = 0.006, tightest_m = 0.012;  // intrusion of an open hand that is borne
 // From where the wrist camera looks into the basket: tip over its middle, fingers down.
@@ -143,7 +143,7 @@ class ClassicalCheckout : public Policy {
                              *modules_.targets,
                              wanted_));
     sight_.points = without_robot(sight_.points, *setup_.robot, now_);
-    if (now_.time_s + least_left_s > task_.limit_s) {
+    if (now_.time_s + min_left_s > task_.limit_s) {
       stop("Timeout");
       return {};
     }
@@ -189,7 +189,7 @@ class ClassicalCheckout : public Policy {
     for (const double borne : {tight_m, tightest_m}) {
       MARKETGEN_TRY(const bool begun, take_one_of(targets, borne));
       if (begun) return {};
-      if (cleared_ >= most_cleared) continue;
+      if (cleared_ >= max_cleared) continue;
       std::vector<Choice> others = others_near(targets);
       MARKETGEN_TRY(const bool clears, take_one_of(others, borne));
       if (clears) return {};
@@ -283,7 +283,7 @@ class ClassicalCheckout : public Policy {
     std::ranges::stable_sort(
         alike, std::greater<>{}, [](const auto& entry) { return entry.first; });
     std::optional<Choice> best;
-    double best_score = least_other_score;
+    double best_score = min_other_score;
     for (std::size_t i = 0; i < std::min(likenesses_tried, alike.size()); ++i) {
       const FittedPose pose = modules_.poses->pose(*alike[i].second, patch, sight_.views);
       if (pose.evidence.score < best_score) continue;

@@ -3,7 +3,7 @@
 namespace marketgen {
 namespace {
 
-constexpr double most_step_rad = 0.05;  // in a control step of 50 ms
+constexpr double max_step_rad = 0.05;  // in a control step of 50 ms
 constexpr double widest_m = 0.08;
 constexpr double fastest_m_s = 0.3, fastest_rad_s = 0.5;
 constexpr double pull_back = 0.05;  // of the way to where the arm is: targets do not run off
@@ -18,7 +18,7 @@ Result<void> RandomPolicy::begin(const Task&, const Observation& first) {
 Result<Action> RandomPolicy::act(const Observation& now) {
   for (std::size_t j = 0; j < target_.size(); ++j) {
     target_[j] += (now.position[j] - target_[j]) * pull_back;
-    target_[j] += draw_.uniform(-most_step_rad, most_step_rad);
+    target_[j] += draw_.uniform(-most_step_rad, max_step_rad);
   }
   Action action;
   action.position = target_;

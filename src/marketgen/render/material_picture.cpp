@@ -17,7 +17,7 @@ constexpr float table_m = 0.9F;  // height at which things are shown
 constexpr float ball_radius_m = 0.12F;
 constexpr float slab_m = 0.26F, slab_thickness_m = 0.018F;
 // Repeats of a texture across what is shown, at least; fine materials show as many as there are.
-constexpr float fewest_repeats = 0.9F;
+constexpr float min_repeats = 0.9F;
 constexpr double material_fov_deg = 22;
 
 Scene stage_for(const MaterialRow& material) {
@@ -37,7 +37,7 @@ bool grows(const MaterialRow& material) {
 
 // Metres of the shape that one repeat covers. Fruit is shown larger than it is.
 float repeat_m(const MaterialRow& material, float shown_m) {
-  const float coarsest = shown_m / fewest_repeats;
+  const float coarsest = shown_m / min_repeats;
   if (grows(material)) return coarsest;
   return std::min(static_cast<float>(material_extent_m(material)), coarsest);
 }

@@ -16,7 +16,7 @@ namespace marketgen::raytrace {
 namespace {
 
 constexpr std::string_view picture_kind = "picture/3", print_kind = "print/2";
-constexpr int largest_side = 8192, most_channels = 8;
+constexpr int largest_side = 8192, max_channels = 8;
 
 // Before the pixels.
 struct Header {
@@ -47,7 +47,7 @@ std::optional<Header> header_of(const std::string& content) {
   std::memcpy(&header, content.data(), sizeof(header));
   const bool plausible = header.width > 0 && header.height > 0 && header.width <= largest_side &&
                          header.height <= largest_side && header.channels >= 0 &&
-                         header.channels <= most_channels;
+                         header.channels <= max_channels;
   return plausible ? std::optional(header) : std::nullopt;
 }
 

@@ -54,7 +54,7 @@ void face_viewer(Surface& s, Float4 face_normal, Float4 normal, Float4 direction
   if (dot(normal, face_normal) < 0) normal = -normal;
   normal = normalized(normal);
   const float facing = dot(normal, direction);
-  if (facing > -least_facing) normal = normalized(normal - direction * (facing + least_facing));
+  if (facing > -least_facing) normal = normalized(normal - direction * (facing + min_facing));
   s.face_normal = face_normal.xyz();
   s.normal = s.relief_normal = normal.xyz();
 }
@@ -384,7 +384,7 @@ const TriangleRecord& record_of(const World& world, const Hit& hit) {
 
 Matter matter_of(const World& world, const Surface& surface) {
   if (world.materials[surface.material].clear) return Matter::clear;
-  return surface.metallic > least_bare_metal ? Matter::metal : Matter::solid;
+  return surface.metallic > min_bare_metal ? Matter::metal : Matter::solid;
 }
 
 bool is_tilted(const Relief& relief) {
@@ -397,7 +397,7 @@ Vec3f tilted(Vec3f normal, const Relief& relief, const TextureAxes& axes, Vec3f 
   const Vec3f bent = normal * std::sqrt(std::max(0.0F, 1 - squared)) + axes.along * relief.tilt_x +
                      axes.up * relief.tilt_y;
   const float facing = dot(bent, direction);
-  return normalized(facing > -least_facing ? bent - direction * (facing + least_facing) : bent);
+  return normalized(facing > -least_facing ? bent - direction * (facing + min_facing) : bent);
 }
 
 Vec3f Surface::reflectance() const {
@@ -449,7 +449,7 @@ void see_surface(const World& world,
   s.roughness = material.roughness;
   s.metallic = material.metallic;
   if (material.texture >= 0 && detail != TextureDetail::none) {
-    const float slant = std::max(least_slant, -dot(s.face_normal, ray.direction));
+    const float slant = std::max(min_slant, -dot(s.face_normal, ray.direction));
     add_textures(s, world, record, hit, ray.direction, footprint / std::sqrt(slant), detail);
   }
   if (wear > 0) wear_off(worn_place(record, hit, s, wear), s.albedo, s.roughness);

@@ -18,10 +18,10 @@ constexpr std::size_t packet_size = 16;
 // gap that shows.
 constexpr float surface_lift_m = 3e-4F;
 
-constexpr float least_slant = 0.15F;  // cosine below which footprints grow no more
+constexpr float min_slant = 0.15F;  // cosine below which footprints grow no more
 // Shading normals are bent to face the viewer at least this much.
-constexpr float least_facing = 0.03F;
-constexpr float least_bare_metal = 0.5F;  // metallic; lacquered tin has 0.3
+constexpr float min_facing = 0.03F;
+constexpr float min_bare_metal = 0.5F;  // metallic; lacquered tin has 0.3
 
 struct Ray {
   Vec3f origin, direction;  // direction is a unit vector

@@ -88,15 +88,14 @@ struct Try {
 
 // Damping follows the squared error (Sugihara 2011): large steps far away, quadratic at the end.
 Try descend(const Problem& problem, std::vector<double> q, const NumericIkOptions& options) {
-  constexpr double least_damping = 1e-10;
+  constexpr double min_damping = 1e-10;
   double bias = 1e-2;
   Vector6 error = error_of(problem, q);
   Try best{q, error};
   for (int i = 0; i < options.steps; ++i) {
     if (error.cwiseAbs().maxCoeff() < best.worst()) best = {q, error};
     if (best.worst() <= options.tolerance) return best;
-    std::vector<double> next =
-        stepped(problem, q, error, bias * error.squaredNorm() + least_damping);
+    std::vector<double> next = stepped(problem, q, error, bias * error.squaredNorm() + min_damping);
     const Vector6 left = error_of(problem, next);
     if (left.squaredNorm() < error.squaredNorm()) {
       q = std::move(next), error = left;

@@ -11,7 +11,7 @@
 namespace marketgen {
 namespace {
 
-constexpr double most_cells = 4e6;
+constexpr double max_cells = 4e6;
 
 Error bad_options(const std::string& message) {
   return {"robot.bad_state", "reach map", message};
@@ -25,9 +25,9 @@ Result<std::array<int, 3>> cells_of(const ReachMapOptions& options) {
   if (!(options.cell_m > 0) || options.directions < 1 || options.rolls < 1)
     return bad_options("cells, directions and rolls must be above 0");
   const Vec3 count = size / options.cell_m;
-  if (!(std::ceil(count.x) * std::ceil(count.y) * std::ceil(count.z) <= most_cells))
+  if (!(std::ceil(count.x) * std::ceil(count.y) * std::ceil(count.z) <= max_cells))
     return bad_options(fmt::format("the map would have more than {} cells; take larger ones",
-                                   static_cast<int>(most_cells)));
+                                   static_cast<int>(max_cells)));
   constexpr double slack = 1e-9;  // 2 m in cells of 0.1 m are 20 cells, not 21
   return std::array<int, 3>{static_cast<int>(std::ceil(count.x - slack)),
                             static_cast<int>(std::ceil(count.y - slack)),

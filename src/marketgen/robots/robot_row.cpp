@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr std::uint64_t most_row_bytes = 4U << 20;
+constexpr std::uint64_t max_row_bytes = 4U << 20;
 constexpr int deepest_part = 4;
 
 double unit_of(JointUnit unit) {
@@ -325,7 +325,7 @@ Result<RobotRow> read_robot_row(const fs::path& data, const std::string& id) {
         id,
         fmt::format("there is no such robot or tool; there are: {}", fmt::join(ids, ", "))};
   const std::string file = id + ".json";
-  MARKETGEN_TRY(const std::string text, read_file(data / "robots" / file, most_row_bytes));
+  MARKETGEN_TRY(const std::string text, read_file(data / "robots" / file, max_row_bytes));
   MARKETGEN_TRY(RobotRow row, read_json<RobotRow>(text, file));
   if (row.id != id)
     return Error{"robot.bad_file", file + ":/id", "expected \"" + id + "\", as the file is called"};

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 namespace {
 
 using tinyxml2::XMLElement;
-constexpr std::uint64_t most_urdf_bytes = 16U << 20;
+constexpr std::uint64_t max_urdf_bytes = 16U << 20;
 
 // Numbers split by blanks; nothing when one cannot be read or is not finite.
 std::optional<std::vector<double>> numbers_in(std::string_view text) {
@@ -336,7 +336,7 @@ Result<UrdfRobot> read_urdf(std::string_view text,
 }
 
 Result<UrdfRobot> read_urdf_file(const fs::path& file) {
-  MARKETGEN_TRY(const std::string text, read_file(file, most_urdf_bytes));
+  MARKETGEN_TRY(const std::string text, read_file(file, max_urdf_bytes));
   return read_urdf(text, file.filename().string(), file.parent_path());
 }
 

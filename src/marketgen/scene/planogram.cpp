@@ -22,7 +22,7 @@ constexpr double pile_m = 0.35, pile_share = 0.45;
 // comes to new goods every time.
 constexpr double offer_stride = 0.381966;
 
-constexpr int least_heaped = 4;  // pieces across: fewer make a row, not a heap
+constexpr int min_heaped = 4;  // pieces across: fewer make a row, not a heap
 
 bool piles_up(const Product& product, const ShelfRoom& room) {
   return fits(product, room) && stack_height(product, room) * product.height_m() >=
@@ -69,9 +69,8 @@ class BayPlan {
   const Product& product(std::size_t place) const { return catalog_.products[assortment_[place]]; }
 
   int wanted_facings() {
-    if (bay_.promotion) return most_facings;
-    if (bay_.shelves.front().use == ShelfUse::heap)
-      return draw_.integer(least_heaped, most_facings);
+    if (bay_.promotion) return max_facings;
+    if (bay_.shelves.front().use == ShelfUse::heap) return draw_.integer(min_heaped, max_facings);
     return draw_.integer(stock_.facings[0], std::max(stock_.facings[0], stock_.facings[1]));
   }
 
@@ -169,7 +168,7 @@ class BayPlan {
     }
     while (add_other(level)) {
     }
-    while (widen(level, most_facings)) {
+    while (widen(level, max_facings)) {
     }
     while (add_again(level)) {
     }
@@ -216,7 +215,7 @@ class BayPlan {
     for (std::size_t i = 0; i < before; ++i) {
       const Block again{
           blocks_[level][i].place,
-          std::min(most_facings,
+          std::min(max_facings,
                    static_cast<int>(free_m_[level] / pitch_of(product(blocks_[level][i].place))))};
       if (again.facings < 1) continue;
       blocks_[level].push_back(again);

@@ -39,7 +39,7 @@ using PlannedShelf = std::vector<PlannedBlock>;  // from left to right
 constexpr double pack_gap_m = 0.004;     // between facings; retail practice 2-8 mm
 constexpr double depth_gap_m = 0.003;    // between rows
 constexpr double finger_room_m = 0.025;  // above goods; retail practice 25-50 mm
-constexpr int most_facings = 8;          // of one SKU in one block; leaders have up to 8
+constexpr int max_facings = 8;           // of one SKU in one block; leaders have up to 8
 
 // Bottom to top room of one bay; `stock` from the zone; `promotion` bays (endcaps, bins) show few
 // SKUs in many facings.

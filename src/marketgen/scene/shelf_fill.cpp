@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kept_gap_m = 0.001;         // never less than this between neighbours
 constexpr double block_gap_limit_m = 0.020;  // between blocks, when a shelf is not full
-constexpr double most_yaw_tangent = 0.035;   // tan(half angle): 4 degrees either way
+constexpr double max_yaw_tangent = 0.035;    // tan(half angle): 4 degrees either way
 constexpr double pushed_back_m =
     0.012;  // a column's front item stands up to this far behind the edge
 constexpr double shopped_share = 0.12;  // of columns have lost their front item, at jitter 1
@@ -32,7 +32,7 @@ double yaw_limit(const Product& product, double jitter) {
   if (is_round(product)) return 0.12 * jitter;  // 14 degrees: a turned can takes no more room
   const double side = (pack_gap_m - kept_gap_m) / product.depth_m();
   const double back = (depth_gap_m - kept_gap_m) / product.width_m();
-  return jitter * std::min({most_yaw_tangent, side / 2, back / 2});
+  return jitter * std::min({max_yaw_tangent, side / 2, back / 2});
 }
 
 int rows_that_fit(const Product& product, const ShelfRoom& room, double depth_fill) {
@@ -155,11 +155,10 @@ void heap_items(FilledBlock& block,
   const double h = product.height_m();
   const double limit = balls ? 1.0 : 0.0;  // tan(half angle): 90 degrees either way
   const double rise = h * layer_rise(kind);
-  const int most_layers = kind == HeapKind::blocks ? product.stack_max : max_heap_layers;
+  const int max_layers = kind == HeapKind::blocks ? product.stack_max : max_heap_layers;
   const int columns = std::max(1, static_cast<int>(block.width_m / w));
   const int rows = std::max(1, static_cast<int>(room.depth_m / d));
-  const int layers =
-      std::clamp(1 + static_cast<int>((room.clearance_m - h) / rise), 1, most_layers);
+  const int layers = std::clamp(1 + static_cast<int>((room.clearance_m - h) / rise), 1, max_layers);
   const double left =
       block.x_m - room.width_m / 2 + (block.width_m - static_cast<double>(columns) * w) / 2;
   block.rows_deep = rows;

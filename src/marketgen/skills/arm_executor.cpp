@@ -105,7 +105,7 @@ Result<void> ArmExecutor::reach(const Surroundings& around,
                        {.margin_m = options_.way_margin_m, .attached = request.attached}));
   MARKETGEN_TRY(const ArmChecker line, line_checker(q, way_world, line_world));
   ArmPlanOptions arm;
-  arm.search.most_iterations = options_.most_samples;
+  arm.search.max_iterations = options_.max_samples;
   arm.speed = options_.speed;
   MARKETGEN_TRY(const ReachPlan plan,
                 plan_reach(way, line, {end_, request.base_from_tip, request.approach}, seed, arm));

@@ -23,7 +23,7 @@ struct ExecutorOptions {
   double line_speed = 0.25;    // on straight lines
   double acceleration = 0.35;  // share of the joints' acceleration limits
   double way_margin_m = 0.004, line_margin_m = 0.002;  // kept from obstacles
-  int most_samples = 3000;                             // of one search
+  int max_samples = 3000;                              // of one search
 };
 
 // `way`: on free ways, and for the arm everywhere. `line`: for the hand on straight lines, without

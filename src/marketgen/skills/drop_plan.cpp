@@ -15,19 +15,19 @@ constexpr double off_walls_m = 0.008;  // of what is let down
 constexpr int drop_yaws = 16;
 constexpr std::array drop_tilts{0.0, 0.35, 0.7, 1.05};  // of the tool from straight down, rad
 constexpr int drop_columns = 5;                         // places along each side of the basket
-constexpr std::size_t most_drops = 800;                 // that are looked at
+constexpr std::size_t max_drops = 800;                  // that are looked at
 constexpr double mixed_m = 0.06;
-constexpr int most_searches = 3;  // in vain, before the basket is given up
+constexpr int max_searches = 3;  // in vain, before the basket is given up
 constexpr double let_go_back_m = 0.12;
-constexpr int most_lines = 4;                 // down to one place that are tried
-constexpr int most_descents = 2;              // ways down to one place
+constexpr int max_lines = 4;                  // down to one place that are tried
+constexpr int max_descents = 2;               // ways down to one place
 constexpr std::size_t descents_at_once = 16;  // goals of one search
 constexpr double way_margin_m = 0.004, line_margin_m = 0.002;
 constexpr double over_rim_m = 0.06;  // where the line down begins, of the lowest point held
 constexpr double of_tilt = 0.03, of_offset = 0.1,
                  of_rim = 2;  // metres of height that they are worth
 constexpr double line_speed_share = 0.25;
-constexpr int most_drop_samples = 8000;
+constexpr int max_drop_samples = 8000;
 
 std::vector<int> links_of(const Robot& robot, const Tool& tool) {
   std::vector<int> links;
@@ -87,7 +87,7 @@ class DropSearch {
     for (Drop& drop : found)
       drop.cost += draw.uniform(0, mixed_m);
     std::ranges::stable_sort(found, {}, &Drop::cost);
-    if (found.size() > most_drops) found.resize(most_drops);
+    if (found.size() > max_drops) found.resize(max_drops);
     return found;
   }
 
@@ -140,7 +140,7 @@ class DropPlanner {
         basket_(basket),
         question_(question),
         options_(carrying(question.acceleration)) {
-    options_.search.most_iterations = most_drop_samples;
+    options_.search.max_iterations = max_drop_samples;
   }
   DropPlanner(const DropPlanner&) = delete;  // its checkers refer to it
   DropPlanner& operator=(const DropPlanner&) = delete;
@@ -161,7 +161,7 @@ class DropPlanner {
     return {};
   }
 
-  // At most most_descents for one place; the arm's postures nearest to the start first.
+  // At most max_descents for one place; the arm's postures nearest to the start first.
   Result<void> add_descents(const Drop& drop, std::vector<Descent>& found) {
     const double up = std::max(0.05, basket_.size.z + over_rim_m - drop.lowest_m);
     const Pose end = inverse(base_from_arm_) * drop.base_from_tip;
@@ -173,7 +173,7 @@ class DropPlanner {
     int added = 0, tried = 0;
     for (const Configuration& q : *postures) {
       if (!way_->free(q)) continue;
-      if (++tried > most_lines) break;
+      if (++tried > max_lines) break;
       auto line = tool_line(*line_, q, end);
       if (!line.ok()) {
         error = line.error();
@@ -181,7 +181,7 @@ class DropPlanner {
       }
       JointPath out = way_out(*line, end);
       found.push_back({drop.base_from_tip, std::move(*line), std::move(out)});
-      if (++added == most_descents) break;
+      if (++added == max_descents) break;
     }
     if (added == 0) return error;
     return {};
@@ -251,7 +251,7 @@ Result<DropPlan> plan_drop(const Robot& robot,
   Error error{"collect.no_drop", robot.name, "the basket has no room for what is held"};
   std::vector<Descent> descents;
   int searches = 0;
-  for (std::size_t i = 0; i < drops.size() && searches < most_searches; ++i) {
+  for (std::size_t i = 0; i < drops.size() && searches < max_searches; ++i) {
     if (const auto added = planner.add_descents(drops[i], descents); !added.ok())
       error.message = fmt::format("in the last place that was tried: {}", added.error().message);
     const bool last = i + 1 == drops.size();

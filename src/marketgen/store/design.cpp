@@ -9,8 +9,8 @@ namespace marketgen {
 namespace {
 
 constexpr int max_rounds = 10;
-constexpr int plain_after_draws = 2;     // of the smallest program
-constexpr std::size_t fewest_zones = 2;  // a till, and something to buy
+constexpr int plain_after_draws = 2;  // of the smallest program
+constexpr std::size_t min_zones = 2;  // a till, and something to buy
 
 int hard_faults(const Layout& layout) {
   return static_cast<int>(
@@ -91,7 +91,7 @@ class Bargain {
         crowded_rounds_ == 0 ? 1 : (crowded_rounds_ == 1 ? zones / 4 : zones / 2);
     ++crowded_rounds_;
     const std::size_t left = zones - std::min(zones, std::max<std::size_t>(lost, 1));
-    concessions_.max_zones = std::max(fewest_zones, left);
+    concessions_.max_zones = std::max(min_zones, left);
   }
 
   void note(const Violation& fault, const Planned& planned) {
@@ -110,9 +110,9 @@ class Bargain {
 Result<Designed> lay_out(Planned planned,
                          const Catalog& catalog,
                          Seed seed,
-                         std::int64_t most_work = most_repair_work) {
+                         std::int64_t max_work = max_repair_work) {
   Designed designed;
-  MARKETGEN_TRY(designed.repaired, repair_plan(planned.plan, catalog, seed, most_work));
+  MARKETGEN_TRY(designed.repaired, repair_plan(planned.plan, catalog, seed, max_work));
   MARKETGEN_TRY(designed.layout, layout_of(designed.repaired, catalog, seed));
   designed.planned = std::move(planned);
   return designed;
@@ -145,7 +145,7 @@ Result<Designed> concede(Designed first,
                          Seed layout_seed) {
   Designed best = first, now = std::move(first);
   Bargain bargain;
-  std::int64_t work_left = most_repair_work / 2;  // for all rounds together
+  std::int64_t work_left = max_repair_work / 2;  // for all rounds together
   for (int round = 0; round < max_rounds && hard_faults(best.layout) > 0; ++round) {
     MARKETGEN_CHECK(check_interrupt());
     bargain.concede(now);

@@ -121,7 +121,7 @@ Result<StoreReport> full_report(const Store& store, const Catalog& catalog, Prog
   constexpr int let_go = 200;
   SettleOptions options;
   options.region_m = region_around_aisle(store.scene, let_go);
-  options.most_products = let_go;
+  options.max_products = let_go;
   MARKETGEN_TRY(const SettleReport settled, settle(store.scene, options));
   progress.end();
   report.metrics.STB = settled.share_below_5_cm;

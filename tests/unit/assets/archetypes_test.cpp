@@ -16,7 +16,7 @@ namespace {
 
 // Each archetype is one instanced mesh a SKU: a pack in the hand may spend 3,000 triangles, a pack
 // of packs 8,000. What grew has no flat faces: 4,000, a bunch 10,000.
-std::size_t most_triangles(std::string_view archetype) {
+std::size_t max_triangles(std::string_view archetype) {
   for (const ProduceRow& row : produce_rows) {
     if (row.archetype == archetype) return row.bunch ? 10000 : 4000;
   }
@@ -92,7 +92,7 @@ TEST_P(Archetypes, ClosedOfTheRowsSizeAndSmall) {
     EXPECT_NEAR(bounds.low.z, 0, 1e-4);
     EXPECT_NEAR(bounds.center().x, 0, 1e-4);
     EXPECT_NEAR(bounds.center().y, 0, 1e-4);
-    EXPECT_LE(mesh.triangles.size(), most_triangles(GetParam().name));
+    EXPECT_LE(mesh.triangles.size(), max_triangles(GetParam().name));
   }
 }
 

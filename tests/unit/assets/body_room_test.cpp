@@ -51,12 +51,12 @@ struct BodyDensity {
 
 struct PouredGoods {
   std::string subcategory, word;
-  int most_kg_m3 = 0;
+  int max_kg_m3 = 0;
   std::string source;
   static constexpr auto fields =
       field_list(field("subcategory", &PouredGoods::subcategory, "of the rows", required()),
                  field("word", &PouredGoods::word, "in name or variant", required()),
-                 field("most_kg_m3", &PouredGoods::most_kg_m3, "with its bag", required()),
+                 field("max_kg_m3", &PouredGoods::max_kg_m3, "with its bag", required()),
                  field("source", &PouredGoods::source, "where it comes from", required()));
 };
 
@@ -158,7 +158,7 @@ std::array<int, 2> density_bounds(const Product& product) {
   const std::string words = product.name + " " + product.variant;
   for (const PouredGoods& poured : body_room().poured) {
     if (poured.subcategory == product.subcategory && words.find(poured.word) != std::string::npos)
-      bounds[1] = std::min(bounds[1], poured.most_kg_m3);
+      bounds[1] = std::min(bounds[1], poured.max_kg_m3);
   }
   return bounds;
 }

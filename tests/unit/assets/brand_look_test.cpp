@@ -65,7 +65,7 @@ double difference(const Image& a, const Image& b) {
 
 TEST(BrandLooks, MarksDifferAsDrawn) {
   constexpr int width = 48, height = 20;  // as on a pack across the aisle
-  constexpr double least_difference = 3.0;
+  constexpr double min_difference = 3.0;
   std::vector<std::pair<std::string, Image>> marks;
   for (const std::string& brand : brands()) {
     Canvas canvas(width, height, rgb("#f4f1ea"));
@@ -75,7 +75,7 @@ TEST(BrandLooks, MarksDifferAsDrawn) {
   }
   for (std::size_t i = 0; i < marks.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      EXPECT_GT(difference(marks[i].second, marks[j].second), least_difference)
+      EXPECT_GT(difference(marks[i].second, marks[j].second), min_difference)
           << marks[i].first << " and " << marks[j].first;
     }
   }

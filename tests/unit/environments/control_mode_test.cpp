@@ -112,7 +112,7 @@ TEST(ControlMode, AStateThatIsNoneIsAnErrorAndNoStandstill) {
 class ShutOnNothing : public testing::TestWithParam<Track> {
  protected:
   struct Trip {
-    double up_m = 0, least_finger_m = 1, cut_m = 0;
+    double up_m = 0, min_finger_m = 1, cut_m = 0;
   };
 
   static Result<std::unique_ptr<Environment>> environment() {
@@ -152,8 +152,8 @@ class ShutOnNothing : public testing::TestWithParam<Track> {
     const Robot& robot = made->world().robot();
     for (const JointGroup& group : robot.groups)
       for (const int dof : group.name.ends_with("fingers") ? group.dofs : std::vector<int>{})
-        trip.least_finger_m = std::min(trip.least_finger_m,
-                                       made->world().robot_state()[static_cast<std::size_t>(dof)]);
+        trip.min_finger_m =
+            std::min(trip.min_finger_m, made->world().robot_state()[static_cast<std::size_t>(dof)]);
     const double before = tool(*made).position.z;
     for (int step = 0; step < 10; ++step) {
       MARKETGEN_CHECK(made->step(action(*made, opening, 0.5)));
@@ -169,8 +169,8 @@ TEST_P(ShutOnNothing, TheToolMovesAsWithAnOpenHand) {
   const auto open = trip(1), shut = trip(-1);
   ASSERT_TRUE(open.ok()) << to_string(open.error());
   ASSERT_TRUE(shut.ok()) << to_string(shut.error());
-  EXPECT_LT(shut->least_finger_m, 1e-4);
-  EXPECT_GT(open->least_finger_m, 0.01);
+  EXPECT_LT(shut->min_finger_m, 1e-4);
+  EXPECT_GT(open->min_finger_m, 0.01);
   EXPECT_GT(open->up_m, 0.03);
   EXPECT_NEAR(shut->up_m, open->up_m, 1e-3);
   EXPECT_NEAR(shut->cut_m, open->cut_m, 1e-3);  // in the aisles the arm ends stretched, either way

@@ -47,7 +47,7 @@ ChatRequest conversation() {
                    {ChatRole::user, "Sure?", {}}};
   request.answer_schema =
       R"({"type":"object","additionalProperties":false,"properties":{"sure":{"type":"boolean"}},"required":["sure"]})";
-  request.most_tokens = 77;
+  request.max_tokens = 77;
   return request;
 }
 
@@ -217,7 +217,7 @@ TEST_F(Providers, WhatAModelDoesNotTakeIsLeftOut) {
   ChatRequest request;
   request.turns = {{ChatRole::user, "x", {}}};
   request.answer_schema = R"({"type": "object"})";
-  request.most_tokens = 5;
+  request.max_tokens = 5;
   const auto answer = ask_at(server, "openai:o9", "", request);
   ASSERT_TRUE(answer.ok()) << to_string(answer.error());
   EXPECT_EQ(answer->text, "done");

@@ -203,7 +203,7 @@ GraspQuery lying_between_walls(double aside_m) {
 }
 
 // By corners and middles of the tool's solids, which the search does not look at.
-double least_distance_to_walls(const GraspTool& tool, const Grasp& grasp, const GraspQuery& query) {
+double min_distance_to_walls(const GraspTool& tool, const Grasp& grasp, const GraspQuery& query) {
   std::vector<ToolSolid> solids = opened(tool, grasp.opening_m);
   solids.insert(solids.end(), tool.body.begin(), tool.body.end());
   double least = 1;
@@ -238,7 +238,7 @@ TEST(GraspCandidates, ALyingCanIsTakenFromAboveClearOfWalls) {
         const Vec3 approach =
             rotate(query.world_from_product.rotation, axis_of(candidate, {0, 0, 1}));
         EXPECT_LE(approach.z, -0.4226);
-        EXPECT_GE(least_distance_to_walls(tool, candidate.grasp, query), 0.002 - 1e-6);
+        EXPECT_GE(min_distance_to_walls(tool, candidate.grasp, query), 0.002 - 1e-6);
       }
     }
   }

@@ -78,11 +78,11 @@ TEST(RrtConnect, BadQuestionsAreErrors) {
 
 TEST(RrtConnect, AShutWallEndsAtTheLimit) {
   RrtOptions options;
-  options.most_iterations = 2000;
+  options.max_iterations = 2000;
   EXPECT_EQ(code_of(rrt_connect(walled_square(0), {0.1, 0.1}, {{0.9, 0.1}}, Seed(1), options)),
             "motion.no_path");
-  options.most_iterations = 1'000'000;
-  options.most_nodes = 100;
+  options.max_iterations = 1'000'000;
+  options.max_nodes = 100;
   EXPECT_EQ(code_of(rrt_connect(walled_square(0), {0.1, 0.1}, {{0.9, 0.1}}, Seed(1), options)),
             "motion.no_path");
 }

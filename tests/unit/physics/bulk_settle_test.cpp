@@ -199,7 +199,7 @@ TEST(BulkSettling, BadInputIsAnError) {
   broken = checkout_basket;
   broken.taper_m = 0.14;  // the ledges meet
   EXPECT_EQ(code(broken, one), "physics.bad_command");
-  EXPECT_EQ(code(checkout_basket, std::vector<SharedGoodsBody>(most_bulk_items + 1, one[0])),
+  EXPECT_EQ(code(checkout_basket, std::vector<SharedGoodsBody>(max_bulk_items + 1, one[0])),
             "physics.bad_command");
 
   auto weightless = std::make_shared<GoodsBody>(*one[0]), flat = weightless;

@@ -83,7 +83,7 @@ TEST(Settle, TakesTheNearestToTheMiddleAndLeavesTheOthersStanding) {
   made.add(can, {2.6F, on_shelf_y, lower});
   SettleOptions options = whole_room();
   options.region_m = {2, 3, 4, 4};
-  options.most_products = 1;
+  options.max_products = 1;
   const SettleReport report = settled(made.scene, options);
   EXPECT_EQ(report.products, 1);
   EXPECT_LT(report.worst_drift_m, 0.001);

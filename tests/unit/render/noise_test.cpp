@@ -136,7 +136,7 @@ TEST(DepthNoise, TheLeftEdgeHasNoDepth) {
 
 TEST(DepthNoise, WhatIsTooNearOrTooFarHasNoDepth) {
   const Camera camera = sensor_camera();
-  const double least = least_depth_m(StereoCamera{}, intrinsics_of(camera));
+  const double least = min_depth_m(StereoCamera{}, intrinsics_of(camera));
   EXPECT_NEAR(least, 415.69 * 0.05 / 126, 1e-4);  // 165 mm
   EXPECT_EQ(share_without(
                 measured(wall(camera, static_cast<float>(least * 0.98)), camera), 640, 200, 640),
@@ -155,7 +155,7 @@ TEST(DepthNoise, LeastDepthIsTheDatasheets) {
   };
   for (const Row& row : {Row{1280, 87, 0.280}, {848, 87, 0.195}, {640, 75, 0.175}}) {
     const double fx = row.width / 2.0 / std::tan(row.fov_deg * 3.14159265 / 360);
-    const double least = least_depth_m(StereoCamera{}, {fx, fx, 0, 0, {}});
+    const double least = min_depth_m(StereoCamera{}, {fx, fx, 0, 0, {}});
     EXPECT_NEAR(least, row.datasheet_m, 0.1 * row.datasheet_m) << row.width;
   }
 }

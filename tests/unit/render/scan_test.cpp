@@ -20,7 +20,7 @@
 namespace marketgen {
 namespace {
 
-constexpr double least_share = 0.98;
+constexpr double min_share = 0.98;
 
 std::string setting(const char* name) {
   const char* value = std::getenv(name);
@@ -89,7 +89,7 @@ TEST(BarCodes, AScannerReadsThemOnTheRenderedPack) {
     }
   }
   std::printf("%zu of %zu bar codes read\n", right, products.size());
-  EXPECT_GE(static_cast<double>(right), least_share * static_cast<double>(products.size()));
+  EXPECT_GE(static_cast<double>(right), min_share * static_cast<double>(products.size()));
 }
 
 }  // namespace

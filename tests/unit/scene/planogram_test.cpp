@@ -55,7 +55,7 @@ TEST(PlanBay, OneProductFillsTheShelfUpToItsLimit) {  // 1.2 m at 0.95 take 14 c
   const auto shelves = planned(bay_of({shelf_room()}), catalog, {});
   int facings = 0;
   for (const PlannedBlock& block : shelves[0]) {
-    EXPECT_LE(block.facings, most_facings);
+    EXPECT_LE(block.facings, max_facings);
     facings += block.facings;
   }
   EXPECT_EQ(facings, 14);
@@ -213,7 +213,7 @@ TEST(PlanBay, FacingsAndWidthsStayWithinTheirLimits) {
           << seed;
       for (const PlannedBlock& block : shelves[level]) {
         EXPECT_GE(block.facings, 1);
-        EXPECT_LE(block.facings, most_facings);
+        EXPECT_LE(block.facings, max_facings);
         EXPECT_GT(stack_height(catalog.products[block.product], bay.shelves[level]), 0);
         ++blocks;
         narrower_than_asked += block.facings < stock.facings[0] ? 1 : 0;

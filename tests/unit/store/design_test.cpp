@@ -252,7 +252,7 @@ std::int64_t work_of(const Planned& planned) {
 
 TEST(Designs, OfSaladsTakeBoundedWorkAndSayWhatWasGivenUp) {
   // 150,000 for the first plan, half as much for each that follows.
-  constexpr std::int64_t most_search_work = 450'000, one_layout = 4'000;
+  constexpr std::int64_t max_search_work = 450'000, one_layout = 4'000;
   const auto planner = make_planner("offline");
   ASSERT_TRUE(planner.ok());
   std::uint64_t seed = 0;
@@ -279,14 +279,14 @@ TEST(Designs, OfSaladsTakeBoundedWorkAndSayWhatWasGivenUp) {
     EXPECT_GT(planned->conflicts.size(), 10U);
     auto repaired = repair_plan(planned->plan, committed_catalog(), Seed(seed));
     ASSERT_TRUE(repaired.ok());
-    EXPECT_LT(repaired->work, most_repair_work + one_layout);
+    EXPECT_LT(repaired->work, max_repair_work + one_layout);
     auto layout = layout_of(*repaired, committed_catalog(), Seed(seed));
     ASSERT_TRUE(layout.ok());
     const auto made = concede({std::move(*planned), std::move(*repaired), std::move(*layout)},
                               plan,
                               committed_catalog(),
                               Seed(seed));
-    EXPECT_LT(searched, most_search_work);
+    EXPECT_LT(searched, max_search_work);
     EXPECT_LE(plans, 11);
     if (made.ok()) expect_readable(made->repaired.plan, brief.prompt);
   }

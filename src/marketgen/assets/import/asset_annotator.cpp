@@ -16,7 +16,7 @@
 namespace marketgen {
 namespace {
 
-constexpr std::size_t most_votes = 10;
+constexpr std::size_t max_votes = 10;
 constexpr double metal_share = 0.5, clear_share = 0.3;  // of the surface, to decide the material
 
 // Words that modelling programs and habits put into names, between spaces.
@@ -168,7 +168,7 @@ class OfflineAnnotator {
     query.kinds = {AssetKind::goods};
     if (query.text.empty()) return {};
     MARKETGEN_TRY(std::vector<AssetHit> hits, database_.find(query));
-    if (hits.size() > most_votes) hits.resize(most_votes);
+    if (hits.size() > max_votes) hits.resize(max_votes);
     Ballot category, subcategory, material, archetype, storage, rigidity;
     for (const AssetHit& hit : hits) {
       const Product& p = catalog_.products[hit.row];
@@ -208,8 +208,8 @@ std::vector<std::string> words_of_names(const std::vector<std::string>& names) {
       if (!is_noise(word) && !has(words, word)) words.push_back(word);
     }
   }
-  constexpr std::size_t most_words = 24;
-  if (words.size() > most_words) words.resize(most_words);
+  constexpr std::size_t max_words = 24;
+  if (words.size() > max_words) words.resize(max_words);
   return words;
 }
 

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double filled_share = 0.8;  // pi / 4 for round packs, nearly 1 for cartons
 constexpr std::size_t enough_rows = 3;
-constexpr double usual_friction = 0.35;                     // cardboard on steel
-constexpr double least_mass_kg = 0.001, most_mass_kg = 50;  // limits of Product::fields
+constexpr double usual_friction = 0.35;                  // cardboard on steel
+constexpr double min_mass_kg = 0.001, max_mass_kg = 50;  // limits of Product::fields
 
 double box_density(const Product& p) {
   return p.mass_kg / (p.width_m() * p.depth_m() * p.height_m());
@@ -32,7 +32,7 @@ std::vector<double> densities_where(const Catalog& catalog,
 
 Estimate mass_at(const std::vector<double>& densities, double volume_m3, const std::string& who) {
   const double density = densities[densities.size() / 2] / filled_share;
-  return {std::clamp(density * volume_m3, least_mass_kg, most_mass_kg),
+  return {std::clamp(density * volume_m3, min_mass_kg, max_mass_kg),
           fmt::format("{:.0f} kg/m3, the median of {} rows {}", density, densities.size(), who)};
 }
 
@@ -50,7 +50,7 @@ Estimate estimated_mass(const Product& product, double volume_m3, const Catalog&
     return mass_at(same_material, volume_m3, "in " + product.material);
   const auto all = densities_where(catalog, [](const Product&) { return true; });
   if (!all.empty()) return mass_at(all, volume_m3, "of the whole catalogue");
-  return {std::clamp(1000 * volume_m3, least_mass_kg, most_mass_kg), "that of water"};
+  return {std::clamp(1000 * volume_m3, min_mass_kg, max_mass_kg), "that of water"};
 }
 
 Estimate estimated_friction(const std::string& material, const Catalog& catalog) {

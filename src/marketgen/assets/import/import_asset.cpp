@@ -23,12 +23,12 @@ namespace marketgen {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double least_m = 0.005, most_m = 1.5;  // of a side, as product rows allow
+constexpr double min_m = 0.005, max_m = 1.5;  // of a side, as product rows allow
 constexpr std::string_view model_name = "model.glb", asset_name = "asset.json";
 
 bool plausible(Vec3f size, double factor) {
   for (const float side : {size.x, size.y, size.z}) {
-    if (side * factor < least_m || side * factor > most_m) return false;
+    if (side * factor < min_m || side * factor > max_m) return false;
   }
   return true;
 }

@@ -13,13 +13,12 @@
 namespace marketgen {
 namespace {
 
-constexpr std::size_t most_colors = 6;
-constexpr double least_share = 0.01;            // of the surface, for a colour to be named
-constexpr int cell = 32;                        // sRGB steps that count as one colour
-constexpr std::int64_t most_samples = 1 << 16;  // pixels looked at in a picture
+constexpr std::size_t max_colors = 6;
+constexpr double min_share = 0.01;             // of the surface, for a colour to be named
+constexpr int cell = 32;                       // sRGB steps that count as one colour
+constexpr std::int64_t max_samples = 1 << 16;  // pixels looked at in a picture
 constexpr double weld_m = 1e-6;
-constexpr std::size_t most_in_a_spot =
-    2000;  // vertices within 16 micrometres: welding is quadratic
+constexpr std::size_t max_in_a_spot = 2000;  // vertices within 16 micrometres: welding is quadratic
 
 std::uint8_t encoded(float linear) {
   const double c = std::clamp<double>(linear, 0, 1);
@@ -49,7 +48,7 @@ class ColorCount {
         sums.begin(), sums.end(), [](const Sum& a, const Sum& b) { return a.weight > b.weight; });
     std::vector<ColorShare> list;
     for (const Sum& sum : sums) {
-      if (list.size() >= most_colors || sum.weight < least_share * all) break;
+      if (list.size() >= max_colors || sum.weight < min_share * all) break;
       const auto part = [&](std::size_t c) { return std::lround(sum.color[c] / sum.weight); };
       list.push_back({fmt::format("#{:02x}{:02x}{:02x}", part(0), part(1), part(2)),
                       std::round(1000 * sum.weight / all) / 1000});
@@ -68,7 +67,7 @@ class ColorCount {
 // The picture's pixels, weighing `area` together.
 void add_picture(ColorCount& colors, const Image& picture, double area) {
   const std::int64_t pixels = std::int64_t{picture.width} * picture.height;
-  const std::int64_t step = std::max<std::int64_t>(1, pixels / most_samples);
+  const std::int64_t step = std::max<std::int64_t>(1, pixels / max_samples);
   const double weight = area / static_cast<double>((pixels + step - 1) / step);
   for (std::int64_t i = 0; i < pixels; i += step) {
     const std::uint8_t* p =
@@ -81,7 +80,7 @@ Result<void> check_crowding(const Mesh& mesh, const std::string& where) {
   std::map<std::tuple<std::int64_t, std::int64_t, std::int64_t>, std::size_t> spots;
   const auto at = [](float v) { return static_cast<std::int64_t>(std::floor(v / (16 * weld_m))); };
   for (const Vec3f& p : mesh.positions) {
-    if (++spots[{at(p.x), at(p.y), at(p.z)}] > most_in_a_spot)
+    if (++spots[{at(p.x), at(p.y), at(p.z)}] > max_in_a_spot)
       return Error{"model.bad_file",
                    where,
                    "thousands of its vertices lie within 0.02 mm; merge them and export it again"};

@@ -16,9 +16,9 @@
 namespace marketgen {
 namespace {
 
-constexpr std::size_t most_pictures = 4;
+constexpr std::size_t max_pictures = 4;
 constexpr int longest_picture_px = 768;  // one high-detail tile or two of what providers look at
-constexpr std::size_t most_parts = 64, longest_part = 80;
+constexpr std::size_t max_parts = 64, longest_part = 80;
 constexpr std::string_view cannot_tell = "unknown";  // providers take no empty name
 
 constexpr std::string_view instructions =
@@ -164,7 +164,7 @@ std::string facts_text(const AssetEvidence& evidence) {
   PackFacts facts;
   if (is_utf8(evidence.file_name)) facts.file = evidence.file_name;
   for (const std::string& part : evidence.parts) {
-    if (facts.parts.size() < most_parts && part.size() <= longest_part && is_utf8(part))
+    if (facts.parts.size() < max_parts && part.size() <= longest_part && is_utf8(part))
       facts.parts.push_back(part);
   }
   facts.size_mm = evidence.size_mm;
@@ -189,7 +189,7 @@ Result<std::vector<std::string>> pictures_of(const AssetEvidence& evidence) {
   std::vector<std::string> files;
   if (evidence.pictures == nullptr) return files;
   for (const Image& picture : *evidence.pictures) {
-    if (files.size() == most_pictures) break;
+    if (files.size() == max_pictures) break;
     if (picture.empty()) continue;
     MARKETGEN_TRY(std::string png, encode_png(scaled_within(picture, longest_picture_px)));
     files.push_back(std::move(png));

@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint8_t darkest = 39, whitest = 243;
 // Steeper flanks cannot be told from each other at the size of a texel.
 constexpr float steepest = 1.5F;
-constexpr float least_roughness = 0.02F;
+constexpr float min_roughness = 0.02F;
 
 using Components = std::array<float, 3>;
 
@@ -92,7 +92,7 @@ MaterialMaps draw_material_maps(const MaterialRow& material, int size_px) {
   const auto metallic = static_cast<float>(material.metallic);
   for (std::size_t i = 0; i < look.roughness.values.size(); ++i) {
     maps.roughness.pixels[i] =
-        byte_of(std::max(roughness + look.roughness.values[i], least_roughness));
+        byte_of(std::max(roughness + look.roughness.values[i], min_roughness));
     maps.metallic.pixels[i] = byte_of(metallic * look.metal.values[i]);
   }
   return maps;

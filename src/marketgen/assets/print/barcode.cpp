@@ -42,10 +42,10 @@ void draw_bars(Canvas& canvas, const std::string& modules, const BarcodePlace& p
 }
 
 void draw_digits(Canvas& canvas, std::string_view ean, const BarcodePlace& place) {
-  constexpr double least_height_px = 5;  // no reader, human or not, gains from four-pixel digits
+  constexpr double min_height_px = 5;  // no reader, human or not, gains from four-pixel digits
   const double m = place.module_px;
   const double h = place.height_px * digits_share;
-  if (h * canvas.pixels_per_unit_y() < least_height_px) return;
+  if (h * canvas.pixels_per_unit_y() < min_height_px) return;
   const Typeface face{"DejaVu Sans Mono", 400};
   const auto group = [&](std::string_view digits, double first_module, double width_modules) {
     draw_headline(canvas,

@@ -42,7 +42,7 @@ Area MarkPen::plate(const PlateShape& shape) const {
                                         1e9,
                                         1.0});
   const double h = std::min(area.h, fit.size * fit.lines / shape.fill_y);
-  const double w = std::min(area.w, std::max(h * shape.least_aspect, fit.width / shape.fill_x));
+  const double w = std::min(area.w, std::max(h * shape.min_aspect, fit.width / shape.fill_x));
   const double x = align == Align::left    ? area.x
                    : align == Align::right ? area.right() - w
                                            : area.center_x() - w / 2;

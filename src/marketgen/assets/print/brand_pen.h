@@ -9,7 +9,7 @@ namespace marketgen {
 
 // How much of a plate its words may take, and the plate's least width over its height.
 struct PlateShape {
-  double fill_x, fill_y, least_aspect;
+  double fill_x, fill_y, min_aspect;
 };
 
 struct MarkPen {

@@ -19,9 +19,9 @@
 namespace marketgen {
 namespace {
 
-constexpr int least_px = 16;
-constexpr int most_px = 8192;
-constexpr double least_px_per_mm = 0.1, most_px_per_mm = 20;
+constexpr int min_px = 16;
+constexpr int max_px = 8192;
+constexpr double min_px_per_mm = 0.1, max_px_per_mm = 20;
 // A flat tin's label is seven times as wide as high: beyond this aspect a sheet keeps the number of
 // pixels that it has here.
 constexpr double widest_full_aspect = 2.0;
@@ -34,7 +34,7 @@ SheetPixels sheet_pixels(const SheetSize& size, int size_px) {
   const double aspect = static_cast<double>(size.width_m) / static_cast<double>(size.height_m);
   const double height = size_px * std::sqrt(std::min(1.0, widest_full_aspect / aspect));
   const auto whole = [](double pixels) {
-    return std::max(least_px, static_cast<int>(std::lround(pixels)));
+    return std::max(min_px, static_cast<int>(std::lround(pixels)));
   };
   return {whole(height * aspect), whole(height)};
 }
@@ -272,7 +272,7 @@ Result<PrintedPicture> drawn_sheet(const PackArt& art, const SheetPixels& sheet)
 }  // namespace
 
 Result<Image> draw_label(const Product& product, int size_px) {
-  if (size_px < least_px || size_px > most_px) {
+  if (size_px < min_px || size_px > max_px) {
     return Error{
         "assets.bad_row",
         product.sku,
@@ -286,16 +286,16 @@ Result<Image> draw_label(const Product& product, int size_px) {
 }
 
 Result<PrintedPicture> print_label(const Product& product, double px_per_mm) {
-  if (px_per_mm < least_px_per_mm || px_per_mm > most_px_per_mm) {
+  if (px_per_mm < min_px_per_mm || px_per_mm > max_px_per_mm) {
     return Error{"assets.bad_row",
                  product.sku,
                  fmt::format("a label cannot have {} pixels a millimetre; choose {} to {}",
                              px_per_mm,
-                             least_px_per_mm,
-                             most_px_per_mm)};
+                             min_px_per_mm,
+                             max_px_per_mm)};
   }
   const auto pixels = [&](double metres) {
-    return std::clamp(static_cast<int>(std::lround(metres * 1e3 * px_per_mm)), least_px, most_px);
+    return std::clamp(static_cast<int>(std::lround(metres * 1e3 * px_per_mm)), min_px, max_px);
   };
   if (has_own_mesh(product)) {
     MARKETGEN_TRY(Image picture, own_pack_picture(product, pixels(product.height_m())));

@@ -110,8 +110,8 @@ double measured_width(const std::string& text, const Typeface& face) {
 double line_width(const std::string& text, const Typeface& face) {
   using Key = std::tuple<std::string, std::string, int, bool, bool, double>;
   static std::map<Key, double> known;
-  constexpr std::size_t most_known = 50'000;
-  if (known.size() > most_known) known.clear();
+  constexpr std::size_t max_known = 50'000;
+  if (known.size() > max_known) known.clear();
   const auto [entry, is_new] = known.try_emplace(
       {text, std::string(face.family), face.weight, face.italic, face.condensed, face.tracking_em});
   if (is_new) entry->second = measured_width(text, face);

@@ -45,7 +45,7 @@ Area in_units(Canvas& canvas, const Area& px) {
 
 // GS1 general specifications, EAN-13 with digits: height and module at nominal size, and the
 // smallest module allowed (80 %).
-constexpr double nominal_height_mm = 25.9, nominal_module_mm = 0.33, least_module_mm = 0.264;
+constexpr double nominal_height_mm = 25.9, nominal_module_mm = 0.33, min_module_mm = 0.264;
 
 // Pixels a module wants: two at a sheet of 512 pixels, more on larger sheets, and at least nominal
 // size (X = 0.33 mm).
@@ -96,7 +96,7 @@ Area leave_ean(Canvas& canvas, const PackArt& art, const Area& area) {
   constexpr double fine = 1000;
   const BarcodePlace place = ean_place({area.x * fine, area.y * fine, area.w * fine, area.h * fine},
                                        static_cast<int>(nominal_module_mm * fine),
-                                       static_cast<int>(least_module_mm * fine),
+                                       static_cast<int>(min_module_mm * fine),
                                        nominal_height_mm * fine,
                                        *art.product);
   leave_barcode(canvas, art.bars, art.product->ean, place, 1 / fine);

@@ -10,7 +10,7 @@
 namespace marketgen {
 namespace {
 
-constexpr int least_poster_px = 64, most_poster_px = 4096;
+constexpr int min_poster_px = 64, max_poster_px = 4096;
 constexpr unsigned designs = 3;
 
 struct PosterSheet {
@@ -120,7 +120,7 @@ Result<Image> draw_poster(const Poster& poster,
                           std::string_view accent,
                           unsigned design,
                           int height_px) {
-  if (height_px < least_poster_px || height_px > most_poster_px)
+  if (height_px < min_poster_px || height_px > max_poster_px)
     return Error{"assets.bad_row", "poster", "a poster must be 64 to 4096 pixels high"};
   MARKETGEN_TRY(const LabelMotif* motif, find_motif(poster.motif, "posters.inc"));
   MARKETGEN_TRY(const Color house, parse_color(accent, "poster/accent"));

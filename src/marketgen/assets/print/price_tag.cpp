@@ -16,8 +16,8 @@ namespace {
 // Tags of electronic and paper strips alike are about 39 mm high and 2.5 times as wide.
 constexpr double tag_aspect = 2.5;
 constexpr double tag_height_mm = 39;
-constexpr int least_tag_px = 24;
-constexpr int most_tag_px = 2048;
+constexpr int min_tag_px = 24;
+constexpr int max_tag_px = 2048;
 
 struct TagColors {
   Color ground, price_ground, price, type;
@@ -107,7 +107,7 @@ Result<PrintedPicture> drawn_tag(const Product& product,
                                  bool promotion,
                                  int height_px,
                                  bool bars_apart) {
-  if (height_px < least_tag_px || height_px > most_tag_px) {
+  if (height_px < min_tag_px || height_px > max_tag_px) {
     return Error{"assets.bad_row",
                  product.sku,
                  fmt::format("a price tag cannot be {} pixels high; choose 24 to 2048", height_px)};

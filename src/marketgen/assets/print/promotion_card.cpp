@@ -15,7 +15,7 @@
 namespace marketgen {
 namespace {
 
-constexpr int least_card_px = 24, most_card_px = 2048;
+constexpr int min_card_px = 24, max_card_px = 2048;
 constexpr Color card_yellow = rgb("#ffd91f");
 constexpr Color card_red = rgb("#d5121e");
 constexpr Color card_ink = rgb("#1d1a08");
@@ -106,7 +106,7 @@ void draw_prices(Canvas& canvas, const Product& product, double before, const Ar
 }  // namespace
 
 Result<Image> draw_promotion_card(const Product& product, int height_px) {
-  if (height_px < least_card_px || height_px > most_card_px) {
+  if (height_px < min_card_px || height_px > max_card_px) {
     return Error{
         "assets.bad_row",
         product.sku,

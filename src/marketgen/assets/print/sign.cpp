@@ -13,9 +13,9 @@ Result<Image> draw_sign(std::string_view text,
                         std::string_view text_color,
                         int width_px,
                         int height_px) {
-  constexpr int least_px = 8;
-  constexpr int most_px = 8192;
-  if (std::min(width_px, height_px) < least_px || std::max(width_px, height_px) > most_px) {
+  constexpr int min_px = 8;
+  constexpr int max_px = 8192;
+  if (std::min(width_px, height_px) < min_px || std::max(width_px, height_px) > max_px) {
     return Error{"assets.bad_row", "sign", "a sign's sides must be 8 to 8192 pixels"};
   }
   if (!is_utf8(text)) return Error{"input.not_utf8", "sign", "the text of a sign must be UTF-8"};

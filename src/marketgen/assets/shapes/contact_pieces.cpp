@@ -12,13 +12,13 @@ namespace marketgen {
 namespace {
 
 // Shares of the volume.
-constexpr double least_gain = 0.004;  // a cut that wins less is not worth a piece
+constexpr double min_gain = 0.004;    // a cut that wins less is not worth a piece
 constexpr double well_filled = 0.35;  // of the tolerance: no further cut is sought below it
-constexpr double most_blown_up =
+constexpr double max_blown_up =
     1.06;  // of a hull: its corners then stand out by 1.5 % of its half size
 constexpr double of_one_piece = 0.8;  // of the tolerance: what a primitive may miss
 
-constexpr std::size_t most_hull_points = 64;  // what MuJoCo's documentation advises for contact
+constexpr std::size_t max_hull_points = 64;  // what MuJoCo's documentation advises for contact
 
 // Shares of a size.
 constexpr float nearly_round = 0.04F;  // by which the axes of a cylinder's section may differ
@@ -72,7 +72,7 @@ std::vector<ContactPiece> primitives_for(const Bounds3& bounds, bool may_roll) {
 
 ContactPiece hull_of(const MeshPart& part) {
   ContactPiece piece = primitive_in(part.bounds, PieceShape::hull);
-  for (const std::uint32_t i : hull_points(part.hull_points, most_hull_points))
+  for (const std::uint32_t i : hull_points(part.hull_points, max_hull_points))
     piece.points.push_back(part.hull_points[i]);
   return piece;
 }
@@ -126,7 +126,7 @@ class Cutting {
     for (std::size_t i = 1; i < parts_.size(); ++i) {
       if (gain(i) > gain(best)) best = i;
     }
-    if (gain(best) < least_gain * total_) return false;
+    if (gain(best) < min_gain * total_) return false;
     replace(best, split(parts_[best], solid_, cuts_[best]));
     return true;
   }
@@ -144,7 +144,7 @@ class Cutting {
         quarters.push_back(std::move(quarter));
       }
     }
-    if ((excess_of(parts_[0]) - left) / 3 <= std::max(gain(0), least_gain * total_)) return;
+    if ((excess_of(parts_[0]) - left) / 3 <= std::max(gain(0), min_gain * total_)) return;
     parts_.clear();
     cuts_.clear();
     for (MeshPart& quarter : quarters)
@@ -261,7 +261,7 @@ void correct_volume(std::vector<ContactPiece>& pieces,
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     double volume = volume_of(pieces[i]);
     if (pieces[i].shape == PieceShape::hull && volume < volumes[i]) {
-      const double share = std::min(volumes[i] / volume, most_blown_up);
+      const double share = std::min(volumes[i] / volume, max_blown_up);
       widen(pieces[i], share);
       volume *= share;
     }
@@ -317,7 +317,7 @@ std::vector<ContactPiece> contact_pieces(const Mesh& mesh,
     add(foot.piece, below.volume);
     rest = std::move(above);
   }
-  const int most = limits.most_pieces - static_cast<int>(pieces.size());
+  const int most = limits.max_pieces - static_cast<int>(pieces.size());
   std::vector<MeshPart> parts = cut_apart(std::move(rest), solid, most, enough);
   std::stable_sort(parts.begin(), parts.end(), [](const MeshPart& a, const MeshPart& b) {
     return a.bounds.low.z < b.bounds.low.z;

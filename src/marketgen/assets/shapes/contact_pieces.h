@@ -13,7 +13,7 @@
 namespace marketgen {
 
 struct PieceLimits {
-  int most_pieces = 6;
+  int max_pieces = 6;
   double tolerance = 0.05;  // by how much of the volume the pieces may miss it
   bool stands = true;       // rests on its base: the lowest piece gets a flat foot
 };

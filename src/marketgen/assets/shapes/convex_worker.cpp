@@ -7,20 +7,20 @@
 namespace marketgen {
 namespace {
 
-constexpr std::size_t most_triangles = 200'000;
+constexpr std::size_t max_triangles = 200'000;
 constexpr double weld_m = 1e-6;
 
 struct PiecesRequest {
   std::vector<float> positions;
   std::vector<std::uint32_t> triangles;
   double threshold = 0.05;  // CoACD's own default concavity: 0.01 fine, 1 one hull
-  int most_pieces = 16, most_points = 64;
+  int max_pieces = 16, max_points = 64;
   static constexpr auto fields =
       field_list(field("positions", &PiecesRequest::positions, "x, y, z of each vertex"),
                  field("triangles", &PiecesRequest::triangles, "three vertices each"),
                  field("threshold", &PiecesRequest::threshold, "concavity that is left"),
-                 field("most_pieces", &PiecesRequest::most_pieces, "pieces"),
-                 field("most_points", &PiecesRequest::most_points, "points of a piece"));
+                 field("max_pieces", &PiecesRequest::max_pieces, "pieces"),
+                 field("max_points", &PiecesRequest::max_points, "points of a piece"));
 };
 
 struct PiecesAnswer {
@@ -44,7 +44,7 @@ PiecesRequest request_of(const Mesh& mesh) {
 }  // namespace
 
 Result<std::vector<std::vector<Vec3f>>> convex_pieces(const Mesh& mesh) {
-  if (mesh.triangles.size() > most_triangles)
+  if (mesh.triangles.size() > max_triangles)
     return Error{"input.too_large", "mesh", "has more than 200,000 triangles"};
   MARKETGEN_TRY(const std::string answer,
                 run_worker("convex_pieces", write_json_line(request_of(mesh)), 120));

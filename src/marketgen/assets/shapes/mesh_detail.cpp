@@ -18,12 +18,12 @@ constexpr float crease_cos =
     0.55F;                      // of the coarse mesh: the sides of a twelve-sided can are smooth
 constexpr float any_error = 1;  // the limits decide, not meshoptimizer's error
 // To bring a body's bounds back; more means that a part of it was lost.
-constexpr float most_stretch = 0.04F, most_stretch_of_small = 0.4F;
-constexpr float least_size_m = 1e-6F;
-constexpr float more_triangles = 1.4F;    // on another try
-constexpr std::size_t least_of_body = 8;  // triangles
-constexpr double small_share = 0.12;      // of the pack's volume: a body with less is a small one
-constexpr float speck_share = 0.04F;      // of the pack's size: smaller bodies may vanish
+constexpr float max_stretch = 0.04F, max_stretch_of_small = 0.4F;
+constexpr float min_size_m = 1e-6F;
+constexpr float more_triangles = 1.4F;  // on another try
+constexpr std::size_t min_of_body = 8;  // triangles
+constexpr double small_share = 0.12;    // of the pack's volume: a body with less is a small one
+constexpr float speck_share = 0.04F;    // of the pack's size: smaller bodies may vanish
 
 float greatest_size(const Bounds3& bounds) {
   const Vec3f size = bounds.size();
@@ -126,7 +126,7 @@ WedgeIndices fewer_across_seams(const MeshWedges& wedges,
 // Stretches the mesh to these bounds; false when it would take more than that share.
 bool fit_to(Mesh& mesh, const Bounds3& wanted, float share) {
   const Vec3f have = bounds_of(mesh).size(), want = wanted.size();
-  if (std::min({have.x, have.y, have.z}) < least_size_m) return false;
+  if (std::min({have.x, have.y, have.z}) < min_size_m) return false;
   const Vec3f scale{want.x / have.x, want.y / have.y, want.z / have.z};
   if (std::max({scale.x, scale.y, scale.z}) > 1 + share) return false;
   const Vec3f low = bounds_of(mesh).low;
@@ -151,7 +151,7 @@ class Coarsener {
     const bool small = body.volume < small_share * pack_volume_;
     std::size_t target =
         small ? fine.size() * triangles / wedges_.indices.size() : rough.size() / 3;
-    target = std::max(target, least_of_body);
+    target = std::max(target, min_of_body);
     std::optional<Mesh> mesh;
     if (!small) mesh = within_limits(rough, body, small);
     for (; !mesh && target < fine.size() / 3; target = next_target(target)) {
@@ -175,8 +175,7 @@ class Coarsener {
                                     bool small) const {
     if (coarse.empty() || !is_closed(wedges_, coarse)) return std::nullopt;
     Mesh mesh = mesh_of(wedges_, coarse);
-    if (!fit_to(mesh, body.bounds, small ? most_stretch_of_small : most_stretch))
-      return std::nullopt;
+    if (!fit_to(mesh, body.bounds, small ? max_stretch_of_small : max_stretch)) return std::nullopt;
     const double may_lose = (small ? limits_.small_loss : limits_.loss) * std::abs(body.volume);
     if (std::abs(volume_of(mesh) - body.volume) > may_lose || !is_watertight(mesh))
       return std::nullopt;

@@ -12,7 +12,7 @@ namespace {
 
 // Directions in which a hull's points are sought: to compare cuts, and of the parts that were made.
 constexpr std::size_t few = 64, many = 320;
-constexpr int most_slabs = 24;  // cuts that are tried along one axis, and one more
+constexpr int max_slabs = 24;  // cuts that are tried along one axis, and one more
 
 // The directions to both sides along each axis, and others spread evenly over the sphere.
 template <std::size_t count>
@@ -148,12 +148,12 @@ Planes planes_of(const MeshPart& part, const Solid& solid, CutAxis axis) {
   Planes planes;
   if (axis == CutAxis::z) {
     const float low = part.bounds.low.z, span = part.bounds.high.z - low;
-    for (int i = 0; i <= most_slabs; ++i)
-      planes.places.push_back(low + span * static_cast<float>(i) / most_slabs);
+    for (int i = 0; i <= max_slabs; ++i)
+      planes.places.push_back(low + span * static_cast<float>(i) / max_slabs);
     return planes;
   }
   const Solid::Range range = axis == CutAxis::x ? part.box.x : part.box.y;
-  const int slabs = std::min(most_slabs, range.last - range.first);
+  const int slabs = std::min(max_slabs, range.last - range.first);
   for (int i = 0; i <= slabs; ++i) {
     const int column = range.first + (range.last - range.first) * i / std::max(slabs, 1);
     planes.columns.push_back(column);

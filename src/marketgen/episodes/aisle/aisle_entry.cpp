@@ -30,7 +30,7 @@ class AisleEntry : public TrackEntry {
       asked += goal.count;
     return asked;
   }
-  int max_items() const override { return most_goals; }
+  int max_items() const override { return max_goals; }
 };
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array standing_m{0.70, 0.65, 0.75, 0.60, 0.80};  // from the product's front
 constexpr std::array beside_m{0.30, -0.30, 0.0};
-constexpr std::size_t most_places = 6;      // of a SKU that are looked at
+constexpr std::size_t max_places = 6;       // of a SKU that are looked at
 constexpr double driving_opening_m = 0.06;  // of its grippers
 constexpr double unreachable = std::numeric_limits<double>::infinity();
 
@@ -90,7 +90,7 @@ std::optional<PointMm> AisleStore::standing_place(std::uint32_t product) const {
 
 double AisleStore::room_behind_m(const Pose& world_from_base) const {
   constexpr double step_m = 0.04;
-  for (double back = most_back_off_m; back > step_m / 2; back -= step_m) {
+  for (double back = max_back_off_m; back > step_m / 2; back -= step_m) {
     const Pose there = world_from_base * Pose{{-back, 0, 0}, {}};
     if (ways.space().free(floor_point_mm(axle_of(robot, there)))) return back;
   }
@@ -134,7 +134,7 @@ std::vector<PointMm> AisleStore::standing_places(const std::string& sku) const {
   for (const std::uint32_t row : front_items(sku)) {
     if (!facings.insert(scene.products[row].facing).second) continue;
     if (const auto place = standing_place(row)) places.push_back(*place);
-    if (places.size() == most_places) break;
+    if (places.size() == max_places) break;
   }
   return places;
 }

@@ -13,7 +13,7 @@
 
 namespace marketgen {
 
-constexpr double most_back_off_m = 0.30;  // from a shelf, with an item in the hand
+constexpr double max_back_off_m = 0.30;  // from a shelf, with an item in the hand
 
 // Immutable; any number of worlds and threads may share it.
 struct AisleStore {
@@ -29,7 +29,7 @@ struct AisleStore {
   std::optional<PointMm> standing_place(std::uint32_t product) const;
   // Such places for all items of a SKU, at most one a facing.
   std::vector<PointMm> standing_places(const std::string& sku) const;
-  // How far it may go straight back, at most most_back_off_m.
+  // How far it may go straight back, at most max_back_off_m.
   double room_behind_m(const Pose& world_from_base) const;
   // Rows of its items that can be reached from the front, no door before them, nothing on them.
   std::vector<std::uint32_t> front_items(const std::string& sku) const;

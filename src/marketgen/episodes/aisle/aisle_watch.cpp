@@ -161,7 +161,7 @@ void AisleWatch::look(World& world,
     item.met = meets;
     item.was_held = item.was_held || item.held_by >= 0;
     if (item.held_by >= 0) item.impact_m_s = 0;
-    if (item.was_held && item.impact_m_s > most_impact_m_s) dropped_.insert(product);
+    if (item.was_held && item.impact_m_s > max_impact_m_s) dropped_.insert(product);
     follow_item(product, item, world, base);
   }
   pushes_.follow(seen.force_n, time_step_s);

@@ -224,7 +224,7 @@ Result<void> AisleWorld::know_goods(std::uint32_t product) {
 Result<bool> AisleWorld::in_place(std::uint32_t product) {
   const auto item = watch_.items().find(product);
   if (item == watch_.items().end() || item->second.touched_by >= 0 ||
-      item->second.rested_s < least_rest_s)
+      item->second.rested_s < min_rest_s)
     return false;
   MARKETGEN_CHECK(know_goods(product));
   return is_in_place(region(), item_state(product, item->second));

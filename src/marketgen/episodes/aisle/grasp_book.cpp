@@ -14,11 +14,11 @@
 namespace marketgen {
 namespace {
 
-constexpr int least_held = 2;  // of three tries
+constexpr int min_held = 2;  // of three tries
 
 bool is_holdable(const GraspRate& rate) {
   return rate.fits() && !rate.tries.empty() &&
-         rate.held() >= std::min<int>(least_held, static_cast<int>(rate.tries.size()));
+         rate.held() >= std::min<int>(min_held, static_cast<int>(rate.tries.size()));
 }
 
 std::string why_not_held(const GraspRate& rate) {
@@ -65,7 +65,7 @@ bool seals_on(const ContactShape& solid, const GraspTool& cup, const Pose& produ
 StudyOptions GraspBook::options() {
   StudyOptions options;
   options.settings = {GraspSetting::stocked};
-  options.enough_held = least_held;
+  options.enough_held = min_held;
   return options;
 }
 

@@ -16,10 +16,10 @@
 namespace marketgen {
 namespace {
 
-constexpr int most_attempts = 12;     // at an episode
-constexpr int most_skus_drawn = 200;  // at an attempt; few suit a cup
-constexpr int most_starts = 200;      // places drawn
-constexpr std::size_t most_rows = 3;  // items of a SKU that are looked at
+constexpr int max_attempts = 12;     // at an episode
+constexpr int max_skus_drawn = 200;  // at an attempt; few suit a cup
+constexpr int max_starts = 200;      // places drawn
+constexpr std::size_t max_rows = 3;  // items of a SKU that are looked at
 constexpr double drop_reach_m = 1.4;
 
 // Whether an error says no more than that an item cannot be fetched so: others may be.
@@ -58,12 +58,12 @@ Result<std::unique_ptr<AisleSampler>> AisleSampler::make(std::shared_ptr<const A
   std::size_t products = 0;
   for (const auto& [shape, of_shape] : made->shapes_)
     products += of_shape.size();
-  if (products < static_cast<std::size_t>(most_goals))
+  if (products < static_cast<std::size_t>(max_goals))
     return Error{"episode.impossible",
                  "aisle",
                  fmt::format("{} products stand within the robot's reach; at least {} are needed",
                              products,
-                             most_goals)};
+                             max_goals)};
   return made;
 }
 
@@ -156,7 +156,7 @@ Result<std::optional<WitnessPick>> AisleSampler::pick(const Product& product,
   options.posture = store_->station.posture;
   options.carried = store_->basket.walls;
   MARKETGEN_TRY(options.grasps, studied_grasps(product, book_->tool(), book_->frictions(), grasps));
-  for (std::size_t i = 0; i < std::min(rows.size(), most_rows); ++i) {
+  for (std::size_t i = 0; i < std::min(rows.size(), max_rows); ++i) {
     const auto& [way_m, row] = rows[i];
     const auto plan = plan_collect(
         store_->scene, row, store_->robot, book_->tool(), seed.child("pick", i), options);
@@ -193,7 +193,7 @@ Result<std::optional<WitnessPick>> AisleSampler::pick(const Product& product,
 
 std::optional<FloorPlace> AisleSampler::draw_start(Stream& draw) const {
   const RectMm bounds = bounds_of(floor_of(store_->scene.layout.shell));
-  for (int i = 0; i < most_starts; ++i) {
+  for (int i = 0; i < max_starts; ++i) {
     FloorPlace place{{draw.uniform(bounds.x0 * 1e-3, bounds.x1 * 1e-3),
                       draw.uniform(bounds.y0 * 1e-3, bounds.y1 * 1e-3)},
                      draw.uniform(-std::numbers::pi, std::numbers::pi)};
@@ -221,13 +221,13 @@ CategoryPlace AisleSampler::category_place(const Product& product) const {
 
 Result<std::optional<EpisodeSpec>> AisleSampler::attempt(EpisodeSpec spec, Seed seed) {
   Stream draw = seed.child("targets").stream();
-  const int wanted = draw.integer(least_goals, most_goals);
+  const int wanted = draw.integer(min_goals, max_goals);
   const auto start = draw_start(draw);
   if (!start) return std::optional<EpisodeSpec>{};
   Witness witness{axle_of(store_->robot, upright(*start)), {}, {}};
   std::set<std::string> drawn;
   std::vector<std::string> names;
-  for (int i = 0; i < most_skus_drawn && static_cast<int>(spec.goals.size()) < wanted; ++i) {
+  for (int i = 0; i < max_skus_drawn && static_cast<int>(spec.goals.size()) < wanted; ++i) {
     auto shape = shapes_.begin();
     std::advance(shape, draw.integer(0, static_cast<int>(shapes_.size()) - 1));
     const auto& of_shape = shape->second;
@@ -259,7 +259,7 @@ Result<EpisodeSpec> AisleSampler::sample(const EpisodeOrigin& origin, Seed seed,
   spec.cameras = {"head_camera"};
   spec.limit_s = store_->station.limit_s;
   spec.certificate.proved = {"path", "base", "reach", "approach", "retreat", "place"};
-  for (int number = 0; number < most_attempts; ++number) {
+  for (int number = 0; number < max_attempts; ++number) {
     MARKETGEN_TRY(std::optional<EpisodeSpec> made,
                   attempt(spec, own.child("attempt", static_cast<std::uint64_t>(number))));
     if (made) return std::move(*made);
@@ -267,7 +267,7 @@ Result<EpisodeSpec> AisleSampler::sample(const EpisodeOrigin& origin, Seed seed,
   return Error{
       "episode.impossible",
       spec.id,
-      fmt::format("in {} attempts, too few goals were found that can be fetched", most_attempts)};
+      fmt::format("in {} attempts, too few goals were found that can be fetched", max_attempts)};
 }
 
 }  // namespace marketgen

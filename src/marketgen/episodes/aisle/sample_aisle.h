@@ -14,7 +14,7 @@
 
 namespace marketgen {
 
-constexpr int least_goals = 2, most_goals = 4;
+constexpr int min_goals = 2, max_goals = 4;
 
 // For one store. Any number of threads may draw at once: an episode depends on seed and index only.
 class AisleSampler {

@@ -36,7 +36,7 @@ class CheckoutEntry : public TrackEntry {
   int items_of(const EpisodeSpec& spec) const override {
     return static_cast<int>(spec.items.size());
   }
-  int max_items() const override { return most_targets + most_others; }
+  int max_items() const override { return max_targets + max_others; }
 };
 
 }  // namespace

@@ -42,9 +42,9 @@ HoldsPoint where_goods_belong(const CheckoutStation& station, const Pose& statio
 EpisodeOutcome judge_checkout(const HoldsPoint& region,
                               const std::vector<EpisodeGoal>& goals,
                               const std::vector<ItemState>& items,
-                              double most_basket_tilt_deg) {
+                              double max_basket_tilt_deg) {
   EpisodeOutcome outcome = judge(region, goals, items);
-  outcome.is_void = most_basket_tilt_deg > most_tilt_deg;
+  outcome.is_void = max_basket_tilt_deg > max_tilt_deg;
   if (outcome.is_void) outcome.hits = 0;
   return outcome;
 }

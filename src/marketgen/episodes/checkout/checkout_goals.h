@@ -7,7 +7,7 @@
 
 namespace marketgen {
 
-constexpr double most_tilt_deg = 15;
+constexpr double max_tilt_deg = 15;
 
 // The basket where it stands now.
 struct PlacedBasket {
@@ -26,6 +26,6 @@ HoldsPoint where_goods_belong(const CheckoutStation& station, const Pose& statio
 EpisodeOutcome judge_checkout(const HoldsPoint& region,
                               const std::vector<EpisodeGoal>& goals,
                               const std::vector<ItemState>& items,
-                              double most_basket_tilt_deg);
+                              double max_basket_tilt_deg);
 
 }  // namespace marketgen

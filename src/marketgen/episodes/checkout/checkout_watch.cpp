@@ -98,7 +98,7 @@ void CheckoutWatch::look(const CheckoutModel& model, const mjData& data) {
     Item& item = items_[i];
     const bool flew = !item.met && !item.touched;
     if (flew && seen.met[i]) item.impact_m_s = std::max(item.impact_m_s, item.speed_m_s);
-    item.dropped = item.dropped || item.impact_m_s > most_impact_m_s;
+    item.dropped = item.dropped || item.impact_m_s > max_impact_m_s;
     item.touched = seen.fingers[i][0] || seen.fingers[i][1];
     item.held = seen.fingers[i][0] && seen.fingers[i][1];
     item.met = seen.met[i];

@@ -134,7 +134,7 @@ HoldsPoint CheckoutWorld::region() const {
 
 bool CheckoutWorld::in_place(std::size_t item) const {
   const CheckoutWatch::Item& seen = watch_.items()[item];
-  if (seen.touched || seen.rested_s < least_rest_s) return false;  // before its volume is looked at
+  if (seen.touched || seen.rested_s < min_rest_s) return false;  // before its volume is looked at
   return is_in_place(region(), item_state(item));
 }
 

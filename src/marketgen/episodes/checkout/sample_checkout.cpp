@@ -12,16 +12,16 @@
 namespace marketgen {
 namespace {
 
-constexpr int most_baskets = 20;    // drawn until enough stays in
+constexpr int max_baskets = 20;     // drawn until enough stays in
 constexpr double settle_s = 1.5;    // in the station, with the basket free
 constexpr double still_m_s = 0.01;  // at the end of it
-constexpr double most_overlap_m = 0.002;
+constexpr double max_overlap_m = 0.002;
 
 // ---- What the gripper can be expected to hold ----
 // Flat goods: a finger of 16 mm and its room fit between a pack and the wall only over the ledge,
 // so that the pads' lower ends, 21 mm under the pack's upper side, must stand 16 mm over the floor.
 constexpr int widest_mm = 68, flattest_mm = 37, longest_mm = 255;
-constexpr int least_round_mm = 55;  // smaller ones have a low yield
+constexpr int min_round_mm = 55;  // smaller ones have a low yield
 constexpr double heaviest_kg = 1.0;
 
 // One of the shapes, then one of its products that is not taken yet.
@@ -53,11 +53,11 @@ class CheckoutSampler {
   Result<std::optional<EpisodeSpec>> attempt(EpisodeSpec spec, int number) {
     Stream draw = seed_.child("basket", static_cast<std::uint64_t>(number)).stream();
     const auto kinds = static_cast<int>(stock_.size());
-    const int targets = std::min(draw.integer(least_targets, most_targets), std::max(1, kinds / 3));
-    const int others = std::min(draw.integer(least_others, most_others), kinds - targets);
+    const int targets = std::min(draw.integer(min_targets, max_targets), std::max(1, kinds / 3));
+    const int others = std::min(draw.integer(min_others, max_others), kinds - targets);
     const std::vector<const Product*> drawn = draw_products(targets + others, draw);
     MARKETGEN_CHECK(pour(drawn, seed_.child("pour", static_cast<std::uint64_t>(number)), spec));
-    if (static_cast<int>(spec.items.size()) < targets + std::min(others, least_others))
+    if (static_cast<int>(spec.items.size()) < targets + std::min(others, min_others))
       return std::optional<EpisodeSpec>{};
     std::vector<std::string> names;
     for (int i = 0; i < targets; ++i) {
@@ -75,8 +75,8 @@ class CheckoutSampler {
  private:
   std::vector<const Product*> draw_products(int count, Stream& draw) const {
     std::vector<const Product*> drawn;
-    constexpr int most_draws = 1000;
-    for (int i = 0; i < most_draws && static_cast<int>(drawn.size()) < count; ++i) {
+    constexpr int max_draws = 1000;
+    for (int i = 0; i < max_draws && static_cast<int>(drawn.size()) < count; ++i) {
       if (const Product* product = draw_product(shapes_, drawn, draw)) drawn.push_back(product);
     }
     return drawn;
@@ -127,7 +127,7 @@ class CheckoutSampler {
       if (!in || world_.watch().items()[i].speed_m_s > still_m_s) return false;
       spec.items[i] = item_at(spec.items[i].sku, pose);
     }
-    return world_.deepest_overlap_m() <= most_overlap_m;
+    return world_.deepest_overlap_m() <= max_overlap_m;
   }
 
   // Empty when no way through is found.
@@ -159,7 +159,7 @@ CheckoutRefusal checkout_refusal(const Product& product) {
   if (product.rigidity == Rigidity::soft) return CheckoutRefusal::soft;
   if (product.mass_kg > heaviest_kg) return CheckoutRefusal::too_heavy;
   if (size[1] > widest_mm) return CheckoutRefusal::too_wide;
-  if (round && size[0] < least_round_mm) return CheckoutRefusal::small_round;
+  if (round && size[0] < min_round_mm) return CheckoutRefusal::small_round;
   if (size[0] < flattest_mm) return CheckoutRefusal::too_flat;
   if (size[2] > longest_mm) return CheckoutRefusal::too_long;
   return fits_in(checkout_basket, product) ? CheckoutRefusal::none : CheckoutRefusal::too_large;
@@ -191,14 +191,14 @@ Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
                                     Seed seed,
                                     int index,
                                     const CheckoutCertifier& certify) {
-  if (stock.size() < least_stock)
+  if (stock.size() < min_stock)
     return Error{"episode.impossible",
                  origin.store,
                  fmt::format("of what the store offers, the gripper can take {} products out of a "
                              "basket; at least {} are needed: give it more kinds of boxes, cans or "
                              "bottles",
                              stock.size(),
-                             least_stock)};
+                             min_stock)};
   MARKETGEN_TRY(CheckoutWorld world, CheckoutWorld::create(data, frictions));
   const Seed own = seed.child("checkout", static_cast<std::uint64_t>(index));
   EpisodeSpec spec = begun_spec("checkout", origin, seed, index, own);
@@ -206,7 +206,7 @@ Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
   spec.cameras = {"scene", "wrist"};
   spec.limit_s = world.station().limit_s;
   CheckoutSampler sampler(stock, frictions, world, certify, own);
-  for (int number = 0; number < most_baskets; ++number) {
+  for (int number = 0; number < max_baskets; ++number) {
     MARKETGEN_TRY(std::optional<EpisodeSpec> made, sampler.attempt(spec, number));
     if (made) return std::move(*made);
   }
@@ -214,7 +214,7 @@ Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
       "episode.impossible",
       spec.id,
       fmt::format("in {} baskets drawn, too few goods stayed inside, or could be taken out again",
-                  most_baskets)};
+                  max_baskets)};
 }
 
 }  // namespace marketgen

@@ -15,10 +15,10 @@
 
 namespace marketgen {
 
-constexpr int least_targets = 2, most_targets = 4;
-constexpr int least_others = 4, most_others = 8;
-// Kinds of goods; baskets of stores with fewer than most_targets + most_others are smaller.
-constexpr std::size_t least_stock = 2;
+constexpr int min_targets = 2, max_targets = 4;
+constexpr int min_others = 4, max_others = 8;
+// Kinds of goods; baskets of stores with fewer than max_targets + max_others are smaller.
+constexpr std::size_t min_stock = 2;
 
 // Why the Panda cannot be expected to hold a product as it lies in the basket; measured
 // (docs/episodes.md). The first that applies.

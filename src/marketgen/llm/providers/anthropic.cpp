@@ -21,7 +21,7 @@ WireJson anthropic_content(const ChatTurn& turn) {
 }  // namespace
 
 HttpRequest anthropic_request(const ProviderCall& call) {
-  WireJson body{{"model", call.model}, {"max_tokens", call.request.most_tokens}};
+  WireJson body{{"model", call.model}, {"max_tokens", call.request.max_tokens}};
   if (!call.request.system.empty()) body["system"] = call.request.system;
   if (call.temperature) body["temperature"] = 0;
   WireJson messages = WireJson::array();

@@ -25,7 +25,7 @@ HttpRequest gemini_request(const ProviderCall& call) {
     contents.push_back({{"role", role}, {"parts", gemini_parts(turn)}});
   }
   body["contents"] = std::move(contents);
-  WireJson config{{"maxOutputTokens", call.request.most_tokens}};
+  WireJson config{{"maxOutputTokens", call.request.max_tokens}};
   if (call.temperature) config["temperature"] = 0;
   if (call.wants_schema()) {
     config["responseMimeType"] = "application/json";

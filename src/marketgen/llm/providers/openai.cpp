@@ -33,7 +33,7 @@ WireJson openai_messages(const ChatRequest& request) {
 HttpRequest openai_request(const ProviderCall& call) {
   WireJson body{{"model", call.model}, {"messages", openai_messages(call.request)}};
   // OpenAI's reasoning models know only the newer name, older servers of others only the older.
-  body[call.own_server ? "max_completion_tokens" : "max_tokens"] = call.request.most_tokens;
+  body[call.own_server ? "max_completion_tokens" : "max_tokens"] = call.request.max_tokens;
   if (call.temperature) body["temperature"] = 0;
   if (call.wants_schema()) {
     body["response_format"] = {{"type", "json_schema"},

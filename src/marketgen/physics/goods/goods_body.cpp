@@ -35,7 +35,7 @@ GoodsForm form_of(const Product& product, const ProductBody& pack, GoodsUse use)
   if (lies_as_balls(product)) return GoodsForm::ball;
   if (product.category == "produce") return GoodsForm::produce;
   if (product.stack_max > 1) return GoodsForm::stacked;
-  if (static_cast<int>(pack.pieces.size()) > PieceLimits{}.most_pieces)
+  if (static_cast<int>(pack.pieces.size()) > PieceLimits{}.max_pieces)
     return GoodsForm::many_pieces;
   return steady(pack) ? GoodsForm::pieces : GoodsForm::unsteady;
 }

@@ -17,12 +17,12 @@ constexpr char bulk_where[] = "bulk settling";
 constexpr mjtSize bulk_arena_bytes = 256U << 20;
 constexpr double fall_m = 0.02;  // from above the rim, and above what lies highest
 // Rotations drawn until the pack would fall between the walls and not on them.
-constexpr int most_draws = 20;
+constexpr int max_draws = 20;
 // Where packs wait for their turn, and are taken to when they spill: beyond anything's reach.
 constexpr double waiting_x_m = 10, waiting_apart_m = 4, waiting_z_m = 3;
 
-constexpr PourRules bulk_rules{.least_pause_s = 0.25,
-                               .most_pause_s = most_pour_s,
+constexpr PourRules bulk_rules{.min_pause_s = 0.25,
+                               .max_pause_s = max_pour_s,
                                .settle_s = 0.5,
                                .rest_m_s = 0.01,
                                .rest_steps = 50};
@@ -36,7 +36,7 @@ class BulkSettling {
     MARKETGEN_TRY(const MujocoModel model, make_model());
     MARKETGEN_TRY(const MujocoData data, make_data(*model, bulk_where));
     PourRules rules = bulk_rules;
-    rules.longest_s = most_pour_s * static_cast<double>(items_.size()) + most_rest_s;
+    rules.longest_s = max_pour_s * static_cast<double>(items_.size()) + max_rest_s;
     Pour pour(*model, *data, poured_bodies(), rules);
     hang(*model, *data, 0);
     while (!pour.over()) {
@@ -83,7 +83,7 @@ class BulkSettling {
     Stream draw = seed_.child("bulk", index).stream();
     Quaternion turned;
     Vec3 half, room;
-    for (int i = 0; i < most_draws; ++i) {
+    for (int i = 0; i < max_draws; ++i) {
       turned = any_rotation(draw);
       half = turned_half_extents(product, turned);
       room = {container_.top_x_m / 2 - half.x, container_.top_y_m / 2 - half.y, 0};
@@ -152,11 +152,11 @@ Result<SettledBulk> settle_bulk(const OpenContainer& container,
                                 const std::vector<SharedGoodsBody>& items,
                                 Seed seed) {
   MARKETGEN_CHECK(check_container(container));
-  if (items.size() > most_bulk_items)
+  if (items.size() > max_bulk_items)
     return Error{
         "physics.bad_command",
         "items",
-        fmt::format("{} items; at most {} are poured at a time", items.size(), most_bulk_items)};
+        fmt::format("{} items; at most {} are poured at a time", items.size(), max_bulk_items)};
   for (const SharedGoodsBody& item : items)
     MARKETGEN_CHECK(check_has_body(item->product, item->body));
   if (items.empty()) return SettledBulk{.items = {}, .rests = true};

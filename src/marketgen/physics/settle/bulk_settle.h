@@ -57,12 +57,12 @@ struct SettledBulk {
   double simulated_s = 0;
 };
 
-constexpr std::size_t most_bulk_items = 200;
+constexpr std::size_t max_bulk_items = 200;
 // Of the simulation: so much for each item, and once at the end.
-constexpr double most_pour_s = 2.0, most_rest_s = 6.0;
+constexpr double max_pour_s = 2.0, max_rest_s = 6.0;
 
 // Errors: physics.bad_command for a container that is not finite, has no room inside, or for more
-// items than `most_bulk_items`; catalog.bad_row for a product without mass or size; physics.failed.
+// items than `max_bulk_items`; catalog.bad_row for a product without mass or size; physics.failed.
 // Packs that do not fit spill: no error. No item: an empty result that rests.
 Result<SettledBulk> settle_bulk(const OpenContainer& container,
                                 const std::vector<SharedGoodsBody>& items,

@@ -16,13 +16,13 @@ namespace marketgen {
 namespace {
 
 constexpr double widest_m = 1.0;  // of the footprint
-constexpr int most_across = 7, most_deep = 9, layers = 3;
+constexpr int max_across = 7, max_deep = 9, layers = 3;
 constexpr double spread = 1.04;  // of a piece: room that it takes in the tray
 constexpr double wall_half_m = 0.02;
 // Pieces press into the walls by less than this. The footprint is so much wider on every side, for
 // heaps are laid side by side.
 constexpr int wall_gives_mm = 1;
-constexpr PourRules heap_rules{.least_pause_s = 0.5, .most_pause_s = 0.5, .settle_s = 1};
+constexpr PourRules heap_rules{.min_pause_s = 0.5, .max_pause_s = 0.5, .settle_s = 1};
 constexpr char heap_where[] = "heap";
 
 struct Tray {
@@ -35,7 +35,7 @@ struct Tray {
 Tray tray_for(const Product& product) {
   const double piece = std::max({product.width_m(), product.depth_m(), product.height_m()});
   const int fit = std::max(2, static_cast<int>(widest_m / (piece * spread)));
-  return {piece, std::min(most_across, fit), std::min(most_deep, fit)};
+  return {piece, std::min(max_across, fit), std::min(max_deep, fit)};
 }
 
 class HeapBuilder {

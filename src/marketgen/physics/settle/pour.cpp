@@ -48,9 +48,9 @@ Result<void> Pour::step(const std::string& where) {
 
 void Pour::begin_turns() {
   if (turn_ == last_turn_) return;
-  if (data_.time >= turn_began_s_ + rules_.most_pause_s) {
-    turn_began_s_ += rules_.most_pause_s;
-  } else if (data_.time >= turn_began_s_ + rules_.least_pause_s && rests()) {
+  if (data_.time >= turn_began_s_ + rules_.max_pause_s) {
+    turn_began_s_ += rules_.max_pause_s;
+  } else if (data_.time >= turn_began_s_ + rules_.min_pause_s && rests()) {
     turn_began_s_ = data_.time;
   } else {
     return;

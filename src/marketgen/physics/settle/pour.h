@@ -21,7 +21,7 @@ struct PouredBody {
 
 struct PourRules {
   // The next turn begins when this time has passed and all that was let go rests, or at the latest.
-  double least_pause_s = 0.5, most_pause_s = 0.5;
+  double min_pause_s = 0.5, max_pause_s = 0.5;
   double settle_s = 1;     // after the last turn began, at least
   double longest_s = 4;    // in all
   double rest_m_s = 0.01;  // what is slower rests,

@@ -31,8 +31,7 @@ std::vector<std::uint32_t> products_in(const Scene& scene, const SettleOptions& 
     found.emplace_back(dot(offset, offset), row);
   }
   std::ranges::sort(found);
-  found.resize(
-      std::min(found.size(), static_cast<std::size_t>(std::max(0, options.most_products))));
+  found.resize(std::min(found.size(), static_cast<std::size_t>(std::max(0, options.max_products))));
   std::vector<std::uint32_t> rows;
   for (const auto& [distance, row] : found)
     rows.push_back(row);

@@ -11,7 +11,7 @@ namespace marketgen {
 
 struct SettleOptions {
   std::array<double, 4> region_m{};  // x0, y0, x1, y1
-  int most_products = 200;           // nearest to the region's centre first
+  int max_products = 200;            // nearest to the region's centre first
   double settle_s = 1, watch_s = 3;  // drift is counted over both
 };
 

@@ -15,7 +15,7 @@ namespace {
 
 // Fingers press flat what lies behind the seal: the wedge there has little in it. A Panda's pad is
 // as long.
-constexpr double flap_reach_m = 0.020, most_of_length = 0.15;
+constexpr double flap_reach_m = 0.020, max_of_length = 0.15;
 constexpr double longest_seam = 0.35;  // of the pack: a longer one is no flap
 constexpr double at_end_m = 0.002;     // as near to the box's end is at it
 // Two layers of laminate are 0.3 mm; a finger at 0.1 m/s would come out on the far side of a box as
@@ -43,7 +43,7 @@ constexpr double flap_limit_rad = 1.7;  // lies back on the pack
 // sixteen times as many, which takes 50 ms.
 constexpr int mass_columns = 40;
 // Each half has at least this share, however much lies at one end.
-constexpr double least_share = 0.15;
+constexpr double min_share = 0.15;
 // The spring bears so many times the moment with which the heavier half weighs on the hinge when
 // the pack is held level by the other: it then sags by a quarter of a radian, 14 degrees. Less than
 // once, and a standing bag would fold under its own weight.
@@ -105,7 +105,7 @@ std::optional<EndSeam> seam_of(const ProductModel& model) {
 
 // Where along the pack the flap begins, counted from its middle towards the seam.
 double flap_root(const EndSeam& seam, double half_length) {
-  const double reach = std::min(flap_reach_m, most_of_length * 2 * half_length);
+  const double reach = std::min(flap_reach_m, max_of_length * 2 * half_length);
   return half_length - std::max(2 * along(seam.half, seam.axis), reach);
 }
 
@@ -131,7 +131,7 @@ std::array<SoftPart, SoftPack::part_count> parts_of(const EndSeam& seam,
   const double rest = mass - flap.mass_kg;
   const double flap_at = (root + end) / 2, base_at = -end + length / 4;
   const double moment = mass * middle - flap.mass_kg * flap_at - rest * base_at;
-  top.mass_kg = std::clamp(moment / (length / 2), least_share * mass, rest - least_share * mass);
+  top.mass_kg = std::clamp(moment / (length / 2), min_share * mass, rest - min_share * mass);
   base.mass_kg = rest - top.mass_kg;
   return {base, top, flap};
 }

@@ -9,7 +9,7 @@ namespace marketgen {
 namespace {
 
 constexpr int cylinder_sides = 16;
-constexpr double least_piece_m = 0.001;  // MuJoCo refuses flat meshes
+constexpr double min_piece_m = 0.001;  // MuJoCo refuses flat meshes
 constexpr double endless = std::numeric_limits<double>::max();
 
 // Unit, from the base towards the flap.
@@ -59,7 +59,7 @@ bool long_enough(const PieceCorners& corners, Vec3 way) {
   double least = endless, most = -endless;
   for (const Vec3& corner : corners)
     least = std::min(least, dot(way, corner)), most = std::max(most, dot(way, corner));
-  return most - least >= least_piece_m;
+  return most - least >= min_piece_m;
 }
 
 }  // namespace

@@ -155,21 +155,21 @@ void let_go(mjData& data, const LipPoints& lip) {
 
 bool LipLoad::breaks(
     const mjData& d, const LipPoints& lip, Vec3 ahead, double pull_n, double friction) {
-  double most_pull = 0, pull = 0;
+  double max_pull = 0, pull = 0;
   Vec3 shear{};
   for (const int point : lip) {
     for (int row = 0; row < d.nefc; ++row) {
       if (d.efc_type[row] != mjCNSTR_EQUALITY || d.efc_id[row] != point) continue;
       const Vec3 on_cup = vector_at(d.efc_force + row);  // world axes
       const double along = dot(on_cup, ahead);
-      most_pull = std::max(most_pull, along);
+      max_pull = std::max(max_pull, along);
       pull += along;
       shear += on_cup - ahead * along;
       break;  // its other two rows follow
     }
   }
   const bool over =
-      most_pull > pull_n / 3 || length(shear) > friction * std::max(0.0, pull_n - pull);
+      max_pull > pull_n / 3 || length(shear) > friction * std::max(0.0, pull_n - pull);
   steps_ = over ? steps_ + 1 : 0;
   return steps_ >= patience_steps;
 }

@@ -7,7 +7,7 @@ namespace {
 
 // A mover is looked round as far as it goes in ten steps, at least so far; and again when it has
 // gone half of that.
-constexpr double steps_ahead = 10, least_round_m = 0.006, most_round_m = 0.06, spent_share = 0.5;
+constexpr double steps_ahead = 10, min_round_m = 0.006, max_round_m = 0.06, spent_share = 0.5;
 // Added to the boxes of the tree, so that rounding there never decides about a contact.
 constexpr double box_slack_m = 1e-6;
 
@@ -44,7 +44,7 @@ void NearTree::follow(int mover, const Box3& box) {
   Mover& here = movers_[static_cast<std::size_t>(mover)];
   const double way = here.known ? length(box.low - here.box.low) : 0;
   here.box = box;
-  const double round = std::clamp(steps_ahead * way, least_round_m, most_round_m);
+  const double round = std::clamp(steps_ahead * way, min_round_m, max_round_m);
   if (here.known && within(grown(box, spent_share * here.round_m), here.looked_in)) return;
   here.known = true;
   here.round_m = round;

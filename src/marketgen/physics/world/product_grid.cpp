@@ -6,11 +6,11 @@
 namespace marketgen {
 namespace {
 
-constexpr double cell_m = 0.3;      // a few facings wide
-constexpr double most_cells = 1e6;  // far outside any store: keeps the indices small
+constexpr double cell_m = 0.3;     // a few facings wide
+constexpr double max_cells = 1e6;  // far outside any store: keeps the indices small
 
 int cell(double at) {
-  return static_cast<int>(std::floor(std::clamp(at / cell_m, -most_cells, most_cells)));
+  return static_cast<int>(std::floor(std::clamp(at / cell_m, -most_cells, max_cells)));
 }
 std::int64_t key(int x, int y) {
   return (std::int64_t{x} << 32) ^ static_cast<std::uint32_t>(y);

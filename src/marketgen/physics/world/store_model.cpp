@@ -26,10 +26,10 @@ constexpr double bubble_sleep_below_m_s = 1e-3;
 constexpr double flap_hook_impedance = 0.999;
 constexpr double pool_depth_m = -100;  // where bodies of the pool wait until first used
 // Of a body of the pool until it is first used.
-const int pieces_a_body = PieceLimits{}.most_pieces;
+const int pieces_a_body = PieceLimits{}.max_pieces;
 const ContactShape blank_piece{CollisionShape::box, {}, {0.05, 0.05, 0.05}};
-constexpr int most_pool = 1024, most_soft_pool = 256;
-constexpr double most_friction = 2;  // as in a FrictionRow
+constexpr int max_pool = 1024, max_soft_pool = 256;
+constexpr double max_friction = 2;  // as in a FrictionRow
 
 using Region = std::array<double, 4>;
 
@@ -262,24 +262,24 @@ class StoreBuilder {
 };
 
 Result<void> check_options(const WorldOptions& options) {
-  if (options.pool < 1 || options.pool > most_pool)
+  if (options.pool < 1 || options.pool > max_pool)
     return bad_option("pool",
-                      fmt::format("{} bodies; 1 to {} are possible", options.pool, most_pool));
-  if (options.soft_pool < 0 || options.soft_pool > most_soft_pool)
+                      fmt::format("{} bodies; 1 to {} are possible", options.pool, max_pool));
+  if (options.soft_pool < 0 || options.soft_pool > max_soft_pool)
     return bad_option(
         "soft_pool",
-        fmt::format("{} bodies; 0 to {} are possible", options.soft_pool, most_soft_pool));
+        fmt::format("{} bodies; 0 to {} are possible", options.soft_pool, max_soft_pool));
   if (!(options.wake_within_m >= 0 && options.wake_within_m <= 0.5))
     return bad_option("wake_within_m",
                       fmt::format("{} m; 0 to 0.5 are possible", options.wake_within_m));
   for (const FrictionRow& row : options.frictions) {
-    if (!(row.sliding > 0 && row.sliding <= most_friction))
+    if (!(row.sliding > 0 && row.sliding <= max_friction))
       return bad_option("frictions",
                         fmt::format("{} on {}: {}; more than 0 and at most {} are possible",
                                     row.a,
                                     row.b,
                                     row.sliding,
-                                    most_friction));
+                                    max_friction));
   }
   for (const WorldCup& cup : options.cups) {
     const bool sized = cup.radius_m > 0 && cup.seal_depth_m >= 0 && cup.pull_n >= 0;

@@ -27,7 +27,7 @@ class RoundingMode {
   unsigned saved_;
 };
 
-constexpr int most_steps = 100'000'000;  // in one call: 55 simulated hours
+constexpr int max_steps = 100'000'000;  // in one call: 55 simulated hours
 
 Error bad_command(const std::string& where, const std::string& message) {
   return {"physics.bad_command", "World::" + where, message};
@@ -61,8 +61,8 @@ bool unit(Pose& pose) {
 // Within the box around the store, from the floor to the ceiling; 1 mm over.
 bool inside(const Shell& shell, Vec3 at) {
   constexpr double over_m = 0.001;
-  const auto within = [&](double value, int most_mm) {
-    return value >= -over_m && value <= most_mm / 1000.0 + over_m;
+  const auto within = [&](double value, int max_mm) {
+    return value >= -over_m && value <= max_mm / 1000.0 + over_m;
   };
   return within(at.x, shell.width_mm) && within(at.y, shell.depth_mm) &&
          within(at.z, shell.ceiling_mm);
@@ -178,7 +178,7 @@ Result<void> World::State::obey_product(const WorldCommand& command) {
 }
 
 Result<void> World::State::run(std::uint32_t count) {
-  if (count > most_steps) return bad_command("step", fmt::format("0 to {} steps", most_steps));
+  if (count > max_steps) return bad_command("step", fmt::format("0 to {} steps", max_steps));
   if (failed) {
     return Error{"physics.failed",
                  "World::step",

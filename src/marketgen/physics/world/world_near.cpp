@@ -10,7 +10,7 @@ namespace marketgen {
 namespace {
 
 constexpr char near_where[] = "World::step";
-constexpr int most_looks = 2;  // the second knows where everything is
+constexpr int max_looks = 2;  // the second knows where everything is
 
 }  // namespace
 
@@ -61,7 +61,7 @@ bool World::State::actors_within() const {
 Result<void> World::State::find_contacts() {
   mjModel* const model = &m();
   mjData* const now = &d();
-  for (int look = 0; look < most_looks; ++look) {
+  for (int look = 0; look < max_looks; ++look) {
     look_round();
     near.write(m());
     const FirstGeoms moving(m(), m().body_geomadr[store.still_body]);

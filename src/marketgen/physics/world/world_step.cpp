@@ -12,7 +12,7 @@ namespace {
 
 constexpr char step_where[] = "World::step";
 // Contacts that wake lead to contacts that wake: a row of touching packs takes one pass a pack.
-constexpr int most_passes = 8;
+constexpr int max_passes = 8;
 constexpr int actor_scan_steps = 10;  // between looks around the actors
 // MuJoCo knows no contact between static goods and mocap bodies or drawers: nearer is touching.
 constexpr double untouchable_reach_m = 0.002;
@@ -187,7 +187,7 @@ Result<void> World::State::step_once() {
   MARKETGEN_CHECK(wake_near_moving_fixtures());
   m().opt.noslip_iterations = in_hand() ? noslip_iterations : 0;
   MARKETGEN_CHECK(find_contacts());
-  for (int pass = 0; pass < most_passes && wake_touched(); ++pass)
+  for (int pass = 0; pass < max_passes && wake_touched(); ++pass)
     MARKETGEN_CHECK(find_contacts());
   MARKETGEN_CHECK(seal_cups());
   set_frictions();

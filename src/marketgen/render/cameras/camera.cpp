@@ -11,7 +11,7 @@ namespace marketgen {
 namespace {
 
 constexpr int largest_side_px = 16384;
-constexpr std::int64_t most_pixels = 64'000'000;
+constexpr std::int64_t max_pixels = 64'000'000;
 constexpr double farthest_m = 1e6;
 
 bool is_place(Vec3 p) {
@@ -25,7 +25,7 @@ bool is_unit(const Quaternion& q) {
 
 Result<void> check_size(const Camera& camera, const std::string& where) {
   if (camera.width < 1 || camera.height < 1 || camera.width > largest_side_px ||
-      camera.height > largest_side_px || std::int64_t{camera.width} * camera.height > most_pixels) {
+      camera.height > largest_side_px || std::int64_t{camera.width} * camera.height > max_pixels) {
     return Error{
         "camera.bad_size",
         where,

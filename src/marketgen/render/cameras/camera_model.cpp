@@ -10,9 +10,9 @@
 namespace marketgen {
 namespace {
 
-constexpr int most_newton_steps = 40;
+constexpr int max_newton_steps = 40;
 constexpr double newton_tolerance = 1e-12;  // of the plane at distance 1
-constexpr double least_stretch = 1e-3;      // of an area of the image plane: below, it folds
+constexpr double min_stretch = 1e-3;        // of an area of the image plane: below, it folds
 constexpr double farthest_tangent = 11.43;  // tan(85 degrees)
 
 struct Stretch {
@@ -35,7 +35,7 @@ Stretch stretch_at(const LensDistortion& lens, Vec2 p) {
 // The ideal point that falls on `seen`, from a guess.
 std::optional<Vec2> solved(const LensDistortion& lens, Vec2 seen, Vec2 guess) {
   Vec2 p = guess;
-  for (int step = 0; step < most_newton_steps; ++step) {
+  for (int step = 0; step < max_newton_steps; ++step) {
     const Vec2 off = seen - distorted(lens, p);
     if (std::fabs(off.x) < newton_tolerance && std::fabs(off.y) < newton_tolerance) return p;
     const Stretch s = stretch_at(lens, p);
@@ -52,7 +52,7 @@ std::optional<Vec2> followed(const LensDistortion& lens, Vec2 seen) {
   Vec2 p{0, 0};
   for (int step = 1; step <= steps; ++step) {
     const auto next = solved(lens, seen * (double(step) / steps), p);
-    if (!next || stretch_at(lens, *next).area() < least_stretch) return std::nullopt;
+    if (!next || stretch_at(lens, *next).area() < min_stretch) return std::nullopt;
     if (std::hypot(next->x, next->y) > farthest_tangent) return std::nullopt;
     p = *next;
   }
@@ -63,7 +63,7 @@ std::optional<Vec2> followed(const LensDistortion& lens, Vec2 seen) {
 bool is_folded(const LensDistortion& lens, Vec2 ideal) {
   constexpr int steps = 8;
   for (int step = 1; step <= steps; ++step) {
-    if (stretch_at(lens, ideal * (double(step) / steps)).area() < least_stretch) return true;
+    if (stretch_at(lens, ideal * (double(step) / steps)).area() < min_stretch) return true;
   }
   return false;
 }

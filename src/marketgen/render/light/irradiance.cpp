@@ -13,9 +13,9 @@ namespace {
 constexpr float lookup_lift_m = 0.03F;  // probes are asked a little above the surface
 constexpr float room_spacing_m = 0.6F, room_spacing_up_m = 0.4F;
 constexpr float room_margin_m = 0.05F;
-constexpr float most_room_probes = 30'000;
+constexpr float max_room_probes = 30'000;
 constexpr float along_spacing_m = 0.45F;
-constexpr float least_behind = 0.04F;  // weight of room probes straight behind a surface
+constexpr float min_behind = 0.04F;  // weight of room probes straight behind a surface
 
 }  // namespace
 
@@ -55,7 +55,7 @@ void IrradianceField::place_room(const World& world) {
   };
   const float full =
       extent.x / room_spacing_m * extent.y / room_spacing_m * (extent.z / room_spacing_up_m);
-  const float spacing = room_spacing_m * std::sqrt(std::max(1.0F, full / most_room_probes));
+  const float spacing = room_spacing_m * std::sqrt(std::max(1.0F, full / max_room_probes));
   size_ = {count(extent.x, spacing), count(extent.y, spacing), count(extent.z, room_spacing_up_m)};
   step_ = {extent.x / static_cast<float>(size_[0] - 1),
            extent.y / static_cast<float>(size_[1] - 1),
@@ -189,7 +189,7 @@ IrradianceField::Corners IrradianceField::corners_in_room(Vec3f point, Float4 fa
   const int row = size_[0], layer = size_[0] * size_[1];
   const int first = z.before * layer + y.before * row + x.before;
   return {Int8(first) + to_int(eight.dx) + to_int(eight.dy) * row + to_int(eight.dz) * layer,
-          (eight.near + 1e-4F) * (before * before + least_behind)};
+          (eight.near + 1e-4F) * (before * before + min_behind)};
 }
 
 // Two faces lie in one register, the one in front along an axis and the one behind; one of them

@@ -14,12 +14,12 @@ namespace {
 constexpr int rays_per_probe = 48;  // a multiple of packet_size
 constexpr float near_light = 1.5F;  // lights nearer than this times their size get four samples
 constexpr int bounces = 4;
-constexpr float most_back_faces =
+constexpr float max_back_faces =
     0.25F;  // share of rays that hit the inside of something: the probe is in matter
 constexpr float probe_footprint_m = 0.2F;
 // A room probe with so many things so near stands in a hollow of a fixture: it knows nothing of the
 // faces outside.
-constexpr float hollow_m = 0.22F, most_near = 0.55F;
+constexpr float hollow_m = 0.22F, max_near = 0.55F;
 
 const std::array<Vec3f, 6> axes{
     Vec3f{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
@@ -162,9 +162,8 @@ void shoot(const World& world, Vec3f position, Hollows hollows, ProbeRays& resul
         add_from(result.direct, rays[k].direction, surface.emission * solid_angle);
     }
   }
-  result.valid =
-      static_cast<float>(back_faces) <= most_back_faces * rays_per_probe &&
-      (hollows == Hollows::lit || static_cast<float>(near) <= most_near * rays_per_probe);
+  result.valid = static_cast<float>(back_faces) <= max_back_faces * rays_per_probe &&
+                 (hollows == Hollows::lit || static_cast<float>(near) <= max_near * rays_per_probe);
 }
 
 bool is_outside(const PolygonMm& outline, Vec3f point) {

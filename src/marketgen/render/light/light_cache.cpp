@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_files = 256;
+constexpr std::size_t max_files = 256;
 constexpr std::string_view light_kind = "light/2";
 
 struct LightHeader {
@@ -133,7 +133,7 @@ void keep_light(const std::string& key, const BakedLight& light) {
   std::string content(reinterpret_cast<const char*>(&header), sizeof(header));
   content.append(payload_of(light.probes)).append(payload_of(light.without_panels));
   (void)keep_entry(file_of(key), light_kind, content).ok();
-  leave_newest(light_folder(), most_files);
+  leave_newest(light_folder(), max_files);
 }
 
 }  // namespace marketgen::raytrace

@@ -9,9 +9,9 @@
 namespace marketgen::raytrace {
 namespace {
 
-constexpr std::size_t most_choices = 40;  // per cell; in a store the rest add up to a few percent
+constexpr std::size_t max_choices = 40;  // per cell; in a store the rest add up to a few percent
 constexpr float cell_width_m = 0.8F, cell_height_m = 0.6F;
-constexpr float most_cells = 40'000;
+constexpr float max_cells = 40'000;
 
 // What a light gives unblocked at `point`, however a surface there is turned. Distances are kept
 // off zero by the cell's size.
@@ -32,7 +32,7 @@ std::vector<LightChoice> strongest(const std::vector<AreaLight>& lights, Vec3f p
   const auto stronger = [](const LightChoice& a, const LightChoice& b) {
     return a.cumulative != b.cumulative ? a.cumulative > b.cumulative : a.light < b.light;
   };
-  const std::size_t kept = std::min(most_choices, all.size());
+  const std::size_t kept = std::min(max_choices, all.size());
   std::partial_sort(
       all.begin(), all.begin() + static_cast<std::ptrdiff_t>(kept), all.end(), stronger);
   all.resize(kept);
@@ -58,7 +58,7 @@ LightGrid::LightGrid(const World& world) : world_(world), low_(world.room.low) {
   };
   const float layers = cells(size.z, cell_height_m);
   const float full = cells(size.x, cell_width_m) * cells(size.y, cell_width_m) * layers;
-  const float width = cell_width_m * std::sqrt(std::max(1.0F, full / most_cells));
+  const float width = cell_width_m * std::sqrt(std::max(1.0F, full / max_cells));
   columns_ = static_cast<int>(cells(size.x, width));
   rows_ = static_cast<int>(cells(size.y, width));
   layers_ = static_cast<int>(layers);

@@ -14,7 +14,7 @@
 namespace marketgen::raytrace {
 namespace {
 
-constexpr int most_bounces = 12, most_crossings = 24;
+constexpr int max_bounces = 12, max_crossings = 24;
 constexpr int roulette_from = 3;  // bounces before paths may end by chance
 // In units of white; caps fireflies. Light that reaches the eye by one bounce is never capped, but
 // for lamps found through the contents of a pack: few paths find them, as bright dots.
@@ -28,10 +28,10 @@ constexpr float path_bounce_footprint = 0.05F;
 // Paths end in stored light only behind a bounce at least this rough: smoother ones are mirrors.
 constexpr float rough_from = 0.35F;
 constexpr float glass_index = 1.5F;
-constexpr float least_mirror_chance = 0.25F;
+constexpr float min_mirror_chance = 0.25F;
 // Relief is read from stored light, which knows its tilt only roughly.
 constexpr float darkest_tilt = 0.5F, brightest_tilt = 1.8F;
-constexpr float least_tilt_turn = 1e-4F;
+constexpr float min_tilt_turn = 1e-4F;
 
 std::uint32_t pixel_number(const PathStart& start) {
   return static_cast<std::uint32_t>(start.y) * 65536U + static_cast<std::uint32_t>(start.x);
@@ -79,7 +79,7 @@ class PathTracer {
         firefly_(brightest_indirect / scene.world.exposure) {}
 
   PathLight run(Ray ray, Hit hit) {
-    for (int crossings = 0; crossings <= most_crossings;) {
+    for (int crossings = 0; crossings <= max_crossings;) {
       if (!hit.any()) {
         add_surroundings(ray);
         break;
@@ -154,7 +154,7 @@ class PathTracer {
     // looks, not one in twenty.
     const bool first_pane =
         surface.glass && surface.id == shell_object && lobe_ == Lobe::none && !surface.back_face;
-    const float chance = first_pane ? std::max(reflected, least_mirror_chance) : reflected;
+    const float chance = first_pane ? std::max(reflected, min_mirror_chance) : reflected;
     if (numbers_.one() < chance) {
       throughput_ *= Vec3f{1, 1, 1} * (reflected / chance);
       if (lobe_ == Lobe::none && !inside_) lobe_ = Lobe::gloss;
@@ -180,7 +180,7 @@ class PathTracer {
       add(throughput_ * stored(surface, ray.direction), lobe_);
       return false;
     }
-    return bounces_ < most_bounces && scatter(surface, material, ray);
+    return bounces_ < max_bounces && scatter(surface, material, ray);
   }
 
   void add_emission(const Surface& surface, const Ray& ray) {
@@ -208,7 +208,7 @@ class PathTracer {
 
   // How much more or less light relief catches than the flat face: keeps relief out of the filter.
   float tilt(const Surface& surface) const {
-    if (dot(surface.relief_normal, surface.normal) > 1 - least_tilt_turn) return 1;
+    if (dot(surface.relief_normal, surface.normal) > 1 - min_tilt_turn) return 1;
     return std::clamp(scene_.field.tilt(place_of(surface), surface.normal, surface.relief_normal),
                       darkest_tilt,
                       brightest_tilt);

@@ -7,10 +7,10 @@
 namespace marketgen::raytrace {
 namespace {
 
-constexpr float least_albedo = 2e-3F;  // darker surfaces have no irradiance to speak of
+constexpr float min_albedo = 2e-3F;  // darker surfaces have no irradiance to speak of
 
 Vec3f over_albedo(Vec3f light, Vec3f albedo) {
-  const auto divided = [](float a, float b) { return b > least_albedo ? a / b : 0; };
+  const auto divided = [](float a, float b) { return b > min_albedo ? a / b : 0; };
   return {divided(light.x, albedo.x), divided(light.y, albedo.y), divided(light.z, albedo.z)};
 }
 

@@ -127,11 +127,10 @@ Scattering::Scattering(
       below_coat_ * luminance(finish.color) * (1 - finish.metallic) * let_in_;
   const float whole = coat_share + gloss_share + diffuse_share;
   // Every lobe that is there keeps a chance that its highlights do not become sparkles.
-  constexpr float least_chance = 0.1F;
-  const float coat_weight = coat_share > 0 ? std::max(coat_share / whole, least_chance) : 0;
-  const float gloss_weight = std::max(gloss_share / whole, least_chance);
-  const float diffuse_weight =
-      diffuse_share > 0 ? std::max(diffuse_share / whole, least_chance) : 0;
+  constexpr float min_chance = 0.1F;
+  const float coat_weight = coat_share > 0 ? std::max(coat_share / whole, min_chance) : 0;
+  const float gloss_weight = std::max(gloss_share / whole, min_chance);
+  const float diffuse_weight = diffuse_share > 0 ? std::max(diffuse_share / whole, min_chance) : 0;
   const float sum = coat_weight + gloss_weight + diffuse_weight;
   coat_chance_ = coat_weight / sum;
   gloss_chance_ = gloss_weight / sum;

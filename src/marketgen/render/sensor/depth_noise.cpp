@@ -194,7 +194,7 @@ class StereoPicture {
                            frame_.normals[3 * pixel + 2]};
         const raytrace::Ray ray =
             view_.ray(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
-        return -dot(normal, ray.direction) < stereo_.least_metal_facing || is_overexposed(pixel);
+        return -dot(normal, ray.direction) < stereo_.min_metal_facing || is_overexposed(pixel);
       }
       case Matter::solid:
         break;
@@ -220,7 +220,7 @@ class StereoPicture {
 
 }  // namespace
 
-double least_depth_m(const StereoCamera& stereo, const Intrinsics& intrinsics) {
+double min_depth_m(const StereoCamera& stereo, const Intrinsics& intrinsics) {
   return intrinsics.fx * stereo.baseline_m / stereo.largest_disparity_px;
 }
 

@@ -41,14 +41,14 @@ struct StereoCamera {
   double edge_shift_px = 0.5;  // one sigma
   // Shares of the surface without depth, in patches that stay where they are from frame to frame.
   double glass_holes = 0.5, clear_holes = 0.4;
-  double clear_noise_factor = 3;     // of disparity_noise_px on clear packs
-  double least_metal_facing = 0.35;  // cosine of the view to bare metal: below, it has no depth
-  int overexposed = 250;             // all channels at least: no print to match
+  double clear_noise_factor = 3;   // of disparity_noise_px on clear packs
+  double min_metal_facing = 0.35;  // cosine of the view to bare metal: below, it has no depth
+  int overexposed = 250;           // all channels at least: no print to match
 };
 
 // The shortest depth that it measures, metres: fx * baseline / largest disparity. Within 10 % of
 // the datasheet's 280, 195, 175 mm at widths of 1280, 848, 640.
-double least_depth_m(const StereoCamera& stereo, const Intrinsics& intrinsics);
+double min_depth_m(const StereoCamera& stereo, const Intrinsics& intrinsics);
 
 // Depth along the optical axis in metres, 0 = none, as the left eye at `camera` measures it; its
 // right eye is baseline_m to the right. `frame` is what `camera` sees. Distortion is taken as

@@ -12,19 +12,19 @@
 namespace marketgen::raytrace {
 namespace {
 
-constexpr std::size_t most_samples = 8;
+constexpr std::size_t max_samples = 8;
 // Rooks in the pixel, the first n of which are spread for n = 2, 4 and 8.
-constexpr std::array<Vec2f, most_samples> sample_offsets{Vec2f{0.25F, 0.75F},
-                                                         {0.75F, 0.25F},
-                                                         {0.125F, 0.125F},
-                                                         {0.875F, 0.875F},
-                                                         {0.375F, 0.9375F},
-                                                         {0.625F, 0.0625F},
-                                                         {0.0625F, 0.5F},
-                                                         {0.9375F, 0.5625F}};
+constexpr std::array<Vec2f, max_samples> sample_offsets{Vec2f{0.25F, 0.75F},
+                                                        {0.75F, 0.25F},
+                                                        {0.125F, 0.125F},
+                                                        {0.875F, 0.875F},
+                                                        {0.375F, 0.9375F},
+                                                        {0.625F, 0.0625F},
+                                                        {0.0625F, 0.5F},
+                                                        {0.9375F, 0.5625F}};
 // Neighbours that differ by less of their brightness need no smoothing; this much of white counts
 // as dark.
-constexpr float least_contrast = 0.12F, dark_of_white = 0.04F;
+constexpr float min_contrast = 0.12F, dark_of_white = 0.04F;
 constexpr float edge_plane_m = 0.02F, edge_plane_per_m = 0.005F, edge_facing = 0.8F;
 // A sample brighter than this many times white counts as this much: lamps' edges would stay jagged
 // when the tone curve clips them afterwards.
@@ -80,7 +80,7 @@ class StripResolver {
         groups_(planes.stride / lane_count),
         first_row_(first_row),
         rows_(std::min(sensor_strip_rows, view.height() - first_row)),
-        samples_(std::min(static_cast<std::size_t>(effort.edge_samples), most_samples)),
+        samples_(std::min(static_cast<std::size_t>(effort.edge_samples), max_samples)),
         limit_(brightest_sample_of_white / lighting.world.exposure),
         dark_(dark_of_white / lighting.world.exposure),
         edges_(groups_ * sensor_strip_rows + 1) {}
@@ -145,7 +145,7 @@ class StripResolver {
   Mask8 contrasts(std::size_t p, std::size_t q) const {
     const Vec8 a = eight_at(planes_.radiance, p), b = eight_at(planes_.radiance, q);
     const auto shows = [this](Float8 x, Float8 y) {
-      return absolute(x - y) > (max(x, y) + dark_) * least_contrast;
+      return absolute(x - y) > (max(x, y) + dark_) * min_contrast;
     };
     return shows(a.x, b.x) | shows(a.y, b.y) | shows(a.z, b.z);
   }

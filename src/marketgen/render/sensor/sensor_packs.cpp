@@ -12,8 +12,8 @@
 namespace marketgen::raytrace {
 namespace {
 
-constexpr int most_pack_crossings = 8;  // of walls, all packs together
-constexpr float least_share = 0.01F;    // of light: what lies behind less is not looked for
+constexpr int max_pack_crossings = 8;  // of walls, all packs together
+constexpr float min_share = 0.01F;     // of light: what lies behind less is not looked for
 
 // A look through one pixel's packs.
 struct PackWalk {
@@ -94,7 +94,7 @@ class PackLooker {
   // From a wall of a pack to something in it, or to where the ray leaves it.
   void enter(std::size_t w, Surface surface) {
     PackWalk& walk = walks_[w];
-    for (; walk.crossings < most_pack_crossings; ++walk.crossings) {
+    for (; walk.crossings < max_pack_crossings; ++walk.crossings) {
       walk.cross(surface, material_of(surface));
       const bool out = surface.back_face && dot(walk.ray.direction, surface.face_normal) < 0;
       if (out) return leave(w);
@@ -113,7 +113,7 @@ class PackLooker {
   void leave(std::size_t w) {
     PackWalk& walk = walks_[w];
     walk.inside = nullptr;
-    if (largest(walk.left) < least_share) return arrive(w, tile_.walls[w].first);
+    if (largest(walk.left) < min_share) return arrive(w, tile_.walls[w].first);
     if (behind_.add(w, walk.ray)) look_behind();
   }
 

@@ -90,7 +90,7 @@ class PaneLighter {
     std::size_t used = 0;
     for (std::size_t k = 0; k < panes.size(); ++k) {
       const float shows = largest(lane(seen.radiance, k)) * panes[k]->reflected;
-      if (shows <= least_panel_share * white_) continue;
+      if (shows <= min_panel_share * white_) continue;
       whose[used] = k;
       rays[used++] = {
           panes[k]->first.position, panes[k]->mirror, 0, seen.distance[k] - shadow_end_m};

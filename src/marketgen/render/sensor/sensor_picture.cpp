@@ -36,7 +36,7 @@ Int8 first_matter(const SensorTile& tile, std::size_t group) {
   const auto code = [](Matter matter) { return Int8(static_cast<std::int32_t>(matter)); };
   const Surface8& s = tile.surface[group];
   Int8 matter =
-      select(s.metallic > Float8(least_bare_metal), code(Matter::metal), code(Matter::solid));
+      select(s.metallic > Float8(min_bare_metal), code(Matter::metal), code(Matter::solid));
   matter = select(s.clear, code(Matter::clear), matter);
   matter = select(tile.depth[group] > Float8(), matter, code(Matter::none));
   for (std::size_t k = 0; tile.pane_count > 0 && k < lane_count; ++k) {

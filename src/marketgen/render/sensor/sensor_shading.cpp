@@ -202,7 +202,7 @@ class TileShader {
     points.mirror = mirrored(direction, gloss.normal);
     const PanelReflection::Seen seen = lighting_.panels.at(points);
     const Float8 reflected = largest(seen.radiance * reflectance_of(gloss, direction));
-    const unsigned shows = (reflected > Float8(least_panel_share * white_)).bits() & ~floor;
+    const unsigned shows = (reflected > Float8(min_panel_share * white_)).bits() & ~floor;
     for (std::size_t l = 0; l < count; ++l) {
       const std::size_t i = pixels[l];
       set_lane(panels_[i / lane_count], i % lane_count, lane(seen.radiance, l));
@@ -296,8 +296,8 @@ class TileShader {
     const Vec3f half =
         normalized(frame.to_world({slope * std::cos(angle), slope * std::sin(angle), 1}));
     Vec3f direction = mirrored(tile_.direction_of(i), half);
-    constexpr float least_rise = 0.004F;
-    direction.z = std::max(direction.z, least_rise);
+    constexpr float min_rise = 0.004F;
+    direction.z = std::max(direction.z, min_rise);
     return normalized(direction);
   }
 

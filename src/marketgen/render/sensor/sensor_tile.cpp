@@ -8,7 +8,7 @@
 namespace marketgen::raytrace {
 namespace {
 
-constexpr int most_panes_deep = 4;  // seen through one another
+constexpr int max_panes_deep = 4;  // seen through one another
 constexpr float behind_pane_m = 2e-3F;
 
 class TileTracer {
@@ -149,7 +149,7 @@ class TileTracer {
   // Every pass goes through one more pane; the last looks through all that are left.
   void trace_behind() {
     for (int pane = 1; behind_.used > 0; ++pane) {
-      const unsigned mask = pane < most_panes_deep ? mask_ : detail_.opaque_mask;
+      const unsigned mask = pane < max_panes_deep ? mask_ : detail_.opaque_mask;
       RayQueue now = behind_;
       behind_.used = 0;
       now.fill();

@@ -74,7 +74,7 @@ Mask8 face_viewer(Surface8& s, Vec8 face_normal, Vec8 normal, const Vec8& direct
   const Float8 facing = dot(normal, direction);
   const Mask8 averted = facing > Float8(-least_facing);
   if (averted.any())
-    normal = select(averted, normalized(normal - direction * (facing + least_facing)), normal);
+    normal = select(averted, normalized(normal - direction * (facing + min_facing)), normal);
   s.face_normal = face_normal;
   s.normal = s.relief_normal = normal;
   return back;
@@ -127,7 +127,7 @@ class TextureLanes {
     u_ = record.real(uvs) * w + record.real(uvs + 8) * hits_.u + record.real(uvs + 16) * hits_.v;
     v_ = record.real(uvs + 4) * w + record.real(uvs + 12) * hits_.u +
          record.real(uvs + 20) * hits_.v;
-    const Float8 slant = max(-dot(s_.face_normal, direction), Float8(least_slant));
+    const Float8 slant = max(-dot(s_.face_normal, direction), Float8(min_slant));
     lod_ = record.real(offsetof(TriangleRecord, texel_density)) +
            rough_log2(max(footprint / square_root(slant), Float8(1e-6F)));
   }

@@ -6,7 +6,7 @@
 namespace marketgen::raytrace {
 namespace {
 
-constexpr std::size_t most_materials = 65'535;
+constexpr std::size_t max_materials = 65'535;
 
 Material material_of(const ActorSurface& surface) {
   return {.color = surface.color, .roughness = surface.roughness, .metallic = surface.metallic};
@@ -26,7 +26,7 @@ std::size_t surface_count(const std::vector<Actor>& actors) {
 Result<void> ActorStage::set(const std::vector<Actor>& actors) {
   for (const Actor& actor : actors)
     MARKETGEN_CHECK(check_actor(actor));
-  if (world_.actors.first_material + surface_count(actors) > most_materials)
+  if (world_.actors.first_material + surface_count(actors) > max_materials)
     return Error{"render.bad_actor", "actors", "the bodies have more than 65,000 surfaces in all"};
   clear();
   for (std::size_t k = 0; k < actors.size(); ++k) {

@@ -12,7 +12,7 @@ namespace {
 
 // On walls: above what is low, below the band with the zones' names.
 constexpr float poster_foot_m = 1.3F, poster_top_m = 2.45F, poster_from_ceiling_m = 0.62F;
-constexpr float poster_pitch_m = 2.6F, least_wall_m = 1.5F;
+constexpr float poster_pitch_m = 2.6F, min_wall_m = 1.5F;
 constexpr float beside_opening_m = 0.25F, beside_fixture_m = 0.15F;
 constexpr float stands_at_wall_m = 0.7F;  // things nearer than this and as high hide a poster
 constexpr float picture_frame_m = 0.022F, picture_depth_m = 0.018F;
@@ -39,7 +39,7 @@ std::vector<WallSpan> free_spans(float length, std::vector<WallSpan> taken) {
     done = std::max(done, span.high);
   }
   if (length - beside_fixture_m > done) spans.push_back({done, length - beside_fixture_m});
-  std::erase_if(spans, [](const WallSpan& s) { return s.high - s.low < least_wall_m; });
+  std::erase_if(spans, [](const WallSpan& s) { return s.high - s.low < min_wall_m; });
   return spans;
 }
 

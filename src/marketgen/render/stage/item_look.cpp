@@ -11,7 +11,7 @@ constexpr float brightness_spread = 0.04F;  // between items of one SKU, each wa
 constexpr float print_cast = 0.04F, grown_cast = 0.08F;
 constexpr std::uint32_t batches = 3;  // of one SKU that stand on the shelf together
 constexpr float as_new_share = 0.5F;  // of items nobody has touched
-constexpr float least_turnover_wear = 0.5F;
+constexpr float min_turnover_wear = 0.5F;
 
 // Independent numbers of one thing, by what they are for.
 enum class Draw : std::uint32_t { brightness = 1, batch, cast, turn, wear, turnover };
@@ -34,7 +34,7 @@ float wear_of(std::uint32_t item, std::uint32_t sku) {
   if (rank < as_new_share) return 0;
   const float age = (rank - as_new_share) / (1 - as_new_share);
   const float slow = drawn(sku, Draw::turnover);
-  return std::min(1.0F, age * age * age * (least_turnover_wear + slow));
+  return std::min(1.0F, age * age * age * (min_turnover_wear + slow));
 }
 
 }  // namespace

@@ -48,18 +48,18 @@ template <class Number>
 void wear_off(const WornPlace<Number>& place, Vector3<Number>& albedo, Number& roughness) {
   using std::clamp, std::min;
   constexpr float sharp_from = 0.95F, per_sharpness = 6;  // a fold of 45 degrees wears in full
-  constexpr float most_fade = 0.3F, most_scuff = 0.85F, most_dust = 0.4F;
-  constexpr float most_dulling = 0.18F, rough_scuff = 0.3F;
+  constexpr float max_fade = 0.3F, max_scuff = 0.85F, max_dust = 0.4F;
+  constexpr float max_dulling = 0.18F, rough_scuff = 0.3F;
   const Vector3<Number> paper{0.7F, 0.68F, 0.64F}, dust_color{0.42F, 0.4F, 0.37F};
   const Number none = 0.0F, all_of_it = 1.0F;
   const Number sharp = clamp((sharp_from - place.flatness) * per_sharpness, none, all_of_it);
-  const Number scuff = sharp * place.knock * place.wear * most_scuff;
-  const Number dust = clamp(place.up * 2.0F - 1.0F, none, all_of_it) * place.wear * most_dust;
+  const Number scuff = sharp * place.knock * place.wear * max_scuff;
+  const Number dust = clamp(place.up * 2.0F - 1.0F, none, all_of_it) * place.wear * max_dust;
   const Number grey = luminance(albedo);
-  albedo = albedo + (Vector3<Number>{grey, grey, grey} - albedo) * (place.wear * most_fade);
+  albedo = albedo + (Vector3<Number>{grey, grey, grey} - albedo) * (place.wear * max_fade);
   albedo = albedo + (paper - albedo) * scuff;
   albedo = albedo + (dust_color - albedo) * dust;
-  const Number dulled = place.wear * most_dulling + (scuff + dust) * rough_scuff;
+  const Number dulled = place.wear * max_dulling + (scuff + dust) * rough_scuff;
   roughness = min(roughness + dulled, all_of_it);
 }
 

@@ -9,7 +9,7 @@
 namespace marketgen {
 namespace {
 
-constexpr int least_bananas = 4, most_bananas = 6;
+constexpr int min_bananas = 4, max_bananas = 6;
 constexpr int segments = 14, bands = 14;
 
 // In shares of the pack's half sizes: the hand rests on its tips, the crown is at the upper left.
@@ -60,7 +60,7 @@ Result<ProductModel> make_banana_bunch(const Product& product) {
   Stream draw = growth_seed(product).stream();
   const std::uint16_t skin = pack.add_print(0.45F);
   const Vec3f half = Vec3f{pack.width(), pack.depth(), pack.height()} * 0.5F;
-  const int count = draw.integer(least_bananas, most_bananas);
+  const int count = draw.integer(min_bananas, max_bananas);
   for (int i = 0; i < count; ++i) {
     const float fan = 2 * static_cast<float>(i) / static_cast<float>(count - 1) - 1;
     const auto longer = static_cast<float>(draw.uniform(0.2, 1));

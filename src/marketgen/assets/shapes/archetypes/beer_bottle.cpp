@@ -25,7 +25,7 @@ Result<ProductModel> make_beer_bottle(const Product& product) {
   const float h = pack.height();
 
   Profile profile(pack, zone.roundness);
-  const float neck = 0.44F * profile.least_half();
+  const float neck = 0.44F * profile.min_half();
   profile.use(glass).pole(0.02F * h).body(0, 0.84F).curve_to_body(Curve::swell, 0.025F * h, 1, 3);
   profile.body(zone.low_m, 1).use(print).body(zone.high_m, 1).use(glass).body(0.52F * h, 1);
   profile.curve_to_neck(Curve::slope, 0.74F * h, 1.06F * neck, 6);

@@ -72,7 +72,7 @@ void add_hood(PackBuilder& pack, float wall_y, Vec3f size, float low, std::uint1
   // The loft's axis points at the reader, its front upwards.
   const PartFrame frame{
       .origin = {0, wall_y, low + size.z / 2}, .x = {1, 0, 0}, .y = {0, 0, 1}, .z = {0, -1, 0}};
-  add_loft(pack, sections, {.triangles = 900, .most_chords = 7}, frame);
+  add_loft(pack, sections, {.triangles = 900, .max_chords = 7}, frame);
 }
 
 // A battery as IEC 60086-2 has it: greatest radius and length; `block`: 9 V, half its width across.
@@ -116,7 +116,7 @@ void add_round_cell(PackBuilder& pack, const Cell& cell, Vec3f foot, const Blist
             ring_of(cell, 0.965F, 0.38F, s.metal),
             ring_of(cell, 0.995F, 0.36F, s.metal),
             ring_of(cell, 1, 0.30F, s.metal)},
-           {.triangles = 420, .most_chords = 6},
+           {.triangles = 420, .max_chords = 6},
            PartFrame{.origin = foot});
 }
 
@@ -126,7 +126,7 @@ void add_coin_cell(PackBuilder& pack, const Cell& cell, Vec3f middle, const Blis
            {ring_of(cell, 0, 1, s.metal),
             ring_of(cell, 0.8F, 1, s.metal),
             ring_of(cell, 1, 0.92F, s.metal)},
-           {.triangles = 300, .most_chords = 5},
+           {.triangles = 300, .max_chords = 5},
            PartFrame{.origin = middle, .x = {1, 0, 0}, .y = {0, 0, 1}, .z = {0, -1, 0}});
 }
 

@@ -23,7 +23,7 @@ void add_bottle_top(
   profile.curve_to_neck(Curve::slope, neck_low, 0.86F * cap_radius, 8);
   add_screw_cap(profile, neck_low, high, cap_radius, bottle, cap);
   add_loft(
-      pack, profile.sections(), {.triangles = 1000, .most_chords = 6}, PartFrame{.origin = place});
+      pack, profile.sections(), {.triangles = 1000, .max_chords = 6}, PartFrame{.origin = place});
 }
 
 // The carrying tape: stuck to the film on both short sides.

@@ -15,14 +15,14 @@ constexpr float roll_pitch_m =
 constexpr float bottle_pitch_m = 0.085F;  // bottles of 1 to 2 l
 constexpr float bundle_edge_radius_m = 0.012F;
 constexpr float film_dip_share = 0.13F;  // of the pitch: how far the film sinks between two pieces
-constexpr int most_pieces = 6;           // along one side; more would not be told apart
+constexpr int max_pieces = 6;            // along one side; more would not be told apart
 
 struct Pieces {
   int across, deep, high;
 };
 
 int pieces_along(float length, float pitch) {
-  return std::clamp(static_cast<int>(std::lround(length / pitch)), 1, most_pieces);
+  return std::clamp(static_cast<int>(std::lround(length / pitch)), 1, max_pieces);
 }
 
 // Bottles stand in one layer, rolls in layers.
@@ -57,8 +57,8 @@ Vec3f bundle_point(Vec3f share, Vec3f size, const Pieces& pieces) {
 }
 
 // `cells` to each piece.
-std::vector<float> piece_lines(int pieces, int most_cells) {
-  return even_lines(pieces * std::clamp(most_cells / pieces, 2, 6));
+std::vector<float> piece_lines(int pieces, int max_cells) {
+  return even_lines(pieces * std::clamp(max_cells / pieces, 2, 6));
 }
 
 }  // namespace

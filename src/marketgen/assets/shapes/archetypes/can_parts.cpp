@@ -35,7 +35,7 @@ Result<ProductModel> finish_can(PackBuilder& pack,
   add_can_end(profile, h, form.neck, form.metal);
   add_loft(pack, profile.sections(), style);
   const std::size_t tab = pack.triangle_count();
-  add_can_tab(pack, h, profile.least_half(), form.metal);
+  add_can_tab(pack, h, profile.min_half(), form.metal);
   pack.add_part_feature(FeatureKind::tab, tab);
   pack.add_band_feature(FeatureKind::rim, h - 0.022F * h, h);
   return pack.finish();

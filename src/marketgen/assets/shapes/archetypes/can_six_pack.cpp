@@ -17,7 +17,7 @@ void add_can_top(
   profile.use(wall).body(low - 0.025F * h, 0.97F).body(low + 0.012F * h, 0.97F);
   add_can_end(profile, h, 0.82F, metal);
   const PartFrame can{.origin = place};
-  add_loft(pack, profile.sections(), {.triangles = 640, .most_chords = 6}, can);
+  add_loft(pack, profile.sections(), {.triangles = 640, .max_chords = 6}, can);
   add_can_tab(pack, h, radius, metal, can);
 }
 

@@ -63,7 +63,7 @@ Result<ProductModel> make_chub(const Product& product) {
   }
   add_loft(pack,
            sections,
-           {.triangles = 2800, .lobes = pleats, .most_chords = 12, .lying = true},
+           {.triangles = 2800, .lobes = pleats, .max_chords = 12, .lying = true},
            form.frame);
   const float end = pack.width() / 2, gathered = 0.30F * form.print_from_m;
   pack.add_band_feature(FeatureKind::seam, -end, gathered - end, PackAxis::x);

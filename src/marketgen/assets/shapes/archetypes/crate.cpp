@@ -14,7 +14,7 @@ namespace marketgen {
 namespace {
 
 constexpr float bottle_pitch_m = 0.076F;  // 20 half-litre bottles in 400 x 300 mm
-constexpr int most_bottles = 24;
+constexpr int max_bottles = 24;
 constexpr float crate_label_m = 0.0004F;
 
 struct Rows {
@@ -26,8 +26,8 @@ Rows rows_of(const Product& product, float width, float depth) {
   const int wanted = std::atoi(product.net.c_str());
   Rows best{1, 1};
   float least = 1e9F;
-  for (int across = 1; across <= most_bottles; ++across) {
-    for (int deep = 1; across * deep <= most_bottles; ++deep) {
+  for (int across = 1; across <= max_bottles; ++across) {
+    for (int deep = 1; across * deep <= max_bottles; ++deep) {
       const float w = width / static_cast<float>(across), d = depth / static_cast<float>(deep);
       const float unusual = std::abs(std::log(w / d)) +
                             std::abs(std::log(std::min(w, d) / bottle_pitch_m)) +
@@ -129,7 +129,7 @@ void add_bottle(
   profile.use(cork).neck(mouth - 0.01F * h, 1.20F * neck).neck(mouth, 1.18F * neck);
   profile.neck(h, 0.90F * neck).pole(h);
   add_loft(
-      pack, profile.sections(), {.triangles = 260, .most_chords = 3}, PartFrame{.origin = place});
+      pack, profile.sections(), {.triangles = 260, .max_chords = 3}, PartFrame{.origin = place});
 }
 
 }  // namespace

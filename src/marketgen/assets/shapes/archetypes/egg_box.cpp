@@ -37,8 +37,8 @@ float cup_at(float share, int cups) {
   return 1 - s * s;
 }
 
-std::vector<float> cup_lines(int cups, int most_lines) {
-  return even_lines(cups * std::clamp(most_lines / cups, 2, 5));
+std::vector<float> cup_lines(int cups, int max_lines) {
+  return even_lines(cups * std::clamp(max_lines / cups, 2, 5));
 }
 
 // The lower half: a row of cups that taper to their feet.

@@ -18,7 +18,7 @@ Result<ProductModel> make_flask(const Product& product) {
   const float h = pack.height();
 
   Profile profile(pack, zone.roundness);
-  const float cap_radius = std::min(0.020F, 0.72F * profile.least_half());
+  const float cap_radius = std::min(0.020F, 0.72F * profile.min_half());
   const float cap_low = h - std::min(0.034F, 0.16F * h);
   profile.use(body).pole(0.01F * h).body(0, 0.86F).curve_to_body(
       Curve::swell, 0.035F * h, 0.97F, 3);

@@ -23,7 +23,7 @@ Result<ProductModel> make_flat_tin(const Product& product) {
   profile.use(print);
   add_loft(pack, profile.sections(), smooth_style);
   const std::size_t tab = pack.triangle_count();
-  add_ring_pull(pack, lid, zone.lid_share * profile.least_half(), metal);
+  add_ring_pull(pack, lid, zone.lid_share * profile.min_half(), metal);
   pack.add_part_feature(FeatureKind::tab, tab);
   pack.add_band_feature(FeatureKind::rim, h - seam, h);
   return pack.finish();

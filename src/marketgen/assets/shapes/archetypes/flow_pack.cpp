@@ -72,7 +72,7 @@ Result<ProductModel> make_flow_pack(const Product& product) {
     mirrored.z = form.length_m - mirrored.z;
     sections.push_back(mirrored);
   }
-  add_loft(pack, sections, {.triangles = 2800, .most_chords = 6, .lying = true}, form.frame);
+  add_loft(pack, sections, {.triangles = 2800, .max_chords = 6, .lying = true}, form.frame);
   const float end = pack.width() / 2;
   pack.add_band_feature(FeatureKind::seam, -end, fin.length - end, PackAxis::x);
   pack.add_band_feature(FeatureKind::seam, end - fin.length, end, PackAxis::x);

@@ -46,9 +46,9 @@ Result<ProductModel> make_food_tin(const Product& product) {
   add_tin_wall(profile, zone);
   const float lid = add_tin_lid(profile, h, seam, 0.77F, metal);
   profile.pole(lid);
-  add_loft(pack, profile.sections(), {.triangles = 2400, .most_chords = smooth_style.most_chords});
+  add_loft(pack, profile.sections(), {.triangles = 2400, .max_chords = smooth_style.max_chords});
   const std::size_t tab = pack.triangle_count();
-  add_ring_pull(pack, lid, 0.77F * profile.least_half(), metal);
+  add_ring_pull(pack, lid, 0.77F * profile.min_half(), metal);
   pack.add_part_feature(FeatureKind::tab, tab);
   pack.add_band_feature(FeatureKind::rim, h - seam, h);
   return pack.finish();

@@ -24,7 +24,7 @@ int fitting_segments(const std::vector<Section>& sections, const LoftStyle& styl
   }
   const int steps_around =
       style.triangles / std::max(per_step, 1) - (oval ? 8 : 0);  // 8: the straight sides' halves
-  return std::clamp(steps_around / 4, 3, style.most_chords);
+  return std::clamp(steps_around / 4, 3, style.max_chords);
 }
 
 // Chords of a quarter turn that a label covers; one of them ends at the label's edge.

@@ -26,7 +26,7 @@ struct LoftStyle {
       pack_triangles;   // at most about so many: sets the chords of a quarter turn, 3 to 9
   int lobes = 0;        // waves once around
   float lobe_turn = 0;  // where the first lies, in turns
-  int most_chords = 9;  // of a quarter turn
+  int max_chords = 9;   // of a quarter turn
   // How far `front` and `back` reach around each corner's arc: 1 half way around the pack, less: a
   // label with an edge, and `beside` it shows the pack itself.
   float label_arc = 1;
@@ -35,7 +35,7 @@ struct LoftStyle {
 };
 
 // What a round pack in the hand may spend: no facets at 400 pixels.
-inline constexpr LoftStyle smooth_style{.triangles = 2800, .most_chords = 14};
+inline constexpr LoftStyle smooth_style{.triangles = 2800, .max_chords = 14};
 
 // Length of a section's outline over its front, as far around both corners as `label_arc` says.
 float label_width(const Section& section, float label_arc);

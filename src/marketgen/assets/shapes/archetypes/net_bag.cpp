@@ -19,7 +19,7 @@ constexpr float fruit_width_m = 0.064F;
 constexpr float cord_half_m = 0.00055F;
 constexpr int cords_each_way = 22;
 constexpr int cord_steps = 11;
-constexpr int most_fruits = 20;
+constexpr int max_fruits = 20;
 
 // What comes in nets, by the first word that the row's name or variant contains.
 struct NetGoods {
@@ -139,8 +139,8 @@ void add_fruits(PackBuilder& pack,
   const auto pieces = [&](float r) { return filled * hull_volume / (4.19F * r * r * r); };
   const float usual = std::min(goods.width_m, room) / 2;
   // A bag of more pieces than are drawn has larger ones: it is as full.
-  const float r = usual * std::max(1.0F, std::cbrt(pieces(usual) / most_fruits));
-  const int count = std::clamp(static_cast<int>(pieces(r)), 1, most_fruits);
+  const float r = usual * std::max(1.0F, std::cbrt(pieces(usual) / max_fruits));
+  const int count = std::clamp(static_cast<int>(pieces(r)), 1, max_fruits);
   for (const Vec3f& middle : settled(hull, r, count, draw)) {
     const float size = r * static_cast<float>(draw.uniform(0.95, 1.04));
     const float grow = std::sqrt(goods.long_share);

@@ -23,7 +23,7 @@ Result<ProductModel> make_oil_bottle(const Product& product) {
   const float h = pack.height();
 
   Profile profile(pack, zone.roundness);
-  const float r = profile.least_half(), neck = std::min(0.0135F, 0.42F * r);
+  const float r = profile.min_half(), neck = std::min(0.0135F, 0.42F * r);
   const float cap_low = h - std::min(0.048F, 0.17F * h), span = h - cap_low;
   profile.use(glass).pole(0.05F * h).body(0.02F * h, 0.55F).body(0, 0.86F);
   profile.curve_to_body(Curve::swell, 0.022F * h, 0.99F, 4).body(zone.low_m, 1);

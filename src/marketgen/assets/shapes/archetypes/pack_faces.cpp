@@ -89,13 +89,13 @@ int pieces_in(const Product& product) {
 // Rolls stand in the rows and layers whose rolls have the most ordinary shape.
 FilmForm roll_rows(const Product& product, Vec3f size) {
   constexpr float usual_height_share = 0.95F;  // height of a toilet roll over its width
-  constexpr int most_along = 6, most_high = 4, most_upright = 12;
+  constexpr int max_along = 6, max_high = 4, max_upright = 12;
   const int wanted = pieces_in(product);
   FilmForm best;
   float least = 1e9F;
-  for (int across = 1; across <= most_along; ++across) {
-    for (int deep = 1; deep <= most_along && across * deep <= most_upright; ++deep) {
-      for (int high = 1; high <= most_high; ++high) {
+  for (int across = 1; across <= max_along; ++across) {
+    for (int deep = 1; deep <= max_along && across * deep <= max_upright; ++deep) {
+      for (int high = 1; high <= max_high; ++high) {
         const float w = size.x / static_cast<float>(across), d = size.y / static_cast<float>(deep);
         const float h = size.z / static_cast<float>(high);
         const float oval = std::abs(std::log(w / d));

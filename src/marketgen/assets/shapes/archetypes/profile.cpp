@@ -36,10 +36,10 @@ Profile::Profile(const PackBuilder& pack, float roundness)
     : half_width_(pack.width() / 2),
       half_depth_(pack.depth() / 2),
       roundness_(roundness),
-      least_half_(std::min(half_width_, half_depth_)) {}
+      min_half_(std::min(half_width_, half_depth_)) {}
 
 Profile::Profile(float radius_m)
-    : half_width_(radius_m), half_depth_(radius_m), roundness_(1), least_half_(radius_m) {}
+    : half_width_(radius_m), half_depth_(radius_m), roundness_(1), min_half_(radius_m) {}
 
 Profile& Profile::use(std::uint16_t surface) {
   surface_ = surface;

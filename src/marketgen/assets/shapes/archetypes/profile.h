@@ -35,7 +35,7 @@ class Profile {
   Profile& curve_to_neck(Curve curve, float z, float radius_m, int steps);
 
   // Half of the lesser of width and depth: what a neck's radius is measured against.
-  float least_half() const { return least_half_; }
+  float min_half() const { return min_half_; }
   const std::vector<Section>& sections() const { return sections_; }
 
  private:
@@ -44,7 +44,7 @@ class Profile {
   Profile& add(Section section);
   Profile& curve_to(Curve curve, Section target, int steps);
 
-  float half_width_, half_depth_, roundness_, least_half_;
+  float half_width_, half_depth_, roundness_, min_half_;
   std::uint16_t surface_ = 0;
   std::vector<Section> sections_;
 };

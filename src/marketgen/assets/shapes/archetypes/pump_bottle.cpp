@@ -40,7 +40,7 @@ Result<ProductModel> make_pump_bottle(const Product& product) {
   const float h = pack.height(), step = 0.006F * h;
 
   Profile profile(pack, zone.roundness);
-  const float collar = std::min(0.0165F, 0.56F * profile.least_half());
+  const float collar = std::min(0.0165F, 0.56F * profile.min_half());
   profile.use(body).pole(0.01F * h).body(0.004F * h, 0.6F).body(0, 0.84F);
   profile.curve_to_body(Curve::swell, 0.03F * h, 1, 5).body(zone.low_m, 1);
   profile.use(print).body(zone.high_m, 1).use(body);

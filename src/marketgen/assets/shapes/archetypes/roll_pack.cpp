@@ -33,7 +33,7 @@ void add_roll_end(PackBuilder& pack,
   profile.curve_to_neck(Curve::swell, h - 0.12F * rise, 1.02F * hole, 2);
   profile.use(core).neck(h - 0.12F * rise, hole).neck(h - 1.7F * rise, hole).pole(h - 1.7F * rise);
   add_loft(
-      pack, profile.sections(), {.triangles = 520, .most_chords = 8}, PartFrame{.origin = place});
+      pack, profile.sections(), {.triangles = 520, .max_chords = 8}, PartFrame{.origin = place});
 }
 
 // The wall from the ground up, drawn in between two layers of rolls.

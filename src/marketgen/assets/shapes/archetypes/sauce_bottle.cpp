@@ -23,7 +23,7 @@ Result<ProductModel> make_sauce_bottle(const Product& product) {
   const float h = pack.height();
 
   Profile profile(pack, zone.roundness);
-  const float r = profile.least_half();
+  const float r = profile.min_half();
   const float cap_radius = glass ? std::min(0.016F, 0.55F * r) : std::min(0.022F, 0.68F * r);
   const float cap_low = h - (glass ? 0.10F : 0.15F) * h;
   const float shoulder = zone.high_m + 0.03F * h;

@@ -22,7 +22,7 @@ Result<ProductModel> make_soda_bottle(const Product& product) {
   const float h = pack.height();
 
   Profile profile(pack, zone.roundness);
-  const float cap_radius = std::min(0.015F, 0.50F * profile.least_half());
+  const float cap_radius = std::min(0.015F, 0.50F * profile.min_half());
   const float neck_low = h - std::min(0.032F, 0.15F * h), above = zone.high_m + 0.015F * h;
   profile.use(bottle)
       .pole(0.03F * h)

@@ -22,7 +22,7 @@ Result<ProductModel> make_spirit_bottle(const Product& product) {
   const float h = pack.height();
 
   Profile profile(pack, zone.roundness);
-  const float r = profile.least_half(), neck = std::min(0.0145F, 0.40F * r);
+  const float r = profile.min_half(), neck = std::min(0.0145F, 0.40F * r);
   const float shoulder = 0.635F * h, cap_low = 0.775F * h;
   profile.use(glass).pole(0.05F * h).body(0.02F * h, 0.6F).body(0, 0.88F);
   profile.curve_to_body(Curve::swell, 0.022F * h, 1, 4).body(zone.low_m, 1);

@@ -49,7 +49,7 @@ void add_shroud(PackBuilder& pack, std::uint16_t shroud) {
             section(0.85F, 0.95F, -0.28F, 0.90F, shroud),
             section(1, 0.92F, -0.22F, 0.86F, shroud),
             section(1, 0.78F, -0.08F, 0.70F, shroud)},
-           {.triangles = 520, .most_chords = 6},
+           {.triangles = 520, .max_chords = 6},
            head_frame(back, (1 + head_low) / 2 * h));
 }
 
@@ -72,7 +72,7 @@ void add_nozzle_cap(PackBuilder& pack, std::uint16_t nozzle) {
             square(tip, 0.90F),
             square(tip, 0.35F),
             square(0.9F * tip, 0.22F)},
-           {.triangles = 240, .most_chords = 4},
+           {.triangles = 240, .max_chords = 4},
            head_frame(head_front * w, (1 + head_low) / 2 * h));
 }
 
@@ -106,7 +106,7 @@ Result<ProductModel> make_spray_bottle(const Product& product) {
   const float h = pack.height(), step = 0.005F * h;
 
   Profile profile(pack, zone.roundness);
-  const float collar = std::min(0.0155F, 0.52F * profile.least_half());
+  const float collar = std::min(0.0155F, 0.52F * profile.min_half());
   profile.use(body).pole(0.008F * h).body(0.003F * h, 0.6F).body(0, 0.86F);
   profile.curve_to_body(Curve::swell, 0.022F * h, 1, 5).body(zone.low_m, 1);
   profile.use(print).body(zone.high_m, 1).use(body);

@@ -35,7 +35,7 @@ Result<ProductModel> make_water_bottle(const Product& product) {
   const float h = pack.height();
 
   Profile profile(pack, zone.roundness);
-  const float cap_radius = std::min(0.015F, 0.50F * profile.least_half());
+  const float cap_radius = std::min(0.015F, 0.50F * profile.min_half());
   const float neck_low = h - std::min(0.030F, 0.14F * h), shoulder = zone.high_m + 0.12F * h;
   profile.use(bottle).pole(0.02F * h).body(0, 0.70F).curve_to_body(Curve::swell, 0.05F * h, 1, 2);
   add_ribs(profile, 0.09F * h, zone.low_m - 0.02F * h, 3);

@@ -35,7 +35,7 @@ Result<ProductModel> make_wine_bottle(const Product& product) {
   const float h = pack.height();
 
   Profile profile(pack, zone.roundness);
-  const float neck = 0.38F * profile.least_half();
+  const float neck = 0.38F * profile.min_half();
   profile.use(glass)
       .pole(0.06F * h)
       .body(0.03F * h, 0.5F)
