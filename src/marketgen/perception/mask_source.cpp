@@ -17,7 +17,7 @@ bool belong_together(const ViewCloud& cloud, std::size_t a, std::size_t b) {
   const Vec3f way = cloud.point(b) - cloud.point(a);
   const float apart = length(way);
   if (apart > max_step_px * cloud.pixel_m(cloud.view().depth_m[a])) return false;
-  return dot(cloud.normal(b) - cloud.normal(a), way) > -most_concave * apart;
+  return dot(cloud.normal(b) - cloud.normal(a), way) > -max_concave * apart;
 }
 
 bool has_normal(const ViewCloud& cloud, std::size_t pixel) {

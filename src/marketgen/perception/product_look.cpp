@@ -31,7 +31,7 @@ class PictureSurface {
         const Vec3f across = point(x + 1, y) - point(x - 1, y);
         const Vec3f along = point(x, y + 1) - point(x, y - 1);
         const Vec3f normal = normalized(cross(along, across));
-        if (dot(normal, ahead_) > -least_picture_facing) continue;
+        if (dot(normal, ahead_) > -min_picture_facing) continue;
         surfels.push_back({point(x, y), normal, color(x, y, step)});
       }
     }

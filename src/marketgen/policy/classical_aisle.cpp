@@ -363,7 +363,7 @@ class ClassicalAisle : public Policy {
         inverse(store_from_base(now_.base)) * finds_[find_].place.store_from_product.position -
         head.position;
     step_ = AisleStep::look_again;
-    return body_.look(std::clamp(std::atan2(at.y, at.x), -most_pan, max_pan),
+    return body_.look(std::clamp(std::atan2(at.y, at.x), -max_pan, max_pan),
                       std::clamp(std::atan2(-at.z, std::hypot(at.x, at.y)), 0.0, max_tilt));
   }
 

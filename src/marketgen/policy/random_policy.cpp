@@ -18,7 +18,7 @@ Result<void> RandomPolicy::begin(const Task&, const Observation& first) {
 Result<Action> RandomPolicy::act(const Observation& now) {
   for (std::size_t j = 0; j < target_.size(); ++j) {
     target_[j] += (now.position[j] - target_[j]) * pull_back;
-    target_[j] += draw_.uniform(-most_step_rad, max_step_rad);
+    target_[j] += draw_.uniform(-max_step_rad, max_step_rad);
   }
   Action action;
   action.position = target_;

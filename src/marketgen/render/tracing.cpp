@@ -54,7 +54,7 @@ void face_viewer(Surface& s, Float4 face_normal, Float4 normal, Float4 direction
   if (dot(normal, face_normal) < 0) normal = -normal;
   normal = normalized(normal);
   const float facing = dot(normal, direction);
-  if (facing > -least_facing) normal = normalized(normal - direction * (facing + min_facing));
+  if (facing > -min_facing) normal = normalized(normal - direction * (facing + min_facing));
   s.face_normal = face_normal.xyz();
   s.normal = s.relief_normal = normal.xyz();
 }
@@ -397,7 +397,7 @@ Vec3f tilted(Vec3f normal, const Relief& relief, const TextureAxes& axes, Vec3f 
   const Vec3f bent = normal * std::sqrt(std::max(0.0F, 1 - squared)) + axes.along * relief.tilt_x +
                      axes.up * relief.tilt_y;
   const float facing = dot(bent, direction);
-  return normalized(facing > -least_facing ? bent - direction * (facing + min_facing) : bent);
+  return normalized(facing > -min_facing ? bent - direction * (facing + min_facing) : bent);
 }
 
 Vec3f Surface::reflectance() const {

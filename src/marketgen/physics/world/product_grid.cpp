@@ -10,7 +10,7 @@ constexpr double cell_m = 0.3;     // a few facings wide
 constexpr double max_cells = 1e6;  // far outside any store: keeps the indices small
 
 int cell(double at) {
-  return static_cast<int>(std::floor(std::clamp(at / cell_m, -most_cells, max_cells)));
+  return static_cast<int>(std::floor(std::clamp(at / cell_m, -max_cells, max_cells)));
 }
 std::int64_t key(int x, int y) {
   return (std::int64_t{x} << 32) ^ static_cast<std::uint32_t>(y);

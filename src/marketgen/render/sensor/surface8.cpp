@@ -72,7 +72,7 @@ Mask8 face_viewer(Surface8& s, Vec8 face_normal, Vec8 normal, const Vec8& direct
   face_normal = select(back, -face_normal, face_normal);
   normal = normalized(select(dot(normal, face_normal) < Float8(0), -normal, normal));
   const Float8 facing = dot(normal, direction);
-  const Mask8 averted = facing > Float8(-least_facing);
+  const Mask8 averted = facing > Float8(-min_facing);
   if (averted.any())
     normal = select(averted, normalized(normal - direction * (facing + min_facing)), normal);
   s.face_normal = face_normal;
