@@ -71,7 +71,7 @@ Result<ShelfPickQuestion> pick_question(const GoodsNow& goods,
 
 Result<std::string> gripper_row(const Robot& robot) {
   for (const Tool& tool : robot.tools)
-    if (tool.kind == ToolKind::gripper && !hands_with(robot, tool.row).empty()) return tool.row;
+    if (tool.kind == ToolKind::gripper && hands_with(robot, tool.row).ok()) return tool.row;
   return Error{"robot.unknown", robot.name, "no arm of this robot ends in a gripper"};
 }
 
@@ -85,6 +85,7 @@ Result<CollectPlan> plan_collect(const GoodsNow& goods,
   if (product >= scene.products.size())
     return Error{
         "collect.no_product", fmt::format("row {}", product), "the store has no such product"};
+  MARKETGEN_CHECK(hands_with(robot, tool.id));
   const Product& row = scene.catalog[scene.products[product].sku];
   MARKETGEN_TRY(const std::vector<GraspCandidate> grasps, grasps_of(row, tool, options));
   MARKETGEN_TRY(ShelfPickQuestion question, pick_question(goods, product, robot, options));

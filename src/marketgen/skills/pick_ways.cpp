@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace marketgen {
 namespace {
 
@@ -105,7 +107,7 @@ Pose place_before_shelf(Vec3 product, double depth_m, Vec3 out, double distance_
   return {at, rotation_about({0, 0, 1}, std::atan2(-out.y, -out.x))};
 }
 
-std::vector<Hand> hands_with(const Robot& robot, const std::string& tool_row) {
+Result<std::vector<Hand>> hands_with(const Robot& robot, const std::string& tool_row) {
   std::vector<Hand> hands;
   for (std::size_t t = 0; t < robot.tools.size(); ++t) {
     if (robot.tools[t].row != tool_row) continue;
@@ -113,6 +115,9 @@ std::vector<Hand> hands_with(const Robot& robot, const std::string& tool_row) {
       if (!group.solver.empty() && group.tip == robot.tools[t].frame)
         hands.push_back({&group, static_cast<int>(t)});
   }
+  if (hands.empty())
+    return Error{
+        "robot.unknown", robot.name, fmt::format("no arm of this robot ends in a {}", tool_row)};
   return hands;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/result.h"
 #include "base/seed.h"
 #include "motion/collision_world.h"
 #include "motion/tool_line.h"
@@ -67,8 +68,9 @@ struct Hand {
   const JointGroup* arm = nullptr;
   int tool = -1;  // in Robot::tools
 };
-// Those that end in a tool of this row, by the order of the tools.
-std::vector<Hand> hands_with(const Robot& robot, const std::string& tool_row);
+// Those that end in a tool of this row, by the order of the tools. Errors: robot.unknown where no
+// arm does.
+Result<std::vector<Hand>> hands_with(const Robot& robot, const std::string& tool_row);
 
 // Boxes that a robot carries, in the store frame.
 std::vector<BoxObstacle> carried_at(const std::vector<BoxObstacle>& carried,

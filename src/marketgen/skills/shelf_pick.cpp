@@ -100,15 +100,12 @@ class ShelfPickPlanner {
 Result<ShelfPick> plan_shelf_pick(const Robot& robot,
                                   const ShelfPickQuestion& question,
                                   Seed seed) {
+  MARKETGEN_TRY(const std::vector<Hand> hands, hands_with(robot, question.tool_row));
   std::vector<ShelfPickPlanner> planners;
-  for (const Hand& hand : hands_with(robot, question.tool_row)) {
+  for (const Hand& hand : hands) {
     planners.emplace_back(robot, question, hand, seed);
     MARKETGEN_CHECK(planners.back().make_model());
   }
-  if (planners.empty())
-    return Error{"robot.unknown",
-                 robot.name,
-                 fmt::format("no arm of this robot ends in a {}", question.tool_row)};
   Error error{"collect.no_place", question.where, "there is no grasp to try"};
   for (std::size_t number = 0; number < question.grasps.size(); ++number) {
     for (const ShelfPickPlanner& planner : planners) {

@@ -42,7 +42,7 @@ Result<void> check_robot(const AisleStation& station, const Robot& robot) {
     return lacks("the posture \"" + station.posture + "\"");
   for (const std::string& frame : {station.basket.frame, station.head_camera.frame})
     if (robot.find_frame(frame) < 0) return lacks("the frame \"" + frame + "\"");
-  if (const std::string& row = station.tools().picks_with; hands_with(robot, row).empty())
+  if (const std::string& row = station.tools().picks_with; !hands_with(robot, row).ok())
     return lacks("an arm with the tool \"" + row + "\"");
   return {};
 }
