@@ -15,7 +15,7 @@ namespace {
 
 constexpr double limit_s = 20;
 constexpr int steps = 30;
-constexpr EnvironmentOptions by_joints{.control = ControlMode::pd_joint_pos};
+const EnvironmentOptions by_joints{.control = ControlMode::pd_joint_pos};
 using Row = std::vector<double>;
 
 // Joints that sway about where they begin, a base that creeps, hands that open; then the stop.
