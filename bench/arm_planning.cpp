@@ -27,18 +27,20 @@ struct PlanTimes {
 // A problem counts when its scene has a free start and a free goal. Its time is the least of five
 // calls, so that other programs on the machine do not count; making the checker, once for a scene,
 // does not either.
-Result<PlanTimes> plan_shelves(const ArmModel& model, const std::vector<double>& ready) {
+Result<PlanTimes> plan_shelves(const motion::ArmModel& model, const std::vector<double>& ready) {
   PlanTimes times;
   for (std::uint64_t index = 0; times.asked < shelf_problems; ++index) {
     const ShelfProblem problem = shelf_problem(model, ready, index);
     if (problem.goal.empty()) continue;
     ++times.asked;
-    MARKETGEN_TRY(const CollisionWorld world, CollisionWorld::make(problem.obstacles));
-    MARKETGEN_TRY(const ArmChecker checker, ArmChecker::make(model, ready, {}, world));
+    MARKETGEN_TRY(const motion::CollisionWorld world,
+                  motion::CollisionWorld::make(problem.obstacles));
+    MARKETGEN_TRY(const motion::ArmChecker checker,
+                  motion::ArmChecker::make(model, ready, {}, world));
     double least = -1;
     for (int call = 0; call < calls; ++call) {
       const auto from = std::chrono::steady_clock::now();
-      const auto plan = plan_arm(checker, problem.start, {problem.goal}, Seed(1));
+      const auto plan = motion::plan_arm(checker, problem.start, {problem.goal}, Seed(1));
       const std::chrono::duration<double, std::milli> spent =
           std::chrono::steady_clock::now() - from;
       if (plan.ok() && (least < 0 || spent.count() < least)) least = spent.count();
@@ -60,13 +62,14 @@ Figure figure(std::string name, double value, std::string unit) {
 
 }  // namespace
 
-Figures run_arm_planning(const Catalog&) {
-  MARKETGEN_TRY(const std::filesystem::path data, data_folder());
-  MARKETGEN_TRY(const Robot robot, load_robot(data, "panda"));
-  std::vector<double> ready = with_posture(*robot.find_posture("ready"), neutral_state(robot));
+Figures run_arm_planning(const catalog::Catalog&) {
+  MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
+  MARKETGEN_TRY(const robots::Robot robot, robots::load_robot(data, "panda"));
+  std::vector<double> ready =
+      robots::with_posture(*robot.find_posture("ready"), robots::neutral_state(robot));
   ready[static_cast<std::size_t>(robot.find_dof("finger_joint1"))] = 0.04;
-  ready = with_followers(robot, std::move(ready));
-  MARKETGEN_TRY(const ArmModel model, make_arm_model(robot, "arm"));
+  ready = robots::with_followers(robot, std::move(ready));
+  MARKETGEN_TRY(const motion::ArmModel model, motion::make_arm_model(robot, "arm"));
   MARKETGEN_TRY(const PlanTimes times, plan_shelves(model, ready));
   if (times.milliseconds.empty())
     return Error{"motion.no_path", "arm_planning", "not one of the problems was solved"};

@@ -37,7 +37,7 @@ using Figures = Result<std::vector<Figure>>;
 
 struct Benchmark {
   std::string_view name, description;
-  Figures (*run)(const Catalog& catalog);
+  Figures (*run)(const catalog::Catalog& catalog);
 };
 const std::vector<Benchmark>& benchmarks();  // benchmarks.inc
 
@@ -46,7 +46,7 @@ double resident_mb();  // memory of this process that is in use now
 // Median seconds of `runs` calls after one that is not counted.
 double median_seconds(int runs, const std::function<void()>& work);
 
-#define BENCHMARK(name, description) Figures run_##name(const Catalog& catalog);
+#define BENCHMARK(name, description) Figures run_##name(const catalog::Catalog& catalog);
 #include "bench/benchmarks.inc"
 #undef BENCHMARK
 

@@ -21,9 +21,10 @@ constexpr int resets_before = 100, resets_counted = 1000;
 // One environment and memory for what it says.
 class Bench {
  public:
-  static Result<Bench> begin(const std::shared_ptr<EpisodeGround>& ground, EpisodeSpec spec) {
+  static Result<Bench> begin(const std::shared_ptr<environments::EpisodeGround>& ground,
+                             episodes::EpisodeSpec spec) {
     Bench bench;
-    MARKETGEN_TRY(bench.environment_, Environment::create(ground, spec.track, {}));
+    MARKETGEN_TRY(bench.environment_, environments::Environment::create(ground, spec.track, {}));
     bench.seen_.resize(bench.environment_->observation_size());
     bench.action_.assign(bench.environment_->action_numbers().size(), 0);
     bench.action_.back() = -1;  // go on
@@ -32,20 +33,20 @@ class Bench {
   }
 
   Result<void> reset() {
-    Environment* const one = environment_.get();
-    return reset_all({&one, 1}, {&spec_, 1}, seen_);
+    environments::Environment* const one = environment_.get();
+    return environments::reset_all({&one, 1}, {&spec_, 1}, seen_);
   }
 
   // Steps a second with arms that sway.
   Result<double> steps_per_s(int round) {
-    Environment* const one = environment_.get();
+    environments::Environment* const one = environment_.get();
     double reward = 0;
     bool terminated = false, truncated = false;
     const auto start = std::chrono::steady_clock::now();
     for (int i = 0; i < steps_a_round; ++i) {
       std::fill(action_.begin(), action_.begin() + joints, (i + round) % 8 < 4 ? sway : -sway);
-      MARKETGEN_CHECK(
-          step_all({&one, 1}, action_, {seen_, {&reward, 1}, {&terminated, 1}, {&truncated, 1}}));
+      MARKETGEN_CHECK(environments::step_all(
+          {&one, 1}, action_, {seen_, {&reward, 1}, {&terminated, 1}, {&truncated, 1}}));
     }
     return steps_a_round / seconds_since(start);
   }
@@ -53,7 +54,7 @@ class Bench {
   // The same number of steps of physics from the same moment by MuJoCo alone, its commands held.
   Result<double> bare_steps_per_s() const {
     const mjModel& model = environment_->model();
-    MARKETGEN_TRY(const MujocoData data, make_data(model, "bench"));
+    MARKETGEN_TRY(const physics::MujocoData data, physics::make_data(model, "bench"));
     mj_copyData(data.get(), &model, &environment_->data());
     const auto start = std::chrono::steady_clock::now();
     for (int i = 0; i < steps_a_round * substeps; ++i)
@@ -68,23 +69,25 @@ class Bench {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
-  std::unique_ptr<Environment> environment_;
-  EpisodeSpec spec_;
+  std::unique_ptr<environments::Environment> environment_;
+  episodes::EpisodeSpec spec_;
   std::vector<float> seen_;
   std::vector<double> action_;
 };
 
 // In the middle of an aisle; to fetch what stands within reach.
-Result<EpisodeSpec> aisle_episode(EpisodeGround& ground, const Store& store) {
-  EpisodeSpec spec;
+Result<episodes::EpisodeSpec> aisle_episode(environments::EpisodeGround& ground,
+                                            const store::Store& store) {
+  episodes::EpisodeSpec spec;
   spec.id = "bench";
-  spec.track = Track::aisle;
+  spec.track = episodes::Track::aisle;
   spec.scene_hash = store.manifest.scene_hash;
-  spec.plan_hash = plan_hash(store.plan);
+  spec.plan_hash = episodes::plan_hash(store.plan);
   spec.limit_s = 900;
-  MARKETGEN_TRY(const auto aisles, shared_aisle_store(ground.arena(), spec.scene_hash));
+  MARKETGEN_TRY(const auto aisles,
+                environments::shared_aisle_store(ground.arena(), spec.scene_hash));
   spec.robot = aisles->station.robot;
-  for (const Product& product : store.scene.catalog) {
+  for (const catalog::Product& product : store.scene.catalog) {
     const auto places = aisles->standing_places(product.sku);
     if (places.empty()) continue;
     spec.goals = {{product.sku, 1}};
@@ -138,15 +141,15 @@ Result<void> add_memory(Bench& bench, std::vector<Figure>& figures) {
 
 // From nothing but the episode: the store is opened from its folder first.
 Result<void> add_first_reset(const std::filesystem::path& folder,
-                             const std::shared_ptr<const Catalog>& catalog,
-                             const EpisodeSpec& spec,
+                             const std::shared_ptr<const catalog::Catalog>& catalog,
+                             const episodes::EpisodeSpec& spec,
                              std::vector<Figure>& figures) {
   Result<void> done;
   const auto open_and_reset = [&]() -> Result<void> {
-    MARKETGEN_TRY(Store store, open_store(folder, *catalog));
-    MARKETGEN_TRY(
-        auto ground,
-        EpisodeGround::of_store(std::make_shared<const Store>(std::move(store)), catalog));
+    MARKETGEN_TRY(store::Store store, store::open_store(folder, *catalog));
+    MARKETGEN_TRY(auto ground,
+                  environments::EpisodeGround::of_store(
+                      std::make_shared<const store::Store>(std::move(store)), catalog));
     MARKETGEN_TRY(Bench bench, Bench::begin(ground, spec));
     return bench.reset();
   };
@@ -157,21 +160,22 @@ Result<void> add_first_reset(const std::filesystem::path& folder,
 
 }  // namespace
 
-Figures run_environment(const Catalog& catalog) {
+Figures run_environment(const catalog::Catalog& catalog) {
   const ScratchFolder scratch;
   const std::filesystem::path folder = scratch / "store";
-  const auto rows = std::make_shared<const Catalog>(catalog);
-  MARKETGEN_TRY(const Created created, create_store(neighbourhood_store(folder, false), catalog));
-  MARKETGEN_TRY(Store opened, open_store(folder, catalog));
-  const auto store = std::make_shared<const Store>(std::move(opened));
-  MARKETGEN_TRY(const auto ground, EpisodeGround::of_store(store, rows));
+  const auto rows = std::make_shared<const catalog::Catalog>(catalog);
+  MARKETGEN_TRY(const store::Created created,
+                store::create_store(neighbourhood_store(folder, false), catalog));
+  MARKETGEN_TRY(store::Store opened, store::open_store(folder, catalog));
+  const auto store = std::make_shared<const store::Store>(std::move(opened));
+  MARKETGEN_TRY(const auto ground, environments::EpisodeGround::of_store(store, rows));
   std::vector<Figure> figures;
-  MARKETGEN_TRY(EpisodeSpec basket, ground->draw(Track::checkout, 1));
+  MARKETGEN_TRY(episodes::EpisodeSpec basket, ground->draw(episodes::Track::checkout, 1));
   MARKETGEN_TRY(Bench counter, Bench::begin(ground, std::move(basket)));
   MARKETGEN_CHECK(add_resets("checkout", counter, figures));
   MARKETGEN_CHECK(add_steps("checkout", counter, figures));
   MARKETGEN_CHECK(add_memory(counter, figures));
-  MARKETGEN_TRY(const EpisodeSpec errand, aisle_episode(*ground, *store));
+  MARKETGEN_TRY(const episodes::EpisodeSpec errand, aisle_episode(*ground, *store));
   MARKETGEN_TRY(Bench aisles, Bench::begin(ground, errand));
   MARKETGEN_CHECK(add_resets("aisle", aisles, figures));
   MARKETGEN_CHECK(add_steps("aisle", aisles, figures));

@@ -16,12 +16,12 @@ struct Run {
   std::uint64_t products = 0;
 };
 
-Result<Run> create(const CreateOptions& options, const Catalog& catalog) {
+Result<Run> create(const store::CreateOptions& options, const catalog::Catalog& catalog) {
   const double start = monotonic_seconds();
-  MARKETGEN_TRY(const Created created, create_store(options, catalog));
+  MARKETGEN_TRY(const store::Created created, store::create_store(options, catalog));
   Run run;
   run.seconds = monotonic_seconds() - start;
-  for (const StageTiming& t : created.report.timing_s)
+  for (const store::StageTiming& t : created.report.timing_s)
     (t.stage == "previews" ? run.previews_s : run.before_previews_s) += t.seconds;
   run.products = created.manifest.counts.products;
   return run;
@@ -44,17 +44,17 @@ std::string salad() {
 }
 
 // From the words to a layout that keeps its rules; no goods.
-Result<double> planning_seconds(const Catalog& catalog) {
-  Brief brief;
+Result<double> planning_seconds(const catalog::Catalog& catalog) {
+  intake::Brief brief;
   brief.prompt = salad();
   const double start = monotonic_seconds();
-  MARKETGEN_CHECK(design_store(brief, catalog, Seed(1)));
+  MARKETGEN_CHECK(store::design_store(brief, catalog, Seed(1)));
   return monotonic_seconds() - start;
 }
 
 }  // namespace
 
-Figures run_generate(const Catalog& catalog) {
+Figures run_generate(const catalog::Catalog& catalog) {
   const ScratchFolder scratch;
   std::vector<Figure> figures;
   const auto add = [&](std::string name, double value, std::string unit, int n) {

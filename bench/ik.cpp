@@ -15,20 +15,23 @@ constexpr int runs = 9;
 constexpr int analytic_poses = 1000, numeric_poses = 50;
 
 struct ReachTask {
-  ArmJoints joints{};  // that made the pose: a redundancy with a solution, and a seed far from none
+  robots::ArmJoints
+      joints{};  // that made the pose: a redundancy with a solution, and a seed far from none
   Pose tip;
 };
 
-std::vector<ReachTask> reach_tasks(const Robot& robot, const JointGroup& group, const ArmIk& arm) {
+std::vector<ReachTask> reach_tasks(const robots::Robot& robot,
+                                   const robots::JointGroup& group,
+                                   const robots::ArmIk& arm) {
   Stream draw = Seed(7).child("bench_ik", robot.name).stream();
   std::vector<ReachTask> tasks(analytic_poses);
   for (ReachTask& task : tasks) {
-    std::vector<double> q = neutral_state(robot);
+    std::vector<double> q = robots::neutral_state(robot);
     for (std::size_t i = 0; i < group.dofs.size(); ++i) {
       task.joints[i] = draw.uniform(arm.lower[i], arm.upper_limit[i]);
       q[static_cast<std::size_t>(group.dofs[i])] = task.joints[i];
     }
-    task.tip = frame_pose(robot, q, group.tip);
+    task.tip = robots::frame_pose(robot, q, group.tip);
   }
   return tasks;
 }
@@ -40,21 +43,21 @@ Figure microseconds(std::string name, double value) {
 // Every branch at one value of the redundancy: the time over the solutions found. And the one
 // nearest to a seed, over the whole sweep: the time over the poses.
 Result<std::vector<Figure>> analytic(const std::filesystem::path& data, const std::string& id) {
-  MARKETGEN_TRY(const Robot robot, load_robot(data, id));
-  const JointGroup& group = *robot.find_group("arm");
-  MARKETGEN_TRY(const ArmIk arm, make_arm_ik(robot, group));
+  MARKETGEN_TRY(const robots::Robot robot, robots::load_robot(data, id));
+  const robots::JointGroup& group = *robot.find_group("arm");
+  MARKETGEN_TRY(const robots::ArmIk arm, robots::make_arm_ik(robot, group));
   const std::vector<ReachTask> tasks = reach_tasks(robot, group, arm);
   std::size_t solutions = 0;
   const double all = median_seconds(runs, [&] {
     solutions = 0;
     for (const ReachTask& task : tasks)
-      solutions += solve_arm(arm, task.tip, task.joints[6]).size();
+      solutions += robots::solve_arm(arm, task.tip, task.joints[6]).size();
   });
   std::size_t reached = 0;
   const double nearest = median_seconds(runs, [&] {
     reached = 0;
     for (const ReachTask& task : tasks)
-      reached += nearest_arm_solution(arm, task.tip, {}).ok() ? 1U : 0U;
+      reached += robots::nearest_arm_solution(arm, task.tip, {}).ok() ? 1U : 0U;
   });
   if (solutions == 0 || reached == 0)
     return Error{"robot.unreachable", id, "not one of the poses was reached"};
@@ -65,30 +68,30 @@ Result<std::vector<Figure>> analytic(const std::filesystem::path& data, const st
 
 // Base, lift and left arm of the dual-arm robot together, from its neutral state.
 Result<std::vector<Figure>> whole_body(const std::filesystem::path& data) {
-  MARKETGEN_TRY(const Robot robot, load_robot(data, "realman-rm75"));
+  MARKETGEN_TRY(const robots::Robot robot, robots::load_robot(data, "realman-rm75"));
   std::vector<int> dofs;
   for (const char* name : {"base", "lift", "left_arm"}) {
-    const JointGroup& group = *robot.find_group(name);
+    const robots::JointGroup& group = *robot.find_group(name);
     dofs.insert(dofs.end(), group.dofs.begin(), group.dofs.end());
   }
   const int frame = robot.find_group("left_arm")->tip;
-  const std::vector<double> seed = neutral_state(robot);
+  const std::vector<double> seed = robots::neutral_state(robot);
   Stream draw = Seed(7).child("bench_ik_whole_body").stream();
   std::vector<Pose> goals;
   for (int i = 0; i < numeric_poses; ++i) {
     std::vector<double> q = seed;
     for (const int dof : dofs) {
-      const Joint& joint = robot.joint_of_dof(static_cast<std::size_t>(dof));
+      const robots::Joint& joint = robot.joint_of_dof(static_cast<std::size_t>(dof));
       q[static_cast<std::size_t>(dof)] =
           draw.uniform(std::max(joint.lower, -1.0), std::min(joint.upper, 1.0));
     }
-    goals.push_back(frame_pose(robot, q, frame));
+    goals.push_back(robots::frame_pose(robot, q, frame));
   }
   int reached = 0;
   const double seconds = median_seconds(3, [&] {
     reached = 0;
     for (const Pose& goal : goals)
-      reached += solve_numeric(robot, frame, dofs, goal, seed, Seed(1)).ok() ? 1 : 0;
+      reached += robots::solve_numeric(robot, frame, dofs, goal, seed, Seed(1)).ok() ? 1 : 0;
   });
   if (reached == 0) return Error{"robot.unreachable", robot.name, "no pose was reached"};
   Figure time = microseconds("ik_base_lift_arm_us", seconds / numeric_poses);
@@ -105,8 +108,8 @@ Result<std::vector<Figure>> whole_body(const std::filesystem::path& data) {
 
 }  // namespace
 
-Figures run_ik(const Catalog&) {
-  MARKETGEN_TRY(const std::filesystem::path data, data_folder());
+Figures run_ik(const catalog::Catalog&) {
+  MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
   std::vector<Figure> figures;
   for (const char* id : {"rm65-b-v", "rm75-b", "panda"}) {
     MARKETGEN_TRY(const std::vector<Figure> arm, analytic(data, id));

@@ -6,20 +6,22 @@
 
 namespace marketgen::bench {
 
-Figures run_load(const Catalog& catalog) {
+Figures run_load(const catalog::Catalog& catalog) {
   const ScratchFolder scratch;
-  MARKETGEN_TRY(const Created created, create_store(large_store(scratch / "store"), catalog));
+  MARKETGEN_TRY(const store::Created created,
+                store::create_store(large_store(scratch / "store"), catalog));
   const std::filesystem::path file = scratch / "store" / "scene.bin";
-  MARKETGEN_TRY(const Scene scene, open_scene(file));
+  MARKETGEN_TRY(const scene::Scene scene, scene::open_scene(file));
   const std::filesystem::path json_file = scratch / "scene.json";
-  MARKETGEN_CHECK(write_file(json_file, write_json_line(scene)));
+  MARKETGEN_CHECK(io::write_file(json_file, io::write_json_line(scene)));
 
   constexpr int runs = 9;
-  const double ours = median_seconds(runs, [&] { (void)open_scene(file).ok(); });
+  const double ours = median_seconds(runs, [&] { (void)scene::open_scene(file).ok(); });
   const double json = median_seconds(3, [&] {
-    const auto text = read_file(json_file);
-    Scene read;
-    if (text.ok()) (void)read_json_into(*text, "scene.json", type_of<Scene>(), &read).ok();
+    const auto text = io::read_file(json_file);
+    scene::Scene read;
+    if (text.ok())
+      (void)io::read_json_into(*text, "scene.json", type_of<scene::Scene>(), &read).ok();
   });
   const std::string machine = machine_name();
   return std::vector<Figure>{{"load_40x25m_s",

@@ -5,16 +5,16 @@
 
 namespace marketgen::bench {
 
-Figures run_physics(const Catalog& catalog) {
+Figures run_physics(const catalog::Catalog& catalog) {
   const ScratchFolder scratch;
-  MARKETGEN_TRY(const Created created,
-                create_store(neighbourhood_store(scratch / "store", false), catalog));
-  MARKETGEN_TRY(const Scene scene, open_scene(scratch / "store" / "scene.bin"));
+  MARKETGEN_TRY(const store::Created created,
+                store::create_store(neighbourhood_store(scratch / "store", false), catalog));
+  MARKETGEN_TRY(const scene::Scene scene, scene::open_scene(scratch / "store" / "scene.bin"));
   constexpr int products = 200;
-  SettleOptions options;
-  options.region_m = region_around_aisle(scene, products);
+  physics::SettleOptions options;
+  options.region_m = physics::region_around_aisle(scene, products);
   options.max_products = products;
-  MARKETGEN_TRY(const SettleReport report, settle(scene, options));
+  MARKETGEN_TRY(const physics::SettleReport report, physics::settle(scene, options));
   const std::string machine = machine_name();
   const double simulated_s = options.settle_s + options.watch_s;
   return std::vector<Figure>{{"settle_200_worst_drift_mm",

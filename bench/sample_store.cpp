@@ -20,8 +20,8 @@ ScratchFolder::~ScratchFolder() {
   drop_leftover(folder_);
 }
 
-CreateOptions neighbourhood_store(const fs::path& folder, bool previews) {
-  CreateOptions options;
+store::CreateOptions neighbourhood_store(const fs::path& folder, bool previews) {
+  store::CreateOptions options;
   options.folder = folder;
   options.brief.prompt =
       "A 24 x 15 m neighbourhood supermarket with produce by the entrance, dairy along the back "
@@ -31,8 +31,8 @@ CreateOptions neighbourhood_store(const fs::path& folder, bool previews) {
   return options;
 }
 
-CreateOptions large_store(const fs::path& folder) {
-  CreateOptions options = neighbourhood_store(folder, false);
+store::CreateOptions large_store(const fs::path& folder) {
+  store::CreateOptions options = neighbourhood_store(folder, false);
   options.brief.prompt =
       "A 40 x 25 m supermarket with produce by the entrance, dairy along the back wall and six "
       "checkouts";

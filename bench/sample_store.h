@@ -22,7 +22,7 @@ class ScratchFolder {
 };
 
 // The 24 x 15 m store of the README, or the 40 x 25 m one.
-CreateOptions neighbourhood_store(const std::filesystem::path& folder, bool previews);
-CreateOptions large_store(const std::filesystem::path& folder);
+store::CreateOptions neighbourhood_store(const std::filesystem::path& folder, bool previews);
+store::CreateOptions large_store(const std::filesystem::path& folder);
 
 }  // namespace marketgen::bench

@@ -50,8 +50,8 @@ Result<void> add_arm(mjSpec& spec, double x_m, double y_m) {
   return {};
 }
 
-WorldOptions with_arm(const Scene& scene, const Catalog& catalog) {
-  WorldOptions options;
+physics::WorldOptions with_arm(const scene::Scene& scene, const catalog::Catalog& catalog) {
+  physics::WorldOptions options;
   options.frictions = catalog.frictions;
   const PolygonMm& aisle = scene.layout.aisles.front().polygon_mm;
   double x = 0, y = 0;  // middle of its corners
@@ -63,11 +63,11 @@ WorldOptions with_arm(const Scene& scene, const Catalog& catalog) {
 
 // Products far apart that stand by themselves, so that none wakes another. Of the region alone when
 // there is one.
-std::vector<std::uint32_t> spread(const Scene& scene,
+std::vector<std::uint32_t> spread(const scene::Scene& scene,
                                   const std::optional<std::array<double, 4>>& region_m) {
   std::vector<std::uint32_t> there;
   for (std::uint32_t row = 0; row < scene.products.size(); ++row) {
-    const SceneProduct& item = scene.products[row];
+    const scene::SceneProduct& item = scene.products[row];
     const double x = item.position_m[0], y = item.position_m[1];
     const bool in = !region_m || (x > (*region_m)[0] && x < (*region_m)[2] && y > (*region_m)[1] &&
                                   y < (*region_m)[3]);
@@ -80,19 +80,19 @@ std::vector<std::uint32_t> spread(const Scene& scene,
 }
 
 // The same goods in the same room with nothing else in it, each on a board of its own.
-Scene empty_room(const Scene& scene, const std::vector<std::uint32_t>& products) {
+scene::Scene empty_room(const scene::Scene& scene, const std::vector<std::uint32_t>& products) {
   constexpr float board_m = 0.3F, board_half_m = 0.01F, apart_m = 0.8F;
-  Scene bare = scene;
+  scene::Scene bare = scene;
   bare.fixtures.assign(1, {}), bare.parts.clear(), bare.joints.clear(), bare.shelves.clear();
   bare.facings.clear(), bare.products.clear();
   float x = 1;
   for (const std::uint32_t product : products) {
-    ScenePart board;
+    scene::ScenePart board;
     board.position_m = {x, 1, 1 - board_half_m};
     board.half_size_m = {board_m, board_m, board_half_m};
     bare.parts.push_back(board);
-    SceneProduct item = scene.products[product];
-    item.facing = no_facing;
+    scene::SceneProduct item = scene.products[product];
+    item.facing = scene::no_facing;
     item.position_m = {x, 1, 1};
     x += apart_m;
     bare.products.push_back(item);
@@ -102,7 +102,9 @@ Scene empty_room(const Scene& scene, const std::vector<std::uint32_t>& products)
 }
 
 // Seconds a step, once for each round, while `products` are kept awake and the arm moves.
-Result<double> round_seconds(World& world, const std::vector<std::uint32_t>& products, int round) {
+Result<double> round_seconds(physics::World& world,
+                             const std::vector<std::uint32_t>& products,
+                             int round) {
   const auto start = std::chrono::steady_clock::now();
   for (int i = 0; i < steps; i += keep_awake_steps) {
     for (const std::uint32_t product : products)
@@ -120,15 +122,16 @@ struct StepTimes {
 };
 
 // In turn, so that both meet the same noise.
-Result<StepTimes> steps_beside_empty_room(const Scene& scene, const WorldOptions& options) {
+Result<StepTimes> steps_beside_empty_room(const scene::Scene& scene,
+                                          const physics::WorldOptions& options) {
   const std::vector<std::uint32_t> chosen = spread(scene, options.region_m);
-  const Scene bare = empty_room(scene, chosen);
+  const scene::Scene bare = empty_room(scene, chosen);
   std::vector<std::uint32_t> in_bare(awake);
   std::iota(in_bare.begin(), in_bare.end(), 0U);
-  WorldOptions everywhere = options;
+  physics::WorldOptions everywhere = options;
   everywhere.region_m = {};
-  MARKETGEN_TRY(World world, World::create(scene, options));
-  MARKETGEN_TRY(World empty, World::create(bare, everywhere));
+  MARKETGEN_TRY(physics::World world, physics::World::create(scene, options));
+  MARKETGEN_TRY(physics::World empty, physics::World::create(bare, everywhere));
   std::vector<double> in_store_s, in_empty_s;
   for (int round = 0; round < rounds; ++round) {
     MARKETGEN_TRY(const double store_s, round_seconds(world, chosen, round));
@@ -150,26 +153,28 @@ Figure step_figure(std::string name, const StepTimes& times) {
 
 }  // namespace
 
-Figures run_world(const Catalog& catalog) {
+Figures run_world(const catalog::Catalog& catalog) {
   const ScratchFolder scratch;
-  MARKETGEN_TRY(const Created created,
-                create_store(neighbourhood_store(scratch / "store", false), catalog));
-  MARKETGEN_TRY(const Scene scene, open_scene(scratch / "store" / "scene.bin"));
-  const WorldOptions options = with_arm(scene, catalog);
-  WorldOptions sector = options;
-  sector.region_m = region_around_aisle(scene, 2000);
+  MARKETGEN_TRY(const store::Created created,
+                store::create_store(neighbourhood_store(scratch / "store", false), catalog));
+  MARKETGEN_TRY(const scene::Scene scene, scene::open_scene(scratch / "store" / "scene.bin"));
+  const physics::WorldOptions options = with_arm(scene, catalog);
+  physics::WorldOptions sector = options;
+  sector.region_m = physics::region_around_aisle(scene, 2000);
 
   malloc_trim(0);  // what earlier benchmarks have freed would be used again
   const double before_mb = resident_mb();
   double world_mb = 0;
   {
-    MARKETGEN_TRY(const World world, World::create(scene, options));
+    MARKETGEN_TRY(const physics::World world, physics::World::create(scene, options));
     world_mb = resident_mb() - before_mb;
   }
   MARKETGEN_TRY(const StepTimes whole, steps_beside_empty_room(scene, options));
   MARKETGEN_TRY(const StepTimes part, steps_beside_empty_room(scene, sector));
-  const double build_s = median_seconds(3, [&] { (void)World::create(scene, options).ok(); });
-  const double sector_s = median_seconds(3, [&] { (void)World::create(scene, sector).ok(); });
+  const double build_s =
+      median_seconds(3, [&] { (void)physics::World::create(scene, options).ok(); });
+  const double sector_s =
+      median_seconds(3, [&] { (void)physics::World::create(scene, sector).ok(); });
 
   const std::string machine = machine_name();
   const auto figure = [&](std::string name, double value, std::string unit, int n) {

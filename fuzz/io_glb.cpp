@@ -8,7 +8,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace marketgen;
-  const auto model = parse_glb({reinterpret_cast<const char*>(data), size}, "fuzz");
+  const auto model = io::parse_glb({reinterpret_cast<const char*>(data), size}, "fuzz");
   if (!model.ok()) return 0;
   const Mesh& mesh = model->mesh;
   if (mesh.triangles.empty() || mesh.normals.size() != mesh.positions.size() ||
@@ -20,7 +20,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   for (const std::uint16_t surface : mesh.surfaces)
     if (surface >= model->materials.size()) std::abort();
-  for (const ModelMaterial& material : model->materials)
+  for (const io::ModelMaterial& material : model->materials)
     if (material.picture >= static_cast<int>(model->pictures.size())) std::abort();
   for (const Vec3f& p : mesh.positions)
     if (!std::isfinite(p.x + p.y + p.z)) std::abort();

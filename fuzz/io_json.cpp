@@ -50,13 +50,13 @@ struct Everything {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const auto value = read_json<Everything>({reinterpret_cast<const char*>(data), size}, "fuzz");
+  const auto value = io::read_json<Everything>({reinterpret_cast<const char*>(data), size}, "fuzz");
   if (!value.ok()) return 0;
-  const std::string text = write_json(*value), line = write_json_line(*value);
-  const auto again = read_json<Everything>(text, "fuzz"),
-             from_line = read_json<Everything>(line, "fuzz");
-  if (!again.ok() || !from_line.ok() || write_json(*again) != text ||
-      write_json(*from_line) != text)
+  const std::string text = io::write_json(*value), line = io::write_json_line(*value);
+  const auto again = io::read_json<Everything>(text, "fuzz"),
+             from_line = io::read_json<Everything>(line, "fuzz");
+  if (!again.ok() || !from_line.ok() || io::write_json(*again) != text ||
+      io::write_json(*from_line) != text)
     std::abort();
   return 0;
 }

@@ -10,7 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace marketgen;
   const std::string text(reinterpret_cast<const char*>(data), size);
   const auto model =
-      parse_obj(text, "fuzz", [&](const std::string&) -> Result<std::string> { return text; });
+      io::parse_obj(text, "fuzz", [&](const std::string&) -> Result<std::string> { return text; });
   if (!model.ok()) return 0;
   const Mesh& mesh = model->mesh;
   if (mesh.triangles.empty() || mesh.normals.size() != mesh.positions.size()) std::abort();

@@ -11,11 +11,11 @@
 
 namespace {
 
-const marketgen::Catalog& rows() {
-  static const marketgen::Catalog catalog = [] {
-    const auto folder = marketgen::data_folder();
+const marketgen::catalog::Catalog& rows() {
+  static const marketgen::catalog::Catalog catalog = [] {
+    const auto folder = marketgen::io::data_folder();
     if (!folder.ok()) marketgen::fatal(to_string(folder.error()).c_str());
-    auto loaded = marketgen::load_catalog(*folder);
+    auto loaded = marketgen::catalog::load_catalog(*folder);
     if (!loaded.ok()) marketgen::fatal(to_string(loaded.error()).c_str());
     return std::move(loaded).value();
   }();
@@ -26,13 +26,14 @@ const marketgen::Catalog& rows() {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace marketgen;
-  const auto plan = read_plan({reinterpret_cast<const char*>(data), size}, "fuzz", rows());
+  const auto plan = plan::read_plan({reinterpret_cast<const char*>(data), size}, "fuzz", rows());
   if (!plan.ok()) return 0;
-  const std::string text = write_json(*plan);
-  const auto again = read_plan(text, "fuzz", rows());
-  if (!again.ok() || write_json(*again) != text) std::abort();
-  for (const RectMm& ground : zone_rectangles(*plan)) {
-    if (ground.width() < min_node_side_mm || ground.depth() < min_node_side_mm) std::abort();
+  const std::string text = io::write_json(*plan);
+  const auto again = plan::read_plan(text, "fuzz", rows());
+  if (!again.ok() || io::write_json(*again) != text) std::abort();
+  for (const RectMm& ground : plan::zone_rectangles(*plan)) {
+    if (ground.width() < plan::min_node_side_mm || ground.depth() < plan::min_node_side_mm)
+      std::abort();
   }
   return 0;
 }

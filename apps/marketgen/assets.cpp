@@ -32,12 +32,12 @@ namespace fs = std::filesystem;
 
 struct AssetFlags {
   CommonFlags common;
-  AssetQuery query;
+  catalog::AssetQuery query;
   ShownAsset shown;
   std::string folder, model, unit = "m", up = "y";
   double mass_kg = 0;  // 0: estimate it
   bool coacd = true, resume = false;
-  ImportOptions import;
+  assets::ImportOptions import;
   std::string vlm, vlm_url, vlm_record, vlm_replay;  // without --vlm: offline
   std::vector<std::string> catalogs, only;
   int size_px = 400;
@@ -75,7 +75,7 @@ struct AssetList {
 };
 
 struct SearchRow {
-  AssetKind kind = AssetKind::goods;
+  catalog::AssetKind kind = catalog::AssetKind::goods;
   std::string id, sku, name, category;
   double score = 0, price = 0;
   static constexpr auto fields =
@@ -88,7 +88,7 @@ struct SearchRow {
                  field("price", &SearchRow::price, "euro, of goods"));
 };
 
-std::string title_of(const Product& p) {
+std::string title_of(const catalog::Product& p) {
   return fmt::format("{}{}{}{}{}",
                      p.brand,
                      p.brand.empty() ? "" : " ",
@@ -97,43 +97,44 @@ std::string title_of(const Product& p) {
                      p.variant);
 }
 
-SearchRow row_of(const Catalog& catalog, const AssetHit& hit) {
+SearchRow row_of(const catalog::Catalog& catalog, const catalog::AssetHit& hit) {
   switch (hit.kind) {
-    case AssetKind::goods: {
-      const Product& p = catalog.products[hit.row];
+    case catalog::AssetKind::goods: {
+      const catalog::Product& p = catalog.products[hit.row];
       return {hit.kind, p.sku, p.sku, title_of(p), p.category, hit.score, p.price};
     }
-    case AssetKind::facility: {
-      const FixtureKind& k = catalog.fixture_kinds[hit.row];
+    case catalog::AssetKind::facility: {
+      const catalog::FixtureKind& k = catalog.fixture_kinds[hit.row];
       return {hit.kind, k.kind, "", k.name, "", hit.score, 0};
     }
     default: {
-      const MaterialRow& m = catalog.materials[hit.row];
+      const catalog::MaterialRow& m = catalog.materials[hit.row];
       return {hit.kind, m.id, "", m.name, "", hit.score, 0};
     }
   }
 }
 
 // Whether anything on the fixture moves.
-Result<bool> is_articulated(const FixtureKind& kind, const Catalog& catalog) {
-  MARKETGEN_TRY(const Scene stage, stage_fixture(kind, catalog));
+Result<bool> is_articulated(const catalog::FixtureKind& kind, const catalog::Catalog& catalog) {
+  MARKETGEN_TRY(const scene::Scene stage, scene::stage_fixture(kind, catalog));
   return !stage.joints.empty();
 }
 
-Result<AssetList> list_of(const Catalog& catalog, const std::vector<AssetHit>& hits) {
+Result<AssetList> list_of(const catalog::Catalog& catalog,
+                          const std::vector<catalog::AssetHit>& hits) {
   AssetList list;
-  list.archetypes = static_cast<int>(archetypes().size());
-  for (const CategoryRow& category : catalog.categories)
+  list.archetypes = static_cast<int>(assets::archetypes().size());
+  for (const catalog::CategoryRow& category : catalog.categories)
     list.by_category.push_back({category.id, 0});
-  for (const AssetHit& hit : hits) {
+  for (const catalog::AssetHit& hit : hits) {
     const SearchRow row = row_of(catalog, hit);
     std::string kind;
-    if (hit.kind == AssetKind::goods) {
+    if (hit.kind == catalog::AssetKind::goods) {
       ++list.goods;
       kind = catalog.products[hit.row].archetype;
       for (CategoryCount& c : list.by_category)
         c.products += c.category == row.category ? 1 : 0;
-    } else if (hit.kind == AssetKind::facility) {
+    } else if (hit.kind == catalog::AssetKind::facility) {
       ++list.facilities;
       kind = catalog.fixture_kinds[hit.row].generator;
       MARKETGEN_TRY(const bool moves, is_articulated(catalog.fixture_kinds[hit.row], catalog));
@@ -143,23 +144,24 @@ Result<AssetList> list_of(const Catalog& catalog, const std::vector<AssetHit>& h
       kind = name_of(catalog.materials[hit.row].pattern);
     }
     const std::string category =
-        hit.kind == AssetKind::goods ? row.category : std::string(name_of(hit.kind));
+        hit.kind == catalog::AssetKind::goods ? row.category : std::string(name_of(hit.kind));
     list.rows.push_back({row.id, row.name, kind, category});
   }
   return list;
 }
 
-Result<std::vector<AssetHit>> found_by(const AssetFlags& flags, const Catalog& catalog) {
-  MARKETGEN_TRY(const AssetDatabase database, AssetDatabase::open(catalog));
+Result<std::vector<catalog::AssetHit>> found_by(const AssetFlags& flags,
+                                                const catalog::Catalog& catalog) {
+  MARKETGEN_TRY(const catalog::AssetDatabase database, catalog::AssetDatabase::open(catalog));
   return database.find(flags.query);
 }
 
 Result<void> list_assets(const AssetFlags& flags) {
-  MARKETGEN_TRY(const Catalog catalog, load_rows(flags.catalogs));
+  MARKETGEN_TRY(const catalog::Catalog catalog, load_rows(flags.catalogs));
   MARKETGEN_TRY(const auto hits, found_by(flags, catalog));
   MARKETGEN_TRY(const AssetList list, list_of(catalog, hits));
   if (flags.common.json) {
-    fmt::print("{}", write_json(list));
+    fmt::print("{}", io::write_json(list));
     return {};
   }
   say("{} goods of {} shapes, {} facilities ({} articulated), {} materials\n",
@@ -176,21 +178,21 @@ Result<void> list_assets(const AssetFlags& flags) {
 }
 
 Result<void> show_one(const AssetFlags& flags) {
-  MARKETGEN_TRY(const Catalog catalog, load_rows(flags.catalogs));
+  MARKETGEN_TRY(const catalog::Catalog catalog, load_rows(flags.catalogs));
   ShownAsset shown = flags.shown;
   shown.size_px = flags.size_px;
   return show_asset(catalog, shown);
 }
 
 Result<void> search_assets(const AssetFlags& flags) {
-  MARKETGEN_TRY(const Catalog catalog, load_rows(flags.catalogs));
+  MARKETGEN_TRY(const catalog::Catalog catalog, load_rows(flags.catalogs));
   MARKETGEN_TRY(const auto hits, found_by(flags, catalog));
   std::vector<SearchRow> rows;
   rows.reserve(hits.size());
-  for (const AssetHit& hit : hits)
+  for (const catalog::AssetHit& hit : hits)
     rows.push_back(row_of(catalog, hit));
   if (flags.common.json) {
-    fmt::print("{}", write_json(rows));
+    fmt::print("{}", io::write_json(rows));
     return {};
   }
   constexpr std::size_t shown = 20;
@@ -208,12 +210,12 @@ template <class Value>
 Result<Value> named(const std::string& name, std::string_view flag) {
   if (const auto value = value_named<Value>(name)) return *value;
   const auto known = names_of(Value{});
-  return unknown_name(
+  return catalog::unknown_name(
       "usage.bad_flag", std::string(flag), "value", name, {known.begin(), known.end()});
 }
 
-void print_import(const AssetFile& asset, const fs::path& folder) {
-  const Product& p = asset.product;
+void print_import(const catalog::AssetFile& asset, const fs::path& folder) {
+  const catalog::Product& p = asset.product;
   say("asset       {}  \"{}\"\n", p.sku, p.name);
   say("taken for   {} / {}, {} ({:.0f} % sure, {})\n",
       p.category,
@@ -238,44 +240,46 @@ void print_import(const AssetFile& asset, const fs::path& folder) {
 }
 
 // By the annotator that the flags name.
-Result<ImportedAsset> imported(const AssetFlags& flags,
-                               const ImportOptions& options,
-                               const Catalog& catalog) {
+Result<assets::ImportedAsset> imported(const AssetFlags& flags,
+                                       const assets::ImportOptions& options,
+                                       const catalog::Catalog& catalog) {
   if (!flags.vlm.empty()) {
-    const ModelChoice choice{.model = flags.vlm,
-                             .url = flags.vlm_url,
-                             .record = flags.vlm_record,
-                             .replay = flags.vlm_replay};
-    MARKETGEN_TRY(LanguageModel model, open_language_model(choice));
-    return import_asset(flags.model, options, catalog, vlm_annotator(catalog, std::move(model)));
+    const llm::ModelChoice choice{.model = flags.vlm,
+                                  .url = flags.vlm_url,
+                                  .record = flags.vlm_record,
+                                  .replay = flags.vlm_replay};
+    MARKETGEN_TRY(llm::LanguageModel model, llm::open_language_model(choice));
+    return assets::import_asset(
+        flags.model, options, catalog, assets::vlm_annotator(catalog, std::move(model)));
   }
-  MARKETGEN_TRY(const AssetDatabase database, AssetDatabase::open(catalog));
-  return import_asset(flags.model, options, catalog, offline_annotator(catalog, database));
+  MARKETGEN_TRY(const catalog::AssetDatabase database, catalog::AssetDatabase::open(catalog));
+  return assets::import_asset(
+      flags.model, options, catalog, assets::offline_annotator(catalog, database));
 }
 
 // Before any work: whether the folders that were named have a place.
 Result<void> probe_import(const AssetFlags& flags) {
-  Outputs record;
+  io::Outputs record;
   if (!flags.vlm_record.empty()) MARKETGEN_CHECK(record.add_folder(flags.vlm_record));
   if (flags.folder.empty()) return {};
-  const Result<FolderDraft> draft = FolderDraft::begin(flags.folder);
+  const Result<io::FolderDraft> draft = io::FolderDraft::begin(flags.folder);
   return draft.ok() ? Result<void>{} : draft.error();
 }
 
 Result<void> import_model(const AssetFlags& flags) {
   MARKETGEN_CHECK(probe_import(flags));
-  MARKETGEN_TRY(const Catalog catalog, load_rows(flags.catalogs));
-  ImportOptions options = flags.import;
-  MARKETGEN_TRY(options.unit, named<LengthUnit>(flags.unit, "--unit"));
-  MARKETGEN_TRY(options.up, named<UpAxis>(flags.up, "--up"));
+  MARKETGEN_TRY(const catalog::Catalog catalog, load_rows(flags.catalogs));
+  assets::ImportOptions options = flags.import;
+  MARKETGEN_TRY(options.unit, named<catalog::LengthUnit>(flags.unit, "--unit"));
+  MARKETGEN_TRY(options.up, named<assets::UpAxis>(flags.up, "--up"));
   if (flags.mass_kg > 0) options.mass_kg = flags.mass_kg;
   options.coacd = flags.coacd;
-  MARKETGEN_TRY(const ImportedAsset asset, imported(flags, options, catalog));
+  MARKETGEN_TRY(const assets::ImportedAsset asset, imported(flags, options, catalog));
   const fs::path folder =
       flags.folder.empty() ? fs::path("assets") / asset.file.product.sku : fs::path(flags.folder);
-  MARKETGEN_CHECK(write_asset(asset, folder));
+  MARKETGEN_CHECK(assets::write_asset(asset, folder));
   if (flags.common.json) {
-    fmt::print("{}", write_json(asset.file));
+    fmt::print("{}", io::write_json(asset.file));
     return {};
   }
   print_import(asset.file, folder);
@@ -284,31 +288,35 @@ Result<void> import_model(const AssetFlags& flags) {
 
 Result<void> save_sheet(const AssetFlags& flags, const std::string& name, const Image& sheet) {
   const fs::path file = fs::path(flags.folder) / (name + ".png");
-  MARKETGEN_CHECK(write_png(file, sheet));  // at once: what is finished is kept
+  MARKETGEN_CHECK(io::write_png(file, sheet));  // at once: what is finished is kept
   if (!flags.common.quiet) say("picture     {}\n", file.string());
   return {};
 }
 
-Result<Image> facility_sheet(const Catalog& catalog, int size_px) {
-  return picture_grid(catalog.fixture_kinds.size(), size_px, [&](std::size_t i) -> Result<Image> {
-    MARKETGEN_TRY(const Scene stage, stage_fixture(catalog.fixture_kinds[i], catalog));
-    return draw_fixture(stage, size_px);
-  });
+Result<Image> facility_sheet(const catalog::Catalog& catalog, int size_px) {
+  return render::picture_grid(
+      catalog.fixture_kinds.size(), size_px, [&](std::size_t i) -> Result<Image> {
+        MARKETGEN_TRY(const scene::Scene stage,
+                      scene::stage_fixture(catalog.fixture_kinds[i], catalog));
+        return render::draw_fixture(stage, size_px);
+      });
 }
 
-Result<Image> goods_sheet(const Catalog& catalog, const std::string& category, int size_px) {
-  std::vector<Product> products;
-  for (const Product& p : catalog.products) {
+Result<Image> goods_sheet(const catalog::Catalog& catalog,
+                          const std::string& category,
+                          int size_px) {
+  std::vector<catalog::Product> products;
+  for (const catalog::Product& p : catalog.products) {
     if (p.category == category) products.push_back(p);
   }
-  return draw_contact_sheet(products, size_px);
+  return render::draw_contact_sheet(products, size_px);
 }
 
 // The sheets that are asked for, in the order in which they are drawn; all when none is named.
-Result<std::vector<std::string>> sheet_names(const Catalog& catalog,
+Result<std::vector<std::string>> sheet_names(const catalog::Catalog& catalog,
                                              const std::vector<std::string>& only) {
   std::vector<std::string> names;
-  for (const CategoryRow& category : catalog.categories)
+  for (const catalog::CategoryRow& category : catalog.categories)
     names.push_back(category.id);
   names.insert(names.end(), {"facilities", "materials"});
   const std::vector<std::string_view> known(names.begin(), names.end());
@@ -326,15 +334,16 @@ Result<std::vector<std::string>> sheet_names(const Catalog& catalog,
 
 Result<void> draw_sheets(const AssetFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
-  MARKETGEN_TRY(const Catalog catalog, load_rows(flags.catalogs));
+  MARKETGEN_TRY(const catalog::Catalog catalog, load_rows(flags.catalogs));
   MARKETGEN_TRY(const auto names, sheet_names(catalog, flags.only));
-  Outputs folder;
+  io::Outputs folder;
   MARKETGEN_CHECK(folder.add_folder(flags.folder));
   for (const std::string& name : names) {
     MARKETGEN_TRY(const Image sheet,
-                  name == "facilities"  ? facility_sheet(catalog, flags.size_px)
-                  : name == "materials" ? draw_material_sheet(catalog.materials, flags.size_px)
-                                        : goods_sheet(catalog, name, flags.size_px));
+                  name == "facilities" ? facility_sheet(catalog, flags.size_px)
+                  : name == "materials"
+                      ? render::draw_material_sheet(catalog.materials, flags.size_px)
+                      : goods_sheet(catalog, name, flags.size_px));
     MARKETGEN_CHECK(save_sheet(flags, name, sheet));
   }
   return {};
@@ -343,7 +352,7 @@ Result<void> draw_sheets(const AssetFlags& flags) {
 using Action = Result<void> (*)(const AssetFlags&);
 
 void add_filters(CLI::App& sub, AssetFlags& flags) {
-  AssetQuery& q = flags.query;
+  catalog::AssetQuery& q = flags.query;
   sub.add_option("--zone", q.zone, "what belongs in a zone type: dairy, snacks ...");
   sub.add_option("--category", q.category, "category of goods");
   sub.add_option("--subcategory", q.subcategory, "shelf group of goods");
@@ -359,12 +368,12 @@ void add_filters(CLI::App& sub, AssetFlags& flags) {
 }
 
 Result<void> build_all(const AssetFlags& flags) {
-  MARKETGEN_TRY(const Catalog catalog, load_rows(flags.catalogs));
+  MARKETGEN_TRY(const catalog::Catalog catalog, load_rows(flags.catalogs));
   return build_library(catalog, flags.common);
 }
 
 Result<void> settle_all(const AssetFlags& flags) {
-  MARKETGEN_TRY(const Catalog catalog, load_rows(flags.catalogs));
+  MARKETGEN_TRY(const catalog::Catalog catalog, load_rows(flags.catalogs));
   return settle_heaps(catalog, flags.folder, flags.resume, flags.common);
 }
 
@@ -395,7 +404,7 @@ void add_vlm(CLI::App& sub, AssetFlags& flags) {
   CLI::Option* model =
       sub.add_option("--vlm",
                      flags.vlm,
-                     "PROVIDER:MODEL that says what it is (" + provider_names() +
+                     "PROVIDER:MODEL that says what it is (" + llm::provider_names() +
                          "); the key comes from the environment. Default: offline");
   sub.add_option("--vlm-url", flags.vlm_url, "base URL of another server of that kind")
       ->needs(model);

@@ -22,9 +22,9 @@ Result<void> run_benchmarks(const BenchFlags& flags) {
     known.push_back(b.name);
   for (const std::string& name : flags.names) {
     if (std::find(known.begin(), known.end(), name) == known.end())
-      return unknown_name("usage.bad_flag", "bench", "benchmark", name, known);
+      return catalog::unknown_name("usage.bad_flag", "bench", "benchmark", name, known);
   }
-  MARKETGEN_TRY(const Catalog catalog, load_rows());
+  MARKETGEN_TRY(const catalog::Catalog catalog, load_rows());
   for (const bench::Benchmark& b : bench::benchmarks()) {
     const bool wanted =
         flags.names.empty() ||
@@ -32,7 +32,7 @@ Result<void> run_benchmarks(const BenchFlags& flags) {
     if (!wanted) continue;
     MARKETGEN_TRY(const std::vector<bench::Figure> figures, b.run(catalog));
     for (const bench::Figure& figure : figures)
-      fmt::print("{}\n", write_json_line(figure));
+      fmt::print("{}\n", io::write_json_line(figure));
     std::fflush(stdout);
   }
   return {};

@@ -36,15 +36,15 @@ void print_report(const LibraryReport& report) {
 
 }  // namespace
 
-Result<void> build_library(const Catalog& catalog, const CommonFlags& flags) {
+Result<void> build_library(const catalog::Catalog& catalog, const CommonFlags& flags) {
   const ThreadLimit limit(flags.threads);
-  const std::filesystem::path folder = cache_folder() / "labels";
-  Outputs cache;  // that they are kept is what this is for
+  const std::filesystem::path folder = io::cache_folder() / "labels";
+  io::Outputs cache;  // that they are kept is what this is for
   MARKETGEN_CHECK(cache.add_folder(folder));
   MARKETGEN_CHECK(cache.commit());
   const double started_s = monotonic_seconds();
-  MARKETGEN_TRY(const raytrace::LabelLibrary library,
-                raytrace::build_label_library(catalog.products, progress_for(flags)));
+  MARKETGEN_TRY(const render::raytrace::LabelLibrary library,
+                render::raytrace::build_label_library(catalog.products, progress_for(flags)));
   const LibraryReport report{static_cast<int>(library.labels),
                              static_cast<int>(library.drawn),
                              static_cast<int>(library.kept),
@@ -52,7 +52,7 @@ Result<void> build_library(const Catalog& catalog, const CommonFlags& flags) {
                              monotonic_seconds() - started_s,
                              folder.string()};
   if (flags.json)
-    fmt::print("{}", write_json(report));
+    fmt::print("{}", io::write_json(report));
   else
     print_report(report);
   if (!library.unkept) return {};

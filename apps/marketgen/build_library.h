@@ -8,6 +8,6 @@ namespace marketgen::app {
 
 // Prints counts, seconds and megabytes, as JSON when asked. Errors: assets.*; io.* after that, when
 // not all could be kept.
-Result<void> build_library(const Catalog& catalog, const CommonFlags& flags);
+Result<void> build_library(const catalog::Catalog& catalog, const CommonFlags& flags);
 
 }  // namespace marketgen::app

@@ -50,23 +50,24 @@ Result<std::pair<int, int>> parse_pixels(const std::string& text) {
   return std::pair(static_cast<int>(*width), static_cast<int>(*height));
 }
 
-Result<Camera> camera_from_file(const CameraFlags& flags) {
+Result<render::Camera> camera_from_file(const CameraFlags& flags) {
   if (!flags.name.empty() || !flags.from.empty() || !flags.at.empty())
     return Error{"usage.bad_flag",
                  "--camera-file",
                  "the file says where the camera stands; leave out --camera, --from and --at"};
-  MARKETGEN_TRY(const std::string text, read_file(flags.file));
-  MARKETGEN_TRY(const CameraFile file, read_json<CameraFile>(text, flags.file));
-  return camera_of(file, flags.file);
+  MARKETGEN_TRY(const std::string text, io::read_file(flags.file));
+  MARKETGEN_TRY(const render::CameraFile file, io::read_json<render::CameraFile>(text, flags.file));
+  return render::camera_of(file, flags.file);
 }
 
-Result<Camera> named_camera(const CameraFlags& flags,
-                            const Scene& scene,
-                            std::pair<int, int> pixels) {
+Result<render::Camera> named_camera(const CameraFlags& flags,
+                                    const scene::Scene& scene,
+                                    std::pair<int, int> pixels) {
   const auto [width, height] = pixels;
-  MARKETGEN_TRY(const Camera named,
-                camera_named(scene, flags.name.empty() ? "entrance" : flags.name, width, height));
-  MARKETGEN_CHECK(check_camera(named, "--size"));
+  MARKETGEN_TRY(
+      const render::Camera named,
+      render::camera_named(scene, flags.name.empty() ? "entrance" : flags.name, width, height));
+  MARKETGEN_CHECK(render::check_camera(named, "--size"));
   return named;
 }
 
@@ -84,18 +85,18 @@ void add_camera_flags(CLI::App& command, CameraFlags& flags) {
       .add_option("--fov-deg",
                   flags.fov_deg,
                   "vertical field of view, with --from and --at; 60 when not given")
-      ->check(real_number(narrowest_view_deg, widest_view_deg));
+      ->check(real_number(render::narrowest_view_deg, render::widest_view_deg));
   command.add_option("--size", flags.size, "picture size in pixels")->capture_default_str();
 }
 
-Result<Camera> camera_of(const CameraFlags& flags, const Scene& scene) {
+Result<render::Camera> camera_of(const CameraFlags& flags, const scene::Scene& scene) {
   if (flags.fov_deg && flags.from.empty())
     return Error{"usage.bad_flag",
                  "--fov-deg",
                  "cameras with a name or a file have their own; give --from and --at with it"};
   if (!flags.file.empty()) {
-    MARKETGEN_TRY(const Camera camera, camera_from_file(flags));
-    MARKETGEN_CHECK(check_viewpoint(scene, camera, flags.file));
+    MARKETGEN_TRY(const render::Camera camera, camera_from_file(flags));
+    MARKETGEN_CHECK(render::check_viewpoint(scene, camera, flags.file));
     return camera;
   }
   MARKETGEN_TRY(const auto pixels, parse_pixels(flags.size));
@@ -104,15 +105,15 @@ Result<Camera> camera_of(const CameraFlags& flags, const Scene& scene) {
   if (flags.from.empty()) return named_camera(flags, scene, pixels);
   if (!flags.name.empty())
     return Error{"usage.bad_flag", "--camera", "give a camera's name or --from and --at, not both"};
-  Camera camera;
+  render::Camera camera;
   camera.name = "custom";
   MARKETGEN_TRY(camera.from, parse_point(flags.from, "--from"));
   MARKETGEN_TRY(camera.at, parse_point(flags.at, "--at"));
   camera.fov_deg = flags.fov_deg.value_or(60);
   camera.width = pixels.first;
   camera.height = pixels.second;
-  MARKETGEN_CHECK(check_camera(camera, "render"));
-  MARKETGEN_CHECK(check_viewpoint(scene, camera, "--from"));
+  MARKETGEN_CHECK(render::check_camera(camera, "render"));
+  MARKETGEN_CHECK(render::check_viewpoint(scene, camera, "--from"));
   return camera;
 }
 

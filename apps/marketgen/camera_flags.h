@@ -19,6 +19,6 @@ struct CameraFlags {
 void add_camera_flags(CLI::App& command, CameraFlags& flags);
 
 // Errors: usage.bad_flag, camera.*; those of the file.
-Result<Camera> camera_of(const CameraFlags& flags, const Scene& scene);
+Result<render::Camera> camera_of(const CameraFlags& flags, const scene::Scene& scene);
 
 }  // namespace marketgen::app

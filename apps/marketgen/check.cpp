@@ -20,8 +20,8 @@ struct CheckFlags {
 struct CheckOutput {
   std::string path;
   bool ok = true;
-  std::vector<Violation> rules;
-  std::vector<RequirementResult> requirements;
+  std::vector<layout::Violation> rules;
+  std::vector<audit::RequirementResult> requirements;
   std::vector<std::string> repairs;
   static constexpr auto fields =
       field_list(field("path", &CheckOutput::path, "what was checked"),
@@ -32,41 +32,43 @@ struct CheckOutput {
 };
 
 // A plan: all that generate makes of it, in memory.
-Result<CheckOutput> check_plan(const CheckFlags& flags, const Catalog& catalog) {
-  CreateOptions options;
+Result<CheckOutput> check_plan(const CheckFlags& flags, const catalog::Catalog& catalog) {
+  store::CreateOptions options;
   options.plan_file = flags.path;
   options.seed = flags.common.seed;
-  MARKETGEN_TRY(StoreReport report, try_store(options, catalog, progress_for(flags.common)));
+  MARKETGEN_TRY(store::StoreReport report,
+                store::try_store(options, catalog, progress_for(flags.common)));
   return CheckOutput{flags.path, true, std::move(report.rules), {}, std::move(report.repairs)};
 }
 
-Result<CheckOutput> check_store(const CheckFlags& flags, const Catalog& catalog) {
-  MARKETGEN_CHECK(verify_store(flags.path, catalog));
-  MARKETGEN_TRY(const Store store, open_store(flags.path, catalog));
-  MARKETGEN_TRY(Audit audit, audit_store(store.scene, catalog, store.manifest.requirements));
+Result<CheckOutput> check_store(const CheckFlags& flags, const catalog::Catalog& catalog) {
+  MARKETGEN_CHECK(store::verify_store(flags.path, catalog));
+  MARKETGEN_TRY(const store::Store store, store::open_store(flags.path, catalog));
+  MARKETGEN_TRY(audit::Audit audit,
+                audit::audit_store(store.scene, catalog, store.manifest.requirements));
   return CheckOutput{flags.path, true, std::move(audit.rules), std::move(audit.requirements), {}};
 }
 
 Result<int> check(const CheckFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
-  MARKETGEN_TRY(const Catalog catalog, load_rows());
+  MARKETGEN_TRY(const catalog::Catalog catalog, load_rows());
   std::error_code failed;
   if (!std::filesystem::exists(flags.path, failed))
     return Error{"input.not_found", flags.path, "there is no such file or folder"};
   const bool is_file = std::filesystem::is_regular_file(flags.path, failed);
   MARKETGEN_TRY(CheckOutput output,
                 is_file ? check_plan(flags, catalog) : check_store(flags, catalog));
-  for (const Violation& v : output.rules)
-    output.ok = output.ok && v.severity != Severity::hard;
+  for (const layout::Violation& v : output.rules)
+    output.ok = output.ok && v.severity != layout::Severity::hard;
   if (flags.common.json) {
-    fmt::print("{}", write_json(output));
+    fmt::print("{}", io::write_json(output));
     return output.ok ? 0 : 1;
   }
   for (const std::string& repair : output.repairs)
     say("mend  {}\n", repair);
-  for (const Violation& v : output.rules)
+  for (const layout::Violation& v : output.rules)
     say("{:<5} {:<20} {}: {}\n", name_of(v.severity), v.code, v.where, v.message);
-  for (const RequirementResult& r : output.requirements) {
+  for (const audit::RequirementResult& r : output.requirements) {
     if (!r.met) say("wish  not met              \"{}\": {}\n", r.text, r.why);
   }
   say("{} {}: {} rules broken\n", output.ok ? "ok" : "FAILED", flags.path, output.rules.size());

@@ -41,16 +41,16 @@ int fail(const Error& error) {
   return exit_status_of(error.code);
 }
 
-Result<Catalog> load_rows(const std::vector<std::string>& extra) {
-  return usable_catalog({extra.begin(), extra.end()});
+Result<catalog::Catalog> load_rows(const std::vector<std::string>& extra) {
+  return assets::usable_catalog({extra.begin(), extra.end()});
 }
 
-Result<Scene> scene_in_skin(const std::string& folder, const std::string& skin) {
-  MARKETGEN_TRY(Scene scene, open_store_scene(folder));
+Result<scene::Scene> scene_in_skin(const std::string& folder, const std::string& skin) {
+  MARKETGEN_TRY(scene::Scene scene, store::open_store_scene(folder));
   if (skin.empty()) return scene;
-  MARKETGEN_TRY(const Catalog catalog, load_rows());
-  MARKETGEN_TRY(const StyleRow* style, style_called(catalog, skin, "--skin"));
-  return reskin(std::move(scene), *style, catalog);
+  MARKETGEN_TRY(const catalog::Catalog catalog, load_rows());
+  MARKETGEN_TRY(const catalog::StyleRow* style, plan::style_called(catalog, skin, "--skin"));
+  return scene::reskin(std::move(scene), *style, catalog);
 }
 
 Progress& progress_for(const CommonFlags& flags) {

@@ -35,10 +35,10 @@ CLI::Option* add_output(CLI::App& command,
 int fail(const Error& error);
 
 // The rows under data_folder() and the user's own.
-Result<Catalog> load_rows(const std::vector<std::string>& extra = {});
+Result<catalog::Catalog> load_rows(const std::vector<std::string>& extra = {});
 
 // The scene of a store folder; in the look of another style when `skin` names one.
-Result<Scene> scene_in_skin(const std::string& folder, const std::string& skin);
+Result<scene::Scene> scene_in_skin(const std::string& folder, const std::string& skin);
 
 // Progress on stderr, or none when --quiet.
 Progress& progress_for(const CommonFlags& flags);

@@ -49,13 +49,13 @@ Finding check_memory() {
 }
 
 Finding check_rows() {
-  const auto folder = data_folder();
+  const auto folder = io::data_folder();
   if (!folder.ok())
     return {"data rows",
             "missing",
             folder.error().message,
             "set MARKETGEN_DATA to the data folder of the installation"};
-  const auto catalog = load_catalog(*folder);
+  const auto catalog = catalog::load_catalog(*folder);
   if (!catalog.ok())
     return {"data rows",
             "missing",
@@ -72,16 +72,16 @@ Finding check_rows() {
 
 Finding check_cache() {
   std::error_code failed;
-  fs::create_directories(cache_folder(), failed);
-  const bool writable = access(cache_folder().c_str(), W_OK) == 0;
+  fs::create_directories(io::cache_folder(), failed);
+  const bool writable = access(io::cache_folder().c_str(), W_OK) == 0;
   return {"cache",
           writable ? "ok" : "missing",
-          cache_folder().string(),
+          io::cache_folder().string(),
           writable ? "" : "set MARKETGEN_CACHE to a folder that can be written"};
 }
 
 Finding check_fonts() {
-  const std::string absent = fmt::format("{}", fmt::join(missing_fonts(), " "));
+  const std::string absent = fmt::format("{}", fmt::join(assets::missing_fonts(), " "));
   return {"fonts",
           absent.empty() ? "ok" : "missing",
           absent.empty() ? "DejaVu, Lato, Open Sans" : "not found: " + absent,
@@ -103,10 +103,12 @@ Finding check_program(const std::string& name,
 Finding check_worker_part(const std::string& package,
                           const std::string& use,
                           const std::string& without) {
-  const Result<std::string> version = worker_part(package);
+  const Result<std::string> version = io::worker_part(package);
   if (version.ok()) return {package, "ok", *version + "; " + use, ""};
-  return {
-      package, "optional", "not found; " + without, worker_python() + " -m pip install " + package};
+  return {package,
+          "optional",
+          "not found; " + without,
+          io::worker_python() + " -m pip install " + package};
 }
 
 std::vector<Finding> look() {
@@ -115,8 +117,8 @@ std::vector<Finding> look() {
           check_rows(),
           check_cache(),
           check_fonts(),
-          {"physics", "ok", "MuJoCo " + physics_version(), ""},
-          {"renderer", "ok", "Embree " + renderer_version(), ""},
+          {"physics", "ok", "MuJoCo " + physics::physics_version(), ""},
+          {"renderer", "ok", "Embree " + render::renderer_version(), ""},
           check_program(
               "zbarimg", "reads the printed bar codes in tests", "apt-get install zbar-tools"),
           check_worker_part("coacd",
@@ -133,7 +135,7 @@ int doctor(const CommonFlags& flags) {
   for (const Finding& f : findings)
     healthy = healthy && f.state != "missing";
   if (flags.json) {
-    fmt::print("{}", write_json(findings));
+    fmt::print("{}", io::write_json(findings));
     return healthy ? 0 : 1;
   }
   fmt::print("marketgen {} ({}, {} build)\n", program_version, compiler_name, build_type);

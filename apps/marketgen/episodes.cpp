@@ -33,16 +33,16 @@ struct EpisodesFlags {
 };
 
 struct StockedStore {
-  EpisodeStore store;
-  std::unique_ptr<StoreSampler> sampler;
+  episodes::EpisodeStore store;
+  std::unique_ptr<environments::StoreSampler> sampler;
 };
 
-Result<std::vector<Store>> open_all(const std::vector<std::string>& folders,
-                                    const Catalog& catalog) {
-  std::vector<Store> stores;
+Result<std::vector<store::Store>> open_all(const std::vector<std::string>& folders,
+                                           const catalog::Catalog& catalog) {
+  std::vector<store::Store> stores;
   for (const std::string& folder : folders) {
-    MARKETGEN_TRY(Store store, open_store(folder, catalog));
-    const auto same = [&](const Store& other) {
+    MARKETGEN_TRY(store::Store store, store::open_store(folder, catalog));
+    const auto same = [&](const store::Store& other) {
       return other.manifest.scene_hash == store.manifest.scene_hash;
     };
     if (std::ranges::any_of(stores, same))
@@ -52,14 +52,14 @@ Result<std::vector<Store>> open_all(const std::vector<std::string>& folders,
   return stores;
 }
 
-Result<std::vector<StockedStore>> stocked_stores(std::vector<Store> opened,
-                                                 EpisodeSampler& sampler,
-                                                 Arena& arena) {
+Result<std::vector<StockedStore>> stocked_stores(std::vector<store::Store> opened,
+                                                 environments::EpisodeSampler& sampler,
+                                                 environments::Arena& arena) {
   std::vector<StockedStore> stores;
-  for (Store& store : opened) {
-    StockedStore made{store_row(store), nullptr};
-    arena.offer(std::make_shared<const Store>(std::move(store)));
-    const EpisodeStore& row = made.store;
+  for (store::Store& store : opened) {
+    StockedStore made{environments::store_row(store), nullptr};
+    arena.offer(std::make_shared<const store::Store>(std::move(store)));
+    const episodes::EpisodeStore& row = made.store;
     MARKETGEN_TRY(made.sampler, sampler.of_store({row.name, row.scene_hash, row.plan_hash}));
     stores.push_back(std::move(made));
   }
@@ -67,23 +67,23 @@ Result<std::vector<StockedStore>> stocked_stores(std::vector<Store> opened,
 }
 
 // The rows of what lies in the baskets and of what is asked for, by SKU.
-std::vector<Product> products_of(const std::vector<EpisodeSpec>& episodes,
-                                 const std::vector<StockedStore>& stores) {
-  std::map<std::string, Product> products;
+std::vector<catalog::Product> products_of(const std::vector<episodes::EpisodeSpec>& episodes,
+                                          const std::vector<StockedStore>& stores) {
+  std::map<std::string, catalog::Product> products;
   const auto add = [&](const std::string& sku) {
     for (const StockedStore& store : stores) {
-      const std::vector<Product>& rows = store.sampler->products();
-      const auto row = std::ranges::find(rows, sku, &Product::sku);
+      const std::vector<catalog::Product>& rows = store.sampler->products();
+      const auto row = std::ranges::find(rows, sku, &catalog::Product::sku);
       if (row != rows.end()) products.emplace(sku, *row);
     }
   };
-  for (const EpisodeSpec& spec : episodes) {
-    for (const EpisodeItem& item : spec.items)
+  for (const episodes::EpisodeSpec& spec : episodes) {
+    for (const episodes::EpisodeItem& item : spec.items)
       add(item.sku);
-    for (const EpisodeGoal& goal : spec.goals)
+    for (const episodes::EpisodeGoal& goal : spec.goals)
       add(goal.sku);
   }
-  std::vector<Product> rows;
+  std::vector<catalog::Product> rows;
   for (auto& [sku, product] : products)
     rows.push_back(std::move(product));
   return rows;
@@ -92,7 +92,7 @@ std::vector<Product> products_of(const std::vector<EpisodeSpec>& episodes,
 // What decides the episodes, beside their number.
 std::string draw_hash(const EpisodesFlags& flags,
                       const std::vector<StockedStore>& stores,
-                      const Catalog& catalog) {
+                      const catalog::Catalog& catalog) {
   Hasher hasher;
   hasher.add(program_version).add(catalog.content_hash).add(flags.track).add(flags.tools);
   hasher.add(std::to_string(flags.common.seed));
@@ -102,11 +102,11 @@ std::string draw_hash(const EpisodesFlags& flags,
 }
 
 // Beside the output, as long as not all are drawn; none when the output is a device or pipe.
-Result<std::unique_ptr<EpisodeJournal>> begin_journal(const EpisodesFlags& flags,
-                                                      const std::string& draw) {
-  MARKETGEN_TRY(const auto file, LineJournal::place_beside(flags.output));
-  if (!file) return std::unique_ptr<EpisodeJournal>();
-  return EpisodeJournal::begin(*file, draw, flags.resume);
+Result<std::unique_ptr<episodes::EpisodeJournal>> begin_journal(const EpisodesFlags& flags,
+                                                                const std::string& draw) {
+  MARKETGEN_TRY(const auto file, io::LineJournal::place_beside(flags.output));
+  if (!file) return std::unique_ptr<episodes::EpisodeJournal>();
+  return episodes::EpisodeJournal::begin(*file, draw, flags.resume);
 }
 
 // Draws one after the other, shared out over the stores in turn.
@@ -114,20 +114,20 @@ class Drawing {
  public:
   Drawing(const EpisodesFlags& flags,
           const std::vector<StockedStore>& stores,
-          EpisodeJournal* journal)
+          episodes::EpisodeJournal* journal)
       : flags_(flags), stores_(stores), journal_(journal) {}
 
-  Result<std::vector<EpisodeSpec>> draw() {
+  Result<std::vector<episodes::EpisodeSpec>> draw() {
     Progress& progress = progress_for(flags_.common);
     const auto count = static_cast<std::size_t>(flags_.count);
     progress.begin("episodes", count);
     const auto made = parallel_map(count, [&](std::size_t i) {
       auto spec = episode(i);
       progress.advance();
-      return std::make_shared<Result<EpisodeSpec>>(std::move(spec));
+      return std::make_shared<Result<episodes::EpisodeSpec>>(std::move(spec));
     });
     progress.end();
-    std::vector<EpisodeSpec> episodes;
+    std::vector<episodes::EpisodeSpec> episodes;
     for (const auto& spec : made) {
       if (!spec->ok()) return spec->error();
       episodes.push_back(spec->value());
@@ -137,7 +137,7 @@ class Drawing {
 
  private:
   // The number `i` of the file: kept before, or drawn now and kept.
-  Result<EpisodeSpec> episode(std::size_t i) {
+  Result<episodes::EpisodeSpec> episode(std::size_t i) {
     const StockedStore& from = stores_[i % stores_.size()];
     const int number = static_cast<int>(i);
     if (journal_ == nullptr) return drawn(from, i);
@@ -145,26 +145,26 @@ class Drawing {
       from.sampler->consider(before->second.considered);
       return before->second.episode;
     }
-    MARKETGEN_TRY(EpisodeSpec spec, drawn(from, i));
+    MARKETGEN_TRY(episodes::EpisodeSpec spec, drawn(from, i));
     MARKETGEN_CHECK(journal_->keep({number, spec, from.sampler->considered()}));
     return spec;
   }
 
-  Result<EpisodeSpec> drawn(const StockedStore& from, std::size_t i) const {
+  Result<episodes::EpisodeSpec> drawn(const StockedStore& from, std::size_t i) const {
     const Seed seed = Seed(flags_.common.seed).child("store", from.store.scene_hash);
     return from.sampler->sample(seed, static_cast<int>(i / stores_.size()));
   }
 
   const EpisodesFlags& flags_;
   const std::vector<StockedStore>& stores_;
-  EpisodeJournal* journal_;
+  episodes::EpisodeJournal* journal_;
 };
 
 // The episodes, or why there are none: what was drawn and studied until then is kept.
-Result<std::vector<EpisodeSpec>> draw(const EpisodesFlags& flags,
-                                      const std::vector<StockedStore>& stores,
-                                      EpisodeSampler& sampler,
-                                      EpisodeJournal* journal) {
+Result<std::vector<episodes::EpisodeSpec>> draw(const EpisodesFlags& flags,
+                                                const std::vector<StockedStore>& stores,
+                                                environments::EpisodeSampler& sampler,
+                                                episodes::EpisodeJournal* journal) {
   auto episodes = until_interrupted([&] { return Drawing(flags, stores, journal).draw(); });
   const NoForcedEnd keeping;
   MARKETGEN_CHECK(sampler.keep());
@@ -173,11 +173,11 @@ Result<std::vector<EpisodeSpec>> draw(const EpisodesFlags& flags,
     journal->lines().remove();  // it would end so again
     return episodes;
   }
-  return interrupted_with(
+  return io::interrupted_with(
       journal->lines(), flags.output, static_cast<std::size_t>(flags.count), "episodes");
 }
 
-void print_exclusions(const EpisodeStore& store) {
+void print_exclusions(const episodes::EpisodeStore& store) {
   int left_out = 0;
   std::string reasons;
   for (const auto& [reason, products] : store.exclusions.left_out) {
@@ -193,21 +193,23 @@ void print_exclusions(const EpisodeStore& store) {
 
 Result<void> write(const EpisodesFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
-  Outputs outputs;
+  io::Outputs outputs;
   MARKETGEN_CHECK(outputs.add({{"--output", flags.output}}));
-  MARKETGEN_TRY(const std::filesystem::path data, data_folder());
-  MARKETGEN_TRY(Catalog catalog, load_rows());
-  MARKETGEN_TRY(std::vector<Store> opened, open_all(flags.folders, catalog));
-  for (const Store& store : opened) {
-    if (store.manifest.own) catalog = with_own_products(std::move(catalog), *store.manifest.own);
+  MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
+  MARKETGEN_TRY(catalog::Catalog catalog, load_rows());
+  MARKETGEN_TRY(std::vector<store::Store> opened, open_all(flags.folders, catalog));
+  for (const store::Store& store : opened) {
+    if (store.manifest.own)
+      catalog = catalog::with_own_products(std::move(catalog), *store.manifest.own);
   }
-  MARKETGEN_TRY(const Track track, track_named(flags.track));
-  EpisodeFile file;
-  Arena arena(data, file.header, catalog);
-  MARKETGEN_TRY(const auto sampler, environment_entry_of(track).sampler(arena, flags.tools));
+  MARKETGEN_TRY(const episodes::Track track, episodes::track_named(flags.track));
+  episodes::EpisodeFile file;
+  environments::Arena arena(data, file.header, catalog);
+  MARKETGEN_TRY(const auto sampler,
+                environments::environment_entry_of(track).sampler(arena, flags.tools));
   MARKETGEN_TRY(std::vector<StockedStore> stores,
                 stocked_stores(std::move(opened), *sampler, arena));
-  MARKETGEN_TRY(const std::unique_ptr<EpisodeJournal> journal,
+  MARKETGEN_TRY(const std::unique_ptr<episodes::EpisodeJournal> journal,
                 begin_journal(flags, draw_hash(flags, stores, catalog)));
   MARKETGEN_TRY(file.episodes, draw(flags, stores, *sampler, journal.get()));
   for (StockedStore& store : stores)
@@ -217,7 +219,7 @@ Result<void> write(const EpisodesFlags& flags) {
   file.header.products = products_of(file.episodes, stores);
   for (const StockedStore& store : stores)
     file.header.stores.push_back(store.store);
-  MARKETGEN_CHECK(outputs.put(flags.output, write_episodes(file)));
+  MARKETGEN_CHECK(outputs.put(flags.output, episodes::write_episodes(file)));
   MARKETGEN_CHECK(outputs.commit());
   if (journal) journal->lines().remove();
   if (flags.common.quiet) return {};
@@ -236,7 +238,8 @@ Run add_episodes(CLI::App& app) {
   command
       ->add_option("--track",
                    flags->track,
-                   fmt::format("what kind of task: {}", fmt::join(names_of(Track{}), " or ")))
+                   fmt::format("what kind of task: {}",
+                               fmt::join(episodes::names_of(episodes::Track{}), " or ")))
       ->capture_default_str();
   command->add_option(
       "--tools",

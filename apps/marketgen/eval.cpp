@@ -26,11 +26,11 @@ struct EvalFlags {
   std::string episodes, policy = "oracle", output;
   std::vector<std::string> truth;
   int jobs = 0;
-  AnswerLimits answer{120, 1200};
+  evaluation::AnswerLimits answer{120, 1200};
   bool resume = false, perception = false, worker = false;
 };
 
-void print_share(const char* name, const Share& share) {
+void print_share(const char* name, const grasping::Share& share) {
   say("{:<12}{:5.1f} %  ({:.1f} to {:.1f}), {} of {}\n",
       name,
       share.share * 100,
@@ -40,7 +40,7 @@ void print_share(const char* name, const Share& share) {
       share.of);
 }
 
-void print_summary(const EvaluationSummary& summary) {
+void print_summary(const evaluation::EvaluationSummary& summary) {
   print_share("SR strict", summary.strict);
   print_share("SR clean", summary.clean);
   print_share("goals", summary.goals);
@@ -55,9 +55,9 @@ void print_summary(const EvaluationSummary& summary) {
   say("{:.1f} simulated seconds and {:.1f} s of computing an episode\n",
       summary.mean_simulated_s,
       summary.mean_wall_s);
-  for (const FailureCount& failure : summary.failures)
+  for (const evaluation::FailureCount& failure : summary.failures)
     say("{:<12}{}\n", name_of(failure.failure), failure.episodes);
-  for (const ErrorCount& count : summary.errors)
+  for (const evaluation::ErrorCount& count : summary.errors)
     say("not run     {} ({}): they are in none of these shares\n", count.episodes, count.error);
 }
 
@@ -81,20 +81,20 @@ Result<void> eval_perception(const EvalFlags& flags) {
   const ThreadLimit limit(flags.jobs > 0 ? flags.jobs : flags.common.threads);
   if (flags.output.empty())
     return Error{"usage.bad_flag", "--output", "name a folder for the results"};
-  Outputs outputs;
+  io::Outputs outputs;
   MARKETGEN_CHECK(outputs.add_folder(flags.output));
-  MARKETGEN_TRY(const EpisodeFile file, read_episode_file(flags.episodes));
-  MARKETGEN_TRY(const std::filesystem::path data, data_folder());
-  MARKETGEN_TRY(const Catalog catalog, load_rows());
-  MARKETGEN_TRY(const std::vector<PerceptionMeasure> measures,
-                measure_perception(data, file, catalog.frictions));
+  MARKETGEN_TRY(const episodes::EpisodeFile file, episodes::read_episode_file(flags.episodes));
+  MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
+  MARKETGEN_TRY(const catalog::Catalog catalog, load_rows());
+  MARKETGEN_TRY(const std::vector<evaluation::PerceptionMeasure> measures,
+                evaluation::measure_perception(data, file, catalog.frictions));
   std::string lines;
-  for (const PerceptionMeasure& measure : measures)
-    lines += write_json_line(measure) + "\n";
+  for (const evaluation::PerceptionMeasure& measure : measures)
+    lines += io::write_json_line(measure) + "\n";
   const std::filesystem::path results = std::filesystem::path(flags.output) / "perception.jsonl";
   MARKETGEN_CHECK(outputs.put(results, lines));
   MARKETGEN_CHECK(outputs.commit());
-  fmt::print("{}", write_json(summarize(measures)));
+  fmt::print("{}", io::write_json(evaluation::summarize(measures)));
   return check_all_run(measures, results);
 }
 
@@ -113,8 +113,8 @@ std::vector<std::string> worker_command(const EvalFlags& flags, int jobs) {
           std::to_string(std::max(1, thread_count() / jobs))};
 }
 
-EvaluationOptions options_of(const EvalFlags& flags) {
-  EvaluationOptions options{flags.policy, flags.output, flags.resume};
+evaluation::EvaluationOptions options_of(const EvalFlags& flags) {
+  evaluation::EvaluationOptions options{flags.policy, flags.output, flags.resume};
   options.jobs = flags.jobs > 0 ? flags.jobs : thread_count();
   options.answer = flags.answer;
   if (flags.answer.cpu_s > 0) options.worker = worker_command(flags, options.jobs);
@@ -125,7 +125,8 @@ EvaluationOptions options_of(const EvalFlags& flags) {
 Result<EvalFlags> with_truth(EvalFlags flags) {
   for (const std::string& module : flags.truth)
     flags.policy += "+" + module;
-  MARKETGEN_TRY(const PolicyName policy, read_policy_name(flags.policy));
+  MARKETGEN_TRY(const environments::PolicyName policy,
+                environments::read_policy_name(flags.policy));
   flags.policy = policy.written();
   return flags;
 }
@@ -134,18 +135,18 @@ Result<void> eval(const EvalFlags& given) {
   if (given.perception) return eval_perception(given);
   MARKETGEN_TRY(const EvalFlags flags, with_truth(given));
   const ThreadLimit limit(flags.common.threads);
-  MARKETGEN_TRY(const std::filesystem::path data, data_folder());
-  MARKETGEN_TRY(const Catalog catalog, load_rows());
-  if (flags.worker) return serve_episodes(data, catalog, flags.policy);
+  MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
+  MARKETGEN_TRY(const catalog::Catalog catalog, load_rows());
+  if (flags.worker) return evaluation::serve_episodes(data, catalog, flags.policy);
   if (flags.output.empty())
     return Error{"usage.bad_flag", "--output", "name a folder for the results"};
-  MARKETGEN_TRY(const EpisodeFile file, read_episode_file(flags.episodes));
-  MARKETGEN_TRY(
-      const std::vector<EpisodeResult> results,
-      marketgen::evaluate(data, file, catalog, options_of(flags), progress_for(flags.common)));
-  const EvaluationSummary summary = summarize(results);
+  MARKETGEN_TRY(const episodes::EpisodeFile file, episodes::read_episode_file(flags.episodes));
+  MARKETGEN_TRY(const std::vector<episodes::EpisodeResult> results,
+                marketgen::evaluation::evaluate(
+                    data, file, catalog, options_of(flags), progress_for(flags.common)));
+  const evaluation::EvaluationSummary summary = evaluation::summarize(results);
   if (flags.common.json)
-    fmt::print("{}", write_json(summary));
+    fmt::print("{}", io::write_json(summary));
   else if (!flags.common.quiet)
     print_summary(summary);
   return check_all_run(results, std::filesystem::path(flags.output) / "results.jsonl");

@@ -46,29 +46,29 @@ Result<std::array<double, 4>> parse_region(const std::string& text) {
 
 Result<void> run_export(const ExportFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
-  Outputs outputs;
+  io::Outputs outputs;
   MARKETGEN_CHECK(outputs.add({{"--output", flags.output}}));
-  MARKETGEN_TRY(const Scene scene, scene_in_skin(flags.folder, flags.skin));
-  ExportOptions options;
+  MARKETGEN_TRY(const scene::Scene scene, scene_in_skin(flags.folder, flags.skin));
+  exporters::ExportOptions options;
   options.instanced = flags.instanced;
   options.still_fixtures = flags.still;
   options.looks = !flags.primitives;
   if (!flags.robots.empty() && flags.format != "mjcf")
     return Error{"usage.bad_flag", "--robot", "robots go into --format mjcf only"};
-  MARKETGEN_TRY(options.robots, standing_robots(scene, flags.robots, "--robot "));
+  MARKETGEN_TRY(options.robots, collect::standing_robots(scene, flags.robots, "--robot "));
   if (!flags.free_region.empty()) {
     MARKETGEN_TRY(const auto region, parse_region(flags.free_region));
     options.free_region_m = region;
   }
-  MARKETGEN_CHECK(export_scene(scene, flags.format, flags.output, options));
+  MARKETGEN_CHECK(exporters::export_scene(scene, flags.format, flags.output, options));
   if (!flags.check) {
     if (!flags.common.quiet) say("file        {}\n", flags.output);
     return {};
   }
-  MARKETGEN_TRY(const ExportSummary summary,
-                check_export(scene, flags.format, flags.output, options));
+  MARKETGEN_TRY(const exporters::ExportSummary summary,
+                exporters::check_export(scene, flags.format, flags.output, options));
   if (flags.common.json)
-    fmt::print("{}", write_json(summary));
+    fmt::print("{}", io::write_json(summary));
   else
     say("file        {}\nread back   {} products, {} fixtures, {} free bodies, {} joints; worst "
         "position error {:.3f} mm\n",
@@ -87,7 +87,7 @@ Run add_export(CLI::App& app) {
   auto flags = std::make_shared<ExportFlags>();
   CLI::App* command = app.add_subcommand("export", "Write a store in another program's format");
   std::string formats;
-  for (const ExportFormat& format : export_formats())
+  for (const exporters::ExportFormat& format : exporters::export_formats())
     formats += fmt::format("\n  {:<10} {}", format.name, format.description);
   command->add_option("folder", flags->folder, "store folder")->required();
   command->add_option("--format", flags->format, "format, see below")->required();

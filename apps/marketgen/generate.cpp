@@ -25,8 +25,8 @@ struct GenerateFlags {
 // What --json prints for each store.
 struct GenerateOutput {
   std::string folder;
-  Manifest manifest;
-  StoreReport report;
+  store::Manifest manifest;
+  store::StoreReport report;
   std::vector<std::string> pictures;
   static constexpr auto fields =
       field_list(field("folder", &GenerateOutput::folder, "the store folder"),
@@ -35,8 +35,8 @@ struct GenerateOutput {
                  field("pictures", &GenerateOutput::pictures, "pictures drawn"));
 };
 
-Result<Brief> brief_of(const GenerateFlags& flags) {
-  Brief brief;
+Result<intake::Brief> brief_of(const GenerateFlags& flags) {
+  intake::Brief brief;
   for (const std::string& word : flags.words)
     brief.prompt += (brief.prompt.empty() ? "" : " ") + word;
   if (!flags.prompt_file.empty()) {
@@ -44,13 +44,13 @@ Result<Brief> brief_of(const GenerateFlags& flags) {
       return Error{
           "usage.bad_flag", "--prompt-file", "give the prompt as words or as a file, not both"};
     constexpr std::uint64_t max_bytes = 1U << 20;
-    MARKETGEN_TRY(brief.prompt, read_file(flags.prompt_file, max_bytes));
+    MARKETGEN_TRY(brief.prompt, io::read_file(flags.prompt_file, max_bytes));
   }
   if (!flags.plan_file.empty() && !brief.prompt.empty()) {
     return Error{"usage.bad_flag", "--plan", "a plan needs no prompt: it says everything itself"};
   }
   if (!flags.size.empty()) {
-    MARKETGEN_TRY(brief.size_mm, parse_size(flags.size, "--size"));
+    MARKETGEN_TRY(brief.size_mm, intake::parse_size(flags.size, "--size"));
   }
   if (!flags.profile.empty()) brief.profile = flags.profile;
   if (!flags.style.empty()) brief.style = flags.style;
@@ -60,47 +60,47 @@ Result<Brief> brief_of(const GenerateFlags& flags) {
 }
 
 std::vector<std::string> pictures_of(const std::filesystem::path& folder,
-                                     const Manifest& manifest) {
+                                     const store::Manifest& manifest) {
   std::vector<std::string> pictures;
-  for (const FileDigest& file : manifest.files) {
+  for (const store::FileDigest& file : manifest.files) {
     if (file.path.ends_with(".png")) pictures.push_back((folder / file.path).string());
   }
   return pictures;
 }
 
-void print_requirements(const StoreReport& report) {
+void print_requirements(const store::StoreReport& report) {
   if (!report.understood)
     say("understood  nothing: this is the usual store, not what was asked for\n");
   std::size_t met = 0;
-  for (const RequirementResult& r : report.requirements)
+  for (const audit::RequirementResult& r : report.requirements)
     met += r.met ? 1 : 0;
   say("wishes      {} of {} met\n", met, report.requirements.size());
-  for (const RequirementResult& r : report.requirements) {
+  for (const audit::RequirementResult& r : report.requirements) {
     if (!r.met) say("  not met   \"{}\": {}\n", r.text, r.why);
   }
-  for (const Conflict& c : report.conflicts)
+  for (const intake::Conflict& c : report.conflicts)
     say("  given up  {}: kept {}, not \"{}\": {}\n", c.what, c.kept, c.dropped, c.why);
   if (report.unparsed.empty()) return;
   std::vector<std::string> words;
-  for (const UnparsedWord& word : report.unparsed)
+  for (const intake::UnparsedWord& word : report.unparsed)
     words.push_back("\"" + word.text + "\"");
   say("unparsed    {}\n", fmt::join(words, ", "));
 }
 
-void print_rules(const StoreReport& report) {
+void print_rules(const store::StoreReport& report) {
   std::size_t hard = 0;
-  for (const Violation& v : report.rules)
-    hard += v.severity == Severity::hard ? 1 : 0;
+  for (const layout::Violation& v : report.rules)
+    hard += v.severity == layout::Severity::hard ? 1 : 0;
   say("rules       {} hard and {} soft violations, {} repairs\n",
       hard,
       report.rules.size() - hard,
       report.repairs.size());
-  for (const Violation& v : report.rules)
+  for (const layout::Violation& v : report.rules)
     say("  {:<9} {} {}: {}\n", name_of(v.severity), v.code, v.where, v.message);
 }
 
 void print_summary(const GenerateOutput& output) {
-  const SceneCounts& counts = output.manifest.counts;
+  const scene::SceneCounts& counts = output.manifest.counts;
   const auto number = [](std::uint64_t n) { return with_thousands(static_cast<std::int64_t>(n)); };
   say("store       {}  \"{}\"\n", output.folder, output.manifest.name);
   say("counts      {} products, {} SKUs, {} facings, {} fixtures\n",
@@ -108,7 +108,7 @@ void print_summary(const GenerateOutput& output) {
       number(counts.skus),
       number(counts.facings),
       number(counts.fixtures));
-  const Metrics& m = output.report.metrics;
+  const audit::Metrics& m = output.report.metrics;
   say("metrics     {:.0f} items/m2, {:.0f} % of shelf front stocked, COL {:.2f} %, OOB {}, NAV "
       "{:.3f}\n",
       m.DENS,
@@ -118,10 +118,10 @@ void print_summary(const GenerateOutput& output) {
       m.NAV);
   print_requirements(output.report);
   print_rules(output.report);
-  for (const Unstocked& own : output.report.unstocked)
+  for (const scene::Unstocked& own : output.report.unstocked)
     say("not stocked {}: {}\n", own.sku, own.why);
   std::string times;
-  for (const StageTiming& t : output.report.timing_s)
+  for (const store::StageTiming& t : output.report.timing_s)
     times += fmt::format("{}{} {:.2f}", times.empty() ? "" : ", ", t.stage, t.seconds);
   say("seconds     {}; peak memory {:.0f} MB\n", times, output.report.peak_rss_mb);
   say("scene_hash  {}\n", output.manifest.scene_hash);
@@ -137,24 +137,25 @@ std::filesystem::path folder_of(const GenerateFlags& flags, int variant) {
 // Before any work: whether every store has a place.
 Result<void> probe_folders(const GenerateFlags& flags) {
   for (int variant = 0; variant < flags.count; ++variant) {
-    const Result<FolderDraft> draft = FolderDraft::begin(folder_of(flags, variant));
+    const Result<io::FolderDraft> draft = io::FolderDraft::begin(folder_of(flags, variant));
     if (!draft.ok()) return draft.error();
   }
   return {};
 }
 
 Result<void> generate_one(const GenerateFlags& flags,
-                          const Brief& brief,
-                          const Catalog& catalog,
+                          const intake::Brief& brief,
+                          const catalog::Catalog& catalog,
                           int variant) {
-  CreateOptions options;
+  store::CreateOptions options;
   options.folder = folder_of(flags, variant);
   options.brief = brief;
   if (!flags.plan_file.empty()) options.plan_file = flags.plan_file;
   options.seed = flags.common.seed + static_cast<std::uint64_t>(variant);
   options.previews = !flags.no_previews;
   options.strict = flags.strict;
-  MARKETGEN_TRY(Created created, create_store(options, catalog, progress_for(flags.common)));
+  MARKETGEN_TRY(store::Created created,
+                store::create_store(options, catalog, progress_for(flags.common)));
   GenerateOutput output{
       options.folder.string(), std::move(created.manifest), std::move(created.report), {}};
   output.pictures = pictures_of(options.folder, output.manifest);
@@ -165,7 +166,7 @@ Result<void> generate_one(const GenerateFlags& flags,
         "English, as in \"a 24 x 15 m supermarket with a bakery\" (docs/prompts.md)\n",
         shown(output.folder));
   if (flags.common.json)
-    fmt::print("{}\n", write_json_line(output));
+    fmt::print("{}\n", io::write_json_line(output));
   else
     print_summary(output);
   return {};
@@ -173,9 +174,9 @@ Result<void> generate_one(const GenerateFlags& flags,
 
 Result<void> generate(const GenerateFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
-  MARKETGEN_TRY(const Brief brief, brief_of(flags));
+  MARKETGEN_TRY(const intake::Brief brief, brief_of(flags));
   MARKETGEN_CHECK(probe_folders(flags));
-  MARKETGEN_TRY(const Catalog catalog, load_rows(flags.catalogs));
+  MARKETGEN_TRY(const catalog::Catalog catalog, load_rows(flags.catalogs));
   for (int variant = 0; variant < flags.count; ++variant)
     MARKETGEN_CHECK(generate_one(flags, brief, catalog, variant));
   return {};

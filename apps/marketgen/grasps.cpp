@@ -33,8 +33,8 @@ struct GraspReport {
   int products = 0;
   double seconds = 0;
   std::string database;
-  std::vector<GraspShare> shares;
-  std::vector<GraspRate> rates;
+  std::vector<grasping::GraspShare> shares;
+  std::vector<grasping::GraspRate> rates;
   static constexpr auto fields =
       field_list(field("products", &GraspReport::products, "products tried"),
                  field("seconds", &GraspReport::seconds, "wall clock"),
@@ -43,26 +43,26 @@ struct GraspReport {
                  field("rates", &GraspReport::rates, "of each product, only when SKUs are named"));
 };
 
-Result<std::vector<const Product*>> chosen_products(const Catalog& catalog,
-                                                    const GraspFlags& flags) {
-  std::vector<const Product*> chosen;
+Result<std::vector<const catalog::Product*>> chosen_products(const catalog::Catalog& catalog,
+                                                             const GraspFlags& flags) {
+  std::vector<const catalog::Product*> chosen;
   std::vector<std::string_view> skus;
-  for (const Product& product : catalog.products) {
+  for (const catalog::Product& product : catalog.products) {
     skus.push_back(product.sku);
     const bool wanted = flags.archetype.empty() || product.archetype == flags.archetype;
     if (flags.skus.empty() && wanted) chosen.push_back(&product);
   }
   for (const std::string& sku : flags.skus) {
-    const Product* product = catalog.product(sku);
+    const catalog::Product* product = catalog.product(sku);
     if (product == nullptr)
-      return unknown_name("catalog.unknown_sku", "grasps", "product", sku, skus);
+      return catalog::unknown_name("catalog.unknown_sku", "grasps", "product", sku, skus);
     chosen.push_back(product);
   }
   if (flags.sample > 0 && flags.sample < chosen.size()) {
     Stream draw = Seed(flags.common.seed).child("sample").stream();
-    draw.shuffle(std::span<const Product*>(chosen));
+    draw.shuffle(std::span<const catalog::Product*>(chosen));
     chosen.resize(flags.sample);
-    std::ranges::sort(chosen, {}, &Product::sku);
+    std::ranges::sort(chosen, {}, &catalog::Product::sku);
   }
   if (chosen.empty())
     return Error{
@@ -72,47 +72,47 @@ Result<std::vector<const Product*>> chosen_products(const Catalog& catalog,
   return chosen;
 }
 
-Result<std::vector<GraspTool>> chosen_tools(const GraspFlags& flags) {
-  MARKETGEN_TRY(const std::filesystem::path data, data_folder());
-  MARKETGEN_TRY(std::vector<std::string> ids, grasp_tool_ids(data));
+Result<std::vector<robots::GraspTool>> chosen_tools(const GraspFlags& flags) {
+  MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
+  MARKETGEN_TRY(std::vector<std::string> ids, robots::grasp_tool_ids(data));
   if (!flags.tools.empty()) ids = flags.tools;
-  std::vector<GraspTool> tools;
+  std::vector<robots::GraspTool> tools;
   for (const std::string& id : ids) {
-    MARKETGEN_TRY(GraspTool tool, load_grasp_tool(data, id));
+    MARKETGEN_TRY(robots::GraspTool tool, robots::load_grasp_tool(data, id));
     tools.push_back(std::move(tool));
   }
   return tools;
 }
 
-Result<std::vector<GraspSetting>> chosen_settings(const GraspFlags& flags) {
-  const auto names = names_of(GraspSetting{});
-  std::vector<GraspSetting> settings;
+Result<std::vector<grasping::GraspSetting>> chosen_settings(const GraspFlags& flags) {
+  const auto names = grasping::names_of(grasping::GraspSetting{});
+  std::vector<grasping::GraspSetting> settings;
   for (const std::string& name : flags.settings) {
     const auto found = std::ranges::find(names, name);
     if (found == names.end())
-      return unknown_name(
+      return catalog::unknown_name(
           "usage.bad_flag", "--setting", "setting", name, {names.begin(), names.end()});
-    settings.push_back(static_cast<GraspSetting>(found - names.begin()));
+    settings.push_back(static_cast<grasping::GraspSetting>(found - names.begin()));
   }
-  if (settings.empty()) settings.push_back(GraspSetting::free);
+  if (settings.empty()) settings.push_back(grasping::GraspSetting::free);
   return settings;
 }
 
-std::string percent(const Share& share) {
+std::string percent(const grasping::Share& share) {
   if (share.of == 0) return "-";
   return fmt::format(
       "{:5.1f} % ({:.1f}-{:.1f})", share.share * 100, share.low * 100, share.high * 100);
 }
 
-std::string excluded_text(const GraspShare& share) {
+std::string excluded_text(const grasping::GraspShare& share) {
   std::vector<std::string> parts;
-  for (const ExclusionCount& count : share.excluded)
+  for (const grasping::ExclusionCount& count : share.excluded)
     parts.push_back(fmt::format("{} {}", name_of(count.why), count.products));
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-void print_shares(const std::vector<GraspShare>& shares) {
-  for (const GraspShare& share : shares) {
+void print_shares(const std::vector<grasping::GraspShare>& shares) {
+  for (const grasping::GraspShare& share : shares) {
     const bool all = share.archetype.empty();
     if (all)
       say("\n{}, {}\n{:<18} {:>5} {:>5}  {:<20} {:<20} {:>8}  {} | {}\n",
@@ -138,11 +138,11 @@ void print_shares(const std::vector<GraspShare>& shares) {
   }
 }
 
-void print_rate(const GraspRate& rate) {
+void print_rate(const grasping::GraspRate& rate) {
   say("{} {} {}: ", rate.sku, rate.tool, name_of(rate.setting));
   if (!rate.fits()) return say("{}: {}\n", name_of(rate.excluded), rate.reason);
   say("{} of {} held\n", rate.held(), rate.tries.size());
-  for (const GraspTry& t : rate.tries)
+  for (const grasping::GraspTry& t : rate.tries)
     say("  {:<14} {:<9} {:5.1f} mm {:5.1f} N  slip {:.3f} mm, turned {:.2f} deg, neighbours {:.1f} "
         "N\n",
         name_of(t.strategy),
@@ -155,65 +155,69 @@ void print_rate(const GraspRate& rate) {
 }
 
 // Products that were named, none of which any of the tools can take hold of.
-Result<void> check_graspable(const std::vector<GraspRate>& rates) {
-  if (std::ranges::any_of(rates, &GraspRate::fits)) return {};
+Result<void> check_graspable(const std::vector<grasping::GraspRate>& rates) {
+  if (std::ranges::any_of(rates, &grasping::GraspRate::fits)) return {};
   return Error{"motion.no_grasp",
                rates.front().sku,
                fmt::format("{} ({})", rates.front().reason, rates.front().tool)};
 }
 
 // Keeps the rates of the study; those that were finished, too, when it was broken off.
-Result<std::vector<GraspRate>> study_and_keep(const std::vector<const Product*>& products,
-                                              const std::vector<GraspTool>& tools,
-                                              const Catalog& catalog,
-                                              StudyOptions options,
-                                              const GraspFlags& flags) {
-  MARKETGEN_TRY(const std::filesystem::path data, data_folder());
-  MARKETGEN_TRY(const std::string key, grasp_study_key(data, catalog.content_hash, options));
+Result<std::vector<grasping::GraspRate>> study_and_keep(
+    const std::vector<const catalog::Product*>& products,
+    const std::vector<robots::GraspTool>& tools,
+    const catalog::Catalog& catalog,
+    grasping::StudyOptions options,
+    const GraspFlags& flags) {
+  MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
+  MARKETGEN_TRY(const std::string key,
+                grasping::grasp_study_key(data, catalog.content_hash, options));
   constexpr double keep_every_s = 5;  // a study of the catalogue takes hours
   std::mutex mutex;
-  std::vector<GraspRate> finished;
+  std::vector<grasping::GraspRate> finished;
   double kept_s = monotonic_seconds();
-  options.finished = [&](const std::vector<GraspRate>& rates) {
+  options.finished = [&](const std::vector<grasping::GraspRate>& rates) {
     const std::scoped_lock lock(mutex);
     finished.insert(finished.end(), rates.begin(), rates.end());
     if (monotonic_seconds() < kept_s + keep_every_s) return;
     kept_s = monotonic_seconds();  // an error shows at the end
-    (void)keep_grasp_rates(finished, key, flags.common.seed).ok();
+    (void)grasping::keep_grasp_rates(finished, key, flags.common.seed).ok();
   };
   auto rates = until_interrupted([&] {
-    return study_grasps(products, tools, catalog.frictions, options, progress_for(flags.common));
+    return grasping::study_grasps(
+        products, tools, catalog.frictions, options, progress_for(flags.common));
   });
   const NoForcedEnd keeping;
-  MARKETGEN_CHECK(keep_grasp_rates(finished, key, flags.common.seed));
+  MARKETGEN_CHECK(grasping::keep_grasp_rates(finished, key, flags.common.seed));
   return rates;
 }
 
 Result<void> grasps(const GraspFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
-  (void)kept_grasp_rates({});  // takes away what lies there and cannot be used
-  Outputs database;
-  MARKETGEN_CHECK(database.add({{"MARKETGEN_CACHE", grasp_database_file()}}));
+  (void)grasping::kept_grasp_rates({});  // takes away what lies there and cannot be used
+  io::Outputs database;
+  MARKETGEN_CHECK(database.add({{"MARKETGEN_CACHE", grasping::grasp_database_file()}}));
   const double started_s = monotonic_seconds();
-  MARKETGEN_TRY(const Catalog catalog, load_rows(flags.catalogs));
-  MARKETGEN_TRY(const std::vector<const Product*> products, chosen_products(catalog, flags));
-  MARKETGEN_TRY(const std::vector<GraspTool> tools, chosen_tools(flags));
-  StudyOptions options;
+  MARKETGEN_TRY(const catalog::Catalog catalog, load_rows(flags.catalogs));
+  MARKETGEN_TRY(const std::vector<const catalog::Product*> products,
+                chosen_products(catalog, flags));
+  MARKETGEN_TRY(const std::vector<robots::GraspTool> tools, chosen_tools(flags));
+  grasping::StudyOptions options;
   options.tries = flags.tries;
   options.seed = flags.common.seed;
   MARKETGEN_TRY(options.settings, chosen_settings(flags));
-  MARKETGEN_TRY(const std::vector<GraspRate> rates,
+  MARKETGEN_TRY(const std::vector<grasping::GraspRate> rates,
                 study_and_keep(products, tools, catalog, options, flags));
 
   GraspReport report{static_cast<int>(products.size()),
                      monotonic_seconds() - started_s,
-                     grasp_database_file().string(),
-                     grasp_shares(rates),
+                     grasping::grasp_database_file().string(),
+                     grasping::grasp_shares(rates),
                      {}};
   const bool named = !flags.skus.empty();
   if (named) report.rates = rates;
   if (flags.common.json) {
-    fmt::print("{}", write_json(report));
+    fmt::print("{}", io::write_json(report));
   } else {
     if (named)
       std::ranges::for_each(rates, print_rate);

@@ -125,7 +125,7 @@ int checked_output(int status, int fault) {
   if (fault == 0 && std::ferror(stdout) != 0) fault = EIO;
   if (fault == 0) return status;
   if (fault == EPIPE) return ended_by_closed_pipe;
-  return fail(cannot_write("standard output", "cannot be written", fault));
+  return fail(io::cannot_write("standard output", "cannot be written", fault));
 }
 
 int run_safely(int argc, char** argv) {

@@ -31,7 +31,7 @@ struct PickFlags {
 
 struct PickReport {
   std::string product, sku, robot, strategy;
-  CollectResult result;
+  collect::CollectResult result;
   static constexpr auto fields =
       field_list(field("product", &PickReport::product, "item id"),
                  field("sku", &PickReport::sku, "SKU"),
@@ -42,20 +42,20 @@ struct PickReport {
 
 // A moment of the run, to be drawn later.
 struct Moment {
-  CollectPhase phase;
+  collect::CollectPhase phase;
   std::vector<double> q;
   std::vector<std::pair<std::uint32_t, Pose>> moved;
 };
 
 // The item with this id; or every item of this SKU, front ones first.
-Result<std::vector<std::uint32_t>> items_named(const Scene& scene, const std::string& name) {
+Result<std::vector<std::uint32_t>> items_named(const scene::Scene& scene, const std::string& name) {
   std::vector<std::uint32_t> rows;
   std::vector<std::string_view> skus;
-  for (const Product& product : scene.catalog)
+  for (const catalog::Product& product : scene.catalog)
     skus.push_back(product.sku);
   for (std::uint32_t row = 0; row < scene.products.size(); ++row) {
     if (scene.catalog[scene.products[row].sku].sku == name) rows.push_back(row);
-    if (name.find('/') != std::string::npos && product_id(scene, row) == name)
+    if (name.find('/') != std::string::npos && scene::product_id(scene, row) == name)
       return std::vector{row};
   }
   if (rows.empty())
@@ -66,79 +66,83 @@ Result<std::vector<std::uint32_t>> items_named(const Scene& scene, const std::st
                     "query STORE products` lists them",
                     did_you_mean(name, skus))};
   std::stable_partition(rows.begin(), rows.end(), [&](std::uint32_t row) {
-    return (scene.products[row].flags & product_front_row) != 0;
+    return (scene.products[row].flags & scene::product_front_row) != 0;
   });
   return rows;
 }
 
 // The first of the items for which there is a plan.
-Result<CollectPlan> plan_first(const Scene& scene,
-                               const std::vector<std::uint32_t>& rows,
-                               const Robot& robot,
-                               const std::filesystem::path& data,
-                               Seed seed) {
-  MARKETGEN_TRY(const std::string row, gripper_row(robot));
-  MARKETGEN_TRY(const GraspTool tool, load_grasp_tool(data, row));
+Result<collect::CollectPlan> plan_first(const scene::Scene& scene,
+                                        const std::vector<std::uint32_t>& rows,
+                                        const robots::Robot& robot,
+                                        const std::filesystem::path& data,
+                                        Seed seed) {
+  MARKETGEN_TRY(const std::string row, collect::gripper_row(robot));
+  MARKETGEN_TRY(const robots::GraspTool tool, robots::load_grasp_tool(data, row));
   constexpr std::size_t max_tried = 24;
   Error first;
   for (std::size_t i = 0; i < std::min(rows.size(), max_tried); ++i) {
-    auto plan = plan_collect(scene, rows[i], robot, tool, seed);
+    auto plan = collect::plan_collect(scene, rows[i], robot, tool, seed);
     if (plan.ok()) return plan;
     if (i == 0) first = plan.error();
   }
   return first;
 }
 
-Scene scene_at_moment(const Scene& scene, const Moment& moment) {
-  Scene now = scene;
+scene::Scene scene_at_moment(const scene::Scene& scene, const Moment& moment) {
+  scene::Scene now = scene;
   for (const auto& [row, pose] : moment.moved)
-    place(now.products[row], pose);
+    scene::place(now.products[row], pose);
   return now;
 }
 
 // From the side of the arm, a little above the product.
-Camera camera_beside(const Scene& scene, const CollectPlan& plan, int size_px) {
-  const Pose product = world_from_product(scene.products[plan.product]);
+render::Camera camera_beside(const scene::Scene& scene,
+                             const collect::CollectPlan& plan,
+                             int size_px) {
+  const Pose product = scene::world_from_product(scene.products[plan.product]);
   const Vec3 out = rotate(product.rotation, {0, -1, 0}), side{out.y, -out.x, 0};
   const Vec3 at = product.position + out * 0.30 + Vec3{0, 0, 0.02};
   return {"beside", at + out * 0.75 + side * 1.05 + Vec3{0, 0, 0.35}, at, 50, 0, size_px, size_px};
 }
 
 Result<Image> draw_moment(const PickFlags& flags,
-                          const Scene& scene,
-                          const Robot& robot,
-                          const CollectPlan& plan,
+                          const scene::Scene& scene,
+                          const robots::Robot& robot,
+                          const collect::CollectPlan& plan,
                           const Moment& moment) {
-  const Scene now = scene_at_moment(scene, moment);
-  MARKETGEN_TRY(const std::unique_ptr<Renderer> renderer, Renderer::create(now));
-  MARKETGEN_TRY(const Actor actor, robot_actor(robot, moment.q, plan.world_from_base));
+  const scene::Scene now = scene_at_moment(scene, moment);
+  MARKETGEN_TRY(const std::unique_ptr<render::Renderer> renderer, render::Renderer::create(now));
+  MARKETGEN_TRY(const render::Actor actor,
+                render::robot_actor(robot, moment.q, plan.world_from_base));
   MARKETGEN_CHECK(renderer->set_actors({actor}));
-  RenderOptions options;
-  options.quality = Quality::best;
-  MARKETGEN_TRY(Frame frame, renderer->render(camera_beside(scene, plan, flags.size_px), options));
+  render::RenderOptions options;
+  options.quality = render::Quality::best;
+  MARKETGEN_TRY(render::Frame frame,
+                renderer->render(camera_beside(scene, plan, flags.size_px), options));
   return std::move(frame.color);
 }
 
 Result<void> write_strip(const PickFlags& flags,
-                         const Scene& scene,
-                         const Robot& robot,
-                         const CollectPlan& plan,
+                         const scene::Scene& scene,
+                         const robots::Robot& robot,
+                         const collect::CollectPlan& plan,
                          const std::vector<Moment>& moments,
-                         Outputs& outputs) {
+                         io::Outputs& outputs) {
   const auto count = std::min(static_cast<std::size_t>(flags.frames), moments.size());
-  MARKETGEN_TRY(const Image strip, picture_grid(count, flags.size_px, [&](std::size_t i) {
+  MARKETGEN_TRY(const Image strip, render::picture_grid(count, flags.size_px, [&](std::size_t i) {
                   const std::size_t at = count < 2 ? 0 : i * (moments.size() - 1) / (count - 1);
                   return draw_moment(flags, scene, robot, plan, moments[at]);
                 }));
   MARKETGEN_CHECK(
-      outputs.put(flags.output, [&](const auto& file) { return write_picture(file, strip); }));
+      outputs.put(flags.output, [&](const auto& file) { return io::write_picture(file, strip); }));
   MARKETGEN_CHECK(outputs.commit());
   if (!flags.common.quiet) say("picture     {}\n", flags.output);
   return {};
 }
 
 void print_report(const PickReport& report) {
-  const CollectResult& r = report.result;
+  const collect::CollectResult& r = report.result;
   say("{}  {}  by {}, {} grasp\n",
       r.held ? "held" : "lost",
       report.product,
@@ -156,32 +160,34 @@ void print_report(const PickReport& report) {
 
 Result<void> pick(const PickFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
-  MARKETGEN_CHECK(check_picture_ending(flags.output, "-o"));
-  Outputs outputs;
+  MARKETGEN_CHECK(io::check_picture_ending(flags.output, "-o"));
+  io::Outputs outputs;
   MARKETGEN_CHECK(outputs.add({{"--output", flags.output}}));
-  MARKETGEN_TRY(const Scene scene, scene_in_skin(flags.folder, ""));
+  MARKETGEN_TRY(const scene::Scene scene, scene_in_skin(flags.folder, ""));
   MARKETGEN_TRY(const std::vector<std::uint32_t> rows, items_named(scene, flags.product));
-  MARKETGEN_TRY(const std::filesystem::path data, data_folder());
-  MARKETGEN_TRY(const Robot robot, load_robot(data, flags.robot));
-  MARKETGEN_TRY(const Catalog catalog, load_rows());
-  MARKETGEN_TRY(const CollectPlan plan,
+  MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
+  MARKETGEN_TRY(const robots::Robot robot, robots::load_robot(data, flags.robot));
+  MARKETGEN_TRY(const catalog::Catalog catalog, load_rows());
+  MARKETGEN_TRY(const collect::CollectPlan plan,
                 plan_first(scene, rows, robot, data, Seed(flags.common.seed)));
   std::vector<Moment> moments;
-  const CollectWatch watch = [&](const World& world, const RobotActor& actor, CollectPhase phase) {
+  const collect::CollectWatch watch = [&](const physics::World& world,
+                                          const physics::RobotActor& actor,
+                                          collect::CollectPhase phase) {
     Moment moment{phase, actor.position(world), {}};
     for (const std::uint32_t row : world.moved_products())
       moment.moved.emplace_back(row, world.product_pose(row));
     moments.push_back(std::move(moment));
     return Result<void>{};
   };
-  PickReport report{product_id(scene, plan.product),
+  PickReport report{scene::product_id(scene, plan.product),
                     scene.catalog[scene.products[plan.product].sku].sku,
                     robot.name,
                     std::string(name_of(plan.grasp.strategy)),
                     {}};
-  MARKETGEN_TRY(report.result, run_collect(scene, robot, plan, catalog.frictions, watch));
+  MARKETGEN_TRY(report.result, collect::run_collect(scene, robot, plan, catalog.frictions, watch));
   if (flags.common.json)
-    fmt::print("{}", write_json(report));
+    fmt::print("{}", io::write_json(report));
   else if (!flags.common.quiet)
     print_report(report);
   return flags.output.empty() ? Result<void>{}

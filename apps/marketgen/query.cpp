@@ -15,12 +15,12 @@ struct QueryFlags {
 };
 
 Result<void> query(const QueryFlags& flags) {
-  Outputs outputs;
+  io::Outputs outputs;
   MARKETGEN_CHECK(outputs.add({{"--output", flags.output}}));
-  MARKETGEN_TRY(const Scene scene, open_store_scene(flags.folder));
-  MARKETGEN_TRY(const Table table, query_scene(scene, flags.table, flags.where));
+  MARKETGEN_TRY(const scene::Scene scene, store::open_store_scene(flags.folder));
+  MARKETGEN_TRY(const scene::Table table, scene::query_scene(scene, flags.table, flags.where));
   const bool json = flags.common.json || flags.format == "json";
-  const std::string text = json ? to_json(table) : to_csv(table);
+  const std::string text = json ? scene::to_json(table) : scene::to_csv(table);
   if (flags.output.empty()) {
     fmt::print("{}", text);
     return {};

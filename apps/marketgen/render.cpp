@@ -41,81 +41,88 @@ struct RenderFlags {
   bool list = false;
 };
 
-Result<void> write_depth(const std::filesystem::path& path, const Frame& frame) {
+Result<void> write_depth(const std::filesystem::path& path, const render::Frame& frame) {
   if (path.extension() == ".npy")
-    return write_npy(path, frame.depth_m, {frame.color.height, frame.color.width});
+    return io::write_npy(path, frame.depth_m, {frame.color.height, frame.color.width});
   std::vector<std::uint16_t> millimetres(frame.depth_m.size());
   constexpr float max_mm = 65535;
   for (std::size_t i = 0; i < millimetres.size(); ++i) {
     millimetres[i] =
         static_cast<std::uint16_t>(std::min(frame.depth_m[i] * 1000.0F + 0.5F, max_mm));
   }
-  return write_png16(path, frame.color.width, frame.color.height, millimetres);
+  return io::write_png16(path, frame.color.width, frame.color.height, millimetres);
 }
 
-Result<NoisyPlanes> noisy_planes(const RenderFlags& flags,
-                                 const Frame& frame,
-                                 const Camera& camera) {
-  const NoiseSource source{flags.common.seed, flags.frame_number};
-  MARKETGEN_TRY(std::vector<float> depth_m, noisy_depth(frame, camera, StereoCamera{}, source));
-  return NoisyPlanes{noisy_color(frame.color, camera, ColorSensor{}, source), std::move(depth_m)};
+Result<render::NoisyPlanes> noisy_planes(const RenderFlags& flags,
+                                         const render::Frame& frame,
+                                         const render::Camera& camera) {
+  const render::NoiseSource source{flags.common.seed, flags.frame_number};
+  MARKETGEN_TRY(std::vector<float> depth_m,
+                render::noisy_depth(frame, camera, render::StereoCamera{}, source));
+  return render::NoisyPlanes{
+      render::noisy_color(frame.color, camera, render::ColorSensor{}, source), std::move(depth_m)};
 }
 
 Result<void> write_channels(const RenderFlags& flags,
-                            const Scene& scene,
-                            const Frame& frame,
-                            const Camera& camera,
-                            const PictureAnnotations& annotations,
-                            Outputs& outputs) {
-  MARKETGEN_TRY(const NoisyPlanes noisy, noisy_planes(flags, frame, camera));
+                            const scene::Scene& scene,
+                            const render::Frame& frame,
+                            const render::Camera& camera,
+                            const render::PictureAnnotations& annotations,
+                            io::Outputs& outputs) {
+  MARKETGEN_TRY(const render::NoisyPlanes noisy, noisy_planes(flags, frame, camera));
   const auto put = [&](const std::string& name, const Image& image) {
     return outputs.put(std::filesystem::path(flags.channels) / (name + ".png"),
-                       [&](const auto& file) { return write_png(file, image); });
+                       [&](const auto& file) { return io::write_png(file, image); });
   };
-  const auto channels = channel_pictures(frame, scene, annotations, noisy);
-  for (const ChannelPicture& channel : channels)
+  const auto channels = render::channel_pictures(frame, scene, annotations, noisy);
+  for (const render::ChannelPicture& channel : channels)
     MARKETGEN_CHECK(put(channel.name, channel.image));
-  return put("sheet", channel_sheet(channels));
+  return put("sheet", render::channel_sheet(channels));
 }
 
 bool wants_exr(const RenderFlags& flags) {
   return lower_ascii(std::filesystem::path(flags.output).extension().string()) == ".exr";
 }
 
-Result<void> put_picture(const RenderFlags& flags, const Frame& frame, Outputs& outputs) {
+Result<void> put_picture(const RenderFlags& flags,
+                         const render::Frame& frame,
+                         io::Outputs& outputs) {
   return outputs.put(flags.output, [&](const std::filesystem::path& file) {
-    if (!wants_exr(flags)) return write_picture(file, frame.color);
-    return write_exr(file, {frame.color.width, frame.color.height, frame.radiance});
+    if (!wants_exr(flags)) return io::write_picture(file, frame.color);
+    return io::write_exr(file, {frame.color.width, frame.color.height, frame.radiance});
   });
 }
 
 // Before the work: every name says a format that its file can have. Numbers would not survive JPEG.
 Result<void> check_endings(const RenderFlags& flags) {
-  MARKETGEN_CHECK(check_ending(flags.output, {".png", ".jpg", ".jpeg", ".exr"}, "-o"));
-  MARKETGEN_CHECK(check_ending(flags.depth, {".png", ".npy"}, "--depth"));
-  MARKETGEN_CHECK(check_ending(flags.segmentation, {".png"}, "--segmentation"));
-  MARKETGEN_CHECK(check_ending(flags.object_ids, {".png"}, "--object-ids"));
-  MARKETGEN_CHECK(check_ending(flags.normals, {".png"}, "--normals"));
-  MARKETGEN_CHECK(check_ending(flags.categories, {".png"}, "--categories"));
-  return check_ending(flags.annotations, {".json"}, "--annotations");
+  MARKETGEN_CHECK(io::check_ending(flags.output, {".png", ".jpg", ".jpeg", ".exr"}, "-o"));
+  MARKETGEN_CHECK(io::check_ending(flags.depth, {".png", ".npy"}, "--depth"));
+  MARKETGEN_CHECK(io::check_ending(flags.segmentation, {".png"}, "--segmentation"));
+  MARKETGEN_CHECK(io::check_ending(flags.object_ids, {".png"}, "--object-ids"));
+  MARKETGEN_CHECK(io::check_ending(flags.normals, {".png"}, "--normals"));
+  MARKETGEN_CHECK(io::check_ending(flags.categories, {".png"}, "--categories"));
+  return io::check_ending(flags.annotations, {".json"}, "--annotations");
 }
 
-Result<void> put_planes(const RenderFlags& flags, const Frame& frame, Outputs& outputs) {
+Result<void> put_planes(const RenderFlags& flags,
+                        const render::Frame& frame,
+                        io::Outputs& outputs) {
   const int width = frame.color.width, height = frame.color.height;
   const auto put = [&](const std::string& name, const auto& draw) -> Result<void> {
     if (name.empty()) return {};
-    return outputs.put(name, [&](const auto& file) { return write_png(file, draw()); });
+    return outputs.put(name, [&](const auto& file) { return io::write_png(file, draw()); });
   };
   if (!flags.depth.empty())
     MARKETGEN_CHECK(
         outputs.put(flags.depth, [&](const auto& file) { return write_depth(file, frame); }));
-  MARKETGEN_CHECK(put(flags.segmentation, [&] { return draw_instances(frame, width, height); }));
-  MARKETGEN_CHECK(put(flags.object_ids, [&] { return draw_object_ids(frame); }));
-  return put(flags.normals, [&] { return draw_normals(frame, width, height); });
+  MARKETGEN_CHECK(
+      put(flags.segmentation, [&] { return render::draw_instances(frame, width, height); }));
+  MARKETGEN_CHECK(put(flags.object_ids, [&] { return render::draw_object_ids(frame); }));
+  return put(flags.normals, [&] { return render::draw_normals(frame, width, height); });
 }
 
 // Everything that will be written, before any work.
-Result<void> probe(const RenderFlags& flags, Outputs& outputs) {
+Result<void> probe(const RenderFlags& flags, io::Outputs& outputs) {
   MARKETGEN_CHECK(outputs.add({{"--output", flags.output},
                                {"--depth", flags.depth},
                                {"--segmentation", flags.segmentation},
@@ -126,13 +133,14 @@ Result<void> probe(const RenderFlags& flags, Outputs& outputs) {
   return flags.channels.empty() ? Result<void>{} : outputs.add_folder(flags.channels);
 }
 
-RenderOptions options_of(const RenderFlags& flags, const Camera& camera) {
-  RenderOptions options;
-  options.mode = value_named<RenderMode>(flags.mode).value_or(RenderMode::sensor);
-  options.quality = value_named<Quality>(flags.quality).value_or(Quality::balanced);
+render::RenderOptions options_of(const RenderFlags& flags, const render::Camera& camera) {
+  render::RenderOptions options;
+  options.mode = value_named<render::RenderMode>(flags.mode).value_or(render::RenderMode::sensor);
+  options.quality = value_named<render::Quality>(flags.quality).value_or(render::Quality::balanced);
   options.samples = flags.samples;
   options.time_s = flags.time_s;
-  options.denoiser = value_named<Denoiser>(flags.denoise).value_or(Denoiser::automatic);
+  options.denoiser =
+      value_named<render::Denoiser>(flags.denoise).value_or(render::Denoiser::automatic);
   options.exposure_stops = flags.exposure_stops;
   options.hide_ceiling = camera.ortho_height_m > 0;
   return options;
@@ -140,30 +148,30 @@ RenderOptions options_of(const RenderFlags& flags, const Camera& camera) {
 
 // The picture, its planes and its annotations.
 Result<void> write_all(const RenderFlags& flags,
-                       const Scene& scene,
-                       const Camera& camera,
-                       const Renderer& renderer,
-                       const std::vector<Actor>& actors,
-                       Frame frame,
-                       Outputs& outputs) {
+                       const scene::Scene& scene,
+                       const render::Camera& camera,
+                       const render::Renderer& renderer,
+                       const std::vector<render::Actor>& actors,
+                       render::Frame frame,
+                       io::Outputs& outputs) {
   if (!flags.categories.empty()) {
     MARKETGEN_CHECK(outputs.put(flags.categories, [&](const auto& file) {
-      return write_png16(file,
-                         frame.color.width,
-                         frame.color.height,
-                         category_ids(frame, PictureCategories(scene)));
+      return io::write_png16(file,
+                             frame.color.width,
+                             frame.color.height,
+                             render::category_ids(frame, render::PictureCategories(scene)));
     }));
   }
   if (!flags.annotations.empty() || !flags.channels.empty()) {
-    const PictureAnnotations annotations =
-        annotate(frame, camera, scene, renderer, picture_actors(actors));
+    const render::PictureAnnotations annotations =
+        render::annotate(frame, camera, scene, renderer, render::picture_actors(actors));
     if (!flags.annotations.empty())
-      MARKETGEN_CHECK(outputs.put(flags.annotations, write_json(annotations)));
+      MARKETGEN_CHECK(outputs.put(flags.annotations, io::write_json(annotations)));
     if (!flags.channels.empty())
       MARKETGEN_CHECK(write_channels(flags, scene, frame, camera, annotations, outputs));
   }
   if (!flags.noise.empty()) {
-    MARKETGEN_TRY(NoisyPlanes noisy, noisy_planes(flags, frame, camera));
+    MARKETGEN_TRY(render::NoisyPlanes noisy, noisy_planes(flags, frame, camera));
     frame.color = std::move(noisy.color);
     frame.depth_m = std::move(noisy.depth_m);
   }
@@ -174,9 +182,9 @@ Result<void> write_all(const RenderFlags& flags,
 
 Result<void> render(const RenderFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
-  MARKETGEN_TRY(const Scene scene, scene_in_skin(flags.folder, flags.skin));
+  MARKETGEN_TRY(const scene::Scene scene, scene_in_skin(flags.folder, flags.skin));
   if (flags.list) {
-    for (const Camera& camera : standard_cameras(scene, 16, 9))
+    for (const render::Camera& camera : render::standard_cameras(scene, 16, 9))
       say("{}\n", camera.name);
     return {};
   }
@@ -185,21 +193,21 @@ Result<void> render(const RenderFlags& flags) {
   MARKETGEN_CHECK(check_endings(flags));
   if (wants_exr(flags) && flags.mode != "path")
     return Error{"usage.bad_flag", "-o", "linear light (EXR) is what --mode path draws"};
-  Outputs outputs;
+  io::Outputs outputs;
   MARKETGEN_CHECK(probe(flags, outputs));
-  MARKETGEN_TRY(const Camera camera, camera_of(flags.camera, scene));
+  MARKETGEN_TRY(const render::Camera camera, camera_of(flags.camera, scene));
   if ((!flags.noise.empty() || !flags.channels.empty()) && camera.ortho_height_m > 0)
     return Error{"usage.bad_flag",
                  flags.noise.empty() ? "--channels" : "--noise",
                  "views from above are orthographic and have no sensor; take another camera"};
-  MARKETGEN_TRY(const std::vector<PlacedRobot> robots,
-                standing_robots(scene, flags.robots, "--robot "));
-  MARKETGEN_TRY(const std::vector<Actor> actors, robot_actors(robots));
+  MARKETGEN_TRY(const std::vector<robots::PlacedRobot> robots,
+                collect::standing_robots(scene, flags.robots, "--robot "));
+  MARKETGEN_TRY(const std::vector<render::Actor> actors, render::robot_actors(robots));
   Progress& progress = progress_for(flags.common);
-  MARKETGEN_TRY(const std::unique_ptr<Renderer> renderer,
-                Renderer::create(scene, progress, {.keep_light = true}));
+  MARKETGEN_TRY(const std::unique_ptr<render::Renderer> renderer,
+                render::Renderer::create(scene, progress, {.keep_light = true}));
   MARKETGEN_CHECK(renderer->set_actors(actors));
-  MARKETGEN_TRY(Frame frame, renderer->render(camera, options_of(flags, camera), progress));
+  MARKETGEN_TRY(render::Frame frame, renderer->render(camera, options_of(flags, camera), progress));
   MARKETGEN_CHECK(write_all(flags, scene, camera, *renderer, actors, std::move(frame), outputs));
   if (!flags.common.quiet) say("picture     {}\n", flags.output);
   return {};

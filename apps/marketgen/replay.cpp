@@ -28,23 +28,24 @@ struct ReplayFlags {
   double speed = 4;
 };
 
-class Filming : public EpisodeWatcher {
+class Filming : public environments::EpisodeWatcher {
  public:
-  explicit Filming(FilmOptions options) : options_(std::move(options)) {}
-  Result<void> begin(const TrackWorld& world) override {
-    MARKETGEN_TRY(film_, Film::begin(world, options_));
+  explicit Filming(evaluation::FilmOptions options) : options_(std::move(options)) {}
+  Result<void> begin(const episodes::TrackWorld& world) override {
+    MARKETGEN_TRY(film_, evaluation::Film::begin(world, options_));
     return {};
   }
   Result<void> step() override { return film_->look(); }
-  Result<void> finish(Outputs& outputs) { return film_->finish(outputs); }
+  Result<void> finish(io::Outputs& outputs) { return film_->finish(outputs); }
 
  private:
-  FilmOptions options_;
-  std::unique_ptr<Film> film_;
+  evaluation::FilmOptions options_;
+  std::unique_ptr<evaluation::Film> film_;
 };
 
 // By its id, or its number from 0 on.
-Result<EpisodeSpec> episode_named(const EpisodeFile& file, const std::string& name) {
+Result<episodes::EpisodeSpec> episode_named(const episodes::EpisodeFile& file,
+                                            const std::string& name) {
   std::vector<std::string_view> ids;
   for (std::size_t i = 0; i < file.episodes.size(); ++i) {
     ids.push_back(file.episodes[i].id);
@@ -60,21 +61,21 @@ Result<EpisodeSpec> episode_named(const EpisodeFile& file, const std::string& na
 
 // The kept result with which the run will be compared; nothing when none was named. Errors: those
 // of finished_results; episode.not_repeated when it cannot be compared with.
-Result<std::optional<EpisodeResult>> kept_result(const ReplayFlags& flags,
-                                                 const EpisodeHeader& header,
-                                                 const EpisodeSpec& spec) {
-  if (flags.results.empty()) return std::optional<EpisodeResult>();
-  MARKETGEN_TRY(const auto kept, finished_results(flags.results));
+Result<std::optional<episodes::EpisodeResult>> kept_result(const ReplayFlags& flags,
+                                                           const episodes::EpisodeHeader& header,
+                                                           const episodes::EpisodeSpec& spec) {
+  if (flags.results.empty()) return std::optional<episodes::EpisodeResult>();
+  MARKETGEN_TRY(const auto kept, evaluation::finished_results(flags.results));
   const auto before = kept.find(spec.id);
   const auto fault = [&](std::string why) {
     return Error{"episode.not_repeated", flags.results, std::move(why)};
   };
   if (before == kept.end()) return fault("has no result of " + spec.id);
-  const EpisodeResult& result = before->second;
+  const episodes::EpisodeResult& result = before->second;
   if (result.policy != flags.policy)
     return fault(
         fmt::format("{} was run by \"{}\": name it with --policy", spec.id, result.policy));
-  if (!result.episode_hash.empty() && result.episode_hash != episode_hash(header, spec))
+  if (!result.episode_hash.empty() && result.episode_hash != episodes::episode_hash(header, spec))
     return fault(spec.id + " has changed since it was run: take the file that it is of");
   if (result.state_hash.empty())
     return fault(fmt::format("{} was not run to its end: {}", spec.id, result.detail));
@@ -83,8 +84,8 @@ Result<std::optional<EpisodeResult>> kept_result(const ReplayFlags& flags,
 
 // Error episode.not_repeated: the states at the end differ.
 Result<void> compare(const ReplayFlags& flags,
-                     const EpisodeResult& before,
-                     const EpisodeResult& result) {
+                     const episodes::EpisodeResult& before,
+                     const episodes::EpisodeResult& result) {
   if (before.state_hash != result.state_hash)
     return Error{"episode.not_repeated",
                  result.episode,
@@ -97,16 +98,16 @@ Result<void> compare(const ReplayFlags& flags,
 
 Result<void> replay_episode(const ReplayFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
-  MARKETGEN_CHECK(check_ending(flags.film, {".mp4"}, "--film"));
-  MARKETGEN_CHECK(check_picture_ending(flags.strip, "--strip"));
-  Outputs outputs;
+  MARKETGEN_CHECK(io::check_ending(flags.film, {".mp4"}, "--film"));
+  MARKETGEN_CHECK(io::check_picture_ending(flags.strip, "--strip"));
+  io::Outputs outputs;
   MARKETGEN_CHECK(outputs.add({{"--film", flags.film}, {"--strip", flags.strip}}));
-  MARKETGEN_TRY(const EpisodeFile file, read_episode_file(flags.episodes));
-  MARKETGEN_TRY(const EpisodeSpec spec, episode_named(file, flags.episode));
+  MARKETGEN_TRY(const episodes::EpisodeFile file, episodes::read_episode_file(flags.episodes));
+  MARKETGEN_TRY(const episodes::EpisodeSpec spec, episode_named(file, flags.episode));
   MARKETGEN_TRY(const auto before, kept_result(flags, file.header, spec));
-  MARKETGEN_TRY(const std::filesystem::path data, data_folder());
-  MARKETGEN_TRY(const Catalog catalog, load_rows());
-  Arena arena(data, file.header, catalog);
+  MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
+  MARKETGEN_TRY(const catalog::Catalog catalog, load_rows());
+  environments::Arena arena(data, file.header, catalog);
   constexpr double frame_rate = 20;
   Filming filming({.film = flags.film,
                    .strip = flags.strip,
@@ -115,12 +116,12 @@ Result<void> replay_episode(const ReplayFlags& flags) {
                    .every_s = flags.speed / frame_rate,
                    .frame_rate = frame_rate});
   const bool filmed = !flags.film.empty() || !flags.strip.empty();
-  MARKETGEN_TRY(const EpisodeResult result,
-                run_episode(arena, spec, flags.policy, filmed ? &filming : nullptr));
+  MARKETGEN_TRY(const episodes::EpisodeResult result,
+                environments::run_episode(arena, spec, flags.policy, filmed ? &filming : nullptr));
   if (filmed) MARKETGEN_CHECK(filming.finish(outputs));
   MARKETGEN_CHECK(outputs.commit());
   if (flags.common.json)
-    fmt::print("{}\n", write_json_line(result));
+    fmt::print("{}\n", io::write_json_line(result));
   else if (!flags.common.quiet)
     say("reached {} of {} goals, {:.1f} s; {}\n",
         std::ranges::count_if(result.goals,

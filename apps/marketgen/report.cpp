@@ -19,23 +19,24 @@ struct ReportFlags {
 
 Result<void> report(const ReportFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
-  Outputs outputs;
+  io::Outputs outputs;
   MARKETGEN_CHECK(outputs.add({{"--output", flags.html}}));
-  MARKETGEN_TRY(const Catalog catalog, load_rows());
-  std::vector<StorePage> pages;
+  MARKETGEN_TRY(const catalog::Catalog catalog, load_rows());
+  std::vector<store::StorePage> pages;
   for (const std::string& folder : flags.folders) {
-    MARKETGEN_TRY(const Store store, open_store(folder, catalog));
-    MARKETGEN_TRY(StoreReport full, full_report(store, catalog, progress_for(flags.common)));
-    if (flags.common.json) fmt::print("{}\n", write_json_line(full));
-    MARKETGEN_TRY(StorePage page, page_of(store, std::move(full), catalog));
+    MARKETGEN_TRY(const store::Store store, store::open_store(folder, catalog));
+    MARKETGEN_TRY(store::StoreReport full,
+                  store::full_report(store, catalog, progress_for(flags.common)));
+    if (flags.common.json) fmt::print("{}\n", io::write_json_line(full));
+    MARKETGEN_TRY(store::StorePage page, store::page_of(store, std::move(full), catalog));
     pages.push_back(std::move(page));
   }
-  MARKETGEN_CHECK(outputs.put(flags.html, report_html(pages)));
+  MARKETGEN_CHECK(outputs.put(flags.html, store::report_html(pages)));
   MARKETGEN_CHECK(outputs.commit());
   if (flags.common.json) return {};
-  for (const StorePage& page : pages) {
-    const Manifest& manifest = page.manifest;
-    const StoreReport& full = page.report;
+  for (const store::StorePage& page : pages) {
+    const store::Manifest& manifest = page.manifest;
+    const store::StoreReport& full = page.report;
     say("{:<28} {:>7} products  COL {:.2f} %  OOB {}  NAV {:.3f}  reach {:.1f} %  STB {:.1f} % of "
         "{}  wishes {:.0f} %\n",
         manifest.name,

@@ -33,39 +33,52 @@ struct Document {
 
 std::vector<Document> documents() {
   return {
-      {"market-plan-1", "What a store should be", type_of<Plan>()},
-      {"market-layout-1", "Zones, fixtures, aisles and violations", type_of<Layout>()},
-      {"market-store-1", "The manifest of a store folder", type_of<Manifest>()},
-      {"market-report-1", "Requirements, rules and metrics of a store", type_of<StoreReport>()},
-      {"market-product-1", "A product row of the catalogue", type_of<Product>()},
-      {"market-asset-1", "An outside model taken into a library", type_of<AssetFile>()},
-      {"market-fixture-1", "A fixture row of the catalogue", type_of<FixtureKind>()},
-      {"market-robot-1", "A robot, an arm or a tool", type_of<RobotRow>()},
-      {"market-aisle-1", "The robot of In-Aisle Item Collection", type_of<AisleStation>()},
-      {"market-checkout-1", "The place of Checkout Unloading", type_of<CheckoutStation>()},
-      {"market-episode-1", "One task for a robot", type_of<EpisodeSpec>()},
-      {"market-episodes-1", "The first line of an episodes file", type_of<EpisodeHeader>()},
-      {"market-task-1", "What of an episode a policy may know", type_of<ToldTask>()},
-      {"market-result-1", "What became of an episode", type_of<EpisodeResult>()},
-      {"market-camera-1", "Where a picture is taken from, and its lens", type_of<CameraFile>()},
-      {"market-annotations-1", "What is to be seen in a picture", type_of<PictureAnnotations>()}};
+      {"market-plan-1", "What a store should be", type_of<plan::Plan>()},
+      {"market-layout-1", "Zones, fixtures, aisles and violations", type_of<layout::Layout>()},
+      {"market-store-1", "The manifest of a store folder", type_of<store::Manifest>()},
+      {"market-report-1",
+       "Requirements, rules and metrics of a store",
+       type_of<store::StoreReport>()},
+      {"market-product-1", "A product row of the catalogue", type_of<catalog::Product>()},
+      {"market-asset-1", "An outside model taken into a library", type_of<catalog::AssetFile>()},
+      {"market-fixture-1", "A fixture row of the catalogue", type_of<catalog::FixtureKind>()},
+      {"market-robot-1", "A robot, an arm or a tool", type_of<robots::RobotRow>()},
+      {"market-aisle-1",
+       "The robot of In-Aisle Item Collection",
+       type_of<episodes::AisleStation>()},
+      {"market-checkout-1",
+       "The place of Checkout Unloading",
+       type_of<episodes::CheckoutStation>()},
+      {"market-episode-1", "One task for a robot", type_of<episodes::EpisodeSpec>()},
+      {"market-episodes-1",
+       "The first line of an episodes file",
+       type_of<episodes::EpisodeHeader>()},
+      {"market-task-1", "What of an episode a policy may know", type_of<environments::ToldTask>()},
+      {"market-result-1", "What became of an episode", type_of<episodes::EpisodeResult>()},
+      {"market-camera-1",
+       "Where a picture is taken from, and its lens",
+       type_of<render::CameraFile>()},
+      {"market-annotations-1",
+       "What is to be seen in a picture",
+       type_of<render::PictureAnnotations>()}};
 }
 
 Result<void> write_schemas(const std::string& root) {
   const fs::path schemas = fs::path(root) / "schemas", docs = fs::path(root) / "docs" / "fields";
-  Outputs outputs;
+  io::Outputs outputs;
   MARKETGEN_CHECK(outputs.add_folder(schemas));
   MARKETGEN_CHECK(outputs.add_folder(docs));
   for (const Document& d : documents()) {
     const std::string name(d.file);
     MARKETGEN_CHECK(outputs.put(schemas / (name + ".schema.json"),
-                                json_schema_of(d.type, name + ".schema.json", d.title)));
+                                io::json_schema_of(d.type, name + ".schema.json", d.title)));
     MARKETGEN_CHECK(
         outputs.put(docs / (name + ".md"),
-                    fmt::format("# {}\n\n{}.\n\n{}", name, d.title, markdown_of(d.type))));
+                    fmt::format("# {}\n\n{}.\n\n{}", name, d.title, io::markdown_of(d.type))));
   }
-  MARKETGEN_CHECK(outputs.put(schemas / "market-scene-1.fbs",
-                              flatbuffer_schema_of(type_of<Scene>(), scene_file_identifier)));
+  MARKETGEN_CHECK(
+      outputs.put(schemas / "market-scene-1.fbs",
+                  io::flatbuffer_schema_of(type_of<scene::Scene>(), scene::scene_file_identifier)));
   return outputs.commit();
 }
 

@@ -12,7 +12,7 @@ namespace marketgen::app {
 // line. Those that are finished when it is broken off are kept beside it; `resume` goes on with
 // them. Errors: physics.failed, io.*; internal.interrupted, with what is kept; usage.bad_flag when
 // what was kept is of another catalogue or version.
-Result<void> settle_heaps(const Catalog& catalog,
+Result<void> settle_heaps(const catalog::Catalog& catalog,
                           const std::string& file,
                           bool resume,
                           const CommonFlags& flags);

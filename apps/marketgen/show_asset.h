@@ -17,6 +17,6 @@ struct ShownAsset {
 
 // Prints JSON. Errors: catalog.unknown_sku with the nearest name; usage.bad_flag for a flag that
 // the asset has no use for; assets.*, io.*.
-Result<void> show_asset(const Catalog& catalog, const ShownAsset& asset);
+Result<void> show_asset(const catalog::Catalog& catalog, const ShownAsset& asset);
 
 }  // namespace marketgen::app

@@ -18,9 +18,9 @@ struct FixtureView {
 
 // Prints JSON; the picture becomes one of `outputs`. "all=STATE" puts every joint there that has
 // such a state. Errors: usage.bad_flag, catalog.*, assets.*, io.*.
-Result<void> show_fixture(const FixtureKind& kind,
-                          const Catalog& catalog,
+Result<void> show_fixture(const catalog::FixtureKind& kind,
+                          const catalog::Catalog& catalog,
                           const FixtureView& view,
-                          Outputs& outputs);
+                          io::Outputs& outputs);
 
 }  // namespace marketgen::app

@@ -12,21 +12,21 @@ namespace {
 
 using Point = std::array<double, 3>;
 
-Camera look_at(const Point& from, const Point& at, double fov_deg, int width, int height) {
-  Camera camera;
+render::Camera look_at(const Point& from, const Point& at, double fov_deg, int width, int height) {
+  render::Camera camera;
   camera.name = "camera";
   camera.from = {from[0], from[1], from[2]};
   camera.at = {at[0], at[1], at[2]};
   camera.fov_deg = fov_deg;
   camera.width = width;
   camera.height = height;
-  check_or_raise(check_camera(camera, "camera"));
+  check_or_raise(render::check_camera(camera, "camera"));
   return camera;
 }
 
-Camera camera_from_json(const std::string& text) {
-  const CameraFile file = value_or_raise(read_json<CameraFile>(text, "camera"));
-  return value_or_raise(camera_of(file, "camera"));
+render::Camera camera_from_json(const std::string& text) {
+  const render::CameraFile file = value_or_raise(io::read_json<render::CameraFile>(text, "camera"));
+  return value_or_raise(render::camera_of(file, "camera"));
 }
 
 template <std::size_t rows>
@@ -44,7 +44,8 @@ Square<rows> array_of(const std::array<std::array<double, rows>, rows>& matrix) 
 }  // namespace
 
 void add_cameras(nb::module_& module) {
-  nb::class_<Camera>(module, "Camera", "A pinhole camera, with a lens or without; or a plan view.")
+  nb::class_<render::Camera>(
+      module, "Camera", "A pinhole camera, with a lens or without; or a plan view.")
       .def_static("look_at",
                   &look_at,
                   nb::arg("position"),
@@ -55,23 +56,28 @@ void add_cameras(nb::module_& module) {
                   "Upright at `position`, looking at `target`: metres in the store's frame.\n"
                   "`fov_deg` is vertical. Raises Error camera.*.")
       .def_static("_from_json", &camera_from_json)
-      .def("_to_json", [](const Camera& c) { return write_json(camera_file_of(c)); })
-      .def_ro("name", &Camera::name)
-      .def_ro("width", &Camera::width, "Pixels.")
-      .def_ro("height", &Camera::height, "Pixels.")
+      .def("_to_json",
+           [](const render::Camera& c) { return io::write_json(render::camera_file_of(c)); })
+      .def_ro("name", &render::Camera::name)
+      .def_ro("width", &render::Camera::width, "Pixels.")
+      .def_ro("height", &render::Camera::height, "Pixels.")
       .def_prop_ro(
           "intrinsic_cv",
-          [](const Camera& c) { return array_of<3>(matrices_of(c).k); },
+          [](const render::Camera& c) { return array_of<3>(render::matrices_of(c).k); },
           nb::rv_policy::automatic,
           "(3, 3) float64: OpenCV's camera matrix in pixels; zeros when orthographic.")
       .def_prop_ro(
           "extrinsic_cv",
-          [](const Camera& c) { return array_of<4>(matrices_of(c).opencv_from_world); },
+          [](const render::Camera& c) {
+            return array_of<4>(render::matrices_of(c).opencv_from_world);
+          },
           nb::rv_policy::automatic,
           "(4, 4) float64: camera (x right, y down, z ahead) from the store's frame.")
       .def_prop_ro(
           "cam2world_gl",
-          [](const Camera& c) { return array_of<4>(matrices_of(c).world_from_opengl); },
+          [](const render::Camera& c) {
+            return array_of<4>(render::matrices_of(c).world_from_opengl);
+          },
           nb::rv_policy::automatic,
           "(4, 4) float64: the store's frame from the camera (x right, y up, z back).");
 }

@@ -8,11 +8,11 @@
 namespace marketgen::python {
 
 struct EnvironmentHandle {
-  std::unique_ptr<Environment> environment;
+  std::unique_ptr<environments::Environment> environment;
 };
 
 // Raises episode.bad_action when no episode has begun.
-inline const TrackWorld& world_of(const EnvironmentHandle& handle) {
+inline const episodes::TrackWorld& world_of(const EnvironmentHandle& handle) {
   if (!handle.environment->running() && !handle.environment->result())
     raise({"episode.bad_action", "environment", "no episode has begun: reset it first"});
   return handle.environment->world();

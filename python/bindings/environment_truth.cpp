@@ -29,7 +29,7 @@ std::vector<double> pose_numbers(const Pose& p) {
 nb::list item_rows(const EnvironmentHandle& handle) {
   world_of(handle);
   nb::list rows;
-  for (const EnvironmentItem& item : value_or_raise(handle.environment->items())) {
+  for (const environments::EnvironmentItem& item : value_or_raise(handle.environment->items())) {
     nb::dict row;
     row["sku"] = item.sku;
     row["pose"] = pose_numbers(item.pose);
@@ -62,7 +62,7 @@ using Row = nb::ndarray<float, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
 // alike there.
 void restore_state(EnvironmentHandle& handle, const nb::bytes& state, const Row& observation) {
   world_of(handle);
-  Environment& environment = *handle.environment;
+  environments::Environment& environment = *handle.environment;
   if (observation.size() != environment.observation_size())
     raise({"episode.bad_action", "observation", "a row of another length"});
   const std::string_view bytes(state.c_str(), state.size());
@@ -81,7 +81,7 @@ nb::bytes mujoco_model(const EnvironmentHandle& handle) {
   world_of(handle);
   const mjModel& model = handle.environment->model();
   std::string bytes(static_cast<std::size_t>(mj_sizeModel(&model)), '\0');
-  check_or_raise(guarded("mujoco_model", [&] {
+  check_or_raise(physics::guarded("mujoco_model", [&] {
     mj_saveModel(&model, nullptr, bytes.data(), static_cast<int>(bytes.size()));
   }));
   return python_bytes(bytes);

@@ -26,22 +26,25 @@ using Column = nb::ndarray<T, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 
 using Handles = std::vector<EnvironmentHandle*>;
 
-std::shared_ptr<EpisodeGround> ground_of(StoreHandle& handle) {
+std::shared_ptr<environments::EpisodeGround> ground_of(StoreHandle& handle) {
   if (!handle.ground)
-    handle.ground = value_or_raise(EpisodeGround::of_store(handle.store, handle.catalog));
+    handle.ground =
+        value_or_raise(environments::EpisodeGround::of_store(handle.store, handle.catalog));
   return handle.ground;
 }
 
-std::shared_ptr<EpisodeGround> ground_of_file(const std::string& file) {
-  return value_or_raise(without_interpreter([&] { return EpisodeGround::of_file(file); }));
+std::shared_ptr<environments::EpisodeGround> ground_of_file(const std::string& file) {
+  return value_or_raise(
+      without_interpreter([&] { return environments::EpisodeGround::of_file(file); }));
 }
 
-std::shared_ptr<EpisodeGround> ground_of_pool(const std::string& track) {
-  const Track of = value_or_raise(track_named(track));
-  return value_or_raise(without_interpreter([&] { return EpisodeGround::of_pool(of); }));
+std::shared_ptr<environments::EpisodeGround> ground_of_pool(const std::string& track) {
+  const episodes::Track of = value_or_raise(episodes::track_named(track));
+  return value_or_raise(
+      without_interpreter([&] { return environments::EpisodeGround::of_pool(of); }));
 }
 
-EnvironmentHandle create_environment(std::shared_ptr<EpisodeGround> ground,
+EnvironmentHandle create_environment(std::shared_ptr<environments::EpisodeGround> ground,
                                      const std::string& track,
                                      const std::string& control_mode,
                                      const std::string& reward_mode,
@@ -50,21 +53,22 @@ EnvironmentHandle create_environment(std::shared_ptr<EpisodeGround> ground,
                                      bool stop,
                                      bool privileged,
                                      int item_rows) {
-  const EnvironmentOptions options{.control = named<ControlMode>(control_mode, "control_mode"),
-                                   .reward = named<RewardMode>(reward_mode, "reward_mode"),
-                                   .tools = tools,
-                                   .station = station,
-                                   .stop = stop,
-                                   .privileged = privileged,
-                                   .item_rows = item_rows};
-  const Track of = value_or_raise(track_named(track));
-  return {value_or_raise(Environment::create(std::move(ground), of, options))};
+  const environments::EnvironmentOptions options{
+      .control = named<environments::ControlMode>(control_mode, "control_mode"),
+      .reward = named<environments::RewardMode>(reward_mode, "reward_mode"),
+      .tools = tools,
+      .station = station,
+      .stop = stop,
+      .privileged = privileged,
+      .item_rows = item_rows};
+  const episodes::Track of = value_or_raise(episodes::track_named(track));
+  return {value_or_raise(environments::Environment::create(std::move(ground), of, options))};
 }
 
 // name, low, high of each number.
 std::vector<std::tuple<std::string, double, double>> action_numbers(const EnvironmentHandle& h) {
   std::vector<std::tuple<std::string, double, double>> rows;
-  for (const ActionNumber& number : h.environment->action_numbers())
+  for (const environments::ActionNumber& number : h.environment->action_numbers())
     rows.emplace_back(number.name, number.low, number.high);
   return rows;
 }
@@ -74,13 +78,13 @@ using PartRow = std::
     tuple<std::string, std::string, std::vector<int>, std::vector<double>, std::vector<double>>;
 std::vector<PartRow> parts(const EnvironmentHandle& h) {
   std::vector<PartRow> rows;
-  for (const ObservationPart& part : h.environment->observation_parts())
+  for (const environments::ObservationPart& part : h.environment->observation_parts())
     rows.emplace_back(part.group, part.name, part.shape, part.low, part.high);
   return rows;
 }
 
-std::vector<Environment*> inner(const Handles& handles) {
-  std::vector<Environment*> environments;
+std::vector<environments::Environment*> inner(const Handles& handles) {
+  std::vector<environments::Environment*> environments;
   for (const EnvironmentHandle* handle : handles)
     environments.push_back(handle->environment.get());
   return environments;
@@ -95,7 +99,7 @@ void check_rows(const Array& array, std::size_t rows, const char* name) {
 }
 
 template <class T>
-std::span<T> span_of(const Table<T>& rows, const Environment& first) {
+std::span<T> span_of(const Table<T>& rows, const environments::Environment& first) {
   if (rows.shape(1) != first.observation_size())
     raise({"episode.bad_action",
            "observations",
@@ -110,7 +114,7 @@ void step_environments(const Handles& handles,
                        const Column<double>& rewards,
                        const Column<bool>& terminated,
                        const Column<bool>& truncated) {
-  const std::vector<Environment*> environments = inner(handles);
+  const std::vector<environments::Environment*> environments = inner(handles);
   const std::size_t count = environments.size();
   if (count == 0) return;
   check_rows(actions, count, "actions");
@@ -118,41 +122,44 @@ void step_environments(const Handles& handles,
   check_rows(rewards, count, "rewards");
   check_rows(terminated, count, "terminated");
   check_rows(truncated, count, "truncated");
-  const BatchBuffers into{span_of(observations, *environments[0]),
-                          {rewards.data(), count},
-                          {terminated.data(), count},
-                          {truncated.data(), count}};
+  const environments::BatchBuffers into{span_of(observations, *environments[0]),
+                                        {rewards.data(), count},
+                                        {terminated.data(), count},
+                                        {truncated.data(), count}};
   const std::span<const double> all{actions.data(), actions.size()};
-  check_or_raise(without_interpreter([&] { return step_all(environments, all, into); }));
+  check_or_raise(
+      without_interpreter([&] { return environments::step_all(environments, all, into); }));
 }
 
 void reset_environments(const Handles& handles,
                         const std::vector<std::string>& episodes,
                         const Table<float>& observations) {
-  const std::vector<Environment*> environments = inner(handles);
+  const std::vector<environments::Environment*> environments = inner(handles);
   if (environments.empty()) return;
   check_rows(observations, environments.size(), "observations");
   if (episodes.size() != environments.size())
     raise({"episode.bad_action", "reset", "there must be one episode an environment"});
-  std::vector<EpisodeSpec> specs;
+  std::vector<episodes::EpisodeSpec> specs;
   for (const std::string& episode : episodes)
-    specs.push_back(value_or_raise(read_json<EpisodeSpec>(episode, "episode")));
+    specs.push_back(value_or_raise(io::read_json<episodes::EpisodeSpec>(episode, "episode")));
   const std::span<float> into = span_of(observations, *environments[0]);
-  check_or_raise(without_interpreter([&] { return reset_all(environments, specs, into); }));
+  check_or_raise(
+      without_interpreter([&] { return environments::reset_all(environments, specs, into); }));
 }
 
 // The episodes of seeds as market-episode/1.
-std::vector<std::string> draw(EpisodeGround& ground,
+std::vector<std::string> draw(environments::EpisodeGround& ground,
                               const std::string& track,
                               const std::vector<std::uint64_t>& seeds,
                               const std::string& tools,
                               const Callable& progress) {
-  const Track of = value_or_raise(track_named(track));
-  const auto specs = value_or_raise(
-      telling(progress, [&](Progress& told) { return draw_all(ground, of, seeds, tools, told); }));
+  const episodes::Track of = value_or_raise(episodes::track_named(track));
+  const auto specs = value_or_raise(telling(progress, [&](Progress& told) {
+    return environments::draw_all(ground, of, seeds, tools, told);
+  }));
   std::vector<std::string> texts;
-  for (const EpisodeSpec& spec : specs)
-    texts.push_back(write_json(spec));
+  for (const episodes::EpisodeSpec& spec : specs)
+    texts.push_back(io::write_json(spec));
   return texts;
 }
 
@@ -162,16 +169,16 @@ FrameHandle picture_of(EnvironmentHandle& handle,
                        int height,
                        const std::string& quality) {
   world_of(handle);
-  RenderOptions options;
-  options.quality = named<Quality>(quality, "quality");
+  render::RenderOptions options;
+  options.quality = named<render::Quality>(quality, "quality");
   return {value_or_raise(without_interpreter(
       [&] { return handle.environment->picture(camera, width, height, options); }))};
 }
 
-Camera camera_of_environment(EnvironmentHandle& handle,
-                             const std::string& name,
-                             int width,
-                             int height) {
+render::Camera camera_of_environment(EnvironmentHandle& handle,
+                                     const std::string& name,
+                                     int width,
+                                     int height) {
   world_of(handle);
   return value_or_raise(
       without_interpreter([&] { return handle.environment->camera(name, width, height); }));
@@ -180,18 +187,18 @@ Camera camera_of_environment(EnvironmentHandle& handle,
 // Metres and radians of each tool.
 std::vector<std::tuple<double, double>> tool_cuts(const EnvironmentHandle& handle) {
   std::vector<std::tuple<double, double>> rows;
-  for (const ToolCut& cut : handle.environment->tool_cuts())
+  for (const environments::ToolCut& cut : handle.environment->tool_cuts())
     rows.emplace_back(cut.off_m, cut.off_rad);
   return rows;
 }
 
 std::string result_of(const EnvironmentHandle& handle) {
   const auto& ended = handle.environment->result();
-  return ended ? write_json(*ended) : "";
+  return ended ? io::write_json(*ended) : "";
 }
 
 std::string task_of(const EnvironmentHandle& handle) {
-  return write_json(told_task(world_of(handle).spec()));
+  return io::write_json(environments::told_task(world_of(handle).spec()));
 }
 
 // market-result/1 as evaluate() keeps it. `isolation`: of the policy's process. `broken`: code,
@@ -204,44 +211,45 @@ std::string judged(EnvironmentHandle& handle,
                    bool by_policy,
                    double wall_s) {
   world_of(handle);
-  EpisodeEnd end{policy, told};
-  end.isolation = named<PolicyIsolation>(isolation, "isolation");
+  episodes::EpisodeEnd end{policy, told};
+  end.isolation = named<episodes::PolicyIsolation>(isolation, "isolation");
   if (broken.size() == 3) {
     end.broken = Error{broken[0], broken[1], broken[2]};
     end.by_policy = by_policy;
   }
   end.wall_s = wall_s;
-  return write_json(value_or_raise(without_interpreter([&]() -> Result<EpisodeResult> {
-    EpisodeResult result;
-    parallel_for(1, [&](std::size_t) { result = handle.environment->judged(end); });
-    return result;
-  })));
+  return io::write_json(
+      value_or_raise(without_interpreter([&]() -> Result<episodes::EpisodeResult> {
+        episodes::EpisodeResult result;
+        parallel_for(1, [&](std::size_t) { result = handle.environment->judged(end); });
+        return result;
+      })));
 }
 
-std::vector<std::string> episodes(const EpisodeGround& ground) {
+std::vector<std::string> episodes(const environments::EpisodeGround& ground) {
   std::vector<std::string> texts;
-  for (const EpisodeSpec& spec : ground.episodes())
-    texts.push_back(write_json(spec));
+  for (const episodes::EpisodeSpec& spec : ground.episodes())
+    texts.push_back(io::write_json(spec));
   return texts;
 }
 
 // The rows of the catalogue, each as JSON.
-std::vector<std::string> catalogue(const EpisodeGround& ground) {
+std::vector<std::string> catalogue(const environments::EpisodeGround& ground) {
   std::vector<std::string> texts;
-  for (const Product& product : ground.known_products())
-    texts.push_back(write_json(product));
+  for (const catalog::Product& product : ground.known_products())
+    texts.push_back(io::write_json(product));
   return texts;
 }
 
 }  // namespace
 
 void add_environments(nb::module_& module) {
-  nb::class_<EpisodeGround>(module, "EpisodeGround")
+  nb::class_<environments::EpisodeGround>(module, "EpisodeGround")
       .def("episodes", &episodes)
       .def("catalogue", &catalogue)
       .def("draw", &draw)
-      .def("draw_one_item", [](const EpisodeGround& ground, std::uint64_t seed) {
-        return write_json(value_or_raise(draw_one_item(ground, seed)));
+      .def("draw_one_item", [](const environments::EpisodeGround& ground, std::uint64_t seed) {
+        return io::write_json(value_or_raise(environments::draw_one_item(ground, seed)));
       });
   module.def("ground_of_store", &ground_of);
   module.def("ground_of_file", &ground_of_file);

@@ -19,11 +19,11 @@
 namespace marketgen::python {
 namespace {
 
-EvaluationOptions options_of(const std::string& policy,
-                             const std::string& folder,
-                             bool resume,
-                             int jobs) {
-  EvaluationOptions options{policy, folder, resume};
+evaluation::EvaluationOptions options_of(const std::string& policy,
+                                         const std::string& folder,
+                                         bool resume,
+                                         int jobs) {
+  evaluation::EvaluationOptions options{policy, folder, resume};
   options.jobs = jobs > 0 ? jobs : thread_count();
   return options;
 }
@@ -38,25 +38,26 @@ void evaluate(const std::string& episodes,
               const std::vector<std::string>& worker,
               const std::array<double, 3>& limits_s,
               const Callable& progress) {
-  EvaluationOptions options = options_of(policy, folder, resume, jobs);
+  evaluation::EvaluationOptions options = options_of(policy, folder, resume, jobs);
   options.answer = {limits_s[0], limits_s[1]};
   options.start_limit_s = limits_s[2];
   options.worker = worker;
-  value_or_raise(read_policy_name(policy));
-  value_or_raise(telling(progress, [&](Progress& told) -> Result<std::vector<EpisodeResult>> {
-    MARKETGEN_TRY(const EpisodeFile file, read_episode_file(episodes));
-    MARKETGEN_TRY(const std::filesystem::path data, data_folder());
-    MARKETGEN_TRY(const Catalog catalog, usable_catalog());
-    return marketgen::evaluate(data, file, catalog, options, told);
-  }));
+  value_or_raise(environments::read_policy_name(policy));
+  value_or_raise(
+      telling(progress, [&](Progress& told) -> Result<std::vector<episodes::EpisodeResult>> {
+        MARKETGEN_TRY(const episodes::EpisodeFile file, episodes::read_episode_file(episodes));
+        MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
+        MARKETGEN_TRY(const catalog::Catalog catalog, assets::usable_catalog());
+        return marketgen::evaluation::evaluate(data, file, catalog, options, told);
+      }));
 }
 
 void serve(const std::string& policy, int threads) {
   check_or_raise(without_interpreter([&]() -> Result<void> {
     const ThreadLimit limit(threads);
-    MARKETGEN_TRY(const std::filesystem::path data, data_folder());
-    MARKETGEN_TRY(const Catalog catalog, usable_catalog());
-    return serve_episodes(data, catalog, policy);
+    MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
+    MARKETGEN_TRY(const catalog::Catalog catalog, assets::usable_catalog());
+    return evaluation::serve_episodes(data, catalog, policy);
   }));
 }
 
@@ -91,8 +92,8 @@ void evaluate_with(const std::string& episodes,
                    int jobs,
                    nb::object make_runner,
                    const Callable& progress) {
-  const EvaluationOptions options = options_of(policy, folder, resume, jobs);
-  const auto make = [&]() -> EpisodeRunner {
+  const evaluation::EvaluationOptions options = options_of(policy, folder, resume, jobs);
+  const auto make = [&]() -> evaluation::EpisodeRunner {
     const nb::gil_scoped_acquire held;
     std::shared_ptr<nb::object> runner;
     Error fault;
@@ -101,41 +102,44 @@ void evaluate_with(const std::string& episodes,
     } catch (nb::python_error& raised) {
       fault = error_of(raised);
     }
-    return [runner, fault](const EpisodeSpec& spec) -> Result<EpisodeResult> {
+    return [runner, fault](const episodes::EpisodeSpec& spec) -> Result<episodes::EpisodeResult> {
       if (!runner) return fault;
       const nb::gil_scoped_acquire taken;
       try {
-        const std::string result = nb::cast<std::string>((*runner)(write_json(spec)));
-        return read_json<EpisodeResult>(result, "policy");
+        const std::string result = nb::cast<std::string>((*runner)(io::write_json(spec)));
+        return io::read_json<episodes::EpisodeResult>(result, "policy");
       } catch (nb::python_error& raised) {
         return error_of(raised);
       }
     };
   };
-  value_or_raise(telling(progress, [&](Progress& told) -> Result<std::vector<EpisodeResult>> {
-    MARKETGEN_TRY(const EpisodeFile file, read_episode_file(episodes));
-    return marketgen::evaluate_with(file, options, make, told);
-  }));
+  value_or_raise(
+      telling(progress, [&](Progress& told) -> Result<std::vector<episodes::EpisodeResult>> {
+        MARKETGEN_TRY(const episodes::EpisodeFile file, episodes::read_episode_file(episodes));
+        return marketgen::evaluation::evaluate_with(file, options, make, told);
+      }));
 }
 
-ProcessGroup started(const std::vector<std::string>& command, const std::array<int, 3>& ends) {
-  return value_or_raise(ProcessGroup::start(command, ends));
+io::ProcessGroup started(const std::vector<std::string>& command, const std::array<int, 3>& ends) {
+  return value_or_raise(io::ProcessGroup::start(command, ends));
 }
 
 std::string data_folder_or_raise() {
-  return value_or_raise(data_folder()).string();
+  return value_or_raise(io::data_folder()).string();
 }
 
 }  // namespace
 
 void add_evaluations(nb::module_& module) {
-  nb::class_<ProcessGroup>(module, "ProcessGroup")
-      .def("is_over", &ProcessGroup::is_over)
-      .def("cpu_s", &ProcessGroup::cpu_s)
-      .def("end", [](ProcessGroup& group) { return end_of_program(group.end()); })
+  nb::class_<io::ProcessGroup>(module, "ProcessGroup")
+      .def("is_over", &io::ProcessGroup::is_over)
+      .def("cpu_s", &io::ProcessGroup::cpu_s)
+      .def("end", [](io::ProcessGroup& group) { return io::end_of_program(group.end()); })
       .def(
           "wait",
-          [](ProcessGroup& group, double limit_s) { return end_of_program(group.wait(limit_s)); },
+          [](io::ProcessGroup& group, double limit_s) {
+            return io::end_of_program(group.wait(limit_s));
+          },
           nb::call_guard<nb::gil_scoped_release>());
   module.def("check_interrupt", [] { check_or_raise(check_interrupt()); });
   module.def("start_process_group", &started);
@@ -144,7 +148,7 @@ void add_evaluations(nb::module_& module) {
   module.def("serve_episodes", &serve);
   module.def("thread_count", &thread_count);
   module.def("data_folder", &data_folder_or_raise);
-  module.def("cache_folder", [] { return cache_folder().string(); });
+  module.def("cache_folder", [] { return io::cache_folder().string(); });
 }
 
 }  // namespace marketgen::python

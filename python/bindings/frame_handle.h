@@ -7,7 +7,7 @@
 namespace marketgen::python {
 
 struct FrameHandle {
-  Frame frame;
+  render::Frame frame;
 };
 
 void add_frames(nanobind::module_& module);

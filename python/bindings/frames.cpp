@@ -24,12 +24,12 @@ Array<T> plane(FrameHandle& handle, std::vector<T>& numbers, std::size_t channel
 }
 
 void save(const FrameHandle& handle, const std::filesystem::path& to) {
-  const Frame& frame = handle.frame;
+  const render::Frame& frame = handle.frame;
   const std::string path = to.string();
-  if (!path.ends_with(".exr")) return check_or_raise(write_picture(path, frame.color));
+  if (!path.ends_with(".exr")) return check_or_raise(io::write_picture(path, frame.color));
   if (frame.radiance.empty())
     raise({"usage.bad_flag", path, "linear light (EXR) is what mode=\"path\" draws"});
-  check_or_raise(write_exr(path, {frame.color.width, frame.color.height, frame.radiance}));
+  check_or_raise(io::write_exr(path, {frame.color.width, frame.color.height, frame.radiance}));
 }
 
 std::string written(const FrameHandle& handle) {
@@ -77,7 +77,7 @@ void add_frames(nb::module_& module) {
       .def(
           "_repr_png_",
           [](const FrameHandle& h) {
-            const std::string png = value_or_raise(encode_png(h.frame.color));
+            const std::string png = value_or_raise(io::encode_png(h.frame.color));
             return nb::bytes(png.data(), png.size());
           },
           "How notebooks show it: the colours as a PNG.")

@@ -9,7 +9,7 @@
 NB_MODULE(_core, module) {
   using namespace marketgen::python;
   module.attr("__version__") = marketgen::program_version;
-  module.def("use_python", &marketgen::use_python, nb::arg("interpreter"));
+  module.def("use_python", &marketgen::io::use_python, nb::arg("interpreter"));
   add_errors(module);
   add_cameras(module);
   add_stores(module);

@@ -17,7 +17,7 @@ namespace {
 using Actions = nb::ndarray<double, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
 
 // A row of `into` each, side by side; where no episode runs the row stays as it is.
-Result<void> act_all(const std::vector<ProgramPolicy*>& policies,
+Result<void> act_all(const std::vector<environments::ProgramPolicy*>& policies,
                      const std::vector<EnvironmentHandle*>& environments,
                      Actions into) {
   const std::size_t numbers = into.shape(1);
@@ -35,7 +35,7 @@ Result<void> act_all(const std::vector<ProgramPolicy*>& policies,
   return {};
 }
 
-void act(const std::vector<ProgramPolicy*>& policies,
+void act(const std::vector<environments::ProgramPolicy*>& policies,
          const std::vector<EnvironmentHandle*>& environments,
          const Actions& into) {
   const bool fits = policies.size() == environments.size() && into.shape(0) == policies.size() &&
@@ -49,11 +49,12 @@ void act(const std::vector<ProgramPolicy*>& policies,
 }  // namespace
 
 void add_program_policies(nb::module_& module) {
-  nb::class_<ProgramPolicy>(module, "ProgramPolicy").def("failure", &ProgramPolicy::failure);
+  nb::class_<environments::ProgramPolicy>(module, "ProgramPolicy")
+      .def("failure", &environments::ProgramPolicy::failure);
   module.def(
       "program_policy",
       [](EnvironmentHandle& handle, const std::string& name) {
-        return std::make_unique<ProgramPolicy>(*handle.environment, name);
+        return std::make_unique<environments::ProgramPolicy>(*handle.environment, name);
       },
       nb::keep_alive<0, 1>());
   module.def(

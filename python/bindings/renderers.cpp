@@ -23,25 +23,26 @@ template <class T>
 using Plane = nb::ndarray<T, nb::c_contig, nb::device::cpu>;  // a caller's memory
 
 struct RendererHandle {
-  std::shared_ptr<const Store> store;  // before the renderer, which reads its scene
-  std::unique_ptr<Renderer> renderer;
-  std::vector<Actor> actors;
+  std::shared_ptr<const store::Store> store;  // before the renderer, which reads its scene
+  std::unique_ptr<render::Renderer> renderer;
+  std::vector<render::Actor> actors;
 };
 
 RendererHandle create(const StoreHandle& handle,
                       bool fine_print,
                       bool keep_light,
                       const Callable& progress) {
-  const RendererOptions options{fine_print ? PrintDetail::near : PrintDetail::distant, keep_light};
+  const render::RendererOptions options{
+      fine_print ? render::PrintDetail::near : render::PrintDetail::distant, keep_light};
   RendererHandle made{handle.store, nullptr, {}};
   made.renderer = value_or_raise(telling(progress, [&](Progress& told) {
-    return Renderer::create(made.store->scene, told, options);
+    return render::Renderer::create(made.store->scene, told, options);
   }));
   return made;
 }
 
 FrameHandle render(RendererHandle& handle,
-                   const Camera& camera,
+                   const render::Camera& camera,
                    const std::string& mode,
                    const std::string& quality,
                    int samples,
@@ -49,12 +50,12 @@ FrameHandle render(RendererHandle& handle,
                    const std::string& denoise,
                    double exposure_stops,
                    const Callable& progress) {
-  RenderOptions options;
-  options.mode = named<RenderMode>(mode, "mode");
-  options.quality = named<Quality>(quality, "quality");
+  render::RenderOptions options;
+  options.mode = named<render::RenderMode>(mode, "mode");
+  options.quality = named<render::Quality>(quality, "quality");
   options.samples = samples;
   options.time_s = time_s;
-  options.denoiser = named<Denoiser>(denoise, "denoise");
+  options.denoiser = named<render::Denoiser>(denoise, "denoise");
   options.exposure_stops = exposure_stops;
   options.hide_ceiling = camera.ortho_height_m > 0;
   return {value_or_raise(telling(
@@ -63,27 +64,32 @@ FrameHandle render(RendererHandle& handle,
 
 // The same picture as this sensor records it.
 FrameHandle noisy(const FrameHandle& seen,
-                  const Camera& camera,
+                  const render::Camera& camera,
                   std::uint64_t seed,
                   std::uint64_t number) {
-  const NoiseSource source{seed, number};
+  const render::NoiseSource source{seed, number};
   FrameHandle recorded = seen;
-  recorded.frame.depth_m = value_or_raise(noisy_depth(seen.frame, camera, StereoCamera{}, source));
-  recorded.frame.color = noisy_color(seen.frame.color, camera, ColorSensor{}, source);
+  recorded.frame.depth_m =
+      value_or_raise(render::noisy_depth(seen.frame, camera, render::StereoCamera{}, source));
+  recorded.frame.color =
+      render::noisy_color(seen.frame.color, camera, render::ColorSensor{}, source);
   return recorded;
 }
 
 std::string annotations(const RendererHandle& handle,
                         const FrameHandle& seen,
-                        const Camera& camera) {
-  return write_json(annotate(
-      seen.frame, camera, handle.store->scene, *handle.renderer, picture_actors(handle.actors)));
+                        const render::Camera& camera) {
+  return io::write_json(render::annotate(seen.frame,
+                                         camera,
+                                         handle.store->scene,
+                                         *handle.renderer,
+                                         render::picture_actors(handle.actors)));
 }
 
 void set_robots(RendererHandle& handle, const std::vector<std::string>& texts) {
-  const std::vector<PlacedRobot> robots =
-      value_or_raise(standing_robots(handle.store->scene, texts, "robot "));
-  std::vector<Actor> actors = value_or_raise(robot_actors(robots));
+  const std::vector<robots::PlacedRobot> robots =
+      value_or_raise(collect::standing_robots(handle.store->scene, texts, "robot "));
+  std::vector<render::Actor> actors = value_or_raise(render::robot_actors(robots));
   check_or_raise(handle.renderer->set_actors(actors));
   handle.actors = std::move(actors);
 }
@@ -95,12 +101,12 @@ void move(RendererHandle& handle,
           const Rows<double>& positions) {
   if (products.shape(0) != poses.shape(0) || joints.shape(0) != positions.shape(0))
     raise({"render.bad_move", "move", "there must be one pose a product and one position a joint"});
-  std::vector<MovedProduct> moved(products.shape(0));
+  std::vector<render::MovedProduct> moved(products.shape(0));
   for (std::size_t i = 0; i < moved.size(); ++i) {
     const double* p = poses.data() + 7 * i;
     moved[i] = {products.data()[i], {{p[0], p[1], p[2]}, {p[3], p[4], p[5], p[6]}}};
   }
-  std::vector<MovedJoint> turned(joints.shape(0));
+  std::vector<render::MovedJoint> turned(joints.shape(0));
   for (std::size_t i = 0; i < turned.size(); ++i)
     turned[i] = {joints.data()[i], positions.data()[i]};
   check_or_raise(handle.renderer->move_things(moved, turned));
@@ -120,7 +126,7 @@ T* memory_for(const std::optional<Plane<T>>& plane, std::size_t numbers, const c
 }
 
 void render_batch(const std::vector<RendererHandle*>& renderers,
-                  const std::vector<Camera>& cameras,
+                  const std::vector<render::Camera>& cameras,
                   const std::string& quality,
                   const std::optional<Plane<std::uint8_t>>& rgb,
                   const std::optional<Plane<float>>& depth,
@@ -129,24 +135,26 @@ void render_batch(const std::vector<RendererHandle*>& renderers,
     raise({"camera.degenerate", "render_batch", "give one renderer for each camera"});
   const auto pixels =
       static_cast<std::size_t>(cameras[0].width) * static_cast<std::size_t>(cameras[0].height);
-  for (const Camera& camera : cameras) {
+  for (const render::Camera& camera : cameras) {
     if (camera.width != cameras[0].width || camera.height != cameras[0].height)
       raise({"camera.bad_size", camera.name, "all pictures of a batch have one size"});
   }
-  const FrameBuffers all{.rgb = memory_for(rgb, 3 * pixels * cameras.size(), "rgb"),
-                         .depth_m = memory_for(depth, pixels * cameras.size(), "depth"),
-                         .instance = memory_for(instance, pixels * cameras.size(), "instance")};
-  std::vector<Shot> shots;
+  const render::FrameBuffers all{
+      .rgb = memory_for(rgb, 3 * pixels * cameras.size(), "rgb"),
+      .depth_m = memory_for(depth, pixels * cameras.size(), "depth"),
+      .instance = memory_for(instance, pixels * cameras.size(), "instance")};
+  std::vector<render::Shot> shots;
   for (std::size_t i = 0; i < cameras.size(); ++i) {
-    FrameBuffers to;
+    render::FrameBuffers to;
     if (all.rgb != nullptr) to.rgb = all.rgb + 3 * pixels * i;
     if (all.depth_m != nullptr) to.depth_m = all.depth_m + pixels * i;
     if (all.instance != nullptr) to.instance = all.instance + pixels * i;
     shots.push_back({renderers[i]->renderer.get(), cameras[i], to});
   }
-  RenderOptions options;
-  options.quality = named<Quality>(quality, "quality");
-  check_or_raise(without_interpreter([&] { return marketgen::render_batch(shots, options); }));
+  render::RenderOptions options;
+  options.quality = named<render::Quality>(quality, "quality");
+  check_or_raise(
+      without_interpreter([&] { return marketgen::render::render_batch(shots, options); }));
 }
 
 }  // namespace
@@ -158,7 +166,7 @@ void add_renderers(nb::module_& module) {
       .def("_noisy",
            [](const RendererHandle&,
               const FrameHandle& seen,
-              const Camera& camera,
+              const render::Camera& camera,
               std::uint64_t seed,
               std::uint64_t number) { return noisy(seen, camera, seed, number); })
       .def("_annotations", &annotations)

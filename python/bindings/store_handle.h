@@ -8,9 +8,10 @@
 namespace marketgen::python {
 
 struct StoreHandle {
-  std::shared_ptr<const Store> store;
-  std::shared_ptr<const Catalog> catalog;      // the rows that it was opened with
-  std::shared_ptr<EpisodeGround> ground = {};  // of its environments, once there was one
+  std::shared_ptr<const store::Store> store;
+  std::shared_ptr<const catalog::Catalog> catalog;  // the rows that it was opened with
+  std::shared_ptr<environments::EpisodeGround> ground =
+      {};  // of its environments, once there was one
 };
 
 }  // namespace marketgen::python

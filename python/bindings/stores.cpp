@@ -20,14 +20,15 @@
 namespace marketgen::python {
 namespace {
 
-StoreHandle opened(const std::string& folder, Catalog catalog) {
-  Store store = value_or_raise(without_interpreter([&] { return open_store(folder, catalog); }));
-  return {std::make_shared<const Store>(std::move(store)),
-          std::make_shared<const Catalog>(std::move(catalog))};
+StoreHandle opened(const std::string& folder, catalog::Catalog catalog) {
+  store::Store store =
+      value_or_raise(without_interpreter([&] { return store::open_store(folder, catalog); }));
+  return {std::make_shared<const store::Store>(std::move(store)),
+          std::make_shared<const catalog::Catalog>(std::move(catalog))};
 }
 
 StoreHandle open(const std::string& folder, const std::vector<std::string>& catalogs) {
-  return opened(folder, value_or_raise(usable_catalog({catalogs.begin(), catalogs.end()})));
+  return opened(folder, value_or_raise(assets::usable_catalog({catalogs.begin(), catalogs.end()})));
 }
 
 // The keyword arguments of marketgen.generate().
@@ -42,7 +43,7 @@ StoreHandle generate(const std::string& prompt,
                      bool previews,
                      bool strict,
                      const Callable& progress) {
-  CreateOptions options;
+  store::CreateOptions options;
   options.folder = folder;
   options.seed = seed;
   options.previews = previews;
@@ -52,23 +53,25 @@ StoreHandle generate(const std::string& prompt,
   options.brief.profile = profile;
   options.brief.style = style;
   if (plan) options.plan_file = *plan;
-  if (!size.empty()) options.brief.size_mm = value_or_raise(parse_size(size, "size"));
-  Catalog catalog = value_or_raise(usable_catalog({catalogs.begin(), catalogs.end()}));
-  value_or_raise(
-      telling(progress, [&](Progress& told) { return create_store(options, catalog, told); }));
+  if (!size.empty()) options.brief.size_mm = value_or_raise(intake::parse_size(size, "size"));
+  catalog::Catalog catalog =
+      value_or_raise(assets::usable_catalog({catalogs.begin(), catalogs.end()}));
+  value_or_raise(telling(
+      progress, [&](Progress& told) { return store::create_store(options, catalog, told); }));
   return opened(folder, std::move(catalog));
 }
 
 std::vector<std::string> camera_names(const StoreHandle& handle) {
   std::vector<std::string> names;
-  for (const Camera& camera : standard_cameras(handle.store->scene, 16, 9))
+  for (const render::Camera& camera : render::standard_cameras(handle.store->scene, 16, 9))
     names.push_back(camera.name);
   return names;
 }
 
 nb::bytes layout_png(const StoreHandle& handle) {
-  const std::string png = value_or_raise(without_interpreter(
-      [&] { return encode_png(draw_layout(handle.store->scene.layout, *handle.catalog)); }));
+  const std::string png = value_or_raise(without_interpreter([&] {
+    return io::encode_png(layout::draw_layout(handle.store->scene.layout, *handle.catalog));
+  }));
   return nb::bytes(png.data(), png.size());
 }
 
@@ -77,23 +80,24 @@ nb::bytes layout_png(const StoreHandle& handle) {
 void add_stores(nb::module_& module) {
   nb::class_<StoreHandle>(module, "Store")
       .def_prop_ro("folder", [](const StoreHandle& h) { return h.store->folder.string(); })
-      .def("_manifest", [](const StoreHandle& h) { return write_json(h.store->manifest); })
-      .def("_plan", [](const StoreHandle& h) { return write_json(h.store->plan); })
-      .def("_layout", [](const StoreHandle& h) { return write_json(h.store->scene.layout); })
+      .def("_manifest", [](const StoreHandle& h) { return io::write_json(h.store->manifest); })
+      .def("_plan", [](const StoreHandle& h) { return io::write_json(h.store->plan); })
+      .def("_layout", [](const StoreHandle& h) { return io::write_json(h.store->scene.layout); })
       .def("_layout_png", &layout_png)
       .def("_report",
            [](const StoreHandle& h) {
-             return write_json(value_or_raise(read_report(h.store->folder)));
+             return io::write_json(value_or_raise(store::read_report(h.store->folder)));
            })
-      .def("_query",
-           [](const StoreHandle& h, const std::string& table, const std::string& where) {
-             return to_json(value_or_raise(query_scene(h.store->scene, table, where)));
-           })
+      .def(
+          "_query",
+          [](const StoreHandle& h, const std::string& table, const std::string& where) {
+            return scene::to_json(value_or_raise(scene::query_scene(h.store->scene, table, where)));
+          })
       .def("camera_names", &camera_names)
       .def("camera", [](const StoreHandle& h, const std::string& name, int width, int height) {
-        return value_or_raise(camera_named(h.store->scene, name, width, height));
+        return value_or_raise(render::camera_named(h.store->scene, name, width, height));
       });
-  module.def("cache_folder", [] { return cache_folder().string(); });
+  module.def("cache_folder", [] { return io::cache_folder().string(); });
   module.def("open_store", &open);
   module.def("generate", &generate);
 }

@@ -15,17 +15,17 @@ constexpr int baskets = 4, runs_a_basket = 4;
 constexpr double simulated_s = 3;
 
 // Four baskets, and four ways through each: what the policy draws comes from the episode's seed.
-EpisodeFile sixteen_episodes(const std::filesystem::path& data) {
-  EpisodeFile file;
-  for (const Product& product : committed_catalog().products)
-    if (is_checkout_item(product)) file.header.products.push_back(product);
+episodes::EpisodeFile sixteen_episodes(const std::filesystem::path& data) {
+  episodes::EpisodeFile file;
+  for (const catalog::Product& product : committed_catalog().products)
+    if (episodes::is_checkout_item(product)) file.header.products.push_back(product);
   for (int basket = 0; basket < baskets; ++basket) {
-    auto spec = sample_checkout(data,
-                                file.header.products,
-                                committed_catalog().frictions,
-                                {"corner", "s", "p"},
-                                Seed(31),
-                                basket);
+    auto spec = episodes::sample_checkout(data,
+                                          file.header.products,
+                                          committed_catalog().frictions,
+                                          {"corner", "s", "p"},
+                                          Seed(31),
+                                          basket);
     if (!spec.ok()) fatal(to_string(spec.error()).c_str());
     spec->limit_s = simulated_s;
     for (int i = 0; i < runs_a_basket; ++i) {
@@ -36,15 +36,15 @@ EpisodeFile sixteen_episodes(const std::filesystem::path& data) {
   return file;
 }
 
-std::string end_of(Arena& arena, const EpisodeSpec& spec) {
-  const auto result = run_episode(arena, spec, "random");
+std::string end_of(environments::Arena& arena, const episodes::EpisodeSpec& spec) {
+  const auto result = environments::run_episode(arena, spec, "random");
   return result.ok() ? result->state_hash : to_string(result.error());
 }
 
 TEST(EpisodeReplay, SixteenEpisodesEndInTheSameState) {
   const std::filesystem::path data = std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data";
-  const EpisodeFile file = sixteen_episodes(data);
-  Arena arena(data, file.header, committed_catalog());
+  const episodes::EpisodeFile file = sixteen_episodes(data);
+  environments::Arena arena(data, file.header, committed_catalog());
   const auto run = [&](std::size_t i) { return end_of(arena, file.episodes[i]); };
   const std::vector<std::string> first = parallel_map(file.episodes.size(), run);
   const ThreadLimit one(1);

@@ -39,14 +39,14 @@ constexpr Sample samples[] = {
      11},
 };
 
-Manifest made(const Sample& sample, std::uint64_t seed, const fs::path& folder) {
-  CreateOptions options;
+store::Manifest made(const Sample& sample, std::uint64_t seed, const fs::path& folder) {
+  store::CreateOptions options;
   options.folder = folder;
   options.brief.prompt = sample.prompt;
   options.brief.size_mm = sample.size_mm;
   options.seed = seed;
   options.previews = false;
-  auto created = create_store(options, committed_catalog());
+  auto created = store::create_store(options, committed_catalog());
   if (!created.ok()) fatal(to_string(created.error()).c_str());
   return std::move(created->manifest);
 }

@@ -318,7 +318,7 @@ TEST(Render, PictureDepthSegmentationNormals) {
              "normals.png"},
             scratch.path());
   for (const char* name : {"aisle.png", "parts.png", "normals.png"}) {
-    const auto picture = read_png(scratch.path() / name);
+    const auto picture = io::read_png(scratch.path() / name);
     ASSERT_TRUE(picture.ok()) << name;
     EXPECT_EQ(picture->width, 160) << name;
     EXPECT_EQ(picture->height, 90) << name;
@@ -365,7 +365,7 @@ TEST(Render, StandardCamerasAndOnesOwn) {
              "-o",
              "own.png"},
             scratch.path());
-  EXPECT_TRUE(read_png(scratch.path() / "own.png").ok());
+  EXPECT_TRUE(io::read_png(scratch.path() / "own.png").ok());
 }
 
 // The free floor nearest to the shop's middle, found by asking: the program names a clear place
@@ -416,7 +416,7 @@ TEST(Render, RobotsHaveTheirNumbersInEveryMode) {
     EXPECT_EQ(
         number,
         2 + counts["fixtures"].get<std::uint32_t>() + counts["products"].get<std::uint32_t>());
-    const auto ids = read_png(scratch.path() / "ids.png");
+    const auto ids = io::read_png(scratch.path() / "ids.png");
     ASSERT_TRUE(ids.ok());
     int pixels = 0;
     for (std::size_t i = 0; i + 2 < ids->pixels.size(); i += 3) {
@@ -462,8 +462,8 @@ TEST(Render, AnnotationsHoldTheCameraForAnotherPicture) {
              "--object-ids",
              "second-ids.png"},
             scratch.path());
-  const auto first = read_png(scratch.path() / "first-ids.png"),
-             second = read_png(scratch.path() / "second-ids.png");
+  const auto first = io::read_png(scratch.path() / "first-ids.png"),
+             second = io::read_png(scratch.path() / "second-ids.png");
   ASSERT_TRUE(first.ok() && second.ok());
   int other = 0;
   for (std::size_t i = 0; i < first->pixels.size(); i += 3)
@@ -509,7 +509,7 @@ TEST(Render, ChannelsAndNoiseAreDrawnFromTheSeed) {
                              "noisy-color",
                              "noisy-depth",
                              "sheet"}) {
-      EXPECT_TRUE(read_png(scratch.path() / "channels" / (std::string(name) + ".png")).ok())
+      EXPECT_TRUE(io::read_png(scratch.path() / "channels" / (std::string(name) + ".png")).ok())
           << name;
     }
     EXPECT_EQ(contents_of(scratch.path() / "picture.png"),
@@ -594,8 +594,8 @@ TEST(Assets, ListShowSearch) {
   output_of(
       {"assets", "show", sku, "--label", "label.png", "--picture", "picture.png", "--size", "64"},
       scratch.path());
-  EXPECT_TRUE(read_png(scratch.path() / "label.png").ok());
-  EXPECT_EQ(read_png(scratch.path() / "picture.png")->width, 64);
+  EXPECT_TRUE(io::read_png(scratch.path() / "label.png").ok());
+  EXPECT_EQ(io::read_png(scratch.path() / "picture.png")->width, 64);
 }
 
 TEST(Doctor, FindsEverythingHere) {

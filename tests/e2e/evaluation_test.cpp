@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-constexpr int episodes = 6;
+constexpr int episode_count = 6;
 constexpr double short_limit_s = 4;
 
 // Baskets of the small store, with little time for each; drawn once.
@@ -25,7 +25,7 @@ const fs::path& drawn_tasks() {
   const Ran made = marketgen_run({"episodes",
                                   small_store().string(),
                                   "--count",
-                                  std::to_string(episodes),
+                                  std::to_string(episode_count),
                                   "--seed",
                                   "2",
                                   "--quiet",
@@ -100,7 +100,7 @@ TEST(Evaluation, KillNineLosesNothingThatWasFinished) {
   const fs::path whole = scratch.path() / "whole", broken = scratch.path() / "broken";
   const Ran unbroken = run(eval_command(tasks, whole));
   ASSERT_EQ(unbroken.status, 0) << unbroken.err;
-  ASSERT_EQ(results_in(whole).size(), static_cast<std::size_t>(episodes));
+  ASSERT_EQ(results_in(whole).size(), static_cast<std::size_t>(episode_count));
 
   Started killed(eval_command(tasks, broken));
   wait_for_results(broken, 2);
@@ -108,7 +108,8 @@ TEST(Evaluation, KillNineLosesNothingThatWasFinished) {
   ASSERT_EQ(killed.wait().status, 128 + SIGKILL);
   const std::vector<Json> kept = results_in(broken);
   ASSERT_GE(kept.size(), 2U);
-  ASSERT_LT(kept.size(), static_cast<std::size_t>(episodes)) << "it was over before it was killed";
+  ASSERT_LT(kept.size(), static_cast<std::size_t>(episode_count))
+      << "it was over before it was killed";
   for (int i = 0; i < 100 && running_with(tasks.string()) > 0; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   EXPECT_EQ(running_with(tasks.string()), 0) << "workers outlived the run";

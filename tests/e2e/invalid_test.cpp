@@ -46,13 +46,13 @@ std::string replaced(std::string text, const std::string& name, const std::strin
 const fs::path& store_with_bad_index() {
   static const ScratchFolder scratch;
   static const fs::path folder = [] {
-    Scene scene = open_scene(small_store() / "scene.bin").value();
+    scene::Scene scene = scene::open_scene(small_store() / "scene.bin").value();
     scene.products.at(0).sku = 99'999;
-    const std::string bytes = encode_scene(scene);
-    EXPECT_TRUE(write_file(scratch.path() / "scene.bin", bytes).ok());
-    Manifest manifest;
-    manifest.files = {{"scene.bin", sha256_hex(bytes), bytes.size()}};
-    EXPECT_TRUE(write_file(scratch.path() / "store.json", write_json(manifest)).ok());
+    const std::string bytes = scene::encode_scene(scene);
+    EXPECT_TRUE(io::write_file(scratch.path() / "scene.bin", bytes).ok());
+    store::Manifest manifest;
+    manifest.files = {{"scene.bin", io::sha256_hex(bytes), bytes.size()}};
+    EXPECT_TRUE(io::write_file(scratch.path() / "store.json", io::write_json(manifest)).ok());
     return scratch.path();
   }();
   return folder;
@@ -66,7 +66,7 @@ const fs::path& changed_store() {
     fs::copy(small_store(), scratch.path() / "shop", fs::copy_options::recursive);
     std::string bytes = contents_of(scratch.path() / "shop/scene.bin");
     bytes[bytes.size() / 2] ^= 1;
-    EXPECT_TRUE(write_file(scratch.path() / "shop/scene.bin", bytes).ok());
+    EXPECT_TRUE(io::write_file(scratch.path() / "shop/scene.bin", bytes).ok());
     return scratch.path() / "shop";
   }();
   return folder;

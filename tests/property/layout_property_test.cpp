@@ -18,14 +18,14 @@
 namespace marketgen {
 namespace {
 
-void expect_sound(const Layout& layout, const Plan& plan, std::uint64_t seed) {
-  const Floor floor = make_floor(plan.shell);
+void expect_sound(const layout::Layout& layout, const plan::Plan& plan, std::uint64_t seed) {
+  const layout::Floor floor = layout::make_floor(plan.shell);
   std::vector<RectMm> rects;
-  for (const Fixture& fixture : layout.fixtures) {
-    rects.push_back(footprint_of(fixture));
-    EXPECT_TRUE(on_floor(floor, rects.back()))
+  for (const layout::Fixture& fixture : layout.fixtures) {
+    rects.push_back(layout::footprint_of(fixture));
+    EXPECT_TRUE(layout::on_floor(floor, rects.back()))
         << "seed " << seed << ": " << fixture.id << " is outside";
-    for (const Doorway& door : floor.doorways) {
+    for (const layout::Doorway& door : floor.doorways) {
       EXPECT_FALSE(overlap(rects.back(), door.approach))
           << "seed " << seed << ": " << fixture.id << " blocks a door";
     }
@@ -42,7 +42,7 @@ void expect_sound(const Layout& layout, const Plan& plan, std::uint64_t seed) {
   }
 }
 
-void expect_sorted_ids(const Layout& layout, std::uint64_t seed) {
+void expect_sorted_ids(const layout::Layout& layout, std::uint64_t seed) {
   for (std::size_t i = 1; i < layout.fixtures.size(); ++i) {
     EXPECT_LT(layout.fixtures[i - 1].id, layout.fixtures[i].id) << "seed " << seed;
   }
@@ -68,10 +68,11 @@ TEST(LayoutProperty, RandomPlansGiveSoundLayouts) {
   constexpr int plans = 200;
   int laid_out = 0;
   for (std::uint64_t seed = 0; seed < plans; ++seed) {
-    const Plan plan = RandomPlan(seed).make();
-    const Result<void> valid = validate_plan(plan, "random plan", committed_catalog());
+    const plan::Plan plan = RandomPlan(seed).make();
+    const Result<void> valid = plan::validate_plan(plan, "random plan", committed_catalog());
     ASSERT_TRUE(valid.ok()) << "seed " << seed << ": " << to_string(valid.error());
-    const Result<Layout> layout = make_layout(plan, committed_catalog(), Seed(seed));
+    const Result<layout::Layout> layout =
+        layout::make_layout(plan, committed_catalog(), Seed(seed));
     if (!layout.ok()) {
       EXPECT_EQ(layout.error().code, "layout.impossible") << seed;
       continue;
@@ -79,7 +80,7 @@ TEST(LayoutProperty, RandomPlansGiveSoundLayouts) {
     ++laid_out;
     expect_sound(*layout, plan, seed);
     expect_sorted_ids(*layout, seed);
-    for (const Violation& v : layout->violations) {
+    for (const layout::Violation& v : layout->violations) {
       EXPECT_FALSE(kept_by_construction(v.code))
           << "seed " << seed << ": " << v.code << " " << v.where << ": " << v.message;
     }
@@ -90,13 +91,13 @@ TEST(LayoutProperty, RandomPlansGiveSoundLayouts) {
 TEST(LayoutProperty, TheSamePlanGivesTheSameLayout) {
   int laid_out = 0;
   for (std::uint64_t seed = 0; seed < 15; ++seed) {
-    const Plan plan = RandomPlan(seed).make();
-    const Result<Layout> a = make_layout(plan, committed_catalog(), Seed(seed));
-    const Result<Layout> b = make_layout(plan, committed_catalog(), Seed(seed));
+    const plan::Plan plan = RandomPlan(seed).make();
+    const Result<layout::Layout> a = layout::make_layout(plan, committed_catalog(), Seed(seed));
+    const Result<layout::Layout> b = layout::make_layout(plan, committed_catalog(), Seed(seed));
     ASSERT_EQ(a.ok(), b.ok());
     if (!a.ok()) continue;
     ++laid_out;
-    EXPECT_EQ(write_json(*a), write_json(*b)) << "seed " << seed;
+    EXPECT_EQ(io::write_json(*a), io::write_json(*b)) << "seed " << seed;
   }
   EXPECT_GE(laid_out, 14);
 }
@@ -104,12 +105,13 @@ TEST(LayoutProperty, TheSamePlanGivesTheSameLayout) {
 TEST(LayoutProperty, FreeFloorHangsTogether) {
   int laid_out = 0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
-    const Plan plan = RandomPlan(seed).make();
-    const Result<Layout> layout = make_layout(plan, committed_catalog(), Seed(seed));
+    const plan::Plan plan = RandomPlan(seed).make();
+    const Result<layout::Layout> layout =
+        layout::make_layout(plan, committed_catalog(), Seed(seed));
     if (!layout.ok()) continue;
     ++laid_out;
-    const Reach reach =
-        reach_of(make_floor(plan.shell), plan.shell, layout->fixtures, robot_width_mm);
+    const layout::Reach reach = layout::reach_of(
+        layout::make_floor(plan.shell), plan.shell, layout->fixtures, layout::robot_width_mm);
     int cut_off = 0;
     for (std::size_t label = 1; label < reach.components.cells.size(); ++label) {
       if (static_cast<int>(label) != reach.from_entrance) cut_off += reach.components.cells[label];

@@ -40,9 +40,11 @@ Stream stream_of(std::size_t number) {
 }
 
 // generate --plan of a plan that is written into the folder.
-CreateOptions options_for(const fs::path& folder, const Plan& plan, std::uint64_t seed) {
-  EXPECT_TRUE(write_file(folder / "plan.json", write_json(plan)).ok());
-  CreateOptions options;
+store::CreateOptions options_for(const fs::path& folder,
+                                 const plan::Plan& plan,
+                                 std::uint64_t seed) {
+  EXPECT_TRUE(io::write_file(folder / "plan.json", io::write_json(plan)).ok());
+  store::CreateOptions options;
   options.folder = folder / "shop";
   options.plan_file = folder / "plan.json";
   options.seed = seed;
@@ -57,24 +59,24 @@ TEST(PlanProperty, WhatValidatesIsMadeWithinLimits) {
   const std::size_t plans = number_of_plans(200);
   for (std::size_t i = 0; i < plans; ++i) {
     Stream draw = stream_of(i);
-    const Plan plan = sampler.random_plan(draw);
-    ASSERT_TRUE(validate_plan(plan, "random", committed_catalog()).ok());
+    const plan::Plan plan = sampler.random_plan(draw);
+    ASSERT_TRUE(plan::validate_plan(plan, "random", committed_catalog()).ok());
     const auto start = std::chrono::steady_clock::now();
-    const auto report = try_store(options_for(scratch.path(), plan, i), committed_catalog());
+    const auto report = store::try_store(options_for(scratch.path(), plan, i), committed_catalog());
     EXPECT_LT(std::chrono::steady_clock::now() - start, longest_time) << i;
     made += report.ok() ? 1 : 0;
     if (report.ok()) continue;
     EXPECT_TRUE(refusals.contains(report.error().code) || cannot_be_built(report.error()))
         << i << ": " << to_string(report.error()) << "\n"
-        << write_json(plan);
+        << io::write_json(plan);
   }
   EXPECT_GT(4 * made, 3 * plans);
 }
 
-std::string rules_of(const StoreReport& report) {
+std::string rules_of(const store::StoreReport& report) {
   std::string text;
-  for (const Violation& rule : report.rules)
-    text += write_json_line(rule) + "\n";
+  for (const layout::Violation& rule : report.rules)
+    text += io::write_json_line(rule) + "\n";
   return text;
 }
 
@@ -84,26 +86,27 @@ TEST(PlanProperty, CheckSaysWhatGenerateDoesAndWhatItWritesValidates) {
   for (std::size_t i = 0; i < plans; ++i) {
     SCOPED_TRACE(i);
     Stream draw = stream_of(i);
-    const Plan plan = sampler.random_plan(draw);
+    const plan::Plan plan = sampler.random_plan(draw);
     const ScratchFolder scratch;
-    const CreateOptions options = options_for(scratch.path(), plan, i);
-    const auto said = try_store(options, committed_catalog());
-    const auto created = create_store(options, committed_catalog());
+    const store::CreateOptions options = options_for(scratch.path(), plan, i);
+    const auto said = store::try_store(options, committed_catalog());
+    const auto created = store::create_store(options, committed_catalog());
     ASSERT_EQ(created.ok(), said.ok());
     if (!said.ok()) {
       EXPECT_EQ(to_string(created.error()), to_string(said.error()));
       continue;
     }
     const fs::path shop = scratch.path() / "shop";
-    const auto verified = verify_store(shop, committed_catalog());
+    const auto verified = store::verify_store(shop, committed_catalog());
     EXPECT_TRUE(verified.ok()) << to_string(verified.error());
-    const auto report = read_report(shop);
+    const auto report = store::read_report(shop);
     ASSERT_TRUE(report.ok()) << to_string(report.error());
     EXPECT_EQ(rules_of(*report), rules_of(*said));
     EXPECT_EQ(report->repairs, said->repairs);
-    const auto store = open_store(shop, committed_catalog());
+    const auto store = store::open_store(shop, committed_catalog());
     ASSERT_TRUE(store.ok()) << to_string(store.error());
-    EXPECT_TRUE(try_store(options_for(scratch.path(), store->plan, i), committed_catalog()).ok());
+    EXPECT_TRUE(
+        store::try_store(options_for(scratch.path(), store->plan, i), committed_catalog()).ok());
   }
 }
 
@@ -113,18 +116,18 @@ TEST(PlanProperty, ATextIsReadIfAndOnlyIfItsPlanIsValid) {
   std::size_t valid = 0, invalid = 0;
   for (std::size_t i = 0; i < 10 * number_of_plans(200); ++i) {
     Stream draw = stream_of(i);
-    Plan plan = sampler.wild_plan(draw);
+    plan::Plan plan = sampler.wild_plan(draw);
     if (draw.chance(0.2)) plan.zones[1].fixture.aisle_mm = draw.integer(0, 9000);
     if (draw.chance(0.1))
       plan.name = std::string(static_cast<std::size_t>(draw.integer(0, 200)), 'x');
     if (draw.chance(0.1)) plan.zones[1].stock.fill = draw.uniform(-0.5, 1.5);
     if (draw.chance(0.05)) plan.nodes[1].id = "../front";
     if (draw.chance(0.05)) plan.look.accent = "green";
-    const auto held = validate_plan(plan, "plan", committed_catalog());
-    const auto read = read_plan(write_json(plan), "plan", committed_catalog());
+    const auto held = plan::validate_plan(plan, "plan", committed_catalog());
+    const auto read = plan::read_plan(io::write_json(plan), "plan", committed_catalog());
     ASSERT_EQ(held.ok(), read.ok())
         << i << ": " << to_string(held.ok() ? read.error() : held.error()) << "\n"
-        << write_json(plan);
+        << io::write_json(plan);
     if (!held.ok()) {
       EXPECT_EQ(held.error().code, read.error().code) << i;
     }

@@ -22,39 +22,40 @@ namespace {
 constexpr int relations_a_layout = 6;
 
 // The names that relations may say, and one that no shop has.
-std::vector<std::string> names_in(const Plan& plan) {
+std::vector<std::string> names_in(const plan::Plan& plan) {
   std::vector<std::string> names{"moon"};
-  for (const std::string_view place : fixed_places)
+  for (const std::string_view place : plan::fixed_places)
     names.emplace_back(place);
-  for (const Zone& zone : plan.zones) {
+  for (const plan::Zone& zone : plan.zones) {
     names.push_back(zone.id);
     names.push_back(zone.type);
   }
-  for (const Opening& opening : plan.shell.openings)
+  for (const plan::Opening& opening : plan.shell.openings)
     names.emplace_back(name_of(opening.kind));
   return names;
 }
 
-Requirement random_wish(const Plan& plan, Stream& draw) {
+plan::Requirement random_wish(const plan::Plan& plan, Stream& draw) {
   const std::vector<std::string> names = names_in(plan);
   const auto any = [&] {
     return names[static_cast<std::size_t>(draw.integer(0, static_cast<int>(names.size()) - 1))];
   };
-  Requirement wish;
-  wish.kind = RequirementKind::relation;
-  constexpr int kinds = static_cast<int>(names_of(RelationKind{}).size());
-  wish.relation = static_cast<RelationKind>(draw.integer(0, kinds - 1));
+  plan::Requirement wish;
+  wish.kind = plan::RequirementKind::relation;
+  constexpr int kinds = static_cast<int>(plan::names_of(plan::RelationKind{}).size());
+  wish.relation = static_cast<plan::RelationKind>(draw.integer(0, kinds - 1));
   const auto zone =
       static_cast<std::size_t>(draw.integer(0, static_cast<int>(plan.zones.size()) - 1));
   wish.subject = plan.zones[zone].id;
   wish.object = any();
-  if (wish.relation == RelationKind::between) wish.second_object = any();
+  if (wish.relation == plan::RelationKind::between) wish.second_object = any();
   return wish;
 }
 
-Relation relation_of(const Requirement& wish) {
-  Relation relation{wish.relation, wish.subject, wish.object, std::nullopt, Strength::must};
-  if (wish.relation == RelationKind::between) relation.c = wish.second_object;
+plan::Relation relation_of(const plan::Requirement& wish) {
+  plan::Relation relation{
+      wish.relation, wish.subject, wish.object, std::nullopt, plan::Strength::must};
+  if (wish.relation == plan::RelationKind::between) relation.c = wish.second_object;
   return relation;
 }
 
@@ -63,49 +64,50 @@ Relation relation_of(const Requirement& wish) {
 enum class Judgement { broken, holds, not_judged };
 
 // As the planner sees the floor while it still draws it.
-Judgement of_planner(const Plan& plan, const Requirement& wish) {
-  StoreProgram program;
-  for (const Zone& zone : plan.zones) {
-    ProgramZone& row = program.zones.emplace_back();
+Judgement of_planner(const plan::Plan& plan, const plan::Requirement& wish) {
+  intake::StoreProgram program;
+  for (const plan::Zone& zone : plan.zones) {
+    intake::ProgramZone& row = program.zones.emplace_back();
     row.id = zone.id;
     row.type = committed_catalog().zone_type(zone.type);
   }
-  Candidate candidate;
-  candidate.floor = shell_rect(plan.shell);
-  candidate.rects = zone_rectangles(plan);
+  intake::Candidate candidate;
+  candidate.floor = plan::shell_rect(plan.shell);
+  candidate.rects = plan::zone_rectangles(plan);
   candidate.openings = plan.shell.openings;
-  const NamedFloor floor = named_floor(candidate, program);
-  if (!measure_relation(floor, terms_of(wish))) {
-    EXPECT_GT(miss_of(wish, floor), 0) << "what cannot be judged does not hold";
+  const plan::NamedFloor floor = intake::named_floor(candidate, program);
+  if (!plan::measure_relation(floor, plan::terms_of(wish))) {
+    EXPECT_GT(intake::miss_of(wish, floor), 0) << "what cannot be judged does not hold";
     return Judgement::not_judged;
   }
-  return miss_of(wish, floor) <= 0 ? Judgement::holds : Judgement::broken;
+  return intake::miss_of(wish, floor) <= 0 ? Judgement::holds : Judgement::broken;
 }
 
 // By the rules that a layout is checked by.
-Judgement of_layout(const Layout& layout, Plan plan, const Requirement& wish) {
+Judgement of_layout(const layout::Layout& layout, plan::Plan plan, const plan::Requirement& wish) {
   plan.relations = {relation_of(wish)};
-  const std::vector<Violation> found = check_layout(layout, plan, committed_catalog());
+  const std::vector<layout::Violation> found =
+      layout::check_layout(layout, plan, committed_catalog());
   const auto is_broken = [&](std::string_view code) {
-    return std::ranges::find(found, code, &Violation::code) != found.end();
+    return std::ranges::find(found, code, &layout::Violation::code) != found.end();
   };
   if (is_broken("RELATION_NOT_JUDGED")) return Judgement::not_judged;
   return is_broken("RELATION_BROKEN") ? Judgement::broken : Judgement::holds;
 }
 
 // A scene of the layout with one item on each fixture, so that no zone is empty to the audit.
-Scene stocked(const Layout& layout) {
-  Scene scene;
+scene::Scene stocked(const layout::Layout& layout) {
+  scene::Scene scene;
   scene.layout = layout;
   for (std::uint32_t i = 0; i < layout.fixtures.size(); ++i) {
-    SceneFixture fixture;
+    scene::SceneFixture fixture;
     fixture.first_shelf = i;
     fixture.shelf_count = 1;
     scene.fixtures.push_back(fixture);
-    SceneShelf shelf;
+    scene::SceneShelf shelf;
     shelf.fixture = i;
     scene.shelves.push_back(shelf);
-    Facing facing;
+    scene::Facing facing;
     facing.shelf = i;
     facing.product_count = 1;
     scene.facings.push_back(facing);
@@ -114,8 +116,9 @@ Scene stocked(const Layout& layout) {
 }
 
 // Nothing for a zone in which no fixture found room: that is another wish.
-std::optional<Judgement> of_audit(const Scene& scene, const Requirement& wish) {
-  const RequirementResult result = check_requirements(scene, committed_catalog(), {wish}).at(0);
+std::optional<Judgement> of_audit(const scene::Scene& scene, const plan::Requirement& wish) {
+  const audit::RequirementResult result =
+      audit::check_requirements(scene, committed_catalog(), {wish}).at(0);
   if (result.why.starts_with("there is no ")) return std::nullopt;
   if (result.met) return Judgement::holds;
   const bool judged = result.why.find("cannot be judged") == std::string::npos;
@@ -124,31 +127,33 @@ std::optional<Judgement> of_audit(const Scene& scene, const Requirement& wish) {
 
 TEST(RelationProperty, ThreeJudgesAgreeUpToTheirMargins) {
   const std::size_t layouts = number_of_cases("MARKETGEN_PROPERTY_RELATIONS", 1000);
-  std::map<RelationKind, std::map<Judgement, int>> seen;
+  std::map<plan::RelationKind, std::map<Judgement, int>> seen;
   std::size_t laid_out = 0, planned = 0;
   for (std::uint64_t seed = 0; seed < layouts; ++seed) {
-    const Plan plan = RandomPlan(seed).make();
-    const Result<Layout> layout = make_layout(plan, committed_catalog(), Seed(seed));
+    const plan::Plan plan = RandomPlan(seed).make();
+    const Result<layout::Layout> layout =
+        layout::make_layout(plan, committed_catalog(), Seed(seed));
     if (!layout.ok()) continue;
     ++laid_out;
-    const Scene scene = stocked(*layout);
+    const scene::Scene scene = stocked(*layout);
     Stream draw = Seed(seed).child("relations").stream();
     for (int i = 0; i < relations_a_layout; ++i) {
-      const Requirement wish = random_wish(plan, draw);
-      const NamedFloor floor = named_floor(*layout);
-      const auto measure = measure_relation(floor, terms_of(wish));
+      const plan::Requirement wish = random_wish(plan, draw);
+      const plan::NamedFloor floor = layout::named_floor(*layout);
+      const auto measure = plan::measure_relation(floor, plan::terms_of(wish));
       SCOPED_TRACE("seed " + std::to_string(seed) + ": " +
-                   words_of(floor, terms_of(wish), measure));
+                   plan::words_of(floor, plan::terms_of(wish), measure));
       const auto expected = [&](double margin_m) {
         if (!measure) return Judgement::not_judged;
         return measure->slack_m() >= margin_m ? Judgement::holds : Judgement::broken;
       };
       // The planner plans rectangular rooms only: elsewhere walls cut pieces off its zones.
       if (!plan.shell.outline_mm) {
-        EXPECT_EQ(of_planner(plan, wish), expected(measure ? planner_margin_m(*measure) : 0));
+        EXPECT_EQ(of_planner(plan, wish),
+                  expected(measure ? intake::planner_margin_m(*measure) : 0));
         ++planned;
       }
-      EXPECT_EQ(of_layout(*layout, plan, wish), expected(layout_margin_m));
+      EXPECT_EQ(of_layout(*layout, plan, wish), expected(layout::layout_margin_m));
       const auto audited = of_audit(scene, wish);
       if (!audited) continue;
       EXPECT_EQ(*audited, expected(0));
@@ -158,10 +163,10 @@ TEST(RelationProperty, ThreeJudgesAgreeUpToTheirMargins) {
   EXPECT_GT(100 * laid_out, 95 * layouts);  // measured: all
   EXPECT_GT(2 * planned, relations_a_layout * layouts);
   // Every relation was found to hold, to be broken and not to be judged.
-  for (std::size_t k = 0; k < names_of(RelationKind{}).size(); ++k) {
+  for (std::size_t k = 0; k < plan::names_of(plan::RelationKind{}).size(); ++k) {
     for (const Judgement judgement : {Judgement::broken, Judgement::holds, Judgement::not_judged}) {
-      EXPECT_GT(seen[static_cast<RelationKind>(k)][judgement], 0)
-          << names_of(RelationKind{})[k] << " " << static_cast<int>(judgement);
+      EXPECT_GT(seen[static_cast<plan::RelationKind>(k)][judgement], 0)
+          << plan::names_of(plan::RelationKind{})[k] << " " << static_cast<int>(judgement);
     }
   }
 }
@@ -169,10 +174,10 @@ TEST(RelationProperty, ThreeJudgesAgreeUpToTheirMargins) {
 // The margins go one way: who comes earlier asks for more.
 TEST(RelationProperty, MarginsOfEarlierStagesAreWider) {
   for (const double limit_m : {0.0, 1.0, 3.0, 20.0}) {
-    const RelationMeasure measure{"gap", 0, limit_m, true, {}};
-    EXPECT_GT(planner_margin_m(measure), layout_margin_m);
+    const plan::RelationMeasure measure{"gap", 0, limit_m, true, {}};
+    EXPECT_GT(intake::planner_margin_m(measure), layout::layout_margin_m);
   }
-  EXPECT_GE(layout_margin_m, 0);
+  EXPECT_GE(layout::layout_margin_m, 0);
 }
 
 }  // namespace

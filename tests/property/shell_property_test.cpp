@@ -30,13 +30,13 @@ struct Ray {
 
 // ---- What is drawn ----
 
-std::unique_ptr<raytrace::World> drawn_shell(const Shell& shell) {
-  Scene scene;
+std::unique_ptr<render::raytrace::World> drawn_shell(const plan::Shell& shell) {
+  scene::Scene scene;
   scene.layout.shell = shell;
-  auto world = std::make_unique<raytrace::World>();
-  raytrace::Draft draft(scene, *world, PrintDetail::distant);
-  const raytrace::Room room = raytrace::room_of(shell);
-  const raytrace::ShellBuilder builder(draft, room);
+  auto world = std::make_unique<render::raytrace::World>();
+  render::raytrace::Draft draft(scene, *world, render::PrintDetail::distant);
+  const render::raytrace::Room room = render::raytrace::room_of(shell);
+  const render::raytrace::ShellBuilder builder(draft, room);
   builder.build(draft);
   return world;
 }
@@ -53,9 +53,9 @@ double distance_to(const Ray& ray, Vec3 a, Vec3 b, Vec3 c) {
   return s < 0 || t < 0 || s + t > 1 || along <= 0 ? nothing_m : along;
 }
 
-double drawn_m(const raytrace::World& world, const Ray& ray) {
+double drawn_m(const render::raytrace::World& world, const Ray& ray) {
   double nearest = nothing_m;
-  for (const raytrace::TriangleSet* set : {&world.shell, &world.shell_glass}) {
+  for (const render::raytrace::TriangleSet* set : {&world.shell, &world.shell_glass}) {
     for (const auto& [a, b, c] : set->triangles) {
       const auto corner = [&](std::uint32_t i) {
         const Vec3f p = set->positions[i];
@@ -69,7 +69,7 @@ double drawn_m(const raytrace::World& world, const Ray& ray) {
 
 // ---- What is touched ----
 
-double distance_to(const Ray& ray, const ShellPiece& piece) {
+double distance_to(const Ray& ray, const physics::ShellPiece& piece) {
   const Pose back = inverse(piece.pose);
   const Vec3 o = back * ray.from, d = rotate(back.rotation, ray.way), half = piece.half_size;
   double enter = 0, leave = nothing_m;
@@ -87,10 +87,10 @@ double distance_to(const Ray& ray, const ShellPiece& piece) {
 }
 
 // The piece that the ray meets first; null when it leaves the room.
-const ShellPiece* touched(const std::vector<ShellPiece>& pieces, const Ray& ray) {
-  const ShellPiece* first = nullptr;
+const physics::ShellPiece* touched(const std::vector<physics::ShellPiece>& pieces, const Ray& ray) {
+  const physics::ShellPiece* first = nullptr;
   double nearest = nothing_m;
-  for (const ShellPiece& piece : pieces) {
+  for (const physics::ShellPiece& piece : pieces) {
     const double distance = distance_to(ray, piece);
     if (distance >= nearest) continue;
     nearest = distance;
@@ -101,15 +101,15 @@ const ShellPiece* touched(const std::vector<ShellPiece>& pieces, const Ray& ray)
 
 // The ray only clips an edge of the piece, which is bevelled in pictures: with as much taken off
 // all round, it would miss.
-bool only_clips(const ShellPiece& piece, const Ray& ray) {
+bool only_clips(const physics::ShellPiece& piece, const Ray& ray) {
   constexpr double bevel_m = 0.015;  // the largest is that of columns: 10 mm
-  ShellPiece core = piece;
+  physics::ShellPiece core = piece;
   core.half_size = core.half_size - Vec3{bevel_m, bevel_m, 0};
   return distance_to(ray, core) == nothing_m;
 }
 
 // How far a place is from the piece's surface, inside or outside.
-double off_surface_m(const ShellPiece& piece, Vec3 place) {
+double off_surface_m(const physics::ShellPiece& piece, Vec3 place) {
   const Vec3 at = inverse(piece.pose) * place;
   const double x = std::abs(at.x) - piece.half_size.x, y = std::abs(at.y) - piece.half_size.y,
                z = std::abs(at.z) - piece.half_size.z;
@@ -118,46 +118,46 @@ double off_surface_m(const ShellPiece& piece, Vec3 place) {
 }
 
 // How far off the physical surface a picture may show it.
-double tolerance_m(ShellPieceKind kind) {
+double tolerance_m(physics::ShellPieceKind kind) {
   switch (kind) {
-    case ShellPieceKind::wall:
+    case physics::ShellPieceKind::wall:
       return 0.002;  // plans are in millimetres
-    case ShellPieceKind::door:
+    case physics::ShellPieceKind::door:
       return 0.010;  // kick plates, bevels and the gap between leaves
-    case ShellPieceKind::column:
+    case physics::ShellPieceKind::column:
       return 0.015;  // a bevel
-    case ShellPieceKind::pane:
+    case physics::ShellPieceKind::pane:
       break;
   }
-  return (glazing_back_m - glazing_front_m) / 2;  // glass in the middle of its frame
+  return (plan::glazing_back_m - plan::glazing_front_m) / 2;  // glass in the middle of its frame
 }
 
 // The ray crosses a wall's inner face in an opening that stands open in physics, or so near to an
 // edge of any that a millimetre decides what it meets.
-bool is_left_out(const Shell& shell, const Ray& ray) {
+bool is_left_out(const plan::Shell& shell, const Ray& ray) {
   constexpr double edge_m = 0.025;  // as much wall is kept beside an opening that is drawn
-  for (const Opening& opening : shell.openings) {
-    const bool along_x = opening.wall == Wall::north || opening.wall == Wall::south;
-    const double line = opening.wall == Wall::north  ? shell.depth_mm * 1e-3
-                        : opening.wall == Wall::east ? shell.width_mm * 1e-3
-                                                     : 0;
+  for (const plan::Opening& opening : shell.openings) {
+    const bool along_x = opening.wall == plan::Wall::north || opening.wall == plan::Wall::south;
+    const double line = opening.wall == plan::Wall::north  ? shell.depth_mm * 1e-3
+                        : opening.wall == plan::Wall::east ? shell.width_mm * 1e-3
+                                                           : 0;
     const double step = along_x ? ray.way.y : ray.way.x;
     const double go = (line - (along_x ? ray.from.y : ray.from.x)) / step;
     const double length = (along_x ? shell.width_mm : shell.depth_mm) * 1e-3;
     const double at = along_x ? ray.from.x + go * ray.way.x : ray.from.y + go * ray.way.y;
     const double off = std::abs(at - opening.center * length) - opening.width_mm * 5e-4;
-    const double top = opening_top_m(opening.kind, shell.ceiling_mm * 1e-3);
-    const double over = std::max(ray.from.z - top, opening_sill_m(opening.kind) - ray.from.z);
+    const double top = plan::opening_top_m(opening.kind, shell.ceiling_mm * 1e-3);
+    const double over = std::max(ray.from.z - top, plan::opening_sill_m(opening.kind) - ray.from.z);
     if (go < 0 || std::max(off, over) > edge_m) continue;
     const bool shop_door =
-        opening.kind == OpeningKind::entrance || opening.kind == OpeningKind::exit;
+        opening.kind == plan::OpeningKind::entrance || opening.kind == plan::OpeningKind::exit;
     if (shop_door || std::max(off, over) > -edge_m) return true;
   }
   return false;
 }
 
 // Over the skirting and under the ceiling, and not where doors have their push bars.
-Ray random_ray(const Shell& shell, Stream& draw) {
+Ray random_ray(const plan::Shell& shell, Stream& draw) {
   const double ceiling = shell.ceiling_mm * 1e-3;
   double z = 0;
   do
@@ -170,11 +170,11 @@ Ray random_ray(const Shell& shell, Stream& draw) {
           {std::cos(way), std::sin(way), 0}};
 }
 
-bool is_in_the_room(const Shell& shell, Vec3 place) {
-  const PointMm p = raytrace::floor_mm(place);
+bool is_in_the_room(const plan::Shell& shell, Vec3 place) {
+  const PointMm p = render::raytrace::floor_mm(place);
   constexpr int clear_mm = 50;
-  const bool in_column = std::ranges::any_of(shell.columns, [&](const Column& column) {
-    return footprint_of(column).grown(clear_mm).contains(p);
+  const bool in_column = std::ranges::any_of(shell.columns, [&](const plan::Column& column) {
+    return plan::footprint_of(column).grown(clear_mm).contains(p);
   });
   return !in_column && (!shell.outline_mm || contains(*shell.outline_mm, p));
 }
@@ -184,9 +184,9 @@ struct Compared {
   std::array<int, 4> met{};  // by ShellPieceKind
 };
 
-void compare(const Shell& shell, Stream& draw, Compared& compared) {
+void compare(const plan::Shell& shell, Stream& draw, Compared& compared) {
   const auto world = drawn_shell(shell);
-  const std::vector<ShellPiece> pieces = shell_pieces(shell);
+  const std::vector<physics::ShellPiece> pieces = physics::shell_pieces(shell);
   for (int i = 0; i < 100; ++i) {
     const Ray ray = random_ray(shell, draw);
     if (!is_in_the_room(shell, ray.from)) continue;
@@ -195,7 +195,7 @@ void compare(const Shell& shell, Stream& draw, Compared& compared) {
       ++compared.left_out;
       continue;
     }
-    const ShellPiece* piece = touched(pieces, ray);
+    const physics::ShellPiece* piece = touched(pieces, ray);
     const double seen_m = drawn_m(*world, ray);
     ASSERT_NE(piece, nullptr) << "seen at " << seen_m << " m, but nothing is there";
     ASSERT_LT(seen_m, nothing_m) << piece->id << " is not drawn";
@@ -221,7 +221,7 @@ TEST(ShellProperty, RaysMeetWhatIsDrawnWhereItIsTouched) {
   EXPECT_GT(compared.rays, 15'000);
   EXPECT_LT(5 * compared.left_out, compared.rays);
   for (std::size_t kind = 0; kind < compared.met.size(); ++kind)
-    EXPECT_GT(compared.met[kind], 20) << names_of(ShellPieceKind{})[kind];
+    EXPECT_GT(compared.met[kind], 20) << physics::names_of(physics::ShellPieceKind{})[kind];
 }
 
 struct Extent {
@@ -234,13 +234,13 @@ struct Extent {
 
 TEST(ShellProperty, WallsAreDrawnAsThickAsTheyAre) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    Shell shell = RandomPlan(seed).make().shell;
+    plan::Shell shell = RandomPlan(seed).make().shell;
     shell.outline_mm.reset();
     Extent drawn, physical;
     const auto world = drawn_shell(shell);
     for (const Vec3f& p : world->shell.positions)
       drawn.include({p.x, p.y, p.z});
-    for (const ShellPiece& piece : shell_pieces(shell)) {
+    for (const physics::ShellPiece& piece : physics::shell_pieces(shell)) {
       for (const double x : {-piece.half_size.x, piece.half_size.x}) {
         for (const double y : {-piece.half_size.y, piece.half_size.y})
           physical.include(piece.pose * Vec3{x, y, 0});
@@ -250,7 +250,7 @@ TEST(ShellProperty, WallsAreDrawnAsThickAsTheyAre) {
     EXPECT_NEAR(drawn.low_y, physical.low_y, 1e-4);
     EXPECT_NEAR(drawn.high_x, physical.high_x, 1e-4);
     EXPECT_NEAR(drawn.high_y, physical.high_y, 1e-4);
-    EXPECT_NEAR(drawn.high_x, shell.width_mm * 1e-3 + wall_thickness_m, 1e-4);
+    EXPECT_NEAR(drawn.high_x, shell.width_mm * 1e-3 + plan::wall_thickness_m, 1e-4);
   }
 }
 

@@ -34,7 +34,8 @@ inline Vec3 wide(Vec3f v) {
 }
 
 // The triangle of the label that holds (u, v), as a frame there.
-inline std::optional<BarFace> face_at(const ProductModel& model, const LabelBars& bars) {
+inline std::optional<BarFace> face_at(const assets::ProductModel& model,
+                                      const assets::LabelBars& bars) {
   const double u = (bars.u0 + bars.u1) / 2, v = (bars.v0 + bars.v1) / 2;
   const Mesh& mesh = model.mesh;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -86,25 +87,25 @@ inline Quaternion rotation_with_rows(Vec3 x, Vec3 y, Vec3 z) {
 
 // One product per place on a grid of hooks, each with a camera at arm's length.
 struct BarStage {
-  Scene scene;
-  std::vector<Camera> cameras;            // of scene.catalog
+  scene::Scene scene;
+  std::vector<render::Camera> cameras;    // of scene.catalog
   std::vector<std::string> without_face;  // products whose bars are on no triangle
 };
 
-inline BarStage bar_stage(const std::vector<Product>& products) {
+inline BarStage bar_stage(const std::vector<catalog::Product>& products) {
   constexpr double spacing_m = 1.0, hook_m = 1.4, wall_m = 1.5;
   constexpr int columns = 10;
   BarStage stage;
-  Scene& scene = stage.scene;
+  scene::Scene& scene = stage.scene;
   const int rows = static_cast<int>(products.size()) / columns + 1;
   scene.layout.shell.width_mm = static_cast<int>((columns * spacing_m + 2 * wall_m) * 1000);
   scene.layout.shell.depth_mm = static_cast<int>((rows * spacing_m + 2 * wall_m) * 1000);
   scene.layout.shell.ceiling_mm = 3000;
   scene.layout.look.floor = scene.layout.look.wall = scene.layout.look.ceiling = "";
   scene.layout.look.light_lux = 1000;
-  for (const Product& product : products) {
-    const auto label = raytrace::library_label(product);
-    const auto model = make_product_model(product);
+  for (const catalog::Product& product : products) {
+    const auto label = render::raytrace::library_label(product);
+    const auto model = assets::make_product_model(product);
     const auto face = label.ok() && label->bars && model.ok()
                           ? bar_faces::face_at(*model, *label->bars)
                           : std::nullopt;
@@ -121,7 +122,7 @@ inline BarStage bar_stage(const std::vector<Product>& products) {
         inward,
         normalized(cross(normalized(cross(inward, face->up)), inward)));
     const Vec3 at = hook - rotate(turn, face->middle);
-    SceneProduct item;
+    scene::SceneProduct item;
     item.sku = static_cast<std::uint32_t>(scene.catalog.size());
     item.position_m = {
         static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(at.z)};
@@ -135,7 +136,7 @@ inline BarStage bar_stage(const std::vector<Product>& products) {
     constexpr double arm_m = 0.4;
     constexpr int long_px = 440, short_px = 330;
     const double high_m = face->ladder ? face->length_m * 1.35 : face->length_m * 1.0;
-    Camera camera{product.sku, hook - Vec3{0, arm_m, 0}, hook};
+    render::Camera camera{product.sku, hook - Vec3{0, arm_m, 0}, hook};
     camera.fov_deg = 2 * std::atan(high_m / 2 / arm_m) * 180 / 3.14159265358979;
     camera.width = face->ladder ? short_px : long_px;
     camera.height = face->ladder ? long_px : short_px;

@@ -9,7 +9,7 @@
 
 namespace marketgen {
 
-inline std::shared_ptr<const AisleStore> can_aisle() {
+inline std::shared_ptr<const episodes::AisleStore> can_aisle() {
   HandMadeScene shop;
   constexpr std::uint32_t can = 1;
   for (int i = 0; i < 4; ++i) {
@@ -17,18 +17,19 @@ inline std::shared_ptr<const AisleStore> can_aisle() {
                                        {2.8F + 0.106F * static_cast<float>(i),
                                         HandMadeScene::shelf_y_m - 0.12F,
                                         HandMadeScene::upper_board_m});
-    shop.scene.products[row].flags |= product_front_row;
+    shop.scene.products[row].flags |= scene::product_front_row;
   }
-  auto store = open_aisle_store(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data", shop.scene);
+  auto store =
+      episodes::open_aisle_store(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data", shop.scene);
   if (!store.ok()) fatal(to_string(store.error()).c_str());
   return std::move(store).value();
 }
 
 // One can is to be fetched; the robot stands in the middle of the room and looks east.
-inline EpisodeSpec can_episode(const AisleStore& store) {
-  EpisodeSpec spec;
+inline episodes::EpisodeSpec can_episode(const episodes::AisleStore& store) {
+  episodes::EpisodeSpec spec;
   spec.id = "aisle/can";
-  spec.track = Track::aisle;
+  spec.track = episodes::Track::aisle;
   spec.store = "corner";
   spec.robot = store.station.robot;
   spec.goals = {{"can-cola", 1}};
@@ -37,9 +38,9 @@ inline EpisodeSpec can_episode(const AisleStore& store) {
   return spec;
 }
 
-inline std::unique_ptr<AisleWorld> can_world(const EpisodeSpec& spec) {
-  static const std::shared_ptr<const AisleStore> store = can_aisle();
-  auto world = std::make_unique<AisleWorld>(store, committed_catalog().frictions);
+inline std::unique_ptr<episodes::AisleWorld> can_world(const episodes::EpisodeSpec& spec) {
+  static const std::shared_ptr<const episodes::AisleStore> store = can_aisle();
+  auto world = std::make_unique<episodes::AisleWorld>(store, committed_catalog().frictions);
   const auto reset = world->reset(spec);
   if (!reset.ok()) fatal(to_string(reset.error()).c_str());
   return world;

@@ -7,9 +7,9 @@
 namespace marketgen {
 
 // Read once.
-inline const Catalog& committed_catalog() {
-  static const Catalog catalog = [] {
-    auto loaded = load_catalog(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data");
+inline const catalog::Catalog& committed_catalog() {
+  static const catalog::Catalog catalog = [] {
+    auto loaded = catalog::load_catalog(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data");
     if (!loaded.ok()) fatal(to_string(loaded.error()).c_str());
     return std::move(loaded).value();
   }();

@@ -15,10 +15,10 @@ inline const std::filesystem::path committed_rows =
     std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data";
 
 // A robot without links, and a failure, when it does not load.
-inline Robot committed_robot(const std::string& id, const RobotTools& tools = {}) {
-  auto robot = load_robot(committed_rows, id, tools);
+inline robots::Robot committed_robot(const std::string& id, const robots::RobotTools& tools = {}) {
+  auto robot = robots::load_robot(committed_rows, id, tools);
   EXPECT_TRUE(robot.ok()) << (robot.ok() ? "" : to_string(robot.error()));
-  return robot.ok() ? std::move(robot).value() : Robot{};
+  return robot.ok() ? std::move(robot).value() : robots::Robot{};
 }
 
 // Position (m) and rotation together: the largest entry in which the two matrices differ.

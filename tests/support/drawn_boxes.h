@@ -54,13 +54,13 @@ inline DrawnHit first_box(const std::vector<DrawnBox>& boxes, Vec3 origin, Vec3 
 }
 
 // What a pinhole sees of the boxes; `shown` gets the box of each pixel, -1 for none.
-inline View drawn_view(const std::vector<DrawnBox>& boxes,
-                       const Pose& base_from_camera,
-                       int width,
-                       int height,
-                       double focal_px,
-                       std::vector<int>* shown = nullptr) {
-  View view;
+inline agent::View drawn_view(const std::vector<DrawnBox>& boxes,
+                              const Pose& base_from_camera,
+                              int width,
+                              int height,
+                              double focal_px,
+                              std::vector<int>* shown = nullptr) {
+  agent::View view;
   view.camera = "drawn";
   view.lens = {focal_px, focal_px, (width - 1) / 2.0, (height - 1) / 2.0};
   view.base_from_camera = base_from_camera;
@@ -87,16 +87,17 @@ inline Pose camera_over(Vec3 at) {
 }
 
 // The six pictures of a box of a size, as a catalogue has them.
-inline std::vector<ProductPicture> drawn_pictures(Vec3 size, const std::array<Rgb8, 6>& colors) {
+inline std::vector<agent::ProductPicture> drawn_pictures(Vec3 size,
+                                                         const std::array<Rgb8, 6>& colors) {
   const std::vector<DrawnBox> boxes{{{}, size, colors}};
-  std::vector<ProductPicture> pictures;
+  std::vector<agent::ProductPicture> pictures;
   for (const auto& [towards, down] : {std::pair{Vec3{1, 0, 0}, Vec3{0, 0, -1}},
                                       {{-1, 0, 0}, {0, 0, -1}},
                                       {{0, 1, 0}, {0, 0, -1}},
                                       {{0, -1, 0}, {0, 0, -1}},
                                       {{0, 0, 1}, {0, -1, 0}},
                                       {{0, 0, -1}, {0, 1, 0}}}) {
-    ProductPicture picture;
+    agent::ProductPicture picture;
     picture.pixel_m = 0.001;
     picture.product_from_camera = {Vec3{0, 0, size.z / 2} + towards * 0.5,
                                    rotation_with_axes(down, -towards)};

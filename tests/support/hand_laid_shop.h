@@ -14,11 +14,11 @@
 namespace marketgen {
 
 // One module of `kind` with its row's own measures.
-inline Fixture module_of(const FixtureKind& kind,
-                         const std::string& zone,
-                         int x_mm,
-                         int number = 1) {
-  Fixture f = lone_module(kind);
+inline layout::Fixture module_of(const catalog::FixtureKind& kind,
+                                 const std::string& zone,
+                                 int x_mm,
+                                 int number = 1) {
+  layout::Fixture f = layout::lone_module(kind);
   f.run = zone + "/run-1";
   f.id = f.run + "/module-" + std::to_string(number);
   f.zone = zone;
@@ -28,15 +28,15 @@ inline Fixture module_of(const FixtureKind& kind,
 }
 
 struct HandLaidShop {
-  Plan plan;
-  Layout layout;
+  plan::Plan plan;
+  layout::Layout layout;
 };
 
 // Zones of the given types side by side, each with one module of `kind`, or of the type's own kind
 // when that is empty.
 inline HandLaidShop shop_of(const std::vector<std::string>& types, const std::string& kind = "") {
   HandLaidShop shop;
-  Layout& layout = shop.layout;
+  layout::Layout& layout = shop.layout;
   layout.name = "Hand made";
   layout.profile = "supermarket-eu";
   layout.shell.width_mm = 60000;
@@ -44,8 +44,8 @@ inline HandLaidShop shop_of(const std::vector<std::string>& types, const std::st
   layout.shell.outline_mm = PolygonMm{{0, 0}, {60000, 0}, {60000, 10000}, {0, 10000}};
   int x_mm = 2000;
   for (const std::string& type : types) {
-    const Catalog& catalog = committed_catalog();
-    const FixtureKind* row =
+    const catalog::Catalog& catalog = committed_catalog();
+    const catalog::FixtureKind* row =
         catalog.fixture_kind(kind.empty() ? catalog.zone_type(type)->fixture : kind);
     layout.zones.push_back(
         {type,
@@ -54,14 +54,14 @@ inline HandLaidShop shop_of(const std::vector<std::string>& types, const std::st
          {{x_mm - 1500, 3000}, {x_mm + 1500, 3000}, {x_mm + 1500, 7000}, {x_mm - 1500, 7000}},
          12});
     layout.fixtures.push_back(module_of(*row, type, x_mm));
-    Zone zone;
+    plan::Zone zone;
     zone.id = zone.type = type;
     shop.plan.zones.push_back(zone);
     x_mm += 3500;
   }
-  std::sort(layout.fixtures.begin(), layout.fixtures.end(), [](const Fixture& a, const Fixture& b) {
-    return a.id < b.id;
-  });
+  std::sort(layout.fixtures.begin(),
+            layout.fixtures.end(),
+            [](const layout::Fixture& a, const layout::Fixture& b) { return a.id < b.id; });
   shop.plan.shell = layout.shell;
   return shop;
 }

@@ -8,11 +8,11 @@
 namespace marketgen {
 
 // Products of a few archetypes, one row each.
-inline Product hand_made_product(std::string sku,
-                                 std::string archetype,
-                                 std::array<int, 3> size_mm,
-                                 double mass_kg) {
-  Product product;
+inline catalog::Product hand_made_product(std::string sku,
+                                          std::string archetype,
+                                          std::array<int, 3> size_mm,
+                                          double mass_kg) {
+  catalog::Product product;
   product.sku = std::move(sku);
   product.ean = "2000000000015";
   product.name = "Cola";
@@ -41,16 +41,18 @@ class HandMadeScene {
     scene.seed = 7;
     scene.layout.name = "Corner & Co <test>";
     scene.layout.profile = "supermarket-eu";
-    Shell& shell = scene.layout.shell;
+    plan::Shell& shell = scene.layout.shell;
     shell.width_mm = 6000, shell.depth_mm = 4000, shell.ceiling_mm = 3000;
     shell.outline_mm = PolygonMm{{0, 0}, {6000, 0}, {6000, 4000}, {0, 4000}};
-    shell.openings = {{"entrance", OpeningKind::entrance, Wall::south, 0.25, 1500},
-                      {"front", OpeningKind::window, Wall::south, 0.75, 1200},
-                      {"dock", OpeningKind::service, Wall::north, 0.15, 1000}};
+    shell.openings = {{"entrance", plan::OpeningKind::entrance, plan::Wall::south, 0.25, 1500},
+                      {"front", plan::OpeningKind::window, plan::Wall::south, 0.75, 1200},
+                      {"dock", plan::OpeningKind::service, plan::Wall::north, 0.15, 1000}};
     shell.columns = {{600, 600, 300}};
     add_shelf_unit();
-    scene.layout.aisles.push_back(
-        {"aisle-1", AisleKind::main, {{500, 1500}, {5500, 1500}, {5500, 3300}, {500, 3300}}, 1800});
+    scene.layout.aisles.push_back({"aisle-1",
+                                   layout::AisleKind::main,
+                                   {{500, 1500}, {5500, 1500}, {5500, 3300}, {500, 3300}},
+                                   1800});
     scene.catalog = {hand_made_product("box-cereal", "box", {190, 60, 280}, 0.45),
                      hand_made_product("can-cola", "can", {66, 66, 115}, 0.35),
                      hand_made_product("fruit-apple", "round_produce", {75, 75, 70}, 0.18)};
@@ -62,7 +64,7 @@ class HandMadeScene {
                     std::array<float, 3> position_m,
                     std::array<float, 4> rotation_wxyz = {1, 0, 0, 0}) {
     const bool upper = position_m[2] > 0.5F;
-    Facing facing;
+    scene::Facing facing;
     facing.shelf = upper ? 1 : 0;
     facing.sku = sku;
     facing.position = static_cast<std::uint16_t>(scene.facings.size());
@@ -84,11 +86,13 @@ class HandMadeScene {
     scene.price_labels.push_back({1, 0, 5, 0.3F, 0.07F, 0.038F, 1, 249});
   }
 
-  Scene scene;
+  scene::Scene scene;
 
  private:
-  void add_part(UnitKind unit, std::array<float, 3> position_m, std::array<float, 3> half_size_m) {
-    ScenePart part;
+  void add_part(assets::UnitKind unit,
+                std::array<float, 3> position_m,
+                std::array<float, 3> half_size_m) {
+    scene::ScenePart part;
     part.unit = unit;
     part.position_m = position_m;
     part.half_size_m = half_size_m;
@@ -97,7 +101,7 @@ class HandMadeScene {
   }
 
   void add_shelf_unit() {
-    Fixture fixture;
+    layout::Fixture fixture;
     fixture.id = "dry/run-1/module-1";
     fixture.run = "dry/run-1";
     fixture.kind = "wall_unit";
@@ -106,15 +110,17 @@ class HandMadeScene {
     fixture.height_mm = 1000;
     scene.layout.fixtures.push_back(fixture);
     constexpr float half_board = 0.015F;
-    add_part(UnitKind::base,
+    add_part(assets::UnitKind::base,
              {0, 0, (lower_board_m - 0.03F) / 2},
              {0.6F, 0.2F, (lower_board_m - 0.03F) / 2});
-    add_part(UnitKind::board, {0, 0, lower_board_m - half_board}, {0.62F, 0.22F, half_board});
-    add_part(UnitKind::board, {0, 0, upper_board_m - half_board}, {0.62F, 0.22F, half_board});
-    add_part(UnitKind::back_panel, {0, 0.235F, 0.5F}, {0.62F, 0.01F, 0.5F});
+    add_part(
+        assets::UnitKind::board, {0, 0, lower_board_m - half_board}, {0.62F, 0.22F, half_board});
+    add_part(
+        assets::UnitKind::board, {0, 0, upper_board_m - half_board}, {0.62F, 0.22F, half_board});
+    add_part(assets::UnitKind::back_panel, {0, 0.235F, 0.5F}, {0.62F, 0.01F, 0.5F});
     scene.fixtures.push_back({0, 4, 0, 2, {shelf_x_m, shelf_y_m, 0}, 0});
     for (int level = 0; level < 2; ++level) {
-      SceneShelf shelf;
+      scene::SceneShelf shelf;
       shelf.level = level;
       shelf.position_m = {0, -0.22F, level == 0 ? lower_board_m : upper_board_m};
       shelf.width_m = 1.24F, shelf.depth_m = 0.44F, shelf.clearance_m = level == 0 ? 0.36F : 0.45F;

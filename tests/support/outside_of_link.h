@@ -7,10 +7,10 @@
 
 namespace marketgen {
 
-inline double outside(const Link& link, Vec3 p) {
+inline double outside(const robots::Link& link, Vec3 p) {
   double least = HUGE_VAL;
-  for (const Capsule& c : link.capsules)
-    least = std::min(least, distance_between(Capsule{p, p, 0}, c));
+  for (const robots::Capsule& c : link.capsules)
+    least = std::min(least, robots::distance_between(robots::Capsule{p, p, 0}, c));
   return least;
 }
 

@@ -17,17 +17,17 @@ namespace marketgen {
 
 // Small, so that its whole chain is quick: tills and one zone of goods, with everything in it that
 // a plan can have.
-inline Plan sampled_shop() {
-  Plan plan;
+inline plan::Plan sampled_shop() {
+  plan::Plan plan;
   plan.shell.width_mm = 8000;
   plan.shell.depth_mm = 9000;
-  plan.shell.openings = {{"in", OpeningKind::entrance, Wall::south, 0.25, 1800},
-                         {"out", OpeningKind::exit, Wall::south, 0.75, 1800},
-                         {"side", OpeningKind::window, Wall::north, 0.5, 1200}};
+  plan.shell.openings = {{"in", plan::OpeningKind::entrance, plan::Wall::south, 0.25, 1800},
+                         {"out", plan::OpeningKind::exit, plan::Wall::south, 0.75, 1800},
+                         {"side", plan::OpeningKind::window, plan::Wall::north, 0.5, 1200}};
   plan.shell.columns = {{7600, 8600, 300}};
-  Node root, front, back;
+  plan::Node root, front, back;
   root.id = "root";
-  root.split = Axis::y;
+  root.split = plan::Axis::y;
   root.ratio = 0.45;
   root.gap_mm = 1200;
   root.children = {"front", "back"};
@@ -36,7 +36,7 @@ inline Plan sampled_shop() {
   back.id = "back";
   back.zone = "goods";
   plan.nodes = {root, front, back};
-  Zone tills, goods;
+  plan::Zone tills, goods;
   tills.id = "tills";
   tills.type = "checkout";
   tills.fixture.kind = "checkout_lane";
@@ -44,11 +44,11 @@ inline Plan sampled_shop() {
   goods.type = "canned";
   goods.stock.exclude = {"soup"};
   plan.zones = {tills, goods};
-  Relation relation;
+  plan::Relation relation;
   relation.a = "goods";
   relation.b = "north";
   plan.relations = {relation};
-  const std::vector<Product>& products = committed_catalog().products;
+  const std::vector<catalog::Product>& products = committed_catalog().products;
   plan.placements = {{products.front().sku, {1, 4.6, 0}, 0},
                      {products.back().sku, {1, 5.2, 0}, 30}};
   return plan;
@@ -60,13 +60,13 @@ class PlanSampler {
   struct Knob {
     std::string path;  // JSON pointer
     std::size_t count;
-    std::function<void(Plan&, std::size_t)> set;
+    std::function<void(plan::Plan&, std::size_t)> set;
     std::vector<int> taken = {};  // how often each value was part of a valid plan
   };
 
   PlanSampler() {
     collect(
-        type_of<Plan>(), {}, [](Plan& plan) { return static_cast<void*>(&plan); }, "");
+        type_of<plan::Plan>(), {}, [](plan::Plan& plan) { return static_cast<void*>(&plan); }, "");
     for (Knob& knob : knobs_)
       knob.taken.resize(knob.count);
   }
@@ -83,16 +83,16 @@ class PlanSampler {
 
   // Every field at one of its values, each at another in the next round; a value that makes the
   // plan invalid gives way to what was there.
-  Plan plan(std::size_t round) {
-    Plan plan = sampled_shop();
+  plan::Plan plan(std::size_t round) {
+    plan::Plan plan = sampled_shop();
     for (std::size_t k = 0; k < knobs_.size(); ++k)
       turn(plan, knobs_[k], (round + 5 * k) % knobs_[k].count);
     return plan;
   }
 
   // A few fields at values that chance decides.
-  Plan random_plan(Stream& draw) {
-    Plan plan = sampled_shop();
+  plan::Plan random_plan(Stream& draw) {
+    plan::Plan plan = sampled_shop();
     for (Knob& knob : knobs_) {
       if (!draw.chance(0.15)) continue;
       turn(plan, knob, static_cast<std::size_t>(draw.integer(0, static_cast<int>(knob.count) - 1)));
@@ -101,8 +101,8 @@ class PlanSampler {
   }
 
   // The same, valid or not.
-  Plan wild_plan(Stream& draw) const {
-    Plan plan = sampled_shop();
+  plan::Plan wild_plan(Stream& draw) const {
+    plan::Plan plan = sampled_shop();
     for (const Knob& knob : knobs_) {
       if (!draw.chance(0.05)) continue;
       knob.set(plan, static_cast<std::size_t>(draw.integer(0, static_cast<int>(knob.count) - 1)));
@@ -111,7 +111,7 @@ class PlanSampler {
   }
 
  private:
-  using At = std::function<void*(Plan&)>;
+  using At = std::function<void*(plan::Plan&)>;
 
   // Leaves of the tree are not cut.
   static bool is_cut_of_a_leaf(const std::string& path) {
@@ -120,10 +120,10 @@ class PlanSampler {
            (path.ends_with("/split") || path.ends_with("/ratio") || path.ends_with("/gap_mm"));
   }
 
-  static void turn(Plan& plan, Knob& knob, std::size_t value) {
-    const Plan before = plan;
+  static void turn(plan::Plan& plan, Knob& knob, std::size_t value) {
+    const plan::Plan before = plan;
     knob.set(plan, value);
-    if (validate_plan(plan, "sample", committed_catalog()).ok())
+    if (plan::validate_plan(plan, "sample", committed_catalog()).ok())
       ++knob.taken[value];
     else
       plan = before;
@@ -131,7 +131,7 @@ class PlanSampler {
 
   void add(const std::string& path,
            std::size_t count,
-           std::function<void(Plan&, std::size_t)> set) {
+           std::function<void(plan::Plan&, std::size_t)> set) {
     knobs_.push_back({path, count, std::move(set)});
   }
 
@@ -146,7 +146,7 @@ class PlanSampler {
           collect(
               field.type(),
               field.rules,
-              [at, &field](Plan& plan) { return field.in(at(plan)); },
+              [at, &field](plan::Plan& plan) { return field.in(at(plan)); },
               path + "/" + std::string(field.name));
         return;
       case TypeKind::array:
@@ -168,7 +168,7 @@ class PlanSampler {
       case TypeKind::number: {
         const std::vector<double> values = ends_of(path, rules);
         if (!values.empty())
-          add(path, values.size(), [&type, at, values](Plan& plan, std::size_t i) {
+          add(path, values.size(), [&type, at, values](plan::Plan& plan, std::size_t i) {
             type.set_number(at(plan), values[i]);
           });
         return;
@@ -176,7 +176,7 @@ class PlanSampler {
       case TypeKind::string: {
         const std::vector<std::string> values = names_for(path);
         if (!values.empty())
-          add(path, values.size(), [at, values](Plan& plan, std::size_t i) {
+          add(path, values.size(), [at, values](plan::Plan& plan, std::size_t i) {
             *static_cast<std::string*>(at(plan)) = values[i];
           });
         return;
@@ -189,7 +189,7 @@ class PlanSampler {
                      const At& at,
                      const std::string& path) {
     if (values.empty()) return;
-    add(path, values.size(), [&type, at, values](Plan& plan, std::size_t i) {
+    add(path, values.size(), [&type, at, values](plan::Plan& plan, std::size_t i) {
       type.set_integer(at(plan), values[i]);
     });
   }
@@ -198,13 +198,13 @@ class PlanSampler {
                        const FieldRules& rules,
                        const At& at,
                        const std::string& path) {
-    Plan sample = sampled_shop();
+    plan::Plan sample = sampled_shop();
     const std::size_t count = type.count(at(sample));
     for (std::size_t i = 0; i < count; ++i)
       collect(
           type.element(),
           rules,
-          [at, &type, i](Plan& plan) { return type.at(at(plan), i); },
+          [at, &type, i](plan::Plan& plan) { return type.at(at(plan), i); },
           path + "/" + std::to_string(i));
   }
 
@@ -216,7 +216,7 @@ class PlanSampler {
     const TypeInfo& element = type.element();
     if (element.kind == TypeKind::object || element.kind == TypeKind::array) return;
     const std::size_t before = knobs_.size();
-    const At inside = [at, &type](Plan& plan) {
+    const At inside = [at, &type](plan::Plan& plan) {
       if (type.count(at(plan)) == 0) type.resize(at(plan), 1);
       return type.at(at(plan), 0);
     };
@@ -224,7 +224,7 @@ class PlanSampler {
     if (knobs_.size() == before) return;
     Knob& knob = knobs_.back();
     knob.count += 1;
-    knob.set = [at, &type, set = std::move(knob.set)](Plan& plan, std::size_t i) {
+    knob.set = [at, &type, set = std::move(knob.set)](plan::Plan& plan, std::size_t i) {
       if (i == 0)
         type.resize(at(plan), 0);
       else
@@ -254,7 +254,7 @@ class PlanSampler {
   static std::vector<double> built_ends(const std::string& path,
                                         std::string_view name,
                                         const FieldRules& rules) {
-    const FixtureKind* kind = committed_catalog().fixture_kind(name);
+    const catalog::FixtureKind* kind = committed_catalog().fixture_kind(name);
     const auto of = [](const IntRange& range) {
       return std::vector<double>{
           double(range[0]), double((range[0] + range[1]) / 2), double(range[1])};
@@ -280,15 +280,16 @@ class PlanSampler {
   }
 
   static std::vector<std::string> names_for(const std::string& path) {
-    const Catalog& catalog = committed_catalog();
+    const catalog::Catalog& catalog = committed_catalog();
     const std::string last = path.substr(path.rfind('/') + 1);
     if (path.starts_with("/look/") && last != "accent")
-      return all(catalog.materials, &MaterialRow::id);
-    if (last == "material") return all(catalog.materials, &MaterialRow::id);
-    if (last == "profile") return all(catalog.profiles, &ProfileRow::id);
+      return all(catalog.materials, &catalog::MaterialRow::id);
+    if (last == "material") return all(catalog.materials, &catalog::MaterialRow::id);
+    if (last == "profile") return all(catalog.profiles, &catalog::ProfileRow::id);
     if (last == "accent" || last == "color") return {"#000000", "#ffffff", "#2e7d32"};
-    if (path == "/zones/1/type") return all(catalog.zone_types, &ZoneTypeRow::type);
-    if (path == "/zones/1/fixture/kind") return all(catalog.fixture_kinds, &FixtureKind::kind);
+    if (path == "/zones/1/type") return all(catalog.zone_types, &catalog::ZoneTypeRow::type);
+    if (path == "/zones/1/fixture/kind")
+      return all(catalog.fixture_kinds, &catalog::FixtureKind::kind);
     if (last == "anchor") return {"any", "north", "south", "east", "west", "center", "entrance"};
     if (last == "label") return {"", "Goods & more", "Früchte"};
     if (last == "name") return {"Market", "A", "Früchte & Gemüse <1>"};

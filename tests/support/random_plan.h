@@ -18,18 +18,18 @@ class RandomPlan {
  public:
   explicit RandomPlan(std::uint64_t seed) : draw_(Seed(seed).child("random_plan").stream()) {}
 
-  Plan make() {
+  plan::Plan make() {
     // 8 to 60 m, small shops more often.
     plan_.shell.width_mm = 8000 + static_cast<int>(520 * draw_.uniform() * draw_.uniform()) * 100;
     plan_.shell.depth_mm = 8000 + static_cast<int>(520 * draw_.uniform() * draw_.uniform()) * 100;
-    const std::vector<ProfileRow>& profiles = committed_catalog().profiles;
+    const std::vector<catalog::ProfileRow>& profiles = committed_catalog().profiles;
     plan_.profile = profiles[pick(profiles.size())].id;
     add_doors();
     if (draw_.chance(0.3)) add_columns();
     if (draw_.chance(0.25)) cut_a_corner();
-    divide("root", shell_rect(plan_.shell), 0);
+    divide("root", plan::shell_rect(plan_.shell), 0);
     // A door may have been in the corner that was cut off.
-    if (!validate_plan(plan_, "random plan", committed_catalog()).ok())
+    if (!plan::validate_plan(plan_, "random plan", committed_catalog()).ok())
       plan_.shell.outline_mm.reset();
     return plan_;
   }
@@ -40,13 +40,14 @@ class RandomPlan {
   }
 
   void add_doors() {
-    const auto wall = static_cast<Wall>(draw_.integer(0, 3));
-    plan_.shell.openings = {{"in", OpeningKind::entrance, wall, draw_.uniform(0.2, 0.4), 1800},
-                            {"out", OpeningKind::exit, wall, draw_.uniform(0.6, 0.8), 1800}};
+    const auto wall = static_cast<plan::Wall>(draw_.integer(0, 3));
+    plan_.shell.openings = {
+        {"in", plan::OpeningKind::entrance, wall, draw_.uniform(0.2, 0.4), 1800},
+        {"out", plan::OpeningKind::exit, wall, draw_.uniform(0.6, 0.8), 1800}};
     if (draw_.chance(0.5)) {
       plan_.shell.openings.push_back({"dock",
-                                      OpeningKind::service,
-                                      static_cast<Wall>((static_cast<int>(wall) + 1) % 4),
+                                      plan::OpeningKind::service,
+                                      static_cast<plan::Wall>((static_cast<int>(wall) + 1) % 4),
                                       draw_.uniform(0.3, 0.7),
                                       1800});
     }
@@ -68,16 +69,16 @@ class RandomPlan {
   }
 
   void add_leaf(const std::string& id) {
-    const std::vector<ZoneTypeRow>& types = committed_catalog().zone_types;
-    Zone zone;
+    const std::vector<catalog::ZoneTypeRow>& types = committed_catalog().zone_types;
+    plan::Zone zone;
     zone.type = plan_.zones.empty() ? "checkout" : types[pick(types.size())].type;
     zone.id = "zone-" + std::to_string(plan_.zones.size());
-    const ZoneTypeRow* type = committed_catalog().zone_type(zone.type);
+    const catalog::ZoneTypeRow* type = committed_catalog().zone_type(zone.type);
     if (!type->fixture.empty()) zone.fixture.kind = type->fixture;
-    if (draw_.chance(0.5)) zone.fixture.endcaps = Endcaps::both;
-    if (draw_.chance(0.2)) zone.fixture.axis = static_cast<RunAxis>(draw_.integer(0, 2));
+    if (draw_.chance(0.5)) zone.fixture.endcaps = plan::Endcaps::both;
+    if (draw_.chance(0.2)) zone.fixture.axis = static_cast<plan::RunAxis>(draw_.integer(0, 2));
     if (draw_.chance(0.2)) zone.fixture.run_max_mm = draw_.integer(3000, 9000);
-    Node leaf;
+    plan::Node leaf;
     leaf.id = id;
     leaf.zone = zone.id;
     plan_.nodes.push_back(leaf);
@@ -87,20 +88,20 @@ class RandomPlan {
   void divide(const std::string& id, const RectMm& rect, int depth) {
     const bool small = rect.area_m2() < 30 || std::min(rect.width(), rect.depth()) < 4500;
     if (small || depth >= 4 || draw_.chance(0.1 * depth)) return add_leaf(id);
-    Node node;
+    plan::Node node;
     node.id = id;
-    node.split = rect.width() > rect.depth() ? Axis::x : Axis::y;
+    node.split = rect.width() > rect.depth() ? plan::Axis::x : plan::Axis::y;
     node.ratio = draw_.uniform(0.3, 0.7);
     node.gap_mm = draw_.integer(0, 14) * 200;
     node.children = {id + "a", id + "b"};
     plan_.nodes.push_back(node);
-    const std::array<RectMm, 2> parts = split_rect(rect, node);
+    const std::array<RectMm, 2> parts = plan::split_rect(rect, node);
     divide(node.children[0], parts[0], depth + 1);
     divide(node.children[1], parts[1], depth + 1);
   }
 
   Stream draw_;
-  Plan plan_;
+  plan::Plan plan_;
 };
 
 }  // namespace marketgen

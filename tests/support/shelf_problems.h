@@ -13,8 +13,8 @@
 namespace marketgen {
 
 struct ShelfProblem {
-  Obstacles obstacles;
-  Configuration start, goal;  // both free
+  motion::Obstacles obstacles;
+  motion::Configuration start, goal;  // both free
 };
 
 struct ShelfProduct {
@@ -23,7 +23,7 @@ struct ShelfProduct {
 };
 
 struct ShelfScene {
-  Obstacles obstacles;
+  motion::Obstacles obstacles;
   std::vector<ShelfProduct> products;
 };
 
@@ -68,12 +68,12 @@ inline ShelfScene shelf_scene(std::uint64_t index) {
 
 // A free posture with the hand in front of one of the products, fingers level or upright; empty
 // when none of `tries` draws has one.
-inline Configuration reach_posture(const ShelfScene& scene,
-                                   const ArmChecker& checker,
-                                   Stream& draw,
-                                   int tries) {
-  const ArmModel& model = checker.model();
-  const Configuration near{0, -0.785, 0, -2.356, 0, 1.571, 0.785};
+inline motion::Configuration reach_posture(const ShelfScene& scene,
+                                           const motion::ArmChecker& checker,
+                                           Stream& draw,
+                                           int tries) {
+  const motion::ArmModel& model = checker.model();
+  const motion::Configuration near{0, -0.785, 0, -2.356, 0, 1.571, 0.785};
   for (int i = 0; i < tries && !scene.products.empty(); ++i) {
     const auto pick = draw.integer(0, static_cast<int>(scene.products.size()) - 1);
     const ShelfProduct& p = scene.products[static_cast<std::size_t>(pick)];
@@ -84,9 +84,9 @@ inline Configuration reach_posture(const ShelfScene& scene,
                    rotation_about({0, 0, 1}, draw.uniform(-0.3, 0.3)) *
                        rotation_about({0, 1, 0}, std::numbers::pi / 2 + draw.uniform(-0.1, 0.3)) *
                        rotation_about({0, 0, 1}, roll)};
-    const auto goals = arm_goals(*model.robot, model.group, tip, near);
+    const auto goals = motion::arm_goals(*model.robot, model.group, tip, near);
     if (!goals.ok()) continue;
-    for (const Configuration& q : *goals) {
+    for (const motion::Configuration& q : *goals) {
       if (checker.free(q)) return q;
     }
   }
@@ -95,15 +95,15 @@ inline Configuration reach_posture(const ShelfScene& scene,
 
 // Half of the problems start at the posture "ready", half in another part of the same shelf. Empty
 // goal: the scene had no free posture to ask for.
-inline ShelfProblem shelf_problem(const ArmModel& model,
+inline ShelfProblem shelf_problem(const motion::ArmModel& model,
                                   const std::vector<double>& ready,
                                   std::uint64_t index) {
   const ShelfScene scene = shelf_scene(index);
   ShelfProblem problem;
   problem.obstacles = scene.obstacles;
-  const auto world = CollisionWorld::make(scene.obstacles);
+  const auto world = motion::CollisionWorld::make(scene.obstacles);
   if (!world.ok()) return problem;
-  const auto checker = ArmChecker::make(model, ready, {}, *world);
+  const auto checker = motion::ArmChecker::make(model, ready, {}, *world);
   if (!checker.ok()) return problem;
   Stream draw = Seed(2026).child("shelf_reach", index).stream();
   for (const int dof : model.group.dofs)

@@ -113,6 +113,23 @@ expect 1 "store/CMakeLists.txt:1: missing" "every module has a CMakeLists.txt"
 make_house; echo 'foreach(module scene base motion perception store policy oracle)' > CMakeLists.txt
 expect 1 "in its order" "CMake adds the modules in the table's order"
 
+make_house; printf 'namespace marketgen::inner {\n}\n' >> base/result.h
+expect 1 "base/result.h:3: namespace marketgen::inner" "base opens namespace marketgen itself"
+
+make_house; printf 'namespace marketgen {\nstruct Basket {};\n}  // namespace marketgen\n' >> store/store.cpp
+expect 1 "store/store.cpp:4: namespace marketgen: a file of store opens namespace marketgen::store only" \
+  "a module does not write into the namespace of all"
+
+make_house; printf 'namespace marketgen::scene {\nstruct Scene {};\n}\n' >> store/store.cpp
+expect 1 "a file of store opens namespace marketgen::store only" "a module does not write into another's namespace"
+
+make_house
+printf 'namespace marketgen::scene {\nstruct Scene;\n}\nnamespace marketgen::store {\nnamespace {\n}\n}\n' >> store/store.cpp
+expect 0 "modules keep to" "a type of another module is declared ahead in that module's namespace"
+
+make_house; printf 'namespace marketgen::store::parts {\n}\n' >> store/store.cpp
+expect 0 "modules keep to" "a namespace within the module's own"
+
 make_house; echo '# Architecture' > "$tree/docs/architecture.md"
 expect 1 "no layer table" "a document without the table is an error, not a pass"
 

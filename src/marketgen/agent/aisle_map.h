@@ -13,16 +13,16 @@
 #include "motion/base_follower.h"
 #include "motion/collision_world.h"
 
-namespace marketgen {
+namespace marketgen::agent {
 
 // Its frame: middle of the front edge, on the surface; X to the right of who looks at it, Y into
 // the shelf, Z up.
 struct ShelfBoard {
   Pose store_from_board;
   double width_m = 0, depth_m = 0;
-  double clearance_m = 0;          // to what is over it
-  ShelfUse use = ShelfUse::stand;  // what goods do on it
-  bool has_door = false;           // between it and the aisle
+  double clearance_m = 0;                          // to what is over it
+  assets::ShelfUse use = assets::ShelfUse::stand;  // what goods do on it
+  bool has_door = false;                           // between it and the aisle
 };
 
 // Middle of all products of the category that a goal's SKU belongs to.
@@ -37,21 +37,23 @@ class AisleMap {
   // All of the store, whether anything is asked for from them or not.
   virtual const std::vector<ShelfBoard>& boards() const = 0;
   // Whether the robot, as it drives, has room there to turn.
-  virtual bool has_room(const BasePlace& place) const = 0;
+  virtual bool has_room(const robots::BasePlace& place) const = 0;
   // From rest to rest. Errors: motion.base_blocked, motion.unreachable and those of plan_drive.
-  virtual Result<BaseFollower> way(const BasePlace& from, const BasePlace& to) const = 0;
+  virtual Result<motion::BaseFollower> way(const robots::BasePlace& from,
+                                           const robots::BasePlace& to) const = 0;
   // Its length; empty when there is none.
-  virtual std::optional<double> way_m(const BasePlace& from, const BasePlace& to) const = 0;
+  virtual std::optional<double> way_m(const robots::BasePlace& from,
+                                      const robots::BasePlace& to) const = 0;
   // Fixtures, walls and floor within `within_m`.
-  virtual Obstacles fixtures(Vec3 middle, double within_m) const = 0;
+  virtual motion::Obstacles fixtures(Vec3 middle, double within_m) const = 0;
 };
 
-inline Pose store_from_base(const BasePlace& place) {
+inline Pose store_from_base(const robots::BasePlace& place) {
   return {{place.x_m, place.y_m, 0}, rotation_about({0, 0, 1}, place.heading)};
 }
 
-inline BasePlace base_place(const Pose& store_from_base) {
+inline robots::BasePlace base_place(const Pose& store_from_base) {
   return {store_from_base.position.x, store_from_base.position.y, yaw_of(store_from_base.rotation)};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::agent

@@ -10,7 +10,7 @@
 #include "geometry/image.h"
 #include "geometry/pose.h"
 
-namespace marketgen {
+namespace marketgen::agent {
 
 // Picture points are OpenCV's: the centre of the top left pixel is (0, 0).
 struct PinholeLens {
@@ -37,4 +37,4 @@ class Eyes {
   virtual Result<View> look(std::string_view camera) = 0;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::agent

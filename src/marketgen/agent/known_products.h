@@ -12,11 +12,11 @@
 #include "geometry/image.h"
 #include "geometry/pose.h"
 
-namespace marketgen {
+namespace marketgen::agent {
 
 struct KnownProduct {
-  Product product;
-  ProductBody body;           // convex pieces of its shape
+  catalog::Product product;
+  assets::ProductBody body;   // convex pieces of its shape
   double pad_friction = 0.5;  // of rubber on it
 };
 
@@ -30,11 +30,11 @@ struct ProductPicture {
 class KnownProducts {
  public:
   virtual ~KnownProducts() = default;
-  virtual const std::vector<Product>& rows() const = 0;
+  virtual const std::vector<catalog::Product>& rows() const = 0;
   // Lives as long as this. Errors: catalog.unknown_sku; what making it reports.
   virtual Result<const KnownProduct*> product(const std::string& sku) = 0;
   // Taken anew each time; any number of threads may ask. Errors: as product().
   virtual Result<std::vector<ProductPicture>> pictures(const std::string& sku) const = 0;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::agent

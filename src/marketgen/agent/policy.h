@@ -10,7 +10,7 @@
 #include "base/result.h"
 #include "robots/wheel_drive.h"
 
-namespace marketgen {
+namespace marketgen::agent {
 
 // A robot as it is. Joints are those that an action commands: every one but wheels and fingers, in
 // the order of the robot's degrees of freedom; rad or m, and a second.
@@ -19,8 +19,8 @@ struct Observation {
   std::vector<double> position, velocity;
   std::vector<double> openings_m;    // between the pads, one a tool; of a cup 0 or cup_off_m
   std::vector<std::uint8_t> sealed;  // one a tool: 1 when a cup has sealed, by its vacuum sensor
-  BasePlace base;        // as its wheels' encoders reckon it; zeros of a robot without wheels
-  bool stopped = false;  // a protective stop: it takes no command yet
+  robots::BasePlace base;  // as its wheels' encoders reckon it; zeros of a robot without wheels
+  bool stopped = false;    // a protective stop: it takes no command yet
 };
 
 // Opening of a cup that does not suck.
@@ -66,4 +66,4 @@ class Policy {
   virtual std::string failure() const { return "None"; }
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::agent

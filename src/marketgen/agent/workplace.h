@@ -7,7 +7,7 @@
 
 #include "geometry/pose.h"
 
-namespace marketgen {
+namespace marketgen::agent {
 
 // An upright rectangle on the counter.
 struct WorkArea {
@@ -33,4 +33,4 @@ struct Workplace {
   std::vector<WorkBox> ledges;  // basket_from_box: other parts of the inside
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::agent

@@ -1,6 +1,6 @@
 #include "assets/asset_detail.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 std::array<float, 3> as_array(Vec3f v) {
@@ -14,17 +14,17 @@ ShownPiece shown(const ContactPiece& piece) {
   return row;
 }
 
-std::string source_of(const FrictionRow& row, const Catalog& catalog) {
-  for (const FrictionSource& source : catalog.friction_sources) {
+std::string source_of(const catalog::FrictionRow& row, const catalog::Catalog& catalog) {
+  for (const catalog::FrictionSource& source : catalog.friction_sources) {
     if (source.key != row.source) continue;
     return row.detail.empty() ? source.text : source.text + "; " + row.detail;
   }
   return row.source;
 }
 
-std::vector<ShownFriction> pairs_of(const std::string& material, const Catalog& catalog) {
+std::vector<ShownFriction> pairs_of(const std::string& material, const catalog::Catalog& catalog) {
   std::vector<ShownFriction> pairs;
-  for (const FrictionRow& row : catalog.frictions) {
+  for (const catalog::FrictionRow& row : catalog.frictions) {
     if (row.a == material || row.b == material)
       pairs.push_back({row.a == material ? row.b : row.a, row.sliding, source_of(row, catalog)});
   }
@@ -33,14 +33,14 @@ std::vector<ShownFriction> pairs_of(const std::string& material, const Catalog& 
 
 }  // namespace
 
-Result<ProductDetail> detail_of(const Product& product, const Catalog& catalog) {
+Result<ProductDetail> detail_of(const catalog::Product& product, const catalog::Catalog& catalog) {
   MARKETGEN_TRY(const ProductModel model, make_product_model(product));
   MARKETGEN_TRY(const ProductBody body, make_product_body(product));
   ProductDetail detail;
-  static_cast<Product&>(detail) = product;
+  static_cast<catalog::Product&>(detail) = product;
   detail.triangles = static_cast<int>(model.mesh.triangles.size());
-  detail.volume_m3 = volume_of(model.mesh);
-  detail.bounds_m = as_array(bounds_of(model.mesh).size());
+  detail.volume_m3 = marketgen::volume_of(model.mesh);
+  detail.bounds_m = as_array(marketgen::bounds_of(model.mesh).size());
   detail.center_of_mass_m = as_array(body.center_of_mass);
   detail.inertia_kg_m2 = body.inertia_kg_m2;
   for (const PackFeature& f : body.features)
@@ -51,4 +51,4 @@ Result<ProductDetail> detail_of(const Product& product, const Catalog& catalog) 
   return detail;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

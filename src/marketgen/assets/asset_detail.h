@@ -9,7 +9,7 @@
 #include "base/result.h"
 #include "catalog/catalog.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 struct ShownFeature {
   FeatureKind kind = FeatureKind::cap;
@@ -43,7 +43,7 @@ struct ShownFriction {
                  field("source", &ShownFriction::source, "where the number comes from"));
 };
 
-struct ProductDetail : Product {
+struct ProductDetail : catalog::Product {
   int triangles = 0;
   double volume_m3 = 0;
   std::array<float, 3> bounds_m{};
@@ -54,7 +54,7 @@ struct ProductDetail : Product {
   std::vector<ShownFriction> friction_pairs;
 
   static constexpr auto fields = inherited_fields<ProductDetail>(
-      Product::fields,
+      catalog::Product::fields,
       field_list(
           field("triangles", &ProductDetail::triangles, "of the mesh seen from near"),
           field("volume_m3", &ProductDetail::volume_m3, "that the mesh encloses"),
@@ -71,6 +71,6 @@ struct ProductDetail : Product {
 };
 
 // Errors: those of make_product_model().
-Result<ProductDetail> detail_of(const Product& product, const Catalog& catalog);
+Result<ProductDetail> detail_of(const catalog::Product& product, const catalog::Catalog& catalog);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -4,7 +4,7 @@
 
 #include "geometry/box_extents.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 Vec3 contact_size(CollisionShape shape, Vec3f half_size) {
@@ -44,4 +44,4 @@ Vec3 half_extents(const ContactShape& shape) {
   return {along(x.x, y.x, z.x), along(x.y, y.y, z.y), along(x.z, y.z, z.z)};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -4,7 +4,7 @@
 #include "assets/product_model.h"
 #include "geometry/pose.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 struct ContactShape {
   CollisionShape shape = CollisionShape::box;
@@ -19,4 +19,4 @@ ContactShape operator*(const Pose& pose, const ContactShape& shape);  // moved a
 // Half extents of the axis-aligned box around the shape, in its owner's frame.
 Vec3 half_extents(const ContactShape& shape);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -8,7 +8,7 @@
 #include "catalog/own_mesh.h"
 #include "geometry/solid.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr std::size_t middle_triangles = 1500, far_triangles = 300;
@@ -19,7 +19,7 @@ Vec3f product_from_gltf(Vec3f p) {
   return {p.x, -p.z, p.y};
 }
 
-Surface surface_of(const ModelMaterial& material) {
+Surface surface_of(const io::ModelMaterial& material) {
   Surface surface;
   surface.color = material.color;
   surface.roughness = material.roughness;
@@ -36,8 +36,8 @@ ContactPiece hull_piece(std::vector<Vec3f> points) {
   return piece;
 }
 
-Result<OutsideModel> model_in_product_frame(const Product& product) {
-  MARKETGEN_TRY(OutsideModel model, kept_mesh(product));
+Result<io::OutsideModel> model_in_product_frame(const catalog::Product& product) {
+  MARKETGEN_TRY(io::OutsideModel model, catalog::kept_mesh(product));
   for (Vec3f& p : model.mesh.positions)
     p = product_from_gltf(p);
   for (Vec3f& n : model.mesh.normals)
@@ -51,15 +51,15 @@ Result<OutsideModel> model_in_product_frame(const Product& product) {
 
 }  // namespace
 
-bool has_own_mesh(const Product& product) {
-  return product.archetype == mesh_archetype;
+bool has_own_mesh(const catalog::Product& product) {
+  return product.archetype == catalog::mesh_archetype;
 }
 
-Result<ProductModel> own_pack_model(const Product& product, Detail detail) {
-  MARKETGEN_TRY(OutsideModel outside, model_in_product_frame(product));
+Result<ProductModel> own_pack_model(const catalog::Product& product, Detail detail) {
+  MARKETGEN_TRY(io::OutsideModel outside, model_in_product_frame(product));
   ProductModel model;
   model.mesh = std::move(outside.mesh);
-  for (const ModelMaterial& material : outside.materials)
+  for (const io::ModelMaterial& material : outside.materials)
     model.surfaces.push_back(surface_of(material));
   model.collision = own_pack_collision(product);
   if (detail != Detail::near)
@@ -68,7 +68,7 @@ Result<ProductModel> own_pack_model(const Product& product, Detail detail) {
   return model;
 }
 
-CollisionPrimitive own_pack_collision(const Product& product) {
+CollisionPrimitive own_pack_collision(const catalog::Product& product) {
   const Vec3 size{product.width_m(), product.depth_m(), product.height_m()};
   CollisionPrimitive box;
   box.half_size = to_float(size * 0.5);
@@ -76,9 +76,9 @@ CollisionPrimitive own_pack_collision(const Product& product) {
   return box;
 }
 
-Result<ProductBody> own_pack_body(const Product& product) {
-  MARKETGEN_TRY(OutsideModel model, model_in_product_frame(product));
-  const bool closed = is_watertight(model.mesh) && volume_of(model.mesh) > 0;
+Result<ProductBody> own_pack_body(const catalog::Product& product) {
+  MARKETGEN_TRY(io::OutsideModel model, model_in_product_frame(product));
+  const bool closed = is_watertight(model.mesh) && marketgen::volume_of(model.mesh) > 0;
   const Mesh hull = closed ? Mesh{} : outer_hull(model.mesh.positions);
   const Solid solid(closed ? model.mesh : hull, solid_columns);
   ProductBody body;
@@ -95,8 +95,8 @@ Result<ProductBody> own_pack_body(const Product& product) {
   return body;
 }
 
-Result<Image> own_pack_picture(const Product& product, int size_px) {
-  MARKETGEN_TRY(OutsideModel model, kept_mesh(product));
+Result<Image> own_pack_picture(const catalog::Product& product, int size_px) {
+  MARKETGEN_TRY(io::OutsideModel model, catalog::kept_mesh(product));
   if (model.pictures.empty())
     return Error{"assets.bad_row", product.sku, "its mesh has no picture, only colours"};
   const Image& full = model.pictures[0];
@@ -119,4 +119,4 @@ Result<Image> own_pack_picture(const Product& product, int size_px) {
   return image;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

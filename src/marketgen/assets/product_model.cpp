@@ -9,13 +9,13 @@
 #include "assets/shapes/mesh_detail.h"
 #include "catalog/catalog.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 struct Archetype {
   ArchetypeInfo info;
-  Result<ProductModel> (*make)(const Product&);
-  CollisionPrimitive (*collision)(const Product&);
+  Result<ProductModel> (*make)(const catalog::Product&);
+  CollisionPrimitive (*collision)(const catalog::Product&);
 };
 
 constexpr Archetype archetype_list[] = {
@@ -35,7 +35,7 @@ DetailLimits limits_of(Detail detail, std::size_t triangles) {
   return {std::max(triangles / 16, min_triangles), 0.10, 0.8};
 }
 
-Result<const Archetype*> archetype_of(const Product& product) {
+Result<const Archetype*> archetype_of(const catalog::Product& product) {
   for (const Archetype& archetype : archetype_list) {
     if (archetype.info.name == product.archetype) return &archetype;
   }
@@ -44,7 +44,7 @@ Result<const Archetype*> archetype_of(const Product& product) {
 
 }  // namespace
 
-Result<ProductModel> make_product_model(const Product& product, Detail detail) {
+Result<ProductModel> make_product_model(const catalog::Product& product, Detail detail) {
   if (has_own_mesh(product)) return own_pack_model(product, detail);
   MARKETGEN_TRY(const Archetype* archetype, archetype_of(product));
   MARKETGEN_CHECK(check_product_size(product));
@@ -60,7 +60,7 @@ Result<ProductModel> make_product_model(const Product& product, Detail detail) {
   return model;
 }
 
-Result<CollisionPrimitive> collision_of(const Product& product) {
+Result<CollisionPrimitive> collision_of(const catalog::Product& product) {
   if (has_own_mesh(product)) return own_pack_collision(product);
   MARKETGEN_TRY(const Archetype* archetype, archetype_of(product));
   MARKETGEN_CHECK(check_product_size(product));
@@ -74,7 +74,7 @@ std::vector<ArchetypeInfo> archetypes() {
   return infos;
 }
 
-Result<void> check_product_size(const Product& product) {
+Result<void> check_product_size(const catalog::Product& product) {
   for (const int size : product.size_mm) {
     if (size < min_size_mm || size > greatest_size_mm) {
       return Error{
@@ -95,7 +95,7 @@ Error unknown_archetype(std::string_view name, std::string where) {
   std::vector<std::string_view> known;
   for (const Archetype& archetype : archetype_list)
     known.push_back(archetype.info.name);
-  return unknown_name("catalog.unknown_kind", std::move(where), "archetype", name, known);
+  return catalog::unknown_name("catalog.unknown_kind", std::move(where), "archetype", name, known);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

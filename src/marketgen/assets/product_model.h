@@ -14,7 +14,7 @@
 #include "catalog/product.h"
 #include "geometry/mesh.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 enum class SurfaceKind { opaque, glass, emissive };
 constexpr std::array<std::string_view, 3> names_of(SurfaceKind) {
@@ -97,17 +97,18 @@ struct ProductBody {
 
 // The sizes of the mesh's bounds are the row's sizes within 1 mm. Errors: assets.bad_row,
 // catalog.unknown_kind (archetype).
-Result<ProductModel> make_product_model(const Product& product, Detail detail = Detail::near);
+Result<ProductModel> make_product_model(const catalog::Product& product,
+                                        Detail detail = Detail::near);
 
 // Errors: as make_product_model.
-Result<ProductBody> make_product_body(const Product& product);
+Result<ProductBody> make_product_body(const catalog::Product& product);
 
 // The contact primitive alone: cheap, for physics and audit of whole stores.
-Result<CollisionPrimitive> collision_of(const Product& product);
+Result<CollisionPrimitive> collision_of(const catalog::Product& product);
 
 struct ArchetypeInfo {
   std::string_view name, description;
 };
 std::vector<ArchetypeInfo> archetypes();  // in the order of archetypes.inc
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -3,14 +3,14 @@
 #include "assets/product_model.h"
 #include "io/file.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
-Result<Catalog> usable_catalog(const std::vector<std::filesystem::path>& extra) {
-  MARKETGEN_TRY(const std::filesystem::path data, data_folder());
-  MARKETGEN_TRY(Catalog catalog, load_catalog(data, extra));
-  for (const Product& product : catalog.products)  // the catalogue itself knows no shapes
+Result<catalog::Catalog> usable_catalog(const std::vector<std::filesystem::path>& extra) {
+  MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
+  MARKETGEN_TRY(catalog::Catalog catalog, catalog::load_catalog(data, extra));
+  for (const catalog::Product& product : catalog.products)  // the catalogue itself knows no shapes
     MARKETGEN_CHECK(collision_of(product));
   return catalog;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -7,10 +7,10 @@
 #include "base/result.h"
 #include "catalog/catalog.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // `extra`: CSV, JSON or asset.json files. Errors: those of data_folder(), load_catalog() and
 // collision_of().
-Result<Catalog> usable_catalog(const std::vector<std::filesystem::path>& extra = {});
+Result<catalog::Catalog> usable_catalog(const std::vector<std::filesystem::path>& extra = {});
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

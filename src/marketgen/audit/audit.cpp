@@ -7,7 +7,7 @@
 #include "audit/scene_rules.h"
 #include "audit/traffic.h"
 
-namespace marketgen {
+namespace marketgen::audit {
 namespace {
 
 double share_met(const std::vector<RequirementResult>& results) {
@@ -18,9 +18,9 @@ double share_met(const std::vector<RequirementResult>& results) {
   return static_cast<double>(met) / static_cast<double>(results.size());
 }
 
-void add_stock_metrics(Metrics& metrics, const Scene& scene) {
-  const SceneCounts counts = count(scene);
-  metrics.gross_area_m2 = area_m2(floor_of(scene.layout.shell));
+void add_stock_metrics(Metrics& metrics, const scene::Scene& scene) {
+  const scene::SceneCounts counts = scene::count(scene);
+  metrics.gross_area_m2 = area_m2(plan::floor_of(scene.layout.shell));
   metrics.selling_area_m2 = selling_area_m2(scene);
   metrics.fill = shelf_fill(scene);
   if (metrics.selling_area_m2 > 0)
@@ -32,9 +32,9 @@ void add_stock_metrics(Metrics& metrics, const Scene& scene) {
 
 }  // namespace
 
-Result<Audit> audit_store(const Scene& scene,
-                          const Catalog& catalog,
-                          const std::vector<Requirement>& requirements) {
+Result<Audit> audit_store(const scene::Scene& scene,
+                          const catalog::Catalog& catalog,
+                          const std::vector<plan::Requirement>& requirements) {
   MARKETGEN_TRY(const std::vector<Bounds3> bounds, item_bounds(scene));
   MARKETGEN_TRY(const CollisionCount collisions, count_collisions(scene, bounds));
   const std::vector<std::uint32_t> out_of_place = items_out_of_place(scene, bounds);
@@ -53,9 +53,9 @@ Result<Audit> audit_store(const Scene& scene,
   audit.requirements = check_requirements(scene, catalog, requirements);
   metrics.prompt = share_met(audit.requirements);
   audit.rules = scene.layout.violations;
-  for (Violation& v : check_scene({scene, metrics, collisions, traffic, out_of_place}))
+  for (layout::Violation& v : check_scene({scene, metrics, collisions, traffic, out_of_place}))
     audit.rules.push_back(std::move(v));
   return audit;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::audit

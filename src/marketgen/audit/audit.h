@@ -12,7 +12,7 @@
 #include "plan/requirement.h"
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::audit {
 
 struct RequirementResult {
   std::string text;
@@ -66,14 +66,14 @@ struct Metrics {
 
 struct Audit {
   Metrics metrics;
-  std::vector<Violation> rules;  // of the layout and of the scene
+  std::vector<layout::Violation> rules;  // of the layout and of the scene
   std::vector<RequirementResult> requirements;
 };
 
 // Deterministic; does not need the plan. Scene rules are the rows of scene_rules.inc.
 // Errors: assets.bad_row, physics.failed.
-Result<Audit> audit_store(const Scene& scene,
-                          const Catalog& catalog,
-                          const std::vector<Requirement>& requirements);
+Result<Audit> audit_store(const scene::Scene& scene,
+                          const catalog::Catalog& catalog,
+                          const std::vector<plan::Requirement>& requirements);
 
-}  // namespace marketgen
+}  // namespace marketgen::audit

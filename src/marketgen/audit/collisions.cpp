@@ -8,7 +8,7 @@
 #include "geometry/box_tree.h"
 #include "scene/placements.h"
 
-namespace marketgen {
+namespace marketgen::audit {
 namespace {
 
 constexpr float near_m = 0.005F;
@@ -16,7 +16,7 @@ constexpr float tolerance_m = 0.001F;
 
 struct NearPairs {
   std::uint64_t number = 0;
-  std::vector<ProductPair> suspects;  // boxes overlap by more than the limit
+  std::vector<physics::ProductPair> suspects;  // boxes overlap by more than the limit
 };
 
 // Pairs of an item with those that stand after it.
@@ -25,19 +25,20 @@ NearPairs pairs_of(std::uint32_t item, const BoxTree& tree, const std::vector<Bo
   tree.each_near(bounds[item], -near_m, [&](std::uint32_t other) {
     if (other <= item) return;
     ++found.number;
-    if (overlap_of(bounds[item], bounds[other]) > static_cast<float>(penetration_limit_m))
+    if (overlap_of(bounds[item], bounds[other]) > static_cast<float>(physics::penetration_limit_m))
       found.suspects.emplace_back(item, other);
   });
   std::ranges::sort(found.suspects);
   return found;
 }
 
-bool inside_shelf(const Scene& scene,
-                  const SceneProduct& item,
-                  const CollisionPrimitive& primitive) {
-  const SceneShelf& shelf = scene.shelves[scene.facings[item.facing].shelf];
+bool inside_shelf(const scene::Scene& scene,
+                  const scene::SceneProduct& item,
+                  const assets::CollisionPrimitive& primitive) {
+  const scene::SceneShelf& shelf = scene.shelves[scene.facings[item.facing].shelf];
   const Pose shelf_from_item =
-      inverse(world_from_shelf(scene, scene.facings[item.facing].shelf)) * world_from_product(item);
+      inverse(scene::world_from_shelf(scene, scene.facings[item.facing].shelf)) *
+      scene::world_from_product(item);
   const Bounds3 b = bounds_of(primitive, shelf_from_item);
   return b.low.x >= -shelf.width_m / 2 - tolerance_m &&
          b.high.x <= shelf.width_m / 2 + tolerance_m && b.low.y >= -tolerance_m &&
@@ -55,8 +56,8 @@ bool on_floor(const PolygonMm& floor, const Bounds3& b) {
          contains(floor, PointMm{x1, y1}) && contains(floor, PointMm{x0, y1});
 }
 
-bool inside_room(const Scene& scene, const Bounds3& b) {
-  const Shell& shell = scene.layout.shell;
+bool inside_room(const scene::Scene& scene, const Bounds3& b) {
+  const plan::Shell& shell = scene.layout.shell;
   const auto m = [](int mm) { return static_cast<float>(mm) * 1e-3F; };
   const bool inside_box = b.low.x >= -tolerance_m && b.low.y >= -tolerance_m &&
                           b.low.z >= -tolerance_m && b.high.x <= m(shell.width_mm) + tolerance_m &&
@@ -67,7 +68,8 @@ bool inside_room(const Scene& scene, const Bounds3& b) {
 
 }  // namespace
 
-Result<CollisionCount> count_collisions(const Scene& scene, const std::vector<Bounds3>& bounds) {
+Result<CollisionCount> count_collisions(const scene::Scene& scene,
+                                        const std::vector<Bounds3>& bounds) {
   const BoxTree tree(bounds);
   constexpr std::size_t grain = 256;
   const auto found = parallel_map(
@@ -75,14 +77,14 @@ Result<CollisionCount> count_collisions(const Scene& scene, const std::vector<Bo
       [&](std::size_t i) { return pairs_of(static_cast<std::uint32_t>(i), tree, bounds); },
       grain);
   CollisionCount count;
-  std::vector<ProductPair> suspects;
+  std::vector<physics::ProductPair> suspects;
   for (const NearPairs& item : found) {
     count.near_pairs += item.number;
     suspects.insert(suspects.end(), item.suspects.begin(), item.suspects.end());
   }
-  MARKETGEN_TRY(const std::vector<double> depths, penetration_depths(scene, suspects));
+  MARKETGEN_TRY(const std::vector<double> depths, physics::penetration_depths(scene, suspects));
   for (std::size_t i = 0; i < depths.size(); ++i) {
-    if (depths[i] <= penetration_limit_m) continue;
+    if (depths[i] <= physics::penetration_limit_m) continue;
     ++count.colliding_pairs;
     if (!count.deepest || depths[i] > count.deepest->depth_m)
       count.deepest = DeepPair{suspects[i], depths[i]};
@@ -90,21 +92,21 @@ Result<CollisionCount> count_collisions(const Scene& scene, const std::vector<Bo
   return count;
 }
 
-std::vector<std::uint32_t> items_out_of_place(const Scene& scene,
+std::vector<std::uint32_t> items_out_of_place(const scene::Scene& scene,
                                               const std::vector<Bounds3>& bounds) {
-  std::vector<CollisionPrimitive> primitives;
-  for (const Product& product : scene.catalog) {
-    const auto primitive = collision_of(product);
-    primitives.push_back(primitive.ok() ? *primitive : CollisionPrimitive{});
+  std::vector<assets::CollisionPrimitive> primitives;
+  for (const catalog::Product& product : scene.catalog) {
+    const auto primitive = assets::collision_of(product);
+    primitives.push_back(primitive.ok() ? *primitive : assets::CollisionPrimitive{});
   }
   constexpr std::size_t grain = 512;
   const auto outside = parallel_map(
       bounds.size(),
       [&](std::size_t i) -> std::uint8_t {
-        const SceneProduct& item = scene.products[i];
+        const scene::SceneProduct& item = scene.products[i];
         const bool in_place =
             inside_room(scene, bounds[i]) &&
-            (item.facing == no_facing || inside_shelf(scene, item, primitives[item.sku]));
+            (item.facing == scene::no_facing || inside_shelf(scene, item, primitives[item.sku]));
         return in_place ? 0 : 1;
       },
       grain);
@@ -115,4 +117,4 @@ std::vector<std::uint32_t> items_out_of_place(const Scene& scene,
   return rows;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::audit

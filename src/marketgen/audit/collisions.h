@@ -9,10 +9,10 @@
 #include "physics/settle/penetration.h"
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::audit {
 
 struct DeepPair {
-  ProductPair items;
+  physics::ProductPair items;
   double depth_m = 0;
 };
 
@@ -22,11 +22,12 @@ struct CollisionCount {
   std::optional<DeepPair> deepest;  // of those that collide
 };
 // Boxes filter (their overlap bounds the depth from above), MuJoCo measures what is left.
-Result<CollisionCount> count_collisions(const Scene& scene, const std::vector<Bounds3>& bounds);
+Result<CollisionCount> count_collisions(const scene::Scene& scene,
+                                        const std::vector<Bounds3>& bounds);
 
 // Items more than 1 mm outside their shelf's width, depth or clearance, or outside the room; rows
 // of scene.products.
-std::vector<std::uint32_t> items_out_of_place(const Scene& scene,
+std::vector<std::uint32_t> items_out_of_place(const scene::Scene& scene,
                                               const std::vector<Bounds3>& bounds);
 
-}  // namespace marketgen
+}  // namespace marketgen::audit

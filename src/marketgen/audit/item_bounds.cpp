@@ -4,7 +4,7 @@
 
 #include "base/parallel.h"
 
-namespace marketgen {
+namespace marketgen::audit {
 namespace {
 
 // Half extents along the target's axes of a box or ellipsoid with half sizes `h` turned by `m`.
@@ -35,18 +35,18 @@ Vec3 cylinder_extent(const Matrix34& m, double radius, double half_length, int a
 
 }  // namespace
 
-Bounds3 bounds_of(const CollisionPrimitive& primitive, const Pose& target_from_item) {
+Bounds3 bounds_of(const assets::CollisionPrimitive& primitive, const Pose& target_from_item) {
   const Matrix34 m = matrix_of(target_from_item);
   const Vec3 h = to_double(primitive.half_size);
   Vec3 extent;
   switch (primitive.shape) {
-    case CollisionShape::box:
+    case assets::CollisionShape::box:
       extent = box_extent(m, h);
       break;
-    case CollisionShape::ellipsoid:
+    case assets::CollisionShape::ellipsoid:
       extent = ellipsoid_extent(m, h);
       break;
-    case CollisionShape::cylinder:
+    case assets::CollisionShape::cylinder:
       extent = cylinder_extent(m, h.x, h.z, primitive.lying ? 0 : 2);
       break;
   }
@@ -54,20 +54,20 @@ Bounds3 bounds_of(const CollisionPrimitive& primitive, const Pose& target_from_i
   return {to_float(center - extent), to_float(center + extent)};
 }
 
-Result<std::vector<Bounds3>> item_bounds(const Scene& scene) {
-  std::vector<CollisionPrimitive> primitives;
-  for (const Product& product : scene.catalog) {
-    MARKETGEN_TRY(const CollisionPrimitive primitive, collision_of(product));
+Result<std::vector<Bounds3>> item_bounds(const scene::Scene& scene) {
+  std::vector<assets::CollisionPrimitive> primitives;
+  for (const catalog::Product& product : scene.catalog) {
+    MARKETGEN_TRY(const assets::CollisionPrimitive primitive, assets::collision_of(product));
     primitives.push_back(primitive);
   }
   constexpr std::size_t grain = 512;
   return parallel_map(
       scene.products.size(),
       [&](std::size_t i) {
-        const SceneProduct& item = scene.products[i];
-        return bounds_of(primitives[item.sku], world_from_product(item));
+        const scene::SceneProduct& item = scene.products[i];
+        return bounds_of(primitives[item.sku], scene::world_from_product(item));
       },
       grain);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::audit

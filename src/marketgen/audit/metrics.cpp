@@ -5,16 +5,18 @@
 
 #include "audit/traffic.h"
 
-namespace marketgen {
+namespace marketgen::audit {
 namespace {
 
 // Stretches that stocked fixtures take of a line across the store, sorted. `across_x`: the line
 // runs east at y = `at`; otherwise it runs north at x = `at`.
-std::vector<std::array<int, 2>> stocked_stretches(const Scene& scene, bool across_x, int at) {
+std::vector<std::array<int, 2>> stocked_stretches(const scene::Scene& scene,
+                                                  bool across_x,
+                                                  int at) {
   std::vector<std::array<int, 2>> stretches;
   for (std::size_t i = 0; i < scene.fixtures.size(); ++i) {
     if (scene.fixtures[i].shelf_count == 0) continue;
-    const RectMm r = footprint_of(scene.layout.fixtures[i]);
+    const RectMm r = layout::footprint_of(scene.layout.fixtures[i]);
     const bool crossed = across_x ? r.y0 <= at && at <= r.y1 : r.x0 <= at && at <= r.x1;
     if (crossed) stretches.push_back(across_x ? std::array{r.x0, r.x1} : std::array{r.y0, r.y1});
   }
@@ -35,29 +37,29 @@ int walkable_gaps(const std::vector<std::array<int, 2>>& stretches) {
 
 }  // namespace
 
-double shelf_fill(const Scene& scene) {
+double shelf_fill(const scene::Scene& scene) {
   double available = 0, occupied = 0;
-  for (const SceneShelf& shelf : scene.shelves)
+  for (const scene::SceneShelf& shelf : scene.shelves)
     available += shelf.width_m;
-  for (const Facing& facing : scene.facings)
+  for (const scene::Facing& facing : scene.facings)
     occupied += facing.product_count > 0 ? facing.width_m : 0;
   return available > 0 ? occupied / available : 0;
 }
 
-double selling_area_m2(const Scene& scene) {
+double selling_area_m2(const scene::Scene& scene) {
   static constexpr std::array<std::string_view, 5> not_selling = {
       "backroom", "checkout", "self_checkout", "customer_service", "cafe"};
-  double area = area_m2(floor_of(scene.layout.shell));
-  for (const LayoutZone& zone : scene.layout.zones) {
+  double area = area_m2(plan::floor_of(scene.layout.shell));
+  for (const layout::LayoutZone& zone : scene.layout.zones) {
     if (std::find(not_selling.begin(), not_selling.end(), zone.type) != not_selling.end())
       area -= zone.area_m2;
   }
   return area;
 }
 
-int shopping_aisles(const Scene& scene) {
+int shopping_aisles(const scene::Scene& scene) {
   int most = 0;
-  for (const Fixture& fixture : scene.layout.fixtures) {
+  for (const layout::Fixture& fixture : scene.layout.fixtures) {
     if (fixture.sides != 2 && fixture.kind != "gondola") continue;
     const bool fronts_face_north = fixture.yaw_deg % 180 == 0;
     const bool across_x = !fronts_face_north;  // the line runs across the aisles
@@ -67,4 +69,4 @@ int shopping_aisles(const Scene& scene) {
   return most;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::audit

@@ -3,14 +3,14 @@
 #include "catalog/catalog.h"
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::audit {
 
 // Width of the stocked blocks over the usable width of all shelves.
-double shelf_fill(const Scene& scene);
+double shelf_fill(const scene::Scene& scene);
 // Floor open to shoppers: the room without backroom, checkout, customer-service and cafe zones.
-double selling_area_m2(const Scene& scene);
+double selling_area_m2(const scene::Scene& scene);
 // Aisles as shoppers count them: the most gaps between stocked fixtures that a straight line across
 // the free-standing runs crosses.
-int shopping_aisles(const Scene& scene);
+int shopping_aisles(const scene::Scene& scene);
 
-}  // namespace marketgen
+}  // namespace marketgen::audit

@@ -11,7 +11,7 @@
 #include "layout/relations.h"
 #include "scene/assortment.h"
 
-namespace marketgen {
+namespace marketgen::audit {
 namespace {
 
 struct Verdict {
@@ -21,41 +21,41 @@ struct Verdict {
 
 // What every check may look at.
 struct Facts {
-  const Scene& scene;
-  const Catalog& catalog;
+  const scene::Scene& scene;
+  const catalog::Catalog& catalog;
   std::vector<std::uint64_t> items_on_fixture;
 };
 
-Facts facts_of(const Scene& scene, const Catalog& catalog) {
+Facts facts_of(const scene::Scene& scene, const catalog::Catalog& catalog) {
   Facts facts{scene, catalog, std::vector<std::uint64_t>(scene.fixtures.size(), 0)};
-  for (const Facing& f : scene.facings)
+  for (const scene::Facing& f : scene.facings)
     facts.items_on_fixture[scene.shelves[f.shelf].fixture] += f.product_count;
   return facts;
 }
 
-bool compares(const Requirement& r, double measured, double tolerance = 1e-9) {
+bool compares(const plan::Requirement& r, double measured, double tolerance = 1e-9) {
   switch (r.comparison) {
-    case Comparison::at_least:
+    case plan::Comparison::at_least:
       return measured >= r.value - tolerance;
-    case Comparison::at_most:
+    case plan::Comparison::at_most:
       return measured <= r.value + tolerance;
     default:
       return std::abs(measured - r.value) <= tolerance;
   }
 }
 
-std::string_view sign(Comparison comparison) {
+std::string_view sign(plan::Comparison comparison) {
   switch (comparison) {
-    case Comparison::at_least:
+    case plan::Comparison::at_least:
       return "at least ";
-    case Comparison::at_most:
+    case plan::Comparison::at_most:
       return "at most ";
     default:
       return "";
   }
 }
 
-Verdict number_verdict(const Requirement& r,
+Verdict number_verdict(const plan::Requirement& r,
                        double measured,
                        std::string_view what,
                        std::string_view unit,
@@ -70,38 +70,39 @@ Verdict number_verdict(const Requirement& r,
                       unit)};
 }
 
-bool is_of(const LayoutZone& zone, const std::string& name) {
+bool is_of(const layout::LayoutZone& zone, const std::string& name) {
   return zone.type == name || zone.id == name;
 }
 
-std::vector<const LayoutZone*> zones_of(const Facts& facts, const std::string& name) {
-  std::vector<const LayoutZone*> zones;
-  for (const LayoutZone& zone : facts.scene.layout.zones) {
+std::vector<const layout::LayoutZone*> zones_of(const Facts& facts, const std::string& name) {
+  std::vector<const layout::LayoutZone*> zones;
+  for (const layout::LayoutZone& zone : facts.scene.layout.zones) {
     if (is_of(zone, name)) zones.push_back(&zone);
   }
   return zones;
 }
 
-bool in_zone(const Facts& facts, const Fixture& fixture, const std::string& name) {
+bool in_zone(const Facts& facts, const layout::Fixture& fixture, const std::string& name) {
   if (name.empty()) return true;
-  const LayoutZone* zone = find_zone(facts.scene.layout, fixture.zone);
+  const layout::LayoutZone* zone = layout::find_zone(facts.scene.layout, fixture.zone);
   return zone != nullptr && is_of(*zone, name);
 }
 
 // A zone is there when it covers floor and what its type needs stands in it: shelving with goods on
 // it, or tills and equipment. What stands at the entrance happens to lie in some zone.
-bool zone_is_there(const Facts& facts, const LayoutZone& zone) {
-  const ZoneTypeRow* type = facts.catalog.zone_type(zone.type);
+bool zone_is_there(const Facts& facts, const layout::LayoutZone& zone) {
+  const catalog::ZoneTypeRow* type = facts.catalog.zone_type(zone.type);
   if (type == nullptr || type->fixture.empty()) return zone.area_m2 > 0;
-  const FixtureKind* usual = facts.catalog.fixture_kind(type->fixture);
-  const FixtureRole role = usual != nullptr ? usual->role : FixtureRole::shelving;
+  const catalog::FixtureKind* usual = facts.catalog.fixture_kind(type->fixture);
+  const catalog::FixtureRole role = usual != nullptr ? usual->role : catalog::FixtureRole::shelving;
   const auto& fixtures = facts.scene.layout.fixtures;
   for (std::size_t i = 0; i < fixtures.size(); ++i) {
     const bool at_entrance = fixtures[i].run.find("/entrance/") != std::string::npos;
     if (fixtures[i].zone != zone.id || at_entrance) continue;
-    const FixtureKind* kind = facts.catalog.fixture_kind(fixtures[i].kind);
-    const bool of_use = role == FixtureRole::shelving ? facts.items_on_fixture[i] > 0
-                                                      : kind != nullptr && kind->role == role;
+    const catalog::FixtureKind* kind = facts.catalog.fixture_kind(fixtures[i].kind);
+    const bool of_use = role == catalog::FixtureRole::shelving
+                            ? facts.items_on_fixture[i] > 0
+                            : kind != nullptr && kind->role == role;
     if (of_use) return true;
   }
   return false;
@@ -111,7 +112,7 @@ bool zone_is_there(const Facts& facts, const LayoutZone& zone) {
 std::string missing_zone(const Facts& facts, std::initializer_list<std::string_view> names) {
   for (const std::string_view name : names) {
     if (facts.catalog.zone_type(name) == nullptr) continue;
-    const auto there = [&](const LayoutZone& zone) {
+    const auto there = [&](const layout::LayoutZone& zone) {
       const bool till = name == "checkout" && zone.type == "self_checkout";
       return (is_of(zone, std::string(name)) || till) && zone_is_there(facts, zone);
     };
@@ -123,8 +124,8 @@ std::string missing_zone(const Facts& facts, std::initializer_list<std::string_v
 
 // ---- One function per kind of requirement. ----
 
-Verdict check_size(const Facts& facts, const Requirement& r) {
-  const Shell& shell = facts.scene.layout.shell;
+Verdict check_size(const Facts& facts, const plan::Requirement& r) {
+  const plan::Shell& shell = facts.scene.layout.shell;
   const auto as_asked = [](double said, int built) {  // 0: that side was not said
     constexpr double tolerance_mm = 10;
     return said == 0 || std::abs(built - said) <= tolerance_mm;
@@ -134,12 +135,15 @@ Verdict check_size(const Facts& facts, const Requirement& r) {
           fmt::format("the room is {:g} x {:g} m", shell.width_mm * 1e-3, shell.depth_mm * 1e-3)};
 }
 
-Verdict check_area(const Facts& facts, const Requirement& r) {
+Verdict check_area(const Facts& facts, const plan::Requirement& r) {
   if (r.subject.empty())
-    return number_verdict(
-        r, area_m2(floor_of(facts.scene.layout.shell)), "the room has", " m2", 0.05 * r.value);
+    return number_verdict(r,
+                          area_m2(plan::floor_of(facts.scene.layout.shell)),
+                          "the room has",
+                          " m2",
+                          0.05 * r.value);
   double area = 0;
-  for (const LayoutZone* zone : zones_of(facts, r.subject))
+  for (const layout::LayoutZone* zone : zones_of(facts, r.subject))
     area += zone_is_there(facts, *zone) ? zone->area_m2 : 0;
   constexpr double share = 0.15;  // zones snap to whole modules and aisles
   return number_verdict(r, std::round(area * 10) / 10, r.subject + " has", " m2", share * r.value);
@@ -147,62 +151,64 @@ Verdict check_area(const Facts& facts, const Requirement& r) {
 
 std::size_t zones_there(const Facts& facts, const std::string& name) {
   const auto zones = zones_of(facts, name);
-  return static_cast<std::size_t>(std::count_if(
-      zones.begin(), zones.end(), [&](const LayoutZone* z) { return zone_is_there(facts, *z); }));
+  return static_cast<std::size_t>(
+      std::count_if(zones.begin(), zones.end(), [&](const layout::LayoutZone* z) {
+        return zone_is_there(facts, *z);
+      }));
 }
 
-Verdict check_zone_present(const Facts& facts, const Requirement& r) {
+Verdict check_zone_present(const Facts& facts, const plan::Requirement& r) {
   const std::size_t number = zones_there(facts, r.subject);
   return {number > 0,
           fmt::format(
               "{} {} zone{} with goods or equipment", number, r.subject, number == 1 ? "" : "s")};
 }
 
-Verdict check_zone_absent(const Facts& facts, const Requirement& r) {
+Verdict check_zone_absent(const Facts& facts, const plan::Requirement& r) {
   const std::size_t number = zones_of(facts, r.subject).size();
   return {number == 0, fmt::format("{} {} zones", number, r.subject)};
 }
 
-Verdict check_fixture_count(const Facts& facts, const Requirement& r) {
+Verdict check_fixture_count(const Facts& facts, const plan::Requirement& r) {
   const std::string kind = r.subject == "checkout" ? "checkout_lane" : r.subject;
   std::set<std::string> runs;
   int modules = 0;
-  const FixtureKind* row = facts.catalog.fixture_kind(kind);
-  for (const Fixture& f : facts.scene.layout.fixtures) {
+  const catalog::FixtureKind* row = facts.catalog.fixture_kind(kind);
+  for (const layout::Fixture& f : facts.scene.layout.fixtures) {
     const bool counter = kind == "checkout_lane" && f.kind == "till-counter";  // of a small shop
     if (f.kind != kind && !counter) continue;
     runs.insert(f.run);
     ++modules;
   }
-  const bool by_module = row == nullptr || row->role != FixtureRole::shelving || kind == "pallet" ||
-                         kind == "bin" || kind == "produce_table";
+  const bool by_module = row == nullptr || row->role != catalog::FixtureRole::shelving ||
+                         kind == "pallet" || kind == "bin" || kind == "produce_table";
   const double measured = by_module ? modules : static_cast<double>(runs.size());
   return number_verdict(r, measured, fmt::format("{} {}:", kind, by_module ? "units" : "runs"), "");
 }
 
-Verdict check_aisle_count(const Facts& facts, const Requirement& r) {
+Verdict check_aisle_count(const Facts& facts, const plan::Requirement& r) {
   return number_verdict(r, shopping_aisles(facts.scene), "aisles between shelves:", "");
 }
 
 // Ambient shelving with several levels: what people mean by "shelves".
-bool is_shelving(const Facts& facts, const Fixture& fixture) {
-  const FixtureKind* kind = facts.catalog.fixture_kind(fixture.kind);
+bool is_shelving(const Facts& facts, const layout::Fixture& fixture) {
+  const catalog::FixtureKind* kind = facts.catalog.fixture_kind(fixture.kind);
   constexpr int several = 4;
-  return kind != nullptr && kind->role == FixtureRole::shelving &&
-         kind->temperature == Storage::ambient && kind->level_range[1] >= several;
+  return kind != nullptr && kind->role == catalog::FixtureRole::shelving &&
+         kind->temperature == catalog::Storage::ambient && kind->level_range[1] >= several;
 }
 
-Verdict check_levels(const Facts& facts, const Requirement& r) {
+Verdict check_levels(const Facts& facts, const plan::Requirement& r) {
   std::set<int> seen;
   for (std::size_t i = 0; i < facts.scene.fixtures.size(); ++i) {
-    const Fixture& fixture = facts.scene.layout.fixtures[i];
+    const layout::Fixture& fixture = facts.scene.layout.fixtures[i];
     const bool counted =
         r.subject.empty()
             ? is_shelving(facts, fixture) && fixture.endcap_of.empty() && fixture.kind == "gondola"
             : in_zone(facts, fixture, r.subject) && facts.scene.fixtures[i].shelf_count > 0 &&
                   fixture.endcap_of.empty();
     if (!counted) continue;
-    const SceneFixture& row = facts.scene.fixtures[i];
+    const scene::SceneFixture& row = facts.scene.fixtures[i];
     int levels = 0;
     for (std::uint32_t s = row.first_shelf; s < row.first_shelf + row.shelf_count; ++s)
       levels += facts.scene.shelves[s].side == 0 ? 1 : 0;
@@ -217,21 +223,21 @@ Verdict check_levels(const Facts& facts, const Requirement& r) {
                       r.value)};
 }
 
-Verdict check_relation_holds(const Facts& facts, const Requirement& r) {
-  const bool apart = r.relation == RelationKind::far ||
-                     r.relation == RelationKind::not_adjacent;  // of what is there
+Verdict check_relation_holds(const Facts& facts, const plan::Requirement& r) {
+  const bool apart = r.relation == plan::RelationKind::far ||
+                     r.relation == plan::RelationKind::not_adjacent;  // of what is there
   const std::string missing = missing_zone(facts, {r.subject, r.object, r.second_object});
   if (!apart && !missing.empty())
     return {false, "there is no " + missing + " zone with goods or equipment"};
-  const NamedFloor floor = named_floor(facts.scene.layout);
-  const RelationTerms terms = terms_of(r);
-  const auto measure = measure_relation(floor, terms);
-  return {measure && measure->holds(), words_of(floor, terms, measure)};
+  const plan::NamedFloor floor = layout::named_floor(facts.scene.layout);
+  const plan::RelationTerms terms = plan::terms_of(r);
+  const auto measure = plan::measure_relation(floor, terms);
+  return {measure && measure->holds(), plan::words_of(floor, terms, measure)};
 }
 
-Verdict check_style(const Facts& facts, const Requirement& r) {
-  const StyleRow* style = facts.catalog.style(r.object);
-  const Look& look = facts.scene.layout.look;
+Verdict check_style(const Facts& facts, const plan::Requirement& r) {
+  const catalog::StyleRow* style = facts.catalog.style(r.object);
+  const plan::Look& look = facts.scene.layout.look;
   if (style == nullptr) return {false, "there is no such style"};
   const int same = (look.floor == style->floor) + (look.wall == style->wall) +
                    (look.ceiling == style->ceiling) + (look.fixture == style->fixture) +
@@ -240,11 +246,11 @@ Verdict check_style(const Facts& facts, const Requirement& r) {
   return {same >= enough, fmt::format("{} of 5 parts of the look are those of {}", same, r.object)};
 }
 
-Verdict check_profile(const Facts& facts, const Requirement& r) {
+Verdict check_profile(const Facts& facts, const plan::Requirement& r) {
   return {facts.scene.layout.profile == r.object, "the profile is " + facts.scene.layout.profile};
 }
 
-std::string look_part(const Look& look, const std::string& part) {
+std::string look_part(const plan::Look& look, const std::string& part) {
   if (part == "floor") return look.floor;
   if (part == "wall") return look.wall;
   if (part == "ceiling") return look.ceiling;
@@ -252,15 +258,15 @@ std::string look_part(const Look& look, const std::string& part) {
   return look.fixture;
 }
 
-Verdict check_material(const Facts& facts, const Requirement& r) {
+Verdict check_material(const Facts& facts, const plan::Requirement& r) {
   const std::string found = look_part(facts.scene.layout.look, r.subject);
   return {found == r.object, fmt::format("{} is {}", r.subject, found)};
 }
 
-Verdict check_color(const Facts& facts, const Requirement& r) {
+Verdict check_color(const Facts& facts, const plan::Requirement& r) {
   if (r.subject == "accent") return check_material(facts, r);
   int with = 0, all = 0;
-  for (const Fixture& f : facts.scene.layout.fixtures) {
+  for (const layout::Fixture& f : facts.scene.layout.fixtures) {
     if (!is_shelving(facts, f)) continue;
     ++all;
     with += f.color == r.object ? 1 : 0;
@@ -269,15 +275,15 @@ Verdict check_color(const Facts& facts, const Requirement& r) {
 }
 
 // Wanted products stand on a shelf; those that are not wanted are not even on offer.
-Verdict check_product(const Facts& facts, const Requirement& r, bool wanted) {
+Verdict check_product(const Facts& facts, const plan::Requirement& r, bool wanted) {
   const auto& rows = facts.scene.catalog;
   std::vector<bool> named(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i)
-    named[i] = named_by(rows[i], {r.subject});
+    named[i] = scene::named_by(rows[i], {r.subject});
   const auto offered = std::count(named.begin(), named.end(), true);
   const auto standing = std::count_if(facts.scene.products.begin(),
                                       facts.scene.products.end(),
-                                      [&](const SceneProduct& p) { return named[p.sku]; });
+                                      [&](const scene::SceneProduct& p) { return named[p.sku]; });
   const std::string why = fmt::format(
       "{} products on offer are named \"{}\", {} items of them", offered, r.subject, standing);
   return {wanted ? standing > 0 : offered == 0 && standing == 0, why};
@@ -285,8 +291,9 @@ Verdict check_product(const Facts& facts, const Requirement& r, bool wanted) {
 
 // In the wall that was named, and on the side of it: the west or south half, the other, or the
 // middle.
-bool is_in_place(const Opening& opening, const Requirement& r) {
-  if (const auto wall = value_named<Wall>(r.object); wall && opening.wall != *wall) return false;
+bool is_in_place(const plan::Opening& opening, const plan::Requirement& r) {
+  if (const auto wall = value_named<plan::Wall>(r.object); wall && opening.wall != *wall)
+    return false;
   constexpr double middle = 0.5, max_off_middle = 0.2;
   const std::string& end = r.second_object;
   if (end == "center") return std::abs(opening.center - middle) <= max_off_middle;
@@ -295,32 +302,33 @@ bool is_in_place(const Opening& opening, const Requirement& r) {
   return true;
 }
 
-Verdict check_opening(const Facts& facts, const Requirement& r) {
+Verdict check_opening(const Facts& facts, const plan::Requirement& r) {
   const auto& openings = facts.scene.layout.shell.openings;
-  const auto number = std::count_if(openings.begin(), openings.end(), [&](const Opening& o) {
+  const auto number = std::count_if(openings.begin(), openings.end(), [&](const plan::Opening& o) {
     return name_of(o.kind) == r.subject && is_in_place(o, r);
   });
   const std::string what =
       r.subject + (r.object.empty() && r.second_object.empty() ? ":" : " openings there:");
-  if (r.value > 0 || r.comparison == Comparison::at_most)
+  if (r.value > 0 || r.comparison == plan::Comparison::at_most)
     return number_verdict(r, static_cast<double>(number), what, "");
   return {number > 0, fmt::format("{} {}", what, number)};
 }
 
-Verdict check_endcaps(const Facts& facts, const Requirement& r) {
+Verdict check_endcaps(const Facts& facts, const plan::Requirement& r) {
   const auto& fixtures = facts.scene.layout.fixtures;
-  const auto number = std::count_if(fixtures.begin(), fixtures.end(), [&](const Fixture& f) {
-    return !f.endcap_of.empty() && in_zone(facts, f, r.subject);
-  });
-  const bool unwanted = r.comparison == Comparison::at_most && r.value == 0;
+  const auto number =
+      std::count_if(fixtures.begin(), fixtures.end(), [&](const layout::Fixture& f) {
+        return !f.endcap_of.empty() && in_zone(facts, f, r.subject);
+      });
+  const bool unwanted = r.comparison == plan::Comparison::at_most && r.value == 0;
   return {unwanted ? number == 0 : number > 0, fmt::format("{} endcaps", number)};
 }
 
-Verdict check_height(const Facts& facts, const Requirement& r) {
+Verdict check_height(const Facts& facts, const plan::Requirement& r) {
   if (r.subject == "ceiling")
     return number_verdict(r, facts.scene.layout.shell.ceiling_mm, "the ceiling is at", " mm", 10);
   double lowest = 0, highest = 0;
-  for (const Fixture& f : facts.scene.layout.fixtures) {
+  for (const layout::Fixture& f : facts.scene.layout.fixtures) {
     const bool counted = r.subject.empty() || r.subject == "shelf" ||
                                  facts.catalog.fixture_kind(r.subject) == nullptr
                              ? f.kind == "gondola"
@@ -331,21 +339,21 @@ Verdict check_height(const Facts& facts, const Requirement& r) {
   }
   if (highest == 0) return {false, "there are no such fixtures"};
   const bool low_is_worse =
-      r.comparison == Comparison::at_least ||
-      (r.comparison == Comparison::equal && r.value - lowest > highest - r.value);
+      r.comparison == plan::Comparison::at_least ||
+      (r.comparison == plan::Comparison::equal && r.value - lowest > highest - r.value);
   return number_verdict(r, low_is_worse ? lowest : highest, "shelves are high", " mm", 10);
 }
 
-Verdict check_aisle_width(const Facts& facts, const Requirement& r) {
+Verdict check_aisle_width(const Facts& facts, const plan::Requirement& r) {
   int narrowest = 0;
-  for (const Aisle& aisle : facts.scene.layout.aisles) {
-    if (aisle.kind != AisleKind::secondary) continue;
+  for (const layout::Aisle& aisle : facts.scene.layout.aisles) {
+    if (aisle.kind != layout::AisleKind::secondary) continue;
     if (narrowest == 0 || aisle.width_mm < narrowest) narrowest = aisle.width_mm;
   }
-  Requirement at_least = r;
-  if (r.comparison == Comparison::equal) at_least.comparison = Comparison::at_least;
+  plan::Requirement at_least = r;
+  if (r.comparison == plan::Comparison::equal) at_least.comparison = plan::Comparison::at_least;
   constexpr double too_wide = 1.5;  // of what was asked for: another kind of aisle
-  if (r.comparison == Comparison::equal && narrowest > too_wide * r.value)
+  if (r.comparison == plan::Comparison::equal && narrowest > too_wide * r.value)
     return {false,
             fmt::format(
                 "narrowest aisle between shelves {} mm; asked for {:g} mm", narrowest, r.value)};
@@ -354,22 +362,23 @@ Verdict check_aisle_width(const Facts& facts, const Requirement& r) {
 
 // Disorder shows as items in the wrong place: some when it was asked for, no more than the share
 // that was allowed.
-Verdict check_order(const Facts& facts, const Requirement& r) {
+Verdict check_order(const Facts& facts, const plan::Requirement& r) {
   const auto& products = facts.scene.products;
-  const auto wrong = std::count_if(products.begin(), products.end(), [](const SceneProduct& p) {
-    return (p.flags & product_misplaced) != 0;
-  });
-  const bool wanted =
-      r.comparison == Comparison::at_least || (r.comparison == Comparison::equal && r.value > 0);
+  const auto wrong =
+      std::count_if(products.begin(), products.end(), [](const scene::SceneProduct& p) {
+        return (p.flags & scene::product_misplaced) != 0;
+      });
+  const bool wanted = r.comparison == plan::Comparison::at_least ||
+                      (r.comparison == plan::Comparison::equal && r.value > 0);
   const double most = r.value * static_cast<double>(products.size());
   return {wanted ? wrong > 0 : static_cast<double>(wrong) <= most,
           fmt::format("{} items stand in the wrong place", wrong)};
 }
 
-Verdict check_gaps(const Facts& facts, const Requirement& r) {
+Verdict check_gaps(const Facts& facts, const plan::Requirement& r) {
   const auto& facings = facts.scene.facings;
   const auto empty = std::count_if(
-      facings.begin(), facings.end(), [](const Facing& f) { return f.product_count == 0; });
+      facings.begin(), facings.end(), [](const scene::Facing& f) { return f.product_count == 0; });
   const double share =
       facings.empty() ? 0 : static_cast<double>(empty) / static_cast<double>(facings.size());
   const double tolerance = 0.01 + r.value / 4;  // which blocks are sold out is drawn by chance
@@ -377,7 +386,7 @@ Verdict check_gaps(const Facts& facts, const Requirement& r) {
           fmt::format("{:.0f} % of the facing blocks are sold out", 100 * share)};
 }
 
-Verdict check_stock(const Facts& facts, const Requirement& r) {
+Verdict check_stock(const Facts& facts, const plan::Requirement& r) {
   if (r.subject == "misplaced" || r.subject == "jitter") return check_order(facts, r);
   if (r.subject == "out_of_stock") return check_gaps(facts, r);
   const double fill = shelf_fill(facts.scene);
@@ -386,58 +395,58 @@ Verdict check_stock(const Facts& facts, const Requirement& r) {
           fmt::format("{:.0f} % of the shelf front is stocked", 100 * fill)};
 }
 
-Verdict check_light(const Facts& facts, const Requirement& r) {
-  const Look& look = facts.scene.layout.look;
+Verdict check_light(const Facts& facts, const plan::Requirement& r) {
+  const plan::Look& look = facts.scene.layout.look;
   const double measured =
       r.subject == "lux" || r.subject == "light_lux" ? look.light_lux : look.light_kelvin;
   return {std::abs(measured - r.value) <= 0.15 * r.value,
           fmt::format("light: {} K, {} lx", look.light_kelvin, look.light_lux)};
 }
 
-Verdict verdict_of(const Facts& facts, const Requirement& r) {
+Verdict verdict_of(const Facts& facts, const plan::Requirement& r) {
   switch (r.kind) {
-    case RequirementKind::size:
+    case plan::RequirementKind::size:
       return check_size(facts, r);
-    case RequirementKind::area:
+    case plan::RequirementKind::area:
       return check_area(facts, r);
-    case RequirementKind::zone_present:
+    case plan::RequirementKind::zone_present:
       return check_zone_present(facts, r);
-    case RequirementKind::zone_absent:
+    case plan::RequirementKind::zone_absent:
       return check_zone_absent(facts, r);
-    case RequirementKind::zone_count:
+    case plan::RequirementKind::zone_count:
       return number_verdict(
           r, static_cast<double>(zones_there(facts, r.subject)), r.subject + " zones:", "");
-    case RequirementKind::fixture_count:
+    case plan::RequirementKind::fixture_count:
       return check_fixture_count(facts, r);
-    case RequirementKind::aisle_count:
+    case plan::RequirementKind::aisle_count:
       return check_aisle_count(facts, r);
-    case RequirementKind::levels:
+    case plan::RequirementKind::levels:
       return check_levels(facts, r);
-    case RequirementKind::relation:
+    case plan::RequirementKind::relation:
       return check_relation_holds(facts, r);
-    case RequirementKind::style:
+    case plan::RequirementKind::style:
       return check_style(facts, r);
-    case RequirementKind::profile:
+    case plan::RequirementKind::profile:
       return check_profile(facts, r);
-    case RequirementKind::material:
+    case plan::RequirementKind::material:
       return check_material(facts, r);
-    case RequirementKind::color:
+    case plan::RequirementKind::color:
       return check_color(facts, r);
-    case RequirementKind::product_present:
+    case plan::RequirementKind::product_present:
       return check_product(facts, r, true);
-    case RequirementKind::product_absent:
+    case plan::RequirementKind::product_absent:
       return check_product(facts, r, false);
-    case RequirementKind::opening:
+    case plan::RequirementKind::opening:
       return check_opening(facts, r);
-    case RequirementKind::endcaps:
+    case plan::RequirementKind::endcaps:
       return check_endcaps(facts, r);
-    case RequirementKind::height:
+    case plan::RequirementKind::height:
       return check_height(facts, r);
-    case RequirementKind::aisle_width:
+    case plan::RequirementKind::aisle_width:
       return check_aisle_width(facts, r);
-    case RequirementKind::stock:
+    case plan::RequirementKind::stock:
       return check_stock(facts, r);
-    case RequirementKind::light:
+    case plan::RequirementKind::light:
       return check_light(facts, r);
   }
   return {false, "unknown kind of requirement"};
@@ -445,16 +454,17 @@ Verdict verdict_of(const Facts& facts, const Requirement& r) {
 
 }  // namespace
 
-std::vector<RequirementResult> check_requirements(const Scene& scene,
-                                                  const Catalog& catalog,
-                                                  const std::vector<Requirement>& requirements) {
+std::vector<RequirementResult> check_requirements(
+    const scene::Scene& scene,
+    const catalog::Catalog& catalog,
+    const std::vector<plan::Requirement>& requirements) {
   const Facts facts = facts_of(scene, catalog);
   std::vector<RequirementResult> results;
-  for (const Requirement& r : requirements) {
+  for (const plan::Requirement& r : requirements) {
     Verdict verdict = verdict_of(facts, r);
     results.push_back({r.text, r.span, verdict.met, std::move(verdict.why)});
   }
   return results;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::audit

@@ -8,11 +8,12 @@
 #include "plan/requirement.h"
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::audit {
 
 // One result per requirement, in order. `why` says what was measured.
-std::vector<RequirementResult> check_requirements(const Scene& scene,
-                                                  const Catalog& catalog,
-                                                  const std::vector<Requirement>& requirements);
+std::vector<RequirementResult> check_requirements(
+    const scene::Scene& scene,
+    const catalog::Catalog& catalog,
+    const std::vector<plan::Requirement>& requirements);
 
-}  // namespace marketgen
+}  // namespace marketgen::audit

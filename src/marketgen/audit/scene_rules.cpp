@@ -7,10 +7,13 @@
 #include "base/text.h"
 #include "scene/planogram.h"
 
-namespace marketgen {
+namespace marketgen::audit {
 namespace {
 
-Violation violation(const SceneRule& rule, std::string where, double value, std::string message) {
+layout::Violation violation(const SceneRule& rule,
+                            std::string where,
+                            double value,
+                            std::string message) {
   return {std::string(rule.code),
           rule.severity,
           std::move(where),
@@ -20,33 +23,35 @@ Violation violation(const SceneRule& rule, std::string where, double value, std:
           std::nullopt};
 }
 
-std::vector<Violation> check_ITEM_COLLISION(const SceneFacts& facts, const SceneRule& rule) {
+std::vector<layout::Violation> check_ITEM_COLLISION(const SceneFacts& facts,
+                                                    const SceneRule& rule) {
   const CollisionCount& found = facts.collisions;
   if (!found.deepest) return {};
   const auto [first, second] = found.deepest->items;
   return {violation(rule,
-                    product_id(facts.scene, first),
+                    scene::product_id(facts.scene, first),
                     static_cast<double>(found.colliding_pairs),
                     fmt::format("{} pairs of items are more than 1 mm inside one another; the "
                                 "deepest is it and {}, by {:.2f} mm",
                                 found.colliding_pairs,
-                                product_id(facts.scene, second),
+                                scene::product_id(facts.scene, second),
                                 1000 * found.deepest->depth_m))};
 }
 
-std::vector<Violation> check_ITEM_OUTSIDE_SHELF(const SceneFacts& facts, const SceneRule& rule) {
+std::vector<layout::Violation> check_ITEM_OUTSIDE_SHELF(const SceneFacts& facts,
+                                                        const SceneRule& rule) {
   if (facts.out_of_place.empty()) return {};
   return {violation(
       rule,
-      product_id(facts.scene, facts.out_of_place.front()),
+      scene::product_id(facts.scene, facts.out_of_place.front()),
       static_cast<double>(facts.out_of_place.size()),
       fmt::format("{} items reach out of their shelf or the room", facts.out_of_place.size()))};
 }
 
-std::vector<Violation> check_SHELF_EMPTY(const SceneFacts& facts, const SceneRule& rule) {
+std::vector<layout::Violation> check_SHELF_EMPTY(const SceneFacts& facts, const SceneRule& rule) {
   if (facts.scene.shelves.empty()) return {};
   std::vector<std::uint8_t> stocked(facts.scene.shelves.size(), 0);
-  for (const Facing& f : facts.scene.facings)
+  for (const scene::Facing& f : facts.scene.facings)
     stocked[f.shelf] = 1;
   const auto empty = std::count(stocked.begin(), stocked.end(), 0);
   const double share = static_cast<double>(empty) / static_cast<double>(stocked.size());
@@ -60,16 +65,17 @@ std::vector<Violation> check_SHELF_EMPTY(const SceneFacts& facts, const SceneRul
       fmt::format("{} of {} shelves hold nothing that the zone sells", empty, stocked.size()))};
 }
 
-std::vector<Violation> check_LOAD_HEAVY_HIGH(const SceneFacts& facts, const SceneRule& rule) {
+std::vector<layout::Violation> check_LOAD_HEAVY_HIGH(const SceneFacts& facts,
+                                                     const SceneRule& rule) {
   constexpr double heavy_kg = 2.0;
   std::uint64_t number = 0;
   std::string where;
   for (std::uint32_t i = 0; i < facts.scene.products.size(); ++i) {
-    const SceneProduct& item = facts.scene.products[i];
+    const scene::SceneProduct& item = facts.scene.products[i];
     const double mass_kg = facts.scene.catalog[item.sku].mass_kg;
-    const double limit = mass_kg > heavy_lift_kg ? heavy_board_m : rule.limit;
+    const double limit = mass_kg > scene::heavy_lift_kg ? scene::heavy_board_m : rule.limit;
     if (item.position_m[2] < limit || mass_kg < heavy_kg) continue;
-    if (number++ == 0) where = product_id(facts.scene, i);
+    if (number++ == 0) where = scene::product_id(facts.scene, i);
   }
   if (number == 0) return {};
   return {violation(
@@ -80,11 +86,11 @@ std::vector<Violation> check_LOAD_HEAVY_HIGH(const SceneFacts& facts, const Scen
                   number,
                   heavy_kg,
                   rule.limit,
-                  heavy_lift_kg,
-                  heavy_board_m))};
+                  scene::heavy_lift_kg,
+                  scene::heavy_board_m))};
 }
 
-std::vector<Violation> check_DENSITY_LOW(const SceneFacts& facts, const SceneRule& rule) {
+std::vector<layout::Violation> check_DENSITY_LOW(const SceneFacts& facts, const SceneRule& rule) {
   if (facts.metrics.DENS >= rule.limit) return {};
   return {
       violation(rule,
@@ -95,9 +101,10 @@ std::vector<Violation> check_DENSITY_LOW(const SceneFacts& facts, const SceneRul
                             rule.limit))};
 }
 
-std::vector<Violation> check_SHELF_UNREACHABLE(const SceneFacts& facts, const SceneRule& rule) {
+std::vector<layout::Violation> check_SHELF_UNREACHABLE(const SceneFacts& facts,
+                                                       const SceneRule& rule) {
   if (facts.traffic.unreachable.empty()) return {};
-  const SceneShelf& shelf = facts.scene.shelves[facts.traffic.unreachable.front()];
+  const scene::SceneShelf& shelf = facts.scene.shelves[facts.traffic.unreachable.front()];
   return {violation(rule,
                     facts.scene.layout.fixtures[shelf.fixture].id,
                     static_cast<double>(facts.traffic.unreachable.size()),
@@ -110,20 +117,20 @@ std::vector<Violation> check_SHELF_UNREACHABLE(const SceneFacts& facts, const Sc
 const std::vector<SceneRule>& scene_rules() {
   static const std::vector<SceneRule> rules = {
 #define SCENE_RULE(code, severity, limit, source) \
-  {#code, Severity::severity, limit, source, check_##code},
+  {#code, layout::Severity::severity, limit, source, check_##code},
 #include "audit/scene_rules.inc"
 #undef SCENE_RULE
   };
   return rules;
 }
 
-std::vector<Violation> check_scene(const SceneFacts& facts) {
-  std::vector<Violation> found;
+std::vector<layout::Violation> check_scene(const SceneFacts& facts) {
+  std::vector<layout::Violation> found;
   for (const SceneRule& rule : scene_rules()) {
-    for (Violation& v : rule.check(facts, rule))
+    for (layout::Violation& v : rule.check(facts, rule))
       found.push_back(std::move(v));
   }
   return found;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::audit

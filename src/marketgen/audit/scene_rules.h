@@ -10,11 +10,11 @@
 #include "layout/layout.h"
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::audit {
 
 // What the rules look at; measured once.
 struct SceneFacts {
-  const Scene& scene;
+  const scene::Scene& scene;
   const Metrics& metrics;
   const CollisionCount& collisions;
   const Traffic& traffic;
@@ -23,13 +23,13 @@ struct SceneFacts {
 
 struct SceneRule {
   std::string_view code;
-  Severity severity;
+  layout::Severity severity;
   double limit;
   std::string_view source;
-  std::vector<Violation> (*check)(const SceneFacts& facts, const SceneRule& rule);
+  std::vector<layout::Violation> (*check)(const SceneFacts& facts, const SceneRule& rule);
 };
 const std::vector<SceneRule>& scene_rules();
 
-std::vector<Violation> check_scene(const SceneFacts& facts);
+std::vector<layout::Violation> check_scene(const SceneFacts& facts);
 
-}  // namespace marketgen
+}  // namespace marketgen::audit

@@ -6,45 +6,46 @@
 #include "plan/bsp.h"
 #include "plan/floor_places.h"
 
-namespace marketgen {
+namespace marketgen::audit {
 namespace {
 
-std::vector<RectMm> obstacles_of(const Layout& layout) {
+std::vector<RectMm> obstacles_of(const layout::Layout& layout) {
   std::vector<RectMm> obstacles;
-  for (const Fixture& fixture : layout.fixtures)
-    obstacles.push_back(footprint_of(fixture));
-  for (const Column& column : layout.shell.columns)
-    obstacles.push_back(footprint_of(column));
+  for (const layout::Fixture& fixture : layout.fixtures)
+    obstacles.push_back(layout::footprint_of(fixture));
+  for (const plan::Column& column : layout.shell.columns)
+    obstacles.push_back(plan::footprint_of(column));
   return obstacles;
 }
 
 // Component that people enter: that of the first entrance, or the largest.
-int entrance_component(const Layout& layout,
-                       const OccupancyGrid& grid,
-                       const Components& components) {
+int entrance_component(const layout::Layout& layout,
+                       const navigation::OccupancyGrid& grid,
+                       const navigation::Components& components) {
   constexpr int search_mm = 1500;
-  for (const Opening& opening : layout.shell.openings) {
-    if (opening.kind != OpeningKind::entrance) continue;
-    const PointMm inside = point_inside(shell_rect(layout.shell), opening, robot_radius_mm + 100);
-    const auto cell = nearest_free(grid, inside, search_mm);
+  for (const plan::Opening& opening : layout.shell.openings) {
+    if (opening.kind != plan::OpeningKind::entrance) continue;
+    const PointMm inside =
+        plan::point_inside(plan::shell_rect(layout.shell), opening, robot_radius_mm + 100);
+    const auto cell = navigation::nearest_free(grid, inside, search_mm);
     if (cell) return components.label[*cell];
   }
   return components.largest();
 }
 
 // Where a robot's base would stand for this shelf.
-PointMm standing_point(const Scene& scene, std::uint32_t shelf) {
-  const Vec3 at = world_from_shelf(scene, shelf) * Vec3{0, -standing_mm * 1e-3, 0};
+PointMm standing_point(const scene::Scene& scene, std::uint32_t shelf) {
+  const Vec3 at = scene::world_from_shelf(scene, shelf) * Vec3{0, -standing_mm * 1e-3, 0};
   return {static_cast<int>(std::lround(at.x * 1000)), static_cast<int>(std::lround(at.y * 1000))};
 }
 
 }  // namespace
 
-Traffic measure_traffic(const Scene& scene) {
+Traffic measure_traffic(const scene::Scene& scene) {
   Traffic traffic;
-  const OccupancyGrid grid =
-      make_occupancy(floor_of(scene.layout.shell), obstacles_of(scene.layout), robot_radius_mm);
-  const Components components = find_components(grid);
+  const navigation::OccupancyGrid grid = navigation::make_occupancy(
+      plan::floor_of(scene.layout.shell), obstacles_of(scene.layout), robot_radius_mm);
+  const navigation::Components components = navigation::find_components(grid);
   std::int64_t free_cells = 0;
   for (std::size_t c = 1; c < components.cells.size(); ++c)
     free_cells += components.cells[c];
@@ -58,7 +59,8 @@ Traffic measure_traffic(const Scene& scene) {
 
   const int entrance = entrance_component(scene.layout, grid, components);
   for (std::uint32_t shelf = 0; shelf < scene.shelves.size(); ++shelf) {
-    const auto cell = nearest_free(grid, standing_point(scene, shelf), standing_reach_mm);
+    const auto cell =
+        navigation::nearest_free(grid, standing_point(scene, shelf), standing_reach_mm);
     if (!cell || components.label[*cell] != entrance) traffic.unreachable.push_back(shelf);
   }
   if (!scene.shelves.empty()) {
@@ -68,4 +70,4 @@ Traffic measure_traffic(const Scene& scene) {
   return traffic;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::audit

@@ -3,7 +3,7 @@
 #pragma once
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::audit {
 
 constexpr int robot_radius_mm = 420;  // Realman dual-arm base with shoulders, turning in place
 constexpr int standing_mm = 700;  // base centre before the shelf's edge (arms reach 0.60-0.80 m)
@@ -15,6 +15,6 @@ struct Traffic {
       1;  // shelves with free floor before them that hangs together with the entrance
   std::vector<std::uint32_t> unreachable;  // rows of scene.shelves
 };
-Traffic measure_traffic(const Scene& scene);
+Traffic measure_traffic(const scene::Scene& scene);
 
-}  // namespace marketgen
+}  // namespace marketgen::audit

@@ -11,7 +11,7 @@
 #include "io/file.h"
 #include "io/json.h"
 
-namespace marketgen {
+namespace marketgen::catalog {
 namespace {
 
 // Goes up whenever the tables or what stands in them change.
@@ -59,7 +59,7 @@ std::vector<std::uint32_t> order_by(const std::vector<Row>& rows, std::string Ro
 // Fills the tables of one database.
 class Filler {
  public:
-  static Result<void> fill(SqlDatabase& sql, const Catalog& catalog) {
+  static Result<void> fill(io::SqlDatabase& sql, const Catalog& catalog) {
     MARKETGEN_CHECK(sql.run("BEGIN"));
     MARKETGEN_CHECK(sql.run(tables));
     Filler filler(catalog);
@@ -77,10 +77,10 @@ class Filler {
  private:
   explicit Filler(const Catalog& catalog) : catalog_(catalog) {}
 
-  Result<void> prepare(const SqlDatabase& sql) {
-    const auto make = [&](std::optional<SqlStatement>& statement,
+  Result<void> prepare(const io::SqlDatabase& sql) {
+    const auto make = [&](std::optional<io::SqlStatement>& statement,
                           const char* text) -> Result<void> {
-      MARKETGEN_TRY(SqlStatement made, sql.prepare(text));
+      MARKETGEN_TRY(io::SqlStatement made, sql.prepare(text));
       statement = std::move(made);
       return {};
     };
@@ -100,7 +100,7 @@ class Filler {
   }
 
   // The columns that every asset has; the others stay empty until they are bound.
-  SqlStatement& start_asset(AssetKind kind, std::uint32_t row, const std::string& id) {
+  io::SqlStatement& start_asset(AssetKind kind, std::uint32_t row, const std::string& id) {
     return asset_->start()
         .bind(1, ++id_)
         .bind(2, static_cast<std::int64_t>(kind))
@@ -241,7 +241,7 @@ class Filler {
 
   const Catalog& catalog_;
   std::int64_t id_ = 0;  // of the asset added last
-  std::optional<SqlStatement> asset_, words_, zone_, name_, saying_, style_of_material_,
+  std::optional<io::SqlStatement> asset_, words_, zone_, name_, saying_, style_of_material_,
       style_of_words_;
 };
 
@@ -251,16 +251,16 @@ std::filesystem::path cache_file(const Catalog& catalog) {
   Hasher hash;
   hash.add(assets_kind)
       .add(table_version)
-      .add(SqlDatabase::engine_version())
+      .add(io::SqlDatabase::engine_version())
       .add(catalog.content_hash);
-  hash.add(write_json_line(catalog.search_lexicon));
-  return cache_folder() / "assets" / (hash.hex() + ".sqlite");
+  hash.add(io::write_json_line(catalog.search_lexicon));
+  return io::cache_folder() / "assets" / (hash.hex() + ".sqlite");
 }
 
 }  // namespace
 
 Result<AssetDatabase> AssetDatabase::build(const Catalog& catalog) {
-  MARKETGEN_TRY(SqlDatabase sql, SqlDatabase::create());
+  MARKETGEN_TRY(io::SqlDatabase sql, io::SqlDatabase::create());
   MARKETGEN_CHECK(Filler::fill(sql, catalog));
   return AssetDatabase(std::move(sql), catalog.search_lexicon);
 }
@@ -268,16 +268,16 @@ Result<AssetDatabase> AssetDatabase::build(const Catalog& catalog) {
 Result<AssetDatabase> AssetDatabase::open(const Catalog& catalog) {
   if (catalog.content_hash.empty()) return build(catalog);
   const std::filesystem::path file = cache_file(catalog);
-  if (const std::optional<std::string> bytes = kept_entry(file, assets_kind)) {
-    if (Result<SqlDatabase> sql = SqlDatabase::open(*bytes); sql.ok())
+  if (const std::optional<std::string> bytes = io::kept_entry(file, assets_kind)) {
+    if (Result<io::SqlDatabase> sql = io::SqlDatabase::open(*bytes); sql.ok())
       return AssetDatabase(std::move(sql).value(), catalog.search_lexicon);
     else
-      drop_entry(file, sql.error().message);
+      io::drop_entry(file, sql.error().message);
   }
   MARKETGEN_TRY(AssetDatabase database, build(catalog));
   MARKETGEN_TRY(const std::string bytes, database.sql_.bytes());
-  (void)keep_entry(file, assets_kind, bytes).ok();
+  (void)io::keep_entry(file, assets_kind, bytes).ok();
   return database;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::catalog

@@ -31,7 +31,7 @@
 #include "catalog/catalog.h"
 #include "io/sqlite.h"
 
-namespace marketgen {
+namespace marketgen::catalog {
 
 enum class AssetKind { goods, facility, material };
 constexpr std::array<std::string_view, 3> names_of(AssetKind) {
@@ -73,14 +73,14 @@ class AssetDatabase {
   // category, style, storage), io.database.
   Result<std::vector<AssetHit>> find(const AssetQuery& query) const;
 
-  const SqlDatabase& sql() const { return sql_; }
+  const io::SqlDatabase& sql() const { return sql_; }
 
  private:
-  AssetDatabase(SqlDatabase sql, SearchLexicon lexicon)
+  AssetDatabase(io::SqlDatabase sql, SearchLexicon lexicon)
       : sql_(std::move(sql)), lexicon_(std::move(lexicon)) {}
 
-  SqlDatabase sql_;
+  io::SqlDatabase sql_;
   SearchLexicon lexicon_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::catalog

@@ -9,7 +9,7 @@
 #include "catalog/own_mesh.h"
 #include "catalog/product.h"
 
-namespace marketgen {
+namespace marketgen::catalog {
 
 // What the model was made from, and how sound it is.
 struct AssetSource {
@@ -113,4 +113,4 @@ struct AssetFile {
                  field("notes", &AssetFile::notes, "what a person should look at"));
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::catalog

@@ -8,7 +8,7 @@
 #include "catalog/search_words.h"
 
 // The question side of the asset database: filters in SQL, free text as asset_database.h says.
-namespace marketgen {
+namespace marketgen::catalog {
 namespace {
 
 // Weights of the contract in asset_database.h, in the order of the columns of `words`.
@@ -65,15 +65,16 @@ Question question_of(std::string_view text, const SearchLexicon& lexicon) {
 // Scores a question against one database.
 class Scorer {
  public:
-  static Result<Scorer> begin(const SqlDatabase& sql) {
-    MARKETGEN_TRY(SqlStatement score, sql.prepare(score_query));
+  static Result<Scorer> begin(const io::SqlDatabase& sql) {
+    MARKETGEN_TRY(io::SqlStatement score, sql.prepare(score_query));
     MARKETGEN_TRY(
-        SqlStatement saying,
+        io::SqlStatement saying,
         sql.prepare("SELECT means FROM sayings WHERE sayings MATCH ? AND tokens = ? ORDER BY "
                     "rowid"));
-    MARKETGEN_TRY(SqlStatement named,
+    MARKETGEN_TRY(io::SqlStatement named,
                   sql.prepare("SELECT rowid FROM words WHERE words MATCH 'name : (' || ? || ')'"));
-    MARKETGEN_TRY(SqlStatement length, sql.prepare("SELECT name_words FROM assets WHERE id = ?"));
+    MARKETGEN_TRY(io::SqlStatement length,
+                  sql.prepare("SELECT name_words FROM assets WHERE id = ?"));
     return Scorer(std::move(score), std::move(saying), std::move(named), std::move(length));
   }
 
@@ -92,7 +93,10 @@ class Scorer {
   }
 
  private:
-  Scorer(SqlStatement score, SqlStatement saying, SqlStatement named, SqlStatement length)
+  Scorer(io::SqlStatement score,
+         io::SqlStatement saying,
+         io::SqlStatement named,
+         io::SqlStatement length)
       : score_(std::move(score)),
         saying_(std::move(saying)),
         named_(std::move(named)),
@@ -228,7 +232,7 @@ class Scorer {
     return words >= static_cast<std::size_t>(length_.integer(0)) ? named_bonus : 1.0;
   }
 
-  SqlStatement score_, saying_, named_, length_;
+  io::SqlStatement score_, saying_, named_, length_;
   std::vector<Scores> groups_;
   // How many words of the question, or of one meaning of a saying, stand in an asset's name.
   std::map<std::int64_t, std::size_t> asked_in_name_, meant_in_name_;
@@ -237,9 +241,11 @@ class Scorer {
 
 // ---- Filters. ----
 
-Result<void> check_name(const SqlDatabase& sql, std::string_view list, const std::string& name) {
+Result<void> check_name(const io::SqlDatabase& sql,
+                        std::string_view list,
+                        const std::string& name) {
   if (name.empty()) return {};
-  MARKETGEN_TRY(SqlStatement names, sql.prepare("SELECT name FROM names WHERE list = ?"));
+  MARKETGEN_TRY(io::SqlStatement names, sql.prepare("SELECT name FROM names WHERE list = ?"));
   names.start().bind(1, list);
   std::vector<std::string> known;
   while (true) {
@@ -251,7 +257,7 @@ Result<void> check_name(const SqlDatabase& sql, std::string_view list, const std
   return unknown_name("catalog.unknown_kind", name, list, name, {known.begin(), known.end()});
 }
 
-Result<void> check_names(const SqlDatabase& sql, const AssetQuery& query) {
+Result<void> check_names(const io::SqlDatabase& sql, const AssetQuery& query) {
   MARKETGEN_CHECK(check_name(sql, "zone type", query.zone));
   MARKETGEN_CHECK(check_name(sql, "category", query.category));
   MARKETGEN_CHECK(check_name(sql, "style", query.style));
@@ -276,11 +282,11 @@ struct Candidate {
   AssetHit hit;
 };
 
-Result<std::vector<Candidate>> candidates_of(const SqlDatabase& sql, const AssetQuery& query) {
+Result<std::vector<Candidate>> candidates_of(const io::SqlDatabase& sql, const AssetQuery& query) {
   std::int64_t kinds = 0;  // bit k: kind k is wanted
   for (const AssetKind kind : query.kinds)
     kinds |= std::int64_t{1} << static_cast<int>(kind);
-  MARKETGEN_TRY(SqlStatement filter, sql.prepare(filter_query));
+  MARKETGEN_TRY(io::SqlStatement filter, sql.prepare(filter_query));
   filter.start()
       .bind(1, kinds)
       .bind(2, query.zone)
@@ -332,4 +338,4 @@ Result<std::vector<AssetHit>> AssetDatabase::find(const AssetQuery& query) const
   return hits;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::catalog

@@ -10,7 +10,7 @@
 #include "io/file.h"
 #include "io/json.h"
 
-namespace marketgen {
+namespace marketgen::catalog {
 namespace fs = std::filesystem;
 namespace {
 
@@ -18,8 +18,9 @@ constexpr std::uint64_t max_row_bytes = 64U << 20;
 
 template <class Row>
 Result<void> read_rows(const fs::path& file, std::vector<Row>& rows) {
-  MARKETGEN_TRY(const std::string text, read_file(file, max_row_bytes));
-  MARKETGEN_TRY(std::vector<Row> read, read_json<std::vector<Row>>(text, file.filename().string()));
+  MARKETGEN_TRY(const std::string text, io::read_file(file, max_row_bytes));
+  MARKETGEN_TRY(std::vector<Row> read,
+                io::read_json<std::vector<Row>>(text, file.filename().string()));
   std::move(read.begin(), read.end(), std::back_inserter(rows));
   return {};
 }
@@ -41,8 +42,8 @@ Result<void> read_products(const fs::path& folder, std::vector<Product>& rows) {
 }
 
 Result<void> read_lexicon(const fs::path& file, SearchLexicon& lexicon) {
-  MARKETGEN_TRY(const std::string text, read_file(file, max_row_bytes));
-  MARKETGEN_TRY(lexicon, read_json<SearchLexicon>(text, file.filename().string()));
+  MARKETGEN_TRY(const std::string text, io::read_file(file, max_row_bytes));
+  MARKETGEN_TRY(lexicon, io::read_json<SearchLexicon>(text, file.filename().string()));
   return {};
 }
 
@@ -64,7 +65,7 @@ template <class Row>
 void add_rows(Hasher& hash, const std::vector<Row>& rows) {
   hash.add(static_cast<std::int64_t>(rows.size()));
   for (const Row& row : rows)
-    hash.add(write_json_line(row));
+    hash.add(io::write_json_line(row));
 }
 
 std::string hash_of(const Catalog& c) {
@@ -177,4 +178,4 @@ Error unknown_name(std::string code,
   return {std::move(code), std::move(where), std::move(message)};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::catalog

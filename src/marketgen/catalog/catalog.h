@@ -16,7 +16,7 @@
 #include "catalog/rows.h"
 #include "catalog/search_lexicon.h"
 
-namespace marketgen {
+namespace marketgen::catalog {
 
 struct Catalog {
   std::vector<Product> products;           // sorted by sku
@@ -62,4 +62,4 @@ Error unknown_name(std::string code,
                    std::string_view name,
                    const std::vector<std::string_view>& known);
 
-}  // namespace marketgen
+}  // namespace marketgen::catalog

@@ -8,7 +8,7 @@
 #include "catalog/gtin.h"
 #include "catalog/product_check.h"
 
-namespace marketgen {
+namespace marketgen::catalog {
 namespace {
 
 bool is_color(std::string_view text) {
@@ -218,4 +218,4 @@ Result<void> check_catalog(const Catalog& c) {
   return {};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::catalog

@@ -8,7 +8,7 @@
 #include "base/fields.h"
 #include "catalog/product.h"
 
-namespace marketgen {
+namespace marketgen::catalog {
 
 // What a fixture is for in the layout.
 enum class FixtureRole { shelving, checkout, equipment };
@@ -119,4 +119,4 @@ struct FixtureKind {
       field("tags", &FixtureKind::tags, "more words that the asset search finds it by"));
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::catalog

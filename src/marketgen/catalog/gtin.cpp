@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace marketgen {
+namespace marketgen::catalog {
 
 bool is_ean13(std::string_view digits) {
   if (digits.size() != 13) return false;
@@ -20,4 +20,4 @@ bool is_restricted_circulation(std::string_view digits) {
   return prefix == "02" || prefix == "04" || digits[0] == '2';
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::catalog

@@ -2,7 +2,7 @@
 #pragma once
 #include <string_view>
 
-namespace marketgen {
+namespace marketgen::catalog {
 
 // True for 13 digits whose last is the check digit (GS1 General Specifications, 7.9).
 bool is_ean13(std::string_view digits);
@@ -10,4 +10,4 @@ bool is_ean13(std::string_view digits);
 // nobody's.
 bool is_restricted_circulation(std::string_view digits);
 
-}  // namespace marketgen
+}  // namespace marketgen::catalog

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace marketgen {
+namespace marketgen::catalog {
 namespace {
 
 constexpr std::size_t numbers_a_piece = 7;
@@ -57,4 +57,4 @@ HeapRow heap_row(const std::string& archetype,
   return row;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::catalog

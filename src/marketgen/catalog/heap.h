@@ -9,7 +9,7 @@
 #include "base/fields.h"
 #include "geometry/pose.h"
 
-namespace marketgen {
+namespace marketgen::catalog {
 
 // One for each shape and size. Its frame: X along the shelf, Y away from the shopper, Z up, the
 // origin at the corner of the footprint.
@@ -45,4 +45,4 @@ HeapRow heap_row(const std::string& archetype,
                  const std::array<int, 2>& footprint_mm,
                  const std::vector<HeapPiece>& pieces);
 
-}  // namespace marketgen
+}  // namespace marketgen::catalog

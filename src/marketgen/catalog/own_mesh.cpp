@@ -11,7 +11,7 @@
 #include "io/file.h"
 #include "io/model_glb.h"
 
-namespace marketgen {
+namespace marketgen::catalog {
 namespace fs = std::filesystem;
 namespace {
 
@@ -20,8 +20,8 @@ constexpr double rounding_m = 0.6e-3;   // rows are in whole millimetres
 
 using Sizes = std::array<double, 3>;  // width, depth, height in metres
 
-Sizes sizes_of(const OutsideModel& model) {
-  const Vec3f size = bounds_of(model.mesh).size();  // Y is up
+Sizes sizes_of(const io::OutsideModel& model) {
+  const Vec3f size = marketgen::bounds_of(model.mesh).size();  // Y is up
   return {size.x, size.z, size.y};
 }
 
@@ -75,7 +75,7 @@ Result<void> write_into(const fs::path& file, std::string_view bytes) {
   std::error_code failed;
   fs::create_directories(file.parent_path(), failed);
   if (failed) return Error{"io.cannot_write", file.parent_path().string(), failed.message()};
-  return write_file(file, bytes);
+  return io::write_file(file, bytes);
 }
 
 // Whether the file is there and is what its name says; one that is not is taken away.
@@ -84,10 +84,10 @@ bool holds_mesh(const fs::path& file) {
   const fs::file_status status = fs::symlink_status(file, failed);
   if (!fs::exists(status)) return false;
   if (fs::is_regular_file(status)) {
-    const auto digest = sha256_of_file(file);
+    const auto digest = io::sha256_of_file(file);
     if (digest.ok() && *digest + ".glb" == file.filename()) return true;
   }
-  drop_entry(file, "was changed");
+  io::drop_entry(file, "was changed");
   return false;
 }
 
@@ -100,8 +100,8 @@ Result<void> copy_meshes(const std::vector<Product>& products,
     MARKETGEN_TRY(const fs::path source, kept_file(product, from));
     MARKETGEN_TRY(const fs::path target, kept_file(product, to));
     if (holds_mesh(target)) continue;
-    MARKETGEN_TRY(const std::string bytes, read_file(source, max_model_bytes));
-    if (sha256_hex(bytes) + ".glb" != product.mesh)
+    MARKETGEN_TRY(const std::string bytes, io::read_file(source, io::max_model_bytes));
+    if (io::sha256_hex(bytes) + ".glb" != product.mesh)
       return Error{"model.bad_file", source.string(), "was changed after it was made; restore it"};
     MARKETGEN_CHECK(write_into(target, bytes));
   }
@@ -124,7 +124,7 @@ double metres_in(LengthUnit unit) {
   return 1;
 }
 
-void scale_model(OutsideModel& model, double factor) {
+void scale_model(io::OutsideModel& model, double factor) {
   const auto f = static_cast<float>(factor);
   for (Vec3f& p : model.mesh.positions)
     p *= f;
@@ -134,7 +134,7 @@ void scale_model(OutsideModel& model, double factor) {
   }
 }
 
-Result<void> fit_model(OutsideModel& model,
+Result<void> fit_model(io::OutsideModel& model,
                        const std::array<int, 3>& size_mm,
                        const std::string& where) {
   const Sizes sizes = sizes_of(model);
@@ -148,7 +148,7 @@ Result<void> fit_model(OutsideModel& model,
                              size_mm[2],
                              remedy(sizes, size_mm))};
   }
-  const Bounds3 bounds = bounds_of(model.mesh);
+  const Bounds3 bounds = marketgen::bounds_of(model.mesh);
   const Vec3f origin{bounds.center().x, bounds.low.y, bounds.center().z};
   const auto stretch = [&](std::size_t i) {
     return static_cast<float>(size_mm[i] * 1e-3 / sizes[i]);
@@ -164,36 +164,36 @@ Result<void> fit_model(OutsideModel& model,
 }
 
 Result<std::string> keep_mesh(const fs::path& file, const Product& product) {
-  MARKETGEN_TRY(OutsideModel model, read_model_file(file));
+  MARKETGEN_TRY(io::OutsideModel model, io::read_model_file(file));
   MARKETGEN_CHECK(fit_model(model, product.size_mm, file.string()));
-  merge_pictures(model);
-  MARKETGEN_TRY(const std::string bytes, encode_glb(model, product.sku));
-  const std::string name = sha256_hex(bytes) + ".glb";
-  const fs::path kept = cache_folder() / "meshes" / name;
+  io::merge_pictures(model);
+  MARKETGEN_TRY(const std::string bytes, io::encode_glb(model, product.sku));
+  const std::string name = io::sha256_hex(bytes) + ".glb";
+  const fs::path kept = io::cache_folder() / "meshes" / name;
   if (!holds_mesh(kept)) MARKETGEN_CHECK(write_into(kept, bytes));
   return name;
 }
 
-Result<OutsideModel> kept_mesh(const Product& product) {
-  MARKETGEN_TRY(const fs::path file, kept_file(product, cache_folder()));
-  const Result<std::string> bytes = read_file(file, max_model_bytes);
-  const bool whole = bytes.ok() && sha256_hex(*bytes) + ".glb" == product.mesh;
-  if (bytes.ok() && !whole) drop_entry(file, "was changed");
+Result<io::OutsideModel> kept_mesh(const Product& product) {
+  MARKETGEN_TRY(const fs::path file, kept_file(product, io::cache_folder()));
+  const Result<std::string> bytes = io::read_file(file, io::max_model_bytes);
+  const bool whole = bytes.ok() && io::sha256_hex(*bytes) + ".glb" == product.mesh;
+  if (bytes.ok() && !whole) io::drop_entry(file, "was changed");
   if (!whole)
     return Error{bytes.ok() ? "input.not_found" : bytes.error().code,
                  product.sku + "/mesh",
                  fmt::format("its mesh {} cannot be read; open its store, or load its catalogue, "
                              "again",
                              file.string())};
-  return parse_glb(*bytes, file.string());
+  return io::parse_glb(*bytes, file.string());
 }
 
 Result<void> save_meshes(const std::vector<Product>& products, const fs::path& folder) {
-  return copy_meshes(products, cache_folder(), folder);
+  return copy_meshes(products, io::cache_folder(), folder);
 }
 
 Result<void> restore_meshes(const std::vector<Product>& products, const fs::path& folder) {
-  return copy_meshes(products, folder, cache_folder());
+  return copy_meshes(products, folder, io::cache_folder());
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::catalog

@@ -14,7 +14,7 @@
 #include "catalog/product.h"
 #include "io/model_file.h"
 
-namespace marketgen {
+namespace marketgen::catalog {
 
 constexpr std::string_view mesh_archetype = "mesh";
 
@@ -26,12 +26,12 @@ constexpr std::array<std::string_view, 4> names_of(LengthUnit) {
 double metres_in(LengthUnit unit);
 
 // Every position times `factor`.
-void scale_model(OutsideModel& model, double factor);
+void scale_model(io::OutsideModel& model, double factor);
 
 // Moves the model so that it stands in the middle of its footprint on y = 0, and stretches it to
 // the size (width x, depth z, height y in glTF's frame) exactly. It may be 3 % or 0.6 mm off in
 // each direction; error model.bad_scale otherwise, which says the unit or the turn that would fit.
-Result<void> fit_model(OutsideModel& model,
+Result<void> fit_model(io::OutsideModel& model,
                        const std::array<int, 3>& size_mm,
                        const std::string& where);
 
@@ -41,7 +41,7 @@ Result<std::string> keep_mesh(const std::filesystem::path& file, const Product& 
 
 // The kept mesh of a product of archetype mesh, in glTF's frame. Errors: model.bad_file for a name
 // that is none; input.not_found when the cache no longer has it; model.*.
-Result<OutsideModel> kept_mesh(const Product& product);
+Result<io::OutsideModel> kept_mesh(const Product& product);
 
 // Copies the meshes of `products` from the cache to `folder`/meshes, and those that the cache lacks
 // back from there. Without meshes neither does anything.
@@ -49,4 +49,4 @@ Result<void> save_meshes(const std::vector<Product>& products, const std::filesy
 Result<void> restore_meshes(const std::vector<Product>& products,
                             const std::filesystem::path& folder);
 
-}  // namespace marketgen
+}  // namespace marketgen::catalog

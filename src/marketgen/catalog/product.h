@@ -7,7 +7,7 @@
 
 #include "base/fields.h"
 
-namespace marketgen {
+namespace marketgen::catalog {
 
 enum class Storage { ambient, chilled, frozen };
 constexpr std::array<std::string_view, 3> names_of(Storage) {
@@ -126,4 +126,4 @@ struct Product {
       field("label", &Product::label, "how the pack is printed"));
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::catalog

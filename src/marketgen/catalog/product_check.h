@@ -4,10 +4,10 @@
 #include "catalog/catalog.h"
 #include "catalog/product.h"
 
-namespace marketgen {
+namespace marketgen::catalog {
 
 // What check_catalog demands of a row apart from the others: a known category, codes, a plausible
 // density, colours. Error: catalog.bad_row.
 Result<void> check_product(const Product& product, const Catalog& catalog);
 
-}  // namespace marketgen
+}  // namespace marketgen::catalog

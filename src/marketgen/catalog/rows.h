@@ -9,7 +9,7 @@
 #include "base/fields.h"
 #include "catalog/product.h"
 
-namespace marketgen {
+namespace marketgen::catalog {
 
 struct CategoryRow {
   std::string id;
@@ -274,4 +274,4 @@ struct FrictionSource {
                  field("text", &FrictionSource::text, "title, edition, place in it", required()));
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::catalog

@@ -6,7 +6,7 @@
 
 #include "base/fields.h"
 
-namespace marketgen {
+namespace marketgen::catalog {
 
 // "wash dishes" -> "dish soap". Plurals and endings do not matter on either side.
 struct SearchIntent {
@@ -27,4 +27,4 @@ struct SearchLexicon {
                  field("intents", &SearchLexicon::intents, "what words of a question may mean"));
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::catalog

@@ -2,7 +2,7 @@
 
 #include "base/text.h"
 
-namespace marketgen {
+namespace marketgen::catalog {
 namespace {
 
 enum class Glyph { letter, chinese, separator };
@@ -94,4 +94,4 @@ std::string all_expression(const std::vector<std::string>& tokens) {
   return "\"" + joined(tokens, "\" AND \"") + "\"";
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::catalog

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace marketgen {
+namespace marketgen::catalog {
 
 // What counts as one word: a run of letters and digits, or of Chinese characters, each of which is
 // a token of its own.
@@ -25,4 +25,4 @@ std::string with_spaced_characters(std::string_view text);
 std::string phrase_expression(const std::vector<std::string>& tokens);
 std::string all_expression(const std::vector<std::string>& tokens);
 
-}  // namespace marketgen
+}  // namespace marketgen::catalog

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace marketgen {
+namespace marketgen::catalog {
 
 StandingBox standing_box(const Product& product, const Vec3& position, const Quaternion& rotation) {
   const Vec3 x = rotate(rotation, {product.width_m() / 2, 0, 0}),
@@ -12,4 +12,4 @@ StandingBox standing_box(const Product& product, const Vec3& position, const Qua
           {position.x + half_x, position.y + half_y, position.z + product.height_m()}};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::catalog

@@ -4,7 +4,7 @@
 #include "geometry/mesh.h"
 #include "geometry/pose.h"
 
-namespace marketgen {
+namespace marketgen::catalog {
 
 struct StandingBox {
   Vec3 low, high;
@@ -18,4 +18,4 @@ inline Bounds3 bounds_of(const StandingBox& box) {
   return {to_float(box.low), to_float(box.high)};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::catalog

@@ -16,7 +16,7 @@
 #include "io/file.h"
 #include "io/json.h"
 
-namespace marketgen {
+namespace marketgen::catalog {
 namespace fs = std::filesystem;
 namespace {
 
@@ -98,7 +98,7 @@ Result<std::string> json_value(const TypeInfo& type,
                                const std::string& text,
                                const std::string& where) {
   if (type.kind == TypeKind::string || type.kind == TypeKind::enumeration)
-    return write_json_line(text);
+    return io::write_json_line(text);
   if (type.kind == TypeKind::array) {
     std::string list;
     for (const std::string& part : split(text, type.fixed_count > 0 ? 'x' : ';')) {
@@ -112,7 +112,7 @@ Result<std::string> json_value(const TypeInfo& type,
   return Error{"json.wrong_type", where, "expected a number, found \"" + text.substr(0, 40) + "\""};
 }
 
-Result<Product> product_of(const CsvRow& row,
+Result<Product> product_of(const io::CsvRow& row,
                            const std::vector<Column>& columns,
                            const std::string& source) {
   const std::string where = fmt::format("{}:{}", source, row.line);
@@ -131,15 +131,15 @@ Result<Product> product_of(const CsvRow& row,
     if (!name.empty())
       json += fmt::format("{}\"{}\": {{{}}}", json.empty() ? "" : ", ", name, fields);
   }
-  MARKETGEN_TRY(OwnRow own, read_json<OwnRow>("{" + json + "}", where));
+  MARKETGEN_TRY(OwnRow own, io::read_json<OwnRow>("{" + json + "}", where));
   return Product(std::move(own));
 }
 
 Result<std::vector<Product>> products_of_csv(std::string_view text, const std::string& source) {
-  MARKETGEN_TRY(const std::vector<CsvRow> rows, parse_csv(text, source));
+  MARKETGEN_TRY(const std::vector<io::CsvRow> rows, io::parse_csv(text, source));
   std::vector<Product> products;
   if (rows.empty()) return products;
-  if (auto fault = fault_of_count(rows.size() - 1, {}))
+  if (auto fault = io::fault_of_count(rows.size() - 1, {}))
     return Error{std::string(fault->code), source, std::move(fault->message)};
   std::vector<Column> columns;
   for (const std::string& heading : rows[0].fields) {
@@ -158,10 +158,10 @@ Result<std::vector<Product>> products_of_csv(std::string_view text, const std::s
 Result<std::vector<Product>> products_of_json(const std::string& text, const std::string& source) {
   const std::size_t start = text.find_first_not_of(" \t\r\n");
   if (start == std::string::npos || text[start] != '{') {
-    MARKETGEN_TRY(std::vector<OwnRow> rows, read_json<std::vector<OwnRow>>(text, source));
+    MARKETGEN_TRY(std::vector<OwnRow> rows, io::read_json<std::vector<OwnRow>>(text, source));
     return std::vector<Product>(rows.begin(), rows.end());
   }
-  MARKETGEN_TRY(AssetFile asset, read_json<AssetFile>(text, source));
+  MARKETGEN_TRY(AssetFile asset, io::read_json<AssetFile>(text, source));
   return std::vector<Product>{std::move(asset.product)};
 }
 
@@ -176,7 +176,7 @@ Result<void> keep_own_mesh(Product& product, const fs::path& folder, const std::
   }
   if (product.mesh.empty())
     return Error{"catalog.bad_row", where + "/mesh", "archetype mesh needs the name of a file"};
-  MARKETGEN_TRY(const fs::path file, path_within(folder, product.mesh, where + "/mesh"));
+  MARKETGEN_TRY(const fs::path file, io::path_within(folder, product.mesh, where + "/mesh"));
   MARKETGEN_TRY(product.mesh, keep_mesh(file, product));
   return {};
 }
@@ -194,7 +194,7 @@ void fill_in(Product& own,
 
 Result<std::vector<Product>> read_user_products(const fs::path& file) {
   const std::string source = file.filename().string();
-  MARKETGEN_TRY(const std::string text, read_file(file, max_bytes));
+  MARKETGEN_TRY(const std::string text, io::read_file(file, max_bytes));
   const bool csv = lower_ascii(file.extension().string()) == ".csv";
   MARKETGEN_TRY(std::vector<Product> products,
                 csv ? products_of_csv(text, source) : products_of_json(text, source));
@@ -203,4 +203,4 @@ Result<std::vector<Product>> read_user_products(const fs::path& file) {
   return products;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::catalog

@@ -12,7 +12,7 @@
 #include "catalog/product.h"
 #include "catalog/rows.h"
 
-namespace marketgen {
+namespace marketgen::catalog {
 
 // By the file's ending, .json or .csv. Meshes that rows name are kept (catalog/own_mesh.h). A row
 // that does not name its contact material, or its friction, has none: fill_in() gives it one.
@@ -29,4 +29,4 @@ void fill_in(Product& own,
 // They were checked when they were read; a SKU that the catalogue has is passed over.
 Catalog with_own_products(Catalog catalog, const std::vector<Product>& own);
 
-}  // namespace marketgen
+}  // namespace marketgen::catalog

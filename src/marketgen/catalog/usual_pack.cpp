@@ -4,7 +4,7 @@
 #include <functional>
 #include <map>
 
-namespace marketgen {
+namespace marketgen::catalog {
 namespace {
 
 // Empty when no row is alike.
@@ -44,4 +44,4 @@ const FrictionRow* friction_on_steel(const std::vector<FrictionRow>& rows,
   return found == rows.end() ? nullptr : &*found;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::catalog

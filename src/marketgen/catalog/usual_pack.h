@@ -7,7 +7,7 @@
 #include "catalog/product.h"
 #include "catalog/rows.h"
 
-namespace marketgen {
+namespace marketgen::catalog {
 
 // The contact material that most of `rows` with the product's archetype have, else most of its
 // subcategory, else most of its category; ties by name. "cardboard" when no row is like it.
@@ -17,4 +17,4 @@ std::string usual_material(const std::vector<Product>& rows, const Product& prod
 const FrictionRow* friction_on_steel(const std::vector<FrictionRow>& rows,
                                      std::string_view material);
 
-}  // namespace marketgen
+}  // namespace marketgen::catalog

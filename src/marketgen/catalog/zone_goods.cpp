@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace marketgen {
+namespace marketgen::catalog {
 namespace {
 
 bool allows(const std::vector<std::string>& list, const std::string& name) {
@@ -37,4 +37,4 @@ bool belongs_to(const ZoneTypeRow& zone, const FixtureKind& kind, const Catalog&
          sells_goods(zone, catalog);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::catalog

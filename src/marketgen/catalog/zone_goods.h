@@ -5,7 +5,7 @@
 
 #include "catalog/catalog.h"
 
-namespace marketgen {
+namespace marketgen::catalog {
 
 // True when goods of storage `product` may stand in a fixture of storage `fixture`. A cooler also
 // takes ambient goods (drinks); nothing else takes what is not its own.
@@ -23,4 +23,4 @@ bool sold_in(const Product& product,
 bool belongs_to(const ZoneTypeRow& zone, const Product& product, const Catalog& catalog);
 bool belongs_to(const ZoneTypeRow& zone, const FixtureKind& kind, const Catalog& catalog);
 
-}  // namespace marketgen
+}  // namespace marketgen::catalog

@@ -6,21 +6,21 @@
 #include "collect/standing_robot.h"
 #include "skills/shelf_pick.h"
 
-namespace marketgen {
+namespace marketgen::collect {
 namespace {
 
 constexpr double reach_m = 1.3;       // obstacles farther from the product are of no account
 constexpr double push_aside_m = 0.2;  // neighbours within it may be pushed by the fingers
 
-Result<std::vector<GraspCandidate>> grasps_of(const Product& goods,
-                                              const GraspTool& tool,
-                                              const CollectOptions& options) {
+Result<std::vector<motion::GraspCandidate>> grasps_of(const catalog::Product& goods,
+                                                      const robots::GraspTool& tool,
+                                                      const CollectOptions& options) {
   if (!options.grasps.empty()) return options.grasps;
-  MARKETGEN_TRY(const ProductBody body, make_product_body(goods));
-  GraspQuery query;
+  MARKETGEN_TRY(const assets::ProductBody body, assets::make_product_body(goods));
+  motion::GraspQuery query;
   query.friction = options.fingers_friction;
   query.from_front = true;
-  MARKETGEN_TRY(GraspCandidates grasps, grasp_candidates(goods, body, tool, query));
+  MARKETGEN_TRY(motion::GraspCandidates grasps, motion::grasp_candidates(goods, body, tool, query));
   if (grasps.found.empty()) return Error{"motion.no_grasp", goods.sku, grasps.reason};
   return std::move(grasps.found);
 }
@@ -33,10 +33,10 @@ std::vector<std::uint32_t> neighbours(const GoodsNow& goods, Vec3 middle) {
   return rows;
 }
 
-Result<PickSurroundings> surroundings_of(const GoodsNow& goods,
-                                         Vec3 middle,
-                                         const std::vector<BoxObstacle>& carried) {
-  PickSurroundings around;
+Result<skills::PickSurroundings> surroundings_of(const GoodsNow& goods,
+                                                 Vec3 middle,
+                                                 const std::vector<motion::BoxObstacle>& carried) {
+  skills::PickSurroundings around;
   around.way = around.line = fixture_obstacles(goods.scene(), middle, reach_m);
   around.carried = carried;
   MARKETGEN_CHECK(add_product_obstacles(goods, middle, reach_m, {}, around.way));
@@ -45,23 +45,23 @@ Result<PickSurroundings> surroundings_of(const GoodsNow& goods,
   return around;
 }
 
-Result<ShelfPickQuestion> pick_question(const GoodsNow& goods,
-                                        std::uint32_t product,
-                                        const Robot& robot,
-                                        const CollectOptions& options) {
-  const Scene& scene = goods.scene();
-  ShelfPickQuestion question;
-  static_cast<PickMotion&>(question) = options;
-  question.where = product_id(scene, product);
+Result<skills::ShelfPickQuestion> pick_question(const GoodsNow& goods,
+                                                std::uint32_t product,
+                                                const robots::Robot& robot,
+                                                const CollectOptions& options) {
+  const scene::Scene& scene = goods.scene();
+  skills::ShelfPickQuestion question;
+  static_cast<skills::PickMotion&>(question) = options;
+  question.where = scene::product_id(scene, product);
   question.world_from_product = goods.pose(product);
   question.depth_m = scene.catalog[scene.products[product].sku].depth_m();
-  question.driving = stowed_state(robot, options.posture, 0, 0);
+  question.driving = skills::stowed_state(robot, options.posture, 0, 0);
   question.world_from_base = options.world_from_base;
   MARKETGEN_TRY(question.around,
                 surroundings_of(goods, question.world_from_product.position, options.carried));
   question.may_stand = [&scene, &robot, where = question.where](const Pose& world_from_base,
                                                                 const std::vector<double>& state) {
-    const PlacedRobot placed{where, robot, state, world_from_base};
+    const robots::PlacedRobot placed{where, robot, state, world_from_base};
     return check_standing(scene, {&placed, 1});
   };
   return question;
@@ -69,32 +69,33 @@ Result<ShelfPickQuestion> pick_question(const GoodsNow& goods,
 
 }  // namespace
 
-Result<std::string> gripper_row(const Robot& robot) {
-  for (const Tool& tool : robot.tools)
-    if (tool.kind == ToolKind::gripper && hands_with(robot, tool.row).ok()) return tool.row;
+Result<std::string> gripper_row(const robots::Robot& robot) {
+  for (const robots::Tool& tool : robot.tools)
+    if (tool.kind == robots::ToolKind::gripper && skills::hands_with(robot, tool.row).ok())
+      return tool.row;
   return Error{"robot.unknown", robot.name, "no arm of this robot ends in a gripper"};
 }
 
 Result<CollectPlan> plan_collect(const GoodsNow& goods,
                                  std::uint32_t product,
-                                 const Robot& robot,
-                                 const GraspTool& tool,
+                                 const robots::Robot& robot,
+                                 const robots::GraspTool& tool,
                                  Seed seed,
                                  const CollectOptions& options) {
-  const Scene& scene = goods.scene();
+  const scene::Scene& scene = goods.scene();
   if (product >= scene.products.size())
     return Error{
         "collect.no_product", fmt::format("row {}", product), "the store has no such product"};
-  MARKETGEN_CHECK(hands_with(robot, tool.id));
-  const Product& row = scene.catalog[scene.products[product].sku];
-  MARKETGEN_TRY(const std::vector<GraspCandidate> grasps, grasps_of(row, tool, options));
-  MARKETGEN_TRY(ShelfPickQuestion question, pick_question(goods, product, robot, options));
+  MARKETGEN_CHECK(skills::hands_with(robot, tool.id));
+  const catalog::Product& row = scene.catalog[scene.products[product].sku];
+  MARKETGEN_TRY(const std::vector<motion::GraspCandidate> grasps, grasps_of(row, tool, options));
+  MARKETGEN_TRY(skills::ShelfPickQuestion question, pick_question(goods, product, robot, options));
   question.tool_row = tool.id;
-  for (const GraspCandidate& grasp : grasps)
+  for (const motion::GraspCandidate& grasp : grasps)
     question.grasps.push_back(grasp.grasp);
-  MARKETGEN_TRY(ShelfPick pick, plan_shelf_pick(robot, question, seed));
+  MARKETGEN_TRY(skills::ShelfPick pick, skills::plan_shelf_pick(robot, question, seed));
   CollectPlan plan;
-  static_cast<PickWays&>(plan) = std::move(static_cast<PickWays&>(pick));
+  static_cast<skills::PickWays&>(plan) = std::move(static_cast<skills::PickWays&>(pick));
   plan.product = product;
   plan.group = pick.group;
   plan.tool = pick.tool;
@@ -104,4 +105,4 @@ Result<CollectPlan> plan_collect(const GoodsNow& goods,
   return plan;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::collect

@@ -13,29 +13,30 @@
 #include "robots/robot.h"
 #include "skills/pick_ways.h"
 
-namespace marketgen {
+namespace marketgen::collect {
 
-struct CollectOptions : PickMotion {
-  std::string posture = {};                 // of the arms at the start; empty: the robot's first
-  std::vector<BoxObstacle> carried = {};    // by the robot, in its base frame: a basket
-  std::vector<GraspCandidate> grasps = {};  // tried in this order; empty: all from the front
+struct CollectOptions : skills::PickMotion {
+  std::string posture = {};  // of the arms at the start; empty: the robot's first
+  std::vector<motion::BoxObstacle> carried = {};  // by the robot, in its base frame: a basket
+  std::vector<motion::GraspCandidate> grasps =
+      {};  // tried in this order; empty: all from the front
   // Stands there and nowhere else.
   std::optional<Pose> world_from_base = {};
   double fingers_friction = 0.5;  // of the pads on the product
 };
 
-struct CollectPlan : PickWays {
+struct CollectPlan : skills::PickWays {
   std::uint32_t product = 0;
   std::string group;  // of the arm
   int tool = 0;       // in Robot::tools
   Pose world_from_base;
   std::vector<double> state;  // every degree of freedom at the start; fingers open
-  GraspCandidate grasp;
+  motion::GraspCandidate grasp;
 };
 
 // The row of the gripper at the end of the robot's first arm that has one: "parallel-gripper".
 // Error: robot.unknown when no arm ends in a gripper.
-Result<std::string> gripper_row(const Robot& robot);
+Result<std::string> gripper_row(const robots::Robot& robot);
 
 // Looks for it over the product's grasps from the front, best first, over the robot's arms that end
 // in that tool, and over places in front of it. Errors:
@@ -44,9 +45,9 @@ Result<std::string> gripper_row(const Robot& robot);
 // the robot ends in a gripper; assets.*.
 Result<CollectPlan> plan_collect(const GoodsNow& goods,
                                  std::uint32_t product,
-                                 const Robot& robot,
-                                 const GraspTool& tool,
+                                 const robots::Robot& robot,
+                                 const robots::GraspTool& tool,
                                  Seed seed,
                                  const CollectOptions& options = {});
 
-}  // namespace marketgen
+}  // namespace marketgen::collect

@@ -8,7 +8,7 @@
 #include "collect/collect_plan.h"
 #include "physics/world/robot_controller.h"
 
-namespace marketgen {
+namespace marketgen::collect {
 
 enum class CollectPhase { reach, close, lift, retreat, hold };
 constexpr std::array<std::string_view, 5> names_of(CollectPhase) {
@@ -35,15 +35,16 @@ struct CollectResult {
 };
 
 // Called every `watch_every_s` and at the end.
-using CollectWatch = std::function<Result<void>(const World&, const RobotActor&, CollectPhase)>;
+using CollectWatch =
+    std::function<Result<void>(const physics::World&, const physics::RobotActor&, CollectPhase)>;
 
 // `tool_id`'s frictions come from `frictions` (catalog.frictions). Errors: those of World::create
 // and of `watch`.
-Result<CollectResult> run_collect(const Scene& scene,
-                                  const Robot& robot,
+Result<CollectResult> run_collect(const scene::Scene& scene,
+                                  const robots::Robot& robot,
                                   const CollectPlan& plan,
-                                  const std::vector<FrictionRow>& frictions,
+                                  const std::vector<catalog::FrictionRow>& frictions,
                                   const CollectWatch& watch = {},
                                   double watch_every_s = 0.1);
 
-}  // namespace marketgen
+}  // namespace marketgen::collect

@@ -6,11 +6,11 @@
 #include "motion/plan_drive.h"
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::collect {
 
 // Made once for a store and an envelope. Errors: those of VisibilityGraph::make.
-Result<VisibilityGraph> drive_graph(const Scene& scene,
-                                    const BaseEnvelope& envelope,
-                                    double margin_m = 0.03);
+Result<navigation::VisibilityGraph> drive_graph(const scene::Scene& scene,
+                                                const motion::BaseEnvelope& envelope,
+                                                double margin_m = 0.03);
 
-}  // namespace marketgen
+}  // namespace marketgen::collect

@@ -1,16 +1,17 @@
 #include "collect/goods_now.h"
 
-namespace marketgen {
+namespace marketgen::collect {
 
 void GoodsNow::move(std::uint32_t product, const Pose& pose) {
-  SceneProduct moved = scene_->products[product];
-  place(moved, pose);
-  moved_[product] = world_from_product(moved);
+  scene::SceneProduct moved = scene_->products[product];
+  scene::place(moved, pose);
+  moved_[product] = scene::world_from_product(moved);
 }
 
 Pose GoodsNow::pose(std::uint32_t product) const {
   const auto moved = moved_.find(product);
-  return moved == moved_.end() ? world_from_product(scene_->products[product]) : moved->second;
+  return moved == moved_.end() ? scene::world_from_product(scene_->products[product])
+                               : moved->second;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::collect

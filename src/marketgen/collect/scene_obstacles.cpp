@@ -7,31 +7,36 @@
 #include "physics/goods/contact_shape.h"
 #include "physics/world/shell_pieces.h"
 
-namespace marketgen {
+namespace marketgen::collect {
 namespace {
 
 constexpr double floor_half_thickness_m = 0.05;
 
-bool near(const ContactShape& shape, Vec3 middle, double within_m) {
-  const Vec3 half = half_extents(shape), apart = shape.pose.position - middle;
+bool near(const assets::ContactShape& shape, Vec3 middle, double within_m) {
+  const Vec3 half = assets::half_extents(shape), apart = shape.pose.position - middle;
   return std::abs(apart.x) - half.x < within_m && std::abs(apart.y) - half.y < within_m &&
          std::abs(apart.z) - half.z < within_m;
 }
 
-void add_if_near(const ContactShape& shape, Vec3 middle, double within_m, Obstacles& obstacles) {
-  if (near(shape, middle, within_m)) add_shape(shape, obstacles);
+void add_if_near(const assets::ContactShape& shape,
+                 Vec3 middle,
+                 double within_m,
+                 motion::Obstacles& obstacles) {
+  if (near(shape, middle, within_m)) motion::add_shape(shape, obstacles);
 }
 
 }  // namespace
 
-Obstacles fixture_obstacles(const Scene& scene, Vec3 middle, double within_m) {
-  Obstacles obstacles;
+motion::Obstacles fixture_obstacles(const scene::Scene& scene, Vec3 middle, double within_m) {
+  motion::Obstacles obstacles;
   obstacles.boxes.push_back({{{middle.x, middle.y, -floor_half_thickness_m}, {}},
                              {within_m, within_m, floor_half_thickness_m}});
-  for (const ShellPiece& piece : shell_pieces(scene.layout.shell))
-    add_if_near({CollisionShape::box, piece.pose, piece.half_size}, middle, within_m, obstacles);
-  for (const ScenePart& part : scene.parts) {
-    const ContactShape shape = world_from_fixture(scene, part.fixture) * contact_shape_of(part);
+  for (const physics::ShellPiece& piece : physics::shell_pieces(scene.layout.shell))
+    add_if_near(
+        {assets::CollisionShape::box, piece.pose, piece.half_size}, middle, within_m, obstacles);
+  for (const scene::ScenePart& part : scene.parts) {
+    const assets::ContactShape shape =
+        scene::world_from_fixture(scene, part.fixture) * physics::contact_shape_of(part);
     add_if_near(shape, middle, within_m, obstacles);
   }
   return obstacles;
@@ -41,19 +46,19 @@ Result<void> add_product_obstacles(const GoodsNow& goods,
                                    Vec3 middle,
                                    double within_m,
                                    std::span<const std::uint32_t> without,
-                                   Obstacles& obstacles) {
-  const Scene& scene = goods.scene();
-  std::vector<ContactShape> shapes;
-  for (const Product& product : scene.catalog) {
-    MARKETGEN_TRY(const CollisionPrimitive primitive, collision_of(product));
-    shapes.push_back(contact_shape_of(primitive));
+                                   motion::Obstacles& obstacles) {
+  const scene::Scene& scene = goods.scene();
+  std::vector<assets::ContactShape> shapes;
+  for (const catalog::Product& product : scene.catalog) {
+    MARKETGEN_TRY(const assets::CollisionPrimitive primitive, assets::collision_of(product));
+    shapes.push_back(assets::contact_shape_of(primitive));
   }
   for (std::uint32_t row = 0; row < scene.products.size(); ++row) {
     if (std::find(without.begin(), without.end(), row) != without.end()) continue;
-    const ContactShape& shape = shapes[scene.products[row].sku];
+    const assets::ContactShape& shape = shapes[scene.products[row].sku];
     add_if_near(goods.pose(row) * shape, middle, within_m, obstacles);
   }
   return {};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::collect

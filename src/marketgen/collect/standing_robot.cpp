@@ -10,7 +10,7 @@
 #include "io/file.h"
 #include "motion/collision_world.h"
 
-namespace marketgen {
+namespace marketgen::collect {
 namespace {
 
 constexpr double sunk_m = 0.03;     // below the floor, of a middle: it is not on it but in it
@@ -28,13 +28,13 @@ struct WorldSphere {
 };
 
 // Those of the foot end at the plane on which it stands.
-std::vector<WorldSphere> spheres_in_store(const PlacedRobot& placed) {
-  const std::vector<Pose> base_from_link = link_poses(placed.robot, placed.q);
+std::vector<WorldSphere> spheres_in_store(const robots::PlacedRobot& placed) {
+  const std::vector<Pose> base_from_link = robots::link_poses(placed.robot, placed.q);
   const double ground = placed.world_from_base.position.z;
   std::vector<WorldSphere> spheres;
   for (std::size_t link = 0; link < base_from_link.size(); ++link) {
     const Pose world_from_link = placed.world_from_base * base_from_link[link];
-    for (const Sphere& sphere : placed.robot.links[link].spheres) {
+    for (const robots::Sphere& sphere : placed.robot.links[link].spheres) {
       const Vec3 center = world_from_link * sphere.center;
       double radius = sphere.radius;
       if (link == 0) radius = std::min(radius, center.z - ground);
@@ -48,21 +48,24 @@ std::vector<WorldSphere> spheres_in_store(const PlacedRobot& placed) {
 class StoreObstacles {
  public:
   // Only of what stands near to one of the robots.
-  static Result<StoreObstacles> make(const Scene& scene, std::span<const PlacedRobot> robots) {
+  static Result<StoreObstacles> make(const scene::Scene& scene,
+                                     std::span<const robots::PlacedRobot> robots) {
     StoreObstacles made;
-    made.floor_mm_ = floor_of(scene.layout.shell);
-    Obstacles obstacles;
+    made.floor_mm_ = plan::floor_of(scene.layout.shell);
+    motion::Obstacles obstacles;
     std::vector<std::string> cylinder_names;
-    for (const ScenePart& part : scene.parts) {
-      const Pose pose = world_from_fixture(scene, part.fixture) * fixture_from_part(part);
+    for (const scene::ScenePart& part : scene.parts) {
+      const Pose pose =
+          scene::world_from_fixture(scene, part.fixture) * scene::fixture_from_part(part);
       const auto [x, y, z] = part.half_size_m;
       const double reach = farthest_part_m + std::hypot(x, y, z);
-      const bool near = std::any_of(robots.begin(), robots.end(), [&](const PlacedRobot& placed) {
-        return length(placed.world_from_base.position - pose.position) < reach;
-      });
+      const bool near =
+          std::any_of(robots.begin(), robots.end(), [&](const robots::PlacedRobot& placed) {
+            return length(placed.world_from_base.position - pose.position) < reach;
+          });
       if (!near) continue;
       const std::string& name = scene.layout.fixtures[part.fixture].id;
-      if (part.shape == PartShape::cylinder) {
+      if (part.shape == assets::PartShape::cylinder) {
         obstacles.cylinders.push_back({pose, x, z});
         cylinder_names.push_back(name);
       } else {
@@ -72,7 +75,7 @@ class StoreObstacles {
     }
     made.add_columns(scene.layout.shell, obstacles);
     made.names_.insert(made.names_.end(), cylinder_names.begin(), cylinder_names.end());
-    MARKETGEN_TRY(made.world_, CollisionWorld::make(obstacles));
+    MARKETGEN_TRY(made.world_, motion::CollisionWorld::make(obstacles));
     return made;
   }
 
@@ -90,7 +93,8 @@ class StoreObstacles {
 
   // The name of something that the sphere overlaps.
   std::optional<std::string> hit(Vec3 center, double radius) const {
-    const std::vector<SphereBlock> block = packed(std::vector<PlainSphere>{{center, radius}});
+    const std::vector<motion::SphereBlock> block =
+        motion::packed(std::vector<motion::PlainSphere>{{center, radius}});
     std::vector<std::uint32_t> shapes;
     world_.touched(block.front(), shapes);
     if (shapes.empty()) return {};
@@ -114,8 +118,8 @@ class StoreObstacles {
   }
 
  private:
-  void add_columns(const Shell& shell, Obstacles& obstacles) {
-    for (const Column& column : shell.columns) {
+  void add_columns(const plan::Shell& shell, motion::Obstacles& obstacles) {
+    for (const plan::Column& column : shell.columns) {
       const double half = column.size_mm * 0.0005, height = shell.ceiling_mm * 0.0005;
       obstacles.boxes.push_back(
           {{{column.x_mm * 1e-3, column.y_mm * 1e-3, height}, {}}, {half, half, height}});
@@ -124,7 +128,7 @@ class StoreObstacles {
   }
 
   PolygonMm floor_mm_;
-  CollisionWorld world_;
+  motion::CollisionWorld world_;
   std::vector<std::string> names_;  // of each shape: boxes, then cylinders
 };
 
@@ -137,7 +141,7 @@ struct Conflict {
 std::optional<Conflict> conflict_of(const std::vector<WorldSphere>& spheres,
                                     const StoreObstacles& store,
                                     std::span<const std::vector<WorldSphere>> others,
-                                    std::span<const PlacedRobot> robots) {
+                                    std::span<const robots::PlacedRobot> robots) {
   for (const WorldSphere& sphere : spheres) {
     if (!store.on_floor(sphere.center, sphere.radius) || sphere.center.z < -sunk_m)
       return Conflict{sphere.link, {}};
@@ -154,11 +158,11 @@ std::optional<Conflict> conflict_of(const std::vector<WorldSphere>& spheres,
 
 class StandingCheck {
  public:
-  StandingCheck(const StoreObstacles& store, std::span<const PlacedRobot> robots)
+  StandingCheck(const StoreObstacles& store, std::span<const robots::PlacedRobot> robots)
       : store_(store), robots_(robots) {}
 
   Result<void> run() {
-    for (const PlacedRobot& placed : robots_) {
+    for (const robots::PlacedRobot& placed : robots_) {
       const std::vector<WorldSphere> spheres = spheres_in_store(placed);
       MARKETGEN_CHECK(check(placed, spheres));
       spheres_.push_back(spheres);
@@ -167,7 +171,8 @@ class StandingCheck {
   }
 
  private:
-  Result<void> check(const PlacedRobot& placed, const std::vector<WorldSphere>& spheres) const {
+  Result<void> check(const robots::PlacedRobot& placed,
+                     const std::vector<WorldSphere>& spheres) const {
     const Vec3 base = placed.world_from_base.position;
     if (!store_.on_floor(base) || base.z < 0)
       return Error{"robot.outside_store",
@@ -182,7 +187,7 @@ class StandingCheck {
     return check_support(placed);
   }
 
-  Error conflict_error(const PlacedRobot& placed,
+  Error conflict_error(const robots::PlacedRobot& placed,
                        const std::vector<WorldSphere>& spheres,
                        const Conflict& conflict) const {
     const std::string& link = placed.robot.links[static_cast<std::size_t>(conflict.link)].name;
@@ -197,7 +202,8 @@ class StandingCheck {
   }
 
   // Looks in rings round the place, on the same height and with the same posture.
-  std::string place_hint(const PlacedRobot& placed, const std::vector<WorldSphere>& spheres) const {
+  std::string place_hint(const robots::PlacedRobot& placed,
+                         const std::vector<WorldSphere>& spheres) const {
     const Vec3 base = placed.world_from_base.position;
     for (int ring = 1; ring * search_step_m <= search_m; ++ring) {
       for (int k = 0; k < search_directions; ++k) {
@@ -218,7 +224,7 @@ class StandingCheck {
 
   bool supported(Vec3 base) const { return base.z - store_.support_below(base) <= support_m; }
 
-  Result<void> check_support(const PlacedRobot& placed) const {
+  Result<void> check_support(const robots::PlacedRobot& placed) const {
     const Vec3 base = placed.world_from_base.position;
     if (supported(base)) return {};
     return Error{"robot.no_support",
@@ -231,30 +237,31 @@ class StandingCheck {
   }
 
   const StoreObstacles& store_;
-  std::span<const PlacedRobot> robots_;
+  std::span<const robots::PlacedRobot> robots_;
   std::vector<std::vector<WorldSphere>> spheres_;  // of the robots checked so far
 };
 
 }  // namespace
 
-Result<void> check_standing(const Scene& scene, std::span<const PlacedRobot> robots) {
+Result<void> check_standing(const scene::Scene& scene,
+                            std::span<const robots::PlacedRobot> robots) {
   if (robots.empty()) return {};
   MARKETGEN_TRY(const StoreObstacles store, StoreObstacles::make(scene, robots));
   return StandingCheck(store, robots).run();
 }
 
-Result<std::vector<PlacedRobot>> standing_robots(const Scene& scene,
-                                                 std::span<const std::string> texts,
-                                                 const std::string& where) {
-  std::vector<PlacedRobot> placed;
+Result<std::vector<robots::PlacedRobot>> standing_robots(const scene::Scene& scene,
+                                                         std::span<const std::string> texts,
+                                                         const std::string& where) {
+  std::vector<robots::PlacedRobot> placed;
   for (const std::string& text : texts) {
-    MARKETGEN_TRY(const std::filesystem::path data, data_folder());
-    MARKETGEN_TRY(const RobotSpec spec, parse_robot_spec(text, where + text));
-    MARKETGEN_TRY(PlacedRobot robot, place_robot(data, spec, where + text));
+    MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
+    MARKETGEN_TRY(const robots::RobotSpec spec, robots::parse_robot_spec(text, where + text));
+    MARKETGEN_TRY(robots::PlacedRobot robot, robots::place_robot(data, spec, where + text));
     placed.push_back(std::move(robot));
   }
   MARKETGEN_CHECK(check_standing(scene, placed));
   return placed;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::collect

@@ -14,19 +14,19 @@
 #include "robots/placed_robot.h"
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::collect {
 
 // Errors, at the robot's `where`:
 //   robot.outside_store  its base or a link lies outside the walls, or below the floor
 //   robot.blocked        a link is in a fixture, a column or an earlier robot of the list; names
 //                        both, and the nearest place within 1.5 m where the robot would be clear
 //   robot.no_support     its base is in the air; says how high the thing under it is
-Result<void> check_standing(const Scene& scene, std::span<const PlacedRobot> robots);
+Result<void> check_standing(const scene::Scene& scene, std::span<const robots::PlacedRobot> robots);
 
 // Robots as a person writes them (placed_robot.h), loaded from the data rows and checked. Errors
 // name `where` + the text: those of parse_robot_spec(), place_robot() and check_standing().
-Result<std::vector<PlacedRobot>> standing_robots(const Scene& scene,
-                                                 std::span<const std::string> texts,
-                                                 const std::string& where);
+Result<std::vector<robots::PlacedRobot>> standing_robots(const scene::Scene& scene,
+                                                         std::span<const std::string> texts,
+                                                         const std::string& where);
 
-}  // namespace marketgen
+}  // namespace marketgen::collect

@@ -11,32 +11,34 @@
 #include "episodes/episode_origin.h"
 #include "policy/random_policy.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 
-EpisodeStore store_row(const Store& store) {
-  const Manifest& m = store.manifest;
-  return {m.name, m.scene_hash, plan_hash(store.plan), m.seed, store.plan, {}, m.own};
+episodes::EpisodeStore store_row(const store::Store& store) {
+  const store::Manifest& m = store.manifest;
+  return {m.name, m.scene_hash, episodes::plan_hash(store.plan), m.seed, store.plan, {}, m.own};
 }
 
-void Arena::offer(std::shared_ptr<const Store> store) {
+void Arena::offer(std::shared_ptr<const store::Store> store) {
   const std::scoped_lock lock(mutex_);
   offered_[store->manifest.scene_hash] = std::move(store);
 }
 
-Result<std::shared_ptr<const Scene>> Arena::scene(const std::string& scene_hash) {
+Result<std::shared_ptr<const scene::Scene>> Arena::scene(const std::string& scene_hash) {
   {
     const std::scoped_lock lock(mutex_);
     if (const auto offered = offered_.find(scene_hash); offered != offered_.end())
-      return std::shared_ptr<const Scene>(offered->second, &offered->second->scene);
+      return std::shared_ptr<const scene::Scene>(offered->second, &offered->second->scene);
   }
-  const auto row = std::ranges::find(header_.stores, scene_hash, &EpisodeStore::scene_hash);
+  const auto row =
+      std::ranges::find(header_.stores, scene_hash, &episodes::EpisodeStore::scene_hash);
   if (row == header_.stores.end())
     return Error{"episode.other_store", scene_hash, "the header has no store of this scene"};
-  MARKETGEN_TRY(Scene scene,
+  MARKETGEN_TRY(scene::Scene scene,
                 row->own
-                    ? scene_of_plan(row->plan, with_own_products(catalog_, *row->own), row->seed)
-                    : scene_of_plan(row->plan, catalog_, row->seed));
-  if (const std::string made = marketgen::scene_hash(scene); made != scene_hash)
+                    ? store::scene_of_plan(
+                          row->plan, catalog::with_own_products(catalog_, *row->own), row->seed)
+                    : store::scene_of_plan(row->plan, catalog_, row->seed));
+  if (const std::string made = marketgen::scene::scene_hash(scene); made != scene_hash)
     return Error{
         "episode.other_store",
         row->name,
@@ -44,27 +46,29 @@ Result<std::shared_ptr<const Scene>> Arena::scene(const std::string& scene_hash)
                     "version of marketgen drew them; draw them again",
                     made,
                     scene_hash)};
-  return std::shared_ptr<const Scene>(std::make_shared<Scene>(std::move(scene)));
+  return std::shared_ptr<const scene::Scene>(std::make_shared<scene::Scene>(std::move(scene)));
 }
 
-Result<std::shared_ptr<const std::vector<Product>>> Arena::stock(const std::string& scene_hash) {
-  using Stock = const std::vector<Product>;
+Result<std::shared_ptr<const std::vector<catalog::Product>>> Arena::stock(
+    const std::string& scene_hash) {
+  using Stock = const std::vector<catalog::Product>;
   return shared_.get<Stock>(scene_hash, [&]() -> Result<std::shared_ptr<Stock>> {
     MARKETGEN_TRY(const auto made, scene(scene_hash));
-    return std::make_shared<Stock>(store_stock(*made));
+    return std::make_shared<Stock>(episodes::store_stock(*made));
   });
 }
 
-Result<std::unique_ptr<TrackWorld>> Arena::open(const EpisodeSpec& spec) {
+Result<std::unique_ptr<episodes::TrackWorld>> Arena::open(const episodes::EpisodeSpec& spec) {
   return environment_entry_of(spec.track).open(*this, spec);
 }
 
-Result<std::unique_ptr<Policy>> Arena::policy(const std::string& name, const TrackWorld& world) {
+Result<std::unique_ptr<agent::Policy>> Arena::policy(const std::string& name,
+                                                     const episodes::TrackWorld& world) {
   MARKETGEN_TRY(const PolicyName asked, read_policy_name(name));
   const Seed seed = Seed(world.spec().seed).child(asked.name);
   if (asked.name == "random")
-    return std::unique_ptr<Policy>(
-        std::make_unique<RandomPolicy>(seed, world.robot().drive.has_value()));
+    return std::unique_ptr<agent::Policy>(
+        std::make_unique<policy::RandomPolicy>(seed, world.robot().drive.has_value()));
   return std::visit(
       [&](const auto* of_track) {
         return asked.name == "oracle" ? make_oracle(*this, *of_track, seed)
@@ -73,4 +77,4 @@ Result<std::unique_ptr<Policy>> Arena::policy(const std::string& name, const Tra
       world.any());
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

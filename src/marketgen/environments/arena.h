@@ -18,50 +18,53 @@
 #include "perception/look_library.h"
 #include "store/store.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 
 // The store as a header of episodes has it; what no task asks for is the sampler's to add.
-EpisodeStore store_row(const Store& store);
+episodes::EpisodeStore store_row(const store::Store& store);
 
 class Arena {
  public:
   // All of them must outlive the arena.
-  Arena(const std::filesystem::path& data, const EpisodeHeader& header, const Catalog& catalog)
+  Arena(const std::filesystem::path& data,
+        const episodes::EpisodeHeader& header,
+        const catalog::Catalog& catalog)
       : data_(data), header_(header), catalog_(catalog) {}
 
   // Reset to the episode. Errors: those of the track's world; episode.other_store when the header's
   // plan does not give the store that the episode was drawn from.
-  Result<std::unique_ptr<TrackWorld>> open(const EpisodeSpec& spec);
+  Result<std::unique_ptr<episodes::TrackWorld>> open(const episodes::EpisodeSpec& spec);
 
   // `world` must outlive it. Errors: usage.bad_flag, there is no such policy; those of what it is
   // made of.
-  Result<std::unique_ptr<Policy>> policy(const std::string& name, const TrackWorld& world);
+  Result<std::unique_ptr<agent::Policy>> policy(const std::string& name,
+                                                const episodes::TrackWorld& world);
 
   // From now on this store is taken as it is, and not made again from its plan.
-  void offer(std::shared_ptr<const Store> store);
+  void offer(std::shared_ptr<const store::Store> store);
 
   // A store as it was stocked. One that was not offered is made at each call. Errors:
   // episode.other_store.
-  Result<std::shared_ptr<const Scene>> scene(const std::string& scene_hash);
+  Result<std::shared_ptr<const scene::Scene>> scene(const std::string& scene_hash);
 
   // What the store sells, sorted by SKU: what an agent in it knows of, whatever an episode is
   // about. Errors: as scene().
-  Result<std::shared_ptr<const std::vector<Product>>> stock(const std::string& scene_hash);
+  Result<std::shared_ptr<const std::vector<catalog::Product>>> stock(const std::string& scene_hash);
 
   const std::filesystem::path& data() const { return data_; }
-  const EpisodeHeader& header() const { return header_; }
-  const Catalog& catalog() const { return catalog_; }
-  LookLibrary& looks() { return looks_; }
+  const episodes::EpisodeHeader& header() const { return header_; }
+  const catalog::Catalog& catalog() const { return catalog_; }
+  perception::LookLibrary& looks() { return looks_; }
   SharedObjects& shared() { return shared_; }
 
  private:
   std::filesystem::path data_;
-  const EpisodeHeader& header_;
-  const Catalog& catalog_;
+  const episodes::EpisodeHeader& header_;
+  const catalog::Catalog& catalog_;
   std::mutex mutex_;
-  std::map<std::string, std::shared_ptr<const Store>> offered_;  // by scene hash
+  std::map<std::string, std::shared_ptr<const store::Store>> offered_;  // by scene hash
   SharedObjects shared_;
-  LookLibrary looks_;
+  perception::LookLibrary looks_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

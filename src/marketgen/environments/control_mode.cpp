@@ -6,7 +6,7 @@
 #include "base/seed.h"
 #include "episodes/track_world.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 namespace {
 
 constexpr double turn_rad = 0.1;  // in a control step: 2 rad/s, slower than any joint can
@@ -21,7 +21,7 @@ std::size_t numbers_a_tool(ControlMode mode) {
   return mode == ControlMode::pd_ee_delta_pos ? 3 : 6;
 }
 
-std::string prefix_of(const Tool& tool) {
+std::string prefix_of(const robots::Tool& tool) {
   return tool.prefix.empty() ? "tool_" : tool.prefix;
 }
 
@@ -41,11 +41,11 @@ Pose moved_pose(Pose pose, std::span<const double> by) {
 
 }  // namespace
 
-ActionMap::ActionMap(const Robot& robot, ControlMode mode, bool stop)
-    : robot_(robot), mode_(mode), stop_(stop), joints_(commanded_dofs(robot)) {
-  for (const Tool& tool : robot.tools) {
+ActionMap::ActionMap(const robots::Robot& robot, ControlMode mode, bool stop)
+    : robot_(robot), mode_(mode), stop_(stop), joints_(episodes::commanded_dofs(robot)) {
+  for (const robots::Tool& tool : robot.tools) {
     Arm arm{tool.frame, {}};
-    for (const JointGroup& group : robot.groups)
+    for (const robots::JointGroup& group : robot.groups)
       if (group.tip == tool.frame && group.name != tool.prefix + "fingers") arm.dofs = group.dofs;
     arms_.push_back(std::move(arm));
   }
@@ -58,7 +58,7 @@ ActionMap::ActionMap(const Robot& robot, ControlMode mode, bool stop)
     add_joints(mode_ == ControlMode::pd_joint_pos);
   else
     add_tools();
-  for (const Tool& tool : robot.tools)
+  for (const robots::Tool& tool : robot.tools)
     numbers_.push_back({prefix_of(tool) + "opening"});
   if (robot.drive) {
     numbers_.push_back({"drive"});
@@ -69,14 +69,14 @@ ActionMap::ActionMap(const Robot& robot, ControlMode mode, bool stop)
 
 void ActionMap::add_joints(bool absolute) {
   for (const int dof : joints_) {
-    const Joint& joint = robot_.joint_of_dof(static_cast<std::size_t>(dof));
+    const robots::Joint& joint = robot_.joint_of_dof(static_cast<std::size_t>(dof));
     numbers_.push_back(absolute ? ActionNumber{joint.name, joint.lower, joint.upper}
                                 : ActionNumber{joint.name});
   }
 }
 
 void ActionMap::add_tools() {
-  for (const Tool& tool : robot_.tools)
+  for (const robots::Tool& tool : robot_.tools)
     for (std::size_t axis = 0; axis < numbers_a_tool(mode_); ++axis)
       numbers_.push_back({prefix_of(tool) + tool_axes[axis]});
   for (const int place : other_) {
@@ -86,12 +86,13 @@ void ActionMap::add_tools() {
 }
 
 double ActionMap::step_of(int dof) const {
-  const Joint& joint = robot_.joint_of_dof(static_cast<std::size_t>(dof));
-  return joint.kind == JointType::prismatic ? joint.velocity * control_step_s : turn_rad;
+  const robots::Joint& joint = robot_.joint_of_dof(static_cast<std::size_t>(dof));
+  return joint.kind == robots::JointType::prismatic ? joint.velocity * episodes::control_step_s
+                                                    : turn_rad;
 }
 
 std::vector<double> ActionMap::at_origin(std::vector<double> state) const {
-  if (const JointGroup* base = robot_.drive ? robot_.find_group("base") : nullptr)
+  if (const robots::JointGroup* base = robot_.drive ? robot_.find_group("base") : nullptr)
     for (const int dof : base->dofs)
       state[static_cast<std::size_t>(dof)] = 0;
   return state;
@@ -101,14 +102,14 @@ std::vector<Pose> ActionMap::tool_poses(const std::vector<double>& state) const 
   const std::vector<double> there = at_origin(state);
   std::vector<Pose> poses;
   for (const Arm& arm : arms_)
-    poses.push_back(frame_pose(robot_, there, arm.frame));
+    poses.push_back(robots::frame_pose(robot_, there, arm.frame));
   return poses;
 }
 
 std::vector<double> ActionMap::led(std::vector<double> target,
                                    const std::vector<double>& told) const {
   for (std::size_t j = 0; j < joints_.size(); ++j) {
-    const Joint& joint = robot_.joint_of_dof(static_cast<std::size_t>(joints_[j]));
+    const robots::Joint& joint = robot_.joint_of_dof(static_cast<std::size_t>(joints_[j]));
     const double step = step_of(joints_[j]);
     target[j] = std::clamp(target[j], told[j] - step, told[j] + step);
     target[j] = std::clamp(target[j], joint.lower, joint.upper);
@@ -116,14 +117,14 @@ std::vector<double> ActionMap::led(std::vector<double> target,
   return target;
 }
 
-Result<NearestIk> ActionMap::moved_tool(const Arm& arm,
-                                        std::span<const double> by,
-                                        const std::vector<double>& state) const {
-  NumericIkOptions near;
+Result<robots::NearestIk> ActionMap::moved_tool(const Arm& arm,
+                                                std::span<const double> by,
+                                                const std::vector<double>& state) const {
+  robots::NumericIkOptions near;
   near.restarts = 0;
   near.tolerance = 1e-5;
-  const Pose wanted = moved_pose(frame_pose(robot_, state, arm.frame), by);
-  return nearest_numeric(robot_, arm.frame, arm.dofs, wanted, state, Seed(0), near);
+  const Pose wanted = moved_pose(robots::frame_pose(robot_, state, arm.frame), by);
+  return robots::nearest_numeric(robot_, arm.frame, arm.dofs, wanted, state, Seed(0), near);
 }
 
 std::vector<double> ActionMap::moved_joints(std::span<const double> values,
@@ -143,7 +144,8 @@ Result<MappedAction> ActionMap::moved_tools(std::span<const double> values,
   std::vector<double> reached = at_origin(state);
   const std::size_t each = numbers_a_tool(mode_);
   for (std::size_t t = 0; t < arms_.size(); ++t) {
-    MARKETGEN_TRY(NearestIk near, moved_tool(arms_[t], values.subspan(t * each, each), reached));
+    MARKETGEN_TRY(robots::NearestIk near,
+                  moved_tool(arms_[t], values.subspan(t * each, each), reached));
     moved.cuts.push_back({near.off_m, near.off_rad});
     reached = std::move(near.q);
   }
@@ -166,13 +168,13 @@ Result<MappedAction> ActionMap::action(std::span<const double> values,
   } else {
     MARKETGEN_TRY(mapped, moved_tools(values, state, target));
   }
-  Action& action = mapped.action;
+  agent::Action& action = mapped.action;
   const std::size_t tail = robot_.tools.size() + (robot_.drive ? 2 : 0) + (stop_ ? 1 : 0);
   std::span<const double> rest = values.last(tail);
-  for (const Tool& tool : robot_.tools) {
+  for (const robots::Tool& tool : robot_.tools) {
     const double open = (share(rest.front()) + 1) / 2;
-    const double cup = open > 0.5 ? cup_off_m : 0;
-    action.tools.push_back({tool.kind == ToolKind::suction ? cup : open * tool.opening});
+    const double cup = open > 0.5 ? agent::cup_off_m : 0;
+    action.tools.push_back({tool.kind == robots::ToolKind::suction ? cup : open * tool.opening});
     rest = rest.subspan(1);
   }
   if (robot_.drive) {
@@ -183,7 +185,7 @@ Result<MappedAction> ActionMap::action(std::span<const double> values,
   return mapped;
 }
 
-Result<std::vector<double>> ActionMap::values(const Action& wanted,
+Result<std::vector<double>> ActionMap::values(const agent::Action& wanted,
                                               const std::vector<double>& target) const {
   if (!by_joint(mode_))
     return Error{
@@ -197,8 +199,8 @@ Result<std::vector<double>> ActionMap::values(const Action& wanted,
                          ? wanted.position[j]
                          : share((wanted.position[j] - target[j]) / step_of(joints_[j])));
   for (std::size_t t = 0; t < robot_.tools.size(); ++t) {
-    const bool cup = robot_.tools[t].kind == ToolKind::suction;
-    const double widest = cup ? cup_off_m : robot_.tools[t].opening;
+    const bool cup = robot_.tools[t].kind == robots::ToolKind::suction;
+    const double widest = cup ? agent::cup_off_m : robot_.tools[t].opening;
     values.push_back(2 * std::clamp(wanted.tools[t].opening_m / widest, 0.0, 1.0) - 1);
   }
   if (robot_.drive) {
@@ -209,4 +211,4 @@ Result<std::vector<double>> ActionMap::values(const Action& wanted,
   return values;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

@@ -17,7 +17,7 @@
 #include "robots/numeric_ik.h"
 #include "robots/robot.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 
 // What the move is. Names as in ManiSkill.
 //   pd_joint_pos        every joint that is commanded: rad or m
@@ -46,14 +46,14 @@ struct ToolCut {
 };
 
 struct MappedAction {
-  Action action;
+  agent::Action action;
   std::vector<ToolCut> cuts;  // one a tool in modes of tools, else none
 };
 
 // Immutable; the robot must outlive it.
 class ActionMap {
  public:
-  ActionMap(const Robot& robot, ControlMode mode, bool stop = true);
+  ActionMap(const robots::Robot& robot, ControlMode mode, bool stop = true);
 
   const std::vector<ActionNumber>& numbers() const { return numbers_; }
 
@@ -66,7 +66,8 @@ class ActionMap {
   // The other way: numbers of which action() makes `wanted`, as near as they can say it. They have
   // no force of a tool, and a step of pd_joint_delta_pos is no longer than its most. Error
   // usage.bad_flag: how an arm is bent cannot be said in the modes of tools.
-  Result<std::vector<double>> values(const Action& wanted, const std::vector<double>& target) const;
+  Result<std::vector<double>> values(const agent::Action& wanted,
+                                     const std::vector<double>& target) const;
 
   // Of each tool in the frame of the robot's base.
   std::vector<Pose> tool_poses(const std::vector<double>& state) const;
@@ -83,9 +84,9 @@ class ActionMap {
   void add_joints(bool absolute);
   void add_tools();
   std::vector<double> at_origin(std::vector<double> state) const;
-  Result<NearestIk> moved_tool(const Arm& arm,
-                               std::span<const double> by,
-                               const std::vector<double>& state) const;
+  Result<robots::NearestIk> moved_tool(const Arm& arm,
+                                       std::span<const double> by,
+                                       const std::vector<double>& state) const;
   std::vector<double> moved_joints(std::span<const double> values,
                                    const std::vector<double>& target) const;
   Result<MappedAction> moved_tools(std::span<const double> values,
@@ -93,7 +94,7 @@ class ActionMap {
                                    const std::vector<double>& target) const;
   double step_of(int dof) const;
 
-  const Robot& robot_;
+  const robots::Robot& robot_;
   ControlMode mode_;
   bool stop_;
   std::vector<int> joints_;  // degrees of freedom that are commanded
@@ -102,4 +103,4 @@ class ActionMap {
   std::vector<ActionNumber> numbers_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

@@ -13,25 +13,26 @@
 #include "episodes/track_entry.h"
 #include "io/json.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 namespace {
 
 constexpr char state_tag[] = "market-state/1";
 
 // What the numbers of a state mean depends on these.
-std::string made_by(const EpisodeSpec& spec) {
-  return fmt::format("{} {} {:016x}", state_tag, program_version, hash64(write_json_line(spec)));
+std::string made_by(const episodes::EpisodeSpec& spec) {
+  return fmt::format(
+      "{} {} {:016x}", state_tag, program_version, hash64(io::write_json_line(spec)));
 }
 
 }  // namespace
 
 Result<std::unique_ptr<Environment>> Environment::create(std::shared_ptr<EpisodeGround> ground,
-                                                         Track track,
+                                                         episodes::Track track,
                                                          const EnvironmentOptions& options) {
   return environment_entry_of(track).environment(std::move(ground), options);
 }
 
-void Environment::set_robot(const Robot& robot, const ObservationBounds& bounds) {
+void Environment::set_robot(const robots::Robot& robot, const ObservationBounds& bounds) {
   actions_.emplace(robot, options_.control, options_.stop);
   parts_ = robot_parts(robot, bounds);
   item_rows_ = options_.item_rows > 0 ? options_.item_rows : ground_->max_items(track_);
@@ -44,8 +45,8 @@ void Environment::set_robot(const Robot& robot, const ObservationBounds& bounds)
   }
 }
 
-Result<void> Environment::check_room(const EpisodeSpec& spec) const {
-  const int items = entry_of(track_).items_of(spec);
+Result<void> Environment::check_room(const episodes::EpisodeSpec& spec) const {
+  const int items = episodes::entry_of(track_).items_of(spec);
   if (!options_.privileged || items <= item_rows_) return {};
   return Error{"episode.impossible",
                spec.id,
@@ -63,18 +64,18 @@ Result<void> Environment::look() {
   return {};
 }
 
-Result<void> Environment::reset(const EpisodeSpec& spec) {
+Result<void> Environment::reset(const episodes::EpisodeSpec& spec) {
   if (spec.track != track_)
     return Error{
         "episode.unknown_track",
         spec.id,
         fmt::format(
             "it is of the track {}, the environment of {}", name_of(spec.track), name_of(track_))};
-  MARKETGEN_CHECK(check_episode(spec, spec.id));
+  MARKETGEN_CHECK(episodes::check_episode(spec, spec.id));
   MARKETGEN_CHECK(ground_->check(spec));
   MARKETGEN_CHECK(check_room(spec));
   run_.reset();
-  MARKETGEN_TRY(TrackWorld* const world, begin(spec));
+  MARKETGEN_TRY(episodes::TrackWorld* const world, begin(spec));
   run_.emplace(*world, options_.stop ? EndsWhen::agent_stops : EndsWhen::goals_are_met);
   target_ = world->observe().position;
   cuts_.clear();
@@ -114,7 +115,7 @@ Result<void> Environment::finish() {
   return look();
 }
 
-EpisodeResult Environment::judged(EpisodeEnd end) {
+episodes::EpisodeResult Environment::judged(episodes::EpisodeEnd end) {
   if (!run_->result()) {
     const auto done = finish();
     if (!done.ok() && !end.broken) end.broken = done.error();
@@ -152,7 +153,7 @@ void Environment::observe(std::span<float> into) const {
 
 std::string Environment::save() const {
   ByteWriter writer;
-  const std::string result = run_->result() ? write_json(*run_->result()) : "";
+  const std::string result = run_->result() ? io::write_json(*run_->result()) : "";
   writer(made_by(world().spec()), world().save(), target_, run_->in_time(), result);
   const std::string content = writer.take();
   writer(hash64(content), content);
@@ -175,9 +176,9 @@ Result<void> Environment::restore(std::string_view moment) {
   reader(made, state, target, in_time, result);
   if (!reader.ok() || made != made_by(world().spec()) || target.size() != target_.size())
     return bad("the state is of another episode, or of another version of marketgen");
-  std::optional<EpisodeResult> ended;
+  std::optional<episodes::EpisodeResult> ended;
   if (!result.empty()) {
-    MARKETGEN_TRY(ended, read_json<EpisodeResult>(result, "state"));
+    MARKETGEN_TRY(ended, io::read_json<episodes::EpisodeResult>(result, "state"));
   }
   MARKETGEN_CHECK(run_->restore(state, in_time, std::move(ended)));
   target_ = std::move(target);
@@ -185,4 +186,4 @@ Result<void> Environment::restore(std::string_view moment) {
   return look();
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

@@ -20,7 +20,7 @@
 #include "episodes/track_world.h"
 #include "render/render.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 
 // sparse: at the end, the share of the goals. dense: after each step, from 0 to 1, nearer is more;
 // 1 when all goals are met. shaped: by how much the step has raised goal_progress(), so that the
@@ -50,7 +50,7 @@ class Environment {
  public:
   // Errors: of the station and its robot.
   static Result<std::unique_ptr<Environment>> create(std::shared_ptr<EpisodeGround> ground,
-                                                     Track track,
+                                                     episodes::Track track,
                                                      const EnvironmentOptions& options);
   virtual ~Environment() = default;
 
@@ -61,7 +61,7 @@ class Environment {
   virtual std::vector<std::string> cameras() const = 0;
 
   // Errors: those of EpisodeGround::check and of the track's world; episode.unknown_track.
-  Result<void> reset(const EpisodeSpec& spec);
+  Result<void> reset(const episodes::EpisodeSpec& spec);
   // Error episode.bad_action: step() would refuse it.
   Result<void> check(std::span<const double> action) const;
   // Errors: as check(), and the environment is as before; physics.failed.
@@ -73,25 +73,25 @@ class Environment {
   bool robot_stopped() const { return run_ && world().observe().stopped; }
   // The result as evaluate() keeps it; an episode that still runs is ended and judged as it stands.
   // `end.in_time` is not read.
-  EpisodeResult judged(EpisodeEnd end);
+  episodes::EpisodeResult judged(episodes::EpisodeEnd end);
   // Of a running or ended episode; `into` has observation_size() places.
   void observe(std::span<float> into) const;
 
   // What step() takes to act so from where it is, as near as its numbers can say it. Errors: of
   // ActionMap::values.
-  Result<std::vector<double>> numbers_of(const Action& wanted) const {
+  Result<std::vector<double>> numbers_of(const agent::Action& wanted) const {
     return actions_->values(wanted, target_);
   }
 
   // As things stand, from one of cameras(), or the film's (episodes/track_view.h). Errors:
   // camera.unknown, those of the renderer.
-  virtual Result<Frame> picture(const std::string& camera,
-                                int width,
-                                int height,
-                                const RenderOptions& options) = 0;
+  virtual Result<render::Frame> picture(const std::string& camera,
+                                        int width,
+                                        int height,
+                                        const render::RenderOptions& options) = 0;
   // Its place is in the frame that the observations' base_pose is in: of the station or the store.
   // One that a driving robot carries is where it would be if the robot stood at base_pose.
-  virtual Result<Camera> camera(const std::string& camera, int width, int height) = 0;
+  virtual Result<render::Camera> camera(const std::string& camera, int width, int height) = 0;
   // By the numbers of pictures: the SKU of each product that they can show.
   virtual Result<std::vector<std::pair<std::uint32_t, std::string>>> products() = 0;
   // What the agent knows of the place beforehand, as JSON: market-layout/1 of a store; "" of a
@@ -116,21 +116,25 @@ class Environment {
 
   EpisodeGround& ground() { return *ground_; }
   const EnvironmentOptions& options() const { return options_; }
-  Track track() const { return track_; }
+  episodes::Track track() const { return track_; }
   std::uint64_t resets() const { return resets_; }  // how many there were
   bool running() const { return run_ && run_->running(); }
   // Of the episode to which it was reset, which must have been done.
-  const TrackWorld& world() const { return run_->world(); }
+  const episodes::TrackWorld& world() const { return run_->world(); }
   // Of an episode that has ended.
-  std::optional<EpisodeResult> result() const { return run_ ? run_->result() : std::nullopt; }
+  std::optional<episodes::EpisodeResult> result() const {
+    return run_ ? run_->result() : std::nullopt;
+  }
 
  protected:
-  Environment(std::shared_ptr<EpisodeGround> ground, Track track, const EnvironmentOptions& options)
+  Environment(std::shared_ptr<EpisodeGround> ground,
+              episodes::Track track,
+              const EnvironmentOptions& options)
       : ground_(std::move(ground)), track_(track), options_(options) {}
   // Once, before anything else.
-  void set_robot(const Robot& robot, const ObservationBounds& bounds);
+  void set_robot(const robots::Robot& robot, const ObservationBounds& bounds);
   // A world that was reset to it, and lives until the next call.
-  virtual Result<TrackWorld*> begin(const EpisodeSpec& spec) = 0;
+  virtual Result<episodes::TrackWorld*> begin(const episodes::EpisodeSpec& spec) = 0;
   // How near the goals are, mean over them, 0 to 1.
   virtual double nearness() const = 0;
   virtual ProgressScale progress_scale() const = 0;
@@ -142,11 +146,11 @@ class Environment {
   double progress() const;
   bool succeeded() const;
   Result<void> finish();
-  Result<void> check_room(const EpisodeSpec& spec) const;
+  Result<void> check_room(const episodes::EpisodeSpec& spec) const;
   Result<void> look();
 
   std::shared_ptr<EpisodeGround> ground_;
-  Track track_;
+  episodes::Track track_;
   EnvironmentOptions options_;
   std::optional<ActionMap> actions_;
   std::vector<ObservationPart> parts_;
@@ -161,4 +165,4 @@ class Environment {
   double progress_ = 0;                      // likewise
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

@@ -7,7 +7,7 @@
 #include "base/interrupt.h"
 #include "base/parallel.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 namespace {
 
 // Runs work(i) for each i; the first error by index.
@@ -48,7 +48,7 @@ Result<void> step_all(std::span<Environment* const> environments,
 }
 
 Result<void> reset_all(std::span<Environment* const> environments,
-                       std::span<const EpisodeSpec> episodes,
+                       std::span<const episodes::EpisodeSpec> episodes,
                        std::span<float> observations) {
   return for_each_of(environments.size(), [&](std::size_t i) -> Result<void> {
     MARKETGEN_CHECK(environments[i]->reset(episodes[i]));
@@ -57,12 +57,12 @@ Result<void> reset_all(std::span<Environment* const> environments,
   });
 }
 
-Result<std::vector<EpisodeSpec>> draw_all(EpisodeGround& ground,
-                                          Track track,
-                                          std::span<const std::uint64_t> seeds,
-                                          const std::string& tools,
-                                          Progress& progress) {
-  std::vector<EpisodeSpec> drawn(seeds.size());
+Result<std::vector<episodes::EpisodeSpec>> draw_all(EpisodeGround& ground,
+                                                    episodes::Track track,
+                                                    std::span<const std::uint64_t> seeds,
+                                                    const std::string& tools,
+                                                    Progress& progress) {
+  std::vector<episodes::EpisodeSpec> drawn(seeds.size());
   progress.begin("episodes", seeds.size());
   const auto done = for_each_of(seeds.size(), [&](std::size_t i) -> Result<void> {
     MARKETGEN_CHECK(check_interrupt());
@@ -75,4 +75,4 @@ Result<std::vector<EpisodeSpec>> draw_all(EpisodeGround& ground,
   return drawn;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

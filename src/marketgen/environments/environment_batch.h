@@ -9,7 +9,7 @@
 #include "base/progress.h"
 #include "environments/environment.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 
 // Row-major, a row an environment; all environments have the same observation_size().
 struct BatchBuffers {
@@ -26,14 +26,14 @@ Result<void> step_all(std::span<Environment* const> environments,
 
 // To an episode each. Errors: those of Environment::reset.
 Result<void> reset_all(std::span<Environment* const> environments,
-                       std::span<const EpisodeSpec> episodes,
+                       std::span<const episodes::EpisodeSpec> episodes,
                        std::span<float> observations);
 
 // Episodes of seeds, drawn side by side. Errors: of EpisodeGround::draw; internal.interrupted.
-Result<std::vector<EpisodeSpec>> draw_all(EpisodeGround& ground,
-                                          Track track,
-                                          std::span<const std::uint64_t> seeds,
-                                          const std::string& tools = {},
-                                          Progress& progress = silent_progress());
+Result<std::vector<episodes::EpisodeSpec>> draw_all(EpisodeGround& ground,
+                                                    episodes::Track track,
+                                                    std::span<const std::uint64_t> seeds,
+                                                    const std::string& tools = {},
+                                                    Progress& progress = silent_progress());
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

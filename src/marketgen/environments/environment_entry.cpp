@@ -2,9 +2,9 @@
 
 #include <array>
 
-namespace marketgen {
+namespace marketgen::environments {
 
-const EnvironmentEntry& environment_entry_of(Track track) {
+const EnvironmentEntry& environment_entry_of(episodes::Track track) {
   static const std::array entries{
 #define MARKETGEN_TRACK(name, Type) &name##_environment_entry(),
 #include "episodes/tracks.inc"
@@ -13,4 +13,4 @@ const EnvironmentEntry& environment_entry_of(Track track) {
   return *entries[static_cast<std::size_t>(track)];
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

@@ -8,14 +8,15 @@
 #include "environments/environment.h"
 #include "environments/episode_sampler.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 
 // Immutable; any number of threads may ask.
 class EnvironmentEntry {
  public:
   virtual ~EnvironmentEntry() = default;
   // A world that was reset to the episode. Errors: as Arena::open.
-  virtual Result<std::unique_ptr<TrackWorld>> open(Arena& arena, const EpisodeSpec& spec) const = 0;
+  virtual Result<std::unique_ptr<episodes::TrackWorld>> open(
+      Arena& arena, const episodes::EpisodeSpec& spec) const = 0;
   // Errors: of the station and its robot.
   virtual Result<std::unique_ptr<Environment>> environment(
       std::shared_ptr<EpisodeGround> ground, const EnvironmentOptions& options) const = 0;
@@ -29,6 +30,6 @@ class EnvironmentEntry {
 #include "episodes/tracks.inc"
 #undef MARKETGEN_TRACK
 
-const EnvironmentEntry& environment_entry_of(Track track);
+const EnvironmentEntry& environment_entry_of(episodes::Track track);
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

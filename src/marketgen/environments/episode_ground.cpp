@@ -10,7 +10,7 @@
 #include "io/file.h"
 #include "io/json.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 namespace {
 
 constexpr std::size_t max_kept_episodes = 1000;
@@ -24,19 +24,19 @@ struct EpisodeGround::Sampling {
 };
 
 EpisodeGround::EpisodeGround(std::filesystem::path data,
-                             EpisodeFile file,
-                             std::shared_ptr<const Catalog> catalog)
+                             episodes::EpisodeFile file,
+                             std::shared_ptr<const catalog::Catalog> catalog)
     : data_(std::move(data)),
       file_(std::move(file)),
       catalog_(std::move(catalog)),
       arena_(data_, file_.header, *catalog_) {}
 
 Result<std::shared_ptr<EpisodeGround>> EpisodeGround::of_store(
-    std::shared_ptr<const Store> store, std::shared_ptr<const Catalog> catalog) {
-  MARKETGEN_TRY(std::filesystem::path data, data_folder());
-  EpisodeFile file;
+    std::shared_ptr<const store::Store> store, std::shared_ptr<const catalog::Catalog> catalog) {
+  MARKETGEN_TRY(std::filesystem::path data, io::data_folder());
+  episodes::EpisodeFile file;
   file.header.stores = {store_row(*store)};
-  file.header.products = store_stock(store->scene);
+  file.header.products = episodes::store_stock(store->scene);
   std::shared_ptr<EpisodeGround> ground(
       new EpisodeGround(std::move(data), std::move(file), std::move(catalog)));
   ground->arena_.offer(store);
@@ -45,22 +45,24 @@ Result<std::shared_ptr<EpisodeGround>> EpisodeGround::of_store(
 }
 
 Result<std::shared_ptr<EpisodeGround>> EpisodeGround::of_file(const std::filesystem::path& file) {
-  MARKETGEN_TRY(std::filesystem::path data, data_folder());
-  MARKETGEN_TRY(EpisodeFile read, read_episode_file(file));
-  MARKETGEN_TRY(Catalog catalog, usable_catalog());
-  return std::shared_ptr<EpisodeGround>(new EpisodeGround(
-      std::move(data), std::move(read), std::make_shared<const Catalog>(std::move(catalog))));
+  MARKETGEN_TRY(std::filesystem::path data, io::data_folder());
+  MARKETGEN_TRY(episodes::EpisodeFile read, episodes::read_episode_file(file));
+  MARKETGEN_TRY(catalog::Catalog catalog, assets::usable_catalog());
+  return std::shared_ptr<EpisodeGround>(
+      new EpisodeGround(std::move(data),
+                        std::move(read),
+                        std::make_shared<const catalog::Catalog>(std::move(catalog))));
 }
 
-Result<std::shared_ptr<EpisodeGround>> EpisodeGround::of_pool(Track track) {
-  MARKETGEN_TRY(std::filesystem::path data, data_folder());
+Result<std::shared_ptr<EpisodeGround>> EpisodeGround::of_pool(episodes::Track track) {
+  MARKETGEN_TRY(std::filesystem::path data, io::data_folder());
   const std::filesystem::path name =
       std::filesystem::path("benchmark") / "pool" / fmt::format("{}.jsonl", name_of(track));
-  MARKETGEN_TRY(EpisodeFile read, read_episode_file(data / name));
-  MARKETGEN_TRY(Catalog catalog, load_catalog(data, {}));
-  for (const Product& product : read.header.products) {
-    const auto row = std::ranges::find(catalog.products, product.sku, &Product::sku);
-    if (row != catalog.products.end() && write_json(*row) == write_json(product)) continue;
+  MARKETGEN_TRY(episodes::EpisodeFile read, episodes::read_episode_file(data / name));
+  MARKETGEN_TRY(catalog::Catalog catalog, catalog::load_catalog(data, {}));
+  for (const catalog::Product& product : read.header.products) {
+    const auto row = std::ranges::find(catalog.products, product.sku, &catalog::Product::sku);
+    if (row != catalog.products.end() && io::write_json(*row) == io::write_json(product)) continue;
     return Error{"episode.other_store",
                  name.string(),
                  fmt::format("the product \"{}\" is no longer as the pool's episodes have it: make "
@@ -68,50 +70,52 @@ Result<std::shared_ptr<EpisodeGround>> EpisodeGround::of_pool(Track track) {
                              "episodes of your own",
                              product.sku)};
   }
-  return std::shared_ptr<EpisodeGround>(new EpisodeGround(
-      std::move(data), std::move(read), std::make_shared<const Catalog>(std::move(catalog))));
+  return std::shared_ptr<EpisodeGround>(
+      new EpisodeGround(std::move(data),
+                        std::move(read),
+                        std::make_shared<const catalog::Catalog>(std::move(catalog))));
 }
 
-int EpisodeGround::max_items(Track track) const {
-  const TrackEntry& entry = entry_of(track);
+int EpisodeGround::max_items(episodes::Track track) const {
+  const episodes::TrackEntry& entry = episodes::entry_of(track);
   int most = entry.max_items();
-  for (const EpisodeSpec& spec : file_.episodes)
+  for (const episodes::EpisodeSpec& spec : file_.episodes)
     if (spec.track == track) most = std::max(most, entry.items_of(spec));
   return most;
 }
 
 double EpisodeGround::largest_side_m() const {
   int max_mm = 0;
-  for (const EpisodeStore& store : file_.header.stores)
+  for (const episodes::EpisodeStore& store : file_.header.stores)
     max_mm = std::max({max_mm, store.plan.shell.width_mm, store.plan.shell.depth_mm});
   return max_mm * 1e-3;
 }
 
-std::vector<Product> EpisodeGround::known_products() const {
-  std::map<std::string, Product> rows;
-  for (const Product& row : catalog_->products)
+std::vector<catalog::Product> EpisodeGround::known_products() const {
+  std::map<std::string, catalog::Product> rows;
+  for (const catalog::Product& row : catalog_->products)
     rows.emplace(row.sku, row);
-  for (const EpisodeStore& store : file_.header.stores)
-    for (const Product& row : store.own.value_or(std::vector<Product>{}))
+  for (const episodes::EpisodeStore& store : file_.header.stores)
+    for (const catalog::Product& row : store.own.value_or(std::vector<catalog::Product>{}))
       rows.emplace(row.sku, row);
-  std::vector<Product> known;
+  std::vector<catalog::Product> known;
   for (auto& [sku, row] : rows)
     known.push_back(std::move(row));
   return known;
 }
 
-Result<void> EpisodeGround::check(const EpisodeSpec& spec) const {
+Result<void> EpisodeGround::check(const episodes::EpisodeSpec& spec) const {
   Result<void> last = Error{"episode.other_store", spec.id, "there is no store"};
-  for (const EpisodeStore& store : file_.header.stores) {
-    last = check_store(spec, store.scene_hash, store.plan_hash);
+  for (const episodes::EpisodeStore& store : file_.header.stores) {
+    last = episodes::check_store(spec, store.scene_hash, store.plan_hash);
     if (last.ok()) break;
   }
   return last;
 }
 
-Result<EpisodeSpec> EpisodeGround::pick(Track track, std::uint64_t seed) const {
-  std::vector<const EpisodeSpec*> of_track;
-  for (const EpisodeSpec& spec : file_.episodes)
+Result<episodes::EpisodeSpec> EpisodeGround::pick(episodes::Track track, std::uint64_t seed) const {
+  std::vector<const episodes::EpisodeSpec*> of_track;
+  for (const episodes::EpisodeSpec& spec : file_.episodes)
     if (spec.track == track) of_track.push_back(&spec);
   if (of_track.empty())
     return Error{"episode.impossible",
@@ -120,11 +124,11 @@ Result<EpisodeSpec> EpisodeGround::pick(Track track, std::uint64_t seed) const {
   return *of_track[seed % of_track.size()];
 }
 
-Result<std::shared_ptr<EpisodeGround::Sampling>> EpisodeGround::sampling(Track track,
+Result<std::shared_ptr<EpisodeGround::Sampling>> EpisodeGround::sampling(episodes::Track track,
                                                                          const std::string& tools) {
   const std::string key = fmt::format("{} {}", name_of(track), tools);
   return arena_.shared().get<Sampling>(key, [&]() -> Result<std::shared_ptr<Sampling>> {
-    const EpisodeStore& row = file_.header.stores.front();
+    const episodes::EpisodeStore& row = file_.header.stores.front();
     auto made = std::make_shared<Sampling>();
     MARKETGEN_TRY(made->all, environment_entry_of(track).sampler(arena_, tools));
     MARKETGEN_TRY(made->of_store, made->all->of_store({row.name, row.scene_hash, row.plan_hash}));
@@ -132,27 +136,29 @@ Result<std::shared_ptr<EpisodeGround::Sampling>> EpisodeGround::sampling(Track t
   });
 }
 
-Result<EpisodeSpec> EpisodeGround::sample(Track track,
-                                          std::uint64_t seed,
-                                          const std::string& tools) {
+Result<episodes::EpisodeSpec> EpisodeGround::sample(episodes::Track track,
+                                                    std::uint64_t seed,
+                                                    const std::string& tools) {
   MARKETGEN_TRY(const auto drawing, sampling(track, tools));
   auto spec = drawing->of_store->sample(Seed(seed), 0);
   MARKETGEN_CHECK(drawing->all->keep());
   return spec;
 }
 
-Result<EpisodeSpec> EpisodeGround::draw(Track track, std::uint64_t seed, const std::string& tools) {
+Result<episodes::EpisodeSpec> EpisodeGround::draw(episodes::Track track,
+                                                  std::uint64_t seed,
+                                                  const std::string& tools) {
   if (!store_) return pick(track, seed);
   const std::tuple key{track, tools, seed};
   {
     const std::scoped_lock lock(mutex_);
     if (const auto kept = drawn_.find(key); kept != drawn_.end()) return kept->second;
   }
-  MARKETGEN_TRY(EpisodeSpec spec, sample(track, seed, tools));
+  MARKETGEN_TRY(episodes::EpisodeSpec spec, sample(track, seed, tools));
   const std::scoped_lock lock(mutex_);
   if (drawn_.size() >= max_kept_episodes) drawn_.clear();
   drawn_.try_emplace(key, spec);
   return spec;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

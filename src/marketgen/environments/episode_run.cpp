@@ -2,9 +2,9 @@
 
 #include <utility>
 
-namespace marketgen {
+namespace marketgen::environments {
 
-Result<RunStep> EpisodeRun::step(const Action& action) {
+Result<RunStep> EpisodeRun::step(const agent::Action& action) {
   RunStep made;
   MARKETGEN_TRY(made.now, world_.step(action));
   made.terminated = action.stop;
@@ -17,29 +17,29 @@ Result<RunStep> EpisodeRun::step(const Action& action) {
 
 Result<void> EpisodeRun::finish() {
   if (result_) return {};
-  in_time_ = ended_in_time(world_);
-  MARKETGEN_TRY(EpisodeResult judged, world_.finish());
-  EpisodeEnd end;
+  in_time_ = episodes::ended_in_time(world_);
+  MARKETGEN_TRY(episodes::EpisodeResult judged, world_.finish());
+  episodes::EpisodeEnd end;
   end.in_time = in_time_;
-  result_ = with_end(std::move(judged), end);
+  result_ = episodes::with_end(std::move(judged), end);
   return {};
 }
 
-EpisodeResult EpisodeRun::judged(EpisodeEnd end) {
+episodes::EpisodeResult EpisodeRun::judged(episodes::EpisodeEnd end) {
   const Result<void> done = finish();
   end.in_time = in_time_;
-  if (result_) return with_end(*result_, end);
+  if (result_) return episodes::with_end(*result_, end);
   if (!end.broken) end.broken = done.error();
-  return with_end(unjudged(world_.spec()), end);
+  return episodes::with_end(episodes::unjudged(world_.spec()), end);
 }
 
 Result<void> EpisodeRun::restore(std::string_view world,
                                  bool in_time,
-                                 std::optional<EpisodeResult> result) {
+                                 std::optional<episodes::EpisodeResult> result) {
   MARKETGEN_CHECK(world_.restore(world));
   in_time_ = in_time;
   result_ = std::move(result);
   return {};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

@@ -12,13 +12,13 @@
 #include "episodes/episode_result.h"
 #include "episodes/track_world.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 
 // What ends an episode before its time is over.
 enum class EndsWhen { agent_stops, goals_are_met };
 
 struct RunStep {
-  Observation now;
+  agent::Observation now;
   bool terminated = false;  // as EndsWhen says
   bool truncated = false;   // the time is over
 };
@@ -27,35 +27,39 @@ struct RunStep {
 class EpisodeRun {
  public:
   // `world` was reset to the episode and must outlive the run.
-  explicit EpisodeRun(TrackWorld& world, EndsWhen rule = EndsWhen::agent_stops)
+  explicit EpisodeRun(episodes::TrackWorld& world, EndsWhen rule = EndsWhen::agent_stops)
       : world_(world), rule_(rule) {}
 
-  const TrackWorld& world() const { return world_; }
+  const episodes::TrackWorld& world() const { return world_; }
   bool running() const { return !world_.done(); }
 
   // One control step. Errors: those of TrackWorld::step, and the world is as before when it is
   // episode.bad_action; those of TrackWorld::goals_met.
-  Result<RunStep> step(const Action& action);
+  Result<RunStep> step(const agent::Action& action);
 
   // Waits for the judgement and judges, once. One that still runs is ended as it stands. Errors:
   // those of TrackWorld::finish.
   Result<void> finish();
-  const std::optional<EpisodeResult>& result() const { return result_; }  // once it is finished
+  const std::optional<episodes::EpisodeResult>& result() const {
+    return result_;
+  }  // once it is finished
 
   // The result as evaluations keep it, of what finish() judged or could not judge.
   // `end.in_time` is not read: the run knows.
-  EpisodeResult judged(EpisodeEnd end);
+  episodes::EpisodeResult judged(episodes::EpisodeEnd end);
 
   // Of a moment that was saved: what there is beside the world's own. Errors: those of
   // TrackWorld::restore, and nothing has changed.
   bool in_time() const { return in_time_; }  // it was finished before the time was over
-  Result<void> restore(std::string_view world, bool in_time, std::optional<EpisodeResult> result);
+  Result<void> restore(std::string_view world,
+                       bool in_time,
+                       std::optional<episodes::EpisodeResult> result);
 
  private:
-  TrackWorld& world_;
+  episodes::TrackWorld& world_;
   EndsWhen rule_;
   bool in_time_ = true;
-  std::optional<EpisodeResult> result_;
+  std::optional<episodes::EpisodeResult> result_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

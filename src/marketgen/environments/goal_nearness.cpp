@@ -2,14 +2,15 @@
 
 #include <algorithm>
 
-namespace marketgen {
+namespace marketgen::environments {
 
-double goal_nearness(const std::vector<EpisodeGoal>& goals,
-                     double scale_m,
-                     const std::function<std::vector<double>(const EpisodeGoal& goal)>& distances) {
+double goal_nearness(
+    const std::vector<episodes::EpisodeGoal>& goals,
+    double scale_m,
+    const std::function<std::vector<double>(const episodes::EpisodeGoal& goal)>& distances) {
   double sum = 0;
   int asked = 0;
-  for (const EpisodeGoal& goal : goals) {
+  for (const episodes::EpisodeGoal& goal : goals) {
     std::vector<double> near = distances(goal);
     const auto count = std::min(near.size(), static_cast<std::size_t>(goal.count));
     std::ranges::partial_sort(near, near.begin() + static_cast<std::ptrdiff_t>(count));
@@ -20,4 +21,4 @@ double goal_nearness(const std::vector<EpisodeGoal>& goals,
   return asked > 0 ? sum / asked : 0;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

@@ -6,12 +6,13 @@
 
 #include "episodes/episode_spec.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 
 // Mean over the items that the goals ask for of 1 - tanh(distance / scale), for each goal its
 // nearest items. `distances`: of all items of a goal, metres. An item that is not there is at 0.
-double goal_nearness(const std::vector<EpisodeGoal>& goals,
-                     double scale_m,
-                     const std::function<std::vector<double>(const EpisodeGoal& goal)>& distances);
+double goal_nearness(
+    const std::vector<episodes::EpisodeGoal>& goals,
+    double scale_m,
+    const std::function<std::vector<double>(const episodes::EpisodeGoal& goal)>& distances);
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

@@ -6,7 +6,7 @@
 
 #include "episodes/goal_judge.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 namespace {
 
 constexpr double reach_share = 0.2, hold_share = 0.1, carry_share = 0.4;
@@ -35,20 +35,22 @@ double of_item(const EnvironmentItem& item,
                const ProgressScale& scale) {
   if (item.in_place) return 1;
   if (item.in_region)
-    return there + (item.touched ? 0 : let_go + rested * std::min(item.rested_s / min_rest_s, 1.0));
+    return there + (item.touched
+                        ? 0
+                        : let_go + rested * std::min(item.rested_s / episodes::min_rest_s, 1.0));
   return (item.held ? hold_share : 0) + carry_share * near(way_to(place, item), scale.carry_m);
 }
 
 }  // namespace
 
-double goal_progress(const std::vector<EpisodeGoal>& goals,
+double goal_progress(const std::vector<episodes::EpisodeGoal>& goals,
                      const std::vector<EnvironmentItem>& items,
                      const EnvironmentPlace& place,
                      const std::vector<Pose>& tools,
                      const ProgressScale& scale) {
   double sum = 0, reached = 0;
   int asked = 0, outside = 0;
-  for (const EpisodeGoal& goal : goals) {
+  for (const episodes::EpisodeGoal& goal : goals) {
     std::vector<std::pair<double, const EnvironmentItem*>> found;
     for (const EnvironmentItem& item : items)
       if (item.sku == goal.sku) found.emplace_back(of_item(item, place, scale), &item);
@@ -66,4 +68,4 @@ double goal_progress(const std::vector<EpisodeGoal>& goals,
   return asked > 0 ? (sum + outside * reach_share * reached) / asked : 0;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

@@ -5,7 +5,7 @@
 #include "environments/observation_parts.h"
 #include "episodes/episode_spec.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 
 struct ProgressScale {
   double reach_m = 0, carry_m = 0;  // of the tanh by which distances count
@@ -15,10 +15,10 @@ struct ProgressScale {
 // (0.1), it comes nearer to where it is to go (0 to 0.4), is there (0.75), is let go (0.9), has
 // rested there as long as the judge wants (1). Of several items of a goal those that have come
 // farthest count, and the tool is asked to come to that which lacks least.
-double goal_progress(const std::vector<EpisodeGoal>& goals,
+double goal_progress(const std::vector<episodes::EpisodeGoal>& goals,
                      const std::vector<EnvironmentItem>& items,
                      const EnvironmentPlace& place,
                      const std::vector<Pose>& tools,
                      const ProgressScale& scale);
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

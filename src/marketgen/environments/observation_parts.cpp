@@ -7,7 +7,7 @@
 #include "base/hash.h"
 #include "episodes/track_world.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 namespace {
 
 constexpr int pose_numbers = 7;
@@ -48,12 +48,13 @@ class PartBuilder {
   std::vector<ObservationPart> parts_;
 };
 
-bool has_cup(const Robot& robot) {
-  return std::ranges::find(robot.tools, ToolKind::suction, &Tool::kind) != robot.tools.end();
+bool has_cup(const robots::Robot& robot) {
+  return std::ranges::find(robot.tools, robots::ToolKind::suction, &robots::Tool::kind) !=
+         robot.tools.end();
 }
 
 // A row a tool; of a robot with one tool no rows.
-std::vector<int> for_each_tool(const Robot& robot, std::vector<int> shape) {
+std::vector<int> for_each_tool(const robots::Robot& robot, std::vector<int> shape) {
   if (robot.tools.size() > 1) shape.insert(shape.begin(), static_cast<int>(robot.tools.size()));
   return shape;
 }
@@ -86,10 +87,11 @@ std::size_t count_of(const ObservationPart& part) {
   return count;
 }
 
-std::vector<ObservationPart> robot_parts(const Robot& robot, const ObservationBounds& bounds) {
+std::vector<ObservationPart> robot_parts(const robots::Robot& robot,
+                                         const ObservationBounds& bounds) {
   std::vector<double> low, high, speed;
-  for (const int dof : commanded_dofs(robot)) {
-    const Joint& joint = robot.joint_of_dof(static_cast<std::size_t>(dof));
+  for (const int dof : episodes::commanded_dofs(robot)) {
+    const robots::Joint& joint = robot.joint_of_dof(static_cast<std::size_t>(dof));
     low.push_back(joint.lower - limit_margin);
     high.push_back(joint.upper + limit_margin);
     speed.push_back(velocity_margin * joint.velocity);
@@ -97,9 +99,10 @@ std::vector<ObservationPart> robot_parts(const Robot& robot, const ObservationBo
   const auto joints = static_cast<int>(speed.size()), tools = static_cast<int>(robot.tools.size());
   std::vector<double> back(speed.size());
   std::ranges::transform(speed, back.begin(), std::negate<>());
-  for (const Tool& tool : robot.tools) {
+  for (const robots::Tool& tool : robot.tools) {
     low.push_back(0);
-    high.push_back(tool.kind == ToolKind::suction ? cup_off_m : tool.opening + limit_margin);
+    high.push_back(tool.kind == robots::ToolKind::suction ? agent::cup_off_m
+                                                          : tool.opening + limit_margin);
   }
   PartBuilder agent("agent"), extra("extra"), signals("agent");
   agent.add("qpos", {joints + tools}, low, high);
@@ -115,7 +118,7 @@ std::vector<ObservationPart> robot_parts(const Robot& robot, const ObservationBo
   return parts;
 }
 
-std::vector<ObservationPart> privileged_parts(const Robot& robot,
+std::vector<ObservationPart> privileged_parts(const robots::Robot& robot,
                                               int items,
                                               const ObservationBounds& bounds) {
   PartBuilder parts("privileged");
@@ -134,7 +137,9 @@ std::vector<ObservationPart> privileged_parts(const Robot& robot,
   return parts.take();
 }
 
-void add_robot_numbers(const Robot& robot, const RobotSeen& seen, std::vector<double>& into) {
+void add_robot_numbers(const robots::Robot& robot,
+                       const RobotSeen& seen,
+                       std::vector<double>& into) {
   const auto add_all = [&](const auto& values) {
     into.insert(into.end(), values.begin(), values.end());
   };
@@ -177,4 +182,4 @@ void add_privileged_numbers(const std::vector<EnvironmentItem>& items,
   into.push_back(static_cast<double>(hash64(instruction) % instruction_ids));
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

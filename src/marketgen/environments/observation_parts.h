@@ -12,7 +12,7 @@
 #include "geometry/pose.h"
 #include "robots/robot.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 
 // Numbers that belong together, row-major. `low` and `high` have one for each.
 struct ObservationPart {
@@ -50,24 +50,27 @@ struct ObservationBounds {
 // (x, y, heading within half a turn, as its encoders reckon it: in the store's frame, at a counter
 // in its own, where it is 0), of a robot with a cup agent.sealed (1 for each tool that has sealed),
 // agent.stopped (1 while a protective stop lets it take no command).
-std::vector<ObservationPart> robot_parts(const Robot& robot, const ObservationBounds& bounds);
+std::vector<ObservationPart> robot_parts(const robots::Robot& robot,
+                                         const ObservationBounds& bounds);
 
 // privileged: rows of `items` things, those that are missing 0: item_pose, item_size,
 // item_velocity, item_present, item_goal, item_held, item_in_place (0 or 1), tcp_to_item (for
 // each tool); goal_position, goal_size, basket_pose; instruction_id (equal for equal instructions,
 // below 2^24).
-std::vector<ObservationPart> privileged_parts(const Robot& robot,
+std::vector<ObservationPart> privileged_parts(const robots::Robot& robot,
                                               int items,
                                               const ObservationBounds& bounds);
 
 std::size_t count_of(const ObservationPart& part);
 
 struct RobotSeen {
-  Observation now;
+  agent::Observation now;
   std::vector<Pose> tools;  // base_from_tool
 };
 // In the order of robot_parts(); appended.
-void add_robot_numbers(const Robot& robot, const RobotSeen& seen, std::vector<double>& into);
+void add_robot_numbers(const robots::Robot& robot,
+                       const RobotSeen& seen,
+                       std::vector<double>& into);
 // In the order of privileged_parts(). Items behind the row `rows` are left out.
 void add_privileged_numbers(const std::vector<EnvironmentItem>& items,
                             int rows,
@@ -76,4 +79,4 @@ void add_privileged_numbers(const std::vector<EnvironmentItem>& items,
                             const std::string& instruction,
                             std::vector<double>& into);
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

@@ -7,7 +7,7 @@
 
 #include "base/fields.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 namespace {
 
 constexpr std::array<std::string_view, 3> policies{"classical", "oracle", "random"};
@@ -49,4 +49,4 @@ Result<PolicyName> read_policy_name(const std::string& text) {
   return policy;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

@@ -9,7 +9,7 @@
 
 #include "base/result.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 
 // A module of `classical` in whose place the truth may stand, which shows what that module costs.
 // masks: which pixels belong together; in a store, where on a shelf something stands. target: which
@@ -30,4 +30,4 @@ struct PolicyName {
 // Error usage.bad_flag: no such policy, no such module, or a policy that has no modules.
 Result<PolicyName> read_policy_name(const std::string& text);
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

@@ -2,11 +2,11 @@
 
 #include "environments/run_episode.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 
 Result<void> ProgramPolicy::begin() {
   policy_.reset();
-  const TrackWorld& world = environment_.world();
+  const episodes::TrackWorld& world = environment_.world();
   MARKETGEN_TRY(policy_, environment_.ground().policy(name_, world));
   MARKETGEN_CHECK(policy_->begin(task_of(world.spec()), world.observe()));
   reset_ = environment_.resets();
@@ -19,8 +19,8 @@ Result<std::vector<double>> ProgramPolicy::act() {
                  "environment",
                  "the episode is over, or has not begun: reset the environment first"};
   if (!policy_ || reset_ != environment_.resets()) MARKETGEN_CHECK(begin());
-  MARKETGEN_TRY(const Action wanted, policy_->act(environment_.world().observe()));
+  MARKETGEN_TRY(const agent::Action wanted, policy_->act(environment_.world().observe()));
   return environment_.numbers_of(wanted);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

@@ -6,7 +6,7 @@
 
 #include "environments/environment.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 
 // Looks at the environment's world whenever it is asked, and begins anew after each reset. Of what
 // it would do, the environment's actions leave out the force of its tools. Not thread-safe.
@@ -27,8 +27,8 @@ class ProgramPolicy {
 
   Environment& environment_;
   std::string name_;
-  std::unique_ptr<Policy> policy_;  // of the episode that runs
-  std::uint64_t reset_ = 0;         // which one that is
+  std::unique_ptr<agent::Policy> policy_;  // of the episode that runs
+  std::uint64_t reset_ = 0;                // which one that is
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

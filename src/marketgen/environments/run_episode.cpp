@@ -7,7 +7,7 @@
 #include "base/interrupt.h"
 #include "environments/episode_run.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 namespace {
 
 // A policy of somebody else's may throw anything.
@@ -39,9 +39,9 @@ struct Break {
 };
 
 // Until the policy stops or the time is over.
-std::optional<Break> act_out(EpisodeRun& run, Policy& policy, EpisodeWatcher* watcher) {
-  Observation now = run.world().observe();
-  const Task task = task_of(run.world().spec());
+std::optional<Break> act_out(EpisodeRun& run, agent::Policy& policy, EpisodeWatcher* watcher) {
+  agent::Observation now = run.world().observe();
+  const agent::Task task = task_of(run.world().spec());
   const auto begun = asked(watcher, [&] { return policy.begin(task, now); });
   if (!begun.ok()) return Break{begun.error(), true};
   while (run.running()) {
@@ -59,22 +59,22 @@ std::optional<Break> act_out(EpisodeRun& run, Policy& policy, EpisodeWatcher* wa
 
 }  // namespace
 
-Task task_of(const EpisodeSpec& spec) {
-  Task task{spec.instruction, spec.limit_s};
-  for (const EpisodeGoal& goal : spec.goals)
+agent::Task task_of(const episodes::EpisodeSpec& spec) {
+  agent::Task task{spec.instruction, spec.limit_s};
+  for (const episodes::EpisodeGoal& goal : spec.goals)
     task.goals.push_back({goal.sku, goal.count});
   return task;
 }
 
-Result<EpisodeResult> run_policy(TrackWorld& world,
-                                 Policy& policy,
-                                 const std::string& name,
-                                 EpisodeWatcher* watcher) {
+Result<episodes::EpisodeResult> run_policy(episodes::TrackWorld& world,
+                                           agent::Policy& policy,
+                                           const std::string& name,
+                                           EpisodeWatcher* watcher) {
   if (watcher != nullptr) MARKETGEN_CHECK(watcher->begin(world));
   EpisodeRun run(world);
   const auto broken = act_out(run, policy, watcher);
   MARKETGEN_CHECK(check_interrupt());  // an episode that was broken off has no result
-  EpisodeEnd end{name, policy.failure()};
+  episodes::EpisodeEnd end{name, policy.failure()};
   if (broken) {
     end.broken = broken->error;
     end.by_policy = broken->by_policy;
@@ -82,16 +82,16 @@ Result<EpisodeResult> run_policy(TrackWorld& world,
   return run.judged(end);
 }
 
-Result<EpisodeResult> run_episode(Arena& arena,
-                                  const EpisodeSpec& spec,
-                                  const std::string& policy_name,
-                                  EpisodeWatcher* watcher) {
+Result<episodes::EpisodeResult> run_episode(Arena& arena,
+                                            const episodes::EpisodeSpec& spec,
+                                            const std::string& policy_name,
+                                            EpisodeWatcher* watcher) {
   const auto began = std::chrono::steady_clock::now();
-  MARKETGEN_TRY(const std::unique_ptr<TrackWorld> world, arena.open(spec));
-  MARKETGEN_TRY(const std::unique_ptr<Policy> policy, arena.policy(policy_name, *world));
-  MARKETGEN_TRY(EpisodeResult result, run_policy(*world, *policy, policy_name, watcher));
+  MARKETGEN_TRY(const std::unique_ptr<episodes::TrackWorld> world, arena.open(spec));
+  MARKETGEN_TRY(const std::unique_ptr<agent::Policy> policy, arena.policy(policy_name, *world));
+  MARKETGEN_TRY(episodes::EpisodeResult result, run_policy(*world, *policy, policy_name, watcher));
   result.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   return result;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

@@ -7,33 +7,34 @@
 #include "episodes/episode_result.h"
 #include "episodes/episode_spec.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 
 // Looks on while an episode is run: a film, a test.
 class EpisodeWatcher {
  public:
   virtual ~EpisodeWatcher() = default;
-  virtual Result<void> begin(const TrackWorld& world) = 0;  // which outlives the run's steps
-  virtual Result<void> step() = 0;                          // after every control step
-  virtual void asks() {}                                    // before the policy is asked
-  virtual void answered() {}                                // it has answered, or failed
+  virtual Result<void> begin(
+      const episodes::TrackWorld& world) = 0;  // which outlives the run's steps
+  virtual Result<void> step() = 0;             // after every control step
+  virtual void asks() {}                       // before the policy is asked
+  virtual void answered() {}                   // it has answered, or failed
 };
 
 // What the policy is told before it begins.
-Task task_of(const EpisodeSpec& spec);
+agent::Task task_of(const episodes::EpisodeSpec& spec);
 
 // In a world that was reset to the episode. A policy's error, what it throws and an action that is
 // none end its episode and stand in the result, which is kept as one of `name`; its `wall_s` is the
 // caller's to add. Errors: an interrupt; those of EpisodeWatcher::begin.
-Result<EpisodeResult> run_policy(TrackWorld& world,
-                                 Policy& policy,
-                                 const std::string& name,
-                                 EpisodeWatcher* watcher = nullptr);
+Result<episodes::EpisodeResult> run_policy(episodes::TrackWorld& world,
+                                           agent::Policy& policy,
+                                           const std::string& name,
+                                           EpisodeWatcher* watcher = nullptr);
 
 // The same with a world and a policy of the arena's. Errors: those, too.
-Result<EpisodeResult> run_episode(Arena& arena,
-                                  const EpisodeSpec& spec,
-                                  const std::string& policy,
-                                  EpisodeWatcher* watcher = nullptr);
+Result<episodes::EpisodeResult> run_episode(Arena& arena,
+                                            const episodes::EpisodeSpec& spec,
+                                            const std::string& policy,
+                                            EpisodeWatcher* watcher = nullptr);
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

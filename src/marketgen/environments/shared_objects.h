@@ -10,7 +10,7 @@
 
 #include "base/result.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 
 // By their type and a key. Thread-safe: who asks for one that is being made waits for it.
 class SharedObjects {
@@ -42,4 +42,4 @@ class SharedObjects {
   std::map<Key, Slot> slots_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

@@ -1,8 +1,8 @@
 #include "environments/told_task.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 
-ToldTask told_task(const EpisodeSpec& spec) {
+ToldTask told_task(const episodes::EpisodeSpec& spec) {
   ToldTask task;
   task.track = spec.track;
   task.station = spec.station;
@@ -16,4 +16,4 @@ ToldTask told_task(const EpisodeSpec& spec) {
   return task;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

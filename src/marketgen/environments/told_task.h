@@ -11,17 +11,17 @@
 #include "base/fields.h"
 #include "episodes/episode_spec.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 
 struct ToldTask {
   std::string schema = "market-task/1";
-  Track track = Track::checkout;
+  episodes::Track track = episodes::Track::checkout;
   std::optional<std::string> station;
   std::string robot, tools;
   std::vector<std::string> cameras;
   std::string instruction;
-  std::vector<EpisodeGoal> goals;
-  std::vector<CategoryPlace> categories;
+  std::vector<episodes::EpisodeGoal> goals;
+  std::vector<episodes::CategoryPlace> categories;
   double limit_s = 0;
 
   static constexpr auto fields = field_list(
@@ -37,6 +37,6 @@ struct ToldTask {
       field("limit_s", &ToldTask::limit_s, "simulated seconds"));
 };
 
-ToldTask told_task(const EpisodeSpec& spec);
+ToldTask told_task(const episodes::EpisodeSpec& spec);
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

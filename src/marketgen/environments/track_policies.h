@@ -7,29 +7,30 @@
 #include "environments/arena.h"
 #include "environments/policy_name.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 
 // A policy that needs things that live as long as it does.
-class WrappedPolicy : public Policy {
+class WrappedPolicy : public agent::Policy {
  public:
-  Result<void> begin(const Task& task, const Observation& first) override {
+  Result<void> begin(const agent::Task& task, const agent::Observation& first) override {
     return policy_->begin(task, first);
   }
-  Result<Action> act(const Observation& now) override { return policy_->act(now); }
+  Result<agent::Action> act(const agent::Observation& now) override { return policy_->act(now); }
   std::string failure() const override { return policy_->failure(); }
 
  protected:
-  std::unique_ptr<Policy> policy_;
+  std::unique_ptr<agent::Policy> policy_;
 };
 
 // The oracle, which knows everything, and `classical`, which sees pictures, with the truth in place
 // of those modules that `name` says. Arena and world must outlive them. Errors: those of their
 // tools' rows, and of Arena::stock.
-#define MARKETGEN_TRACK(name, Type)                                                               \
-  Result<std::unique_ptr<Policy>> make_oracle(Arena& arena, const Type##World& world, Seed seed); \
-  Result<std::unique_ptr<Policy>> make_classical(                                                 \
-      Arena& arena, const Type##World& world, const PolicyName& asked, Seed seed);
+#define MARKETGEN_TRACK(name, Type)                                 \
+  Result<std::unique_ptr<agent::Policy>> make_oracle(               \
+      Arena& arena, const episodes::Type##World& world, Seed seed); \
+  Result<std::unique_ptr<agent::Policy>> make_classical(            \
+      Arena& arena, const episodes::Type##World& world, const PolicyName& asked, Seed seed);
 #include "episodes/tracks.inc"
 #undef MARKETGEN_TRACK
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

@@ -11,7 +11,7 @@
 #include "base/text.h"
 #include "episodes/track_entry.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 namespace {
 
 constexpr double unit_tolerance = 1e-3;  // of a quaternion's length
@@ -94,7 +94,7 @@ Result<void> check_sku(const Skus& known, const std::string& sku, const std::str
 
 Result<Skus> known_skus(const EpisodeHeader& header, const std::string& where) {
   Skus skus;
-  for (const Product& product : header.products)
+  for (const catalog::Product& product : header.products)
     skus.push_back(product.sku);
   std::ranges::sort(skus);
   if (const auto twice = std::ranges::adjacent_find(skus); twice != skus.end())
@@ -198,4 +198,4 @@ Result<void> check_robots(const EpisodeFile& file,
   return {};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

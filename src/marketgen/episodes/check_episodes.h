@@ -6,7 +6,7 @@
 
 #include "episodes/episode_spec.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 // Of one episode by itself, at "WHERE/FIELD". Errors: episode.bad_value for an attitude that is no
 // unit quaternion, a camera or a field that the track does not have, a category of
@@ -26,4 +26,4 @@ Result<void> check_robots(const EpisodeFile& file,
                           const std::string& source,
                           const std::filesystem::path& data);
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -6,10 +6,10 @@
 #include "episodes/track_world.h"
 #include "physics/goods/contact_shape.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 namespace {
 
-constexpr int substeps = static_cast<int>(control_step_s / time_step_s + 0.5);
+constexpr int substeps = static_cast<int>(control_step_s / physics::time_step_s + 0.5);
 
 // With speed v0 at the start, v1 at the end and v1 in the mean, after the share s of the time:
 // speed, and how far, in control steps.
@@ -22,24 +22,24 @@ double way_at(double v0, double v1, double s) {
 
 }  // namespace
 
-ControlStep::ControlStep(const RobotController& controller,
-                         const Robot& robot,
+ControlStep::ControlStep(const physics::RobotController& controller,
+                         const robots::Robot& robot,
                          const std::vector<int>& commanded,
-                         const Action& action)
+                         const agent::Action& action)
     : commanded_(commanded),
       from_(controller.setpoints()),
       drive_from_(controller.wheels().drive_m_s()),
       turn_from_(controller.wheels().turn_rad_s()) {
   end_.joints = from_;
-  for (Setpoint& still : end_.joints)
+  for (robots::Setpoint& still : end_.joints)
     still.velocity = 0;
   for (std::size_t j = 0; j < commanded.size(); ++j) {
     const auto dof = static_cast<std::size_t>(commanded[j]);
-    const Joint& joint = robot.joint_of_dof(dof);
+    const robots::Joint& joint = robot.joint_of_dof(dof);
     const double target = std::clamp(action.position[j], joint.lower, joint.upper);
     speeds_.push_back((target - from_[dof].position) / control_step_s);
   }
-  for (const ToolCommand& tool : action.tools)
+  for (const agent::ToolCommand& tool : action.tools)
     end_.grips.push_back({tool.opening_m, tool.force_n});
   if (robot.drive) {
     end_.drive_m_s = std::clamp(action.drive_m_s, -robot.drive->speed, robot.drive->speed);
@@ -52,12 +52,12 @@ int ControlStep::count() {
   return substeps;
 }
 
-RobotReference ControlStep::at(int step) const {
+physics::RobotReference ControlStep::at(int step) const {
   const double s = static_cast<double>(step + 1) / substeps;
-  RobotReference reference = end_;
+  physics::RobotReference reference = end_;
   for (std::size_t j = 0; j < commanded_.size(); ++j) {
     const auto dof = static_cast<std::size_t>(commanded_[j]);
-    const Setpoint& from = from_[dof];
+    const robots::Setpoint& from = from_[dof];
     reference.joints[dof] = {from.position + way_at(from.velocity, speeds_[j], s) * control_step_s,
                              speed_at(from.velocity, speeds_[j], s)};
   }
@@ -66,4 +66,4 @@ RobotReference ControlStep::at(int step) const {
   return reference;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

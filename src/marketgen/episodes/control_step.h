@@ -6,28 +6,28 @@
 #include "agent/policy.h"
 #include "physics/world/robot_controller.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 // Joints go along cubic curves that take over the speed at which they go: a servo that is told to
 // jump to another shakes what a cup holds out of it. Wheels change their speed evenly.
 class ControlStep {
  public:
   // `commanded`: degrees of freedom of action.position. Targets beyond a joint's end mean its end.
-  ControlStep(const RobotController& controller,
-              const Robot& robot,
+  ControlStep(const physics::RobotController& controller,
+              const robots::Robot& robot,
               const std::vector<int>& commanded,
-              const Action& action);
+              const agent::Action& action);
 
   static int count();  // steps of physics in it
   // What is told before step 0, 1 .. count() - 1.
-  RobotReference at(int step) const;
+  physics::RobotReference at(int step) const;
 
  private:
   const std::vector<int>& commanded_;
-  std::vector<Setpoint> from_;  // of all degrees of freedom
-  std::vector<double> speeds_;  // of the commanded ones, at the end
+  std::vector<robots::Setpoint> from_;  // of all degrees of freedom
+  std::vector<double> speeds_;          // of the commanded ones, at the end
   double drive_from_ = 0, turn_from_ = 0;
-  RobotReference end_;
+  physics::RobotReference end_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -1,6 +1,6 @@
 #include "episodes/episode_end.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 namespace {
 
 FailureCode told_by_policy(const std::string& word) {
@@ -45,4 +45,4 @@ EpisodeResult unjudged(const EpisodeSpec& spec) {
   return result;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -8,7 +8,7 @@
 #include "episodes/episode_result.h"
 #include "episodes/track_world.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 // How an episode ended, as far as its world does not know.
 struct EpisodeEnd {
@@ -35,4 +35,4 @@ EpisodeResult with_end(EpisodeResult judged, const EpisodeEnd& end);
 // Of an episode that nobody could judge: nothing is in place.
 EpisodeResult unjudged(const EpisodeSpec& spec);
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

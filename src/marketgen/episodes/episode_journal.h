@@ -12,7 +12,7 @@
 #include "episodes/episode_spec.h"
 #include "io/line_journal.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 // A product that was looked at while an episode was drawn: why no task asks for it, or nothing.
 struct ConsideredProduct {
@@ -44,13 +44,13 @@ class EpisodeJournal {
   const std::map<int, DrawnEpisode>& before() const { return before_; }
   // Errors: io.cannot_write.
   Result<void> keep(const DrawnEpisode& drawn);
-  LineJournal& lines() { return *lines_; }
+  io::LineJournal& lines() { return *lines_; }
 
  private:
   EpisodeJournal() = default;
 
-  std::unique_ptr<LineJournal> lines_;
+  std::unique_ptr<io::LineJournal> lines_;
   std::map<int, DrawnEpisode> before_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 EpisodeSpec begun_spec(
     std::string_view kind, const EpisodeOrigin& origin, Seed seed, int index, Seed own) {
@@ -16,19 +16,19 @@ EpisodeSpec begun_spec(
   return spec;
 }
 
-std::string spoken_product(const Product& product) {
+std::string spoken_product(const catalog::Product& product) {
   const std::string variant = product.variant.empty() ? "" : " " + product.variant;
   return fmt::format("{} {}{} ({})", product.brand, product.name, variant, product.net);
 }
 
-std::vector<Product> store_stock(const Scene& scene) {
+std::vector<catalog::Product> store_stock(const scene::Scene& scene) {
   std::vector<bool> on_offer(scene.catalog.size());
-  for (const SceneProduct& product : scene.products)
+  for (const scene::SceneProduct& product : scene.products)
     on_offer[product.sku] = true;
-  std::vector<Product> stock;
+  std::vector<catalog::Product> stock;
   for (std::size_t row = 0; row < scene.catalog.size(); ++row)
     if (on_offer[row]) stock.push_back(scene.catalog[row]);
   return stock;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -9,7 +9,7 @@
 #include "episodes/episode_spec.h"
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 struct EpisodeOrigin {
   std::string store, scene_hash, plan_hash;
@@ -21,9 +21,9 @@ EpisodeSpec begun_spec(
     std::string_view kind, const EpisodeOrigin& origin, Seed seed, int index, Seed own);
 
 // As instructions name it: brand, name, variant, net content.
-std::string spoken_product(const Product& product);
+std::string spoken_product(const catalog::Product& product);
 
 // All that stands on the store's shelves, lies or hangs there, sorted by SKU.
-std::vector<Product> store_stock(const Scene& scene);
+std::vector<catalog::Product> store_stock(const scene::Scene& scene);
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -1,6 +1,6 @@
 #include "episodes/episode_result.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 bool is_clean(const SideEffects& effects) {
   return effects.hard_contacts == 0 && effects.base_collisions == 0 && effects.toppled == 0 &&
@@ -20,4 +20,4 @@ void add_outcome(const EpisodeOutcome& outcome, EpisodeResult& result) {
   result.success_clean = result.success_strict && is_clean(effects);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -8,7 +8,7 @@
 #include "base/fields.h"
 #include "episodes/goal_judge.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 // What kept the agent from its goals, as far as it can be told.
 enum class FailureCode {
@@ -155,4 +155,4 @@ bool is_clean(const SideEffects& effects);
 // Sets goals, shares and verdicts; the side effects are there already, without `wrong_items`.
 void add_outcome(const EpisodeOutcome& outcome, EpisodeResult& result);
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -9,7 +9,7 @@
 #include "io/file.h"
 #include "io/json.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 namespace {
 
 std::string line_of(const std::string& source, std::size_t line) {
@@ -18,8 +18,8 @@ std::string line_of(const std::string& source, std::size_t line) {
 
 }  // namespace
 
-std::string plan_hash(const Plan& plan) {
-  return sha256_hex(write_json(plan));
+std::string plan_hash(const plan::Plan& plan) {
+  return io::sha256_hex(io::write_json(plan));
 }
 
 std::string episode_hash(const EpisodeHeader& header, const EpisodeSpec& spec) {
@@ -29,9 +29,9 @@ std::string episode_hash(const EpisodeHeader& header, const EpisodeSpec& spec) {
   for (const EpisodeGoal& goal : spec.goals)
     used.insert(goal.sku);
   Hasher hasher;
-  hasher.add(write_json_line(spec));
-  for (const Product& product : header.products)
-    if (used.contains(product.sku)) hasher.add(write_json_line(product));
+  hasher.add(io::write_json_line(spec));
+  for (const catalog::Product& product : header.products)
+    if (used.contains(product.sku)) hasher.add(io::write_json_line(product));
   return hasher.hex();
 }
 
@@ -61,10 +61,10 @@ Result<EpisodeFile> read_episodes(std::string_view text, const std::string& sour
     text.remove_prefix(end + 1);
     const std::string where = line_of(source, ++line);
     if (line == 1) {
-      MARKETGEN_TRY(file.header, read_json<EpisodeHeader>(row, where));
+      MARKETGEN_TRY(file.header, io::read_json<EpisodeHeader>(row, where));
       continue;
     }
-    MARKETGEN_TRY(EpisodeSpec spec, read_json<EpisodeSpec>(row, where));
+    MARKETGEN_TRY(EpisodeSpec spec, io::read_json<EpisodeSpec>(row, where));
     file.episodes.push_back(std::move(spec));
   }
   if (line == 0 || file.episodes.size() != static_cast<std::size_t>(file.header.episodes))
@@ -79,19 +79,19 @@ Result<EpisodeFile> read_episodes(std::string_view text, const std::string& sour
 
 Result<EpisodeFile> read_episode_file(const std::filesystem::path& file) {
   const bool told = file == "-";
-  MARKETGEN_TRY(const std::string text, read_file(told ? "/dev/stdin" : file));
+  MARKETGEN_TRY(const std::string text, io::read_file(told ? "/dev/stdin" : file));
   const std::string source = told ? "standard input" : file.filename().string();
   MARKETGEN_TRY(EpisodeFile episodes, read_episodes(text, source));
-  MARKETGEN_TRY(const std::filesystem::path data, data_folder());
+  MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
   MARKETGEN_CHECK(check_robots(episodes, source, data));
   return episodes;
 }
 
 std::string write_episodes(const EpisodeFile& file) {
-  std::string text = write_json_line(file.header) + "\n";
+  std::string text = io::write_json_line(file.header) + "\n";
   for (const EpisodeSpec& spec : file.episodes)
-    text += write_json_line(spec) + "\n";
+    text += io::write_json_line(spec) + "\n";
   return text;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

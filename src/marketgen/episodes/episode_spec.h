@@ -18,7 +18,7 @@
 #include "geometry/pose.h"
 #include "plan/plan.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 // An item of the basket. The pose is basket_from_product, as it lies when the episode begins; the
 // basket's frame is that of its inner floor (physics/settle/bulk_settle.h).
@@ -160,9 +160,10 @@ struct EpisodeExclusions {
 struct EpisodeStore {
   std::string name, scene_hash, plan_hash;
   std::uint64_t seed = 0;
-  Plan plan;
+  plan::Plan plan;
   EpisodeExclusions exclusions = {};
-  std::optional<std::vector<Product>> own = {};  // rows of the user's own that it was made with
+  std::optional<std::vector<catalog::Product>> own =
+      {};  // rows of the user's own that it was made with
   static constexpr auto fields =
       field_list(field("name", &EpisodeStore::name, "the store's name", required()),
                  field("scene_hash", &EpisodeStore::scene_hash, "of its scene", required()),
@@ -178,7 +179,7 @@ struct EpisodeHeader {
   std::uint64_t seed = 0;
   int episodes = 0;
   std::vector<EpisodeStore> stores;
-  std::vector<Product> products;
+  std::vector<catalog::Product> products;
   static constexpr auto fields = field_list(
       field("schema", &EpisodeHeader::schema, "schema tag", constant("market-episodes/1")),
       field("seed", &EpisodeHeader::seed, "with which they were drawn"),
@@ -192,7 +193,7 @@ struct EpisodeFile {
   std::vector<EpisodeSpec> episodes;
 };
 
-std::string plan_hash(const Plan& plan);  // SHA-256 of its JSON
+std::string plan_hash(const plan::Plan& plan);  // SHA-256 of its JSON
 // 32 hex digits over all that decides what becomes of the episode: itself and the rows of its
 // products.
 std::string episode_hash(const EpisodeHeader& header, const EpisodeSpec& spec);
@@ -209,4 +210,4 @@ Result<void> check_store(const EpisodeSpec& spec,
                          const std::string& scene_hash,
                          const std::string& plan_hash);
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 // Vertical field of view of a picture that is `fov_across_deg` wide.
 inline double fov_down_deg(double fov_across_deg, double width, double height) {
@@ -11,4 +11,4 @@ inline double fov_down_deg(double fov_across_deg, double width, double height) {
   return std::atan(std::tan(fov_across_deg * half) * height / width) / half;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

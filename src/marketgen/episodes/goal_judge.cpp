@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 bool is_inside(const HoldsPoint& region, const ItemState& item) {
   const auto in_region = [&](Vec3 point) { return region(item.pose * point); };
@@ -40,4 +40,4 @@ EpisodeOutcome judge(const HoldsPoint& region,
   return outcome;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -8,7 +8,7 @@
 #include "base/fields.h"
 #include "episodes/episode_spec.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 constexpr double rest_m_s = 0.02, min_rest_s = 1.0;
 constexpr double judged_after_s = 2.0;  // the agent's stop
@@ -53,4 +53,4 @@ EpisodeOutcome judge(const HoldsPoint& region,
                      const std::vector<EpisodeGoal>& goals,
                      const std::vector<ItemState>& items);
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -7,24 +7,25 @@
 #include "agent/known_products.h"
 #include "catalog/rows.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 // Rows, shapes and pictures; made when they are asked for. Both must outlive it.
-class PicturedProducts : public KnownProducts {
+class PicturedProducts : public agent::KnownProducts {
  public:
-  PicturedProducts(const std::vector<Product>& products, const std::vector<FrictionRow>& frictions)
+  PicturedProducts(const std::vector<catalog::Product>& products,
+                   const std::vector<catalog::FrictionRow>& frictions)
       : products_(products), frictions_(frictions) {}
 
-  const std::vector<Product>& rows() const override { return products_; }
-  Result<const KnownProduct*> product(const std::string& sku) override;
-  Result<std::vector<ProductPicture>> pictures(const std::string& sku) const override;
+  const std::vector<catalog::Product>& rows() const override { return products_; }
+  Result<const agent::KnownProduct*> product(const std::string& sku) override;
+  Result<std::vector<agent::ProductPicture>> pictures(const std::string& sku) const override;
 
  private:
-  Result<const Product*> row(const std::string& sku) const;
+  Result<const catalog::Product*> row(const std::string& sku) const;
 
-  const std::vector<Product>& products_;
-  const std::vector<FrictionRow>& frictions_;
-  std::map<std::string, KnownProduct> known_;
+  const std::vector<catalog::Product>& products_;
+  const std::vector<catalog::FrictionRow>& frictions_;
+  std::map<std::string, agent::KnownProduct> known_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -9,7 +9,7 @@
 #include "render/render.h"
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 namespace {
 
 constexpr int stage_mm = 5000, stage_ceiling_mm = 3000;  // as episodes/checkout/checkout_view.cpp
@@ -27,12 +27,12 @@ constexpr std::array<Side, 6> picture_sides{{{{0, -1, 0}, {0, 0, -1}},
                                              {{0, 0, 1}, {0, -1, 0}},
                                              {{0, 0, -1}, {0, 1, 0}}}};
 
-Scene picture_stage(const Product& product) {
-  Scene scene;
+scene::Scene picture_stage(const catalog::Product& product) {
+  scene::Scene scene;
   scene.layout.shell.width_mm = scene.layout.shell.depth_mm = stage_mm;
   scene.layout.shell.ceiling_mm = stage_ceiling_mm;
   scene.catalog.push_back(product);
-  SceneProduct item;
+  scene::SceneProduct item;
   item.facing = ~0U;
   const float middle = stage_mm * 0.5e-3F;
   item.position_m = {middle, middle, product_over_floor_m};
@@ -40,8 +40,8 @@ Scene picture_stage(const Product& product) {
   return scene;
 }
 
-Camera side_camera(const Pose& world_from_camera, int width, int height) {
-  Camera camera;
+render::Camera side_camera(const Pose& world_from_camera, int width, int height) {
+  render::Camera camera;
   camera.name = "product";
   camera.width = width;
   camera.height = height;
@@ -57,23 +57,23 @@ int pixels_of(Vec3 size, Vec3 along) {
 
 }  // namespace
 
-Result<std::vector<ProductPicture>> product_pictures(const Product& product) {
-  const Scene scene = picture_stage(product);
-  MARKETGEN_TRY(const std::unique_ptr<Renderer> renderer, Renderer::create(scene));
+Result<std::vector<agent::ProductPicture>> product_pictures(const catalog::Product& product) {
+  const scene::Scene scene = picture_stage(product);
+  MARKETGEN_TRY(const std::unique_ptr<render::Renderer> renderer, render::Renderer::create(scene));
   const auto& at = scene.products.front().position_m;
   const Pose world_from_product{{at[0], at[1], at[2]}, {}};
   const Vec3 size{product.width_m(), product.depth_m(), product.height_m()};
-  const std::uint32_t shown = first_product_object(scene);
-  std::vector<ProductPicture> pictures;
+  const std::uint32_t shown = render::first_product_object(scene);
+  std::vector<agent::ProductPicture> pictures;
   for (const Side& side : picture_sides) {
-    ProductPicture picture;
+    agent::ProductPicture picture;
     picture.product_from_camera = {Vec3{0, 0, size.z / 2} + side.towards * away_m,
                                    rotation_with_axes(side.down, -side.towards)};
     picture.pixel_m = pixel_m;
-    const Camera camera = side_camera(world_from_product * picture.product_from_camera,
-                                      pixels_of(size, cross(side.down, side.towards)),
-                                      pixels_of(size, side.down));
-    MARKETGEN_TRY(Frame frame, renderer->render(camera, {}));
+    const render::Camera camera = side_camera(world_from_product * picture.product_from_camera,
+                                              pixels_of(size, cross(side.down, side.towards)),
+                                              pixels_of(size, side.down));
+    MARKETGEN_TRY(render::Frame frame, renderer->render(camera, {}));
     for (std::size_t i = 0; i < frame.depth_m.size(); ++i)
       if (frame.instance[i] != shown) frame.depth_m[i] = 0;
     picture.color = std::move(frame.color);
@@ -83,4 +83,4 @@ Result<std::vector<ProductPicture>> product_pictures(const Product& product) {
   return pictures;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

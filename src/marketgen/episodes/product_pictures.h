@@ -5,9 +5,9 @@
 
 #include "agent/known_products.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 // Errors: those of Renderer.
-Result<std::vector<ProductPicture>> product_pictures(const Product& product);
+Result<std::vector<agent::ProductPicture>> product_pictures(const catalog::Product& product);
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace marketgen {
+namespace marketgen::episodes {
 namespace {
 
 constexpr double mean_over_s = 0.010;
@@ -47,4 +47,4 @@ void PushLedger::add_to(SideEffects& effects) const {
     if (push.lasts) count(effects, push.peak_n);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

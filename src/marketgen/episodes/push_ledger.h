@@ -7,7 +7,7 @@
 #include "base/byte_archive.h"
 #include "episodes/episode_result.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 class PushLedger {
  public:
@@ -38,4 +38,4 @@ class PushLedger {
   SideEffects ended_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -6,13 +6,13 @@
 #include "base/result.h"
 #include "robots/robot_row.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 // Whether every key of `keys` (by blanks) is among `sources`. Error: catalog.bad_row at
 // "FILE:PLACE".
-Result<void> check_source_keys(const std::vector<SourceRow>& sources,
+Result<void> check_source_keys(const std::vector<robots::SourceRow>& sources,
                                const std::string& keys,
                                const std::string& file,
                                const std::string& place);
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

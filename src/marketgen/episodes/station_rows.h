@@ -6,7 +6,7 @@
 #include "base/fields.h"
 #include "robots/robot_row.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 using Pair = std::array<double, 2>;
 constexpr FieldRules on_the_counter = range(-3, 3);
@@ -19,7 +19,7 @@ struct ToolChoiceRow {
 };
 
 struct StationCameraRow {
-  Triple from_m{}, at_m{};
+  robots::Triple from_m{}, at_m{};
   double fov_deg = 60;
   int width = 640, height = 480;
   std::string source;
@@ -32,4 +32,4 @@ struct StationCameraRow {
                  field("source", &StationCameraRow::source, "keys of the sources, by blanks"));
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -6,7 +6,7 @@
 #include "base/fields.h"
 #include "base/text.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 Result<Track> track_named(std::string_view name) {
   if (const auto track = value_named<Track>(name)) return *track;
@@ -17,4 +17,4 @@ Result<Track> track_named(std::string_view name) {
                            fmt::join(names_of(Track{}), ", "))};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -5,7 +5,7 @@
 
 #include "base/result.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 enum class Track {
 #define MARKETGEN_TRACK(name, Type) name,
@@ -30,4 +30,4 @@ constexpr std::array<std::string_view, all_tracks.size()> names_of(Track) {
 // Error: episode.unknown_track, with those there are.
 Result<Track> track_named(std::string_view name);
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

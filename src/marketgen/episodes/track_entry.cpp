@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 const TrackEntry& entry_of(Track track) {
   static const std::array entries{
@@ -13,4 +13,4 @@ const TrackEntry& entry_of(Track track) {
   return *entries[static_cast<std::size_t>(track)];
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

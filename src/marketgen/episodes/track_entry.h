@@ -7,7 +7,7 @@
 
 #include "episodes/episode_spec.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 // The robot of a track, and the tool sets between which its episodes may choose.
 struct TrackRobot {
@@ -40,4 +40,4 @@ class TrackEntry {
 
 const TrackEntry& entry_of(Track track);
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -6,7 +6,7 @@
 
 #include "render/render.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 // Every track's view has a camera of this name, from which films are taken.
 inline constexpr char film_camera_name[] = "film_camera";
@@ -19,8 +19,10 @@ class TrackView {
   virtual Result<void> follow() = 0;
   // As things stood when follow() was called. 0: as many pixels as the station's row says. Error
   // camera.unknown.
-  virtual Result<Camera> camera(std::string_view name, int width = 0, int height = 0) const = 0;
-  virtual Renderer& renderer() = 0;
+  virtual Result<render::Camera> camera(std::string_view name,
+                                        int width = 0,
+                                        int height = 0) const = 0;
+  virtual render::Renderer& renderer() = 0;
 };
 
 // A track's own view, of the one world of which it was made.
@@ -30,10 +32,10 @@ class ViewOfWorld : public TrackView {
   ViewOfWorld(std::unique_ptr<View> view, const World& world)
       : view_(std::move(view)), world_(world) {}
   Result<void> follow() override { return view_->follow(world_); }
-  Result<Camera> camera(std::string_view name, int width, int height) const override {
+  Result<render::Camera> camera(std::string_view name, int width, int height) const override {
     return view_->camera(name, width, height);
   }
-  Renderer& renderer() override { return view_->renderer(); }
+  render::Renderer& renderer() override { return view_->renderer(); }
 
  private:
   std::unique_ptr<View> view_;
@@ -48,4 +50,4 @@ Result<std::unique_ptr<TrackView>> open_view_of(const World& world) {
       std::make_unique<ViewOfWorld<View, World>>(std::move(view), world));
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

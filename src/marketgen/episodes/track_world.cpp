@@ -5,18 +5,18 @@
 
 #include <fmt/format.h>
 
-namespace marketgen {
+namespace marketgen::episodes {
 namespace {
 
 Error bad_action(const std::string& message) {
   return {"episode.bad_action", "action", message};
 }
 
-bool is_finite(const Action& action) {
+bool is_finite(const agent::Action& action) {
   const auto finite = [](double value) { return std::isfinite(value); };
   return std::ranges::all_of(action.position, finite) && finite(action.drive_m_s) &&
          finite(action.turn_rad_s) &&
-         std::ranges::all_of(action.tools, [&](const ToolCommand& tool) {
+         std::ranges::all_of(action.tools, [&](const agent::ToolCommand& tool) {
            return finite(tool.opening_m) && finite(tool.force_n);
          });
 }
@@ -30,15 +30,15 @@ std::vector<double> TrackWorld::told() const {
   return places;
 }
 
-std::vector<int> commanded_dofs(const Robot& robot) {
+std::vector<int> commanded_dofs(const robots::Robot& robot) {
   std::vector<bool> left_out(robot.dof_count());
-  const auto leave_out = [&](const JointGroup* group) {
+  const auto leave_out = [&](const robots::JointGroup* group) {
     if (group == nullptr) return;
     for (const int dof : group->dofs)
       left_out[static_cast<std::size_t>(dof)] = true;
   };
   if (robot.drive) leave_out(robot.find_group("base"));
-  for (const Tool& tool : robot.tools)
+  for (const robots::Tool& tool : robot.tools)
     leave_out(robot.find_group(tool.prefix + "fingers"));
   std::vector<int> dofs;
   for (std::size_t dof = 0; dof < robot.dof_count(); ++dof) {
@@ -48,10 +48,10 @@ std::vector<int> commanded_dofs(const Robot& robot) {
   return dofs;
 }
 
-std::vector<double> tool_openings_m(const Robot& robot, const std::vector<double>& state) {
+std::vector<double> tool_openings_m(const robots::Robot& robot, const std::vector<double>& state) {
   std::vector<double> openings;
-  for (const Tool& tool : robot.tools) {
-    const JointGroup* fingers = robot.find_group(tool.prefix + "fingers");
+  for (const robots::Tool& tool : robot.tools) {
+    const robots::JointGroup* fingers = robot.find_group(tool.prefix + "fingers");
     double opening = 0;
     for (const int dof : fingers == nullptr ? std::vector<int>{} : fingers->dofs)
       opening += state[static_cast<std::size_t>(dof)];
@@ -60,22 +60,25 @@ std::vector<double> tool_openings_m(const Robot& robot, const std::vector<double
   return openings;
 }
 
-Action still_action(const Observation& now) {
-  Action action;
+agent::Action still_action(const agent::Observation& now) {
+  agent::Action action;
   action.position = now.position;
   for (const double opening : now.openings_m)
     action.tools.push_back({opening});
   return action;
 }
 
-Result<void> check_action(const Action& action, const Robot& robot, std::size_t joints, bool done) {
+Result<void> check_action(const agent::Action& action,
+                          const robots::Robot& robot,
+                          std::size_t joints,
+                          bool done) {
   if (done) return bad_action("the episode is over: reset it first");
   if (action.position.size() != joints)
     return bad_action(fmt::format("{} joint values for {} joints", action.position.size(), joints));
   if (action.tools.size() != robot.tools.size())
     return bad_action(
         fmt::format("commands for {} tools, of {}", action.tools.size(), robot.tools.size()));
-  const bool positive = std::ranges::all_of(action.tools, [](const ToolCommand& tool) {
+  const bool positive = std::ranges::all_of(action.tools, [](const agent::ToolCommand& tool) {
     return tool.opening_m >= 0 && tool.force_n >= 0;
   });
   if (!is_finite(action) || !positive)
@@ -85,4 +88,4 @@ Result<void> check_action(const Action& action, const Robot& robot, std::size_t 
   return {};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

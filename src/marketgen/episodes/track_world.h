@@ -11,7 +11,7 @@
 #include "episodes/episode_result.h"
 #include "physics/world/robot_controller.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 constexpr double control_step_s = 0.05;
 
@@ -38,11 +38,11 @@ class TrackWorld {
  public:
   virtual ~TrackWorld() = default;
   virtual const EpisodeSpec& spec() const = 0;
-  virtual const Robot& robot() const = 0;
-  virtual Observation observe() const = 0;
+  virtual const robots::Robot& robot() const = 0;
+  virtual agent::Observation observe() const = 0;
   // One control step. Error episode.bad_action: not finite, another number of values, or after the
   // end; the world is then as before. physics.failed.
-  virtual Result<Observation> step(const Action& action) = 0;
+  virtual Result<agent::Observation> step(const agent::Action& action) = 0;
   virtual bool done() const = 0;  // the agent stopped, or the time is over
   virtual double time_s() const = 0;
   virtual int steps() const = 0;
@@ -68,7 +68,7 @@ class TrackWorld {
 
   // ---- The truth, as it is for the oracle, pictures and tests. ----
 
-  virtual const RobotController& controller() const = 0;
+  virtual const physics::RobotController& controller() const = 0;
   // MuJoCo's own model and what moves in it.
   virtual const mjModel_& model() const = 0;
   virtual const mjData_& data() const = 0;
@@ -81,15 +81,18 @@ class TrackWorld {
 };
 
 // Degrees of freedom that actions command: all but a base's, and those of fingers.
-std::vector<int> commanded_dofs(const Robot& robot);
+std::vector<int> commanded_dofs(const robots::Robot& robot);
 
 // Between the pads of each tool; 0 for a cup, and of pads that press on one another.
-std::vector<double> tool_openings_m(const Robot& robot, const std::vector<double>& state);
+std::vector<double> tool_openings_m(const robots::Robot& robot, const std::vector<double>& state);
 
 // The action that keeps everything where it is.
-Action still_action(const Observation& now);
+agent::Action still_action(const agent::Observation& now);
 
 // Error episode.bad_action, with what is wrong. `done`: the episode is over.
-Result<void> check_action(const Action& action, const Robot& robot, std::size_t joints, bool done);
+Result<void> check_action(const agent::Action& action,
+                          const robots::Robot& robot,
+                          std::size_t joints,
+                          bool done);
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

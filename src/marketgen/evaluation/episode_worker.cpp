@@ -15,7 +15,7 @@
 #include "episodes/episode_spec.h"
 #include "io/json.h"
 
-namespace marketgen {
+namespace marketgen::evaluation {
 namespace {
 
 // Seconds of processor time of this process, all its threads, and of children that it waited for.
@@ -31,7 +31,7 @@ double cpu_s() {
 }
 
 // The standard output, which from now on nobody else has.
-class Report : public EpisodeWatcher {
+class Report : public environments::EpisodeWatcher {
  public:
   Report() : out_(fdopen(dup(STDOUT_FILENO), "w")) {
     std::fflush(stdout);
@@ -49,7 +49,7 @@ class Report : public EpisodeWatcher {
   }
   bool broken() const { return broken_; }
 
-  Result<void> begin(const TrackWorld&) override { return {}; }
+  Result<void> begin(const episodes::TrackWorld&) override { return {}; }
   Result<void> step() override { return {}; }
   void asks() override {
     cpu_before_s_ = cpu_s();
@@ -74,19 +74,21 @@ constexpr char told[] = "standard input";
 }  // namespace
 
 Result<void> serve_episodes(const std::filesystem::path& data,
-                            const Catalog& catalog,
+                            const catalog::Catalog& catalog,
                             const std::string& policy) {
   Report report;
-  MARKETGEN_TRY(const EpisodeHeader header,
-                read_json<EpisodeHeader>(next_line().value_or(""), told));
-  Arena arena(data, header, catalog);
+  MARKETGEN_TRY(const episodes::EpisodeHeader header,
+                io::read_json<episodes::EpisodeHeader>(next_line().value_or(""), told));
+  environments::Arena arena(data, header, catalog);
   report.say("ready");
   while (const auto line = next_line()) {
-    MARKETGEN_TRY(const EpisodeSpec spec, read_json<EpisodeSpec>(*line, told));
-    std::optional<Result<EpisodeResult>> result;
-    parallel_for(1, [&](std::size_t) { result = run_episode(arena, spec, policy, &report); });
+    MARKETGEN_TRY(const episodes::EpisodeSpec spec,
+                  io::read_json<episodes::EpisodeSpec>(*line, told));
+    std::optional<Result<episodes::EpisodeResult>> result;
+    parallel_for(
+        1, [&](std::size_t) { result = environments::run_episode(arena, spec, policy, &report); });
     if (result->ok()) {
-      report.say("result " + write_json_line(**result));
+      report.say("result " + io::write_json_line(**result));
     } else {
       const Error& error = result->error();
       report.say(fmt::format("error {}\t{}\t{}", error.code, error.where, error.message));
@@ -96,4 +98,4 @@ Result<void> serve_episodes(const std::filesystem::path& data,
   return {};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::evaluation

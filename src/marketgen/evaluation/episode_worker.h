@@ -19,12 +19,12 @@
 #include "base/result.h"
 #include "catalog/catalog.h"
 
-namespace marketgen {
+namespace marketgen::evaluation {
 
 // Returns when standard input ends. Errors: those of read_json; io.cannot_write when nobody listens
 // any more.
 Result<void> serve_episodes(const std::filesystem::path& data,
-                            const Catalog& catalog,
+                            const catalog::Catalog& catalog,
                             const std::string& policy);
 
-}  // namespace marketgen
+}  // namespace marketgen::evaluation

@@ -16,24 +16,27 @@
 #include "environments/run_episode.h"
 #include "io/json.h"
 
-namespace marketgen {
+namespace marketgen::evaluation {
 namespace {
 
-EpisodeResult not_run(const EpisodeSpec& spec, const std::string& policy, const Error& error) {
-  EpisodeResult result = unjudged(spec);
+episodes::EpisodeResult not_run(const episodes::EpisodeSpec& spec,
+                                const std::string& policy,
+                                const Error& error) {
+  episodes::EpisodeResult result = episodes::unjudged(spec);
   result.policy = policy;
-  result.failure = FailureCode::not_run;
+  result.failure = episodes::FailureCode::not_run;
   result.error = error.code;
   result.detail = to_string(error);
   return result;
 }
 
 // In this process, rounding as every parallel loop does.
-EpisodeRunner runner_here(Arena& arena, const std::string& policy) {
-  return [&arena, &policy](const EpisodeSpec& spec) {
-    std::optional<Result<EpisodeResult>> result;
-    return until_interrupted([&]() -> Result<EpisodeResult> {
-      parallel_for(1, [&](std::size_t) { result = run_episode(arena, spec, policy); });
+EpisodeRunner runner_here(environments::Arena& arena, const std::string& policy) {
+  return [&arena, &policy](const episodes::EpisodeSpec& spec) {
+    std::optional<Result<episodes::EpisodeResult>> result;
+    return until_interrupted([&]() -> Result<episodes::EpisodeResult> {
+      parallel_for(1,
+                   [&](std::size_t) { result = environments::run_episode(arena, spec, policy); });
       return *std::move(result);
     });
   };
@@ -42,27 +45,28 @@ EpisodeRunner runner_here(Arena& arena, const std::string& policy) {
 // In a process that is started anew when it has died or had to be ended.
 EpisodeRunner runner_in_worker(const EvaluationOptions& options, const std::string& header) {
   const auto worker = std::make_shared<std::unique_ptr<WorkerProcess>>();
-  return [worker, &options, &header](const EpisodeSpec& spec) -> Result<EpisodeResult> {
+  return [worker, &options, &header](
+             const episodes::EpisodeSpec& spec) -> Result<episodes::EpisodeResult> {
     const auto began = std::chrono::steady_clock::now();
     if (!*worker) {
       MARKETGEN_TRY(*worker, WorkerProcess::start(options.worker, header, options.start_limit_s));
     }
-    auto result = (*worker)->run(write_json_line(spec), options.answer);
+    auto result = (*worker)->run(io::write_json_line(spec), options.answer);
     if (result.ok() || (*worker)->alive()) return result;
     worker->reset();
     if (!WorkerProcess::is_policys(result.error())) return result;
-    EpisodeEnd end{options.policy};
+    episodes::EpisodeEnd end{options.policy};
     end.broken = result.error();
     end.by_policy = true;
     end.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-    return with_end(unjudged(spec), end);
+    return episodes::with_end(episodes::unjudged(spec), end);
   };
 }
 
 // The threads of one run.
 class EvaluationRun {
  public:
-  EvaluationRun(const EpisodeFile& file,
+  EvaluationRun(const episodes::EpisodeFile& file,
                 const EvaluationOptions& options,
                 ResultsFolder& folder,
                 Progress& progress)
@@ -96,7 +100,7 @@ class EvaluationRun {
   }
 
   Result<void> run_and_keep(const EpisodeRunner& run, std::size_t number) {
-    const EpisodeSpec& spec = file_.episodes[number];
+    const episodes::EpisodeSpec& spec = file_.episodes[number];
     MARKETGEN_CHECK(check_interrupt());
     auto result = run(spec);
     if (result.ok()) return folder_.keep(number, *std::move(result));
@@ -110,7 +114,7 @@ class EvaluationRun {
     over_ = true;
   }
 
-  const EpisodeFile& file_;
+  const episodes::EpisodeFile& file_;
   const EvaluationOptions& options_;
   ResultsFolder& folder_;
   Progress& progress_;
@@ -135,10 +139,11 @@ Error with_what_is_kept(Error fault,
 
 }  // namespace
 
-Result<std::vector<EpisodeResult>> evaluate_with(const EpisodeFile& file,
-                                                 const EvaluationOptions& options,
-                                                 const std::function<EpisodeRunner()>& make_runner,
-                                                 Progress& progress) {
+Result<std::vector<episodes::EpisodeResult>> evaluate_with(
+    const episodes::EpisodeFile& file,
+    const EvaluationOptions& options,
+    const std::function<EpisodeRunner()>& make_runner,
+    Progress& progress) {
   MARKETGEN_TRY(const auto folder,
                 ResultsFolder::open(file, options.folder, options.policy, options.resume));
   EvaluationRun run(file, options, *folder, progress);
@@ -149,13 +154,13 @@ Result<std::vector<EpisodeResult>> evaluate_with(const EpisodeFile& file,
   return results;
 }
 
-Result<std::vector<EpisodeResult>> evaluate(const std::filesystem::path& data,
-                                            const EpisodeFile& file,
-                                            const Catalog& catalog,
-                                            const EvaluationOptions& options,
-                                            Progress& progress) {
-  Arena arena(data, file.header, catalog);
-  const std::string header = write_json_line(file.header);
+Result<std::vector<episodes::EpisodeResult>> evaluate(const std::filesystem::path& data,
+                                                      const episodes::EpisodeFile& file,
+                                                      const catalog::Catalog& catalog,
+                                                      const EvaluationOptions& options,
+                                                      Progress& progress) {
+  environments::Arena arena(data, file.header, catalog);
+  const std::string header = io::write_json_line(file.header);
   const auto make_runner = [&] {
     return options.worker.empty() ? runner_here(arena, options.policy)
                                   : runner_in_worker(options, header);
@@ -163,4 +168,4 @@ Result<std::vector<EpisodeResult>> evaluate(const std::filesystem::path& data,
   return evaluate_with(file, options, make_runner, progress);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::evaluation

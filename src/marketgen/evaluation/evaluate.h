@@ -11,7 +11,7 @@
 #include "evaluation/results_folder.h"
 #include "evaluation/worker_process.h"
 
-namespace marketgen {
+namespace marketgen::evaluation {
 
 struct EvaluationOptions {
   std::string policy = "oracle";
@@ -33,19 +33,21 @@ struct EvaluationOptions {
 // What would befall every episode ends the run: an interrupt, a policy that does not start, a full
 // disk. What was finished by then is kept and summed up. Errors, which say how much that is:
 // internal.interrupted, episode.no_policy, usage.*, io.*; those of ResultsFolder::open.
-Result<std::vector<EpisodeResult>> evaluate(const std::filesystem::path& data,
-                                            const EpisodeFile& file,
-                                            const Catalog& catalog,
-                                            const EvaluationOptions& options,
-                                            Progress& progress);
+Result<std::vector<episodes::EpisodeResult>> evaluate(const std::filesystem::path& data,
+                                                      const episodes::EpisodeFile& file,
+                                                      const catalog::Catalog& catalog,
+                                                      const EvaluationOptions& options,
+                                                      Progress& progress);
 
-using EpisodeRunner = std::function<Result<EpisodeResult>(const EpisodeSpec& spec)>;
+using EpisodeRunner =
+    std::function<Result<episodes::EpisodeResult>(const episodes::EpisodeSpec& spec)>;
 
 // The same with runners of one's own: `make_runner` is called once in each of the threads that run
 // episodes, and its runner is used and destroyed there. `options.worker` is not read.
-Result<std::vector<EpisodeResult>> evaluate_with(const EpisodeFile& file,
-                                                 const EvaluationOptions& options,
-                                                 const std::function<EpisodeRunner()>& make_runner,
-                                                 Progress& progress);
+Result<std::vector<episodes::EpisodeResult>> evaluate_with(
+    const episodes::EpisodeFile& file,
+    const EvaluationOptions& options,
+    const std::function<EpisodeRunner()>& make_runner,
+    Progress& progress);
 
-}  // namespace marketgen
+}  // namespace marketgen::evaluation

@@ -6,7 +6,7 @@
 #include <map>
 #include <string_view>
 
-namespace marketgen {
+namespace marketgen::evaluation {
 
 bool ends_the_run(const Error& error) {
   constexpr std::array<std::string_view, 3> families{"internal.", "usage.", "io."};
@@ -25,19 +25,20 @@ std::vector<ErrorCount> counted_errors(const std::vector<std::string>& errors) {
   return counted;
 }
 
-EvaluationSummary summarize(const std::vector<EpisodeResult>& all) {
+EvaluationSummary summarize(const std::vector<episodes::EpisodeResult>& all) {
   EvaluationSummary summary;
   std::vector<std::string> errors;
-  for (const EpisodeResult& result : all)
+  for (const episodes::EpisodeResult& result : all)
     errors.push_back(result.error);
   summary.errors = counted_errors(errors);
-  std::vector<EpisodeResult> results;
-  std::ranges::copy_if(
-      all, std::back_inserter(results), [](const EpisodeResult& r) { return r.error.empty(); });
+  std::vector<episodes::EpisodeResult> results;
+  std::ranges::copy_if(all, std::back_inserter(results), [](const episodes::EpisodeResult& r) {
+    return r.error.empty();
+  });
   summary.episodes = static_cast<int>(results.size());
   int strict = 0, clean = 0, asked = 0, reached = 0;
-  std::map<FailureCode, int> failures;
-  for (const EpisodeResult& result : results) {
+  std::map<episodes::FailureCode, int> failures;
+  for (const episodes::EpisodeResult& result : results) {
     strict += result.success_strict ? 1 : 0;
     clean += result.success_clean ? 1 : 0;
     asked += result.asked;
@@ -52,18 +53,18 @@ EvaluationSummary summarize(const std::vector<EpisodeResult>& all) {
     summary.mean_wall_s += result.wall_s / count;
   }
   int succeeded = 0;
-  for (const EpisodeResult& result : results) {
+  for (const episodes::EpisodeResult& result : results) {
     if (!result.success_strict) continue;
     summary.mean_path_success_m += result.path_m;
     ++succeeded;
   }
   summary.mean_path_success_m /= std::max(succeeded, 1);
-  summary.goals = share_of(reached, asked);
-  summary.strict = share_of(strict, summary.episodes);
-  summary.clean = share_of(clean, summary.episodes);
+  summary.goals = grasping::share_of(reached, asked);
+  summary.strict = grasping::share_of(strict, summary.episodes);
+  summary.clean = grasping::share_of(clean, summary.episodes);
   for (const auto& [failure, episodes] : failures)
     summary.failures.push_back({failure, episodes});
   return summary;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::evaluation

@@ -8,10 +8,10 @@
 #include "episodes/episode_result.h"
 #include "grasping/grasp_shares.h"
 
-namespace marketgen {
+namespace marketgen::evaluation {
 
 struct FailureCount {
-  FailureCode failure = FailureCode::none;
+  episodes::FailureCode failure = episodes::FailureCode::none;
   int episodes = 0;
   static constexpr auto fields =
       field_list(field("failure", &FailureCount::failure, "what kept the agent from its goals"),
@@ -35,7 +35,7 @@ std::vector<ErrorCount> counted_errors(const std::vector<std::string>& errors);
 struct EvaluationSummary {
   int episodes = 0;
   double success_partial = 0;
-  Share goals, strict, clean;  // goals: over all goals of all episodes
+  grasping::Share goals, strict, clean;  // goals: over all goals of all episodes
   double spl = 0, spl_subset = 0, mean_path_m = 0, mean_path_success_m = 0;
   double mean_simulated_s = 0, mean_wall_s = 0;
   std::vector<FailureCount> failures;  // of episodes that are not strict; those that occur
@@ -61,6 +61,6 @@ struct EvaluationSummary {
       field("unfinished", &EvaluationSummary::unfinished, "episodes without a result so far"));
 };
 // Of the results that have no error; `unfinished` is the caller's to add.
-EvaluationSummary summarize(const std::vector<EpisodeResult>& results);
+EvaluationSummary summarize(const std::vector<episodes::EpisodeResult>& results);
 
-}  // namespace marketgen
+}  // namespace marketgen::evaluation

@@ -17,7 +17,7 @@
 #include "io/program.h"
 #include "render/picture_grid.h"
 
-namespace marketgen {
+namespace marketgen::evaluation {
 namespace {
 
 constexpr double longest_encoding_s = 600;
@@ -61,17 +61,18 @@ Film::~Film() {
   drop_leftover(scratch_);
 }
 
-Result<std::unique_ptr<Film>> Film::begin(const TrackWorld& world, const FilmOptions& options) {
-  if (!options.film.empty()) MARKETGEN_CHECK(checked(worker_part("av")));
+Result<std::unique_ptr<Film>> Film::begin(const episodes::TrackWorld& world,
+                                          const FilmOptions& options) {
+  if (!options.film.empty()) MARKETGEN_CHECK(checked(io::worker_part("av")));
   std::unique_ptr<Film> film(new Film);
   film->world_ = &world;
   film->options_ = options;
   MARKETGEN_TRY(film->view_, world.open_view());
   const std::filesystem::path temporary = std::filesystem::temp_directory_path();
-  sweep_parts_once(temporary);
-  const std::filesystem::path scratch = part_in(temporary, "marketgen-film");
+  io::sweep_parts_once(temporary);
+  const std::filesystem::path scratch = io::part_in(temporary, "marketgen-film");
   if (mkdir(scratch.c_str(), 0700) != 0)
-    return cannot_write(scratch, "no folder for the film's pictures can be made", errno);
+    return io::cannot_write(scratch, "no folder for the film's pictures can be made", errno);
   add_leftover(scratch);
   film->scratch_ = scratch;
   MARKETGEN_CHECK(film->look());
@@ -82,41 +83,42 @@ Result<void> Film::look() {
   const double due_s = static_cast<double>(pictures_) * options_.every_s;
   if (world_->time_s() + 1e-9 < due_s) return {};
   MARKETGEN_CHECK(view_->follow());
-  MARKETGEN_TRY(const Camera camera,
-                view_->camera(film_camera_name, options_.width, options_.height));
-  RenderOptions quality;
-  quality.quality = Quality::balanced;
-  MARKETGEN_TRY(const Frame frame, view_->renderer().render(camera, quality));
-  MARKETGEN_TRY(const std::string bytes, encode_png(frame.color));
+  MARKETGEN_TRY(const render::Camera camera,
+                view_->camera(episodes::film_camera_name, options_.width, options_.height));
+  render::RenderOptions quality;
+  quality.quality = render::Quality::balanced;
+  MARKETGEN_TRY(const render::Frame frame, view_->renderer().render(camera, quality));
+  MARKETGEN_TRY(const std::string bytes, io::encode_png(frame.color));
   const std::filesystem::path file = picture_file(scratch_, pictures_++);
-  return write_new(file, bytes, Durable::no, file);
+  return io::write_new(file, bytes, io::Durable::no, file);
 }
 
-Result<void> Film::write_film(Outputs& outputs) const {
+Result<void> Film::write_film(io::Outputs& outputs) const {
   const std::filesystem::path draft = scratch_ / "film.mp4";
-  MARKETGEN_CHECK(run_worker(
+  MARKETGEN_CHECK(io::run_worker(
       "film",
-      write_json_line(FilmRequest{
+      io::write_json_line(FilmRequest{
           scratch_.string(), draft.string(), static_cast<int>(pictures_), options_.frame_rate}),
       longest_encoding_s));
-  MARKETGEN_TRY(const std::string bytes, read_file(draft));
+  MARKETGEN_TRY(const std::string bytes, io::read_file(draft));
   return outputs.put(options_.film, bytes);
 }
 
-Result<void> Film::write_strip(Outputs& outputs) const {
+Result<void> Film::write_strip(io::Outputs& outputs) const {
   const std::size_t count = std::min(options_.strip_pictures, pictures_);
   MARKETGEN_TRY(const Image strip,
-                picture_grid(count, options_.height, [&](std::size_t i) -> Result<Image> {
+                render::picture_grid(count, options_.height, [&](std::size_t i) -> Result<Image> {
                   const std::size_t at = count < 2 ? 0 : i * (pictures_ - 1) / (count - 1);
-                  MARKETGEN_TRY(const Image whole, read_png(picture_file(scratch_, at)));
+                  MARKETGEN_TRY(const Image whole, io::read_png(picture_file(scratch_, at)));
                   return middle_square(whole);
                 }));
-  return outputs.put(options_.strip, [&](const auto& file) { return write_picture(file, strip); });
+  return outputs.put(options_.strip,
+                     [&](const auto& file) { return io::write_picture(file, strip); });
 }
 
-Result<void> Film::finish(Outputs& outputs) {
+Result<void> Film::finish(io::Outputs& outputs) {
   if (!options_.strip.empty()) MARKETGEN_CHECK(write_strip(outputs));
   return options_.film.empty() ? Result<void>{} : write_film(outputs);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::evaluation

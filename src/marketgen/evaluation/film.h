@@ -9,7 +9,7 @@
 #include "geometry/image.h"
 #include "io/output.h"
 
-namespace marketgen {
+namespace marketgen::evaluation {
 
 struct FilmOptions {
   std::filesystem::path film, strip;  // MP4 and PNG; empty: none
@@ -24,24 +24,25 @@ class Film {
  public:
   // `world` was reset and must outlive the film. Errors: those of the views;
   // usage.unavailable when Python lacks PyAV, with what to install.
-  static Result<std::unique_ptr<Film>> begin(const TrackWorld& world, const FilmOptions& options);
+  static Result<std::unique_ptr<Film>> begin(const episodes::TrackWorld& world,
+                                             const FilmOptions& options);
   ~Film();
 
   // To be called after every control step: takes a picture when it is time for one.
   Result<void> look();
   // Puts film and strip among `outputs`. Errors: io.*, program.failed.
-  Result<void> finish(Outputs& outputs);
+  Result<void> finish(io::Outputs& outputs);
 
  private:
   Film() = default;
-  Result<void> write_film(Outputs& outputs) const;
-  Result<void> write_strip(Outputs& outputs) const;
+  Result<void> write_film(io::Outputs& outputs) const;
+  Result<void> write_strip(io::Outputs& outputs) const;
 
-  const TrackWorld* world_ = nullptr;
+  const episodes::TrackWorld* world_ = nullptr;
   FilmOptions options_;
-  std::unique_ptr<TrackView> view_;
+  std::unique_ptr<episodes::TrackView> view_;
   std::filesystem::path scratch_;
   std::size_t pictures_ = 0;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::evaluation

@@ -9,7 +9,7 @@
 #include "episodes/pictured_products.h"
 #include "perception/target_choice.h"
 
-namespace marketgen {
+namespace marketgen::evaluation {
 namespace {
 
 constexpr double right_within_m = 0.03;  // of the true middle
@@ -20,10 +20,12 @@ double seconds_since(std::chrono::steady_clock::time_point began) {
 }
 
 // `truth`: which item each pixel shows.
-double best_iou(const std::vector<Mask>& masks, const std::vector<int>& truth, int item) {
+double best_iou(const std::vector<perception::Mask>& masks,
+                const std::vector<int>& truth,
+                int item) {
   const auto shown = static_cast<double>(std::ranges::count(truth, item));
   double best = 0;
-  for (const Mask& mask : masks) {
+  for (const perception::Mask& mask : masks) {
     double common = 0;
     for (const std::uint32_t pixel : mask.pixels)
       common += truth[pixel] == item ? 1 : 0;
@@ -32,12 +34,12 @@ double best_iou(const std::vector<Mask>& masks, const std::vector<int>& truth, i
   return best;
 }
 
-Vec3 middle_at(const ProductLook& look, const Pose& pose) {
+Vec3 middle_at(const perception::ProductLook& look, const Pose& pose) {
   return pose * to_double((look.low() + look.high()) * 0.5F);
 }
 
 // How far the outside of the one pose is from that of the other: symmetry does not matter.
-double surface_distance(const ProductLook& look, const Pose& found, const Pose& truth) {
+double surface_distance(const perception::ProductLook& look, const Pose& found, const Pose& truth) {
   const Pose true_from_found = inverse(truth) * found;
   double sum = 0, count = 0;
   for (std::size_t i = 0; i < look.surfels().size(); i += 7, ++count) {
@@ -60,18 +62,19 @@ double middle_value(std::vector<double> values) {
 // One basket, looked at as `classical` looks at it at first: its steps, each timed.
 class PerceptionTrial {
  public:
-  PerceptionTrial(const CheckoutWorld& world, const EpisodeSpec& spec)
+  PerceptionTrial(const episodes::CheckoutWorld& world, const episodes::EpisodeSpec& spec)
       : world_(world), spec_(spec), eyes_(world) {
     measure_.episode = spec.id;
   }
 
-  Result<void> learn_goals(const std::vector<Product>& products,
-                           const std::vector<FrictionRow>& frictions) {
+  Result<void> learn_goals(const std::vector<catalog::Product>& products,
+                           const std::vector<catalog::FrictionRow>& frictions) {
     const auto began = std::chrono::steady_clock::now();
-    const PicturedProducts known(products, frictions);
-    for (const EpisodeGoal& goal : spec_.goals) {
+    const episodes::PicturedProducts known(products, frictions);
+    for (const episodes::EpisodeGoal& goal : spec_.goals) {
       MARKETGEN_TRY(const auto pictures, known.pictures(goal.sku));
-      MARKETGEN_TRY(ProductLook look, ProductLook::make(goal.sku, pictures));
+      MARKETGEN_TRY(perception::ProductLook look,
+                    perception::ProductLook::make(goal.sku, pictures));
       looks_.push_back(std::move(look));
     }
     measure_.pictures_s = seconds_since(began);
@@ -80,8 +83,9 @@ class PerceptionTrial {
 
   Result<void> look() {
     const auto began = std::chrono::steady_clock::now();
-    for (const StationCamera which : {StationCamera::scene, StationCamera::wrist}) {
-      MARKETGEN_TRY(View view, eyes_.look(name_of(which)));
+    for (const episodes::StationCamera which :
+         {episodes::StationCamera::scene, episodes::StationCamera::wrist}) {
+      MARKETGEN_TRY(agent::View view, eyes_.look(name_of(which)));
       views_.emplace_back(std::move(view));
     }
     measure_.look_s = seconds_since(began);
@@ -90,17 +94,17 @@ class PerceptionTrial {
 
   void find() {
     const auto began = std::chrono::steady_clock::now();
-    const Workplace place = workplace_of(world_.station());
+    const agent::Workplace place = episodes::workplace_of(world_.station());
     for (std::size_t v = 0; v < views_.size(); ++v)
       masked_.push_back(
           {v,
-           GeometricMasks().masks(views_[v],
-                                  goods_in_basket(views_[v], place, place.base_from_basket))});
-    std::vector<WantedProduct> wanted;
-    for (const ProductLook& look : looks_)
+           perception::GeometricMasks().masks(
+               views_[v], perception::goods_in_basket(views_[v], place, place.base_from_basket))});
+    std::vector<perception::WantedProduct> wanted;
+    for (const perception::ProductLook& look : looks_)
       wanted.push_back({&look, {}});
-    const SweptPoses poses;
-    found_ = CatalogueMatching(poses).find(wanted, views_, masked_);
+    const perception::SweptPoses poses;
+    found_ = perception::CatalogueMatching(poses).find(wanted, views_, masked_);
     measure_.find_s = seconds_since(began);
   }
 
@@ -117,27 +121,29 @@ class PerceptionTrial {
           &in_wrist = eyes_.items_shown(views_[1].view().camera);
     PerceivedTarget target;
     target.sku = looks_[look].sku();
-    const auto item = std::ranges::find(spec_.items, target.sku, &EpisodeItem::sku);
+    const auto item = std::ranges::find(spec_.items, target.sku, &episodes::EpisodeItem::sku);
     const auto number = static_cast<int>(item - spec_.items.begin());
     const auto scene_px = static_cast<int>(std::ranges::count(in_scene, number));
     const auto wrist_px = static_cast<int>(std::ranges::count(in_wrist, number));
     target.visible_px = scene_px + wrist_px;
     target.mask_iou = scene_px > wrist_px ? best_iou(masked_[0].masks, in_scene, number)
                                           : best_iou(masked_[1].masks, in_wrist, number);
-    for (const FoundProduct& found : found_)
+    for (const perception::FoundProduct& found : found_)
       if (found.look == look)
         add_pose(found, world_.item_pose(static_cast<std::size_t>(number)), target);
     return target;
   }
 
-  void add_pose(const FoundProduct& found, const Pose& true_pose, PerceivedTarget& target) const {
-    const ProductLook& look = looks_[found.look];
+  void add_pose(const perception::FoundProduct& found,
+                const Pose& true_pose,
+                PerceivedTarget& target) const {
+    const perception::ProductLook& look = looks_[found.look];
     const Pose& pose = found.pose.base_from_product;
     target.found = true;
     target.offset_m = length(middle_at(look, pose) - middle_at(look, true_pose));
     target.right = target.offset_m < right_within_m;
     target.surface_m = surface_distance(look, pose, true_pose);
-    const PoseEvidence& e = found.pose.evidence;
+    const perception::PoseEvidence& e = found.pose.evidence;
     target.score = e.score;
     target.fit = e.fit;
     target.seen = e.seen;
@@ -145,21 +151,21 @@ class PerceptionTrial {
     target.color_error = e.color_error;
   }
 
-  const CheckoutWorld& world_;
-  const EpisodeSpec& spec_;
-  CheckoutEyes eyes_;
+  const episodes::CheckoutWorld& world_;
+  const episodes::EpisodeSpec& spec_;
+  episodes::CheckoutEyes eyes_;
   PerceptionMeasure measure_;
-  std::vector<ProductLook> looks_;  // one a goal
-  std::vector<ViewCloud> views_;
-  std::vector<MaskedView> masked_;
-  std::vector<FoundProduct> found_;
+  std::vector<perception::ProductLook> looks_;  // one a goal
+  std::vector<perception::ViewCloud> views_;
+  std::vector<perception::MaskedView> masked_;
+  std::vector<perception::FoundProduct> found_;
 };
 
 Result<PerceptionMeasure> measured(const std::filesystem::path& data,
-                                   const EpisodeSpec& spec,
-                                   const std::vector<Product>& products,
-                                   const std::vector<FrictionRow>& frictions) {
-  MARKETGEN_TRY(CheckoutWorld world, CheckoutWorld::create(data, frictions));
+                                   const episodes::EpisodeSpec& spec,
+                                   const std::vector<catalog::Product>& products,
+                                   const std::vector<catalog::FrictionRow>& frictions) {
+  MARKETGEN_TRY(episodes::CheckoutWorld world, episodes::CheckoutWorld::create(data, frictions));
   MARKETGEN_CHECK(world.reset(spec, products));
   PerceptionTrial trial(world, spec);
   MARKETGEN_CHECK(trial.learn_goals(products, frictions));
@@ -172,10 +178,10 @@ Result<PerceptionMeasure> measured(const std::filesystem::path& data,
 
 Result<std::vector<PerceptionMeasure>> measure_perception(
     const std::filesystem::path& data,
-    const EpisodeFile& file,
-    const std::vector<FrictionRow>& frictions) {
+    const episodes::EpisodeFile& file,
+    const std::vector<catalog::FrictionRow>& frictions) {
   std::vector<PerceptionMeasure> measures;
-  for (const EpisodeSpec& spec : file.episodes) {
+  for (const episodes::EpisodeSpec& spec : file.episodes) {
     auto measure = measured(data, spec, file.header.products, frictions);
     if (measure.ok()) {
       measures.push_back(std::move(measure).value());
@@ -215,11 +221,11 @@ PerceptionSummary summarize(const std::vector<PerceptionMeasure>& measures) {
     }
   }
   if (visible > 0) summary.mean_mask_iou /= visible;
-  summary.found = share_of(found, targets);
-  summary.right = share_of(right, found);
+  summary.found = grasping::share_of(found, targets);
+  summary.right = grasping::share_of(right, found);
   summary.median_offset_m = middle_value(std::move(offsets));
   summary.median_surface_m = middle_value(std::move(surfaces));
   return summary;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::evaluation

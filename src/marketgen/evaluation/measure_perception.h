@@ -12,7 +12,7 @@
 #include "evaluation/evaluation_summary.h"
 #include "grasping/grasp_shares.h"
 
-namespace marketgen {
+namespace marketgen::evaluation {
 
 // Of one product that is looked for.
 struct PerceivedTarget {
@@ -61,13 +61,13 @@ struct PerceptionMeasure {
 // that would befall every episode (ends_the_run).
 Result<std::vector<PerceptionMeasure>> measure_perception(
     const std::filesystem::path& data,
-    const EpisodeFile& file,
-    const std::vector<FrictionRow>& frictions);
+    const episodes::EpisodeFile& file,
+    const std::vector<catalog::FrictionRow>& frictions);
 
 // All but `errors` is of the baskets that were looked at.
 struct PerceptionSummary {
   int baskets = 0;
-  Share found, right;  // of all targets; right: of those found
+  grasping::Share found, right;  // of all targets; right: of those found
   double mean_mask_iou = 0, median_offset_m = 0, median_surface_m = 0;
   std::vector<ErrorCount> errors;
   static constexpr auto fields =
@@ -81,4 +81,4 @@ struct PerceptionSummary {
 };
 PerceptionSummary summarize(const std::vector<PerceptionMeasure>& measures);
 
-}  // namespace marketgen
+}  // namespace marketgen::evaluation

@@ -11,52 +11,54 @@
 #include "io/json.h"
 #include "io/output.h"
 
-namespace marketgen {
+namespace marketgen::evaluation {
 namespace {
 
-std::string lines_of(const std::vector<EpisodeResult>& results) {
+std::string lines_of(const std::vector<episodes::EpisodeResult>& results) {
   std::string lines;
-  for (const EpisodeResult& result : results)
-    lines += write_json_line(result) + "\n";
+  for (const episodes::EpisodeResult& result : results)
+    lines += io::write_json_line(result) + "\n";
   return lines;
 }
 
 }  // namespace
 
-Result<std::map<std::string, EpisodeResult>> finished_results(const std::filesystem::path& file) {
-  MARKETGEN_TRY(const std::string text, read_file(file));
-  std::map<std::string, EpisodeResult> finished;
+Result<std::map<std::string, episodes::EpisodeResult>> finished_results(
+    const std::filesystem::path& file) {
+  MARKETGEN_TRY(const std::string text, io::read_file(file));
+  std::map<std::string, episodes::EpisodeResult> finished;
   std::istringstream lines(text.substr(0, text.rfind('\n') + 1));
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
     const std::string where = fmt::format("{}:{}", file.string(), ++number);
-    MARKETGEN_TRY(EpisodeResult result, read_json<EpisodeResult>(line, where));
+    MARKETGEN_TRY(episodes::EpisodeResult result,
+                  io::read_json<episodes::EpisodeResult>(line, where));
     finished[result.episode] = std::move(result);
   }
   return finished;
 }
 
-ResultsFolder::ResultsFolder(const EpisodeFile& file,
+ResultsFolder::ResultsFolder(const episodes::EpisodeFile& file,
                              const std::filesystem::path& folder,
-                             FolderLock lock)
+                             io::FolderLock lock)
     : folder_(folder), lock_(std::move(lock)), file_(file), results_(file.episodes.size()) {
-  for (const EpisodeSpec& spec : file.episodes)
-    hashes_.push_back(episode_hash(file.header, spec));
+  for (const episodes::EpisodeSpec& spec : file.episodes)
+    hashes_.push_back(episodes::episode_hash(file.header, spec));
 }
 
 std::string ResultsFolder::results_path() const {
   return (folder_ / "results.jsonl").string();
 }
 
-Result<std::unique_ptr<ResultsFolder>> ResultsFolder::open(const EpisodeFile& file,
+Result<std::unique_ptr<ResultsFolder>> ResultsFolder::open(const episodes::EpisodeFile& file,
                                                            const std::filesystem::path& folder,
                                                            const std::string& policy,
                                                            bool resume) {
-  Outputs place;
+  io::Outputs place;
   MARKETGEN_CHECK(place.add_folder(folder));
   MARKETGEN_CHECK(place.commit());
   std::error_code failed;
-  MARKETGEN_TRY(FolderLock lock, FolderLock::take(folder));
+  MARKETGEN_TRY(io::FolderLock lock, io::FolderLock::take(folder));
   std::unique_ptr<ResultsFolder> opened(new ResultsFolder(file, folder, std::move(lock)));
   const std::string path = opened->results_path();
   const auto size = std::filesystem::file_size(path, failed);
@@ -67,7 +69,7 @@ Result<std::unique_ptr<ResultsFolder>> ResultsFolder::open(const EpisodeFile& fi
                    "there are results already: name another folder, or go on with --resume"};
     MARKETGEN_CHECK(opened->take_over(policy));
   }
-  MARKETGEN_CHECK(write_file(path, lines_of(opened->in_order())));
+  MARKETGEN_CHECK(io::write_file(path, lines_of(opened->in_order())));
   opened->lines_.open(path, std::ios::app);
   return opened;
 }
@@ -82,7 +84,7 @@ Result<void> ResultsFolder::take_over(const std::string& policy) {
                    fmt::format("{} has results of \"{}\": go on with that, or name another folder",
                                results_path(),
                                result.policy)};
-    const auto spec = std::ranges::find(file_.episodes, id, &EpisodeSpec::id);
+    const auto spec = std::ranges::find(file_.episodes, id, &episodes::EpisodeSpec::id);
     if (spec == file_.episodes.end())
       return Error{"usage.bad_flag",
                    "--resume",
@@ -117,31 +119,31 @@ std::size_t ResultsFolder::count() const {
       std::ranges::count_if(results_, [](const auto& result) { return result.has_value(); }));
 }
 
-Result<void> ResultsFolder::keep(std::size_t number, EpisodeResult result) {
+Result<void> ResultsFolder::keep(std::size_t number, episodes::EpisodeResult result) {
   const std::scoped_lock lock(mutex_);
   result.episode_hash = hashes_[number];
-  lines_ << write_json_line(result) << "\n" << std::flush;
+  lines_ << io::write_json_line(result) << "\n" << std::flush;
   if (!lines_) return Error{"io.cannot_write", results_path(), "is the disk full?"};
   results_[number] = std::move(result);
   return {};
 }
 
-std::vector<EpisodeResult> ResultsFolder::in_order() const {
-  std::vector<EpisodeResult> ordered;
+std::vector<episodes::EpisodeResult> ResultsFolder::in_order() const {
+  std::vector<episodes::EpisodeResult> ordered;
   for (const auto& result : results_)
     if (result) ordered.push_back(*result);
   return ordered;
 }
 
-Result<std::vector<EpisodeResult>> ResultsFolder::close() {
+Result<std::vector<episodes::EpisodeResult>> ResultsFolder::close() {
   const std::scoped_lock lock(mutex_);
   lines_.close();
-  std::vector<EpisodeResult> results = in_order();
+  std::vector<episodes::EpisodeResult> results = in_order();
   EvaluationSummary summary = summarize(results);
   summary.unfinished = static_cast<int>(results_.size() - results.size());
-  MARKETGEN_CHECK(write_file(results_path(), lines_of(results)));
-  MARKETGEN_CHECK(write_file(folder_ / "summary.json", write_json(summary)));
+  MARKETGEN_CHECK(io::write_file(results_path(), lines_of(results)));
+  MARKETGEN_CHECK(io::write_file(folder_ / "summary.json", io::write_json(summary)));
   return results;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::evaluation

@@ -14,11 +14,12 @@
 #include "episodes/episode_spec.h"
 #include "io/folder_lock.h"
 
-namespace marketgen {
+namespace marketgen::evaluation {
 
 // What a results.jsonl holds, by episode. A last line without an end was not finished, and is left
 // out. Errors: input.not_found, io.*; those of read_json, at FILE:LINE.
-Result<std::map<std::string, EpisodeResult>> finished_results(const std::filesystem::path& file);
+Result<std::map<std::string, episodes::EpisodeResult>> finished_results(
+    const std::filesystem::path& file);
 
 class ResultsFolder {
  public:
@@ -27,7 +28,7 @@ class ResultsFolder {
   // io.in_use, io.*; store.exists when it has results and `resume` is off; usage.bad_flag when they
   // are of another policy, or of episodes that the file does not have; those of finished_results.
   // `file` must outlive it.
-  static Result<std::unique_ptr<ResultsFolder>> open(const EpisodeFile& file,
+  static Result<std::unique_ptr<ResultsFolder>> open(const episodes::EpisodeFile& file,
                                                      const std::filesystem::path& folder,
                                                      const std::string& policy,
                                                      bool resume);
@@ -35,23 +36,25 @@ class ResultsFolder {
   bool has(std::size_t number) const;  // of the episode in its file
   std::size_t count() const;           // of results
   // Adds a line, with the hash of its episode. Error: io.cannot_write. Thread-safe.
-  Result<void> keep(std::size_t number, EpisodeResult result);
+  Result<void> keep(std::size_t number, episodes::EpisodeResult result);
   // Writes the lines in the order of the episodes, and the summary. Errors: io.*.
-  Result<std::vector<EpisodeResult>> close();
+  Result<std::vector<episodes::EpisodeResult>> close();
 
  private:
-  ResultsFolder(const EpisodeFile& file, const std::filesystem::path& folder, FolderLock lock);
+  ResultsFolder(const episodes::EpisodeFile& file,
+                const std::filesystem::path& folder,
+                io::FolderLock lock);
   Result<void> take_over(const std::string& policy);
   std::string results_path() const;
-  std::vector<EpisodeResult> in_order() const;
+  std::vector<episodes::EpisodeResult> in_order() const;
 
   std::filesystem::path folder_;
-  FolderLock lock_;
-  const EpisodeFile& file_;
+  io::FolderLock lock_;
+  const episodes::EpisodeFile& file_;
   std::vector<std::string> hashes_;
   mutable std::mutex mutex_;
   std::ofstream lines_;
-  std::vector<std::optional<EpisodeResult>> results_;
+  std::vector<std::optional<episodes::EpisodeResult>> results_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::evaluation

@@ -15,7 +15,7 @@
 #include "base/interrupt.h"
 #include "io/json.h"
 
-namespace marketgen {
+namespace marketgen::evaluation {
 namespace {
 
 constexpr int look_up_ms = 200;  // how often an interrupt is looked for
@@ -72,7 +72,7 @@ std::optional<double> told_cpu_s(std::string_view line) {
 // Looks again and again whether it has to end.
 class WorkerProcess::Waiting {
  public:
-  Waiting(const Wait& wait, const ProcessGroup& group)
+  Waiting(const Wait& wait, const io::ProcessGroup& group)
       : wait_(wait), group_(group), cpu_before_s_(wait.cpu_limit_s > 0 ? group.cpu_s() : 0) {}
 
   std::optional<Error> over() const {
@@ -86,7 +86,7 @@ class WorkerProcess::Waiting {
 
  private:
   const Wait& wait_;
-  const ProcessGroup& group_;
+  const io::ProcessGroup& group_;
   double cpu_before_s_;
   std::chrono::steady_clock::time_point since_ = std::chrono::steady_clock::now();
 };
@@ -94,11 +94,11 @@ class WorkerProcess::Waiting {
 Result<std::unique_ptr<WorkerProcess>> WorkerProcess::start(const std::vector<std::string>& command,
                                                             const std::string& header,
                                                             double limit_s) {
-  Pipe in, out;
+  io::Pipe in, out;
   if (!in.open() || !out.open())
     return Error{"usage.unavailable", command[0], std::strerror(errno)};
-  MARKETGEN_TRY(ProcessGroup group,
-                ProcessGroup::start(command, {in.read_end(), out.write_end(), -1}));
+  MARKETGEN_TRY(io::ProcessGroup group,
+                io::ProcessGroup::start(command, {in.read_end(), out.write_end(), -1}));
   std::unique_ptr<WorkerProcess> worker(
       new WorkerProcess(std::move(group), in.take_end(1), out.take_end(0)));
   fcntl(worker->to_, F_SETFL, O_NONBLOCK);
@@ -131,7 +131,7 @@ Error WorkerProcess::ended(bool by_itself) {
   return {"episode.policy_crashed",
           "worker",
           fmt::format("ended with {}; its last words, if any, are on standard error",
-                      end_of_program(state))};
+                      io::end_of_program(state))};
 }
 
 Result<void> WorkerProcess::tell(const std::string& line, const Wait& wait) {
@@ -192,7 +192,8 @@ std::optional<Error> WorkerProcess::late(const std::string& line, const AnswerLi
   return Error{"program.failed", "worker", fmt::format("it says \"{}\"", line)};
 }
 
-Result<EpisodeResult> WorkerProcess::run(const std::string& episode, const AnswerLimits& limits) {
+Result<episodes::EpisodeResult> WorkerProcess::run(const std::string& episode,
+                                                   const AnswerLimits& limits) {
   constexpr std::string_view result = "result ", error = "error ";
   const Wait for_ever,
       for_an_answer{limits.hang_s, too_long(limits.hang_s), limits.cpu_s, too_slow(limits.cpu_s)};
@@ -205,7 +206,7 @@ Result<EpisodeResult> WorkerProcess::run(const std::string& episode, const Answe
       if (auto fault = late(line, limits)) return *std::move(fault);
     }
     if (line.starts_with(result))
-      return read_json<EpisodeResult>(line.substr(result.size()), "worker");
+      return io::read_json<episodes::EpisodeResult>(line.substr(result.size()), "worker");
     if (line.starts_with(error)) return error_told(line.substr(error.size()));
   }
 }
@@ -215,4 +216,4 @@ bool WorkerProcess::is_policys(const Error& error) {
          error.code == "episode.policy_crashed";
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::evaluation

@@ -12,7 +12,7 @@
 #include "episodes/episode_result.h"
 #include "io/process_group.h"
 
-namespace marketgen {
+namespace marketgen::evaluation {
 
 // For one answer of a policy; 0: none.
 struct AnswerLimits {
@@ -39,13 +39,13 @@ class WorkerProcess {
   // too: what counts is how much it took, not when that was looked at. Errors: what the worker
   // reports, which lives on; and, the worker having ended, episode.policy_slow,
   // episode.policy_hung, episode.policy_crashed, program.failed, internal.interrupted.
-  Result<EpisodeResult> run(const std::string& episode, const AnswerLimits& limits);
+  Result<episodes::EpisodeResult> run(const std::string& episode, const AnswerLimits& limits);
   bool alive() const { return group_.running(); }
   // Whether an error of run() is that of the policy.
   static bool is_policys(const Error& error);
 
  private:
-  WorkerProcess(ProcessGroup group, int to, int from)
+  WorkerProcess(io::ProcessGroup group, int to, int from)
       : group_(std::move(group)), to_(to), from_(from) {}
   enum class Heard { line, nothing, end };
   // Until the worker has ended, we are interrupted or one of the limits is over that are not 0.
@@ -62,9 +62,9 @@ class WorkerProcess {
   Error ended(bool by_itself = false);
   std::optional<Error> late(const std::string& line, const AnswerLimits& limits);
 
-  ProcessGroup group_;
+  io::ProcessGroup group_;
   int to_ = -1, from_ = -1;
   std::string heard_;  // and not yet read
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::evaluation

@@ -13,7 +13,7 @@
 #include "physics/world/shell_pieces.h"
 #include "scene/articulation.h"
 
-namespace marketgen {
+namespace marketgen::exporters {
 namespace {
 
 constexpr double position_tolerance_m = 1e-4;  // the promise of check_export: 0.1 mm
@@ -28,19 +28,20 @@ std::string counted(std::uint64_t count, std::string_view what) {
   return fmt::format("{} {}", with_thousands(static_cast<std::int64_t>(count)), what);
 }
 
-void include(Bounds3& bounds, const ContactShape& shape) {
-  const Vec3 half = half_extents(shape);
+void include(Bounds3& bounds, const assets::ContactShape& shape) {
+  const Vec3 half = assets::half_extents(shape);
   bounds.include(to_float(shape.pose.position - half));
   bounds.include(to_float(shape.pose.position + half));
 }
 
-Bounds3 bounds_of(const Scene& scene) {
+Bounds3 bounds_of(const scene::Scene& scene) {
   Bounds3 bounds;
-  for (const ShellPiece& piece : shell_pieces(scene.layout.shell)) {
-    include(bounds, {CollisionShape::box, piece.pose, piece.half_size});
+  for (const physics::ShellPiece& piece : physics::shell_pieces(scene.layout.shell)) {
+    include(bounds, {assets::CollisionShape::box, piece.pose, piece.half_size});
   }
-  for (const ScenePart& part : scene.parts) {
-    include(bounds, world_from_fixture(scene, part.fixture) * contact_shape_of(part));
+  for (const scene::ScenePart& part : scene.parts) {
+    include(bounds,
+            scene::world_from_fixture(scene, part.fixture) * physics::contact_shape_of(part));
   }
   return bounds;
 }
@@ -52,7 +53,7 @@ std::string first_missing(const std::set<std::string>& wanted, const std::set<st
   return missing == wanted.end() ? "" : *missing;
 }
 
-Result<void> compare_fixtures(const Scene& scene,
+Result<void> compare_fixtures(const scene::Scene& scene,
                               const std::set<std::string>& found,
                               const std::string& where) {
   std::set<std::string> wanted;
@@ -68,7 +69,7 @@ Result<void> compare_fixtures(const Scene& scene,
 
 // Largest distance of a product from its place. Every product of the scene must occur just once, as
 // the right SKU.
-Result<double> compare_products(const Scene& scene,
+Result<double> compare_products(const scene::Scene& scene,
                                 const std::vector<ExportedItem>& found,
                                 const std::string& where) {
   if (found.size() != scene.products.size()) {
@@ -83,7 +84,7 @@ Result<double> compare_products(const Scene& scene,
   }
   double worst = 0;
   for (std::uint32_t row = 0; row < scene.products.size(); ++row) {
-    const std::string id = product_id(scene, row);
+    const std::string id = scene::product_id(scene, row);
     const auto item = by_id.find(id);
     if (item == by_id.end()) return mismatch(where, "product \"" + id + "\" is missing");
     const std::string& sku = scene.catalog[scene.products[row].sku].sku;
@@ -92,7 +93,7 @@ Result<double> compare_products(const Scene& scene,
           where,
           fmt::format("product \"{}\" is \"{}\" in place of \"{}\"", id, item->second->sku, sku));
     const double distance =
-        length(item->second->position - world_from_product(scene.products[row]).position);
+        length(item->second->position - scene::world_from_product(scene.products[row]).position);
     if (!(distance <= position_tolerance_m))
       return mismatch(
           where, fmt::format("product \"{}\" is {:.2f} mm from its place", id, distance * 1e3));
@@ -121,7 +122,7 @@ Result<void> compare_bounds(const Bounds3& wanted, const Bounds3& found, const s
   return {};
 }
 
-Result<void> compare_free_bodies(const Scene& scene,
+Result<void> compare_free_bodies(const scene::Scene& scene,
                                  const ExportOptions& options,
                                  const ExportContents& contents,
                                  const std::string& where) {
@@ -135,8 +136,9 @@ Result<void> compare_free_bodies(const Scene& scene,
           "{} can move, {} were asked for", counted(*contents.free_bodies, "products"), wanted));
 }
 
-ExportedJoint wanted_joint(const Scene& scene, const SceneJoint& joint) {
-  const Pose world = world_from_fixture(scene, joint.fixture) * fixture_from_joint(joint);
+ExportedJoint wanted_joint(const scene::Scene& scene, const scene::SceneJoint& joint) {
+  const Pose world =
+      scene::world_from_fixture(scene, joint.fixture) * scene::fixture_from_joint(joint);
   return {mjcf_joint_name(scene, joint),
           joint.kind,
           world.position,
@@ -164,7 +166,7 @@ std::string difference(const ExportedJoint& wanted, const ExportedJoint& found) 
   if (!(length(wanted.axis - found.axis) <= 1e-4)) return "axis";
   if (differ(wanted.lower, found.lower) || differ(wanted.upper, found.upper)) return "limits";
   if (differ(wanted.mass_kg, found.mass_kg)) return "mass";
-  if (wanted.kind == JointKind::belt) return "";
+  if (wanted.kind == assets::JointKind::belt) return "";
   if (differ(wanted.friction, found.friction)) return "friction";
   if (differ(wanted.damping, found.damping)) return "damping";
   if (differ(wanted.stiffness, found.stiffness) || differ(wanted.spring_rest, found.spring_rest) ||
@@ -175,7 +177,7 @@ std::string difference(const ExportedJoint& wanted, const ExportedJoint& found) 
   return "";
 }
 
-Result<void> compare_joints(const Scene& scene,
+Result<void> compare_joints(const scene::Scene& scene,
                             const ExportOptions& options,
                             const ExportContents& contents,
                             const std::string& where) {
@@ -190,7 +192,7 @@ Result<void> compare_joints(const Scene& scene,
   std::map<std::string_view, const ExportedJoint*> by_name;
   for (const ExportedJoint& joint : *contents.joints)
     by_name.emplace(joint.name, &joint);
-  for (const SceneJoint& row : scene.joints) {
+  for (const scene::SceneJoint& row : scene.joints) {
     const ExportedJoint joint = wanted_joint(scene, row);
     const auto found = by_name.find(joint.name);
     if (found == by_name.end()) return mismatch(where, "joint \"" + joint.name + "\" is missing");
@@ -218,7 +220,7 @@ Result<void> compare_looks_and_robots(const ExportOptions& options,
 
 }  // namespace
 
-Result<ExportSummary> compare_with_scene(const Scene& scene,
+Result<ExportSummary> compare_with_scene(const scene::Scene& scene,
                                          const ExportOptions& options,
                                          const ExportContents& contents,
                                          const std::string& where) {
@@ -247,4 +249,4 @@ Result<ExportSummary> compare_with_scene(const Scene& scene,
   return summary;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::exporters

@@ -8,13 +8,14 @@
 #include "export/exporter.h"
 #include "io/file.h"
 
-namespace marketgen {
+namespace marketgen::exporters {
 namespace {
 
 struct Exporter {
   ExportFormat format;
-  Result<ExportFiles> (*write)(const Scene&, const ExportOptions&);
-  Result<ExportContents> (*read)(const std::filesystem::path&, const std::vector<Product>&);
+  Result<ExportFiles> (*write)(const scene::Scene&, const ExportOptions&);
+  Result<ExportContents> (*read)(const std::filesystem::path&,
+                                 const std::vector<catalog::Product>&);
 };
 
 constexpr Exporter exporters[] = {
@@ -47,7 +48,7 @@ Result<void> write_beside(const std::filesystem::path& folder,
   if (failed) return Error{"io.cannot_write", folder.string(), failed.message()};
   for (const BesideFile& file : files) {
     MARKETGEN_CHECK(check_interrupt());
-    MARKETGEN_CHECK(write_file(folder / file.name, file.bytes));
+    MARKETGEN_CHECK(io::write_file(folder / file.name, file.bytes));
   }
   return {};
 }
@@ -61,7 +62,7 @@ std::vector<ExportFormat> export_formats() {
   return formats;
 }
 
-Result<void> export_scene(const Scene& scene,
+Result<void> export_scene(const scene::Scene& scene,
                           std::string_view format,
                           const std::filesystem::path& out,
                           const ExportOptions& options) {
@@ -70,10 +71,10 @@ Result<void> export_scene(const Scene& scene,
   named.beside = out.stem().string() + "_assets";
   MARKETGEN_TRY(const ExportFiles files, exporter->write(scene, named));
   MARKETGEN_CHECK(write_beside(out.parent_path() / named.beside, files.beside));
-  return write_file(out, files.main);
+  return io::write_file(out, files.main);
 }
 
-Result<ExportSummary> check_export(const Scene& scene,
+Result<ExportSummary> check_export(const scene::Scene& scene,
                                    std::string_view format,
                                    const std::filesystem::path& file,
                                    const ExportOptions& options) {
@@ -82,15 +83,15 @@ Result<ExportSummary> check_export(const Scene& scene,
   return compare_with_scene(scene, options, contents, file.string());
 }
 
-std::vector<bool> products_in_free_region(const Scene& scene, const ExportOptions& options) {
+std::vector<bool> products_in_free_region(const scene::Scene& scene, const ExportOptions& options) {
   std::vector<bool> inside(scene.products.size(), false);
   if (!options.free_region_m) return inside;
   const auto& [x0, y0, x1, y1] = *options.free_region_m;
   for (std::size_t i = 0; i < inside.size(); ++i) {
-    const Vec3 p = world_from_product(scene.products[i]).position;
+    const Vec3 p = scene::world_from_product(scene.products[i]).position;
     inside[i] = p.x >= x0 && p.x <= x1 && p.y >= y0 && p.y <= y1;
   }
   return inside;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::exporters

@@ -12,7 +12,7 @@
 #include "robots/placed_robot.h"
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::exporters {
 
 // x0, y0, x1, y1 in metres: products whose centre lies inside become free bodies (MJCF).
 struct ExportOptions {
@@ -20,8 +20,8 @@ struct ExportOptions {
   bool instanced = false;       // glb: EXT_mesh_gpu_instancing, a node a SKU instead of one an item
   bool still_fixtures = false;  // mjcf: no part of a fixture can move
   bool looks = false;           // mjcf: meshes and pictures over the contact primitives
-  std::vector<PlacedRobot> robots;  // mjcf
-  std::string beside = "assets";    // folder of what lies beside the file; export_scene() names it
+  std::vector<robots::PlacedRobot> robots;  // mjcf
+  std::string beside = "assets";  // folder of what lies beside the file; export_scene() names it
 };
 
 // What a file holds, read back with another code path than the one that wrote it.
@@ -55,15 +55,15 @@ std::vector<ExportFormat> export_formats();  // rows of export_formats.inc
 // Writes `scene` to the file `out`; what lies beside it goes to the folder "<stem of out>_assets"
 // and is written first. Files of an earlier export there are written anew or left. Errors:
 // export.unknown_format with the nearest name, io.*.
-Result<void> export_scene(const Scene& scene,
+Result<void> export_scene(const scene::Scene& scene,
                           std::string_view format,
                           const std::filesystem::path& out,
                           const ExportOptions& options = {});
 // Reads `file` back and compares: counts, bounds, every product's place within 0.1 mm. Error:
 // export.mismatch.
-Result<ExportSummary> check_export(const Scene& scene,
+Result<ExportSummary> check_export(const scene::Scene& scene,
                                    std::string_view format,
                                    const std::filesystem::path& file,
                                    const ExportOptions& options = {});
 
-}  // namespace marketgen
+}  // namespace marketgen::exporters

@@ -12,7 +12,7 @@
 #include "export/export.h"
 #include "geometry/mesh.h"
 
-namespace marketgen {
+namespace marketgen::exporters {
 
 // A file that lies beside the exported one, in a folder of its own.
 struct BesideFile {
@@ -31,7 +31,7 @@ struct ExportedItem {
 // Everything at position 0, in the store frame.
 struct ExportedJoint {
   std::string name;  // "<fixture id>/<joint>"
-  JointKind kind = JointKind::hinge;
+  assets::JointKind kind = assets::JointKind::hinge;
   Vec3 at, axis;
   double lower = 0, upper = 0, friction = 0, damping = 0;
   double stiffness = 0, spring_rest = 0, hold_open_factor = 0;  // of export/mjcf_fixtures.h
@@ -54,20 +54,20 @@ struct ExportContents {
 // write_<name>: the whole file, and what lies beside it. read_<name>: what an independent library
 // finds in it; `catalog` is the scene's and may only be used to find where in a product's shape the
 // origin of its frame lies. Errors: export.mismatch when it cannot be read, io.*.
-#define EXPORT_FORMAT(name, description, extension)                                   \
-  Result<ExportFiles> write_##name(const Scene& scene, const ExportOptions& options); \
-  Result<ExportContents> read_##name(const std::filesystem::path& file,               \
-                                     const std::vector<Product>& catalog);
+#define EXPORT_FORMAT(name, description, extension)                                          \
+  Result<ExportFiles> write_##name(const scene::Scene& scene, const ExportOptions& options); \
+  Result<ExportContents> read_##name(const std::filesystem::path& file,                      \
+                                     const std::vector<catalog::Product>& catalog);
 #include "export/export_formats.inc"
 #undef EXPORT_FORMAT
 
 // Products whose centre lies in options.free_region_m, by row; none without a region.
-std::vector<bool> products_in_free_region(const Scene& scene, const ExportOptions& options);
+std::vector<bool> products_in_free_region(const scene::Scene& scene, const ExportOptions& options);
 
 // Compares what was read with the scene. Error: export.mismatch with the first difference.
-Result<ExportSummary> compare_with_scene(const Scene& scene,
+Result<ExportSummary> compare_with_scene(const scene::Scene& scene,
                                          const ExportOptions& options,
                                          const ExportContents& contents,
                                          const std::string& where);
 
-}  // namespace marketgen
+}  // namespace marketgen::exporters

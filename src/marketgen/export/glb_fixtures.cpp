@@ -3,14 +3,14 @@
 #include "assets/fixtures/fixture_model.h"
 #include "export/glb_room.h"
 
-namespace marketgen {
+namespace marketgen::exporters {
 namespace {
 
 // The parts as bytes, without the rows of their fixture and joint: equal modules have equal bytes.
-std::string content_of(const Scene& scene, const SceneFixture& fixture) {
+std::string content_of(const scene::Scene& scene, const scene::SceneFixture& fixture) {
   std::string bytes;
   for (std::uint32_t i = 0; i < fixture.part_count; ++i) {
-    ScenePart part = scene.parts[fixture.first_part + i];
+    scene::ScenePart part = scene.parts[fixture.first_part + i];
     part.fixture = 0;
     part.joint = -1;
     bytes.append(reinterpret_cast<const char*>(&part), sizeof part);
@@ -21,12 +21,13 @@ std::string content_of(const Scene& scene, const SceneFixture& fixture) {
 // Merges the parts of one module into one mesh with as few materials as it has looks.
 class ModuleMesh {
  public:
-  ModuleMesh(const Scene& scene, GlbMaterials& materials) : scene_(scene), materials_(materials) {}
+  ModuleMesh(const scene::Scene& scene, GlbMaterials& materials)
+      : scene_(scene), materials_(materials) {}
 
-  Result<void> add(const ScenePart& part) {
-    const MaterialRow* row =
+  Result<void> add(const scene::ScenePart& part) {
+    const catalog::MaterialRow* row =
         part.material < 0 ? nullptr : &scene_.materials[static_cast<std::size_t>(part.material)];
-    Surface look;
+    assets::Surface look;
     look.color = {part.color[0], part.color[1], part.color[2]};
     look.roughness = part.roughness;
     look.metallic = part.metallic;
@@ -37,13 +38,13 @@ class ModuleMesh {
     else {
       MARKETGEN_TRY(material, materials_.add_tiled(row->id));
     }
-    FixturePart shape;
+    assets::FixturePart shape;
     shape.unit = part.unit;
     shape.shape = part.shape;
-    shape.fixture_from_part = fixture_from_part(part);
+    shape.fixture_from_part = scene::fixture_from_part(part);
     shape.half_size = {part.half_size_m[0], part.half_size_m[1], part.half_size_m[2]};
     const std::size_t first = mesh.uvs.size();
-    add_part_mesh(mesh, shape, surface_of(material));
+    assets::add_part_mesh(mesh, shape, surface_of(material));
     const auto scale =
         static_cast<float>(1 / (row == nullptr ? 1.0 : materials_.extent_m(row->id)));
     for (std::size_t v = first; v < mesh.uvs.size(); ++v)
@@ -63,26 +64,29 @@ class ModuleMesh {
     return static_cast<std::uint16_t>(surfaces.size() - 1);
   }
 
-  const Scene& scene_;
+  const scene::Scene& scene_;
   GlbMaterials& materials_;
 };
 
-GltfJson node_of(const Scene& scene, std::uint32_t fixture, int mesh) {
-  const SceneFixture& row = scene.fixtures[fixture];
-  const Fixture& placed = scene.layout.fixtures[fixture];
-  GltfJson node{{"name", placed.id}, {"mesh", mesh}, {"translation", json_array(row.position_m)}};
-  node["rotation"] = json_array(gltf_rotation(yaw_from_quarter_turns(row.quarter_turns)));
+io::GltfJson node_of(const scene::Scene& scene, std::uint32_t fixture, int mesh) {
+  const scene::SceneFixture& row = scene.fixtures[fixture];
+  const layout::Fixture& placed = scene.layout.fixtures[fixture];
+  io::GltfJson node{
+      {"name", placed.id}, {"mesh", mesh}, {"translation", io::json_array(row.position_m)}};
+  node["rotation"] = io::json_array(io::gltf_rotation(yaw_from_quarter_turns(row.quarter_turns)));
   node["extras"] = {{"fixture", placed.id}, {"kind", placed.kind}, {"zone", placed.zone}};
   return node;
 }
 
 }  // namespace
 
-Result<void> add_fixtures(const Scene& scene, GlbDocument& document, GlbMaterials& materials) {
+Result<void> add_fixtures(const scene::Scene& scene,
+                          io::GlbDocument& document,
+                          GlbMaterials& materials) {
   const int group = document.add_node({{"name", "fixtures"}}, -1);
   std::map<std::string, int> mesh_of_content;
   for (std::uint32_t f = 0; f < scene.fixtures.size(); ++f) {
-    const SceneFixture& row = scene.fixtures[f];
+    const scene::SceneFixture& row = scene.fixtures[f];
     if (row.part_count == 0) continue;
     const auto [entry, is_new] = mesh_of_content.try_emplace(content_of(scene, row), 0);
     if (is_new) {
@@ -96,4 +100,4 @@ Result<void> add_fixtures(const Scene& scene, GlbDocument& document, GlbMaterial
   return {};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::exporters

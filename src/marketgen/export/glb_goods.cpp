@@ -14,39 +14,39 @@
 #include "io/png.h"
 #include "render/picture_cache.h"
 
-namespace marketgen {
+namespace marketgen::exporters {
 namespace {
 
 constexpr int tag_px = 64, card_px = 148;  // heights
-constexpr auto card_width_m = static_cast<float>(promotion_card_width_mm * 1e-3);
-constexpr auto card_height_m = static_cast<float>(promotion_card_height_mm * 1e-3);
+constexpr auto card_width_m = static_cast<float>(assets::promotion_card_width_mm * 1e-3);
+constexpr auto card_height_m = static_cast<float>(assets::promotion_card_height_mm * 1e-3);
 constexpr float tag_lift_m = 8e-4F;  // label stock before the rail
 constexpr float tag_roughness = 0.5F;
 
 using PictureResult = Result<std::string>;
 
 PictureResult png_of(const std::string& content, const std::function<Result<Image>()>& draw) {
-  MARKETGEN_TRY(const Image image, raytrace::cached_picture(content, draw));
-  return encode_png(image);
+  MARKETGEN_TRY(const Image image, render::raytrace::cached_picture(content, draw));
+  return io::encode_png(image);
 }
 
 // What one SKU needs, made apart from the document so that SKUs can be made side by side.
 struct MadeProduct {
-  ProductModel model;
+  assets::ProductModel model;
   std::string label_png;  // empty when no surface shows the label
   std::optional<Error> error;
 };
 
-MadeProduct make(const Product& product) {
+MadeProduct make(const catalog::Product& product) {
   MadeProduct made;
-  Result<ProductModel> model = make_product_model(product);
+  Result<assets::ProductModel> model = assets::make_product_model(product);
   if (!model.ok()) return {{}, {}, model.error()};
   made.model = std::move(model).value();
   if (std::ranges::none_of(made.model.surfaces,
-                           [](const Surface& s) { return s.texture == "label"; }))
+                           [](const assets::Surface& s) { return s.texture == "label"; }))
     return made;
   const Result<Image> label = exported_label(product);
-  PictureResult png = label.ok() ? encode_png(*label) : label.error();
+  PictureResult png = label.ok() ? io::encode_png(*label) : label.error();
   if (!png.ok())
     made.error = png.error();
   else
@@ -54,14 +54,14 @@ MadeProduct make(const Product& product) {
   return made;
 }
 
-Result<int> add_product_mesh(const Product& product,
+Result<int> add_product_mesh(const catalog::Product& product,
                              const MadeProduct& made,
-                             GlbDocument& document,
+                             io::GlbDocument& document,
                              GlbMaterials& materials) {
   if (made.error) return *made.error;
   const int label = made.label_png.empty() ? -1 : document.add_texture(made.label_png);
   std::vector<int> surfaces;
-  for (const Surface& surface : made.model.surfaces) {
+  for (const assets::Surface& surface : made.model.surfaces) {
     if (surface.texture.empty() || surface.texture == "label") {
       surfaces.push_back(materials.add(surface, surface.texture.empty() ? -1 : label));
       continue;
@@ -76,33 +76,33 @@ std::array<float, 3> as_array(Vec3 v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-void add_place(GlbInstances& copies, const Pose& pose) {
+void add_place(io::GlbInstances& copies, const Pose& pose) {
   copies.translations.push_back(as_array(pose.position));
-  copies.rotations.push_back(gltf_rotation(pose.rotation));
+  copies.rotations.push_back(io::gltf_rotation(pose.rotation));
 }
 
 // Draws the node's mesh at every place: as a node each, by its id, or as one instanced node.
-void add_copies(GltfJson node,
-                const GlbInstances& copies,
+void add_copies(io::GltfJson node,
+                const io::GlbInstances& copies,
                 const ExportOptions& options,
-                GlbDocument& document,
+                io::GlbDocument& document,
                 int group) {
   if (options.instanced) {
     document.add_instanced_node(std::move(node), copies, group);
     return;
   }
   for (std::size_t i = 0; i < copies.translations.size(); ++i) {
-    GltfJson copy = node;
+    io::GltfJson copy = node;
     copy["name"] = copies.ids[i];
-    copy["translation"] = json_array(copies.translations[i]);
-    copy["rotation"] = json_array(copies.rotations[i]);
+    copy["translation"] = io::json_array(copies.translations[i]);
+    copy["rotation"] = io::json_array(copies.rotations[i]);
     document.add_node(std::move(copy), group);
   }
 }
 
 // One design of tag or card and where it is stuck on.
 struct Prints {
-  const PriceLabel* first = nullptr;
+  const scene::PriceLabel* first = nullptr;
   std::vector<Pose> places;
 };
 
@@ -120,10 +120,10 @@ void add_prints(const std::string& name,
                 int material,
                 const std::vector<Pose>& places,
                 const ExportOptions& options,
-                GlbDocument& document,
+                io::GlbDocument& document,
                 int group) {
   if (options.instanced) {
-    GlbInstances copies;
+    io::GlbInstances copies;
     for (const Pose& pose : places)
       add_place(copies, pose);
     const int mesh = document.add_mesh(name, print, {material});
@@ -139,38 +139,39 @@ void add_prints(const std::string& name,
   document.add_node({{"name", name}, {"mesh", document.add_mesh(name, all, {material})}}, group);
 }
 
-Pose place_of(const Scene& scene, const PriceLabel& label) {
-  const SceneShelf& shelf = scene.shelves[label.shelf];
-  const double middle_m = (price_rail_top_m + price_rail_bottom_m) / 2;
-  return world_from_shelf(scene, label.shelf) *
-         Pose{{label.x_m - shelf.width_m / 2, price_rail_face_m - tag_lift_m, middle_m}, {}};
+Pose place_of(const scene::Scene& scene, const scene::PriceLabel& label) {
+  const scene::SceneShelf& shelf = scene.shelves[label.shelf];
+  const double middle_m = (assets::price_rail_top_m + assets::price_rail_bottom_m) / 2;
+  return scene::world_from_shelf(scene, label.shelf) *
+         Pose{{label.x_m - shelf.width_m / 2, assets::price_rail_face_m - tag_lift_m, middle_m},
+              {}};
 }
 
 // The card of an offer hangs below its tag; those of neighbours, which may overlap, a little apart.
-Pose place_of_card(const Scene& scene, std::size_t row) {
-  const PriceLabel& label = scene.price_labels[row];
+Pose place_of_card(const scene::Scene& scene, std::size_t row) {
+  const scene::PriceLabel& label = scene.price_labels[row];
   const double apart_m = tag_lift_m * static_cast<double>(1 + row % 3);
   return place_of(scene, label) *
          Pose{{0, -apart_m, -static_cast<double>(label.height_m + card_height_m) / 2}, {}};
 }
 
 // One card a SKU on offer, at all its places.
-Result<void> add_promotion_cards(const Scene& scene,
+Result<void> add_promotion_cards(const scene::Scene& scene,
                                  const ExportOptions& options,
-                                 GlbDocument& document,
+                                 io::GlbDocument& document,
                                  GlbMaterials& materials,
                                  int group) {
   std::map<std::uint32_t, std::vector<Pose>> cards;  // by SKU
   for (std::size_t row = 0; row < scene.price_labels.size(); ++row) {
-    const PriceLabel& label = scene.price_labels[row];
+    const scene::PriceLabel& label = scene.price_labels[row];
     if (label.promotion != 0) cards[label.sku].push_back(place_of_card(scene, row));
   }
   const Mesh card = upright_quad(card_width_m, card_height_m);
   for (const auto& [sku, places] : cards) {
-    const Product& product = scene.catalog[sku];
+    const catalog::Product& product = scene.catalog[sku];
     MARKETGEN_TRY(const std::string png,
-                  png_of(fmt::format("promotion card {} {}", card_px, write_json_line(product)),
-                         [&] { return draw_promotion_card(product, card_px); }));
+                  png_of(fmt::format("promotion card {} {}", card_px, io::write_json_line(product)),
+                         [&] { return assets::draw_promotion_card(product, card_px); }));
     const int material = materials.add(
         {.color = {1, 1, 1}, .roughness = tag_roughness, .texture = ""}, document.add_texture(png));
     add_prints("offer/" + product.sku, card, material, places, options, document, group);
@@ -180,15 +181,15 @@ Result<void> add_promotion_cards(const Scene& scene,
 
 }  // namespace
 
-Result<void> add_products(const Scene& scene,
+Result<void> add_products(const scene::Scene& scene,
                           const ExportOptions& options,
-                          GlbDocument& document,
+                          io::GlbDocument& document,
                           GlbMaterials& materials) {
-  std::vector<GlbInstances> copies(scene.catalog.size());
+  std::vector<io::GlbInstances> copies(scene.catalog.size());
   for (std::uint32_t row = 0; row < scene.products.size(); ++row) {
-    const SceneProduct& item = scene.products[row];
-    add_place(copies[item.sku], world_from_product(item));
-    copies[item.sku].ids.push_back(product_id(scene, row));
+    const scene::SceneProduct& item = scene.products[row];
+    add_place(copies[item.sku], scene::world_from_product(item));
+    copies[item.sku].ids.push_back(scene::product_id(scene, row));
   }
   const std::vector<MadeProduct> made = parallel_map(scene.catalog.size(), [&](std::size_t sku) {
     return copies[sku].ids.empty() ? MadeProduct{} : make(scene.catalog[sku]);
@@ -196,7 +197,7 @@ Result<void> add_products(const Scene& scene,
   const int group = document.add_node({{"name", "products"}}, -1);
   for (std::size_t sku = 0; sku < made.size(); ++sku) {
     if (copies[sku].ids.empty()) continue;
-    const Product& product = scene.catalog[sku];
+    const catalog::Product& product = scene.catalog[sku];
     MARKETGEN_TRY(const int mesh, add_product_mesh(product, made[sku], document, materials));
     add_copies({{"name", product.sku}, {"mesh", mesh}, {"extras", {{"sku", product.sku}}}},
                copies[sku],
@@ -207,13 +208,13 @@ Result<void> add_products(const Scene& scene,
   return {};
 }
 
-Result<void> add_price_labels(const Scene& scene,
+Result<void> add_price_labels(const scene::Scene& scene,
                               const ExportOptions& options,
-                              GlbDocument& document,
+                              io::GlbDocument& document,
                               GlbMaterials& materials) {
   std::map<std::tuple<std::uint32_t, std::uint32_t>, int> material_of;            // SKU, promotion
   std::map<std::tuple<std::uint32_t, std::uint32_t, float, float>, Prints> tags;  // and size
-  for (const PriceLabel& label : scene.price_labels) {
+  for (const scene::PriceLabel& label : scene.price_labels) {
     Prints& same = tags[{label.sku, label.promotion, label.width_m, label.height_m}];
     if (same.first == nullptr) same.first = &label;
     same.places.push_back(place_of(scene, label));
@@ -224,11 +225,12 @@ Result<void> add_price_labels(const Scene& scene,
     drawn.emplace_back(key, std::string());
   parallel_for(drawn.size(), [&](std::size_t i) {
     const auto& [sku, promotion] = drawn[i].first;
-    const Product& product = scene.catalog[sku];
+    const catalog::Product& product = scene.catalog[sku];
     const bool yellow = promotion != 0;
-    drawn[i].second = png_of(
-        fmt::format("tag {} {}{}", tag_px, yellow ? "promotion " : "", write_json_line(product)),
-        [&] { return draw_price_tag(product, yellow, tag_px); });
+    drawn[i].second =
+        png_of(fmt::format(
+                   "tag {} {}{}", tag_px, yellow ? "promotion " : "", io::write_json_line(product)),
+               [&] { return assets::draw_price_tag(product, yellow, tag_px); });
   });
   for (const auto& [key, png] : drawn) {
     if (!png.ok()) return png.error();
@@ -249,4 +251,4 @@ Result<void> add_price_labels(const Scene& scene,
   return add_promotion_cards(scene, options, document, materials, group);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::exporters

@@ -5,16 +5,16 @@
 #include "io/glb_document.h"
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::exporters {
 
 // Errors: assets.*, image.*.
-Result<void> add_products(const Scene& scene,
+Result<void> add_products(const scene::Scene& scene,
                           const ExportOptions& options,
-                          GlbDocument& document,
+                          io::GlbDocument& document,
                           GlbMaterials& materials);
-Result<void> add_price_labels(const Scene& scene,
+Result<void> add_price_labels(const scene::Scene& scene,
                               const ExportOptions& options,
-                              GlbDocument& document,
+                              io::GlbDocument& document,
                               GlbMaterials& materials);
 
-}  // namespace marketgen
+}  // namespace marketgen::exporters

@@ -5,7 +5,7 @@
 #include "assets/materials/material_texture.h"
 #include "io/png.h"
 
-namespace marketgen {
+namespace marketgen::exporters {
 namespace {
 
 // Colour is looked at, relief and gloss only light it: half as fine is enough for them.
@@ -13,7 +13,7 @@ constexpr int color_px = 512, relief_px = 256;
 constexpr float glass_alpha = 0.25F;
 
 // Roughness in green, metallic in blue, as glTF has them.
-Image metallic_roughness(const MaterialMaps& maps) {
+Image metallic_roughness(const assets::MaterialMaps& maps) {
   Image image(maps.roughness.width, maps.roughness.height);
   for (std::size_t i = 0; i < maps.roughness.pixels.size(); ++i) {
     image.pixels[3 * i] = 255;
@@ -25,65 +25,65 @@ Image metallic_roughness(const MaterialMaps& maps) {
 
 }  // namespace
 
-int GlbMaterials::add(const Surface& surface, int texture) {
+int GlbMaterials::add(const assets::Surface& surface, int texture) {
   const Vec3f c = surface.color;
-  GltfJson pbr;
-  GltfJson material;
-  if (surface.kind == SurfaceKind::emissive) {  // glTF's emission ends at 1
+  io::GltfJson pbr;
+  io::GltfJson material;
+  if (surface.kind == assets::SurfaceKind::emissive) {  // glTF's emission ends at 1
     const float most = std::max({c.x, c.y, c.z, 1.0F});
     pbr["baseColorFactor"] = {0, 0, 0, 1};
-    material["emissiveFactor"] = json_array(std::array{c.x / most, c.y / most, c.z / most});
+    material["emissiveFactor"] = io::json_array(std::array{c.x / most, c.y / most, c.z / most});
   } else {
-    const bool glass = surface.kind == SurfaceKind::glass;
+    const bool glass = surface.kind == assets::SurfaceKind::glass;
     const auto share = [](float v) { return std::clamp(v, 0.0F, 1.0F); };
     pbr["baseColorFactor"] =
-        json_array(std::array{share(c.x), share(c.y), share(c.z), glass ? glass_alpha : 1.0F});
+        io::json_array(std::array{share(c.x), share(c.y), share(c.z), glass ? glass_alpha : 1.0F});
     if (glass) material["alphaMode"] = "BLEND";
   }
   if (texture >= 0) pbr["baseColorTexture"] = {{"index", texture}};
-  pbr["metallicFactor"] = json_number(surface.metallic);
-  pbr["roughnessFactor"] = json_number(surface.roughness);
+  pbr["metallicFactor"] = io::json_number(surface.metallic);
+  pbr["roughnessFactor"] = io::json_number(surface.roughness);
   material["pbrMetallicRoughness"] = std::move(pbr);
   return document_.add_material(material);
 }
 
-const MaterialRow* GlbMaterials::row(const std::string& id) const {
-  const auto found = std::ranges::find(scene_.materials, id, &MaterialRow::id);
+const catalog::MaterialRow* GlbMaterials::row(const std::string& id) const {
+  const auto found = std::ranges::find(scene_.materials, id, &catalog::MaterialRow::id);
   return found == scene_.materials.end() ? nullptr : &*found;
 }
 
 Result<int> GlbMaterials::add_tiled(const std::string& id) {
-  const MaterialRow* material = row(id);
+  const catalog::MaterialRow* material = row(id);
   if (material == nullptr)
     return add({.color = {0.8F, 0.8F, 0.78F}, .roughness = 0.8F, .texture = ""});
   const auto known = tiled_.find(id);
   if (known != tiled_.end()) return known->second;
-  MARKETGEN_TRY(const GltfJson gltf, textured(*material));
+  MARKETGEN_TRY(const io::GltfJson gltf, textured(*material));
   const int index = document_.add_material(gltf);
   tiled_.emplace(id, index);
   return index;
 }
 
-Result<GltfJson> GlbMaterials::textured(const MaterialRow& material) {
-  const MaterialMaps relief = draw_material_maps(material, relief_px);
-  MARKETGEN_TRY(const std::string color, encode_png(draw_material(material, color_px)));
-  MARKETGEN_TRY(const std::string normal, encode_png(relief.normal));
-  MARKETGEN_TRY(const std::string gloss, encode_png(metallic_roughness(relief)));
+Result<io::GltfJson> GlbMaterials::textured(const catalog::MaterialRow& material) {
+  const assets::MaterialMaps relief = assets::draw_material_maps(material, relief_px);
+  MARKETGEN_TRY(const std::string color, io::encode_png(assets::draw_material(material, color_px)));
+  MARKETGEN_TRY(const std::string normal, io::encode_png(relief.normal));
+  MARKETGEN_TRY(const std::string gloss, io::encode_png(metallic_roughness(relief)));
   // A value of its own until it is whole: a reference into an ordered object does not outlive the
   // next insertion.
-  GltfJson pbr{{"baseColorTexture", {{"index", document_.add_texture(color)}}},
-               {"metallicRoughnessTexture", {{"index", document_.add_texture(gloss)}}}};
+  io::GltfJson pbr{{"baseColorTexture", {{"index", document_.add_texture(color)}}},
+                   {"metallicRoughnessTexture", {{"index", document_.add_texture(gloss)}}}};
   const bool clear = material.transmission > 0;
   if (clear) pbr["baseColorFactor"] = {1, 1, 1, 1 - material.transmission};
-  GltfJson gltf{{"name", material.id}, {"pbrMetallicRoughness", std::move(pbr)}};
+  io::GltfJson gltf{{"name", material.id}, {"pbrMetallicRoughness", std::move(pbr)}};
   gltf["normalTexture"] = {{"index", document_.add_texture(normal)}};
   if (clear) gltf["alphaMode"] = "BLEND";
   return gltf;
 }
 
 double GlbMaterials::extent_m(const std::string& id) const {
-  const MaterialRow* material = row(id);
-  return material == nullptr ? 1 : material_extent_m(*material);
+  const catalog::MaterialRow* material = row(id);
+  return material == nullptr ? 1 : assets::material_extent_m(*material);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::exporters

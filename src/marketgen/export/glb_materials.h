@@ -8,26 +8,27 @@
 #include "io/glb_document.h"
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::exporters {
 
 class GlbMaterials {
  public:
-  GlbMaterials(const Scene& scene, GlbDocument& document) : scene_(scene), document_(document) {}
+  GlbMaterials(const scene::Scene& scene, io::GlbDocument& document)
+      : scene_(scene), document_(document) {}
 
   // `texture` is an index from GlbDocument::add_texture, -1 for none.
-  int add(const Surface& surface, int texture = -1);
+  int add(const assets::Surface& surface, int texture = -1);
   // A catalogue material, tiled by UVs in units of `extent_m(id)`; light plaster when the scene has
   // no such row. Errors: image.*.
   Result<int> add_tiled(const std::string& id);
   double extent_m(const std::string& id) const;
 
  private:
-  const MaterialRow* row(const std::string& id) const;
-  Result<GltfJson> textured(const MaterialRow& material);
+  const catalog::MaterialRow* row(const std::string& id) const;
+  Result<io::GltfJson> textured(const catalog::MaterialRow& material);
 
-  const Scene& scene_;
-  GlbDocument& document_;
+  const scene::Scene& scene_;
+  io::GlbDocument& document_;
   std::map<std::string, int> tiled_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::exporters

@@ -5,7 +5,7 @@
 #include "physics/world/shell_pieces.h"
 #include "render/stage/room.h"
 
-namespace marketgen {
+namespace marketgen::exporters {
 namespace {
 
 // Surfaces of the room's mesh, in this order.
@@ -30,17 +30,17 @@ void add_horizontal(Mesh& mesh,
     const auto scale = static_cast<float>(1 / extent_m);
     mesh.add_vertex(at, {0, 0, faces_up ? 1.0F : -1.0F}, {at.x * scale, -at.y * scale});
   }
-  for (const auto& [a, b, c] : raytrace::triangulated(outline)) {
+  for (const auto& [a, b, c] : render::raytrace::triangulated(outline)) {
     mesh.add_triangle(first + a, first + (faces_up ? b : c), first + (faces_up ? c : b), surface);
   }
 }
 
-RoomSurface surface_of(ShellPieceKind kind) {
-  if (kind == ShellPieceKind::door) return room_door;
-  return kind == ShellPieceKind::pane ? room_pane : room_wall;
+RoomSurface surface_of(physics::ShellPieceKind kind) {
+  if (kind == physics::ShellPieceKind::door) return room_door;
+  return kind == physics::ShellPieceKind::pane ? room_pane : room_wall;
 }
 
-void add_piece(Mesh& mesh, const ShellPiece& piece, double wall_extent_m) {
+void add_piece(Mesh& mesh, const physics::ShellPiece& piece, double wall_extent_m) {
   const std::size_t first = mesh.positions.size();
   const Vec3f half = to_float(piece.half_size);
   add_box(mesh, -half, half, 0, surface_of(piece.kind), static_cast<float>(1 / wall_extent_m));
@@ -49,9 +49,11 @@ void add_piece(Mesh& mesh, const ShellPiece& piece, double wall_extent_m) {
 
 }  // namespace
 
-Result<void> add_room(const Scene& scene, GlbDocument& document, GlbMaterials& materials) {
-  const Look& look = scene.layout.look;
-  const Shell& shell = scene.layout.shell;
+Result<void> add_room(const scene::Scene& scene,
+                      io::GlbDocument& document,
+                      GlbMaterials& materials) {
+  const plan::Look& look = scene.layout.look;
+  const plan::Shell& shell = scene.layout.shell;
   const PolygonMm outline =
       shell.outline_mm.value_or(polygon_of(RectMm{0, 0, shell.width_mm, shell.depth_mm}));
   Mesh mesh;
@@ -62,7 +64,7 @@ Result<void> add_room(const Scene& scene, GlbDocument& document, GlbMaterials& m
                  false,
                  room_ceiling,
                  materials.extent_m(look.ceiling));
-  for (const ShellPiece& piece : shell_pieces(shell))
+  for (const physics::ShellPiece& piece : physics::shell_pieces(shell))
     add_piece(mesh, piece, materials.extent_m(look.wall));
 
   std::vector<int> indices(room_surfaces);
@@ -71,10 +73,12 @@ Result<void> add_room(const Scene& scene, GlbDocument& document, GlbMaterials& m
   MARKETGEN_TRY(indices[room_ceiling], materials.add_tiled(look.ceiling));
   indices[room_door] = materials.add(
       {.color = {0.3F, 0.32F, 0.34F}, .roughness = 0.4F, .metallic = 0.2F, .texture = ""});
-  indices[room_pane] = materials.add(
-      {.color = {0.8F, 0.9F, 0.9F}, .roughness = 0.05F, .kind = SurfaceKind::glass, .texture = ""});
+  indices[room_pane] = materials.add({.color = {0.8F, 0.9F, 0.9F},
+                                      .roughness = 0.05F,
+                                      .kind = assets::SurfaceKind::glass,
+                                      .texture = ""});
   document.add_node({{"name", "room"}, {"mesh", document.add_mesh("room", mesh, indices)}}, -1);
   return {};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::exporters

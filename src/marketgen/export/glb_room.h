@@ -4,11 +4,15 @@
 #include "io/glb_document.h"
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::exporters {
 
 // Each adds one group node with what belongs to it. Errors: assets.*, image.*.
-Result<void> add_room(const Scene& scene, GlbDocument& document, GlbMaterials& materials);
+Result<void> add_room(const scene::Scene& scene,
+                      io::GlbDocument& document,
+                      GlbMaterials& materials);
 // A node per module, named by its id; equal modules share a mesh.
-Result<void> add_fixtures(const Scene& scene, GlbDocument& document, GlbMaterials& materials);
+Result<void> add_fixtures(const scene::Scene& scene,
+                          io::GlbDocument& document,
+                          GlbMaterials& materials);
 
-}  // namespace marketgen
+}  // namespace marketgen::exporters

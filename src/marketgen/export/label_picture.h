@@ -4,11 +4,11 @@
 #include "base/result.h"
 #include "geometry/image.h"
 
-namespace marketgen {
+namespace marketgen::exporters {
 
 constexpr int exported_label_px = 256;  // rows: legible from arm's length, 20-60 kB each
 
 // Kept between runs, so that every format draws it once. Errors: those of draw_label().
-Result<Image> exported_label(const Product& product);
+Result<Image> exported_label(const catalog::Product& product);
 
-}  // namespace marketgen
+}  // namespace marketgen::exporters

@@ -7,13 +7,13 @@
 #include "base/result.h"
 #include "export/exporter.h"
 
-namespace marketgen {
+namespace marketgen::exporters {
 
 // The XML text, and the files that it names. Over the primitives that things touch with, in geom
 // group 3, lie the meshes of the goods, which touch nothing (options.looks). A robot is attached by
 // its first body, with its row's id in front of all names; the key "start" drives it to where it
 // stands. Geom names are fixture and product ids. Contact parameters:
 // physics/goods/contact_shape.h.
-Result<ExportFiles> write_mjcf(const Scene& scene, const ExportOptions& options);
+Result<ExportFiles> write_mjcf(const scene::Scene& scene, const ExportOptions& options);
 
-}  // namespace marketgen
+}  // namespace marketgen::exporters

@@ -5,14 +5,14 @@
 
 #include "scene/articulation.h"
 
-namespace marketgen {
+namespace marketgen::exporters {
 namespace {
 
 constexpr int body_depth = 2;  // indentation of what lies in the world body
 
 class FixtureWriter {
  public:
-  FixtureWriter(MjcfText& out, const Scene& scene) : out_(out), scene_(scene) {
+  FixtureWriter(MjcfText& out, const scene::Scene& scene) : out_(out), scene_(scene) {
     parts_on_.resize(scene.joints.size());
     children_.resize(scene.joints.size());
     for (std::uint32_t row = 0; row < scene.parts.size(); ++row) {
@@ -27,13 +27,13 @@ class FixtureWriter {
 
   // A geom of the world.
   void write_still(std::uint32_t row) {
-    const Pose world = world_from_fixture(scene_, scene_.parts[row].fixture);
+    const Pose world = scene::world_from_fixture(scene_, scene_.parts[row].fixture);
     write_part(body_depth, row, world, "");
   }
 
   // A body on the world with all that it carries.
   void write_moving(std::uint32_t joint) {
-    write_body(body_depth, joint, world_from_fixture(scene_, scene_.joints[joint].fixture));
+    write_body(body_depth, joint, scene::world_from_fixture(scene_, scene_.joints[joint].fixture));
   }
 
  private:
@@ -41,15 +41,15 @@ class FixtureWriter {
                   std::uint32_t row,
                   const Pose& owner_from_fixture,
                   const std::string& mass) {
-    const ScenePart& part = scene_.parts[row];
-    const ContactShape shape = owner_from_fixture * contact_shape_of(part);
-    const double alpha = part.kind == SurfaceKind::glass ? mjcf_glass_alpha : 1.0;
+    const scene::ScenePart& part = scene_.parts[row];
+    const assets::ContactShape shape = owner_from_fixture * physics::contact_shape_of(part);
+    const double alpha = part.kind == assets::SurfaceKind::glass ? mjcf_glass_alpha : 1.0;
     out_.line(depth,
               "<geom name=\"{}/{}-{}\" class=\"fixture\"{}{} size=\"{}\"{} rgba=\"{}\"/>",
               scene_.layout.fixtures[part.fixture].id,
               name_of(part.unit),
               row - scene_.fixtures[part.fixture].first_part,
-              shape.shape == CollisionShape::cylinder ? " type=\"cylinder\"" : "",
+              shape.shape == assets::CollisionShape::cylinder ? " type=\"cylinder\"" : "",
               mjcf_pose(shape.pose),
               mjcf_size(shape),
               mass,
@@ -58,15 +58,15 @@ class FixtureWriter {
 
   // The body's frame is the joint's.
   void write_body(int depth, std::uint32_t row, const Pose& owner_from_fixture) {
-    const SceneJoint& joint = scene_.joints[row];
-    const Pose frame = fixture_from_joint(joint);
+    const scene::SceneJoint& joint = scene_.joints[row];
+    const Pose frame = scene::fixture_from_joint(joint);
     out_.line(depth,
               "<body name=\"{}\"{}>",
               mjcf_joint_name(scene_, joint),
               mjcf_pose(owner_from_fixture * frame));
-    if (joint.kind != JointKind::belt) write_joint(depth + 1, joint);
+    if (joint.kind != assets::JointKind::belt) write_joint(depth + 1, joint);
     const Pose body_from_fixture = inverse(frame);
-    const std::vector<double> masses = masses_of(scene_, joint, parts_on_[row]);
+    const std::vector<double> masses = scene::masses_of(scene_, joint, parts_on_[row]);
     for (std::size_t i = 0; i < masses.size(); ++i) {
       const auto mass = static_cast<float>(masses[i]);
       write_part(
@@ -77,7 +77,7 @@ class FixtureWriter {
     out_.line(depth, "</body>");
   }
 
-  void write_joint(int depth, const SceneJoint& joint) {
+  void write_joint(int depth, const scene::SceneJoint& joint) {
     // MuJoCo before 3.7 knows no springs but straight ones: others only where a door stays open.
     const double bend = mjcf_hold_open_factor(joint);
     const std::string bent = bend == 0 ? "" : fmt::format(" 0 {}", static_cast<float>(bend));
@@ -99,27 +99,27 @@ class FixtureWriter {
   }
 
   MjcfText& out_;
-  const Scene& scene_;
+  const scene::Scene& scene_;
   std::vector<std::vector<std::uint32_t>> parts_on_, children_;  // by joint
 };
 
-bool needs_numbers(const SceneJoint& joint) {
-  return joint.kind == JointKind::belt || joint.gasket > 0;
+bool needs_numbers(const scene::SceneJoint& joint) {
+  return joint.kind == assets::JointKind::belt || joint.gasket > 0;
 }
 
 }  // namespace
 
-std::string mjcf_joint_name(const Scene& scene, const SceneJoint& joint) {
+std::string mjcf_joint_name(const scene::Scene& scene, const scene::SceneJoint& joint) {
   return scene.layout.fixtures[joint.fixture].id + "/" + joint.name;
 }
 
-double mjcf_hold_open_factor(const SceneJoint& joint) {
+double mjcf_hold_open_factor(const scene::SceneJoint& joint) {
   if (joint.hold_open == 0) return 0;
   const double reach = double(joint.hold_open) - double(joint.spring_rest);
   return -double(joint.stiffness) / (reach * reach);
 }
 
-void write_mjcf_fixtures(MjcfText& out, const Scene& scene, const ExportOptions& options) {
+void write_mjcf_fixtures(MjcfText& out, const scene::Scene& scene, const ExportOptions& options) {
   FixtureWriter writer(out, scene);
   for (std::uint32_t row = 0; row < scene.parts.size(); ++row) {
     if (options.still_fixtures || scene.parts[row].joint < 0) writer.write_still(row);
@@ -130,18 +130,21 @@ void write_mjcf_fixtures(MjcfText& out, const Scene& scene, const ExportOptions&
   }
 }
 
-void write_mjcf_joint_numbers(MjcfText& out, const Scene& scene, const ExportOptions& options) {
+void write_mjcf_joint_numbers(MjcfText& out,
+                              const scene::Scene& scene,
+                              const ExportOptions& options) {
   if (options.still_fixtures || std::ranges::none_of(scene.joints, needs_numbers)) return;
   out.line(1, "<custom>");
-  for (const SceneJoint& joint : scene.joints) {
+  for (const scene::SceneJoint& joint : scene.joints) {
     if (joint.gasket > 0)
       out.line(2,
                "<numeric name=\"{}/gasket\" data=\"{} {}\"/>",
                mjcf_joint_name(scene, joint),
                joint.gasket,
                joint.gasket_reach);
-    if (joint.kind != JointKind::belt) continue;
-    const Pose world = world_from_fixture(scene, joint.fixture) * fixture_from_joint(joint);
+    if (joint.kind != assets::JointKind::belt) continue;
+    const Pose world =
+        scene::world_from_fixture(scene, joint.fixture) * scene::fixture_from_joint(joint);
     out.line(2,
              "<numeric name=\"{}\" data=\"{} {} {}\"/>",
              mjcf_joint_name(scene, joint),
@@ -152,4 +155,4 @@ void write_mjcf_joint_numbers(MjcfText& out, const Scene& scene, const ExportOpt
   out.line(1, "</custom>");
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::exporters

@@ -6,7 +6,7 @@
 #include "assets/print/color.h"
 #include "scene/placements.h"
 
-namespace marketgen {
+namespace marketgen::exporters {
 namespace {
 
 std::string hull_name(const std::string& sku, std::size_t piece) {
@@ -15,16 +15,17 @@ std::string hull_name(const std::string& sku, std::size_t piece) {
 
 }  // namespace
 
-Result<MjcfGoods> MjcfGoods::make(const Scene& scene, const std::vector<bool>& free) {
+Result<MjcfGoods> MjcfGoods::make(const scene::Scene& scene, const std::vector<bool>& free) {
   MjcfGoods goods(scene);
-  for (const Product& product : scene.catalog) {
-    MARKETGEN_TRY(goods.standing_.emplace_back(), standing_goods(product));
-    MARKETGEN_TRY(goods.colors_.emplace_back(), linear_from_hex(product.label.primary));
+  for (const catalog::Product& product : scene.catalog) {
+    MARKETGEN_TRY(goods.standing_.emplace_back(), physics::standing_goods(product));
+    MARKETGEN_TRY(goods.colors_.emplace_back(), assets::linear_from_hex(product.label.primary));
   }
   for (std::uint32_t row = 0; row < scene.products.size(); ++row) {
     const std::uint32_t sku = scene.products[row].sku;
     if (!free[row] || goods.free_.contains(sku)) continue;
-    MARKETGEN_TRY(goods.free_[sku], goods_body(scene.catalog[sku], GoodsUse::stocked));
+    MARKETGEN_TRY(goods.free_[sku],
+                  physics::goods_body(scene.catalog[sku], physics::GoodsUse::stocked));
   }
   return goods;
 }
@@ -41,8 +42,8 @@ void MjcfGoods::write_assets(MjcfText& out) const {
              mjcf_color(colors_[sku], 1));
   for (const auto& [sku, goods] : free_) {
     for (std::size_t i = 0; i < goods->body.pieces.size(); ++i) {
-      const ContactPiece& piece = goods->body.pieces[i];
-      if (piece.shape != PieceShape::hull) continue;
+      const assets::ContactPiece& piece = goods->body.pieces[i];
+      if (piece.shape != assets::PieceShape::hull) continue;
       std::vector<float> corners;
       for (const Vec3f& p : piece.points)
         corners.insert(corners.end(), {p.x, p.y, p.z});
@@ -56,7 +57,7 @@ void MjcfGoods::write_assets(MjcfText& out) const {
 
 void MjcfGoods::write_defaults(MjcfText& out) const {
   for (std::size_t sku = 0; sku < standing_.size(); ++sku) {
-    const StandingGoods& goods = standing_[sku];
+    const physics::StandingGoods& goods = standing_[sku];
     out.line(
         3,
         "<default class=\"sku/{0}\"><geom type=\"{1}\" size=\"{2}\" mass=\"{3}\" condim=\"{4}\" "
@@ -73,21 +74,21 @@ void MjcfGoods::write_defaults(MjcfText& out) const {
 }
 
 void MjcfGoods::write_standing(MjcfText& out, std::uint32_t row) const {
-  const SceneProduct& item = scene_->products[row];
-  const Pose pose = world_from_product(item) * standing_[item.sku].shape.pose;
+  const scene::SceneProduct& item = scene_->products[row];
+  const Pose pose = scene::world_from_product(item) * standing_[item.sku].shape.pose;
   out.line(2,
            "<geom name=\"{}\" class=\"sku/{}\"{}/>",
-           product_id(*scene_, row),
+           scene::product_id(*scene_, row),
            sku_of(row),
            mjcf_pose(pose));
 }
 
 // A ball has the inertia of its geom.
 void MjcfGoods::write_free(MjcfText& out, std::uint32_t row) const {
-  const GoodsBody& goods = *free_.at(scene_->products[row].sku);
+  const physics::GoodsBody& goods = *free_.at(scene_->products[row].sku);
   out.line(3, "<freejoint/>");
   const Vec3f& middle = goods.body.center_of_mass;
-  if (goods.form != GoodsForm::ball)
+  if (goods.form != physics::GoodsForm::ball)
     out.line(3,
              "<inertial pos=\"{} {} {}\" mass=\"{}\" fullinertia=\"{}\"/>",
              middle.x,
@@ -95,7 +96,7 @@ void MjcfGoods::write_free(MjcfText& out, std::uint32_t row) const {
              middle.z,
              goods.product.mass_kg,
              fmt::join(goods.body.inertia_kg_m2, " "));
-  const std::string id = product_id(*scene_, row);
+  const std::string id = scene::product_id(*scene_, row);
   for (std::size_t i = 0; i < goods.body.pieces.size(); ++i)
     write_piece(out,
                 i == 0 ? fmt::format(" name=\"{}\"", id) : "",
@@ -107,9 +108,9 @@ void MjcfGoods::write_free(MjcfText& out, std::uint32_t row) const {
 void MjcfGoods::write_piece(MjcfText& out,
                             const std::string& name,
                             const std::string& sku,
-                            const ContactPiece& piece,
+                            const assets::ContactPiece& piece,
                             std::size_t index) const {
-  if (piece.shape == PieceShape::hull) {
+  if (piece.shape == assets::PieceShape::hull) {
     out.line(3,
              "<geom{} class=\"sku/{}\" type=\"mesh\" mesh=\"{}\"/>",
              name,
@@ -117,7 +118,7 @@ void MjcfGoods::write_piece(MjcfText& out,
              hull_name(sku, index));
     return;
   }
-  const ContactShape shape = contact_shape_of(piece);
+  const assets::ContactShape shape = assets::contact_shape_of(piece);
   out.line(3,
            "<geom{} class=\"sku/{}\" type=\"{}\" size=\"{}\"{}/>",
            name,
@@ -127,4 +128,4 @@ void MjcfGoods::write_piece(MjcfText& out,
            mjcf_pose(shape.pose));
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::exporters

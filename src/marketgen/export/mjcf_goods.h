@@ -11,13 +11,13 @@
 #include "physics/goods/standing_goods.h"
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::exporters {
 
 class MjcfGoods {
  public:
   // `free`: by row of the scene's products. Errors: those of standing_goods, goods_body and
   // linear_from_hex.
-  static Result<MjcfGoods> make(const Scene& scene, const std::vector<bool>& free);
+  static Result<MjcfGoods> make(const scene::Scene& scene, const std::vector<bool>& free);
 
   // A material per SKU, whose name says what an item is and whose colour is the pack's ground, and
   // the hulls of what is free.
@@ -29,18 +29,18 @@ class MjcfGoods {
   void write_free(MjcfText& out, std::uint32_t row) const;
 
  private:
-  explicit MjcfGoods(const Scene& scene) : scene_(&scene) {}
+  explicit MjcfGoods(const scene::Scene& scene) : scene_(&scene) {}
   const std::string& sku_of(std::uint32_t row) const;
   void write_piece(MjcfText& out,
                    const std::string& name,
                    const std::string& sku,
-                   const ContactPiece& piece,
+                   const assets::ContactPiece& piece,
                    std::size_t index) const;
 
-  const Scene* scene_;
-  std::vector<StandingGoods> standing_;            // by SKU
-  std::vector<Vec3f> colors_;                      // the same, linear
-  std::map<std::uint32_t, SharedGoodsBody> free_;  // by SKU, as needed
+  const scene::Scene* scene_;
+  std::vector<physics::StandingGoods> standing_;            // by SKU
+  std::vector<Vec3f> colors_;                               // the same, linear
+  std::map<std::uint32_t, physics::SharedGoodsBody> free_;  // by SKU, as needed
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::exporters

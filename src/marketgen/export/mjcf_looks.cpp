@@ -13,7 +13,7 @@
 #include "export/label_picture.h"
 #include "io/png.h"
 
-namespace marketgen {
+namespace marketgen::exporters {
 namespace {
 
 constexpr int swatch_px = 8;
@@ -37,10 +37,11 @@ Image halved(const Image& image) {
   return half;
 }
 
-Result<Vec3f> color_of(const Surface& surface, const std::vector<MaterialRow>& materials) {
-  const auto row = std::ranges::find(materials, surface.texture, &MaterialRow::id);
+Result<Vec3f> color_of(const assets::Surface& surface,
+                       const std::vector<catalog::MaterialRow>& materials) {
+  const auto row = std::ranges::find(materials, surface.texture, &catalog::MaterialRow::id);
   if (surface.texture.empty() || row == materials.end()) return surface.color;
-  return linear_from_hex(row->color);
+  return assets::linear_from_hex(row->color);
 }
 
 void paint(Image& image, int left, int top, int width, int height, Vec3f linear) {
@@ -61,25 +62,28 @@ struct MadeLook {
   std::optional<Error> error;
 };
 
-Result<MadeLook> made_look(const Product& product, const std::vector<MaterialRow>& materials) {
-  MARKETGEN_TRY(const ProductModel model, make_product_model(product, Detail::middle));
+Result<MadeLook> made_look(const catalog::Product& product,
+                           const std::vector<catalog::MaterialRow>& materials) {
+  MARKETGEN_TRY(const assets::ProductModel model,
+                assets::make_product_model(product, assets::Detail::middle));
   Image label;
-  if (std::ranges::any_of(model.surfaces, [](const Surface& s) { return s.texture == "label"; })) {
+  if (std::ranges::any_of(model.surfaces,
+                          [](const assets::Surface& s) { return s.texture == "label"; })) {
     MARKETGEN_TRY(const Image sheet, exported_label(product));
     label = halved(sheet);
   }
   MARKETGEN_TRY(const SheetLook look, sheet_look(model, label, materials));
   MadeLook made;
   made.obj = obj_text(look.mesh);
-  MARKETGEN_TRY(made.png, encode_png(look.sheet));
+  MARKETGEN_TRY(made.png, io::encode_png(look.sheet));
   return made;
 }
 
 }  // namespace
 
-Result<SheetLook> sheet_look(const ProductModel& model,
+Result<SheetLook> sheet_look(const assets::ProductModel& model,
                              const Image& label,
-                             const std::vector<MaterialRow>& materials) {
+                             const std::vector<catalog::MaterialRow>& materials) {
   SheetLook look;
   const auto swatches = static_cast<int>(model.surfaces.size());
   look.sheet = Image(std::max(label.width, swatch_px * swatches), label.height + swatch_px);
@@ -146,20 +150,21 @@ void MjcfLooks::add_mesh(const std::string& sku, const std::string& obj) {
   goods_.push_back({sku, name});
 }
 
-Result<void> MjcfLooks::add_floor(const Scene& scene) {
-  const auto row = std::ranges::find(scene.materials, scene.layout.look.floor, &MaterialRow::id);
+Result<void> MjcfLooks::add_floor(const scene::Scene& scene) {
+  const auto row =
+      std::ranges::find(scene.materials, scene.layout.look.floor, &catalog::MaterialRow::id);
   if (row == scene.materials.end()) return {};
-  MARKETGEN_TRY(std::string png, encode_png(draw_material(*row, floor_px)));
+  MARKETGEN_TRY(std::string png, io::encode_png(assets::draw_material(*row, floor_px)));
   floor_ = "look/floor";
-  floor_extent_m_ = material_extent_m(*row);
+  floor_extent_m_ = assets::material_extent_m(*row);
   files_.push_back({"floor.png", std::move(png)});
   return {};
 }
 
-Result<MjcfLooks> MjcfLooks::make(const Scene& scene) {
+Result<MjcfLooks> MjcfLooks::make(const scene::Scene& scene) {
   MjcfLooks looks;
   std::vector<bool> stands(scene.catalog.size(), false);
-  for (const SceneProduct& item : scene.products)
+  for (const scene::SceneProduct& item : scene.products)
     stands[item.sku] = true;
   const std::vector<MadeLook> made = parallel_map(scene.catalog.size(), [&](std::size_t sku) {
     if (!stands[sku]) return MadeLook{};
@@ -205,4 +210,4 @@ void MjcfLooks::write_defaults(MjcfText& out) const {
   out.line(2, "</default>");
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::exporters

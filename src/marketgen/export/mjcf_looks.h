@@ -14,7 +14,7 @@
 #include "geometry/mesh.h"
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::exporters {
 
 // A mesh whose corners show where on the sheet each has its look.
 struct SheetLook {
@@ -24,9 +24,9 @@ struct SheetLook {
 
 // `label` is empty for goods without print. `materials`: rows of the tiled materials that surfaces
 // name; these show as their ground colour. Error: assets.bad_row for a colour that is none.
-Result<SheetLook> sheet_look(const ProductModel& model,
+Result<SheetLook> sheet_look(const assets::ProductModel& model,
                              const Image& label,
-                             const std::vector<MaterialRow>& materials);
+                             const std::vector<catalog::MaterialRow>& materials);
 
 // Wavefront OBJ: positions, texture coordinates (v upwards), normals.
 std::string obj_text(const Mesh& mesh);
@@ -34,7 +34,7 @@ std::string obj_text(const Mesh& mesh);
 class MjcfLooks {
  public:
   // Of the SKUs that stand in the scene. Errors: assets.*, image.*.
-  static Result<MjcfLooks> make(const Scene& scene);
+  static Result<MjcfLooks> make(const scene::Scene& scene);
 
   void write_assets(MjcfText& out) const;    // inside <asset>
   void write_defaults(MjcfText& out) const;  // inside <default>: a class "look/<sku>" each
@@ -46,7 +46,7 @@ class MjcfLooks {
     std::string sku, mesh;
   };
   void add_mesh(const std::string& sku, const std::string& obj);
-  Result<void> add_floor(const Scene& scene);
+  Result<void> add_floor(const scene::Scene& scene);
 
   std::vector<Goods> goods_;
   std::vector<std::string> meshes_;  // names of files, without ending
@@ -55,4 +55,4 @@ class MjcfLooks {
   std::vector<BesideFile> files_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::exporters

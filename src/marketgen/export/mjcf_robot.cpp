@@ -10,7 +10,7 @@
 #include "physics/world/robot_actor.h"
 #include "robots/link_parts.h"
 
-namespace marketgen {
+namespace marketgen::exporters {
 namespace {
 
 // Files that MuJoCo finds while it compiles, though they are not on the disk yet.
@@ -32,14 +32,14 @@ class FilesInMemory {
 };
 
 // One visible mesh for each finish of each link.
-Result<void> add_looks(mjSpec& spec, const PlacedRobot& placed, MjcfRobot& made) {
-  for (const Link& link : placed.robot.links) {
-    MARKETGEN_TRY(const std::vector<LinkPart> parts, link_parts(link));
+Result<void> add_looks(mjSpec& spec, const robots::PlacedRobot& placed, MjcfRobot& made) {
+  for (const robots::Link& link : placed.robot.links) {
+    MARKETGEN_TRY(const std::vector<robots::LinkPart> parts, robots::link_parts(link));
     mjsBody* body = mjs_findBody(&spec, link.name.c_str());
     for (std::size_t i = 0; i < parts.size(); ++i) {
       if (parts[i].mesh.triangles.empty()) continue;
       const std::string name = fmt::format("{}-{}-{}", made.name, link.name, i);
-      MARKETGEN_TRY(const Vec3f color, linear_from_hex(parts[i].color));
+      MARKETGEN_TRY(const Vec3f color, assets::linear_from_hex(parts[i].color));
       made.files.push_back({name + ".obj", obj_text(parts[i].mesh)});
       mjsMesh* mesh = mjs_addMesh(&spec, nullptr);
       mjs_setName(mesh->element, name.c_str());
@@ -64,7 +64,7 @@ Result<std::string> text_of(mjSpec& spec, const MjcfRobot& made) {
   FilesInMemory files;
   for (const BesideFile& file : made.files)
     files.add(file);
-  const MujocoModel model(mj_compile(&spec, files.get()), mj_deleteModel);
+  const physics::MujocoModel model(mj_compile(&spec, files.get()), mj_deleteModel);
   if (model == nullptr) return Error{"physics.failed", made.name, mjs_getError(&spec)};
   char fault[500] = "";
   std::string text(1 << 16, '\0');
@@ -81,23 +81,23 @@ Result<std::string> text_of(mjSpec& spec, const MjcfRobot& made) {
   return text;
 }
 
-Result<MjcfRobot> mjcf_robot(const PlacedRobot& placed, const std::string& name) {
+Result<MjcfRobot> mjcf_robot(const robots::PlacedRobot& placed, const std::string& name) {
   MjcfRobot made{name, name + "/", placed.robot.links.front().name, placed.world_from_base, {}, {}};
-  const MujocoSpec spec(mj_makeSpec(), mj_deleteSpec);
+  const physics::MujocoSpec spec(mj_makeSpec(), mj_deleteSpec);
   mjs_setString(spec->modelname, name.c_str());
   spec->compiler.degree = false;
-  RobotActorOptions options;
+  physics::RobotActorOptions options;
   options.state = placed.q;
-  MARKETGEN_CHECK(add_robot(*spec, placed.robot, options));
+  MARKETGEN_CHECK(physics::add_robot(*spec, placed.robot, options));
   for (mjsElement* e = mjs_firstElement(spec.get(), mjOBJ_GEOM); e != nullptr;
        e = mjs_nextElement(spec.get(), e))
     mjs_asGeom(e)->group = group_solid;
   MARKETGEN_CHECK(add_looks(*spec, placed, made));
   MARKETGEN_TRY(std::string text, text_of(*spec, made));
   made.files.push_back({name + ".xml", std::move(text)});
-  for (const Joint& joint : placed.robot.joints) {  // in the order of add_robot()'s drives
+  for (const robots::Joint& joint : placed.robot.joints) {  // in the order of add_robot()'s drives
     if (joint.dof >= 0 && joint.follows < 0)
-      made.start.push_back(is_on_wheels(placed.robot, joint.dof)
+      made.start.push_back(robots::is_on_wheels(placed.robot, joint.dof)
                                ? 0
                                : placed.q[static_cast<std::size_t>(joint.dof)]);
   }
@@ -106,10 +106,10 @@ Result<MjcfRobot> mjcf_robot(const PlacedRobot& placed, const std::string& name)
 
 }  // namespace
 
-Result<std::vector<MjcfRobot>> mjcf_robots(const std::vector<PlacedRobot>& robots) {
+Result<std::vector<MjcfRobot>> mjcf_robots(const std::vector<robots::PlacedRobot>& robots) {
   std::vector<MjcfRobot> made;
   std::map<std::string, int> count;
-  for (const PlacedRobot& placed : robots) {
+  for (const robots::PlacedRobot& placed : robots) {
     const int number = ++count[placed.robot.name];
     const std::string name =
         number == 1 ? placed.robot.name : fmt::format("{}-{}", placed.robot.name, number);
@@ -119,4 +119,4 @@ Result<std::vector<MjcfRobot>> mjcf_robots(const std::vector<PlacedRobot>& robot
   return made;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::exporters

@@ -7,7 +7,7 @@
 #include "export/exporter.h"
 #include "robots/placed_robot.h"
 
-namespace marketgen {
+namespace marketgen::exporters {
 
 // A custom text of the model with this name lists the prefixes of the robots in it.
 constexpr const char* mjcf_robots_text = "robots";
@@ -25,6 +25,6 @@ struct MjcfRobot {
 // The same bodies, joints and drives as in our own physics (physics/world/robot_actor.h), with the
 // links' meshes over them. `name` is its row's, numbered from the second robot of a row on. Errors:
 // physics.*, robot.bad_file, assets.bad_row.
-Result<std::vector<MjcfRobot>> mjcf_robots(const std::vector<PlacedRobot>& robots);
+Result<std::vector<MjcfRobot>> mjcf_robots(const std::vector<robots::PlacedRobot>& robots);
 
-}  // namespace marketgen
+}  // namespace marketgen::exporters

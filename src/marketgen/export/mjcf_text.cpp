@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace marketgen {
+namespace marketgen::exporters {
 
 double srgb_from_linear(float linear) {
   const double l = std::clamp(static_cast<double>(linear), 0.0, 1.0);
@@ -27,8 +27,8 @@ std::string mjcf_pose(const Pose& pose) {
                                 static_cast<float>(q.z));
 }
 
-std::string mjcf_size(const ContactShape& shape) {
-  if (shape.shape != CollisionShape::cylinder) return mjcf_vector(shape.size);
+std::string mjcf_size(const assets::ContactShape& shape) {
+  if (shape.shape != assets::CollisionShape::cylinder) return mjcf_vector(shape.size);
   return fmt::format("{} {}", static_cast<float>(shape.size.x), static_cast<float>(shape.size.y));
 }
 
@@ -40,4 +40,4 @@ std::string mjcf_color(Vec3f linear, double alpha) {
                      alpha);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::exporters

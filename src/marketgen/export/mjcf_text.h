@@ -12,7 +12,7 @@
 #include "geometry/pose.h"
 #include "physics/goods/contact_shape.h"
 
-namespace marketgen {
+namespace marketgen::exporters {
 
 // Groups 0 to 2 are shown by MuJoCo's viewer at once; 0, 1 and 2 on its keyboard hide them, 3 shows
 // what things touch with where that is not what they look like.
@@ -40,10 +40,10 @@ std::string mjcf_vector(const Vec3& v);
 // ` pos="..." quat="..."`; the identity rotation is left out.
 std::string mjcf_pose(const Pose& pose);
 // As many numbers as the shape's geom type takes.
-std::string mjcf_size(const ContactShape& shape);
+std::string mjcf_size(const assets::ContactShape& shape);
 // The inverse of linear_from_srgb (IEC 61966-2-1), to three decimals.
 double srgb_from_linear(float linear);
 // sRGB and opacity of a linear colour.
 std::string mjcf_color(Vec3f linear, double alpha);
 
-}  // namespace marketgen
+}  // namespace marketgen::exporters

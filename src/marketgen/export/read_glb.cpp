@@ -8,7 +8,7 @@
 
 // Reads a GLB export with tinygltf, walks its nodes in glTF's own frame (Y up) and turns the result
 // back into the store's.
-namespace marketgen {
+namespace marketgen::exporters {
 namespace {
 
 Pose pose_of(const std::vector<double>& translation, const std::vector<double>& rotation) {
@@ -186,8 +186,8 @@ class Reader {
 }  // namespace
 
 Result<ExportContents> read_glb(const std::filesystem::path& file,
-                                const std::vector<Product>& /*catalog*/) {
-  MARKETGEN_TRY(const std::string bytes, read_file(file));
+                                const std::vector<catalog::Product>& /*catalog*/) {
+  MARKETGEN_TRY(const std::string bytes, io::read_file(file));
   tinygltf::TinyGLTF loader;
   loader.SetImageLoader(decode_and_drop, nullptr);
   tinygltf::Model model;
@@ -202,4 +202,4 @@ Result<ExportContents> read_glb(const std::filesystem::path& file,
   return Reader(model, file.string()).read();
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::exporters

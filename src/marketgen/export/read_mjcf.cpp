@@ -11,7 +11,7 @@
 #include "physics/mujoco_guard.h"
 
 // Reads an MJCF export with MuJoCo's own compiler.
-namespace marketgen {
+namespace marketgen::exporters {
 namespace {
 
 std::string name_of_geom(const mjModel& model, int geom) {
@@ -30,9 +30,10 @@ Pose pose_of_geom(const mjData& data, int geom) {
 void include_geom(Bounds3& bounds, const mjModel& model, const mjData& data, int geom) {
   const Pose pose = pose_of_geom(data, geom);
   const mjtNum* box = model.geom_aabb + 6 * geom;  // centre and half extents in the geom's frame
-  const ContactShape around{
-      CollisionShape::box, pose * Pose{{box[0], box[1], box[2]}, {}}, {box[3], box[4], box[5]}};
-  const Vec3 half = half_extents(around);
+  const assets::ContactShape around{assets::CollisionShape::box,
+                                    pose * Pose{{box[0], box[1], box[2]}, {}},
+                                    {box[3], box[4], box[5]}};
+  const Vec3 half = assets::half_extents(around);
   bounds.include(to_float(around.pose.position - half));
   bounds.include(to_float(around.pose.position + half));
 }
@@ -45,7 +46,8 @@ ExportedJoint joint_of(const mjModel& model, const mjData& data, int joint) {
   const int dof = model.jnt_dofadr[joint];
   ExportedJoint read;
   read.name = mj_id2name(&model, mjOBJ_JOINT, joint);
-  read.kind = model.jnt_type[joint] == mjJNT_HINGE ? JointKind::hinge : JointKind::slide;
+  read.kind =
+      model.jnt_type[joint] == mjJNT_HINGE ? assets::JointKind::hinge : assets::JointKind::slide;
   read.at = vector_at(data.xanchor, joint);
   read.axis = vector_at(data.xaxis, joint);
   read.lower = model.jnt_range[2 * joint];
@@ -74,7 +76,7 @@ std::optional<ExportedJoint> belt_of(const mjModel& model, const mjData& data, i
   const mjtNum* numbers = model.numeric_data + model.numeric_adr[numeric];
   ExportedJoint read;
   read.name = name;
-  read.kind = JointKind::belt;
+  read.kind = assets::JointKind::belt;
   read.at = vector_at(data.xpos, body);
   read.axis = vector_at(numbers, 0);
   read.lower = numbers[3];
@@ -120,11 +122,12 @@ std::vector<ExportedJoint> joints_of(const mjModel& model,
 // Where the product frame lies that the geom belongs to.
 class ProductFrames {
  public:
-  static Result<ProductFrames> of(const std::vector<Product>& catalog) {
+  static Result<ProductFrames> of(const std::vector<catalog::Product>& catalog) {
     ProductFrames frames;
-    for (const Product& product : catalog) {
-      MARKETGEN_TRY(const CollisionPrimitive primitive, collision_of(product));
-      frames.shape_from_product_.emplace(product.sku, inverse(contact_shape_of(primitive).pose));
+    for (const catalog::Product& product : catalog) {
+      MARKETGEN_TRY(const assets::CollisionPrimitive primitive, assets::collision_of(product));
+      frames.shape_from_product_.emplace(product.sku,
+                                         inverse(assets::contact_shape_of(primitive).pose));
     }
     return frames;
   }
@@ -212,23 +215,24 @@ Result<ExportContents> contents_of(const mjModel& model,
 }  // namespace
 
 Result<ExportContents> read_mjcf(const std::filesystem::path& file,
-                                 const std::vector<Product>& catalog) {
-  MARKETGEN_CHECK(read_file(file));  // MuJoCo's own words for one that is not there help nobody
+                                 const std::vector<catalog::Product>& catalog) {
+  MARKETGEN_CHECK(io::read_file(file));  // MuJoCo's own words for one that is not there help nobody
   MARKETGEN_TRY(const ProductFrames frames, ProductFrames::of(catalog));
-  route_mujoco_messages();
+  physics::route_mujoco_messages();
   char fault[1000] = "";
-  const MujocoSpec spec(mj_parseXML(file.c_str(), nullptr, fault, sizeof fault), mj_deleteSpec);
+  const physics::MujocoSpec spec(mj_parseXML(file.c_str(), nullptr, fault, sizeof fault),
+                                 mj_deleteSpec);
   if (spec == nullptr)
     return Error{"export.mismatch", file.string(), std::string("MuJoCo cannot read it: ") + fault};
-  MujocoModel model(mj_compile(spec.get(), nullptr), mj_deleteModel);
+  physics::MujocoModel model(mj_compile(spec.get(), nullptr), mj_deleteModel);
   if (model == nullptr) {
     return Error{"export.mismatch",
                  file.string(),
                  std::string("MuJoCo cannot compile it: ") + mjs_getError(spec.get())};
   }
-  MARKETGEN_TRY(const MujocoData data, make_data(*model, file.string()));
-  MARKETGEN_CHECK(guarded(file.string(), [&] { mj_kinematics(model.get(), data.get()); }));
+  MARKETGEN_TRY(const physics::MujocoData data, physics::make_data(*model, file.string()));
+  MARKETGEN_CHECK(physics::guarded(file.string(), [&] { mj_kinematics(model.get(), data.get()); }));
   return contents_of(*model, *data, frames, file.string());
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::exporters

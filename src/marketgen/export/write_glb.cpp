@@ -4,10 +4,10 @@
 #include "export/glb_room.h"
 #include "io/glb_document.h"
 
-namespace marketgen {
+namespace marketgen::exporters {
 
-Result<ExportFiles> write_glb(const Scene& scene, const ExportOptions& options) {
-  GlbDocument document(scene.layout.name);
+Result<ExportFiles> write_glb(const scene::Scene& scene, const ExportOptions& options) {
+  io::GlbDocument document(scene.layout.name);
   GlbMaterials materials(scene, document);
   MARKETGEN_CHECK(add_room(scene, document, materials));
   MARKETGEN_CHECK(add_fixtures(scene, document, materials));
@@ -16,4 +16,4 @@ Result<ExportFiles> write_glb(const Scene& scene, const ExportOptions& options) 
   return ExportFiles{document.finish(), {}};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::exporters

@@ -20,7 +20,7 @@
 #include "render/cameras/camera.h"
 #include "scene/placements.h"
 
-namespace marketgen {
+namespace marketgen::exporters {
 namespace {
 
 constexpr int lights_along = 4, lights_across = 2;  // MuJoCo's renderer takes eight
@@ -31,7 +31,7 @@ constexpr std::string_view floor_color = "0.72 0.71 0.69 1", wall_color = "0.9 0
 
 class MjcfWriter {
  public:
-  MjcfWriter(const Scene& scene, const ExportOptions& options)
+  MjcfWriter(const scene::Scene& scene, const ExportOptions& options)
       : scene_(scene), options_(options), free_(products_in_free_region(scene, options)) {}
 
   Result<ExportFiles> write() {
@@ -62,7 +62,7 @@ class MjcfWriter {
 
  private:
   Vec3 room_size() const {
-    const Shell& shell = scene_.layout.shell;
+    const plan::Shell& shell = scene_.layout.shell;
     return {shell.width_mm * 1e-3, shell.depth_mm * 1e-3, shell.ceiling_mm * 1e-3};
   }
 
@@ -76,9 +76,9 @@ class MjcfWriter {
     out_.line(1,
               "<option timestep=\"{}\" integrator=\"implicitfast\" cone=\"elliptic\" "
               "impratio=\"{}\" noslip_iterations=\"{}\"/>",
-              time_step_s,
-              friction_impedance_ratio,
-              noslip_iterations);
+              physics::time_step_s,
+              physics::friction_impedance_ratio,
+              physics::noslip_iterations);
     out_.line(1, "<size memory=\"{}M\"/>", base_memory_mb + free);
     out_.line(1,
               "<statistic center=\"{}\" extent=\"{}\" meansize=\"0.1\"/>",
@@ -109,10 +109,10 @@ class MjcfWriter {
     out_.line(2, "<mesh inertia=\"shell\"/>");  // looks have no mass; some enclose no volume either
     out_.line(2,
               "<geom friction=\"{} {} {}\" solref=\"{} 1\"/>",
-              still_friction,
-              torsional_friction_m,
-              plain_rolling_friction_m,
-              contact_time_s);
+              physics::still_friction,
+              physics::torsional_friction_m,
+              physics::plain_rolling_friction_m,
+              physics::contact_time_s);
     out_.line(2,
               "<default class=\"shell\"><geom type=\"box\" group=\"{}\" rgba=\"{}\"/></default>",
               static_cast<int>(group_shell),
@@ -149,7 +149,7 @@ class MjcfWriter {
   // height moves what stands at the picture's edge by less than 3 % of a metre.
   void write_cameras() {
     const double widest = std::max(room_size().x, room_size().y);
-    for (const Camera& camera : standard_cameras(scene_, 1280, 720)) {
+    for (const render::Camera& camera : render::standard_cameras(scene_, 1280, 720)) {
       const Vec3 back = normalized(camera.from - camera.at);
       const Vec3 up = std::abs(back.z) > 0.999 ? Vec3{0, 1, 0}
                                                : Vec3{0, 0, 1};  // north is up in views from above
@@ -179,10 +179,10 @@ class MjcfWriter {
         static_cast<float>(room.y / 2),
         mjcf_vector({room.x / 2, room.y / 2, 0}),
         ground);
-    for (const ShellPiece& piece : shell_pieces(scene_.layout.shell)) {
-      const std::string look = piece.kind == ShellPieceKind::door
+    for (const physics::ShellPiece& piece : physics::shell_pieces(scene_.layout.shell)) {
+      const std::string look = piece.kind == physics::ShellPieceKind::door
                                    ? fmt::format(" rgba=\"{}\"", door_color)
-                               : piece.kind == ShellPieceKind::pane
+                               : piece.kind == physics::ShellPieceKind::pane
                                    ? fmt::format(" rgba=\"0.8 0.9 0.9 {}\"", mjcf_glass_alpha)
                                    : "";
       out_.line(2,
@@ -195,16 +195,17 @@ class MjcfWriter {
   }
 
   void write_product(std::uint32_t row) {
-    const SceneProduct& item = scene_.products[row];
+    const scene::SceneProduct& item = scene_.products[row];
     const std::string& sku = scene_.catalog[item.sku].sku;
-    const Pose world_from_item = world_from_product(item);
+    const Pose world_from_item = scene::world_from_product(item);
     if (!free_[row]) {
       goods_->write_standing(out_, row);
       if (options_.looks)
         out_.line(2, "<geom class=\"look/{}\"{}/>", sku, mjcf_pose(world_from_item));
       return;
     }
-    out_.line(2, "<body name=\"{}\"{}>", product_id(scene_, row), mjcf_pose(world_from_item));
+    out_.line(
+        2, "<body name=\"{}\"{}>", scene::product_id(scene_, row), mjcf_pose(world_from_item));
     goods_->write_free(out_, row);
     if (options_.looks) out_.line(3, "<geom class=\"look/{}\"/>", sku);
     out_.line(2, "</body>");
@@ -248,10 +249,10 @@ class MjcfWriter {
   void write_hooks() {
     out_.line(1, "<equality>");
     for (std::uint32_t row = 0; row < scene_.products.size(); ++row) {
-      const SceneProduct& item = scene_.products[row];
-      if (!free_[row] || item.facing == no_facing) continue;
-      if (scene_.shelves[scene_.facings[item.facing].shelf].use != ShelfUse::hang) continue;
-      const std::string id = product_id(scene_, row);
+      const scene::SceneProduct& item = scene_.products[row];
+      if (!free_[row] || item.facing == scene::no_facing) continue;
+      if (scene_.shelves[scene_.facings[item.facing].shelf].use != assets::ShelfUse::hang) continue;
+      const std::string id = scene::product_id(scene_, row);
       out_.line(2,
                 "<connect name=\"hook/{0}\" body1=\"{0}\" anchor=\"{1}\"/>",
                 id,
@@ -260,7 +261,7 @@ class MjcfWriter {
     out_.line(1, "</equality>");
   }
 
-  const Scene& scene_;
+  const scene::Scene& scene_;
   const ExportOptions& options_;
   std::vector<bool> free_;
   std::optional<MjcfGoods> goods_;  // from write() on
@@ -271,8 +272,8 @@ class MjcfWriter {
 
 }  // namespace
 
-Result<ExportFiles> write_mjcf(const Scene& scene, const ExportOptions& options) {
+Result<ExportFiles> write_mjcf(const scene::Scene& scene, const ExportOptions& options) {
   return MjcfWriter(scene, options).write();
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::exporters

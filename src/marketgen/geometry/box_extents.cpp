@@ -3,6 +3,7 @@
 #include <cmath>
 
 namespace marketgen {
+inline namespace geometry {
 
 Vec3 box_half_extents(const Quaternion& q, Vec3 half) {
   const Quaternion back = inverse(q);
@@ -13,4 +14,5 @@ Vec3 box_half_extents(const Quaternion& q, Vec3 half) {
   return {along({1, 0, 0}), along({0, 1, 0}), along({0, 0, 1})};
 }
 
+}  // namespace geometry
 }  // namespace marketgen

@@ -4,6 +4,7 @@
 #include <numeric>
 
 namespace marketgen {
+inline namespace geometry {
 namespace {
 
 constexpr std::uint32_t boxes_of_a_leaf = 8;
@@ -67,4 +68,5 @@ void BoxTree::add_node(std::uint32_t first, std::uint32_t last) {
   nodes_[at].beyond = static_cast<std::uint32_t>(nodes_.size());
 }
 
+}  // namespace geometry
 }  // namespace marketgen

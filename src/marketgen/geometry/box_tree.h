@@ -9,6 +9,7 @@
 #include "geometry/mesh.h"
 
 namespace marketgen {
+inline namespace geometry {
 
 // Smallest overlap of two boxes over the axes; negative when they are apart.
 inline float overlap_of(const Bounds3& a, const Bounds3& b) {
@@ -54,4 +55,5 @@ class BoxTree {
   std::vector<Bounds3> boxes_;       // in the order of rows_
 };
 
+}  // namespace geometry
 }  // namespace marketgen

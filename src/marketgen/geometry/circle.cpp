@@ -3,6 +3,7 @@
 #include <numbers>
 
 namespace marketgen {
+inline namespace geometry {
 namespace {
 
 // Taylor series about 0, good to 1e-16 for |angle| <= pi/4.
@@ -34,4 +35,5 @@ Vec2 unit_circle(double turns) {
   return {p.y, -p.x};
 }
 
+}  // namespace geometry
 }  // namespace marketgen

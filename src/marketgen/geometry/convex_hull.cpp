@@ -7,6 +7,7 @@
 #include <limits>
 
 namespace marketgen {
+inline namespace geometry {
 namespace {
 
 constexpr double shift_share = 2e-7;  // of the extent: moves points out of common planes
@@ -173,4 +174,5 @@ std::vector<std::uint32_t> hull_points(const std::vector<Vec3f>& points, std::si
   return Builder(points).choose(most);
 }
 
+}  // namespace geometry
 }  // namespace marketgen

@@ -8,6 +8,7 @@
 #include "geometry/vector.h"
 
 namespace marketgen {
+inline namespace geometry {
 
 struct ConvexHull {
   // Counter-clockwise seen from outside; indices into the points given. Coplanar faces stay cut
@@ -25,4 +26,5 @@ ConvexHull convex_hull(const std::vector<Vec3f>& points);
 // Empty where convex_hull is. O(n * most^2).
 std::vector<std::uint32_t> hull_points(const std::vector<Vec3f>& points, std::size_t most);
 
+}  // namespace geometry
 }  // namespace marketgen

@@ -4,6 +4,7 @@
 #include <vector>
 
 namespace marketgen {
+inline namespace geometry {
 
 struct Rgb8 {
   std::uint8_t r = 0, g = 0, b = 0;
@@ -31,4 +32,5 @@ struct Image {
   bool empty() const { return pixels.empty(); }
 };
 
+}  // namespace geometry
 }  // namespace marketgen

@@ -7,6 +7,7 @@
 #include "geometry/weld.h"
 
 namespace marketgen {
+inline namespace geometry {
 
 void Bounds3::include(Vec3f p) {
   low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
@@ -83,4 +84,5 @@ void place(Mesh& mesh, const Pose& pose, std::size_t first) {
   }
 }
 
+}  // namespace geometry
 }  // namespace marketgen

@@ -7,6 +7,7 @@
 #include "geometry/pose.h"
 
 namespace marketgen {
+inline namespace geometry {
 
 struct Bounds3 {
   Vec3f low{1e30F, 1e30F, 1e30F};
@@ -68,4 +69,5 @@ void translate(Mesh& mesh, Vec3f by);
 void place(Mesh& mesh, const Pose& pose, std::size_t first = 0);
 void recompute_normals(Mesh& mesh, float crease_cos = 0.5F);
 
+}  // namespace geometry
 }  // namespace marketgen

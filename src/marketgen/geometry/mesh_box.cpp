@@ -4,6 +4,7 @@
 #include "geometry/mesh.h"
 
 namespace marketgen {
+inline namespace geometry {
 namespace {
 
 // One side of an axis-aligned box: its outward axis, and right and down as seen from outside.
@@ -157,4 +158,5 @@ void add_quad(Mesh& mesh, Vec3f a, Vec3f b, Vec3f c, Vec3f d, std::uint16_t surf
   mesh.add_triangle(first, first + 2, first + 3, surface);
 }
 
+}  // namespace geometry
 }  // namespace marketgen

@@ -5,6 +5,7 @@
 #include "geometry/mesh.h"
 
 namespace marketgen {
+inline namespace geometry {
 namespace {
 
 // A normal of the profile curve: outwards and up.
@@ -116,4 +117,5 @@ void add_lathe(Mesh& mesh, const std::vector<ProfilePoint>& profile, int segment
   Lathe(mesh, profile, segments).add_bands();
 }
 
+}  // namespace geometry
 }  // namespace marketgen

@@ -9,6 +9,7 @@
 #include "geometry/weld.h"
 
 namespace marketgen {
+inline namespace geometry {
 namespace {
 
 struct FaceNormals {
@@ -117,4 +118,5 @@ void recompute_normals(Mesh& mesh, float crease_cos) {
   mesh = std::move(smooth.mesh);
 }
 
+}  // namespace geometry
 }  // namespace marketgen

@@ -3,6 +3,7 @@
 #include <cmath>
 
 namespace marketgen {
+inline namespace geometry {
 
 Quaternion rotation_from_half_tangent(Vec3 axis, double t) {
   const double w = 1.0 / std::sqrt(1.0 + t * t);
@@ -72,4 +73,5 @@ Matrix34 matrix_of(const Pose& pose) {
   return result;
 }
 
+}  // namespace geometry
 }  // namespace marketgen

@@ -3,6 +3,7 @@
 #include "geometry/vector.h"
 
 namespace marketgen {
+inline namespace geometry {
 
 // Unit quaternion, w first.
 struct Quaternion {
@@ -47,4 +48,5 @@ struct Matrix34 {
 };
 Matrix34 matrix_of(const Pose& pose);
 
+}  // namespace geometry
 }  // namespace marketgen

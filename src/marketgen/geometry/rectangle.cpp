@@ -4,6 +4,7 @@
 #include <cmath>
 
 namespace marketgen {
+inline namespace geometry {
 
 bool overlap(const RectMm& a, const RectMm& b) {
   return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1;
@@ -82,4 +83,5 @@ bool contains(const PolygonMm& polygon, PointMm p) {
   return inside;
 }
 
+}  // namespace geometry
 }  // namespace marketgen

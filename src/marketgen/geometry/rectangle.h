@@ -6,6 +6,7 @@
 #include <vector>
 
 namespace marketgen {
+inline namespace geometry {
 
 using PointMm = std::array<int, 2>;      // [x, y], written as in JSON
 using PolygonMm = std::vector<PointMm>;  // counter-clockwise, not closed
@@ -44,4 +45,5 @@ std::int64_t turn(PointMm a, PointMm b, PointMm c);
 double area_m2(const PolygonMm& polygon);            // shoelace, positive for counter-clockwise
 bool contains(const PolygonMm& polygon, PointMm p);  // even-odd, border counts as inside
 
+}  // namespace geometry
 }  // namespace marketgen

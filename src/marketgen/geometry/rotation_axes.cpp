@@ -4,6 +4,7 @@
 #include <cmath>
 
 namespace marketgen {
+inline namespace geometry {
 
 Quaternion rotation_with_axes(Vec3 y, Vec3 z) {
   const Vec3 x = cross(y, z);
@@ -18,4 +19,5 @@ Quaternion rotation_with_axes(Vec3 y, Vec3 z) {
   return {(x.y - y.x) * s, (z.x + x.z) * s, (y.z + z.y) * s, first};
 }
 
+}  // namespace geometry
 }  // namespace marketgen

@@ -3,9 +3,11 @@
 #include "geometry/pose.h"
 
 namespace marketgen {
+inline namespace geometry {
 
 // The rotation whose axes are `y` and `z` (unit, at right angles) and y x z: it turns (0, 1, 0)
 // into `y` and (0, 0, 1) into `z`.
 Quaternion rotation_with_axes(Vec3 y, Vec3 z);
 
+}  // namespace geometry
 }  // namespace marketgen

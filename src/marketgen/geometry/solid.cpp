@@ -7,6 +7,7 @@
 #include "geometry/weld.h"
 
 namespace marketgen {
+inline namespace geometry {
 namespace {
 
 // Where a column's middle line enters (up: +1) or leaves a body.
@@ -157,4 +158,5 @@ float Solid::fill_height(double share) const {
   return high;
 }
 
+}  // namespace geometry
 }  // namespace marketgen

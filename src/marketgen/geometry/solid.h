@@ -7,6 +7,7 @@
 #include "geometry/mesh.h"
 
 namespace marketgen {
+inline namespace geometry {
 
 // Of a body of density one.
 struct MassProperties {
@@ -54,4 +55,5 @@ class Solid {
   std::vector<std::vector<Span>> spans_;  // x fastest
 };
 
+}  // namespace geometry
 }  // namespace marketgen

@@ -6,6 +6,7 @@
 #include <cmath>
 
 namespace marketgen {
+inline namespace geometry {
 namespace {
 
 constexpr int window_reach = 5;  // 11 x 11
@@ -95,4 +96,5 @@ double ssim(const Image& a, const Image& b) {
   return sum / ((width - 2.0 * side) * (height - 2.0 * top));
 }
 
+}  // namespace geometry
 }  // namespace marketgen

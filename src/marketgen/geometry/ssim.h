@@ -4,6 +4,7 @@
 #include "geometry/image.h"
 
 namespace marketgen {
+inline namespace geometry {
 
 // Mean structural similarity of the two pictures' luma (BT.601, as encoded): 1 = the same, 0 =
 // nothing in common, negative where light and dark have changed places. As in the paper: a Gaussian
@@ -13,4 +14,5 @@ namespace marketgen {
 // read).
 double ssim(const Image& a, const Image& b);
 
+}  // namespace geometry
 }  // namespace marketgen

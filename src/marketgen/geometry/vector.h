@@ -4,6 +4,7 @@
 #include <cmath>
 
 namespace marketgen {
+inline namespace geometry {
 
 template <class T>
 struct Vector2 {
@@ -70,4 +71,5 @@ constexpr Vec3 to_double(Vec3f a) {
   return {a.x, a.y, a.z};
 }
 
+}  // namespace geometry
 }  // namespace marketgen

@@ -7,6 +7,7 @@
 #include "base/flat_index.h"
 
 namespace marketgen {
+inline namespace geometry {
 namespace {
 
 using Cell = std::array<std::int64_t, 3>;
@@ -85,4 +86,5 @@ std::vector<std::uint32_t> weld_positions(const std::vector<Vec3f>& positions, d
   return lowest;
 }
 
+}  // namespace geometry
 }  // namespace marketgen

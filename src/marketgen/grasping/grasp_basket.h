@@ -5,12 +5,12 @@
 
 #include "grasping/grasp_study.h"
 
-namespace marketgen {
+namespace marketgen::grasping {
 
 // So many of a product are poured, and at least one: they fill at most this share of the basket.
 constexpr int max_likes_in_basket = 6;
 constexpr double max_basket_fill = 0.5;
-int likes_in_basket(const Product& product);
+int likes_in_basket(const catalog::Product& product);
 
 struct BasketCase {
   BasketOfLikes basket;  // the target first: of those that stayed inside, the last that was poured
@@ -20,9 +20,9 @@ struct BasketCase {
 
 // Errors: as settle_bulk.
 // `goods`: of GoodsUse::bulk.
-Result<BasketCase> basket_case(const SharedGoodsBody& goods, Seed seed);
+Result<BasketCase> basket_case(const physics::SharedGoodsBody& goods, Seed seed);
 
 // Candidates for the target: from above, clear of the walls.
-GraspQuery basket_query(const BasketOfLikes& basket, double friction);
+motion::GraspQuery basket_query(const BasketOfLikes& basket, double friction);
 
-}  // namespace marketgen
+}  // namespace marketgen::grasping

@@ -16,7 +16,7 @@
 #include "io/folder_lock.h"
 #include "io/sqlite.h"
 
-namespace marketgen {
+namespace marketgen::grasping {
 namespace {
 
 constexpr const char* grasp_tables = R"sql(
@@ -46,9 +46,9 @@ struct KeptRate {
   std::string catalogue, seed;
 };
 
-Result<void> add_rate(const SqlDatabase& sql, const KeptRate& kept) {
+Result<void> add_rate(const io::SqlDatabase& sql, const KeptRate& kept) {
   const GraspRate& rate = kept.rate;
-  MARKETGEN_TRY(SqlStatement add,
+  MARKETGEN_TRY(io::SqlStatement add,
                 sql.prepare("INSERT INTO grasp_rates VALUES(?,?,?,?,?,?,?,?,?,?,?)"));
   const std::string_view first =
       rate.tries.empty() ? std::string_view() : name_of(rate.tries.front().end);
@@ -65,7 +65,7 @@ Result<void> add_rate(const SqlDatabase& sql, const KeptRate& kept) {
                       .bind(10, kept.catalogue)
                       .bind(11, kept.seed)
                       .run());
-  MARKETGEN_TRY(SqlStatement tried,
+  MARKETGEN_TRY(io::SqlStatement tried,
                 sql.prepare("INSERT INTO grasp_tries VALUES(?,?,?,?,?,?,?,?,?,?,?)"));
   for (std::size_t i = 0; i < rate.tries.size(); ++i) {
     const GraspTry& t = rate.tries[i];
@@ -86,9 +86,9 @@ Result<void> add_rate(const SqlDatabase& sql, const KeptRate& kept) {
   return {};
 }
 
-Result<std::vector<GraspTry>> tries_of(const SqlDatabase& sql, const GraspRate& rate) {
+Result<std::vector<GraspTry>> tries_of(const io::SqlDatabase& sql, const GraspRate& rate) {
   MARKETGEN_TRY(
-      SqlStatement find,
+      io::SqlStatement find,
       sql.prepare("SELECT strategy, ended, width_mm, force_n, slip_mm, turned_deg, "
                   "neighbour_n FROM grasp_tries WHERE sku = ? AND tool = ? AND setting = ? "
                   "ORDER BY number"));
@@ -109,9 +109,9 @@ Result<std::vector<GraspTry>> tries_of(const SqlDatabase& sql, const GraspRate& 
 }
 
 Result<std::vector<KeptRate>> rates_in(const std::string& bytes) {
-  MARKETGEN_TRY(const SqlDatabase sql, SqlDatabase::open(bytes));
+  MARKETGEN_TRY(const io::SqlDatabase sql, io::SqlDatabase::open(bytes));
   MARKETGEN_TRY(
-      SqlStatement find,
+      io::SqlStatement find,
       sql.prepare("SELECT sku, archetype, tool, setting, excluded, reason, catalogue, seed "
                   "FROM grasp_rates ORDER BY sku, tool, setting"));
   find.start();
@@ -132,18 +132,18 @@ Result<std::vector<KeptRate>> rates_in(const std::string& bytes) {
 // By SKU, tool and setting; none when there is no file that can be used.
 std::vector<KeptRate> all_kept() {
   const std::filesystem::path file = grasp_database_file();
-  const std::optional<std::string> bytes = kept_entry(file, grasps_kind);
+  const std::optional<std::string> bytes = io::kept_entry(file, grasps_kind);
   if (!bytes) return {};
   Result<std::vector<KeptRate>> rates = rates_in(*bytes);
   if (rates.ok()) return std::move(rates).value();
-  drop_entry(file, rates.error().message);
+  io::drop_entry(file, rates.error().message);
   return {};
 }
 
 }  // namespace
 
 std::filesystem::path grasp_database_file() {
-  return cache_folder() / "grasps" / "grasps.sqlite";
+  return io::cache_folder() / "grasps" / "grasps.sqlite";
 }
 
 Result<std::string> grasp_study_key(const std::filesystem::path& data,
@@ -155,7 +155,7 @@ Result<std::string> grasp_study_key(const std::filesystem::path& data,
     files.insert(entry.path());
   Hasher hasher;
   for (const std::filesystem::path& file : files) {
-    MARKETGEN_TRY(const std::string text, read_file(file));
+    MARKETGEN_TRY(const std::string text, io::read_file(file));
     hasher.add(text);
   }
   hasher.add(catalog_hash);
@@ -172,7 +172,7 @@ Result<void> keep_grasp_rates(const std::vector<GraspRate>& rates,
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
   if (failed) return Error{"io.cannot_write", folder.string(), failed.message()};
-  MARKETGEN_TRY(const FolderLock lock, FolderLock::wait_for(folder, wait_s));
+  MARKETGEN_TRY(const io::FolderLock lock, io::FolderLock::wait_for(folder, wait_s));
   const std::vector<KeptRate> before = all_kept();
   std::map<std::array<std::string, 3>, KeptRate> merged;
   const auto put = [&](const KeptRate& kept) {
@@ -183,14 +183,14 @@ Result<void> keep_grasp_rates(const std::vector<GraspRate>& rates,
   for (const GraspRate& rate : rates)
     put({rate, study_key, std::to_string(seed)});
 
-  MARKETGEN_TRY(SqlDatabase sql, SqlDatabase::create());
+  MARKETGEN_TRY(io::SqlDatabase sql, io::SqlDatabase::create());
   MARKETGEN_CHECK(sql.run("BEGIN"));
   MARKETGEN_CHECK(sql.run(grasp_tables));
   for (const auto& [key, kept] : merged)
     MARKETGEN_CHECK(add_rate(sql, kept));
   MARKETGEN_CHECK(sql.run("COMMIT"));
   MARKETGEN_TRY(const std::string bytes, sql.bytes());
-  return keep_entry(grasp_database_file(), grasps_kind, bytes);
+  return io::keep_entry(grasp_database_file(), grasps_kind, bytes);
 }
 
 std::vector<GraspRate> kept_grasp_rates(const std::string& study_key) {
@@ -201,4 +201,4 @@ std::vector<GraspRate> kept_grasp_rates(const std::string& study_key) {
   return rates;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::grasping

@@ -22,7 +22,7 @@
 #include "base/result.h"
 #include "grasping/grasp_study.h"
 
-namespace marketgen {
+namespace marketgen::grasping {
 
 std::filesystem::path grasp_database_file();
 
@@ -41,4 +41,4 @@ Result<void> keep_grasp_rates(const std::vector<GraspRate>& rates,
 // be used.
 std::vector<GraspRate> kept_grasp_rates(const std::string& study_key);
 
-}  // namespace marketgen
+}  // namespace marketgen::grasping

@@ -9,12 +9,12 @@
 #include "physics/goods/contact_shape.h"
 #include "physics/soft/soft_pieces.h"
 
-namespace marketgen {
+namespace marketgen::grasping {
 namespace {
 
 constexpr char hold_where[] = "grasp";
 constexpr Vec3 out_of_the_way{3, 0, 1};
-constexpr double smoothing = time_step_s / 0.010;  // of forces: a mean over about 10 ms
+constexpr double smoothing = physics::time_step_s / 0.010;  // of forces: a mean over about 10 ms
 
 Vec3 vector_of(const mjtNum* v) {
   return {v[0], v[1], v[2]};
@@ -25,26 +25,26 @@ double share_of_way(double t) {  // minimum jerk, 0..1
 }
 
 int steps_of(double seconds) {
-  return std::max(1, static_cast<int>(std::lround(seconds / time_step_s)));
+  return std::max(1, static_cast<int>(std::lround(seconds / physics::time_step_s)));
 }
 
 }  // namespace
 
 Result<GraspHold> GraspHold::start(const GraspTrial& trial) {
   MARKETGEN_TRY(GraspScene scene, grasp_scene(trial));
-  MARKETGEN_TRY(MujocoData data, make_data(*scene.model, hold_where));
+  MARKETGEN_TRY(physics::MujocoData data, physics::make_data(*scene.model, hold_where));
   GraspHold hold(trial, std::move(scene), std::move(data));
   hold.put_tool({out_of_the_way, {}});
   return hold;
 }
 
-GraspHold::GraspHold(const GraspTrial& trial, GraspScene scene, MujocoData data)
+GraspHold::GraspHold(const GraspTrial& trial, GraspScene scene, physics::MujocoData data)
     : trial_(&trial), scene_(std::move(scene)), data_(std::move(data)) {
   const mjModel& m = *scene_.model;
   base_offset_ = vector_of(m.body_pos + 3 * m.body_parentid[scene_.tool_body]);
   neighbour_n_.assign(scene_.products.size(), 0);
-  const GraspTool& tool = trial.tool;
-  const bool cup = tool.kind == ToolKind::suction;
+  const robots::GraspTool& tool = trial.tool;
+  const bool cup = tool.kind == robots::ToolKind::suction;
   const double x = cup ? tool.cup_radius_m : tool.pad_x_m,
                z = cup ? tool.cup_radius_m : tool.pad_z_m;
   slip_points_.push_back(tool.pad_center);
@@ -64,7 +64,8 @@ void GraspHold::put_tool(const Pose& world_from_tool) {
 
 Result<void> GraspHold::step(Vec3 next_position) {
   mjData& d = *data_;
-  const Vec3 at = position_ - base_offset_, velocity = (next_position - position_) / time_step_s;
+  const Vec3 at = position_ - base_offset_,
+             velocity = (next_position - position_) / physics::time_step_s;
   const double q[3] = {at.x, at.y, at.z}, v[3] = {velocity.x, velocity.y, velocity.z};
   std::copy(q, q + 3, d.qpos + scene_.model->jnt_qposadr[scene_.model->dof_jntid[scene_.base_dof]]);
   std::copy(v, v + 3, d.qvel + scene_.base_dof);
@@ -77,7 +78,7 @@ Result<void> GraspHold::step(Vec3 next_position) {
       d.qvel[scene_.finger_dof + finger] = 0;
     }
   }
-  MARKETGEN_CHECK(guarded(hold_where, [&] { mj_step(scene_.model.get(), data_.get()); }));
+  MARKETGEN_CHECK(physics::guarded(hold_where, [&] { mj_step(scene_.model.get(), data_.get()); }));
   position_ = next_position;
   for (const int warning : {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC, mjWARN_CONTACTFULL}) {
     if (d.warning[warning].number > 0)
@@ -130,7 +131,7 @@ Result<void> GraspHold::squeeze(double force_n, double seconds) {
 }
 
 Result<void> GraspHold::release(double seconds) {
-  if (sealed_) let_go(*data_, scene_.lip);
+  if (sealed_) physics::let_go(*data_, scene_.lip);
   sealed_ = false;
   marked_ = false;
   const double most = trial_->grasp.opening_m / 2;
@@ -148,19 +149,19 @@ Result<void> GraspHold::release(double seconds) {
 bool GraspHold::seal() {
   const mjModel& m = *scene_.model;
   mj_kinematics(&m, data_.get());
-  const CupShape cup{trial_->tool.cup_radius_m, trial_->tool.seal_depth_m};
-  const auto under = look_under_lip(m, *data_, tool(), cup, scene_.product_geoms);
+  const physics::CupShape cup{trial_->tool.cup_radius_m, trial_->tool.seal_depth_m};
+  const auto under = physics::look_under_lip(m, *data_, tool(), cup, scene_.product_geoms);
   const auto of_target = [&](int geom) {
     return scene_.owner_index[static_cast<std::size_t>(geom)] == 0;
   };
   if (!under || !std::ranges::all_of(under->geoms, of_target)) return false;
   const Pose product_from_tool = inverse(product()) * tool();
   for (const int point : scene_.lip)
-    hold_point(*scene_.model,
-               *data_,
-               point,
-               scene_.target[0],
-               product_from_tool * place_of_point(m, point));
+    physics::hold_point(*scene_.model,
+                        *data_,
+                        point,
+                        scene_.target[0],
+                        product_from_tool * physics::place_of_point(m, point));
   sealed_ = true;
   lip_load_ = {};
   return true;
@@ -200,11 +201,13 @@ Pose GraspHold::part(int index) const {
   const mjModel& m = *scene_.model;
   const mjtNum* q = data_->qpos + m.jnt_qposadr[m.body_jntadr[scene_.products[0]]];
   const Pose middle{scene_.target_origin, {}};
-  return product() * middle * bent_part(*trial_->soft, index, {q[7], q[8]}) * inverse(middle);
+  return product() * middle * physics::bent_part(*trial_->soft, index, {q[7], q[8]}) *
+         inverse(middle);
 }
 
 int GraspHold::part_near(Vec3 point) const {
-  return trial_->soft == nullptr ? 0 : part_at(*trial_->soft, point - scene_.target_origin);
+  return trial_->soft == nullptr ? 0
+                                 : physics::part_at(*trial_->soft, point - scene_.target_origin);
 }
 
 double GraspHold::speed(std::size_t index) const {
@@ -267,8 +270,8 @@ void GraspHold::look_at_lip() {
   const Vec3 ahead = rotate(rotation_, {0, 0, 1});
   const double pull_n = trial_->grasp.force_n;
   if (!lip_load_.breaks(*data_, scene_.lip, ahead, pull_n, trial_->pad_friction)) return;
-  let_go(*data_, scene_.lip);
+  physics::let_go(*data_, scene_.lip);
   sealed_ = false;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::grasping

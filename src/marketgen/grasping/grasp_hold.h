@@ -5,7 +5,7 @@
 
 #include "grasping/grasp_scene.h"
 
-namespace marketgen {
+namespace marketgen::grasping {
 
 // Greatest of what is watched after every step.
 struct GraspWatch {
@@ -55,7 +55,7 @@ class GraspHold {
   const GraspWatch& watch() const { return watch_; }
 
  private:
-  GraspHold(const GraspTrial& trial, GraspScene scene, MujocoData data);
+  GraspHold(const GraspTrial& trial, GraspScene scene, physics::MujocoData data);
 
   Result<void> step(Vec3 next_position);
   void look();
@@ -66,7 +66,7 @@ class GraspHold {
 
   const GraspTrial* trial_;
   GraspScene scene_;
-  MujocoData data_;
+  physics::MujocoData data_;
   Vec3 position_{};  // of the tool
   Quaternion rotation_{};
   Vec3 base_offset_{};
@@ -74,8 +74,8 @@ class GraspHold {
   double held_open_m_ = -1;    // the fingers are held at this opening; -1: they are free
   bool sealed_ = false, marked_ = false;
   int held_part_ = 0;
-  std::array<double, SoftPack::part_count> part_n_{};  // of both pads, now
-  LipLoad lip_load_;
+  std::array<double, physics::SoftPack::part_count> part_n_{};  // of both pads, now
+  physics::LipLoad lip_load_;
   Pose tool_from_product_;           // at mark(), as the held part has it
   std::vector<Vec3> slip_points_;    // tool frame
   std::vector<double> neighbour_n_;  // of each product, smoothed
@@ -83,4 +83,4 @@ class GraspHold {
   GraspWatch watch_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::grasping

@@ -13,7 +13,7 @@
 #include "physics/world/pad_balls.h"
 #include "scene/planogram.h"
 
-namespace marketgen {
+namespace marketgen::grasping {
 namespace {
 
 constexpr char grasp_where[] = "grasp";
@@ -53,7 +53,7 @@ class GraspSceneBuilder {
         spec_(mj_makeSpec(), mj_deleteSpec),
         world_(mjs_findBody(spec_.get(), "world")),
         products_(*spec_) {
-    set_contact_options(*spec_, 0);
+    physics::set_contact_options(*spec_, 0);
     spec_->option.enableflags &= ~mjENBL_SLEEP;
     spec_->memory = grasp_arena_bytes;
     spec_->compiler.balanceinertia = true;
@@ -85,10 +85,10 @@ class GraspSceneBuilder {
       add_slide(base, axis, base_inertia_kg, 0);
     mjsBody* tool = mjs_addBody(base, nullptr);
     mjs_setName(tool->element, "tool");
-    for (const ToolSolid& solid : trial_.tool.body)
+    for (const robots::ToolSolid& solid : trial_.tool.body)
       add_solid(tool, solid, tool_bit);
-    if (trial_.tool.kind == ToolKind::suction) {
-      add_lip(*spec_, "tool", {}, trial_.tool.cup_radius_m, "product0");
+    if (trial_.tool.kind == robots::ToolKind::suction) {
+      physics::add_lip(*spec_, "tool", {}, trial_.tool.cup_radius_m, "product0");
       return;
     }
     add_finger(tool, trial_.tool.left, 1);
@@ -99,22 +99,23 @@ class GraspSceneBuilder {
     mjs_setString(pair->name2, "right");
     std::fill(pair->data, pair->data + mjNEQDATA, 0.0);
     pair->data[1] = 1;
-    pair->solref[0] = contact_time_s;
+    pair->solref[0] = physics::contact_time_s;
   }
 
   Result<GraspScene> finish() {
     GraspScene scene;
-    MARKETGEN_TRY(scene.model, compile(*spec_, grasp_where));
+    MARKETGEN_TRY(scene.model, physics::compile(*spec_, grasp_where));
     const mjModel& m = *scene.model;
     const auto body = [&](const std::string& name) {
       return mj_name2id(&m, mjOBJ_BODY, name.c_str());
     };
     scene.tool_body = body("tool");
     scene.base_dof = m.body_dofadr[body("base")];
-    if (trial_.tool.kind == ToolKind::gripper) scene.finger_dof = m.body_dofadr[body("left")];
+    if (trial_.tool.kind == robots::ToolKind::gripper)
+      scene.finger_dof = m.body_dofadr[body("left")];
     for (int i = 0; i < product_count_; ++i)
       scene.products.push_back(body(fmt::format("product{}", i)));
-    if (trial_.tool.kind == ToolKind::suction) scene.lip = lip_points(m, "tool");
+    if (trial_.tool.kind == robots::ToolKind::suction) scene.lip = physics::lip_points(m, "tool");
     scene.headroom_m = headroom_;
     scene.target.push_back(scene.products[0]);
     if (trial_.soft != nullptr) {
@@ -166,7 +167,7 @@ class GraspSceneBuilder {
         slack += gap();
       add_row_end(x + side * (width / 2 + slack + block_half_m));
     }
-    const double behind = depth + depth_gap_m;
+    const double behind = depth + scene::depth_gap_m;
     add_product({{0, behind, 0}, {}});
     for (const double side : {-1.0, 1.0})
       add_product({{side * (width + gap()), behind, 0}, {}});
@@ -179,7 +180,7 @@ class GraspSceneBuilder {
   void add_basket() {
     for (const Pose& pose : trial_.basket->container_from_product)
       add_product(pose);
-    for (mjsGeom* geom : add_container(world_, trial_.basket->container))
+    for (mjsGeom* geom : physics::add_container(world_, trial_.basket->container))
       set_meeting(geom, others_bit, still_meets);
   }
 
@@ -193,8 +194,8 @@ class GraspSceneBuilder {
     floor->type = mjGEOM_PLANE;
     floor->size[2] = 1;
     floor->pos[2] = z;
-    floor->friction[0] = still_friction;
-    floor->solref[0] = contact_time_s;
+    floor->friction[0] = physics::still_friction;
+    floor->solref[0] = physics::contact_time_s;
     set_meeting(floor, others_bit, still_meets);
   }
 
@@ -205,7 +206,9 @@ class GraspSceneBuilder {
   }
 
   void add_block(Vec3 at, Vec3 half) {
-    set_meeting(add_shape(world_, {CollisionShape::box, {at, {}}, half}), others_bit, still_meets);
+    set_meeting(physics::add_shape(world_, {assets::CollisionShape::box, {at, {}}, half}),
+                others_bit,
+                still_meets);
   }
 
   void add_row_end(double x) {
@@ -216,15 +219,16 @@ class GraspSceneBuilder {
   // Where the second row stands when all rows behind it have been pushed together.
   void add_back(double second_row_y) {
     const double depth = trial_.goods.product.depth_m();
-    const double rows = std::floor((stocked_depth_m + depth_gap_m) / (depth + depth_gap_m));
-    const double slack = depth_gap_m * std::max(1.0, rows - 1);
+    const double rows =
+        std::floor((stocked_depth_m + scene::depth_gap_m) / (depth + scene::depth_gap_m));
+    const double slack = scene::depth_gap_m * std::max(1.0, rows - 1);
     add_block(
         {0, second_row_y + depth / 2 + slack + block_half_m, trial_.goods.product.height_m() / 2},
         {board_half_width_m, block_half_m, trial_.goods.product.height_m() / 2});
   }
 
   void add_product(const Pose& world_from_product) {
-    const ProductGeoms geoms{product_geom_group, others_bit, goods_meet};
+    const physics::ProductGeoms geoms{product_geom_group, others_bit, goods_meet};
     const bool bends = trial_.soft != nullptr && product_count_ == 0;
     const std::string name = fmt::format("product{}", product_count_++);
     if (bends)
@@ -242,22 +246,24 @@ class GraspSceneBuilder {
     return joint;
   }
 
-  void add_solid(mjsBody* body, const ToolSolid& solid, int bit) {
+  void add_solid(mjsBody* body, const robots::ToolSolid& solid, int bit) {
     const Pose& pose = solid.tool_from_solid;
     const Vec3& h = solid.half_size;
     const bool bellows =
-        trial_.tool.kind == ToolKind::suction && pose.position.z + h.z > -cup_bellows_m;
+        trial_.tool.kind == robots::ToolKind::suction && pose.position.z + h.z > -cup_bellows_m;
     if (bellows) return;
-    mjsGeom* geom = add_shape(body,
-                              {solid.round ? CollisionShape::cylinder : CollisionShape::box,
-                               pose,
-                               solid.round ? Vec3{h.x, h.z, 0} : h});
+    mjsGeom* geom = physics::add_shape(
+        body,
+        {solid.round ? assets::CollisionShape::cylinder : assets::CollisionShape::box,
+         pose,
+         solid.round ? Vec3{h.x, h.z, 0} : h});
     set_meeting(geom, bit, 0);
     geom->mass = 0;
   }
 
-  void add_pad(mjsBody* body, const ToolSolid& pad, double side) {
-    for (mjsGeom* ball : add_pad_balls(body, pad.tool_from_solid.position, pad.half_size, side)) {
+  void add_pad(mjsBody* body, const robots::ToolSolid& pad, double side) {
+    for (mjsGeom* ball :
+         physics::add_pad_balls(body, pad.tool_from_solid.position, pad.half_size, side)) {
       set_meeting(ball, ball_bit, 0);
       ball->priority = 1;
       ball->friction[0] = trial_.pad_friction;
@@ -265,7 +271,7 @@ class GraspSceneBuilder {
   }
 
   // Shut at 0, apart along `side`; its damping is what holds it to its speed at the grasp's force.
-  void add_finger(mjsBody* tool, const std::vector<ToolSolid>& solids, double side) {
+  void add_finger(mjsBody* tool, const std::vector<robots::ToolSolid>& solids, double side) {
     mjsBody* finger = mjs_addBody(tool, nullptr);
     const char* name = side > 0 ? "left" : "right";
     mjs_setName(finger->element, name);
@@ -287,29 +293,29 @@ class GraspSceneBuilder {
 
   const GraspTrial& trial_;
   Vec3 middle_;  // of the row's box
-  MujocoSpec spec_;
+  physics::MujocoSpec spec_;
   mjsBody* world_;
-  ProductBodies products_;
+  physics::ProductBodies products_;
   int product_count_ = 0;
   double headroom_ = 0;
 };
 
 Result<void> check_trial(const GraspTrial& trial) {
-  const Product& p = trial.goods.product;
-  MARKETGEN_CHECK(check_has_body(p, trial.goods.body));
-  const Grasp& g = trial.grasp;
+  const catalog::Product& p = trial.goods.product;
+  MARKETGEN_CHECK(physics::check_has_body(p, trial.goods.body));
+  const robots::Grasp& g = trial.grasp;
   const Vec3& at = g.product_from_tool.position;
   const bool finite = std::isfinite(at.x + at.y + at.z) && std::isfinite(g.force_n + g.opening_m);
   if (!finite || !(trial.pad_friction >= 0))
     return Error{"motion.bad_configuration", p.sku, "expected a grasp of finite numbers"};
-  if (trial.tool.kind == ToolKind::gripper && g.opening_m > trial.tool.opening_m + 1e-9)
+  if (trial.tool.kind == robots::ToolKind::gripper && g.opening_m > trial.tool.opening_m + 1e-9)
     return Error{"motion.bad_configuration",
                  p.sku,
                  fmt::format("the grasp needs {:.0f} mm between the pads; {} opens {:.0f} mm",
                              g.opening_m * 1e3,
                              trial.tool.id,
                              trial.tool.opening_m * 1e3)};
-  if (trial.soft != nullptr && trial.tool.kind == ToolKind::suction)
+  if (trial.soft != nullptr && trial.tool.kind == robots::ToolKind::suction)
     return Error{"motion.bad_configuration", p.sku, "a cup is tried on rigid packs only"};
   if (g.force_n < 0 || g.force_n > trial.tool.force_n + 1e-9)
     return Error{"motion.bad_configuration",
@@ -333,7 +339,7 @@ Result<void> check_basket(const GraspTrial& trial) {
       return Error{
           "motion.bad_configuration", trial.goods.product.sku, "expected packs at finite places"};
   }
-  return check_container(trial.basket->container);
+  return physics::check_container(trial.basket->container);
 }
 
 }  // namespace
@@ -341,11 +347,11 @@ Result<void> check_basket(const GraspTrial& trial) {
 Result<GraspScene> grasp_scene(const GraspTrial& trial) {
   MARKETGEN_CHECK(check_trial(trial));
   MARKETGEN_CHECK(check_basket(trial));
-  MARKETGEN_TRY(const CollisionPrimitive solid, collision_of(trial.goods.product));
+  MARKETGEN_TRY(const assets::CollisionPrimitive solid, assets::collision_of(trial.goods.product));
   GraspSceneBuilder builder(trial, to_double(solid.center));
   builder.add_surroundings();
   builder.add_tool();
   return builder.finish();
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::grasping

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-namespace marketgen {
+namespace marketgen::grasping {
 namespace {
 
 constexpr double normal_95 = 1.959963984540054;  // standard normal, two-sided 95 %
@@ -95,4 +95,4 @@ std::vector<GraspShare> grasp_shares(const std::vector<GraspRate>& rates) {
   return shares;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::grasping

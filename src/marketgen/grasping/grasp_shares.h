@@ -6,7 +6,7 @@
 #include "base/fields.h"
 #include "grasping/grasp_study.h"
 
-namespace marketgen {
+namespace marketgen::grasping {
 
 // A share with its 95 % interval (Wilson, "Probable inference", JASA 1927).
 struct Share {
@@ -57,4 +57,4 @@ struct GraspShare {
 // By tool and setting in the order of `rates`: all shapes together, then each shape by name.
 std::vector<GraspShare> grasp_shares(const std::vector<GraspRate>& rates);
 
-}  // namespace marketgen
+}  // namespace marketgen::grasping

@@ -10,43 +10,43 @@
 #include "physics/goods/friction_table.h"
 #include "scene/planogram.h"
 
-namespace marketgen {
+namespace marketgen::grasping {
 namespace {
 
 constexpr std::string_view pad_material = "rubber";
 // Between neighbours fingers come as narrow as the tool's own error lets them.
 constexpr double wedge_gap_m = 0.0015;
 
-GraspExclusion exclusion_of(GraspRefusal refusal) {
+GraspExclusion exclusion_of(motion::GraspRefusal refusal) {
   return static_cast<GraspExclusion>(refusal);
 }
-static_assert(names_of(GraspRefusal{})[6] == names_of(GraspExclusion{})[6]);
+static_assert(motion::names_of(motion::GraspRefusal{})[6] == names_of(GraspExclusion{})[6]);
 
-bool stands_on_boards(const Product& product, const ProductBody& body) {
-  const bool hangs = std::ranges::any_of(body.features, [](const PackFeature& feature) {
-    return feature.kind == FeatureKind::hang_hole;
+bool stands_on_boards(const catalog::Product& product, const assets::ProductBody& body) {
+  const bool hangs = std::ranges::any_of(body.features, [](const assets::PackFeature& feature) {
+    return feature.kind == assets::FeatureKind::hang_hole;
   });
-  return product.orientation != Orientation::any && !hangs;
+  return product.orientation != catalog::Orientation::any && !hangs;
 }
 
 class ProductStudy {
  public:
-  ProductStudy(const Product& product,
-               const std::map<GoodsUse, SharedGoodsBody>& goods,
-               const std::optional<SoftPack>& soft,
+  ProductStudy(const catalog::Product& product,
+               const std::map<physics::GoodsUse, physics::SharedGoodsBody>& goods,
+               const std::optional<physics::SoftPack>& soft,
                double friction,
                const StudyOptions& options)
       : product_(product), goods_(goods), soft_(soft), friction_(friction), options_(options) {}
 
   // Once, before rates in a basket are asked for.
   Result<void> settle_basket() {
-    MARKETGEN_TRY(
-        basket_,
-        basket_case(goods_.at(GoodsUse::bulk), Seed(options_.seed).child("basket", product_.sku)));
+    MARKETGEN_TRY(basket_,
+                  basket_case(goods_.at(physics::GoodsUse::bulk),
+                              Seed(options_.seed).child("basket", product_.sku)));
     return {};
   }
 
-  Result<GraspRate> rate(const GraspTool& tool, GraspSetting setting) const {
+  Result<GraspRate> rate(const robots::GraspTool& tool, GraspSetting setting) const {
     GraspRate rate{product_.sku, product_.archetype, tool.id, setting, {}, {}, {}};
     const bool in_basket = setting == GraspSetting::basket;
     if (in_basket && basket_.excluded != GraspExclusion::none)
@@ -55,12 +55,12 @@ class ProductStudy {
     if (on_shelf && !stands_on_boards(product_, pack()))
       return without(
           std::move(rate), GraspExclusion::unshelved, "it lies in heaps or hangs from pegs");
-    MARKETGEN_TRY(const GraspCandidates candidates,
-                  grasp_candidates(product_,
-                                   pack(),
-                                   tool,
-                                   in_basket ? basket_query(basket_.basket, friction_)
-                                             : grasp_query(setting, product_, friction_)));
+    MARKETGEN_TRY(const motion::GraspCandidates candidates,
+                  motion::grasp_candidates(product_,
+                                           pack(),
+                                           tool,
+                                           in_basket ? basket_query(basket_.basket, friction_)
+                                                     : grasp_query(setting, product_, friction_)));
     rate.excluded = exclusion_of(candidates.refusal);
     rate.reason = candidates.reason;
     if (candidates.found.empty()) return rate;
@@ -97,9 +97,9 @@ class ProductStudy {
     return rate;
   }
 
-  Result<GraspTry> try_once(const GraspTool& tool,
+  Result<GraspTry> try_once(const robots::GraspTool& tool,
                             GraspSetting setting,
-                            const GraspCandidate& candidate,
+                            const motion::GraspCandidate& candidate,
                             std::size_t index) const {
     const Seed seed = Seed(options_.seed)
                           .child("grasp", product_.sku)
@@ -124,18 +124,21 @@ class ProductStudy {
   }
 
   // What grasps are aimed at: the pack's own shape.
-  const ProductBody& pack() const { return goods_.at(GoodsUse::single)->body; }
-  const GoodsBody& goods_in(GraspSetting setting) const { return *goods_.at(use_of(setting)); }
+  const assets::ProductBody& pack() const { return goods_.at(physics::GoodsUse::single)->body; }
+  const physics::GoodsBody& goods_in(GraspSetting setting) const {
+    return *goods_.at(use_of(setting));
+  }
 
   // Bags bend on a table, in a gripper.
-  const SoftPack* soft_for(const GraspTool& tool, GraspSetting setting) const {
-    const bool bends = soft_ && setting == GraspSetting::free && tool.kind == ToolKind::gripper;
+  const physics::SoftPack* soft_for(const robots::GraspTool& tool, GraspSetting setting) const {
+    const bool bends =
+        soft_ && setting == GraspSetting::free && tool.kind == robots::ToolKind::gripper;
     return bends ? &*soft_ : nullptr;
   }
 
-  const Product& product_;
-  const std::map<GoodsUse, SharedGoodsBody>& goods_;
-  const std::optional<SoftPack>& soft_;
+  const catalog::Product& product_;
+  const std::map<physics::GoodsUse, physics::SharedGoodsBody>& goods_;
+  const std::optional<physics::SoftPack>& soft_;
   double friction_;
   const StudyOptions& options_;
   BasketCase basket_;
@@ -146,20 +149,21 @@ struct ProductRates {
   std::optional<Error> error;
 };
 
-Result<std::vector<GraspRate>> rates_of(const Product& product,
-                                        const std::vector<GraspTool>& tools,
+Result<std::vector<GraspRate>> rates_of(const catalog::Product& product,
+                                        const std::vector<robots::GraspTool>& tools,
                                         double friction,
                                         const StudyOptions& options) {
-  std::map<GoodsUse, SharedGoodsBody> goods;
-  for (const GoodsUse use : {GoodsUse::stocked, GoodsUse::single, GoodsUse::bulk}) {
-    MARKETGEN_TRY(goods[use], goods_body(product, use));
+  std::map<physics::GoodsUse, physics::SharedGoodsBody> goods;
+  for (const physics::GoodsUse use :
+       {physics::GoodsUse::stocked, physics::GoodsUse::single, physics::GoodsUse::bulk}) {
+    MARKETGEN_TRY(goods[use], physics::goods_body(product, use));
   }
-  MARKETGEN_TRY(const std::optional<SoftPack> soft, soft_pack_of(product));
+  MARKETGEN_TRY(const std::optional<physics::SoftPack> soft, physics::soft_pack_of(product));
   ProductStudy study(product, goods, soft, friction, options);
   if (std::ranges::count(options.settings, GraspSetting::basket) > 0)
     MARKETGEN_CHECK(study.settle_basket());
   std::vector<GraspRate> rates;
-  for (const GraspTool& tool : tools) {
+  for (const robots::GraspTool& tool : tools) {
     for (const GraspSetting setting : options.settings) {
       MARKETGEN_TRY(GraspRate rate, study.rate(tool, setting));
       rates.push_back(std::move(rate));
@@ -185,33 +189,36 @@ bool GraspRate::first_held() const {
   return !tries.empty() && tries.front().end == GraspEnd::held;
 }
 
-double rubber_friction(const std::vector<FrictionRow>& frictions, const Product& product) {
-  const FrictionTable table(frictions);
+double rubber_friction(const std::vector<catalog::FrictionRow>& frictions,
+                       const catalog::Product& product) {
+  const physics::FrictionTable table(frictions);
   return table.sliding_on(table.material(pad_material), product);
 }
 
-GraspQuery grasp_query(GraspSetting setting, const Product& product, double friction) {
-  GraspQuery query;
+motion::GraspQuery grasp_query(GraspSetting setting,
+                               const catalog::Product& product,
+                               double friction) {
+  motion::GraspQuery query;
   query.friction = friction;
   if (setting == GraspSetting::free) return query;
   query.from_front = true;
   query.ceiling_m = product.height_m() + min_headroom_m;
   query.neighbour_gap_m = spaced_gap_m;
   if (setting == GraspSetting::stocked) {
-    query.neighbour_gap_m = pack_gap_m;
+    query.neighbour_gap_m = scene::pack_gap_m;
     query.finger_gap_m = wedge_gap_m;
   }
   return query;
 }
 
-Result<std::vector<GraspRate>> study_grasps(const std::vector<const Product*>& products,
-                                            const std::vector<GraspTool>& tools,
-                                            const std::vector<FrictionRow>& frictions,
+Result<std::vector<GraspRate>> study_grasps(const std::vector<const catalog::Product*>& products,
+                                            const std::vector<robots::GraspTool>& tools,
+                                            const std::vector<catalog::FrictionRow>& frictions,
                                             const StudyOptions& options,
                                             Progress& progress) {
   progress.begin("grasps", products.size());
   const std::vector<ProductRates> all = parallel_map(products.size(), [&](std::size_t i) {
-    const Product& product = *products[i];
+    const catalog::Product& product = *products[i];
     Result<std::vector<GraspRate>> rates =
         rates_of(product, tools, rubber_friction(frictions, product), options);
     if (rates.ok() && options.finished) options.finished(*rates);
@@ -228,4 +235,4 @@ Result<std::vector<GraspRate>> study_grasps(const std::vector<const Product*>& p
   return joined;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::grasping

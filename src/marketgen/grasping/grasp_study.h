@@ -19,7 +19,7 @@
 #include "motion/grasp_candidates.h"
 #include "robots/grasp_tool.h"
 
-namespace marketgen {
+namespace marketgen::grasping {
 
 // Why a product is not counted among those that fit a tool; `none` for one that is. Those that
 // GraspRefusal has too mean the same. unstable: it does not stand by itself, or does not come to
@@ -52,7 +52,7 @@ constexpr std::array<std::string_view, 10> names_of(GraspExclusion) {
 
 // One try of one candidate.
 struct GraspTry {
-  GraspStrategy strategy = GraspStrategy::side;
+  motion::GraspStrategy strategy = motion::GraspStrategy::side;
   GraspEnd end = GraspEnd::held;
   double width_mm = 0, force_n = 0, slip_mm = 0, turned_deg = 0, neighbour_n = 0;
 
@@ -101,18 +101,21 @@ struct StudyOptions {
 };
 
 // For the candidates that the study tries in a setting, which is not `basket`, in their order.
-GraspQuery grasp_query(GraspSetting setting, const Product& product, double friction);
+motion::GraspQuery grasp_query(GraspSetting setting,
+                               const catalog::Product& product,
+                               double friction);
 
 // Sliding friction of rubber (pads, lips) on the product's material: data/friction.json.
-double rubber_friction(const std::vector<FrictionRow>& frictions, const Product& product);
+double rubber_friction(const std::vector<catalog::FrictionRow>& frictions,
+                       const catalog::Product& product);
 
 // Every product with every tool in every setting: products in their order, then tools, then
 // settings. The same for any number of threads. Errors: assets.* and catalog.bad_row of a product,
 // motion.bad_configuration, physics.failed.
-Result<std::vector<GraspRate>> study_grasps(const std::vector<const Product*>& products,
-                                            const std::vector<GraspTool>& tools,
-                                            const std::vector<FrictionRow>& frictions,
+Result<std::vector<GraspRate>> study_grasps(const std::vector<const catalog::Product*>& products,
+                                            const std::vector<robots::GraspTool>& tools,
+                                            const std::vector<catalog::FrictionRow>& frictions,
                                             const StudyOptions& options,
                                             Progress& progress);
 
-}  // namespace marketgen
+}  // namespace marketgen::grasping

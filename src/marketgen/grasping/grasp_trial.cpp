@@ -6,7 +6,7 @@
 #include "grasping/grasp_hold.h"
 #include "physics/settle/bulk_model.h"
 
-namespace marketgen {
+namespace marketgen::grasping {
 namespace {
 
 // ---- The motion: seconds and metres. Speeds as the grasp probe's (0.05 to 0.1 m/s on a shelf).
@@ -60,7 +60,7 @@ class Trial {
   }
 
  private:
-  bool loose() const { return trial_.goods.product.orientation == Orientation::any; }
+  bool loose() const { return trial_.goods.product.orientation == catalog::Orientation::any; }
   bool in_basket() const { return trial_.setting == GraspSetting::basket; }
   bool on_shelf() const { return trial_.setting != GraspSetting::free && !in_basket(); }
 
@@ -100,7 +100,7 @@ class Trial {
   }
 
   Result<bool> take() {
-    if (trial_.tool.kind == ToolKind::suction) {
+    if (trial_.tool.kind == robots::ToolKind::suction) {
       const bool sealed = hold_.seal();
       MARKETGEN_CHECK(hold_.wait(seal_s));
       return sealed && hold_.sealed();
@@ -124,7 +124,8 @@ class Trial {
   Result<void> lift_out_of_basket() {
     const Pose now = hold_.product();
     const Vec3 middle = now * Vec3{0, 0, trial_.goods.product.height_m() / 2};
-    const double lowest = middle.z - turned_half_extents(trial_.goods.product, now.rotation).z;
+    const double lowest =
+        middle.z - physics::turned_half_extents(trial_.goods.product, now.rotation).z;
     const double by =
         std::max(free_lift_m, trial_.basket->container.height_m + clear_of_rim_m - lowest);
     return move({0, 0, by}, by / pull_m_s);
@@ -139,7 +140,7 @@ class Trial {
 
   GraspEnd end_of_hold(double strayed_m) const {
     const GraspWatch& watch = hold_.watch();
-    const bool gripper = trial_.tool.kind == ToolKind::gripper;
+    const bool gripper = trial_.tool.kind == robots::ToolKind::gripper;
     const bool touched =
         gripper ? watch.pad_n[0] > touch_n && watch.pad_n[1] > touch_n : hold_.sealed();
     if (!touched || strayed_m > lost_m) return GraspEnd::dropped;
@@ -188,9 +189,11 @@ class Trial {
 
 }  // namespace
 
-Result<bool> stands_alone(const GoodsBody& goods, const GraspTool& tool, const SoftPack* soft) {
-  if (goods.product.orientation == Orientation::any) return true;
-  GraspTrial alone{goods, tool, Grasp{}};
+Result<bool> stands_alone(const physics::GoodsBody& goods,
+                          const robots::GraspTool& tool,
+                          const physics::SoftPack* soft) {
+  if (goods.product.orientation == catalog::Orientation::any) return true;
+  GraspTrial alone{goods, tool, robots::Grasp{}};
   alone.soft = soft;
   MARKETGEN_TRY(GraspHold hold, GraspHold::start(alone));
   for (const Vec3 axis : {Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, -1, 0}}) {
@@ -206,4 +209,4 @@ Result<GraspOutcome> try_grasp(const GraspTrial& trial) {
   return Trial(trial, hold).run();
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::grasping

@@ -21,7 +21,7 @@
 #include "physics/soft/soft_pack.h"
 #include "robots/grasp_tool.h"
 
-namespace marketgen {
+namespace marketgen::grasping {
 
 // free: alone on a table. stocked: in the front row of a full shelf, 2 to 8 mm from either
 // neighbour, 3 mm from the one behind, 30 to 50 mm under the next board; the columns reach to the
@@ -34,7 +34,7 @@ constexpr std::array<std::string_view, 4> names_of(GraspSetting) {
 
 // A container with packs of one product that lie in it, the target first.
 struct BasketOfLikes {
-  OpenContainer container;
+  physics::OpenContainer container;
   std::vector<Pose> container_from_product;
 };
 
@@ -70,20 +70,21 @@ constexpr double max_slip_m = 0.001;
 constexpr double max_neighbour_n = 50;  // mean over 10 ms
 
 // What the product is in a trial of the setting.
-constexpr GoodsUse use_of(GraspSetting setting) {
-  if (setting == GraspSetting::free) return GoodsUse::single;
-  return setting == GraspSetting::basket ? GoodsUse::bulk : GoodsUse::stocked;
+constexpr physics::GoodsUse use_of(GraspSetting setting) {
+  if (setting == GraspSetting::free) return physics::GoodsUse::single;
+  return setting == GraspSetting::basket ? physics::GoodsUse::bulk : physics::GoodsUse::stocked;
 }
 
 struct GraspTrial {
-  const GoodsBody& goods;  // of use_of(setting)
-  const GraspTool& tool;
-  Grasp grasp;
+  const physics::GoodsBody& goods;  // of use_of(setting)
+  const robots::GraspTool& tool;
+  robots::Grasp grasp;
   double pad_friction = 0.5;  // of pads or lip on the product
   GraspSetting setting = GraspSetting::free;
   Seed seed{1};  // of gaps, headroom and the error with which the tool comes
   const BasketOfLikes* basket = nullptr;  // of the setting `basket`
-  const SoftPack* soft = nullptr;         // how the target bends, for a gripper; null: it is rigid
+  const physics::SoftPack* soft =
+      nullptr;  // how the target bends, for a gripper; null: it is rigid
 };
 
 struct GraspOutcome {
@@ -103,9 +104,9 @@ constexpr double tool_error_m = 0.001, tool_error_rad = 0.01745;
 // Whether a product stands by itself: let go leaning by 1 degree to the front, the back or a side,
 // it comes to rest upright. Loose produce counts as standing. `soft`: as in GraspTrial. Errors: as
 // try_grasp.
-Result<bool> stands_alone(const GoodsBody& goods,
-                          const GraspTool& tool,
-                          const SoftPack* soft = nullptr);
+Result<bool> stands_alone(const physics::GoodsBody& goods,
+                          const robots::GraspTool& tool,
+                          const physics::SoftPack* soft = nullptr);
 
 // Errors: catalog.bad_row for a product without mass or size; motion.bad_configuration for a grasp
 // that the tool cannot make (wider than its opening, stronger than its force, not finite) and for
@@ -113,4 +114,4 @@ Result<bool> stands_alone(const GoodsBody& goods,
 // room; physics.failed. A soft pack for a cup is motion.bad_configuration as well.
 Result<GraspOutcome> try_grasp(const GraspTrial& trial);
 
-}  // namespace marketgen
+}  // namespace marketgen::grasping

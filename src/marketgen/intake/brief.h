@@ -17,7 +17,7 @@
 #include "plan/plan.h"
 #include "plan/requirement.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 
 // Everything that was asked for. Flags beat text.
 struct Brief {
@@ -60,8 +60,8 @@ struct Conflict {
 };
 
 struct Planned {
-  Plan plan;
-  std::vector<Requirement> requirements;
+  plan::Plan plan;
+  std::vector<plan::Requirement> requirements;
   std::vector<UnparsedWord> unparsed;
   std::vector<Conflict> conflicts;
   bool understood = true;          // false: not one word of the prompt said anything
@@ -86,7 +86,7 @@ class Planner {
  public:
   virtual ~Planner() = default;
   virtual Result<Planned> plan(const Brief& brief,
-                               const Catalog& catalog,
+                               const catalog::Catalog& catalog,
                                Seed seed,
                                const Concessions& concessions) const = 0;
 };
@@ -97,7 +97,7 @@ Result<std::unique_ptr<Planner>> make_planner(std::string_view name);
 // Checks the brief (empty, too long, not UTF-8, bad size, unknown profile or style), runs the
 // planner and validates its plan.
 Result<Planned> plan_from_brief(const Brief& brief,
-                                const Catalog& catalog,
+                                const catalog::Catalog& catalog,
                                 const Planner& planner,
                                 Seed seed,
                                 const Concessions& concessions = {});
@@ -106,4 +106,4 @@ Result<Planned> plan_from_brief(const Brief& brief,
 // brief.bad_size.
 Result<std::array<int, 2>> parse_size(std::string_view text, const std::string& where);
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-namespace marketgen {
+namespace marketgen::intake {
 namespace {
 
 constexpr int service_door_mm = 1500;
@@ -15,15 +15,15 @@ constexpr int corner_margin_mm = 400;         // no door right in a corner
 constexpr double service_door_from_m2 = 150;  // smaller shops take deliveries through the front
 constexpr double fraction_digits = 1e4;
 
-int quarter_turns_to(Wall wall) {
+int quarter_turns_to(plan::Wall wall) {
   switch (wall) {
-    case Wall::east:
+    case plan::Wall::east:
       return 1;
-    case Wall::north:
+    case plan::Wall::north:
       return 2;
-    case Wall::west:
+    case plan::Wall::west:
       return 3;
-    case Wall::south:
+    case plan::Wall::south:
       break;
   }
   return 0;
@@ -34,20 +34,20 @@ Slice turned(Slice slice) {
   if (slice.zone >= 0) return slice;
   for (Slice& part : slice.parts)
     part = turned(std::move(part));
-  if (slice.axis == Axis::y) {  // north becomes west
+  if (slice.axis == plan::Axis::y) {  // north becomes west
     std::ranges::reverse(slice.parts);
     std::ranges::reverse(slice.sizes_mm);
     std::ranges::reverse(slice.gaps_mm);
   }
-  slice.axis = slice.axis == Axis::x ? Axis::y : Axis::x;
+  slice.axis = slice.axis == plan::Axis::x ? plan::Axis::y : plan::Axis::x;
   return slice;
 }
 
-bool runs_east(Wall wall) {
-  return wall == Wall::north || wall == Wall::south;
+bool runs_east(plan::Wall wall) {
+  return wall == plan::Wall::north || wall == plan::Wall::south;
 }
 
-int wall_length(Wall wall, const RectMm& floor) {
+int wall_length(plan::Wall wall, const RectMm& floor) {
   return runs_east(wall) ? floor.width() : floor.depth();
 }
 
@@ -55,8 +55,9 @@ double rounded(double fraction) {
   return std::floor(fraction * fraction_digits + 0.5) / fraction_digits;
 }
 
-Opening make_opening(std::string id, OpeningKind kind, Wall wall, double center, int width_mm) {
-  Opening opening;
+plan::Opening make_opening(
+    std::string id, plan::OpeningKind kind, plan::Wall wall, double center, int width_mm) {
+  plan::Opening opening;
   opening.id = std::move(id);
   opening.kind = kind;
   opening.wall = wall;
@@ -88,44 +89,45 @@ class DoorPlacer {
   DoorPlacer(Candidate& candidate, const StoreProgram& program, const Understanding& found)
       : candidate_(candidate), program_(program), found_(found) {}
 
-  void run(Wall front) {
+  void run(plan::Wall front) {
     front_ = front;
     const DraftedFloor& drafted = candidate_.drafted;
     // Turning keeps the order along the wall for south and east, and reverses it for north and
     // west.
-    const bool reversed = front == Wall::north || front == Wall::west;
+    const bool reversed = front == plan::Wall::north || front == plan::Wall::west;
     const auto fraction = [&](int at_mm) {
       const double f = static_cast<double>(at_mm) / drafted.width_mm;
       return reversed ? 1 - f : f;
     };
     place_door("entrance",
-               OpeningKind::entrance,
+               plan::OpeningKind::entrance,
                fraction(drafted.entrance_mm),
                drafted.entrance_width_mm);
-    place_door("exit", OpeningKind::exit, fraction(drafted.exit_mm), drafted.exit_width_mm);
-    place_further(OpeningKind::entrance, drafted.entrance_width_mm);
-    place_further(OpeningKind::exit, drafted.exit_width_mm);
+    place_door("exit", plan::OpeningKind::exit, fraction(drafted.exit_mm), drafted.exit_width_mm);
+    place_further(plan::OpeningKind::entrance, drafted.entrance_width_mm);
+    place_further(plan::OpeningKind::exit, drafted.exit_width_mm);
     place_service();
-    place_wished(OpeningKind::emergency, emergency_door_mm);
-    place_wished(OpeningKind::window, window_mm);
+    place_wished(plan::OpeningKind::emergency, emergency_door_mm);
+    place_wished(plan::OpeningKind::window, window_mm);
   }
 
  private:
-  const Requirement* wish_for(OpeningKind kind) const {
-    for (const Requirement& wish : found_.requirements) {
-      if (wish.kind == RequirementKind::opening && wish.subject == name_of(kind)) return &wish;
+  const plan::Requirement* wish_for(plan::OpeningKind kind) const {
+    for (const plan::Requirement& wish : found_.requirements) {
+      if (wish.kind == plan::RequirementKind::opening && wish.subject == name_of(kind))
+        return &wish;
     }
     return nullptr;
   }
 
-  std::optional<Wall> wished_wall(OpeningKind kind) const {
-    const Requirement* wish = wish_for(kind);
-    return wish != nullptr ? value_named<Wall>(wish->object) : std::nullopt;
+  std::optional<plan::Wall> wished_wall(plan::OpeningKind kind) const {
+    const plan::Requirement* wish = wish_for(kind);
+    return wish != nullptr ? value_named<plan::Wall>(wish->object) : std::nullopt;
   }
 
   // Where along its wall a wish puts an opening.
-  std::optional<double> wished_center(OpeningKind kind) const {
-    const Requirement* wish = wish_for(kind);
+  std::optional<double> wished_center(plan::OpeningKind kind) const {
+    const plan::Requirement* wish = wish_for(kind);
     if (wish == nullptr || wish->second_object.empty()) return std::nullopt;
     constexpr double near_end = 0.15;
     const std::string& side = wish->second_object;
@@ -135,8 +137,9 @@ class DoorPlacer {
   }
 
   // Entrance and exit stand where the draft has them, unless the exit is to be in another wall.
-  void place_door(const std::string& id, OpeningKind kind, double center, int width_mm) {
-    const Wall wall = kind == OpeningKind::exit ? wished_wall(kind).value_or(front_) : front_;
+  void place_door(const std::string& id, plan::OpeningKind kind, double center, int width_mm) {
+    const plan::Wall wall =
+        kind == plan::OpeningKind::exit ? wished_wall(kind).value_or(front_) : front_;
     if (wall == front_) {
       candidate_.openings.push_back(make_opening(id, kind, wall, center, width_mm));
       return;
@@ -145,7 +148,7 @@ class DoorPlacer {
   }
 
   // The fraction along another wall at which the tills are nearest.
-  double beside_tills(Wall wall) const {
+  double beside_tills(plan::Wall wall) const {
     for (std::size_t i = 0; i < program_.zones.size(); ++i) {
       if (program_.zones[i].stance != Stance::front) continue;
       const PointMm center = candidate_.rects[i].center();
@@ -156,43 +159,44 @@ class DoorPlacer {
   }
 
   // A second entrance or exit, and more.
-  void place_further(OpeningKind kind, int width_mm) {
+  void place_further(plan::OpeningKind kind, int width_mm) {
     double wanted = 0;
-    for (const Requirement& wish : found_.requirements) {
-      const bool further = wish.kind == RequirementKind::opening && wish.subject == name_of(kind) &&
-                           wish.comparison != Comparison::at_most;
+    for (const plan::Requirement& wish : found_.requirements) {
+      const bool further = wish.kind == plan::RequirementKind::opening &&
+                           wish.subject == name_of(kind) &&
+                           wish.comparison != plan::Comparison::at_most;
       if (further) wanted = std::max(wanted, wish.value);
     }
     for (int i = 2; i <= static_cast<int>(wanted); ++i) {
       const std::string id = std::string(name_of(kind)) + "-" + std::to_string(i);
-      place_free(id, kind, front_, kind == OpeningKind::entrance ? 0.08 : 0.92, width_mm);
+      place_free(id, kind, front_, kind == plan::OpeningKind::entrance ? 0.08 : 0.92, width_mm);
     }
   }
 
   void place_service() {
-    const Requirement* wish = wish_for(OpeningKind::service);
+    const plan::Requirement* wish = wish_for(plan::OpeningKind::service);
     if (wish == nullptr && program_.area_m2() < service_door_from_m2) return;
-    const Wall back = opposite(front_);
+    const plan::Wall back = opposite(front_);
     const double fallback = behind_longest(back);
     place_free("dock",
-               OpeningKind::service,
-               wished_wall(OpeningKind::service).value_or(back),
-               wished_center(OpeningKind::service).value_or(fallback),
+               plan::OpeningKind::service,
+               wished_wall(plan::OpeningKind::service).value_or(back),
+               wished_center(plan::OpeningKind::service).value_or(fallback),
                service_door_mm);
   }
 
   // The fraction along a wall where a door costs least: at an end of the longest zone there, the
   // one nearer to a corner.
-  double behind_longest(Wall wall) const {
+  double behind_longest(plan::Wall wall) const {
     constexpr int reach_mm = 300;
     const double length = wall_length(wall, candidate_.floor);
     int best_from = 0, best_to = 0;
     for (const RectMm& rect : candidate_.rects) {
       const RectMm& floor = candidate_.floor;
-      const int away = wall == Wall::north   ? floor.y1 - rect.y1
-                       : wall == Wall::south ? rect.y0
-                       : wall == Wall::east  ? floor.x1 - rect.x1
-                                             : rect.x0;
+      const int away = wall == plan::Wall::north   ? floor.y1 - rect.y1
+                       : wall == plan::Wall::south ? rect.y0
+                       : wall == plan::Wall::east  ? floor.x1 - rect.x1
+                                                   : rect.x0;
       const int from = runs_east(wall) ? rect.x0 : rect.y0;
       const int to = runs_east(wall) ? rect.x1 : rect.y1;
       if (away > reach_mm || to - from <= best_to - best_from) continue;
@@ -204,12 +208,12 @@ class DoorPlacer {
     return (low_corner_nearer ? best_from + half : best_to - half) / length;
   }
 
-  void place_wished(OpeningKind kind, int width_mm) {
-    const Requirement* wish = wish_for(kind);
+  void place_wished(plan::OpeningKind kind, int width_mm) {
+    const plan::Requirement* wish = wish_for(kind);
     const bool refused =
-        wish != nullptr && wish->comparison == Comparison::at_most && wish->value == 0;
+        wish != nullptr && wish->comparison == plan::Comparison::at_most && wish->value == 0;
     if (wish == nullptr || refused) return;
-    const Wall usual = kind == OpeningKind::window ? front_ : opposite(front_);
+    const plan::Wall usual = kind == plan::OpeningKind::window ? front_ : opposite(front_);
     const int count = std::max(1, static_cast<int>(wish->value));
     for (int i = 0; i < count; ++i) {
       const double spread = (i + 1.0) / (count + 1.0);
@@ -223,25 +227,25 @@ class DoorPlacer {
     }
   }
 
-  static Wall opposite(Wall wall) {
+  static plan::Wall opposite(plan::Wall wall) {
     switch (wall) {
-      case Wall::north:
-        return Wall::south;
-      case Wall::south:
-        return Wall::north;
-      case Wall::east:
-        return Wall::west;
-      case Wall::west:
+      case plan::Wall::north:
+        return plan::Wall::south;
+      case plan::Wall::south:
+        return plan::Wall::north;
+      case plan::Wall::east:
+        return plan::Wall::west;
+      case plan::Wall::west:
         break;
     }
-    return Wall::east;
+    return plan::Wall::east;
   }
 
   // Where along the wall the middle of a door this wide must not be: nearer than the margin to
   // another opening. Sorted, open at both ends.
-  std::vector<std::array<int, 2>> taken(Wall wall, int half_mm) const {
+  std::vector<std::array<int, 2>> taken(plan::Wall wall, int half_mm) const {
     std::vector<std::array<int, 2>> stretches;
-    for (const Opening& other : candidate_.openings) {
+    for (const plan::Opening& other : candidate_.openings) {
       if (other.wall != wall) continue;
       const auto middle =
           static_cast<int>(std::lround(other.center * wall_length(wall, candidate_.floor)));
@@ -254,7 +258,8 @@ class DoorPlacer {
 
   // The free place along the wall that is nearest to `center`, the lower one of two; no opening
   // when there is none.
-  void place_free(const std::string& id, OpeningKind kind, Wall wall, double center, int width_mm) {
+  void place_free(
+      const std::string& id, plan::OpeningKind kind, plan::Wall wall, double center, int width_mm) {
     const int length = wall_length(wall, candidate_.floor);
     const int wanted = static_cast<int>(std::lround(center * length));
     const int half = width_mm / 2;
@@ -281,24 +286,24 @@ class DoorPlacer {
   Candidate& candidate_;
   const StoreProgram& program_;
   const Understanding& found_;
-  Wall front_ = Wall::south;
+  plan::Wall front_ = plan::Wall::south;
 };
 
 }  // namespace
 
-Wall entrance_wall_of(const Understanding& found) {
-  for (const Requirement& wish : found.requirements) {
-    if (wish.kind != RequirementKind::opening || wish.subject != "entrance") continue;
-    if (const auto wall = value_named<Wall>(wish.object)) return *wall;
+plan::Wall entrance_wall_of(const Understanding& found) {
+  for (const plan::Requirement& wish : found.requirements) {
+    if (wish.kind != plan::RequirementKind::opening || wish.subject != "entrance") continue;
+    if (const auto wall = value_named<plan::Wall>(wish.object)) return *wall;
   }
-  return Wall::south;
+  return plan::Wall::south;
 }
 
 Candidate make_candidate(const FloorDraft& draft,
                          const StoreProgram& program,
                          const Understanding& found,
-                         const Catalog& catalog) {
-  const Wall front = entrance_wall_of(found);
+                         const catalog::Catalog& catalog) {
+  const plan::Wall front = entrance_wall_of(found);
   const int turns = quarter_turns_to(front);
   const bool swapped = turns % 2 != 0;
   Candidate candidate;
@@ -316,4 +321,4 @@ Candidate make_candidate(const FloorDraft& draft,
   return candidate;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

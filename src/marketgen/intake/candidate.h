@@ -8,22 +8,22 @@
 #include "intake/understanding.h"
 #include "plan/plan.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 
 struct Candidate {
   Slice root;
   RectMm floor;
-  std::vector<RectMm> rects;      // by zone index
-  std::vector<Opening> openings;  // entrance and exit first
+  std::vector<RectMm> rects;            // by zone index
+  std::vector<plan::Opening> openings;  // entrance and exit first
   DraftedFloor drafted;
 };
 
 // The wall that the entrance is to be in; south when nobody says.
-Wall entrance_wall_of(const Understanding& found);
+plan::Wall entrance_wall_of(const Understanding& found);
 
 Candidate make_candidate(const FloorDraft& draft,
                          const StoreProgram& program,
                          const Understanding& found,
-                         const Catalog& catalog);
+                         const catalog::Catalog& catalog);
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 
-namespace marketgen {
+namespace marketgen::intake {
 namespace {
 
-using Kind = RequirementKind;
+using Kind = plan::RequirementKind;
 
 bool is_number(Kind kind) {
   constexpr std::array kinds = {Kind::area,
@@ -30,13 +30,13 @@ bool is_choice(Kind kind) {
 }
 
 // Least and most that a number may be.
-std::array<double, 2> bounds_of(const Requirement& wish) {
-  const double low = wish.comparison == Comparison::at_most ? 0 : wish.value;
-  const double high = wish.comparison == Comparison::at_least ? HUGE_VAL : wish.value;
+std::array<double, 2> bounds_of(const plan::Requirement& wish) {
+  const double low = wish.comparison == plan::Comparison::at_most ? 0 : wish.value;
+  const double high = wish.comparison == plan::Comparison::at_least ? HUGE_VAL : wish.value;
   return {low, high};
 }
 
-bool numbers_clash(const Requirement& a, const Requirement& b) {
+bool numbers_clash(const plan::Requirement& a, const plan::Requirement& b) {
   const std::array<double, 2> first = bounds_of(a);
   const std::array<double, 2> second = bounds_of(b);
   const bool apart = first[1] < second[0] || second[1] < first[0];
@@ -50,14 +50,15 @@ bool opposite(Kind a, Kind b) {
          pair(Kind::zone_count, Kind::zone_absent);
 }
 
-bool opposite(RelationKind a, RelationKind b) {
-  const auto pair = [&](RelationKind x, RelationKind y) {
+bool opposite(plan::RelationKind a, plan::RelationKind b) {
+  const auto pair = [&](plan::RelationKind x, plan::RelationKind y) {
     return (a == x && b == y) || (a == y && b == x);
   };
-  return pair(RelationKind::near, RelationKind::far) ||
-         pair(RelationKind::near, RelationKind::not_adjacent) ||
-         pair(RelationKind::left_of, RelationKind::right_of) ||
-         pair(RelationKind::along, RelationKind::far) || pair(RelationKind::at, RelationKind::far);
+  return pair(plan::RelationKind::near, plan::RelationKind::far) ||
+         pair(plan::RelationKind::near, plan::RelationKind::not_adjacent) ||
+         pair(plan::RelationKind::left_of, plan::RelationKind::right_of) ||
+         pair(plan::RelationKind::along, plan::RelationKind::far) ||
+         pair(plan::RelationKind::at, plan::RelationKind::far);
 }
 
 bool opposite_sides(std::string_view a, std::string_view b) {
@@ -68,25 +69,25 @@ bool opposite_sides(std::string_view a, std::string_view b) {
          ((a == "center") != (b == "center") && (a == "center" || b == "center"));
 }
 
-bool stands_at_side(const Requirement& wish) {
-  return (wish.relation == RelationKind::at || wish.relation == RelationKind::along);
+bool stands_at_side(const plan::Requirement& wish) {
+  return (wish.relation == plan::RelationKind::at || wish.relation == plan::RelationKind::along);
 }
 
-bool relations_clash(const Requirement& a, const Requirement& b) {
+bool relations_clash(const plan::Requirement& a, const plan::Requirement& b) {
   if (a.subject == b.subject && a.object == b.object) return opposite(a.relation, b.relation);
   const bool swapped = a.subject == b.object && a.object == b.subject;
   if (swapped && a.relation == b.relation) {
-    return a.relation == RelationKind::left_of || a.relation == RelationKind::right_of ||
-           a.relation == RelationKind::behind;
+    return a.relation == plan::RelationKind::left_of ||
+           a.relation == plan::RelationKind::right_of || a.relation == plan::RelationKind::behind;
   }
   if (swapped)
-    return opposite(a.relation, b.relation) && a.relation != RelationKind::left_of &&
-           a.relation != RelationKind::right_of;
+    return opposite(a.relation, b.relation) && a.relation != plan::RelationKind::left_of &&
+           a.relation != plan::RelationKind::right_of;
   return a.subject == b.subject && stands_at_side(a) && stands_at_side(b) &&
          opposite_sides(a.object, b.object);
 }
 
-bool openings_clash(const Requirement& a, const Requirement& b) {
+bool openings_clash(const plan::Requirement& a, const plan::Requirement& b) {
   const auto differ = [](const std::string& x, const std::string& y) {
     return !x.empty() && !y.empty() && x != y;
   };
@@ -96,11 +97,11 @@ bool openings_clash(const Requirement& a, const Requirement& b) {
          (differ(a.object, b.object) || differ(a.second_object, b.second_object));
 }
 
-bool clash(const Requirement& a, const Requirement& b) {
+bool clash(const plan::Requirement& a, const plan::Requirement& b) {
   if (a.kind == Kind::relation && b.kind == Kind::relation) return relations_clash(a, b);
   if (opposite(a.kind, b.kind)) return a.subject == b.subject;
   const bool place_of_absent = a.kind == Kind::zone_absent && b.kind == Kind::relation;
-  if (place_of_absent) return a.subject == b.subject && b.relation != RelationKind::far;
+  if (place_of_absent) return a.subject == b.subject && b.relation != plan::RelationKind::far;
   if (b.kind == Kind::zone_absent && a.kind == Kind::relation) return clash(b, a);
   if (a.kind != b.kind) return false;
   if (a.kind == Kind::opening) return openings_clash(a, b);
@@ -108,27 +109,27 @@ bool clash(const Requirement& a, const Requirement& b) {
   return is_number(a.kind) && a.subject == b.subject && numbers_clash(a, b);
 }
 
-bool same_wish(const Requirement& a, const Requirement& b) {
+bool same_wish(const plan::Requirement& a, const plan::Requirement& b) {
   return a.kind == b.kind && a.subject == b.subject && a.object == b.object &&
          a.second_object == b.second_object && a.relation == b.relation &&
          a.comparison == b.comparison && a.value == b.value && a.second_value == b.second_value;
 }
 
 // What the two wishes are about.
-std::string topic(const Requirement& wish) {
+std::string topic(const plan::Requirement& wish) {
   std::string text(name_of(wish.kind));
   if (!wish.subject.empty()) text += " " + wish.subject;
   return text;
 }
 
 // True when the later of two wishes gives way.
-bool earlier_wins(const Requirement& earlier, const Requirement& later) {
-  return earlier.strength == Strength::must && later.strength == Strength::prefer;
+bool earlier_wins(const plan::Requirement& earlier, const plan::Requirement& later) {
+  return earlier.strength == plan::Strength::must && later.strength == plan::Strength::prefer;
 }
 
 void note_loss(Understanding& understanding,
-               const Requirement& loser,
-               const Requirement& kept,
+               const plan::Requirement& loser,
+               const plan::Requirement& kept,
                std::string why) {
   understanding.conflicts.push_back({topic(loser), kept.text, loser.text, std::move(why)});
 }
@@ -140,7 +141,7 @@ std::string describe_flag(const Brief& brief, Kind kind) {
          std::to_string((*brief.size_mm)[1]) + " mm";
 }
 
-bool flag_contradicts(const Brief& brief, const Requirement& wish) {
+bool flag_contradicts(const Brief& brief, const plan::Requirement& wish) {
   constexpr double rounding_mm = 1;
   switch (wish.kind) {
     case Kind::profile:
@@ -162,7 +163,7 @@ bool flag_contradicts(const Brief& brief, const Requirement& wish) {
 }  // namespace
 
 void settle_conflicts(Understanding& understanding) {
-  const std::vector<Requirement>& wishes = understanding.requirements;
+  const std::vector<plan::Requirement>& wishes = understanding.requirements;
   std::vector<bool> lost(wishes.size(), false);  // taken out at the end: texts are slow to move
   for (std::size_t later = 1; later < wishes.size(); ++later) {
     for (std::size_t earlier = 0; earlier < later && !lost[later]; ++earlier) {
@@ -172,7 +173,7 @@ void settle_conflicts(Understanding& understanding) {
       } else if (clash(wishes[earlier], wishes[later])) {
         const bool first = earlier_wins(wishes[earlier], wishes[later]);
         const std::size_t loser = first ? later : earlier;
-        const Requirement& kept = wishes[first ? earlier : later];
+        const plan::Requirement& kept = wishes[first ? earlier : later];
         const bool equal = kept.strength == wishes[loser].strength;
         note_loss(understanding,
                   wishes[loser],
@@ -183,7 +184,7 @@ void settle_conflicts(Understanding& understanding) {
       }
     }
   }
-  std::vector<Requirement> left;
+  std::vector<plan::Requirement> left;
   for (std::size_t i = 0; i < wishes.size(); ++i)
     if (!lost[i]) left.push_back(std::move(understanding.requirements[i]));
   understanding.requirements = std::move(left);
@@ -191,12 +192,12 @@ void settle_conflicts(Understanding& understanding) {
 
 void apply_flags(const Brief& brief, Understanding& understanding) {
   for (std::size_t i = 0; i < understanding.requirements.size();) {
-    const Requirement wish = understanding.requirements[i];
+    const plan::Requirement wish = understanding.requirements[i];
     if (!flag_contradicts(brief, wish)) {
       ++i;
       continue;
     }
-    Requirement flag = wish;
+    plan::Requirement flag = wish;
     flag.text = describe_flag(brief, wish.kind);
     note_loss(understanding, wish, flag, "a flag wins over the text");
     understanding.requirements.erase(understanding.requirements.begin() +
@@ -204,4 +205,4 @@ void apply_flags(const Brief& brief, Understanding& understanding) {
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

@@ -3,7 +3,7 @@
 #include "intake/brief.h"
 #include "intake/understanding.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 
 // Takes out wishes said twice and, of two that contradict each other, the weaker one: a must wins
 // over a prefer, what was said later over what was said before. Each loss becomes a Conflict.
@@ -13,4 +13,4 @@ void settle_conflicts(Understanding& understanding);
 // dropped.
 void apply_flags(const Brief& brief, Understanding& understanding);
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

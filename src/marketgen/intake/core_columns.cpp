@@ -6,7 +6,7 @@
 #include "intake/strips.h"
 #include "intake/zone_sizes.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 namespace {
 
 constexpr int wall_shelf_mm = 610;     // a wall unit with its skirting
@@ -117,7 +117,8 @@ Slice slice_of(const CoreColumn& column, const StoreProgram& program, int depth_
   if (column.zones.size() == 1) return zone_slice(column.zones[0]);
   const bool roomy = depth_mm >= 2 * stacked_cell_mm;
   const int gap = roomy ? program.profile->cross_aisle_mm : program.profile->secondary_aisle_mm;
-  return make_strip(column.zones, program, {Axis::y, depth_mm, column.width(0), gap, min_cell_mm})
+  return make_strip(
+             column.zones, program, {plan::Axis::y, depth_mm, column.width(0), gap, min_cell_mm})
       .slice;
 }
 
@@ -147,7 +148,7 @@ Core make_core(const std::vector<int>& zones,
   const int at_west = on_wall(room.wall_west, core.run_aisle_mm);
   const int at_east = on_wall(room.wall_east, core.run_aisle_mm);
   core.runs = runs_of(columns);
-  core.slice = cut_slice(Axis::x);
+  core.slice = cut_slice(plan::Axis::x);
   const int used = at_west + width_of(columns, core.run_aisle_mm) + at_east;
   core.crowding += std::max(0, used - room.width_mm) * 1e-3;
   const int spare = room.width_mm - used;  // negative when too narrow: rectangles still add up
@@ -166,4 +167,4 @@ Core make_core(const std::vector<int>& zones,
   return core;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

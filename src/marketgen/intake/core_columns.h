@@ -6,7 +6,7 @@
 #include "intake/slices.h"
 #include "intake/store_program.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 
 struct CoreRoom {
   int width_mm = 0, depth_mm = 0;
@@ -29,4 +29,4 @@ Core make_core(const std::vector<int>& zones,
                const CoreRoom& room,
                bool stacked);
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

@@ -5,7 +5,7 @@
 
 #include "intake/relation_geometry.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 namespace {
 
 // Penalty points. Missed wishes outweigh everything but floors that cannot be built.
@@ -40,30 +40,34 @@ bool is_type(const ProgramZone& zone, std::initializer_list<std::string_view> ty
 
 // How far apart, in diagonals, things are that were said to be beside, behind or opposite one
 // another.
-double remoteness_of(const Requirement& wish, const NamedFloor& floor) {
-  constexpr RelationKind kinds[] = {
-      RelationKind::left_of, RelationKind::right_of, RelationKind::behind, RelationKind::facing};
+double remoteness_of(const plan::Requirement& wish, const plan::NamedFloor& floor) {
+  constexpr plan::RelationKind kinds[] = {plan::RelationKind::left_of,
+                                          plan::RelationKind::right_of,
+                                          plan::RelationKind::behind,
+                                          plan::RelationKind::facing};
   if (std::ranges::find(kinds, wish.relation) == std::ranges::end(kinds)) return 0;
-  const double diagonal = 1e3 * diagonal_m(floor.bounds);
+  const double diagonal = 1e3 * plan::diagonal_m(floor.bounds);
   double nearest = diagonal;
-  for (const NamedPlace& a : places_named(floor, wish.subject)) {
-    for (const NamedPlace& b : places_named(floor, wish.object)) {
+  for (const plan::NamedPlace& a : plan::places_named(floor, wish.subject)) {
+    for (const plan::NamedPlace& b : plan::places_named(floor, wish.object)) {
       nearest = std::min(nearest, distance_mm(a.rect, b.rect));
     }
   }
   return nearest / diagonal;
 }
 
-double wish_penalty(const Candidate& candidate, const NamedFloor& floor, const ScoreInput& input) {
+double wish_penalty(const Candidate& candidate,
+                    const plan::NamedFloor& floor,
+                    const ScoreInput& input) {
   double sum = 0;
-  for (const Requirement& wish : input.understanding.requirements) {
-    const double weight = wish.strength == Strength::must ? must_missed : prefer_missed;
-    if (wish.kind == RequirementKind::relation) {
+  for (const plan::Requirement& wish : input.understanding.requirements) {
+    const double weight = wish.strength == plan::Strength::must ? must_missed : prefer_missed;
+    if (wish.kind == plan::RequirementKind::relation) {
       sum += weight * miss_of(wish, floor) + aside_but_remote * remoteness_of(wish, floor);
     }
-    if (wish.kind != RequirementKind::opening || wish.second_object.empty()) continue;
+    if (wish.kind != plan::RequirementKind::opening || wish.second_object.empty()) continue;
     if (wish.subject != "entrance" && wish.subject != "exit") continue;
-    const Opening& door = candidate.openings[wish.subject == "entrance" ? 0 : 1];
+    const plan::Opening& door = candidate.openings[wish.subject == "entrance" ? 0 : 1];
     const bool low_end = wish.second_object == "west" || wish.second_object == "south";
     const double wanted = wish.second_object == "center" ? 0.5 : (low_end ? 0.0 : 1.0);
     sum += weight * std::max(0.0, std::abs(door.center - wanted) - 0.35);
@@ -100,8 +104,8 @@ double room_penalty(const Candidate& candidate, const ScoreInput& input) {
 }
 
 double core_penalty(const FloorDraft& draft, const Candidate& candidate, const ScoreInput& input) {
-  const bool along_y =
-      candidate.openings[0].wall == Wall::south || candidate.openings[0].wall == Wall::north;
+  const bool along_y = candidate.openings[0].wall == plan::Wall::south ||
+                       candidate.openings[0].wall == plan::Wall::north;
   double sum = 0;
   for (const int zone : draft.band(Band::core)) {
     const RectMm& rect = candidate.rects[static_cast<std::size_t>(zone)];
@@ -114,11 +118,13 @@ double core_penalty(const FloorDraft& draft, const Candidate& candidate, const S
 }
 
 // Distances to doors and tills, over the diagonal.
-double flow_penalty(const Candidate& candidate, const NamedFloor& floor, const ScoreInput& input) {
-  const double diagonal = 1e3 * diagonal_m(candidate.floor);
-  const PointMm door = point_inside(candidate.floor, candidate.openings[0], 0);
+double flow_penalty(const Candidate& candidate,
+                    const plan::NamedFloor& floor,
+                    const ScoreInput& input) {
+  const double diagonal = 1e3 * plan::diagonal_m(candidate.floor);
+  const PointMm door = plan::point_inside(candidate.floor, candidate.openings[0], 0);
   const RectMm entrance{door[0], door[1], door[0], door[1]};
-  const std::vector<NamedPlace> tills = places_named(floor, "checkout");
+  const std::vector<plan::NamedPlace> tills = plan::places_named(floor, "checkout");
   double sum = 0;
   for (std::size_t i = 0; i < input.program.zones.size(); ++i) {
     const ProgramZone& zone = input.program.zones[i];
@@ -212,7 +218,7 @@ double penalty_of(const FloorDraft& draft,
   const double core = core_penalty(draft, candidate, input);
   const double room = room_penalty(candidate, input);
   if (habits + core + room > accepted + rounding) return HUGE_VAL;
-  const NamedFloor floor = named_floor(candidate, input.program);
+  const plan::NamedFloor floor = named_floor(candidate, input.program);
   const double flow = flow_penalty(candidate, floor, input);
   const double neighbours = neighbour_penalty(candidate, input);
   if (habits + core + room + flow + neighbours > accepted + rounding) return HUGE_VAL;
@@ -221,4 +227,4 @@ double penalty_of(const FloorDraft& draft,
   return sum > accepted ? HUGE_VAL : sum;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

@@ -5,7 +5,7 @@
 
 #include "intake/candidate.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 
 // A small preference of each zone for each band, different for every seed: what makes two stores of
 // one prompt differ.
@@ -27,4 +27,4 @@ double penalty_of(const FloorDraft& draft,
 // What a zone's stance makes of a band, in penalty points; the search starts where this is least.
 double band_habit(const ProgramZone& zone, Band band);
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

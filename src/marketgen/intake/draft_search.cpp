@@ -5,7 +5,7 @@
 
 #include "base/parallel.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 namespace {
 
 constexpr int moves_per_start = 220;
@@ -19,7 +19,7 @@ class Search {
  public:
   Search(const StoreProgram& program,
          const Understanding& understanding,
-         const Catalog& catalog,
+         const catalog::Catalog& catalog,
          Seed seed)
       : program_(program), understanding_(understanding), catalog_(catalog), seed_(seed) {
     Stream draw = seed.child("taste").stream();
@@ -44,8 +44,8 @@ class Search {
 
  private:
   bool is_wished(const std::string& type) const {
-    return std::ranges::any_of(understanding_.requirements, [&](const Requirement& wish) {
-      return wish.kind == RequirementKind::relation &&
+    return std::ranges::any_of(understanding_.requirements, [&](const plan::Requirement& wish) {
+      return wish.kind == plan::RequirementKind::relation &&
              (wish.subject == type || wish.object == type || wish.second_object == type);
     });
   }
@@ -56,7 +56,7 @@ class Search {
     Candidate candidate = make_candidate(draft, program_, understanding_, catalog_);
     const double penalty =
         penalty_of(draft, candidate, {program_, understanding_, taste_}, accepted);
-    if (penalty == HUGE_VAL || tree_depth(candidate.root) > max_bsp_depth) return HUGE_VAL;
+    if (penalty == HUGE_VAL || tree_depth(candidate.root) > plan::max_bsp_depth) return HUGE_VAL;
     if (penalty < best.penalty) best = {draft, std::move(candidate), penalty, 0};
     return penalty;
   }
@@ -84,8 +84,8 @@ class Search {
 
   FloorDraft start(Stream& draw) const {
     FloorDraft draft;
-    const bool front_runs_east = entrance_wall_of(understanding_) == Wall::south ||
-                                 entrance_wall_of(understanding_) == Wall::north;
+    const bool front_runs_east = entrance_wall_of(understanding_) == plan::Wall::south ||
+                                 entrance_wall_of(understanding_) == plan::Wall::north;
     const int depth = front_runs_east ? program_.depth_mm : program_.width_mm;
     draft.corner_tills =
         program_.area_m2() < corner_tills_below_m2 || depth < corner_tills_below_depth_mm;
@@ -132,25 +132,27 @@ class Search {
 
   // The band in which a zone stands where it was asked to be.
   std::optional<Band> wished_band(const std::string& type) const {
-    for (const Requirement& wish : understanding_.requirements) {
-      if (wish.kind != RequirementKind::relation || wish.subject != type) continue;
-      const bool aside = wish.relation == RelationKind::left_of ||
-                         wish.relation == RelationKind::right_of ||
-                         wish.relation == RelationKind::near;
+    for (const plan::Requirement& wish : understanding_.requirements) {
+      if (wish.kind != plan::RequirementKind::relation || wish.subject != type) continue;
+      const bool aside = wish.relation == plan::RelationKind::left_of ||
+                         wish.relation == plan::RelationKind::right_of ||
+                         wish.relation == plan::RelationKind::near;
       if (aside && (wish.object == "entrance" || wish.object == "checkout")) return Band::front;
-      if (wish.relation != RelationKind::at && wish.relation != RelationKind::along) continue;
+      if (wish.relation != plan::RelationKind::at && wish.relation != plan::RelationKind::along)
+        continue;
       if (wish.object == "center") return Band::core;
-      if (const auto wall = value_named<Wall>(wish.object)) return band_at(*wall);
+      if (const auto wall = value_named<plan::Wall>(wish.object)) return band_at(*wall);
     }
     return std::nullopt;
   }
 
   // The band along a wall of the store as built.
-  Band band_at(Wall wall) const {
+  Band band_at(plan::Wall wall) const {
     // Walls counter-clockwise from the entrance's.
-    constexpr std::array<Wall, 4> turn = {Wall::south, Wall::east, Wall::north, Wall::west};
+    constexpr std::array<plan::Wall, 4> turn = {
+        plan::Wall::south, plan::Wall::east, plan::Wall::north, plan::Wall::west};
     constexpr std::array<Band, 4> along = {Band::front, Band::east, Band::north, Band::west};
-    const auto at = [&](Wall w) { return std::ranges::find(turn, w) - turn.begin(); };
+    const auto at = [&](plan::Wall w) { return std::ranges::find(turn, w) - turn.begin(); };
     const auto steps = at(wall) - at(entrance_wall_of(understanding_)) + 4;
     return along[static_cast<std::size_t>(steps % 4)];
   }
@@ -161,7 +163,7 @@ class Search {
     for (std::size_t i = 0; i < core.size(); ++i) {
       const std::string& type = program_.zones[static_cast<std::size_t>(core[i])].type->type;
       const bool central = std::ranges::any_of(understanding_.requirements, [&](const auto& wish) {
-        return wish.kind == RequirementKind::relation && wish.subject == type &&
+        return wish.kind == plan::RequirementKind::relation && wish.subject == type &&
                wish.object == "center";
       });
       if (central) std::swap(core[i], core[core.size() / 2]);
@@ -260,7 +262,7 @@ class Search {
 
   const StoreProgram& program_;
   const Understanding& understanding_;
-  const Catalog& catalog_;
+  const catalog::Catalog& catalog_;
   Seed seed_;
   BandTaste taste_;
   std::vector<int> wished_;  // zones that relations name
@@ -269,17 +271,17 @@ class Search {
 }  // namespace
 
 std::int64_t work_of_a_start(const StoreProgram& program, const Understanding& understanding) {
-  const auto relations =
-      std::ranges::count(understanding.requirements, RequirementKind::relation, &Requirement::kind);
+  const auto relations = std::ranges::count(
+      understanding.requirements, plan::RequirementKind::relation, &plan::Requirement::kind);
   return (moves_per_start + 1) * (std::ssize(program.zones) + relations);
 }
 
 FoundDraft search_draft(const StoreProgram& program,
                         const Understanding& understanding,
-                        const Catalog& catalog,
+                        const catalog::Catalog& catalog,
                         Seed seed,
                         int starts) {
   return Search(program, understanding, catalog, seed).run(starts);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

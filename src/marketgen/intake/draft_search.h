@@ -4,7 +4,7 @@
 #include "base/seed.h"
 #include "intake/draft_score.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 
 struct FoundDraft {
   FloorDraft draft;
@@ -22,8 +22,8 @@ std::int64_t work_of_a_start(const StoreProgram& program, const Understanding& u
 // Deterministic for a seed. Precondition: the program has at least one zone, and 1 <= starts.
 FoundDraft search_draft(const StoreProgram& program,
                         const Understanding& understanding,
-                        const Catalog& catalog,
+                        const catalog::Catalog& catalog,
                         Seed seed,
                         int starts = max_starts);
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

@@ -7,7 +7,7 @@
 #include "intake/zone_sizes.h"
 #include "plan/bsp.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 namespace {
 
 constexpr int door_side_mm = 500;  // floor kept free beside a door (layout: approach_side_mm)
@@ -26,7 +26,7 @@ class FloorBuilder {
  public:
   FloorBuilder(const FloorDraft& draft,
                const StoreProgram& program,
-               const Catalog& catalog,
+               const catalog::Catalog& catalog,
                int width_mm,
                int depth_mm)
       : draft_(draft), program_(program), profile_(*program.profile), catalog_(catalog) {
@@ -70,8 +70,8 @@ class FloorBuilder {
   }
 
   int own_depth(int index, bool deep) const {
-    const bool tables =
-        zone(index).stance == Stance::hall && zone(index).type->temperature == Storage::ambient;
+    const bool tables = zone(index).stance == Stance::hall &&
+                        zone(index).type->temperature == catalog::Storage::ambient;
     return deep && tables ? hall_depth_mm(zone(index), profile_, catalog_)
                           : wall_depth_mm(zone(index), catalog_);
   }
@@ -85,7 +85,7 @@ class FloorBuilder {
     return depth;
   }
 
-  Slice strip_slice(Band band, Axis axis, int length_mm, int depth_mm) {
+  Slice strip_slice(Band band, plan::Axis axis, int length_mm, int depth_mm) {
     const Strip strip = make_strip(
         draft_.band(band),
         program_,
@@ -108,9 +108,9 @@ class FloorBuilder {
     const int east_gap = east > 0 ? gap_before(Band::east) : 0;
     const bool has_core = !draft_.band(Band::core).empty();
     const int core_width = width_mm - west - west_gap - east - east_gap;
-    Slice slice = cut_slice(Axis::x);
+    Slice slice = cut_slice(plan::Axis::x);
     if (west > 0) {
-      slice.add(strip_slice(Band::west, Axis::y, depth_mm, west),
+      slice.add(strip_slice(Band::west, plan::Axis::y, depth_mm, west),
                 has_core ? west : width_mm - east - east_gap,
                 0);
     }
@@ -123,13 +123,13 @@ class FloorBuilder {
                                    to_west_wall && west == 0,
                                    to_east_wall && east == 0},
                                   draft_.stacked_core);
-      floor_.crowding += core.crowding + std::max(0, min_node_side_mm - core_width) * 1e-3;
+      floor_.crowding += core.crowding + std::max(0, plan::min_node_side_mm - core_width) * 1e-3;
       floor_.run_aisle_mm = core.run_aisle_mm;
       floor_.runs = core.runs;
       slice.add(core.slice, core_width, west_gap);
     }
     if (east > 0) {
-      slice.add(strip_slice(Band::east, Axis::y, depth_mm, east),
+      slice.add(strip_slice(Band::east, plan::Axis::y, depth_mm, east),
                 has_core || west > 0 ? east : width_mm,
                 east_gap);
     }
@@ -141,7 +141,7 @@ class FloorBuilder {
       Slice& slice, Slice before_back, int depth_mm, int back_mm, int gap_mm, int gap_before_mm) {
     slice.add(std::move(before_back), depth_mm, gap_before_mm);
     if (back_mm > 0) {
-      slice.add(strip_slice(Band::north, Axis::x, floor_.width_mm, back_mm), back_mm, gap_mm);
+      slice.add(strip_slice(Band::north, plan::Axis::x, floor_.width_mm, back_mm), back_mm, gap_mm);
     }
   }
 
@@ -171,9 +171,9 @@ class FloorBuilder {
     const Back back = back_of(body);
     const int middle_depth = body - back.band_mm - back.gap_mm;
     need(middle_depth, 2600);
-    Slice slice = cut_slice(Axis::y);
+    Slice slice = cut_slice(plan::Axis::y);
     slice.add(front_row(front), front, 0);
-    Slice upper = cut_slice(Axis::y);
+    Slice upper = cut_slice(plan::Axis::y);
     const bool empty_middle = draft_.band(Band::west).empty() && draft_.band(Band::core).empty() &&
                               draft_.band(Band::east).empty();
     if (!empty_middle) {
@@ -184,7 +184,7 @@ class FloorBuilder {
                back.gap_mm,
                0);
     } else if (back.band_mm > 0) {
-      upper.add(strip_slice(Band::north, Axis::x, floor_.width_mm, body), body, 0);
+      upper.add(strip_slice(Band::north, plan::Axis::x, floor_.width_mm, body), body, 0);
     }
     if (!upper.parts.empty())
       slice.add(simplified(std::move(upper)), body, gap);
@@ -195,7 +195,7 @@ class FloorBuilder {
 
   // Tills from the entrance's side outwards, as one slice.
   Slice till_slice(int width_mm, int front_mm) {
-    Slice slice = cut_slice(Axis::x);
+    Slice slice = cut_slice(plan::Axis::x);
     std::vector<int> tills = draft_.tills;
     if (!draft_.tills_east) std::ranges::reverse(tills);
     int used = 0;
@@ -204,8 +204,9 @@ class FloorBuilder {
     const int spare = width_mm - used;  // the lanes get it, or lack it
     for (const int z : tills) {
       const int own = till_width_mm(zone(z), front_mm);
-      slice.add(
-          zone_slice(z), std::max(min_node_side_mm, own + (z == draft_.tills[0] ? spare : 0)), 0);
+      slice.add(zone_slice(z),
+                std::max(plan::min_node_side_mm, own + (z == draft_.tills[0] ? spare : 0)),
+                0);
     }
     return slice;
   }
@@ -234,7 +235,7 @@ class FloorBuilder {
     std::vector<int> far(zones.begin(), zones.begin() + static_cast<std::ptrdiff_t>(before));
     std::vector<int> near(zones.begin() + static_cast<std::ptrdiff_t>(before), zones.end());
     const int far_mm = near.empty() ? for_zones : share_of(far, near, for_zones);
-    Slice row = cut_slice(Axis::x);
+    Slice row = cut_slice(plan::Axis::x);
     row.add(front_strip(far, far_mm, front_mm), far_mm, 0);
     if (!near.empty()) {
       row.add(front_strip(near, for_zones - far_mm, front_mm), for_zones - far_mm, inner_gap);
@@ -259,7 +260,7 @@ class FloorBuilder {
 
   Slice front_strip(const std::vector<int>& zones, int length_mm, int depth_mm) {
     const Strip strip =
-        make_strip(zones, program_, {Axis::x, length_mm, depth_mm, 0, min_front_mm});
+        make_strip(zones, program_, {plan::Axis::x, length_mm, depth_mm, 0, min_front_mm});
     floor_.crowding += strip.crowding;
     return strip.slice;
   }
@@ -275,7 +276,8 @@ class FloorBuilder {
 
   // From the wall at the tills' end to the middle of the exit: before the lanes, or past the desk.
   int exit_from_end(int tills_mm) const {
-    const FixtureKind* kind = draft_.tills.empty() ? nullptr : zone(draft_.tills.front()).kind;
+    const catalog::FixtureKind* kind =
+        draft_.tills.empty() ? nullptr : zone(draft_.tills.front()).kind;
     if (kind == nullptr || !kind->is_desk()) return tills_mm / 2;
     return desk_room_mm(*kind) + floor_.exit_width_mm / 2;
   }
@@ -306,11 +308,11 @@ class FloorBuilder {
     const int body = width - column - entrance_gap;
     need(body, 2600);
     set_doors(body + entrance_gap / 2, width - exit_from_end(column));
-    Slice row = cut_slice(Axis::x);
+    Slice row = cut_slice(plan::Axis::x);
     row.add(corner_body(body, lower), body, 0);
     row.add(till_column(side, column, lower, front), column, entrance_gap);
     if (!draft_.tills_east) mirror(row);
-    Slice slice = cut_slice(Axis::y);
+    Slice slice = cut_slice(plan::Axis::y);
     add_back(slice, std::move(row), lower, back.band_mm, back.gap_mm, 0);
     floor_.root = std::move(slice);
   }
@@ -324,8 +326,8 @@ class FloorBuilder {
     need(rest, 2600);
     Slice inner = middle(width_mm, rest, draft_.tills_east, !draft_.tills_east);
     if (zones.empty()) return inner;
-    Slice slice = cut_slice(Axis::y);
-    slice.add(strip_slice(Band::front, Axis::x, width_mm, front), front, 0);
+    Slice slice = cut_slice(plan::Axis::y);
+    slice.add(strip_slice(Band::front, plan::Axis::x, width_mm, front), front, 0);
     slice.add(std::move(inner), rest, gap);
     return slice;
   }
@@ -338,9 +340,9 @@ class FloorBuilder {
       return simplified(till_slice(width_mm, front_mm));
     }
     need(rest, min_department_mm);
-    Slice slice = cut_slice(Axis::y);
+    Slice slice = cut_slice(plan::Axis::y);
     slice.add(simplified(till_slice(width_mm, front_mm)), front_mm, 0);
-    slice.add(strip_slice(side, Axis::y, rest, width_mm), rest, gap);
+    slice.add(strip_slice(side, plan::Axis::y, rest, width_mm), rest, gap);
     return slice;
   }
 
@@ -364,8 +366,8 @@ class FloorBuilder {
 
   const FloorDraft& draft_;
   const StoreProgram& program_;
-  const ProfileRow& profile_;
-  const Catalog& catalog_;
+  const catalog::ProfileRow& profile_;
+  const catalog::Catalog& catalog_;
   DraftedFloor floor_;
 };
 
@@ -373,10 +375,10 @@ class FloorBuilder {
 
 DraftedFloor build_floor(const FloorDraft& draft,
                          const StoreProgram& program,
-                         const Catalog& catalog,
+                         const catalog::Catalog& catalog,
                          int width_mm,
                          int depth_mm) {
   return FloorBuilder(draft, program, catalog, width_mm, depth_mm).build();
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

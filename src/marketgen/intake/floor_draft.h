@@ -17,7 +17,7 @@
 #include "intake/slices.h"
 #include "intake/store_program.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 
 enum class Band { front, west, east, north, core };
 constexpr std::size_t band_count = 5;
@@ -56,8 +56,8 @@ struct DraftedFloor {
 
 DraftedFloor build_floor(const FloorDraft& draft,
                          const StoreProgram& program,
-                         const Catalog& catalog,
+                         const catalog::Catalog& catalog,
                          int width_mm,
                          int depth_mm);
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace marketgen {
+namespace marketgen::intake {
 namespace {
 
 constexpr double shop_of_its_own = 1;      // lexicon: number of a zone's row
@@ -115,4 +115,4 @@ std::string zone_of_floor(const Sentence& sentence,
   return FloorOwner(sentence, shop_measured).run(first, last);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

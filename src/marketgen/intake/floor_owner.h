@@ -4,7 +4,7 @@
 
 #include "intake/sentence.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 
 // The zone type that the measure from phrase `first` to phrase `last` belongs to: of "a 20 m2
 // bakery", "a bakery of 20 m2", "bakery (20 m2)". Empty when it is the shop's, as in "a 40 m2 kiosk
@@ -16,4 +16,4 @@ std::string zone_of_floor(const Sentence& sentence,
                           std::size_t last,
                           bool shop_measured);
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

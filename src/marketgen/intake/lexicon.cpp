@@ -8,7 +8,7 @@
 #include "io/file.h"
 #include "io/json.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 namespace {
 
 constexpr std::size_t shortest_corrected = 5;  // letters; shorter words are too alike
@@ -36,12 +36,12 @@ bool starts_alike(std::string_view a, std::string_view b) {
 
 // The zone type whose shelves these goods stand on: one that names their subcategory before one
 // that takes the category.
-std::string zone_selling(const Catalog& catalog, const Product& product) {
+std::string zone_selling(const catalog::Catalog& catalog, const catalog::Product& product) {
   const auto lists = [](const std::vector<std::string>& names, const std::string& name) {
     return std::ranges::find(names, name) != names.end();
   };
   std::string general;
-  for (const ZoneTypeRow& zone : catalog.zone_types) {
+  for (const catalog::ZoneTypeRow& zone : catalog.zone_types) {
     if (!lists(zone.categories, product.category)) continue;
     if (lists(zone.subcategories, product.subcategory)) return zone.type;
     if (zone.subcategories.empty() && general.empty()) general = zone.type;
@@ -49,8 +49,8 @@ std::string zone_selling(const Catalog& catalog, const Product& product) {
   return general;
 }
 
-std::string zone_using(const Catalog& catalog, const std::string& fixture) {
-  const auto row = std::ranges::find(catalog.zone_types, fixture, &ZoneTypeRow::fixture);
+std::string zone_using(const catalog::Catalog& catalog, const std::string& fixture) {
+  const auto row = std::ranges::find(catalog.zone_types, fixture, &catalog::ZoneTypeRow::fixture);
   return row == catalog.zone_types.end() ? "" : row->type;
 }
 
@@ -71,8 +71,8 @@ Result<Lexicon> Lexicon::load(const std::filesystem::path& folder) {
   std::ranges::sort(files);
   Lexicon lexicon;
   for (const std::filesystem::path& file : files) {
-    MARKETGEN_TRY(const std::string text, read_file(file));
-    MARKETGEN_TRY(LexiconFile rows, read_json<LexiconFile>(text, file.string()));
+    MARKETGEN_TRY(const std::string text, io::read_file(file));
+    MARKETGEN_TRY(LexiconFile rows, io::read_json<LexiconFile>(text, file.string()));
     for (std::size_t i = 0; i < rows.rows.size(); ++i) {
       MARKETGEN_CHECK(
           lexicon.add_row(std::move(rows.rows[i]), file.string() + ":/rows/" + std::to_string(i)));
@@ -153,14 +153,14 @@ std::optional<std::string> Lexicon::corrected(std::string_view word) const {
   return std::nullopt;
 }
 
-Lexicon Lexicon::with_words_of(const Catalog& catalog) const {
+Lexicon Lexicon::with_words_of(const catalog::Catalog& catalog) const {
   Lexicon all = *this;
-  for (const ZoneTypeRow& zone : catalog.zone_types) {
+  for (const catalog::ZoneTypeRow& zone : catalog.zone_types) {
     all.add_if_new(Sense::zone, zone.type, "", zone.label);
     for (const std::string& word : zone.keywords)
       all.add_if_new(Sense::zone, zone.type, "", word);
   }
-  for (const FixtureKind& fixture : catalog.fixture_kinds) {
+  for (const catalog::FixtureKind& fixture : catalog.fixture_kinds) {
     if (fixture.keywords.empty()) continue;  // a variant: plans name it by its id only
     const std::string zone = zone_using(catalog, fixture.kind);
     all.add_if_new(Sense::fixture, fixture.kind, zone, fixture.name);
@@ -168,13 +168,13 @@ Lexicon Lexicon::with_words_of(const Catalog& catalog) const {
       all.add_if_new(Sense::fixture, fixture.kind, zone, word);
     }
   }
-  for (const StyleRow& style : catalog.styles) {
+  for (const catalog::StyleRow& style : catalog.styles) {
     all.add_if_new(Sense::style, style.id, "", style.name);
     for (const std::string& word : style.keywords) {
       all.add_if_new(Sense::style, style.id, "", word);
     }
   }
-  for (const Product& product : catalog.products) {
+  for (const catalog::Product& product : catalog.products) {
     const std::string zone = zone_selling(catalog, product);
     all.add_if_new(Sense::product, product.subcategory, zone, product.subcategory);
     all.add_if_new(Sense::product, product.name, zone, product.name);
@@ -182,4 +182,4 @@ Lexicon Lexicon::with_words_of(const Catalog& catalog) const {
   return all;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

@@ -16,7 +16,7 @@
 #include "catalog/catalog.h"
 #include "intake/tokens.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 
 // What part a phrase plays in a sentence; `value` and `number` of the row say which one.
 enum class Sense {
@@ -94,7 +94,7 @@ class Lexicon {
   static Result<Lexicon> load(const std::filesystem::path& folder);
 
   // The lexicon with the catalogue's own words added.
-  Lexicon with_words_of(const Catalog& catalog) const;
+  Lexicon with_words_of(const catalog::Catalog& catalog) const;
 
   // The longest phrase that starts at `at`.
   std::optional<Match> longest_match(const std::vector<Token>& tokens, std::size_t at) const;
@@ -122,4 +122,4 @@ class Lexicon {
   std::map<std::string, std::uint32_t, std::less<>> vocabulary_;     // stem -> letters it has
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

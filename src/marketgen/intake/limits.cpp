@@ -7,10 +7,10 @@
 #include "base/fields.h"
 #include "plan/plan.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 namespace {
 
-using Kind = RequirementKind;
+using Kind = plan::RequirementKind;
 
 // What market-plan/1 allows a field to be.
 template <class Struct>
@@ -35,7 +35,7 @@ Limits opening_limits(std::string_view kind) {
   return {0, max_doors, "doors of one kind"};
 }
 
-std::optional<Limits> limits_of(const Requirement& wish) {
+std::optional<Limits> limits_of(const plan::Requirement& wish) {
   constexpr double max_zones_of_a_type = 12, max_aisles = 60;
   const auto within_plan = [](const FieldRules& rules, std::string_view of, std::string_view unit) {
     return Limits{rules.min, rules.max, of, unit};
@@ -44,22 +44,22 @@ std::optional<Limits> limits_of(const Requirement& wish) {
     case Kind::zone_count:
       return Limits{0, max_zones_of_a_type, "zones of one type"};
     case Kind::fixture_count:
-      return Limits{0, rules_of<FixtureSpec>("count").max, "fixtures in a zone"};
+      return Limits{0, rules_of<plan::FixtureSpec>("count").max, "fixtures in a zone"};
     case Kind::aisle_count:
       return Limits{1, max_aisles, "aisles"};
     case Kind::levels:
-      return within_plan(rules_of<FixtureSpec>("levels"), "levels", "");
+      return within_plan(rules_of<plan::FixtureSpec>("levels"), "levels", "");
     case Kind::aisle_width:
-      return within_plan(rules_of<FixtureSpec>("aisle_mm"), "the width of aisles", " mm");
+      return within_plan(rules_of<plan::FixtureSpec>("aisle_mm"), "the width of aisles", " mm");
     case Kind::height:
       if (wish.subject == "ceiling")
-        return within_plan(rules_of<Shell>("ceiling_mm"), "the height of the ceiling", " mm");
-      return within_plan(rules_of<FixtureSpec>("height_mm"), "the height of shelves", " mm");
+        return within_plan(rules_of<plan::Shell>("ceiling_mm"), "the height of the ceiling", " mm");
+      return within_plan(rules_of<plan::FixtureSpec>("height_mm"), "the height of shelves", " mm");
     case Kind::opening:
       return opening_limits(wish.subject);
     case Kind::area:
       if (wish.subject.empty()) return std::nullopt;  // refused where the size is decided
-      return within_plan(rules_of<AreaRange>("target"), "the floor of a zone", " m2");
+      return within_plan(rules_of<plan::AreaRange>("target"), "the floor of a zone", " m2");
     default:
       return std::nullopt;
   }
@@ -70,7 +70,7 @@ std::string written(double value, std::string_view unit) {
 }
 
 // A count of 0 stands for "any" or "none" and is no number that was asked for.
-void keep_number(Requirement& wish, Understanding& found, BeyondLimits& beyond) {
+void keep_number(plan::Requirement& wish, Understanding& found, BeyondLimits& beyond) {
   const auto limits = limits_of(wish);
   if (!limits || wish.value == 0) return;
   const double kept = std::clamp(wish.value, limits->min, limits->max);
@@ -100,8 +100,8 @@ void keep_rows(Understanding& found) {
 
 void set_relations_aside(Understanding& found, BeyondLimits& beyond) {
   std::size_t weighed = 0;
-  std::vector<Requirement> kept;
-  for (Requirement& wish : found.requirements) {
+  std::vector<plan::Requirement> kept;
+  for (plan::Requirement& wish : found.requirements) {
     const bool surplus = wish.kind == Kind::relation && ++weighed > max_weighed_relations;
     (surplus ? beyond.set_aside : kept).push_back(std::move(wish));
   }
@@ -119,16 +119,17 @@ void set_relations_aside(Understanding& found, BeyondLimits& beyond) {
 
 BeyondLimits keep_within_limits(Understanding& found) {
   BeyondLimits beyond;
-  for (Requirement& wish : found.requirements)
+  for (plan::Requirement& wish : found.requirements)
     keep_number(wish, found, beyond);
   keep_rows(found);
   set_relations_aside(found, beyond);
   return beyond;
 }
 
-std::vector<Requirement> as_asked(std::vector<Requirement> wishes, const BeyondLimits& beyond) {
-  for (Requirement& wish : wishes) {
-    const auto asked = std::ranges::find_if(beyond.changed, [&](const Requirement& other) {
+std::vector<plan::Requirement> as_asked(std::vector<plan::Requirement> wishes,
+                                        const BeyondLimits& beyond) {
+  for (plan::Requirement& wish : wishes) {
+    const auto asked = std::ranges::find_if(beyond.changed, [&](const plan::Requirement& other) {
       return other.kind == wish.kind && other.span == wish.span && other.subject == wish.subject;
     });
     if (asked != beyond.changed.end()) wish.value = asked->value;
@@ -137,4 +138,4 @@ std::vector<Requirement> as_asked(std::vector<Requirement> wishes, const BeyondL
   return wishes;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

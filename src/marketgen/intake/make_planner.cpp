@@ -5,7 +5,7 @@
 #include "intake/offline_planner.h"
 #include "io/file.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 namespace {
 
 // Planners of later versions, by the part of their name before the colon.
@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 7> known = {
 
 Result<std::unique_ptr<Planner>> make_planner(std::string_view name) {
   if (name == "offline") {
-    MARKETGEN_TRY(const std::filesystem::path data, data_folder());
+    MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
     MARKETGEN_TRY(Lexicon lexicon, Lexicon::load(data / "lexicon"));
     return std::unique_ptr<Planner>(std::make_unique<OfflinePlanner>(std::move(lexicon)));
   }
@@ -37,4 +37,4 @@ Result<std::unique_ptr<Planner>> make_planner(std::string_view name) {
                    "; this version has \"offline\""};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

@@ -9,7 +9,7 @@
 #include "base/text.h"
 #include "intake/tokens.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 namespace {
 
 // Colours nearer than this go by the same name; about a fifth of the way from black to white.
@@ -24,7 +24,7 @@ std::array<int, 3> channels_of(std::string_view hex) {
   return channels;
 }
 
-std::set<std::string> words_of(const MaterialRow& row) {
+std::set<std::string> words_of(const catalog::MaterialRow& row) {
   std::set<std::string> words;
   for (const Token& token : tokenize(row.id + " " + row.name + " "))
     words.insert(token.stem);
@@ -39,7 +39,9 @@ bool has_any(const std::set<std::string>& words, std::string_view names) {
 
 // How well the row fits; negative when it does not. The first name of a material is the one that
 // was said.
-int fit_of(const MaterialRow& row, const SurfaceWords& surface, std::string_view color_hex) {
+int fit_of(const catalog::MaterialRow& row,
+           const SurfaceWords& surface,
+           std::string_view color_hex) {
   const std::set<std::string> words = words_of(row);
   int fit = 0;
   for (const std::string& names : surface.materials) {
@@ -68,13 +70,13 @@ double color_distance(std::string_view a, std::string_view b) {
   return std::sqrt(static_cast<double>(sum));
 }
 
-const MaterialRow* material_for(const Catalog& catalog,
-                                std::string_view part,
-                                const SurfaceWords& words,
-                                std::string_view color_hex) {
-  const MaterialRow* best = nullptr;
+const catalog::MaterialRow* material_for(const catalog::Catalog& catalog,
+                                         std::string_view part,
+                                         const SurfaceWords& words,
+                                         std::string_view color_hex) {
+  const catalog::MaterialRow* best = nullptr;
   int best_fit = 0;
-  for (const MaterialRow& row : catalog.materials) {
+  for (const catalog::MaterialRow& row : catalog.materials) {
     if (std::ranges::find(row.uses, part) == row.uses.end()) continue;
     const int fit = fit_of(row, words, color_hex);
     if (fit < 0 || (best != nullptr && fit <= best_fit)) continue;
@@ -84,4 +86,4 @@ const MaterialRow* material_for(const Catalog& catalog,
   return best;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

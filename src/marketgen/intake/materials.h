@@ -6,7 +6,7 @@
 
 #include "catalog/catalog.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 
 // Words that describe a surface, as the lexicon's material and color rows give them.
 struct SurfaceWords {
@@ -16,12 +16,12 @@ struct SurfaceWords {
 
 // The row that is used for `part` (floor wall ceiling fixture) and fits the words best; null when
 // none has the material or, for colours alone, none has the colour.
-const MaterialRow* material_for(const Catalog& catalog,
-                                std::string_view part,
-                                const SurfaceWords& words,
-                                std::string_view color_hex);
+const catalog::MaterialRow* material_for(const catalog::Catalog& catalog,
+                                         std::string_view part,
+                                         const SurfaceWords& words,
+                                         std::string_view color_hex);
 
 // Distance of two #rrggbb colours, 0..441.
 double color_distance(std::string_view a, std::string_view b);
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

@@ -12,7 +12,7 @@
 #include "intake/understanding.h"
 #include "plan/bsp.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 namespace {
 
 constexpr double crowded_m = 0.4;  // zones that lack more than this do not fit
@@ -25,9 +25,9 @@ constexpr int patient_searches = 5;  // that lose one zone each; then more at on
 constexpr std::int64_t max_work = 150'000;
 
 // The first wish that names a zone of this type; null when nobody asked for one.
-const Requirement* wish_for(const Understanding& found, const ProgramZone& zone) {
-  const auto wish = std::ranges::find_if(found.requirements, [&](const Requirement& one) {
-    return one.kind != RequirementKind::zone_absent &&
+const plan::Requirement* wish_for(const Understanding& found, const ProgramZone& zone) {
+  const auto wish = std::ranges::find_if(found.requirements, [&](const plan::Requirement& one) {
+    return one.kind != plan::RequirementKind::zone_absent &&
            (one.subject == zone.type->type || one.object == zone.type->type);
   });
   return wish == found.requirements.end() ? nullptr : &*wish;
@@ -54,7 +54,7 @@ std::size_t max_dispensable(const StoreProgram& program, const Understanding& fo
        {false, true}) {  // a shop without a back room is one, without goods is none
     for (std::size_t i = program.zones.size(); i-- > 0;) {
       const ProgramZone& zone = program.zones[i];
-      const bool sells = zone.kind != nullptr && zone.kind->role == FixtureRole::shelving;
+      const bool sells = zone.kind != nullptr && zone.kind->role == catalog::FixtureRole::shelving;
       if (!is_kept(program, zone) && sells == goods) return i;
     }
   }
@@ -70,7 +70,7 @@ void give_up_zone(StoreProgram& program,
   const ProgramZone zone = program.zones[lost];
   program.zones.erase(program.zones.begin() + static_cast<std::ptrdiff_t>(lost));
   trace.push_back("no room for " + zone.id);
-  const Requirement* wish = wish_for(found, zone);
+  const plan::Requirement* wish = wish_for(found, zone);
   if (wish == nullptr) return;
   found.conflicts.push_back(
       {"zone " + zone.type->type, "the size of the store", wish->text, std::string(why)});
@@ -78,10 +78,10 @@ void give_up_zone(StoreProgram& program,
 
 // Wishes for zones that a plain store has no floor for.
 void give_up_all_but_plain(const StoreProgram& program, Understanding& found) {
-  for (const Requirement& wish : found.requirements) {
+  for (const plan::Requirement& wish : found.requirements) {
     const bool there = std::ranges::any_of(
         program.zones, [&](const ProgramZone& zone) { return zone.type->type == wish.subject; });
-    if (wish.kind != RequirementKind::zone_present || there) continue;
+    if (wish.kind != plan::RequirementKind::zone_present || there) continue;
     found.conflicts.push_back({"zone " + wish.subject,
                                "the size of the store",
                                wish.text,
@@ -91,10 +91,10 @@ void give_up_all_but_plain(const StoreProgram& program, Understanding& found) {
 
 bool fits(const Candidate& candidate, std::size_t zones) {
   if (candidate.drafted.crowding > crowded_m) return false;
-  if (tree_depth(candidate.root) > max_bsp_depth) return false;
+  if (tree_depth(candidate.root) > plan::max_bsp_depth) return false;
   for (std::size_t i = 0; i < zones; ++i) {
     const RectMm& rect = candidate.rects[i];
-    if (std::min(rect.width(), rect.depth()) < min_node_side_mm) return false;
+    if (std::min(rect.width(), rect.depth()) < plan::min_node_side_mm) return false;
   }
   return true;
 }
@@ -102,7 +102,7 @@ bool fits(const Candidate& candidate, std::size_t zones) {
 // A store too small for bands: its zones side by side, the tills next to the door.
 Candidate side_by_side(const StoreProgram& program,
                        const Understanding& found,
-                       const Catalog& catalog) {
+                       const catalog::Catalog& catalog) {
   FloorDraft draft;
   for (int i = 0; i < static_cast<int>(program.zones.size()); ++i)
     draft.tills.push_back(i);
@@ -111,7 +111,7 @@ Candidate side_by_side(const StoreProgram& program,
   const int length = wide ? program.width_mm : program.depth_mm;
   const auto count = static_cast<int>(program.zones.size());
   const int gap = std::min(1000, length / (3 * count));
-  candidate.root = cut_slice(wide ? Axis::x : Axis::y);
+  candidate.root = cut_slice(wide ? plan::Axis::x : plan::Axis::y);
   const int size = (length - (count - 1) * gap) / count;
   for (int i = 0; i < count; ++i)
     candidate.root.add(zone_slice(i), size, gap);
@@ -132,7 +132,7 @@ int affordable_starts(const StoreProgram& program,
 
 Candidate find_floor(StoreProgram& program,
                      Understanding& found,
-                     const Catalog& catalog,
+                     const catalog::Catalog& catalog,
                      Seed seed,
                      std::int64_t work_left,
                      std::vector<std::string>& trace) {
@@ -163,8 +163,8 @@ Candidate find_floor(StoreProgram& program,
 void keep_tills(Understanding& found, const StoreProgram& program) {
   const bool has_lanes = std::ranges::any_of(
       program.zones, [](const ProgramZone& zone) { return zone.type->type == "checkout"; });
-  const auto refused = std::ranges::find_if(found.requirements, [](const Requirement& wish) {
-    return wish.kind == RequirementKind::zone_absent && wish.subject == "checkout";
+  const auto refused = std::ranges::find_if(found.requirements, [](const plan::Requirement& wish) {
+    return wish.kind == plan::RequirementKind::zone_absent && wish.subject == "checkout";
   });
   if (!has_lanes || refused == found.requirements.end()) return;
   found.conflicts.push_back({"zone checkout",
@@ -178,20 +178,20 @@ void trace_relations(const Planned& planned,
                      const Candidate& candidate,
                      const StoreProgram& program,
                      std::vector<std::string>& trace) {
-  const NamedFloor floor = named_floor(candidate, program);
-  for (const Requirement& wish : planned.requirements) {
-    if (wish.kind != RequirementKind::relation) continue;
-    const RelationTerms terms = terms_of(wish);
-    const auto measure = measure_relation(floor, terms);
+  const plan::NamedFloor floor = named_floor(candidate, program);
+  for (const plan::Requirement& wish : planned.requirements) {
+    if (wish.kind != plan::RequirementKind::relation) continue;
+    const plan::RelationTerms terms = plan::terms_of(wish);
+    const auto measure = plan::measure_relation(floor, terms);
     const bool met = measure && measure->slack_m() >= planner_margin_m(*measure);
-    trace.push_back((met ? "met: " : "not met: ") + words_of(floor, terms, measure));
+    trace.push_back((met ? "met: " : "not met: ") + plan::words_of(floor, terms, measure));
   }
 }
 
 }  // namespace
 
 Result<Planned> OfflinePlanner::plan(const Brief& brief,
-                                     const Catalog& catalog,
+                                     const catalog::Catalog& catalog,
                                      Seed seed,
                                      const Concessions& concessions) const {
   Understanding found = understand(brief.prompt, lexicon_.with_words_of(catalog), catalog);
@@ -215,8 +215,8 @@ Result<Planned> OfflinePlanner::plan(const Brief& brief,
                                          planned.trace);
   planned.plan = write_plan({brief, found, program, candidate, catalog});
   if (concessions.relations_may_fail) {
-    for (Relation& relation : planned.plan.relations)
-      relation.strength = Strength::prefer;
+    for (plan::Relation& relation : planned.plan.relations)
+      relation.strength = plan::Strength::prefer;
   }
   planned.requirements = as_asked(std::move(found.requirements), beyond);
   planned.unparsed = std::move(found.unparsed);
@@ -226,4 +226,4 @@ Result<Planned> OfflinePlanner::plan(const Brief& brief,
   return planned;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

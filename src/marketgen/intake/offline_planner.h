@@ -4,7 +4,7 @@
 #include "intake/brief.h"
 #include "intake/lexicon.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 
 class OfflinePlanner : public Planner {
  public:
@@ -12,7 +12,7 @@ class OfflinePlanner : public Planner {
 
   // Error: brief.bad_size when the words ask for a store that cannot be built.
   Result<Planned> plan(const Brief& brief,
-                       const Catalog& catalog,
+                       const catalog::Catalog& catalog,
                        Seed seed,
                        const Concessions& concessions) const override;
 
@@ -20,4 +20,4 @@ class OfflinePlanner : public Planner {
   Lexicon lexicon_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

@@ -4,7 +4,7 @@
 #include "intake/store_size.h"
 #include "intake/tokens.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 namespace {
 
 struct UnitName {
@@ -99,4 +99,4 @@ Result<std::array<int, 2>> parse_size(std::string_view text, const std::string& 
                             static_cast<int>(std::lround(depth_mm))};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

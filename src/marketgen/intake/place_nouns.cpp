@@ -4,7 +4,7 @@
 
 #include "base/text.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 namespace {
 
 std::optional<NounKind> noun_kind(Sense sense) {
@@ -27,24 +27,24 @@ std::optional<NounKind> noun_kind(Sense sense) {
 // What a relation means when it is said, and when it is denied.
 struct Meaning {
   std::string_view value;
-  RelationKind said, denied;
+  plan::RelationKind said, denied;
 };
 constexpr Meaning meanings[] = {
-    {"near", RelationKind::near, RelationKind::far},
-    {"next_to", RelationKind::near, RelationKind::not_adjacent},
-    {"at", RelationKind::at, RelationKind::far},
-    {"in", RelationKind::at, RelationKind::far},
-    {"along", RelationKind::along, RelationKind::far},
-    {"far", RelationKind::far, RelationKind::near},
-    {"between", RelationKind::between, RelationKind::not_adjacent},
-    {"behind", RelationKind::behind, RelationKind::not_adjacent},
-    {"in_front_of", RelationKind::facing, RelationKind::not_adjacent},
-    {"facing", RelationKind::facing, RelationKind::not_adjacent},
-    {"left_of", RelationKind::left_of, RelationKind::right_of},
-    {"right_of", RelationKind::right_of, RelationKind::left_of},
+    {"near", plan::RelationKind::near, plan::RelationKind::far},
+    {"next_to", plan::RelationKind::near, plan::RelationKind::not_adjacent},
+    {"at", plan::RelationKind::at, plan::RelationKind::far},
+    {"in", plan::RelationKind::at, plan::RelationKind::far},
+    {"along", plan::RelationKind::along, plan::RelationKind::far},
+    {"far", plan::RelationKind::far, plan::RelationKind::near},
+    {"between", plan::RelationKind::between, plan::RelationKind::not_adjacent},
+    {"behind", plan::RelationKind::behind, plan::RelationKind::not_adjacent},
+    {"in_front_of", plan::RelationKind::facing, plan::RelationKind::not_adjacent},
+    {"facing", plan::RelationKind::facing, plan::RelationKind::not_adjacent},
+    {"left_of", plan::RelationKind::left_of, plan::RelationKind::right_of},
+    {"right_of", plan::RelationKind::right_of, plan::RelationKind::left_of},
 };
 
-std::optional<RelationKind> kind_of(std::string_view value, bool negated) {
+std::optional<plan::RelationKind> kind_of(std::string_view value, bool negated) {
   for (const Meaning& meaning : meanings) {
     if (meaning.value == value) return negated ? meaning.denied : meaning.said;
   }
@@ -57,12 +57,12 @@ std::string_view name_in_relations(const PlaceNoun& noun) {
 }
 
 void add_wish(Reading& reading,
-              RelationKind kind,
+              plan::RelationKind kind,
               const PlaceNoun& subject,
               const PlaceNoun& object,
               std::string_view object_name) {
-  Requirement& wish =
-      reading.add(RequirementKind::relation, joined(subject.span, object.span), subject.strength);
+  plan::Requirement& wish = reading.add(
+      plan::RequirementKind::relation, joined(subject.span, object.span), subject.strength);
   wish.relation = kind;
   wish.subject = name_in_relations(subject);
   wish.object = object_name;
@@ -70,8 +70,8 @@ void add_wish(Reading& reading,
 
 // "the entrance on the east wall", "an exit on the right"
 bool add_opening_place(Reading& reading, const PlaceNoun& opening, const PlaceNoun& place) {
-  Requirement& wish =
-      reading.add(RequirementKind::opening, joined(opening.span, place.span), opening.strength);
+  plan::Requirement& wish = reading.add(
+      plan::RequirementKind::opening, joined(opening.span, place.span), opening.strength);
   wish.subject = opening.name;
   const std::vector<std::string> sides = split(place.name, '+');  // a corner has two
   const bool front_or_back = sides[0] != "left" && sides[0] != "right" && sides[0] != "center";
@@ -82,16 +82,18 @@ bool add_opening_place(Reading& reading, const PlaceNoun& opening, const PlaceNo
 }
 
 // A place as object: walls are lined, sides are stood at.
-bool add_at_place(Reading& reading, const SaidRelation& said, RelationKind kind) {
+bool add_at_place(Reading& reading, const SaidRelation& said, plan::RelationKind kind) {
   const PlaceNoun& place = said.objects[0];
-  const bool sideways = kind != RelationKind::along && kind != RelationKind::at &&
-                        kind != RelationKind::near && kind != RelationKind::far;
+  const bool sideways = kind != plan::RelationKind::along && kind != plan::RelationKind::at &&
+                        kind != plan::RelationKind::near && kind != plan::RelationKind::far;
   if (sideways) return false;
   if (said.subject.kind == NounKind::opening) {
-    return kind != RelationKind::far && add_opening_place(reading, said.subject, place);
+    return kind != plan::RelationKind::far && add_opening_place(reading, said.subject, place);
   }
-  const bool stands = kind == RelationKind::at || kind == RelationKind::along;
-  if (stands) kind = place.wall && place.name != "center" ? RelationKind::along : RelationKind::at;
+  const bool stands = kind == plan::RelationKind::at || kind == plan::RelationKind::along;
+  if (stands)
+    kind =
+        place.wall && place.name != "center" ? plan::RelationKind::along : plan::RelationKind::at;
   for (const std::string& side : split(place.name, '+')) {
     add_wish(reading, kind, said.subject, place, side);
   }
@@ -100,8 +102,8 @@ bool add_at_place(Reading& reading, const SaidRelation& said, RelationKind kind)
 
 void add_zone_mention(Reading& reading, const PlaceNoun& noun) {
   if (!noun.counted) {
-    const RequirementKind kind =
-        noun.negated ? RequirementKind::zone_absent : RequirementKind::zone_present;
+    const plan::RequirementKind kind =
+        noun.negated ? plan::RequirementKind::zone_absent : plan::RequirementKind::zone_present;
     reading.add(kind, noun.span, noun.strength).subject = noun.name;
   }
   if (noun.factor != 1 && !noun.negated) {
@@ -110,9 +112,9 @@ void add_zone_mention(Reading& reading, const PlaceNoun& noun) {
 }
 
 void add_product_mention(Reading& reading, const PlaceNoun& noun) {
-  const RequirementKind kind =
-      noun.negated ? RequirementKind::product_absent : RequirementKind::product_present;
-  Requirement& wish = reading.add(kind, noun.span, noun.strength);
+  const plan::RequirementKind kind =
+      noun.negated ? plan::RequirementKind::product_absent : plan::RequirementKind::product_present;
+  plan::Requirement& wish = reading.add(kind, noun.span, noun.strength);
   wish.subject = noun.name;
   wish.object = noun.zone;
   if (noun.factor != 1 && !noun.negated && !noun.zone.empty()) {
@@ -123,15 +125,17 @@ void add_product_mention(Reading& reading, const PlaceNoun& noun) {
 void add_fixture_mention(Reading& reading, const PlaceNoun& noun) {
   if (noun.counted) return;
   if (noun.name == "endcap") {
-    Requirement& endcaps = reading.add(RequirementKind::endcaps, noun.span, noun.strength);
+    plan::Requirement& endcaps =
+        reading.add(plan::RequirementKind::endcaps, noun.span, noun.strength);
     endcaps.value = noun.negated ? 0 : 1;
-    endcaps.comparison = noun.negated ? Comparison::at_most : Comparison::at_least;
+    endcaps.comparison = noun.negated ? plan::Comparison::at_most : plan::Comparison::at_least;
     return;
   }
-  Requirement& wish = reading.add(RequirementKind::fixture_count, noun.span, noun.strength);
+  plan::Requirement& wish =
+      reading.add(plan::RequirementKind::fixture_count, noun.span, noun.strength);
   wish.subject = noun.name;
   wish.object = noun.zone;
-  wish.comparison = noun.negated ? Comparison::at_most : Comparison::at_least;
+  wish.comparison = noun.negated ? plan::Comparison::at_most : plan::Comparison::at_least;
   wish.value = noun.negated ? 0 : 1;
 }
 
@@ -180,27 +184,28 @@ void add_mention(Reading& reading, const PlaceNoun& noun) {
 }
 
 bool names_far(std::string_view relation, bool negated) {
-  const std::optional<RelationKind> kind = kind_of(relation, negated);
-  return kind == RelationKind::far || kind == RelationKind::not_adjacent;
+  const std::optional<plan::RelationKind> kind = kind_of(relation, negated);
+  return kind == plan::RelationKind::far || kind == plan::RelationKind::not_adjacent;
 }
 
 bool add_relation(Reading& reading, const SaidRelation& said) {
-  std::optional<RelationKind> kind = kind_of(said.value, said.negated);
+  std::optional<plan::RelationKind> kind = kind_of(said.value, said.negated);
   if (!kind) return false;
   const PlaceNoun& object = said.objects[0];
   if (object.kind == NounKind::place) return add_at_place(reading, said, *kind);
-  if (*kind == RelationKind::at || *kind == RelationKind::along) kind = RelationKind::near;
+  if (*kind == plan::RelationKind::at || *kind == plan::RelationKind::along)
+    kind = plan::RelationKind::near;
   const std::string_view subject_name = name_in_relations(said.subject);
   if (subject_name.empty() || subject_name == name_in_relations(object))
     return true;  // one zone holds both
-  if (*kind == RelationKind::between && said.objects.size() < 2) return false;
+  if (*kind == plan::RelationKind::between && said.objects.size() < 2) return false;
   add_wish(reading, *kind, said.subject, object, name_in_relations(object));
-  if (*kind != RelationKind::between) return true;
-  Requirement& wish = reading.found.requirements.back();
+  if (*kind != plan::RelationKind::between) return true;
+  plan::Requirement& wish = reading.found.requirements.back();
   wish.second_object = name_in_relations(said.objects[1]);
   wish.span = joined(wish.span, said.objects[1].span);
   wish.text = reading.words(wish.span);
   return true;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

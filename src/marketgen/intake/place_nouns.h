@@ -8,7 +8,7 @@
 #include "intake/reading.h"
 #include "intake/sentence.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 
 enum class NounKind { zone, product, fixture, opening, place };
 
@@ -23,7 +23,7 @@ struct PlaceNoun {
   bool counted = false;  // its number was understood already
   bool article = false;  // starts a noun phrase of its own
   double factor = 1;     // of its usual size
-  Strength strength = Strength::must;
+  plan::Strength strength = plan::Strength::must;
 };
 
 // Zones, products, fixtures and openings.
@@ -51,4 +51,4 @@ struct SaidRelation {
 // the back").
 bool add_relation(Reading& reading, const SaidRelation& said);
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

@@ -6,7 +6,7 @@
 #include "intake/brief.h"
 #include "intake/store_size.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 namespace {
 
 constexpr std::size_t longest_prompt_bytes = 20'000;
@@ -56,10 +56,10 @@ Result<void> check_known(const std::vector<Row>& rows,
     if (row.id == *name) return {};
     known.push_back(row.id);
   }
-  return unknown_name("catalog.unknown_kind", std::move(where), what, *name, known);
+  return catalog::unknown_name("catalog.unknown_kind", std::move(where), what, *name, known);
 }
 
-Result<void> check_brief(const Brief& brief, const Catalog& catalog) {
+Result<void> check_brief(const Brief& brief, const catalog::Catalog& catalog) {
   MARKETGEN_CHECK(check_prompt(brief.prompt));
   if (!brief.image_files.empty()) {
     return Error{"usage.unavailable",
@@ -76,14 +76,14 @@ Result<void> check_brief(const Brief& brief, const Catalog& catalog) {
 }  // namespace
 
 Result<Planned> plan_from_brief(const Brief& brief,
-                                const Catalog& catalog,
+                                const catalog::Catalog& catalog,
                                 const Planner& planner,
                                 Seed seed,
                                 const Concessions& concessions) {
   MARKETGEN_CHECK(check_brief(brief, catalog));
   MARKETGEN_TRY(Planned planned, planner.plan(brief, catalog, seed, concessions));
-  MARKETGEN_CHECK(validate_plan(planned.plan, "plan", catalog));
+  MARKETGEN_CHECK(plan::validate_plan(planned.plan, "plan", catalog));
   return planned;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

@@ -2,12 +2,12 @@
 #pragma once
 #include "intake/plan_writer.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 
 // The style that was asked for, or the one that goes with the profile; single wishes on top.
-Look look_of(const PlanSources& sources);
+plan::Look look_of(const PlanSources& sources);
 
 // The colour that shelves were asked to have.
 std::optional<std::string> shelf_color(const Understanding& understanding);
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

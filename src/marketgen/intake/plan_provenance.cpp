@@ -2,22 +2,23 @@
 
 #include <algorithm>
 
-namespace marketgen {
+namespace marketgen::intake {
 namespace {
 
-using Kind = RequirementKind;
+using Kind = plan::RequirementKind;
 
 constexpr std::size_t max_entries = 2000;  // limit of Plan::provenance
 constexpr double said = 1, implied = 0.7;
 
 class ProvenanceWriter {
  public:
-  ProvenanceWriter(const Plan& plan, const PlanSources& sources) : plan_(plan), sources_(sources) {}
+  ProvenanceWriter(const plan::Plan& plan, const PlanSources& sources)
+      : plan_(plan), sources_(sources) {}
 
-  std::vector<Provenance> run() {
+  std::vector<plan::Provenance> run() {
     add_flags();
     if (const auto& name = sources_.understanding.name) add("/name", name->span, said);
-    for (const Requirement& wish : sources_.understanding.requirements)
+    for (const plan::Requirement& wish : sources_.understanding.requirements)
       add_wish(wish);
     for (const Emphasis& emphasis : sources_.understanding.emphases) {
       for_zones(emphasis.zone, "area_m2/target", emphasis.span, implied);
@@ -28,17 +29,17 @@ class ProvenanceWriter {
 
  private:
   void add(std::string path, IntRange span, double confidence) {
-    Provenance& entry = entries_.emplace_back();
+    plan::Provenance& entry = entries_.emplace_back();
     entry.path = std::move(path);
-    entry.source = Source::text;
+    entry.source = plan::Source::text;
     entry.span = span;
     entry.confidence = confidence;
   }
 
   void add_flag(std::string path) {
-    Provenance& entry = entries_.emplace_back();
+    plan::Provenance& entry = entries_.emplace_back();
     entry.path = std::move(path);
-    entry.source = Source::flag;
+    entry.source = plan::Source::flag;
   }
 
   void add_flags() {
@@ -70,7 +71,7 @@ class ProvenanceWriter {
     }
   }
 
-  void for_openings(const Requirement& wish) {
+  void for_openings(const plan::Requirement& wish) {
     for (std::size_t i = 0; i < plan_.shell.openings.size(); ++i) {
       if (name_of(plan_.shell.openings[i].kind) != wish.subject) continue;
       add("/shell/openings/" + std::to_string(i), wish.span, said);
@@ -83,7 +84,7 @@ class ProvenanceWriter {
     add("/shell/depth_mm", span, confidence);
   }
 
-  void add_wish(const Requirement& wish) {
+  void add_wish(const plan::Requirement& wish) {
     switch (wish.kind) {
       case Kind::size:
         return add_size(wish.span, said);
@@ -110,7 +111,7 @@ class ProvenanceWriter {
     }
   }
 
-  void add_zone_wish(const Requirement& wish) {
+  void add_zone_wish(const plan::Requirement& wish) {
     switch (wish.kind) {
       case Kind::zone_present:
       case Kind::zone_count:
@@ -140,8 +141,8 @@ class ProvenanceWriter {
     }
   }
 
-  void add_relation(const Requirement& wish) {
-    const auto same = [&](const Relation& relation) {
+  void add_relation(const plan::Requirement& wish) {
+    const auto same = [&](const plan::Relation& relation) {
       return relation.kind == wish.relation && relation.a == wish.subject &&
              relation.b == wish.object;
     };
@@ -150,15 +151,15 @@ class ProvenanceWriter {
     add("/relations/" + std::to_string(found - plan_.relations.begin()), wish.span, said);
   }
 
-  const Plan& plan_;
+  const plan::Plan& plan_;
   const PlanSources& sources_;
-  std::vector<Provenance> entries_;
+  std::vector<plan::Provenance> entries_;
 };
 
 }  // namespace
 
-std::vector<Provenance> provenance_of(const Plan& plan, const PlanSources& sources) {
+std::vector<plan::Provenance> provenance_of(const plan::Plan& plan, const PlanSources& sources) {
   return ProvenanceWriter(plan, sources).run();
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

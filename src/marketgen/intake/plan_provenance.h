@@ -4,9 +4,9 @@
 
 #include "intake/plan_writer.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 
 // `plan` has its zones, openings, relations and look already.
-std::vector<Provenance> provenance_of(const Plan& plan, const PlanSources& sources);
+std::vector<plan::Provenance> provenance_of(const plan::Plan& plan, const PlanSources& sources);
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

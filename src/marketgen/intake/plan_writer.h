@@ -6,16 +6,16 @@
 #include "intake/store_program.h"
 #include "intake/understanding.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 
 struct PlanSources {
   const Brief& brief;
   const Understanding& understanding;
   const StoreProgram& program;
   const Candidate& candidate;
-  const Catalog& catalog;
+  const catalog::Catalog& catalog;
 };
 
-Plan write_plan(const PlanSources& sources);
+plan::Plan write_plan(const PlanSources& sources);
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

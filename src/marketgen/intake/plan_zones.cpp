@@ -6,10 +6,10 @@
 #include "intake/plan_look.h"
 #include "intake/zone_sizes.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 namespace {
 
-using Kind = RequirementKind;
+using Kind = plan::RequirementKind;
 
 constexpr int six_levels_from_mm = 1900;     // gondolas this high hold a sixth level
 constexpr int endcaps_front_from_mm = 5200;  // runs this long spare the floor for an endcap
@@ -23,10 +23,10 @@ class ZoneWriter {
   explicit ZoneWriter(const PlanSources& sources)
       : sources_(sources), found_(sources.understanding), program_(sources.program) {}
 
-  Zone write(std::size_t index) const {
+  plan::Zone write(std::size_t index) const {
     const ProgramZone& from = program_.zones[index];
     const RectMm& rect = sources_.candidate.rects[index];
-    Zone zone;
+    plan::Zone zone;
     zone.id = from.id;
     zone.type = from.type->type;
     zone.label = from.type->label;
@@ -43,25 +43,25 @@ class ZoneWriter {
   static double rounded(double m2) { return std::max(0.5, std::floor(m2 * 10 + 0.5) / 10); }
 
   bool runs_along_y() const {
-    const Wall wall = sources_.candidate.openings.front().wall;
-    return wall == Wall::south || wall == Wall::north;
+    const plan::Wall wall = sources_.candidate.openings.front().wall;
+    return wall == plan::Wall::south || wall == plan::Wall::north;
   }
 
   static bool is_gondola(const ProgramZone& zone) {
     return zone.kind != nullptr && zone.kind->generator == "gondola";
   }
 
-  FixtureSpec fixture_of(const ProgramZone& zone, const RectMm& rect) const {
-    FixtureSpec spec;
+  plan::FixtureSpec fixture_of(const ProgramZone& zone, const RectMm& rect) const {
+    plan::FixtureSpec spec;
     spec.kind = zone.kind != nullptr ? zone.kind->kind : "";
     if (zone.kind == nullptr) return spec;
     spec.count = zone.count;
     if (zone.kind->generator == "checkout_lane") {
       spec.depth_mm = lane_length_mm(*zone.kind, program_);
     }
-    if (zone.kind->role != FixtureRole::shelving) return spec;
+    if (zone.kind->role != catalog::FixtureRole::shelving) return spec;
     if (zone.stance == Stance::central) {
-      spec.axis = runs_along_y() ? RunAxis::y : RunAxis::x;
+      spec.axis = runs_along_y() ? plan::RunAxis::y : plan::RunAxis::x;
       spec.aisle_mm = sources_.candidate.drafted.run_aisle_mm;
     }
     spec.color = shelf_color(found_);
@@ -70,52 +70,56 @@ class ZoneWriter {
     return spec;
   }
 
-  void choose_gondola(FixtureSpec& spec, const FixtureKind& kind, const RectMm& rect) const {
-    const ProfileRow& profile = *program_.profile;
+  void choose_gondola(plan::FixtureSpec& spec,
+                      const catalog::FixtureKind& kind,
+                      const RectMm& rect) const {
+    const catalog::ProfileRow& profile = *program_.profile;
     spec.height_mm = std::clamp(wished_height(kind).value_or(profile.gondola_height_mm),
                                 kind.height_range_mm[0],
                                 kind.height_range_mm[1]);
     spec.levels = *spec.height_mm >= six_levels_from_mm ? 6 : 5;
     const int run = runs_along_y() ? rect.depth() : rect.width();
-    spec.endcaps = run >= endcaps_both_from_mm
-                       ? Endcaps::both
-                       : (run >= endcaps_front_from_mm ? Endcaps::front : Endcaps::none);
-    const Requirement* endcaps = found_.find(Kind::endcaps);
+    spec.endcaps =
+        run >= endcaps_both_from_mm
+            ? plan::Endcaps::both
+            : (run >= endcaps_front_from_mm ? plan::Endcaps::front : plan::Endcaps::none);
+    const plan::Requirement* endcaps = found_.find(Kind::endcaps);
     if (endcaps == nullptr) return;
-    if (endcaps->value == 0) spec.endcaps = Endcaps::none;
-    if (endcaps->value != 0 && spec.endcaps == Endcaps::none) spec.endcaps = Endcaps::front;
+    if (endcaps->value == 0) spec.endcaps = plan::Endcaps::none;
+    if (endcaps->value != 0 && spec.endcaps == plan::Endcaps::none)
+      spec.endcaps = plan::Endcaps::front;
   }
 
-  std::optional<int> wished_height(const FixtureKind& kind) const {
-    for (const Requirement& wish : found_.requirements) {
+  std::optional<int> wished_height(const catalog::FixtureKind& kind) const {
+    for (const plan::Requirement& wish : found_.requirements) {
       if (wish.kind != Kind::height) continue;
       if (wish.subject != "fixture" && wish.subject != kind.kind) continue;
       const int height = static_cast<int>(std::lround(wish.value));
       const int usual = program_.profile->gondola_height_mm;
-      if (wish.comparison == Comparison::at_most) return std::min(height, usual);
-      if (wish.comparison == Comparison::at_least) return std::max(height, usual);
+      if (wish.comparison == plan::Comparison::at_most) return std::min(height, usual);
+      if (wish.comparison == plan::Comparison::at_least) return std::max(height, usual);
       return height;
     }
     return std::nullopt;
   }
 
   // A wish about one zone beats a wish about all shelves.
-  void choose_levels(FixtureSpec& spec, const ProgramZone& zone) const {
-    const Requirement* wish = found_.find(Kind::levels, zone.type->type);
+  void choose_levels(plan::FixtureSpec& spec, const ProgramZone& zone) const {
+    const plan::Requirement* wish = found_.find(Kind::levels, zone.type->type);
     if (wish == nullptr && is_gondola(zone)) wish = found_.find(Kind::levels, "");
     if (wish == nullptr || zone.kind->level_range[1] < 2) return;
     const int usual = spec.levels.value_or(zone.kind->levels);
     int levels = static_cast<int>(wish->value);
-    if (wish->comparison == Comparison::at_least) levels = std::max(levels, usual);
-    if (wish->comparison == Comparison::at_most) levels = std::min(levels, usual);
+    if (wish->comparison == plan::Comparison::at_least) levels = std::max(levels, usual);
+    if (wish->comparison == plan::Comparison::at_most) levels = std::min(levels, usual);
     spec.levels =
         std::clamp(levels, std::max(1, zone.kind->level_range[0]), zone.kind->level_range[1]);
   }
 
-  StockSpec stock_of() const {
-    StockSpec stock;
+  plan::StockSpec stock_of() const {
+    plan::StockSpec stock;
     stock.fill = program_.profile->stock_fill;
-    for (const Requirement& wish : found_.requirements) {
+    for (const plan::Requirement& wish : found_.requirements) {
       if (wish.kind == Kind::product_absent) stock.exclude.push_back(wish.subject);
       if (wish.kind == Kind::zone_absent) exclude_goods_of(wish.subject, stock);
       if (wish.kind == Kind::stock) apply_stock(wish, stock);
@@ -128,8 +132,8 @@ class ZoneWriter {
     return stock;
   }
 
-  static void apply_stock(const Requirement& wish, StockSpec& stock) {
-    if (wish.subject == "fill" && wish.comparison == Comparison::at_least) {
+  static void apply_stock(const plan::Requirement& wish, plan::StockSpec& stock) {
+    if (wish.subject == "fill" && wish.comparison == plan::Comparison::at_least) {
       stock.fill = std::max(stock.fill, wish.value);
     } else if (wish.subject == "fill") {
       stock.fill = wish.value;
@@ -142,20 +146,21 @@ class ZoneWriter {
   }
 
   // "No alcohol" keeps beer out of the offers too: what only that zone type sells is sold nowhere.
-  void exclude_goods_of(const std::string& type, StockSpec& stock) const {
-    const ZoneTypeRow* refused = sources_.catalog.zone_type(type);
+  void exclude_goods_of(const std::string& type, plan::StockSpec& stock) const {
+    const catalog::ZoneTypeRow* refused = sources_.catalog.zone_type(type);
     if (refused == nullptr) return;
     const auto sold_elsewhere = [&](const std::string& goods, auto list) {
-      return std::ranges::any_of(sources_.catalog.zone_types, [&](const ZoneTypeRow& row) {
+      return std::ranges::any_of(sources_.catalog.zone_types, [&](const catalog::ZoneTypeRow& row) {
         return row.type != type && std::ranges::find(row.*list, goods) != (row.*list).end();
       });
     };
     for (const std::string& goods : refused->subcategories) {
-      if (!sold_elsewhere(goods, &ZoneTypeRow::subcategories)) stock.exclude.push_back(goods);
+      if (!sold_elsewhere(goods, &catalog::ZoneTypeRow::subcategories))
+        stock.exclude.push_back(goods);
     }
     if (!refused->subcategories.empty()) return;
     for (const std::string& goods : refused->categories) {
-      if (!sold_elsewhere(goods, &ZoneTypeRow::categories)) stock.exclude.push_back(goods);
+      if (!sold_elsewhere(goods, &catalog::ZoneTypeRow::categories)) stock.exclude.push_back(goods);
     }
   }
 
@@ -166,12 +171,12 @@ class ZoneWriter {
 
 }  // namespace
 
-std::vector<Zone> zones_of(const PlanSources& sources) {
+std::vector<plan::Zone> zones_of(const PlanSources& sources) {
   const ZoneWriter writer(sources);
-  std::vector<Zone> zones;
+  std::vector<plan::Zone> zones;
   for (std::size_t i = 0; i < sources.program.zones.size(); ++i)
     zones.push_back(writer.write(i));
   return zones;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

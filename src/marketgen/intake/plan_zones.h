@@ -4,9 +4,9 @@
 
 #include "intake/plan_writer.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 
 // In the order of the program's zones.
-std::vector<Zone> zones_of(const PlanSources& sources);
+std::vector<plan::Zone> zones_of(const PlanSources& sources);
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

@@ -1,6 +1,6 @@
 #include "intake/reading.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 namespace {
 
 // Of two words for the kind of shop the more specific one counts: "discount supermarket" is a
@@ -8,8 +8,8 @@ namespace {
 void read_profile(const Reading& reading, Phrase& phrase, double& specificity) {
   phrase.used = true;
   if (phrase.number < specificity) return;
-  for (Requirement& known : reading.found.requirements) {
-    if (known.kind != RequirementKind::profile || phrase.number <= specificity) continue;
+  for (plan::Requirement& known : reading.found.requirements) {
+    if (known.kind != plan::RequirementKind::profile || phrase.number <= specificity) continue;
     known.text = reading.words(phrase.span);
     known.span = phrase.span;
     known.object = phrase.value;
@@ -17,7 +17,7 @@ void read_profile(const Reading& reading, Phrase& phrase, double& specificity) {
     return;
   }
   specificity = phrase.number;
-  reading.add(RequirementKind::profile, phrase.span, phrase.strength).object = phrase.value;
+  reading.add(plan::RequirementKind::profile, phrase.span, phrase.strength).object = phrase.value;
 }
 
 }  // namespace
@@ -29,7 +29,7 @@ void read_character(Sentence& sentence, Reading& reading) {
     // "well stocked shelves": every shop has shelves, so they ask for nothing.
     const bool any_shelves = phrase.sense == Sense::part && phrase.value == "fixture";
     if (phrase.sense == Sense::style) {
-      reading.add(RequirementKind::style, phrase.span, phrase.strength).object = phrase.value;
+      reading.add(plan::RequirementKind::style, phrase.span, phrase.strength).object = phrase.value;
       phrase.used = true;
     } else if (phrase.sense == Sense::profile) {
       read_profile(reading, phrase, specificity);
@@ -42,4 +42,4 @@ void read_character(Sentence& sentence, Reading& reading) {
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

@@ -3,7 +3,7 @@
 
 #include "intake/reading.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 namespace {
 
 // A sentence's noun may follow its number after one adjective: "five modern checkouts".
@@ -68,8 +68,8 @@ void add_levels(Sentence& sentence,
                 std::size_t noun,
                 const Compared& compared,
                 double value) {
-  const Strength strength = sentence.phrases[noun].strength;
-  Requirement& levels = reading.add(RequirementKind::levels, compared.span, strength);
+  const plan::Strength strength = sentence.phrases[noun].strength;
+  plan::Requirement& levels = reading.add(plan::RequirementKind::levels, compared.span, strength);
   levels.comparison = compared.comparison;
   levels.value = value + compared.shift;
   use_shelving_noun(sentence, noun);
@@ -91,12 +91,12 @@ void add_rows(Sentence& sentence, const Reading& reading, std::size_t number, st
   sentence.use(number, noun);
 }
 
-RequirementKind kind_of_count(const Phrase& noun) {
-  if (noun.sense == Sense::counted) return RequirementKind::aisle_count;
-  if (noun.sense == Sense::opening) return RequirementKind::opening;
+plan::RequirementKind kind_of_count(const Phrase& noun) {
+  if (noun.sense == Sense::counted) return plan::RequirementKind::aisle_count;
+  if (noun.sense == Sense::opening) return plan::RequirementKind::opening;
   const bool tills = noun.value == "checkout" || noun.value == "self_checkout";
-  return noun.sense == Sense::zone && !tills ? RequirementKind::zone_count
-                                             : RequirementKind::fixture_count;
+  return noun.sense == Sense::zone && !tills ? plan::RequirementKind::zone_count
+                                             : plan::RequirementKind::fixture_count;
 }
 
 void add_count(Sentence& sentence, const Reading& reading, std::size_t number, std::size_t noun) {
@@ -113,17 +113,17 @@ void add_count(Sentence& sentence, const Reading& reading, std::size_t number, s
   what.used = what.counted = true;
   if (levels) {
     add_levels(sentence, reading, noun, compared, value);
-    Requirement& added = reading.found.requirements.back();
+    plan::Requirement& added = reading.found.requirements.back();
     if (added.subject.empty() && sentence.is(owner, Sense::zone)) {
       added.subject = sentence.phrases[owner].value;
     }
     return;
   }
-  Requirement& count = reading.add(kind_of_count(what), compared.span, what.strength);
+  plan::Requirement& count = reading.add(kind_of_count(what), compared.span, what.strength);
   count.comparison = compared.comparison;
   count.value = value + compared.shift;
   if (what.sense != Sense::counted) count.subject = what.value;
-  if (count.kind == RequirementKind::fixture_count) {
+  if (count.kind == plan::RequirementKind::fixture_count) {
     count.object = what.sense == Sense::zone ? what.value : what.zone;
   }
   if (what.value == "checkout") count.subject = "checkout_lane";
@@ -136,7 +136,7 @@ Compared comparison_around(Sentence& sentence, std::size_t i, std::size_t last) 
   result.span = joined(sentence.phrases[i].span, sentence.phrases[last].span);
   const auto take = [&](std::size_t at) {
     Phrase& word = sentence.phrases[at];
-    result.comparison = value_named<Comparison>(word.value).value_or(Comparison::equal);
+    result.comparison = value_named<plan::Comparison>(word.value).value_or(plan::Comparison::equal);
     result.shift = static_cast<int>(word.number);
     result.span = joined(result.span, word.span);
     word.used = true;
@@ -162,4 +162,4 @@ void read_counts(Sentence& sentence, Reading& reading) {
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

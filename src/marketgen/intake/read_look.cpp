@@ -1,7 +1,7 @@
 #include "intake/materials.h"
 #include "intake/reading.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 namespace {
 
 bool describes(const Sentence& sentence, std::size_t i) {
@@ -57,17 +57,17 @@ bool add_surface(const Reading& reading,
                  const std::string& part,
                  const Surface& surface,
                  IntRange span,
-                 Strength strength) {
+                 plan::Strength strength) {
   if (part == "accent" || (part == "fixture" && surface.words.materials.empty())) {
     if (surface.hex.empty()) return false;
-    Requirement& color = reading.add(RequirementKind::color, span, strength);
+    plan::Requirement& color = reading.add(plan::RequirementKind::color, span, strength);
     color.subject = part;
     color.object = surface.hex;
     return true;
   }
-  const MaterialRow* row = material_for(reading.catalog, part, surface.words, surface.hex);
+  const catalog::MaterialRow* row = material_for(reading.catalog, part, surface.words, surface.hex);
   if (row == nullptr) return false;
-  Requirement& material = reading.add(RequirementKind::material, span, strength);
+  plan::Requirement& material = reading.add(plan::RequirementKind::material, span, strength);
   material.subject = part;
   material.object = row->id;
   return true;
@@ -117,7 +117,8 @@ void read_lone_material(Sentence& sentence, const Reading& reading, std::size_t 
 
 void read_light(Sentence& sentence, const Reading& reading, std::size_t i) {
   Phrase& phrase = sentence.phrases[i];
-  Requirement& light = reading.add(RequirementKind::light, phrase.span, phrase.strength);
+  plan::Requirement& light =
+      reading.add(plan::RequirementKind::light, phrase.span, phrase.strength);
   light.subject = phrase.value;
   light.value = phrase.number;
   phrase.used = true;
@@ -138,4 +139,4 @@ void read_look(Sentence& sentence, Reading& reading) {
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

@@ -5,7 +5,7 @@
 #include "intake/floor_owner.h"
 #include "intake/reading.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 namespace {
 
 constexpr double metre_mm = 1000;
@@ -37,16 +37,19 @@ std::optional<std::array<double, 2>> sides_mm(const Phrase& a, const Phrase& b) 
   return {{a.written * metre_mm, b.written * metre_mm}};
 }
 
-void add_size(
-    const Reading& reading, IntRange span, Strength strength, double width_mm, double depth_mm) {
-  Requirement& size = reading.add(RequirementKind::size, span, strength);
+void add_size(const Reading& reading,
+              IntRange span,
+              plan::Strength strength,
+              double width_mm,
+              double depth_mm) {
+  plan::Requirement& size = reading.add(plan::RequirementKind::size, span, strength);
   size.value = width_mm;
   size.second_value = depth_mm;
 }
 
 bool shop_is_measured(const Reading& reading) {
-  return reading.found.find(RequirementKind::size) != nullptr ||
-         reading.found.find(RequirementKind::area, "") != nullptr;
+  return reading.found.find(plan::RequirementKind::size) != nullptr ||
+         reading.found.find(plan::RequirementKind::area, "") != nullptr;
 }
 
 // "24 x 15 m", "24m by 15m"; "a 5 x 4 m bakery" asks for a zone's floor.
@@ -64,7 +67,7 @@ void read_sizes(Sentence& sentence, const Reading& reading) {
     if (zone.empty()) {
       add_size(reading, span, first.strength, (*sides)[0], (*sides)[1]);
     } else {
-      Requirement& area = reading.add(RequirementKind::area, span, first.strength);
+      plan::Requirement& area = reading.add(plan::RequirementKind::area, span, first.strength);
       area.subject = zone;
       area.value = 1e-6 * (*sides)[0] * (*sides)[1];
     }
@@ -119,8 +122,10 @@ bool add_measure(Sentence& sentence,
   const double value = sentence.phrases[number].number;
   const Compared compared = comparison_around(sentence, number, last);
   const IntRange span = joined(compared.span, what.span);
-  Requirement& measure = reading.add(
-      aisle ? RequirementKind::aisle_width : RequirementKind::height, span, what.strength);
+  plan::Requirement& measure =
+      reading.add(aisle ? plan::RequirementKind::aisle_width : plan::RequirementKind::height,
+                  span,
+                  what.strength);
   measure.comparison = compared.comparison;
   measure.value = value;
   if (upright) measure.subject = what.value;
@@ -211,7 +216,8 @@ void add_area(const Reading& reading,
               const Phrase& number,
               const std::string& zone,
               const Compared& compared) {
-  Requirement& area = reading.add(RequirementKind::area, compared.span, number.strength);
+  plan::Requirement& area =
+      reading.add(plan::RequirementKind::area, compared.span, number.strength);
   area.comparison = compared.comparison;
   area.value = number.number;
   area.subject = zone;
@@ -224,8 +230,8 @@ void add_area_range(const Reading& reading,
                     const std::string& zone) {
   const IntRange span = joined(low.span, high.span);
   low.number = low.written * high.number / high.written;
-  add_area(reading, low, zone, {Comparison::at_least, 0, span});
-  add_area(reading, high, zone, {Comparison::at_most, 0, span});
+  add_area(reading, low, zone, {plan::Comparison::at_least, 0, span});
+  add_area(reading, high, zone, {plan::Comparison::at_most, 0, span});
 }
 
 void read_areas(Sentence& sentence, const Reading& reading) {
@@ -267,4 +273,4 @@ void read_measures(Sentence& sentence, Reading& reading) {
   read_areas(sentence, reading);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

@@ -3,7 +3,7 @@
 #include "intake/place_nouns.h"
 #include "intake/reading.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 namespace {
 
 // A relation that was opened by its words and waits for what it relates to.
@@ -292,4 +292,4 @@ void read_places(Sentence& sentence, Reading& reading) {
   PlaceReader(sentence, reading).run();
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

@@ -1,6 +1,6 @@
 #include "intake/reading.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 namespace {
 
 constexpr double percent = 0.01;
@@ -15,7 +15,7 @@ void read_percentages(Sentence& sentence, const Reading& reading) {
     const std::size_t word = sentence.skip_fillers(i + 2);
     if (!sentence.is(word, Sense::stock)) continue;
     const IntRange span = joined(number.span, sentence.phrases[word].span);
-    Requirement& stock = reading.add(RequirementKind::stock, span, number.strength);
+    plan::Requirement& stock = reading.add(plan::RequirementKind::stock, span, number.strength);
     stock.subject = sentence.phrases[word].value;
     stock.value = number.number * percent;
     sentence.use(i, word);
@@ -28,14 +28,15 @@ void read_stock(Sentence& sentence, Reading& reading) {
   read_percentages(sentence, reading);
   for (Phrase& phrase : sentence.phrases) {
     if (phrase.sense != Sense::stock || phrase.used) continue;
-    Requirement& stock = reading.add(RequirementKind::stock, phrase.span, phrase.strength);
+    plan::Requirement& stock =
+        reading.add(plan::RequirementKind::stock, phrase.span, phrase.strength);
     stock.subject = phrase.value;
     stock.value = phrase.number;
     // Full shelves and gaps are floors, order is a ceiling; the row says which side its number is
     // on.
-    stock.comparison = value_named<Comparison>(phrase.zone).value_or(Comparison::equal);
+    stock.comparison = value_named<plan::Comparison>(phrase.zone).value_or(plan::Comparison::equal);
     phrase.used = true;
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

@@ -7,19 +7,19 @@
 #include "intake/sentence.h"
 #include "intake/understanding.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 
 struct Reading {
   std::string_view prompt;
-  const Catalog& catalog;
+  const catalog::Catalog& catalog;
   Understanding& found;
 
   std::string words(IntRange span) const {
     return std::string(prompt.substr(static_cast<std::size_t>(span[0]),
                                      static_cast<std::size_t>(span[1] - span[0])));
   }
-  Requirement& add(RequirementKind kind, IntRange span, Strength strength) const {
-    Requirement& requirement = found.requirements.emplace_back();
+  plan::Requirement& add(plan::RequirementKind kind, IntRange span, plan::Strength strength) const {
+    plan::Requirement& requirement = found.requirements.emplace_back();
     requirement.kind = kind;
     requirement.span = span;
     requirement.text = words(span);
@@ -46,7 +46,7 @@ void read_character(Sentence& sentence, Reading& reading);
 // "at least" before or "or more" after a number. `shift` is what "more than" adds to a whole
 // number.
 struct Compared {
-  Comparison comparison = Comparison::equal;
+  plan::Comparison comparison = plan::Comparison::equal;
   int shift = 0;
   IntRange span{0, 0};  // of the comparison and the number
 };
@@ -54,4 +54,4 @@ struct Compared {
 // used.
 Compared comparison_around(Sentence& sentence, std::size_t i, std::size_t last);
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

@@ -6,17 +6,17 @@
 #include "intake/candidate.h"
 #include "plan/relation.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 
 // The candidate's floor with its zones and openings. Views of both.
-NamedFloor named_floor(const Candidate& candidate, const StoreProgram& program);
+plan::NamedFloor named_floor(const Candidate& candidate, const StoreProgram& program);
 
 // The slack that the planner asks for: a tenth of the limit, a decimetre at least. Our own figure.
-double planner_margin_m(const RelationMeasure& measure);
+double planner_margin_m(const plan::RelationMeasure& measure);
 
 // How badly the wish is missed: 0 when it holds with the planner's margin, otherwise 1 and more
 // with the distance in store diagonals added; 2 when it cannot be judged here. Precondition: a
 // relation.
-double miss_of(const Requirement& wish, const NamedFloor& floor);
+double miss_of(const plan::Requirement& wish, const plan::NamedFloor& floor);
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-namespace marketgen {
+namespace marketgen::intake {
 namespace {
 
 Phrase known_phrase(const Lexicon::Match& match, const std::vector<Token>& tokens, std::size_t at) {
@@ -111,7 +111,7 @@ void spread_strengths(std::vector<Phrase>& phrases) {
       wish = wish || (phrase.sense == Sense::strength && phrase.value == "prefer");
     }
     for (; first < last; ++first) {
-      phrases[first].strength = wish ? Strength::prefer : Strength::must;
+      phrases[first].strength = wish ? plan::Strength::prefer : plan::Strength::must;
       if (phrases[first].sense == Sense::strength) phrases[first].used = true;
     }
   }
@@ -169,4 +169,4 @@ std::vector<Sentence> make_sentences(const std::vector<Token>& raw, const Lexico
   return sentences;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

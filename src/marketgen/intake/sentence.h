@@ -13,7 +13,7 @@
 #include "intake/tokens.h"
 #include "plan/plan.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 
 struct Phrase {
   Sense sense = Sense::ordinary;
@@ -25,9 +25,10 @@ struct Phrase {
   bool in_words = false;  // of a lexicon row: a number was not written in digits
   bool measured =
       false;  // a number with a unit: `number` is in mm or m2, `value` is "length" or "area"
-  double written = 0;                  // the number as it was written
-  bool counted = false;                // a noun whose number was understood: "five checkouts"
-  Strength strength = Strength::must;  // what "ideally", "must" and the like around it say
+  double written = 0;    // the number as it was written
+  bool counted = false;  // a noun whose number was understood: "five checkouts"
+  plan::Strength strength =
+      plan::Strength::must;  // what "ideally", "must" and the like around it say
 };
 
 struct Sentence {
@@ -54,4 +55,4 @@ inline IntRange joined(IntRange a, IntRange b) {
 
 std::vector<Sentence> make_sentences(const std::vector<Token>& raw, const Lexicon& lexicon);
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

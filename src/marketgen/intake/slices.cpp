@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace marketgen {
+namespace marketgen::intake {
 namespace {
 
 // Limits of Node::ratio, with room for rounding.
@@ -78,7 +78,7 @@ class NodeWriter {
 
   void write(const Slice& slice, const std::string& id) {
     if (slice.zone >= 0) {
-      Node& leaf = nodes.emplace_back();
+      plan::Node& leaf = nodes.emplace_back();
       leaf.id = id;
       leaf.zone = zone_ids_[static_cast<std::size_t>(slice.zone)];
       return;
@@ -89,13 +89,13 @@ class NodeWriter {
     write_range(slice, tree, all, id);
   }
 
-  std::vector<Node> nodes;
+  std::vector<plan::Node> nodes;
 
  private:
   void write_range(const Slice& slice, BinaryTree& tree, Range range, const std::string& id) {
     if (range.first == range.last) return write(slice.parts[range.first], id);
     const std::size_t k = tree.cut(range);
-    Node& node = nodes.emplace_back();
+    plan::Node& node = nodes.emplace_back();
     node.id = id;
     node.split = slice.axis;
     const double ratio = std::clamp(tree.ratio_at(range, k), min_ratio, max_ratio);
@@ -114,12 +114,12 @@ void collect_rects(const Slice& slice, const RectMm& rect, std::vector<RectMm>& 
     rects[static_cast<std::size_t>(slice.zone)] = rect;
     return;
   }
-  int at = slice.axis == Axis::x ? rect.x0 : rect.y0;
+  int at = slice.axis == plan::Axis::x ? rect.x0 : rect.y0;
   for (std::size_t i = 0; i < slice.parts.size(); ++i) {
     RectMm part = rect;
-    (slice.axis == Axis::x ? part.x0 : part.y0) = at;
+    (slice.axis == plan::Axis::x ? part.x0 : part.y0) = at;
     at += slice.sizes_mm[i];
-    (slice.axis == Axis::x ? part.x1 : part.y1) = at;
+    (slice.axis == plan::Axis::x ? part.x1 : part.y1) = at;
     collect_rects(slice.parts[i], part, rects);
     if (i + 1 < slice.parts.size()) at += slice.gaps_mm[i];
   }
@@ -146,7 +146,7 @@ Slice zone_slice(int zone) {
   return slice;
 }
 
-Slice cut_slice(Axis axis) {
+Slice cut_slice(plan::Axis axis) {
   Slice slice;
   slice.axis = axis;
   return slice;
@@ -169,10 +169,10 @@ int tree_depth(const Slice& slice) {
   return BinaryTree(slice).depth({0, slice.parts.size() - 1});
 }
 
-std::vector<Node> nodes_of(const Slice& slice, const std::vector<std::string>& zone_ids) {
+std::vector<plan::Node> nodes_of(const Slice& slice, const std::vector<std::string>& zone_ids) {
   NodeWriter writer(zone_ids);
   writer.write(slice, "floor");
   return std::move(writer.nodes);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

@@ -10,11 +10,11 @@
 #include "geometry/rectangle.h"
 #include "plan/plan.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 
 struct Slice {
-  int zone = -1;        // index of the zone that fills it; -1 when it is cut
-  Axis axis = Axis::x;  // cut across x: parts run west to east; y: south to north
+  int zone = -1;                    // index of the zone that fills it; -1 when it is cut
+  plan::Axis axis = plan::Axis::x;  // cut across x: parts run west to east; y: south to north
   std::vector<Slice> parts;
   std::vector<int> sizes_mm;  // of the parts along the axis
   std::vector<int> gaps_mm;   // after each part but the last
@@ -25,7 +25,7 @@ struct Slice {
 };
 
 Slice zone_slice(int zone);
-Slice cut_slice(Axis axis);
+Slice cut_slice(plan::Axis axis);
 // A slice with one part is that part.
 Slice simplified(Slice slice);
 
@@ -37,6 +37,6 @@ std::vector<RectMm> zone_rects(const Slice& slice, const RectMm& rect, std::size
 int tree_depth(const Slice& slice);
 
 // The binary tree. Ids are "floor", "floor/1" and so on. `zone_ids` in the order of zone indices.
-std::vector<Node> nodes_of(const Slice& slice, const std::vector<std::string>& zone_ids);
+std::vector<plan::Node> nodes_of(const Slice& slice, const std::vector<std::string>& zone_ids);
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

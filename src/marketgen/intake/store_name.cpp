@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace marketgen {
+namespace marketgen::intake {
 namespace {
 
 constexpr std::size_t longest_name = 6;          // words
@@ -82,4 +82,4 @@ std::optional<StoreName> take_store_name(std::string_view prompt,
   return std::nullopt;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

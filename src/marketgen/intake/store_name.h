@@ -6,7 +6,7 @@
 #include "intake/lexicon.h"
 #include "intake/understanding.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 
 // Finds the name and takes its tokens out of the list, so that "called Green Bakery" asks for no
 // bakery.
@@ -14,4 +14,4 @@ std::optional<StoreName> take_store_name(std::string_view prompt,
                                          std::vector<Token>& tokens,
                                          const Lexicon& lexicon);
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

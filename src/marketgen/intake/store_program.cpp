@@ -6,10 +6,10 @@
 
 #include "intake/store_size.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 namespace {
 
-using Kind = RequirementKind;
+using Kind = plan::RequirementKind;
 
 constexpr std::string_view usual_profile = "supermarket-eu";
 constexpr double zones_in_any_store = 5;
@@ -19,11 +19,11 @@ constexpr double lanes_from_m2 = 70;    // smaller shops take money over a count
 constexpr double staffed_counter_from_m2 = 500;  // smaller shops sell meat and cheese packed
 constexpr double checkout_zones_share = 0.09;    // tills take their own floor first
 
-const ProfileRow& profile_of(const Brief& brief,
-                             const Understanding& found,
-                             const Catalog& catalog) {
-  const Requirement* wish = found.find(Kind::profile);
-  const ProfileRow* row = nullptr;
+const catalog::ProfileRow& profile_of(const Brief& brief,
+                                      const Understanding& found,
+                                      const catalog::Catalog& catalog) {
+  const plan::Requirement* wish = found.find(Kind::profile);
+  const catalog::ProfileRow* row = nullptr;
   if (brief.profile) row = catalog.profile(*brief.profile);
   if (row == nullptr && wish != nullptr) row = catalog.profile(wish->object);
   if (row == nullptr) row = catalog.profile(usual_profile);
@@ -37,7 +37,7 @@ int rounded_mm(double mm) {
 }
 
 // The profile's proportions at another area, as far as a shop may be so narrow or so long.
-std::array<int, 2> size_with_area(const ProfileRow& profile, double area_m2) {
+std::array<int, 2> size_with_area(const catalog::ProfileRow& profile, double area_m2) {
   const double usual = 1e-6 * profile.default_size_mm[0] * profile.default_size_mm[1];
   const double scale = std::sqrt(area_m2 / usual);
   double width = profile.default_size_mm[0] * scale, depth = profile.default_size_mm[1] * scale;
@@ -49,19 +49,19 @@ std::array<int, 2> size_with_area(const ProfileRow& profile, double area_m2) {
   return {rounded_mm(width), rounded_mm(depth)};
 }
 
-std::string where_of(const Requirement& wish) {
+std::string where_of(const plan::Requirement& wish) {
   return "prompt:bytes " + std::to_string(wish.span[0]) + "-" + std::to_string(wish.span[1]);
 }
 
 // The floor that was asked for in m2: between "at least" and "at most" where both were said.
-const Requirement* area_wish(const Understanding& found, double& area_m2) {
-  const Requirement* first = nullptr;
+const plan::Requirement* area_wish(const Understanding& found, double& area_m2) {
+  const plan::Requirement* first = nullptr;
   double low = 0, high = HUGE_VAL;
-  for (const Requirement& wish : found.requirements) {
+  for (const plan::Requirement& wish : found.requirements) {
     if (wish.kind != Kind::area || !wish.subject.empty()) continue;
     if (first == nullptr) first = &wish;
-    if (wish.comparison != Comparison::at_most) low = std::max(low, wish.value);
-    if (wish.comparison != Comparison::at_least) high = std::min(high, wish.value);
+    if (wish.comparison != plan::Comparison::at_most) low = std::max(low, wish.value);
+    if (wish.comparison != plan::Comparison::at_least) high = std::min(high, wish.value);
   }
   area_m2 = low > 0 && high < HUGE_VAL ? (low + high) / 2 : (low > 0 ? low : high);
   return first;
@@ -69,13 +69,13 @@ const Requirement* area_wish(const Understanding& found, double& area_m2) {
 
 Result<std::array<int, 2>> size_of(const Brief& brief,
                                    const Understanding& found,
-                                   const ProfileRow& profile) {
+                                   const catalog::ProfileRow& profile) {
   if (brief.size_mm) return *brief.size_mm;
   const double usual_m2 = 1e-6 * profile.default_size_mm[0] * profile.default_size_mm[1];
   double area_m2 = 0;
-  const Requirement* area = area_wish(found, area_m2);
+  const plan::Requirement* area = area_wish(found, area_m2);
   if (area == nullptr) area_m2 = usual_m2 * found.size_factor;
-  if (const Requirement* size = found.find(Kind::size)) {
+  if (const plan::Requirement* size = found.find(Kind::size)) {
     // One side that was not said is what the area leaves.
     const auto other = [&](double side_mm) {
       return std::clamp<double>(
@@ -99,9 +99,9 @@ bool is_till(std::string_view type) {
   return type == "checkout" || type == "self_checkout";
 }
 
-Stance stance_of(const ZoneTypeRow& type, const FixtureKind* kind) {
+Stance stance_of(const catalog::ZoneTypeRow& type, const catalog::FixtureKind* kind) {
   if (kind == nullptr) return Stance::wall;
-  if (kind->role != FixtureRole::shelving) return Stance::front;
+  if (kind->role != catalog::FixtureRole::shelving) return Stance::front;
   const bool counter = kind->generator == "serve_over";  // staff stand between it and a wall
   if (kind->against_wall || counter) return Stance::wall;
   return kind->double_sided || type.anchor == "center" ? Stance::central : Stance::hall;
@@ -120,22 +120,22 @@ struct NamedZones {
   }
 };
 
-bool names_zone_in_relation(const Requirement& wish) {
-  return wish.kind == Kind::relation && wish.relation != RelationKind::far &&
-         wish.relation != RelationKind::not_adjacent;
+bool names_zone_in_relation(const plan::Requirement& wish) {
+  return wish.kind == Kind::relation && wish.relation != plan::RelationKind::far &&
+         wish.relation != plan::RelationKind::not_adjacent;
 }
 
-NamedZones named_zones(const Understanding& found, const Catalog& catalog) {
+NamedZones named_zones(const Understanding& found, const catalog::Catalog& catalog) {
   NamedZones named;
   const auto add_if_zone = [&](const std::string& name) {
     if (catalog.zone_type(name) != nullptr) named.add(name);
   };
-  for (const Requirement& wish : found.requirements) {
+  for (const plan::Requirement& wish : found.requirements) {
     if (wish.kind == Kind::zone_present) named.add(wish.subject);
     if (wish.kind == Kind::zone_count) named.add(wish.subject, static_cast<int>(wish.value));
     if (wish.kind == Kind::area || wish.kind == Kind::levels) add_if_zone(wish.subject);
     if (wish.kind == Kind::product_present) named.add(wish.object);
-    const bool wants_some = wish.comparison != Comparison::at_most || wish.value > 0;
+    const bool wants_some = wish.comparison != plan::Comparison::at_most || wish.value > 0;
     if (wish.kind == Kind::fixture_count && wants_some) add_if_zone(wish.object);
     if (!names_zone_in_relation(wish)) continue;
     for (const std::string* name : {&wish.subject, &wish.object, &wish.second_object}) {
@@ -148,10 +148,10 @@ NamedZones named_zones(const Understanding& found, const Catalog& catalog) {
 }
 
 // What any room has floor for: the first of the profile's zones with ordinary shelves.
-NamedZones plain_zones(const StoreProgram& program, const Catalog& catalog) {
+NamedZones plain_zones(const StoreProgram& program, const catalog::Catalog& catalog) {
   NamedZones zones;
   for (const std::string& type : program.profile->zones) {
-    const ZoneTypeRow* row = catalog.zone_type(type);
+    const catalog::ZoneTypeRow* row = catalog.zone_type(type);
     if (row == nullptr || row->fixture != "gondola") continue;
     zones.add(type);
     break;
@@ -162,7 +162,7 @@ NamedZones plain_zones(const StoreProgram& program, const Catalog& catalog) {
 // Zone types in order of importance: named ones first, then the profile's, as many as the floor can
 // hold.
 NamedZones chosen_zones(const Understanding& found,
-                        const Catalog& catalog,
+                        const catalog::Catalog& catalog,
                         const StoreProgram& program) {
   NamedZones chosen = program.plain ? plain_zones(program, catalog) : named_zones(found, catalog);
   const bool only_machines = found.find(Kind::zone_absent, "checkout") != nullptr &&
@@ -188,27 +188,28 @@ double emphasis_on(const Understanding& found, const std::string& type) {
 
 // Small shops take money over a counter, and so do those whose floor has no room for lanes.
 bool pays_at_counter(const Understanding& found,
-                     const ZoneTypeRow& type,
+                     const catalog::ZoneTypeRow& type,
                      const StoreProgram& program) {
   const bool only_machines = found.find(Kind::zone_absent, "checkout") != nullptr;
   if (type.type == "self_checkout") return only_machines && program.till_counter;
-  const Requirement* lanes = found.find(Kind::fixture_count, "checkout_lane");
+  const plan::Requirement* lanes = found.find(Kind::fixture_count, "checkout_lane");
   const bool one_till = lanes == nullptr || lanes->value <= 1;
   return type.type == "checkout" &&
          (program.till_counter || (one_till && program.area_m2() < lanes_from_m2));
 }
 
 // A named fixture kind replaces the zone's usual one when it can hold the same goods.
-const FixtureKind* kind_of(const Understanding& found,
-                           const Catalog& catalog,
-                           const ZoneTypeRow& type,
-                           const StoreProgram& program) {
+const catalog::FixtureKind* kind_of(const Understanding& found,
+                                    const catalog::Catalog& catalog,
+                                    const catalog::ZoneTypeRow& type,
+                                    const StoreProgram& program) {
   if (pays_at_counter(found, type, program)) return catalog.fixture_kind("till-counter");
-  const FixtureKind* usual = type.fixture.empty() ? nullptr : catalog.fixture_kind(type.fixture);
-  for (const Requirement& wish : found.requirements) {
+  const catalog::FixtureKind* usual =
+      type.fixture.empty() ? nullptr : catalog.fixture_kind(type.fixture);
+  for (const plan::Requirement& wish : found.requirements) {
     const bool named = wish.kind == Kind::fixture_count && wish.object == type.type &&
-                       !(wish.comparison == Comparison::at_most && wish.value == 0);
-    const FixtureKind* kind = named ? catalog.fixture_kind(wish.subject) : nullptr;
+                       !(wish.comparison == plan::Comparison::at_most && wish.value == 0);
+    const catalog::FixtureKind* kind = named ? catalog.fixture_kind(wish.subject) : nullptr;
     if (kind != nullptr && (usual == nullptr || kind->temperature == usual->temperature)) {
       return kind;
     }
@@ -222,18 +223,18 @@ const FixtureKind* kind_of(const Understanding& found,
   return usual;
 }
 
-std::optional<int> count_of(const Understanding& found, const FixtureKind* kind) {
+std::optional<int> count_of(const Understanding& found, const catalog::FixtureKind* kind) {
   if (kind == nullptr) return std::nullopt;
-  const Requirement* wish = found.find(Kind::fixture_count, kind->kind);
+  const plan::Requirement* wish = found.find(Kind::fixture_count, kind->kind);
   const bool some = wish != nullptr && wish->value > 0;
-  const bool exact =
-      some && (kind->role != FixtureRole::shelving || wish->comparison != Comparison::at_least);
+  const bool exact = some && (kind->role != catalog::FixtureRole::shelving ||
+                              wish->comparison != plan::Comparison::at_least);
   return exact ? std::optional<int>(static_cast<int>(wish->value)) : std::nullopt;
 }
 
 ProgramZone make_zone(const Understanding& found,
-                      const Catalog& catalog,
-                      const ZoneTypeRow& type,
+                      const catalog::Catalog& catalog,
+                      const catalog::ZoneTypeRow& type,
                       const StoreProgram& program,
                       int index) {
   ProgramZone zone;
@@ -241,10 +242,11 @@ ProgramZone make_zone(const Understanding& found,
   zone.type = &type;
   zone.kind = kind_of(found, catalog, type, program);
   zone.stance = stance_of(type, zone.kind);
-  zone.cold = type.temperature != Storage::ambient;
+  zone.cold = type.temperature != catalog::Storage::ambient;
   zone.stressed = emphasis_on(found, type.type) > 1;
   zone.count = count_of(found, zone.kind);
-  if (const Requirement* area = found.find(Kind::area, type.type)) zone.wanted_m2 = area->value;
+  if (const plan::Requirement* area = found.find(Kind::area, type.type))
+    zone.wanted_m2 = area->value;
   for (const WantedRows& rows : found.rows) {
     if (rows.zone == type.type) zone.rows = rows.rows;
   }
@@ -252,7 +254,7 @@ ProgramZone make_zone(const Understanding& found,
 }
 
 // Shares are those of an ordinary supermarket; a profile that names a zone early gives it more.
-double importance_of(const ProfileRow& profile, const std::string& type) {
+double importance_of(const catalog::ProfileRow& profile, const std::string& type) {
   constexpr double first = 1.6, last = 0.7;
   const auto count = static_cast<double>(profile.zones.size());
   const auto at = std::ranges::find(profile.zones, type) - profile.zones.begin();
@@ -289,7 +291,7 @@ void count_lanes(StoreProgram& program) {
   }
 }
 
-std::optional<int> whole(const Requirement* wish) {
+std::optional<int> whole(const plan::Requirement* wish) {
   if (wish == nullptr) return std::nullopt;
   return static_cast<int>(std::lround(wish->value));
 }
@@ -298,7 +300,7 @@ std::optional<int> whole(const Requirement* wish) {
 
 Result<StoreProgram> make_program(const Brief& brief,
                                   const Understanding& found,
-                                  const Catalog& catalog,
+                                  const catalog::Catalog& catalog,
                                   const Concessions& concessions,
                                   std::vector<std::string>& trace) {
   StoreProgram program;
@@ -314,7 +316,7 @@ Result<StoreProgram> make_program(const Brief& brief,
     program.aisle_mm = std::max(*program.aisle_mm, program.profile->minimum_aisle_mm);
   const NamedZones chosen = chosen_zones(found, catalog, program);
   for (const std::string& type : chosen.order) {
-    const ZoneTypeRow* row = catalog.zone_type(type);
+    const catalog::ZoneTypeRow* row = catalog.zone_type(type);
     if (row == nullptr) continue;
     for (int i = 0; i < chosen.count.at(type); ++i) {
       const std::size_t room = is_till(type) ? max_zones : max_zones - 1;  // one is for the tills
@@ -335,4 +337,4 @@ Result<StoreProgram> make_program(const Brief& brief,
   return program;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

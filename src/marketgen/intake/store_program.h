@@ -9,7 +9,7 @@
 #include "intake/brief.h"
 #include "intake/understanding.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 
 // How a zone likes to stand.
 enum class Stance {
@@ -21,8 +21,8 @@ enum class Stance {
 
 struct ProgramZone {
   std::string id;
-  const ZoneTypeRow* type = nullptr;
-  const FixtureKind* kind = nullptr;  // null: no fixtures
+  const catalog::ZoneTypeRow* type = nullptr;
+  const catalog::FixtureKind* kind = nullptr;  // null: no fixtures
   Stance stance = Stance::central;
   bool cold = false;
   bool stressed = false;            // the words ask for more of it than usual
@@ -33,7 +33,7 @@ struct ProgramZone {
 };
 
 struct StoreProgram {
-  const ProfileRow* profile = nullptr;
+  const catalog::ProfileRow* profile = nullptr;
   int width_mm = 0, depth_mm = 0;  // as built: east-west, north-south
   std::vector<ProgramZone> zones;
   std::optional<int> aisles;    // aisles asked for
@@ -47,8 +47,8 @@ struct StoreProgram {
 // settled already. Error: brief.bad_size when the words ask for a store that cannot be built.
 Result<StoreProgram> make_program(const Brief& brief,
                                   const Understanding& found,
-                                  const Catalog& catalog,
+                                  const catalog::Catalog& catalog,
                                   const Concessions& concessions,
                                   std::vector<std::string>& trace);
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

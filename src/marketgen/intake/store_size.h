@@ -4,7 +4,7 @@
 
 #include "base/result.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 
 // The limits of Shell::width_mm and depth_mm in market-plan/1.
 constexpr double min_store_side_mm = 4000;
@@ -16,4 +16,4 @@ Result<void> check_store_size(double width_mm, double depth_mm, const std::strin
 // "24", "13.4": metres with at most one decimal, for messages.
 std::string metres(double mm);
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace marketgen {
+namespace marketgen::intake {
 namespace {
 
 constexpr double min_share = 0.083;  // of a strip: what BSP ratios can express
@@ -73,4 +73,4 @@ Strip make_strip(const std::vector<int>& zones,
   return strip;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

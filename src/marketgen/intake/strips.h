@@ -5,10 +5,10 @@
 #include "intake/slices.h"
 #include "intake/store_program.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 
 struct StripRoom {
-  Axis axis;  // along which the zones follow one another
+  plan::Axis axis;  // along which the zones follow one another
   int length_mm;
   int depth_mm;  // across
   int gap_mm;    // between neighbours
@@ -24,4 +24,4 @@ struct Strip {
 // Precondition: zones not empty.
 Strip make_strip(const std::vector<int>& zones, const StoreProgram& program, const StripRoom& room);
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

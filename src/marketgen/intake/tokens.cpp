@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <memory>
 
-namespace marketgen {
+namespace marketgen::intake {
 namespace {
 
 enum class Glyph { space, newline, letter, digit, superscript, symbol };
@@ -272,4 +272,4 @@ std::string singular(std::string_view word) {
   return without(1);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

@@ -10,7 +10,7 @@
 
 #include "base/fields.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 
 enum class TokenKind { word, number, symbol, sentence_end };
 
@@ -35,4 +35,4 @@ std::string fold(std::string_view text);
 // "checkouts" -> "checkout".
 std::string singular(std::string_view word);
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

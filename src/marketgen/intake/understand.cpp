@@ -10,7 +10,7 @@
 #include "intake/tokens.h"
 #include "intake/understanding.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 namespace {
 
 // Words that need no rule: grammar, and what only repeats that a shop is meant.
@@ -85,20 +85,20 @@ std::string absolute(const std::string& place, const Compass& compass) {
   return place;
 }
 
-Wall entrance_wall(const Understanding& found) {
-  for (const Requirement& wish : found.requirements) {
-    if (wish.kind != RequirementKind::opening || wish.subject != "entrance") continue;
-    if (const auto wall = value_named<Wall>(wish.object)) return *wall;
+plan::Wall entrance_wall(const Understanding& found) {
+  for (const plan::Requirement& wish : found.requirements) {
+    if (wish.kind != plan::RequirementKind::opening || wish.subject != "entrance") continue;
+    if (const auto wall = value_named<plan::Wall>(wish.object)) return *wall;
   }
-  return Wall::south;
+  return plan::Wall::south;
 }
 
 // "front", "back", "left" and "right" become walls.
 void resolve_directions(Understanding& found) {
   const Compass& compass = compasses[static_cast<std::size_t>(entrance_wall(found))];
-  for (Requirement& wish : found.requirements) {
+  for (plan::Requirement& wish : found.requirements) {
     const bool placed =
-        wish.kind == RequirementKind::relation || wish.kind == RequirementKind::opening;
+        wish.kind == plan::RequirementKind::relation || wish.kind == plan::RequirementKind::opening;
     if (!placed) continue;
     wish.object = absolute(wish.object, compass);
     wish.second_object = absolute(wish.second_object, compass);
@@ -107,19 +107,22 @@ void resolve_directions(Understanding& found) {
 
 }  // namespace
 
-const Requirement* Understanding::find(RequirementKind kind) const {
-  const auto found = std::ranges::find(requirements, kind, &Requirement::kind);
+const plan::Requirement* Understanding::find(plan::RequirementKind kind) const {
+  const auto found = std::ranges::find(requirements, kind, &plan::Requirement::kind);
   return found == requirements.end() ? nullptr : &*found;
 }
 
-const Requirement* Understanding::find(RequirementKind kind, std::string_view subject) const {
-  const auto found = std::ranges::find_if(requirements, [&](const Requirement& wish) {
+const plan::Requirement* Understanding::find(plan::RequirementKind kind,
+                                             std::string_view subject) const {
+  const auto found = std::ranges::find_if(requirements, [&](const plan::Requirement& wish) {
     return wish.kind == kind && wish.subject == subject;
   });
   return found == requirements.end() ? nullptr : &*found;
 }
 
-Understanding understand(std::string_view prompt, const Lexicon& lexicon, const Catalog& catalog) {
+Understanding understand(std::string_view prompt,
+                         const Lexicon& lexicon,
+                         const catalog::Catalog& catalog) {
   using Reader = void (*)(Sentence&, Reading&);
   constexpr std::array<Reader, 6> readers = {
       read_measures, read_counts, read_look, read_stock, read_places, read_character};
@@ -139,4 +142,4 @@ Understanding understand(std::string_view prompt, const Lexicon& lexicon, const 
   return found;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

@@ -9,7 +9,7 @@
 #include "intake/brief.h"
 #include "intake/lexicon.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 
 // "lots of", "a large", "a small selection of": more or less of a zone than usual.
 struct Emphasis {
@@ -32,7 +32,7 @@ struct StoreName {
 };
 
 struct Understanding {
-  std::vector<Requirement> requirements;
+  std::vector<plan::Requirement> requirements;
   std::vector<Emphasis> emphases;
   std::vector<WantedRows> rows;
   std::optional<StoreName> name;
@@ -42,12 +42,14 @@ struct Understanding {
   bool understood = false;  // at least one word said something
 
   // The first requirement of that kind (and subject), or null.
-  const Requirement* find(RequirementKind kind) const;
-  const Requirement* find(RequirementKind kind, std::string_view subject) const;
+  const plan::Requirement* find(plan::RequirementKind kind) const;
+  const plan::Requirement* find(plan::RequirementKind kind, std::string_view subject) const;
 };
 
 // Reads the whole prompt. Deterministic; never fails: what is not understood is in `unparsed`.
 // Precondition: valid UTF-8.
-Understanding understand(std::string_view prompt, const Lexicon& lexicon, const Catalog& catalog);
+Understanding understand(std::string_view prompt,
+                         const Lexicon& lexicon,
+                         const catalog::Catalog& catalog);
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

@@ -5,28 +5,30 @@
 #include "catalog/catalog.h"
 #include "intake/store_program.h"
 
-namespace marketgen {
+namespace marketgen::intake {
 
 // One free-standing line of the zone's fixtures, both faces included.
-int line_depth_mm(const ProgramZone& zone, const ProfileRow& profile);
+int line_depth_mm(const ProgramZone& zone, const catalog::ProfileRow& profile);
 
 // A band along a wall that holds the zone's wall fixtures.
-int wall_depth_mm(const ProgramZone& zone, const Catalog& catalog);
+int wall_depth_mm(const ProgramZone& zone, const catalog::Catalog& catalog);
 
 // A band along a wall that holds tables on the wall and one line of them in front.
-int hall_depth_mm(const ProgramZone& zone, const ProfileRow& profile, const Catalog& catalog);
+int hall_depth_mm(const ProgramZone& zone,
+                  const catalog::ProfileRow& profile,
+                  const catalog::Catalog& catalog);
 
 // The floor along the front that a till, service or cafe zone needs.
 int till_width_mm(const ProgramZone& zone, int front_depth_mm);
 
 // From the exit's wall to the edge of the till zone: a lane, and the floor that must stay free
 // inside the exit. Part of the floor before the lanes lies in the gap of `gap_mm` beyond.
-int front_depth_mm(const StoreProgram& program, const Catalog& catalog, int gap_mm);
+int front_depth_mm(const StoreProgram& program, const catalog::Catalog& catalog, int gap_mm);
 
 // From the wall at the staff's back to a desk's front.
-int desk_room_mm(const FixtureKind& kind);
+int desk_room_mm(const catalog::FixtureKind& kind);
 
 // Depth of one checkout lane: shorter lanes in small shops.
-int lane_length_mm(const FixtureKind& lane, const StoreProgram& program);
+int lane_length_mm(const catalog::FixtureKind& lane, const StoreProgram& program);
 
-}  // namespace marketgen
+}  // namespace marketgen::intake

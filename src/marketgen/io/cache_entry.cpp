@@ -16,7 +16,7 @@
 #include "io/file.h"
 #include "io/part_name.h"
 
-namespace marketgen {
+namespace marketgen::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -111,4 +111,4 @@ Result<void> keep_entry(const fs::path& file, std::string_view kind, std::string
   return written;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -14,7 +14,7 @@
 
 #include "base/result.h"
 
-namespace marketgen {
+namespace marketgen::io {
 
 // The content of the entry; nothing when there is none that can be used. `kind`: "grasps/2".
 std::optional<std::string> kept_entry(const std::filesystem::path& file, std::string_view kind);
@@ -28,4 +28,4 @@ Result<void> keep_entry(const std::filesystem::path& file,
                         std::string_view kind,
                         std::string_view content);
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -4,7 +4,7 @@
 
 #include "base/text.h"
 
-namespace marketgen {
+namespace marketgen::io {
 namespace {
 
 constexpr std::size_t max_rows = 100'000, max_columns = 200;
@@ -96,4 +96,4 @@ Result<std::vector<CsvRow>> parse_csv(std::string_view text, const std::string& 
   return CsvReader(text, source).read();
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -10,7 +10,7 @@
 
 #include "base/result.h"
 
-namespace marketgen {
+namespace marketgen::io {
 
 struct CsvRow {
   int line = 1;  // of the file, where the row begins
@@ -22,4 +22,4 @@ struct CsvRow {
 // input.too_large (more than 100,000 rows or 200 columns).
 Result<std::vector<CsvRow>> parse_csv(std::string_view text, const std::string& source);
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -15,7 +15,7 @@
 #include "base/interrupt.h"
 #include "io/part_name.h"
 
-namespace marketgen {
+namespace marketgen::io {
 namespace fs = std::filesystem;
 namespace {
 
@@ -318,4 +318,4 @@ Result<void> write_to(const Destination& to, std::string_view bytes, Durable dur
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -15,7 +15,7 @@
 
 #include "base/result.h"
 
-namespace marketgen {
+namespace marketgen::io {
 
 // Folders that were made on the way to an output; removed again, as far as they are empty, unless
 // they are kept.
@@ -78,4 +78,4 @@ Result<void> write_new(const std::filesystem::path& file,
 // io.cannot_write at `path`: what failed, why by errno, and what to do about it.
 Error cannot_write(const std::filesystem::path& path, std::string_view what, int number);
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -11,7 +11,7 @@
 
 #include "io/file.h"
 
-namespace marketgen {
+namespace marketgen::io {
 namespace {
 
 constexpr float largest_half = 65504;
@@ -154,4 +154,4 @@ Result<FloatImage> decode_exr(std::string_view bytes, const std::string& where) 
   return ExrReader(bytes, where).read();
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

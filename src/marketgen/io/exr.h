@@ -7,7 +7,7 @@
 
 #include "base/result.h"
 
-namespace marketgen {
+namespace marketgen::io {
 
 // Linear RGB (Rec. 709 primaries), row-major from the top left, 3 a pixel.
 struct FloatImage {
@@ -22,4 +22,4 @@ Result<void> write_exr(const std::filesystem::path& path, const FloatImage& imag
 // Of files with channels R, G and B. `where` names the bytes in errors: image.bad_file.
 Result<FloatImage> decode_exr(std::string_view bytes, const std::string& where);
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -8,7 +8,7 @@
 
 #include "base/text.h"
 
-namespace marketgen {
+namespace marketgen::io {
 namespace {
 
 using MaybeFault = std::optional<FieldFault>;
@@ -191,4 +191,4 @@ Result<void> check_fields_of(const TypeInfo& type, const void* object, const std
                found->fault.message};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -10,7 +10,7 @@
 #include "base/fields.h"
 #include "base/result.h"
 
-namespace marketgen {
+namespace marketgen::io {
 
 struct FieldFault {
   std::string_view code;  // json.out_of_range, json.bad_identifier...
@@ -49,4 +49,4 @@ Result<void> check_fields(const T& value, const std::string& source) {
 // A text as messages show it: quoted, and cut off when it is long.
 std::string shown_text(std::string_view text);
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -19,7 +19,7 @@
 #include "io/installation.h"
 #include "io/part_name.h"
 
-namespace marketgen {
+namespace marketgen::io {
 namespace fs = std::filesystem;
 namespace {
 
@@ -240,4 +240,4 @@ Result<fs::path> data_folder() {
       "the data rows are not there; set MARKETGEN_DATA to the data folder of the installation"};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -11,7 +11,7 @@
 
 #include "base/result.h"
 
-namespace marketgen {
+namespace marketgen::io {
 
 // The file's bytes. Errors: input.not_found, input.too_large, io.cannot_read.
 Result<std::string> read_file(const std::filesystem::path& path,
@@ -67,4 +67,4 @@ std::filesystem::path cache_folder();
 // tree. Error: catalog.missing_data.
 Result<std::filesystem::path> data_folder();
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -13,7 +13,7 @@
 #include "base/fields.h"
 #include "base/result.h"
 
-namespace marketgen {
+namespace marketgen::io {
 
 // `file_identifier`: four characters. The .fbs text for the type and everything it reaches.
 std::string flatbuffer_schema_of(const TypeInfo& type, std::string_view file_identifier);
@@ -31,4 +31,4 @@ Result<void> read_flatbuffer_into(std::span<const std::byte> bytes,
                                   const TypeInfo& type,
                                   void* object);
 
-}  // namespace marketgen
+}  // namespace marketgen::io

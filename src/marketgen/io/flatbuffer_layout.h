@@ -9,7 +9,7 @@
 
 #include "base/fields.h"
 
-namespace marketgen::flat {
+namespace marketgen::io::flat {
 
 // Stored inside its owner rather than behind an offset.
 inline bool is_inline(const TypeInfo& type) {
@@ -30,4 +30,4 @@ std::string scalar_name(const TypeInfo& type);
 // The generated struct that holds a fixed array outside a struct: "float32x3".
 std::string array_struct_name(const TypeInfo& array);
 
-}  // namespace marketgen::flat
+}  // namespace marketgen::io::flat

@@ -8,7 +8,7 @@
 #include "io/flatbuffer.h"
 #include "io/flatbuffer_layout.h"
 
-namespace marketgen {
+namespace marketgen::io {
 namespace {
 
 using flatbuffers::uoffset_t;
@@ -228,4 +228,4 @@ Result<void> read_flatbuffer_into(std::span<const std::byte> bytes,
   return Decoder(bytes, source).decode(type, object);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

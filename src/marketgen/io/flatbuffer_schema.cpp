@@ -5,7 +5,7 @@
 #include "io/flatbuffer.h"
 #include "io/flatbuffer_layout.h"
 
-namespace marketgen {
+namespace marketgen::io {
 namespace flat {
 
 std::string scalar_name(const TypeInfo& type) {
@@ -124,4 +124,4 @@ std::string flatbuffer_schema_of(const TypeInfo& type, std::string_view file_ide
       file_identifier);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -6,7 +6,7 @@
 #include "io/flatbuffer.h"
 #include "io/flatbuffer_layout.h"
 
-namespace marketgen {
+namespace marketgen::io {
 namespace {
 
 using flatbuffers::uoffset_t;
@@ -114,4 +114,4 @@ std::string write_flatbuffer_of(const TypeInfo& type,
   return Encoder().encode(type, object, file_identifier);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -16,7 +16,7 @@
 
 #include "base/interrupt.h"
 
-namespace marketgen {
+namespace marketgen::io {
 namespace {
 
 constexpr int max_looks = 100;  // at a file that others make and remove
@@ -90,4 +90,4 @@ FolderLock::~FolderLock() {
   close(descriptor_);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

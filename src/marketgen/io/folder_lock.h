@@ -4,7 +4,7 @@
 
 #include "base/result.h"
 
-namespace marketgen {
+namespace marketgen::io {
 
 // Held while it lives. The operating system lets go of it when the process ends, however it does:
 // what a dead one left behind hinders nobody. Its file, FOLDER/.lock, goes with it.
@@ -27,4 +27,4 @@ class FolderLock {
   int descriptor_ = -1;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -8,7 +8,7 @@
 #include "io/glb_format.h"
 #include "io/model_parts.h"
 
-namespace marketgen {
+namespace marketgen::io {
 namespace {
 
 constexpr std::size_t header_bytes = 12, chunk_header_bytes = 8;
@@ -309,4 +309,4 @@ Result<std::vector<std::uint32_t>> glb_indices(const GlbChunks& glb,
   return values;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

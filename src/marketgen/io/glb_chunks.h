@@ -10,7 +10,7 @@
 
 #include "base/result.h"
 
-namespace marketgen {
+namespace marketgen::io {
 
 using GlbJson = nlohmann::json;
 
@@ -59,4 +59,4 @@ Result<std::vector<std::uint32_t>> glb_indices(const GlbChunks& glb,
                                                std::size_t most,
                                                const std::string& source);
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -10,7 +10,7 @@
 #include "base/hash.h"
 #include "io/glb_format.h"
 
-namespace marketgen {
+namespace marketgen::io {
 namespace {
 
 // Numbers of the glTF 2.0 specification.
@@ -248,4 +248,4 @@ std::string GlbDocument::finish() {
   return file;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

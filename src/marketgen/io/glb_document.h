@@ -15,7 +15,7 @@
 #include "geometry/mesh.h"
 #include "geometry/pose.h"
 
-namespace marketgen {
+namespace marketgen::io {
 
 using GltfJson = nlohmann::ordered_json;
 
@@ -76,4 +76,4 @@ class GlbDocument {
   bool instanced_ = false;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::io

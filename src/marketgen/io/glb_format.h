@@ -2,7 +2,7 @@
 #pragma once
 #include <cstdint>
 
-namespace marketgen {
+namespace marketgen::io {
 
 inline constexpr std::uint32_t glb_magic = 0x46546C67, glb_version = 2, json_chunk = 0x4E4F534A,
                                bin_chunk = 0x004E4942;
@@ -13,4 +13,4 @@ inline constexpr int int8 = 5120, uint8 = 5121, int16 = 5122, uint16 = 5123, uin
                      f32 = 5126;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

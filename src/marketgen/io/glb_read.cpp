@@ -9,7 +9,7 @@
 #include "io/model_parts.h"
 
 // parse_glb: walks the nodes of the shown scene and gathers their triangles in the scene's frame.
-namespace marketgen {
+namespace marketgen::io {
 namespace {
 
 // Numbers of the glTF 2.0 specification.
@@ -366,4 +366,4 @@ Result<OutsideModel> parse_glb(std::string_view bytes, const std::string& source
   return GlbReader(glb, source).read();
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <system_error>
 
-namespace marketgen {
+namespace marketgen::io {
 namespace fs = std::filesystem;
 namespace {
 
@@ -66,4 +66,4 @@ fs::path python_of(const fs::path& package_folder) {
   return {};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

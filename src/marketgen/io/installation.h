@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace marketgen {
+namespace marketgen::io {
 
 // The folder of the program or of Python's module marketgen._core, whichever this code is part of.
 std::filesystem::path own_folder();
@@ -25,4 +25,4 @@ std::vector<std::filesystem::path> site_packages();
 // (…/lib/python3.12/site-packages); empty when there is none.
 std::filesystem::path python_of(const std::filesystem::path& package_folder);
 
-}  // namespace marketgen
+}  // namespace marketgen::io

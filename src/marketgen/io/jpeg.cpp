@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <jpeglib.h>
 
-namespace marketgen {
+namespace marketgen::io {
 namespace {
 
 constexpr std::uint64_t max_pixels = 64'000'000;
@@ -133,4 +133,4 @@ Result<Image> decode_jpeg(std::string_view bytes, const std::string& where) {
       "image.bad_file", where, fmt::format("is not a readable JPEG file ({})", fault.message)};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -6,7 +6,7 @@
 #include "base/result.h"
 #include "geometry/image.h"
 
-namespace marketgen {
+namespace marketgen::io {
 
 // Three channels, sRGB. `where` names the bytes in errors: image.bad_file (damaged pictures too),
 // input.too_large (more than 64 megapixels).
@@ -16,4 +16,4 @@ Result<Image> decode_jpeg(std::string_view bytes, const std::string& where);
 // Errors: image.bad_file for a side longer than JPEG's 65,535 pixels.
 Result<std::string> encode_jpeg(const Image& image);
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -13,7 +13,7 @@
 #include "base/fields.h"
 #include "base/result.h"
 
-namespace marketgen {
+namespace marketgen::io {
 
 Result<void> read_json_into(std::string_view text,
                             const std::string& source,
@@ -44,4 +44,4 @@ std::string write_json_line(const T& value) {
   return write_json_line_of(type_of<T>(), &value);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

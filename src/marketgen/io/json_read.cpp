@@ -10,7 +10,7 @@
 #include "io/field_check.h"
 #include "io/json.h"
 
-namespace marketgen {
+namespace marketgen::io {
 namespace {
 
 using Json = nlohmann::json;
@@ -315,4 +315,4 @@ Result<void> read_json_into(std::string_view text,
   return read_value(json, Place(source), type, {}, object);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -7,7 +7,7 @@
 
 #include "io/json.h"
 
-namespace marketgen {
+namespace marketgen::io {
 namespace {
 
 using OrderedJson = nlohmann::ordered_json;
@@ -199,4 +199,4 @@ std::string markdown_of(const TypeInfo& type) {
   return out;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -3,7 +3,7 @@
 
 #include "io/json.h"
 
-namespace marketgen {
+namespace marketgen::io {
 namespace {
 
 constexpr std::size_t line_width = 110;
@@ -175,4 +175,4 @@ std::string write_json_line_of(const TypeInfo& type, const void* object) {
   return Writer(true).text(type, object);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

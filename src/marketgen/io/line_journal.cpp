@@ -9,7 +9,7 @@
 #include "io/file.h"
 #include "io/json.h"
 
-namespace marketgen {
+namespace marketgen::io {
 namespace {
 
 struct JournalHead {
@@ -100,4 +100,4 @@ Error interrupted_with(const LineJournal& journal,
                       journal.file().string())};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -12,7 +12,7 @@
 
 #include "base/result.h"
 
-namespace marketgen {
+namespace marketgen::io {
 
 // Any number of threads may keep lines at once.
 class LineJournal {
@@ -56,4 +56,4 @@ Error interrupted_with(const LineJournal& journal,
                        std::size_t all,
                        std::string_view pieces);
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -6,7 +6,7 @@
 
 #include "io/model_glb.h"
 
-namespace marketgen {
+namespace marketgen::io {
 namespace {
 
 constexpr int widest_atlas = 4096, highest_atlas = 8192;  // pixels; larger pictures are thinned out
@@ -166,4 +166,4 @@ void merge_pictures(OutsideModel& model) {
   if (!atlas.image.empty()) model.pictures.push_back(std::move(atlas.image));
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -6,7 +6,7 @@
 #include "io/file.h"
 #include "io/model_parts.h"
 
-namespace marketgen {
+namespace marketgen::io {
 namespace fs = std::filesystem;
 
 Result<fs::path> path_within(const fs::path& folder,
@@ -42,4 +42,4 @@ Result<OutsideModel> read_model_file(const fs::path& file) {
   });
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -17,7 +17,7 @@
 #include "geometry/image.h"
 #include "geometry/mesh.h"
 
-namespace marketgen {
+namespace marketgen::io {
 
 // Larger files, or models with more than this, are refused with input.too_large.
 constexpr std::uint64_t max_model_bytes = 256U << 20;
@@ -60,4 +60,4 @@ Result<std::filesystem::path> path_within(const std::filesystem::path& folder,
                                           const std::string& name,
                                           const std::string& where);
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -5,7 +5,7 @@
 #include "io/glb_document.h"
 #include "io/png.h"
 
-namespace marketgen {
+namespace marketgen::io {
 namespace {
 
 constexpr float clear_alpha = 0.25F;
@@ -67,4 +67,4 @@ Result<std::string> encode_glb(const OutsideModel& model, const std::string& nam
   return document.finish();
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

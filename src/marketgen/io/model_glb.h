@@ -4,7 +4,7 @@
 
 #include "io/model_file.h"
 
-namespace marketgen {
+namespace marketgen::io {
 
 // Puts all pictures that a surface shows into one, stacked, and moves the UVs along; factors on a
 // picture's colour are painted into it, and pictures that nothing shows are dropped. A picture
@@ -15,4 +15,4 @@ void merge_pictures(OutsideModel& model);
 // parse_glb() gives the model back. Same model, same bytes.
 Result<std::string> encode_glb(const OutsideModel& model, const std::string& name);
 
-}  // namespace marketgen
+}  // namespace marketgen::io

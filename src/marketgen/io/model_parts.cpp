@@ -10,7 +10,7 @@
 #include "io/jpeg.h"
 #include "io/png.h"
 
-namespace marketgen {
+namespace marketgen::io {
 namespace {
 
 constexpr std::size_t max_names = 64, longest_name = 80;
@@ -102,4 +102,4 @@ Result<OutsideModel> finished_model(OutsideModel model, const std::string& sourc
   return model;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

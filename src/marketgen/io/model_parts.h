@@ -5,7 +5,7 @@
 
 #include "io/model_file.h"
 
-namespace marketgen {
+namespace marketgen::io {
 
 Error bad_model(const std::string& source, const std::string& what);
 
@@ -30,4 +30,4 @@ Result<void> check_points(const std::vector<Vec3f>& points, const std::string& s
 // model.no_mesh), unit normals, finite UVs.
 Result<OutsideModel> finished_model(OutsideModel model, const std::string& source);
 
-}  // namespace marketgen
+}  // namespace marketgen::io

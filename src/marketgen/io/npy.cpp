@@ -5,7 +5,7 @@
 
 #include "io/file.h"
 
-namespace marketgen {
+namespace marketgen::io {
 
 Result<void> write_npy(const std::filesystem::path& path,
                        std::span<const float> values,
@@ -26,4 +26,4 @@ Result<void> write_npy(const std::filesystem::path& path,
   return write_file(path, bytes);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

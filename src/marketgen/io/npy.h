@@ -6,7 +6,7 @@
 
 #include "base/result.h"
 
-namespace marketgen {
+namespace marketgen::io {
 
 // float32, row-major, format version 1.0 (NumPy Enhancement Proposal 1): np.load() reads it.
 // Precondition: `shape` multiplies to the number of values. Errors: io.*.
@@ -14,4 +14,4 @@ Result<void> write_npy(const std::filesystem::path& path,
                        std::span<const float> values,
                        const std::vector<int>& shape);
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -8,7 +8,7 @@
 #include "io/model_parts.h"
 
 // parse_obj: Wavefront OBJ and the MTL library that it names.
-namespace marketgen {
+namespace marketgen::io {
 namespace {
 
 constexpr std::size_t max_lines = 20'000'000, max_corners = 256, max_obj_materials = 256;
@@ -261,4 +261,4 @@ Result<OutsideModel> parse_obj(std::string_view bytes,
   return ObjReader(source, companion).read(bytes);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -12,7 +12,7 @@
 #include "io/file.h"
 #include "io/part_name.h"
 
-namespace marketgen {
+namespace marketgen::io {
 namespace fs = std::filesystem;
 
 Outputs::~Outputs() {
@@ -117,4 +117,4 @@ Result<void> Outputs::commit() {
   return {};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

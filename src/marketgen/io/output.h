@@ -10,7 +10,7 @@
 #include "base/result.h"
 #include "io/destination.h"
 
-namespace marketgen {
+namespace marketgen::io {
 
 class Outputs {
  public:
@@ -53,4 +53,4 @@ class Outputs {
   MadeFolders made_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -19,7 +19,7 @@
 #include "base/hash.h"
 #include "base/text.h"
 
-namespace marketgen {
+namespace marketgen::io {
 namespace fs = std::filesystem;
 namespace {
 
@@ -109,4 +109,4 @@ void sweep_parts_once(const fs::path& folder) {
   sweep_parts(folder);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-namespace marketgen {
+namespace marketgen::io {
 
 // A hidden name in `folder` that nobody else uses, with the same extension or none: for what will
 // be called `name`.
@@ -16,4 +16,4 @@ void sweep_parts(const std::filesystem::path& folder);
 // The same, but once a process: for folders that are written to often (caches).
 void sweep_parts_once(const std::filesystem::path& folder);
 
-}  // namespace marketgen
+}  // namespace marketgen::io

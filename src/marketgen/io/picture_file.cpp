@@ -10,7 +10,7 @@
 #include "io/jpeg.h"
 #include "io/png.h"
 
-namespace marketgen {
+namespace marketgen::io {
 namespace {
 
 std::string ending_of(const std::filesystem::path& path) {
@@ -44,4 +44,4 @@ Result<void> write_picture(const std::filesystem::path& path, const Image& image
   return write_file(path, bytes);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

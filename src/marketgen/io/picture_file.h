@@ -8,7 +8,7 @@
 #include "base/result.h"
 #include "geometry/image.h"
 
-namespace marketgen {
+namespace marketgen::io {
 
 // PNG for names that end in .png or have no ending, JPEG for .jpg and .jpeg, of any case. Errors:
 // usage.bad_flag for another ending, io.*.
@@ -22,4 +22,4 @@ Result<void> check_ending(const std::filesystem::path& path,
 // The same for what write_picture() can write.
 Result<void> check_picture_ending(const std::filesystem::path& path, const std::string& where);
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -8,7 +8,7 @@
 
 #include "io/file.h"
 
-namespace marketgen {
+namespace marketgen::io {
 namespace {
 
 // All that is needed to write one PNG; 16-bit samples are big-endian already.
@@ -129,4 +129,4 @@ Result<Image> read_png(const std::filesystem::path& path) {
   return decode_png(bytes, path.string());
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

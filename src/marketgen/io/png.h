@@ -9,7 +9,7 @@
 #include "base/result.h"
 #include "geometry/image.h"
 
-namespace marketgen {
+namespace marketgen::io {
 
 Result<std::string> encode_png(const Image& image);
 Result<void> write_png(const std::filesystem::path& path, const Image& image);
@@ -23,4 +23,4 @@ Result<Image> decode_png(std::string_view bytes, const std::string& where);
 // As decode_png; also input.not_found.
 Result<Image> read_png(const std::filesystem::path& path);
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -18,7 +18,7 @@
 
 #include <fmt/format.h>
 
-namespace marketgen {
+namespace marketgen::io {
 namespace {
 
 constexpr int look_pause_us = 1000;
@@ -231,4 +231,4 @@ std::string end_of_program(int state) {
       "{} {}", exited ? "status" : "signal", exited ? WEXITSTATUS(state) : WTERMSIG(state));
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

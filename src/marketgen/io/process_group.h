@@ -16,7 +16,7 @@
 
 #include "base/result.h"
 
-namespace marketgen {
+namespace marketgen::io {
 
 class ProcessGroup {
  public:
@@ -70,4 +70,4 @@ class Pipe {
   bool open_ = false;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::io

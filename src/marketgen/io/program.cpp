@@ -21,7 +21,7 @@
 #include "io/json.h"
 #include "io/process_group.h"
 
-namespace marketgen {
+namespace marketgen::io {
 namespace fs = std::filesystem;
 namespace {
 
@@ -193,4 +193,4 @@ Result<std::string> worker_part(const std::string& package) {
                "is not installed; run: " + worker_python() + " -m pip install " + package};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

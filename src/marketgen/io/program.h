@@ -9,7 +9,7 @@
 
 #include "base/result.h"
 
-namespace marketgen {
+namespace marketgen::io {
 
 struct ProgramLimits {
   double seconds = 60;                   // then it is ended
@@ -39,4 +39,4 @@ Result<std::string> worker_part(const std::string& package);
 // of run_program.
 Result<std::string> run_worker(const std::string& job, std::string_view request, double seconds);
 
-}  // namespace marketgen
+}  // namespace marketgen::io

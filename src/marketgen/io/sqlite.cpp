@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace marketgen {
+namespace marketgen::io {
 namespace {
 
 Error database_error(sqlite3* connection, std::string_view what) {
@@ -139,4 +139,4 @@ Result<std::string> SqlDatabase::bytes() const {
   return copy;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -13,7 +13,7 @@
 struct sqlite3;
 struct sqlite3_stmt;
 
-namespace marketgen {
+namespace marketgen::io {
 
 // One prepared statement. Parameters and columns count from 1 and from 0, as in SQLite.
 class SqlStatement {
@@ -62,4 +62,4 @@ class SqlDatabase {
   std::unique_ptr<sqlite3, Close> connection_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::io

@@ -7,7 +7,7 @@
 #include "layout/faces.h"
 #include "layout/side.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 namespace {
 
 constexpr int reach_mm = 6000;       // farther away is open floor
@@ -55,7 +55,7 @@ class Surroundings {
     Sight sight{std::min(reach_mm, wall), std::min(reach_mm, wall)};
     const RectMm ahead = strip_beyond(rect, side, reach_mm);
     for (const Obstacle& obstacle : obstacles_) {
-      if (!overlap(ahead, obstacle.rect)) continue;
+      if (!marketgen::overlap(ahead, obstacle.rect)) continue;
       const int distance = distance_beyond(rect, side, obstacle.rect);
       if (distance < 0) continue;
       const int swing = obstacle.front == opposite(side) ? obstacle.door_swing_mm : 0;
@@ -66,8 +66,8 @@ class Surroundings {
   }
 
   bool clear(const RectMm& rect) const {
-    return std::ranges::none_of(obstacles_,
-                                [&](const Obstacle& o) { return overlap(o.rect, rect); });
+    return std::ranges::none_of(
+        obstacles_, [&](const Obstacle& o) { return marketgen::overlap(o.rect, rect); });
   }
 
   // No floor behind the face: it stands against a wall.
@@ -82,7 +82,7 @@ class Surroundings {
     std::vector<int> cuts{whole.from, whole.to};
     const RectMm ahead = strip_beyond(rect, side, reach_mm);
     for (const Obstacle& obstacle : obstacles_) {
-      if (!overlap(ahead, obstacle.rect)) continue;
+      if (!marketgen::overlap(ahead, obstacle.rect)) continue;
       const Span span = along(obstacle.rect, side);
       for (const int cut : {span.from, span.to}) {
         if (cut > whole.from && cut < whole.to) cuts.push_back(cut);
@@ -143,7 +143,8 @@ void add_face_strips(std::vector<Strip>& strips, const Surroundings& around, con
     strip.rect = strip_beyond(part, face.front, sight.distance_mm);
     strip.along_x = lies_along_x(face.front);
     strip.width_mm = std::max(0, sight.width_mm - face.door_swing_mm);
-    strip.kind = face.role == FixtureRole::checkout ? AisleKind::checkout : AisleKind::secondary;
+    strip.kind =
+        face.role == catalog::FixtureRole::checkout ? AisleKind::checkout : AisleKind::secondary;
     strips.push_back(std::move(strip));
   }
 }
@@ -158,7 +159,7 @@ struct RunEnd {
 std::vector<RunEnd> run_ends(const Surroundings& around, const std::vector<Face>& faces) {
   std::vector<RunEnd> ends;
   for (const Face& face : faces) {
-    if (face.role != FixtureRole::shelving || around.stands_at_wall(face)) continue;
+    if (face.role != catalog::FixtureRole::shelving || around.stands_at_wall(face)) continue;
     if (face.endcap) ends.push_back({face.rect, face.front, face.zone});
     if (face.endcap) continue;
     ends.push_back({face.rect, left_of(face.front), face.zone});
@@ -227,10 +228,10 @@ void add_cross_strips(std::vector<Strip>& strips,
 // Passages between lanes that stand side by side.
 void add_lane_strips(std::vector<Strip>& strips,
                      const std::vector<Fixture>& fixtures,
-                     const Catalog& catalog) {
+                     const catalog::Catalog& catalog) {
   std::vector<const Fixture*> lanes;
   for (const Fixture& fixture : fixtures) {
-    const FixtureKind* kind = catalog.fixture_kind(fixture.kind);
+    const catalog::FixtureKind* kind = catalog.fixture_kind(fixture.kind);
     if (kind != nullptr && kind->generator == "checkout_lane") lanes.push_back(&fixture);
   }
   for (const Fixture* lane : lanes) {
@@ -268,7 +269,7 @@ Span width_span(const Strip& s) {
 }
 
 bool same_floor(const Strip& a, const Strip& b) {
-  const auto common = intersection(a.rect, b.rect);
+  const auto common = marketgen::intersection(a.rect, b.rect);
   if (!common || a.along_x != b.along_x) return false;
   const auto smaller = std::min(a.rect.area_mm2(), b.rect.area_mm2());
   return static_cast<double>(common->area_mm2()) >= same_share * static_cast<double>(smaller);
@@ -343,7 +344,8 @@ std::vector<Aisle> find_aisles(const Design& design, const std::vector<Fixture>&
   const Surroundings around(design, faces);
   std::vector<Strip> strips;
   for (const Face& face : faces) {
-    if (face.role == FixtureRole::shelving && !face.endcap) add_face_strips(strips, around, face);
+    if (face.role == catalog::FixtureRole::shelving && !face.endcap)
+      add_face_strips(strips, around, face);
   }
   add_cross_strips(strips, around, faces, design.profile.minimum_aisle_mm);
   strips = merged(std::move(strips), around);
@@ -358,4 +360,4 @@ std::vector<Aisle> find_aisles(const Design& design, const std::vector<Fixture>&
   return aisles;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

@@ -8,7 +8,7 @@
 #include "layout/design.h"
 #include "layout/layout.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 
 // Every aisle, sorted by id. Two strips that meet at a crossing are two aisles; strips split only
 // by a joint are one. `width_mm` is the narrowest free width, doors of both sides standing open;
@@ -18,4 +18,4 @@ std::vector<Aisle> find_aisles(const Design& design, const std::vector<Fixture>&
 // Shoppers walk it from west to east: its width is measured along y.
 bool runs_along_x(const Aisle& aisle);
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

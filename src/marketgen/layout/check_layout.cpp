@@ -5,7 +5,7 @@
 #include "layout/layout_rules.h"
 #include "layout/rule_facts.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 namespace {
 
 using Evaluate = Findings (*)(const RuleFacts&);
@@ -46,8 +46,8 @@ std::string in_mm(double mm) {
 }
 
 std::vector<Violation> check_layout(const Layout& layout,
-                                    const Plan& plan,
-                                    const Catalog& catalog) {
+                                    const plan::Plan& plan,
+                                    const catalog::Catalog& catalog) {
   Design design = make_design(plan, catalog);
   design.floor = make_floor(layout.shell);
   const RuleFacts facts = gather_facts(layout, design);
@@ -67,4 +67,4 @@ std::vector<Violation> check_layout(const Layout& layout,
   return violations;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

@@ -3,7 +3,7 @@
 
 #include "layout/zone_build.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 namespace {
 
 constexpr int passage_mm =
@@ -32,8 +32,8 @@ TillFloor till_floor(const Build& build, const Ground& ground) {
 std::vector<Span> till_spans(const Build& build, const TillFloor& floor) {
   std::vector<Span> taken;
   for (const Doorway& door : build.design.floor.doorways) {
-    const Opening& opening = build.design.plan.shell.openings[door.opening];
-    const bool way_in = opening.kind == OpeningKind::entrance && !door.approach.empty();
+    const plan::Opening& opening = build.design.plan.shell.openings[door.opening];
+    const bool way_in = opening.kind == plan::OpeningKind::entrance && !door.approach.empty();
     const bool also_out = &door == exit_of(build.design.floor, build.design.plan.shell);
     if (way_in && !also_out && door.wall == floor.out)
       taken.push_back(along(door.approach, door.wall));
@@ -41,7 +41,7 @@ std::vector<Span> till_spans(const Build& build, const TillFloor& floor) {
   return without(along(floor.rect, floor.out), taken);
 }
 
-int lane_wish(const Build& build, const Zone& zone) {
+int lane_wish(const Build& build, const plan::Zone& zone) {
   if (zone.fixture.count) return *zone.fixture.count;
   const double store_m2 = area_m2(build.design.floor.outline);
   return std::max(
@@ -54,7 +54,10 @@ struct Lane {
   int across_mm, along_mm;
 };
 
-Lane make_lane(const Design& design, const Zone& zone, const FixtureKind& kind, Side out) {
+Lane make_lane(const Design& design,
+               const plan::Zone& zone,
+               const catalog::FixtureKind& kind,
+               Side out) {
   const ModuleSpec spec = module_spec(design, zone, kind);
   Lane lane{make_module(spec, zone), 0, 0};
   lane.module.width_mm = spec.widths_mm.front();
@@ -93,7 +96,7 @@ int till_depth(const TillFloor& floor, int clear_mm) {
 }
 
 // Where the floor is short, lanes of the shortest make leave more room before and after them.
-void fit_length(Lane& lane, const FixtureKind& kind, int depth_mm, int clear_mm) {
+void fit_length(Lane& lane, const catalog::FixtureKind& kind, int depth_mm, int clear_mm) {
   if (lane.module.depth_mm < lane.module.width_mm) return;
   const int least = std::min(kind.depth_range_mm[0], lane.module.depth_mm);
   lane.module.depth_mm = std::clamp(depth_mm - 2 * clear_mm, least, lane.module.depth_mm);
@@ -150,7 +153,7 @@ void place_lanes(Build& build, GroundBuild& ground) {
   build.site.keep_clear(strip_beyond(queue, opposite(floor.out), clear));
 }
 
-int machine_wish(const Build& build, const Zone& zone) {
+int machine_wish(const Build& build, const plan::Zone& zone) {
   if (zone.fixture.count) return *zone.fixture.count;
   const double store_m2 = area_m2(build.design.floor.outline);
   return std::clamp(static_cast<int>(store_m2 / store_m2_per_machine + 0.5), 2, 12);
@@ -214,8 +217,8 @@ void place_desks(Build& build, GroundBuild& ground) {
 
 void place_checkouts(Build& build) {
   for (GroundBuild& ground : build.grounds) {
-    const FixtureKind* main = build.zones[ground.zone].kinds.main;
-    if (main == nullptr || main->role == FixtureRole::shelving) continue;
+    const catalog::FixtureKind* main = build.zones[ground.zone].kinds.main;
+    if (main == nullptr || main->role == catalog::FixtureRole::shelving) continue;
     if (main->generator == "checkout_lane") {
       place_lanes(build, ground);
     } else if (main->generator == "self_checkout") {
@@ -226,4 +229,4 @@ void place_checkouts(Build& build) {
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

@@ -6,12 +6,12 @@
 #include "layout/floor.h"
 #include "plan/plan.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 
 struct Design {
-  const Plan& plan;
-  const Catalog& catalog;
-  ProfileRow profile;  // defaults when the plan names none
+  const plan::Plan& plan;
+  const catalog::Catalog& catalog;
+  catalog::ProfileRow profile;  // defaults when the plan names none
   Floor floor;
 
   // The least free floor before a stocked front. A grid cell is added to the wheelchair's width:
@@ -21,11 +21,11 @@ struct Design {
   }
 };
 
-Design make_design(const Plan& plan, const Catalog& catalog);
+Design make_design(const plan::Plan& plan, const catalog::Catalog& catalog);
 
 // The free floor a zone's runs want before them: aisle_mm, else by temperature and profile.
-int wanted_aisle_mm(const Design& design, const Zone& zone);
+int wanted_aisle_mm(const Design& design, const plan::Zone& zone);
 
-bool is_cold(const Zone& zone, const Catalog& catalog);
+bool is_cold(const plan::Zone& zone, const catalog::Catalog& catalog);
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

@@ -5,7 +5,7 @@
 
 #include "layout/zone_build.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 namespace {
 
 constexpr int reach_along_wall_mm = 6000;  // baskets farther off are not found
@@ -64,7 +64,7 @@ std::optional<Stand> place_beside(const Build& build,
 }
 
 void place_kind(Build& build, const Doorway& door, std::string_view name, bool low_side_first) {
-  const FixtureKind* kind = build.design.catalog.fixture_kind(name);
+  const catalog::FixtureKind* kind = build.design.catalog.fixture_kind(name);
   const ZoneBuild* owner = nearest_zone(build, door.threshold);
   if (kind == nullptr || owner == nullptr) return;
   const ModuleSpec spec = module_spec(build.design, *owner->zone, *kind);
@@ -83,7 +83,7 @@ void place_kind(Build& build, const Doorway& door, std::string_view name, bool l
 
 // Posts that say "in": straight before the entrance, with room to pass on every side.
 void place_gate(Build& build, const Doorway& door) {
-  const FixtureKind* kind = build.design.catalog.fixture_kind("gate");
+  const catalog::FixtureKind* kind = build.design.catalog.fixture_kind("gate");
   const ZoneBuild* owner = nearest_zone(build, door.threshold);
   if (kind == nullptr || owner == nullptr) return;
   const ModuleSpec spec = module_spec(build.design, *owner->zone, *kind);
@@ -119,4 +119,4 @@ void place_entrance(Build& build) {
   place_gate(build, *door);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

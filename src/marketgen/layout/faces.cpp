@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-namespace marketgen {
+namespace marketgen::layout {
 namespace {
 
 constexpr int module_joint_mm = 10;  // modules nearer than this stand together
@@ -30,7 +30,7 @@ bool stand_together(const Fixture& low, const Fixture& high) {
 
 }  // namespace
 
-std::vector<Face> faces_of(const std::vector<Fixture>& fixtures, const Catalog& catalog) {
+std::vector<Face> faces_of(const std::vector<Fixture>& fixtures, const catalog::Catalog& catalog) {
   std::vector<Face> faces;
   for (const auto& [run, line] : lines_of(fixtures)) {
     for (std::size_t begin = 0; begin < line.size();) {
@@ -40,7 +40,7 @@ std::vector<Face> faces_of(const std::vector<Fixture>& fixtures, const Catalog& 
                 footprint_of(first),
                 facing_of(first.yaw_deg),
                 0,
-                FixtureRole::shelving,
+                catalog::FixtureRole::shelving,
                 !first.endcap_of.empty()};
       std::size_t end = begin;
       for (; end < line.size() &&
@@ -51,7 +51,7 @@ std::vector<Face> faces_of(const std::vector<Fixture>& fixtures, const Catalog& 
                      std::min(face.rect.y0, rect.y0),
                      std::max(face.rect.x1, rect.x1),
                      std::max(face.rect.y1, rect.y1)};
-        const FixtureKind* kind = catalog.fixture_kind(fixtures[line[end]].kind);
+        const catalog::FixtureKind* kind = catalog.fixture_kind(fixtures[line[end]].kind);
         if (kind == nullptr) continue;
         face.role = kind->role;
         face.door_swing_mm = std::max(face.door_swing_mm, static_cast<int>(kind->door_swing_mm));
@@ -82,4 +82,4 @@ void mark_run_ends(std::vector<Fixture>& fixtures) {
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

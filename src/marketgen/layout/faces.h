@@ -7,7 +7,7 @@
 #include "layout/layout.h"
 #include "layout/side.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 
 struct Face {
   std::string run;
@@ -15,15 +15,15 @@ struct Face {
   RectMm rect;  // footprint of the line
   Side front;
   int door_swing_mm = 0;  // of the widest door on it
-  FixtureRole role = FixtureRole::shelving;
+  catalog::FixtureRole role = catalog::FixtureRole::shelving;
   bool endcap = false;
 };
 
 // One per front: a double-sided line gives two. A gap of more than a joint begins a new line.
 // Sorted by run, then place.
-std::vector<Face> faces_of(const std::vector<Fixture>& fixtures, const Catalog& catalog);
+std::vector<Face> faces_of(const std::vector<Fixture>& fixtures, const catalog::Catalog& catalog);
 
 // Sets run_start and run_end by what really stands beside each module.
 void mark_run_ends(std::vector<Fixture>& fixtures);
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

@@ -6,7 +6,7 @@
 #include "plan/bsp.h"
 #include "plan/floor_places.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 namespace {
 
 constexpr int slab_mm = 250;  // slanted walls are stepped this finely
@@ -85,14 +85,14 @@ std::size_t pieces_outside(const PolygonMm& outline, const RectMm& bounds) {
   return crossings / 2 + heights.size();
 }
 
-Doorway make_doorway(const Shell& shell, const RectMm& bounds, std::size_t index) {
-  const Opening& opening = shell.openings[index];
+Doorway make_doorway(const plan::Shell& shell, const RectMm& bounds, std::size_t index) {
+  const plan::Opening& opening = shell.openings[index];
   Doorway door{index, side_of(opening.wall), {}, {}, {}};
   const Span wall = along(bounds, door.wall);
-  door.threshold = point_inside(bounds, opening, 0);
+  door.threshold = plan::point_inside(bounds, opening, 0);
   const int middle = door.threshold[lies_along_x(door.wall) ? 0 : 1];
   door.span = {middle - opening.width_mm / 2, middle - opening.width_mm / 2 + opening.width_mm};
-  if (opening.kind == OpeningKind::window) return door;
+  if (opening.kind == plan::OpeningKind::window) return door;
   const Span wide =
       intersection({door.span.from - approach_side_mm, door.span.to + approach_side_mm}, wall);
   const int deep = std::min(approach_depth_mm, across(bounds, door.wall).length() / 3);
@@ -100,7 +100,7 @@ Doorway make_doorway(const Shell& shell, const RectMm& bounds, std::size_t index
   return door;
 }
 
-const Doorway* first_of_kind(const Floor& floor, const Shell& shell, OpeningKind kind) {
+const Doorway* first_of_kind(const Floor& floor, const plan::Shell& shell, plan::OpeningKind kind) {
   const auto found = std::ranges::find_if(floor.doorways, [&](const Doorway& door) {
     return shell.openings[door.opening].kind == kind;
   });
@@ -109,22 +109,22 @@ const Doorway* first_of_kind(const Floor& floor, const Shell& shell, OpeningKind
 
 }  // namespace
 
-Floor make_floor(const Shell& shell) {
+Floor make_floor(const plan::Shell& shell) {
   Floor floor;
-  floor.bounds = shell_rect(shell);
+  floor.bounds = plan::shell_rect(shell);
   floor.outline = shell.outline_mm.value_or(polygon_of(floor.bounds));
   if (shell.outline_mm) floor.outside = outside_of(floor.outline, floor.bounds);
-  for (const Column& column : shell.columns)
-    floor.columns.push_back(footprint_of(column));
+  for (const plan::Column& column : shell.columns)
+    floor.columns.push_back(plan::footprint_of(column));
   for (std::size_t i = 0; i < shell.openings.size(); ++i) {
     floor.doorways.push_back(make_doorway(shell, floor.bounds, i));
   }
   return floor;
 }
 
-Result<void> check_floor(const Shell& shell) {
+Result<void> check_floor(const plan::Shell& shell) {
   if (!shell.outline_mm) return {};
-  const std::size_t pieces = pieces_outside(*shell.outline_mm, shell_rect(shell));
+  const std::size_t pieces = pieces_outside(*shell.outline_mm, plan::shell_rect(shell));
   if (pieces <= max_pieces_outside) return {};
   return Error{"plan.bad_shell",
                "/shell/outline_mm",
@@ -144,7 +144,7 @@ std::vector<Span> wall_spans(
   const RectMm behind = cut_along(strip_beyond(rect, side, reach_mm), side, whole);
   std::vector<Span> open{whole};
   for (const RectMm& gone : floor.outside) {
-    if (!overlap(behind, gone)) continue;
+    if (!marketgen::overlap(behind, gone)) continue;
     std::vector<Span> left;
     for (const Span& span : open) {
       for (const Span& piece : without(span, {along(gone, side)}))
@@ -156,18 +156,19 @@ std::vector<Span> wall_spans(
 }
 
 bool on_floor(const Floor& floor, const RectMm& rect) {
-  return floor.bounds.contains(rect) &&
-         std::ranges::none_of(floor.outside, [&](const RectMm& r) { return overlap(r, rect); });
+  return floor.bounds.contains(rect) && std::ranges::none_of(floor.outside, [&](const RectMm& r) {
+           return marketgen::overlap(r, rect);
+         });
 }
 
-const Doorway* entrance_of(const Floor& floor, const Shell& shell) {
-  const Doorway* door = first_of_kind(floor, shell, OpeningKind::entrance);
-  return door != nullptr ? door : first_of_kind(floor, shell, OpeningKind::exit);
+const Doorway* entrance_of(const Floor& floor, const plan::Shell& shell) {
+  const Doorway* door = first_of_kind(floor, shell, plan::OpeningKind::entrance);
+  return door != nullptr ? door : first_of_kind(floor, shell, plan::OpeningKind::exit);
 }
 
-const Doorway* exit_of(const Floor& floor, const Shell& shell) {
-  const Doorway* door = first_of_kind(floor, shell, OpeningKind::exit);
-  return door != nullptr ? door : first_of_kind(floor, shell, OpeningKind::entrance);
+const Doorway* exit_of(const Floor& floor, const plan::Shell& shell) {
+  const Doorway* door = first_of_kind(floor, shell, plan::OpeningKind::exit);
+  return door != nullptr ? door : first_of_kind(floor, shell, plan::OpeningKind::entrance);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

@@ -7,7 +7,7 @@
 #include "layout/side.h"
 #include "plan/plan.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 
 // Free floor inside each door: 2 m deep, half a metre wider than the door on either side. Width and
 // depth of a landing people can pass each other on while the door is in use (Neufert, Architects'
@@ -36,8 +36,8 @@ struct Floor {
 // Slanted walls are laid out in steps: what is outside them is this many rectangles at most.
 constexpr std::size_t max_pieces_outside = 10'000;
 // Whether a layout of the room can be made in time. Error: plan.bad_shell.
-Result<void> check_floor(const Shell& shell);
-Floor make_floor(const Shell& shell);
+Result<void> check_floor(const plan::Shell& shell);
+Floor make_floor(const plan::Shell& shell);
 
 // The stretches of the rectangle's side, lengthened by `more` at either end, that have a wall
 // within `reach_mm` behind them.
@@ -48,7 +48,7 @@ std::vector<Span> wall_spans(
 bool on_floor(const Floor& floor, const RectMm& rect);
 
 // Null when there is none. The exit of a shop with one door is its entrance.
-const Doorway* entrance_of(const Floor& floor, const Shell& shell);
-const Doorway* exit_of(const Floor& floor, const Shell& shell);
+const Doorway* entrance_of(const Floor& floor, const plan::Shell& shell);
+const Doorway* exit_of(const Floor& floor, const plan::Shell& shell);
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

@@ -4,7 +4,7 @@
 #include <array>
 #include <limits>
 
-namespace marketgen {
+namespace marketgen::layout {
 namespace {
 
 constexpr int service_island_mm = 1000;  // staff floor between two counters back to back
@@ -23,7 +23,7 @@ struct FloorHabit {
 constexpr std::array<FloorHabit, 4> floor_habits{
     {{"produce_table", 5200}, {"bin", 2400}, {"pallet", 2700}, {"promo_stack", 2700}}};
 
-int longest_group_mm(const ModuleSpec& spec, const Zone& zone) {
+int longest_group_mm(const ModuleSpec& spec, const plan::Zone& zone) {
   for (const FloorHabit& habit : floor_habits) {
     if (habit.generator == spec.kind->generator) {
       return std::max(habit.island_mm, spec.narrowest_mm());
@@ -35,7 +35,8 @@ int longest_group_mm(const ModuleSpec& spec, const Zone& zone) {
 bool neighbour_unfinished(const FloorTask& task, Side side) {
   const RectMm ahead = strip_beyond(task.ground.ground.rect, side, task.aisle_mm);
   return std::ranges::any_of(task.build.grounds, [&](const GroundBuild& other) {
-    return &other != &task.ground && !other.finished && overlap(other.ground.rect, ahead);
+    return &other != &task.ground && !other.finished &&
+           marketgen::overlap(other.ground.rect, ahead);
   });
 }
 
@@ -156,10 +157,11 @@ bool prefers_along_y(const FloorTask& task) {
 std::optional<FloorComb> best_comb(const FloorTask& task,
                                    const FloorBlock& block,
                                    const RectMm& room) {
-  const RunAxis wish = task.zone.zone->fixture.axis;
-  const bool preferred = wish == RunAxis::automatic ? prefers_along_y(task) : wish == RunAxis::y;
+  const plan::RunAxis wish = task.zone.zone->fixture.axis;
+  const bool preferred =
+      wish == plan::RunAxis::automatic ? prefers_along_y(task) : wish == plan::RunAxis::y;
   std::optional<FloorComb> main = best_comb_along(task, block, room, preferred);
-  if (main && wish != RunAxis::automatic) return main;
+  if (main && wish != plan::RunAxis::automatic) return main;
   std::optional<FloorComb> other = best_comb_along(task, block, room, !preferred);
   if (!main || (other && other->score > main->score * wrong_axis_factor)) return other;
   return main;
@@ -224,13 +226,13 @@ Side front_end(const FloorTask& task, const FloorComb& comb) {
 }
 
 EndcapPlan endcaps_of(const FloorTask& task, const FloorBlock& block) {
-  const Endcaps wish = task.zone.zone->fixture.endcaps;
-  const FixtureKind* kind = task.build.design.catalog.fixture_kind("endcap");
+  const plan::Endcaps wish = task.zone.zone->fixture.endcaps;
+  const catalog::FixtureKind* kind = task.build.design.catalog.fixture_kind("endcap");
   if (kind == nullptr || block.faces() < 2 || block.between_mm > 0 ||
       block.spec.kind->generator != "gondola")
     return {};
-  return {wish == Endcaps::front || wish == Endcaps::both,
-          wish == Endcaps::back || wish == Endcaps::both,
+  return {wish == plan::Endcaps::front || wish == plan::Endcaps::both,
+          wish == plan::Endcaps::back || wish == plan::Endcaps::both,
           kind->depth_mm};
 }
 
@@ -300,4 +302,4 @@ std::optional<FloorComb> choose_comb(FloorTask task, const ModuleSpec& spec) {
   return comb;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

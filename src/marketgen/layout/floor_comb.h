@@ -5,7 +5,7 @@
 
 #include "layout/zone_build.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 
 // A way of standing: one row, or two back to back with `between_mm` of floor for staff.
 struct FloorBlock {
@@ -59,4 +59,4 @@ RectMm room_inside(const FloorTask& task);
 // The way that shows the most shelf front; nothing when none holds a module.
 std::optional<FloorComb> choose_comb(FloorTask task, const ModuleSpec& spec);
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

@@ -3,7 +3,7 @@
 
 #include "layout/floor_comb.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 namespace {
 
 void add_endcap(const FloorTask& task,
@@ -12,7 +12,7 @@ void add_endcap(const FloorTask& task,
                 const RectMm& block,
                 Side end,
                 std::string_view name) {
-  const FixtureKind* kind = task.build.design.catalog.fixture_kind("endcap");
+  const catalog::FixtureKind* kind = task.build.design.catalog.fixture_kind("endcap");
   if (kind == nullptr) return;
   const ModuleSpec spec = module_spec(task.build.design, *task.zone.zone, *kind);
   const int run_depth = comb.block.depth_mm();
@@ -84,7 +84,7 @@ void fill_ground(const FloorTask& task) {
 }
 
 bool is_shelving(const ZoneBuild& zone) {
-  return zone.kinds.main != nullptr && zone.kinds.main->role == FixtureRole::shelving;
+  return zone.kinds.main != nullptr && zone.kinds.main->role == catalog::FixtureRole::shelving;
 }
 
 FloorTask make_task(Build& build, GroundBuild& ground, int aisle_mm) {
@@ -113,7 +113,7 @@ void fill_floor(Build& build) {
     ground.finished = is_full(build, ground);
   for (GroundBuild& ground : build.grounds) {
     if (ground.finished) continue;
-    const Zone& zone = *build.zones[ground.zone].zone;
+    const plan::Zone& zone = *build.zones[ground.zone].zone;
     fill_ground(make_task(build, ground, wanted_aisle_mm(build.design, zone)));
     ground.finished = true;
   }
@@ -127,4 +127,4 @@ void fill_empty_zones(Build& build) {
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

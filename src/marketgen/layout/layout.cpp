@@ -4,7 +4,7 @@
 
 #include "layout/side.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 
 RectMm footprint_of(const Fixture& fixture) {
   const bool along_x = lies_along_x(facing_of(fixture.yaw_deg));
@@ -24,4 +24,4 @@ const LayoutZone* find_zone(const Layout& layout, std::string_view id) {
   return found == layout.zones.end() ? nullptr : &*found;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

@@ -17,7 +17,7 @@
 #include "geometry/rectangle.h"
 #include "plan/plan.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 
 struct LayoutZone {
   std::string id;
@@ -127,8 +127,8 @@ struct Layout {
   std::string schema = "market-layout/1";
   std::string name;
   std::string profile;
-  Shell shell;  // with outline_mm always set
-  Look look;
+  plan::Shell shell;  // with outline_mm always set
+  plan::Look look;
   std::vector<LayoutZone> zones;
   std::vector<Fixture> fixtures;  // sorted by id
   std::vector<Aisle> aisles;      // sorted by id
@@ -148,13 +148,13 @@ struct Layout {
 
 // Every module, aisle and violation of the plan. Deterministic. Errors: layout.impossible when not
 // one fixture fits.
-Result<Layout> make_layout(const Plan& plan, const Catalog& catalog, Seed seed);
+Result<Layout> make_layout(const plan::Plan& plan, const catalog::Catalog& catalog, Seed seed);
 
 // A plan with its mendable faults mended (too narrow gaps, zones too small, checkout missing or far
 // from the exit…), and what was done. The result is a new plan whose changes carry provenance
 // `repair`.
 struct Repaired {
-  Plan plan;
+  plan::Plan plan;
   std::vector<std::string> changes;  // one sentence each
   std::optional<Layout> layout;      // of the plan; nothing when it has none
   std::int64_t work = 0;             // of all layouts that were made for it
@@ -163,16 +163,18 @@ struct Repaired {
 // one for ten square metres of floor. A layout of a hall costs a hundred times that of a shop, so
 // that fewer of them are tried: none is begun once a repair has done so much work.
 constexpr std::int64_t max_repair_work = 6'000;
-Result<Repaired> repair_plan(const Plan& plan,
-                             const Catalog& catalog,
+Result<Repaired> repair_plan(const plan::Plan& plan,
+                             const catalog::Catalog& catalog,
                              Seed seed,
                              std::int64_t max_work = max_repair_work);
 
 // Evaluates every rule of layout_rules.inc. make_layout has already put the result into
 // `violations`.
-std::vector<Violation> check_layout(const Layout& layout, const Plan& plan, const Catalog& catalog);
+std::vector<Violation> check_layout(const Layout& layout,
+                                    const plan::Plan& plan,
+                                    const catalog::Catalog& catalog);
 
 const Fixture* find_fixture(const Layout& layout, std::string_view id);
 const LayoutZone* find_zone(const Layout& layout, std::string_view id);
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

@@ -6,7 +6,7 @@
 
 #include "layout/picture_sheet.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 namespace {
 
 constexpr double side_margin = 78, header = 110, footer = 86;  // pixels at the usual size
@@ -16,7 +16,7 @@ constexpr int max_listed = 8;
 
 struct Page {
   int width = 0, height = 0;
-  Area plan;
+  assets::Area plan;
   double px_per_mm = 1;
   double swing_below = 0;  // room for doors that open southwards
 };
@@ -27,11 +27,11 @@ double list_height(const Layout& layout) {
 }
 
 // How far the leaves of a wall's doors swing out of the room.
-int swing_mm(const Layout& layout, Wall wall) {
+int swing_mm(const Layout& layout, plan::Wall wall) {
   int widest = 0;
-  for (const Opening& opening : layout.shell.openings) {
+  for (const plan::Opening& opening : layout.shell.openings) {
     const bool swings =
-        opening.kind == OpeningKind::service || opening.kind == OpeningKind::emergency;
+        opening.kind == plan::OpeningKind::service || opening.kind == plan::OpeningKind::emergency;
     if (swings && opening.wall == wall) widest = std::max(widest, opening.width_mm);
   }
   return widest / 2;
@@ -39,7 +39,8 @@ int swing_mm(const Layout& layout, Wall wall) {
 
 // The longer side of the page is `size_px`; the room takes what margins and lettering leave.
 Page make_page(const Layout& layout, const RectMm& room, int size_px) {
-  const int above_mm = swing_mm(layout, Wall::north), below_mm = swing_mm(layout, Wall::south);
+  const int above_mm = swing_mm(layout, plan::Wall::north),
+            below_mm = swing_mm(layout, plan::Wall::south);
   const double lettering = header + footer + list_height(layout);
   const double by_width = (size_px - 2 * side_margin) / room.width();
   const double by_height = (size_px - lettering) / (room.depth() + above_mm + below_mm);
@@ -57,9 +58,9 @@ Page make_page(const Layout& layout, const RectMm& room, int size_px) {
 
 void draw_title(Sheet& sheet) {
   const Layout& layout = sheet.layout;
-  const ProfileRow* profile = sheet.catalog.profile(layout.profile);
+  const catalog::ProfileRow* profile = sheet.catalog.profile(layout.profile);
   const double w = sheet.canvas.width_px() - 2 * side_margin - 60;
-  letter(sheet, {side_margin, 14, w, 32}, layout.name, 26, sheet_ink, 800, Align::left);
+  letter(sheet, {side_margin, 14, w, 32}, layout.name, 26, sheet_ink, 800, assets::Align::left);
   double zones_m2 = 0;
   for (const LayoutZone& zone : layout.zones)
     zones_m2 += zone.area_m2;
@@ -72,7 +73,7 @@ void draw_title(Sheet& sheet) {
       layout.zones.size(),
       zones_m2,
       layout.fixtures.size());
-  letter(sheet, {side_margin, 46, w, 20}, facts, 14, sheet_grey, 500, Align::left);
+  letter(sheet, {side_margin, 46, w, 20}, facts, 14, sheet_grey, 500, assets::Align::left);
 }
 
 void draw_north(Sheet& sheet) {
@@ -82,7 +83,7 @@ void draw_north(Sheet& sheet) {
   sheet.canvas.polygon({{x, y - 17}, {x + 7, y + 10}, {x, y + 5}});
   sheet.canvas.fill(sheet_ink);
   sheet.canvas.polygon({{x, y - 17}, {x - 7, y + 10}, {x, y + 5}});
-  sheet.canvas.fill_and_stroke(rgb("#ffffff"), sheet_ink, 0.8);
+  sheet.canvas.fill_and_stroke(assets::rgb("#ffffff"), sheet_ink, 0.8);
   letter(sheet, {x - 44, y - 9, 18, 18}, "N", 15, sheet_ink, 800);
 }
 
@@ -96,7 +97,7 @@ void draw_scale_bar(Sheet& sheet, double top) {
   const double step = sheet.px(step_mm);
   for (int i = 0; i < 4; ++i) {
     sheet.canvas.rectangle({side_margin + i * step, top, step, 7});
-    sheet.canvas.fill_and_stroke(i % 2 == 0 ? sheet_ink : rgb("#ffffff"), sheet_ink, 1);
+    sheet.canvas.fill_and_stroke(i % 2 == 0 ? sheet_ink : assets::rgb("#ffffff"), sheet_ink, 1);
   }
   for (int i = 0; i <= 4; i += 2) {
     letter(sheet,
@@ -118,15 +119,22 @@ void draw_key(Sheet& sheet, double top) {
          12,
          sheet_ink,
          500,
-         Align::left);
+         assets::Align::left);
   sheet.canvas.rectangle({x + 222, top - 2, 16, 10});
-  sheet.canvas.fill_and_stroke(rgb("#dfe3e6"), sheet_ink, 0.8);
+  sheet.canvas.fill_and_stroke(assets::rgb("#dfe3e6"), sheet_ink, 0.8);
   sheet.canvas.rectangle({x + 222, top + 6, 16, 2.5});
   sheet.canvas.fill(sheet_ink);
-  letter(sheet, {x + 244, top - 5, 100, 16}, "fixture, front", 12, sheet_ink, 500, Align::left);
+  letter(sheet,
+         {x + 244, top - 5, 100, 16},
+         "fixture, front",
+         12,
+         sheet_ink,
+         500,
+         assets::Align::left);
   sheet.canvas.rectangle({x + 350, top + 2.6, 20, 0.9});
-  sheet.canvas.fill(rgb("#4a6fa5"));
-  letter(sheet, {x + 376, top - 5, 94, 16}, "free width, m", 12, sheet_ink, 500, Align::left);
+  sheet.canvas.fill(assets::rgb("#4a6fa5"));
+  letter(
+      sheet, {x + 376, top - 5, 94, 16}, "free width, m", 12, sheet_ink, 500, assets::Align::left);
 }
 
 void draw_violation_list(Sheet& sheet, double top) {
@@ -142,7 +150,7 @@ void draw_violation_list(Sheet& sheet, double top) {
            12.5,
            v.severity == Severity::hard ? sheet_alarm : sheet_ink,
            500,
-           Align::left);
+           assets::Align::left);
     top += violation_line;
   }
   if (count > max_listed) {
@@ -152,16 +160,16 @@ void draw_violation_list(Sheet& sheet, double top) {
            12.5,
            sheet_grey,
            500,
-           Align::left);
+           assets::Align::left);
   }
 }
 
 }  // namespace
 
-Image draw_layout(const Layout& layout, const Catalog& catalog, int size_px) {
+Image draw_layout(const Layout& layout, const catalog::Catalog& catalog, int size_px) {
   const RectMm room{0, 0, layout.shell.width_mm, layout.shell.depth_mm};
   const Page page = make_page(layout, room, size_px);
-  Canvas canvas(page.width, page.height, sheet_paper);
+  assets::Canvas canvas(page.width, page.height, sheet_paper);
   Sheet sheet{canvas, layout, catalog, room, page.plan, page.px_per_mm, {}};
   draw_floor(sheet);
   draw_walls(sheet);
@@ -180,4 +188,4 @@ Image draw_layout(const Layout& layout, const Catalog& catalog, int size_px) {
   return canvas.image();
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

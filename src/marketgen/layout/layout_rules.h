@@ -5,7 +5,7 @@
 
 #include "layout/layout.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 
 // The ways in which repair_plan may change a plan: repair_moves.inc.
 enum class RepairMove {
@@ -25,4 +25,4 @@ struct LayoutRule {
 // In the order of layout_rules.inc.
 const std::vector<LayoutRule>& layout_rules();
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

@@ -10,12 +10,12 @@
 #include "layout/zone_build.h"
 #include "plan/bsp.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 namespace {
 
 Build start_build(const Design& design, Seed seed) {
   Build build{design, Site(design), {}, {}, seed};
-  for (const Zone& zone : design.plan.zones) {
+  for (const plan::Zone& zone : design.plan.zones) {
     build.zones.push_back({&zone, kinds_of(zone, design.catalog)});
   }
   for (Ground& ground : zone_grounds(design.plan, design.floor)) {
@@ -37,10 +37,10 @@ std::vector<Fixture> furnish(const Design& design, Seed seed) {
 
 std::vector<LayoutZone> make_zones(const Design& design) {
   std::vector<LayoutZone> zones;
-  const std::vector<RectMm> rectangles = zone_rectangles(design.plan);
+  const std::vector<RectMm> rectangles = plan::zone_rectangles(design.plan);
   for (std::size_t i = 0; i < rectangles.size(); ++i) {
-    const Zone& zone = design.plan.zones[i];
-    const ZoneTypeRow* type = design.catalog.zone_type(zone.type);
+    const plan::Zone& zone = design.plan.zones[i];
+    const catalog::ZoneTypeRow* type = design.catalog.zone_type(zone.type);
     const std::string label = zone.label.empty() && type != nullptr ? type->label : zone.label;
     const PolygonMm polygon = zone_polygon(rectangles[i], design.floor);
     zones.push_back({zone.id, zone.type, label, polygon, area_m2(polygon)});
@@ -50,7 +50,7 @@ std::vector<LayoutZone> make_zones(const Design& design) {
 
 }  // namespace
 
-Result<Layout> make_layout(const Plan& plan, const Catalog& catalog, Seed seed) {
+Result<Layout> make_layout(const plan::Plan& plan, const catalog::Catalog& catalog, Seed seed) {
   MARKETGEN_CHECK(check_floor(plan.shell));
   const Design design = make_design(plan, catalog);
   MARKETGEN_CHECK(check_modules(design));
@@ -76,4 +76,4 @@ Result<Layout> make_layout(const Plan& plan, const Catalog& catalog, Seed seed) 
   return layout;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

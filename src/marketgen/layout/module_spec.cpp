@@ -6,7 +6,7 @@
 
 #include "io/json.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 namespace {
 
 constexpr int back_panel_mm = 60;  // between the shelves of the two sides of a gondola
@@ -30,32 +30,34 @@ constexpr std::array<WallKind, 10> wall_kinds{{{"gondola", "wall_unit"},
                                                {"chest_freezer", "glass_door_freezer"},
                                                {"endcap", "wall_unit"}}};
 
-bool nothing_wished(const FixtureSpec& spec) {
-  static const std::string untouched = write_json(FixtureSpec{});
-  return write_json(spec) == untouched;
+bool nothing_wished(const plan::FixtureSpec& spec) {
+  static const std::string untouched = io::write_json(plan::FixtureSpec{});
+  return io::write_json(spec) == untouched;
 }
 
-const FixtureKind* main_kind(const Zone& zone, const Catalog& catalog) {
-  const ZoneTypeRow* type = catalog.zone_type(zone.type);
-  const FixtureKind* usual = type == nullptr ? nullptr : catalog.fixture_kind(type->fixture);
+const catalog::FixtureKind* main_kind(const plan::Zone& zone, const catalog::Catalog& catalog) {
+  const catalog::ZoneTypeRow* type = catalog.zone_type(zone.type);
+  const catalog::FixtureKind* usual =
+      type == nullptr ? nullptr : catalog.fixture_kind(type->fixture);
   if (type != nullptr && type->fixture.empty()) return nullptr;
   if (usual != nullptr && nothing_wished(zone.fixture)) return usual;
-  const FixtureKind* wished = catalog.fixture_kind(zone.fixture.kind);
+  const catalog::FixtureKind* wished = catalog.fixture_kind(zone.fixture.kind);
   if (wished == nullptr || usual == nullptr) return wished != nullptr ? wished : usual;
   // "gondola" is what a wish says that names no kind: goods that need a cabinet or a counter get
   // theirs.
-  const bool unnamed = zone.fixture.kind == FixtureSpec{}.kind;
-  const bool unsuited =
-      usual->temperature != Storage::ambient || usual->role != FixtureRole::shelving;
+  const bool unnamed = zone.fixture.kind == plan::FixtureSpec{}.kind;
+  const bool unsuited = usual->temperature != catalog::Storage::ambient ||
+                        usual->role != catalog::FixtureRole::shelving;
   return unnamed && unsuited ? usual : wished;
 }
 
-const FixtureKind* wall_kind(const FixtureKind& main, const Catalog& catalog) {
-  if (main.role != FixtureRole::shelving) return nullptr;
+const catalog::FixtureKind* wall_kind(const catalog::FixtureKind& main,
+                                      const catalog::Catalog& catalog) {
+  if (main.role != catalog::FixtureRole::shelving) return nullptr;
   if (main.against_wall) return &main;
   for (const WallKind& row : wall_kinds) {
     if (row.generator != main.generator) continue;
-    const FixtureKind* kind = catalog.fixture_kind(row.kind);
+    const catalog::FixtureKind* kind = catalog.fixture_kind(row.kind);
     return kind != nullptr && kind->temperature == main.temperature ? kind : nullptr;
   }
   return nullptr;
@@ -65,8 +67,10 @@ int clamped(int value, const IntRange& range) {
   return std::clamp(value, range[0], range[1]);
 }
 
-void choose_depth_and_height(ModuleSpec& spec, const Design& design, const FixtureSpec& wish) {
-  const FixtureKind& kind = *spec.kind;
+void choose_depth_and_height(ModuleSpec& spec,
+                             const Design& design,
+                             const plan::FixtureSpec& wish) {
+  const catalog::FixtureKind& kind = *spec.kind;
   spec.depth_mm = kind.depth_mm;
   spec.height_mm = kind.height_mm;
   if (kind.generator == "gondola") {
@@ -81,8 +85,8 @@ void choose_depth_and_height(ModuleSpec& spec, const Design& design, const Fixtu
 }
 
 // Levels and their spacing within the height; the height gives way only when nobody asked for it.
-void choose_levels(ModuleSpec& spec, const FixtureSpec& wish) {
-  const FixtureKind& kind = *spec.kind;
+void choose_levels(ModuleSpec& spec, const plan::FixtureSpec& wish) {
+  const catalog::FixtureKind& kind = *spec.kind;
   spec.base_mm = kind.base_mm;
   spec.levels = kind.levels;
   const int room = spec.height_mm - spec.base_mm;
@@ -105,7 +109,7 @@ void choose_levels(ModuleSpec& spec, const FixtureSpec& wish) {
   if (slotted) spec.spacing_mm -= spec.spacing_mm % slot_pitch_mm;
 }
 
-void choose_widths(ModuleSpec& spec, const Design& design, const FixtureSpec& wish) {
+void choose_widths(ModuleSpec& spec, const Design& design, const plan::FixtureSpec& wish) {
   spec.widths_mm = spec.kind->module_widths_mm;
   const auto prefer = [&](int width) {
     std::erase(spec.widths_mm, width);
@@ -116,17 +120,17 @@ void choose_widths(ModuleSpec& spec, const Design& design, const FixtureSpec& wi
   if (wish.module_mm) spec.widths_mm = {*wish.module_mm};
 }
 
-void choose_finish(ModuleSpec& spec, const Design& design, const FixtureSpec& wish) {
+void choose_finish(ModuleSpec& spec, const Design& design, const plan::FixtureSpec& wish) {
   spec.material = spec.kind->material;
   spec.color = spec.kind->color;
-  const MaterialRow* look = design.catalog.material(design.plan.look.fixture);
+  const catalog::MaterialRow* look = design.catalog.material(design.plan.look.fixture);
   if (takes_look(*spec.kind) && look != nullptr) {
     spec.material = look->id;
     spec.color = look->color;
   }
   if (wish.material) spec.material = *wish.material;
   if (wish.material && !wish.color) {
-    const MaterialRow* row = design.catalog.material(*wish.material);
+    const catalog::MaterialRow* row = design.catalog.material(*wish.material);
     if (row != nullptr) spec.color = row->color;
   }
   if (wish.color) spec.color = *wish.color;
@@ -137,32 +141,35 @@ int sum(const std::vector<int>& widths) {
 }
 
 // The zone's module by itself, as it would be built.
-Result<FixtureModel> model_of(const Design& design, const Zone& zone, const FixtureKind& kind) {
+Result<assets::FixtureModel> model_of(const Design& design,
+                                      const plan::Zone& zone,
+                                      const catalog::FixtureKind& kind) {
   const ModuleSpec spec = module_spec(design, zone, kind);
   Fixture fixture = make_module(spec, zone);
   fixture.width_mm = spec.widths_mm.front();
-  return make_fixture_model(fixture_shape(fixture, kind, design.plan.look), design.catalog);
+  return assets::make_fixture_model(fixture_shape(fixture, kind, design.plan.look), design.catalog);
 }
 
 // What a plan may say about the size of a module.
 struct ModuleMeasure {
   std::string_view name;
-  std::optional<int> FixtureSpec::*field;
+  std::optional<int> plan::FixtureSpec::*field;
 };
-constexpr std::array<ModuleMeasure, 5> module_measures{{{"module_mm", &FixtureSpec::module_mm},
-                                                        {"depth_mm", &FixtureSpec::depth_mm},
-                                                        {"height_mm", &FixtureSpec::height_mm},
-                                                        {"levels", &FixtureSpec::levels},
-                                                        {"spacing_mm", &FixtureSpec::spacing_mm}}};
+constexpr std::array<ModuleMeasure, 5> module_measures{
+    {{"module_mm", &plan::FixtureSpec::module_mm},
+     {"depth_mm", &plan::FixtureSpec::depth_mm},
+     {"height_mm", &plan::FixtureSpec::height_mm},
+     {"levels", &plan::FixtureSpec::levels},
+     {"spacing_mm", &plan::FixtureSpec::spacing_mm}}};
 
 // The measure without which the zone's module can be built: one alone, else the last of the first
 // few that are too much together. Nothing when it is the kind's row that cannot be built.
 std::optional<std::string_view> measure_at_fault(const Design& design,
-                                                 const Zone& zone,
-                                                 const FixtureKind& kind) {
-  Zone fewer = zone;
+                                                 const plan::Zone& zone,
+                                                 const catalog::FixtureKind& kind) {
+  plan::Zone fewer = zone;
   for (const ModuleMeasure& measure : module_measures) {
-    Zone without = zone;
+    plan::Zone without = zone;
     (without.fixture.*measure.field).reset();
     if (model_of(design, without, kind).ok()) return measure.name;
   }
@@ -188,7 +195,7 @@ std::vector<int> greedy_fill(const ModuleSpec& spec, int count, int length_mm) {
 
 }  // namespace
 
-bool takes_look(const FixtureKind& kind) {
+bool takes_look(const catalog::FixtureKind& kind) {
   constexpr std::array<std::string_view, 4> plain{"gondola", "wall_unit", "endcap", "peg_wall"};
   return std::ranges::find(plain, kind.generator) != plain.end();
 }
@@ -206,16 +213,18 @@ int ModuleSpec::narrowest_mm() const {
   return *std::ranges::min_element(widths_mm);
 }
 
-ZoneKinds kinds_of(const Zone& zone, const Catalog& catalog) {
+ZoneKinds kinds_of(const plan::Zone& zone, const catalog::Catalog& catalog) {
   ZoneKinds kinds;
   kinds.main = main_kind(zone, catalog);
   if (kinds.main != nullptr) kinds.wall = wall_kind(*kinds.main, catalog);
   return kinds;
 }
 
-ModuleSpec module_spec(const Design& design, const Zone& zone, const FixtureKind& kind) {
+ModuleSpec module_spec(const Design& design,
+                       const plan::Zone& zone,
+                       const catalog::FixtureKind& kind) {
   const ZoneKinds kinds = kinds_of(zone, design.catalog);
-  const FixtureSpec wish = &kind == kinds.main ? zone.fixture : FixtureSpec{};
+  const plan::FixtureSpec wish = &kind == kinds.main ? zone.fixture : plan::FixtureSpec{};
   ModuleSpec spec;
   spec.kind = &kind;
   spec.sides = wish.double_sided.value_or(kind.double_sided) && kind.double_sided ? 2 : 1;
@@ -246,7 +255,7 @@ std::vector<int> fill_widths(const ModuleSpec& spec, int length_mm) {
   return best;
 }
 
-Fixture lone_module(const FixtureKind& kind) {
+Fixture lone_module(const catalog::FixtureKind& kind) {
   Fixture fixture;
   fixture.kind = kind.kind;
   fixture.width_mm = kind.module_widths_mm.front();
@@ -262,7 +271,7 @@ Fixture lone_module(const FixtureKind& kind) {
   return fixture;
 }
 
-Fixture make_module(const ModuleSpec& spec, const Zone& zone) {
+Fixture make_module(const ModuleSpec& spec, const plan::Zone& zone) {
   Fixture fixture;
   fixture.kind = spec.kind->kind;
   fixture.zone = zone.id;
@@ -277,7 +286,9 @@ Fixture make_module(const ModuleSpec& spec, const Zone& zone) {
   return fixture;
 }
 
-FixtureShape fixture_shape(const Fixture& fixture, const FixtureKind& kind, const Look& look) {
+assets::FixtureShape fixture_shape(const Fixture& fixture,
+                                   const catalog::FixtureKind& kind,
+                                   const plan::Look& look) {
   return {.generator = kind.generator,
           .width_mm = fixture.width_mm,
           .depth_mm = fixture.depth_mm,
@@ -300,13 +311,13 @@ FixtureShape fixture_shape(const Fixture& fixture, const FixtureKind& kind, cons
 
 Result<void> check_modules(const Design& design) {
   for (std::size_t i = 0; i < design.plan.zones.size(); ++i) {
-    const Zone& zone = design.plan.zones[i];
-    const FixtureKind* kind = kinds_of(zone, design.catalog).main;
+    const plan::Zone& zone = design.plan.zones[i];
+    const catalog::FixtureKind* kind = kinds_of(zone, design.catalog).main;
     if (kind == nullptr || std::ranges::none_of(module_measures, [&](const ModuleMeasure& measure) {
           return (zone.fixture.*measure.field).has_value();
         }))
       continue;
-    const Result<FixtureModel> model = model_of(design, zone, *kind);
+    const Result<assets::FixtureModel> model = model_of(design, zone, *kind);
     if (model.ok()) continue;
     const auto name = measure_at_fault(design, zone, *kind);
     if (!name) continue;
@@ -318,4 +329,4 @@ Result<void> check_modules(const Design& design) {
   return {};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

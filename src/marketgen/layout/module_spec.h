@@ -7,7 +7,7 @@
 #include "layout/design.h"
 #include "layout/layout.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 
 // The top shelf must hold something below the top of its fixture.
 inline constexpr int min_top_gap_mm = 150;
@@ -15,7 +15,7 @@ constexpr int max_spacing_mm = 2000;  // of Fixture::fields; a single level has 
 
 // One module as it will be repeated along a run.
 struct ModuleSpec {
-  const FixtureKind* kind = nullptr;
+  const catalog::FixtureKind* kind = nullptr;
   std::vector<int> widths_mm;  // preferred first
   int depth_mm = 0;
   int height_mm = 0;
@@ -34,18 +34,20 @@ struct ModuleSpec {
 
 // The kinds of a zone; null where it has none.
 struct ZoneKinds {
-  const FixtureKind* main = nullptr;  // what the plan or the zone's type asks for
-  const FixtureKind* wall = nullptr;  // what lines its walls
+  const catalog::FixtureKind* main = nullptr;  // what the plan or the zone's type asks for
+  const catalog::FixtureKind* wall = nullptr;  // what lines its walls
 };
-ZoneKinds kinds_of(const Zone& zone, const Catalog& catalog);
+ZoneKinds kinds_of(const plan::Zone& zone, const catalog::Catalog& catalog);
 
 // Whether the look's material is for it: shelving takes it; cabinets, counters and wooden furniture
 // keep their own.
-bool takes_look(const FixtureKind& kind);
+bool takes_look(const catalog::FixtureKind& kind);
 
 // The zone's wishes count when `kind` is the kind they are about; the rest comes from the kind's
 // row and the profile.
-ModuleSpec module_spec(const Design& design, const Zone& zone, const FixtureKind& kind);
+ModuleSpec module_spec(const Design& design,
+                       const plan::Zone& zone,
+                       const catalog::FixtureKind& kind);
 // The same module stocked from one side only, for standing against a wall or back to back.
 ModuleSpec one_sided(ModuleSpec spec);
 
@@ -55,15 +57,17 @@ std::vector<int> fill_widths(const ModuleSpec& spec, int length_mm);
 
 // One module of the kind with its row's own measures, by itself in a run; place, zone and ids are
 // the caller's.
-Fixture lone_module(const FixtureKind& kind);
+Fixture lone_module(const catalog::FixtureKind& kind);
 // A fixture of this module with everything but its place and ids.
-Fixture make_module(const ModuleSpec& spec, const Zone& zone);
+Fixture make_module(const ModuleSpec& spec, const plan::Zone& zone);
 
 // What its generator builds the fixture from.
-FixtureShape fixture_shape(const Fixture& fixture, const FixtureKind& kind, const Look& look);
+assets::FixtureShape fixture_shape(const Fixture& fixture,
+                                   const catalog::FixtureKind& kind,
+                                   const plan::Look& look);
 
 // Whether each zone's module can be built with the measures that it is to have; the kind's
 // generator knows. Error: plan.bad_value at the first that cannot.
 Result<void> check_modules(const Design& design);
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

@@ -4,7 +4,7 @@
 
 #include "catalog/catalog.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 
 // Floor between the fixtures of two such zones: half a module, a divider and a gap.
 constexpr int apart_mm = 600;
@@ -14,8 +14,8 @@ bool is_raw_beside_ready(std::string_view type_a, std::string_view type_b);
 // FDA Food Code 2022, 7-201.11. `a` holds the chemicals.
 bool is_chemical_beside_food(std::string_view type_a,
                              std::string_view type_b,
-                             const Catalog& catalog);
+                             const catalog::Catalog& catalog);
 // Either of them, either way round.
-bool kept_apart(std::string_view type_a, std::string_view type_b, const Catalog& catalog);
+bool kept_apart(std::string_view type_a, std::string_view type_b, const catalog::Catalog& catalog);
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

@@ -7,7 +7,7 @@
 #include "base/text.h"
 #include "layout/module_spec.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 namespace {
 
 std::string pointer(std::size_t index, std::string_view field) {
@@ -24,7 +24,7 @@ Error unknown_reference(std::size_t index,
           "there is no " + std::string(what) + " \"" + name + "\"" + did_you_mean(name, known)};
 }
 
-Result<int> whole_number(const Override& change, std::size_t index, const IntRange& range) {
+Result<int> whole_number(const plan::Override& change, std::size_t index, const IntRange& range) {
   int number = 0;
   const char* end = change.value.data() + change.value.size();
   const auto [stop, fault] = std::from_chars(change.value.data(), end, number);
@@ -48,13 +48,13 @@ void respace(Fixture& fixture) {
 }
 
 Result<void> change_kind(Fixture& fixture,
-                         const Override& change,
+                         const plan::Override& change,
                          std::size_t index,
-                         const Catalog& catalog) {
-  const FixtureKind* kind = catalog.fixture_kind(change.value);
+                         const catalog::Catalog& catalog) {
+  const catalog::FixtureKind* kind = catalog.fixture_kind(change.value);
   if (kind == nullptr) {
     std::vector<std::string_view> known;
-    for (const FixtureKind& row : catalog.fixture_kinds)
+    for (const catalog::FixtureKind& row : catalog.fixture_kinds)
       known.push_back(row.kind);
     return unknown_reference(index, "value", "fixture kind", change.value, known);
   }
@@ -80,13 +80,13 @@ Result<void> change_kind(Fixture& fixture,
 }
 
 Result<void> change_material(Fixture& fixture,
-                             const Override& change,
+                             const plan::Override& change,
                              std::size_t index,
-                             const Catalog& catalog) {
-  const MaterialRow* material = catalog.material(change.value);
+                             const catalog::Catalog& catalog) {
+  const catalog::MaterialRow* material = catalog.material(change.value);
   if (material == nullptr) {
     std::vector<std::string_view> known;
-    for (const MaterialRow& row : catalog.materials)
+    for (const catalog::MaterialRow& row : catalog.materials)
       known.push_back(row.id);
     return unknown_reference(index, "value", "material", change.value, known);
   }
@@ -96,10 +96,10 @@ Result<void> change_material(Fixture& fixture,
 }
 
 Result<void> apply(Fixture& fixture,
-                   const Override& change,
+                   const plan::Override& change,
                    std::size_t index,
-                   const Catalog& catalog) {
-  const FixtureKind* kind = catalog.fixture_kind(fixture.kind);
+                   const catalog::Catalog& catalog) {
+  const catalog::FixtureKind* kind = catalog.fixture_kind(fixture.kind);
   if (change.field_name == "kind") return change_kind(fixture, change, index, catalog);
   if (change.field_name == "material") return change_material(fixture, change, index, catalog);
   if (change.field_name == "color") {
@@ -124,12 +124,12 @@ Result<void> apply(Fixture& fixture,
 
 // The kind's generator knows what it can build.
 Result<void> check_buildable(const Fixture& fixture,
-                             const Look& look,
+                             const plan::Look& look,
                              std::size_t index,
-                             const Catalog& catalog) {
-  const FixtureKind* kind = catalog.fixture_kind(fixture.kind);
+                             const catalog::Catalog& catalog) {
+  const catalog::FixtureKind* kind = catalog.fixture_kind(fixture.kind);
   if (kind == nullptr) return {};
-  const auto model = make_fixture_model(fixture_shape(fixture, *kind, look), catalog);
+  const auto model = assets::make_fixture_model(fixture_shape(fixture, *kind, look), catalog);
   if (model.ok() || model.error().code != "assets.bad_row") return {};
   return Error{"plan.bad_value", pointer(index, "value"), model.error().message};
 }
@@ -137,10 +137,10 @@ Result<void> check_buildable(const Fixture& fixture,
 }  // namespace
 
 Result<void> apply_overrides(std::vector<Fixture>& fixtures,
-                             const Plan& plan,
-                             const Catalog& catalog) {
+                             const plan::Plan& plan,
+                             const catalog::Catalog& catalog) {
   for (std::size_t i = 0; i < plan.overrides.size(); ++i) {
-    const Override& change = plan.overrides[i];
+    const plan::Override& change = plan.overrides[i];
     const auto fixture = std::ranges::find(fixtures, change.fixture, &Fixture::id);
     if (fixture == fixtures.end()) {
       std::vector<std::string_view> known;
@@ -154,4 +154,4 @@ Result<void> apply_overrides(std::vector<Fixture>& fixtures,
   return {};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

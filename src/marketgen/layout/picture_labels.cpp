@@ -9,7 +9,7 @@
 #include "layout/picture_sheet.h"
 #include "layout/side.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 namespace {
 
 constexpr double step_px = 8;            // between tried places
@@ -18,7 +18,7 @@ constexpr double off_center_cost = 0.9;  // against lying wholly on fixtures = 1
 constexpr double upright_cost = 0.12;    // for turned lettering
 
 struct LabelPlace {
-  Area area;
+  assets::Area area;
   bool upright = false;
   double size = 0;
   double cost = 0;
@@ -28,16 +28,16 @@ std::string area_text(double m2) {
   return m2 < 10 ? fmt::format("{:.1f} m²", m2) : fmt::format("{:.0f} m²", m2);
 }
 
-std::vector<Area> fixture_areas(const Sheet& sheet) {
-  std::vector<Area> areas;
+std::vector<assets::Area> fixture_areas(const Sheet& sheet) {
+  std::vector<assets::Area> areas;
   for (const Fixture& fixture : sheet.layout.fixtures)
     areas.push_back(sheet.area(footprint_of(fixture)));
   return areas;
 }
 
-double covered_share(const Area& a, const std::vector<Area>& fixtures) {
+double covered_share(const assets::Area& a, const std::vector<assets::Area>& fixtures) {
   double covered = 0;
-  for (const Area& b : fixtures) {
+  for (const assets::Area& b : fixtures) {
     const double w = std::min(a.right(), b.right()) - std::max(a.x, b.x);
     const double h = std::min(a.bottom(), b.bottom()) - std::max(a.y, b.y);
     if (w > 0 && h > 0) covered += w * h;
@@ -47,8 +47,8 @@ double covered_share(const Area& a, const std::vector<Area>& fixtures) {
 
 // The best free place for a box of w x h in the zone, if there is one.
 std::optional<LabelPlace> best_place(const Sheet& sheet,
-                                     const std::vector<Area>& fixtures,
-                                     const Area& zone,
+                                     const std::vector<assets::Area>& fixtures,
+                                     const assets::Area& zone,
                                      double w,
                                      double h,
                                      bool upright,
@@ -62,7 +62,7 @@ std::optional<LabelPlace> best_place(const Sheet& sheet,
     for (int column = -columns; column <= columns; ++column) {
       const double x = zone.center_x() - w / 2 + column * step_px,
                    y = zone.center_y() - h / 2 + row * step_px;
-      const Area area{x, y, w, h};
+      const assets::Area area{x, y, w, h};
       if (area.x < sheet.plan.x || area.right() > sheet.plan.right() || area.y < sheet.plan.y ||
           area.bottom() > sheet.plan.bottom() || !sheet.is_free(area)) {
         continue;
@@ -78,9 +78,9 @@ std::optional<LabelPlace> best_place(const Sheet& sheet,
 }
 
 std::optional<LabelPlace> place_of(const Sheet& sheet,
-                                   const std::vector<Area>& fixtures,
+                                   const std::vector<assets::Area>& fixtures,
                                    const LayoutZone& zone) {
-  const Area area = sheet.area(bounds_of(zone.polygon_mm));
+  const assets::Area area = sheet.area(bounds_of(zone.polygon_mm));
   for (const double size : {19.0, 16.0, 14.0, 12.0, 10.0, 8.5}) {
     const double w =
         std::max(type_width(zone.label, size), type_width(area_text(zone.area_m2), size * 0.75)) +
@@ -95,15 +95,15 @@ std::optional<LabelPlace> place_of(const Sheet& sheet,
 }
 
 void draw_zone_label(Sheet& sheet, const LayoutZone& zone, const LabelPlace& place) {
-  const Color color = zone_color(sheet, zone.id);
+  const assets::Color color = zone_color(sheet, zone.id);
   const auto saved = sheet.canvas.saved();
   const double w = place.upright ? place.area.h : place.area.w,
                h = place.upright ? place.area.w : place.area.h;
   sheet.canvas.translate(place.area.center_x(), place.area.center_y());
   if (place.upright) sheet.canvas.rotate(-1.5707963267948966);
-  const Area box{-w / 2, -h / 2, w, h};
+  const assets::Area box{-w / 2, -h / 2, w, h};
   sheet.canvas.rounded(box.inset(1), 5);
-  sheet.canvas.fill_and_stroke(rgb("#ffffff"), darker(color, 0.25), 1.1);
+  sheet.canvas.fill_and_stroke(assets::rgb("#ffffff"), assets::darker(color, 0.25), 1.1);
   const double pad = place.size * 0.3;
   letter(sheet,
          {box.x + pad, box.y + h * 0.06, w - 2 * pad, h * 0.54},
@@ -123,25 +123,25 @@ void draw_zone_label(Sheet& sheet, const LayoutZone& zone, const LabelPlace& pla
 bool draw_width(Sheet& sheet,
                 const Aisle& aisle,
                 double at_share,
-                const std::vector<Area>& fixtures) {
+                const std::vector<assets::Area>& fixtures) {
   const RectMm rect = bounds_of(aisle.polygon_mm);
   const bool along_x = runs_along_x(aisle);
   const std::string text = fmt::format("{:.2f}", aisle.width_mm * 1e-3);
   const double size = 11, w = type_width(text, size) + 4, h = size + 2;
-  const Area strip = sheet.area(rect);
+  const assets::Area strip = sheet.area(rect);
   const double cx = along_x ? strip.x + strip.w * at_share : strip.center_x();
   const double cy = along_x ? strip.center_y() : strip.y + strip.h * at_share;
-  const Area box{along_x ? cx + 4 : cx - w / 2, along_x ? cy - h / 2 : cy - h - 3, w, h};
+  const assets::Area box{along_x ? cx + 4 : cx - w / 2, along_x ? cy - h / 2 : cy - h - 3, w, h};
   if (!sheet.is_free(box.inset(-2)) || covered_share(box, fixtures) > 0) return false;
-  const Color ink = rgb("#4a6fa5");
+  const assets::Color ink = assets::rgb("#4a6fa5");
   const double half = (along_x ? strip.h : strip.w) / 2 - 2;
-  const Area line =
-      along_x ? Area{cx - 0.4, cy - half, 0.8, 2 * half} : Area{cx - half, cy - 0.4, 2 * half, 0.8};
+  const assets::Area line = along_x ? assets::Area{cx - 0.4, cy - half, 0.8, 2 * half}
+                                    : assets::Area{cx - half, cy - 0.4, 2 * half, 0.8};
   sheet.canvas.rectangle(line);
   sheet.canvas.fill(ink);
   for (const double end : {-half, half}) {
-    sheet.canvas.rectangle(along_x ? Area{cx - 3.5, cy + end - 0.6, 7, 1.2}
-                                   : Area{cx + end - 0.6, cy - 3.5, 1.2, 7});
+    sheet.canvas.rectangle(along_x ? assets::Area{cx - 3.5, cy + end - 0.6, 7, 1.2}
+                                   : assets::Area{cx + end - 0.6, cy - 3.5, 1.2, 7});
     sheet.canvas.fill(ink);
   }
   letter(sheet, box, text, size, ink, 700);
@@ -152,7 +152,7 @@ bool draw_width(Sheet& sheet,
 }  // namespace
 
 void draw_zone_labels(Sheet& sheet) {
-  const std::vector<Area> fixtures = fixture_areas(sheet);
+  const std::vector<assets::Area> fixtures = fixture_areas(sheet);
   // Small zones first: they have the fewest places to go.
   std::vector<const LayoutZone*> zones;
   for (const LayoutZone& zone : sheet.layout.zones)
@@ -169,7 +169,7 @@ void draw_zone_labels(Sheet& sheet) {
 
 void draw_aisle_widths(Sheet& sheet) {
   constexpr int min_length_mm = 1500, widest_mm = 4800;
-  const std::vector<Area> fixtures = fixture_areas(sheet);
+  const std::vector<assets::Area> fixtures = fixture_areas(sheet);
   for (const Aisle& aisle : sheet.layout.aisles) {
     const RectMm rect = bounds_of(aisle.polygon_mm);
     if (std::max(rect.width(), rect.depth()) < min_length_mm || aisle.width_mm > widest_mm)
@@ -180,4 +180,4 @@ void draw_aisle_widths(Sheet& sheet) {
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

@@ -5,7 +5,7 @@
 #include "layout/floor.h"
 #include "layout/picture_sheet.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 namespace {
 
 // Thickness of the walls, drawn outside the floor; thinner in small rooms, whose sheets are drawn
@@ -25,7 +25,7 @@ RectMm wall_part(const Sheet& sheet, const Doorway& door) {
 }
 
 void draw_grid(Sheet& sheet) {
-  const Color line = faded(sheet_grey, 0.13);
+  const assets::Color line = assets::faded(sheet_grey, 0.13);
   for (int x = tick_every_mm; x < sheet.bounds.x1; x += tick_every_mm) {
     sheet.canvas.rectangle(
         {sheet.x(x), sheet.plan.y, x % number_every_mm == 0 ? 1.1 : 0.5, sheet.plan.h});
@@ -54,7 +54,7 @@ void draw_scale_numbers(Sheet& sheet) {
            11,
            sheet_grey,
            500,
-           Align::right);
+           assets::Align::right);
   }
 }
 
@@ -99,19 +99,21 @@ void draw_sliding_doors(Sheet& sheet, const Doorway& door) {
     const RectMm whole = cut_along(gap, door.wall, glass);
     const RectMm thin = strip_inside(whole, door.wall, 50, 85);
     sheet.canvas.rectangle(sheet.area(thin));
-    sheet.canvas.fill_and_stroke(rgb("#9cc9de"), sheet_wall, 0.8);
+    sheet.canvas.fill_and_stroke(assets::rgb("#9cc9de"), sheet_wall, 0.8);
   }
 }
 
 void draw_opening(Sheet& sheet, const Doorway& door) {
-  const Opening& opening = sheet.layout.shell.openings[door.opening];
-  const Area gap = sheet.area(wall_part(sheet, door));
+  const plan::Opening& opening = sheet.layout.shell.openings[door.opening];
+  const assets::Area gap = sheet.area(wall_part(sheet, door));
   sheet.canvas.rectangle(gap);
-  sheet.canvas.fill(opening.kind == OpeningKind::window ? rgb("#cfe3ec") : sheet_paper);
-  if (opening.kind == OpeningKind::window) {
+  sheet.canvas.fill(opening.kind == plan::OpeningKind::window ? assets::rgb("#cfe3ec")
+                                                              : sheet_paper);
+  if (opening.kind == plan::OpeningKind::window) {
     sheet.canvas.rectangle(gap);
     sheet.canvas.stroke(sheet_wall, 1);
-  } else if (opening.kind == OpeningKind::entrance || opening.kind == OpeningKind::exit) {
+  } else if (opening.kind == plan::OpeningKind::entrance ||
+             opening.kind == plan::OpeningKind::exit) {
     draw_sliding_doors(sheet, door);
   } else {
     draw_swing_doors(sheet, door);
@@ -122,18 +124,18 @@ void draw_opening(Sheet& sheet, const Doorway& door) {
 
 void draw_floor(Sheet& sheet) {
   add_polygon(sheet, *sheet.layout.shell.outline_mm);
-  sheet.canvas.fill(rgb("#ffffff"));
+  sheet.canvas.fill(assets::rgb("#ffffff"));
   const auto saved = sheet.canvas.saved();
   add_polygon(sheet, *sheet.layout.shell.outline_mm);
   sheet.canvas.clip();
   draw_grid(sheet);
   for (const LayoutZone& zone : sheet.layout.zones) {
-    const Color color = zone_color(sheet, zone.id);
+    const assets::Color color = zone_color(sheet, zone.id);
     add_polygon(sheet, zone.polygon_mm);
-    sheet.canvas.fill(faded(color, 0.30));
+    sheet.canvas.fill(assets::faded(color, 0.30));
     cairo_set_dash(sheet.canvas.context(), std::array{7.0, 4.0}.data(), 2, 0);
     add_polygon(sheet, zone.polygon_mm);
-    sheet.canvas.stroke(faded(darker(color, 0.25), 0.8), 1.1);
+    sheet.canvas.stroke(assets::faded(assets::darker(color, 0.25), 0.8), 1.1);
     cairo_set_dash(sheet.canvas.context(), nullptr, 0, 0);
   }
 }
@@ -167,20 +169,20 @@ void draw_walls(Sheet& sheet) {
 void draw_opening_labels(Sheet& sheet) {
   const Floor floor = make_floor(sheet.layout.shell);
   for (const Doorway& door : floor.doorways) {
-    const Opening& opening = sheet.layout.shell.openings[door.opening];
-    if (opening.kind == OpeningKind::window) continue;
+    const plan::Opening& opening = sheet.layout.shell.openings[door.opening];
+    if (opening.kind == plan::OpeningKind::window) continue;
     std::string text(name_of(opening.kind));
     std::ranges::transform(text, text.begin(), [](char c) {
       return static_cast<char>(c >= 'a' && c <= 'z' ? c - 32 : c);
     });
     const bool x = lies_along_x(door.wall);
     const bool swings =
-        opening.kind == OpeningKind::service || opening.kind == OpeningKind::emergency;
+        opening.kind == plan::OpeningKind::service || opening.kind == plan::OpeningKind::emergency;
     const double off =
         sheet.px(wall_mm(sheet)) + 4 + (swings ? sheet.px(door.span.length()) / 2 : 0);
     const double cx = sheet.x(door.threshold[0]), cy = sheet.y(door.threshold[1]);
     const double w = type_width(text, 13) + 16, h = 16;
-    Area area{cx - w / 2, cy + off, w, h};
+    assets::Area area{cx - w / 2, cy + off, w, h};
     if (door.wall == Side::north) area.y = cy - off - h;
     if (!x) {
       const auto saved = sheet.canvas.saved();
@@ -197,4 +199,4 @@ void draw_opening_labels(Sheet& sheet) {
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

@@ -6,7 +6,7 @@
 #include "layout/picture_sheet.h"
 #include "layout/route.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 namespace {
 
 void draw_arrow(Sheet& sheet, double x, double y, double dx, double dy) {
@@ -19,7 +19,7 @@ void draw_arrow(Sheet& sheet, double x, double y, double dx, double dy) {
   sheet.canvas.fill(sheet_route);
 }
 
-void draw_leg(Sheet& sheet, const GridPath& path) {
+void draw_leg(Sheet& sheet, const navigation::GridPath& path) {
   cairo_t* cairo = sheet.canvas.context();
   const std::array dash{9.0, 5.0};
   cairo_set_dash(cairo, dash.data(), 2, 0);
@@ -32,7 +32,7 @@ void draw_leg(Sheet& sheet, const GridPath& path) {
       cairo_line_to(cairo, x, y);
     }
   }
-  sheet.canvas.stroke(faded(sheet_route, 0.85), 2.2);
+  sheet.canvas.stroke(assets::faded(sheet_route, 0.85), 2.2);
   cairo_set_dash(cairo, nullptr, 0, 0);
   for (std::size_t i = 0; i + 1 < path.points.size(); ++i) {
     const PointMm a = path.points[i], b = path.points[i + 1];
@@ -43,7 +43,7 @@ void draw_leg(Sheet& sheet, const GridPath& path) {
 }
 
 // Diagonal lines over the place, and the rule's number in a disc.
-void draw_mark(Sheet& sheet, const Area& place, int number) {
+void draw_mark(Sheet& sheet, const assets::Area& place, int number) {
   {
     const auto saved = sheet.canvas.saved();
     sheet.canvas.rectangle(place);
@@ -53,7 +53,7 @@ void draw_mark(Sheet& sheet, const Area& place, int number) {
       cairo_move_to(cairo, x, place.bottom());
       cairo_line_to(cairo, x + place.h, place.y);
     }
-    sheet.canvas.stroke(faded(sheet_alarm, 0.55), 1.3);
+    sheet.canvas.stroke(assets::faded(sheet_alarm, 0.55), 1.3);
   }
   sheet.canvas.rectangle(place);
   sheet.canvas.stroke(sheet_alarm, 1.4);
@@ -62,13 +62,17 @@ void draw_mark(Sheet& sheet, const Area& place, int number) {
   const double y =
       std::clamp(place.center_y(), sheet.plan.y + radius, sheet.plan.bottom() - radius);
   sheet.canvas.circle(x, y, radius);
-  sheet.canvas.fill_and_stroke(sheet_alarm, rgb("#ffffff"), 1.5);
-  letter(
-      sheet, {x - radius, y - 7, 2 * radius, 14}, std::to_string(number), 12, rgb("#ffffff"), 800);
+  sheet.canvas.fill_and_stroke(sheet_alarm, assets::rgb("#ffffff"), 1.5);
+  letter(sheet,
+         {x - radius, y - 7, 2 * radius, 14},
+         std::to_string(number),
+         12,
+         assets::rgb("#ffffff"),
+         800);
   sheet.take({x - radius, y - radius, 2 * radius, 2 * radius});
 }
 
-Area place_of(const Sheet& sheet, const Violation& violation) {
+assets::Area place_of(const Sheet& sheet, const Violation& violation) {
   if (const Fixture* fixture = find_fixture(sheet.layout, violation.where))
     return sheet.area(footprint_of(*fixture));
   for (const Aisle& aisle : sheet.layout.aisles) {
@@ -82,7 +86,7 @@ Area place_of(const Sheet& sheet, const Violation& violation) {
 
 void draw_route(Sheet& sheet) {
   const Route route = shopper_route(sheet.layout, sheet.catalog);
-  for (const GridPath& leg : route.legs)
+  for (const navigation::GridPath& leg : route.legs)
     draw_leg(sheet, leg);
 }
 
@@ -92,4 +96,4 @@ void draw_violations(Sheet& sheet) {
     draw_mark(sheet, place_of(sheet, violation), ++number);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

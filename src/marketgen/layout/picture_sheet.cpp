@@ -2,25 +2,26 @@
 
 #include <algorithm>
 
-namespace marketgen {
+namespace marketgen::layout {
 namespace {
 
 constexpr double mean_letter_em = 0.56;  // Lato Bold, mixed case, a little generous
 
 }  // namespace
 
-bool Sheet::is_free(const Area& a) const {
-  return std::ranges::none_of(taken, [&](const Area& b) {
+bool Sheet::is_free(const assets::Area& a) const {
+  return std::ranges::none_of(taken, [&](const assets::Area& b) {
     return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
   });
 }
 
-Color zone_color(const Sheet& sheet, std::string_view zone_id) {
+assets::Color zone_color(const Sheet& sheet, std::string_view zone_id) {
   const LayoutZone* zone = find_zone(sheet.layout, zone_id);
-  const ZoneTypeRow* type = zone == nullptr ? nullptr : sheet.catalog.zone_type(zone->type);
-  if (type == nullptr) return rgb("#b0b0b0");
-  const Result<Color> color = parse_color(type->color, type->type);
-  return color.ok() ? *color : rgb("#b0b0b0");
+  const catalog::ZoneTypeRow* type =
+      zone == nullptr ? nullptr : sheet.catalog.zone_type(zone->type);
+  if (type == nullptr) return assets::rgb("#b0b0b0");
+  const Result<assets::Color> color = assets::parse_color(type->color, type->type);
+  return color.ok() ? *color : assets::rgb("#b0b0b0");
 }
 
 void add_polygon(Sheet& sheet, const PolygonMm& polygon) {
@@ -37,20 +38,20 @@ double type_width(std::string_view text, double size) {
 }
 
 void letter(Sheet& sheet,
-            const Area& area,
+            const assets::Area& area,
             const std::string& text,
             double size,
-            const Color& color,
+            const assets::Color& color,
             int weight,
-            Align align) {
-  Headline line;
+            assets::Align align) {
+  assets::Headline line;
   line.text = text;
   line.face.weight = weight;
   line.color = color;
   line.area = area;
   line.align = align;
   line.max_size = size;
-  draw_headline(sheet.canvas, line);
+  assets::draw_headline(sheet.canvas, line);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

@@ -8,45 +8,45 @@
 #include "assets/print/lettering.h"
 #include "layout/layout.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 
-constexpr Color sheet_paper = rgb("#f7f5f0");
-constexpr Color sheet_ink = rgb("#23282d");
-constexpr Color sheet_grey = rgb("#7b8187");
-constexpr Color sheet_wall = rgb("#3a4046");
-constexpr Color sheet_route = rgb("#d1495b");
-constexpr Color sheet_alarm = rgb("#c1121f");
+constexpr assets::Color sheet_paper = assets::rgb("#f7f5f0");
+constexpr assets::Color sheet_ink = assets::rgb("#23282d");
+constexpr assets::Color sheet_grey = assets::rgb("#7b8187");
+constexpr assets::Color sheet_wall = assets::rgb("#3a4046");
+constexpr assets::Color sheet_route = assets::rgb("#d1495b");
+constexpr assets::Color sheet_alarm = assets::rgb("#c1121f");
 
 struct Sheet {
-  Canvas& canvas;
+  assets::Canvas& canvas;
   const Layout& layout;
-  const Catalog& catalog;
-  RectMm bounds;  // of the room
-  Area plan;      // where the room is drawn, pixels
+  const catalog::Catalog& catalog;
+  RectMm bounds;      // of the room
+  assets::Area plan;  // where the room is drawn, pixels
   double px_per_mm = 1;
-  std::vector<Area> taken;  // by lettering
+  std::vector<assets::Area> taken;  // by lettering
 
   double x(double mm) const { return plan.x + (mm - bounds.x0) * px_per_mm; }
   double y(double mm) const { return plan.bottom() - (mm - bounds.y0) * px_per_mm; }
   double px(double mm) const { return mm * px_per_mm; }
-  Area area(const RectMm& rect) const {
+  assets::Area area(const RectMm& rect) const {
     return {x(rect.x0), y(rect.y1), px(rect.width()), px(rect.depth())};
   }
-  bool is_free(const Area& area) const;
-  void take(const Area& area) { taken.push_back(area); }
+  bool is_free(const assets::Area& area) const;
+  void take(const assets::Area& area) { taken.push_back(area); }
 };
 
-Color zone_color(const Sheet& sheet, std::string_view zone_id);
+assets::Color zone_color(const Sheet& sheet, std::string_view zone_id);
 void add_polygon(Sheet& sheet, const PolygonMm& polygon);
 
 // Text drawn at a size in pixels within the area; smaller where it would not fit.
 void letter(Sheet& sheet,
-            const Area& area,
+            const assets::Area& area,
             const std::string& text,
             double size,
-            const Color& color,
+            const assets::Color& color,
             int weight = 500,
-            Align align = Align::center);
+            assets::Align align = assets::Align::center);
 // A cautious guess at the width of a line of type.
 double type_width(std::string_view text, double size);
 
@@ -60,4 +60,4 @@ void draw_zone_labels(Sheet& sheet);
 void draw_opening_labels(Sheet& sheet);
 void draw_aisle_widths(Sheet& sheet);
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

@@ -9,7 +9,7 @@
 
 #include "layout/side.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 namespace {
 
 constexpr int cell_mm = 50;
@@ -40,7 +40,9 @@ int shut_off_label(const Reach& reach, const std::set<int>& given_up) {
 
 // The cheapest way from one labelled part to the entrance's, through fixtures where it must. Empty
 // when walls are between.
-std::vector<std::size_t> way_out(const Reach& reach, const OccupancyGrid& bare, int label) {
+std::vector<std::size_t> way_out(const Reach& reach,
+                                 const navigation::OccupancyGrid& bare,
+                                 int label) {
   using Entry = std::pair<int, std::size_t>;
   constexpr int unseen = std::numeric_limits<int>::max();
   std::vector<int> cost(bare.blocked.size(), unseen);
@@ -81,7 +83,7 @@ std::vector<std::size_t> way_out(const Reach& reach, const OccupancyGrid& bare, 
 
 bool near_way(const RectMm& rect,
               const std::vector<std::size_t>& way,
-              const OccupancyGrid& grid,
+              const navigation::OccupancyGrid& grid,
               int radius_mm) {
   const std::int64_t limit = std::int64_t{radius_mm} * radius_mm;
   return std::ranges::any_of(way, [&](std::size_t cell) {
@@ -95,14 +97,15 @@ bool near_way(const RectMm& rect,
 
 // Removes fixtures until everything that is free for this width hangs together.
 void join_parts(const Design& design, std::vector<Fixture>& fixtures, int width_mm) {
-  std::optional<OccupancyGrid> bare;  // made when something is shut off
+  std::optional<navigation::OccupancyGrid> bare;  // made when something is shut off
   std::set<int> given_up;
   for (int round = 0; round < max_rounds; ++round) {
     const Reach reach = reach_of(design.floor, design.plan.shell, fixtures, width_mm);
     const int label = shut_off_label(reach, given_up);
     if (label == 0 || reach.from_entrance == 0) return;
     if (!bare)
-      bare = make_occupancy(design.floor.outline, design.floor.columns, width_mm / 2, cell_mm);
+      bare = navigation::make_occupancy(
+          design.floor.outline, design.floor.columns, width_mm / 2, cell_mm);
     const std::vector<std::size_t> way = way_out(reach, *bare, label);
     const std::size_t before = fixtures.size();
     std::erase_if(fixtures, [&](const Fixture& fixture) {
@@ -145,18 +148,20 @@ bool Reach::reaches(const RectMm& rect) const {
 }
 
 Reach reach_of(const Floor& floor,
-               const Shell& shell,
+               const plan::Shell& shell,
                const std::vector<Fixture>& fixtures,
                int width_mm) {
   Reach reach;
-  reach.grid = make_occupancy(floor.outline, obstacles_of(floor, fixtures), width_mm / 2, cell_mm);
-  reach.components = find_components(reach.grid);
+  reach.grid = navigation::make_occupancy(
+      floor.outline, obstacles_of(floor, fixtures), width_mm / 2, cell_mm);
+  reach.components = navigation::find_components(reach.grid);
   const Doorway* door = entrance_of(floor, shell);
   if (door == nullptr) {
     reach.from_entrance = reach.components.largest();
     return reach;
   }
-  const auto cell = nearest_free(reach.grid, door->approach.center(), entrance_reach_mm);
+  const auto cell =
+      navigation::nearest_free(reach.grid, door->approach.center(), entrance_reach_mm);
   if (cell) reach.from_entrance = reach.components.label[*cell];
   return reach;
 }
@@ -175,4 +180,4 @@ std::vector<Fixture> opened_up(const Design& design, std::vector<Fixture> fixtur
   return fixtures;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

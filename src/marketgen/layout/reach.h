@@ -6,7 +6,7 @@
 #include "layout/layout.h"
 #include "navigation/occupancy.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 
 constexpr int person_width_mm = 850;  // a shopper with a basket (docs/design, aisles)
 constexpr int robot_width_mm =
@@ -15,8 +15,8 @@ constexpr int robot_width_mm =
 // The free floor for something round of this width, and the part of it that is connected to the
 // entrance.
 struct Reach {
-  OccupancyGrid grid;
-  Components components;
+  navigation::OccupancyGrid grid;
+  navigation::Components components;
   int from_entrance = 0;  // label; 0 when the entrance itself is shut
 
   bool reached(std::size_t cell) const {
@@ -27,7 +27,7 @@ struct Reach {
 };
 
 Reach reach_of(const Floor& floor,
-               const Shell& shell,
+               const plan::Shell& shell,
                const std::vector<Fixture>& fixtures,
                int width_mm);
 
@@ -37,4 +37,4 @@ RectMm standing_place(const Fixture& fixture, int side, int width_mm);
 // Takes away the fewest modules that shut off floor or stand where nobody can get to.
 std::vector<Fixture> opened_up(const Design& design, std::vector<Fixture> fixtures);
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

@@ -2,14 +2,14 @@
 
 #include "plan/bsp.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 
-NamedFloor named_floor(const Layout& layout) {
-  NamedFloor floor{shell_rect(layout.shell), layout.shell.openings, {}};
+plan::NamedFloor named_floor(const Layout& layout) {
+  plan::NamedFloor floor{plan::shell_rect(layout.shell), layout.shell.openings, {}};
   floor.zones.reserve(layout.zones.size());
   for (const LayoutZone& zone : layout.zones)
     floor.zones.push_back({zone.id, zone.type, bounds_of(zone.polygon_mm)});
   return floor;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

@@ -9,7 +9,7 @@
 #include "layout/design.h"
 #include "plan/bsp.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 namespace {
 
 constexpr int gap_step_mm = 300, widest_gap_mm = 4000;
@@ -44,15 +44,15 @@ std::optional<std::size_t> zone_of(const RepairTask& task) {
   return best;
 }
 
-std::optional<std::size_t> leaf_of(const Plan& plan, std::string_view zone) {
+std::optional<std::size_t> leaf_of(const plan::Plan& plan, std::string_view zone) {
   const auto leaf =
-      std::ranges::find_if(plan.nodes, [&](const Node& node) { return node.zone == zone; });
+      std::ranges::find_if(plan.nodes, [&](const plan::Node& node) { return node.zone == zone; });
   return leaf == plan.nodes.end()
              ? std::nullopt
              : std::optional(static_cast<std::size_t>(leaf - plan.nodes.begin()));
 }
 
-std::optional<std::size_t> parent_of(const Plan& plan, std::size_t child) {
+std::optional<std::size_t> parent_of(const plan::Plan& plan, std::size_t child) {
   const std::string& id = plan.nodes[child].id;
   for (std::size_t i = 0; i < plan.nodes.size(); ++i) {
     if (std::ranges::find(plan.nodes[i].children, id) != plan.nodes[i].children.end()) return i;
@@ -66,7 +66,7 @@ struct Step {
   bool first;
 };
 
-std::vector<Step> ancestors(const Plan& plan, std::size_t leaf) {
+std::vector<Step> ancestors(const plan::Plan& plan, std::size_t leaf) {
   std::vector<Step> steps;
   for (std::size_t at = leaf; steps.size() < levels_up;) {
     const auto parent = parent_of(plan, at);
@@ -88,8 +88,8 @@ std::vector<RepairCandidate> propose_widen_gap(const RepairTask& task) {
   const int lacking = static_cast<int>(std::max(0.0, task.violation.limit - task.violation.value));
   for (const Step& step : ancestors_of_fault(task)) {
     RepairCandidate c{task.plan, {}, {node_path(step.node, "gap_mm")}};
-    Node& node = c.plan.nodes[step.node];
-    const int gap = node.gap_mm.value_or(default_gap_mm);
+    plan::Node& node = c.plan.nodes[step.node];
+    const int gap = node.gap_mm.value_or(plan::default_gap_mm);
     const int wider =
         std::min(widest_gap_mm, gap + std::clamp(lacking, gap_step_mm, 4 * gap_step_mm));
     if (wider <= gap) continue;
@@ -106,8 +106,8 @@ std::vector<RepairCandidate> propose_set_ratio(const RepairTask& task) {
   for (const double by : ratio_steps) {
     for (const Step& step : ancestors_of_fault(task)) {
       RepairCandidate c{task.plan, {}, {node_path(step.node, "ratio")}};
-      Node& node = c.plan.nodes[step.node];
-      const double old = node.ratio.value_or(default_split_ratio);
+      plan::Node& node = c.plan.nodes[step.node];
+      const double old = node.ratio.value_or(plan::default_split_ratio);
       const double share = (step.first ? old : 1 - old) * (1 + by);
       // Four decimals are a few millimetres of the longest wall, and stay readable.
       const double ratio =
@@ -130,7 +130,7 @@ std::vector<RepairCandidate> propose_swap_leaves(const RepairTask& task) {
   const auto zone = zone_of(task);
   const auto leaf = zone ? leaf_of(task.plan, task.plan.zones[*zone].id) : std::nullopt;
   if (!leaf) return out;
-  const std::vector<RectMm> rects = zone_rectangles(task.plan);
+  const std::vector<RectMm> rects = plan::zone_rectangles(task.plan);
   // Zones of like size change places with the least harm.
   std::vector<std::size_t> others;
   for (std::size_t i = 0; i < task.plan.zones.size(); ++i) {
@@ -156,11 +156,11 @@ std::vector<RepairCandidate> propose_swap_leaves(const RepairTask& task) {
 
 std::vector<RepairCandidate> propose_drop_endcaps(const RepairTask& task) {
   const auto zone = zone_of(task);
-  if (!zone || task.plan.zones[*zone].fixture.endcaps == Endcaps::none) return {};
+  if (!zone || task.plan.zones[*zone].fixture.endcaps == plan::Endcaps::none) return {};
   RepairCandidate c{task.plan,
                     "left out the endcaps of zone " + task.plan.zones[*zone].id,
                     {zone_path(*zone, "fixture/endcaps")}};
-  c.plan.zones[*zone].fixture.endcaps = Endcaps::none;
+  c.plan.zones[*zone].fixture.endcaps = plan::Endcaps::none;
   return {c};
 }
 
@@ -196,11 +196,11 @@ std::vector<RepairCandidate> propose_shorten_runs(const RepairTask& task) {
 std::vector<RepairCandidate> propose_move_opening(const RepairTask& task) {
   std::vector<RepairCandidate> out;
   for (std::size_t i = 0; i < task.plan.shell.openings.size(); ++i) {
-    const Opening& door = task.plan.shell.openings[i];
+    const plan::Opening& door = task.plan.shell.openings[i];
     const bool named =
         task.violation.where == door.id || task.violation.message.ends_with(" " + door.id);
     const bool exit =
-        task.violation.code == "CHECKOUT_NOT_AT_EXIT" && door.kind == OpeningKind::exit;
+        task.violation.code == "CHECKOUT_NOT_AT_EXIT" && door.kind == plan::OpeningKind::exit;
     if (!named && !exit) continue;
     for (const double step : door_steps) {
       RepairCandidate c{task.plan, {}, {fmt::format("/shell/openings/{}/center", i)}};
@@ -215,9 +215,9 @@ std::vector<RepairCandidate> propose_move_opening(const RepairTask& task) {
   return out;
 }
 
-std::string unused_id(const Plan& plan, const std::string& wanted) {
+std::string unused_id(const plan::Plan& plan, const std::string& wanted) {
   std::string id = wanted;
-  for (int i = 2; find_zone(plan, id) != nullptr || find_node(plan, id) != nullptr; ++i)
+  for (int i = 2; plan::find_zone(plan, id) != nullptr || plan::find_node(plan, id) != nullptr; ++i)
     id = wanted + "-" + std::to_string(i);
   return id;
 }
@@ -228,34 +228,35 @@ std::vector<RepairCandidate> propose_add_checkout(const RepairTask& task) {
   const Floor floor = make_floor(task.plan.shell);
   const Doorway* exit = exit_of(floor, task.plan.shell);
   if (exit == nullptr) return out;
-  const std::vector<RectMm> rects = zone_rectangles(task.plan);
+  const std::vector<RectMm> rects = plan::zone_rectangles(task.plan);
   std::size_t zone = 0;
   for (std::size_t i = 0; i < rects.size(); ++i) {
     if (rects[i].contains(exit->approach.center())) zone = i;
   }
   const auto leaf = leaf_of(task.plan, task.plan.zones[zone].id);
   if (!leaf) return out;
-  for (const Axis axis : {Axis::x, Axis::y}) {
-    const int length = axis == Axis::x ? rects[zone].width() : rects[zone].depth();
-    const int at = (axis == Axis::x ? exit->threshold[0] - rects[zone].x0
-                                    : exit->threshold[1] - rects[zone].y0);
+  for (const plan::Axis axis : {plan::Axis::x, plan::Axis::y}) {
+    const int length = axis == plan::Axis::x ? rects[zone].width() : rects[zone].depth();
+    const int at = (axis == plan::Axis::x ? exit->threshold[0] - rects[zone].x0
+                                          : exit->threshold[1] - rects[zone].y0);
     const bool first = at < length / 2;
     const double share = std::clamp(till_floor_mm / std::max(1, length), min_ratio, max_ratio);
     RepairCandidate c{
         task.plan, "put a checkout zone at the exit", {node_path(*leaf, "split"), "/zones"}};
-    Zone tills;
+    plan::Zone tills;
     tills.id = unused_id(c.plan, "checkout");
     tills.type = "checkout";
     tills.fixture.kind = "checkout_lane";
     c.plan.zones.push_back(tills);
-    Node rest{unused_id(c.plan, c.plan.nodes[*leaf].id + "-rest"),
-              {},
-              {},
-              {},
-              {},
-              c.plan.nodes[*leaf].zone};
-    Node front{unused_id(c.plan, c.plan.nodes[*leaf].id + "-tills"), {}, {}, {}, {}, tills.id};
-    Node& cut = c.plan.nodes[*leaf];
+    plan::Node rest{unused_id(c.plan, c.plan.nodes[*leaf].id + "-rest"),
+                    {},
+                    {},
+                    {},
+                    {},
+                    c.plan.nodes[*leaf].zone};
+    plan::Node front{
+        unused_id(c.plan, c.plan.nodes[*leaf].id + "-tills"), {}, {}, {}, {}, tills.id};
+    plan::Node& cut = c.plan.nodes[*leaf];
     cut.zone.reset();
     cut.split = axis;
     cut.ratio = std::round(1e4 * (first ? share : 1 - share)) * 1e-4;
@@ -268,31 +269,33 @@ std::vector<RepairCandidate> propose_add_checkout(const RepairTask& task) {
   return out;
 }
 
-bool somebody_asked_for(const Plan& plan, std::size_t zone) {
+bool somebody_asked_for(const plan::Plan& plan, std::size_t zone) {
   const std::string& id = plan.zones[zone].id;
-  const bool related = std::ranges::any_of(plan.relations, [&](const Relation& r) {
+  const bool related = std::ranges::any_of(plan.relations, [&](const plan::Relation& r) {
     return r.a == id || r.b == id || r.c == id || r.a == plan.zones[zone].type ||
            r.b == plan.zones[zone].type;
   });
-  const bool said = std::ranges::any_of(plan.provenance, [&](const Provenance& p) {
+  const bool said = std::ranges::any_of(plan.provenance, [&](const plan::Provenance& p) {
     const std::string path = "/zones/" + std::to_string(zone);
-    return (p.path == path || p.path.starts_with(path + "/")) && p.source >= Source::photo &&
-           p.source != Source::repair;
+    return (p.path == path || p.path.starts_with(path + "/")) && p.source >= plan::Source::photo &&
+           p.source != plan::Source::repair;
   });
   const bool changed = std::ranges::any_of(
-      plan.overrides, [&](const Override& o) { return o.fixture.starts_with(id + "/"); });
+      plan.overrides, [&](const plan::Override& o) { return o.fixture.starts_with(id + "/"); });
   return related || said || changed;
 }
 
 // Pointers into /zones and /nodes that come after the removed rows are counted anew; those into the
 // rows themselves go.
-void renumber(std::vector<Provenance>& provenance, std::string_view list, std::size_t removed) {
+void renumber(std::vector<plan::Provenance>& provenance,
+              std::string_view list,
+              std::size_t removed) {
   const std::string prefix = "/" + std::string(list) + "/";
-  std::erase_if(provenance, [&](const Provenance& p) {
+  std::erase_if(provenance, [&](const plan::Provenance& p) {
     const std::string row = prefix + std::to_string(removed);
     return p.path == row || p.path.starts_with(row + "/");
   });
-  for (Provenance& p : provenance) {
+  for (plan::Provenance& p : provenance) {
     if (!p.path.starts_with(prefix)) continue;
     const std::size_t end = p.path.find('/', prefix.size());
     const std::string number =
@@ -305,9 +308,9 @@ void renumber(std::vector<Provenance>& provenance, std::string_view list, std::s
   }
 }
 
-bool holds_tills(const Zone& zone, const Catalog& catalog) {
-  const FixtureKind* kind = catalog.fixture_kind(zone.fixture.kind);
-  return kind != nullptr && kind->role == FixtureRole::checkout;
+bool holds_tills(const plan::Zone& zone, const catalog::Catalog& catalog) {
+  const catalog::FixtureKind* kind = catalog.fixture_kind(zone.fixture.kind);
+  return kind != nullptr && kind->role == catalog::FixtureRole::checkout;
 }
 
 // Never the place to pay.
@@ -321,9 +324,9 @@ std::vector<RepairCandidate> propose_drop_zone(const RepairTask& task) {
   const auto parent = leaf ? parent_of(task.plan, *leaf) : std::nullopt;
   if (!parent) return {};
   RepairCandidate c{task.plan, "left out zone " + id + ", for which there is no room", {"/zones"}};
-  const Node cut = c.plan.nodes[*parent];
+  const plan::Node cut = c.plan.nodes[*parent];
   const std::string& sibling = cut.children[cut.children.front() == c.plan.nodes[*leaf].id ? 1 : 0];
-  for (Node& node : c.plan.nodes)
+  for (plan::Node& node : c.plan.nodes)
     std::ranges::replace(node.children, cut.id, sibling);
   std::array<std::size_t, 2> gone{std::max(*leaf, *parent), std::min(*leaf, *parent)};
   for (const std::size_t node : gone) {
@@ -348,4 +351,4 @@ std::vector<RepairCandidate> propose(RepairMove move, const RepairTask& task) {
   return {};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

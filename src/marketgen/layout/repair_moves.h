@@ -6,24 +6,24 @@
 #include "layout/layout.h"
 #include "layout/layout_rules.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 
 // A changed plan, not yet known to be better or even valid.
 struct RepairCandidate {
-  Plan plan;
+  plan::Plan plan;
   std::string change;              // one sentence
   std::vector<std::string> paths;  // JSON pointers of what changed
 };
 
 // What a move knows of the fault it shall mend.
 struct RepairTask {
-  const Plan& plan;
+  const plan::Plan& plan;
   const Layout& layout;
   const Violation& violation;
-  const Catalog& catalog;
+  const catalog::Catalog& catalog;
 };
 
 // At most six candidates, the gentlest first.
 std::vector<RepairCandidate> propose(RepairMove move, const RepairTask& task);
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

@@ -9,7 +9,7 @@
 #include "layout/layout_rules.h"
 #include "layout/repair_moves.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 namespace {
 
 // Layouts that may be tried: many while the shop is unlawful, few for the sake of habit, fewer
@@ -26,7 +26,7 @@ struct Score {
 };
 
 struct Trial {
-  Plan plan;
+  plan::Plan plan;
   Layout layout;
   Score score;
 };
@@ -53,20 +53,20 @@ const LayoutRule* rule_of(const Violation& violation) {
   return rule == rules.end() ? nullptr : &*rule;
 }
 
-std::int64_t work_of_floor(const Shell& shell) {
+std::int64_t work_of_floor(const plan::Shell& shell) {
   constexpr double m2_per_module = 10;
   return static_cast<std::int64_t>(1e-6 * shell.width_mm * shell.depth_mm / m2_per_module);
 }
 
 class Repair {
  public:
-  Repair(const Catalog& catalog, Seed seed, double store_m2, std::int64_t max_work)
+  Repair(const catalog::Catalog& catalog, Seed seed, double store_m2, std::int64_t max_work)
       : catalog_(catalog),
         seed_(seed),
         max_work_(max_work),
         soft_left_(store_m2 > large_shop_m2 ? max_trials_soft_large : max_trials_soft) {}
 
-  Result<Trial> lay_out(const Plan& plan) {
+  Result<Trial> lay_out(const plan::Plan& plan) {
     Result<Layout> layout = make_layout(plan, catalog_, seed_);
     work_ += work_of_floor(plan.shell);
     if (!layout.ok() && layout.error().code != "layout.impossible") return layout.error();
@@ -90,7 +90,8 @@ class Repair {
         for (RepairCandidate& candidate : propose(move, {now.plan, now.layout, fault, catalog_})) {
           int& left = fault.severity == Severity::hard ? hard_left_ : soft_left_;
           if (left <= 0 || work_ >= max_work_) break;
-          if (!is_new(candidate.plan) || !validate_plan(candidate.plan, "repair", catalog_).ok())
+          if (!is_new(candidate.plan) ||
+              !plan::validate_plan(candidate.plan, "repair", catalog_).ok())
             continue;
           --left;
           Result<Trial> trial = lay_out(candidate.plan);
@@ -102,16 +103,18 @@ class Repair {
     return std::nullopt;
   }
 
-  void remember(const Plan& plan) { is_new(plan); }
+  void remember(const plan::Plan& plan) { is_new(plan); }
   std::int64_t work() const { return work_; }
 
  private:
-  bool is_new(const Plan& plan) { return tried_.insert(hash64(write_json_line(plan))).second; }
+  bool is_new(const plan::Plan& plan) {
+    return tried_.insert(hash64(io::write_json_line(plan))).second;
+  }
 
   // A plan without a single fixture: every zone is empty.
-  static std::vector<Violation> emptiness(const Plan& plan) {
+  static std::vector<Violation> emptiness(const plan::Plan& plan) {
     std::vector<Violation> faults;
-    for (const Zone& zone : plan.zones) {
+    for (const plan::Zone& zone : plan.zones) {
       faults.push_back({"ZONE_EMPTY",
                         Severity::hard,
                         zone.id,
@@ -123,7 +126,7 @@ class Repair {
     return faults;
   }
 
-  const Catalog& catalog_;
+  const catalog::Catalog& catalog_;
   Seed seed_;
   std::int64_t max_work_, work_ = 0;
   int hard_left_ = max_trials_hard;
@@ -133,8 +136,8 @@ class Repair {
 
 }  // namespace
 
-Result<Repaired> repair_plan(const Plan& plan,
-                             const Catalog& catalog,
+Result<Repaired> repair_plan(const plan::Plan& plan,
+                             const catalog::Catalog& catalog,
                              Seed seed,
                              std::int64_t max_work) {
   const double store_m2 = 1e-6 * plan.shell.width_mm * plan.shell.depth_mm;
@@ -148,7 +151,7 @@ Result<Repaired> repair_plan(const Plan& plan,
     if (!next) break;
     now = std::move(next->first);
     for (const std::string& path : next->second.paths) {
-      now.plan.provenance.push_back({path, Source::repair, std::nullopt, 1});
+      now.plan.provenance.push_back({path, plan::Source::repair, std::nullopt, 1});
     }
     repaired.changes.push_back(std::move(next->second.change));
   }
@@ -158,4 +161,4 @@ Result<Repaired> repair_plan(const Plan& plan,
   return repaired;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

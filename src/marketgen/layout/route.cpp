@@ -6,7 +6,7 @@
 #include "layout/reach.h"
 #include "layout/side.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 namespace {
 
 constexpr int route_cell_mm = 100;
@@ -35,11 +35,11 @@ PointMm inside(const Doorway& door) {
 
 }  // namespace
 
-std::vector<PayingPlace> paying_places(const Layout& layout, const Catalog& catalog) {
+std::vector<PayingPlace> paying_places(const Layout& layout, const catalog::Catalog& catalog) {
   std::vector<PayingPlace> places;
   for (const Fixture& fixture : layout.fixtures) {
-    const FixtureKind* kind = catalog.fixture_kind(fixture.kind);
-    if (kind == nullptr || kind->role != FixtureRole::checkout) continue;
+    const catalog::FixtureKind* kind = catalog.fixture_kind(fixture.kind);
+    if (kind == nullptr || kind->role != catalog::FixtureRole::checkout) continue;
     const RectMm rect = footprint_of(fixture);
     const Side front = facing_of(fixture.yaw_deg);
     if (kind->generator != "checkout_lane") {
@@ -58,7 +58,7 @@ std::vector<PayingPlace> paying_places(const Layout& layout, const Catalog& cata
   return places;
 }
 
-Route shopper_route(const Layout& layout, const Catalog& catalog) {
+Route shopper_route(const Layout& layout, const catalog::Catalog& catalog) {
   Route route;
   const Floor floor = make_floor(layout.shell);
   const Doorway* entrance = entrance_of(floor, layout.shell);
@@ -67,13 +67,13 @@ Route shopper_route(const Layout& layout, const Catalog& catalog) {
   std::vector<RectMm> obstacles = floor.columns;
   for (const Fixture& fixture : layout.fixtures)
     obstacles.push_back(footprint_of(fixture));
-  const OccupancyGrid grid =
-      make_occupancy(floor.outline, obstacles, person_width_mm / 2, route_cell_mm);
+  const navigation::OccupancyGrid grid =
+      navigation::make_occupancy(floor.outline, obstacles, person_width_mm / 2, route_cell_mm);
   double shortest_m = 0;
   for (const PayingPlace& place : paying_places(layout, catalog)) {
-    const auto in = shortest_path(grid, inside(*entrance), place.queue);
-    const auto past = shortest_path(grid, place.queue, place.till);
-    const auto out = shortest_path(grid, place.till, inside(*exit));
+    const auto in = navigation::shortest_path(grid, inside(*entrance), place.queue);
+    const auto past = navigation::shortest_path(grid, place.queue, place.till);
+    const auto out = navigation::shortest_path(grid, place.till, inside(*exit));
     if (!in || !past || !out) continue;
     const double length_m = in->length_m + past->length_m + out->length_m;
     if (route.complete && length_m >= shortest_m) continue;
@@ -83,4 +83,4 @@ Route shopper_route(const Layout& layout, const Catalog& catalog) {
   return route;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

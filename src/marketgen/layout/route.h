@@ -6,20 +6,21 @@
 #include "layout/layout.h"
 #include "navigation/occupancy.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 
 struct Route {
-  std::vector<GridPath> legs;  // entrance to the queue before a till, past the till, to the exit
+  std::vector<navigation::GridPath>
+      legs;  // entrance to the queue before a till, past the till, to the exit
   bool complete = false;
 };
 
 // On a 100 mm grid for a person with a basket.
-Route shopper_route(const Layout& layout, const Catalog& catalog);
+Route shopper_route(const Layout& layout, const catalog::Catalog& catalog);
 
 // Where shoppers come to a till from the shop, and where they stand to pay.
 struct PayingPlace {
   PointMm queue, till;
 };
-std::vector<PayingPlace> paying_places(const Layout& layout, const Catalog& catalog);
+std::vector<PayingPlace> paying_places(const Layout& layout, const catalog::Catalog& catalog);
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

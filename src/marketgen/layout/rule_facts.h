@@ -9,7 +9,7 @@
 #include "layout/layout.h"
 #include "layout/reach.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 
 // One place where a rule is broken.
 struct Finding {
@@ -23,19 +23,19 @@ using Findings = std::vector<Finding>;
 struct RuleFacts {
   const Layout& layout;
   const Design& design;
-  std::vector<RectMm> footprints;         // of layout.fixtures
-  std::vector<const FixtureKind*> kinds;  // of layout.fixtures; null when unknown
+  std::vector<RectMm> footprints;                  // of layout.fixtures
+  std::vector<const catalog::FixtureKind*> kinds;  // of layout.fixtures; null when unknown
   std::vector<Face> faces;
   Reach person, wheelchair;
 
-  const ProfileRow& profile() const { return design.profile; }
-  const Catalog& catalog() const { return design.catalog; }
-  const Shell& shell() const { return layout.shell; }
+  const catalog::ProfileRow& profile() const { return design.profile; }
+  const catalog::Catalog& catalog() const { return design.catalog; }
+  const plan::Shell& shell() const { return layout.shell; }
   bool is_checkout(std::size_t fixture) const {
-    return kinds[fixture] != nullptr && kinds[fixture]->role == FixtureRole::checkout;
+    return kinds[fixture] != nullptr && kinds[fixture]->role == catalog::FixtureRole::checkout;
   }
   bool is_shelving(std::size_t fixture) const {
-    return kinds[fixture] != nullptr && kinds[fixture]->role == FixtureRole::shelving;
+    return kinds[fixture] != nullptr && kinds[fixture]->role == catalog::FixtureRole::shelving;
   }
 };
 
@@ -49,4 +49,4 @@ RuleFacts gather_facts(const Layout& layout, const Design& design);
 // "1,200 mm"
 std::string in_mm(double mm);
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

@@ -4,7 +4,7 @@
 
 #include "layout/rule_facts.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 namespace {
 
 constexpr double min_floor_m2 = 0.25;  // less is a corner behind a fixture
@@ -32,8 +32,9 @@ Findings wheelchair_route(const RuleFacts& facts) {
   Findings found;
   const int width = facts.profile().wheelchair_mm;
   for (const Doorway& door : facts.design.floor.doorways) {
-    const Opening& opening = facts.shell().openings[door.opening];
-    const bool way = opening.kind == OpeningKind::entrance || opening.kind == OpeningKind::exit;
+    const plan::Opening& opening = facts.shell().openings[door.opening];
+    const bool way =
+        opening.kind == plan::OpeningKind::entrance || opening.kind == plan::OpeningKind::exit;
     if (!way || facts.wheelchair.reaches(door.approach)) continue;
     found.push_back({opening.id,
                      0,
@@ -104,4 +105,4 @@ Findings floor_shut_off(const RuleFacts& facts) {
            somewhere_in(reach, largest)}};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

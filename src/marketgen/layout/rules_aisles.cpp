@@ -4,7 +4,7 @@
 #include "layout/aisles.h"
 #include "layout/rule_facts.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 namespace {
 
 constexpr int niche_mm = 3000;
@@ -51,7 +51,7 @@ int dead_end_depth(const Reach& reach, const Aisle& aisle) {
   int nearest_low = length.length(), nearest_high = length.length();
   bool inside_reached = false;
   const RectMm around = rect.grown(ring);
-  const OccupancyGrid& grid = reach.grid;
+  const navigation::OccupancyGrid& grid = reach.grid;
   const auto column_of = [&](int x) {
     return std::clamp((x - grid.bounds.x0) / grid.cell_mm, 0, grid.columns - 1);
   };
@@ -119,4 +119,4 @@ Findings dead_end_too_long(const RuleFacts& facts) {
   return dead_ends(facts, longest_dead_end_mm);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

@@ -4,7 +4,7 @@
 
 #include "layout/rule_facts.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 namespace {
 
 constexpr double farthest_exit_m = 15;
@@ -60,7 +60,7 @@ Findings checkout_tight(const RuleFacts& facts) {
             room, distance_beyond(rect, end, strip_beyond(facts.design.floor.bounds, end, 1)));
       }
       for (std::size_t k = 0; k < facts.footprints.size(); ++k) {
-        if (k != i && overlap(facts.footprints[k], needed)) {
+        if (k != i && marketgen::overlap(facts.footprints[k], needed)) {
           room = std::min(room, distance_beyond(rect, end, facts.footprints[k]));
         }
       }
@@ -76,4 +76,4 @@ Findings checkout_tight(const RuleFacts& facts) {
   return found;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

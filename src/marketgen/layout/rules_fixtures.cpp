@@ -4,7 +4,7 @@
 
 #include "layout/rule_facts.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 namespace {
 
 constexpr int arrival_mm = 3000;       // floor for arriving, from the entrance's line
@@ -41,7 +41,7 @@ Findings fixture_overlap(const RuleFacts& facts) {
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return facts.footprints[i].x0; });
   Findings found;
   const auto report = [&](std::size_t i, const RectMm& other, const std::string& name) {
-    const auto common = intersection(facts.footprints[i], other);
+    const auto common = marketgen::intersection(facts.footprints[i], other);
     if (!common) return;
     const std::string& id = facts.layout.fixtures[i].id;
     found.push_back({id,
@@ -67,7 +67,7 @@ Findings exit_blocked(const RuleFacts& facts) {
     if (door.approach.empty()) continue;
     const std::string& id = facts.shell().openings[door.opening].id;
     for (std::size_t i = 0; i < facts.footprints.size(); ++i) {
-      const auto common = intersection(facts.footprints[i], door.approach);
+      const auto common = marketgen::intersection(facts.footprints[i], door.approach);
       if (!common) continue;
       found.push_back({facts.layout.fixtures[i].id,
                        static_cast<double>(common->area_mm2()) * 1e-6,
@@ -76,7 +76,7 @@ Findings exit_blocked(const RuleFacts& facts) {
                        common->center()});
     }
     for (const RectMm& column : facts.design.floor.columns) {
-      const auto common = intersection(column, door.approach);
+      const auto common = marketgen::intersection(column, door.approach);
       if (!common) continue;
       found.push_back({id,
                        static_cast<double>(common->area_mm2()) * 1e-6,
@@ -99,7 +99,7 @@ Findings door_swing_blocked(const RuleFacts& facts) {
     const RectMm needed = strip_beyond(facts.footprints[i], front, swing);
     int room = on_floor(facts.design.floor, needed) ? swing : 0;
     const auto narrow = [&](const RectMm& other) {
-      if (overlap(other, needed))
+      if (marketgen::overlap(other, needed))
         room = std::min(room, std::max(0, distance_beyond(facts.footprints[i], front, other)));
     };
     for (std::size_t k = 0; k < facts.footprints.size(); ++k) {
@@ -121,7 +121,7 @@ Findings run_too_long(const RuleFacts& facts) {
   Findings found;
   std::set<std::string> seen;
   for (const Face& face : facts.faces) {
-    const Zone* zone = find_zone(facts.design.plan, face.zone);
+    const plan::Zone* zone = plan::find_zone(facts.design.plan, face.zone);
     if (zone == nullptr || !is_double_sided(facts, face) || !seen.insert(face.run).second) continue;
     const int length = along(face.rect, face.front).length();
     const int limit = zone->fixture.run_max_mm;
@@ -143,7 +143,7 @@ Findings sight_line(const RuleFacts& facts) {
       strip_inside(facts.design.floor.bounds, door->wall, arrival_mm), door->wall, door->span);
   for (std::size_t i = 0; i < facts.footprints.size(); ++i) {
     const Fixture& fixture = facts.layout.fixtures[i];
-    if (fixture.height_mm <= eye_mm || !overlap(facts.footprints[i], view)) continue;
+    if (fixture.height_mm <= eye_mm || !marketgen::overlap(facts.footprints[i], view)) continue;
     found.push_back({fixture.id,
                      static_cast<double>(fixture.height_mm),
                      eye_mm,
@@ -154,4 +154,4 @@ Findings sight_line(const RuleFacts& facts) {
   return found;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

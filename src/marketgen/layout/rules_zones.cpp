@@ -8,7 +8,7 @@
 #include "layout/relations.h"
 #include "layout/rule_facts.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 namespace {
 
 constexpr int cold_group_mm = 4000;  // cold zones nearer than this share their piping
@@ -20,10 +20,10 @@ PointMm middle(const LayoutZone& zone) {
 }
 
 bool zone_is_cold(const RuleFacts& facts, const LayoutZone& zone) {
-  const Zone* planned = find_zone(facts.design.plan, zone.id);
+  const plan::Zone* planned = plan::find_zone(facts.design.plan, zone.id);
   if (planned != nullptr) return is_cold(*planned, facts.catalog());
-  const ZoneTypeRow* type = facts.catalog().zone_type(zone.type);
-  return type != nullptr && type->temperature != Storage::ambient;
+  const catalog::ZoneTypeRow* type = facts.catalog().zone_type(zone.type);
+  return type != nullptr && type->temperature != catalog::Storage::ambient;
 }
 
 std::vector<std::size_t> shelving_of(const RuleFacts& facts, const std::string& zone) {
@@ -86,18 +86,18 @@ int cold_groups(const std::vector<RectMm>& cold) {
   return static_cast<int>(std::set(group.begin(), group.end()).size());
 }
 
-Findings relations_of(const RuleFacts& facts, Strength strength) {
-  const NamedFloor floor = named_floor(facts.layout);
+Findings relations_of(const RuleFacts& facts, plan::Strength strength) {
+  const plan::NamedFloor floor = named_floor(facts.layout);
   Findings found;
-  for (const Relation& relation : facts.design.plan.relations) {
+  for (const plan::Relation& relation : facts.design.plan.relations) {
     if (relation.strength != strength) continue;
-    const RelationTerms terms = terms_of(relation);
-    const auto measure = measure_relation(floor, terms);
+    const plan::RelationTerms terms = plan::terms_of(relation);
+    const auto measure = plan::measure_relation(floor, terms);
     if (!measure || measure->slack_m() >= layout_margin_m) continue;
     found.push_back({relation.a,
                      measure->measured_m,
                      measure->limit_m,
-                     words_of(floor, terms, measure),
+                     plan::words_of(floor, terms, measure),
                      measure->at_mm});
   }
   return found;
@@ -108,7 +108,7 @@ Findings relations_of(const RuleFacts& facts, Strength strength) {
 Findings zone_too_small(const RuleFacts& facts) {
   Findings found;
   for (const LayoutZone& zone : facts.layout.zones) {
-    const Zone* planned = find_zone(facts.design.plan, zone.id);
+    const plan::Zone* planned = plan::find_zone(facts.design.plan, zone.id);
     if (planned == nullptr || !planned->area_m2.min || zone.area_m2 >= *planned->area_m2.min)
       continue;
     found.push_back({zone.id,
@@ -123,7 +123,7 @@ Findings zone_too_small(const RuleFacts& facts) {
 Findings zone_empty(const RuleFacts& facts) {
   Findings found;
   for (const LayoutZone& zone : facts.layout.zones) {
-    const Zone* planned = find_zone(facts.design.plan, zone.id);
+    const plan::Zone* planned = plan::find_zone(facts.design.plan, zone.id);
     if (planned == nullptr || kinds_of(*planned, facts.catalog()).main == nullptr) continue;
     const bool furnished = std::ranges::any_of(facts.layout.fixtures, [&](const Fixture& fixture) {
       const bool entrance = fixture.run.find("/entrance/") != std::string::npos;
@@ -143,10 +143,10 @@ Findings zone_empty(const RuleFacts& facts) {
 Findings count_short(const RuleFacts& facts) {
   Findings found;
   for (const LayoutZone& zone : facts.layout.zones) {
-    const Zone* planned = find_zone(facts.design.plan, zone.id);
+    const plan::Zone* planned = plan::find_zone(facts.design.plan, zone.id);
     if (planned == nullptr || !planned->fixture.count) continue;
-    const FixtureKind* kind = kinds_of(*planned, facts.catalog()).main;
-    if (kind == nullptr || kind->role == FixtureRole::shelving) continue;
+    const catalog::FixtureKind* kind = kinds_of(*planned, facts.catalog()).main;
+    if (kind == nullptr || kind->role == catalog::FixtureRole::shelving) continue;
     const auto standing = std::ranges::count_if(facts.layout.fixtures, [&](const Fixture& fixture) {
       return fixture.zone == zone.id && fixture.kind == kind->kind;
     });
@@ -194,7 +194,7 @@ Findings chemical_next_to_food(const RuleFacts& facts) {
 Findings produce_far(const RuleFacts& facts) {
   const Doorway* door = entrance_of(facts.design.floor, facts.shell());
   if (door == nullptr) return {};
-  const double limit = produce_share * diagonal_m(facts.design.floor.bounds);
+  const double limit = produce_share * plan::diagonal_m(facts.design.floor.bounds);
   Findings found;
   for (const LayoutZone& zone : facts.layout.zones) {
     if (zone.type != "produce") continue;
@@ -207,23 +207,23 @@ Findings produce_far(const RuleFacts& facts) {
 }
 
 Findings relation_broken(const RuleFacts& facts) {
-  return relations_of(facts, Strength::must);
+  return relations_of(facts, plan::Strength::must);
 }
 
 Findings relation_missed(const RuleFacts& facts) {
-  return relations_of(facts, Strength::prefer);
+  return relations_of(facts, plan::Strength::prefer);
 }
 
 Findings relation_not_judged(const RuleFacts& facts) {
-  const NamedFloor floor = named_floor(facts.layout);
+  const plan::NamedFloor floor = named_floor(facts.layout);
   Findings found;
-  for (const Relation& relation : facts.design.plan.relations) {
-    const RelationTerms terms = terms_of(relation);
-    const auto measure = measure_relation(floor, terms);
+  for (const plan::Relation& relation : facts.design.plan.relations) {
+    const plan::RelationTerms terms = plan::terms_of(relation);
+    const auto measure = plan::measure_relation(floor, terms);
     if (measure) continue;
-    found.push_back({relation.a, 0, 0, words_of(floor, terms, measure), std::nullopt});
+    found.push_back({relation.a, 0, 0, plan::words_of(floor, terms, measure), std::nullopt});
   }
   return found;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

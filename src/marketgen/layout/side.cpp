@@ -2,17 +2,17 @@
 
 #include <algorithm>
 
-namespace marketgen {
+namespace marketgen::layout {
 
-Side side_of(Wall wall) {
+Side side_of(plan::Wall wall) {
   switch (wall) {
-    case Wall::north:
+    case plan::Wall::north:
       return Side::north;
-    case Wall::south:
+    case plan::Wall::south:
       return Side::south;
-    case Wall::east:
+    case plan::Wall::east:
       return Side::east;
-    case Wall::west:
+    case plan::Wall::west:
       return Side::west;
   }
   return Side::south;
@@ -117,4 +117,4 @@ int distance_beyond(const RectMm& rect, Side side, const RectMm& other) {
   return 0;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

@@ -9,7 +9,7 @@
 #include "geometry/rectangle.h"
 #include "plan/plan.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 
 // In the order of yaw: a front that faces side k has a yaw of 90 k degrees.
 enum class Side { south, east, north, west };
@@ -34,7 +34,7 @@ constexpr Side left_of(Side side) {
 constexpr bool lies_along_x(Side side) {
   return side == Side::south || side == Side::north;
 }
-Side side_of(Wall wall);
+Side side_of(plan::Wall wall);
 
 // A stretch of a line, whole millimetres.
 struct Span {
@@ -70,4 +70,4 @@ RectMm moved_side(const RectMm& rect, Side side, int by);
 // How far `other` is beyond the side; negative when it reaches behind the side's line.
 int distance_beyond(const RectMm& rect, Side side, const RectMm& other);
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <numeric>
 
-namespace marketgen {
+namespace marketgen::layout {
 namespace {
 
 bool overlaps_any(const RectMm& rect, const std::vector<RectMm>& others) {
-  return std::ranges::any_of(others, [&](const RectMm& o) { return overlap(o, rect); });
+  return std::ranges::any_of(others, [&](const RectMm& o) { return marketgen::overlap(o, rect); });
 }
 
 void collect_spans(std::vector<Span>& spans,
@@ -15,7 +15,7 @@ void collect_spans(std::vector<Span>& spans,
                    Side side,
                    const std::vector<RectMm>& others) {
   for (const RectMm& other : others) {
-    if (overlap(other, area)) spans.push_back(along(other, side));
+    if (marketgen::overlap(other, area)) spans.push_back(along(other, side));
   }
 }
 
@@ -142,10 +142,11 @@ int Site::free_beyond(const RectMm& rect, Side side, int reach_mm) const {
   for (const std::vector<RectMm>* others :
        {&standing_, &design_.floor.outside, &design_.floor.columns}) {
     for (const RectMm& other : *others) {
-      if (overlap(ahead, other)) nearest = std::min(nearest, distance_beyond(rect, side, other));
+      if (marketgen::overlap(ahead, other))
+        nearest = std::min(nearest, distance_beyond(rect, side, other));
     }
   }
   return std::max(0, nearest);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

@@ -8,12 +8,12 @@
 #include "layout/layout.h"
 #include "layout/module_spec.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 
 // A line of modules to be placed.
 struct Row {
   std::string run;  // its id
-  const Zone* zone;
+  const plan::Zone* zone;
   const ModuleSpec* spec;
   Side front;       // the side its (first) front faces
   RectMm band;      // where it may stand: as deep as the module
@@ -71,4 +71,4 @@ class Site {
   std::vector<RectMm> kept_clear_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

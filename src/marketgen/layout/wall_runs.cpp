@@ -4,7 +4,7 @@
 #include "layout/neighbours.h"
 #include "layout/zone_build.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 namespace {
 
 constexpr int wall_gap_mm = 20;            // skirting and uneven walls behind a unit
@@ -24,8 +24,9 @@ std::vector<Span> without_windows(const Build& build, Side side, Span span, int 
   if (height_mm <= max_under_window_mm) return {span};
   std::vector<Span> windows;
   for (const Doorway& door : build.design.floor.doorways) {
-    const Opening& opening = build.design.plan.shell.openings[door.opening];
-    if (opening.kind == OpeningKind::window && door.wall == side) windows.push_back(door.span);
+    const plan::Opening& opening = build.design.plan.shell.openings[door.opening];
+    if (opening.kind == plan::OpeningKind::window && door.wall == side)
+      windows.push_back(door.span);
   }
   return without(span, windows);
 }
@@ -37,7 +38,7 @@ std::vector<WallJob> wall_jobs(const Build& build) {
   for (std::size_t i = 0; i < build.grounds.size(); ++i) {
     const ZoneBuild& zone = build.zones[build.grounds[i].zone];
     if (zone.kinds.wall == nullptr) continue;
-    const bool cold = zone.kinds.wall->temperature != Storage::ambient;
+    const bool cold = zone.kinds.wall->temperature != catalog::Storage::ambient;
     for (const Side side : all_sides) {
       for (const Span& wall : build.grounds[i].ground.walls[index_of(side)]) {
         for (const Span& span : without_windows(build, side, wall, zone.kinds.wall->height_mm)) {
@@ -75,11 +76,11 @@ Span with_staff_entry(const Build& build, Side side, Span span, int entry_mm) {
 std::vector<Span> apart_from_others(const Build& build, const ZoneBuild& zone, const Row& row) {
   std::vector<Span> taken;
   for (const Fixture& fixture : build.site.fixtures()) {
-    const Zone* other = find_zone(build.design.plan, fixture.zone);
+    const plan::Zone* other = plan::find_zone(build.design.plan, fixture.zone);
     if (other == nullptr || !kept_apart(zone.zone->type, other->type, build.design.catalog))
       continue;
     const RectMm near = footprint_of(fixture).grown(apart_mm);
-    if (overlap(near, row.band)) taken.push_back(along(near, row.front));
+    if (marketgen::overlap(near, row.band)) taken.push_back(along(near, row.front));
   }
   return without(along(row.band, row.front), taken, row.spec->narrowest_mm());
 }
@@ -131,4 +132,4 @@ void line_walls(Build& build) {
     line_wall(build, job);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

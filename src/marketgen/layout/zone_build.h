@@ -9,11 +9,11 @@
 #include "layout/site.h"
 #include "layout/zone_ground.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 
 // What has been built in one zone so far.
 struct ZoneBuild {
-  const Zone* zone = nullptr;
+  const plan::Zone* zone = nullptr;
   ZoneKinds kinds;
   int next_run = 1;
   int main_modules = 0;
@@ -21,8 +21,8 @@ struct ZoneBuild {
 
   std::string take_run_id() { return zone->id + "/run-" + std::to_string(next_run++); }
   // How many more modules of the kind the plan wants; only its main kind is counted.
-  int modules_left(const FixtureKind* kind) const;
-  void count(const FixtureKind* kind, const std::vector<PlacedRun>& runs);
+  int modules_left(const catalog::FixtureKind* kind) const;
+  void count(const catalog::FixtureKind* kind, const std::vector<PlacedRun>& runs);
 };
 
 // One piece of floor under construction.
@@ -53,4 +53,4 @@ void fill_floor(Build& build);
 // The same with the least lawful aisles, for zones that got nothing.
 void fill_empty_zones(Build& build);
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

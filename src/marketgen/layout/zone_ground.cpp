@@ -4,7 +4,7 @@
 
 #include "plan/bsp.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 namespace {
 
 constexpr int max_pieces = 3;
@@ -30,7 +30,7 @@ std::vector<int> cuts(const std::vector<RectMm>& taken, Side side, Span within) 
 RectMm largest_free(const RectMm& rect, const std::vector<RectMm>& taken) {
   std::vector<RectMm> near;
   for (const RectMm& t : taken) {
-    if (overlap(t, rect)) near.push_back(t);
+    if (marketgen::overlap(t, rect)) near.push_back(t);
   }
   if (near.empty()) return rect;
   const std::vector<int> ys = cuts(near, Side::west, {rect.y0, rect.y1});
@@ -40,7 +40,7 @@ RectMm largest_free(const RectMm& rect, const std::vector<RectMm>& taken) {
       const RectMm slab{rect.x0, ys[low], rect.x1, ys[high]};
       std::vector<Span> blocked;
       for (const RectMm& t : near) {
-        if (overlap(t, slab)) blocked.push_back({t.x0, t.x1});
+        if (marketgen::overlap(t, slab)) blocked.push_back({t.x0, t.x1});
       }
       for (const Span& open : without({rect.x0, rect.x1}, blocked)) {
         const RectMm candidate{open.from, slab.y0, open.to, slab.y1};
@@ -123,9 +123,9 @@ PolygonMm clipped(const PolygonMm& polygon, const RectMm& rect, Side side) {
 
 }  // namespace
 
-std::vector<Ground> zone_grounds(const Plan& plan, const Floor& floor) {
+std::vector<Ground> zone_grounds(const plan::Plan& plan, const Floor& floor) {
   std::vector<Ground> grounds;
-  const std::vector<RectMm> rectangles = zone_rectangles(plan);
+  const std::vector<RectMm> rectangles = plan::zone_rectangles(plan);
   for (std::size_t zone = 0; zone < rectangles.size(); ++zone) {
     for (const RectMm& piece : pieces_of(rectangles[zone], floor)) {
       Ground ground;
@@ -155,4 +155,4 @@ PolygonMm zone_polygon(const RectMm& rect, const Floor& floor) {
   return polygon;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

@@ -8,7 +8,7 @@
 #include "layout/floor.h"
 #include "plan/plan.h"
 
-namespace marketgen {
+namespace marketgen::layout {
 
 // A rectangular piece of a zone. A zone has one, or up to three where the outline cuts into it.
 struct Ground {
@@ -22,9 +22,9 @@ struct Ground {
 
 // In the order of the plan's zones; zones without a usable piece are missing. Precondition: valid
 // plan.
-std::vector<Ground> zone_grounds(const Plan& plan, const Floor& floor);
+std::vector<Ground> zone_grounds(const plan::Plan& plan, const Floor& floor);
 
 // The zone's floor for pictures and areas: its BSP rectangle clipped to the outline.
 PolygonMm zone_polygon(const RectMm& rect, const Floor& floor);
 
-}  // namespace marketgen
+}  // namespace marketgen::layout

@@ -12,7 +12,7 @@
 #include "llm/provider.h"
 #include "llm/wire_json.h"
 
-namespace marketgen {
+namespace marketgen::llm {
 
 const std::vector<ProviderRow>& providers() {
   static const std::vector<ProviderRow> rows = {
@@ -52,7 +52,7 @@ struct Connection {
   const ProviderRow* provider = nullptr;
   std::string model, base_url, key;
   bool own_server = false;
-  HttpClient http;
+  net::HttpClient http;
 
   std::string name() const { return fmt::format("{}:{}", provider->name, model); }
 };
@@ -89,7 +89,7 @@ Result<std::string> checked_url(const ModelChoice& choice, const ProviderRow& pr
   if (url.empty()) url = provider.base_url;
   while (url.ends_with('/'))
     url.pop_back();
-  if (auto origin = origin_of(url); !origin.ok()) return origin.error();
+  if (auto origin = net::origin_of(url); !origin.ok()) return origin.error();
   if (url.find_first_of("?#") != std::string::npos) {
     return Error{"net.bad_url",
                  url.substr(0, url.find_first_of("?#")),
@@ -112,7 +112,7 @@ Result<std::string> checked_key(const ModelChoice& choice, const Connection& con
   }
   if (!is_printable(key))
     return Error{"llm.no_key", variable, "has blanks or characters that no key has"};
-  MARKETGEN_TRY(const HttpOrigin origin, origin_of(connection.base_url));
+  MARKETGEN_TRY(const net::HttpOrigin origin, net::origin_of(connection.base_url));
   if (!key.empty() && origin.scheme == "http" && !origin.loopback) {
     return Error{"net.bad_url",
                  connection.base_url,
@@ -124,7 +124,7 @@ Result<std::string> checked_key(const ModelChoice& choice, const Connection& con
 }
 
 // What a provider says went wrong, in short.
-std::string complaint_of(const HttpAnswer& answer) {
+std::string complaint_of(const net::HttpAnswer& answer) {
   constexpr std::size_t longest = 300;
   const WireJson json = WireJson::parse(answer.body, nullptr, false);
   std::string said;
@@ -141,7 +141,7 @@ std::string complaint_of(const HttpAnswer& answer) {
   return said;
 }
 
-Error error_of(const HttpAnswer& answer, const Connection& connection) {
+Error error_of(const net::HttpAnswer& answer, const Connection& connection) {
   const std::string said = complaint_of(answer);
   const std::string quoted = said.empty() ? "" : fmt::format(": \"{}\"", said);
   std::string advice;
@@ -167,7 +167,7 @@ Error error_of(const HttpAnswer& answer, const Connection& connection) {
 }
 
 // Whether a refused request may pass without something that not every model takes; drops it.
-bool drop_what_is_refused(const HttpAnswer& answer, ProviderCall& call) {
+bool drop_what_is_refused(const net::HttpAnswer& answer, ProviderCall& call) {
   if (answer.status != 400 && answer.status != 422) return false;
   const auto names = [&](std::string_view word) {
     return answer.body.find(word) != std::string::npos;
@@ -198,7 +198,7 @@ Result<ChatAnswer> chat(const Connection& connection, const ChatRequest& request
   ProviderCall call{
       request, connection.model, connection.base_url, connection.own_server, connection.key};
   for (;;) {
-    MARKETGEN_TRY(const HttpAnswer answer, connection.http.send(provider.request(call)));
+    MARKETGEN_TRY(const net::HttpAnswer answer, connection.http.send(provider.request(call)));
     if (answer.status == 200) return provider.answer(answer.body, connection.name());
     if (!drop_what_is_refused(answer, call)) return error_of(answer, connection);
   }
@@ -217,7 +217,8 @@ Result<LanguageModel> open_language_model(const ModelChoice& choice) {
                 checked_model(choice.model,
                               colon == std::string::npos ? "" : choice.model.substr(colon + 1)));
   MARKETGEN_TRY(const std::string url, checked_url(choice, *provider));
-  MARKETGEN_TRY(HttpClient http, HttpClient::open({choice.limits, choice.record, choice.replay}));
+  MARKETGEN_TRY(net::HttpClient http,
+                net::HttpClient::open({choice.limits, choice.record, choice.replay}));
   auto connection = std::make_shared<Connection>(
       Connection{provider, model, url, "", url == provider->base_url, std::move(http)});
   MARKETGEN_TRY(connection->key, checked_key(choice, *connection));
@@ -226,4 +227,4 @@ Result<LanguageModel> open_language_model(const ModelChoice& choice) {
                        }};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::llm

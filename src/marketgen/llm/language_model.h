@@ -16,7 +16,7 @@
 #include "base/result.h"
 #include "net/http.h"
 
-namespace marketgen {
+namespace marketgen::llm {
 
 enum class ChatRole { user, model };
 
@@ -49,11 +49,11 @@ struct LanguageModel {
 };
 
 struct ModelChoice {
-  std::string model;                  // PROVIDER:MODEL
-  std::string url;                    // base URL; empty: the provider's variable, else its own
-  std::filesystem::path record;       // as HttpOptions
-  std::filesystem::path replay;       // as HttpOptions; no key is needed then
-  HttpLimits limits{.total_s = 300};  // a thinking model, or one on a small machine
+  std::string model;                       // PROVIDER:MODEL
+  std::string url;                         // base URL; empty: the provider's variable, else its own
+  std::filesystem::path record;            // as HttpOptions
+  std::filesystem::path replay;            // as HttpOptions; no key is needed then
+  net::HttpLimits limits{.total_s = 300};  // a thinking model, or one on a small machine
 };
 
 // Errors: llm.unknown_provider with the nearest name; llm.no_key with the variable to set;
@@ -64,4 +64,4 @@ Result<LanguageModel> open_language_model(const ModelChoice& choice);
 // "openai, anthropic, gemini".
 std::string provider_names();
 
-}  // namespace marketgen
+}  // namespace marketgen::llm

@@ -7,7 +7,7 @@
 
 #include "llm/language_model.h"
 
-namespace marketgen {
+namespace marketgen::llm {
 
 // What a provider is to be told.
 struct ProviderCall {
@@ -23,16 +23,16 @@ struct ProviderCall {
 
 struct ProviderRow {
   std::string_view name, description, base_url, url_variable, key_variable;
-  HttpRequest (*request)(const ProviderCall& call);
+  net::HttpRequest (*request)(const ProviderCall& call);
   // Of an answer with status 200. Error: llm.refused, when it is none or the model declines.
   Result<ChatAnswer> (*answer)(std::string_view body, const std::string& where);
 };
 const std::vector<ProviderRow>& providers();
 
 #define PROVIDER(name, description, base_url, url_variable, key_variable) \
-  HttpRequest name##_request(const ProviderCall& call);                   \
+  net::HttpRequest name##_request(const ProviderCall& call);              \
   Result<ChatAnswer> name##_answer(std::string_view body, const std::string& where);
 #include "llm/providers.inc"
 #undef PROVIDER
 
-}  // namespace marketgen
+}  // namespace marketgen::llm

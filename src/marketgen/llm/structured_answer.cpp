@@ -6,7 +6,7 @@
 
 #include "llm/wire_json.h"
 
-namespace marketgen {
+namespace marketgen::llm {
 namespace {
 
 // Keywords that OpenAI's and Anthropic's strict modes refuse, or that say nothing to a model.
@@ -110,7 +110,7 @@ void add_repair_turn(ChatRequest& request, const ChatAnswer& answer, const Error
 }  // namespace
 
 std::string answer_schema_of(const TypeInfo& type) {
-  WireJson schema = WireJson::parse(json_schema_of(type, "", ""));
+  WireJson schema = WireJson::parse(io::json_schema_of(type, "", ""));
   make_strict(schema);
   return wire_dump(schema);
 }
@@ -168,4 +168,4 @@ Result<AnswerCost> ask_for_json(const LanguageModel& model,
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::llm

@@ -14,7 +14,7 @@
 #include "io/json.h"
 #include "llm/language_model.h"
 
-namespace marketgen {
+namespace marketgen::llm {
 
 // The JSON Schema of a described struct in the part of the language that every provider enforces:
 // all fields required, none besides, no limits of length or size (the reader checks those).
@@ -60,7 +60,7 @@ Result<Answered<T>> ask(const LanguageModel& model,
   if (request.answer_schema.empty()) request.answer_schema = answer_schema_of(type_of<T>());
   T value{};
   const AnswerReader read = [&](const std::string& json) -> Result<void> {
-    MARKETGEN_TRY(value, read_json<T>(json, "answer"));
+    MARKETGEN_TRY(value, io::read_json<T>(json, "answer"));
     if (check) MARKETGEN_CHECK(check(value));
     return {};
   };
@@ -68,4 +68,4 @@ Result<Answered<T>> ask(const LanguageModel& model,
   return Answered<T>{std::move(value), cost};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::llm

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace marketgen {
+namespace marketgen::llm {
 
 Result<WireJson> parse_wire(std::string_view body, const std::string& where) {
   WireJson json = WireJson::parse(body, nullptr, false);
@@ -30,7 +30,7 @@ std::string wire_dump(const WireJson& json) {
   return json.dump(-1, ' ', false, WireJson::error_handler_t::replace);
 }
 
-HttpRequest post_of(std::string url, const WireJson& body) {
+net::HttpRequest post_of(std::string url, const WireJson& body) {
   return {"POST", std::move(url), {{"Content-Type", "application/json"}}, {}, wire_dump(body)};
 }
 
@@ -42,4 +42,4 @@ Error no_answer(const std::string& where) {
   return {"llm.refused", where, "the provider's answer holds no text"};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::llm

@@ -9,7 +9,7 @@
 #include "base/result.h"
 #include "net/http.h"
 
-namespace marketgen {
+namespace marketgen::llm {
 
 using WireJson = nlohmann::ordered_json;  // in the order in which it was made: recorded alike
 
@@ -26,10 +26,10 @@ std::int64_t wire_number(const WireJson& json, const std::string& pointer);
 std::string wire_dump(const WireJson& json);
 
 // A POST of JSON, to which a provider adds its headers.
-HttpRequest post_of(std::string url, const WireJson& body);
+net::HttpRequest post_of(std::string url, const WireJson& body);
 
 // The error for a model that declines to answer, and for an answer without one.
 Error declined(const std::string& where, const std::string& why);
 Error no_answer(const std::string& where);
 
-}  // namespace marketgen
+}  // namespace marketgen::llm

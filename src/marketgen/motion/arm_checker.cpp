@@ -6,7 +6,7 @@
 
 #include "motion/lanes.h"
 
-namespace marketgen {
+namespace marketgen::motion {
 namespace {
 
 // frame * (rotation, position), which are the same in every lane.
@@ -151,14 +151,14 @@ std::uint32_t ArmChecker::lanes_that_meet(const PartPair& pair, Rake& rake) cons
 bool ArmChecker::balls_meet(const PartPair& pair, Rake& rake) const {
   std::uint32_t lanes = lanes_that_meet(pair, rake);
   if (!pair.exact || lanes == 0) return lanes != 0;
-  const LinkPair links{parts_[pair.a].link, parts_[pair.b].link};
+  const robots::LinkPair links{parts_[pair.a].link, parts_[pair.b].link};
   for (; lanes != 0; lanes &= lanes - 1) {
     const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
     Configuration q(model_->lower.size());
     for (std::size_t j = 0; j < q.size(); ++j)
       q[j] = static_cast<double>(rake.joints[j][lane]);
-    const std::vector<Pose> poses = link_poses(*model_->robot, state_with(q));
-    if (link_distance(*model_->robot, poses, links) < margin_m_) return true;
+    const std::vector<Pose> poses = robots::link_poses(*model_->robot, state_with(q));
+    if (robots::link_distance(*model_->robot, poses, links) < margin_m_) return true;
   }
   return false;
 }
@@ -230,7 +230,7 @@ std::vector<double> ArmChecker::state_with(std::span<const double> q) const {
   std::vector<double> state = state_;
   for (std::size_t j = 0; j < q.size(); ++j)
     state[static_cast<std::size_t>(model_->group.dofs[j])] = q[j];
-  return with_followers(*model_->robot, std::move(state));
+  return robots::with_followers(*model_->robot, std::move(state));
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::motion

@@ -21,27 +21,27 @@
 #include "robots/robot.h"
 #include "robots/self_collision.h"
 
-namespace marketgen {
+namespace marketgen::motion {
 
 // What planning needs to know of a group of joints, made once. Refers to the robot, which must
 // outlive it.
 struct ArmModel {
-  const Robot* robot = nullptr;
-  JointGroup group;
-  std::vector<LinkPair> pairs;       // of the robot that may touch
-  std::vector<double> lower, upper;  // of the group's joints, rad or m
+  const robots::Robot* robot = nullptr;
+  robots::JointGroup group;
+  std::vector<robots::LinkPair> pairs;  // of the robot that may touch
+  std::vector<double> lower, upper;     // of the group's joints, rad or m
 };
 
 // Errors: robot.unknown when there is no such group, motion.bad_configuration when it has no joint,
 // more than 16, or one without limits.
-Result<ArmModel> make_arm_model(const Robot& robot, std::string_view group);
+Result<ArmModel> make_arm_model(const robots::Robot& robot, std::string_view group);
 
 // Something held: its spheres move with the link and are tested against the world and the robot,
 // except the links it may touch (the fingers that hold it).
 struct AttachedObject {
   int link = 0;
-  std::vector<Sphere> spheres;  // link frame
-  std::vector<int> may_touch;   // links
+  std::vector<robots::Sphere> spheres;  // link frame
+  std::vector<int> may_touch;           // links
 };
 
 struct ArmCheckOptions {
@@ -121,7 +121,7 @@ class ArmChecker {
   std::uint32_t lanes_that_meet(const PartPair& pair, Rake& rake) const;
 
   void add_bodies();
-  void add_part(int link, const std::vector<Sphere>& spheres, std::string name);
+  void add_part(int link, const std::vector<robots::Sphere>& spheres, std::string name);
   Result<void> add_attached(const AttachedObject& object, std::size_t index);
   void add_pairs(const std::vector<AttachedObject>& attached);
   void find_reach();
@@ -141,4 +141,4 @@ class ArmChecker {
   std::vector<double> reach_;  // how far a point moves for one rad or m of each joint, at most, m
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::motion

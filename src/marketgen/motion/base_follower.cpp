@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-namespace marketgen {
+namespace marketgen::motion {
 namespace {
 
 constexpr double arrived = 1e-9;  // m or rad
@@ -36,11 +36,11 @@ bool usable(double limit) {
 
 }  // namespace
 
-Result<BaseLimits> base_limits(const Robot& robot) {
+Result<BaseLimits> base_limits(const robots::Robot& robot) {
   const int yaw = robot.find_dof("base_yaw");
   if (!robot.drive || yaw < 0)
     return Error{"motion.bad_limits", robot.name, "the robot's row has no drive or no base_yaw"};
-  const Drive& drive = *robot.drive;
+  const robots::Drive& drive = *robot.drive;
   return BaseLimits{drive.speed,
                     drive.acceleration,
                     drive.turn_rate,
@@ -49,7 +49,7 @@ Result<BaseLimits> base_limits(const Robot& robot) {
                     drive.wheel_radius};
 }
 
-Result<BaseFollower> BaseFollower::make(const FloorPath& path,
+Result<BaseFollower> BaseFollower::make(const navigation::FloorPath& path,
                                         double heading,
                                         std::optional<double> end_heading,
                                         const BaseLimits& limits,
@@ -153,4 +153,4 @@ WheelRates BaseFollower::wheels() const {
           (state_.speed + across) / limits_.wheel_radius};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::motion

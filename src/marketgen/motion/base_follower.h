@@ -15,7 +15,7 @@
 #include "navigation/visibility_graph.h"
 #include "robots/robot.h"
 
-namespace marketgen {
+namespace marketgen::motion {
 
 struct BaseLimits {
   double speed = 0, acceleration = 0;           // of the middle between the wheels
@@ -24,7 +24,7 @@ struct BaseLimits {
 };
 // From the drive of the robot's row and the acceleration of its joint "base_yaw". Errors:
 // motion.bad_limits when it has no drive or a limit is missing.
-Result<BaseLimits> base_limits(const Robot& robot);
+Result<BaseLimits> base_limits(const robots::Robot& robot);
 
 // Somebody on the floor. How fast they can come nearer is added to what the base keeps clear.
 struct MovingDisc {
@@ -51,7 +51,7 @@ class BaseFollower {
  public:
   // Starts at rest on the path's first point. `end_heading`: turned to at the end. Errors:
   // motion.bad_configuration (no point, or a heading that is not finite), motion.bad_limits.
-  static Result<BaseFollower> make(const FloorPath& path,
+  static Result<BaseFollower> make(const navigation::FloorPath& path,
                                    double heading,
                                    std::optional<double> end_heading,
                                    const BaseLimits& limits,
@@ -86,4 +86,4 @@ class BaseFollower {
   BaseState state_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::motion

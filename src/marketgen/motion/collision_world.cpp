@@ -5,7 +5,7 @@
 
 #include "motion/lanes.h"
 
-namespace marketgen {
+namespace marketgen::motion {
 namespace {
 
 struct LanePoint {
@@ -184,4 +184,4 @@ std::string CollisionWorld::first_hit(std::span<const SphereBlock> blocks,
   return shape < size() ? names_[shape] : std::string{};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::motion

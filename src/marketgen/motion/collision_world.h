@@ -17,7 +17,7 @@
 #include "base/result.h"
 #include "geometry/pose.h"
 
-namespace marketgen {
+namespace marketgen::motion {
 
 // Every pose and point is in one frame, the planner's: the world's or the robot base's. Metres.
 struct BoxObstacle {
@@ -130,4 +130,4 @@ class CollisionWorld {
   std::array<std::vector<float>, 3> low_, high_;  // bounds of the shapes, filled up to eights
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::motion

@@ -13,7 +13,7 @@
 #include "motion/grasp_seeds.h"
 #include "motion/grasp_surface.h"
 
-namespace marketgen {
+namespace marketgen::motion {
 namespace {
 
 constexpr double outside_m = 2;           // from where pads look at the pack: no pack is as long
@@ -56,9 +56,9 @@ Tried refuse(GraspRefusal why, double figure = 0) {
 
 class Search {
  public:
-  Search(const Product& product,
-         const ProductBody& body,
-         const GraspTool& tool,
+  Search(const catalog::Product& product,
+         const assets::ProductBody& body,
+         const robots::GraspTool& tool,
          const GraspQuery& query)
       : product_(product),
         body_(body),
@@ -69,7 +69,7 @@ class Search {
         room_(product, tool, query, surface_) {}
 
   GraspCandidates find() {
-    if (tool_.kind == ToolKind::gripper) {
+    if (tool_.kind == robots::ToolKind::gripper) {
       for (const PinchSeed& seed : places_to_pinch())
         if (wanted(seed.approach)) note(pinch(seed));
     } else {
@@ -188,7 +188,7 @@ class Search {
     made.grasp.product_from_tool.position =
         middle - rotate(made.grasp.product_from_tool.rotation, tool_.pad_center);
     made.grasp.force_n =
-        product_.rigidity == Rigidity::rigid
+        product_.rigidity == catalog::Rigidity::rigid
             ? tool_.force_n
             : std::min(tool_.force_n, std::max(gentle_force_n, gentle_safety * need));
     if (!make_room(made)) return refuse(GraspRefusal::no_room);
@@ -216,7 +216,7 @@ class Search {
 
   // 0..1. Beside a standing pack its likes make way to the side; among packs that lie, less may be
   // asked of them.
-  double reach_into_likes(const Grasp& grasp) const {
+  double reach_into_likes(const robots::Grasp& grasp) const {
     const double most = query_.likes.empty() ? finger_thick_m : max_like_overlap_m;
     return std::min(1.0, room_.overlap_with_likes(grasp) / most);
   }
@@ -281,7 +281,7 @@ class Search {
   // How far the fingers' ends, as long as the pads, reach out beyond the pack's sides.
   double side_room_of(const GraspCandidate& made) const {
     double outermost = 0;
-    for (const ToolSolid& solid : opened(tool_, made.grasp.opening_m)) {
+    for (const robots::ToolSolid& solid : robots::opened(tool_, made.grasp.opening_m)) {
       const Pose& pose = solid.tool_from_solid;
       if (pose.position.z + solid.half_size.z < tool_.pad_center.z - tool_.pad_z_m) continue;
       outermost = std::max(outermost, std::abs(pose.position.y) + solid.half_size.y);
@@ -322,9 +322,9 @@ class Search {
 
   // Tabs, seams and the like are finer than the contact pieces, but no lip seals across them.
   bool over_a_part(Vec3 at, Vec3 approach) const {
-    return std::ranges::any_of(body_.features, [&](const PackFeature& feature) {
-      if (feature.kind == FeatureKind::cap || feature.kind == FeatureKind::lid ||
-          feature.kind == FeatureKind::rim || feature.kind == FeatureKind::neck)
+    return std::ranges::any_of(body_.features, [&](const assets::PackFeature& feature) {
+      if (feature.kind == assets::FeatureKind::cap || feature.kind == assets::FeatureKind::lid ||
+          feature.kind == assets::FeatureKind::rim || feature.kind == assets::FeatureKind::neck)
         return false;
       const Vec3 low = to_double(feature.center - feature.half_size);
       const Vec3 high = to_double(feature.center + feature.half_size);
@@ -407,9 +407,9 @@ class Search {
     }
   }
 
-  const Product& product_;
-  const ProductBody& body_;
-  const GraspTool& tool_;
+  const catalog::Product& product_;
+  const assets::ProductBody& body_;
+  const robots::GraspTool& tool_;
   const GraspQuery& query_;
   Vec3 up_;  // of the world, product frame
   GraspSurface surface_;
@@ -431,7 +431,7 @@ bool is_finite_place(const GraspQuery& query) {
          });
 }
 
-Result<void> check_query(const Product& product, const GraspQuery& query) {
+Result<void> check_query(const catalog::Product& product, const GraspQuery& query) {
   if (!(product.mass_kg > 0) || !std::isfinite(product.mass_kg))
     return Error{"catalog.bad_row",
                  product.sku,
@@ -449,8 +449,8 @@ Result<void> check_query(const Product& product, const GraspQuery& query) {
   return {};
 }
 
-std::optional<GraspCandidates> beyond_strength(const Product& product,
-                                               const GraspTool& tool,
+std::optional<GraspCandidates> beyond_strength(const catalog::Product& product,
+                                               const robots::GraspTool& tool,
                                                const GraspQuery& query) {
   if (product.mass_kg > tool.payload_kg)
     return GraspCandidates{
@@ -458,7 +458,7 @@ std::optional<GraspCandidates> beyond_strength(const Product& product,
         GraspRefusal::too_heavy,
         fmt::format("{:.2f} kg; {} carries {:.2f} kg", product.mass_kg, tool.id, tool.payload_kg)};
   const double need = pinch_force_n(product.mass_kg, query.friction);
-  if (tool.kind == ToolKind::gripper && need > tool.force_n)
+  if (tool.kind == robots::ToolKind::gripper && need > tool.force_n)
     return GraspCandidates{{},
                            GraspRefusal::too_heavy,
                            fmt::format("{:.2f} kg at friction {:.2f} needs {:.0f} N; {} grips with "
@@ -477,13 +477,13 @@ double pinch_force_n(double mass_kg, double friction) {
   return grip_safety * mass_kg * (standard_gravity + carry_acceleration_m_s2) / (2 * friction);
 }
 
-Result<GraspCandidates> grasp_candidates(const Product& product,
-                                         const ProductBody& body,
-                                         const GraspTool& tool,
+Result<GraspCandidates> grasp_candidates(const catalog::Product& product,
+                                         const assets::ProductBody& body,
+                                         const robots::GraspTool& tool,
                                          const GraspQuery& query) {
   MARKETGEN_CHECK(check_query(product, query));
   if (auto refused = beyond_strength(product, tool, query)) return std::move(*refused);
   return Search(product, body, tool, query).find();
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::motion

@@ -21,7 +21,7 @@
 #include "base/result.h"
 #include "robots/grasp_tool.h"
 
-namespace marketgen {
+namespace marketgen::motion {
 
 enum class GraspStrategy {
   side,
@@ -38,9 +38,9 @@ constexpr std::array<std::string_view, 8> names_of(GraspStrategy) {
 }
 
 struct GraspCandidate {
-  ToolKind tool = ToolKind::gripper;
+  robots::ToolKind tool = robots::ToolKind::gripper;
   GraspStrategy strategy = GraspStrategy::side;
-  Grasp grasp = {};
+  robots::Grasp grasp = {};
   double width_m = 0;      // between the pads when they rest on the pack; 0 for a cup
   double clearance_m = 0;  // of the open tool: least distance to the pack, to what it stands on and
                            // to walls
@@ -102,9 +102,9 @@ double pinch_force_n(double mass_kg, double friction);
 
 // Errors: catalog.bad_row for a product without mass or size; motion.bad_configuration for a query
 // with a friction or gap that is not positive, or with poses that are not finite.
-Result<GraspCandidates> grasp_candidates(const Product& product,
-                                         const ProductBody& body,
-                                         const GraspTool& tool,
+Result<GraspCandidates> grasp_candidates(const catalog::Product& product,
+                                         const assets::ProductBody& body,
+                                         const robots::GraspTool& tool,
                                          const GraspQuery& query);
 
-}  // namespace marketgen
+}  // namespace marketgen::motion

@@ -7,7 +7,7 @@
 
 #include "geometry/box_extents.h"
 
-namespace marketgen {
+namespace marketgen::motion {
 namespace {
 
 // Where else on the way to the pack the open tool is looked at: so far back.
@@ -29,13 +29,13 @@ bool near_bounds(const Bounds3& bounds, Vec3 middle, double radius_m) {
 
 }  // namespace
 
-GraspRoom::GraspRoom(const Product& product,
-                     const GraspTool& tool,
+GraspRoom::GraspRoom(const catalog::Product& product,
+                     const robots::GraspTool& tool,
                      const GraspQuery& query,
                      const GraspSurface& surface)
     : tool_(tool), query_(query), surface_(surface) {
   for (const GraspObstacle& wall : query.walls) {
-    ContactPiece box;
+    assets::ContactPiece box;
     box.half_size = to_float(wall.half_size);
     walls_.push_back(
         {inverse(wall.world_from_box) * query.world_from_product, GraspSurface({box})});
@@ -48,13 +48,13 @@ GraspRoom::GraspRoom(const Product& product,
     product_from_likes_.push_back({{side * (product.width_m() + query.neighbour_gap_m), 0, 0}, {}});
 }
 
-GraspRoom::Solids GraspRoom::solids_of(const Grasp& grasp) const {
-  Solids solids = opened(tool_, grasp.opening_m);
+GraspRoom::Solids GraspRoom::solids_of(const robots::Grasp& grasp) const {
+  Solids solids = robots::opened(tool_, grasp.opening_m);
   solids.insert(solids.end(), tool_.body.begin(), tool_.body.end());
   return solids;
 }
 
-double GraspRoom::clearance_of(const Grasp& grasp) const {
+double GraspRoom::clearance_of(const robots::Grasp& grasp) const {
   return clearance_at(grasp.product_from_tool, solids_of(grasp), no_end);
 }
 
@@ -62,13 +62,13 @@ double GraspRoom::clearance_at(const Pose& product_from_tool,
                                const Solids& solids,
                                double enough_m) const {
   double least = no_end;
-  for (const ToolSolid& solid : solids) {
+  for (const robots::ToolSolid& solid : solids) {
     const Pose pose = product_from_tool * solid.tool_from_solid;
     least = std::min(least, room_over_and_under(pose, solid.half_size));
     if (least < min_clearance_m) return least;
     least = std::min(least, gap_to_walls(pose, solid.half_size, std::min(least, enough_m)));
     if (least < min_clearance_m) return least;
-    const bool bellows = tool_.kind == ToolKind::suction &&
+    const bool bellows = tool_.kind == robots::ToolKind::suction &&
                          solid.tool_from_solid.position.z + solid.half_size.z > -bellows_m;
     if (!bellows)
       least =
@@ -96,7 +96,7 @@ double GraspRoom::gap_to_walls(const Pose& product_from_box, Vec3 half, double e
   return least;
 }
 
-double GraspRoom::overlap_with_likes(const Grasp& grasp) const {
+double GraspRoom::overlap_with_likes(const robots::Grasp& grasp) const {
   return overlap_with_likes_at(grasp.product_from_tool, solids_of(grasp));
 }
 
@@ -104,7 +104,7 @@ double GraspRoom::overlap_with_likes_at(const Pose& product_from_tool, const Sol
   double room = 0;
   for (const Pose& like : product_from_likes_) {
     const Pose like_from_tool = inverse(like) * product_from_tool;
-    for (const ToolSolid& solid : solids) {
+    for (const robots::ToolSolid& solid : solids) {
       const Pose pose = like_from_tool * solid.tool_from_solid;
       if (near_bounds(surface_.bounds(), pose.position, length(solid.half_size)))
         room = std::min(room, surface_.gap_to_box(pose, solid.half_size, 0));
@@ -119,7 +119,7 @@ bool GraspRoom::clear_at(const Pose& product_from_tool, const Solids& solids) co
           overlap_with_likes_at(product_from_tool, solids) <= max_like_overlap_m);
 }
 
-bool GraspRoom::is_free(const Grasp& grasp) const {
+bool GraspRoom::is_free(const robots::Grasp& grasp) const {
   const Solids solids = solids_of(grasp);
   Pose tool = grasp.product_from_tool;
   if (!clear_at(tool, solids)) return false;
@@ -131,18 +131,18 @@ bool GraspRoom::is_free(const Grasp& grasp) const {
 }
 
 // One finger may be inside a basket and the other outside.
-bool GraspRoom::closes_past_walls(const Grasp& grasp, double width_m) const {
+bool GraspRoom::closes_past_walls(const robots::Grasp& grasp, double width_m) const {
   if (walls_.empty()) return true;
   return std::ranges::all_of(while_closing, [&](double share) {
     const double opening = width_m + share * (grasp.opening_m - width_m);
-    return std::ranges::all_of(opened(tool_, opening), [&](const ToolSolid& solid) {
+    return std::ranges::all_of(robots::opened(tool_, opening), [&](const robots::ToolSolid& solid) {
       return gap_to_walls(grasp.product_from_tool * solid.tool_from_solid, solid.half_size, 0) >= 0;
     });
   });
 }
 
-bool GraspRoom::pads_touch_first(const Grasp& grasp, double width_m) const {
-  const std::vector<ToolSolid> shut = opened(tool_, width_m);
+bool GraspRoom::pads_touch_first(const robots::Grasp& grasp, double width_m) const {
+  const std::vector<robots::ToolSolid> shut = robots::opened(tool_, width_m);
   for (std::size_t i = 0; i < shut.size(); ++i) {
     if (i == 0 || i == tool_.left.size()) continue;  // the pads
     const Pose pose = grasp.product_from_tool * shut[i].tool_from_solid;
@@ -151,4 +151,4 @@ bool GraspRoom::pads_touch_first(const Grasp& grasp, double width_m) const {
   return closes_past_walls(grasp, width_m);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::motion

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace marketgen {
+namespace marketgen::motion {
 namespace {
 
 constexpr int side_yaws = 12, top_yaws = 12;  // every 30 degrees round; every 15 of a half turn
@@ -48,7 +48,7 @@ double along(Vec3 v, int axis) {
 }
 
 // Lowest place of the pads' middle with the fingers pointing straight down.
-double lowest_from_above(const GraspTool& tool) {
+double lowest_from_above(const robots::GraspTool& tool) {
   return std::max(tool.pad_z_m, -tool.pad_center.z) + tip_over_support_m;
 }
 
@@ -57,14 +57,15 @@ Vec3 square_to(Vec3 v) {
   return normalized(cross(std::abs(v.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}, v));
 }
 
-bool narrow_part(FeatureKind kind) {
-  return kind == FeatureKind::neck || kind == FeatureKind::cap || kind == FeatureKind::lid ||
-         kind == FeatureKind::pump || kind == FeatureKind::stem;
+bool narrow_part(assets::FeatureKind kind) {
+  return kind == assets::FeatureKind::neck || kind == assets::FeatureKind::cap ||
+         kind == assets::FeatureKind::lid || kind == assets::FeatureKind::pump ||
+         kind == assets::FeatureKind::stem;
 }
 
 class Seeds {
  public:
-  Seeds(const ProductBody& body, const GraspSurface& surface, const GraspTool& tool)
+  Seeds(const assets::ProductBody& body, const GraspSurface& surface, const robots::GraspTool& tool)
       : tool_(tool),
         mass_middle_(to_double(body.center_of_mass)),
         low_(to_double(surface.bounds().low)),
@@ -103,7 +104,7 @@ class Seeds {
     }
   }
 
-  void narrow(const PackFeature& feature) {
+  void narrow(const assets::PackFeature& feature) {
     const Vec3 center = to_double(feature.center);
     round_about(GraspStrategy::neck, center, 0);
     round_about(GraspStrategy::neck, center, pitches_deg[1]);
@@ -111,7 +112,7 @@ class Seeds {
   }
 
   // Across the thinner directions of the feature's box, from every side but below.
-  void handle(const PackFeature& feature) {
+  void handle(const assets::PackFeature& feature) {
     for (int closing = 0; closing < 3; ++closing) {
       for (int approach = 0; approach < 3; ++approach) {
         if (approach == closing) continue;
@@ -128,7 +129,7 @@ class Seeds {
   }
 
   // Across the flat seam, from where it ends: from above, or from an end of a lying pack.
-  void seam(const PackFeature& feature) {
+  void seam(const assets::PackFeature& feature) {
     const Vec3 half = to_double(feature.half_size), center = to_double(feature.center);
     const Vec3 out = center - (low_ + high_) * 0.5;
     const int thin = half.y <= half.x ? 1 : 0;
@@ -145,7 +146,7 @@ class Seeds {
   std::vector<PinchSeed> take() { return std::move(seeds_); }
 
  private:
-  const GraspTool& tool_;
+  const robots::GraspTool& tool_;
   Vec3 mass_middle_, low_, high_;
   std::vector<PinchSeed> seeds_;
 };
@@ -153,7 +154,7 @@ class Seeds {
 // Approaches from above to a pack that lies any way round.
 class LyingSeeds {
  public:
-  LyingSeeds(const ProductBody& body, const GraspSurface& surface, Vec3 up)
+  LyingSeeds(const assets::ProductBody& body, const GraspSurface& surface, Vec3 up)
       : surface_(surface), up_(up), mass_middle_(to_double(body.center_of_mass)) {
     const Vec3 size = to_double(surface.bounds().high - surface.bounds().low);
     for (int axis = 1; axis < 3; ++axis)
@@ -171,17 +172,17 @@ class LyingSeeds {
     }
   }
 
-  void narrow(const PackFeature& feature) {
+  void narrow(const assets::PackFeature& feature) {
     for (const Vec3 closing : all_closings())
       sweep_at(GraspStrategy::neck, to_double(feature.center), closing, false);
   }
 
-  void handle(const PackFeature& feature) {
+  void handle(const assets::PackFeature& feature) {
     for (int axis = 0; axis < 3; ++axis)
       sweep_at(GraspStrategy::handle, to_double(feature.center), axis_unit(axis), true);
   }
 
-  void seam(const PackFeature& feature) {
+  void seam(const assets::PackFeature& feature) {
     const int thin = feature.half_size.y <= feature.half_size.x ? 1 : 0;
     sweep_at(GraspStrategy::seam, to_double(feature.center), axis_unit(thin), false);
   }
@@ -239,36 +240,37 @@ class LyingSeeds {
 
 }  // namespace
 
-std::vector<PinchSeed> pinch_seeds(const ProductBody& body,
+std::vector<PinchSeed> pinch_seeds(const assets::ProductBody& body,
                                    const GraspSurface& surface,
-                                   const GraspTool& tool) {
+                                   const robots::GraspTool& tool) {
   Seeds seeds(body, surface, tool);
-  for (const PackFeature& feature : body.features) {
+  for (const assets::PackFeature& feature : body.features) {
     if (narrow_part(feature.kind)) seeds.narrow(feature);
-    if (feature.kind == FeatureKind::handle || feature.kind == FeatureKind::trigger)
+    if (feature.kind == assets::FeatureKind::handle || feature.kind == assets::FeatureKind::trigger)
       seeds.handle(feature);
-    if (feature.kind == FeatureKind::seam) seeds.seam(feature);
+    if (feature.kind == assets::FeatureKind::seam) seeds.seam(feature);
   }
   seeds.sides();
   seeds.tops();
   return seeds.take();
 }
 
-std::vector<PinchSeed> pinch_seeds_from_above(const ProductBody& body,
+std::vector<PinchSeed> pinch_seeds_from_above(const assets::ProductBody& body,
                                               const GraspSurface& surface,
                                               Vec3 up) {
   LyingSeeds seeds(body, surface, up);
-  for (const PackFeature& feature : body.features) {
+  for (const assets::PackFeature& feature : body.features) {
     if (narrow_part(feature.kind)) seeds.narrow(feature);
-    if (feature.kind == FeatureKind::handle || feature.kind == FeatureKind::trigger)
+    if (feature.kind == assets::FeatureKind::handle || feature.kind == assets::FeatureKind::trigger)
       seeds.handle(feature);
-    if (feature.kind == FeatureKind::seam) seeds.seam(feature);
+    if (feature.kind == assets::FeatureKind::seam) seeds.seam(feature);
   }
   seeds.middles();
   return seeds.take();
 }
 
-std::vector<SuctionSeed> suction_seeds(const ProductBody& body, const GraspSurface& surface) {
+std::vector<SuctionSeed> suction_seeds(const assets::ProductBody& body,
+                                       const GraspSurface& surface) {
   constexpr std::array across = {0.0, -0.25, 0.25};  // of the face's width, from its middle
   constexpr std::array up = {0.0, 0.12, -0.12, 0.25, -0.25, 0.36};
   const Vec3 low = to_double(surface.bounds().low), high = to_double(surface.bounds().high);
@@ -292,7 +294,7 @@ std::vector<SuctionSeed> suction_seeds(const ProductBody& body, const GraspSurfa
   return seeds;
 }
 
-std::vector<SuctionSeed> suction_seeds_from_above(const ProductBody& body,
+std::vector<SuctionSeed> suction_seeds_from_above(const assets::ProductBody& body,
                                                   const GraspSurface& surface,
                                                   Vec3 up) {
   constexpr std::array across = {0.0, -0.18, 0.18, -0.36, 0.36};  // of the face, from its middle
@@ -316,4 +318,4 @@ std::vector<SuctionSeed> suction_seeds_from_above(const ProductBody& body,
   return seeds;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::motion

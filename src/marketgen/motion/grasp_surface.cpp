@@ -8,7 +8,7 @@
 
 #include "geometry/convex_hull.h"
 
-namespace marketgen {
+namespace marketgen::motion {
 namespace {
 
 constexpr double parallel = 1e-12;      // a ray whose cosine with a face is less runs along it
@@ -64,11 +64,11 @@ constexpr std::array<Vec3, 3> own_axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 
 
 }  // namespace
 
-GraspSurface::GraspSurface(const std::vector<ContactPiece>& pieces) {
-  for (const ContactPiece& from : pieces) {
+GraspSurface::GraspSurface(const std::vector<assets::ContactPiece>& pieces) {
+  for (const assets::ContactPiece& from : pieces) {
     Piece piece{
         from.shape, to_double(from.center), to_double(from.half_size), from.lying, {}, {}, 0};
-    if (from.shape == PieceShape::cylinder && from.lying)
+    if (from.shape == assets::PieceShape::cylinder && from.lying)
       piece.half = {piece.half.z, piece.half.x, piece.half.x};
     for (const Vec3f& point : from.points)
       piece.points.push_back(to_double(point));
@@ -95,12 +95,12 @@ double GraspSurface::reach(const Piece& piece, Vec3 d) {
   const Vec3& h = piece.half;
   const double middle = dot(piece.center, d);
   switch (piece.shape) {
-    case PieceShape::box:
+    case assets::PieceShape::box:
       return middle + h.x * std::abs(d.x) + h.y * std::abs(d.y) + h.z * std::abs(d.z);
-    case PieceShape::cylinder:
+    case assets::PieceShape::cylinder:
       return piece.lying ? middle + h.x * std::abs(d.x) + h.y * std::hypot(d.y, d.z)
                          : middle + h.z * std::abs(d.z) + h.x * std::hypot(d.x, d.y);
-    case PieceShape::ellipsoid:
+    case assets::PieceShape::ellipsoid:
       return middle + length(h * d);
     default: {
       double most = -std::numeric_limits<double>::infinity();
@@ -120,12 +120,12 @@ std::optional<SurfaceHit> GraspSurface::hit(const Piece& piece, Vec3 origin, Vec
     inside.clip(-axis, half - middle, origin, direction);
   };
   switch (piece.shape) {
-    case PieceShape::box:
+    case assets::PieceShape::box:
       slab({1, 0, 0}, h.x);
       slab({0, 1, 0}, h.y);
       slab({0, 0, 1}, h.z);
       break;
-    case PieceShape::cylinder:
+    case assets::PieceShape::cylinder:
       if (piece.lying) {
         slab({1, 0, 0}, h.x);
         clip_round(inside, piece.center, {0, 1 / h.y, 1 / h.z}, origin, direction);
@@ -134,7 +134,7 @@ std::optional<SurfaceHit> GraspSurface::hit(const Piece& piece, Vec3 origin, Vec
         clip_round(inside, piece.center, {1 / h.x, 1 / h.y, 0}, origin, direction);
       }
       break;
-    case PieceShape::ellipsoid:
+    case assets::PieceShape::ellipsoid:
       clip_round(inside, piece.center, {1 / h.x, 1 / h.y, 1 / h.z}, origin, direction);
       break;
     default:
@@ -239,7 +239,7 @@ double GraspSurface::gap(const Piece& piece, const TurnedBox& box, double enough
   const Vec3 ahead = normalized(to_box);
   if (length(ahead) > 0.5 && apart(ahead)) return most;
   // Primitives are alike on both sides: only the nearer one can look at the box.
-  const bool both_sides = piece.shape == PieceShape::hull;
+  const bool both_sides = piece.shape == assets::PieceShape::hull;
   const auto apart_on_axis = [&](Vec3 axis) {
     const double side = dot(to_box, axis) < 0 ? -1.0 : 1.0;
     return apart(axis * side) || (both_sides && apart(axis * -side));
@@ -253,7 +253,7 @@ double GraspSurface::gap(const Piece& piece, const TurnedBox& box, double enough
   for (const Face& face : piece.faces) {
     if (apart_along(face.normal, face.offset)) return most;
   }
-  if (piece.shape == PieceShape::cylinder) {
+  if (piece.shape == assets::PieceShape::cylinder) {
     const Vec3 out =
         normalized(piece.lying ? Vec3{0, to_box.y, to_box.z} : Vec3{to_box.x, to_box.y, 0});
     if (length(out) > 0.5) apart(out);
@@ -279,4 +279,4 @@ double GraspSurface::gap_to_box(const Pose& product_from_box,
   return least;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::motion

@@ -9,7 +9,7 @@
 #include "assets/product_model.h"
 #include "geometry/pose.h"
 
-namespace marketgen {
+namespace marketgen::motion {
 
 struct SurfaceHit {
   double distance_m = 0;  // along the ray
@@ -35,7 +35,7 @@ struct CupContact {
 
 class GraspSurface {
  public:
-  explicit GraspSurface(const std::vector<ContactPiece>& pieces);
+  explicit GraspSurface(const std::vector<assets::ContactPiece>& pieces);
 
   const Bounds3& bounds() const { return bounds_; }
 
@@ -66,7 +66,7 @@ class GraspSurface {
     double offset = 0;
   };
   struct Piece {
-    PieceShape shape = PieceShape::box;
+    assets::PieceShape shape = assets::PieceShape::box;
     Vec3 center, half;  // half extents along the product's axes
     bool lying = false;
     std::vector<Face> faces;
@@ -88,4 +88,4 @@ class GraspSurface {
   Bounds3 bounds_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::motion

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace marketgen {
+namespace marketgen::motion {
 namespace {
 
 // Second derivatives of the natural cubic spline through evenly spaced knots (Thomas algorithm).
@@ -168,4 +168,4 @@ Result<JointTrajectory> timed_curve(const JointPath& knots,
   return trajectory;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::motion

@@ -11,7 +11,7 @@
 #include "motion/rrt_connect.h"
 #include "motion/s_curve.h"
 
-namespace marketgen {
+namespace marketgen::motion {
 
 struct TrajectoryState {
   std::vector<double> position, velocity, acceleration;
@@ -51,4 +51,4 @@ Result<JointTrajectory> timed_path(const JointPath& path, const std::vector<Moti
 Result<JointTrajectory> timed_curve(const JointPath& knots,
                                     const std::vector<MotionLimits>& limits);
 
-}  // namespace marketgen
+}  // namespace marketgen::motion

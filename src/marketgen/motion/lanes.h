@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <xsimd/xsimd.hpp>
 
-namespace marketgen {
+namespace marketgen::motion {
 
 using Lanes = xsimd::batch<float, xsimd::avx2>;
 constexpr std::size_t lane_count = 8;
@@ -41,4 +41,4 @@ struct LaneFrame {
   std::array<Lanes, 3> p;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::motion

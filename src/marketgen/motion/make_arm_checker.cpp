@@ -6,29 +6,29 @@
 #include "motion/arm_checker.h"
 #include "robots/rotation.h"
 
-namespace marketgen {
+namespace marketgen::motion {
 namespace {
 
 constexpr std::size_t max_joints = 16;
 
 // Column of the group that moves this joint, -1 when none does.
-int column_of(const JointGroup& group, const Joint& joint) {
+int column_of(const robots::JointGroup& group, const robots::Joint& joint) {
   const int leader = joint.follows >= 0 ? joint.follows : joint.dof;
   const auto found = std::find(group.dofs.begin(), group.dofs.end(), leader);
   return leader < 0 || found == group.dofs.end() ? -1
                                                  : static_cast<int>(found - group.dofs.begin());
 }
 
-bool finite_spheres(const std::vector<Sphere>& spheres) {
-  return std::all_of(spheres.begin(), spheres.end(), [](const Sphere& s) {
+bool finite_spheres(const std::vector<robots::Sphere>& spheres) {
+  return std::all_of(spheres.begin(), spheres.end(), [](const robots::Sphere& s) {
     return is_finite(s.center) && std::isfinite(s.radius) && s.radius > 0;
   });
 }
 
 }  // namespace
 
-Result<ArmModel> make_arm_model(const Robot& robot, std::string_view group) {
-  const JointGroup* found = robot.find_group(group);
+Result<ArmModel> make_arm_model(const robots::Robot& robot, std::string_view group) {
+  const robots::JointGroup* found = robot.find_group(group);
   if (found == nullptr) {
     return Error{"robot.unknown", robot.name, fmt::format("the robot has no group \"{}\"", group)};
   }
@@ -39,9 +39,9 @@ Result<ArmModel> make_arm_model(const Robot& robot, std::string_view group) {
         fmt::format(
             "a group of {} joints; 1 to {} can be planned", found->dofs.size(), max_joints)};
   }
-  ArmModel model{&robot, *found, pairs_that_may_touch(robot), {}, {}};
+  ArmModel model{&robot, *found, robots::pairs_that_may_touch(robot), {}, {}};
   for (const int dof : found->dofs) {
-    const Joint& joint = robot.joint_of_dof(static_cast<std::size_t>(dof));
+    const robots::Joint& joint = robot.joint_of_dof(static_cast<std::size_t>(dof));
     if (!std::isfinite(joint.lower) || !std::isfinite(joint.upper))
       return Error{"motion.bad_configuration", joint.name, "the joint has no limits"};
     model.lower.push_back(joint.lower);
@@ -51,10 +51,10 @@ Result<ArmModel> make_arm_model(const Robot& robot, std::string_view group) {
 }
 
 void ArmChecker::add_bodies() {
-  const Robot& robot = *model_->robot;
+  const robots::Robot& robot = *model_->robot;
   body_of_link_.assign(robot.links.size(), -1);
   body_from_link_.assign(robot.links.size(), {});
-  for (const Joint& joint : robot.joints) {
+  for (const robots::Joint& joint : robot.joints) {
     const auto link = static_cast<std::size_t>(joint.link);
     const auto parent = static_cast<std::size_t>(joint.parent);
     const int parent_body = body_of_link_[parent];
@@ -63,15 +63,15 @@ void ArmChecker::add_bodies() {
     if (column < 0) {
       const double value = joint.dof < 0 ? 0 : state_[static_cast<std::size_t>(joint.dof)];
       body_of_link_[link] = parent_body;
-      body_from_link_[link] = before * joint_motion(joint, value);
+      body_from_link_[link] = before * robots::joint_motion(joint, value);
       continue;
     }
-    const Quaternion turned = rotation_from_z_to(joint.axis);
+    const Quaternion turned = robots::rotation_from_z_to(joint.axis);
     const Pose at_zero = before * joint.parent_from_joint * Pose{{}, turned};
     const Matrix34 m = matrix_of(at_zero);
     Body body;
     body.parent = parent_body;
-    body.turns = joint.kind != JointType::prismatic;
+    body.turns = joint.kind != robots::JointType::prismatic;
     body.column = static_cast<std::size_t>(column);
     const bool follows = joint.follows >= 0;
     body.ratio = follows ? static_cast<float>(joint.follow_ratio) : 1;
@@ -89,13 +89,13 @@ void ArmChecker::add_bodies() {
   }
 }
 
-void ArmChecker::add_part(int link, const std::vector<Sphere>& spheres, std::string name) {
+void ArmChecker::add_part(int link, const std::vector<robots::Sphere>& spheres, std::string name) {
   const auto at = static_cast<std::size_t>(link);
   const int body = body_of_link_[at];
   const Pose& pose = body < 0 ? world_from_link_[at] : body_from_link_[at];
   Part part{std::move(name), world_, link, body, {}, balls_.size(), balls_.size() + spheres.size()};
   Vec3 low{1e30, 1e30, 1e30}, high = -low;
-  for (const Sphere& sphere : spheres) {
+  for (const robots::Sphere& sphere : spheres) {
     const Vec3 c = pose * sphere.center;
     const Vec3f at_f = to_float(c);
     balls_.push_back({at_f.x, at_f.y, at_f.z, static_cast<float>(sphere.radius + margin_m_)});
@@ -104,7 +104,7 @@ void ArmChecker::add_part(int link, const std::vector<Sphere>& spheres, std::str
   }
   const Vec3 middle = (low + high) * 0.5;
   double radius = 0;
-  for (const Sphere& sphere : spheres)
+  for (const robots::Sphere& sphere : spheres)
     radius = std::max(radius, length(pose * sphere.center - middle) + sphere.radius + margin_m_);
   const Vec3f m = to_float(middle);
   part.bound = {m.x, m.y, m.z, static_cast<float>(radius + 1e-6)};
@@ -129,7 +129,7 @@ Result<void> ArmChecker::add_attached(const AttachedObject& object, std::size_t 
 }
 
 void ArmChecker::add_pairs(const std::vector<AttachedObject>& attached) {
-  for (const LinkPair& pair : model_->pairs) {
+  for (const robots::LinkPair& pair : model_->pairs) {
     const auto part_of = [&](int link) {
       std::size_t part = 0;
       while (part < links_ && parts_[part].link != link)
@@ -178,18 +178,18 @@ Result<ArmChecker> ArmChecker::make(const ArmModel& model,
                                     const Pose& world_from_base,
                                     const CollisionWorld& world,
                                     const ArmCheckOptions& options) {
-  const Robot& robot = *model.robot;
-  MARKETGEN_CHECK(check_state(robot, state));
+  const robots::Robot& robot = *model.robot;
+  MARKETGEN_CHECK(robots::check_state(robot, state));
   ArmChecker checker;
   checker.model_ = &model;
   checker.world_ = &world;
   checker.state_.assign(state.begin(), state.end());
   checker.margin_m_ = options.margin_m;
-  for (const Pose& pose : link_poses(robot, state))
+  for (const Pose& pose : robots::link_poses(robot, state))
     checker.world_from_link_.push_back(world_from_base * pose);
   checker.add_bodies();
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
-    const Link& link = robot.links[i];
+    const robots::Link& link = robot.links[i];
     if (!link.spheres.empty()) checker.add_part(static_cast<int>(i), link.spheres, link.name);
   }
   checker.links_ = checker.parts_.size();
@@ -205,4 +205,4 @@ Result<ArmChecker> ArmChecker::make(const ArmModel& model,
   return checker;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::motion

@@ -9,7 +9,7 @@
 #include "motion/collision_world.h"
 #include "motion/lanes.h"
 
-namespace marketgen {
+namespace marketgen::motion {
 namespace {
 
 constexpr double farthest_m = 10'000;
@@ -246,4 +246,4 @@ Result<CollisionWorld> CollisionWorld::make(const Obstacles& obstacles) {
   return world;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::motion

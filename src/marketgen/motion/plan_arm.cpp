@@ -8,7 +8,7 @@
 
 #include "robots/arm_ik.h"
 
-namespace marketgen {
+namespace marketgen::motion {
 namespace {
 
 bool positive(double value) {
@@ -44,7 +44,7 @@ Result<std::vector<MotionLimits>> motion_limits(const ArmModel& model,
                  "shares are over 0 to 1, the time over 0"};
   std::vector<MotionLimits> limits;
   for (const int dof : model.group.dofs) {
-    const Joint& joint = model.robot->joint_of_dof(static_cast<std::size_t>(dof));
+    const robots::Joint& joint = model.robot->joint_of_dof(static_cast<std::size_t>(dof));
     if (!positive(joint.velocity) || !positive(joint.acceleration)) {
       return Error{"motion.bad_limits",
                    joint.name,
@@ -89,7 +89,7 @@ Result<ArmPlan> plan_arm(const ArmChecker& checker,
   return plan;
 }
 
-Result<ArmPlan> plan_arm(const Robot& robot,
+Result<ArmPlan> plan_arm(const robots::Robot& robot,
                          const ArmQuestion& question,
                          const CollisionWorld& world,
                          Seed seed,
@@ -104,20 +104,20 @@ Result<ArmPlan> plan_arm(const Robot& robot,
   return plan_arm(checker, start, question.goals, seed, options);
 }
 
-Result<std::vector<Configuration>> arm_goals(const Robot& robot,
-                                             const JointGroup& group,
+Result<std::vector<Configuration>> arm_goals(const robots::Robot& robot,
+                                             const robots::JointGroup& group,
                                              const Pose& base_from_tip,
                                              const Configuration& near,
                                              int sweep) {
-  MARKETGEN_TRY(const ArmIk arm, make_arm_ik(robot, group));
-  const bool swivels = arm.family == ArmFamily::rm75;
+  MARKETGEN_TRY(const robots::ArmIk arm, robots::make_arm_ik(robot, group));
+  const bool swivels = arm.family == robots::ArmFamily::rm75;
   const double low = swivels ? -3.14159 : arm.lower[6],
                high = swivels ? 3.14159 : arm.upper_limit[6];
-  const int values = arm.family == ArmFamily::rm65 ? 1 : std::max(sweep, 1);
+  const int values = arm.family == robots::ArmFamily::rm65 ? 1 : std::max(sweep, 1);
   std::vector<std::pair<double, Configuration>> found;
   for (int i = 0; i < values; ++i) {
     const double redundancy = low + (high - low) * (i + 0.5) / values;
-    for (const ArmJoints& joints : solve_arm(arm, base_from_tip, redundancy)) {
+    for (const robots::ArmJoints& joints : robots::solve_arm(arm, base_from_tip, redundancy)) {
       const Configuration q(joints.begin(), joints.begin() + arm.joints);
       double away = 0;
       for (std::size_t j = 0; j < q.size() && j < near.size(); ++j)
@@ -134,4 +134,4 @@ Result<std::vector<Configuration>> arm_goals(const Robot& robot,
   return goals;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::motion

@@ -13,7 +13,7 @@
 #include "motion/arm_checker.h"
 #include "motion/joint_trajectory.h"
 
-namespace marketgen {
+namespace marketgen::motion {
 
 struct ArmPlanOptions {
   RrtOptions search;
@@ -59,7 +59,7 @@ struct ArmQuestion {
   Pose world_from_base;
   ArmCheckOptions check;
 };
-Result<ArmPlan> plan_arm(const Robot& robot,
+Result<ArmPlan> plan_arm(const robots::Robot& robot,
                          const ArmQuestion& question,
                          const CollisionWorld& world,
                          Seed seed,
@@ -68,10 +68,10 @@ Result<ArmPlan> plan_arm(const Robot& robot,
 // Every solution of the group's analytic inverse kinematics for a tip pose in the group's base
 // link, over `sweep` values of the redundancy, nearest to `near` first (largest joint difference).
 // Errors: those of make_arm_ik; robot.unreachable.
-Result<std::vector<Configuration>> arm_goals(const Robot& robot,
-                                             const JointGroup& group,
+Result<std::vector<Configuration>> arm_goals(const robots::Robot& robot,
+                                             const robots::JointGroup& group,
                                              const Pose& base_from_tip,
                                              const Configuration& near,
                                              int sweep = 16);
 
-}  // namespace marketgen
+}  // namespace marketgen::motion

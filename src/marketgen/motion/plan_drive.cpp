@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace marketgen {
+namespace marketgen::motion {
 namespace {
 
 // Of the robot's limits: the rest is left to whoever keeps it on its way. A drive planned at the
@@ -16,20 +16,21 @@ int in_mm(double m) {
 
 }  // namespace
 
-Result<BaseEnvelope> base_envelope(const Robot& robot, std::span<const double> state) {
-  MARKETGEN_CHECK(check_state(robot, state));
+Result<BaseEnvelope> base_envelope(const robots::Robot& robot, std::span<const double> state) {
+  MARKETGEN_CHECK(robots::check_state(robot, state));
   if (!robot.drive)
     return Error{"motion.bad_limits", robot.name, "the robot's row has no drive: it stands still"};
   std::vector<double> q(state.begin(), state.end());
-  const JointGroup* base = robot.find_group("base");
+  const robots::JointGroup* base = robot.find_group("base");
   if (base != nullptr) {
     for (const int dof : base->dofs)
       q[static_cast<std::size_t>(dof)] = 0;
   }
-  const std::vector<Pose> poses = link_poses(robot, with_followers(robot, std::move(q)));
+  const std::vector<Pose> poses =
+      robots::link_poses(robot, robots::with_followers(robot, std::move(q)));
   BaseEnvelope envelope;
   for (std::size_t link = 0; link < robot.links.size(); ++link) {
-    for (const Capsule& capsule : robot.links[link].capsules) {
+    for (const robots::Capsule& capsule : robot.links[link].capsules) {
       for (const Vec3& end : {capsule.a, capsule.b}) {
         const Vec3 at = poses[link] * end;
         const double away = std::hypot(at.x - robot.drive->axle_x, at.y);
@@ -41,8 +42,8 @@ Result<BaseEnvelope> base_envelope(const Robot& robot, std::span<const double> s
   return envelope;
 }
 
-Result<DrivePlan> plan_drive(const VisibilityGraph& graph,
-                             const Robot& robot,
+Result<DrivePlan> plan_drive(const navigation::VisibilityGraph& graph,
+                             const robots::Robot& robot,
                              std::span<const double> state,
                              const FloorPlace& from,
                              const FloorPlace& to) {
@@ -55,7 +56,7 @@ Result<DrivePlan> plan_drive(const VisibilityGraph& graph,
   for (double* limit :
        {&limits.speed, &limits.acceleration, &limits.turn_rate, &limits.turn_acceleration})
     *limit *= planned_share;
-  MARKETGEN_TRY(FloorPath path,
+  MARKETGEN_TRY(navigation::FloorPath path,
                 graph.shortest_path({in_mm(from.position.x), in_mm(from.position.y)},
                                     {in_mm(to.position.x), in_mm(to.position.y)}));
   BaseOptions options;
@@ -65,4 +66,4 @@ Result<DrivePlan> plan_drive(const VisibilityGraph& graph,
   return DrivePlan{std::move(path), std::move(follower)};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::motion

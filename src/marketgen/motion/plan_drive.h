@@ -11,7 +11,7 @@
 #include "navigation/visibility_graph.h"
 #include "robots/robot.h"
 
-namespace marketgen {
+namespace marketgen::motion {
 
 // Of all of its links' capsules, whatever its base joints say.
 struct BaseEnvelope {
@@ -19,24 +19,24 @@ struct BaseEnvelope {
   double height_m = 0;  // over the floor
 };
 // Errors: motion.bad_limits for a robot without a drive; those of check_state.
-Result<BaseEnvelope> base_envelope(const Robot& robot, std::span<const double> state);
+Result<BaseEnvelope> base_envelope(const robots::Robot& robot, std::span<const double> state);
 
 struct FloorPlace {
   Vec2 position;
   double heading = 0;  // about Z from X
 };
 struct DrivePlan {
-  FloorPath path;
+  navigation::FloorPath path;
   BaseFollower follower;  // at rest at the start
 };
 
 // Slower than the limits of the robot's row, so that there is room to steer back to the way.
 // Errors: those of base_envelope, motion.bad_configuration for a place that is not finite,
 // motion.outside_floor, motion.base_blocked (an end is too near to something), motion.unreachable.
-Result<DrivePlan> plan_drive(const VisibilityGraph& graph,
-                             const Robot& robot,
+Result<DrivePlan> plan_drive(const navigation::VisibilityGraph& graph,
+                             const robots::Robot& robot,
                              std::span<const double> state,
                              const FloorPlace& from,
                              const FloorPlace& to);
 
-}  // namespace marketgen
+}  // namespace marketgen::motion

@@ -7,7 +7,7 @@
 
 #include "base/interrupt.h"
 
-namespace marketgen {
+namespace marketgen::motion {
 namespace {
 
 constexpr int root = -1;
@@ -238,4 +238,4 @@ JointPath shortcut(const ConfigurationSpace& space, JointPath path, Seed seed, i
   return without_needless_corners(space, path);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::motion

@@ -11,7 +11,7 @@
 #include "base/result.h"
 #include "base/seed.h"
 
-namespace marketgen {
+namespace marketgen::motion {
 
 using Configuration = std::vector<double>;  // rad or m, one a joint
 using JointPath = std::vector<Configuration>;
@@ -47,4 +47,4 @@ JointPath shortcut(const ConfigurationSpace& space, JointPath path, Seed seed, i
 double distance(std::span<const double> a, std::span<const double> b);  // Euclidean
 double length_of(const JointPath& path);
 
-}  // namespace marketgen
+}  // namespace marketgen::motion

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace marketgen {
+namespace marketgen::motion {
 
 SCurve::SCurve(double distance, const MotionLimits& limits)
     : distance_(distance), jerk_(limits.jerk) {
@@ -50,4 +50,4 @@ MotionState SCurve::at(double time_s) const {
   return {distance_ - mirrored.position, mirrored.velocity, -mirrored.acceleration};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::motion

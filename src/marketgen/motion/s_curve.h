@@ -4,7 +4,7 @@
 // times, to the last digit but one, in 40 times the time (docs/architecture.md, "Why our own").
 #pragma once
 
-namespace marketgen {
+namespace marketgen::motion {
 
 struct MotionLimits {
   double velocity = 1, acceleration = 1, jerk = 1;  // units/s, units/s^2, units/s^3; > 0
@@ -31,4 +31,4 @@ class SCurve {
   double jerk_s_ = 0, steady_s_ = 0, cruise_s_ = 0;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::motion

@@ -5,11 +5,13 @@
 #include "assets/contact_shape.h"
 #include "motion/collision_world.h"
 
-namespace marketgen {
+namespace marketgen::motion {
 
 // Each is added to what `obstacles` holds. An ellipsoid is taken for its box.
-void add_shape(const ContactShape& shape, Obstacles& obstacles);
+void add_shape(const assets::ContactShape& shape, Obstacles& obstacles);
 // The pieces of a pack that lies so.
-void add_pieces(const std::vector<ContactPiece>& pieces, const Pose& pose, Obstacles& obstacles);
+void add_pieces(const std::vector<assets::ContactPiece>& pieces,
+                const Pose& pose,
+                Obstacles& obstacles);
 
-}  // namespace marketgen
+}  // namespace marketgen::motion

@@ -9,7 +9,7 @@
 #include "robots/numeric_ik.h"
 #include "robots/rotation.h"
 
-namespace marketgen {
+namespace marketgen::motion {
 namespace {
 
 constexpr int max_steps = 10'000;  // of one line: 100 m
@@ -92,11 +92,11 @@ Walk walk(const ArmChecker& checker,
   Walk walk{{start}, 0, out_of_reach(model, 0)};
   if (!(steps <= max_steps)) return walk;
   std::vector<double> state = checker.state_with(start);
-  NumericIkOptions descent;
+  robots::NumericIkOptions descent;
   descent.restarts = 0;
   for (int i = 1; i <= static_cast<int>(steps); ++i) {
     const double share = i / steps;
-    const auto next = solve_numeric(
+    const auto next = robots::solve_numeric(
         *model.robot, model.group.tip, model.group.dofs, line.at(share), state, Seed(0), descent);
     if (!next.ok()) return walk;
     const Configuration q = group_values(model, *next);
@@ -125,11 +125,12 @@ Walk walk_to(const ArmChecker& checker,
   const ArmModel& model = checker.model();
   const std::vector<double> state = checker.state_with(start);
   const Pose root_from_base =
-      link_poses(*model.robot, state)[static_cast<std::size_t>(model.group.base)];
-  const Pose from = frame_pose(*model.robot, state, model.group.tip);
+      robots::link_poses(*model.robot, state)[static_cast<std::size_t>(model.group.base)];
+  const Pose from = robots::frame_pose(*model.robot, state, model.group.tip);
   const Pose to = root_from_base * base_from_tip;
-  const Line line{
-      from, to.position - from.position, rotation_vector(to.rotation * inverse(from.rotation))};
+  const Line line{from,
+                  to.position - from.position,
+                  robots::rotation_vector(to.rotation * inverse(from.rotation))};
   if (!checker.free(start)) {
     return {{},
             -1,
@@ -226,4 +227,4 @@ Result<LeavePlan> plan_leave(const ArmChecker& line,
   return plan;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::motion

@@ -7,7 +7,7 @@
 #pragma once
 #include "motion/plan_arm.h"
 
-namespace marketgen {
+namespace marketgen::motion {
 
 struct ToolLineOptions {
   double step_m = 0.01;       // of the tip between two postures of the line
@@ -66,4 +66,4 @@ Result<LeavePlan> plan_leave(const ArmChecker& line,
                              const ArmPlanOptions& options = {},
                              const ToolLineOptions& line_options = {});
 
-}  // namespace marketgen
+}  // namespace marketgen::motion

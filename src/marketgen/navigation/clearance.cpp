@@ -3,7 +3,7 @@
 
 #include "navigation/occupancy.h"
 
-namespace marketgen {
+namespace marketgen::navigation {
 namespace {
 
 constexpr double far_cells2 =
@@ -85,4 +85,4 @@ std::vector<float> clearance_field(const OccupancyGrid& grid) {
   return field;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::navigation

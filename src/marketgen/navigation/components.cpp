@@ -3,7 +3,7 @@
 
 #include "navigation/occupancy.h"
 
-namespace marketgen {
+namespace marketgen::navigation {
 namespace {
 
 // Free cells side by side in one row.
@@ -102,4 +102,4 @@ int Components::largest() const {
   return best;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::navigation

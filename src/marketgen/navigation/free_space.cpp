@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-namespace marketgen {
+namespace marketgen::navigation {
 namespace {
 
 constexpr int farthest_mm = 1'000'000;  // products of coordinates then fit 64 bits with room
@@ -223,4 +223,4 @@ bool FreeSpace::sees(PointMm from, PointMm to) const {
   return true;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::navigation

@@ -11,7 +11,7 @@
 #include "base/result.h"
 #include "geometry/rectangle.h"
 
-namespace marketgen {
+namespace marketgen::navigation {
 
 // Minkowski sum of the hull of `points` and the octagon of `clearance_mm`; counter-clockwise,
 // without collinear corners.
@@ -54,4 +54,4 @@ class FreeSpace {
   std::vector<std::uint32_t> members_;  // grown obstacles whose bounds meet the cell
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::navigation

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace marketgen {
+namespace marketgen::navigation {
 namespace {
 
 std::int64_t squared(std::int64_t v) {
@@ -185,4 +185,4 @@ std::optional<std::size_t> nearest_free(const OccupancyGrid& grid, PointMm point
   return best;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::navigation

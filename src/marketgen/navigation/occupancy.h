@@ -6,7 +6,7 @@
 
 #include "geometry/rectangle.h"
 
-namespace marketgen {
+namespace marketgen::navigation {
 
 // Square cells of `cell_mm` over `bounds`; cell (0, 0) is south-west. 1 = blocked.
 struct OccupancyGrid {
@@ -60,4 +60,4 @@ std::optional<GridPath> shortest_path(const OccupancyGrid& grid, PointMm from, P
 // transform (Felzenszwalb & Huttenlocher 2012).
 std::vector<float> clearance_field(const OccupancyGrid& grid);
 
-}  // namespace marketgen
+}  // namespace marketgen::navigation

@@ -7,7 +7,7 @@
 
 #include "navigation/occupancy.h"
 
-namespace marketgen {
+namespace marketgen::navigation {
 namespace {
 
 constexpr int snap_reach_mm = 1500;  // how far from a wanted end the path may begin or stop
@@ -149,4 +149,4 @@ std::optional<GridPath> shortest_path(const OccupancyGrid& grid, PointMm from, P
   return path;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::navigation

@@ -9,7 +9,7 @@
 
 #include "base/parallel.h"
 
-namespace marketgen {
+namespace marketgen::navigation {
 namespace {
 
 constexpr double not_reached_mm = std::numeric_limits<double>::infinity();
@@ -161,4 +161,4 @@ Result<FloorPath> VisibilityGraph::shortest_path(PointMm from, PointMm to) const
   return path;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::navigation

@@ -11,7 +11,7 @@
 #include "base/result.h"
 #include "navigation/free_space.h"
 
-namespace marketgen {
+namespace marketgen::navigation {
 
 struct FloorPath {
   std::vector<PointMm> points;  // both ends and every corner between them
@@ -56,4 +56,4 @@ class VisibilityGraph {
   std::vector<Edge> edges_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::navigation

@@ -2,7 +2,7 @@
 
 #include "net/http.h"
 
-namespace marketgen {
+namespace marketgen::net {
 
 std::string base64_of(std::string_view bytes) {
   std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0');  // EVP adds a zero
@@ -24,4 +24,4 @@ Result<std::string> bytes_of_base64(std::string_view text, const std::string& wh
   return bytes;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::net

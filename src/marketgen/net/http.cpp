@@ -13,7 +13,7 @@
 #include "net/tape.h"
 #include "net/transfer.h"
 
-namespace marketgen {
+namespace marketgen::net {
 namespace {
 
 constexpr int max_redirections = 3;
@@ -194,4 +194,4 @@ Result<HttpAnswer> HttpClient::send(const HttpRequest& request) const {
   return answer;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::net

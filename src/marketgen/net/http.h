@@ -14,7 +14,7 @@
 #include "base/fields.h"
 #include "base/result.h"
 
-namespace marketgen {
+namespace marketgen::net {
 
 struct HttpHeader {
   std::string name, value;
@@ -97,4 +97,4 @@ std::string base64_of(std::string_view bytes);
 // Error net.bad_record: `where` names the text.
 Result<std::string> bytes_of_base64(std::string_view text, const std::string& where);
 
-}  // namespace marketgen
+}  // namespace marketgen::net

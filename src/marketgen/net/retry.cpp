@@ -5,7 +5,7 @@
 #include "base/hash.h"
 #include "base/seed.h"
 
-namespace marketgen {
+namespace marketgen::net {
 
 bool is_worth_repeating(int status) {
   return status == 429 || (status >= 500 && status != 501);
@@ -21,4 +21,4 @@ double retry_pause_s(int next, const HttpRequest& request, const HttpLimits& lim
   return std::min(pause, limits.longest_wait_s) * draw.uniform(0.5, 1.0);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::net

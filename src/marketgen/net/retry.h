@@ -2,7 +2,7 @@
 #pragma once
 #include "net/http.h"
 
-namespace marketgen {
+namespace marketgen::net {
 
 // 429, and every 5xx but 501: the server may answer later.
 bool is_worth_repeating(int status);
@@ -13,4 +13,4 @@ bool is_worth_repeating(int status);
 // waits alike.
 double retry_pause_s(int next, const HttpRequest& request, const HttpLimits& limits);
 
-}  // namespace marketgen
+}  // namespace marketgen::net

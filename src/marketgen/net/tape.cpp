@@ -7,7 +7,7 @@
 #include "io/file.h"
 #include "io/json.h"
 
-namespace marketgen {
+namespace marketgen::net {
 namespace fs = std::filesystem;
 namespace {
 
@@ -108,7 +108,7 @@ Result<void> write_exchange(const fs::path& place,
   exchange.status = answer.status;
   exchange.answer_headers = answer.headers;
   exchange.answer = recorded(answer.body);
-  return write_file(place, write_json(exchange));
+  return io::write_file(place, io::write_json(exchange));
 }
 
 Result<HttpAnswer> read_exchange(const fs::path& place, const HttpRequest& request) {
@@ -121,8 +121,8 @@ Result<HttpAnswer> read_exchange(const fs::path& place, const HttpRequest& reque
                              request.method,
                              request.url)};
   }
-  MARKETGEN_TRY(const std::string text, read_file(place));
-  MARKETGEN_TRY(const Exchange exchange, read_json<Exchange>(text, place.string()));
+  MARKETGEN_TRY(const std::string text, io::read_file(place));
+  MARKETGEN_TRY(const Exchange exchange, io::read_json<Exchange>(text, place.string()));
   HttpAnswer answer;
   answer.status = exchange.status;
   answer.headers = exchange.answer_headers;
@@ -130,4 +130,4 @@ Result<HttpAnswer> read_exchange(const fs::path& place, const HttpRequest& reque
   return answer;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::net

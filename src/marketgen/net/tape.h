@@ -12,7 +12,7 @@
 
 #include "net/http.h"
 
-namespace marketgen {
+namespace marketgen::net {
 
 class HttpTape {
  public:
@@ -39,4 +39,4 @@ Result<void> write_exchange(const std::filesystem::path& place,
 // Errors: net.not_recorded, net.bad_record, json.*, io.cannot_read.
 Result<HttpAnswer> read_exchange(const std::filesystem::path& place, const HttpRequest& request);
 
-}  // namespace marketgen
+}  // namespace marketgen::net

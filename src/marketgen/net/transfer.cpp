@@ -10,7 +10,7 @@
 #include "base/interrupt.h"
 #include "base/text.h"
 
-namespace marketgen {
+namespace marketgen::net {
 namespace {
 
 constexpr std::size_t max_header_bytes = 256U << 10;
@@ -236,4 +236,4 @@ Result<HttpOrigin> origin_of(const std::string& url) {
   return origin;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::net

@@ -5,7 +5,7 @@
 
 #include "net/http.h"
 
-namespace marketgen {
+namespace marketgen::net {
 
 struct Transfer {
   HttpAnswer answer;
@@ -23,4 +23,4 @@ struct Attempt {
 // internal.interrupted.
 Attempt transfer_once(const HttpRequest& request, const std::string& url, const HttpLimits& limits);
 
-}  // namespace marketgen
+}  // namespace marketgen::net

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-namespace marketgen {
+namespace marketgen::oracle {
 namespace {
 
 constexpr double same_pack_m = 0.10;  // between where it is thought to stand and where it stands
@@ -12,40 +12,42 @@ constexpr double on_board_m = 0.02, before_edge_m = 0.06;
 constexpr float hidden_m = 0.03F;  // what is measured so far before a pack's front hides it
 constexpr double near_m = 3;
 
-Pose base_from_pack(const AisleWorld& world, std::uint32_t row) {
+Pose base_from_pack(const episodes::AisleWorld& world, std::uint32_t row) {
   return inverse(world.world_from_base()) * world.world().product_pose(row);
 }
 
-const Product& goods_of(const AisleWorld& world, std::uint32_t row) {
-  const Scene& scene = world.store().scene;
+const catalog::Product& goods_of(const episodes::AisleWorld& world, std::uint32_t row) {
+  const scene::Scene& scene = world.store().scene;
   return scene.catalog[scene.products[row].sku];
 }
 
 // The board on which it stands, perhaps on others, and where its front is.
-std::optional<ShelfSpot> spot_on(const std::vector<BoardAhead>& boards,
-                                 const Pose& base_from_product,
-                                 double depth_m) {
+std::optional<perception::ShelfSpot> spot_on(const std::vector<perception::BoardAhead>& boards,
+                                             const Pose& base_from_product,
+                                             double depth_m) {
   for (std::size_t b = 0; b < boards.size(); ++b) {
     const Vec3 at = inverse(boards[b].base_from_board) * base_from_product.position;
     const double front = at.y - depth_m / 2;
     if (std::abs(at.x) < boards[b].width_m / 2 && front > -before_edge_m &&
         at.y < boards[b].depth_m && at.z > -on_board_m && at.z < boards[b].clearance_m)
-      return ShelfSpot{b, at.x, front};
+      return perception::ShelfSpot{b, at.x, front};
   }
   return std::nullopt;
 }
 
 // Whether a picture shows the middle of its front.
-bool is_seen(const std::vector<ViewCloud>& views, const Pose& base_from_product, const Product& p) {
+bool is_seen(const std::vector<perception::ViewCloud>& views,
+             const Pose& base_from_product,
+             const catalog::Product& p) {
   const Vec3f front = to_float(base_from_product * Vec3{0, -p.depth_m() / 2, p.height_m() / 2});
-  return std::ranges::any_of(views, [&](const ViewCloud& view) {
+  return std::ranges::any_of(views, [&](const perception::ViewCloud& view) {
     const auto at = view.project(front);
     return at && (!view.has(at->pixel) || view.view().depth_m[at->pixel] > at->depth_m - hidden_m);
   });
 }
 
 // Row of the pack of a product that stands nearest to a place.
-std::optional<std::uint32_t> pack_at(const AisleWorld& world,
+std::optional<std::uint32_t> pack_at(const episodes::AisleWorld& world,
                                      const std::string& sku,
                                      Vec3 world_position) {
   std::optional<std::uint32_t> nearest;
@@ -59,8 +61,8 @@ std::optional<std::uint32_t> pack_at(const AisleWorld& world,
   return nearest;
 }
 
-FittedPose certain(const Pose& pose) {
-  FittedPose fitted{pose, {}};
+perception::FittedPose certain(const Pose& pose) {
+  perception::FittedPose fitted{pose, {}};
   fitted.evidence.fit = fitted.evidence.seen = fitted.evidence.covered = fitted.evidence.score = 1;
   fitted.evidence.color_error = 0;
   return fitted;
@@ -68,13 +70,14 @@ FittedPose certain(const Pose& pose) {
 
 }  // namespace
 
-std::vector<ShelfSpot> TrueSpots::spots(const std::vector<ViewCloud>&,
-                                        const std::vector<BoardAhead>& boards,
-                                        Vec3f) const {
-  const Scene& scene = world_.store().scene;
-  std::vector<ShelfSpot> spots;
+std::vector<perception::ShelfSpot> TrueSpots::spots(
+    const std::vector<perception::ViewCloud>&,
+    const std::vector<perception::BoardAhead>& boards,
+    Vec3f) const {
+  const scene::Scene& scene = world_.store().scene;
+  std::vector<perception::ShelfSpot> spots;
   for (std::uint32_t row = 0; row < scene.products.size(); ++row) {
-    if ((scene.products[row].flags & product_front_row) == 0) continue;
+    if ((scene.products[row].flags & scene::product_front_row) == 0) continue;
     const Pose pose = base_from_pack(world_, row);
     if (std::hypot(pose.position.x, pose.position.y) > near_m) continue;
     const auto spot = spot_on(boards, pose, goods_of(world_, row).depth_m());
@@ -83,13 +86,14 @@ std::vector<ShelfSpot> TrueSpots::spots(const std::vector<ViewCloud>&,
   return spots;
 }
 
-std::vector<FoundOnShelf> TrueShelfChoice::find(const WantedProduct& wanted,
-                                                const std::vector<ViewCloud>& views,
-                                                const std::vector<BoardAhead>& boards,
-                                                const std::vector<ShelfSpot>&) const {
-  std::vector<FoundOnShelf> found;
+std::vector<perception::FoundOnShelf> TrueShelfChoice::find(
+    const perception::WantedProduct& wanted,
+    const std::vector<perception::ViewCloud>& views,
+    const std::vector<perception::BoardAhead>& boards,
+    const std::vector<perception::ShelfSpot>&) const {
+  std::vector<perception::FoundOnShelf> found;
   for (const std::uint32_t row : world_.store().front_items(wanted.look->sku())) {
-    const Product& goods = goods_of(world_, row);
+    const catalog::Product& goods = goods_of(world_, row);
     const Pose pose = base_from_pack(world_, row);
     const auto spot = spot_on(boards, pose, goods.depth_m());
     if (spot && is_seen(views, pose, goods)) found.push_back({*spot, certain(pose)});
@@ -97,23 +101,25 @@ std::vector<FoundOnShelf> TrueShelfChoice::find(const WantedProduct& wanted,
   return found;
 }
 
-FittedPose TrueShelfChoice::again(const ProductLook& look,
-                                  const std::vector<ViewCloud>&,
-                                  const Pose& base_from_product) const {
+perception::FittedPose TrueShelfChoice::again(const perception::ProductLook& look,
+                                              const std::vector<perception::ViewCloud>&,
+                                              const Pose& base_from_product) const {
   const auto row =
       pack_at(world_, look.sku(), (world_.world_from_base() * base_from_product).position);
-  return row ? certain(base_from_pack(world_, *row)) : FittedPose{base_from_product, {}};
+  return row ? certain(base_from_pack(world_, *row))
+             : perception::FittedPose{base_from_product, {}};
 }
 
-Result<std::vector<SeenGrasp>> TrueShelfGrasps::grasps(const ShelfGraspQuestion& question) const {
-  std::vector<SeenGrasp> grasps;
+Result<std::vector<perception::SeenGrasp>> TrueShelfGrasps::grasps(
+    const perception::ShelfGraspQuestion& question) const {
+  std::vector<perception::SeenGrasp> grasps;
   const auto row = pack_at(world_, question.known.product.sku, question.base_from_product.position);
   if (!row) return grasps;
   MARKETGEN_TRY(const auto known, world_.known_grasps(*row, tool_));
   const Pose store_from_product = world_.world().product_pose(*row);
-  for (const GraspCandidate& candidate : known)
-    grasps.push_back({carrying_grasp(store_from_product, candidate, tool_.force_n)});
+  for (const motion::GraspCandidate& candidate : known)
+    grasps.push_back({skills::carrying_grasp(store_from_product, candidate, tool_.force_n)});
   return grasps;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::oracle

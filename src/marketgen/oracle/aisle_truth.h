@@ -7,46 +7,49 @@
 #include "perception/shelf_grasps.h"
 #include "robots/grasp_tool.h"
 
-namespace marketgen {
+namespace marketgen::oracle {
 
 // Where packs stand at the front of the boards, of whatever product. `world` must outlive it.
-class TrueSpots : public SpotSource {
+class TrueSpots : public perception::SpotSource {
  public:
-  explicit TrueSpots(const AisleWorld& world) : world_(world) {}
-  std::vector<ShelfSpot> spots(const std::vector<ViewCloud>& views,
-                               const std::vector<BoardAhead>& boards,
-                               Vec3f size) const override;
+  explicit TrueSpots(const episodes::AisleWorld& world) : world_(world) {}
+  std::vector<perception::ShelfSpot> spots(const std::vector<perception::ViewCloud>& views,
+                                           const std::vector<perception::BoardAhead>& boards,
+                                           Vec3f size) const override;
 
  private:
-  const AisleWorld& world_;
+  const episodes::AisleWorld& world_;
 };
 
 // Which packs are the product. `world` must outlive it.
-class TrueShelfChoice : public ShelfChoice {
+class TrueShelfChoice : public perception::ShelfChoice {
  public:
-  explicit TrueShelfChoice(const AisleWorld& world) : world_(world) {}
-  std::vector<FoundOnShelf> find(const WantedProduct& wanted,
-                                 const std::vector<ViewCloud>& views,
-                                 const std::vector<BoardAhead>& boards,
-                                 const std::vector<ShelfSpot>& spots) const override;
-  FittedPose again(const ProductLook& look,
-                   const std::vector<ViewCloud>& views,
-                   const Pose& base_from_product) const override;
+  explicit TrueShelfChoice(const episodes::AisleWorld& world) : world_(world) {}
+  std::vector<perception::FoundOnShelf> find(
+      const perception::WantedProduct& wanted,
+      const std::vector<perception::ViewCloud>& views,
+      const std::vector<perception::BoardAhead>& boards,
+      const std::vector<perception::ShelfSpot>& spots) const override;
+  perception::FittedPose again(const perception::ProductLook& look,
+                               const std::vector<perception::ViewCloud>& views,
+                               const Pose& base_from_product) const override;
 
  private:
-  const AisleWorld& world_;
+  const episodes::AisleWorld& world_;
 };
 
 // The grasps by which the episode's witness would have it taken, of the pack that stands there, in
 // the store frame. None where no such pack stands. Both must outlive it.
-class TrueShelfGrasps : public ShelfGraspSource {
+class TrueShelfGrasps : public perception::ShelfGraspSource {
  public:
-  TrueShelfGrasps(const AisleWorld& world, const GraspTool& tool) : world_(world), tool_(tool) {}
-  Result<std::vector<SeenGrasp>> grasps(const ShelfGraspQuestion& question) const override;
+  TrueShelfGrasps(const episodes::AisleWorld& world, const robots::GraspTool& tool)
+      : world_(world), tool_(tool) {}
+  Result<std::vector<perception::SeenGrasp>> grasps(
+      const perception::ShelfGraspQuestion& question) const override;
 
  private:
-  const AisleWorld& world_;
-  const GraspTool& tool_;
+  const episodes::AisleWorld& world_;
+  const robots::GraspTool& tool_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::oracle

@@ -6,7 +6,7 @@
 
 #include "oracle/oracle_grasps.h"
 
-namespace marketgen {
+namespace marketgen::oracle {
 namespace {
 
 constexpr double same_item_m = 0.12;  // between where it is thought to lie and where it lies
@@ -14,39 +14,41 @@ constexpr std::size_t seen_surfels = 400;
 
 }  // namespace
 
-std::vector<Mask> TrueMasks::masks(const ViewCloud& cloud,
-                                   const std::vector<std::uint8_t>& wanted) const {
+std::vector<perception::Mask> TrueMasks::masks(const perception::ViewCloud& cloud,
+                                               const std::vector<std::uint8_t>& wanted) const {
   const std::vector<int>& items = eyes_.items_shown(cloud.view().camera);
-  std::map<int, Mask> of_item;
+  std::map<int, perception::Mask> of_item;
   for (std::size_t pixel = 0; pixel < wanted.size(); ++pixel)
     if (wanted[pixel] != 0 && items[pixel] >= 0)
       of_item[items[pixel]].pixels.push_back(static_cast<std::uint32_t>(pixel));
-  std::vector<Mask> masks;
+  std::vector<perception::Mask> masks;
   for (auto& [item, mask] : of_item)
     masks.push_back(std::move(mask));
   std::ranges::stable_sort(
-      masks, std::greater<>{}, [](const Mask& mask) { return mask.pixels.size(); });
+      masks, std::greater<>{}, [](const perception::Mask& mask) { return mask.pixels.size(); });
   return masks;
 }
 
-std::vector<FoundProduct> TrueTargets::find(const std::vector<WantedProduct>& wanted,
-                                            const std::vector<ViewCloud>& views,
-                                            const std::vector<MaskedView>&) const {
-  const AreaRow unloading = world_.station().unloading.area();
-  std::vector<FoundProduct> found;
+std::vector<perception::FoundProduct> TrueTargets::find(
+    const std::vector<perception::WantedProduct>& wanted,
+    const std::vector<perception::ViewCloud>& views,
+    const std::vector<perception::MaskedView>&) const {
+  const episodes::AreaRow unloading = world_.station().unloading.area();
+  std::vector<perception::FoundProduct> found;
   for (std::size_t number = 0; number < wanted.size(); ++number) {
-    const ProductLook& look = *wanted[number].look;
-    std::optional<FoundProduct> best;
+    const perception::ProductLook& look = *wanted[number].look;
+    std::optional<perception::FoundProduct> best;
     double most = 0;
     for (std::size_t item = 0; item < world_.item_count(); ++item) {
       if (world_.goods(item).product.sku != look.sku()) continue;
       const Pose pose = world_.item_pose(item);
-      PoseEvidence evidence = evidence_of(look, pose, {}, views, seen_surfels);
+      perception::PoseEvidence evidence =
+          perception::evidence_of(look, pose, {}, views, seen_surfels);
       evidence.score = 1;
       const double worth =
           evidence.seen + (unloading.holds(pose.position.x, pose.position.y) ? 1 : 0);
       if (best && worth <= most) continue;
-      best = FoundProduct{number, 0, 0, {pose, evidence}};
+      best = perception::FoundProduct{number, 0, 0, {pose, evidence}};
       most = worth;
     }
     if (best) found.push_back(*best);
@@ -54,7 +56,8 @@ std::vector<FoundProduct> TrueTargets::find(const std::vector<WantedProduct>& wa
   return found;
 }
 
-Result<std::vector<SeenGrasp>> TrueGrasps::grasps(const GraspQuestion& question) const {
+Result<std::vector<perception::SeenGrasp>> TrueGrasps::grasps(
+    const perception::GraspQuestion& question) const {
   const OracleScene scene(world_, tool_);
   std::optional<std::size_t> nearest;
   double least = same_item_m;
@@ -65,17 +68,18 @@ Result<std::vector<SeenGrasp>> TrueGrasps::grasps(const GraspQuestion& question)
     nearest = item;
     least = off;
   }
-  std::vector<SeenGrasp> grasps;
+  std::vector<perception::SeenGrasp> grasps;
   if (!nearest) return grasps;
   MARKETGEN_TRY(const auto lone, lone_grasps(scene, *nearest));
   for (const GraspChoice& choice : item_grasps(scene, *nearest, lone).choices) {
-    const std::vector<ToolSolid> hand = open_hand(tool_, choice.opening_m);
+    const std::vector<robots::ToolSolid> hand = skills::open_hand(tool_, choice.opening_m);
     double deepest = 0;
     for (const std::size_t other : choice.blockers)
-      deepest = std::max(deepest, hand_overlap(hand, choice.base_from_tip, scene.body(other)));
+      deepest =
+          std::max(deepest, skills::hand_overlap(hand, choice.base_from_tip, scene.body(other)));
     grasps.push_back({choice, deepest});
   }
   return grasps;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::oracle

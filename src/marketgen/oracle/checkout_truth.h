@@ -7,42 +7,45 @@
 #include "perception/target_choice.h"
 #include "robots/grasp_tool.h"
 
-namespace marketgen {
+namespace marketgen::oracle {
 
 // Every item's pixels in the picture that was taken last. `eyes` must outlive it.
-class TrueMasks : public MaskSource {
+class TrueMasks : public perception::MaskSource {
  public:
-  explicit TrueMasks(const CheckoutEyes& eyes) : eyes_(eyes) {}
-  std::vector<Mask> masks(const ViewCloud& cloud,
-                          const std::vector<std::uint8_t>& wanted) const override;
+  explicit TrueMasks(const episodes::CheckoutEyes& eyes) : eyes_(eyes) {}
+  std::vector<perception::Mask> masks(const perception::ViewCloud& cloud,
+                                      const std::vector<std::uint8_t>& wanted) const override;
 
  private:
-  const CheckoutEyes& eyes_;
+  const episodes::CheckoutEyes& eyes_;
 };
 
 // Where the items lie, seen or not. Of several of one product the one that is unloaded, or else the
 // one that shows most. `world` must outlive it.
-class TrueTargets : public TargetChoice {
+class TrueTargets : public perception::TargetChoice {
  public:
-  explicit TrueTargets(const CheckoutWorld& world) : world_(world) {}
-  std::vector<FoundProduct> find(const std::vector<WantedProduct>& wanted,
-                                 const std::vector<ViewCloud>& views,
-                                 const std::vector<MaskedView>& masked) const override;
+  explicit TrueTargets(const episodes::CheckoutWorld& world) : world_(world) {}
+  std::vector<perception::FoundProduct> find(
+      const std::vector<perception::WantedProduct>& wanted,
+      const std::vector<perception::ViewCloud>& views,
+      const std::vector<perception::MaskedView>& masked) const override;
 
  private:
-  const CheckoutWorld& world_;
+  const episodes::CheckoutWorld& world_;
 };
 
 // The oracle's grasps of the item that lies there, with how deep the hand reaches into others. None
 // where no such item lies. Both must outlive it.
-class TrueGrasps : public GraspSource {
+class TrueGrasps : public perception::GraspSource {
  public:
-  TrueGrasps(const CheckoutWorld& world, const GraspTool& tool) : world_(world), tool_(tool) {}
-  Result<std::vector<SeenGrasp>> grasps(const GraspQuestion& question) const override;
+  TrueGrasps(const episodes::CheckoutWorld& world, const robots::GraspTool& tool)
+      : world_(world), tool_(tool) {}
+  Result<std::vector<perception::SeenGrasp>> grasps(
+      const perception::GraspQuestion& question) const override;
 
  private:
-  const CheckoutWorld& world_;
-  const GraspTool& tool_;
+  const episodes::CheckoutWorld& world_;
+  const robots::GraspTool& tool_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::oracle

@@ -16,7 +16,7 @@
 #include "skills/hand_grasp.h"
 #include "skills/plan_failure.h"
 
-namespace marketgen {
+namespace marketgen::oracle {
 namespace {
 
 constexpr int max_item_tries = 3, max_unreached = 2;
@@ -29,30 +29,31 @@ constexpr double max_aside_m = 0.10, min_upright = 0.99;  // of what may be trie
 
 enum class AislePhase { choose, arrived, pressed, out, away, dropped };
 
-class AisleOracle : public Policy {
+class AisleOracle : public agent::Policy {
  public:
-  AisleOracle(const AisleWorld& world, GraspTool tool, Seed seed)
+  AisleOracle(const episodes::AisleWorld& world, robots::GraspTool tool, Seed seed)
       : world_(world),
         robot_(world.robot()),
         tool_(std::move(tool)),
         seed_(seed),
         goods_(world.store().scene),
-        executor_(world.robot(), commanded_dofs(world.robot())) {}
+        executor_(world.robot(), episodes::commanded_dofs(world.robot())) {}
 
-  Result<void> begin(const Task& task, const Observation& first) override {
+  Result<void> begin(const agent::Task& task, const agent::Observation& first) override {
     task_ = task;
     executor_.start(first);
     return {};
   }
 
-  Result<Action> act(const Observation& now) override {
-    if (plan_.tool < static_cast<int>(now_.sealed.size()) && tool_.kind == ToolKind::suction) {
+  Result<agent::Action> act(const agent::Observation& now) override {
+    if (plan_.tool < static_cast<int>(now_.sealed.size()) &&
+        tool_.kind == robots::ToolKind::suction) {
       const auto cup = static_cast<std::size_t>(plan_.tool);
       if (now_.sealed[cup] && !now.sealed[cup] && now.openings_m[cup] == 0) say("the cup came off");
     }
     now_ = now;
     if (executor_.idle()) MARKETGEN_CHECK(decide());
-    Action action = executor_.next(now);
+    agent::Action action = executor_.next(now);
     action.stop = done_;
     return action;
   }
@@ -76,7 +77,7 @@ class AisleOracle : public Policy {
         phase_ = AislePhase::choose;
         return choose();
       case AislePhase::pressed:
-        note(FailureCode::collision);
+        note(episodes::FailureCode::collision);
         held_ = false;
         missed_[plan_.product].push_back(plan_.grasp.grasp.product_from_tool.position);
         return back_off();
@@ -109,8 +110,8 @@ class AisleOracle : public Policy {
     return {};
   }
 
-  void note(const std::string& sku, FailureCode why) { failures_[sku] = why; }
-  void note(FailureCode why) { note(sku_of(plan_.product), why); }
+  void note(const std::string& sku, episodes::FailureCode why) { failures_[sku] = why; }
+  void note(episodes::FailureCode why) { note(sku_of(plan_.product), why); }
   void say(const std::string& what) const {
     log_debug(fmt::format("oracle {:.2f} s: {}", now_.time_s, what));
   }
@@ -121,7 +122,7 @@ class AisleOracle : public Policy {
   std::vector<std::string> unmet() const {
     std::vector<std::string> skus;
     const std::vector<std::uint32_t> inside = world_.in_basket();
-    for (const EpisodeGoal& goal : world_.spec().goals) {
+    for (const episodes::EpisodeGoal& goal : world_.spec().goals) {
       const auto there =
           std::ranges::count_if(inside, [&](std::uint32_t row) { return sku_of(row) == goal.sku; });
       if (there < goal.count) skus.push_back(goal.sku);
@@ -138,7 +139,7 @@ class AisleOracle : public Policy {
   }
 
   const std::string& sku_of(std::uint32_t product) const {
-    const Scene& scene = world_.store().scene;
+    const scene::Scene& scene = world_.store().scene;
     return scene.catalog[scene.products[product].sku].sku;
   }
 
@@ -146,14 +147,14 @@ class AisleOracle : public Policy {
   std::optional<double> way_to(std::uint32_t product) const {
     const auto place = world_.store().standing_place(product);
     if (!place) return std::nullopt;
-    const Vec3 at = axle_of(robot_, world_.world_from_base());
-    const auto path = world_.store().ways.shortest_path(floor_point_mm(at), *place);
+    const Vec3 at = episodes::axle_of(robot_, world_.world_from_base());
+    const auto path = world_.store().ways.shortest_path(episodes::floor_point_mm(at), *place);
     return path.ok() ? std::optional(path->length_m) : std::nullopt;
   }
 
   // No longer about where it stood on its shelf, upright.
   bool was_moved(std::uint32_t product) const {
-    const Pose stood = world_from_product(world_.store().scene.products[product]),
+    const Pose stood = scene::world_from_product(world_.store().scene.products[product]),
                now = world_.world().product_pose(product);
     return length(now.position - stood.position) > max_aside_m ||
            rotate(now.rotation, {0, 0, 1}).z < min_upright;
@@ -182,7 +183,7 @@ class AisleOracle : public Policy {
     const std::vector<std::string> skus = missing();
     if (skus.empty() || now_.time_s + min_item_s > task_.limit_s) {
       for (const std::string& sku : skus)
-        note(sku, FailureCode::timeout);
+        note(sku, episodes::FailureCode::timeout);
       done_ = true;
       return {};
     }
@@ -195,40 +196,41 @@ class AisleOracle : public Policy {
     // The others at the next step: one answer must not take for ever.
     done_ = looked_at.empty();
     for (const std::string& sku : skus)
-      if (done_) failures_.try_emplace(sku, FailureCode::not_found);
+      if (done_) failures_.try_emplace(sku, episodes::FailureCode::not_found);
     return {};
   }
 
-  GoodsNow goods_now() const {
-    GoodsNow goods(world_.store().scene);
+  collect::GoodsNow goods_now() const {
+    collect::GoodsNow goods(world_.store().scene);
     for (const std::uint32_t row : world_.world().moved_products())
       goods.move(row, world_.world().product_pose(row));
     return goods;
   }
 
-  Result<CollectOptions> collect_options(std::uint32_t product) {
-    CollectOptions options;
-    std::vector<GraspCandidate>& known = grasps_[sku_of(product)];
+  Result<collect::CollectOptions> collect_options(std::uint32_t product) {
+    collect::CollectOptions options;
+    std::vector<motion::GraspCandidate>& known = grasps_[sku_of(product)];
     if (known.empty()) {
       MARKETGEN_TRY(known, world_.known_grasps(product, tool_));
     }
     options.grasps = known;
     // Once more by another one, if there is one.
     const std::vector<Vec3>& missed = missed_[product];
-    std::ranges::stable_partition(options.grasps, [&](const GraspCandidate& grasp) {
+    std::ranges::stable_partition(options.grasps, [&](const motion::GraspCandidate& grasp) {
       return std::ranges::find(missed, grasp.grasp.product_from_tool.position) == missed.end();
     });
     options.posture = world_.store().station.posture;
     options.carried = world_.store().basket.walls;
-    options.speed = carrying_speed;
-    options.acceleration = carrying_acceleration;
+    options.speed = skills::carrying_speed;
+    options.acceleration = skills::carrying_acceleration;
     return options;
   }
 
   void note_plan(std::uint32_t product, const Error& error) {
     say("no way to it: " + to_string(error));
     note(sku_of(product),
-         value_named<FailureCode>(failure_of_plan(error)).value_or(FailureCode::no_path));
+         value_named<episodes::FailureCode>(skills::failure_of_plan(error))
+             .value_or(episodes::FailureCode::no_path));
   }
 
   bool go_to(std::uint32_t product) {
@@ -239,21 +241,21 @@ class AisleOracle : public Policy {
       note_plan(product, options.error());
       return false;
     }
-    auto plan = plan_collect(goods_, product, robot_, tool_, seed, *options);
+    auto plan = collect::plan_collect(goods_, product, robot_, tool_, seed, *options);
     if (!plan.ok()) {
       note_plan(product, plan.error());
       return false;
     }
-    const Vec3 from = axle_of(robot_, world_.world_from_base()),
-               to = axle_of(robot_, plan->world_from_base);
+    const Vec3 from = episodes::axle_of(robot_, world_.world_from_base()),
+               to = episodes::axle_of(robot_, plan->world_from_base);
     const Vec3 ahead = rotate(plan->world_from_base.rotation, {1, 0, 0});
-    auto drive = plan_drive(world_.store().ways,
-                            robot_,
-                            world_.store().driving,
-                            {{from.x, from.y}, now_.base.heading},
-                            {{to.x, to.y}, std::atan2(ahead.y, ahead.x)});
+    auto drive = motion::plan_drive(world_.store().ways,
+                                    robot_,
+                                    world_.store().driving,
+                                    {{from.x, from.y}, now_.base.heading},
+                                    {{to.x, to.y}, std::atan2(ahead.y, ahead.x)});
     if (!drive.ok()) {
-      note(sku_of(product), FailureCode::no_path);
+      note(sku_of(product), episodes::FailureCode::no_path);
       return false;
     }
     executor_.drive(std::move(drive->follower));
@@ -268,10 +270,10 @@ class AisleOracle : public Policy {
 
   // Planned anew from where the base came to stand.
   Result<void> reach() {
-    MARKETGEN_TRY(CollectOptions options, collect_options(plan_.product));
+    MARKETGEN_TRY(collect::CollectOptions options, collect_options(plan_.product));
     options.world_from_base = world_.world_from_base();
     const Seed seed = seed_.child("reach", static_cast<std::uint64_t>(moves_++));
-    auto plan = plan_collect(goods_, plan_.product, robot_, tool_, seed, options);
+    auto plan = collect::plan_collect(goods_, plan_.product, robot_, tool_, seed, options);
     if (!plan.ok()) {
       note_plan(plan_.product, plan.error());
       if (++unreached_[plan_.product] == max_unreached) refused_.insert(plan_.product);
@@ -280,10 +282,10 @@ class AisleOracle : public Policy {
     }
     ++tries_[sku_of(plan_.product)];
     plan_ = std::move(*plan);
-    const Tool& tool = robot_.tools[static_cast<std::size_t>(plan_.tool)];
-    force_n_ = carrying_grasp({}, plan_.grasp, tool.force).force_n;
+    const robots::Tool& tool = robot_.tools[static_cast<std::size_t>(plan_.tool)];
+    force_n_ = skills::carrying_grasp({}, plan_.grasp, tool.force).force_n;
     say(fmt::format("takes {} with {}, {}, {:.0f} N, try {}",
-                    product_id(world_.store().scene, plan_.product),
+                    scene::product_id(world_.store().scene, plan_.product),
                     plan_.group,
                     name_of(plan_.grasp.strategy),
                     force_n_,
@@ -298,11 +300,12 @@ class AisleOracle : public Policy {
   }
 
   // On the way to the grasp: the fingers apart, the cup off.
-  ToolCommand opened() const {
-    return {tool_.kind == ToolKind::suction ? cup_off_m : plan_.grasp.grasp.opening_m};
+  agent::ToolCommand opened() const {
+    return {tool_.kind == robots::ToolKind::suction ? agent::cup_off_m
+                                                    : plan_.grasp.grasp.opening_m};
   }
-  ToolCommand let_go() const {
-    if (tool_.kind == ToolKind::suction) return {cup_off_m};
+  agent::ToolCommand let_go() const {
+    if (tool_.kind == robots::ToolKind::suction) return {agent::cup_off_m};
     const double held = now_.openings_m[static_cast<std::size_t>(plan_.tool)];
     return {held + let_go_wider_m, force_n_};
   }
@@ -321,12 +324,12 @@ class AisleOracle : public Policy {
       return {};
     }
     const Pose from_shelf =
-        inverse(world_from_product(world_.store().scene.products[plan_.product])) *
+        inverse(scene::world_from_product(world_.store().scene.products[plan_.product])) *
         world_.world().product_pose(plan_.product);
     say(fmt::format("took hold of nothing; it was moved by {:.3f} m, its upright is {:.2f}",
                     length(from_shelf.position),
                     rotate(from_shelf.rotation, {0, 0, 1}).z));
-    note(FailureCode::missed);
+    note(episodes::FailureCode::missed);
     missed_[plan_.product].push_back(plan_.grasp.grasp.product_from_tool.position);
     return executor_.go_back();
   }
@@ -336,12 +339,12 @@ class AisleOracle : public Policy {
     MARKETGEN_CHECK(executor_.back_off(room));
     if (!holds_it() && held_) {
       say("lost it while it pulled it out");
-      note(FailureCode::slipped);
+      note(episodes::FailureCode::slipped);
     }
     drop_lift_ = 0;
     phase_ = AislePhase::away;
     if (!holds_it()) return {};
-    return executor_.raise(drop_lifts_m[drop_lift_]);
+    return executor_.raise(skills::drop_lifts_m[drop_lift_]);
   }
 
   // ---- Into the basket ----
@@ -349,38 +352,40 @@ class AisleOracle : public Policy {
   std::vector<double> state_now() const {
     std::vector<double> q = world_.robot_state();
     for (std::size_t dof = 0; dof < q.size(); ++dof) {
-      const Joint& joint = robot_.joint_of_dof(dof);
+      const robots::Joint& joint = robot_.joint_of_dof(dof);
       q[dof] = std::clamp(q[dof], joint.lower, joint.upper);
     }
     for (const int dof : robot_.find_group("base")->dofs)
       q[static_cast<std::size_t>(dof)] = 0;
-    return with_followers(robot_, std::move(q));
+    return robots::with_followers(robot_, std::move(q));
   }
 
-  Configuration stowed_arm() const {
-    Configuration stow;
+  motion::Configuration stowed_arm() const {
+    motion::Configuration stow;
     for (const int dof : robot_.find_group(plan_.group)->dofs)
       stow.push_back(world_.store().driving[static_cast<std::size_t>(dof)]);
     return stow;
   }
 
-  Result<Obstacles> around() const {
+  Result<motion::Obstacles> around() const {
     const Vec3 middle = world_.world_from_base().position + Vec3{0, 0, 0.9};
-    Obstacles obstacles = fixture_obstacles(world_.store().scene, middle, way_reach_m);
+    motion::Obstacles obstacles =
+        collect::fixture_obstacles(world_.store().scene, middle, way_reach_m);
     std::vector<std::uint32_t> carried = world_.in_basket();
     carried.push_back(plan_.product);
-    MARKETGEN_CHECK(add_product_obstacles(goods_now(), middle, way_reach_m, carried, obstacles));
+    MARKETGEN_CHECK(
+        collect::add_product_obstacles(goods_now(), middle, way_reach_m, carried, obstacles));
     return obstacles;
   }
 
-  Result<std::vector<CarriedItem>> inside() const {
-    std::vector<CarriedItem> items;
+  Result<std::vector<skills::CarriedItem>> inside() const {
+    std::vector<skills::CarriedItem> items;
     const Pose base_from_world = inverse(world_.world_from_base());
     for (const std::uint32_t row : world_.in_basket()) {
       if (row == plan_.product && holds_it()) continue;
-      const Scene& scene = world_.store().scene;
-      MARKETGEN_TRY(const ProductBody body,
-                    make_store_body(scene.catalog[scene.products[row].sku]));
+      const scene::Scene& scene = world_.store().scene;
+      MARKETGEN_TRY(const assets::ProductBody body,
+                    skills::make_store_body(scene.catalog[scene.products[row].sku]));
       items.push_back({body.pieces, base_from_world * world_.world().product_pose(row)});
     }
     return items;
@@ -388,15 +393,15 @@ class AisleOracle : public Policy {
 
   Pose base_from_tip() const {
     const int frame = robot_.tools[static_cast<std::size_t>(plan_.tool)].frame;
-    return frame_pose(robot_, state_now(), frame);
+    return robots::frame_pose(robot_, state_now(), frame);
   }
 
-  Result<StowQuestion> stow_question() const {
-    StowQuestion question{.state = state_now(),
-                          .world_from_base = world_.world_from_base(),
-                          .group = plan_.group,
-                          .around = {},
-                          .stow = stowed_arm()};
+  Result<skills::StowQuestion> stow_question() const {
+    skills::StowQuestion question{.state = state_now(),
+                                  .world_from_base = world_.world_from_base(),
+                                  .group = plan_.group,
+                                  .around = {},
+                                  .stow = stowed_arm()};
     MARKETGEN_TRY(question.around, around());
     MARKETGEN_TRY(question.inside, inside());
     return question;
@@ -404,18 +409,18 @@ class AisleOracle : public Policy {
 
   Result<void> drop() {
     if (!holds_it()) return go_home();
-    const Scene& scene = world_.store().scene;
-    MARKETGEN_TRY(const ProductBody body,
-                  make_store_body(scene.catalog[scene.products[plan_.product].sku]));
-    DropQuestion question;
-    MARKETGEN_TRY(static_cast<StowQuestion&>(question), stow_question());
+    const scene::Scene& scene = world_.store().scene;
+    MARKETGEN_TRY(const assets::ProductBody body,
+                  skills::make_store_body(scene.catalog[scene.products[plan_.product].sku]));
+    skills::DropQuestion question;
+    MARKETGEN_TRY(static_cast<skills::StowQuestion&>(question), stow_question());
     question.tool = plan_.tool;
-    if (tool_.kind == ToolKind::suction) question.acceleration = cup_acceleration;
+    if (tool_.kind == robots::ToolKind::suction) question.acceleration = cup_acceleration;
     question.held = &body;
     question.tip_from_product = inverse(world_.world_from_base() * base_from_tip()) *
                                 world_.world().product_pose(plan_.product);
     const Seed seed = seed_.child("drop", static_cast<std::uint64_t>(moves_++));
-    auto plan = plan_drop(robot_, world_.store().basket, question, seed);
+    auto plan = skills::plan_drop(robot_, world_.store().basket, question, seed);
     if (!plan.ok()) {
       say("no way into the basket: " + to_string(plan.error()));
       return try_other_lift();
@@ -426,22 +431,22 @@ class AisleOracle : public Policy {
   }
 
   Result<void> try_other_lift() {
-    note(FailureCode::no_path);
-    if (++drop_lift_ >= drop_lifts_m.size()) {
+    note(episodes::FailureCode::no_path);
+    if (++drop_lift_ >= skills::drop_lifts_m.size()) {
       done_ = true;  // with the item in its hand: it cannot go on
       return {};
     }
-    return executor_.raise(drop_lifts_m[drop_lift_]);
+    return executor_.raise(skills::drop_lifts_m[drop_lift_]);
   }
 
   // The arm to its stowed posture, empty.
   Result<void> go_home() {
     phase_ = AislePhase::choose;
-    MARKETGEN_TRY(const StowQuestion question, stow_question());
+    MARKETGEN_TRY(const skills::StowQuestion question, stow_question());
     const Seed seed = seed_.child("home", static_cast<std::uint64_t>(moves_++));
-    auto way = plan_stow(robot_, world_.store().basket, question, seed);
+    auto way = skills::plan_stow(robot_, world_.store().basket, question, seed);
     if (!way.ok()) {
-      note(FailureCode::no_path);
+      note(episodes::FailureCode::no_path);
       done_ = true;
       return {};
     }
@@ -457,41 +462,42 @@ class AisleOracle : public Policy {
     if (there)
       tries_[sku_of(plan_.product)] = 0;
     else
-      note(FailureCode::dropped);
+      note(episodes::FailureCode::dropped);
     return {};
   }
 
-  const AisleWorld& world_;
-  const Robot& robot_;
-  GraspTool tool_;
+  const episodes::AisleWorld& world_;
+  const robots::Robot& robot_;
+  robots::GraspTool tool_;
   Seed seed_;
-  GoodsNow goods_;  // as they stood when the plan was made
-  AisleExecutor executor_;
-  Task task_;
-  Observation now_;
+  collect::GoodsNow goods_;  // as they stood when the plan was made
+  skills::AisleExecutor executor_;
+  agent::Task task_;
+  agent::Observation now_;
   AislePhase phase_ = AislePhase::choose;
-  CollectPlan plan_;
+  collect::CollectPlan plan_;
   double force_n_ = 0;
   std::size_t drop_lift_ = 0;
-  std::map<std::string, int> tries_;                           // by SKU
-  std::map<std::string, std::vector<GraspCandidate>> grasps_;  // by SKU
+  std::map<std::string, int> tries_;                                   // by SKU
+  std::map<std::string, std::vector<motion::GraspCandidate>> grasps_;  // by SKU
   std::set<std::uint32_t> refused_;
   std::map<std::uint32_t, std::vector<Vec3>> missed_;  // where the tip was in vain, product frame
   std::map<std::uint32_t, int> unreached_;             // times that it came and could not reach it
   int moves_ = 0;
   bool done_ = false;
-  bool held_ = false;                            // when the tool had closed
-  std::map<std::string, FailureCode> failures_;  // by SKU, the last one
+  bool held_ = false;                                      // when the tool had closed
+  std::map<std::string, episodes::FailureCode> failures_;  // by SKU, the last one
 };
 
 }  // namespace
 
-Result<std::unique_ptr<Policy>> make_aisle_oracle(const AisleWorld& world,
-                                                  const std::filesystem::path& data,
-                                                  Seed seed) {
+Result<std::unique_ptr<agent::Policy>> make_aisle_oracle(const episodes::AisleWorld& world,
+                                                         const std::filesystem::path& data,
+                                                         Seed seed) {
   const std::string& row = world.store().station.tools().picks_with;
-  MARKETGEN_TRY(GraspTool tool, load_grasp_tool(data, row));
-  return std::unique_ptr<Policy>(std::make_unique<AisleOracle>(world, std::move(tool), seed));
+  MARKETGEN_TRY(robots::GraspTool tool, robots::load_grasp_tool(data, row));
+  return std::unique_ptr<agent::Policy>(
+      std::make_unique<AisleOracle>(world, std::move(tool), seed));
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::oracle

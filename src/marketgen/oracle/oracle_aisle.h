@@ -7,12 +7,12 @@
 #include "agent/policy.h"
 #include "episodes/aisle/aisle_world.h"
 
-namespace marketgen {
+namespace marketgen::oracle {
 
 // `world` is looked at whenever the oracle acts, and must outlive it; it was reset. Errors: those
 // of load_grasp_tool.
-Result<std::unique_ptr<Policy>> make_aisle_oracle(const AisleWorld& world,
-                                                  const std::filesystem::path& data,
-                                                  Seed seed);
+Result<std::unique_ptr<agent::Policy>> make_aisle_oracle(const episodes::AisleWorld& world,
+                                                         const std::filesystem::path& data,
+                                                         Seed seed);
 
-}  // namespace marketgen
+}  // namespace marketgen::oracle

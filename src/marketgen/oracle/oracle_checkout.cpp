@@ -16,7 +16,7 @@
 #include "skills/basket_moves.h"
 #include "skills/hand_reach.h"
 
-namespace marketgen {
+namespace marketgen::oracle {
 namespace {
 
 constexpr std::size_t max_grasps = 24;  // of which postures are sought
@@ -34,12 +34,15 @@ enum class Phase { choose, closed, lifted, over_place, released };
 // clear: nothing is in the way of the hand, nor lies over the item. free: of the hand only.
 enum class Ease { clear, free, any };
 
-class CheckoutOracle : public Policy {
+class CheckoutOracle : public agent::Policy {
  public:
-  CheckoutOracle(const CheckoutWorld& world, GraspTool tool, ArmExecutor arm, Seed seed)
+  CheckoutOracle(const episodes::CheckoutWorld& world,
+                 robots::GraspTool tool,
+                 skills::ArmExecutor arm,
+                 Seed seed)
       : world_(world), tool_(std::move(tool)), arm_(std::move(arm)), seed_(seed) {}
 
-  Result<void> begin(const Task& task, const Observation& first) override {
+  Result<void> begin(const agent::Task& task, const agent::Observation& first) override {
     task_ = task;
     scene_ = std::make_unique<OracleScene>(world_, tool_);
     arm_.start(first);
@@ -49,11 +52,11 @@ class CheckoutOracle : public Policy {
     return {};
   }
 
-  Result<Action> act(const Observation& now) override {
+  Result<agent::Action> act(const agent::Observation& now) override {
     now_ = now;
     arm_.hold(now.openings_m.front());
     if (arm_.idle()) MARKETGEN_CHECK(decide());
-    Action action = arm_.next(now);
+    agent::Action action = arm_.next(now);
     action.stop = done_;
     return action;
   }
@@ -65,7 +68,7 @@ class CheckoutOracle : public Policy {
   // planned is given up, and goes on from here by another plan.
   Result<void> recover() {
     say("was stopped");
-    note(FailureCode::collision);
+    note(episodes::FailureCode::collision);
     if (arm_.presses() && holds_it()) {
       phase_ = Phase::lifted;
       return scene_->in_basket(item_) ? lift() : put_down();
@@ -97,7 +100,7 @@ class CheckoutOracle : public Policy {
   bool is_due(std::size_t item) const {
     const bool there = scene_->in_unloading(item);
     if (!scene_->is_target(item)) return there;
-    return !there || world_.watch().items()[item].impact_m_s > max_impact_m_s;
+    return !there || world_.watch().items()[item].impact_m_s > episodes::max_impact_m_s;
   }
 
   Result<void> choose() {
@@ -105,12 +108,12 @@ class CheckoutOracle : public Policy {
     for (std::size_t item = 0; item < scene_->items(); ++item)
       if (is_due(item)) due.push_back(item);
     if (due.empty()) {
-      failure_ = FailureCode::none;
+      failure_ = episodes::FailureCode::none;
       done_ = true;
       return {};
     }
     if (now_.time_s + min_time_s > task_.limit_s) {
-      failure_ = FailureCode::timeout;
+      failure_ = episodes::FailureCode::timeout;
       done_ = true;
       return {};
     }
@@ -124,7 +127,7 @@ class CheckoutOracle : public Policy {
     const Pose pose = world_.item_pose(item);
     const auto kept = lone_.find(item);
     if (kept == lone_.end() || !same_place(kept->second.pose, pose)) {
-      MARKETGEN_TRY(std::vector<GraspCandidate> found, lone_grasps(*scene_, item));
+      MARKETGEN_TRY(std::vector<motion::GraspCandidate> found, lone_grasps(*scene_, item));
       lone_[item] = {pose, std::move(found)};
     }
     return &grasps_.emplace(item, item_grasps(*scene_, item, lone_[item].found)).first->second;
@@ -179,8 +182,8 @@ class CheckoutOracle : public Policy {
     if (escaped_) return false;
     escaped_ = true;
     const Pose tip = arm_.tip();
-    const Surroundings counter = counter_alone(scene_->place()), nothing;
-    for (const Surroundings* const around : {&counter, &nothing}) {
+    const skills::Surroundings counter = skills::counter_alone(scene_->place()), nothing;
+    for (const skills::Surroundings* const around : {&counter, &nothing}) {
       for (const double by : {escape_m, escape_m * 0.7, escape_m * 0.4}) {
         const Pose up{tip.position + Vec3{0, 0, by}, tip.rotation},
             back = tip * Pose{{0, 0, -by}, {}};
@@ -191,8 +194,8 @@ class CheckoutOracle : public Policy {
         return true;
       }
     }
-    ReachRequest home{home_, {0, 0, home_approach_m}, tool_.opening_m};
-    for (const Surroundings* const around : {&counter, &nothing}) {
+    skills::ReachRequest home{home_, {0, 0, home_approach_m}, tool_.opening_m};
+    for (const skills::Surroundings* const around : {&counter, &nothing}) {
       if (!arm_.reach(*around, home, seed_.child("home", static_cast<std::uint64_t>(moves_++)))
                .ok())
         continue;
@@ -255,7 +258,7 @@ class CheckoutOracle : public Policy {
     if (!planned.ok()) say(fmt::format("cannot {}: {}", motion, to_string(planned.error())));
   }
   std::string called(std::size_t item) const {
-    const CheckoutGoods& goods = world_.goods(item);
+    const episodes::CheckoutGoods& goods = world_.goods(item);
     return fmt::format("{}{} {} {} ({:.2f} kg)",
                        scene_->is_target(item) ? "target " : "other ",
                        item,
@@ -266,7 +269,8 @@ class CheckoutOracle : public Policy {
 
   // A grasp with which the item can be put down as well, or else any.
   Result<bool> take(std::size_t item) {
-    note(grasps_.at(item).choices.empty() ? FailureCode::no_grasp : FailureCode::no_ik);
+    note(grasps_.at(item).choices.empty() ? episodes::FailureCode::no_grasp
+                                          : episodes::FailureCode::no_ik);
     for (const bool to_be_placed : {true, false}) {
       MARKETGEN_TRY(const bool begun, take(item, to_be_placed));
       if (begun) return true;
@@ -276,17 +280,18 @@ class CheckoutOracle : public Policy {
 
   Result<bool> take(std::size_t item, bool to_be_placed) {
     const ItemGrasps& grasps = grasps_.at(item);
-    const Surroundings around = scene_->surroundings({});
-    const std::vector<PlacedBody> walls = scene_->walls();
+    const skills::Surroundings around = scene_->surroundings({});
+    const std::vector<skills::PlacedBody> walls = scene_->walls();
     std::size_t plans = 0, searches = 0;
     for (std::size_t i = 0; i < std::min(grasps.choices.size(), max_grasps); ++i) {
       const GraspChoice& choice = grasps.choices[i];
-      const std::vector<ToolSolid> hand = open_hand(tool_, choice.opening_m);
-      for (const Pose& tip : either_way_round(arm_, choice.base_from_tip)) {
-        ReachRequest request = reach_over_rim(tip, scene_->rim_z_m(), choice.opening_m);
-        request.force_n = touch_n;
+      const std::vector<robots::ToolSolid> hand = skills::open_hand(tool_, choice.opening_m);
+      for (const Pose& tip : skills::either_way_round(arm_, choice.base_from_tip)) {
+        skills::ReachRequest request =
+            skills::reach_over_rim(tip, scene_->rim_z_m(), choice.opening_m);
+        request.force_n = skills::touch_n;
         if (tried_.failed_before(item, inverse(world_.item_pose(item)) * tip) ||
-            !is_reached(arm_, request, hand, walls))
+            !skills::is_reached(arm_, request, hand, walls))
           continue;
         if (to_be_placed && (searches++ >= max_place_searches ||
                              !has_place(*scene_, arm_, item, tip, choice.opening_m)))
@@ -294,7 +299,7 @@ class CheckoutOracle : public Policy {
         if (plans++ >= max_plans) return false;
         const Seed seed = seed_.child("reach", static_cast<std::uint64_t>(moves_++));
         if (!arm_.reach(around, request, seed).ok()) {
-          note(FailureCode::no_path);
+          note(episodes::FailureCode::no_path);
           continue;
         }
         close_on(item, tip, choice);
@@ -305,7 +310,7 @@ class CheckoutOracle : public Policy {
   }
 
   void close_on(std::size_t item, const Pose& tip, const GraspChoice& choice) {
-    close_hand(arm_, choice.force_n);
+    skills::close_hand(arm_, choice.force_n);
     item_ = item;
     escaped_ = false;
     force_n_ = choice.force_n;
@@ -314,7 +319,7 @@ class CheckoutOracle : public Policy {
     say(fmt::format("takes {}, try {}, tilt {:.0f}, {:.0f} N, score {:.1f}, {} blockers",
                     called(item),
                     tries,
-                    tilt_deg(tip.rotation),
+                    skills::tilt_deg(tip.rotation),
                     choice.force_n,
                     choice.score,
                     choice.blockers.size()));
@@ -324,29 +329,30 @@ class CheckoutOracle : public Policy {
   bool holds_it() const { return world_.watch().items()[item_].held; }
 
   Result<void> lift() {
-    if (!holds_it()) return let_go_for_good(FailureCode::missed);
+    if (!holds_it()) return let_go_for_good(episodes::FailureCode::missed);
     const Pose pose = world_.item_pose(item_);
     const Vec3 half = scene_->half_extents_at(item_, pose.rotation);
     const double lowest = scene_->box_middle(item_, pose).z - half.z;
-    const BasketSurroundings basket{scene_->surroundings({item_}),
-                                    counter_alone(scene_->place()),
-                                    scene_->in_basket(item_) ? scene_->rim_z_m() : lowest_rim_m};
+    const skills::BasketSurroundings basket{
+        scene_->surroundings({item_}),
+        skills::counter_alone(scene_->place()),
+        scene_->in_basket(item_) ? scene_->rim_z_m() : lowest_rim_m};
     const Vec3 middle = scene_->place().base_from_basket.position;
-    if (!lift_out(arm_, basket, lowest, middle, force_n_).ok())
-      return let_go_for_good(FailureCode::no_path);
+    if (!skills::lift_out(arm_, basket, lowest, middle, force_n_).ok())
+      return let_go_for_good(episodes::FailureCode::no_path);
     arm_.wait(settle_s, 0, force_n_);
     phase_ = Phase::lifted;
     return {};
   }
 
   // And never takes it so again.
-  Result<void> let_go_for_good(FailureCode why) {
+  Result<void> let_go_for_good(episodes::FailureCode why) {
     tried_.fail(item_, product_from_tip_);
     return let_go(why);
   }
 
   // Opens where it is, and goes back the way it came.
-  Result<void> let_go(FailureCode why) {
+  Result<void> let_go(episodes::FailureCode why) {
     note(why);
     say(fmt::format("lets go of {}: {}", called(item_), name_of(why)));
     const double opening = std::min(tool_.opening_m, now_.openings_m.front() + let_go_m);
@@ -357,26 +363,28 @@ class CheckoutOracle : public Policy {
   }
 
   void back_off(double opening_m) {
-    const HandAt hand = scene_->in_basket(item_) ? HandAt::basket : HandAt::counter;
-    const BasketSurroundings basket{
-        scene_->surroundings({}, hand), counter_alone(scene_->place()), scene_->rim_z_m()};
-    say_failed("raise the hand", draw_back(arm_, basket, opening_m, force_n_));
+    const skills::HandAt hand =
+        scene_->in_basket(item_) ? skills::HandAt::basket : skills::HandAt::counter;
+    const skills::BasketSurroundings basket{
+        scene_->surroundings({}, hand), skills::counter_alone(scene_->place()), scene_->rim_z_m()};
+    say_failed("raise the hand", skills::draw_back(arm_, basket, opening_m, force_n_));
   }
 
   // ---- Putting it down ----
 
   // Where it belongs, or else where it can be taken anew.
   Result<void> put_down() {
-    if (!holds_it()) return let_go_for_good(FailureCode::slipped);
+    if (!holds_it()) return let_go_for_good(episodes::FailureCode::slipped);
     const Pose tip_from_item = inverse(arm_.tip()) * world_.item_pose(item_);
     const double opening = now_.openings_m.front() + let_go_m;
-    note(FailureCode::no_ik);
+    note(episodes::FailureCode::no_ik);
     places_.clear();
     in_area_ = scene_->is_target(item_);
     for (const bool in_area : {scene_->is_target(item_), false}) {
       if (!places_.empty()) break;
-      const HeldPack held = held_pack(*scene_, item_, tip_from_item, opening);
-      places_ = free_places(tool_, arm_, held, place_question(*scene_, item_, in_area), max_places);
+      const skills::HeldPack held = held_pack(*scene_, item_, tip_from_item, opening);
+      places_ = skills::free_places(
+          tool_, arm_, held, place_question(*scene_, item_, in_area), max_places);
       in_area_ = in_area;
     }
     next_place_ = 0;
@@ -385,17 +393,17 @@ class CheckoutOracle : public Policy {
 
   Result<void> go_over_place() {
     const Pose tip_from_item = inverse(arm_.tip()) * world_.item_pose(item_);
-    const AttachedObject held =
-        held_spheres(world_.robot(), world_.goods(item_).body, tip_from_item);
-    const Surroundings around = scene_->surroundings({item_}, HandAt::counter);
+    const motion::AttachedObject held =
+        skills::held_spheres(world_.robot(), world_.goods(item_).body, tip_from_item);
+    const skills::Surroundings around = scene_->surroundings({item_}, skills::HandAt::counter);
     for (; next_place_ < 2 * places_.size(); ++next_place_) {
-      const FreePlace& place = places_[next_place_ % places_.size()];
-      ReachRequest request{place.base_from_tip, place.approach, 0, force_n_};
+      const skills::FreePlace& place = places_[next_place_ % places_.size()];
+      skills::ReachRequest request{place.base_from_tip, place.approach, 0, force_n_};
       request.stops_before = true;
       if (next_place_ < places_.size()) request.attached = {held};
       const Seed seed = seed_.child("place", static_cast<std::uint64_t>(moves_++));
       if (!arm_.reach(around, request, seed).ok()) {
-        note(FailureCode::no_path);
+        note(episodes::FailureCode::no_path);
         continue;
       }
       arm_.wait(settle_s, 0, force_n_);
@@ -407,10 +415,10 @@ class CheckoutOracle : public Policy {
 
   // It may have turned in the hand on its way: the hand goes to where the item ends as planned.
   Result<void> lower() {
-    if (!holds_it()) return let_go_for_good(FailureCode::slipped);
-    const FreePlace& place = places_[next_place_++ % places_.size()];
+    if (!holds_it()) return let_go_for_good(episodes::FailureCode::slipped);
+    const skills::FreePlace& place = places_[next_place_++ % places_.size()];
     const Pose item_from_tip = inverse(world_.item_pose(item_)) * arm_.tip();
-    const Surroundings around = scene_->surroundings({item_}, HandAt::counter);
+    const skills::Surroundings around = scene_->surroundings({item_}, skills::HandAt::counter);
     for (const Pose& tip : {place.base_from_product * item_from_tip, place.base_from_tip}) {
       if (!arm_.straight(around, tip, 0, force_n_).ok()) continue;
       say(fmt::format(
@@ -433,19 +441,19 @@ class CheckoutOracle : public Policy {
     return let_go_for_good(failure_);
   }
 
-  void note(FailureCode why) { failure_ = why; }
+  void note(episodes::FailureCode why) { failure_ = why; }
 
-  const CheckoutWorld& world_;
-  GraspTool tool_;
-  ArmExecutor arm_;
+  const episodes::CheckoutWorld& world_;
+  robots::GraspTool tool_;
+  skills::ArmExecutor arm_;
   Seed seed_;
-  Task task_;
+  agent::Task task_;
   std::unique_ptr<OracleScene> scene_;
-  Observation now_;
+  agent::Observation now_;
   Phase phase_ = Phase::choose;
   struct LoneGrasps {
     Pose pose;  // of the item, when they were looked for
-    std::vector<GraspCandidate> found;
+    std::vector<motion::GraspCandidate> found;
   };
   std::map<std::size_t, LoneGrasps> lone_;
   std::map<std::size_t, ItemGrasps> grasps_;  // of this decision
@@ -453,26 +461,26 @@ class CheckoutOracle : public Policy {
   OracleTries tried_;
   std::size_t item_ = 0;  // that is being taken
   double force_n_ = 0;
-  Pose home_;                      // of the tip, at the start
-  Pose product_from_tip_;          // as it was to be grasped
-  std::vector<FreePlace> places_;  // of the item in the hand
-  std::size_t next_place_ = 0;     // first with what is held looked at, then again without
-  bool in_area_ = false;           // the places are where the item belongs
+  Pose home_;                              // of the tip, at the start
+  Pose product_from_tip_;                  // as it was to be grasped
+  std::vector<skills::FreePlace> places_;  // of the item in the hand
+  std::size_t next_place_ = 0;             // first with what is held looked at, then again without
+  bool in_area_ = false;                   // the places are where the item belongs
   int moves_ = 0;
   bool escaped_ = false;  // since the last grasp
   bool done_ = false;
-  FailureCode failure_ = FailureCode::none;
+  episodes::FailureCode failure_ = episodes::FailureCode::none;
 };
 
 }  // namespace
 
-Result<std::unique_ptr<Policy>> make_checkout_oracle(const CheckoutWorld& world,
-                                                     const std::filesystem::path& data,
-                                                     Seed seed) {
-  MARKETGEN_TRY(GraspTool tool, load_checkout_tool(world, data));
-  MARKETGEN_TRY(ArmExecutor arm, ArmExecutor::make(world.robot()));
-  return std::unique_ptr<Policy>(
+Result<std::unique_ptr<agent::Policy>> make_checkout_oracle(const episodes::CheckoutWorld& world,
+                                                            const std::filesystem::path& data,
+                                                            Seed seed) {
+  MARKETGEN_TRY(robots::GraspTool tool, load_checkout_tool(world, data));
+  MARKETGEN_TRY(skills::ArmExecutor arm, skills::ArmExecutor::make(world.robot()));
+  return std::unique_ptr<agent::Policy>(
       std::make_unique<CheckoutOracle>(world, std::move(tool), std::move(arm), seed));
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::oracle

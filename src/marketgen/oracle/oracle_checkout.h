@@ -8,12 +8,12 @@
 #include "agent/policy.h"
 #include "episodes/checkout/checkout_world.h"
 
-namespace marketgen {
+namespace marketgen::oracle {
 
 // `world` is looked at whenever the oracle acts, and must outlive it. Errors: of load_grasp_tool
 // and ArmExecutor.
-Result<std::unique_ptr<Policy>> make_checkout_oracle(const CheckoutWorld& world,
-                                                     const std::filesystem::path& data,
-                                                     Seed seed);
+Result<std::unique_ptr<agent::Policy>> make_checkout_oracle(const episodes::CheckoutWorld& world,
+                                                            const std::filesystem::path& data,
+                                                            Seed seed);
 
-}  // namespace marketgen
+}  // namespace marketgen::oracle

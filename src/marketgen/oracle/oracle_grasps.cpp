@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace marketgen {
+namespace marketgen::oracle {
 namespace {
 
 // So far neighbours give way. Fingers come from above: what they meet they press down.
@@ -11,13 +11,15 @@ constexpr double max_hand_overlap_m = 0.003;
 constexpr double max_lift_overlap_m = 0.005;
 constexpr std::array lifts_m{0.015, 0.035, 0.06, 0.09, 0.13, 0.19};
 
-GraspChoice choice_of(const OracleScene& scene, std::size_t item, const GraspCandidate& candidate) {
-  GraspChoice choice{lifting_grasp(scene.lying(item), candidate), {}};
-  const std::vector<ToolSolid> hand = open_hand(scene.tool(), choice.opening_m);
+GraspChoice choice_of(const OracleScene& scene,
+                      std::size_t item,
+                      const motion::GraspCandidate& candidate) {
+  GraspChoice choice{skills::lifting_grasp(scene.lying(item), candidate), {}};
+  const std::vector<robots::ToolSolid> hand = skills::open_hand(scene.tool(), choice.opening_m);
   for (std::size_t other = 0; other < scene.items(); ++other) {
     if (other == item) continue;
-    const double over = hand_overlap(hand, choice.base_from_tip, scene.body(other));
-    choice.score -= overlap_cost(over);
+    const double over = skills::hand_overlap(hand, choice.base_from_tip, scene.body(other));
+    choice.score -= skills::overlap_cost(over);
     if (over > max_hand_overlap_m) choice.blockers.push_back(other);
   }
   return choice;
@@ -25,19 +27,20 @@ GraspChoice choice_of(const OracleScene& scene, std::size_t item, const GraspCan
 
 }  // namespace
 
-Result<std::vector<GraspCandidate>> lone_grasps(const OracleScene& scene, std::size_t item) {
-  LyingPack pack = scene.lying(item);
+Result<std::vector<motion::GraspCandidate>> lone_grasps(const OracleScene& scene,
+                                                        std::size_t item) {
+  skills::LyingPack pack = scene.lying(item);
   // The floor of the basket and the counter are its ground.
-  const Workplace place = scene.place();
+  const agent::Workplace place = scene.place();
   if (scene.in_basket(item)) pack.ground_m = place.base_from_basket.position.z;
-  return grasps_from_above(pack, scene.tool(), wall_obstacles(place));
+  return skills::grasps_from_above(pack, scene.tool(), skills::wall_obstacles(place));
 }
 
 ItemGrasps item_grasps(const OracleScene& scene,
                        std::size_t item,
-                       const std::vector<GraspCandidate>& lone) {
+                       const std::vector<motion::GraspCandidate>& lone) {
   ItemGrasps grasps;
-  for (const GraspCandidate& candidate : lone)
+  for (const motion::GraspCandidate& candidate : lone)
     grasps.choices.push_back(choice_of(scene, item, candidate));
   std::ranges::stable_sort(grasps.choices, [](const GraspChoice& a, const GraspChoice& b) {
     if (a.blockers.size() != b.blockers.size()) return a.blockers.size() < b.blockers.size();
@@ -52,4 +55,4 @@ ItemGrasps item_grasps(const OracleScene& scene,
   return grasps;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::oracle

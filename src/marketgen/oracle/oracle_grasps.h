@@ -4,9 +4,9 @@
 
 #include "oracle/oracle_scene.h"
 
-namespace marketgen {
+namespace marketgen::oracle {
 
-struct GraspChoice : HandGrasp {
+struct GraspChoice : skills::HandGrasp {
   std::vector<std::size_t> blockers;  // items that the open tool would press aside too far
 };
 
@@ -18,11 +18,11 @@ struct ItemGrasps {
 
 // Of the item as it lies between the walls, whatever lies round it. Errors: of
 // grasps_from_above.
-Result<std::vector<GraspCandidate>> lone_grasps(const OracleScene& scene, std::size_t item);
+Result<std::vector<motion::GraspCandidate>> lone_grasps(const OracleScene& scene, std::size_t item);
 
 // The same with what is in their way now.
 ItemGrasps item_grasps(const OracleScene& scene,
                        std::size_t item,
-                       const std::vector<GraspCandidate>& lone);
+                       const std::vector<motion::GraspCandidate>& lone);
 
-}  // namespace marketgen
+}  // namespace marketgen::oracle

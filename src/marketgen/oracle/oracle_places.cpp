@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-namespace marketgen {
+namespace marketgen::oracle {
 
-HeldPack held_pack(const OracleScene& scene,
-                   std::size_t item,
-                   const Pose& tip_from_item,
-                   double opening_m) {
-  const CheckoutGoods& goods = scene.world().goods(item);
+skills::HeldPack held_pack(const OracleScene& scene,
+                           std::size_t item,
+                           const Pose& tip_from_item,
+                           double opening_m) {
+  const episodes::CheckoutGoods& goods = scene.world().goods(item);
   return {&goods.product,
           &goods.body,
           tip_from_item,
@@ -16,30 +16,30 @@ HeldPack held_pack(const OracleScene& scene,
           std::min(scene.tool().opening_m, opening_m)};
 }
 
-PlaceQuestion place_question(const OracleScene& scene, std::size_t item, bool in_area) {
-  const Workplace place = scene.place();
-  PlaceQuestion question;
+skills::PlaceQuestion place_question(const OracleScene& scene, std::size_t item, bool in_area) {
+  const agent::Workplace place = scene.place();
+  skills::PlaceQuestion question;
   question.area = in_area ? place.unloading : place.set_aside;
-  if (!in_area) question.kept_free = areas_kept_free(place);
+  if (!in_area) question.kept_free = skills::areas_kept_free(place);
   question.walls = scene.walls();
   for (std::size_t other = 0; other < scene.items(); ++other) {
     if (other == item || scene.in_basket(other)) continue;
-    const PlacedBody body = scene.body(other);
+    const skills::PlacedBody body = scene.body(other);
     question.bodies.push_back(
-        {body, turned_box(scene.world().goods(other).body, body.base_from_body)});
+        {body, skills::turned_box(scene.world().goods(other).body, body.base_from_body)});
   }
   return question;
 }
 
 bool has_place(const OracleScene& scene,
-               const ArmExecutor& arm,
+               const skills::ArmExecutor& arm,
                std::size_t item,
                const Pose& station_from_tip,
                double opening_m) {
   const Pose tip_from_item = inverse(station_from_tip) * scene.world().item_pose(item);
-  const HeldPack held = held_pack(scene, item, tip_from_item, opening_m);
-  const PlaceQuestion question = place_question(scene, item, scene.is_target(item));
-  return !free_places(scene.tool(), arm, held, question, 1).empty();
+  const skills::HeldPack held = held_pack(scene, item, tip_from_item, opening_m);
+  const skills::PlaceQuestion question = place_question(scene, item, scene.is_target(item));
+  return !skills::free_places(scene.tool(), arm, held, question, 1).empty();
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::oracle

@@ -5,23 +5,23 @@
 #include "oracle/oracle_scene.h"
 #include "skills/place_search.h"
 
-namespace marketgen {
+namespace marketgen::oracle {
 
 // The item as a hand holds it, which opens so far when it lets go.
-HeldPack held_pack(const OracleScene& scene,
-                   std::size_t item,
-                   const Pose& tip_from_item,
-                   double opening_m);
+skills::HeldPack held_pack(const OracleScene& scene,
+                           std::size_t item,
+                           const Pose& tip_from_item,
+                           double opening_m);
 
 // Past everything that stands outside the basket now but the item. It is to stand in the unloading
 // area, or else beside it and the basket.
-PlaceQuestion place_question(const OracleScene& scene, std::size_t item, bool in_area);
+skills::PlaceQuestion place_question(const OracleScene& scene, std::size_t item, bool in_area);
 
 // Whether there is room for the item where it belongs, and a posture that puts it down there.
 bool has_place(const OracleScene& scene,
-               const ArmExecutor& arm,
+               const skills::ArmExecutor& arm,
                std::size_t item,
                const Pose& station_from_tip,
                double opening_m);
 
-}  // namespace marketgen
+}  // namespace marketgen::oracle

@@ -9,25 +9,26 @@
 #include "skills/hand_grasp.h"
 #include "skills/hand_room.h"
 
-namespace marketgen {
+namespace marketgen::oracle {
 
 // Of the gripper that the counter's robot carries. Errors: of load_grasp_tool.
-Result<GraspTool> load_checkout_tool(const CheckoutWorld& world, const std::filesystem::path& data);
+Result<robots::GraspTool> load_checkout_tool(const episodes::CheckoutWorld& world,
+                                             const std::filesystem::path& data);
 
 class OracleScene {
  public:
   // Both must outlive it. The world is reset before.
-  OracleScene(const CheckoutWorld& world, const GraspTool& tool);
+  OracleScene(const episodes::CheckoutWorld& world, const robots::GraspTool& tool);
 
-  const CheckoutWorld& world() const { return world_; }
-  const GraspTool& tool() const { return tool_; }
+  const episodes::CheckoutWorld& world() const { return world_; }
+  const robots::GraspTool& tool() const { return tool_; }
   std::size_t items() const { return world_.item_count(); }
 
   // ---- As things stand now; station frame. ----
-  Workplace place() const;
-  PlacedBody body(std::size_t item) const;
-  std::vector<PlacedBody> walls() const;  // of the basket, and its ledges
-  LyingPack lying(std::size_t item) const;
+  agent::Workplace place() const;
+  skills::PlacedBody body(std::size_t item) const;
+  std::vector<skills::PlacedBody> walls() const;  // of the basket, and its ledges
+  skills::LyingPack lying(std::size_t item) const;
   double rim_z_m() const { return world_.station().basket.height_m; }
 
   // How deep points of item `a`, moved by `by`, lie in item `b`.
@@ -41,15 +42,15 @@ class OracleScene {
   bool in_unloading(std::size_t item) const;
 
   // Everything but `without`.
-  Surroundings surroundings(const std::vector<std::size_t>& without,
-                            HandAt hand = HandAt::basket) const;
+  skills::Surroundings surroundings(const std::vector<std::size_t>& without,
+                                    skills::HandAt hand = skills::HandAt::basket) const;
 
  private:
-  const CheckoutWorld& world_;
-  const GraspTool& tool_;
-  Workplace place_;                     // as it was at first
-  std::vector<GraspSurface> surfaces_;  // of the items
-  BasketWalls walls_;
+  const episodes::CheckoutWorld& world_;
+  const robots::GraspTool& tool_;
+  agent::Workplace place_;                      // as it was at first
+  std::vector<motion::GraspSurface> surfaces_;  // of the items
+  skills::BasketWalls walls_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::oracle

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace marketgen {
+namespace marketgen::oracle {
 namespace {
 
 constexpr int max_tries = 3;  // of an item before it is put down where it belongs
@@ -47,4 +47,4 @@ void OracleTries::put_down(std::size_t item) {
   tries_.erase(item);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::oracle

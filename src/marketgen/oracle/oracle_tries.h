@@ -7,7 +7,7 @@
 
 #include "geometry/pose.h"
 
-namespace marketgen {
+namespace marketgen::oracle {
 
 class OracleTries {
  public:
@@ -25,4 +25,4 @@ class OracleTries {
   std::vector<std::pair<std::size_t, Pose>> failed_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::oracle

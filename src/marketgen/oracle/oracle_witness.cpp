@@ -7,7 +7,7 @@
 #include "oracle/oracle_places.h"
 #include "skills/hand_reach.h"
 
-namespace marketgen {
+namespace marketgen::oracle {
 namespace {
 
 constexpr std::size_t max_choices = 24;    // of which postures are sought
@@ -15,22 +15,25 @@ constexpr std::size_t max_ways_tried = 4;  // of an item
 
 class CheckoutWitness {
  public:
-  CheckoutWitness(const CheckoutWorld& world, const GraspTool& tool, ArmExecutor arm, Seed seed)
+  CheckoutWitness(const episodes::CheckoutWorld& world,
+                  const robots::GraspTool& tool,
+                  skills::ArmExecutor arm,
+                  Seed seed)
       : world_(world), scene_(world, tool), arm_(std::move(arm)), seed_(seed) {}
 
-  Result<std::optional<std::vector<WitnessPick>>> find() {
+  Result<std::optional<std::vector<episodes::WitnessPick>>> find() {
     arm_.start(world_.observe());
     std::vector<std::size_t> targets, others;
     for (std::size_t item = 0; item < scene_.items(); ++item) {
-      MARKETGEN_TRY(const std::vector<GraspCandidate> lone, lone_grasps(scene_, item));
+      MARKETGEN_TRY(const std::vector<motion::GraspCandidate> lone, lone_grasps(scene_, item));
       const bool wanted = scene_.is_target(item);
-      if (wanted && lone.empty()) return std::optional<std::vector<WitnessPick>>{};
+      if (wanted && lone.empty()) return std::optional<std::vector<episodes::WitnessPick>>{};
       grasps_.push_back(item_grasps(scene_, item, lone));
       (wanted ? targets : others).push_back(item);
     }
     while (!std::ranges::all_of(targets, [&](std::size_t item) { return out_.contains(item); }))
       if (!take_one_of(targets) && !take_one_of(others))
-        return std::optional<std::vector<WitnessPick>>{};
+        return std::optional<std::vector<episodes::WitnessPick>>{};
     return std::optional(std::move(picks_));
   }
 
@@ -47,16 +50,18 @@ class CheckoutWitness {
   bool take(std::size_t item) {
     const ItemGrasps& grasps = grasps_[item];
     if (!is_out(grasps.lies_under)) return false;
-    const Surroundings around = scene_.surroundings({out_.begin(), out_.end()});
-    const std::vector<PlacedBody> walls = scene_.walls();
+    const skills::Surroundings around = scene_.surroundings({out_.begin(), out_.end()});
+    const std::vector<skills::PlacedBody> walls = scene_.walls();
     std::size_t plans = 0;
     for (std::size_t i = 0; i < std::min(grasps.choices.size(), max_choices); ++i) {
       const GraspChoice& choice = grasps.choices[i];
       if (!is_out(choice.blockers)) continue;
-      const std::vector<ToolSolid> hand = open_hand(scene_.tool(), choice.opening_m);
-      for (const Pose& tip : either_way_round(arm_, choice.base_from_tip)) {
-        const ReachRequest request = reach_over_rim(tip, scene_.rim_z_m(), choice.opening_m);
-        if (!is_reached(arm_, request, hand, walls) ||
+      const std::vector<robots::ToolSolid> hand =
+          skills::open_hand(scene_.tool(), choice.opening_m);
+      for (const Pose& tip : skills::either_way_round(arm_, choice.base_from_tip)) {
+        const skills::ReachRequest request =
+            skills::reach_over_rim(tip, scene_.rim_z_m(), choice.opening_m);
+        if (!skills::is_reached(arm_, request, hand, walls) ||
             !has_place(scene_, arm_, item, tip, choice.opening_m))
           continue;
         if (plans++ == max_ways_tried) return false;
@@ -72,7 +77,7 @@ class CheckoutWitness {
   }
 
   void note(std::size_t item, const GraspChoice& choice) {
-    WitnessPick pick;
+    episodes::WitnessPick pick;
     pick.sku = world_.spec().items[item].sku;
     pick.product = "item-" + std::to_string(item);
     pick.arm = "arm";
@@ -80,25 +85,25 @@ class CheckoutWitness {
     picks_.push_back(std::move(pick));
   }
 
-  const CheckoutWorld& world_;
+  const episodes::CheckoutWorld& world_;
   OracleScene scene_;
-  ArmExecutor arm_;
+  skills::ArmExecutor arm_;
   Seed seed_;
   std::vector<ItemGrasps> grasps_;
   std::set<std::size_t> out_;  // items that were taken
-  std::vector<WitnessPick> picks_;
+  std::vector<episodes::WitnessPick> picks_;
   std::uint64_t moves_ = 0;
 };
 
 }  // namespace
 
-CheckoutCertifier checkout_certifier(const std::filesystem::path& data) {
-  return [data](const CheckoutWorld& world,
-                Seed seed) -> Result<std::optional<std::vector<WitnessPick>>> {
-    MARKETGEN_TRY(const GraspTool tool, load_checkout_tool(world, data));
-    MARKETGEN_TRY(ArmExecutor arm, ArmExecutor::make(world.robot()));
+episodes::CheckoutCertifier checkout_certifier(const std::filesystem::path& data) {
+  return [data](const episodes::CheckoutWorld& world,
+                Seed seed) -> Result<std::optional<std::vector<episodes::WitnessPick>>> {
+    MARKETGEN_TRY(const robots::GraspTool tool, load_checkout_tool(world, data));
+    MARKETGEN_TRY(skills::ArmExecutor arm, skills::ArmExecutor::make(world.robot()));
     return CheckoutWitness(world, tool, std::move(arm), seed).find();
   };
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::oracle

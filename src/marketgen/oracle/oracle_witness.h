@@ -6,9 +6,9 @@
 
 #include "episodes/checkout/sample_checkout.h"
 
-namespace marketgen {
+namespace marketgen::oracle {
 
 // Errors, when it is called: those of load_grasp_tool, ArmExecutor::make and grasp_candidates.
-CheckoutCertifier checkout_certifier(const std::filesystem::path& data);
+episodes::CheckoutCertifier checkout_certifier(const std::filesystem::path& data);
 
-}  // namespace marketgen
+}  // namespace marketgen::oracle

@@ -6,7 +6,7 @@
 
 #include "skills/hand_room.h"
 
-namespace marketgen {
+namespace marketgen::perception {
 namespace {
 
 constexpr float own_m = 0.007F;  // points so near to a product are its own
@@ -53,24 +53,25 @@ std::vector<Vec3f> other_points(const std::vector<Vec3f>& points,
 }
 
 Result<std::vector<SeenGrasp>> FittedGrasps::grasps(const GraspQuestion& question) const {
-  const KnownProduct& known = question.known;
-  LyingPack pack{known.product, known.body, known.pad_friction, question.base_from_product};
+  const agent::KnownProduct& known = question.known;
+  skills::LyingPack pack{known.product, known.body, known.pad_friction, question.base_from_product};
   const Vec3 in_basket = inverse(question.base_from_basket) * pack.middle();
   if (std::abs(in_basket.x) < place_.inner_half.x && std::abs(in_basket.y) < place_.inner_half.y)
     pack.ground_m = question.base_from_basket.position.z;
-  Workplace place = place_;
+  agent::Workplace place = place_;
   place.base_from_basket = question.base_from_basket;
-  MARKETGEN_TRY(const auto candidates, grasps_from_above(pack, tool_, wall_obstacles(place)));
+  MARKETGEN_TRY(const auto candidates,
+                skills::grasps_from_above(pack, tool_, skills::wall_obstacles(place)));
   std::vector<SeenGrasp> grasps;
-  for (const GraspCandidate& candidate : candidates) {
-    SeenGrasp grasp{lifting_grasp(pack, candidate)};
-    grasp.intrusion_m =
-        hand_overlap(open_hand(tool_, grasp.opening_m), grasp.base_from_tip, question.others);
-    grasp.score -= overlap_cost(grasp.intrusion_m);
+  for (const motion::GraspCandidate& candidate : candidates) {
+    SeenGrasp grasp{skills::lifting_grasp(pack, candidate)};
+    grasp.intrusion_m = skills::hand_overlap(
+        skills::open_hand(tool_, grasp.opening_m), grasp.base_from_tip, question.others);
+    grasp.score -= skills::overlap_cost(grasp.intrusion_m);
     grasps.push_back(grasp);
   }
   std::ranges::stable_sort(grasps, std::greater<>{}, &SeenGrasp::score);
   return grasps;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::perception

@@ -10,14 +10,14 @@
 #include "robots/grasp_tool.h"
 #include "skills/hand_grasp.h"
 
-namespace marketgen {
+namespace marketgen::perception {
 
-struct SeenGrasp : HandGrasp {
+struct SeenGrasp : skills::HandGrasp {
   double intrusion_m = 0;  // how far the open hand reaches into what else is seen, at most
 };
 
 struct GraspQuestion {
-  const KnownProduct& known;
+  const agent::KnownProduct& known;
   Pose base_from_product;
   Pose base_from_basket;
   const std::vector<Vec3f>& others;  // measured points that are not the product's
@@ -35,12 +35,13 @@ class GraspSource {
 class FittedGrasps : public GraspSource {
  public:
   // Both must outlive it.
-  FittedGrasps(const GraspTool& tool, const Workplace& place) : tool_(tool), place_(place) {}
+  FittedGrasps(const robots::GraspTool& tool, const agent::Workplace& place)
+      : tool_(tool), place_(place) {}
   Result<std::vector<SeenGrasp>> grasps(const GraspQuestion& question) const override;
 
  private:
-  const GraspTool& tool_;
-  const Workplace& place_;
+  const robots::GraspTool& tool_;
+  const agent::Workplace& place_;
 };
 
 // Points of all views, about `spacing_m` apart, below `max_z` and before the arm's own body.
@@ -53,4 +54,4 @@ std::vector<Vec3f> other_points(const std::vector<Vec3f>& points,
                                 const ProductLook& look,
                                 const Pose& base_from_product);
 
-}  // namespace marketgen
+}  // namespace marketgen::perception

@@ -2,13 +2,14 @@
 
 #include "io/json.h"
 
-namespace marketgen {
+namespace marketgen::perception {
 
-Result<const ProductLook*> LookLibrary::of(const Product& row, const KnownProducts& products) {
+Result<const ProductLook*> LookLibrary::of(const catalog::Product& row,
+                                           const agent::KnownProducts& products) {
   Entry* entry = nullptr;
   {
     const std::scoped_lock lock(guard_);
-    entry = &entries_[write_json_line(row)];
+    entry = &entries_[io::write_json_line(row)];
   }
   const std::scoped_lock lock(entry->making);
   if (!entry->look) {
@@ -18,4 +19,4 @@ Result<const ProductLook*> LookLibrary::of(const Product& row, const KnownProduc
   return &*entry->look;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::perception

@@ -8,14 +8,14 @@
 
 #include "perception/product_look.h"
 
-namespace marketgen {
+namespace marketgen::perception {
 
 class LookLibrary {
  public:
   // Of the product of `row`, whose pictures `products` has; rows that are equal to the last letter
   // have one look. Lives as long as the library. Errors: of KnownProducts::pictures,
   // ProductLook::make.
-  Result<const ProductLook*> of(const Product& row, const KnownProducts& products);
+  Result<const ProductLook*> of(const catalog::Product& row, const agent::KnownProducts& products);
 
  private:
   struct Entry {
@@ -26,4 +26,4 @@ class LookLibrary {
   std::map<std::string, Entry> entries_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::perception

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace marketgen {
+namespace marketgen::perception {
 namespace {
 
 constexpr float max_step_px = 4;      // sides of a pixel, between two neighbours
@@ -66,13 +66,13 @@ std::vector<Mask> GeometricMasks::masks(const ViewCloud& cloud,
 }
 
 std::vector<std::uint8_t> goods_in_basket(const ViewCloud& cloud,
-                                          const Workplace& place,
+                                          const agent::Workplace& place,
                                           const Pose& base_from_basket) {
   const Pose basket_from_base = inverse(base_from_basket);
-  std::vector<WorkBox> solid = place.walls;
+  std::vector<agent::WorkBox> solid = place.walls;
   solid.insert(solid.end(), place.ledges.begin(), place.ledges.end());
   std::vector<Pose> box_from_base;
-  for (const WorkBox& box : solid)
+  for (const agent::WorkBox& box : solid)
     box_from_base.push_back(inverse(box.pose) * basket_from_base);
   const auto is_basket = [&](Vec3 point) {
     for (std::size_t i = 0; i < solid.size(); ++i) {
@@ -94,7 +94,7 @@ std::vector<std::uint8_t> goods_in_basket(const ViewCloud& cloud,
   return wanted;
 }
 
-std::vector<std::uint8_t> goods_over(const ViewCloud& cloud, const WorkArea& area) {
+std::vector<std::uint8_t> goods_over(const ViewCloud& cloud, const agent::WorkArea& area) {
   std::vector<std::uint8_t> wanted(cloud.size());
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (!cloud.has(i)) continue;
@@ -105,4 +105,4 @@ std::vector<std::uint8_t> goods_over(const ViewCloud& cloud, const WorkArea& are
   return wanted;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::perception

@@ -9,7 +9,7 @@
 #include "agent/workplace.h"
 #include "perception/view_cloud.h"
 
-namespace marketgen {
+namespace marketgen::perception {
 
 struct Mask {
   std::vector<std::uint32_t> pixels;  // ascending
@@ -35,9 +35,9 @@ class GeometricMasks : public MaskSource {
 // Pixels that show goods: in the basket but not its floor, ledges and walls (which may stand a
 // little aside of `base_from_basket`).
 std::vector<std::uint8_t> goods_in_basket(const ViewCloud& cloud,
-                                          const Workplace& place,
+                                          const agent::Workplace& place,
                                           const Pose& base_from_basket);
 // Pixels that show what stands over an area of the counter.
-std::vector<std::uint8_t> goods_over(const ViewCloud& cloud, const WorkArea& area);
+std::vector<std::uint8_t> goods_over(const ViewCloud& cloud, const agent::WorkArea& area);
 
-}  // namespace marketgen
+}  // namespace marketgen::perception

@@ -4,7 +4,7 @@
 
 #include "perception/pose_source.h"
 
-namespace marketgen {
+namespace marketgen::perception {
 namespace {
 
 constexpr float min_facing = 0.25F;  // cosine; surface more aslant says little
@@ -147,4 +147,4 @@ PoseEvidence evidence_of(const ProductLook& look,
   return e;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::perception

@@ -10,7 +10,7 @@
 #include "perception/mask_source.h"
 #include "perception/product_look.h"
 
-namespace marketgen {
+namespace marketgen::perception {
 
 // How well a product, lying so, explains the pictures.
 struct PoseEvidence {
@@ -65,4 +65,4 @@ FittedPose refined_pose(const ProductLook& look,
                         const SurfacePatch& patch,
                         const std::vector<ViewCloud>& views);
 
-}  // namespace marketgen
+}  // namespace marketgen::perception

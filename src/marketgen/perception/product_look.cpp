@@ -5,7 +5,7 @@
 #include <cmath>
 #include <unordered_set>
 
-namespace marketgen {
+namespace marketgen::perception {
 namespace {
 
 constexpr float cell_m = 0.004F, around_m = 0.03F;  // of the table of nearest surfels
@@ -16,7 +16,7 @@ constexpr float min_picture_facing =
 // A picture's surface in the product's frame.
 class PictureSurface {
  public:
-  explicit PictureSurface(const ProductPicture& picture) : picture_(picture) {
+  explicit PictureSurface(const agent::ProductPicture& picture) : picture_(picture) {
     const Quaternion& q = picture.product_from_camera.rotation;
     right_ = to_float(rotate(q, {1, 0, 0}));
     down_ = to_float(rotate(q, {0, 1, 0}));
@@ -70,7 +70,7 @@ class PictureSurface {
     return sum / (255 * std::max(1.0F, count));
   }
 
-  const ProductPicture& picture_;
+  const agent::ProductPicture& picture_;
   Vec3f right_, down_, ahead_;
 };
 
@@ -98,12 +98,12 @@ std::vector<Surfel> thinned(const std::vector<Surfel>& surfels, float spacing_m)
 }  // namespace
 
 Result<ProductLook> ProductLook::make(const std::string& sku,
-                                      const std::vector<ProductPicture>& pictures,
+                                      const std::vector<agent::ProductPicture>& pictures,
                                       float spacing_m) {
   ProductLook look;
   look.sku_ = sku;
   std::vector<Surfel> all;
-  for (const ProductPicture& picture : pictures)
+  for (const agent::ProductPicture& picture : pictures)
     PictureSurface(picture).add_to(all, spacing_m);
   look.surfels_ = thinned(all, spacing_m);
   if (look.surfels_.empty() || look.surfels_.size() > max_surfels)
@@ -194,4 +194,4 @@ int ProductLook::nearest(Vec3f product_point) const {
   return table_[static_cast<std::size_t>((z * cells_[1] + y) * cells_[0] + x)];
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::perception

@@ -9,7 +9,7 @@
 #include "agent/known_products.h"
 #include "base/result.h"
 
-namespace marketgen {
+namespace marketgen::perception {
 
 struct Surfel {
   Vec3f point, normal;  // unit, outwards
@@ -20,7 +20,7 @@ class ProductLook {
  public:
   // Pieces about `spacing_m` apart. Errors: perception.no_picture when nothing is seen in them.
   static Result<ProductLook> make(const std::string& sku,
-                                  const std::vector<ProductPicture>& pictures,
+                                  const std::vector<agent::ProductPicture>& pictures,
                                   float spacing_m = 0.0035F);
 
   const std::string& sku() const { return sku_; }
@@ -45,4 +45,4 @@ class ProductLook {
   std::vector<std::int16_t> table_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::perception

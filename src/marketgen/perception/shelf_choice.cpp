@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace marketgen {
+namespace marketgen::perception {
 namespace {
 
 constexpr std::size_t sweep_surfels = 150, fit_surfels = 700;
@@ -186,4 +186,4 @@ FittedPose UprightMatching::again(const ProductLook& look,
   return best.evidence.score > 0 ? stood_best(look, best.base_from_product, views) : best;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::perception

@@ -7,7 +7,7 @@
 #include "perception/shelf_spots.h"
 #include "perception/target_choice.h"
 
-namespace marketgen {
+namespace marketgen::perception {
 
 struct FoundOnShelf {
   ShelfSpot spot;
@@ -41,4 +41,4 @@ class UprightMatching : public ShelfChoice {
                    const Pose& base_from_product) const override;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::perception

@@ -4,7 +4,7 @@
 
 #include "skills/hand_room.h"
 
-namespace marketgen {
+namespace marketgen::perception {
 namespace {
 
 constexpr double of_intrusion_per_m = 8;  // of a candidate's score, 0..1
@@ -13,16 +13,17 @@ constexpr double borne_m = 0.03;          // of intrusion; what is deeper is no 
 }  // namespace
 
 Result<std::vector<SeenGrasp>> FrontGrasps::grasps(const ShelfGraspQuestion& question) const {
-  GraspQuery query;
+  motion::GraspQuery query;
   query.friction = question.known.pad_friction;
   query.from_front = true;
-  MARKETGEN_TRY(const GraspCandidates candidates,
-                grasp_candidates(question.known.product, question.known.body, tool_, query));
+  MARKETGEN_TRY(
+      const motion::GraspCandidates candidates,
+      motion::grasp_candidates(question.known.product, question.known.body, tool_, query));
   std::vector<SeenGrasp> grasps;
-  for (const GraspCandidate& candidate : candidates.found) {
-    SeenGrasp grasp{carrying_grasp(question.base_from_product, candidate, tool_.force_n)};
-    grasp.intrusion_m =
-        hand_overlap(open_hand(tool_, grasp.opening_m), grasp.base_from_tip, question.others);
+  for (const motion::GraspCandidate& candidate : candidates.found) {
+    SeenGrasp grasp{skills::carrying_grasp(question.base_from_product, candidate, tool_.force_n)};
+    grasp.intrusion_m = skills::hand_overlap(
+        skills::open_hand(tool_, grasp.opening_m), grasp.base_from_tip, question.others);
     grasp.score -= of_intrusion_per_m * std::min(grasp.intrusion_m, borne_m);
     grasps.push_back(grasp);
   }
@@ -30,4 +31,4 @@ Result<std::vector<SeenGrasp>> FrontGrasps::grasps(const ShelfGraspQuestion& que
   return grasps;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::perception

@@ -4,10 +4,10 @@
 #pragma once
 #include "perception/grasp_source.h"
 
-namespace marketgen {
+namespace marketgen::perception {
 
 struct ShelfGraspQuestion {
-  const KnownProduct& known;
+  const agent::KnownProduct& known;
   Pose base_from_product;
   const std::vector<Vec3f>& others;  // measured points that are not the product's
 };
@@ -24,11 +24,11 @@ class ShelfGraspSource {
 // grasp behind another.
 class FrontGrasps : public ShelfGraspSource {
  public:
-  explicit FrontGrasps(const GraspTool& tool) : tool_(tool) {}  // must outlive it
+  explicit FrontGrasps(const robots::GraspTool& tool) : tool_(tool) {}  // must outlive it
   Result<std::vector<SeenGrasp>> grasps(const ShelfGraspQuestion& question) const override;
 
  private:
-  const GraspTool& tool_;
+  const robots::GraspTool& tool_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::perception

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-namespace marketgen {
+namespace marketgen::perception {
 namespace {
 
 constexpr double bin_m = 0.005, sweep_m = 0.004;
@@ -109,4 +109,4 @@ std::vector<ShelfSpot> SweptSpots::spots(const std::vector<ViewCloud>& views,
   return found;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::perception

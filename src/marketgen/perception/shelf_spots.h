@@ -10,7 +10,7 @@
 
 #include "perception/view_cloud.h"
 
-namespace marketgen {
+namespace marketgen::perception {
 
 // As agent/aisle_map.h has it, in the frame of the pictures.
 struct BoardAhead {
@@ -42,4 +42,4 @@ class SweptSpots : public SpotSource {
                                Vec3f size) const override;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::perception

@@ -7,7 +7,7 @@
 
 #include "perception/pose_source.h"
 
-namespace marketgen {
+namespace marketgen::perception {
 namespace {
 
 constexpr int directions = 72, turns = 18;  // ways round that are tried: about 20 degrees apart
@@ -242,4 +242,4 @@ FittedPose SweptPoses::pose(const ProductLook& look,
   return best;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::perception

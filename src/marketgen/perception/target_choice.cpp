@@ -5,7 +5,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace marketgen {
+namespace marketgen::perception {
 namespace {
 
 constexpr std::size_t patch_points = 160;
@@ -158,4 +158,4 @@ std::vector<const ProductLook*> rivals_of(const ProductLook& look,
   return rivals;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::perception

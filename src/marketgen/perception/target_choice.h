@@ -6,7 +6,7 @@
 
 #include "perception/pose_source.h"
 
-namespace marketgen {
+namespace marketgen::perception {
 
 // Masks of one picture.
 struct MaskedView {
@@ -71,4 +71,4 @@ double color_likeness(const std::vector<Vec3f>& colors, const ProductLook& look)
 std::vector<const ProductLook*> rivals_of(const ProductLook& look,
                                           const std::vector<const ProductLook*>& catalogue);
 
-}  // namespace marketgen
+}  // namespace marketgen::perception

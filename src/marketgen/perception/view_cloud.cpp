@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace marketgen {
+namespace marketgen::perception {
 namespace {
 
 constexpr int reach_px = 2;       // of the differences that give a normal
@@ -13,7 +13,7 @@ constexpr float min_normal_facing = 0.08F;
 
 }  // namespace
 
-ViewCloud::ViewCloud(View view) : view_(std::move(view)) {
+ViewCloud::ViewCloud(agent::View view) : view_(std::move(view)) {
   const Pose& pose = view_.base_from_camera;
   eye_ = to_float(pose.position);
   right_ = to_float(rotate(pose.rotation, {1, 0, 0}));
@@ -26,7 +26,7 @@ ViewCloud::ViewCloud(View view) : view_(std::move(view)) {
 
 void ViewCloud::place_points() {
   points_.resize(view_.depth_m.size());
-  const PinholeLens& lens = view_.lens;
+  const agent::PinholeLens& lens = view_.lens;
   for (int y = 0; y < height(); ++y) {
     for (int x = 0; x < width(); ++x) {
       const float depth = view_.depth_m[index(x, y)];
@@ -85,7 +85,7 @@ std::optional<ViewCloud::Seen> ViewCloud::project(Vec3f base_point) const {
   const Vec3f off = base_point - eye_;
   const float depth = dot(off, ahead_);
   if (depth < 0.02F) return std::nullopt;
-  const PinholeLens& lens = view_.lens;
+  const agent::PinholeLens& lens = view_.lens;
   const auto x = static_cast<int>(
       std::floor(lens.cx + lens.fx * static_cast<double>(dot(off, right_) / depth) + 0.5));
   const auto y = static_cast<int>(
@@ -94,4 +94,4 @@ std::optional<ViewCloud::Seen> ViewCloud::project(Vec3f base_point) const {
   return Seen{index(x, y), depth};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::perception

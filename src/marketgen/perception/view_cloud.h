@@ -6,13 +6,13 @@
 #include "agent/eyes.h"
 #include "geometry/vector.h"
 
-namespace marketgen {
+namespace marketgen::perception {
 
 class ViewCloud {
  public:
-  explicit ViewCloud(View view);
+  explicit ViewCloud(agent::View view);
 
-  const View& view() const { return view_; }
+  const agent::View& view() const { return view_; }
   int width() const { return view_.width(); }
   int height() const { return view_.height(); }
   std::size_t size() const { return points_.size(); }
@@ -44,9 +44,9 @@ class ViewCloud {
   void find_normals();
   void blur_colors();
 
-  View view_;
+  agent::View view_;
   Vec3f eye_, right_, down_, ahead_;  // of the camera
   std::vector<Vec3f> points_, normals_, colors_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::perception

@@ -7,7 +7,7 @@
 #include "base/interrupt.h"
 #include "base/progress.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 thread_local std::jmp_buf* recovery = nullptr;  // of the innermost guard on this thread
@@ -63,4 +63,4 @@ Result<MujocoData> make_data(const mjModel& model, const std::string& where) {
   return MujocoData(data, mj_deleteData);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -8,7 +8,7 @@
 
 #include "base/result.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
 // Runs `body` and returns physics.failed, with MuJoCo's message, if MuJoCo reports an error
 // meanwhile. `body` is then left by longjmp: while it calls MuJoCo it must hold no object with a
@@ -29,4 +29,4 @@ using MujocoData = std::unique_ptr<mjData, decltype(&mj_deleteData)>;
 Result<MujocoModel> compile(mjSpec& spec, const std::string& where);
 Result<MujocoData> make_data(const mjModel& model, const std::string& where);
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

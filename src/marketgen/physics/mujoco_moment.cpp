@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-namespace marketgen {
+namespace marketgen::physics {
 
 MujocoMoment moment_of(const mjData& d) {
   MujocoMoment moment;
@@ -29,4 +29,4 @@ void restore_moment(mjData& d, const MujocoMoment& moment) {
     warning = {};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

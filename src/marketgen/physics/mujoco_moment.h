@@ -8,7 +8,7 @@
 
 #include "base/byte_archive.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
 struct MujocoMoment {
   // Members of mjData outside its buffer that carry state from step to step.
@@ -29,4 +29,4 @@ MujocoMoment moment_of(const mjData& data);
 // `data` is of the same model: its buffer is as long. Contacts are made anew by the next step.
 void restore_moment(mjData& data, const MujocoMoment& moment);
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

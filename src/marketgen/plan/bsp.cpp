@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace marketgen {
+namespace marketgen::plan {
 namespace {
 
 std::size_t index_of(const Plan& plan, std::string_view id) {
@@ -60,4 +60,4 @@ std::vector<RectMm> zone_rectangles(const Plan& plan) {
   return rectangles;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::plan

@@ -10,7 +10,7 @@
 #include "geometry/rectangle.h"
 #include "plan/plan.h"
 
-namespace marketgen {
+namespace marketgen::plan {
 
 // What holds for an inner node that does not say: halves with nothing between them.
 constexpr double default_split_ratio = 0.5;
@@ -38,4 +38,4 @@ std::vector<NodeRect> node_rectangles(const Plan& plan);
 // The rectangle of each zone, in the order of Plan::zones. Precondition: valid tree.
 std::vector<RectMm> zone_rectangles(const Plan& plan);
 
-}  // namespace marketgen
+}  // namespace marketgen::plan

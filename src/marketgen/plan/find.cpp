@@ -3,7 +3,7 @@
 
 #include "plan/plan.h"
 
-namespace marketgen {
+namespace marketgen::plan {
 
 std::size_t root_of(const Plan& plan) {
   std::set<std::string_view> children;
@@ -33,4 +33,4 @@ RectMm footprint_of(const Column& column) {
   return {x0, y0, x0 + column.size_mm, y0 + column.size_mm};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::plan

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace marketgen {
+namespace marketgen::plan {
 namespace {
 
 RectMm wall_strip(const RectMm& floor, Wall wall) {
@@ -84,4 +84,4 @@ PointMm point_inside(const RectMm& bounds, const Opening& opening, int by_mm) {
   return {bounds.x0 + by_mm, bounds.y0 + along(bounds.depth())};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::plan

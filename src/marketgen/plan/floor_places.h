@@ -12,7 +12,7 @@
 #include "geometry/rectangle.h"
 #include "plan/plan.h"
 
-namespace marketgen {
+namespace marketgen::plan {
 
 // Names that mean something in every shop, beside its own zones (by id or type) and openings (by id
 // or kind).
@@ -57,4 +57,4 @@ PointMm inward_from(Wall wall);
 // The point `by_mm` inside the middle of an opening; on the wall's line for 0.
 PointMm point_inside(const RectMm& bounds, const Opening& opening, int by_mm);
 
-}  // namespace marketgen
+}  // namespace marketgen::plan

@@ -15,7 +15,7 @@
 #include "catalog/catalog.h"
 #include "geometry/rectangle.h"
 
-namespace marketgen {
+namespace marketgen::plan {
 
 enum class Wall { north, south, east, west };
 constexpr std::array<std::string_view, 4> names_of(Wall) {
@@ -92,9 +92,9 @@ struct Look {
   std::string accent = "#2e7d32";
   int light_kelvin = 4000;
   int light_lux = 800;
-  std::optional<LampFitting> lamps;  // none said: panel
-  std::optional<double> daylight;    // none said: 1
-  std::optional<bool> neon;          // none said: no
+  std::optional<catalog::LampFitting> lamps;  // none said: panel
+  std::optional<double> daylight;             // none said: 1
+  std::optional<bool> neon;                   // none said: no
 
   static constexpr auto fields = field_list(
       field("floor", &Look::floor, "floor material", reference()),
@@ -249,7 +249,7 @@ struct Zone {
   std::string label;
   AreaRange area_m2;
   std::string anchor = "any";
-  Storage temperature = Storage::ambient;
+  catalog::Storage temperature = catalog::Storage::ambient;
   FixtureSpec fixture;
   StockSpec stock;
 
@@ -393,12 +393,16 @@ constexpr int max_bsp_depth = 6;
 constexpr int max_bsp_leaves = 24;
 
 // Reads and validates. `source` names the text in errors.
-Result<Plan> read_plan(std::string_view text, const std::string& source, const Catalog& catalog);
+Result<Plan> read_plan(std::string_view text,
+                       const std::string& source,
+                       const catalog::Catalog& catalog);
 
 // Everything the schema cannot say: unique ids, one binary tree that holds each zone once, openings
 // within their walls and apart from one another, known kinds, materials and categories, an outline
 // without self-crossings. First fault wins.
-Result<void> validate_plan(const Plan& plan, const std::string& source, const Catalog& catalog);
+Result<void> validate_plan(const Plan& plan,
+                           const std::string& source,
+                           const catalog::Catalog& catalog);
 
 // The shell's floor: its outline, or the rectangle.
 PolygonMm floor_of(const Shell& shell);
@@ -409,4 +413,4 @@ std::size_t root_of(const Plan& plan);
 const Node* find_node(const Plan& plan, std::string_view id);
 const Zone* find_zone(const Plan& plan, std::string_view id);
 
-}  // namespace marketgen
+}  // namespace marketgen::plan

@@ -5,7 +5,7 @@
 #include "base/text.h"
 #include "plan/plan.h"
 
-namespace marketgen {
+namespace marketgen::plan {
 
 Error in_plan_file(Error error, const std::string& file) {
   if (!error.where.starts_with('/')) return error;
@@ -17,4 +17,4 @@ Error in_plan_file(Error error, const std::string& file) {
   return error;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::plan

@@ -4,10 +4,10 @@
 
 #include "base/result.h"
 
-namespace marketgen {
+namespace marketgen::plan {
 
 // The same error at "FILE:/pointer" when it is at a place in the plan alone
 // ("/overrides/0/fixture"): later stages know the plan, not the file that it was read from.
 Error in_plan_file(Error error, const std::string& file);
 
-}  // namespace marketgen
+}  // namespace marketgen::plan

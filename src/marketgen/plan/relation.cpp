@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace marketgen {
+namespace marketgen::plan {
 namespace {
 
 // What relations are measured against.
@@ -198,4 +198,4 @@ double diagonal_m(const RectMm& floor) {
   return 1e-3 * std::sqrt(w * w + d * d);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::plan

@@ -29,7 +29,7 @@
 #include "plan/floor_places.h"
 #include "plan/requirement.h"
 
-namespace marketgen {
+namespace marketgen::plan {
 
 // Limits. No standard says how near "near" is: these are our own definitions (docs/metrics.md),
 // scaled with the shop, except where an aisle is the measure.
@@ -74,4 +74,4 @@ std::string words_of(const NamedFloor& floor,
 
 double diagonal_m(const RectMm& floor);
 
-}  // namespace marketgen
+}  // namespace marketgen::plan

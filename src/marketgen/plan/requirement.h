@@ -9,7 +9,7 @@
 #include "base/fields.h"
 #include "plan/plan.h"
 
-namespace marketgen {
+namespace marketgen::plan {
 
 enum class RequirementKind {
   size,
@@ -97,4 +97,4 @@ struct Requirement {
                  field("strength", &Requirement::strength, "must or prefer"));
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::plan

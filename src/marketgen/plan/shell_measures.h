@@ -7,7 +7,7 @@
 
 #include "plan/plan.h"
 
-namespace marketgen {
+namespace marketgen::plan {
 
 // Masonry and insulated panels of shops: 0.2 m is the order of both; our own choice.
 constexpr double wall_thickness_m = 0.2;
@@ -33,4 +33,4 @@ constexpr double opening_sill_m(OpeningKind kind) {
   return kind == OpeningKind::window ? window_sill_m : 0;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::plan

@@ -2,9 +2,9 @@
 
 #include "base/text.h"
 
-namespace marketgen {
+namespace marketgen::plan {
 
-Look look_of(const StyleRow& style) {
+Look look_of(const catalog::StyleRow& style) {
   return {style.floor,
           style.wall,
           style.ceiling,
@@ -17,14 +17,14 @@ Look look_of(const StyleRow& style) {
           style.neon};
 }
 
-Result<const StyleRow*> style_called(const Catalog& catalog,
-                                     std::string_view name,
-                                     std::string where) {
-  if (const StyleRow* style = catalog.style(name)) return style;
+Result<const catalog::StyleRow*> style_called(const catalog::Catalog& catalog,
+                                              std::string_view name,
+                                              std::string where) {
+  if (const catalog::StyleRow* style = catalog.style(name)) return style;
   std::vector<std::string_view> known;
-  for (const StyleRow& row : catalog.styles)
+  for (const catalog::StyleRow& row : catalog.styles)
     known.push_back(row.id);
-  return unknown_name("catalog.unknown_kind", std::move(where), "style", name, known);
+  return catalog::unknown_name("catalog.unknown_kind", std::move(where), "style", name, known);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::plan

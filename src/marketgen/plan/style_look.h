@@ -6,13 +6,13 @@
 #include "catalog/catalog.h"
 #include "plan/plan.h"
 
-namespace marketgen {
+namespace marketgen::plan {
 
-Look look_of(const StyleRow& style);
+Look look_of(const catalog::StyleRow& style);
 
 // The style called `name`. Error: catalog.unknown_kind at `where`, with the nearest name.
-Result<const StyleRow*> style_called(const Catalog& catalog,
-                                     std::string_view name,
-                                     std::string where);
+Result<const catalog::StyleRow*> style_called(const catalog::Catalog& catalog,
+                                              std::string_view name,
+                                              std::string where);
 
-}  // namespace marketgen
+}  // namespace marketgen::plan

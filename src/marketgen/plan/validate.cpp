@@ -3,7 +3,7 @@
 #include "plan/plan.h"
 #include "plan/validation.h"
 
-namespace marketgen {
+namespace marketgen::plan {
 
 std::string element_pointer(std::string_view list, std::size_t index, std::string_view rest) {
   std::string pointer = "/";
@@ -12,8 +12,10 @@ std::string element_pointer(std::string_view list, std::size_t index, std::strin
   return pointer;
 }
 
-Result<void> validate_plan(const Plan& plan, const std::string& source, const Catalog& catalog) {
-  MARKETGEN_CHECK(check_fields(plan, source));
+Result<void> validate_plan(const Plan& plan,
+                           const std::string& source,
+                           const catalog::Catalog& catalog) {
+  MARKETGEN_CHECK(io::check_fields(plan, source));
   const PlanCheck check{plan, catalog, source};
   using Part = Result<void> (*)(const PlanCheck&);
   constexpr Part parts[] = {check_ids,
@@ -29,10 +31,12 @@ Result<void> validate_plan(const Plan& plan, const std::string& source, const Ca
   return {};
 }
 
-Result<Plan> read_plan(std::string_view text, const std::string& source, const Catalog& catalog) {
-  MARKETGEN_TRY(Plan plan, read_json<Plan>(text, source));
+Result<Plan> read_plan(std::string_view text,
+                       const std::string& source,
+                       const catalog::Catalog& catalog) {
+  MARKETGEN_TRY(Plan plan, io::read_json<Plan>(text, source));
   MARKETGEN_CHECK(validate_plan(plan, source, catalog));
   return plan;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::plan

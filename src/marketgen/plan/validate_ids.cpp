@@ -2,7 +2,7 @@
 
 #include "plan/validation.h"
 
-namespace marketgen {
+namespace marketgen::plan {
 namespace {
 
 // Ids seen so far and where each was first used.
@@ -37,4 +37,4 @@ Result<void> check_ids(const PlanCheck& check) {
   return {};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::plan

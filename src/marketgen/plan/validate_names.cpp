@@ -1,12 +1,13 @@
 #include "plan/validation.h"
 
-namespace marketgen {
+namespace marketgen::plan {
 namespace {
 
 Result<void> check_material(const PlanCheck& check,
                             const std::string& name,
                             const std::string& pointer) {
-  return check_name(check.catalog.materials, &MaterialRow::id, "material", name, check.at(pointer));
+  return check_name(
+      check.catalog.materials, &catalog::MaterialRow::id, "material", name, check.at(pointer));
 }
 
 Result<void> check_look(const PlanCheck& check) {
@@ -24,19 +25,25 @@ Result<void> check_fixture_names(const PlanCheck& check, std::size_t i) {
     return check.at(element_pointer("zones", i, std::string("fixture/").append(field)));
   };
   if (!fixture.kind.empty()) {  // an open lobby has no fixtures
-    MARKETGEN_CHECK(check_name(
-        check.catalog.fixture_kinds, &FixtureKind::kind, "fixture kind", fixture.kind, at("kind")));
+    MARKETGEN_CHECK(check_name(check.catalog.fixture_kinds,
+                               &catalog::FixtureKind::kind,
+                               "fixture kind",
+                               fixture.kind,
+                               at("kind")));
   }
   if (fixture.color) MARKETGEN_CHECK(check_color(*fixture.color, at("color")));
   if (!fixture.material) return {};
-  return check_name(
-      check.catalog.materials, &MaterialRow::id, "material", *fixture.material, at("material"));
+  return check_name(check.catalog.materials,
+                    &catalog::MaterialRow::id,
+                    "material",
+                    *fixture.material,
+                    at("material"));
 }
 
 Result<void> check_zone_names(const PlanCheck& check, std::size_t i) {
   const Zone& zone = check.plan.zones[i];
   MARKETGEN_CHECK(check_name(check.catalog.zone_types,
-                             &ZoneTypeRow::type,
+                             &catalog::ZoneTypeRow::type,
                              "zone type",
                              zone.type,
                              check.at(element_pointer("zones", i, "type"))));
@@ -44,7 +51,7 @@ Result<void> check_zone_names(const PlanCheck& check, std::size_t i) {
   for (std::size_t k = 0; k < zone.stock.categories.size(); ++k) {
     MARKETGEN_CHECK(
         check_name(check.catalog.categories,
-                   &CategoryRow::id,
+                   &catalog::CategoryRow::id,
                    "category",
                    zone.stock.categories[k],
                    check.at(element_pointer("zones", i, "stock/categories/" + std::to_string(k)))));
@@ -67,7 +74,7 @@ Result<void> check_color(std::string_view text, std::string where) {
 
 Result<void> check_names(const PlanCheck& check) {
   MARKETGEN_CHECK(check_name(check.catalog.profiles,
-                             &ProfileRow::id,
+                             &catalog::ProfileRow::id,
                              "profile",
                              check.plan.profile,
                              check.at("/profile")));
@@ -78,4 +85,4 @@ Result<void> check_names(const PlanCheck& check) {
   return {};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::plan

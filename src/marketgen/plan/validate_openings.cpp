@@ -4,7 +4,7 @@
 #include "base/text.h"
 #include "plan/validation.h"
 
-namespace marketgen {
+namespace marketgen::plan {
 namespace {
 
 // Part of a wall, in millimetres from its west or south end.
@@ -86,4 +86,4 @@ Result<void> check_openings(const PlanCheck& check) {
   return {};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::plan

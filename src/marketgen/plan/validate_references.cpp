@@ -9,7 +9,7 @@
 #include "plan/floor_places.h"
 #include "plan/validation.h"
 
-namespace marketgen {
+namespace marketgen::plan {
 namespace {
 
 constexpr std::array<std::string_view, 5> override_fields = {
@@ -36,7 +36,7 @@ Result<void> check_place(const PlanCheck& check,
                          const std::string& name,
                          const std::string& pointer) {
   if (std::ranges::binary_search(places, name)) return {};
-  return unknown_name(
+  return catalog::unknown_name(
       "plan.unknown_reference", check.at(pointer), "zone, opening or wall", name, places);
 }
 
@@ -71,12 +71,15 @@ Result<void> check_override_value(const PlanCheck& check, std::size_t i) {
   const std::string pointer = element_pointer("overrides", i, "value");
   if (change.field_name == "color") return check_color(change.value, check.at(pointer));
   if (change.field_name == "material") {
-    return check_name(
-        check.catalog.materials, &MaterialRow::id, "material", change.value, check.at(pointer));
+    return check_name(check.catalog.materials,
+                      &catalog::MaterialRow::id,
+                      "material",
+                      change.value,
+                      check.at(pointer));
   }
   if (change.field_name == "kind") {
     return check_name(check.catalog.fixture_kinds,
-                      &FixtureKind::kind,
+                      &catalog::FixtureKind::kind,
                       "fixture kind",
                       change.value,
                       check.at(pointer));
@@ -88,11 +91,11 @@ Result<void> check_overrides(const PlanCheck& check) {
   for (std::size_t i = 0; i < check.plan.overrides.size(); ++i) {
     const Override& change = check.plan.overrides[i];
     if (std::ranges::find(override_fields, change.field_name) == override_fields.end()) {
-      return unknown_name("plan.unknown_reference",
-                          check.at(element_pointer("overrides", i, "field")),
-                          "field",
-                          change.field_name,
-                          {override_fields.begin(), override_fields.end()});
+      return catalog::unknown_name("plan.unknown_reference",
+                                   check.at(element_pointer("overrides", i, "field")),
+                                   "field",
+                                   change.field_name,
+                                   {override_fields.begin(), override_fields.end()});
     }
     MARKETGEN_CHECK(check_override_value(check, i));
   }
@@ -102,16 +105,16 @@ Result<void> check_overrides(const PlanCheck& check) {
 Result<void> check_placements(const PlanCheck& check) {
   const Shell& shell = check.plan.shell;
   std::vector<std::string_view> skus;
-  for (const Product& product : check.catalog.products)
+  for (const catalog::Product& product : check.catalog.products)
     skus.push_back(product.sku);
   for (std::size_t i = 0; i < check.plan.placements.size(); ++i) {
     const Placement& placement = check.plan.placements[i];
     if (check.catalog.product(placement.sku) == nullptr) {
-      return unknown_name("catalog.unknown_sku",
-                          check.at(element_pointer("placements", i, "sku")),
-                          "product",
-                          placement.sku,
-                          skus);
+      return catalog::unknown_name("catalog.unknown_sku",
+                                   check.at(element_pointer("placements", i, "sku")),
+                                   "product",
+                                   placement.sku,
+                                   skus);
     }
     const std::array<double, 3>& p = placement.position_m;
     const bool inside = p[0] >= 0 && p[0] <= shell.width_mm * 1e-3 && p[1] >= 0 &&
@@ -129,8 +132,8 @@ std::vector<Bounds3> boxes_of(const PlanCheck& check) {
   for (const Placement& placement : check.plan.placements) {
     const auto& [x, y, z] = placement.position_m;
     const Quaternion turn = rotation_about({0, 0, 1}, placement.yaw_deg * std::numbers::pi / 180);
-    boxes.push_back(
-        bounds_of(standing_box(*check.catalog.product(placement.sku), {x, y, z}, turn)));
+    boxes.push_back(catalog::bounds_of(
+        catalog::standing_box(*check.catalog.product(placement.sku), {x, y, z}, turn)));
   }
   return boxes;
 }
@@ -169,4 +172,4 @@ Result<void> check_references(const PlanCheck& check) {
   return check_crowding(check);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::plan

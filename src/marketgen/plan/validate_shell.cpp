@@ -5,7 +5,7 @@
 #include "base/text.h"
 #include "plan/validation.h"
 
-namespace marketgen {
+namespace marketgen::plan {
 namespace {
 
 constexpr double min_outline_m2 = 12;  // an entrance, a till and one shelf
@@ -134,4 +134,4 @@ Result<void> check_shell(const PlanCheck& check) {
   return check_columns(check);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::plan

@@ -6,7 +6,7 @@
 #include "plan/bsp.h"
 #include "plan/validation.h"
 
-namespace marketgen {
+namespace marketgen::plan {
 namespace {
 
 Error tree_fault(const PlanCheck& check,
@@ -21,7 +21,7 @@ Error unknown_part(const PlanCheck& check,
                    std::string_view what,
                    const std::string& name,
                    const std::vector<std::string_view>& known) {
-  return unknown_name("plan.unknown_reference", check.at(pointer), what, name, known);
+  return catalog::unknown_name("plan.unknown_reference", check.at(pointer), what, name, known);
 }
 
 Result<void> check_leaf(const PlanCheck& check, std::size_t i) {
@@ -210,4 +210,4 @@ Result<void> check_room(const PlanCheck& check) {
   return {};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::plan

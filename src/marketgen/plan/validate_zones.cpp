@@ -4,7 +4,7 @@
 #include "base/text.h"
 #include "plan/validation.h"
 
-namespace marketgen {
+namespace marketgen::plan {
 namespace {
 
 constexpr std::array<std::string_view, 8> anchors = {
@@ -21,11 +21,11 @@ Error value_fault(const PlanCheck& check,
 Result<void> check_anchor(const PlanCheck& check, std::size_t i) {
   const std::string& anchor = check.plan.zones[i].anchor;
   if (std::ranges::find(anchors, anchor) != anchors.end()) return {};
-  return unknown_name("plan.unknown_reference",
-                      check.at(element_pointer("zones", i, "anchor")),
-                      "anchor",
-                      anchor,
-                      {anchors.begin(), anchors.end()});
+  return catalog::unknown_name("plan.unknown_reference",
+                               check.at(element_pointer("zones", i, "anchor")),
+                               "anchor",
+                               anchor,
+                               {anchors.begin(), anchors.end()});
 }
 
 Result<void> check_area(const PlanCheck& check, std::size_t i) {
@@ -54,7 +54,9 @@ Result<void> check_in_range(const PlanCheck& check,
 }
 
 // The highest board, with its rail, is below the top of the fixture.
-Result<void> check_levels_fit(const PlanCheck& check, std::size_t i, const FixtureKind& kind) {
+Result<void> check_levels_fit(const PlanCheck& check,
+                              std::size_t i,
+                              const catalog::FixtureKind& kind) {
   const FixtureSpec& fixture = check.plan.zones[i].fixture;
   if (!fixture.spacing_mm) return {};
   const int levels = fixture.levels.value_or(kind.levels);
@@ -71,7 +73,7 @@ Result<void> check_levels_fit(const PlanCheck& check, std::size_t i, const Fixtu
 
 Result<void> check_fixture(const PlanCheck& check, std::size_t i) {
   const FixtureSpec& fixture = check.plan.zones[i].fixture;
-  const FixtureKind* kind = check.catalog.fixture_kind(fixture.kind);
+  const catalog::FixtureKind* kind = check.catalog.fixture_kind(fixture.kind);
   if (kind == nullptr) return {};  // a zone without fixtures
   MARKETGEN_CHECK(
       check_in_range(check, i, "fixture/depth_mm", fixture.depth_mm, kind->depth_range_mm));
@@ -108,4 +110,4 @@ Result<void> check_zone_values(const PlanCheck& check) {
   return {};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::plan

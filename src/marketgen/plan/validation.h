@@ -10,14 +10,14 @@
 #include "catalog/catalog.h"
 #include "plan/plan.h"
 
-namespace marketgen {
+namespace marketgen::plan {
 
 constexpr std::size_t max_crowded_pairs = 100'000;  // of placed products that stand in one another
 
 // What every part looks at.
 struct PlanCheck {
   const Plan& plan;
-  const Catalog& catalog;
+  const catalog::Catalog& catalog;
   const std::string& source;
 
   // "riverside.json:/zones/2/fixture/kind"
@@ -56,7 +56,7 @@ Result<void> check_name(
     if (row.*id_of == name) return {};
     known.push_back(row.*id_of);
   }
-  return unknown_name("catalog.unknown_kind", std::move(where), what, name, known);
+  return catalog::unknown_name("catalog.unknown_kind", std::move(where), what, name, known);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::plan

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace marketgen {
+namespace marketgen::policy {
 namespace {
 
 constexpr double around_m = 1.4;  // what is farther from the robot does not count
@@ -29,7 +29,7 @@ std::vector<Vec3f> beyond(const std::vector<Vec3f>& points, Vec3 middle, double 
   return kept;
 }
 
-void add_cloud(std::vector<Vec3f> points, Obstacles& obstacles) {
+void add_cloud(std::vector<Vec3f> points, motion::Obstacles& obstacles) {
   if (!points.empty()) obstacles.clouds.push_back({std::move(points), point_radius_m});
 }
 
@@ -38,7 +38,7 @@ void add_cloud(std::vector<Vec3f> points, Obstacles& obstacles) {
 AisleBody::AisleBody(AisleBodySetup setup, Seed seed)
     : setup_(std::move(setup)), seed_(seed), executor_(*setup_.robot, setup_.commanded) {}
 
-void AisleBody::start(const Observation& now) {
+void AisleBody::start(const agent::Observation& now) {
   now_ = now;
   executor_.start(now);
 }
@@ -48,24 +48,24 @@ Seed AisleBody::next_seed() {
 }
 
 std::vector<double> AisleBody::state() const {
-  const Robot& robot = *setup_.robot;
+  const robots::Robot& robot = *setup_.robot;
   std::vector<double> q = setup_.driving;
   const auto set = [&](int dof, double value) {
-    const Joint& joint = robot.joint_of_dof(static_cast<std::size_t>(dof));
+    const robots::Joint& joint = robot.joint_of_dof(static_cast<std::size_t>(dof));
     q[static_cast<std::size_t>(dof)] = std::clamp(value, joint.lower, joint.upper);
   };
   for (std::size_t i = 0; i < setup_.commanded.size(); ++i)
     set(setup_.commanded[i], now_.position[i]);
   for (std::size_t t = 0; t < robot.tools.size(); ++t) {
-    const JointGroup* fingers = robot.find_group(robot.tools[t].prefix + "fingers");
+    const robots::JointGroup* fingers = robot.find_group(robot.tools[t].prefix + "fingers");
     for (const int dof : fingers == nullptr ? std::vector<int>{} : fingers->dofs)
       set(dof, now_.openings_m[t] / 2);
   }
-  return with_followers(robot, std::move(q));
+  return robots::with_followers(robot, std::move(q));
 }
 
-Configuration AisleBody::stowed_arm() const {
-  Configuration stowed;
+motion::Configuration AisleBody::stowed_arm() const {
+  motion::Configuration stowed;
   for (const int dof : setup_.robot->find_group(pick_.group)->dofs)
     stowed.push_back(setup_.driving[static_cast<std::size_t>(dof)]);
   return stowed;
@@ -76,29 +76,29 @@ bool AisleBody::holds_it() const {
          now_.openings_m[static_cast<std::size_t>(pick_.tool)] > min_held_m;
 }
 
-Obstacles AisleBody::around(const std::vector<Vec3f>& points) const {
+motion::Obstacles AisleBody::around(const std::vector<Vec3f>& points) const {
   const Vec3 middle{now_.base.x_m, now_.base.y_m, shoulder_height_m};
-  Obstacles obstacles = setup_.map->fixtures(middle, around_m);
+  motion::Obstacles obstacles = setup_.map->fixtures(middle, around_m);
   add_cloud(near(points, middle, around_m), obstacles);
   return obstacles;
 }
 
-Result<void> AisleBody::drive_to(const BasePlace& place) {
-  MARKETGEN_TRY(BaseFollower way, setup_.map->way(now_.base, place));
+Result<void> AisleBody::drive_to(const robots::BasePlace& place) {
+  MARKETGEN_TRY(motion::BaseFollower way, setup_.map->way(now_.base, place));
   executor_.drive(std::move(way));
   return {};
 }
 
-Result<void> AisleBody::may_stand(const BasePlace& place) const {
+Result<void> AisleBody::may_stand(const robots::BasePlace& place) const {
   if (setup_.map->has_room(place) && setup_.map->way_m(now_.base, place)) return {};
   return Error{"motion.base_blocked", setup_.robot->name, "the base has no room or no way there"};
 }
 
-Result<ShelfPick> AisleBody::plan_pick(const ShelfItem& item,
-                                       const std::vector<Vec3f>& points,
-                                       std::optional<BasePlace> from) {
+Result<skills::ShelfPick> AisleBody::plan_pick(const PickTarget& item,
+                                               const std::vector<Vec3f>& points,
+                                               std::optional<robots::BasePlace> from) {
   const Vec3 middle = item.store_from_product.position;
-  ShelfPickQuestion question;
+  skills::ShelfPickQuestion question;
   question.world_from_product = item.store_from_product;
   question.depth_m = item.known->product.depth_m();
   question.grasps = item.grasps;
@@ -111,18 +111,18 @@ Result<ShelfPick> AisleBody::plan_pick(const ShelfItem& item,
   add_cloud(beyond(seen, middle, pressed_aside_m), question.around.line);
   question.where = item.known->product.sku;
   if (from)
-    question.world_from_base = store_from_base(*from);
+    question.world_from_base = agent::store_from_base(*from);
   else
     question.may_stand = [&](const Pose& base, const std::vector<double>&) {
-      return may_stand(base_place(base));
+      return may_stand(agent::base_place(base));
     };
-  question.speed = carrying_speed;
-  question.acceleration = carrying_acceleration;
-  return plan_shelf_pick(*setup_.robot, question, next_seed());
+  question.speed = skills::carrying_speed;
+  question.acceleration = skills::carrying_acceleration;
+  return skills::plan_shelf_pick(*setup_.robot, question, next_seed());
 }
 
-Result<void> AisleBody::take(const ShelfItem& item, ShelfPick pick) {
-  MARKETGEN_TRY(carried_, make_store_body(item.known->product));
+Result<void> AisleBody::take(const PickTarget& item, skills::ShelfPick pick) {
+  MARKETGEN_TRY(carried_, skills::make_store_body(item.known->product));
   lets_down_ = false;
   pick_ = std::move(pick);
   return executor_.take(
@@ -144,7 +144,8 @@ Result<void> AisleBody::pull_out() {
 
 double AisleBody::room_behind_m() const {
   for (double back = max_leave_m; back > leave_step_m / 2; back -= leave_step_m)
-    if (setup_.map->has_room(base_place(store_from_base(now_.base) * Pose{{-back, 0, 0}, {}})))
+    if (setup_.map->has_room(
+            agent::base_place(agent::store_from_base(now_.base) * Pose{{-back, 0, 0}, {}})))
       return back;
   return 0;
 }
@@ -153,12 +154,12 @@ Result<void> AisleBody::back_off() {
   MARKETGEN_CHECK(executor_.back_off(room_behind_m()));
   lift_tried_ = 0;
   if (!holds_it()) return {};
-  return executor_.raise(drop_lifts_m[lift_tried_]);
+  return executor_.raise(skills::drop_lifts_m[lift_tried_]);
 }
 
-StowQuestion AisleBody::stow_question(const std::vector<Vec3f>& points) const {
+skills::StowQuestion AisleBody::stow_question(const std::vector<Vec3f>& points) const {
   return {.state = state(),
-          .world_from_base = store_from_base(now_.base),
+          .world_from_base = agent::store_from_base(now_.base),
           .group = pick_.group,
           .around = around(points),
           .stow = stowed_arm(),
@@ -168,32 +169,33 @@ StowQuestion AisleBody::stow_question(const std::vector<Vec3f>& points) const {
 Result<bool> AisleBody::drop(const std::vector<Vec3f>& points) {
   if (lets_down_) inside_.pop_back();  // it was stopped on its way
   lets_down_ = false;
-  DropQuestion question;
-  static_cast<StowQuestion&>(question) = stow_question(points);
+  skills::DropQuestion question;
+  static_cast<skills::StowQuestion&>(question) = stow_question(points);
   question.tool = pick_.tool;
   question.held = &carried_;
   question.tip_from_product = inverse(pick_.grasp.product_from_tool);
-  auto plan = plan_drop(*setup_.robot, setup_.basket, question, next_seed());
+  auto plan = skills::plan_drop(*setup_.robot, setup_.basket, question, next_seed());
   if (!plan.ok()) {
-    const bool last = ++lift_tried_ >= drop_lifts_m.size();
+    const bool last = ++lift_tried_ >= skills::drop_lifts_m.size();
     if (last) lift_tried_ = 0;
-    MARKETGEN_CHECK(executor_.raise(drop_lifts_m[lift_tried_]));
+    MARKETGEN_CHECK(executor_.raise(skills::drop_lifts_m[lift_tried_]));
     if (last) return plan.error();
     return false;
   }
   const double held = now_.openings_m[static_cast<std::size_t>(pick_.tool)];
   lets_down_ = true;
-  inside_.push_back(
-      carried_box(turned_box(carried_, plan->base_from_tip * question.tip_from_product)));
+  inside_.push_back(skills::carried_box(
+      skills::turned_box(carried_, plan->base_from_tip * question.tip_from_product)));
   executor_.let_down(std::move(*plan), {held + let_go_wider_by_m, pick_.grasp.force_n});
   return true;
 }
 
 Result<void> AisleBody::go_home(const std::vector<Vec3f>& points) {
-  MARKETGEN_TRY(JointTrajectory way,
-                plan_stow(*setup_.robot, setup_.basket, stow_question(points), next_seed()));
+  MARKETGEN_TRY(
+      motion::JointTrajectory way,
+      skills::plan_stow(*setup_.robot, setup_.basket, stow_question(points), next_seed()));
   executor_.stow(std::move(way));
   return {};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::policy

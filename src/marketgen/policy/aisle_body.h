@@ -13,34 +13,34 @@
 #include "skills/drop_plan.h"
 #include "skills/shelf_pick.h"
 
-namespace marketgen {
+namespace marketgen::policy {
 
 // Robot and map must outlive it.
 struct AisleBodySetup {
-  const Robot* robot = nullptr;
-  const AisleMap* map = nullptr;
-  CarriedBasket basket;
+  const robots::Robot* robot = nullptr;
+  const agent::AisleMap* map = nullptr;
+  skills::CarriedBasket basket;
   std::vector<double> driving;  // its state while it drives, on the origin
   std::vector<int> commanded;   // degrees of freedom of an action's positions
 };
 
 // Something to be taken: where it stands and how.
-struct ShelfItem {
-  const KnownProduct* known = nullptr;
+struct PickTarget {
+  const agent::KnownProduct* known = nullptr;
   Pose store_from_product;
-  std::vector<Grasp> grasps;  // best first
-  std::string tool_row;       // of the gripper that they are for
+  std::vector<robots::Grasp> grasps;  // best first
+  std::string tool_row;               // of the gripper that they are for
 };
 
 class AisleBody {
  public:
   AisleBody(AisleBodySetup setup, Seed seed);
 
-  void start(const Observation& now);
-  void sense(const Observation& now) { now_ = now; }
+  void start(const agent::Observation& now);
+  void sense(const agent::Observation& now) { now_ = now; }
   bool idle() const { return executor_.idle(); }
   bool take_stop() { return executor_.take_stop(); }  // as BodyExecutor
-  Action next() { return executor_.next(now_); }
+  agent::Action next() { return executor_.next(now_); }
 
   // ---- The robot as it is. ----
   std::vector<double> state() const;  // base on the origin
@@ -48,14 +48,15 @@ class AisleBody {
   bool holds_it() const;
 
   // ---- Each queues motions, or returns an error and queues nothing. ----
-  Result<void> drive_to(const BasePlace& place);
+  Result<void> drive_to(const robots::BasePlace& place);
   // The head: to the left and down, rad.
   Result<void> look(double pan, double tilt) { return executor_.look(pan, tilt); }
   // A place to stand and the arm's ways. `points`: measured. Queues nothing.
-  Result<ShelfPick> plan_pick(const ShelfItem& item,
-                              const std::vector<Vec3f>& points,
-                              std::optional<BasePlace> from);
-  Result<void> take(const ShelfItem& item, ShelfPick pick);  // from where it stands: up to the grip
+  Result<skills::ShelfPick> plan_pick(const PickTarget& item,
+                                      const std::vector<Vec3f>& points,
+                                      std::optional<robots::BasePlace> from);
+  Result<void> take(const PickTarget& item,
+                    skills::ShelfPick pick);  // from where it stands: up to the grip
   Result<void> pull_out();  // with what it holds; back along its way when that is nothing
   Result<void> back_off();  // from the shelf; with something held also to the lift's height
   // Tried from one lift height after another: true when it is on its way into the basket, false
@@ -64,23 +65,23 @@ class AisleBody {
   Result<void> go_home(const std::vector<Vec3f>& points);  // the empty arm, to its stowed posture
 
  private:
-  Configuration stowed_arm() const;
-  Obstacles around(const std::vector<Vec3f>& points) const;
-  StowQuestion stow_question(const std::vector<Vec3f>& points) const;
+  motion::Configuration stowed_arm() const;
+  motion::Obstacles around(const std::vector<Vec3f>& points) const;
+  skills::StowQuestion stow_question(const std::vector<Vec3f>& points) const;
   double room_behind_m() const;
-  Result<void> may_stand(const BasePlace& place) const;
+  Result<void> may_stand(const robots::BasePlace& place) const;
   Seed next_seed();
 
   AisleBodySetup setup_;
   Seed seed_;
-  AisleExecutor executor_;
-  Observation now_;
-  ShelfPick pick_;
-  ProductBody carried_;              // what it takes, as one solid
-  std::vector<CarriedItem> inside_;  // of the basket, as let down
-  bool lets_down_ = false;           // what it holds is the last of these
+  skills::AisleExecutor executor_;
+  agent::Observation now_;
+  skills::ShelfPick pick_;
+  assets::ProductBody carried_;              // what it takes, as one solid
+  std::vector<skills::CarriedItem> inside_;  // of the basket, as let down
+  bool lets_down_ = false;                   // what it holds is the last of these
   std::size_t lift_tried_ = 0;
   std::uint64_t moves_ = 0;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::policy

@@ -4,7 +4,7 @@
 #include "policy/aisle_tour.h"
 #include "skills/own_body.h"
 
-namespace marketgen {
+namespace marketgen::policy {
 namespace {
 
 constexpr double ahead_m = 2.0;  // boards whose middle is farther are seen too small
@@ -12,10 +12,10 @@ constexpr double cloud_spacing_m = 0.008, highest_point_m = 2.5;
 
 }  // namespace
 
-std::vector<BoardAhead> ShelfSight::boards_ahead(const AisleMap& map) const {
-  const Pose base_from_store = inverse(store_from_base(place_));
-  std::vector<BoardAhead> ahead;
-  for (const ShelfBoard& board : map.boards()) {
+std::vector<perception::BoardAhead> ShelfSight::boards_ahead(const agent::AisleMap& map) const {
+  const Pose base_from_store = inverse(agent::store_from_base(place_));
+  std::vector<perception::BoardAhead> ahead;
+  for (const agent::ShelfBoard& board : map.boards()) {
     if (!can_be_fetched_from(board)) continue;
     const Pose pose = base_from_store * board.store_from_board;
     const bool near = std::hypot(pose.position.x, pose.position.y) < ahead_m;
@@ -26,36 +26,40 @@ std::vector<BoardAhead> ShelfSight::boards_ahead(const AisleMap& map) const {
 }
 
 std::vector<ShelfFind> ShelfSight::find(std::size_t goal,
-                                        const WantedProduct& wanted,
-                                        const AisleMap& map,
-                                        const SpotSource& spots,
-                                        const ShelfChoice& choice) const {
-  const std::vector<BoardAhead> boards = boards_ahead(map);
+                                        const perception::WantedProduct& wanted,
+                                        const agent::AisleMap& map,
+                                        const perception::SpotSource& spots,
+                                        const perception::ShelfChoice& choice) const {
+  const std::vector<perception::BoardAhead> boards = boards_ahead(map);
   const Vec3f size = wanted.look->high() - wanted.look->low();
-  const Pose store = store_from_base(place_);
+  const Pose store = agent::store_from_base(place_);
   std::vector<ShelfFind> finds;
-  for (const FoundOnShelf& found :
+  for (const perception::FoundOnShelf& found :
        choice.find(wanted, views_, boards, spots.spots(views_, boards, size)))
     finds.push_back({goal, store * found.pose.base_from_product, found.pose.evidence.score});
   return finds;
 }
 
 ShelfFind ShelfSight::again(const ShelfFind& known,
-                            const ProductLook& look,
-                            const ShelfChoice& choice) const {
-  const Pose store = store_from_base(place_);
-  const FittedPose seen = choice.again(look, views_, inverse(store) * known.store_from_product);
+                            const perception::ProductLook& look,
+                            const perception::ShelfChoice& choice) const {
+  const Pose store = agent::store_from_base(place_);
+  const perception::FittedPose seen =
+      choice.again(look, views_, inverse(store) * known.store_from_product);
   return {known.goal, store * seen.base_from_product, seen.evidence.score};
 }
 
-std::vector<Vec3f> ShelfSight::points(const Robot& robot, const std::vector<double>& state) const {
-  const std::vector<Vec3f> kept = outside_body(
-      thinned_points(views_, cloud_spacing_m, highest_point_m), robot, link_poses(robot, state));
-  const Pose store = store_from_base(place_);
+std::vector<Vec3f> ShelfSight::points(const robots::Robot& robot,
+                                      const std::vector<double>& state) const {
+  const std::vector<Vec3f> kept =
+      skills::outside_body(perception::thinned_points(views_, cloud_spacing_m, highest_point_m),
+                           robot,
+                           robots::link_poses(robot, state));
+  const Pose store = agent::store_from_base(place_);
   std::vector<Vec3f> points;
   for (const Vec3f& point : kept)
     points.push_back(to_float(store * to_double(point)));
   return points;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::policy

@@ -8,7 +8,7 @@
 #include "perception/shelf_choice.h"
 #include "robots/robot.h"
 
-namespace marketgen {
+namespace marketgen::policy {
 
 // Of one product, as it was found from some place.
 struct ShelfFind {
@@ -20,25 +20,27 @@ struct ShelfFind {
 // Looks from one place, in the frame of the robot's base there.
 class ShelfSight {
  public:
-  explicit ShelfSight(const BasePlace& place) : place_(place) {}
-  void add(View view) { views_.emplace_back(std::move(view)); }
+  explicit ShelfSight(const robots::BasePlace& place) : place_(place) {}
+  void add(agent::View view) { views_.emplace_back(std::move(view)); }
 
   // Where a product stands on the boards nearby; best first.
   std::vector<ShelfFind> find(std::size_t goal,
-                              const WantedProduct& wanted,
-                              const AisleMap& map,
-                              const SpotSource& spots,
-                              const ShelfChoice& choice) const;
+                              const perception::WantedProduct& wanted,
+                              const agent::AisleMap& map,
+                              const perception::SpotSource& spots,
+                              const perception::ShelfChoice& choice) const;
   // The same product as it is seen from here; score 0 when it is not.
-  ShelfFind again(const ShelfFind& known, const ProductLook& look, const ShelfChoice& choice) const;
+  ShelfFind again(const ShelfFind& known,
+                  const perception::ProductLook& look,
+                  const perception::ShelfChoice& choice) const;
   // Measured points without the robot itself, which stands as `state` says (base on the origin).
-  std::vector<Vec3f> points(const Robot& robot, const std::vector<double>& state) const;
+  std::vector<Vec3f> points(const robots::Robot& robot, const std::vector<double>& state) const;
 
  private:
-  std::vector<BoardAhead> boards_ahead(const AisleMap& map) const;
+  std::vector<perception::BoardAhead> boards_ahead(const agent::AisleMap& map) const;
 
-  BasePlace place_;
-  std::vector<ViewCloud> views_;
+  robots::BasePlace place_;
+  std::vector<perception::ViewCloud> views_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::policy

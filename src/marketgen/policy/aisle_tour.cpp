@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace marketgen {
+namespace marketgen::policy {
 namespace {
 
 // From a shelf's front to the base's middle: all boards are seen well from the first of them.
@@ -17,12 +17,12 @@ double apart(Vec2 a, Vec2 b) {
   return std::hypot(a.x - b.x, a.y - b.y);
 }
 
-std::optional<BasePlace> place_before(const AisleMap& map, const Pose& board) {
+std::optional<robots::BasePlace> place_before(const agent::AisleMap& map, const Pose& board) {
   const Vec3 out = rotate(board.rotation, {0, -1, 0});
   const double heading = std::atan2(-out.y, -out.x);
   for (const double distance : view_distances_m) {
     const Vec3 at = board.position + out * distance;
-    const BasePlace place{at.x, at.y, heading};
+    const robots::BasePlace place{at.x, at.y, heading};
     if (map.has_room(place)) return place;
   }
   return std::nullopt;
@@ -30,9 +30,9 @@ std::optional<BasePlace> place_before(const AisleMap& map, const Pose& board) {
 
 }  // namespace
 
-std::vector<ViewStop> view_stops(const AisleMap& map) {
+std::vector<ViewStop> view_stops(const agent::AisleMap& map) {
   std::vector<ViewStop> stops;
-  for (const ShelfBoard& board : map.boards()) {
+  for (const agent::ShelfBoard& board : map.boards()) {
     if (!can_be_fetched_from(board)) continue;
     const auto place = place_before(map, board.store_from_board);
     if (!place) continue;
@@ -46,10 +46,10 @@ std::vector<ViewStop> view_stops(const AisleMap& map) {
   return stops;
 }
 
-std::optional<std::size_t> next_stop(const AisleMap& map,
+std::optional<std::size_t> next_stop(const agent::AisleMap& map,
                                      const std::vector<ViewStop>& stops,
                                      const std::vector<bool>& seen,
-                                     const BasePlace& from,
+                                     const robots::BasePlace& from,
                                      Vec2 hint,
                                      double max_m) {
   std::vector<std::pair<double, std::size_t>> near;
@@ -72,4 +72,4 @@ std::optional<std::size_t> next_stop(const AisleMap& map,
   return best;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::policy

@@ -9,30 +9,30 @@
 
 #include "agent/aisle_map.h"
 
-namespace marketgen {
+namespace marketgen::policy {
 
 // Whether the robot can take goods from it at all: it opens no doors, and takes what stands, not
 // what lies in heaps or hangs.
-inline bool can_be_fetched_from(const ShelfBoard& board) {
-  return board.use == ShelfUse::stand && !board.has_door;
+inline bool can_be_fetched_from(const agent::ShelfBoard& board) {
+  return board.use == assets::ShelfUse::stand && !board.has_door;
 }
 
 // From `place` the robot looks straight at the boards of one front.
 struct ViewStop {
-  BasePlace place;
+  robots::BasePlace place;
   Vec2 front;  // middle of the boards' edges
 };
 
 // One for each front of boards that it can fetch from and before which it has room.
-std::vector<ViewStop> view_stops(const AisleMap& map);
+std::vector<ViewStop> view_stops(const agent::AisleMap& map);
 
 // The stop that is to be looked from next for something near `hint`; `seen`: those that were. Empty
 // when none is left within `max_m` of the hint that can be reached.
-std::optional<std::size_t> next_stop(const AisleMap& map,
+std::optional<std::size_t> next_stop(const agent::AisleMap& map,
                                      const std::vector<ViewStop>& stops,
                                      const std::vector<bool>& seen,
-                                     const BasePlace& from,
+                                     const robots::BasePlace& from,
                                      Vec2 hint,
                                      double max_m);
 
-}  // namespace marketgen
+}  // namespace marketgen::policy

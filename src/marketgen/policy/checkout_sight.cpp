@@ -5,7 +5,7 @@
 
 #include "skills/own_body.h"
 
-namespace marketgen {
+namespace marketgen::policy {
 namespace {
 
 constexpr double point_spacing_m = 0.003, highest_goods_m = 0.33;
@@ -13,14 +13,16 @@ constexpr double column_m = 0.02, min_column_m = 0.012;  // of what stands about
 constexpr double round_basket_m = 0.03;
 
 // Goods in the basket, and what stands on the counter beside it.
-std::vector<std::uint8_t> goods_pixels(const ViewCloud& cloud, const Workplace& place) {
-  std::vector<std::uint8_t> wanted = goods_in_basket(cloud, place, place.base_from_basket);
-  WorkArea before_arm = place.counter;
+std::vector<std::uint8_t> goods_pixels(const perception::ViewCloud& cloud,
+                                       const agent::Workplace& place) {
+  std::vector<std::uint8_t> wanted =
+      perception::goods_in_basket(cloud, place, place.base_from_basket);
+  agent::WorkArea before_arm = place.counter;
   before_arm.low_m[0] = place.set_aside.low_m[0];
-  const std::vector<std::uint8_t> beside = goods_over(cloud, before_arm);
+  const std::vector<std::uint8_t> beside = perception::goods_over(cloud, before_arm);
   const Vec3 at = place.base_from_basket.position, half = place.inner_half;
-  const WorkArea basket{{at.x - half.x - round_basket_m, at.y - half.y - round_basket_m},
-                        {at.x + half.x + round_basket_m, at.y + half.y + round_basket_m}};
+  const agent::WorkArea basket{{at.x - half.x - round_basket_m, at.y - half.y - round_basket_m},
+                               {at.x + half.x + round_basket_m, at.y + half.y + round_basket_m}};
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     const Vec3f p = cloud.point(i);
     if (beside[i] != 0 && !basket.holds(p.x, p.y)) wanted[i] = 1;
@@ -29,7 +31,7 @@ std::vector<std::uint8_t> goods_pixels(const ViewCloud& cloud, const Workplace& 
 }
 
 // Upright boxes under the points.
-void add_columns(const std::vector<Vec3f>& points, std::vector<BoxObstacle>& boxes) {
+void add_columns(const std::vector<Vec3f>& points, std::vector<motion::BoxObstacle>& boxes) {
   std::map<std::pair<int, int>, float> tops;
   for (const Vec3f& p : points) {
     if (p.z < static_cast<float>(min_column_m)) continue;
@@ -49,47 +51,47 @@ void add_columns(const std::vector<Vec3f>& points, std::vector<BoxObstacle>& box
 }  // namespace
 
 std::vector<Vec3f> without_robot(const std::vector<Vec3f>& points,
-                                 const Robot& robot,
-                                 const Observation& now) {
-  const JointGroup& arm = *robot.find_group("arm");
-  std::vector<double> q = neutral_state(robot);
+                                 const robots::Robot& robot,
+                                 const agent::Observation& now) {
+  const robots::JointGroup& arm = *robot.find_group("arm");
+  std::vector<double> q = robots::neutral_state(robot);
   for (std::size_t j = 0; j < arm.dofs.size(); ++j)
     q[static_cast<std::size_t>(arm.dofs[j])] = now.position[j];
-  if (const JointGroup* fingers = robot.find_group("fingers"))
+  if (const robots::JointGroup* fingers = robot.find_group("fingers"))
     for (const int dof : fingers->dofs)
       q[static_cast<std::size_t>(dof)] = now.openings_m.front() / 2;
-  std::vector<Pose> links = link_poses(robot, with_followers(robot, q));
+  std::vector<Pose> links = robots::link_poses(robot, robots::with_followers(robot, q));
   const Pose base_from_robot = inverse(links[static_cast<std::size_t>(arm.base)]);
   for (Pose& link : links)
     link = base_from_robot * link;
-  return outside_body(points, robot, links);
+  return skills::outside_body(points, robot, links);
 }
 
-Result<Sight> take_sight(Eyes& eyes,
+Result<Sight> take_sight(agent::Eyes& eyes,
                          const std::vector<std::string>& cameras,
-                         const Workplace& place,
-                         const MaskSource& masks,
-                         const TargetChoice& targets,
-                         const std::vector<WantedProduct>& wanted) {
+                         const agent::Workplace& place,
+                         const perception::MaskSource& masks,
+                         const perception::TargetChoice& targets,
+                         const std::vector<perception::WantedProduct>& wanted) {
   Sight sight;
   for (const std::string& camera : cameras) {
-    MARKETGEN_TRY(View view, eyes.look(camera));
+    MARKETGEN_TRY(agent::View view, eyes.look(camera));
     sight.views.emplace_back(std::move(view));
-    const ViewCloud& cloud = sight.views.back();
+    const perception::ViewCloud& cloud = sight.views.back();
     sight.masked.push_back(
         {sight.views.size() - 1, masks.masks(cloud, goods_pixels(cloud, place))});
   }
   sight.found = targets.find(wanted, sight.views, sight.masked);
-  sight.points = thinned_points(sight.views, point_spacing_m, highest_goods_m);
+  sight.points = perception::thinned_points(sight.views, point_spacing_m, highest_goods_m);
   return sight;
 }
 
-Surroundings seen_surroundings(const Workplace& place,
-                               const std::vector<Vec3f>& points,
-                               HandAt hand) {
-  Surroundings around = counter_surroundings(place, hand);
+skills::Surroundings seen_surroundings(const agent::Workplace& place,
+                                       const std::vector<Vec3f>& points,
+                                       skills::HandAt hand) {
+  skills::Surroundings around = skills::counter_surroundings(place, hand);
   add_columns(points, around.way.boxes);
   return around;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::policy

@@ -12,31 +12,31 @@
 #include "perception/target_choice.h"
 #include "skills/counter_obstacles.h"
 
-namespace marketgen {
+namespace marketgen::policy {
 
 struct Sight {
-  std::vector<ViewCloud> views;
-  std::vector<MaskedView> masked;   // goods in the basket and on the counter
-  std::vector<FoundProduct> found;  // `look`: number of the SKU that was asked for
-  std::vector<Vec3f> points;        // measured, thinned
+  std::vector<perception::ViewCloud> views;
+  std::vector<perception::MaskedView> masked;   // goods in the basket and on the counter
+  std::vector<perception::FoundProduct> found;  // `look`: number of the SKU that was asked for
+  std::vector<Vec3f> points;                    // measured, thinned
 };
 
 // Pictures of all `cameras`, masks, and where `wanted` lie. Errors: of the eyes.
-Result<Sight> take_sight(Eyes& eyes,
+Result<Sight> take_sight(agent::Eyes& eyes,
                          const std::vector<std::string>& cameras,
-                         const Workplace& place,
-                         const MaskSource& masks,
-                         const TargetChoice& targets,
-                         const std::vector<WantedProduct>& wanted);
+                         const agent::Workplace& place,
+                         const perception::MaskSource& masks,
+                         const perception::TargetChoice& targets,
+                         const std::vector<perception::WantedProduct>& wanted);
 
 // Without those that show the robot's own body as it stands: it knows where it is.
 std::vector<Vec3f> without_robot(const std::vector<Vec3f>& points,
-                                 const Robot& robot,
-                                 const Observation& now);
+                                 const robots::Robot& robot,
+                                 const agent::Observation& now);
 
 // The place, and measured points for ways to keep off.
-Surroundings seen_surroundings(const Workplace& place,
-                               const std::vector<Vec3f>& points,
-                               HandAt hand);
+skills::Surroundings seen_surroundings(const agent::Workplace& place,
+                                       const std::vector<Vec3f>& points,
+                                       skills::HandAt hand);
 
-}  // namespace marketgen
+}  // namespace marketgen::policy

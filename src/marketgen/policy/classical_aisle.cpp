@@ -8,7 +8,7 @@
 #include "policy/aisle_tour.h"
 #include "skills/plan_failure.h"
 
-namespace marketgen {
+namespace marketgen::policy {
 namespace {
 
 constexpr int max_tries = 3;     // an item
@@ -42,7 +42,7 @@ enum class AisleStep {
   dropped
 };
 
-class ClassicalAisle : public Policy {
+class ClassicalAisle : public agent::Policy {
  public:
   ClassicalAisle(ClassicalAisleSetup setup, Seed seed)
       : setup_(std::move(setup)),
@@ -50,29 +50,29 @@ class ClassicalAisle : public Policy {
         robot_(*setup_.body.robot),
         map_(*setup_.body.map),
         body_(setup_.body, seed),
-        sight_(BasePlace{}) {
-    if (!modules_.spots) modules_.spots = std::make_unique<SweptSpots>();
-    if (!modules_.choice) modules_.choice = std::make_unique<UprightMatching>();
-    if (!modules_.grasps) modules_.grasps = std::make_unique<FrontGrasps>(setup_.tool);
+        sight_(robots::BasePlace{}) {
+    if (!modules_.spots) modules_.spots = std::make_unique<perception::SweptSpots>();
+    if (!modules_.choice) modules_.choice = std::make_unique<perception::UprightMatching>();
+    if (!modules_.grasps) modules_.grasps = std::make_unique<perception::FrontGrasps>(setup_.tool);
   }
 
-  Result<void> begin(const Task& task, const Observation& first) override {
+  Result<void> begin(const agent::Task& task, const agent::Observation& first) override {
     task_ = task;
     body_.start(first);
     stops_ = view_stops(map_);
     seen_.assign(stops_.size(), false);
-    for (const TaskGoal& goal : task.goals)
+    for (const agent::TaskGoal& goal : task.goals)
       MARKETGEN_CHECK(learn(goal));
     return {};
   }
 
-  Result<Action> act(const Observation& now) override {
+  Result<agent::Action> act(const agent::Observation& now) override {
     now_ = now;
     body_.sense(now);
     // What could not be planned leads on to the next step at once.
     for (int i = 0; i < 4 && body_.idle() && !done_; ++i)
       MARKETGEN_CHECK(decide());
-    Action action = body_.next();
+    agent::Action action = body_.next();
     action.stop = done_;
     return action;
   }
@@ -87,8 +87,8 @@ class ClassicalAisle : public Policy {
   struct Goal {
     std::string sku;
     int wanted = 1, fetched = 0, tries = 0;
-    const ProductLook* look = nullptr;
-    std::vector<const ProductLook*> rivals;
+    const perception::ProductLook* look = nullptr;
+    std::vector<const perception::ProductLook*> rivals;
     Vec2 hint;
     std::string failure = "NotFound";
   };
@@ -153,17 +153,18 @@ class ClassicalAisle : public Policy {
 
   // ---- What it is to know ----
 
-  Result<void> learn(const TaskGoal& asked) {
+  Result<void> learn(const agent::TaskGoal& asked) {
     Goal goal;
     goal.sku = asked.sku;
     goal.wanted = asked.count;
-    MARKETGEN_TRY(const KnownProduct* known, setup_.products->product(asked.sku));
+    MARKETGEN_TRY(const agent::KnownProduct* known, setup_.products->product(asked.sku));
     MARKETGEN_TRY(goal.look, setup_.looks->of(known->product, *setup_.products));
-    for (const Product* rival : rivals_of(known->product)) {
-      MARKETGEN_TRY(const ProductLook* look, setup_.looks->of(*rival, *setup_.products));
+    for (const catalog::Product* rival : rivals_of(known->product)) {
+      MARKETGEN_TRY(const perception::ProductLook* look,
+                    setup_.looks->of(*rival, *setup_.products));
       goal.rivals.push_back(look);
     }
-    const auto hint = std::ranges::find(setup_.hints, asked.sku, &CategoryHint::sku);
+    const auto hint = std::ranges::find(setup_.hints, asked.sku, &agent::CategoryHint::sku);
     if (hint == setup_.hints.end())
       return Error{"episode.impossible", asked.sku, "nothing says where its category stands"};
     goal.hint = hint->position;
@@ -172,9 +173,9 @@ class ClassicalAisle : public Policy {
   }
 
   // Of its category and much its size, the most alike ones.
-  std::vector<const Product*> rivals_of(const Product& product) const {
-    std::vector<std::pair<double, const Product*>> alike;
-    for (const Product& other : setup_.products->rows()) {
+  std::vector<const catalog::Product*> rivals_of(const catalog::Product& product) const {
+    std::vector<std::pair<double, const catalog::Product*>> alike;
+    for (const catalog::Product& other : setup_.products->rows()) {
       if (product.sku == other.sku || product.category != other.category) continue;
       double most = 0;
       for (std::size_t axis = 0; axis < 3; ++axis)
@@ -184,13 +185,13 @@ class ClassicalAisle : public Policy {
     std::ranges::sort(alike, {}, [](const auto& entry) {
       return std::pair<double, std::string_view>(entry.first, entry.second->sku);
     });
-    std::vector<const Product*> rivals;
+    std::vector<const catalog::Product*> rivals;
     for (std::size_t i = 0; i < std::min(max_rivals_looked_at, alike.size()); ++i)
       rivals.push_back(alike[i].second);
     return rivals;
   }
 
-  static WantedProduct wanted_of(const Goal& goal) { return {goal.look, goal.rivals}; }
+  static perception::WantedProduct wanted_of(const Goal& goal) { return {goal.look, goal.rivals}; }
 
   // ---- What to do next ----
 
@@ -276,14 +277,14 @@ class ClassicalAisle : public Policy {
 
   Result<void> look_up() {
     sight_ = ShelfSight(now_.base);
-    MARKETGEN_TRY(View view, setup_.eyes->look(head_eye));
+    MARKETGEN_TRY(agent::View view, setup_.eyes->look(head_eye));
     sight_.add(std::move(view));
     step_ = AisleStep::look_down;
     return body_.look(0, stop_tilts[1]);
   }
 
   Result<void> look_down() {
-    MARKETGEN_TRY(View view, setup_.eyes->look(head_eye));
+    MARKETGEN_TRY(agent::View view, setup_.eyes->look(head_eye));
     sight_.add(std::move(view));
     points_ = sight_.points(robot_, body_.state());
     for (std::size_t i = 0; i < goals_.size(); ++i) {
@@ -314,9 +315,9 @@ class ClassicalAisle : public Policy {
 
   // ---- Taking it ----
 
-  Result<ShelfItem> item_at(const ShelfFind& find) {
+  Result<PickTarget> item_at(const ShelfFind& find) {
     const Goal& goal = goals_[find.goal];
-    ShelfItem item;
+    PickTarget item;
     MARKETGEN_TRY(item.known, setup_.products->product(goal.sku));
     item.store_from_product = find.store_from_product;
     item.tool_row = setup_.tool.id;
@@ -324,10 +325,11 @@ class ClassicalAisle : public Policy {
     std::vector<Vec3f> near;
     for (const Vec3f& point : points_)
       if (length(to_double(point) - middle) < other_reach_m) near.push_back(point);
-    const std::vector<Vec3f> others = other_points(near, *goal.look, find.store_from_product);
+    const std::vector<Vec3f> others =
+        perception::other_points(near, *goal.look, find.store_from_product);
     MARKETGEN_TRY(const auto grasps,
                   modules_.grasps->grasps({*item.known, find.store_from_product, others}));
-    for (const SeenGrasp& grasp : grasps)
+    for (const perception::SeenGrasp& grasp : grasps)
       item.grasps.push_back(
           {inverse(find.store_from_product) * grasp.base_from_tip, grasp.opening_m, grasp.force_n});
     return item;
@@ -341,7 +343,7 @@ class ClassicalAisle : public Policy {
     if (item->grasps.empty()) return note(goal, "NoGrasp");
     const auto pick = body_.plan_pick(*item, points_, {});
     if (!pick.ok()) return given_up(goal, pick.error());
-    if (!body_.drive_to(base_place(pick->world_from_base)).ok()) return note(goal, "NoPath");
+    if (!body_.drive_to(agent::base_place(pick->world_from_base)).ok()) return note(goal, "NoPath");
     find_ = number;
     step_ = AisleStep::at_shelf;
     return true;
@@ -352,16 +354,16 @@ class ClassicalAisle : public Policy {
     return false;
   }
   static Result<bool> given_up(Goal& goal, const Error& error) {
-    if (!is_of_planning(error)) return error;
-    return note(goal, failure_of_plan(error));
+    if (!skills::is_of_planning(error)) return error;
+    return note(goal, skills::failure_of_plan(error));
   }
 
   // Towards the product, as far as the head turns.
   Result<void> turn_head() {
-    const Pose head = frame_pose(robot_, body_.state(), robot_.find_frame(head_eye));
-    const Vec3 at =
-        inverse(store_from_base(now_.base)) * finds_[find_].place.store_from_product.position -
-        head.position;
+    const Pose head = robots::frame_pose(robot_, body_.state(), robot_.find_frame(head_eye));
+    const Vec3 at = inverse(agent::store_from_base(now_.base)) *
+                        finds_[find_].place.store_from_product.position -
+                    head.position;
     step_ = AisleStep::look_again;
     return body_.look(std::clamp(std::atan2(at.y, at.x), -max_pan, max_pan),
                       std::clamp(std::atan2(-at.z, std::hypot(at.x, at.y)), 0.0, max_tilt));
@@ -372,7 +374,7 @@ class ClassicalAisle : public Policy {
     Find& find = finds_[find_];
     Goal& goal = goals_[find.place.goal];
     sight_ = ShelfSight(now_.base);
-    MARKETGEN_TRY(View view, setup_.eyes->look(head_eye));
+    MARKETGEN_TRY(agent::View view, setup_.eyes->look(head_eye));
     sight_.add(std::move(view));
     const std::vector<Vec3f> more = sight_.points(robot_, body_.state());
     points_.insert(points_.end(), more.begin(), more.end());
@@ -392,8 +394,8 @@ class ClassicalAisle : public Policy {
     ++find.tries;
     step_ = AisleStep::choose;
     const auto item = item_at(find.place);
-    auto pick =
-        item.ok() ? body_.plan_pick(*item, points_, now_.base) : Result<ShelfPick>(item.error());
+    auto pick = item.ok() ? body_.plan_pick(*item, points_, now_.base)
+                          : Result<skills::ShelfPick>(item.error());
     if (!pick.ok()) {
       MARKETGEN_CHECK(given_up(goal, pick.error()));
       refuse(find_);
@@ -446,11 +448,11 @@ class ClassicalAisle : public Policy {
 
   ClassicalAisleSetup setup_;
   ClassicalAisleModules& modules_;
-  const Robot& robot_;
-  const AisleMap& map_;
+  const robots::Robot& robot_;
+  const agent::AisleMap& map_;
   AisleBody body_;
-  Task task_;
-  Observation now_;
+  agent::Task task_;
+  agent::Observation now_;
   std::vector<Goal> goals_;
   std::vector<ViewStop> stops_;
   std::vector<bool> seen_;  // of the stops
@@ -466,8 +468,8 @@ class ClassicalAisle : public Policy {
 
 }  // namespace
 
-std::unique_ptr<Policy> make_classical_aisle(ClassicalAisleSetup setup, Seed seed) {
+std::unique_ptr<agent::Policy> make_classical_aisle(ClassicalAisleSetup setup, Seed seed) {
   return std::make_unique<ClassicalAisle>(std::move(setup), seed);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::policy

@@ -16,27 +16,27 @@
 #include "policy/aisle_body.h"
 #include "robots/grasp_tool.h"
 
-namespace marketgen {
+namespace marketgen::policy {
 
 // Its modules; each may be another.
 struct ClassicalAisleModules {
-  std::unique_ptr<SpotSource> spots;
-  std::unique_ptr<ShelfChoice> choice;
-  std::unique_ptr<ShelfGraspSource> grasps;
+  std::unique_ptr<perception::SpotSource> spots;
+  std::unique_ptr<perception::ShelfChoice> choice;
+  std::unique_ptr<perception::ShelfGraspSource> grasps;
 };
 
 // What the agent is given. Eyes, catalogue, its looks, map and robot must outlive the policy.
 // Modules that are null are its own: SweptSpots, UprightMatching, FrontGrasps.
 struct ClassicalAisleSetup {
-  Eyes* eyes = nullptr;  // "head_camera"; base frame: that of the robot's base
-  KnownProducts* products = nullptr;
-  LookLibrary* looks = nullptr;
-  GraspTool tool;
-  std::vector<CategoryHint> hints;
+  agent::Eyes* eyes = nullptr;  // "head_camera"; base frame: that of the robot's base
+  agent::KnownProducts* products = nullptr;
+  perception::LookLibrary* looks = nullptr;
+  robots::GraspTool tool;
+  std::vector<agent::CategoryHint> hints;
   AisleBodySetup body;
   ClassicalAisleModules modules = {};
 };
 
-std::unique_ptr<Policy> make_classical_aisle(ClassicalAisleSetup setup, Seed seed);
+std::unique_ptr<agent::Policy> make_classical_aisle(ClassicalAisleSetup setup, Seed seed);
 
-}  // namespace marketgen
+}  // namespace marketgen::policy

@@ -16,7 +16,7 @@
 #include "skills/place_search.h"
 #include "skills/plan_failure.h"
 
-namespace marketgen {
+namespace marketgen::policy {
 namespace {
 
 constexpr int tries_an_item = 3;
@@ -36,43 +36,44 @@ const std::vector<std::string> station_cameras{"scene_camera", "wrist_camera"};
 
 enum class Step { go_to_look, look, closed, lifted };
 
-class ClassicalCheckout : public Policy {
+class ClassicalCheckout : public agent::Policy {
  public:
-  ClassicalCheckout(ClassicalSetup setup, ArmExecutor arm, Seed seed)
+  ClassicalCheckout(ClassicalSetup setup, skills::ArmExecutor arm, Seed seed)
       : setup_(std::move(setup)),
         modules_(setup_.modules),
         arm_(std::move(arm)),
         seed_(seed),
         walls_(setup_.place) {
-    if (!modules_.masks) modules_.masks = std::make_unique<GeometricMasks>();
-    if (!modules_.poses) modules_.poses = std::make_unique<SweptPoses>();
-    if (!modules_.targets) modules_.targets = std::make_unique<CatalogueMatching>(*modules_.poses);
+    if (!modules_.masks) modules_.masks = std::make_unique<perception::GeometricMasks>();
+    if (!modules_.poses) modules_.poses = std::make_unique<perception::SweptPoses>();
+    if (!modules_.targets)
+      modules_.targets = std::make_unique<perception::CatalogueMatching>(*modules_.poses);
     if (!modules_.grasps)
-      modules_.grasps = std::make_unique<FittedGrasps>(setup_.tool, setup_.place);
+      modules_.grasps = std::make_unique<perception::FittedGrasps>(setup_.tool, setup_.place);
   }
 
-  Result<void> begin(const Task& task, const Observation& first) override {
+  Result<void> begin(const agent::Task& task, const agent::Observation& first) override {
     task_ = task;
     arm_.start(first);
     MARKETGEN_CHECK(learn_catalogue());
-    for (const TaskGoal& goal : task.goals) {
+    for (const agent::TaskGoal& goal : task.goals) {
       if (goal.count != 1)
         return Error{"episode.impossible", goal.sku, "classical takes one of each product so far"};
-      const auto known = std::ranges::find(catalogue_, goal.sku, &ProductLook::sku);
+      const auto known = std::ranges::find(catalogue_, goal.sku, &perception::ProductLook::sku);
       if (known == catalogue_.end())
         return Error{"catalog.unknown_sku", goal.sku, "the agent's catalogue has no such product"};
       looks_.push_back(*known);
-      wanted_.push_back({*known, rivals_of(**known, catalogue_)});
+      wanted_.push_back({*known, perception::rivals_of(**known, catalogue_)});
     }
     return {};
   }
 
-  Result<Action> act(const Observation& now) override {
+  Result<agent::Action> act(const agent::Observation& now) override {
     now_ = now;
     // A motion that could not be planned leads on to the next step at once.
     for (int i = 0; i < 3 && arm_.idle() && !done_; ++i)
       MARKETGEN_CHECK(decide());
-    Action action = arm_.next(now);
+    agent::Action action = arm_.next(now);
     action.stop = done_;
     return action;
   }
@@ -88,7 +89,7 @@ class ClassicalCheckout : public Policy {
     step_ = Step::go_to_look;
     if (!holds)
       go_to_look();
-    else if (hand_at(arm_.tip()) == HandAt::basket)
+    else if (hand_at(arm_.tip()) == skills::HandAt::basket)
       lift();
     else
       put_down();
@@ -121,16 +122,16 @@ class ClassicalCheckout : public Policy {
     const Vec3 at = setup_.place.base_from_basket.position;
     const Pose tip{{at.x - look_back_m, at.y, look_height_m},
                    rotation_with_axes({0, -1, 0}, {0, 0, -1})};
-    const ReachRequest request{tip, {0, 0, 0.02}, setup_.tool.opening_m, 20};
-    if (arm_.reach(around(others_, HandAt::counter), request, next_seed()).ok()) return;
+    const skills::ReachRequest request{tip, {0, 0, 0.02}, setup_.tool.opening_m, 20};
+    if (arm_.reach(around(others_, skills::HandAt::counter), request, next_seed()).ok()) return;
     // Something stands against the hand: up first, then past what is known of the place alone.
-    const Surroundings bare = around({}, HandAt::basket);
+    const skills::Surroundings bare = around({}, skills::HandAt::basket);
     Pose up = arm_.tip();
     up.position.z = std::max(up.position.z, look_height_m);
     say_failed("raise the hand", arm_.straight(bare, up, setup_.tool.opening_m, 20));
     if (const auto there = arm_.reach(bare, request, next_seed()); !there.ok()) {
       say_failed("go to where it looks from", there);
-      note(failure_of_plan(there.error()));
+      note(skills::failure_of_plan(there.error()));
     }
   }
 
@@ -150,13 +151,13 @@ class ClassicalCheckout : public Policy {
     return choose();
   }
 
-  static Vec3 middle_of(const ProductLook& look, const Pose& base_from_product) {
+  static Vec3 middle_of(const perception::ProductLook& look, const Pose& base_from_product) {
     return base_from_product * to_double((look.low() + look.high()) * 0.5F);
   }
 
   // What was put down counts as there until it is seen elsewhere.
   bool is_there(std::size_t goal) const {
-    for (const FoundProduct& found : sight_.found) {
+    for (const perception::FoundProduct& found : sight_.found) {
       if (found.look != goal) continue;
       const Vec3 at = middle_of(*looks_[goal], found.pose.base_from_product);
       return setup_.place.unloading.holds(at.x, at.y);
@@ -168,12 +169,12 @@ class ClassicalCheckout : public Policy {
 
   // What may be taken, and how.
   struct Choice {
-    const ProductLook* look = nullptr;
+    const perception::ProductLook* look = nullptr;
     std::optional<std::size_t> goal;  // none: it is in the way
     Pose base_from_product;
     double seen = 0;  // share of it that nothing hides
-    const KnownProduct* known = nullptr;
-    std::vector<SeenGrasp> grasps;
+    const agent::KnownProduct* known = nullptr;
+    std::vector<perception::SeenGrasp> grasps;
     std::vector<Vec3f> others;
   };
 
@@ -206,7 +207,7 @@ class ClassicalCheckout : public Policy {
       all_there = false;
       const auto tried = tries_.find(goal);
       if (tried != tries_.end() && tried->second >= tries_an_item) continue;
-      for (const FoundProduct& found : sight_.found)
+      for (const perception::FoundProduct& found : sight_.found)
         if (found.look == goal)
           targets.push_back({looks_[goal],
                              goal,
@@ -230,7 +231,7 @@ class ClassicalCheckout : public Policy {
 
   Result<void> find_grasps(Choice& choice) {
     MARKETGEN_TRY(choice.known, setup_.products->product(choice.look->sku()));
-    choice.others = other_points(sight_.points, *choice.look, choice.base_from_product);
+    choice.others = perception::other_points(sight_.points, *choice.look, choice.base_from_product);
     MARKETGEN_TRY(choice.grasps,
                   modules_.grasps->grasps({*choice.known,
                                            choice.base_from_product,
@@ -244,11 +245,11 @@ class ClassicalCheckout : public Policy {
   // Goods in the basket that are not asked for: nearest to the first target, or highest when none
   // was found.
   std::vector<Choice> others_near(const std::vector<Choice>& targets) const {
-    const MaskedView& masked = sight_.masked.back();
-    const ViewCloud& cloud = sight_.views[masked.view];
-    std::vector<std::pair<double, SurfacePatch>> ranked;
-    for (const Mask& mask : masked.masks) {
-      SurfacePatch patch = patch_of(cloud, mask, patch_points);
+    const perception::MaskedView& masked = sight_.masked.back();
+    const perception::ViewCloud& cloud = sight_.views[masked.view];
+    std::vector<std::pair<double, perception::SurfacePatch>> ranked;
+    for (const perception::Mask& mask : masked.masks) {
+      perception::SurfacePatch patch = perception::patch_of(cloud, mask, patch_points);
       const Vec3 at = inverse(setup_.place.base_from_basket) * to_double(patch.middle);
       const Vec3 half = setup_.place.inner_half;
       if (std::abs(at.x) > half.x || std::abs(at.y) > half.y || is_of_target(patch)) continue;
@@ -266,26 +267,27 @@ class ClassicalCheckout : public Policy {
     return others;
   }
 
-  bool is_of_target(const SurfacePatch& patch) const {
-    return std::ranges::any_of(sight_.found, [&](const FoundProduct& found) {
+  bool is_of_target(const perception::SurfacePatch& patch) const {
+    return std::ranges::any_of(sight_.found, [&](const perception::FoundProduct& found) {
       const auto left =
-          other_points(patch.points, *looks_[found.look], found.pose.base_from_product);
+          perception::other_points(patch.points, *looks_[found.look], found.pose.base_from_product);
       return left.size() < patch.points.size() * 7 / 10;
     });
   }
 
   // What of the whole catalogue explains the patch best.
-  std::optional<Choice> recognised(const SurfacePatch& patch) const {
-    std::vector<std::pair<double, const ProductLook*>> alike;
-    for (const ProductLook* look : catalogue_)
+  std::optional<Choice> recognised(const perception::SurfacePatch& patch) const {
+    std::vector<std::pair<double, const perception::ProductLook*>> alike;
+    for (const perception::ProductLook* look : catalogue_)
       if (patch.diagonal_m < look->diagonal_m() * 1.1F + 0.015F)
-        alike.emplace_back(color_likeness(patch.colors, *look), look);
+        alike.emplace_back(perception::color_likeness(patch.colors, *look), look);
     std::ranges::stable_sort(
         alike, std::greater<>{}, [](const auto& entry) { return entry.first; });
     std::optional<Choice> best;
     double best_score = min_other_score;
     for (std::size_t i = 0; i < std::min(likenesses_tried, alike.size()); ++i) {
-      const FittedPose pose = modules_.poses->pose(*alike[i].second, patch, sight_.views);
+      const perception::FittedPose pose =
+          modules_.poses->pose(*alike[i].second, patch, sight_.views);
       if (pose.evidence.score < best_score) continue;
       best_score = pose.evidence.score;
       best =
@@ -295,8 +297,8 @@ class ClassicalCheckout : public Policy {
   }
 
   Result<void> learn_catalogue() {
-    for (const Product& row : setup_.products->rows()) {
-      MARKETGEN_TRY(const ProductLook* look, setup_.looks->of(row, *setup_.products));
+    for (const catalog::Product& row : setup_.products->rows()) {
+      MARKETGEN_TRY(const perception::ProductLook* look, setup_.looks->of(row, *setup_.products));
       catalogue_.push_back(look);
     }
     return {};
@@ -304,38 +306,38 @@ class ClassicalCheckout : public Policy {
 
   // ---- Where things are ----
 
-  Surroundings around(const std::vector<Vec3f>& points, HandAt hand) const {
+  skills::Surroundings around(const std::vector<Vec3f>& points, skills::HandAt hand) const {
     return seen_surroundings(setup_.place, points, hand);
   }
   double rim_z_m() const { return setup_.place.base_from_basket.position.z + setup_.place.rim_m; }
-  HandAt hand_at(const Pose& tip) const {
+  skills::HandAt hand_at(const Pose& tip) const {
     const Vec3 at = inverse(setup_.place.base_from_basket) * tip.position;
     const bool inside =
         std::abs(at.x) < setup_.place.inner_half.x && std::abs(at.y) < setup_.place.inner_half.y;
-    return inside ? HandAt::basket : HandAt::counter;
+    return inside ? skills::HandAt::basket : skills::HandAt::counter;
   }
 
   // ---- Taking it ----
 
   bool take(const Choice& choice, double borne_m) {
     if (choice.grasps.empty()) note("NoGrasp");
-    const Surroundings seen = around(sight_.points, HandAt::basket);
-    const std::vector<PlacedBody> walls = walls_.at(setup_.place.base_from_basket);
+    const skills::Surroundings seen = around(sight_.points, skills::HandAt::basket);
+    const std::vector<skills::PlacedBody> walls = walls_.at(setup_.place.base_from_basket);
     std::size_t plans = 0, tried = 0;
-    for (const SeenGrasp& grasp : choice.grasps) {
+    for (const perception::SeenGrasp& grasp : choice.grasps) {
       if (grasp.intrusion_m > borne_m) continue;
       if (tried++ >= grasps_tried) break;
-      const std::vector<ToolSolid> hand = open_hand(setup_.tool, grasp.opening_m);
-      for (const Pose& tip : either_way_round(arm_, grasp.base_from_tip)) {
-        ReachRequest request = reach_over_rim(tip, rim_z_m(), grasp.opening_m);
-        request.force_n = touch_n;
-        if (!is_reached(arm_, request, hand, walls)) {
+      const std::vector<robots::ToolSolid> hand = skills::open_hand(setup_.tool, grasp.opening_m);
+      for (const Pose& tip : skills::either_way_round(arm_, grasp.base_from_tip)) {
+        skills::ReachRequest request = skills::reach_over_rim(tip, rim_z_m(), grasp.opening_m);
+        request.force_n = skills::touch_n;
+        if (!skills::is_reached(arm_, request, hand, walls)) {
           note("NoIK");
           continue;
         }
         if (plans++ >= plans_tried) return false;
         if (const auto way = arm_.reach(seen, request, next_seed()); !way.ok()) {
-          note(failure_of_plan(way.error()));
+          note(skills::failure_of_plan(way.error()));
           continue;
         }
         begin_grasp(choice, grasp);
@@ -345,8 +347,8 @@ class ClassicalCheckout : public Policy {
     return false;
   }
 
-  void begin_grasp(const Choice& choice, const SeenGrasp& grasp) {
-    close_hand(arm_, grasp.force_n);
+  void begin_grasp(const Choice& choice, const perception::SeenGrasp& grasp) {
+    skills::close_hand(arm_, grasp.force_n);
     goal_ = choice.goal;
     held_look_ = choice.look;
     known_ = choice.known;
@@ -367,7 +369,7 @@ class ClassicalCheckout : public Policy {
   double lowest_of_held() const {
     const Pose pose = arm_.tip() * tip_from_product_;
     double lowest = 1e9;
-    for (const Surfel& surfel : held_look_->surfels())
+    for (const perception::Surfel& surfel : held_look_->surfels())
       lowest = std::min(lowest, (pose * to_double(surfel.point)).z);
     return lowest;
   }
@@ -375,7 +377,7 @@ class ClassicalCheckout : public Policy {
   void lift() {
     if (!holds_it()) return let_go("Missed");
     const Vec3 middle = setup_.place.base_from_basket.position;
-    if (!lift_out(arm_, basket_around(), lowest_of_held(), middle, force_n_).ok())
+    if (!skills::lift_out(arm_, basket_around(), lowest_of_held(), middle, force_n_).ok())
       return let_go("NoPath");
     arm_.wait(calming_s, 0, force_n_);
     step_ = Step::lifted;
@@ -390,12 +392,12 @@ class ClassicalCheckout : public Policy {
     step_ = Step::go_to_look;
   }
 
-  BasketSurroundings basket_around() const {
-    return {around(others_, hand_at(arm_.tip())), counter_alone(setup_.place), rim_z_m()};
+  skills::BasketSurroundings basket_around() const {
+    return {around(others_, hand_at(arm_.tip())), skills::counter_alone(setup_.place), rim_z_m()};
   }
 
   void step_back(double opening_m) {
-    say_failed("raise the hand", draw_back(arm_, basket_around(), opening_m, force_n_));
+    say_failed("raise the hand", skills::draw_back(arm_, basket_around(), opening_m, force_n_));
   }
 
   // ---- Putting it down ----
@@ -403,29 +405,29 @@ class ClassicalCheckout : public Policy {
   void put_down() {
     if (!holds_it()) return let_go("Slipped");
     const double opening = std::min(setup_.tool.opening_m, now_.openings_m.front() + wider_m);
-    const Workplace& at = setup_.place;
-    PlaceQuestion question;
+    const agent::Workplace& at = setup_.place;
+    skills::PlaceQuestion question;
     question.area = at.unloading;
     question.points = &others_;
     question.walls = walls_.at(at.base_from_basket);
     question.unsure_m = measured_within_m;
     if (!goal_) {
       question.area = at.set_aside;
-      question.kept_free = areas_kept_free(at);
+      question.kept_free = skills::areas_kept_free(at);
     }
-    const Surroundings seen = around(others_, HandAt::counter);
-    const HeldPack held{&known_->product,
-                        &known_->body,
-                        tip_from_product_,
-                        arm_.tip().rotation * tip_from_product_.rotation,
-                        opening};
-    const auto places = free_places(setup_.tool, arm_, held, question, places_tried);
+    const skills::Surroundings seen = around(others_, skills::HandAt::counter);
+    const skills::HeldPack held{&known_->product,
+                                &known_->body,
+                                tip_from_product_,
+                                arm_.tip().rotation * tip_from_product_.rotation,
+                                opening};
+    const auto places = skills::free_places(setup_.tool, arm_, held, question, places_tried);
     if (places.empty()) note("NoIK");
     for (const bool attached : {true, false}) {
-      for (const FreePlace& place : places) {
-        ReachRequest request{place.base_from_tip, place.approach, 0, force_n_};
+      for (const skills::FreePlace& place : places) {
+        skills::ReachRequest request{place.base_from_tip, place.approach, 0, force_n_};
         if (attached)
-          request.attached = {held_spheres(*setup_.robot, known_->body, tip_from_product_)};
+          request.attached = {skills::held_spheres(*setup_.robot, known_->body, tip_from_product_)};
         if (!arm_.reach(seen, request, next_seed()).ok()) {
           note("NoPath");
           continue;
@@ -444,7 +446,7 @@ class ClassicalCheckout : public Policy {
   // Down again to where it was, as far as that goes.
   void put_back() {
     say_failed("let it down to where it was",
-               arm_.let_down(around(others_, HandAt::basket), force_n_));
+               arm_.let_down(around(others_, skills::HandAt::basket), force_n_));
     let_go(failure_);
   }
 
@@ -463,22 +465,22 @@ class ClassicalCheckout : public Policy {
 
   ClassicalSetup setup_;
   ClassicalModules& modules_;
-  ArmExecutor arm_;
+  skills::ArmExecutor arm_;
   Seed seed_;
-  BasketWalls walls_;
-  Task task_;
-  Observation now_;
-  std::vector<const ProductLook*> looks_;  // of the goals, in their order
-  std::vector<WantedProduct> wanted_;
+  skills::BasketWalls walls_;
+  agent::Task task_;
+  agent::Observation now_;
+  std::vector<const perception::ProductLook*> looks_;  // of the goals, in their order
+  std::vector<perception::WantedProduct> wanted_;
   Step step_ = Step::go_to_look;
   Sight sight_;
   std::map<std::size_t, int> tries_;  // by goal
   std::set<std::size_t> put_down_;    // goals that were let go over the area
   std::optional<std::size_t> goal_;   // that is being taken; none: something in the way
-  const ProductLook* held_look_ = nullptr;
-  std::vector<const ProductLook*> catalogue_;  // the whole of it
+  const perception::ProductLook* held_look_ = nullptr;
+  std::vector<const perception::ProductLook*> catalogue_;  // the whole of it
   int cleared_ = 0;
-  const KnownProduct* known_ = nullptr;  // that is held, and how
+  const agent::KnownProduct* known_ = nullptr;  // that is held, and how
   Pose tip_from_product_;
   double width_m_ = 0, force_n_ = 0;  // of the grasp
   std::vector<Vec3f> others_;         // what stood about when it was taken
@@ -489,10 +491,10 @@ class ClassicalCheckout : public Policy {
 
 }  // namespace
 
-Result<std::unique_ptr<Policy>> make_classical_checkout(ClassicalSetup setup, Seed seed) {
-  MARKETGEN_TRY(ArmExecutor arm, ArmExecutor::make(*setup.robot));
-  return std::unique_ptr<Policy>(
+Result<std::unique_ptr<agent::Policy>> make_classical_checkout(ClassicalSetup setup, Seed seed) {
+  MARKETGEN_TRY(skills::ArmExecutor arm, skills::ArmExecutor::make(*setup.robot));
+  return std::unique_ptr<agent::Policy>(
       std::make_unique<ClassicalCheckout>(std::move(setup), std::move(arm), seed));
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::policy

@@ -16,29 +16,29 @@
 #include "robots/grasp_tool.h"
 #include "robots/robot.h"
 
-namespace marketgen {
+namespace marketgen::policy {
 
 // Its modules; each may be another.
 struct ClassicalModules {
-  std::unique_ptr<MaskSource> masks;
-  std::unique_ptr<PoseSource> poses;
-  std::unique_ptr<TargetChoice> targets;
-  std::unique_ptr<GraspSource> grasps;
+  std::unique_ptr<perception::MaskSource> masks;
+  std::unique_ptr<perception::PoseSource> poses;
+  std::unique_ptr<perception::TargetChoice> targets;
+  std::unique_ptr<perception::GraspSource> grasps;
 };
 
 // What the agent is given. Eyes, catalogue, its looks and robot must outlive the policy. Modules
 // that are null are its own: GeometricMasks, SweptPoses, CatalogueMatching, FittedGrasps.
 struct ClassicalSetup {
-  Eyes* eyes = nullptr;
-  KnownProducts* products = nullptr;
-  LookLibrary* looks = nullptr;
-  const Robot* robot = nullptr;
-  GraspTool tool;
-  Workplace place;
+  agent::Eyes* eyes = nullptr;
+  agent::KnownProducts* products = nullptr;
+  perception::LookLibrary* looks = nullptr;
+  const robots::Robot* robot = nullptr;
+  robots::GraspTool tool;
+  agent::Workplace place;
   ClassicalModules modules = {};
 };
 
 // Errors: those of ArmExecutor.
-Result<std::unique_ptr<Policy>> make_classical_checkout(ClassicalSetup setup, Seed seed);
+Result<std::unique_ptr<agent::Policy>> make_classical_checkout(ClassicalSetup setup, Seed seed);
 
-}  // namespace marketgen
+}  // namespace marketgen::policy

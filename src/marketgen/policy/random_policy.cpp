@@ -1,6 +1,6 @@
 #include "policy/random_policy.h"
 
-namespace marketgen {
+namespace marketgen::policy {
 namespace {
 
 constexpr double max_step_rad = 0.05;  // in a control step of 50 ms
@@ -10,17 +10,17 @@ constexpr double pull_back = 0.05;  // of the way to where the arm is: targets d
 
 }  // namespace
 
-Result<void> RandomPolicy::begin(const Task&, const Observation& first) {
+Result<void> RandomPolicy::begin(const agent::Task&, const agent::Observation& first) {
   target_ = first.position;
   return {};
 }
 
-Result<Action> RandomPolicy::act(const Observation& now) {
+Result<agent::Action> RandomPolicy::act(const agent::Observation& now) {
   for (std::size_t j = 0; j < target_.size(); ++j) {
     target_[j] += (now.position[j] - target_[j]) * pull_back;
     target_[j] += draw_.uniform(-max_step_rad, max_step_rad);
   }
-  Action action;
+  agent::Action action;
   action.position = target_;
   for (std::size_t tool = 0; tool < now.openings_m.size(); ++tool)
     action.tools.push_back({draw_.uniform(0, widest_m)});
@@ -31,4 +31,4 @@ Result<Action> RandomPolicy::act(const Observation& now) {
   return action;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::policy

@@ -4,13 +4,13 @@
 #include "agent/policy.h"
 #include "base/seed.h"
 
-namespace marketgen {
+namespace marketgen::policy {
 
-class RandomPolicy : public Policy {
+class RandomPolicy : public agent::Policy {
  public:
   RandomPolicy(Seed seed, bool drives) : draw_(seed.stream()), drives_(drives) {}
-  Result<void> begin(const Task& task, const Observation& first) override;
-  Result<Action> act(const Observation& now) override;
+  Result<void> begin(const agent::Task& task, const agent::Observation& first) override;
+  Result<agent::Action> act(const agent::Observation& now) override;
   // It never says that it has done.
   std::string failure() const override { return "Timeout"; }
 
@@ -20,4 +20,4 @@ class RandomPolicy : public Policy {
   std::vector<double> target_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::policy

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-namespace marketgen {
+namespace marketgen::render {
 namespace {
 
 struct VisiblePart {
@@ -55,7 +55,7 @@ class Annotator {
  public:
   Annotator(const Frame& frame,
             const Camera& camera,
-            const Scene& scene,
+            const scene::Scene& scene,
             const Renderer& renderer,
             std::span<const PictureActor> actors)
       : frame_(frame),
@@ -108,12 +108,13 @@ class Annotator {
       case ObjectKind::fixture: {
         const std::uint32_t i = row.id - first_fixture_object;
         row.name = scene_.layout.fixtures[i].id;
-        row.camera_from_object = pose_row(camera_from_world_ * world_from_fixture(scene_, i));
+        row.camera_from_object =
+            pose_row(camera_from_world_ * scene::world_from_fixture(scene_, i));
         return;
       }
       case ObjectKind::product: {
         const std::uint32_t i = row.id - first_product_object(scene_);
-        row.name = product_id(scene_, i);
+        row.name = scene::product_id(scene_, i);
         row.sku = scene_.catalog[scene_.products[i].sku].sku;
         row.camera_from_object = pose_row(camera_from_world_ * product_pose(i));
         return;
@@ -131,7 +132,7 @@ class Annotator {
     for (const MovedProduct& moved : renderer_.moved_products()) {
       if (moved.product == i) return moved.world_from_product;
     }
-    return world_from_product(scene_.products[i]);
+    return scene::world_from_product(scene_.products[i]);
   }
 
   static void add_silhouette(ObjectAnnotation& row, const Silhouette& silhouette) {
@@ -145,7 +146,7 @@ class Annotator {
   }
 
   const Frame& frame_;
-  const Scene& scene_;
+  const scene::Scene& scene_;
   const Renderer& renderer_;
   std::span<const PictureActor> actors_;
   Pose camera_from_world_;
@@ -185,11 +186,11 @@ std::vector<PictureActor> picture_actors(std::span<const Actor> actors) {
 
 PictureAnnotations annotate(const Frame& frame,
                             const Camera& camera,
-                            const Scene& scene,
+                            const scene::Scene& scene,
                             const Renderer& renderer,
                             std::span<const PictureActor> actors) {
   PictureAnnotations annotations;
-  annotations.scene_hash = scene_hash(scene);
+  annotations.scene_hash = scene::scene_hash(scene);
   annotations.camera = camera_file_of(camera);
   annotations.matrices = matrices_of(camera);
   Annotator annotator(frame, camera, scene, renderer, actors);
@@ -198,4 +199,4 @@ PictureAnnotations annotate(const Frame& frame,
   return annotations;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::render

@@ -19,7 +19,7 @@
 #include "render/render.h"
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::render {
 
 using Matrix44 = std::array<std::array<double, 4>, 4>;  // rows
 
@@ -129,8 +129,8 @@ std::vector<PictureActor> picture_actors(std::span<const Actor> actors);
 // order in Renderer::set_actors(). `renderer` is asked for what each object would cover alone.
 PictureAnnotations annotate(const Frame& frame,
                             const Camera& camera,
-                            const Scene& scene,
+                            const scene::Scene& scene,
                             const Renderer& renderer,
                             std::span<const PictureActor> actors);
 
-}  // namespace marketgen
+}  // namespace marketgen::render

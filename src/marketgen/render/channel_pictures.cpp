@@ -5,7 +5,7 @@
 
 #include "assets/print/lettering.h"
 
-namespace marketgen {
+namespace marketgen::render {
 namespace {
 
 constexpr int sheet_columns = 3;
@@ -111,7 +111,7 @@ Image draw_boxes(const Frame& frame, const PictureAnnotations& annotations) {
 }
 
 std::vector<ChannelPicture> channel_pictures(const Frame& frame,
-                                             const Scene& scene,
+                                             const scene::Scene& scene,
                                              const PictureAnnotations& annotations,
                                              const NoisyPlanes& noisy) {
   const int width = frame.color.width, height = frame.color.height;
@@ -132,14 +132,15 @@ Image channel_sheet(const std::vector<ChannelPicture>& channels) {
   const int caption = std::max(12, first.height / 14), gap = std::max(2, first.width / 160);
   const int rows = (static_cast<int>(channels.size()) + sheet_columns - 1) / sheet_columns;
   const int step_x = first.width + gap, step_y = first.height + caption + gap;
-  Canvas canvas(step_x * sheet_columns + gap, step_y * rows + gap, Color{1, 1, 1});
+  assets::Canvas canvas(step_x * sheet_columns + gap, step_y * rows + gap, assets::Color{1, 1, 1});
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const int x = gap + static_cast<int>(i) % sheet_columns * step_x;
     const int y = static_cast<int>(i) / sheet_columns * step_y;
-    Headline name{channels[i].name, {}, Color{0.1, 0.1, 0.1}, {}, Align::left};
+    assets::Headline name{
+        channels[i].name, {}, assets::Color{0.1, 0.1, 0.1}, {}, assets::Align::left};
     name.area = {double(x), double(y), double(first.width), double(caption)};
     name.max_size = caption * 0.7;
-    draw_headline(canvas, name);
+    assets::draw_headline(canvas, name);
   }
   Image sheet = canvas.image();
   for (std::size_t i = 0; i < channels.size(); ++i) {
@@ -153,4 +154,4 @@ Image channel_sheet(const std::vector<ChannelPicture>& channels) {
   return sheet;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::render

@@ -7,7 +7,7 @@
 #include "render/annotations.h"
 #include "render/render.h"
 
-namespace marketgen {
+namespace marketgen::render {
 
 // Depth, near yellow and red to far blue; black where there is none. `range_m`: nearest and
 // farthest.
@@ -36,10 +36,10 @@ struct NoisyPlanes {
 // color, boxes, depth, instances, categories, normals, matter, and of the noisy sensor noisy-color
 // and noisy-depth (in depth's colours).
 std::vector<ChannelPicture> channel_pictures(const Frame& frame,
-                                             const Scene& scene,
+                                             const scene::Scene& scene,
                                              const PictureAnnotations& annotations,
                                              const NoisyPlanes& noisy);
 // All of them in rows of three, each with its name.
 Image channel_sheet(const std::vector<ChannelPicture>& channels);
 
-}  // namespace marketgen
+}  // namespace marketgen::render

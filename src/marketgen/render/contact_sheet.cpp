@@ -7,21 +7,21 @@
 #include "render/picture_grid.h"
 #include "render/render.h"
 
-namespace marketgen {
+namespace marketgen::render {
 namespace {
 
 constexpr int product_room_mm = 9000;   // a bright empty room round the product
 constexpr double product_fov_deg = 22;  // little perspective
 
 // A scene with one product in the middle of an empty room, on a white block at hand height.
-Scene stage_for(const Product& product) {
-  Scene scene;
+scene::Scene stage_for(const catalog::Product& product) {
+  scene::Scene scene;
   scene.layout.shell.width_mm = scene.layout.shell.depth_mm = product_room_mm;
   scene.layout.shell.ceiling_mm = 3000;
   scene.layout.look.floor = scene.layout.look.wall = scene.layout.look.ceiling = "";
   scene.layout.look.light_lux = 1400;
   scene.catalog.push_back(product);
-  SceneProduct item;
+  scene::SceneProduct item;
   item.facing = 0;
   const double middle = product_room_mm * 0.5e-3;
   item.position_m = {static_cast<float>(middle), static_cast<float>(middle), 0.0F};
@@ -31,7 +31,7 @@ Scene stage_for(const Product& product) {
 
 // From where a shopper would look: more from above the flatter the product is, and nearly from the
 // front when it is as deep as wide, since a round pack has its print there.
-Vec3 view_of(const Product& product) {
+Vec3 view_of(const catalog::Product& product) {
   const double flatness = 1 - product.height_m() / (0.6 * product.depth_m());
   const double ratio = product.depth_m() / product.width_m();
   const bool maybe_round = ratio > 0.95 && ratio < 1.05;
@@ -40,7 +40,7 @@ Vec3 view_of(const Product& product) {
 }
 
 // The product's box fills the picture but for a border.
-Camera camera_for(const Product& product, int size_px) {
+Camera camera_for(const catalog::Product& product, int size_px) {
   constexpr double filled = 0.86;  // of the picture's side
   const double middle = product_room_mm * 0.5e-3;
   const Vec3 at{middle, middle, product.height_m() / 2};
@@ -62,8 +62,8 @@ Camera camera_for(const Product& product, int size_px) {
 
 }  // namespace
 
-Result<Image> draw_product(const Product& product, int size_px) {
-  const Scene scene = stage_for(product);
+Result<Image> draw_product(const catalog::Product& product, int size_px) {
+  const scene::Scene scene = stage_for(product);
   MARKETGEN_TRY(const std::unique_ptr<Renderer> renderer, Renderer::create(scene));
   RenderOptions options;
   options.quality = Quality::best;
@@ -71,9 +71,9 @@ Result<Image> draw_product(const Product& product, int size_px) {
   return std::move(frame.color);
 }
 
-Result<Image> draw_contact_sheet(const std::vector<Product>& products, int size_px) {
+Result<Image> draw_contact_sheet(const std::vector<catalog::Product>& products, int size_px) {
   return picture_grid(
       products.size(), size_px, [&](std::size_t i) { return draw_product(products[i], size_px); });
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::render

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 struct ReleaseDevice {
   void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
@@ -15,4 +15,4 @@ struct ReleaseScene {
 using Device = std::unique_ptr<RTCDeviceTy, ReleaseDevice>;
 using Bvh = std::unique_ptr<RTCSceneTy, ReleaseScene>;
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -6,7 +6,7 @@
 #include "geometry/mesh.h"
 #include "render/render.h"
 
-namespace marketgen {
+namespace marketgen::render {
 namespace {
 
 constexpr double fixture_fov_deg = 36;
@@ -14,10 +14,11 @@ constexpr double margin = 1.06;
 constexpr double pi = 3.14159265358979323846;
 
 // Corners of every part's box, in the store frame.
-std::vector<Vec3> corners_of(const Scene& scene) {
+std::vector<Vec3> corners_of(const scene::Scene& scene) {
   std::vector<Vec3> corners;
-  for (const ScenePart& part : scene.parts) {
-    const Pose world = world_from_fixture(scene, part.fixture) * fixture_from_part(part);
+  for (const scene::ScenePart& part : scene.parts) {
+    const Pose world =
+        scene::world_from_fixture(scene, part.fixture) * scene::fixture_from_part(part);
     for (int corner = 0; corner < 8; ++corner) {
       const auto along = [&](int axis) {
         const auto half = double(part.half_size_m[static_cast<std::size_t>(axis)]);
@@ -53,7 +54,7 @@ Camera camera_for(const std::vector<Vec3>& points, int size_px) {
 
 }  // namespace
 
-Result<Image> draw_fixture(const Scene& stage, int size_px) {
+Result<Image> draw_fixture(const scene::Scene& stage, int size_px) {
   const Camera camera = camera_for(corners_of(stage), size_px);
   MARKETGEN_CHECK(check_camera(camera, "fixture"));
   MARKETGEN_TRY(const std::unique_ptr<Renderer> renderer, Renderer::create(stage));
@@ -64,4 +65,4 @@ Result<Image> draw_fixture(const Scene& stage, int size_px) {
   return std::move(frame.color);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::render

@@ -4,7 +4,7 @@
 #include "render/render.h"
 #include "render/shading_math.h"
 
-namespace marketgen {
+namespace marketgen::render {
 
 std::array<std::uint8_t, 3> object_color(std::uint32_t object) {
   const std::uint32_t color =
@@ -32,4 +32,4 @@ Image draw_normals(const Frame& frame, int width, int height) {
   return image;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::render

@@ -1,6 +1,6 @@
 #include "render/mask_runs.h"
 
-namespace marketgen {
+namespace marketgen::render {
 namespace {
 
 // The runs of one mask while its pixels come along.
@@ -64,4 +64,4 @@ std::map<std::uint32_t, MaskRuns> mask_runs_of(const std::vector<std::uint32_t>&
   return masks;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::render

@@ -14,7 +14,7 @@
 
 #include "base/fields.h"
 
-namespace marketgen {
+namespace marketgen::render {
 
 struct MaskRuns {
   std::array<int, 2> size{};  // height, width
@@ -35,4 +35,4 @@ std::map<std::uint32_t, MaskRuns> mask_runs_of(const std::vector<std::uint32_t>&
 // COCO's characters for run lengths.
 std::string compressed_runs(const std::vector<std::uint32_t>& runs);
 
-}  // namespace marketgen
+}  // namespace marketgen::render

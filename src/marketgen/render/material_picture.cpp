@@ -8,7 +8,7 @@
 #include "render/picture_grid.h"
 #include "render/stage/exhibit.h"
 
-namespace marketgen {
+namespace marketgen::render {
 namespace {
 
 constexpr int booth_mm = 4000, ceiling_mm = 3000;
@@ -20,8 +20,8 @@ constexpr float slab_m = 0.26F, slab_thickness_m = 0.018F;
 constexpr float min_repeats = 0.9F;
 constexpr double material_fov_deg = 22;
 
-Scene stage_for(const MaterialRow& material) {
-  Scene scene;
+scene::Scene stage_for(const catalog::MaterialRow& material) {
+  scene::Scene scene;
   scene.layout.shell.width_mm = scene.layout.shell.depth_mm = booth_mm;
   scene.layout.shell.ceiling_mm = ceiling_mm;
   scene.layout.look.floor = scene.layout.look.wall = scene.layout.look.ceiling = "";
@@ -31,15 +31,15 @@ Scene stage_for(const MaterialRow& material) {
   return scene;
 }
 
-bool grows(const MaterialRow& material) {
+bool grows(const catalog::MaterialRow& material) {
   return std::ranges::find(material.uses, "produce") != material.uses.end();
 }
 
 // Metres of the shape that one repeat covers. Fruit is shown larger than it is.
-float repeat_m(const MaterialRow& material, float shown_m) {
+float repeat_m(const catalog::MaterialRow& material, float shown_m) {
   const float coarsest = shown_m / min_repeats;
   if (grows(material)) return coarsest;
-  return std::min(static_cast<float>(material_extent_m(material)), coarsest);
+  return std::min(static_cast<float>(assets::material_extent_m(material)), coarsest);
 }
 
 // Longitude runs along u, latitude along v, both true to scale at the equator.
@@ -97,13 +97,13 @@ Mesh table() {
   return mesh;
 }
 
-bool is_laid(const MaterialRow& material) {
+bool is_laid(const catalog::MaterialRow& material) {
   return std::ranges::any_of(material.uses, [](const std::string& use) {
     return use == "floor" || use == "wall" || use == "ceiling";
   });
 }
 
-std::vector<raytrace::Exhibit> exhibits_for(const MaterialRow& material) {
+std::vector<raytrace::Exhibit> exhibits_for(const catalog::MaterialRow& material) {
   // No row is called "", so the table is plain white.
   std::vector<raytrace::Exhibit> exhibits{{table(), ""}};
   if (is_laid(material))
@@ -121,8 +121,8 @@ Camera camera_for(int size_px) {
 
 }  // namespace
 
-Result<Image> draw_material_picture(const MaterialRow& material, int size_px) {
-  const Scene scene = stage_for(material);
+Result<Image> draw_material_picture(const catalog::MaterialRow& material, int size_px) {
+  const scene::Scene scene = stage_for(material);
   MARKETGEN_TRY(const std::unique_ptr<Renderer> renderer,
                 raytrace::create_renderer(scene, exhibits_for(material), silent_progress()));
   RenderOptions options;
@@ -131,7 +131,7 @@ Result<Image> draw_material_picture(const MaterialRow& material, int size_px) {
   return std::move(frame.color);
 }
 
-Result<Image> draw_material_sheet(const std::vector<MaterialRow>& materials,
+Result<Image> draw_material_sheet(const std::vector<catalog::MaterialRow>& materials,
                                   int size_px,
                                   Progress& progress) {
   progress.begin("materials", materials.size());
@@ -143,4 +143,4 @@ Result<Image> draw_material_sheet(const std::vector<MaterialRow>& materials,
   return sheet;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::render

@@ -8,14 +8,14 @@
 #include "catalog/rows.h"
 #include "geometry/image.h"
 
-namespace marketgen {
+namespace marketgen::render {
 
 // `size_px` a side, lit as a shop is. Balls and slabs show about one repeat of a coarse material
 // and true size of a fine one. Errors: image.*, io.out_of_memory.
-Result<Image> draw_material_picture(const MaterialRow& material, int size_px);
+Result<Image> draw_material_picture(const catalog::MaterialRow& material, int size_px);
 // All of them in rows, each `size_px` a side, in the given order.
-Result<Image> draw_material_sheet(const std::vector<MaterialRow>& materials,
+Result<Image> draw_material_sheet(const std::vector<catalog::MaterialRow>& materials,
                                   int size_px,
                                   Progress& progress = silent_progress());
 
-}  // namespace marketgen
+}  // namespace marketgen::render

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace marketgen {
+namespace marketgen::render {
 
 // What light meets first on its way from the eye: the pane counts, not what is behind it.
 // metal: bare, so that it mirrors; clear: a clear pack with what it holds, as bottles of PET.
@@ -13,4 +13,4 @@ constexpr std::array<std::string_view, 5> names_of(Matter) {
   return {"none", "solid", "glass", "metal", "clear"};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::render

@@ -12,7 +12,7 @@
 #include "render/art_fingerprint.h"
 #include "render/stage/texture.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 constexpr std::string_view picture_kind = "picture/3", print_kind = "print/2";
@@ -64,11 +64,11 @@ std::string encode_picture(const Image& image) {
   return content_of({image.width, image.height, image.channels}, bytes_of(image.pixels));
 }
 
-LabelBars bars_of(const KeptBars& kept) {
+assets::LabelBars bars_of(const KeptBars& kept) {
   return {kept.u0, kept.v0, kept.u1, kept.v1, kept.foot, kept.ladder != 0, kept.modules.data()};
 }
 
-KeptBars kept_bars(const LabelBars& bars) {
+KeptBars kept_bars(const assets::LabelBars& bars) {
   KeptBars result{bars.u0, bars.v0, bars.u1, bars.v1, bars.foot, bars.ladder ? 1 : 0, {}};
   bars.modules.copy(result.modules.data(), result.modules.size() - 1);
   return result;
@@ -106,17 +106,17 @@ std::string encode_print(const Print& print) {
 std::filesystem::path path_of(std::string_view kind, const std::string& content) {
   const std::string name =
       Hasher().add(art_fingerprint).add(program_version).add(kind).add(content).hex();
-  return cache_folder() / "labels" / (name + (kind == print_kind ? ".bc1" : ".pic"));
+  return io::cache_folder() / "labels" / (name + (kind == print_kind ? ".bc1" : ".pic"));
 }
 
 // What `decode` makes of the entry.
 template <class Decode>
 auto kept(const std::filesystem::path& path, std::string_view kind, const Decode& decode)
     -> decltype(decode(std::string())) {
-  const std::optional<std::string> content = kept_entry(path, kind);
+  const std::optional<std::string> content = io::kept_entry(path, kind);
   if (!content) return std::nullopt;
   auto decoded = decode(*content);
-  if (!decoded) drop_entry(path, "cannot be understood");
+  if (!decoded) io::drop_entry(path, "cannot be understood");
   return decoded;
 }
 
@@ -128,19 +128,19 @@ Result<Image> cached_picture(const std::string& content,
   if (std::optional<Image> image = kept(path, picture_kind, decode_picture))
     return *std::move(image);
   MARKETGEN_TRY(Image image, draw());
-  (void)keep_entry(path, picture_kind, encode_picture(image)).ok();
+  (void)io::keep_entry(path, picture_kind, encode_picture(image)).ok();
   return image;
 }
 
 Result<Print> cached_print(const std::string& content,
-                           const std::function<Result<PrintedPicture>()>& draw) {
+                           const std::function<Result<assets::PrintedPicture>()>& draw) {
   const std::filesystem::path path = path_of(print_kind, content);
   if (std::optional<Print> print = kept(path, print_kind, decode_print)) return *std::move(print);
-  MARKETGEN_TRY(const PrintedPicture drawn, draw());
+  MARKETGEN_TRY(const assets::PrintedPicture drawn, draw());
   Print print{blocks_of(drawn.picture), drawn.bars, true, std::nullopt};
-  if (const auto put = keep_entry(path, print_kind, encode_print(print)); !put.ok())
+  if (const auto put = io::keep_entry(path, print_kind, encode_print(print)); !put.ok())
     print.unkept = put.error();
   return print;
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -12,7 +12,7 @@
 #include "geometry/image.h"
 #include "render/stage/block_mips.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 // The picture for `content` (everything that decides its pixels, as text): read when it is there,
 // else drawn and kept.
@@ -22,13 +22,13 @@ Result<Image> cached_picture(const std::string& content,
 // Print as the renderer keeps it: compressed, the bars of its code beside it.
 struct Print {
   BlockMips blocks;
-  std::optional<LabelBars> bars;
+  std::optional<assets::LabelBars> bars;
   bool drawn = false;           // now, not read from the cache
   std::optional<Error> unkept;  // why it could not be put there
 };
 
 // The same for print.
 Result<Print> cached_print(const std::string& content,
-                           const std::function<Result<PrintedPicture>()>& draw);
+                           const std::function<Result<assets::PrintedPicture>()>& draw);
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace marketgen {
+namespace marketgen::render {
 namespace {
 
 constexpr double columns_over_rows = 1.5;
@@ -28,4 +28,4 @@ Result<Image> picture_grid(std::size_t count,
   return sheet;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::render

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace marketgen {
+namespace marketgen::render {
 namespace {
 
 // Row numbers of the categories called so, all of one kind, added to `rows` by name.
@@ -28,19 +28,19 @@ std::string hex_of_object_color(std::uint32_t object) {
   return fmt::format("#{:02x}{:02x}{:02x}", r, g, b);
 }
 
-ObjectKind kind_of(const Scene& scene, std::uint32_t object) {
+ObjectKind kind_of(const scene::Scene& scene, std::uint32_t object) {
   if (object >= first_actor_object(scene)) return ObjectKind::actor;
   if (object >= first_product_object(scene)) return ObjectKind::product;
   return object >= first_fixture_object ? ObjectKind::fixture : ObjectKind::shell;
 }
 
-PictureCategories::PictureCategories(const Scene& scene) : scene_(scene) {
+PictureCategories::PictureCategories(const scene::Scene& scene) : scene_(scene) {
   add_rows(rows_, ObjectKind::shell, {"shell"});
   add_rows(rows_, ObjectKind::actor, {"actor"});
   std::vector<std::string> kinds, categories;
   for (std::size_t i = 0; i < scene.fixtures.size(); ++i)
     kinds.push_back(scene.layout.fixtures[i].kind);
-  for (const Product& product : scene.catalog)
+  for (const catalog::Product& product : scene.catalog)
     categories.push_back(product.category);
   const auto number_of_kind = add_rows(rows_, ObjectKind::fixture, kinds);
   const auto number_of_category = add_rows(rows_, ObjectKind::product, categories);
@@ -83,4 +83,4 @@ std::vector<std::uint16_t> category_ids(const Frame& frame, const PictureCategor
   return ids;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::render

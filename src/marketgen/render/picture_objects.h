@@ -22,13 +22,13 @@
 #include "render/render.h"
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::render {
 
 inline constexpr std::uint32_t shell_object = 1, first_fixture_object = 2;
-inline std::uint32_t first_product_object(const Scene& scene) {
+inline std::uint32_t first_product_object(const scene::Scene& scene) {
   return first_fixture_object + static_cast<std::uint32_t>(scene.fixtures.size());
 }
-inline std::uint32_t first_actor_object(const Scene& scene) {
+inline std::uint32_t first_actor_object(const scene::Scene& scene) {
   return first_product_object(scene) + static_cast<std::uint32_t>(scene.products.size());
 }
 
@@ -37,7 +37,7 @@ constexpr std::array<std::string_view, 4> names_of(ObjectKind) {
   return {"shell", "fixture", "product", "actor"};
 }
 // Precondition: `object` is not 0.
-ObjectKind kind_of(const Scene& scene, std::uint32_t object);
+ObjectKind kind_of(const scene::Scene& scene, std::uint32_t object);
 
 // What kind of thing an object is, for semantic segmentation.
 struct PictureCategory {
@@ -57,14 +57,14 @@ struct PictureCategory {
 // name. Numbers hold for every picture of the scene; names are what other scenes share.
 class PictureCategories {
  public:
-  explicit PictureCategories(const Scene& scene);  // which must outlive it
+  explicit PictureCategories(const scene::Scene& scene);  // which must outlive it
 
   const std::vector<PictureCategory>& rows() const { return rows_; }
   // Number of an object's category; 0 for object 0.
   std::uint16_t of(std::uint32_t object) const;
 
  private:
-  const Scene& scene_;
+  const scene::Scene& scene_;
   std::vector<PictureCategory> rows_;
   std::vector<std::uint16_t> of_fixture_, of_sku_;
 };
@@ -76,4 +76,4 @@ std::vector<std::uint16_t> category_ids(const Frame& frame, const PictureCategor
 // "#rrggbb" of object_color().
 std::string hex_of_object_color(std::uint32_t object);
 
-}  // namespace marketgen
+}  // namespace marketgen::render

@@ -4,7 +4,7 @@
 
 #include "render/tracing.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 struct RayQueue {
   RTCRayHit16 packet;
@@ -24,4 +24,4 @@ struct RayQueue {
   }
 };
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

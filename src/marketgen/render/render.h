@@ -23,7 +23,7 @@
 #include "render/stage/actor.h"
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::render {
 
 // sensor: stored light, no chance and so no noise, a tenth of a second; path: light transport in
 // full, `samples` a pixel.
@@ -110,7 +110,7 @@ struct MovedJoint {
 
 class Renderer {
  public:
-  static Result<std::unique_ptr<Renderer>> create(const Scene& scene,
+  static Result<std::unique_ptr<Renderer>> create(const scene::Scene& scene,
                                                   Progress& progress = silent_progress(),
                                                   const RendererOptions& options = {});
   virtual ~Renderer() = default;
@@ -163,4 +163,4 @@ Image draw_normals(const Frame& frame, int width, int height);
 // The Embree version in use, "3.13.5".
 std::string renderer_version();
 
-}  // namespace marketgen
+}  // namespace marketgen::render

@@ -15,7 +15,7 @@
 #include "render/stage/displaced.h"
 #include "render/stage/exhibit.h"
 
-namespace marketgen {
+namespace marketgen::render {
 namespace raytrace {
 namespace {
 
@@ -24,7 +24,7 @@ constexpr float meter_share = 0.75F;
 
 class EmbreeRenderer : public Renderer {
  public:
-  EmbreeRenderer(std::unique_ptr<World> world, const Scene& scene, bool keep_light)
+  EmbreeRenderer(std::unique_ptr<World> world, const scene::Scene& scene, bool keep_light)
       : scene_(scene),
         world_(std::move(world)),
         lights_(*world_),
@@ -115,7 +115,7 @@ class EmbreeRenderer : public Renderer {
     return frame;
   }
 
-  const Scene& scene_;
+  const scene::Scene& scene_;
   std::unique_ptr<World> world_;
   LightGrid lights_;
   IrradianceField field_;
@@ -127,7 +127,7 @@ class EmbreeRenderer : public Renderer {
 
 }  // namespace
 
-Result<std::unique_ptr<Renderer>> create_renderer(const Scene& scene,
+Result<std::unique_ptr<Renderer>> create_renderer(const scene::Scene& scene,
                                                   const std::vector<Exhibit>& exhibits,
                                                   Progress& progress,
                                                   const RendererOptions& options) {
@@ -156,10 +156,10 @@ Result<void> render_batch(std::span<const Shot> shots,
   return check_interrupt();
 }
 
-Result<std::unique_ptr<Renderer>> Renderer::create(const Scene& scene,
+Result<std::unique_ptr<Renderer>> Renderer::create(const scene::Scene& scene,
                                                    Progress& progress,
                                                    const RendererOptions& options) {
   return raytrace::create_renderer(scene, {}, progress, options);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::render

@@ -9,7 +9,7 @@
 
 #include "geometry/vector.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 constexpr float inverse_pi = std::numbers::inv_pi_v<float>;
@@ -130,4 +130,4 @@ inline float unit_float(std::uint32_t bits) {
   return static_cast<float>(bits >> 8) * (1.0F / 16777216.0F);
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -8,7 +8,7 @@
 #include "render/cameras/view.h"
 #include "render/tracing.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 using Box = std::array<double, 4>;  // x0, y0, x1, y1 from the picture's top left corner
@@ -114,4 +114,4 @@ std::vector<Silhouette> silhouettes_of(const World& world,
   });
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

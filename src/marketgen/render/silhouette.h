@@ -11,7 +11,7 @@
 
 #include "render/render.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 struct World;
 
@@ -22,4 +22,4 @@ std::vector<Silhouette> silhouettes_of(const World& world,
                                        const Frame& frame,
                                        std::span<const std::uint32_t> objects);
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

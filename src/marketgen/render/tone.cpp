@@ -6,7 +6,7 @@
 
 #include "render/shading_math.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 // AgX by T. Sobotka in B. Wrensch's polynomial form: inset, log2 range, sigmoid, outset.
@@ -137,4 +137,4 @@ Vec3f black_body(double kelvin) {
   return color / luminance(color);
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

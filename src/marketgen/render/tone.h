@@ -7,7 +7,7 @@
 #include "geometry/vector.h"
 #include "render/sensor/float8.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 // `radiance` times exposure: 1 is a white sheet under the store's own light.
 Rgb8 display_color(Vec3f exposed);
@@ -31,4 +31,4 @@ const ToneCurve& tone_curve();
 // Linear RGB (Rec. 709, unit luminance) of a black body at `kelvin`, 1000..40000 K.
 Vec3f black_body(double kelvin);
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

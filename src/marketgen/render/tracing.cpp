@@ -5,7 +5,7 @@
 
 #include "render/shading_math.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 constexpr float past_hidden_m = 1e-4F;
@@ -460,4 +460,4 @@ void see_surface(const World& world,
   s.glass = material.glass;
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -10,7 +10,7 @@
 #include "render/sensor/float8.h"
 #include "render/stage/world.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 constexpr float ray_infinity = std::numeric_limits<float>::infinity();
 constexpr std::size_t packet_size = 16;
@@ -123,4 +123,4 @@ Vec3f tilted(Vec3f normal, const Relief& relief, const TextureAxes& axes, Vec3f 
 // Brings what see_surface() will read of these hits nearer. Only a matter of speed.
 void fetch_surfaces(const World& world, std::span<const Hit> hits);
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -3,10 +3,10 @@
 #include "render/embree_handle.h"
 #include "render/render.h"
 
-namespace marketgen {
+namespace marketgen::render {
 
 std::string renderer_version() {
   return RTC_VERSION_STRING;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::render

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
-namespace marketgen {
+namespace marketgen::robots {
 namespace {
 
 using Eigen::Matrix3d;
@@ -339,4 +339,4 @@ Result<ArmJoints> nearest_arm_solution(const ArmIk& arm,
   return best;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::robots

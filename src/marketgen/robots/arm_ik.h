@@ -11,7 +11,7 @@
 
 #include "robots/robot.h"
 
-namespace marketgen {
+namespace marketgen::robots {
 
 using ArmJoints = std::array<double, 7>;  // RM65 leaves the last at 0
 
@@ -54,4 +54,4 @@ Result<ArmJoints> nearest_arm_solution(const ArmIk& arm,
                                        const ArmJoints& seed,
                                        const SweepOptions& options = {});
 
-}  // namespace marketgen
+}  // namespace marketgen::robots

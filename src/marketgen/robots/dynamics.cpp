@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-namespace marketgen {
+namespace marketgen::robots {
 namespace {
 
 using Eigen::Matrix3d;
@@ -198,4 +198,4 @@ Eigen::MatrixXd mass_matrix(const Robot& robot, std::span<const double> q) {
   return matrix;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::robots

@@ -11,7 +11,7 @@
 #include "base/gravity.h"
 #include "robots/robot.h"
 
-namespace marketgen {
+namespace marketgen::robots {
 
 using Jacobian = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
@@ -36,4 +36,4 @@ Eigen::VectorXd gravity_efforts(const Robot& robot,
 // 2008, table 6.2).
 Eigen::MatrixXd mass_matrix(const Robot& robot, std::span<const double> q);
 
-}  // namespace marketgen
+}  // namespace marketgen::robots

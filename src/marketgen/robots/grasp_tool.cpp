@@ -9,7 +9,7 @@
 #include "base/text.h"
 #include "robots/robot_row.h"
 
-namespace marketgen {
+namespace marketgen::robots {
 namespace {
 
 constexpr double square = 1e-6;  // cosines and metres nearer than this are taken for equal
@@ -129,4 +129,4 @@ Result<GraspTool> load_grasp_tool(const std::filesystem::path& data, const std::
   return tool;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::robots

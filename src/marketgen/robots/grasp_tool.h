@@ -11,7 +11,7 @@
 #include "base/result.h"
 #include "robots/robot.h"
 
-namespace marketgen {
+namespace marketgen::robots {
 
 // A box, or a cylinder along Z that holds a tube of the row's look.
 struct ToolSolid {
@@ -62,4 +62,4 @@ std::vector<ToolSolid> solids_of(const Link& link, const Pose& tool_from_link);
 // Ids of the rows that are tools, sorted.
 Result<std::vector<std::string>> grasp_tool_ids(const std::filesystem::path& data);
 
-}  // namespace marketgen
+}  // namespace marketgen::robots

@@ -7,7 +7,7 @@
 #include "robots/dynamics.h"
 #include "robots/rotation.h"
 
-namespace marketgen {
+namespace marketgen::robots {
 namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
@@ -64,4 +64,4 @@ Eigen::VectorXd impedance_efforts(const Robot& robot,
   return efforts;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::robots

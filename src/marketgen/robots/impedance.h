@@ -6,7 +6,7 @@
 
 #include "robots/robot.h"
 
-namespace marketgen {
+namespace marketgen::robots {
 
 // As in libfranka's example of Cartesian impedance: damping is critical for a unit mass.
 struct Impedance {
@@ -29,4 +29,4 @@ Eigen::VectorXd impedance_efforts(const Robot& robot,
                                   std::span<const double> posture,
                                   const Impedance& impedance = {});
 
-}  // namespace marketgen
+}  // namespace marketgen::robots

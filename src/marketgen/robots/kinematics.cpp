@@ -2,7 +2,7 @@
 
 #include "robots/robot.h"
 
-namespace marketgen {
+namespace marketgen::robots {
 
 Pose joint_motion(const Joint& joint, double q) {
   switch (joint.kind) {
@@ -48,4 +48,4 @@ Pose frame_pose(const Robot& robot, std::span<const double> q, int frame) {
   return link_from_frame;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::robots

@@ -7,7 +7,7 @@
 #include "io/model_file.h"
 #include "robots/rotation.h"
 
-namespace marketgen {
+namespace marketgen::robots {
 namespace {
 
 constexpr double quarter_turn = std::numbers::pi / 2;
@@ -142,7 +142,7 @@ Result<Mesh> mesh_from_file(const BodyShape& shape) {
     return Error{"robot.bad_file",
                  shape.mesh_file,
                  "a mesh of kind \"" + kind + "\" cannot be read; convert it to .glb or .obj"};
-  MARKETGEN_TRY(OutsideModel model, read_model_file(file));
+  MARKETGEN_TRY(io::OutsideModel model, io::read_model_file(file));
   for (Vec3f& p : model.mesh.positions)
     p = p * to_float(shape.size);
   std::fill(model.mesh.surfaces.begin(), model.mesh.surfaces.end(), std::uint16_t{0});
@@ -224,4 +224,4 @@ Result<std::vector<std::vector<LinkPart>>> robot_parts(const Robot& robot,
   return all;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::robots

@@ -7,7 +7,7 @@
 #include "geometry/mesh.h"
 #include "robots/robot.h"
 
-namespace marketgen {
+namespace marketgen::robots {
 
 struct LinkPart {
   Mesh mesh;          // link frame, metres; surface 0
@@ -29,4 +29,4 @@ Result<std::vector<LinkPart>> link_parts(const Link& link);
 Result<std::vector<std::vector<LinkPart>>> robot_parts(const Robot& robot,
                                                        std::span<const Pose> base_from_link);
 
-}  // namespace marketgen
+}  // namespace marketgen::robots

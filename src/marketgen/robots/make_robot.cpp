@@ -10,12 +10,12 @@
 
 #include "robots/robot.h"
 
-namespace marketgen {
+namespace marketgen::robots {
 namespace {
 
 bool is_finite(const Pose& pose) {
   const Quaternion& q = pose.rotation;
-  return is_finite(pose.position) && std::isfinite(q.w + q.x + q.y + q.z);
+  return marketgen::is_finite(pose.position) && std::isfinite(q.w + q.x + q.y + q.z);
 }
 bool is_finite(const Inertia& i) {
   return std::isfinite(i.xx + i.yy + i.zz + i.xy + i.xz + i.yz);
@@ -43,11 +43,13 @@ std::string inertia_fault(const Inertia& i) {
 
 std::string link_fault(const Link& link) {
   if (link.name.empty()) return "the link has no name";
-  if (!std::isfinite(link.mass) || !is_finite(link.center_of_mass) || !is_finite(link.inertia))
+  if (!std::isfinite(link.mass) || !marketgen::is_finite(link.center_of_mass) ||
+      !is_finite(link.inertia))
     return "mass, centre of mass and inertia must be finite numbers";
   if (link.mass < 0) return fmt::format("the mass {} kg is negative", link.mass);
   for (const Capsule& c : link.capsules) {
-    if (!is_finite(c.a) || !is_finite(c.b) || !(c.radius > 0 && std::isfinite(c.radius)))
+    if (!marketgen::is_finite(c.a) || !marketgen::is_finite(c.b) ||
+        !(c.radius > 0 && std::isfinite(c.radius)))
       return "a collision capsule needs finite ends and a radius above 0";
   }
   return link.mass > 0 ? inertia_fault(link.inertia) : std::string{};
@@ -55,7 +57,7 @@ std::string link_fault(const Link& link) {
 
 std::string joint_fault(const Joint& joint) {
   if (joint.name.empty()) return "the joint has no name";
-  if (!is_finite(joint.parent_from_joint) || !is_finite(joint.axis))
+  if (!is_finite(joint.parent_from_joint) || !marketgen::is_finite(joint.axis))
     return "origin and axis must be finite numbers";
   if (joint.kind == JointType::fixed) return {};
   if (length(joint.axis) < 1e-9) return "the axis is zero; expected a direction such as 0 0 1";
@@ -230,4 +232,4 @@ Result<Robot> make_robot(RobotParts parts, const std::string& source) {
   return Builder(std::move(parts), source).build();
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::robots

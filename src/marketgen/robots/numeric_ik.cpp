@@ -9,7 +9,7 @@
 #include "robots/dynamics.h"
 #include "robots/rotation.h"
 
-namespace marketgen {
+namespace marketgen::robots {
 namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
@@ -186,4 +186,4 @@ Result<std::vector<double>> solve_numeric(const Robot& robot,
                   best.off_rad)};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::robots

@@ -6,7 +6,7 @@
 #include "base/seed.h"
 #include "robots/robot.h"
 
-namespace marketgen {
+namespace marketgen::robots {
 
 struct NumericIkOptions {
   int restarts = 20;        // after the seed itself
@@ -48,4 +48,4 @@ Result<std::vector<double>> solve_numeric(const Robot& robot,
                                           const Seed& random,
                                           const NumericIkOptions& options = {});
 
-}  // namespace marketgen
+}  // namespace marketgen::robots

@@ -12,7 +12,7 @@
 
 #include "base/text.h"
 
-namespace marketgen {
+namespace marketgen::robots {
 namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180;
@@ -217,4 +217,4 @@ Result<PlacedRobot> place_robot(const std::filesystem::path& data,
   return PlacedRobot{where, std::move(robot).value(), std::move(q), world_from_base};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::robots

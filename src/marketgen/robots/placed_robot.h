@@ -19,7 +19,7 @@
 #include "base/result.h"
 #include "robots/robot_row.h"
 
-namespace marketgen {
+namespace marketgen::robots {
 
 // The text taken apart; no name in it has been looked up.
 struct RobotSpec {
@@ -53,4 +53,4 @@ Result<PlacedRobot> place_robot(const std::filesystem::path& data,
                                 const RobotSpec& spec,
                                 const std::string& where);
 
-}  // namespace marketgen
+}  // namespace marketgen::robots

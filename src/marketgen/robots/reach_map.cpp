@@ -8,7 +8,7 @@
 #include "base/parallel.h"
 #include "robots/rotation.h"
 
-namespace marketgen {
+namespace marketgen::robots {
 namespace {
 
 constexpr double max_cells = 4e6;
@@ -83,4 +83,4 @@ Result<ReachMap> make_reach_map(const ArmIk& arm, const ReachMapOptions& options
   return map;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::robots

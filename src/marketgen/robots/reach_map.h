@@ -10,7 +10,7 @@
 
 #include "robots/arm_ik.h"
 
-namespace marketgen {
+namespace marketgen::robots {
 
 struct ReachMapOptions {
   Vec3 low{-1, -1, -0.6}, high{1, 1, 1.4};  // region, m, base link frame; every arm here fits in
@@ -43,4 +43,4 @@ struct ReachMap {
 // would have more than 4 million cells.
 Result<ReachMap> make_reach_map(const ArmIk& arm, const ReachMapOptions& options = {});
 
-}  // namespace marketgen
+}  // namespace marketgen::robots

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace marketgen {
+namespace marketgen::robots {
 namespace {
 
 template <class Named>
@@ -142,4 +142,4 @@ Result<void> check_state(const Robot& robot, std::span<const double> q) {
   return {};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::robots

@@ -18,7 +18,7 @@
 #include "base/result.h"
 #include "geometry/pose.h"
 
-namespace marketgen {
+namespace marketgen::robots {
 
 // Symmetric, about the centre of mass, in the link's axes; kg m^2.
 struct Inertia {
@@ -259,4 +259,4 @@ void forward_kinematics(const Robot& robot,
 std::vector<Pose> link_poses(const Robot& robot, std::span<const double> q);
 Pose frame_pose(const Robot& robot, std::span<const double> q, int frame);
 
-}  // namespace marketgen
+}  // namespace marketgen::robots

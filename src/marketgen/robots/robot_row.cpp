@@ -11,7 +11,7 @@
 #include "io/json.h"
 #include "robots/rotation.h"
 
-namespace marketgen {
+namespace marketgen::robots {
 namespace fs = std::filesystem;
 namespace {
 
@@ -325,8 +325,8 @@ Result<RobotRow> read_robot_row(const fs::path& data, const std::string& id) {
         id,
         fmt::format("there is no such robot or tool; there are: {}", fmt::join(ids, ", "))};
   const std::string file = id + ".json";
-  MARKETGEN_TRY(const std::string text, read_file(data / "robots" / file, max_row_bytes));
-  MARKETGEN_TRY(RobotRow row, read_json<RobotRow>(text, file));
+  MARKETGEN_TRY(const std::string text, io::read_file(data / "robots" / file, max_row_bytes));
+  MARKETGEN_TRY(RobotRow row, io::read_json<RobotRow>(text, file));
   if (row.id != id)
     return Error{"robot.bad_file", file + ":/id", "expected \"" + id + "\", as the file is called"};
   if (row.links.empty())
@@ -354,4 +354,4 @@ Result<Robot> load_robot(const fs::path& data, const std::string& id, const Robo
   return assembly.finish(row);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::robots

@@ -10,7 +10,7 @@
 
 #include "robots/robot.h"
 
-namespace marketgen {
+namespace marketgen::robots {
 
 using Triple = std::array<double, 3>;
 
@@ -263,4 +263,4 @@ Result<Robot> load_robot(const std::filesystem::path& data,
                          const std::string& id,
                          const RobotTools& tools = {});
 
-}  // namespace marketgen
+}  // namespace marketgen::robots

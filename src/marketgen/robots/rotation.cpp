@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace marketgen {
+namespace marketgen::robots {
 
 Quaternion rotation_from_rpy(Vec3 rpy) {
   return rotation_about({0, 0, 1}, rpy.z) * rotation_about({0, 1, 0}, rpy.y) *
@@ -24,4 +24,4 @@ Vec3 rotation_vector(const Quaternion& q) {
   return v * (2 * std::atan2(s, q.w * sign) / s);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::robots

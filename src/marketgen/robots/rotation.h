@@ -2,7 +2,7 @@
 #pragma once
 #include "geometry/pose.h"
 
-namespace marketgen {
+namespace marketgen::robots {
 
 // Roll about X, then pitch about Y, then yaw about Z, all about fixed axes (URDF); radians.
 Quaternion rotation_from_rpy(Vec3 rpy);
@@ -11,4 +11,4 @@ Quaternion rotation_from_z_to(Vec3 direction);
 // Axis times angle, 0..pi, of a unit quaternion.
 Vec3 rotation_vector(const Quaternion& q);
 
-}  // namespace marketgen
+}  // namespace marketgen::robots

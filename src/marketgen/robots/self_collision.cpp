@@ -6,7 +6,7 @@
 
 #include "base/seed.h"
 
-namespace marketgen {
+namespace marketgen::robots {
 namespace {
 
 constexpr int sampled_postures = 500;
@@ -119,4 +119,4 @@ std::optional<LinkPair> first_contact(const Robot& robot,
   return std::nullopt;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::robots

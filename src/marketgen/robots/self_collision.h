@@ -9,7 +9,7 @@
 
 #include "robots/robot.h"
 
-namespace marketgen {
+namespace marketgen::robots {
 
 // Of the surfaces; negative where they overlap, down to minus the sum of the radii. Metres.
 double distance_between(const Capsule& a, const Capsule& b);
@@ -34,4 +34,4 @@ std::optional<LinkPair> first_contact(const Robot& robot,
                                       std::span<const LinkPair> pairs,
                                       double margin_m = 0);
 
-}  // namespace marketgen
+}  // namespace marketgen::robots

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace marketgen {
+namespace marketgen::robots {
 namespace {
 
 // Fastest approach, a second, from which the setpoint still stops within `way`: in m steps, each
@@ -81,4 +81,4 @@ void SmoothSetpoint::keep_near(const Setpoint& joint, double reach) {
   std::ranges::fill(recent_, now_);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::robots

@@ -6,7 +6,7 @@
 
 #include "robots/robot.h"
 
-namespace marketgen {
+namespace marketgen::robots {
 
 // Of one joint, per second, per second squared and per second cubed; rad or m.
 struct SetpointLimits {
@@ -58,4 +58,4 @@ class SmoothSetpoint {
   std::vector<Setpoint> recent_;  // the plain setpoint, oldest first; empty before the first step
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::robots

@@ -10,7 +10,7 @@
 #include "io/file.h"
 #include "robots/rotation.h"
 
-namespace marketgen {
+namespace marketgen::robots {
 namespace fs = std::filesystem;
 namespace {
 
@@ -336,8 +336,8 @@ Result<UrdfRobot> read_urdf(std::string_view text,
 }
 
 Result<UrdfRobot> read_urdf_file(const fs::path& file) {
-  MARKETGEN_TRY(const std::string text, read_file(file, max_urdf_bytes));
+  MARKETGEN_TRY(const std::string text, io::read_file(file, max_urdf_bytes));
   return read_urdf(text, file.filename().string(), file.parent_path());
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::robots

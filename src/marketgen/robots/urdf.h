@@ -12,7 +12,7 @@
 
 #include "robots/robot.h"
 
-namespace marketgen {
+namespace marketgen::robots {
 
 struct UrdfRobot {
   Robot robot;
@@ -30,4 +30,4 @@ Result<UrdfRobot> read_urdf(std::string_view text,
 // Errors: also those of read_file.
 Result<UrdfRobot> read_urdf_file(const std::filesystem::path& file);
 
-}  // namespace marketgen
+}  // namespace marketgen::robots

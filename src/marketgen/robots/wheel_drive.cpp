@@ -5,7 +5,7 @@
 
 #include "robots/dynamics.h"
 
-namespace marketgen {
+namespace marketgen::robots {
 namespace {
 
 // Of the robot's mass on its tyres, critically damped: firm rubber, 1 mm under half of its weight.
@@ -88,4 +88,4 @@ FloorForce WheelDrive::push(const FloorMotion& now,
           (right.along_n - left.along_n) * half + aside * drive_.axle_x};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::robots

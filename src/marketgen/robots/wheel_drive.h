@@ -11,7 +11,7 @@
 #include "geometry/pose.h"
 #include "robots/robot.h"
 
-namespace marketgen {
+namespace marketgen::robots {
 
 // Of a base that drives: on the floor, heading about Z from X.
 struct BasePlace {
@@ -68,4 +68,4 @@ class WheelDrive {
   std::array<Wheel, 2> wheels_;  // left, right
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::robots

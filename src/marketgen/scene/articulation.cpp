@@ -7,22 +7,22 @@
 #include <string>
 #include <utility>
 
-namespace marketgen {
+namespace marketgen::scene {
 namespace {
 
 double volume_of(const ScenePart& part) {
   const double x = part.half_size_m[0], y = part.half_size_m[1], z = part.half_size_m[2];
-  return part.shape == PartShape::box ? 8 * x * y * z : 2 * std::numbers::pi * x * x * z;
+  return part.shape == assets::PartShape::box ? 8 * x * y * z : 2 * std::numbers::pi * x * x * z;
 }
 
 // The motion in the joint's own frame.
 Pose own_motion(const SceneJoint& joint, double position) {
   switch (joint.kind) {
-    case JointKind::hinge:
+    case assets::JointKind::hinge:
       return {{}, rotation_about({0, 0, 1}, position)};
-    case JointKind::slide:
+    case assets::JointKind::slide:
       return {{0, 0, position}, {}};
-    case JointKind::belt:
+    case assets::JointKind::belt:
       break;
   }
   return {};
@@ -41,7 +41,7 @@ void move_part(ScenePart& part, const Pose& motion) {
 
 std::string states_text(const SceneJoint& joint) {
   std::string text;
-  for (const JointState& state : joint.states)
+  for (const assets::JointState& state : joint.states)
     text += fmt::format("{}{} ({:.4g})", text.empty() ? "" : ", ", state.name, state.position);
   return text;
 }
@@ -91,7 +91,7 @@ Scene scene_at(Scene scene, const std::vector<double>& positions) {
 }
 
 Result<double> joint_position(const SceneJoint& joint, std::string_view text) {
-  for (const JointState& state : joint.states) {
+  for (const assets::JointState& state : joint.states) {
     if (state.name == text) return state.position;
   }
   double position = 0;
@@ -108,4 +108,4 @@ Result<double> joint_position(const SceneJoint& joint, std::string_view text) {
                            states_text(joint))};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::scene

@@ -9,7 +9,7 @@
 #include "base/result.h"
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::scene {
 
 Pose fixture_from_joint(const SceneJoint& joint);  // at position 0
 
@@ -30,4 +30,4 @@ Scene scene_at(Scene scene, const std::vector<double>& positions);
 // Error: usage.bad_flag.
 Result<double> joint_position(const SceneJoint& joint, std::string_view text);
 
-}  // namespace marketgen
+}  // namespace marketgen::scene

@@ -6,14 +6,14 @@
 #include "base/text.h"
 #include "catalog/zone_goods.h"
 
-namespace marketgen {
+namespace marketgen::scene {
 namespace {
 
 std::size_t position_in(const std::vector<std::string>& list, const std::string& name) {
   return static_cast<std::size_t>(std::find(list.begin(), list.end(), name) - list.begin());
 }
 
-double volume_of(const Product& product) {
+double volume_of(const catalog::Product& product) {
   return product.width_m() * product.depth_m() * product.height_m();
 }
 
@@ -38,16 +38,16 @@ struct GoodsLists {
   const std::vector<std::string>&categories, &subcategories;
 };
 
-GoodsLists lists_of(const Zone& zone, const Catalog& catalog) {
+GoodsLists lists_of(const plan::Zone& zone, const catalog::Catalog& catalog) {
   static const std::vector<std::string> none;
-  const ZoneTypeRow* type = catalog.zone_type(zone.type);
+  const catalog::ZoneTypeRow* type = catalog.zone_type(zone.type);
   if (!zone.stock.categories.empty() || type == nullptr) return {zone.stock.categories, none};
   return {type->categories, type->subcategories};
 }
 
 }  // namespace
 
-bool named_by(const Product& product, const std::vector<std::string>& words) {
+bool named_by(const catalog::Product& product, const std::vector<std::string>& words) {
   for (const std::string& word : words) {
     if (word.empty()) continue;
     for (const std::string* text : {&product.name,
@@ -64,25 +64,27 @@ bool named_by(const Product& product, const std::vector<std::string>& words) {
   return false;
 }
 
-bool sells(const Zone& zone, const Product& product, const Catalog& catalog) {
+bool sells(const plan::Zone& zone,
+           const catalog::Product& product,
+           const catalog::Catalog& catalog) {
   const auto& [categories, subcategories] = lists_of(zone, catalog);
-  return sold_in(product, categories, subcategories);
+  return catalog::sold_in(product, categories, subcategories);
 }
 
-std::vector<std::uint32_t> assortment_of(const Zone& zone,
-                                         Storage temperature,
-                                         const Catalog& catalog) {
+std::vector<std::uint32_t> assortment_of(const plan::Zone& zone,
+                                         catalog::Storage temperature,
+                                         const catalog::Catalog& catalog) {
   const std::vector<std::string>& categories = lists_of(zone, catalog).categories;
 
   std::vector<std::uint32_t> rows;
   for (std::uint32_t i = 0; i < catalog.products.size(); ++i) {
-    const Product& product = catalog.products[i];
-    if (!keeps(temperature, product.storage) || !sells(zone, product, catalog)) continue;
+    const catalog::Product& product = catalog.products[i];
+    if (!catalog::keeps(temperature, product.storage) || !sells(zone, product, catalog)) continue;
     if (!named_by(product, zone.stock.exclude)) rows.push_back(i);
   }
   std::sort(rows.begin(), rows.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const Product& p = catalog.products[a];
-    const Product& q = catalog.products[b];
+    const catalog::Product& p = catalog.products[a];
+    const catalog::Product& q = catalog.products[b];
     const std::size_t p_category = position_in(categories, p.category),
                       q_category = position_in(categories, q.category);
     const double p_volume = volume_of(p), q_volume = volume_of(q);
@@ -92,4 +94,4 @@ std::vector<std::uint32_t> assortment_of(const Zone& zone,
   return rows;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::scene

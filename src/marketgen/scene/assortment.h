@@ -6,21 +6,23 @@
 #include "catalog/catalog.h"
 #include "plan/plan.h"
 
-namespace marketgen {
+namespace marketgen::scene {
 
 // Rows of catalog.products for `zone` on fixtures that keep `temperature`, ordered by category,
 // subcategory, brand, family and size (larger to the right). Goods may stand warmer than they need
 // never, colder than they need only when chilled.
-std::vector<std::uint32_t> assortment_of(const Zone& zone,
-                                         Storage temperature,
-                                         const Catalog& catalog);
+std::vector<std::uint32_t> assortment_of(const plan::Zone& zone,
+                                         catalog::Storage temperature,
+                                         const catalog::Catalog& catalog);
 
 // True when the zone's lists have the product's category and subcategory: its own list, or else its
 // type's. What its stock leaves out, and what its fixtures keep, is asked apart.
-bool sells(const Zone& zone, const Product& product, const Catalog& catalog);
+bool sells(const plan::Zone& zone,
+           const catalog::Product& product,
+           const catalog::Catalog& catalog);
 
 // True when one of the words names the product: its name, variant, brand, subcategory, category or
 // a keyword.
-bool named_by(const Product& product, const std::vector<std::string>& words);
+bool named_by(const catalog::Product& product, const std::vector<std::string>& words);
 
-}  // namespace marketgen
+}  // namespace marketgen::scene

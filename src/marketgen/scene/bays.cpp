@@ -6,11 +6,11 @@
 #include "scene/assortment.h"
 #include "scene/own_goods.h"
 
-namespace marketgen {
+namespace marketgen::scene {
 namespace {
 
 // Position of a module along its run as a shopper before this side sees it.
-int place_along(const Fixture& fixture, int side) {
+int place_along(const layout::Fixture& fixture, int side) {
   const int turns = (fixture.yaw_deg / 90 + 2 * side) % 4;
   switch (turns) {
     case 0:
@@ -24,7 +24,7 @@ int place_along(const Fixture& fixture, int side) {
   }
 }
 
-bool shows_promotions(const Fixture& fixture) {
+bool shows_promotions(const layout::Fixture& fixture) {
   return !fixture.endcap_of.empty() || fixture.kind == "bin" || fixture.kind == "pallet";
 }
 
@@ -33,7 +33,7 @@ bool shows_promotions(const Fixture& fixture) {
 std::vector<BayRef> bays_of(const Scene& scene) {
   std::vector<BayRef> bays;
   for (std::uint32_t f = 0; f < scene.fixtures.size(); ++f) {
-    const Fixture& fixture = scene.layout.fixtures[f];
+    const layout::Fixture& fixture = scene.layout.fixtures[f];
     const SceneFixture& row = scene.fixtures[f];
     for (int side = 0; side < 2; ++side) {
       BayRef ref{fixture.zone, fixture.run, side, place_along(fixture, side), f, {}, {}, {}, {}};
@@ -43,7 +43,7 @@ std::vector<BayRef> bays_of(const Scene& scene) {
         if (shelf.side != side) continue;
         ref.shelves.push_back(s);
         ref.bay.shelves.push_back({shelf.width_m,
-                                   shelf.depth_m - goods_front_m,
+                                   shelf.depth_m - assets::goods_front_m,
                                    shelf.clearance_m,
                                    shelf.use,
                                    shelf.position_m[2]});
@@ -58,19 +58,20 @@ std::vector<BayRef> bays_of(const Scene& scene) {
   return bays;
 }
 
-const Zone& Stocks::zone_of(const BayRef& bay) const {
-  static const Zone fallback;
-  const Zone* found = find_zone(plan_, bay.zone);
+const plan::Zone& Stocks::zone_of(const BayRef& bay) const {
+  static const plan::Zone fallback;
+  const plan::Zone* found = plan::find_zone(plan_, bay.zone);
   return found != nullptr ? *found : fallback;
 }
 
-Storage Stocks::temperature_of(const BayRef& bay) const {
-  const FixtureKind* kind = catalog_.fixture_kind(scene_.layout.fixtures[bay.fixture].kind);
-  return kind != nullptr ? kind->temperature : Storage::ambient;
+catalog::Storage Stocks::temperature_of(const BayRef& bay) const {
+  const catalog::FixtureKind* kind =
+      catalog_.fixture_kind(scene_.layout.fixtures[bay.fixture].kind);
+  return kind != nullptr ? kind->temperature : catalog::Storage::ambient;
 }
 
 Stock& Stocks::of(const BayRef& bay) {
-  const Storage temperature = temperature_of(bay);
+  const catalog::Storage temperature = temperature_of(bay);
   const auto [entry, is_new] = stocks_.try_emplace({bay.zone, temperature});
   Stock& stock = entry->second;
   if (!is_new) return stock;
@@ -83,8 +84,8 @@ Stock& Stocks::of(const BayRef& bay) {
 
 void plan_bays(std::vector<BayRef>& bays,
                const Scene& scene,
-               const Plan& plan,
-               const Catalog& catalog,
+               const plan::Plan& plan,
+               const catalog::Catalog& catalog,
                Seed seed) {
   Stocks stocks(scene, plan, catalog);
   const auto plan_again = [&](BayRef& bay, AssortmentCursor& cursor) {
@@ -114,4 +115,4 @@ void plan_bays(std::vector<BayRef>& bays,
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::scene

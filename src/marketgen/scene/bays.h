@@ -12,7 +12,7 @@
 #include "scene/planogram.h"
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::scene {
 
 // One side of one module, with its shelves from the lowest up.
 struct BayRef {
@@ -34,8 +34,8 @@ std::vector<BayRef> bays_of(const Scene& scene);
 // (scene/own_goods.h); without own products nothing is other than it was.
 void plan_bays(std::vector<BayRef>& bays,
                const Scene& scene,
-               const Plan& plan,
-               const Catalog& catalog,
+               const plan::Plan& plan,
+               const catalog::Catalog& catalog,
                Seed seed);
 
 // What a zone sells on fixtures of one temperature, and how far its bays have come in it.
@@ -47,18 +47,18 @@ struct Stock {
 
 class Stocks {
  public:
-  Stocks(const Scene& scene, const Plan& plan, const Catalog& catalog)
+  Stocks(const Scene& scene, const plan::Plan& plan, const catalog::Catalog& catalog)
       : scene_(scene), plan_(plan), catalog_(catalog) {}
 
   Stock& of(const BayRef& bay);
-  const Zone& zone_of(const BayRef& bay) const;
-  Storage temperature_of(const BayRef& bay) const;
+  const plan::Zone& zone_of(const BayRef& bay) const;
+  catalog::Storage temperature_of(const BayRef& bay) const;
 
  private:
   const Scene& scene_;
-  const Plan& plan_;
-  const Catalog& catalog_;
-  std::map<std::pair<std::string, Storage>, Stock> stocks_;
+  const plan::Plan& plan_;
+  const catalog::Catalog& catalog_;
+  std::map<std::pair<std::string, catalog::Storage>, Stock> stocks_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::scene

@@ -13,10 +13,10 @@
 #include "scene/scene.h"
 #include "scene/shelf_fill.h"
 
-namespace marketgen {
+namespace marketgen::scene {
 namespace {
 
-auto key_of(const FixtureShape& s) {
+auto key_of(const assets::FixtureShape& s) {
   return std::tuple(s.generator,
                     s.width_mm,
                     s.depth_mm,
@@ -40,38 +40,41 @@ auto key_of(const FixtureShape& s) {
 // Models of every module; equal shapes are built once.
 class FixtureModels {
  public:
-  static Result<FixtureModels> build(const Layout& layout, const Catalog& catalog) {
+  static Result<FixtureModels> build(const layout::Layout& layout,
+                                     const catalog::Catalog& catalog) {
     FixtureModels models;
-    std::map<decltype(key_of(FixtureShape{})), std::size_t> known;
-    std::vector<FixtureShape> shapes;
-    for (const Fixture& fixture : layout.fixtures) {
-      const FixtureKind* kind = catalog.fixture_kind(fixture.kind);
+    std::map<decltype(key_of(assets::FixtureShape{})), std::size_t> known;
+    std::vector<assets::FixtureShape> shapes;
+    for (const layout::Fixture& fixture : layout.fixtures) {
+      const catalog::FixtureKind* kind = catalog.fixture_kind(fixture.kind);
       if (kind == nullptr)
         return Error{"catalog.unknown_kind",
                      "layout:" + fixture.id,
                      "no fixture kind \"" + fixture.kind + "\""};
-      const FixtureShape shape = fixture_shape(fixture, *kind, layout.look);
+      const assets::FixtureShape shape = layout::fixture_shape(fixture, *kind, layout.look);
       const auto [entry, is_new] = known.try_emplace(key_of(shape), shapes.size());
       if (is_new) shapes.push_back(shape);
       models.model_of_fixture_.push_back(entry->second);
     }
-    for (const FixtureShape& shape : shapes) {
-      MARKETGEN_TRY(FixtureModel model, make_fixture_model(shape, catalog));
+    for (const assets::FixtureShape& shape : shapes) {
+      MARKETGEN_TRY(assets::FixtureModel model, assets::make_fixture_model(shape, catalog));
       models.models_.push_back(std::move(model));
     }
     return models;
   }
 
-  const FixtureModel& of(std::size_t fixture) const { return models_[model_of_fixture_[fixture]]; }
+  const assets::FixtureModel& of(std::size_t fixture) const {
+    return models_[model_of_fixture_[fixture]];
+  }
 
  private:
-  std::vector<FixtureModel> models_;
+  std::vector<assets::FixtureModel> models_;
   std::vector<std::size_t> model_of_fixture_;
 };
 
 // Index of a material in scene.materials, adding it when it is new. -1 for none.
-std::int32_t material_row(Scene& scene, const std::string& id, const Catalog& catalog) {
-  const MaterialRow* row = id.empty() ? nullptr : catalog.material(id);
+std::int32_t material_row(Scene& scene, const std::string& id, const catalog::Catalog& catalog) {
+  const catalog::MaterialRow* row = id.empty() ? nullptr : catalog.material(id);
   if (row == nullptr) return -1;
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     if (scene.materials[i].id == id) return static_cast<std::int32_t>(i);
@@ -88,8 +91,8 @@ std::int32_t joint_row(std::uint32_t first_joint, int joint) {
 void add_part(Scene& scene,
               std::uint32_t fixture,
               std::uint32_t first_joint,
-              const FixturePart& part,
-              const Catalog& catalog) {
+              const assets::FixturePart& part,
+              const catalog::Catalog& catalog) {
   ScenePart row;
   row.fixture = fixture;
   row.unit = part.unit;
@@ -109,7 +112,7 @@ void add_part(Scene& scene,
 void add_joint(Scene& scene,
                std::uint32_t fixture,
                std::uint32_t first_joint,
-               const FixtureJoint& joint) {
+               const assets::FixtureJoint& joint) {
   SceneJoint row;
   row.fixture = fixture;
   row.name = joint.name;
@@ -131,7 +134,7 @@ void add_joint(Scene& scene,
   scene.joints.push_back(std::move(row));
 }
 
-void add_shelf(Scene& scene, std::uint32_t fixture, const ShelfSurface& shelf) {
+void add_shelf(Scene& scene, std::uint32_t fixture, const assets::ShelfSurface& shelf) {
   SceneShelf row;
   row.fixture = fixture;
   row.level = shelf.level;
@@ -147,9 +150,9 @@ void add_shelf(Scene& scene, std::uint32_t fixture, const ShelfSurface& shelf) {
 }
 
 void add_fixture(Scene& scene,
-                 const Fixture& fixture,
-                 const FixtureModel& model,
-                 const Catalog& catalog) {
+                 const layout::Fixture& fixture,
+                 const assets::FixtureModel& model,
+                 const catalog::Catalog& catalog) {
   const auto index = static_cast<std::uint32_t>(scene.fixtures.size());
   SceneFixture row;
   row.first_part = static_cast<std::uint32_t>(scene.parts.size());
@@ -160,11 +163,11 @@ void add_fixture(Scene& scene,
   row.quarter_turns = fixture.yaw_deg / 90;
   row.first_joint = static_cast<std::uint32_t>(scene.joints.size());
   row.joint_count = static_cast<std::uint32_t>(model.joints.size());
-  for (const FixturePart& part : model.parts)
+  for (const assets::FixturePart& part : model.parts)
     add_part(scene, index, row.first_joint, part, catalog);
-  for (const FixtureJoint& joint : model.joints)
+  for (const assets::FixtureJoint& joint : model.joints)
     add_joint(scene, index, row.first_joint, joint);
-  for (const ShelfSurface& shelf : model.shelves)
+  for (const assets::ShelfSurface& shelf : model.shelves)
     add_shelf(scene, index, shelf);
   scene.fixtures.push_back(row);
 }
@@ -172,13 +175,13 @@ void add_fixture(Scene& scene,
 // Refuses a scene that would take gigabytes before the first item of it is laid.
 Result<void> check_number(const std::vector<BayRef>& bays,
                           const Scene& scene,
-                          const Plan& plan,
-                          const Catalog& catalog) {
-  const Zone fallback;
+                          const plan::Plan& plan,
+                          const catalog::Catalog& catalog) {
+  const plan::Zone fallback;
   std::uint64_t number = plan.placements.size();
   for (const BayRef& ref : bays) {
-    const Zone* found = find_zone(plan, ref.zone);
-    const StockSpec& stock = (found != nullptr ? *found : fallback).stock;
+    const plan::Zone* found = plan::find_zone(plan, ref.zone);
+    const plan::StockSpec& stock = (found != nullptr ? *found : fallback).stock;
     for (std::size_t s = 0; s < ref.plan.size(); ++s) {
       for (const PlannedBlock& block : ref.plan[s])
         number += max_items(block, ref.bay.shelves[s], stock, catalog);
@@ -198,14 +201,14 @@ using FilledBay = std::vector<std::vector<FilledBlock>>;  // per shelf
 
 std::vector<FilledBay> fill_bays(const std::vector<BayRef>& bays,
                                  const Scene& scene,
-                                 const Plan& plan,
-                                 const Catalog& catalog,
+                                 const plan::Plan& plan,
+                                 const catalog::Catalog& catalog,
                                  Seed seed) {
-  const Zone fallback;
+  const plan::Zone fallback;
   return parallel_map(bays.size(), [&](std::size_t i) {
     const BayRef& ref = bays[i];
-    const Zone* found = find_zone(plan, ref.zone);
-    const StockSpec& stock = (found != nullptr ? *found : fallback).stock;
+    const plan::Zone* found = plan::find_zone(plan, ref.zone);
+    const plan::StockSpec& stock = (found != nullptr ? *found : fallback).stock;
     const std::string& fixture = scene.layout.fixtures[ref.fixture].id;
     FilledBay filled;
     for (std::size_t s = 0; s < ref.shelves.size(); ++s) {
@@ -225,7 +228,7 @@ constexpr double label_width_m = 0.07, label_height_m = 0.038, smallest_label_m 
 void add_price_label(Scene& scene,
                      std::uint32_t shelf,
                      const FilledBlock& block,
-                     const Product& product,
+                     const catalog::Product& product,
                      Stream draw) {
   PriceLabel label;
   label.shelf = shelf;
@@ -246,9 +249,9 @@ void add_block(Scene& scene,
                std::uint16_t position,
                const FilledBlock& block,
                const Pose& world_from_shelf,
-               const Catalog& catalog,
+               const catalog::Catalog& catalog,
                Seed seed) {
-  const Product& product = catalog.products[block.product];
+  const catalog::Product& product = catalog.products[block.product];
   if (scene.shelves[shelf].price_rail != 0) {
     add_price_label(scene, shelf, block, product, seed.child("price_label", position).stream());
   }
@@ -265,7 +268,7 @@ void add_block(Scene& scene,
   row.product_count = static_cast<std::uint32_t>(block.items.size());
   for (const ShelfItem& item : block.items) {
     const Pose world_from_item =
-        world_from_shelf * Pose{item.position + Vec3{0, goods_front_m, 0}, item.rotation};
+        world_from_shelf * Pose{item.position + Vec3{0, assets::goods_front_m, 0}, item.rotation};
     scene.products.push_back({item.product,
                               static_cast<std::uint32_t>(scene.facings.size()),
                               as_array(world_from_item.position),
@@ -278,7 +281,7 @@ void add_block(Scene& scene,
 void add_stock(Scene& scene,
                const std::vector<BayRef>& bays,
                const std::vector<FilledBay>& filled,
-               const Catalog& catalog,
+               const catalog::Catalog& catalog,
                Seed seed) {
   // Rows follow the shelves' order, not the zones': an edit in one zone then moves no other zone's
   // rows relative to its shelf.
@@ -300,7 +303,7 @@ void add_stock(Scene& scene,
 }
 
 // Keeps the products that occur, sorted by SKU, and renumbers every reference.
-void compact_catalog(Scene& scene, const Catalog& catalog) {
+void compact_catalog(Scene& scene, const catalog::Catalog& catalog) {
   std::vector<std::uint8_t> used(catalog.products.size(), 0);
   for (const Facing& f : scene.facings)
     used[f.sku] = 1;
@@ -322,9 +325,9 @@ void compact_catalog(Scene& scene, const Catalog& catalog) {
 
 }  // namespace
 
-Result<Scene> build_scene(const Layout& layout,
-                          const Plan& plan,
-                          const Catalog& catalog,
+Result<Scene> build_scene(const layout::Layout& layout,
+                          const plan::Plan& plan,
+                          const catalog::Catalog& catalog,
                           Seed seed) {
   Scene scene;
   scene.seed = seed.value();
@@ -347,4 +350,4 @@ Result<Scene> build_scene(const Layout& layout,
   return scene;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::scene

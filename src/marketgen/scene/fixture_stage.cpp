@@ -4,7 +4,7 @@
 
 #include "layout/module_spec.h"
 
-namespace marketgen {
+namespace marketgen::scene {
 namespace {
 
 constexpr int walk_mm = 6000;  // free floor all round the fixture
@@ -12,8 +12,8 @@ constexpr int ceiling_mm = 3000;
 constexpr int over_mm = 300;  // from the fixture to the ceiling, at least
 constexpr char zone_id[] = "stage";
 
-Shell room_for(const FixtureKind& kind) {
-  Shell shell;
+plan::Shell room_for(const catalog::FixtureKind& kind) {
+  plan::Shell shell;
   shell.width_mm = kind.module_widths_mm.front() + 2 * walk_mm;
   shell.depth_mm = kind.depth_mm + 2 * walk_mm;
   shell.ceiling_mm = std::max(ceiling_mm, kind.height_mm + over_mm);
@@ -22,8 +22,8 @@ Shell room_for(const FixtureKind& kind) {
   return shell;
 }
 
-Fixture module_of(const FixtureKind& kind, const Shell& room) {
-  Fixture fixture = lone_module(kind);
+layout::Fixture module_of(const catalog::FixtureKind& kind, const plan::Shell& room) {
+  layout::Fixture fixture = layout::lone_module(kind);
   fixture.id = fixture.run = kind.kind;
   fixture.zone = zone_id;
   fixture.x_mm = room.width_mm / 2;
@@ -32,8 +32,8 @@ Fixture module_of(const FixtureKind& kind, const Shell& room) {
 }
 
 // A zone that sells no category that there is.
-Zone bare_zone() {
-  Zone zone;
+plan::Zone bare_zone() {
+  plan::Zone zone;
   zone.id = zone.type = zone_id;
   zone.stock.categories = {"nothing"};
   return zone;
@@ -41,15 +41,15 @@ Zone bare_zone() {
 
 }  // namespace
 
-Result<Scene> stage_fixture(const FixtureKind& kind, const Catalog& catalog) {
-  Layout layout;
+Result<Scene> stage_fixture(const catalog::FixtureKind& kind, const catalog::Catalog& catalog) {
+  layout::Layout layout;
   layout.name = kind.name;
   layout.shell = room_for(kind);
   layout.fixtures.push_back(module_of(kind, layout.shell));
-  Plan plan;
+  plan::Plan plan;
   plan.shell = layout.shell;
   plan.zones.push_back(bare_zone());
   return build_scene(layout, plan, catalog, Seed(0));
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::scene

@@ -5,10 +5,10 @@
 #include "catalog/catalog.h"
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::scene {
 
 // The row in its first width and its usual measures, both ends closed; its front faces south. The
 // fixture's id is the row's kind. Errors: catalog.*, assets.*.
-Result<Scene> stage_fixture(const FixtureKind& kind, const Catalog& catalog);
+Result<Scene> stage_fixture(const catalog::FixtureKind& kind, const catalog::Catalog& catalog);
 
-}  // namespace marketgen
+}  // namespace marketgen::scene

@@ -5,7 +5,7 @@
 
 #include "assets/product_model.h"
 
-namespace marketgen {
+namespace marketgen::scene {
 namespace {
 
 // Where the row's footprint lies in the room; `turned`: by half a turn about its middle.
@@ -16,12 +16,12 @@ struct Tile {
 
 class Cutter {
  public:
-  Cutter(const HeapRow& row, const Product& product, const ShelfRoom& room)
-      : pieces_(pieces_of(row)),
+  Cutter(const catalog::HeapRow& row, const catalog::Product& product, const ShelfRoom& room)
+      : pieces_(catalog::pieces_of(row)),
         room_(room),
         width_m_(row.width_mm * 1e-3),
         depth_m_(row.depth_mm * 1e-3) {
-    const Result<CollisionPrimitive> primitive = collision_of(product);
+    const Result<assets::CollisionPrimitive> primitive = assets::collision_of(product);
     if (!primitive.ok()) {
       pieces_.clear();
       return;
@@ -70,7 +70,7 @@ class Cutter {
            middle.z + reach.z <= room_.clearance_m;
   }
 
-  std::vector<HeapPiece> pieces_;
+  std::vector<catalog::HeapPiece> pieces_;
   ShelfRoom room_;
   double width_m_, depth_m_;
   Vec3 half_;
@@ -79,8 +79,11 @@ class Cutter {
 
 }  // namespace
 
-std::vector<HeapItem> laid_heap(
-    const HeapRow& row, const Product& product, const ShelfRoom& room, double taken, Stream& draw) {
+std::vector<HeapItem> laid_heap(const catalog::HeapRow& row,
+                                const catalog::Product& product,
+                                const ShelfRoom& room,
+                                double taken,
+                                Stream& draw) {
   const Cutter cutter(row, product, room);
   const double width = row.width_mm * 1e-3, depth = row.depth_mm * 1e-3;
   const int across = static_cast<int>(std::ceil(room.width_m / width)),
@@ -98,4 +101,4 @@ std::vector<HeapItem> laid_heap(
   return items;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::scene

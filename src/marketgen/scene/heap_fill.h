@@ -7,7 +7,7 @@
 #include "catalog/product.h"
 #include "scene/planogram.h"
 
-namespace marketgen {
+namespace marketgen::scene {
 
 // A piece in the frame of the room: X from its left edge, Y from its front edge, Z from its board.
 struct HeapItem {
@@ -18,7 +18,10 @@ struct HeapItem {
 // The settled heap `row`, laid as often as the room is wide and deep, every other time turned
 // round. Only pieces that lie wholly in the room, with all that they lie on, are left; of those
 // that carry nothing some are missing (`taken`, a share). Empty when the row is damaged.
-std::vector<HeapItem> laid_heap(
-    const HeapRow& row, const Product& product, const ShelfRoom& room, double taken, Stream& draw);
+std::vector<HeapItem> laid_heap(const catalog::HeapRow& row,
+                                const catalog::Product& product,
+                                const ShelfRoom& room,
+                                double taken,
+                                Stream& draw);
 
-}  // namespace marketgen
+}  // namespace marketgen::scene

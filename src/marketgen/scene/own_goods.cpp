@@ -9,12 +9,12 @@
 #include "catalog/zone_goods.h"
 #include "scene/assortment.h"
 
-namespace marketgen {
+namespace marketgen::scene {
 namespace {
 
 constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
 
-bool holds_product(const BayRef& bay, const Product& product) {
+bool holds_product(const BayRef& bay, const catalog::Product& product) {
   return std::ranges::any_of(bay.bay.shelves,
                              [&](const ShelfRoom& room) { return fits(product, room); });
 }
@@ -28,7 +28,7 @@ PlannedBlock* block_of(BayRef& bay, std::uint32_t row) {
   return nullptr;
 }
 
-std::vector<std::uint32_t> own_rows(const Catalog& catalog) {
+std::vector<std::uint32_t> own_rows(const catalog::Catalog& catalog) {
   std::vector<std::uint32_t> rows;
   for (std::uint32_t row = 0; row < catalog.products.size(); ++row) {
     if (std::ranges::binary_search(catalog.own, catalog.products[row].sku)) rows.push_back(row);
@@ -43,7 +43,8 @@ std::string whole_mm(double metres) {
 }
 
 // `bays` sell it.
-std::string why_it_does_not_fit(const Product& product, const std::vector<const BayRef*>& bays) {
+std::string why_it_does_not_fit(const catalog::Product& product,
+                                const std::vector<const BayRef*>& bays) {
   double height_m = 0, depth_m = 0, width_m = 0;
   for (const BayRef* bay : bays) {
     for (const ShelfRoom& room : bay->bay.shelves) {
@@ -68,16 +69,16 @@ std::string why_it_does_not_fit(const Product& product, const std::vector<const 
                      product.size_mm[2]);
 }
 
-std::string why_nobody_sells_it(const Product& product,
+std::string why_nobody_sells_it(const catalog::Product& product,
                                 const std::vector<BayRef>& bays,
                                 const Stocks& stocks,
-                                const Catalog& catalog) {
+                                const catalog::Catalog& catalog) {
   for (const BayRef& bay : bays) {
-    const Zone& zone = stocks.zone_of(bay);
+    const plan::Zone& zone = stocks.zone_of(bay);
     if (!sells(zone, product, catalog)) continue;
     if (named_by(product, zone.stock.exclude))
       return fmt::format("zone \"{}\" leaves out {}", zone.id, fmt::join(zone.stock.exclude, ", "));
-    if (!keeps(stocks.temperature_of(bay), product.storage))
+    if (!catalog::keeps(stocks.temperature_of(bay), product.storage))
       return fmt::format("it is kept {}, but the fixtures of zone \"{}\" are {}",
                          name_of(product.storage),
                          zone.id,
@@ -85,10 +86,11 @@ std::string why_nobody_sells_it(const Product& product,
   }
   std::vector<std::string_view> types;
   std::set<std::string_view> known;
-  for (const ZoneTypeRow& type : catalog.zone_types) {
-    if (belongs_to(type, product, catalog) && !type.categories.empty()) types.push_back(type.type);
+  for (const catalog::ZoneTypeRow& type : catalog.zone_types) {
+    if (catalog::belongs_to(type, product, catalog) && !type.categories.empty())
+      types.push_back(type.type);
   }
-  for (const Product& other : catalog.products) {
+  for (const catalog::Product& other : catalog.products) {
     if (other.category == product.category) known.insert(other.subcategory);
   }
   if (!types.empty())
@@ -106,8 +108,8 @@ std::string why_nobody_sells_it(const Product& product,
 std::string why_unstocked(std::uint32_t row,
                           const std::vector<BayRef>& bays,
                           Stocks& stocks,
-                          const Catalog& catalog) {
-  const Product& product = catalog.products[row];
+                          const catalog::Catalog& catalog) {
+  const catalog::Product& product = catalog.products[row];
   std::vector<const BayRef*> selling;
   for (const BayRef& bay : bays) {
     if (stocks.of(bay).sells[row]) selling.push_back(&bay);
@@ -124,7 +126,7 @@ std::string why_unstocked(std::uint32_t row,
 
 }  // namespace
 
-OwnGoods::OwnGoods(const Catalog& catalog, Stocks& stocks)
+OwnGoods::OwnGoods(const catalog::Catalog& catalog, Stocks& stocks)
     : catalog_(catalog), stocks_(stocks), rows_(own_rows(catalog)), tried_(rows_.size()) {}
 
 double OwnGoods::room_left_m(const BayRef& bay) const {
@@ -137,7 +139,7 @@ double OwnGoods::room_left_m(const BayRef& bay) const {
 }
 
 std::size_t OwnGoods::best_bay(const std::vector<BayRef>& bays, std::size_t own) const {
-  const Product& product = catalog_.products[rows_[own]];
+  const catalog::Product& product = catalog_.products[rows_[own]];
   const auto rank = [&](std::size_t i) {
     return std::tuple(bays[i].bay.promotion, bays[i].certain.size(), i);
   };
@@ -187,8 +189,8 @@ bool OwnGoods::give_out(std::vector<BayRef>& bays) {
 }
 
 std::vector<Unstocked> unstocked_products(const Scene& scene,
-                                          const Plan& plan,
-                                          const Catalog& catalog) {
+                                          const plan::Plan& plan,
+                                          const catalog::Catalog& catalog) {
   std::vector<Unstocked> unstocked;
   if (catalog.own.empty()) return unstocked;
   std::set<std::string_view> stocked;
@@ -204,4 +206,4 @@ std::vector<Unstocked> unstocked_products(const Scene& scene,
   return unstocked;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::scene

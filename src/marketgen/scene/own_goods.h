@@ -9,12 +9,12 @@
 #include "base/fields.h"
 #include "scene/bays.h"
 
-namespace marketgen {
+namespace marketgen::scene {
 
 // Gives out bays to own products, in rounds: bays are planned again after each.
 class OwnGoods {
  public:
-  OwnGoods(const Catalog& catalog, Stocks& stocks);
+  OwnGoods(const catalog::Catalog& catalog, Stocks& stocks);
 
   // Puts every own product that no bay has into the `certain` of one that sells and holds it and
   // has not been tried: of those for offers last, else of those with the fewest others of his.
@@ -28,7 +28,7 @@ class OwnGoods {
   bool stands(std::vector<BayRef>& bays, std::uint32_t row) const;
   double room_left_m(const BayRef& bay) const;
 
-  const Catalog& catalog_;
+  const catalog::Catalog& catalog_;
   Stocks& stocks_;
   std::vector<std::uint32_t> rows_;           // of catalog.products
   std::vector<std::set<std::size_t>> tried_;  // by own product: bays
@@ -46,7 +46,7 @@ struct Unstocked {
 
 // By SKU.
 std::vector<Unstocked> unstocked_products(const Scene& scene,
-                                          const Plan& plan,
-                                          const Catalog& catalog);
+                                          const plan::Plan& plan,
+                                          const catalog::Catalog& catalog);
 
-}  // namespace marketgen
+}  // namespace marketgen::scene

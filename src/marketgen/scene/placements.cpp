@@ -10,10 +10,10 @@
 #include "scene/row_arrays.h"
 #include "scene/shelf_fill.h"
 
-namespace marketgen {
+namespace marketgen::scene {
 namespace {
 
-bool takes_no_more_room(const Product& candidate, const Product& place) {
+bool takes_no_more_room(const catalog::Product& candidate, const catalog::Product& place) {
   for (int axis = 0; axis < 3; ++axis) {
     if (candidate.size_mm[static_cast<std::size_t>(axis)] >
         place.size_mm[static_cast<std::size_t>(axis)])
@@ -23,13 +23,13 @@ bool takes_no_more_room(const Product& candidate, const Product& place) {
 }
 
 // A product of another subcategory that fits into the place of `row`, or `row` itself.
-std::uint32_t stranger_for(std::uint32_t row, const Catalog& catalog, Stream& draw) {
-  const Product& place = catalog.products[row];
+std::uint32_t stranger_for(std::uint32_t row, const catalog::Catalog& catalog, Stream& draw) {
+  const catalog::Product& place = catalog.products[row];
   const auto start =
       static_cast<std::size_t>(draw.integer(0, static_cast<int>(catalog.products.size()) - 1));
   for (std::size_t i = 0; i < catalog.products.size(); ++i) {
     const std::size_t candidate = (start + i) % catalog.products.size();
-    const Product& product = catalog.products[candidate];
+    const catalog::Product& product = catalog.products[candidate];
     if (product.subcategory != place.subcategory && product.storage == place.storage &&
         takes_no_more_room(product, place)) {
       return static_cast<std::uint32_t>(candidate);
@@ -40,11 +40,11 @@ std::uint32_t stranger_for(std::uint32_t row, const Catalog& catalog, Stream& dr
 
 constexpr double touching_m = 1e-4;  // what only touches does not meet: poses are rounded to floats
 
-bool meet_in_plan(const StandingBox& a, const StandingBox& b) {
+bool meet_in_plan(const catalog::StandingBox& a, const catalog::StandingBox& b) {
   return a.low.x + touching_m < b.high.x && b.low.x + touching_m < a.high.x &&
          a.low.y + touching_m < b.high.y && b.low.y + touching_m < a.high.y;
 }
-bool meet(const StandingBox& a, const StandingBox& b) {
+bool meet(const catalog::StandingBox& a, const catalog::StandingBox& b) {
   return meet_in_plan(a, b) && a.low.z + touching_m < b.high.z && b.low.z + touching_m < a.high.z;
 }
 
@@ -54,15 +54,15 @@ class TakenOut {
   // `pitch_m`: no box of the block is wider or deeper.
   explicit TakenOut(double pitch_m) : pitch_m_(pitch_m) {}
 
-  void add(const StandingBox& box) { boxes_[cell_of(box)].push_back(box); }
+  void add(const catalog::StandingBox& box) { boxes_[cell_of(box)].push_back(box); }
 
-  bool lay_below(const StandingBox& box) const {
+  bool lay_below(const catalog::StandingBox& box) const {
     const auto [column, row] = cell_of(box);
     for (std::int64_t x = column - 1; x <= column + 1; ++x) {
       for (std::int64_t y = row - 1; y <= row + 1; ++y) {
         const auto cell = boxes_.find({x, y});
         if (cell == boxes_.end()) continue;
-        const bool below = std::ranges::any_of(cell->second, [&](const StandingBox& b) {
+        const bool below = std::ranges::any_of(cell->second, [&](const catalog::StandingBox& b) {
           return b.low.z < box.low.z && meet_in_plan(b, box);
         });
         if (below) return true;
@@ -74,7 +74,7 @@ class TakenOut {
  private:
   using Cell = std::pair<std::int64_t, std::int64_t>;
 
-  Cell cell_of(const StandingBox& box) const {
+  Cell cell_of(const catalog::StandingBox& box) const {
     const auto at = [&](double low, double high) {
       return static_cast<std::int64_t>(std::floor((low + high) / 2 / pitch_m_));
     };
@@ -82,32 +82,33 @@ class TakenOut {
   }
 
   double pitch_m_;
-  std::map<Cell, std::vector<StandingBox>> boxes_;
+  std::map<Cell, std::vector<catalog::StandingBox>> boxes_;
 };
 
 // The pinned products' boxes, to be asked who meets them.
 class Pinned {
  public:
-  explicit Pinned(const std::vector<StandingBox>& boxes) : boxes_(boxes), tree_(bounds(boxes)) {}
+  explicit Pinned(const std::vector<catalog::StandingBox>& boxes)
+      : boxes_(boxes), tree_(bounds(boxes)) {}
 
-  bool meets(const StandingBox& box) const {
+  bool meets(const catalog::StandingBox& box) const {
     constexpr float rounding_m = 1e-3F;  // the tree's boxes are single precision
     bool found = false;
-    tree_.each_near(bounds_of(box), -rounding_m, [&](std::uint32_t pin) {
+    tree_.each_near(catalog::bounds_of(box), -rounding_m, [&](std::uint32_t pin) {
       found = found || meet(boxes_[pin], box);
     });
     return found;
   }
 
  private:
-  static std::vector<Bounds3> bounds(const std::vector<StandingBox>& boxes) {
+  static std::vector<Bounds3> bounds(const std::vector<catalog::StandingBox>& boxes) {
     std::vector<Bounds3> all;
-    for (const StandingBox& box : boxes)
-      all.push_back(bounds_of(box));
+    for (const catalog::StandingBox& box : boxes)
+      all.push_back(catalog::bounds_of(box));
     return all;
   }
 
-  const std::vector<StandingBox>& boxes_;
+  const std::vector<catalog::StandingBox>& boxes_;
   BoxTree tree_;
 };
 
@@ -116,16 +117,17 @@ class Pinned {
 void take_out(const Scene& scene,
               const Facing& facing,
               const Pinned& pinned,
-              const Catalog& catalog,
+              const catalog::Catalog& catalog,
               std::vector<std::uint8_t>& drop) {
-  std::vector<StandingBox> boxes;
+  std::vector<catalog::StandingBox> boxes;
   double pitch_m = 0;
   bool hit = false;
   for (std::uint32_t k = 0; k < facing.product_count; ++k) {
     const SceneProduct& item = scene.products[facing.first_product + k];
     const Pose pose = world_from_product(item);
-    boxes.push_back(standing_box(catalog.products[item.sku], pose.position, pose.rotation));
-    const StandingBox& box = boxes.back();
+    boxes.push_back(
+        catalog::standing_box(catalog.products[item.sku], pose.position, pose.rotation));
+    const catalog::StandingBox& box = boxes.back();
     pitch_m = std::max({pitch_m, box.high.x - box.low.x, box.high.y - box.low.y});
     drop[facing.first_product + k] = pinned.meets(box) ? 1 : 0;
     hit = hit || drop[facing.first_product + k] != 0;
@@ -140,8 +142,8 @@ void take_out(const Scene& scene,
 }
 
 std::vector<std::uint8_t> items_in_the_way(const Scene& scene,
-                                           const std::vector<StandingBox>& boxes,
-                                           const Catalog& catalog) {
+                                           const std::vector<catalog::StandingBox>& boxes,
+                                           const catalog::Catalog& catalog) {
   const Pinned pinned(boxes);
   std::vector<std::uint8_t> drop(scene.products.size(), 0);
   for (const Facing& facing : scene.facings)
@@ -167,10 +169,13 @@ void remove_items(Scene& scene, const std::vector<std::uint8_t>& drop) {
 
 }  // namespace
 
-void misplace_items(Scene& scene, const Plan& plan, const Catalog& catalog, Seed seed) {
+void misplace_items(Scene& scene,
+                    const plan::Plan& plan,
+                    const catalog::Catalog& catalog,
+                    Seed seed) {
   for (const Facing& facing : scene.facings) {
-    const Fixture& fixture = scene.layout.fixtures[scene.shelves[facing.shelf].fixture];
-    const Zone* zone = find_zone(plan, fixture.zone);
+    const layout::Fixture& fixture = scene.layout.fixtures[scene.shelves[facing.shelf].fixture];
+    const plan::Zone* zone = plan::find_zone(plan, fixture.zone);
     if (zone == nullptr || zone->stock.misplaced <= 0) continue;
     if (lies_in_a_heap(catalog.products[facing.sku])) continue;  // its neighbours lie against it
     const std::uint64_t shelf =
@@ -197,27 +202,27 @@ void misplace_items(Scene& scene, const Plan& plan, const Catalog& catalog, Seed
   }
 }
 
-Result<void> add_placements(Scene& scene, const Plan& plan, const Catalog& catalog) {
+Result<void> add_placements(Scene& scene, const plan::Plan& plan, const catalog::Catalog& catalog) {
   if (plan.placements.empty()) return {};
   std::vector<SceneProduct> pinned;
-  std::vector<StandingBox> boxes;
+  std::vector<catalog::StandingBox> boxes;
   for (std::size_t i = 0; i < plan.placements.size(); ++i) {
-    const Placement& placement = plan.placements[i];
-    const Product* product = catalog.product(placement.sku);
+    const plan::Placement& placement = plan.placements[i];
+    const catalog::Product* product = catalog.product(placement.sku);
     if (product == nullptr) {
       std::vector<std::string_view> names;
-      for (const Product& p : catalog.products)
+      for (const catalog::Product& p : catalog.products)
         names.push_back(p.sku);
-      return unknown_name("catalog.unknown_sku",
-                          "plan:/placements/" + std::to_string(i) + "/sku",
-                          "product",
-                          placement.sku,
-                          names);
+      return catalog::unknown_name("catalog.unknown_sku",
+                                   "plan:/placements/" + std::to_string(i) + "/sku",
+                                   "product",
+                                   placement.sku,
+                                   names);
     }
     const Vec3 position{placement.position_m[0], placement.position_m[1], placement.position_m[2]};
     const Quaternion rotation =
         rotation_about({0, 0, 1}, placement.yaw_deg * std::numbers::pi / 180);
-    boxes.push_back(standing_box(*product, position, rotation));
+    boxes.push_back(catalog::standing_box(*product, position, rotation));
     pinned.push_back({static_cast<std::uint32_t>(product - catalog.products.data()),
                       no_facing,
                       {static_cast<float>(position.x),
@@ -231,4 +236,4 @@ Result<void> add_placements(Scene& scene, const Plan& plan, const Catalog& catal
   return {};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::scene

@@ -9,17 +9,20 @@
 #include "plan/plan.h"
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::scene {
 
 // Facing of an item that stands in no block.
 constexpr std::uint32_t no_facing = 0xFFFFFFFF;
 
 // Swaps the product of some front items (stock.misplaced of each zone) for another that fits into
 // their place.
-void misplace_items(Scene& scene, const Plan& plan, const Catalog& catalog, Seed seed);
+void misplace_items(Scene& scene,
+                    const plan::Plan& plan,
+                    const catalog::Catalog& catalog,
+                    Seed seed);
 
 // Adds the plan's placements; generated items in their way are left out. Error: catalog.unknown_sku
 // with the nearest name.
-Result<void> add_placements(Scene& scene, const Plan& plan, const Catalog& catalog);
+Result<void> add_placements(Scene& scene, const plan::Plan& plan, const catalog::Catalog& catalog);
 
-}  // namespace marketgen
+}  // namespace marketgen::scene

@@ -4,15 +4,15 @@
 #include <cmath>
 #include <map>
 
-namespace marketgen {
+namespace marketgen::scene {
 namespace {
 
-double pitch_of(const Product& product) {
+double pitch_of(const catalog::Product& product) {
   return product.width_m() + pack_gap_m;
 }
 
 // What a shopper should not have to lift high: mass first, then bulk.
-double heaviness(const Product& product) {
+double heaviness(const catalog::Product& product) {
   return product.mass_kg + 4.0 * product.width_m() * product.height_m();
 }
 
@@ -24,7 +24,7 @@ constexpr double offer_stride = 0.381966;
 
 constexpr int min_heaped = 4;  // pieces across: fewer make a row, not a heap
 
-bool piles_up(const Product& product, const ShelfRoom& room) {
+bool piles_up(const catalog::Product& product, const ShelfRoom& room) {
   return fits(product, room) && stack_height(product, room) * product.height_m() >=
                                     std::min(pile_m, pile_share * room.clearance_m);
 }
@@ -34,8 +34,8 @@ class BayPlan {
  public:
   BayPlan(const Bay& bay,
           const std::vector<std::uint32_t>& assortment,
-          const StockSpec& stock,
-          const Catalog& catalog,
+          const plan::StockSpec& stock,
+          const catalog::Catalog& catalog,
           Stream draw,
           const std::vector<std::uint32_t>& certain)
       : bay_(bay),
@@ -66,27 +66,30 @@ class BayPlan {
     int facings;
   };
 
-  const Product& product(std::size_t place) const { return catalog_.products[assortment_[place]]; }
+  const catalog::Product& product(std::size_t place) const {
+    return catalog_.products[assortment_[place]];
+  }
 
   int wanted_facings() {
     if (bay_.promotion) return max_facings;
-    if (bay_.shelves.front().use == ShelfUse::heap) return draw_.integer(min_heaped, max_facings);
+    if (bay_.shelves.front().use == assets::ShelfUse::heap)
+      return draw_.integer(min_heaped, max_facings);
     return draw_.integer(stock_.facings[0], std::max(stock_.facings[0], stock_.facings[1]));
   }
 
-  bool fits_somewhere(const Product& p) const {
+  bool fits_somewhere(const catalog::Product& p) const {
     return std::any_of(bay_.shelves.begin(), bay_.shelves.end(), [&](const ShelfRoom& room) {
       return fits(p, room);
     });
   }
 
-  bool piles_up_somewhere(const Product& p) const {
+  bool piles_up_somewhere(const catalog::Product& p) const {
     return std::any_of(bay_.shelves.begin(), bay_.shelves.end(), [&](const ShelfRoom& room) {
       return piles_up(p, room);
     });
   }
 
-  bool suits(const Product& p, const ShelfRoom& room) const {
+  bool suits(const catalog::Product& p, const ShelfRoom& room) const {
     return piles_only_ ? piles_up(p, room) : fits(p, room);
   }
 
@@ -100,7 +103,7 @@ class BayPlan {
       const auto found = std::ranges::find(assortment_, row);
       if (found == assortment_.end()) continue;
       const auto place = static_cast<std::size_t>(found - assortment_.begin());
-      const Product& p = product(place);
+      const catalog::Product& p = product(place);
       for (std::size_t level = 0; level < free_m_.size(); ++level) {
         if (pitch_of(p) > free_m_[level] || !fits(p, bay_.shelves[level])) continue;
         blocks_[level].push_back({place, 1});
@@ -150,7 +153,7 @@ class BayPlan {
   }
 
   bool put_lowest(const Block& block) {
-    const Product& p = product(block.place);
+    const catalog::Product& p = product(block.place);
     for (std::size_t level = 0; level < free_m_.size(); ++level) {
       const double width = block.facings * pitch_of(p);
       if (width > free_m_[level] || !suits(p, bay_.shelves[level])) continue;
@@ -198,7 +201,7 @@ class BayPlan {
         static_cast<std::size_t>(draw_.integer(0, static_cast<int>(assortment_.size()) - 1));
     for (std::size_t i = 0; i < assortment_.size(); ++i) {
       const std::size_t place = (start + i) % assortment_.size();
-      const Product& p = product(place);
+      const catalog::Product& p = product(place);
       if (pitch_of(p) > free_m_[level] || !suits(p, bay_.shelves[level]) || stands_on(level, place))
         continue;
       const int room = static_cast<int>(free_m_[level] / pitch_of(p));
@@ -241,8 +244,8 @@ class BayPlan {
 
   const Bay& bay_;
   const std::vector<std::uint32_t>& assortment_;
-  const StockSpec& stock_;
-  const Catalog& catalog_;
+  const plan::StockSpec& stock_;
+  const catalog::Catalog& catalog_;
   Stream draw_;
   const std::vector<std::uint32_t>& certain_;
   bool piles_only_ = false;                 // offers, and some of the assortment piles up
@@ -252,13 +255,13 @@ class BayPlan {
 
 }  // namespace
 
-bool fits(const Product& product, const ShelfRoom& room) {
+bool fits(const catalog::Product& product, const ShelfRoom& room) {
   if (product.mass_kg > heavy_lift_kg && room.board_m > heavy_board_m) return false;
   return stack_height(product, room) > 0 && product.depth_m() <= room.depth_m &&
          pitch_of(product) <= room.width_m;
 }
 
-int stack_height(const Product& product, const ShelfRoom& room) {
+int stack_height(const catalog::Product& product, const ShelfRoom& room) {
   const double usable = room.clearance_m - finger_room_m;
   if (product.height_m() > usable) return 0;
   return std::min(product.stack_max, static_cast<int>(usable / product.height_m()));
@@ -266,8 +269,8 @@ int stack_height(const Product& product, const ShelfRoom& room) {
 
 std::vector<PlannedShelf> plan_bay(const Bay& bay,
                                    const std::vector<std::uint32_t>& assortment,
-                                   const StockSpec& stock,
-                                   const Catalog& catalog,
+                                   const plan::StockSpec& stock,
+                                   const catalog::Catalog& catalog,
                                    AssortmentCursor& cursor,
                                    Stream draw,
                                    const std::vector<std::uint32_t>& certain) {
@@ -275,4 +278,4 @@ std::vector<PlannedShelf> plan_bay(const Bay& bay,
   return BayPlan(bay, assortment, stock, catalog, draw, certain).plan(cursor);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::scene

@@ -13,12 +13,12 @@
 #include "catalog/catalog.h"
 #include "plan/plan.h"
 
-namespace marketgen {
+namespace marketgen::scene {
 
 // Room that a shelf offers; metres.
 struct ShelfRoom {
   double width_m, depth_m, clearance_m;
-  ShelfUse use;
+  assets::ShelfUse use;
   double board_m = 0;  // of its board over the floor
 };
 
@@ -58,16 +58,16 @@ struct AssortmentCursor {
 // is left out.
 std::vector<PlannedShelf> plan_bay(const Bay& bay,
                                    const std::vector<std::uint32_t>& assortment,
-                                   const StockSpec& stock,
-                                   const Catalog& catalog,
+                                   const plan::StockSpec& stock,
+                                   const catalog::Catalog& catalog,
                                    AssortmentCursor& cursor,
                                    Stream draw,
                                    const std::vector<std::uint32_t>& certain = {});
 
 // Whether one pack fits on an empty shelf: its size, and its mass at that height.
-bool fits(const Product& product, const ShelfRoom& room);
+bool fits(const catalog::Product& product, const ShelfRoom& room);
 
 // Packs on one another on a shelf of this clearance; 0 when not even one fits.
-int stack_height(const Product& product, const ShelfRoom& room);
+int stack_height(const catalog::Product& product, const ShelfRoom& room);
 
-}  // namespace marketgen
+}  // namespace marketgen::scene

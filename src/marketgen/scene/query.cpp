@@ -11,7 +11,7 @@
 #include "io/json.h"
 #include "scene/placements.h"
 
-namespace marketgen {
+namespace marketgen::scene {
 namespace {
 
 // ---- Rows of the tables; ProductQueryRow is in the header because others read it. ----
@@ -89,7 +89,7 @@ struct PlanogramRow {
                  field("price", &PlanogramRow::price, "euro"));
 };
 
-std::string full_name(const Product& p) {
+std::string full_name(const catalog::Product& p) {
   std::string name = p.brand.empty() ? p.name : p.brand + " " + p.name;
   if (!p.variant.empty()) name += " " + p.variant;
   return name;
@@ -107,7 +107,7 @@ std::vector<ProductQueryRow> product_rows(const Scene& scene) {
   rows.reserve(scene.products.size());
   for (std::uint32_t i = 0; i < scene.products.size(); ++i) {
     const SceneProduct& item = scene.products[i];
-    const Product& p = scene.catalog[item.sku];
+    const catalog::Product& p = scene.catalog[item.sku];
     const Pose pose = world_from_product(item);
     ProductQueryRow row{product_id(scene, i),
                         p.sku,
@@ -144,7 +144,7 @@ std::uint64_t products_on(const Scene& scene, std::uint32_t fixture) {
 std::vector<FixtureQueryRow> fixture_rows(const Scene& scene) {
   std::vector<FixtureQueryRow> rows;
   for (std::uint32_t i = 0; i < scene.fixtures.size(); ++i) {
-    const Fixture& f = scene.layout.fixtures[i];
+    const layout::Fixture& f = scene.layout.fixtures[i];
     rows.push_back({f.id,
                     f.run,
                     f.kind,
@@ -164,7 +164,7 @@ std::vector<FixtureQueryRow> fixture_rows(const Scene& scene) {
 std::vector<ZoneQueryRow> zone_rows(const Scene& scene) {
   std::vector<ZoneQueryRow> rows;
   const std::vector<FixtureQueryRow> fixtures = fixture_rows(scene);
-  for (const LayoutZone& zone : scene.layout.zones) {
+  for (const layout::LayoutZone& zone : scene.layout.zones) {
     ZoneQueryRow row{zone.id, zone.type, zone.label, zone.area_m2, 0, 0};
     for (const FixtureQueryRow& f : fixtures) {
       if (f.zone != zone.id) continue;
@@ -178,7 +178,7 @@ std::vector<ZoneQueryRow> zone_rows(const Scene& scene) {
 
 std::vector<PriceQueryRow> price_rows(const Scene& scene) {
   std::vector<PriceQueryRow> rows;
-  for (const Product& p : scene.catalog) {
+  for (const catalog::Product& p : scene.catalog) {
     rows.push_back({p.sku,
                     p.ean,
                     full_name(p),
@@ -203,7 +203,7 @@ std::vector<PlanogramRow> planogram_rows(const Scene& scene) {
   std::vector<PlanogramRow> rows;
   for (const Facing& f : scene.facings) {
     const SceneShelf& shelf = scene.shelves[f.shelf];
-    const Product& p = scene.catalog[f.sku];
+    const catalog::Product& p = scene.catalog[f.sku];
     rows.push_back({scene.layout.fixtures[shelf.fixture].id,
                     shelf.level,
                     shelf.side,
@@ -241,7 +241,7 @@ ColumnKind kind_of(const TypeInfo& type) {
 
 std::string cell_of(const TypeInfo& type, const void* value) {
   if (type.kind == TypeKind::string) return *static_cast<const std::string*>(value);
-  const std::string json = write_json_line_of(type, value);
+  const std::string json = io::write_json_line_of(type, value);
   if (type.kind != TypeKind::enumeration) return json;
   return json.substr(1, json.size() - 2);  // a plain word between its quotes
 }
@@ -412,7 +412,7 @@ Result<Table> query_scene(const Scene& scene, std::string_view name, std::string
   else if (name == "planogram")
     table = table_of(planogram_rows(scene));
   else
-    return unknown_name(
+    return catalog::unknown_name(
         "usage.bad_flag", "query", "table", name, {std::begin(table_names), std::end(table_names)});
   MARKETGEN_CHECK(filter(table, where));
   return table;
@@ -438,7 +438,7 @@ std::string to_json(const Table& table) {
       const std::string& cell = table.rows[r][i];
       const std::string text = table.kinds[i] != ColumnKind::text
                                    ? cell
-                                   : write_json_line_of(type_of<std::string>(), &cell);
+                                   : io::write_json_line_of(type_of<std::string>(), &cell);
       out += fmt::format("{}\"{}\": {}", i == 0 ? "" : ", ", table.columns[i], text);
     }
     out += "}";
@@ -446,4 +446,4 @@ std::string to_json(const Table& table) {
   return out + "\n]\n";
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::scene

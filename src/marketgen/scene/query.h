@@ -8,7 +8,7 @@
 #include "base/result.h"
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::scene {
 
 struct ProductQueryRow {
   std::string id, sku, ean, name, category, fixture;
@@ -54,4 +54,4 @@ Result<Table> query_scene(const Scene& scene, std::string_view name, std::string
 std::string to_csv(const Table& table);
 std::string to_json(const Table& table);  // array of objects, one per line
 
-}  // namespace marketgen
+}  // namespace marketgen::scene

@@ -5,33 +5,38 @@
 #include "layout/module_spec.h"
 #include "plan/style_look.h"
 
-namespace marketgen {
+namespace marketgen::scene {
 namespace {
 
-void change_finish(Fixture& fixture, const Look& from, const Look& to, const Catalog& catalog) {
-  const FixtureKind* kind = catalog.fixture_kind(fixture.kind);
-  if (kind == nullptr || !takes_look(*kind) || fixture.material != from.fixture) return;
-  const MaterialRow* before = catalog.material(from.fixture);
-  const MaterialRow* after = catalog.material(to.fixture);
+void change_finish(layout::Fixture& fixture,
+                   const plan::Look& from,
+                   const plan::Look& to,
+                   const catalog::Catalog& catalog) {
+  const catalog::FixtureKind* kind = catalog.fixture_kind(fixture.kind);
+  if (kind == nullptr || !layout::takes_look(*kind) || fixture.material != from.fixture) return;
+  const catalog::MaterialRow* before = catalog.material(from.fixture);
+  const catalog::MaterialRow* after = catalog.material(to.fixture);
   fixture.material = to.fixture;
   // A colour that somebody wished for stays.
   if (before != nullptr && after != nullptr && fixture.color == before->color)
     fixture.color = after->color;
 }
 
-Layout in_look(Layout layout, const Look& look, const Catalog& catalog) {
-  for (Fixture& fixture : layout.fixtures)
+layout::Layout in_look(layout::Layout layout,
+                       const plan::Look& look,
+                       const catalog::Catalog& catalog) {
+  for (layout::Fixture& fixture : layout.fixtures)
     change_finish(fixture, layout.look, look, catalog);
   layout.look = look;
   return layout;
 }
 
 // A plan under which nothing is stocked.
-Plan bare_plan(const Layout& layout) {
-  Plan plan;
+plan::Plan bare_plan(const layout::Layout& layout) {
+  plan::Plan plan;
   plan.shell = layout.shell;
-  for (const LayoutZone& zone : layout.zones) {
-    Zone bare;
+  for (const layout::LayoutZone& zone : layout.zones) {
+    plan::Zone bare;
     bare.id = zone.id;
     bare.type = zone.type;
     bare.stock.categories = {"nothing"};
@@ -47,8 +52,8 @@ bool same_piece(const ScenePart& a, const ScenePart& b) {
 
 }  // namespace
 
-Result<Scene> reskin(Scene scene, const StyleRow& style, const Catalog& catalog) {
-  Layout layout = in_look(scene.layout, look_of(style), catalog);
+Result<Scene> reskin(Scene scene, const catalog::StyleRow& style, const catalog::Catalog& catalog) {
+  layout::Layout layout = in_look(scene.layout, plan::look_of(style), catalog);
   MARKETGEN_TRY(Scene bare, build_scene(layout, bare_plan(layout), catalog, Seed(scene.seed)));
   if (!std::ranges::equal(scene.parts, bare.parts, same_piece)) {
     return Error{"scene.wrong_version",
@@ -70,4 +75,4 @@ Result<Scene> reskin(Scene scene, const StyleRow& style, const Catalog& catalog)
   return scene;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::scene

@@ -4,7 +4,7 @@
 
 #include "geometry/pose.h"
 
-namespace marketgen {
+namespace marketgen::scene {
 
 inline std::array<float, 3> as_array(Vec3 v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
@@ -20,4 +20,4 @@ inline std::array<float, 4> as_array(const Quaternion& q) {
           static_cast<float>(q.z)};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::scene

@@ -7,7 +7,7 @@
 #include "base/hash.h"
 #include "scene/placements.h"
 
-namespace marketgen {
+namespace marketgen::scene {
 namespace {
 
 Pose pose_of(const std::array<float, 3>& position, const std::array<float, 4>& rotation) {
@@ -82,7 +82,7 @@ std::string product_id(const Scene& scene, std::uint32_t product) {
 
 std::string scene_hash(const Scene& scene) {
   Hasher hash;
-  const Shell& shell = scene.layout.shell;
+  const plan::Shell& shell = scene.layout.shell;
   hash.add(shell.width_mm).add(shell.depth_mm).add(shell.ceiling_mm);
   for (const ScenePart& part : scene.parts) {
     hash.add(part.fixture)
@@ -99,7 +99,7 @@ std::string scene_hash(const Scene& scene) {
     for (const float p : scene.fixtures[i].position_m)
       hash.add_rounded(p, length_step);
   }
-  for (const Product& product : scene.catalog) {
+  for (const catalog::Product& product : scene.catalog) {
     hash.add(product.sku).add(product.archetype);
     if (!product.mesh.empty()) hash.add(product.mesh);
     for (const int s : product.size_mm)
@@ -114,7 +114,7 @@ std::string scene_hash(const Scene& scene) {
 
 std::string look_hash(const Scene& scene) {
   Hasher hash;
-  const Look& look = scene.layout.look;
+  const plan::Look& look = scene.layout.look;
   hash.add(look.floor)
       .add(look.wall)
       .add(look.ceiling)
@@ -125,7 +125,7 @@ std::string look_hash(const Scene& scene) {
   if (look.lamps) hash.add(static_cast<std::int64_t>(*look.lamps));
   if (look.daylight) hash.add_rounded(*look.daylight, 1e-3);
   if (look.neon) hash.add(static_cast<std::int64_t>(*look.neon));
-  for (const MaterialRow& m : scene.materials) {
+  for (const catalog::MaterialRow& m : scene.materials) {
     hash.add(m.id)
         .add(static_cast<std::int64_t>(m.pattern))
         .add(m.color)
@@ -138,7 +138,7 @@ std::string look_hash(const Scene& scene) {
     for (const float c : part.color)
       hash.add_rounded(c, 1e-3);
   }
-  for (const Product& p : scene.catalog) {
+  for (const catalog::Product& p : scene.catalog) {
     hash.add(p.label.primary)
         .add(p.label.secondary)
         .add(p.label.accent)
@@ -160,4 +160,4 @@ SceneCounts count(const Scene& scene) {
   return counts;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::scene

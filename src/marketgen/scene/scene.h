@@ -19,7 +19,7 @@
 #include "geometry/pose.h"
 #include "layout/layout.h"
 
-namespace marketgen {
+namespace marketgen::scene {
 
 // What a scene file may hold; a store is at most 200 m wide.
 constexpr FieldRules in_the_store = range(-1000, 1000), store_size = range(0, 1000);
@@ -49,7 +49,7 @@ struct SceneFixture {
 struct SceneJoint {
   std::uint32_t fixture = 0;
   std::string name;  // unique within the fixture
-  JointKind kind = JointKind::hinge;
+  assets::JointKind kind = assets::JointKind::hinge;
   std::int32_t parent = -1;           // row in joints, or -1: the fixture's body carries it
   std::array<float, 3> position_m{};  // fixture_from_joint at position 0; it moves about or along Z
   std::array<float, 4> rotation_wxyz{1, 0, 0, 0};
@@ -57,7 +57,7 @@ struct SceneJoint {
   float friction = 0, damping = 0;
   float stiffness = 0, spring_rest = 0, hold_open = 0;
   float mass_kg = 1;
-  std::vector<JointState> states;
+  std::vector<assets::JointState> states;
   float gasket = 0, gasket_reach = 0;
 
   static constexpr auto fields = field_list(
@@ -101,9 +101,9 @@ struct SceneJoint {
 // One minimal unit, in its fixture's frame.
 struct ScenePart {
   std::uint32_t fixture = 0;
-  UnitKind unit = UnitKind::board;
-  PartShape shape = PartShape::box;
-  SurfaceKind kind = SurfaceKind::opaque;
+  assets::UnitKind unit = assets::UnitKind::board;
+  assets::PartShape shape = assets::PartShape::box;
+  assets::SurfaceKind kind = assets::SurfaceKind::opaque;
   std::array<float, 3> position_m{};  // fixture_from_part
   std::array<float, 4> rotation_wxyz{1, 0, 0, 0};
   std::array<float, 3> half_size_m{};
@@ -131,7 +131,7 @@ struct ScenePart {
 struct SceneShelf {
   std::uint32_t fixture = 0;
   std::int32_t level = 0, side = 0;
-  ShelfUse use = ShelfUse::stand;
+  assets::ShelfUse use = assets::ShelfUse::stand;
   std::array<float, 3> position_m{};  // fixture_from_shelf
   std::array<float, 4> rotation_wxyz{1, 0, 0, 0};
   float width_m = 0, depth_m = 0, clearance_m = 0;
@@ -222,16 +222,16 @@ struct PriceLabel {
 struct Scene {
   std::string schema = "market-scene/1";
   std::uint64_t seed = 0;
-  Layout layout;  // shell, look, zones, fixtures (same order as below), aisles
+  layout::Layout layout;  // shell, look, zones, fixtures (same order as below), aisles
   std::vector<SceneFixture> fixtures;
   std::vector<ScenePart> parts;
   std::vector<SceneShelf> shelves;
   std::vector<Facing> facings;
   std::vector<SceneProduct> products;
   std::vector<PriceLabel> price_labels;
-  std::vector<Product> catalog;        // the slice in use, sorted by sku
-  std::vector<MaterialRow> materials;  // the slice in use
-  std::vector<SceneJoint> joints;      // by fixture, parents before children
+  std::vector<catalog::Product> catalog;        // the slice in use, sorted by sku
+  std::vector<catalog::MaterialRow> materials;  // the slice in use
+  std::vector<SceneJoint> joints;               // by fixture, parents before children
 
   static constexpr auto fields =
       field_list(field("schema", &Scene::schema, "schema tag", constant("market-scene/1")),
@@ -250,9 +250,9 @@ struct Scene {
 
 // What the scene needs of the plan: stock per zone, overrides, placements.
 // Deterministic for any thread count. Errors: catalog.*, assets.*.
-Result<Scene> build_scene(const Layout& layout,
-                          const Plan& plan,
-                          const Catalog& catalog,
+Result<Scene> build_scene(const layout::Layout& layout,
+                          const plan::Plan& plan,
+                          const catalog::Catalog& catalog,
                           Seed seed);
 
 Pose world_from_fixture(const Scene& scene, std::uint32_t fixture);
@@ -280,4 +280,4 @@ struct SceneCounts {
 };
 SceneCounts count(const Scene& scene);
 
-}  // namespace marketgen
+}  // namespace marketgen::scene

@@ -9,7 +9,7 @@
 #include "io/flatbuffer.h"
 #include "scene/placements.h"
 
-namespace marketgen {
+namespace marketgen::scene {
 namespace {
 
 // First fault found; later ones are not looked for.
@@ -85,7 +85,7 @@ bool has_sound_range(const SceneJoint& joint) {
   constexpr double rounding = 1e-5;  // limits are single precision, states double
   const double low = joint.lower - rounding, high = joint.upper + rounding;
   return joint.lower <= joint.upper && low <= 0 && high >= 0 &&
-         std::ranges::all_of(joint.states, [&](const JointState& state) {
+         std::ranges::all_of(joint.states, [&](const assets::JointState& state) {
            return state.position >= low && state.position <= high;
          });
 }
@@ -135,7 +135,7 @@ void check_stock(const Scene& scene, IndexCheck& check) {
 }  // namespace
 
 std::string encode_scene(const Scene& scene) {
-  return write_flatbuffer_of(type_of<Scene>(), &scene, scene_file_identifier);
+  return io::write_flatbuffer_of(type_of<Scene>(), &scene, scene_file_identifier);
 }
 
 Result<void> check_indices(const Scene& scene, const std::string& source) {
@@ -150,16 +150,16 @@ Result<void> check_indices(const Scene& scene, const std::string& source) {
 Result<Scene> decode_scene(std::span<const std::byte> bytes, const std::string& source) {
   Scene scene;
   MARKETGEN_CHECK(
-      read_flatbuffer_into(bytes, source, scene_file_identifier, type_of<Scene>(), &scene));
+      io::read_flatbuffer_into(bytes, source, scene_file_identifier, type_of<Scene>(), &scene));
   MARKETGEN_CHECK(check_indices(scene, source));
   return scene;
 }
 
 Result<Scene> open_scene(const std::filesystem::path& file) {
-  MARKETGEN_TRY(const MappedFile mapped, MappedFile::open(file));
+  MARKETGEN_TRY(const io::MappedFile mapped, io::MappedFile::open(file));
   MARKETGEN_TRY(Scene scene, decode_scene(mapped.bytes(), file.string()));
-  MARKETGEN_CHECK(restore_meshes(scene.catalog, file.parent_path()));
+  MARKETGEN_CHECK(catalog::restore_meshes(scene.catalog, file.parent_path()));
   return scene;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::scene

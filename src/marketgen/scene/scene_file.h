@@ -6,7 +6,7 @@
 #include "base/result.h"
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::scene {
 
 constexpr std::string_view scene_file_identifier = "MGS1";
 
@@ -18,4 +18,4 @@ Result<void> check_indices(const Scene& scene, const std::string& source);
 // Mapped, verified, decoded; meshes of users' own products that lie beside it are kept for use.
 Result<Scene> open_scene(const std::filesystem::path& file);
 
-}  // namespace marketgen
+}  // namespace marketgen::scene

@@ -7,7 +7,7 @@
 #include "scene/heap_fill.h"
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::scene {
 namespace {
 
 constexpr double kept_gap_m = 0.001;         // never less than this between neighbours
@@ -20,22 +20,22 @@ constexpr double sold_depth_share =
     0.8;  // a column has sold up to this share of its rows; the rest was pulled forward
 
 // Whether it takes no more room however it is turned about its upright axis.
-bool is_round(const Product& product) {
-  const Result<CollisionPrimitive> primitive = collision_of(product);
-  return primitive.ok() && primitive->shape == CollisionShape::cylinder && !primitive->lying &&
-         product.size_mm[0] == product.size_mm[1];
+bool is_round(const catalog::Product& product) {
+  const Result<assets::CollisionPrimitive> primitive = assets::collision_of(product);
+  return primitive.ok() && primitive->shape == assets::CollisionShape::cylinder &&
+         !primitive->lying && product.size_mm[0] == product.size_mm[1];
 }
 
 // Largest tan(half yaw) that keeps neighbours `kept_gap_m` apart: a turned box of depth d is d *
 // yaw wider.
-double yaw_limit(const Product& product, double jitter) {
+double yaw_limit(const catalog::Product& product, double jitter) {
   if (is_round(product)) return 0.12 * jitter;  // 14 degrees: a turned can takes no more room
   const double side = (pack_gap_m - kept_gap_m) / product.depth_m();
   const double back = (depth_gap_m - kept_gap_m) / product.width_m();
   return jitter * std::min({max_yaw_tangent, side / 2, back / 2});
 }
 
-int rows_that_fit(const Product& product, const ShelfRoom& room, double depth_fill) {
+int rows_that_fit(const catalog::Product& product, const ShelfRoom& room, double depth_fill) {
   const double pitch = product.depth_m() + depth_gap_m;
   const int most = static_cast<int>((room.depth_m + depth_gap_m + 1e-9) / pitch);
   return std::max(1, static_cast<int>(static_cast<double>(most) * depth_fill + 0.5));
@@ -55,10 +55,10 @@ Quaternion turned(Stream& draw, double limit) {
 
 // One column of a facing block: rows from front to back, each a stack.
 void add_column(FilledBlock& block,
-                const Product& product,
+                const catalog::Product& product,
                 double center_x,
                 const ShelfRoom& room,
-                const StockSpec& stock,
+                const plan::StockSpec& stock,
                 Stream& draw) {
   const double pitch = product.depth_m() + depth_gap_m;
   const double spare = room.depth_m - (static_cast<double>(block.rows_deep) * pitch - depth_gap_m);
@@ -79,9 +79,9 @@ void add_column(FilledBlock& block,
 }
 
 void stand_items(FilledBlock& block,
-                 const Product& product,
+                 const catalog::Product& product,
                  const ShelfRoom& room,
-                 const StockSpec& stock,
+                 const plan::StockSpec& stock,
                  Stream& draw) {
   block.stack = std::max(1, stack_height(product, room));
   block.rows_deep = rows_that_fit(product, room, stock.depth_fill);
@@ -104,10 +104,10 @@ constexpr double heap_taken_share = 0.25;  // of the topmost pieces, where stock
 // blocks one on another.
 enum class HeapKind { balls, logs, blocks };
 
-HeapKind heap_kind_of(const Product& product) {
-  const Result<CollisionPrimitive> primitive = collision_of(product);
+HeapKind heap_kind_of(const catalog::Product& product) {
+  const Result<assets::CollisionPrimitive> primitive = assets::collision_of(product);
   if (!primitive.ok()) return HeapKind::blocks;
-  if (primitive->shape == CollisionShape::ellipsoid) return HeapKind::balls;
+  if (primitive->shape == assets::CollisionShape::ellipsoid) return HeapKind::balls;
   return primitive->lying ? HeapKind::logs : HeapKind::blocks;
 }
 
@@ -119,10 +119,10 @@ double layer_rise(HeapKind kind) {
 
 // A settled heap, cut to the block.
 void lay_heap(FilledBlock& block,
-              const HeapRow& row,
-              const Product& product,
+              const catalog::HeapRow& row,
+              const catalog::Product& product,
               const ShelfRoom& room,
-              const StockSpec& stock,
+              const plan::StockSpec& stock,
               Stream& draw) {
   const double left = block.x_m - room.width_m / 2;
   const ShelfRoom own{block.width_m, room.depth_m, room.clearance_m, room.use};
@@ -142,9 +142,9 @@ void lay_heap(FilledBlock& block,
 
 // Layers of a heap, each in the pockets of the one below.
 void heap_items(FilledBlock& block,
-                const Product& product,
+                const catalog::Product& product,
                 const ShelfRoom& room,
-                const StockSpec& stock,
+                const plan::StockSpec& stock,
                 Stream& draw) {
   const HeapKind kind = heap_kind_of(product);
   const bool balls = kind == HeapKind::balls;
@@ -183,7 +183,9 @@ void heap_items(FilledBlock& block,
 }
 
 // Gap to put before each block so that the shelf looks evenly filled.
-double spread_gap(const PlannedShelf& plan, const ShelfRoom& room, const Catalog& catalog) {
+double spread_gap(const PlannedShelf& plan,
+                  const ShelfRoom& room,
+                  const catalog::Catalog& catalog) {
   double used = 0;
   for (const PlannedBlock& block : plan) {
     used += block.facings * (catalog.products[block.product].width_m() + pack_gap_m);
@@ -194,21 +196,21 @@ double spread_gap(const PlannedShelf& plan, const ShelfRoom& room, const Catalog
 
 }  // namespace
 
-bool lies_in_a_heap(const Product& product) {
-  const bool loose = product.orientation == Orientation::any && product.material == "skin";
+bool lies_in_a_heap(const catalog::Product& product) {
+  const bool loose = product.orientation == catalog::Orientation::any && product.material == "skin";
   return loose || product.archetype == "round_produce" ||
          product.archetype == "elongated_produce" || product.archetype == "leafy_produce";
 }
 
-bool lies_as_balls(const Product& product) {
+bool lies_as_balls(const catalog::Product& product) {
   return lies_in_a_heap(product) && heap_kind_of(product) == HeapKind::balls;
 }
 
 std::uint64_t max_items(const PlannedBlock& block,
                         const ShelfRoom& room,
-                        const StockSpec& stock,
-                        const Catalog& catalog) {
-  const Product& product = catalog.products[block.product];
+                        const plan::StockSpec& stock,
+                        const catalog::Catalog& catalog) {
+  const catalog::Product& product = catalog.products[block.product];
   const int rows = rows_that_fit(product, room, lies_in_a_heap(product) ? 1 : stock.depth_fill);
   const int high = std::max(max_heap_layers, stack_height(product, room));
   return static_cast<std::uint64_t>(block.facings) * static_cast<std::uint64_t>(rows) *
@@ -217,22 +219,22 @@ std::uint64_t max_items(const PlannedBlock& block,
 
 std::vector<FilledBlock> fill_shelf(const PlannedShelf& plan,
                                     const ShelfRoom& room,
-                                    const StockSpec& stock,
-                                    const Catalog& catalog,
+                                    const plan::StockSpec& stock,
+                                    const catalog::Catalog& catalog,
                                     Stream draw) {
   std::vector<FilledBlock> blocks;
   if (plan.empty()) return blocks;
   const double gap = spread_gap(plan, room, catalog);
   double x = gap;
   for (const PlannedBlock& planned : plan) {
-    const Product& product = catalog.products[planned.product];
+    const catalog::Product& product = catalog.products[planned.product];
     FilledBlock block;
     block.product = planned.product;
     block.facings = planned.facings;
     block.x_m = x;
     block.width_m = planned.facings * (product.width_m() + pack_gap_m);
     const bool heaped = lies_in_a_heap(product);
-    if (const HeapRow* heap = heaped ? catalog.heap(product) : nullptr)
+    if (const catalog::HeapRow* heap = heaped ? catalog.heap(product) : nullptr)
       lay_heap(block, *heap, product, room, stock, draw);
     if (heaped && block.items.empty())  // no settled heap, or none of it has room
       heap_items(block, product, room, stock, draw);
@@ -244,4 +246,4 @@ std::vector<FilledBlock> fill_shelf(const PlannedShelf& plan,
   return blocks;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::scene

@@ -10,7 +10,7 @@
 #include "plan/plan.h"
 #include "scene/planogram.h"
 
-namespace marketgen {
+namespace marketgen::scene {
 
 // Of a scene: a shop of 200 x 200 m holds five million. build_scene refuses more (scene.too_large).
 constexpr std::uint64_t max_scene_products = 8'000'000;
@@ -32,24 +32,24 @@ struct FilledBlock {
 };
 
 // Loose goods that are heaped rather than stacked in rows.
-bool lies_in_a_heap(const Product& product);
+bool lies_in_a_heap(const catalog::Product& product);
 
 // Those of them that lie as balls do, any way round: they have settled heaps (catalog/heap.h).
-bool lies_as_balls(const Product& product);
+bool lies_as_balls(const catalog::Product& product);
 
 // The most items that the block could be of: what is sold, and what lies loose, only makes it less.
 std::uint64_t max_items(const PlannedBlock& block,
                         const ShelfRoom& room,
-                        const StockSpec& stock,
-                        const Catalog& catalog);
+                        const plan::StockSpec& stock,
+                        const catalog::Catalog& catalog);
 
 // Fills one shelf. Every item lies inside the shelf's width, depth and clearance, and keeps at
 // least 1 mm from items of other columns and rows; stacked items rest on one another. Heaps (loose
 // produce) lie in layers, each in the pockets of the one below.
 std::vector<FilledBlock> fill_shelf(const PlannedShelf& plan,
                                     const ShelfRoom& room,
-                                    const StockSpec& stock,
-                                    const Catalog& catalog,
+                                    const plan::StockSpec& stock,
+                                    const catalog::Catalog& catalog,
                                     Stream draw);
 
-}  // namespace marketgen
+}  // namespace marketgen::scene

@@ -1,6 +1,6 @@
 #include "skills/aisle_executor.h"
 
-namespace marketgen {
+namespace marketgen::skills {
 namespace {
 
 constexpr double calm_s = 0.3;   // until nothing swings
@@ -11,14 +11,14 @@ constexpr double lift_speed_share = 0.9, head_speed_share = 0.9;
 
 }  // namespace
 
-AisleExecutor::AisleExecutor(const Robot& robot, std::vector<int> commanded)
+AisleExecutor::AisleExecutor(const robots::Robot& robot, std::vector<int> commanded)
     : robot_(&robot), body_(robot, std::move(commanded)) {}
 
-void AisleExecutor::start(const Observation& now) {
+void AisleExecutor::start(const agent::Observation& now) {
   body_.start(now);
 }
 
-void AisleExecutor::drive(BaseFollower way) {
+void AisleExecutor::drive(motion::BaseFollower way) {
   body_.follow(std::move(way));
   body_.wait(calm_s);
 }
@@ -34,7 +34,7 @@ Result<void> AisleExecutor::raise(double lift_m) {
   return body_.move_joint(robot_->find_dof("lift"), lift_m, lift_speed_share);
 }
 
-void AisleExecutor::open(int tool, ToolCommand command) {
+void AisleExecutor::open(int tool, agent::ToolCommand command) {
   body_.grip(tool, command);
   body_.wait(let_go_s);
 }
@@ -55,7 +55,8 @@ void AisleExecutor::pull_out() {
 }
 
 Result<void> AisleExecutor::go_back() {
-  MARKETGEN_TRY(JointTrajectory way, way_back(*robot_, taking_.group, taking_.ways.reach.line));
+  MARKETGEN_TRY(motion::JointTrajectory way,
+                way_back(*robot_, taking_.group, taking_.ways.reach.line));
   open(taking_.tool, taking_.open);
   body_.play(arm(), std::move(way));
   return {};
@@ -67,7 +68,7 @@ Result<void> AisleExecutor::back_off(double room_m) {
   return {};
 }
 
-void AisleExecutor::let_down(DropPlan plan, ToolCommand let_go) {
+void AisleExecutor::let_down(DropPlan plan, agent::ToolCommand let_go) {
   body_.play(arm(), std::move(plan.way));
   body_.wait(calm_s);
   open(taking_.tool, let_go);
@@ -75,9 +76,9 @@ void AisleExecutor::let_down(DropPlan plan, ToolCommand let_go) {
   stow(std::move(plan.home));
 }
 
-void AisleExecutor::stow(JointTrajectory way) {
+void AisleExecutor::stow(motion::JointTrajectory way) {
   body_.play(arm(), std::move(way));
   body_.wait(calm_s);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::skills

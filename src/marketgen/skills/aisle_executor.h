@@ -12,7 +12,7 @@
 #include "skills/drop_plan.h"
 #include "skills/pick_ways.h"
 
-namespace marketgen {
+namespace marketgen::skills {
 
 // One item's: by which arm, and how its tool takes hold.
 struct Taking {
@@ -20,39 +20,39 @@ struct Taking {
   std::string group;  // of the arm
   int tool = 0;       // in Robot::tools
   double lift_m = 0;  // height of the lift
-  ToolCommand open, close;
+  agent::ToolCommand open, close;
 };
 
 class AisleExecutor {
  public:
   // `commanded`: the degrees of freedom of an action's positions. The robot must outlive it.
-  AisleExecutor(const Robot& robot, std::vector<int> commanded);
+  AisleExecutor(const robots::Robot& robot, std::vector<int> commanded);
 
-  void start(const Observation& now);  // forgets what is queued
+  void start(const agent::Observation& now);  // forgets what is queued
   bool idle() const { return body_.idle(); }
   bool take_stop() { return body_.take_stop(); }  // as BodyExecutor
   bool presses(int tool) const { return body_.told(tool).opening_m <= 0; }
-  Action next(const Observation& now) { return body_.next(now); }
+  agent::Action next(const agent::Observation& now) { return body_.next(now); }
 
   // ---- Each queues motions. Errors: motion.bad_limits; those of way_back. ----
-  void drive(BaseFollower way);
+  void drive(motion::BaseFollower way);
   Result<void> look(double pan, double tilt);  // the head, to the left and down, rad
   Result<void> raise(double lift_m);
-  void open(int tool, ToolCommand command);
+  void open(int tool, agent::ToolCommand command);
 
   Result<void> take(Taking taking);  // from where it stands, up to the grip
   void pull_out();                   // with the item
   Result<void> go_back();            // empty, the way that the arm came
   Result<void> back_off(double room_m);
-  void let_down(DropPlan plan, ToolCommand let_go);  // into the basket; then home
-  void stow(JointTrajectory way);                    // the empty arm
+  void let_down(DropPlan plan, agent::ToolCommand let_go);  // into the basket; then home
+  void stow(motion::JointTrajectory way);                   // the empty arm
 
  private:
   const std::vector<int>& arm() const { return robot_->find_group(taking_.group)->dofs; }
 
-  const Robot* robot_;
+  const robots::Robot* robot_;
   BodyExecutor body_;
   Taking taking_;  // the last one
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::skills

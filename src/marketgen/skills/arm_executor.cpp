@@ -6,31 +6,32 @@
 
 #include "robots/arm_ik.h"
 
-namespace marketgen {
+namespace marketgen::skills {
 namespace {
 
 constexpr std::array let_down_m{0.10, 0.06, 0.03};
 
 // What the last joint of the group moves.
-std::vector<int> hand_of(const Robot& robot, const JointGroup& group) {
+std::vector<int> hand_of(const robots::Robot& robot, const robots::JointGroup& group) {
   if (group.dofs.empty()) return {};
-  return links_from(robot, robot.joint_of_dof(static_cast<std::size_t>(group.dofs.back())).link);
+  return robots::links_from(robot,
+                            robot.joint_of_dof(static_cast<std::size_t>(group.dofs.back())).link);
 }
 
 }  // namespace
 
-Result<ArmExecutor> ArmExecutor::make(const Robot& robot, const ExecutorOptions& options) {
+Result<ArmExecutor> ArmExecutor::make(const robots::Robot& robot, const ExecutorOptions& options) {
   ArmExecutor made;
   made.robot_ = &robot;
   made.options_ = options;
-  MARKETGEN_TRY(ArmModel model, make_arm_model(robot, "arm"));
-  if (const auto ik = make_arm_ik(robot, model.group); !ik.ok()) return ik.error();
-  made.model_ = std::make_unique<ArmModel>(std::move(model));
+  MARKETGEN_TRY(motion::ArmModel model, motion::make_arm_model(robot, "arm"));
+  if (const auto ik = robots::make_arm_ik(robot, model.group); !ik.ok()) return ik.error();
+  made.model_ = std::make_unique<motion::ArmModel>(std::move(model));
   made.hand_ = hand_of(robot, made.model_->group);
   return made;
 }
 
-void ArmExecutor::start(const Observation& now) {
+void ArmExecutor::start(const agent::Observation& now) {
   queue_.clear();
   retrace_.start();
   was_stopped_ = false;
@@ -40,32 +41,32 @@ void ArmExecutor::start(const Observation& now) {
 }
 
 std::vector<double> ArmExecutor::state(double opening_m) const {
-  std::vector<double> q = neutral_state(*robot_);
+  std::vector<double> q = robots::neutral_state(*robot_);
   for (std::size_t j = 0; j < end_.size(); ++j)
     q[static_cast<std::size_t>(model_->group.dofs[j])] =
         std::clamp(end_[j], model_->lower[j], model_->upper[j]);
-  if (const JointGroup* fingers = robot_->find_group("fingers")) {
+  if (const robots::JointGroup* fingers = robot_->find_group("fingers")) {
     for (const int dof : fingers->dofs) {
-      const Joint& joint = robot_->joint_of_dof(static_cast<std::size_t>(dof));
+      const robots::Joint& joint = robot_->joint_of_dof(static_cast<std::size_t>(dof));
       q[static_cast<std::size_t>(dof)] = std::clamp(opening_m / 2, joint.lower, joint.upper);
     }
   }
-  return with_followers(*robot_, std::move(q));
+  return robots::with_followers(*robot_, std::move(q));
 }
 
-Result<std::vector<MotionLimits>> ArmExecutor::limits(double speed) const {
-  ArmPlanOptions arm;
+Result<std::vector<motion::MotionLimits>> ArmExecutor::limits(double speed) const {
+  motion::ArmPlanOptions arm;
   arm.speed = speed;
-  MARKETGEN_TRY(std::vector<MotionLimits> limits, motion_limits(*model_, arm));
-  for (MotionLimits& limit : limits)
+  MARKETGEN_TRY(std::vector<motion::MotionLimits> limits, motion::motion_limits(*model_, arm));
+  for (motion::MotionLimits& limit : limits)
     limit.acceleration *= options_.acceleration;
   return limits;
 }
 
-Result<ArmChecker> ArmExecutor::line_checker(const std::vector<double>& state,
-                                             const CollisionWorld& way,
-                                             const CollisionWorld& line) const {
-  return ArmChecker::make(
+Result<motion::ArmChecker> ArmExecutor::line_checker(const std::vector<double>& state,
+                                                     const motion::CollisionWorld& way,
+                                                     const motion::CollisionWorld& line) const {
+  return motion::ArmChecker::make(
       *model_,
       state,
       {},
@@ -78,7 +79,7 @@ double ArmExecutor::opening_for(double asked_m) const {
   return opening_m_ > 0 ? opening_m_ : held_m_;
 }
 
-void ArmExecutor::queue(JointTrajectory trajectory, double opening_m, double force_n) {
+void ArmExecutor::queue(motion::JointTrajectory trajectory, double opening_m, double force_n) {
   const double duration = trajectory.duration_s();
   end_ = trajectory.at(duration).position;
   was_stopped_ = false;
@@ -93,26 +94,27 @@ void ArmExecutor::wait(double seconds, double opening_m, double force_n) {
 Result<void> ArmExecutor::reach(const Surroundings& around,
                                 const ReachRequest& request,
                                 Seed seed) {
-  MARKETGEN_TRY(const CollisionWorld way_world, CollisionWorld::make(around.way));
-  MARKETGEN_TRY(const CollisionWorld line_world, CollisionWorld::make(around.line));
+  MARKETGEN_TRY(const motion::CollisionWorld way_world, motion::CollisionWorld::make(around.way));
+  MARKETGEN_TRY(const motion::CollisionWorld line_world, motion::CollisionWorld::make(around.line));
   const std::vector<double> q = state(opening_for(request.opening_m));
   MARKETGEN_TRY(
-      const ArmChecker way,
-      ArmChecker::make(*model_,
-                       q,
-                       {},
-                       way_world,
-                       {.margin_m = options_.way_margin_m, .attached = request.attached}));
-  MARKETGEN_TRY(const ArmChecker line, line_checker(q, way_world, line_world));
-  ArmPlanOptions arm;
+      const motion::ArmChecker way,
+      motion::ArmChecker::make(*model_,
+                               q,
+                               {},
+                               way_world,
+                               {.margin_m = options_.way_margin_m, .attached = request.attached}));
+  MARKETGEN_TRY(const motion::ArmChecker line, line_checker(q, way_world, line_world));
+  motion::ArmPlanOptions arm;
   arm.search.max_iterations = options_.max_samples;
   arm.speed = options_.speed;
-  MARKETGEN_TRY(const ReachPlan plan,
-                plan_reach(way, line, {end_, request.base_from_tip, request.approach}, seed, arm));
+  MARKETGEN_TRY(
+      const motion::ReachPlan plan,
+      motion::plan_reach(way, line, {end_, request.base_from_tip, request.approach}, seed, arm));
   MARKETGEN_TRY(const auto quick, limits(options_.speed));
   MARKETGEN_TRY(const auto slow, limits(options_.line_speed));
-  MARKETGEN_TRY(JointTrajectory trajectory, timed_path(plan.way, quick));
-  MARKETGEN_TRY(const JointTrajectory last, timed_curve(plan.line, slow));
+  MARKETGEN_TRY(motion::JointTrajectory trajectory, motion::timed_path(plan.way, quick));
+  MARKETGEN_TRY(const motion::JointTrajectory last, motion::timed_curve(plan.line, slow));
   if (!request.stops_before) trajectory.append(last);
   queue(std::move(trajectory), request.opening_m, request.force_n);
   return {};
@@ -122,13 +124,13 @@ Result<void> ArmExecutor::straight(const Surroundings& around,
                                    const Pose& base_from_tip,
                                    double opening_m,
                                    double force_n) {
-  MARKETGEN_TRY(const CollisionWorld way_world, CollisionWorld::make(around.way));
-  MARKETGEN_TRY(const CollisionWorld line_world, CollisionWorld::make(around.line));
-  MARKETGEN_TRY(const ArmChecker line,
+  MARKETGEN_TRY(const motion::CollisionWorld way_world, motion::CollisionWorld::make(around.way));
+  MARKETGEN_TRY(const motion::CollisionWorld line_world, motion::CollisionWorld::make(around.line));
+  MARKETGEN_TRY(const motion::ArmChecker line,
                 line_checker(state(opening_for(opening_m)), way_world, line_world));
-  MARKETGEN_TRY(const JointPath path, tool_line(line, end_, base_from_tip));
+  MARKETGEN_TRY(const motion::JointPath path, motion::tool_line(line, end_, base_from_tip));
   MARKETGEN_TRY(const auto slow, limits(options_.line_speed));
-  MARKETGEN_TRY(JointTrajectory trajectory, timed_curve(path, slow));
+  MARKETGEN_TRY(motion::JointTrajectory trajectory, motion::timed_curve(path, slow));
   queue(std::move(trajectory), opening_m, force_n);
   return {};
 }
@@ -142,7 +144,7 @@ Result<void> ArmExecutor::let_down(const Surroundings& around, double force_n) {
   return down;
 }
 
-Action ArmExecutor::next(const Observation& now) {
+agent::Action ArmExecutor::next(const agent::Observation& now) {
   if (retrace_.begins(now)) {
     queue_.clear();
     played_s_ = 0;
@@ -173,13 +175,13 @@ void ArmExecutor::go_back() {
 
 Pose ArmExecutor::tip() const {
   const std::vector<double> q = state(opening_m_);
-  const Pose base = link_poses(*robot_, q)[static_cast<std::size_t>(model_->group.base)];
-  return inverse(base) * frame_pose(*robot_, q, model_->group.tip);
+  const Pose base = robots::link_poses(*robot_, q)[static_cast<std::size_t>(model_->group.base)];
+  return inverse(base) * robots::frame_pose(*robot_, q, model_->group.tip);
 }
 
 std::optional<double> ArmExecutor::effort_to(const Pose& base_from_tip) const {
   // Of its errors make() has ruled out all but robot.unreachable.
-  const auto goals = arm_goals(*robot_, model_->group, base_from_tip, end_);
+  const auto goals = motion::arm_goals(*robot_, model_->group, base_from_tip, end_);
   if (!goals.ok()) return std::nullopt;
   double most = 0;
   for (std::size_t j = 0; j < end_.size(); ++j)
@@ -187,4 +189,4 @@ std::optional<double> ArmExecutor::effort_to(const Pose& base_from_tip) const {
   return most;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::skills

@@ -15,7 +15,7 @@
 #include "robots/robot.h"
 #include "skills/retrace.h"
 
-namespace marketgen {
+namespace marketgen::skills {
 
 struct ExecutorOptions {
   double step_s = 0.05;        // between two actions
@@ -29,7 +29,7 @@ struct ExecutorOptions {
 // `way`: on free ways, and for the arm everywhere. `line`: for the hand on straight lines, without
 // what it may touch there.
 struct Surroundings {
-  Obstacles way, line;
+  motion::Obstacles way, line;
 };
 
 struct ReachRequest {
@@ -37,7 +37,7 @@ struct ReachRequest {
   Vec3 approach;         // of the straight line to there, tip frame
   double opening_m = 0;  // of the gripper meanwhile; 0 presses
   double force_n = 20;
-  std::vector<AttachedObject> attached = {};  // on the free way
+  std::vector<motion::AttachedObject> attached = {};  // on the free way
   bool stops_before = false;  // where the straight line begins; that it can be gone is certain
 };
 
@@ -45,9 +45,9 @@ class ArmExecutor {
  public:
   // Plans for the group "arm". Errors: of make_arm_model and make_arm_ik. The robot must outlive
   // it.
-  static Result<ArmExecutor> make(const Robot& robot, const ExecutorOptions& options = {});
+  static Result<ArmExecutor> make(const robots::Robot& robot, const ExecutorOptions& options = {});
 
-  void start(const Observation& now);  // forgets what is queued; stands where the arm is
+  void start(const agent::Observation& now);  // forgets what is queued; stands where the arm is
 
   // ---- Each queues a motion. Errors: as plan_reach and tool_line; nothing is queued then. ----
   Result<void> reach(const Surroundings& around, const ReachRequest& request, Seed seed);
@@ -66,44 +66,44 @@ class ArmExecutor {
   bool idle() const { return queue_.empty() && !retrace_.goes_back(); }
   // Of the next control step; stands still when idle. A protective stop breaks off what is queued:
   // after it the arm goes back a second of its way, and is idle.
-  Action next(const Observation& now);
+  agent::Action next(const agent::Observation& now);
   // Whether what was queued last was broken off so. Says it once.
   bool take_stop() { return std::exchange(was_stopped_, false); }
   // Whether the gripper is told to press.
   bool presses() const { return opening_m_ <= 0; }
 
   Pose tip() const;  // base_from_tip, where the queued motions end
-  const Configuration& posture() const { return end_; }
+  const motion::Configuration& posture() const { return end_; }
   // The greatest joint difference from where the queued motions end to the nearest posture that
   // brings the tip there; empty when none does.
   std::optional<double> effort_to(const Pose& base_from_tip) const;
 
  private:
   struct Motion {
-    JointTrajectory trajectory;  // empty: stands still
+    motion::JointTrajectory trajectory;  // empty: stands still
     double duration_s = 0, opening_m = 0, force_n = 0;
   };
   ArmExecutor() = default;
   std::vector<double> state(double opening_m) const;
-  Result<std::vector<MotionLimits>> limits(double speed) const;
-  Result<ArmChecker> line_checker(const std::vector<double>& state,
-                                  const CollisionWorld& way,
-                                  const CollisionWorld& line) const;
+  Result<std::vector<motion::MotionLimits>> limits(double speed) const;
+  Result<motion::ArmChecker> line_checker(const std::vector<double>& state,
+                                          const motion::CollisionWorld& way,
+                                          const motion::CollisionWorld& line) const;
   double opening_for(double asked_m) const;
-  void queue(JointTrajectory trajectory, double opening_m, double force_n);
+  void queue(motion::JointTrajectory trajectory, double opening_m, double force_n);
   void go_back();
 
-  const Robot* robot_ = nullptr;
-  std::unique_ptr<ArmModel> model_;
+  const robots::Robot* robot_ = nullptr;
+  std::unique_ptr<motion::ArmModel> model_;
   std::vector<int> hand_;  // links that the group's last joint moves
   ExecutorOptions options_;
   std::deque<Motion> queue_;
-  double played_s_ = 0;      // of the first motion in the queue
-  Configuration now_, end_;  // commanded last; at the end of the queue
+  double played_s_ = 0;              // of the first motion in the queue
+  motion::Configuration now_, end_;  // commanded last; at the end of the queue
   double opening_m_ = 0, force_n_ = 0;
   double held_m_ = 0;
   Retrace retrace_;
   bool was_stopped_ = false;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::skills

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace marketgen {
+namespace marketgen::skills {
 namespace {
 
 constexpr double held_over_rim_m = 0.07, hand_over_rim_m = 0.05;
@@ -57,4 +57,4 @@ Result<void> draw_back(ArmExecutor& arm,
   return arm.straight(basket.around, up, opening_m, force_n);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::skills

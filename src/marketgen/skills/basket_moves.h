@@ -4,7 +4,7 @@
 #pragma once
 #include "skills/arm_executor.h"
 
-namespace marketgen {
+namespace marketgen::skills {
 
 struct BasketSurroundings {
   Surroundings around;   // everything that is known
@@ -32,4 +32,4 @@ Result<void> draw_back(ArmExecutor& arm,
                        double opening_m,
                        double force_n);
 
-}  // namespace marketgen
+}  // namespace marketgen::skills

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace marketgen {
+namespace marketgen::skills {
 namespace {
 
 constexpr double body_step_s = 0.05;
@@ -24,10 +24,10 @@ double wrapped(double angle) {
 
 }  // namespace
 
-BodyExecutor::BodyExecutor(const Robot& robot, std::vector<int> commanded)
+BodyExecutor::BodyExecutor(const robots::Robot& robot, std::vector<int> commanded)
     : robot_(&robot), commanded_(std::move(commanded)) {}
 
-void BodyExecutor::start(const Observation& now) {
+void BodyExecutor::start(const agent::Observation& now) {
   queue_.clear();
   retrace_.start();
   was_stopped_ = false;
@@ -47,7 +47,7 @@ void BodyExecutor::push(Motion motion) {
   queue_.push_back(std::move(motion));
 }
 
-void BodyExecutor::follow(BaseFollower follower) {
+void BodyExecutor::follow(motion::BaseFollower follower) {
   Motion motion;
   motion.base = std::move(follower);
   push(std::move(motion));
@@ -58,13 +58,13 @@ Result<void> BodyExecutor::drive_straight(double distance_m, double speed_m_s) {
   motion.straight = true;
   MARKETGEN_TRY(
       motion.trajectory,
-      timed_path({{0.0}, {distance_m}}, {{speed_m_s, straight_m_s2, straight_jerk_m_s3}}));
+      motion::timed_path({{0.0}, {distance_m}}, {{speed_m_s, straight_m_s2, straight_jerk_m_s3}}));
   motion.duration_s = motion.trajectory.duration_s();
   push(std::move(motion));
   return {};
 }
 
-void BodyExecutor::play(const std::vector<int>& dofs, JointTrajectory trajectory) {
+void BodyExecutor::play(const std::vector<int>& dofs, motion::JointTrajectory trajectory) {
   Motion motion;
   for (const int dof : dofs)
     motion.columns.push_back(column_of(dof));
@@ -77,17 +77,17 @@ void BodyExecutor::play(const std::vector<int>& dofs, JointTrajectory trajectory
 }
 
 Result<void> BodyExecutor::move_joint(int dof, double to, double speed_share) {
-  const Joint& joint = robot_->joint_of_dof(static_cast<std::size_t>(dof));
+  const robots::Joint& joint = robot_->joint_of_dof(static_cast<std::size_t>(dof));
   const double speed = joint.velocity * speed_share, quickly = joint.acceleration * speed_share;
-  const MotionLimits limits{speed, quickly, quickly / jerk_time_s};
+  const motion::MotionLimits limits{speed, quickly, quickly / jerk_time_s};
   const double from = queued_position_[column_of(dof)];
-  MARKETGEN_TRY(JointTrajectory way,
-                timed_path({{from}, {std::clamp(to, joint.lower, joint.upper)}}, {limits}));
+  MARKETGEN_TRY(motion::JointTrajectory way,
+                motion::timed_path({{from}, {std::clamp(to, joint.lower, joint.upper)}}, {limits}));
   play({dof}, std::move(way));
   return {};
 }
 
-void BodyExecutor::grip(int tool, ToolCommand command) {
+void BodyExecutor::grip(int tool, agent::ToolCommand command) {
   Motion motion;
   motion.grip = {static_cast<std::size_t>(tool), command};
   push(std::move(motion));
@@ -100,9 +100,9 @@ void BodyExecutor::wait(double seconds) {
 }
 
 // From where the base is to where the follower is now.
-BodyExecutor::BaseError BodyExecutor::error_of(const BaseFollower& wanted,
-                                               const Observation& now) const {
-  const BaseState& to = wanted.state();
+BodyExecutor::BaseError BodyExecutor::error_of(const motion::BaseFollower& wanted,
+                                               const agent::Observation& now) const {
+  const motion::BaseState& to = wanted.state();
   const double axle = robot_->drive ? robot_->drive->axle_x : 0;
   const double heading = now.base.heading;
   const double dx = to.position.x - (now.base.x_m + axle * std::cos(heading)),
@@ -112,14 +112,16 @@ BodyExecutor::BaseError BodyExecutor::error_of(const BaseFollower& wanted,
           wrapped(to.heading - heading)};
 }
 
-void BodyExecutor::steer(const BaseFollower& wanted, const Observation& now, Action& action) const {
-  const BaseState& to = wanted.state();
+void BodyExecutor::steer(const motion::BaseFollower& wanted,
+                         const agent::Observation& now,
+                         agent::Action& action) const {
+  const motion::BaseState& to = wanted.state();
   const BaseError off = error_of(wanted, now);
   action.drive_m_s = to.speed * std::cos(off.turn) + along_gain * off.along;
   action.turn_rad_s = to.turn_rate + to.speed * across_gain * off.across + turn_gain * off.turn;
 }
 
-bool BodyExecutor::is_over(Motion& motion, const Observation& now) const {
+bool BodyExecutor::is_over(Motion& motion, const agent::Observation& now) const {
   if (!motion.base) return played_s_ >= motion.duration_s;
   if (!motion.base->done()) return false;
   const BaseError off = error_of(*motion.base, now);
@@ -128,7 +130,7 @@ bool BodyExecutor::is_over(Motion& motion, const Observation& now) const {
          (std::abs(off.along) < near_m && std::abs(off.turn) < near_rad);
 }
 
-void BodyExecutor::play_step(Motion& motion, const Observation& now, Action& action) {
+void BodyExecutor::play_step(Motion& motion, const agent::Observation& now, agent::Action& action) {
   played_s_ += body_step_s;
   if (motion.base) {
     motion.base->step(body_step_s);
@@ -143,7 +145,7 @@ void BodyExecutor::play_step(Motion& motion, const Observation& now, Action& act
   }
 }
 
-void BodyExecutor::go_back(Action& action) {
+void BodyExecutor::go_back(agent::Action& action) {
   if (const auto step = retrace_.back()) {
     position_ = step->position;
     action.drive_m_s = step->drive_m_s;
@@ -152,8 +154,8 @@ void BodyExecutor::go_back(Action& action) {
   queued_position_ = position_;
 }
 
-Action BodyExecutor::next(const Observation& now) {
-  Action action;
+agent::Action BodyExecutor::next(const agent::Observation& now) {
+  agent::Action action;
   if (retrace_.begins(now)) {
     queue_.clear();
     played_s_ = 0;
@@ -180,4 +182,4 @@ Action BodyExecutor::next(const Observation& now) {
   return action;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::skills

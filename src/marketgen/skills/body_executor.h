@@ -13,64 +13,66 @@
 #include "robots/robot.h"
 #include "skills/retrace.h"
 
-namespace marketgen {
+namespace marketgen::skills {
 
 class BodyExecutor {
  public:
   // `commanded`: the degrees of freedom of an action's positions. The robot must outlive it.
-  BodyExecutor(const Robot& robot, std::vector<int> commanded);
+  BodyExecutor(const robots::Robot& robot, std::vector<int> commanded);
 
-  void start(const Observation& now);  // forgets what is queued
+  void start(const agent::Observation& now);  // forgets what is queued
 
   // ---- Each queues a motion. ----
-  void follow(BaseFollower follower);
+  void follow(motion::BaseFollower follower);
   // Error motion.bad_limits. Backwards where it is negative.
   Result<void> drive_straight(double distance_m, double speed_m_s);
-  void play(const std::vector<int>& dofs, JointTrajectory trajectory);
+  void play(const std::vector<int>& dofs, motion::JointTrajectory trajectory);
   // One joint alone, at a share of its limits. Errors: motion.bad_limits.
   Result<void> move_joint(int dof, double to, double speed_share);
-  void grip(int tool, ToolCommand command);  // from then on
+  void grip(int tool, agent::ToolCommand command);  // from then on
   void wait(double seconds);
 
   bool idle() const { return queue_.empty() && !retrace_.goes_back(); }
   // A protective stop breaks off what is queued: after it the robot goes back a second of its way,
   // and is idle.
-  Action next(const Observation& now);
+  agent::Action next(const agent::Observation& now);
   // Whether what was queued last was broken off so. Says it once.
   bool take_stop() { return std::exchange(was_stopped_, false); }
   // As its tool is told to be.
-  const ToolCommand& told(int tool) const { return tools_[static_cast<std::size_t>(tool)]; }
+  const agent::ToolCommand& told(int tool) const { return tools_[static_cast<std::size_t>(tool)]; }
 
  private:
   struct Motion {
-    std::optional<BaseFollower> base;
-    JointTrajectory trajectory = {};        // of `dofs`; of the base's way when there are none
-    std::vector<std::size_t> columns = {};  // in an action's positions
+    std::optional<motion::BaseFollower> base;
+    motion::JointTrajectory trajectory = {};  // of `dofs`; of the base's way when there are none
+    std::vector<std::size_t> columns = {};    // in an action's positions
     double duration_s = 0;
-    std::optional<std::pair<std::size_t, ToolCommand>> grip = {};
+    std::optional<std::pair<std::size_t, agent::ToolCommand>> grip = {};
     bool straight = false;
     double settling_s = 0;  // since the base's way was over
   };
   struct BaseError {
     double along = 0, across = 0, turn = 0;
   };
-  void play_step(Motion& motion, const Observation& now, Action& action);
-  BaseError error_of(const BaseFollower& wanted, const Observation& now) const;
-  void steer(const BaseFollower& wanted, const Observation& now, Action& action) const;
-  bool is_over(Motion& motion, const Observation& now) const;
+  void play_step(Motion& motion, const agent::Observation& now, agent::Action& action);
+  BaseError error_of(const motion::BaseFollower& wanted, const agent::Observation& now) const;
+  void steer(const motion::BaseFollower& wanted,
+             const agent::Observation& now,
+             agent::Action& action) const;
+  bool is_over(Motion& motion, const agent::Observation& now) const;
   std::size_t column_of(int dof) const;
   void push(Motion motion);
-  void go_back(Action& action);
+  void go_back(agent::Action& action);
 
-  const Robot* robot_;
+  const robots::Robot* robot_;
   std::vector<int> commanded_;
   std::deque<Motion> queue_;
   double played_s_ = 0;  // of the first motion
   std::vector<double> position_;
   std::vector<double> queued_position_;  // at the end of the queue
-  std::vector<ToolCommand> tools_;
+  std::vector<agent::ToolCommand> tools_;
   Retrace retrace_;
   bool was_stopped_ = false;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::skills

@@ -6,7 +6,7 @@
 
 #include "motion/grasp_surface.h"
 
-namespace marketgen {
+namespace marketgen::skills {
 namespace {
 
 constexpr double column_m = 0.005;
@@ -24,7 +24,7 @@ double middle_of(int column) {
 // Heights at which vertical rays meet a pack that is turned.
 class Probe {
  public:
-  Probe(const std::vector<ContactPiece>& pieces, const Pose& pose)
+  Probe(const std::vector<assets::ContactPiece>& pieces, const Pose& pose)
       : surface_(pieces), product_from_frame_(inverse(pose)) {}
 
   // Of its surface over `from`, rays going the way that `up` (1 or -1) says.
@@ -35,22 +35,22 @@ class Probe {
   }
 
  private:
-  GraspSurface surface_;
+  motion::GraspSurface surface_;
   Pose product_from_frame_;
 };
 
 }  // namespace
 
 CarriedItem carried_box(const TurnedBox& base_box) {
-  return {{{PieceShape::box, {}, to_float(base_box.half)}}, {base_box.middle, {}}};
+  return {{{assets::PieceShape::box, {}, to_float(base_box.half)}}, {base_box.middle, {}}};
 }
 
-BoxObstacle box_of(const CarriedItem& item) {
+motion::BoxObstacle box_of(const CarriedItem& item) {
   const TurnedBox box = turned_box({item.pieces, {}, {}, {}}, {});
   return {item.base_from_product * Pose{box.middle, {}}, box.half};
 }
 
-Underside::Underside(const ProductBody& held, const Quaternion& basket_from_product)
+Underside::Underside(const assets::ProductBody& held, const Quaternion& basket_from_product)
     : box_(turned_box(held, {{}, basket_from_product})) {
   const Probe probe(held.pieces, {-box_.middle, basket_from_product});
   for (int x = column_of(-box_.half.x); x <= column_of(box_.half.x); ++x) {
@@ -99,4 +99,4 @@ double BasketFill::rest_m(const Underside& held, double x, double y) const {
   return rest;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::skills

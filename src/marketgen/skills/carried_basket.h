@@ -9,30 +9,30 @@
 #include "motion/collision_world.h"
 #include "skills/held_product.h"
 
-namespace marketgen {
+namespace marketgen::skills {
 
 // The inside of the basket: a box that is open above.
 struct CarriedBasket {
-  Pose base_from_floor;            // middle of its inner floor, Z up
-  Vec3 size;                       // inner; z up to the rim
-  std::vector<BoxObstacle> walls;  // base frame, floor included
+  Pose base_from_floor;                    // middle of its inner floor, Z up
+  Vec3 size;                               // inner; z up to the rim
+  std::vector<motion::BoxObstacle> walls;  // base frame, floor included
 };
 
 // Something that lies in it.
 struct CarriedItem {
-  std::vector<ContactPiece> pieces;  // product frame
+  std::vector<assets::ContactPiece> pieces;  // product frame
   Pose base_from_product;
 };
 // Of which only the box is known that holds it.
 CarriedItem carried_box(const TurnedBox& base_box);
 // Its own box, as it lies.
-BoxObstacle box_of(const CarriedItem& item);
+motion::BoxObstacle box_of(const CarriedItem& item);
 
 // What is held, seen from below: how high its surface begins, column by column.
 class Underside {
  public:
   // As it is turned: the rotation counts, in the basket's frame.
-  Underside(const ProductBody& held, const Quaternion& basket_from_product);
+  Underside(const assets::ProductBody& held, const Quaternion& basket_from_product);
   const TurnedBox& box() const { return box_; }  // about the held product's origin
 
  private:
@@ -60,4 +60,4 @@ class BasketFill {
   std::vector<double> tops_;  // x fastest; 0 where nothing lies
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::skills

@@ -1,12 +1,12 @@
 #include "skills/counter_obstacles.h"
 
-namespace marketgen {
+namespace marketgen::skills {
 namespace {
 
 constexpr double skin_m = 0.002, below_rim_m = 0.015;
 constexpr double counter_half_m = 0.03;  // of its thickness
 
-BoxObstacle counter_top(const WorkArea& counter) {
+motion::BoxObstacle counter_top(const agent::WorkArea& counter) {
   const auto& [low, high] = counter;
   return {{{(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, -counter_half_m}, {}},
           {(high[0] - low[0]) / 2, (high[1] - low[1]) / 2, counter_half_m}};
@@ -14,23 +14,23 @@ BoxObstacle counter_top(const WorkArea& counter) {
 
 }  // namespace
 
-Surroundings counter_alone(const Workplace& place) {
+Surroundings counter_alone(const agent::Workplace& place) {
   Surroundings around;
   around.way.boxes.push_back(counter_top(place.counter));
   around.line = around.way;
   return around;
 }
 
-Surroundings counter_surroundings(const Workplace& place, HandAt hand) {
+Surroundings counter_surroundings(const agent::Workplace& place, HandAt hand) {
   Surroundings around = counter_alone(place);
   for (const auto* boxes : {&place.walls, &place.ledges})
-    for (const WorkBox& box : *boxes)
+    for (const agent::WorkBox& box : *boxes)
       around.way.boxes.push_back({place.base_from_basket * box.pose, box.half_size});
   if (hand == HandAt::counter) {
     around.line = around.way;
     return around;
   }
-  for (const WorkBox& wall : place.walls) {
+  for (const agent::WorkBox& wall : place.walls) {
     // Boxes have their outer face towards their own +X.
     const Pose skin = place.base_from_basket * wall.pose *
                       Pose{{wall.half_size.x - skin_m / 2, 0, -below_rim_m / 2}, {}};
@@ -40,4 +40,4 @@ Surroundings counter_surroundings(const Workplace& place, HandAt hand) {
   return around;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::skills

@@ -3,7 +3,7 @@
 #include "agent/workplace.h"
 #include "skills/arm_executor.h"
 
-namespace marketgen {
+namespace marketgen::skills {
 
 // Where the hand is when it goes along a line.
 enum class HandAt { basket, counter };
@@ -11,9 +11,9 @@ enum class HandAt { basket, counter };
 // Ways keep off the counter and the basket. Lines keep off the counter and, of the basket, the
 // outer skin when the hand is in it (its grasp was tested against the walls themselves, and an
 // arm's spheres are larger than the hand), whole walls when it is outside.
-Surroundings counter_surroundings(const Workplace& place, HandAt hand);
+Surroundings counter_surroundings(const agent::Workplace& place, HandAt hand);
 
 // The counter alone, for getting away from where something is touched.
-Surroundings counter_alone(const Workplace& place);
+Surroundings counter_alone(const agent::Workplace& place);
 
-}  // namespace marketgen
+}  // namespace marketgen::skills

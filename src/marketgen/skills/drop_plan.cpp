@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-namespace marketgen {
+namespace marketgen::skills {
 namespace {
 
 constexpr double off_walls_m = 0.008;  // of what is let down
@@ -29,36 +29,37 @@ constexpr double of_tilt = 0.03, of_offset = 0.1,
 constexpr double line_speed_share = 0.25;
 constexpr int max_drop_samples = 8000;
 
-std::vector<int> links_of(const Robot& robot, const Tool& tool) {
+std::vector<int> links_of(const robots::Robot& robot, const robots::Tool& tool) {
   std::vector<int> links;
   for (std::size_t link = 0; link < robot.links.size(); ++link)
     if (robot.links[link].name.starts_with(tool.prefix)) links.push_back(static_cast<int>(link));
   return links;
 }
 
-ArmPlanOptions carrying(double acceleration) {
-  ArmPlanOptions options;
+motion::ArmPlanOptions carrying(double acceleration) {
+  motion::ArmPlanOptions options;
   options.speed = carrying_speed;
   options.acceleration = acceleration;
   return options;
 }
 
-Configuration values_of(const ArmModel& model, const std::vector<double>& state) {
-  Configuration q;
+motion::Configuration values_of(const motion::ArmModel& model, const std::vector<double>& state) {
+  motion::Configuration q;
   for (const int dof : model.group.dofs)
     q.push_back(state[static_cast<std::size_t>(dof)]);
   return q;
 }
 
 // The store, the basket and what lies in it.
-Result<CollisionWorld> around_robot(const CarriedBasket& basket, const StowQuestion& question) {
-  std::vector<BoxObstacle> carried = basket.walls;
+Result<motion::CollisionWorld> around_robot(const CarriedBasket& basket,
+                                            const StowQuestion& question) {
+  std::vector<motion::BoxObstacle> carried = basket.walls;
   for (const CarriedItem& item : question.inside)
     carried.push_back(box_of(item));
-  Obstacles all = question.around;
-  for (const BoxObstacle& box : carried_at(carried, question.world_from_base))
+  motion::Obstacles all = question.around;
+  for (const motion::BoxObstacle& box : carried_at(carried, question.world_from_base))
     all.boxes.push_back(box);
-  return CollisionWorld::make(all);
+  return motion::CollisionWorld::make(all);
 }
 
 struct Drop {
@@ -130,12 +131,12 @@ class DropSearch {
 // A place over the basket that the arm can reach, and its straight way down from there.
 struct Descent {
   Pose base_from_tip;  // where it lets go
-  JointPath line, out;
+  motion::JointPath line, out;
 };
 
 class DropPlanner {
  public:
-  DropPlanner(const Robot& robot, const CarriedBasket& basket, const DropQuestion& question)
+  DropPlanner(const robots::Robot& robot, const CarriedBasket& basket, const DropQuestion& question)
       : robot_(robot),
         basket_(basket),
         question_(question),
@@ -148,16 +149,16 @@ class DropPlanner {
   // Before anything else. Errors: those of make_arm_model and of the checkers.
   Result<void> look_around() {
     MARKETGEN_TRY(world_, around_robot(basket_, question_));
-    MARKETGEN_TRY(model_, make_arm_model(robot_, question_.group));
+    MARKETGEN_TRY(model_, motion::make_arm_model(robot_, question_.group));
     const std::vector<double>& state = question_.state;
     start_ = values_of(model_, state);
-    base_from_arm_ = link_poses(robot_, state)[static_cast<std::size_t>(model_.group.base)];
-    const Tool& tool = robot_.tools[static_cast<std::size_t>(question_.tool)];
-    const std::vector<AttachedObject> held{held_product(
+    base_from_arm_ = robots::link_poses(robot_, state)[static_cast<std::size_t>(model_.group.base)];
+    const robots::Tool& tool = robot_.tools[static_cast<std::size_t>(question_.tool)];
+    const std::vector<motion::AttachedObject> held{held_product(
         robot_, tool.frame, *question_.held, question_.tip_from_product, links_of(robot_, tool))};
     const Pose& at = question_.world_from_base;
-    MARKETGEN_TRY(way_, ArmChecker::make(model_, state, at, world_, {way_margin_m, held}));
-    MARKETGEN_TRY(line_, ArmChecker::make(model_, state, at, world_, {line_margin_m, {}}));
+    MARKETGEN_TRY(way_, motion::ArmChecker::make(model_, state, at, world_, {way_margin_m, held}));
+    MARKETGEN_TRY(line_, motion::ArmChecker::make(model_, state, at, world_, {line_margin_m, {}}));
     return {};
   }
 
@@ -167,19 +168,19 @@ class DropPlanner {
     const Pose end = inverse(base_from_arm_) * drop.base_from_tip;
     Pose begin = end;
     begin.position += rotate(inverse(base_from_arm_.rotation), {0, 0, up});
-    const auto postures = arm_goals(robot_, model_.group, begin, start_);
+    const auto postures = motion::arm_goals(robot_, model_.group, begin, start_);
     if (!postures.ok()) return postures.error();
     Error error{"motion.goal_in_collision", "over the basket", "the arm has no room"};
     int added = 0, tried = 0;
-    for (const Configuration& q : *postures) {
+    for (const motion::Configuration& q : *postures) {
       if (!way_->free(q)) continue;
       if (++tried > max_lines) break;
-      auto line = tool_line(*line_, q, end);
+      auto line = motion::tool_line(*line_, q, end);
       if (!line.ok()) {
         error = line.error();
         continue;
       }
-      JointPath out = way_out(*line, end);
+      motion::JointPath out = way_out(*line, end);
       found.push_back({drop.base_from_tip, std::move(*line), std::move(out)});
       if (++added == max_descents) break;
     }
@@ -190,10 +191,11 @@ class DropPlanner {
   // By the first of the descents that is reached and from which the arm gets home.
   Result<DropPlan> plan(std::vector<Descent> descents, Seed seed) const {
     while (true) {
-      std::vector<Configuration> goals;
+      std::vector<motion::Configuration> goals;
       for (const Descent& descent : descents)
         goals.push_back(descent.line.front());
-      MARKETGEN_TRY(const JointPath way, plan_arm_path(*way_, start_, goals, seed, options_));
+      MARKETGEN_TRY(const motion::JointPath way,
+                    motion::plan_arm_path(*way_, start_, goals, seed, options_));
       const auto reached = std::ranges::find(goals, way.back()) - goals.begin();
       auto plan = by_way(way, descents[static_cast<std::size_t>(reached)], seed);
       if (plan.ok() || descents.size() == 1) return plan;
@@ -203,45 +205,45 @@ class DropPlanner {
 
  private:
   // Fingers that lean would lift what they let go: back along the tool, or else the way it came.
-  JointPath way_out(const JointPath& line, Pose end) const {
+  motion::JointPath way_out(const motion::JointPath& line, Pose end) const {
     end.position += rotate(end.rotation, {0, 0, -let_go_back_m});
-    auto back = tool_line(*line_, line.back(), end);
+    auto back = motion::tool_line(*line_, line.back(), end);
     if (back.ok()) return std::move(*back);
     return {line.rbegin(), line.rend()};
   }
 
-  Result<DropPlan> by_way(const JointPath& way, const Descent& descent, Seed seed) const {
-    MARKETGEN_TRY(const auto quick, motion_limits(model_, options_));
-    ArmPlanOptions gentle = options_;
+  Result<DropPlan> by_way(const motion::JointPath& way, const Descent& descent, Seed seed) const {
+    MARKETGEN_TRY(const auto quick, motion::motion_limits(model_, options_));
+    motion::ArmPlanOptions gentle = options_;
     gentle.speed *= line_speed_share;
-    MARKETGEN_TRY(const auto slow, motion_limits(model_, gentle));
+    MARKETGEN_TRY(const auto slow, motion::motion_limits(model_, gentle));
     DropPlan plan;
     plan.base_from_tip = descent.base_from_tip;
-    MARKETGEN_TRY(plan.way, timed_path(way, quick));
-    MARKETGEN_TRY(const JointTrajectory down, timed_curve(descent.line, slow));
+    MARKETGEN_TRY(plan.way, motion::timed_path(way, quick));
+    MARKETGEN_TRY(const motion::JointTrajectory down, motion::timed_curve(descent.line, slow));
     plan.way.append(down);
-    MARKETGEN_TRY(plan.retreat, timed_curve(descent.out, slow));
-    MARKETGEN_TRY(
-        const ArmPlan home,
-        plan_arm(*line_, descent.out.back(), {question_.stow}, seed.child("home"), options_));
+    MARKETGEN_TRY(plan.retreat, motion::timed_curve(descent.out, slow));
+    MARKETGEN_TRY(const motion::ArmPlan home,
+                  motion::plan_arm(
+                      *line_, descent.out.back(), {question_.stow}, seed.child("home"), options_));
     plan.home = home.trajectory;
     return plan;
   }
 
-  const Robot& robot_;
+  const robots::Robot& robot_;
   const CarriedBasket& basket_;
   const DropQuestion& question_;
-  ArmPlanOptions options_;
-  ArmModel model_;
-  CollisionWorld world_;
-  std::optional<ArmChecker> way_, line_;  // with what is held, and without it
-  Configuration start_;
+  motion::ArmPlanOptions options_;
+  motion::ArmModel model_;
+  motion::CollisionWorld world_;
+  std::optional<motion::ArmChecker> way_, line_;  // with what is held, and without it
+  motion::Configuration start_;
   Pose base_from_arm_;
 };
 
 }  // namespace
 
-Result<DropPlan> plan_drop(const Robot& robot,
+Result<DropPlan> plan_drop(const robots::Robot& robot,
                            const CarriedBasket& basket,
                            const DropQuestion& question,
                            Seed seed) {
@@ -266,19 +268,20 @@ Result<DropPlan> plan_drop(const Robot& robot,
   return error;
 }
 
-Result<JointTrajectory> plan_stow(const Robot& robot,
-                                  const CarriedBasket& basket,
-                                  const StowQuestion& question,
-                                  Seed seed) {
-  MARKETGEN_TRY(const ArmModel model, make_arm_model(robot, question.group));
-  MARKETGEN_TRY(const CollisionWorld world, around_robot(basket, question));
-  MARKETGEN_TRY(const ArmChecker checker,
-                ArmChecker::make(
+Result<motion::JointTrajectory> plan_stow(const robots::Robot& robot,
+                                          const CarriedBasket& basket,
+                                          const StowQuestion& question,
+                                          Seed seed) {
+  MARKETGEN_TRY(const motion::ArmModel model, motion::make_arm_model(robot, question.group));
+  MARKETGEN_TRY(const motion::CollisionWorld world, around_robot(basket, question));
+  MARKETGEN_TRY(const motion::ArmChecker checker,
+                motion::ArmChecker::make(
                     model, question.state, question.world_from_base, world, {line_margin_m, {}}));
-  const Configuration start = values_of(model, question.state);
-  MARKETGEN_TRY(ArmPlan plan,
-                plan_arm(checker, start, {question.stow}, seed, carrying(carrying_acceleration)));
+  const motion::Configuration start = values_of(model, question.state);
+  MARKETGEN_TRY(
+      motion::ArmPlan plan,
+      motion::plan_arm(checker, start, {question.stow}, seed, carrying(carrying_acceleration)));
   return std::move(plan.trajectory);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::skills

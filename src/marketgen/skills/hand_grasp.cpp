@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace marketgen {
+namespace marketgen::skills {
 namespace {
 
 constexpr std::size_t max_candidates = 64;
@@ -28,35 +28,37 @@ double tilt_deg(const Quaternion& base_from_tip) {
   return std::acos(std::clamp(-ahead.z, -1.0, 1.0)) * 180 / std::numbers::pi;
 }
 
-std::vector<GraspObstacle> wall_obstacles(const Workplace& place) {
-  std::vector<GraspObstacle> walls;
+std::vector<motion::GraspObstacle> wall_obstacles(const agent::Workplace& place) {
+  std::vector<motion::GraspObstacle> walls;
   for (const auto* boxes : {&place.walls, &place.ledges})
-    for (const WorkBox& box : *boxes)
+    for (const agent::WorkBox& box : *boxes)
       walls.push_back({place.base_from_basket * box.pose, box.half_size});
   return walls;
 }
 
-Result<std::vector<GraspCandidate>> grasps_from_above(const LyingPack& pack,
-                                                      const GraspTool& tool,
-                                                      const std::vector<GraspObstacle>& walls) {
-  GraspQuery query;
+Result<std::vector<motion::GraspCandidate>> grasps_from_above(
+    const LyingPack& pack,
+    const robots::GraspTool& tool,
+    const std::vector<motion::GraspObstacle>& walls) {
+  motion::GraspQuery query;
   query.friction = pack.pad_friction;
   query.most = max_candidates;
   query.from_above = true;
   query.world_from_product = pack.base_from_product;
   query.world_from_product.position.z -= pack.ground_m;
   query.walls = walls;
-  for (GraspObstacle& wall : query.walls)
+  for (motion::GraspObstacle& wall : query.walls)
     wall.world_from_box.position.z -= pack.ground_m;
   for (const double gap : open_on_each_side_m) {
     query.finger_gap_m = gap;
-    MARKETGEN_TRY(GraspCandidates found, grasp_candidates(pack.product, pack.body, tool, query));
+    MARKETGEN_TRY(motion::GraspCandidates found,
+                  motion::grasp_candidates(pack.product, pack.body, tool, query));
     if (!found.found.empty()) return std::move(found.found);
   }
-  return std::vector<GraspCandidate>{};
+  return std::vector<motion::GraspCandidate>{};
 }
 
-HandGrasp lifting_grasp(const LyingPack& pack, const GraspCandidate& candidate) {
+HandGrasp lifting_grasp(const LyingPack& pack, const motion::GraspCandidate& candidate) {
   HandGrasp grasp;
   grasp.strategy = candidate.strategy;
   grasp.base_from_tip = pack.base_from_product * candidate.grasp.product_from_tool;
@@ -75,7 +77,7 @@ double overlap_cost(double overlap_m) {
 }
 
 HandGrasp carrying_grasp(const Pose& base_from_product,
-                         const GraspCandidate& candidate,
+                         const motion::GraspCandidate& candidate,
                          double max_force_n) {
   HandGrasp grasp;
   grasp.strategy = candidate.strategy;
@@ -87,4 +89,4 @@ HandGrasp carrying_grasp(const Pose& base_from_product,
   return grasp;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::skills

@@ -8,10 +8,10 @@
 #include "agent/workplace.h"
 #include "motion/grasp_candidates.h"
 
-namespace marketgen {
+namespace marketgen::skills {
 
 struct HandGrasp {
-  GraspStrategy strategy = GraspStrategy::side;
+  motion::GraspStrategy strategy = motion::GraspStrategy::side;
   Pose base_from_tip;
   double opening_m = 0, force_n = 0, width_m = 0;
   double score = 0;  // what is in the hand's way left out
@@ -22,8 +22,8 @@ double tilt_deg(const Quaternion& base_from_tip);
 
 // A pack as it lies.
 struct LyingPack {
-  const Product& product;
-  const ProductBody& body;
+  const catalog::Product& product;
+  const assets::ProductBody& body;
   double pad_friction = 0.5;
   Pose base_from_product;
   double ground_m = 0;  // height of what it lies on
@@ -32,15 +32,16 @@ struct LyingPack {
 };
 
 // Walls and ledges of the basket as a grasp keeps off them.
-std::vector<GraspObstacle> wall_obstacles(const Workplace& place);
+std::vector<motion::GraspObstacle> wall_obstacles(const agent::Workplace& place);
 
 // From above, off the walls, whatever lies round it. Errors: of grasp_candidates.
-Result<std::vector<GraspCandidate>> grasps_from_above(const LyingPack& pack,
-                                                      const GraspTool& tool,
-                                                      const std::vector<GraspObstacle>& walls);
+Result<std::vector<motion::GraspCandidate>> grasps_from_above(
+    const LyingPack& pack,
+    const robots::GraspTool& tool,
+    const std::vector<motion::GraspObstacle>& walls);
 
 // One of them, held firmly, with its worth: room, straight down, near the middle of mass.
-HandGrasp lifting_grasp(const LyingPack& pack, const GraspCandidate& candidate);
+HandGrasp lifting_grasp(const LyingPack& pack, const motion::GraspCandidate& candidate);
 
 // What it takes off that worth when the open hand reaches so deep into something beside the pack.
 double overlap_cost(double overlap_m);
@@ -48,7 +49,7 @@ double overlap_cost(double overlap_m);
 // A grasp as it is carried out on a pack that stands on a shelf: it is carried about, so it is held
 // harder than it must be, as far as the tool can.
 HandGrasp carrying_grasp(const Pose& base_from_product,
-                         const GraspCandidate& candidate,
+                         const motion::GraspCandidate& candidate,
                          double max_force_n);
 
-}  // namespace marketgen
+}  // namespace marketgen::skills

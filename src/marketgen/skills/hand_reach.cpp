@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-namespace marketgen {
+namespace marketgen::skills {
 namespace {
 
 constexpr double walls_clear_m = 0.002, look_every_m = 0.03;  // of the open hand on its way in
@@ -33,7 +33,7 @@ ReachRequest reach_over_rim(const Pose& base_from_tip, double rim_z_m, double op
 
 bool is_reached(const ArmExecutor& arm,
                 const ReachRequest& request,
-                const std::vector<ToolSolid>& hand,
+                const std::vector<robots::ToolSolid>& hand,
                 std::span<const PlacedBody> walls) {
   const Pose& tip = request.base_from_tip;
   if (!arm.effort_to(tip) || !arm.effort_to(tip * Pose{-request.approach, {}})) return false;
@@ -42,4 +42,4 @@ bool is_reached(const ArmExecutor& arm,
   return true;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::skills

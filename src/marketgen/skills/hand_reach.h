@@ -8,7 +8,7 @@
 #include "skills/arm_executor.h"
 #include "skills/hand_room.h"
 
-namespace marketgen {
+namespace marketgen::skills {
 
 // The tip's pose and the same turned half round, the one that the arm reaches sooner first: a
 // parallel gripper holds alike by both.
@@ -21,7 +21,7 @@ ReachRequest reach_over_rim(const Pose& base_from_tip, double rim_z_m, double op
 // meeting the walls.
 bool is_reached(const ArmExecutor& arm,
                 const ReachRequest& request,
-                const std::vector<ToolSolid>& hand,
+                const std::vector<robots::ToolSolid>& hand,
                 std::span<const PlacedBody> walls);
 
-}  // namespace marketgen
+}  // namespace marketgen::skills

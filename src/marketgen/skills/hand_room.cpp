@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace marketgen {
+namespace marketgen::skills {
 namespace {
 
 // Where the open hand is looked at on its way: so far back.
@@ -30,10 +30,10 @@ void add_depths(const Pose& base_from_box,
 
 // Those in a box, along the tool's axes, round its solids there and on their way.
 std::vector<Vec3f> points_near(const Pose& base_from_tip,
-                               const std::vector<ToolSolid>& solids,
+                               const std::vector<robots::ToolSolid>& solids,
                                const std::vector<Vec3f>& points) {
   Vec3 low{1e9, 1e9, 1e9}, high = -low;
-  for (const ToolSolid& solid : solids) {
+  for (const robots::ToolSolid& solid : solids) {
     const Vec3 at = solid.tool_from_solid.position;
     const double reach = length(solid.half_size);
     low = {std::min(low.x, at.x - reach),
@@ -58,10 +58,10 @@ std::vector<Vec3f> points_near(const Pose& base_from_tip,
 
 }  // namespace
 
-BasketWalls::BasketWalls(const Workplace& place) {
+BasketWalls::BasketWalls(const agent::Workplace& place) {
   for (const auto* boxes : {&place.walls, &place.ledges}) {
-    for (const WorkBox& box : *boxes) {
-      ContactPiece piece;
+    for (const agent::WorkBox& box : *boxes) {
+      assets::ContactPiece piece;
       piece.half_size = to_float(box.half_size);
       surfaces_.emplace_back(std::vector{piece});
       basket_from_box_.push_back(box.pose);
@@ -76,8 +76,8 @@ std::vector<PlacedBody> BasketWalls::at(const Pose& base_from_basket) const {
   return walls;
 }
 
-std::vector<ToolSolid> open_hand(const GraspTool& tool, double opening_m) {
-  std::vector<ToolSolid> solids = opened(tool, opening_m);
+std::vector<robots::ToolSolid> open_hand(const robots::GraspTool& tool, double opening_m) {
+  std::vector<robots::ToolSolid> solids = robots::opened(tool, opening_m);
   solids.insert(solids.end(), tool.body.begin(), tool.body.end());
   return solids;
 }
@@ -93,19 +93,19 @@ double box_overlap(const PlacedBody& body, const Pose& base_from_box, Vec3 half)
   return std::max(0.0, -body.surface->gap_to_box(pose, half, 0));
 }
 
-double hand_overlap(const std::vector<ToolSolid>& hand,
+double hand_overlap(const std::vector<robots::ToolSolid>& hand,
                     const Pose& base_from_tip,
                     const PlacedBody& body) {
   double deepest = 0;
   for (const double back : on_the_way_m) {
     const Pose tip = base_from_tip * Pose{{0, 0, -back}, {}};
-    for (const ToolSolid& solid : hand)
+    for (const robots::ToolSolid& solid : hand)
       deepest = std::max(deepest, box_overlap(body, tip * solid.tool_from_solid, solid.half_size));
   }
   return deepest;
 }
 
-double hand_overlap(const std::vector<ToolSolid>& hand,
+double hand_overlap(const std::vector<robots::ToolSolid>& hand,
                     const Pose& base_from_tip,
                     const std::vector<Vec3f>& points) {
   const std::vector<Vec3f> near = points_near(base_from_tip, hand, points);
@@ -113,7 +113,7 @@ double hand_overlap(const std::vector<ToolSolid>& hand,
   std::vector<double> depths;
   for (const double back : on_the_way_m) {
     const Pose tip = base_from_tip * Pose{{0, 0, -back}, {}};
-    for (const ToolSolid& solid : hand) {
+    for (const robots::ToolSolid& solid : hand) {
       depths.clear();
       add_depths(tip * solid.tool_from_solid, solid.half_size, near, depths);
       if (depths.size() <= stray_points) continue;
@@ -125,17 +125,17 @@ double hand_overlap(const std::vector<ToolSolid>& hand,
   return deepest;
 }
 
-bool is_near(const std::vector<ToolSolid>& hand,
+bool is_near(const std::vector<robots::ToolSolid>& hand,
              const Pose& base_from_tip,
              std::span<const PlacedBody> bodies,
              double gap_m) {
   return std::ranges::any_of(bodies, [&](const PlacedBody& body) {
     const Pose body_from_tip = inverse(body.base_from_body) * base_from_tip;
-    return std::ranges::any_of(hand, [&](const ToolSolid& solid) {
+    return std::ranges::any_of(hand, [&](const robots::ToolSolid& solid) {
       return body.surface->gap_to_box(
                  body_from_tip * solid.tool_from_solid, solid.half_size, gap_m) < gap_m;
     });
   });
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::skills

@@ -6,7 +6,7 @@
 
 #include "assets/contact_shape.h"
 
-namespace marketgen {
+namespace marketgen::skills {
 namespace {
 
 constexpr double larger = 1.1;
@@ -19,39 +19,40 @@ void widen(Vec3& low, Vec3& high, Vec3 point) {
 
 }  // namespace
 
-Result<ProductBody> make_store_body(const Product& product) {
-  MARKETGEN_TRY(ProductBody body, make_product_body(product));
-  MARKETGEN_TRY(const CollisionPrimitive solid, collision_of(product));
-  const PieceShape shape = solid.shape == CollisionShape::box        ? PieceShape::box
-                           : solid.shape == CollisionShape::cylinder ? PieceShape::cylinder
-                                                                     : PieceShape::ellipsoid;
+Result<assets::ProductBody> make_store_body(const catalog::Product& product) {
+  MARKETGEN_TRY(assets::ProductBody body, assets::make_product_body(product));
+  MARKETGEN_TRY(const assets::CollisionPrimitive solid, assets::collision_of(product));
+  const assets::PieceShape shape =
+      solid.shape == assets::CollisionShape::box        ? assets::PieceShape::box
+      : solid.shape == assets::CollisionShape::cylinder ? assets::PieceShape::cylinder
+                                                        : assets::PieceShape::ellipsoid;
   body.pieces = {{shape, solid.center, solid.half_size, solid.lying}};
   return body;
 }
 
-TurnedBox turned_box(const ProductBody& body, const Pose& pose) {
+TurnedBox turned_box(const assets::ProductBody& body, const Pose& pose) {
   Vec3 low{1e9, 1e9, 1e9}, high{-1e9, -1e9, -1e9};
-  for (const ContactPiece& piece : body.pieces) {
-    if (piece.shape == PieceShape::hull) {
+  for (const assets::ContactPiece& piece : body.pieces) {
+    if (piece.shape == assets::PieceShape::hull) {
       for (const Vec3f& point : piece.points)
         widen(low, high, pose * to_double(point));
       continue;
     }
-    const ContactShape shape = pose * contact_shape_of(piece);
-    const Vec3 half = half_extents(shape);
+    const assets::ContactShape shape = pose * assets::contact_shape_of(piece);
+    const Vec3 half = assets::half_extents(shape);
     widen(low, high, shape.pose.position - half);
     widen(low, high, shape.pose.position + half);
   }
   return {(low + high) * 0.5, (high - low) * 0.5};
 }
 
-AttachedObject held_product(const Robot& robot,
-                            int tip_frame,
-                            const ProductBody& body,
-                            const Pose& tip_from_product,
-                            std::vector<int> may_touch) {
-  const RobotFrame& tip = robot.frames[static_cast<std::size_t>(tip_frame)];
-  AttachedObject held{tip.link, {}, std::move(may_touch)};
+motion::AttachedObject held_product(const robots::Robot& robot,
+                                    int tip_frame,
+                                    const assets::ProductBody& body,
+                                    const Pose& tip_from_product,
+                                    std::vector<int> may_touch) {
+  const robots::RobotFrame& tip = robot.frames[static_cast<std::size_t>(tip_frame)];
+  motion::AttachedObject held{tip.link, {}, std::move(may_touch)};
   const TurnedBox box = turned_box(body, {});
   std::array<std::pair<double, Vec3>, 3> axes{
       std::pair{box.half.x, Vec3{1, 0, 0}}, {box.half.y, {0, 1, 0}}, {box.half.z, {0, 0, 1}}};
@@ -67,4 +68,4 @@ AttachedObject held_product(const Robot& robot,
   return held;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::skills

@@ -5,25 +5,25 @@
 #include "assets/product_model.h"
 #include "motion/arm_checker.h"
 
-namespace marketgen {
+namespace marketgen::skills {
 
 // The pack as a store has it: one solid, which may stand out beyond the pieces of
 // make_product_body(). What is carried there must pass with that. Errors: of make_product_body and
 // collision_of.
-Result<ProductBody> make_store_body(const Product& product);
+Result<assets::ProductBody> make_store_body(const catalog::Product& product);
 
 // The pack's box, turned: its middle and half size in the frame of `pose`. Exact.
 struct TurnedBox {
   Vec3 middle, half;
 };
-TurnedBox turned_box(const ProductBody& body, const Pose& pose);
+TurnedBox turned_box(const assets::ProductBody& body, const Pose& pose);
 
 // Balls along its longest side, on the link of the tip's frame (in Robot::frames), which may touch
 // these links. Edges stand out from between balls: these are a tenth larger than the pack.
-AttachedObject held_product(const Robot& robot,
-                            int tip_frame,
-                            const ProductBody& body,
-                            const Pose& tip_from_product,
-                            std::vector<int> may_touch);
+motion::AttachedObject held_product(const robots::Robot& robot,
+                                    int tip_frame,
+                                    const assets::ProductBody& body,
+                                    const Pose& tip_from_product,
+                                    std::vector<int> may_touch);
 
-}  // namespace marketgen
+}  // namespace marketgen::skills

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace marketgen {
+namespace marketgen::skills {
 namespace {
 
 constexpr double own_body_m = 0.012;  // round the spheres of the robot
@@ -10,15 +10,15 @@ constexpr double own_body_m = 0.012;  // round the spheres of the robot
 }  // namespace
 
 std::vector<Vec3f> outside_body(const std::vector<Vec3f>& points,
-                                const Robot& robot,
+                                const robots::Robot& robot,
                                 std::span<const Pose> frame_from_link) {
-  std::vector<Sphere> body;
+  std::vector<robots::Sphere> body;
   for (std::size_t link = 0; link < frame_from_link.size(); ++link)
-    for (const Sphere& sphere : robot.links[link].spheres)
+    for (const robots::Sphere& sphere : robot.links[link].spheres)
       body.push_back({frame_from_link[link] * sphere.center, sphere.radius + own_body_m});
   std::vector<Vec3f> kept;
   for (const Vec3f& point : points) {
-    const bool own = std::ranges::any_of(body, [&](const Sphere& sphere) {
+    const bool own = std::ranges::any_of(body, [&](const robots::Sphere& sphere) {
       return length(to_double(point) - sphere.center) < sphere.radius;
     });
     if (!own) kept.push_back(point);
@@ -26,4 +26,4 @@ std::vector<Vec3f> outside_body(const std::vector<Vec3f>& points,
   return kept;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::skills

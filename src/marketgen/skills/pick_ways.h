@@ -12,13 +12,13 @@
 #include "motion/tool_line.h"
 #include "robots/robot.h"
 
-namespace marketgen {
+namespace marketgen::skills {
 
 // What stands round a shelf, and how the arm moves there.
 struct PickSurroundings {
-  Obstacles way;                     // what the arm keeps off
-  Obstacles line;                    // the same on lines, where the hand may push things aside
-  std::vector<BoxObstacle> carried;  // by the robot, in its base frame: a basket
+  motion::Obstacles way;   // what the arm keeps off
+  motion::Obstacles line;  // the same on lines, where the hand may push things aside
+  std::vector<motion::BoxObstacle> carried;  // by the robot, in its base frame: a basket
 };
 struct PickMotion {
   double speed = 0.6;        // share of the joints' velocity limits, over 0 to 1
@@ -36,12 +36,12 @@ struct PickPlace {
 };
 
 struct PickWays {
-  ReachPlan reach;                // to the grasp
-  JointTrajectory lift, retreat;  // with the product
+  motion::ReachPlan reach;                // to the grasp
+  motion::JointTrajectory lift, retreat;  // with the product
 };
 
 // Errors: those of CollisionWorld, ArmChecker, plan_reach and tool_line.
-Result<PickWays> plan_pick_ways(const ArmModel& model,
+Result<PickWays> plan_pick_ways(const motion::ArmModel& model,
                                 const PickPlace& place,
                                 const PickSurroundings& around,
                                 const PickMotion& motion,
@@ -49,12 +49,12 @@ Result<PickWays> plan_pick_ways(const ArmModel& model,
 
 // A robot that drives, its lift at this height (as far as it goes) and each of its grippers open so
 // far.
-std::vector<double> raised_state(const Robot& robot,
+std::vector<double> raised_state(const robots::Robot& robot,
                                  std::vector<double> driving,
                                  double lift_m,
                                  double opening_m);
 // The same in a posture; without its name, or where the robot has none of it, in its first.
-std::vector<double> stowed_state(const Robot& robot,
+std::vector<double> stowed_state(const robots::Robot& robot,
                                  const std::string& posture,
                                  double lift_m,
                                  double opening_m);
@@ -65,23 +65,23 @@ Pose place_before_shelf(Vec3 product, double depth_m, Vec3 out, double distance_
 
 // An arm that ends in a tool.
 struct Hand {
-  const JointGroup* arm = nullptr;
+  const robots::JointGroup* arm = nullptr;
   int tool = -1;  // in Robot::tools
 };
 // Those that end in a tool of this row, by the order of the tools. Errors: robot.unknown where no
 // arm does.
-Result<std::vector<Hand>> hands_with(const Robot& robot, const std::string& tool_row);
+Result<std::vector<Hand>> hands_with(const robots::Robot& robot, const std::string& tool_row);
 
 // Boxes that a robot carries, in the store frame.
-std::vector<BoxObstacle> carried_at(const std::vector<BoxObstacle>& carried,
-                                    const Pose& world_from_base);
+std::vector<motion::BoxObstacle> carried_at(const std::vector<motion::BoxObstacle>& carried,
+                                            const Pose& world_from_base);
 
 // Back along a line on which the arm came, empty, at half the speed at which it carries.
-Result<JointTrajectory> way_back(const Robot& robot,
-                                 const std::string& group,
-                                 const JointPath& line);
+Result<motion::JointTrajectory> way_back(const robots::Robot& robot,
+                                         const std::string& group,
+                                         const motion::JointPath& line);
 
 // Shares of the joints' limits: an arm that carries something moves gently.
 constexpr double carrying_speed = 0.4, carrying_acceleration = 0.25;
 
-}  // namespace marketgen
+}  // namespace marketgen::skills

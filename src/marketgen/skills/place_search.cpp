@@ -8,7 +8,7 @@
 #include "geometry/box_extents.h"
 #include "skills/hand_grasp.h"
 
-namespace marketgen {
+namespace marketgen::skills {
 namespace {
 
 constexpr double half_turn = std::numbers::pi;
@@ -34,7 +34,7 @@ struct Spread {
 };
 
 // Of the pack when it is turned so; exact.
-Spread spread_of(const ProductBody& body, const Quaternion& turned) {
+Spread spread_of(const assets::ProductBody& body, const Quaternion& turned) {
   const TurnedBox box = turned_box(body, {{}, turned});
   return {box.middle - box.half, box.middle + box.half};
 }
@@ -58,24 +58,24 @@ std::vector<Quaternion> resting_turns(const HeldPack& held) {
                           Vec3{0, 1, 0},
                           Vec3{0, -1, 0}})
     turns.push_back(turned_down(down));
-  const Product& p = *held.product;
+  const catalog::Product& p = *held.product;
   const bool round = std::abs(p.width_m() - p.depth_m()) < round_within_m && p.archetype != "box";
   for (int i = 0; round && i < place_rolls; ++i) {
     const double angle = 2 * half_turn * (i + 0.5) / place_rolls;
     turns.push_back(turned_down({std::cos(angle), std::sin(angle), 0}));
   }
-  if (p.orientation == Orientation::any) turns.push_back(held.base_from_product);
+  if (p.orientation == catalog::Orientation::any) turns.push_back(held.base_from_product);
   return turns;
 }
 
-bool overlap(const WorkArea& a, const WorkArea& b, double gap) {
+bool overlap(const agent::WorkArea& a, const agent::WorkArea& b, double gap) {
   return a.low_m[0] < b.high_m[0] + gap && b.low_m[0] < a.high_m[0] + gap &&
          a.low_m[1] < b.high_m[1] + gap && b.low_m[1] < a.high_m[1] + gap;
 }
 
 // What stands about, seen from above. A measured point is a thing without a size.
 struct Thing {
-  WorkArea outline;
+  agent::WorkArea outline;
   double x = 0, y = 0;  // its middle
 };
 
@@ -100,7 +100,7 @@ std::vector<Vec3f> standing_points(const PlaceQuestion& question) {
 
 class FreePlaceSearch {
  public:
-  FreePlaceSearch(const GraspTool& tool,
+  FreePlaceSearch(const robots::GraspTool& tool,
                   const ArmExecutor& arm,
                   const HeldPack& held,
                   const PlaceQuestion& question)
@@ -167,8 +167,8 @@ class FreePlaceSearch {
     return turns;
   }
 
-  bool is_free(const WorkArea& footprint) const {
-    const auto is_kept = [&](const WorkArea& kept) { return overlap(footprint, kept, 0); };
+  bool is_free(const agent::WorkArea& footprint) const {
+    const auto is_kept = [&](const agent::WorkArea& kept) { return overlap(footprint, kept, 0); };
     const auto is_taken = [&](const Thing& thing) {
       return overlap(footprint, thing.outline, place_gap_m + question_.unsure_m);
     };
@@ -187,7 +187,7 @@ class FreePlaceSearch {
   // Free places of the pack turned so, the roomiest first, then those near the middle.
   std::vector<Pose> poses(const Quaternion& turned) const {
     const Spread s = spread_of(*held_.body, turned);
-    const WorkArea& area = question_.area;
+    const agent::WorkArea& area = question_.area;
     const double edge = place_edge_m + question_.unsure_m;
     std::vector<std::pair<double, Pose>> ranked;
     for (double x = area.low_m[0] + edge - s.low.x; x <= area.high_m[0] - edge - s.high.x;
@@ -210,7 +210,7 @@ class FreePlaceSearch {
 
   bool tool_has_room(const Pose& tip) const {
     if (is_near(hand_, tip, question_.walls, hand_off_walls_m)) return false;
-    for (const ToolSolid& solid : hand_) {
+    for (const robots::ToolSolid& solid : hand_) {
       const Pose pose = tip * solid.tool_from_solid;
       if (pose.position.z - box_half_extents(pose.rotation, solid.half_size).z <
           tool_over_counter_m)
@@ -226,14 +226,14 @@ class FreePlaceSearch {
   const HeldPack& held_;
   const PlaceQuestion& question_;
   Pose product_from_tip_;
-  std::vector<ToolSolid> hand_;
+  std::vector<robots::ToolSolid> hand_;
   std::vector<Vec3f> points_;  // of what stands about
   std::vector<Thing> things_;
 };
 
 }  // namespace
 
-std::vector<FreePlace> free_places(const GraspTool& tool,
+std::vector<FreePlace> free_places(const robots::GraspTool& tool,
                                    const ArmExecutor& arm,
                                    const HeldPack& held,
                                    const PlaceQuestion& question,
@@ -241,11 +241,11 @@ std::vector<FreePlace> free_places(const GraspTool& tool,
   return FreePlaceSearch(tool, arm, held, question).find(max_places);
 }
 
-std::vector<WorkArea> areas_kept_free(const Workplace& place) {
+std::vector<agent::WorkArea> areas_kept_free(const agent::Workplace& place) {
   const Vec3 at = place.base_from_basket.position;
   const double x = place.inner_half.x + place.wall_m + off_basket_m,
                y = place.inner_half.y + place.wall_m + off_basket_m;
-  WorkArea unloading = place.unloading;
+  agent::WorkArea unloading = place.unloading;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     unloading.low_m[axis] -= off_unloading_m;
     unloading.high_m[axis] += off_unloading_m;
@@ -253,9 +253,9 @@ std::vector<WorkArea> areas_kept_free(const Workplace& place) {
   return {{{at.x - x, at.y - y}, {at.x + x, at.y + y}}, unloading};
 }
 
-AttachedObject held_spheres(const Robot& robot,
-                            const ProductBody& body,
-                            const Pose& tip_from_product) {
+motion::AttachedObject held_spheres(const robots::Robot& robot,
+                                    const assets::ProductBody& body,
+                                    const Pose& tip_from_product) {
   std::vector<int> may_touch;
   for (const char* name : {"hand", "finger_left", "finger_right", "link7"})
     if (const int link = robot.find_link(name); link >= 0) may_touch.push_back(link);
@@ -263,4 +263,4 @@ AttachedObject held_spheres(const Robot& robot,
       robot, robot.find_group("arm")->tip, body, tip_from_product, std::move(may_touch));
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::skills

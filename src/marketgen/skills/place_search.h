@@ -9,12 +9,12 @@
 #include "skills/hand_room.h"
 #include "skills/held_product.h"
 
-namespace marketgen {
+namespace marketgen::skills {
 
 // What is held, and how.
 struct HeldPack {
-  const Product* product = nullptr;
-  const ProductBody* body = nullptr;
+  const catalog::Product* product = nullptr;
+  const assets::ProductBody* body = nullptr;
   Pose tip_from_product;
   Quaternion base_from_product;  // as it is turned now
   double opening_m = 0;          // of the gripper when it lets go
@@ -25,9 +25,9 @@ struct CounterBody : PlacedBody {
 };
 
 struct PlaceQuestion {
-  WorkArea area;                    // the whole pack is to stand in it
-  std::vector<WorkArea> kept_free;  // and in none of these
-  std::vector<CounterBody> bodies;  // that stand about
+  agent::WorkArea area;                    // the whole pack is to stand in it
+  std::vector<agent::WorkArea> kept_free;  // and in none of these
+  std::vector<CounterBody> bodies;         // that stand about
   const std::vector<Vec3f>* points =
       nullptr;                    // measured, on what stands about; none: there are none
   std::vector<PlacedBody> walls;  // of the basket
@@ -42,7 +42,7 @@ struct FreePlace {
 constexpr double let_go_height_m = 0.004;  // over the counter
 
 // Best first, at most `max_places`.
-std::vector<FreePlace> free_places(const GraspTool& tool,
+std::vector<FreePlace> free_places(const robots::GraspTool& tool,
                                    const ArmExecutor& arm,
                                    const HeldPack& held,
                                    const PlaceQuestion& question,
@@ -50,11 +50,11 @@ std::vector<FreePlace> free_places(const GraspTool& tool,
 
 // The basket and the area where goods that are asked for go, with room round both: what is in the
 // way is put beside them.
-std::vector<WorkArea> areas_kept_free(const Workplace& place);
+std::vector<agent::WorkArea> areas_kept_free(const agent::Workplace& place);
 
 // What is held, as spheres on the link of the arm's tip.
-AttachedObject held_spheres(const Robot& robot,
-                            const ProductBody& body,
-                            const Pose& tip_from_product);
+motion::AttachedObject held_spheres(const robots::Robot& robot,
+                                    const assets::ProductBody& body,
+                                    const Pose& tip_from_product);
 
-}  // namespace marketgen
+}  // namespace marketgen::skills

@@ -1,6 +1,6 @@
 #include "skills/plan_failure.h"
 
-namespace marketgen {
+namespace marketgen::skills {
 
 bool is_of_planning(const Error& error) {
   return error.code == "robot.unreachable" || error.code.starts_with("motion.") ||
@@ -13,4 +13,4 @@ std::string_view failure_of_plan(const Error& error) {
   return "NoPath";
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::skills

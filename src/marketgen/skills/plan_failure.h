@@ -4,7 +4,7 @@
 
 #include "base/result.h"
 
-namespace marketgen {
+namespace marketgen::skills {
 
 // Whether a planner found nothing, which leaves the goal to another try; any other error (a row
 // that is not there, physics that failed) is that of the policy.
@@ -14,4 +14,4 @@ bool is_of_planning(const Error& error);
 // grasps or of reach is a matter of ways.
 std::string_view failure_of_plan(const Error& error);
 
-}  // namespace marketgen
+}  // namespace marketgen::skills

@@ -1,6 +1,6 @@
 #include "skills/retrace.h"
 
-namespace marketgen {
+namespace marketgen::skills {
 namespace {
 
 constexpr std::size_t retraced_steps = 20;  // of 0.05 s
@@ -17,7 +17,7 @@ void Retrace::tell(ToldStep step) {
   if (told_.size() > retraced_steps) told_.pop_front();
 }
 
-bool Retrace::begins(const Observation& now) {
+bool Retrace::begins(const agent::Observation& now) {
   const bool ended = stopped_ && !now.stopped;
   stopped_ = now.stopped;
   if (ended) goes_back_ = true;
@@ -36,4 +36,4 @@ std::optional<ToldStep> Retrace::back() {
   return step;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::skills

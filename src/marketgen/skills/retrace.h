@@ -7,7 +7,7 @@
 
 #include "agent/policy.h"
 
-namespace marketgen {
+namespace marketgen::skills {
 
 // One control step, as it was told.
 struct ToldStep {
@@ -21,7 +21,7 @@ class Retrace {
   void tell(ToldStep step);  // of a motion that goes on
   // Whether a stop has just ended: then begins to go back. While the robot is stopped, no motion
   // may be told.
-  bool begins(const Observation& now);
+  bool begins(const agent::Observation& now);
   bool goes_back() const { return goes_back_; }
   // The next step back, its base the other way; empty when all is gone back.
   std::optional<ToldStep> back();
@@ -31,4 +31,4 @@ class Retrace {
   bool stopped_ = false, goes_back_ = false;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::skills

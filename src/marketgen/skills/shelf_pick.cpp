@@ -6,7 +6,7 @@
 
 #include "base/interrupt.h"
 
-namespace marketgen {
+namespace marketgen::skills {
 namespace {
 
 // From the product's front to the base's middle, and to the side of the arm. A robot that stands
@@ -26,7 +26,7 @@ bool is_blocked(const Error& error) {
 
 class ShelfPickPlanner {
  public:
-  ShelfPickPlanner(const Robot& robot,
+  ShelfPickPlanner(const robots::Robot& robot,
                    const ShelfPickQuestion& question,
                    const Hand& hand,
                    Seed seed)
@@ -37,8 +37,8 @@ class ShelfPickPlanner {
         out_(rotate(question.world_from_product.rotation, {0, -1, 0})) {}
 
   Result<void> make_model() {
-    MARKETGEN_TRY(model_, make_arm_model(robot_, hand_.arm->name));
-    const std::vector<Pose> links = link_poses(robot_, question_.driving);
+    MARKETGEN_TRY(model_, motion::make_arm_model(robot_, hand_.arm->name));
+    const std::vector<Pose> links = robots::link_poses(robot_, question_.driving);
     const double left = links[static_cast<std::size_t>(hand_.arm->base)].position.y;
     for (const double side : driving_sides_m)
       if (robot_.drive) sides_m_.push_back(left < to_the_right_m ? -side : side);
@@ -69,7 +69,7 @@ class ShelfPickPlanner {
 
  private:
   Result<ShelfPick> at_place(std::size_t number, const Pose& world_from_base) const {
-    const Grasp& grasp = question_.grasps[number];
+    const robots::Grasp& grasp = question_.grasps[number];
     const Pose world_from_tip = question_.world_from_product * grasp.product_from_tool;
     ShelfPick pick;
     pick.group = hand_.arm->name;
@@ -86,18 +86,18 @@ class ShelfPickPlanner {
     return pick;
   }
 
-  const Robot& robot_;
+  const robots::Robot& robot_;
   const ShelfPickQuestion& question_;
   Hand hand_;
   Seed seed_;
   Vec3 out_;                     // from the shelf into the aisle
   std::vector<double> sides_m_;  // to the left of the robot, at which the product is
-  ArmModel model_;
+  motion::ArmModel model_;
 };
 
 }  // namespace
 
-Result<ShelfPick> plan_shelf_pick(const Robot& robot,
+Result<ShelfPick> plan_shelf_pick(const robots::Robot& robot,
                                   const ShelfPickQuestion& question,
                                   Seed seed) {
   MARKETGEN_TRY(const std::vector<Hand> hands, hands_with(robot, question.tool_row));
@@ -118,4 +118,4 @@ Result<ShelfPick> plan_shelf_pick(const Robot& robot,
   return error;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::skills

@@ -13,14 +13,14 @@
 #include "robots/robot.h"
 #include "skills/pick_ways.h"
 
-namespace marketgen {
+namespace marketgen::skills {
 
 struct ShelfPickQuestion : PickMotion {
   Pose world_from_product;
-  double depth_m = 0;           // of the pack
-  std::vector<Grasp> grasps;    // best first
-  std::string tool_row;         // of the gripper that they are for
-  std::vector<double> driving;  // the robot's state while it drives
+  double depth_m = 0;                 // of the pack
+  std::vector<robots::Grasp> grasps;  // best first
+  std::string tool_row;               // of the gripper that they are for
+  std::vector<double> driving;        // the robot's state while it drives
   PickSurroundings around;
   // An error where the robot, in that state, cannot stand there. Not asked when there is none.
   std::function<Result<void>(const Pose& world_from_base, const std::vector<double>& state)>
@@ -32,7 +32,7 @@ struct ShelfPickQuestion : PickMotion {
 struct ShelfPick : PickWays {
   std::string group;  // of the arm
   int tool = 0;       // in Robot::tools
-  Grasp grasp;
+  robots::Grasp grasp;
   std::size_t number = 0;  // of the grasp, in the question's
   Pose world_from_base;
   std::vector<double> state;  // every degree of freedom at the start; fingers open
@@ -42,6 +42,8 @@ struct ShelfPick : PickWays {
 // Errors: collect.no_place with what was wrong at the place that was tried last; at a place that is
 // given, what is wrong there; robot.unknown when
 // no arm of the robot ends in the gripper; those of make_arm_model.
-Result<ShelfPick> plan_shelf_pick(const Robot& robot, const ShelfPickQuestion& question, Seed seed);
+Result<ShelfPick> plan_shelf_pick(const robots::Robot& robot,
+                                  const ShelfPickQuestion& question,
+                                  Seed seed);
 
-}  // namespace marketgen
+}  // namespace marketgen::skills

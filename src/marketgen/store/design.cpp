@@ -5,30 +5,31 @@
 
 #include "base/interrupt.h"
 
-namespace marketgen {
+namespace marketgen::store {
 namespace {
 
 constexpr int max_rounds = 10;
 constexpr int plain_after_draws = 2;  // of the smallest program
 constexpr std::size_t min_zones = 2;  // a till, and something to buy
 
-int hard_faults(const Layout& layout) {
+int hard_faults(const layout::Layout& layout) {
   return static_cast<int>(
-      std::ranges::count(layout.violations, Severity::hard, &Violation::severity));
+      std::ranges::count(layout.violations, layout::Severity::hard, &layout::Violation::severity));
 }
 
-bool holds_tills(const Zone& zone) {
+bool holds_tills(const plan::Zone& zone) {
   return zone.type == "checkout" || zone.type == "self_checkout";
 }
 
 // The wish that the store no longer fulfils; null when nobody asked.
-const Requirement* wish_behind(const Violation& fault, const Planned& planned) {
-  const Zone* zone = find_zone(planned.plan, fault.where);
+const plan::Requirement* wish_behind(const layout::Violation& fault,
+                                     const intake::Planned& planned) {
+  const plan::Zone* zone = plan::find_zone(planned.plan, fault.where);
   const std::string type = zone != nullptr ? zone->type : fault.where;
   const bool relation = fault.code == "RELATION_BROKEN";
-  const auto wish = std::ranges::find_if(planned.requirements, [&](const Requirement& one) {
-    if (relation) return one.kind == RequirementKind::relation && one.subject == type;
-    return one.kind == RequirementKind::fixture_count && one.object == type;
+  const auto wish = std::ranges::find_if(planned.requirements, [&](const plan::Requirement& one) {
+    if (relation) return one.kind == plan::RequirementKind::relation && one.subject == type;
+    return one.kind == plan::RequirementKind::fixture_count && one.object == type;
   });
   return wish == planned.requirements.end() ? nullptr : &*wish;
 }
@@ -37,10 +38,10 @@ const Requirement* wish_behind(const Violation& fault, const Planned& planned) {
 class Bargain {
  public:
   void concede(const Designed& now) {
-    const Concessions before = concessions_;
+    const intake::Concessions before = concessions_;
     bool crowded = false, no_till = false;
-    for (const Violation& fault : now.layout.violations) {
-      if (fault.severity != Severity::hard) continue;
+    for (const layout::Violation& fault : now.layout.violations) {
+      if (fault.severity != layout::Severity::hard) continue;
       if (fault.code == "RELATION_BROKEN") {
         concessions_.relations_may_fail = true;
         note(fault, now.planned);
@@ -68,19 +69,19 @@ class Bargain {
     concessions_.till_counter = concessions_.plain = true;
   }
 
-  const Concessions& concessions() const { return concessions_; }
-  const std::vector<Conflict>& given_up() const { return given_up_; }
+  const intake::Concessions& concessions() const { return concessions_; }
+  const std::vector<intake::Conflict>& given_up() const { return given_up_; }
 
  private:
-  void cap_count(const Violation& fault, const Planned& planned) {
-    const Zone* zone = find_zone(planned.plan, fault.where);
+  void cap_count(const layout::Violation& fault, const intake::Planned& planned) {
+    const plan::Zone* zone = plan::find_zone(planned.plan, fault.where);
     if (zone == nullptr) return;
     concessions_.max_count[zone->type] = static_cast<int>(fault.value);
     note(fault, planned);
   }
 
-  static bool is_about_tills(const Violation& fault, const Plan& plan) {
-    const Zone* zone = find_zone(plan, fault.where.substr(0, fault.where.find('/')));
+  static bool is_about_tills(const layout::Violation& fault, const plan::Plan& plan) {
+    const plan::Zone* zone = plan::find_zone(plan, fault.where.substr(0, fault.where.find('/')));
     return fault.code == "CHECKOUT_MISSING" || fault.code == "LANE_TOO_NARROW" ||
            (zone != nullptr && holds_tills(*zone));
   }
@@ -94,25 +95,27 @@ class Bargain {
     concessions_.max_zones = std::max(min_zones, left);
   }
 
-  void note(const Violation& fault, const Planned& planned) {
-    const Requirement* wish = wish_behind(fault, planned);
+  void note(const layout::Violation& fault, const intake::Planned& planned) {
+    const plan::Requirement* wish = wish_behind(fault, planned);
     if (wish == nullptr) return;
-    Conflict conflict{fault.code, "the rules of the shop", wish->text, fault.message};
-    const auto same = [&](const Conflict& known) { return known.dropped == conflict.dropped; };
+    intake::Conflict conflict{fault.code, "the rules of the shop", wish->text, fault.message};
+    const auto same = [&](const intake::Conflict& known) {
+      return known.dropped == conflict.dropped;
+    };
     if (std::ranges::none_of(given_up_, same)) given_up_.push_back(std::move(conflict));
   }
 
-  Concessions concessions_;
-  std::vector<Conflict> given_up_;
+  intake::Concessions concessions_;
+  std::vector<intake::Conflict> given_up_;
   int crowded_rounds_ = 0;
 };
 
-Result<Designed> lay_out(Planned planned,
-                         const Catalog& catalog,
+Result<Designed> lay_out(intake::Planned planned,
+                         const catalog::Catalog& catalog,
                          Seed seed,
-                         std::int64_t max_work = max_repair_work) {
+                         std::int64_t max_work = layout::max_repair_work) {
   Designed designed;
-  MARKETGEN_TRY(designed.repaired, repair_plan(planned.plan, catalog, seed, max_work));
+  MARKETGEN_TRY(designed.repaired, layout::repair_plan(planned.plan, catalog, seed, max_work));
   MARKETGEN_TRY(designed.layout, layout_of(designed.repaired, catalog, seed));
   designed.planned = std::move(planned);
   return designed;
@@ -120,46 +123,50 @@ Result<Designed> lay_out(Planned planned,
 
 }  // namespace
 
-Result<Layout> layout_of(Repaired& repaired, const Catalog& catalog, Seed seed) {
+Result<layout::Layout> layout_of(layout::Repaired& repaired,
+                                 const catalog::Catalog& catalog,
+                                 Seed seed) {
   if (repaired.layout) return *std::exchange(repaired.layout, std::nullopt);
   return layout_or_nothing(repaired.plan, catalog, seed);
 }
 
-Result<Layout> layout_or_nothing(const Plan& plan, const Catalog& catalog, Seed seed) {
-  Result<Layout> layout = make_layout(plan, catalog, seed);
+Result<layout::Layout> layout_or_nothing(const plan::Plan& plan,
+                                         const catalog::Catalog& catalog,
+                                         Seed seed) {
+  Result<layout::Layout> layout = layout::make_layout(plan, catalog, seed);
   if (layout.ok() || layout.error().code != "layout.impossible") return layout;
-  Layout nothing;
+  layout::Layout nothing;
   nothing.violations.push_back(
-      {"ZONE_EMPTY", Severity::hard, "", 0, 1, layout.error().message, std::nullopt});
+      {"ZONE_EMPTY", layout::Severity::hard, "", 0, 1, layout.error().message, std::nullopt});
   return nothing;
 }
 
-bool keeps_hard_rules(const std::vector<Violation>& rules) {
-  return std::ranges::none_of(rules,
-                              [](const Violation& v) { return v.severity == Severity::hard; });
+bool keeps_hard_rules(const std::vector<layout::Violation>& rules) {
+  return std::ranges::none_of(
+      rules, [](const layout::Violation& v) { return v.severity == layout::Severity::hard; });
 }
 
 Result<Designed> concede(Designed first,
                          const PlanAgain& plan_again,
-                         const Catalog& catalog,
+                         const catalog::Catalog& catalog,
                          Seed layout_seed) {
   Designed best = first, now = std::move(first);
   Bargain bargain;
-  std::int64_t work_left = max_repair_work / 2;  // for all rounds together
+  std::int64_t work_left = layout::max_repair_work / 2;  // for all rounds together
   for (int round = 0; round < max_rounds && hard_faults(best.layout) > 0; ++round) {
     MARKETGEN_CHECK(check_interrupt());
     bargain.concede(now);
     const bool last = work_left <= 0;
     if (last) bargain.concede_all();
-    Concessions concessions = bargain.concessions();
+    intake::Concessions concessions = bargain.concessions();
     concessions.plans_before = round + 1;
-    MARKETGEN_TRY(Planned planned, plan_again(concessions));
+    MARKETGEN_TRY(intake::Planned planned, plan_again(concessions));
     MARKETGEN_TRY(now, lay_out(std::move(planned), catalog, layout_seed, work_left));
     work_left -= now.repaired.work;
     if (last) round = max_rounds;
     if (hard_faults(now.layout) >= hard_faults(best.layout)) continue;
     best = now;
-    const std::vector<Conflict>& given_up = bargain.given_up();
+    const std::vector<intake::Conflict>& given_up = bargain.given_up();
     best.planned.conflicts.insert(best.planned.conflicts.end(), given_up.begin(), given_up.end());
   }
   if (best.layout.fixtures.empty())
@@ -167,15 +174,18 @@ Result<Designed> concede(Designed first,
   return best;
 }
 
-Result<Designed> design_store(const Brief& brief, const Catalog& catalog, Seed seed) {
-  MARKETGEN_TRY(const std::unique_ptr<Planner> planner, make_planner(brief.planner));
-  const PlanAgain plan = [&](const Concessions& concessions) {
-    return plan_from_brief(brief, catalog, *planner, seed.child("plan"), concessions);
+Result<Designed> design_store(const intake::Brief& brief,
+                              const catalog::Catalog& catalog,
+                              Seed seed) {
+  MARKETGEN_TRY(const std::unique_ptr<intake::Planner> planner,
+                intake::make_planner(brief.planner));
+  const PlanAgain plan = [&](const intake::Concessions& concessions) {
+    return intake::plan_from_brief(brief, catalog, *planner, seed.child("plan"), concessions);
   };
-  MARKETGEN_TRY(Planned planned, plan({}));
+  MARKETGEN_TRY(intake::Planned planned, plan({}));
   const Seed layout_seed = seed.child("layout");
   MARKETGEN_TRY(Designed first, lay_out(std::move(planned), catalog, layout_seed));
   return concede(std::move(first), plan, catalog, layout_seed);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::store

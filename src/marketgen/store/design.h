@@ -9,23 +9,27 @@
 #include "intake/brief.h"
 #include "layout/layout.h"
 
-namespace marketgen {
+namespace marketgen::store {
 
 struct Designed {
-  Planned planned;
-  Repaired repaired;
-  Layout layout;
+  intake::Planned planned;
+  layout::Repaired repaired;
+  layout::Layout layout;
 };
 
-bool keeps_hard_rules(const std::vector<Violation>& rules);
+bool keeps_hard_rules(const std::vector<layout::Violation>& rules);
 
 // The layout, or one without a fixture that says so in its violations. The first takes it out of
 // `repaired` where it has it.
-Result<Layout> layout_of(Repaired& repaired, const Catalog& catalog, Seed seed);
-Result<Layout> layout_or_nothing(const Plan& plan, const Catalog& catalog, Seed seed);
+Result<layout::Layout> layout_of(layout::Repaired& repaired,
+                                 const catalog::Catalog& catalog,
+                                 Seed seed);
+Result<layout::Layout> layout_or_nothing(const plan::Plan& plan,
+                                         const catalog::Catalog& catalog,
+                                         Seed seed);
 
 // The same brief planned again.
-using PlanAgain = std::function<Result<Planned>(const Concessions&)>;
+using PlanAgain = std::function<Result<intake::Planned>(const intake::Concessions&)>;
 
 // The nearest store to `first` that breaks no hard rule: gives up, step by step, what stands in the
 // way (lanes for a counter, tills, relations, the least important zones) and names each wish that
@@ -33,10 +37,12 @@ using PlanAgain = std::function<Result<Planned>(const Concessions&)>;
 // all. The wishes stay as they are: the audit says which were met.
 Result<Designed> concede(Designed first,
                          const PlanAgain& plan_again,
-                         const Catalog& catalog,
+                         const catalog::Catalog& catalog,
                          Seed layout_seed);
 
 // Plan, repair and layout of a brief, conceding what must be.
-Result<Designed> design_store(const Brief& brief, const Catalog& catalog, Seed seed);
+Result<Designed> design_store(const intake::Brief& brief,
+                              const catalog::Catalog& catalog,
+                              Seed seed);
 
-}  // namespace marketgen
+}  // namespace marketgen::store

@@ -4,7 +4,7 @@
 #include "net/http.h"
 #include "store/report_page.h"
 
-namespace marketgen {
+namespace marketgen::store {
 namespace {
 
 constexpr std::string_view style = R"(<style>
@@ -30,7 +30,7 @@ std::string percent(double share, int decimals = 1) {
   return fmt::format("{:.{}f} %", 100 * share, decimals);
 }
 
-std::vector<MetricLine> metric_lines(const Metrics& m) {
+std::vector<MetricLine> metric_lines(const audit::Metrics& m) {
   std::vector<MetricLine> lines{
       {"wishes met",
        percent(m.prompt, 0),
@@ -72,7 +72,7 @@ std::vector<MetricLine> metric_lines(const Metrics& m) {
   return lines;
 }
 
-std::string metric_rows(const Metrics& metrics) {
+std::string metric_rows(const audit::Metrics& metrics) {
   std::string out;
   for (const MetricLine& line : metric_lines(metrics))
     out += fmt::format("<tr><td>{}</td><td class=\"value\">{}</td><td>{}</td></tr>",
@@ -88,7 +88,7 @@ std::string figure(const PagePicture& picture) {
       "<figure><img alt=\"{0}\" src=\"data:{1};base64,{2}\"><figcaption>{0}</figcaption></figure>",
       title,
       picture.media_type,
-      base64_of(picture.bytes));
+      net::base64_of(picture.bytes));
 }
 
 std::string pictures(const StorePage& page) {
@@ -123,9 +123,9 @@ std::string tile(std::string_view name, std::string_view value) {
 
 std::string tiles(const Manifest& manifest, const StoreReport& report) {
   std::size_t hard = 0, met = 0;
-  for (const Violation& v : report.rules)
-    hard += v.severity == Severity::hard ? 1 : 0;
-  for (const RequirementResult& r : report.requirements)
+  for (const layout::Violation& v : report.rules)
+    hard += v.severity == layout::Severity::hard ? 1 : 0;
+  for (const audit::RequirementResult& r : report.requirements)
     met += r.met ? 1 : 0;
   std::string out = "<div class=\"tiles\">";
   out += tile("products", with_thousands(static_cast<std::int64_t>(manifest.counts.products)));
@@ -139,7 +139,7 @@ std::string tiles(const Manifest& manifest, const StoreReport& report) {
 
 std::string requirement_rows(const StoreReport& report) {
   std::string out;
-  for (const RequirementResult& r : report.requirements) {
+  for (const audit::RequirementResult& r : report.requirements) {
     out += fmt::format("<tr><td class=\"{}\">{}</td><td>{}</td><td>{}</td></tr>",
                        r.met ? "good" : "bad",
                        r.met ? "met" : "not met",
@@ -151,11 +151,11 @@ std::string requirement_rows(const StoreReport& report) {
         "<tr><td class=\"bad\">not understood</td><td>the whole prompt</td><td>this is the usual "
         "store</td></tr>";
   }
-  for (const UnparsedWord& word : report.unparsed) {
+  for (const intake::UnparsedWord& word : report.unparsed) {
     out += fmt::format("<tr><td class=\"warn\">not understood</td><td>{}</td><td></td></tr>",
                        escaped_markup(word.text));
   }
-  for (const Conflict& c : report.conflicts) {
+  for (const intake::Conflict& c : report.conflicts) {
     out += fmt::format(
         "<tr><td class=\"warn\">conflict</td><td>{}</td><td>kept {}, dropped {}: {}</td></tr>",
         escaped_markup(c.what),
@@ -168,9 +168,9 @@ std::string requirement_rows(const StoreReport& report) {
 
 std::string rule_rows(const StoreReport& report) {
   std::string out;
-  for (const Violation& v : report.rules) {
+  for (const layout::Violation& v : report.rules) {
     out += fmt::format("<tr><td class=\"{}\">{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
-                       v.severity == Severity::hard ? "bad" : "warn",
+                       v.severity == layout::Severity::hard ? "bad" : "warn",
                        name_of(v.severity),
                        escaped_markup(v.code),
                        escaped_markup(v.where),
@@ -179,7 +179,7 @@ std::string rule_rows(const StoreReport& report) {
   for (const std::string& change : report.repairs)
     out += fmt::format("<tr><td>repaired</td><td></td><td></td><td>{}</td></tr>",
                        escaped_markup(change));
-  for (const Unstocked& own : report.unstocked)
+  for (const scene::Unstocked& own : report.unstocked)
     out +=
         fmt::format("<tr><td class=\"warn\">not stocked</td><td></td><td>{}</td><td>{}</td></tr>",
                     escaped_markup(own.sku),
@@ -243,4 +243,4 @@ std::string report_html(const std::vector<StorePage>& stores) {
   return out + "</body></html>\n";
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::store

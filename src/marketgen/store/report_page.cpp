@@ -11,7 +11,7 @@
 #include "io/png.h"
 #include "layout/layout_picture.h"
 
-namespace marketgen {
+namespace marketgen::store {
 namespace {
 
 constexpr int layout_px = 1100;
@@ -20,28 +20,28 @@ std::string counted(std::uint64_t number, std::string_view what) {
   return fmt::format("{} {}", with_thousands(static_cast<std::int64_t>(number)), what);
 }
 
-Result<std::vector<PagePicture>> pictures_of(const Store& store, const Catalog& catalog) {
+Result<std::vector<PagePicture>> pictures_of(const Store& store, const catalog::Catalog& catalog) {
   MARKETGEN_TRY(std::string layout,
-                encode_png(draw_layout(store.scene.layout, catalog, layout_px)));
+                io::encode_png(layout::draw_layout(store.scene.layout, catalog, layout_px)));
   std::vector<PagePicture> pictures{{"Layout", "image/png", std::move(layout)}};
   for (const FileDigest& file : store.manifest.files) {
     const std::filesystem::path path = file.path;
     if (path.parent_path() != "previews" || path.extension() != ".png") continue;
-    MARKETGEN_TRY(const Image picture, read_png(store.folder / path));
-    MARKETGEN_TRY(std::string bytes, encode_jpeg(picture));  // a tenth of the PNG
+    MARKETGEN_TRY(const Image picture, io::read_png(store.folder / path));
+    MARKETGEN_TRY(std::string bytes, io::encode_jpeg(picture));  // a tenth of the PNG
     pictures.push_back({path.stem().string(), "image/jpeg", std::move(bytes)});
   }
   return pictures;
 }
 
-std::vector<PlotBar> fill_by_zone(const Scene& scene) {
+std::vector<PlotBar> fill_by_zone(const scene::Scene& scene) {
   std::map<std::string, double> width_m, stocked_m;
   const auto zone_of = [&](std::uint32_t shelf) -> const std::string& {
     return scene.layout.fixtures[scene.shelves[shelf].fixture].zone;
   };
   for (std::uint32_t shelf = 0; shelf < scene.shelves.size(); ++shelf)
     width_m[zone_of(shelf)] += scene.shelves[shelf].width_m;
-  for (const Facing& facing : scene.facings)
+  for (const scene::Facing& facing : scene.facings)
     stocked_m[zone_of(facing.shelf)] += facing.product_count > 0 ? facing.width_m : 0;
   std::vector<PlotBar> bars;
   for (const auto& [zone, width] : width_m) {
@@ -51,9 +51,9 @@ std::vector<PlotBar> fill_by_zone(const Scene& scene) {
   return bars;
 }
 
-std::vector<PlotBar> items_by_category(const Scene& scene) {
+std::vector<PlotBar> items_by_category(const scene::Scene& scene) {
   std::map<std::string, std::uint64_t> count;
-  for (const SceneProduct& item : scene.products)
+  for (const scene::SceneProduct& item : scene.products)
     ++count[scene.catalog[item.sku].category];
   std::uint64_t most = 1;
   for (const auto& [category, items] : count)
@@ -69,7 +69,7 @@ std::vector<PlotBar> items_by_category(const Scene& scene) {
 
 }  // namespace
 
-Result<StorePage> page_of(const Store& store, StoreReport report, const Catalog& catalog) {
+Result<StorePage> page_of(const Store& store, StoreReport report, const catalog::Catalog& catalog) {
   StorePage page;
   page.manifest = store.manifest;
   page.report = std::move(report);
@@ -77,7 +77,7 @@ Result<StorePage> page_of(const Store& store, StoreReport report, const Catalog&
   page.fill = fill_by_zone(store.scene);
   page.categories = items_by_category(store.scene);
   std::vector<bool> stands(store.scene.catalog.size(), false);
-  for (const SceneProduct& item : store.scene.products)
+  for (const scene::SceneProduct& item : store.scene.products)
     stands[item.sku] = true;
   for (std::size_t sku = 0; sku < stands.size(); ++sku) {
     if (!stands[sku]) continue;
@@ -87,4 +87,4 @@ Result<StorePage> page_of(const Store& store, StoreReport report, const Catalog&
   return page;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::store

@@ -9,7 +9,7 @@
 #include "store/report_plots.h"
 #include "store/store.h"
 
-namespace marketgen {
+namespace marketgen::store {
 
 struct PagePicture {
   std::string title;
@@ -27,9 +27,9 @@ struct StorePage {
 
 // Draws the layout, and takes the previews from the store's folder, where it has some. Errors:
 // image.*, io.*.
-Result<StorePage> page_of(const Store& store, StoreReport report, const Catalog& catalog);
+Result<StorePage> page_of(const Store& store, StoreReport report, const catalog::Catalog& catalog);
 
 // Loads nothing: pictures are within it. Every text of a person or a file is escaped.
 std::string report_html(const std::vector<StorePage>& stores);
 
-}  // namespace marketgen
+}  // namespace marketgen::store

@@ -8,7 +8,7 @@
 
 #include "base/text.h"
 
-namespace marketgen {
+namespace marketgen::store {
 namespace {
 
 // ---- Horizontal bars; SVG user units are CSS pixels. ----
@@ -96,4 +96,4 @@ std::string histogram(std::vector<double> values, std::string_view quantity) {
   return svg + "</svg>";
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::store

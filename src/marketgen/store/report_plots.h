@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace marketgen {
+namespace marketgen::store {
 
 struct PlotBar {
   std::string label;
@@ -20,4 +20,4 @@ std::string bar_plot(const std::vector<PlotBar>& bars);
 // values.
 std::string histogram(std::vector<double> values, std::string_view quantity);
 
-}  // namespace marketgen
+}  // namespace marketgen::store

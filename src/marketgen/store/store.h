@@ -17,7 +17,7 @@
 #include "scene/own_goods.h"
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::store {
 
 struct FileDigest {
   std::string path, sha256;
@@ -48,10 +48,10 @@ struct Manifest {
   std::string name;
   std::uint64_t seed = 0;
   StoreVersions versions;
-  Brief brief;
-  std::vector<Requirement> requirements;
-  std::optional<std::vector<Product>> own;  // rows of the user's own that it was made with
-  SceneCounts counts;
+  intake::Brief brief;
+  std::vector<plan::Requirement> requirements;
+  std::optional<std::vector<catalog::Product>> own;  // rows of the user's own that it was made with
+  scene::SceneCounts counts;
   StoreBounds bounds;
   std::string scene_hash, look_hash;
   std::vector<FileDigest> files;  // every file but store.json and report.json, sorted by path
@@ -81,14 +81,14 @@ struct StageTiming {
 // report.json
 struct StoreReport {
   std::string schema = "market-report/1";
-  std::vector<RequirementResult> requirements;
-  std::vector<Violation> rules;
-  Metrics metrics;
+  std::vector<audit::RequirementResult> requirements;
+  std::vector<layout::Violation> rules;
+  audit::Metrics metrics;
   bool understood = true;
-  std::vector<UnparsedWord> unparsed;
-  std::vector<Conflict> conflicts;
-  std::vector<std::string> repairs;  // what repair changed
-  std::vector<Unstocked> unstocked;  // products of the user's own that stand nowhere
+  std::vector<intake::UnparsedWord> unparsed;
+  std::vector<intake::Conflict> conflicts;
+  std::vector<std::string> repairs;         // what repair changed
+  std::vector<scene::Unstocked> unstocked;  // products of the user's own that stand nowhere
   std::vector<StageTiming> timing_s;
   double peak_rss_mb = 0;
 
@@ -110,7 +110,7 @@ struct StoreReport {
 
 struct CreateOptions {
   std::filesystem::path folder;  // must not exist, or be empty
-  Brief brief;
+  intake::Brief brief;
   std::optional<std::filesystem::path> plan_file;  // skips the planner
   std::uint64_t seed = 1;
   bool previews = true;
@@ -124,37 +124,39 @@ struct Created {
 };
 
 // The scene of a store that was made from this (repaired) plan with this seed, again.
-Result<Scene> scene_of_plan(const Plan& plan, const Catalog& catalog, std::uint64_t seed);
+Result<scene::Scene> scene_of_plan(const plan::Plan& plan,
+                                   const catalog::Catalog& catalog,
+                                   std::uint64_t seed);
 
 // Plans, lays out, stocks, checks, draws and saves. Nothing is left behind when it fails.
 Result<Created> create_store(const CreateOptions& options,
-                             const Catalog& catalog,
+                             const catalog::Catalog& catalog,
                              Progress& progress = silent_progress());
 
 // What create_store would report, without a folder: the same repairs, the same rules, the same
 // refusals.
 Result<StoreReport> try_store(const CreateOptions& options,
-                              const Catalog& catalog,
+                              const catalog::Catalog& catalog,
                               Progress& progress = silent_progress());
 
 struct Store {
   std::filesystem::path folder;
   Manifest manifest;
-  Plan plan;
-  Scene scene;
+  plan::Plan plan;
+  scene::Scene scene;
 };
 // Reads manifest, plan and scene; each file that is read must have the digest that the manifest
 // says. Errors: store.not_a_store, store.changed, scene.*, json.*.
-Result<Store> open_store(const std::filesystem::path& folder, const Catalog& catalog);
+Result<Store> open_store(const std::filesystem::path& folder, const catalog::Catalog& catalog);
 // The scene alone, verified alike.
-Result<Scene> open_store_scene(const std::filesystem::path& folder);
+Result<scene::Scene> open_store_scene(const std::filesystem::path& folder);
 Result<StoreReport> read_report(const std::filesystem::path& folder);
 // Every file against its digest, scene against its hash. Error: store.changed with the file's name.
-Result<void> verify_store(const std::filesystem::path& folder, const Catalog& catalog);
+Result<void> verify_store(const std::filesystem::path& folder, const catalog::Catalog& catalog);
 
 // The report with what needs physics (STB) measured too.
 Result<StoreReport> full_report(const Store& store,
-                                const Catalog& catalog,
+                                const catalog::Catalog& catalog,
                                 Progress& progress = silent_progress());
 
-}  // namespace marketgen
+}  // namespace marketgen::store

@@ -27,8 +27,8 @@ std::size_t max_triangles(std::string_view archetype) {
   return many ? 8000 : 3000;
 }
 
-Product product_of(std::string_view archetype, std::array<int, 3> size_mm) {
-  Product product;
+catalog::Product product_of(std::string_view archetype, std::array<int, 3> size_mm) {
+  catalog::Product product;
   product.sku = "test-" + std::string(archetype);
   product.archetype = archetype;
   product.size_mm = size_mm;
@@ -49,8 +49,8 @@ constexpr std::array<int, 3> proportions[] = {
     {40, 40, 400},    // a stick
 };
 
-ProductModel model_of(const Product& product) {
-  Result<ProductModel> model = make_product_model(product);
+assets::ProductModel model_of(const catalog::Product& product) {
+  Result<assets::ProductModel> model = assets::make_product_model(product);
   EXPECT_TRUE(model.ok()) << to_string(model.error());
   return std::move(model).value();
 }
@@ -65,19 +65,19 @@ double uv_area(const Mesh& mesh, const std::array<std::uint32_t, 3>& t) {
   return 0.5 * (static_cast<double>(b.x) * c.y - static_cast<double>(b.y) * c.x);
 }
 
-double volume_of(const CollisionPrimitive& p) {
+double volume_of(const assets::CollisionPrimitive& p) {
   const double box = 8.0 * p.half_size.x * p.half_size.y * p.half_size.z;
-  if (p.shape == CollisionShape::cylinder) return box * std::numbers::pi / 4;
-  return p.shape == CollisionShape::ellipsoid ? box * std::numbers::pi / 6 : box;
+  if (p.shape == assets::CollisionShape::cylinder) return box * std::numbers::pi / 4;
+  return p.shape == assets::CollisionShape::ellipsoid ? box * std::numbers::pi / 6 : box;
 }
 
-class Archetypes : public testing::TestWithParam<ArchetypeInfo> {};
+class Archetypes : public testing::TestWithParam<assets::ArchetypeInfo> {};
 
-std::string name_of_case(const testing::TestParamInfo<ArchetypeInfo>& info) {
+std::string name_of_case(const testing::TestParamInfo<assets::ArchetypeInfo>& info) {
   return std::string(info.param.name);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Archetypes, testing::ValuesIn(archetypes()), name_of_case);
+INSTANTIATE_TEST_SUITE_P(All, Archetypes, testing::ValuesIn(assets::archetypes()), name_of_case);
 
 TEST_P(Archetypes, ClosedOfTheRowsSizeAndSmall) {
   for (const auto& size : proportions) {
@@ -112,7 +112,7 @@ TEST_P(Archetypes, NormalsAreUnitAndFaceOutwards) {
 
 TEST_P(Archetypes, PrintIsOnTheSheetAndNeverMirrored) {
   for (const auto& size : proportions) {
-    const ProductModel model = model_of(product_of(GetParam().name, size));
+    const assets::ProductModel model = model_of(product_of(GetParam().name, size));
     SCOPED_TRACE(testing::PrintToString(size));
     for (const Vec2f uv : model.mesh.uvs) {
       ASSERT_GE(std::min(uv.x, uv.y), -1e-5F);
@@ -127,10 +127,10 @@ TEST_P(Archetypes, PrintIsOnTheSheetAndNeverMirrored) {
 }
 
 TEST_P(Archetypes, EveryPrintedTriangleLiesInOnePanel) {
-  const Product product = product_of(GetParam().name, {75, 70, 180});
-  const ProductModel model = model_of(product);
-  const std::vector<Panel> panels = panels_of(product).value();
-  const auto inside = [](const Panel& p, Vec2f uv) {
+  const catalog::Product product = product_of(GetParam().name, {75, 70, 180});
+  const assets::ProductModel model = model_of(product);
+  const std::vector<assets::Panel> panels = assets::panels_of(product).value();
+  const auto inside = [](const assets::Panel& p, Vec2f uv) {
     return uv.x >= p.u0 - 1e-4F && uv.x <= p.u1 + 1e-4F && uv.y >= p.v0 - 1e-4F &&
            uv.y <= p.v1 + 1e-4F;
   };
@@ -139,7 +139,7 @@ TEST_P(Archetypes, EveryPrintedTriangleLiesInOnePanel) {
     const auto& triangle = model.mesh.triangles[t];
     EXPECT_TRUE(std::any_of(panels.begin(),
                             panels.end(),
-                            [&](const Panel& panel) {
+                            [&](const assets::Panel& panel) {
                               return std::all_of(
                                   triangle.begin(), triangle.end(), [&](std::uint32_t v) {
                                     return inside(panel, model.mesh.uvs[v]);
@@ -150,12 +150,12 @@ TEST_P(Archetypes, EveryPrintedTriangleLiesInOnePanel) {
 }
 
 TEST_P(Archetypes, SurfacesAreValidAndAllUsed) {
-  const ProductModel model = model_of(product_of(GetParam().name, {75, 70, 180}));
+  const assets::ProductModel model = model_of(product_of(GetParam().name, {75, 70, 180}));
   std::set<std::uint16_t> used(model.mesh.surfaces.begin(), model.mesh.surfaces.end());
   EXPECT_EQ(used.size(), model.surfaces.size());
   EXPECT_EQ(*used.rbegin() + 1U, model.surfaces.size());
   bool printed = false;
-  for (const Surface& surface : model.surfaces) {
+  for (const assets::Surface& surface : model.surfaces) {
     printed = printed || surface.texture == "label";
     EXPECT_TRUE(surface.texture.empty() || surface.texture == "label");
     for (const float value :
@@ -170,9 +170,9 @@ TEST_P(Archetypes, SurfacesAreValidAndAllUsed) {
 
 TEST_P(Archetypes, CollisionStandsInTheFootprintAndHoldsTheMesh) {
   for (const auto& size : proportions) {
-    const Product product = product_of(GetParam().name, size);
-    const ProductModel model = model_of(product);
-    const CollisionPrimitive& p = model.collision;
+    const catalog::Product product = product_of(GetParam().name, size);
+    const assets::ProductModel model = model_of(product);
+    const assets::CollisionPrimitive& p = model.collision;
     SCOPED_TRACE(testing::PrintToString(size));
     const Vec3f extent = p.lying ? Vec3f{p.half_size.z, p.half_size.y, p.half_size.x} : p.half_size;
     EXPECT_GT(std::min({extent.x, extent.y, extent.z}), 0.0F);
@@ -182,7 +182,7 @@ TEST_P(Archetypes, CollisionStandsInTheFootprintAndHoldsTheMesh) {
     EXPECT_LE(std::abs(p.center.y) + extent.y, size[1] * 0.5e-3 + 1e-6);
     // A fruit's shoulders and a head's leaves may stand out of their ellipsoid by a fifth.
     EXPECT_GE(volume_of(p), 0.8 * marketgen::volume_of(model.mesh));
-    const Result<CollisionPrimitive> alone = collision_of(product);
+    const Result<assets::CollisionPrimitive> alone = assets::collision_of(product);
     ASSERT_TRUE(alone.ok());
     EXPECT_EQ(alone.value().shape, p.shape);
     EXPECT_EQ(alone.value().half_size, p.half_size);
@@ -191,7 +191,7 @@ TEST_P(Archetypes, CollisionStandsInTheFootprintAndHoldsTheMesh) {
 
 TEST_P(Archetypes, HasADescriptionAndASheet) {
   EXPECT_FALSE(GetParam().description.empty());
-  EXPECT_TRUE(sheet_kind_of(GetParam().name).ok());
+  EXPECT_TRUE(assets::sheet_kind_of(GetParam().name).ok());
 }
 
 // How much of the primitive a pack fills, where a primitive can do it well.
@@ -216,9 +216,9 @@ TEST(ArchetypeShapes, PrimitivesHaveAboutTheVolumeOfThePack) {
       {"round_produce", {75, 75, 58}, 0.15, "tomato"},
   };
   for (const FillCase& c : cases) {
-    Product product = product_of(c.archetype, c.size_mm);
+    catalog::Product product = product_of(c.archetype, c.size_mm);
     product.label.motif = c.motif;
-    const ProductModel model = model_of(product);
+    const assets::ProductModel model = model_of(product);
     const double ratio = marketgen::volume_of(model.mesh) / volume_of(model.collision);
     EXPECT_NEAR(ratio, 1.0, c.tolerance) << c.archetype << " " << c.motif;
   }
@@ -280,9 +280,9 @@ TEST(ArchetypeShapes, PrintIsNotStretched) {
                                                              {"soft_pack", {200, 110, 70}},
                                                              {"baguette_bag", {90, 70, 560}}};
   for (const auto& [archetype, size] : packs) {
-    const Product product = product_of(archetype, size);
-    const ProductModel model = model_of(product);
-    const SheetSize sheet = sheet_size_of(product).value();
+    const catalog::Product product = product_of(archetype, size);
+    const assets::ProductModel model = model_of(product);
+    const assets::SheetSize sheet = assets::sheet_size_of(product).value();
     double on_pack = 0, on_sheet = 0;
     for (std::size_t t = 0; t < model.mesh.triangles.size(); ++t) {
       if (model.surfaces[model.mesh.surfaces[t]].texture != "label") continue;
@@ -294,7 +294,7 @@ TEST(ArchetypeShapes, PrintIsNotStretched) {
 }
 
 TEST(ArchetypeShapes, TheMiddleOfARoundLabelFacesTheShopper) {
-  const ProductModel can = model_of(product_of("can", {66, 66, 115}));
+  const assets::ProductModel can = model_of(product_of("can", {66, 66, 115}));
   int found = 0;
   for (std::size_t t = 0; t < can.mesh.triangles.size(); ++t) {
     if (can.surfaces[can.mesh.surfaces[t]].texture != "label") continue;
@@ -309,32 +309,34 @@ TEST(ArchetypeShapes, TheMiddleOfARoundLabelFacesTheShopper) {
 }
 
 TEST(ArchetypeShapes, SameRowSameMesh) {
-  for (const ArchetypeInfo& info : archetypes()) {
-    const Product product = product_of(info.name, {80, 70, 150});
-    const ProductModel one = model_of(product), two = model_of(product);
+  for (const assets::ArchetypeInfo& info : assets::archetypes()) {
+    const catalog::Product product = product_of(info.name, {80, 70, 150});
+    const assets::ProductModel one = model_of(product), two = model_of(product);
     EXPECT_EQ(one.mesh.positions, two.mesh.positions) << info.name;
     EXPECT_EQ(one.mesh.triangles, two.mesh.triangles) << info.name;
   }
 }
 
 TEST(ArchetypeErrors, AnUnknownShapeNamesTheNearest) {
-  const Result<ProductModel> model = make_product_model(product_of("soda_botle", {80, 80, 300}));
+  const Result<assets::ProductModel> model =
+      assets::make_product_model(product_of("soda_botle", {80, 80, 300}));
   ASSERT_FALSE(model.ok());
   EXPECT_EQ(model.error().code, "catalog.unknown_kind");
   EXPECT_NE(model.error().message.find("soda_bottle"), std::string::npos) << model.error().message;
-  EXPECT_FALSE(collision_of(product_of("kan", {80, 80, 300})).ok());
-  EXPECT_FALSE(panels_of(product_of("kan", {80, 80, 300})).ok());
+  EXPECT_FALSE(assets::collision_of(product_of("kan", {80, 80, 300})).ok());
+  EXPECT_FALSE(assets::panels_of(product_of("kan", {80, 80, 300})).ok());
 }
 
 TEST(ArchetypeErrors, SizesAndColoursThatCannotBeBuilt) {
-  const Result<ProductModel> flat = make_product_model(product_of("box", {80, 0, 300}));
+  const Result<assets::ProductModel> flat =
+      assets::make_product_model(product_of("box", {80, 0, 300}));
   ASSERT_FALSE(flat.ok());
   EXPECT_EQ(flat.error().code, "assets.bad_row");
   EXPECT_EQ(flat.error().where, "test-box/size_mm");
-  EXPECT_FALSE(make_product_model(product_of("box", {80, 80, 30000})).ok());
-  Product cap = product_of("soda_bottle", {80, 80, 300});
+  EXPECT_FALSE(assets::make_product_model(product_of("box", {80, 80, 30000})).ok());
+  catalog::Product cap = product_of("soda_bottle", {80, 80, 300});
   cap.label.accent = "crimson";
-  const Result<ProductModel> painted = make_product_model(cap);
+  const Result<assets::ProductModel> painted = assets::make_product_model(cap);
   ASSERT_FALSE(painted.ok());
   EXPECT_EQ(painted.error().code, "assets.bad_row");
   EXPECT_EQ(painted.error().where, "test-soda_bottle/label/accent");

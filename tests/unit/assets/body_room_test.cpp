@@ -77,9 +77,9 @@ struct BodyRoom {
 const BodyRoom& body_room() {
   static const BodyRoom room = [] {
     const std::string file = MARKETGEN_SOURCE_DIR "/tests/unit/assets/body_room.json";
-    const auto text = read_file(file);
+    const auto text = io::read_file(file);
     if (!text.ok()) fatal(to_string(text.error()).c_str());
-    auto read = read_json<BodyRoom>(*text, file);
+    auto read = io::read_json<BodyRoom>(*text, file);
     if (!read.ok()) fatal(to_string(read.error()).c_str());
     return std::move(read).value();
   }();
@@ -100,9 +100,9 @@ struct DrawnBody {
   double volume_m3 = 0, area_m2 = 0;
 };
 
-DrawnBody drawn_body(const Product& product) {
+DrawnBody drawn_body(const catalog::Product& product) {
   constexpr int columns = 160;
-  const Mesh mesh = make_product_model(product).value().mesh;
+  const Mesh mesh = assets::make_product_model(product).value().mesh;
   DrawnBody body{Solid(mesh, columns).volume(), 0};
   for (const auto& [a, b, c] : mesh.triangles) {
     const Vec3 at = to_double(mesh.positions[a]);
@@ -119,11 +119,11 @@ const std::vector<DrawnBody>& drawn_bodies() {  // by row of the catalogue
   return bodies;
 }
 
-bool is_liquid(const Product& product) {
+bool is_liquid(const catalog::Product& product) {
   return product.unit_of_measure == "l";
 }
 
-double wall_of(const Product& product) {
+double wall_of(const catalog::Product& product) {
   for (const Wall& wall : body_room().walls)
     if (wall.material == product.material) return wall.thickness_mm * 1e-3;
   ADD_FAILURE() << product.sku << ": no wall of " << product.material;
@@ -131,10 +131,10 @@ double wall_of(const Product& product) {
 }
 
 TEST(BodyRoom, ALiquidsPackHoldsItAndLittleElse) {
-  const Catalog& catalog = committed_catalog();
+  const catalog::Catalog& catalog = committed_catalog();
   int looked_at = 0;
   for (std::size_t i = 0; i < catalog.products.size(); ++i) {
-    const Product& product = catalog.products[i];
+    const catalog::Product& product = catalog.products[i];
     if (!is_liquid(product)) continue;
     const LiquidRoom* bounds = row_of(body_room().liquids, product.archetype);
     ASSERT_NE(bounds, nullptr) << product.sku << ": no bounds for " << product.archetype;
@@ -148,7 +148,7 @@ TEST(BodyRoom, ALiquidsPackHoldsItAndLittleElse) {
   EXPECT_GT(looked_at, 500);
 }
 
-std::array<int, 2> density_bounds(const Product& product) {
+std::array<int, 2> density_bounds(const catalog::Product& product) {
   const BodyDensity* row = row_of(body_room().solids, product.archetype);
   if (row == nullptr) {
     ADD_FAILURE() << product.sku << ": no bounds for " << product.archetype;
@@ -164,9 +164,9 @@ std::array<int, 2> density_bounds(const Product& product) {
 }
 
 TEST(BodyRoom, GoodsAreAsDenseAsTheirKind) {
-  const Catalog& catalog = committed_catalog();
+  const catalog::Catalog& catalog = committed_catalog();
   for (std::size_t i = 0; i < catalog.products.size(); ++i) {
-    const Product& product = catalog.products[i];
+    const catalog::Product& product = catalog.products[i];
     if (is_liquid(product)) continue;
     const auto [least, most] = density_bounds(product);
     const double density = product.mass_kg / drawn_bodies()[i].volume_m3;
@@ -178,7 +178,7 @@ TEST(BodyRoom, GoodsAreAsDenseAsTheirKind) {
 // Contents weigh at least what the lightest such liquid does: whipped ice 0.45, foam and gas 0.6.
 TEST(BodyRoom, APackWeighsMoreThanItsContents) {
   constexpr double lightest_kg_l = 0.45, heaviest_kg_l = 2.6;  // a small glass jar
-  for (const Product& product : committed_catalog().products) {
+  for (const catalog::Product& product : committed_catalog().products) {
     if (is_liquid(product)) {
       EXPECT_GT(product.mass_kg, lightest_kg_l * product.unit_amount) << product.sku;
       EXPECT_LT(product.mass_kg, heaviest_kg_l * product.unit_amount + 0.2) << product.sku;

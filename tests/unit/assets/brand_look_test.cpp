@@ -17,15 +17,15 @@ namespace marketgen {
 namespace {
 
 std::set<std::string> brands() {
-  const Catalog catalog = load_catalog(data_folder().value()).value();
+  const catalog::Catalog catalog = catalog::load_catalog(io::data_folder().value()).value();
   std::set<std::string> names;
-  for (const Product& product : catalog.products) {
+  for (const catalog::Product& product : catalog.products) {
     if (!product.brand.empty()) names.insert(product.brand);
   }
   return names;
 }
 
-auto type_of(const Typeface& face) {
+auto type_of(const assets::Typeface& face) {
   return std::tuple(std::string(face.family),
                     face.weight,
                     face.italic,
@@ -34,7 +34,7 @@ auto type_of(const Typeface& face) {
                     face.letter_case);
 }
 
-auto color_of(const Color& color) {
+auto color_of(const assets::Color& color) {
   return std::tuple(color.r, color.g, color.b);
 }
 
@@ -43,11 +43,13 @@ TEST(BrandLooks, ThereAreAHundredAndMore) {
 }
 
 TEST(BrandLooks, NoTwoShareShapeTypeAndColours) {
-  using Key =
-      std::tuple<MarkShape, decltype(type_of({})), decltype(color_of({})), decltype(color_of({}))>;
+  using Key = std::tuple<assets::MarkShape,
+                         decltype(type_of({})),
+                         decltype(color_of({})),
+                         decltype(color_of({}))>;
   std::map<Key, std::string> owner;
   for (const std::string& brand : brands()) {
-    const BrandLook look = brand_look(brand);
+    const assets::BrandLook look = assets::brand_look(brand);
     const auto [entry, is_new] = owner.try_emplace(
         {look.shape, type_of(look.mark_face), color_of(look.plate), color_of(look.trim)}, brand);
     EXPECT_TRUE(is_new) << brand << " looks like " << entry->second
@@ -68,9 +70,12 @@ TEST(BrandLooks, MarksDifferAsDrawn) {
   constexpr double min_difference = 3.0;
   std::vector<std::pair<std::string, Image>> marks;
   for (const std::string& brand : brands()) {
-    Canvas canvas(width, height, rgb("#f4f1ea"));
-    draw_brand_mark(
-        canvas, brand_look(brand), brand, {1, 1, width - 2, height - 2}, rgb("#f4f1ea"));
+    assets::Canvas canvas(width, height, assets::rgb("#f4f1ea"));
+    assets::draw_brand_mark(canvas,
+                            assets::brand_look(brand),
+                            brand,
+                            {1, 1, width - 2, height - 2},
+                            assets::rgb("#f4f1ea"));
     marks.emplace_back(brand, canvas.image());
   }
   for (std::size_t i = 0; i < marks.size(); ++i) {
@@ -83,13 +88,13 @@ TEST(BrandLooks, MarksDifferAsDrawn) {
 
 TEST(BrandLooks, EveryDesignShapeAndTypefaceIsUsed) {
   std::set<std::size_t> designs;
-  std::set<MarkShape> shapes;
+  std::set<assets::MarkShape> shapes;
   for (const std::string& brand : brands()) {
-    designs.insert(brand_look(brand).design % pack_designs().size());
-    shapes.insert(brand_look(brand).shape);
+    designs.insert(assets::brand_look(brand).design % assets::pack_designs().size());
+    shapes.insert(assets::brand_look(brand).shape);
   }
-  EXPECT_EQ(designs.size(), pack_designs().size());
-  EXPECT_EQ(shapes.size(), names_of(MarkShape{}).size());
+  EXPECT_EQ(designs.size(), assets::pack_designs().size());
+  EXPECT_EQ(shapes.size(), assets::names_of(assets::MarkShape{}).size());
 }
 
 }  // namespace

@@ -19,8 +19,8 @@ namespace {
 constexpr double tolerance_m = 0.0005;
 
 // The four places of a module in its run.
-std::vector<FixtureShape> placings(const FixtureShape& shape) {
-  std::vector<FixtureShape> result;
+std::vector<assets::FixtureShape> placings(const assets::FixtureShape& shape) {
+  std::vector<assets::FixtureShape> result;
   for (const bool start : {true, false}) {
     for (const bool end : {true, false}) {
       result.push_back(shape);
@@ -32,15 +32,15 @@ std::vector<FixtureShape> placings(const FixtureShape& shape) {
 }
 
 // By how much a point lies outside the module, metres; height is not looked at when `open_top`.
-double outside(const FixtureShape& shape, Vec3 p, bool open_top) {
+double outside(const assets::FixtureShape& shape, Vec3 p, bool open_top) {
   const double across =
       std::max(std::abs(p.x) - shape.width_mm * 0.0005, std::abs(p.y) - shape.depth_mm * 0.0005);
   const double above = open_top ? -1.0 : p.z - shape.height_mm * 0.001;
   return std::max({across, above, -p.z});
 }
 
-std::string part_text(const FixtureModel& model, std::size_t i) {
-  const FixturePart& part = model.parts[i];
+std::string part_text(const assets::FixtureModel& model, std::size_t i) {
+  const assets::FixturePart& part = model.parts[i];
   const Vec3 at = part.fixture_from_part.position;
   const Vec3f half = part.half_size;
   return "part " + std::to_string(i) + " " + std::string(name_of(part.unit)) + " at (" +
@@ -49,10 +49,10 @@ std::string part_text(const FixtureModel& model, std::size_t i) {
          std::to_string(half.z) + ")";
 }
 
-std::vector<OrientedBox> boxes_of(const FixtureModel& model) {
+std::vector<OrientedBox> boxes_of(const assets::FixtureModel& model) {
   std::vector<OrientedBox> boxes;
   boxes.reserve(model.parts.size());
-  for (const FixturePart& part : model.parts) {
+  for (const assets::FixturePart& part : model.parts) {
     boxes.push_back(oriented_box(part));
   }
   return boxes;
@@ -64,7 +64,8 @@ bool any_holds(const std::vector<OrientedBox>& boxes, Vec3 point) {
   });
 }
 
-void expect_parts_apart_and_inside(const FixtureShape& shape, const FixtureModel& model) {
+void expect_parts_apart_and_inside(const assets::FixtureShape& shape,
+                                   const assets::FixtureModel& model) {
   const std::vector<OrientedBox> boxes = boxes_of(model);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const Vec3f half = model.parts[i].half_size;
@@ -79,7 +80,7 @@ void expect_parts_apart_and_inside(const FixtureShape& shape, const FixtureModel
   }
 }
 
-void expect_room_for_goods(const FixtureShape& shape, const FixtureModel& model) {
+void expect_room_for_goods(const assets::FixtureShape& shape, const assets::FixtureModel& model) {
   const std::vector<OrientedBox> boxes = boxes_of(model);
   for (std::size_t i = 0; i < model.shelves.size(); ++i) {
     const OrientedBox room = free_volume(model.shelves[i]);
@@ -99,7 +100,7 @@ void expect_room_for_goods(const FixtureShape& shape, const FixtureModel& model)
 }
 
 // Share of a grid of points just under the shelf's surface that lie in a part.
-double supported_share(const std::vector<OrientedBox>& boxes, const ShelfSurface& shelf) {
+double supported_share(const std::vector<OrientedBox>& boxes, const assets::ShelfSurface& shelf) {
   constexpr int steps = 10;
   int held = 0;
   for (int i = 0; i < steps; ++i) {
@@ -112,19 +113,19 @@ double supported_share(const std::vector<OrientedBox>& boxes, const ShelfSurface
   return static_cast<double>(held) / (steps * steps);
 }
 
-void expect_shelves_are_real(const FixtureModel& model) {
+void expect_shelves_are_real(const assets::FixtureModel& model) {
   const std::vector<OrientedBox> boxes = boxes_of(model);
   std::set<std::pair<int, int>> seen;
-  for (const ShelfSurface& shelf : model.shelves) {
+  for (const assets::ShelfSurface& shelf : model.shelves) {
     EXPECT_TRUE(seen.insert({shelf.side, shelf.level}).second) << "two shelves have one place";
-    if (shelf.use != ShelfUse::hang) {
+    if (shelf.use != assets::ShelfUse::hang) {
       EXPECT_GT(supported_share(boxes, shelf), 0.7)
           << "level " << shelf.level;  // pallets have gaps
     }
     if (!shelf.price_rail) continue;
-    const double below = (price_rail_top_m + price_rail_bottom_m) / 2;
-    const Vec3 behind_face{0, price_rail_face_m + 0.001, below};
-    const Vec3 before_face{0, price_rail_face_m - 0.001, below};
+    const double below = (assets::price_rail_top_m + assets::price_rail_bottom_m) / 2;
+    const Vec3 behind_face{0, assets::price_rail_face_m + 0.001, below};
+    const Vec3 before_face{0, assets::price_rail_face_m - 0.001, below};
     EXPECT_TRUE(any_holds(boxes, shelf.fixture_from_shelf * behind_face)) << "no rail";
     EXPECT_FALSE(any_holds(boxes, shelf.fixture_from_shelf * before_face)) << "label hidden";
   }
@@ -161,14 +162,14 @@ const std::set<std::string> without_shelves{
     "salad_bar"};
 
 // One shelf per side for each level that is asked for.
-std::size_t shelves_wanted(const FixtureShape& shape) {
+std::size_t shelves_wanted(const assets::FixtureShape& shape) {
   if (without_shelves.contains(shape.generator)) return 0;
   return static_cast<std::size_t>(shape.levels * shape.sides);
 }
 
-void expect_conforms(const FixtureShape& shape, const Catalog& catalog) {
+void expect_conforms(const assets::FixtureShape& shape, const catalog::Catalog& catalog) {
   SCOPED_TRACE(text_of(shape));
-  const FixtureModel model = made(shape, catalog);
+  const assets::FixtureModel model = made(shape, catalog);
   EXPECT_FALSE(model.parts.empty());
   EXPECT_EQ(model.shelves.size(), shelves_wanted(shape));
   expect_parts_apart_and_inside(shape, model);
@@ -177,9 +178,9 @@ void expect_conforms(const FixtureShape& shape, const Catalog& catalog) {
 }
 
 // The reach of a module's parts along X, metres.
-std::pair<double, double> reach_x(const FixtureModel& model) {
+std::pair<double, double> reach_x(const assets::FixtureModel& model) {
   std::pair<double, double> reach{1e9, -1e9};
-  for (const FixturePart& part : model.parts) {
+  for (const assets::FixturePart& part : model.parts) {
     for (const Vec3& corner : corners(oriented_box(part))) {
       reach.first = std::min(reach.first, corner.x);
       reach.second = std::max(reach.second, corner.x);
@@ -202,28 +203,28 @@ TEST(OrientedBoxes, KnowHowDeepTheyOverlap) {
 
 TEST(Fixtures, EveryGeneratorIsInTheTable) {
   std::set<std::string> tested;
-  for (const FixtureShape& shape : table())
+  for (const assets::FixtureShape& shape : table())
     tested.insert(shape.generator);
-  for (const FixtureGeneratorInfo& info : fixture_generators()) {
+  for (const assets::FixtureGeneratorInfo& info : assets::fixture_generators()) {
     EXPECT_TRUE(tested.contains(std::string(info.name))) << info.name;
     EXPECT_FALSE(info.description.empty()) << info.name;
   }
-  EXPECT_EQ(tested.size(), fixture_generators().size());
-  EXPECT_GE(fixture_generators().size(), 45U);
+  EXPECT_EQ(tested.size(), assets::fixture_generators().size());
+  EXPECT_GE(assets::fixture_generators().size(), 45U);
 }
 
 TEST(Fixtures, EveryTableRowConformsAnywhereInARun) {
-  const Catalog catalog = small_catalog();
-  for (const FixtureShape& shape : table()) {
-    for (const FixtureShape& placed : placings(shape))
+  const catalog::Catalog catalog = small_catalog();
+  for (const assets::FixtureShape& shape : table()) {
+    for (const assets::FixtureShape& placed : placings(shape))
       expect_conforms(placed, catalog);
   }
 }
 
 // Everything that a row allows: its widths, and the ends and middle of its ranges.
-std::vector<FixtureShape> shapes_of(const FixtureKind& kind) {
-  std::vector<FixtureShape> shapes;
-  const FixtureShape usual = shape_of(kind);
+std::vector<assets::FixtureShape> shapes_of(const catalog::FixtureKind& kind) {
+  std::vector<assets::FixtureShape> shapes;
+  const assets::FixtureShape usual = shape_of(kind);
   const auto sizes = [](int size, const IntRange& range) {
     return std::set<int>{size, range[0], range[1]};
   };
@@ -244,10 +245,10 @@ std::vector<FixtureShape> shapes_of(const FixtureKind& kind) {
 }
 
 TEST(Fixtures, EveryCatalogueRowConformsOverItsRanges) {
-  const Catalog& catalog = committed_catalog();
+  const catalog::Catalog& catalog = committed_catalog();
   ASSERT_GE(catalog.fixture_kinds.size(), 150U);
-  for (const FixtureKind& kind : catalog.fixture_kinds) {
-    for (const FixtureShape& shape : shapes_of(kind)) {
+  for (const catalog::FixtureKind& kind : catalog.fixture_kinds) {
+    for (const assets::FixtureShape& shape : shapes_of(kind)) {
       expect_conforms(shape, catalog);
       if (HasFailure()) return;
     }
@@ -257,11 +258,11 @@ TEST(Fixtures, EveryCatalogueRowConformsOverItsRanges) {
 // Widths that a plan may ask of any kind: the whole fixture, or a refusal.
 TEST(Fixtures, OddWidthsAreWholeOrRefused) {
   int refused = 0;
-  for (const FixtureKind& kind : committed_catalog().fixture_kinds) {
+  for (const catalog::FixtureKind& kind : committed_catalog().fixture_kinds) {
     for (const int width : {200, 400, 900, 1800, 3000, 4500}) {
-      FixtureShape shape = shape_of(kind);
+      assets::FixtureShape shape = shape_of(kind);
       shape.width_mm = width;
-      const auto model = make_fixture_model(shape, committed_catalog());
+      const auto model = assets::make_fixture_model(shape, committed_catalog());
       if (!model.ok()) {
         EXPECT_EQ(model.error().code, "assets.bad_row") << kind.kind << ", " << width << " mm";
         ++refused;
@@ -278,10 +279,10 @@ TEST(Fixtures, OddWidthsAreWholeOrRefused) {
 }
 
 TEST(Fixtures, ModulesOfARunMeetAtTheirJoint) {
-  const Catalog catalog = small_catalog();
-  for (const FixtureShape& shape : table()) {
+  const catalog::Catalog catalog = small_catalog();
+  for (const assets::FixtureShape& shape : table()) {
     if (!in_runs.contains(shape.generator)) continue;
-    FixtureShape inner = shape;
+    assets::FixtureShape inner = shape;
     inner.start = inner.end = false;
     const auto [low, high] = reach_x(made(inner, catalog));
     EXPECT_NEAR(low, -shape.width_mm * 0.0005, tolerance_m) << text_of(shape);

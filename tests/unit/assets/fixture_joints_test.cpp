@@ -13,15 +13,22 @@
 namespace marketgen {
 namespace {
 
-FixtureModel cube_at(double x_mm) {
-  FixtureModel model;
-  add(model, box(UnitKind::door, {}, {{x_mm, x_mm + 10}, {0, 10}, {0, 10}}));
+assets::FixtureModel cube_at(double x_mm) {
+  assets::FixtureModel model;
+  assets::add(model,
+              assets::box(assets::UnitKind::door, {}, {{x_mm, x_mm + 10}, {0, 10}, {0, 10}}));
   return model;
 }
 
 TEST(Joints, AFramesAxisIsItsZ) {
-  for (const Vec3& axis : {x_axis, y_axis, z_axis, -x_axis, -y_axis, -z_axis, Vec3{0.6, 0, -0.8}}) {
-    const Pose frame = joint_frame({100, 200, 300}, axis);
+  for (const Vec3& axis : {assets::x_axis,
+                           assets::y_axis,
+                           assets::z_axis,
+                           -assets::x_axis,
+                           -assets::y_axis,
+                           -assets::z_axis,
+                           Vec3{0.6, 0, -0.8}}) {
+    const Pose frame = assets::joint_frame({100, 200, 300}, axis);
     EXPECT_EQ(frame.position, (Vec3{0.1, 0.2, 0.3}));
     const Vec3 z = rotate(frame.rotation, {0, 0, 1});
     EXPECT_NEAR(z.x, axis.x, 1e-12);
@@ -31,14 +38,14 @@ TEST(Joints, AFramesAxisIsItsZ) {
 }
 
 TEST(Joints, APieceOnAPieceIsCarriedByIt) {
-  FixtureModel fork = cube_at(0);
-  hang(fork, wheel_at("wheel", {0, 0, 0}, y_axis, 0.2), cube_at(20));
-  FixtureModel cart = cube_at(100);
-  hang(cart, caster_at("caster", {0, 0, 0}, 0.5), std::move(fork));
+  assets::FixtureModel fork = cube_at(0);
+  assets::hang(fork, assets::wheel_at("wheel", {0, 0, 0}, assets::y_axis, 0.2), cube_at(20));
+  assets::FixtureModel cart = cube_at(100);
+  assets::hang(cart, assets::caster_at("caster", {0, 0, 0}, 0.5), std::move(fork));
 
-  FixtureModel model;
-  hang(model, slide_along("drawer", {0, 0, 0}, -y_axis, 300), cube_at(200));
-  append(model, std::move(cart));
+  assets::FixtureModel model;
+  assets::hang(model, assets::slide_along("drawer", {0, 0, 0}, -assets::y_axis, 300), cube_at(200));
+  assets::append(model, std::move(cart));
   ASSERT_EQ(model.joints.size(), 3U);
   EXPECT_EQ(model.joints[0].name, "drawer");
   EXPECT_EQ(model.joints[1].name, "caster");
@@ -53,10 +60,10 @@ TEST(Joints, APieceOnAPieceIsCarriedByIt) {
 }
 
 TEST(Joints, TheBackSideTurnsWithItsParts) {
-  FixtureModel model;
-  hang(model, hinge_at("lid", {100, -200, 0}, x_axis, 1), cube_at(0));
-  model = as_back_side(std::move(model));
-  const FixtureJoint& joint = model.joints.front();
+  assets::FixtureModel model;
+  assets::hang(model, assets::hinge_at("lid", {100, -200, 0}, assets::x_axis, 1), cube_at(0));
+  model = assets::as_back_side(std::move(model));
+  const assets::FixtureJoint& joint = model.joints.front();
   EXPECT_EQ(joint.name, "back-lid");
   EXPECT_NEAR(joint.fixture_from_joint.position.x, -0.1, 1e-12);
   EXPECT_NEAR(joint.fixture_from_joint.position.y, 0.2, 1e-12);
@@ -64,16 +71,17 @@ TEST(Joints, TheBackSideTurnsWithItsParts) {
 }
 
 TEST(Joints, SpringsOfDoorsArePreloaded) {
-  const FixtureJoint door = self_closing(hinge_at("door", {0, 0, 0}, z_axis, 1.6), 2, 1.4);
+  const assets::FixtureJoint door =
+      assets::self_closing(assets::hinge_at("door", {0, 0, 0}, assets::z_axis, 1.6), 2, 1.4);
   EXPECT_GT(door.stiffness * (0 - door.spring_rest), door.friction);  // it pulls the closed door
   EXPECT_EQ(door.hold_open, 1.4);
-  FixtureJoint both_ways = hinge_at("leaf", {0, 0, 0}, z_axis, 1.5);
+  assets::FixtureJoint both_ways = assets::hinge_at("leaf", {0, 0, 0}, assets::z_axis, 1.5);
   both_ways.lower = -1.5;
-  EXPECT_EQ(self_closing(both_ways, 2, 0).spring_rest, 0);
+  EXPECT_EQ(assets::self_closing(both_ways, 2, 0).spring_rest, 0);
 }
 
-void expect_sound(const FixtureModel& model, std::size_t row) {
-  const FixtureJoint& joint = model.joints[row];
+void expect_sound(const assets::FixtureModel& model, std::size_t row) {
+  const assets::FixtureJoint& joint = model.joints[row];
   SCOPED_TRACE(joint.name);
   EXPECT_LT(joint.parent, static_cast<int>(row));
   EXPECT_GT(joint.mass_kg, 0);
@@ -85,28 +93,28 @@ void expect_sound(const FixtureModel& model, std::size_t row) {
   EXPECT_LE(joint.hold_open, joint.upper);
   ASSERT_FALSE(joint.states.empty());
   EXPECT_EQ(joint.states.front().position, 0);
-  for (const JointState& state : joint.states) {
+  for (const assets::JointState& state : joint.states) {
     EXPECT_GE(state.position, joint.lower) << state.name;
     EXPECT_LE(state.position, joint.upper) << state.name;
   }
-  EXPECT_TRUE(std::ranges::any_of(model.parts, [&](const FixturePart& part) {
+  EXPECT_TRUE(std::ranges::any_of(model.parts, [&](const assets::FixturePart& part) {
     return part.joint == static_cast<int>(row);
   })) << "moves nothing";
 }
 
-void expect_sound(const FixtureModel& model) {
+void expect_sound(const assets::FixtureModel& model) {
   std::set<std::string> names;
   for (std::size_t row = 0; row < model.joints.size(); ++row) {
     EXPECT_TRUE(names.insert(model.joints[row].name).second) << model.joints[row].name;
     expect_sound(model, row);
   }
-  for (const FixturePart& part : model.parts)
+  for (const assets::FixturePart& part : model.parts)
     EXPECT_LT(part.joint, static_cast<int>(model.joints.size()));
 }
 
 TEST(Joints, OfEveryTableRowAreSound) {
-  const Catalog catalog = small_catalog();
-  for (const FixtureShape& shape : table()) {
+  const catalog::Catalog catalog = small_catalog();
+  for (const assets::FixtureShape& shape : table()) {
     SCOPED_TRACE(text_of(shape));
     expect_sound(made(shape, catalog));
   }
@@ -123,8 +131,8 @@ TEST(Joints, GeneratorsWhoseRealThingMovesHaveThem) {
                                      "trolley_bay",
                                      "coffee_machine",
                                      "gate"};
-  const Catalog catalog = small_catalog();
-  for (const FixtureShape& shape : table()) {
+  const catalog::Catalog catalog = small_catalog();
+  for (const assets::FixtureShape& shape : table()) {
     if (moving.contains(shape.generator)) {
       EXPECT_FALSE(made(shape, catalog).joints.empty()) << text_of(shape);
     }
@@ -132,20 +140,21 @@ TEST(Joints, GeneratorsWhoseRealThingMovesHaveThem) {
 }
 
 TEST(Joints, ACoolersDoorsOpenToTheFront) {
-  const FixtureModel model =
+  const assets::FixtureModel model =
       made(shape_of("glass_door_cooler", 1250, 710, 2200, 5, 250, 350, 1), small_catalog());
   ASSERT_EQ(model.joints.size(), 2U);
-  const FixtureJoint& first = model.joints[0];
+  const assets::FixtureJoint& first = model.joints[0];
   EXPECT_EQ(first.name, "door-1");
   EXPECT_NEAR(first.fixture_from_joint.position.x, -0.625 + 0.002, 1e-9);  // its left edge
   EXPECT_NEAR(rotate(first.fixture_from_joint.rotation, {0, 0, 1}).z, -1, 1e-12);
-  EXPECT_NEAR(first.upper, radians(95), 1e-12);
-  EXPECT_GT(first.hold_open, radians(80));
+  EXPECT_NEAR(first.upper, assets::radians(95), 1e-12);
+  EXPECT_GT(first.hold_open, assets::radians(80));
   EXPECT_GT(first.stiffness, 0);
-  EXPECT_NEAR(first.gasket * first.gasket_reach, gasket_n * gasket_gap_mm * 1e-3, 1e-12);
-  EXPECT_NEAR(first.gasket, gasket_n * (0.625 - 0.004 - 0.0225), 1e-9);
+  EXPECT_NEAR(
+      first.gasket * first.gasket_reach, assets::gasket_n * assets::gasket_gap_mm * 1e-3, 1e-12);
+  EXPECT_NEAR(first.gasket, assets::gasket_n * (0.625 - 0.004 - 0.0225), 1e-9);
   int on_first = 0;
-  for (const FixturePart& part : model.parts)
+  for (const assets::FixturePart& part : model.parts)
     on_first += part.joint == 0 ? 1 : 0;
   EXPECT_EQ(on_first, 8);  // four stiles, a pane, a bar on two brackets
 }

@@ -17,9 +17,9 @@ namespace {
 constexpr double touch_m = 0.002;
 
 // Where a part meets the floor: corners of boxes, and of cylinders the line or ring under them.
-std::vector<Vec3> floor_contacts(const FixturePart& part) {
+std::vector<Vec3> floor_contacts(const assets::FixturePart& part) {
   std::vector<Vec3> points;
-  if (part.shape == PartShape::box) {
+  if (part.shape == assets::PartShape::box) {
     points = corners(oriented_box(part));
   } else {
     const Pose& pose = part.fixture_from_part;
@@ -39,10 +39,10 @@ std::vector<Vec3> floor_contacts(const FixturePart& part) {
 }
 
 // Of bodies that are equally dense all over.
-Vec3 center_of_mass(const FixtureModel& model) {
+Vec3 center_of_mass(const assets::FixtureModel& model) {
   Vec3 sum;
   double mass = 0;
-  for (const FixturePart& part : model.parts) {
+  for (const assets::FixturePart& part : model.parts) {
     const double volume =
         double(part.half_size.x) * double(part.half_size.y) * double(part.half_size.z);
     sum += part.fixture_from_part.position * volume;
@@ -66,9 +66,9 @@ double depth_in_hull(const std::vector<Vec3>& points, Vec3 point) {
   return least;
 }
 
-double highest_of(const FixtureModel& model, Vec3 way) {
+double highest_of(const assets::FixtureModel& model, Vec3 way) {
   double reach = -1e9;
-  for (const FixturePart& part : model.parts) {
+  for (const assets::FixturePart& part : model.parts) {
     for (const Vec3& corner : corners(oriented_box(part)))
       reach = std::max(reach, dot(corner, way));
   }
@@ -76,20 +76,20 @@ double highest_of(const FixtureModel& model, Vec3 way) {
 }
 
 TEST(FixtureStand, EveryRowStandsOrHangsWhereItSays) {
-  const Catalog& catalog = committed_catalog();
-  for (const FixtureKind& kind : catalog.fixture_kinds) {
+  const catalog::Catalog& catalog = committed_catalog();
+  for (const catalog::FixtureKind& kind : catalog.fixture_kinds) {
     SCOPED_TRACE(kind.kind);
-    const FixtureModel model = made(shape_of(kind), catalog);
-    if (kind.mount == FixtureMount::ceiling) {
+    const assets::FixtureModel model = made(shape_of(kind), catalog);
+    if (kind.mount == catalog::FixtureMount::ceiling) {
       EXPECT_NEAR(highest_of(model, {0, 0, 1}), kind.height_mm * 0.001, touch_m);
       continue;
     }
-    if (kind.mount == FixtureMount::wall) {
+    if (kind.mount == catalog::FixtureMount::wall) {
       EXPECT_NEAR(highest_of(model, {0, 1, 0}), kind.depth_mm * 0.0005, touch_m);
       continue;
     }
     std::vector<Vec3> floor;
-    for (const FixturePart& part : model.parts) {
+    for (const assets::FixturePart& part : model.parts) {
       const std::vector<Vec3> points = floor_contacts(part);
       floor.insert(floor.end(), points.begin(), points.end());
     }

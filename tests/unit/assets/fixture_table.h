@@ -12,28 +12,28 @@
 
 namespace marketgen {
 
-inline Catalog small_catalog() {
-  Catalog catalog;
-  MaterialRow metal;
+inline catalog::Catalog small_catalog() {
+  catalog::Catalog catalog;
+  catalog::MaterialRow metal;
   metal.id = "metal-white";
   metal.roughness = 0.4;
-  MaterialRow wood;
+  catalog::MaterialRow wood;
   wood.id = "wood-oak";
-  wood.pattern = MaterialPattern::planks;
+  wood.pattern = catalog::MaterialPattern::planks;
   wood.color = "#b98a56";
   catalog.materials = {metal, wood};
   return catalog;
 }
 
-inline FixtureShape shape_of(std::string generator,
-                             int width,
-                             int depth,
-                             int height,
-                             int levels,
-                             int base,
-                             int spacing,
-                             int sides) {
-  FixtureShape shape;
+inline assets::FixtureShape shape_of(std::string generator,
+                                     int width,
+                                     int depth,
+                                     int height,
+                                     int levels,
+                                     int base,
+                                     int spacing,
+                                     int sides) {
+  assets::FixtureShape shape;
   shape.generator = std::move(generator);
   shape.width_mm = width;
   shape.depth_mm = depth;
@@ -45,7 +45,7 @@ inline FixtureShape shape_of(std::string generator,
   return shape;
 }
 
-inline std::string text_of(const FixtureShape& s) {
+inline std::string text_of(const assets::FixtureShape& s) {
   return s.generator + " " + std::to_string(s.width_mm) + "x" + std::to_string(s.depth_mm) + "x" +
          std::to_string(s.height_mm) + " levels " + std::to_string(s.levels) + " base " +
          std::to_string(s.base_mm) + " sides " + std::to_string(s.sides) +
@@ -53,7 +53,7 @@ inline std::string text_of(const FixtureShape& s) {
 }
 
 // Usual, small, large and odd sizes of every generator.
-inline std::vector<FixtureShape> table() {
+inline std::vector<assets::FixtureShape> table() {
   return {
       shape_of("gondola", 1250, 940, 1800, 5, 150, 350, 2),
       shape_of("gondola", 1250, 470, 1400, 4, 150, 300, 1),
@@ -213,15 +213,15 @@ inline std::vector<FixtureShape> table() {
 }
 
 // A row at its default size.
-inline FixtureShape shape_of(const FixtureKind& kind) {
-  FixtureShape shape = shape_of(kind.generator,
-                                kind.module_widths_mm.front(),
-                                kind.depth_mm,
-                                kind.height_mm,
-                                kind.levels,
-                                kind.base_mm,
-                                350,
-                                kind.double_sided ? 2 : 1);
+inline assets::FixtureShape shape_of(const catalog::FixtureKind& kind) {
+  assets::FixtureShape shape = shape_of(kind.generator,
+                                        kind.module_widths_mm.front(),
+                                        kind.depth_mm,
+                                        kind.height_mm,
+                                        kind.levels,
+                                        kind.base_mm,
+                                        350,
+                                        kind.double_sided ? 2 : 1);
   shape.material = kind.material;
   shape.color = kind.color;
   if (!kind.accent.empty()) shape.accent = kind.accent;
@@ -234,10 +234,11 @@ inline FixtureShape shape_of(const FixtureKind& kind) {
 }
 
 // The model of a shape that must be buildable.
-inline FixtureModel made(const FixtureShape& shape, const Catalog& catalog) {
-  const Result<FixtureModel> model = make_fixture_model(shape, catalog);
+inline assets::FixtureModel made(const assets::FixtureShape& shape,
+                                 const catalog::Catalog& catalog) {
+  const Result<assets::FixtureModel> model = assets::make_fixture_model(shape, catalog);
   EXPECT_TRUE(model.ok()) << text_of(shape) << ": " << to_string(model.error());
-  return model.ok() ? *model : FixtureModel{};
+  return model.ok() ? *model : assets::FixtureModel{};
 }
 
 }  // namespace marketgen

@@ -12,28 +12,28 @@
 namespace marketgen {
 namespace {
 
-std::size_t count_units(const FixtureModel& model, UnitKind unit) {
+std::size_t count_units(const assets::FixtureModel& model, assets::UnitKind unit) {
   return static_cast<std::size_t>(
-      std::count_if(model.parts.begin(), model.parts.end(), [&](const FixturePart& part) {
+      std::count_if(model.parts.begin(), model.parts.end(), [&](const assets::FixturePart& part) {
         return part.unit == unit;
       }));
 }
 
 TEST(Fixtures, SidePanelsStandOnlyAtTheRunsEnds) {
-  const Catalog catalog = small_catalog();
-  FixtureShape shape = shape_of("gondola", 1250, 940, 1800, 5, 150, 350, 2);
-  EXPECT_EQ(count_units(made(shape, catalog), UnitKind::side_panel), 2U);
+  const catalog::Catalog catalog = small_catalog();
+  assets::FixtureShape shape = shape_of("gondola", 1250, 940, 1800, 5, 150, 350, 2);
+  EXPECT_EQ(count_units(made(shape, catalog), assets::UnitKind::side_panel), 2U);
   shape.end = false;
-  EXPECT_EQ(count_units(made(shape, catalog), UnitKind::side_panel), 1U);
+  EXPECT_EQ(count_units(made(shape, catalog), assets::UnitKind::side_panel), 1U);
   shape.start = false;
-  EXPECT_EQ(count_units(made(shape, catalog), UnitKind::side_panel), 0U);
+  EXPECT_EQ(count_units(made(shape, catalog), assets::UnitKind::side_panel), 0U);
 }
 
 TEST(Fixtures, GondolaStandsWhereItsNumbersSay) {
-  const FixtureModel model =
+  const assets::FixtureModel model =
       made(shape_of("gondola", 1250, 940, 1800, 4, 150, 350, 2), small_catalog());
   ASSERT_EQ(model.shelves.size(), 8U);
-  const ShelfSurface& second = model.shelves[1];
+  const assets::ShelfSurface& second = model.shelves[1];
   EXPECT_EQ(second.level, 1);
   EXPECT_EQ(second.side, 0);
   EXPECT_NEAR(second.fixture_from_shelf.position.y, -0.470 + 0.006, 1e-12);  // behind its rail
@@ -42,28 +42,29 @@ TEST(Fixtures, GondolaStandsWhereItsNumbersSay) {
   EXPECT_NEAR(second.depth_m, 0.470 - 0.006 - 0.020, 1e-12);      // half a 40 mm spine
   EXPECT_NEAR(second.clearance_m, 0.350 - 0.025 - 0.003, 1e-12);  // board and slack
   EXPECT_NEAR(model.shelves[3].clearance_m, 0.350, 1e-12);        // open top
-  const ShelfSurface& behind = model.shelves[5];
+  const assets::ShelfSurface& behind = model.shelves[5];
   EXPECT_EQ(behind.side, 1);
   EXPECT_NEAR(behind.fixture_from_shelf.position.y, 0.470 - 0.006, 1e-12);
   EXPECT_EQ(behind.fixture_from_shelf.rotation, yaw_from_quarter_turns(2));
 }
 
 TEST(Fixtures, LevelsThatDoNotFitShareTheHeight) {
-  const FixtureModel model =
+  const assets::FixtureModel model =
       made(shape_of("gondola", 1250, 500, 1800, 5, 150, 350, 1), small_catalog());
   ASSERT_EQ(model.shelves.size(), 5U);  // (1800 - 150) / 5 = 330 apart instead of 350
   EXPECT_NEAR(model.shelves[4].fixture_from_shelf.position.z, 0.150 + 4 * 0.330, 1e-12);
 }
 
 TEST(Fixtures, AnotherLevelAddsOneBoardAndOneRailASide) {
-  const Catalog catalog = small_catalog();
-  FixtureShape shape = shape_of("gondola", 1250, 940, 2000, 4, 150, 300, 2);
-  const FixtureModel before = made(shape, catalog);
+  const catalog::Catalog catalog = small_catalog();
+  assets::FixtureShape shape = shape_of("gondola", 1250, 940, 2000, 4, 150, 300, 2);
+  const assets::FixtureModel before = made(shape, catalog);
   shape.levels = 5;
-  const FixtureModel after = made(shape, catalog);
-  EXPECT_EQ(count_units(after, UnitKind::board), count_units(before, UnitKind::board) + 2);
-  EXPECT_EQ(count_units(after, UnitKind::price_rail),
-            count_units(before, UnitKind::price_rail) + 2);
+  const assets::FixtureModel after = made(shape, catalog);
+  EXPECT_EQ(count_units(after, assets::UnitKind::board),
+            count_units(before, assets::UnitKind::board) + 2);
+  EXPECT_EQ(count_units(after, assets::UnitKind::price_rail),
+            count_units(before, assets::UnitKind::price_rail) + 2);
   EXPECT_EQ(after.parts.size(), before.parts.size() + 4);
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(after.shelves[i].fixture_from_shelf.position,
@@ -72,11 +73,11 @@ TEST(Fixtures, AnotherLevelAddsOneBoardAndOneRailASide) {
 }
 
 TEST(Fixtures, HeightLeavesTheBoardsWhereTheyAre) {
-  const Catalog catalog = small_catalog();
-  FixtureShape shape = shape_of("gondola", 1250, 940, 1900, 5, 150, 350, 2);
-  const FixtureModel low = made(shape, catalog);
+  const catalog::Catalog catalog = small_catalog();
+  assets::FixtureShape shape = shape_of("gondola", 1250, 940, 1900, 5, 150, 350, 2);
+  const assets::FixtureModel low = made(shape, catalog);
   shape.height_mm = 2200;
-  const FixtureModel high = made(shape, catalog);
+  const assets::FixtureModel high = made(shape, catalog);
   ASSERT_EQ(low.shelves.size(), high.shelves.size());
   for (std::size_t i = 0; i < low.shelves.size(); ++i) {
     EXPECT_EQ(low.shelves[i].fixture_from_shelf.position,
@@ -86,11 +87,11 @@ TEST(Fixtures, HeightLeavesTheBoardsWhereTheyAre) {
 }
 
 TEST(Fixtures, DepthGoesToTheShelvesAlone) {
-  const Catalog catalog = small_catalog();
-  FixtureShape shape = shape_of("multideck", 1250, 900, 2000, 4, 350, 350, 1);
-  const FixtureModel shallow = made(shape, catalog);
+  const catalog::Catalog catalog = small_catalog();
+  assets::FixtureShape shape = shape_of("multideck", 1250, 900, 2000, 4, 350, 350, 1);
+  const assets::FixtureModel shallow = made(shape, catalog);
   shape.depth_mm = 1000;
-  const FixtureModel deep = made(shape, catalog);
+  const assets::FixtureModel deep = made(shape, catalog);
   ASSERT_EQ(shallow.parts.size(), deep.parts.size());
   for (std::size_t i = 0; i < shallow.shelves.size(); ++i) {
     EXPECT_NEAR(deep.shelves[i].depth_m - shallow.shelves[i].depth_m, 0.1, 1e-9);
@@ -100,36 +101,41 @@ TEST(Fixtures, DepthGoesToTheShelvesAlone) {
 }
 
 TEST(Fixtures, ACoolerHasOnePaneForEveryDoorAndAHandleOnEach) {
-  const Catalog catalog = small_catalog();
+  const catalog::Catalog catalog = small_catalog();
   for (const auto& [width, doors] : {std::pair{700, 1U}, {1250, 2U}, {1500, 2U}, {2100, 3U}}) {
-    const FixtureModel model =
+    const assets::FixtureModel model =
         made(shape_of("glass_door_cooler", width, 710, 2200, 5, 250, 350, 1), catalog);
     std::size_t panes = 0;
-    for (const FixturePart& part : model.parts) {
-      panes += part.unit == UnitKind::door && part.surface.kind == SurfaceKind::glass ? 1 : 0;
+    for (const assets::FixturePart& part : model.parts) {
+      panes +=
+          part.unit == assets::UnitKind::door && part.surface.kind == assets::SurfaceKind::glass
+              ? 1
+              : 0;
     }
     EXPECT_EQ(panes, doors) << width;
-    EXPECT_EQ(count_units(model, UnitKind::handle), 3 * doors) << width;  // a bar on two brackets
+    EXPECT_EQ(count_units(model, assets::UnitKind::handle), 3 * doors)
+        << width;  // a bar on two brackets
   }
 }
 
 TEST(Fixtures, CabinetsAndLanesAreLit) {
-  const Catalog catalog = small_catalog();
-  for (const FixtureShape& shape : table()) {
+  const catalog::Catalog catalog = small_catalog();
+  for (const assets::FixtureShape& shape : table()) {
     if (shape.generator != "multideck" && shape.generator != "glass_door_cooler") continue;
-    const FixtureModel model = made(shape, catalog);
-    EXPECT_GE(count_units(model, UnitKind::light), 1U) << text_of(shape);
-    for (const FixturePart& part : model.parts) {
-      EXPECT_EQ(part.unit == UnitKind::light, part.surface.kind == SurfaceKind::emissive);
+    const assets::FixtureModel model = made(shape, catalog);
+    EXPECT_GE(count_units(model, assets::UnitKind::light), 1U) << text_of(shape);
+    for (const assets::FixturePart& part : model.parts) {
+      EXPECT_EQ(part.unit == assets::UnitKind::light,
+                part.surface.kind == assets::SurfaceKind::emissive);
     }
   }
 }
 
 TEST(Fixtures, MaterialAndColoursComeFromTheShape) {
-  const Catalog catalog = small_catalog();
-  FixtureShape shape = shape_of("pillar", 500, 500, 2600, 0, 0, 0, 1);
+  const catalog::Catalog catalog = small_catalog();
+  assets::FixtureShape shape = shape_of("pillar", 500, 500, 2600, 0, 0, 0, 1);
   shape.color = "#ff0000";
-  const Surface painted = made(shape, catalog).parts.front().surface;
+  const assets::Surface painted = made(shape, catalog).parts.front().surface;
   EXPECT_EQ(painted.color, (Vec3f{1, 0, 0}));
   EXPECT_EQ(painted.texture, "");
   EXPECT_FLOAT_EQ(painted.roughness, 0.4F);
@@ -138,15 +144,15 @@ TEST(Fixtures, MaterialAndColoursComeFromTheShape) {
 }
 
 TEST(Fixtures, BadShapesAreErrorsThatSayWhatToDo) {
-  const Catalog catalog = small_catalog();
-  const auto error_of = [&](const FixtureShape& shape) {
-    const Result<FixtureModel> model = make_fixture_model(shape, catalog);
+  const catalog::Catalog catalog = small_catalog();
+  const auto error_of = [&](const assets::FixtureShape& shape) {
+    const Result<assets::FixtureModel> model = assets::make_fixture_model(shape, catalog);
     EXPECT_FALSE(model.ok()) << text_of(shape);
     return model.ok() ? Error{} : model.error();
   };
-  const FixtureShape good = shape_of("gondola", 1250, 940, 1800, 5, 150, 350, 2);
+  const assets::FixtureShape good = shape_of("gondola", 1250, 940, 1800, 5, 150, 350, 2);
 
-  FixtureShape shape = good;
+  assets::FixtureShape shape = good;
   shape.generator = "gondolla";
   EXPECT_EQ(error_of(shape).code, "catalog.unknown_kind");
   EXPECT_NE(error_of(shape).message.find("\"gondola\""), std::string::npos);
@@ -180,17 +186,17 @@ TEST(Fixtures, BadShapesAreErrorsThatSayWhatToDo) {
 }
 
 TEST(Fixtures, PartMeshesAreClosedAndAsLargeAsTheirParts) {
-  const Catalog catalog = small_catalog();
-  for (const FixtureShape& shape : table()) {
-    for (const FixturePart& part : made(shape, catalog).parts) {
+  const catalog::Catalog catalog = small_catalog();
+  for (const assets::FixtureShape& shape : table()) {
+    for (const assets::FixturePart& part : made(shape, catalog).parts) {
       Mesh mesh;
-      add_part_mesh(mesh, part, 7);
+      assets::add_part_mesh(mesh, part, 7);
       ASSERT_TRUE(is_watertight(mesh)) << text_of(shape);
       const Vec3f half = part.half_size;
       const double box = 8.0 * double(half.x) * double(half.y) * double(half.z);
       // A cylinder of 24 sides fills 24/2 sin(2 pi/24) / 4 of its box; bevels take a little of
       // either.
-      const double full = part.shape == PartShape::box ? box : box * 0.776457;
+      const double full = part.shape == assets::PartShape::box ? box : box * 0.776457;
       EXPECT_NEAR(volume_of(mesh) / full, 1.0, 0.06) << name_of(part.unit);
       const OrientedBox bounds = oriented_box(part);
       for (const Vec3f& p : mesh.positions)
@@ -202,10 +208,10 @@ TEST(Fixtures, PartMeshesAreClosedAndAsLargeAsTheirParts) {
 }
 
 TEST(Fixtures, TextureCoordinatesAreMetres) {
-  FixturePart board;
+  assets::FixturePart board;
   board.half_size = {0.6F, 0.25F, 0.0125F};
   Mesh mesh;
-  add_part_mesh(mesh, board, 0);
+  assets::add_part_mesh(mesh, board, 0);
   // Any triangle without bevel: as long in UV as in space.
   double stretch_sum = 0;
   for (const auto& t : mesh.triangles) {

@@ -11,10 +11,10 @@ namespace marketgen {
 namespace {
 
 TEST(Fonts, OurFamiliesAndNoOthers) {
-  EXPECT_TRUE(missing_fonts().empty());
-  const FcFontSet* machine = FcConfigGetFonts(font_config(), FcSetSystem);
+  EXPECT_TRUE(assets::missing_fonts().empty());
+  const FcFontSet* machine = FcConfigGetFonts(assets::font_config(), FcSetSystem);
   EXPECT_TRUE(machine == nullptr || machine->nfont == 0);
-  const FcFontSet* fonts = FcConfigGetFonts(font_config(), FcSetApplication);
+  const FcFontSet* fonts = FcConfigGetFonts(assets::font_config(), FcSetApplication);
   ASSERT_NE(fonts, nullptr);
   std::set<std::string> families;
   for (int i = 0; i < fonts->nfont; ++i) {

@@ -26,8 +26,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const AssetDatabase& database() {
-  static const auto made = AssetDatabase::build(committed_catalog());
+const catalog::AssetDatabase& database() {
+  static const auto made = catalog::AssetDatabase::build(committed_catalog());
   return made.value();
 }
 
@@ -36,22 +36,23 @@ class Import : public testing::Test {
   void SetUp() override { setenv("MARKETGEN_CACHE", (scratch_.path() / "cache").c_str(), 1); }
   void TearDown() override { unsetenv("MARKETGEN_CACHE"); }
 
-  Result<ImportedAsset> import(const std::string& name,
-                               const std::string& bytes,
-                               ImportOptions options = {}) const {
+  Result<assets::ImportedAsset> import(const std::string& name,
+                                       const std::string& bytes,
+                                       assets::ImportOptions options = {}) const {
     options.coacd = false;
     std::ofstream(scratch_.path() / name, std::ios::binary) << bytes;
-    return import_asset(scratch_.path() / name,
-                        options,
-                        committed_catalog(),
-                        offline_annotator(committed_catalog(), database()));
+    return assets::import_asset(scratch_.path() / name,
+                                options,
+                                committed_catalog(),
+                                assets::offline_annotator(committed_catalog(), database()));
   }
   // Imports, writes, and loads it as `--catalog` does.
-  Result<Product> imported_product(const std::string& name, const std::string& bytes) const {
-    MARKETGEN_TRY(const ImportedAsset asset, import(name, bytes));
-    MARKETGEN_CHECK(write_asset(asset, scratch_.path() / "library"));
-    MARKETGEN_TRY(const std::vector<Product> read,
-                  read_user_products(scratch_.path() / "library/asset.json"));
+  Result<catalog::Product> imported_product(const std::string& name,
+                                            const std::string& bytes) const {
+    MARKETGEN_TRY(const assets::ImportedAsset asset, import(name, bytes));
+    MARKETGEN_CHECK(assets::write_asset(asset, scratch_.path() / "library"));
+    MARKETGEN_TRY(const std::vector<catalog::Product> read,
+                  catalog::read_user_products(scratch_.path() / "library/asset.json"));
     return read.at(0);
   }
   ScratchFolder scratch_;
@@ -67,7 +68,7 @@ std::string painted_box() {
       picture.at(x, y)[2] = 16;
     }
   }
-  const std::string png = encode_png(picture).value();
+  const std::string png = io::encode_png(picture).value();
   std::string uvs = raw_bytes<float>({0, 1, 1, 1, 0, 0, 1, 0, 0, 1, 1, 1, 0, 0, 1, 0});
   std::string glb = box_glb(0.08F,
                             0.15F,
@@ -97,7 +98,7 @@ std::string painted_box() {
 TEST_F(Import, MeasuresNamesAndPixelsBecomeAnAsset) {
   const auto asset = import("GreenTea_box.glb", painted_box());
   ASSERT_TRUE(asset.ok()) << to_string(asset.error());
-  const AssetFile& file = asset->file;
+  const catalog::AssetFile& file = asset->file;
   EXPECT_EQ(file.product.size_mm, (std::array<int, 3>{80, 60, 150}));
   EXPECT_EQ(file.product.name, "Green tea box");
   EXPECT_EQ(file.product.category, "dry_goods");
@@ -105,8 +106,8 @@ TEST_F(Import, MeasuresNamesAndPixelsBecomeAnAsset) {
   EXPECT_EQ(file.product.material, "cardboard");  // the material's name says so
   EXPECT_EQ(file.annotation.archetype, "box");
   EXPECT_EQ(file.annotation.annotator, "offline");
-  EXPECT_TRUE(is_ean13(file.product.ean)) << file.product.ean;
-  EXPECT_TRUE(is_restricted_circulation(file.product.ean));
+  EXPECT_TRUE(catalog::is_ean13(file.product.ean)) << file.product.ean;
+  EXPECT_TRUE(catalog::is_restricted_circulation(file.product.ean));
   EXPECT_TRUE(file.source.watertight);
   EXPECT_EQ(file.source.open_edges, 0);
   EXPECT_EQ(file.source.triangles, 12);
@@ -128,7 +129,7 @@ TEST_F(Import, MeasuresNamesAndPixelsBecomeAnAsset) {
 // one that contradicts the size before anything is written.
 TEST_F(Import, AMassThatNoRowMayHave) {
   for (const double mass_kg : {1e308, 50.001, 1e-7, 0.0, -1.0}) {
-    ImportOptions options;
+    assets::ImportOptions options;
     options.mass_kg = mass_kg;
     const auto asset = import("box.glb", painted_box(), options);
     ASSERT_FALSE(asset.ok()) << mass_kg;
@@ -136,7 +137,7 @@ TEST_F(Import, AMassThatNoRowMayHave) {
     EXPECT_EQ(asset.error().where, "--mass-kg");
     EXPECT_NE(asset.error().message.find("0.001 to 50 kg"), std::string::npos);
   }
-  ImportOptions options;
+  assets::ImportOptions options;
   options.mass_kg = 40;  // 0.7 litres
   const auto heavy = import("box.glb", painted_box(), options);
   ASSERT_FALSE(heavy.ok());
@@ -149,7 +150,7 @@ TEST_F(Import, AMassThatNoRowMayHave) {
 TEST_F(Import, TheAssetIsAProductLikeAnyOther) {
   const auto product = imported_product("green tea.glb", painted_box());
   ASSERT_TRUE(product.ok()) << to_string(product.error());
-  const auto model = make_product_model(*product);
+  const auto model = assets::make_product_model(*product);
   ASSERT_TRUE(model.ok()) << to_string(model.error());
   const Bounds3 bounds = bounds_of(model->mesh);
   EXPECT_NEAR(bounds.size().x, 0.08, 1e-5);
@@ -158,37 +159,37 @@ TEST_F(Import, TheAssetIsAProductLikeAnyOther) {
   EXPECT_NEAR(bounds.low.z, 0, 1e-6);
   EXPECT_TRUE(is_watertight(model->mesh));
   EXPECT_EQ(model->surfaces.at(model->mesh.surfaces[0]).texture, "label");
-  const auto picture = draw_label(*product, 64);
+  const auto picture = assets::draw_label(*product, 64);
   ASSERT_TRUE(picture.ok()) << to_string(picture.error());
   EXPECT_EQ(picture->at(0, 0)[0], 200);
 
-  const auto body = make_product_body(*product);
+  const auto body = assets::make_product_body(*product);
   ASSERT_TRUE(body.ok()) << to_string(body.error());
   EXPECT_NEAR(body->center_of_mass.z, 0.075, 1e-4);
   const double m = product->mass_kg;  // a box: m (b2 + c2) / 12
   EXPECT_NEAR(body->inertia_kg_m2[0] / (m * (0.06 * 0.06 + 0.15 * 0.15) / 12), 1, 0.01);
   EXPECT_NEAR(body->inertia_kg_m2[2] / (m * (0.08 * 0.08 + 0.06 * 0.06) / 12), 1, 0.01);
   ASSERT_EQ(body->pieces.size(), 1U);
-  EXPECT_EQ(body->pieces[0].shape, PieceShape::hull);
+  EXPECT_EQ(body->pieces[0].shape, assets::PieceShape::hull);
 }
 
 TEST_F(Import, FrontIsTheSideThatFacesPlusZ) {  // glTF: +Z to the viewer; ours: -Y to the shopper
-  OutsideModel wedge;                           // a roof whose ridge lies towards +Z
+  io::OutsideModel wedge;                       // a roof whose ridge lies towards +Z
   std::ofstream(scratch_.path() / "wedge.obj")
       << "v -0.05 0 -0.05\nv 0.05 0 -0.05\nv 0.05 0 0.05\nv -0.05 0 0.05\nv -0.05 0.1 0.05\n"
          "v 0.05 0.1 0.05\nf 1 2 3 4\nf 3 6 5 4\nf 1 5 6 2\nf 1 4 5\nf 2 6 3\n";
   const auto asset = import("wedge.obj", contents_of(scratch_.path() / "wedge.obj"), [] {
-    ImportOptions options;
+    assets::ImportOptions options;
     options.category = "bakery";
     options.mass_kg = 0.4;
     return options;
   }());
   ASSERT_TRUE(asset.ok()) << to_string(asset.error());
-  ASSERT_TRUE(write_asset(*asset, scratch_.path() / "wedge").ok());
-  const auto product = read_user_products(scratch_.path() / "wedge/asset.json");
+  ASSERT_TRUE(assets::write_asset(*asset, scratch_.path() / "wedge").ok());
+  const auto product = catalog::read_user_products(scratch_.path() / "wedge/asset.json");
   ASSERT_TRUE(product.ok()) << to_string(product.error());
   EXPECT_DOUBLE_EQ(product->at(0).mass_kg, 0.4);
-  EXPECT_LT(make_product_body(product->at(0))->center_of_mass.y, -0.01);
+  EXPECT_LT(assets::make_product_body(product->at(0))->center_of_mass.y, -0.01);
 }
 
 TEST_F(Import, WrongUnitSaysWhichFits) {
@@ -201,16 +202,16 @@ TEST_F(Import, WrongUnitSaysWhichFits) {
   refused(80, 150, 60, "--unit mm");
   refused(8, 15, 6, "--unit cm");
   refused(0.08F, 0.15F, 0.0001F, "5 mm to 1.5 m");
-  ImportOptions options;
-  options.unit = LengthUnit::mm;
+  assets::ImportOptions options;
+  options.unit = catalog::LengthUnit::mm;
   const auto asset = import("tea.glb", box_glb(80, 150, 60), options);
   ASSERT_TRUE(asset.ok()) << to_string(asset.error());
   EXPECT_EQ(asset->file.product.size_mm, (std::array<int, 3>{80, 60, 150}));
 }
 
 TEST_F(Import, ZUpIsTurned) {
-  ImportOptions options;
-  options.up = UpAxis::z;
+  assets::ImportOptions options;
+  options.up = assets::UpAxis::z;
   const auto asset = import("tea.glb", box_glb(0.08F, 0.06F, 0.15F), options);
   ASSERT_TRUE(asset.ok()) << to_string(asset.error());
   EXPECT_EQ(asset->file.product.size_mm, (std::array<int, 3>{80, 60, 150}));
@@ -233,7 +234,7 @@ TEST_F(Import, NamesThatSayNothingNeedACategory) {
   ASSERT_FALSE(asset.ok());
   EXPECT_EQ(asset.error().code, "catalog.unknown_kind");
   EXPECT_NE(asset.error().message.find("--category"), std::string::npos);
-  ImportOptions options;
+  assets::ImportOptions options;
   options.category = "snaks";
   EXPECT_NE(import("x.glb", box_glb(0.1F, 0.1F, 0.1F), options).error().message.find("\"snacks\""),
             std::string::npos);
@@ -241,20 +242,22 @@ TEST_F(Import, NamesThatSayNothingNeedACategory) {
 
 TEST_F(Import, AnyAnnotatorCanBePluggedIn) {
   std::ofstream(scratch_.path() / "x.glb", std::ios::binary) << painted_box();
-  ImportOptions options;
+  assets::ImportOptions options;
   options.coacd = false;
-  const AssetAnnotator oracle = [](const AssetEvidence& evidence) -> Result<AssetAnnotation> {
+  const assets::AssetAnnotator oracle =
+      [](const assets::AssetEvidence& evidence) -> Result<catalog::AssetAnnotation> {
     EXPECT_EQ(evidence.file_name, "x.glb");
     EXPECT_EQ(evidence.size_mm, (std::array<int, 3>{80, 60, 150}));
     EXPECT_EQ(evidence.pictures->size(), 1U);
-    AssetAnnotation said;
+    catalog::AssetAnnotation said;
     said.annotator = "oracle";
     said.name = "Rice";
     said.category = "dry_goods";
     said.subcategory = "rice";
     return said;
   };
-  const auto asset = import_asset(scratch_.path() / "x.glb", options, committed_catalog(), oracle);
+  const auto asset =
+      assets::import_asset(scratch_.path() / "x.glb", options, committed_catalog(), oracle);
   ASSERT_TRUE(asset.ok());
   EXPECT_EQ(asset->file.product.subcategory, "rice");
 }
@@ -262,18 +265,18 @@ TEST_F(Import, AnyAnnotatorCanBePluggedIn) {
 TEST_F(Import, TheFileIsItsOwnSchema) {
   const auto asset = import("green tea.glb", painted_box());
   ASSERT_TRUE(asset.ok());
-  const std::string text = write_json(asset->file);
-  const auto read = read_json<AssetFile>(text, "asset.json");
+  const std::string text = io::write_json(asset->file);
+  const auto read = io::read_json<catalog::AssetFile>(text, "asset.json");
   ASSERT_TRUE(read.ok()) << to_string(read.error());
-  EXPECT_EQ(write_json(*read), text);
+  EXPECT_EQ(io::write_json(*read), text);
   EXPECT_EQ(import("green tea.glb", painted_box())->model, asset->model);  // the same bytes again
 }
 
 TEST(AssetNames, WordsOfNames) {
   using Words = std::vector<std::string>;
-  EXPECT_EQ(words_of_names({"TomatoSoup_can.001"}), (Words{"tomato", "soup", "can"}));
-  EXPECT_EQ(words_of_names({"Mesh_0", "lambert1SG", "default"}), (Words{"sg"}));
-  EXPECT_EQ(words_of_names({"glass jar", "Jar"}), (Words{"glass", "jar"}));
+  EXPECT_EQ(assets::words_of_names({"TomatoSoup_can.001"}), (Words{"tomato", "soup", "can"}));
+  EXPECT_EQ(assets::words_of_names({"Mesh_0", "lambert1SG", "default"}), (Words{"sg"}));
+  EXPECT_EQ(assets::words_of_names({"glass jar", "Jar"}), (Words{"glass", "jar"}));
 }
 
 TEST(OuterHull, OfABoxAndABall) {
@@ -281,18 +284,18 @@ TEST(OuterHull, OfABoxAndABall) {
   for (int i = 0; i < 8; ++i)
     box.push_back(
         {(i & 1) != 0 ? 0.1F : 0.0F, (i & 2) != 0 ? 0.2F : 0.0F, (i & 4) != 0 ? 0.3F : 0.0F});
-  EXPECT_NEAR(volume_of(outer_hull(box)), 0.006, 1e-6);
+  EXPECT_NEAR(volume_of(assets::outer_hull(box)), 0.006, 1e-6);
   for (int i = 0; i < 5000; ++i) {  // a golden spiral over the unit sphere
     const double z = 1 - (2.0 * i + 1) / 5000, r = std::sqrt(1 - z * z), a = 2.399963 * i;
     ball.push_back(to_float(Vec3{r * std::cos(a), r * std::sin(a), z}));
   }
-  EXPECT_NEAR(volume_of(outer_hull(ball)) / (4.0 / 3 * 3.14159265), 0.985, 0.015);
-  EXPECT_TRUE(outer_hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}).triangles.empty());
+  EXPECT_NEAR(volume_of(assets::outer_hull(ball)) / (4.0 / 3 * 3.14159265), 0.985, 0.015);
+  EXPECT_TRUE(assets::outer_hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}).triangles.empty());
 }
 
 // An L of two arms: no convex shape; CoACD gives two pieces that fill it.
 TEST(ConvexPieces, OfAnLAreItsArms) {
-  if (const auto coacd = worker_part("coacd"); !coacd.ok())
+  if (const auto coacd = io::worker_part("coacd"); !coacd.ok())
     GTEST_SKIP() << to_string(coacd.error());
   const std::vector<Vec2f> outline{
       {0, 0}, {0.1F, 0}, {0.1F, 0.03F}, {0.03F, 0.03F}, {0.03F, 0.1F}, {0, 0.1F}};
@@ -310,14 +313,14 @@ TEST(ConvexPieces, OfAnLAreItsArms) {
     mesh.add_triangle(0, i + 1, i, 0);
     mesh.add_triangle(6, 6 + i, 6 + i + 1, 0);
   }
-  const auto pieces = convex_pieces(mesh);
+  const auto pieces = assets::convex_pieces(mesh);
   ASSERT_TRUE(pieces.ok()) << to_string(pieces.error());
   ASSERT_EQ(pieces->size(), 2U);
   double volume = 0;
   for (const std::vector<Vec3f>& piece : *pieces)
-    volume += volume_of(outer_hull(piece));
+    volume += volume_of(assets::outer_hull(piece));
   EXPECT_NEAR(volume / (0.05 * (0.1 * 0.03 + 0.03 * 0.07)), 1, 0.03);
-  EXPECT_EQ(*convex_pieces(mesh), *pieces);
+  EXPECT_EQ(*assets::convex_pieces(mesh), *pieces);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@
 namespace marketgen {
 namespace {
 
-constexpr Color magenta = rgb("#ff00ff");
+constexpr assets::Color magenta = assets::rgb("#ff00ff");
 
 bool is_magenta(const std::uint8_t* pixel) {
   return pixel[0] == 255 && pixel[1] == 0 && pixel[2] == 255;
@@ -25,7 +25,7 @@ bool is_magenta(const std::uint8_t* pixel) {
 struct Touched {
   int inside = 0, outside = 0;
 };
-Touched touched(const Canvas& canvas, const Area& area) {
+Touched touched(const assets::Canvas& canvas, const assets::Area& area) {
   const Image image = canvas.image();
   Touched count;
   for (int y = 0; y < image.height; ++y) {
@@ -39,22 +39,32 @@ Touched touched(const Canvas& canvas, const Area& area) {
 }
 
 TEST(PaintColor, ReadsHexAndMeasuresContrast) {
-  EXPECT_EQ(parse_color("#ff8000", "x")->r, 1.0);
-  EXPECT_NEAR(parse_color("#ff8000", "x")->g, 128 / 255.0, 1e-12);
-  EXPECT_EQ(parse_color("#ff80", "row/color").error().where, "row/color");
-  EXPECT_NEAR(
-      contrast(rgb("#000000"), rgb("#ffffff")), 21.0, 1e-9);  // WCAG 2.1: the largest there is
-  EXPECT_EQ(readable_on(rgb("#ffffff"), rgb("#000000")), rgb("#000000"));
-  EXPECT_GE(contrast(rgb("#f7e13a"), readable_on(rgb("#f7e13a"), rgb("#ffffff"))), 3.0);
+  EXPECT_EQ(assets::parse_color("#ff8000", "x")->r, 1.0);
+  EXPECT_NEAR(assets::parse_color("#ff8000", "x")->g, 128 / 255.0, 1e-12);
+  EXPECT_EQ(assets::parse_color("#ff80", "row/color").error().where, "row/color");
+  EXPECT_NEAR(assets::contrast(assets::rgb("#000000"), assets::rgb("#ffffff")),
+              21.0,
+              1e-9);  // WCAG 2.1: the largest there is
+  EXPECT_EQ(assets::readable_on(assets::rgb("#ffffff"), assets::rgb("#000000")),
+            assets::rgb("#000000"));
+  EXPECT_GE(assets::contrast(assets::rgb("#f7e13a"),
+                             assets::readable_on(assets::rgb("#f7e13a"), assets::rgb("#ffffff"))),
+            3.0);
 }
 
 TEST(Lettering, HeadlineStaysInItsAreaAndFillsIt) {
-  const Area area{30, 40, 200, 60};
+  const assets::Area area{30, 40, 200, 60};
   for (const std::string text :
        {"Cola", "Wholegrain Sunflower Seed Bread", "\u00c4\u00d6\u00dc \u017b\u00f3\u0142w"}) {
-    Canvas canvas(260, 140, magenta);
-    draw_headline(canvas,
-                  {text, {"Lato", 800}, print_ink, area, Align::center, VerticalAlign::middle, 2});
+    assets::Canvas canvas(260, 140, magenta);
+    assets::draw_headline(canvas,
+                          {text,
+                           {"Lato", 800},
+                           assets::print_ink,
+                           area,
+                           assets::Align::center,
+                           assets::VerticalAlign::middle,
+                           2});
     const Touched count = touched(canvas, {area.x - 3, area.y - 3, area.w + 6, area.h + 6});
     EXPECT_GT(count.inside, 400) << text;
     EXPECT_EQ(count.outside, 0) << text;
@@ -62,35 +72,39 @@ TEST(Lettering, HeadlineStaysInItsAreaAndFillsIt) {
 }
 
 TEST(Lettering, BreaksBetweenWordsWhenThatMakesTypeLarger) {
-  const Headline headline{"Wholegrain Bread",
-                          {"Lato", 800},
-                          print_ink,
-                          {0, 0, 100, 100},
-                          Align::center,
-                          VerticalAlign::middle,
-                          2};
-  EXPECT_EQ(fit_headline(headline).lines, 2);
-  Headline narrow = headline;
+  const assets::Headline headline{"Wholegrain Bread",
+                                  {"Lato", 800},
+                                  assets::print_ink,
+                                  {0, 0, 100, 100},
+                                  assets::Align::center,
+                                  assets::VerticalAlign::middle,
+                                  2};
+  EXPECT_EQ(assets::fit_headline(headline).lines, 2);
+  assets::Headline narrow = headline;
   narrow.area = {0, 0, 400, 20};
-  EXPECT_EQ(fit_headline(narrow).lines, 1);
-  EXPECT_LE(fit_headline(headline).width, 100.0 + 1e-9);
-  EXPECT_EQ(fit_headline({"", {}, print_ink, {0, 0, 9, 9}}).lines, 0);
+  EXPECT_EQ(assets::fit_headline(narrow).lines, 1);
+  EXPECT_LE(assets::fit_headline(headline).width, 100.0 + 1e-9);
+  EXPECT_EQ(assets::fit_headline({"", {}, assets::print_ink, {0, 0, 9, 9}}).lines, 0);
 }
 
 TEST(Lettering, SizeDoesNotDependOnResolution) {  // hinting would change it
-  const Headline headline{"Orange Juice", {"Open Sans", 700}, print_ink, {0, 0, 30, 10}};
-  const double size = fit_headline(headline).size;
-  Headline large = headline;
+  const assets::Headline headline{
+      "Orange Juice", {"Open Sans", 700}, assets::print_ink, {0, 0, 30, 10}};
+  const double size = assets::fit_headline(headline).size;
+  assets::Headline large = headline;
   large.area = {0, 0, 3000, 1000};
-  EXPECT_NEAR(fit_headline(large).size, 100 * size, 1e-6 * size * 100);
+  EXPECT_NEAR(assets::fit_headline(large).size, 100 * size, 1e-6 * size * 100);
 }
 
 TEST(LabelMotif, EveryOneDrawsAndKeepsToItsSquare) {
-  ASSERT_EQ(label_motifs().size(), 121U);
-  const Area square{20, 20, 160, 160};
-  for (const LabelMotif& motif : label_motifs()) {
-    Canvas canvas(200, 200, magenta);
-    draw_motif(canvas, motif, {rgb("#1f5fa8"), rgb("#ffffff"), rgb("#e63946")}, square);
+  ASSERT_EQ(assets::label_motifs().size(), 121U);
+  const assets::Area square{20, 20, 160, 160};
+  for (const assets::LabelMotif& motif : assets::label_motifs()) {
+    assets::Canvas canvas(200, 200, magenta);
+    assets::draw_motif(canvas,
+                       motif,
+                       {assets::rgb("#1f5fa8"), assets::rgb("#ffffff"), assets::rgb("#e63946")},
+                       square);
     const Touched count = touched(canvas, square);
     EXPECT_GT(count.inside, 160 * 160 / 10) << motif.name;
     EXPECT_LT(count.outside, 160 * 160 / 50) << motif.name;  // a leaf's tip may stand out
@@ -99,23 +113,23 @@ TEST(LabelMotif, EveryOneDrawsAndKeepsToItsSquare) {
 
 TEST(LabelMotif, NamesAreUniqueAndTheNearestIsOffered) {
   std::set<std::string_view> names;
-  for (const LabelMotif& motif : label_motifs())
+  for (const assets::LabelMotif& motif : assets::label_motifs())
     EXPECT_TRUE(names.insert(motif.name).second) << motif.name;
-  EXPECT_TRUE(find_motif("coffee_bean", "x").ok());
-  EXPECT_NE(find_motif("coffee_been", "x").error().message.find("\"coffee_bean\""),
+  EXPECT_TRUE(assets::find_motif("coffee_bean", "x").ok());
+  EXPECT_NE(assets::find_motif("coffee_been", "x").error().message.find("\"coffee_bean\""),
             std::string::npos);
 }
 
 TEST(BrandMark, EveryShapeDrawsInsideItsArea) {
-  const Area area{20, 20, 220, 80};
-  for (std::size_t shape = 0; shape < names_of(MarkShape{}).size(); ++shape) {
-    BrandLook look = brand_look("Meadowlark");
-    look.shape = static_cast<MarkShape>(shape);
-    Canvas canvas(260, 120, magenta);
-    draw_brand_mark(canvas, look, "Meadowlark", area, magenta);
+  const assets::Area area{20, 20, 220, 80};
+  for (std::size_t shape = 0; shape < assets::names_of(assets::MarkShape{}).size(); ++shape) {
+    assets::BrandLook look = assets::brand_look("Meadowlark");
+    look.shape = static_cast<assets::MarkShape>(shape);
+    assets::Canvas canvas(260, 120, magenta);
+    assets::draw_brand_mark(canvas, look, "Meadowlark", area, magenta);
     const Touched count = touched(canvas, area);
-    EXPECT_GT(count.inside, 800) << names_of(MarkShape{})[shape];
-    EXPECT_LT(count.outside, 150) << names_of(MarkShape{})[shape];
+    EXPECT_GT(count.inside, 800) << assets::names_of(assets::MarkShape{})[shape];
+    EXPECT_LT(count.outside, 150) << assets::names_of(assets::MarkShape{})[shape];
   }
 }
 
@@ -124,23 +138,24 @@ TEST(BrandMark, DependsOnTheNameAloneAndNamesDiffer) {
   std::set<int> shapes;
   for (int i = 0; i < 60; ++i) {
     const std::string brand = "Brand " + std::to_string(i);
-    EXPECT_EQ(brand_look(brand).design, brand_look(brand).design);
-    designs.insert(brand_look(brand).design % pack_designs().size());
-    shapes.insert(static_cast<int>(brand_look(brand).shape));
+    EXPECT_EQ(assets::brand_look(brand).design, assets::brand_look(brand).design);
+    designs.insert(assets::brand_look(brand).design % assets::pack_designs().size());
+    shapes.insert(static_cast<int>(assets::brand_look(brand).shape));
   }
   EXPECT_GE(designs.size(), 8U);
   EXPECT_GE(shapes.size(), 8U);
 }
 
 TEST(PackDesign, EveryOneGivesPlacesInsideTheFace) {
-  const Product product = sample_products().at(5);
-  const PackArt art = pack_art(product).value();
-  for (const Area& face : {Area{0, 0, 60, 110}, Area{0, 0, 90, 100}, Area{0, 0, 200, 120}}) {
-    for (const PackDesign& design : pack_designs()) {
-      Canvas canvas(200, 120, magenta);
+  const catalog::Product product = sample_products().at(5);
+  const assets::PackArt art = assets::pack_art(product).value();
+  for (const assets::Area& face :
+       {assets::Area{0, 0, 60, 110}, assets::Area{0, 0, 90, 100}, assets::Area{0, 0, 200, 120}}) {
+    for (const assets::PackDesign& design : assets::pack_designs()) {
+      assets::Canvas canvas(200, 120, magenta);
       design.ground(canvas, art, face);
-      const FrontPlan plan = design.face(canvas, art, face);
-      for (const Area& place : {plan.brand, plan.name, plan.net}) {
+      const assets::FrontPlan plan = design.face(canvas, art, face);
+      for (const assets::Area& place : {plan.brand, plan.name, plan.net}) {
         EXPECT_GT(place.w * place.h, 0) << design.name;
         EXPECT_GE(place.x, face.x) << design.name;
         EXPECT_LE(place.right(), face.right() + 1e-9) << design.name;
@@ -153,7 +168,7 @@ TEST(PackDesign, EveryOneGivesPlacesInsideTheFace) {
 
 TEST(Barcode, EncodesThePublishedExample) {
   // 5 901234 123457: parity LGGLLG for the leading 5 (ISO/IEC 15420, also in every textbook).
-  EXPECT_EQ(*ean13_modules("5901234123457", "x"),
+  EXPECT_EQ(*assets::ean13_modules("5901234123457", "x"),
             "101"
             "0001011"
             "0100111"
@@ -169,19 +184,19 @@ TEST(Barcode, EncodesThePublishedExample) {
             "1001110"
             "1000100"
             "101");
-  EXPECT_EQ(ean13_modules("5901234123458", "milk/ean").error().where,
+  EXPECT_EQ(assets::ean13_modules("5901234123458", "milk/ean").error().where,
             "milk/ean");  // wrong check digit
-  EXPECT_FALSE(ean13_modules("590123412345", "x").ok());
-  EXPECT_FALSE(ean13_modules("59012341234x7", "x").ok());
+  EXPECT_FALSE(assets::ean13_modules("590123412345", "x").ok());
+  EXPECT_FALSE(assets::ean13_modules("59012341234x7", "x").ok());
 }
 
 TEST(Barcode, BarsLieOnWholePixels) {  // every module of a row is black or white, exactly
   const std::string ean = "5901234123457";
-  const std::string modules = *ean13_modules(ean, "x");
-  Canvas canvas(300, 100, magenta);
+  const std::string modules = *assets::ean13_modules(ean, "x");
+  assets::Canvas canvas(300, 100, magenta);
   canvas.translate(0.37, 0.21);  // an odd transform must not blur the code
-  const BarcodePlace place = place_barcode({0, 0, 300, 100}, 2, 70);
-  draw_barcode(canvas, modules, ean, place);
+  const assets::BarcodePlace place = assets::place_barcode({0, 0, 300, 100}, 2, 70);
+  assets::draw_barcode(canvas, modules, ean, place);
   const Image image = canvas.image();
   for (int i = 0; i < 95; ++i) {
     for (int k = 0; k < place.module_px; ++k) {
@@ -192,18 +207,20 @@ TEST(Barcode, BarsLieOnWholePixels) {  // every module of a row is black or whit
 }
 
 TEST(Barcode, LiesDownWhereTheAreaIsHigh) {
-  EXPECT_FALSE(place_barcode({0, 0, 300, 200}, 2, 80).ladder);
-  EXPECT_TRUE(place_barcode({0, 0, 120, 400}, 2, 80).ladder);
-  EXPECT_EQ(place_barcode({0, 0, 120, 400}, 2, 80).module_px, 2);
-  EXPECT_EQ(place_barcode({0, 0, 60, 60}, 2, 80).module_px,
+  EXPECT_FALSE(assets::place_barcode({0, 0, 300, 200}, 2, 80).ladder);
+  EXPECT_TRUE(assets::place_barcode({0, 0, 120, 400}, 2, 80).ladder);
+  EXPECT_EQ(assets::place_barcode({0, 0, 120, 400}, 2, 80).module_px, 2);
+  EXPECT_EQ(assets::place_barcode({0, 0, 60, 60}, 2, 80).module_px,
             0);  // no room for even one pixel a module
 }
 
 TEST(PackFacts, SmallPrintSuitsTheGoods) {
-  std::vector<Product> products = sample_products();
+  std::vector<catalog::Product> products = sample_products();
   products.at(6).subcategory = "milk";
   products.at(22).subcategory = "oral care";
-  const auto facts_of = [&](std::size_t i) { return pack_facts(pack_art(products.at(i)).value()); };
+  const auto facts_of = [&](std::size_t i) {
+    return assets::pack_facts(assets::pack_art(products.at(i)).value());
+  };
   EXPECT_NE(facts_of(6).contents.find("MILK"), std::string::npos);
   EXPECT_EQ(facts_of(6).nutrition.size(), 7U);
   EXPECT_EQ(facts_of(0).nutrition.at(4).second, "0 g");  // cola without sugar

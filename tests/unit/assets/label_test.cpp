@@ -62,13 +62,13 @@ std::set<std::array<int, 3>> colors_of(const Image& image) {
 
 // Mean absolute difference of two columns.
 TEST(Label, SameRowGivesSamePixelsFromFourThreads) {
-  const std::vector<Product> products = sample_products();
+  const std::vector<catalog::Product> products = sample_products();
   std::array<std::vector<Image>, 4> drawn;
   std::vector<std::thread> threads;
   for (std::vector<Image>& images : drawn) {
     threads.emplace_back([&images, &products] {
-      for (const Product& product : products)
-        images.push_back(draw_label(product, 128).value());
+      for (const catalog::Product& product : products)
+        images.push_back(assets::draw_label(product, 128).value());
     });
   }
   for (std::thread& thread : threads)
@@ -81,9 +81,9 @@ TEST(Label, SameRowGivesSamePixelsFromFourThreads) {
 }
 
 TEST(Label, PixelsAreSquareOnThePack) {  // print is not stretched
-  for (const Product& product : sample_products()) {
-    const Image image = draw_label(product, 400).value();
-    const SheetSize size = sheet_size_of(product).value();
+  for (const catalog::Product& product : sample_products()) {
+    const Image image = assets::draw_label(product, 400).value();
+    const assets::SheetSize size = assets::sheet_size_of(product).value();
     const double px_per_m_x = image.width / static_cast<double>(size.width_m);
     const double px_per_m_y = image.height / static_cast<double>(size.height_m);
     EXPECT_NEAR(px_per_m_x / px_per_m_y, 1.0, 0.01) << product.sku;
@@ -92,10 +92,10 @@ TEST(Label, PixelsAreSquareOnThePack) {  // print is not stretched
 }
 
 TEST(Label, EveryPanelIsPrinted) {  // more than a flat colour on each
-  for (const Product& product : sample_products()) {
-    const Image image = draw_label(product, 256).value();
-    const std::vector<Panel> panels = panels_of(product).value();
-    for (const Panel& panel : panels) {
+  for (const catalog::Product& product : sample_products()) {
+    const Image image = assets::draw_label(product, 256).value();
+    const std::vector<assets::Panel> panels = assets::panels_of(product).value();
+    for (const assets::Panel& panel : panels) {
       std::set<std::array<int, 3>> colors;
       for (int y = static_cast<int>(panel.v0 * static_cast<float>(image.height));
            y < static_cast<int>(panel.v1 * static_cast<float>(image.height));
@@ -108,20 +108,21 @@ TEST(Label, EveryPanelIsPrinted) {  // more than a flat colour on each
         }
       }
       EXPECT_GT(colors.size(), 8U)
-          << product.sku << " panel " << names_of(panel.kind)[static_cast<std::size_t>(panel.kind)];
+          << product.sku << " panel "
+          << assets::names_of(panel.kind)[static_cast<std::size_t>(panel.kind)];
     }
   }
 }
 
 TEST(Label, DrawsPacksOfAnySizeAtAnyResolution) {  // flat, thin, tiny, huge: never an error
   Stream draw = Seed(11).stream();
-  const std::vector<Product> samples = sample_products();
+  const std::vector<catalog::Product> samples = sample_products();
   for (int round = 0; round < 240; ++round) {
-    Product product = samples.at(static_cast<std::size_t>(round) % samples.size());
+    catalog::Product product = samples.at(static_cast<std::size_t>(round) % samples.size());
     for (int& side : product.size_mm)
       side = draw.integer(12, draw.chance(0.3) ? 900 : 120);
-    if (!panels_of(product).ok()) continue;  // a shape that the archetype cannot have
-    const Result<Image> image = draw_label(product, draw.integer(16, 160));
+    if (!assets::panels_of(product).ok()) continue;  // a shape that the archetype cannot have
+    const Result<Image> image = assets::draw_label(product, draw.integer(16, 160));
     ASSERT_TRUE(image.ok()) << to_string(image.error()) << " " << product.archetype << " "
                             << product.size_mm[0] << "x" << product.size_mm[1] << "x"
                             << product.size_mm[2];
@@ -132,10 +133,12 @@ TEST(Label, AnOutsideReaderReadsTheEanOnTheSheet) {
   if (!has_zbar()) GTEST_SKIP() << "zbarimg (package zbar-tools) is not installed";
   const ScratchFolder scratch;
   std::set<std::string> printed;
-  for (const Product& product : sample_products()) {
-    if (*sheet_kind_of(product.archetype) == SheetKind::skin) continue;  // loose: no code
+  for (const catalog::Product& product : sample_products()) {
+    if (*assets::sheet_kind_of(product.archetype) == assets::SheetKind::skin)
+      continue;  // loose: no code
     ASSERT_TRUE(
-        write_png(scratch.path() / (product.sku + ".png"), draw_label(product).value()).ok());
+        io::write_png(scratch.path() / (product.sku + ".png"), assets::draw_label(product).value())
+            .ok());
     printed.insert(product.ean);
   }
   ASSERT_GE(printed.size(), 20U);
@@ -149,15 +152,15 @@ TEST(Label, AnOutsideReaderReadsTheEanOnTheSheet) {
 }
 
 TEST(Label, BrandAndCodeShowInThePicture) {
-  const Product first = sample_products().at(0);
-  Product second = first;
+  const catalog::Product first = sample_products().at(0);
+  catalog::Product second = first;
   second.sku = "beverages-other";
   second.ean = with_check_digit("200099999999");
-  Product other_brand = first;
+  catalog::Product other_brand = first;
   other_brand.brand = "Kurano";
-  const Image a = draw_label(first, 256).value();
-  EXPECT_NE(a.pixels, draw_label(second, 256).value().pixels);       // another code
-  EXPECT_NE(a.pixels, draw_label(other_brand, 256).value().pixels);  // another mark
+  const Image a = assets::draw_label(first, 256).value();
+  EXPECT_NE(a.pixels, assets::draw_label(second, 256).value().pixels);       // another code
+  EXPECT_NE(a.pixels, assets::draw_label(other_brand, 256).value().pixels);  // another mark
 }
 
 TEST(Label, SkinJoinsWhereItMeetsItself) {
@@ -165,7 +168,7 @@ TEST(Label, SkinJoinsWhereItMeetsItself) {
                                         std::pair{"Carrot", "elongated_produce"},
                                         std::pair{"Watermelon", "round_produce"},
                                         std::pair{"Lettuce", "leafy_produce"}}) {
-    const Image skin = draw_label(loose_produce(name, archetype), 256).value();
+    const Image skin = assets::draw_label(loose_produce(name, archetype), 256).value();
     double typical = 0;
     for (int x = 1; x < skin.width; ++x)
       typical = std::max(typical, column_difference(skin, x - 1, x));
@@ -175,47 +178,49 @@ TEST(Label, SkinJoinsWhereItMeetsItself) {
 }
 
 TEST(Label, RefusesBadRowsWithPlaceAndRemedy) {
-  Product product = sample_products().at(0);
+  catalog::Product product = sample_products().at(0);
   product.label.motif = "aple";
-  EXPECT_EQ(draw_label(product).error().code, "assets.bad_row");
-  EXPECT_NE(draw_label(product).error().message.find("\"apple\""), std::string::npos);
+  EXPECT_EQ(assets::draw_label(product).error().code, "assets.bad_row");
+  EXPECT_NE(assets::draw_label(product).error().message.find("\"apple\""), std::string::npos);
   product = sample_products().at(0);
   product.label.accent = "red";
-  EXPECT_EQ(draw_label(product).error().where, product.sku + "/label/accent");
+  EXPECT_EQ(assets::draw_label(product).error().where, product.sku + "/label/accent");
   product = sample_products().at(0);
   product.ean = "2000000000000";  // its check digit would be 8
-  EXPECT_EQ(draw_label(product).error().where, product.sku + "/ean");
-  EXPECT_FALSE(draw_label(sample_products().at(0), 4).ok());
+  EXPECT_EQ(assets::draw_label(product).error().where, product.sku + "/ean");
+  EXPECT_FALSE(assets::draw_label(sample_products().at(0), 4).ok());
 }
 
 TEST(PriceTag, AnOutsideReaderReadsItsCode) {
   if (!has_zbar()) GTEST_SKIP() << "zbarimg (package zbar-tools) is not installed";
   const ScratchFolder scratch;
-  const Product product = sample_products().at(0);
+  const catalog::Product product = sample_products().at(0);
   ASSERT_TRUE(
-      write_png(scratch.path() / "tag.png", draw_price_tag(product, true, 192).value()).ok());
+      io::write_png(scratch.path() / "tag.png", assets::draw_price_tag(product, true, 192).value())
+          .ok());
   EXPECT_EQ(eans_read_by_zbar(scratch.path()), std::set<std::string>{product.ean});
 }
 
 TEST(PriceTag, PromotionIsYellowAndBothArePrinted) {
-  const Product product = sample_products().at(0);
-  const Image plain = draw_price_tag(product, false).value();
-  const Image promotion = draw_price_tag(product, true).value();
+  const catalog::Product product = sample_products().at(0);
+  const Image plain = assets::draw_price_tag(product, false).value();
+  const Image promotion = assets::draw_price_tag(product, true).value();
   EXPECT_EQ(plain.height, 96);
   EXPECT_EQ(colors_of(plain).count({0xff, 0xd9, 0x1f}), 0U);
   EXPECT_EQ(colors_of(promotion).count({0xff, 0xd9, 0x1f}), 1U);
   EXPECT_GT(colors_of(plain).size(), 20U);
-  EXPECT_TRUE(draw_price_tag(loose_produce("Banana", "elongated_produce"), false).ok());
+  EXPECT_TRUE(assets::draw_price_tag(loose_produce("Banana", "elongated_produce"), false).ok());
 }
 
 TEST(Sign, FillsItsSizeAndRefusesBadInput) {
-  const Image sign = draw_sign("Fruit & Vegetables", "#2e7d32", "#ffffff", 400, 80).value();
+  const Image sign = assets::draw_sign("Fruit & Vegetables", "#2e7d32", "#ffffff", 400, 80).value();
   EXPECT_EQ(sign.width, 400);
   EXPECT_EQ(sign.height, 80);
   EXPECT_EQ(colors_of(sign).count({255, 255, 255}), 1U);
-  EXPECT_EQ(draw_sign("x", "green", "#ffffff", 400, 80).error().where, "sign/ground_color");
-  EXPECT_EQ(draw_sign("\xff", "#2e7d32", "#ffffff", 400, 80).error().code, "input.not_utf8");
-  EXPECT_FALSE(draw_sign("x", "#2e7d32", "#ffffff", 0, 80).ok());
+  EXPECT_EQ(assets::draw_sign("x", "green", "#ffffff", 400, 80).error().where, "sign/ground_color");
+  EXPECT_EQ(assets::draw_sign("\xff", "#2e7d32", "#ffffff", 400, 80).error().code,
+            "input.not_utf8");
+  EXPECT_FALSE(assets::draw_sign("x", "#2e7d32", "#ffffff", 0, 80).ok());
 }
 
 }  // namespace

@@ -17,9 +17,9 @@
 namespace marketgen {
 namespace {
 
-MaterialRow row_of(MaterialPattern pattern) {
-  MaterialRow row;
-  row.id = "sample-" + std::string(names_of(pattern)[static_cast<std::size_t>(pattern)]);
+catalog::MaterialRow row_of(catalog::MaterialPattern pattern) {
+  catalog::MaterialRow row;
+  row.id = "sample-" + std::string(catalog::names_of(pattern)[static_cast<std::size_t>(pattern)]);
   row.pattern = pattern;
   row.color = "#c69c6d";
   row.second_color = "#94693d";
@@ -41,10 +41,10 @@ void expect_seamless(const Image& image, const std::string& what) {
   EXPECT_LE(row_difference(image, image.width - 1, 0), most(widest_row)) << what;
 }
 
-class EveryPattern : public testing::TestWithParam<MaterialPattern> {};
+class EveryPattern : public testing::TestWithParam<catalog::MaterialPattern> {};
 
 TEST_P(EveryPattern, IsSeamlessAlongBothAxes) {
-  const MaterialMaps maps = draw_material_maps(row_of(GetParam()), 256);
+  const assets::MaterialMaps maps = assets::draw_material_maps(row_of(GetParam()), 256);
   ASSERT_EQ(maps.base_color.width, 256);
   ASSERT_EQ(maps.base_color.height, 256);
   expect_seamless(maps.base_color, "colour");
@@ -53,10 +53,10 @@ TEST_P(EveryPattern, IsSeamlessAlongBothAxes) {
 }
 
 TEST_P(EveryPattern, IsTheSameForTheSameRowAndNearItsColour) {
-  const Image image = draw_material(row_of(GetParam()), 128);
-  const MaterialMaps maps = draw_material_maps(row_of(GetParam()), 128);
+  const Image image = assets::draw_material(row_of(GetParam()), 128);
+  const assets::MaterialMaps maps = assets::draw_material_maps(row_of(GetParam()), 128);
   EXPECT_EQ(image.pixels, maps.base_color.pixels);
-  EXPECT_EQ(maps.normal.pixels, draw_material_maps(row_of(GetParam()), 128).normal.pixels);
+  EXPECT_EQ(maps.normal.pixels, assets::draw_material_maps(row_of(GetParam()), 128).normal.pixels);
   double red = 0;
   double blue = 0;
   for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
@@ -71,7 +71,7 @@ TEST_P(EveryPattern, IsTheSameForTheSameRowAndNearItsColour) {
 }
 
 TEST_P(EveryPattern, HasUnitNormalsThatMostlyFaceOut) {
-  const Image normal = draw_material_maps(row_of(GetParam()), 128).normal;
+  const Image normal = assets::draw_material_maps(row_of(GetParam()), 128).normal;
   double mean_z = 0;
   for (std::size_t i = 0; i < normal.pixels.size(); i += 3) {
     const auto axis = [&](std::size_t k) { return normal.pixels[i + k] / 127.5 - 1; };
@@ -83,10 +83,10 @@ TEST_P(EveryPattern, HasUnitNormalsThatMostlyFaceOut) {
   EXPECT_GT(mean_z / (128 * 128), 0.7);
 }
 
-std::vector<MaterialPattern> all_patterns() {
-  std::vector<MaterialPattern> patterns;
-  for (std::size_t i = 0; i < names_of(MaterialPattern{}).size(); ++i)
-    patterns.push_back(static_cast<MaterialPattern>(i));
+std::vector<catalog::MaterialPattern> all_patterns() {
+  std::vector<catalog::MaterialPattern> patterns;
+  for (std::size_t i = 0; i < catalog::names_of(catalog::MaterialPattern{}).size(); ++i)
+    patterns.push_back(static_cast<catalog::MaterialPattern>(i));
   return patterns;
 }
 
@@ -114,8 +114,8 @@ int rises_in_column(const Image& image, int x, int level) {
   return rises;
 }
 
-MaterialRow white_on_black(MaterialPattern pattern, int period_mm) {
-  MaterialRow row = row_of(pattern);
+catalog::MaterialRow white_on_black(catalog::MaterialPattern pattern, int period_mm) {
+  catalog::MaterialRow row = row_of(pattern);
   row.color = "#f0f0f0";
   row.second_color = "#303030";
   row.period_mm = period_mm;
@@ -126,64 +126,67 @@ MaterialRow white_on_black(MaterialPattern pattern, int period_mm) {
 // Pieces are counted across their joints: the metric period is the extent over that count.
 TEST(MaterialTexture, PiecesHaveTheirPeriod) {
   struct Case {
-    MaterialPattern pattern;
+    catalog::MaterialPattern pattern;
     int period_mm, pieces, row;  // along texture row `row` of 512
   };
-  for (const Case& c : {Case{MaterialPattern::hex_tiles, 200, 7, 32},
-                        Case{MaterialPattern::mosaic, 50, 16, 16},
-                        Case{MaterialPattern::brick_stack, 250, 4, 18},
-                        Case{MaterialPattern::brick_english, 250, 4, 18},
-                        Case{MaterialPattern::glazed_tiles, 100, 4, 64},
-                        Case{MaterialPattern::perforated, 25, 8, 32}}) {
-    const MaterialRow row = white_on_black(c.pattern, c.period_mm);
-    const Image image = draw_material(row, 512);
+  for (const Case& c : {Case{catalog::MaterialPattern::hex_tiles, 200, 7, 32},
+                        Case{catalog::MaterialPattern::mosaic, 50, 16, 16},
+                        Case{catalog::MaterialPattern::brick_stack, 250, 4, 18},
+                        Case{catalog::MaterialPattern::brick_english, 250, 4, 18},
+                        Case{catalog::MaterialPattern::glazed_tiles, 100, 4, 64},
+                        Case{catalog::MaterialPattern::perforated, 25, 8, 32}}) {
+    const catalog::MaterialRow row = white_on_black(c.pattern, c.period_mm);
+    const Image image = assets::draw_material(row, 512);
     EXPECT_EQ(rises_in_row(image, c.row, 0x90), c.pieces) << name_of(c.pattern);
-    const int per_period = c.pattern == MaterialPattern::mosaic ? 2 : 1;
-    EXPECT_NEAR(material_extent_m(row) * 1000 / c.pieces * per_period, c.period_mm, 1e-9)
+    const int per_period = c.pattern == catalog::MaterialPattern::mosaic ? 2 : 1;
+    EXPECT_NEAR(assets::material_extent_m(row) * 1000 / c.pieces * per_period, c.period_mm, 1e-9)
         << name_of(c.pattern);
   }
 }
 
 TEST(MaterialTexture, EnglishBondLaysHeadersBetweenStretchers) {  // 8 headers over 4 stretchers
-  const Image image = draw_material(white_on_black(MaterialPattern::brick_english, 250), 512);
+  const Image image =
+      assets::draw_material(white_on_black(catalog::MaterialPattern::brick_english, 250), 512);
   EXPECT_EQ(rises_in_row(image, 512 / 14 / 2, 0x90), 4);
   EXPECT_EQ(rises_in_row(image, 512 / 14 * 3 / 2, 0x90), 8);
 }
 
 TEST(MaterialTexture, FlemishBondLaysBothInOneCourse) {  // 4 pairs of a stretcher and a header
-  const Image image = draw_material(white_on_black(MaterialPattern::brick_flemish, 375), 512);
+  const Image image =
+      assets::draw_material(white_on_black(catalog::MaterialPattern::brick_flemish, 375), 512);
   EXPECT_EQ(rises_in_row(image, 512 / 20 / 2, 0x90), 8);
 }
 
 TEST(MaterialTexture, BrickCoursesAre75Millimetres) {
-  const MaterialRow row = white_on_black(MaterialPattern::brick_flemish, 375);
-  const Image image = draw_material(row, 512);
+  const catalog::MaterialRow row = white_on_black(catalog::MaterialPattern::brick_flemish, 375);
+  const Image image = assets::draw_material(row, 512);
   EXPECT_EQ(rises_in_column(image, 50, 0x90), 20);  // 1500 mm
 }
 
 TEST(MaterialTexture,
      JointsLieBelowTheTiles) {  // the tile's edge falls towards the joint beside it
-  MaterialRow row = row_of(MaterialPattern::tiles);
+  catalog::MaterialRow row = row_of(catalog::MaterialPattern::tiles);
   row.period_mm = 100;
-  const Image normal = draw_material_maps(row, 512).normal;  // 0.39 mm a texel, joint at column 256
-  EXPECT_GT(normal.at(253, 128)[0], 160);  // left of it the surface falls to the right
+  const Image normal =
+      assets::draw_material_maps(row, 512).normal;  // 0.39 mm a texel, joint at column 256
+  EXPECT_GT(normal.at(253, 128)[0], 160);           // left of it the surface falls to the right
   EXPECT_LT(normal.at(258, 128)[0], 95);
   EXPECT_LT(normal.at(128, 253)[1], 95);  // above it the surface falls to the picture's bottom
   EXPECT_GT(normal.at(128, 258)[1], 160);
 }
 
 TEST(MaterialTexture, JointsAreRougherThanTheGlaze) {
-  MaterialRow row = row_of(MaterialPattern::tiles);
+  catalog::MaterialRow row = row_of(catalog::MaterialPattern::tiles);
   row.roughness = 0.2;
-  const Image roughness = draw_material_maps(row, 512).roughness;
+  const Image roughness = assets::draw_material_maps(row, 512).roughness;
   EXPECT_GT(*roughness.at(256, 128), 180);  // mortar, 0.85
   EXPECT_NEAR(*roughness.at(128, 128), 51, 20);
 }
 
 TEST(MaterialTexture, WithoutReliefNormalsPointStraightOut) {
-  MaterialRow row = row_of(MaterialPattern::brick);
+  catalog::MaterialRow row = row_of(catalog::MaterialPattern::brick);
   row.relief = 0;
-  const Image normal = draw_material_maps(row, 64).normal;
+  const Image normal = assets::draw_material_maps(row, 64).normal;
   for (std::size_t i = 0; i < normal.pixels.size(); i += 3) {
     ASSERT_EQ(normal.pixels[i], 128);
     ASSERT_EQ(normal.pixels[i + 1], 128);
@@ -192,43 +195,44 @@ TEST(MaterialTexture, WithoutReliefNormalsPointStraightOut) {
 }
 
 TEST(MaterialTexture, HolesInMetalAreNoMetal) {
-  MaterialRow row = row_of(MaterialPattern::perforated);
+  catalog::MaterialRow row = row_of(catalog::MaterialPattern::perforated);
   row.metallic = 1;
-  const Image metallic = draw_material_maps(row, 512).metallic;
+  const Image metallic = assets::draw_material_maps(row, 512).metallic;
   EXPECT_EQ(*metallic.at(32, 32), 0);  // holes stand in the middle of 64-texel cells
   EXPECT_EQ(*metallic.at(2, 2), 255);
 }
 
 TEST(MaterialTexture, CommittedRowsReflectWhatRealSurfacesDo) {
-  const Catalog& catalog = committed_catalog();
+  const catalog::Catalog& catalog = committed_catalog();
   EXPECT_GE(catalog.materials.size(), 80U);
-  std::set<MaterialPattern> used;
-  for (const MaterialRow& row : catalog.materials) {
+  std::set<catalog::MaterialPattern> used;
+  for (const catalog::MaterialRow& row : catalog.materials) {
     used.insert(row.pattern);
-    const Image image = draw_material(row, 64);
+    const Image image = assets::draw_material(row, 64);
     // sRGB 39 and 243 are albedo 0.02 and 0.9.
     const auto [darkest, whitest] = std::minmax_element(image.pixels.begin(), image.pixels.end());
     EXPECT_GE(*darkest, 39) << row.id;
     EXPECT_LE(*whitest, 243) << row.id;
     EXPECT_TRUE(row.metallic == 0 || row.metallic == 1) << row.id << ": half a metal";
   }
-  EXPECT_EQ(used.size(), names_of(MaterialPattern{}).size()) << "a pattern that no row shows";
+  EXPECT_EQ(used.size(), catalog::names_of(catalog::MaterialPattern{}).size())
+      << "a pattern that no row shows";
 }
 
 TEST(MaterialTexture,
      TilesHaveTheirPeriod) {  // grout lies at every multiple of the tile, here 300 of 600 mm
-  MaterialRow row = row_of(MaterialPattern::tiles);
+  catalog::MaterialRow row = row_of(catalog::MaterialPattern::tiles);
   row.color = "#f0f0f0";
   row.second_color = "#202020";
-  EXPECT_DOUBLE_EQ(material_extent_m(row), 0.6);
-  const Image image = draw_material(row, 512);
+  EXPECT_DOUBLE_EQ(assets::material_extent_m(row), 0.6);
+  const Image image = assets::draw_material(row, 512);
   EXPECT_LT(image.at(100, 256)[0], 60);   // on the joint half way down
   EXPECT_LT(image.at(100, 0)[0], 60);     // and at the border
   EXPECT_GT(image.at(100, 128)[0], 200);  // in the middle of a tile
 }
 
 TEST(TextureField, NoiseStaysWithinItsBoundsAboutOneHalf) {
-  const TextureField field = noise_field(128, 128, {4, 4, 4, 0.5F}, Seed(7));
+  const assets::TextureField field = assets::noise_field(128, 128, {4, 4, 4, 0.5F}, Seed(7));
   double sum = 0;
   for (const float value : field.values) {
     EXPECT_GE(value, 0.0F);

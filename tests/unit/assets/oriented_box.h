@@ -26,7 +26,7 @@ inline OrientedBox oriented_box(const Pose& pose, Vec3 half) {
 }
 
 // A cylinder counts as the box round it.
-inline OrientedBox oriented_box(const FixturePart& part) {
+inline OrientedBox oriented_box(const assets::FixturePart& part) {
   return oriented_box(part.fixture_from_part, to_double(part.half_size));
 }
 
@@ -81,7 +81,7 @@ inline bool contains(const OrientedBox& b, Vec3 point, double tolerance) {
 }
 
 // What a shelf promises to goods: its usable area up to its clearance.
-inline OrientedBox free_volume(const ShelfSurface& shelf) {
+inline OrientedBox free_volume(const assets::ShelfSurface& shelf) {
   const Pose to_middle{{0, shelf.depth_m / 2, shelf.clearance_m / 2}, {}};
   return oriented_box(shelf.fixture_from_shelf * to_middle,
                       Vec3{shelf.width_m, shelf.depth_m, shelf.clearance_m} * 0.5);

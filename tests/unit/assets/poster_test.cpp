@@ -9,9 +9,9 @@ namespace marketgen {
 namespace {
 
 TEST(Posters, EveryRowIsDrawnInEveryDesign) {
-  for (const Poster& poster : posters()) {
+  for (const assets::Poster& poster : assets::posters()) {
     for (unsigned design = 0; design < 3; ++design) {
-      const Result<Image> picture = draw_poster(poster, "#2e7d32", design, 128);
+      const Result<Image> picture = assets::draw_poster(poster, "#2e7d32", design, 128);
       ASSERT_TRUE(picture.ok()) << poster.headline << ": " << picture.error().message;
       EXPECT_EQ(picture->height, 128);
       EXPECT_EQ(picture->width, 91);
@@ -23,15 +23,15 @@ TEST(Posters, EveryRowIsDrawnInEveryDesign) {
 }
 
 TEST(Posters, ZonesHaveTheirOwnOrThoseOfAnyZone) {
-  for (const Poster* poster : posters_for("bakery"))
+  for (const assets::Poster* poster : assets::posters_for("bakery"))
     EXPECT_EQ(poster->zone_type, "bakery");
-  ASSERT_FALSE(posters_for("backroom").empty());
-  EXPECT_TRUE(posters_for("backroom").front()->zone_type.empty());
+  ASSERT_FALSE(assets::posters_for("backroom").empty());
+  EXPECT_TRUE(assets::posters_for("backroom").front()->zone_type.empty());
 }
 
 TEST(Posters, ABadColourOrSizeIsAnError) {
-  EXPECT_FALSE(draw_poster(posters().front(), "green", 0, 128).ok());
-  EXPECT_FALSE(draw_poster(posters().front(), "#2e7d32", 0, 10).ok());
+  EXPECT_FALSE(assets::draw_poster(assets::posters().front(), "green", 0, 128).ok());
+  EXPECT_FALSE(assets::draw_poster(assets::posters().front(), "#2e7d32", 0, 10).ok());
 }
 
 }  // namespace

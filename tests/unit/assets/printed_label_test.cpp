@@ -13,14 +13,14 @@ namespace marketgen {
 namespace {
 
 TEST(PrintedLabel, BarsHaveTheirNominalSizeWhereThereIsRoom) {
-  for (const Product& product : sample_products()) {
-    const PrintedPicture label = print_label(product, 2).value();
-    const SheetSize size = sheet_size_of(product).value();
+  for (const catalog::Product& product : sample_products()) {
+    const assets::PrintedPicture label = assets::print_label(product, 2).value();
+    const assets::SheetSize size = assets::sheet_size_of(product).value();
     EXPECT_EQ(label.picture.height, std::lround(double(size.height_m) * 1e3 * 2)) << product.name;
     ASSERT_EQ(label.bars.has_value(), !product.ean.empty()) << product.name;
     if (!label.bars) continue;
-    const LabelBars& bars = *label.bars;
-    EXPECT_EQ(bars.modules, ean13_modules(product.ean, "x").value());
+    const assets::LabelBars& bars = *label.bars;
+    EXPECT_EQ(bars.modules, assets::ean13_modules(product.ean, "x").value());
     const float along =
         bars.ladder ? (bars.v1 - bars.v0) * size.height_m : (bars.u1 - bars.u0) * size.width_m;
     const float module_mm = along * 1e3F / 95;
@@ -34,9 +34,9 @@ TEST(PrintedLabel, BarsHaveTheirNominalSizeWhereThereIsRoom) {
 }
 
 TEST(PrintedLabel, WhiteSurroundsTheBarsAndGreyIsUnderThem) {
-  const Product product = sample_products().at(5);
-  const PrintedPicture label = print_label(product, 6).value();
-  const LabelBars& bars = label.bars.value();
+  const catalog::Product product = sample_products().at(5);
+  const assets::PrintedPicture label = assets::print_label(product, 6).value();
+  const assets::LabelBars& bars = label.bars.value();
   const auto pixel = [&](float u, float v) {
     return label.picture.at(static_cast<int>(u * static_cast<float>(label.picture.width)),
                             static_cast<int>(v * static_cast<float>(label.picture.height)));
@@ -49,28 +49,28 @@ TEST(PrintedLabel, WhiteSurroundsTheBarsAndGreyIsUnderThem) {
 }
 
 TEST(PrintedLabel, BadScalesAreRefused) {
-  const Product product = sample_products().at(0);
-  EXPECT_EQ(print_label(product, 0).error().code, "assets.bad_row");
-  EXPECT_EQ(print_label(product, 100).error().code, "assets.bad_row");
+  const catalog::Product product = sample_products().at(0);
+  EXPECT_EQ(assets::print_label(product, 0).error().code, "assets.bad_row");
+  EXPECT_EQ(assets::print_label(product, 100).error().code, "assets.bad_row");
 }
 
 TEST(PriceTag, PrintedOneLeavesItsBarsOut) {
-  const Product product = sample_products().at(0);
-  const PrintedPicture tag = print_price_tag(product, true, 96).value();
-  EXPECT_EQ(tag.bars.value().modules, ean13_modules(product.ean, "x").value());
+  const catalog::Product product = sample_products().at(0);
+  const assets::PrintedPicture tag = assets::print_price_tag(product, true, 96).value();
+  EXPECT_EQ(tag.bars.value().modules, assets::ean13_modules(product.ean, "x").value());
   EXPECT_FALSE(tag.bars->ladder);
-  EXPECT_EQ(tag.picture.height, draw_price_tag(product, true, 96)->height);
+  EXPECT_EQ(tag.picture.height, assets::draw_price_tag(product, true, 96)->height);
 }
 
 TEST(PromotionCard, IsYellowAndRedAndDiffersByProduct) {
   const auto products = sample_products();
-  const Image card = draw_promotion_card(products.at(0), 148).value();
+  const Image card = assets::draw_promotion_card(products.at(0), 148).value();
   EXPECT_EQ(card.width, 210);  // 105 x 74 mm
   EXPECT_EQ(card.at(4, 60)[0], 0xFF);
   EXPECT_EQ(card.at(4, 60)[2], 0x1F);
   EXPECT_EQ(card.at(3, 3)[0], 0xD5);
-  EXPECT_NE(card.pixels, draw_promotion_card(products.at(1), 148)->pixels);
-  EXPECT_EQ(draw_promotion_card(products.at(0), 5).error().code, "assets.bad_row");
+  EXPECT_NE(card.pixels, assets::draw_promotion_card(products.at(1), 148)->pixels);
+  EXPECT_EQ(assets::draw_promotion_card(products.at(0), 5).error().code, "assets.bad_row");
 }
 
 }  // namespace

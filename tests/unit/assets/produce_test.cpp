@@ -20,8 +20,8 @@ const ProduceRow& row_named(std::string_view name) {
   });
 }
 
-Mesh mesh_of(const Product& product) {
-  return make_product_model(product).value().mesh;
+Mesh mesh_of(const catalog::Product& product) {
+  return assets::make_product_model(product).value().mesh;
 }
 
 double volume_share(std::string_view name, double of_m3) {
@@ -64,13 +64,15 @@ TEST(Produce, NoTwoPiecesAreAlikeAndEachStaysItself) {
 }
 
 TEST(Produce, TheStalkIsAtTheStem) {
-  const ProductModel apple = make_product_model(product_of(row_named("Apple Gala"))).value();
+  const assets::ProductModel apple =
+      assets::make_product_model(product_of(row_named("Apple Gala"))).value();
   ASSERT_EQ(apple.features.size(), 1U);
-  EXPECT_EQ(apple.features[0].kind, FeatureKind::stem);
+  EXPECT_EQ(apple.features[0].kind, assets::FeatureKind::stem);
   EXPECT_NEAR(apple.features[0].center.x, 0, 0.015);
   EXPECT_NEAR(apple.features[0].center.z + apple.features[0].half_size.z, 0.070, 1e-3);
   // Long goods lie with the stem at the left.
-  const ProductModel aubergine = make_product_model(product_of(row_named("Aubergine"))).value();
+  const assets::ProductModel aubergine =
+      assets::make_product_model(product_of(row_named("Aubergine"))).value();
   ASSERT_EQ(aubergine.features.size(), 1U);
   EXPECT_NEAR(aubergine.features[0].center.x - aubergine.features[0].half_size.x, -0.110, 1e-3);
 }
@@ -100,7 +102,7 @@ int largest_step_inside(const Image& skin) {
 TEST(ProduceSkins, MeetAtTheBackWithoutASeam) {
   constexpr int small_px = 128;
   for (const ProduceRow& row : produce_rows) {
-    const Image skin = draw_label(product_of(row), small_px).value();
+    const Image skin = assets::draw_label(product_of(row), small_px).value();
     EXPECT_LE(seam_step(skin), std::max(12, 5 * largest_step_inside(skin) / 4)) << row.name;
   }
 }
@@ -128,33 +130,33 @@ TEST(ProduceSkins, TakeTheRowsColour) {
     return mean;
   };
   for (const std::string_view name : {"Tomato", "Potato", "Kiwi", "Onion"}) {
-    Product product = product_of(row_named(name));
+    catalog::Product product = product_of(row_named(name));
     product.plu.clear();
     product.label.primary = "#d8b02e";  // 216, 176, 46
-    const std::array<double, 3> mean = mean_of(draw_label(product, 96).value());
+    const std::array<double, 3> mean = mean_of(assets::draw_label(product, 96).value());
     EXPECT_NEAR(mean[0], 216, 55) << name;
     EXPECT_NEAR(mean[1], 176, 55) << name;
     EXPECT_NEAR(mean[2], 46, 55) << name;
-    const Image named = draw_label(product, 96).value();
+    const Image named = assets::draw_label(product, 96).value();
     product.name = "Xyz";
-    EXPECT_EQ(differing_pixels(named, draw_label(product, 96).value()), 0) << name;
+    EXPECT_EQ(differing_pixels(named, assets::draw_label(product, 96).value()), 0) << name;
   }
 }
 
 TEST(PluStickers, LooseFruitWithACodeCarriesASmallOval) {
-  Product apple = product_of(row_named("Apple Gala"));
-  const Image with = draw_label(apple, 512).value();
+  catalog::Product apple = product_of(row_named("Apple Gala"));
+  const Image with = assets::draw_label(apple, 512).value();
   apple.plu.clear();
-  const Image without = draw_label(apple, 512).value();
+  const Image without = assets::draw_label(apple, 512).value();
   ASSERT_EQ(with.width, without.width);
   const double share = static_cast<double>(differing_pixels(with, without)) /
                        (static_cast<double>(with.width) * with.height);
   // 24 x 19 mm of about 236 x 114 mm.
   EXPECT_NEAR(share, 24.0 * 19.2 * std::numbers::pi / 4 / (236.0 * 114.0), 0.003);
-  Product parsley = product_of(row_named("Parsley"));
-  const Image bunch = draw_label(parsley, 128).value();
+  catalog::Product parsley = product_of(row_named("Parsley"));
+  const Image bunch = assets::draw_label(parsley, 128).value();
   parsley.plu.clear();
-  EXPECT_EQ(differing_pixels(bunch, draw_label(parsley, 128).value()), 0);
+  EXPECT_EQ(differing_pixels(bunch, assets::draw_label(parsley, 128).value()), 0);
 }
 
 }  // namespace

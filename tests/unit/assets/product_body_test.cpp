@@ -16,11 +16,11 @@
 namespace marketgen {
 namespace {
 
-std::vector<Product> products_of_every_shape() {
-  std::vector<Product> products = sample_products();
+std::vector<catalog::Product> products_of_every_shape() {
+  std::vector<catalog::Product> products = sample_products();
   for (const ProduceRow& row : produce_rows) {
     products.push_back(product_of(row));
-    products.back().orientation = Orientation::any;
+    products.back().orientation = catalog::Orientation::any;
   }
   for (const std::string name : {"round_produce", "elongated_produce", "leafy_produce"})
     products.push_back(loose_produce(name, name));
@@ -29,7 +29,7 @@ std::vector<Product> products_of_every_shape() {
 
 class Bodies : public testing::TestWithParam<std::size_t> {
  protected:
-  const Product product = products_of_every_shape()[GetParam()];
+  const catalog::Product product = products_of_every_shape()[GetParam()];
 };
 
 std::string name_of_case(const testing::TestParamInfo<std::size_t>& info) {
@@ -88,22 +88,22 @@ double filled_volume(const Mesh& mesh) {
   return length * dy * dz;
 }
 
-bool is_grown(const Product& product) {
-  return sheet_kind_of(product.archetype).value() == SheetKind::skin;
+bool is_grown(const catalog::Product& product) {
+  return assets::sheet_kind_of(product.archetype).value() == assets::SheetKind::skin;
 }
 
 TEST_P(Bodies, PiecesFillThePack) {
-  const Mesh mesh = make_product_model(product).value().mesh;
-  const ProductBody body = make_product_body(product).value();
+  const Mesh mesh = assets::make_product_model(product).value().mesh;
+  const assets::ProductBody body = assets::make_product_body(product).value();
   ASSERT_GE(body.pieces.size(), 1U);
   EXPECT_LE(body.pieces.size(), 6U);
   double volume = 0;
   const Bounds3 bounds = bounds_of(mesh);
   const float margin = 0.03F * std::max({bounds.size().x, bounds.size().y, bounds.size().z}) / 2;
-  for (const ContactPiece& piece : body.pieces) {
-    EXPECT_GT(volume_of(piece), 0.0);
-    volume += volume_of(piece);
-    EXPECT_EQ(piece.shape == PieceShape::hull, !piece.points.empty());
+  for (const assets::ContactPiece& piece : body.pieces) {
+    EXPECT_GT(assets::volume_of(piece), 0.0);
+    volume += assets::volume_of(piece);
+    EXPECT_EQ(piece.shape == assets::PieceShape::hull, !piece.points.empty());
     EXPECT_LE(piece.points.size(), 64U);
     const Vec3f half = piece.lying ? Vec3f{piece.half_size.z, piece.half_size.y, piece.half_size.x}
                                    : piece.half_size;
@@ -117,15 +117,16 @@ TEST_P(Bodies, PiecesFillThePack) {
 }
 
 TEST_P(Bodies, PacksStandOnAFlatFoot) {  // several contacts hold a primitive, one a hull
-  if (product.orientation == Orientation::any) return;
-  const ProductBody body = make_product_body(product).value();
-  const ContactPiece& foot = body.pieces.front();
-  EXPECT_TRUE(foot.shape == PieceShape::box || (foot.shape == PieceShape::cylinder && !foot.lying));
+  if (product.orientation == catalog::Orientation::any) return;
+  const assets::ProductBody body = assets::make_product_body(product).value();
+  const assets::ContactPiece& foot = body.pieces.front();
+  EXPECT_TRUE(foot.shape == assets::PieceShape::box ||
+              (foot.shape == assets::PieceShape::cylinder && !foot.lying));
   EXPECT_NEAR(foot.center.z - foot.half_size.z, 0.0F, 1e-4F);
 }
 
 TEST_P(Bodies, MassIsInsideAndItsInertiaCanBe) {
-  const ProductBody body = make_product_body(product).value();
+  const assets::ProductBody body = assets::make_product_body(product).value();
   const auto& [xx, yy, zz, xy, xz, yz] = body.inertia_kg_m2;
   EXPECT_GT(std::min({xx, yy, zz}), 0.0F);
   EXPECT_GE(xx + yy, zz);
@@ -145,9 +146,9 @@ TEST_P(Bodies, MassIsInsideAndItsInertiaCanBe) {
 }
 
 TEST_P(Bodies, FeaturesLieOnThePack) {
-  const Bounds3 bounds = bounds_of(make_product_model(product).value().mesh);
-  const ProductBody body = make_product_body(product).value();
-  for (const PackFeature& feature : body.features) {
+  const Bounds3 bounds = bounds_of(assets::make_product_model(product).value().mesh);
+  const assets::ProductBody body = assets::make_product_body(product).value();
+  for (const assets::PackFeature& feature : body.features) {
     SCOPED_TRACE(std::string(name_of(feature.kind)));
     const Vec3f low = feature.center - feature.half_size, high = feature.center + feature.half_size;
     constexpr float tolerance_m = 1e-3F;
@@ -162,12 +163,12 @@ TEST_P(Bodies, FeaturesLieOnThePack) {
 }
 
 TEST_P(Bodies, CoarseMeshesKeepWhatMatters) {
-  const ProductModel near = make_product_model(product).value();
+  const assets::ProductModel near = assets::make_product_model(product).value();
   std::size_t finer = near.mesh.triangles.size();
   const std::set<std::uint16_t> surfaces(near.mesh.surfaces.begin(), near.mesh.surfaces.end());
-  for (const Detail detail : {Detail::middle, Detail::far}) {
+  for (const assets::Detail detail : {assets::Detail::middle, assets::Detail::far}) {
     SCOPED_TRACE(std::string(name_of(detail)));
-    const Mesh mesh = make_product_model(product, detail).value().mesh;
+    const Mesh mesh = assets::make_product_model(product, detail).value().mesh;
     EXPECT_TRUE(is_watertight(mesh));
     const Vec3f size = bounds_of(mesh).size();
     EXPECT_NEAR(size.x, product.width_m(), 1e-3);
@@ -189,8 +190,8 @@ TEST_P(Bodies, CoarseMeshesKeepWhatMatters) {
 
 // ---- Known answers ----
 
-Product sized(std::string_view archetype, std::array<int, 3> size_mm, double mass_kg) {
-  Product product;
+catalog::Product sized(std::string_view archetype, std::array<int, 3> size_mm, double mass_kg) {
+  catalog::Product product;
   product.sku = "test-" + std::string(archetype);
   product.name = "Test";
   product.archetype = archetype;
@@ -201,16 +202,17 @@ Product sized(std::string_view archetype, std::array<int, 3> size_mm, double mas
 
 TEST(ProductBody, EveryShapeHasASample) {
   std::set<std::string> sampled;
-  for (const Product& product : products_of_every_shape())
+  for (const catalog::Product& product : products_of_every_shape())
     sampled.insert(product.archetype);
-  for (const ArchetypeInfo& info : archetypes())
+  for (const assets::ArchetypeInfo& info : assets::archetypes())
     EXPECT_TRUE(sampled.contains(std::string(info.name))) << info.name;
 }
 
 TEST(ProductBody, ACartonIsABox) {
-  const ProductBody body = make_product_body(sized("box", {200, 60, 300}, 0.6)).value();
+  const assets::ProductBody body =
+      assets::make_product_body(sized("box", {200, 60, 300}, 0.6)).value();
   ASSERT_EQ(body.pieces.size(), 1U);
-  EXPECT_EQ(body.pieces[0].shape, PieceShape::box);
+  EXPECT_EQ(body.pieces[0].shape, assets::PieceShape::box);
   EXPECT_NEAR(body.pieces[0].half_size.x, 0.1F, 1e-5F);
   EXPECT_NEAR(body.pieces[0].half_size.z, 0.15F, 1e-5F);
   EXPECT_NEAR(body.center_of_mass.z, 0.15F, 1e-4F);
@@ -219,11 +221,11 @@ TEST(ProductBody, ACartonIsABox) {
 }
 
 TEST(ProductBody, ACanStandsOnACylinderOfItsRadius) {
-  Product can = sized("can", {66, 66, 115}, 0.355);
+  catalog::Product can = sized("can", {66, 66, 115}, 0.355);
   can.unit_of_measure = "l";
-  const ProductBody body = make_product_body(can).value();
-  const ContactPiece& foot = body.pieces.front();
-  EXPECT_EQ(foot.shape, PieceShape::cylinder);
+  const assets::ProductBody body = assets::make_product_body(can).value();
+  const assets::ContactPiece& foot = body.pieces.front();
+  EXPECT_EQ(foot.shape, assets::PieceShape::cylinder);
   EXPECT_NEAR(foot.half_size.x, 0.033F, 5e-4F);
   EXPECT_GT(foot.half_size.z, 0.045F);             // nearly all of it
   const double along = 0.355 * 0.033 * 0.033 / 2;  // of a full cylinder; the necks are narrower
@@ -232,23 +234,26 @@ TEST(ProductBody, ACanStandsOnACylinderOfItsRadius) {
 }
 
 TEST(ProductBody, AnOrangeIsAnEllipsoid) {
-  Product orange = sized("citrus", {80, 80, 78}, 0.2);
+  catalog::Product orange = sized("citrus", {80, 80, 78}, 0.2);
   orange.name = "Orange";
-  orange.orientation = Orientation::any;
-  const ProductBody body = make_product_body(orange).value();
+  orange.orientation = catalog::Orientation::any;
+  const assets::ProductBody body = assets::make_product_body(orange).value();
   ASSERT_EQ(body.pieces.size(), 1U);
-  EXPECT_EQ(body.pieces[0].shape, PieceShape::ellipsoid);
+  EXPECT_EQ(body.pieces[0].shape, assets::PieceShape::ellipsoid);
   const double ball = 0.4 * 0.2 * 0.04 * 0.04;  // 2/5 m r^2
   EXPECT_NEAR(body.inertia_kg_m2[2], ball, 0.05 * ball);
 }
 
 TEST(ProductBody, ABottlesCapAndNeckAreWhereTheyLook) {
-  const ProductBody body = make_product_body(sized("soda_bottle", {88, 88, 330}, 1.55)).value();
-  std::map<FeatureKind, PackFeature> features;
-  for (const PackFeature& feature : body.features)
+  const assets::ProductBody body =
+      assets::make_product_body(sized("soda_bottle", {88, 88, 330}, 1.55)).value();
+  std::map<assets::FeatureKind, assets::PackFeature> features;
+  for (const assets::PackFeature& feature : body.features)
     features[feature.kind] = feature;
-  ASSERT_TRUE(features.contains(FeatureKind::cap) && features.contains(FeatureKind::neck));
-  const PackFeature &cap = features[FeatureKind::cap], &neck = features[FeatureKind::neck];
+  ASSERT_TRUE(features.contains(assets::FeatureKind::cap) &&
+              features.contains(assets::FeatureKind::neck));
+  const assets::PackFeature &cap = features[assets::FeatureKind::cap],
+                            &neck = features[assets::FeatureKind::neck];
   EXPECT_NEAR(cap.half_size.x, 0.015F, 5e-4F);  // 30 mm across, see PCO 1881
   EXPECT_NEAR(cap.center.z + cap.half_size.z, 0.330F, 1e-4F);
   EXPECT_NEAR(neck.center.z + neck.half_size.z, cap.center.z - cap.half_size.z, 1e-4F);
@@ -256,7 +261,10 @@ TEST(ProductBody, ABottlesCapAndNeckAreWhereTheyLook) {
 }
 
 TEST(ProductBody, ADistantCanHasTwelveSides) {
-  const Mesh far = make_product_model(sized("can", {66, 66, 115}, 0.355), Detail::far).value().mesh;
+  const Mesh far =
+      assets::make_product_model(sized("can", {66, 66, 115}, 0.355), assets::Detail::far)
+          .value()
+          .mesh;
   std::set<int> directions;  // of the wall at half height, in degrees
   constexpr float half_height_m = 0.0575F;
   for (const auto& t : far.triangles) {
@@ -274,23 +282,24 @@ TEST(ProductBody, ADistantCanHasTwelveSides) {
 }
 
 TEST(ProductBody, SameRowSameBody) {
-  for (const Product& product :
+  for (const catalog::Product& product :
        {sized("spray_bottle", {100, 60, 270}, 0.6), sized("grapes", {190, 110, 80}, 0.5)}) {
-    const ProductBody one = make_product_body(product).value(),
-                      two = make_product_body(product).value();
+    const assets::ProductBody one = assets::make_product_body(product).value(),
+                              two = assets::make_product_body(product).value();
     ASSERT_EQ(one.pieces.size(), two.pieces.size());
     for (std::size_t i = 0; i < one.pieces.size(); ++i) {
       EXPECT_EQ(one.pieces[i].points, two.pieces[i].points);
       EXPECT_EQ(one.pieces[i].half_size, two.pieces[i].half_size);
     }
     EXPECT_EQ(one.inertia_kg_m2, two.inertia_kg_m2);
-    EXPECT_EQ(make_product_model(product, Detail::far).value().mesh.positions,
-              make_product_model(product, Detail::far).value().mesh.positions);
+    EXPECT_EQ(assets::make_product_model(product, assets::Detail::far).value().mesh.positions,
+              assets::make_product_model(product, assets::Detail::far).value().mesh.positions);
   }
 }
 
 TEST(ProductBody, UnknownShapesNameTheNearest) {
-  const Result<ProductBody> body = make_product_body(sized("soda_botle", {80, 80, 300}, 1));
+  const Result<assets::ProductBody> body =
+      assets::make_product_body(sized("soda_botle", {80, 80, 300}, 1));
   ASSERT_FALSE(body.ok());
   EXPECT_EQ(body.error().code, "catalog.unknown_kind");
 }

@@ -76,8 +76,8 @@ constexpr ProduceRow produce_rows[] = {
     {"round_bread", "Farmhouse Bread", {240, 240, 100}},
 };
 
-inline Product product_of(const ProduceRow& row, int index = 0) {
-  Product product;
+inline catalog::Product product_of(const ProduceRow& row, int index = 0) {
+  catalog::Product product;
   product.sku = "produce-" + std::string(row.name) + "-" + std::to_string(index);
   product.plu = "4011";
   product.name = row.name;

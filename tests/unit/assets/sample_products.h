@@ -723,8 +723,8 @@ constexpr SampleRow sample_rows[] = {
      "#e23b1e"},
 };
 
-inline Product product_of(const SampleRow& row, int index) {
-  Product product;
+inline catalog::Product product_of(const SampleRow& row, int index) {
+  catalog::Product product;
   product.sku = std::string(row.category) + "-sample-" + std::to_string(index);
   product.ean = with_check_digit("2000" + std::to_string(10000000 + index * 7919));
   product.name = row.name;
@@ -746,16 +746,16 @@ inline Product product_of(const SampleRow& row, int index) {
   return product;
 }
 
-inline std::vector<Product> sample_products() {
-  std::vector<Product> products;
+inline std::vector<catalog::Product> sample_products() {
+  std::vector<catalog::Product> products;
   for (const SampleRow& row : sample_rows) {
     products.push_back(product_of(row, static_cast<int>(products.size())));
   }
   return products;
 }
 
-inline Product loose_produce(std::string name, std::string archetype) {
-  Product product;
+inline catalog::Product loose_produce(std::string name, std::string archetype) {
+  catalog::Product product;
   product.sku = "produce-" + name;
   product.plu = "4011";
   product.name = std::move(name);

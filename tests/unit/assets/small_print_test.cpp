@@ -15,8 +15,10 @@
 namespace marketgen {
 namespace {
 
-Product product_of(std::string_view category, std::string_view subcategory, std::string_view name) {
-  Product product;
+catalog::Product product_of(std::string_view category,
+                            std::string_view subcategory,
+                            std::string_view name) {
+  catalog::Product product;
   product.sku = "test";
   product.category = category;
   product.subcategory = subcategory;
@@ -24,20 +26,20 @@ Product product_of(std::string_view category, std::string_view subcategory, std:
   return product;
 }
 
-PackFacts facts_of(const Product& product) {
-  return pack_facts(pack_art(product).value());
+assets::PackFacts facts_of(const catalog::Product& product) {
+  return assets::pack_facts(assets::pack_art(product).value());
 }
 
 TEST(SmallPrint, MatchesWholeWordsAndTheirPlurals) {
-  EXPECT_TRUE(has_phrase("Garden Peas", "pea"));
-  EXPECT_FALSE(has_phrase("Peach Halves", "pea"));
-  EXPECT_TRUE(has_phrase("Peaches", "peach"));
-  EXPECT_TRUE(has_phrase("Chopped Tomatoes", "tomato"));
-  EXPECT_TRUE(has_phrase("Cranberries, dried", "cranberry"));
-  EXPECT_TRUE(has_phrase("Long-Life Milk", "long life milk"));
-  EXPECT_FALSE(has_phrase("Ginger Ale", "gin"));
-  EXPECT_FALSE(has_phrase("Milk Drink", "milk roll"));
-  EXPECT_FALSE(has_phrase("Anything", ""));
+  EXPECT_TRUE(assets::has_phrase("Garden Peas", "pea"));
+  EXPECT_FALSE(assets::has_phrase("Peach Halves", "pea"));
+  EXPECT_TRUE(assets::has_phrase("Peaches", "peach"));
+  EXPECT_TRUE(assets::has_phrase("Chopped Tomatoes", "tomato"));
+  EXPECT_TRUE(assets::has_phrase("Cranberries, dried", "cranberry"));
+  EXPECT_TRUE(assets::has_phrase("Long-Life Milk", "long life milk"));
+  EXPECT_FALSE(assets::has_phrase("Ginger Ale", "gin"));
+  EXPECT_FALSE(assets::has_phrase("Milk Drink", "milk roll"));
+  EXPECT_FALSE(assets::has_phrase("Anything", ""));
 }
 
 // Names that a search for the beginnings of words got wrong.
@@ -49,7 +51,8 @@ class SmallPrintOf : public testing::TestWithParam<Known> {};
 
 TEST_P(SmallPrintOf, IsOfItsKind) {
   const Known& known = GetParam();
-  const PackFacts facts = facts_of(product_of(known.category, known.subcategory, known.name));
+  const assets::PackFacts facts =
+      facts_of(product_of(known.category, known.subcategory, known.name));
   const std::string text = facts.contents + " " + facts.directions;
   EXPECT_NE(text.find(known.says), std::string::npos) << known.name << ": " << text;
   EXPECT_EQ(text.find(known.says_not), std::string::npos) << known.name << ": " << text;
@@ -98,7 +101,7 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 TEST(SmallPrint, AForeignSubcategoryStillFindsItsWords) {  // a user's own catalogue
-  const PackFacts facts = facts_of(product_of("personal_care", "teeth", "Toothbrush"));
+  const assets::PackFacts facts = facts_of(product_of("personal_care", "teeth", "Toothbrush"));
   EXPECT_NE(facts.contents.find("nylon"), std::string::npos);
 }
 
@@ -111,17 +114,17 @@ bool names_category(std::string_view where, const std::string& category) {
   return false;
 }
 
-bool names_subcategory(std::string_view where, const Product& product) {
+bool names_subcategory(std::string_view where, const catalog::Product& product) {
   return (", " + std::string(where) + ",")
              .find(" " + product.category + "/" + product.subcategory + ",") != std::string::npos;
 }
 
 TEST(SmallPrint, EveryRowHasOneForItsOwnShelf) {
-  const Catalog catalog = load_catalog(data_folder().value()).value();
+  const catalog::Catalog catalog = catalog::load_catalog(io::data_folder().value()).value();
   ASSERT_GE(catalog.products.size(), 200U);
-  for (const Product& product : catalog.products) {
-    const GoodsRow* goods = goods_row_of(product);
-    const FoodRow* food = food_row_of(product);
+  for (const catalog::Product& product : catalog.products) {
+    const assets::GoodsRow* goods = assets::goods_row_of(product);
+    const assets::FoodRow* food = assets::food_row_of(product);
     ASSERT_NE(goods == nullptr, food == nullptr) << product.sku;
     const std::string_view where = goods != nullptr ? goods->where : food->where;
     EXPECT_TRUE(names_category(where, product.category)) << product.sku << ": " << where;
@@ -136,10 +139,10 @@ TEST(SmallPrint, EveryRowHasOneForItsOwnShelf) {
 }
 
 TEST(SmallPrint, NutritionAddsUp) {
-  const Catalog catalog = load_catalog(data_folder().value()).value();
-  for (const Product& product : catalog.products) {
-    const FoodRow* row = food_row_of(product);
-    if (row == nullptr || row->fat == no_table) continue;
+  const catalog::Catalog catalog = catalog::load_catalog(io::data_folder().value()).value();
+  for (const catalog::Product& product : catalog.products) {
+    const assets::FoodRow* row = assets::food_row_of(product);
+    if (row == nullptr || row->fat == assets::no_table) continue;
     EXPECT_LE(row->fat + row->carbohydrate + row->protein + row->salt, 100.5) << row->words;
     EXPECT_LE(row->saturates, row->fat) << row->words;
     EXPECT_LE(row->sugars, row->carbohydrate) << row->words;
@@ -147,11 +150,11 @@ TEST(SmallPrint, NutritionAddsUp) {
 }
 
 TEST(PackDates, FollowFromTheShelfLife) {  // the store is as on 2 March 2026
-  Product steak = product_of("dairy", "fresh meat", "Beef Steak");
-  steak.storage = Storage::chilled;
+  catalog::Product steak = product_of("dairy", "fresh meat", "Beef Steak");
+  steak.storage = catalog::Storage::chilled;
   steak.shelf_life_days = 5;
   EXPECT_EQ(facts_of(steak).best_before, "Use by 07.03.2026");
-  Product rice = product_of("dry_goods", "rice", "Rice");
+  catalog::Product rice = product_of("dry_goods", "rice", "Rice");
   rice.shelf_life_days = 365;
   EXPECT_EQ(facts_of(rice).best_before, "Best before 02.03.2027");
   EXPECT_EQ(facts_of(product_of("household", "cleaners", "Bleach")).best_before, "");

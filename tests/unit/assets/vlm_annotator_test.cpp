@@ -27,23 +27,24 @@ json says(const std::string& text) {
   return {{"body", {{"choices", json::array({{{"message", {{"content", text}}}}})}}}};
 }
 
-LanguageModel model_at(const MockServer& server) {
+llm::LanguageModel model_at(const MockServer& server) {
   setenv("OPENAI_API_KEY", "test-key-123", 1);
-  ModelChoice choice;
+  llm::ModelChoice choice;
   choice.model = "openai:seer";
   choice.url = server.url();
   choice.limits.first_wait_s = 0.01;
-  return open_language_model(choice).value();
+  return llm::open_language_model(choice).value();
 }
 
-Result<AssetAnnotation> annotated(const MockServer& server, const std::vector<Image>& pictures) {
-  AssetEvidence evidence;
+Result<catalog::AssetAnnotation> annotated(const MockServer& server,
+                                           const std::vector<Image>& pictures) {
+  assets::AssetEvidence evidence;
   evidence.file_name = "scan_0042.glb";
   evidence.parts = {"can \"A\"", "lid", "\xff not text", std::string(1000, 'x')};
   evidence.size_mm = {75, 75, 110};
   evidence.look.colors = {{"#c81010", 0.75}};
   evidence.pictures = &pictures;
-  return vlm_annotator(committed_catalog(), model_at(server))(evidence);
+  return assets::vlm_annotator(committed_catalog(), model_at(server))(evidence);
 }
 
 TEST(VlmAnnotator, ShowsTheModelAndTakesTheAnswer) {
@@ -67,8 +68,8 @@ TEST(VlmAnnotator, ShowsTheModelAndTakesTheAnswer) {
   const std::array<std::array<int, 2>, 2> sizes{{{768, 384}, {40, 40}}};
   for (std::size_t i = 0; i < 2; ++i) {
     const std::string url = parts[i]["image_url"]["url"];
-    const auto png = bytes_of_base64(url.substr(url.find(',') + 1), "picture");
-    const auto picture = decode_png(png.value(), "picture");
+    const auto png = net::bytes_of_base64(url.substr(url.find(',') + 1), "picture");
+    const auto picture = io::decode_png(png.value(), "picture");
     ASSERT_TRUE(picture.ok()) << to_string(picture.error());
     EXPECT_EQ((std::array<int, 2>{picture->width, picture->height}), sizes[i]);
   }
@@ -153,11 +154,14 @@ TEST(VlmAnnotator, AnImportTakesItsWord) {
   const fs::path file = scratch.path() / "mesh_001.glb";
   std::ofstream(file, std::ios::binary) << box_glb(0.075F, 0.11F, 0.075F, R"({"mesh": 0})");
   const MockServer server(json::array({says(verdict().dump())}));
-  ImportOptions options;
+  assets::ImportOptions options;
   options.coacd = false;
   options.name = "My soup";
-  const auto asset = import_asset(
-      file, options, committed_catalog(), vlm_annotator(committed_catalog(), model_at(server)));
+  const auto asset =
+      assets::import_asset(file,
+                           options,
+                           committed_catalog(),
+                           assets::vlm_annotator(committed_catalog(), model_at(server)));
   ASSERT_TRUE(asset.ok()) << to_string(asset.error());
   EXPECT_EQ(asset->file.annotation.annotator, "openai:seer");
   EXPECT_EQ(asset->file.product.category, "canned");
@@ -169,12 +173,12 @@ TEST(VlmAnnotator, AnImportTakesItsWord) {
 TEST(ScaledPicture, IsTheMeanOfWhatItStandsFor) {
   Image picture(4, 2, 1);
   picture.pixels = {0, 100, 10, 10, 200, 100, 30, 30};
-  const Image half = scaled_within(picture, 2);
+  const Image half = assets::scaled_within(picture, 2);
   EXPECT_EQ(half.width, 2);
   EXPECT_EQ(half.height, 1);
   EXPECT_EQ(half.pixels, (std::vector<std::uint8_t>{100, 20}));
-  EXPECT_EQ(scaled_within(picture, 4).pixels, picture.pixels);
-  const Image thin = scaled_within(Image(3000, 1, 3), 100);
+  EXPECT_EQ(assets::scaled_within(picture, 4).pixels, picture.pixels);
+  const Image thin = assets::scaled_within(Image(3000, 1, 3), 100);
   EXPECT_EQ(thin.width, 100);
   EXPECT_EQ(thin.height, 1);
 }

@@ -21,16 +21,16 @@ constexpr std::uint32_t cereal = 0, can = 1,
 constexpr float board = HandMadeScene::lower_board_m, upper = HandMadeScene::upper_board_m;
 constexpr float y = HandMadeScene::shelf_y_m - 0.1F;
 
-CollisionCount counted(const Scene& scene) {
-  const auto bounds = item_bounds(scene);
+audit::CollisionCount counted(const scene::Scene& scene) {
+  const auto bounds = audit::item_bounds(scene);
   EXPECT_TRUE(bounds.ok());
-  const auto count = count_collisions(scene, *bounds);
+  const auto count = audit::count_collisions(scene, *bounds);
   EXPECT_TRUE(count.ok()) << (count.ok() ? "" : to_string(count.error()));
-  return count.ok() ? *count : CollisionCount{99, 99, std::nullopt};
+  return count.ok() ? *count : audit::CollisionCount{99, 99, std::nullopt};
 }
 
-std::vector<std::uint32_t> outside(const Scene& scene) {
-  return items_out_of_place(scene, *item_bounds(scene));
+std::vector<std::uint32_t> outside(const scene::Scene& scene) {
+  return audit::items_out_of_place(scene, *audit::item_bounds(scene));
 }
 
 std::array<float, 4> yaw(double degrees) {
@@ -53,7 +53,7 @@ TEST(Collisions, TheDeepestPairIsNamedWithItsDepth) {
   made.add(cereal, {3.373F, y, upper});
   const auto count = counted(made.scene);
   ASSERT_TRUE(count.deepest);
-  EXPECT_EQ(count.deepest->items, ProductPair(1, 2));
+  EXPECT_EQ(count.deepest->items, physics::ProductPair(1, 2));
   EXPECT_NEAR(count.deepest->depth_m, 0.005, 1e-4);
 }
 
@@ -132,7 +132,7 @@ TEST(Collisions, TheSweepFindsEveryPair) {  // against all pairs, on places that
              {x, north, static_cast<float>(draw.uniform(0, 0.3))},
              yaw(draw.uniform(-180, 180)));
   }
-  const auto bounds = item_bounds(made.scene);
+  const auto bounds = audit::item_bounds(made.scene);
   ASSERT_TRUE(bounds.ok());
   std::uint64_t near = 0;
   for (std::size_t a = 0; a < bounds->size(); ++a) {
@@ -160,7 +160,7 @@ TEST(Collisions, ThirtyThousandPairsInOneAnother) {
     made.add(cereal, {x + 0.1F, north, 0});
   }
   const auto start = std::chrono::steady_clock::now();
-  const CollisionCount count = counted(made.scene);
+  const audit::CollisionCount count = counted(made.scene);
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(40));
   EXPECT_EQ(count.near_pairs, 30'000U);
   EXPECT_EQ(count.colliding_pairs, 30'000U);
@@ -173,7 +173,7 @@ TEST(Collisions, ATonOfSmallGoods) {
   made.scene.catalog.at(can).size_mm = {9, 9, 9};
   for (int i = 0; i < 200'000; ++i) {
     made.scene.products.push_back({can,
-                                   no_facing,
+                                   scene::no_facing,
                                    {0.01F * static_cast<float>(i % 100),
                                     0.01F * static_cast<float>(i / 100 % 50),
                                     0.01F * static_cast<float>(i / 5000)},
@@ -181,7 +181,7 @@ TEST(Collisions, ATonOfSmallGoods) {
                                    0});
   }
   const auto start = std::chrono::steady_clock::now();
-  const CollisionCount count = counted(made.scene);
+  const audit::CollisionCount count = counted(made.scene);
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(40));
   EXPECT_EQ(count.colliding_pairs, 0U);
   EXPECT_GT(count.near_pairs, 2'000'000U);
@@ -218,13 +218,16 @@ TEST(OutOfPlace, KnownPlaces) {  // the shelf is 1.24 m wide, 0.44 m deep, its f
 
 TEST(OutOfPlace, PinnedItemsNeedOnlyTheRoom) {
   HandMadeScene made;
-  made.scene.products.push_back({can, no_facing, {1, 1, 0}, {1, 0, 0, 0}, 0});
+  made.scene.products.push_back({can, scene::no_facing, {1, 1, 0}, {1, 0, 0, 0}, 0});
   EXPECT_TRUE(outside(made.scene).empty());
   made.scene.products.push_back(
-      {can, no_facing, {0.03F, 1, 0}, {1, 0, 0, 0}, 0});  // in the west wall
-  made.scene.products.push_back({can, no_facing, {1, 1, -0.01F}, {1, 0, 0, 0}, 0});  // in the floor
-  made.scene.products.push_back({can, no_facing, {1, 1, 2.9F}, {1, 0, 0, 0}, 0});  // in the ceiling
-  made.scene.products.push_back({can, no_facing, {1, 4.2F, 0}, {1, 0, 0, 0}, 0});  // in the street
+      {can, scene::no_facing, {0.03F, 1, 0}, {1, 0, 0, 0}, 0});  // in the west wall
+  made.scene.products.push_back(
+      {can, scene::no_facing, {1, 1, -0.01F}, {1, 0, 0, 0}, 0});  // in the floor
+  made.scene.products.push_back(
+      {can, scene::no_facing, {1, 1, 2.9F}, {1, 0, 0, 0}, 0});  // in the ceiling
+  made.scene.products.push_back(
+      {can, scene::no_facing, {1, 4.2F, 0}, {1, 0, 0, 0}, 0});  // in the street
   EXPECT_EQ(outside(made.scene), (std::vector<std::uint32_t>{1, 2, 3, 4}));
 }
 
@@ -232,11 +235,11 @@ TEST(OutOfPlace, TheRoomIsItsOutline) {  // an L: the north-east quarter is not 
   HandMadeScene made;
   made.scene.layout.shell.outline_mm =
       PolygonMm{{0, 0}, {6000, 0}, {6000, 2000}, {3000, 2000}, {3000, 4000}, {0, 4000}};
-  made.scene.products.push_back({can, no_facing, {1, 3, 0}, {1, 0, 0, 0}, 0});
-  made.scene.products.push_back({can, no_facing, {5, 1, 0}, {1, 0, 0, 0}, 0});
+  made.scene.products.push_back({can, scene::no_facing, {1, 3, 0}, {1, 0, 0, 0}, 0});
+  made.scene.products.push_back({can, scene::no_facing, {5, 1, 0}, {1, 0, 0, 0}, 0});
   EXPECT_TRUE(outside(made.scene).empty());
-  made.scene.products.push_back({can, no_facing, {5, 3, 0}, {1, 0, 0, 0}, 0});
-  made.scene.products.push_back({can, no_facing, {3.01F, 3, 0}, {1, 0, 0, 0}, 0});
+  made.scene.products.push_back({can, scene::no_facing, {5, 3, 0}, {1, 0, 0, 0}, 0});
+  made.scene.products.push_back({can, scene::no_facing, {3.01F, 3, 0}, {1, 0, 0, 0}, 0});
   EXPECT_EQ(outside(made.scene), (std::vector<std::uint32_t>{2, 3}));
 }
 
@@ -244,20 +247,21 @@ TEST(OutOfPlace, TheRoomIsItsOutline) {  // an L: the north-east quarter is not 
 
 TEST(Collisions, GeneratedShelvesHaveNone) {
   HandLaidShop shop = shop_of(selling_types());
-  for (Zone& zone : shop.plan.zones) {
+  for (plan::Zone& zone : shop.plan.zones) {
     zone.stock.jitter = 1;
     zone.stock.misplaced = 0.2;
     zone.stock.fill = 1;
   }
   for (std::uint64_t seed = 0; seed < 3; ++seed) {
-    const auto scene = build_scene(shop.layout, shop.plan, committed_catalog(), Seed(seed));
+    const auto scene = scene::build_scene(shop.layout, shop.plan, committed_catalog(), Seed(seed));
     ASSERT_TRUE(scene.ok()) << to_string(scene.error());
-    const CollisionCount count = counted(*scene);
+    const audit::CollisionCount count = counted(*scene);
     EXPECT_EQ(count.colliding_pairs, 0U);
     EXPECT_GT(count.near_pairs, 1000U);
     const auto out = outside(*scene);
-    EXPECT_TRUE(out.empty()) << out.size() << " items, first " << product_id(*scene, out.front())
-                             << " " << scene->catalog[scene->products[out.front()].sku].sku;
+    EXPECT_TRUE(out.empty()) << out.size() << " items, first "
+                             << scene::product_id(*scene, out.front()) << " "
+                             << scene->catalog[scene->products[out.front()].sku].sku;
   }
 }
 

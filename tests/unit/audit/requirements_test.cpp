@@ -12,16 +12,16 @@
 namespace marketgen {
 namespace {
 
-using Kind = RequirementKind;
-constexpr Comparison equal = Comparison::equal, at_least = Comparison::at_least,
-                     at_most = Comparison::at_most;
+using Kind = plan::RequirementKind;
+constexpr plan::Comparison equal = plan::Comparison::equal, at_least = plan::Comparison::at_least,
+                           at_most = plan::Comparison::at_most;
 
-Requirement wish(Kind kind,
-                 std::string subject,
-                 std::string object = "",
-                 double value = 0,
-                 Comparison comparison = equal) {
-  Requirement r;
+plan::Requirement wish(Kind kind,
+                       std::string subject,
+                       std::string object = "",
+                       double value = 0,
+                       plan::Comparison comparison = equal) {
+  plan::Requirement r;
   r.kind = kind;
   r.subject = std::move(subject);
   r.object = std::move(object);
@@ -30,30 +30,30 @@ Requirement wish(Kind kind,
   return r;
 }
 
-Requirement size_wish(double width_mm, double depth_mm) {
-  Requirement r = wish(Kind::size, "", "", width_mm);
+plan::Requirement size_wish(double width_mm, double depth_mm) {
+  plan::Requirement r = wish(Kind::size, "", "", width_mm);
   r.second_value = depth_mm;
   return r;
 }
 
-Requirement relation_wish(std::string a, RelationKind relation, std::string b) {
-  Requirement r = wish(Kind::relation, std::move(a), std::move(b));
+plan::Requirement relation_wish(std::string a, plan::RelationKind relation, std::string b) {
+  plan::Requirement r = wish(Kind::relation, std::move(a), std::move(b));
   r.relation = relation;
   return r;
 }
 
-Requirement opening_wish(std::string kind,
-                         std::string wall,
-                         std::string end,
-                         double value = 0,
-                         Comparison comparison = equal) {
-  Requirement r = wish(Kind::opening, std::move(kind), std::move(wall), value, comparison);
+plan::Requirement opening_wish(std::string kind,
+                               std::string wall,
+                               std::string end,
+                               double value = 0,
+                               plan::Comparison comparison = equal) {
+  plan::Requirement r = wish(Kind::opening, std::move(kind), std::move(wall), value, comparison);
   r.second_object = std::move(end);
   return r;
 }
 
 struct WishCase {
-  Requirement wish;
+  plan::Requirement wish;
   bool met;
 };
 
@@ -89,9 +89,10 @@ std::vector<WishCase> cases() {
       {wish(Kind::levels, "dairy", "", 4, at_least), true},
       {wish(Kind::levels, "dairy", "", 5, at_least), false},
       {wish(Kind::levels, "deli", "", 4), false},  // there is none
-      {relation_wish("dairy", RelationKind::along, "north"), true},
-      {relation_wish("dairy", RelationKind::near, "checkout"), false},
-      {relation_wish("produce", RelationKind::near, "entrance"), false},  // nothing stands in it
+      {relation_wish("dairy", plan::RelationKind::along, "north"), true},
+      {relation_wish("dairy", plan::RelationKind::near, "checkout"), false},
+      {relation_wish("produce", plan::RelationKind::near, "entrance"),
+       false},  // nothing stands in it
       {wish(Kind::area, "produce", "", 12), false},
       {wish(Kind::style, "", "scandinavian"), true},
       {wish(Kind::style, "", "industrial"), false},
@@ -147,23 +148,23 @@ std::vector<WishCase> cases() {
 }
 
 // The look of "scandinavian", under a light that the table knows.
-Scene dressed() {
+scene::Scene dressed() {
   AuditedShop shop;
-  const StyleRow& style = *committed_catalog().style("scandinavian");
-  Look& look = shop.scene.layout.look;
-  look = look_of(style);
+  const catalog::StyleRow& style = *committed_catalog().style("scandinavian");
+  plan::Look& look = shop.scene.layout.look;
+  look = plan::look_of(style);
   look.light_kelvin = 3000;
   look.light_lux = 800;
   return std::move(shop.scene);
 }
 
 TEST(Requirements, EveryKindMetAndNotMet) {
-  const Scene scene = dressed();
+  const scene::Scene scene = dressed();
   std::vector<WishCase> all = cases();
   all.push_back({wish(Kind::material, "floor", scene.layout.look.floor), true});
   std::map<Kind, std::array<int, 2>> seen;
   for (const WishCase& c : all) {
-    const auto results = check_requirements(scene, committed_catalog(), {c.wish});
+    const auto results = audit::check_requirements(scene, committed_catalog(), {c.wish});
     ASSERT_EQ(results.size(), 1U);
     EXPECT_EQ(results[0].met, c.met)
         << name_of(c.wish.kind) << " " << c.wish.subject << " " << c.wish.object << " "
@@ -171,15 +172,18 @@ TEST(Requirements, EveryKindMetAndNotMet) {
     EXPECT_FALSE(results[0].why.empty());
     ++seen[c.wish.kind][c.met ? 1 : 0];
   }
-  for (std::size_t kind = 0; kind < names_of(Kind{}).size(); ++kind) {
-    EXPECT_GT(seen[static_cast<Kind>(kind)][0], 0) << names_of(Kind{})[kind] << " is never refused";
-    EXPECT_GT(seen[static_cast<Kind>(kind)][1], 0) << names_of(Kind{})[kind] << " is never met";
+  for (std::size_t kind = 0; kind < plan::names_of(Kind{}).size(); ++kind) {
+    EXPECT_GT(seen[static_cast<Kind>(kind)][0], 0)
+        << plan::names_of(Kind{})[kind] << " is never refused";
+    EXPECT_GT(seen[static_cast<Kind>(kind)][1], 0)
+        << plan::names_of(Kind{})[kind] << " is never met";
   }
 }
 
 TEST(Requirements, RelationsToWhatIsNotThereAreNotJudged) {
-  for (const RelationKind kind : {RelationKind::far, RelationKind::not_adjacent}) {
-    const auto results = check_requirements(
+  for (const plan::RelationKind kind :
+       {plan::RelationKind::far, plan::RelationKind::not_adjacent}) {
+    const auto results = audit::check_requirements(
         AuditedShop().scene, committed_catalog(), {relation_wish("dairy", kind, "moon")});
     EXPECT_FALSE(results[0].met);
     EXPECT_NE(results[0].why.find("cannot be judged: the store has no moon"), std::string::npos)
@@ -188,11 +192,12 @@ TEST(Requirements, RelationsToWhatIsNotThereAreNotJudged) {
 }
 
 TEST(Requirements, TextAndSpanComeBackInOrder) {
-  Requirement first = wish(Kind::zone_present, "dairy"), second = wish(Kind::zone_absent, "dairy");
+  plan::Requirement first = wish(Kind::zone_present, "dairy"),
+                    second = wish(Kind::zone_absent, "dairy");
   first.text = "dairy", first.span = {3, 8};
   second.text = "no dairy", second.span = {20, 28};
   const auto results =
-      check_requirements(AuditedShop().scene, committed_catalog(), {first, second});
+      audit::check_requirements(AuditedShop().scene, committed_catalog(), {first, second});
   ASSERT_EQ(results.size(), 2U);
   EXPECT_EQ(results[0].text, "dairy");
   EXPECT_EQ(results[0].span, (IntRange{3, 8}));
@@ -202,22 +207,23 @@ TEST(Requirements, TextAndSpanComeBackInOrder) {
 }
 
 TEST(Requirements, OneLowGondolaBreaksAtLeast) {
-  Scene scene = dressed();
+  scene::Scene scene = dressed();
   scene.layout.fixtures[0].height_mm = 1700;
   scene.layout.fixtures[1].height_mm = 2300;  // further away, but on the right side
-  const auto results = check_requirements(
+  const auto results = audit::check_requirements(
       scene, committed_catalog(), {wish(Kind::height, "fixture", "", 1800, at_least)});
   EXPECT_FALSE(results[0].met) << results[0].why;
 }
 
 TEST(Requirements, DisorderShowsAsMisplacedItems) {
-  Scene scene = dressed();
-  scene.products[0].flags |= product_misplaced;
-  const auto results = check_requirements(scene,
-                                          committed_catalog(),
-                                          {wish(Kind::stock, "jitter", "", 0.8, at_least),
-                                           wish(Kind::stock, "misplaced", "", 0.05, at_least),
-                                           wish(Kind::stock, "jitter", "", 0.01, at_most)});
+  scene::Scene scene = dressed();
+  scene.products[0].flags |= scene::product_misplaced;
+  const auto results =
+      audit::check_requirements(scene,
+                                committed_catalog(),
+                                {wish(Kind::stock, "jitter", "", 0.8, at_least),
+                                 wish(Kind::stock, "misplaced", "", 0.05, at_least),
+                                 wish(Kind::stock, "jitter", "", 0.01, at_most)});
   EXPECT_TRUE(results[0].met);
   EXPECT_TRUE(results[1].met);
   EXPECT_FALSE(results[2].met);
@@ -225,12 +231,14 @@ TEST(Requirements, DisorderShowsAsMisplacedItems) {
 
 // ---- What an empty zone is worth ----
 
-bool is_met(const Scene& scene, const Requirement& r) {
-  return check_requirements(scene, committed_catalog(), {r})[0].met;
+bool is_met(const scene::Scene& scene, const plan::Requirement& r) {
+  return audit::check_requirements(scene, committed_catalog(), {r})[0].met;
 }
 
-Fixture standing_in(const std::string& zone, const std::string& run, const std::string& kind) {
-  Fixture fixture;
+layout::Fixture standing_in(const std::string& zone,
+                            const std::string& run,
+                            const std::string& kind) {
+  layout::Fixture fixture;
   fixture.id = run + "/module-1";
   fixture.run = run;
   fixture.zone = zone;
@@ -267,7 +275,7 @@ TEST(Requirements, GoodsOnOfferStandOnAShelf) {
 
 TEST(Requirements, ACounterIsATill) {
   AuditedShop shop;
-  for (Fixture& fixture : shop.scene.layout.fixtures)
+  for (layout::Fixture& fixture : shop.scene.layout.fixtures)
     if (fixture.kind == "checkout_lane") fixture.kind = "till-counter";
   EXPECT_TRUE(is_met(shop.scene, wish(Kind::fixture_count, "checkout_lane", "checkout", 3)));
 }

@@ -13,22 +13,22 @@
 namespace marketgen {
 namespace {
 
-std::vector<std::string> broken_rules(const Scene& scene) {
-  const auto audit = audit_store(scene, committed_catalog(), {});
+std::vector<std::string> broken_rules(const scene::Scene& scene) {
+  const auto audit = audit::audit_store(scene, committed_catalog(), {});
   if (!audit.ok()) fatal(to_string(audit.error()).c_str());
   std::vector<std::string> codes;
-  for (const Violation& v : audit->rules)
+  for (const layout::Violation& v : audit->rules)
     codes.push_back(v.code);
   return codes;
 }
 
-bool breaks(const Scene& scene, std::string_view rule) {
+bool breaks(const scene::Scene& scene, std::string_view rule) {
   const auto codes = broken_rules(scene);
   return std::find(codes.begin(), codes.end(), rule) != codes.end();
 }
 
 // Small enough a selling area for what stands there.
-Scene sound() {
+scene::Scene sound() {
   AuditedShop shop;
   shop.scene.layout.zones.push_back(
       {"store-room", "backroom", "", polygon_of({0, 0, 1, 1}), 189.9});
@@ -36,27 +36,28 @@ Scene sound() {
   return std::move(shop.scene);
 }
 
-const std::map<std::string_view, std::function<void(Scene&)>>& faults() {
-  static const std::map<std::string_view, std::function<void(Scene&)>> all = {
+const std::map<std::string_view, std::function<void(scene::Scene&)>>& faults() {
+  static const std::map<std::string_view, std::function<void(scene::Scene&)>> all = {
       {"ITEM_COLLISION",
-       [](Scene& s) {
-         SceneProduct twin = s.products[0];
+       [](scene::Scene& s) {
+         scene::SceneProduct twin = s.products[0];
          twin.position_m[0] += 0.01F;
          s.products.push_back(twin);
        }},
-      {"ITEM_OUTSIDE_SHELF", [](Scene& s) { s.products[0].position_m[1] -= 0.3F; }},
-      {"SHELF_EMPTY", [](Scene& s) { s.facings.resize(s.facings.size() - 2); }},  // 2 of 20 shelves
+      {"ITEM_OUTSIDE_SHELF", [](scene::Scene& s) { s.products[0].position_m[1] -= 0.3F; }},
+      {"SHELF_EMPTY",
+       [](scene::Scene& s) { s.facings.resize(s.facings.size() - 2); }},  // 2 of 20 shelves
       {"LOAD_HEAVY_HIGH",
-       [](Scene& s) {
+       [](scene::Scene& s) {
          s.catalog[1].mass_kg = 2.5;
-         for (SceneProduct& p : s.products) {
+         for (scene::SceneProduct& p : s.products) {
            if (p.sku == 1) p.position_m[2] += 1.5F;
          }
        }},
-      {"DENSITY_LOW", [](Scene& s) { s.layout.zones.pop_back(); }},
+      {"DENSITY_LOW", [](scene::Scene& s) { s.layout.zones.pop_back(); }},
       {"SHELF_UNREACHABLE",
-       [](Scene& s) {
-         Fixture wall;
+       [](scene::Scene& s) {
+         layout::Fixture wall;
          wall.id = wall.run = "wall";
          wall.x_mm = 11500, wall.y_mm = 5000, wall.width_mm = 200, wall.depth_mm = 10000;
          s.layout.fixtures.push_back(wall);
@@ -71,48 +72,54 @@ TEST(SceneRules, ASoundShopKeepsThemAll) {
 }
 
 TEST(SceneRules, EveryRuleIsBrokenByItsFaultAndKeptWithoutIt) {
-  for (const SceneRule& rule : scene_rules()) {
+  for (const audit::SceneRule& rule : audit::scene_rules()) {
     const auto fault = faults().find(rule.code);
     ASSERT_NE(fault, faults().end()) << rule.code << " has no fault in this test";
-    Scene scene = sound();
+    scene::Scene scene = sound();
     EXPECT_FALSE(breaks(scene, rule.code)) << rule.code;
     fault->second(scene);
     EXPECT_TRUE(breaks(scene, rule.code)) << rule.code;
   }
-  EXPECT_EQ(faults().size(), scene_rules().size());
+  EXPECT_EQ(faults().size(), audit::scene_rules().size());
 }
 
 TEST(SceneRules, ViolationsSayWhereAndHowMuch) {
-  Scene scene = sound();
+  scene::Scene scene = sound();
   faults().at("ITEM_OUTSIDE_SHELF")(scene);
-  const auto audit = audit_store(scene, committed_catalog(), {});
+  const auto audit = audit::audit_store(scene, committed_catalog(), {});
   ASSERT_TRUE(audit.ok());
   ASSERT_EQ(audit->rules.size(), 1U);
-  EXPECT_EQ(audit->rules[0].where, product_id(scene, 0));
+  EXPECT_EQ(audit->rules[0].where, scene::product_id(scene, 0));
   EXPECT_EQ(audit->rules[0].value, 1);
-  EXPECT_EQ(audit->rules[0].severity, Severity::hard);
+  EXPECT_EQ(audit->rules[0].severity, layout::Severity::hard);
   EXPECT_FALSE(audit->rules[0].message.empty());
   EXPECT_EQ(audit->metrics.OOB, 1U);
 }
 
 TEST(SceneRules, EveryRuleHasASource) {
-  for (const SceneRule& rule : scene_rules())
+  for (const audit::SceneRule& rule : audit::scene_rules())
     EXPECT_FALSE(rule.source.empty()) << rule.code;
 }
 
 TEST(Audit, LayoutsViolationsComeAlong) {
-  Scene scene = sound();
-  scene.layout.violations.push_back(
-      {"AISLE_TOO_NARROW", Severity::hard, "aisle-1", 800, 1000, "too narrow", std::nullopt});
+  scene::Scene scene = sound();
+  scene.layout.violations.push_back({"AISLE_TOO_NARROW",
+                                     layout::Severity::hard,
+                                     "aisle-1",
+                                     800,
+                                     1000,
+                                     "too narrow",
+                                     std::nullopt});
   EXPECT_EQ(broken_rules(scene), std::vector<std::string>{"AISLE_TOO_NARROW"});
 }
 
 TEST(Audit, ShareOfWishesMet) {
-  Requirement met, missed;
-  met.kind = missed.kind = RequirementKind::zone_present;
+  plan::Requirement met, missed;
+  met.kind = missed.kind = plan::RequirementKind::zone_present;
   met.subject = "dairy";
   missed.subject = "deli";
-  const auto audit = audit_store(sound(), committed_catalog(), {met, missed, missed, missed});
+  const auto audit =
+      audit::audit_store(sound(), committed_catalog(), {met, missed, missed, missed});
   ASSERT_TRUE(audit.ok());
   EXPECT_DOUBLE_EQ(audit->metrics.prompt, 0.25);
   EXPECT_EQ(audit->requirements.size(), 4U);

@@ -10,17 +10,18 @@ namespace marketgen {
 namespace {
 
 // A room of 10 x 4 m with nothing in it.
-Scene empty_room() {
-  Scene scene;
+scene::Scene empty_room() {
+  scene::Scene scene;
   scene.layout.shell.width_mm = 10000;
   scene.layout.shell.depth_mm = 4000;
-  scene.layout.shell.openings = {{"entrance", OpeningKind::entrance, Wall::south, 0.2, 1500}};
+  scene.layout.shell.openings = {
+      {"entrance", plan::OpeningKind::entrance, plan::Wall::south, 0.2, 1500}};
   return scene;
 }
 
 // A fixture from the south-west to the north-east corner.
-void block(Scene& scene, RectMm r) {
-  Fixture f;
+void block(scene::Scene& scene, RectMm r) {
+  layout::Fixture f;
   f.id = f.run = "wall-" + std::to_string(scene.layout.fixtures.size());
   f.x_mm = (r.x0 + r.x1) / 2, f.y_mm = (r.y0 + r.y1) / 2;
   f.width_mm = r.width(), f.depth_mm = r.depth();
@@ -28,35 +29,35 @@ void block(Scene& scene, RectMm r) {
 }
 
 TEST(Traffic, AnEmptyRoomHangsTogether) {
-  EXPECT_EQ(measure_traffic(empty_room()).largest_share, 1);
+  EXPECT_EQ(audit::measure_traffic(empty_room()).largest_share, 1);
 }
 
 TEST(Traffic, AWallOfFixturesSplitsTheRoom) {  // x = 5.9-6.1 m: 0.42-5.48 m are left on one
                                                // side, 6.52-9.58 m on the other
-  Scene scene = empty_room();
+  scene::Scene scene = empty_room();
   block(scene, {5900, 0, 6100, 4000});
-  EXPECT_NEAR(measure_traffic(scene).largest_share, 5.06 / (5.06 + 3.06), 0.01);
+  EXPECT_NEAR(audit::measure_traffic(scene).largest_share, 5.06 / (5.06 + 3.06), 0.01);
 }
 
 TEST(Traffic, ADoorJoinsTheHalvesOnlyWhenTheRobotFits) {  // it is 0.84 m wide
   for (const auto& [gap_mm, together] : {std::pair(1100, true), std::pair(700, false)}) {
-    Scene scene = empty_room();
+    scene::Scene scene = empty_room();
     block(scene, {5900, 0, 6100, 1500});
     block(scene, {5900, 1500 + gap_mm, 6100, 4000});
-    EXPECT_EQ(measure_traffic(scene).largest_share == 1, together) << gap_mm;
+    EXPECT_EQ(audit::measure_traffic(scene).largest_share == 1, together) << gap_mm;
   }
 }
 
 TEST(Traffic, NoFloorAtAll) {
-  Scene scene = empty_room();
+  scene::Scene scene = empty_room();
   block(scene, {0, 0, 10000, 4000});
-  EXPECT_EQ(measure_traffic(scene).largest_share, 0);
+  EXPECT_EQ(audit::measure_traffic(scene).largest_share, 0);
 }
 
 TEST(Traffic, ColumnsAndOutlinesCount) {
-  Scene scene = empty_room();
+  scene::Scene scene = empty_room();
   scene.layout.shell.columns = {{6000, 1000, 1900}, {6000, 3000, 1900}};
-  EXPECT_LT(measure_traffic(scene).largest_share, 0.7);
+  EXPECT_LT(audit::measure_traffic(scene).largest_share, 0.7);
   scene = empty_room();
   scene.layout.shell.outline_mm = PolygonMm{{0, 0},
                                             {4000, 0},
@@ -70,45 +71,47 @@ TEST(Traffic, ColumnsAndOutlinesCount) {
                                             {4000, 2200},
                                             {4000, 4000},
                                             {0, 4000}};  // two halls and a passage of 0.4 m
-  EXPECT_NEAR(measure_traffic(scene).largest_share, 0.5, 0.01);
+  EXPECT_NEAR(audit::measure_traffic(scene).largest_share, 0.5, 0.01);
 }
 
 TEST(Traffic, ShelvesBehindAWallAreOutOfReach) {
-  const Scene open = AuditedShop().scene;
-  EXPECT_EQ(measure_traffic(open).reachable_shelves, 1);
-  EXPECT_TRUE(measure_traffic(open).unreachable.empty());
+  const scene::Scene open = AuditedShop().scene;
+  EXPECT_EQ(audit::measure_traffic(open).reachable_shelves, 1);
+  EXPECT_TRUE(audit::measure_traffic(open).unreachable.empty());
   AuditedShop shop;
-  Fixture wall;
+  layout::Fixture wall;
   wall.id = wall.run = "wall";
   wall.x_mm = 11500, wall.y_mm = 5000, wall.width_mm = 200,
   wall.depth_mm = 10000;  // cuts off dairy and checkout
   shop.scene.layout.fixtures.push_back(wall);
-  const Traffic traffic = measure_traffic(shop.scene);
+  const audit::Traffic traffic = audit::measure_traffic(shop.scene);
   EXPECT_EQ(traffic.unreachable.size(), 4U);
   EXPECT_NEAR(traffic.reachable_shelves, 1 - 4.0 / 20, 1e-9);
 }
 
 TEST(Metrics, FillOfKnownShelves) {  // 20 shelves of 1 m with 0.8 m each, two of them sold out
-  const Scene scene = AuditedShop().scene;
+  const scene::Scene scene = AuditedShop().scene;
   ASSERT_EQ(scene.shelves.size(), 20U);
-  EXPECT_NEAR(shelf_fill(scene), 18 * 0.8 / 20, 1e-5);
-  EXPECT_EQ(shelf_fill(empty_room()), 0);
+  EXPECT_NEAR(audit::shelf_fill(scene), 18 * 0.8 / 20, 1e-5);
+  EXPECT_EQ(audit::shelf_fill(empty_room()), 0);
 }
 
 TEST(Metrics, SellingAreaLeavesTheTillsOut) {
-  EXPECT_NEAR(selling_area_m2(AuditedShop().scene), 200 - 10, 1e-9);
+  EXPECT_NEAR(audit::selling_area_m2(AuditedShop().scene), 200 - 10, 1e-9);
 }
 
 TEST(Metrics, AislesBetweenShelves) {
   AuditedShop shop;
-  EXPECT_EQ(shopping_aisles(shop.scene), 1);
-  shop.scene.layout.aisles.push_back(
-      {"cross", AisleKind::cross, {{3000, 5250}, {5500, 5250}, {5500, 7050}, {3000, 7050}}, 1800});
+  EXPECT_EQ(audit::shopping_aisles(shop.scene), 1);
+  shop.scene.layout.aisles.push_back({"cross",
+                                      layout::AisleKind::cross,
+                                      {{3000, 5250}, {5500, 5250}, {5500, 7050}, {3000, 7050}},
+                                      1800});
   shop.scene.layout.aisles.push_back({"front",
-                                      AisleKind::main,
+                                      layout::AisleKind::main,
                                       {{0, 3000}, {20000, 3000}, {20000, 4000}, {0, 4000}},
                                       1000});  // shelves on neither side
-  EXPECT_EQ(shopping_aisles(shop.scene), 1);
+  EXPECT_EQ(audit::shopping_aisles(shop.scene), 1);
 }
 
 }  // namespace

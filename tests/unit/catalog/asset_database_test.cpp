@@ -15,8 +15,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Product product(std::string sku, std::string category, std::string subcategory, Storage storage) {
-  Product p;
+catalog::Product product(std::string sku,
+                         std::string category,
+                         std::string subcategory,
+                         catalog::Storage storage) {
+  catalog::Product p;
   p.sku = std::move(sku);
   p.name = "Thing";
   p.category = std::move(category);
@@ -26,8 +29,10 @@ Product product(std::string sku, std::string category, std::string subcategory, 
   return p;
 }
 
-FixtureKind fixture(std::string kind, FixtureRole role, Storage temperature) {
-  FixtureKind k;
+catalog::FixtureKind fixture(std::string kind,
+                             catalog::FixtureRole role,
+                             catalog::Storage temperature) {
+  catalog::FixtureKind k;
   k.kind = std::move(kind);
   k.name = "Facility";
   k.role = role;
@@ -35,43 +40,44 @@ FixtureKind fixture(std::string kind, FixtureRole role, Storage temperature) {
   return k;
 }
 
-MaterialRow material(std::string id, std::string name) {
-  MaterialRow m;
+catalog::MaterialRow material(std::string id, std::string name) {
+  catalog::MaterialRow m;
   m.id = std::move(id);
   m.name = std::move(name);
   return m;
 }
 
-Catalog small_catalog() {
-  Catalog catalog;
-  catalog.products = {product("bread", "bakery", "bread", Storage::ambient),
-                      product("cheese", "dairy", "cheese", Storage::chilled),
-                      product("juice", "beverages", "juice", Storage::ambient),
-                      product("peas", "frozen", "vegetables", Storage::frozen),
-                      product("uht", "dairy", "milk", Storage::ambient)};
+catalog::Catalog small_catalog() {
+  catalog::Catalog catalog;
+  catalog.products = {product("bread", "bakery", "bread", catalog::Storage::ambient),
+                      product("cheese", "dairy", "cheese", catalog::Storage::chilled),
+                      product("juice", "beverages", "juice", catalog::Storage::ambient),
+                      product("peas", "frozen", "vegetables", catalog::Storage::frozen),
+                      product("uht", "dairy", "milk", catalog::Storage::ambient)};
   catalog.products[0].size_mm = {200, 100, 100};
   catalog.products[1].size_mm = {90, 60, 40};
   catalog.products[1].mass_kg = 0.3;
   catalog.products[2].name = "Organic Thing";
-  catalog.fixture_kinds = {fixture("gondola", FixtureRole::shelving, Storage::ambient),
-                           fixture("cooler", FixtureRole::shelving, Storage::chilled),
-                           fixture("till", FixtureRole::checkout, Storage::ambient)};
+  catalog.fixture_kinds = {
+      fixture("gondola", catalog::FixtureRole::shelving, catalog::Storage::ambient),
+      fixture("cooler", catalog::FixtureRole::shelving, catalog::Storage::chilled),
+      fixture("till", catalog::FixtureRole::checkout, catalog::Storage::ambient)};
   catalog.fixture_kinds[0].material = "wood";
   catalog.materials = {material("wood", "Wood"), material("bio-green", "Bio plaster")};
   catalog.categories = {{"bakery", "Bakery"}, {"dairy", "Dairy"}};
-  ZoneTypeRow chilled;
+  catalog::ZoneTypeRow chilled;
   chilled.type = "chilled";
   chilled.fixture = "cooler";
-  chilled.temperature = Storage::chilled;
+  chilled.temperature = catalog::Storage::chilled;
   chilled.categories = {"dairy", "beverages"};
-  ZoneTypeRow tills;
+  catalog::ZoneTypeRow tills;
   tills.type = "tills";
   tills.fixture = "till";
-  ZoneTypeRow offers;
+  catalog::ZoneTypeRow offers;
   offers.type = "offers";
   offers.fixture = "gondola";
   catalog.zone_types = {chilled, tills, offers};
-  StyleRow organic;
+  catalog::StyleRow organic;
   organic.id = "organic";
   organic.floor = organic.wall = organic.ceiling = organic.fixture = "wood";
   organic.keywords = {"organic", "bio"};
@@ -79,17 +85,17 @@ Catalog small_catalog() {
   return catalog;
 }
 
-std::set<std::string> ids(const AssetQuery& query) {
-  const Catalog catalog = small_catalog();
-  const auto database = AssetDatabase::build(catalog);
+std::set<std::string> ids(const catalog::AssetQuery& query) {
+  const catalog::Catalog catalog = small_catalog();
+  const auto database = catalog::AssetDatabase::build(catalog);
   EXPECT_TRUE(database.ok()) << to_string(database.error());
   const auto found = database->find(query);
   EXPECT_TRUE(found.ok()) << to_string(found.error());
   std::set<std::string> names;
-  for (const AssetHit& hit : *found) {
-    names.insert(hit.kind == AssetKind::goods      ? catalog.products[hit.row].sku
-                 : hit.kind == AssetKind::facility ? catalog.fixture_kinds[hit.row].kind
-                                                   : catalog.materials[hit.row].id);
+  for (const catalog::AssetHit& hit : *found) {
+    names.insert(hit.kind == catalog::AssetKind::goods      ? catalog.products[hit.row].sku
+                 : hit.kind == catalog::AssetKind::facility ? catalog.fixture_kinds[hit.row].kind
+                                                            : catalog.materials[hit.row].id);
   }
   return names;
 }
@@ -97,12 +103,12 @@ std::set<std::string> ids(const AssetQuery& query) {
 using Ids = std::set<std::string>;
 
 TEST(AssetDatabase, EmptyQueryIsEverythingInOrder) {
-  const auto database = AssetDatabase::build(small_catalog());
+  const auto database = catalog::AssetDatabase::build(small_catalog());
   const auto found = database->find({});
   ASSERT_EQ(found->size(), 10U);
-  EXPECT_EQ(found->front().kind, AssetKind::goods);
+  EXPECT_EQ(found->front().kind, catalog::AssetKind::goods);
   EXPECT_EQ(found->at(5).row, 1U);  // "cooler" before "gondola", whatever the file's order
-  EXPECT_EQ(found->back().kind, AssetKind::material);
+  EXPECT_EQ(found->back().kind, catalog::AssetKind::material);
 }
 
 TEST(AssetDatabase, ZoneKnowsItsGoodsAndFacilities) {
@@ -116,11 +122,11 @@ TEST(AssetDatabase, Filters) {
   EXPECT_EQ(ids({.category = "dairy"}), (Ids{"cheese", "uht"}));
   EXPECT_EQ(ids({.category = "dairy", .subcategory = "milk"}), Ids{"uht"});
   EXPECT_EQ(ids({.storage = "frozen"}), Ids{"peas"});
-  EXPECT_EQ(ids({.kinds = {AssetKind::goods}, .max_width_mm = 60}),
+  EXPECT_EQ(ids({.kinds = {catalog::AssetKind::goods}, .max_width_mm = 60}),
             (Ids{"juice", "peas", "uht"}));  // 60 mm each
   EXPECT_EQ(ids({.max_width_mm = 100, .max_height_mm = 40}), Ids{"cheese"});
   EXPECT_EQ(ids({.category = "dairy", .max_mass_kg = 0.2}), Ids{"uht"});
-  EXPECT_EQ(ids({.kinds = {AssetKind::material}}), (Ids{"wood", "bio-green"}));
+  EXPECT_EQ(ids({.kinds = {catalog::AssetKind::material}}), (Ids{"wood", "bio-green"}));
   EXPECT_EQ(ids({.material = "wood"}), Ids{"gondola"});
   EXPECT_EQ(ids({.text = "facility", .storage = "chilled"}), Ids{"cooler"});
 }
@@ -130,11 +136,11 @@ TEST(AssetDatabase, StyleIsItsMaterialsAndItsWords) {
 }
 
 TEST(AssetDatabase, UnknownNamesAreRefusedWithTheNearest) {
-  const auto database = AssetDatabase::build(small_catalog());
-  for (const AssetQuery& query : {AssetQuery{.zone = "chiled"},
-                                  AssetQuery{.category = "dary"},
-                                  AssetQuery{.style = "organik"},
-                                  AssetQuery{.storage = "frosen"}}) {
+  const auto database = catalog::AssetDatabase::build(small_catalog());
+  for (const catalog::AssetQuery& query : {catalog::AssetQuery{.zone = "chiled"},
+                                           catalog::AssetQuery{.category = "dary"},
+                                           catalog::AssetQuery{.style = "organik"},
+                                           catalog::AssetQuery{.storage = "frosen"}}) {
     const auto found = database->find(query);
     ASSERT_FALSE(found.ok());
     EXPECT_EQ(found.error().code, "catalog.unknown_kind");
@@ -158,9 +164,9 @@ class AssetCache : public testing::Test {
   ScratchFolder scratch_;
 };
 
-std::vector<double> scores(const AssetDatabase& database, const std::string& text) {
+std::vector<double> scores(const catalog::AssetDatabase& database, const std::string& text) {
   std::vector<double> list;
-  for (const AssetHit& hit : database.find({.text = text}).value()) {
+  for (const catalog::AssetHit& hit : database.find({.text = text}).value()) {
     list.push_back(hit.row);
     list.push_back(hit.score);
   }
@@ -168,10 +174,10 @@ std::vector<double> scores(const AssetDatabase& database, const std::string& tex
 }
 
 TEST_F(AssetCache, KeptDatabaseAnswersAsTheFreshOne) {
-  const auto fresh = AssetDatabase::build(committed_catalog());
-  const auto first = AssetDatabase::open(committed_catalog());
+  const auto fresh = catalog::AssetDatabase::build(committed_catalog());
+  const auto first = catalog::AssetDatabase::open(committed_catalog());
   ASSERT_EQ(files().size(), 1U);
-  const auto second = AssetDatabase::open(committed_catalog());
+  const auto second = catalog::AssetDatabase::open(committed_catalog());
   ASSERT_TRUE(second.ok());
   for (const char* text : {"milk", "something to clean windows", "water without gas"}) {
     EXPECT_EQ(scores(*fresh, text), scores(*first, text));
@@ -180,13 +186,13 @@ TEST_F(AssetCache, KeptDatabaseAnswersAsTheFreshOne) {
 }
 
 TEST_F(AssetCache, DamagedFileIsMadeAgain) {
-  ASSERT_TRUE(AssetDatabase::open(committed_catalog()).ok());
+  ASSERT_TRUE(catalog::AssetDatabase::open(committed_catalog()).ok());
   ASSERT_EQ(files().size(), 1U);
   const std::string good = contents_of(files()[0]);
   for (const std::string& bad :
        {std::string(), std::string("nonsense"), good.substr(0, good.size() / 2)}) {
     std::ofstream(files()[0], std::ios::binary) << bad;
-    const auto database = AssetDatabase::open(committed_catalog());
+    const auto database = catalog::AssetDatabase::open(committed_catalog());
     ASSERT_TRUE(database.ok());
     EXPECT_FALSE(database->find({.text = "milk"})->empty());
     EXPECT_EQ(contents_of(files()[0]), good);
@@ -195,7 +201,7 @@ TEST_F(AssetCache, DamagedFileIsMadeAgain) {
 
 TEST_F(AssetCache, UnwritableCacheCostsOnlyTime) {
   setenv("MARKETGEN_CACHE", "/proc/no-such-folder", 1);
-  EXPECT_TRUE(AssetDatabase::open(committed_catalog()).ok());
+  EXPECT_TRUE(catalog::AssetDatabase::open(committed_catalog()).ok());
 }
 
 }  // namespace

@@ -33,9 +33,9 @@ class OwnRows : public testing::Test {
   }
   void TearDown() override { fs::remove(file_); }
 
-  Result<Catalog> load(const std::string& text) {
+  Result<catalog::Catalog> load(const std::string& text) {
     std::ofstream(file_, std::ios::binary) << text;
-    return load_catalog(fs::path(MARKETGEN_SOURCE_DIR) / "data", {file_});
+    return catalog::load_catalog(fs::path(MARKETGEN_SOURCE_DIR) / "data", {file_});
   }
 
   void expect_error(const std::string& text,
@@ -57,7 +57,7 @@ TEST_F(OwnRows, GoodRowStandsBesideOurs) {
   ASSERT_TRUE(loaded.ok()) << to_string(loaded.error());
   ASSERT_NE(loaded->product("own-cola"), nullptr);
   EXPECT_EQ(loaded->product("own-cola")->name, "Cola");
-  const auto ours = load_catalog(fs::path(MARKETGEN_SOURCE_DIR) / "data");
+  const auto ours = catalog::load_catalog(fs::path(MARKETGEN_SOURCE_DIR) / "data");
   ASSERT_TRUE(ours.ok());
   EXPECT_EQ(loaded->products.size(), ours->products.size() + 1);
   EXPECT_NE(loaded->content_hash, ours->content_hash);
@@ -129,26 +129,27 @@ TEST_F(OwnRows, SkuThatIsNoId) {
   expect_error(with("own-cola", "../cola"), "json.bad_identifier", ":/0/sku", "is not an id");
 }
 TEST_F(OwnRows, FileThatIsNotThere) {
-  const auto loaded = load_catalog(fs::path(MARKETGEN_SOURCE_DIR) / "data", {"/no/such/rows.json"});
+  const auto loaded =
+      catalog::load_catalog(fs::path(MARKETGEN_SOURCE_DIR) / "data", {"/no/such/rows.json"});
   ASSERT_FALSE(loaded.ok());
   EXPECT_EQ(loaded.error().code, "input.not_found");
 }
 TEST_F(OwnRows, DataFolderThatIsNone) {
-  const auto loaded = load_catalog(testing::TempDir());
+  const auto loaded = catalog::load_catalog(testing::TempDir());
   ASSERT_FALSE(loaded.ok());
   EXPECT_EQ(loaded.error().code, "catalog.missing_data");
 }
 
 // Rules on the other tables, seen through a changed copy of ours.
 TEST(BadRows, ReferencesBetweenTablesMustHold) {
-  auto loaded = load_catalog(fs::path(MARKETGEN_SOURCE_DIR) / "data");
+  auto loaded = catalog::load_catalog(fs::path(MARKETGEN_SOURCE_DIR) / "data");
   ASSERT_TRUE(loaded.ok());
-  const Catalog good = std::move(loaded).value();
-  const auto code_of = [](const Catalog& catalog) {
-    const auto checked = check_catalog(catalog);
+  const catalog::Catalog good = std::move(loaded).value();
+  const auto code_of = [](const catalog::Catalog& catalog) {
+    const auto checked = catalog::check_catalog(catalog);
     return checked.ok() ? std::string("ok") : checked.error().code + " " + checked.error().where;
   };
-  Catalog bad = good;
+  catalog::Catalog bad = good;
   bad.zone_types[0].fixture = "gondolla";
   EXPECT_EQ(code_of(bad), "catalog.bad_row zone_types/" + good.zone_types[0].type + "/fixture");
   bad = good;

@@ -11,13 +11,13 @@
 namespace marketgen {
 namespace {
 
-const std::vector<FixtureKind>& rows() {
+const std::vector<catalog::FixtureKind>& rows() {
   return committed_catalog().fixture_kinds;
 }
 
 TEST(FixtureRows, AreAtLeast150OverAtLeast45Generators) {
   std::set<std::string> generators;
-  for (const FixtureKind& kind : rows())
+  for (const catalog::FixtureKind& kind : rows())
     generators.insert(kind.generator);
   EXPECT_GE(rows().size(), 150U);
   EXPECT_GE(generators.size(), 45U);
@@ -25,7 +25,7 @@ TEST(FixtureRows, AreAtLeast150OverAtLeast45Generators) {
 
 TEST(FixtureRows, EveryOneHasANameOfItsOwnAndWordsToFindItBy) {
   std::set<std::string> names;
-  for (const FixtureKind& kind : rows()) {
+  for (const catalog::FixtureKind& kind : rows()) {
     EXPECT_TRUE(names.insert(kind.name).second) << kind.kind << ": " << kind.name;
     EXPECT_FALSE(kind.keywords.empty() && kind.tags.empty()) << kind.kind;
   }
@@ -34,14 +34,14 @@ TEST(FixtureRows, EveryOneHasANameOfItsOwnAndWordsToFindItBy) {
 // Words of plans are those of the kinds that layouts know. A variant or a machine that no layout
 // places must not change what a prompt means.
 TEST(FixtureRows, OnlyTheKindsOfLayoutsAreWordsOfPlans) {
-  const auto with_words =
-      std::ranges::count_if(rows(), [](const FixtureKind& kind) { return !kind.keywords.empty(); });
+  const auto with_words = std::ranges::count_if(
+      rows(), [](const catalog::FixtureKind& kind) { return !kind.keywords.empty(); });
   EXPECT_EQ(with_words, 25);
 }
 
 TEST(FixtureRows, ComeInEuropeanAndAmericanModules) {
   const auto made_in = [](int width_mm) {
-    return std::ranges::count_if(rows(), [&](const FixtureKind& kind) {
+    return std::ranges::count_if(rows(), [&](const catalog::FixtureKind& kind) {
       return std::ranges::find(kind.module_widths_mm, width_mm) != kind.module_widths_mm.end();
     });
   };
@@ -50,7 +50,7 @@ TEST(FixtureRows, ComeInEuropeanAndAmericanModules) {
 }
 
 TEST(FixtureRows, CoolersAndLanesKeepToTheirUsualSizes) {
-  for (const FixtureKind& kind : rows()) {
+  for (const catalog::FixtureKind& kind : rows()) {
     if (kind.generator == "multideck") {
       EXPECT_GE(kind.depth_range_mm[0], 900) << kind.kind;
       EXPECT_LE(kind.depth_range_mm[1], 1100) << kind.kind;
@@ -70,7 +70,7 @@ TEST(FixtureRows, CoolersAndLanesKeepToTheirUsualSizes) {
 }
 
 TEST(FixtureRows, FreeFloorBeforeDoorsIsAtLeastTheirSwing) {
-  for (const FixtureKind& kind : rows()) {
+  for (const catalog::FixtureKind& kind : rows()) {
     EXPECT_LE(kind.door_swing_mm, std::max(kind.front_clearance_mm, 0.0)) << kind.kind;
     EXPECT_GE(kind.door_swing_mm, 0) << kind.kind;
   }

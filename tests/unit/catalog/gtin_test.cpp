@@ -19,7 +19,7 @@ constexpr const char* published[] = {"6291041500213",
 
 TEST(Gtin, AcceptsPublishedNumbers) {
   for (const char* number : published)
-    EXPECT_TRUE(is_ean13(number)) << number;
+    EXPECT_TRUE(catalog::is_ean13(number)) << number;
 }
 
 TEST(Gtin, EverySlippedDigitIsSeen) {  // weights 1 and 3 are coprime to 10: one wrong digit always
@@ -30,7 +30,7 @@ TEST(Gtin, EverySlippedDigitIsSeen) {  // weights 1 and 3 are coprime to 10: one
         std::string wrong = number;
         if (wrong[i] == digit) continue;
         wrong[i] = digit;
-        EXPECT_FALSE(is_ean13(wrong)) << number << " as " << wrong;
+        EXPECT_FALSE(catalog::is_ean13(wrong)) << number << " as " << wrong;
       }
     }
   }
@@ -43,21 +43,21 @@ TEST(Gtin, OnlyThirteenDigits) {
                            "629104150021X",
                            " 629104150021",
                            "629104150021\xC2\xB3"}) {
-    EXPECT_FALSE(is_ean13(text)) << text;
+    EXPECT_FALSE(catalog::is_ean13(text)) << text;
   }
 }
 
 TEST(Gtin, RestrictedCirculationIsGs1sList) {  // 020-029, 040-049, 200-299; neighbours belong to
                                                // GS1 US and to reserved ranges
   for (const char* prefix : {"020", "029", "040", "049", "200", "299"}) {
-    EXPECT_TRUE(is_restricted_circulation(std::string(prefix) + "0000000000")) << prefix;
+    EXPECT_TRUE(catalog::is_restricted_circulation(std::string(prefix) + "0000000000")) << prefix;
   }
   for (const char* prefix :
        {"000", "019", "030", "039", "050", "139", "199", "300", "400", "978"}) {
-    EXPECT_FALSE(is_restricted_circulation(std::string(prefix) + "0000000000")) << prefix;
+    EXPECT_FALSE(catalog::is_restricted_circulation(std::string(prefix) + "0000000000")) << prefix;
   }
-  EXPECT_FALSE(is_restricted_circulation(""));
-  EXPECT_FALSE(is_restricted_circulation("20"));
+  EXPECT_FALSE(catalog::is_restricted_circulation(""));
+  EXPECT_FALSE(catalog::is_restricted_circulation("20"));
 }
 
 }  // namespace

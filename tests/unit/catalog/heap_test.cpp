@@ -6,17 +6,17 @@
 namespace marketgen {
 namespace {
 
-HeapRow small_row() {
-  return heap_row("apple",
-                  {75, 75, 70},
-                  {160, 80},
-                  {{{{0.04, 0.04, 0}, {1, 0, 0, 0}}, {}},
-                   {{{0.12, 0.04, 0}, {0.6, 0, 0.8, 0}}, {}},
-                   {{{0.08, 0.04, 0.05}, {0, 1, 0, 0}}, {0, 1}}});
+catalog::HeapRow small_row() {
+  return catalog::heap_row("apple",
+                           {75, 75, 70},
+                           {160, 80},
+                           {{{{0.04, 0.04, 0}, {1, 0, 0, 0}}, {}},
+                            {{{0.12, 0.04, 0}, {0.6, 0, 0.8, 0}}, {}},
+                            {{{0.08, 0.04, 0.05}, {0, 1, 0, 0}}, {0, 1}}});
 }
 
 TEST(HeapRow, PiecesComeBackToATenthOfAMillimetre) {
-  const std::vector<HeapPiece> pieces = pieces_of(small_row());
+  const std::vector<catalog::HeapPiece> pieces = catalog::pieces_of(small_row());
   ASSERT_EQ(pieces.size(), 3U);
   EXPECT_NEAR(pieces[1].pose.position.x, 0.12, 5e-5);
   EXPECT_NEAR(pieces[1].pose.rotation.w, 0.6, 1e-4);
@@ -26,18 +26,18 @@ TEST(HeapRow, PiecesComeBackToATenthOfAMillimetre) {
 }
 
 TEST(HeapRow, NumbersThatDoNotFitTogetherGiveNoPieces) {
-  HeapRow row = small_row();
+  catalog::HeapRow row = small_row();
   row.poses.pop_back();
-  EXPECT_TRUE(pieces_of(row).empty());
+  EXPECT_TRUE(catalog::pieces_of(row).empty());
   row = small_row();
   row.supports.pop_back();
-  EXPECT_TRUE(pieces_of(row).empty());
+  EXPECT_TRUE(catalog::pieces_of(row).empty());
   row = small_row();
   row.supports.back() = 2;  // on itself
-  EXPECT_TRUE(pieces_of(row).empty());
+  EXPECT_TRUE(catalog::pieces_of(row).empty());
   row = small_row();
   row.supports.push_back(0);  // of a fourth piece
-  EXPECT_TRUE(pieces_of(row).empty());
+  EXPECT_TRUE(catalog::pieces_of(row).empty());
 }
 
 }  // namespace

@@ -37,9 +37,9 @@ struct BoundsFile {
 
 std::map<std::string, PackBounds> bounds_by_archetype() {
   const std::string file = MARKETGEN_SOURCE_DIR "/tests/unit/catalog/pack_bounds.json";
-  const auto text = read_file(file);
+  const auto text = io::read_file(file);
   if (!text.ok()) fatal(to_string(text.error()).c_str());
-  const auto read = read_json<BoundsFile>(*text, file);
+  const auto read = io::read_json<BoundsFile>(*text, file);
   if (!read.ok()) fatal(to_string(read.error()).c_str());
   std::map<std::string, PackBounds> bounds;
   for (const PackBounds& row : read->rows)
@@ -61,10 +61,10 @@ TEST(PackBounds, EveryOneHasASource) {
 }
 
 TEST(PackBounds, HoldForEveryRow) {
-  const auto catalog = load_catalog(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data");
+  const auto catalog = catalog::load_catalog(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data");
   ASSERT_TRUE(catalog.ok()) << to_string(catalog.error());
   const auto bounds = bounds_by_archetype();
-  for (const Product& p : catalog->products) {
+  for (const catalog::Product& p : catalog->products) {
     const auto row = bounds.find(p.archetype);
     ASSERT_NE(row, bounds.end()) << p.sku << ": no bounds for " << p.archetype;
     const double density = p.mass_kg / (p.width_m() * p.depth_m() * p.height_m());

@@ -16,7 +16,7 @@ namespace {
 // may not include assets.
 bool is_archetype(const std::string& name) {
   static const std::string list = [] {
-    auto text = read_file(MARKETGEN_SOURCE_DIR "/src/marketgen/assets/shapes/archetypes.inc");
+    auto text = io::read_file(MARKETGEN_SOURCE_DIR "/src/marketgen/assets/shapes/archetypes.inc");
     if (!text.ok()) fatal(to_string(text.error()).c_str());
     return std::move(text).value();
   }();
@@ -24,20 +24,20 @@ bool is_archetype(const std::string& name) {
 }
 
 TEST(Rows, PassTheirOwnRules) {
-  const auto checked = check_catalog(committed_catalog());
+  const auto checked = catalog::check_catalog(committed_catalog());
   EXPECT_TRUE(checked.ok()) << to_string(checked.error());
 }
 
 // A source that a reader can find, or an estimate that says so and gives its range.
 TEST(Rows, EveryFrictionHasASource) {
-  Catalog catalog = committed_catalog();
-  std::map<std::string, const FrictionSource*> sources;
-  for (const FrictionSource& source : catalog.friction_sources) {
+  catalog::Catalog catalog = committed_catalog();
+  std::map<std::string, const catalog::FrictionSource*> sources;
+  for (const catalog::FrictionSource& source : catalog.friction_sources) {
     EXPECT_TRUE(sources.emplace(source.key, &source).second) << source.key;
     EXPECT_GE(source.text.size(), 60U) << source.key;
   }
   std::set<std::string> used;
-  for (const FrictionRow& row : catalog.frictions) {
+  for (const catalog::FrictionRow& row : catalog.frictions) {
     const std::string pair = row.a + " on " + row.b;
     ASSERT_TRUE(sources.contains(row.source)) << pair << ": no source " << row.source;
     used.insert(row.source);
@@ -49,12 +49,12 @@ TEST(Rows, EveryFrictionHasASource) {
     }
   }
   EXPECT_EQ(used.size(), sources.size()) << "a source that no row names";
-  FrictionRow& first = catalog.frictions.front();
+  catalog::FrictionRow& first = catalog.frictions.front();
   first.source = "hearsay";
-  EXPECT_EQ(check_catalog(catalog).error().code, "catalog.bad_row");
+  EXPECT_EQ(catalog::check_catalog(catalog).error().code, "catalog.bad_row");
   first.source = "estimate-rubber";
   first.possible = {};
-  EXPECT_EQ(check_catalog(catalog).error().code, "catalog.bad_row");
+  EXPECT_EQ(catalog::check_catalog(catalog).error().code, "catalog.bad_row");
 }
 
 TEST(Rows, ProductsAreSortedBySku) {
@@ -66,7 +66,7 @@ TEST(Rows, ProductsAreSortedBySku) {
 TEST(Rows, AreAWholeSupermarket) {
   std::map<std::string, int> products;
   std::set<std::string> nouns, brands, archetypes;
-  for (const Product& p : committed_catalog().products) {
+  for (const catalog::Product& p : committed_catalog().products) {
     ++products[p.category];
     nouns.insert(p.name);
     if (!p.brand.empty()) brands.insert(p.brand);
@@ -75,7 +75,7 @@ TEST(Rows, AreAWholeSupermarket) {
   }
   EXPECT_GE(committed_catalog().products.size(), 1500U);
   EXPECT_EQ(committed_catalog().categories.size(), 10U);
-  for (const CategoryRow& category : committed_catalog().categories)
+  for (const catalog::CategoryRow& category : committed_catalog().categories)
     EXPECT_GE(products[category.id], 120) << category.id;
   EXPECT_GE(nouns.size(), 300U);
   EXPECT_GE(brands.size(), 100U);
@@ -83,22 +83,22 @@ TEST(Rows, AreAWholeSupermarket) {
 }
 
 TEST(Rows, LookAlikesAreMarked) {
-  std::map<std::string, std::vector<const Product*>> families;
-  for (const Product& p : committed_catalog().products) {
+  std::map<std::string, std::vector<const catalog::Product*>> families;
+  for (const catalog::Product& p : committed_catalog().products) {
     EXPECT_FALSE(p.family.empty()) << p.sku;
     families[p.family].push_back(&p);
   }
   int several = 0;
   for (const auto& [family, members] : families) {
     several += members.size() > 1 ? 1 : 0;
-    for (const Product* member : members)
+    for (const catalog::Product* member : members)
       EXPECT_EQ(member->brand, members.front()->brand) << family;
   }
   EXPECT_GE(several, 200);
 }
 
 TEST(Rows, AreComplete) {
-  for (const Product& p : committed_catalog().products) {
+  for (const catalog::Product& p : committed_catalog().products) {
     EXPECT_FALSE(p.name_zh.empty()) << p.sku;
     EXPECT_FALSE(p.description.empty()) << p.sku;
     EXPECT_GE(p.keywords.size(), 2U) << p.sku;
@@ -107,15 +107,15 @@ TEST(Rows, AreComplete) {
 }
 
 TEST(Rows, FifteenFixtureKindsWithEveryTemperature) {
-  std::set<Storage> temperatures;
-  for (const FixtureKind& kind : committed_catalog().fixture_kinds)
+  std::set<catalog::Storage> temperatures;
+  for (const catalog::FixtureKind& kind : committed_catalog().fixture_kinds)
     temperatures.insert(kind.temperature);
   EXPECT_GE(committed_catalog().fixture_kinds.size(), 15U);
   EXPECT_EQ(temperatures.size(), 3U);
 }
 
 TEST(Rows, FixtureKindsLieWithinTheirOwnRanges) {
-  for (const FixtureKind& kind : committed_catalog().fixture_kinds) {
+  for (const catalog::FixtureKind& kind : committed_catalog().fixture_kinds) {
     EXPECT_LE(kind.depth_range_mm[0], kind.depth_mm) << kind.kind;
     EXPECT_GE(kind.depth_range_mm[1], kind.depth_mm) << kind.kind;
     EXPECT_LE(kind.height_range_mm[0], kind.height_mm) << kind.kind;
@@ -126,16 +126,17 @@ TEST(Rows, FixtureKindsLieWithinTheirOwnRanges) {
 }
 
 TEST(Rows, LooseGoodsHavePluPackedGoodsEan) {
-  for (const Product& p : committed_catalog().products) {
+  for (const catalog::Product& p : committed_catalog().products) {
     EXPECT_NE(p.ean.empty(), p.plu.empty()) << p.sku;
     if (p.ean.empty()) continue;
-    EXPECT_TRUE(is_ean13(p.ean) && is_restricted_circulation(p.ean)) << p.sku << " " << p.ean;
+    EXPECT_TRUE(catalog::is_ean13(p.ean) && catalog::is_restricted_circulation(p.ean))
+        << p.sku << " " << p.ean;
   }
 }
 
 TEST(Rows, EveryProductHasAUnitPriceAShopperWouldBelieve) {  // a slipped digit in price or net
                                                              // quantity leaves this range
-  for (const Product& p : committed_catalog().products) {
+  for (const catalog::Product& p : committed_catalog().products) {
     const double unit_price = p.price / p.unit_amount;
     EXPECT_GT(unit_price, p.unit_of_measure == "piece" ? 0.005 : 0.1) << p.sku;
     EXPECT_LT(unit_price, 400) << p.sku;
@@ -143,8 +144,8 @@ TEST(Rows, EveryProductHasAUnitPriceAShopperWouldBelieve) {  // a slipped digit 
 }
 
 TEST(Rows, FindersFindWhatIsThereAndNothingElse) {
-  const Catalog& catalog = committed_catalog();
-  for (const Product& p : catalog.products)
+  const catalog::Catalog& catalog = committed_catalog();
+  for (const catalog::Product& p : catalog.products)
     EXPECT_EQ(catalog.product(p.sku), &p);
   EXPECT_EQ(catalog.product("no-such-sku"), nullptr);
   EXPECT_EQ(catalog.product(""), nullptr);
@@ -156,18 +157,18 @@ TEST(Rows, FindersFindWhatIsThereAndNothingElse) {
 }
 
 TEST(Rows, HashChangesWithARow) {
-  const auto again = load_catalog(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data");
+  const auto again = catalog::load_catalog(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data");
   ASSERT_TRUE(again.ok());
   EXPECT_EQ(again->content_hash, committed_catalog().content_hash);
   EXPECT_EQ(committed_catalog().content_hash.size(), 32U);
 }
 
 TEST(Rows, UnknownNameSuggestsTheNearest) {
-  const Error near =
-      unknown_name("catalog.unknown_kind", "plan", "fixture kind", "gondla", {"gondola", "bin"});
+  const Error near = catalog::unknown_name(
+      "catalog.unknown_kind", "plan", "fixture kind", "gondla", {"gondola", "bin"});
   EXPECT_EQ(near.message, "there is no fixture kind \"gondla\"; did you mean \"gondola\"?");
-  const Error far =
-      unknown_name("catalog.unknown_kind", "plan", "fixture kind", "zzzzzzzz", {"gondola", "bin"});
+  const Error far = catalog::unknown_name(
+      "catalog.unknown_kind", "plan", "fixture kind", "zzzzzzzz", {"gondola", "bin"});
   EXPECT_EQ(far.message, "there is no fixture kind \"zzzzzzzz\"; known are: gondola, bin");
 }
 

@@ -12,8 +12,8 @@ namespace {
 
 using Skus = std::vector<std::string>;
 
-Product row(std::string sku, std::string name, std::string subcategory = "other") {
-  Product p;
+catalog::Product row(std::string sku, std::string name, std::string subcategory = "other") {
+  catalog::Product p;
   p.sku = std::move(sku);
   p.name = std::move(name);
   p.subcategory = std::move(subcategory);
@@ -23,8 +23,8 @@ Product row(std::string sku, std::string name, std::string subcategory = "other"
 
 // A few rows beside goods that match nothing, for BM25 gives no weight to a word that most rows
 // have.
-Catalog catalog_of(std::vector<Product> products) {
-  Catalog catalog;
+catalog::Catalog catalog_of(std::vector<catalog::Product> products) {
+  catalog::Catalog catalog;
   catalog.products = std::move(products);
   for (const char* name : {"Zebra", "Zinc", "Zodiac", "Zombie", "Zone", "Zoo", "Zulu", "Zither"})
     catalog.products.push_back(row("z-" + std::string(name), name));
@@ -38,25 +38,25 @@ Catalog catalog_of(std::vector<Product> products) {
   return catalog;
 }
 
-std::vector<AssetHit> hits(const Catalog& catalog, std::string text) {
-  const auto database = AssetDatabase::build(catalog);
+std::vector<catalog::AssetHit> hits(const catalog::Catalog& catalog, std::string text) {
+  const auto database = catalog::AssetDatabase::build(catalog);
   EXPECT_TRUE(database.ok()) << to_string(database.error());
-  AssetQuery query;
+  catalog::AssetQuery query;
   query.text = std::move(text);
   const auto found = database->find(query);
   EXPECT_TRUE(found.ok()) << to_string(found.error());
   return found.value();
 }
 
-Skus skus(const Catalog& catalog, std::string text) {
+Skus skus(const catalog::Catalog& catalog, std::string text) {
   Skus found;
-  for (const AssetHit& hit : hits(catalog, std::move(text)))
+  for (const catalog::AssetHit& hit : hits(catalog, std::move(text)))
     found.push_back(catalog.products[hit.row].sku);
   return found;
 }
 
 TEST(Search, ScoreIsBm25OfTheContract) {
-  Catalog catalog;
+  catalog::Catalog catalog;
   for (const char* name : {"Milk", "Tea", "Rice", "Soap"})
     catalog.products.push_back(row(name, name));
   const auto found = hits(catalog, "milk");
@@ -67,11 +67,11 @@ TEST(Search, ScoreIsBm25OfTheContract) {
 }
 
 TEST(Search, NameBeforeKeywordBeforeDescription) {
-  Catalog catalog = catalog_of({row("a-text", "Butter"),
-                                row("b-keyword", "Drink"),
-                                row("c-name", "Milk Rolls"),
-                                row("d-exact", "Milk"),
-                                row("e-beginning", "Milkshake")});
+  catalog::Catalog catalog = catalog_of({row("a-text", "Butter"),
+                                         row("b-keyword", "Drink"),
+                                         row("c-name", "Milk Rolls"),
+                                         row("d-exact", "Milk"),
+                                         row("e-beginning", "Milkshake")});
   catalog.products[0].description = "Made of milk.";
   catalog.products[1].keywords = {"milk"};
   EXPECT_EQ(skus(catalog, "milk"),
@@ -79,16 +79,16 @@ TEST(Search, NameBeforeKeywordBeforeDescription) {
 }
 
 TEST(Search, MoreMatchedWordsWin) {
-  const Catalog catalog =
+  const catalog::Catalog catalog =
       catalog_of({row("milk", "Milk"), row("oat", "Oat Drink"), row("oat-milk", "Oat Milk")});
   EXPECT_EQ(skus(catalog, "oat milk").front(), "oat-milk");
 }
 
 TEST(Search, PluralsEndingsCaseAccentsAndPunctuationDoNotMatter) {
-  const Catalog catalog = catalog_of({row("apple", "Apple"),
-                                      row("chips", "Chips"),
-                                      row("creme", "Crème fraîche"),
-                                      row("frozen", "Frozen Berries")});
+  const catalog::Catalog catalog = catalog_of({row("apple", "Apple"),
+                                               row("chips", "Chips"),
+                                               row("creme", "Crème fraîche"),
+                                               row("frozen", "Frozen Berries")});
   EXPECT_EQ(skus(catalog, "APPLES!"), Skus{"apple"});
   EXPECT_EQ(skus(catalog, "chip"), Skus{"chips"});
   EXPECT_EQ(skus(catalog, "creme fraiche"), Skus{"creme"});
@@ -96,11 +96,11 @@ TEST(Search, PluralsEndingsCaseAccentsAndPunctuationDoNotMatter) {
 }
 
 TEST(Search, IntentsSayWhatTheCatalogueCallsIt) {
-  Catalog catalog = catalog_of({row("all-purpose", "All-purpose cleaner"),
-                                row("dish-soap", "Dish soap"),
-                                row("glass", "Glass cleaner"),
-                                row("tumbler", "Drinking glass"),
-                                row("soap", "Soap bar")});
+  catalog::Catalog catalog = catalog_of({row("all-purpose", "All-purpose cleaner"),
+                                         row("dish-soap", "Dish soap"),
+                                         row("glass", "Glass cleaner"),
+                                         row("tumbler", "Drinking glass"),
+                                         row("soap", "Soap bar")});
   const Skus found = skus(catalog, "something to clean windows");
   ASSERT_GE(found.size(), 2U);
   EXPECT_EQ(found[0], "glass");
@@ -110,22 +110,22 @@ TEST(Search, IntentsSayWhatTheCatalogueCallsIt) {
 }
 
 TEST(Search, WithoutLeavesOutWhatHasIt) {
-  Catalog catalog = catalog_of({row("lactose-free", "Lactose-free Milk"),
-                                row("milk", "Milk"),
-                                row("nuts", "Nut Chocolate"),
-                                row("plain", "Chocolate"),
-                                row("sugar", "Sugar Soda"),
-                                row("tea", "Unsweetened Iced Soda")});
+  catalog::Catalog catalog = catalog_of({row("lactose-free", "Lactose-free Milk"),
+                                         row("milk", "Milk"),
+                                         row("nuts", "Nut Chocolate"),
+                                         row("plain", "Chocolate"),
+                                         row("sugar", "Sugar Soda"),
+                                         row("tea", "Unsweetened Iced Soda")});
   EXPECT_EQ(skus(catalog, "milk without lactose"), (Skus{"lactose-free", "milk"}));
   EXPECT_EQ(skus(catalog, "chocolate without nuts"), Skus{"plain"});
   EXPECT_EQ(skus(catalog, "soda without sugar"), Skus{"tea"});
 }
 
 TEST(Search, ChineseNames) {
-  Catalog catalog = catalog_of({row("cola", "Cola"),
-                                row("milk", "Milk"),
-                                row("red", "Red Wine"),
-                                row("white", "White Wine")});
+  catalog::Catalog catalog = catalog_of({row("cola", "Cola"),
+                                         row("milk", "Milk"),
+                                         row("red", "Red Wine"),
+                                         row("white", "White Wine")});
   catalog.products[0].name_zh = "可乐";
   catalog.products[1].name_zh = "低脂鲜牛奶";
   catalog.products[2].name_zh = "干红葡萄酒";
@@ -140,7 +140,7 @@ TEST(Search, ChineseNames) {
 }
 
 TEST(Search, EqualsStandByKindAndId) {
-  Catalog catalog = catalog_of({row("b", "Shelf"), row("a", "Shelf")});
+  catalog::Catalog catalog = catalog_of({row("b", "Shelf"), row("a", "Shelf")});
   catalog.fixture_kinds.resize(1);
   catalog.fixture_kinds[0].kind = "0-shelf";
   catalog.fixture_kinds[0].name = "Other";
@@ -152,7 +152,7 @@ TEST(Search, EqualsStandByKindAndId) {
 }
 
 TEST(Search, NothingAndNonsenseFindNothing) {
-  const Catalog catalog = catalog_of({row("milk", "Milk")});
+  const catalog::Catalog catalog = catalog_of({row("milk", "Milk")});
   for (const char* text : {"mi", " ,;- ", "submarine", "something to", "without", "\xE2\x80\x94"})
     EXPECT_TRUE(hits(catalog, text).empty()) << text;
   EXPECT_FALSE(hits(catalog, "mil").empty());
@@ -160,7 +160,7 @@ TEST(Search, NothingAndNonsenseFindNothing) {
 }
 
 TEST(Search, QuestionsAreNeverQuerySyntax) {
-  const Catalog catalog = catalog_of({row("milk", "Milk"), row("tea", "Tea")});
+  const catalog::Catalog catalog = catalog_of({row("milk", "Milk"), row("tea", "Tea")});
   for (const char* text : {"\"milk",
                            "milk\"",
                            "milk OR",
@@ -179,18 +179,18 @@ TEST(Search, QuestionsAreNeverQuerySyntax) {
 }
 
 TEST(Search, AnyBytesAreAnsweredOrRefused) {  // no error of SQLite's own, for any text
-  const auto database = AssetDatabase::build(catalog_of({row("milk", "Milk")}));
+  const auto database = catalog::AssetDatabase::build(catalog_of({row("milk", "Milk")}));
   ASSERT_TRUE(database.ok());
   std::mt19937 random(7);
   constexpr std::string_view alphabet = "\"'*():^{}+-,.AN NOT OR NEAR milk\xE7\x89\x9B\xC3\xA9";
   for (int trial = 0; trial < 400; ++trial) {
-    AssetQuery query;
+    catalog::AssetQuery query;
     for (std::size_t i = 0, length = random() % 40; i < length; ++i)
       query.text += alphabet[random() % alphabet.size()];
     const auto found = database->find(query);
     EXPECT_TRUE(found.ok() || found.error().code == "input.not_utf8") << query.text;
   }
-  AssetQuery query;
+  catalog::AssetQuery query;
   query.text = std::string("milk\0tea", 8);
   EXPECT_EQ(database->find(query)->size(), 1U);
   query.text.assign(100'000, 'm');
@@ -199,20 +199,21 @@ TEST(Search, AnyBytesAreAnsweredOrRefused) {  // no error of SQLite's own, for a
 
 // ---- The committed rows. ----
 
-const AssetDatabase& committed_database() {
-  static const auto database = AssetDatabase::build(committed_catalog());
+const catalog::AssetDatabase& committed_database() {
+  static const auto database = catalog::AssetDatabase::build(committed_catalog());
   return database.value();
 }
 
-std::vector<AssetHit> committed_hits(const std::string& text) {
-  AssetQuery query;
+std::vector<catalog::AssetHit> committed_hits(const std::string& text) {
+  catalog::AssetQuery query;
   query.text = text;
   return committed_database().find(query).value();
 }
 
-const Product& first(const std::string& text) {
+const catalog::Product& first(const std::string& text) {
   const auto found = committed_hits(text);
-  if (found.empty() || found[0].kind != AssetKind::goods) fatal(("no goods for " + text).c_str());
+  if (found.empty() || found[0].kind != catalog::AssetKind::goods)
+    fatal(("no goods for " + text).c_str());
   return committed_catalog().products[found[0].row];
 }
 
@@ -231,14 +232,14 @@ TEST(Search, CommittedRows) {
 }
 
 TEST(Search, FacilitiesAndMaterialsToo) {
-  AssetQuery query;
+  catalog::AssetQuery query;
   query.text = "island freezer";
-  query.kinds = {AssetKind::facility};
+  query.kinds = {catalog::AssetKind::facility};
   const auto facilities = committed_database().find(query);
   ASSERT_FALSE(facilities->empty());
   EXPECT_EQ(committed_catalog().fixture_kinds[facilities->at(0).row].kind, "island_freezer");
   query.text = "terrazzo";
-  query.kinds = {AssetKind::material};
+  query.kinds = {catalog::AssetKind::material};
   const auto materials = committed_database().find(query);
   ASSERT_FALSE(materials->empty());
   EXPECT_EQ(committed_catalog().materials[materials->at(0).row].id.rfind("terrazzo", 0), 0U);

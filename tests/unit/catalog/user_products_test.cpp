@@ -25,10 +25,11 @@ class UserProducts : public testing::Test {
     std::ofstream(scratch_.path() / name, std::ios::binary) << bytes;
     return scratch_.path() / name;
   }
-  Result<std::vector<Product>> read(const std::string& name, const std::string& bytes) const {
-    return read_user_products(write(name, bytes));
+  Result<std::vector<catalog::Product>> read(const std::string& name,
+                                             const std::string& bytes) const {
+    return catalog::read_user_products(write(name, bytes));
   }
-  void expect_refused(const Result<std::vector<Product>>& read,
+  void expect_refused(const Result<std::vector<catalog::Product>>& read,
                       const std::string& code,
                       const std::string& where,
                       const std::string& says) const {
@@ -59,7 +60,7 @@ TEST_F(UserProducts, AContactMaterialThatIsNotNamedIsThatOfThePack) {
             R"([{"sku": "own-e", "ean": "2999999999953", "name": "E", "category": "beverages",
           "subcategory": "soft drinks", "archetype": "can", "size_mm": [66, 66, 115],
           "mass_kg": 0.35, "friction": 0.31}])");
-  const auto catalog = load_catalog(fs::path(MARKETGEN_SOURCE_DIR) / "data", {file, rows});
+  const auto catalog = catalog::load_catalog(fs::path(MARKETGEN_SOURCE_DIR) / "data", {file, rows});
   ASSERT_TRUE(catalog.ok()) << to_string(catalog.error());
   const auto material = [&](const char* sku) { return catalog->product(sku)->material; };
   EXPECT_EQ(material("own-a"), "aluminium");
@@ -81,15 +82,15 @@ TEST_F(UserProducts, CsvRow) {
                "cola; soft drink,chilled,#aa0000\n");
   ASSERT_TRUE(products.ok()) << to_string(products.error());
   ASSERT_EQ(products->size(), 1U);
-  const Product& p = products->at(0);
+  const catalog::Product& p = products->at(0);
   EXPECT_EQ(p.sku, "own-cola");
   EXPECT_EQ(p.name, "Cola, red");
   EXPECT_EQ(p.size_mm, (std::array<int, 3>{66, 66, 115}));
   EXPECT_DOUBLE_EQ(p.mass_kg, 0.35);
   EXPECT_EQ(p.keywords, (std::vector<std::string>{"cola", "soft drink"}));
-  EXPECT_EQ(p.storage, Storage::chilled);
+  EXPECT_EQ(p.storage, catalog::Storage::chilled);
   EXPECT_EQ(p.label.primary, "#aa0000");
-  EXPECT_EQ(p.label.text, LabelStyle{}.text);  // what is not given keeps its default
+  EXPECT_EQ(p.label.text, catalog::LabelStyle{}.text);  // what is not given keeps its default
 }
 
 TEST_F(UserProducts, CsvFaultsNameLineAndField) {
@@ -121,12 +122,12 @@ TEST_F(UserProducts, MeshIsKeptByItsContent) {
   write("tea.glb", box_glb(0.0802F, 0.15F, 0.06F));  // 0.2 mm wider than the row says
   const auto products = read("own.json", mesh_row("tea.glb"));
   ASSERT_TRUE(products.ok()) << to_string(products.error());
-  const Product& p = products->at(0);
+  const catalog::Product& p = products->at(0);
   EXPECT_EQ(p.mesh.size(), 68U);
   EXPECT_EQ(read("again/own.json", mesh_row("x.glb")).error().code, "input.not_found");
   write("again/other.glb", box_glb(0.0802F, 0.15F, 0.06F));
   EXPECT_EQ(read("again/own.json", mesh_row("other.glb"))->at(0).mesh, p.mesh);
-  const auto model = kept_mesh(p);
+  const auto model = catalog::kept_mesh(p);
   ASSERT_TRUE(model.ok()) << to_string(model.error());
   const Bounds3 bounds = bounds_of(model->mesh);
   EXPECT_NEAR(bounds.size().x, 0.08, 1e-6);  // exactly the row's
@@ -138,20 +139,20 @@ TEST_F(UserProducts, MeshIsKeptByItsContent) {
 // from a store that has it.
 TEST_F(UserProducts, AChangedMeshIsPutRight) {
   write("tea.glb", box_glb(0.0802F, 0.15F, 0.06F));
-  const Product tea = read("own.json", mesh_row("tea.glb"))->at(0);
+  const catalog::Product tea = read("own.json", mesh_row("tea.glb"))->at(0);
   const std::filesystem::path kept = scratch_.path() / "cache" / "meshes" / tea.mesh;
   const std::string whole = contents_of(kept);
-  ASSERT_TRUE(save_meshes({tea}, scratch_.path() / "shop").ok());
+  ASSERT_TRUE(catalog::save_meshes({tea}, scratch_.path() / "shop").ok());
   for (const std::string& damaged : {whole.substr(0, 100), std::string(), whole + "x"}) {
     std::ofstream(kept, std::ios::binary) << damaged;
-    EXPECT_EQ(kept_mesh(tea).error().code, "input.not_found") << "it is not used";
+    EXPECT_EQ(catalog::kept_mesh(tea).error().code, "input.not_found") << "it is not used";
     std::ofstream(kept, std::ios::binary) << damaged;
     ASSERT_TRUE(read("own.json", mesh_row("tea.glb")).ok());
     EXPECT_EQ(contents_of(kept), whole);
     std::ofstream(kept, std::ios::binary) << damaged;
-    ASSERT_TRUE(restore_meshes({tea}, scratch_.path() / "shop").ok());
+    ASSERT_TRUE(catalog::restore_meshes({tea}, scratch_.path() / "shop").ok());
     EXPECT_EQ(contents_of(kept), whole);
-    EXPECT_TRUE(kept_mesh(tea).ok());
+    EXPECT_TRUE(catalog::kept_mesh(tea).ok());
   }
 }
 
@@ -187,19 +188,20 @@ TEST_F(UserProducts, StoreFoldersCarryTheirMeshes) {
   write("tea.glb", box_glb(0.08F, 0.15F, 0.06F));
   const auto products = read("own.json", mesh_row("tea.glb"));
   ASSERT_TRUE(products.ok());
-  ASSERT_TRUE(save_meshes(*products, scratch_.path() / "store").ok());
+  ASSERT_TRUE(catalog::save_meshes(*products, scratch_.path() / "store").ok());
   fs::remove_all(scratch_.path() / "cache");
-  EXPECT_EQ(kept_mesh(products->at(0)).error().code, "input.not_found");
-  ASSERT_TRUE(restore_meshes(*products, scratch_.path() / "store").ok());
-  EXPECT_TRUE(kept_mesh(products->at(0)).ok());
+  EXPECT_EQ(catalog::kept_mesh(products->at(0)).error().code, "input.not_found");
+  ASSERT_TRUE(catalog::restore_meshes(*products, scratch_.path() / "store").ok());
+  EXPECT_TRUE(catalog::kept_mesh(products->at(0)).ok());
 
   fs::remove_all(scratch_.path() / "cache");
   write("store/meshes/" + products->at(0).mesh, box_glb(1, 1, 1));  // not what the name says
-  EXPECT_EQ(restore_meshes(*products, scratch_.path() / "store").error().code, "model.bad_file");
-  Product hostile = products->at(0);
+  EXPECT_EQ(catalog::restore_meshes(*products, scratch_.path() / "store").error().code,
+            "model.bad_file");
+  catalog::Product hostile = products->at(0);
   hostile.mesh = "../../../etc/passwd";
-  EXPECT_EQ(kept_mesh(hostile).error().code, "model.bad_file");
-  EXPECT_EQ(restore_meshes({hostile}, scratch_.path()).error().code, "model.bad_file");
+  EXPECT_EQ(catalog::kept_mesh(hostile).error().code, "model.bad_file");
+  EXPECT_EQ(catalog::restore_meshes({hostile}, scratch_.path()).error().code, "model.bad_file");
 }
 
 }  // namespace

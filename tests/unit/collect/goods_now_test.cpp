@@ -7,11 +7,11 @@ namespace marketgen {
 namespace {
 
 TEST(GoodsNow, OnlyWhatWasMovedStandsElsewhere) {
-  Scene scene;
+  scene::Scene scene;
   scene.products.resize(2);
   scene.products[0].position_m = {1, 2, 0.5F};
   scene.products[1].position_m = {3, 2, 0.5F};
-  GoodsNow goods(scene);
+  collect::GoodsNow goods(scene);
   EXPECT_EQ(goods.pose(0).position.x, 1);
   goods.move(0, {{0.1, 0, 0.2}, {}});
   // As a scene says it: in single precision.

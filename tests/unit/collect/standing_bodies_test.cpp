@@ -30,19 +30,19 @@ constexpr int fixture_bit = 1, robot_bit = 2;
 // A fixture that stands still and a robot in one posture that may be put anywhere.
 class Beside {
  public:
-  Beside(const Scene& scene, const PlacedRobot& placed) {
+  Beside(const scene::Scene& scene, const robots::PlacedRobot& placed) {
     const Spec spec(mj_makeSpec(), mj_deleteSpec);
     mjsBody* world = mjs_findBody(spec.get(), "world");
-    for (const ScenePart& part : scene.parts) {
-      mjsGeom* geom =
-          add_shape(world, world_from_fixture(scene, part.fixture) * contact_shape_of(part));
+    for (const scene::ScenePart& part : scene.parts) {
+      mjsGeom* geom = physics::add_shape(
+          world, scene::world_from_fixture(scene, part.fixture) * physics::contact_shape_of(part));
       geom->contype = fixture_bit, geom->conaffinity = robot_bit;
     }
     mjsBody* body = mjs_addBody(world, nullptr);
     mjs_addFreeJoint(body);  // MuJoCo knows no contact between mocap bodies and what stands still
-    const std::vector<Pose> poses = link_poses(placed.robot, placed.q);
+    const std::vector<Pose> poses = robots::link_poses(placed.robot, placed.q);
     for (std::size_t link = 0; link < poses.size(); ++link) {
-      for (const Capsule& capsule : placed.robot.links[link].capsules)
+      for (const robots::Capsule& capsule : placed.robot.links[link].capsules)
         add_capsule(body, poses[link], capsule);
     }
     model_.reset(mj_compile(spec.get(), nullptr));
@@ -64,7 +64,9 @@ class Beside {
   }
 
  private:
-  static void add_capsule(mjsBody* body, const Pose& body_from_link, const Capsule& capsule) {
+  static void add_capsule(mjsBody* body,
+                          const Pose& body_from_link,
+                          const robots::Capsule& capsule) {
     mjsGeom* geom = mjs_addGeom(body, nullptr);
     const Vec3 a = body_from_link * capsule.a, b = body_from_link * capsule.b;
     const bool ball = length(b - a) < 1e-9;
@@ -82,10 +84,11 @@ class Beside {
   Data data_{nullptr, mj_deleteData};
 };
 
-PlacedRobot robot_in_store() {
+robots::PlacedRobot robot_in_store() {
   const std::string text = "realman-rm65@1,1,90";
-  const RobotSpec spec = parse_robot_spec(text, text).value();
-  return place_robot(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data", spec, text).value();
+  const robots::RobotSpec spec = robots::parse_robot_spec(text, text).value();
+  return robots::place_robot(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data", spec, text)
+      .value();
 }
 
 // South of a fixture whose front is at `front_y`, looking north, turned by `turn_deg`.
@@ -99,10 +102,12 @@ struct Approach {
 };
 
 // The nearest place that the check accepts, to 1 mm; -1: none up to 1 m.
-double nearest_accepted(const Scene& scene, PlacedRobot& placed, const Approach& approach) {
+double nearest_accepted(const scene::Scene& scene,
+                        robots::PlacedRobot& placed,
+                        const Approach& approach) {
   const auto accepts = [&](double away_m) {
     placed.world_from_base = approach.at(away_m);
-    return check_standing(scene, {&placed, 1}).ok();
+    return collect::check_standing(scene, {&placed, 1}).ok();
   };
   double blocked = 0, clear = 1;
   if (accepts(blocked) || !accepts(clear)) return -1;
@@ -114,11 +119,11 @@ double nearest_accepted(const Scene& scene, PlacedRobot& placed, const Approach&
 }
 
 TEST(StandingBodies, WhatTheCheckAcceptsTouchesNoFixture) {
-  PlacedRobot placed = robot_in_store();
+  robots::PlacedRobot placed = robot_in_store();
   int approached = 0;
-  for (const FixtureKind& kind : committed_catalog().fixture_kinds) {
-    const Scene scene = stage_fixture(kind, committed_catalog()).value();
-    const RectMm footprint = footprint_of(scene.layout.fixtures[0]);
+  for (const catalog::FixtureKind& kind : committed_catalog().fixture_kinds) {
+    const scene::Scene scene = scene::stage_fixture(kind, committed_catalog()).value();
+    const RectMm footprint = layout::footprint_of(scene.layout.fixtures[0]);
     const double front = footprint.y0 * 1e-3, left = footprint.x0 * 1e-3;
     Beside beside(scene, placed);
     for (const Approach& approach :
@@ -141,11 +146,12 @@ TEST(StandingBodies, WhatTheCheckAcceptsTouchesNoFixture) {
 // stands out of it.
 TEST(StandingBodies, FixturesLieWithinTheirFootprint) {
   constexpr double spare_m = 0.0015;
-  for (const FixtureKind& kind : committed_catalog().fixture_kinds) {
-    const Scene scene = stage_fixture(kind, committed_catalog()).value();
-    const RectMm footprint = footprint_of(scene.layout.fixtures[0]);
-    for (const ScenePart& part : scene.parts) {
-      const Pose pose = world_from_fixture(scene, part.fixture) * fixture_from_part(part);
+  for (const catalog::FixtureKind& kind : committed_catalog().fixture_kinds) {
+    const scene::Scene scene = scene::stage_fixture(kind, committed_catalog()).value();
+    const RectMm footprint = layout::footprint_of(scene.layout.fixtures[0]);
+    for (const scene::ScenePart& part : scene.parts) {
+      const Pose pose =
+          scene::world_from_fixture(scene, part.fixture) * scene::fixture_from_part(part);
       const auto& [hx, hy, hz] = part.half_size_m;
       const Vec3 half = box_half_extents(pose.rotation, {hx, hy, hz});
       const std::string what = kind.kind + " " + std::string(name_of(part.unit));

@@ -7,33 +7,34 @@ namespace marketgen {
 namespace {
 
 // 6 x 6 m with a table of 1 x 1 x 0.9 m round (3, 3).
-Scene room_with_a_table() {
-  Scene scene;
+scene::Scene room_with_a_table() {
+  scene::Scene scene;
   scene.layout.shell.width_mm = scene.layout.shell.depth_mm = 6000;
   scene.layout.shell.ceiling_mm = 3000;
-  ScenePart part;
+  scene::ScenePart part;
   part.position_m = {0, 0, 0.45F};
   part.half_size_m = {0.5F, 0.5F, 0.45F};
-  SceneFixture table;
+  scene::SceneFixture table;
   table.part_count = 1;
   table.position_m = {3, 3, 0};
   scene.parts.push_back(part);
   scene.fixtures.push_back(table);
-  Fixture row;
+  layout::Fixture row;
   row.id = "till/run-1/module-1";
   scene.layout.fixtures.push_back(row);
   return scene;
 }
 
-Result<void> stand(const std::vector<std::string>& texts, const Scene& scene) {
-  std::vector<PlacedRobot> robots;
+Result<void> stand(const std::vector<std::string>& texts, const scene::Scene& scene) {
+  std::vector<robots::PlacedRobot> robots;
   for (const std::string& text : texts) {
-    MARKETGEN_TRY(const RobotSpec spec, parse_robot_spec(text, text));
-    MARKETGEN_TRY(PlacedRobot robot,
-                  place_robot(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data", spec, text));
+    MARKETGEN_TRY(const robots::RobotSpec spec, robots::parse_robot_spec(text, text));
+    MARKETGEN_TRY(
+        robots::PlacedRobot robot,
+        robots::place_robot(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data", spec, text));
     robots.push_back(std::move(robot));
   }
-  return check_standing(scene, robots);
+  return collect::check_standing(scene, robots);
 }
 
 void expect_fault(const Result<void>& stood, const char* code, const char* says) {
@@ -43,7 +44,7 @@ void expect_fault(const Result<void>& stood, const char* code, const char* says)
 }
 
 TEST(StandingRobots, FreeFloorAndTableTopsCarryThem) {
-  const Scene scene = room_with_a_table();
+  const scene::Scene scene = room_with_a_table();
   for (const char* text :
        {"realman-rm65@1.5,1.5,30", "panda-on-stand@1.5,1.5", "panda@3,3,z=0.9", "panda@1.5,4.5"}) {
     const auto stood = stand({text}, scene);
@@ -52,7 +53,7 @@ TEST(StandingRobots, FreeFloorAndTableTopsCarryThem) {
 }
 
 TEST(StandingRobots, AFixtureInTheWayIsNamedWithAPlaceThatIsClear) {
-  const Scene scene = room_with_a_table();
+  const scene::Scene scene = room_with_a_table();
   const auto stood = stand({"realman-rm65@3.2,2.6"}, scene);
   expect_fault(stood, "robot.blocked", "till/run-1/module-1; it is clear at ");
   const std::string& message = stood.error().message;
@@ -61,7 +62,7 @@ TEST(StandingRobots, AFixtureInTheWayIsNamedWithAPlaceThatIsClear) {
 }
 
 TEST(StandingRobots, TheFloorEndsAtTheWalls) {
-  const Scene scene = room_with_a_table();
+  const scene::Scene scene = room_with_a_table();
   expect_fault(stand({"panda@-1,3"}, scene), "robot.outside_store", "is not in the store");
   expect_fault(stand({"panda@7,3"}, scene), "robot.outside_store", "is not in the store");
   expect_fault(stand({"panda@1,1,z=-0.5"}, scene), "robot.outside_store", "is not in the store");
@@ -71,13 +72,13 @@ TEST(StandingRobots, TheFloorEndsAtTheWalls) {
 }
 
 TEST(StandingRobots, NothingHangsInTheAir) {
-  const Scene scene = room_with_a_table();
+  const scene::Scene scene = room_with_a_table();
   expect_fault(stand({"panda@3,3,z=1.4"}, scene), "robot.no_support", "write z=0.900");
   expect_fault(stand({"panda@1,1,z=0.9"}, scene), "robot.no_support", "write z=0.000");
 }
 
 TEST(StandingRobots, ColumnsAndOtherRobotsAreInTheWay) {
-  Scene scene = room_with_a_table();
+  scene::Scene scene = room_with_a_table();
   scene.layout.shell.columns.push_back({1500, 1500, 400});
   expect_fault(stand({"panda@1.5,1.5"}, scene), "robot.blocked", "a column");
   expect_fault(stand({"realman-rm65@1.5,4.5", "panda@1.5,4.5"}, scene),

@@ -12,20 +12,23 @@
 namespace marketgen {
 namespace {
 
-std::vector<double> posed(const Robot& robot, const char* posture) {
-  return with_followers(robot, with_posture(*robot.find_posture(posture), neutral_state(robot)));
+std::vector<double> posed(const robots::Robot& robot, const char* posture) {
+  return robots::with_followers(
+      robot, robots::with_posture(*robot.find_posture(posture), robots::neutral_state(robot)));
 }
 
-std::vector<double> commanded(const Robot& robot, const std::vector<double>& state) {
+std::vector<double> commanded(const robots::Robot& robot, const std::vector<double>& state) {
   std::vector<double> position;
-  for (const int dof : commanded_dofs(robot))
+  for (const int dof : episodes::commanded_dofs(robot))
     position.push_back(state[static_cast<std::size_t>(dof)]);
   return position;
 }
 
 // The state with the joints where an action sends them.
-std::vector<double> sent(const Robot& robot, std::vector<double> state, const Action& action) {
-  const std::vector<int> dofs = commanded_dofs(robot);
+std::vector<double> sent(const robots::Robot& robot,
+                         std::vector<double> state,
+                         const agent::Action& action) {
+  const std::vector<int> dofs = episodes::commanded_dofs(robot);
   for (std::size_t j = 0; j < dofs.size(); ++j)
     state[static_cast<std::size_t>(dofs[j])] = action.position[j];
   return state;
@@ -33,11 +36,11 @@ std::vector<double> sent(const Robot& robot, std::vector<double> state, const Ac
 
 struct Sent {
   Pose from, to;  // of the first tool
-  ToolCut cut;
+  environments::ToolCut cut;
 };
 
-Sent sent_by(const ActionMap& map,
-             const Robot& robot,
+Sent sent_by(const environments::ActionMap& map,
+             const robots::Robot& robot,
              const std::vector<double>& state,
              std::vector<double> move) {
   move.resize(map.numbers().size(), 0.0);
@@ -53,11 +56,11 @@ Sent sent_by(const ActionMap& map,
 
 TEST(ControlMode, FingersThatPressOnOneAnotherDoNotHoldTheArm) {
   for (const char* name : {"panda", "realman-rm75"}) {
-    const Robot robot = committed_robot(name);
-    const ActionMap map(robot, ControlMode::pd_ee_delta_pos);
+    const robots::Robot robot = committed_robot(name);
+    const environments::ActionMap map(robot, environments::ControlMode::pd_ee_delta_pos);
     std::vector<double> state = posed(robot, robot.postures.front().name.c_str());
     const Sent open = sent_by(map, robot, state, {-0.5, 0, 0.5});
-    for (const JointGroup& group : robot.groups) {
+    for (const robots::JointGroup& group : robot.groups) {
       if (!group.name.ends_with("fingers")) continue;
       for (const int dof : group.dofs)
         state[static_cast<std::size_t>(dof)] =
@@ -73,8 +76,8 @@ TEST(ControlMode, FingersThatPressOnOneAnotherDoNotHoldTheArm) {
 // Pushed outward for 3 m, the arm ends stretched, not where it began; on its way there nothing is
 // cut, at the end nearly the whole of each step is.
 TEST(ControlMode, OutOfReachTheToolComesNearAndSaysSo) {
-  const Robot robot = committed_robot("panda");
-  const ActionMap map(robot, ControlMode::pd_ee_delta_pos);
+  const robots::Robot robot = committed_robot("panda");
+  const environments::ActionMap map(robot, environments::ControlMode::pd_ee_delta_pos);
   std::vector<double> state = posed(robot, robot.postures.front().name.c_str());
   const double begun = map.tool_poses(state).front().position.x;
   EXPECT_EQ(sent_by(map, robot, state, {1, 0, 0}).cut.off_m, 0);
@@ -88,7 +91,7 @@ TEST(ControlMode, OutOfReachTheToolComesNearAndSaysSo) {
     const auto mapped = map.action(move, state, commanded(robot, state));
     ASSERT_TRUE(mapped.ok());
     state = sent(robot, state, mapped->action);
-    ASSERT_TRUE(within_limits(robot, state)) << step;
+    ASSERT_TRUE(robots::within_limits(robot, state)) << step;
   }
   EXPECT_GT(last.to.position.x, begun + 0.15);
   EXPECT_GT(last.cut.off_m, 0.015);
@@ -97,8 +100,8 @@ TEST(ControlMode, OutOfReachTheToolComesNearAndSaysSo) {
 }
 
 TEST(ControlMode, AStateThatIsNoneIsAnErrorAndNoStandstill) {
-  const Robot robot = committed_robot("panda");
-  const ActionMap map(robot, ControlMode::pd_ee_delta_pose);
+  const robots::Robot robot = committed_robot("panda");
+  const environments::ActionMap map(robot, environments::ControlMode::pd_ee_delta_pose);
   std::vector<double> state = posed(robot, robot.postures.front().name.c_str());
   const std::vector<double> target = commanded(robot, state);
   state[2] = std::nan("");
@@ -109,25 +112,27 @@ TEST(ControlMode, AStateThatIsNoneIsAnErrorAndNoStandstill) {
 
 // In the worlds themselves: a second of shutting on nothing (or of staying open), then half a
 // second up. Both tools of the aisles' robot.
-class ShutOnNothing : public testing::TestWithParam<Track> {
+class ShutOnNothing : public testing::TestWithParam<episodes::Track> {
  protected:
   struct Trip {
     double up_m = 0, min_finger_m = 1, cut_m = 0;
   };
 
-  static Result<std::unique_ptr<Environment>> environment() {
-    EnvironmentOptions options;
-    options.control = ControlMode::pd_ee_delta_pos;
-    MARKETGEN_TRY(auto ground, EpisodeGround::of_pool(GetParam()));
-    MARKETGEN_TRY(auto made, Environment::create(ground, GetParam(), options));
-    MARKETGEN_TRY(const EpisodeSpec spec, ground->draw(GetParam(), 3));
+  static Result<std::unique_ptr<environments::Environment>> environment() {
+    environments::EnvironmentOptions options;
+    options.control = environments::ControlMode::pd_ee_delta_pos;
+    MARKETGEN_TRY(auto ground, environments::EpisodeGround::of_pool(GetParam()));
+    MARKETGEN_TRY(auto made, environments::Environment::create(ground, GetParam(), options));
+    MARKETGEN_TRY(const episodes::EpisodeSpec spec, ground->draw(GetParam(), 3));
     MARKETGEN_CHECK(made->reset(spec));
     return made;
   }
 
-  static std::vector<double> action(const Environment& of, double opening, double up) {
+  static std::vector<double> action(const environments::Environment& of,
+                                    double opening,
+                                    double up) {
     std::vector<double> action;
-    for (const ActionNumber& number : of.action_numbers()) {
+    for (const environments::ActionNumber& number : of.action_numbers()) {
       if (number.name.ends_with("opening"))
         action.push_back(opening);
       else if (number.name.ends_with("tool_z"))
@@ -138,9 +143,9 @@ class ShutOnNothing : public testing::TestWithParam<Track> {
     return action;
   }
 
-  static Pose tool(const Environment& of) {
-    const Robot& robot = of.world().robot();
-    return frame_pose(robot, of.world().robot_state(), robot.tools.front().frame);
+  static Pose tool(const environments::Environment& of) {
+    const robots::Robot& robot = of.world().robot();
+    return robots::frame_pose(robot, of.world().robot_state(), robot.tools.front().frame);
   }
 
   // Error: of the environment.
@@ -149,15 +154,15 @@ class ShutOnNothing : public testing::TestWithParam<Track> {
     for (int step = 0; step < 20; ++step)
       MARKETGEN_CHECK(made->step(action(*made, opening, 0)));
     Trip trip;
-    const Robot& robot = made->world().robot();
-    for (const JointGroup& group : robot.groups)
+    const robots::Robot& robot = made->world().robot();
+    for (const robots::JointGroup& group : robot.groups)
       for (const int dof : group.name.ends_with("fingers") ? group.dofs : std::vector<int>{})
         trip.min_finger_m =
             std::min(trip.min_finger_m, made->world().robot_state()[static_cast<std::size_t>(dof)]);
     const double before = tool(*made).position.z;
     for (int step = 0; step < 10; ++step) {
       MARKETGEN_CHECK(made->step(action(*made, opening, 0.5)));
-      for (const ToolCut& cut : made->tool_cuts())
+      for (const environments::ToolCut& cut : made->tool_cuts())
         trip.cut_m = std::max(trip.cut_m, cut.off_m);
     }
     trip.up_m = tool(*made).position.z - before;
@@ -178,7 +183,7 @@ TEST_P(ShutOnNothing, TheToolMovesAsWithAnOpenHand) {
 
 INSTANTIATE_TEST_SUITE_P(OfEachTrack,
                          ShutOnNothing,
-                         testing::Values(Track::checkout, Track::aisle),
+                         testing::Values(episodes::Track::checkout, episodes::Track::aisle),
                          [](const auto& track) { return std::string(name_of(track.param)); });
 
 }  // namespace

@@ -15,12 +15,12 @@ namespace {
 
 constexpr double short_s = 0.5;
 
-class EachEnvironment : public testing::TestWithParam<Track> {
+class EachEnvironment : public testing::TestWithParam<episodes::Track> {
  protected:
-  static Track track() { return GetParam(); }
+  static episodes::Track track() { return GetParam(); }
 
-  static std::unique_ptr<Environment> begun(const EnvironmentOptions& options,
-                                            double limit_s = short_s) {
+  static std::unique_ptr<environments::Environment> begun(
+      const environments::EnvironmentOptions& options, double limit_s = short_s) {
     auto environment = pool_environment(track(), options);
     const auto reset = environment->reset(pool_episode(track(), limit_s));
     if (!reset.ok()) fatal(to_string(reset.error()).c_str());
@@ -28,13 +28,14 @@ class EachEnvironment : public testing::TestWithParam<Track> {
   }
 
   // Joints where they are, fingers half open, wheels still, and the agent goes on.
-  static std::vector<double> still(const Environment& environment) {
+  static std::vector<double> still(const environments::Environment& environment) {
     std::vector<double> action(environment.action_numbers().size(), 0.0);
     if (environment.options().stop) action.back() = -1;
     return action;
   }
 
-  static StepOutcome stepped(Environment& environment, const std::vector<double>& action) {
+  static environments::StepOutcome stepped(environments::Environment& environment,
+                                           const std::vector<double>& action) {
     const auto outcome = environment.step(action);
     if (!outcome.ok()) fatal(to_string(outcome.error()).c_str());
     return *outcome;
@@ -52,9 +53,9 @@ TEST_P(EachEnvironment, NumbersAreNamedAndObservationsStayWithinTheirBounds) {
     stepped(*environment, still(*environment));
     environment->observe(seen);
     std::size_t at = 0;
-    for (const ObservationPart& part : environment->observation_parts()) {
-      ASSERT_EQ(part.low.size(), count_of(part)) << part.name;
-      for (std::size_t n = 0; n < count_of(part); ++n, ++at) {
+    for (const environments::ObservationPart& part : environment->observation_parts()) {
+      ASSERT_EQ(part.low.size(), environments::count_of(part)) << part.name;
+      for (std::size_t n = 0; n < environments::count_of(part); ++n, ++at) {
         EXPECT_GE(seen[at], static_cast<float>(part.low[n])) << part.name;
         EXPECT_LE(seen[at], static_cast<float>(part.high[n])) << part.name;
       }
@@ -84,10 +85,10 @@ TEST_P(EachEnvironment, WhatIsNoActionIsRefusedAndMovesNothing) {
 
 TEST_P(EachEnvironment, EpisodesOfElsewhereAreRefused) {
   const auto environment = pool_environment(track());
-  EpisodeSpec spec = pool_episode(track(), short_s);
+  episodes::EpisodeSpec spec = pool_episode(track(), short_s);
   spec.plan_hash = "of another plan";
   EXPECT_EQ(environment->reset(spec).error().code, "episode.other_store");
-  for (const Track other : all_tracks) {
+  for (const episodes::Track other : episodes::all_tracks) {
     if (other == track()) continue;
     spec.track = other;
     EXPECT_EQ(environment->reset(spec).error().code, "episode.unknown_track");
@@ -96,13 +97,13 @@ TEST_P(EachEnvironment, EpisodesOfElsewhereAreRefused) {
 }
 
 TEST_P(EachEnvironment, TimeThatIsOverTruncates) {
-  const auto environment = begun({}, 2 * control_step_s);
-  const StepOutcome first = stepped(*environment, still(*environment));
+  const auto environment = begun({}, 2 * episodes::control_step_s);
+  const environments::StepOutcome first = stepped(*environment, still(*environment));
   EXPECT_FALSE(first.terminated || first.truncated);
-  const StepOutcome last = stepped(*environment, still(*environment));
+  const environments::StepOutcome last = stepped(*environment, still(*environment));
   EXPECT_TRUE(last.truncated && !last.terminated);
   ASSERT_TRUE(environment->result().has_value());
-  EXPECT_EQ(environment->result()->failure, FailureCode::timeout);
+  EXPECT_EQ(environment->result()->failure, episodes::FailureCode::timeout);
   EXPECT_FALSE(environment->running());
   EXPECT_EQ(environment->step(still(*environment)).error().code, "episode.bad_action");
 }
@@ -111,31 +112,32 @@ TEST_P(EachEnvironment, TheAgentsStopTerminates) {
   const auto environment = begun({});
   std::vector<double> stop = still(*environment);
   stop.back() = 1;
-  const StepOutcome last = stepped(*environment, stop);
+  const environments::StepOutcome last = stepped(*environment, stop);
   EXPECT_TRUE(last.terminated && !last.truncated);
   EXPECT_EQ(last.reward, 0) << "nothing was done";
   ASSERT_TRUE(environment->result().has_value());
-  EXPECT_EQ(environment->result()->failure, FailureCode::unknown) << "who stops says nothing";
-  EpisodeEnd end{"mine", "NotFound"};
-  EXPECT_EQ(environment->judged(end).failure, FailureCode::not_found);
+  EXPECT_EQ(environment->result()->failure, episodes::FailureCode::unknown)
+      << "who stops says nothing";
+  episodes::EpisodeEnd end{"mine", "NotFound"};
+  EXPECT_EQ(environment->judged(end).failure, episodes::FailureCode::not_found);
   EXPECT_EQ(environment->judged(end).policy, "mine");
 }
 
 TEST_P(EachEnvironment, WithoutStopOnlyGoalsOrTimeEndIt) {
-  const auto environment = begun({.stop = false}, 2 * control_step_s);
+  const auto environment = begun({.stop = false}, 2 * episodes::control_step_s);
   EXPECT_NE(environment->action_numbers().back().name, "stop");
   EXPECT_FALSE(stepped(*environment, still(*environment)).terminated);
   EXPECT_TRUE(stepped(*environment, still(*environment)).truncated);
 }
 
 TEST_P(EachEnvironment, RewardsAreWhatTheirModesSay) {
-  const auto sparse = begun({.reward = RewardMode::sparse});
+  const auto sparse = begun({.reward = environments::RewardMode::sparse});
   EXPECT_EQ(stepped(*sparse, still(*sparse)).reward, 0);
-  const auto dense = begun({.reward = RewardMode::dense});
+  const auto dense = begun({.reward = environments::RewardMode::dense});
   const double near = stepped(*dense, still(*dense)).reward;
   EXPECT_GT(near, 0);
   EXPECT_LT(near, 1);
-  const auto shaped = begun({.reward = RewardMode::shaped});
+  const auto shaped = begun({.reward = environments::RewardMode::shaped});
   double risen = 0;
   for (int i = 0; i < 5; ++i)
     risen += stepped(*shaped, still(*shaped)).reward;
@@ -146,7 +148,7 @@ TEST_P(EachEnvironment, ASavedMomentGoesOnBitForBit) {
   const auto environment = begun({}), other = begun({});
   stepped(*environment, still(*environment));
   const std::string moment = environment->save();
-  const auto ends = [](Environment& from) {
+  const auto ends = [](environments::Environment& from) {
     std::vector<double> action = still(from);
     action.front() = 1;
     for (int i = 0; i < 3; ++i)
@@ -162,7 +164,7 @@ TEST_P(EachEnvironment, ASavedMomentGoesOnBitForBit) {
 
 INSTANTIATE_TEST_SUITE_P(OfTracks,
                          EachEnvironment,
-                         testing::ValuesIn(all_tracks),
+                         testing::ValuesIn(episodes::all_tracks),
                          [](const auto& track) { return std::string(name_of(track.param)); });
 
 }  // namespace

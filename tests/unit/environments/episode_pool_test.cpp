@@ -17,26 +17,26 @@ const std::filesystem::path pool =
     std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data/benchmark/pool";
 constexpr char remedy[] = "run tools/refresh_pool: the pool is no longer what would be drawn";
 
-class Pool : public testing::TestWithParam<Track> {
+class Pool : public testing::TestWithParam<episodes::Track> {
  protected:
-  EpisodeFile file() const {
-    auto read = read_episode_file(pool / (std::string(name_of(GetParam())) + ".jsonl"));
+  episodes::EpisodeFile file() const {
+    auto read = episodes::read_episode_file(pool / (std::string(name_of(GetParam())) + ".jsonl"));
     if (!read.ok()) fatal(to_string(read.error()).c_str());
     return std::move(read).value();
   }
 };
 
 TEST_P(Pool, ItsStoresAreStillMadeFromItsPlans) {
-  for (const EpisodeStore& store : file().header.stores) {
-    const auto scene = scene_of_plan(store.plan, committed_catalog(), store.seed);
+  for (const episodes::EpisodeStore& store : file().header.stores) {
+    const auto scene = store::scene_of_plan(store.plan, committed_catalog(), store.seed);
     ASSERT_TRUE(scene.ok()) << to_string(scene.error());
-    EXPECT_EQ(scene_hash(*scene), store.scene_hash) << store.name << ": " << remedy;
-    EXPECT_EQ(plan_hash(store.plan), store.plan_hash) << store.name << ": " << remedy;
+    EXPECT_EQ(scene::scene_hash(*scene), store.scene_hash) << store.name << ": " << remedy;
+    EXPECT_EQ(episodes::plan_hash(store.plan), store.plan_hash) << store.name << ": " << remedy;
   }
 }
 
 TEST_P(Pool, OpensAndHasTensOfEpisodes) {
-  const auto ground = EpisodeGround::of_pool(GetParam());
+  const auto ground = environments::EpisodeGround::of_pool(GetParam());
   ASSERT_TRUE(ground.ok()) << to_string(ground.error()) << "\n" << remedy;
   EXPECT_GE((*ground)->episodes().size(), 20U);
   const auto first = (*ground)->draw(GetParam(), 3), again = (*ground)->draw(GetParam(), 3);
@@ -53,7 +53,7 @@ TEST_P(Pool, HasThePlansThatLieBesideIt) {
 
 INSTANTIATE_TEST_SUITE_P(OfEachTrack,
                          Pool,
-                         testing::Values(Track::checkout, Track::aisle),
+                         testing::Values(episodes::Track::checkout, episodes::Track::aisle),
                          [](const auto& track) { return std::string(name_of(track.param)); });
 
 // With products as they no longer are, it says what to do.
@@ -63,7 +63,7 @@ TEST(StalePool, IsAnErrorThatNamesTheRemedy) {
   fs::remove_all(data);
   fs::copy(pool.parent_path().parent_path(), data, fs::copy_options::recursive);
   const fs::path file = data / "benchmark/pool/checkout.jsonl";
-  std::string text = read_file(file).value();
+  std::string text = io::read_file(file).value();
   const std::string key = "\"mass_kg\": 0.";
   const std::size_t at = text.find(key);
   ASSERT_NE(at, std::string::npos);
@@ -71,7 +71,7 @@ TEST(StalePool, IsAnErrorThatNamesTheRemedy) {
   std::ofstream(file, std::ios::binary) << text;
   const char* before = std::getenv("MARKETGEN_DATA");
   setenv("MARKETGEN_DATA", data.c_str(), 1);
-  const auto ground = EpisodeGround::of_pool(Track::checkout);
+  const auto ground = environments::EpisodeGround::of_pool(episodes::Track::checkout);
   if (before == nullptr)
     unsetenv("MARKETGEN_DATA");
   else

@@ -6,11 +6,11 @@
 namespace marketgen {
 namespace {
 
-constexpr ProgressScale scale{0.15, 0.25};
-const EnvironmentPlace area{{0.5, -0.5, 0}, {0.3, 0.4, 0}, {}};
+constexpr environments::ProgressScale scale{0.15, 0.25};
+const environments::EnvironmentPlace area{{0.5, -0.5, 0}, {0.3, 0.4, 0}, {}};
 
-EnvironmentItem item_at(Vec3 at) {
-  EnvironmentItem item;
+environments::EnvironmentItem item_at(Vec3 at) {
+  environments::EnvironmentItem item;
   item.sku = "box";
   item.middle = at;
   item.pose.position = at;
@@ -18,12 +18,12 @@ EnvironmentItem item_at(Vec3 at) {
   return item;
 }
 
-double progress(const EnvironmentItem& item, Vec3 tool) {
-  return goal_progress({{"box", 1}}, {item}, area, {{tool, {}}}, scale);
+double progress(const environments::EnvironmentItem& item, Vec3 tool) {
+  return environments::goal_progress({{"box", 1}}, {item}, area, {{tool, {}}}, scale);
 }
 
 TEST(GoalProgress, RisesOnTheWay) {
-  EnvironmentItem item = item_at({0.5, 0.2, 0.05});
+  environments::EnvironmentItem item = item_at({0.5, 0.2, 0.05});
   std::vector<double> seen{progress(item, {0.3, 0.2, 0.5})};
   seen.push_back(progress(item, {0.45, 0.2, 0.2}));  // nearer
   seen.push_back(progress(item, item.middle));       // there
@@ -48,12 +48,14 @@ TEST(GoalProgress, RisesOnTheWay) {
 }
 
 TEST(GoalProgress, IsTheMeanOverWhatIsAskedFor) {
-  EnvironmentItem done = item_at({0.5, -0.5, 0.05}), other = item_at({0.5, 5, 0.05});
+  environments::EnvironmentItem done = item_at({0.5, -0.5, 0.05}), other = item_at({0.5, 5, 0.05});
   done.in_place = true;
   const std::vector<Pose> far_tool{{{-5, 5, 5}, {}}};
-  EXPECT_NEAR(goal_progress({{"box", 2}}, {other, done}, area, far_tool, scale), 0.5, 1e-6);
-  EXPECT_NEAR(goal_progress({{"box", 1}}, {other, done}, area, far_tool, scale), 1, 1e-6);
-  EXPECT_EQ(goal_progress({}, {done}, area, far_tool, scale), 0);
+  EXPECT_NEAR(
+      environments::goal_progress({{"box", 2}}, {other, done}, area, far_tool, scale), 0.5, 1e-6);
+  EXPECT_NEAR(
+      environments::goal_progress({{"box", 1}}, {other, done}, area, far_tool, scale), 1, 1e-6);
+  EXPECT_EQ(environments::goal_progress({}, {done}, area, far_tool, scale), 0);
 }
 
 }  // namespace

@@ -9,25 +9,26 @@
 namespace marketgen {
 namespace {
 
-Result<EpisodeResult> run_by(const std::string& policy, const EpisodeSpec& spec) {
-  EpisodeHeader header;
+Result<episodes::EpisodeResult> run_by(const std::string& policy,
+                                       const episodes::EpisodeSpec& spec) {
+  episodes::EpisodeHeader header;
   header.products = checkout_goods_rows();
-  Arena arena(data_rows(), header, committed_catalog());
-  return run_episode(arena, spec, policy);
+  environments::Arena arena(data_rows(), header, committed_catalog());
+  return environments::run_episode(arena, spec, policy);
 }
 
-EpisodeResult run(const EpisodeSpec& spec) {
+episodes::EpisodeResult run(const episodes::EpisodeSpec& spec) {
   auto result = run_by("oracle", spec);
   if (!result.ok()) fatal(to_string(result.error()).c_str());
   return std::move(result).value();
 }
 
 TEST(RunEpisode, TheOracleActsTwiceAlike) {
-  EpisodeSpec spec = drawn(7, 0);
+  episodes::EpisodeSpec spec = drawn(7, 0);
   spec.limit_s = 15;  // one item or two
-  const EpisodeResult one = run(spec), again = run(spec);
+  const episodes::EpisodeResult one = run(spec), again = run(spec);
   EXPECT_EQ(one.state_hash, again.state_hash);
-  EXPECT_GT(one.side_effects.displaced + one.success_partial, 0) << write_json(one);
+  EXPECT_GT(one.side_effects.displaced + one.success_partial, 0) << io::write_json(one);
   EXPECT_TRUE(one.detail.empty()) << one.detail;
 }
 

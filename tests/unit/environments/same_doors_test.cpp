@@ -15,11 +15,12 @@ namespace {
 
 constexpr double limit_s = 20;
 constexpr int steps = 30;
-const EnvironmentOptions by_joints{.control = ControlMode::pd_joint_pos};
+const environments::EnvironmentOptions by_joints{.control =
+                                                     environments::ControlMode::pd_joint_pos};
 using Row = std::vector<double>;
 
 // Joints that sway about where they begin, a base that creeps, hands that open; then the stop.
-std::vector<Row> swaying(const Environment& begun) {
+std::vector<Row> swaying(const environments::Environment& begun) {
   const Row start = begun.world().observe().position;
   std::vector<Row> rows;
   for (int i = 0; i < steps; ++i) {
@@ -34,18 +35,19 @@ std::vector<Row> swaying(const Environment& begun) {
 }
 
 // Does what the rows say, one after another.
-class Scripted : public Policy {
+class Scripted : public agent::Policy {
  public:
-  Scripted(const Robot& robot, std::vector<Row> rows)
-      : map_(robot, ControlMode::pd_joint_pos), rows_(std::move(rows)) {}
-  Result<void> begin(const Task&, const Observation&) override { return {}; }
-  Result<Action> act(const Observation& now) override {
-    MARKETGEN_TRY(const MappedAction mapped, map_.action(rows_.at(next_++), {}, now.position));
+  Scripted(const robots::Robot& robot, std::vector<Row> rows)
+      : map_(robot, environments::ControlMode::pd_joint_pos), rows_(std::move(rows)) {}
+  Result<void> begin(const agent::Task&, const agent::Observation&) override { return {}; }
+  Result<agent::Action> act(const agent::Observation& now) override {
+    MARKETGEN_TRY(const environments::MappedAction mapped,
+                  map_.action(rows_.at(next_++), {}, now.position));
     return mapped.action;
   }
 
  private:
-  ActionMap map_;
+  environments::ActionMap map_;
   std::vector<Row> rows_;
   std::size_t next_ = 0;
 };
@@ -58,23 +60,23 @@ auto as_loops_round(const Work& work) {
   return *std::move(made);
 }
 
-class EachDoor : public testing::TestWithParam<Track> {
+class EachDoor : public testing::TestWithParam<episodes::Track> {
  protected:
-  static EpisodeSpec spec() { return pool_episode(GetParam(), limit_s); }
+  static episodes::EpisodeSpec spec() { return pool_episode(GetParam(), limit_s); }
 
-  static std::unique_ptr<Environment> begun() {
+  static std::unique_ptr<environments::Environment> begun() {
     auto environment = pool_environment(GetParam(), by_joints);
     const auto reset = as_loops_round([&] { return environment->reset(spec()); });
     if (!reset.ok()) fatal(to_string(reset.error()).c_str());
     return environment;
   }
 
-  static std::string end_of(const Environment& environment) {
+  static std::string end_of(const environments::Environment& environment) {
     return environment.result() ? environment.result()->state_hash : "still runs";
   }
 };
 
-std::string by_steps(Environment& environment, const std::vector<Row>& rows) {
+std::string by_steps(environments::Environment& environment, const std::vector<Row>& rows) {
   for (const Row& row : rows) {
     const auto stepped = as_loops_round([&] { return environment.step(row); });
     if (!stepped.ok()) return to_string(stepped.error());
@@ -82,17 +84,18 @@ std::string by_steps(Environment& environment, const std::vector<Row>& rows) {
   return environment.result() ? environment.result()->state_hash : "still runs";
 }
 
-std::string by_policy(const EpisodeSpec& spec, const std::vector<Row>& rows) {
-  const auto run = [&]() -> Result<EpisodeResult> {
+std::string by_policy(const episodes::EpisodeSpec& spec, const std::vector<Row>& rows) {
+  const auto run = [&]() -> Result<episodes::EpisodeResult> {
     MARKETGEN_TRY(const auto world, pool_ground(spec.track)->arena().open(spec));
     Scripted policy(world->robot(), rows);
-    return run_policy(*world, policy, "scripted");
+    return environments::run_policy(*world, policy, "scripted");
   };
   const auto result = as_loops_round(run);
   return result.ok() ? result->state_hash : to_string(result.error());
 }
 
-void in_one_call(const std::vector<Environment*>& environments, const std::vector<Row>& rows) {
+void in_one_call(const std::vector<environments::Environment*>& environments,
+                 const std::vector<Row>& rows) {
   const std::size_t count = environments.size();
   std::vector<float> seen(count * environments.front()->observation_size());
   std::vector<double> rewards(count);
@@ -101,8 +104,8 @@ void in_one_call(const std::vector<Environment*>& environments, const std::vecto
     Row all;
     for (std::size_t i = 0; i < count; ++i)
       all.insert(all.end(), row.begin(), row.end());
-    const auto done =
-        step_all(environments, all, {seen, rewards, {&flags[0], count}, {&flags[count], count}});
+    const auto done = environments::step_all(
+        environments, all, {seen, rewards, {&flags[0], count}, {&flags[count], count}});
     ASSERT_TRUE(done.ok()) << to_string(done.error());
   }
 }
@@ -125,20 +128,21 @@ TEST_P(EachDoor, ABatchIsRefusedAsAWhole) {
   const std::size_t numbers = one->action_numbers().size();
   Row all(2 * numbers, 0.0);
   all[numbers] = std::nan("");
-  Environment* both[] = {one.get(), two.get()};
+  environments::Environment* both[] = {one.get(), two.get()};
   std::vector<float> seen(2 * one->observation_size());
   double rewards[2];
   bool flags[4];
-  const auto done = step_all(both, all, {seen, rewards, {flags, 2}, {flags + 2, 2}});
+  const auto done = environments::step_all(both, all, {seen, rewards, {flags, 2}, {flags + 2, 2}});
   ASSERT_FALSE(done.ok());
   EXPECT_EQ(done.error().code, "episode.bad_action");
   EXPECT_EQ(done.error().where, "action of environment 1");
   EXPECT_EQ(one->world().state_hash(), before);
 }
 
-INSTANTIATE_TEST_SUITE_P(OfTracks, EachDoor, testing::ValuesIn(all_tracks), [](const auto& track) {
-  return std::string(name_of(track.param));
-});
+INSTANTIATE_TEST_SUITE_P(OfTracks,
+                         EachDoor,
+                         testing::ValuesIn(episodes::all_tracks),
+                         [](const auto& track) { return std::string(name_of(track.param)); });
 
 }  // namespace
 }  // namespace marketgen

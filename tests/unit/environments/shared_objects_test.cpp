@@ -11,7 +11,7 @@ namespace marketgen {
 namespace {
 
 TEST(SharedObjects, AreMadeOnceHoweverManyAskAtATime) {
-  SharedObjects shared;
+  environments::SharedObjects shared;
   std::atomic<int> made = 0;
   const auto make = [&]() -> Result<std::shared_ptr<int>> {
     ++made;
@@ -30,7 +30,7 @@ TEST(SharedObjects, AreMadeOnceHoweverManyAskAtATime) {
 }
 
 TEST(SharedObjects, AnErrorIsNotKept) {
-  SharedObjects shared;
+  environments::SharedObjects shared;
   const auto failed = shared.get<int>("seven", []() -> Result<std::shared_ptr<int>> {
     return Error{"io.cannot_read", "disk", "is asleep"};
   });

@@ -9,10 +9,10 @@ namespace marketgen {
 namespace {
 
 // Every text and number of it is one that is found again wherever it stands.
-EpisodeSpec episode() {
-  EpisodeSpec spec;
+episodes::EpisodeSpec episode() {
+  episodes::EpisodeSpec spec;
   spec.id = "SECRET/id";
-  spec.track = Track::aisle;
+  spec.track = episodes::Track::aisle;
   spec.store = "SECRET/store";
   spec.scene_hash = "SECRET/scene";
   spec.plan_hash = "SECRET/plan";
@@ -27,7 +27,7 @@ EpisodeSpec episode() {
   spec.categories = {{"tea", "beverages", 1.5, 2.5}};
   spec.cameras = {"head_camera"};
   spec.limit_s = 900;
-  WitnessPick pick;
+  episodes::WitnessPick pick;
   pick.sku = "tea";
   pick.product = "SECRET/product";
   pick.arm = "SECRET/arm";
@@ -39,16 +39,19 @@ EpisodeSpec episode() {
 }
 
 TEST(ToldTask, HasNothingOfPosesWitnessSeedsOrIds) {
-  const std::string told = write_json(told_task(episode()));
-  ASSERT_NE(write_json(episode()).find("SECRET"), std::string::npos);
+  const std::string told = io::write_json(environments::told_task(episode()));
+  ASSERT_NE(io::write_json(episode()).find("SECRET"), std::string::npos);
   EXPECT_EQ(told.find("SECRET"), std::string::npos) << told;
   EXPECT_EQ(told.find("4711"), std::string::npos) << told;
   EXPECT_EQ(told.find("47.11"), std::string::npos) << told;
 }
 
 TEST(ToldTask, HasWhatTheAgentIsToDoAndWhatItKnowsBeforehand) {
-  const ToldTask told = read_json<ToldTask>(write_json(told_task(episode())), "task").value();
-  EXPECT_EQ(told.track, Track::aisle);
+  const environments::ToldTask told =
+      io::read_json<environments::ToldTask>(io::write_json(environments::told_task(episode())),
+                                            "task")
+          .value();
+  EXPECT_EQ(told.track, episodes::Track::aisle);
   EXPECT_EQ(told.instruction, "Fetch the tea.");
   EXPECT_EQ(told.robot, "realman-rm75");
   EXPECT_EQ(told.tools, "suction");

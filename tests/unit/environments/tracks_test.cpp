@@ -11,12 +11,12 @@
 namespace marketgen {
 namespace {
 
-class EachTrack : public testing::TestWithParam<Track> {
+class EachTrack : public testing::TestWithParam<episodes::Track> {
  protected:
-  static Track track() { return GetParam(); }
-  static Arena& arena() { return pool_ground(track())->arena(); }
+  static episodes::Track track() { return GetParam(); }
+  static environments::Arena& arena() { return pool_ground(track())->arena(); }
 
-  static std::unique_ptr<TrackWorld> opened() {
+  static std::unique_ptr<episodes::TrackWorld> opened() {
     auto world = arena().open(pool_episode(track(), 10));
     if (!world.ok()) fatal(to_string(world.error()).c_str());
     return std::move(world).value();
@@ -24,15 +24,15 @@ class EachTrack : public testing::TestWithParam<Track> {
 };
 
 TEST_P(EachTrack, HasRowsThatItsEpisodesKeepTo) {
-  const TrackEntry& entry = entry_of(track());
+  const episodes::TrackEntry& entry = episodes::entry_of(track());
   const auto robot = entry.robot(pool_ground(track())->data());
   ASSERT_TRUE(robot.ok()) << to_string(robot.error());
-  for (const EpisodeSpec& spec : pool_ground(track())->episodes()) {
+  for (const episodes::EpisodeSpec& spec : pool_ground(track())->episodes()) {
     EXPECT_EQ(spec.track, track());
     EXPECT_EQ(spec.robot, robot->robot);
     EXPECT_LE(entry.items_of(spec), entry.max_items());
     EXPECT_GE(entry.items_of(spec), 1);
-    const auto checked = check_episode(spec, spec.id);
+    const auto checked = episodes::check_episode(spec, spec.id);
     EXPECT_TRUE(checked.ok()) << to_string(checked.error());
   }
 }
@@ -41,7 +41,7 @@ TEST_P(EachTrack, OpensAWorldThatStepsAndJudges) {
   const auto world = opened();
   EXPECT_EQ(world->any().index(), static_cast<std::size_t>(track()));
   const std::string before = world->state_hash();
-  const auto stepped = world->step(still_action(world->observe()));
+  const auto stepped = world->step(episodes::still_action(world->observe()));
   ASSERT_TRUE(stepped.ok()) << to_string(stepped.error());
   EXPECT_NE(world->state_hash(), before);
   EXPECT_EQ(world->steps(), 1);
@@ -60,8 +60,8 @@ TEST_P(EachTrack, ShowsItselfToFilmsAndAgents) {
   const auto view = world->open_view();
   ASSERT_TRUE(view.ok()) << to_string(view.error());
   std::vector<std::string> cameras = pool_environment(track())->cameras();
-  EXPECT_EQ(cameras.size(), entry_of(track()).cameras().size());
-  cameras.emplace_back(film_camera_name);
+  EXPECT_EQ(cameras.size(), episodes::entry_of(track()).cameras().size());
+  cameras.emplace_back(episodes::film_camera_name);
   for (const std::string& name : cameras) {
     const auto followed = (*view)->follow();
     ASSERT_TRUE(followed.ok()) << to_string(followed.error());
@@ -84,8 +84,8 @@ TEST_P(EachTrack, HasEveryPolicy) {
 }
 
 TEST_P(EachTrack, DrawsEpisodesThatCanBeOpened) {
-  const EpisodeStore& store = pool_ground(track())->stores().front();
-  const auto sampler = environment_entry_of(track()).sampler(arena(), "");
+  const episodes::EpisodeStore& store = pool_ground(track())->stores().front();
+  const auto sampler = environments::environment_entry_of(track()).sampler(arena(), "");
   ASSERT_TRUE(sampler.ok()) << to_string(sampler.error());
   const auto from = (*sampler)->of_store({store.name, store.scene_hash, store.plan_hash});
   ASSERT_TRUE(from.ok()) << to_string(from.error());
@@ -93,16 +93,17 @@ TEST_P(EachTrack, DrawsEpisodesThatCanBeOpened) {
   const auto drawn = (*from)->sample(Seed(1), 0);
   ASSERT_TRUE(drawn.ok()) << to_string(drawn.error());
   EXPECT_EQ(drawn->track, track());
-  const auto checked = check_episode(*drawn, drawn->id);
+  const auto checked = episodes::check_episode(*drawn, drawn->id);
   EXPECT_TRUE(checked.ok()) << to_string(checked.error());
   const auto world = arena().open(*drawn);
   EXPECT_TRUE(world.ok()) << to_string(world.error());
   EXPECT_GT((*from)->exclusions().on_offer, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(OfTracks, EachTrack, testing::ValuesIn(all_tracks), [](const auto& track) {
-  return std::string(name_of(track.param));
-});
+INSTANTIATE_TEST_SUITE_P(OfTracks,
+                         EachTrack,
+                         testing::ValuesIn(episodes::all_tracks),
+                         [](const auto& track) { return std::string(name_of(track.param)); });
 
 }  // namespace
 }  // namespace marketgen

@@ -13,24 +13,24 @@
 namespace marketgen {
 namespace {
 
-const Product& can_row() {
-  static const std::shared_ptr<const AisleStore> store = can_aisle();
-  return *std::ranges::find(store->scene.catalog, "can-cola", &Product::sku);
+const catalog::Product& can_row() {
+  static const std::shared_ptr<const episodes::AisleStore> store = can_aisle();
+  return *std::ranges::find(store->scene.catalog, "can-cola", &catalog::Product::sku);
 }
 
-GraspTool aisle_gripper() {
-  return load_grasp_tool(committed_rows, "parallel-gripper").value();
+robots::GraspTool aisle_gripper() {
+  return robots::load_grasp_tool(committed_rows, "parallel-gripper").value();
 }
 
 TEST(AisleStore, APackUnderAnotherIsNoFrontItem) {
-  const std::shared_ptr<const AisleStore> flat = can_aisle();
+  const std::shared_ptr<const episodes::AisleStore> flat = can_aisle();
   ASSERT_EQ(flat->front_items("can-cola").size(), 4U);
-  AisleStore stacked = *flat;
-  Scene& scene = stacked.scene;
-  Facing& facing = scene.facings[scene.products[1].facing];
+  episodes::AisleStore stacked = *flat;
+  scene::Scene& scene = stacked.scene;
+  scene::Facing& facing = scene.facings[scene.products[1].facing];
   facing.stack = 2, facing.first_product = 0;
   facing.product_count = static_cast<std::uint32_t>(scene.products.size());
-  for (SceneProduct& product : scene.products)
+  for (scene::SceneProduct& product : scene.products)
     product.facing = scene.products[1].facing;
   scene.products[2].position_m = scene.products[1].position_m;
   scene.products[2].position_m[2] += static_cast<float>(can_row().height_m());
@@ -43,57 +43,59 @@ TEST(AisleStore, APackUnderAnotherIsNoFrontItem) {
 
 TEST(StudiedGrasps, NumbersChooseInTheirOrder) {
   const auto& frictions = committed_catalog().frictions;
-  const auto all = studied_grasps(can_row(), aisle_gripper(), frictions, {});
+  const auto all = episodes::studied_grasps(can_row(), aisle_gripper(), frictions, {});
   ASSERT_TRUE(all.ok()) << to_string(all.error());
   ASSERT_GE(all->size(), 2U);
-  const auto two = studied_grasps(can_row(), aisle_gripper(), frictions, {1, 0});
+  const auto two = episodes::studied_grasps(can_row(), aisle_gripper(), frictions, {1, 0});
   ASSERT_EQ(two->size(), 2U);
   EXPECT_EQ((*two)[0].grasp.product_from_tool.position.z,
             (*all)[1].grasp.product_from_tool.position.z);
-  const auto none = studied_grasps(can_row(), aisle_gripper(), frictions, {99});
+  const auto none = episodes::studied_grasps(can_row(), aisle_gripper(), frictions, {99});
   EXPECT_EQ(none.error().code, "motion.no_grasp");
 }
 
-GraspRate rate_of_can(std::vector<GraspEnd> ends) {
-  GraspRate rate;
+grasping::GraspRate rate_of_can(std::vector<grasping::GraspEnd> ends) {
+  grasping::GraspRate rate;
   rate.sku = can_row().sku, rate.tool = "parallel-gripper";
-  rate.setting = GraspSetting::stocked;
-  for (const GraspEnd end : ends)
+  rate.setting = grasping::GraspSetting::stocked;
+  for (const grasping::GraspEnd end : ends)
     rate.tries.emplace_back().end = end;
   return rate;
 }
 
-StudiedProduct studied_can(const GraspRate& known) {
-  GraspBook book(aisle_gripper(), committed_catalog().frictions, {known});
+episodes::StudiedProduct studied_can(const grasping::GraspRate& known) {
+  episodes::GraspBook book(aisle_gripper(), committed_catalog().frictions, {known});
   const auto studied = book.study(can_row());
   EXPECT_TRUE(book.studied().empty()) << "what is known is not tried again";
   return studied.value();
 }
 
 TEST(GraspBook, TwoOfThreeTriesHold) {
-  using enum GraspEnd;
+  using enum grasping::GraspEnd;
   EXPECT_EQ(studied_can(rate_of_can({held, missed, held})).grasps, (std::vector<int>{0, 2}));
   EXPECT_EQ(studied_can(rate_of_can({held, missed, missed})).why_not, "unreliable");
   EXPECT_EQ(studied_can(rate_of_can({toppled, missed})).why_not, "toppled");
-  GraspRate wide = rate_of_can({});
-  wide.excluded = GraspExclusion::too_wide;
+  grasping::GraspRate wide = rate_of_can({});
+  wide.excluded = grasping::GraspExclusion::too_wide;
   EXPECT_EQ(studied_can(wide).why_not, "too_wide");
 }
 
 // A full bottle hangs from its neck and turns between the pads when the hand looks down.
 TEST(GraspBook, WhatSwingsIsNotTried) {
-  const Product* syrup = committed_catalog().product("beverages-fruit-syrup-lime-0-7l");
+  const catalog::Product* syrup = committed_catalog().product("beverages-fruit-syrup-lime-0-7l");
   ASSERT_NE(syrup, nullptr);
-  GraspBook book(aisle_gripper(), committed_catalog().frictions);
+  episodes::GraspBook book(aisle_gripper(), committed_catalog().frictions);
   const auto studied = book.study(*syrup);
   ASSERT_TRUE(studied.ok()) << to_string(studied.error());
   EXPECT_TRUE(studied->grasps.empty());
   EXPECT_EQ(studied->why_not, "swings");
   EXPECT_TRUE(book.studied().empty());
-  const auto grasps = studied_grasps(*syrup, aisle_gripper(), committed_catalog().frictions, {});
-  Product light = *syrup;
+  const auto grasps =
+      episodes::studied_grasps(*syrup, aisle_gripper(), committed_catalog().frictions, {});
+  catalog::Product light = *syrup;
   light.mass_kg /= 10;
-  const auto lighter = studied_grasps(light, aisle_gripper(), committed_catalog().frictions, {});
+  const auto lighter =
+      episodes::studied_grasps(light, aisle_gripper(), committed_catalog().frictions, {});
   EXPECT_NEAR(grasps->front().swing_n, 10 * lighter->front().swing_n, 1);
 }
 
@@ -101,18 +103,18 @@ TEST(GraspBook, WhatSwingsIsNotTried) {
 // Of flat packs whose own face leans: what a study keeps seals on the upright solid that stands in
 // a store.
 TEST(GraspBook, ACupMustSealOnThePackAsAStoreHasIt) {
-  const GraspTool cup = load_grasp_tool(committed_rows, "suction-cup").value();
-  const auto ahead = [](const GraspCandidate& grasp) {
+  const robots::GraspTool cup = robots::load_grasp_tool(committed_rows, "suction-cup").value();
+  const auto ahead = [](const motion::GraspCandidate& grasp) {
     return rotate(grasp.grasp.product_from_tool.rotation, {0, 0, 1}).y;
   };
-  GraspBook book(cup, committed_catalog().frictions);
-  const Product* noodles =
+  episodes::GraspBook book(cup, committed_catalog().frictions);
+  const catalog::Product* noodles =
       committed_catalog().product("dry-goods-instant-noodles-shrimp-noodoki-75-g");
   ASSERT_NE(noodles, nullptr);
   int packs = 0, kept = 0;
-  for (const Product& pack : committed_catalog().products) {
+  for (const catalog::Product& pack : committed_catalog().products) {
     if (pack.archetype != noodles->archetype) continue;
-    const auto leaning = studied_grasps(pack, cup, committed_catalog().frictions, {});
+    const auto leaning = episodes::studied_grasps(pack, cup, committed_catalog().frictions, {});
     if (!leaning.ok()) {
       EXPECT_EQ(leaning.error().code, "motion.no_grasp");
       continue;
@@ -130,11 +132,11 @@ TEST(GraspBook, ACupMustSealOnThePackAsAStoreHasIt) {
 }
 
 TEST(GraspBook, ANewStudyStopsWhenItIsDecided) {
-  GraspBook book(aisle_gripper(), committed_catalog().frictions);
+  episodes::GraspBook book(aisle_gripper(), committed_catalog().frictions);
   const auto studied = book.study(can_row());
   ASSERT_TRUE(studied.ok()) << to_string(studied.error());
   ASSERT_EQ(book.studied().size(), 1U);
-  const GraspRate rate = book.studied().front();
+  const grasping::GraspRate rate = book.studied().front();
   const int held = rate.held(), lost = static_cast<int>(rate.tries.size()) - held;
   EXPECT_NE(held == 2, lost == 2) << held << " held, " << lost << " lost";
 }

@@ -16,8 +16,8 @@ namespace {
 constexpr std::size_t cup = 1;  // the right arm's tool
 constexpr double can_top_m = HandMadeScene::upper_board_m + 0.115;
 
-std::shared_ptr<const AisleStore> store_with(const std::string& tools) {
-  auto store = open_aisle_store(
+std::shared_ptr<const episodes::AisleStore> store_with(const std::string& tools) {
+  auto store = episodes::open_aisle_store(
       std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data", can_aisle()->scene, tools);
   if (!store.ok()) fatal(to_string(store.error()).c_str());
   return std::move(store).value();
@@ -25,39 +25,42 @@ std::shared_ptr<const AisleStore> store_with(const std::string& tools) {
 
 // The same, but that the robot begins with the right cup looking down 0.6 m ahead of its base, so
 // high over the first can's top.
-std::shared_ptr<const AisleStore> store_over_the_can(double apart_m) {
-  auto store = std::make_shared<AisleStore>(*store_with("suction"));
-  const Robot& robot = store->robot;
-  const JointGroup& arm = *robot.find_group("right_arm");
+std::shared_ptr<const episodes::AisleStore> store_over_the_can(double apart_m) {
+  auto store = std::make_shared<episodes::AisleStore>(*store_with("suction"));
+  const robots::Robot& robot = store->robot;
+  const robots::JointGroup& arm = *robot.find_group("right_arm");
   const Quaternion down = rotation_about({0, 1, 0}, std::numbers::pi);
-  const auto q = solve_numeric(
+  const auto q = robots::solve_numeric(
       robot, arm.tip, arm.dofs, {{0.6, -0.25, can_top_m + apart_m}, down}, store->driving, Seed(3));
   if (!q.ok()) fatal(to_string(q.error()).c_str());
   store->driving = *q;
   return store;
 }
 
-std::unique_ptr<AisleWorld> over_the_can(double apart_m = 0.002) {
+std::unique_ptr<episodes::AisleWorld> over_the_can(double apart_m = 0.002) {
   const auto store = store_over_the_can(apart_m);
-  EpisodeSpec spec = can_episode(*store);
+  episodes::EpisodeSpec spec = can_episode(*store);
   spec.tools = "suction";
   const auto& at = store->scene.products[0].position_m;
   spec.start = {at[0] - 0.25, at[1] - 0.6, 90};  // its right is east
-  auto world = std::make_unique<AisleWorld>(store, committed_catalog().frictions);
+  auto world = std::make_unique<episodes::AisleWorld>(store, committed_catalog().frictions);
   const auto reset = world->reset(spec);
   if (!reset.ok()) fatal(to_string(reset.error()).c_str());
   return world;
 }
 
-Observation acted(AisleWorld& world, double cup_opening_m, int steps, double lift_m_s = 0) {
-  const std::vector<int> dofs = commanded_dofs(world.robot());
+agent::Observation acted(episodes::AisleWorld& world,
+                         double cup_opening_m,
+                         int steps,
+                         double lift_m_s = 0) {
+  const std::vector<int> dofs = episodes::commanded_dofs(world.robot());
   const auto lift = static_cast<std::size_t>(
       std::ranges::find(dofs, world.robot().find_dof("lift")) - dofs.begin());
-  Action action = still_action(world.observe());
+  agent::Action action = episodes::still_action(world.observe());
   action.tools[cup].opening_m = cup_opening_m;
-  Observation seen;
+  agent::Observation seen;
   for (int i = 0; i < steps; ++i) {
-    action.position[lift] += lift_m_s * control_step_s;
+    action.position[lift] += lift_m_s * episodes::control_step_s;
     auto stepped = world.step(action);
     if (!stepped.ok()) fatal(to_string(stepped.error()).c_str());
     seen = std::move(stepped).value();
@@ -69,26 +72,27 @@ TEST(AisleTools, AStoreOpensWithEachToolSet) {
   const auto grippers = store_with(""), with_cup = store_with("suction");
   EXPECT_EQ(grippers->station.tools().id, "gripper");
   EXPECT_EQ(with_cup->station.tools().id, "suction");
-  for (const Tool& tool : grippers->robot.tools)
-    EXPECT_EQ(tool.kind, ToolKind::gripper);
+  for (const robots::Tool& tool : grippers->robot.tools)
+    EXPECT_EQ(tool.kind, robots::ToolKind::gripper);
   ASSERT_EQ(with_cup->robot.tools.size(), 2U);
-  EXPECT_EQ(with_cup->robot.tools[0].kind, ToolKind::gripper);
-  EXPECT_EQ(with_cup->robot.tools[cup].kind, ToolKind::suction);
-  const Robot& robot = with_cup->robot;
+  EXPECT_EQ(with_cup->robot.tools[0].kind, robots::ToolKind::gripper);
+  EXPECT_EQ(with_cup->robot.tools[cup].kind, robots::ToolKind::suction);
+  const robots::Robot& robot = with_cup->robot;
   EXPECT_EQ(robot.find_group("right_arm")->tip, robot.tools[cup].frame);
 }
 
 TEST(AisleTools, TheRobotWithACupIsFreeAsItDrives) {
   const auto grippers = store_with("gripper"), with_cup = store_with("suction");
-  const Robot& robot = with_cup->robot;
-  const std::vector<LinkPair> pairs = pairs_that_may_touch(robot);
+  const robots::Robot& robot = with_cup->robot;
+  const std::vector<robots::LinkPair> pairs = robots::pairs_that_may_touch(robot);
   std::vector<double> q = with_cup->driving;
   for (int i = 0; i <= 9; ++i) {
     q[static_cast<std::size_t>(robot.find_dof("lift"))] = 0.1 * i;
-    EXPECT_FALSE(first_contact(robot, link_poses(robot, q), pairs).has_value()) << 0.1 * i;
+    EXPECT_FALSE(robots::first_contact(robot, robots::link_poses(robot, q), pairs).has_value())
+        << 0.1 * i;
   }
-  const auto wide = base_envelope(grippers->robot, grippers->driving),
-             wide_too = base_envelope(robot, with_cup->driving);
+  const auto wide = motion::base_envelope(grippers->robot, grippers->driving),
+             wide_too = motion::base_envelope(robot, with_cup->driving);
   ASSERT_TRUE(wide.ok() && wide_too.ok());
   EXPECT_LE(wide_too->radius_m, wide->radius_m + 0.01);
   EXPECT_TRUE(with_cup->standing_place(0).has_value());
@@ -96,13 +100,13 @@ TEST(AisleTools, TheRobotWithACupIsFreeAsItDrives) {
 
 TEST(AisleTools, OtherToolsThanTheStoresAreErrors) {
   const auto store = store_with("suction");
-  AisleWorld world(store, committed_catalog().frictions);
-  EpisodeSpec spec = can_episode(*store);
+  episodes::AisleWorld world(store, committed_catalog().frictions);
+  episodes::EpisodeSpec spec = can_episode(*store);
   EXPECT_EQ(world.reset(spec).error().code, "robot.unknown") << "an episode for grippers";
   spec.tools = "suction";
   EXPECT_TRUE(world.reset(spec).ok());
   const auto unknown =
-      load_aisle_station(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data", "suctoin");
+      episodes::load_aisle_station(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data", "suctoin");
   ASSERT_FALSE(unknown.ok());
   EXPECT_EQ(unknown.error().code, "robot.unknown");
   EXPECT_NE(unknown.error().message.find("\"suction\""), std::string::npos);
@@ -110,13 +114,13 @@ TEST(AisleTools, OtherToolsThanTheStoresAreErrors) {
 
 TEST(AisleTools, TheCupTakesACanByItsTopAndLetsGo) {
   const auto world = over_the_can();
-  const Observation first = world->observe();
+  const agent::Observation first = world->observe();
   EXPECT_EQ(first.sealed, (std::vector<std::uint8_t>{0, 0}));
-  EXPECT_EQ(first.openings_m[cup], cup_off_m);
-  acted(*world, cup_off_m, 4);
+  EXPECT_EQ(first.openings_m[cup], agent::cup_off_m);
+  acted(*world, agent::cup_off_m, 4);
   EXPECT_TRUE(world->watch().items().empty()) << "off, it touches nothing";
 
-  const Observation taken = acted(*world, 0, 2);
+  const agent::Observation taken = acted(*world, 0, 2);
   EXPECT_EQ(taken.sealed, (std::vector<std::uint8_t>{0, 1}));
   EXPECT_EQ(taken.openings_m[cup], 0);
   ASSERT_TRUE(world->watch().items().contains(0));
@@ -128,9 +132,9 @@ TEST(AisleTools, TheCupTakesACanByItsTopAndLetsGo) {
   EXPECT_EQ(world->watch().items().at(0).held_by, static_cast<int>(cup));
   EXPECT_EQ(world->watch().effects().hard_contacts, 0);
 
-  const Observation left = acted(*world, cup_off_m, 20);
+  const agent::Observation left = acted(*world, agent::cup_off_m, 20);
   EXPECT_EQ(left.sealed[cup], 0);
-  const AisleWatch::Item& can = world->watch().items().at(0);
+  const episodes::AisleWatch::Item& can = world->watch().items().at(0);
   EXPECT_EQ(can.held_by, -1);
   EXPECT_EQ(can.touched_by, -1);
   EXPECT_TRUE(can.was_held);
@@ -157,7 +161,7 @@ TEST(AisleTools, WhatIsCarriedOffAndLetGoHasStrayed) {
   EXPECT_EQ(left->finish()->side_effects.strayed, 0);
   acted(*carried, 0, 4);
   acted(*carried, 0, 40, 0.03);
-  Action back = still_action(carried->observe());
+  agent::Action back = episodes::still_action(carried->observe());
   back.tools[cup].opening_m = 0;
   back.drive_m_s = -0.2;
   for (int i = 0; i < 40; ++i)

@@ -12,13 +12,13 @@
 namespace marketgen {
 namespace {
 
-EpisodeSpec cans() {
+episodes::EpisodeSpec cans() {
   return can_episode(*can_aisle());
 }
 
-void drive(AisleWorld& world, double speed, double turn, int steps) {
+void drive(episodes::AisleWorld& world, double speed, double turn, int steps) {
   for (int i = 0; i < steps; ++i) {
-    Action action = still_action(world.observe());
+    agent::Action action = episodes::still_action(world.observe());
     action.drive_m_s = speed, action.turn_rad_s = turn;
     const auto stepped = world.step(action);
     ASSERT_TRUE(stepped.ok()) << to_string(stepped.error());
@@ -27,14 +27,14 @@ void drive(AisleWorld& world, double speed, double turn, int steps) {
 
 TEST(AisleWorld, TheBaseGoesWhereItIsDriven) {
   const auto world = can_world(cans());
-  const Observation first = world->observe();
+  const agent::Observation first = world->observe();
   EXPECT_NEAR(first.base.x_m, 2.0, 1e-6);
   EXPECT_NEAR(first.base.y_m, 1.6, 1e-6);
   ASSERT_EQ(first.position.size(), 17U);  // lift, head, two arms of seven
   ASSERT_EQ(first.openings_m.size(), 2U);
   drive(*world, 0.4, 0, 20);
   drive(*world, 0, 0, 10);
-  const Observation ahead = world->observe();
+  const agent::Observation ahead = world->observe();
   EXPECT_NEAR(ahead.base.x_m, 2.4, 0.01);
   EXPECT_NEAR(ahead.base.y_m, 1.6, 0.005);
   EXPECT_NEAR(world->path_m(), 0.4, 0.01);
@@ -56,18 +56,18 @@ TEST(AisleWorld, RepeatsBitForBit) {
 TEST(AisleWorld, WhatIsNoActionIsRefused) {
   const auto world = can_world(cans());
   const std::string before = world->state_hash();
-  const Action still = still_action(world->observe());
-  Action nan = still, few = still, no_tool = still;
+  const agent::Action still = episodes::still_action(world->observe());
+  agent::Action nan = still, few = still, no_tool = still;
   nan.drive_m_s = std::numeric_limits<double>::quiet_NaN();
   few.position.pop_back();
   no_tool.tools.clear();
-  for (const Action& action : {nan, few, no_tool}) {
+  for (const agent::Action& action : {nan, few, no_tool}) {
     const auto refused = world->step(action);
     ASSERT_FALSE(refused.ok());
     EXPECT_EQ(refused.error().code, "episode.bad_action");
   }
   EXPECT_EQ(world->state_hash(), before);
-  Action stop = still;
+  agent::Action stop = still;
   stop.stop = true;
   ASSERT_TRUE(world->step(stop).ok());
   EXPECT_TRUE(world->done());
@@ -88,7 +88,7 @@ TEST(AisleWorld, NothingFetchedIsNothingReached) {
 }
 
 TEST(AisleWorld, DrivingIntoAShelfIsACollision) {
-  EpisodeSpec spec = cans();
+  episodes::EpisodeSpec spec = cans();
   spec.start = {3.0, 2.2, 90};
   const auto world = can_world(spec);
   drive(*world, 0.5, 0, 60);
@@ -101,22 +101,22 @@ TEST(AisleWorld, DrivingIntoAShelfIsACollision) {
 // Its wheels go on when it stands in front of a shelf that it rams with a corner, and then it is
 // not where it thinks.
 TEST(AisleWorld, RammingAShelfTurnsTheReckoning) {
-  EpisodeSpec spec = cans();
+  episodes::EpisodeSpec spec = cans();
   spec.start = {3.0, 2.2, 75};
   const auto world = can_world(spec);
   const double from_m = length(world->world_from_base().position -
                                Vec3{world->observe().base.x_m, world->observe().base.y_m, 0});
   EXPECT_LT(from_m, 1e-9);
   drive(*world, 0.5, 0, 80);
-  const BasePlace reckoned = world->observe().base;
+  const robots::BasePlace reckoned = world->observe().base;
   const Vec3 off = world->world_from_base().position - Vec3{reckoned.x_m, reckoned.y_m, 0};
   EXPECT_GT(length(off), 0.2);
 }
 
 TEST(AisleWorld, UnknownGoalsAndRobotsAreErrors) {
   const auto store = can_aisle();
-  AisleWorld world(store, committed_catalog().frictions);
-  EpisodeSpec other = can_episode(*store);
+  episodes::AisleWorld world(store, committed_catalog().frictions);
+  episodes::EpisodeSpec other = can_episode(*store);
   other.goals = {{"can-coal", 1}};
   EXPECT_EQ(world.reset(other).error().code, "catalog.unknown_sku");
   other = can_episode(*store);
@@ -126,7 +126,7 @@ TEST(AisleWorld, UnknownGoalsAndRobotsAreErrors) {
 
 TEST(ShortestTour, GoesPastOnePlaceOfEachGoal) {
   const auto store = can_aisle();
-  const auto one = shortest_tour_m(*store, {2000, 1600}, {"can-cola"});
+  const auto one = episodes::shortest_tour_m(*store, {2000, 1600}, {"can-cola"});
   ASSERT_TRUE(one.has_value());
   const auto places = store->standing_places("can-cola");
   ASSERT_FALSE(places.empty());
@@ -135,8 +135,8 @@ TEST(ShortestTour, GoesPastOnePlaceOfEachGoal) {
     nearest = std::min(nearest, std::hypot(place[0] - 2000, place[1] - 1600) * 1e-3);
   EXPECT_GE(*one, nearest - 1e-6);
   EXPECT_LT(*one, nearest + 0.5);
-  EXPECT_EQ(shortest_tour_m(*store, {2000, 1600}, {}).value(), 0);
-  EXPECT_FALSE(shortest_tour_m(*store, {2000, 1600}, {"fruit-apple"}).has_value());
+  EXPECT_EQ(episodes::shortest_tour_m(*store, {2000, 1600}, {}).value(), 0);
+  EXPECT_FALSE(episodes::shortest_tour_m(*store, {2000, 1600}, {"fruit-apple"}).has_value());
 }
 
 }  // namespace

@@ -6,18 +6,19 @@
 namespace marketgen {
 namespace {
 
-const AreaRow area{{0, 0}, {0.4, 0.4}, {}};
+const episodes::AreaRow area{{0, 0}, {0.4, 0.4}, {}};
 constexpr double basket_floor_m = 0.003;
 
-HoldsPoint with_basket_at(double x, double y, double turned = 0) {
-  return over_area(area,
-                   {checkout_basket, {{x, y, basket_floor_m}, rotation_about({0, 0, 1}, turned)}});
+episodes::HoldsPoint with_basket_at(double x, double y, double turned = 0) {
+  return episodes::over_area(
+      area,
+      {physics::checkout_basket, {{x, y, basket_floor_m}, rotation_about({0, 0, 1}, turned)}});
 }
-const HoldsPoint beside_basket = with_basket_at(-0.5, 0.2);
+const episodes::HoldsPoint beside_basket = with_basket_at(-0.5, 0.2);
 
 // A box of 6 x 6 x 10 cm that stands with its middle over the point.
-ItemState standing_box(double x, double y, const std::string& sku = "tea") {
-  ItemState item;
+episodes::ItemState standing_box(double x, double y, const std::string& sku = "tea") {
+  episodes::ItemState item;
   item.sku = sku;
   item.pose.position = {x, y, 0};
   item.center_of_mass = {0, 0, 0.05};
@@ -28,50 +29,54 @@ ItemState standing_box(double x, double y, const std::string& sku = "tea") {
   return item;
 }
 
-EpisodeOutcome judged(const std::vector<ItemState>& items, double tilt_deg = 0) {
-  return judge_checkout(beside_basket, {{"tea", 1}, {"rice", 1}}, items, tilt_deg);
+episodes::EpisodeOutcome judged(const std::vector<episodes::ItemState>& items,
+                                double tilt_deg = 0) {
+  return episodes::judge_checkout(beside_basket, {{"tea", 1}, {"rice", 1}}, items, tilt_deg);
 }
 
 TEST(CheckoutGoals, AnItemAtRestInTheAreaIsInPlace) {
-  EXPECT_TRUE(is_in_place(beside_basket, standing_box(0.2, 0.2)));
+  EXPECT_TRUE(episodes::is_in_place(beside_basket, standing_box(0.2, 0.2)));
 }
 
 TEST(CheckoutGoals, HalfOutIsOutWhenItsMiddleIs) {
-  EXPECT_TRUE(is_in_place(beside_basket, standing_box(0.39, 0.2)));  // 3 of 5 columns inside
-  EXPECT_FALSE(is_in_place(beside_basket, standing_box(0.41, 0.2)));
-  ItemState leaning = standing_box(0.39, 0.2);  // its middle inside, most of its volume out
+  EXPECT_TRUE(
+      episodes::is_in_place(beside_basket, standing_box(0.39, 0.2)));  // 3 of 5 columns inside
+  EXPECT_FALSE(episodes::is_in_place(beside_basket, standing_box(0.41, 0.2)));
+  episodes::ItemState leaning =
+      standing_box(0.39, 0.2);  // its middle inside, most of its volume out
   for (Vec3& point : leaning.volume)
     point.x += 0.03;
-  EXPECT_FALSE(is_in_place(beside_basket, leaning));
+  EXPECT_FALSE(episodes::is_in_place(beside_basket, leaning));
 }
 
 TEST(CheckoutGoals, MovingTouchedAndThrownItemsAreNotInPlace) {
-  ItemState moving = standing_box(0.2, 0.2), touched = moving, thrown = moving;
+  episodes::ItemState moving = standing_box(0.2, 0.2), touched = moving, thrown = moving;
   moving.rested_s = 0.5;
   touched.touched = true;
   thrown.impact_m_s = 1.2;
-  EXPECT_FALSE(is_in_place(beside_basket, moving));
-  EXPECT_FALSE(is_in_place(beside_basket, touched));
-  EXPECT_FALSE(is_in_place(beside_basket, thrown));
+  EXPECT_FALSE(episodes::is_in_place(beside_basket, moving));
+  EXPECT_FALSE(episodes::is_in_place(beside_basket, touched));
+  EXPECT_FALSE(episodes::is_in_place(beside_basket, thrown));
 }
 
 TEST(CheckoutGoals, UnderTheCounterIsNotInPlace) {
-  ItemState fallen = standing_box(0.2, 0.2);
+  episodes::ItemState fallen = standing_box(0.2, 0.2);
   fallen.pose.position.z = -0.88;
-  EXPECT_FALSE(is_in_place(beside_basket, fallen));
+  EXPECT_FALSE(episodes::is_in_place(beside_basket, fallen));
 }
 
 // A basket that was pushed onto the area takes what it holds along.
 TEST(CheckoutGoals, WhatIsStillInTheBasketIsNotUnloaded) {
-  ItemState tea = standing_box(0.2, 0.2);
+  episodes::ItemState tea = standing_box(0.2, 0.2);
   tea.pose.position.z = basket_floor_m;
-  EXPECT_FALSE(is_in_place(with_basket_at(0.2, 0.2), tea));
-  EXPECT_FALSE(is_in_place(with_basket_at(0.2, 0.2, 0.4), tea));
-  EXPECT_TRUE(is_in_place(with_basket_at(0.2 - 0.30, 0.2), tea)) << "it stands beside its wall";
-  ItemState heaped = tea;  // on other goods, its middle above the rim
+  EXPECT_FALSE(episodes::is_in_place(with_basket_at(0.2, 0.2), tea));
+  EXPECT_FALSE(episodes::is_in_place(with_basket_at(0.2, 0.2, 0.4), tea));
+  EXPECT_TRUE(episodes::is_in_place(with_basket_at(0.2 - 0.30, 0.2), tea))
+      << "it stands beside its wall";
+  episodes::ItemState heaped = tea;  // on other goods, its middle above the rim
   heaped.pose.position.z = 0.14;
-  EXPECT_FALSE(is_in_place(with_basket_at(0.2, 0.2), heaped));
-  const EpisodeOutcome outcome = judge_checkout(
+  EXPECT_FALSE(episodes::is_in_place(with_basket_at(0.2, 0.2), heaped));
+  const episodes::EpisodeOutcome outcome = episodes::judge_checkout(
       with_basket_at(0.2, 0.2), {{"tea", 1}}, {tea, standing_box(0.25, 0.25, "soap")}, 0);
   EXPECT_EQ(outcome.hits, 0);
   EXPECT_EQ(outcome.wrong, 0) << "what lies in the basket is not in the area, goal or not";
@@ -85,7 +90,8 @@ TEST(CheckoutGoals, UnderTheLeaningWallIsOutOfTheBasket) {
 }
 
 TEST(CheckoutGoals, EachGoalCountsOnce) {
-  const EpisodeOutcome outcome = judged({standing_box(0.2, 0.2), standing_box(0.9, 0.2, "rice")});
+  const episodes::EpisodeOutcome outcome =
+      judged({standing_box(0.2, 0.2), standing_box(0.9, 0.2, "rice")});
   EXPECT_EQ(outcome.asked, 2);
   EXPECT_EQ(outcome.hits, 1);
   EXPECT_EQ(outcome.goals[0].reached, 1);
@@ -94,22 +100,23 @@ TEST(CheckoutGoals, EachGoalCountsOnce) {
 }
 
 TEST(CheckoutGoals, AWrongItemCancelsAHit) {
-  const EpisodeOutcome outcome = judged(
+  const episodes::EpisodeOutcome outcome = judged(
       {standing_box(0.1, 0.1), standing_box(0.2, 0.2, "rice"), standing_box(0.3, 0.3, "soap")});
   EXPECT_EQ(outcome.wrong, 1);
   EXPECT_EQ(outcome.hits, 1);
 }
 
 TEST(CheckoutGoals, MoreThanWereAskedForIsWrong) {
-  const EpisodeOutcome outcome = judged({standing_box(0.1, 0.1), standing_box(0.3, 0.3)});
+  const episodes::EpisodeOutcome outcome = judged({standing_box(0.1, 0.1), standing_box(0.3, 0.3)});
   EXPECT_EQ(outcome.wrong, 1);
   EXPECT_EQ(outcome.hits, 0);
 }
 
 TEST(CheckoutGoals, ATiltedBasketIsVoid) {
-  const std::vector<ItemState> items{standing_box(0.1, 0.1), standing_box(0.3, 0.3, "rice")};
+  const std::vector<episodes::ItemState> items{standing_box(0.1, 0.1),
+                                               standing_box(0.3, 0.3, "rice")};
   EXPECT_EQ(judged(items, 14).hits, 2);
-  const EpisodeOutcome tilted = judged(items, 16);
+  const episodes::EpisodeOutcome tilted = judged(items, 16);
   EXPECT_TRUE(tilted.is_void);
   EXPECT_EQ(tilted.hits, 0);
 }

@@ -11,24 +11,24 @@ namespace {
 const std::filesystem::path station_data = std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data";
 
 TEST(CheckoutStation, ItsBasketIsThatOfTheGraspStudy) {
-  const auto station = load_checkout_station(station_data);
+  const auto station = episodes::load_checkout_station(station_data);
   ASSERT_TRUE(station.ok()) << to_string(station.error());
-  const OpenContainer made = station->container();
-  EXPECT_EQ(made.top_x_m, checkout_basket.top_x_m);
-  EXPECT_EQ(made.top_y_m, checkout_basket.top_y_m);
-  EXPECT_EQ(made.height_m, checkout_basket.height_m);
-  EXPECT_EQ(made.taper_m, checkout_basket.taper_m);
-  EXPECT_EQ(made.ledge_width_m, checkout_basket.ledge_width_m);
-  EXPECT_EQ(made.ledge_height_m, checkout_basket.ledge_height_m);
+  const physics::OpenContainer made = station->container();
+  EXPECT_EQ(made.top_x_m, physics::checkout_basket.top_x_m);
+  EXPECT_EQ(made.top_y_m, physics::checkout_basket.top_y_m);
+  EXPECT_EQ(made.height_m, physics::checkout_basket.height_m);
+  EXPECT_EQ(made.taper_m, physics::checkout_basket.taper_m);
+  EXPECT_EQ(made.ledge_width_m, physics::checkout_basket.ledge_width_m);
+  EXPECT_EQ(made.ledge_height_m, physics::checkout_basket.ledge_height_m);
 }
 
 TEST(CheckoutStation, ItsRobotHasTheLongFingers) {
-  const auto station = load_checkout_station(station_data);
+  const auto station = episodes::load_checkout_station(station_data);
   ASSERT_TRUE(station.ok());
-  const auto robot = load_station_robot(station_data, *station);
+  const auto robot = episodes::load_station_robot(station_data, *station);
   ASSERT_TRUE(robot.ok()) << to_string(robot.error());
   EXPECT_EQ(robot->tools.at(0).row, "panda-long-hand");
-  const auto tool = load_grasp_tool(station_data, "panda-long-hand");
+  const auto tool = robots::load_grasp_tool(station_data, "panda-long-hand");
   ASSERT_TRUE(tool.ok()) << to_string(tool.error());
   EXPECT_NEAR(tool->pad_x_m, 0.009, 1e-9);  // pads of 18 x 18 mm
   EXPECT_NEAR(tool->pad_z_m, 0.009, 1e-9);

@@ -17,29 +17,30 @@ T value_of(Result<T> result) {
   return std::move(result).value();
 }
 
-EpisodeSpec drawn(std::uint64_t seed, int index = 0) {
-  return value_of(sample_checkout(data_rows(),
-                                  checkout_goods_rows(),
-                                  committed_catalog().frictions,
-                                  {"corner", "scene", "plan"},
-                                  Seed(seed),
-                                  index));
+episodes::EpisodeSpec drawn(std::uint64_t seed, int index = 0) {
+  return value_of(episodes::sample_checkout(data_rows(),
+                                            checkout_goods_rows(),
+                                            committed_catalog().frictions,
+                                            {"corner", "scene", "plan"},
+                                            Seed(seed),
+                                            index));
 }
 
-CheckoutWorld world_of(const EpisodeSpec& spec) {
-  CheckoutWorld world = value_of(CheckoutWorld::create(data_rows(), committed_catalog().frictions));
+episodes::CheckoutWorld world_of(const episodes::EpisodeSpec& spec) {
+  episodes::CheckoutWorld world =
+      value_of(episodes::CheckoutWorld::create(data_rows(), committed_catalog().frictions));
   const auto reset = world.reset(spec, checkout_goods_rows());
   if (!reset.ok()) fatal(to_string(reset.error()).c_str());
   return world;
 }
 
-Action waiting(const CheckoutWorld& world) {
-  return still_action(world.observe());
+agent::Action waiting(const episodes::CheckoutWorld& world) {
+  return episodes::still_action(world.observe());
 }
 
 // To and fro over the basket.
-std::vector<Action> swaying(const CheckoutWorld& world, int steps) {
-  std::vector<Action> actions;
+std::vector<agent::Action> swaying(const episodes::CheckoutWorld& world, int steps) {
+  std::vector<agent::Action> actions;
   for (int i = 0; i < steps; ++i) {
     actions.push_back(waiting(world));
     actions.back().position[0] += 0.3 * std::sin(i * 0.1);
@@ -49,15 +50,15 @@ std::vector<Action> swaying(const CheckoutWorld& world, int steps) {
   return actions;
 }
 
-void perform(CheckoutWorld& world, std::span<const Action> actions) {
-  for (const Action& action : actions)
+void perform(episodes::CheckoutWorld& world, std::span<const agent::Action> actions) {
+  for (const agent::Action& action : actions)
     value_of(world.step(action));
 }
 
 TEST(SampleCheckout, ItemsLieAtRestInTheBasketAndApart) {
   for (int index = 0; index < 3; ++index) {
-    const EpisodeSpec spec = drawn(7, index);
-    CheckoutWorld world = world_of(spec);
+    const episodes::EpisodeSpec spec = drawn(7, index);
+    episodes::CheckoutWorld world = world_of(spec);
     EXPECT_GE(spec.goals.size(), 2U);
     EXPECT_LE(spec.goals.size(), 4U);
     EXPECT_GE(spec.items.size(), spec.goals.size() + 4);
@@ -65,8 +66,8 @@ TEST(SampleCheckout, ItemsLieAtRestInTheBasketAndApart) {
     for (std::size_t i = 0; i < world.item_count(); ++i)
       before.push_back(world.item_pose(i).position);
     EXPECT_LE(world.deepest_overlap_m(), 0.002);
-    perform(world, std::vector<Action>(20, waiting(world)));
-    const OpenContainer basket = world.station().container();
+    perform(world, std::vector<agent::Action>(20, waiting(world)));
+    const physics::OpenContainer basket = world.station().container();
     for (std::size_t i = 0; i < world.item_count(); ++i) {
       const Pose pose = inverse(world.basket_pose()) * world.item_pose(i);
       const Vec3 middle = pose * to_double(world.goods(i).body.center_of_mass);
@@ -80,24 +81,25 @@ TEST(SampleCheckout, ItemsLieAtRestInTheBasketAndApart) {
 }
 
 TEST(SampleCheckout, TheSameSeedGivesTheSameBytes) {
-  const EpisodeFile one{{}, {drawn(3)}}, again{{}, {drawn(3)}}, other{{}, {drawn(4)}};
-  EXPECT_EQ(write_episodes(one), write_episodes(again));
-  EXPECT_NE(write_episodes(one), write_episodes(other));
+  const episodes::EpisodeFile one{{}, {drawn(3)}}, again{{}, {drawn(3)}}, other{{}, {drawn(4)}};
+  EXPECT_EQ(episodes::write_episodes(one), episodes::write_episodes(again));
+  EXPECT_NE(episodes::write_episodes(one), episodes::write_episodes(other));
 }
 
 TEST(SampleCheckout, TooFewKindsOfGoodsIsAnError) {
-  const std::vector<Product> few(checkout_goods_rows().begin(), checkout_goods_rows().begin() + 1);
-  const auto made = sample_checkout(
+  const std::vector<catalog::Product> few(checkout_goods_rows().begin(),
+                                          checkout_goods_rows().begin() + 1);
+  const auto made = episodes::sample_checkout(
       data_rows(), few, committed_catalog().frictions, {"kiosk", "scene", "plan"}, Seed(1), 0);
   ASSERT_FALSE(made.ok());
   EXPECT_EQ(made.error().code, "episode.impossible");
 }
 
 TEST(CheckoutWorld, TheSameActionsGiveTheSameState) {
-  const EpisodeSpec spec = drawn(7);
-  CheckoutWorld one = world_of(spec), again = world_of(spec);
+  const episodes::EpisodeSpec spec = drawn(7);
+  episodes::CheckoutWorld one = world_of(spec), again = world_of(spec);
   EXPECT_EQ(one.state_hash(), again.state_hash());
-  const std::vector<Action> actions = swaying(one, 40);
+  const std::vector<agent::Action> actions = swaying(one, 40);
   perform(one, actions);
   perform(again, actions);
   EXPECT_EQ(one.state_hash(), again.state_hash());
@@ -107,8 +109,8 @@ TEST(CheckoutWorld, TheSameActionsGiveTheSameState) {
 }
 
 TEST(CheckoutWorld, GoingOnFromASavedMomentGivesTheSameState) {
-  CheckoutWorld world = world_of(drawn(7));
-  const std::vector<Action> actions = swaying(world, 40);
+  episodes::CheckoutWorld world = world_of(drawn(7));
+  const std::vector<agent::Action> actions = swaying(world, 40);
   perform(world, std::span(actions).first(20));
   const std::string moment = world.save();
   perform(world, std::span(actions).subspan(20));
@@ -117,7 +119,7 @@ TEST(CheckoutWorld, GoingOnFromASavedMomentGivesTheSameState) {
   EXPECT_EQ(world.steps(), 20);
   perform(world, std::span(actions).subspan(20));
   EXPECT_EQ(world.state_hash(), end);
-  CheckoutWorld other = world_of(drawn(7));
+  episodes::CheckoutWorld other = world_of(drawn(7));
   ASSERT_TRUE(other.restore(moment).ok());
   EXPECT_EQ(other.save(), moment);
   perform(other, std::span(actions).subspan(20));
@@ -125,7 +127,7 @@ TEST(CheckoutWorld, GoingOnFromASavedMomentGivesTheSameState) {
 }
 
 TEST(CheckoutWorld, MomentsOfOtherEpisodesAndHalvesOfOnesAreErrors) {
-  CheckoutWorld world = world_of(drawn(7));
+  episodes::CheckoutWorld world = world_of(drawn(7));
   const std::string whole = world.save(), before = world.state_hash();
   const std::string other = world_of(drawn(8)).save();
   for (const std::string& moment :
@@ -138,12 +140,12 @@ TEST(CheckoutWorld, MomentsOfOtherEpisodesAndHalvesOfOnesAreErrors) {
 }
 
 TEST(CheckoutWorld, NothingDoneReachesNothing) {
-  CheckoutWorld world = world_of(drawn(7));
-  Action stop = waiting(world);
+  episodes::CheckoutWorld world = world_of(drawn(7));
+  agent::Action stop = waiting(world);
   stop.stop = true;
   value_of(world.step(stop));
   EXPECT_TRUE(world.done());
-  const EpisodeResult result = value_of(world.finish());
+  const episodes::EpisodeResult result = value_of(world.finish());
   EXPECT_EQ(result.success_partial, 0);
   EXPECT_FALSE(result.success_strict);
   EXPECT_EQ(result.side_effects.hard_contacts, 0);
@@ -155,21 +157,21 @@ TEST(CheckoutWorld, NothingDoneReachesNothing) {
 // In the far corner of the counter nobody has use for it; beside the basket it may be set aside.
 TEST(CheckoutWorld, WhatLiesInNoAreaHasStrayed) {
   for (const auto& [x, y, strayed] : {std::tuple{0.79, 0.85, 1}, std::tuple{0.40, 0.60, 0}}) {
-    EpisodeSpec spec = drawn(7);
-    const auto other = std::ranges::find_if(spec.items, [&](const EpisodeItem& item) {
-      return std::ranges::count(spec.goals, item.sku, &EpisodeGoal::sku) == 0;
+    episodes::EpisodeSpec spec = drawn(7);
+    const auto other = std::ranges::find_if(spec.items, [&](const episodes::EpisodeItem& item) {
+      return std::ranges::count(spec.goals, item.sku, &episodes::EpisodeGoal::sku) == 0;
     });
     ASSERT_NE(other, spec.items.end());
     const Vec3 basket = world_of(spec).basket_pose().position;
     *other = {other->sku, {x - basket.x, y - basket.y, 0.001 - basket.z}};
-    CheckoutWorld world = world_of(spec);
+    episodes::CheckoutWorld world = world_of(spec);
     EXPECT_EQ(value_of(world.finish()).side_effects.strayed, strayed) << x << " " << y;
   }
 }
 
 TEST(CheckoutWorld, PressingOnTheCounterIsAHardContact) {
-  CheckoutWorld world = world_of(drawn(7));
-  Action down = waiting(world);
+  episodes::CheckoutWorld world = world_of(drawn(7));
+  agent::Action down = waiting(world);
   for (int i = 0; i < 60; ++i) {
     down.position[0] = -0.8;  // away from the basket
     down.position[1] += 0.025;
@@ -180,12 +182,12 @@ TEST(CheckoutWorld, PressingOnTheCounterIsAHardContact) {
 }
 
 TEST(CheckoutWorld, RefusesBadActions) {
-  CheckoutWorld world = world_of(drawn(7));
+  episodes::CheckoutWorld world = world_of(drawn(7));
   const std::string before = world.state_hash();
-  Action nan = waiting(world), short_one = nan, late = nan;
+  agent::Action nan = waiting(world), short_one = nan, late = nan;
   nan.position[2] = std::numeric_limits<double>::quiet_NaN();
   short_one.position.pop_back();
-  for (const Action& bad : {nan, short_one}) {
+  for (const agent::Action& bad : {nan, short_one}) {
     const auto stepped = world.step(bad);
     ASSERT_FALSE(stepped.ok());
     EXPECT_EQ(stepped.error().code, "episode.bad_action");
@@ -197,8 +199,9 @@ TEST(CheckoutWorld, RefusesBadActions) {
 }
 
 TEST(CheckoutWorld, UnknownGoodsAndOtherRobotsAreErrors) {
-  CheckoutWorld world = value_of(CheckoutWorld::create(data_rows(), committed_catalog().frictions));
-  EpisodeSpec spec = drawn(7);
+  episodes::CheckoutWorld world =
+      value_of(episodes::CheckoutWorld::create(data_rows(), committed_catalog().frictions));
+  episodes::EpisodeSpec spec = drawn(7);
   const auto reset = world.reset(spec, {});
   ASSERT_FALSE(reset.ok());
   EXPECT_EQ(reset.error().code, "catalog.unknown_sku");
@@ -208,9 +211,9 @@ TEST(CheckoutWorld, UnknownGoodsAndOtherRobotsAreErrors) {
 
 // The arm leans on the counter until it is stopped, and goes on when it is told away from it.
 TEST(CheckoutWorld, AnArmThatPressesTooHardIsStoppedAndGoesOnAfterThePause) {
-  CheckoutWorld world = world_of(drawn(5));
+  episodes::CheckoutWorld world = world_of(drawn(5));
   constexpr std::size_t shoulder = 1;
-  Action lean = waiting(world);
+  agent::Action lean = waiting(world);
   const std::vector<double> upright = lean.position;
   lean.position[0] -= 1;  // beside the basket
   for (int i = 0; i < 400 && !world.observe().stopped; ++i) {
@@ -221,7 +224,7 @@ TEST(CheckoutWorld, AnArmThatPressesTooHardIsStoppedAndGoesOnAfterThePause) {
   EXPECT_EQ(world.controller().stops(), 1);
   EXPECT_GT(world.controller().max_force_n(), world.robot().contact_limits.at(0).force);
   const std::vector<double> at_stop = world.observe().position;
-  Action away = lean;
+  agent::Action away = lean;
   away.position[shoulder] = upright[shoulder];
   for (int i = 0; i < 8; ++i)  // 0.4 of the 0.5 s
     ASSERT_TRUE(world.step(away).ok());
@@ -235,7 +238,7 @@ TEST(CheckoutWorld, AnArmThatPressesTooHardIsStoppedAndGoesOnAfterThePause) {
   const auto result = world.finish();
   ASSERT_TRUE(result.ok());
   EXPECT_EQ(result->side_effects.protective_stops, 1);
-  EXPECT_FALSE(is_clean(result->side_effects));
+  EXPECT_FALSE(episodes::is_clean(result->side_effects));
 }
 
 }  // namespace

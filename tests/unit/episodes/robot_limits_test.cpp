@@ -39,13 +39,13 @@ struct Shares {
 
 class LimitWatch {
  public:
-  explicit LimitWatch(const Robot& robot) : robot_(robot), shares_(robot.dof_count()) {}
+  explicit LimitWatch(const robots::Robot& robot) : robot_(robot), shares_(robot.dof_count()) {}
 
   void look(const mjModel& m, const mjData& d) {
     if (touched(m, d)) calm_from_s_ = d.time + undisturbed_s;
     std::vector<double> speeds, efforts;
     for (std::size_t dof = 0; dof < robot_.dof_count(); ++dof) {
-      const Joint& joint = robot_.joint_of_dof(dof);
+      const robots::Joint& joint = robot_.joint_of_dof(dof);
       const int row = m.jnt_dofadr[mj_name2id(&m, mjOBJ_JOINT, joint.name.c_str())];
       speeds.push_back(d.qvel[row]);
       const bool finger = !std::isfinite(joint.acceleration);  // what they press with counts
@@ -100,7 +100,7 @@ class LimitWatch {
     y = 0;
   }
 
-  const Robot& robot_;
+  const robots::Robot& robot_;
   std::vector<Shares> shares_;
   std::deque<std::vector<double>> speeds_;
   double calm_from_s_ = 0;
@@ -118,19 +118,19 @@ double wild(Stream& draw, double low, double high) {
 // Held for some steps, or another every step: what jumps, and what runs into things.
 class WildActions {
  public:
-  WildActions(const Robot& robot, Seed seed) : robot_(robot), draw_(seed.stream()) {}
+  WildActions(const robots::Robot& robot, Seed seed) : robot_(robot), draw_(seed.stream()) {}
 
-  Action next(const Observation& now) {
+  agent::Action next(const agent::Observation& now) {
     if (left_-- > 0) return action_;
     left_ = draw_.chance(0.3) ? draw_.integer(0, 29) : 0;
-    action_ = still_action(now);
+    action_ = episodes::still_action(now);
     std::size_t j = 0;
-    for (const int dof : commanded_dofs(robot_)) {
-      const Joint& joint = robot_.joint_of_dof(static_cast<std::size_t>(dof));
+    for (const int dof : episodes::commanded_dofs(robot_)) {
+      const robots::Joint& joint = robot_.joint_of_dof(static_cast<std::size_t>(dof));
       double& target = action_.position[j++];
       if (draw_.chance(0.7)) target = wild(draw_, joint.lower, joint.upper);
     }
-    for (ToolCommand& tool : action_.tools)
+    for (agent::ToolCommand& tool : action_.tools)
       tool = {draw_.chance(0.5) ? 0 : draw_.uniform(0, 1), draw_.uniform(0, 1000)};
     if (robot_.drive) {
       action_.drive_m_s = wild(draw_, -robot_.drive->speed, robot_.drive->speed);
@@ -140,15 +140,15 @@ class WildActions {
   }
 
  private:
-  const Robot& robot_;
+  const robots::Robot& robot_;
   Stream draw_;
-  Action action_;
+  agent::Action action_;
   int left_ = 0;
 };
 
-void expect_within(const LimitWatch& watch, const Robot& robot) {
+void expect_within(const LimitWatch& watch, const robots::Robot& robot) {
   for (std::size_t dof = 0; dof < robot.dof_count(); ++dof) {
-    const Joint& joint = robot.joint_of_dof(dof);
+    const robots::Joint& joint = robot.joint_of_dof(dof);
     const Shares& share = watch.shares()[dof];
     const bool finger = !std::isfinite(joint.acceleration);
     EXPECT_LT(share.velocity, 1.05) << joint.name;
@@ -167,13 +167,13 @@ void expect_within(const LimitWatch& watch, const Robot& robot) {
 // neither brakes harder nor changes its acceleration by more than the row's jerk. To rounding.
 class SetpointWatch {
  public:
-  explicit SetpointWatch(const TrackWorld& world) : world_(world) {}
+  explicit SetpointWatch(const episodes::TrackWorld& world) : world_(world) {}
 
   void look(bool calm) {
-    const std::vector<Setpoint> now = world_.controller().setpoints();
+    const std::vector<robots::Setpoint> now = world_.controller().setpoints();
     std::vector<double> accelerations;
     for (std::size_t dof = 0; dof < before_.size(); ++dof) {
-      const Joint& joint = world_.robot().joint_of_dof(dof);
+      const robots::Joint& joint = world_.robot().joint_of_dof(dof);
       const double faster = std::abs(now[dof].velocity) - std::abs(before_[dof].velocity);
       speeding_up_ = std::max(speeding_up_, faster / (joint.acceleration * step_s));
       accelerations.push_back((now[dof].velocity - before_[dof].velocity) / step_s);
@@ -189,20 +189,20 @@ class SetpointWatch {
  private:
   void compare(const std::vector<double>& accelerations) {
     for (std::size_t dof = 0; dof < accelerations_.size(); ++dof) {
-      const Joint& joint = world_.robot().joint_of_dof(dof);
+      const robots::Joint& joint = world_.robot().joint_of_dof(dof);
       const double change = accelerations[dof] - accelerations_[dof];
       acceleration_ = std::max(acceleration_, std::abs(accelerations[dof]) / joint.acceleration);
       jerk_ = std::max(jerk_, std::abs(change) / (joint.jerk * step_s));
     }
   }
 
-  const TrackWorld& world_;
-  std::vector<Setpoint> before_;
+  const episodes::TrackWorld& world_;
+  std::vector<robots::Setpoint> before_;
   std::vector<double> accelerations_;
   double speeding_up_ = 0, acceleration_ = 0, jerk_ = 0;
 };
 
-void act_wildly(TrackWorld& world, std::uint64_t seed) {
+void act_wildly(episodes::TrackWorld& world, std::uint64_t seed) {
   LimitWatch watch(world.robot());
   SetpointWatch told(world);
   world.watch_physics([&](const mjModel& m, const mjData& d) {
@@ -221,17 +221,17 @@ void act_wildly(TrackWorld& world, std::uint64_t seed) {
 }
 
 TEST(RobotLimits, HoldAtTheCounterWhateverIsCommanded) {
-  auto made = CheckoutWorld::create(data_rows(), committed_catalog().frictions);
+  auto made = episodes::CheckoutWorld::create(data_rows(), committed_catalog().frictions);
   ASSERT_TRUE(made.ok());
-  CheckoutWorld& world = *made;
-  EpisodeSpec spec = drawn(7, 0);
+  episodes::CheckoutWorld& world = *made;
+  episodes::EpisodeSpec spec = drawn(7, 0);
   spec.limit_s = 1e6;
   ASSERT_TRUE(world.reset(spec, checkout_goods_rows()).ok());
   act_wildly(world, 1);
 }
 
 TEST(RobotLimits, HoldInTheAisleWhateverIsCommanded) {
-  EpisodeSpec spec = can_episode(*can_aisle());
+  episodes::EpisodeSpec spec = can_episode(*can_aisle());
   spec.limit_s = 1e6;
   const auto world = can_world(spec);
   act_wildly(*world, 2);

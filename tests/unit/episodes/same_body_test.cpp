@@ -116,19 +116,19 @@ bool same_inertia(const MadeBody& a, const MadeBody& b) {
 
 // ---- The doors ----
 
-Scene scene_with(const Product& product) {
+scene::Scene scene_with(const catalog::Product& product) {
   HandMadeScene shop;
   shop.scene.catalog.push_back(product);
   shop.add(static_cast<std::uint32_t>(shop.scene.catalog.size() - 1), {2, 1, 0});
-  shop.scene.products[0].facing = no_facing;
+  shop.scene.products[0].facing = scene::no_facing;
   return shop.scene;
 }
 
 // Rigid, also where it would bend.
-Result<MadeBody> in_world(const Scene& scene) {
-  WorldOptions options;
+Result<MadeBody> in_world(const scene::Scene& scene) {
+  physics::WorldOptions options;
   options.pool = 1, options.soft_pool = 0;
-  MARKETGEN_TRY(World world, World::create(scene, options));
+  MARKETGEN_TRY(physics::World world, physics::World::create(scene, options));
   MARKETGEN_CHECK(world.wake(0));
   MARKETGEN_CHECK(world.step());
   const mjModel& m = world.model();
@@ -137,39 +137,45 @@ Result<MadeBody> in_world(const Scene& scene) {
   return body_of(m, body, inverse(world.product_pose(0)) * pose_at(q, q + 3));
 }
 
-Result<MadeBody> in_settling(const Scene& scene) {
-  MARKETGEN_TRY(const SettleModel made, settle_model(scene, {0}, 1));
+Result<MadeBody> in_settling(const scene::Scene& scene) {
+  MARKETGEN_TRY(const physics::SettleModel made, physics::settle_model(scene, {0}, 1));
   return body_of(*made.model, 1, {});
 }
 
-Result<MadeBody> in_mjcf(const Scene& scene) {
-  ExportOptions options;
+Result<MadeBody> in_mjcf(const scene::Scene& scene) {
+  exporters::ExportOptions options;
   options.free_region_m = {0, 0, 6, 4};
-  MARKETGEN_TRY(const ExportFiles files, write_mjcf(scene, options));
+  MARKETGEN_TRY(const exporters::ExportFiles files, exporters::write_mjcf(scene, options));
   char fault[500] = "";
-  const MujocoSpec spec(mj_parseXMLString(files.main.c_str(), nullptr, fault, sizeof fault),
-                        mj_deleteSpec);
+  const physics::MujocoSpec spec(
+      mj_parseXMLString(files.main.c_str(), nullptr, fault, sizeof fault), mj_deleteSpec);
   if (spec == nullptr) return Error{"physics.failed", "mjcf", fault};
-  MARKETGEN_TRY(const MujocoModel model, compile(*spec, "mjcf"));
+  MARKETGEN_TRY(const physics::MujocoModel model, physics::compile(*spec, "mjcf"));
   return body_of(*model, 1, {});
 }
 
-Result<MadeBody> in_study(const Product& product, const GraspTool& tool, GraspSetting setting) {
-  MARKETGEN_TRY(const SharedGoodsBody goods, goods_body(product, use_of(setting)));
-  const BasketOfLikes basket{checkout_basket, {{}}};
-  MARKETGEN_TRY(const GraspScene made,
-                grasp_scene({*goods, tool, Grasp{}, 0.5, setting, Seed(1), &basket}));
+Result<MadeBody> in_study(const catalog::Product& product,
+                          const robots::GraspTool& tool,
+                          grasping::GraspSetting setting) {
+  MARKETGEN_TRY(const physics::SharedGoodsBody goods,
+                physics::goods_body(product, grasping::use_of(setting)));
+  const grasping::BasketOfLikes basket{physics::checkout_basket, {{}}};
+  MARKETGEN_TRY(
+      const grasping::GraspScene made,
+      grasping::grasp_scene({*goods, tool, robots::Grasp{}, 0.5, setting, Seed(1), &basket}));
   return body_of(*made.model, made.products[0], {});
 }
 
-Result<MadeBody> at_checkout(const Product& product,
-                             const CheckoutStation& station,
-                             const Robot& robot) {
-  MARKETGEN_TRY(const SharedGoods goods, checkout_goods(product, committed_catalog().frictions));
-  EpisodeItem item;
+Result<MadeBody> at_checkout(const catalog::Product& product,
+                             const episodes::CheckoutStation& station,
+                             const robots::Robot& robot) {
+  MARKETGEN_TRY(const episodes::SharedGoods goods,
+                episodes::checkout_goods(product, committed_catalog().frictions));
+  episodes::EpisodeItem item;
   item.sku = product.sku;
-  MARKETGEN_TRY(const CheckoutModel made,
-                checkout_model(station, robot, ready_state(station, robot), {item}, {goods}));
+  MARKETGEN_TRY(const episodes::CheckoutModel made,
+                episodes::checkout_model(
+                    station, robot, episodes::ready_state(station, robot), {item}, {goods}));
   return body_of(*made.model, made.items[0], {});
 }
 
@@ -184,24 +190,24 @@ struct Doors {
 class Sample {
  public:
   Sample()
-      : station_(load_checkout_station(data_rows()).value()),
-        robot_(load_station_robot(data_rows(), station_).value()),
-        tool_(load_grasp_tool(data_rows(), "panda-hand").value()) {}
+      : station_(episodes::load_checkout_station(data_rows()).value()),
+        robot_(episodes::load_station_robot(data_rows(), station_).value()),
+        tool_(robots::load_grasp_tool(data_rows(), "panda-hand").value()) {}
 
-  Result<Doors> doors(const Product& product) const {
-    const Scene scene = scene_with(product);
+  Result<Doors> doors(const catalog::Product& product) const {
+    const scene::Scene scene = scene_with(product);
     Doors doors;
     MARKETGEN_TRY(doors.world, in_world(scene));
     MARKETGEN_TRY(doors.settling, in_settling(scene));
     MARKETGEN_TRY(doors.mjcf, in_mjcf(scene));
-    MARKETGEN_TRY(doors.shelf_trial, in_study(product, tool_, GraspSetting::stocked));
+    MARKETGEN_TRY(doors.shelf_trial, in_study(product, tool_, grasping::GraspSetting::stocked));
     MARKETGEN_TRY(doors.checkout, at_checkout(product, station_, robot_));
-    MARKETGEN_TRY(doors.basket_trial, in_study(product, tool_, GraspSetting::basket));
-    MARKETGEN_TRY(doors.table_trial, in_study(product, tool_, GraspSetting::free));
+    MARKETGEN_TRY(doors.basket_trial, in_study(product, tool_, grasping::GraspSetting::basket));
+    MARKETGEN_TRY(doors.table_trial, in_study(product, tool_, grasping::GraspSetting::free));
     return doors;
   }
 
-  std::string fault(const Product& product) const {
+  std::string fault(const catalog::Product& product) const {
     const Result<Doors> made = doors(product);
     if (!made.ok()) return product.sku + ": " + to_string(made.error());
     const Doors& d = *made;
@@ -221,32 +227,35 @@ class Sample {
 
  private:
   // A store and a basket differ where goods_body.h says, and nowhere else.
-  static std::string fault_between(const Product& product, const Doors& d) {
-    const GoodsForm form = goods_body(product, GoodsUse::stocked).value()->form;
+  static std::string fault_between(const catalog::Product& product, const Doors& d) {
+    const physics::GoodsForm form =
+        physics::goods_body(product, physics::GoodsUse::stocked).value()->form;
     const std::string where = product.sku + ": store and basket: ";
-    if (form != GoodsForm::ball && !same_inertia(d.world, d.checkout)) return where + "inertia";
-    if (form == GoodsForm::pieces && !same_geoms(d.world, d.checkout)) return where + "geoms";
+    if (form != physics::GoodsForm::ball && !same_inertia(d.world, d.checkout))
+      return where + "inertia";
+    if (form == physics::GoodsForm::pieces && !same_geoms(d.world, d.checkout))
+      return where + "geoms";
     if (std::abs(d.world.mass_kg - d.checkout.mass_kg) > 1e-12) return where + "mass";
     return "";
   }
 
-  CheckoutStation station_;
-  Robot robot_;
-  GraspTool tool_;
+  episodes::CheckoutStation station_;
+  robots::Robot robot_;
+  robots::GraspTool tool_;
 };
 
 // One of each shape, the first that may be stacked, the first that may not.
-std::vector<const Product*> sample() {
-  std::vector<const Product*> chosen;
+std::vector<const catalog::Product*> sample() {
+  std::vector<const catalog::Product*> chosen;
   std::set<std::pair<std::string, bool>> seen;
-  for (const Product& product : committed_catalog().products)
+  for (const catalog::Product& product : committed_catalog().products)
     if (seen.emplace(product.archetype, product.stack_max > 1).second) chosen.push_back(&product);
   return chosen;
 }
 
 TEST(SameBody, ByEveryDoor) {
   const Sample doors;
-  const std::vector<const Product*> products = sample();
+  const std::vector<const catalog::Product*> products = sample();
   ASSERT_GT(products.size(), 90U);
   for (const std::string& fault :
        parallel_map(products.size(), [&](std::size_t i) { return doors.fault(*products[i]); }))
@@ -255,7 +264,8 @@ TEST(SameBody, ByEveryDoor) {
 
 // Of a bottle by hand: its mass and middle are what the row and its shape say, whichever the door.
 TEST(SameBody, IsThatOfTheRow) {
-  const Product& wine = *committed_catalog().product("beverages-red-wine-tempranillo-0-75l");
+  const catalog::Product& wine =
+      *committed_catalog().product("beverages-red-wine-tempranillo-0-75l");
   const Doors d = Sample().doors(wine).value();
   for (const MadeBody* body : {&d.world, &d.mjcf, &d.checkout}) {
     EXPECT_NEAR(body->mass_kg, wine.mass_kg, 1e-9);

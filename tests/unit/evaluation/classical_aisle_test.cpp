@@ -16,15 +16,15 @@
 namespace marketgen {
 namespace {
 
-EpisodeSpec hinted_can_episode() {
-  EpisodeSpec spec = can_episode(*can_aisle());
+episodes::EpisodeSpec hinted_can_episode() {
+  episodes::EpisodeSpec spec = can_episode(*can_aisle());
   spec.categories = {{"can-cola", "beverages", 3.0, 3.0}};
   return spec;
 }
 
 TEST(AisleSenses, TheHeadLooksOutOfItself) {
   const auto world = can_world(hinted_can_episode());
-  AisleEyes eyes(*world);
+  episodes::AisleEyes eyes(*world);
   const auto view = eyes.look("head_camera");
   ASSERT_TRUE(view.ok()) << to_string(view.error());
   EXPECT_EQ(view->width(), 640);
@@ -39,30 +39,30 @@ TEST(AisleSenses, TheHeadLooksOutOfItself) {
 // From where goals are drawn is not to be read off the map: boards too low and too high for it, of
 // heaps and behind doors are on it like the others.
 TEST(AisleSenses, TheMapHasEveryBoardOfTheStore) {
-  const EpisodeFile file = pool_file();
-  Arena arena(data_rows(), file.header, committed_catalog());
-  const auto store = shared_aisle_store(arena, file.header.stores.front().scene_hash);
+  const episodes::EpisodeFile file = pool_file();
+  environments::Arena arena(data_rows(), file.header, committed_catalog());
+  const auto store = environments::shared_aisle_store(arena, file.header.stores.front().scene_hash);
   ASSERT_TRUE(store.ok()) << to_string(store.error());
-  const StoreMap map(**store);
+  const episodes::StoreMap map(**store);
   EXPECT_EQ(map.boards().size(), (*store)->scene.shelves.size());
-  const ShelfRangeRow& drawn_from = (*store)->station.shelf;
+  const episodes::ShelfRangeRow& drawn_from = (*store)->station.shelf;
   const auto count = [&](auto&& is) { return std::ranges::count_if(map.boards(), is); };
-  EXPECT_GT(count([&](const ShelfBoard& b) {
+  EXPECT_GT(count([&](const agent::ShelfBoard& b) {
               return b.store_from_board.position.z < drawn_from.lowest_m;
             }),
             0);
-  EXPECT_GT(count([&](const ShelfBoard& b) {
+  EXPECT_GT(count([&](const agent::ShelfBoard& b) {
               return b.store_from_board.position.z > drawn_from.highest_m;
             }),
             0);
-  EXPECT_GT(count([](const ShelfBoard& b) { return b.has_door; }), 0);
-  EXPECT_GT(count([](const ShelfBoard& b) { return !b.has_door; }), 0);
+  EXPECT_GT(count([](const agent::ShelfBoard& b) { return b.has_door; }), 0);
+  EXPECT_GT(count([](const agent::ShelfBoard& b) { return !b.has_door; }), 0);
 }
 
 TEST(AisleSenses, TheMapHasRoomBeforeBoards) {
   const auto store = can_aisle();
-  const StoreMap map(*store);
-  const BasePlace here{2.0, 1.6, 0};
+  const episodes::StoreMap map(*store);
+  const robots::BasePlace here{2.0, 1.6, 0};
   EXPECT_TRUE(map.has_room(here));
   EXPECT_FALSE(map.has_room({0.05, 0.05, 0}));
   EXPECT_NEAR(map.way_m(here, {2.5, 1.6, 0}).value(), 0.5, 2e-3);
@@ -72,22 +72,23 @@ TEST(AisleSenses, TheMapHasRoomBeforeBoards) {
 
 TEST(ClassicalAisle, FindsACanAndFetchesIt) {
   const auto world = can_world(hinted_can_episode());
-  const AisleStore& store = world->store();
-  AisleEyes eyes(*world);
-  const StoreMap map(store);
-  PicturedProducts products(store.scene.catalog, committed_catalog().frictions);
-  LookLibrary looks;
-  ClassicalAisleSetup setup;
+  const episodes::AisleStore& store = world->store();
+  episodes::AisleEyes eyes(*world);
+  const episodes::StoreMap map(store);
+  episodes::PicturedProducts products(store.scene.catalog, committed_catalog().frictions);
+  perception::LookLibrary looks;
+  policy::ClassicalAisleSetup setup;
   setup.eyes = &eyes;
   setup.products = &products;
   setup.looks = &looks;
-  setup.tool = load_grasp_tool(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data",
-                               gripper_row(store.robot).value())
+  setup.tool = robots::load_grasp_tool(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data",
+                                       collect::gripper_row(store.robot).value())
                    .value();
-  setup.hints = category_hints(world->spec());
-  setup.body = {&store.robot, &map, store.basket, store.driving, commanded_dofs(store.robot)};
-  const auto policy = make_classical_aisle(std::move(setup), Seed(3));
-  Observation now = world->observe();
+  setup.hints = episodes::category_hints(world->spec());
+  setup.body = {
+      &store.robot, &map, store.basket, store.driving, episodes::commanded_dofs(store.robot)};
+  const auto policy = policy::make_classical_aisle(std::move(setup), Seed(3));
+  agent::Observation now = world->observe();
   ASSERT_TRUE(policy->begin({"Collect a can", world->spec().limit_s, {{"can-cola", 1}}}, now).ok());
   while (!world->done()) {
     const auto action = policy->act(now);

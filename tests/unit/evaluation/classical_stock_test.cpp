@@ -13,30 +13,30 @@ namespace marketgen {
 namespace {
 
 // A file of this episode alone: its store, and the rows of its own basket.
-EpisodeFile alone(const EpisodeFile& file, const EpisodeSpec& spec) {
-  EpisodeFile one;
+episodes::EpisodeFile alone(const episodes::EpisodeFile& file, const episodes::EpisodeSpec& spec) {
+  episodes::EpisodeFile one;
   one.episodes = {spec};
-  for (const EpisodeStore& store : file.header.stores)
+  for (const episodes::EpisodeStore& store : file.header.stores)
     if (store.scene_hash == spec.scene_hash) one.header.stores = {store};
-  for (const Product& product : file.header.products)
-    if (std::ranges::count(spec.items, product.sku, &EpisodeItem::sku) > 0)
+  for (const catalog::Product& product : file.header.products)
+    if (std::ranges::count(spec.items, product.sku, &episodes::EpisodeItem::sku) > 0)
       one.header.products.push_back(product);
   return one;
 }
 
 TEST(ClassicalStock, IsAllThatTheStoreSells) {
-  const EpisodeFile file = pool_file();
-  for (const EpisodeStore& store : file.header.stores) {
-    const auto scene = scene_of_plan(store.plan, committed_catalog(), store.seed);
+  const episodes::EpisodeFile file = pool_file();
+  for (const episodes::EpisodeStore& store : file.header.stores) {
+    const auto scene = store::scene_of_plan(store.plan, committed_catalog(), store.seed);
     ASSERT_TRUE(scene.ok()) << to_string(scene.error());
     std::set<std::string> on_shelves;
-    for (const SceneProduct& product : scene->products)
+    for (const scene::SceneProduct& product : scene->products)
       on_shelves.insert(scene->catalog[product.sku].sku);
-    Arena arena(data_rows(), file.header, committed_catalog());
+    environments::Arena arena(data_rows(), file.header, committed_catalog());
     const auto stock = arena.stock(store.scene_hash);
     ASSERT_TRUE(stock.ok()) << to_string(stock.error());
     std::set<std::string> known;
-    for (const Product& product : **stock)
+    for (const catalog::Product& product : **stock)
       known.insert(product.sku);
     EXPECT_EQ(known, on_shelves);
     EXPECT_GT(known.size(), file.header.products.size());
@@ -44,17 +44,17 @@ TEST(ClassicalStock, IsAllThatTheStoreSells) {
 }
 
 TEST(ClassicalStock, AnEpisodeAloneIsTheSameAsAmongOthers) {
-  EpisodeFile file = pool_file();
-  Arena together(data_rows(), file.header, committed_catalog());
+  episodes::EpisodeFile file = pool_file();
+  environments::Arena together(data_rows(), file.header, committed_catalog());
   // Two of those (4 of 16) that were not, while its file's baskets were its catalogue.
   for (const std::size_t number : {std::size_t{3}, std::size_t{21}}) {
-    EpisodeSpec spec = file.episodes[number];
+    episodes::EpisodeSpec spec = file.episodes[number];
     spec.limit_s = 30;
-    const EpisodeFile one = alone(file, spec);
+    const episodes::EpisodeFile one = alone(file, spec);
     ASSERT_LT(one.header.products.size(), file.header.products.size());
-    Arena by_itself(data_rows(), one.header, committed_catalog());
-    const auto among = run_episode(together, spec, "classical");
-    const auto single = run_episode(by_itself, spec, "classical");
+    environments::Arena by_itself(data_rows(), one.header, committed_catalog());
+    const auto among = environments::run_episode(together, spec, "classical");
+    const auto single = environments::run_episode(by_itself, spec, "classical");
     ASSERT_TRUE(among.ok()) << to_string(among.error());
     ASSERT_TRUE(single.ok()) << to_string(single.error());
     EXPECT_TRUE(among->detail.empty()) << among->detail;

@@ -12,10 +12,10 @@ namespace marketgen {
 namespace {
 
 // The same basket three times, a second each.
-EpisodeFile three_episodes() {
-  EpisodeFile file;
+episodes::EpisodeFile three_episodes() {
+  episodes::EpisodeFile file;
   file.header.products = checkout_goods_rows();
-  EpisodeSpec spec = drawn(7, 0);
+  episodes::EpisodeSpec spec = drawn(7, 0);
   spec.limit_s = 1;
   for (const char* id : {"a", "b", "c"}) {
     spec.id = id;
@@ -25,30 +25,31 @@ EpisodeFile three_episodes() {
   return file;
 }
 
-Result<std::vector<EpisodeResult>> evaluated(const EpisodeFile& file,
-                                             const std::filesystem::path& folder,
-                                             bool resume) {
-  return evaluate(
+Result<std::vector<episodes::EpisodeResult>> evaluated(const episodes::EpisodeFile& file,
+                                                       const std::filesystem::path& folder,
+                                                       bool resume) {
+  return evaluation::evaluate(
       data_rows(), file, committed_catalog(), {"random", folder, resume}, silent_progress());
 }
 
 TEST(Evaluate, ABrokenRunGoesOnAndKeepsWhatWasFinished) {
-  const EpisodeFile file = three_episodes();
+  const episodes::EpisodeFile file = three_episodes();
   const ScratchFolder scratch;
   const auto whole = evaluated(file, scratch.path() / "whole", false);
   ASSERT_TRUE(whole.ok()) << to_string(whole.error());
   ASSERT_EQ(whole->size(), 3U);
   EXPECT_NE((*whole)[0].state_hash, (*whole)[1].state_hash) << "each draws its own steps";
-  EXPECT_EQ((*whole)[0].failure, FailureCode::timeout);
+  EXPECT_EQ((*whole)[0].failure, episodes::FailureCode::timeout);
 
   // As kill -9 leaves it: the second episode finished, with a mark; the first in the middle of its
   // line.
-  EpisodeResult marked = (*whole)[1];
+  episodes::EpisodeResult marked = (*whole)[1];
   marked.detail = "of the first run";
   const std::filesystem::path broken = scratch.path() / "broken";
   std::filesystem::create_directories(broken);
-  const std::string half = write_json_line((*whole)[0]).substr(0, 40);
-  ASSERT_TRUE(write_file(broken / "results.jsonl", write_json_line(marked) + "\n" + half).ok());
+  const std::string half = io::write_json_line((*whole)[0]).substr(0, 40);
+  ASSERT_TRUE(
+      io::write_file(broken / "results.jsonl", io::write_json_line(marked) + "\n" + half).ok());
   const auto resumed = evaluated(file, broken, true);
   ASSERT_TRUE(resumed.ok()) << to_string(resumed.error());
   ASSERT_EQ(resumed->size(), 3U);
@@ -60,7 +61,7 @@ TEST(Evaluate, ABrokenRunGoesOnAndKeepsWhatWasFinished) {
 
 TEST(Evaluate, ResultsAreNotOverwritten) {
   const ScratchFolder scratch;
-  ASSERT_TRUE(write_file(scratch.path() / "results.jsonl", "{").ok());
+  ASSERT_TRUE(io::write_file(scratch.path() / "results.jsonl", "{").ok());
   const auto refused = evaluated(three_episodes(), scratch.path(), false);
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().code, "store.exists");
@@ -69,23 +70,23 @@ TEST(Evaluate, ResultsAreNotOverwritten) {
 // A folder's results belong to its file: with another one they would be lost at the end.
 TEST(Evaluate, ResultsOfOtherEpisodesAreKept) {
   const ScratchFolder scratch;
-  EpisodeResult other;
+  episodes::EpisodeResult other;
   other.episode = "of-another-file";
   other.policy = "random";
-  const std::string line = write_json_line(other) + "\n";
-  ASSERT_TRUE(write_file(scratch.path() / "results.jsonl", line).ok());
+  const std::string line = io::write_json_line(other) + "\n";
+  ASSERT_TRUE(io::write_file(scratch.path() / "results.jsonl", line).ok());
   const auto refused = evaluated(three_episodes(), scratch.path(), true);
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().code, "usage.bad_flag");
-  EXPECT_EQ(read_file(scratch.path() / "results.jsonl").value(), line);
+  EXPECT_EQ(io::read_file(scratch.path() / "results.jsonl").value(), line);
 }
 
 // ---- Runs without physics: a runner that answers at once. ----
 
-EpisodeFile named(const std::vector<std::string>& ids) {
-  EpisodeFile file;
+episodes::EpisodeFile named(const std::vector<std::string>& ids) {
+  episodes::EpisodeFile file;
   for (const std::string& id : ids) {
-    EpisodeSpec spec;
+    episodes::EpisodeSpec spec;
     spec.id = id;
     spec.goals = {{"can-cola", 1}};
     file.episodes.push_back(spec);
@@ -94,25 +95,26 @@ EpisodeFile named(const std::vector<std::string>& ids) {
 }
 
 // Notes in `ran` what it runs; `fails`, if any, is interrupted.
-Result<std::vector<EpisodeResult>> quick_run(const EpisodeFile& file,
-                                             const std::filesystem::path& folder,
-                                             bool resume,
-                                             std::string& ran,
-                                             const std::string& fails = {}) {
-  EvaluationOptions options{"quick", folder, resume, 1};
-  const EpisodeRunner runner = [&](const EpisodeSpec& spec) -> Result<EpisodeResult> {
+Result<std::vector<episodes::EpisodeResult>> quick_run(const episodes::EpisodeFile& file,
+                                                       const std::filesystem::path& folder,
+                                                       bool resume,
+                                                       std::string& ran,
+                                                       const std::string& fails = {}) {
+  evaluation::EvaluationOptions options{"quick", folder, resume, 1};
+  const evaluation::EpisodeRunner runner =
+      [&](const episodes::EpisodeSpec& spec) -> Result<episodes::EpisodeResult> {
     if (spec.id == fails) return Error{"internal.interrupted", "", "interrupted"};
     ran += spec.id;
-    return with_end(unjudged(spec), {"quick"});
+    return episodes::with_end(episodes::unjudged(spec), {"quick"});
   };
-  return evaluate_with(
+  return evaluation::evaluate_with(
       file, options, [&] { return runner; }, silent_progress());
 }
 
 TEST(Evaluate, AnEpisodeThatWasEditedIsRunAgain) {
   const ScratchFolder scratch;
   std::string first, second, third;
-  EpisodeFile file = named({"a", "b", "c"});
+  episodes::EpisodeFile file = named({"a", "b", "c"});
   ASSERT_TRUE(quick_run(file, scratch.path(), false, first).ok());
   file.episodes[1].goals[0].count = 2;
   const auto resumed = quick_run(file, scratch.path(), true, second);
@@ -121,7 +123,7 @@ TEST(Evaluate, AnEpisodeThatWasEditedIsRunAgain) {
   EXPECT_EQ(second, "b");
   EXPECT_EQ((*resumed)[1].goals[0].count, 2);
   // So is one whose product has another mass: nothing in its own line has changed.
-  Product cola;
+  catalog::Product cola;
   cola.sku = "can-cola";
   file.header.products = {cola};
   ASSERT_TRUE(quick_run(file, scratch.path(), true, third).ok());
@@ -130,14 +132,15 @@ TEST(Evaluate, AnEpisodeThatWasEditedIsRunAgain) {
 
 TEST(Evaluate, WhatCouldNotBeRunIsTriedAgain) {
   const ScratchFolder scratch;
-  const EpisodeFile file = named({"a", "b"});
+  const episodes::EpisodeFile file = named({"a", "b"});
   std::string ran;
   const auto all = quick_run(file, scratch.path(), false, ran);
   ASSERT_TRUE(all.ok());
-  std::vector<EpisodeResult> results = *all;
+  std::vector<episodes::EpisodeResult> results = *all;
   results[0].error = "robot.unknown";
-  ASSERT_TRUE(write_file(scratch.path() / "results.jsonl",
-                         write_json_line(results[0]) + "\n" + write_json_line(results[1]) + "\n")
+  ASSERT_TRUE(io::write_file(
+                  scratch.path() / "results.jsonl",
+                  io::write_json_line(results[0]) + "\n" + io::write_json_line(results[1]) + "\n")
                   .ok());
   std::string again;
   const auto resumed = quick_run(file, scratch.path(), true, again);
@@ -155,8 +158,8 @@ TEST(Evaluate, AnInterruptedRunSaysWhatIsKept) {
   EXPECT_EQ(ended.error().message,
             "interrupted; 1 finished episodes are kept in " + scratch.path().string() +
                 ": go on with --resume");
-  EXPECT_EQ(finished_results(scratch.path() / "results.jsonl")->size(), 1U);
-  const std::string summary = *read_file(scratch.path() / "summary.json");
+  EXPECT_EQ(evaluation::finished_results(scratch.path() / "results.jsonl")->size(), 1U);
+  const std::string summary = *io::read_file(scratch.path() / "summary.json");
   EXPECT_NE(summary.find("\"unfinished\": 2"), std::string::npos) << summary;
   ASSERT_TRUE(quick_run(named({"a", "b", "c"}), scratch.path(), true, ran).ok());
   EXPECT_EQ(ran, "abc");
@@ -165,7 +168,7 @@ TEST(Evaluate, AnInterruptedRunSaysWhatIsKept) {
 TEST(Evaluate, AFolderIsOneRunsAtATime) {
   const ScratchFolder scratch;
   std::string ran;
-  const auto other = FolderLock::take(scratch.path());
+  const auto other = io::FolderLock::take(scratch.path());
   ASSERT_TRUE(other.ok());
   const auto refused = quick_run(named({"a"}), scratch.path(), false, ran);
   ASSERT_FALSE(refused.ok());
@@ -175,15 +178,15 @@ TEST(Evaluate, AFolderIsOneRunsAtATime) {
 
 TEST(Evaluate, ADamagedLineOfResultsIsNamed) {
   const ScratchFolder scratch;
-  EpisodeResult result;
+  episodes::EpisodeResult result;
   result.episode = "a";
-  const std::string line = write_json_line(result);
+  const std::string line = io::write_json_line(result);
   const std::filesystem::path file = scratch.path() / "results.jsonl";
-  ASSERT_TRUE(write_file(file, line + "\n" + line.substr(0, 30) + "\n" + line + "\n").ok());
-  const auto read = finished_results(file);
+  ASSERT_TRUE(io::write_file(file, line + "\n" + line.substr(0, 30) + "\n" + line + "\n").ok());
+  const auto read = evaluation::finished_results(file);
   ASSERT_FALSE(read.ok());
   EXPECT_TRUE(read.error().where.starts_with(file.string() + ":2")) << read.error().where;
-  EXPECT_EQ(finished_results(scratch.path() / "none").error().code, "input.not_found");
+  EXPECT_EQ(evaluation::finished_results(scratch.path() / "none").error().code, "input.not_found");
 }
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace marketgen {
 namespace {
 
 TEST(Summarize, CountsEpisodesAndGoals) {
-  EpisodeResult all, half;
+  episodes::EpisodeResult all, half;
   all.goals = {{"a", 1, 1}, {"b", 1, 1}};
   all.hits = all.asked = 2;
   all.success_partial = 1;
@@ -15,23 +15,23 @@ TEST(Summarize, CountsEpisodesAndGoals) {
   half.goals = {{"a", 1, 1}, {"b", 1, 0}};
   half.hits = 1, half.asked = 2;
   half.success_partial = 0.5;
-  half.failure = FailureCode::no_grasp;
-  const EvaluationSummary summary = summarize({all, half});
+  half.failure = episodes::FailureCode::no_grasp;
+  const evaluation::EvaluationSummary summary = evaluation::summarize({all, half});
   EXPECT_EQ(summary.goals.number, 3);
   EXPECT_EQ(summary.goals.of, 4);
   EXPECT_EQ(summary.strict.number, 1);
   EXPECT_DOUBLE_EQ(summary.success_partial, 0.75);
   ASSERT_EQ(summary.failures.size(), 1U);
-  EXPECT_EQ(summary.failures[0].failure, FailureCode::no_grasp);
-  EXPECT_EQ(summarize({}).episodes, 0);
+  EXPECT_EQ(summary.failures[0].failure, episodes::FailureCode::no_grasp);
+  EXPECT_EQ(evaluation::summarize({}).episodes, 0);
 }
 
 // The share is for reading; what it was made of is what is summed up.
 TEST(Summarize, TakesHitsFromTheirCountAndNotFromTheirShare) {
-  EpisodeResult many;
+  episodes::EpisodeResult many;
   many.hits = 12345678, many.asked = 20000001;
   many.success_partial = 0.617;  // rounded, as a reader may have it
-  const EvaluationSummary summary = summarize({many, many});
+  const evaluation::EvaluationSummary summary = evaluation::summarize({many, many});
   EXPECT_EQ(summary.goals.number, 2 * 12345678);
   EXPECT_EQ(summary.goals.of, 2 * 20000001);
 }

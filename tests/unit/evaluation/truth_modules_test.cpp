@@ -19,20 +19,20 @@ namespace marketgen {
 namespace {
 
 TEST(PolicyName, HasItsModulesInOrder) {
-  const auto plain = read_policy_name("oracle");
+  const auto plain = environments::read_policy_name("oracle");
   ASSERT_TRUE(plain.ok());
   EXPECT_TRUE(plain->truth.empty());
-  const auto swapped = read_policy_name("classical+grasp+masks+grasp");
+  const auto swapped = environments::read_policy_name("classical+grasp+masks+grasp");
   ASSERT_TRUE(swapped.ok());
   EXPECT_EQ(swapped->name, "classical");
   EXPECT_EQ(swapped->written(), "classical+masks+grasp");
-  EXPECT_TRUE(swapped->knows(TrueModule::masks));
-  EXPECT_FALSE(swapped->knows(TrueModule::target));
+  EXPECT_TRUE(swapped->knows(environments::TrueModule::masks));
+  EXPECT_FALSE(swapped->knows(environments::TrueModule::target));
 }
 
 TEST(PolicyName, WhatIsNotThereIsAnError) {
   for (const char* name : {"orakel", "classical+eyes", "oracle+masks", ""}) {
-    const auto read = read_policy_name(name);
+    const auto read = environments::read_policy_name(name);
     ASSERT_FALSE(read.ok()) << name;
     EXPECT_EQ(read.error().code, "usage.bad_flag") << name;
   }
@@ -43,37 +43,39 @@ class CheckoutTruth : public ::testing::Test {
  protected:
   CheckoutTruth()
       : spec_(drawn(7, 0)),
-        world_(CheckoutWorld::create(data_rows(), committed_catalog().frictions).value()) {
+        world_(
+            episodes::CheckoutWorld::create(data_rows(), committed_catalog().frictions).value()) {
     if (const auto reset = world_.reset(spec_, checkout_goods_rows()); !reset.ok())
       fatal(to_string(reset.error()).c_str());
-    eyes_ = std::make_unique<CheckoutEyes>(world_);
-    for (const StationCamera camera : {StationCamera::scene, StationCamera::wrist})
+    eyes_ = std::make_unique<episodes::CheckoutEyes>(world_);
+    for (const episodes::StationCamera camera :
+         {episodes::StationCamera::scene, episodes::StationCamera::wrist})
       views_.emplace_back(eyes_->look(name_of(camera)).value());
-    products_ =
-        std::make_unique<PicturedProducts>(checkout_goods_rows(), committed_catalog().frictions);
+    products_ = std::make_unique<episodes::PicturedProducts>(checkout_goods_rows(),
+                                                             committed_catalog().frictions);
   }
 
-  ProductLook look_of(const std::string& sku) {
-    return ProductLook::make(sku, products_->pictures(sku).value()).value();
+  perception::ProductLook look_of(const std::string& sku) {
+    return perception::ProductLook::make(sku, products_->pictures(sku).value()).value();
   }
 
-  EpisodeSpec spec_;
-  CheckoutWorld world_;
-  std::unique_ptr<CheckoutEyes> eyes_;
-  std::vector<ViewCloud> views_;
-  std::unique_ptr<PicturedProducts> products_;
+  episodes::EpisodeSpec spec_;
+  episodes::CheckoutWorld world_;
+  std::unique_ptr<episodes::CheckoutEyes> eyes_;
+  std::vector<perception::ViewCloud> views_;
+  std::unique_ptr<episodes::PicturedProducts> products_;
 };
 
 // Every mask lies about one item, and no two about the same.
 TEST_F(CheckoutTruth, MasksAreOfOneItemEach) {
   const std::vector<std::uint8_t> all(views_[0].size(), 1);
-  const std::vector<Mask> masks = TrueMasks(*eyes_).masks(views_[0], all);
+  const std::vector<perception::Mask> masks = oracle::TrueMasks(*eyes_).masks(views_[0], all);
   ASSERT_GT(masks.size(), 1U);
   EXPECT_LE(masks.size(), world_.item_count());
-  const GraspTool tool = load_checkout_tool(world_, data_rows()).value();
-  const OracleScene scene(world_, tool);
+  const robots::GraspTool tool = oracle::load_checkout_tool(world_, data_rows()).value();
+  const oracle::OracleScene scene(world_, tool);
   std::set<std::size_t> shown;
-  for (const Mask& mask : masks) {
+  for (const perception::Mask& mask : masks) {
     EXPECT_TRUE(std::ranges::is_sorted(mask.pixels));
     Vec3 middle{};
     for (const std::uint32_t pixel : mask.pixels)
@@ -85,20 +87,22 @@ TEST_F(CheckoutTruth, MasksAreOfOneItemEach) {
     shown.insert(nearest);
   }
   EXPECT_GE(shown.size() + 1, masks.size());  // of one that shows a corner the middle may mislead
-  EXPECT_TRUE(TrueMasks(*eyes_).masks(views_[0], std::vector<std::uint8_t>(all.size(), 0)).empty());
+  EXPECT_TRUE(
+      oracle::TrueMasks(*eyes_).masks(views_[0], std::vector<std::uint8_t>(all.size(), 0)).empty());
 }
 
 TEST_F(CheckoutTruth, TargetsLieWhereTheyLie) {
-  std::vector<ProductLook> looks;
-  for (const EpisodeGoal& goal : spec_.goals)
+  std::vector<perception::ProductLook> looks;
+  for (const episodes::EpisodeGoal& goal : spec_.goals)
     looks.push_back(look_of(goal.sku));
-  std::vector<WantedProduct> wanted;
-  for (const ProductLook& look : looks)
+  std::vector<perception::WantedProduct> wanted;
+  for (const perception::ProductLook& look : looks)
     wanted.push_back({&look, {}});
-  const auto found = TrueTargets(world_).find(wanted, views_, {});
+  const auto found = oracle::TrueTargets(world_).find(wanted, views_, {});
   ASSERT_EQ(found.size(), looks.size());
-  for (const FoundProduct& target : found) {
-    const auto item = std::ranges::find(spec_.items, looks[target.look].sku(), &EpisodeItem::sku);
+  for (const perception::FoundProduct& target : found) {
+    const auto item =
+        std::ranges::find(spec_.items, looks[target.look].sku(), &episodes::EpisodeItem::sku);
     const auto number = static_cast<std::size_t>(item - spec_.items.begin());
     EXPECT_LT(length(target.pose.base_from_product.position - world_.item_pose(number).position),
               1e-9);
@@ -106,11 +110,11 @@ TEST_F(CheckoutTruth, TargetsLieWhereTheyLie) {
 }
 
 TEST_F(CheckoutTruth, GraspsAreOfWhatLiesThere) {
-  const GraspTool tool = load_checkout_tool(world_, data_rows()).value();
-  const TrueGrasps source(world_, tool);
+  const robots::GraspTool tool = oracle::load_checkout_tool(world_, data_rows()).value();
+  const oracle::TrueGrasps source(world_, tool);
   std::size_t grasps = 0;
   for (std::size_t item = 0; item < world_.item_count(); ++item) {
-    const KnownProduct& known = *products_->product(world_.goods(item).product.sku).value();
+    const agent::KnownProduct& known = *products_->product(world_.goods(item).product.sku).value();
     const std::vector<Vec3f> nothing;
     Pose near = world_.item_pose(item);
     near.position.x += 0.02;
@@ -124,11 +128,11 @@ TEST_F(CheckoutTruth, GraspsAreOfWhatLiesThere) {
 }
 
 TEST(TruthModules, AnEpisodeRunsWithAllOfThem) {
-  EpisodeFile file = pool_file();
-  EpisodeSpec& spec = file.episodes.front();
+  episodes::EpisodeFile file = pool_file();
+  episodes::EpisodeSpec& spec = file.episodes.front();
   spec.limit_s = 20;
-  Arena arena(data_rows(), file.header, committed_catalog());
-  const auto result = run_episode(arena, spec, "classical+masks+target+grasp");
+  environments::Arena arena(data_rows(), file.header, committed_catalog());
+  const auto result = environments::run_episode(arena, spec, "classical+masks+target+grasp");
   ASSERT_TRUE(result.ok()) << to_string(result.error());
   EXPECT_EQ(result->policy, "classical+masks+target+grasp");
   EXPECT_TRUE(result->detail.empty()) << result->detail;
@@ -136,31 +140,31 @@ TEST(TruthModules, AnEpisodeRunsWithAllOfThem) {
 
 // Cans on a board before the robot, in the frame of its base.
 TEST(AisleTruth, ACanIsFoundWhereItStands) {
-  EpisodeSpec spec = can_episode(*can_aisle());
+  episodes::EpisodeSpec spec = can_episode(*can_aisle());
   spec.categories = {{"can-cola", "beverages", 3.0, 3.0}};
   const auto world = can_world(spec);
   const std::uint32_t row = world->store().front_items("can-cola").front();
   const Pose can = world->world().product_pose(row);
-  const StoreMap map(world->store());
-  std::vector<BoardAhead> boards;
+  const episodes::StoreMap map(world->store());
+  std::vector<perception::BoardAhead> boards;
   const Pose base_from_store = inverse(world->world_from_base());
-  for (const ShelfBoard& board : map.boards())
+  for (const agent::ShelfBoard& board : map.boards())
     boards.push_back({base_from_store * board.store_from_board,
                       board.width_m,
                       board.depth_m,
                       board.clearance_m});
-  AisleEyes eyes(*world);
-  std::vector<ViewCloud> views;
+  episodes::AisleEyes eyes(*world);
+  std::vector<perception::ViewCloud> views;
   views.emplace_back(eyes.look("head_camera").value());
-  PicturedProducts products(world->store().scene.catalog, committed_catalog().frictions);
-  const ProductLook look =
-      ProductLook::make("can-cola", products.pictures("can-cola").value()).value();
+  episodes::PicturedProducts products(world->store().scene.catalog, committed_catalog().frictions);
+  const perception::ProductLook look =
+      perception::ProductLook::make("can-cola", products.pictures("can-cola").value()).value();
 
-  const auto spots = TrueSpots(*world).spots(views, boards, {});
+  const auto spots = oracle::TrueSpots(*world).spots(views, boards, {});
   ASSERT_FALSE(spots.empty());
-  const TrueShelfChoice choice(*world);
+  const oracle::TrueShelfChoice choice(*world);
   const Pose near{base_from_store * can.position + Vec3{0.03, 0, 0}, can.rotation};
-  const FittedPose again = choice.again(look, views, near);
+  const perception::FittedPose again = choice.again(look, views, near);
   EXPECT_EQ(again.evidence.score, 1);
   EXPECT_LT(length(world->world_from_base() * again.base_from_product.position - can.position),
             0.031);
@@ -169,9 +173,9 @@ TEST(AisleTruth, ACanIsFoundWhereItStands) {
   // What no picture shows is not told.
   EXPECT_TRUE(choice.find({&look, {}}, {}, boards, spots).empty());
 
-  const GraspTool tool = load_grasp_tool(data_rows(), "parallel-gripper").value();
-  const TrueShelfGrasps source(*world, tool);
-  const KnownProduct& known = *products.product("can-cola").value();
+  const robots::GraspTool tool = robots::load_grasp_tool(data_rows(), "parallel-gripper").value();
+  const oracle::TrueShelfGrasps source(*world, tool);
+  const agent::KnownProduct& known = *products.product("can-cola").value();
   const auto grasps = source.grasps({known, can, {}});
   ASSERT_TRUE(grasps.ok()) << to_string(grasps.error());
   ASSERT_FALSE(grasps->empty());

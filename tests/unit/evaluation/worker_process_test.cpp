@@ -20,14 +20,15 @@ std::vector<std::string> script(const std::string& text) {
   return {"/bin/sh", "-c", "read -r header; " + text};
 }
 
-Result<std::unique_ptr<WorkerProcess>> started(const std::vector<std::string>& command) {
-  return WorkerProcess::start(command, R"({"schema": "market-episodes/1"})", 20);
+Result<std::unique_ptr<evaluation::WorkerProcess>> started(
+    const std::vector<std::string>& command) {
+  return evaluation::WorkerProcess::start(command, R"({"schema": "market-episodes/1"})", 20);
 }
 
-EpisodeFile three_named() {
-  EpisodeFile file;
+episodes::EpisodeFile three_named() {
+  episodes::EpisodeFile file;
   for (const char* id : {"a", "b", "c"}) {
-    EpisodeSpec spec;
+    episodes::EpisodeSpec spec;
     spec.id = id;
     spec.store = "corner";
     spec.goals = {{"can-cola", 2}};
@@ -51,13 +52,14 @@ std::vector<std::string> all_but(const std::string& id, const std::string& inste
                 result_line(R"(, \"policy\": \"p\")") + R"("; done)");
 }
 
-Result<std::vector<EpisodeResult>> evaluated_by(const std::vector<std::string>& worker,
-                                                const std::filesystem::path& folder) {
-  EvaluationOptions options{"p", folder};
+Result<std::vector<episodes::EpisodeResult>> evaluated_by(const std::vector<std::string>& worker,
+                                                          const std::filesystem::path& folder) {
+  evaluation::EvaluationOptions options{"p", folder};
   options.jobs = 1;
   options.worker = worker;
   options.answer = {20, 0.5};
-  return evaluate(data_rows(), three_named(), committed_catalog(), options, silent_progress());
+  return evaluation::evaluate(
+      data_rows(), three_named(), committed_catalog(), options, silent_progress());
 }
 
 // It computes nothing, so that only the guard can find it.
@@ -137,8 +139,8 @@ TEST(WorkerProcess, OneThatCannotBeginIsAnError) {
 // It neither reads nor speaks: a header larger than any pipe must not keep us waiting, either.
 TEST(WorkerProcess, OneThatIsNeverReadyIsEnded) {
   for (const std::size_t size : {10UL, 3'000'000UL}) {
-    const auto worker =
-        WorkerProcess::start({"/bin/sh", "-c", "exec sleep 1000"}, std::string(size, 'x'), 0.5);
+    const auto worker = evaluation::WorkerProcess::start(
+        {"/bin/sh", "-c", "exec sleep 1000"}, std::string(size, 'x'), 0.5);
     ASSERT_FALSE(worker.ok());
     EXPECT_EQ(worker.error().code, "episode.no_policy");
     EXPECT_NE(worker.error().message.find("after 0.5 s"), std::string::npos)
@@ -148,7 +150,7 @@ TEST(WorkerProcess, OneThatIsNeverReadyIsEnded) {
 
 TEST(WorkerProcess, ItIsToldTheHeaderAndTheEpisode) {
   const std::string header(300'000, 'h');
-  const auto worker = WorkerProcess::start(
+  const auto worker = evaluation::WorkerProcess::start(
       {"/bin/sh",
        "-c",
        R"(read -r header; echo ready; read -r spec; printf 'error a.b\twhere\t%s %s\n' ${#header} "$spec")"},
@@ -164,10 +166,10 @@ TEST(Evaluate, AHangIsAFailureAndTheNextEpisodeFollows) {
   const auto results = evaluated_by(all_but("b", "exec sleep 1000"), scratch.path());
   ASSERT_TRUE(results.ok()) << to_string(results.error());
   EXPECT_EQ((*results)[0].episode, "e");
-  const EpisodeResult& hung = (*results)[1];
+  const episodes::EpisodeResult& hung = (*results)[1];
   EXPECT_EQ(hung.episode, "b");
   EXPECT_EQ(hung.policy, "p");
-  EXPECT_EQ(hung.failure, FailureCode::policy_error);
+  EXPECT_EQ(hung.failure, episodes::FailureCode::policy_error);
   EXPECT_NE(hung.detail.find("policy_hung"), std::string::npos) << hung.detail;
   ASSERT_EQ(hung.goals.size(), 1U);
   EXPECT_EQ(hung.goals[0].reached, 0);
@@ -178,7 +180,7 @@ TEST(Evaluate, ACrashIsAFailureAndTheNextEpisodeFollows) {
   const ScratchFolder scratch;
   const auto results = evaluated_by(all_but("b", "kill -SEGV $$"), scratch.path());
   ASSERT_TRUE(results.ok()) << to_string(results.error());
-  EXPECT_EQ((*results)[1].failure, FailureCode::policy_error);
+  EXPECT_EQ((*results)[1].failure, episodes::FailureCode::policy_error);
   EXPECT_NE((*results)[1].detail.find("signal 11"), std::string::npos) << (*results)[1].detail;
   EXPECT_EQ((*results)[2].episode, "e");
 }
@@ -190,7 +192,7 @@ TEST(Evaluate, APolicyThatDoesNotStartEndsTheRun) {
   ASSERT_FALSE(ended.ok());
   EXPECT_EQ(ended.error().code, "episode.no_policy");
   EXPECT_NE(ended.error().message.find("no episode had been finished"), std::string::npos);
-  EXPECT_NE(read_file(scratch.path() / "summary.json")->find("\"unfinished\": 3"),
+  EXPECT_NE(io::read_file(scratch.path() / "summary.json")->find("\"unfinished\": 3"),
             std::string::npos);
 }
 
@@ -204,9 +206,9 @@ TEST(Evaluate, AnEpisodeThatCannotBeRunIsAResult) {
   ASSERT_EQ(results->size(), 3U);
   EXPECT_EQ((*results)[1].episode, "b");
   EXPECT_EQ((*results)[1].error, "episode.impossible");
-  EXPECT_EQ((*results)[1].failure, FailureCode::not_run);
+  EXPECT_EQ((*results)[1].failure, episodes::FailureCode::not_run);
   EXPECT_NE((*results)[1].detail.find("no room"), std::string::npos);
-  const auto summary = summarize(*results);
+  const auto summary = evaluation::summarize(*results);
   EXPECT_EQ(summary.episodes, 2);
   EXPECT_EQ(summary.strict.of, 2) << "it counts in no share";
   ASSERT_EQ(summary.errors.size(), 1U);
@@ -217,9 +219,9 @@ TEST(Evaluate, AnEpisodeThatCannotBeRunIsAResult) {
 TEST(Evaluate, ResultsOfAnotherPolicyAreNotGoneOnWith) {
   const ScratchFolder scratch;
   ASSERT_TRUE(evaluated_by(all_but("z", "true"), scratch.path()).ok());
-  EvaluationOptions other{"random", scratch.path(), true};
-  const auto refused =
-      evaluate(data_rows(), three_named(), committed_catalog(), other, silent_progress());
+  evaluation::EvaluationOptions other{"random", scratch.path(), true};
+  const auto refused = evaluation::evaluate(
+      data_rows(), three_named(), committed_catalog(), other, silent_progress());
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().code, "usage.bad_flag");
 }

@@ -28,31 +28,35 @@ constexpr double let_go_rad = radians_of(45), closed_rad = radians_of(2), close_
 
 // A row's fixture and what MuJoCo makes of it. A parent's parts count as any other's.
 struct Stage {
-  Scene scene;
+  scene::Scene scene;
   std::unique_ptr<mjModel, decltype(&mj_deleteModel)> model{nullptr, mj_deleteModel};
   std::unique_ptr<mjData, decltype(&mj_deleteData)> data{nullptr, mj_deleteData};
 
-  std::string name_of_joint(const SceneJoint& joint) const {
+  std::string name_of_joint(const scene::SceneJoint& joint) const {
     return scene.layout.fixtures[0].id + "/" + joint.name;
   }
-  int joint(const SceneJoint& row) const {
+  int joint(const scene::SceneJoint& row) const {
     return mj_name2id(model.get(), mjOBJ_JOINT, name_of_joint(row).c_str());
   }
-  double& position(const SceneJoint& row) { return data->qpos[model->jnt_qposadr[joint(row)]]; }
-  double& push(const SceneJoint& row) { return data->qfrc_applied[model->jnt_dofadr[joint(row)]]; }
+  double& position(const scene::SceneJoint& row) {
+    return data->qpos[model->jnt_qposadr[joint(row)]];
+  }
+  double& push(const scene::SceneJoint& row) {
+    return data->qfrc_applied[model->jnt_dofadr[joint(row)]];
+  }
   void step(double seconds) {
     for (double t = 0; t < seconds; t += model->opt.timestep)
       mj_step(model.get(), data.get());
   }
 };
 
-Stage stage_of(const FixtureKind& kind) {
+Stage stage_of(const catalog::FixtureKind& kind) {
   Stage stage;
-  Result<Scene> scene = stage_fixture(kind, committed_catalog());
+  Result<scene::Scene> scene = scene::stage_fixture(kind, committed_catalog());
   EXPECT_TRUE(scene.ok()) << to_string(scene.error());
   stage.scene = std::move(scene).value();
   if (stage.scene.joints.empty()) return stage;
-  const Result<ExportFiles> text = write_mjcf(stage.scene, {});
+  const Result<exporters::ExportFiles> text = exporters::write_mjcf(stage.scene, {});
   EXPECT_TRUE(text.ok()) << to_string(text.error());
   char fault[500] = "";
   mjSpec* spec = mj_parseXMLString(text->main.c_str(), nullptr, fault, sizeof fault);
@@ -69,7 +73,7 @@ Stage stage_of(const FixtureKind& kind) {
 template <class Check>
 int for_every_articulated_row(Check check) {
   int rows = 0;
-  for (const FixtureKind& kind : committed_catalog().fixture_kinds) {
+  for (const catalog::FixtureKind& kind : committed_catalog().fixture_kinds) {
     SCOPED_TRACE(kind.kind);
     Stage stage = stage_of(kind);
     if (stage.scene.joints.empty()) continue;
@@ -79,12 +83,12 @@ int for_every_articulated_row(Check check) {
   return rows;
 }
 
-bool moves(const SceneJoint& joint) {
-  return joint.kind != JointKind::belt;
+bool moves(const scene::SceneJoint& joint) {
+  return joint.kind != assets::JointKind::belt;
 }
 
 // A wheel's range is many turns; one is enough to look at.
-std::pair<double, double> range_to_sweep(const SceneJoint& joint) {
+std::pair<double, double> range_to_sweep(const scene::SceneJoint& joint) {
   if (joint.upper - joint.lower > 4 * pi) return {-pi, pi};
   return {joint.lower, joint.upper};
 }
@@ -113,7 +117,7 @@ Touch deepest_contact(Stage& stage) {
 
 TEST(Articulation, EveryJointGoesThroughItsRangeAndMeetsNothing) {
   const int rows = for_every_articulated_row([](Stage& stage) {
-    for (const SceneJoint& joint : stage.scene.joints) {
+    for (const scene::SceneJoint& joint : stage.scene.joints) {
       if (!moves(joint)) continue;
       const auto [low, high] = range_to_sweep(joint);
       for (int step = 0; step <= sweep_steps; ++step) {
@@ -131,13 +135,13 @@ TEST(Articulation, EveryJointGoesThroughItsRangeAndMeetsNothing) {
 TEST(Articulation, LimitsAndStatesAreAsTheRowsSay) {
   for_every_articulated_row([](Stage& stage) {
     std::set<std::string> names;
-    for (const SceneJoint& joint : stage.scene.joints) {
+    for (const scene::SceneJoint& joint : stage.scene.joints) {
       SCOPED_TRACE(joint.name);
       EXPECT_TRUE(names.insert(joint.name).second);
       EXPECT_LT(joint.lower, joint.upper);
       ASSERT_FALSE(joint.states.empty());
       EXPECT_EQ(joint.states.front().position, 0);
-      for (const JointState& state : joint.states) {
+      for (const assets::JointState& state : joint.states) {
         EXPECT_GE(state.position, double(joint.lower) - 1e-5) << state.name;
         EXPECT_LE(state.position, double(joint.upper) + 1e-5) << state.name;
       }
@@ -152,12 +156,12 @@ TEST(Articulation, LimitsAndStatesAreAsTheRowsSay) {
 }
 
 // Doors and flaps that a spring pulls shut.
-bool closes_itself(const SceneJoint& joint) {
-  return joint.kind == JointKind::hinge && joint.stiffness > 0 &&
+bool closes_itself(const scene::SceneJoint& joint) {
+  return joint.kind == assets::JointKind::hinge && joint.stiffness > 0 &&
          joint.states.front().name == "closed" && double(joint.upper) > radians_of(20);
 }
 
-double start_of(const SceneJoint& joint) {
+double start_of(const scene::SceneJoint& joint) {
   const double last = joint.hold_open > 0 ? joint.hold_open : joint.upper;
   return std::min(let_go_rad, 0.6 * last);
 }
@@ -166,18 +170,18 @@ TEST(Articulation, SelfClosingDoorsCloseWhenLetGoHalfWay) {
   int doors = 0;
   for_every_articulated_row([&](Stage& stage) {
     mj_resetData(stage.model.get(), stage.data.get());
-    std::vector<const SceneJoint*> opened;
-    for (const SceneJoint& joint : stage.scene.joints) {
+    std::vector<const scene::SceneJoint*> opened;
+    for (const scene::SceneJoint& joint : stage.scene.joints) {
       if (!closes_itself(joint)) continue;
       opened.push_back(&joint);
       stage.position(joint) = start_of(joint);
     }
-    const auto ajar = [&](const SceneJoint* joint) {
+    const auto ajar = [&](const scene::SceneJoint* joint) {
       return std::abs(stage.position(*joint)) >= closed_rad;
     };
     for (double t = 0; t < close_within_s && std::ranges::any_of(opened, ajar); t += 0.5)
       stage.step(0.5);
-    for (const SceneJoint* joint : opened) {
+    for (const scene::SceneJoint* joint : opened) {
       EXPECT_LT(std::abs(stage.position(*joint)), closed_rad) << joint->name;
       ++doors;
     }
@@ -189,15 +193,15 @@ TEST(Articulation, DoorsThatHoldOpenStayOpen) {
   int doors = 0;
   for_every_articulated_row([&](Stage& stage) {
     mj_resetData(stage.model.get(), stage.data.get());
-    std::vector<const SceneJoint*> opened;
-    for (const SceneJoint& joint : stage.scene.joints) {
+    std::vector<const scene::SceneJoint*> opened;
+    for (const scene::SceneJoint& joint : stage.scene.joints) {
       if (!closes_itself(joint) || joint.hold_open == 0) continue;
       opened.push_back(&joint);
       stage.position(joint) = (joint.hold_open + joint.upper) / 2;
     }
     if (opened.empty()) return;
     stage.step(close_within_s / 2);
-    for (const SceneJoint* joint : opened) {
+    for (const scene::SceneJoint* joint : opened) {
       EXPECT_GE(stage.position(*joint), joint->hold_open) << joint->name;
       ++doors;
     }
@@ -206,7 +210,7 @@ TEST(Articulation, DoorsThatHoldOpenStayOpen) {
 }
 
 // Moved by a constant force for a second, from where it rests.
-double moved_by(Stage& stage, const SceneJoint& joint, double force) {
+double moved_by(Stage& stage, const scene::SceneJoint& joint, double force) {
   mj_resetData(stage.model.get(), stage.data.get());
   stage.push(joint) = force;
   stage.step(1);
@@ -214,11 +218,11 @@ double moved_by(Stage& stage, const SceneJoint& joint, double force) {
 }
 
 TEST(Articulation, AFreezersLidSlidesWhenPushedHarderThanItsFriction) {
-  const FixtureKind* kind = committed_catalog().fixture_kind("chest_freezer");
+  const catalog::FixtureKind* kind = committed_catalog().fixture_kind("chest_freezer");
   ASSERT_NE(kind, nullptr);
   Stage stage = stage_of(*kind);
   ASSERT_EQ(stage.scene.joints.size(), 2U);
-  for (const SceneJoint& lid : stage.scene.joints) {
+  for (const scene::SceneJoint& lid : stage.scene.joints) {
     EXPECT_GT(lid.friction, 5) << "N";  // a lid of 7 to 10 kg on plastic runners
     EXPECT_LT(lid.friction, 20) << "N";
     EXPECT_LT(moved_by(stage, lid, 0.8 * double(lid.friction)), 0.002);
@@ -227,11 +231,11 @@ TEST(Articulation, AFreezersLidSlidesWhenPushedHarderThanItsFriction) {
 }
 
 TEST(Articulation, AButtonGivesWayToAFingerAndComesBack) {
-  const FixtureKind* kind = committed_catalog().fixture_kind("checkout_lane");
+  const catalog::FixtureKind* kind = committed_catalog().fixture_kind("checkout_lane");
   ASSERT_NE(kind, nullptr);
   Stage stage = stage_of(*kind);
   const auto key = std::ranges::find_if(
-      stage.scene.joints, [](const SceneJoint& joint) { return joint.name == "key-5"; });
+      stage.scene.joints, [](const scene::SceneJoint& joint) { return joint.name == "key-5"; });
   ASSERT_NE(key, stage.scene.joints.end());
   EXPECT_NEAR(moved_by(stage, *key, 4), key->upper, 0.0006);  // N; limits are soft
   EXPECT_LT(moved_by(stage, *key, 1), 0.7 * double(key->upper));
@@ -241,7 +245,7 @@ TEST(Articulation, AButtonGivesWayToAFingerAndComesBack) {
 }
 
 TEST(Articulation, ABeltIsABodyThatStandsStillAndSaysHowItRuns) {
-  const FixtureKind* kind = committed_catalog().fixture_kind("checkout_lane");
+  const catalog::FixtureKind* kind = committed_catalog().fixture_kind("checkout_lane");
   ASSERT_NE(kind, nullptr);
   const Stage stage = stage_of(*kind);
   const mjModel& model = *stage.model;
@@ -260,42 +264,42 @@ TEST(Articulation, ABeltIsABodyThatStandsStillAndSaysHowItRuns) {
 }
 
 TEST(Articulation, StillFixturesHaveNoBodies) {
-  const FixtureKind* kind = committed_catalog().fixture_kind("glass_door_cooler");
+  const catalog::FixtureKind* kind = committed_catalog().fixture_kind("glass_door_cooler");
   ASSERT_NE(kind, nullptr);
-  const Result<Scene> scene = stage_fixture(*kind, committed_catalog());
+  const Result<scene::Scene> scene = scene::stage_fixture(*kind, committed_catalog());
   ASSERT_TRUE(scene.ok());
-  ExportOptions still;
+  exporters::ExportOptions still;
   still.still_fixtures = true;
-  const Result<ExportFiles> text = write_mjcf(*scene, still);
+  const Result<exporters::ExportFiles> text = exporters::write_mjcf(*scene, still);
   ASSERT_TRUE(text.ok());
   EXPECT_EQ(text->main.find("<body"), std::string::npos);
   EXPECT_EQ(text->main.find("<joint"), std::string::npos);
 }
 
 TEST(Articulation, TheReaderFindsAJointThatIsNotAsItShouldBe) {
-  const FixtureKind* kind = committed_catalog().fixture_kind("checkout_lane");
+  const catalog::FixtureKind* kind = committed_catalog().fixture_kind("checkout_lane");
   ASSERT_NE(kind, nullptr);
-  Result<Scene> scene = stage_fixture(*kind, committed_catalog());
+  Result<scene::Scene> scene = scene::stage_fixture(*kind, committed_catalog());
   ASSERT_TRUE(scene.ok());
   const std::filesystem::path file = std::filesystem::temp_directory_path() /
                                      ("articulation-" + std::to_string(getpid()) + ".xml");
-  ASSERT_TRUE(export_scene(*scene, "mjcf", file).ok());
-  const Result<ExportSummary> same = check_export(*scene, "mjcf", file);
+  ASSERT_TRUE(exporters::export_scene(*scene, "mjcf", file).ok());
+  const Result<exporters::ExportSummary> same = exporters::check_export(*scene, "mjcf", file);
   ASSERT_TRUE(same.ok()) << to_string(same.error());
   EXPECT_EQ(same->joints, scene->joints.size());
 
   const auto message_after = [&](auto change) {
-    Scene other = *scene;
+    scene::Scene other = *scene;
     change(other.joints.front());
-    const Result<ExportSummary> differs = check_export(other, "mjcf", file);
+    const Result<exporters::ExportSummary> differs = exporters::check_export(other, "mjcf", file);
     return differs.ok() ? std::string() : differs.error().message;
   };
   const std::string name = scene->joints.front().name;
   for (const std::string& message :
-       {message_after([](SceneJoint& j) { j.upper += 0.01F; }),
-        message_after([](SceneJoint& j) { j.position_m[2] += 0.001F; }),
-        message_after([](SceneJoint& j) { j.mass_kg *= 1.01F; }),
-        message_after([](SceneJoint& j) { j.name += "-other"; })}) {
+       {message_after([](scene::SceneJoint& j) { j.upper += 0.01F; }),
+        message_after([](scene::SceneJoint& j) { j.position_m[2] += 0.001F; }),
+        message_after([](scene::SceneJoint& j) { j.mass_kg *= 1.01F; }),
+        message_after([](scene::SceneJoint& j) { j.name += "-other"; })}) {
     EXPECT_NE(message.find("checkout_lane/" + name), std::string::npos) << message;
   }
   std::filesystem::remove(file);

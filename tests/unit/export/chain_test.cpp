@@ -40,39 +40,39 @@ class Chain : public testing::TestWithParam<std::size_t> {
   }
   ~Chain() override { fs::remove_all(folder_); }
 
-  void expect_file(const Scene& scene) const {
-    const std::string bytes = encode_scene(scene);
-    const auto read = decode_scene(std::as_bytes(std::span(bytes)), "scene.bin");
+  void expect_file(const scene::Scene& scene) const {
+    const std::string bytes = scene::encode_scene(scene);
+    const auto read = scene::decode_scene(std::as_bytes(std::span(bytes)), "scene.bin");
     ASSERT_TRUE(read.ok()) << to_string(read.error());
-    EXPECT_EQ(scene_hash(*read), scene_hash(scene));
-    EXPECT_EQ(look_hash(*read), look_hash(scene));
+    EXPECT_EQ(scene::scene_hash(*read), scene::scene_hash(scene));
+    EXPECT_EQ(scene::look_hash(*read), scene::look_hash(scene));
   }
 
-  void expect_exports(const Scene& scene) const {
-    for (const ExportFormat& format : export_formats()) {
+  void expect_exports(const scene::Scene& scene) const {
+    for (const exporters::ExportFormat& format : exporters::export_formats()) {
       const fs::path file = folder_ / ("shop" + std::string(format.extension));
-      const auto written = export_scene(scene, format.name, file);
+      const auto written = exporters::export_scene(scene, format.name, file);
       ASSERT_TRUE(written.ok()) << format.name << ": " << to_string(written.error());
-      const auto read = check_export(scene, format.name, file);
+      const auto read = exporters::check_export(scene, format.name, file);
       EXPECT_TRUE(read.ok()) << format.name << ": " << to_string(read.error());
     }
   }
 
-  void expect_picture(const Scene& scene) const {
+  void expect_picture(const scene::Scene& scene) const {
     const auto renderer =
-        Renderer::create(scene, silent_progress(), {.print = PrintDetail::distant});
+        render::Renderer::create(scene, silent_progress(), {.print = render::PrintDetail::distant});
     ASSERT_TRUE(renderer.ok()) << to_string(renderer.error());
-    const auto camera = camera_named(scene, "top", 48, 32);
+    const auto camera = render::camera_named(scene, "top", 48, 32);
     ASSERT_TRUE(camera.ok()) << to_string(camera.error());
-    RenderOptions options;
-    options.quality = Quality::fast;
+    render::RenderOptions options;
+    options.quality = render::Quality::fast;
     options.hide_ceiling = true;
     const auto frame = (*renderer)->render(*camera, options, silent_progress());
     EXPECT_TRUE(frame.ok()) << to_string(frame.error());
   }
 
-  void expect_world(const Scene& scene) const {
-    auto world = World::create(scene, {});
+  void expect_world(const scene::Scene& scene) const {
+    auto world = physics::World::create(scene, {});
     ASSERT_TRUE(world.ok()) << to_string(world.error());
     const auto first = static_cast<std::uint32_t>(scene.products.size() / 2);
     EXPECT_EQ(world->wake(first).ok(), !scene.products.empty());
@@ -80,15 +80,15 @@ class Chain : public testing::TestWithParam<std::size_t> {
   }
 
   // Whether the plan has a layout; all that follows from one must hold.
-  bool run(const Plan& plan, std::uint64_t seed) const {
-    const auto layout = make_layout(plan, committed_catalog(), Seed(seed));
+  bool run(const plan::Plan& plan, std::uint64_t seed) const {
+    const auto layout = layout::make_layout(plan, committed_catalog(), Seed(seed));
     if (!layout.ok()) {  // or a module has measures with which its kind cannot be built
       const bool module = layout.error().where.find("/fixture/") != std::string::npos;
       EXPECT_EQ(layout.error().code, module ? "plan.bad_value" : "layout.impossible")
           << to_string(layout.error());
       return false;
     }
-    const auto scene = build_scene(*layout, plan, committed_catalog(), Seed(seed));
+    const auto scene = scene::build_scene(*layout, plan, committed_catalog(), Seed(seed));
     EXPECT_TRUE(scene.ok()) << to_string(scene.error());
     if (!scene.ok()) return false;
     expect_file(*scene);
@@ -109,8 +109,8 @@ TEST_P(Chain, TakesEveryValueOfAPlan) {
   std::size_t made = 0;
   for (std::size_t i = 0; i < rounds; ++i) {
     const std::size_t round = (GetParam() * rounds + i) * apart;
-    const Plan plan = sampler.plan(round);
-    SCOPED_TRACE("round " + std::to_string(round) + ": " + write_json_line(plan));
+    const plan::Plan plan = sampler.plan(round);
+    SCOPED_TRACE("round " + std::to_string(round) + ": " + io::write_json_line(plan));
     made += run(plan, round) ? 1 : 0;
     if (HasFailure()) break;
   }
@@ -123,15 +123,15 @@ INSTANTIATE_TEST_SUITE_P(, Chain, testing::Range<std::size_t>(0, parts), [](cons
 
 // Glass all around: materials that are rare enough for samples to miss them.
 TEST_P(Chain, RoomsOfGlass) {
-  const std::vector<MaterialRow>& rows = committed_catalog().materials;
+  const std::vector<catalog::MaterialRow>& rows = committed_catalog().materials;
   std::vector<std::string> clear;
-  for (const MaterialRow& row : rows) {
+  for (const catalog::MaterialRow& row : rows) {
     if (row.transmission > 0) clear.push_back(row.id);
   }
   ASSERT_GE(clear.size(), 3U);
   for (std::size_t i = GetParam(); i < clear.size(); i += parts) {
     SCOPED_TRACE(clear[i]);
-    Plan plan = sampled_shop();
+    plan::Plan plan = sampled_shop();
     plan.look.floor = plan.look.wall = plan.look.ceiling = plan.look.fixture = clear[i];
     EXPECT_TRUE(run(plan, i));
   }

@@ -13,7 +13,7 @@ namespace marketgen {
 namespace {
 namespace fs = std::filesystem;
 
-Scene stocked_scene() {
+scene::Scene stocked_scene() {
   HandMadeScene made;
   made.stock();
   const float half_turn = 0.5F;  // of a quarter: the item is turned by 60 degrees
@@ -23,7 +23,7 @@ Scene stocked_scene() {
   return made.scene;
 }
 
-class EveryFormat : public testing::TestWithParam<ExportFormat> {
+class EveryFormat : public testing::TestWithParam<exporters::ExportFormat> {
  protected:
   EveryFormat() {
     folder_ = fs::temp_directory_path() /
@@ -40,10 +40,11 @@ class EveryFormat : public testing::TestWithParam<ExportFormat> {
 };
 
 TEST_P(EveryFormat, ReadsBackAsTheSameScene) {
-  const Scene scene = stocked_scene();
-  const Result<void> written = export_scene(scene, GetParam().name, file());
+  const scene::Scene scene = stocked_scene();
+  const Result<void> written = exporters::export_scene(scene, GetParam().name, file());
   ASSERT_TRUE(written.ok()) << to_string(written.error());
-  const Result<ExportSummary> summary = check_export(scene, GetParam().name, file());
+  const Result<exporters::ExportSummary> summary =
+      exporters::check_export(scene, GetParam().name, file());
   ASSERT_TRUE(summary.ok()) << to_string(summary.error());
   EXPECT_EQ(summary->fixtures, 1U);
   EXPECT_EQ(summary->products, 9U);
@@ -57,16 +58,17 @@ TEST_P(EveryFormat, ReadsBackAsTheSameScene) {
 }
 
 TEST_P(EveryFormat, SameSceneSameBytes) {
-  ASSERT_TRUE(export_scene(stocked_scene(), GetParam().name, file("a")).ok());
-  ASSERT_TRUE(export_scene(stocked_scene(), GetParam().name, file("b")).ok());
-  EXPECT_EQ(*read_file(file("a")), *read_file(file("b")));
+  ASSERT_TRUE(exporters::export_scene(stocked_scene(), GetParam().name, file("a")).ok());
+  ASSERT_TRUE(exporters::export_scene(stocked_scene(), GetParam().name, file("b")).ok());
+  EXPECT_EQ(*io::read_file(file("a")), *io::read_file(file("b")));
 }
 
 TEST_P(EveryFormat, NoticesAnItemThatMovedByAMillimetre) {
-  Scene scene = stocked_scene();
-  ASSERT_TRUE(export_scene(scene, GetParam().name, file()).ok());
+  scene::Scene scene = stocked_scene();
+  ASSERT_TRUE(exporters::export_scene(scene, GetParam().name, file()).ok());
   scene.products[4].position_m[1] += 0.001F;
-  const Result<ExportSummary> summary = check_export(scene, GetParam().name, file());
+  const Result<exporters::ExportSummary> summary =
+      exporters::check_export(scene, GetParam().name, file());
   ASSERT_FALSE(summary.ok());
   EXPECT_EQ(summary.error().code, "export.mismatch");
   EXPECT_NE(summary.error().message.find("dry/run-1/module-1/level-0/facing-4/item-0"),
@@ -75,54 +77,62 @@ TEST_P(EveryFormat, NoticesAnItemThatMovedByAMillimetre) {
 }
 
 TEST_P(EveryFormat, NoticesAMissingAndAnExchangedItem) {
-  const Scene scene = stocked_scene();
-  ASSERT_TRUE(export_scene(scene, GetParam().name, file()).ok());
-  Scene fewer = scene;
+  const scene::Scene scene = stocked_scene();
+  ASSERT_TRUE(exporters::export_scene(scene, GetParam().name, file()).ok());
+  scene::Scene fewer = scene;
   fewer.products.pop_back();
-  EXPECT_EQ(check_export(fewer, GetParam().name, file()).error().code, "export.mismatch");
-  Scene exchanged = scene;
+  EXPECT_EQ(exporters::check_export(fewer, GetParam().name, file()).error().code,
+            "export.mismatch");
+  scene::Scene exchanged = scene;
   exchanged.catalog[0].sku = "box-other";
-  EXPECT_EQ(check_export(exchanged, GetParam().name, file()).error().code, "export.mismatch");
+  EXPECT_EQ(exporters::check_export(exchanged, GetParam().name, file()).error().code,
+            "export.mismatch");
 }
 
 TEST_P(EveryFormat, NoticesAnotherRoomAndAnotherFixture) {
-  const Scene scene = stocked_scene();
-  ASSERT_TRUE(export_scene(scene, GetParam().name, file()).ok());
-  Scene higher = scene;
+  const scene::Scene scene = stocked_scene();
+  ASSERT_TRUE(exporters::export_scene(scene, GetParam().name, file()).ok());
+  scene::Scene higher = scene;
   higher.layout.shell.ceiling_mm += 100;
-  EXPECT_NE(check_export(higher, GetParam().name, file()).error().message.find("along z"),
-            std::string::npos);
-  Scene renamed = scene;
+  EXPECT_NE(
+      exporters::check_export(higher, GetParam().name, file()).error().message.find("along z"),
+      std::string::npos);
+  scene::Scene renamed = scene;
   renamed.layout.fixtures[0].id = "dry/run-1/module-2";
-  EXPECT_NE(check_export(renamed, GetParam().name, file()).error().message.find("module-2"),
-            std::string::npos);
+  EXPECT_NE(
+      exporters::check_export(renamed, GetParam().name, file()).error().message.find("module-2"),
+      std::string::npos);
 }
 
 TEST_P(EveryFormat, AnEmptyShopIsExportedToo) {
-  const Scene scene = HandMadeScene().scene;
-  ASSERT_TRUE(export_scene(scene, GetParam().name, file()).ok());
-  const Result<ExportSummary> summary = check_export(scene, GetParam().name, file());
+  const scene::Scene scene = HandMadeScene().scene;
+  ASSERT_TRUE(exporters::export_scene(scene, GetParam().name, file()).ok());
+  const Result<exporters::ExportSummary> summary =
+      exporters::check_export(scene, GetParam().name, file());
   ASSERT_TRUE(summary.ok()) << to_string(summary.error());
   EXPECT_EQ(summary->products, 0U);
 }
 
 TEST_P(EveryFormat, ADamagedFileIsAnErrorWhereverItIsCut) {
-  const Scene scene = stocked_scene();
-  ASSERT_TRUE(export_scene(scene, GetParam().name, file()).ok());
-  const std::string bytes = *read_file(file());
+  const scene::Scene scene = stocked_scene();
+  ASSERT_TRUE(exporters::export_scene(scene, GetParam().name, file()).ok());
+  const std::string bytes = *io::read_file(file());
   for (const double share : {0.0, 0.0005, 0.1, 0.5, 0.95, 0.999}) {
     const auto kept = static_cast<std::size_t>(share * static_cast<double>(bytes.size()));
-    ASSERT_TRUE(write_file(file("cut"), bytes.substr(0, kept)).ok());
-    const Result<ExportSummary> summary = check_export(scene, GetParam().name, file("cut"));
+    ASSERT_TRUE(io::write_file(file("cut"), bytes.substr(0, kept)).ok());
+    const Result<exporters::ExportSummary> summary =
+        exporters::check_export(scene, GetParam().name, file("cut"));
     ASSERT_FALSE(summary.ok()) << "cut after " << kept << " bytes";
     EXPECT_EQ(summary.error().code, "export.mismatch");
   }
 }
 
 TEST_P(EveryFormat, AMissingFileAndAnUnwritablePlaceAreErrors) {
-  const Scene scene = stocked_scene();
-  EXPECT_EQ(check_export(scene, GetParam().name, file("none")).error().code, "input.not_found");
-  const Result<void> written = export_scene(scene, GetParam().name, "/proc/no-such-folder/shop");
+  const scene::Scene scene = stocked_scene();
+  EXPECT_EQ(exporters::check_export(scene, GetParam().name, file("none")).error().code,
+            "input.not_found");
+  const Result<void> written =
+      exporters::export_scene(scene, GetParam().name, "/proc/no-such-folder/shop");
   ASSERT_FALSE(written.ok());
   EXPECT_EQ(written.error().code, "io.cannot_write");
   EXPECT_TRUE(fs::is_empty(folder_)) << "nothing may be left half-written";
@@ -130,16 +140,18 @@ TEST_P(EveryFormat, AMissingFileAndAnUnwritablePlaceAreErrors) {
 
 INSTANTIATE_TEST_SUITE_P(Formats,
                          EveryFormat,
-                         testing::ValuesIn(export_formats()),
+                         testing::ValuesIn(exporters::export_formats()),
                          [](const auto& format) { return std::string(format.param.name); });
 
 TEST(Export, AnUnknownFormatNamesTheNearest) {
-  const Result<void> written = export_scene(stocked_scene(), "mjfc", "/tmp/never-written.xml");
+  const Result<void> written =
+      exporters::export_scene(stocked_scene(), "mjfc", "/tmp/never-written.xml");
   ASSERT_FALSE(written.ok());
   EXPECT_EQ(written.error().code, "export.unknown_format");
   EXPECT_NE(written.error().message.find("did you mean \"mjcf\"?"), std::string::npos)
       << written.error().message;
-  EXPECT_EQ(check_export(stocked_scene(), "usd", "/tmp/x").error().code, "export.unknown_format");
+  EXPECT_EQ(exporters::check_export(stocked_scene(), "usd", "/tmp/x").error().code,
+            "export.unknown_format");
 }
 
 }  // namespace

@@ -20,8 +20,8 @@ class Glb : public testing::Test {
   Glb() { made_.stock(); }
   ~Glb() override { fs::remove(file_); }
 
-  tinygltf::Model exported(const ExportOptions& options = {}) {
-    const Result<void> written = export_scene(made_.scene, "glb", file_, options);
+  tinygltf::Model exported(const exporters::ExportOptions& options = {}) {
+    const Result<void> written = exporters::export_scene(made_.scene, "glb", file_, options);
     EXPECT_TRUE(written.ok()) << (written.ok() ? "" : to_string(written.error()));
     tinygltf::Model model;
     std::string fault, warning;
@@ -36,11 +36,11 @@ class Glb : public testing::Test {
 };
 
 TEST_F(Glb, InstancedOneNodePerSkuIsDrawnAtEveryItemsPlace) {
-  ExportOptions options;
+  exporters::ExportOptions options;
   options.instanced = true;
   const tinygltf::Model model = exported(options);
   EXPECT_EQ(model.extensionsRequired, std::vector<std::string>{"EXT_mesh_gpu_instancing"});
-  EXPECT_TRUE(check_export(made_.scene, "glb", file_, options).ok());
+  EXPECT_TRUE(exporters::check_export(made_.scene, "glb", file_, options).ok());
   int instanced = 0;
   for (const tinygltf::Node& node : model.nodes) {
     if (node.name != "can-cola") continue;
@@ -72,10 +72,10 @@ TEST_F(Glb, LabelsAreEmbeddedPictures) {
 }
 
 // Gives the room a floor of tiles, so that a tiled material is in the file.
-void lay_tiles(Scene& scene) {
-  MaterialRow tiles;
+void lay_tiles(scene::Scene& scene) {
+  catalog::MaterialRow tiles;
   tiles.id = scene.layout.look.floor = "tile-test";
-  tiles.pattern = MaterialPattern::tiles;
+  tiles.pattern = catalog::MaterialPattern::tiles;
   tiles.roughness = 0.3;
   scene.materials.push_back(tiles);
 }
@@ -135,12 +135,12 @@ TEST_F(Glb, ByDefaultEveryItemIsANodeAndNoExtensionIsNeeded) {
   }
   EXPECT_EQ(names.size(), made_.scene.products.size());
   EXPECT_EQ(meshes.size(), 1U);  // five cans share it
-  EXPECT_TRUE(check_export(made_.scene, "glb", file_).ok());
+  EXPECT_TRUE(exporters::check_export(made_.scene, "glb", file_).ok());
 }
 
 // The same prints at the same places, whether instanced or merged into one mesh.
 TEST_F(Glb, PrintsOfOneDesignAreOneNode) {
-  const PriceLabel first = made_.scene.price_labels.front();
+  const scene::PriceLabel first = made_.scene.price_labels.front();
   for (int i = 1; i <= 3; ++i) {
     made_.scene.price_labels.push_back(first);
     made_.scene.price_labels.back().x_m += 0.1F * static_cast<float>(i);
@@ -153,10 +153,10 @@ TEST_F(Glb, PrintsOfOneDesignAreOneNode) {
     return model.accessors[static_cast<std::size_t>(positions)].count;
   };
   EXPECT_EQ(corners_of(exported()), 16U);
-  ExportOptions instanced;
+  exporters::ExportOptions instanced;
   instanced.instanced = true;
   EXPECT_EQ(corners_of(exported(instanced)), 4U);
-  EXPECT_TRUE(check_export(made_.scene, "glb", file_, instanced).ok());
+  EXPECT_TRUE(exporters::check_export(made_.scene, "glb", file_, instanced).ok());
 }
 
 TEST_F(Glb, PassesTheKhronosValidator) {
@@ -165,7 +165,7 @@ TEST_F(Glb, PassesTheKhronosValidator) {
     GTEST_SKIP() << "run tools/setup test";
   lay_tiles(made_.scene);
   for (const bool instanced : {false, true}) {
-    ExportOptions options;
+    exporters::ExportOptions options;
     options.instanced = instanced;
     exported(options);
     EXPECT_EQ(std::system(("node " + tool + " " + file_.string()).c_str()), 0);

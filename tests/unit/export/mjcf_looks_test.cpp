@@ -31,15 +31,15 @@ class MjcfFiles : public testing::Test {
 
   void put_robots(const std::vector<std::string>& texts) {
     for (const std::string& text : texts) {
-      const auto spec = parse_robot_spec(text, text);
+      const auto spec = robots::parse_robot_spec(text, text);
       ASSERT_TRUE(spec.ok()) << to_string(spec.error());
-      auto placed = place_robot(fs::path(MARKETGEN_SOURCE_DIR) / "data", *spec, text);
+      auto placed = robots::place_robot(fs::path(MARKETGEN_SOURCE_DIR) / "data", *spec, text);
       ASSERT_TRUE(placed.ok()) << to_string(placed.error());
       options_.robots.push_back(std::move(placed).value());
     }
   }
   void write() {
-    const Result<void> written = export_scene(made_.scene, "mjcf", file_, options_);
+    const Result<void> written = exporters::export_scene(made_.scene, "mjcf", file_, options_);
     ASSERT_TRUE(written.ok()) << to_string(written.error());
   }
   std::unique_ptr<mjModel, decltype(&mj_deleteModel)> load() const {
@@ -54,13 +54,14 @@ class MjcfFiles : public testing::Test {
   }
 
   HandMadeScene made_;
-  ExportOptions options_;
+  exporters::ExportOptions options_;
   fs::path folder_, file_ = folder_ / "shop.xml";
 };
 
 TEST_F(MjcfFiles, EveryProductHasAMeshWithAPictureThatTouchesNothing) {
   write();
-  const Result<ExportSummary> summary = check_export(made_.scene, "mjcf", file_, options_);
+  const Result<exporters::ExportSummary> summary =
+      exporters::check_export(made_.scene, "mjcf", file_, options_);
   ASSERT_TRUE(summary.ok()) << to_string(summary.error());
   EXPECT_EQ(summary->looks, made_.scene.products.size());
   EXPECT_TRUE(fs::exists(folder_ / "shop_assets/can-cola.png"));
@@ -71,7 +72,7 @@ TEST_F(MjcfFiles, EveryProductHasAMeshWithAPictureThatTouchesNothing) {
     if (model->geom_type[geom] != mjGEOM_MESH) continue;
     ++looks;
     EXPECT_EQ(model->geom_contype[geom] + model->geom_conaffinity[geom], 0);
-    EXPECT_EQ(model->geom_group[geom], group_product);
+    EXPECT_EQ(model->geom_group[geom], exporters::group_product);
     const int material = model->geom_matid[geom];
     ASSERT_GE(material, 0);
     EXPECT_GE(model->mat_texid[mjNTEXROLE * material + mjTEXROLE_RGB], 0);
@@ -82,11 +83,11 @@ TEST_F(MjcfFiles, EveryProductHasAMeshWithAPictureThatTouchesNothing) {
 
 TEST_F(MjcfFiles, AreTheSameBytesEachTimeAndMayBeMoved) {
   write();
-  const std::string picture = read_file(folder_ / "shop_assets/can-cola.png").value();
-  const std::string text = read_file(file_).value();
+  const std::string picture = io::read_file(folder_ / "shop_assets/can-cola.png").value();
+  const std::string text = io::read_file(file_).value();
   write();
-  EXPECT_EQ(read_file(folder_ / "shop_assets/can-cola.png").value(), picture);
-  EXPECT_EQ(read_file(file_).value(), text);
+  EXPECT_EQ(io::read_file(folder_ / "shop_assets/can-cola.png").value(), picture);
+  EXPECT_EQ(io::read_file(file_).value(), text);
   fs::create_directory(folder_ / "elsewhere");
   fs::rename(folder_ / "shop_assets", folder_ / "elsewhere/shop_assets");
   fs::rename(file_, folder_ / "elsewhere/shop.xml");
@@ -96,11 +97,13 @@ TEST_F(MjcfFiles, AreTheSameBytesEachTimeAndMayBeMoved) {
 
 TEST_F(MjcfFiles, TheCheckMissesWhatIsNotThere) {
   write();
-  ExportOptions without = options_;
+  exporters::ExportOptions without = options_;
   without.looks = false;
-  EXPECT_EQ(check_export(made_.scene, "mjcf", file_, without).error().code, "export.mismatch");
+  EXPECT_EQ(exporters::check_export(made_.scene, "mjcf", file_, without).error().code,
+            "export.mismatch");
   fs::remove(folder_ / "shop_assets/can-cola.png");
-  const Result<ExportSummary> summary = check_export(made_.scene, "mjcf", file_, options_);
+  const Result<exporters::ExportSummary> summary =
+      exporters::check_export(made_.scene, "mjcf", file_, options_);
   ASSERT_FALSE(summary.ok());
   EXPECT_NE(summary.error().message.find("can-cola.png"), std::string::npos)
       << summary.error().message;
@@ -115,7 +118,8 @@ TEST_F(MjcfFiles, PrimitivesAloneAreOneFile) {
 TEST_F(MjcfFiles, RobotsStandAndHoldWhereTheyWerePut) {
   put_robots({"panda-on-stand@3,1.2,90", "panda-on-stand@1.2,1.2", "realman-rm75@4.6,1.2,180"});
   write();
-  const Result<ExportSummary> summary = check_export(made_.scene, "mjcf", file_, options_);
+  const Result<exporters::ExportSummary> summary =
+      exporters::check_export(made_.scene, "mjcf", file_, options_);
   ASSERT_TRUE(summary.ok()) << to_string(summary.error());
   EXPECT_EQ(summary->robots, 3U);
   const auto model = load();
@@ -145,7 +149,7 @@ TEST_F(MjcfFiles, RobotsStandAndHoldWhereTheyWerePut) {
 
 // The label keeps its place at the top of the sheet; what is not printed shows its own swatch.
 TEST(MjcfLook, OneSheetHasTheLabelAndASwatchForEveryOtherSurface) {
-  ProductModel model;
+  assets::ProductModel model;
   model.surfaces = {{.texture = "label"}, {.color = {1, 0, 0}}, {.texture = "steel-test"}};
   const auto corner = model.mesh.add_vertex({0, 0, 0}, {0, -1, 0}, {1, 1});
   model.mesh.add_vertex({1, 0, 0}, {0, -1, 0}, {0, 0});
@@ -154,10 +158,10 @@ TEST(MjcfLook, OneSheetHasTheLabelAndASwatchForEveryOtherSurface) {
     model.mesh.add_triangle(corner, 1, 2, surface);
   Image label(40, 24);
   std::ranges::fill(label.pixels, std::uint8_t{90});
-  MaterialRow steel;
+  catalog::MaterialRow steel;
   steel.id = "steel-test";
   steel.color = "#0000ff";
-  const Result<SheetLook> look = sheet_look(model, label, {steel});
+  const Result<exporters::SheetLook> look = exporters::sheet_look(model, label, {steel});
   ASSERT_TRUE(look.ok()) << to_string(look.error());
   EXPECT_EQ(look->mesh.triangles.size(), 3U);
   EXPECT_EQ(look->mesh.positions.size(), 9U);  // each surface has its own corners

@@ -24,8 +24,8 @@ struct Loaded {
   int body(const char* name) const { return mj_name2id(model.get(), mjOBJ_BODY, name); }
 };
 
-Loaded load(const Scene& scene, const ExportOptions& options = {}) {
-  const Result<ExportFiles> text = write_mjcf(scene, options);
+Loaded load(const scene::Scene& scene, const exporters::ExportOptions& options = {}) {
+  const Result<exporters::ExportFiles> text = exporters::write_mjcf(scene, options);
   EXPECT_TRUE(text.ok()) << (text.ok() ? "" : to_string(text.error()));
   char fault[500] = "";
   mjSpec* spec = mj_parseXMLString(text->main.c_str(), nullptr, fault, sizeof fault);
@@ -58,7 +58,7 @@ TEST(Mjcf, GoodsInTheFreeRegionAreBodiesWithTheirMassAndFriction) {
   HandMadeScene made;
   made.add(can, {3, on_shelf_y, lower});
   made.add(cereal, {2.6F, on_shelf_y, upper});
-  ExportOptions options;
+  exporters::ExportOptions options;
   options.free_region_m = {2.9, 3, 3.5, 4};
   const Loaded m = load(made.scene, options);
   const int body = m.body(first_can);
@@ -75,7 +75,7 @@ TEST(Mjcf, GoodsInTheFreeRegionAreBodiesWithTheirMassAndFriction) {
 TEST(Mjcf, AFreeCanStaysWhereItStandsAndSlidesByItsOwnFriction) {
   HandMadeScene made;
   made.add(can, {3, on_shelf_y, lower});
-  ExportOptions options;
+  exporters::ExportOptions options;
   options.free_region_m = {0, 0, 6, 4};
   const Loaded m = load(made.scene, options);
   for (int i = 0; i < 500; ++i)
@@ -129,7 +129,7 @@ TEST(Mjcf, HasTheStandardCamerasAndAtMostEightLights) {
 TEST(Mjcf, SaysOnlyWhatAllItsReadersKnow) {
   HandMadeScene made;
   made.stock();
-  const auto files = write_mjcf(made.scene, {});
+  const auto files = exporters::write_mjcf(made.scene, {});
   ASSERT_TRUE(files.ok()) << to_string(files.error());
   const std::string& text = files->main;
   EXPECT_NE(text.find("<camera name=\"top\""), std::string::npos);
@@ -141,7 +141,7 @@ TEST(Mjcf, TheFlatViewsShowTheWholeFloorFromFarOff) {
   HandMadeScene made;
   made.stock();
   const Loaded m = load(made.scene);
-  const Camera flat = camera_named(made.scene, "top", 1280, 720).value();
+  const render::Camera flat = render::camera_named(made.scene, "top", 1280, 720).value();
   const int top = mj_name2id(m.model.get(), mjOBJ_CAMERA, "top");
   const double away = m.model->cam_pos[3 * top + 2] - flat.at.z;
   EXPECT_NEAR(2 * away * std::tan(m.model->cam_fovy[top] * 3.14159265358979 / 360),
@@ -152,9 +152,9 @@ TEST(Mjcf, TheFlatViewsShowTheWholeFloorFromFarOff) {
 
 TEST(Mjcf, FreeGoodsOnPegsHangFromASwitchableHook) {
   HandMadeScene made;
-  made.scene.shelves[1].use = ShelfUse::hang;
+  made.scene.shelves[1].use = assets::ShelfUse::hang;
   made.add(cereal, {3, 3.0F, 1.2F});
-  ExportOptions options;
+  exporters::ExportOptions options;
   options.free_region_m = {0, 0, 6, 4};
   const Loaded m = load(made.scene, options);
   const int body = m.body("dry/run-1/module-1/level-1/facing-0/item-0");
@@ -169,7 +169,7 @@ TEST(Mjcf, FreeGoodsOnPegsHangFromASwitchableHook) {
 }
 
 TEST(Mjcf, ATextWithMarkupInTheStoresNameIsEscaped) {  // "Corner & Co <test>"
-  const Result<ExportFiles> text = write_mjcf(HandMadeScene().scene, {});
+  const Result<exporters::ExportFiles> text = exporters::write_mjcf(HandMadeScene().scene, {});
   ASSERT_TRUE(text.ok());
   EXPECT_NE(text->main.find("model=\"Corner &amp; Co &lt;test&gt;\""), std::string::npos);
 }

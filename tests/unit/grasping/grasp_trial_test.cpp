@@ -13,26 +13,26 @@
 namespace marketgen {
 namespace {
 
-const Product& cola() {
+const catalog::Product& cola() {
   return *committed_catalog().product("beverages-cola-original-330ml");  // 66 mm, 115 mm high
 }
-const GoodsBody& cola_in(GraspSetting setting) {
-  static std::map<GraspSetting, SharedGoodsBody> made;
+const physics::GoodsBody& cola_in(grasping::GraspSetting setting) {
+  static std::map<grasping::GraspSetting, physics::SharedGoodsBody> made;
   const auto [found, first] = made.try_emplace(setting);
   if (first) {
-    auto body = goods_body(cola(), use_of(setting));
+    auto body = physics::goods_body(cola(), grasping::use_of(setting));
     if (!body.ok()) fatal(to_string(body.error()).c_str());
     found->second = std::move(body).value();
   }
   return *found->second;
 }
-const GoodsBody& cola_body() {
-  return cola_in(GraspSetting::free);
+const physics::GoodsBody& cola_body() {
+  return cola_in(grasping::GraspSetting::free);
 }
-const GraspTool& tool_row(const std::string& id) {
-  static std::map<std::string, GraspTool> tools;
+const robots::GraspTool& tool_row(const std::string& id) {
+  static std::map<std::string, robots::GraspTool> tools;
   if (!tools.contains(id)) {
-    auto tool = load_grasp_tool(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data", id);
+    auto tool = robots::load_grasp_tool(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data", id);
     if (!tool.ok()) fatal(to_string(tool.error()).c_str());
     tools.emplace(id, std::move(tool).value());
   }
@@ -40,30 +40,31 @@ const GraspTool& tool_row(const std::string& id) {
 }
 
 // From the front, level, with the pads' middle over the product's axis at that height.
-Grasp from_front(const GraspTool& tool, double height_m, double opening_m) {
+robots::Grasp from_front(const robots::GraspTool& tool, double height_m, double opening_m) {
   const Quaternion ahead = rotation_about({1, 0, 0}, -1.5707963267948966) *
                            rotation_about({0, 0, 1}, 1.5707963267948966);  // Z to +Y, Y to X
   const Vec3 at = Vec3{0, 0, height_m} - rotate(ahead, tool.pad_center);
   return {{at, ahead}, opening_m, tool.force_n};
 }
 
-GraspOutcome outcome_of(const GraspTrial& trial) {
-  const auto outcome = try_grasp(trial);
+grasping::GraspOutcome outcome_of(const grasping::GraspTrial& trial) {
+  const auto outcome = grasping::try_grasp(trial);
   if (!outcome.ok()) fatal(to_string(outcome.error()).c_str());
   return *outcome;
 }
 
 // The pads' closing direction is level and across the approach.
 TEST(GraspTrials, TheTestsOwnGraspIsLevel) {
-  const Grasp grasp = from_front(tool_row("panda-hand"), 0.06, 0.076);
+  const robots::Grasp grasp = from_front(tool_row("panda-hand"), 0.06, 0.076);
   EXPECT_NEAR(rotate(grasp.product_from_tool.rotation, {0, 0, 1}).y, 1, 1e-12);
   EXPECT_NEAR(std::abs(rotate(grasp.product_from_tool.rotation, {0, 1, 0}).x), 1, 1e-12);
 }
 
 TEST(GraspTrials, AGripperCarriesACanAndPutsItDown) {
   for (const char* id : {"panda-hand", "parallel-gripper"}) {
-    const GraspTool& tool = tool_row(id);
-    const GraspOutcome outcome = outcome_of({cola_body(), tool, from_front(tool, 0.06, 0.076)});
+    const robots::GraspTool& tool = tool_row(id);
+    const grasping::GraspOutcome outcome =
+        outcome_of({cola_body(), tool, from_front(tool, 0.06, 0.076)});
     EXPECT_EQ(name_of(outcome.end), "held") << id << " slip " << outcome.slip_m;
     EXPECT_LE(outcome.slip_m, 0.001) << id;
     EXPECT_NEAR(outcome.squeeze_n, tool.force_n, 0.25 * tool.force_n) << id;
@@ -71,93 +72,106 @@ TEST(GraspTrials, AGripperCarriesACanAndPutsItDown) {
 }
 
 TEST(GraspTrials, WithoutFrictionItIsDropped) {
-  const GraspTool& hand = tool_row("panda-hand");
-  const GraspOutcome outcome = outcome_of({cola_body(), hand, from_front(hand, 0.06, 0.076), 0.01});
+  const robots::GraspTool& hand = tool_row("panda-hand");
+  const grasping::GraspOutcome outcome =
+      outcome_of({cola_body(), hand, from_front(hand, 0.06, 0.076), 0.01});
   EXPECT_EQ(name_of(outcome.end), "dropped");
 }
 
 // 70 N at friction 0.5 bear 7.1 kg at rest.
 TEST(GraspTrials, WhatIsTooHeavyIsDropped) {
-  const GraspTool& hand = tool_row("panda-hand");
-  Product heavy = cola();
+  const robots::GraspTool& hand = tool_row("panda-hand");
+  catalog::Product heavy = cola();
   heavy.mass_kg = 9;
-  const SharedGoodsBody body = goods_body(heavy, GoodsUse::single).value();
-  const GraspOutcome outcome = outcome_of({*body, hand, from_front(hand, 0.06, 0.076)});
+  const physics::SharedGoodsBody body =
+      physics::goods_body(heavy, physics::GoodsUse::single).value();
+  const grasping::GraspOutcome outcome = outcome_of({*body, hand, from_front(hand, 0.06, 0.076)});
   EXPECT_NE(name_of(outcome.end), "held");
   EXPECT_NE(name_of(outcome.end), "unstable");
 }
 
 TEST(GraspTrials, BesideTheCanNothingIsHeld) {
-  const GraspTool& hand = tool_row("panda-hand");
-  Grasp beside = from_front(hand, 0.06, 0.076);
+  const robots::GraspTool& hand = tool_row("panda-hand");
+  robots::Grasp beside = from_front(hand, 0.06, 0.076);
   beside.product_from_tool.position.y -= 0.08;  // stops in front of it
   EXPECT_EQ(name_of(outcome_of({cola_body(), hand, beside}).end), "missed");
 }
 
 TEST(GraspTrials, ThroughTheTableItCollides) {
-  const GraspTool& hand = tool_row("panda-hand");
-  const GraspOutcome outcome = outcome_of({cola_body(), hand, from_front(hand, 0.015, 0.076)});
+  const robots::GraspTool& hand = tool_row("panda-hand");
+  const grasping::GraspOutcome outcome =
+      outcome_of({cola_body(), hand, from_front(hand, 0.015, 0.076)});
   EXPECT_EQ(name_of(outcome.end), "collided");
 }
 
 // The cup seals on the end of a can of 200 mm across, not on the side of a 66 mm can; what hangs on
 // it must be lighter than it pulls.
 TEST(GraspTrials, ACupHoldsWhatItSealsOnAndWhatItsPullBears) {
-  const GraspTool& cup = tool_row("suction-cup");
-  GoodsBody box = cola_body();
+  const robots::GraspTool& cup = tool_row("suction-cup");
+  physics::GoodsBody box = cola_body();
   box.product.size_mm = {100, 80, 100};
   box.product.mass_kg = 0.4;
   box.body = {};
-  box.body.pieces.push_back(
-      {.shape = PieceShape::box, .center = {0, 0, 0.05F}, .half_size = {0.05F, 0.04F, 0.05F}});
+  box.body.pieces.push_back({.shape = assets::PieceShape::box,
+                             .center = {0, 0, 0.05F},
+                             .half_size = {0.05F, 0.04F, 0.05F}});
   box.body.center_of_mass = {0, 0, 0.05F};
   box.body.inertia_kg_m2 = {0.0006F, 0.0007F, 0.0006F, 0, 0, 0};
-  const Grasp front{
+  const robots::Grasp front{
       {{0, -0.04, 0.055}, from_front(cup, 0, 0).product_from_tool.rotation}, 0, cup.force_n};
   EXPECT_EQ(name_of(outcome_of({box, cup, front}).end), "held");
 
-  GoodsBody heavy = box;
+  physics::GoodsBody heavy = box;
   heavy.product.mass_kg = 1.4;
   for (float& moment : heavy.body.inertia_kg_m2)
     moment *= 3.5F;
   EXPECT_EQ(name_of(outcome_of({heavy, cup, front}).end), "dropped");
 
-  const Grasp side{{{0, -0.033, 0.06}, front.product_from_tool.rotation}, 0, cup.force_n};
+  const robots::Grasp side{{{0, -0.033, 0.06}, front.product_from_tool.rotation}, 0, cup.force_n};
   EXPECT_EQ(name_of(outcome_of({cola_body(), cup, side}).end), "missed");
 }
 
 // With a finger's thickness beside it the can comes out clean; with its neighbours 2 to 8 mm away
 // an open hand pushes them.
 TEST(GraspTrials, NeighboursFeelTheFingers) {
-  const GraspTool& hand = tool_row("panda-hand");
-  const Grasp grasp = from_front(hand, 0.06, 0.074);
-  const GraspOutcome apart =
-      outcome_of({cola_in(GraspSetting::spaced), hand, grasp, 0.5, GraspSetting::spaced, Seed(3)});
+  const robots::GraspTool& hand = tool_row("panda-hand");
+  const robots::Grasp grasp = from_front(hand, 0.06, 0.074);
+  const grasping::GraspOutcome apart = outcome_of({cola_in(grasping::GraspSetting::spaced),
+                                                   hand,
+                                                   grasp,
+                                                   0.5,
+                                                   grasping::GraspSetting::spaced,
+                                                   Seed(3)});
   EXPECT_EQ(name_of(apart.end), "held");
   EXPECT_LT(apart.neighbour_n, 5);
-  const GraspOutcome close = outcome_of(
-      {cola_in(GraspSetting::stocked), hand, grasp, 0.5, GraspSetting::stocked, Seed(3)});
+  const grasping::GraspOutcome close = outcome_of({cola_in(grasping::GraspSetting::stocked),
+                                                   hand,
+                                                   grasp,
+                                                   0.5,
+                                                   grasping::GraspSetting::stocked,
+                                                   Seed(3)});
   EXPECT_GT(close.neighbour_n, apart.neighbour_n);
 }
 
 // Straight down, closing along the basket's long side, with the pads' middle so far under the top.
-Grasp from_above(const GraspTool& tool, double opening_m) {
+robots::Grasp from_above(const robots::GraspTool& tool, double opening_m) {
   const Quaternion down = rotation_about({1, 0, 0}, 3.141592653589793);
   const Vec3 at = Vec3{0, 0, cola().height_m() - 0.025} - rotate(down, tool.pad_center);
   return {{at, down}, opening_m, tool.force_n};
 }
 
 TEST(GraspTrials, OutOfABasketFromAbove) {
-  const BasketOfLikes basket{checkout_basket, {{{0, 0, 0}, {}}, {{0.08, 0.12, 0}, {}}}};
+  const grasping::BasketOfLikes basket{physics::checkout_basket,
+                                       {{{0, 0, 0}, {}}, {{0.08, 0.12, 0}, {}}}};
   for (const char* id : {"panda-hand", "parallel-gripper"}) {
-    const GraspTool& tool = tool_row(id);
-    const GraspOutcome outcome = outcome_of({cola_in(GraspSetting::basket),
-                                             tool,
-                                             from_above(tool, 0.076),
-                                             0.5,
-                                             GraspSetting::basket,
-                                             Seed(1),
-                                             &basket});
+    const robots::GraspTool& tool = tool_row(id);
+    const grasping::GraspOutcome outcome = outcome_of({cola_in(grasping::GraspSetting::basket),
+                                                       tool,
+                                                       from_above(tool, 0.076),
+                                                       0.5,
+                                                       grasping::GraspSetting::basket,
+                                                       Seed(1),
+                                                       &basket});
     EXPECT_EQ(name_of(outcome.end), "held") << id << " slip " << outcome.slip_m;
     EXPECT_LT(outcome.neighbour_n, 1) << id;
   }
@@ -165,28 +179,28 @@ TEST(GraspTrials, OutOfABasketFromAbove) {
 
 // The can stands by the wall behind which the hand would have to be.
 TEST(GraspTrials, ThroughTheBasketsWallItCollides) {
-  const GraspTool& hand = tool_row("panda-hand");
-  const BasketOfLikes basket{checkout_basket, {{{0, -0.14, 0}, {}}}};
-  const GraspTrial trial{cola_in(GraspSetting::basket),
-                         hand,
-                         from_front(hand, 0.08, 0.076),
-                         0.5,
-                         GraspSetting::basket,
-                         Seed(1),
-                         &basket};
+  const robots::GraspTool& hand = tool_row("panda-hand");
+  const grasping::BasketOfLikes basket{physics::checkout_basket, {{{0, -0.14, 0}, {}}}};
+  const grasping::GraspTrial trial{cola_in(grasping::GraspSetting::basket),
+                                   hand,
+                                   from_front(hand, 0.08, 0.076),
+                                   0.5,
+                                   grasping::GraspSetting::basket,
+                                   Seed(1),
+                                   &basket};
   EXPECT_EQ(name_of(outcome_of(trial).end), "collided");
   // Without the wall it is a good grasp.
   EXPECT_EQ(name_of(outcome_of({cola_body(), hand, trial.grasp}).end), "held");
 }
 
 TEST(GraspTrials, APackThatDoesNotLieStillInTheBasketIsNotTried) {
-  const GraspTool& hand = tool_row("panda-hand");
-  const BasketOfLikes basket{checkout_basket, {{{0, 0, 0.3}, {}}}};  // it falls
-  EXPECT_EQ(name_of(outcome_of({cola_in(GraspSetting::basket),
+  const robots::GraspTool& hand = tool_row("panda-hand");
+  const grasping::BasketOfLikes basket{physics::checkout_basket, {{{0, 0, 0.3}, {}}}};  // it falls
+  EXPECT_EQ(name_of(outcome_of({cola_in(grasping::GraspSetting::basket),
                                 hand,
                                 from_above(hand, 0.076),
                                 0.5,
-                                GraspSetting::basket,
+                                grasping::GraspSetting::basket,
                                 Seed(1),
                                 &basket})
                         .end),
@@ -194,41 +208,42 @@ TEST(GraspTrials, APackThatDoesNotLieStillInTheBasketIsNotTried) {
 }
 
 TEST(GraspTrials, TheSameSeedIsTheSameToTheBit) {
-  const GraspTool& hand = tool_row("panda-hand");
-  const GraspTrial trial{cola_body(), hand, from_front(hand, 0.06, 0.076)};
-  const GraspOutcome once = outcome_of(trial), again = outcome_of(trial);
+  const robots::GraspTool& hand = tool_row("panda-hand");
+  const grasping::GraspTrial trial{cola_body(), hand, from_front(hand, 0.06, 0.076)};
+  const grasping::GraspOutcome once = outcome_of(trial), again = outcome_of(trial);
   EXPECT_EQ(once.slip_m, again.slip_m);
   EXPECT_EQ(once.turned_rad, again.turned_rad);
   EXPECT_EQ(once.squeeze_n, again.squeeze_n);
 }
 
 TEST(GraspTrials, WhatCannotBeTriedIsAnError) {
-  const GraspTool& hand = tool_row("panda-hand");
-  const auto code_of = [&](const GoodsBody& goods, const Grasp& grasp) {
-    const auto outcome = try_grasp({goods, hand, grasp});
+  const robots::GraspTool& hand = tool_row("panda-hand");
+  const auto code_of = [&](const physics::GoodsBody& goods, const robots::Grasp& grasp) {
+    const auto outcome = grasping::try_grasp({goods, hand, grasp});
     return outcome.ok() ? std::string() : outcome.error().code;
   };
-  GoodsBody weightless = cola_body();
+  physics::GoodsBody weightless = cola_body();
   weightless.product.mass_kg = 0;
   EXPECT_EQ(code_of(weightless, from_front(hand, 0.06, 0.07)), "catalog.bad_row");
   EXPECT_EQ(code_of(cola_body(), from_front(hand, 0.06, 0.09)), "motion.bad_configuration");
-  Grasp strong = from_front(hand, 0.06, 0.07);
+  robots::Grasp strong = from_front(hand, 0.06, 0.07);
   strong.force_n = 200;
   EXPECT_EQ(code_of(cola_body(), strong), "motion.bad_configuration");
 
-  const auto code_in = [&](const BasketOfLikes* basket) {
-    const auto outcome = try_grasp({cola_in(GraspSetting::basket),
-                                    hand,
-                                    from_above(hand, 0.07),
-                                    0.5,
-                                    GraspSetting::basket,
-                                    Seed(1),
-                                    basket});
+  const auto code_in = [&](const grasping::BasketOfLikes* basket) {
+    const auto outcome = grasping::try_grasp({cola_in(grasping::GraspSetting::basket),
+                                              hand,
+                                              from_above(hand, 0.07),
+                                              0.5,
+                                              grasping::GraspSetting::basket,
+                                              Seed(1),
+                                              basket});
     return outcome.ok() ? std::string() : outcome.error().code;
   };
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  const BasketOfLikes empty{checkout_basket, {}}, nowhere{checkout_basket, {{{nan, 0, 0}, {}}}};
-  BasketOfLikes broken{checkout_basket, {{}}};
+  const grasping::BasketOfLikes empty{physics::checkout_basket, {}},
+      nowhere{physics::checkout_basket, {{{nan, 0, 0}, {}}}};
+  grasping::BasketOfLikes broken{physics::checkout_basket, {{}}};
   broken.container.top_x_m = nan;
   EXPECT_EQ(code_in(nullptr), "motion.bad_configuration");
   EXPECT_EQ(code_in(&empty), "motion.bad_configuration");

@@ -4,15 +4,15 @@
 namespace marketgen {
 namespace {
 
-Error refusal(const Brief& brief) {
-  const auto planner = make_planner("offline");
+Error refusal(const intake::Brief& brief) {
+  const auto planner = intake::make_planner("offline");
   if (!planner.ok()) fatal(to_string(planner.error()).c_str());
-  const auto planned = plan_from_brief(brief, committed_catalog(), **planner, Seed(1));
+  const auto planned = intake::plan_from_brief(brief, committed_catalog(), **planner, Seed(1));
   return planned.ok() ? Error{"", "", "it was planned"} : planned.error();
 }
 
-Brief brief_of(std::string prompt) {
-  Brief brief;
+intake::Brief brief_of(std::string prompt) {
+  intake::Brief brief;
   brief.prompt = std::move(prompt);
   return brief;
 }
@@ -34,7 +34,7 @@ TEST(Brief, NamesTheFirstByteThatIsNotUtf8) {
 }
 
 TEST(Brief, SizesMustBeBuildable) {
-  Brief brief = brief_of("a shop");
+  intake::Brief brief = brief_of("a shop");
   brief.size_mm = {{3000, 9000}};
   EXPECT_EQ(refusal(brief).code, "brief.bad_size");
   EXPECT_EQ(refusal(brief).where, "--size");
@@ -44,7 +44,7 @@ TEST(Brief, SizesMustBeBuildable) {
 }
 
 TEST(Brief, UnknownProfileAndStyleAreNamedWithTheNearest) {
-  Brief brief = brief_of("a shop");
+  intake::Brief brief = brief_of("a shop");
   brief.profile = "supermarket-ue";
   EXPECT_EQ(refusal(brief).code, "catalog.unknown_kind");
   EXPECT_NE(refusal(brief).message.find("supermarket-eu"), std::string::npos);
@@ -55,29 +55,29 @@ TEST(Brief, UnknownProfileAndStyleAreNamedWithTheNearest) {
 }
 
 TEST(Brief, PicturesAreNotReadYet) {
-  Brief brief = brief_of("a shop");
+  intake::Brief brief = brief_of("a shop");
   brief.image_files = {"sketch.png"};
   EXPECT_EQ(refusal(brief).code, "usage.unavailable");
 }
 
 TEST(Planners, OnlyTheOfflineOneIsHere) {
-  EXPECT_TRUE(make_planner("offline").ok());
+  EXPECT_TRUE(intake::make_planner("offline").ok());
   for (const char* later :
        {"openai:gpt-9", "anthropic:x", "gemini:y", "qwen:z", "http:h,m", "replay:f"}) {
-    EXPECT_EQ(make_planner(later).error().code, "usage.unavailable") << later;
+    EXPECT_EQ(intake::make_planner(later).error().code, "usage.unavailable") << later;
   }
-  EXPECT_EQ(make_planner("oflline").error().code, "usage.bad_flag");
-  EXPECT_NE(make_planner("oflline").error().message.find("\"offline\""), std::string::npos);
+  EXPECT_EQ(intake::make_planner("oflline").error().code, "usage.bad_flag");
+  EXPECT_NE(intake::make_planner("oflline").error().message.find("\"offline\""), std::string::npos);
 }
 
 TEST(ParseSize, ReadsWhatFlagsSay) {
   using Size = std::array<int, 2>;
-  EXPECT_EQ(*parse_size("24x15m", "--size"), (Size{24000, 15000}));
-  EXPECT_EQ(*parse_size("24 x 15 m", "--size"), (Size{24000, 15000}));
-  EXPECT_EQ(*parse_size("40m x 25m", "--size"), (Size{40000, 25000}));
-  EXPECT_EQ(*parse_size("80x50ft", "--size"), (Size{24384, 15240}));
-  EXPECT_EQ(*parse_size("12.5x9", "--size"), (Size{12500, 9000}));
-  EXPECT_EQ(*parse_size("24000x15000mm", "--size"), (Size{24000, 15000}));
+  EXPECT_EQ(*intake::parse_size("24x15m", "--size"), (Size{24000, 15000}));
+  EXPECT_EQ(*intake::parse_size("24 x 15 m", "--size"), (Size{24000, 15000}));
+  EXPECT_EQ(*intake::parse_size("40m x 25m", "--size"), (Size{40000, 25000}));
+  EXPECT_EQ(*intake::parse_size("80x50ft", "--size"), (Size{24384, 15240}));
+  EXPECT_EQ(*intake::parse_size("12.5x9", "--size"), (Size{12500, 9000}));
+  EXPECT_EQ(*intake::parse_size("24000x15000mm", "--size"), (Size{24000, 15000}));
 }
 
 TEST(ParseSize, RefusesTheRest) {
@@ -92,7 +92,7 @@ TEST(ParseSize, RefusesTheRest) {
                           "24x900m",
                           "-24x15m",
                           "24x15m please"}) {
-    const auto size = parse_size(bad, "--size");
+    const auto size = intake::parse_size(bad, "--size");
     ASSERT_FALSE(size.ok()) << bad;
     EXPECT_EQ(size.error().code, "brief.bad_size") << bad;
     EXPECT_EQ(size.error().where, "--size");

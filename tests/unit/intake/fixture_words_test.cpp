@@ -5,8 +5,8 @@
 namespace marketgen {
 namespace {
 
-std::string meaning_of(const Lexicon& lexicon, const std::string& phrase) {
-  const std::vector<Token> tokens = tokenize(phrase);
+std::string meaning_of(const intake::Lexicon& lexicon, const std::string& phrase) {
+  const std::vector<intake::Token> tokens = intake::tokenize(phrase);
   std::string meaning;
   for (std::size_t at = 0; at < tokens.size(); ++at) {
     const auto match = lexicon.longest_match(tokens, at);
@@ -18,13 +18,14 @@ std::string meaning_of(const Lexicon& lexicon, const std::string& phrase) {
 }
 
 TEST(FixtureWords, VariantsAndMachinesAddNone) {
-  Catalog smaller = committed_catalog();
-  std::erase_if(smaller.fixture_kinds, [](const FixtureKind& k) { return k.keywords.empty(); });
+  catalog::Catalog smaller = committed_catalog();
+  std::erase_if(smaller.fixture_kinds,
+                [](const catalog::FixtureKind& k) { return k.keywords.empty(); });
   ASSERT_LT(smaller.fixture_kinds.size(), committed_catalog().fixture_kinds.size());
-  const auto own = Lexicon::load(MARKETGEN_SOURCE_DIR "/data/lexicon");
+  const auto own = intake::Lexicon::load(MARKETGEN_SOURCE_DIR "/data/lexicon");
   ASSERT_TRUE(own.ok()) << to_string(own.error());
-  const Lexicon before = own->with_words_of(smaller);
-  for (const FixtureKind& kind : committed_catalog().fixture_kinds) {
+  const intake::Lexicon before = own->with_words_of(smaller);
+  for (const catalog::FixtureKind& kind : committed_catalog().fixture_kinds) {
     EXPECT_EQ(meaning_of(shipped_lexicon(), kind.name), meaning_of(before, kind.name));
     for (const std::string& tag : kind.tags)
       EXPECT_EQ(meaning_of(shipped_lexicon(), tag), meaning_of(before, tag));

@@ -102,17 +102,17 @@ class FloorSizes : public testing::TestWithParam<FloorCase> {};
 
 TEST_P(FloorSizes, AreThoseThatWereSaid) {
   const FloorCase& expected = GetParam();
-  const auto planner = make_planner("offline");
+  const auto planner = intake::make_planner("offline");
   ASSERT_TRUE(planner.ok());
-  Brief brief;
+  intake::Brief brief;
   brief.prompt = expected.prompt;
-  const auto made = plan_from_brief(brief, committed_catalog(), **planner, Seed(1));
+  const auto made = intake::plan_from_brief(brief, committed_catalog(), **planner, Seed(1));
   ASSERT_TRUE(made.ok()) << to_string(made.error());
-  const Shell& shell = made->plan.shell;
+  const plan::Shell& shell = made->plan.shell;
   const double built_m2 = 1e-6 * shell.width_mm * shell.depth_mm;
   std::vector<std::string> zones_with_floor;
-  for (const Requirement& wish : made->requirements) {
-    if (wish.kind != RequirementKind::area || wish.subject.empty()) continue;
+  for (const plan::Requirement& wish : made->requirements) {
+    if (wish.kind != plan::RequirementKind::area || wish.subject.empty()) continue;
     zones_with_floor.push_back(wish.subject);
     EXPECT_NEAR(wish.value, expected.zone_m2, 0.01);
   }
@@ -128,10 +128,10 @@ TEST_P(FloorSizes, AreThoseThatWereSaid) {
 INSTANTIATE_TEST_SUITE_P(Table, FloorSizes, testing::ValuesIn(floor_cases));
 
 TEST(FloorSizes, OneSideThatWasSaidIsKept) {
-  const auto planner = make_planner("offline");
-  Brief brief;
+  const auto planner = intake::make_planner("offline");
+  intake::Brief brief;
   brief.prompt = "a 10 m wide supermarket with dairy";
-  const auto made = plan_from_brief(brief, committed_catalog(), **planner, Seed(1));
+  const auto made = intake::plan_from_brief(brief, committed_catalog(), **planner, Seed(1));
   ASSERT_TRUE(made.ok());
   EXPECT_EQ(made->plan.shell.width_mm, 10000);
 }
@@ -141,18 +141,21 @@ TEST(FloorSizes, OneSideThatWasSaidIsKept) {
 TEST(Nonsense, IsSaidToBe) {
   for (const char* prompt :
        {"asdf qwerty", "lorem ipsum", "一个小超市", "🛒🛒", "please", "!!", "42"}) {
-    const Understanding found = understand(prompt, shipped_lexicon(), committed_catalog());
+    const intake::Understanding found =
+        intake::understand(prompt, shipped_lexicon(), committed_catalog());
     EXPECT_FALSE(found.understood) << prompt;
   }
   for (const char* prompt :
        {"a shop", "dairy", "🛒 kiosk", "well stocked", "a shop called Asdf"}) {
-    const Understanding found = understand(prompt, shipped_lexicon(), committed_catalog());
+    const intake::Understanding found =
+        intake::understand(prompt, shipped_lexicon(), committed_catalog());
     EXPECT_TRUE(found.understood) << prompt;
   }
 }
 
 TEST(Nonsense, ListsPicturesAsWell) {
-  const Understanding found = understand("🛒 bakery", shipped_lexicon(), committed_catalog());
+  const intake::Understanding found =
+      intake::understand("🛒 bakery", shipped_lexicon(), committed_catalog());
   ASSERT_EQ(found.unparsed.size(), 1U);
   EXPECT_EQ(found.unparsed[0].text, "🛒");
 }

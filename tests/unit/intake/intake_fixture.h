@@ -14,9 +14,9 @@
 
 namespace marketgen {
 
-inline const Lexicon& shipped_lexicon() {
-  static const Lexicon lexicon = [] {
-    auto loaded = Lexicon::load(MARKETGEN_SOURCE_DIR "/data/lexicon");
+inline const intake::Lexicon& shipped_lexicon() {
+  static const intake::Lexicon lexicon = [] {
+    auto loaded = intake::Lexicon::load(MARKETGEN_SOURCE_DIR "/data/lexicon");
     if (!loaded.ok()) fatal(to_string(loaded.error()).c_str());
     return loaded->with_words_of(committed_catalog());
   }();
@@ -25,7 +25,7 @@ inline const Lexicon& shipped_lexicon() {
 
 // "relation left_of bakery entrance", "fixture_count checkout_lane >=3", "size 24000x15000",
 // "?zone_present cafe" (a wish that is only preferred).
-inline std::string line_of(const Requirement& wish) {
+inline std::string line_of(const plan::Requirement& wish) {
   const auto number = [](double value) {
     std::string text = std::to_string(value);
     while (text.ends_with('0'))
@@ -33,29 +33,30 @@ inline std::string line_of(const Requirement& wish) {
     if (text.ends_with('.')) text.pop_back();
     return text;
   };
-  std::string line = wish.strength == Strength::prefer ? "?" : "";
+  std::string line = wish.strength == plan::Strength::prefer ? "?" : "";
   line += name_of(wish.kind);
-  if (wish.kind == RequirementKind::relation) line += " " + std::string(name_of(wish.relation));
-  const bool implied = wish.kind == RequirementKind::fixture_count ||
-                       wish.kind == RequirementKind::product_present ||
-                       wish.kind == RequirementKind::product_absent;
+  if (wish.kind == plan::RequirementKind::relation)
+    line += " " + std::string(name_of(wish.relation));
+  const bool implied = wish.kind == plan::RequirementKind::fixture_count ||
+                       wish.kind == plan::RequirementKind::product_present ||
+                       wish.kind == plan::RequirementKind::product_absent;
   for (const std::string* text : {&wish.subject, &wish.object, &wish.second_object}) {
     if (implied && text != &wish.subject) continue;  // the zone that goes with it
     if (!text->empty()) line += " " + *text;
   }
-  if (wish.kind == RequirementKind::size) {
+  if (wish.kind == plan::RequirementKind::size) {
     return line + " " + number(wish.value) + "x" + number(wish.second_value);
   }
-  if (wish.value == 0 && wish.comparison == Comparison::equal) return line;
-  const std::string sign = wish.comparison == Comparison::at_least  ? ">="
-                           : wish.comparison == Comparison::at_most ? "<="
-                                                                    : "";
+  if (wish.value == 0 && wish.comparison == plan::Comparison::equal) return line;
+  const std::string sign = wish.comparison == plan::Comparison::at_least  ? ">="
+                           : wish.comparison == plan::Comparison::at_most ? "<="
+                                                                          : "";
   return line + " " + sign + number(wish.value);
 }
 
-inline std::vector<std::string> sorted_lines(const std::vector<Requirement>& wishes) {
+inline std::vector<std::string> sorted_lines(const std::vector<plan::Requirement>& wishes) {
   std::vector<std::string> lines;
-  for (const Requirement& wish : wishes)
+  for (const plan::Requirement& wish : wishes)
     lines.push_back(line_of(wish));
   std::ranges::sort(lines);
   return lines;

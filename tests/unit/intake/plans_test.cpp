@@ -12,18 +12,18 @@
 namespace marketgen {
 namespace {
 
-Result<Planned> planned(const std::string& prompt, std::uint64_t seed = 1) {
-  static const std::unique_ptr<Planner> planner = [] {
-    auto made = make_planner("offline");
+Result<intake::Planned> planned(const std::string& prompt, std::uint64_t seed = 1) {
+  static const std::unique_ptr<intake::Planner> planner = [] {
+    auto made = intake::make_planner("offline");
     if (!made.ok()) fatal(to_string(made.error()).c_str());
     return std::move(made).value();
   }();
-  Brief brief;
+  intake::Brief brief;
   brief.prompt = prompt;
-  return plan_from_brief(brief, committed_catalog(), *planner, Seed(seed));
+  return intake::plan_from_brief(brief, committed_catalog(), *planner, Seed(seed));
 }
 
-Plan plan_of(const std::string& prompt, std::uint64_t seed = 1) {
+plan::Plan plan_of(const std::string& prompt, std::uint64_t seed = 1) {
   auto made = planned(prompt, seed);
   if (!made.ok()) fatal(to_string(made.error()).c_str());
   return std::move(made->plan);
@@ -31,8 +31,8 @@ Plan plan_of(const std::string& prompt, std::uint64_t seed = 1) {
 
 // ---- An independent look at rectangles ----
 
-RectMm rect_of(const Plan& plan, const std::string& type) {
-  const std::vector<RectMm> rects = zone_rectangles(plan);
+RectMm rect_of(const plan::Plan& plan, const std::string& type) {
+  const std::vector<RectMm> rects = plan::zone_rectangles(plan);
   for (std::size_t i = 0; i < plan.zones.size(); ++i) {
     if (plan.zones[i].type == type) return rects[i];
   }
@@ -46,25 +46,25 @@ Point middle(const RectMm& r) {
   return {(r.x0 + r.x1) / 2.0, (r.y0 + r.y1) / 2.0};
 }
 
-Point door(const Plan& plan, OpeningKind kind) {
+Point door(const plan::Plan& plan, plan::OpeningKind kind) {
   const double w = plan.shell.width_mm, d = plan.shell.depth_mm;
-  for (const Opening& opening : plan.shell.openings) {
+  for (const plan::Opening& opening : plan.shell.openings) {
     if (opening.kind != kind) continue;
     switch (opening.wall) {
-      case Wall::south:
+      case plan::Wall::south:
         return {opening.center * w, 0};
-      case Wall::north:
+      case plan::Wall::north:
         return {opening.center * w, d};
-      case Wall::west:
+      case plan::Wall::west:
         return {0, opening.center * d};
-      case Wall::east:
+      case plan::Wall::east:
         return {w, opening.center * d};
     }
   }
   return {-1, -1};
 }
 
-double diagonal(const Plan& plan) {
+double diagonal(const plan::Plan& plan) {
   return std::hypot(plan.shell.width_mm, plan.shell.depth_mm);
 }
 
@@ -82,62 +82,62 @@ double gap(const RectMm& a, Point p) {
 struct RelationCase {
   const char* name;
   const char* prompt;
-  bool (*holds)(const Plan&);
+  bool (*holds)(const plan::Plan&);
 };
 
 void PrintTo(const RelationCase& row, std::ostream* out) {
   *out << row.prompt;
 }
 
-bool near(const Plan& plan, double distance) {
+bool near(const plan::Plan& plan, double distance) {
   return distance <= std::max(3000.0, 0.2 * diagonal(plan));
 }
 
 const std::vector<RelationCase> relation_cases = {
     {"bakery_left_of_entrance",
      "a 24 x 15 m supermarket with a bakery left of the entrance",
-     [](const Plan& p) {
-       return middle(rect_of(p, "bakery")).x < door(p, OpeningKind::entrance).x;
+     [](const plan::Plan& p) {
+       return middle(rect_of(p, "bakery")).x < door(p, plan::OpeningKind::entrance).x;
      }},
     {"bakery_right_of_entrance",
      "a 24 x 15 m supermarket with a bakery right of the entrance",
-     [](const Plan& p) {
-       return middle(rect_of(p, "bakery")).x > door(p, OpeningKind::entrance).x;
+     [](const plan::Plan& p) {
+       return middle(rect_of(p, "bakery")).x > door(p, plan::OpeningKind::entrance).x;
      }},
     {"dairy_along_back_wall",
      "a 24 x 15 m supermarket with dairy along the back wall",
-     [](const Plan& p) { return rect_of(p, "dairy").y1 == p.shell.depth_mm; }},
+     [](const plan::Plan& p) { return rect_of(p, "dairy").y1 == p.shell.depth_mm; }},
     {"frozen_along_east_wall",
      "a 24 x 15 m supermarket with frozen food along the east wall",
-     [](const Plan& p) { return rect_of(p, "frozen").x1 == p.shell.width_mm; }},
+     [](const plan::Plan& p) { return rect_of(p, "frozen").x1 == p.shell.width_mm; }},
     {"produce_in_the_middle",
      "a 40 x 25 m supermarket with produce in the middle",
-     [](const Plan& p) {
+     [](const plan::Plan& p) {
        const Point m = middle(rect_of(p, "produce"));
        return std::abs(m.x - p.shell.width_mm / 2.0) < p.shell.width_mm / 4.0 &&
               std::abs(m.y - p.shell.depth_mm / 2.0) < p.shell.depth_mm / 4.0;
      }},
     {"wine_next_to_cheese",
      "a 40 x 25 m organic market with wine next to cheese",
-     [](const Plan& p) { return near(p, gap(rect_of(p, "alcohol"), rect_of(p, "dairy"))); }},
+     [](const plan::Plan& p) { return near(p, gap(rect_of(p, "alcohol"), rect_of(p, "dairy"))); }},
     {"produce_near_entrance",
      "a supermarket with produce near the entrance",
-     [](const Plan& p) {
-       return near(p, gap(rect_of(p, "produce"), door(p, OpeningKind::entrance)));
+     [](const plan::Plan& p) {
+       return near(p, gap(rect_of(p, "produce"), door(p, plan::OpeningKind::entrance)));
      }},
     {"frozen_far_from_entrance",
      "a 30 x 20 m supermarket with frozen food far from the entrance",
-     [](const Plan& p) {
-       return gap(rect_of(p, "frozen"), door(p, OpeningKind::entrance)) > 0.35 * diagonal(p);
+     [](const plan::Plan& p) {
+       return gap(rect_of(p, "frozen"), door(p, plan::OpeningKind::entrance)) > 0.35 * diagonal(p);
      }},
     {"household_away_from_produce",
      "a 30 x 20 m supermarket, keep household away from produce",
-     [](const Plan& p) {
+     [](const plan::Plan& p) {
        return gap(rect_of(p, "household"), rect_of(p, "produce")) > 0.35 * diagonal(p);
      }},
     {"deli_between_bakery_and_dairy",
      "a 30 x 20 m supermarket with a deli between bakery and dairy",
-     [](const Plan& p) {
+     [](const plan::Plan& p) {
        const Point a = middle(rect_of(p, "deli")), b = middle(rect_of(p, "bakery")),
                    c = middle(rect_of(p, "dairy"));
        return (a.x - b.x) * (c.x - b.x) + (a.y - b.y) * (c.y - b.y) > 0 &&
@@ -145,55 +145,63 @@ const std::vector<RelationCase> relation_cases = {
      }},
     {"alcohol_in_north_east_corner",
      "a 24 x 15 m supermarket with alcohol in the north-east corner",
-     [](const Plan& p) {
+     [](const plan::Plan& p) {
        const RectMm r = rect_of(p, "alcohol");
        return r.x1 > p.shell.width_mm - 1500 && r.y1 > p.shell.depth_mm - 1500;
      }},
     {"snacks_at_the_front",
      "a 24 x 15 m supermarket with snacks at the front",
-     [](const Plan& p) { return rect_of(p, "snacks").y0 < 1500; }},
+     [](const plan::Plan& p) { return rect_of(p, "snacks").y0 < 1500; }},
     {"meat_behind_dry_goods",
      "a 24 x 15 m supermarket with meat behind the groceries",
-     [](const Plan& p) {
+     [](const plan::Plan& p) {
        return middle(rect_of(p, "meat_fish")).y > middle(rect_of(p, "dry_goods")).y;
      }},
     {"meat_not_next_to_bakery",
      "a 24 x 15 m supermarket, meat not next to the bakery",
-     [](const Plan& p) { return gap(rect_of(p, "meat_fish"), rect_of(p, "bakery")) > 500; }},
+     [](const plan::Plan& p) { return gap(rect_of(p, "meat_fish"), rect_of(p, "bakery")) > 500; }},
     {"promo_near_checkouts",
      "a 24 x 15 m supermarket with special offers near the checkouts",
-     [](const Plan& p) { return near(p, gap(rect_of(p, "promo"), rect_of(p, "checkout"))); }},
+     [](const plan::Plan& p) { return near(p, gap(rect_of(p, "promo"), rect_of(p, "checkout"))); }},
     {"frozen_near_checkouts",
      "a 24 x 15 m supermarket with frozen food near the tills",
-     [](const Plan& p) { return near(p, gap(rect_of(p, "frozen"), rect_of(p, "checkout"))); }},
+     [](const plan::Plan& p) {
+       return near(p, gap(rect_of(p, "frozen"), rect_of(p, "checkout")));
+     }},
     {"dairy_left_of_meat",
      "a 24 x 15 m supermarket with dairy left of the meat",
-     [](const Plan& p) {
+     [](const plan::Plan& p) {
        return middle(rect_of(p, "dairy")).x < middle(rect_of(p, "meat_fish")).x;
      }},
     {"entrance_in_east_wall",
      "a 24 x 15 m supermarket with the entrance on the east wall",
-     [](const Plan& p) { return door(p, OpeningKind::entrance).x == p.shell.width_mm; }},
+     [](const plan::Plan& p) {
+       return door(p, plan::OpeningKind::entrance).x == p.shell.width_mm;
+     }},
     {"left_seen_from_a_north_door",
      "a 24 x 15 m supermarket, entrance on the north wall, bakery left of the entrance",
-     [](const Plan& p) {  // who comes in from the north has the east on the left
-       return door(p, OpeningKind::entrance).y == p.shell.depth_mm &&
-              middle(rect_of(p, "bakery")).x > door(p, OpeningKind::entrance).x;
+     [](const plan::Plan& p) {  // who comes in from the north has the east on the left
+       return door(p, plan::OpeningKind::entrance).y == p.shell.depth_mm &&
+              middle(rect_of(p, "bakery")).x > door(p, plan::OpeningKind::entrance).x;
      }},
     {"back_wall_of_a_west_door",
      "a 24 x 15 m supermarket, entrance on the west wall, dairy along the back wall",
-     [](const Plan& p) { return rect_of(p, "dairy").x1 == p.shell.width_mm; }},
+     [](const plan::Plan& p) { return rect_of(p, "dairy").x1 == p.shell.width_mm; }},
     {"two_walls_at_once",
      "a 30 x 20 m supermarket with bakery along the west wall and dairy along the east wall",
-     [](const Plan& p) {
+     [](const plan::Plan& p) {
        return rect_of(p, "bakery").x0 == 0 && rect_of(p, "dairy").x1 == p.shell.width_mm;
      }},
     {"entrance_left_of_exit",
      "a 24 x 15 m supermarket with the entrance left of the exit",
-     [](const Plan& p) { return door(p, OpeningKind::entrance).x < door(p, OpeningKind::exit).x; }},
+     [](const plan::Plan& p) {
+       return door(p, plan::OpeningKind::entrance).x < door(p, plan::OpeningKind::exit).x;
+     }},
     {"entrance_at_the_right",
      "a 24 x 15 m supermarket with the entrance on the right",
-     [](const Plan& p) { return door(p, OpeningKind::entrance).x > 0.5 * p.shell.width_mm; }},
+     [](const plan::Plan& p) {
+       return door(p, plan::OpeningKind::entrance).x > 0.5 * p.shell.width_mm;
+     }},
 };
 
 class PlannedRelations : public testing::TestWithParam<RelationCase> {};
@@ -212,15 +220,15 @@ INSTANTIATE_TEST_SUITE_P(Table,
 
 // ---- What else the words decide ----
 
-const Zone* zone_of(const Plan& plan, const std::string& type) {
-  for (const Zone& zone : plan.zones) {
+const plan::Zone* zone_of(const plan::Plan& plan, const std::string& type) {
+  for (const plan::Zone& zone : plan.zones) {
     if (zone.type == type) return &zone;
   }
   return nullptr;
 }
 
 TEST(Plans, SizeProfileAndLookFollowTheWords) {
-  const Plan plan = plan_of(
+  const plan::Plan plan = plan_of(
       "large Scandinavian organic market, 40 x 25 m, dark oak floor, 6-tier shelves, 4 m ceiling");
   EXPECT_EQ(plan.shell.width_mm, 40000);
   EXPECT_EQ(plan.shell.depth_mm, 25000);
@@ -232,7 +240,7 @@ TEST(Plans, SizeProfileAndLookFollowTheWords) {
 }
 
 TEST(Plans, RefusedZonesAndTheirGoodsStayOut) {
-  const Plan plan = plan_of("a 24 x 15 m supermarket with special offers and no alcohol");
+  const plan::Plan plan = plan_of("a 24 x 15 m supermarket with special offers and no alcohol");
   EXPECT_EQ(zone_of(plan, "alcohol"), nullptr);
   const std::vector<std::string>& excluded = zone_of(plan, "promo")->stock.exclude;
   for (const char* goods : {"beer", "wine", "spirits"}) {
@@ -247,16 +255,17 @@ TEST(Plans, LanesAreCountedAsAsked) {
 }
 
 TEST(Plans, AskedFloorIsGiven) {
-  const Plan plan = plan_of("a 24 x 15 m supermarket with a bakery of 25 m2");
+  const plan::Plan plan = plan_of("a 24 x 15 m supermarket with a bakery of 25 m2");
   EXPECT_NEAR(rect_of(plan, "bakery").area_m2(), 25, 4);
 }
 
 TEST(Plans, EveryWishHasItsProvenance) {
-  const Plan plan = plan_of("a 24 x 15 m supermarket called Fresh Corner with 5-tier shelves");
+  const plan::Plan plan =
+      plan_of("a 24 x 15 m supermarket called Fresh Corner with 5-tier shelves");
   EXPECT_EQ(plan.name, "Fresh Corner");
   const auto said = [&](const std::string& path) {
-    return std::ranges::any_of(plan.provenance, [&](const Provenance& entry) {
-      return entry.path == path && entry.source == Source::text && entry.span.has_value();
+    return std::ranges::any_of(plan.provenance, [&](const plan::Provenance& entry) {
+      return entry.path == path && entry.source == plan::Source::text && entry.span.has_value();
     });
   };
   EXPECT_TRUE(said("/name"));
@@ -265,19 +274,19 @@ TEST(Plans, EveryWishHasItsProvenance) {
 }
 
 TEST(Plans, FlagsBeatTheText) {
-  Brief brief;
+  intake::Brief brief;
   brief.prompt = "a 24 x 15 m industrial supermarket";
   brief.size_mm = {{20000, 12000}};
   brief.profile = "discounter-eu";
   brief.style = "premium";
-  const auto planner = make_planner("offline");
-  const auto made = plan_from_brief(brief, committed_catalog(), **planner, Seed(1));
+  const auto planner = intake::make_planner("offline");
+  const auto made = intake::plan_from_brief(brief, committed_catalog(), **planner, Seed(1));
   ASSERT_TRUE(made.ok());
   EXPECT_EQ(made->plan.shell.width_mm, 20000);
   EXPECT_EQ(made->plan.profile, "discounter-eu");
   EXPECT_EQ(made->plan.look.wall, "wood-panel");
   EXPECT_EQ(made->conflicts.size(), 3U);
-  for (const Conflict& conflict : made->conflicts)
+  for (const intake::Conflict& conflict : made->conflicts)
     EXPECT_TRUE(conflict.kept.starts_with("--"));
 }
 
@@ -304,16 +313,16 @@ TEST(Plans, ExtremeFloorsAreStillPlans) {
 
 TEST(Plans, SameBriefAndSeedGiveTheSamePlan) {
   const std::string prompt = "a supermarket with a bakery near the entrance and six aisles";
-  const std::string first = write_json(plan_of(prompt, 7));
-  EXPECT_EQ(write_json(plan_of(prompt, 7)), first);
+  const std::string first = io::write_json(plan_of(prompt, 7));
+  EXPECT_EQ(io::write_json(plan_of(prompt, 7)), first);
   const ThreadLimit one_thread(1);
-  EXPECT_EQ(write_json(plan_of(prompt, 7)), first);
+  EXPECT_EQ(io::write_json(plan_of(prompt, 7)), first);
 }
 
 // Share of the floor on which two plans have different zone types.
-double difference(const Plan& a, const Plan& b) {
-  const std::vector<RectMm> rects_a = zone_rectangles(a), rects_b = zone_rectangles(b);
-  const auto type_at = [](const Plan& plan, const std::vector<RectMm>& rects, PointMm p) {
+double difference(const plan::Plan& a, const plan::Plan& b) {
+  const std::vector<RectMm> rects_a = plan::zone_rectangles(a), rects_b = plan::zone_rectangles(b);
+  const auto type_at = [](const plan::Plan& plan, const std::vector<RectMm>& rects, PointMm p) {
     for (std::size_t i = 0; i < rects.size(); ++i) {
       if (rects[i].contains(p)) return plan.zones[i].type;
     }
@@ -332,7 +341,7 @@ double difference(const Plan& a, const Plan& b) {
 }
 
 TEST(Plans, SeedsGiveDifferentStores) {
-  std::vector<Plan> plans;
+  std::vector<plan::Plan> plans;
   for (std::uint64_t seed = 1; seed <= 5; ++seed)
     plans.push_back(plan_of("a 24 x 15 m supermarket", seed));
   double sum = 0;
@@ -369,7 +378,7 @@ TEST(Plans, OfRandomWordsAreValidAndRepeatable) {
     const std::string prompt = random_prompt(draw);
     const auto first = planned(prompt, i);
     ASSERT_TRUE(first.ok()) << prompt << ": " << to_string(first.error());
-    EXPECT_EQ(write_json(first->plan), write_json(planned(prompt, i)->plan)) << prompt;
+    EXPECT_EQ(io::write_json(first->plan), io::write_json(planned(prompt, i)->plan)) << prompt;
   }
 }
 
@@ -402,7 +411,7 @@ std::string salad(std::uint64_t seed) {
 }
 
 // Floors that the search judged: the work of planning, whatever machine does it.
-int floors_judged(const Planned& planned) {
+int floors_judged(const intake::Planned& planned) {
   int judged = 0;
   for (const std::string& line : planned.trace)
     if (line.starts_with("judged ")) judged += std::stoi(line.substr(7));
@@ -416,7 +425,7 @@ TEST(Plans, OfTwoThousandWordsTakeBoundedWork) {
     ASSERT_TRUE(made.ok()) << to_string(made.error());
     EXPECT_LE(floors_judged(*made), max_searches * one_search);
     EXPECT_LE(made->plan.relations.size(), 40U);
-    const auto surplus = std::ranges::find(made->conflicts, "relations", &Conflict::what);
+    const auto surplus = std::ranges::find(made->conflicts, "relations", &intake::Conflict::what);
     ASSERT_NE(surplus, made->conflicts.end());
     EXPECT_NE(surplus->why.find("at most 40"), std::string::npos);
   }
@@ -434,7 +443,7 @@ TEST(Plans, NumbersBeyondTheirLimitsAreGivenUpAndSaid) {
                                LimitCase{"0.3 m wide aisles", "0.3 m wide aisles", "600 mm"}}) {
     const auto made = planned(row.prompt);
     ASSERT_TRUE(made.ok()) << row.prompt << ": " << to_string(made.error());
-    const auto found = std::ranges::find(made->conflicts, row.dropped, &Conflict::dropped);
+    const auto found = std::ranges::find(made->conflicts, row.dropped, &intake::Conflict::dropped);
     ASSERT_NE(found, made->conflicts.end()) << row.prompt;
     EXPECT_EQ(found->kept, row.kept) << row.prompt;
     EXPECT_LE(made->plan.shell.openings.size(), 40U);

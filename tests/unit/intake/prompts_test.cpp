@@ -168,12 +168,13 @@ class Prompts : public testing::TestWithParam<PromptCase> {};
 
 TEST_P(Prompts, AreUnderstood) {
   const PromptCase& expected = GetParam();
-  const Understanding found = understand(expected.prompt, shipped_lexicon(), committed_catalog());
+  const intake::Understanding found =
+      intake::understand(expected.prompt, shipped_lexicon(), committed_catalog());
   std::vector<std::string> wishes = expected.wishes;
   std::ranges::sort(wishes);
   EXPECT_EQ(sorted_lines(found.requirements), wishes) << expected.prompt;
   std::vector<std::string> unparsed;
-  for (const UnparsedWord& word : found.unparsed)
+  for (const intake::UnparsedWord& word : found.unparsed)
     unparsed.push_back(word.text);
   EXPECT_EQ(unparsed, expected.unparsed) << expected.prompt;
 }
@@ -182,20 +183,21 @@ INSTANTIATE_TEST_SUITE_P(Table, Prompts, testing::ValuesIn(cases));
 
 TEST(Prompts, SpansPointAtTheWords) {
   const std::string prompt = "A 24 x 15 m shop, café bakery left of the entrance, 五 trampolines";
-  const Understanding found = understand(prompt, shipped_lexicon(), committed_catalog());
+  const intake::Understanding found =
+      intake::understand(prompt, shipped_lexicon(), committed_catalog());
   ASSERT_FALSE(found.requirements.empty());
-  for (const Requirement& wish : found.requirements) {
+  for (const plan::Requirement& wish : found.requirements) {
     const auto first = static_cast<std::size_t>(wish.span[0]);
     const auto length = static_cast<std::size_t>(wish.span[1]) - first;
     EXPECT_EQ(prompt.substr(first, length), wish.text);
   }
   ASSERT_EQ(found.unparsed.size(), 2U);
-  const UnparsedWord& last = found.unparsed.back();
+  const intake::UnparsedWord& last = found.unparsed.back();
   EXPECT_EQ(prompt.substr(static_cast<std::size_t>(last.span[0])), "trampolines");
 }
 
 TEST(Prompts, NameIsTakenOut) {
-  const Understanding found = understand(
+  const intake::Understanding found = intake::understand(
       "a market named Green Bakery & Sons by the river", shipped_lexicon(), committed_catalog());
   ASSERT_TRUE(found.name.has_value());
   EXPECT_EQ(found.name->text, "Green Bakery & Sons");
@@ -218,7 +220,8 @@ TEST(Prompts, ContradictionsAreSettledAndReported) {
       {"a supermarket, it must have a deli, ideally no deli", "deli", "no deli"},
   };
   for (const ContradictionCase& expected : contradictions) {
-    const Understanding found = understand(expected.prompt, shipped_lexicon(), committed_catalog());
+    const intake::Understanding found =
+        intake::understand(expected.prompt, shipped_lexicon(), committed_catalog());
     ASSERT_FALSE(found.conflicts.empty()) << expected.prompt;
     EXPECT_EQ(found.conflicts[0].kept, expected.kept) << expected.prompt;
     EXPECT_EQ(found.conflicts[0].dropped, expected.dropped) << expected.prompt;
@@ -226,9 +229,10 @@ TEST(Prompts, ContradictionsAreSettledAndReported) {
 }
 
 TEST(Prompts, NumbersThatCanBothHoldAreNoConflict) {
-  const Understanding found = understand("at least three checkouts and at most five checkouts",
-                                         shipped_lexicon(),
-                                         committed_catalog());
+  const intake::Understanding found =
+      intake::understand("at least three checkouts and at most five checkouts",
+                         shipped_lexicon(),
+                         committed_catalog());
   EXPECT_TRUE(found.conflicts.empty());
   EXPECT_EQ(found.requirements.size(), 2U);
 }

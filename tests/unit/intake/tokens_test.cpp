@@ -8,7 +8,7 @@ namespace {
 
 std::vector<std::string> texts(std::string_view prompt) {
   std::vector<std::string> found;
-  for (const Token& token : tokenize(prompt))
+  for (const intake::Token& token : intake::tokenize(prompt))
     found.push_back(token.text);
   return found;
 }
@@ -26,22 +26,22 @@ TEST(Tokens, SquareMetresStayTogether) {
 }
 
 TEST(Tokens, NumbersAreReadAsPeopleWriteThem) {
-  EXPECT_EQ(tokenize("4,000")[0].number, 4000);
-  EXPECT_EQ(tokenize("1,234,567")[0].number, 1234567);
-  EXPECT_EQ(tokenize("1.8")[0].number, 1.8);
-  EXPECT_EQ(tokenize("1,8")[0].number, 1.8);
-  EXPECT_EQ(tokenize("１２")[0].number, 12);  // full width
-  EXPECT_EQ(tokenize("15.").size(), 2U);      // a full stop, not a decimal point
+  EXPECT_EQ(intake::tokenize("4,000")[0].number, 4000);
+  EXPECT_EQ(intake::tokenize("1,234,567")[0].number, 1234567);
+  EXPECT_EQ(intake::tokenize("1.8")[0].number, 1.8);
+  EXPECT_EQ(intake::tokenize("1,8")[0].number, 1.8);
+  EXPECT_EQ(intake::tokenize("１２")[0].number, 12);  // full width
+  EXPECT_EQ(intake::tokenize("15.").size(), 2U);      // a full stop, not a decimal point
 }
 
 TEST(Tokens, AreFoldedWithoutLosingTheirBytes) {
   const std::string prompt = "Café ＢＡＫＥＲＹ don’t";
-  const std::vector<Token> tokens = tokenize(prompt);
+  const std::vector<intake::Token> tokens = intake::tokenize(prompt);
   ASSERT_EQ(tokens.size(), 3U);
   EXPECT_EQ(tokens[0].text, "café");
   EXPECT_EQ(tokens[1].text, "bakery");
   EXPECT_EQ(tokens[2].text, "don't");
-  for (const Token& token : tokens) {
+  for (const intake::Token& token : tokens) {
     EXPECT_GT(token.span[1], token.span[0]);
     EXPECT_LE(token.span[1], static_cast<int>(prompt.size()));
   }
@@ -51,8 +51,8 @@ TEST(Tokens, AreFoldedWithoutLosingTheirBytes) {
 TEST(Tokens, SentencesEndAtStopsAndBullets) {
   const auto ends = [](std::string_view prompt) {
     int count = 0;
-    for (const Token& token : tokenize(prompt))
-      count += token.kind == TokenKind::sentence_end ? 1 : 0;
+    for (const intake::Token& token : intake::tokenize(prompt))
+      count += token.kind == intake::TokenKind::sentence_end ? 1 : 0;
     return count;
   };
   EXPECT_EQ(ends("a shop. A bakery!"), 2);
@@ -62,12 +62,12 @@ TEST(Tokens, SentencesEndAtStopsAndBullets) {
 }
 
 TEST(Tokens, SingularByEnding) {
-  EXPECT_EQ(singular("checkouts"), "checkout");
-  EXPECT_EQ(singular("bakeries"), "bakery");
-  EXPECT_EQ(singular("dishes"), "dish");
-  EXPECT_EQ(singular("glass"), "glass");
-  EXPECT_EQ(singular("tomatoes"), "tomato");
-  EXPECT_EQ(singular("bus"), "bus");
+  EXPECT_EQ(intake::singular("checkouts"), "checkout");
+  EXPECT_EQ(intake::singular("bakeries"), "bakery");
+  EXPECT_EQ(intake::singular("dishes"), "dish");
+  EXPECT_EQ(intake::singular("glass"), "glass");
+  EXPECT_EQ(intake::singular("tomatoes"), "tomato");
+  EXPECT_EQ(intake::singular("bus"), "bus");
 }
 
 }  // namespace

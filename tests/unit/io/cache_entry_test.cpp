@@ -18,8 +18,8 @@ constexpr std::string_view kind = "things/1";
 
 class CacheEntry : public testing::Test {
  protected:
-  void keep() { ASSERT_TRUE(keep_entry(file_, kind, content_).ok()); }
-  std::string kept() const { return kept_entry(file_, kind).value_or("nothing"); }
+  void keep() { ASSERT_TRUE(io::keep_entry(file_, kind, content_).ok()); }
+  std::string kept() const { return io::kept_entry(file_, kind).value_or("nothing"); }
 
   // Nothing of it is used, it is taken away, and made anew it is as good as ever.
   void expect_healed(const std::string& damage) {
@@ -51,15 +51,15 @@ TEST_F(CacheEntry, NoBitCanBeTurnedAndNoByteBeMissing) {
   for (std::size_t bit = 0; bit < 8 * whole.size(); ++bit) {
     std::string turned = whole;
     turned[bit / 8] = static_cast<char>(turned[bit / 8] ^ (1 << bit % 8));
-    ASSERT_TRUE(write_file(file_, turned).ok());
+    ASSERT_TRUE(io::write_file(file_, turned).ok());
     expect_healed("bit " + std::to_string(bit));
   }
   for (std::size_t length = 0; length < whole.size(); ++length) {
-    ASSERT_TRUE(write_file(file_, whole.substr(0, length)).ok());
+    ASSERT_TRUE(io::write_file(file_, whole.substr(0, length)).ok());
     expect_healed("length " + std::to_string(length));
   }
   for (const std::string& other : {whole + '\0', whole + whole, std::string(whole.size(), '\0')}) {
-    ASSERT_TRUE(write_file(file_, other).ok());
+    ASSERT_TRUE(io::write_file(file_, other).ok());
     expect_healed("another file");
   }
   testing::internal::GetCapturedStderr();
@@ -80,7 +80,7 @@ TEST_F(CacheEntry, WhatIsNoFileIsNotWaitedFor) {
   fs::remove(file_);
   fs::create_directories(file_ / "with something in it");
   EXPECT_EQ(kept(), "nothing");
-  EXPECT_FALSE(keep_entry(file_, kind, content_).ok());
+  EXPECT_FALSE(io::keep_entry(file_, kind, content_).ok());
   EXPECT_TRUE(fs::exists(file_ / "with something in it"));
 }
 
@@ -93,7 +93,7 @@ TEST_F(CacheEntry, OneThatMayNotBeReadIsMadeAnew) {
 
 TEST_F(CacheEntry, AnotherKindOrVersionIsNotUsed) {
   keep();
-  EXPECT_FALSE(kept_entry(file_, "things/2").has_value());
+  EXPECT_FALSE(io::kept_entry(file_, "things/2").has_value());
   EXPECT_FALSE(fs::exists(file_));
 }
 
@@ -101,7 +101,7 @@ TEST_F(CacheEntry, ItIsNamedOnce) {
   testing::internal::CaptureStderr();
   for (int i = 0; i < 3; ++i) {
     keep();
-    ASSERT_TRUE(write_file(file_, "nonsense").ok());
+    ASSERT_TRUE(io::write_file(file_, "nonsense").ok());
     EXPECT_EQ(kept(), "nothing");
   }
   const std::string said = testing::internal::GetCapturedStderr();
@@ -113,7 +113,7 @@ TEST_F(CacheEntry, ItIsNamedOnce) {
 TEST_F(CacheEntry, AFolderThatCannotBeWrittenIsSaidOnce) {
   testing::internal::CaptureStderr();
   for (const char* name : {"a", "b"})
-    EXPECT_FALSE(keep_entry("/proc/no-such-folder/" + std::string(name), kind, content_).ok());
+    EXPECT_FALSE(io::keep_entry("/proc/no-such-folder/" + std::string(name), kind, content_).ok());
   const std::string said = testing::internal::GetCapturedStderr();
   EXPECT_NE(said.find("/proc/no-such-folder"), std::string::npos) << said;
   EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;

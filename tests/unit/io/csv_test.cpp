@@ -9,7 +9,7 @@ namespace {
 using Fields = std::vector<std::string>;
 
 TEST(Csv, FieldsQuotesAndLineEnds) {
-  const auto rows = parse_csv(
+  const auto rows = io::parse_csv(
       "\xEF\xBB\xBFsku,name\r\na,\"Cola, \"\"Zero\"\"\"\nb,\"two\nlines\"\n\nc,\n", "x.csv");
   ASSERT_TRUE(rows.ok()) << to_string(rows.error());
   ASSERT_EQ(rows->size(), 4U);
@@ -23,7 +23,7 @@ TEST(Csv, FieldsQuotesAndLineEnds) {
 
 TEST(Csv, FaultsNameTheirLine) {
   const auto refused = [](std::string_view text, const char* where, const char* says) {
-    const auto rows = parse_csv(text, "x.csv");
+    const auto rows = io::parse_csv(text, "x.csv");
     ASSERT_FALSE(rows.ok());
     EXPECT_EQ(rows.error().code, "csv.syntax");
     EXPECT_EQ(rows.error().where, where);
@@ -32,12 +32,12 @@ TEST(Csv, FaultsNameTheirLine) {
   refused("a,b\n1\n", "x.csv:2", "has 1 fields, the header has 2");
   refused("a,b\n1,\"2\n3,4\n", "x.csv:2", "never ends");
   refused("a,b\n1,\"2\"x\n", "x.csv:2", "expected a comma");
-  EXPECT_EQ(parse_csv("a\n\xFF\n", "x.csv").error().code, "input.not_utf8");
+  EXPECT_EQ(io::parse_csv("a\n\xFF\n", "x.csv").error().code, "input.not_utf8");
 }
 
 TEST(Csv, NothingIsNoRow) {
-  EXPECT_TRUE(parse_csv("", "x.csv")->empty());
-  EXPECT_TRUE(parse_csv("\n\r\n", "x.csv")->empty());
+  EXPECT_TRUE(io::parse_csv("", "x.csv")->empty());
+  EXPECT_TRUE(io::parse_csv("\n\r\n", "x.csv")->empty());
 }
 
 }  // namespace

@@ -95,14 +95,14 @@ TEST(Json, WritesCanonicalText) {
   Sample s;
   s.words = {"x"};
   EXPECT_EQ(
-      write_json_line(s),
+      io::write_json_line(s),
       R"({"id": "a", "levels": 5, "fill": 0.95, "open": false, "seed": 0, "colour": "red", "facings": [2, 4], )"
       R"("words": ["x"], "points": [], "polygon": []})");
 }
 
 TEST(Json, ReadsBackWhatItWrote) {
   const Sample s = full_sample();
-  const auto read = read_json<Sample>(write_json(s), "test");
+  const auto read = io::read_json<Sample>(io::write_json(s), "test");
   ASSERT_TRUE(read.ok()) << to_string(read.error());
   expect_same(s, *read);
 }
@@ -111,12 +111,12 @@ TEST(Json, ZeroBelowZeroReadsBackAsItWas) {
   Sample s;
   s.fill = -0.0;
   s.points = {{.x = -0.0F, .y = 1}};
-  const std::string text = write_json(s);
-  const auto again = read_json<Sample>(text, "test");
+  const std::string text = io::write_json(s);
+  const auto again = io::read_json<Sample>(text, "test");
   ASSERT_TRUE(again.ok()) << again.error().message;
   EXPECT_TRUE(std::signbit(again->fill)) << text;
   EXPECT_TRUE(std::signbit(again->points[0].x)) << text;
-  EXPECT_EQ(write_json(*again), text);
+  EXPECT_EQ(io::write_json(*again), text);
 }
 
 struct Fault {
@@ -153,7 +153,7 @@ TEST(Json, RefusesEveryFaultWithItsPlace) {
       {"", "json.syntax", "f:1", ""},
   };
   for (const Fault& fault : faults) {
-    const auto read = read_json<Sample>(fault.text, "f");
+    const auto read = io::read_json<Sample>(fault.text, "f");
     ASSERT_FALSE(read.ok()) << fault.text;
     EXPECT_EQ(read.error().code, fault.code) << fault.text;
     EXPECT_EQ(read.error().where, fault.where) << fault.text;
@@ -162,7 +162,7 @@ TEST(Json, RefusesEveryFaultWithItsPlace) {
 }
 
 TEST(Json, RefusesDeepNestingWithoutOverflow) {
-  const auto read = read_json<Sample>(std::string(100'000, '['), "f");
+  const auto read = io::read_json<Sample>(std::string(100'000, '['), "f");
   ASSERT_FALSE(read.ok());
   EXPECT_TRUE(read.error().code == "json.too_deep" || read.error().code == "json.syntax");
 }
@@ -175,7 +175,7 @@ TEST(Json, AListOfAMillionObjectsIsReadInTime) {
     text += ",{}";
   text += "]}";
   const auto start = std::chrono::steady_clock::now();
-  const auto read = read_json<Sample>(text, "f");
+  const auto read = io::read_json<Sample>(text, "f");
   const auto took = std::chrono::steady_clock::now() - start;
   ASSERT_FALSE(read.ok());
   EXPECT_EQ(read.error().message, "the list has 1200000 entries; at most 100000 are allowed");
@@ -184,43 +184,45 @@ TEST(Json, AListOfAMillionObjectsIsReadInTime) {
 
 TEST(Json, WatchesKeysAndNestingAtAnyDepth) {
   const std::string lists(64, '['), ends(64, ']');
-  EXPECT_EQ((read_json<Sample>(lists + "1" + ends, "f").error().code), "json.wrong_type");
-  EXPECT_EQ((read_json<Sample>("[" + lists + "1" + ends + "]", "f").error().code), "json.too_deep");
-  const auto same_in_two = read_json<Sample>(R"({"id": "a", "points": [{"x": 1}, {"x": 1}]})", "f");
+  EXPECT_EQ((io::read_json<Sample>(lists + "1" + ends, "f").error().code), "json.wrong_type");
+  EXPECT_EQ((io::read_json<Sample>("[" + lists + "1" + ends + "]", "f").error().code),
+            "json.too_deep");
+  const auto same_in_two =
+      io::read_json<Sample>(R"({"id": "a", "points": [{"x": 1}, {"x": 1}]})", "f");
   EXPECT_TRUE(same_in_two.ok());
-  const auto twice = read_json<Sample>(R"({"id": "a", "points": [{}, {"x": 1, "x": 2}]})", "f");
+  const auto twice = io::read_json<Sample>(R"({"id": "a", "points": [{}, {"x": 1, "x": 2}]})", "f");
   ASSERT_FALSE(twice.ok());
   EXPECT_EQ(twice.error().code, "json.duplicate_key");
-  EXPECT_EQ((read_json<Sample>(R"({"id": "a", "levels": 1e999})", "f").error().code),
+  EXPECT_EQ((io::read_json<Sample>(R"({"id": "a", "levels": 1e999})", "f").error().code),
             "json.syntax");
 }
 
 TEST(Json, NullIsAbsentOnlyForOptionals) {
-  EXPECT_TRUE((read_json<Sample>(R"({"id": "a", "width_mm": null})", "f").ok()));
-  EXPECT_FALSE((read_json<Sample>(R"({"id": "a", "levels": null})", "f").ok()));
+  EXPECT_TRUE((io::read_json<Sample>(R"({"id": "a", "width_mm": null})", "f").ok()));
+  EXPECT_FALSE((io::read_json<Sample>(R"({"id": "a", "levels": null})", "f").ok()));
 }
 
 TEST(FlatBuffer, ReadsBackWhatItWrote) {
   const Sample s = full_sample();
-  const std::string bytes = write_flatbuffer_of(type_of<Sample>(), &s, "TST1");
+  const std::string bytes = io::write_flatbuffer_of(type_of<Sample>(), &s, "TST1");
   Sample back;
-  const auto read =
-      read_flatbuffer_into(std::as_bytes(std::span(bytes)), "f", "TST1", type_of<Sample>(), &back);
+  const auto read = io::read_flatbuffer_into(
+      std::as_bytes(std::span(bytes)), "f", "TST1", type_of<Sample>(), &back);
   ASSERT_TRUE(read.ok()) << to_string(read.error());
   expect_same(s, back);
-  EXPECT_EQ(bytes, write_flatbuffer_of(type_of<Sample>(), &back, "TST1"));
+  EXPECT_EQ(bytes, io::write_flatbuffer_of(type_of<Sample>(), &back, "TST1"));
 }
 
 std::string code_of(const std::string& bytes, std::string_view identifier = "TST1") {
   Sample back;
-  const auto read = read_flatbuffer_into(
+  const auto read = io::read_flatbuffer_into(
       std::as_bytes(std::span(bytes)), "f", identifier, type_of<Sample>(), &back);
   return read.ok() ? "ok" : read.error().code;
 }
 
 TEST(FlatBuffer, TellsTruncationFromDamageFromOtherVersions) {
   const Sample s = full_sample();
-  const std::string bytes = write_flatbuffer_of(type_of<Sample>(), &s, "TST1");
+  const std::string bytes = io::write_flatbuffer_of(type_of<Sample>(), &s, "TST1");
   EXPECT_EQ(code_of(""), "scene.truncated");
   EXPECT_EQ(code_of(bytes.substr(0, bytes.size() / 2)), "scene.truncated");
   EXPECT_EQ(code_of(bytes + "x"), "scene.corrupt");
@@ -230,7 +232,7 @@ TEST(FlatBuffer, TellsTruncationFromDamageFromOtherVersions) {
 
 TEST(FlatBuffer, NoFlippedByteReadsOutsideTheFile) {  // meant for the sanitizer build
   const Sample s = full_sample();
-  const std::string bytes = write_flatbuffer_of(type_of<Sample>(), &s, "TST1");
+  const std::string bytes = io::write_flatbuffer_of(type_of<Sample>(), &s, "TST1");
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     for (const char flip : {'\x01', '\x80', '\xff'}) {
       std::string damaged = bytes;
@@ -241,7 +243,7 @@ TEST(FlatBuffer, NoFlippedByteReadsOutsideTheFile) {  // meant for the sanitizer
 }
 
 TEST(Schema, SaysWhatTheReaderEnforces) {
-  const std::string schema = json_schema_of(type_of<Sample>(), "test.schema.json", "Sample");
+  const std::string schema = io::json_schema_of(type_of<Sample>(), "test.schema.json", "Sample");
   for (const char* part : {"\"additionalProperties\": false",
                            "\"minimum\": 1.0",
                            "\"maximum\": 10.0",

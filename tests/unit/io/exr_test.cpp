@@ -9,8 +9,8 @@
 namespace marketgen {
 namespace {
 
-FloatImage ramp() {
-  FloatImage image{5, 3, {}};
+io::FloatImage ramp() {
+  io::FloatImage image{5, 3, {}};
   for (int i = 0; i < 45; ++i)
     image.pixels.push_back(static_cast<float>(i * i) * 0.37F);
   return image;
@@ -18,12 +18,12 @@ FloatImage ramp() {
 
 TEST(Exr, WhatIsWrittenIsReadBack) {
   const std::filesystem::path path = std::filesystem::temp_directory_path() / "marketgen_ramp.exr";
-  ASSERT_TRUE(write_exr(path, ramp()).ok());
-  const Result<std::string> bytes = read_file(path);
+  ASSERT_TRUE(io::write_exr(path, ramp()).ok());
+  const Result<std::string> bytes = io::read_file(path);
   std::filesystem::remove(path);
   ASSERT_TRUE(bytes.ok());
   EXPECT_EQ(bytes->substr(0, 4), "\x76\x2f\x31\x01");  // the format's magic number
-  const Result<FloatImage> read = decode_exr(*bytes, "ramp");
+  const Result<io::FloatImage> read = io::decode_exr(*bytes, "ramp");
   ASSERT_TRUE(read.ok()) << to_string(read.error());
   EXPECT_EQ(read->width, 5);
   EXPECT_EQ(read->height, 3);
@@ -32,13 +32,14 @@ TEST(Exr, WhatIsWrittenIsReadBack) {
 }
 
 TEST(Exr, WhatHalvesCannotHoldIsCut) {
-  const auto bytes = encode_exr({1, 1, {1e9F, 65504, 0.5F}});
+  const auto bytes = io::encode_exr({1, 1, {1e9F, 65504, 0.5F}});
   ASSERT_TRUE(bytes.ok());
-  EXPECT_EQ(decode_exr(*bytes, "bright")->pixels, (std::vector<float>{65504, 65504, 0.5F}));
+  EXPECT_EQ(io::decode_exr(*bytes, "bright")->pixels, (std::vector<float>{65504, 65504, 0.5F}));
 }
 
 TEST(Exr, OtherFilesAreRefused) {
-  const auto nothing = decode_exr("", "empty"), text = decode_exr(std::string(200, 'x'), "x.exr");
+  const auto nothing = io::decode_exr("", "empty"),
+             text = io::decode_exr(std::string(200, 'x'), "x.exr");
   ASSERT_FALSE(nothing.ok());
   ASSERT_FALSE(text.ok());
   EXPECT_EQ(text.error().code, "image.bad_file");
@@ -46,12 +47,12 @@ TEST(Exr, OtherFilesAreRefused) {
 }
 
 TEST(Exr, ACutFileIsRefused) {
-  const std::string bytes = encode_exr(ramp()).value();
-  EXPECT_FALSE(decode_exr(std::string_view(bytes).substr(0, bytes.size() / 3), "cut").ok());
+  const std::string bytes = io::encode_exr(ramp()).value();
+  EXPECT_FALSE(io::decode_exr(std::string_view(bytes).substr(0, bytes.size() / 3), "cut").ok());
 }
 
 TEST(Exr, NothingIsLeftWhereNothingCanBeWritten) {
-  EXPECT_FALSE(write_exr("/dev/null/all.exr", ramp()).ok());
+  EXPECT_FALSE(io::write_exr("/dev/null/all.exr", ramp()).ok());
 }
 
 }  // namespace

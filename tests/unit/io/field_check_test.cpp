@@ -71,16 +71,16 @@ const std::vector<SpoiltField>& spoilt_fields() {
 }
 
 TEST(FieldCheck, RefusesWhatAReaderRefuses) {
-  EXPECT_TRUE(check_fields(Outer{}, "f").ok());
+  EXPECT_TRUE(io::check_fields(Outer{}, "f").ok());
   for (const SpoiltField& fault : spoilt_fields()) {
     Outer value;
     fault.spoil(value);
-    const auto held = check_fields(value, "f");
+    const auto held = io::check_fields(value, "f");
     ASSERT_FALSE(held.ok()) << fault.where;
     EXPECT_EQ(held.error().code, fault.code) << fault.where;
     EXPECT_NE(held.error().where.find(fault.where), std::string::npos) << held.error().where;
     EXPECT_NE(held.error().message.find(fault.says), std::string::npos) << held.error().message;
-    const auto read = read_json<Outer>(write_json(value), "f");
+    const auto read = io::read_json<Outer>(io::write_json(value), "f");
     ASSERT_FALSE(read.ok()) << fault.where;
     EXPECT_EQ(read.error().code, fault.code) << fault.where;
   }
@@ -92,19 +92,19 @@ TEST(FieldCheck, NumbersThatNoTextHolds) {
                              -std::numeric_limits<double>::infinity()}) {
     Outer held;
     held.parts[0].share = value;
-    EXPECT_FALSE(check_fields(held, "f").ok());
+    EXPECT_FALSE(io::check_fields(held, "f").ok());
     held = {};
     held.weight = static_cast<float>(value);
-    EXPECT_FALSE(check_fields(held, "f").ok());
+    EXPECT_FALSE(io::check_fields(held, "f").ok());
   }
   Outer odd;
   odd.tone = static_cast<Tone>(7);
-  EXPECT_EQ(check_fields(odd, "f").error().code, "json.unknown_name");
+  EXPECT_EQ(io::check_fields(odd, "f").error().code, "json.unknown_name");
 }
 
 // A double that no float holds was read as infinity, which is written as null.
 TEST(FieldCheck, ANumberMustFitItsField) {
-  const auto read = read_json<Outer>(R"({"schema": "outer/1", "weight": 1e300})", "f");
+  const auto read = io::read_json<Outer>(R"({"schema": "outer/1", "weight": 1e300})", "f");
   ASSERT_FALSE(read.ok());
   EXPECT_EQ(read.error().code, "json.out_of_range");
   EXPECT_EQ(read.error().where, "f:/weight");
@@ -113,13 +113,13 @@ TEST(FieldCheck, ANumberMustFitItsField) {
 TEST(FieldCheck, UnsignedNumbersAreNotNegative) {
   Outer value;
   value.seed = std::numeric_limits<std::uint64_t>::max();
-  EXPECT_TRUE(check_fields(value, "f").ok());
-  EXPECT_TRUE((read_json<Outer>(write_json(value), "f").ok()));
+  EXPECT_TRUE(io::check_fields(value, "f").ok());
+  EXPECT_TRUE((io::read_json<Outer>(io::write_json(value), "f").ok()));
 }
 
 TEST(FieldCheck, AFlagAsksAboutOneField) {
-  EXPECT_FALSE(fault_of_field<Outer>("width_mm", 600));
-  const auto fault = fault_of_field<Outer>("width_mm", 599);
+  EXPECT_FALSE(io::fault_of_field<Outer>("width_mm", 600));
+  const auto fault = io::fault_of_field<Outer>("width_mm", 599);
   ASSERT_TRUE(fault);
   EXPECT_EQ(fault->message, "599 is outside 600 to 8000");
 }

@@ -28,68 +28,69 @@ class Files : public testing::Test {
 };
 
 TEST_F(Files, WriteReplacesAndLeavesNothingBeside) {
-  ASSERT_TRUE(write_file(folder_ / "a", "one").ok());
-  ASSERT_TRUE(write_file(folder_ / "a", "two").ok());
-  EXPECT_EQ(read_file(folder_ / "a").value(), "two");
+  ASSERT_TRUE(io::write_file(folder_ / "a", "one").ok());
+  ASSERT_TRUE(io::write_file(folder_ / "a", "two").ok());
+  EXPECT_EQ(io::read_file(folder_ / "a").value(), "two");
   EXPECT_EQ(entries(), 1U);
 }
 
 TEST_F(Files, ErrorsNameTheFile) {
-  EXPECT_EQ(read_file(folder_ / "none").error().code, "input.not_found");
-  EXPECT_EQ(read_file(folder_).error().code, "io.cannot_read");
+  EXPECT_EQ(io::read_file(folder_ / "none").error().code, "input.not_found");
+  EXPECT_EQ(io::read_file(folder_).error().code, "io.cannot_read");
   std::ofstream(folder_ / "file") << "x";
-  EXPECT_EQ(write_file(folder_ / "file" / "a", "x").error().code, "io.cannot_write");
-  EXPECT_EQ(write_file(folder_, "x").error().code, "io.cannot_write");
-  ASSERT_TRUE(write_file(folder_ / "big", std::string(100, 'x')).ok());
-  EXPECT_EQ(read_file(folder_ / "big", 99).error().code, "input.too_large");
+  EXPECT_EQ(io::write_file(folder_ / "file" / "a", "x").error().code, "io.cannot_write");
+  EXPECT_EQ(io::write_file(folder_, "x").error().code, "io.cannot_write");
+  ASSERT_TRUE(io::write_file(folder_ / "big", std::string(100, 'x')).ok());
+  EXPECT_EQ(io::read_file(folder_ / "big", 99).error().code, "input.too_large");
 }
 
 TEST_F(Files, AFolderDraftAppearsWholeOrNotAtAll) {
   {
-    auto draft = FolderDraft::begin(folder_ / "store");
+    auto draft = io::FolderDraft::begin(folder_ / "store");
     ASSERT_TRUE(draft.ok());
-    ASSERT_TRUE(write_file(draft->folder() / "x", "1").ok());
+    ASSERT_TRUE(io::write_file(draft->folder() / "x", "1").ok());
     EXPECT_FALSE(fs::exists(folder_ / "store"));
   }
   EXPECT_EQ(entries(), 0U);  // dropped without commit
-  auto draft = FolderDraft::begin(folder_ / "store");
-  ASSERT_TRUE(write_file(draft->folder() / "x", "1").ok());
+  auto draft = io::FolderDraft::begin(folder_ / "store");
+  ASSERT_TRUE(io::write_file(draft->folder() / "x", "1").ok());
   ASSERT_TRUE(draft->commit().ok());
-  EXPECT_EQ(read_file(folder_ / "store" / "x").value(), "1");
-  EXPECT_EQ(FolderDraft::begin(folder_ / "store").error().code, "store.exists");
+  EXPECT_EQ(io::read_file(folder_ / "store" / "x").value(), "1");
+  EXPECT_EQ(io::FolderDraft::begin(folder_ / "store").error().code, "store.exists");
 }
 
 TEST_F(Files, AFolderDraftTakesTheParentsItMadeWithIt) {
-  { ASSERT_TRUE(FolderDraft::begin(folder_ / "2026/november/store").ok()); }
+  { ASSERT_TRUE(io::FolderDraft::begin(folder_ / "2026/november/store").ok()); }
   EXPECT_EQ(entries(), 0U);
   fs::create_directory(folder_ / "2026");
-  { ASSERT_TRUE(FolderDraft::begin(folder_ / "2026/november/store").ok()); }
+  { ASSERT_TRUE(io::FolderDraft::begin(folder_ / "2026/november/store").ok()); }
   EXPECT_EQ(entries(), 1U);  // was there before
   EXPECT_TRUE(fs::is_empty(folder_ / "2026"));
-  ASSERT_TRUE(FolderDraft::begin(folder_ / "2026/november/store")->commit().ok());
+  ASSERT_TRUE(io::FolderDraft::begin(folder_ / "2026/november/store")->commit().ok());
   EXPECT_TRUE(fs::exists(folder_ / "2026/november/store"));
 }
 
 TEST_F(Files, Sha256MatchesFips180) {  // FIPS 180-4 example: "abc"
-  EXPECT_EQ(sha256_hex("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-  ASSERT_TRUE(write_file(folder_ / "abc", "abc").ok());
-  EXPECT_EQ(sha256_of_file(folder_ / "abc").value(), sha256_hex("abc"));
+  EXPECT_EQ(io::sha256_hex("abc"),
+            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  ASSERT_TRUE(io::write_file(folder_ / "abc", "abc").ok());
+  EXPECT_EQ(io::sha256_of_file(folder_ / "abc").value(), io::sha256_hex("abc"));
 }
 
 TEST_F(Files, PngKeepsEveryPixel) {
   Image image(7, 3, 4);
   for (std::size_t i = 0; i < image.pixels.size(); ++i)
     image.pixels[i] = static_cast<std::uint8_t>(i * 37);
-  ASSERT_TRUE(write_png(folder_ / "a.png", image).ok());
-  const auto back = read_png(folder_ / "a.png");
+  ASSERT_TRUE(io::write_png(folder_ / "a.png", image).ok());
+  const auto back = io::read_png(folder_ / "a.png");
   ASSERT_TRUE(back.ok());
   EXPECT_EQ(back->width, 7);
   EXPECT_EQ(back->pixels, image.pixels);
 }
 
 TEST_F(Files, DamagedPngIsAnError) {
-  ASSERT_TRUE(write_file(folder_ / "a.png", "not a picture").ok());
-  EXPECT_EQ(read_png(folder_ / "a.png").error().code, "image.bad_file");
+  ASSERT_TRUE(io::write_file(folder_ / "a.png", "not a picture").ok());
+  EXPECT_EQ(io::read_png(folder_ / "a.png").error().code, "image.bad_file");
 }
 
 }  // namespace

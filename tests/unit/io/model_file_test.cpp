@@ -33,14 +33,16 @@ std::string with_json(const std::string& glb, std::string_view from, std::string
   return glb_bytes(changed(glb.substr(20, size), from, to), glb.substr(20 + size + 8));
 }
 
-Result<OutsideModel> obj(const std::string& text, const std::string& library = "") {
-  return parse_obj(text, "thing.obj", [&](const std::string& name) -> Result<std::string> {
+Result<io::OutsideModel> obj(const std::string& text, const std::string& library = "") {
+  return io::parse_obj(text, "thing.obj", [&](const std::string& name) -> Result<std::string> {
     if (!library.empty()) return library;
     return Error{"input.not_found", name, "is not there"};
   });
 }
 
-void expect_refused(const Result<OutsideModel>& read, const std::string& code, const char* says) {
+void expect_refused(const Result<io::OutsideModel>& read,
+                    const std::string& code,
+                    const char* says) {
   ASSERT_FALSE(read.ok()) << says;
   EXPECT_EQ(read.error().code, code) << to_string(read.error());
   EXPECT_NE(read.error().message.find(says), std::string::npos) << to_string(read.error());
@@ -49,7 +51,7 @@ void expect_refused(const Result<OutsideModel>& read, const std::string& code, c
 // ---- What is read. ----
 
 TEST(Glb, BoxHasItsSizeItsNamesAndSharpNormals) {
-  const auto model = parse_glb(box_glb(0.2F, 0.3F, 0.1F), "box.glb");
+  const auto model = io::parse_glb(box_glb(0.2F, 0.3F, 0.1F), "box.glb");
   ASSERT_TRUE(model.ok()) << to_string(model.error());
   EXPECT_EQ(model->mesh.triangles.size(), 12U);
   const Vec3f size = bounds_of(model->mesh).size();
@@ -65,18 +67,19 @@ TEST(Glb, BoxHasItsSizeItsNamesAndSharpNormals) {
 
 TEST(Glb, NodesScaleTurnMoveAndMirror) {
   const std::string half = "0.70710678";
-  const auto turned = parse_glb(box_glb(0.2F,
-                                        0.3F,
-                                        0.1F,
-                                        R"({"mesh": 0, "scale": [2, 2, 2], "rotation": [0, 0, )" +
-                                            half + ", " + half + R"(], "translation": [1, 0, 0]})"),
-                                "box.glb");
+  const auto turned =
+      io::parse_glb(box_glb(0.2F,
+                            0.3F,
+                            0.1F,
+                            R"({"mesh": 0, "scale": [2, 2, 2], "rotation": [0, 0, )" + half + ", " +
+                                half + R"(], "translation": [1, 0, 0]})"),
+                    "box.glb");
   ASSERT_TRUE(turned.ok()) << to_string(turned.error());
   const Bounds3 bounds = bounds_of(turned->mesh);  // y (0..0.6) turned to -x, then moved by 1
   EXPECT_NEAR(bounds.low.x, 0.4, 1e-5);
   EXPECT_NEAR(bounds.high.x, 1.0, 1e-5);
   EXPECT_NEAR(bounds.size().y, 0.4, 1e-5);
-  const auto mirrored = parse_glb(
+  const auto mirrored = io::parse_glb(
       box_glb(0.2F,
               0.3F,
               0.1F,
@@ -89,7 +92,7 @@ TEST(Glb, NodesScaleTurnMoveAndMirror) {
 TEST(Glb, MaterialsAndPictures) {
   Image picture(2, 2);
   picture.pixels = {255, 0, 0, 255, 0, 0, 255, 0, 0, 255, 0, 0};
-  const std::string png = encode_png(picture).value();
+  const std::string png = io::encode_png(picture).value();
   std::string glb =
       box_glb(0.1F,
               0.1F,
@@ -105,9 +108,9 @@ TEST(Glb, MaterialsAndPictures) {
                   R"("byteLength": 72})",
                   R"("byteLength": 72}, {"buffer": 0, "byteOffset": 168, "byteLength": )" +
                       std::to_string(png.size()) + "}");
-  const auto model = parse_glb(glb, "box.glb");
+  const auto model = io::parse_glb(glb, "box.glb");
   ASSERT_TRUE(model.ok()) << to_string(model.error());
-  const ModelMaterial& material = model->materials.at(model->mesh.surfaces.at(0));
+  const io::ModelMaterial& material = model->materials.at(model->mesh.surfaces.at(0));
   EXPECT_EQ(material.name, "Blue PET");
   EXPECT_FLOAT_EQ(material.color.y, 0.25F);
   EXPECT_FLOAT_EQ(material.roughness, 0.125F);
@@ -163,7 +166,7 @@ TEST(Glb, ReadsWhatTinygltfWrites) {  // an outside writer, with normals, UVs an
   std::ostringstream out;
   ASSERT_TRUE(tinygltf::TinyGLTF().WriteGltfSceneToStream(&model, out, false, true));
 
-  const auto read = parse_glb(out.str(), "tiny.glb");
+  const auto read = io::parse_glb(out.str(), "tiny.glb");
   ASSERT_TRUE(read.ok()) << to_string(read.error());
   ASSERT_EQ(read->mesh.positions.size(), 3U);
   EXPECT_EQ(read->mesh.positions[1], (Vec3f{1, 0, 0}));
@@ -182,7 +185,7 @@ TEST(Obj, BoxOfQuadsWithMaterialAndNegativeIndices) {
   EXPECT_NEAR(volume_of(model->mesh), 1, 1e-6);
   EXPECT_TRUE(is_watertight(model->mesh));
   EXPECT_EQ(model->names, std::vector<std::string>{"Crate of apples"});
-  const ModelMaterial& material = model->materials.at(model->mesh.surfaces.at(0));
+  const io::ModelMaterial& material = model->materials.at(model->mesh.surfaces.at(0));
   EXPECT_EQ(material.name, "wood");
   EXPECT_FLOAT_EQ(material.color.z, 0.125F);
   EXPECT_FLOAT_EQ(material.roughness, 0.75F);
@@ -199,31 +202,31 @@ TEST(Obj, MissingLibraryIsARemark) {
 
 TEST(Glb, BrokenFiles) {
   const std::string good = box_glb(0.1F, 0.1F, 0.1F);
-  expect_refused(parse_glb("", "x"), "model.bad_file", "is not a GLB");
-  expect_refused(parse_glb("solid cube\nfacet normal", "x"), "model.bad_file", "is not a GLB");
-  expect_refused(parse_glb(good.substr(0, good.size() - 9), "x"), "model.bad_file", "cut off");
-  expect_refused(parse_glb(changed(good, "{", "["), "x"), "model.bad_file", "not valid JSON");
-  expect_refused(parse_glb(glb_bytes(std::string(100'000, '['), ""), "x"),
+  expect_refused(io::parse_glb("", "x"), "model.bad_file", "is not a GLB");
+  expect_refused(io::parse_glb("solid cube\nfacet normal", "x"), "model.bad_file", "is not a GLB");
+  expect_refused(io::parse_glb(good.substr(0, good.size() - 9), "x"), "model.bad_file", "cut off");
+  expect_refused(io::parse_glb(changed(good, "{", "["), "x"), "model.bad_file", "not valid JSON");
+  expect_refused(io::parse_glb(glb_bytes(std::string(100'000, '['), ""), "x"),
                  "model.bad_file",
                  "nests more than 64 deep");
-  expect_refused(parse_glb(glb_bytes("{}", ""), "x"), "model.no_mesh", "no scene");
+  expect_refused(io::parse_glb(glb_bytes("{}", ""), "x"), "model.no_mesh", "no scene");
 }
 
 TEST(Glb, IndicesAndLengthsBeyondTheFile) {
   const std::string good = box_glb(0.1F, 0.1F, 0.1F);
   const auto refused = [&](const char* from, const char* to, const char* code, const char* says) {
-    expect_refused(parse_glb(with_json(good, from, to), "x"), code, says);
+    expect_refused(io::parse_glb(with_json(good, from, to), "x"), code, says);
   };
   refused(R"("count": 8)", R"("count": 9)", "model.bad_file", "beyond its buffer view");
   refused(R"("count": 8)", R"("count": 4000000000)", "input.too_large", "elements");
   refused(R"("count": 36)", R"("count": 37)", "model.bad_file", "beyond its buffer view");
-  EXPECT_TRUE(parse_glb(with_json(good, R"("count": 36)", R"("count": 33)"), "x").ok());
+  EXPECT_TRUE(io::parse_glb(with_json(good, R"("count": 36)", R"("count": 33)"), "x").ok());
 }
 
 TEST(Glb, HostileReferences) {
   const std::string good = box_glb(0.1F, 0.1F, 0.1F);
   const auto refused = [&](const char* from, const char* to, const char* code, const char* says) {
-    expect_refused(parse_glb(with_json(good, from, to), "x"), code, says);
+    expect_refused(io::parse_glb(with_json(good, from, to), "x"), code, says);
   };
   refused(R"("POSITION": 0)", R"("POSITION": 7)", "model.bad_file", "/accessors/7");
   refused(R"("POSITION": 0)", R"("POSITION": 1)", "model.bad_file", "expected type VEC3");
@@ -248,17 +251,17 @@ TEST(Glb, NumbersThatAreNone) {
   std::uint32_t json_size = 0;
   std::memcpy(&json_size, glb.data() + 12, 4);
   std::memcpy(glb.data() + 20 + json_size + 8 + 12, &nan, 4);  // x of vertex 1
-  expect_refused(parse_glb(glb, "x"), "model.bad_file", "vertex 1");
+  expect_refused(io::parse_glb(glb, "x"), "model.bad_file", "vertex 1");
   const std::string far = R"({"mesh": 0, "scale": [1e30, 1, 1]})";
-  expect_refused(parse_glb(box_glb(1, 1, 1, far), "x"), "model.bad_file", "must be a number");
+  expect_refused(io::parse_glb(box_glb(1, 1, 1, far), "x"), "model.bad_file", "must be a number");
 }
 
 TEST(Glb, NothingToSee) {
   const std::string flat = R"({"mesh": 0, "scale": [1, 0, 0]})";
-  expect_refused(parse_glb(box_glb(1, 1, 1, flat), "x"), "model.no_mesh", "no triangles");
+  expect_refused(io::parse_glb(box_glb(1, 1, 1, flat), "x"), "model.no_mesh", "no triangles");
   const std::string lines =
       with_json(box_glb(1, 1, 1), R"("indices": 1)", R"("indices": 1, "mode": 1)");
-  expect_refused(parse_glb(lines, "x"), "model.no_mesh", "no triangles");
+  expect_refused(io::parse_glb(lines, "x"), "model.no_mesh", "no triangles");
 }
 
 TEST(Obj, BrokenLinesNameTheirPlace) {
@@ -287,7 +290,7 @@ TEST(ModelFile, CompanionsStayInTheFolder) {
   const auto read = [&](const std::string& library) {
     std::ofstream(scratch.path() / "models/thing.obj")
         << "mtllib " + library + "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n";
-    return read_model_file(scratch.path() / "models/thing.obj");
+    return io::read_model_file(scratch.path() / "models/thing.obj");
   };
   EXPECT_TRUE(read("good.mtl").ok());
   for (const char* library :
@@ -297,13 +300,13 @@ TEST(ModelFile, CompanionsStayInTheFolder) {
 
 TEST(ModelFile, OtherEndingsAndHugeFiles) {
   const ScratchFolder scratch;
-  expect_refused(read_model_file("/no/such.gltf"), "model.bad_file", "binary glTF");
-  expect_refused(read_model_file("/no/such.fbx"), "model.bad_file", "neither .glb nor .obj");
-  EXPECT_EQ(read_model_file("/no/such.glb").error().code, "input.not_found");
+  expect_refused(io::read_model_file("/no/such.gltf"), "model.bad_file", "binary glTF");
+  expect_refused(io::read_model_file("/no/such.fbx"), "model.bad_file", "neither .glb nor .obj");
+  EXPECT_EQ(io::read_model_file("/no/such.glb").error().code, "input.not_found");
   const fs::path huge = scratch.path() / "huge.glb";
   std::ofstream(huge) << "glTF";
   fs::resize_file(huge, 10'000'000'000);  // sparse: takes no room
-  expect_refused(read_model_file(huge), "input.too_large", "larger than");
+  expect_refused(io::read_model_file(huge), "input.too_large", "larger than");
 }
 
 TEST(ModelFile, FlippedBytesAreReadOrRefused) {  // never a crash; fuzz/ goes further
@@ -314,7 +317,7 @@ TEST(ModelFile, FlippedBytesAreReadOrRefused) {  // never a crash; fuzz/ goes fu
     std::string bytes = good;
     for (int flips = 0; flips < 3; ++flips)
       bytes[random() % bytes.size()] = static_cast<char>(random());
-    read += parse_glb(bytes, "x").ok() ? 1 : 0;
+    read += io::parse_glb(bytes, "x").ok() ? 1 : 0;
   }
   EXPECT_GT(read, 0);
   EXPECT_LT(read, 2000);

@@ -22,8 +22,8 @@ Image plain(int width, int height, Rgb8 color) {
 
 // Two squares side by side: the first shows a red picture, the second a white one under half-bright
 // green; both share two vertices.
-OutsideModel two_squares() {
-  OutsideModel model;
+io::OutsideModel two_squares() {
+  io::OutsideModel model;
   for (int i = 0; i < 6; ++i) {
     const auto column = static_cast<float>(i % 3), row = static_cast<float>(i / 3);
     model.mesh.add_vertex({column, row, 0}, {0, 0, 1}, {column, 1 - row});
@@ -50,8 +50,8 @@ Rgb8 color_at(const Image& image, Vec2f uv) {
 }
 
 TEST(MergePictures, EveryCornerStillShowsItsColour) {
-  OutsideModel model = two_squares();
-  merge_pictures(model);
+  io::OutsideModel model = two_squares();
+  io::merge_pictures(model);
   ASSERT_EQ(model.pictures.size(), 1U);  // and the picture that nothing shows is gone
   EXPECT_EQ(model.pictures[0].width, 8);
   for (std::size_t t = 0; t < 4; ++t) {
@@ -68,26 +68,26 @@ TEST(MergePictures, EveryCornerStillShowsItsColour) {
 }
 
 TEST(MergePictures, OneRepeatingPictureStaysAsItIs) {
-  OutsideModel model = two_squares();
+  io::OutsideModel model = two_squares();
   for (std::uint16_t& surface : model.mesh.surfaces)
     surface = 0;
-  merge_pictures(model);
+  io::merge_pictures(model);
   EXPECT_EQ(model.pictures.at(0).pixels, plain(8, 8, {255, 0, 0}).pixels);
   EXPECT_EQ(bounds_of(model.mesh).size().x, 2);
   EXPECT_EQ(model.mesh.uvs[model.mesh.triangles[2][1]].x, 2);
 }
 
 TEST(EncodeGlb, ReadsBackAsItWas) {
-  OutsideModel model = two_squares();
+  io::OutsideModel model = two_squares();
   model.materials[2].clear = true;
   model.mesh.surfaces[3] = 2;
-  merge_pictures(model);
+  io::merge_pictures(model);
   model.pieces = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                   {{2, 0, 0}, {3, 0, 0}, {2, 1, 0}, {2, 0, 1}}};
-  const auto bytes = encode_glb(model, "squares");
+  const auto bytes = io::encode_glb(model, "squares");
   ASSERT_TRUE(bytes.ok());
-  EXPECT_EQ(*bytes, *encode_glb(model, "squares"));
-  const auto read = parse_glb(*bytes, "again");
+  EXPECT_EQ(*bytes, *io::encode_glb(model, "squares"));
+  const auto read = io::parse_glb(*bytes, "again");
   ASSERT_TRUE(read.ok()) << to_string(read.error());
   ASSERT_EQ(read->mesh.triangles.size(), 4U);
   EXPECT_NEAR(bounds_of(read->mesh).size().x, 2, 1e-6);
@@ -95,7 +95,7 @@ TEST(EncodeGlb, ReadsBackAsItWas) {
   EXPECT_EQ(read->pictures.at(0).pixels, model.pictures.at(0).pixels);
   ASSERT_EQ(read->pieces.size(), 2U);
   EXPECT_NEAR(read->pieces[1][1].x, 3, 1e-6);
-  const ModelMaterial& clear = read->materials.at(read->mesh.surfaces[3]);
+  const io::ModelMaterial& clear = read->materials.at(read->mesh.surfaces[3]);
   EXPECT_TRUE(clear.clear);
   EXPECT_FLOAT_EQ(clear.color.z, 0.75F);
 }

@@ -13,7 +13,7 @@ namespace {
 TEST(Npy, HasTheHeaderThatNumPyExpects) {
   const ScratchFolder scratch;
   const std::vector<float> values{0, 1.5F, -2, 3, 4, 5.25F};
-  ASSERT_TRUE(write_npy(scratch.path() / "a.npy", values, {2, 3}).ok());
+  ASSERT_TRUE(io::write_npy(scratch.path() / "a.npy", values, {2, 3}).ok());
   const std::string bytes = contents_of(scratch.path() / "a.npy");
   ASSERT_EQ(bytes.size(), 128U + 24U);
   EXPECT_EQ(bytes.substr(0, 8), std::string("\x93NUMPY\x01\x00", 8));
@@ -27,7 +27,7 @@ TEST(Npy, HasTheHeaderThatNumPyExpects) {
 }
 
 TEST(Npy, SaysWhenItCannotWrite) {
-  const auto written = write_npy("/proc/marketgen.npy", std::vector<float>{1}, {1});
+  const auto written = io::write_npy("/proc/marketgen.npy", std::vector<float>{1}, {1});
   ASSERT_FALSE(written.ok());
   EXPECT_EQ(written.error().code, "io.cannot_write");
 }

@@ -43,7 +43,7 @@ class Destinations : public testing::Test {
     std::ranges::sort(all);
     return all;
   }
-  static std::string text_of(const fs::path& path) { return read_file(path).value(); }
+  static std::string text_of(const fs::path& path) { return io::read_file(path).value(); }
   static mode_t mode_of(const fs::path& path) {
     struct stat info {};
     lstat(path.c_str(), &info);
@@ -53,10 +53,10 @@ class Destinations : public testing::Test {
 };
 
 TEST_F(Destinations, NoNameIsAnErrorAtOnce) {
-  EXPECT_EQ(write_file("", "x").error().code, "usage.bad_flag");
-  EXPECT_EQ(FolderDraft::begin("").error().code, "usage.bad_flag");
-  EXPECT_EQ(write_file(fs::path(std::string("a\0b", 3)), "x").error().code, "usage.bad_flag");
-  Outputs outputs;
+  EXPECT_EQ(io::write_file("", "x").error().code, "usage.bad_flag");
+  EXPECT_EQ(io::FolderDraft::begin("").error().code, "usage.bad_flag");
+  EXPECT_EQ(io::write_file(fs::path(std::string("a\0b", 3)), "x").error().code, "usage.bad_flag");
+  io::Outputs outputs;
   EXPECT_EQ(outputs.add_folder("").error().code, "usage.bad_flag");
 }
 
@@ -67,8 +67,8 @@ TEST_F(Destinations, AWorkingFolderThatIsGone) {
   if (child == 0) {
     if (chdir(here.c_str()) != 0) _exit(1);
     fs::remove(here);
-    const bool refused = write_file("a", "x").error().code == "io.cannot_write" &&
-                         FolderDraft::begin("shop").error().code == "io.cannot_write";
+    const bool refused = io::write_file("a", "x").error().code == "io.cannot_write" &&
+                         io::FolderDraft::begin("shop").error().code == "io.cannot_write";
     _exit(refused ? 7 : 8);
   }
   int state = 0;
@@ -77,10 +77,10 @@ TEST_F(Destinations, AWorkingFolderThatIsGone) {
 }
 
 TEST_F(Destinations, MissingFoldersAreMadeAndGoAgainWithAFailure) {
-  ASSERT_TRUE(write_file(file("a/b/c"), "x").ok());
+  ASSERT_TRUE(io::write_file(file("a/b/c"), "x").ok());
   EXPECT_EQ(text_of(file("a/b/c")), "x");
   {
-    Outputs outputs;
+    io::Outputs outputs;
     ASSERT_TRUE(outputs.add({{"-o", file("d/e/f")}}).ok());
     EXPECT_TRUE(fs::exists(file("d/e")));
   }
@@ -89,11 +89,11 @@ TEST_F(Destinations, MissingFoldersAreMadeAndGoAgainWithAFailure) {
 
 TEST_F(Destinations, ModesAreKeptAndNewOnesFollowTheUmask) {
   const mode_t before = umask(027);
-  ASSERT_TRUE(write_file(file("new"), "x").ok());
+  ASSERT_TRUE(io::write_file(file("new"), "x").ok());
   umask(before);
   EXPECT_EQ(mode_of(file("new")) & 0777U, 0640U);
   chmod(holding("secret", "old").c_str(), 0600);
-  ASSERT_TRUE(write_file(file("secret"), "new").ok());
+  ASSERT_TRUE(io::write_file(file("secret"), "new").ok());
   EXPECT_EQ(mode_of(file("secret")) & 0777U, 0600U);
   EXPECT_EQ(text_of(file("secret")), "new");
 }
@@ -102,23 +102,23 @@ TEST_F(Destinations, LinksKeepPointingAtTheirFile) {
   holding("target", "old");
   fs::create_symlink("target", file("link"));
   fs::create_symlink("link", file("link2"));
-  ASSERT_TRUE(write_file(file("link2"), "new").ok());
+  ASSERT_TRUE(io::write_file(file("link2"), "new").ok());
   EXPECT_TRUE(fs::is_symlink(file("link")) && fs::is_symlink(file("link2")));
   EXPECT_EQ(text_of(file("target")), "new");
   fs::create_symlink("not-there-yet", file("ahead"));
-  ASSERT_TRUE(write_file(file("ahead"), "x").ok());
+  ASSERT_TRUE(io::write_file(file("ahead"), "x").ok());
   EXPECT_EQ(text_of(file("not-there-yet")), "x");
   fs::create_symlink("b", file("a"));
   fs::create_symlink("a", file("b"));
-  EXPECT_EQ(write_file(file("a"), "x").error().code, "io.cannot_write");
+  EXPECT_EQ(io::write_file(file("a"), "x").error().code, "io.cannot_write");
 }
 
 TEST_F(Destinations, DevicesAreWrittenNotReplaced) {
   if (mknod(file("null").c_str(), S_IFCHR | 0666U, makedev(1, 3)) != 0 ||
       mknod(file("full").c_str(), S_IFCHR | 0666U, makedev(1, 7)) != 0)
     GTEST_SKIP() << "devices can be made by root only";
-  EXPECT_TRUE(write_file(file("null"), "x").ok());
-  const auto full = write_file(file("full"), "x");
+  EXPECT_TRUE(io::write_file(file("null"), "x").ok());
+  const auto full = io::write_file(file("full"), "x");
   ASSERT_FALSE(full.ok());
   EXPECT_EQ(full.error().code, "io.cannot_write");
   EXPECT_EQ(full.error().where, file("full").string());
@@ -131,7 +131,7 @@ TEST_F(Destinations, PipesAreWrittenTo) {
   std::string got;
   std::thread reader([&] { got = text_of(file("pipe")); });
   const std::string much(300'000, 'x');  // more than a pipe holds
-  EXPECT_TRUE(write_file(file("pipe"), much).ok());
+  EXPECT_TRUE(io::write_file(file("pipe"), much).ok());
   reader.join();
   EXPECT_EQ(got, much);
   EXPECT_TRUE(S_ISFIFO(mode_of(file("pipe"))));
@@ -140,16 +140,16 @@ TEST_F(Destinations, PipesAreWrittenTo) {
 TEST_F(Destinations, OpenDescriptorsAreWrittenWhereTheyStand) {
   const int fd = open(file("log").c_str(), O_WRONLY | O_CREAT, 0600);
   ASSERT_EQ(write(fd, "one ", 4), 4);
-  ASSERT_TRUE(write_file("/dev/fd/" + std::to_string(fd), "two").ok());
+  ASSERT_TRUE(io::write_file("/dev/fd/" + std::to_string(fd), "two").ok());
   ASSERT_EQ(write(fd, " three", 6), 6);
   close(fd);
   EXPECT_EQ(text_of(file("log")), "one two three");
-  EXPECT_FALSE(write_file("/dev/fd/" + std::to_string(fd), "two").ok());  // closed
+  EXPECT_FALSE(io::write_file("/dev/fd/" + std::to_string(fd), "two").ok());  // closed
 }
 
 TEST_F(Destinations, FoldersAreNoFiles) {
   for (const fs::path& path : {folder_, folder_ / "", folder_ / ".", folder_ / "x/"}) {
-    const auto written = write_file(path, "x");
+    const auto written = io::write_file(path, "x");
     ASSERT_FALSE(written.ok()) << path;
     EXPECT_EQ(written.error().code, "io.cannot_write") << path;
   }
@@ -157,8 +157,8 @@ TEST_F(Destinations, FoldersAreNoFiles) {
 
 TEST_F(Destinations, LongNamesCanBeWritten) {
   const std::string longest(255, 'n');
-  EXPECT_TRUE(write_file(file(longest), "x").ok());
-  EXPECT_EQ(write_file(file(longest + "n"), "x").error().code, "io.cannot_write");
+  EXPECT_TRUE(io::write_file(file(longest), "x").ok());
+  EXPECT_EQ(io::write_file(file(longest + "n"), "x").error().code, "io.cannot_write");
 }
 
 TEST_F(Destinations, AMountedFolderTakesAStore) {
@@ -166,10 +166,10 @@ TEST_F(Destinations, AMountedFolderTakesAStore) {
   if (mount("none", file("disk").c_str(), "tmpfs", 0, "size=256k") != 0)
     GTEST_SKIP() << "only root can mount";
   {
-    auto draft = FolderDraft::begin(file("disk"));
+    auto draft = io::FolderDraft::begin(file("disk"));
     ASSERT_TRUE(draft.ok()) << draft.error().message;
-    ASSERT_TRUE(write_file(draft->folder() / "store.json", "x").ok());
-    const auto full = write_file(draft->folder() / "big", std::string(1'000'000, 'x'));
+    ASSERT_TRUE(io::write_file(draft->folder() / "store.json", "x").ok());
+    const auto full = io::write_file(draft->folder() / "big", std::string(1'000'000, 'x'));
     EXPECT_EQ(full.error().code, "io.cannot_write");
     EXPECT_NE(full.error().message.find("make room"), std::string::npos);
     EXPECT_TRUE(draft->commit().ok());
@@ -183,9 +183,9 @@ TEST_F(Destinations, AnEmptyFolderThatIsThereKeepsItsMode) {
   chmod(file("shop").c_str(), 0700);
   fs::create_symlink("shop", file("link"));
   {
-    auto draft = FolderDraft::begin(file("link"));
+    auto draft = io::FolderDraft::begin(file("link"));
     ASSERT_TRUE(draft.ok());
-    ASSERT_TRUE(write_file(draft->folder() / "x", "1").ok());
+    ASSERT_TRUE(io::write_file(draft->folder() / "x", "1").ok());
     ASSERT_TRUE(draft->commit().ok());
   }
   EXPECT_EQ(mode_of(file("shop")) & 0777U, 0700U);
@@ -193,7 +193,7 @@ TEST_F(Destinations, AnEmptyFolderThatIsThereKeepsItsMode) {
 }
 
 TEST_F(Destinations, PartsOfTheDeadAreSweptThoseOfTheLivingStay) {
-  std::ofstream(part_in(folder_, "ours")) << "being written";
+  std::ofstream(io::part_in(folder_, "ours")) << "being written";
   setenv("MARKETGEN_TEST_FOLDER", folder_.c_str(), 1);
   const pid_t child = fork();
   if (child == 0) {
@@ -207,7 +207,7 @@ TEST_F(Destinations, PartsOfTheDeadAreSweptThoseOfTheLivingStay) {
   waitpid(child, nullptr, 0);
   EXPECT_EQ(names().size(), 2U);
   std::ofstream(file(".other.123-abcdef01.part")) << "somebody else's";
-  sweep_parts(folder_);
+  io::sweep_parts(folder_);
   const auto left = names();
   ASSERT_EQ(left.size(), 2U);
   EXPECT_TRUE(
@@ -218,7 +218,7 @@ TEST_F(Destinations, SeveralOutputsAreReplacedTogether) {
   holding("one", "old");
   holding("two", "old");
   {
-    Outputs outputs;
+    io::Outputs outputs;
     ASSERT_TRUE(outputs.add({{"-o", file("one")}, {"--two", file("two")}, {"--three", {}}}).ok());
     ASSERT_TRUE(outputs.put(file("one"), "new").ok());
     EXPECT_EQ(text_of(file("one")), "old");
@@ -232,7 +232,7 @@ TEST_F(Destinations, SeveralOutputsAreReplacedTogether) {
 TEST_F(Destinations, WhatIsNotCommittedIsNotThere) {
   holding("one", "old");
   {
-    Outputs outputs;
+    io::Outputs outputs;
     ASSERT_TRUE(outputs.add({{"-o", file("one")}, {"--two", file("two")}}).ok());
     ASSERT_TRUE(outputs.put(file("one"), "new").ok());
   }
@@ -243,7 +243,7 @@ TEST_F(Destinations, WhatIsNotCommittedIsNotThere) {
 TEST_F(Destinations, OneThatCannotBePutInPlaceTakesTheOthersBack) {
   holding("one", "old");
   {
-    Outputs outputs;
+    io::Outputs outputs;
     ASSERT_TRUE(
         outputs.add({{"-o", file("one")}, {"--new", file("new")}, {"--last", file("last")}}).ok());
     for (const char* name : {"one", "new", "last"})
@@ -258,7 +258,7 @@ TEST_F(Destinations, OneThatCannotBePutInPlaceTakesTheOthersBack) {
 
 TEST_F(Destinations, TwoOutputsOfOneNameAreAnError) {
   fs::create_symlink("one", file("link"));
-  Outputs outputs;
+  io::Outputs outputs;
   const auto twice = outputs.add({{"-o", file("one")}, {"--depth", file("link")}});
   ASSERT_FALSE(twice.ok());
   EXPECT_EQ(twice.error().code, "usage.bad_flag");
@@ -266,7 +266,7 @@ TEST_F(Destinations, TwoOutputsOfOneNameAreAnError) {
 }
 
 TEST_F(Destinations, ErrorsNameTheFileThatWasAskedFor) {
-  Outputs outputs;
+  io::Outputs outputs;
   ASSERT_TRUE(outputs.add({{"-o", file("one")}}).ok());
   const auto failed = outputs.put(file("one"), [](const fs::path& place) {
     return Error{"io.cannot_write", place.string(), "is the disk full?"};
@@ -278,7 +278,7 @@ TEST_F(Destinations, ErrorsNameTheFileThatWasAskedFor) {
 TEST(LeftByAProcess, DISABLED_LeavesAPart) {
   const char* folder = std::getenv("MARKETGEN_TEST_FOLDER");
   if (folder == nullptr) GTEST_SKIP();
-  std::ofstream(part_in(folder, "dead")) << "half";
+  std::ofstream(io::part_in(folder, "dead")) << "half";
 }
 
 }  // namespace

@@ -45,10 +45,10 @@ class PictureFile : public testing::Test {
 TEST_F(PictureFile, JpegNamesHoldJpegs) {
   const Image image = sample();
   for (const char* name : {"a.jpg", "a.jpeg", "a.JPG"}) {
-    ASSERT_TRUE(write_picture(folder_ / name, image).ok()) << name;
-    const std::string bytes = read_file(folder_ / name).value();
+    ASSERT_TRUE(io::write_picture(folder_ / name, image).ok()) << name;
+    const std::string bytes = io::read_file(folder_ / name).value();
     EXPECT_EQ(bytes.substr(0, 3), "\xFF\xD8\xFF") << name;
-    const Result<Image> back = decode_jpeg(bytes, name);
+    const Result<Image> back = io::decode_jpeg(bytes, name);
     ASSERT_TRUE(back.ok()) << to_string(back.error());
     ASSERT_EQ(back->pixels.size(), image.pixels.size());
     double sum = 0;
@@ -56,35 +56,35 @@ TEST_F(PictureFile, JpegNamesHoldJpegs) {
       sum += std::abs(int{back->pixels[i]} - int{image.pixels[i]});
     EXPECT_LT(sum / static_cast<double>(image.pixels.size()), 1.5) << name;
   }
-  EXPECT_EQ(read_file(folder_ / "a.jpg").value(), encode_jpeg(image).value());
+  EXPECT_EQ(io::read_file(folder_ / "a.jpg").value(), io::encode_jpeg(image).value());
 }
 
 TEST_F(PictureFile, PngNamesAndNamesWithoutEndingHoldPngs) {
   const Image image = sample();
   for (const char* name : {"a.png", "a.PNG", "a"}) {
-    ASSERT_TRUE(write_picture(folder_ / name, image).ok()) << name;
-    EXPECT_EQ(read_png(folder_ / name).value().pixels, image.pixels) << name;
+    ASSERT_TRUE(io::write_picture(folder_ / name, image).ok()) << name;
+    EXPECT_EQ(io::read_png(folder_ / name).value().pixels, image.pixels) << name;
   }
 }
 
 TEST_F(PictureFile, OtherEndingsAreRefusedAndLeaveNothing) {
   for (const char* name : {"a.gif", "a.webp", "a.png.tmp", "a.json"}) {
-    const Result<void> written = write_picture(folder_ / name, sample());
+    const Result<void> written = io::write_picture(folder_ / name, sample());
     ASSERT_FALSE(written.ok()) << name;
     EXPECT_EQ(written.error().code, "usage.bad_flag");
     EXPECT_FALSE(fs::exists(folder_ / name));
   }
-  const Result<void> refused = check_picture_ending("a.gif", "-o");
+  const Result<void> refused = io::check_picture_ending("a.gif", "-o");
   EXPECT_EQ(to_string(refused.error()),
             "error[usage.bad_flag] -o: \"a.gif\" cannot be written as .gif; give the file a name "
             "that ends in .png or .jpg or .jpeg");
-  EXPECT_TRUE(check_ending("", {".png"}, "--depth").ok());
-  EXPECT_FALSE(check_ending("d.jpg", {".png", ".npy"}, "--depth").ok());
+  EXPECT_TRUE(io::check_ending("", {".png"}, "--depth").ok());
+  EXPECT_FALSE(io::check_ending("d.jpg", {".png", ".npy"}, "--depth").ok());
 }
 
 TEST_F(PictureFile, APictureThatJpegCannotHoldIsAnError) {
-  EXPECT_EQ(encode_jpeg(Image(70'000, 1)).error().code, "image.bad_file");
-  EXPECT_EQ(encode_jpeg(Image(4, 4, 4)).error().code, "image.bad_file");
+  EXPECT_EQ(io::encode_jpeg(Image(70'000, 1)).error().code, "image.bad_file");
+  EXPECT_EQ(io::encode_jpeg(Image(4, 4, 4)).error().code, "image.bad_file");
 }
 
 }  // namespace

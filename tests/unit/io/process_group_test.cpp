@@ -51,22 +51,22 @@ std::vector<std::string> stuck(const ScratchFolder& scratch) {
 
 TEST(ProcessGroup, ItsChildrenEndWithIt) {
   const ScratchFolder scratch;
-  auto group = ProcessGroup::start(stuck(scratch), ours);
+  auto group = io::ProcessGroup::start(stuck(scratch), ours);
   ASSERT_TRUE(group.ok()) << to_string(group.error());
   const pid_t child = number_in(scratch.path() / "child");
   ASSERT_TRUE(runs(child));
   EXPECT_FALSE(group->is_over());
-  EXPECT_EQ(end_of_program(group->end()), "signal 9");
+  EXPECT_EQ(io::end_of_program(group->end()), "signal 9");
   EXPECT_TRUE(is_gone(child));
-  EXPECT_EQ(end_of_program(group->end()), "signal 9") << "told again";
+  EXPECT_EQ(io::end_of_program(group->end()), "signal 9") << "told again";
 }
 
 TEST(ProcessGroup, WhatAProgramLeavesBehindEndsToo) {
   const ScratchFolder scratch;
-  auto group = ProcessGroup::start(
+  auto group = io::ProcessGroup::start(
       shell("sleep 1000 & echo $! > " + (scratch.path() / "child").string() + "; exit 3"), ours);
   ASSERT_TRUE(group.ok()) << to_string(group.error());
-  EXPECT_EQ(end_of_program(group->wait(20)), "status 3");
+  EXPECT_EQ(io::end_of_program(group->wait(20)), "status 3");
   EXPECT_TRUE(is_gone(number_in(scratch.path() / "child")));
 }
 
@@ -75,7 +75,7 @@ TEST(ProcessGroup, EndsWhenItsStarterIsKilled) {
   const ScratchFolder scratch;
   const pid_t starter = fork();
   if (starter == 0) {
-    const auto group = ProcessGroup::start(stuck(scratch), ours);
+    const auto group = io::ProcessGroup::start(stuck(scratch), ours);
     pause();
     _exit(group.ok() ? 0 : 1);
   }
@@ -87,9 +87,9 @@ TEST(ProcessGroup, EndsWhenItsStarterIsKilled) {
 }
 
 TEST(ProcessGroup, OneThatLeavesItsGroupIsEndedAllTheSame) {
-  auto group = ProcessGroup::start({"setsid", "sleep", "1000"}, ours);
+  auto group = io::ProcessGroup::start({"setsid", "sleep", "1000"}, ours);
   ASSERT_TRUE(group.ok()) << to_string(group.error());
-  EXPECT_EQ(end_of_program(group->wait(0.3)), "signal 9");
+  EXPECT_EQ(io::end_of_program(group->wait(0.3)), "signal 9");
 }
 
 // A session of its own, with the program as its parent and as nobody's child; and what has nothing
@@ -104,14 +104,14 @@ TEST(ProcessGroup, ChildrenThatLeaveItsGroupEndWithIt) {
     while (true)
       pause();
   }
-  auto group = ProcessGroup::start(
+  auto group = io::ProcessGroup::start(
       shell("setsid sleep 1000 & echo $! > " + child + "; setsid -f sh -c 'echo $$ > " + daemon +
             "; exec sleep 1000'; while true; do true; done"),
       ours);
   ASSERT_TRUE(group.ok()) << to_string(group.error());
   const pid_t with_parent = number_in(child), without = number_in(daemon);
   ASSERT_TRUE(runs(with_parent) && runs(without));
-  EXPECT_EQ(end_of_program(group->wait(0.3)), "signal 9");
+  EXPECT_EQ(io::end_of_program(group->wait(0.3)), "signal 9");
   EXPECT_FALSE(runs(with_parent));
   EXPECT_FALSE(runs(without));
   EXPECT_TRUE(runs(other));
@@ -120,34 +120,34 @@ TEST(ProcessGroup, ChildrenThatLeaveItsGroupEndWithIt) {
 }
 
 TEST(ProcessGroup, WhatCannotBeStartedIsSaid) {
-  const auto group = ProcessGroup::start({"no-such-program-here"}, ours);
+  const auto group = io::ProcessGroup::start({"no-such-program-here"}, ours);
   ASSERT_FALSE(group.ok());
   EXPECT_EQ(group.error().code, "usage.unavailable");
 }
 
 TEST(Program, AChildThatOutlivesItsLimitIsEnded) {
   const ScratchFolder scratch;
-  const auto slow = run_program(stuck(scratch), "", {.seconds = 0.5});
+  const auto slow = io::run_program(stuck(scratch), "", {.seconds = 0.5});
   EXPECT_EQ(slow.error().code, "program.failed");
   EXPECT_TRUE(is_gone(number_in(scratch.path() / "child")));
 }
 
-ProcessGroup started(const std::string& text) {
-  auto group = ProcessGroup::start(shell(text), ours);
+io::ProcessGroup started(const std::string& text) {
+  auto group = io::ProcessGroup::start(shell(text), ours);
   if (!group.ok()) fatal(to_string(group.error()).c_str());
   return std::move(group).value();
 }
 
 // Within a minute, on however busy a machine.
-bool comes_to_use(const ProcessGroup& group, double cpu_s) {
+bool comes_to_use(const io::ProcessGroup& group, double cpu_s) {
   for (int i = 0; i < 6000 && group.cpu_s() < cpu_s; ++i)
     usleep(10'000);
   return group.cpu_s() >= cpu_s;
 }
 
 TEST(ProcessGroup, ProcessorTimeIsWhatItComputesAndNotWhatItWaits) {
-  const ProcessGroup waits = started("exec sleep 1000");
-  ProcessGroup computes = started("while :; do :; done");
+  const io::ProcessGroup waits = started("exec sleep 1000");
+  io::ProcessGroup computes = started("while :; do :; done");
   EXPECT_TRUE(comes_to_use(computes, 0.3));
   EXPECT_LT(waits.cpu_s(), 0.1);
   computes.end();
@@ -155,7 +155,7 @@ TEST(ProcessGroup, ProcessorTimeIsWhatItComputesAndNotWhatItWaits) {
 }
 
 TEST(ProcessGroup, ProcessorTimeOfChildrenCountsOnceTheyWereWaitedFor) {
-  const ProcessGroup waits =
+  const io::ProcessGroup waits =
       started("/bin/sh -c 'i=0; while [ $i -lt 2000000 ]; do i=$((i+1)); done'; exec sleep 1000");
   EXPECT_TRUE(comes_to_use(waits, 0.1));
 }

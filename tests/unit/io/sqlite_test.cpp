@@ -6,10 +6,10 @@
 namespace marketgen {
 namespace {
 
-SqlDatabase three_goods() {
-  SqlDatabase sql = SqlDatabase::create().value();
+io::SqlDatabase three_goods() {
+  io::SqlDatabase sql = io::SqlDatabase::create().value();
   EXPECT_TRUE(sql.run("CREATE TABLE goods(name TEXT, price REAL, count INTEGER)").ok());
-  SqlStatement insert = sql.prepare("INSERT INTO goods VALUES(?, ?, ?)").value();
+  io::SqlStatement insert = sql.prepare("INSERT INTO goods VALUES(?, ?, ?)").value();
   EXPECT_TRUE(insert.start().bind(1, "milk").bind(2, 1.25).bind(3, std::int64_t{3}).run().ok());
   EXPECT_TRUE(insert.start().bind(1, "o'neil; DROP").bind(2, 0.5).run().ok());
   EXPECT_TRUE(insert.start().bind(1, std::string("a\0b", 3)).run().ok());
@@ -17,8 +17,8 @@ SqlDatabase three_goods() {
 }
 
 TEST(Sqlite, RowsComeBackAsTheyWere) {
-  const SqlDatabase sql = three_goods();
-  SqlStatement all = sql.prepare("SELECT name, price, count FROM goods ORDER BY rowid").value();
+  const io::SqlDatabase sql = three_goods();
+  io::SqlStatement all = sql.prepare("SELECT name, price, count FROM goods ORDER BY rowid").value();
   ASSERT_TRUE(all.start().step().value());
   EXPECT_EQ(all.text(0), "milk");
   EXPECT_EQ(all.number(1), 1.25);
@@ -35,28 +35,28 @@ TEST(Sqlite, BytesAreAFileAndReadBack) {
   const std::string bytes = three_goods().bytes().value();
   EXPECT_EQ(bytes.substr(0, 15), "SQLite format 3");
   EXPECT_EQ(bytes, three_goods().bytes().value());  // the same rows, the same bytes
-  const auto again = SqlDatabase::open(bytes);
+  const auto again = io::SqlDatabase::open(bytes);
   ASSERT_TRUE(again.ok());
-  SqlStatement count = again->prepare("SELECT count(*) FROM goods").value();
+  io::SqlStatement count = again->prepare("SELECT count(*) FROM goods").value();
   ASSERT_TRUE(count.step().value());
   EXPECT_EQ(count.integer(0), 3);
 }
 
 TEST(Sqlite, HasFullTextSearch) {
-  SqlDatabase sql = SqlDatabase::create().value();
+  io::SqlDatabase sql = io::SqlDatabase::create().value();
   EXPECT_TRUE(sql.run("CREATE VIRTUAL TABLE t USING fts5(x, tokenize = 'porter unicode61')").ok());
 }
 
 TEST(Sqlite, FaultsAreErrors) {
-  SqlDatabase sql = three_goods();
+  io::SqlDatabase sql = three_goods();
   EXPECT_EQ(sql.run("CREATE TABLE goods(x)").error().code, "io.database");
   EXPECT_EQ(sql.prepare("SELECT nothing FROM goods").error().code, "io.database");
   const std::string bytes = sql.bytes().value();
-  EXPECT_FALSE(SqlDatabase::open("").ok());
-  EXPECT_FALSE(SqlDatabase::open("no database at all").ok());
+  EXPECT_FALSE(io::SqlDatabase::open("").ok());
+  EXPECT_FALSE(io::SqlDatabase::open("no database at all").ok());
   std::string torn = bytes;
   torn.replace(4096, 64, 64, '\xFF');
-  EXPECT_EQ(SqlDatabase::open(torn).error().code, "io.database");
+  EXPECT_EQ(io::SqlDatabase::open(torn).error().code, "io.database");
 }
 
 }  // namespace

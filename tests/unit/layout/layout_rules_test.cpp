@@ -16,11 +16,11 @@ namespace {
 // A room of 20 x 12 m with an entrance in the south-west and an exit in the south-east, one shelf
 // against the north wall, and a till before the exit: breaks nothing. Cases change it.
 struct Shop {
-  Plan plan;
-  Layout layout;
+  plan::Plan plan;
+  layout::Layout layout;
 };
 
-void put(Shop& shop, Fixture fixture) {
+void put(Shop& shop, layout::Fixture fixture) {
   shop.layout.fixtures.push_back(std::move(fixture));
 }
 
@@ -38,8 +38,9 @@ Shop sound_shop() {
   shop.plan.profile = "test";
   shop.plan.shell.width_mm = 20000;
   shop.plan.shell.depth_mm = 12000;
-  shop.plan.shell.openings = {sample::door("entrance", OpeningKind::entrance, Wall::south, 0.2),
-                              sample::door("exit", OpeningKind::exit, Wall::south, 0.8)};
+  shop.plan.shell.openings = {
+      sample::door("entrance", plan::OpeningKind::entrance, plan::Wall::south, 0.2),
+      sample::door("exit", plan::OpeningKind::exit, plan::Wall::south, 0.8)};
   add_zone(shop, "goods", "dry_goods", "gondola", {0, 9000, 20000, 12000});
   add_zone(shop, "tills", "checkout", "checkout_lane", {12000, 0, 20000, 6000});
   put(shop,
@@ -50,11 +51,11 @@ Shop sound_shop() {
   return shop;
 }
 
-Aisle aisle(AisleKind kind, RectMm rect, int width) {
+layout::Aisle aisle(layout::AisleKind kind, RectMm rect, int width) {
   return {"goods/run-1/aisle-south", kind, polygon_of(rect), width};
 }
 
-Shop with_aisle(AisleKind kind, RectMm rect, int width) {
+Shop with_aisle(layout::AisleKind kind, RectMm rect, int width) {
   Shop shop = sound_shop();
   shop.layout.aisles = {aisle(kind, rect, width)};
   return shop;
@@ -69,11 +70,12 @@ Shop with_blind_alley(int length) {
   put(shop, sample::fixture("goods/run-1/module-1", "gondola", "goods", 7200, y, 90, length, 2000));
   put(shop,
       sample::fixture("goods/run-2/module-1", "gondola", "goods", 10800, y, 270, length, 2000));
-  shop.layout.aisles = {aisle(AisleKind::secondary, {8200, 12000 - length, 9800, 12000}, 1600)};
+  shop.layout.aisles = {
+      aisle(layout::AisleKind::secondary, {8200, 12000 - length, 9800, 12000}, 1600)};
   return shop;
 }
 
-Shop with_fixture(Fixture fixture) {
+Shop with_fixture(layout::Fixture fixture) {
   Shop shop = sound_shop();
   put(shop, std::move(fixture));
   return shop;
@@ -124,7 +126,7 @@ Shop with_cold_zones(std::vector<int> at) {
   return shop;
 }
 
-Shop with_relation(Strength strength, RelationKind kind, const std::string& b) {
+Shop with_relation(plan::Strength strength, plan::RelationKind kind, const std::string& b) {
   Shop shop = sound_shop();
   shop.plan.relations = {{kind, "tills", b, {}, strength}};
   return shop;
@@ -138,7 +140,7 @@ Shop with_smallest(double area) {
 
 Shop with_tills_wanted(int count) {
   Shop shop = sound_shop();
-  for (Zone& zone : shop.plan.zones) {
+  for (plan::Zone& zone : shop.plan.zones) {
     if (zone.id == "tills") zone.fixture.count = count;
   }
   return shop;
@@ -190,25 +192,25 @@ struct Case {
 const std::map<std::string, Case>& cases() {
   static const RectMm alley{4000, 5000, 14000, 6500};
   static const auto low = [](int height) {
-    Fixture f =
+    layout::Fixture f =
         sample::fixture("goods/run-2/module-1", "wall_unit", "goods", 4000, 2500, 180, 1000, 500);
     f.height_mm = height;
     return with_fixture(f);
   };
   static const std::map<std::string, Case> all{
       {"AISLE_TOO_NARROW",
-       {[] { return with_aisle(AisleKind::secondary, alley, 990); },
-        [] { return with_aisle(AisleKind::secondary, alley, 1000); }}},
+       {[] { return with_aisle(layout::AisleKind::secondary, alley, 990); },
+        [] { return with_aisle(layout::AisleKind::secondary, alley, 1000); }}},
       {"AISLE_TIGHT",
-       {[] { return with_aisle(AisleKind::secondary, alley, 1400); },
-        [] { return with_aisle(AisleKind::secondary, alley, 1500); }}},
+       {[] { return with_aisle(layout::AisleKind::secondary, alley, 1400); },
+        [] { return with_aisle(layout::AisleKind::secondary, alley, 1500); }}},
       {"AISLE_DEAD_END",
        {[] { return with_blind_alley(4500); }, [] { return with_blind_alley(2500); }}},
       {"DEAD_END_TOO_LONG",
        {[] { return with_blind_alley(7500); }, [] { return with_blind_alley(5000); }}},
       {"LANE_TOO_NARROW",
-       {[] { return with_aisle(AisleKind::checkout, alley, 900); },
-        [] { return with_aisle(AisleKind::checkout, alley, 920); }}},
+       {[] { return with_aisle(layout::AisleKind::checkout, alley, 900); },
+        [] { return with_aisle(layout::AisleKind::checkout, alley, 920); }}},
       {"EXIT_BLOCKED",
        {[] {
           return with_fixture(sample::fixture(
@@ -274,14 +276,18 @@ const std::map<std::string, Case>& cases() {
       {"CHECKOUT_TIGHT",
        {[] { return with_till_at(16000, 10000); }, [] { return with_till_at(16000, 9000); }}},
       {"RELATION_BROKEN",
-       {[] { return with_relation(Strength::must, RelationKind::near, "entrance"); },
-        [] { return with_relation(Strength::must, RelationKind::near, "exit"); }}},
+       {[] { return with_relation(plan::Strength::must, plan::RelationKind::near, "entrance"); },
+        [] { return with_relation(plan::Strength::must, plan::RelationKind::near, "exit"); }}},
       {"RELATION_MISSED",
-       {[] { return with_relation(Strength::prefer, RelationKind::left_of, "entrance"); },
-        [] { return with_relation(Strength::prefer, RelationKind::right_of, "entrance"); }}},
+       {[] {
+          return with_relation(plan::Strength::prefer, plan::RelationKind::left_of, "entrance");
+        },
+        [] {
+          return with_relation(plan::Strength::prefer, plan::RelationKind::right_of, "entrance");
+        }}},
       {"RELATION_NOT_JUDGED",
-       {[] { return with_relation(Strength::must, RelationKind::near, "moon"); },
-        [] { return with_relation(Strength::must, RelationKind::near, "exit"); }}},
+       {[] { return with_relation(plan::Strength::must, plan::RelationKind::near, "moon"); },
+        [] { return with_relation(plan::Strength::must, plan::RelationKind::near, "exit"); }}},
   };
   return all;
 }
@@ -290,9 +296,9 @@ std::set<std::string> codes_broken_by(Shop shop) {
   shop.layout.profile = shop.plan.profile;
   shop.layout.shell = shop.plan.shell;
   shop.layout.shell.outline_mm = PolygonMm{{0, 0}, {20000, 0}, {20000, 12000}, {0, 12000}};
-  const Catalog catalog = sample::catalog();
+  const catalog::Catalog catalog = sample::catalog();
   std::set<std::string> codes;
-  for (const Violation& v : check_layout(shop.layout, shop.plan, catalog))
+  for (const layout::Violation& v : layout::check_layout(shop.layout, shop.plan, catalog))
     codes.insert(v.code);
   return codes;
 }
@@ -303,7 +309,7 @@ TEST(LayoutRules, TheSoundShopBreaksNone) {
 
 TEST(LayoutRules, EveryRuleHasACase) {
   std::set<std::string> rules, tested;
-  for (const LayoutRule& rule : layout_rules()) {
+  for (const layout::LayoutRule& rule : layout::layout_rules()) {
     rules.insert(std::string(rule.code));
     EXPECT_FALSE(rule.source.empty()) << rule.code;
   }
@@ -323,13 +329,14 @@ TEST(LayoutRules, EachIsKeptByItsSoundLayout) {
 }
 
 TEST(LayoutRules, ViolationsCarryMeasureLimitAndPlace) {
-  Shop shop = with_aisle(AisleKind::secondary, {4000, 5000, 14000, 6500}, 700);
+  Shop shop = with_aisle(layout::AisleKind::secondary, {4000, 5000, 14000, 6500}, 700);
   shop.layout.shell = shop.plan.shell;
   shop.layout.shell.outline_mm = PolygonMm{{0, 0}, {20000, 0}, {20000, 12000}, {0, 12000}};
-  const std::vector<Violation> found = check_layout(shop.layout, shop.plan, sample::catalog());
-  const auto narrow = std::ranges::find(found, "AISLE_TOO_NARROW", &Violation::code);
+  const std::vector<layout::Violation> found =
+      layout::check_layout(shop.layout, shop.plan, sample::catalog());
+  const auto narrow = std::ranges::find(found, "AISLE_TOO_NARROW", &layout::Violation::code);
   ASSERT_NE(narrow, found.end());
-  EXPECT_EQ(narrow->severity, Severity::hard);
+  EXPECT_EQ(narrow->severity, layout::Severity::hard);
   EXPECT_EQ(narrow->value, 700);
   EXPECT_EQ(narrow->limit, 1000);
   EXPECT_EQ(narrow->at_mm, (PointMm{9000, 5750}));

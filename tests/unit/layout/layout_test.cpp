@@ -13,34 +13,35 @@
 namespace marketgen {
 namespace {
 
-Layout lay_out(const Plan& plan) {
-  const Catalog catalog = sample::catalog();
-  Result<Layout> layout = make_layout(plan, catalog, Seed(1));
+layout::Layout lay_out(const plan::Plan& plan) {
+  const catalog::Catalog catalog = sample::catalog();
+  Result<layout::Layout> layout = layout::make_layout(plan, catalog, Seed(1));
   EXPECT_TRUE(layout.ok()) << (layout.ok() ? "" : to_string(layout.error()));
-  return layout.ok() ? *layout : Layout{};
+  return layout.ok() ? *layout : layout::Layout{};
 }
 
-std::vector<Fixture> of_kind(const Layout& layout, std::string_view kind) {
-  std::vector<Fixture> found;
-  std::ranges::copy_if(
-      layout.fixtures, std::back_inserter(found), [&](const Fixture& f) { return f.kind == kind; });
+std::vector<layout::Fixture> of_kind(const layout::Layout& layout, std::string_view kind) {
+  std::vector<layout::Fixture> found;
+  std::ranges::copy_if(layout.fixtures, std::back_inserter(found), [&](const layout::Fixture& f) {
+    return f.kind == kind;
+  });
   return found;
 }
 
 TEST(Layout, FootprintSwapsWidthAndDepthWhenTurned) {
-  Fixture f = sample::fixture("z/run-1/module-1", "gondola", "z", 5000, 3000, 0, 1000, 400);
-  EXPECT_EQ(footprint_of(f), (RectMm{4500, 2800, 5500, 3200}));
+  layout::Fixture f = sample::fixture("z/run-1/module-1", "gondola", "z", 5000, 3000, 0, 1000, 400);
+  EXPECT_EQ(layout::footprint_of(f), (RectMm{4500, 2800, 5500, 3200}));
   f.yaw_deg = 90;
-  EXPECT_EQ(footprint_of(f), (RectMm{4800, 2500, 5200, 3500}));
+  EXPECT_EQ(layout::footprint_of(f), (RectMm{4800, 2500, 5200, 3500}));
 }
 
 // 12 x 8 m of dairy, multidecks 1250 wide and 1000 deep, aisles of 2.8 m.
 TEST(Layout, CabinetsLineTheNorthWallWithTheirFrontsToTheSouth) {
-  const Layout layout =
+  const layout::Layout layout =
       lay_out(sample::one_zone(12000, 8000, sample::zone("dairy", "dairy", "multideck")));
   int on_north_wall = 0;
-  for (const Fixture& f : of_kind(layout, "multideck")) {
-    if (f.yaw_deg != 0 || footprint_of(f).y1 != 7980) continue;  // 20 mm off the wall
+  for (const layout::Fixture& f : of_kind(layout, "multideck")) {
+    if (f.yaw_deg != 0 || layout::footprint_of(f).y1 != 7980) continue;  // 20 mm off the wall
     ++on_north_wall;
     EXPECT_EQ(f.y_mm, 7980 - 500);
   }
@@ -48,10 +49,10 @@ TEST(Layout, CabinetsLineTheNorthWallWithTheirFrontsToTheSouth) {
 }
 
 TEST(Layout, ModulesAreNumberedFromTheLeft) {
-  const Layout layout =
+  const layout::Layout layout =
       lay_out(sample::one_zone(12000, 8000, sample::zone("dairy", "dairy", "multideck")));
-  const Fixture* first = find_fixture(layout, "dairy/run-1/module-1");
-  const Fixture* second = find_fixture(layout, "dairy/run-1/module-2");
+  const layout::Fixture* first = layout::find_fixture(layout, "dairy/run-1/module-1");
+  const layout::Fixture* second = layout::find_fixture(layout, "dairy/run-1/module-2");
   ASSERT_NE(first, nullptr);
   ASSERT_NE(second, nullptr);
   EXPECT_EQ(first->yaw_deg, 0);
@@ -63,8 +64,8 @@ TEST(Layout, ModulesAreNumberedFromTheLeft) {
 
 // 16 x 14 m: front 4,640 mm, gap 2,400, back from 7,040 to 14,000.
 TEST(Layout, GondolasStandAcrossTheTillsAndWallUnitsRoundThem) {
-  const Layout layout = lay_out(sample::small_shop());
-  for (const Fixture& f : of_kind(layout, "gondola")) {
+  const layout::Layout layout = lay_out(sample::small_shop());
+  for (const layout::Fixture& f : of_kind(layout, "gondola")) {
     EXPECT_EQ(f.yaw_deg, 90) << f.id;
     EXPECT_EQ(f.sides, 2);
   }
@@ -72,47 +73,49 @@ TEST(Layout, GondolasStandAcrossTheTillsAndWallUnitsRoundThem) {
   // of 1,800 leave 11,360 mm: five runs of 1,000 stand 1,590 apart, which is within the 15 % that
   // aisles may give up.
   std::set<int> columns;
-  for (const Fixture& f : of_kind(layout, "gondola"))
+  for (const layout::Fixture& f : of_kind(layout, "gondola"))
     columns.insert(f.x_mm);
   EXPECT_EQ(columns.size(), 5U);
   EXPECT_GE(of_kind(layout, "wall_unit").size(), 20U);
 }
 
 TEST(Layout, LanesPointToTheExitWithAPassageBetween) {
-  const std::vector<Fixture> lanes = of_kind(lay_out(sample::small_shop()), "checkout_lane");
+  const std::vector<layout::Fixture> lanes =
+      of_kind(lay_out(sample::small_shop()), "checkout_lane");
   ASSERT_EQ(lanes.size(), 2U);
   EXPECT_EQ(lanes[0].yaw_deg, 0);
   EXPECT_EQ(lanes[0].y_mm, lanes[1].y_mm);
   EXPECT_EQ(lanes[1].x_mm - lanes[0].x_mm, 1100 + 1000);
-  EXPECT_GE(footprint_of(lanes[0]).y0, 2000);  // the exit's approach stays free
+  EXPECT_GE(layout::footprint_of(lanes[0]).y0, 2000);  // the exit's approach stays free
 }
 
 TEST(Layout, EndcapsCloseTheRunsTheyBelongTo) {
-  Plan plan = sample::small_shop();
-  plan.zones[1].fixture.endcaps = Endcaps::both;
-  const Layout layout = lay_out(plan);
-  const std::vector<Fixture> endcaps = of_kind(layout, "endcap");
+  plan::Plan plan = sample::small_shop();
+  plan.zones[1].fixture.endcaps = plan::Endcaps::both;
+  const layout::Layout layout = lay_out(plan);
+  const std::vector<layout::Fixture> endcaps = of_kind(layout, "endcap");
   ASSERT_EQ(endcaps.size(), 10U);
-  for (const Fixture& endcap : endcaps) {
+  for (const layout::Fixture& endcap : endcaps) {
     int lowest = 100000, highest = 0;
-    for (const Fixture& f : layout.fixtures) {
+    for (const layout::Fixture& f : layout.fixtures) {
       if (f.run != endcap.endcap_of) continue;
-      lowest = std::min(lowest, footprint_of(f).y0);
-      highest = std::max(highest, footprint_of(f).y1);
+      lowest = std::min(lowest, layout::footprint_of(f).y0);
+      highest = std::max(highest, layout::footprint_of(f).y1);
     }
     const bool front = endcap.id.ends_with("endcap-front");
-    EXPECT_EQ(front ? footprint_of(endcap).y1 : footprint_of(endcap).y0, front ? lowest : highest)
+    EXPECT_EQ(front ? layout::footprint_of(endcap).y1 : layout::footprint_of(endcap).y0,
+              front ? lowest : highest)
         << endcap.id;
     EXPECT_EQ(endcap.yaw_deg, front ? 0 : 180) << endcap.id;
   }
 }
 
 TEST(Layout, LongRunsAreBrokenByCrossAisles) {
-  Plan plan = sample::one_zone(12000, 30000, sample::zone("dry", "dry_goods", "gondola"));
+  plan::Plan plan = sample::one_zone(12000, 30000, sample::zone("dry", "dry_goods", "gondola"));
   plan.zones[0].fixture.run_max_mm = 8000;
-  const Layout layout = lay_out(plan);
+  const layout::Layout layout = lay_out(plan);
   std::map<std::string, int> length;
-  for (const Fixture& f : of_kind(layout, "gondola"))
+  for (const layout::Fixture& f : of_kind(layout, "gondola"))
     length[f.run] += f.width_mm;
   ASSERT_FALSE(length.empty());
   for (const auto& [run, mm] : length)
@@ -120,77 +123,79 @@ TEST(Layout, LongRunsAreBrokenByCrossAisles) {
 }
 
 TEST(Layout, CountsLimitTheModules) {
-  Plan plan = sample::one_zone(12000, 8000, sample::zone("dairy", "dairy", "multideck"));
+  plan::Plan plan = sample::one_zone(12000, 8000, sample::zone("dairy", "dairy", "multideck"));
   plan.zones[0].fixture.count = 4;
   EXPECT_EQ(of_kind(lay_out(plan), "multideck").size(), 4U);
 }
 
 TEST(Layout, FixturesKeepOffColumns) {
-  Plan plan = sample::small_shop();
+  plan::Plan plan = sample::small_shop();
   plan.shell.columns = {{8000, 10000, 400}, {4000, 10500, 400}, {12000, 9000, 400}};
-  const Layout layout = lay_out(plan);
-  for (const Fixture& f : layout.fixtures) {
-    for (const Column& c : plan.shell.columns) {
-      EXPECT_FALSE(
-          overlap(footprint_of(f), RectMm{c.x_mm - 300, c.y_mm - 300, c.x_mm + 300, c.y_mm + 300}))
+  const layout::Layout layout = lay_out(plan);
+  for (const layout::Fixture& f : layout.fixtures) {
+    for (const plan::Column& c : plan.shell.columns) {
+      EXPECT_FALSE(overlap(layout::footprint_of(f),
+                           RectMm{c.x_mm - 300, c.y_mm - 300, c.x_mm + 300, c.y_mm + 300}))
           << f.id;
     }
   }
 }
 
 TEST(Layout, ASanePlanBreaksNoRule) {
-  for (const Violation& v : lay_out(sample::small_shop()).violations)
+  for (const layout::Violation& v : lay_out(sample::small_shop()).violations)
     ADD_FAILURE() << v.code << ": " << v.message;
 }
 
 TEST(Layout, EverythingHangsTogetherForARobot) {
-  const Plan plan = sample::small_shop();
-  const Layout layout = lay_out(plan);
-  const Reach reach = reach_of(make_floor(plan.shell), plan.shell, layout.fixtures, robot_width_mm);
+  const plan::Plan plan = sample::small_shop();
+  const layout::Layout layout = lay_out(plan);
+  const layout::Reach reach = layout::reach_of(
+      layout::make_floor(plan.shell), plan.shell, layout.fixtures, layout::robot_width_mm);
   EXPECT_EQ(reach.components.cells.size(), 2U);  // index 0 is unused: one part
 }
 
 TEST(Layout, OverridesChangeOnlyWhatTheyName) {
-  Plan plan = sample::small_shop();
-  const Layout before = lay_out(plan);
+  plan::Plan plan = sample::small_shop();
+  const layout::Layout before = lay_out(plan);
   const std::string id = of_kind(before, "gondola").front().id;
   plan.overrides = {{id, "levels", "3"}, {id, "color", "#ff0000"}};
-  Layout after = lay_out(plan);
-  auto changed = std::ranges::find(after.fixtures, id, &Fixture::id);
+  layout::Layout after = lay_out(plan);
+  auto changed = std::ranges::find(after.fixtures, id, &layout::Fixture::id);
   ASSERT_NE(changed, after.fixtures.end());
   EXPECT_EQ(changed->levels, 3);
   EXPECT_EQ(changed->color, "#ff0000");
-  *changed = *find_fixture(before, id);
-  EXPECT_EQ(write_json(after), write_json(before));
+  *changed = *layout::find_fixture(before, id);
+  EXPECT_EQ(io::write_json(after), io::write_json(before));
 }
 
 TEST(Layout, OverridesOfNothingAreErrors) {
-  const Catalog catalog = sample::catalog();
-  Plan plan = sample::small_shop();
+  const catalog::Catalog catalog = sample::catalog();
+  plan::Plan plan = sample::small_shop();
   plan.overrides = {{"goods/run-99/module-1", "levels", "3"}};
-  Result<Layout> layout = make_layout(plan, catalog, Seed(1));
+  Result<layout::Layout> layout = layout::make_layout(plan, catalog, Seed(1));
   ASSERT_FALSE(layout.ok());
   EXPECT_EQ(layout.error().code, "plan.unknown_reference");
   EXPECT_EQ(layout.error().where, "/overrides/0/fixture");
   plan.overrides = {{"goods/run-1/module-1", "levels", "many"}};
-  layout = make_layout(plan, catalog, Seed(1));
+  layout = layout::make_layout(plan, catalog, Seed(1));
   ASSERT_FALSE(layout.ok());
   EXPECT_EQ(layout.error().code, "plan.bad_value");
 }
 
 TEST(Layout, NoRoomForAnythingIsAnError) {
-  const Catalog catalog = sample::catalog();
-  const Plan plan = sample::one_zone(4000, 4000, sample::zone("back", "backroom", "gondola"));
-  const Result<Layout> layout = make_layout(plan, catalog, Seed(1));
+  const catalog::Catalog catalog = sample::catalog();
+  const plan::Plan plan = sample::one_zone(4000, 4000, sample::zone("back", "backroom", "gondola"));
+  const Result<layout::Layout> layout = layout::make_layout(plan, catalog, Seed(1));
   ASSERT_FALSE(layout.ok());
   EXPECT_EQ(layout.error().code, "layout.impossible");
 }
 
 TEST(Layout, ReadsBackFromJson) {
-  const Layout layout = lay_out(sample::small_shop());
-  const Result<Layout> again = read_json<Layout>(write_json(layout), "layout.json");
+  const layout::Layout layout = lay_out(sample::small_shop());
+  const Result<layout::Layout> again =
+      io::read_json<layout::Layout>(io::write_json(layout), "layout.json");
   ASSERT_TRUE(again.ok()) << to_string(again.error());
-  EXPECT_EQ(write_json(*again), write_json(layout));
+  EXPECT_EQ(io::write_json(*again), io::write_json(layout));
 }
 
 }  // namespace

@@ -10,16 +10,16 @@ namespace {
 
 class ModuleSpecTest : public testing::Test {
  protected:
-  ModuleSpec spec_of(const Zone& zone) const {
-    const Plan plan = sample::one_zone(10000, 10000, zone);
-    const Design design = make_design(plan, catalog_);
-    return module_spec(design, plan.zones[0], *catalog_.fixture_kind(zone.fixture.kind));
+  layout::ModuleSpec spec_of(const plan::Zone& zone) const {
+    const plan::Plan plan = sample::one_zone(10000, 10000, zone);
+    const layout::Design design = layout::make_design(plan, catalog_);
+    return layout::module_spec(design, plan.zones[0], *catalog_.fixture_kind(zone.fixture.kind));
   }
-  Catalog catalog_ = sample::catalog();
+  catalog::Catalog catalog_ = sample::catalog();
 };
 
 TEST_F(ModuleSpecTest, GondolaTakesDepthFromTheProfileAndFinishFromTheLook) {
-  const ModuleSpec spec = spec_of(sample::zone("z", "dry_goods", "gondola"));
+  const layout::ModuleSpec spec = spec_of(sample::zone("z", "dry_goods", "gondola"));
   EXPECT_EQ(spec.depth_mm, 2 * 470 + 60);
   EXPECT_EQ(spec.sides, 2);
   EXPECT_EQ(spec.material, "metal-grey");
@@ -27,18 +27,18 @@ TEST_F(ModuleSpecTest, GondolaTakesDepthFromTheProfileAndFinishFromTheLook) {
 }
 
 TEST_F(ModuleSpecTest, LevelsHangInSlots) {  // (1800 - 150) / 5 = 330, down to a 50 mm slot
-  const ModuleSpec spec = spec_of(sample::zone("z", "dry_goods", "gondola"));
+  const layout::ModuleSpec spec = spec_of(sample::zone("z", "dry_goods", "gondola"));
   EXPECT_EQ(spec.levels, 5);
   EXPECT_EQ(spec.spacing_mm, 300);
 }
 
 TEST_F(ModuleSpecTest, WishesComeFirst) {
-  Zone zone = sample::zone("z", "dry_goods", "gondola");
+  plan::Zone zone = sample::zone("z", "dry_goods", "gondola");
   zone.fixture.levels = 4;
   zone.fixture.height_mm = 1600;
   zone.fixture.spacing_mm = 380;
   zone.fixture.color = "#123456";
-  const ModuleSpec spec = spec_of(zone);
+  const layout::ModuleSpec spec = spec_of(zone);
   EXPECT_EQ(spec.levels, 4);
   EXPECT_EQ(spec.spacing_mm, 380);
   EXPECT_EQ(spec.height_mm, 1600);
@@ -46,41 +46,42 @@ TEST_F(ModuleSpecTest, WishesComeFirst) {
 }
 
 TEST_F(ModuleSpecTest, TheHeightGrowsForWishedLevelsAtAWishedDistance) {
-  Zone zone = sample::zone("z", "dry_goods", "gondola");
+  plan::Zone zone = sample::zone("z", "dry_goods", "gondola");
   zone.fixture.levels = 6;
   zone.fixture.spacing_mm = 350;  // 150 + 5 * 350 + 150 for the top shelf
   EXPECT_EQ(spec_of(zone).height_mm, 2050);
 }
 
 TEST_F(ModuleSpecTest, OneSidedIsHalfAsDeep) {
-  const ModuleSpec spec = one_sided(spec_of(sample::zone("z", "dry_goods", "gondola")));
+  const layout::ModuleSpec spec =
+      layout::one_sided(spec_of(sample::zone("z", "dry_goods", "gondola")));
   EXPECT_EQ(spec.sides, 1);
   EXPECT_EQ(spec.depth_mm, 500);
 }
 
 TEST_F(ModuleSpecTest, RunsAreFilledWithLessThanTheNarrowestModuleLeft) {
-  ModuleSpec spec = spec_of(sample::zone("z", "dry_goods", "gondola"));
-  EXPECT_EQ(fill_widths(spec, 3400), (std::vector<int>{1000, 1000, 1000}));
-  EXPECT_EQ(fill_widths(spec, 3600), (std::vector<int>{1000, 1000, 1000, 500}));
-  EXPECT_TRUE(fill_widths(spec, 400).empty());
+  layout::ModuleSpec spec = spec_of(sample::zone("z", "dry_goods", "gondola"));
+  EXPECT_EQ(layout::fill_widths(spec, 3400), (std::vector<int>{1000, 1000, 1000}));
+  EXPECT_EQ(layout::fill_widths(spec, 3600), (std::vector<int>{1000, 1000, 1000, 500}));
+  EXPECT_TRUE(layout::fill_widths(spec, 400).empty());
   spec.widths_mm = {1250, 1000};
   // 1250 + 1250 leaves 1000 of 3500 for the other width; 3000 is filled best by three of it.
-  EXPECT_EQ(fill_widths(spec, 3500), (std::vector<int>{1250, 1250, 1000}));
-  EXPECT_EQ(fill_widths(spec, 3000), (std::vector<int>{1000, 1000, 1000}));
+  EXPECT_EQ(layout::fill_widths(spec, 3500), (std::vector<int>{1250, 1250, 1000}));
+  EXPECT_EQ(layout::fill_widths(spec, 3000), (std::vector<int>{1000, 1000, 1000}));
 }
 
 TEST_F(ModuleSpecTest, ZonesThatNeedCabinetsGetThemWhenNothingIsWished) {
-  Zone dairy = sample::zone("z", "dairy", "gondola");
-  EXPECT_EQ(kinds_of(dairy, catalog_).main->kind, "multideck");
-  const Zone dry = sample::zone("z", "dry_goods", "gondola");
-  EXPECT_EQ(kinds_of(dry, catalog_).main->kind, "gondola");
-  EXPECT_EQ(kinds_of(dry, catalog_).wall->kind, "wall_unit");
-  EXPECT_EQ(kinds_of(sample::zone("z", "backroom", "gondola"), catalog_).main, nullptr);
+  plan::Zone dairy = sample::zone("z", "dairy", "gondola");
+  EXPECT_EQ(layout::kinds_of(dairy, catalog_).main->kind, "multideck");
+  const plan::Zone dry = sample::zone("z", "dry_goods", "gondola");
+  EXPECT_EQ(layout::kinds_of(dry, catalog_).main->kind, "gondola");
+  EXPECT_EQ(layout::kinds_of(dry, catalog_).wall->kind, "wall_unit");
+  EXPECT_EQ(layout::kinds_of(sample::zone("z", "backroom", "gondola"), catalog_).main, nullptr);
 }
 
 // The least and the most that a layout's field may be.
 const FieldRules& rules_of(std::string_view name) {
-  for (const FieldInfo& field : type_of<Fixture>().fields)
+  for (const FieldInfo& field : type_of<layout::Fixture>().fields)
     if (field.name == name) return field.rules;
   fatal("no such field");
 }
@@ -91,7 +92,7 @@ bool holds(std::string_view field, const IntRange& range) {
 
 // A layout that may be made can be written: its rules are no narrower than the rows'.
 TEST(FixtureKinds, AreBuiltInSizesThatALayoutHolds) {
-  for (const FixtureKind& kind : committed_catalog().fixture_kinds) {
+  for (const catalog::FixtureKind& kind : committed_catalog().fixture_kinds) {
     EXPECT_TRUE(holds("depth_mm", kind.depth_range_mm)) << kind.kind;
     EXPECT_TRUE(holds("height_mm", kind.height_range_mm)) << kind.kind;
     EXPECT_TRUE(holds("levels", kind.level_range)) << kind.kind;
@@ -103,12 +104,12 @@ TEST(FixtureKinds, AreBuiltInSizesThatALayoutHolds) {
 // A module narrower than its kind can be built is refused where it was asked for, before the
 // layout; the narrowest that can be is not.
 TEST(FixtureKinds, AreRefusedNarrowerThanTheyCanBeBuilt) {
-  Plan plan = sampled_shop();
-  FixtureSpec& fixture = plan.zones[1].fixture;
+  plan::Plan plan = sampled_shop();
+  plan::FixtureSpec& fixture = plan.zones[1].fixture;
   fixture.module_mm = 300;
-  EXPECT_TRUE(make_layout(plan, committed_catalog(), Seed(1)).ok());
+  EXPECT_TRUE(layout::make_layout(plan, committed_catalog(), Seed(1)).ok());
   fixture.module_mm = 299;
-  const auto refused = make_layout(plan, committed_catalog(), Seed(1));
+  const auto refused = layout::make_layout(plan, committed_catalog(), Seed(1));
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().code, "plan.bad_value");
   EXPECT_EQ(refused.error().where, "/zones/1/fixture/module_mm");

@@ -10,8 +10,8 @@
 namespace marketgen {
 namespace {
 
-Layout small_layout(const Catalog& catalog) {
-  return make_layout(sample::small_shop(), catalog, Seed(1)).value();
+layout::Layout small_layout(const catalog::Catalog& catalog) {
+  return layout::make_layout(sample::small_shop(), catalog, Seed(1)).value();
 }
 
 int colors_in(const Image& image) {
@@ -23,25 +23,31 @@ int colors_in(const Image& image) {
 }
 
 TEST(LayoutPicture, TheLongerSideHasTheWantedSize) {
-  const Catalog catalog = sample::catalog();
-  const Image image = draw_layout(small_layout(catalog), catalog, 900);
+  const catalog::Catalog catalog = sample::catalog();
+  const Image image = layout::draw_layout(small_layout(catalog), catalog, 900);
   EXPECT_EQ(std::max(image.width, image.height), 900);
   EXPECT_GT(colors_in(image), 50);
 }
 
 TEST(LayoutPicture, IsTheSameEveryTime) {
-  const Catalog catalog = sample::catalog();
-  const Layout layout = small_layout(catalog);
-  EXPECT_EQ(draw_layout(layout, catalog, 600).pixels, draw_layout(layout, catalog, 600).pixels);
+  const catalog::Catalog catalog = sample::catalog();
+  const layout::Layout layout = small_layout(catalog);
+  EXPECT_EQ(layout::draw_layout(layout, catalog, 600).pixels,
+            layout::draw_layout(layout, catalog, 600).pixels);
 }
 
 TEST(LayoutPicture, MarksBrokenRulesInRed) {
-  const Catalog catalog = sample::catalog();
-  Layout layout = small_layout(catalog);
-  const Image sound = draw_layout(layout, catalog, 800);
-  layout.violations.push_back(
-      {"AISLE_TOO_NARROW", Severity::hard, layout.aisles.front().id, 700, 1000, "narrow", {}});
-  const Image broken = draw_layout(layout, catalog, 800);
+  const catalog::Catalog catalog = sample::catalog();
+  layout::Layout layout = small_layout(catalog);
+  const Image sound = layout::draw_layout(layout, catalog, 800);
+  layout.violations.push_back({"AISLE_TOO_NARROW",
+                               layout::Severity::hard,
+                               layout.aisles.front().id,
+                               700,
+                               1000,
+                               "narrow",
+                               {}});
+  const Image broken = layout::draw_layout(layout, catalog, 800);
   const auto red = [](const Image& image) {  // the alarm's #c1121f
     int count = 0;
     for (std::size_t i = 0; i + 2 < image.pixels.size(); i += 3) {

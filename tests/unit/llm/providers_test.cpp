@@ -24,27 +24,27 @@ class Providers : public testing::Test {
     }
   }
 
-  static Result<ChatAnswer> ask_at(const MockServer& server,
-                                   const std::string& name,
-                                   const std::string& path,
-                                   const ChatRequest& request) {
-    ModelChoice choice;
+  static Result<llm::ChatAnswer> ask_at(const MockServer& server,
+                                        const std::string& name,
+                                        const std::string& path,
+                                        const llm::ChatRequest& request) {
+    llm::ModelChoice choice;
     choice.model = name;
     choice.url = server.url(path);
     choice.limits.first_wait_s = 0.01;
-    MARKETGEN_TRY(const LanguageModel model, open_language_model(choice));
+    MARKETGEN_TRY(const llm::LanguageModel model, llm::open_language_model(choice));
     EXPECT_EQ(model.name, name);
     return model.chat(request);
   }
 };
 
 // A question with a picture, what was said to it, and a question to that.
-ChatRequest conversation() {
-  ChatRequest request;
+llm::ChatRequest conversation() {
+  llm::ChatRequest request;
   request.system = "You see packs.";
-  request.turns = {{ChatRole::user, "What is it?", {"PNG"}},  // "UE5H" in base64
-                   {ChatRole::model, "Soup.", {}},
-                   {ChatRole::user, "Sure?", {}}};
+  request.turns = {{llm::ChatRole::user, "What is it?", {"PNG"}},  // "UE5H" in base64
+                   {llm::ChatRole::model, "Soup.", {}},
+                   {llm::ChatRole::user, "Sure?", {}}};
   request.answer_schema =
       R"({"type":"object","additionalProperties":false,"properties":{"sure":{"type":"boolean"}},"required":["sure"]})";
   request.max_tokens = 77;
@@ -159,8 +159,8 @@ TEST_F(Providers, WithoutSystemTextPictureOrSchemaTheRequestIsPlain) {
       "model": "llama3.2-vision:11b", "messages": [{"role": "user", "content": "Hello"}],
       "max_tokens": 2048, "temperature": 0}},
     "body": {"choices": [{"message": {"content": "Hi"}}]}}])"));
-  ChatRequest request;
-  request.turns = {{ChatRole::user, "Hello", {}}};
+  llm::ChatRequest request;
+  request.turns = {{llm::ChatRole::user, "Hello", {}}};
   const auto answer = ask_at(server, "openai:llama3.2-vision:11b", "", request);
   ASSERT_TRUE(answer.ok()) << to_string(answer.error());
   EXPECT_EQ(answer->text, "Hi");
@@ -214,8 +214,8 @@ TEST_F(Providers, WhatAModelDoesNotTakeIsLeftOut) {
     {"status": 400, "body": {"error": {"message": "response_format json_schema is not supported"}}},
     {"expect": {"json": {"model": "o9", "max_tokens": 5, "messages": [{"role": "user", "content": "x"}]}},
      "body": {"choices": [{"message": {"content": "done"}}]}}])"));
-  ChatRequest request;
-  request.turns = {{ChatRole::user, "x", {}}};
+  llm::ChatRequest request;
+  request.turns = {{llm::ChatRole::user, "x", {}}};
   request.answer_schema = R"({"type": "object"})";
   request.max_tokens = 5;
   const auto answer = ask_at(server, "openai:o9", "", request);
@@ -260,10 +260,10 @@ TEST_F(Providers, TooManyRequestsForGoodAndTrouble) {
 }
 
 Error refused(const std::string& model, const std::string& url = "") {
-  ModelChoice choice;
+  llm::ModelChoice choice;
   choice.model = model;
   choice.url = url;
-  const auto opened = open_language_model(choice);
+  const auto opened = llm::open_language_model(choice);
   return opened.ok() ? Error{} : opened.error();
 }
 
@@ -314,11 +314,11 @@ TEST_F(Providers, TheEnvironmentNamesAnotherServer) {
   const MockServer server(
       json::array({{{"body", {{"choices", json::array({{{"message", {{"content", "Hi"}}}}})}}}}}));
   setenv("OPENAI_BASE_URL", server.url("/here").c_str(), 1);
-  ModelChoice choice;
+  llm::ModelChoice choice;
   choice.model = "openai:x";
-  ChatRequest request;
-  request.turns = {{ChatRole::user, "x", {}}};
-  const auto answer = open_language_model(choice).value().chat(request);
+  llm::ChatRequest request;
+  request.turns = {{llm::ChatRole::user, "x", {}}};
+  const auto answer = llm::open_language_model(choice).value().chat(request);
   unsetenv("OPENAI_BASE_URL");
   ASSERT_TRUE(answer.ok()) << to_string(answer.error());
   EXPECT_EQ(server.requests().at(0)["path"], "/here/chat/completions");
@@ -331,45 +331,45 @@ TEST_F(Providers, RecordsReplayWithoutKeyAndServer) {
       json::array({{{"body",
                      {{"model", "m test-key-123"},
                       {"choices", json::array({{{"message", {{"content", "grün"}}}}})}}}}}));
-  ModelChoice choice;
+  llm::ModelChoice choice;
   choice.model = "openai:x";
   choice.url = server.url();
   choice.record = scratch.path() / "tape";
-  const auto live = open_language_model(choice).value().chat(conversation());
+  const auto live = llm::open_language_model(choice).value().chat(conversation());
   ASSERT_TRUE(live.ok()) << to_string(live.error());
   EXPECT_EQ(live->model, "m ***");
   server.stop();
   EXPECT_EQ(all_text_in(scratch.path()).find("test-key-123"), std::string::npos);
   choice.replay = std::exchange(choice.record, {});
   unsetenv("OPENAI_API_KEY");
-  const auto again = open_language_model(choice).value().chat(conversation());
+  const auto again = llm::open_language_model(choice).value().chat(conversation());
   ASSERT_TRUE(again.ok()) << to_string(again.error());
   EXPECT_EQ(again->text, "grün");
   EXPECT_EQ(again->model, live->model);
-  ChatRequest other = conversation();
+  llm::ChatRequest other = conversation();
   other.turns[0].text = "What else?";
-  EXPECT_EQ(open_language_model(choice).value().chat(other).error().code, "net.not_recorded");
+  EXPECT_EQ(llm::open_language_model(choice).value().chat(other).error().code, "net.not_recorded");
 }
 
 // Every entry of providers.inc.
 TEST(ProviderList, KeysTravelInSecretHeadersAndGarbageIsRefused) {
   std::set<std::string_view> names, variables;
-  const ChatRequest request = conversation();
-  for (const ProviderRow& row : providers()) {
+  const llm::ChatRequest request = conversation();
+  for (const llm::ProviderRow& row : llm::providers()) {
     SCOPED_TRACE(row.name);
     EXPECT_TRUE(names.insert(row.name).second);
     EXPECT_TRUE(variables.insert(row.key_variable).second);
     EXPECT_TRUE(variables.insert(row.url_variable).second);
-    EXPECT_EQ(origin_of(std::string(row.base_url))->scheme, "https");
-    ProviderCall call{request, "some-model", std::string(row.base_url), true, "the-key-789"};
-    const HttpRequest made = row.request(call);
+    EXPECT_EQ(net::origin_of(std::string(row.base_url))->scheme, "https");
+    llm::ProviderCall call{request, "some-model", std::string(row.base_url), true, "the-key-789"};
+    const net::HttpRequest made = row.request(call);
     EXPECT_EQ(made.method, "POST");
     EXPECT_TRUE(made.url.starts_with(row.base_url)) << made.url;
     EXPECT_TRUE(json::accept(made.body));
     ASSERT_EQ(made.secret_headers.size(), 1U);
     EXPECT_NE(made.secret_headers[0].value.find("the-key-789"), std::string::npos);
     std::string open = made.url + made.body;
-    for (const HttpHeader& header : made.headers)
+    for (const net::HttpHeader& header : made.headers)
       open += header.name + header.value;
     EXPECT_EQ(open.find("the-key-789"), std::string::npos);
     EXPECT_NE(made.body.find("\"sure\""), std::string::npos);  // the schema
@@ -383,10 +383,10 @@ TEST(ProviderList, KeysTravelInSecretHeadersAndGarbageIsRefused) {
 
 // OpenAI's reasoning models refuse the older name of the token limit, older servers the newer.
 TEST(ProviderList, OpenAisOwnServerIsToldTheNewerName) {
-  ChatRequest request;
-  request.turns = {{ChatRole::user, "x", {}}};
+  llm::ChatRequest request;
+  request.turns = {{llm::ChatRole::user, "x", {}}};
   const std::string own =
-      openai_request({request, "m", "https://api.openai.com/v1", true, "k"}).body;
+      llm::openai_request({request, "m", "https://api.openai.com/v1", true, "k"}).body;
   EXPECT_EQ(json::parse(own)["max_completion_tokens"], 2048);
   EXPECT_FALSE(json::parse(own).contains("max_tokens"));
 }

@@ -35,10 +35,10 @@ struct Verdict {
 
 // Says one text after the other; keeps what it was asked.
 struct Parrot {
-  std::vector<ChatAnswer> says;
-  std::vector<ChatRequest> asked;
-  LanguageModel model() {
-    return {"test:parrot", [this](const ChatRequest& request) -> Result<ChatAnswer> {
+  std::vector<llm::ChatAnswer> says;
+  std::vector<llm::ChatRequest> asked;
+  llm::LanguageModel model() {
+    return {"test:parrot", [this](const llm::ChatRequest& request) -> Result<llm::ChatAnswer> {
               asked.push_back(request);
               if (asked.size() > says.size()) return Error{"llm.refused", "test:parrot", "silent"};
               return says[asked.size() - 1];
@@ -46,26 +46,26 @@ struct Parrot {
   }
 };
 
-ChatAnswer text(std::string what) {
+llm::ChatAnswer text(std::string what) {
   return {std::move(what), "parrot-1", 10, 3, false};
 }
 
-ChatRequest question() {
-  ChatRequest request;
+llm::ChatRequest question() {
+  llm::ChatRequest request;
   request.system = "Be exact.";
-  request.turns = {{ChatRole::user, "What is it?", {"png"}}};
+  request.turns = {{llm::ChatRole::user, "What is it?", {"png"}}};
   return request;
 }
 
 TEST(StructuredAnswer, TheFirstAnswerIsGood) {
   Parrot parrot{{text(R"({"what": "soup", "size": "large"})")}, {}};
-  const auto answered = ask<Verdict>(parrot.model(), question());
+  const auto answered = llm::ask<Verdict>(parrot.model(), question());
   ASSERT_TRUE(answered.ok()) << to_string(answered.error());
   EXPECT_EQ(answered->value.what, "soup");
   EXPECT_EQ(answered->value.size, Size::large);
   EXPECT_EQ(answered->cost.requests, 1);
   ASSERT_EQ(parrot.asked.size(), 1U);
-  EXPECT_EQ(parrot.asked[0].answer_schema, answer_schema_of(type_of<Verdict>()));
+  EXPECT_EQ(parrot.asked[0].answer_schema, llm::answer_schema_of(type_of<Verdict>()));
   EXPECT_TRUE(parrot.asked[0].system.starts_with("Be exact.\n"));
   EXPECT_NE(parrot.asked[0].system.find(parrot.asked[0].answer_schema), std::string::npos);
 }
@@ -84,7 +84,7 @@ TEST(StructuredAnswer, AWrongAnswerIsToldWhyAndMended) {
   };
   for (std::size_t i = 0; i < std::size(wrong); ++i) {
     Parrot parrot{{text(wrong[i]), text(R"(Sorry: {"what": "stew"})")}, {}};
-    const auto answered = ask<Verdict>(parrot.model(), question(), {check});
+    const auto answered = llm::ask<Verdict>(parrot.model(), question(), {check});
     ASSERT_TRUE(answered.ok()) << wrong[i] << to_string(answered.error());
     EXPECT_EQ(answered->value.what, "stew");
     EXPECT_EQ(answered->cost.requests, 2);
@@ -92,7 +92,7 @@ TEST(StructuredAnswer, AWrongAnswerIsToldWhyAndMended) {
     EXPECT_EQ(answered->cost.tokens_out, 6);
     ASSERT_EQ(parrot.asked[1].turns.size(), 3U);
     EXPECT_EQ(parrot.asked[1].turns[0].pictures.size(), 1U);
-    EXPECT_EQ(parrot.asked[1].turns[1].role, ChatRole::model);
+    EXPECT_EQ(parrot.asked[1].turns[1].role, llm::ChatRole::model);
     EXPECT_NE(parrot.asked[1].turns[2].text.find(reasons[i]), std::string::npos)
         << parrot.asked[1].turns[2].text;
   }
@@ -100,7 +100,7 @@ TEST(StructuredAnswer, AWrongAnswerIsToldWhyAndMended) {
 
 TEST(StructuredAnswer, TwiceWrongIsAnError) {
   Parrot parrot{{text(R"({"what": "soup", "size": "tiny"})"), text(R"({"size": "small"})")}, {}};
-  const auto answered = ask<Verdict>(parrot.model(), question());
+  const auto answered = llm::ask<Verdict>(parrot.model(), question());
   ASSERT_FALSE(answered.ok());
   EXPECT_EQ(answered.error().code, "llm.bad_answer");
   EXPECT_EQ(answered.error().where, "test:parrot");
@@ -110,32 +110,32 @@ TEST(StructuredAnswer, TwiceWrongIsAnError) {
 }
 
 TEST(StructuredAnswer, ACutAnswerIsToldSo) {
-  ChatAnswer cut = text("{\"what\": \"a very lo");
+  llm::ChatAnswer cut = text("{\"what\": \"a very lo");
   cut.cut = true;
   Parrot parrot{{cut, text(R"({"what": "stew"})")}, {}};
-  ASSERT_TRUE(ask<Verdict>(parrot.model(), question()).ok());
+  ASSERT_TRUE(llm::ask<Verdict>(parrot.model(), question()).ok());
   EXPECT_NE(parrot.asked[1].turns[2].text.find("cut off at 2048 tokens"), std::string::npos);
 }
 
 TEST(StructuredAnswer, TheProvidersErrorsPass) {
   Parrot parrot{{}, {}};
-  EXPECT_EQ(ask<Verdict>(parrot.model(), question()).error().message, "silent");
+  EXPECT_EQ(llm::ask<Verdict>(parrot.model(), question()).error().message, "silent");
 }
 
 TEST(JsonInText, IsFoundAmongProse) {
-  EXPECT_EQ(json_object_in(R"({"a": 1})"), R"({"a": 1})");
-  EXPECT_EQ(json_object_in("Sure!\n```json\n{\"a\": {\"b\": \"}\\\"{\"}}\n```\nBye {x}"),
+  EXPECT_EQ(llm::json_object_in(R"({"a": 1})"), R"({"a": 1})");
+  EXPECT_EQ(llm::json_object_in("Sure!\n```json\n{\"a\": {\"b\": \"}\\\"{\"}}\n```\nBye {x}"),
             R"({"a": {"b": "}\"{"}})");
-  EXPECT_EQ(json_object_in("the set {1, 2} is {\"a\": 2}"), R"({"a": 2})");
-  EXPECT_EQ(json_object_in("<think>maybe {\"a\": 1}</think>{\"a\": 3}"), R"({"a": 3})");
+  EXPECT_EQ(llm::json_object_in("the set {1, 2} is {\"a\": 2}"), R"({"a": 2})");
+  EXPECT_EQ(llm::json_object_in("<think>maybe {\"a\": 1}</think>{\"a\": 3}"), R"({"a": 3})");
   for (const char* none : {"", "no", "{", "{\"a\": ", "[1]", "{a: 1}", "{\"a\": \"}"})
-    EXPECT_EQ(json_object_in(none), std::nullopt) << none;
-  EXPECT_EQ(json_object_in(std::string(1'000'000, '{')), std::nullopt);  // and soon
+    EXPECT_EQ(llm::json_object_in(none), std::nullopt) << none;
+  EXPECT_EQ(llm::json_object_in(std::string(1'000'000, '{')), std::nullopt);  // and soon
 }
 
 // What OpenAI's and Anthropic's strict modes ask of a schema.
 TEST(AnswerSchema, HasOnlyWhatEveryProviderEnforces) {
-  const json schema = json::parse(answer_schema_of(type_of<Verdict>()));
+  const json schema = json::parse(llm::answer_schema_of(type_of<Verdict>()));
   EXPECT_EQ(schema, json::parse(R"({
     "type": "object", "additionalProperties": false,
     "properties": {
@@ -152,8 +152,8 @@ TEST(AnswerSchema, HasOnlyWhatEveryProviderEnforces) {
 
 TEST(AnswerSchema, FieldsCanBeHeldToNames) {
   const std::string_view names[] = {"soup", "stew"};
-  const std::string schema =
-      with_names(with_names(answer_schema_of(type_of<Verdict>()), "what", names), "words", names);
+  const std::string schema = llm::with_names(
+      llm::with_names(llm::answer_schema_of(type_of<Verdict>()), "what", names), "words", names);
   const json made = json::parse(schema);
   EXPECT_EQ(made["properties"]["what"]["enum"], json::parse(R"(["soup", "stew"])"));
   EXPECT_EQ(made["properties"]["words"]["items"]["enum"], json::parse(R"(["soup", "stew"])"));

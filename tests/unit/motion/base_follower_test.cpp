@@ -14,13 +14,13 @@ namespace {
 
 constexpr double tick = 0.02;
 
-BaseLimits realman_limits() {
-  return base_limits(committed_robot("realman-rm75")).value();
+motion::BaseLimits realman_limits() {
+  return motion::base_limits(committed_robot("realman-rm75")).value();
 }
 
-FloorPath around_a_shelf() {
+navigation::FloorPath around_a_shelf() {
   const PolygonMm floor{{0, 0}, {10000, 0}, {10000, 8000}, {0, 8000}};
-  const auto graph = VisibilityGraph::make(floor, {{3000, 0, 4000, 5000}}, 450);
+  const auto graph = navigation::VisibilityGraph::make(floor, {{3000, 0, 4000, 5000}}, 450);
   return graph->shortest_path({1000, 1000}, {8000, 1500}).value();
 }
 
@@ -28,7 +28,7 @@ double away(Vec2 a, Vec2 b) {
   return std::hypot(a.x - b.x, a.y - b.y);
 }
 
-double off_the_path(const FloorPath& path, Vec2 p) {
+double off_the_path(const navigation::FloorPath& path, Vec2 p) {
   double least = 1e9;
   for (std::size_t i = 0; i + 1 < path.points.size(); ++i) {
     const Vec2 a{path.points[i][0] * 1e-3, path.points[i][1] * 1e-3};
@@ -39,7 +39,7 @@ double off_the_path(const FloorPath& path, Vec2 p) {
 }
 
 TEST(BaseFollower, LimitsComeFromTheRow) {
-  const BaseLimits limits = realman_limits();
+  const motion::BaseLimits limits = realman_limits();
   EXPECT_EQ(limits.speed, 1.5);
   EXPECT_EQ(limits.acceleration, 1.0);
   EXPECT_EQ(limits.turn_rate, 1.5);
@@ -48,21 +48,21 @@ TEST(BaseFollower, LimitsComeFromTheRow) {
 }
 
 TEST(BaseFollower, ArrivesOnThePathWithinEveryLimit) {
-  const FloorPath path = around_a_shelf();
+  const navigation::FloorPath path = around_a_shelf();
   ASSERT_GE(path.points.size(), 4U);
-  const BaseLimits limits = realman_limits();
-  auto follower = BaseFollower::make(path, 2.0, -1.0, limits).value();
-  BaseState before = follower.state();
+  const motion::BaseLimits limits = realman_limits();
+  auto follower = motion::BaseFollower::make(path, 2.0, -1.0, limits).value();
+  motion::BaseState before = follower.state();
   double fastest = 0, time = 0, turned = 0;
   for (; !follower.done() && time < 120; time += tick) {
-    const BaseState now = follower.step(tick);
+    const motion::BaseState now = follower.step(tick);
     EXPECT_LE(now.speed, limits.speed + 1e-12);
     EXPECT_LE(std::abs(now.turn_rate), limits.turn_rate + 1e-12);
     EXPECT_LE(std::abs(now.speed - before.speed), limits.acceleration * tick + 1e-9);
     EXPECT_LE(std::abs(now.turn_rate - before.turn_rate), limits.turn_acceleration * tick + 1e-9);
     EXPECT_LE(off_the_path(path, now.position), 1e-9);
     EXPECT_NEAR(away(now.position, before.position), now.speed * tick, 2e-3 * tick + 1e-9);
-    const WheelRates wheels = follower.wheels();
+    const motion::WheelRates wheels = follower.wheels();
     EXPECT_NEAR((wheels.left + wheels.right) / 2 * limits.wheel_radius, now.speed, 1e-12);
     EXPECT_NEAR((wheels.right - wheels.left) * limits.wheel_radius / limits.wheel_track,
                 now.turn_rate,
@@ -81,16 +81,16 @@ TEST(BaseFollower, ArrivesOnThePathWithinEveryLimit) {
 }
 
 TEST(BaseFollower, StopsForSomebodyWhoCrossesAndGoesOn) {
-  const FloorPath path{{{0, 0}, {10000, 0}}, 10};
-  auto follower = BaseFollower::make(path, 0, std::nullopt, realman_limits()).value();
-  BaseOptions options;
+  const navigation::FloorPath path{{{0, 0}, {10000, 0}}, 10};
+  auto follower = motion::BaseFollower::make(path, 0, std::nullopt, realman_limits()).value();
+  motion::BaseOptions options;
   bool waited = false;
   double nearest = 1e9, time = 0;
   for (; !follower.done() && time < 60; time += tick) {
     // Walks up to the path, stands on it from 5 to 10 s, and on.
     const double y = time < 5 ? -4 + 0.8 * time : time < 10 ? 0 : 0.8 * (time - 10);
-    const MovingDisc person{{5, y}, 0.3, 0.8};
-    const BaseState& now = follower.step(tick, std::span(&person, 1));
+    const motion::MovingDisc person{{5, y}, 0.3, 0.8};
+    const motion::BaseState& now = follower.step(tick, std::span(&person, 1));
     waited = waited || follower.waits();
     if (now.speed > 0)
       nearest = std::min(nearest, away(now.position, person.position) - 0.3 - options.base_radius);
@@ -102,10 +102,10 @@ TEST(BaseFollower, StopsForSomebodyWhoCrossesAndGoesOn) {
 }
 
 TEST(BaseFollower, SomebodyWhoStandsStillIsWaitedForAndSomebodyBesideIsPassed) {
-  const FloorPath path{{{0, 0}, {10000, 0}}, 10};
-  auto blocked = BaseFollower::make(path, 0, std::nullopt, realman_limits()).value();
-  auto passing = BaseFollower::make(path, 0, std::nullopt, realman_limits()).value();
-  const MovingDisc ahead{{5, 0.2}, 0.3, 0}, beside{{5, 0.85}, 0.3, 0};
+  const navigation::FloorPath path{{{0, 0}, {10000, 0}}, 10};
+  auto blocked = motion::BaseFollower::make(path, 0, std::nullopt, realman_limits()).value();
+  auto passing = motion::BaseFollower::make(path, 0, std::nullopt, realman_limits()).value();
+  const motion::MovingDisc ahead{{5, 0.2}, 0.3, 0}, beside{{5, 0.85}, 0.3, 0};
   for (double time = 0; time < 20; time += tick) {
     blocked.step(tick, std::span(&ahead, 1));
     passing.step(tick, std::span(&beside, 1));
@@ -118,17 +118,21 @@ TEST(BaseFollower, SomebodyWhoStandsStillIsWaitedForAndSomebodyBesideIsPassed) {
 
 TEST(BaseFollower, BadInputIsAnErrorAndADiscAnywhereStopsTheBase) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const FloorPath path{{{0, 0}, {1000, 0}}, 1};
-  const auto code = [](const Result<BaseFollower>& r) { return r.ok() ? "ok" : r.error().code; };
-  BaseLimits none = realman_limits();
-  EXPECT_EQ(code(BaseFollower::make({}, 0, std::nullopt, none)), "motion.bad_configuration");
-  EXPECT_EQ(code(BaseFollower::make(path, nan, std::nullopt, none)), "motion.bad_configuration");
+  const navigation::FloorPath path{{{0, 0}, {1000, 0}}, 1};
+  const auto code = [](const Result<motion::BaseFollower>& r) {
+    return r.ok() ? "ok" : r.error().code;
+  };
+  motion::BaseLimits none = realman_limits();
+  EXPECT_EQ(code(motion::BaseFollower::make({}, 0, std::nullopt, none)),
+            "motion.bad_configuration");
+  EXPECT_EQ(code(motion::BaseFollower::make(path, nan, std::nullopt, none)),
+            "motion.bad_configuration");
   none.acceleration = 0;
-  EXPECT_EQ(code(BaseFollower::make(path, 0, std::nullopt, none)), "motion.bad_limits");
+  EXPECT_EQ(code(motion::BaseFollower::make(path, 0, std::nullopt, none)), "motion.bad_limits");
   auto panda = committed_robot("panda");
-  EXPECT_EQ(base_limits(panda).error().code, "motion.bad_limits");
-  auto follower = BaseFollower::make(path, 0, std::nullopt, realman_limits()).value();
-  const MovingDisc ghost{{nan, 0}, 0.3, 0};
+  EXPECT_EQ(motion::base_limits(panda).error().code, "motion.bad_limits");
+  auto follower = motion::BaseFollower::make(path, 0, std::nullopt, realman_limits()).value();
+  const motion::MovingDisc ghost{{nan, 0}, 0.3, 0};
   for (int i = 0; i < 500; ++i)
     follower.step(tick, std::span(&ghost, 1));
   EXPECT_FALSE(follower.done());

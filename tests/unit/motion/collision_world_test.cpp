@@ -16,8 +16,9 @@
 namespace marketgen {
 namespace {
 
-bool hits(const CollisionWorld& world, Vec3 center, double radius) {
-  const std::vector<SphereBlock> blocks = packed(std::vector<PlainSphere>{{center, radius}});
+bool hits(const motion::CollisionWorld& world, Vec3 center, double radius) {
+  const std::vector<motion::SphereBlock> blocks =
+      motion::packed(std::vector<motion::PlainSphere>{{center, radius}});
   return world.hits(blocks, to_float(center), static_cast<float>(radius));
 }
 
@@ -27,19 +28,19 @@ Pose random_pose(Stream& draw) {
           rotation_about(axis, draw.uniform(-3, 3))};
 }
 
-Obstacles random_obstacles(std::uint64_t seed) {
+motion::Obstacles random_obstacles(std::uint64_t seed) {
   Stream draw = Seed(seed).child("obstacles").stream();
   const auto size = [&] { return draw.uniform(0.02, 0.3); };
-  Obstacles all;
+  motion::Obstacles all;
   for (int i = 0; i < 9; ++i) {
     all.boxes.push_back({random_pose(draw), {size(), size(), size()}});
     all.cylinders.push_back({random_pose(draw), size(), size()});
-    ConvexObstacle piece{random_pose(draw), {}};
+    motion::ConvexObstacle piece{random_pose(draw), {}};
     for (int k = 0; k < 12; ++k)
       piece.points.push_back(to_float({draw.normal() * 0.1, draw.normal() * 0.1, size()}));
     all.convex.push_back(piece);
   }
-  CloudObstacle cloud;
+  motion::CloudObstacle cloud;
   const Vec3 at = random_pose(draw).position;
   for (int k = 0; k < 3000; ++k)
     cloud.points.push_back(to_float(at + Vec3{draw.normal(), draw.normal(), 0.1} * 0.3));
@@ -48,9 +49,9 @@ Obstacles random_obstacles(std::uint64_t seed) {
 }
 
 TEST(CollisionWorld, ABoxIsTouchedExactlyAtItsFacesAndCorners) {
-  Obstacles obstacles;
+  motion::Obstacles obstacles;
   obstacles.boxes.push_back({{{1, 2, 3}, {}}, {0.1, 0.2, 0.3}});
-  const auto world = CollisionWorld::make(obstacles);
+  const auto world = motion::CollisionWorld::make(obstacles);
   ASSERT_TRUE(world.ok());
   EXPECT_TRUE(hits(*world, {1.149, 2, 3}, 0.05));
   EXPECT_FALSE(hits(*world, {1.151, 2, 3}, 0.05));
@@ -60,32 +61,32 @@ TEST(CollisionWorld, ABoxIsTouchedExactlyAtItsFacesAndCorners) {
 }
 
 TEST(CollisionWorld, NamesWhatIsHitAndSeesEveryLane) {
-  Obstacles obstacles;
+  motion::Obstacles obstacles;
   obstacles.boxes.push_back({{{5, 0, 0}, {}}, {0.1, 0.1, 0.1}});
   obstacles.cylinders.push_back({{{0, 5, 0}, {}}, 0.1, 0.1});
-  const auto world = CollisionWorld::make(obstacles);
+  const auto world = motion::CollisionWorld::make(obstacles);
   ASSERT_TRUE(world.ok());
   for (std::size_t lane = 0; lane < 11; ++lane) {
-    std::vector<PlainSphere> spheres(11, {{0, 0, 0}, 0.05});
-    EXPECT_EQ(world->first_hit(packed(spheres), {0, 0, 0}, 6), "");
+    std::vector<motion::PlainSphere> spheres(11, {{0, 0, 0}, 0.05});
+    EXPECT_EQ(world->first_hit(motion::packed(spheres), {0, 0, 0}, 6), "");
     spheres[lane].center = {0, 5.12, 0};
-    EXPECT_EQ(world->first_hit(packed(spheres), {0, 0, 0}, 6), "cylinders/0");
+    EXPECT_EQ(world->first_hit(motion::packed(spheres), {0, 0, 0}, 6), "cylinders/0");
   }
 }
 
 TEST(CollisionWorld, NothingCollidesInAnEmptyWorld) {
-  const auto world = CollisionWorld::make({});
+  const auto world = motion::CollisionWorld::make({});
   ASSERT_TRUE(world.ok());
   EXPECT_FALSE(hits(*world, {0, 0, 0}, 1));
 }
 
 TEST(CollisionWorld, BadObstaclesAreErrorsThatNameTheRow) {
-  const auto where = [](const Obstacles& obstacles) {
-    const auto world = CollisionWorld::make(obstacles);
+  const auto where = [](const motion::Obstacles& obstacles) {
+    const auto world = motion::CollisionWorld::make(obstacles);
     return world.ok() ? "ok" : world.error().code + " " + world.error().where;
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  Obstacles box, cylinder, convex, cloud, turned;
+  motion::Obstacles box, cylinder, convex, cloud, turned;
   box.boxes = {{{}, {1, 1, 1}}, {{}, {1, nan, 1}}};
   cylinder.cylinders = {{{}, 0, 1}};
   convex.convex = {{{}, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}}};
@@ -103,8 +104,8 @@ TEST(CollisionWorld, BadObstaclesAreErrorsThatNameTheRow) {
 TEST(CollisionWorld, KernelsAgreeWithThePlainReference) {
   int touched = 0, at_edges = 0;
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
-    const Obstacles obstacles = random_obstacles(seed);
-    const auto world = CollisionWorld::make(obstacles);
+    const motion::Obstacles obstacles = random_obstacles(seed);
+    const auto world = motion::CollisionWorld::make(obstacles);
     ASSERT_TRUE(world.ok());
     Stream draw = Seed(seed).child("spheres").stream();
     for (int i = 0; i < 2500; ++i) {
@@ -117,7 +118,7 @@ TEST(CollisionWorld, KernelsAgreeWithThePlainReference) {
       } else if (hits_reference(obstacles, at, radius - 2e-5)) {
         // The reference has a convex piece's faces alone: larger at edges than the kernel.
         ++at_edges;
-        Obstacles smooth = obstacles;
+        motion::Obstacles smooth = obstacles;
         smooth.convex.clear();
         EXPECT_FALSE(hits_reference(smooth, at, radius - 2e-5));
       }
@@ -146,7 +147,7 @@ TEST(CollisionWorld, FclAgreesAboutBoxesAndCylinders) {
   Stream draw = Seed(11).child("fcl").stream();
   int touched = 0;
   for (int i = 0; i < 800; ++i) {
-    Obstacles obstacles;
+    motion::Obstacles obstacles;
     const Vec3 half{draw.uniform(0.05, 0.4), draw.uniform(0.05, 0.4), draw.uniform(0.05, 0.4)};
     const Pose pose = random_pose(draw);
     const Vec3 at{draw.uniform(-1.5, 1.5), draw.uniform(-1.5, 1.5), draw.uniform(-1.5, 1.5)};
@@ -158,7 +159,7 @@ TEST(CollisionWorld, FclAgreesAboutBoxesAndCylinders) {
       obstacles.cylinders.push_back({pose, half.x, half.z});
       away = fcl_distance(fcl::Cylinderd(half.x, 2 * half.z), pose, at);
     }
-    const auto world = CollisionWorld::make(obstacles);
+    const auto world = motion::CollisionWorld::make(obstacles);
     ASSERT_TRUE(world.ok());
     if (away < 0.002) {  // inside, or too near for its iterative solver
       EXPECT_TRUE(hits(*world, at, 0.01));
@@ -173,7 +174,7 @@ TEST(CollisionWorld, FclAgreesAboutBoxesAndCylinders) {
 
 // A right-angled edge is the convex piece's worst common case: 1 / cos(22.5 degrees) radii.
 TEST(CollisionWorld, AConvexPieceIsNeverTooSmallAndLittleTooLarge) {
-  Obstacles as_box, as_hull;
+  motion::Obstacles as_box, as_hull;
   Stream draw = Seed(5).child("hull").stream();
   const Pose pose = random_pose(draw);
   const Vec3 half{0.1, 0.2, 0.3};
@@ -183,7 +184,8 @@ TEST(CollisionWorld, AConvexPieceIsNeverTooSmallAndLittleTooLarge) {
     for (const double y : {-half.y, half.y})
       for (const double z : {-half.z, half.z})
         as_hull.convex[0].points.push_back(to_float({x, y, z}));
-  const auto box = CollisionWorld::make(as_box), hull = CollisionWorld::make(as_hull);
+  const auto box = motion::CollisionWorld::make(as_box),
+             hull = motion::CollisionWorld::make(as_hull);
   ASSERT_TRUE(box.ok() && hull.ok());
   for (int i = 0; i < 3000; ++i) {
     const Vec3 at =

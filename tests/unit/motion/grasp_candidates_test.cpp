@@ -16,18 +16,18 @@
 namespace marketgen {
 namespace {
 
-GraspTool tool_called(const std::string& id) {
-  auto tool = load_grasp_tool(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data", id);
+robots::GraspTool tool_called(const std::string& id) {
+  auto tool = robots::load_grasp_tool(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data", id);
   if (!tool.ok()) fatal(to_string(tool.error()).c_str());
   return std::move(tool).value();
 }
 
 // One primitive of one density.
 struct Pack {
-  Product product;
-  ProductBody body;
+  catalog::Product product;
+  assets::ProductBody body;
 };
-Pack pack_of(PieceShape shape, Vec3f half, double mass_kg) {
+Pack pack_of(assets::PieceShape shape, Vec3f half, double mass_kg) {
   Pack pack;
   pack.product.sku = "test-pack";
   pack.product.mass_kg = mass_kg;
@@ -36,28 +36,30 @@ Pack pack_of(PieceShape shape, Vec3f half, double mass_kg) {
   return pack;
 }
 Pack can_of(float radius_m, float height_m, double mass_kg = 0.35) {
-  return pack_of(PieceShape::cylinder, {radius_m, radius_m, height_m / 2}, mass_kg);
+  return pack_of(assets::PieceShape::cylinder, {radius_m, radius_m, height_m / 2}, mass_kg);
 }
 
-GraspCandidates found(const Pack& pack, const GraspTool& tool, const GraspQuery& query = {}) {
-  auto answer = grasp_candidates(pack.product, pack.body, tool, query);
+motion::GraspCandidates found(const Pack& pack,
+                              const robots::GraspTool& tool,
+                              const motion::GraspQuery& query = {}) {
+  auto answer = motion::grasp_candidates(pack.product, pack.body, tool, query);
   if (!answer.ok()) fatal(to_string(answer.error()).c_str());
   return std::move(answer).value();
 }
 
-Vec3 pad_middle(const GraspTool& tool, const GraspCandidate& candidate) {
+Vec3 pad_middle(const robots::GraspTool& tool, const motion::GraspCandidate& candidate) {
   return candidate.grasp.product_from_tool * tool.pad_center;
 }
-Vec3 axis_of(const GraspCandidate& candidate, Vec3 axis) {
+Vec3 axis_of(const motion::GraspCandidate& candidate, Vec3 axis) {
   return rotate(candidate.grasp.product_from_tool.rotation, axis);
 }
 
 // Whoever grips a can from the side has its diameter between the pads, and its axis in the middle.
 TEST(GraspCandidates, ACanIsPinchedAcrossItsDiameter) {
-  const GraspTool hand = tool_called("panda-hand");
-  const GraspCandidates answer = found(can_of(0.033F, 0.115F), hand);
+  const robots::GraspTool hand = tool_called("panda-hand");
+  const motion::GraspCandidates answer = found(can_of(0.033F, 0.115F), hand);
   ASSERT_FALSE(answer.found.empty());
-  for (const GraspCandidate& candidate : answer.found) {
+  for (const motion::GraspCandidate& candidate : answer.found) {
     EXPECT_NEAR(candidate.width_m, 0.066, 1e-4);
     EXPECT_NEAR(candidate.grasp.opening_m, 0.076, 1e-4);
     const Vec3 middle = pad_middle(hand, candidate), closing = axis_of(candidate, {0, 1, 0});
@@ -69,36 +71,39 @@ TEST(GraspCandidates, ACanIsPinchedAcrossItsDiameter) {
 }
 
 TEST(GraspCandidates, WhatIsTooWideSaysSo) {
-  const GraspCandidates answer = found(can_of(0.045F, 0.115F), tool_called("panda-hand"));
+  const motion::GraspCandidates answer = found(can_of(0.045F, 0.115F), tool_called("panda-hand"));
   EXPECT_TRUE(answer.found.empty());
-  EXPECT_EQ(answer.refusal, GraspRefusal::too_wide);
+  EXPECT_EQ(answer.refusal, motion::GraspRefusal::too_wide);
   EXPECT_NE(answer.reason.find("90 mm"), std::string::npos) << answer.reason;
   EXPECT_FALSE(found(can_of(0.039F, 0.115F), tool_called("parallel-gripper")).found.empty());
 }
 
 TEST(GraspCandidates, WhatIsTooHeavySaysSo) {
-  const GraspTool gripper = tool_called("parallel-gripper");
-  EXPECT_EQ(found(can_of(0.033F, 0.115F, 1.5), gripper).refusal, GraspRefusal::too_heavy);
-  GraspQuery greasy;
+  const robots::GraspTool gripper = tool_called("parallel-gripper");
+  EXPECT_EQ(found(can_of(0.033F, 0.115F, 1.5), gripper).refusal, motion::GraspRefusal::too_heavy);
+  motion::GraspQuery greasy;
   greasy.friction = 0.05;  // 60 N hold 0.23 kg, moved and with a margin
-  EXPECT_EQ(found(can_of(0.033F, 0.115F, 0.35), gripper, greasy).refusal, GraspRefusal::too_heavy);
+  EXPECT_EQ(found(can_of(0.033F, 0.115F, 0.35), gripper, greasy).refusal,
+            motion::GraspRefusal::too_heavy);
 }
 
 TEST(GraspCandidates, NoMassIsAnError) {
   const Pack pack = can_of(0.033F, 0.115F, 0);
-  const auto answer = grasp_candidates(pack.product, pack.body, tool_called("panda-hand"), {});
+  const auto answer =
+      motion::grasp_candidates(pack.product, pack.body, tool_called("panda-hand"), {});
   ASSERT_FALSE(answer.ok());
   EXPECT_EQ(answer.error().code, "catalog.bad_row");
 }
 
 TEST(GraspCandidates, APackNowhereIsAnError) {
   const Pack pack = can_of(0.033F, 0.115F);
-  const auto code = [&](const GraspQuery& query) {
-    const auto answer = grasp_candidates(pack.product, pack.body, tool_called("panda-hand"), query);
+  const auto code = [&](const motion::GraspQuery& query) {
+    const auto answer =
+        motion::grasp_candidates(pack.product, pack.body, tool_called("panda-hand"), query);
     return answer.ok() ? std::string() : answer.error().code;
   };
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  GraspQuery lying, near, walled;
+  motion::GraspQuery lying, near, walled;
   lying.world_from_product.rotation.w = nan;
   near.likes = {{{nan, 0, 0}, {}}};
   walled.walls = {{{}, {0.1, nan, 0.1}}};
@@ -110,8 +115,8 @@ TEST(GraspCandidates, APackNowhereIsAnError) {
 // Walls that lean by 40 degrees squeeze out of pads at friction 0.5 (27 degrees).
 TEST(GraspCandidates, ASteepWedgeIsNotHeld) {
   Pack pack = can_of(0.03F, 0.06F);
-  ContactPiece& wedge = pack.body.pieces[0];
-  wedge.shape = PieceShape::hull;
+  assets::ContactPiece& wedge = pack.body.pieces[0];
+  wedge.shape = assets::PieceShape::hull;
   wedge.points.clear();
   for (const float side : {-1.0F, 1.0F}) {
     for (const float x : {-0.09F, 0.09F})
@@ -124,32 +129,32 @@ TEST(GraspCandidates, ASteepWedgeIsNotHeld) {
 
 // A flat front takes the 35 mm cup; a 66 mm can is 5 mm deep under it; a can lid is flat.
 TEST(GraspCandidates, CupsWantEvenFaces) {
-  const GraspTool cup = tool_called("suction-cup");
-  const auto box = found(pack_of(PieceShape::box, {0.09F, 0.03F, 0.12F}, 0.4), cup);
+  const robots::GraspTool cup = tool_called("suction-cup");
+  const auto box = found(pack_of(assets::PieceShape::box, {0.09F, 0.03F, 0.12F}, 0.4), cup);
   ASSERT_FALSE(box.found.empty());
-  const bool front = std::ranges::any_of(box.found, [](const GraspCandidate& c) {
-    return c.strategy == GraspStrategy::suction_front;
+  const bool front = std::ranges::any_of(box.found, [](const motion::GraspCandidate& c) {
+    return c.strategy == motion::GraspStrategy::suction_front;
   });
   EXPECT_TRUE(front);
   const auto can = found(can_of(0.033F, 0.115F), cup);
   ASSERT_FALSE(can.found.empty());
-  for (const GraspCandidate& candidate : can.found)
-    EXPECT_EQ(candidate.strategy, GraspStrategy::suction_top);
-  GraspQuery shelf;
+  for (const motion::GraspCandidate& candidate : can.found)
+    EXPECT_EQ(candidate.strategy, motion::GraspStrategy::suction_top);
+  motion::GraspQuery shelf;
   shelf.from_front = true;
-  EXPECT_EQ(found(can_of(0.033F, 0.115F), cup, shelf).refusal, GraspRefusal::no_seal);
+  EXPECT_EQ(found(can_of(0.033F, 0.115F), cup, shelf).refusal, motion::GraspRefusal::no_seal);
 }
 
 // Against loads from all sides: three places of the lip hold a third of the pull each.
 TEST(GraspCandidates, ACupsSwingIsThePullThatItNeedsWhicheverWayUp) {
-  const GraspTool cup = tool_called("suction-cup");
-  const Pack box = pack_of(PieceShape::box, {0.05F, 0.02F, 0.08F}, 0.15);
-  const GraspCandidates answer = found(box, cup);
+  const robots::GraspTool cup = tool_called("suction-cup");
+  const Pack box = pack_of(assets::PieceShape::box, {0.05F, 0.02F, 0.08F}, 0.15);
+  const motion::GraspCandidates answer = found(box, cup);
   ASSERT_GT(answer.found.size(), 1U);
-  for (const GraspCandidate& candidate : answer.found) {
+  for (const motion::GraspCandidate& candidate : answer.found) {
     const Vec3 at = candidate.grasp.product_from_tool.position,
                ahead = axis_of(candidate, {0, 0, 1});
-    const double load_n = turn_safety * 0.15 * (9.81 + carry_acceleration_m_s2);
+    const double load_n = motion::turn_safety * 0.15 * (9.81 + motion::carry_acceleration_m_s2);
     double most = 0;
     for (int turn = 0; turn < 72; ++turn) {
       for (int lean = 0; lean <= 36; ++lean) {
@@ -168,32 +173,33 @@ TEST(GraspCandidates, ACupsSwingIsThePullThatItNeedsWhicheverWayUp) {
 
 TEST(GraspCandidates, NoCupSealsOverARingPull) {
   Pack can = can_of(0.033F, 0.115F);
-  can.body.features.push_back({FeatureKind::tab, {0, -0.004F, 0.114F}, {0.006F, 0.01F, 0.001F}});
-  EXPECT_EQ(found(can, tool_called("suction-cup")).refusal, GraspRefusal::no_seal);
+  can.body.features.push_back(
+      {assets::FeatureKind::tab, {0, -0.004F, 0.114F}, {0.006F, 0.01F, 0.001F}});
+  EXPECT_EQ(found(can, tool_called("suction-cup")).refusal, motion::GraspRefusal::no_seal);
 }
 
 TEST(GraspCandidates, WhatHangsTooHeavyOnACupSaysSo) {  // 25 N do not lift 1.4 kg by a box's front
-  const auto box =
-      found(pack_of(PieceShape::box, {0.09F, 0.06F, 0.12F}, 1.4), tool_called("suction-cup"));
+  const auto box = found(pack_of(assets::PieceShape::box, {0.09F, 0.06F, 0.12F}, 1.4),
+                         tool_called("suction-cup"));
   EXPECT_TRUE(box.found.empty());
-  EXPECT_EQ(box.refusal, GraspRefusal::too_heavy);
+  EXPECT_EQ(box.refusal, motion::GraspRefusal::too_heavy);
   EXPECT_FALSE(box.reason.empty());
 }
 
 TEST(GraspCandidates, TheFrontIsWhereTheShopperStands) {
-  GraspQuery shelf;
+  motion::GraspQuery shelf;
   shelf.from_front = true;
   shelf.ceiling_m = 0.145;
   const auto answer = found(can_of(0.033F, 0.115F), tool_called("panda-hand"), shelf);
   ASSERT_FALSE(answer.found.empty());
-  for (const GraspCandidate& candidate : answer.found)
+  for (const motion::GraspCandidate& candidate : answer.found)
     EXPECT_GE(axis_of(candidate, {0, 0, 1}).y, 0.5);
 }
 
 // A can on its side in the middle of the floor, its axis along the world's X; `aside_m` to a wall
 // along it on either side.
-GraspQuery lying_between_walls(double aside_m) {
-  GraspQuery query;
+motion::GraspQuery lying_between_walls(double aside_m) {
+  motion::GraspQuery query;
   query.from_above = true;
   query.world_from_product = {{-0.0575, 0, 0.033}, rotation_about({0, 1, 0}, 1.5707963267948966)};
   for (const double side : {1.0, -1.0})
@@ -203,17 +209,19 @@ GraspQuery lying_between_walls(double aside_m) {
 }
 
 // By corners and middles of the tool's solids, which the search does not look at.
-double min_distance_to_walls(const GraspTool& tool, const Grasp& grasp, const GraspQuery& query) {
-  std::vector<ToolSolid> solids = opened(tool, grasp.opening_m);
+double min_distance_to_walls(const robots::GraspTool& tool,
+                             const robots::Grasp& grasp,
+                             const motion::GraspQuery& query) {
+  std::vector<robots::ToolSolid> solids = robots::opened(tool, grasp.opening_m);
   solids.insert(solids.end(), tool.body.begin(), tool.body.end());
   double least = 1;
-  for (const ToolSolid& solid : solids) {
+  for (const robots::ToolSolid& solid : solids) {
     const Pose at = query.world_from_product * grasp.product_from_tool * solid.tool_from_solid;
     for (int i = 0; i < 27; ++i) {
       const Vec3 share{i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0};
       const Vec3 point = at * (share * solid.half_size);
       least = std::min(least, point.z);
-      for (const GraspObstacle& wall : query.walls) {
+      for (const motion::GraspObstacle& wall : query.walls) {
         const Vec3 p = inverse(wall.world_from_box) * point;
         const auto out = [](double x, double half) { return std::max(0.0, std::abs(x) - half); };
         least = std::min(least,
@@ -229,12 +237,12 @@ double min_distance_to_walls(const GraspTool& tool, const Grasp& grasp, const Gr
 TEST(GraspCandidates, ALyingCanIsTakenFromAboveClearOfWalls) {
   const Pack can = can_of(0.033F, 0.115F);
   for (const char* id : {"panda-hand", "parallel-gripper"}) {
-    const GraspTool tool = tool_called(id);
+    const robots::GraspTool tool = tool_called(id);
     for (const double aside : {0.15, 0.08}) {
-      const GraspQuery query = lying_between_walls(aside);
-      const GraspCandidates answer = found(can, tool, query);
+      const motion::GraspQuery query = lying_between_walls(aside);
+      const motion::GraspCandidates answer = found(can, tool, query);
       ASSERT_FALSE(answer.found.empty()) << id << aside << answer.reason;
-      for (const GraspCandidate& candidate : answer.found) {
+      for (const motion::GraspCandidate& candidate : answer.found) {
         const Vec3 approach =
             rotate(query.world_from_product.rotation, axis_of(candidate, {0, 0, 1}));
         EXPECT_LE(approach.z, -0.4226);
@@ -246,12 +254,12 @@ TEST(GraspCandidates, ALyingCanIsTakenFromAboveClearOfWalls) {
 
 TEST(GraspCandidates, BetweenNearWallsThereIsNoRoom) {
   const Pack can = can_of(0.033F, 0.115F);
-  GraspQuery query = lying_between_walls(0.004);  // a finger is thicker
+  motion::GraspQuery query = lying_between_walls(0.004);  // a finger is thicker
   for (const double side : {1.0, -1.0})
     query.walls.push_back({{{side * 0.0665, 0, 0.075}, {}}, {0.005, 0.3, 0.075}});
-  const GraspCandidates answer = found(can, tool_called("panda-hand"), query);
+  const motion::GraspCandidates answer = found(can, tool_called("panda-hand"), query);
   EXPECT_TRUE(answer.found.empty());
-  EXPECT_EQ(answer.refusal, GraspRefusal::no_room);
+  EXPECT_EQ(answer.refusal, motion::GraspRefusal::no_room);
   EXPECT_NE(answer.reason.find("walls"), std::string::npos);
 }
 
@@ -259,8 +267,8 @@ TEST(GraspCandidates, BetweenNearWallsThereIsNoRoom) {
 // that touches.
 TEST(GraspCandidates, LikesThatLieCloseLeaveNoRoom) {
   const Pack can = can_of(0.033F, 0.115F);
-  const GraspTool tool = tool_called("parallel-gripper");
-  GraspQuery query = lying_between_walls(0.3);
+  const robots::GraspTool tool = tool_called("parallel-gripper");
+  motion::GraspQuery query = lying_between_walls(0.3);
   const auto add_likes = [&](double gap) {
     query.likes.clear();
     for (const double side : {1.0, -1.0}) {
@@ -275,7 +283,7 @@ TEST(GraspCandidates, LikesThatLieCloseLeaveNoRoom) {
   add_likes(0.06);
   EXPECT_FALSE(found(can, tool, query).found.empty());
   add_likes(0.001);
-  EXPECT_EQ(found(can, tool, query).refusal, GraspRefusal::no_room);
+  EXPECT_EQ(found(can, tool, query).refusal, motion::GraspRefusal::no_room);
 }
 
 TEST(GraspCandidates, AxesMakeTheirRotation) {
@@ -317,7 +325,10 @@ MeshHit first_of_mesh(const Mesh& mesh, Vec3 origin, Vec3 direction) {
 struct MeshPad {
   double stop = 1e9, cosine = -1;
 };
-MeshPad pad_on_mesh(const Mesh& mesh, const GraspTool& tool, const GraspCandidate& c, double side) {
+MeshPad pad_on_mesh(const Mesh& mesh,
+                    const robots::GraspTool& tool,
+                    const motion::GraspCandidate& c,
+                    double side) {
   const Vec3 way = axis_of(c, {0, -side, 0});
   MeshPad pad;
   std::vector<MeshHit> hits;
@@ -340,7 +351,7 @@ MeshPad pad_on_mesh(const Mesh& mesh, const GraspTool& tool, const GraspCandidat
 // says, up to the tolerance of the contact pieces, on faces that look at them within the friction
 // cone.
 TEST(GraspCandidates, PadsMeetTheDrawnPackFaceToFace) {
-  const GraspTool hand = tool_called("panda-hand");
+  const robots::GraspTool hand = tool_called("panda-hand");
   constexpr double pieces_m = 0.005, friction = 0.5;
   const double cone = 1 / std::sqrt(1 + friction * friction);
   int judged = 0;
@@ -355,17 +366,17 @@ TEST(GraspCandidates, PadsMeetTheDrawnPackFaceToFace) {
                             "apple",
                             "tube"}) {
     int packs = 0;
-    for (const Product& product : committed_catalog().products) {
+    for (const catalog::Product& product : committed_catalog().products) {
       if (product.archetype != shape || packs == 2) continue;
       ++packs;
-      const auto model = make_product_model(product);
-      const auto body = make_product_body(product);
+      const auto model = assets::make_product_model(product);
+      const auto body = assets::make_product_body(product);
       ASSERT_TRUE(model.ok() && body.ok()) << product.sku;
-      GraspQuery best;
+      motion::GraspQuery best;
       best.most = 3;
-      const auto answer = grasp_candidates(product, *body, hand, best);
+      const auto answer = motion::grasp_candidates(product, *body, hand, best);
       ASSERT_TRUE(answer.ok()) << to_string(answer.error());
-      for (const GraspCandidate& candidate : answer->found) {
+      for (const motion::GraspCandidate& candidate : answer->found) {
         const MeshPad left = pad_on_mesh(model->mesh, hand, candidate, 1);
         const MeshPad right = pad_on_mesh(model->mesh, hand, candidate, -1);
         ++judged;

@@ -25,20 +25,21 @@
 namespace marketgen {
 namespace {
 
-const Robot& panda() {
-  static const Robot robot = committed_robot("panda");
+const robots::Robot& panda() {
+  static const robots::Robot robot = committed_robot("panda");
   return robot;
 }
 std::vector<double> ready_state() {
-  std::vector<double> q = with_posture(*panda().find_posture("ready"), neutral_state(panda()));
+  std::vector<double> q =
+      robots::with_posture(*panda().find_posture("ready"), robots::neutral_state(panda()));
   q[static_cast<std::size_t>(panda().find_dof("finger_joint1"))] = 0.04;
-  return with_followers(panda(), q);
+  return robots::with_followers(panda(), q);
 }
-const ArmModel& panda_arm() {
-  static const ArmModel model = make_arm_model(panda(), "arm").value();
+const motion::ArmModel& panda_arm() {
+  static const motion::ArmModel model = motion::make_arm_model(panda(), "arm").value();
   return model;
 }
-Configuration ready() {
+motion::Configuration ready() {
   const std::vector<double> q = ready_state();
   return {q.begin(), q.begin() + 7};
 }
@@ -54,7 +55,7 @@ fcl::Transform3d to_fcl(const Pose& p) {
 }
 
 // A capsule as FCL has it: along Z about its middle.
-std::unique_ptr<fcl::CollisionObjectd> to_fcl(const Capsule& capsule, const Pose& pose) {
+std::unique_ptr<fcl::CollisionObjectd> to_fcl(const robots::Capsule& capsule, const Pose& pose) {
   const Vec3 a = pose * capsule.a, b = pose * capsule.b, along = b - a;
   fcl::Transform3d t = fcl::Transform3d::Identity();
   const Vec3 middle = (a + b) * 0.5;
@@ -73,12 +74,12 @@ std::unique_ptr<fcl::CollisionObjectd> to_fcl(const Capsule& capsule, const Pose
 
 class Judge {
  public:
-  Judge(const ArmModel& model, const Obstacles& obstacles) : model_(model) {
-    for (const BoxObstacle& b : obstacles.boxes) {
+  Judge(const motion::ArmModel& model, const motion::Obstacles& obstacles) : model_(model) {
+    for (const motion::BoxObstacle& b : obstacles.boxes) {
       const Vec3 s = b.half_size * 2.0;
       add(std::make_shared<fcl::Boxd>(s.x, s.y, s.z), b.pose);
     }
-    for (const CylinderObstacle& c : obstacles.cylinders)
+    for (const motion::CylinderObstacle& c : obstacles.cylinders)
       add(std::make_shared<fcl::Cylinderd>(c.radius, 2 * c.half_length), c.pose);
     manager_.setup();
   }
@@ -86,12 +87,12 @@ class Judge {
   // The robot with what it carries touches nothing. `moved`: first link that is held against the
   // world; `held` moves with `link`.
   bool free(const std::vector<double>& state,
-            const std::vector<Sphere>& held = {},
+            const std::vector<robots::Sphere>& held = {},
             int link = 0) const {
-    const std::vector<Pose> poses = link_poses(*model_.robot, state);
+    const std::vector<Pose> poses = robots::link_poses(*model_.robot, state);
     std::vector<std::vector<std::unique_ptr<fcl::CollisionObjectd>>> bodies(poses.size());
     for (std::size_t i = 0; i < poses.size(); ++i) {
-      for (const Capsule& c : model_.robot->links[i].capsules)
+      for (const robots::Capsule& c : model_.robot->links[i].capsules)
         bodies[i].push_back(to_fcl(c, poses[i]));
     }
     for (std::size_t i = 1; i < bodies.size(); ++i) {
@@ -99,11 +100,11 @@ class Judge {
         if (touches_world(*body)) return false;
       }
     }
-    for (const Sphere& s : held) {
-      const Capsule ball{s.center, s.center, s.radius};
+    for (const robots::Sphere& s : held) {
+      const robots::Capsule ball{s.center, s.center, s.radius};
       if (touches_world(*to_fcl(ball, poses[static_cast<std::size_t>(link)]))) return false;
     }
-    for (const LinkPair& pair : model_.pairs) {
+    for (const robots::LinkPair& pair : model_.pairs) {
       for (const auto& a : bodies[static_cast<std::size_t>(pair.a)]) {
         for (const auto& b : bodies[static_cast<std::size_t>(pair.b)]) {
           fcl::CollisionResultd result;
@@ -126,7 +127,7 @@ class Judge {
     return data.result.isCollision();
   }
 
-  const ArmModel& model_;
+  const motion::ArmModel& model_;
   std::vector<std::unique_ptr<fcl::CollisionObjectd>> objects_;
   fcl::DynamicAABBTreeCollisionManagerd manager_;
 };
@@ -136,15 +137,15 @@ class Judge {
 TEST(ArmChecker, IsNeverFreeWhereFclSeesATouchAndLittleTooStrict) {
   int judged_free = 0, checked_free = 0;
   for (std::uint64_t scene = 0; scene < 4; ++scene) {
-    const Obstacles obstacles = shelf_scene(scene).obstacles;
-    const auto world = CollisionWorld::make(obstacles);
+    const motion::Obstacles obstacles = shelf_scene(scene).obstacles;
+    const auto world = motion::CollisionWorld::make(obstacles);
     ASSERT_TRUE(world.ok());
-    const auto checker = ArmChecker::make(panda_arm(), ready_state(), {}, *world);
+    const auto checker = motion::ArmChecker::make(panda_arm(), ready_state(), {}, *world);
     ASSERT_TRUE(checker.ok()) << to_string(checker.error());
     const Judge judge(panda_arm(), obstacles);
     Stream draw = Seed(scene).child("postures").stream();
     for (int i = 0; i < 250; ++i) {
-      Configuration q(7);
+      motion::Configuration q(7);
       for (std::size_t j = 0; j < 7; ++j)
         q[j] = draw.uniform(panda_arm().lower[j], panda_arm().upper[j]);
       const bool free = checker->free(q);
@@ -160,34 +161,34 @@ TEST(ArmChecker, IsNeverFreeWhereFclSeesATouchAndLittleTooStrict) {
 }
 
 TEST(ArmChecker, SaysWhatTouches) {
-  Obstacles obstacles;
+  motion::Obstacles obstacles;
   obstacles.boxes.push_back({{{0.5, 0, 0.5}, {}}, {0.25, 0.2, 0.02}});
-  const auto world = CollisionWorld::make(obstacles);
-  const auto checker = ArmChecker::make(panda_arm(), ready_state(), {}, *world);
+  const auto world = motion::CollisionWorld::make(obstacles);
+  const auto checker = motion::ArmChecker::make(panda_arm(), ready_state(), {}, *world);
   ASSERT_TRUE(checker.ok());
   const std::string text = checker->collision(ready());
   EXPECT_NE(text.find("with boxes/0"), std::string::npos) << text;
 }
 
 TEST(ArmChecker, TravelBoundsTheMotionOfEveryPoint) {
-  const auto world = CollisionWorld::make({});
-  const auto checker = ArmChecker::make(panda_arm(), ready_state(), {}, *world);
+  const auto world = motion::CollisionWorld::make({});
+  const auto checker = motion::ArmChecker::make(panda_arm(), ready_state(), {}, *world);
   ASSERT_TRUE(checker.ok());
   Stream draw = Seed(3).child("travel").stream();
   double closest = 0;
   for (int i = 0; i < 300; ++i) {
-    Configuration a(7), b(7);
+    motion::Configuration a(7), b(7);
     for (std::size_t j = 0; j < 7; ++j) {
       a[j] = draw.uniform(panda_arm().lower[j], panda_arm().upper[j]);
       b[j] = i % 8 == static_cast<int>(j) || i % 8 == 7
                  ? draw.uniform(panda_arm().lower[j], panda_arm().upper[j])
                  : a[j];
     }
-    const auto from = link_poses(panda(), checker->state_with(a));
-    const auto to = link_poses(panda(), checker->state_with(b));
+    const auto from = robots::link_poses(panda(), checker->state_with(a));
+    const auto to = robots::link_poses(panda(), checker->state_with(b));
     const double bound = checker->travel_m(a, b);
     for (std::size_t k = 0; k < from.size(); ++k) {
-      for (const Capsule& c : panda().links[k].capsules) {
+      for (const robots::Capsule& c : panda().links[k].capsules) {
         const double moved = length(from[k] * c.b - to[k] * c.b);
         EXPECT_LE(moved, bound + 1e-9);
         if (bound > 0) closest = std::max(closest, moved / bound);
@@ -205,20 +206,20 @@ TEST(PlanArm, EveryShelfProblemIsSolvedAndFclAgreesAlongTheWholeWay) {
     const ShelfProblem problem = shelf_problem(panda_arm(), ready_state(), index);
     if (problem.goal.empty()) continue;
     ++asked;
-    const auto world = CollisionWorld::make(problem.obstacles);
-    const auto checker = ArmChecker::make(panda_arm(), ready_state(), {}, *world);
+    const auto world = motion::CollisionWorld::make(problem.obstacles);
+    const auto checker = motion::ArmChecker::make(panda_arm(), ready_state(), {}, *world);
     ASSERT_TRUE(checker.ok());
-    const auto plan = plan_arm(*checker, problem.start, {problem.goal}, Seed(1));
+    const auto plan = motion::plan_arm(*checker, problem.start, {problem.goal}, Seed(1));
     ASSERT_TRUE(plan.ok()) << index << ": " << to_string(plan.error());
     EXPECT_EQ(plan->path.front(), problem.start);
     EXPECT_EQ(plan->path.back(), problem.goal);
     const Judge judge(panda_arm(), problem.obstacles);
     int touches = 0;
     for (std::size_t i = 0; i + 1 < plan->path.size(); ++i) {
-      const Configuration &a = plan->path[i], &b = plan->path[i + 1];
+      const motion::Configuration &a = plan->path[i], &b = plan->path[i + 1];
       const int steps = 1 + static_cast<int>(checker->travel_m(a, b) / 0.01);
       for (int k = 0; k <= steps; ++k) {
-        Configuration q(7);
+        motion::Configuration q(7);
         for (std::size_t j = 0; j < 7; ++j)
           q[j] = a[j] + (b[j] - a[j]) * k / steps;
         touches += judge.free(checker->state_with(q)) ? 0 : 1;
@@ -233,19 +234,19 @@ TEST(PlanArm, EveryShelfProblemIsSolvedAndFclAgreesAlongTheWholeWay) {
 }
 
 TEST(PlanArm, TheTrajectoryKeepsTheLimitsOfTheRobotsRow) {
-  const auto world = CollisionWorld::make({});
-  const auto checker = ArmChecker::make(panda_arm(), ready_state(), {}, *world);
+  const auto world = motion::CollisionWorld::make({});
+  const auto checker = motion::ArmChecker::make(panda_arm(), ready_state(), {}, *world);
   ASSERT_TRUE(checker.ok());
-  const Configuration goal{1.2, 0.3, -0.5, -1.2, 0.4, 2.0, -0.6};
-  const auto plan = plan_arm(*checker, ready(), {goal}, Seed(1));
+  const motion::Configuration goal{1.2, 0.3, -0.5, -1.2, 0.4, 2.0, -0.6};
+  const auto plan = motion::plan_arm(*checker, ready(), {goal}, Seed(1));
   ASSERT_TRUE(plan.ok()) << to_string(plan.error());
   constexpr double dt = 1e-4;
   double fastest = 0;
-  TrajectoryState before = plan->trajectory.at(0);
+  motion::TrajectoryState before = plan->trajectory.at(0);
   for (double t = dt; t < plan->trajectory.duration_s() + dt; t += dt) {
-    const TrajectoryState now = plan->trajectory.at(t);
+    const motion::TrajectoryState now = plan->trajectory.at(t);
     for (std::size_t j = 0; j < 7; ++j) {
-      const Joint& joint = panda().joint_of_dof(j);
+      const robots::Joint& joint = panda().joint_of_dof(j);
       const double v = std::abs(now.position[j] - before.position[j]) / dt;
       EXPECT_LE(v, joint.velocity * (1 + 1e-6));
       EXPECT_LE(std::abs(now.velocity[j] - before.velocity[j]) / dt,
@@ -262,30 +263,30 @@ TEST(PlanArm, TheTrajectoryKeepsTheLimitsOfTheRobotsRow) {
 TEST(PlanArm, WhatIsHeldIsKeptClearToo) {
   const ShelfProblem problem = shelf_problem(panda_arm(), ready_state(), 0);
   ASSERT_FALSE(problem.goal.empty());
-  const auto world = CollisionWorld::make(problem.obstacles);
+  const auto world = motion::CollisionWorld::make(problem.obstacles);
   const int hand = panda().find_link("hand");
-  ArmCheckOptions options;
-  AttachedObject bottle{hand, {}, {hand}};
+  motion::ArmCheckOptions options;
+  motion::AttachedObject bottle{hand, {}, {hand}};
   for (const char* finger : {"finger_left", "finger_right"})
     bottle.may_touch.push_back(panda().find_link(finger));
   for (int k = 0; k < 6; ++k)
     bottle.spheres.push_back({{0.02 * k - 0.05, 0, 0.1034}, 0.025});
   options.attached = {bottle};
-  const auto checker = ArmChecker::make(panda_arm(), ready_state(), {}, *world, options);
+  const auto checker = motion::ArmChecker::make(panda_arm(), ready_state(), {}, *world, options);
   ASSERT_TRUE(checker.ok()) << to_string(checker.error());
   const Judge judge(panda_arm(), problem.obstacles);
   Stream draw = Seed(5).child("held").stream();
   int planned = 0;
   for (int i = 0; i < 200 && planned < 5; ++i) {
-    Configuration goal(7);
+    motion::Configuration goal(7);
     for (std::size_t j = 0; j < 7; ++j)
       goal[j] = draw.uniform(panda_arm().lower[j], panda_arm().upper[j]);
     if (!checker->free(goal)) continue;
-    const auto plan = plan_arm(*checker, ready(), {goal}, Seed(2));
+    const auto plan = motion::plan_arm(*checker, ready(), {goal}, Seed(2));
     ASSERT_TRUE(plan.ok()) << to_string(plan.error());
     ++planned;
     for (double t = 0; t <= plan->trajectory.duration_s(); t += 0.02) {
-      const Configuration q = plan->trajectory.at(t).position;
+      const motion::Configuration q = plan->trajectory.at(t).position;
       EXPECT_TRUE(judge.free(checker->state_with(q), bottle.spheres, hand));
     }
   }
@@ -295,36 +296,40 @@ TEST(PlanArm, WhatIsHeldIsKeptClearToo) {
 // From the stowed posture to the front of a shelf, either arm, at several heights of the lift, the
 // other arm in its place: with hands of the postures that the certificates will ask for.
 TEST(PlanArm, TheDualArmReachesAShelfPastItsOtherArm) {
-  const Robot robot = committed_robot("realman-rm75");
-  Obstacles obstacles;
+  const robots::Robot robot = committed_robot("realman-rm75");
+  motion::Obstacles obstacles;
   for (const double z : {0.15, 0.55, 0.95, 1.35, 1.75})
     obstacles.boxes.push_back({{{0.95, 0, z - 0.02}, {}}, {0.25, 0.8, 0.012}});
   obstacles.boxes.push_back({{{1.22, 0, 1.0}, {}}, {0.012, 0.8, 1.0}});
-  const auto world = CollisionWorld::make(obstacles);
+  const auto world = motion::CollisionWorld::make(obstacles);
   ASSERT_TRUE(world.ok());
   int asked = 0, solved = 0;
   for (const char* group : {"left_arm", "right_arm"}) {
-    const ArmModel model = make_arm_model(robot, group).value();
+    const motion::ArmModel model = motion::make_arm_model(robot, group).value();
     const double side = group[0] == 'l' ? 0.3 : -0.3;
     for (const double z : {0.75, 1.1, 1.5}) {
-      std::vector<double> state = with_posture(*robot.find_posture("stow"), neutral_state(robot));
+      std::vector<double> state =
+          robots::with_posture(*robot.find_posture("stow"), robots::neutral_state(robot));
       const auto lift = static_cast<std::size_t>(robot.find_dof("lift"));
       state[lift] =
           std::clamp(z - 0.9, robot.joint_of_dof(lift).lower, robot.joint_of_dof(lift).upper);
-      const auto checker = ArmChecker::make(model, state, {}, *world);
+      const auto checker = motion::ArmChecker::make(model, state, {}, *world);
       ASSERT_TRUE(checker.ok()) << to_string(checker.error());
-      const Pose base = link_poses(robot, state)[static_cast<std::size_t>(model.group.base)];
+      const Pose base =
+          robots::link_poses(robot, state)[static_cast<std::size_t>(model.group.base)];
       const Pose tip{{0.74, side, z}, rotation_about({0, 1, 0}, std::numbers::pi / 2)};
-      Configuration start;
+      motion::Configuration start;
       for (const int dof : model.group.dofs)
         start.push_back(state[static_cast<std::size_t>(dof)]);
-      const auto goals = arm_goals(robot, model.group, inverse(base) * tip, start);
+      const auto goals = motion::arm_goals(robot, model.group, inverse(base) * tip, start);
       if (!goals.ok()) continue;
-      const auto free = std::find_if(
-          goals->begin(), goals->end(), [&](const Configuration& q) { return checker->free(q); });
+      const auto free =
+          std::find_if(goals->begin(), goals->end(), [&](const motion::Configuration& q) {
+            return checker->free(q);
+          });
       if (free == goals->end()) continue;
       ++asked;
-      const auto plan = plan_arm(*checker, start, {*free}, Seed(1));
+      const auto plan = motion::plan_arm(*checker, start, {*free}, Seed(1));
       if (!plan.ok()) continue;
       ++solved;
       const Judge judge(model, obstacles);
@@ -340,35 +345,37 @@ TEST(PlanArm, TheDualArmReachesAShelfPastItsOtherArm) {
 TEST(PlanArm, SameSeedSamePathOnAnyThread) {
   const ShelfProblem problem = shelf_problem(panda_arm(), ready_state(), 1);
   ASSERT_FALSE(problem.goal.empty());
-  const auto world = CollisionWorld::make(problem.obstacles);
-  const auto checker = ArmChecker::make(panda_arm(), ready_state(), {}, *world);
+  const auto world = motion::CollisionWorld::make(problem.obstacles);
+  const auto checker = motion::ArmChecker::make(panda_arm(), ready_state(), {}, *world);
   ASSERT_TRUE(checker.ok());
   const auto path = [&](std::uint64_t seed) {
-    return plan_arm(*checker, problem.start, {problem.goal}, Seed(seed)).value().path;
+    return motion::plan_arm(*checker, problem.start, {problem.goal}, Seed(seed)).value().path;
   };
-  const JointPath once = path(7);
-  std::vector<JointPath> others(4);
+  const motion::JointPath once = path(7);
+  std::vector<motion::JointPath> others(4);
   std::vector<std::thread> threads;
-  for (JointPath& other : others)
+  for (motion::JointPath& other : others)
     threads.emplace_back([&] { other = path(7); });
   for (std::thread& thread : threads)
     thread.join();
-  for (const JointPath& other : others)
+  for (const motion::JointPath& other : others)
     EXPECT_EQ(other, once);
   EXPECT_NE(path(8), once);
 }
 
 TEST(PlanArm, BadQuestionsAreErrorsThatSayWhy) {
-  Obstacles obstacles;
+  motion::Obstacles obstacles;
   obstacles.boxes.push_back({{{0.6, 0, 0.2}, {}}, {0.1, 0.4, 0.2}});
-  const auto world = CollisionWorld::make(obstacles);
-  ArmQuestion question;
+  const auto world = motion::CollisionWorld::make(obstacles);
+  motion::ArmQuestion question;
   question.state = ready_state();
-  const auto code = [&](const ArmQuestion& asked, const ArmPlanOptions& options = {}) {
-    const auto plan = plan_arm(panda(), asked, *world, Seed(1), options);
+  const auto code = [&](const motion::ArmQuestion& asked,
+                        const motion::ArmPlanOptions& options = {}) {
+    const auto plan = motion::plan_arm(panda(), asked, *world, Seed(1), options);
     return plan.ok() ? "ok" : plan.error().code;
   };
-  const Configuration inside{0, 0.6, 0, -1.8, 0, 2.4, 0.785}, there{1.5, -0.5, 0, -2.0, 0, 1.5, 0};
+  const motion::Configuration inside{0, 0.6, 0, -1.8, 0, 2.4, 0.785},
+      there{1.5, -0.5, 0, -2.0, 0, 1.5, 0};
   question.goals = {inside};
   EXPECT_EQ(code(question), "motion.goal_in_collision");
   question.goals = {there};
@@ -388,7 +395,7 @@ TEST(PlanArm, BadQuestionsAreErrorsThatSayWhy) {
   question.state[0] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(code(question), "robot.bad_state");
   question.state = ready_state();
-  ArmPlanOptions options;
+  motion::ArmPlanOptions options;
   options.speed = 0;
   EXPECT_EQ(code(question, options), "motion.bad_limits");
   question.check.attached = {{0, {{{0, 0, 0}, 0.1}}, {}}};
@@ -397,21 +404,22 @@ TEST(PlanArm, BadQuestionsAreErrorsThatSayWhy) {
 
 TEST(PlanArm, AGoalOutOfReachOrInAWallIsNamed) {
   // Walls all round the arm, the goal outside them.
-  Obstacles obstacles;
+  motion::Obstacles obstacles;
   for (const double sign : {-1.0, 1.0}) {
     obstacles.boxes.push_back({{{sign * 0.62, 0, 0.5}, {}}, {0.01, 0.63, 0.9}});
     obstacles.boxes.push_back({{{0, sign * 0.62, 0.5}, {}}, {0.63, 0.01, 0.9}});
   }
   obstacles.boxes.push_back({{{0, 0, 1.25}, {}}, {0.63, 0.63, 0.01}});
-  const auto world = CollisionWorld::make(obstacles);
-  const auto checker = ArmChecker::make(panda_arm(), ready_state(), {}, *world);
+  const auto world = motion::CollisionWorld::make(obstacles);
+  const auto checker = motion::ArmChecker::make(panda_arm(), ready_state(), {}, *world);
   ASSERT_TRUE(checker.ok());
   ASSERT_EQ(checker->collision(ready()), "");
-  const auto unreachable = arm_goals(panda(), panda_arm().group, {{2, 0, 0.5}, {}}, ready());
+  const auto unreachable =
+      motion::arm_goals(panda(), panda_arm().group, {{2, 0, 0.5}, {}}, ready());
   ASSERT_FALSE(unreachable.ok());
   EXPECT_EQ(unreachable.error().code, "robot.unreachable");
-  const Configuration outside{0, 1.2, 0, -0.5, 0, 1.7, 0};
-  const auto plan = plan_arm(*checker, ready(), {outside}, Seed(1));
+  const motion::Configuration outside{0, 1.2, 0, -0.5, 0, 1.7, 0};
+  const auto plan = motion::plan_arm(*checker, ready(), {outside}, Seed(1));
   ASSERT_FALSE(plan.ok());
   EXPECT_EQ(plan.error().code, "motion.goal_in_collision");
   EXPECT_NE(plan.error().message.find("with boxes/"), std::string::npos) << plan.error().message;

@@ -14,7 +14,7 @@ namespace {
 
 const PolygonMm room_4x3{{0, 0}, {4000, 0}, {4000, 3000}, {0, 3000}};
 
-std::size_t free_cells(const OccupancyGrid& grid) {
+std::size_t free_cells(const navigation::OccupancyGrid& grid) {
   std::size_t count = 0;
   for (const std::uint8_t cell : grid.blocked)
     count += cell == 0 ? 1 : 0;
@@ -22,29 +22,31 @@ std::size_t free_cells(const OccupancyGrid& grid) {
 }
 
 // Random rectangles in a 6 x 5 m room.
-OccupancyGrid cluttered_grid(std::uint64_t seed, int clearance_mm) {
+navigation::OccupancyGrid cluttered_grid(std::uint64_t seed, int clearance_mm) {
   Stream draw = Seed(seed).child("clutter").stream();
   std::vector<RectMm> obstacles;
   for (int i = 0; i < 9; ++i) {
     const int x = draw.integer(0, 5500), y = draw.integer(0, 4500);
     obstacles.push_back({x, y, x + draw.integer(100, 1500), y + draw.integer(100, 1500)});
   }
-  return make_occupancy({{0, 0}, {6000, 0}, {6000, 5000}, {0, 5000}}, obstacles, clearance_mm, 100);
+  return navigation::make_occupancy(
+      {{0, 0}, {6000, 0}, {6000, 5000}, {0, 5000}}, obstacles, clearance_mm, 100);
 }
 
 TEST(Occupancy, EmptyRoomWithoutClearanceIsAllFree) {
-  const OccupancyGrid grid = make_occupancy(room_4x3, {}, 0, 100);
+  const navigation::OccupancyGrid grid = navigation::make_occupancy(room_4x3, {}, 0, 100);
   EXPECT_EQ(grid.columns, 40);
   EXPECT_EQ(grid.rows, 30);
   EXPECT_EQ(free_cells(grid), 1200U);
 }
 
 TEST(Occupancy, ClearanceShrinksTheFloor) {  // 500 mm off each wall: 30 x 20 cells of 100 mm remain
-  EXPECT_EQ(free_cells(make_occupancy(room_4x3, {}, 500, 100)), 600U);
+  EXPECT_EQ(free_cells(navigation::make_occupancy(room_4x3, {}, 500, 100)), 600U);
 }
 
 TEST(Occupancy, CornersOfObstaclesAreRound) {
-  const OccupancyGrid grid = make_occupancy(room_4x3, {{1500, 1000, 2500, 2000}}, 300, 50);
+  const navigation::OccupancyGrid grid =
+      navigation::make_occupancy(room_4x3, {{1500, 1000, 2500, 2000}}, 300, 50);
   EXPECT_FALSE(grid.free(28, 30));  // 75 mm west of the obstacle's side
   EXPECT_TRUE(grid.free(22, 30));   // 375 mm west
   // (1275, 775) is 225 mm off in x and y, 318 mm from the corner: free, though inside the grown
@@ -66,8 +68,10 @@ TEST(Occupancy, BlocksExactlyTheCentresNearerThanTheClearance) {
     for (int i = 0; i < 40; ++i) {
       const int x = draw.integer(-300, 4200), y = draw.integer(-300, 3200);
       const RectMm obstacle{x, y, x + draw.integer(0, 1500), y + draw.integer(0, 1500)};
-      const OccupancyGrid bare = make_occupancy(room_4x3, {}, clearance, 50);
-      const OccupancyGrid grid = make_occupancy(room_4x3, {obstacle}, clearance, 50);
+      const navigation::OccupancyGrid bare =
+          navigation::make_occupancy(room_4x3, {}, clearance, 50);
+      const navigation::OccupancyGrid grid =
+          navigation::make_occupancy(room_4x3, {obstacle}, clearance, 50);
       for (int row = 0; row < grid.rows; ++row) {
         for (int column = 0; column < grid.columns; ++column) {
           const PointMm p = grid.center(column, row);
@@ -84,23 +88,25 @@ TEST(Occupancy, BlocksExactlyTheCentresNearerThanTheClearance) {
 
 TEST(Occupancy, OutlineCutsTheFloor) {  // an L: the north-east quarter of 4 x 4 m is missing
   const PolygonMm outline{{0, 0}, {4000, 0}, {4000, 2000}, {2000, 2000}, {2000, 4000}, {0, 4000}};
-  const OccupancyGrid grid = make_occupancy(outline, {}, 0, 100);
+  const navigation::OccupancyGrid grid = navigation::make_occupancy(outline, {}, 0, 100);
   EXPECT_EQ(free_cells(grid), 1200U);
   EXPECT_FALSE(grid.free(30, 30));
   EXPECT_TRUE(grid.free(10, 30));
 }
 
 TEST(Occupancy, NearestFreeStaysWithinReach) {
-  const OccupancyGrid grid = make_occupancy(room_4x3, {{0, 0, 2000, 3000}}, 0, 100);
-  EXPECT_FALSE(nearest_free(grid, {1000, 1550}, 900).has_value());
-  const auto found = nearest_free(grid, {1500, 1550}, 900);
+  const navigation::OccupancyGrid grid =
+      navigation::make_occupancy(room_4x3, {{0, 0, 2000, 3000}}, 0, 100);
+  EXPECT_FALSE(navigation::nearest_free(grid, {1000, 1550}, 900).has_value());
+  const auto found = navigation::nearest_free(grid, {1500, 1550}, 900);
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(*found, grid.index(20, 15));
 }
 
 TEST(Components, AWallMakesTwoRooms) {
-  const OccupancyGrid grid = make_occupancy(room_4x3, {{1000, 0, 1100, 3000}}, 0, 100);
-  const Components found = find_components(grid);
+  const navigation::OccupancyGrid grid =
+      navigation::make_occupancy(room_4x3, {{1000, 0, 1100, 3000}}, 0, 100);
+  const navigation::Components found = navigation::find_components(grid);
   ASSERT_EQ(found.cells.size(), 3U);
   EXPECT_EQ(found.cells[1], 300);
   EXPECT_EQ(found.cells[2], 870);
@@ -108,8 +114,8 @@ TEST(Components, AWallMakesTwoRooms) {
 }
 
 // Every cell with its label's first cell, found by walking: what `find_components` promises.
-void expect_components(const OccupancyGrid& grid) {
-  const Components found = find_components(grid);
+void expect_components(const navigation::OccupancyGrid& grid) {
+  const navigation::Components found = navigation::find_components(grid);
   std::vector<int> label(grid.blocked.size(), 0);
   int labels = 0;
   for (std::size_t start = 0; start < label.size(); ++start) {
@@ -141,7 +147,7 @@ TEST(Components, AreThoseThatWalkingFinds) {
     expect_components(cluttered_grid(seed, 150));
   Stream draw = Seed(9).child("speckles").stream();  // mazes: parts that join late
   for (int i = 0; i < 40; ++i) {
-    OccupancyGrid grid = make_occupancy(room_4x3, {}, 0, 100);
+    navigation::OccupancyGrid grid = navigation::make_occupancy(room_4x3, {}, 0, 100);
     for (std::uint8_t& cell : grid.blocked)
       cell = draw.chance(0.42) ? 1 : 0;
     expect_components(grid);
@@ -150,12 +156,17 @@ TEST(Components, AreThoseThatWalkingFinds) {
 
 TEST(Components, ADoorMustBeWideEnough) {  // an 800 mm door lets 390 mm radius through, not 450
   const std::vector<RectMm> wall{{2000, 0, 2100, 1000}, {2000, 1800, 2100, 3000}};
-  EXPECT_EQ(find_components(make_occupancy(room_4x3, wall, 350, 50)).cells.size(), 2U);
-  EXPECT_EQ(find_components(make_occupancy(room_4x3, wall, 450, 50)).cells.size(), 3U);
+  EXPECT_EQ(
+      navigation::find_components(navigation::make_occupancy(room_4x3, wall, 350, 50)).cells.size(),
+      2U);
+  EXPECT_EQ(
+      navigation::find_components(navigation::make_occupancy(room_4x3, wall, 450, 50)).cells.size(),
+      3U);
 }
 
 TEST(Path, StraightLineIsTwoPoints) {
-  const auto path = shortest_path(make_occupancy(room_4x3, {}, 0, 100), {550, 1550}, {3550, 1550});
+  const auto path = navigation::shortest_path(
+      navigation::make_occupancy(room_4x3, {}, 0, 100), {550, 1550}, {3550, 1550});
   ASSERT_TRUE(path.has_value());
   EXPECT_EQ(path->points, (std::vector<PointMm>{{550, 1550}, {3550, 1550}}));
   EXPECT_DOUBLE_EQ(path->length_m, 3.0);
@@ -163,8 +174,9 @@ TEST(Path, StraightLineIsTwoPoints) {
 
 TEST(Path, GoesRoundAnObstacle) {
   // A wall from the south leaves only the north 1 m open: the way bends round its tip.
-  const OccupancyGrid grid = make_occupancy(room_4x3, {{1900, 0, 2100, 2000}}, 0, 100);
-  const auto path = shortest_path(grid, {1050, 550}, {2950, 550});
+  const navigation::OccupancyGrid grid =
+      navigation::make_occupancy(room_4x3, {{1900, 0, 2100, 2000}}, 0, 100);
+  const auto path = navigation::shortest_path(grid, {1050, 550}, {2950, 550});
   ASSERT_TRUE(path.has_value());
   // By hand: two legs round the tip, sqrt(0.85^2 + 1.5^2) each at least, plus 0.2 m across.
   EXPECT_GT(path->length_m, 3.6);
@@ -172,14 +184,15 @@ TEST(Path, GoesRoundAnObstacle) {
 }
 
 TEST(Path, NothingThroughAClosedWall) {
-  const OccupancyGrid grid = make_occupancy(room_4x3, {{1900, 0, 2100, 3000}}, 0, 100);
-  EXPECT_FALSE(shortest_path(grid, {550, 550}, {3550, 550}).has_value());
+  const navigation::OccupancyGrid grid =
+      navigation::make_occupancy(room_4x3, {{1900, 0, 2100, 3000}}, 0, 100);
+  EXPECT_FALSE(navigation::shortest_path(grid, {550, 550}, {3550, 550}).has_value());
 }
 
 TEST(Path, LegsCrossOnlyFreeCells) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
-    const OccupancyGrid grid = cluttered_grid(seed, 200);
-    const auto path = shortest_path(grid, {500, 500}, {5500, 4500});
+    const navigation::OccupancyGrid grid = cluttered_grid(seed, 200);
+    const auto path = navigation::shortest_path(grid, {500, 500}, {5500, 4500});
     if (!path) continue;
     for (std::size_t i = 0; i + 1 < path->points.size(); ++i) {
       const PointMm a = path->points[i], b = path->points[i + 1];
@@ -193,8 +206,8 @@ TEST(Path, LegsCrossOnlyFreeCells) {
 
 TEST(Clearance, EqualsTheBruteForceDistance) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
-    const OccupancyGrid grid = cluttered_grid(seed, 0);
-    const std::vector<float> field = clearance_field(grid);
+    const navigation::OccupancyGrid grid = cluttered_grid(seed, 0);
+    const std::vector<float> field = navigation::clearance_field(grid);
     for (int row = 0; row < grid.rows; row += 3) {
       for (int column = 0; column < grid.columns; column += 3) {
         double best = std::numeric_limits<double>::max();
@@ -222,7 +235,7 @@ TEST(Occupancy, SlantedWallsAreMeasuredCellByCell) {
   const PolygonMm floor{
       {1000, 0}, {9000, 700}, {8300, 6000}, {6000, 2500}, {3500, 7000}, {0, 4000}};
   for (const int clearance : {0, 300, 850}) {
-    const OccupancyGrid grid = make_occupancy(floor, {}, clearance, 50);
+    const navigation::OccupancyGrid grid = navigation::make_occupancy(floor, {}, clearance, 50);
     std::size_t free = 0;
     for (int row = 0; row < grid.rows; ++row) {
       for (int column = 0; column < grid.columns; ++column) {
@@ -253,7 +266,7 @@ TEST(Occupancy, ALargeRoomWithManyCorners) {
   comb.push_back({8000, 200'000});
   comb.push_back({0, 200'000});
   const auto start = std::chrono::steady_clock::now();
-  const OccupancyGrid grid = make_occupancy(comb, {}, 400);
+  const navigation::OccupancyGrid grid = navigation::make_occupancy(comb, {}, 400);
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
   EXPECT_TRUE(grid.free(100, 3000));
 }

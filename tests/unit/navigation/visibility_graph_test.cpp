@@ -21,7 +21,7 @@ double distance_mm(PointMm a, PointMm b) {
   return std::hypot(b[0] - a[0], b[1] - a[1]);
 }
 
-std::string code_of(const Result<FloorPath>& result) {
+std::string code_of(const Result<navigation::FloorPath>& result) {
   return result.ok() ? "ok" : result.error().code;
 }
 
@@ -40,7 +40,7 @@ std::vector<RectMm> clutter(std::uint64_t seed, int count) {
   return rects;
 }
 
-PointMm free_place(const FreeSpace& space, Stream& draw) {
+PointMm free_place(const navigation::FreeSpace& space, Stream& draw) {
   for (int i = 0; i < 10000; ++i) {
     const PointMm p{draw.integer(0, 12000), draw.integer(0, 9000)};
     if (space.free(p)) return p;
@@ -69,7 +69,7 @@ std::vector<RectMm> big_store() {
 }
 
 TEST(VisibilityGraph, AFreeLineIsThePath) {
-  const auto graph = VisibilityGraph::make(hall, {}, radius_mm);
+  const auto graph = navigation::VisibilityGraph::make(hall, {}, radius_mm);
   ASSERT_TRUE(graph.ok());
   const auto path = graph->shortest_path({1000, 1000}, {4000, 5000});
   ASSERT_TRUE(path.ok());
@@ -79,7 +79,7 @@ TEST(VisibilityGraph, AFreeLineIsThePath) {
 
 TEST(VisibilityGraph, GoesRoundAWallByTheGrownCorners) {
   // A thin wall x 5000..5200 from y 0 to 5000; r 400, so the octagon cuts at 400 and 166.
-  const auto graph = VisibilityGraph::make(hall, {{5000, 0, 5200, 5000}}, 400);
+  const auto graph = navigation::VisibilityGraph::make(hall, {{5000, 0, 5200, 5000}}, 400);
   ASSERT_TRUE(graph.ok());
   const auto path = graph->shortest_path({3000, 1000}, {7200, 1000});
   ASSERT_TRUE(path.ok());
@@ -92,7 +92,7 @@ TEST(VisibilityGraph, GoesRoundAWallByTheGrownCorners) {
 
 TEST(VisibilityGraph, APassageOfExactlyTheBaseIsOpenAndOneMillimetreLessIsNot) {
   const auto with_gap = [](int gap) {
-    return VisibilityGraph::make(
+    return navigation::VisibilityGraph::make(
         hall, {{5000, 0, 5200, 4000}, {5000, 4000 + gap, 5200, 9000}}, radius_mm);
   };
   const auto open = with_gap(2 * radius_mm), shut = with_gap(2 * radius_mm - 1);
@@ -103,8 +103,8 @@ TEST(VisibilityGraph, APassageOfExactlyTheBaseIsOpenAndOneMillimetreLessIsNot) {
 
 TEST(VisibilityGraph, SlantedWallsAndConvexObstaclesCount) {
   const PolygonMm cut{{0, 0}, {12000, 0}, {12000, 5000}, {8000, 9000}, {0, 9000}};
-  const auto graph =
-      VisibilityGraph::make(cut, {}, radius_mm, {{{5000, 4000}, {6500, 5500}, {5000, 7000}}});
+  const auto graph = navigation::VisibilityGraph::make(
+      cut, {}, radius_mm, {{{5000, 4000}, {6500, 5500}, {5000, 7000}}});
   ASSERT_TRUE(graph.ok());
   EXPECT_FALSE(graph->space().free({10300, 6300}));  // 283 mm from the slanted wall
   EXPECT_TRUE(graph->space().free({10000, 6300}));   // 495 mm
@@ -115,7 +115,7 @@ TEST(VisibilityGraph, SlantedWallsAndConvexObstaclesCount) {
 }
 
 TEST(VisibilityGraph, EndsThatCannotBeAreErrors) {
-  const auto graph = VisibilityGraph::make(hall, {{5000, 4000, 6000, 5000}}, radius_mm);
+  const auto graph = navigation::VisibilityGraph::make(hall, {{5000, 4000, 6000, 5000}}, radius_mm);
   ASSERT_TRUE(graph.ok());
   EXPECT_EQ(code_of(graph->shortest_path({-1, 500}, {2000, 2000})), "motion.outside_floor");
   EXPECT_EQ(code_of(graph->shortest_path({2000, 2000}, {2'000'000'000, 2000})),
@@ -127,7 +127,7 @@ TEST(VisibilityGraph, EndsThatCannotBeAreErrors) {
 
 TEST(VisibilityGraph, BadFloorsAreErrors) {
   const auto code = [](const PolygonMm& floor, const std::vector<RectMm>& rects, int clearance) {
-    const auto graph = VisibilityGraph::make(floor, rects, clearance);
+    const auto graph = navigation::VisibilityGraph::make(floor, rects, clearance);
     return graph.ok() ? "ok" : graph.error().code;
   };
   EXPECT_EQ(code({{0, 0}, {1000, 0}}, {}, 300), "motion.bad_floor");
@@ -137,9 +137,9 @@ TEST(VisibilityGraph, BadFloorsAreErrors) {
 }
 
 TEST(FreeSpace, NeighboursMergeIntoRuns) {
-  EXPECT_EQ(merged({{0, 0, 10, 10}, {20, 0, 30, 10}, {10, 0, 20, 10}, {5, 2, 8, 4}}),
+  EXPECT_EQ(navigation::merged({{0, 0, 10, 10}, {20, 0, 30, 10}, {10, 0, 20, 10}, {5, 2, 8, 4}}),
             (std::vector<RectMm>{{0, 0, 30, 10}}));
-  EXPECT_EQ(merged({{0, 0, 10, 10}, {10, 0, 20, 11}}).size(), 2U);
+  EXPECT_EQ(navigation::merged({{0, 0, 10, 10}, {10, 0, 20, 11}}).size(), 2U);
 }
 
 // ---- Properties over random halls ----
@@ -148,17 +148,17 @@ TEST(VisibilityGraph, PathsKeepTheirDistanceAndAreNoLongerThanAStar) {
   int solved = 0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const std::vector<RectMm> rects = clutter(seed, 10);
-    const auto graph = VisibilityGraph::make(hall, rects, radius_mm);
+    const auto graph = navigation::VisibilityGraph::make(hall, rects, radius_mm);
     ASSERT_TRUE(graph.ok());
     // Whole cells of this grid are free for the octagon too, so its paths are paths of ours.
     constexpr int cell_mm = 25;
     const auto grown = static_cast<int>(std::ceil(radius_mm / std::cos(M_PI / 8) + cell_mm));
-    const OccupancyGrid grid = make_occupancy(hall, rects, grown, cell_mm);
+    const navigation::OccupancyGrid grid = navigation::make_occupancy(hall, rects, grown, cell_mm);
     Stream draw = Seed(seed).child("ends").stream();
     for (int query = 0; query < 6; ++query) {
       const PointMm from = free_place(graph->space(), draw), to = free_place(graph->space(), draw);
       const auto path = graph->shortest_path(from, to);
-      const auto rough = shortest_path(grid, from, to);
+      const auto rough = navigation::shortest_path(grid, from, to);
       const bool same_ends = rough && distance_mm(rough->points.front(), from) <= cell_mm &&
                              distance_mm(rough->points.back(), to) <= cell_mm;
       if (!path.ok()) {
@@ -189,7 +189,7 @@ TEST(VisibilityGraph, PathsKeepTheirDistanceAndAreNoLongerThanAStar) {
 }
 
 // The full graph: every pair of grown corners, tangent or not, and Dijkstra without a heap.
-double brute_force_m(const FreeSpace& space, PointMm from, PointMm to) {
+double brute_force_m(const navigation::FreeSpace& space, PointMm from, PointMm to) {
   std::vector<PointMm> nodes{from, to};
   for (const PolygonMm& polygon : space.grown()) {
     for (const PointMm& p : polygon) {
@@ -215,7 +215,7 @@ double brute_force_m(const FreeSpace& space, PointMm from, PointMm to) {
 
 TEST(VisibilityGraph, BitangentsAloneLoseNoShortestPath) {
   for (std::uint64_t seed = 100; seed < 130; ++seed) {
-    const auto graph = VisibilityGraph::make(hall, clutter(seed, 9), radius_mm);
+    const auto graph = navigation::VisibilityGraph::make(hall, clutter(seed, 9), radius_mm);
     ASSERT_TRUE(graph.ok());
     Stream draw = Seed(seed).child("ends").stream();
     const PointMm from = free_place(graph->space(), draw), to = free_place(graph->space(), draw);
@@ -231,7 +231,7 @@ TEST(VisibilityGraph, BitangentsAloneLoseNoShortestPath) {
 
 // A line of sight agrees with a walk along it in steps of a millimetre.
 TEST(FreeSpace, SightAgreesWithAWalkAlongTheLine) {
-  const auto space = FreeSpace::make(hall, clutter(7, 12), radius_mm);
+  const auto space = navigation::FreeSpace::make(hall, clutter(7, 12), radius_mm);
   ASSERT_TRUE(space.ok());
   Stream draw = Seed(7).child("lines").stream();
   int seen = 0;
@@ -265,7 +265,7 @@ TEST(FreeSpace, SightAgreesWithAWalkAlongTheLine) {
 TEST(VisibilityGraph, SameForAnyNumberOfThreads) {
   const auto lengths = [](int threads) {
     const ThreadLimit limit(threads);
-    const auto graph = VisibilityGraph::make(hall, clutter(3, 14), radius_mm);
+    const auto graph = navigation::VisibilityGraph::make(hall, clutter(3, 14), radius_mm);
     std::vector<std::vector<PointMm>> paths;
     Stream draw = Seed(3).child("ends").stream();
     for (int i = 0; i < 20; ++i) {
@@ -285,7 +285,7 @@ TEST(VisibilityGraph, ABigStoreIsPreparedAndAskedQuickly) {
   const PolygonMm floor{{0, 0}, {60000, 0}, {60000, 40000}, {0, 40000}};
   const std::vector<RectMm> rects = big_store();
   const double begin = monotonic_seconds();
-  const auto graph = VisibilityGraph::make(floor, rects, radius_mm);
+  const auto graph = navigation::VisibilityGraph::make(floor, rects, radius_mm);
   ASSERT_TRUE(graph.ok());
   const double prepared_s = monotonic_seconds() - begin;
   Stream draw = Seed(1).child("ends").stream();

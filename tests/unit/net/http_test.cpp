@@ -18,11 +18,11 @@ namespace {
 
 using nlohmann::json;
 
-HttpClient client(HttpLimits limits = {}) {
+net::HttpClient client(net::HttpLimits limits = {}) {
   limits.first_wait_s = 0.01;
-  HttpOptions options;
+  net::HttpOptions options;
   options.limits = limits;
-  return HttpClient::open(options).value();
+  return net::HttpClient::open(options).value();
 }
 
 double seconds_between(const json& a, const json& b) {
@@ -33,7 +33,8 @@ TEST(Http, SendsAndReturnsWhatIsThere) {
   const MockServer server(json::array({{{"status", 201},
                                         {"headers", {{"X-Answer", "a b"}, {"Set-Cookie", "c=1"}}},
                                         {"body", "grüß dich"}}}));
-  HttpRequest request{"POST", server.url("/say?x=1"), {{"X-Question", "why"}}, {}, "body\n\"ü\""};
+  net::HttpRequest request{
+      "POST", server.url("/say?x=1"), {{"X-Question", "why"}}, {}, "body\n\"ü\""};
   request.secret_headers = {{"Authorization", "Bearer secret-key"}};
   const auto answer = client().send(request);
   ASSERT_TRUE(answer.ok()) << to_string(answer.error());
@@ -71,7 +72,7 @@ TEST(Http, ReturnsAtOnceWhenTheServerAsksForTooLong) {
 
 TEST(Http, GivesUpAfterItsAttempts) {
   const MockServer server(json::array({{{"status", 500}, {"body", "broken"}}}));
-  HttpLimits limits;
+  net::HttpLimits limits;
   limits.attempts = 3;
   const auto answer = client(limits).send({"GET", server.url(), {}, {}, ""});
   ASSERT_TRUE(answer.ok());
@@ -98,7 +99,7 @@ TEST(Http, TriesAgainWhenTheConnectionBreaks) {
 
 TEST(Http, StopsWhenTimeIsUp) {
   const MockServer server(json::array({{{"delay_s", 20}}}));
-  HttpLimits limits;
+  net::HttpLimits limits;
   limits.total_s = 0.3;
   const auto started = std::chrono::steady_clock::now();
   const auto answer = client(limits).send({"GET", server.url(), {}, {}, ""});
@@ -113,7 +114,7 @@ TEST(Http, StopsAtTheSizeLimit) {
   const MockServer server(json::array({{{"size", 1001}},
                                        {{"size", 1001}, {"length", false}},
                                        {{"size", 1000}, {"length", false}}}));
-  HttpLimits limits;
+  net::HttpLimits limits;
   limits.answer_bytes = 1000;
   for (int i = 0; i < 2; ++i) {
     const auto answer = client(limits).send({"GET", server.url(), {}, {}, ""});
@@ -154,12 +155,13 @@ TEST(Http, OnlyPlainWebUrls) {
 }
 
 TEST(Http, Origins) {
-  EXPECT_EQ(*origin_of("https://API.example.org/v1"),
-            (HttpOrigin{"https", "api.example.org", 443, false}));
-  EXPECT_EQ(*origin_of("http://127.0.0.1:8000"), (HttpOrigin{"http", "127.0.0.1", 8000, true}));
-  EXPECT_TRUE(origin_of("http://localhost:11434/v1")->loopback);
-  EXPECT_TRUE(origin_of("http://[::1]:1/")->loopback);
-  EXPECT_FALSE(origin_of("http://127.0.0.1.example.org/")->loopback);
+  EXPECT_EQ(*net::origin_of("https://API.example.org/v1"),
+            (net::HttpOrigin{"https", "api.example.org", 443, false}));
+  EXPECT_EQ(*net::origin_of("http://127.0.0.1:8000"),
+            (net::HttpOrigin{"http", "127.0.0.1", 8000, true}));
+  EXPECT_TRUE(net::origin_of("http://localhost:11434/v1")->loopback);
+  EXPECT_TRUE(net::origin_of("http://[::1]:1/")->loopback);
+  EXPECT_FALSE(net::origin_of("http://127.0.0.1.example.org/")->loopback);
 }
 
 // 127.0.0.1 and localhost are two hosts.
@@ -217,18 +219,18 @@ TEST(Http, AnInterruptEndsIt) {
 }
 
 TEST(HttpRetry, PausesDoubleAndDependOnTheRequestAlone) {
-  HttpLimits limits;
+  net::HttpLimits limits;
   limits.first_wait_s = 1;
   limits.longest_wait_s = 5;
-  const HttpRequest one{"POST", "http://h/", {}, {}, "one"},
+  const net::HttpRequest one{"POST", "http://h/", {}, {}, "one"},
       two{"POST", "http://h/", {}, {}, "two"};
   const double full[] = {1, 2, 4, 5, 5};
   for (int next = 1; next <= 5; ++next) {
-    const double pause = retry_pause_s(next, one, limits);
+    const double pause = net::retry_pause_s(next, one, limits);
     EXPECT_GE(pause, full[next - 1] / 2);
     EXPECT_LE(pause, full[next - 1]);
-    EXPECT_EQ(pause, retry_pause_s(next, one, limits));
-    EXPECT_NE(pause, retry_pause_s(next, two, limits));
+    EXPECT_EQ(pause, net::retry_pause_s(next, one, limits));
+    EXPECT_NE(pause, net::retry_pause_s(next, two, limits));
   }
 }
 
@@ -241,11 +243,11 @@ TEST(Base64, TheVectorsOfRfc4648) {
                                                          {"fooba", "Zm9vYmE="},
                                                          {"foobar", "Zm9vYmFy"}};
   for (const auto& [bytes, text] : vectors) {
-    EXPECT_EQ(base64_of(bytes), text);
-    EXPECT_EQ(bytes_of_base64(text, "").value(), bytes);
+    EXPECT_EQ(net::base64_of(bytes), text);
+    EXPECT_EQ(net::bytes_of_base64(text, "").value(), bytes);
   }
-  EXPECT_EQ(bytes_of_base64("Zg=", "here").error().code, "net.bad_record");
-  EXPECT_EQ(bytes_of_base64("Z!==", "here").error().code, "net.bad_record");
+  EXPECT_EQ(net::bytes_of_base64("Zg=", "here").error().code, "net.bad_record");
+  EXPECT_EQ(net::bytes_of_base64("Z!==", "here").error().code, "net.bad_record");
 }
 
 }  // namespace

@@ -11,22 +11,22 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-HttpClient recorder(const fs::path& folder) {
-  HttpOptions options;
+net::HttpClient recorder(const fs::path& folder) {
+  net::HttpOptions options;
   options.record = folder;
-  return HttpClient::open(options).value();
+  return net::HttpClient::open(options).value();
 }
-HttpClient player(const fs::path& folder) {
-  HttpOptions options;
+net::HttpClient player(const fs::path& folder) {
+  net::HttpOptions options;
   options.replay = folder;
-  return HttpClient::open(options).value();
+  return net::HttpClient::open(options).value();
 }
 
-HttpRequest question(const MockServer& server, const std::string& body) {
+net::HttpRequest question(const MockServer& server, const std::string& body) {
   return {"POST", server.url("/ask"), {{"Content-Type", "text/plain"}}, {}, body};
 }
 
-void expect_equal(const Result<HttpAnswer>& a, const Result<HttpAnswer>& b) {
+void expect_equal(const Result<net::HttpAnswer>& a, const Result<net::HttpAnswer>& b) {
   ASSERT_TRUE(a.ok()) << to_string(a.error());
   ASSERT_TRUE(b.ok()) << to_string(b.error());
   EXPECT_EQ(a->status, b->status);
@@ -46,17 +46,17 @@ TEST(HttpTape, PlaysBackBitExactlyWithTheServerGone) {
     bytes += static_cast<char>(i * 7);
   MockServer server(
       json::array({{{"body", "one \" \\ \n\t\u0001 ü \r\n"}, {"headers", {{"X-A", "1"}}}},
-                   {{"base64", base64_of(bytes)}},
+                   {{"base64", net::base64_of(bytes)}},
                    {{"status", 404}, {"body", ""}}}));
-  const HttpClient live = recorder(folder);
-  std::vector<HttpRequest> asked = {
+  const net::HttpClient live = recorder(folder);
+  std::vector<net::HttpRequest> asked = {
       question(server, "a"), question(server, "b"), question(server, bytes)};
-  std::vector<Result<HttpAnswer>> answered;
-  for (const HttpRequest& request : asked)
+  std::vector<Result<net::HttpAnswer>> answered;
+  for (const net::HttpRequest& request : asked)
     answered.push_back(live.send(request));
   server.stop();
   ASSERT_EQ(answered[1]->body, bytes);
-  const HttpClient again = player(folder);
+  const net::HttpClient again = player(folder);
   for (const std::size_t i : {2U, 0U, 1U})  // in any order
     expect_equal(again.send(asked[i]), answered[i]);
 }
@@ -64,12 +64,12 @@ TEST(HttpTape, PlaysBackBitExactlyWithTheServerGone) {
 TEST(HttpTape, EqualRequestsAreToldApartByTheirNumber) {
   const ScratchFolder scratch;
   MockServer server(json::array({{{"body", "first"}}, {{"body", "second"}}}));
-  const HttpClient live = recorder(scratch.path());
-  const HttpRequest request = question(server, "same");
+  const net::HttpClient live = recorder(scratch.path());
+  const net::HttpRequest request = question(server, "same");
   EXPECT_EQ(live.send(request)->body, "first");
   EXPECT_EQ(live.send(request)->body, "second");
   server.stop();
-  const HttpClient again = player(scratch.path());
+  const net::HttpClient again = player(scratch.path());
   EXPECT_EQ(again.send(request)->body, "first");
   EXPECT_EQ(again.send(request)->body, "second");
   EXPECT_EQ(again.send(request).error().code, "net.not_recorded");
@@ -98,7 +98,7 @@ TEST(HttpTape, NoEscapedKeyIsInAnAnswer) {
   for (const std::string& spelling : spellings) {
     const ScratchFolder scratch;
     MockServer server(json::array({{{"body", "{\"error\": \"" + spelling + after + "\"}"}}}));
-    HttpRequest request = question(server, "hello");
+    net::HttpRequest request = question(server, "hello");
     request.secret_headers = {{"x-api-key", key}};
     const auto answer = recorder(scratch.path()).send(request);
     ASSERT_TRUE(answer.ok());
@@ -111,7 +111,7 @@ TEST(HttpTape, NoKeyIsInAFileOrAnAnswer) {
   const std::string key = "sk-0123456789abcdef";
   MockServer server(json::array(
       {{{"body", "your key is " + key + ", " + key + "!"}, {"headers", {{"X-Echo", key}}}}}));
-  HttpRequest request = question(server, "hello");
+  net::HttpRequest request = question(server, "hello");
   request.secret_headers = {{"Authorization", "Bearer " + key}};
   const auto answer = recorder(scratch.path()).send(request);
   ASSERT_TRUE(answer.ok());
@@ -130,20 +130,20 @@ TEST(HttpTape, NoKeyIsInAFileOrAnAnswer) {
 TEST(HttpTape, BrokenRecordsAndFolders) {
   const ScratchFolder scratch;
   MockServer server(json::array({{{"body", "x"}}}));
-  const HttpRequest request = question(server, "a");
+  const net::HttpRequest request = question(server, "a");
   ASSERT_TRUE(recorder(scratch.path() / "tape").send(request).ok());
   const fs::path file = fs::directory_iterator(scratch.path() / "tape")->path();
   std::ofstream(file) << R"({"schema": "http-exchange/1", "method": "POST"})";
   EXPECT_EQ(player(scratch.path() / "tape").send(request).error().code, "json.missing_field");
-  HttpOptions nowhere, both;
+  net::HttpOptions nowhere, both;
   nowhere.replay = scratch.path() / "none";
-  EXPECT_EQ(HttpClient::open(nowhere).error().code, "input.not_found");
+  EXPECT_EQ(net::HttpClient::open(nowhere).error().code, "input.not_found");
   both.record = both.replay = scratch.path();
-  EXPECT_EQ(HttpClient::open(both).error().code, "usage.bad_flag");
+  EXPECT_EQ(net::HttpClient::open(both).error().code, "usage.bad_flag");
   std::ofstream(scratch.path() / "file") << "x";
-  HttpOptions blocked;
+  net::HttpOptions blocked;
   blocked.record = scratch.path() / "file" / "tape";
-  EXPECT_EQ(HttpClient::open(blocked).error().code, "io.cannot_write");
+  EXPECT_EQ(net::HttpClient::open(blocked).error().code, "io.cannot_write");
 }
 
 }  // namespace

@@ -15,12 +15,12 @@ std::filesystem::path data() {
 }
 
 // What becomes of the episode; `failure`: what the oracle says.
-Result<EpisodeResult> fetched(AisleWorld& world, std::string& failure) {
-  MARKETGEN_TRY(const auto oracle, make_aisle_oracle(world, data(), Seed(3)));
-  Observation now = world.observe();
+Result<episodes::EpisodeResult> fetched(episodes::AisleWorld& world, std::string& failure) {
+  MARKETGEN_TRY(const auto oracle, oracle::make_aisle_oracle(world, data(), Seed(3)));
+  agent::Observation now = world.observe();
   MARKETGEN_CHECK(oracle->begin({"Collect it", world.spec().limit_s}, now));
   while (!world.done()) {
-    MARKETGEN_TRY(const Action action, oracle->act(now));
+    MARKETGEN_TRY(const agent::Action action, oracle->act(now));
     MARKETGEN_TRY(now, world.step(action));
   }
   failure = oracle->failure();
@@ -29,11 +29,11 @@ Result<EpisodeResult> fetched(AisleWorld& world, std::string& failure) {
 
 // Small boxes on the upper board of a shelf that hangs higher: a cup is shorter than fingers, and
 // the arm cannot bend so far down with it. The robot's right arm ends in a cup.
-std::shared_ptr<const AisleStore> boxes_for_a_cup() {
+std::shared_ptr<const episodes::AisleStore> boxes_for_a_cup() {
   constexpr float higher_m = 0.5F;
   HandMadeScene shop;
   shop.scene.fixtures.front().position_m[2] = higher_m;
-  Product& box = shop.scene.catalog.front();
+  catalog::Product& box = shop.scene.catalog.front();
   box.size_mm = {100, 40, 130};
   box.mass_kg = 0.15;
   for (int i = 0; i < 3; ++i) {
@@ -41,19 +41,19 @@ std::shared_ptr<const AisleStore> boxes_for_a_cup() {
                                        {2.8F + 0.104F * static_cast<float>(i),
                                         HandMadeScene::shelf_y_m - 0.12F,
                                         HandMadeScene::upper_board_m + higher_m});
-    shop.scene.products[row].flags |= product_front_row;
+    shop.scene.products[row].flags |= scene::product_front_row;
   }
-  auto store = open_aisle_store(data(), shop.scene, "suction");
+  auto store = episodes::open_aisle_store(data(), shop.scene, "suction");
   if (!store.ok()) fatal(to_string(store.error()).c_str());
   return std::move(store).value();
 }
 
 TEST(AisleOracle, FetchesABoxWithItsCup) {
   const auto store = boxes_for_a_cup();
-  EpisodeSpec spec = can_episode(*store);
+  episodes::EpisodeSpec spec = can_episode(*store);
   spec.tools = "suction";
   spec.goals = {{"box-cereal", 1}};
-  AisleWorld world(store, committed_catalog().frictions);
+  episodes::AisleWorld world(store, committed_catalog().frictions);
   ASSERT_TRUE(world.reset(spec).ok());
   std::string failure;
   const auto result = fetched(world, failure);
@@ -77,9 +77,9 @@ TEST(AisleOracle, FetchesACan) {
 
 TEST(BodyExecutor, MovesTheLiftAndStops) {
   const auto world = can_world(can_episode(*can_aisle()));
-  const Robot& robot = world->robot();
-  BodyExecutor body(robot, commanded_dofs(robot));
-  Observation now = world->observe();
+  const robots::Robot& robot = world->robot();
+  skills::BodyExecutor body(robot, episodes::commanded_dofs(robot));
+  agent::Observation now = world->observe();
   body.start(now);
   ASSERT_TRUE(body.move_joint(robot.find_dof("lift"), 0.5, 0.9).ok());
   body.grip(1, {0.02, 10});
@@ -95,8 +95,8 @@ TEST(BodyExecutor, MovesTheLiftAndStops) {
 
 TEST(BodyExecutor, DrivesStraightBack) {
   const auto world = can_world(can_episode(*can_aisle()));
-  BodyExecutor body(world->robot(), commanded_dofs(world->robot()));
-  Observation now = world->observe();
+  skills::BodyExecutor body(world->robot(), episodes::commanded_dofs(world->robot()));
+  agent::Observation now = world->observe();
   body.start(now);
   ASSERT_TRUE(body.drive_straight(-0.3, 0.2).ok());
   body.wait(0.3);

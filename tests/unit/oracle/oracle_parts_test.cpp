@@ -24,28 +24,28 @@ T taken(Result<T> result) {
 class OracleParts : public testing::Test {
  protected:
   OracleParts()
-      : world_(taken(CheckoutWorld::create(data_rows(), committed_catalog().frictions))),
-        tool_(taken(load_grasp_tool(data_rows(), world_.station().tools.front().row))) {
+      : world_(taken(episodes::CheckoutWorld::create(data_rows(), committed_catalog().frictions))),
+        tool_(taken(robots::load_grasp_tool(data_rows(), world_.station().tools.front().row))) {
     const auto reset = world_.reset(spec(), checkout_goods_rows());
     if (!reset.ok()) fatal(to_string(reset.error()).c_str());
   }
 
-  static const EpisodeSpec& spec() {
-    static const EpisodeSpec made = drawn(3, 0);
+  static const episodes::EpisodeSpec& spec() {
+    static const episodes::EpisodeSpec made = drawn(3, 0);
     return made;
   }
-  ArmExecutor arm() const {
-    ArmExecutor made = taken(ArmExecutor::make(world_.robot()));
+  skills::ArmExecutor arm() const {
+    skills::ArmExecutor made = taken(skills::ArmExecutor::make(world_.robot()));
     made.start(world_.observe());
     return made;
   }
 
-  CheckoutWorld world_;
-  GraspTool tool_;
+  episodes::CheckoutWorld world_;
+  robots::GraspTool tool_;
 };
 
 TEST_F(OracleParts, ItemsLieInTheBasketAndNotInTheArea) {
-  const OracleScene scene(world_, tool_);
+  const oracle::OracleScene scene(world_, tool_);
   for (std::size_t item = 0; item < scene.items(); ++item) {
     EXPECT_TRUE(scene.in_basket(item)) << item;
     EXPECT_FALSE(scene.in_unloading(item)) << item;
@@ -53,23 +53,26 @@ TEST_F(OracleParts, ItemsLieInTheBasketAndNotInTheArea) {
 }
 
 TEST_F(OracleParts, AnItemOverlapsItselfAndNotThePlaceAboveIt) {
-  const OracleScene scene(world_, tool_);
+  const oracle::OracleScene scene(world_, tool_);
   const Vec3 middle = scene.middle(0);
-  EXPECT_GT(box_overlap(scene.body(0), {middle, {}}, {0.002, 0.002, 0.002}), 0.005);
-  EXPECT_EQ(box_overlap(scene.body(0), {middle + Vec3{0, 0, 0.5}, {}}, {0.002, 0.002, 0.002}), 0);
+  EXPECT_GT(skills::box_overlap(scene.body(0), {middle, {}}, {0.002, 0.002, 0.002}), 0.005);
+  EXPECT_EQ(
+      skills::box_overlap(scene.body(0), {middle + Vec3{0, 0, 0.5}, {}}, {0.002, 0.002, 0.002}), 0);
   EXPECT_EQ(scene.item_overlap(0, {0, 0, 0.5}, 1), 0);
 }
 
 TEST_F(OracleParts, GraspsComeFromAboveAndThoseWithoutBlockersFirst) {
-  const OracleScene scene(world_, tool_);
+  const oracle::OracleScene scene(world_, tool_);
   std::size_t with_grasps = 0;
   for (std::size_t item = 0; item < scene.items(); ++item) {
-    const ItemGrasps grasps = item_grasps(scene, item, taken(lone_grasps(scene, item)));
+    const oracle::ItemGrasps grasps =
+        oracle::item_grasps(scene, item, taken(oracle::lone_grasps(scene, item)));
     with_grasps += grasps.choices.empty() ? 0 : 1;
-    EXPECT_TRUE(std::ranges::is_sorted(
-        grasps.choices, {}, [](const GraspChoice& choice) { return choice.blockers.size(); }));
-    for (const GraspChoice& choice : grasps.choices) {
-      EXPECT_LT(tilt_deg(choice.base_from_tip.rotation), 65.5);
+    EXPECT_TRUE(std::ranges::is_sorted(grasps.choices, {}, [](const oracle::GraspChoice& choice) {
+      return choice.blockers.size();
+    }));
+    for (const oracle::GraspChoice& choice : grasps.choices) {
+      EXPECT_LT(skills::tilt_deg(choice.base_from_tip.rotation), 65.5);
       EXPECT_GT(choice.opening_m, 0.02);
       EXPECT_LE(choice.opening_m, tool_.opening_m);
       EXPECT_FALSE(std::ranges::count(choice.blockers, item)) << "an item blocks itself";
@@ -79,24 +82,25 @@ TEST_F(OracleParts, GraspsComeFromAboveAndThoseWithoutBlockersFirst) {
 }
 
 TEST_F(OracleParts, PlacesAreInTheAreaOverTheCounterAndInReach) {
-  const OracleScene scene(world_, tool_);
-  const ArmExecutor executor = arm();
+  const oracle::OracleScene scene(world_, tool_);
+  const skills::ArmExecutor executor = arm();
   std::size_t found = 0;
   for (std::size_t item = 0; item < scene.items(); ++item) {
-    const ItemGrasps grasps = item_grasps(scene, item, taken(lone_grasps(scene, item)));
+    const oracle::ItemGrasps grasps =
+        oracle::item_grasps(scene, item, taken(oracle::lone_grasps(scene, item)));
     if (grasps.choices.empty()) continue;
-    const GraspChoice& grasp = grasps.choices.front();
-    const HeldPack held = held_pack(
+    const oracle::GraspChoice& grasp = grasps.choices.front();
+    const skills::HeldPack held = oracle::held_pack(
         scene, item, inverse(grasp.base_from_tip) * world_.item_pose(item), grasp.opening_m);
-    for (const FreePlace& place :
-         free_places(tool_, executor, held, place_question(scene, item, true), 3)) {
+    for (const skills::FreePlace& place :
+         skills::free_places(tool_, executor, held, oracle::place_question(scene, item, true), 3)) {
       ++found;
-      const CheckoutGoods& goods = world_.goods(item);
-      EXPECT_TRUE(is_inside(world_.region(),
-                            {goods.product.sku,
-                             place.base_from_product,
-                             to_double(goods.body.center_of_mass),
-                             goods.volume}));
+      const episodes::CheckoutGoods& goods = world_.goods(item);
+      EXPECT_TRUE(episodes::is_inside(world_.region(),
+                                      {goods.product.sku,
+                                       place.base_from_product,
+                                       to_double(goods.body.center_of_mass),
+                                       goods.volume}));
       for (const Vec3& point : goods.volume)
         EXPECT_GT((place.base_from_product * point).z, 0);
       EXPECT_TRUE(executor.effort_to(place.base_from_tip).has_value());
@@ -108,42 +112,45 @@ TEST_F(OracleParts, PlacesAreInTheAreaOverTheCounterAndInReach) {
 // ---- The witness of a basket ----
 
 TEST_F(OracleParts, AWitnessTakesEveryTargetOnceAndIsTheSameAgain) {
-  const CheckoutCertifier certify = checkout_certifier(data_rows());
-  const EpisodeSpec drawn = taken(sample_checkout(data_rows(),
-                                                  checkout_goods_rows(),
-                                                  committed_catalog().frictions,
-                                                  {"corner", "s", "p"},
-                                                  Seed(5),
-                                                  0,
-                                                  certify));
+  const episodes::CheckoutCertifier certify = oracle::checkout_certifier(data_rows());
+  const episodes::EpisodeSpec drawn = taken(episodes::sample_checkout(data_rows(),
+                                                                      checkout_goods_rows(),
+                                                                      committed_catalog().frictions,
+                                                                      {"corner", "s", "p"},
+                                                                      Seed(5),
+                                                                      0,
+                                                                      certify));
   EXPECT_EQ(std::ranges::count(drawn.certificate.proved, "reach"), 1);
-  for (const EpisodeGoal& goal : drawn.goals)
-    EXPECT_EQ(std::ranges::count(drawn.certificate.witness, goal.sku, &WitnessPick::sku), 1);
+  for (const episodes::EpisodeGoal& goal : drawn.goals)
+    EXPECT_EQ(std::ranges::count(drawn.certificate.witness, goal.sku, &episodes::WitnessPick::sku),
+              1);
   ASSERT_TRUE(world_.reset(drawn, checkout_goods_rows()).ok());
   const auto once = taken(certify(world_, Seed(1))), again = taken(certify(world_, Seed(1)));
   ASSERT_TRUE(once && again);
-  EXPECT_TRUE(std::ranges::equal(*once, *again, {}, &WitnessPick::product, &WitnessPick::product));
+  EXPECT_TRUE(std::ranges::equal(
+      *once, *again, {}, &episodes::WitnessPick::product, &episodes::WitnessPick::product));
 }
 
 TEST_F(OracleParts, ABasketWithAPackThatNoHandSpansHasNoWitness) {
-  const auto wide = std::ranges::find_if(committed_catalog().products, [](const Product& product) {
-    const auto& size = product.size_mm;
-    return product.archetype == "box" && std::ranges::min(size) > 90 &&
-           std::ranges::max(size) < 200;
-  });
+  const auto wide =
+      std::ranges::find_if(committed_catalog().products, [](const catalog::Product& product) {
+        const auto& size = product.size_mm;
+        return product.archetype == "box" && std::ranges::min(size) > 90 &&
+               std::ranges::max(size) < 200;
+      });
   ASSERT_NE(wide, committed_catalog().products.end());
-  EpisodeSpec basket = spec();
+  episodes::EpisodeSpec basket = spec();
   basket.items = {{wide->sku, {0, 0, 0.01}, {1, 0, 0, 0}}};
   basket.goals = {{wide->sku, 1}};
   ASSERT_TRUE(world_.reset(basket, {*wide}).ok());
-  EXPECT_FALSE(taken(checkout_certifier(data_rows())(world_, Seed(1))).has_value());
+  EXPECT_FALSE(taken(oracle::checkout_certifier(data_rows())(world_, Seed(1))).has_value());
 }
 
 TEST_F(OracleParts, TheExecutorStopsOverAPlaceAndGoesStraightDown) {
-  const OracleScene scene(world_, tool_);
-  ArmExecutor executor = arm();
-  const Surroundings around = scene.surroundings({});
-  ReachRequest request{executor.tip(), {0, 0, 0.08}, 0.08, 20};
+  const oracle::OracleScene scene(world_, tool_);
+  skills::ArmExecutor executor = arm();
+  const skills::Surroundings around = scene.surroundings({});
+  skills::ReachRequest request{executor.tip(), {0, 0, 0.08}, 0.08, 20};
   request.base_from_tip.position.z -= 0.1;
   request.stops_before = true;
   ASSERT_TRUE(executor.reach(around, request, Seed(1)).ok());
@@ -159,8 +166,8 @@ TEST_F(OracleParts, TheExecutorStopsOverAPlaceAndGoesStraightDown) {
 }
 
 TEST_F(OracleParts, LinesThroughTheCounterAreRefused) {
-  const OracleScene scene(world_, tool_);
-  ArmExecutor executor = arm();
+  const oracle::OracleScene scene(world_, tool_);
+  skills::ArmExecutor executor = arm();
   Pose under = executor.tip();
   under.position.z = -0.1;
   const auto refused = executor.straight(scene.surroundings({}), under, 0.08, 20);
@@ -169,25 +176,25 @@ TEST_F(OracleParts, LinesThroughTheCounterAreRefused) {
 }
 
 TEST(CheckoutRefusal, NamesWhatIsInTheWay) {
-  Product pack;
+  catalog::Product pack;
   pack.archetype = "box";
   pack.size_mm = {60, 50, 120};
   pack.mass_kg = 0.3;
-  EXPECT_EQ(checkout_refusal(pack), CheckoutRefusal::none);
+  EXPECT_EQ(episodes::checkout_refusal(pack), episodes::CheckoutRefusal::none);
   pack.archetype = "mesh";  // a model of one's own
-  EXPECT_EQ(checkout_refusal(pack), CheckoutRefusal::none);
+  EXPECT_EQ(episodes::checkout_refusal(pack), episodes::CheckoutRefusal::none);
   pack.mass_kg = 1.5;
-  EXPECT_EQ(checkout_refusal(pack), CheckoutRefusal::too_heavy);
+  EXPECT_EQ(episodes::checkout_refusal(pack), episodes::CheckoutRefusal::too_heavy);
   pack.mass_kg = 0.3;
   pack.size_mm = {90, 80, 120};
-  EXPECT_EQ(checkout_refusal(pack), CheckoutRefusal::too_wide);
+  EXPECT_EQ(episodes::checkout_refusal(pack), episodes::CheckoutRefusal::too_wide);
   pack.size_mm = {60, 20, 120};
-  EXPECT_EQ(checkout_refusal(pack), CheckoutRefusal::too_flat);
+  EXPECT_EQ(episodes::checkout_refusal(pack), episodes::CheckoutRefusal::too_flat);
   pack.size_mm = {60, 50, 400};
-  EXPECT_EQ(checkout_refusal(pack), CheckoutRefusal::too_long);
+  EXPECT_EQ(episodes::checkout_refusal(pack), episodes::CheckoutRefusal::too_long);
   pack.size_mm = {60, 50, 120};
-  pack.rigidity = Rigidity::soft;
-  EXPECT_EQ(checkout_refusal(pack), CheckoutRefusal::soft);
+  pack.rigidity = catalog::Rigidity::soft;
+  EXPECT_EQ(episodes::checkout_refusal(pack), episodes::CheckoutRefusal::soft);
 }
 
 }  // namespace

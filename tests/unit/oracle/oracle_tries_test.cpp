@@ -9,7 +9,7 @@ namespace marketgen {
 namespace {
 
 TEST(OracleTries, AnItemIsTakenThreeTimesWhereItLies) {
-  OracleTries tries;
+  oracle::OracleTries tries;
   for (int i = 1; i <= 3; ++i) {
     EXPECT_TRUE(tries.may_take(5));
     EXPECT_EQ(tries.take(5), i);
@@ -21,7 +21,7 @@ TEST(OracleTries, AnItemIsTakenThreeTimesWhereItLies) {
 }
 
 TEST(OracleTries, WhatIsKnockedOutAgainAndAgainIsGivenUp) {
-  OracleTries tries;
+  oracle::OracleTries tries;
   int takes = 0;
   while (tries.may_take(1) && takes < 100) {
     tries.take(1);
@@ -32,7 +32,7 @@ TEST(OracleTries, WhatIsKnockedOutAgainAndAgainIsGivenUp) {
 }
 
 TEST(OracleTries, TheSameGraspIsTheOneNearByEitherWayRound) {
-  OracleTries tries;
+  oracle::OracleTries tries;
   const Pose grasp{{0.01, 0, 0.05}, rotation_about({1, 0, 0}, std::numbers::pi)};
   tries.fail(2, grasp);
   EXPECT_TRUE(tries.failed_before(2, grasp));

@@ -22,17 +22,18 @@ std::vector<DrawnBox> table_with_goods() {
           {{{0.60, -0.06, 0}, rotation_about({0, 0, 1}, -0.7)}, {0.05, 0.16, 0.04}, plain(green)}};
 }
 
-std::vector<std::uint8_t> over_table(const ViewCloud& cloud) {
-  return goods_over(cloud, {{0, -0.5}, {1, 0.5}});
+std::vector<std::uint8_t> over_table(const perception::ViewCloud& cloud) {
+  return perception::goods_over(cloud, {{0, -0.5}, {1, 0.5}});
 }
 
 TEST(GeometricMasks, OneMaskForEachBoxWhateverItsSides) {
   std::vector<int> shown;
-  const ViewCloud cloud(drawn_view(
+  const perception::ViewCloud cloud(drawn_view(
       table_with_goods(), camera_over({0.5, 0.1, 0.6}), width, height, focal_px, &shown));
-  const std::vector<Mask> masks = GeometricMasks().masks(cloud, over_table(cloud));
+  const std::vector<perception::Mask> masks =
+      perception::GeometricMasks().masks(cloud, over_table(cloud));
   ASSERT_EQ(masks.size(), 2U);
-  for (const Mask& mask : masks) {
+  for (const perception::Mask& mask : masks) {
     const int box = shown[mask.pixels[mask.pixels.size() / 2]];
     double common = 0;
     for (const std::uint32_t pixel : mask.pixels)
@@ -44,7 +45,7 @@ TEST(GeometricMasks, OneMaskForEachBoxWhateverItsSides) {
 }
 
 TEST(ViewCloud, PointsProjectOntoTheirPixels) {
-  const ViewCloud cloud(
+  const perception::ViewCloud cloud(
       drawn_view(table_with_goods(), camera_over({0.5, 0, 0.6}), width, height, focal_px));
   for (std::size_t pixel = 5; pixel < cloud.size(); pixel += 997) {
     const auto seen = cloud.project(cloud.point(pixel));
@@ -55,8 +56,10 @@ TEST(ViewCloud, PointsProjectOntoTheirPixels) {
 
 class Matching : public ::testing::Test {
  protected:
-  static ProductLook look(const char* sku, Vec3 size, const std::array<Rgb8, 6>& colors) {
-    auto made = ProductLook::make(sku, drawn_pictures(size, colors));
+  static perception::ProductLook look(const char* sku,
+                                      Vec3 size,
+                                      const std::array<Rgb8, 6>& colors) {
+    auto made = perception::ProductLook::make(sku, drawn_pictures(size, colors));
     if (!made.ok()) fatal(to_string(made.error()).c_str());
     return std::move(made).value();
   }
@@ -65,28 +68,29 @@ class Matching : public ::testing::Test {
       views_.emplace_back(
           drawn_view(table_with_goods(), camera_over(eye), width, height, focal_px));
     for (std::size_t v = 0; v < views_.size(); ++v)
-      masked_.push_back({v, GeometricMasks().masks(views_[v], over_table(views_[v]))});
+      masked_.push_back({v, perception::GeometricMasks().masks(views_[v], over_table(views_[v]))});
   }
-  std::vector<FoundProduct> find(const std::vector<const ProductLook*>& looks) const {
-    std::vector<WantedProduct> wanted;
-    for (const ProductLook* look : looks)
+  std::vector<perception::FoundProduct> find(
+      const std::vector<const perception::ProductLook*>& looks) const {
+    std::vector<perception::WantedProduct> wanted;
+    for (const perception::ProductLook* look : looks)
       wanted.push_back({look, {}});
-    return CatalogueMatching(poses_).find(wanted, views_, masked_);
+    return perception::CatalogueMatching(poses_).find(wanted, views_, masked_);
   }
 
-  SweptPoses poses_;
-  std::vector<ViewCloud> views_;
-  std::vector<MaskedView> masked_;
+  perception::SweptPoses poses_;
+  std::vector<perception::ViewCloud> views_;
+  std::vector<perception::MaskedView> masked_;
 };
 
 TEST_F(Matching, FindsProductsByShapeAndColourWithinMillimetres) {
-  const ProductLook carton = look("carton", {0.06, 0.09, 0.12}, plain(red));
-  const ProductLook box = look("box", {0.05, 0.16, 0.04}, plain(green));
+  const perception::ProductLook carton = look("carton", {0.06, 0.09, 0.12}, plain(red));
+  const perception::ProductLook box = look("box", {0.05, 0.16, 0.04}, plain(green));
   const auto found = find({&carton, &box});
   ASSERT_EQ(found.size(), 2U);
   const std::vector<DrawnBox> truth = table_with_goods();
-  for (const FoundProduct& f : found) {
-    const ProductLook& of = f.look == 0 ? carton : box;
+  for (const perception::FoundProduct& f : found) {
+    const perception::ProductLook& of = f.look == 0 ? carton : box;
     const Vec3 middle = to_double((of.low() + of.high()) * 0.5F);
     const Vec3 off = f.pose.base_from_product * middle - truth[f.look + 1].pose * middle;
     // Surfels end up to 3.5 mm before an edge, and plain sides have no print to hold on to.
@@ -96,31 +100,33 @@ TEST_F(Matching, FindsProductsByShapeAndColourWithinMillimetres) {
 }
 
 TEST_F(Matching, WhatIsNotThereIsNotFound) {
-  const ProductLook white_carton = look("white", {0.06, 0.09, 0.12}, plain(white));
-  const ProductLook slab = look("slab", {0.2, 0.2, 0.02}, plain(red));
+  const perception::ProductLook white_carton = look("white", {0.06, 0.09, 0.12}, plain(white));
+  const perception::ProductLook slab = look("slab", {0.2, 0.2, 0.02}, plain(red));
   EXPECT_TRUE(find({&slab}).empty());
   // The right shape in the wrong colour comes behind the right one, and gives way to it.
-  const ProductLook carton = look("carton", {0.06, 0.09, 0.12}, plain(red));
+  const perception::ProductLook carton = look("carton", {0.06, 0.09, 0.12}, plain(red));
   const auto found = find({&white_carton, &carton});
   ASSERT_FALSE(found.empty());
   EXPECT_EQ(found.front().look, 1U);
 }
 
 TEST_F(Matching, WhatARivalExplainsBetterIsNotTaken) {
-  const ProductLook white_carton = look("white", {0.06, 0.09, 0.12}, plain(white));
-  const ProductLook carton = look("carton", {0.06, 0.09, 0.12}, plain(red));
-  const CatalogueMatching matching(poses_);
-  const std::vector<WantedProduct> wrong{WantedProduct{&white_carton, {&carton}}};
-  const std::vector<WantedProduct> right{WantedProduct{&carton, {&white_carton}}};
+  const perception::ProductLook white_carton = look("white", {0.06, 0.09, 0.12}, plain(white));
+  const perception::ProductLook carton = look("carton", {0.06, 0.09, 0.12}, plain(red));
+  const perception::CatalogueMatching matching(poses_);
+  const std::vector<perception::WantedProduct> wrong{
+      perception::WantedProduct{&white_carton, {&carton}}};
+  const std::vector<perception::WantedProduct> right{
+      perception::WantedProduct{&carton, {&white_carton}}};
   EXPECT_TRUE(matching.find(wrong, views_, masked_).empty());
   EXPECT_EQ(matching.find(right, views_, masked_).size(), 1U);
 }
 
 TEST(ProductLook, PicturesWithoutTheProductAreAnError) {
   auto pictures = drawn_pictures({0.05, 0.05, 0.1}, plain(red));
-  for (ProductPicture& picture : pictures)
+  for (agent::ProductPicture& picture : pictures)
     std::ranges::fill(picture.depth_m, 0.0F);
-  const auto made = ProductLook::make("ghost", pictures);
+  const auto made = perception::ProductLook::make("ghost", pictures);
   ASSERT_FALSE(made.ok());
   EXPECT_EQ(made.error().code, "perception.no_picture");
 }

@@ -21,7 +21,7 @@ Pose board_pose() {
   return {{edge_x, 0, board_z}, rotation_about({0, 0, 1}, -std::numbers::pi / 2)};
 }
 
-BoardAhead board_ahead() {
+perception::BoardAhead board_ahead() {
   return {board_pose(), 1.0, 0.4, 0.4};
 }
 
@@ -29,46 +29,47 @@ DrawnBox pack_at(double x, Rgb8 color, double z = 0, Vec3 size = pack_size) {
   return {board_pose() * Pose{{x, front_behind_m + size.y / 2, z}, {}}, size, plain(color)};
 }
 
-std::vector<ViewCloud> look_at(std::vector<DrawnBox> boxes) {
+std::vector<perception::ViewCloud> look_at(std::vector<DrawnBox> boxes) {
   boxes.push_back(
       {board_pose() * Pose{{0, 0.2, -0.025}, {}}, {1.0, 0.4, 0.025}, plain(board_grey)});
   boxes.push_back({board_pose() * Pose{{0, 0.41, -1}, {}}, {1.2, 0.02, 2.5}, plain(board_grey)});
   const Vec3 ahead = normalized(Vec3{0.9, 0, -0.4});
   const Pose eye{{0.1, 0, 1.5}, rotation_with_axes(cross(ahead, {0, -1, 0}), ahead)};
-  std::vector<ViewCloud> views;
+  std::vector<perception::ViewCloud> views;
   views.emplace_back(drawn_view(boxes, eye, 640, 480, 460));
   return views;
 }
 
-ProductLook look_of(const char* sku, Rgb8 color, Vec3 size = pack_size) {
-  auto made = ProductLook::make(sku, drawn_pictures(size, plain(color)));
+perception::ProductLook look_of(const char* sku, Rgb8 color, Vec3 size = pack_size) {
+  auto made = perception::ProductLook::make(sku, drawn_pictures(size, plain(color)));
   if (!made.ok()) fatal(to_string(made.error()).c_str());
   return std::move(made).value();
 }
 
-std::vector<FoundOnShelf> find_on_shelf(const WantedProduct& wanted,
-                                        const std::vector<ViewCloud>& views) {
-  const std::vector<BoardAhead> boards{board_ahead()};
+std::vector<perception::FoundOnShelf> find_on_shelf(
+    const perception::WantedProduct& wanted, const std::vector<perception::ViewCloud>& views) {
+  const std::vector<perception::BoardAhead> boards{board_ahead()};
   const Vec3f size = wanted.look->high() - wanted.look->low();
-  return UprightMatching().find(wanted, views, boards, SweptSpots().spots(views, boards, size));
+  return perception::UprightMatching().find(
+      wanted, views, boards, perception::SweptSpots().spots(views, boards, size));
 }
 
-double off_from(const FoundOnShelf& found, const DrawnBox& truth) {
+double off_from(const perception::FoundOnShelf& found, const DrawnBox& truth) {
   return length(found.pose.base_from_product.position - truth.pose.position);
 }
 
 TEST(SweptSpots, LieOnTheFrontsThatWereMeasured) {
   const auto views = look_at({pack_at(-0.2, carton_red), pack_at(0.1, tea_green)});
-  const auto spots = SweptSpots().spots(views, {board_ahead()}, to_float(pack_size));
+  const auto spots = perception::SweptSpots().spots(views, {board_ahead()}, to_float(pack_size));
   ASSERT_FALSE(spots.empty());
   bool near_first = false;
-  for (const ShelfSpot& spot : spots) {
+  for (const perception::ShelfSpot& spot : spots) {
     if (std::abs(spot.x_m + 0.2) > 0.003) continue;
     near_first = true;
     EXPECT_NEAR(spot.front_m, front_behind_m, 0.003);
   }
   EXPECT_TRUE(near_first);
-  EXPECT_TRUE(SweptSpots().spots(views, {board_ahead()}, {0.06F, 0.05F, 0.5F}).empty())
+  EXPECT_TRUE(perception::SweptSpots().spots(views, {board_ahead()}, {0.06F, 0.05F, 0.5F}).empty())
       << "higher than the shelf's clearance";
 }
 
@@ -76,7 +77,7 @@ TEST(UprightMatching, FindsTheOneThatIsAskedFor) {
   const std::vector<DrawnBox> packs{
       pack_at(-0.2, carton_red), pack_at(0.1, tea_green), pack_at(0.3, milk_white)};
   const auto views = look_at(packs);
-  const ProductLook green = look_of("tea", tea_green);
+  const perception::ProductLook green = look_of("tea", tea_green);
   const auto found = find_on_shelf({&green, {}}, views);
   ASSERT_FALSE(found.empty());
   EXPECT_LT(off_from(found.front(), packs[1]), 0.005);
@@ -84,7 +85,8 @@ TEST(UprightMatching, FindsTheOneThatIsAskedFor) {
 
 TEST(UprightMatching, WhatARivalExplainsBetterIsLeftOut) {
   const auto views = look_at({pack_at(-0.2, {190, 60, 50})});
-  const ProductLook red = look_of("red", carton_red), meant = look_of("meant", {190, 60, 50});
+  const perception::ProductLook red = look_of("red", carton_red),
+                                meant = look_of("meant", {190, 60, 50});
   EXPECT_FALSE(find_on_shelf({&red, {}}, views).empty());
   EXPECT_TRUE(find_on_shelf({&red, {&meant}}, views).empty());
   EXPECT_FALSE(find_on_shelf({&meant, {&red}}, views).empty());
@@ -92,7 +94,7 @@ TEST(UprightMatching, WhatARivalExplainsBetterIsLeftOut) {
 
 TEST(UprightMatching, TakesTheTopOfAStack) {
   const std::vector<DrawnBox> stack{pack_at(0, carton_red), pack_at(0, carton_red, pack_size.z)};
-  const ProductLook red = look_of("red", carton_red);
+  const perception::ProductLook red = look_of("red", carton_red);
   const auto found = find_on_shelf({&red, {}}, look_at(stack));
   ASSERT_FALSE(found.empty());
   EXPECT_LT(off_from(found.front(), stack[1]), 0.006);
@@ -100,19 +102,19 @@ TEST(UprightMatching, TakesTheTopOfAStack) {
 
 TEST(UprightMatching, TheFootOfSomethingTallerIsNotIt) {
   const auto tall = look_at({pack_at(0, carton_red, 0, {0.06, 0.05, 0.20})});
-  const ProductLook red = look_of("red", carton_red);
+  const perception::ProductLook red = look_of("red", carton_red);
   EXPECT_TRUE(find_on_shelf({&red, {}}, tall).empty());
 }
 
 TEST(UprightMatching, FindsAgainWhatMovedALittle) {
   const DrawnBox pack = pack_at(0.05, carton_red);
   const auto views = look_at({pack});
-  const ProductLook red = look_of("red", carton_red);
+  const perception::ProductLook red = look_of("red", carton_red);
   const Pose before = pack.pose * Pose{{0.012, -0.006, 0}, {}};
-  const FittedPose again = UprightMatching().again(red, views, before);
+  const perception::FittedPose again = perception::UprightMatching().again(red, views, before);
   EXPECT_LT(length(again.base_from_product.position - pack.pose.position), 0.004);
   const Pose elsewhere = board_pose() * Pose{{-0.3, 0.1, 0}, {}};
-  EXPECT_LT(UprightMatching().again(red, views, elsewhere).evidence.score, 0.1);
+  EXPECT_LT(perception::UprightMatching().again(red, views, elsewhere).evidence.score, 0.1);
 }
 
 }  // namespace

@@ -9,42 +9,43 @@
 namespace marketgen {
 namespace {
 
-const std::vector<FrictionRow> few = {{"tin", "steel", 0.25, "", "", {}},
-                                      {"glass", "steel", 0.36, "", "", {}},
-                                      {"glass", "rubber", 0.6, "", "", {}},
-                                      {"foam", "rubber", 0.9, "", "", {}}};
+const std::vector<catalog::FrictionRow> few = {{"tin", "steel", 0.25, "", "", {}},
+                                               {"glass", "steel", 0.36, "", "", {}},
+                                               {"glass", "rubber", 0.6, "", "", {}},
+                                               {"foam", "rubber", 0.9, "", "", {}}};
 
 TEST(FrictionTable, ARowDecidesInEitherOrder) {
-  const FrictionTable table(few);
+  const physics::FrictionTable table(few);
   EXPECT_EQ(table.sliding(table.material("rubber"), table.material("glass")), 0.6);
   EXPECT_EQ(table.sliding(table.material("glass"), table.material("rubber")), 0.6);
 }
 
 TEST(FrictionTable, OtherPairsTakeTheMeanOfBothOnSteel) {
-  const FrictionTable table(few);
+  const physics::FrictionTable table(few);
   EXPECT_DOUBLE_EQ(table.sliding(table.material("tin"), table.material("glass")), 0.3);
   EXPECT_DOUBLE_EQ(table.sliding(table.material("tin"), table.material("tin")), 0.25);
 }
 
 TEST(FrictionTable, KnowsNothingOfMaterialsWithoutRows) {
-  const FrictionTable table(few);
-  EXPECT_EQ(table.material("velvet"), FrictionTable::unknown);
+  const physics::FrictionTable table(few);
+  EXPECT_EQ(table.material("velvet"), physics::FrictionTable::unknown);
   EXPECT_EQ(table.sliding(table.material("velvet"), table.material("steel")), 0);
   EXPECT_EQ(table.sliding(table.material("foam"), table.material("tin")), 0) << "no foam on steel";
-  EXPECT_EQ(FrictionTable({}).sliding(0, 0), 0);
+  EXPECT_EQ(physics::FrictionTable({}).sliding(0, 0), 0);
 }
 
 // Goods meet shelves, belts, the floor, grippers and one another.
 TEST(FrictionTable, TheCommittedRowsGiveEveryPairOfMaterials) {
-  const Catalog& catalog = committed_catalog();
-  const FrictionTable table(catalog.frictions);
-  std::set<std::string, std::less<>> materials{
-      std::string(reference_material), std::string(belt_material), std::string(room_material)};
-  for (const Product& product : catalog.products)
+  const catalog::Catalog& catalog = committed_catalog();
+  const physics::FrictionTable table(catalog.frictions);
+  std::set<std::string, std::less<>> materials{std::string(physics::reference_material),
+                                               std::string(physics::belt_material),
+                                               std::string(physics::room_material)};
+  for (const catalog::Product& product : catalog.products)
     materials.insert(product.material);
   EXPECT_GE(materials.size(), 13U);
   for (const std::string& a : materials) {
-    ASSERT_NE(table.material(a), FrictionTable::unknown) << a;
+    ASSERT_NE(table.material(a), physics::FrictionTable::unknown) << a;
     for (const std::string& b : materials) {
       const double sliding = table.sliding(table.material(a), table.material(b));
       EXPECT_GE(sliding, 0.1) << a << " on " << b;
@@ -55,7 +56,7 @@ TEST(FrictionTable, TheCommittedRowsGiveEveryPairOfMaterials) {
 
 TEST(FrictionTable, EveryCommittedRowIsTheOnlyOneOfItsPair) {
   std::set<std::pair<std::string, std::string>> pairs;
-  for (const FrictionRow& row : committed_catalog().frictions) {
+  for (const catalog::FrictionRow& row : committed_catalog().frictions) {
     EXPECT_TRUE(pairs.insert(std::minmax(row.a, row.b)).second) << row.a << " on " << row.b;
   }
 }

@@ -11,9 +11,9 @@ namespace {
 constexpr double ajar_rad = 0.2;
 
 // From the hinge to the handle, along the closed door.
-double lever_of(const Scene& scene, std::uint32_t joint) {
-  for (const ScenePart& part : scene.parts) {
-    if (part.unit == UnitKind::handle && part.joint == static_cast<std::int32_t>(joint))
+double lever_of(const scene::Scene& scene, std::uint32_t joint) {
+  for (const scene::ScenePart& part : scene.parts) {
+    if (part.unit == assets::UnitKind::handle && part.joint == static_cast<std::int32_t>(joint))
       return std::abs(double(part.position_m[0]) - double(scene.joints[joint].position_m[0]));
   }
   ADD_FAILURE() << "no handle";
@@ -21,7 +21,10 @@ double lever_of(const Scene& scene, std::uint32_t joint) {
 }
 
 // Half a second's pull at the handle, square to the door, and how far the door has come.
-double opened_by(World& world, const Scene& scene, std::uint32_t joint, double newtons) {
+double opened_by(physics::World& world,
+                 const scene::Scene& scene,
+                 std::uint32_t joint,
+                 double newtons) {
   const double lever = lever_of(scene, joint);
   EXPECT_TRUE(world.set_joint_force(joint, newtons * lever).ok());
   run(world, second / 2);
@@ -32,8 +35,8 @@ double opened_by(World& world, const Scene& scene, std::uint32_t joint, double n
 template <class Check>
 int for_every_gasket(Check check) {
   int doors = 0;
-  for (const FixtureKind& kind : committed_catalog().fixture_kinds) {
-    const Scene scene = stage_fixture(kind, committed_catalog()).value();
+  for (const catalog::FixtureKind& kind : committed_catalog().fixture_kinds) {
+    const scene::Scene scene = scene::stage_fixture(kind, committed_catalog()).value();
     for (std::uint32_t row = 0; row < scene.joints.size(); ++row) {
       if (scene.joints[row].gasket <= 0) continue;
       SCOPED_TRACE(kind.kind + " " + scene.joints[row].name);
@@ -45,8 +48,8 @@ int for_every_gasket(Check check) {
 }
 
 TEST(Gasket, TenNewtonsKeepACoolersDoorShutAndSixtyOpenIt) {
-  const int doors = for_every_gasket([](const Scene& scene, std::uint32_t row) {
-    World world = made(scene);
+  const int doors = for_every_gasket([](const scene::Scene& scene, std::uint32_t row) {
+    physics::World world = made(scene);
     EXPECT_LT(std::abs(opened_by(world, scene, row, 10)), 0.002);
     EXPECT_LT(std::abs(opened_by(world, scene, row, 20)), 0.002);
     EXPECT_GT(opened_by(world, scene, row, 60), ajar_rad);
@@ -56,11 +59,12 @@ TEST(Gasket, TenNewtonsKeepACoolersDoorShutAndSixtyOpenIt) {
 
 // 12 mm from the frame only the hinge and its spring are left: 5 N open it on.
 TEST(Gasket, LetsGoWithinTwoCentimetresAndTakesHoldAgain) {
-  const Scene scene =
-      stage_fixture(*committed_catalog().fixture_kind("cooler-one-door"), committed_catalog())
+  const scene::Scene scene =
+      scene::stage_fixture(*committed_catalog().fixture_kind("cooler-one-door"),
+                           committed_catalog())
           .value();
   ASSERT_GT(scene.joints[0].gasket, 0);
-  World world = made(scene);
+  physics::World world = made(scene);
   const double lever = lever_of(scene, 0);
   ASSERT_TRUE(world.set_joint_force(0, 45 * lever).ok());
   while (world.joint_position(0) * lever < 0.02)
@@ -77,14 +81,15 @@ TEST(Gasket, LetsGoWithinTwoCentimetresAndTakesHoldAgain) {
 
 // A moment taken with the door on its way goes on bit for bit, in another World too.
 TEST(Gasket, GoesOnFromAnyMoment) {
-  const Scene scene =
-      stage_fixture(*committed_catalog().fixture_kind("cooler-one-door"), committed_catalog())
+  const scene::Scene scene =
+      scene::stage_fixture(*committed_catalog().fixture_kind("cooler-one-door"),
+                           committed_catalog())
           .value();
-  World world = made(scene), other = made(scene);
+  physics::World world = made(scene), other = made(scene);
   const double torque = 2 * double(scene.joints[0].gasket);
   ASSERT_TRUE(world.set_joint_force(0, torque).ok());
   run(world, 20);
-  const WorldSnapshot moment = world.snapshot();
+  const physics::WorldSnapshot moment = world.snapshot();
   ASSERT_GT(world.joint_position(0), 0);
   ASSERT_LT(world.joint_position(0), double(scene.joints[0].gasket_reach));
   run(world, 200);

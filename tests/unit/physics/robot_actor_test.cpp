@@ -17,13 +17,13 @@ namespace marketgen {
 namespace {
 
 struct Stage {
-  Scene scene;
-  Robot robot;
-  RobotActorOptions options;
-  std::unique_ptr<World> world;
-  RobotActor actor;
-  RobotController controller;
-  RobotReference reference;  // at first: to stay
+  scene::Scene scene;
+  robots::Robot robot;
+  physics::RobotActorOptions options;
+  std::unique_ptr<physics::World> world;
+  physics::RobotActor actor;
+  physics::RobotController controller;
+  physics::RobotReference reference;  // at first: to stay
 
   void follow_reference() {
     ASSERT_TRUE(controller.command(*world, reference).ok());
@@ -39,21 +39,21 @@ struct Stage {
 
 std::unique_ptr<Stage> stage_of(const std::string& id,
                                 HandMadeScene shop,
-                                RobotActorOptions options) {
+                                physics::RobotActorOptions options) {
   auto stage = std::make_unique<Stage>();
   stage->scene = shop.scene;
   stage->robot = committed_robot(id);
   stage->options = std::move(options);
-  WorldOptions world;
+  physics::WorldOptions world;
   world.frictions = committed_catalog().frictions;
-  world.actor_materials = robot_materials(stage->robot, stage->options);
+  world.actor_materials = physics::robot_materials(stage->robot, stage->options);
   world.add_actors = [s = stage.get()](mjSpec_& spec) {
-    return add_robot(spec, s->robot, s->options);
+    return physics::add_robot(spec, s->robot, s->options);
   };
-  stage->world = std::make_unique<World>(made(stage->scene, std::move(world)));
-  const World& made_world = *stage->world;
+  stage->world = std::make_unique<physics::World>(made(stage->scene, std::move(world)));
+  const physics::World& made_world = *stage->world;
   stage->controller =
-      RobotController::start(
+      physics::RobotController::start(
           made_world.model(), made_world.data(), stage->robot, stage->options.prefix)
           .value();
   stage->actor = stage->controller.actor();
@@ -62,20 +62,20 @@ std::unique_ptr<Stage> stage_of(const std::string& id,
   return stage;
 }
 
-RobotActorOptions ready_on_the_floor(const Robot& robot) {
-  RobotActorOptions options;
+physics::RobotActorOptions ready_on_the_floor(const robots::Robot& robot) {
+  physics::RobotActorOptions options;
   options.world_from_base = {{1.5, 1.5, 0}, {}};
-  options.state = with_posture(*robot.find_posture("ready"), neutral_state(robot));
+  options.state = robots::with_posture(*robot.find_posture("ready"), robots::neutral_state(robot));
   return options;
 }
 
 TEST(RobotActor, ThePandaStandsStillAndItsDrivesCarryItsWeight) {
-  const Robot panda = committed_robot("panda");
+  const robots::Robot panda = committed_robot("panda");
   const auto stage = stage_of("panda", row_of_cans(1), ready_on_the_floor(panda));
   const std::vector<double> start = stage->q();
   EXPECT_LT(std::abs(start[3] - stage->options.state[3]), 1e-12);
   stage->hold(stage->options.state, 2 * second);
-  const Eigen::VectorXd gravity = gravity_efforts(panda, stage->options.state);
+  const Eigen::VectorXd gravity = robots::gravity_efforts(panda, stage->options.state);
   const std::vector<double> efforts = stage->actor.effort(*stage->world);
   for (std::size_t j = 0; j < 7; ++j) {
     EXPECT_LT(std::abs(stage->q()[j] - start[j]), 1e-5) << j;
@@ -85,7 +85,7 @@ TEST(RobotActor, ThePandaStandsStillAndItsDrivesCarryItsWeight) {
 }
 
 TEST(RobotActor, ATrajectoryIsFollowedWithoutLag) {
-  const Robot panda = committed_robot("panda");
+  const robots::Robot panda = committed_robot("panda");
   const auto stage = stage_of("panda", row_of_cans(1), ready_on_the_floor(panda));
   const std::vector<double> middle = stage->options.state;
   double worst = 0;
@@ -103,11 +103,12 @@ TEST(RobotActor, ATrajectoryIsFollowedWithoutLag) {
 }
 
 TEST(RobotActor, TheDualArmDrivesLiftsAndMovesBothArms) {
-  const Robot realman = committed_robot("realman-rm75");
-  RobotActorOptions options;
+  const robots::Robot realman = committed_robot("realman-rm75");
+  physics::RobotActorOptions options;
   options.prefix = "left shop/";
   options.world_from_base = {{1.5, 1.0, 0}, {}};
-  options.state = with_posture(*realman.find_posture("stow"), neutral_state(realman));
+  options.state =
+      robots::with_posture(*realman.find_posture("stow"), robots::neutral_state(realman));
   const auto stage = stage_of("realman-rm75", row_of_cans(1), options);
   std::vector<double> goal = options.state;
   goal[static_cast<std::size_t>(realman.find_dof("base_x"))] += 0.1;
@@ -135,7 +136,7 @@ TEST(RobotActor, TheDualArmDrivesLiftsAndMovesBothArms) {
 
 // The Panda's hand hangs upside down round a can that stands on a shelf.
 std::unique_ptr<Stage> hand_round_a_can() {
-  RobotActorOptions options;
+  physics::RobotActorOptions options;
   const HandMadeScene shop = row_of_cans(1);
   const auto& can_at = shop.scene.products[0].position_m;
   options.world_from_base = {{can_at[0], can_at[1], can_at[2] + 0.095 + 0.1034},
@@ -146,7 +147,7 @@ std::unique_ptr<Stage> hand_round_a_can() {
 
 double slid_under(double grip_n, double pull_n) {
   const auto stage = hand_round_a_can();
-  World& world = *stage->world;
+  physics::World& world = *stage->world;
   stage->reference.grips[0] = {0, grip_n};
   for (int i = 0; i < second; ++i)
     stage->follow_reference();
@@ -165,8 +166,9 @@ TEST(RobotActor, AGripperPressesWithTheForceItIsToldToHaveAndHoldsByIt) {
     for (int i = 0; i < second; ++i)
       stage->follow_reference();
     double pressed = 0;
-    for (const WorldContact& c : stage->world->contacts()) {
-      if (c.a.kind == BodyKind::product && c.b.kind == BodyKind::actor) pressed += c.normal_n;
+    for (const physics::WorldContact& c : stage->world->contacts()) {
+      if (c.a.kind == physics::BodyKind::product && c.b.kind == physics::BodyKind::actor)
+        pressed += c.normal_n;
     }
     EXPECT_NEAR(pressed, 2 * force, 0.05 * 2 * force);
   }
@@ -176,41 +178,42 @@ TEST(RobotActor, AGripperPressesWithTheForceItIsToldToHaveAndHoldsByIt) {
 
 // The tip is to go 2 cm under the floor: it presses as its spring does.
 TEST(RobotActor, AnImpedanceYieldsLikeItsSpring) {
-  const Robot panda = committed_robot("panda");
-  RobotActorOptions options = ready_on_the_floor(panda);
-  options.drive = RobotDrive::torque;
+  const robots::Robot panda = committed_robot("panda");
+  physics::RobotActorOptions options = ready_on_the_floor(panda);
+  options.drive = physics::RobotDrive::torque;
   const auto stage = stage_of("panda", row_of_cans(1), options);
-  const JointGroup& arm = *panda.find_group("arm");
-  Impedance spring;
+  const robots::JointGroup& arm = *panda.find_group("arm");
+  robots::Impedance spring;
   spring.stiffness_n_m = 500;
-  Pose goal = frame_pose(panda, options.state, arm.tip);
+  Pose goal = robots::frame_pose(panda, options.state, arm.tip);
   const auto go = [&](double z, int steps) {
     for (int i = 0; i < steps; ++i) {
       goal.position.z = std::max(goal.position.z - 0.0004, z);
       const std::vector<double> v = stage->actor.velocity(*stage->world);
-      const Eigen::VectorXd efforts =
-          impedance_efforts(panda, arm.tip, arm.dofs, stage->q(), v, goal, options.state, spring);
+      const Eigen::VectorXd efforts = robots::impedance_efforts(
+          panda, arm.tip, arm.dofs, stage->q(), v, goal, options.state, spring);
       ASSERT_TRUE(stage->actor.apply(*stage->world, {efforts.data(), v.size()}).ok());
       run(*stage->world, 1);
     }
   };
   go(0.1, 3 * second);
-  const Pose free = frame_pose(panda, stage->q(), arm.tip);
+  const Pose free = robots::frame_pose(panda, stage->q(), arm.tip);
   EXPECT_LT(length(free.position - goal.position), 2e-3);  // nothing in the way: it arrives
   go(-0.02, 4 * second);
   double pressed = 0;
-  for (const WorldContact& c : stage->world->contacts()) {
-    if (c.a.kind == BodyKind::room && c.b.kind == BodyKind::actor) pressed += c.normal_n;
+  for (const physics::WorldContact& c : stage->world->contacts()) {
+    if (c.a.kind == physics::BodyKind::room && c.b.kind == physics::BodyKind::actor)
+      pressed += c.normal_n;
   }
-  const double into = frame_pose(panda, stage->q(), arm.tip).position.z + 0.02;
+  const double into = robots::frame_pose(panda, stage->q(), arm.tip).position.z + 0.02;
   EXPECT_GT(into, 0.015);
   EXPECT_NEAR(pressed, spring.stiffness_n_m * into, 0.2 * spring.stiffness_n_m * into);
 }
 
 TEST(RobotActor, BadCommandsAreErrorsThatSayWhy) {
-  const Robot panda = committed_robot("panda");
+  const robots::Robot panda = committed_robot("panda");
   const auto stage = stage_of("panda", row_of_cans(1), ready_on_the_floor(panda));
-  World& world = *stage->world;
+  physics::World& world = *stage->world;
   const std::string before = world.state_hash();
   std::vector<double> q = stage->options.state, v(q.size());
   const auto code = [](const Result<void>& r) { return r.ok() ? "ok" : r.error().code; };
@@ -219,28 +222,28 @@ TEST(RobotActor, BadCommandsAreErrorsThatSayWhy) {
   q.pop_back();
   EXPECT_EQ(code(stage->actor.command(world, q, v)), "physics.bad_command");
   EXPECT_EQ(code(stage->actor.apply(world, v)), "physics.bad_command");
-  const Tool& hand = stage->robot.tools.at(0);
+  const robots::Tool& hand = stage->robot.tools.at(0);
   EXPECT_EQ(code(stage->actor.grip(world, hand, {0.01, 0}, 1000)), "physics.bad_command");
   EXPECT_EQ(code(stage->actor.grip(world, hand, {0.01, 0}, -1)), "physics.bad_command");
   EXPECT_EQ(code(stage->actor.push_base(world, {})), "physics.bad_command");
-  RobotReference reference = stage->reference;
+  physics::RobotReference reference = stage->reference;
   reference.grips[0].opening_m = -1;
   EXPECT_EQ(code(stage->controller.command(world, reference)), "physics.bad_command");
   reference = stage->reference;
   reference.joints.pop_back();
   EXPECT_EQ(code(stage->controller.command(world, reference)), "physics.bad_command");
   EXPECT_EQ(world.state_hash(), before);
-  EXPECT_EQ(RobotActor::find(world, panda, "other/").error().code, "physics.bad_command");
-  Scene scene = row_of_cans(1).scene;
-  RobotActorOptions options;
+  EXPECT_EQ(physics::RobotActor::find(world, panda, "other/").error().code, "physics.bad_command");
+  scene::Scene scene = row_of_cans(1).scene;
+  physics::RobotActorOptions options;
   options.state = {1, 2};
-  WorldOptions bad;
-  bad.add_actors = [&](mjSpec_& spec) { return add_robot(spec, panda, options); };
-  EXPECT_EQ(World::create(scene, bad).error().code, "robot.bad_state");
+  physics::WorldOptions bad;
+  bad.add_actors = [&](mjSpec_& spec) { return physics::add_robot(spec, panda, options); };
+  EXPECT_EQ(physics::World::create(scene, bad).error().code, "robot.bad_state");
   bad.add_actors = [&](mjSpec_& spec) {
-    return add_robot(spec, committed_robot("suction-cup"), {});
+    return physics::add_robot(spec, committed_robot("suction-cup"), {});
   };
-  EXPECT_EQ(World::create(scene, bad).error().code, "physics.bad_command");
+  EXPECT_EQ(physics::World::create(scene, bad).error().code, "physics.bad_command");
 }
 
 }  // namespace

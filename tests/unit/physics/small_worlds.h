@@ -13,13 +13,13 @@ namespace marketgen {
 constexpr float can_height = 0.115F, can_pitch = 0.071F;  // 66 mm wide, 5 mm apart
 constexpr int second = 500;                               // steps
 
-inline World made(const Scene& scene, WorldOptions options = {}) {
-  Result<World> world = World::create(scene, std::move(options));
+inline physics::World made(const scene::Scene& scene, physics::WorldOptions options = {}) {
+  Result<physics::World> world = physics::World::create(scene, std::move(options));
   if (!world.ok()) fatal(to_string(world.error()).c_str());
   return std::move(world).value();
 }
 
-inline void run(World& world, int steps) {
+inline void run(physics::World& world, int steps) {
   const Result<void> done = world.step(steps);
   ASSERT_TRUE(done.ok()) << to_string(done.error());
 }
@@ -28,8 +28,8 @@ inline double distance(const Pose& a, const Pose& b) {
   return length(a.position - b.position);
 }
 
-inline int count(const std::vector<WorldEvent>& events, EventKind kind) {
-  return static_cast<int>(std::ranges::count(events, kind, &WorldEvent::kind));
+inline int count(const std::vector<physics::WorldEvent>& events, physics::EventKind kind) {
+  return static_cast<int>(std::ranges::count(events, kind, &physics::WorldEvent::kind));
 }
 
 inline HandMadeScene row_of_cans(int cans) {
@@ -39,8 +39,8 @@ inline HandMadeScene row_of_cans(int cans) {
   return shop;
 }
 
-inline WorldOptions with_finger() {
-  WorldOptions options;
+inline physics::WorldOptions with_finger() {
+  physics::WorldOptions options;
   options.add_actors = [](mjSpec_& spec) -> Result<void> {
     mjsBody* finger = mjs_addBody(mjs_findBody(&spec, "world"), nullptr);
     mjs_setName(finger->element, "finger");
@@ -55,9 +55,9 @@ inline WorldOptions with_finger() {
 }
 
 // A flap or a belt under one can, in a fixture of its own.
-inline Scene with_joint(HandMadeScene& shop, JointKind kind) {
-  Scene& scene = shop.scene;
-  SceneJoint joint;
+inline scene::Scene with_joint(HandMadeScene& shop, assets::JointKind kind) {
+  scene::Scene& scene = shop.scene;
+  scene::SceneJoint joint;
   joint.name = "moving";
   joint.kind = kind;
   joint.lower = -0.5F, joint.upper = 0.5F;
@@ -66,8 +66,8 @@ inline Scene with_joint(HandMadeScene& shop, JointKind kind) {
   joint.damping = 1;
   scene.fixtures[0].joint_count = 1;
   scene.joints.push_back(joint);
-  ScenePart part;
-  part.unit = kind == JointKind::belt ? UnitKind::belt : UnitKind::drawer;
+  scene::ScenePart part;
+  part.unit = kind == assets::JointKind::belt ? assets::UnitKind::belt : assets::UnitKind::drawer;
   part.position_m = {0, -1.5F, 0.5F};
   part.half_size_m = {0.6F, 0.2F, 0.02F};
   part.joint = 0;

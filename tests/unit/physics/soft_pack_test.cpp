@@ -14,9 +14,9 @@ struct Whole {
   double mass_kg = 0;
 };
 
-Whole whole_of(const SoftPack& pack) {
+Whole whole_of(const physics::SoftPack& pack) {
   Whole whole;
-  for (const SoftPart& part : pack.parts) {
+  for (const physics::SoftPart& part : pack.parts) {
     const Vec3 low = part.center - part.half_size, high = part.center + part.half_size;
     whole.low = {
         std::min(whole.low.x, low.x), std::min(whole.low.y, low.y), std::min(whole.low.z, low.z)};
@@ -31,10 +31,10 @@ Whole whole_of(const SoftPack& pack) {
 }
 
 // About the middle of mass, along the pack's axes: each part is a box of one density.
-Vec3 inertia_of_parts(const SoftPack& pack) {
+Vec3 inertia_of_parts(const physics::SoftPack& pack) {
   Vec3 sum;
   const Vec3 middle = whole_of(pack).middle;
-  for (const SoftPart& part : pack.parts) {
+  for (const physics::SoftPart& part : pack.parts) {
     const Vec3 c = part.center - middle, &h = part.half_size;
     const double x = c.x * c.x + h.x * h.x / 3, y = c.y * c.y + h.y * h.y / 3;
     const double z = c.z * c.z + h.z * h.z / 3;
@@ -45,7 +45,7 @@ Vec3 inertia_of_parts(const SoftPack& pack) {
 
 TEST(SoftPack, HasTheMassSizeAndInertiaOfItsRow) {
   for (const SoftRow& row : soft_rows()) {
-    const Product& product = *row.product;
+    const catalog::Product& product = *row.product;
     const Whole whole = whole_of(row.pack);
     EXPECT_DOUBLE_EQ(whole.mass_kg, product.mass_kg) << product.sku;
     const Vec3 half{product.width_m() / 2, product.depth_m() / 2, product.height_m() / 2};
@@ -58,7 +58,7 @@ TEST(SoftPack, HasTheMassSizeAndInertiaOfItsRow) {
       EXPECT_GT(share, 0.6) << product.sku;  // the box's end is as heavy as its middle
       EXPECT_LT(share, 1.02) << product.sku;
     }
-    for (const SoftPart& part : row.pack.parts)
+    for (const physics::SoftPart& part : row.pack.parts)
       EXPECT_GT(part.mass_kg, 0) << product.sku;
   }
 }
@@ -68,8 +68,8 @@ TEST(SoftPack, HasItsMiddleOfMassWhereTheFilledPackHas) {
   const std::vector<SoftRow>& rows = soft_rows();
   std::size_t low = 0;
   for (std::size_t i = 0; i < rows.size(); i += 20) {
-    const Product& product = *rows[i].product;
-    const Result<ProductBody> body = make_product_body(product);
+    const catalog::Product& product = *rows[i].product;
+    const Result<assets::ProductBody> body = assets::make_product_body(product);
     ASSERT_TRUE(body.ok());
     const Vec3 expected = to_double(body->center_of_mass) - Vec3{0, 0, product.height_m() / 2};
     const Vec3 off = whole_of(rows[i].pack).middle - expected;
@@ -91,13 +91,13 @@ TEST(SoftPack, AreTheBagsAndPouchesWithASeam) {
                                             {"sachet", 24},
                                             {"vacuum_pack", 21}};
   EXPECT_EQ(of_archetype, expected);
-  EXPECT_FALSE(may_be_soft_pack(hand_made_product("can", "can", {66, 66, 115}, 0.35)));
+  EXPECT_FALSE(physics::may_be_soft_pack(hand_made_product("can", "can", {66, 66, 115}, 0.35)));
 }
 
 // The flap is where the seal is, and no thicker than it, or 3 mm.
 TEST(SoftPack, PutsTheFlapOnTheSeam) {
   const SoftRow& pouch = soft_row("snacks-almonds-natural-500g");  // 150 x 65 x 215 mm
-  const SoftPart& flap = pouch.pack.parts[2];
+  const physics::SoftPart& flap = pouch.pack.parts[2];
   EXPECT_NEAR(flap.center.z + flap.half_size.z, 0.1075, 1e-6);
   EXPECT_NEAR(flap.half_size.z, 0.010, 1e-6);
   EXPECT_NEAR(flap.half_size.y, 0.0015, 1e-6);
@@ -109,10 +109,10 @@ TEST(SoftPack, PutsTheFlapOnTheSeam) {
 // The known answer of the spring: a quarter of a radian with the heavier half level in the air.
 TEST(SoftPack, SagsByFourteenDegrees) {
   for (const SoftRow& row : soft_rows()) {
-    const SoftHinge& hinge = row.pack.hinges[0];
+    const physics::SoftHinge& hinge = row.pack.hinges[0];
     double moment = 0;
     for (int half = 0; half < 2; ++half) {
-      const SoftPart& part = row.pack.parts[static_cast<std::size_t>(half)];
+      const physics::SoftPart& part = row.pack.parts[static_cast<std::size_t>(half)];
       moment = std::max(moment, part.mass_kg * 9.81 * length(part.center - hinge.at));
     }
     EXPECT_NEAR(moment / hinge.stiffness_n_m, 0.25, 1e-9) << row.product->sku;
@@ -120,18 +120,18 @@ TEST(SoftPack, SagsByFourteenDegrees) {
 }
 
 TEST(SoftPack, RefusesARowWithoutMassOrSize) {
-  Product pouch = *soft_row("snacks-almonds-natural-500g").product;
-  Product light = pouch, flat = pouch, odd = pouch;
+  catalog::Product pouch = *soft_row("snacks-almonds-natural-500g").product;
+  catalog::Product light = pouch, flat = pouch, odd = pouch;
   light.mass_kg = 0;
   flat.size_mm[1] = 0;
   odd.label.primary = "no colour";
-  EXPECT_EQ(soft_pack_of(light).error().code, "catalog.bad_row");
-  EXPECT_EQ(soft_pack_of(light).error().where, pouch.sku);
-  EXPECT_EQ(soft_pack_of(flat).error().code, "catalog.bad_row");
-  EXPECT_FALSE(soft_pack_of(odd).ok());
-  pouch.rigidity = Rigidity::rigid;
-  ASSERT_TRUE(soft_pack_of(pouch).ok());
-  EXPECT_FALSE(soft_pack_of(pouch)->has_value());
+  EXPECT_EQ(physics::soft_pack_of(light).error().code, "catalog.bad_row");
+  EXPECT_EQ(physics::soft_pack_of(light).error().where, pouch.sku);
+  EXPECT_EQ(physics::soft_pack_of(flat).error().code, "catalog.bad_row");
+  EXPECT_FALSE(physics::soft_pack_of(odd).ok());
+  pouch.rigidity = catalog::Rigidity::rigid;
+  ASSERT_TRUE(physics::soft_pack_of(pouch).ok());
+  EXPECT_FALSE(physics::soft_pack_of(pouch)->has_value());
 }
 
 }  // namespace

@@ -13,16 +13,16 @@
 namespace marketgen {
 
 struct SoftRow {
-  const Product* product;
-  SoftPack pack;
+  const catalog::Product* product;
+  physics::SoftPack pack;
 };
 
 // Made once.
 inline const std::vector<SoftRow>& soft_rows() {
   static const std::vector<SoftRow> rows = [] {
     std::vector<SoftRow> made;
-    for (const Product& product : committed_catalog().products) {
-      const Result<std::optional<SoftPack>> pack = soft_pack_of(product);
+    for (const catalog::Product& product : committed_catalog().products) {
+      const Result<std::optional<physics::SoftPack>> pack = physics::soft_pack_of(product);
       if (!pack.ok()) fatal(to_string(pack.error()).c_str());
       if (*pack) made.push_back({&product, **pack});
     }

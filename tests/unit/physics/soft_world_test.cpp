@@ -15,12 +15,12 @@ constexpr char almonds[] = "snacks-almonds-natural-500g";     // a pouch that st
 constexpr char salmon[] = "dairy-smoked-salmon-sliced-200g";  // its seam is at its left
 
 // On the floor, so that they are in no facing and on no peg.
-Scene floor_of(std::span<const Product* const> products, float pitch_m) {
+scene::Scene floor_of(std::span<const catalog::Product* const> products, float pitch_m) {
   HandMadeScene shop;
-  Scene& scene = shop.scene;
+  scene::Scene& scene = shop.scene;
   const int columns = static_cast<int>(4.4F / pitch_m);
   int i = 0;
-  for (const Product* product : products) {
+  for (const catalog::Product* product : products) {
     const auto sku = static_cast<std::uint32_t>(scene.catalog.size());
     scene.catalog.push_back(*product);
     const float x = 1.2F + pitch_m * static_cast<float>(i % columns);
@@ -31,21 +31,21 @@ Scene floor_of(std::span<const Product* const> products, float pitch_m) {
   return scene;
 }
 
-Scene floor_with(const std::string& sku) {
-  const std::array<const Product*, 1> one{soft_row(sku).product};
+scene::Scene floor_with(const std::string& sku) {
+  const std::array<const catalog::Product*, 1> one{soft_row(sku).product};
   return floor_of(one, 0.5F);
 }
 
-int slot_body(const World& world, const std::string& name) {
+int slot_body(const physics::World& world, const std::string& name) {
   return mj_name2id(&world.model(), mjOBJ_BODY, name.c_str());
 }
-double angle_of(const World& world, const std::string& body) {
+double angle_of(const physics::World& world, const std::string& body) {
   const mjModel& m = world.model();
   return world.data().qpos[m.jnt_qposadr[m.body_jntadr[slot_body(world, body)]]];
 }
 
-std::string drifted(const Scene& scene) {
-  World world = made(scene, {.soft_pool = 100});
+std::string drifted(const scene::Scene& scene) {
+  physics::World world = made(scene, {.soft_pool = 100});
   std::string wrong;
   for (std::uint32_t product = 0; product < scene.products.size(); ++product) {
     if (!world.wake(product).ok()) wrong += " not-woken";
@@ -54,7 +54,7 @@ std::string drifted(const Scene& scene) {
   if (!world.step(10 * second).ok()) return "failed";
   for (std::uint32_t product = 0; product < scene.products.size(); ++product) {
     const double drift =
-        distance(world.product_pose(product), world_from_product(scene.products[product]));
+        distance(world.product_pose(product), scene::world_from_product(scene.products[product]));
     if (drift < 0.001 && !world.awake(product)) continue;
     wrong += fmt::format(" {}: {:.2f} mm{}",
                          scene.catalog[scene.products[product].sku].sku,
@@ -65,11 +65,11 @@ std::string drifted(const Scene& scene) {
 }
 
 TEST(SoftWorld, EverySoftPackStandsStillWhereItsRowSays) {
-  std::vector<Scene> scenes;
+  std::vector<scene::Scene> scenes;
   const std::vector<SoftRow>& rows = soft_rows();
   constexpr std::size_t batch = 60;
   for (std::size_t first = 0; first < rows.size(); first += batch) {
-    std::vector<const Product*> products;
+    std::vector<const catalog::Product*> products;
     for (std::size_t i = first; i < std::min(first + batch, rows.size()); ++i)
       products.push_back(rows[i].product);
     scenes.push_back(floor_of(products, 0.44F));
@@ -80,8 +80,8 @@ TEST(SoftWorld, EverySoftPackStandsStillWhereItsRowSays) {
 }
 
 TEST(SoftWorld, FlapBendsUnderAFingerAndComesBack) {
-  const Scene scene = floor_with(almonds);
-  World world = made(scene, with_finger());
+  const scene::Scene scene = floor_with(almonds);
+  physics::World world = made(scene, with_finger());
   const Pose pouch = world.product_pose(0);
   const auto finger_at = [&](double y) {
     const Pose at{pouch.position + Vec3{0, y, 0.207}, {}};
@@ -99,25 +99,25 @@ TEST(SoftWorld, FlapBendsUnderAFingerAndComesBack) {
   EXPECT_LT(std::abs(angle_of(world, "soft-0-flap")), 0.005);
   EXPECT_FALSE(world.awake(0));
   EXPECT_LT(distance(world.product_pose(0), pouch), 0.001);
-  const std::vector<WorldEvent> events = world.take_events();
-  EXPECT_LE(count(events, EventKind::woke),
+  const std::vector<physics::WorldEvent> events = world.take_events();
+  EXPECT_LE(count(events, physics::EventKind::woke),
             3);  // a finger beside it does not wake it again and again
 }
 
 // From its flap, until a pull of five times its weight takes it off.
 TEST(SoftWorld, APouchHangsByItsSealUntilItIsPulled) {
   HandMadeScene shop;
-  shop.scene.shelves[1].use = ShelfUse::hang;
+  shop.scene.shelves[1].use = assets::ShelfUse::hang;
   shop.scene.catalog.push_back(*soft_row(almonds).product);
   shop.add(3, {3, on_shelf_y, 0.8F});
-  World world = made(shop.scene);
+  physics::World world = made(shop.scene);
   const Pose first = world.product_pose(0);
   ASSERT_TRUE(world.wake(0).ok());
   run(world, 10 * second);
   EXPECT_FALSE(world.awake(0));
   EXPECT_LT(distance(world.product_pose(0), first), 0.001);
 
-  World pulled = made(shop.scene);
+  physics::World pulled = made(shop.scene);
   ASSERT_TRUE(pulled.push(0, {{0, 0.5, 0}, {}}).ok());
   run(pulled, second);
   EXPECT_EQ(pulled.counts().soft_in_pool, 1);
@@ -129,8 +129,8 @@ TEST(SoftWorld, APouchHangsByItsSealUntilItIsPulled) {
 }
 
 // Two smooth supports under its ends.
-WorldOptions with_supports(double apart_m) {
-  WorldOptions options;
+physics::WorldOptions with_supports(double apart_m) {
+  physics::WorldOptions options;
   options.add_actors = [apart_m](mjSpec_& spec) -> Result<void> {
     for (const double side : {-0.5, 0.5}) {
       mjsGeom* support = mjs_addGeom(mjs_findBody(&spec, "world"), nullptr);
@@ -149,8 +149,8 @@ WorldOptions with_supports(double apart_m) {
 // m) that is 0.113 radians. It then rests bent, in its slot, and gives it back when it stands
 // again.
 TEST(SoftWorld, SagsOverAGapAndKeepsItsSlotThere) {
-  const Scene scene = floor_with(almonds);
-  World world = made(scene, with_supports(0.19));
+  const scene::Scene scene = floor_with(almonds);
+  physics::World world = made(scene, with_supports(0.19));
   const Quaternion on_its_back = rotation_from_half_tangent({1, 0, 0}, -1.0);
   const Vec3 lying{3, 2 - 0.215 / 2, 0.2 + 0.065 / 2 + 0.001};
   ASSERT_TRUE(world.place(0, {lying, on_its_back}).ok());
@@ -158,12 +158,12 @@ TEST(SoftWorld, SagsOverAGapAndKeepsItsSlotThere) {
   const double sag = std::abs(angle_of(world, "soft-0-top"));
   EXPECT_NEAR(sag, 0.113, 0.03);
   EXPECT_GT(world.product_pose(0).position.z, 0.2);
-  WorldCounts counts = world.counts();
+  physics::WorldCounts counts = world.counts();
   EXPECT_EQ(counts.soft_in_pool, 1);
   EXPECT_EQ(counts.awake, 0);
-  EXPECT_EQ(count(world.take_events(), EventKind::fell_asleep), 1);
+  EXPECT_EQ(count(world.take_events(), physics::EventKind::fell_asleep), 1);
 
-  ASSERT_TRUE(world.place(0, world_from_product(scene.products[0])).ok());
+  ASSERT_TRUE(world.place(0, scene::world_from_product(scene.products[0])).ok());
   run(world, second);
   counts = world.counts();
   EXPECT_EQ(counts.soft_in_pool, 0);
@@ -171,35 +171,35 @@ TEST(SoftWorld, SagsOverAGapAndKeepsItsSlotThere) {
 }
 
 TEST(SoftWorld, SnapshotInTheMiddleOfMotionAndReplayAreExact) {
-  const std::array<const Product*, 3> three{
+  const std::array<const catalog::Product*, 3> three{
       soft_row(almonds).product, soft_row(salmon).product, soft_row(almonds).product};
-  const Scene scene = floor_of(three, 0.3F);
-  World world = made(scene);
+  const scene::Scene scene = floor_of(three, 0.3F);
+  physics::World world = made(scene);
   for (std::uint32_t product = 0; product < 3; ++product)
     ASSERT_TRUE(world.push(product, {{4.0 - product, 3, 2.0 * product}, {0, 0.1, 0.2}}).ok());
   run(world, 60);
   EXPECT_EQ(world.counts().soft_in_pool, 3);
   EXPECT_NE(angle_of(world, "soft-0-top"), 0);
   EXPECT_NE(angle_of(world, "soft-1-flap"), 0);
-  const WorldSnapshot moving = world.snapshot();
+  const physics::WorldSnapshot moving = world.snapshot();
   run(world, 5 * second);
   const std::string end = world.state_hash();
   EXPECT_EQ(world.counts().soft_in_pool, 0);  // all have come to rest
 
-  World other = made(scene);
+  physics::World other = made(scene);
   ASSERT_TRUE(other.wake(2).ok());  // the first soft body is another pack there
   run(other, 3);
   ASSERT_TRUE(other.restore(moving).ok());
   run(other, 5 * second);
   EXPECT_EQ(other.state_hash(), end);
-  World told = made(scene);
-  ASSERT_TRUE(replay(told, world.commands()).ok());
+  physics::World told = made(scene);
+  ASSERT_TRUE(physics::replay(told, world.commands()).ok());
   EXPECT_EQ(told.state_hash(), end);
 }
 
 // On a floor, thrown, for a second.
 std::vector<double> thrown(mjModel& m) {
-  const MujocoData d = make_data(m, "test").value();
+  const physics::MujocoData d = physics::make_data(m, "test").value();
   d->qpos[2] = 0.3;
   d->qvel[0] = 0.5, d->qvel[3] = 2, d->qvel[5] = -3;
   std::vector<double> path;
@@ -210,33 +210,33 @@ std::vector<double> thrown(mjModel& m) {
   return path;
 }
 
-MujocoModel on_floor(const SoftPack& pack, const GoodsContact& contact) {
-  const MujocoSpec spec(mj_makeSpec(), mj_deleteSpec);
+physics::MujocoModel on_floor(const physics::SoftPack& pack, const physics::GoodsContact& contact) {
+  const physics::MujocoSpec spec(mj_makeSpec(), mj_deleteSpec);
   spec->compiler.degree = false;
-  set_contact_options(*spec, 1e-3);
+  physics::set_contact_options(*spec, 1e-3);
   mjsBody* world = mjs_findBody(spec.get(), "world");
-  add_floor(world);
-  for (mjsGeom* geom : add_soft_body(world, pack, "pack").geoms)
-    set_goods_contact(geom, contact);
-  return compile(*spec, "test").value();
+  physics::add_floor(world);
+  for (mjsGeom* geom : physics::add_soft_body(world, pack, "pack").geoms)
+    physics::set_goods_contact(geom, contact);
+  return physics::compile(*spec, "test").value();
 }
 
 TEST(SoftBody, ASlotMovesBitForBitAsIfCompiled) {
-  const GoodsContact one{4, 0.3, 0.005, 1e-4}, other{4, 0.5, 0.005, 1e-4};
+  const physics::GoodsContact one{4, 0.3, 0.005, 1e-4}, other{4, 0.5, 0.005, 1e-4};
   for (const char* sku : {salmon, "produce-apples-basiko-2-kg"}) {
-    const MujocoModel straight = on_floor(soft_row(sku).pack, one);
-    const MujocoModel slot = on_floor(soft_row(almonds).pack, other);
+    const physics::MujocoModel straight = on_floor(soft_row(sku).pack, one);
+    const physics::MujocoModel slot = on_floor(soft_row(almonds).pack, other);
     EXPECT_NE(thrown(*straight), thrown(*slot));
-    copy_tree(*slot, 1, *soft_model(soft_row(sku).pack, one, "test").value());
+    physics::copy_tree(*slot, 1, *physics::soft_model(soft_row(sku).pack, one, "test").value());
     EXPECT_EQ(thrown(*straight), thrown(*slot)) << sku;
   }
 }
 
 TEST(SoftWorld, AFullSoftPoolFallsBackOnRigidBoxesAndCountsThem) {
-  const std::array<const Product*, 3> three{
+  const std::array<const catalog::Product*, 3> three{
       soft_row(almonds).product, soft_row(almonds).product, soft_row(salmon).product};
-  const Scene scene = floor_of(three, 0.3F);
-  World world = made(scene, {.pool = 1, .soft_pool = 1});
+  const scene::Scene scene = floor_of(three, 0.3F);
+  physics::World world = made(scene, {.pool = 1, .soft_pool = 1});
   ASSERT_TRUE(world.wake(0).ok());
   ASSERT_TRUE(world.wake(1).ok());
   EXPECT_EQ(world.counts().soft_in_pool, 1);
@@ -247,7 +247,7 @@ TEST(SoftWorld, AFullSoftPoolFallsBackOnRigidBoxesAndCountsThem) {
   EXPECT_TRUE(world.wake(2).ok());
   EXPECT_EQ(world.counts().soft_in_pool, 1);
 
-  World rigid = made(scene, {.soft_pool = 0});
+  physics::World rigid = made(scene, {.soft_pool = 0});
   ASSERT_TRUE(rigid.wake(0).ok());
   EXPECT_EQ(rigid.counts().in_pool, 1);
   EXPECT_EQ(rigid.counts().soft_in_pool, 0);
@@ -255,18 +255,19 @@ TEST(SoftWorld, AFullSoftPoolFallsBackOnRigidBoxesAndCountsThem) {
 }
 
 TEST(SoftWorld, ABadRowOrOptionIsAnError) {
-  Scene scene = floor_with(almonds);
-  EXPECT_EQ(World::create(scene, {.soft_pool = -1}).error().where, "WorldOptions.soft_pool");
-  EXPECT_EQ(World::create(scene, {.soft_pool = 300}).error().code, "physics.bad_command");
+  scene::Scene scene = floor_with(almonds);
+  EXPECT_EQ(physics::World::create(scene, {.soft_pool = -1}).error().where,
+            "WorldOptions.soft_pool");
+  EXPECT_EQ(physics::World::create(scene, {.soft_pool = 300}).error().code, "physics.bad_command");
   scene.catalog.back().label.primary = "no colour";  // of which only its mesh takes notice
-  World world = made(scene);
+  physics::World world = made(scene);
   const std::string before = world.state_hash();
   const Result<void> woken = world.wake(0);
   ASSERT_FALSE(woken.ok());
   EXPECT_NE(woken.error().where.find(almonds), std::string::npos) << to_string(woken.error());
   EXPECT_EQ(world.state_hash(), before);
   scene.catalog.back().mass_kg = 0;
-  EXPECT_EQ(World::create(scene, {}).error().code, "catalog.bad_row");
+  EXPECT_EQ(physics::World::create(scene, {}).error().code, "catalog.bad_row");
 }
 
 // ---- A hand with two pads, which closes along Y, lifts and shakes ----
@@ -320,7 +321,8 @@ Result<void> add_hand(mjSpec_& spec, Vec3 at) {
     finger->gravcomp = 1;
     add_slide(finger, name, {0, -side, 0})->damping[0] = pad_force_n / 0.06;  // 60 mm/s at most
     add_motor(spec, name);
-    mjsGeom* pad = add_shape(finger, {CollisionShape::box, {}, {pad_half_m, 0.004, pad_half_m}});
+    mjsGeom* pad = physics::add_shape(
+        finger, {assets::CollisionShape::box, {}, {pad_half_m, 0.004, pad_half_m}});
     mjs_setName(pad->element, name);
     pad->mass = 0.1;
     pad->condim = 4;
@@ -333,7 +335,7 @@ struct Hold {
 };
 
 // Pinches the first soft pack, lifts it by 10 cm and shakes it by 8 mm at 2 m/s^2 along each axis.
-Hold held(World& world, double force_n) {
+Hold held(physics::World& world, double force_n) {
   const auto pose = [&](const char* name) {
     const int body = slot_body(world, name);
     const mjtNum *p = world.data().xpos + 3 * body, *q = world.data().xquat + 4 * body;
@@ -368,21 +370,21 @@ Hold held(World& world, double force_n) {
   return hold;
 }
 
-Hold pinched(const Product& product, double force_n) {
-  const Scene scene = floor_with(product.sku);
-  const Vec3 seam = world_from_product(scene.products[0]).position +
+Hold pinched(const catalog::Product& product, double force_n) {
+  const scene::Scene scene = floor_with(product.sku);
+  const Vec3 seam = scene::world_from_product(scene.products[0]).position +
                     Vec3{0, 0, product.height_m() - pad_half_m - 0.001};
-  WorldOptions options;
+  physics::WorldOptions options;
   options.frictions = committed_catalog().frictions;
   options.actor_materials = {{"pad-left", "rubber"}, {"pad-right", "rubber"}};
   options.add_actors = [&](mjSpec_& spec) { return add_hand(spec, seam); };
-  World world = made(scene, options);
+  physics::World world = made(scene, options);
   return held(world, force_n);
 }
 
 // One in twenty of those with the seam on top and of up to 1.1 kg.
 TEST(SoftWorld, APinchedSeamHoldsWhileItIsLiftedAndShaken) {
-  std::vector<const Product*> upright, some;
+  std::vector<const catalog::Product*> upright, some;
   for (const SoftRow& row : soft_rows()) {
     if (row.pack.parts[2].center.z > 0.01 && row.product->mass_kg < 1.1)
       upright.push_back(row.product);

@@ -18,22 +18,24 @@
 namespace marketgen {
 namespace {
 
-const Scene& stocked_scene() {
+const scene::Scene& stocked_scene() {
   static const HandLaidShop shop = shop_of({"canned", "dairy", "beverages", "household"});
-  static const Scene scene =
-      build_scene(shop.layout, shop.plan, committed_catalog(), Seed(3)).value();
+  static const scene::Scene scene =
+      scene::build_scene(shop.layout, shop.plan, committed_catalog(), Seed(3)).value();
   return scene;
 }
 
-Box3 box_of_product(const StoreModel& store, std::uint32_t product) {
+physics::Box3 box_of_product(const physics::StoreModel& store, std::uint32_t product) {
   const mjModel& m = *store.model;
   const int geom = store.product_geom[product];
   mjtNum turned[9];
   mju_quat2Mat(turned, m.geom_quat + 4 * geom);
-  return box_of_geom(m, geom, m.geom_pos + 3 * geom, turned);
+  return physics::box_of_geom(m, geom, m.geom_pos + 3 * geom, turned);
 }
 
-std::vector<int> found_one_by_one(const StoreModel& store, const StillTree& tree, const Box3& box) {
+std::vector<int> found_one_by_one(const physics::StoreModel& store,
+                                  const physics::StillTree& tree,
+                                  const physics::Box3& box) {
   const mjModel& m = *store.model;
   const int first = m.body_geomadr[store.still_body];
   std::vector<int> found;
@@ -43,11 +45,11 @@ std::vector<int> found_one_by_one(const StoreModel& store, const StillTree& tree
 }
 
 TEST(StillTree, FindsWhatLookingAtEveryBoxFinds) {
-  const StoreModel store = store_model(stocked_scene(), {}).value();
-  const StillTree tree(*store.model, store.still_body);
+  const physics::StoreModel store = physics::store_model(stocked_scene(), {}).value();
+  const physics::StillTree tree(*store.model, store.still_body);
   std::size_t most = 0;
   for (std::uint32_t product = 0; product < store.product_geom.size(); product += 37) {
-    const Box3 box = box_of_product(store, product);
+    const physics::Box3 box = box_of_product(store, product);
     std::vector<int> found = tree.near(box);
     std::ranges::sort(found);
     EXPECT_EQ(found, found_one_by_one(store, tree, box));
@@ -57,20 +59,22 @@ TEST(StillTree, FindsWhatLookingAtEveryBoxFinds) {
 }
 
 TEST(StillTree, FindsWhatWasMovedWhereItIsNow) {
-  const StoreModel store = store_model(stocked_scene(), {}).value();
-  StillTree tree(*store.model, store.still_body);
+  const physics::StoreModel store = physics::store_model(stocked_scene(), {}).value();
+  physics::StillTree tree(*store.model, store.still_body);
   const int geom = store.product_geom[5];
-  const Box3 before = box_of_product(store, 5);
+  const physics::Box3 before = box_of_product(store, 5);
   store.model->geom_pos[3 * geom + 2] += 7;  // above the ceiling
   tree.refit(*store.model, geom);
-  const auto finds = [&](const Box3& box) { return std::ranges::count(tree.near(box), geom); };
+  const auto finds = [&](const physics::Box3& box) {
+    return std::ranges::count(tree.near(box), geom);
+  };
   EXPECT_EQ(finds(before), 0);
   EXPECT_EQ(finds(box_of_product(store, 5)), 1);
 }
 
 using Contact = std::tuple<int, int, double, double, double, double>;
 
-std::vector<Contact> contacts_of(const StoreModel& store, mjData& d) {
+std::vector<Contact> contacts_of(const physics::StoreModel& store, mjData& d) {
   mj_kinematics(store.model.get(), &d);
   mj_comPos(store.model.get(), &d);
   mj_collision(store.model.get(), &d);
@@ -85,44 +89,45 @@ std::vector<Contact> contacts_of(const StoreModel& store, mjData& d) {
 // Every fifth product stands in its place as a body of the pool, so that it touches its neighbours
 // as they stood.
 TEST(NearTree, ContactsAreThoseOfTheWholeTreeInTheSameOrder) {
-  const StoreModel store = store_model(stocked_scene(), {}).value();
+  const physics::StoreModel store = physics::store_model(stocked_scene(), {}).value();
   mjModel& m = *store.model;
   m.opt.enableflags &= ~mjENBL_SLEEP;
-  const MujocoData data = make_data(m, "test").value();
-  HullMeshes hulls(m);
-  NearTree near(m, store.still_body);
+  const physics::MujocoData data = physics::make_data(m, "test").value();
+  physics::HullMeshes hulls(m);
+  physics::NearTree near(m, store.still_body);
   const std::size_t step = store.product_geom.size() / 100;
   for (std::size_t body = 0; body < 100; ++body) {
     const auto product = static_cast<std::uint32_t>(body * step);
-    const SceneProduct& item = stocked_scene().products[product];
-    const auto goods = rigid_goods(stocked_scene().catalog[item.sku]).value();
+    const scene::SceneProduct& item = stocked_scene().products[product];
+    const auto goods = physics::rigid_goods(stocked_scene().catalog[item.sku]).value();
     const Pose pose =
-        Pose{{0.004, 0, -0.001}, {}} * world_from_product(item) * goods->product_from_body;
+        Pose{{0.004, 0, -0.001}, {}} * scene::world_from_product(item) * goods->product_from_body;
     const int first_mesh = goods->model->nmesh > 0 ? hulls.add(*goods->model) : 0;
-    dress_body(m, *data, store.pool[body], *goods->model, first_mesh, shape_pose_of(pose));
+    physics::dress_body(
+        m, *data, store.pool[body], *goods->model, first_mesh, physics::shape_pose_of(pose));
     near.follow(store.pool[body].geom, box_of_product(store, product));
   }
   for (std::size_t body = 100; body < store.pool.size(); ++body)
-    collide_body(m, store.pool[body], false);
+    physics::collide_body(m, store.pool[body], false);
   const std::vector<Contact> whole = contacts_of(store, *data);
   const int all_nodes = m.body_bvhnum[store.still_body];
   near.write(m);
   EXPECT_LT(m.body_bvhnum[store.still_body], all_nodes / 2);
   EXPECT_EQ(contacts_of(store, *data), whole);
-  shorten_bit_filter(m, store.still_body);
-  const FirstGeoms moving(m, m.body_geomadr[store.still_body]);
+  physics::shorten_bit_filter(m, store.still_body);
+  const physics::FirstGeoms moving(m, m.body_geomadr[store.still_body]);
   EXPECT_EQ(contacts_of(store, *data), whole);
   EXPECT_GT(whole.size(), 300U);
 }
 
 TEST(NearTree, HoldsWhereItHasLookedAndLooksAgainFurtherAway) {
-  const StoreModel store = store_model(stocked_scene(), {}).value();
+  const physics::StoreModel store = physics::store_model(stocked_scene(), {}).value();
   mjModel& m = *store.model;
-  NearTree near(m, store.still_body);
+  physics::NearTree near(m, store.still_body);
   const int mover = store.pool[0].geom;
-  const Box3 here = box_of_product(store, 0);
+  const physics::Box3 here = box_of_product(store, 0);
   const auto moved = [&](double by) {
-    return Box3{here.low + Vec3{by, 0, 0}, here.high + Vec3{by, 0, 0}};
+    return physics::Box3{here.low + Vec3{by, 0, 0}, here.high + Vec3{by, 0, 0}};
   };
   EXPECT_FALSE(near.holds(mover, here));
   near.follow(mover, here);

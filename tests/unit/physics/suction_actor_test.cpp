@@ -28,17 +28,17 @@ struct Goods {
 };
 
 struct CupStage {
-  Scene scene;
-  Robot robot;
-  RobotActorOptions options;
-  std::unique_ptr<World> world;
-  RobotActor actor;
-  SuctionActor cups;
+  scene::Scene scene;
+  robots::Robot robot;
+  physics::RobotActorOptions options;
+  std::unique_ptr<physics::World> world;
+  physics::RobotActor actor;
+  physics::SuctionActor cups;
 
-  const Tool& cup() const { return robot.tools.at(0); }
+  const robots::Tool& cup() const { return robot.tools.at(0); }
   auto sealed() const { return cups.sealed_product(*world, cup()); }
   Pose lip() const {
-    return options.world_from_base * frame_pose(robot, actor.position(*world), cup().frame);
+    return options.world_from_base * robots::frame_pose(robot, actor.position(*world), cup().frame);
   }
   void suck(bool on) { ASSERT_TRUE(cups.suck(*world, cup(), on).ok()); }
   void hold(int steps) {
@@ -76,22 +76,23 @@ std::unique_ptr<CupStage> cup_over(const Goods& goods) {
   shop.add(goods.sku, {3, front_y, upper + (goods.rotation == lying ? half : 0)}, goods.rotation);
   stage->scene = shop.scene;
   stage->robot = committed_robot("panda", {{"tool", "suction-cup"}});
-  stage->options.state =
-      with_posture(*stage->robot.find_posture("ready"), neutral_state(stage->robot));
+  stage->options.state = robots::with_posture(*stage->robot.find_posture("ready"),
+                                              robots::neutral_state(stage->robot));
   const Quaternion north = rotation_about({0, 0, 1}, std::numbers::pi / 2);
-  const Vec3 tip = frame_pose(stage->robot, stage->options.state, stage->cup().frame).position;
+  const Vec3 tip =
+      robots::frame_pose(stage->robot, stage->options.state, stage->cup().frame).position;
   const double middle_y = front_y - (goods.rotation == lying ? 0.05 : 0);
   const Vec3 over{3 + goods.beside_m, middle_y, upper + goods.high_m + goods.apart_m};
   stage->options.world_from_base = {over - rotate(north, tip), north};
-  WorldOptions options;
+  physics::WorldOptions options;
   options.frictions = committed_catalog().frictions;
-  options.cups = robot_cups(stage->robot, stage->options);
+  options.cups = physics::robot_cups(stage->robot, stage->options);
   options.add_actors = [s = stage.get()](mjSpec_& spec) {
-    return add_robot(spec, s->robot, s->options);
+    return physics::add_robot(spec, s->robot, s->options);
   };
-  stage->world = std::make_unique<World>(made(stage->scene, std::move(options)));
-  stage->actor = RobotActor::find(*stage->world, stage->robot).value();
-  stage->cups = SuctionActor::find(*stage->world, stage->robot).value();
+  stage->world = std::make_unique<physics::World>(made(stage->scene, std::move(options)));
+  stage->actor = physics::RobotActor::find(*stage->world, stage->robot).value();
+  stage->cups = physics::SuctionActor::find(*stage->world, stage->robot).value();
   return stage;
 }
 
@@ -151,7 +152,7 @@ TEST(SuctionActor, CarriesWhatItHolds) {
 // It pulls with 25 N, and with a third of that at each of three points. Lifted, the box hangs askew
 // by 6 degrees, its middle 14 mm beside the lip's: with 3 N more the highest point bears 6.4 N.
 TEST(SuctionActor, BreaksWhenItIsOverloaded) {
-  const auto holds = [](const Wrench& wrench) {
+  const auto holds = [](const physics::Wrench& wrench) {
     const auto stage = cup_over({});
     stage->suck(true);
     stage->hold(5);
@@ -204,12 +205,12 @@ TEST(SuctionActor, RepeatsBitForBitAndGoesOnFromASnapshot) {
   stage->hold(5);
   const std::string hash_sealed = stage->world->state_hash();
   stage->sway(0.2, 1);
-  const WorldSnapshot swaying = stage->world->snapshot();
+  const physics::WorldSnapshot swaying = stage->world->snapshot();
   stage->sway(0.3, 1);
   ASSERT_EQ(stage->sealed(), 0U);
   const std::string end = stage->world->state_hash();
 
-  const auto as_bytes = WorldSnapshot::of_bytes(swaying.bytes());
+  const auto as_bytes = physics::WorldSnapshot::of_bytes(swaying.bytes());
   ASSERT_TRUE(as_bytes.ok());
   ASSERT_TRUE(other->world->restore(*as_bytes).ok());
   EXPECT_EQ(other->sealed(), 0U);
@@ -217,12 +218,12 @@ TEST(SuctionActor, RepeatsBitForBitAndGoesOnFromASnapshot) {
   EXPECT_EQ(other->world->state_hash(), end);
 
   const auto again = cup_over({});
-  ASSERT_TRUE(replay(*again->world, stage->world->commands()).ok());
+  ASSERT_TRUE(physics::replay(*again->world, stage->world->commands()).ok());
   EXPECT_EQ(again->world->state_hash(), end);
 
   // Back to before it was sealed, and on without.
   const auto fresh = cup_over({});
-  const WorldSnapshot start = fresh->world->snapshot();
+  const physics::WorldSnapshot start = fresh->world->snapshot();
   fresh->hold(5);
   const std::string unsealed = fresh->world->state_hash();
   EXPECT_NE(unsealed, hash_sealed);
@@ -245,19 +246,20 @@ TEST(SuctionActor, APlacedProductIsLetGo) {
 
 TEST(SuctionActor, BadCommandsAreErrors) {
   const auto stage = cup_over({});
-  const Robot hand = committed_robot("panda");
+  const robots::Robot hand = committed_robot("panda");
   const auto code = [](const auto& r) { return r.ok() ? std::string("ok") : r.error().code; };
   const std::string before = stage->world->state_hash();
-  Tool gripper = hand.tools.at(0);
+  robots::Tool gripper = hand.tools.at(0);
   gripper.prefix = "other";
   EXPECT_EQ(code(stage->cups.suck(*stage->world, gripper, true)), "physics.bad_command");
   EXPECT_EQ(code(stage->world->suck(7, true)), "physics.bad_command");
   EXPECT_EQ(stage->world->state_hash(), before);
-  EXPECT_EQ(code(SuctionActor::find(*stage->world, stage->robot, "none/")), "physics.bad_command");
-  const auto with_cups = [&](WorldCup cup) {
-    WorldOptions options;
+  EXPECT_EQ(code(physics::SuctionActor::find(*stage->world, stage->robot, "none/")),
+            "physics.bad_command");
+  const auto with_cups = [&](physics::WorldCup cup) {
+    physics::WorldOptions options;
     options.cups = {std::move(cup)};
-    return code(World::create(stage->scene, std::move(options)));
+    return code(physics::World::create(stage->scene, std::move(options)));
   };
   EXPECT_EQ(with_cups({"nowhere", {}, 0.01, 0.001, 20}), "physics.bad_command");
   EXPECT_EQ(with_cups({"pool-0", {}, -1, 0.001, 20}), "physics.bad_command");

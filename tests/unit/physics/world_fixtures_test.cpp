@@ -8,8 +8,8 @@ namespace {
 
 TEST(World, ABeltCarriesWhatStandsOnIt) {
   HandMadeScene shop;
-  const Scene scene = with_joint(shop, JointKind::belt);
-  World world = made(scene);
+  const scene::Scene scene = with_joint(shop, assets::JointKind::belt);
+  physics::World world = made(scene);
   ASSERT_TRUE(world.set_belt_speed(0, 0.2).ok());
   EXPECT_TRUE(world.awake(0));
   run(world, second);
@@ -23,8 +23,8 @@ TEST(World, ABeltCarriesWhatStandsOnIt) {
 
 TEST(World, ADrawerTakesItsGoodsAlong) {
   HandMadeScene shop;
-  const Scene scene = with_joint(shop, JointKind::slide);
-  World world = made(scene);
+  const scene::Scene scene = with_joint(shop, assets::JointKind::slide);
+  physics::World world = made(scene);
   run(world, 100);
   EXPECT_EQ(world.counts().woken, 0);
   ASSERT_TRUE(world.set_joint_force(0, 0.2).ok());
@@ -40,8 +40,8 @@ TEST(World, ADrawerTakesItsGoodsAlong) {
 // A flap of 2 kg, 1.5 m before its hinge, falls until its limit of half a radian holds it.
 TEST(World, AFlapFallsToItsLimit) {
   HandMadeScene shop;
-  const Scene scene = with_joint(shop, JointKind::hinge);
-  World world = made(scene);
+  const scene::Scene scene = with_joint(shop, assets::JointKind::hinge);
+  physics::World world = made(scene);
   ASSERT_TRUE(world.set_joint_force(0, -0.1).ok());  // wakes it
   run(world, 4 * second);
   EXPECT_NEAR(std::abs(world.joint_position(0)), 0.5, 0.03);
@@ -50,11 +50,11 @@ TEST(World, AFlapFallsToItsLimit) {
 TEST(World,
      FrictionComesFromTheMaterialPair) {  // cardboard on a rubber belt: 0.7, not the can's 0.4
   HandMadeScene shop;
-  const Scene scene = with_joint(shop, JointKind::belt);
+  const scene::Scene scene = with_joint(shop, assets::JointKind::belt);
   for (const bool with_table : {true, false}) {
-    WorldOptions options;
+    physics::WorldOptions options;
     if (with_table) options.frictions = {{"cardboard", "rubber", 0.7, "", "", {}}};
-    World world = made(scene, options);
+    physics::World world = made(scene, options);
     ASSERT_TRUE(world.push(0, {{0.5 * 0.35 * 9.81, 0, 0}, {}}).ok());
     run(world, 100);
     const double way = world.product_pose(0).position.x - 3;

@@ -5,8 +5,8 @@
 namespace marketgen {
 namespace {
 
-World pushed_row(const Scene& scene) {
-  World world = made(scene);
+physics::World pushed_row(const scene::Scene& scene) {
+  physics::World world = made(scene);
   EXPECT_TRUE(world.push(0, {{4, 0.3, 0}, {}}).ok());
   EXPECT_TRUE(world.step(60).ok());
   return world;
@@ -18,7 +18,7 @@ TEST(World, IsTheSameForEveryThreadCount) {
   for (const int threads : {1, 2, 4}) {
     const ThreadLimit limit(threads);
     for (const std::string& hash : parallel_map(4, [&](std::size_t) {
-           World world = pushed_row(shop.scene);
+           physics::World world = pushed_row(shop.scene);
            return world.step(2 * second).ok() ? world.state_hash() : std::string("failed");
          }))
       hashes.push_back(hash);
@@ -29,8 +29,8 @@ TEST(World, IsTheSameForEveryThreadCount) {
 
 TEST(World, GoesOnFromASnapshotAsIfNothingHadHappened) {
   const HandMadeScene shop = row_of_cans(10);
-  World world = pushed_row(shop.scene);
-  const WorldSnapshot half_way = world.snapshot();
+  physics::World world = pushed_row(shop.scene);
+  const physics::WorldSnapshot half_way = world.snapshot();
   const std::string before = world.state_hash();
   run(world, second);
   const std::string end = world.state_hash();
@@ -41,28 +41,28 @@ TEST(World, GoesOnFromASnapshotAsIfNothingHadHappened) {
   run(world, second);
   EXPECT_EQ(world.state_hash(), end);
 
-  World other = made(shop.scene);
+  physics::World other = made(shop.scene);
   ASSERT_TRUE(other.place(7, {{1, 1, 0.5}, {}}).ok());
   run(other, 77);
   ASSERT_TRUE(other.restore(half_way).ok());
   run(other, second);
   EXPECT_EQ(other.state_hash(), end);
-  EXPECT_EQ(distance(other.product_pose(7), world_from_product(shop.scene.products[7])), 0);
+  EXPECT_EQ(distance(other.product_pose(7), scene::world_from_product(shop.scene.products[7])), 0);
 
   const std::string bytes = half_way.bytes();  // as another process would have it
-  const auto read = WorldSnapshot::of_bytes(bytes);
+  const auto read = physics::WorldSnapshot::of_bytes(bytes);
   ASSERT_TRUE(read.ok());
-  World third = made(shop.scene);
+  physics::World third = made(shop.scene);
   ASSERT_TRUE(third.restore(*read).ok());
   EXPECT_EQ(third.snapshot().bytes(), bytes);
   run(third, second);
   EXPECT_EQ(third.state_hash(), end);
   for (const std::size_t length : {std::size_t{0}, bytes.size() / 2, bytes.size() - 1})
-    EXPECT_FALSE(WorldSnapshot::of_bytes(bytes.substr(0, length)).ok());
+    EXPECT_FALSE(physics::WorldSnapshot::of_bytes(bytes.substr(0, length)).ok());
 }
 
 // A push every five seconds.
-void thirty_seconds(World& world, int from_push = 0, int to_push = 6) {
+void thirty_seconds(physics::World& world, int from_push = 0, int to_push = 6) {
   for (int i = from_push; i < to_push; ++i) {
     ASSERT_TRUE(world.push(static_cast<std::uint32_t>(i), {{3, 0.2 * i, 0}, {}}).ok());
     run(world, 60);
@@ -73,29 +73,29 @@ void thirty_seconds(World& world, int from_push = 0, int to_push = 6) {
 TEST(World, ThirtySecondsAreTheSameOverThreadsSnapshotAndReplay) {
   const HandMadeScene shop = row_of_cans(6);
   const std::vector<std::string> threads = parallel_map(2, [&](std::size_t) {
-    World world = made(shop.scene);
+    physics::World world = made(shop.scene);
     thirty_seconds(world);
     return world.state_hash();
   });
-  World straight = made(shop.scene);
+  physics::World straight = made(shop.scene);
   thirty_seconds(straight);
   EXPECT_NEAR(straight.time_s(), 30, 1e-9);
   EXPECT_GT(straight.moved_products().size(), 1U);
   EXPECT_EQ(threads, std::vector<std::string>(2, straight.state_hash()));
 
-  World first_half = made(shop.scene), second_half = made(shop.scene);
+  physics::World first_half = made(shop.scene), second_half = made(shop.scene);
   thirty_seconds(first_half, 0, 3);
   ASSERT_TRUE(second_half.restore(first_half.snapshot()).ok());
   thirty_seconds(second_half, 3, 6);
   EXPECT_EQ(second_half.state_hash(), straight.state_hash());
 
-  World told = made(shop.scene);
-  ASSERT_TRUE(replay(told, straight.commands()).ok());
+  physics::World told = made(shop.scene);
+  ASSERT_TRUE(physics::replay(told, straight.commands()).ok());
   EXPECT_EQ(told.state_hash(), straight.state_hash());
 }
 
 // The finger goes on by a millimetre every other step, into the side of the first can.
-void poke(World& world, int from_mm, int to_mm) {
+void poke(physics::World& world, int from_mm, int to_mm) {
   const float start_x = 2.6F - 0.033F - 0.02F;
   for (int i = from_mm; i < to_mm; ++i) {
     const Vec3 tip{start_x + 0.001 * i, on_shelf_y, lower + 0.05};
@@ -107,30 +107,31 @@ void poke(World& world, int from_mm, int to_mm) {
 // How contacts are solved depends on whether an actor touches something.
 TEST(World, GoesOnFromASnapshotTakenWhileAnActorPushes) {
   const HandMadeScene shop = row_of_cans(4);
-  World straight = made(shop.scene, with_finger());
+  physics::World straight = made(shop.scene, with_finger());
   poke(straight, 0, 30);
-  const WorldSnapshot pushing = straight.snapshot();
-  EXPECT_TRUE(std::ranges::any_of(straight.contacts(), [](const WorldContact& contact) {
-    return contact.a.kind == BodyKind::product && contact.b.kind == BodyKind::actor;
+  const physics::WorldSnapshot pushing = straight.snapshot();
+  EXPECT_TRUE(std::ranges::any_of(straight.contacts(), [](const physics::WorldContact& contact) {
+    return contact.a.kind == physics::BodyKind::product &&
+           contact.b.kind == physics::BodyKind::actor;
   }));
   EXPECT_GT(straight.model().opt.noslip_iterations, 0);
   poke(straight, 30, 60);
 
-  World other = made(shop.scene, with_finger());
+  physics::World other = made(shop.scene, with_finger());
   ASSERT_TRUE(other.restore(pushing).ok());
   poke(other, 30, 60);
   EXPECT_EQ(other.state_hash(), straight.state_hash());
-  World told = made(shop.scene, with_finger());
-  ASSERT_TRUE(replay(told, straight.commands()).ok());
+  physics::World told = made(shop.scene, with_finger());
+  ASSERT_TRUE(physics::replay(told, straight.commands()).ok());
   EXPECT_EQ(told.state_hash(), straight.state_hash());
 }
 
 TEST(World, TellingAnotherWorldTheSameGivesTheSame) {
   const HandMadeScene shop = row_of_cans(10);
-  World world = pushed_row(shop.scene);
+  physics::World world = pushed_row(shop.scene);
   run(world, second);
-  World other = made(shop.scene);
-  ASSERT_TRUE(replay(other, world.commands()).ok());
+  physics::World other = made(shop.scene);
+  ASSERT_TRUE(physics::replay(other, world.commands()).ok());
   EXPECT_EQ(other.state_hash(), world.state_hash());
   run(other, 1);
   EXPECT_NE(other.state_hash(), world.state_hash());

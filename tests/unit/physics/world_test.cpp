@@ -9,7 +9,7 @@ namespace {
 TEST(World, NothingMovesThatNobodyTouches) {
   HandMadeScene shop;
   shop.stock();
-  World world = made(shop.scene);
+  physics::World world = made(shop.scene);
   EXPECT_EQ(world.counts().products, 8);
   run(world, second);
   EXPECT_EQ(world.counts().woken, 0);
@@ -21,31 +21,32 @@ TEST(World, NothingMovesThatNobodyTouches) {
 TEST(World, AWokenCanRestsWhereItStoodAndBecomesStaticAgain) {
   HandMadeScene shop;
   const std::uint32_t it = shop.add(can, {3, on_shelf_y, lower});
-  World world = made(shop.scene);
+  physics::World world = made(shop.scene);
   ASSERT_TRUE(world.wake(it).ok());
   EXPECT_TRUE(world.awake(it));
   run(world, second);
   EXPECT_FALSE(world.awake(it));
   EXPECT_EQ(world.counts().in_pool, 0);
-  EXPECT_LT(distance(world.product_pose(it), world_from_product(shop.scene.products[it])), 0.0005);
-  const std::vector<WorldEvent> events = world.take_events();
-  EXPECT_EQ(count(events, EventKind::woke), 1);
-  EXPECT_EQ(count(events, EventKind::fell_asleep), 1);
-  EXPECT_EQ(count(events, EventKind::displaced), 0);
+  EXPECT_LT(distance(world.product_pose(it), scene::world_from_product(shop.scene.products[it])),
+            0.0005);
+  const std::vector<physics::WorldEvent> events = world.take_events();
+  EXPECT_EQ(count(events, physics::EventKind::woke), 1);
+  EXPECT_EQ(count(events, physics::EventKind::fell_asleep), 1);
+  EXPECT_EQ(count(events, physics::EventKind::displaced), 0);
 }
 
 TEST(World, AStandingCanPressesWithItsWeight) {
   HandMadeScene shop;
   const std::uint32_t it = shop.add(can, {3, on_shelf_y, lower});
-  World world = made(shop.scene);
+  physics::World world = made(shop.scene);
   double pressed = 0;
   for (int i = 0; i < 100; ++i) {
     ASSERT_TRUE(world.push(it, {}).ok());  // keeps it awake
     run(world, 1);
   }
-  for (const WorldContact& contact : world.contacts()) {
-    EXPECT_EQ(contact.a.kind, BodyKind::fixture);
-    EXPECT_EQ(contact.b.kind, BodyKind::product);
+  for (const physics::WorldContact& contact : world.contacts()) {
+    EXPECT_EQ(contact.a.kind, physics::BodyKind::fixture);
+    EXPECT_EQ(contact.b.kind, physics::BodyKind::product);
     EXPECT_EQ(contact.b.row, it);
     pressed += contact.force_n.z;
   }
@@ -58,18 +59,18 @@ TEST(World, EveryContactHasTheFrictionOfItsPair) {
   const double height = shop.scene.catalog[cereal].height_m();
   const std::uint32_t below = shop.add(cereal, {3, on_shelf_y, upper});
   const std::uint32_t above = shop.add(cereal, {3, on_shelf_y, upper + static_cast<float>(height)});
-  WorldOptions options;
+  physics::WorldOptions options;
   options.frictions = {{"cardboard", "steel", 0.35, "", "", {}},
                        {"cardboard", "cardboard", 0.5, "", "", {}}};
-  World world = made(shop.scene, options);
+  physics::World world = made(shop.scene, options);
   for (int i = 0; i < 50; ++i) {
     ASSERT_TRUE(world.push(below, {}).ok());
     ASSERT_TRUE(world.push(above, {}).ok());
     run(world, 1);
   }
   int on_shelf = 0, on_carton = 0;
-  for (const WorldContact& contact : world.contacts()) {
-    const bool goods = contact.a.kind == BodyKind::product;
+  for (const physics::WorldContact& contact : world.contacts()) {
+    const bool goods = contact.a.kind == physics::BodyKind::product;
     (goods ? on_carton : on_shelf) += 1;
     EXPECT_NEAR(contact.friction, goods ? 0.5 : 0.35, 1e-12);
   }
@@ -81,35 +82,35 @@ TEST(World, TheCanAboveFallsWhenTheLowerOneIsTaken) {
   HandMadeScene shop;
   const std::uint32_t below = shop.add(can, {3, on_shelf_y, lower});
   const std::uint32_t above = shop.add(can, {3, on_shelf_y, lower + can_height});
-  World world = made(shop.scene);
+  physics::World world = made(shop.scene);
   ASSERT_TRUE(world.place(below, {{1, 1, 0.3}, {}}).ok());
   EXPECT_TRUE(world.awake(above));
   run(world, 2 * second);
   EXPECT_NEAR(world.product_pose(above).position.z, double(lower), 0.001);
   EXPECT_NEAR(world.product_pose(below).position.z, 0, 0.001);
-  const std::vector<WorldEvent> events = world.take_events();
-  EXPECT_EQ(count(events, EventKind::dropped), 2);
-  EXPECT_EQ(count(events, EventKind::displaced), 2);
+  const std::vector<physics::WorldEvent> events = world.take_events();
+  EXPECT_EQ(count(events, physics::EventKind::dropped), 2);
+  EXPECT_EQ(count(events, physics::EventKind::displaced), 2);
   EXPECT_EQ(world.counts().in_pool, 0);
 }
 
 TEST(World, AKnockedOverBoxIsReported) {
   HandMadeScene shop;
   const std::uint32_t it = shop.add(cereal, {3, on_shelf_y, HandMadeScene::upper_board_m});
-  World world = made(shop.scene);
+  physics::World world = made(shop.scene);
   ASSERT_TRUE(world.push(it, {{}, {0.4, 0, 0}}).ok());
   run(world, 100);
   run(world, 2 * second);
-  EXPECT_EQ(count(world.take_events(), EventKind::toppled), 1);
+  EXPECT_EQ(count(world.take_events(), physics::EventKind::toppled), 1);
 }
 
 // The same push in a model in which every can is a free body from the start.
-std::vector<Vec3> reference_push(const Scene& scene, Vec3 force, int steps, int after) {
+std::vector<Vec3> reference_push(const scene::Scene& scene, Vec3 force, int steps, int after) {
   std::vector<std::uint32_t> all(scene.products.size());
   for (std::uint32_t i = 0; i < all.size(); ++i)
     all[i] = i;
-  const Result<SettleModel> built = settle_model(scene, all, 3);
-  const Result<MujocoData> data = make_data(*built->model, "reference");
+  const Result<physics::SettleModel> built = physics::settle_model(scene, all, 3);
+  const Result<physics::MujocoData> data = physics::make_data(*built->model, "reference");
   mjData* d = data->get();
   for (int i = 0; i < steps + after; ++i) {
     const bool pushing = i < steps;
@@ -128,7 +129,7 @@ TEST(World, PushingARowWakesWhatMovesAndEndsAsIfAllWereFree) {
   const HandMadeScene shop = row_of_cans(10);
   const Vec3 force{4, 0, 0};
   constexpr int pushed = 60;
-  World world = made(shop.scene);
+  physics::World world = made(shop.scene);
   ASSERT_TRUE(world.push(0, {force, {}}).ok());
   run(world, pushed);
   run(world, second);
@@ -136,7 +137,7 @@ TEST(World, PushingARowWakesWhatMovesAndEndsAsIfAllWereFree) {
   const std::vector<std::uint32_t> woken = world.moved_products();
   int moved = 0;
   for (std::uint32_t i = 0; i < 10; ++i) {
-    const Vec3 start = world_from_product(shop.scene.products[i]).position;
+    const Vec3 start = scene::world_from_product(shop.scene.products[i]).position;
     const bool moves = length(ends[i] - start) > 0.001;
     moved += moves ? 1 : 0;
     EXPECT_EQ(std::ranges::binary_search(woken, i), moves) << i;
@@ -148,7 +149,7 @@ TEST(World, PushingARowWakesWhatMovesAndEndsAsIfAllWereFree) {
 
 TEST(World, AFingerPushesWhatIsInItsWay) {
   const HandMadeScene shop = row_of_cans(3);
-  World world = made(shop.scene, with_finger());
+  physics::World world = made(shop.scene, with_finger());
   constexpr double start = 2.6 - 0.033 - 0.015, way = 0.03;
   for (int i = 0; i <= 300;
        ++i) {  // 30 mm at 0.05 m/s: 25 mm into the first, 20 mm into the second
@@ -166,12 +167,13 @@ TEST(World, AFingerPushesWhatIsInItsWay) {
 
 TEST(World, GoodsOnPegsHangUntilTheyArePulled) {
   HandMadeScene shop;
-  shop.scene.shelves[1].use = ShelfUse::hang;
+  shop.scene.shelves[1].use = assets::ShelfUse::hang;
   const std::uint32_t it = shop.add(cereal, {3, on_shelf_y - 0.6F, 1.2F});
-  World world = made(shop.scene);
+  physics::World world = made(shop.scene);
   ASSERT_TRUE(world.wake(it).ok());
   run(world, second);
-  EXPECT_LT(distance(world.product_pose(it), world_from_product(shop.scene.products[it])), 0.001);
+  EXPECT_LT(distance(world.product_pose(it), scene::world_from_product(shop.scene.products[it])),
+            0.001);
   ASSERT_TRUE(world.wake(it).ok());
   EXPECT_EQ(world.moved_products().size(), 1U);
 }

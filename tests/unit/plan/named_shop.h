@@ -13,17 +13,18 @@
 namespace marketgen {
 
 struct NamedShop {
-  std::vector<Opening> openings{{"entrance", OpeningKind::entrance, Wall::south, 0.2, 2000},
-                                {"way-out", OpeningKind::exit, Wall::south, 0.8, 2000}};
-  std::vector<PlacedZone> zones{{"produce", "produce", {0, 0, 4000, 3000}},
-                                {"bakery", "bakery", {5000, 0, 8000, 3000}},
-                                {"snacks", "snacks", {8000, 0, 9000, 3000}},
-                                {"checkout", "checkout", {14000, 0, 19000, 2000}},
-                                {"canned", "canned", {2000, 4000, 8000, 8000}},
-                                {"frozen", "frozen", {9000, 4000, 11000, 6000}},
-                                {"dairy", "dairy", {12000, 8500, 20000, 10000}}};
+  std::vector<plan::Opening> openings{
+      {"entrance", plan::OpeningKind::entrance, plan::Wall::south, 0.2, 2000},
+      {"way-out", plan::OpeningKind::exit, plan::Wall::south, 0.8, 2000}};
+  std::vector<plan::PlacedZone> zones{{"produce", "produce", {0, 0, 4000, 3000}},
+                                      {"bakery", "bakery", {5000, 0, 8000, 3000}},
+                                      {"snacks", "snacks", {8000, 0, 9000, 3000}},
+                                      {"checkout", "checkout", {14000, 0, 19000, 2000}},
+                                      {"canned", "canned", {2000, 4000, 8000, 8000}},
+                                      {"frozen", "frozen", {9000, 4000, 11000, 6000}},
+                                      {"dairy", "dairy", {12000, 8500, 20000, 10000}}};
 
-  NamedFloor floor() const { return {{0, 0, 20000, 10000}, openings, zones}; }
+  plan::NamedFloor floor() const { return {{0, 0, 20000, 10000}, openings, zones}; }
 };
 
 }  // namespace marketgen

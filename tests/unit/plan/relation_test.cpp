@@ -12,14 +12,15 @@
 namespace marketgen {
 namespace {
 
-using enum RelationKind;
+using enum plan::RelationKind;
 
-std::optional<RelationMeasure> measured(const NamedShop& shop, const RelationTerms& relation) {
-  return measure_relation(shop.floor(), relation);
+std::optional<plan::RelationMeasure> measured(const NamedShop& shop,
+                                              const plan::RelationTerms& relation) {
+  return plan::measure_relation(shop.floor(), relation);
 }
 
 struct SlackCase {
-  RelationTerms relation;
+  plan::RelationTerms relation;
   double slack_m;
 };
 
@@ -28,7 +29,7 @@ void expect_slack(const NamedShop& shop, const std::vector<SlackCase>& cases) {
     const auto measure = measured(shop, relation);
     ASSERT_TRUE(measure) << relation.a << " " << name_of(relation.kind) << " " << relation.b;
     EXPECT_NEAR(measure->slack_m(), slack_m, 1e-3)
-        << words_of(shop.floor(), relation, measure) << ", " << relation.c;
+        << plan::words_of(shop.floor(), relation, measure) << ", " << relation.c;
     EXPECT_EQ(measure->holds(), slack_m >= 0);
   }
 }
@@ -85,25 +86,25 @@ TEST(Relations, BetweenIsOnTheWayFromOneToTheOther) {
 
 TEST(Relations, NearIsThreeMetresInASmallShop) {
   NamedShop shop;
-  const NamedFloor small{{0, 0, 6000, 6000},
-                         shop.openings,
-                         {{"a", "a", {0, 0, 1000, 1000}}, {"b", "b", {4000, 0, 5000, 1000}}}};
-  EXPECT_NEAR(measure_relation(small, {near, "a", "b"})->slack_m(), 0, 1e-9);
+  const plan::NamedFloor small{{0, 0, 6000, 6000},
+                               shop.openings,
+                               {{"a", "a", {0, 0, 1000, 1000}}, {"b", "b", {4000, 0, 5000, 1000}}}};
+  EXPECT_NEAR(plan::measure_relation(small, {near, "a", "b"})->slack_m(), 0, 1e-9);
 }
 
 TEST(Relations, LeftTurnsWithTheEntrance) {
   NamedShop shop;
-  shop.openings[0].wall = Wall::west;  // who comes in walks east: north is on the left
+  shop.openings[0].wall = plan::Wall::west;  // who comes in walks east: north is on the left
   EXPECT_TRUE(measured(shop, {left_of, "dairy", "bakery"})->holds());
   EXPECT_TRUE(measured(shop, {right_of, "bakery", "dairy"})->holds());
   EXPECT_TRUE(measured(shop, {behind, "checkout", "produce"})->holds());
-  shop.openings[0].wall = Wall::north;
+  shop.openings[0].wall = plan::Wall::north;
   EXPECT_TRUE(measured(shop, {left_of, "checkout", "produce"})->holds());
 }
 
 TEST(Relations, AShopWithoutAnEntranceIsSeenFromItsExit) {
   NamedShop shop;
-  shop.openings = {{"out", OpeningKind::exit, Wall::north, 0.5, 2000}};
+  shop.openings = {{"out", plan::OpeningKind::exit, plan::Wall::north, 0.5, 2000}};
   EXPECT_TRUE(measured(shop, {behind, "bakery", "dairy"})->holds());
 }
 
@@ -119,26 +120,27 @@ TEST(Relations, OneOfTwoIsEnoughToBeNearNotToBeFar) {
 
 TEST(Relations, WhatIsNotThereCannotBeJudged) {
   const NamedShop shop;
-  for (std::size_t i = 0; i < names_of(RelationKind{}).size(); ++i) {
-    const auto kind = static_cast<RelationKind>(i);
-    for (const RelationTerms& relation : {RelationTerms{kind, "deli", "produce", "bakery"},
-                                          RelationTerms{kind, "produce", "deli", "bakery"}}) {
+  for (std::size_t i = 0; i < plan::names_of(plan::RelationKind{}).size(); ++i) {
+    const auto kind = static_cast<plan::RelationKind>(i);
+    for (const plan::RelationTerms& relation :
+         {plan::RelationTerms{kind, "deli", "produce", "bakery"},
+          plan::RelationTerms{kind, "produce", "deli", "bakery"}}) {
       EXPECT_FALSE(measured(shop, relation)) << name_of(kind);
-      EXPECT_EQ(missing_place(shop.floor(), relation), "deli");
+      EXPECT_EQ(plan::missing_place(shop.floor(), relation), "deli");
     }
   }
-  const RelationTerms third{between, "produce", "bakery", "deli"};
+  const plan::RelationTerms third{between, "produce", "bakery", "deli"};
   EXPECT_FALSE(measured(shop, third));
-  EXPECT_EQ(missing_place(shop.floor(), third), "deli");
-  EXPECT_EQ(missing_place(shop.floor(), {near, "produce", "bakery", ""}), "");
+  EXPECT_EQ(plan::missing_place(shop.floor(), third), "deli");
+  EXPECT_EQ(plan::missing_place(shop.floor(), {near, "produce", "bakery", ""}), "");
   // A zone has no place relative to itself.
   EXPECT_FALSE(measured(shop, {near, "bakery", "bakery"}));
 }
 
 TEST(Relations, WordsSayWhatWasMeasuredOrWhyNot) {
   const NamedShop shop;
-  const auto words = [&](const RelationTerms& relation) {
-    return words_of(shop.floor(), relation, measured(shop, relation));
+  const auto words = [&](const plan::RelationTerms& relation) {
+    return plan::words_of(shop.floor(), relation, measured(shop, relation));
   };
   EXPECT_EQ(words({near, "dairy", "checkout"}),
             "dairy near checkout: gap 6.5 m, at most 4.5 m holds");
@@ -151,16 +153,16 @@ TEST(Relations, WordsSayWhatWasMeasuredOrWhyNot) {
 }
 
 TEST(Relations, TermsAreThoseOfPlansAndOfWishes) {
-  const Relation relation{between, "bakery", "produce", "checkout", Strength::must};
-  EXPECT_EQ(terms_of(relation).c, "checkout");
-  Requirement wish;
+  const plan::Relation relation{between, "bakery", "produce", "checkout", plan::Strength::must};
+  EXPECT_EQ(plan::terms_of(relation).c, "checkout");
+  plan::Requirement wish;
   wish.relation = near;
   wish.subject = "dairy";
   wish.object = "entrance";
   wish.second_object = "not of near";
-  EXPECT_EQ(terms_of(wish).a, "dairy");
-  EXPECT_EQ(terms_of(wish).b, "entrance");
-  EXPECT_EQ(terms_of(wish).c, "");
+  EXPECT_EQ(plan::terms_of(wish).a, "dairy");
+  EXPECT_EQ(plan::terms_of(wish).b, "entrance");
+  EXPECT_EQ(plan::terms_of(wish).c, "");
 }
 
 }  // namespace

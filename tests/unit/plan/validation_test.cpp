@@ -32,8 +32,8 @@ constexpr const char* valid_text = R"({
   "overrides": [{"fixture": "snacks/run-1/module-1", "field": "levels", "value": "4"}]
 })";
 
-Plan valid_plan() {
-  auto plan = read_plan(valid_text, "corner.json", committed_catalog());
+plan::Plan valid_plan() {
+  auto plan = plan::read_plan(valid_text, "corner.json", committed_catalog());
   if (!plan.ok()) fatal(to_string(plan.error()).c_str());
   return std::move(plan).value();
 }
@@ -41,20 +41,20 @@ Plan valid_plan() {
 // Nodes are root, front, back, west, east; zones are tills, snacks, dairy.
 struct Fault {
   const char* name;
-  std::function<void(Plan&)> spoil;
+  std::function<void(plan::Plan&)> spoil;
   const char* code;
   const char* where;
 };
 
-Node leaf_node(const std::string& id, const std::string& zone) {
-  Node node;
+plan::Node leaf_node(const std::string& id, const std::string& zone) {
+  plan::Node node;
   node.id = id;
   node.zone = zone;
   return node;
 }
 
 // A tree that goes one cut deeper with every zone.
-void grow_deep(Plan& plan, int cuts) {
+void grow_deep(plan::Plan& plan, int cuts) {
   plan.shell.width_mm = plan.shell.depth_mm = 100000;
   plan.nodes.clear();
   plan.zones.resize(1);
@@ -62,9 +62,9 @@ void grow_deep(Plan& plan, int cuts) {
   plan.overrides.clear();
   plan.zones[0].id = "z0";
   for (int i = 0; i < cuts; ++i) {
-    Node cut;
+    plan::Node cut;
     cut.id = "cut" + std::to_string(i);
-    cut.split = i % 2 == 0 ? Axis::x : Axis::y;
+    cut.split = i % 2 == 0 ? plan::Axis::x : plan::Axis::y;
     const std::string next = i + 1 < cuts ? "cut" + std::to_string(i + 1) : "last";
     cut.children = {"leaf" + std::to_string(i), next};
     plan.nodes.push_back(cut);
@@ -77,55 +77,55 @@ void grow_deep(Plan& plan, int cuts) {
 
 const std::vector<Fault> faults = {
     {"duplicate_node",
-     [](Plan& p) { p.nodes[3].id = "front"; },
+     [](plan::Plan& p) { p.nodes[3].id = "front"; },
      "plan.duplicate_id",
      "/nodes/3/id"},
     {"duplicate_zone",
-     [](Plan& p) { p.zones[2].id = "snacks"; },
+     [](plan::Plan& p) { p.zones[2].id = "snacks"; },
      "plan.duplicate_id",
      "/zones/2/id"},
     {"opening_named_like_a_zone",
-     [](Plan& p) { p.shell.openings[0].id = "dairy"; },
+     [](plan::Plan& p) { p.shell.openings[0].id = "dairy"; },
      "plan.duplicate_id",
      "/shell/openings/0/id"},
     {"unknown_child",
-     [](Plan& p) { p.nodes[0].children[1] = "bakc"; },
+     [](plan::Plan& p) { p.nodes[0].children[1] = "bakc"; },
      "plan.unknown_reference",
      "/nodes/0/children/1"},
     {"unknown_zone",
-     [](Plan& p) { p.nodes[4].zone = "diary"; },
+     [](plan::Plan& p) { p.nodes[4].zone = "diary"; },
      "plan.unknown_reference",
      "/nodes/4/zone"},
     {"unknown_material",
-     [](Plan& p) { p.look.floor = "teraco"; },
+     [](plan::Plan& p) { p.look.floor = "teraco"; },
      "catalog.unknown_kind",
      "/look/floor"},
     {"unknown_fixture",
-     [](Plan& p) { p.zones[1].fixture.kind = "gondla"; },
+     [](plan::Plan& p) { p.zones[1].fixture.kind = "gondla"; },
      "catalog.unknown_kind",
      "/zones/1/fixture/kind"},
     {"unknown_zone_type",
-     [](Plan& p) { p.zones[1].type = "snack"; },
+     [](plan::Plan& p) { p.zones[1].type = "snack"; },
      "catalog.unknown_kind",
      "/zones/1/type"},
     {"unknown_category",
-     [](Plan& p) { p.zones[1].stock.categories = {"snaks"}; },
+     [](plan::Plan& p) { p.zones[1].stock.categories = {"snaks"}; },
      "catalog.unknown_kind",
      "/zones/1/stock/categories/0"},
     {"unknown_profile",
-     [](Plan& p) { p.profile = "supermarket"; },
+     [](plan::Plan& p) { p.profile = "supermarket"; },
      "catalog.unknown_kind",
      "/profile"},
     {"unknown_fixture_material",
-     [](Plan& p) { p.zones[0].fixture.material = "mud"; },
+     [](plan::Plan& p) { p.zones[0].fixture.material = "mud"; },
      "catalog.unknown_kind",
      "/zones/0/fixture/material"},
     {"unknown_anchor",
-     [](Plan& p) { p.zones[0].anchor = "nort"; },
+     [](plan::Plan& p) { p.zones[0].anchor = "nort"; },
      "plan.unknown_reference",
      "/zones/0/anchor"},
     {"whole_tree_is_a_cycle",
-     [](Plan& p) {
+     [](plan::Plan& p) {
        p.nodes[2].children[0] = "root";
        p.nodes.erase(p.nodes.begin() + 3);
        p.zones.erase(p.zones.begin() + 1);
@@ -133,12 +133,12 @@ const std::vector<Fault> faults = {
      "plan.cyclic_tree",
      "/nodes"},
     {"node_is_its_own_child",
-     [](Plan& p) { p.nodes[2].children[0] = "back"; },
+     [](plan::Plan& p) { p.nodes[2].children[0] = "back"; },
      "plan.overlapping_nodes",
      "/nodes/2/children/0"},
     {"cycle_beside_the_tree",
-     [](Plan& p) {
-       Node a = p.nodes[2], b = p.nodes[2];
+     [](plan::Plan& p) {
+       plan::Node a = p.nodes[2], b = p.nodes[2];
        a.id = "a", b.id = "b";
        a.children = {"b", "c"}, b.children = {"a", "d"};
        p.nodes.insert(p.nodes.end(), {a, b, leaf_node("c", "snacks"), leaf_node("d", "dairy")});
@@ -146,53 +146,59 @@ const std::vector<Fault> faults = {
      "plan.cyclic_tree",
      "/nodes"},
     {"node_used_twice",
-     [](Plan& p) { p.nodes[2].children[1] = "west"; },
+     [](plan::Plan& p) { p.nodes[2].children[1] = "west"; },
      "plan.overlapping_nodes",
      "/nodes/2/children/1"},
     {"zone_used_twice",
-     [](Plan& p) { p.nodes[4].zone = "snacks"; },
+     [](plan::Plan& p) { p.nodes[4].zone = "snacks"; },
      "plan.overlapping_nodes",
      "/nodes/4/zone"},
     {"zone_in_no_leaf",
-     [](Plan& p) {
+     [](plan::Plan& p) {
        p.zones.push_back(p.zones[1]);
        p.zones.back().id = "lost";
      },
      "plan.bad_tree",
      "/zones/3"},
     {"two_roots",
-     [](Plan& p) { p.nodes.push_back(leaf_node("stray", "dairy")); },
+     [](plan::Plan& p) { p.nodes.push_back(leaf_node("stray", "dairy")); },
      "plan.bad_tree",
      "/nodes/5"},
-    {"no_nodes", [](Plan& p) { p.nodes.clear(); }, "plan.bad_tree", "/nodes"},
+    {"no_nodes", [](plan::Plan& p) { p.nodes.clear(); }, "plan.bad_tree", "/nodes"},
     {"inner_without_split",
-     [](Plan& p) { p.nodes[2].split.reset(); },
+     [](plan::Plan& p) { p.nodes[2].split.reset(); },
      "plan.bad_tree",
      "/nodes/2/split"},
     {"one_child",
-     [](Plan& p) { p.nodes[2].children.pop_back(); },
+     [](plan::Plan& p) { p.nodes[2].children.pop_back(); },
      "plan.bad_tree",
      "/nodes/2/children"},
     {"split_and_zone",
-     [](Plan& p) { p.nodes[2].zone = "dairy"; },
+     [](plan::Plan& p) { p.nodes[2].zone = "dairy"; },
      "plan.bad_tree",
      "/nodes/2/zone"},
     {"neither_split_nor_zone",
-     [](Plan& p) { p.nodes[3].zone.reset(); },
+     [](plan::Plan& p) { p.nodes[3].zone.reset(); },
      "plan.bad_tree",
      "/nodes/3"},
-    {"leaf_with_ratio", [](Plan& p) { p.nodes[3].ratio = 0.5; }, "plan.bad_tree", "/nodes/3/ratio"},
-    {"leaf_with_gap", [](Plan& p) { p.nodes[3].gap_mm = 900; }, "plan.bad_tree", "/nodes/3/gap_mm"},
-    {"seven_cuts_deep", [](Plan& p) { grow_deep(p, 7); }, "plan.too_deep", "/nodes/13"},
+    {"leaf_with_ratio",
+     [](plan::Plan& p) { p.nodes[3].ratio = 0.5; },
+     "plan.bad_tree",
+     "/nodes/3/ratio"},
+    {"leaf_with_gap",
+     [](plan::Plan& p) { p.nodes[3].gap_mm = 900; },
+     "plan.bad_tree",
+     "/nodes/3/gap_mm"},
+    {"seven_cuts_deep", [](plan::Plan& p) { grow_deep(p, 7); }, "plan.too_deep", "/nodes/13"},
     {"no_room",
-     [](Plan& p) {
+     [](plan::Plan& p) {
        p.nodes[2].gap_mm = 8000;
        p.nodes[2].ratio = 0.1;
      },
      "plan.bad_value",
      "/nodes/2/ratio"},
     {"gap_wider_than_the_shop",
-     [](Plan& p) {
+     [](plan::Plan& p) {
        p.shell.depth_mm = 4000;
        p.nodes[0].gap_mm = 8000;
        p.shell.columns.clear();
@@ -200,63 +206,63 @@ const std::vector<Fault> faults = {
      "plan.bad_value",
      "/nodes/0/ratio"},
     {"opening_beyond_its_wall",
-     [](Plan& p) { p.shell.openings[0].center = 0.02; },
+     [](plan::Plan& p) { p.shell.openings[0].center = 0.02; },
      "plan.bad_opening",
      "/shell/openings/0/center"},
     {"openings_overlap",
-     [](Plan& p) { p.shell.openings[1].center = 0.35; },
+     [](plan::Plan& p) { p.shell.openings[1].center = 0.35; },
      "plan.bad_opening",
      "/shell/openings/1/center"},
     {"outline_crosses_itself",
-     [](Plan& p) {
+     [](plan::Plan& p) {
        p.shell.outline_mm = PolygonMm{{0, 0}, {12000, 9000}, {12000, 0}, {0, 9000}};
      },
      "plan.bad_shell",
      "/shell/outline_mm/0"},
     {"outline_beyond_the_size",
-     [](Plan& p) {
+     [](plan::Plan& p) {
        p.shell.outline_mm = PolygonMm{{0, 0}, {12001, 0}, {12001, 9000}, {0, 9000}};
      },
      "plan.bad_shell",
      "/shell/outline_mm/1"},
     {"outline_clockwise",
-     [](Plan& p) {
+     [](plan::Plan& p) {
        p.shell.outline_mm = PolygonMm{{0, 0}, {0, 9000}, {12000, 9000}, {12000, 0}};
      },
      "plan.bad_shell",
      "/shell/outline_mm"},
     {"outline_too_small",
-     [](Plan& p) {
+     [](plan::Plan& p) {
        p.shell.outline_mm = PolygonMm{{0, 0}, {3000, 0}, {3000, 3000}, {0, 3000}};
        p.shell.columns.clear();
      },
      "plan.bad_shell",
      "/shell/outline_mm"},
     {"outline_folds_back",
-     [](Plan& p) {
+     [](plan::Plan& p) {
        p.shell.outline_mm = PolygonMm{{0, 0}, {12000, 0}, {6000, 0}, {6000, 9000}, {0, 9000}};
      },
      "plan.bad_shell",
      "/shell/outline_mm/0"},
     {"outline_of_three_corners",
-     [](Plan& p) {
+     [](plan::Plan& p) {
        p.shell.outline_mm = PolygonMm{{0, 0}, {12000, 0}, {0, 9000}};
      },
      "plan.bad_shell",
      "/shell/outline_mm"},
     {"opening_where_the_outline_has_no_wall",
-     [](Plan& p) {
+     [](plan::Plan& p) {
        p.shell.outline_mm =
            PolygonMm{{6000, 0}, {12000, 0}, {12000, 9000}, {0, 9000}, {0, 3000}, {6000, 3000}};
      },
      "plan.bad_opening",
      "/shell/openings/0/center"},
     {"column_outside",
-     [](Plan& p) { p.shell.columns[0].x_mm = 12100; },
+     [](plan::Plan& p) { p.shell.columns[0].x_mm = 12100; },
      "plan.bad_shell",
      "/shell/columns/0"},
     {"column_outside_the_outline",
-     [](Plan& p) {
+     [](plan::Plan& p) {
        p.shell.openings.clear();
        p.relations.pop_back();
        p.shell.outline_mm =
@@ -265,35 +271,35 @@ const std::vector<Fault> faults = {
      "plan.bad_shell",
      "/shell/columns/0"},
     {"area_min_over_max",
-     [](Plan& p) {
+     [](plan::Plan& p) {
        p.zones[1].area_m2 = {20, {}, 10};
      },
      "plan.bad_value",
      "/zones/1/area_m2/min"},
     {"area_target_over_max",
-     [](Plan& p) {
+     [](plan::Plan& p) {
        p.zones[1].area_m2 = {5, 20, 10};
      },
      "plan.bad_value",
      "/zones/1/area_m2/target"},
     {"colour_without_hash",
-     [](Plan& p) { p.look.accent = "2e7d32"; },
+     [](plan::Plan& p) { p.look.accent = "2e7d32"; },
      "plan.bad_value",
      "/look/accent"},
     {"colour_with_bad_digit",
-     [](Plan& p) { p.zones[1].fixture.color = "#12345g"; },
+     [](plan::Plan& p) { p.zones[1].fixture.color = "#12345g"; },
      "plan.bad_value",
      "/zones/1/fixture/color"},
     {"levels_beyond_the_kind",
-     [](Plan& p) { p.zones[1].fixture.levels = 10; },
+     [](plan::Plan& p) { p.zones[1].fixture.levels = 10; },
      "plan.bad_value",
      "/zones/1/fixture/levels"},
     {"height_beyond_the_kind",
-     [](Plan& p) { p.zones[1].fixture.height_mm = 2600; },
+     [](plan::Plan& p) { p.zones[1].fixture.height_mm = 2600; },
      "plan.bad_value",
      "/zones/1/fixture/height_mm"},
     {"higher_than_the_ceiling",
-     [](Plan& p) {
+     [](plan::Plan& p) {
        p.shell.ceiling_mm = 2300;
        p.zones[1].fixture = {};
        p.zones[1].fixture.kind = "pillar";  // a gondola is never that high
@@ -302,43 +308,43 @@ const std::vector<Fault> faults = {
      "plan.bad_value",
      "/zones/1/fixture/height_mm"},
     {"levels_too_far_apart",
-     [](Plan& p) { p.zones[1].fixture.spacing_mm = 500; },
+     [](plan::Plan& p) { p.zones[1].fixture.spacing_mm = 500; },
      "plan.bad_value",
      "/zones/1/fixture/spacing_mm"},
     {"facings_reversed",
-     [](Plan& p) {
+     [](plan::Plan& p) {
        p.zones[1].stock.facings = {4, 2};
      },
      "plan.bad_value",
      "/zones/1/stock/facings"},
     {"relation_to_nothing",
-     [](Plan& p) { p.relations[0].b = "norht"; },
+     [](plan::Plan& p) { p.relations[0].b = "norht"; },
      "plan.unknown_reference",
      "/relations/0/b"},
     {"between_without_second",
-     [](Plan& p) { p.relations[1].c.reset(); },
+     [](plan::Plan& p) { p.relations[1].c.reset(); },
      "plan.bad_value",
      "/relations/1/c"},
     {"near_with_second",
-     [](Plan& p) { p.relations[0].c = "snacks"; },
+     [](plan::Plan& p) { p.relations[0].c = "snacks"; },
      "plan.bad_value",
      "/relations/0/c"},
     {"unknown_override_field",
-     [](Plan& p) { p.overrides[0].field_name = "level"; },
+     [](plan::Plan& p) { p.overrides[0].field_name = "level"; },
      "plan.unknown_reference",
      "/overrides/0/field"},
     {"override_is_no_number",
-     [](Plan& p) { p.overrides[0].value = "four"; },
+     [](plan::Plan& p) { p.overrides[0].value = "four"; },
      "plan.bad_value",
      "/overrides/0/value"},
     {"unknown_sku",
-     [](Plan& p) {
+     [](plan::Plan& p) {
        p.placements.push_back({"no-such-sku", {1, 1, 0}, 0});
      },
      "catalog.unknown_sku",
      "/placements/0/sku"},
     {"placement_outside",
-     [](Plan& p) {
+     [](plan::Plan& p) {
        p.placements.push_back({committed_catalog().products[0].sku, {13, 1, 0}, 0});
      },
      "plan.bad_value",
@@ -348,9 +354,9 @@ const std::vector<Fault> faults = {
 class PlanFaults : public testing::TestWithParam<Fault> {};
 
 TEST_P(PlanFaults, IsFoundWhereItIs) {
-  Plan plan = valid_plan();
+  plan::Plan plan = valid_plan();
   GetParam().spoil(plan);
-  const auto valid = validate_plan(plan, "corner.json", committed_catalog());
+  const auto valid = plan::validate_plan(plan, "corner.json", committed_catalog());
   ASSERT_FALSE(valid.ok());
   EXPECT_EQ(valid.error().code, GetParam().code) << to_string(valid.error());
   EXPECT_EQ(valid.error().where, std::string("corner.json:") + GetParam().where)
@@ -362,34 +368,34 @@ INSTANTIATE_TEST_SUITE_P(Table, PlanFaults, testing::ValuesIn(faults), [](const 
 });
 
 TEST(PlanValidation, NamesTheNearestName) {
-  Plan plan = valid_plan();
+  plan::Plan plan = valid_plan();
   plan.zones[1].fixture.kind = "gondla";
-  EXPECT_NE(validate_plan(plan, "p", committed_catalog()).error().message.find("gondola"),
+  EXPECT_NE(plan::validate_plan(plan, "p", committed_catalog()).error().message.find("gondola"),
             std::string::npos);
 }
 
 TEST(PlanValidation, SixCutsAreAllowed) {
-  Plan plan = valid_plan();
+  plan::Plan plan = valid_plan();
   grow_deep(plan, 6);
-  EXPECT_TRUE(validate_plan(plan, "p", committed_catalog()).ok());
+  EXPECT_TRUE(plan::validate_plan(plan, "p", committed_catalog()).ok());
 }
 
 // A store of 25 equal zones in a grid is one leaf too many; it has only five levels of cuts.
 TEST(PlanValidation, TwentyFiveLeavesAreTooMany) {
-  Plan plan = valid_plan();
+  plan::Plan plan = valid_plan();
   plan.relations.clear();
   plan.overrides.clear();
   plan.shell.width_mm = plan.shell.depth_mm = 150000;
   plan.nodes.clear();
-  const Zone sample = plan.zones[1];
+  const plan::Zone sample = plan.zones[1];
   plan.zones.clear();
   // A heap: node i has children 2i + 1 and 2i + 2; the last 25 of 49 nodes are leaves.
   constexpr int nodes = 49, first_leaf = 24;
   for (int i = 0; i < nodes; ++i) {
-    Node node;
+    plan::Node node;
     node.id = "n" + std::to_string(i);
     if (i < first_leaf) {
-      node.split = i % 3 == 0 ? Axis::x : Axis::y;
+      node.split = i % 3 == 0 ? plan::Axis::x : plan::Axis::y;
       node.children = {"n" + std::to_string(2 * i + 1), "n" + std::to_string(2 * i + 2)};
     } else {
       // There are 24 zones at most: the last leaf names one again.
@@ -400,7 +406,7 @@ TEST(PlanValidation, TwentyFiveLeavesAreTooMany) {
     }
     plan.nodes.push_back(node);
   }
-  const auto valid = validate_plan(plan, "p", committed_catalog());
+  const auto valid = plan::validate_plan(plan, "p", committed_catalog());
   ASSERT_FALSE(valid.ok());
   EXPECT_EQ(valid.error().code, "plan.too_deep");
   EXPECT_NE(valid.error().message.find("25 leaves"), std::string::npos);
@@ -408,48 +414,48 @@ TEST(PlanValidation, TwentyFiveLeavesAreTooMany) {
 
 TEST(PlanReading, SchemaFaultsKeepTheirPlace) {
   const auto plan =
-      read_plan(R"({"schema": "market-plan/1", "shell": {"width_mm": 12000, "depth_mm": 9000},
+      plan::read_plan(R"({"schema": "market-plan/1", "shell": {"width_mm": 12000, "depth_mm": 9000},
     "nodes": [{"id": "a", "zone": "z"}], "zones": [{"id": "z", "type": "snacks", "fixture": {"tiers": 5}}]})",
-                "f.json",
-                committed_catalog());
+                      "f.json",
+                      committed_catalog());
   ASSERT_FALSE(plan.ok());
   EXPECT_EQ(plan.error().code, "json.unknown_field");
   EXPECT_EQ(plan.error().where, "f.json:/zones/0/fixture/tiers");
 }
 
 TEST(PlanReading, WrittenPlanReadsBackTheSame) {
-  const Plan plan = valid_plan();
-  const std::string text = write_json(plan);
-  const auto again = read_plan(text, "again.json", committed_catalog());
+  const plan::Plan plan = valid_plan();
+  const std::string text = io::write_json(plan);
+  const auto again = plan::read_plan(text, "again.json", committed_catalog());
   ASSERT_TRUE(again.ok()) << to_string(again.error());
-  EXPECT_EQ(write_json(*again), text);
+  EXPECT_EQ(io::write_json(*again), text);
 }
 
 TEST(PlanReading, FindersFind) {
-  const Plan plan = valid_plan();
-  EXPECT_EQ(find_zone(plan, "dairy")->type, "dairy");
-  EXPECT_EQ(find_node(plan, "west")->zone, "snacks");
-  EXPECT_EQ(find_zone(plan, "nowhere"), nullptr);
+  const plan::Plan plan = valid_plan();
+  EXPECT_EQ(plan::find_zone(plan, "dairy")->type, "dairy");
+  EXPECT_EQ(plan::find_node(plan, "west")->zone, "snacks");
+  EXPECT_EQ(plan::find_zone(plan, "nowhere"), nullptr);
 }
 
 // A planner's plan is held to the limits of its fields as a file is.
 TEST(PlanValidation, LimitsHoldForPlansInMemory) {
-  Plan plan = valid_plan();
+  plan::Plan plan = valid_plan();
   plan.zones[1].fixture.aisle_mm = 300;
-  const auto valid = validate_plan(plan, "plan", committed_catalog());
+  const auto valid = plan::validate_plan(plan, "plan", committed_catalog());
   ASSERT_FALSE(valid.ok());
   EXPECT_EQ(valid.error().code, "json.out_of_range");
   EXPECT_EQ(valid.error().where, "plan:/zones/1/fixture/aisle_mm");
   EXPECT_EQ(valid.error().message, "300 is outside 600 to 8000");
-  EXPECT_FALSE(read_plan(write_json(plan), "plan", committed_catalog()).ok());
+  EXPECT_FALSE(plan::read_plan(io::write_json(plan), "plan", committed_catalog()).ok());
 }
 
 // Their pairs grow with the square of their number: five thousand million here.
 TEST(PlanValidation, AHundredThousandProductsOnOneSpot) {
-  Plan plan = valid_plan();
+  plan::Plan plan = valid_plan();
   const std::string sku = committed_catalog().products.front().sku;
   plan.placements.assign(100'000, {sku, {6, 2, 0}, 0});
-  const auto valid = validate_plan(plan, "plan", committed_catalog());
+  const auto valid = plan::validate_plan(plan, "plan", committed_catalog());
   ASSERT_FALSE(valid.ok());
   EXPECT_EQ(valid.error().code, "plan.too_crowded");
   EXPECT_NE(valid.error().where.find("/placements/"), std::string::npos) << valid.error().where;
@@ -457,8 +463,8 @@ TEST(PlanValidation, AHundredThousandProductsOnOneSpot) {
 }
 
 TEST(PlanValidation, ManyProductsBesideOneAnother) {
-  Plan plan = valid_plan();
-  const Product& product = committed_catalog().products.front();
+  plan::Plan plan = valid_plan();
+  const catalog::Product& product = committed_catalog().products.front();
   const double pitch = 0.001 + std::max(product.width_m(), product.depth_m());
   for (int i = 0; i < 20'000; ++i)
     plan.placements.push_back({product.sku,
@@ -468,7 +474,7 @@ TEST(PlanValidation, ManyProductsBesideOneAnother) {
                                i % 2 == 0 ? 0.0 : 180.0});
   plan.shell.width_mm = plan.shell.depth_mm = 60'000;
   plan.shell.ceiling_mm = 12'000;
-  const auto valid = validate_plan(plan, "plan", committed_catalog());
+  const auto valid = plan::validate_plan(plan, "plan", committed_catalog());
   EXPECT_TRUE(valid.ok()) << to_string(valid.error());
 }
 

@@ -10,31 +10,33 @@ namespace marketgen {
 namespace {
 
 // An open floor in front of boards that face south.
-class PlainMap : public AisleMap {
+class PlainMap : public agent::AisleMap {
  public:
   explicit PlainMap(const std::vector<Vec3>& edges) {
     for (const Vec3& edge : edges)
-      boards_.push_back({{edge, {}}, 1.0, 0.4, 0.3, ShelfUse::stand, false});
+      boards_.push_back({{edge, {}}, 1.0, 0.4, 0.3, assets::ShelfUse::stand, false});
   }
-  ShelfBoard& board(std::size_t i) { return boards_[i]; }
-  const std::vector<ShelfBoard>& boards() const override { return boards_; }
-  bool has_room(const BasePlace& place) const override { return place.y_m > 0; }
-  Result<BaseFollower> way(const BasePlace&, const BasePlace&) const override {
+  agent::ShelfBoard& board(std::size_t i) { return boards_[i]; }
+  const std::vector<agent::ShelfBoard>& boards() const override { return boards_; }
+  bool has_room(const robots::BasePlace& place) const override { return place.y_m > 0; }
+  Result<motion::BaseFollower> way(const robots::BasePlace&,
+                                   const robots::BasePlace&) const override {
     return Error{"motion.unreachable", "map", "nobody drives here"};
   }
-  std::optional<double> way_m(const BasePlace& from, const BasePlace& to) const override {
+  std::optional<double> way_m(const robots::BasePlace& from,
+                              const robots::BasePlace& to) const override {
     if (to.x_m > 8) return std::nullopt;  // behind a wall
     return std::hypot(to.x_m - from.x_m, to.y_m - from.y_m);
   }
-  Obstacles fixtures(Vec3, double) const override { return {}; }
+  motion::Obstacles fixtures(Vec3, double) const override { return {}; }
 
  private:
-  std::vector<ShelfBoard> boards_;
+  std::vector<agent::ShelfBoard> boards_;
 };
 
 TEST(AisleTour, OneStopLooksStraightAtAllBoardsOfAFront) {
   const PlainMap map({{1, 3, 0.5}, {1, 3, 0.9}, {1, 2.95, 0.15}, {2, 3, 0.5}, {3, 0.3, 0.5}});
-  const auto stops = view_stops(map);
+  const auto stops = policy::view_stops(map);
   ASSERT_EQ(stops.size(), 2U) << "nobody can stand before the last one";
   EXPECT_NEAR(stops[0].place.x_m, 1, 1e-9);
   EXPECT_LT(stops[0].place.y_m, 3 - 0.6);
@@ -45,24 +47,25 @@ TEST(AisleTour, OneStopLooksStraightAtAllBoardsOfAFront) {
 TEST(AisleTour, ItStopsWhereItCanFetchFrom) {
   PlainMap map({{1, 3, 0.5}, {3, 3, 0.5}, {5, 3, 0.1}});
   map.board(0).has_door = true;
-  map.board(1).use = ShelfUse::heap;
-  const auto stops = view_stops(map);
+  map.board(1).use = assets::ShelfUse::heap;
+  const auto stops = policy::view_stops(map);
   ASSERT_EQ(stops.size(), 1U);
   EXPECT_NEAR(stops[0].place.x_m, 5, 1e-9) << "a low board is looked at like any other";
 }
 
 TEST(AisleTour, GoesToTheCategoryFirstAndNeverTwice) {
   const PlainMap map({{1, 3, 0.5}, {3, 3, 0.5}, {5, 3, 0.5}, {9, 3, 0.5}});
-  const auto stops = view_stops(map);
+  const auto stops = policy::view_stops(map);
   ASSERT_EQ(stops.size(), 4U);
   std::vector<bool> seen(stops.size(), false);
-  const BasePlace from{3, 1, 0};
-  EXPECT_EQ(next_stop(map, stops, seen, from, {5, 3}, 3), 2U);
+  const robots::BasePlace from{3, 1, 0};
+  EXPECT_EQ(policy::next_stop(map, stops, seen, from, {5, 3}, 3), 2U);
   seen[2] = true;
-  EXPECT_EQ(next_stop(map, stops, seen, from, {5, 3}, 3), 1U);
+  EXPECT_EQ(policy::next_stop(map, stops, seen, from, {5, 3}, 3), 1U);
   seen[1] = true;
-  EXPECT_EQ(next_stop(map, stops, seen, from, {5, 3}, 3), std::nullopt);
-  EXPECT_EQ(next_stop(map, stops, seen, from, {5, 3}, 5), 0U) << "the fourth cannot be reached";
+  EXPECT_EQ(policy::next_stop(map, stops, seen, from, {5, 3}, 3), std::nullopt);
+  EXPECT_EQ(policy::next_stop(map, stops, seen, from, {5, 3}, 5), 0U)
+      << "the fourth cannot be reached";
 }
 
 }  // namespace

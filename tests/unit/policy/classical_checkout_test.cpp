@@ -18,10 +18,10 @@ std::filesystem::path data_folder_of_tests() {
 }
 
 // Every camera hangs over the counter and sees the boxes.
-class DrawnEyes : public Eyes {
+class DrawnEyes : public agent::Eyes {
  public:
   explicit DrawnEyes(std::vector<DrawnBox> boxes) : boxes_(std::move(boxes)) {}
-  Result<View> look(std::string_view) override {
+  Result<agent::View> look(std::string_view) override {
     ++looks;
     return drawn_view(boxes_, camera_over({0.52, 0, 0.6}), 320, 240, 300);
   }
@@ -31,18 +31,18 @@ class DrawnEyes : public Eyes {
   std::vector<DrawnBox> boxes_;
 };
 
-class DrawnProducts : public KnownProducts {
+class DrawnProducts : public agent::KnownProducts {
  public:
   void add(const std::string& sku, Vec3 size, Rgb8 color) {
-    Product row;
+    catalog::Product row;
     row.sku = sku;
     row.archetype = "box";
     row.mass_kg = 0.2;
     for (std::size_t i = 0; i < 3; ++i)
       row.size_mm[i] = static_cast<int>(1000 * std::array{size.x, size.y, size.z}[i]);
     rows_.push_back(row);
-    KnownProduct known{row, {}, 0.6};
-    ContactPiece piece;
+    agent::KnownProduct known{row, {}, 0.6};
+    assets::ContactPiece piece;
     piece.center = to_float({0, 0, size.z / 2});
     piece.half_size = to_float(size * 0.5);
     known.body.pieces = {piece};
@@ -50,26 +50,28 @@ class DrawnProducts : public KnownProducts {
     known_.emplace(sku, known);
     pictures_.emplace(sku, drawn_pictures(size, plain(color)));
   }
-  const std::vector<Product>& rows() const override { return rows_; }
-  Result<const KnownProduct*> product(const std::string& sku) override { return &known_.at(sku); }
-  Result<std::vector<ProductPicture>> pictures(const std::string& sku) const override {
+  const std::vector<catalog::Product>& rows() const override { return rows_; }
+  Result<const agent::KnownProduct*> product(const std::string& sku) override {
+    return &known_.at(sku);
+  }
+  Result<std::vector<agent::ProductPicture>> pictures(const std::string& sku) const override {
     return pictures_.at(sku);
   }
 
  private:
-  std::vector<Product> rows_;
-  std::map<std::string, KnownProduct> known_;
-  std::map<std::string, std::vector<ProductPicture>> pictures_;
+  std::vector<catalog::Product> rows_;
+  std::map<std::string, agent::KnownProduct> known_;
+  std::map<std::string, std::vector<agent::ProductPicture>> pictures_;
 };
 
 class Classical : public ::testing::Test {
  protected:
   Classical() {
-    auto robot = load_robot(data_folder_of_tests(), "panda", {{"tool", "panda-long-hand"}});
+    auto robot = robots::load_robot(data_folder_of_tests(), "panda", {{"tool", "panda-long-hand"}});
     if (!robot.ok()) fatal(to_string(robot.error()).c_str());
-    robot_ = std::make_unique<Robot>(std::move(robot).value());
+    robot_ = std::make_unique<robots::Robot>(std::move(robot).value());
     setup_.robot = robot_.get();
-    auto tool = load_grasp_tool(data_folder_of_tests(), "panda-long-hand");
+    auto tool = robots::load_grasp_tool(data_folder_of_tests(), "panda-long-hand");
     if (!tool.ok()) fatal(to_string(tool.error()).c_str());
     setup_.tool = std::move(tool).value();
     setup_.place.counter = {{-0.25, -0.95}, {0.85, 0.95}};
@@ -87,12 +89,14 @@ class Classical : public ::testing::Test {
   }
 
   // Acts until it stops or a time is over; the arm follows at once, and the fingers shut.
-  std::unique_ptr<Policy> act(Eyes& eyes, double until_s, std::vector<Action>& actions) {
+  std::unique_ptr<agent::Policy> act(agent::Eyes& eyes,
+                                     double until_s,
+                                     std::vector<agent::Action>& actions) {
     setup_.eyes = &eyes;
-    auto policy = make_classical_checkout(std::move(setup_), Seed(1));
+    auto policy = policy::make_classical_checkout(std::move(setup_), Seed(1));
     if (!policy.ok()) fatal(to_string(policy.error()).c_str());
-    Observation now = ready_;
-    const Task task{"Put the carton there.", 60, {{"carton", 1}}};
+    agent::Observation now = ready_;
+    const agent::Task task{"Put the carton there.", 60, {{"carton", 1}}};
     EXPECT_TRUE((*policy)->begin(task, now).ok());
     for (; now.time_s < until_s; now.time_s += 0.05) {
       const auto action = (*policy)->act(now);
@@ -104,16 +108,16 @@ class Classical : public ::testing::Test {
     return std::move(*policy);
   }
 
-  std::unique_ptr<Robot> robot_;
+  std::unique_ptr<robots::Robot> robot_;
   DrawnProducts products_;
-  LookLibrary looks_;
-  ClassicalSetup setup_;
-  Observation ready_;
+  perception::LookLibrary looks_;
+  policy::ClassicalSetup setup_;
+  agent::Observation ready_;
 };
 
 TEST_F(Classical, LooksAtAnEmptyCounterAndStops) {
   DrawnEyes eyes({{{{0.5, 0, -0.02}, {}}, {1.2, 1.9, 0.02}, plain({120, 120, 120})}});
-  std::vector<Action> actions;
+  std::vector<agent::Action> actions;
   const auto policy = act(eyes, 30, actions);
   EXPECT_TRUE(actions.back().stop);
   EXPECT_EQ(policy->failure(), "NotFound");
@@ -125,16 +129,16 @@ TEST_F(Classical, GoesToWhatItSees) {
   DrawnEyes eyes(
       {{{{0.5, 0, -0.02}, {}}, {1.2, 1.9, 0.02}, plain({120, 120, 120})},
        {{at, rotation_about({0, 0, 1}, 0.3)}, {0.06, 0.09, 0.12}, plain({200, 40, 30})}});
-  std::vector<Action> actions;
+  std::vector<agent::Action> actions;
   act(eyes, 8, actions);
   // Somewhere on its way the tip is in the carton.
   double nearest = 1;
-  const JointGroup& arm = *robot_->find_group("arm");
-  for (const Action& action : actions) {
-    std::vector<double> q = neutral_state(*robot_);
+  const robots::JointGroup& arm = *robot_->find_group("arm");
+  for (const agent::Action& action : actions) {
+    std::vector<double> q = robots::neutral_state(*robot_);
     for (std::size_t j = 0; j < arm.dofs.size(); ++j)
       q[static_cast<std::size_t>(arm.dofs[j])] = action.position[j];
-    const Pose tip = frame_pose(*robot_, q, arm.tip);
+    const Pose tip = robots::frame_pose(*robot_, q, arm.tip);
     nearest = std::min(nearest, length(tip.position - (at + Vec3{0, 0, 0.06})));
   }
   EXPECT_LT(nearest, 0.07);
@@ -143,7 +147,7 @@ TEST_F(Classical, GoesToWhatItSees) {
 TEST_F(Classical, SaysSoWhenTheTimeIsOver) {
   DrawnEyes eyes({{{{0.5, 0, -0.02}, {}}, {1.2, 1.9, 0.02}, plain({120, 120, 120})}});
   ready_.time_s = 55;
-  std::vector<Action> actions;
+  std::vector<agent::Action> actions;
   EXPECT_EQ(act(eyes, 60, actions)->failure(), "Timeout");
 }
 

@@ -22,20 +22,22 @@ namespace {
 
 constexpr float one_millimetre = 1e-3F;
 
-std::unique_ptr<Renderer> renderer_of(const Scene& scene) {
-  Result<std::unique_ptr<Renderer>> made = Renderer::create(scene);
+std::unique_ptr<render::Renderer> renderer_of(const scene::Scene& scene) {
+  Result<std::unique_ptr<render::Renderer>> made = render::Renderer::create(scene);
   EXPECT_TRUE(made.ok()) << (made.ok() ? "" : to_string(made.error()));
   return std::move(made).value();
 }
 
-Frame picture_of(Renderer& renderer, const Camera& camera, RenderOptions options = {}) {
-  const Result<Frame> frame = renderer.render(camera, options);
+render::Frame picture_of(render::Renderer& renderer,
+                         const render::Camera& camera,
+                         render::RenderOptions options = {}) {
+  const Result<render::Frame> frame = renderer.render(camera, options);
   EXPECT_TRUE(frame.ok()) << (frame.ok() ? "" : to_string(frame.error()));
   return *frame;
 }
 
-Camera camera_at(Vec3 from, Vec3 at) {
-  Camera camera;
+render::Camera camera_at(Vec3 from, Vec3 at) {
+  render::Camera camera;
   camera.from = from;
   camera.at = at;
   camera.width = 161;
@@ -43,12 +45,12 @@ Camera camera_at(Vec3 from, Vec3 at) {
   return camera;
 }
 
-std::size_t pixel_at(const Camera& camera, int x, int y) {
+std::size_t pixel_at(const render::Camera& camera, int x, int y) {
   return static_cast<std::size_t>(y * camera.width + x);
 }
 
-Actor box_actor(Vec3 middle, Vec3f half, float yaw = 0) {
-  ActorBody body;
+render::Actor box_actor(Vec3 middle, Vec3f half, float yaw = 0) {
+  render::ActorBody body;
   body.name = "box";
   add_box(body.mesh, -half, half, 0, 0);
   body.surfaces.push_back({{0.8F, 0.1F, 0.1F}, 0.5F, 0});
@@ -58,19 +60,19 @@ Actor box_actor(Vec3 middle, Vec3f half, float yaw = 0) {
 
 // A room of 6 x 6 x 3 m with a shelf of 1 x 0.4 x 1 m at its north wall.
 struct Room {
-  Scene scene = empty_room(6000, 6000, 3000);
+  scene::Scene scene = empty_room(6000, 6000, 3000);
   std::uint32_t shelf = add_box_fixture(scene, {3, 5.5F, 0}, {0, 0, 0.5F}, {0.5F, 0.2F, 0.5F});
-  Camera camera = camera_at({3, 1, 0.5}, {3, 2, 0.5});
+  render::Camera camera = camera_at({3, 1, 0.5}, {3, 2, 0.5});
 };
 
 TEST(Actors, DepthAndNumberOfABoxAreKnown) {
   const Room room;
   const auto renderer = renderer_of(room.scene);
   ASSERT_TRUE(renderer->set_actors({box_actor({3, 3, 0.5}, {0.2F, 0.2F, 0.2F})}).ok());
-  const Frame frame = picture_of(*renderer, room.camera);
+  const render::Frame frame = picture_of(*renderer, room.camera);
   const std::size_t middle = pixel_at(room.camera, 80, 60);
   EXPECT_NEAR(frame.depth_m[middle], 1.8F, one_millimetre);
-  EXPECT_EQ(frame.instance[middle], first_actor_object(room.scene));
+  EXPECT_EQ(frame.instance[middle], render::first_actor_object(room.scene));
   EXPECT_NEAR(frame.normals[3 * middle + 1], -1, one_millimetre);
   const std::size_t beside = pixel_at(room.camera, 70 - 25, 60);  // 0.35 m left of the box
   EXPECT_EQ(frame.instance[beside], 1U);
@@ -80,12 +82,13 @@ TEST(Actors, DepthAndNumberOfABoxAreKnown) {
 TEST(Actors, MovingOneIsAsPuttingItThere) {
   const Room room;
   const auto moved = renderer_of(room.scene), put = renderer_of(room.scene);
-  const Actor there = box_actor({3, 2.5, 0.5}, {0.2F, 0.2F, 0.2F}, std::numbers::pi_v<float> / 4);
+  const render::Actor there =
+      box_actor({3, 2.5, 0.5}, {0.2F, 0.2F, 0.2F}, std::numbers::pi_v<float> / 4);
   ASSERT_TRUE(moved->set_actors({box_actor({1, 3, 0.5}, {0.2F, 0.2F, 0.2F})}).ok());
   picture_of(*moved, room.camera);
   ASSERT_TRUE(moved->move_actor(0, std::vector<Pose>{there.bodies[0].world_from_body}).ok());
   ASSERT_TRUE(put->set_actors({there}).ok());
-  const Frame a = picture_of(*moved, room.camera), b = picture_of(*put, room.camera);
+  const render::Frame a = picture_of(*moved, room.camera), b = picture_of(*put, room.camera);
   EXPECT_EQ(a.color.pixels, b.color.pixels);
   EXPECT_EQ(a.depth_m, b.depth_m);
   EXPECT_EQ(a.instance, b.instance);
@@ -96,11 +99,11 @@ TEST(Actors, MovingOneIsAsPuttingItThere) {
 TEST(Actors, WithoutThemThePictureIsTheStores) {
   const Room room;
   const auto renderer = renderer_of(room.scene);
-  const Frame before = picture_of(*renderer, room.camera);
+  const render::Frame before = picture_of(*renderer, room.camera);
   ASSERT_TRUE(renderer->set_actors({box_actor({3, 3, 0.5}, {0.2F, 0.2F, 0.2F})}).ok());
   EXPECT_NE(picture_of(*renderer, room.camera).color.pixels, before.color.pixels);
   ASSERT_TRUE(renderer->set_actors({}).ok());
-  const Frame after = picture_of(*renderer, room.camera);
+  const render::Frame after = picture_of(*renderer, room.camera);
   EXPECT_EQ(after.color.pixels, before.color.pixels);
   EXPECT_EQ(after.depth_m, before.depth_m);
 }
@@ -112,35 +115,36 @@ TEST(Actors, EachHasItsOwnNumberAndHidesWhatIsBehind) {
                   ->set_actors({box_actor({3, 4, 0.5}, {0.5F, 0.1F, 0.5F}),
                                 box_actor({3.2, 3, 0.5}, {0.2F, 0.1F, 0.2F})})
                   .ok());
-  const Frame frame = picture_of(*renderer, room.camera);
-  const std::uint32_t first = first_actor_object(room.scene);
+  const render::Frame frame = picture_of(*renderer, room.camera);
+  const std::uint32_t first = render::first_actor_object(room.scene);
   EXPECT_EQ(frame.instance[pixel_at(room.camera, 75, 60)], first);
   EXPECT_EQ(frame.instance[pixel_at(room.camera, 90, 60)], first + 1);
 }
 
 TEST(Actors, BehindGlassTheyAreSeen) {
   Room room;
-  add_box_fixture(room.scene, {3, 2, 0}, {0, 0, 0.5F}, {2, 0.005F, 0.5F}, SurfaceKind::glass);
+  add_box_fixture(
+      room.scene, {3, 2, 0}, {0, 0, 0.5F}, {2, 0.005F, 0.5F}, assets::SurfaceKind::glass);
   const auto renderer = renderer_of(room.scene);
   ASSERT_TRUE(renderer->set_actors({box_actor({3, 3, 0.5}, {0.2F, 0.2F, 0.2F})}).ok());
-  const Frame frame = picture_of(*renderer, room.camera);
-  EXPECT_EQ(frame.instance[pixel_at(room.camera, 80, 60)], first_actor_object(room.scene));
+  const render::Frame frame = picture_of(*renderer, room.camera);
+  EXPECT_EQ(frame.instance[pixel_at(room.camera, 80, 60)], render::first_actor_object(room.scene));
   EXPECT_NEAR(frame.depth_m[pixel_at(room.camera, 80, 60)], 1.8F, one_millimetre);
 }
 
 // ---- Robots. ----
 
-PlacedRobot robot_at(const std::string& text) {
-  const auto spec = parse_robot_spec(text, text);
+robots::PlacedRobot robot_at(const std::string& text) {
+  const auto spec = robots::parse_robot_spec(text, text);
   EXPECT_TRUE(spec.ok());
-  Result<PlacedRobot> placed =
-      place_robot(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data", *spec, text);
+  Result<robots::PlacedRobot> placed =
+      robots::place_robot(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data", *spec, text);
   EXPECT_TRUE(placed.ok()) << (placed.ok() ? "" : to_string(placed.error()));
   return std::move(placed).value();
 }
 
-Actor actor_of(const PlacedRobot& placed) {
-  Result<Actor> actor = robot_actor(placed.robot, placed.q, placed.world_from_base);
+render::Actor actor_of(const robots::PlacedRobot& placed) {
+  Result<render::Actor> actor = render::robot_actor(placed.robot, placed.q, placed.world_from_base);
   EXPECT_TRUE(actor.ok());
   return std::move(actor).value();
 }
@@ -149,7 +153,7 @@ Actor actor_of(const PlacedRobot& placed) {
 struct Pinhole {
   Vec3 from, ahead, right, up;
   double focal_px, middle_x, middle_y;
-  explicit Pinhole(const Camera& camera)
+  explicit Pinhole(const render::Camera& camera)
       : from(camera.from),
         ahead(normalized(camera.at - camera.from)),
         right(normalized(cross(ahead, {0, 0, 1}))),
@@ -170,13 +174,13 @@ struct Pinhole {
 };
 
 // The robot's triangles in the store frame, by links.
-std::vector<std::vector<std::array<Vec3, 3>>> triangles_of(const PlacedRobot& placed) {
+std::vector<std::vector<std::array<Vec3, 3>>> triangles_of(const robots::PlacedRobot& placed) {
   std::vector<std::vector<std::array<Vec3, 3>>> all;
-  const auto links = robot_parts(placed.robot, link_poses(placed.robot, placed.q));
+  const auto links = robots::robot_parts(placed.robot, robots::link_poses(placed.robot, placed.q));
   EXPECT_TRUE(links.ok());
   for (const auto& parts : *links) {
     auto& triangles = all.emplace_back();
-    for (const LinkPart& part : parts) {
+    for (const robots::LinkPart& part : parts) {
       for (const auto& t : part.mesh.triangles) {
         std::array<Vec3, 3> corners;
         for (std::size_t k = 0; k < 3; ++k)
@@ -213,9 +217,9 @@ double nearest_meeting(const std::vector<std::vector<std::array<Vec3, 3>>>& link
 }
 
 struct RobotRoom {
-  Scene scene = empty_room(6000, 6000, 3000);
-  PlacedRobot robot;
-  Camera camera = camera_at({1.2, 1, 1.3}, {3, 3, 0.75});
+  scene::Scene scene = empty_room(6000, 6000, 3000);
+  robots::PlacedRobot robot;
+  render::Camera camera = camera_at({1.2, 1, 1.3}, {3, 3, 0.75});
   explicit RobotRoom(const std::string& text) : robot(robot_at(text)) {}
 };
 
@@ -226,7 +230,7 @@ TEST_P(RobotPictures, DepthIsThatOfItsTriangles) {
   const RobotRoom room(GetParam());
   const auto renderer = renderer_of(room.scene);
   ASSERT_TRUE(renderer->set_actors({actor_of(room.robot)}).ok());
-  const Frame frame = picture_of(*renderer, room.camera);
+  const render::Frame frame = picture_of(*renderer, room.camera);
   const auto links = triangles_of(room.robot);
   const Pinhole eye(room.camera);
   int looked = 0, on_robot = 0, wrong = 0;
@@ -234,7 +238,7 @@ TEST_P(RobotPictures, DepthIsThatOfItsTriangles) {
     for (int x = 1; x < room.camera.width; x += 4) {
       const std::size_t i = pixel_at(room.camera, x, y);
       const double expected = nearest_meeting(links, eye.from, eye.ray(x, y));
-      const bool seen = frame.instance[i] == first_actor_object(room.scene);
+      const bool seen = frame.instance[i] == render::first_actor_object(room.scene);
       ++looked;
       on_robot += seen ? 1 : 0;
       if (seen != std::isfinite(expected) || (seen && std::abs(frame.depth_m[i] - expected) > 1e-3))
@@ -246,7 +250,8 @@ TEST_P(RobotPictures, DepthIsThatOfItsTriangles) {
 }
 
 // One of the pixels round (x, y) shows `object`: a finger is thinner than a pixel is wide.
-bool near_pixel_is(const Frame& frame, const Camera& camera, int x, int y, std::uint32_t object) {
+bool near_pixel_is(
+    const render::Frame& frame, const render::Camera& camera, int x, int y, std::uint32_t object) {
   for (int dy = -1; dy <= 1; ++dy) {
     for (int dx = -1; dx <= 1; ++dx) {
       if (frame.instance[pixel_at(camera, x + dx, y + dy)] == object) return true;
@@ -260,7 +265,7 @@ TEST_P(RobotPictures, EveryLinkCoversItsPlaceInTheSegmentation) {
   const RobotRoom room(GetParam());
   const auto renderer = renderer_of(room.scene);
   ASSERT_TRUE(renderer->set_actors({actor_of(room.robot)}).ok());
-  const Frame frame = picture_of(*renderer, room.camera);
+  const render::Frame frame = picture_of(*renderer, room.camera);
   const Pinhole eye(room.camera);
   int links = 0, covered = 0;
   for (const auto& triangles : triangles_of(room.robot)) {
@@ -271,7 +276,8 @@ TEST_P(RobotPictures, EveryLinkCoversItsPlaceInTheSegmentation) {
     const auto [x, y] = eye.pixel(sum / (3.0 * static_cast<double>(triangles.size())));
     ASSERT_TRUE(x > 0 && y > 0 && x + 1 < room.camera.width && y + 1 < room.camera.height);
     ++links;
-    covered += near_pixel_is(frame, room.camera, x, y, first_actor_object(room.scene)) ? 1 : 0;
+    covered +=
+        near_pixel_is(frame, room.camera, x, y, render::first_actor_object(room.scene)) ? 1 : 0;
   }
   EXPECT_GT(links, 8);
   EXPECT_EQ(covered, links);
@@ -280,15 +286,15 @@ TEST_P(RobotPictures, EveryLinkCoversItsPlaceInTheSegmentation) {
 TEST_P(RobotPictures, TheStoreStaysAsItWas) {
   const RobotRoom room(GetParam());
   const auto renderer = renderer_of(room.scene);
-  const Frame before = picture_of(*renderer, room.camera);
+  const render::Frame before = picture_of(*renderer, room.camera);
   ASSERT_TRUE(renderer->set_actors({actor_of(room.robot)}).ok());
-  const Frame with = picture_of(*renderer, room.camera);
+  const render::Frame with = picture_of(*renderer, room.camera);
   const Pinhole eye(room.camera);
   const Vec3 base = room.robot.world_from_base.position;
   double far_change = 0, under_before = 0, under_with = 0;
   int far = 0, under = 0;
   for (std::size_t i = 0; i < with.instance.size(); ++i) {
-    if (with.instance[i] == first_actor_object(room.scene)) {
+    if (with.instance[i] == render::first_actor_object(room.scene)) {
       EXPECT_LE(with.depth_m[i], before.depth_m[i] + 1e-4F);
       continue;
     }
@@ -316,24 +322,25 @@ INSTANTIATE_TEST_SUITE_P(Rows,
 
 TEST(Actors, RobotsMoveByTheirLinkPoses) {
   const RobotRoom room("panda-on-stand@3,3,-150");
-  const PlacedRobot next = robot_at("panda-on-stand@3.4,2.8,170,joint1=0.4,joint4=-1.9");
+  const robots::PlacedRobot next = robot_at("panda-on-stand@3.4,2.8,170,joint1=0.4,joint4=-1.9");
   const auto moved = renderer_of(room.scene), put = renderer_of(room.scene);
   ASSERT_TRUE(moved->set_actors({actor_of(room.robot)}).ok());
   ASSERT_TRUE(put->set_actors({actor_of(next)}).ok());
   ASSERT_TRUE(
-      moved->move_actor(0, world_link_poses(next.robot, next.q, next.world_from_base)).ok());
+      moved->move_actor(0, render::world_link_poses(next.robot, next.q, next.world_from_base))
+          .ok());
   EXPECT_EQ(picture_of(*moved, room.camera).color.pixels,
             picture_of(*put, room.camera).color.pixels);
 }
 
-class ActorThreads : public testing::TestWithParam<RenderMode> {};
+class ActorThreads : public testing::TestWithParam<render::RenderMode> {};
 
 TEST_P(ActorThreads, ThreadCountDoesNotChangePixels) {
   const RobotRoom room("realman-rm65@3,3,-120");
-  RenderOptions options;
+  render::RenderOptions options;
   options.mode = GetParam();
   options.samples = 2;
-  std::vector<Frame> frames;
+  std::vector<render::Frame> frames;
   for (const int threads : {1, 4}) {
     const ThreadLimit limit(threads);
     const auto renderer = renderer_of(room.scene);
@@ -344,11 +351,11 @@ TEST_P(ActorThreads, ThreadCountDoesNotChangePixels) {
   EXPECT_EQ(frames[0].instance, frames[1].instance);
   EXPECT_TRUE(std::find(frames[0].instance.begin(),
                         frames[0].instance.end(),
-                        first_actor_object(room.scene)) != frames[0].instance.end());
+                        render::first_actor_object(room.scene)) != frames[0].instance.end());
 }
 INSTANTIATE_TEST_SUITE_P(BothModes,
                          ActorThreads,
-                         testing::Values(RenderMode::sensor, RenderMode::path));
+                         testing::Values(render::RenderMode::sensor, render::RenderMode::path));
 
 // ---- Faults. ----
 
@@ -360,23 +367,23 @@ void expect_bad(const Result<void>& set) {
 TEST(Actors, FaultyOnesAreRefusedAndNothingChanges) {
   const Room room;
   const auto renderer = renderer_of(room.scene);
-  const Actor good = box_actor({3, 3, 0.5}, {0.2F, 0.2F, 0.2F});
+  const render::Actor good = box_actor({3, 3, 0.5}, {0.2F, 0.2F, 0.2F});
   ASSERT_TRUE(renderer->set_actors({good}).ok());
-  const Frame before = picture_of(*renderer, room.camera);
+  const render::Frame before = picture_of(*renderer, room.camera);
   const auto refused = [&](const auto& spoil) {
-    Actor bad = good;
+    render::Actor bad = good;
     spoil(bad.bodies[0]);
     expect_bad(renderer->set_actors({bad}));
   };
-  refused([](ActorBody& body) { body.mesh.triangles[0][1] = 1000; });
-  refused([](ActorBody& body) { body.mesh.surfaces[0] = 1; });
-  refused([](ActorBody& body) { body.mesh.surfaces.pop_back(); });
-  refused([](ActorBody& body) { body.mesh.normals.pop_back(); });
-  refused([](ActorBody& body) { body.mesh.positions[0].x = NAN; });
-  refused([](ActorBody& body) { body.surfaces[0].color.x = 1.5F; });
-  refused([](ActorBody& body) { body.surfaces[0].roughness = NAN; });
-  refused([](ActorBody& body) { body.world_from_body.position.z = HUGE_VAL; });
-  refused([](ActorBody& body) { body.world_from_body.rotation.w = 2; });
+  refused([](render::ActorBody& body) { body.mesh.triangles[0][1] = 1000; });
+  refused([](render::ActorBody& body) { body.mesh.surfaces[0] = 1; });
+  refused([](render::ActorBody& body) { body.mesh.surfaces.pop_back(); });
+  refused([](render::ActorBody& body) { body.mesh.normals.pop_back(); });
+  refused([](render::ActorBody& body) { body.mesh.positions[0].x = NAN; });
+  refused([](render::ActorBody& body) { body.surfaces[0].color.x = 1.5F; });
+  refused([](render::ActorBody& body) { body.surfaces[0].roughness = NAN; });
+  refused([](render::ActorBody& body) { body.world_from_body.position.z = HUGE_VAL; });
+  refused([](render::ActorBody& body) { body.world_from_body.rotation.w = 2; });
   expect_bad(renderer->move_actor(1, std::vector<Pose>(1)));
   expect_bad(renderer->move_actor(0, std::vector<Pose>(2)));
   Pose nowhere;
@@ -389,8 +396,8 @@ TEST(PictureObjects, NumbersArePaintedExactly) {
   const Room room;
   const auto renderer = renderer_of(room.scene);
   ASSERT_TRUE(renderer->set_actors({box_actor({3.1, 2, 0.5}, {0.1F, 0.1F, 0.1F})}).ok());
-  const Frame frame = picture_of(*renderer, room.camera);
-  const Image ids = draw_object_ids(frame);
+  const render::Frame frame = picture_of(*renderer, room.camera);
+  const Image ids = render::draw_object_ids(frame);
   for (std::size_t i = 0; i < frame.instance.size(); ++i) {
     ASSERT_EQ(ids.pixels[3 * i] + 256U * ids.pixels[3 * i + 1] + 65'536U * ids.pixels[3 * i + 2],
               frame.instance[i]);

@@ -78,7 +78,7 @@ void meet_box(std::optional<Met>& best, Eye eye, Vec3 d, Vec3 low, Vec3 high, st
   if (enter < leave) keep_nearest(best, enter, normal, id);
 }
 
-Actor ball(Vec3 middle, double radius) {
+render::Actor ball(Vec3 middle, double radius) {
   constexpr int rings = 256, segments = 512;
   std::vector<ProfilePoint> profile;
   for (int i = 0; i <= rings; ++i) {
@@ -86,7 +86,7 @@ Actor ball(Vec3 middle, double radius) {
     const double r = i == 0 || i == rings ? 0 : radius * std::cos(angle);
     profile.push_back({static_cast<float>(r), static_cast<float>(radius * std::sin(angle)), 0});
   }
-  ActorBody body;
+  render::ActorBody body;
   body.name = "ball";
   add_lathe(body.mesh, profile, segments);
   body.surfaces.push_back({});
@@ -100,24 +100,26 @@ class Bodies {
  public:
   Bodies() {
     box_ = add_box_fixture(scene_, {2, 4.2F, 0}, {0, 0, 0.4F}, {0.3F, 0.35F, 0.4F});
-    renderer_ = Renderer::create(scene_).value();
-    const std::vector<Actor> actors{ball(sphere_middle, sphere_radius), drum()};
+    renderer_ = render::Renderer::create(scene_).value();
+    const std::vector<render::Actor> actors{ball(sphere_middle, sphere_radius), drum()};
     EXPECT_TRUE(renderer_->set_actors(actors).ok());
   }
 
-  Frame picture(const Camera& camera) const { return renderer_->render(camera, {}).value(); }
+  render::Frame picture(const render::Camera& camera) const {
+    return renderer_->render(camera, {}).value();
+  }
 
   Met expected(Vec3 eye, Vec3 d) const {
     std::optional<Met> best;
     meet_box(best, eye, d, {1.7, 3.85, 0}, {2.3, 4.55, 0.8}, box_);
-    const std::uint32_t first = first_actor_object(scene_);
+    const std::uint32_t first = render::first_actor_object(scene_);
     meet_sphere(best, eye, d, sphere_middle, sphere_radius, first);
     meet_cylinder(best, eye, d, drum_middle, drum_radius, drum_half, first + 1);
-    keep_nearest(best, -eye.z / d.z, {0, 0, 1}, shell_object);
-    keep_nearest(best, (6 - eye.y) / d.y, {0, -1, 0}, shell_object);
-    keep_nearest(best, -eye.x / d.x, {1, 0, 0}, shell_object);
-    keep_nearest(best, (6 - eye.x) / d.x, {-1, 0, 0}, shell_object);
-    keep_nearest(best, -eye.y / d.y, {0, 1, 0}, shell_object);
+    keep_nearest(best, -eye.z / d.z, {0, 0, 1}, render::shell_object);
+    keep_nearest(best, (6 - eye.y) / d.y, {0, -1, 0}, render::shell_object);
+    keep_nearest(best, -eye.x / d.x, {1, 0, 0}, render::shell_object);
+    keep_nearest(best, (6 - eye.x) / d.x, {-1, 0, 0}, render::shell_object);
+    keep_nearest(best, -eye.y / d.y, {0, 1, 0}, render::shell_object);
     return *best;
   }
 
@@ -125,9 +127,9 @@ class Bodies {
   static constexpr Vec3 sphere_middle{3.1, 3.6, 1.1}, drum_middle{3.8, 4.3, 0.6};
   static constexpr double sphere_radius = 0.3, drum_radius = 0.25, drum_half = 0.5;
 
-  static Actor drum() {
+  static render::Actor drum() {
     const auto r = static_cast<float>(drum_radius), h = static_cast<float>(drum_half);
-    ActorBody body;
+    render::ActorBody body;
     body.name = "drum";
     add_lathe(body.mesh, {{0, -h, 0}, {r, -h, 0, true}, {r, h, 0, true}, {0, h, 0}}, 512);
     body.surfaces.push_back({});
@@ -135,16 +137,16 @@ class Bodies {
     return {"drum", {body}};
   }
 
-  Scene scene_ = empty_room(6000, 6000, 3000);
+  scene::Scene scene_ = empty_room(6000, 6000, 3000);
   std::uint32_t box_ = 0;
-  std::unique_ptr<Renderer> renderer_;
+  std::unique_ptr<render::Renderer> renderer_;
 };
 
 // The ideal direction of a pixel, by OpenCV's own fixed-point inverse of the distortion rather than
 // by ours, in the camera's frame.
-Vec3 direction_of(const Intrinsics& k, int x, int y) {
+Vec3 direction_of(const render::Intrinsics& k, int x, int y) {
   const Vec2 seen{(x - k.cx) / k.fx, (y - k.cy) / k.fy};
-  const LensDistortion& d = k.distortion;
+  const render::LensDistortion& d = k.distortion;
   Vec2 p = seen;
   for (int i = 0; i < 200; ++i) {
     const double r2 = p.x * p.x + p.y * p.y;
@@ -156,8 +158,9 @@ Vec3 direction_of(const Intrinsics& k, int x, int y) {
   return {p.x, p.y, 1};
 }
 
-bool is_plain_around(const Bodies& bodies, const Camera& camera, const Pose& pose, int x, int y) {
-  const Intrinsics k = intrinsics_of(camera);
+bool is_plain_around(
+    const Bodies& bodies, const render::Camera& camera, const Pose& pose, int x, int y) {
+  const render::Intrinsics k = render::intrinsics_of(camera);
   const auto met = [&](int px, int py) {
     return bodies.expected(pose.position,
                            normalized(rotate(pose.rotation, direction_of(k, px, py))));
@@ -171,10 +174,10 @@ bool is_plain_around(const Bodies& bodies, const Camera& camera, const Pose& pos
 }
 
 // Compares every third pixel that is not at an edge; returns how many there were.
-int compare(const Bodies& bodies, const Camera& camera) {
-  const Frame frame = bodies.picture(camera);
-  const Pose pose = opencv_pose_of(camera);
-  const Intrinsics k = intrinsics_of(camera);
+int compare(const Bodies& bodies, const render::Camera& camera) {
+  const render::Frame frame = bodies.picture(camera);
+  const Pose pose = render::opencv_pose_of(camera);
+  const render::Intrinsics k = render::intrinsics_of(camera);
   int compared = 0;
   for (int y = 1; y < camera.height - 1; y += 3) {
     for (int x = 1; x < camera.width - 1; x += 3) {
@@ -182,10 +185,10 @@ int compare(const Bodies& bodies, const Camera& camera) {
       const Met met = bodies.expected(pose.position, d);
       if ((pose.position + d * met.t).z > 2.5) continue;  // lamps and signs hang there
       if (!is_plain_around(bodies, camera, pose, x, y)) continue;
-      if (met.object == shell_object && (pose.position + d * met.t).z < 0.1) {
+      if (met.object == render::shell_object && (pose.position + d * met.t).z < 0.1) {
         if (met.normal.z == 0) continue;  // the skirting
       }
-      const bool on_wall = met.object == shell_object && met.normal.z == 0;
+      const bool on_wall = met.object == render::shell_object && met.normal.z == 0;
       if (on_wall && (pose.position + d * met.t).z > 1.2) continue;  // posters hang there
       const auto i = static_cast<std::size_t>(y * camera.width + x);
       EXPECT_EQ(frame.instance[i], met.object) << x << "," << y;
@@ -201,7 +204,7 @@ int compare(const Bodies& bodies, const Camera& camera) {
 
 TEST(Analytic, APlainCameraSeesWhatTheFormulasSay) {
   const Bodies bodies;
-  Camera camera;
+  render::Camera camera;
   camera.from = {2.4, 1.2, 1.4};
   camera.at = {3, 4, 0.7};
   camera.width = 320, camera.height = 240;
@@ -210,14 +213,15 @@ TEST(Analytic, APlainCameraSeesWhatTheFormulasSay) {
 
 TEST(Analytic, SoDoesADistortedLensInAnyPose) {
   const Bodies bodies;
-  Camera upright;
+  render::Camera upright;
   upright.from = {2.4, 1.2, 1.4};
   upright.at = {3, 4, 0.7};
-  const Pose rolled = opencv_pose_of(upright) * Pose{{}, rotation_about({0, 0, 1}, 0.6)};
-  const Intrinsics lens{260.5, 255.25, 148.5, 131.75, {-0.28, 0.09, 0.0011, -0.0007, -0.013}};
-  EXPECT_GT(compare(bodies, posed_camera("rolled", rolled, lens, 320, 240)), 5000);
-  const Intrinsics pincushion{260.5, 255.25, 170, 110, {0.22, 0.05, -0.002, 0.001, 0.01}};
-  EXPECT_GT(compare(bodies, posed_camera("rolled", rolled, pincushion, 320, 240)), 5000);
+  const Pose rolled = render::opencv_pose_of(upright) * Pose{{}, rotation_about({0, 0, 1}, 0.6)};
+  const render::Intrinsics lens{
+      260.5, 255.25, 148.5, 131.75, {-0.28, 0.09, 0.0011, -0.0007, -0.013}};
+  EXPECT_GT(compare(bodies, render::posed_camera("rolled", rolled, lens, 320, 240)), 5000);
+  const render::Intrinsics pincushion{260.5, 255.25, 170, 110, {0.22, 0.05, -0.002, 0.001, 0.01}};
+  EXPECT_GT(compare(bodies, render::posed_camera("rolled", rolled, pincushion, 320, 240)), 5000);
 }
 
 }  // namespace

@@ -13,8 +13,8 @@
 namespace marketgen {
 namespace {
 
-Actor crate(std::string name, Vec3 middle, Vec3f half) {
-  ActorBody body;
+render::Actor crate(std::string name, Vec3 middle, Vec3f half) {
+  render::ActorBody body;
   body.name = "body";
   add_box(body.mesh, -half, half, 0, 0);
   body.surfaces.push_back({});
@@ -42,11 +42,11 @@ std::vector<std::uint32_t> read_runs(const std::string& text) {
 
 // Two crates before the wall of a room, one half before the other, and a shelf.
 struct Stage {
-  Scene scene = empty_room(6000, 6000, 3000);
+  scene::Scene scene = empty_room(6000, 6000, 3000);
   std::uint32_t shelf = add_box_fixture(scene, {5, 5.5F, 0}, {0, 0, 0.5F}, {0.5F, 0.2F, 0.5F});
-  std::unique_ptr<Renderer> renderer = Renderer::create(scene).value();
-  Camera camera;
-  std::vector<PictureActor> named;
+  std::unique_ptr<render::Renderer> renderer = render::Renderer::create(scene).value();
+  render::Camera camera;
+  std::vector<render::PictureActor> named;
 
   Stage() {
     camera.from = {3, 1, 0.8};
@@ -54,28 +54,29 @@ struct Stage {
     camera.width = 401, camera.height = 301;
   }
 
-  PictureAnnotations annotated(const std::vector<Actor>& actors) {
+  render::PictureAnnotations annotated(const std::vector<render::Actor>& actors) {
     EXPECT_TRUE(renderer->set_actors(actors).ok());
-    for (const Actor& actor : actors)
+    for (const render::Actor& actor : actors)
       named.push_back({actor.name, actor.bodies[0].world_from_body});
     frame = renderer->render(camera, {}).value();
-    return annotate(frame, camera, scene, *renderer, named);
+    return render::annotate(frame, camera, scene, *renderer, named);
   }
-  const ObjectAnnotation& of(const PictureAnnotations& all, const std::string& name) const {
-    for (const ObjectAnnotation& object : all.objects) {
+  const render::ObjectAnnotation& of(const render::PictureAnnotations& all,
+                                     const std::string& name) const {
+    for (const render::ObjectAnnotation& object : all.objects) {
       if (object.name == name) return object;
     }
     ADD_FAILURE() << "there is no " << name;
     return all.objects.front();
   }
-  Frame frame;
+  render::Frame frame;
 };
 
 TEST(Annotations, SayWhatEachObjectIs) {
   Stage stage;
   const auto all = stage.annotated({crate("crate", {3.1, 2, 0.8}, {0.1F, 0.1F, 0.1F})});
   ASSERT_EQ(all.objects.size(), 3U);
-  EXPECT_EQ(all.objects[0].kind, ObjectKind::shell);
+  EXPECT_EQ(all.objects[0].kind, render::ObjectKind::shell);
   EXPECT_FALSE(all.objects[0].camera_from_object);
   EXPECT_FALSE(all.objects[0].full_box_px);
   EXPECT_EQ(all.objects[1].id, stage.shelf);
@@ -83,11 +84,11 @@ TEST(Annotations, SayWhatEachObjectIs) {
   EXPECT_EQ(all.objects[1].category, "gondola");
   EXPECT_EQ(all.categories[all.objects[1].category_id - 1U].name, "gondola");
   EXPECT_FALSE(all.objects[1].hidden);
-  EXPECT_EQ(all.objects[2].kind, ObjectKind::actor);
-  EXPECT_EQ(all.objects[2].id, first_actor_object(stage.scene));
+  EXPECT_EQ(all.objects[2].kind, render::ObjectKind::actor);
+  EXPECT_EQ(all.objects[2].id, render::first_actor_object(stage.scene));
   EXPECT_EQ(all.objects[2].category, "actor");
   const std::vector<std::uint16_t> categories =
-      category_ids(stage.frame, PictureCategories(stage.scene));
+      render::category_ids(stage.frame, render::PictureCategories(stage.scene));
   const auto pixel = static_cast<std::size_t>(150 * 401 + all.objects[2].box_px[0] + 3);
   EXPECT_EQ(categories[pixel], all.objects[2].category_id);
 }
@@ -96,7 +97,7 @@ TEST(Annotations, SayWhatEachObjectIs) {
 TEST(Annotations, BoxesAndDepthAreThoseOfTheFormula) {
   Stage stage;
   const auto all = stage.annotated({crate("crate", {3.0, 2, 0.8}, {0.1F, 0.1F, 0.1F})});
-  const ObjectAnnotation& found = stage.of(all, "crate");
+  const render::ObjectAnnotation& found = stage.of(all, "crate");
   const double half = 0.1 / 0.9 * 301 / 2 / std::tan(30 * 3.14159265 / 180);
   ASSERT_TRUE(found.full_box_px);
   EXPECT_NEAR((*found.full_box_px)[0], 200.5 - half, 0.01);
@@ -120,7 +121,7 @@ TEST(Annotations, WholeBoxesAgreeWithTheMasksOfWhatNothingHides) {
     Stage stage;
     const Vec3 middle{draw.uniform(2.8, 3.2), draw.uniform(2.2, 3), draw.uniform(0.7, 0.9)};
     const auto all = stage.annotated({crate("crate", middle, {0.08F, 0.01F, 0.08F})});
-    const ObjectAnnotation& found = stage.of(all, "crate");
+    const render::ObjectAnnotation& found = stage.of(all, "crate");
     ASSERT_TRUE(found.full_box_px);
     int counted_x = 401, counted_y = 301, past_x = 0, past_y = 0;
     for (int pixel = 0; pixel < 401 * 301; ++pixel) {
@@ -144,7 +145,7 @@ TEST(Annotations, HiddenIsTheShareThatOthersCover) {
   Stage stage;
   const auto all = stage.annotated({crate("far", {3.0, 3, 0.8}, {0.2F, 0.01F, 0.2F}),
                                     crate("near", {3.25, 2, 0.8}, {0.25F, 0.01F, 0.25F})});
-  const ObjectAnnotation &far = stage.of(all, "far"), &near = stage.of(all, "near");
+  const render::ObjectAnnotation &far = stage.of(all, "far"), &near = stage.of(all, "near");
   ASSERT_TRUE(far.hidden && near.hidden);
   EXPECT_EQ(*near.hidden, 0);
   EXPECT_NEAR(*far.hidden, 0.5, 0.02);
@@ -158,11 +159,11 @@ TEST(Annotations, AFullBoxReachesBeyondThePictureButNotBehindTheCamera) {
   Stage stage;
   const auto all = stage.annotated({crate("aside", {3.9, 2, 0.8}, {0.4F, 0.1F, 0.1F}),
                                     crate("around", {3.0, 1.5, 0.2}, {0.1F, 1.0F, 0.1F})});
-  const ObjectAnnotation& aside = stage.of(all, "aside");
+  const render::ObjectAnnotation& aside = stage.of(all, "aside");
   EXPECT_EQ(aside.box_px[2], 401);
   ASSERT_TRUE(aside.full_box_px);
   EXPECT_GT((*aside.full_box_px)[2], 500);
-  const ObjectAnnotation& around = stage.of(all, "around");
+  const render::ObjectAnnotation& around = stage.of(all, "around");
   EXPECT_FALSE(around.full_box_px);
   EXPECT_NEAR(*around.silhouette_px, around.pixels, 5);  // rays along its outline may differ
 }
@@ -170,17 +171,17 @@ TEST(Annotations, AFullBoxReachesBeyondThePictureButNotBehindTheCamera) {
 TEST(Annotations, PosesAreInOpenCvsFrame) {
   Stage stage;
   const auto all = stage.annotated({crate("crate", {3.3, 2.5, 0.6}, {0.1F, 0.1F, 0.1F})});
-  const ObjectAnnotation& found = stage.of(all, "crate");
+  const render::ObjectAnnotation& found = stage.of(all, "crate");
   ASSERT_TRUE(found.camera_from_object);
   const auto& p = found.camera_from_object->position_m;
   EXPECT_NEAR(p[0], 0.3, 1e-9);  // right
   EXPECT_NEAR(p[1], 0.2, 1e-9);  // down
   EXPECT_NEAR(p[2], 1.5, 1e-9);  // ahead
   // The matrices say the same: opencv_from_world * (3.3, 2.5, 0.6).
-  const Matrix44& m = all.matrices.opencv_from_world;
+  const render::Matrix44& m = all.matrices.opencv_from_world;
   EXPECT_NEAR(m[0][0] * 3.3 + m[0][1] * 2.5 + m[0][2] * 0.6 + m[0][3], 0.3, 1e-9);
   EXPECT_NEAR(m[1][0] * 3.3 + m[1][1] * 2.5 + m[1][2] * 0.6 + m[1][3], 0.2, 1e-9);
-  const Matrix44& gl = all.matrices.opengl_from_world;
+  const render::Matrix44& gl = all.matrices.opengl_from_world;
   EXPECT_NEAR(gl[1][0] * 3.3 + gl[1][1] * 2.5 + gl[1][2] * 0.6 + gl[1][3], -0.2, 1e-9);  // up
   EXPECT_NEAR(gl[2][0] * 3.3 + gl[2][1] * 2.5 + gl[2][2] * 0.6 + gl[2][3], -1.5, 1e-9);  // back
 }
@@ -189,7 +190,7 @@ TEST(Annotations, MasksAreTheInstancePlane) {
   Stage stage;
   const auto all = stage.annotated({crate("far", {3.0, 3, 0.8}, {0.2F, 0.01F, 0.2F}),
                                     crate("near", {3.25, 2, 0.8}, {0.05F, 0.01F, 0.25F})});
-  for (const ObjectAnnotation& object : all.objects) {
+  for (const render::ObjectAnnotation& object : all.objects) {
     EXPECT_EQ(object.mask.size, (std::array<int, 2>{301, 401}));
     std::size_t pixel = 0;
     bool inside = false;
@@ -210,19 +211,19 @@ TEST(MaskRuns, AreWrittenAsCocoWritesThem) {
   std::vector<std::uint32_t> plane(30);
   for (const auto& [row, column] : {std::pair{2, 1}, {3, 1}, {0, 3}, {5, 4}})
     plane[static_cast<std::size_t>(row * 5 + column)] = 9;
-  EXPECT_EQ(mask_runs_of(plane, 5, 6).at(9).counts, "828O20");
+  EXPECT_EQ(render::mask_runs_of(plane, 5, 6).at(9).counts, "828O20");
   std::fill(plane.begin(), plane.end(), 4);
-  EXPECT_EQ(mask_runs_of(plane, 5, 6).at(4).counts, "0n0");
-  EXPECT_EQ(compressed_runs({100000, 3, 70000, 900}), "PeQ33`[T2Ql0");
+  EXPECT_EQ(render::mask_runs_of(plane, 5, 6).at(4).counts, "0n0");
+  EXPECT_EQ(render::compressed_runs({100000, 3, 70000, 900}), "PeQ33`[T2Ql0");
 }
 
 TEST(Channels, EveryPlaneHasItsPicture) {
   Stage stage;
   const auto all = stage.annotated({crate("crate", {3.1, 2, 0.8}, {0.1F, 0.1F, 0.1F})});
-  const auto channels =
-      channel_pictures(stage.frame, stage.scene, all, {stage.frame.color, stage.frame.depth_m});
+  const auto channels = render::channel_pictures(
+      stage.frame, stage.scene, all, {stage.frame.color, stage.frame.depth_m});
   ASSERT_EQ(channels.size(), 9U);
-  for (const ChannelPicture& channel : channels) {
+  for (const render::ChannelPicture& channel : channels) {
     EXPECT_EQ(channel.image.width, 401) << channel.name;
     EXPECT_EQ(channel.image.height, 301) << channel.name;
   }
@@ -232,7 +233,7 @@ TEST(Channels, EveryPlaneHasItsPicture) {
   const auto* far = depth.at(100, 100);
   EXPECT_GT(near[0], near[2] + 60);
   EXPECT_GT(far[2], far[0]);
-  const Image sheet = channel_sheet(channels);
+  const Image sheet = render::channel_sheet(channels);
   EXPECT_GT(sheet.width, 3 * 401);
   EXPECT_GT(sheet.height, 3 * 301);
 }
@@ -242,8 +243,8 @@ TEST(Channels, DepthRangeLeavesOutTheFarthestOutliers) {
   depth[0] = 0;
   depth[1] = 0.5F;
   depth[2] = 90;
-  EXPECT_EQ(depth_range_m(depth), (std::array<float, 2>{0.5F, 2.0F}));
-  EXPECT_EQ(depth_range_m({0, 0}), (std::array<float, 2>{0, 1}));
+  EXPECT_EQ(render::depth_range_m(depth), (std::array<float, 2>{0.5F, 2.0F}));
+  EXPECT_EQ(render::depth_range_m({0, 0}), (std::array<float, 2>{0, 1}));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 #include "render/stage/printed_bars.h"
 #include "render/stage/texture.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 // A picture of hash noise in two colours with a ramp: every block mode occurs.
@@ -69,8 +69,8 @@ TEST(BlockMips, EvenColoursAreNearlyExact) {
   EXPECT_NEAR(color.z, 1.0F, 0.001F);
 }
 
-LabelBars stripes() {  // every other module is a bar
-  LabelBars bars{0.25F, 0.5F, 0.75F, 0.9F, 0.1F, false, {}};
+assets::LabelBars stripes() {  // every other module is a bar
+  assets::LabelBars bars{0.25F, 0.5F, 0.75F, 0.9F, 0.1F, false, {}};
   for (int i = 0; i < 95; ++i)
     bars.modules += i % 2 == 0 ? '1' : '0';
   return bars;
@@ -99,7 +99,7 @@ TEST(PrintedBars, OnlyGuardBarsReachTheFoot) {
 }
 
 TEST(PrintedBars, AnUprightTurnMakesALadder) {
-  LabelBars lying = stripes();
+  assets::LabelBars lying = stripes();
   lying.ladder = true;
   const PrintedBars bars(lying, 100, 50);
   const auto row_of = [](int module) {
@@ -111,10 +111,10 @@ TEST(PrintedBars, AnUprightTurnMakesALadder) {
 }
 
 TEST(LabelLibrary, TheWholeCatalogueTakesUnder300Megabytes) {
-  const Catalog catalog = load_catalog(data_folder().value()).value();
+  const catalog::Catalog catalog = catalog::load_catalog(io::data_folder().value()).value();
   double bytes = 0;
-  for (const Product& product : catalog.products) {
-    const SheetSize size = sheet_size_of(product).value();
+  for (const catalog::Product& product : catalog.products) {
+    const assets::SheetSize size = assets::sheet_size_of(product).value();
     const double density = label_px_per_mm(size) * 1000;
     const auto side = [&](float metres) {
       return static_cast<int>(std::lround(static_cast<double>(metres) * density));
@@ -127,4 +127,4 @@ TEST(LabelLibrary, TheWholeCatalogueTakesUnder300Megabytes) {
 }
 
 }  // namespace
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -13,7 +13,7 @@
 namespace marketgen {
 namespace {
 
-constexpr Intrinsics wide_lens{
+constexpr render::Intrinsics wide_lens{
     610.5, 608.25, 321.25, 236.75, {-0.28, 0.09, 0.0011, -0.0007, -0.013}};
 
 struct KnownPoint {
@@ -29,23 +29,23 @@ TEST(CameraModel, ProjectsAsOpenCvDoes) {
                               {{0.5, 0.4, 1.1}, {575.049652485, 439.383546402}},
                               {{-0.02, 0.31, 0.8}, {306.523332652, 463.277879725}}};
   for (const KnownPoint& row : known) {
-    const auto p = project(wide_lens, row.camera_point);
+    const auto p = render::project(wide_lens, row.camera_point);
     ASSERT_TRUE(p);
     EXPECT_NEAR(p->x, row.picture_point.x, 1e-8);
     EXPECT_NEAR(p->y, row.picture_point.y, 1e-8);
   }
-  EXPECT_FALSE(project(wide_lens, {0, 0, -1}));
-  EXPECT_FALSE(project(wide_lens, {0, 0, 0}));
+  EXPECT_FALSE(render::project(wide_lens, {0, 0, -1}));
+  EXPECT_FALSE(render::project(wide_lens, {0, 0, 0}));
 }
 
 TEST(CameraModel, TheInverseBringsEveryPixelBack) {
-  ASSERT_TRUE(check_lens(wide_lens, 640, 480, "lens").ok());
+  ASSERT_TRUE(render::check_lens(wide_lens, 640, 480, "lens").ok());
   for (int y = 0; y < 480; y += 7) {
     for (int x = 0; x < 640; x += 7) {
       const Vec2 seen{(x - wide_lens.cx) / wide_lens.fx, (y - wide_lens.cy) / wide_lens.fy};
-      const auto ideal = undistorted(wide_lens.distortion, seen);
+      const auto ideal = render::undistorted(wide_lens.distortion, seen);
       ASSERT_TRUE(ideal) << x << "," << y;
-      const Vec2 again = distorted(wide_lens.distortion, *ideal);
+      const Vec2 again = render::distorted(wide_lens.distortion, *ideal);
       EXPECT_NEAR(again.x, seen.x, 1e-11);
       EXPECT_NEAR(again.y, seen.y, 1e-11);
     }
@@ -54,7 +54,7 @@ TEST(CameraModel, TheInverseBringsEveryPixelBack) {
 
 // A centred lens without distortion is the plain camera with a field of view.
 TEST(CameraModel, ACentredPinholeHasTheFieldOfView) {
-  const Intrinsics k = centred_pinhole(640, 480, 60);
+  const render::Intrinsics k = render::centred_pinhole(640, 480, 60);
   EXPECT_DOUBLE_EQ(k.cx, 319.5);
   EXPECT_DOUBLE_EQ(k.cy, 239.5);
   const double upper_edge = (-0.5 - k.cy) / k.fy;
@@ -62,8 +62,8 @@ TEST(CameraModel, ACentredPinholeHasTheFieldOfView) {
   EXPECT_EQ(k.fx, k.fy);
 }
 
-std::string code_of_lens(Intrinsics k) {
-  const auto checked = check_lens(k, 640, 480, "lens");
+std::string code_of_lens(render::Intrinsics k) {
+  const auto checked = render::check_lens(k, 640, 480, "lens");
   return checked.ok() ? "" : checked.error().code;
 }
 
@@ -86,34 +86,34 @@ TEST(CameraModel, RefusesWhatIsNoLens) {
 
 // What a lens has folded beyond its picture must not come back into it.
 TEST(CameraModel, PointsBeyondTheFoldAreNotProjected) {
-  const Intrinsics barrel{600, 600, 320, 240, {-0.3}};
+  const render::Intrinsics barrel{600, 600, 320, 240, {-0.3}};
   ASSERT_EQ(code_of_lens(barrel), "");
-  EXPECT_TRUE(project(barrel, {0.5, 0.3, 1}));
+  EXPECT_TRUE(render::project(barrel, {0.5, 0.3, 1}));
   // 1 - 0.3 * 1.8^2 = 0.028: plainly computed it would fall near the middle.
-  EXPECT_FALSE(project(barrel, {1.8, 0, 1}));
+  EXPECT_FALSE(render::project(barrel, {1.8, 0, 1}));
 }
 
-Camera wrist_camera() {
+render::Camera wrist_camera() {
   const Pose pose{{2, 3, 1.2},
                   rotation_about({0, 0, 1}, 0.7) * rotation_about({1, 0, 0}, -1.9) *
                       rotation_about({0, 0, 1}, 0.4)};
-  return posed_camera("wrist", pose, wide_lens, 640, 480);
+  return render::posed_camera("wrist", pose, wide_lens, 640, 480);
 }
 
 // Rays and projection come from separate code: a point on a pixel's ray is projected to the pixel.
 TEST(CameraModel, RaysAndProjectionAgree) {
-  Camera plain;
+  render::Camera plain;
   plain.from = {1, 2, 1.5};
   plain.at = {4, 3, 1.1};
-  Camera shifted = wrist_camera();
+  render::Camera shifted = wrist_camera();
   shifted.intrinsics->distortion = {};
-  Camera plan = plain;
+  render::Camera plan = plain;
   plan.ortho_height_m = 5;
-  for (const Camera& camera : {plain, shifted, wrist_camera(), plan}) {
-    const raytrace::View view(camera);
-    const Projection project(camera);
+  for (const render::Camera& camera : {plain, shifted, wrist_camera(), plan}) {
+    const render::raytrace::View view(camera);
+    const render::Projection project(camera);
     for (const Vec2f pixel : {Vec2f{0, 0}, {17, 300}, {320, 240}, {600, 20}, {639, 479}}) {
-      const raytrace::Ray ray = view.ray(pixel.x + 0.5F, pixel.y + 0.5F);
+      const render::raytrace::Ray ray = view.ray(pixel.x + 0.5F, pixel.y + 0.5F);
       const auto back = project(to_double(ray.origin + ray.direction * 3.0F));
       ASSERT_TRUE(back) << camera.name;
       EXPECT_NEAR(back->x, pixel.x, 1e-3) << camera.name;
@@ -123,10 +123,10 @@ TEST(CameraModel, RaysAndProjectionAgree) {
 }
 
 TEST(CameraModel, PosesAreThoseOfOpenCvAndOpenGl) {
-  Camera camera;
+  render::Camera camera;
   camera.from = {1, 2, 1.5};
   camera.at = {1, 5, 1.5};  // looks north
-  const Pose cv = opencv_pose_of(camera), gl = opengl_pose_of(camera);
+  const Pose cv = render::opencv_pose_of(camera), gl = render::opengl_pose_of(camera);
   const auto expect_axis = [](Vec3 found, Vec3 expected) {
     EXPECT_NEAR(length(found - expected), 0, 1e-12);
   };
@@ -136,46 +136,52 @@ TEST(CameraModel, PosesAreThoseOfOpenCvAndOpenGl) {
   expect_axis(rotate(gl.rotation, {0, 1, 0}), {0, 0, 1});   // up
   expect_axis(rotate(gl.rotation, {0, 0, 1}), {0, -1, 0});  // back
   expect_axis(cv.position, camera.from);
-  const CameraAxes axes = axes_of(wrist_camera());
+  const render::CameraAxes axes = render::axes_of(wrist_camera());
   EXPECT_NEAR(length(cross(axes.right, axes.down) - axes.ahead), 0, 1e-12);
 }
 
 TEST(CameraFiles, HoldTheWholeCamera) {
-  const Camera wrist = wrist_camera();
-  const Result<Camera> again = camera_of(camera_file_of(wrist), "wrist.json");
+  const render::Camera wrist = wrist_camera();
+  const Result<render::Camera> again =
+      render::camera_of(render::camera_file_of(wrist), "wrist.json");
   ASSERT_TRUE(again.ok());
   EXPECT_EQ(*again->intrinsics, *wrist.intrinsics);
   EXPECT_EQ(again->world_from_camera->rotation, wrist.world_from_camera->rotation);
   EXPECT_EQ(again->width, 640);
-  Camera plan;
+  render::Camera plan;
   plan.from = {3, 3, 9};
   plan.at = {3, 3, 0};
   plan.ortho_height_m = 8;
-  const Result<Camera> flat = camera_of(camera_file_of(plan), "plan.json");
+  const Result<render::Camera> flat = render::camera_of(render::camera_file_of(plan), "plan.json");
   ASSERT_TRUE(flat.ok());
-  const raytrace::View one(plan), other(*flat);
+  const render::raytrace::View one(plan), other(*flat);
   EXPECT_NEAR(length(one.ray(3, 5).origin - other.ray(3, 5).origin), 0, 1e-5F);
 }
 
 TEST(CameraFiles, RefuseWhatIsNoCamera) {
   const auto code_after = [](const auto& spoil) {
-    CameraFile file = camera_file_of(wrist_camera());
+    render::CameraFile file = render::camera_file_of(wrist_camera());
     spoil(file);
-    const Result<Camera> camera = camera_of(file, "wrist.json");
+    const Result<render::Camera> camera = render::camera_of(file, "wrist.json");
     return camera.ok() ? "" : camera.error().code;
   };
-  EXPECT_EQ(code_after([](CameraFile& f) { f.width = 0; }), "camera.bad_size");
-  EXPECT_EQ(code_after([](CameraFile& f) { f.width = f.height = 32768; }), "camera.bad_size");
-  EXPECT_EQ(code_after([](CameraFile& f) { f.rotation_wxyz = {0, 0, 0, 0}; }), "camera.degenerate");
-  EXPECT_EQ(
-      code_after([](CameraFile& f) { f.position_m[1] = std::numeric_limits<double>::quiet_NaN(); }),
-      "camera.degenerate");
-  EXPECT_EQ(code_after([](CameraFile& f) {
+  EXPECT_EQ(code_after([](render::CameraFile& f) { f.width = 0; }), "camera.bad_size");
+  EXPECT_EQ(code_after([](render::CameraFile& f) { f.width = f.height = 32768; }),
+            "camera.bad_size");
+  EXPECT_EQ(code_after([](render::CameraFile& f) {
+              f.rotation_wxyz = {0, 0, 0, 0};
+            }),
+            "camera.degenerate");
+  EXPECT_EQ(code_after([](render::CameraFile& f) {
+              f.position_m[1] = std::numeric_limits<double>::quiet_NaN();
+            }),
+            "camera.degenerate");
+  EXPECT_EQ(code_after([](render::CameraFile& f) {
               f.rotation_wxyz[2] = std::numeric_limits<double>::quiet_NaN();
             }),
             "camera.degenerate");
-  EXPECT_EQ(code_after([](CameraFile& f) { f.fx = 0; }), "camera.bad_lens");
-  EXPECT_EQ(code_after([](CameraFile& f) { f.distortion[0] = -1; }), "camera.bad_lens");
+  EXPECT_EQ(code_after([](render::CameraFile& f) { f.fx = 0; }), "camera.bad_lens");
+  EXPECT_EQ(code_after([](render::CameraFile& f) { f.distortion[0] = -1; }), "camera.bad_lens");
 }
 
 }  // namespace

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
-Product bottle_of(const std::string& name, const std::string& archetype) {
-  Product product;
+catalog::Product bottle_of(const std::string& name, const std::string& archetype) {
+  catalog::Product product;
   product.sku = "test-bottle";
   product.name = name;
   product.archetype = archetype;
@@ -20,8 +20,8 @@ Product bottle_of(const std::string& name, const std::string& archetype) {
   return product;
 }
 
-ProductModel model_of(const std::string& name, const std::string& archetype) {
-  return make_product_model(bottle_of(name, archetype)).value();
+assets::ProductModel model_of(const std::string& name, const std::string& archetype) {
+  return assets::make_product_model(bottle_of(name, archetype)).value();
 }
 
 TEST(ClearPack, WaterOilAndHoneyAreClearKetchupAndMilkAreNot) {
@@ -34,7 +34,7 @@ TEST(ClearPack, WaterOilAndHoneyAreClearKetchupAndMilkAreNot) {
 }
 
 TEST(ClearPack, CuttingKeepsTheOutline) {
-  const ProductModel model = model_of("Still Water", "water_bottle");
+  const assets::ProductModel model = model_of("Still Water", "water_bottle");
   const ClearPack pack = clear_pack(model);
   const Bounds3 before = bounds_of(model.mesh), after = bounds_of(pack.mesh);
   EXPECT_EQ(before.low, after.low);
@@ -59,7 +59,7 @@ TEST(ClearPack, CuttingKeepsTheOutline) {
 
 // The body of liquid is closed: walls and label below the fill height, and its surface.
 TEST(ClearPack, LiquidReachesItsSurfaceAndTheSheetStartsThere) {
-  const ProductModel model = model_of("Still Water", "water_bottle");
+  const assets::ProductModel model = model_of("Still Water", "water_bottle");
   const ClearPack pack = clear_pack(model);
   float liquid_top = 0, sheet_foot = 1;
   for (std::size_t t = 0; t < pack.mesh.triangles.size(); ++t) {
@@ -77,7 +77,8 @@ TEST(ClearPack, LiquidReachesItsSurfaceAndTheSheetStartsThere) {
 }
 
 TEST(ClearPack, LiquidTakesItsColourOverTwiceTheDepthOfThePack) {
-  marketgen::Surface wall{.color = {0.5F, 0.25F, 1}, .roughness = 0.1F, .refraction = 1.47F};
+  marketgen::assets::Surface wall{
+      .color = {0.5F, 0.25F, 1}, .roughness = 0.1F, .refraction = 1.47F};
   const ClearMaterials made = clear_materials(wall, {.color = wall.color}, 0.07F);
   EXPECT_TRUE(made.liquid.clear);
   EXPECT_TRUE(made.sheet.clear);
@@ -89,4 +90,4 @@ TEST(ClearPack, LiquidTakesItsColourOverTwiceTheDepthOfThePack) {
 }
 
 }  // namespace
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

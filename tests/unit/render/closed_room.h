@@ -5,7 +5,7 @@
 #include "render/path/path_picture.h"
 #include "render/stage/world.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 inline std::unique_ptr<World> empty_world(const Material& material) {
   auto world = std::make_unique<World>();
@@ -38,7 +38,7 @@ inline Mesh cube_room() {
 // Mean of the paths through the pixels of `view`: nothing ends in stored light.
 inline Vec3f mean_path_light(const World& world, const View& view, int paths) {
   const LightGrid lights(world);
-  const Scene none;
+  const scene::Scene none;
   const IrradianceField field(world, lights, none);
   const PathScene scene{world, lights, field};
   const PathSettings settings{mask_opaque, false};
@@ -57,7 +57,7 @@ inline Vec3f mean_path_light(const World& world, const View& view, int paths) {
 }
 
 inline View square_view(Vec3 from, Vec3 at, int side_px = 16, double fov_deg = 60) {
-  Camera camera;
+  render::Camera camera;
   camera.from = from;
   camera.at = at;
   camera.fov_deg = fov_deg;
@@ -65,4 +65,4 @@ inline View square_view(Vec3 from, Vec3 at, int side_px = 16, double fov_deg = 6
   return View(camera);
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -14,23 +14,25 @@ namespace {
 
 constexpr float millimetre = 1e-3F;
 
-Frame rendered(const Scene& scene, const Camera& camera, RenderOptions options = {}) {
-  const Result<std::unique_ptr<Renderer>> renderer = Renderer::create(scene);
+render::Frame rendered(const scene::Scene& scene,
+                       const render::Camera& camera,
+                       render::RenderOptions options = {}) {
+  const Result<std::unique_ptr<render::Renderer>> renderer = render::Renderer::create(scene);
   EXPECT_TRUE(renderer.ok()) << (renderer.ok() ? "" : to_string(renderer.error()));
-  const Result<Frame> frame = (*renderer)->render(camera, options);
+  const Result<render::Frame> frame = (*renderer)->render(camera, options);
   EXPECT_TRUE(frame.ok());
   return *frame;
 }
 
-std::size_t pixel(const Camera& camera, int x, int y) {
+std::size_t pixel(const render::Camera& camera, int x, int y) {
   return static_cast<std::size_t>(y * camera.width + x);
 }
 
 // A box of 1 x 1 x 1 m on the floor, its near face at y = 3, seen along +y from y = 1.
 struct BoxScene {
-  Scene scene = empty_room(6000, 6000, 3000);
+  scene::Scene scene = empty_room(6000, 6000, 3000);
   std::uint32_t box = add_box_fixture(scene, {3, 3.5F, 0}, {0, 0, 0.5F}, {0.5F, 0.5F, 0.5F});
-  Camera camera;
+  render::Camera camera;
   BoxScene() {
     camera.from = {3, 1, 0.5};
     camera.at = {3, 2, 0.5};
@@ -42,7 +44,7 @@ struct BoxScene {
 
 TEST(Frame, DepthOfABoxAndTheWallBehindIt) {
   const BoxScene s;
-  const Frame frame = rendered(s.scene, s.camera);
+  const render::Frame frame = rendered(s.scene, s.camera);
   EXPECT_NEAR(frame.depth_m[pixel(s.camera, 60, 40)], 2.0F, millimetre);  // the near face
   EXPECT_NEAR(frame.depth_m[pixel(s.camera, 30, 40)],
               5.0F,
@@ -54,7 +56,7 @@ TEST(Frame, DepthOfABoxAndTheWallBehindIt) {
 
 TEST(Frame, TheFloorLiesWhereItsPixelsSay) {
   const BoxScene s;
-  const Frame frame = rendered(s.scene, s.camera);
+  const render::Frame frame = rendered(s.scene, s.camera);
   const double tan_half = std::tan(30 * std::numbers::pi / 180);
   for (const int y : {60, 70, 80}) {
     const double slope =
@@ -68,7 +70,7 @@ TEST(Frame, TheFloorLiesWhereItsPixelsSay) {
 
 TEST(Frame, NormalsFaceTheEye) {
   const BoxScene s;
-  const Frame frame = rendered(s.scene, s.camera);
+  const render::Frame frame = rendered(s.scene, s.camera);
   const std::size_t i = 3 * pixel(s.camera, 60, 40);
   EXPECT_NEAR(frame.normals[i], 0, 1e-3F);
   EXPECT_NEAR(frame.normals[i + 1], -1, 1e-3F);
@@ -77,16 +79,16 @@ TEST(Frame, NormalsFaceTheEye) {
 
 TEST(Frame, GlassReportsWhatIsBehind) {
   BoxScene s;
-  add_box_fixture(s.scene, {3, 2, 0}, {0, 0, 0.5F}, {2, 0.005F, 0.5F}, SurfaceKind::glass);
-  const Frame frame = rendered(s.scene, s.camera);
+  add_box_fixture(s.scene, {3, 2, 0}, {0, 0, 0.5F}, {2, 0.005F, 0.5F}, assets::SurfaceKind::glass);
+  const render::Frame frame = rendered(s.scene, s.camera);
   EXPECT_EQ(frame.instance[pixel(s.camera, 60, 40)], s.box);
   EXPECT_NEAR(frame.depth_m[pixel(s.camera, 60, 40)], 2.0F, millimetre);
   const auto matter_at = [&](int x, int y) {
-    return static_cast<Matter>(frame.matter[pixel(s.camera, x, y)]);
+    return static_cast<render::Matter>(frame.matter[pixel(s.camera, x, y)]);
   };
-  EXPECT_EQ(matter_at(60, 40), Matter::glass);
-  EXPECT_EQ(matter_at(30, 40), Matter::glass);  // the wall seen through it
-  EXPECT_EQ(matter_at(60, 3), Matter::solid);   // above the pane
+  EXPECT_EQ(matter_at(60, 40), render::Matter::glass);
+  EXPECT_EQ(matter_at(30, 40), render::Matter::glass);  // the wall seen through it
+  EXPECT_EQ(matter_at(60, 3), render::Matter::solid);   // above the pane
 }
 
 TEST(Frame, OrthographicPixelsAreEvenlySpaced) {
@@ -96,9 +98,9 @@ TEST(Frame, OrthographicPixelsAreEvenlySpaced) {
   s.camera.width = 120;
   s.camera.height = 80;
   s.camera.ortho_height_m = 8;  // 0.1 m a pixel
-  RenderOptions options;
+  render::RenderOptions options;
   options.hide_ceiling = true;
-  const Frame frame = rendered(s.scene, s.camera, options);
+  const render::Frame frame = rendered(s.scene, s.camera, options);
   int box_pixels = 0;
   for (std::size_t i = 0; i < frame.instance.size(); ++i) {
     if (frame.instance[i] != s.box) continue;
@@ -113,7 +115,7 @@ TEST(Frame, OutsideThereIsNothing) {
   BoxScene s;
   s.camera.from = {3, -5, 1};
   s.camera.at = {3, -6, 1};  // away from the shop
-  const Frame frame = rendered(s.scene, s.camera);
+  const render::Frame frame = rendered(s.scene, s.camera);
   EXPECT_EQ(frame.depth_m[pixel(s.camera, 60, 40)], 0.0F);
   EXPECT_EQ(frame.instance[pixel(s.camera, 60, 40)], 0U);
 }
@@ -122,24 +124,24 @@ TEST(Frame, AnEyeInsideABoxStillSees) {
   BoxScene s;
   s.camera.from = {3, 3.5, 0.5};
   s.camera.at = {3, 4, 0.5};
-  const Frame frame = rendered(s.scene, s.camera);
+  const render::Frame frame = rendered(s.scene, s.camera);
   EXPECT_NEAR(
       frame.depth_m[pixel(s.camera, 60, 40)], 0.5F, millimetre);  // its far wall, from within
 }
 
-class ThreadsTest : public testing::TestWithParam<RenderMode> {};
+class ThreadsTest : public testing::TestWithParam<render::RenderMode> {};
 
 TEST_P(ThreadsTest, ThreadCountDoesNotChangePixels) {
   const BoxScene s;
-  RenderOptions options;
+  render::RenderOptions options;
   options.mode = GetParam();
   options.samples = 2;
-  std::vector<Frame> frames;
+  std::vector<render::Frame> frames;
   for (const int threads : {1, 2, 4}) {
     const ThreadLimit limit(threads);
     frames.push_back(rendered(s.scene, s.camera, options));
   }
-  for (const Frame& frame : frames) {
+  for (const render::Frame& frame : frames) {
     EXPECT_EQ(frame.color.pixels, frames[0].color.pixels);
     EXPECT_EQ(frame.depth_m, frames[0].depth_m);
     EXPECT_EQ(frame.instance, frames[0].instance);
@@ -148,15 +150,15 @@ TEST_P(ThreadsTest, ThreadCountDoesNotChangePixels) {
 }
 INSTANTIATE_TEST_SUITE_P(BothModes,
                          ThreadsTest,
-                         testing::Values(RenderMode::sensor, RenderMode::path));
+                         testing::Values(render::RenderMode::sensor, render::RenderMode::path));
 
 TEST(Frame, BadCamerasAreErrors) {
   const BoxScene s;
-  const Result<std::unique_ptr<Renderer>> renderer = Renderer::create(s.scene);
+  const Result<std::unique_ptr<render::Renderer>> renderer = render::Renderer::create(s.scene);
   ASSERT_TRUE(renderer.ok());
-  Camera camera = s.camera;
+  render::Camera camera = s.camera;
   camera.width = 0;
-  const Result<Frame> frame = (*renderer)->render(camera, {});
+  const Result<render::Frame> frame = (*renderer)->render(camera, {});
   ASSERT_FALSE(frame.ok());
   EXPECT_EQ(frame.error().code, "camera.bad_size");
 }

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 float hue_of(Vec3f tint) {
@@ -84,4 +84,4 @@ TEST(ItemLook, TrianglesOfAQuadAreKnockedAlikeAndEightAsEachAlone) {
 }
 
 }  // namespace
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -12,7 +12,7 @@
 #include "support/committed_catalog.h"
 #include "synthetic_scene.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 Image colorful(int width, int height) {
@@ -45,7 +45,7 @@ TEST(Lanes, RowsComeOutAsColumns) {
 TEST(Lanes, EightTexturesSayWhatEachSaysAlone) {
   const Texture plain(colorful(33, 20)), blocks(blocks_of(colorful(64, 30))),
       bars(blocks_of(colorful(128, 64)),
-           LabelBars{
+           assets::LabelBars{
                .u0 = 0.2F, .v0 = 0.1F, .u1 = 0.9F, .v1 = 0.8F, .modules = std::string(95, '1')});
   const std::array<const Texture*, 3> kinds{&plain, &blocks, &bars};
   for (int round = 0; round < 200; ++round) {
@@ -101,21 +101,24 @@ void expect_alike(const Surface& a, const Surface& b) {
 
 // A room with a box, a pane and packs: floor and walls have textures and relief.
 TEST(Lanes, EightSurfacesAreThoseOfSingleRays) {
-  Scene scene = empty_room(6000, 6000, 3000);
+  scene::Scene scene = empty_room(6000, 6000, 3000);
   add_box_fixture(scene, {3, 3.5F, 0}, {0, 0, 0.5F}, {0.5F, 0.5F, 0.5F});
-  add_box_fixture(scene, {4, 2.5F, 0}, {0, 0, 0.5F}, {0.3F, 0.02F, 0.5F}, SurfaceKind::glass);
+  add_box_fixture(
+      scene, {4, 2.5F, 0}, {0, 0, 0.5F}, {0.3F, 0.02F, 0.5F}, assets::SurfaceKind::glass);
   // Two worn packs among them, one before the other.
   const auto& products = committed_catalog().products;
-  scene.catalog.push_back(*std::find_if(
-      products.begin(), products.end(), [](const Product& row) { return row.archetype == "box"; }));
+  scene.catalog.push_back(
+      *std::find_if(products.begin(), products.end(), [](const catalog::Product& row) {
+        return row.archetype == "box";
+      }));
   scene.products.resize(2);
   scene.products[0].position_m = {3, 1.7F, 1.1F};
   scene.products[1].position_m = {3.2F, 1.9F, 1.1F};
-  const auto world = build_world(scene, {}, silent_progress(), PrintDetail::near);
+  const auto world = build_world(scene, {}, silent_progress(), render::PrintDetail::near);
   ASSERT_TRUE(world.ok());
   for (std::uint32_t i = 0; i < 2; ++i)
     (*world)->instances[(*world)->first_product_instance + i].look = {{1.08F, 0.97F, 0.9F}, 0.8F};
-  Camera camera;
+  render::Camera camera;
   camera.from = {3, 1, 1.5};
   camera.at = {3.1, 3, 0.7};
   camera.fov_deg = 75;
@@ -153,4 +156,4 @@ TEST(Lanes, EightSurfacesAreThoseOfSingleRays) {
 }
 
 }  // namespace
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

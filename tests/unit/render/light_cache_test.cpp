@@ -36,9 +36,9 @@ class LightCache : public ::testing::Test {
   enum class Keep { no, yes };
   std::vector<std::uint8_t> pixels(Keep keep = Keep::yes) const {
     const auto renderer =
-        Renderer::create(scene_, silent_progress(), {.keep_light = keep == Keep::yes});
+        render::Renderer::create(scene_, silent_progress(), {.keep_light = keep == Keep::yes});
     EXPECT_TRUE(renderer.ok());
-    Camera camera;
+    render::Camera camera;
     camera.from = {3, 1, 1.2};
     camera.at = {3, 3, 0.6};
     camera.width = 80;
@@ -55,7 +55,7 @@ class LightCache : public ::testing::Test {
 
   ScratchFolder scratch_;
   std::optional<std::string> before_;
-  Scene scene_;
+  scene::Scene scene_;
 };
 
 TEST_F(LightCache, PicturesAreTheSameWithoutWithNewAndWithOldLight) {
@@ -81,13 +81,13 @@ TEST_F(LightCache, AnotherLookAndMovedThingsHaveOtherLight) {
 TEST_F(LightCache, DamagedFilesAreBakedAnew) {
   const auto right = pixels();
   const fs::path file = files().at(0);
-  const std::string whole = read_file(file).value();
+  const std::string whole = io::read_file(file).value();
   std::string flipped = whole;
   flipped[whole.size() / 2] ^= 0x10;
   for (const std::string& damaged : {std::string(), whole.substr(0, whole.size() / 2), flipped}) {
-    ASSERT_TRUE(write_file(file, damaged).ok());
+    ASSERT_TRUE(io::write_file(file, damaged).ok());
     EXPECT_EQ(pixels(), right);
-    EXPECT_EQ(read_file(file).value(), whole) << "put right";
+    EXPECT_EQ(io::read_file(file).value(), whole) << "put right";
   }
 }
 
@@ -100,7 +100,7 @@ TEST_F(LightCache, TheOldestFilesGo) {
   fs::create_directories(scratch_.path() / "light");
   for (int i = 0; i < 256; ++i) {
     const fs::path file = scratch_.path() / "light" / (std::to_string(i) + ".bin");
-    ASSERT_TRUE(write_file(file, "x").ok());
+    ASSERT_TRUE(io::write_file(file, "x").ok());
     fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(1000 - i));
   }
   pixels();

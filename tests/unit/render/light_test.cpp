@@ -8,7 +8,7 @@
 #include "render/stage/texture.h"
 #include "render/tone.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 // Irradiance under the middle of a square lamp of side a at height h (form factor of a parallel
@@ -72,4 +72,4 @@ TEST(Tone, BlackBodiesGoFromRedToBlue) {
 }
 
 }  // namespace
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

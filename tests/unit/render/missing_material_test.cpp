@@ -11,10 +11,10 @@ namespace marketgen {
 namespace {
 
 // Share of pixels that are far more red and blue than green.
-double magenta_share(const Scene& scene) {
-  const auto renderer = Renderer::create(scene);
+double magenta_share(const scene::Scene& scene) {
+  const auto renderer = render::Renderer::create(scene);
   EXPECT_TRUE(renderer.ok());
-  Camera camera;
+  render::Camera camera;
   camera.from = {3, 1, 1.6};
   camera.at = {3, 3, 0};
   camera.width = 80;
@@ -28,7 +28,7 @@ double magenta_share(const Scene& scene) {
 }
 
 TEST(MissingMaterial, IsDrawnAsACheckerAndSaid) {
-  Scene scene = empty_room(6000, 6000, 3000);
+  scene::Scene scene = empty_room(6000, 6000, 3000);
   scene.materials = committed_catalog().materials;
   scene.layout.look.floor = scene.materials.front().id;
   testing::internal::CaptureStderr();

@@ -12,8 +12,8 @@
 namespace marketgen {
 namespace {
 
-Camera sensor_camera(int width = 640, int height = 480) {
-  Camera camera;
+render::Camera sensor_camera(int width = 640, int height = 480) {
+  render::Camera camera;
   camera.name = "sensor";
   camera.from = {0, 0, 1};
   camera.at = {0, 1, 1};
@@ -23,9 +23,11 @@ Camera sensor_camera(int width = 640, int height = 480) {
 }
 
 // A wall square to the axis.
-Frame wall(const Camera& camera, float depth_m, Matter matter = Matter::solid) {
+render::Frame wall(const render::Camera& camera,
+                   float depth_m,
+                   render::Matter matter = render::Matter::solid) {
   const auto count = static_cast<std::size_t>(camera.width * camera.height);
-  Frame frame;
+  render::Frame frame;
   frame.color = Image(camera.width, camera.height);
   std::fill(frame.color.pixels.begin(), frame.color.pixels.end(), std::uint8_t{128});
   frame.depth_m.assign(count, depth_m);
@@ -36,8 +38,10 @@ Frame wall(const Camera& camera, float depth_m, Matter matter = Matter::solid) {
   return frame;
 }
 
-std::vector<float> measured(const Frame& frame, const Camera& camera, NoiseSource source = {}) {
-  return noisy_depth(frame, camera, StereoCamera{}, source).value();
+std::vector<float> measured(const render::Frame& frame,
+                            const render::Camera& camera,
+                            render::NoiseSource source = {}) {
+  return render::noisy_depth(frame, camera, render::StereoCamera{}, source).value();
 }
 
 double share_without(const std::vector<float>& depth_m, int width, int from_column, int to_column) {
@@ -53,9 +57,9 @@ double share_without(const std::vector<float>& depth_m, int width, int from_colu
 
 // Of 0.08 px, and what rounding to 1/32 px adds: 0.08^2 + (1/32)^2 / 12.
 TEST(DepthNoise, DisparityHasTheNoiseAndTheStepsOfTheSensor) {
-  const Camera camera = sensor_camera();
+  const render::Camera camera = sensor_camera();
   const std::vector<float> depth = measured(wall(camera, 2), camera);
-  const double scale = intrinsics_of(camera).fx * 0.05, truth = scale / 2;
+  const double scale = render::intrinsics_of(camera).fx * 0.05, truth = scale / 2;
   double sum = 0, squares = 0, count = 0;
   std::set<long> steps;
   for (const float d : depth) {
@@ -76,11 +80,11 @@ TEST(DepthNoise, DisparityHasTheNoiseAndTheStepsOfTheSensor) {
 
 // Of the errors of pixels dx and dy apart: the share of their windows of 7 x 7 that both have.
 TEST(DepthNoise, NeighboursErrAlikeAsFarAsTheirWindowsOverlap) {
-  const Camera camera = sensor_camera(1280, 960);
-  StereoCamera fine;
+  const render::Camera camera = sensor_camera(1280, 960);
+  render::StereoCamera fine;
   fine.disparity_step_px = 1e-4;  // rounding is independent from pixel to pixel
-  const std::vector<float> depth = noisy_depth(wall(camera, 2), camera, fine, {}).value();
-  const double scale = intrinsics_of(camera).fx * 0.05;
+  const std::vector<float> depth = render::noisy_depth(wall(camera, 2), camera, fine, {}).value();
+  const double scale = render::intrinsics_of(camera).fx * 0.05;
   const auto error = [&](int x, int y) {
     const float d = depth[static_cast<std::size_t>(y * camera.width + x)];
     return scale / static_cast<double>(d) - scale / 2;
@@ -103,8 +107,8 @@ TEST(DepthNoise, NeighboursErrAlikeAsFarAsTheirWindowsOverlap) {
 // A matching window that holds the edge of a near thing takes its depth: what is near is a pixel
 // wider on the side that both eyes see, above and below.
 TEST(DepthNoise, NearThingsAreMeasuredTooWide) {
-  const Camera camera = sensor_camera();
-  Frame frame = wall(camera, 2);
+  const render::Camera camera = sensor_camera();
+  render::Frame frame = wall(camera, 2);
   for (int y = 200; y < 240; ++y) {
     for (int x = 300; x < 340; ++x)
       frame.depth_m[static_cast<std::size_t>(y * camera.width + x)] = 1;
@@ -126,17 +130,17 @@ TEST(DepthNoise, NearThingsAreMeasuredTooWide) {
 
 // The right eye, 50 mm beside the left, does not see the left edge: fx * baseline / depth pixels.
 TEST(DepthNoise, TheLeftEdgeHasNoDepth) {
-  const Camera camera = sensor_camera();
+  const render::Camera camera = sensor_camera();
   const std::vector<float> depth = measured(wall(camera, 1), camera);
-  const int band = static_cast<int>(intrinsics_of(camera).fx * 0.05);  // 20 pixels
+  const int band = static_cast<int>(render::intrinsics_of(camera).fx * 0.05);  // 20 pixels
   EXPECT_EQ(band, 20);
   EXPECT_EQ(share_without(depth, camera.width, 0, band), 1);
   EXPECT_EQ(share_without(depth, camera.width, band + 1, camera.width), 0);
 }
 
 TEST(DepthNoise, WhatIsTooNearOrTooFarHasNoDepth) {
-  const Camera camera = sensor_camera();
-  const double least = min_depth_m(StereoCamera{}, intrinsics_of(camera));
+  const render::Camera camera = sensor_camera();
+  const double least = render::min_depth_m(render::StereoCamera{}, render::intrinsics_of(camera));
   EXPECT_NEAR(least, 415.69 * 0.05 / 126, 1e-4);  // 165 mm
   EXPECT_EQ(share_without(
                 measured(wall(camera, static_cast<float>(least * 0.98)), camera), 640, 200, 640),
@@ -155,7 +159,7 @@ TEST(DepthNoise, LeastDepthIsTheDatasheets) {
   };
   for (const Row& row : {Row{1280, 87, 0.280}, {848, 87, 0.195}, {640, 75, 0.175}}) {
     const double fx = row.width / 2.0 / std::tan(row.fov_deg * 3.14159265 / 360);
-    const double least = min_depth_m(StereoCamera{}, {fx, fx, 0, 0, {}});
+    const double least = render::min_depth_m(render::StereoCamera{}, {fx, fx, 0, 0, {}});
     EXPECT_NEAR(least, row.datasheet_m, 0.1 * row.datasheet_m) << row.width;
   }
 }
@@ -163,14 +167,15 @@ TEST(DepthNoise, LeastDepthIsTheDatasheets) {
 // A post before a wall hides from the right eye a strip of wall to the post's left, as wide as the
 // two disparities differ.
 TEST(DepthNoise, APostCastsAStereoShadow) {
-  const Camera camera = sensor_camera();
-  Frame frame = wall(camera, 2);
+  const render::Camera camera = sensor_camera();
+  render::Frame frame = wall(camera, 2);
   for (int y = 0; y < camera.height; ++y) {
     for (int x = 300; x < 340; ++x)
       frame.depth_m[static_cast<std::size_t>(y * camera.width + x)] = 1;
   }
   const std::vector<float> depth = measured(frame, camera);
-  const int shadow = static_cast<int>(intrinsics_of(camera).fx * 0.05 * (1.0 - 0.5));  // 10 pixels
+  const int shadow =
+      static_cast<int>(render::intrinsics_of(camera).fx * 0.05 * (1.0 - 0.5));  // 10 pixels
   EXPECT_EQ(share_without(depth, camera.width, 300 - shadow, 300), 1);
   EXPECT_EQ(share_without(depth, camera.width, 300 - 3 * shadow, 300 - shadow - 2), 0);
   EXPECT_EQ(share_without(depth, camera.width, 302, 338), 0);
@@ -186,27 +191,30 @@ TEST(DepthNoise, APostCastsAStereoShadow) {
 }
 
 TEST(DepthNoise, GlassAndClearPacksHaveHolesAndMetalAtAGlance) {
-  const Camera camera = sensor_camera();
-  EXPECT_NEAR(
-      share_without(measured(wall(camera, 1, Matter::glass), camera), 640, 40, 640), 0.5, 0.1);
-  EXPECT_NEAR(
-      share_without(measured(wall(camera, 1, Matter::clear), camera), 640, 40, 640), 0.35, 0.12);
-  EXPECT_EQ(share_without(measured(wall(camera, 1, Matter::none), camera), 640, 40, 640), 1);
-  Frame metal = wall(camera, 1, Matter::metal);
+  const render::Camera camera = sensor_camera();
+  EXPECT_NEAR(share_without(measured(wall(camera, 1, render::Matter::glass), camera), 640, 40, 640),
+              0.5,
+              0.1);
+  EXPECT_NEAR(share_without(measured(wall(camera, 1, render::Matter::clear), camera), 640, 40, 640),
+              0.35,
+              0.12);
+  EXPECT_EQ(share_without(measured(wall(camera, 1, render::Matter::none), camera), 640, 40, 640),
+            1);
+  render::Frame metal = wall(camera, 1, render::Matter::metal);
   EXPECT_EQ(share_without(measured(metal, camera), 640, 40, 640), 0);  // seen squarely
   for (std::size_t i = 0; i < metal.depth_m.size(); ++i) {
     metal.normals[3 * i] = std::sqrt(1 - 0.01F);  // nearly edge on
     metal.normals[3 * i + 1] = -0.1F;
   }
   EXPECT_GT(share_without(measured(metal, camera), 640, 280, 360), 0.99);
-  Frame glare = wall(camera, 1);
+  render::Frame glare = wall(camera, 1);
   std::fill(glare.color.pixels.begin(), glare.color.pixels.end(), std::uint8_t{255});
   EXPECT_EQ(share_without(measured(glare, camera), 640, 40, 640), 1);
 }
 
 TEST(DepthNoise, SeedAndFrameDecideItAndThreadsDoNot) {
-  const Camera camera = sensor_camera(160, 120);
-  const Frame frame = wall(camera, 2, Matter::glass);
+  const render::Camera camera = sensor_camera(160, 120);
+  const render::Frame frame = wall(camera, 2, render::Matter::glass);
   const std::vector<float> first = measured(frame, camera, {7, 3});
   for (const int threads : {1, 2, 4}) {
     const ThreadLimit limit(threads);
@@ -220,9 +228,9 @@ TEST(DepthNoise, SeedAndFrameDecideItAndThreadsDoNot) {
 }
 
 TEST(DepthNoise, NeedsAPairOfEyes) {
-  Camera camera = sensor_camera(16, 16);
+  render::Camera camera = sensor_camera(16, 16);
   camera.ortho_height_m = 3;
-  const auto none = noisy_depth(wall(camera, 2), camera, StereoCamera{}, {});
+  const auto none = render::noisy_depth(wall(camera, 2), camera, render::StereoCamera{}, {});
   ASSERT_FALSE(none.ok());
   EXPECT_EQ(none.error().code, "camera.degenerate");
 }
@@ -230,12 +238,12 @@ TEST(DepthNoise, NeedsAPairOfEyes) {
 // Mid grey 128 is 0.2159 of white: 971 electrons of 4500, sigma sqrt(971 + 16) = 31.4, which is
 // 0.00698 of white; the sRGB curve has the slope 2.0285 there, so 3.61 codes; rounding adds 1/12.
 TEST(ColorNoise, GreyHasShotNoiseOfItsElectrons) {
-  const Camera camera = sensor_camera(200, 200);
+  const render::Camera camera = sensor_camera(200, 200);
   Image grey(200, 200);
   std::fill(grey.pixels.begin(), grey.pixels.end(), std::uint8_t{128});
-  ColorSensor sensor;
+  render::ColorSensor sensor;
   sensor.vignette = 0;
-  const Image noisy = noisy_color(grey, camera, sensor, {});
+  const Image noisy = render::noisy_color(grey, camera, sensor, {});
   double sum = 0, squares = 0;
   for (const std::uint8_t code : noisy.pixels)
     sum += code, squares += double(code) * code;
@@ -244,19 +252,19 @@ TEST(ColorNoise, GreyHasShotNoiseOfItsElectrons) {
   const double sigma = std::sqrt(971.4 + 16) / 4500 * slope * 255;
   EXPECT_NEAR(mean, 128, 0.15);
   EXPECT_NEAR(std::sqrt(squares / count - mean * mean), std::sqrt(sigma * sigma + 1.0 / 12), 0.05);
-  EXPECT_EQ(noisy_color(grey, camera, sensor, {}).pixels, noisy.pixels);
-  EXPECT_NE(noisy_color(grey, camera, sensor, {1, 1}).pixels, noisy.pixels);
+  EXPECT_EQ(render::noisy_color(grey, camera, sensor, {}).pixels, noisy.pixels);
+  EXPECT_NE(render::noisy_color(grey, camera, sensor, {1, 1}).pixels, noisy.pixels);
 }
 
 TEST(ColorNoise, TheLensDarkensItsCorners) {
-  const Camera camera = sensor_camera(200, 200);
+  const render::Camera camera = sensor_camera(200, 200);
   Image grey(200, 200);
   std::fill(grey.pixels.begin(), grey.pixels.end(), std::uint8_t{128});
-  ColorSensor sensor;
+  render::ColorSensor sensor;
   sensor.vignette = 1;
   sensor.read_noise_e = 0;
   sensor.full_well_e = 1e12;
-  const Image noisy = noisy_color(grey, camera, sensor, {});
+  const Image noisy = render::noisy_color(grey, camera, sensor, {});
   EXPECT_EQ(noisy.at(100, 100)[1], 128);
   // Corner: cos^2 = 1 / (1 + 2 * 0.332), light 0.2159 * cos^4 = 0.0780, code 79.
   EXPECT_NEAR(noisy.at(0, 0)[1], 79, 1);

@@ -13,7 +13,7 @@
 #include "render/path/scattering.h"
 #include "synthetic_scene.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 // What a surface sends to an eye at `cosine` from its normal when light 1 comes from all sides.
@@ -249,43 +249,44 @@ TEST(PathNumbers, CoverTheSquareEvenly) {
   }
 }
 
-Frame small_path_picture(int threads, Denoiser denoiser) {
+render::Frame small_path_picture(int threads, render::Denoiser denoiser) {
   const ThreadLimit limit(threads);
-  Scene scene = empty_room(6000, 4000, 3000);
+  scene::Scene scene = empty_room(6000, 4000, 3000);
   add_box_fixture(scene, {2, 2, 0}, {0.5F, 0.5F, 0.5F}, {0.5F, 0.4F, 0.5F});
-  const auto renderer = Renderer::create(scene).value();
-  Camera camera;
+  const auto renderer = render::Renderer::create(scene).value();
+  render::Camera camera;
   camera.from = {0.5, 0.5, 1.6};
   camera.at = {3, 2.5, 0.5};
   camera.width = 40;
   camera.height = 26;
-  RenderOptions options;
-  options.mode = RenderMode::path;
+  render::RenderOptions options;
+  options.mode = render::RenderMode::path;
   options.samples = 5;
   options.denoiser = denoiser;
   return renderer->render(camera, options).value();
 }
 
 TEST(PathPicture, IsTheSameForAnyNumberOfThreads) {
-  const Frame one = small_path_picture(1, Denoiser::own);
+  const render::Frame one = small_path_picture(1, render::Denoiser::own);
   for (const int threads : {2, 4}) {
-    const Frame more = small_path_picture(threads, Denoiser::own);
+    const render::Frame more = small_path_picture(threads, render::Denoiser::own);
     EXPECT_EQ(one.color.pixels, more.color.pixels);
     EXPECT_EQ(one.radiance, more.radiance);
   }
 }
 
 TEST(PathPicture, ExposureInStopsBrightensThePictureOnly) {
-  Scene scene = empty_room(6000, 4000, 3000);
-  const auto renderer = Renderer::create(scene).value();
-  Camera camera;
+  scene::Scene scene = empty_room(6000, 4000, 3000);
+  const auto renderer = render::Renderer::create(scene).value();
+  render::Camera camera;
   camera.from = {0.5, 0.5, 1.6};
   camera.at = {3, 2.5, 0.5};
   camera.width = camera.height = 8;
-  RenderOptions options{.mode = RenderMode::path, .samples = 2, .denoiser = Denoiser::none};
-  const Frame plain = renderer->render(camera, options).value();
+  render::RenderOptions options{
+      .mode = render::RenderMode::path, .samples = 2, .denoiser = render::Denoiser::none};
+  const render::Frame plain = renderer->render(camera, options).value();
   options.exposure_stops = -2;
-  const Frame dark = renderer->render(camera, options).value();
+  const render::Frame dark = renderer->render(camera, options).value();
   EXPECT_EQ(plain.radiance, dark.radiance);
   EXPECT_LT(dark.color.pixels[0], plain.color.pixels[0]);
 }
@@ -370,4 +371,4 @@ TEST(NeuralDenoise, SaysWhatIsWrongWithAFileThatIsNoLibrary) {
 }
 
 }  // namespace
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <string>
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 class PictureCache : public testing::Test {
@@ -68,16 +68,16 @@ TEST_F(PictureCache, DamagedFilesAreDrawnAgain) {
 TEST_F(PictureCache, PrintKeepsItsBlocksAndBars) {
   int drawn = 0;
   const auto get_print = [&] {
-    return cached_print(
-               "a print",
-               [&]() -> Result<PrintedPicture> {
-                 ++drawn;
-                 Image picture(9, 5);
-                 for (std::size_t i = 0; i < picture.pixels.size(); ++i)
-                   picture.pixels[i] = static_cast<std::uint8_t>(i * 3);
-                 const LabelBars bars{0.1F, 0.2F, 0.3F, 0.4F, 0.5F, true, std::string(95, '1')};
-                 return PrintedPicture{picture, bars};
-               })
+    return cached_print("a print",
+                        [&]() -> Result<assets::PrintedPicture> {
+                          ++drawn;
+                          Image picture(9, 5);
+                          for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+                            picture.pixels[i] = static_cast<std::uint8_t>(i * 3);
+                          const assets::LabelBars bars{
+                              0.1F, 0.2F, 0.3F, 0.4F, 0.5F, true, std::string(95, '1')};
+                          return assets::PrintedPicture{picture, bars};
+                        })
         .value();
   };
   const Print first = get_print(), second = get_print();
@@ -102,4 +102,4 @@ TEST_F(PictureCache, AFolderThatCannotBeWrittenCostsOnlyTime) {
 }
 
 }  // namespace
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -32,42 +32,43 @@ std::filesystem::path picture_folder(const ScratchFolder& scratch) {
 }
 
 // Every n-th packed product of the catalogue.
-std::vector<Product> some_products(std::size_t count) {
-  const Catalog catalog = load_catalog(data_folder().value()).value();
-  std::vector<Product> packed, chosen;
+std::vector<catalog::Product> some_products(std::size_t count) {
+  const catalog::Catalog catalog = catalog::load_catalog(io::data_folder().value()).value();
+  std::vector<catalog::Product> packed, chosen;
   std::copy_if(catalog.products.begin(),
                catalog.products.end(),
                std::back_inserter(packed),
-               [](const Product& product) { return !product.ean.empty(); });
+               [](const catalog::Product& product) { return !product.ean.empty(); });
   for (std::size_t i = 0; i < count; ++i)
     chosen.push_back(packed[i * packed.size() / count]);
   return chosen;
 }
 
-Camera hand_camera(const std::string& name, Vec3 at, double distance_m) {
-  Camera camera{name, at - Vec3{0, distance_m, 0}, at};
+render::Camera hand_camera(const std::string& name, Vec3 at, double distance_m) {
+  render::Camera camera{name, at - Vec3{0, distance_m, 0}, at};
   camera.fov_deg = 60;
   camera.width = 1280, camera.height = 720;
   return camera;
 }
 
 int bar_codes_read(const BarStage& stage,
-                   Renderer& renderer,
+                   render::Renderer& renderer,
                    double distance_m,
                    const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
-  for (const Camera& shown : stage.cameras) {
-    const Camera camera = hand_camera(shown.name, shown.at, distance_m);
+  for (const render::Camera& shown : stage.cameras) {
+    const render::Camera camera = hand_camera(shown.name, shown.at, distance_m);
     files.push_back(folder / (shown.name + ".png"));
-    RenderOptions options;
-    options.quality = Quality::fast;
-    EXPECT_TRUE(write_png(files.back(), renderer.render(camera, options)->color).ok());
+    render::RenderOptions options;
+    options.quality = render::Quality::fast;
+    EXPECT_TRUE(io::write_png(files.back(), renderer.render(camera, options)->color).ok());
   }
   const auto codes = scanned(files);
-  return static_cast<int>(std::ranges::count_if(stage.scene.catalog, [&](const Product& product) {
-    const auto found = codes.find(product.sku);
-    return found != codes.end() && found->second == product.ean;
-  }));
+  return static_cast<int>(
+      std::ranges::count_if(stage.scene.catalog, [&](const catalog::Product& product) {
+        const auto found = codes.find(product.sku);
+        return found != codes.end() && found->second == product.ean;
+      }));
 }
 
 // A module of the smallest symbol, 0.264 mm, covers 1.6 pixels at 0.1 m.
@@ -75,7 +76,7 @@ TEST(Reading, BarCodesAtAHandsDistance) {
   const BarStage stage = bar_stage(some_products(reads_all() ? 20 : 4));
   const ScratchFolder scratch;
   const std::filesystem::path folder = picture_folder(scratch);
-  const auto renderer = Renderer::create(stage.scene).value();
+  const auto renderer = render::Renderer::create(stage.scene).value();
   const std::vector<double> distances =
       reads_all() ? std::vector<double>{0.1, 0.15, 0.2, 0.3, 0.5} : std::vector<double>{0.1};
   const double count = static_cast<double>(stage.cameras.size());
@@ -90,10 +91,10 @@ TEST(Reading, BarCodesAtAHandsDistance) {
 
 // A white board in a room with price labels on it, 0.4 m apart, as on a shelf's edge.
 struct LabelBoard {
-  Scene scene = empty_room(9000, 5000, 3000);
+  scene::Scene scene = empty_room(9000, 5000, 3000);
   std::vector<Vec3> middles;  // of the labels, by product
 
-  explicit LabelBoard(const std::vector<Product>& products) {
+  explicit LabelBoard(const std::vector<catalog::Product>& products) {
     scene.layout.look.light_lux = 1000;
     scene.layout.look.floor = scene.layout.look.wall = scene.layout.look.ceiling = "";
     add_box_fixture(scene, {4.5F, 3, 0}, {0, 0.1F, 1}, {4, 0.1F, 1});
@@ -102,31 +103,31 @@ struct LabelBoard {
     scene.fixtures[0].shelf_count = static_cast<std::uint32_t>(scene.shelves.size());
   }
 
-  void add_label(const Product& product, std::uint32_t i) {
-    SceneShelf shelf;
+  void add_label(const catalog::Product& product, std::uint32_t i) {
+    scene::SceneShelf shelf;
     shelf.position_m = {
         -3.6F + 0.4F * static_cast<float>(i % 19), 0, 0.7F + 0.3F * static_cast<float>(i / 19)};
     shelf.width_m = 0.4F;
     scene.shelves.push_back(shelf);
     scene.catalog.push_back(product);
-    PriceLabel label;
+    scene::PriceLabel label;
     label.shelf = label.sku = i;
     label.x_m = 0.2F;
     scene.price_labels.push_back(label);
     // 18 mm below the shelf and 7 mm before it is where a rail holds them.
-    const auto shelf_at = world_from_shelf(scene, i).position;
+    const auto shelf_at = scene::world_from_shelf(scene, i).position;
     middles.push_back(shelf_at + Vec3{0, -0.0068, -0.018});
   }
 };
 
 // A part of the label in the picture, by shares of its width and height, four times enlarged: what
 // a reader gets that knows where the label is.
-Image enlarged_part(const Frame& frame,
-                    const Camera& camera,
+Image enlarged_part(const render::Frame& frame,
+                    const render::Camera& camera,
                     Vec3 middle,
                     std::array<double, 4> part) {
-  const PriceLabel sizes;
-  const Projection project(camera);
+  const scene::PriceLabel sizes;
+  const render::Projection project(camera);
   const auto corner = [&](double u, double v) {
     return *project(middle + Vec3{(u - 0.5) * static_cast<double>(sizes.width_m),
                                   0,
@@ -173,7 +174,7 @@ std::string read_by_tesseract(const std::filesystem::path& file,
 }
 
 // Whether one of the name's words of four letters or more is in the text.
-bool names(const std::string& text, const Product& product) {
+bool names(const std::string& text, const catalog::Product& product) {
   const std::string lower = lower_ascii(text);
   for (const std::string& word : split(product.name, ' ')) {
     if (word.size() >= 4 && lower.find(lower_ascii(word)) != std::string::npos) return true;
@@ -187,15 +188,15 @@ struct LabelReading {
 
 // The euros are large, the cents raised beside them: no layout that tesseract knows, so each is
 // read by itself.
-LabelReading read_label(const Frame& frame,
-                        const Camera& camera,
+LabelReading read_label(const render::Frame& frame,
+                        const render::Camera& camera,
                         Vec3 middle,
-                        const Product& product,
+                        const catalog::Product& product,
                         const std::filesystem::path& stem) {
   const auto part = [&](const char* what, std::array<double, 4> area) {
     std::filesystem::path file = stem;
     file += std::string("-") + what + ".png";
-    EXPECT_TRUE(write_png(file, enlarged_part(frame, camera, middle, area)).ok());
+    EXPECT_TRUE(io::write_png(file, enlarged_part(frame, camera, middle, area)).ok());
     return file;
   };
   const long cents = std::lround(product.price * 100);
@@ -211,20 +212,21 @@ LabelReading read_label(const Frame& frame,
 
 TEST(Reading, LabelsAtArmsLength) {
   if (!reads_all()) GTEST_SKIP() << "tools/read_distances reads labels";
-  std::vector<Product> products = some_products(24);
-  std::erase_if(products, [](const Product& p) { return p.price >= 9.995; });  // one digit of euros
-  products.resize(std::min<std::size_t>(products.size(), 19));                 // a row of the board
+  std::vector<catalog::Product> products = some_products(24);
+  std::erase_if(products,
+                [](const catalog::Product& p) { return p.price >= 9.995; });  // one digit of euros
+  products.resize(std::min<std::size_t>(products.size(), 19));                // a row of the board
   const LabelBoard board(products);
   const ScratchFolder scratch;
   const std::filesystem::path folder = picture_folder(scratch);
-  const auto renderer = Renderer::create(board.scene).value();
-  RenderOptions options;
-  options.quality = Quality::fast;
+  const auto renderer = render::Renderer::create(board.scene).value();
+  render::RenderOptions options;
+  options.quality = render::Quality::fast;
   for (const double distance_m : {0.3, 0.5, 0.8}) {
     int prices = 0, named = 0;
     for (std::size_t i = 0; i < products.size(); ++i) {
-      const Camera camera = hand_camera(products[i].sku, board.middles[i], distance_m);
-      const Frame frame = renderer->render(camera, options).value();
+      const render::Camera camera = hand_camera(products[i].sku, board.middles[i], distance_m);
+      const render::Frame frame = renderer->render(camera, options).value();
       const LabelReading reading =
           read_label(frame,
                      camera,

@@ -6,7 +6,7 @@
 #include "render/stage/relief_texture.h"
 #include "render/stage/world.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 // Two channels of tilt, roughness and metallic, all texels alike unless changed.
@@ -78,4 +78,4 @@ TEST(PackedTangent, OfAWallTurnedInItsTexture) {  // rows run down the wall, col
 }
 
 }  // namespace
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

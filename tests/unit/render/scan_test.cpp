@@ -28,18 +28,19 @@ std::string setting(const char* name) {
 }
 
 // Products with an EAN: all, or the first, middle and last of every archetype by size.
-std::vector<Product> products_to_scan() {
-  const Catalog catalog = load_catalog(data_folder().value()).value();
-  std::map<std::string, std::vector<Product>> of_archetype;
-  for (const Product& product : catalog.products) {
+std::vector<catalog::Product> products_to_scan() {
+  const catalog::Catalog catalog = catalog::load_catalog(io::data_folder().value()).value();
+  std::map<std::string, std::vector<catalog::Product>> of_archetype;
+  for (const catalog::Product& product : catalog.products) {
     if (!product.ean.empty()) of_archetype[product.archetype].push_back(product);
   }
   const std::string wanted = setting("MARKETGEN_SCAN");
-  std::vector<Product> chosen;
+  std::vector<catalog::Product> chosen;
   for (auto& [archetype, products] : of_archetype) {
-    std::stable_sort(products.begin(), products.end(), [](const Product& a, const Product& b) {
-      return a.mass_kg < b.mass_kg;
-    });
+    std::stable_sort(
+        products.begin(), products.end(), [](const catalog::Product& a, const catalog::Product& b) {
+          return a.mass_kg < b.mass_kg;
+        });
     const std::size_t last = products.size() - 1;
     if (!wanted.empty() && wanted != "all" && wanted != archetype) continue;
     if (!wanted.empty())
@@ -54,19 +55,19 @@ std::vector<Product> products_to_scan() {
 // Renders one batch and returns the codes read, by SKU.
 std::map<std::string, std::string> read_batch(const BarStage& stage,
                                               const std::filesystem::path& folder) {
-  const auto renderer = Renderer::create(stage.scene).value();
-  RenderOptions options;
-  options.quality = Quality::fast;
+  const auto renderer = render::Renderer::create(stage.scene).value();
+  render::RenderOptions options;
+  options.quality = render::Quality::fast;
   std::vector<std::filesystem::path> files;
-  for (const Camera& camera : stage.cameras) {
+  for (const render::Camera& camera : stage.cameras) {
     files.push_back(folder / (camera.name + ".png"));
-    EXPECT_TRUE(write_png(files.back(), renderer->render(camera, options)->color).ok());
+    EXPECT_TRUE(io::write_png(files.back(), renderer->render(camera, options)->color).ok());
   }
   return scanned(files);
 }
 
 TEST(BarCodes, AScannerReadsThemOnTheRenderedPack) {
-  const std::vector<Product> products = products_to_scan();
+  const std::vector<catalog::Product> products = products_to_scan();
   const ScratchFolder scratch;
   const std::string kept = setting("MARKETGEN_SCAN_PICTURES");
   const std::filesystem::path folder = kept.empty() ? scratch.path() : std::filesystem::path(kept);
@@ -80,7 +81,7 @@ TEST(BarCodes, AScannerReadsThemOnTheRenderedPack) {
     for (const std::string& sku : stage.without_face)
       std::printf("no bars on its mesh: %s\n", sku.c_str());
     const auto codes = read_batch(stage, folder);
-    for (const Product& product : stage.scene.catalog) {
+    for (const catalog::Product& product : stage.scene.catalog) {
       const auto found = codes.find(product.sku);
       const bool reads = found != codes.end() && found->second == product.ean;
       right += reads ? 1 : 0;

@@ -16,8 +16,8 @@ namespace {
 
 // A bottle of water on a block, a coloured board 0.3 m behind it.
 struct BottleBeforeBoard {
-  Scene scene = empty_room(6000, 6000, 3000);
-  Camera camera;
+  scene::Scene scene = empty_room(6000, 6000, 3000);
+  render::Camera camera;
   std::uint32_t bottle = 0;
 
   explicit BottleBeforeBoard(std::array<float, 3> board) {
@@ -26,10 +26,10 @@ struct BottleBeforeBoard {
     scene.parts.back().color = board;
     scene.layout.look.floor = scene.layout.look.wall = scene.layout.look.ceiling = "";
     scene.catalog.push_back(water());
-    SceneProduct product;
+    scene::SceneProduct product;
     product.position_m = {3, 3.2F, 0.8F};
     scene.products = {product};
-    bottle = first_product_object(scene);
+    bottle = render::first_product_object(scene);
     camera.from = {3, 2.5, 0.95};
     camera.at = {3, 3.2, 0.95};
     camera.fov_deg = 30;
@@ -37,32 +37,32 @@ struct BottleBeforeBoard {
     camera.height = 200;
   }
 
-  static Product water() {
+  static catalog::Product water() {
     const auto& products = committed_catalog().products;
-    return *std::find_if(products.begin(), products.end(), [](const Product& product) {
+    return *std::find_if(products.begin(), products.end(), [](const catalog::Product& product) {
       return product.sku == "beverages-mineral-water-still-1-5l";
     });
   }
 
-  Frame taken(const RenderOptions& options) const {
-    const auto renderer = Renderer::create(scene);
+  render::Frame taken(const render::RenderOptions& options) const {
+    const auto renderer = render::Renderer::create(scene);
     EXPECT_TRUE(renderer.ok()) << (renderer.ok() ? "" : to_string(renderer.error()));
     return (*renderer)->render(camera, options).value();
   }
 };
 
-RenderOptions at_quality(Quality quality) {
-  RenderOptions options;
+render::RenderOptions at_quality(render::Quality quality) {
+  render::RenderOptions options;
   options.quality = quality;
   return options;
 }
 
-bool is_clear(const Frame& frame, std::size_t pixel) {
-  return static_cast<Matter>(frame.matter[pixel]) == Matter::clear;
+bool is_clear(const render::Frame& frame, std::size_t pixel) {
+  return static_cast<render::Matter>(frame.matter[pixel]) == render::Matter::clear;
 }
 
 // Mean colour of the clear wall's pixels.
-Vec3 wall_color(const Frame& frame) {
+Vec3 wall_color(const render::Frame& frame) {
   Vec3 sum;
   double count = 0;
   for (std::size_t i = 0; i < frame.matter.size(); ++i) {
@@ -77,9 +77,10 @@ Vec3 wall_color(const Frame& frame) {
 
 TEST(SeeThrough, TheBoardBehindABottleColoursIt) {
   const BottleBeforeBoard red({0.8F, 0.05F, 0.05F}), green({0.05F, 0.5F, 0.05F});
-  for (const Quality quality : {Quality::fast, Quality::balanced, Quality::best}) {
-    const Frame before_red = red.taken(at_quality(quality)),
-                before_green = green.taken(at_quality(quality));
+  for (const render::Quality quality :
+       {render::Quality::fast, render::Quality::balanced, render::Quality::best}) {
+    const render::Frame before_red = red.taken(at_quality(quality)),
+                        before_green = green.taken(at_quality(quality));
     const Vec3 with_red = wall_color(before_red), with_green = wall_color(before_green);
     EXPECT_GT(with_red.x, with_red.y + 40) << name_of(quality);
     EXPECT_GT(with_green.y, with_green.x + 20) << name_of(quality);
@@ -98,12 +99,12 @@ TEST(SeeThrough, TheBoardBehindABottleColoursIt) {
 // Path tracing bends light the same way; its labels and what they hide are equal anyway.
 TEST(SeeThrough, WallsLookAsInPathTracing) {
   const BottleBeforeBoard board({0.8F, 0.05F, 0.05F});
-  const Frame sensor = board.taken(at_quality(Quality::best));
-  RenderOptions options;
-  options.mode = RenderMode::path;
+  const render::Frame sensor = board.taken(at_quality(render::Quality::best));
+  render::RenderOptions options;
+  options.mode = render::RenderMode::path;
   options.samples = 32;
-  options.denoiser = Denoiser::own;
-  const Frame path = board.taken(options);
+  options.denoiser = render::Denoiser::own;
+  const render::Frame path = board.taken(options);
   const Vec3 a = wall_color(sensor), b = wall_color(path);
   EXPECT_NEAR(a.x, b.x, 20);
   EXPECT_NEAR(a.y, b.y, 20);
@@ -114,9 +115,9 @@ TEST(SeeThrough, ThreadsChangeNothing) {
   const BottleBeforeBoard board({0.8F, 0.05F, 0.05F});
   const auto with_threads = [&](int threads) {
     const ThreadLimit limit(threads);
-    return board.taken(at_quality(Quality::best));
+    return board.taken(at_quality(render::Quality::best));
   };
-  const Frame one = with_threads(1), three = with_threads(3);
+  const render::Frame one = with_threads(1), three = with_threads(3);
   EXPECT_EQ(one.color.pixels, three.color.pixels);
 }
 

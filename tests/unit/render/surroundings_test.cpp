@@ -7,7 +7,7 @@
 
 #include "render/shading_math.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 Surroundings street(float daylight) {
@@ -63,4 +63,4 @@ TEST(Surroundings, EveryDirectionHasFiniteLight) {
 }
 
 }  // namespace
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -6,8 +6,8 @@ namespace marketgen {
 
 // An empty room with a white look; parts stand in one fixture at the room's south-west floor
 // corner.
-inline Scene empty_room(int width_mm, int depth_mm, int ceiling_mm) {
-  Scene scene;
+inline scene::Scene empty_room(int width_mm, int depth_mm, int ceiling_mm) {
+  scene::Scene scene;
   scene.layout.shell.width_mm = width_mm;
   scene.layout.shell.depth_mm = depth_mm;
   scene.layout.shell.ceiling_mm = ceiling_mm;
@@ -16,24 +16,24 @@ inline Scene empty_room(int width_mm, int depth_mm, int ceiling_mm) {
 
 // Adds a fixture made of one box; its frame stands at `position_m`, the box around `middle_m` in
 // it. Returns its Frame id.
-inline std::uint32_t add_box_fixture(Scene& scene,
+inline std::uint32_t add_box_fixture(scene::Scene& scene,
                                      std::array<float, 3> position_m,
                                      std::array<float, 3> middle_m,
                                      std::array<float, 3> half_size_m,
-                                     SurfaceKind kind = SurfaceKind::opaque) {
-  ScenePart part;
+                                     assets::SurfaceKind kind = assets::SurfaceKind::opaque) {
+  scene::ScenePart part;
   part.fixture = static_cast<std::uint32_t>(scene.fixtures.size());
   part.kind = kind;
   part.position_m = middle_m;
   part.half_size_m = half_size_m;
   part.color = {0.8F, 0.8F, 0.8F};
-  SceneFixture fixture;
+  scene::SceneFixture fixture;
   fixture.first_part = static_cast<std::uint32_t>(scene.parts.size());
   fixture.part_count = 1;
   fixture.position_m = position_m;
   scene.parts.push_back(part);
   scene.fixtures.push_back(fixture);
-  Fixture row;
+  layout::Fixture row;
   row.id = "zone/run/module-" + std::to_string(scene.fixtures.size());
   row.run = "zone/run";
   row.zone = "zone";

@@ -12,16 +12,16 @@
 namespace marketgen {
 namespace {
 
-Error refusal(const Scene& scene, Vec3 eye) {
-  Camera camera;
+Error refusal(const scene::Scene& scene, Vec3 eye) {
+  render::Camera camera;
   camera.from = eye;
   camera.at = eye + Vec3{1, 0, 0};
-  const Result<void> checked = check_viewpoint(scene, camera, "--from");
+  const Result<void> checked = render::check_viewpoint(scene, camera, "--from");
   return checked.ok() ? Error{} : checked.error();
 }
 
 TEST(Viewpoint, StandsInTheRoomOnly) {
-  const Scene scene = empty_room(6000, 4000, 3000);
+  const scene::Scene scene = empty_room(6000, 4000, 3000);
   EXPECT_EQ(refusal(scene, {3, 2, 1.5}).code, "");
   for (const Vec3 outside : {Vec3{-0.1, 2, 1.5},
                              {6.1, 2, 1.5},
@@ -32,16 +32,16 @@ TEST(Viewpoint, StandsInTheRoomOnly) {
     EXPECT_EQ(refusal(scene, outside).code, "camera.outside_store") << outside.x;
   }
   EXPECT_NE(refusal(scene, {-0.1, 2, 1.5}).message.find("0 to 6 m east"), std::string::npos);
-  Camera top;
+  render::Camera top;
   top.from = {3, 2, 50};
   top.at = {3, 2, 0};
   top.ortho_height_m = 4;
-  EXPECT_TRUE(check_viewpoint(scene, top, "--camera").ok());
+  EXPECT_TRUE(render::check_viewpoint(scene, top, "--camera").ok());
 }
 
 // An L: the room's bounds hold the point, its outline does not.
 TEST(Viewpoint, TheOutlineCountsNotItsBounds) {
-  Scene scene = empty_room(6000, 6000, 3000);
+  scene::Scene scene = empty_room(6000, 6000, 3000);
   scene.layout.shell.outline_mm =
       PolygonMm{{0, 0}, {6000, 0}, {6000, 3000}, {3000, 3000}, {3000, 6000}, {0, 6000}};
   EXPECT_EQ(refusal(scene, {2, 5, 1}).code, "");
@@ -49,7 +49,7 @@ TEST(Viewpoint, TheOutlineCountsNotItsBounds) {
 }
 
 TEST(Viewpoint, NotInAFixtureOrAColumn) {
-  Scene scene = empty_room(6000, 6000, 3000);
+  scene::Scene scene = empty_room(6000, 6000, 3000);
   add_box_fixture(scene, {3, 3, 0}, {0, 0, 0.5F}, {0.5F, 0.2F, 0.5F});
   scene.layout.shell.columns.push_back({1000, 1000, 400});
   const Error held = refusal(scene, {3.3, 3.1, 0.9});
@@ -62,14 +62,15 @@ TEST(Viewpoint, NotInAFixtureOrAColumn) {
 
 // Beside the neck of a bottle is in its box and not in the bottle.
 TEST(Viewpoint, ProductsCountByTheirShape) {
-  Scene scene = empty_room(6000, 6000, 3000);
-  const Catalog catalog = load_catalog(data_folder().value()).value();
-  const auto bottle = std::find_if(catalog.products.begin(),
-                                   catalog.products.end(),
-                                   [](const Product& p) { return p.archetype == "wine_bottle"; });
+  scene::Scene scene = empty_room(6000, 6000, 3000);
+  const catalog::Catalog catalog = catalog::load_catalog(io::data_folder().value()).value();
+  const auto bottle =
+      std::find_if(catalog.products.begin(), catalog.products.end(), [](const catalog::Product& p) {
+        return p.archetype == "wine_bottle";
+      });
   ASSERT_NE(bottle, catalog.products.end());
   scene.catalog.push_back(*bottle);
-  SceneProduct item;
+  scene::SceneProduct item;
   item.position_m = {3, 3, 1};
   item.facing = 0xFFFFFFFF;
   scene.products.push_back(item);

@@ -26,12 +26,12 @@ struct State {
 };
 
 // Across the limits; joints without limits within 3 of zero.
-std::vector<State> random_states(const Robot& robot) {
+std::vector<State> random_states(const robots::Robot& robot) {
   Stream draw = Seed(3).child("dynamics", robot.name).stream();
   std::vector<State> list(states);
   for (State& s : list) {
     for (std::size_t i = 0; i < robot.dof_count(); ++i) {
-      const Joint& joint = robot.joint_of_dof(i);
+      const robots::Joint& joint = robot.joint_of_dof(i);
       s.q.push_back(draw.uniform(std::max(joint.lower, -3.0), std::min(joint.upper, 3.0)));
       s.v.push_back(draw.uniform(-2, 2));
       s.a.push_back(draw.uniform(-5, 5));
@@ -40,7 +40,7 @@ std::vector<State> random_states(const Robot& robot) {
   return list;
 }
 
-std::string question(const Robot& robot, const std::vector<State>& list) {
+std::string question(const robots::Robot& robot, const std::vector<State>& list) {
   std::string text = fmt::format("{}\n", robot.dof_count());
   for (std::size_t i = 0; i < robot.dof_count(); ++i)
     text += robot.joint_of_dof(i).name + "\n";
@@ -90,28 +90,30 @@ std::vector<double> by_rows(const Pose& pose) {
 }
 
 // `folder`, `name` and `frame` are what pinocchio_answers.py takes.
-void expect_agreement(const Robot& robot,
+void expect_agreement(const robots::Robot& robot,
                       int asked,
                       const std::filesystem::path& folder,
                       const std::string& name,
                       const std::string& frame) {
   ASSERT_GE(asked, 0);
   const std::vector<State> list = random_states(robot);
-  const auto answers = run_program({worker_python(),
-                                    (source / "tests/unit/robots/pinocchio_answers.py").string(),
-                                    folder.string(),
-                                    name,
-                                    frame},
-                                   question(robot, list));
+  const auto answers =
+      io::run_program({io::worker_python(),
+                       (source / "tests/unit/robots/pinocchio_answers.py").string(),
+                       folder.string(),
+                       name,
+                       frame},
+                      question(robot, list));
   ASSERT_TRUE(answers.ok()) << to_string(answers.error());
   Comparison pinocchio(*answers);
   double pose = 0, jacobian = 0, efforts = 0, mass = 0;
   for (const State& s : list) {
-    pose = std::max(pose, pinocchio.difference(by_rows(frame_pose(robot, s.q, asked))));
-    jacobian = std::max(jacobian, pinocchio.difference(by_rows(frame_jacobian(robot, s.q, asked))));
-    efforts =
-        std::max(efforts, pinocchio.difference(by_rows(inverse_dynamics(robot, s.q, s.v, s.a))));
-    mass = std::max(mass, pinocchio.difference(by_rows(mass_matrix(robot, s.q))));
+    pose = std::max(pose, pinocchio.difference(by_rows(robots::frame_pose(robot, s.q, asked))));
+    jacobian = std::max(jacobian,
+                        pinocchio.difference(by_rows(robots::frame_jacobian(robot, s.q, asked))));
+    efforts = std::max(
+        efforts, pinocchio.difference(by_rows(robots::inverse_dynamics(robot, s.q, s.v, s.a))));
+    mass = std::max(mass, pinocchio.difference(by_rows(robots::mass_matrix(robot, s.q))));
   }
   EXPECT_LT(pose, 1e-9);
   EXPECT_LT(jacobian, 1e-9);
@@ -124,7 +126,7 @@ void expect_agreement(const Robot& robot,
 }
 
 void expect_pinocchio_agrees(const std::string& id, const std::string& frame) {
-  const auto robot = load_robot(source / "data", id);
+  const auto robot = robots::load_robot(source / "data", id);
   ASSERT_TRUE(robot.ok()) << to_string(robot.error());
   expect_agreement(*robot, robot->find_frame(frame), source / "data/robots", id, frame);
 }
@@ -132,10 +134,10 @@ void expect_pinocchio_agrees(const std::string& id, const std::string& frame) {
 // Pinocchio's own reader of URDF files judges ours: poses, turned inertias, oblique axes, branches.
 TEST(Dynamics, AUrdfAgreesWithPinocchiosReader) {
   const std::filesystem::path folder = source / "tests/fixtures/robots";
-  const auto read = read_urdf_file(folder / "desk_arm.urdf");
+  const auto read = robots::read_urdf_file(folder / "desk_arm.urdf");
   ASSERT_TRUE(read.ok()) << to_string(read.error());
   EXPECT_TRUE(read->warnings.empty());
-  Robot robot = read->robot;
+  robots::Robot robot = read->robot;
   ASSERT_EQ(robot.dof_count(), 4U);
   robot.frames.push_back({"asked", robot.find_link("tool"), {}});
   expect_agreement(robot, robot.find_frame("asked"), folder, "desk_arm.urdf", "tool");
@@ -158,7 +160,7 @@ TEST(Dynamics, DualArmRobotsAgreeWithPinocchio) {
 // A 2 kg ball, 0.5 m along X from a joint about Y: it takes m g l = 9.81 N m to hold, and its
 // inertia about the joint is m l^2 + I = 0.504 kg m^2.
 TEST(Dynamics, APendulumByHand) {
-  RobotParts parts;
+  robots::RobotParts parts;
   parts.name = "pendulum";
   parts.links.resize(2);
   parts.links[0].name = "wall";
@@ -166,17 +168,18 @@ TEST(Dynamics, APendulumByHand) {
   parts.links[1].mass = 2;
   parts.links[1].center_of_mass = {0.5, 0, 0};
   parts.links[1].inertia = {0.004, 0.004, 0.004, 0, 0, 0};
-  RobotParts::JointPart joint;
+  robots::RobotParts::JointPart joint;
   joint.joint.name = "hinge";
-  joint.joint.kind = JointType::revolute;
+  joint.joint.kind = robots::JointType::revolute;
   joint.joint.axis = {0, 1, 0};
   joint.parent = "wall", joint.child = "ball";
   parts.joints.push_back(joint);
-  const auto robot = make_robot(parts, "test");
+  const auto robot = robots::make_robot(parts, "test");
   ASSERT_TRUE(robot.ok()) << to_string(robot.error());
   const std::vector<double> q{0};
-  EXPECT_NEAR(gravity_efforts(*robot, q)[0], -9.81, 1e-12);  // a turn about +Y lowers the ball
-  EXPECT_NEAR(mass_matrix(*robot, q)(0, 0), 0.504, 1e-12);
+  EXPECT_NEAR(
+      robots::gravity_efforts(*robot, q)[0], -9.81, 1e-12);  // a turn about +Y lowers the ball
+  EXPECT_NEAR(robots::mass_matrix(*robot, q)(0, 0), 0.504, 1e-12);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ namespace {
 
 struct PublishedCapsule {
   const char* link;
-  Capsule shape;  // link frame
+  robots::Capsule shape;  // link frame
 };
 
 constexpr double half_root = 0.70710678118654752;  // link7's are published turned by 45 degrees
@@ -45,7 +45,7 @@ constexpr double tolerance_m = 0.0002;
 // what it grasps deeply would meet a shape that is not there.
 constexpr double hand_tolerance_m = 0.0061;
 
-std::vector<Vec3> surface_of(const Capsule& capsule) {
+std::vector<Vec3> surface_of(const robots::Capsule& capsule) {
   constexpr int around = 24, along = 24, up = 8;
   const Vec3 axis = normalized(capsule.b - capsule.a);
   const Vec3 side = normalized(cross(axis, std::abs(axis.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
@@ -69,13 +69,14 @@ std::vector<Vec3> surface_of(const Capsule& capsule) {
 
 // What reaches over the joint into the link before, about whose axis it is round, is held by that
 // one wherever the joint stands.
-double outside_of_both(const Robot& robot, std::size_t link, Vec3 p) {
+double outside_of_both(const robots::Robot& robot, std::size_t link, Vec3 p) {
   const double own = outside(robot.links[link], p);
   if (own <= 0 || link == 0 || robot.joints[link - 1].dof < 0) return own;
-  const Joint& joint = robot.joints[link - 1];
+  const robots::Joint& joint = robot.joints[link - 1];
   double worst = -HUGE_VAL;
   for (int i = 0; i <= 16; ++i) {
-    const Pose motion = joint_motion(joint, joint.lower + (joint.upper - joint.lower) * i / 16.0);
+    const Pose motion =
+        robots::joint_motion(joint, joint.lower + (joint.upper - joint.lower) * i / 16.0);
     worst =
         std::max(worst, outside(robot.links[static_cast<std::size_t>(joint.parent)], motion * p));
   }
@@ -83,8 +84,9 @@ double outside_of_both(const Robot& robot, std::size_t link, Vec3 p) {
 }
 
 TEST(FrankaShape, ThePublishedCapsulesLieInsideOurs) {
-  const Robot panda = committed_robot("panda");
-  const std::vector<Pose> upright = link_poses(panda, std::vector<double>(panda.dof_count()));
+  const robots::Robot panda = committed_robot("panda");
+  const std::vector<Pose> upright =
+      robots::link_poses(panda, std::vector<double>(panda.dof_count()));
   for (const PublishedCapsule& capsule : published) {
     const auto link = static_cast<std::size_t>(panda.find_link(capsule.link));
     double worst = -HUGE_VAL;
@@ -99,16 +101,18 @@ TEST(FrankaShape, ThePublishedCapsulesLieInsideOurs) {
 }
 
 TEST(FrankaShape, TheReadyPostureAndItsNeighbourhoodAreFree) {
-  const Robot panda = committed_robot("panda");
-  std::vector<double> q = with_posture(*panda.find_posture("ready"), neutral_state(panda));
-  const std::vector<LinkPair> pairs = pairs_that_may_touch(panda);
-  EXPECT_FALSE(first_contact(panda, link_poses(panda, q), pairs, 0.01));
+  const robots::Robot panda = committed_robot("panda");
+  std::vector<double> q =
+      robots::with_posture(*panda.find_posture("ready"), robots::neutral_state(panda));
+  const std::vector<robots::LinkPair> pairs = robots::pairs_that_may_touch(panda);
+  EXPECT_FALSE(robots::first_contact(panda, robots::link_poses(panda, q), pairs, 0.01));
   for (std::size_t joint = 0; joint < 7; ++joint) {
     for (const double turn : {-0.5, 0.5}) {
       std::vector<double> turned = q;
       turned[joint] = std::clamp(
           turned[joint] + turn, panda.joint_of_dof(joint).lower, panda.joint_of_dof(joint).upper);
-      EXPECT_FALSE(first_contact(panda, link_poses(panda, turned), pairs)) << joint << " " << turn;
+      EXPECT_FALSE(robots::first_contact(panda, robots::link_poses(panda, turned), pairs))
+          << joint << " " << turn;
     }
   }
 }
@@ -117,12 +121,12 @@ TEST(FrankaShape, TheReadyPostureAndItsNeighbourhoodAreFree) {
 // link5 and link7 the shapes round the wrist's axes overlap wherever joint6 stands, whose limits
 // keep the bodies apart.
 TEST(FrankaShape, EveryOtherPairOfLinksThatCouldTouchIsChecked) {
-  const Robot panda = committed_robot("panda");
-  const std::vector<LinkPair> pairs = pairs_that_may_touch(panda);
+  const robots::Robot panda = committed_robot("panda");
+  const std::vector<robots::LinkPair> pairs = robots::pairs_that_may_touch(panda);
   for (int a = 0; a <= 7; ++a) {
     for (int b = a + 2; b <= 7; ++b) {
-      const LinkPair pair{panda.find_link("link" + std::to_string(a)),
-                          panda.find_link("link" + std::to_string(b))};
+      const robots::LinkPair pair{panda.find_link("link" + std::to_string(a)),
+                                  panda.find_link("link" + std::to_string(b))};
       const bool checked = std::ranges::find(pairs, pair) != pairs.end();
       EXPECT_EQ(checked, a != 5 || b != 7) << "link" << a << " link" << b;
     }

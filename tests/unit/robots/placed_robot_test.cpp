@@ -13,12 +13,12 @@ namespace {
 
 constexpr double right_angle = std::numbers::pi / 2;
 
-Result<PlacedRobot> placed(const std::string& text) {
-  MARKETGEN_TRY(const RobotSpec spec, parse_robot_spec(text, "--robot " + text));
-  return place_robot(committed_rows, spec, "--robot " + text);
+Result<robots::PlacedRobot> placed(const std::string& text) {
+  MARKETGEN_TRY(const robots::RobotSpec spec, robots::parse_robot_spec(text, "--robot " + text));
+  return robots::place_robot(committed_rows, spec, "--robot " + text);
 }
 
-double value_of(const PlacedRobot& placed, const char* joint) {
+double value_of(const robots::PlacedRobot& placed, const char* joint) {
   return placed.q[static_cast<std::size_t>(placed.robot.find_dof(joint))];
 }
 
@@ -61,14 +61,14 @@ TEST(PlacedRobots, JointsGoOverThePostureAndFollowersFollow) {
 TEST(PlacedRobots, ToolsTakeTheirSlots) {
   const auto robot = placed("realman-rm75@1,2,left_tool=suction-cup");
   ASSERT_TRUE(robot.ok()) << to_string(robot.error());
-  EXPECT_EQ(robot->robot.tools[0].kind, ToolKind::suction);
-  EXPECT_EQ(robot->robot.tools[1].kind, ToolKind::gripper);
+  EXPECT_EQ(robot->robot.tools[0].kind, robots::ToolKind::suction);
+  EXPECT_EQ(robot->robot.tools[1].kind, robots::ToolKind::gripper);
 }
 
 TEST(PlacedRobots, TheStandCarriesThePandaAtItsHeadPlate) {
   const auto robot = placed("panda-on-stand@1,2");
   ASSERT_TRUE(robot.ok()) << to_string(robot.error());
-  const std::vector<Pose> base_from_link = link_poses(robot->robot, robot->q);
+  const std::vector<Pose> base_from_link = robots::link_poses(robot->robot, robot->q);
   const auto foot = static_cast<std::size_t>(robot->robot.find_link("link0"));
   EXPECT_NEAR(base_from_link[foot].position.z, 0.72, 1e-12);
   EXPECT_NEAR(value_of(*robot, "joint6"), right_angle, 1e-12);

@@ -15,30 +15,33 @@ namespace marketgen {
 namespace {
 
 // Of the same orientations, how many damped least squares reach from 21 starts each.
-double share_by_descent(const Robot& robot, Vec3 point, const std::vector<Quaternion>& turns) {
-  const JointGroup& arm = *robot.find_group("arm");
+double share_by_descent(const robots::Robot& robot,
+                        Vec3 point,
+                        const std::vector<Quaternion>& turns) {
+  const robots::JointGroup& arm = *robot.find_group("arm");
   int reached = 0;
   for (const Quaternion& turn : turns)
-    reached +=
-        solve_numeric(robot, arm.tip, arm.dofs, {point, turn}, neutral_state(robot), Seed(1)).ok()
-            ? 1
-            : 0;
+    reached += robots::solve_numeric(
+                   robot, arm.tip, arm.dofs, {point, turn}, robots::neutral_state(robot), Seed(1))
+                       .ok()
+                   ? 1
+                   : 0;
   return static_cast<double>(reached) / static_cast<double>(turns.size());
 }
 
 // Cells over which the share goes from all to nothing: a row straight ahead at shoulder height.
 void expect_agreement(const std::string& id, double tolerance) {
-  const Robot robot = committed_robot(id);
-  const auto arm = make_arm_ik(robot, *robot.find_group("arm"));
+  const robots::Robot robot = committed_robot(id);
+  const auto arm = robots::make_arm_ik(robot, *robot.find_group("arm"));
   ASSERT_TRUE(arm.ok()) << to_string(arm.error());
-  ReachMapOptions options;
+  robots::ReachMapOptions options;
   options.low = {0.2, 0.05, 0.2}, options.high = {1.1, 0.2, 0.35};
   options.cell_m = 0.15;
   options.directions = 10, options.rolls = 2;
-  const auto map = make_reach_map(*arm, options);
+  const auto map = robots::make_reach_map(*arm, options);
   ASSERT_TRUE(map.ok()) << to_string(map.error());
   ASSERT_EQ(map->cells, (std::array<int, 3>{6, 1, 1}));
-  const std::vector<Quaternion> turns = reach_orientations(10, 2);
+  const std::vector<Quaternion> turns = robots::reach_orientations(10, 2);
   float most = 0, least = 1;
   for (int x = 0; x < 6; ++x) {
     const float share = map->share(x, 0, 0);
@@ -58,7 +61,7 @@ TEST(ReachMap, AgreesWithASolverThatSharesNothingWithIt) {
 }
 
 TEST(ReachMap, OrientationsAreSpreadEvenly) {
-  const std::vector<Quaternion> turns = reach_orientations(200, 3);
+  const std::vector<Quaternion> turns = robots::reach_orientations(200, 3);
   ASSERT_EQ(turns.size(), 600U);
   Vec3 sum{};
   std::array<int, 8> octants{};
@@ -74,11 +77,11 @@ TEST(ReachMap, OrientationsAreSpreadEvenly) {
 }
 
 TEST(ReachMap, IsEmptyBeyondTheArmAndFullerNearTheShoulder) {
-  const Robot robot = committed_robot("rm65-b-v");
-  const auto arm = make_arm_ik(robot, *robot.find_group("arm"));
-  ReachMapOptions options;
+  const robots::Robot robot = committed_robot("rm65-b-v");
+  const auto arm = robots::make_arm_ik(robot, *robot.find_group("arm"));
+  robots::ReachMapOptions options;
   options.directions = 12, options.rolls = 1;
-  const auto map = make_reach_map(*arm, options);
+  const auto map = robots::make_reach_map(*arm, options);
   ASSERT_TRUE(map.ok()) << to_string(map.error());
   EXPECT_EQ(map->cells, (std::array<int, 3>{20, 20, 20}));
   for (int z = 0; z < 20; ++z) {
@@ -94,21 +97,21 @@ TEST(ReachMap, IsEmptyBeyondTheArmAndFullerNearTheShoulder) {
   EXPECT_GT(map->share_at({0.35, 0, 0.25}), 0.5F);
   EXPECT_EQ(map->share_at({0, 0, 5}), 0);
   const ThreadLimit one(1);
-  const auto again = make_reach_map(*arm, options);
+  const auto again = robots::make_reach_map(*arm, options);
   ASSERT_TRUE(again.ok());
   EXPECT_EQ(again->shares, map->shares);
 }
 
 TEST(ReachMap, BadOptionsAreNamed) {
-  const Robot robot = committed_robot("rm65-b-v");
-  const auto arm = make_arm_ik(robot, *robot.find_group("arm"));
-  ReachMapOptions empty, coarse, fine, endless;
+  const robots::Robot robot = committed_robot("rm65-b-v");
+  const auto arm = robots::make_arm_ik(robot, *robot.find_group("arm"));
+  robots::ReachMapOptions empty, coarse, fine, endless;
   empty.high = empty.low;
   coarse.cell_m = 0;
   fine.cell_m = 1e-3;
   endless.high.x = HUGE_VAL;
-  for (const ReachMapOptions& options : {empty, coarse, fine, endless}) {
-    const auto map = make_reach_map(*arm, options);
+  for (const robots::ReachMapOptions& options : {empty, coarse, fine, endless}) {
+    const auto map = robots::make_reach_map(*arm, options);
     ASSERT_FALSE(map.ok());
     EXPECT_EQ(map.error().code, "robot.bad_state");
   }

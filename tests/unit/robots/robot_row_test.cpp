@@ -21,7 +21,7 @@ void expect_near(Vec3 a, Vec3 b, double tolerance) {
 }
 
 TEST(RobotRows, EveryRowLoads) {
-  const auto ids = robot_ids(committed_rows);
+  const auto ids = robots::robot_ids(committed_rows);
   ASSERT_TRUE(ids.ok());
   EXPECT_EQ(ids->size(), 10U);
   for (const std::string& id : *ids)
@@ -30,18 +30,18 @@ TEST(RobotRows, EveryRowLoads) {
 
 // q = 0: the arm stands straight up, the flange 88 mm ahead and hanging down; published table.
 TEST(RobotRows, PandaAtZeroIsWhereItsTableSays) {
-  const Robot panda = committed_robot("panda");
+  const robots::Robot panda = committed_robot("panda");
   ASSERT_EQ(panda.dof_count(), 9U);
-  const Pose flange = frame_pose(panda, std::vector<double>(9), panda.find_frame("flange"));
+  const Pose flange = robots::frame_pose(panda, std::vector<double>(9), panda.find_frame("flange"));
   expect_near(flange.position, {0.088, 0, 0.333 + 0.316 + 0.384 - 0.107}, 1e-12);
   expect_near(rotate(flange.rotation, {0, 0, 1}), {0, 0, -1}, 1e-12);
-  const Pose tcp = frame_pose(panda, std::vector<double>(9), panda.find_frame("tcp"));
+  const Pose tcp = robots::frame_pose(panda, std::vector<double>(9), panda.find_frame("tcp"));
   expect_near(tcp.position, {0.088, 0, 0.926 - 0.1034}, 1e-12);
 }
 
 TEST(RobotRows, PandaHasThePublishedLimitsAndMasses) {
-  const Robot panda = committed_robot("panda");
-  const Joint& fourth = panda.joint_of_dof(3);
+  const robots::Robot panda = committed_robot("panda");
+  const robots::Joint& fourth = panda.joint_of_dof(3);
   EXPECT_EQ(fourth.lower, -3.0718);
   EXPECT_EQ(fourth.upper, -0.0698);
   EXPECT_EQ(fourth.acceleration, 12.5);
@@ -55,21 +55,21 @@ TEST(RobotRows, PandaHasThePublishedLimitsAndMasses) {
 
 // RM65 straight up: 240.5 + 256 + 210 + 166.8 mm; RM75: 240.5 + 256 + 210 + 144 mm.
 TEST(RobotRows, RealmanArmsStandStraightAtZero) {
-  const Robot six = committed_robot("rm65-b-v");
-  const Pose top = frame_pose(six, std::vector<double>(6), six.find_frame("flange"));
+  const robots::Robot six = committed_robot("rm65-b-v");
+  const Pose top = robots::frame_pose(six, std::vector<double>(6), six.find_frame("flange"));
   expect_near(top.position, {0, 0, 0.8733}, 1e-12);
-  const Robot seven = committed_robot("rm75-b");
-  const Pose tip = frame_pose(seven, std::vector<double>(7), seven.find_frame("flange"));
+  const robots::Robot seven = committed_robot("rm75-b");
+  const Pose tip = robots::frame_pose(seven, std::vector<double>(7), seven.find_frame("flange"));
   expect_near(tip.position, {0, 0, 0.8505}, 1e-12);
   EXPECT_NEAR(seven.joint_of_dof(3).upper, 135 * degree, 1e-15);
   EXPECT_NEAR(six.joint_of_dof(5).lower, -360 * degree, 1e-15);
 }
 
 TEST(RobotRows, DualArmShouldersAreWhereTheDataSheetPutsThem) {
-  const Robot robot = committed_robot("realman-rm65");
+  const robots::Robot robot = committed_robot("realman-rm65");
   std::vector<double> q(robot.dof_count());
   q[static_cast<std::size_t>(robot.find_dof("lift"))] = 0.4;
-  const std::vector<Pose> poses = link_poses(robot, q);
+  const std::vector<Pose> poses = robots::link_poses(robot, q);
   const auto at = [&](const char* link) {
     return poses[static_cast<std::size_t>(robot.find_link(link))];
   };
@@ -80,9 +80,9 @@ TEST(RobotRows, DualArmShouldersAreWhereTheDataSheetPutsThem) {
 
 TEST(RobotRows, DualArmWeighsWhatTheDataSheetSays) {  // 157 kg, arms but no tools
   for (const char* id : {"realman-rm65"}) {
-    const Robot robot = committed_robot(id);
+    const robots::Robot robot = committed_robot(id);
     double mass = 0;
-    for (const Link& link : robot.links) {
+    for (const robots::Link& link : robot.links) {
       if (link.name.find("tool") == std::string::npos) mass += link.mass;
     }
     EXPECT_NEAR(mass, 157, 0.05);
@@ -90,32 +90,33 @@ TEST(RobotRows, DualArmWeighsWhatTheDataSheetSays) {  // 157 kg, arms but no too
 }
 
 TEST(RobotRows, AToolMovesTheTipOfItsArm) {
-  const Robot robot = committed_robot("realman-rm75", {{"left_tool", "suction-cup"}});
-  const JointGroup* left = robot.find_group("left_arm");
+  const robots::Robot robot = committed_robot("realman-rm75", {{"left_tool", "suction-cup"}});
+  const robots::JointGroup* left = robot.find_group("left_arm");
   ASSERT_NE(left, nullptr);
   EXPECT_EQ(left->dofs.size(), 7U);
   EXPECT_EQ(left->tip, robot.find_frame("left_tool_tcp"));
   ASSERT_EQ(robot.tools.size(), 2U);
-  EXPECT_EQ(robot.tools[0].kind, ToolKind::suction);
-  EXPECT_EQ(robot.tools[1].kind, ToolKind::gripper);
+  EXPECT_EQ(robot.tools[0].kind, robots::ToolKind::suction);
+  EXPECT_EQ(robot.tools[1].kind, robots::ToolKind::gripper);
   EXPECT_EQ(robot.find_dof("left_tool_finger_joint1"), -1);
   EXPECT_GE(robot.find_dof("right_tool_finger_joint1"), 0);
 }
 
 TEST(RobotRows, UnknownNamesAreErrorsThatListTheKnownOnes) {
-  const auto robot = load_robot(committed_rows, "pandas");
+  const auto robot = robots::load_robot(committed_rows, "pandas");
   ASSERT_FALSE(robot.ok());
   EXPECT_EQ(robot.error().code, "robot.unknown");
   EXPECT_NE(robot.error().message.find("panda-hand"), std::string::npos);
-  const auto slot = load_robot(committed_rows, "realman-rm65", {{"third_tool", "suction-cup"}});
+  const auto slot =
+      robots::load_robot(committed_rows, "realman-rm65", {{"third_tool", "suction-cup"}});
   ASSERT_FALSE(slot.ok());
   EXPECT_NE(slot.error().message.find("left_tool"), std::string::npos);
 }
 
 TEST(RobotRows, SpheresCoverEveryCapsule) {  // points on each capsule's surface lie in some sphere
-  const Robot robot = committed_robot("realman-rm65");
-  for (const Link& link : robot.links) {
-    for (const Capsule& c : link.capsules) {
+  const robots::Robot robot = committed_robot("realman-rm65");
+  for (const robots::Link& link : robot.links) {
+    for (const robots::Capsule& c : link.capsules) {
       for (int i = 0; i <= 20; ++i) {
         const Vec3 on_axis = c.a + (c.b - c.a) * (i / 20.0);
         for (const Vec3 out : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{0, 0, -1}}) {
@@ -123,7 +124,7 @@ TEST(RobotRows, SpheresCoverEveryCapsule) {  // points on each capsule's surface
           const Vec3 across = normalized(out - along * dot(out, along));
           const Vec3 p = on_axis + across * c.radius;
           bool covered = false;
-          for (const Sphere& s : link.spheres)
+          for (const robots::Sphere& s : link.spheres)
             covered = covered || length(p - s.center) <= s.radius + 1e-9;
           EXPECT_TRUE(covered) << link.name;
         }
@@ -133,17 +134,17 @@ TEST(RobotRows, SpheresCoverEveryCapsule) {  // points on each capsule's surface
 }
 
 TEST(RobotStates, BadStatesAreNamed) {
-  const Robot panda = committed_robot("panda");
-  std::vector<double> q = neutral_state(panda);
-  EXPECT_TRUE(check_state(panda, q).ok());
+  const robots::Robot panda = committed_robot("panda");
+  std::vector<double> q = robots::neutral_state(panda);
+  EXPECT_TRUE(robots::check_state(panda, q).ok());
   EXPECT_EQ(q[3], -0.0698);
   q[2] = std::nan("");
-  ASSERT_FALSE(check_state(panda, q).ok());
-  EXPECT_EQ(check_state(panda, q).error().where, "panda:joint3");
+  ASSERT_FALSE(robots::check_state(panda, q).ok());
+  EXPECT_EQ(robots::check_state(panda, q).error().where, "panda:joint3");
   q[2] = 3;
-  EXPECT_EQ(check_state(panda, q).error().code, "robot.bad_state");
+  EXPECT_EQ(robots::check_state(panda, q).error().code, "robot.bad_state");
   q.pop_back();
-  EXPECT_FALSE(check_state(panda, q).ok());
+  EXPECT_FALSE(robots::check_state(panda, q).ok());
 }
 
 }  // namespace

@@ -12,12 +12,12 @@ namespace marketgen {
 namespace {
 
 constexpr double tick_s = 0.002;
-constexpr SetpointLimits of_joint{-1, 1, 2, 10};
+constexpr robots::SetpointLimits of_joint{-1, 1, 2, 10};
 // As the Panda's: full acceleration in 2 ms; and one that takes 50 ms to it.
-constexpr SetpointLimits quick_joint{-1, 1, 2, 10, 5000}, slow_joint{-1, 1, 2, 10, 200};
+constexpr robots::SetpointLimits quick_joint{-1, 1, 2, 10, 5000}, slow_joint{-1, 1, 2, 10, 200};
 
 TEST(Setpoint, WhatKeepsTheLimitsIsFollowedExactly) {
-  Setpoint setpoint;
+  robots::Setpoint setpoint;
   for (int i = 1; i <= 2000; ++i) {  // 0.5 sin(2 t): at most 1 a second, 2 a second squared
     const double t = i * tick_s;
     setpoint.follow({0.5 * std::sin(2 * t), std::cos(2 * t)}, of_joint, tick_s);
@@ -27,11 +27,11 @@ TEST(Setpoint, WhatKeepsTheLimitsIsFollowedExactly) {
 
 TEST(Setpoint, AnythingElseIsFollowedWithinTheLimits) {
   Stream draw = Seed(3).stream();
-  Setpoint setpoint, wanted;
+  robots::Setpoint setpoint, wanted;
   for (int i = 0; i < 20000; ++i) {
     if (draw.chance(0.02))
       wanted = {draw.uniform(-1e3, 1e3) * (draw.chance(0.5) ? 1 : 1e-3), draw.uniform(-50, 50)};
-    const Setpoint before = setpoint;
+    const robots::Setpoint before = setpoint;
     setpoint.follow(wanted, of_joint, tick_s);
     ASSERT_LE(std::abs(setpoint.velocity), of_joint.velocity);
     ASSERT_LE(std::abs(setpoint.velocity - before.velocity),
@@ -43,7 +43,7 @@ TEST(Setpoint, AnythingElseIsFollowedWithinTheLimits) {
 }
 
 TEST(Setpoint, AJumpIsGoneAsFastAsTheLimitsAllowAndNoFarther) {
-  Setpoint setpoint;
+  robots::Setpoint setpoint;
   double farthest = 0;
   int steps = 0;
   while (std::abs(setpoint.position - 0.8) > 1e-6) {
@@ -57,7 +57,7 @@ TEST(Setpoint, AJumpIsGoneAsFastAsTheLimitsAllowAndNoFarther) {
 }
 
 TEST(Setpoint, WhatIsHeldBackDoesNotRunAhead) {
-  Setpoint setpoint{0, 1};
+  robots::Setpoint setpoint{0, 1};
   setpoint.keep_near({-0.3, 0}, 0.1);
   EXPECT_DOUBLE_EQ(setpoint.position, -0.2);
   EXPECT_EQ(setpoint.velocity, 0);
@@ -70,7 +70,7 @@ TEST(Setpoint, WhatIsHeldBackDoesNotRunAhead) {
 // A joint that lags at its speed limit is not stopped: it goes on as fast as it does.
 TEST(Setpoint, WhatLagsGoesOnAsFastAsItDoes) {
   const auto held = [](double velocity, double joint_velocity) {
-    Setpoint setpoint{0, velocity};
+    robots::Setpoint setpoint{0, velocity};
     setpoint.keep_near({velocity > 0 ? -0.3 : 0.3, joint_velocity}, 0.1);
     return setpoint.velocity;
   };
@@ -80,17 +80,17 @@ TEST(Setpoint, WhatLagsGoesOnAsFastAsItDoes) {
   EXPECT_EQ(held(2, -0.5), 0);  // nor backwards
 }
 
-void follows_anything_within(const SetpointLimits& limits) {
+void follows_anything_within(const robots::SetpointLimits& limits) {
   Stream draw = Seed(4).stream();
-  SmoothSetpoint setpoint;
-  Setpoint wanted;
+  robots::SmoothSetpoint setpoint;
+  robots::Setpoint wanted;
   double before = 0, greatest_jerk = 0;
   for (int i = 0; i < 20000; ++i) {
     if (draw.chance(0.02))
       wanted = {draw.uniform(-1e3, 1e3) * (draw.chance(0.5) ? 1 : 1e-3), draw.uniform(-50, 50)};
-    const Setpoint from = setpoint.now();
+    const robots::Setpoint from = setpoint.now();
     setpoint.follow(wanted, limits, tick_s);
-    const Setpoint now = setpoint.now();
+    const robots::Setpoint now = setpoint.now();
     ASSERT_LE(std::abs(now.position), 1.0);
     ASSERT_LE(std::abs(now.velocity), limits.velocity + 1e-12);
     ASSERT_LE(std::abs(setpoint.acceleration()), limits.acceleration + 1e-9);
@@ -109,11 +109,11 @@ TEST(SmoothSetpoint, FollowsAnythingWithinTheJerkToo) {
 }
 
 TEST(SmoothSetpoint, WhatKeepsTheLimitsIsFollowedCloselyAndWithoutLag) {
-  SmoothSetpoint quick, slow;
+  robots::SmoothSetpoint quick, slow;
   double farthest_quick = 0, farthest_slow = 0;
   for (int i = 1; i <= 2000; ++i) {
     const double t = i * tick_s;
-    const Setpoint wanted{0.5 * std::sin(2 * t), std::cos(2 * t)};
+    const robots::Setpoint wanted{0.5 * std::sin(2 * t), std::cos(2 * t)};
     quick.follow(wanted, quick_joint, tick_s);
     slow.follow(wanted, slow_joint, tick_s);
     if (i < 300) continue;  // it starts at rest
@@ -125,7 +125,7 @@ TEST(SmoothSetpoint, WhatKeepsTheLimitsIsFollowedCloselyAndWithoutLag) {
 }
 
 TEST(SmoothSetpoint, ComesToRestWhereItIsTold) {
-  SmoothSetpoint setpoint;
+  robots::SmoothSetpoint setpoint;
   for (int i = 0; i < 500; ++i)
     setpoint.follow({0.8, 0}, slow_joint, tick_s);
   EXPECT_NEAR(setpoint.now().position, 0.8, 1e-9);
@@ -134,10 +134,10 @@ TEST(SmoothSetpoint, ComesToRestWhereItIsTold) {
 
 TEST(SmoothSetpoint, OfAJointWithoutAJerkItIsThePlainOne) {
   Stream draw = Seed(5).stream();
-  Setpoint plain;
-  SmoothSetpoint smooth;
+  robots::Setpoint plain;
+  robots::SmoothSetpoint smooth;
   for (int i = 0; i < 2000; ++i) {
-    const Setpoint wanted{draw.uniform(-2, 2), draw.uniform(-3, 3)};
+    const robots::Setpoint wanted{draw.uniform(-2, 2), draw.uniform(-3, 3)};
     plain.follow(wanted, of_joint, tick_s);
     smooth.follow(wanted, of_joint, tick_s);
     ASSERT_EQ(smooth.now().position, plain.position);
@@ -146,7 +146,7 @@ TEST(SmoothSetpoint, OfAJointWithoutAJerkItIsThePlainOne) {
 }
 
 TEST(SmoothSetpoint, WhatIsHeldBackGoesOnFromThere) {
-  SmoothSetpoint setpoint;
+  robots::SmoothSetpoint setpoint;
   for (int i = 0; i < 100; ++i)
     setpoint.follow({0.9, 0}, quick_joint, tick_s);
   ASSERT_GT(setpoint.now().velocity, 1);

@@ -14,8 +14,8 @@ std::string joint(const std::string& name, const std::string& parent, const std:
   return "<joint name=\"" + name + "\" type=\"continuous\"><parent link=\"" + parent +
          "\"/><child link=\"" + child + "\"/></joint>\n";
 }
-Result<UrdfRobot> read(const std::string& body) {
-  return read_urdf("<robot name=\"r\">\n" + body + "</robot>", "r.urdf", ".");
+Result<robots::UrdfRobot> read(const std::string& body) {
+  return robots::read_urdf("<robot name=\"r\">\n" + body + "</robot>", "r.urdf", ".");
 }
 
 void expect_fault(const std::string& body, const std::string& where, const std::string& message) {
@@ -34,14 +34,14 @@ TEST(Urdf, ReadsLinksJointsAndLimits) {
            "<axis xyz=\"0 0 2\"/><limit lower=\"-1\" upper=\"2\" effort=\"5\" "
            "velocity=\"0\"/></joint>");
   ASSERT_TRUE(result.ok()) << to_string(result.error());
-  const Robot& robot = result->robot;
+  const robots::Robot& robot = result->robot;
   ASSERT_EQ(robot.dof_count(), 1U);
-  const Joint& slide = robot.joint_of_dof(0);
+  const robots::Joint& slide = robot.joint_of_dof(0);
   EXPECT_EQ(slide.lower, -1);
   EXPECT_EQ(slide.effort, 5);
-  EXPECT_EQ(slide.velocity, Joint::unlimited);
+  EXPECT_EQ(slide.velocity, robots::Joint::unlimited);
   EXPECT_EQ(slide.axis, (Vec3{0, 0, 1}));
-  const Pose b = link_poses(robot, std::vector<double>{0.5})[1];
+  const Pose b = robots::link_poses(robot, std::vector<double>{0.5})[1];
   EXPECT_NEAR(b.position.z, 3.5, 1e-12);
   EXPECT_NEAR(rotate(b.rotation, {1, 0, 0}).y, 1, 1e-12);
 }
@@ -67,7 +67,7 @@ TEST(Urdf, AMimicFollowsItsLeaderWithRatioAndOffset) {
       slide("k", "c", "<mimic joint=\"j\" multiplier=\"-2\" offset=\"0.1\"/>");
   const auto result = read(links + slide("j", "b", "") + follower + slide("l", "d", ""));
   ASSERT_TRUE(result.ok()) << to_string(result.error());
-  const std::vector<double> q = with_followers(result->robot, {0.3, 0, 0.7});
+  const std::vector<double> q = robots::with_followers(result->robot, {0.3, 0, 0.7});
   EXPECT_NEAR(q[1], -0.5, 1e-12);
   EXPECT_EQ(q[2], 0.7);
   expect_fault(links + slide("j", "b", "") + follower + slide("l", "d", "<mimic joint=\"k\"/>"),

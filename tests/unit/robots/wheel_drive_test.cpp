@@ -17,15 +17,15 @@ constexpr double step_s = 0.002;
 // A rigid base of the robot's mass on the floor, its middle at its origin; `wall_x`: it goes no
 // farther ahead.
 struct Base {
-  Robot robot = committed_robot("realman-rm75");
-  WheelDrive wheels{robot, {}};
-  FloorMotion now = {};
-  double mass = total_mass(robot), gyration_m2 = 0.06, wall_x = 1e9;
+  robots::Robot robot = committed_robot("realman-rm75");
+  robots::WheelDrive wheels{robot, {}};
+  robots::FloorMotion now = {};
+  double mass = robots::total_mass(robot), gyration_m2 = 0.06, wall_x = 1e9;
   double max_force_n = 0, max_change_m_s = 0;
 
   void run(double drive_m_s, double turn_rad_s, double seconds) {
     for (int i = 0; i < static_cast<int>(seconds / step_s); ++i) {
-      const FloorForce force = wheels.push(now, drive_m_s, turn_rad_s, step_s);
+      const robots::FloorForce force = wheels.push(now, drive_m_s, turn_rad_s, step_s);
       max_force_n = std::max(max_force_n, std::hypot(force.x_n, force.y_n));
       const double before = now.vx_m_s;
       now.vx_m_s += force.x_n / mass * step_s;
@@ -72,7 +72,7 @@ TEST(WheelDrive, AgainstAWallItsWheelsSpinAndItsReckoningGoesOn) {
 TEST(WheelDrive, WeakMotorsStallWithoutSlipping) {
   Base base;
   base.robot.drive->wheel_torque = 5;
-  base.wheels = WheelDrive(base.robot, {});
+  base.wheels = robots::WheelDrive(base.robot, {});
   base.wall_x = 0.2;
   base.run(0.5, 0, 3);
   EXPECT_NEAR(base.wheels.reckoned().x_m, base.now.place.x_m, 5e-3);
@@ -83,7 +83,7 @@ TEST(WheelDrive, APushFromTheSideIsHeldUntilTheTyresSlide) {
   Base base;
   const auto pushed_m = [&](double force_n) {
     base.now = {};
-    base.wheels = WheelDrive(base.robot, {});
+    base.wheels = robots::WheelDrive(base.robot, {});
     for (int i = 0; i < 500; ++i) {
       base.now.vy_m_s += force_n / base.mass * step_s;
       base.run(0, 0, step_s * 1.5);

@@ -9,11 +9,11 @@ namespace {
 
 TEST(Golden, HandLaidShop) {
   HandLaidShop shop = shop_of(selling_types());
-  for (Zone& zone : shop.plan.zones)
+  for (plan::Zone& zone : shop.plan.zones)
     zone.stock.misplaced = 0.05;
-  const auto scene = build_scene(shop.layout, shop.plan, committed_catalog(), Seed(5));
+  const auto scene = scene::build_scene(shop.layout, shop.plan, committed_catalog(), Seed(5));
   ASSERT_TRUE(scene.ok()) << to_string(scene.error());
-  expect_golden("hand-laid shop, seed 5", scene_hash(*scene));
+  expect_golden("hand-laid shop, seed 5", scene::scene_hash(*scene));
 }
 
 }  // namespace

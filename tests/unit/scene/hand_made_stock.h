@@ -8,12 +8,12 @@
 
 namespace marketgen {
 
-inline Product stock_row(std::string sku,
-                         std::string archetype,
-                         std::array<int, 3> size_mm,
-                         double mass_kg,
-                         int stack_max = 1) {
-  Product product;
+inline catalog::Product stock_row(std::string sku,
+                                  std::string archetype,
+                                  std::array<int, 3> size_mm,
+                                  double mass_kg,
+                                  int stack_max = 1) {
+  catalog::Product product;
   product.sku = std::move(sku);
   product.name = product.sku;
   product.brand = "Fonda";
@@ -26,23 +26,23 @@ inline Product stock_row(std::string sku,
   return product;
 }
 
-inline Catalog catalog_of(std::vector<Product> products) {
-  Catalog catalog;
+inline catalog::Catalog catalog_of(std::vector<catalog::Product> products) {
+  catalog::Catalog catalog;
   catalog.products = std::move(products);
   return catalog;
 }
 
-inline std::vector<std::uint32_t> all_rows(const Catalog& catalog) {
+inline std::vector<std::uint32_t> all_rows(const catalog::Catalog& catalog) {
   std::vector<std::uint32_t> rows;
   for (std::uint32_t i = 0; i < catalog.products.size(); ++i)
     rows.push_back(i);
   return rows;
 }
 
-inline ShelfRoom shelf_room(double width_m = 1.2,
-                            double depth_m = 0.45,
-                            double clearance_m = 0.32) {
-  return {width_m, depth_m, clearance_m, ShelfUse::stand};
+inline scene::ShelfRoom shelf_room(double width_m = 1.2,
+                                   double depth_m = 0.45,
+                                   double clearance_m = 0.32) {
+  return {width_m, depth_m, clearance_m, assets::ShelfUse::stand};
 }
 
 }  // namespace marketgen

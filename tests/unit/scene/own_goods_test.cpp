@@ -12,11 +12,11 @@
 namespace marketgen {
 namespace {
 
-Product own_product(const std::string& sku,
-                    const std::string& category,
-                    const std::string& subcategory,
-                    std::array<int, 3> size_mm = {66, 66, 115}) {
-  Product product;
+catalog::Product own_product(const std::string& sku,
+                             const std::string& category,
+                             const std::string& subcategory,
+                             std::array<int, 3> size_mm = {66, 66, 115}) {
+  catalog::Product product;
   product.sku = "own-" + sku;
   product.name = sku;
   product.category = category;
@@ -28,29 +28,29 @@ Product own_product(const std::string& sku,
 }
 
 // The committed rows and these.
-Catalog with_own(const std::vector<Product>& own) {
-  Catalog catalog = committed_catalog();
-  for (const Product& product : own) {
+catalog::Catalog with_own(const std::vector<catalog::Product>& own) {
+  catalog::Catalog catalog = committed_catalog();
+  for (const catalog::Product& product : own) {
     catalog.products.push_back(product);
     catalog.own.push_back(product.sku);
   }
-  std::ranges::sort(catalog.products, {}, &Product::sku);
+  std::ranges::sort(catalog.products, {}, &catalog::Product::sku);
   std::ranges::sort(catalog.own);
   return catalog;
 }
 
 struct Stocked {
-  Scene scene;
-  std::vector<Unstocked> unstocked;
+  scene::Scene scene;
+  std::vector<scene::Unstocked> unstocked;
   std::set<std::string> skus;  // that stand
 };
 
-Stocked stock(const HandLaidShop& shop, const Catalog& catalog, std::uint64_t seed = 1) {
-  auto built = build_scene(shop.layout, shop.plan, catalog, Seed(seed));
+Stocked stock(const HandLaidShop& shop, const catalog::Catalog& catalog, std::uint64_t seed = 1) {
+  auto built = scene::build_scene(shop.layout, shop.plan, catalog, Seed(seed));
   if (!built.ok()) fatal(to_string(built.error()).c_str());
   Stocked stocked{std::move(built).value(), {}, {}};
-  stocked.unstocked = unstocked_products(stocked.scene, shop.plan, catalog);
-  for (const SceneProduct& item : stocked.scene.products)
+  stocked.unstocked = scene::unstocked_products(stocked.scene, shop.plan, catalog);
+  for (const scene::SceneProduct& item : stocked.scene.products)
     stocked.skus.insert(stocked.scene.catalog[item.sku].sku);
   return stocked;
 }
@@ -67,10 +67,11 @@ bool says(const std::string& text, const std::string& part) {
 // out.
 TEST(OwnGoods, StandSomewhereWhateverTheSeed) {
   const HandLaidShop shop = shop_of({"beverages", "snacks", "canned"});
-  const Catalog catalog = with_own({own_product("aa-cola", "beverages", "soft drinks"),
-                                    own_product("zz-cola", "beverages", "soft drinks"),
-                                    own_product("crisps", "snacks", "crisps", {150, 60, 220}),
-                                    own_product("beans", "canned", "beans", {75, 75, 110})});
+  const catalog::Catalog catalog =
+      with_own({own_product("aa-cola", "beverages", "soft drinks"),
+                own_product("zz-cola", "beverages", "soft drinks"),
+                own_product("crisps", "snacks", "crisps", {150, 60, 220}),
+                own_product("beans", "canned", "beans", {75, 75, 110})});
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     const Stocked stocked = stock(shop, catalog, seed);
     EXPECT_TRUE(stocked.unstocked.empty()) << seed << ": " << why(stocked);
@@ -82,14 +83,14 @@ TEST(OwnGoods, StandSomewhereWhateverTheSeed) {
 TEST(OwnGoods, AreNeverOutOfStock) {
   HandLaidShop shop = shop_of({"beverages"});
   shop.plan.zones[0].stock.out_of_stock = 1;
-  const Catalog catalog = with_own({own_product("cola", "beverages", "soft drinks")});
+  const catalog::Catalog catalog = with_own({own_product("cola", "beverages", "soft drinks")});
   const Stocked stocked = stock(shop, catalog);
   EXPECT_EQ(stocked.skus, std::set<std::string>{"own-cola"});
 }
 
 TEST(OwnGoods, AHundredOfThemFillTheShelvesAndTheRestIsNamed) {
   const HandLaidShop shop = shop_of({"snacks"});
-  std::vector<Product> own;
+  std::vector<catalog::Product> own;
   for (int i = 0; i < 100; ++i)
     own.push_back(own_product("bag-" + std::to_string(i), "snacks", "crisps", {150, 60, 220}));
   const Stocked stocked = stock(shop, with_own(own));
@@ -101,22 +102,22 @@ TEST(OwnGoods, AHundredOfThemFillTheShelvesAndTheRestIsNamed) {
   EXPECT_GE(bags, 60U);
   EXPECT_LT(bags, own.size());
   EXPECT_LE(stocked.skus.size(), bags + 10);
-  for (const Unstocked& left : stocked.unstocked)
+  for (const scene::Unstocked& left : stocked.unstocked)
     EXPECT_TRUE(says(left.why, "full of other products of your own")) << left.why;
 }
 
 TEST(OwnGoods, LeaveEverythingAsItWasWhereThereAreNone) {
   const HandLaidShop shop = shop_of({"beverages", "snacks"});
-  Catalog nothing_own = committed_catalog();
-  EXPECT_EQ(scene_hash(stock(shop, nothing_own).scene), scene_hash(scene_of(shop)));
+  catalog::Catalog nothing_own = committed_catalog();
+  EXPECT_EQ(scene::scene_hash(stock(shop, nothing_own).scene), scene::scene_hash(scene_of(shop)));
   // One that nobody sells moves nothing either.
-  const Catalog catalog = with_own({own_product("tea", "dry_goods", "tea")});
-  EXPECT_EQ(scene_hash(stock(shop, catalog).scene), scene_hash(scene_of(shop)));
+  const catalog::Catalog catalog = with_own({own_product("tea", "dry_goods", "tea")});
+  EXPECT_EQ(scene::scene_hash(stock(shop, catalog).scene), scene::scene_hash(scene_of(shop)));
 }
 
 TEST(OwnGoods, OfThoseThatDoNotFitItIsSaidWhy) {
   const HandLaidShop shop = shop_of({"beverages", "snacks"});
-  const auto why_not = [&](const Product& product) {
+  const auto why_not = [&](const catalog::Product& product) {
     return why(stock(shop, with_own({product})));
   };
   EXPECT_TRUE(says(why_not(own_product("tea", "dry_goods", "tea")),
@@ -126,8 +127,8 @@ TEST(OwnGoods, OfThoseThatDoNotFitItIsSaidWhy) {
   EXPECT_TRUE(says(why_not(own_product("odd", "snacks", "crisps", {66, 900, 66})), "900 mm deep"));
   EXPECT_TRUE(
       says(why_not(own_product("odd", "snacks", "crisps", {1400, 66, 66})), "1400 mm wide"));
-  Product frozen = own_product("ice", "snacks", "crisps");
-  frozen.storage = Storage::frozen;
+  catalog::Product frozen = own_product("ice", "snacks", "crisps");
+  frozen.storage = catalog::Storage::frozen;
   EXPECT_TRUE(says(why_not(frozen), "it is kept frozen, but the fixtures of zone \"snacks\""));
   const std::string odd = why_not(own_product("odd", "beverages", "potions"));
   EXPECT_TRUE(says(odd, "no type of zone sells ambient potions of beverages; subcategories are:"));

@@ -12,7 +12,7 @@
 namespace marketgen {
 namespace {
 
-Scene query_sample() {
+scene::Scene query_sample() {
   HandMadeScene made;
   made.stock();
   made.scene.catalog[0].name = "Cereal, \"crunchy\"\nwith nuts";
@@ -21,8 +21,8 @@ Scene query_sample() {
   return std::move(made.scene);
 }
 
-Table table_of(std::string_view name, std::string_view where = "") {
-  auto table = query_scene(query_sample(), name, where);
+scene::Table table_of(std::string_view name, std::string_view where = "") {
+  auto table = scene::query_scene(query_sample(), name, where);
   if (!table.ok()) fatal(to_string(table.error()).c_str());
   return std::move(table).value();
 }
@@ -32,7 +32,7 @@ std::size_t rows_where(std::string_view where) {
 }
 
 TEST(Query, ProductRowsSayWhatStandsWhere) {
-  const Table table = table_of("products");
+  const scene::Table table = table_of("products");
   EXPECT_EQ(table.columns,
             (std::vector<std::string>{"id",
                                       "sku",
@@ -67,15 +67,15 @@ TEST(Query, ProductRowsSayWhatStandsWhere) {
 }
 
 TEST(Query, OtherTables) {
-  const Table fixtures = table_of("fixtures");
+  const scene::Table fixtures = table_of("fixtures");
   ASSERT_EQ(fixtures.rows.size(), 1U);
   EXPECT_EQ(fixtures.rows[0].front(), "dry/run-1/module-1");
   EXPECT_EQ(fixtures.rows[0].back(), "8");
-  const Table zones = table_of("zones");
+  const scene::Table zones = table_of("zones");
   ASSERT_EQ(zones.rows.size(), 1U);
   EXPECT_EQ(zones.rows[0],
             (std::vector<std::string>{"dry", "dry_goods", "Dry goods", "2", "1", "8"}));
-  const Table prices = table_of("prices", "sku=can-cola");
+  const scene::Table prices = table_of("prices", "sku=can-cola");
   ASSERT_EQ(prices.rows.size(), 1U);
   EXPECT_EQ(prices.rows[0],
             (std::vector<std::string>{"can-cola",
@@ -116,7 +116,7 @@ TEST(Query, OperatorsInsideAValueAreText) {
 }
 
 TEST(Query, AValueThatTheColumnCannotHaveIsAnErrorWithItsPlace) {
-  const Scene scene = query_sample();
+  const scene::Scene scene = query_sample();
   for (const std::string where : {"price<abc",
                                   "level=low",
                                   "x_m>=",
@@ -127,12 +127,12 @@ TEST(Query, AValueThatTheColumnCannotHaveIsAnErrorWithItsPlace) {
                                   "misplaced=yes",
                                   "misplaced<1",
                                   "sku=can-cola,price>cheap"}) {
-    const auto found = query_scene(scene, "products", where);
+    const auto found = scene::query_scene(scene, "products", where);
     ASSERT_FALSE(found.ok()) << where;
     EXPECT_EQ(found.error().code, "usage.bad_flag") << where;
     EXPECT_NE(found.error().message.find(" holds "), std::string::npos) << found.error().message;
   }
-  const auto found = query_scene(scene, "products", "sku=can-cola,price>cheap");
+  const auto found = scene::query_scene(scene, "products", "sku=can-cola,price>cheap");
   EXPECT_EQ(found.error().where, "--where price>cheap");
   EXPECT_EQ(found.error().message,
             "\"cheap\" stands at character 7, but column \"price\" holds numbers");
@@ -141,9 +141,9 @@ TEST(Query, AValueThatTheColumnCannotHaveIsAnErrorWithItsPlace) {
 }
 
 TEST(Query, MistakesNameTheNearest) {
-  const Scene scene = query_sample();
+  const scene::Scene scene = query_sample();
   const auto error_of = [&](std::string_view table, std::string_view where) {
-    const auto found = query_scene(scene, table, where);
+    const auto found = scene::query_scene(scene, table, where);
     return found.ok() ? std::string("ok") : found.error().code + " " + found.error().message;
   };
   EXPECT_EQ(error_of("product", ""),
@@ -187,28 +187,29 @@ std::vector<std::vector<std::string>> parse_csv(const std::string& text) {
 }
 
 TEST(Query, CsvReadsBackByRfc4180) {
-  const Table table = table_of("products");
-  const auto rows = parse_csv(to_csv(table));
+  const scene::Table table = table_of("products");
+  const auto rows = parse_csv(scene::to_csv(table));
   ASSERT_EQ(rows.size(), table.rows.size() + 1);
   EXPECT_EQ(rows[0], table.columns);
   for (std::size_t i = 0; i < table.rows.size(); ++i)
     EXPECT_EQ(rows[i + 1], table.rows[i]);
-  EXPECT_NE(to_csv(table).find("\"Fonda Cereal, \"\"crunchy\"\"\nwith nuts\""), std::string::npos);
+  EXPECT_NE(scene::to_csv(table).find("\"Fonda Cereal, \"\"crunchy\"\"\nwith nuts\""),
+            std::string::npos);
 }
 
 // A word of a closed list is a text like any other; a list is JSON, quoted once.
 TEST(Query, EnumerationsAndListsAreQuotedOnce) {
-  Scene scene = query_sample();
-  MaterialRow tiles;
+  scene::Scene scene = query_sample();
+  catalog::MaterialRow tiles;
   tiles.id = "tile-test";
-  tiles.pattern = MaterialPattern::tiles;
+  tiles.pattern = catalog::MaterialPattern::tiles;
   tiles.uses = {"floor", "wall"};
   scene.materials.push_back(tiles);
-  const auto table = query_scene(scene, "materials", "pattern=tiles,uses~wall");
+  const auto table = scene::query_scene(scene, "materials", "pattern=tiles,uses~wall");
   ASSERT_TRUE(table.ok()) << to_string(table.error());
   ASSERT_EQ(table->rows.size(), 1U);
-  const auto rows = parse_csv(to_csv(*table));
-  const auto json = nlohmann::json::parse(to_json(*table));
+  const auto rows = parse_csv(scene::to_csv(*table));
+  const auto json = nlohmann::json::parse(scene::to_json(*table));
   const auto column = [&](std::string_view name) {
     return static_cast<std::size_t>(std::ranges::find(rows[0], name) - rows[0].begin());
   };
@@ -216,36 +217,36 @@ TEST(Query, EnumerationsAndListsAreQuotedOnce) {
   EXPECT_EQ(rows[1][column("uses")], R"(["floor", "wall"])");
   EXPECT_EQ(json[0]["pattern"], "tiles");
   EXPECT_EQ(json[0]["uses"], (nlohmann::json{"floor", "wall"}));
-  EXPECT_NE(to_csv(*table).find(R"(,tiles,)"), std::string::npos) << to_csv(*table);
-  EXPECT_FALSE(query_scene(scene, "materials", "uses<wall").ok());
+  EXPECT_NE(scene::to_csv(*table).find(R"(,tiles,)"), std::string::npos) << scene::to_csv(*table);
+  EXPECT_FALSE(scene::query_scene(scene, "materials", "uses<wall").ok());
 }
 
 // A product of somebody's catalogue runs nothing in a spreadsheet and clears no terminal; numbers
 // are numbers, also negative ones.
 TEST(Query, CsvIsSafeToOpen) {
-  const Table table{{"name", "x_m"},
-                    {{"=HYPERLINK(\"http://x\")", "-1.5"},
-                     {"@SUM(A1)", "+2"},
-                     {"-1+2", "3"},
-                     {"+1", "4"},
-                     {"1 = 1", "5"},
-                     {"\x1b[2Ja\nb", "6"}},
-                    {ColumnKind::text, ColumnKind::number}};
-  EXPECT_EQ(to_csv(table),
+  const scene::Table table{{"name", "x_m"},
+                           {{"=HYPERLINK(\"http://x\")", "-1.5"},
+                            {"@SUM(A1)", "+2"},
+                            {"-1+2", "3"},
+                            {"+1", "4"},
+                            {"1 = 1", "5"},
+                            {"\x1b[2Ja\nb", "6"}},
+                           {scene::ColumnKind::text, scene::ColumnKind::number}};
+  EXPECT_EQ(scene::to_csv(table),
             "name,x_m\r\n\"'=HYPERLINK(\"\"http://x\"\")\",-1.5\r\n'@SUM(A1),+2\r\n'-1+2,3\r\n"
             "'+1,4\r\n1 = 1,5\r\n\"\\x1b[2Ja\nb\",6\r\n");
 }
 
 TEST(Query, JsonReadsBack) {
-  const Table table = table_of("products");
-  const auto json = nlohmann::json::parse(to_json(table));
+  const scene::Table table = table_of("products");
+  const auto json = nlohmann::json::parse(scene::to_json(table));
   ASSERT_EQ(json.size(), 8U);
   EXPECT_EQ(json[5]["name"], "Fonda Cereal, \"crunchy\"\nwith nuts");
   EXPECT_EQ(json[0]["level"], 0);
   EXPECT_EQ(json[0]["misplaced"], false);
   EXPECT_EQ(json[0]["ean"], "2000000000015");  // a text: leading zeros matter
   EXPECT_DOUBLE_EQ(json[0]["x_m"], 2.6);
-  EXPECT_EQ(nlohmann::json::parse(to_json(table_of("products", "level=9"))),
+  EXPECT_EQ(nlohmann::json::parse(scene::to_json(table_of("products", "level=9"))),
             nlohmann::json::array());
 }
 

@@ -15,7 +15,7 @@
 namespace marketgen {
 namespace {
 
-Scene scene_file_sample() {
+scene::Scene scene_file_sample() {
   HandMadeScene made;
   made.stock();
   made.scene.materials.push_back({});
@@ -28,39 +28,39 @@ std::span<const std::byte> bytes_of(const std::string& text) {
 }
 
 std::string code_of(const std::string& bytes) {
-  const auto decoded = decode_scene(bytes_of(bytes), "shop/scene.bin");
+  const auto decoded = scene::decode_scene(bytes_of(bytes), "shop/scene.bin");
   return decoded.ok() ? "ok" : decoded.error().code;
 }
 
 TEST(SceneFile, DecodesToTheSameBytes) {
-  const std::string bytes = encode_scene(scene_file_sample());
-  const auto decoded = decode_scene(bytes_of(bytes), "scene.bin");
+  const std::string bytes = scene::encode_scene(scene_file_sample());
+  const auto decoded = scene::decode_scene(bytes_of(bytes), "scene.bin");
   ASSERT_TRUE(decoded.ok()) << to_string(decoded.error());
-  EXPECT_EQ(encode_scene(*decoded), bytes);
+  EXPECT_EQ(scene::encode_scene(*decoded), bytes);
   EXPECT_EQ(decoded->layout.name, "Corner & Co <test>");
   EXPECT_EQ(decoded->products.size(), 8U);
   EXPECT_EQ(decoded->price_labels[1].promotion, 1U);
-  EXPECT_EQ(decoded->layout.shell.openings[2].kind, OpeningKind::service);
+  EXPECT_EQ(decoded->layout.shell.openings[2].kind, plan::OpeningKind::service);
 }
 
 TEST(SceneFile, TruncatedAnywhere) {
-  const std::string bytes = encode_scene(scene_file_sample());
+  const std::string bytes = scene::encode_scene(scene_file_sample());
   for (std::size_t size = 0; size < bytes.size(); size += 61)
     EXPECT_EQ(code_of(bytes.substr(0, size)), "scene.truncated") << size;
   EXPECT_EQ(code_of(bytes.substr(0, bytes.size() - 1)), "scene.truncated");
-  const auto decoded = decode_scene(bytes_of(bytes.substr(0, 100)), "shop/scene.bin");
+  const auto decoded = scene::decode_scene(bytes_of(bytes.substr(0, 100)), "shop/scene.bin");
   EXPECT_EQ(decoded.error().where, "shop/scene.bin");
   EXPECT_NE(decoded.error().message.find("100 bytes, header says"), std::string::npos)
       << decoded.error().message;
 }
 
 TEST(SceneFile, LongerThanItSays) {
-  EXPECT_EQ(code_of(encode_scene(scene_file_sample()) + "x"), "scene.corrupt");
+  EXPECT_EQ(code_of(scene::encode_scene(scene_file_sample()) + "x"), "scene.corrupt");
 }
 
 TEST(SceneFile, OtherVersionAndOtherFile) {
-  std::string bytes = encode_scene(scene_file_sample());
-  ASSERT_EQ(bytes.substr(8, 4), scene_file_identifier);
+  std::string bytes = scene::encode_scene(scene_file_sample());
+  ASSERT_EQ(bytes.substr(8, 4), scene::scene_file_identifier);
   bytes[11] = '9';
   EXPECT_EQ(code_of(bytes), "scene.wrong_version");
   bytes.replace(8, 4, "PNG!");
@@ -69,7 +69,7 @@ TEST(SceneFile, OtherVersionAndOtherFile) {
 
 TEST(SceneFile, FlippedBytesNeverGetFurtherThanAnError) {  // and never into undefined behaviour:
                                                            // the sanitizer build runs this too
-  const std::string good = encode_scene(scene_file_sample());
+  const std::string good = scene::encode_scene(scene_file_sample());
   const std::set<std::string> expected = {
       "ok", "scene.corrupt", "scene.truncated", "scene.wrong_version"};
   Stream draw(11);
@@ -89,53 +89,56 @@ TEST(SceneFile, FlippedBytesNeverGetFurtherThanAnError) {  // and never into und
 
 struct Damage {
   const char* name;
-  std::function<void(Scene&)> apply;
+  std::function<void(scene::Scene&)> apply;
 };
 
 const std::vector<Damage>& damages() {
   static const std::vector<Damage> all = {
-      {"schema tag", [](Scene& s) { s.schema = "market-scene/2"; }},
+      {"schema tag", [](scene::Scene& s) { s.schema = "market-scene/2"; }},
       {"fixtures shorter than layout",
-       [](Scene& s) {
+       [](scene::Scene& s) {
          s.fixtures.clear(), s.parts.clear(), s.shelves.clear(), s.facings.clear(),
              s.products.clear(), s.price_labels.clear();
        }},
-      {"parts of a fixture", [](Scene& s) { s.fixtures[0].part_count = 5; }},
+      {"parts of a fixture", [](scene::Scene& s) { s.fixtures[0].part_count = 5; }},
       {"parts that wrap around",
-       [](Scene& s) {
+       [](scene::Scene& s) {
          s.fixtures[0].first_part = 0xFFFFFFFF, s.fixtures[0].part_count = 0xFFFFFFFF;
        }},
       {"shelves of a fixture",
-       [](Scene& s) { s.fixtures[0].first_shelf = 2, s.fixtures[0].shelf_count = 1; }},
-      {"fixture of a part", [](Scene& s) { s.parts[3].fixture = 1; }},
-      {"material of a part", [](Scene& s) { s.parts[0].material = 1; }},
-      {"fixture of a shelf", [](Scene& s) { s.shelves[1].fixture = 7; }},
-      {"shelf of a facing", [](Scene& s) { s.facings[0].shelf = 2; }},
-      {"sku of a facing", [](Scene& s) { s.facings[0].sku = 3; }},
-      {"products of a facing", [](Scene& s) { s.facings.back().product_count = 2; }},
-      {"sku of a product", [](Scene& s) { s.products[0].sku = 3; }},
-      {"facing of a product", [](Scene& s) { s.products[0].facing = 8; }},
-      {"shelf of a label", [](Scene& s) { s.price_labels[0].shelf = 2; }},
-      {"sku of a label", [](Scene& s) { s.price_labels[0].sku = 0xFFFFFFFF; }},
-      {"facing of a label", [](Scene& s) { s.price_labels[0].facing = 8; }},
+       [](scene::Scene& s) { s.fixtures[0].first_shelf = 2, s.fixtures[0].shelf_count = 1; }},
+      {"fixture of a part", [](scene::Scene& s) { s.parts[3].fixture = 1; }},
+      {"material of a part", [](scene::Scene& s) { s.parts[0].material = 1; }},
+      {"fixture of a shelf", [](scene::Scene& s) { s.shelves[1].fixture = 7; }},
+      {"shelf of a facing", [](scene::Scene& s) { s.facings[0].shelf = 2; }},
+      {"sku of a facing", [](scene::Scene& s) { s.facings[0].sku = 3; }},
+      {"products of a facing", [](scene::Scene& s) { s.facings.back().product_count = 2; }},
+      {"sku of a product", [](scene::Scene& s) { s.products[0].sku = 3; }},
+      {"facing of a product", [](scene::Scene& s) { s.products[0].facing = 8; }},
+      {"shelf of a label", [](scene::Scene& s) { s.price_labels[0].shelf = 2; }},
+      {"sku of a label", [](scene::Scene& s) { s.price_labels[0].sku = 0xFFFFFFFF; }},
+      {"facing of a label", [](scene::Scene& s) { s.price_labels[0].facing = 8; }},
       {"a position that is no number",
-       [](Scene& s) { s.products[0].position_m[1] = std::numeric_limits<float>::quiet_NaN(); }},
+       [](scene::Scene& s) {
+         s.products[0].position_m[1] = std::numeric_limits<float>::quiet_NaN();
+       }},
       {"an infinite shelf",
-       [](Scene& s) { s.shelves[0].width_m = std::numeric_limits<float>::infinity(); }},
-      {"a room larger than any", [](Scene& s) { s.layout.shell.width_mm = 2'000'000'000; }},
-      {"a room with no depth", [](Scene& s) { s.layout.shell.depth_mm = -1; }},
-      {"a pack of negative size", [](Scene& s) { s.catalog[1].size_mm[2] = -115; }},
-      {"a pack with nothing in it", [](Scene& s) { s.catalog[1].unit_amount = 0; }},
-      {"a name that is not UTF-8", [](Scene& s) { s.layout.name = "caf\xE9"; }},
+       [](scene::Scene& s) { s.shelves[0].width_m = std::numeric_limits<float>::infinity(); }},
+      {"a room larger than any", [](scene::Scene& s) { s.layout.shell.width_mm = 2'000'000'000; }},
+      {"a room with no depth", [](scene::Scene& s) { s.layout.shell.depth_mm = -1; }},
+      {"a pack of negative size", [](scene::Scene& s) { s.catalog[1].size_mm[2] = -115; }},
+      {"a pack with nothing in it", [](scene::Scene& s) { s.catalog[1].unit_amount = 0; }},
+      {"a name that is not UTF-8", [](scene::Scene& s) { s.layout.name = "caf\xE9"; }},
   };
   return all;
 }
 
 TEST(SceneFile, EveryDamageIsCorrupt) {
   for (const Damage& damage : damages()) {
-    Scene scene = scene_file_sample();
+    scene::Scene scene = scene_file_sample();
     damage.apply(scene);
-    const auto decoded = decode_scene(bytes_of(encode_scene(scene)), "shop/scene.bin");
+    const auto decoded =
+        scene::decode_scene(bytes_of(scene::encode_scene(scene)), "shop/scene.bin");
     ASSERT_FALSE(decoded.ok()) << damage.name;
     EXPECT_EQ(decoded.error().code, "scene.corrupt") << damage.name;
     EXPECT_EQ(decoded.error().where, "shop/scene.bin") << damage.name;
@@ -143,79 +146,80 @@ TEST(SceneFile, EveryDamageIsCorrupt) {
 }
 
 TEST(SceneFile, ItemsWithoutAFacingAreNoDamage) {
-  Scene scene = scene_file_sample();
+  scene::Scene scene = scene_file_sample();
   scene.products.push_back({1, 0xFFFFFFFF, {1, 1, 0}, {1, 0, 0, 0}, 0});
-  EXPECT_EQ(code_of(encode_scene(scene)), "ok");
+  EXPECT_EQ(code_of(scene::encode_scene(scene)), "ok");
 }
 
 TEST(SceneFile, FileThatIsNotThereOrEmpty) {
-  EXPECT_EQ(open_scene("/no/such/scene.bin").error().code, "input.not_found");
-  EXPECT_EQ(open_scene("/dev").error().code, "io.cannot_read");
+  EXPECT_EQ(scene::open_scene("/no/such/scene.bin").error().code, "input.not_found");
+  EXPECT_EQ(scene::open_scene("/dev").error().code, "io.cannot_read");
   EXPECT_EQ(code_of(""), "scene.truncated");
 }
 
 // ---- Hashes. ----
 
 TEST(SceneHash, StableUnderReEncoding) {
-  const Scene scene = scene_file_sample();
-  const auto decoded = decode_scene(bytes_of(encode_scene(scene)), "scene.bin");
+  const scene::Scene scene = scene_file_sample();
+  const auto decoded = scene::decode_scene(bytes_of(scene::encode_scene(scene)), "scene.bin");
   ASSERT_TRUE(decoded.ok());
-  EXPECT_EQ(scene_hash(*decoded), scene_hash(scene));
-  EXPECT_EQ(look_hash(*decoded), look_hash(scene));
-  EXPECT_EQ(scene_hash(scene).size(), 32U);
+  EXPECT_EQ(scene::scene_hash(*decoded), scene::scene_hash(scene));
+  EXPECT_EQ(scene::look_hash(*decoded), scene::look_hash(scene));
+  EXPECT_EQ(scene::scene_hash(scene).size(), 32U);
 }
 
 TEST(SceneHash, SeesATenthOfAMillimetre) {
-  const std::string before = scene_hash(scene_file_sample());
+  const std::string before = scene::scene_hash(scene_file_sample());
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    Scene scene = scene_file_sample();
+    scene::Scene scene = scene_file_sample();
     scene.products[4].position_m[axis] += 0.0001F;
-    EXPECT_NE(scene_hash(scene), before) << axis;
+    EXPECT_NE(scene::scene_hash(scene), before) << axis;
   }
 }
 
 TEST(SceneHash, SeesWhatChangesTheScene) {
   const std::vector<Damage> changes = {
       {"turn of an item",
-       [](Scene& s) {
+       [](scene::Scene& s) {
          s.products[0].rotation_wxyz = {0.9998F, 0, 0, 0.02F};
        }},
-      {"product of an item", [](Scene& s) { s.products[0].sku = 0; }},
-      {"one item less", [](Scene& s) { s.products.pop_back(), --s.facings.back().product_count; }},
-      {"size of a pack", [](Scene& s) { ++s.catalog[1].size_mm[0]; }},
-      {"SKU", [](Scene& s) { s.catalog[1].sku = "can-cola-2"; }},
-      {"shape of a part", [](Scene& s) { s.parts[0].half_size_m[0] += 0.001F; }},
-      {"place of a fixture", [](Scene& s) { s.fixtures[0].position_m[0] += 0.001F; }},
-      {"turn of a fixture", [](Scene& s) { s.fixtures[0].quarter_turns = 2; }},
-      {"size of the room", [](Scene& s) { ++s.layout.shell.width_mm; }},
+      {"product of an item", [](scene::Scene& s) { s.products[0].sku = 0; }},
+      {"one item less",
+       [](scene::Scene& s) { s.products.pop_back(), --s.facings.back().product_count; }},
+      {"size of a pack", [](scene::Scene& s) { ++s.catalog[1].size_mm[0]; }},
+      {"SKU", [](scene::Scene& s) { s.catalog[1].sku = "can-cola-2"; }},
+      {"shape of a part", [](scene::Scene& s) { s.parts[0].half_size_m[0] += 0.001F; }},
+      {"place of a fixture", [](scene::Scene& s) { s.fixtures[0].position_m[0] += 0.001F; }},
+      {"turn of a fixture", [](scene::Scene& s) { s.fixtures[0].quarter_turns = 2; }},
+      {"size of the room", [](scene::Scene& s) { ++s.layout.shell.width_mm; }},
   };
-  std::set<std::string> hashes = {scene_hash(scene_file_sample())};
+  std::set<std::string> hashes = {scene::scene_hash(scene_file_sample())};
   for (const Damage& change : changes) {
-    Scene scene = scene_file_sample();
+    scene::Scene scene = scene_file_sample();
     change.apply(scene);
-    EXPECT_TRUE(hashes.insert(scene_hash(scene)).second) << change.name;
+    EXPECT_TRUE(hashes.insert(scene::scene_hash(scene)).second) << change.name;
   }
 }
 
 TEST(SceneHash, LooksAreAHashOfTheirOwn) {
   const std::vector<Damage> changes = {
-      {"floor", [](Scene& s) { s.layout.look.floor = "oak"; }},
-      {"light", [](Scene& s) { s.layout.look.light_kelvin = 2700; }},
-      {"colour of a part", [](Scene& s) { s.parts[0].color[0] = 0.1F; }},
-      {"label", [](Scene& s) { s.catalog[1].label.primary = "#00ff00"; }},
-      {"material", [](Scene& s) { s.materials[0].color = "#123456"; }},
+      {"floor", [](scene::Scene& s) { s.layout.look.floor = "oak"; }},
+      {"light", [](scene::Scene& s) { s.layout.look.light_kelvin = 2700; }},
+      {"colour of a part", [](scene::Scene& s) { s.parts[0].color[0] = 0.1F; }},
+      {"label", [](scene::Scene& s) { s.catalog[1].label.primary = "#00ff00"; }},
+      {"material", [](scene::Scene& s) { s.materials[0].color = "#123456"; }},
   };
-  const std::string scene_before = scene_hash(scene_file_sample()),
-                    look_before = look_hash(scene_file_sample());
+  const std::string scene_before = scene::scene_hash(scene_file_sample()),
+                    look_before = scene::look_hash(scene_file_sample());
   for (const Damage& change : changes) {
-    Scene scene = scene_file_sample();
+    scene::Scene scene = scene_file_sample();
     change.apply(scene);
-    EXPECT_EQ(scene_hash(scene), scene_before) << change.name;
-    EXPECT_NE(look_hash(scene), look_before) << change.name;
+    EXPECT_EQ(scene::scene_hash(scene), scene_before) << change.name;
+    EXPECT_NE(scene::look_hash(scene), look_before) << change.name;
   }
-  Scene moved = scene_file_sample();
+  scene::Scene moved = scene_file_sample();
   moved.products[0].position_m[0] += 0.1F;
-  EXPECT_EQ(look_hash(moved), look_before);
+  EXPECT_EQ(scene::look_hash(moved), look_before);
 }
 
 }  // namespace

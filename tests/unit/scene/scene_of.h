@@ -8,8 +8,8 @@
 
 namespace marketgen {
 
-inline Scene scene_of(const HandLaidShop& shop, std::uint64_t seed = 1) {
-  auto built = build_scene(shop.layout, shop.plan, committed_catalog(), Seed(seed));
+inline scene::Scene scene_of(const HandLaidShop& shop, std::uint64_t seed = 1) {
+  auto built = scene::build_scene(shop.layout, shop.plan, committed_catalog(), Seed(seed));
   if (!built.ok()) fatal(to_string(built.error()).c_str());
   return std::move(built).value();
 }

@@ -31,12 +31,13 @@ struct Footprint {
 };
 
 // Shapes whose outline is a circle from above, whatever their rows say about the rest.
-bool stands_on_a_disc(const Product& p) {  // by its mesh: nothing of it lies outside the circle
+bool stands_on_a_disc(
+    const catalog::Product& p) {  // by its mesh: nothing of it lies outside the circle
   if (p.archetype == "round_produce") return true;  // a ball, but for its stalk
   static std::map<std::string, bool> known;
   const auto [entry, is_new] = known.try_emplace(p.sku, p.size_mm[0] == p.size_mm[1]);
   if (!is_new || !entry->second) return entry->second;
-  const auto model = make_product_model(p);
+  const auto model = assets::make_product_model(p);
   if (!model.ok()) fatal(to_string(model.error()).c_str());
   const float out_of_round_m = p.material == "skin" ? 0.002F : 0.0005F;  // baked and grown
   for (const Vec3f& v : model->mesh.positions) {
@@ -46,7 +47,7 @@ bool stands_on_a_disc(const Product& p) {  // by its mesh: nothing of it lies ou
   return entry->second;
 }
 
-Footprint footprint_of(const ShelfItem& item, const Product& p) {
+Footprint footprint_of(const scene::ShelfItem& item, const catalog::Product& p) {
   Footprint f;
   f.center = {item.position.x, item.position.y};
   if (stands_on_a_disc(p)) {
@@ -101,26 +102,28 @@ double distance(const Footprint& a, const Footprint& b) {
 }
 
 struct Filled {
-  std::vector<FilledBlock> blocks;
-  std::vector<const ShelfItem*> items;
+  std::vector<scene::FilledBlock> blocks;
+  std::vector<const scene::ShelfItem*> items;
 };
 
-Filled filled(const PlannedShelf& plan,
-              const ShelfRoom& room,
-              const StockSpec& stock,
-              const Catalog& catalog,
+Filled filled(const scene::PlannedShelf& plan,
+              const scene::ShelfRoom& room,
+              const plan::StockSpec& stock,
+              const catalog::Catalog& catalog,
               std::uint64_t seed) {
-  Filled result{fill_shelf(plan, room, stock, catalog, Stream(seed)), {}};
-  for (const FilledBlock& block : result.blocks) {
-    for (const ShelfItem& item : block.items)
+  Filled result{scene::fill_shelf(plan, room, stock, catalog, Stream(seed)), {}};
+  for (const scene::FilledBlock& block : result.blocks) {
+    for (const scene::ShelfItem& item : block.items)
       result.items.push_back(&item);
   }
   return result;
 }
 
-void expect_inside(const Filled& shelf, const ShelfRoom& room, const Catalog& catalog) {
-  for (const ShelfItem* item : shelf.items) {
-    const Product& p = catalog.products[item->product];
+void expect_inside(const Filled& shelf,
+                   const scene::ShelfRoom& room,
+                   const catalog::Catalog& catalog) {
+  for (const scene::ShelfItem* item : shelf.items) {
+    const catalog::Product& p = catalog.products[item->product];
     const Footprint f = footprint_of(*item, p);
     std::vector<Point> reach = f.corners;
     if (f.disc)
@@ -136,14 +139,14 @@ void expect_inside(const Filled& shelf, const ShelfRoom& room, const Catalog& ca
   }
 }
 
-void expect_apart(const Filled& shelf, const Catalog& catalog) {
+void expect_apart(const Filled& shelf, const catalog::Catalog& catalog) {
   for (std::size_t a = 0; a < shelf.items.size(); ++a) {
-    const ShelfItem& one = *shelf.items[a];
-    const Product& p = catalog.products[one.product];
+    const scene::ShelfItem& one = *shelf.items[a];
+    const catalog::Product& p = catalog.products[one.product];
     const Footprint foot = footprint_of(one, p);
     for (std::size_t b = a + 1; b < shelf.items.size(); ++b) {
-      const ShelfItem& other = *shelf.items[b];
-      const Product& q = catalog.products[other.product];
+      const scene::ShelfItem& other = *shelf.items[b];
+      const catalog::Product& q = catalog.products[other.product];
       const bool side_by_side = one.position.z < other.position.z + q.height_m() - rounding_m &&
                                 other.position.z < one.position.z + p.height_m() - rounding_m;
       if (!side_by_side) continue;
@@ -155,8 +158,8 @@ void expect_apart(const Filled& shelf, const Catalog& catalog) {
 
 TEST(FillShelf, CountsOfAKnownShelf) {  // 0.45 m deep: 6 rows of 66 + 3 mm; 0.3 m high: 2 cans of
                                         // 115 mm on one another
-  const Catalog catalog = catalog_of({stock_row("can", "can", {66, 66, 115}, 0.35, 2)});
-  StockSpec stock;
+  const catalog::Catalog catalog = catalog_of({stock_row("can", "can", {66, 66, 115}, 0.35, 2)});
+  plan::StockSpec stock;
   stock.jitter = 0;
   stock.out_of_stock = 0;
   const Filled shelf = filled({{0, 3}}, shelf_room(1.2, 0.45, 0.3), stock, catalog, 1);
@@ -167,26 +170,27 @@ TEST(FillShelf, CountsOfAKnownShelf) {  // 0.45 m deep: 6 rows of 66 + 3 mm; 0.3
   EXPECT_GE(shelf.items.size(), 3U * 1 * 2);
   EXPECT_EQ(shelf.items.size() % 2, 0U);
   EXPECT_NEAR(shelf.blocks[0].width_m, 3 * 0.070, 1e-12);
-  EXPECT_EQ(std::count_if(shelf.items.begin(),
-                          shelf.items.end(),
-                          [](const ShelfItem* i) { return i->flags == product_front_row; }),
-            6);
+  EXPECT_EQ(
+      std::count_if(shelf.items.begin(),
+                    shelf.items.end(),
+                    [](const scene::ShelfItem* i) { return i->flags == scene::product_front_row; }),
+      6);
 }
 
 TEST(FillShelf, StackedItemsRestOnOneAnother) {
-  const Catalog catalog = catalog_of({stock_row("tin", "food_tin", {75, 75, 80}, 0.3, 4)});
-  StockSpec stock;
+  const catalog::Catalog catalog = catalog_of({stock_row("tin", "food_tin", {75, 75, 80}, 0.3, 4)});
+  plan::StockSpec stock;
   stock.out_of_stock = 0;
   const Filled shelf = filled({{0, 2}}, shelf_room(1, 0.4, 0.36), stock, catalog, 3);
   std::set<double> heights;
-  for (const ShelfItem* item : shelf.items)
+  for (const scene::ShelfItem* item : shelf.items)
     heights.insert(item->position.z);
   EXPECT_EQ(heights, (std::set<double>{0, 0.08, 0.16, 3 * 0.08}));
 }
 
 TEST(FillShelf, DepthFillLeavesTheBackEmpty) {
-  const Catalog catalog = catalog_of({stock_row("box", "box", {100, 97, 200}, 0.4)});
-  StockSpec stock;
+  const catalog::Catalog catalog = catalog_of({stock_row("box", "box", {100, 97, 200}, 0.4)});
+  plan::StockSpec stock;
   stock.out_of_stock = 0;
   for (const auto& [depth_fill, rows] : {std::pair(1.0, 4), std::pair(0.5, 2), std::pair(0.0, 1)}) {
     stock.depth_fill = depth_fill;
@@ -197,22 +201,22 @@ TEST(FillShelf, DepthFillLeavesTheBackEmpty) {
 }
 
 TEST(FillShelf, RandomShelvesOfRealRows) {
-  const Catalog& catalog = committed_catalog();
+  const catalog::Catalog& catalog = committed_catalog();
   std::vector<std::uint32_t> packs;
   for (std::uint32_t i = 0; i < catalog.products.size(); ++i) {
-    if (!lies_in_a_heap(catalog.products[i])) packs.push_back(i);
+    if (!scene::lies_in_a_heap(catalog.products[i])) packs.push_back(i);
   }
   int items = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     Stream draw(seed);
-    const Bay bay{
+    const scene::Bay bay{
         {shelf_room(draw.uniform(0.6, 1.4), draw.uniform(0.3, 0.6), draw.uniform(0.2, 0.5))},
         false};
-    StockSpec stock;
+    plan::StockSpec stock;
     stock.jitter = seed % 3 == 0 ? 1.0 : draw.uniform();
     stock.fill = 1;
-    AssortmentCursor cursor{static_cast<std::size_t>(draw.integer(0, 250))};
-    const auto plan = plan_bay(bay, packs, stock, catalog, cursor, Stream(seed + 500));
+    scene::AssortmentCursor cursor{static_cast<std::size_t>(draw.integer(0, 250))};
+    const auto plan = scene::plan_bay(bay, packs, stock, catalog, cursor, Stream(seed + 500));
     const Filled shelf = filled(plan[0], bay.shelves[0], stock, catalog, seed + 900);
     expect_inside(shelf, bay.shelves[0], catalog);
     expect_apart(shelf, catalog);
@@ -223,8 +227,9 @@ TEST(FillShelf, RandomShelvesOfRealRows) {
 
 TEST(FillShelf,
      HeapedBallsDoNotEnterOneAnother) {  // true balls: centres are at least a diameter apart
-  const Catalog catalog = catalog_of({stock_row("ball", "round_produce", {80, 80, 80}, 0.2)});
-  StockSpec stock;
+  const catalog::Catalog catalog =
+      catalog_of({stock_row("ball", "round_produce", {80, 80, 80}, 0.2)});
+  plan::StockSpec stock;
   stock.out_of_stock = 0;
   const Filled shelf = filled({{0, 6}}, shelf_room(0.6, 0.5, 0.25), stock, catalog, 1);
   EXPECT_EQ(shelf.blocks[0].stack, 3);
@@ -240,9 +245,9 @@ TEST(FillShelf,
 }
 
 TEST(FillShelf, HeapedCylindersLieInThePocketsBelow) {
-  const Catalog catalog =
+  const catalog::Catalog catalog =
       catalog_of({stock_row("cucumber", "elongated_produce", {300, 50, 50}, 0.4)});
-  StockSpec stock;
+  plan::StockSpec stock;
   stock.out_of_stock = 0;
   const Filled shelf = filled({{0, 2}}, shelf_room(0.7, 0.4, 0.2), stock, catalog, 1);
   double nearest = 1;
@@ -257,12 +262,12 @@ TEST(FillShelf, HeapedCylindersLieInThePocketsBelow) {
 }
 
 TEST(FillShelf, OutOfStockShare) {  // 4,000 blocks at 10 %: within three sigma of 0.0047
-  const Catalog catalog = catalog_of({stock_row("can", "can", {66, 66, 115}, 0.35)});
-  StockSpec stock;
+  const catalog::Catalog catalog = catalog_of({stock_row("can", "can", {66, 66, 115}, 0.35)});
+  plan::StockSpec stock;
   stock.out_of_stock = 0.1;
   int empty = 0, blocks = 0;
   for (std::uint64_t seed = 0; seed < 1000; ++seed) {
-    for (const FilledBlock& block : fill_shelf(
+    for (const scene::FilledBlock& block : scene::fill_shelf(
              {{0, 2}, {0, 2}, {0, 2}, {0, 2}}, shelf_room(), stock, catalog, Seed(seed).stream())) {
       ++blocks;
       empty += block.items.empty() ? 1 : 0;
@@ -275,25 +280,25 @@ TEST(FillShelf, OutOfStockShare) {  // 4,000 blocks at 10 %: within three sigma 
 }
 
 TEST(FillShelf, NoJitterIsRulerStraight) {
-  const Catalog catalog = catalog_of({stock_row("box", "box", {100, 90, 200}, 0.4)});
-  StockSpec stock;
+  const catalog::Catalog catalog = catalog_of({stock_row("box", "box", {100, 90, 200}, 0.4)});
+  plan::StockSpec stock;
   stock.jitter = 0;
   stock.out_of_stock = 0;
-  for (const ShelfItem* item : filled({{0, 4}}, shelf_room(), stock, catalog, 9).items) {
+  for (const scene::ShelfItem* item : filled({{0, 4}}, shelf_room(), stock, catalog, 9).items) {
     EXPECT_EQ(item->rotation, (Quaternion{1, 0, 0, 0}));
   }
 }
 
 TEST(FillShelf, AnEmptyPlanIsAnEmptyShelf) {
-  EXPECT_TRUE(fill_shelf({}, shelf_room(), {}, Catalog{}, Stream(1)).empty());
+  EXPECT_TRUE(scene::fill_shelf({}, shelf_room(), {}, catalog::Catalog{}, Stream(1)).empty());
 }
 
 TEST(FillShelf, NoRoundThingThatLiesIsStoodOnAnother) {
   int rolls = 0;
-  for (const Product& product : committed_catalog().products) {
-    const Result<CollisionPrimitive> primitive = collision_of(product);
+  for (const catalog::Product& product : committed_catalog().products) {
+    const Result<assets::CollisionPrimitive> primitive = assets::collision_of(product);
     ASSERT_TRUE(primitive.ok()) << product.sku;
-    if (!primitive->lying || lies_in_a_heap(product)) continue;
+    if (!primitive->lying || scene::lies_in_a_heap(product)) continue;
     ++rolls;
     EXPECT_EQ(product.stack_max, 1) << product.sku;
   }

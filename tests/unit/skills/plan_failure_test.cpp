@@ -10,30 +10,31 @@ namespace marketgen {
 namespace {
 
 TEST(PlanFailure, SaysWhatWasMissing) {
-  EXPECT_EQ(failure_of_plan({"motion.no_grasp", "", ""}), "NoGrasp");
-  EXPECT_EQ(failure_of_plan({"robot.unreachable", "", ""}), "NoIK");
-  EXPECT_EQ(failure_of_plan({"motion.goal_in_collision", "", ""}), "NoPath");
-  EXPECT_TRUE(is_of_planning({"collect.no_place", "", ""}));
-  EXPECT_FALSE(is_of_planning({"catalog.unknown_sku", "", ""}));
+  EXPECT_EQ(skills::failure_of_plan({"motion.no_grasp", "", ""}), "NoGrasp");
+  EXPECT_EQ(skills::failure_of_plan({"robot.unreachable", "", ""}), "NoIK");
+  EXPECT_EQ(skills::failure_of_plan({"motion.goal_in_collision", "", ""}), "NoPath");
+  EXPECT_TRUE(skills::is_of_planning({"collect.no_place", "", ""}));
+  EXPECT_FALSE(skills::is_of_planning({"catalog.unknown_sku", "", ""}));
 }
 
 // Over a counter so far below the tip.
 double let_down_over(double counter_below_m) {
-  auto robot = load_robot(
+  auto robot = robots::load_robot(
       std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data", "panda", {{"tool", "panda-long-hand"}});
   if (!robot.ok()) fatal(to_string(robot.error()).c_str());
-  auto arm = ArmExecutor::make(*robot);
+  auto arm = skills::ArmExecutor::make(*robot);
   if (!arm.ok()) fatal(to_string(arm.error()).c_str());
-  Observation ready;
+  agent::Observation ready;
   ready.position = {0, -0.785, 0, -2.356, 0, 1.571, 0.785};
   ready.velocity.assign(7, 0);
   ready.openings_m = {0.04};
   arm->start(ready);
   const Vec3 tip = arm->tip().position;
-  const BoxObstacle counter{{{tip.x, tip.y, tip.z - counter_below_m - 0.05}, {}}, {0.2, 0.2, 0.05}};
-  Obstacles table;
+  const motion::BoxObstacle counter{{{tip.x, tip.y, tip.z - counter_below_m - 0.05}, {}},
+                                    {0.2, 0.2, 0.05}};
+  motion::Obstacles table;
   table.boxes = {counter};
-  const Surroundings around{table, table};
+  const skills::Surroundings around{table, table};
   const auto down = arm->let_down(around, 10);
   EXPECT_EQ(down.ok(), arm->tip().position.z < tip.z);
   return tip.z - arm->tip().position.z;

@@ -10,14 +10,14 @@
 namespace marketgen {
 namespace {
 
-Observation observed(bool stopped) {
-  Observation now;
+agent::Observation observed(bool stopped) {
+  agent::Observation now;
   now.stopped = stopped;
   return now;
 }
 
 TEST(Retrace, GoesBackTheLastSecondWithItsBaseTheOtherWay) {
-  Retrace retrace;
+  skills::Retrace retrace;
   retrace.start();
   for (int i = 0; i < 30; ++i) {
     EXPECT_FALSE(retrace.begins(observed(false)));
@@ -39,12 +39,12 @@ TEST(Retrace, GoesBackTheLastSecondWithItsBaseTheOtherWay) {
 }
 
 TEST(Retrace, AnArmThatWasStoppedGoesBackAndForgetsTheRest) {
-  const Robot robot = committed_robot("panda");
-  ArmExecutor arm = ArmExecutor::make(robot).value();
-  Observation now;
+  const robots::Robot robot = committed_robot("panda");
+  skills::ArmExecutor arm = skills::ArmExecutor::make(robot).value();
+  agent::Observation now;
   for (const int dof : robot.find_group("arm")->dofs)
-    now.position.push_back(
-        with_posture(robot.postures.front(), neutral_state(robot))[static_cast<std::size_t>(dof)]);
+    now.position.push_back(robots::with_posture(
+        robot.postures.front(), robots::neutral_state(robot))[static_cast<std::size_t>(dof)]);
   now.openings_m = {0.04};
   arm.start(now);
   const Pose begin = arm.tip();
@@ -68,10 +68,10 @@ TEST(Retrace, AnArmThatWasStoppedGoesBackAndForgetsTheRest) {
 }
 
 TEST(Retrace, ABodyThatWasStoppedDrivesBack) {
-  const Robot& robot = committed_robot("realman-rm75");
+  const robots::Robot& robot = committed_robot("realman-rm75");
   const int lift = robot.find_dof("lift");
-  BodyExecutor body(robot, {lift});
-  Observation now;
+  skills::BodyExecutor body(robot, {lift});
+  agent::Observation now;
   now.position = {0.3};
   now.openings_m = {0.06, 0.06};
   body.start(now);

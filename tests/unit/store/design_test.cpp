@@ -24,24 +24,24 @@ std::vector<std::string> prompts_of(const std::string& file) {
   return prompts;
 }
 
-Result<Designed> designed(const std::string& prompt, std::uint64_t seed) {
-  Brief brief;
+Result<store::Designed> designed(const std::string& prompt, std::uint64_t seed) {
+  intake::Brief brief;
   brief.prompt = prompt;
-  return design_store(brief, committed_catalog(), Seed(seed));
+  return store::design_store(brief, committed_catalog(), Seed(seed));
 }
 
-std::string hard_faults(const Layout& layout) {
+std::string hard_faults(const layout::Layout& layout) {
   std::string text;
-  for (const Violation& v : layout.violations)
-    if (v.severity == Severity::hard) text += "\n  " + v.code + ": " + v.message;
+  for (const layout::Violation& v : layout.violations)
+    if (v.severity == layout::Severity::hard) text += "\n  " + v.code + ": " + v.message;
   return text;
 }
 
 // Whatever is written, its reader takes.
-void expect_readable(const Plan& plan, const std::string& prompt) {
-  const auto read = read_plan(write_json(plan), "plan.json", committed_catalog());
+void expect_readable(const plan::Plan& plan, const std::string& prompt) {
+  const auto read = plan::read_plan(io::write_json(plan), "plan.json", committed_catalog());
   ASSERT_TRUE(read.ok()) << prompt << ": " << to_string(read.error());
-  EXPECT_EQ(write_json(*read), write_json(plan)) << prompt;
+  EXPECT_EQ(io::write_json(*read), io::write_json(plan)) << prompt;
 }
 
 void expect_lawful(const std::vector<std::string>& prompts, std::uint64_t seed) {
@@ -66,10 +66,10 @@ TEST(Designs, OfImpossiblePromptsAreTheNearestLawfulStore) {
   expect_lawful(prompts, 1);
 }
 
-bool has_till(const Layout& layout) {
-  return std::ranges::any_of(layout.fixtures, [](const Fixture& fixture) {
-    const FixtureKind* kind = committed_catalog().fixture_kind(fixture.kind);
-    return kind != nullptr && kind->role == FixtureRole::checkout;
+bool has_till(const layout::Layout& layout) {
+  return std::ranges::any_of(layout.fixtures, [](const layout::Fixture& fixture) {
+    const catalog::FixtureKind* kind = committed_catalog().fixture_kind(fixture.kind);
+    return kind != nullptr && kind->role == catalog::FixtureRole::checkout;
   });
 }
 
@@ -78,12 +78,12 @@ TEST(Designs, SayWhatWasGivenUp) {
   ASSERT_TRUE(store.ok());
   EXPECT_TRUE(has_till(store->layout));
   const auto& conflicts = store->planned.conflicts;
-  const auto given_up = std::ranges::find(conflicts, "six checkouts", &Conflict::dropped);
+  const auto given_up = std::ranges::find(conflicts, "six checkouts", &intake::Conflict::dropped);
   ASSERT_NE(given_up, conflicts.end());
   EXPECT_FALSE(given_up->why.empty());
   // The wish itself stays as it was said: the audit finds it unmet.
   const auto wish = std::ranges::find(
-      store->planned.requirements, RequirementKind::fixture_count, &Requirement::kind);
+      store->planned.requirements, plan::RequirementKind::fixture_count, &plan::Requirement::kind);
   ASSERT_NE(wish, store->planned.requirements.end());
   EXPECT_EQ(wish->value, 6);
 }
@@ -92,7 +92,8 @@ TEST(Designs, ConcedeNothingThatStands) {
   const auto store = designed("a 24 x 15 m supermarket with three checkouts", 1);
   ASSERT_TRUE(store.ok());
   EXPECT_TRUE(store->planned.conflicts.empty());
-  const auto tills = std::ranges::count(store->layout.fixtures, "checkout_lane", &Fixture::kind);
+  const auto tills =
+      std::ranges::count(store->layout.fixtures, "checkout_lane", &layout::Fixture::kind);
   EXPECT_EQ(tills, 3);
 }
 
@@ -155,15 +156,15 @@ std::string random_prompt(std::uint64_t seed) {
 }
 
 TEST(Designs, OfAnyWordsAreReadable) {
-  const auto planner = make_planner("offline");
+  const auto planner = intake::make_planner("offline");
   ASSERT_TRUE(planner.ok());
   const std::uint64_t prompts = number_of_cases("MARKETGEN_PROPERTY_PROMPTS", 150);
   for (std::uint64_t seed = 0; seed < prompts; ++seed) {
-    Brief brief;
+    intake::Brief brief;
     brief.prompt = random_prompt(seed);
     const int size = static_cast<int>(seed % 150);
     brief.size_mm = {{12000 + 100 * size, 9000 + 70 * size}};
-    const auto planned = plan_from_brief(brief, committed_catalog(), **planner, Seed(seed));
+    const auto planned = intake::plan_from_brief(brief, committed_catalog(), **planner, Seed(seed));
     ASSERT_TRUE(planned.ok()) << brief.prompt << ": " << to_string(planned.error());
     expect_readable(planned->plan, brief.prompt);
   }
@@ -243,7 +244,7 @@ std::string salad(const std::string& shop, std::uint64_t seed) {
 }
 
 // Floors that the search judged, each counted with what it holds and what is asked of it.
-std::int64_t work_of(const Planned& planned) {
+std::int64_t work_of(const intake::Planned& planned) {
   std::int64_t floors = 0;
   for (const std::string& line : planned.trace)
     if (line.starts_with("judged ")) floors += std::stoll(line.substr(7));
@@ -253,7 +254,7 @@ std::int64_t work_of(const Planned& planned) {
 TEST(Designs, OfSaladsTakeBoundedWorkAndSayWhatWasGivenUp) {
   // 150,000 for the first plan, half as much for each that follows.
   constexpr std::int64_t max_search_work = 450'000, one_layout = 4'000;
-  const auto planner = make_planner("offline");
+  const auto planner = intake::make_planner("offline");
   ASSERT_TRUE(planner.ok());
   std::uint64_t seed = 0;
   for (const char* shop : {"a 4 x 4 m kiosk",
@@ -263,13 +264,13 @@ TEST(Designs, OfSaladsTakeBoundedWorkAndSayWhatWasGivenUp) {
                            "a 200 x 20 m supermarket",
                            "a 100 x 80 m hypermarket"}) {
     SCOPED_TRACE(shop);
-    Brief brief;
+    intake::Brief brief;
     brief.prompt = salad(shop, ++seed);
     std::int64_t searched = 0;
     int plans = 0;
-    const PlanAgain plan = [&](const Concessions& concessions) {
+    const store::PlanAgain plan = [&](const intake::Concessions& concessions) {
       auto planned =
-          plan_from_brief(brief, committed_catalog(), **planner, Seed(seed), concessions);
+          intake::plan_from_brief(brief, committed_catalog(), **planner, Seed(seed), concessions);
       if (planned.ok()) searched += work_of(*planned);
       ++plans;
       return planned;
@@ -277,15 +278,16 @@ TEST(Designs, OfSaladsTakeBoundedWorkAndSayWhatWasGivenUp) {
     auto planned = plan({});
     ASSERT_TRUE(planned.ok()) << to_string(planned.error());
     EXPECT_GT(planned->conflicts.size(), 10U);
-    auto repaired = repair_plan(planned->plan, committed_catalog(), Seed(seed));
+    auto repaired = layout::repair_plan(planned->plan, committed_catalog(), Seed(seed));
     ASSERT_TRUE(repaired.ok());
-    EXPECT_LT(repaired->work, max_repair_work + one_layout);
-    auto layout = layout_of(*repaired, committed_catalog(), Seed(seed));
+    EXPECT_LT(repaired->work, layout::max_repair_work + one_layout);
+    auto layout = store::layout_of(*repaired, committed_catalog(), Seed(seed));
     ASSERT_TRUE(layout.ok());
-    const auto made = concede({std::move(*planned), std::move(*repaired), std::move(*layout)},
-                              plan,
-                              committed_catalog(),
-                              Seed(seed));
+    const auto made =
+        store::concede({std::move(*planned), std::move(*repaired), std::move(*layout)},
+                       plan,
+                       committed_catalog(),
+                       Seed(seed));
     EXPECT_LT(searched, max_search_work);
     EXPECT_LE(plans, 11);
     if (made.ok()) expect_readable(made->repaired.plan, brief.prompt);

@@ -18,11 +18,11 @@ std::size_t count_of(const std::string& text, const std::string& part) {
 
 TEST(ReportHtml, TextOfAPersonIsNeverMarkup) {
   const std::string evil = "<script>alert(\"x\")</script>&";
-  StorePage page;
+  store::StorePage page;
   page.manifest.name = page.manifest.brief.prompt = page.manifest.scene_hash = evil;
-  StoreReport& report = page.report;
+  store::StoreReport& report = page.report;
   report.requirements.push_back({evil, {0, 1}, false, evil});
-  report.rules.push_back({evil, Severity::hard, evil, 1, 0, evil, std::nullopt});
+  report.rules.push_back({evil, layout::Severity::hard, evil, 1, 0, evil, std::nullopt});
   report.unparsed.push_back({evil, {0, 1}});
   report.conflicts.push_back({evil, evil, evil, evil});
   report.repairs.push_back(evil);
@@ -30,7 +30,7 @@ TEST(ReportHtml, TextOfAPersonIsNeverMarkup) {
   report.timing_s.push_back({evil, 1});
   page.fill.push_back({evil, 0.5, evil});
   page.pictures.push_back({evil, "image/png", "bytes"});
-  const std::string html = report_html({page});
+  const std::string html = store::report_html({page});
   EXPECT_EQ(html.find("<script"), std::string::npos);
   EXPECT_EQ(html.find("alert(\"x\")"), std::string::npos);
   // Name, prompt, hash; 2 of the wish, 3 of the rule, the word, 4 of the conflict, repair, 2 of the
@@ -39,11 +39,11 @@ TEST(ReportHtml, TextOfAPersonIsNeverMarkup) {
 }
 
 TEST(ReportHtml, OnePageHoldsEveryStoreAndLoadsNothing) {
-  StorePage first, second;
+  store::StorePage first, second;
   first.manifest.name = "North", second.manifest.name = "South";
   first.pictures = {{"Layout", "image/png", "one"}, {"aisle", "image/jpeg", "two"}};
   first.prices_eur = {1, 2, 3};
-  const std::string page = report_html({first, second});
+  const std::string page = store::report_html({first, second});
   EXPECT_NE(page.find("<h1>North</h1>"), std::string::npos);
   EXPECT_NE(page.find("<h1>South</h1>"), std::string::npos);
   EXPECT_TRUE(page.starts_with("<!doctype html>"));
@@ -55,10 +55,10 @@ TEST(ReportHtml, OnePageHoldsEveryStoreAndLoadsNothing) {
 }
 
 TEST(ReportHtml, EveryMetricHasItsSentence) {
-  StorePage page;
+  store::StorePage page;
   page.report.metrics.STB = 0.99;
   page.report.metrics.stb_products = 200;
-  const std::string html = report_html({page});
+  const std::string html = store::report_html({page});
   const std::regex row("<tr><td>[^<]+</td><td class=\"value\">[^<]+</td><td>([^<]+)</td></tr>");
   int sentences = 0;
   for (std::sregex_iterator it(html.begin(), html.end(), row), end; it != end; ++it) {
@@ -75,7 +75,7 @@ TEST(ReportPlots, AHistogramCountsEveryValueOnce) {
   for (int i = 0; i < 100; ++i)
     values.push_back(0.1 * i);
   values.push_back(500);  // one dear thing does not flatten the others
-  const std::string svg = histogram(values, "price, euro");
+  const std::string svg = store::histogram(values, "price, euro");
   const std::regex number("text-anchor=\"middle\">([0-9]+)<");
   std::vector<int> counts;
   for (std::sregex_iterator it(svg.begin(), svg.end(), number), end; it != end; ++it)
@@ -84,12 +84,13 @@ TEST(ReportPlots, AHistogramCountsEveryValueOnce) {
   EXPECT_GE(counts.size(), 9U);
   EXPECT_EQ(counts.front(), 10);  // steps of one euro
   EXPECT_NE(svg.find("price, euro"), std::string::npos);
-  EXPECT_EQ(histogram({}, "price"), "");
-  EXPECT_NE(histogram({0, 0}, "price").find(">2<"), std::string::npos);
+  EXPECT_EQ(store::histogram({}, "price"), "");
+  EXPECT_NE(store::histogram({0, 0}, "price").find(">2<"), std::string::npos);
 }
 
 TEST(ReportPlots, BarsAreAsLongAsTheirShares) {
-  const std::string svg = bar_plot({{"dairy", 1, "100 %"}, {"snacks", 0.25, "25 %"}, {"a", 7, ""}});
+  const std::string svg =
+      store::bar_plot({{"dairy", 1, "100 %"}, {"snacks", 0.25, "25 %"}, {"a", 7, ""}});
   const std::regex bar("class=\"bar\"[^>]* width=\"([0-9.]+)\"");
   std::vector<double> widths;
   for (std::sregex_iterator it(svg.begin(), svg.end(), bar), end; it != end; ++it)
@@ -97,7 +98,7 @@ TEST(ReportPlots, BarsAreAsLongAsTheirShares) {
   ASSERT_EQ(widths.size(), 3U);
   EXPECT_DOUBLE_EQ(widths[1], widths[0] / 4);
   EXPECT_DOUBLE_EQ(widths[2], widths[0]);  // never out of the plot
-  EXPECT_EQ(bar_plot({}), "");
+  EXPECT_EQ(store::bar_plot({}), "");
 }
 
 }  // namespace

@@ -32,8 +32,8 @@ class StoreFolder : public testing::Test {
   }
   void TearDown() override { fs::remove_all(parent_); }
 
-  CreateOptions tiny(const std::string& name = "shop") const {
-    CreateOptions options;
+  store::CreateOptions tiny(const std::string& name = "shop") const {
+    store::CreateOptions options;
     options.folder = parent_ / name;
     options.brief.prompt = "a tiny corner shop with drinks and snacks";
     options.brief.size_mm = {8000, 6000};
@@ -42,14 +42,14 @@ class StoreFolder : public testing::Test {
     return options;
   }
 
-  Created create(const CreateOptions& options) const {
-    auto created = create_store(options, committed_catalog());
+  store::Created create(const store::CreateOptions& options) const {
+    auto created = store::create_store(options, committed_catalog());
     if (!created.ok()) fatal(to_string(created.error()).c_str());
     return std::move(created).value();
   }
 
-  std::string code_of_create(const CreateOptions& options) const {
-    const auto created = create_store(options, committed_catalog());
+  std::string code_of_create(const store::CreateOptions& options) const {
+    const auto created = store::create_store(options, committed_catalog());
     return created.ok() ? "ok" : created.error().code;
   }
 
@@ -62,7 +62,7 @@ class StoreFolder : public testing::Test {
   }
 
   std::string text_of(const fs::path& path) const {
-    auto text = read_file(path);
+    auto text = io::read_file(path);
     return text.ok() ? *text : "";
   }
 
@@ -70,7 +70,7 @@ class StoreFolder : public testing::Test {
 };
 
 TEST_F(StoreFolder, CreateOpenVerify) {
-  const Created created = create(tiny());
+  const store::Created created = create(tiny());
   EXPECT_EQ(listing(),
             (std::set<std::string>{"shop",
                                    "shop/layout.json",
@@ -79,13 +79,13 @@ TEST_F(StoreFolder, CreateOpenVerify) {
                                    "shop/report.json",
                                    "shop/scene.bin",
                                    "shop/store.json"}));
-  const auto verified = verify_store(parent_ / "shop", committed_catalog());
+  const auto verified = store::verify_store(parent_ / "shop", committed_catalog());
   EXPECT_TRUE(verified.ok()) << to_string(verified.error());
-  const auto store = open_store(parent_ / "shop", committed_catalog());
+  const auto store = store::open_store(parent_ / "shop", committed_catalog());
   ASSERT_TRUE(store.ok()) << to_string(store.error());
   EXPECT_EQ(store->manifest.seed, 3U);
-  EXPECT_EQ(store->manifest.scene_hash, scene_hash(store->scene));
-  EXPECT_EQ(store->manifest.look_hash, look_hash(store->scene));
+  EXPECT_EQ(store->manifest.scene_hash, scene::scene_hash(store->scene));
+  EXPECT_EQ(store->manifest.look_hash, scene::look_hash(store->scene));
   EXPECT_EQ(store->manifest.counts.products, store->scene.products.size());
   EXPECT_EQ(store->manifest.counts.fixtures, store->scene.fixtures.size());
   EXPECT_GT(store->scene.products.size(), 200U);
@@ -96,12 +96,12 @@ TEST_F(StoreFolder, CreateOpenVerify) {
 }
 
 TEST_F(StoreFolder, ManifestNamesEveryOtherFileButTheReport) {
-  const Created created = create(tiny());
+  const store::Created created = create(tiny());
   std::vector<std::string> paths;
-  for (const FileDigest& file : created.manifest.files) {
+  for (const store::FileDigest& file : created.manifest.files) {
     paths.push_back(file.path);
     EXPECT_EQ(file.bytes, fs::file_size(parent_ / "shop" / file.path));
-    EXPECT_EQ(file.sha256, sha256_hex(text_of(parent_ / "shop" / file.path)));
+    EXPECT_EQ(file.sha256, io::sha256_hex(text_of(parent_ / "shop" / file.path)));
   }
   EXPECT_EQ(paths,
             (std::vector<std::string>{"layout.json", "plan.json", "planogram.csv", "scene.bin"}));
@@ -109,7 +109,7 @@ TEST_F(StoreFolder, ManifestNamesEveryOtherFileButTheReport) {
 
 TEST_F(StoreFolder, ReportHoldsMetricsAndTimes) {
   create(tiny());
-  const auto report = read_report(parent_ / "shop");
+  const auto report = store::read_report(parent_ / "shop");
   ASSERT_TRUE(report.ok()) << to_string(report.error());
   EXPECT_EQ(report->metrics.COL, 0);
   EXPECT_EQ(report->metrics.OOB, 0U);
@@ -117,7 +117,7 @@ TEST_F(StoreFolder, ReportHoldsMetricsAndTimes) {
   EXPECT_GT(report->metrics.fill, 0.5);
   EXPECT_FALSE(report->metrics.STB.has_value());
   std::vector<std::string> stages;
-  for (const StageTiming& t : report->timing_s)
+  for (const store::StageTiming& t : report->timing_s)
     stages.push_back(t.stage);
   EXPECT_EQ(stages,
             (std::vector<std::string>{"plan", "repair", "layout", "scene", "audit", "save"}));
@@ -132,13 +132,13 @@ TEST_F(StoreFolder, AChangedByteIsSeenInEveryFile) {
     std::string bad = good;
     bad[bad.size() / 2] ^= 1;
     std::ofstream(path, std::ios::binary) << bad;
-    const auto verified = verify_store(parent_ / "shop", committed_catalog());
+    const auto verified = store::verify_store(parent_ / "shop", committed_catalog());
     ASSERT_FALSE(verified.ok()) << name;
     EXPECT_EQ(verified.error().code, "store.changed") << name;
     EXPECT_NE(verified.error().where.find(name), std::string::npos) << verified.error().where;
     std::ofstream(path, std::ios::binary) << good;
   }
-  EXPECT_TRUE(verify_store(parent_ / "shop", committed_catalog()).ok());
+  EXPECT_TRUE(store::verify_store(parent_ / "shop", committed_catalog()).ok());
 }
 
 // Opening looks at what it reads: a number that was changed into another is no fault of format.
@@ -150,16 +150,16 @@ TEST_F(StoreFolder, OpeningRefusesAChangedFile) {
     std::string bad = good;
     bad[bad.size() / 2] ^= 1;
     std::ofstream(path, std::ios::binary) << bad;
-    const auto store = open_store(parent_ / "shop", committed_catalog());
+    const auto store = store::open_store(parent_ / "shop", committed_catalog());
     ASSERT_FALSE(store.ok()) << name;
     EXPECT_EQ(store.error().code, "store.changed") << name;
     EXPECT_NE(store.error().where.find(name), std::string::npos) << store.error().where;
     EXPECT_NE(store.error().message.find("restore the file or generate the store again"),
               std::string::npos);
-    EXPECT_EQ(open_store_scene(parent_ / "shop").ok(), name == std::string("plan.json"));
+    EXPECT_EQ(store::open_store_scene(parent_ / "shop").ok(), name == std::string("plan.json"));
     std::ofstream(path, std::ios::binary) << good;
   }
-  EXPECT_TRUE(open_store(parent_ / "shop", committed_catalog()).ok());
+  EXPECT_TRUE(store::open_store(parent_ / "shop", committed_catalog()).ok());
 }
 
 TEST_F(StoreFolder, OpeningNeedsWhatTheManifestLists) {
@@ -170,7 +170,7 @@ TEST_F(StoreFolder, OpeningNeedsWhatTheManifestLists) {
   ASSERT_NE(at, std::string::npos);
   text.replace(at, 11, "\"other.bin\"");
   std::ofstream(path) << text;
-  const auto scene = open_store_scene(parent_ / "shop");
+  const auto scene = store::open_store_scene(parent_ / "shop");
   ASSERT_FALSE(scene.ok());
   EXPECT_EQ(scene.error().code, "store.changed");
   EXPECT_NE(scene.error().message.find("names no scene.bin"), std::string::npos);
@@ -179,7 +179,7 @@ TEST_F(StoreFolder, OpeningNeedsWhatTheManifestLists) {
 TEST_F(StoreFolder, AMissingFileIsAChange) {
   create(tiny());
   fs::remove(parent_ / "shop/planogram.csv");
-  const auto verified = verify_store(parent_ / "shop", committed_catalog());
+  const auto verified = store::verify_store(parent_ / "shop", committed_catalog());
   ASSERT_FALSE(verified.ok());
   EXPECT_EQ(verified.error().code, "store.changed");
   EXPECT_NE(verified.error().where.find("planogram.csv"), std::string::npos);
@@ -192,21 +192,23 @@ TEST_F(StoreFolder, AManifestThatWasEdited) {
   const std::size_t hash = text.find("\"scene_hash\": \"") + 15;
   text[hash] = text[hash] == '0' ? '1' : '0';
   std::ofstream(path) << text;
-  EXPECT_EQ(verify_store(parent_ / "shop", committed_catalog()).error().code, "store.changed");
+  EXPECT_EQ(store::verify_store(parent_ / "shop", committed_catalog()).error().code,
+            "store.changed");
   const std::size_t file = text.find("\"layout.json\"");
   text.replace(file, 13, "\"../shop.json\"");
   std::ofstream(path) << text;
-  const auto verified = verify_store(parent_ / "shop", committed_catalog());
+  const auto verified = store::verify_store(parent_ / "shop", committed_catalog());
   ASSERT_FALSE(verified.ok());
   EXPECT_EQ(verified.error().code, "store.changed");
   EXPECT_NE(verified.error().message.find("outside the store"), std::string::npos);
 }
 
 TEST_F(StoreFolder, NotAStore) {
-  EXPECT_EQ(open_store(parent_, committed_catalog()).error().code, "store.not_a_store");
-  EXPECT_EQ(open_store(parent_ / "nothing", committed_catalog()).error().code, "input.not_found");
+  EXPECT_EQ(store::open_store(parent_, committed_catalog()).error().code, "store.not_a_store");
+  EXPECT_EQ(store::open_store(parent_ / "nothing", committed_catalog()).error().code,
+            "input.not_found");
   std::ofstream(parent_ / "store.json") << "{\"schema\": \"market-plan/1\"}";
-  EXPECT_EQ(open_store(parent_, committed_catalog()).error().code, "json.wrong_schema");
+  EXPECT_EQ(store::open_store(parent_, committed_catalog()).error().code, "json.wrong_schema");
 }
 
 TEST_F(StoreFolder, AnExistingFolderIsNotTouched) {
@@ -224,7 +226,7 @@ TEST_F(StoreFolder, AnEmptyFolderIsTaken) {
 }
 
 TEST_F(StoreFolder, NothingIsLeftBehindByFailure) {
-  std::map<std::string, CreateOptions> failures;
+  std::map<std::string, store::CreateOptions> failures;
   failures["brief.empty"] = tiny();
   failures["brief.empty"].brief.prompt = " \n";
   failures["input.not_found"] = tiny();
@@ -240,7 +242,7 @@ TEST_F(StoreFolder, NothingIsLeftBehindByFailure) {
 TEST_F(StoreFolder, NothingIsLeftBehindWhenTheFolderCannotBeMade) {
   std::ofstream(parent_ / "file") << "x";
   const auto before = listing();
-  CreateOptions options = tiny();
+  store::CreateOptions options = tiny();
   options.folder = parent_ / "file/shop";
   EXPECT_EQ(code_of_create(options), "io.cannot_write");
   EXPECT_EQ(listing(), before);
@@ -252,12 +254,13 @@ TEST_F(StoreFolder, NothingIsLeftBehindWhenTheFolderCannotBeMade) {
 // does.
 TEST_F(StoreFolder, StrictRefusesHardViolationsAndLeavesNothing) {
   create(tiny());
-  auto plan = read_plan(text_of(parent_ / "shop/plan.json"), "plan.json", committed_catalog());
+  auto plan =
+      plan::read_plan(text_of(parent_ / "shop/plan.json"), "plan.json", committed_catalog());
   ASSERT_TRUE(plan.ok());
   plan->placements = {{committed_catalog().products.front().sku, {0, 3, 0}, 0}};
-  std::ofstream(parent_ / "plan.json") << write_json(*plan);
+  std::ofstream(parent_ / "plan.json") << io::write_json(*plan);
   const auto before = listing();
-  CreateOptions options = tiny("strict");
+  store::CreateOptions options = tiny("strict");
   options.brief = {};
   options.plan_file = parent_ / "plan.json";
   options.strict = true;
@@ -270,7 +273,7 @@ TEST_F(StoreFolder, StrictRefusesHardViolationsAndLeavesNothing) {
 TEST_F(StoreFolder, TheSameBriefAndSeedGiveTheSameBytes) {
   create(tiny("one"));
   create(tiny("two"));
-  CreateOptions other = tiny("three");
+  store::CreateOptions other = tiny("three");
   other.seed = 4;
   create(other);
   for (const char* name :
@@ -283,11 +286,11 @@ TEST_F(StoreFolder, TheSameBriefAndSeedGiveTheSameBytes) {
 }
 
 TEST_F(StoreFolder, TheSavedPlanMakesTheSameStoreAgain) {  // what repair mended stays mended
-  const Created first = create(tiny());
-  CreateOptions again = tiny("again");
+  const store::Created first = create(tiny());
+  store::CreateOptions again = tiny("again");
   again.brief = {};
   again.plan_file = parent_ / "shop/plan.json";
-  const Created second = create(again);
+  const store::Created second = create(again);
   EXPECT_EQ(second.manifest.scene_hash, first.manifest.scene_hash);
   EXPECT_EQ(text_of(parent_ / "again/plan.json"), text_of(parent_ / "shop/plan.json"));
   EXPECT_TRUE(second.report.repairs.empty());
@@ -296,7 +299,7 @@ TEST_F(StoreFolder, TheSavedPlanMakesTheSameStoreAgain) {  // what repair mended
 // A store keeps the rows of the user's own that it was made with, so that it can be made again from
 // its plan: by a file of episodes, on a machine that has the committed rows only.
 TEST_F(StoreFolder, IsMadeAgainWithTheRowsOfOnesOwnThatItKeeps) {
-  Product own;
+  catalog::Product own;
   own.sku = "own-lemonade";
   own.ean = "2999999999991";
   own.name = "Lemonade";
@@ -305,23 +308,23 @@ TEST_F(StoreFolder, IsMadeAgainWithTheRowsOfOnesOwnThatItKeeps) {
   own.archetype = "can";
   own.size_mm = {66, 66, 115};
   own.mass_kg = 0.35;
-  const Catalog catalog = with_own_products(committed_catalog(), {own});
+  const catalog::Catalog catalog = catalog::with_own_products(committed_catalog(), {own});
   EXPECT_NE(catalog.content_hash, committed_catalog().content_hash);
-  const auto created = create_store(tiny(), catalog);
+  const auto created = store::create_store(tiny(), catalog);
   ASSERT_TRUE(created.ok()) << to_string(created.error());
-  const auto store = open_store(parent_ / "shop", committed_catalog());
+  const auto store = store::open_store(parent_ / "shop", committed_catalog());
   ASSERT_TRUE(store.ok()) << to_string(store.error());
   ASSERT_TRUE(store->manifest.own.has_value());
   ASSERT_EQ(store->manifest.own->size(), 1U);
-  EXPECT_NE(std::ranges::find(store->scene.catalog, own.sku, &Product::sku),
+  EXPECT_NE(std::ranges::find(store->scene.catalog, own.sku, &catalog::Product::sku),
             store->scene.catalog.end());
-  const auto again =
-      scene_of_plan(store->plan, with_own_products(committed_catalog(), *store->manifest.own), 3);
+  const auto again = store::scene_of_plan(
+      store->plan, catalog::with_own_products(committed_catalog(), *store->manifest.own), 3);
   ASSERT_TRUE(again.ok()) << to_string(again.error());
-  EXPECT_EQ(scene_hash(*again), store->manifest.scene_hash);
-  const auto without = scene_of_plan(store->plan, committed_catalog(), 3);
+  EXPECT_EQ(scene::scene_hash(*again), store->manifest.scene_hash);
+  const auto without = store::scene_of_plan(store->plan, committed_catalog(), 3);
   ASSERT_TRUE(without.ok());
-  EXPECT_NE(scene_hash(*without), store->manifest.scene_hash);
+  EXPECT_NE(scene::scene_hash(*without), store->manifest.scene_hash);
   EXPECT_FALSE(create(tiny("plain")).manifest.own.has_value());
 }
 
@@ -330,12 +333,12 @@ TEST_F(StoreFolder, TheSmallestShopsHaveAPlaceToPay) {
   constexpr std::array<std::array<int, 2>, 5> sizes_mm{
       {{5000, 5000}, {6500, 4600}, {8000, 5000}, {8900, 5600}, {9800, 6100}}};
   for (const auto& size : sizes_mm) {
-    CreateOptions options = tiny("shop-" + std::to_string(size[0]));
+    store::CreateOptions options = tiny("shop-" + std::to_string(size[0]));
     options.brief.prompt = "a kiosk";
     options.brief.size_mm = size;
-    const Created created = create(options);
-    for (const Violation& broken : created.report.rules)
-      EXPECT_NE(broken.severity, Severity::hard) << size[0] << ": " << broken.message;
+    const store::Created created = create(options);
+    for (const layout::Violation& broken : created.report.rules)
+      EXPECT_NE(broken.severity, layout::Severity::hard) << size[0] << ": " << broken.message;
     EXPECT_GT(created.manifest.counts.products, 300U) << size[0];
   }
 }

@@ -13,7 +13,7 @@
 #include "base/text.h"
 #include "catalog/usual_pack.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr std::size_t max_votes = 10;
@@ -105,7 +105,7 @@ std::string title(const std::vector<std::string>& words) {
 std::string archetype_named(const std::vector<std::string>& words) {
   std::string best;
   for (const ArchetypeInfo& info : archetypes()) {
-    const std::vector<std::string> parts = split(info.name, '_');
+    const std::vector<std::string> parts = marketgen::split(info.name, '_');
     const bool named = std::all_of(
         parts.begin(), parts.end(), [&](const std::string& part) { return has(words, part); });
     if (named && info.name.size() > best.size()) best = info.name;
@@ -114,7 +114,7 @@ std::string archetype_named(const std::vector<std::string>& words) {
 }
 
 std::string material_seen(const std::vector<std::string>& words,
-                          const AssetLook& look,
+                          const catalog::AssetLook& look,
                           std::vector<std::string>& reasons) {
   for (const MaterialWord& entry : material_words) {
     if (!has(words, entry.word)) continue;
@@ -134,26 +134,26 @@ std::string material_seen(const std::vector<std::string>& words,
 
 class OfflineAnnotator {
  public:
-  OfflineAnnotator(const Catalog& catalog, const AssetDatabase& database)
+  OfflineAnnotator(const catalog::Catalog& catalog, const catalog::AssetDatabase& database)
       : catalog_(catalog), database_(database) {}
 
-  Result<AssetAnnotation> annotate(const AssetEvidence& evidence) const {
+  Result<catalog::AssetAnnotation> annotate(const AssetEvidence& evidence) const {
     const std::string stem = std::filesystem::path(evidence.file_name).stem().string();
     const std::vector<std::string> own = words_of_names({stem});
     std::vector<std::string> names = evidence.parts;
     names.insert(names.begin(), stem);
     const std::vector<std::string> words = words_of_names(names);
 
-    AssetAnnotation annotation;
+    catalog::AssetAnnotation annotation;
     annotation.annotator = "offline";
     annotation.name = title(own.empty() ? words : own);
     annotation.keywords = words;
     annotation.material = material_seen(words, evidence.look, annotation.reasons);
     annotation.archetype = archetype_named(words);
     if (annotation.material.empty() && !annotation.archetype.empty()) {
-      Product named;
+      catalog::Product named;
       named.archetype = annotation.archetype;
-      annotation.material = usual_material(catalog_.products, named);
+      annotation.material = catalog::usual_material(catalog_.products, named);
       annotation.reasons.push_back(fmt::format(
           "most rows of archetype {} are of {}", annotation.archetype, annotation.material));
     }
@@ -162,16 +162,17 @@ class OfflineAnnotator {
   }
 
  private:
-  Result<void> vote(const std::vector<std::string>& words, AssetAnnotation& annotation) const {
-    AssetQuery query;
+  Result<void> vote(const std::vector<std::string>& words,
+                    catalog::AssetAnnotation& annotation) const {
+    catalog::AssetQuery query;
     query.text = fmt::format("{}", fmt::join(words, " "));
-    query.kinds = {AssetKind::goods};
+    query.kinds = {catalog::AssetKind::goods};
     if (query.text.empty()) return {};
-    MARKETGEN_TRY(std::vector<AssetHit> hits, database_.find(query));
+    MARKETGEN_TRY(std::vector<catalog::AssetHit> hits, database_.find(query));
     if (hits.size() > max_votes) hits.resize(max_votes);
     Ballot category, subcategory, material, archetype, storage, rigidity;
-    for (const AssetHit& hit : hits) {
-      const Product& p = catalog_.products[hit.row];
+    for (const catalog::AssetHit& hit : hits) {
+      const catalog::Product& p = catalog_.products[hit.row];
       category.vote(p.category, hit.score);
       subcategory.vote(p.category + "/" + p.subcategory, hit.score);
       material.vote(p.material, hit.score);
@@ -186,8 +187,10 @@ class OfflineAnnotator {
     annotation.confidence = category.share(annotation.category);
     if (annotation.material.empty()) annotation.material = material.winner();
     if (annotation.archetype.empty()) annotation.archetype = archetype.winner();
-    annotation.storage = value_named<Storage>(storage.winner()).value_or(Storage::ambient);
-    annotation.rigidity = value_named<Rigidity>(rigidity.winner()).value_or(Rigidity::rigid);
+    annotation.storage =
+        value_named<catalog::Storage>(storage.winner()).value_or(catalog::Storage::ambient);
+    annotation.rigidity =
+        value_named<catalog::Rigidity>(rigidity.winner()).value_or(catalog::Rigidity::rigid);
     annotation.reasons.push_back(fmt::format("its names find \"{}\" ({}), score {:.1f}",
                                              catalog_.products[hits[0].row].name,
                                              catalog_.products[hits[0].row].sku,
@@ -195,8 +198,8 @@ class OfflineAnnotator {
     return {};
   }
 
-  const Catalog& catalog_;
-  const AssetDatabase& database_;
+  const catalog::Catalog& catalog_;
+  const catalog::AssetDatabase& database_;
 };
 
 }  // namespace
@@ -213,10 +216,11 @@ std::vector<std::string> words_of_names(const std::vector<std::string>& names) {
   return words;
 }
 
-AssetAnnotator offline_annotator(const Catalog& catalog, const AssetDatabase& database) {
+AssetAnnotator offline_annotator(const catalog::Catalog& catalog,
+                                 const catalog::AssetDatabase& database) {
   return [annotator = OfflineAnnotator(catalog, database)](const AssetEvidence& evidence) {
     return annotator.annotate(evidence);
   };
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -4,7 +4,7 @@
 
 #include "catalog/catalog.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 struct Estimate {
   double value = 0;
@@ -15,9 +15,11 @@ struct Estimate {
 // catalogue's rows of the same subcategory and material, else of the same material, else of all,
 // of mass over the volume of the bounding box, divided by what a pack fills of its box (0.8).
 // Within the limits of product rows.
-Estimate estimated_mass(const Product& product, double volume_m3, const Catalog& catalog);
+Estimate estimated_mass(const catalog::Product& product,
+                        double volume_m3,
+                        const catalog::Catalog& catalog);
 
 // Sliding friction on a painted steel shelf, from data/friction.json; 0.35 for an unknown material.
-Estimate estimated_friction(const std::string& material, const Catalog& catalog);
+Estimate estimated_friction(const std::string& material, const catalog::Catalog& catalog);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

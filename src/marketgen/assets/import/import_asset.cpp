@@ -19,7 +19,7 @@
 #include "io/json.h"
 #include "io/model_glb.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace fs = std::filesystem;
 namespace {
 
@@ -35,13 +35,13 @@ bool plausible(Vec3f size, double factor) {
 
 // The scale error, with the unit that would make a pack of it: the one whose longest side is
 // nearest to an ordinary pack's.
-Error bad_scale(const fs::path& file, Vec3f size, LengthUnit given) {
+Error bad_scale(const fs::path& file, Vec3f size, catalog::LengthUnit given) {
   constexpr double ordinary_m = 0.2;
   std::string remedy = "give a model whose sides are 5 mm to 1.5 m";
   double nearest = 1e9;
-  for (const std::string_view name : names_of(LengthUnit{})) {
-    const LengthUnit unit = *value_named<LengthUnit>(name);
-    const double factor = metres_in(unit) / metres_in(given);
+  for (const std::string_view name : catalog::names_of(catalog::LengthUnit{})) {
+    const catalog::LengthUnit unit = *value_named<catalog::LengthUnit>(name);
+    const double factor = catalog::metres_in(unit) / catalog::metres_in(given);
     const double away =
         std::abs(std::log(std::max({size.x, size.y, size.z}) * factor / ordinary_m));
     if (unit == given || !plausible(size, factor) || away >= nearest) continue;
@@ -58,7 +58,7 @@ Error bad_scale(const fs::path& file, Vec3f size, LengthUnit given) {
                       remedy)};
 }
 
-void turn_up(OutsideModel& model) {  // Z up, front -Y: to Y up, front +Z
+void turn_up(io::OutsideModel& model) {  // Z up, front -Y: to Y up, front +Z
   for (std::vector<Vec3f>* list : {&model.mesh.positions, &model.mesh.normals}) {
     for (Vec3f& v : *list)
       v = {v.x, v.z, -v.y};
@@ -85,7 +85,7 @@ std::string own_ean(const std::string& sha256) {
   const std::uint64_t number = std::stoull(sha256.substr(0, 15), nullptr, 16) % billion;
   const std::string digits = fmt::format("299{:09}", number);
   for (char check = '0'; check <= '9'; ++check) {
-    if (is_ean13(digits + check)) return digits + check;
+    if (catalog::is_ean13(digits + check)) return digits + check;
   }
   fatal("no digit is a check digit");
 }
@@ -93,7 +93,7 @@ std::string own_ean(const std::string& sha256) {
 // One import on its way.
 class Importer {
  public:
-  Importer(fs::path file, const ImportOptions& options, const Catalog& catalog)
+  Importer(fs::path file, const ImportOptions& options, const catalog::Catalog& catalog)
       : file_(std::move(file)), options_(options), catalog_(catalog) {}
 
   Result<ImportedAsset> run(const AssetAnnotator& annotator) {
@@ -101,48 +101,48 @@ class Importer {
     MARKETGEN_CHECK(read());
     MARKETGEN_CHECK(annotate(annotator));
     MARKETGEN_CHECK(make_row());
-    MARKETGEN_CHECK(fit_model(model_, row().size_mm, file_.string()));
+    MARKETGEN_CHECK(catalog::fit_model(model_, row().size_mm, file_.string()));
     MARKETGEN_CHECK(make_pieces());
     MARKETGEN_CHECK(estimate());
     asset_.file.product.mesh = model_name;
     MARKETGEN_CHECK(check_asset());
-    MARKETGEN_TRY(asset_.model, encode_glb(model_, row().sku));
+    MARKETGEN_TRY(asset_.model, io::encode_glb(model_, row().sku));
     return std::move(asset_);
   }
 
  private:
-  Product& row() { return asset_.file.product; }
+  catalog::Product& row() { return asset_.file.product; }
   void note(std::string text) { asset_.file.notes.push_back(std::move(text)); }
 
   Result<void> check_options() const {
     if (!options_.mass_kg) return {};
-    const auto fault = fault_of_field<Product>("mass_kg", *options_.mass_kg);
+    const auto fault = io::fault_of_field<catalog::Product>("mass_kg", *options_.mass_kg);
     if (!fault) return {};
     return Error{"usage.bad_flag", "--mass-kg", fault->message + " kg"};
   }
 
   // What is written is what --catalog takes.
   Result<void> check_asset() const {
-    MARKETGEN_CHECK(check_fields(asset_.file, std::string(asset_name)));
-    return check_product(asset_.file.product, catalog_);
+    MARKETGEN_CHECK(io::check_fields(asset_.file, std::string(asset_name)));
+    return catalog::check_product(asset_.file.product, catalog_);
   }
 
   Result<void> read() {
-    MARKETGEN_TRY(model_, read_model_file(file_));
+    MARKETGEN_TRY(model_, io::read_model_file(file_));
     if (options_.up == UpAxis::z) turn_up(model_);
-    scale_model(model_, metres_in(options_.unit));
-    const Vec3f size = bounds_of(model_.mesh).size();
+    catalog::scale_model(model_, catalog::metres_in(options_.unit));
+    const Vec3f size = marketgen::bounds_of(model_.mesh).size();
     if (!plausible(size, 1)) return bad_scale(file_, size, options_.unit);
-    merge_pictures(model_);
-    AssetSource& source = asset_.file.source;
+    io::merge_pictures(model_);
+    catalog::AssetSource& source = asset_.file.source;
     source.file = file_.filename().string();
-    MARKETGEN_TRY(source.sha256, sha256_of_file(file_));
+    MARKETGEN_TRY(source.sha256, io::sha256_of_file(file_));
     source.unit = options_.unit;
     source.triangles = static_cast<int>(model_.mesh.triangles.size());
     MARKETGEN_TRY(source.open_edges, open_edges_of(model_.mesh, file_.string()));
-    source.watertight = source.open_edges == 0 && volume_of(model_.mesh) > 0;
+    source.watertight = source.open_edges == 0 && marketgen::volume_of(model_.mesh) > 0;
     source.parts = model_.names;
-    for (const ModelMaterial& material : model_.materials) {
+    for (const io::ModelMaterial& material : model_.materials) {
       if (!material.name.empty()) source.parts.push_back(material.name);
     }
     asset_.file.notes = model_.remarks;
@@ -156,7 +156,7 @@ class Importer {
 
   Result<void> annotate(const AssetAnnotator& annotator) {
     asset_.file.look = look_of(model_);
-    const Vec3f size = bounds_of(model_.mesh).size();
+    const Vec3f size = marketgen::bounds_of(model_.mesh).size();
     AssetEvidence evidence;
     evidence.file_name = asset_.file.source.file;
     evidence.parts = asset_.file.source.parts;
@@ -174,7 +174,7 @@ class Importer {
 
   // The row, as far as it does not depend on the volume.
   Result<void> make_row() {
-    const AssetAnnotation& said = asset_.file.annotation;
+    const catalog::AssetAnnotation& said = asset_.file.annotation;
     const auto chosen = [](const std::string& given, const std::string& found) {
       return given.empty() ? found : given;
     };
@@ -188,13 +188,13 @@ class Importer {
     row().subcategory = chosen(options_.subcategory, as_said ? said.subcategory : "");
     if (row().subcategory.empty()) row().subcategory = row().category;
     row().keywords = said.keywords;
-    row().archetype = mesh_archetype;
-    row().size_mm = size_in_mm(bounds_of(model_.mesh).size());
+    row().archetype = catalog::mesh_archetype;
+    row().size_mm = size_in_mm(marketgen::bounds_of(model_.mesh).size());
     row().material = chosen(options_.material, said.material);
     if (row().material.empty()) {
-      Product like = row();
+      catalog::Product like = row();
       like.archetype = said.archetype;
-      row().material = usual_material(catalog_.products, like);
+      row().material = catalog::usual_material(catalog_.products, like);
       note(
           fmt::format("nothing says what it is made of: {}, as most rows like it", row().material));
     }
@@ -209,7 +209,7 @@ class Importer {
   Result<void> check_category() {
     if (catalog_.category(row().category) != nullptr) return {};
     std::vector<std::string_view> known;
-    for (const CategoryRow& category : catalog_.categories)
+    for (const catalog::CategoryRow& category : catalog_.categories)
       known.push_back(category.id);
     if (row().category.empty()) {
       return Error{"catalog.unknown_kind",
@@ -217,12 +217,13 @@ class Importer {
                    fmt::format("its names do not say what it is; give --category, one of: {}",
                                fmt::join(known, ", "))};
     }
-    return unknown_name("catalog.unknown_kind", "--category", "category", row().category, known);
+    return catalog::unknown_name(
+        "catalog.unknown_kind", "--category", "category", row().category, known);
   }
 
   // Contact pieces into the model, in its frame: by CoACD, else one hull.
   Result<void> make_pieces() {
-    AssetEstimates& estimates = asset_.file.estimates;
+    catalog::AssetEstimates& estimates = asset_.file.estimates;
     hull_ = outer_hull(model_.mesh.positions);
     if (hull_.triangles.empty())
       return Error{"model.bad_file", file_.string(), "is flat: it encloses no volume"};
@@ -247,8 +248,9 @@ class Importer {
   }
 
   Result<void> estimate() {
-    AssetEstimates& estimates = asset_.file.estimates;
-    estimates.volume_m3 = asset_.file.source.watertight ? volume_of(model_.mesh) : volume_of(hull_);
+    catalog::AssetEstimates& estimates = asset_.file.estimates;
+    estimates.volume_m3 = asset_.file.source.watertight ? marketgen::volume_of(model_.mesh)
+                                                        : marketgen::volume_of(hull_);
     const Estimate mass = estimated_mass(row(), estimates.volume_m3, catalog_);
     row().mass_kg = options_.mass_kg.value_or(mass.value);
     estimates.mass_from = options_.mass_kg ? "--mass-kg" : mass.from;
@@ -260,9 +262,9 @@ class Importer {
 
   fs::path file_;
   const ImportOptions& options_;
-  const Catalog& catalog_;
-  OutsideModel model_;  // glTF frame, metres
-  Mesh hull_;           // of the whole model
+  const catalog::Catalog& catalog_;
+  io::OutsideModel model_;  // glTF frame, metres
+  Mesh hull_;               // of the whole model
   ImportedAsset asset_;
 };
 
@@ -270,16 +272,16 @@ class Importer {
 
 Result<ImportedAsset> import_asset(const fs::path& file,
                                    const ImportOptions& options,
-                                   const Catalog& catalog,
+                                   const catalog::Catalog& catalog,
                                    const AssetAnnotator& annotator) {
   return Importer(file, options, catalog).run(annotator);
 }
 
 Result<void> write_asset(const ImportedAsset& asset, const fs::path& folder) {
-  MARKETGEN_TRY(FolderDraft draft, FolderDraft::begin(folder));
-  MARKETGEN_CHECK(write_file(draft.folder() / model_name, asset.model));
-  MARKETGEN_CHECK(write_file(draft.folder() / asset_name, write_json(asset.file)));
+  MARKETGEN_TRY(io::FolderDraft draft, io::FolderDraft::begin(folder));
+  MARKETGEN_CHECK(io::write_file(draft.folder() / model_name, asset.model));
+  MARKETGEN_CHECK(io::write_file(draft.folder() / asset_name, io::write_json(asset.file)));
   return draft.commit();
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -9,7 +9,7 @@
 #include "base/result.h"
 #include "catalog/asset_file.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // Which of the file's axes points up.
 enum class UpAxis { y, z };
@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 2> names_of(UpAxis) {
 
 // What a person knows better than the annotator: empty or absent means "find out".
 struct ImportOptions {
-  LengthUnit unit = LengthUnit::m;
+  catalog::LengthUnit unit = catalog::LengthUnit::m;
   UpAxis up = UpAxis::y;
   std::string name, category, subcategory, material;
   std::optional<double> mass_kg;
@@ -27,7 +27,7 @@ struct ImportOptions {
 };
 
 struct ImportedAsset {
-  AssetFile file;
+  catalog::AssetFile file;
   std::string model;  // the bytes of file.product.mesh: a GLB with its contact pieces
 };
 
@@ -37,10 +37,10 @@ struct ImportedAsset {
 // notes. The same file and options give the same asset.
 Result<ImportedAsset> import_asset(const std::filesystem::path& file,
                                    const ImportOptions& options,
-                                   const Catalog& catalog,
+                                   const catalog::Catalog& catalog,
                                    const AssetAnnotator& annotator);
 
 // Writes asset.json and the model into a new folder. Errors: store.exists, io.cannot_write.
 Result<void> write_asset(const ImportedAsset& asset, const std::filesystem::path& folder);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -10,7 +10,7 @@
 
 #include "geometry/weld.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr std::size_t max_colors = 6;
@@ -37,7 +37,7 @@ class ColorCount {
     sum.weight += weight;
   }
 
-  std::vector<ColorShare> shares() const {
+  std::vector<catalog::ColorShare> shares() const {
     std::vector<Sum> sums;
     double all = 0;
     for (const auto& [_, sum] : cells_) {
@@ -46,7 +46,7 @@ class ColorCount {
     }
     std::stable_sort(
         sums.begin(), sums.end(), [](const Sum& a, const Sum& b) { return a.weight > b.weight; });
-    std::vector<ColorShare> list;
+    std::vector<catalog::ColorShare> list;
     for (const Sum& sum : sums) {
       if (list.size() >= max_colors || sum.weight < min_share * all) break;
       const auto part = [&](std::size_t c) { return std::lround(sum.color[c] / sum.weight); };
@@ -90,7 +90,7 @@ Result<void> check_crowding(const Mesh& mesh, const std::string& where) {
 
 }  // namespace
 
-AssetLook look_of(const OutsideModel& model) {
+catalog::AssetLook look_of(const io::OutsideModel& model) {
   std::vector<double> areas(model.materials.size());
   const Mesh& mesh = model.mesh;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -99,11 +99,11 @@ AssetLook look_of(const OutsideModel& model) {
     areas[mesh.surfaces[t]] +=
         0.5 * length(cross(to_double(mesh.positions[b]) - p, to_double(mesh.positions[c]) - p));
   }
-  AssetLook look;
+  catalog::AssetLook look;
   ColorCount colors;
   double all = 0;
   for (std::size_t i = 0; i < areas.size(); ++i) {
-    const ModelMaterial& m = model.materials[i];
+    const io::ModelMaterial& m = model.materials[i];
     if (areas[i] <= 0) continue;
     all += areas[i];
     look.roughness += areas[i] * m.roughness;
@@ -140,4 +140,4 @@ Result<int> open_edges_of(const Mesh& mesh, const std::string& where) {
   return open;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

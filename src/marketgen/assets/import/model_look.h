@@ -3,16 +3,16 @@
 #include "catalog/asset_file.h"
 #include "io/model_file.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // Colours of pictures and materials by the area that shows them; the means of roughness, metal and
 // transparency likewise. At most six colours. Factors on a picture are expected to be painted into
 // it (merge_pictures). Deterministic.
-AssetLook look_of(const OutsideModel& model);
+catalog::AssetLook look_of(const io::OutsideModel& model);
 
 // Edges that do not join two triangles, once each way, after welding positions within a
 // micrometre: 0 for a watertight mesh. Error: model.bad_file when thousands of vertices crowd in
 // one spot.
 Result<int> open_edges_of(const Mesh& mesh, const std::string& where);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

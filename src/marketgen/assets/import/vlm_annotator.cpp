@@ -13,7 +13,7 @@
 #include "io/png.h"
 #include "llm/structured_answer.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr std::size_t max_pictures = 4;
@@ -34,7 +34,7 @@ struct PackFacts {
   std::string file;
   std::vector<std::string> parts;
   std::array<int, 3> size_mm{};
-  AssetLook look;
+  catalog::AssetLook look;
   static constexpr auto fields =
       field_list(field("file", &PackFacts::file, "name of the file"),
                  field("parts", &PackFacts::parts, "names of nodes, meshes and materials"),
@@ -45,8 +45,8 @@ struct PackFacts {
 // What it answers.
 struct PackVerdict {
   std::string name, category, subcategory, archetype, material;
-  Storage storage = Storage::ambient;
-  Rigidity rigidity = Rigidity::rigid;
+  catalog::Storage storage = catalog::Storage::ambient;
+  catalog::Rigidity rigidity = catalog::Rigidity::rigid;
   std::vector<std::string> keywords;
   double confidence = 0;
   std::string reason;
@@ -99,15 +99,15 @@ struct KnownNames {
   std::map<std::string_view, std::vector<std::string_view>> subcategories;  // by category
 };
 
-KnownNames names_known(const Catalog& catalog) {
+KnownNames names_known(const catalog::Catalog& catalog) {
   KnownNames names;
   std::map<std::string_view, std::set<std::string_view>> groups;
   std::set<std::string_view> materials;
-  for (const Product& product : catalog.products) {
+  for (const catalog::Product& product : catalog.products) {
     groups[product.category].insert(product.subcategory);
     if (!product.material.empty()) materials.insert(product.material);
   }
-  for (const CategoryRow& category : catalog.categories)
+  for (const catalog::CategoryRow& category : catalog.categories)
     names.categories.push_back(category.id);
   for (const auto& [category, group] : groups)
     names.subcategories[category].assign(group.begin(), group.end());
@@ -152,7 +152,7 @@ class VerdictFaults {
                    const std::string& name,
                    const std::vector<std::string_view>& known) {
     if (std::find(known.begin(), known.end(), name) != known.end()) return;
-    const Error error = unknown_name("llm.bad_answer", "answer", field, name, known);
+    const Error error = catalog::unknown_name("llm.bad_answer", "answer", field, name, known);
     faults_.push_back(fmt::format("{}: {}", field, error.message));
   }
 
@@ -169,7 +169,7 @@ std::string facts_text(const AssetEvidence& evidence) {
   }
   facts.size_mm = evidence.size_mm;
   facts.look = evidence.look;
-  return write_json(facts);
+  return io::write_json(facts);
 }
 
 std::string question_text(const AssetEvidence& evidence, const KnownNames& known) {
@@ -191,29 +191,30 @@ Result<std::vector<std::string>> pictures_of(const AssetEvidence& evidence) {
   for (const Image& picture : *evidence.pictures) {
     if (files.size() == max_pictures) break;
     if (picture.empty()) continue;
-    MARKETGEN_TRY(std::string png, encode_png(scaled_within(picture, longest_picture_px)));
+    MARKETGEN_TRY(std::string png, io::encode_png(scaled_within(picture, longest_picture_px)));
     files.push_back(std::move(png));
   }
   return files;
 }
 
-Result<ChatRequest> request_for(const AssetEvidence& evidence, const KnownNames& known) {
-  ChatRequest request;
+Result<llm::ChatRequest> request_for(const AssetEvidence& evidence, const KnownNames& known) {
+  llm::ChatRequest request;
   request.system = instructions;
   MARKETGEN_TRY(std::vector<std::string> pictures, pictures_of(evidence));
-  request.turns.push_back({ChatRole::user, question_text(evidence, known), std::move(pictures)});
-  std::string schema = answer_schema_of(type_of<PackVerdict>());
-  schema = with_names(schema, "category", known.categories);
-  schema = with_names(schema, "material", known.materials);
-  request.answer_schema = with_names(schema, "archetype", known.shapes);
+  request.turns.push_back(
+      {llm::ChatRole::user, question_text(evidence, known), std::move(pictures)});
+  std::string schema = llm::answer_schema_of(type_of<PackVerdict>());
+  schema = llm::with_names(schema, "category", known.categories);
+  schema = llm::with_names(schema, "material", known.materials);
+  request.answer_schema = llm::with_names(schema, "archetype", known.shapes);
   return request;
 }
 
-AssetAnnotation annotation_of(const PackVerdict& verdict, const std::string& annotator) {
+catalog::AssetAnnotation annotation_of(const PackVerdict& verdict, const std::string& annotator) {
   const auto told = [](const std::string& name) {
     return name == cannot_tell ? std::string() : name;
   };
-  AssetAnnotation said;
+  catalog::AssetAnnotation said;
   said.annotator = annotator;
   said.name = verdict.name;
   said.category = verdict.category;
@@ -230,16 +231,16 @@ AssetAnnotation annotation_of(const PackVerdict& verdict, const std::string& ann
 
 }  // namespace
 
-AssetAnnotator vlm_annotator(const Catalog& catalog, LanguageModel language_model) {
-  return [model = std::move(language_model),
-          known = names_known(catalog)](const AssetEvidence& evidence) -> Result<AssetAnnotation> {
-    MARKETGEN_TRY(ChatRequest request, request_for(evidence, known));
+AssetAnnotator vlm_annotator(const catalog::Catalog& catalog, llm::LanguageModel language_model) {
+  return [model = std::move(language_model), known = names_known(catalog)](
+             const AssetEvidence& evidence) -> Result<catalog::AssetAnnotation> {
+    MARKETGEN_TRY(llm::ChatRequest request, request_for(evidence, known));
     const auto check = [&](const PackVerdict& verdict) {
       return VerdictFaults(known).check(verdict);
     };
-    MARKETGEN_TRY(const auto answered, ask<PackVerdict>(model, std::move(request), {check}));
+    MARKETGEN_TRY(const auto answered, llm::ask<PackVerdict>(model, std::move(request), {check}));
     return annotation_of(answered.value, model.name);
   };
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

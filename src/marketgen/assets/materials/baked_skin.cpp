@@ -8,7 +8,7 @@
 #include "assets/shapes/archetypes/crusty_loaf.h"
 #include "base/text.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // What lies on the crust.
@@ -27,12 +27,12 @@ constexpr BakedRow baked_rows[] = {
 #undef BAKED
 };
 
-const BakedRow& row_of(const Product& product) {
+const BakedRow& row_of(const catalog::Product& product) {
   const std::string text = lower_ascii(product.variant + " " + product.name);
   const BakedRow* plain = nullptr;
   for (const BakedRow& row : baked_rows) {
     if (row.archetype != product.archetype) continue;
-    for (const std::string& word : split(row.words, '|')) {
+    for (const std::string& word : marketgen::split(row.words, '|')) {
       if (!word.empty() && text.find(word) != std::string::npos) return row;
     }
     plain = &row;
@@ -123,7 +123,7 @@ constexpr std::array<Color, 4> sprinkle_colors{
 
 }  // namespace
 
-bool is_baked(const Product& product) {
+bool is_baked(const catalog::Product& product) {
   return std::any_of(std::begin(baked_rows), std::end(baked_rows), [&](const BakedRow& row) {
     return row.archetype == product.archetype;
   });
@@ -171,4 +171,4 @@ Image draw_baked_skin(const PackArt& art, int width_px, int height_px) {
   return image;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 struct Point {
@@ -92,4 +92,4 @@ std::vector<Cell> scatter_cells(
   return field;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -4,7 +4,7 @@
 
 #include "assets/materials/pattern_sheet.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // The cell under a texel.
 struct Cell {
@@ -21,4 +21,4 @@ std::vector<Cell> scatter_cells(const PatternSheet& sheet,
                                 float jitter = 0.9F,
                                 float bend_mm = 0);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -4,7 +4,7 @@
 
 #include "assets/materials/pattern_sheet.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 struct PatternEntry {
@@ -19,11 +19,11 @@ constexpr PatternEntry patterns[] = {
 
 }  // namespace
 
-int periods_in_texture(MaterialPattern pattern) {
+int periods_in_texture(catalog::MaterialPattern pattern) {
   return patterns[static_cast<std::size_t>(pattern)].periods;
 }
 
-MaterialLook material_look(const MaterialRow& material, int size_px, const Seed& seed) {
+MaterialLook material_look(const catalog::MaterialRow& material, int size_px, const Seed& seed) {
   PatternSheet sheet(material, size_px, seed);
   patterns[static_cast<std::size_t>(material.pattern)].draw(sheet);
   for (float& height : sheet.look.height_mm.values)
@@ -31,4 +31,4 @@ MaterialLook material_look(const MaterialRow& material, int size_px, const Seed&
   return std::move(sheet.look);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

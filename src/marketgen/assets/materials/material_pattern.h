@@ -5,7 +5,7 @@
 #include "assets/materials/texture_field.h"
 #include "catalog/rows.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // Fields of one texture, all of one size and seamless along both axes.
 struct MaterialLook {
@@ -26,9 +26,9 @@ struct MaterialLook {
 };
 
 // Repeats of the pattern's period along the side of the texture.
-int periods_in_texture(MaterialPattern pattern);
+int periods_in_texture(catalog::MaterialPattern pattern);
 
 // `size_px` texels a side. Deterministic.
-MaterialLook material_look(const MaterialRow& material, int size_px, const Seed& seed);
+MaterialLook material_look(const catalog::MaterialRow& material, int size_px, const Seed& seed);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -8,7 +8,7 @@
 #include "assets/print/paint_color.h"
 #include "base/hash.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // sRGB bytes of albedo 0.02 (fresh asphalt, black rubber) and 0.9 (fresh snow): nothing in a shop
@@ -27,7 +27,7 @@ Components components(const std::string& text) {
   return {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b)};
 }
 
-Image color_of(const MaterialRow& material, const MaterialLook& look) {
+Image color_of(const catalog::MaterialRow& material, const MaterialLook& look) {
   const Components first = components(material.color);
   const Components second = components(material.second_color);
   const Components third =
@@ -69,7 +69,7 @@ Image normals_of(const TextureField& height_mm, float mm_per_px) {
   return image;
 }
 
-MaterialLook look_of(const MaterialRow& material, int side) {
+MaterialLook look_of(const catalog::MaterialRow& material, int side) {
   return material_look(material, side, Seed(hash64(material.id)).child("material"));
 }
 
@@ -79,7 +79,7 @@ int side_of(int size_px) {
 
 }  // namespace
 
-MaterialMaps draw_material_maps(const MaterialRow& material, int size_px) {
+MaterialMaps draw_material_maps(const catalog::MaterialRow& material, int size_px) {
   const int side = side_of(size_px);
   const MaterialLook look = look_of(material, side);
   const auto mm_per_px =
@@ -98,12 +98,12 @@ MaterialMaps draw_material_maps(const MaterialRow& material, int size_px) {
   return maps;
 }
 
-Image draw_material(const MaterialRow& material, int size_px) {
+Image draw_material(const catalog::MaterialRow& material, int size_px) {
   return color_of(material, look_of(material, side_of(size_px)));
 }
 
-double material_extent_m(const MaterialRow& material) {
+double material_extent_m(const catalog::MaterialRow& material) {
   return material.period_mm * periods_in_texture(material.pattern) * 1e-3;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -3,7 +3,7 @@
 #include "catalog/rows.h"
 #include "geometry/image.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // One repeat of a material, `size_px` a side. Albedo stays within what real surfaces reflect, 0.02
 // to 0.9.
@@ -16,10 +16,10 @@ struct MaterialMaps {
 };
 
 // Covers `material_extent_m` by the same. Seamless along both axes; deterministic.
-MaterialMaps draw_material_maps(const MaterialRow& material, int size_px = 512);
+MaterialMaps draw_material_maps(const catalog::MaterialRow& material, int size_px = 512);
 // The colour alone.
-Image draw_material(const MaterialRow& material, int size_px = 512);
+Image draw_material(const catalog::MaterialRow& material, int size_px = 512);
 // Side of the square that the texture covers, metres: metric UVs are divided by it.
-double material_extent_m(const MaterialRow& material);
+double material_extent_m(const catalog::MaterialRow& material);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

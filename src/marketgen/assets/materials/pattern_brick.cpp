@@ -1,6 +1,6 @@
 #include "assets/materials/pieces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr float mortar_mm = 10;
@@ -163,4 +163,4 @@ void draw_ledgestone(PatternSheet& sheet) {
   darken_joints(sheet, pieces, sheet.joint_mm(3), 9, 0.75F);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

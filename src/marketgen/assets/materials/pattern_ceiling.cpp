@@ -1,7 +1,7 @@
 #include "assets/materials/pieces.h"
 #include "assets/materials/wood_grain.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr float t_bar_mm = 24;
@@ -63,4 +63,4 @@ void draw_slats(PatternSheet& sheet) {
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

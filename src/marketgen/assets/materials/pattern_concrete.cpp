@@ -1,6 +1,6 @@
 #include "assets/materials/pieces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // Clouds of cement and the pores that air leaves in it.
@@ -94,4 +94,4 @@ void draw_cast_panels(PatternSheet& sheet) {
   darken_joints(sheet, pieces, sheet.joint_mm(5), 5, 0.55F);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -1,7 +1,7 @@
 #include "assets/materials/cells.h"
 #include "assets/materials/pieces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 void draw_brushed(PatternSheet& sheet) {
   const int n = sheet.size_px;
@@ -124,4 +124,4 @@ void draw_worn_paint(PatternSheet& sheet) {
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

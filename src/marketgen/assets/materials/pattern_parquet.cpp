@@ -1,7 +1,7 @@
 #include "assets/materials/pieces.h"
 #include "assets/materials/wood_grain.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr float parquet_gap_mm = 0.8F;
@@ -112,4 +112,4 @@ void draw_basket(PatternSheet& sheet) {
   finish_parquet(sheet, pieces);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -1,6 +1,6 @@
 #include "assets/materials/pattern_sheet.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 void draw_plain(PatternSheet& sheet) {
   const int n = sheet.size_px;
@@ -30,4 +30,4 @@ void draw_grained(PatternSheet& sheet) {
   sheet.look.mark = sheet.noise("clouds", 60, 4);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -1,6 +1,6 @@
 #include "assets/materials/pattern_sheet.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // Thin coats of lime, brushed crosswise: clouds with the brush's edges in them.
 void draw_limewash(PatternSheet& sheet) {
@@ -73,4 +73,4 @@ void draw_trowelled(PatternSheet& sheet) {
   add_centred(sheet.look.light, sheet.noise("clouds", 200, 5), 0.05F);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

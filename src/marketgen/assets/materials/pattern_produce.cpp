@@ -1,7 +1,7 @@
 #include "assets/materials/cells.h"
 #include "assets/materials/pieces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // Oil glands of citrus rind: dimples of changing size.
 void draw_peel(PatternSheet& sheet) {
@@ -155,4 +155,4 @@ void draw_leaf(PatternSheet& sheet) {
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -1,7 +1,7 @@
 #include "assets/materials/cells.h"
 #include "assets/materials/pieces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // Round flat studs with a chamfered rim, as on platforms and loading bays.
 void draw_studs(PatternSheet& sheet) {
@@ -82,4 +82,4 @@ void draw_cork(PatternSheet& sheet) {
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -1,8 +1,10 @@
 #include "assets/materials/pattern_sheet.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
-PatternSheet::PatternSheet(const MaterialRow& material, int side_px, const Seed& material_seed)
+PatternSheet::PatternSheet(const catalog::MaterialRow& material,
+                           int side_px,
+                           const Seed& material_seed)
     : row(material),
       size_px(side_px),
       periods(periods_in_texture(material.pattern)),
@@ -56,4 +58,4 @@ float piece_number(const Seed& seed, std::uint32_t id) {
   return static_cast<float>((x ^ (x >> 31)) >> 40) * (1.0F / 16777216.0F);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

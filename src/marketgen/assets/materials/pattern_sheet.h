@@ -11,16 +11,16 @@
 
 #include "assets/materials/material_pattern.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 struct Texel {
   float &mark, &third, &light, &height_mm, &roughness, &metal;
 };
 
 struct PatternSheet {
-  PatternSheet(const MaterialRow& material, int side_px, const Seed& material_seed);
+  PatternSheet(const catalog::MaterialRow& material, int side_px, const Seed& material_seed);
 
-  const MaterialRow& row;
+  const catalog::MaterialRow& row;
   int size_px;
   int periods;    // of the pattern along the side
   float side_mm;  // of the whole texture
@@ -104,4 +104,4 @@ constexpr float wave(float x) {
 #include "catalog/material_patterns.inc"
 #undef MATERIAL_PATTERN
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -1,7 +1,7 @@
 #include "assets/materials/cells.h"
 #include "assets/materials/pieces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // Fibres as short bent lines of random direction, drawn into a field of their own: 0..1, brighter
@@ -168,4 +168,4 @@ void draw_leather(PatternSheet& sheet) {
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

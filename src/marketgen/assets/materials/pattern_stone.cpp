@@ -1,7 +1,7 @@
 #include "assets/materials/cells.h"
 #include "assets/materials/pieces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr float stone_joint_mm = 1.5F;  // polished slabs lie close
@@ -184,4 +184,4 @@ void draw_terrazzo(PatternSheet& sheet) {
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

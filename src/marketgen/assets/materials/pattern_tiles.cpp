@@ -1,6 +1,6 @@
 #include "assets/materials/pieces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr float grout_mm = 3;
@@ -160,4 +160,4 @@ void draw_fish_scale(PatternSheet& sheet) {
   cut_joints(sheet, pieces, {sheet.joint_mm(2), 0.9F, 3, 0.9F});
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -1,7 +1,7 @@
 #include "assets/materials/pieces.h"
 #include "assets/materials/wood_grain.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr float plank_gap_mm = 1.5F;
@@ -144,4 +144,4 @@ void draw_strand_board(PatternSheet& sheet) {
   add_centred(sheet.look.roughness, grain, 0.06F);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

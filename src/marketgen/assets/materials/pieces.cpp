@@ -1,6 +1,6 @@
 #include "assets/materials/pieces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 Piece grid_piece(
     const PatternSheet& sheet, int columns, int rows, float shift, float x_mm, float y_mm) {
@@ -56,4 +56,4 @@ void darken_joints(PatternSheet& sheet,
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -5,7 +5,7 @@
 
 #include "assets/materials/pattern_sheet.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // What a texel knows of its piece.
 struct Piece {
@@ -52,4 +52,4 @@ void darken_joints(PatternSheet& sheet,
                    float depth_mm,
                    float share);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

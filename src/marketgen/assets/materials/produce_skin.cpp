@@ -9,7 +9,7 @@
 #include "assets/print/plu_sticker.h"
 #include "base/text.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 struct SkinRecipe {
@@ -32,7 +32,7 @@ constexpr SkinRow skin_rows[] = {
 
 const SkinRow* row_for(const std::string& text) {
   for (const SkinRow& row : skin_rows) {
-    for (const std::string& word : split(row.words, '|')) {
+    for (const std::string& word : marketgen::split(row.words, '|')) {
       if (text.find(word) != std::string::npos) return &row;
     }
   }
@@ -61,7 +61,7 @@ SkinRecipe tinted(SkinRecipe recipe, const Color& body) {
 
 // By the product's words, otherwise by the shape it has.
 SkinRecipe recipe_of(const PackArt& art) {
-  const Product& product = *art.product;
+  const catalog::Product& product = *art.product;
   const SkinRow* row = row_for(lower_ascii(product.variant + " " + product.name));
   if (row == nullptr) row = row_for(product.archetype);
   if (row != nullptr) return tinted(row->recipe, art.primary);
@@ -120,4 +120,4 @@ Image draw_produce_skin(const PackArt& art, int width_px, int height_px) {
   return image;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -3,7 +3,7 @@
 #include "assets/print/pack_art.h"
 #include "geometry/image.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // The row's primary colour is that of the body; produce_skins.inc says what else there is to see.
 // u runs once around and tiles, v from the stem (top) to the other end. What produce_skins.inc does
@@ -11,4 +11,4 @@ namespace marketgen {
 // the end.
 Image draw_produce_skin(const PackArt& art, int width_px, int height_px);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

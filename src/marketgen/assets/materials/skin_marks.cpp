@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // Maps every value of a field.
@@ -162,4 +162,4 @@ TextureField mark_field(SkinTexture texture, int width, int height, const Seed& 
   return TextureField(w, h);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -3,7 +3,7 @@
 #pragma once
 #include "assets/materials/texture_field.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // How the mark colour lies on the body colour.
 enum class SkinTexture {
@@ -29,4 +29,4 @@ enum class SkinTexture {
 // Share of the mark colour everywhere, 0..1; tiles along u.
 TextureField mark_field(SkinTexture texture, int width, int height, const Seed& seed);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // Where each texel of an axis falls into the lattice: cell before it and smooth weight of the cell
@@ -128,4 +128,4 @@ TextureField bump_field(int width, int height, const BumpShape& shape, const See
   return field;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -8,7 +8,7 @@
 
 #include "base/seed.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // Row-major values from the top left.
 struct TextureField {
@@ -57,4 +57,4 @@ constexpr float smooth_step(float low, float high, float x) {
   return t * t * (3 - 2 * t);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

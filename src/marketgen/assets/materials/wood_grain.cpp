@@ -1,6 +1,6 @@
 #include "assets/materials/wood_grain.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr float pore_depth_mm = 0.12F;
@@ -46,4 +46,4 @@ void grow_wood(PatternSheet& sheet, const std::vector<Piece>& pieces, float cont
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

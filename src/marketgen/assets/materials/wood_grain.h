@@ -2,7 +2,7 @@
 #pragma once
 #include "assets/materials/pieces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 class WoodGrain {
  public:
@@ -24,4 +24,4 @@ class WoodGrain {
 // Colours, pores and grooves of wooden pieces: the second colour is the grain.
 void grow_wood(PatternSheet& sheet, const std::vector<Piece>& pieces, float contrast);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -8,7 +8,7 @@
 
 #include "assets/print/lettering.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr int left_quiet_modules = 11;
@@ -171,4 +171,4 @@ void leave_barcode(Canvas& canvas,
   canvas.leave_bars({device_box(canvas, bars), modules, place.ladder, 1 - plain / guarded});
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

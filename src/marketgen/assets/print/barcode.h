@@ -6,7 +6,7 @@
 #include "assets/print/canvas.h"
 #include "base/result.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // 95 modules, '1' for a bar. Errors: assets.bad_row when `ean` is not 13 digits with a right check
 // digit.
@@ -43,4 +43,4 @@ void leave_barcode(Canvas& canvas,
                    const BarcodePlace& place,
                    double unit);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -4,7 +4,7 @@
 #include "base/hash.h"
 #include "base/seed.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // Lettering with enough weight to be read on a pack 60 pixels wide.
@@ -107,4 +107,4 @@ void draw_brand_mark(Canvas& canvas,
   mark_drawings[static_cast<std::size_t>(look.shape)]({canvas, look, brand, area, ground, align});
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

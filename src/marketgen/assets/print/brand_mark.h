@@ -8,7 +8,7 @@
 #include "assets/print/canvas.h"
 #include "assets/print/lettering.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 enum class MarkShape {
 #define MARK_SHAPE(name, description) name,
@@ -44,4 +44,4 @@ void draw_brand_mark(Canvas& canvas,
                      const Color& ground,
                      Align align = Align::center);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

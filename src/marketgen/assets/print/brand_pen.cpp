@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 int lines_of(const std::string& brand) {
@@ -54,4 +54,4 @@ void MarkPen::fill_plate(double line_width) const {
   canvas.fill_and_stroke(look.plate, outline, line_width);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

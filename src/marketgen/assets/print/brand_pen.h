@@ -5,7 +5,7 @@
 #include "assets/print/brand_mark.h"
 #include "assets/print/canvas.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // How much of a plate its words may take, and the plate's least width over its height.
 struct PlateShape {
@@ -40,4 +40,4 @@ struct MarkPen {
 #include "assets/print/brand_shapes.inc"
 #undef MARK_SHAPE
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -8,7 +8,7 @@
 #include "assets/print/brand_pen.h"
 #include "assets/print/motif_brush.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // The first character of UTF-8 text, with its continuation bytes.
@@ -166,4 +166,4 @@ void draw_mark_bars(const MarkPen& pen) {
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -5,7 +5,7 @@
 
 #include "assets/print/brand_pen.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // Fills an outline drawn in the square 0..100 stretched to the plate.
@@ -162,4 +162,4 @@ void draw_mark_cloud(const MarkPen& pen) {
       p.part(0.13, 0.23, 0.87, 0.77), readable_on(pen.look.plate, pen.look.trim), Align::center);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

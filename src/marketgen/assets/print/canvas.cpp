@@ -7,7 +7,7 @@
 
 #include "base/result.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // Reads the next number of a path; commas and blanks part numbers.
@@ -219,4 +219,4 @@ void Canvas::put(const Image& image, int x_px, int y_px) {
   cairo_surface_mark_dirty(surface_.get());
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

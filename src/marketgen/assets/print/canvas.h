@@ -15,7 +15,7 @@
 #include "assets/print/paint_color.h"
 #include "geometry/image.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // An axis-aligned part of the canvas in its current units, y down.
 struct Area {
@@ -123,4 +123,4 @@ class Canvas {
   std::optional<BarField> bars_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

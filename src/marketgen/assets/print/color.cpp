@@ -6,7 +6,7 @@
 
 #include "assets/print/paint_color.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // Newton's method from above, which falls monotonically: x is in (0, 1], so 60 rounds reach the
@@ -63,4 +63,4 @@ Result<Vec3f> linear_from_hex(std::string_view text) {
       "\"" + std::string(text) + "\" is not a colour; write # and six hex digits, like #2e7d32"};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

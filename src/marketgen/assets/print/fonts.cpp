@@ -10,7 +10,7 @@
 #include "base/progress.h"
 #include "io/installation.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 namespace fs = std::filesystem;
@@ -28,7 +28,7 @@ constexpr Family families[] = {
 
 fs::path folder_of(const Family& family) {
   std::vector<fs::path> places;
-  for (const fs::path& share : share_folders())
+  for (const fs::path& share : io::share_folders())
     places.push_back(share / "fonts" / family.folder);
   places.emplace_back(family.built_with);
   std::error_code failed;
@@ -89,4 +89,4 @@ FcConfig* font_config() {
   return config;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -6,7 +6,7 @@
 
 struct _FcConfig;
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // Families whose files are nowhere, by their Debian packages: fonts-lato. None in a sound
 // installation.
@@ -16,4 +16,4 @@ std::vector<std::string> missing_fonts();
 // lives as long as the process.
 _FcConfig* font_config();
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

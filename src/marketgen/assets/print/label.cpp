@@ -16,7 +16,7 @@
 #include "assets/print/pack_design.h"
 #include "assets/print/pack_front.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr int min_px = 16;
@@ -106,7 +106,7 @@ constexpr FlatRow flat_rows[] = {
 };
 
 // The part of a face that lies flat before the eye; see "Sheets" in assets/print/label.h.
-Area flat_part(const Product& product, SheetKind kind, const Area& area) {
+Area flat_part(const catalog::Product& product, SheetKind kind, const Area& area) {
   FlatRow flat = kind == SheetKind::front_back ? bag_flat : FlatRow{"", 0, 0};
   for (const FlatRow& row : flat_rows) {
     if (row.archetype == product.archetype) flat = row;
@@ -115,7 +115,7 @@ Area flat_part(const Product& product, SheetKind kind, const Area& area) {
 }
 
 // Goods are seen through the film of a tray.
-bool is_under_film(const Product& product) {
+bool is_under_film(const catalog::Product& product) {
   return product.archetype == "tray" || product.archetype == "meat_tray";
 }
 
@@ -170,7 +170,7 @@ void draw_sleeve_top(Canvas& canvas, const PackArt& art, const Area& area) {
 }
 
 // A box that lies on its back, like a pizza's: its top is what the eye meets.
-bool is_flat_box(const Product& product) {
+bool is_flat_box(const catalog::Product& product) {
   const bool box = product.archetype == "box" || product.archetype == "bundle";
   return box && product.size_mm[1] * 2 > product.size_mm[2] * 3;
 }
@@ -248,7 +248,7 @@ void draw_panel(Canvas& canvas, const PackArt& art, PanelKind kind, const Area& 
 
 // Draws every panel; bars stay apart when the art says so.
 Result<PrintedPicture> drawn_sheet(const PackArt& art, const SheetPixels& sheet) {
-  const Product& product = *art.product;
+  const catalog::Product& product = *art.product;
   MARKETGEN_TRY(const std::vector<Panel> panels, panels_of(product));
   if (panels.size() == 1 && panels[0].kind == PanelKind::skin)
     return PrintedPicture{draw_produce_skin(art, sheet.width, sheet.height), std::nullopt};
@@ -271,7 +271,7 @@ Result<PrintedPicture> drawn_sheet(const PackArt& art, const SheetPixels& sheet)
 
 }  // namespace
 
-Result<Image> draw_label(const Product& product, int size_px) {
+Result<Image> draw_label(const catalog::Product& product, int size_px) {
   if (size_px < min_px || size_px > max_px) {
     return Error{
         "assets.bad_row",
@@ -285,7 +285,7 @@ Result<Image> draw_label(const Product& product, int size_px) {
   return std::move(sheet.picture);
 }
 
-Result<PrintedPicture> print_label(const Product& product, double px_per_mm) {
+Result<PrintedPicture> print_label(const catalog::Product& product, double px_per_mm) {
   if (px_per_mm < min_px_per_mm || px_per_mm > max_px_per_mm) {
     return Error{"assets.bad_row",
                  product.sku,
@@ -308,4 +308,4 @@ Result<PrintedPicture> print_label(const Product& product, double px_per_mm) {
       art, {pixels(static_cast<double>(size.width_m)), pixels(static_cast<double>(size.height_m))});
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -56,7 +56,7 @@
 #include "catalog/product.h"
 #include "geometry/image.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // The label sheet of a product: what its archetype's UVs wrap round the pack, see "Sheets".
 // `size_px` (16 to 8192) is the height, the width follows from `sheet_size_of`; a sheet more than
@@ -65,7 +65,7 @@ namespace marketgen {
 // A product with a mesh of its own gives that mesh's picture. Deterministic: same row, same pixels.
 // Thread-safe. Loose produce has a skin instead of print.
 // Errors: assets.bad_row, catalog.unknown_kind.
-Result<Image> draw_label(const Product& product, int size_px = 512);
+Result<Image> draw_label(const catalog::Product& product, int size_px = 512);
 
 // The bars of a code, for a renderer that draws them as fine as the eye comes near.
 struct LabelBars {
@@ -82,17 +82,19 @@ struct PrintedPicture {
 
 // The label sheet as it is printed: `px_per_mm` (0.1 to 20) pixels a millimetre of the pack, the
 // EAN true to size (X = 0.33 mm where there is room). Errors: as draw_label.
-Result<PrintedPicture> print_label(const Product& product, double px_per_mm);
+Result<PrintedPicture> print_label(const catalog::Product& product, double px_per_mm);
 
 // The price strip's tag for a product: price, name, unit price, bar code. `promotion` gives the
 // yellow one.
-Result<Image> draw_price_tag(const Product& product, bool promotion, int height_px = 96);
+Result<Image> draw_price_tag(const catalog::Product& product, bool promotion, int height_px = 96);
 // The same with the bars left out.
-Result<PrintedPicture> print_price_tag(const Product& product, bool promotion, int height_px = 96);
+Result<PrintedPicture> print_price_tag(const catalog::Product& product,
+                                       bool promotion,
+                                       int height_px = 96);
 
 // The card that hangs under the tag of an offer, 105 x 74 mm: picture, price, former price, saving.
 constexpr double promotion_card_width_mm = 105, promotion_card_height_mm = 74;
-Result<Image> draw_promotion_card(const Product& product, int height_px = 222);
+Result<Image> draw_promotion_card(const catalog::Product& product, int height_px = 222);
 
 // A hanging sign or a wall band with a text.
 Result<Image> draw_sign(std::string_view text,
@@ -101,4 +103,4 @@ Result<Image> draw_sign(std::string_view text,
                         int width_px,
                         int height_px);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

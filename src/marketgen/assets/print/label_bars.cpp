@@ -1,6 +1,6 @@
 #include "assets/print/label_bars.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 std::optional<LabelBars> label_bars(const Canvas& canvas) {
   if (!canvas.bars()) return std::nullopt;
@@ -15,4 +15,4 @@ std::optional<LabelBars> label_bars(const Canvas& canvas) {
                    field.modules};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

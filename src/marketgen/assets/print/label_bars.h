@@ -5,8 +5,8 @@
 #include "assets/print/canvas.h"
 #include "assets/print/label.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 std::optional<LabelBars> label_bars(const Canvas& canvas);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -6,7 +6,7 @@
 #include "assets/print/motif_brush.h"
 #include "base/text.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 const std::vector<LabelMotif>& label_motifs() {
   static const std::vector<LabelMotif> motifs{
@@ -37,4 +37,4 @@ void draw_motif(Canvas& canvas, const LabelMotif& motif, const MotifInk& ink, co
   motif.draw(canvas, ink);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -8,7 +8,7 @@
 #include "assets/print/canvas.h"
 #include "base/result.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // The pack's colours, for motifs that have none of their own (sparkle, flower, rings…).
 struct MotifInk {
@@ -33,4 +33,4 @@ Result<const LabelMotif*> find_motif(std::string_view name, std::string_view whe
 // Draws the motif as large as it fits into the middle of `area`.
 void draw_motif(Canvas& canvas, const LabelMotif& motif, const MotifInk& ink, const Area& area);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -8,7 +8,7 @@
 #include "assets/shapes/archetypes/pack_faces.h"
 #include "assets/shapes/archetypes/registry.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 struct SheetRow {
@@ -170,7 +170,7 @@ MetricSheet sleeve_sheet(const SleeveFaces& faces) {
 }
 
 // Standing goods unroll about Z, lying ones about X; of a hand of bananas one of them does.
-MetricSheet skin_sheet(const Product& product, float w, float d, float h) {
+MetricSheet skin_sheet(const catalog::Product& product, float w, float d, float h) {
   if (product.archetype == "banana_bunch") {
     const float thick = banana_thickness * h;
     return single_panel(PanelKind::skin, ellipse_perimeter(thick, thick), w);
@@ -179,7 +179,7 @@ MetricSheet skin_sheet(const Product& product, float w, float d, float h) {
   return single_panel(PanelKind::skin, ellipse_perimeter(w, d), ellipse_perimeter(w, h) / 2);
 }
 
-MetricSheet front_back_sheet_of(const Product& product) {
+MetricSheet front_back_sheet_of(const catalog::Product& product) {
   const LabelZone zone = label_zone_of(product);
   const bool bottle = product.archetype == "flask" || product.archetype == "tube" || zone.arc < 1;
   if (bottle) return front_back_sheet(zone.face_width_m, zone.high_m - zone.low_m);
@@ -187,7 +187,7 @@ MetricSheet front_back_sheet_of(const Product& product) {
   return front_back_sheet(face.width_m, face.height_m);
 }
 
-MetricSheet carton_sheet_of(const Product& product, float w, float d, float h) {
+MetricSheet carton_sheet_of(const catalog::Product& product, float w, float d, float h) {
   if (product.archetype == "gable_carton") {
     const GableRoof roof = gable_roof_of(product);
     return carton_sheet(w, d, roof.body_m, 2 * roof.slope_m / gable_slopes_share);
@@ -210,7 +210,7 @@ MetricSheet carton_sheet_of(const Product& product, float w, float d, float h) {
   return carton_sheet(w, d, h, d);
 }
 
-MetricSheet metric_sheet(SheetKind kind, const Product& product) {
+MetricSheet metric_sheet(SheetKind kind, const catalog::Product& product) {
   const auto w = static_cast<float>(product.width_m());
   const auto d = static_cast<float>(product.depth_m());
   const auto h = static_cast<float>(product.height_m());
@@ -232,7 +232,7 @@ MetricSheet metric_sheet(SheetKind kind, const Product& product) {
   return {};
 }
 
-Result<MetricSheet> metric_sheet_of(const Product& product) {
+Result<MetricSheet> metric_sheet_of(const catalog::Product& product) {
   MARKETGEN_TRY(const SheetKind kind, sheet_kind_of(product.archetype));
   MARKETGEN_CHECK(check_product_size(product));
   return metric_sheet(kind, product);
@@ -247,7 +247,7 @@ Result<SheetKind> sheet_kind_of(std::string_view archetype) {
   return unknown_archetype(archetype, "archetype");
 }
 
-Result<std::vector<Panel>> panels_of(const Product& product) {
+Result<std::vector<Panel>> panels_of(const catalog::Product& product) {
   MARKETGEN_TRY(const MetricSheet sheet, metric_sheet_of(product));
   std::vector<Panel> panels;
   for (const Placed& p : sheet.panels) {
@@ -262,9 +262,9 @@ Result<std::vector<Panel>> panels_of(const Product& product) {
   return panels;
 }
 
-Result<SheetSize> sheet_size_of(const Product& product) {
+Result<SheetSize> sheet_size_of(const catalog::Product& product) {
   MARKETGEN_TRY(const MetricSheet sheet, metric_sheet_of(product));
   return sheet.size;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -10,7 +10,7 @@
 #include "base/result.h"
 #include "catalog/product.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // How the sheet of an archetype is divided.
 enum class SheetKind {
@@ -49,7 +49,7 @@ struct SheetSize {
 Result<SheetKind> sheet_kind_of(std::string_view archetype);
 // In the order of SheetKind's comment. Panels of one sheet do not overlap. Errors:
 // catalog.unknown_kind, assets.bad_row.
-Result<std::vector<Panel>> panels_of(const Product& product);
-Result<SheetSize> sheet_size_of(const Product& product);
+Result<std::vector<Panel>> panels_of(const catalog::Product& product);
+Result<SheetSize> sheet_size_of(const catalog::Product& product);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -13,7 +13,7 @@
 #include "assets/print/fonts.h"
 #include "base/text.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 struct ReleaseObject {
@@ -159,7 +159,7 @@ struct FittedText {
 
 FittedText fitted(const Headline& headline) {
   const std::string text = cased(headline.text, headline.face.letter_case);
-  std::vector<std::string> words = split(text, ' ');
+  std::vector<std::string> words = marketgen::split(text, ' ');
   std::erase(words, "");
   if (words.empty() || headline.area.w <= 0 || headline.area.h <= 0) return {};
   std::vector<double> widths;
@@ -287,4 +287,4 @@ Area draw_paragraph(Canvas& canvas, const Paragraph& paragraph) {
       area.x, area.y, logical.width * scale / PANGO_SCALE, logical.height * scale / PANGO_SCALE};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

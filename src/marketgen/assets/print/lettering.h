@@ -9,7 +9,7 @@
 
 #include "assets/print/canvas.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 enum class LetterCase { as_written, upper, lower };
 
@@ -64,4 +64,4 @@ struct Paragraph {
 };
 Area draw_paragraph(Canvas& canvas, const Paragraph& paragraph);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

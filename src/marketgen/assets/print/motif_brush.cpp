@@ -1,6 +1,6 @@
 #include "assets/print/motif_brush.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 Paint lit(const Ball& body, const Color& base) {
   const double r = body.radius;
@@ -73,4 +73,4 @@ void leaf(Canvas& canvas, double x, double y, double angle, double length, const
   });
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -2,7 +2,7 @@
 #pragma once
 #include "assets/print/label_motif.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 #define MOTIF(name, use, description) void draw_motif_##name(Canvas& canvas, const MotifInk& ink);
 #include "assets/print/label_motifs.inc"
@@ -37,4 +37,4 @@ void placed(Canvas& canvas, double x, double y, double angle, double scale, Draw
   draw();
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

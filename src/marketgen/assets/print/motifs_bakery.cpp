@@ -5,7 +5,7 @@
 
 #include "assets/print/motif_brush.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr Color crust = rgb("#c98136");
@@ -240,4 +240,4 @@ void draw_motif_pasta(Canvas& canvas, const MotifInk&) {
   leaf(canvas, -28, 30, -0.9, 24, rgb("#3f8f3a"));
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -3,7 +3,7 @@
 
 #include "assets/print/motif_brush.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 void one_cookie(Canvas& canvas, double x, double y, double radius) {
@@ -201,4 +201,4 @@ void draw_motif_candy(Canvas& canvas, const MotifInk& ink) {
   wrapped_sweet(canvas, -8, 2, -0.5, 0.95, first);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

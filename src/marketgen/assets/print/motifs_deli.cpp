@@ -7,7 +7,7 @@
 
 #include "assets/print/motif_brush.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr Color parsley = rgb("#3f8f3a");
@@ -262,4 +262,4 @@ void draw_motif_ice_cream(Canvas& canvas, const MotifInk&) {
   ball(canvas, {2, -46, 4}, rgb("#c3122a"));
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

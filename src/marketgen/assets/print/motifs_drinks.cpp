@@ -1,7 +1,7 @@
 // Glasses and cups on labels.
 #include "assets/print/motif_brush.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 void draw_motif_beer_mug(Canvas& canvas, const MotifInk&) {
   ground_shadow(canvas, {-40, 38, 82, 10});
@@ -73,4 +73,4 @@ void draw_motif_cup(Canvas& canvas, const MotifInk& ink) {
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

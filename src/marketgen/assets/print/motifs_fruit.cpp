@@ -3,7 +3,7 @@
 
 #include "assets/print/motif_brush.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr Color leaf_green = rgb("#3f8f2f");
@@ -217,4 +217,4 @@ void draw_motif_banana(Canvas& canvas, const MotifInk&) {
   placed(canvas, -2, 6, 0.02, 1.02, [&] { one_banana(canvas); });
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

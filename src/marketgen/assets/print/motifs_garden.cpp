@@ -7,7 +7,7 @@
 
 #include "assets/print/motif_brush.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr Color garden_green = rgb("#4c9a33");
@@ -256,4 +256,4 @@ void draw_motif_soy(Canvas& canvas, const MotifInk&) {
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -6,7 +6,7 @@
 
 #include "assets/print/motif_brush.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr Color herb_green = rgb("#4a9a3f");
@@ -314,4 +314,4 @@ void draw_motif_vanilla(Canvas& canvas, const MotifInk&) {
   ball(canvas, {-8, -10, 8}, rgb("#f0b32a"));
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

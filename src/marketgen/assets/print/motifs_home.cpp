@@ -3,7 +3,7 @@
 
 #include "assets/print/motif_brush.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 void soap_bubble(Canvas& canvas, const Ball& bubble) {
@@ -164,4 +164,4 @@ void draw_motif_none(Canvas& canvas, const MotifInk& ink) {
   ball(canvas, {0, 0, 8}, ink.accent);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

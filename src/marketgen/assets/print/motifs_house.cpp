@@ -6,7 +6,7 @@
 
 #include "assets/print/motif_brush.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 void one_battery(Canvas& canvas, double x, double angle, const Color& jacket) {
@@ -340,4 +340,4 @@ void draw_motif_fish_bowl(Canvas& canvas, const MotifInk&) {
   gloss(canvas, {-38, -22, 12, 40}, 0.2, 0.8);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

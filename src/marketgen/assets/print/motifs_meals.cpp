@@ -3,7 +3,7 @@
 
 #include "assets/print/motif_brush.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr Color parsley_green = rgb("#3f8f3a");
@@ -179,4 +179,4 @@ void draw_motif_soup(Canvas& canvas, const MotifInk& ink) {
   basil(canvas, 0, -2);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

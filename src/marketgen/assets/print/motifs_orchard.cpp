@@ -6,7 +6,7 @@
 
 #include "assets/print/motif_brush.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr Color orchard_green = rgb("#3f8f2f");
@@ -236,4 +236,4 @@ void draw_motif_pineapple(Canvas& canvas, const MotifInk&) {
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

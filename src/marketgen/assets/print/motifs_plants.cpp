@@ -3,7 +3,7 @@
 
 #include "assets/print/motif_brush.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr Color plant_green = rgb("#3f8a36");
@@ -164,4 +164,4 @@ void draw_motif_rice(Canvas& canvas, const MotifInk& ink) {
   canvas.path("M -46 -2 L 46 -2").stroke(lighter(bowl, 0.75), 3);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

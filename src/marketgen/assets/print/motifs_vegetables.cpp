@@ -1,7 +1,7 @@
 // Vegetables on labels.
 #include "assets/print/motif_brush.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr Color vegetable_green = rgb("#4c9a33");
@@ -197,4 +197,4 @@ void draw_motif_lentil(Canvas& canvas, const MotifInk&) {
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -3,9 +3,9 @@
 #include "assets/print/barcode.h"
 #include "base/hash.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
-Result<PackArt> pack_art(const Product& product) {
+Result<PackArt> pack_art(const catalog::Product& product) {
   const std::string at = product.sku + "/label/";
   PackArt art;
   art.product = &product;
@@ -22,4 +22,4 @@ Result<PackArt> pack_art(const Product& product) {
   return art;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

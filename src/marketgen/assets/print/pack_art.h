@@ -10,10 +10,10 @@
 #include "base/seed.h"
 #include "catalog/product.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 struct PackArt {
-  const Product* product = nullptr;
+  const catalog::Product* product = nullptr;
   Color primary, secondary, accent, text;
   const LabelMotif* motif = nullptr;
   BrandLook look;
@@ -33,6 +33,6 @@ struct PackArt {
 };
 
 // Reads the row. Errors: assets.bad_row (colour, motif, EAN), with the SKU and the field.
-Result<PackArt> pack_art(const Product& product);
+Result<PackArt> pack_art(const catalog::Product& product);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -8,7 +8,7 @@
 #include "assets/print/lettering.h"
 #include "assets/print/pack_facts.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr Typeface small_face{"Open Sans", 400};
@@ -61,7 +61,7 @@ bool is_high(const Area& field) {
 }
 
 // Bags swell in the middle and fall away to their sides, where a scanner sees the modules crowd.
-bool swells(const Product& product) {
+bool swells(const catalog::Product& product) {
   constexpr std::array<std::string_view, 3> bags{"pouch", "pillow_bag", "flow_pack"};
   return std::find(bags.begin(), bags.end(), product.archetype) != bags.end();
 }
@@ -69,8 +69,11 @@ bool swells(const Product& product) {
 // The EAN's place at the foot of the area, or anywhere in it where the foot would make its modules
 // smaller than `least`; at the right, or in the middle where the pack swells. All in whole units of
 // the area.
-BarcodePlace ean_place(
-    const Area& area, int wanted, int least, double wanted_height, const Product& product) {
+BarcodePlace ean_place(const Area& area,
+                       int wanted,
+                       int least,
+                       double wanted_height,
+                       const catalog::Product& product) {
   const Area foot = is_high(area) ? area.part(0, 0.42, 1, 1) : area.part(0.45, 0, 1, 1);
   BarcodePlace place = place_barcode(foot, wanted, wanted_height);
   if (place.module_px < least) place = place_barcode(area, wanted, wanted_height);
@@ -194,7 +197,7 @@ void take_top(Area& area, double height) {
 
 Area draw_back(Canvas& canvas, const PackArt& art, const InfoField& field) {
   const PackFacts facts = pack_facts(art);
-  const Product& product = *art.product;
+  const catalog::Product& product = *art.product;
   const double size = small_size(field.area);
   const Area& all = field.area;
   const bool high = is_high(all);
@@ -292,4 +295,4 @@ void draw_bottom(Canvas& canvas, const PackArt& art, const InfoField& field) {
                  field.area.h * 0.14});
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

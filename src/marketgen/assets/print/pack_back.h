@@ -3,7 +3,7 @@
 #include "assets/print/canvas.h"
 #include "assets/print/pack_art.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // All in millimetres on the canvas; the ground has been painted in a colour on which `type` reads.
 struct InfoField {
@@ -23,4 +23,4 @@ void draw_story_side(Canvas& canvas, const PackArt& art, const InfoField& field)
 // Dates and lot alone.
 void draw_bottom(Canvas& canvas, const PackArt& art, const InfoField& field);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -1,6 +1,6 @@
 #include "assets/print/pack_design.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 const std::vector<PackDesign>& pack_designs() {
   static const std::vector<PackDesign> designs{
@@ -32,4 +32,4 @@ FrontPlan draw_strip_face(Canvas& canvas, const PackArt& art, const Area& area) 
   return plan;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -7,7 +7,7 @@
 #include "assets/print/lettering.h"
 #include "assets/print/pack_art.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 enum class VariantMark { plain, band, pill };
 
@@ -56,4 +56,4 @@ FrontPlan draw_strip_face(Canvas& canvas, const PackArt& art, const Area& area);
 #include "assets/print/pack_designs.inc"
 #undef PACK_DESIGN
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -5,7 +5,7 @@
 #include "assets/print/pack_design.h"
 #include "assets/print/pack_ornament.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr Color kraft_paper = rgb("#cfae82");
@@ -268,4 +268,4 @@ FrontPlan draw_face_stripes(Canvas& canvas, const PackArt& art, const Area& area
   return plan;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -4,7 +4,7 @@
 #include "assets/print/pack_design.h"
 #include "assets/print/pack_ornament.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 Paint top_to_bottom(const Area& area, const Color& top, const Color& bottom) {
@@ -201,4 +201,4 @@ FrontPlan draw_face_poster(Canvas& canvas, const PackArt& art, const Area& area)
   return plan;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -8,7 +8,7 @@
 
 #include "assets/print/small_print.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 std::string grams(double amount) {
@@ -18,7 +18,7 @@ std::string grams(double amount) {
 }
 
 // "Zero Sugar", a "Light" drink: sweetened with something else.
-bool is_sugar_free(const Product& product) {
+bool is_sugar_free(const catalog::Product& product) {
   const auto says = [&](std::string_view words) { return has_phrase(product.variant, words); };
   const bool drink = product.category == "beverages";
   return says("zero sugar") || says("sugar free") || says("no sugar") ||
@@ -37,7 +37,7 @@ std::string replaced(std::string text, std::string_view what, std::string_view w
   return at == std::string::npos ? text : text.replace(at, what.size(), with);
 }
 
-std::string ingredients_of(const FoodRow& row, const Product& product) {
+std::string ingredients_of(const FoodRow& row, const catalog::Product& product) {
   std::string text = replaced(std::string(row.ingredients), "{name}", product.name);
   if (is_sugar_free(product))
     text = replaced(std::move(text), ", sugar", ", sweeteners: sucralose, acesulfame K");
@@ -64,13 +64,13 @@ void fill_nutrition(PackFacts& facts, const FoodRow& row, Stream& draw) {
                      {"Salt", fmt::format("{:.2f} g", row.salt * maker)}};
 }
 
-std::string storage_advice(Storage storage) {
+std::string storage_advice(catalog::Storage storage) {
   switch (storage) {
-    case Storage::ambient:
+    case catalog::Storage::ambient:
       return "Store in a cool, dry place. Once opened, consume soon.";
-    case Storage::chilled:
+    case catalog::Storage::chilled:
       return "Keep refrigerated at 2 to 7 \u00b0C. Once opened, consume within 3 days.";
-    case Storage::frozen:
+    case catalog::Storage::frozen:
       return "Store at -18 \u00b0C or below. Do not refreeze after thawing.";
   }
   return {};
@@ -80,7 +80,7 @@ std::string storage_advice(Storage storage) {
 constexpr std::chrono::sys_days delivery_day = std::chrono::year{2026} / 3 / 2;
 
 // "14.08.2027", the last day of a product's shelf life.
-std::string date_of(const Product& product) {
+std::string date_of(const catalog::Product& product) {
   const std::chrono::year_month_day day{delivery_day + std::chrono::days(product.shelf_life_days)};
   return fmt::format("{:02}.{:02}.{}",
                      static_cast<unsigned>(day.day()),
@@ -89,14 +89,14 @@ std::string date_of(const Product& product) {
 }
 
 // What spoils unseen has a last day (article 24 of the regulation), all else a best-before date.
-bool is_highly_perishable(const Product& product) {
+bool is_highly_perishable(const catalog::Product& product) {
   const std::string& group = product.subcategory;
-  return product.storage == Storage::chilled &&
+  return product.storage == catalog::Storage::chilled &&
          (group == "fresh meat" || group == "poultry" || group == "fish");
 }
 
 // Claims that suit whatever the shelf group sells.
-std::span<const std::string_view> claims_for(const Product& product) {
+std::span<const std::string_view> claims_for(const catalog::Product& product) {
   static constexpr std::string_view drinks[] = {
       "Ice cold", "100 % recycled", "Refreshing taste", "Since 1962"};
   static constexpr std::string_view fresh[] = {
@@ -124,7 +124,7 @@ std::span<const std::string_view> claims_for(const Product& product) {
 }  // namespace
 
 PackFacts pack_facts(const PackArt& art) {
-  const Product& product = *art.product;
+  const catalog::Product& product = *art.product;
   Stream draw = art.seed.child("small print").stream();
   PackFacts facts;
   facts.lot = fmt::format("L {:05}", draw.integer(1, 99999));
@@ -152,4 +152,4 @@ std::string claim_of(const PackArt& art, Stream& draw) {
       claims[static_cast<std::size_t>(draw.integer(0, static_cast<int>(claims.size()) - 1))]);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

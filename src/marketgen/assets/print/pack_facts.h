@@ -7,7 +7,7 @@
 
 #include "assets/print/pack_art.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 struct PackFacts {
   bool food = true;
@@ -25,4 +25,4 @@ PackFacts pack_facts(const PackArt& art);
 // A short claim that fits the goods: "No added sugar".
 std::string claim_of(const PackArt& art, Stream& draw);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

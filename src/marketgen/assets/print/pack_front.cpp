@@ -10,7 +10,7 @@
 #include "assets/print/pack_design.h"
 #include "assets/print/pack_facts.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 void draw_name(Canvas& canvas, const PackArt& art, const FrontPlan& plan) {
@@ -154,4 +154,4 @@ void draw_title(Canvas& canvas, const PackArt& art, const Area& area, const Colo
                  2});
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

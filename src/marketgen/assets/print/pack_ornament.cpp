@@ -6,7 +6,7 @@
 #include <memory>
 #include <numbers>
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // One repeat of a pattern, drawn in the unit square over its neighbours' parts too.
@@ -103,4 +103,4 @@ void fill_below_wave(
   canvas.fill(paint);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -2,7 +2,7 @@
 #pragma once
 #include "assets/print/canvas.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // Fine pattern number 0..3 (none, dots, slanting lines, rings) of `color` over the area, in steps
 // of `pitch`.
@@ -15,4 +15,4 @@ void draw_glow(
 void fill_below_wave(
     Canvas& canvas, const Area& area, double y, double height, int waves, const Paint& paint);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

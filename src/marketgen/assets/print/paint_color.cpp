@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // Relative luminance, with a square instead of the 2.4 power.
@@ -66,4 +66,4 @@ Rgb8 to_rgb8(const Color& c) {
           byte_of(static_cast<float>(c.b))};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

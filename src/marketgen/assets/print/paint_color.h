@@ -5,7 +5,7 @@
 #include "base/result.h"
 #include "geometry/image.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 struct Color {
   double r = 0, g = 0, b = 0, a = 1;
@@ -58,4 +58,4 @@ constexpr std::uint8_t byte_of(float component) {
 }
 Rgb8 to_rgb8(const Color& c);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -8,7 +8,7 @@
 #include "assets/print/lettering.h"
 #include "assets/shapes/archetypes/fruit.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr std::string_view stickered[] = {"apple",
@@ -68,7 +68,7 @@ void draw_sticker(Canvas& canvas, const PackArt& art, const Grower& grower, doub
 
 }  // namespace
 
-bool carries_plu_sticker(const Product& product) {
+bool carries_plu_sticker(const catalog::Product& product) {
   return !product.plu.empty() &&
          std::find(std::begin(stickered), std::end(stickered), product.archetype) !=
              std::end(stickered);
@@ -96,4 +96,4 @@ void put_plu_sticker(Image& skin, const PackArt& art) {
   skin = canvas.image();
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

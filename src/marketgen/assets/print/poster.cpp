@@ -7,7 +7,7 @@
 #include "assets/print/label_motif.h"
 #include "assets/print/lettering.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr int min_poster_px = 64, max_poster_px = 4096;
@@ -137,4 +137,4 @@ Result<Image> draw_poster(const Poster& poster,
   return canvas.image();
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

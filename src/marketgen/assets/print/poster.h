@@ -6,7 +6,7 @@
 #include "base/result.h"
 #include "geometry/image.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 struct Poster {
   std::string_view zone_type;  // whose goods it praises; empty: any
@@ -27,4 +27,4 @@ Result<Image> draw_poster(const Poster& poster,
                           unsigned design,
                           int height_px);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -10,7 +10,7 @@
 #include "assets/print/lettering.h"
 #include "assets/print/price_type.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // Tags of electronic and paper strips alike are about 39 mm high and 2.5 times as wide.
@@ -26,7 +26,10 @@ struct TagColors {
 constexpr TagColors plain_tag{rgb("#fdfdfb"), rgb("#fdfdfb"), rgb("#141416"), rgb("#26262a")};
 constexpr TagColors promotion_tag{rgb("#ffd91f"), rgb("#d5121e"), rgb("#ffffff"), rgb("#1d1a08")};
 
-void draw_tag_words(Canvas& canvas, const Product& product, const Area& tag, const Color& type) {
+void draw_tag_words(Canvas& canvas,
+                    const catalog::Product& product,
+                    const Area& tag,
+                    const Color& type) {
   draw_headline(canvas,
                 {title_text(product),
                  {"Open Sans", 700},
@@ -81,7 +84,10 @@ BarcodePlace code_in_micrometres() {
 }
 
 // The article's EAN at the lower left; the PLU in figures for loose goods.
-Result<void> draw_tag_code(Canvas& canvas, const Product& product, int height_px, bool bars_apart) {
+Result<void> draw_tag_code(Canvas& canvas,
+                           const catalog::Product& product,
+                           int height_px,
+                           bool bars_apart) {
   if (product.ean.empty()) {
     const std::string plu = product.plu.empty() ? "" : "PLU " + product.plu;
     draw_headline(canvas,
@@ -103,7 +109,7 @@ Result<void> draw_tag_code(Canvas& canvas, const Product& product, int height_px
   return {};
 }
 
-Result<PrintedPicture> drawn_tag(const Product& product,
+Result<PrintedPicture> drawn_tag(const catalog::Product& product,
                                  bool promotion,
                                  int height_px,
                                  bool bars_apart) {
@@ -141,13 +147,15 @@ Result<PrintedPicture> drawn_tag(const Product& product,
 
 }  // namespace
 
-Result<Image> draw_price_tag(const Product& product, bool promotion, int height_px) {
+Result<Image> draw_price_tag(const catalog::Product& product, bool promotion, int height_px) {
   MARKETGEN_TRY(PrintedPicture tag, drawn_tag(product, promotion, height_px, false));
   return std::move(tag.picture);
 }
 
-Result<PrintedPicture> print_price_tag(const Product& product, bool promotion, int height_px) {
+Result<PrintedPicture> print_price_tag(const catalog::Product& product,
+                                       bool promotion,
+                                       int height_px) {
   return drawn_tag(product, promotion, height_px, true);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -7,9 +7,9 @@
 
 #include "assets/print/lettering.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
-std::string unit_price_text(const Product& product) {
+std::string unit_price_text(const catalog::Product& product) {
   const double unit_price = product.price / std::max(1e-6, product.unit_amount);
   return fmt::format("\u20ac {:.2f} / {}", unit_price, product.unit_of_measure);
 }
@@ -52,12 +52,12 @@ void draw_price(Canvas& canvas, double price, const Area& area, const Color& col
        1.0});
 }
 
-std::string title_text(const Product& product) {
+std::string title_text(const catalog::Product& product) {
   return product.brand.empty() ? product.name : product.brand + " " + product.name;
 }
 
-std::string detail_text(const Product& product) {
+std::string detail_text(const catalog::Product& product) {
   return product.variant.empty() ? product.net : product.variant + ", " + product.net;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

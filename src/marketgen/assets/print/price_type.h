@@ -5,14 +5,14 @@
 #include "assets/print/canvas.h"
 #include "catalog/product.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // Large euros with raised cents and the sign below them.
 void draw_price(Canvas& canvas, double price, const Area& area, const Color& color);
 // "€ 2.38 / kg" (directive 98/6/EC asks for the unit price on every tag).
-std::string unit_price_text(const Product& product);
+std::string unit_price_text(const catalog::Product& product);
 // "Brand Name" and "variant, net quantity".
-std::string title_text(const Product& product);
-std::string detail_text(const Product& product);
+std::string title_text(const catalog::Product& product);
+std::string detail_text(const catalog::Product& product);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

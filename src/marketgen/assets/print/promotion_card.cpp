@@ -12,7 +12,7 @@
 #include "assets/print/pack_art.h"
 #include "assets/print/price_type.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr int min_card_px = 24, max_card_px = 2048;
@@ -39,7 +39,7 @@ void draw_burst(Canvas& canvas, double x, double y, double radius) {
   canvas.polygon(star).fill(card_red);
 }
 
-void draw_saving(Canvas& canvas, const Product& product, double before, const Area& area) {
+void draw_saving(Canvas& canvas, const catalog::Product& product, double before, const Area& area) {
   const double r = area.w / 2;
   const Canvas::Saved saved = canvas.saved();
   canvas.translate(area.center_x(), area.center_y());
@@ -53,7 +53,7 @@ void draw_saving(Canvas& canvas, const Product& product, double before, const Ar
                  {-r * 0.72, -r * 0.4, r * 1.44, r * 0.8}});
 }
 
-void draw_words(Canvas& canvas, const Product& product, const Area& area) {
+void draw_words(Canvas& canvas, const catalog::Product& product, const Area& area) {
   draw_headline(canvas,
                 {title_text(product),
                  {"Open Sans", 800},
@@ -76,7 +76,7 @@ void draw_words(Canvas& canvas, const Product& product, const Area& area) {
 }
 
 // The former price, struck through, over the new one on its red field.
-void draw_prices(Canvas& canvas, const Product& product, double before, const Area& area) {
+void draw_prices(Canvas& canvas, const catalog::Product& product, double before, const Area& area) {
   const Area old = area.part(0.04, 0, 0.96, 0.22);
   const Area ink = draw_headline(canvas,
                                  {fmt::format("before \u20ac {:.2f}", before),
@@ -105,7 +105,7 @@ void draw_prices(Canvas& canvas, const Product& product, double before, const Ar
 
 }  // namespace
 
-Result<Image> draw_promotion_card(const Product& product, int height_px) {
+Result<Image> draw_promotion_card(const catalog::Product& product, int height_px) {
   if (height_px < min_card_px || height_px > max_card_px) {
     return Error{
         "assets.bad_row",
@@ -136,4 +136,4 @@ Result<Image> draw_promotion_card(const Product& product, int height_px) {
   return canvas.image();
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

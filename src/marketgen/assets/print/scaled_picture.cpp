@@ -3,7 +3,7 @@
 
 #include "assets/import/vlm_annotator.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // First source pixel that belongs to pixel `i` of `small` out of `large`.
@@ -43,4 +43,4 @@ Image scaled_within(const Image& picture, int longest_px) {
   return small;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

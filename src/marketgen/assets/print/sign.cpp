@@ -6,7 +6,7 @@
 #include "assets/print/lettering.h"
 #include "base/text.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 Result<Image> draw_sign(std::string_view text,
                         std::string_view ground_color,
@@ -39,4 +39,4 @@ Result<Image> draw_sign(std::string_view text,
   return canvas.image();
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

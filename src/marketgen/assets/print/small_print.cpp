@@ -7,7 +7,7 @@
 
 #include "base/text.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr FoodRow food_rows[] = {
@@ -71,10 +71,10 @@ bool contains(const std::vector<std::string>& text, const std::vector<std::strin
 // subcategory of it, or for other categories.
 enum class Scope { none, sibling, category, subcategory };
 
-Scope scope_of(std::string_view where, const Product& product) {
+Scope scope_of(std::string_view where, const catalog::Product& product) {
   const std::string subcategory = product.category + "/" + product.subcategory;
   Scope scope = Scope::none;
-  for (const std::string& place : split(where, ',')) {
+  for (const std::string& place : marketgen::split(where, ',')) {
     const std::string_view name = std::string_view(place).substr(place.find_first_not_of(' '));
     if (name == subcategory) return Scope::subcategory;
     if (name == product.category)
@@ -88,7 +88,7 @@ Scope scope_of(std::string_view where, const Product& product) {
 // Length of the row's longest phrase in the name, 0 when none is there.
 std::size_t longest_phrase(std::string_view phrases, const std::vector<std::string>& name) {
   std::size_t longest = 0;
-  for (const std::string& phrase : split(phrases, '|')) {
+  for (const std::string& phrase : marketgen::split(phrases, '|')) {
     if (contains(name, words_of(phrase))) longest = std::max(longest, phrase.size());
   }
   return longest;
@@ -98,7 +98,7 @@ std::size_t longest_phrase(std::string_view phrases, const std::vector<std::stri
 template <class Row>
 class RowSearch {
  public:
-  RowSearch(std::span<const Row> rows, const Product& product)
+  RowSearch(std::span<const Row> rows, const catalog::Product& product)
       : rows_(rows), product_(product), name_(words_of(product.name)) {
     for (const Row& row : rows)
       known_ = known_ || scope_of(row.where, product) == Scope::subcategory;
@@ -130,18 +130,18 @@ class RowSearch {
   }
 
   std::span<const Row> rows_;
-  const Product& product_;
+  const catalog::Product& product_;
   std::vector<std::string> name_;
   bool known_ = false;
 };
 
 }  // namespace
 
-const GoodsRow* goods_row_of(const Product& product) {
+const GoodsRow* goods_row_of(const catalog::Product& product) {
   return RowSearch(std::span<const GoodsRow>(goods_rows), product).best();
 }
 
-const FoodRow* food_row_of(const Product& product) {
+const FoodRow* food_row_of(const catalog::Product& product) {
   if (goods_row_of(product) != nullptr) return nullptr;
   return RowSearch(std::span<const FoodRow>(food_rows), product).best();
 }
@@ -150,4 +150,4 @@ bool has_phrase(std::string_view text, std::string_view phrase) {
   return contains(words_of(text), words_of(phrase));
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -10,7 +10,7 @@
 
 #include "catalog/product.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // Stands for the fat of a food that bears no nutrition table.
 constexpr double no_table = -1;
@@ -28,11 +28,11 @@ struct GoodsRow {
 };
 
 // Null for what is not food, or of a category that the table does not know.
-const FoodRow* food_row_of(const Product& product);
+const FoodRow* food_row_of(const catalog::Product& product);
 // Null for food, or for a category that the table does not know.
-const GoodsRow* goods_row_of(const Product& product);
+const GoodsRow* goods_row_of(const catalog::Product& product);
 
 // Whether `phrase` stands in `text` as whole words.
 bool has_phrase(std::string_view text, std::string_view phrase);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -8,7 +8,7 @@
 #include "assets/shapes/mesh_part.h"
 #include "geometry/convex_hull.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // Shares of the volume.
@@ -330,4 +330,4 @@ std::vector<ContactPiece> contact_pieces(const Mesh& mesh,
   return pieces;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

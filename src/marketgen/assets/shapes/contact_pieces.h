@@ -10,7 +10,7 @@
 #include "assets/product_model.h"
 #include "geometry/solid.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 struct PieceLimits {
   int max_pieces = 6;
@@ -26,4 +26,4 @@ std::vector<ContactPiece> contact_pieces(const Mesh& mesh,
 
 double volume_of(const ContactPiece& piece);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -4,7 +4,7 @@
 #include "io/json.h"
 #include "io/program.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr std::size_t max_triangles = 200'000;
@@ -47,8 +47,8 @@ Result<std::vector<std::vector<Vec3f>>> convex_pieces(const Mesh& mesh) {
   if (mesh.triangles.size() > max_triangles)
     return Error{"input.too_large", "mesh", "has more than 200,000 triangles"};
   MARKETGEN_TRY(const std::string answer,
-                run_worker("convex_pieces", write_json_line(request_of(mesh)), 120));
-  MARKETGEN_TRY(const PiecesAnswer read, read_json<PiecesAnswer>(answer, "worker"));
+                io::run_worker("convex_pieces", io::write_json_line(request_of(mesh)), 120));
+  MARKETGEN_TRY(const PiecesAnswer read, io::read_json<PiecesAnswer>(answer, "worker"));
   std::vector<std::vector<Vec3f>> pieces;
   for (const std::vector<float>& values : read.pieces) {
     std::vector<Vec3f> points;
@@ -60,4 +60,4 @@ Result<std::vector<std::vector<Vec3f>>> convex_pieces(const Mesh& mesh) {
   return pieces;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

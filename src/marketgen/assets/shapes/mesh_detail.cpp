@@ -11,7 +11,7 @@
 
 #include "assets/shapes/mesh_wedges.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr float crease_cos =
@@ -125,11 +125,11 @@ WedgeIndices fewer_across_seams(const MeshWedges& wedges,
 
 // Stretches the mesh to these bounds; false when it would take more than that share.
 bool fit_to(Mesh& mesh, const Bounds3& wanted, float share) {
-  const Vec3f have = bounds_of(mesh).size(), want = wanted.size();
+  const Vec3f have = marketgen::bounds_of(mesh).size(), want = wanted.size();
   if (std::min({have.x, have.y, have.z}) < min_size_m) return false;
   const Vec3f scale{want.x / have.x, want.y / have.y, want.z / have.z};
   if (std::max({scale.x, scale.y, scale.z}) > 1 + share) return false;
-  const Vec3f low = bounds_of(mesh).low;
+  const Vec3f low = marketgen::bounds_of(mesh).low;
   for (Vec3f& p : mesh.positions)
     p = wanted.low + (p - low) * scale;
   return true;
@@ -177,7 +177,7 @@ class Coarsener {
     Mesh mesh = mesh_of(wedges_, coarse);
     if (!fit_to(mesh, body.bounds, small ? max_stretch_of_small : max_stretch)) return std::nullopt;
     const double may_lose = (small ? limits_.small_loss : limits_.loss) * std::abs(body.volume);
-    if (std::abs(volume_of(mesh) - body.volume) > may_lose || !is_watertight(mesh))
+    if (std::abs(marketgen::volume_of(mesh) - body.volume) > may_lose || !is_watertight(mesh))
       return std::nullopt;
     return mesh;
   }
@@ -222,4 +222,4 @@ Mesh simplified(const Mesh& mesh, const DetailLimits& limits) {
   return mesh;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

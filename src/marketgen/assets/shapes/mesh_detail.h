@@ -4,7 +4,7 @@
 
 #include "geometry/mesh.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // What may go for it.
 struct DetailLimits {
@@ -19,4 +19,4 @@ struct DetailLimits {
 // vertices that are left. Deterministic; a few milliseconds for 3,000 triangles.
 Mesh simplified(const Mesh& mesh, const DetailLimits& limits);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -7,7 +7,7 @@
 #include "geometry/circle.h"
 #include "geometry/convex_hull.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // Directions in which a hull's points are sought: to compare cuts, and of the parts that were made.
@@ -391,4 +391,4 @@ PartCut best_cut(const MeshPart& part, const Solid& solid) {
   return best;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

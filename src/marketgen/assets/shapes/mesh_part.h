@@ -7,7 +7,7 @@
 #include "geometry/mesh.h"
 #include "geometry/solid.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // A triangle, or a line on a cut face, cut by up to six planes.
 struct ConvexPolygon {
@@ -63,4 +63,4 @@ std::vector<PartFoot> feet_of(const MeshPart& part, const Solid& solid);
 // The cut that leaves the least excess; 1e30 when the part cannot be cut.
 PartCut best_cut(const MeshPart& part, const Solid& solid);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -10,7 +10,7 @@
 #include "base/flat_index.h"
 #include "geometry/weld.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr float apart_m = 4e-6F;  // more than that, less than anyone sees
@@ -202,4 +202,4 @@ Bounds3 bounds_of(const MeshWedges& wedges, const WedgeIndices& indices) {
   return bounds;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

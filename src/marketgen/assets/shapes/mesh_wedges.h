@@ -5,7 +5,7 @@
 
 #include "geometry/mesh.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 using WedgeIndices = std::vector<unsigned int>;  // three a triangle
 
@@ -47,4 +47,4 @@ class WedgeBodies {
 double volume_of(const MeshWedges& wedges, const WedgeIndices& indices);
 Bounds3 bounds_of(const MeshWedges& wedges, const WedgeIndices& indices);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

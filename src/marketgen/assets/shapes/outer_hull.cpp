@@ -6,7 +6,7 @@
 
 #include "geometry/convex_hull.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr int rings = 20, around = 20;  // directions, over the sphere's two angles
@@ -57,4 +57,4 @@ Mesh outer_hull(const std::vector<Vec3f>& points) {
   return mesh;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -4,10 +4,10 @@
 
 #include "geometry/mesh.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // Of the points that lie outermost in 400 directions: a ball loses 1 % of its volume, a box
 // nothing. Empty when the points lie in one plane. O(400 n). Deterministic.
 Mesh outer_hull(const std::vector<Vec3f>& points);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

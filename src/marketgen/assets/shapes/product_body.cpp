@@ -3,7 +3,7 @@
 #include "assets/product_model.h"
 #include "assets/shapes/contact_pieces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr int solid_columns = 160;  // volume within 0.2 % of a round pack, 2 % of a card of 0.6 mm
@@ -15,21 +15,21 @@ constexpr double liquid_fill = 0.92;
 
 // The pack is taken for a body of one density, up to where a liquid reaches; a wall's own mass is
 // little beside the contents'.
-MassProperties filled(const Product& product, const Solid& solid) {
+MassProperties filled(const catalog::Product& product, const Solid& solid) {
   if (product.unit_of_measure != "l") return solid.mass_properties();
   return solid.mass_properties(solid.fill_height(liquid_fill));
 }
 
 }  // namespace
 
-Result<ProductBody> make_product_body(const Product& product) {
+Result<ProductBody> make_product_body(const catalog::Product& product) {
   if (has_own_mesh(product)) return own_pack_body(product);
   MARKETGEN_TRY(ProductModel model, make_product_model(product));
   MARKETGEN_TRY(const SheetKind sheet, sheet_kind_of(product.archetype));
   const Solid solid(model.mesh, solid_columns);
   PieceLimits limits;
   limits.tolerance = sheet == SheetKind::skin ? grown_tolerance : pack_tolerance;
-  limits.stands = product.orientation != Orientation::any;
+  limits.stands = product.orientation != catalog::Orientation::any;
 
   ProductBody body;
   body.pieces = contact_pieces(model.mesh, solid, limits);
@@ -42,4 +42,4 @@ Result<ProductBody> make_product_body(const Product& product) {
   return body;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

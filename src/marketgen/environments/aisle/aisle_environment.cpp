@@ -9,7 +9,7 @@
 #include "io/json.h"
 #include "render/picture_objects.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 namespace {
 
 constexpr double aisle_reward_scale_m = 3;  // 4.4 m away counts 0.1
@@ -20,41 +20,41 @@ class AisleEnvironment : public Environment {
  public:
   AisleEnvironment(std::shared_ptr<EpisodeGround> shared,
                    const EnvironmentOptions& options,
-                   Robot robot)
-      : Environment(std::move(shared), Track::aisle, options), robot_(std::move(robot)) {
+                   robots::Robot robot)
+      : Environment(std::move(shared), episodes::Track::aisle, options), robot_(std::move(robot)) {
     const double far = ground().largest_side_m();
     set_robot(robot_, {far, 2 * far});  // from one corner of a store to another
   }
 
   std::vector<std::string> cameras() const override { return {head}; }
 
-  Result<Frame> picture(const std::string& camera,
-                        int width,
-                        int height,
-                        const RenderOptions& options) override {
+  Result<render::Frame> picture(const std::string& camera,
+                                int width,
+                                int height,
+                                const render::RenderOptions& options) override {
     const std::scoped_lock lock(view_->mutex);
     MARKETGEN_CHECK(show());
-    MARKETGEN_TRY(const Camera from, view_->view->camera(camera, width, height));
+    MARKETGEN_TRY(const render::Camera from, view_->view->camera(camera, width, height));
     return view_->view->renderer().render(from, options);
   }
 
   // The robot knows where its head is from its joints and from where it reckons that it stands: the
   // true place would tell it how far its wheels have slipped.
-  Result<Camera> camera(const std::string& camera, int width, int height) override {
+  Result<render::Camera> camera(const std::string& camera, int width, int height) override {
     const std::scoped_lock lock(view_->mutex);
     MARKETGEN_CHECK(show());
-    MARKETGEN_TRY(Camera seen, view_->view->camera(camera, width, height));
+    MARKETGEN_TRY(render::Camera seen, view_->view->camera(camera, width, height));
     if (camera == head)
-      seen.world_from_camera = store_from_base(aisles_->observe().base) *
+      seen.world_from_camera = agent::store_from_base(aisles_->observe().base) *
                                inverse(aisles_->world_from_base()) * *seen.world_from_camera;
     return seen;
   }
 
   Result<std::vector<std::pair<std::uint32_t, std::string>>> products() override {
-    const Scene& scene = aisles_->store().scene;
+    const scene::Scene& scene = aisles_->store().scene;
     std::vector<std::pair<std::uint32_t, std::string>> rows;
     for (std::uint32_t row = 0; row < scene.products.size(); ++row)
-      rows.emplace_back(first_product_object(scene) + row,
+      rows.emplace_back(render::first_product_object(scene) + row,
                         scene.catalog[scene.products[row].sku].sku);
     return rows;
   }
@@ -63,7 +63,7 @@ class AisleEnvironment : public Environment {
     const std::vector<std::uint32_t> carried = aisles_->in_basket();
     const Pose base_from_world = inverse(aisles_->world_from_base());
     std::vector<EnvironmentItem> rows;
-    for (const EpisodeGoal& goal : aisles_->spec().goals) {
+    for (const episodes::EpisodeGoal& goal : aisles_->spec().goals) {
       for (const std::uint32_t row : next_of(goal, carried)) {
         MARKETGEN_TRY(EnvironmentItem made, item(row, base_from_world));
         made.in_region = std::ranges::find(carried, row) != carried.end();
@@ -74,26 +74,27 @@ class AisleEnvironment : public Environment {
   }
 
   EnvironmentPlace place() const override {
-    const AisleStore& store = aisles_->store();
-    const CarriedBasketRow& b = store.station.basket;
+    const episodes::AisleStore& store = aisles_->store();
+    const episodes::CarriedBasketRow& b = store.station.basket;
     const Pose floor = store.basket.base_from_floor;
     return {floor * Vec3{0, 0, b.height_m / 2}, {b.top_m[0], b.top_m[1], b.height_m}, floor};
   }
 
-  std::string map() const override { return write_json(aisles_->store().scene.layout); }
+  std::string map() const override { return io::write_json(aisles_->store().scene.layout); }
 
  protected:
-  Result<TrackWorld*> begin(const EpisodeSpec& spec) override {
+  Result<episodes::TrackWorld*> begin(const episodes::EpisodeSpec& spec) override {
     if (spec.scene_hash != scene_hash_) {
       Arena& arena = ground().arena();
       MARKETGEN_TRY(auto store, shared_aisle_store(arena, spec.scene_hash, options().tools));
       MARKETGEN_TRY(view_, shared_aisle_view(arena, spec.scene_hash, options().tools));
-      aisles_ = std::make_unique<AisleWorld>(std::move(store), ground().catalog().frictions);
+      aisles_ =
+          std::make_unique<episodes::AisleWorld>(std::move(store), ground().catalog().frictions);
       scene_hash_ = spec.scene_hash;
     }
     MARKETGEN_CHECK(aisles_->reset(spec));
     wanted_.clear();
-    for (const EpisodeGoal& goal : spec.goals)
+    for (const episodes::EpisodeGoal& goal : spec.goals)
       wanted_.emplace(goal.sku, aisles_->store().front_items(goal.sku));
     return aisles_.get();
   }
@@ -101,21 +102,22 @@ class AisleEnvironment : public Environment {
   // To the robot's basket.
   double nearness() const override {
     const Vec3 basket = aisles_->world_from_basket().position;
-    return goal_nearness(aisles_->spec().goals, aisle_reward_scale_m, [&](const EpisodeGoal& goal) {
-      std::vector<double> found;
-      for (const std::uint32_t row : wanted_.at(goal.sku))
-        found.push_back(length(aisles_->world().product_pose(row).position - basket));
-      return found;
-    });
+    return goal_nearness(
+        aisles_->spec().goals, aisle_reward_scale_m, [&](const episodes::EpisodeGoal& goal) {
+          std::vector<double> found;
+          for (const std::uint32_t row : wanted_.at(goal.sku))
+            found.push_back(length(aisles_->world().product_pose(row).position - basket));
+          return found;
+        });
   }
 
   ProgressScale progress_scale() const override { return aisle_scale; }
 
  private:
   // As many as are asked for: those in the basket, then those next to the robot.
-  std::vector<std::uint32_t> next_of(const EpisodeGoal& goal,
+  std::vector<std::uint32_t> next_of(const episodes::EpisodeGoal& goal,
                                      const std::vector<std::uint32_t>& carried) const {
-    const Scene& scene = aisles_->store().scene;
+    const scene::Scene& scene = aisles_->store().scene;
     std::vector<std::uint32_t> rows;
     for (const std::uint32_t row : carried)
       if (scene.catalog[scene.products[row].sku].sku == goal.sku) rows.push_back(row);
@@ -132,9 +134,9 @@ class AisleEnvironment : public Environment {
   }
 
   Result<EnvironmentItem> item(std::uint32_t row, const Pose& base_from_world) {
-    const Scene& scene = aisles_->store().scene;
-    const Product& product = scene.catalog[scene.products[row].sku];
-    const ProductMotion motion = aisles_->world().product_motion(row);
+    const scene::Scene& scene = aisles_->store().scene;
+    const catalog::Product& product = scene.catalog[scene.products[row].sku];
+    const physics::ProductMotion motion = aisles_->world().product_motion(row);
     EnvironmentItem made;
     made.sku = product.sku;
     made.pose = base_from_world * motion.pose;
@@ -149,20 +151,20 @@ class AisleEnvironment : public Environment {
       made.rested_s = seen->second.rested_s;
     }
     MARKETGEN_TRY(made.in_place, aisles_->in_place(row));
-    made.object = first_product_object(scene) + row;
+    made.object = render::first_product_object(scene) + row;
     return made;
   }
 
   // The caller has the view's lock.
   Result<void> show() {
     if (view_->view) return view_->view->follow(*aisles_);
-    MARKETGEN_TRY(view_->view, AisleView::create(*aisles_));
+    MARKETGEN_TRY(view_->view, episodes::AisleView::create(*aisles_));
     return {};
   }
 
-  Robot robot_;
+  robots::Robot robot_;
   std::string scene_hash_;
-  std::unique_ptr<AisleWorld> aisles_;
+  std::unique_ptr<episodes::AisleWorld> aisles_;
   std::shared_ptr<SharedAisleView> view_;
   std::map<std::string, std::vector<std::uint32_t>> wanted_;  // rows of products by SKU
 };
@@ -171,10 +173,11 @@ class AisleEnvironment : public Environment {
 
 Result<std::unique_ptr<Environment>> make_aisle_environment(std::shared_ptr<EpisodeGround> ground,
                                                             const EnvironmentOptions& options) {
-  MARKETGEN_TRY(const AisleStation station, load_aisle_station(ground->data(), options.tools));
-  MARKETGEN_TRY(Robot robot, load_station_robot(ground->data(), station));
+  MARKETGEN_TRY(const episodes::AisleStation station,
+                episodes::load_aisle_station(ground->data(), options.tools));
+  MARKETGEN_TRY(robots::Robot robot, episodes::load_station_robot(ground->data(), station));
   return std::unique_ptr<Environment>(
       std::make_unique<AisleEnvironment>(std::move(ground), options, std::move(robot)));
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

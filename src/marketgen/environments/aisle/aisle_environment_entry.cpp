@@ -5,41 +5,43 @@
 #include "episodes/aisle/aisle_world.h"
 #include "episodes/aisle/sample_aisle.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 namespace {
 
 class AisleStoreSampler : public StoreSampler {
  public:
-  AisleStoreSampler(std::unique_ptr<AisleSampler> sampler,
-                    EpisodeOrigin origin,
-                    std::shared_ptr<const AisleStore> store)
+  AisleStoreSampler(std::unique_ptr<episodes::AisleSampler> sampler,
+                    episodes::EpisodeOrigin origin,
+                    std::shared_ptr<const episodes::AisleStore> store)
       : sampler_(std::move(sampler)), origin_(std::move(origin)), store_(std::move(store)) {}
 
-  Result<EpisodeSpec> sample(Seed seed, int index) override {
+  Result<episodes::EpisodeSpec> sample(Seed seed, int index) override {
     return sampler_->sample(origin_, seed, index);
   }
-  const std::vector<Product>& products() const override { return store_->scene.catalog; }
-  EpisodeExclusions exclusions() const override { return sampler_->exclusions(); }
-  std::vector<ConsideredProduct> considered() const override { return sampler_->considered(); }
-  void consider(const std::vector<ConsideredProduct>& products) override {
+  const std::vector<catalog::Product>& products() const override { return store_->scene.catalog; }
+  episodes::EpisodeExclusions exclusions() const override { return sampler_->exclusions(); }
+  std::vector<episodes::ConsideredProduct> considered() const override {
+    return sampler_->considered();
+  }
+  void consider(const std::vector<episodes::ConsideredProduct>& products) override {
     sampler_->consider(products);
   }
 
  private:
-  std::unique_ptr<AisleSampler> sampler_;
-  EpisodeOrigin origin_;
-  std::shared_ptr<const AisleStore> store_;
+  std::unique_ptr<episodes::AisleSampler> sampler_;
+  episodes::EpisodeOrigin origin_;
+  std::shared_ptr<const episodes::AisleStore> store_;
 };
 
 // All stores have one book: a product that was tried in physics is not tried again.
 class AisleSampling : public EpisodeSampler {
  public:
-  AisleSampling(Arena& arena, std::string tools, std::shared_ptr<GraspBook> book)
+  AisleSampling(Arena& arena, std::string tools, std::shared_ptr<episodes::GraspBook> book)
       : arena_(arena), tools_(std::move(tools)), book_(std::move(book)) {}
 
-  Result<std::unique_ptr<StoreSampler>> of_store(const EpisodeOrigin& origin) override {
+  Result<std::unique_ptr<StoreSampler>> of_store(const episodes::EpisodeOrigin& origin) override {
     MARKETGEN_TRY(auto store, shared_aisle_store(arena_, origin.scene_hash, tools_));
-    MARKETGEN_TRY(auto sampler, AisleSampler::make(store, book_));
+    MARKETGEN_TRY(auto sampler, episodes::AisleSampler::make(store, book_));
     return std::unique_ptr<StoreSampler>(
         std::make_unique<AisleStoreSampler>(std::move(sampler), origin, std::move(store)));
   }
@@ -48,16 +50,18 @@ class AisleSampling : public EpisodeSampler {
  private:
   Arena& arena_;
   std::string tools_;
-  std::shared_ptr<GraspBook> book_;
+  std::shared_ptr<episodes::GraspBook> book_;
 };
 
 class AisleEnvironmentEntry : public EnvironmentEntry {
  public:
-  Result<std::unique_ptr<TrackWorld>> open(Arena& arena, const EpisodeSpec& spec) const override {
+  Result<std::unique_ptr<episodes::TrackWorld>> open(
+      Arena& arena, const episodes::EpisodeSpec& spec) const override {
     MARKETGEN_TRY(auto store, shared_aisle_store(arena, spec.scene_hash, spec.tools));
-    auto world = std::make_unique<AisleWorld>(std::move(store), arena.catalog().frictions);
+    auto world =
+        std::make_unique<episodes::AisleWorld>(std::move(store), arena.catalog().frictions);
     MARKETGEN_CHECK(world->reset(spec));
-    return std::unique_ptr<TrackWorld>(std::move(world));
+    return std::unique_ptr<episodes::TrackWorld>(std::move(world));
   }
 
   Result<std::unique_ptr<Environment>> environment(
@@ -67,7 +71,7 @@ class AisleEnvironmentEntry : public EnvironmentEntry {
 
   Result<std::unique_ptr<EpisodeSampler>> sampler(Arena& arena,
                                                   const std::string& tools) const override {
-    MARKETGEN_TRY(auto book, open_aisle_book(arena.data(), arena.catalog(), tools));
+    MARKETGEN_TRY(auto book, episodes::open_aisle_book(arena.data(), arena.catalog(), tools));
     return std::unique_ptr<EpisodeSampler>(
         std::make_unique<AisleSampling>(arena, tools, std::move(book)));
   }
@@ -80,4 +84,4 @@ const EnvironmentEntry& aisle_environment_entry() {
   return entry;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

@@ -7,15 +7,15 @@
 #include "oracle/oracle_aisle.h"
 #include "policy/classical_aisle.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 namespace {
 
 // A policy with what it sees and knows, in a store.
 class SensingCollector : public WrappedPolicy {
  public:
-  SensingCollector(const AisleWorld& world,
-                   const std::vector<FrictionRow>& frictions,
-                   LookLibrary& looks)
+  SensingCollector(const episodes::AisleWorld& world,
+                   const std::vector<catalog::FrictionRow>& frictions,
+                   perception::LookLibrary& looks)
       : world_(world),
         eyes_(world),
         map_(world.store()),
@@ -23,52 +23,56 @@ class SensingCollector : public WrappedPolicy {
         looks_(looks) {}
 
   Result<void> make(const std::filesystem::path& data, const PolicyName& name, Seed seed) {
-    const AisleStore& store = world_.store();
-    MARKETGEN_TRY(const std::string row, gripper_row(store.robot));
-    MARKETGEN_TRY(tool_, load_grasp_tool(data, row));
-    ClassicalAisleSetup setup;
+    const episodes::AisleStore& store = world_.store();
+    MARKETGEN_TRY(const std::string row, collect::gripper_row(store.robot));
+    MARKETGEN_TRY(tool_, robots::load_grasp_tool(data, row));
+    policy::ClassicalAisleSetup setup;
     setup.eyes = &eyes_;
     setup.products = &products_;
     setup.looks = &looks_;
     setup.tool = tool_;
-    setup.hints = category_hints(world_.spec());
-    setup.body = {&store.robot, &map_, store.basket, store.driving, commanded_dofs(store.robot)};
+    setup.hints = episodes::category_hints(world_.spec());
+    setup.body = {
+        &store.robot, &map_, store.basket, store.driving, episodes::commanded_dofs(store.robot)};
     setup.modules = true_modules(name);
-    policy_ = make_classical_aisle(std::move(setup), seed);
+    policy_ = policy::make_classical_aisle(std::move(setup), seed);
     return {};
   }
 
  private:
-  ClassicalAisleModules true_modules(const PolicyName& name) const {
-    ClassicalAisleModules modules;
-    if (name.knows(TrueModule::masks)) modules.spots = std::make_unique<TrueSpots>(world_);
-    if (name.knows(TrueModule::target)) modules.choice = std::make_unique<TrueShelfChoice>(world_);
+  policy::ClassicalAisleModules true_modules(const PolicyName& name) const {
+    policy::ClassicalAisleModules modules;
+    if (name.knows(TrueModule::masks)) modules.spots = std::make_unique<oracle::TrueSpots>(world_);
+    if (name.knows(TrueModule::target))
+      modules.choice = std::make_unique<oracle::TrueShelfChoice>(world_);
     if (name.knows(TrueModule::grasp))
-      modules.grasps = std::make_unique<TrueShelfGrasps>(world_, tool_);
+      modules.grasps = std::make_unique<oracle::TrueShelfGrasps>(world_, tool_);
     return modules;
   }
 
-  const AisleWorld& world_;
-  AisleEyes eyes_;
-  StoreMap map_;
-  PicturedProducts products_;
-  LookLibrary& looks_;
-  GraspTool tool_;
+  const episodes::AisleWorld& world_;
+  episodes::AisleEyes eyes_;
+  episodes::StoreMap map_;
+  episodes::PicturedProducts products_;
+  perception::LookLibrary& looks_;
+  robots::GraspTool tool_;
 };
 
 }  // namespace
 
-Result<std::unique_ptr<Policy>> make_oracle(Arena& arena, const AisleWorld& world, Seed seed) {
-  return make_aisle_oracle(world, arena.data(), seed);
+Result<std::unique_ptr<agent::Policy>> make_oracle(Arena& arena,
+                                                   const episodes::AisleWorld& world,
+                                                   Seed seed) {
+  return oracle::make_aisle_oracle(world, arena.data(), seed);
 }
 
-Result<std::unique_ptr<Policy>> make_classical(Arena& arena,
-                                               const AisleWorld& world,
-                                               const PolicyName& asked,
-                                               Seed seed) {
+Result<std::unique_ptr<agent::Policy>> make_classical(Arena& arena,
+                                                      const episodes::AisleWorld& world,
+                                                      const PolicyName& asked,
+                                                      Seed seed) {
   auto policy = std::make_unique<SensingCollector>(world, arena.catalog().frictions, arena.looks());
   MARKETGEN_CHECK(policy->make(arena.data(), asked, seed));
-  return std::unique_ptr<Policy>(std::move(policy));
+  return std::unique_ptr<agent::Policy>(std::move(policy));
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

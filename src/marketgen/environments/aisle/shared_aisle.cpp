@@ -1,6 +1,6 @@
 #include "environments/aisle/shared_aisle.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 namespace {
 
 // Neither has blanks: hashes are hexadecimal, tool sets identifiers.
@@ -10,13 +10,12 @@ std::string shared_key(const std::string& scene_hash, const std::string& tools) 
 
 }  // namespace
 
-Result<std::shared_ptr<const AisleStore>> shared_aisle_store(Arena& arena,
-                                                             const std::string& scene_hash,
-                                                             const std::string& tools) {
-  return arena.shared().get<const AisleStore>(
-      shared_key(scene_hash, tools), [&]() -> Result<std::shared_ptr<const AisleStore>> {
+Result<std::shared_ptr<const episodes::AisleStore>> shared_aisle_store(
+    Arena& arena, const std::string& scene_hash, const std::string& tools) {
+  return arena.shared().get<const episodes::AisleStore>(
+      shared_key(scene_hash, tools), [&]() -> Result<std::shared_ptr<const episodes::AisleStore>> {
         MARKETGEN_TRY(const auto scene, arena.scene(scene_hash));
-        return open_aisle_store(arena.data(), *scene, tools);
+        return episodes::open_aisle_store(arena.data(), *scene, tools);
       });
 }
 
@@ -29,4 +28,4 @@ Result<std::shared_ptr<SharedAisleView>> shared_aisle_view(Arena& arena,
                                              });
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

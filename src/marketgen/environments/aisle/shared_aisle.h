@@ -9,22 +9,21 @@
 #include "episodes/aisle/aisle_store.h"
 #include "episodes/aisle/aisle_view.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 
 // `tools`: a tool set of the station, the first when empty. Errors: those of Arena::scene and
 // open_aisle_store.
-Result<std::shared_ptr<const AisleStore>> shared_aisle_store(Arena& arena,
-                                                             const std::string& scene_hash,
-                                                             const std::string& tools = {});
+Result<std::shared_ptr<const episodes::AisleStore>> shared_aisle_store(
+    Arena& arena, const std::string& scene_hash, const std::string& tools = {});
 
 // One renderer of a store for all who stand in it: whoever has the lock shows its own world.
 struct SharedAisleView {
   std::mutex mutex;
-  std::unique_ptr<AisleView> view;  // once a picture was asked for
+  std::unique_ptr<episodes::AisleView> view;  // once a picture was asked for
 };
 // No errors of its own.
 Result<std::shared_ptr<SharedAisleView>> shared_aisle_view(Arena& arena,
                                                            const std::string& scene_hash,
                                                            const std::string& tools);
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

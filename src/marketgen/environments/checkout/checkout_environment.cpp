@@ -7,7 +7,7 @@
 #include "episodes/checkout/checkout_view.h"
 #include "episodes/checkout/sample_one_item.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 namespace {
 
 constexpr double reward_scale_m = 1.0 / 3;  // half a metre away counts 0.1
@@ -19,37 +19,39 @@ class CheckoutEnvironment : public Environment {
  public:
   CheckoutEnvironment(std::shared_ptr<EpisodeGround> shared,
                       const EnvironmentOptions& options,
-                      CheckoutWorld world)
-      : Environment(std::move(shared), Track::checkout, options), counter_(std::move(world)) {
+                      episodes::CheckoutWorld world)
+      : Environment(std::move(shared), episodes::Track::checkout, options),
+        counter_(std::move(world)) {
     set_robot(counter_.robot(), counter_bounds);
   }
 
   std::vector<std::string> cameras() const override {
-    const auto names = names_of(StationCamera{});
+    const auto names = episodes::names_of(episodes::StationCamera{});
     return {names.begin(), names.end()};
   }
 
-  Result<Frame> picture(const std::string& camera,
-                        int width,
-                        int height,
-                        const RenderOptions& options) override {
-    MARKETGEN_TRY(const Camera from, camera_in_room(camera, width, height));
+  Result<render::Frame> picture(const std::string& camera,
+                                int width,
+                                int height,
+                                const render::RenderOptions& options) override {
+    MARKETGEN_TRY(const render::Camera from, camera_in_room(camera, width, height));
     return view_->renderer().render(from, options);
   }
 
-  Result<Camera> camera(const std::string& camera, int width, int height) override {
-    MARKETGEN_TRY(const Camera there, camera_in_room(camera, width, height));
-    return posed_camera(there.name,
-                        inverse(view_->world_from_station()) * opencv_pose_of(there),
-                        intrinsics_of(there),
-                        there.width,
-                        there.height);
+  Result<render::Camera> camera(const std::string& camera, int width, int height) override {
+    MARKETGEN_TRY(const render::Camera there, camera_in_room(camera, width, height));
+    return render::posed_camera(
+        there.name,
+        inverse(view_->world_from_station()) * render::opencv_pose_of(there),
+        render::intrinsics_of(there),
+        there.width,
+        there.height);
   }
 
   Result<std::vector<std::pair<std::uint32_t, std::string>>> products() override {
     std::vector<std::pair<std::uint32_t, std::string>> rows;
     for (std::size_t i = 0; i < counter_.item_count(); ++i)
-      rows.emplace_back(CheckoutView::object_of_item(i), counter_.spec().items[i].sku);
+      rows.emplace_back(episodes::CheckoutView::object_of_item(i), counter_.spec().items[i].sku);
     return rows;
   }
 
@@ -61,14 +63,14 @@ class CheckoutEnvironment : public Environment {
   }
 
   EnvironmentPlace place() const override {
-    const UnloadingRow& area = counter_.station().unloading;
+    const episodes::UnloadingRow& area = counter_.station().unloading;
     return {{area.center_m[0], area.center_m[1], 0},
             {area.size_m[0], area.size_m[1], 0},
             counter_.basket_pose()};
   }
 
  protected:
-  Result<TrackWorld*> begin(const EpisodeSpec& spec) override {
+  Result<episodes::TrackWorld*> begin(const episodes::EpisodeSpec& spec) override {
     view_.reset();
     MARKETGEN_CHECK(counter_.reset(spec, ground().products()));
     return &counter_;
@@ -76,8 +78,8 @@ class CheckoutEnvironment : public Environment {
 
   // To the middle of the unloading area.
   double nearness() const override {
-    const UnloadingRow& area = counter_.station().unloading;
-    const auto distances = [&](const EpisodeGoal& goal) {
+    const episodes::UnloadingRow& area = counter_.station().unloading;
+    const auto distances = [&](const episodes::EpisodeGoal& goal) {
       std::vector<double> found;
       for (std::size_t i = 0; i < counter_.item_count(); ++i) {
         if (counter_.spec().items[i].sku != goal.sku) continue;
@@ -93,55 +95,58 @@ class CheckoutEnvironment : public Environment {
 
  private:
   EnvironmentItem item(std::size_t i) const {
-    const CheckoutWatch::Item& seen = counter_.watch().items()[i];
-    const CheckoutGoods& goods = counter_.goods(i);
+    const episodes::CheckoutWatch::Item& seen = counter_.watch().items()[i];
+    const episodes::CheckoutGoods& goods = counter_.goods(i);
     EnvironmentItem made;
     made.sku = goods.product.sku;
     made.pose = counter_.item_pose(i);
     made.middle = made.pose * Vec3{0, 0, goods.product.height_m() / 2};
     made.size_m = {goods.product.width_m(), goods.product.depth_m(), goods.product.height_m()};
     made.velocity_m_s = counter_.item_velocity(i);
-    made.wanted = std::ranges::count(counter_.spec().goals, made.sku, &EpisodeGoal::sku) > 0;
+    made.wanted =
+        std::ranges::count(counter_.spec().goals, made.sku, &episodes::EpisodeGoal::sku) > 0;
     made.held = seen.held;
     made.touched = seen.touched;
     made.in_place = counter_.in_place(i);
     const Vec3 center = made.pose * to_double(goods.body.center_of_mass);
     made.in_region = counter_.region()(center);
     made.rested_s = seen.rested_s;
-    made.object = CheckoutView::object_of_item(i);
+    made.object = episodes::CheckoutView::object_of_item(i);
     return made;
   }
 
-  Result<Camera> camera_in_room(const std::string& camera, int width, int height) {
+  Result<render::Camera> camera_in_room(const std::string& camera, int width, int height) {
     MARKETGEN_CHECK(show());
     return view_->camera(camera, width, height);
   }
 
   Result<void> show() {
     if (view_) return view_->follow(counter_);
-    MARKETGEN_TRY(view_, CheckoutView::create(counter_));
+    MARKETGEN_TRY(view_, episodes::CheckoutView::create(counter_));
     return {};
   }
 
-  CheckoutWorld counter_;
-  std::unique_ptr<CheckoutView> view_;  // of this episode, once a picture was asked for
+  episodes::CheckoutWorld counter_;
+  std::unique_ptr<episodes::CheckoutView> view_;  // of this episode, once a picture was asked for
 };
 
 }  // namespace
 
 Result<std::unique_ptr<Environment>> make_checkout_environment(
     std::shared_ptr<EpisodeGround> ground, const EnvironmentOptions& options) {
-  const std::string station = options.station.empty() ? checkout_station : options.station;
-  MARKETGEN_TRY(CheckoutWorld world,
-                CheckoutWorld::create(ground->data(), ground->catalog().frictions, station));
+  const std::string station =
+      options.station.empty() ? episodes::checkout_station : options.station;
+  MARKETGEN_TRY(
+      episodes::CheckoutWorld world,
+      episodes::CheckoutWorld::create(ground->data(), ground->catalog().frictions, station));
   return std::unique_ptr<Environment>(
       std::make_unique<CheckoutEnvironment>(std::move(ground), options, std::move(world)));
 }
 
-Result<EpisodeSpec> draw_one_item(const EpisodeGround& ground, std::uint64_t seed) {
-  const EpisodeStore& row = ground.stores().front();
-  return sample_one_item(
+Result<episodes::EpisodeSpec> draw_one_item(const EpisodeGround& ground, std::uint64_t seed) {
+  const episodes::EpisodeStore& row = ground.stores().front();
+  return episodes::sample_one_item(
       ground.data(), ground.products(), {row.name, row.scene_hash, row.plan_hash}, Seed(seed), 0);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

@@ -4,38 +4,40 @@
 #include "episodes/checkout/sample_checkout.h"
 #include "oracle/oracle_witness.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 namespace {
 
 // Immutable: what every basket needs is found when it is made.
 class CheckoutStoreSampler : public StoreSampler {
  public:
-  CheckoutStoreSampler(const Arena& arena, EpisodeOrigin origin, const Scene& scene)
+  CheckoutStoreSampler(const Arena& arena,
+                       episodes::EpisodeOrigin origin,
+                       const scene::Scene& scene)
       : arena_(arena),
         origin_(std::move(origin)),
-        stock_(checkout_stock(scene)),
-        exclusions_(checkout_exclusions(scene)),
-        certify_(checkout_certifier(arena.data())) {}
+        stock_(episodes::checkout_stock(scene)),
+        exclusions_(episodes::checkout_exclusions(scene)),
+        certify_(oracle::checkout_certifier(arena.data())) {}
 
-  Result<EpisodeSpec> sample(Seed seed, int index) override {
-    return sample_checkout(
+  Result<episodes::EpisodeSpec> sample(Seed seed, int index) override {
+    return episodes::sample_checkout(
         arena_.data(), stock_, arena_.catalog().frictions, origin_, seed, index, certify_);
   }
-  const std::vector<Product>& products() const override { return stock_; }
-  EpisodeExclusions exclusions() const override { return exclusions_; }
+  const std::vector<catalog::Product>& products() const override { return stock_; }
+  episodes::EpisodeExclusions exclusions() const override { return exclusions_; }
 
  private:
   const Arena& arena_;
-  EpisodeOrigin origin_;
-  std::vector<Product> stock_;
-  EpisodeExclusions exclusions_;
-  CheckoutCertifier certify_;
+  episodes::EpisodeOrigin origin_;
+  std::vector<catalog::Product> stock_;
+  episodes::EpisodeExclusions exclusions_;
+  episodes::CheckoutCertifier certify_;
 };
 
 class CheckoutSampling : public EpisodeSampler {
  public:
   explicit CheckoutSampling(Arena& arena) : arena_(arena) {}
-  Result<std::unique_ptr<StoreSampler>> of_store(const EpisodeOrigin& origin) override {
+  Result<std::unique_ptr<StoreSampler>> of_store(const episodes::EpisodeOrigin& origin) override {
     MARKETGEN_TRY(const auto scene, arena_.scene(origin.scene_hash));
     return std::unique_ptr<StoreSampler>(
         std::make_unique<CheckoutStoreSampler>(arena_, origin, *scene));
@@ -47,14 +49,16 @@ class CheckoutSampling : public EpisodeSampler {
 
 class CheckoutEnvironmentEntry : public EnvironmentEntry {
  public:
-  Result<std::unique_ptr<TrackWorld>> open(Arena& arena, const EpisodeSpec& spec) const override {
+  Result<std::unique_ptr<episodes::TrackWorld>> open(
+      Arena& arena, const episodes::EpisodeSpec& spec) const override {
     MARKETGEN_TRY(
-        CheckoutWorld made,
-        CheckoutWorld::create(
-            arena.data(), arena.catalog().frictions, spec.station.value_or(checkout_station)));
-    auto world = std::make_unique<CheckoutWorld>(std::move(made));
+        episodes::CheckoutWorld made,
+        episodes::CheckoutWorld::create(arena.data(),
+                                        arena.catalog().frictions,
+                                        spec.station.value_or(episodes::checkout_station)));
+    auto world = std::make_unique<episodes::CheckoutWorld>(std::move(made));
     MARKETGEN_CHECK(world->reset(spec, arena.header().products));
-    return std::unique_ptr<TrackWorld>(std::move(world));
+    return std::unique_ptr<episodes::TrackWorld>(std::move(world));
   }
 
   Result<std::unique_ptr<Environment>> environment(
@@ -78,4 +82,4 @@ const EnvironmentEntry& checkout_environment_entry() {
   return entry;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

@@ -7,16 +7,16 @@
 #include "oracle/oracle_scene.h"
 #include "policy/classical_checkout.h"
 
-namespace marketgen {
+namespace marketgen::environments {
 namespace {
 
 // A policy with what it sees and knows.
 class SensingPolicy : public WrappedPolicy {
  public:
-  SensingPolicy(const CheckoutWorld& world,
-                std::shared_ptr<const std::vector<Product>> stock,
-                const std::vector<FrictionRow>& frictions,
-                LookLibrary& looks)
+  SensingPolicy(const episodes::CheckoutWorld& world,
+                std::shared_ptr<const std::vector<catalog::Product>> stock,
+                const std::vector<catalog::FrictionRow>& frictions,
+                perception::LookLibrary& looks)
       : world_(world),
         eyes_(world),
         stock_(std::move(stock)),
@@ -24,51 +24,55 @@ class SensingPolicy : public WrappedPolicy {
         looks_(looks) {}
 
   Result<void> make(const std::filesystem::path& data, const PolicyName& name, Seed seed) {
-    MARKETGEN_TRY(tool_, load_checkout_tool(world_, data));
-    ClassicalSetup setup;
+    MARKETGEN_TRY(tool_, oracle::load_checkout_tool(world_, data));
+    policy::ClassicalSetup setup;
     setup.eyes = &eyes_;
     setup.products = &products_;
     setup.looks = &looks_;
     setup.robot = &world_.robot();
     setup.tool = tool_;
-    setup.place = workplace_of(world_.station());
+    setup.place = episodes::workplace_of(world_.station());
     setup.modules = true_modules(name);
-    MARKETGEN_TRY(policy_, make_classical_checkout(std::move(setup), seed));
+    MARKETGEN_TRY(policy_, policy::make_classical_checkout(std::move(setup), seed));
     return {};
   }
 
  private:
-  ClassicalModules true_modules(const PolicyName& name) const {
-    ClassicalModules modules;
-    if (name.knows(TrueModule::masks)) modules.masks = std::make_unique<TrueMasks>(eyes_);
-    if (name.knows(TrueModule::target)) modules.targets = std::make_unique<TrueTargets>(world_);
-    if (name.knows(TrueModule::grasp)) modules.grasps = std::make_unique<TrueGrasps>(world_, tool_);
+  policy::ClassicalModules true_modules(const PolicyName& name) const {
+    policy::ClassicalModules modules;
+    if (name.knows(TrueModule::masks)) modules.masks = std::make_unique<oracle::TrueMasks>(eyes_);
+    if (name.knows(TrueModule::target))
+      modules.targets = std::make_unique<oracle::TrueTargets>(world_);
+    if (name.knows(TrueModule::grasp))
+      modules.grasps = std::make_unique<oracle::TrueGrasps>(world_, tool_);
     return modules;
   }
 
-  const CheckoutWorld& world_;
-  CheckoutEyes eyes_;
-  std::shared_ptr<const std::vector<Product>> stock_;
-  PicturedProducts products_;
-  LookLibrary& looks_;
-  GraspTool tool_;
+  const episodes::CheckoutWorld& world_;
+  episodes::CheckoutEyes eyes_;
+  std::shared_ptr<const std::vector<catalog::Product>> stock_;
+  episodes::PicturedProducts products_;
+  perception::LookLibrary& looks_;
+  robots::GraspTool tool_;
 };
 
 }  // namespace
 
-Result<std::unique_ptr<Policy>> make_oracle(Arena& arena, const CheckoutWorld& world, Seed seed) {
-  return make_checkout_oracle(world, arena.data(), seed);
+Result<std::unique_ptr<agent::Policy>> make_oracle(Arena& arena,
+                                                   const episodes::CheckoutWorld& world,
+                                                   Seed seed) {
+  return oracle::make_checkout_oracle(world, arena.data(), seed);
 }
 
-Result<std::unique_ptr<Policy>> make_classical(Arena& arena,
-                                               const CheckoutWorld& world,
-                                               const PolicyName& asked,
-                                               Seed seed) {
+Result<std::unique_ptr<agent::Policy>> make_classical(Arena& arena,
+                                                      const episodes::CheckoutWorld& world,
+                                                      const PolicyName& asked,
+                                                      Seed seed) {
   MARKETGEN_TRY(auto sold, arena.stock(world.spec().scene_hash));
   auto policy = std::make_unique<SensingPolicy>(
       world, std::move(sold), arena.catalog().frictions, arena.looks());
   MARKETGEN_CHECK(policy->make(arena.data(), asked, seed));
-  return std::unique_ptr<Policy>(std::move(policy));
+  return std::unique_ptr<agent::Policy>(std::move(policy));
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::environments

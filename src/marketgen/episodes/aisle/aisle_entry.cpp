@@ -2,7 +2,7 @@
 #include "episodes/aisle/sample_aisle.h"
 #include "episodes/track_entry.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 namespace {
 
 class AisleEntry : public TrackEntry {
@@ -40,4 +40,4 @@ const TrackEntry& aisle_entry() {
   return entry;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -2,14 +2,14 @@
 
 #include "collect/scene_obstacles.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 namespace {
 
 constexpr std::string_view head_camera_name = "head_camera";
 
 }  // namespace
 
-Result<View> AisleEyes::look(std::string_view camera) {
+Result<agent::View> AisleEyes::look(std::string_view camera) {
   if (camera != head_camera_name)
     return Error{
         "usage.bad_flag", std::string(camera), "the agent has no such camera; it has head_camera"};
@@ -18,13 +18,13 @@ Result<View> AisleEyes::look(std::string_view camera) {
   } else {
     MARKETGEN_TRY(view_, AisleView::create(world_));
   }
-  MARKETGEN_TRY(const Camera taken, view_->camera(camera));
-  MARKETGEN_TRY(Frame frame, view_->renderer().render(taken, {}));
-  View view;
+  MARKETGEN_TRY(const render::Camera taken, view_->camera(camera));
+  MARKETGEN_TRY(render::Frame frame, view_->renderer().render(taken, {}));
+  agent::View view;
   view.camera = camera;
-  const Intrinsics lens = intrinsics_of(taken);
+  const render::Intrinsics lens = render::intrinsics_of(taken);
   view.lens = {lens.fx, lens.fy, lens.cx, lens.cy};
-  view.base_from_camera = inverse(world_.world_from_base()) * opencv_pose_of(taken);
+  view.base_from_camera = inverse(world_.world_from_base()) * render::opencv_pose_of(taken);
   view.color = std::move(frame.color);
   view.depth_m = std::move(frame.depth_m);
   return view;
@@ -32,8 +32,8 @@ Result<View> AisleEyes::look(std::string_view camera) {
 
 StoreMap::StoreMap(const AisleStore& store) : store_(store) {
   for (std::uint32_t row = 0; row < store.scene.shelves.size(); ++row) {
-    const SceneShelf& shelf = store.scene.shelves[row];
-    boards_.push_back({world_from_shelf(store.scene, row),
+    const scene::SceneShelf& shelf = store.scene.shelves[row];
+    boards_.push_back({scene::world_from_shelf(store.scene, row),
                        shelf.width_m,
                        shelf.depth_m,
                        shelf.clearance_m,
@@ -42,39 +42,41 @@ StoreMap::StoreMap(const AisleStore& store) : store_(store) {
   }
 }
 
-PointMm StoreMap::axle_mm(const BasePlace& place) const {
-  return floor_point_mm(axle_of(store_.robot, store_from_base(place)));
+PointMm StoreMap::axle_mm(const robots::BasePlace& place) const {
+  return floor_point_mm(axle_of(store_.robot, agent::store_from_base(place)));
 }
 
-bool StoreMap::has_room(const BasePlace& place) const {
+bool StoreMap::has_room(const robots::BasePlace& place) const {
   return store_.ways.space().free(axle_mm(place));
 }
 
-Result<BaseFollower> StoreMap::way(const BasePlace& from, const BasePlace& to) const {
-  const auto floor_place = [&](const BasePlace& place) {
-    const Vec3 axle = axle_of(store_.robot, store_from_base(place));
-    return FloorPlace{{axle.x, axle.y}, place.heading};
+Result<motion::BaseFollower> StoreMap::way(const robots::BasePlace& from,
+                                           const robots::BasePlace& to) const {
+  const auto floor_place = [&](const robots::BasePlace& place) {
+    const Vec3 axle = axle_of(store_.robot, agent::store_from_base(place));
+    return motion::FloorPlace{{axle.x, axle.y}, place.heading};
   };
-  MARKETGEN_TRY(
-      DrivePlan plan,
-      plan_drive(store_.ways, store_.robot, store_.driving, floor_place(from), floor_place(to)));
+  MARKETGEN_TRY(motion::DrivePlan plan,
+                motion::plan_drive(
+                    store_.ways, store_.robot, store_.driving, floor_place(from), floor_place(to)));
   return std::move(plan.follower);
 }
 
-std::optional<double> StoreMap::way_m(const BasePlace& from, const BasePlace& to) const {
+std::optional<double> StoreMap::way_m(const robots::BasePlace& from,
+                                      const robots::BasePlace& to) const {
   const auto path = store_.ways.shortest_path(axle_mm(from), axle_mm(to));
   return path.ok() ? std::optional(path->length_m) : std::nullopt;
 }
 
-Obstacles StoreMap::fixtures(Vec3 middle, double within_m) const {
-  return fixture_obstacles(store_.scene, middle, within_m);
+motion::Obstacles StoreMap::fixtures(Vec3 middle, double within_m) const {
+  return collect::fixture_obstacles(store_.scene, middle, within_m);
 }
 
-std::vector<CategoryHint> category_hints(const EpisodeSpec& spec) {
-  std::vector<CategoryHint> hints;
+std::vector<agent::CategoryHint> category_hints(const EpisodeSpec& spec) {
+  std::vector<agent::CategoryHint> hints;
   for (const CategoryPlace& place : spec.categories)
     hints.push_back({place.sku, {place.x_m, place.y_m}});
   return hints;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

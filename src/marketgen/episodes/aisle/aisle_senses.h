@@ -9,13 +9,13 @@
 #include "agent/eyes.h"
 #include "episodes/aisle/aisle_view.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 // The head camera, without noise; base frame: that of the robot's base. `world` must outlive it.
-class AisleEyes : public Eyes {
+class AisleEyes : public agent::Eyes {
  public:
   explicit AisleEyes(const AisleWorld& world) : world_(world) {}
-  Result<View> look(std::string_view camera) override;
+  Result<agent::View> look(std::string_view camera) override;
 
  private:
   const AisleWorld& world_;
@@ -23,22 +23,24 @@ class AisleEyes : public Eyes {
 };
 
 // The store must outlive it.
-class StoreMap : public AisleMap {
+class StoreMap : public agent::AisleMap {
  public:
   explicit StoreMap(const AisleStore& store);
-  const std::vector<ShelfBoard>& boards() const override { return boards_; }
-  bool has_room(const BasePlace& place) const override;
-  Result<BaseFollower> way(const BasePlace& from, const BasePlace& to) const override;
-  std::optional<double> way_m(const BasePlace& from, const BasePlace& to) const override;
-  Obstacles fixtures(Vec3 middle, double within_m) const override;
+  const std::vector<agent::ShelfBoard>& boards() const override { return boards_; }
+  bool has_room(const robots::BasePlace& place) const override;
+  Result<motion::BaseFollower> way(const robots::BasePlace& from,
+                                   const robots::BasePlace& to) const override;
+  std::optional<double> way_m(const robots::BasePlace& from,
+                              const robots::BasePlace& to) const override;
+  motion::Obstacles fixtures(Vec3 middle, double within_m) const override;
 
  private:
-  PointMm axle_mm(const BasePlace& place) const;
+  PointMm axle_mm(const robots::BasePlace& place) const;
 
   const AisleStore& store_;
-  std::vector<ShelfBoard> boards_;
+  std::vector<agent::ShelfBoard> boards_;
 };
 
-std::vector<CategoryHint> category_hints(const EpisodeSpec& spec);
+std::vector<agent::CategoryHint> category_hints(const EpisodeSpec& spec);
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

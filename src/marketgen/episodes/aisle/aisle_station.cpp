@@ -10,7 +10,7 @@
 #include "io/file.h"
 #include "io/json.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 namespace {
 
 constexpr char aisle_file[] = "aisle.json";
@@ -33,7 +33,7 @@ Result<void> check_station(const AisleStation& s) {
   return {};
 }
 
-Result<void> check_robot(const AisleStation& station, const Robot& robot) {
+Result<void> check_robot(const AisleStation& station, const robots::Robot& robot) {
   const auto lacks = [&](const std::string& what) {
     return Error{"robot.unknown", robot.name, "the robot of the aisles lacks " + what};
   };
@@ -42,7 +42,7 @@ Result<void> check_robot(const AisleStation& station, const Robot& robot) {
     return lacks("the posture \"" + station.posture + "\"");
   for (const std::string& frame : {station.basket.frame, station.head_camera.frame})
     if (robot.find_frame(frame) < 0) return lacks("the frame \"" + frame + "\"");
-  if (const std::string& row = station.tools().picks_with; !hands_with(robot, row).ok())
+  if (const std::string& row = station.tools().picks_with; !skills::hands_with(robot, row).ok())
     return lacks("an arm with the tool \"" + row + "\"");
   return {};
 }
@@ -60,12 +60,12 @@ Error unknown_tools(const AisleStation& station, const std::string& tools) {
 }
 
 // What is seen of the basket; what is touched of it are its boxes.
-void add_basket_look(const AisleStation& station, Robot& robot) {
-  const RobotFrame& frame =
+void add_basket_look(const AisleStation& station, robots::Robot& robot) {
+  const robots::RobotFrame& frame =
       robot.frames[static_cast<std::size_t>(robot.find_frame(station.basket.frame))];
-  Link& link = robot.links[static_cast<std::size_t>(frame.link)];
-  for (const ContainerBox& box : station.basket_boxes()) {
-    BodyShape shape;
+  robots::Link& link = robot.links[static_cast<std::size_t>(frame.link)];
+  for (const physics::ContainerBox& box : station.basket_boxes()) {
+    robots::BodyShape shape;
     shape.link_from_shape = link_from_basket(station, robot) * box.container_from_box;
     shape.size = box.half_size * 2;
     shape.color = basket_color;
@@ -75,27 +75,28 @@ void add_basket_look(const AisleStation& station, Robot& robot) {
 
 }  // namespace
 
-std::vector<ContainerBox> AisleStation::basket_boxes() const {
+std::vector<physics::ContainerBox> AisleStation::basket_boxes() const {
   const CarriedBasketRow& b = basket;
-  std::vector<ContainerBox> boxes = boxes_of(
+  std::vector<physics::ContainerBox> boxes = physics::boxes_of(
       {.top_x_m = b.top_m[0], .top_y_m = b.top_m[1], .height_m = b.height_m, .wall_m = b.wall_m});
   boxes.push_back({{{0, 0, -b.floor_m / 2}, {}}, {b.top_m[0] / 2, b.top_m[1] / 2, b.floor_m / 2}});
   return boxes;
 }
 
-Pose link_from_basket(const AisleStation& station, const Robot& robot) {
-  const RobotFrame& frame =
+Pose link_from_basket(const AisleStation& station, const robots::Robot& robot) {
+  const robots::RobotFrame& frame =
       robot.frames[static_cast<std::size_t>(robot.find_frame(station.basket.frame))];
   return frame.link_from_frame * Pose{{0, 0, station.basket.above_frame_m}, {}};
 }
 
-CarriedBasket carried_basket(const AisleStation& station, const Robot& robot) {
+skills::CarriedBasket carried_basket(const AisleStation& station, const robots::Robot& robot) {
   const CarriedBasketRow& row = station.basket;
-  CarriedBasket basket;
-  basket.base_from_floor = frame_pose(robot, neutral_state(robot), robot.find_frame(row.frame)) *
-                           Pose{{0, 0, row.above_frame_m}, {}};
+  skills::CarriedBasket basket;
+  basket.base_from_floor =
+      robots::frame_pose(robot, robots::neutral_state(robot), robot.find_frame(row.frame)) *
+      Pose{{0, 0, row.above_frame_m}, {}};
   basket.size = {row.top_m[0], row.top_m[1], row.height_m};
-  for (const ContainerBox& box : station.basket_boxes())
+  for (const physics::ContainerBox& box : station.basket_boxes())
     basket.walls.push_back({basket.base_from_floor * box.container_from_box, box.half_size});
   return basket;
 }
@@ -115,8 +116,8 @@ Result<void> check_tools(const AisleStation& station,
 
 Result<AisleStation> load_aisle_station(const std::filesystem::path& data,
                                         const std::string& tools) {
-  MARKETGEN_TRY(const std::string text, read_file(data / "benchmark" / aisle_file, 1U << 20));
-  MARKETGEN_TRY(AisleStation station, read_json<AisleStation>(text, aisle_file));
+  MARKETGEN_TRY(const std::string text, io::read_file(data / "benchmark" / aisle_file, 1U << 20));
+  MARKETGEN_TRY(AisleStation station, io::read_json<AisleStation>(text, aisle_file));
   MARKETGEN_CHECK(check_station(station));
   if (tools.empty()) return station;
   const auto chosen = std::ranges::find(station.tool_sets, tools, &ToolSetRow::id);
@@ -125,14 +126,15 @@ Result<AisleStation> load_aisle_station(const std::filesystem::path& data,
   return station;
 }
 
-Result<Robot> load_station_robot(const std::filesystem::path& data, const AisleStation& station) {
-  RobotTools tools;
+Result<robots::Robot> load_station_robot(const std::filesystem::path& data,
+                                         const AisleStation& station) {
+  robots::RobotTools tools;
   for (const ToolChoiceRow& tool : station.tools().tools)
     tools.emplace(tool.slot, tool.row);
-  MARKETGEN_TRY(Robot robot, load_robot(data, station.robot, tools));
+  MARKETGEN_TRY(robots::Robot robot, robots::load_robot(data, station.robot, tools));
   MARKETGEN_CHECK(check_robot(station, robot));
   add_basket_look(station, robot);
   return robot;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

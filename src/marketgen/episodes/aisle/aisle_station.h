@@ -11,7 +11,7 @@
 #include "physics/settle/bulk_settle.h"
 #include "skills/drop_plan.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 // Stands over a frame of the robot, whose Z is up; the frame's Z goes through the middle of its
 // inner floor.
@@ -75,7 +75,7 @@ struct ToolSetRow {
 struct AisleStation {
   std::string schema = "market-aisle/1";
   std::string id;
-  std::vector<SourceRow> sources;
+  std::vector<robots::SourceRow> sources;
   std::string robot;
   std::vector<ToolSetRow> tool_sets;
   std::string posture;
@@ -107,7 +107,7 @@ struct AisleStation {
 
   const ToolSetRow& tools() const { return tool_sets[carries]; }
   // Walls and floor in the basket's frame: origin in the middle of its inner floor.
-  std::vector<ContainerBox> basket_boxes() const;
+  std::vector<physics::ContainerBox> basket_boxes() const;
 };
 
 // With one of its tool sets, the first when `tools` is empty. Errors: as load_checkout_station;
@@ -121,11 +121,12 @@ Result<void> check_tools(const AisleStation& station,
                          const std::string& where);
 // Errors: those of load_robot; robot.unknown when it lacks the posture, the basket's frame, a
 // drive, or a tool.
-Result<Robot> load_station_robot(const std::filesystem::path& data, const AisleStation& station);
+Result<robots::Robot> load_station_robot(const std::filesystem::path& data,
+                                         const AisleStation& station);
 
 // From the link that carries the basket.
-Pose link_from_basket(const AisleStation& station, const Robot& robot);
+Pose link_from_basket(const AisleStation& station, const robots::Robot& robot);
 // In the frame of the robot's base.
-CarriedBasket carried_basket(const AisleStation& station, const Robot& robot);
+skills::CarriedBasket carried_basket(const AisleStation& station, const robots::Robot& robot);
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

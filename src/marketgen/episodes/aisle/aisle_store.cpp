@@ -8,7 +8,7 @@
 
 #include "collect/collect_plan.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 namespace {
 
 constexpr std::array standing_m{0.70, 0.65, 0.75, 0.60, 0.80};  // from the product's front
@@ -17,7 +17,7 @@ constexpr std::size_t max_places = 6;       // of a SKU that are looked at
 constexpr double driving_opening_m = 0.06;  // of its grippers
 constexpr double unreachable = std::numeric_limits<double>::infinity();
 
-double way_m(const VisibilityGraph& ways, PointMm from, PointMm to) {
+double way_m(const navigation::VisibilityGraph& ways, PointMm from, PointMm to) {
   const auto path = ways.shortest_path(from, to);
   return path.ok() ? path->length_m : unreachable;
 }
@@ -25,7 +25,7 @@ double way_m(const VisibilityGraph& ways, PointMm from, PointMm to) {
 // The shortest way over one place of every group that is left.
 class TourSearch {
  public:
-  TourSearch(const VisibilityGraph& ways, std::vector<std::vector<PointMm>> groups)
+  TourSearch(const navigation::VisibilityGraph& ways, std::vector<std::vector<PointMm>> groups)
       : ways_(ways), groups_(std::move(groups)), done_(groups_.size()) {}
 
   double shortest_from(PointMm from) {
@@ -51,7 +51,7 @@ class TourSearch {
     return known->second;
   }
 
-  const VisibilityGraph& ways_;
+  const navigation::VisibilityGraph& ways_;
   std::vector<std::vector<PointMm>> groups_;
   std::vector<bool> done_;
   std::map<std::pair<PointMm, PointMm>, double> lengths_;
@@ -59,7 +59,7 @@ class TourSearch {
 
 }  // namespace
 
-Vec3 axle_of(const Robot& robot, const Pose& world_from_base) {
+Vec3 axle_of(const robots::Robot& robot, const Pose& world_from_base) {
   return world_from_base * Vec3{robot.drive ? robot.drive->axle_x : 0, 0, 0};
 }
 
@@ -67,16 +67,16 @@ PointMm floor_point_mm(Vec3 at) {
   return {static_cast<int>(std::lround(at.x * 1e3)), static_cast<int>(std::lround(at.y * 1e3))};
 }
 
-bool has_doors(const Scene& scene, std::uint32_t fixture) {
-  const SceneFixture& row = scene.fixtures[fixture];
+bool has_doors(const scene::Scene& scene, std::uint32_t fixture) {
+  const scene::SceneFixture& row = scene.fixtures[fixture];
   for (std::uint32_t j = row.first_joint; j < row.first_joint + row.joint_count; ++j)
-    if (scene.joints[j].kind != JointKind::belt) return true;
+    if (scene.joints[j].kind != assets::JointKind::belt) return true;
   return false;
 }
 
 std::optional<PointMm> AisleStore::standing_place(std::uint32_t product) const {
-  const SceneProduct& row = scene.products[product];
-  const Pose pose = world_from_product(row);
+  const scene::SceneProduct& row = scene.products[product];
+  const Pose pose = scene::world_from_product(row);
   const Vec3 out = rotate(pose.rotation, {0, -1, 0}), left{out.y, -out.x, 0};
   const double front = scene.catalog[row.sku].depth_m() / 2;
   for (const double side : beside_m) {
@@ -99,10 +99,10 @@ double AisleStore::room_behind_m(const Pose& world_from_base) const {
 
 // Another pack of its facing stands on it.
 bool AisleStore::carries_another(std::uint32_t row) const {
-  const SceneProduct& product = scene.products[row];
-  const Facing& facing = scene.facings[product.facing];
+  const scene::SceneProduct& product = scene.products[row];
+  const scene::Facing& facing = scene.facings[product.facing];
   if (facing.stack < 2) return false;
-  const Product& goods = scene.catalog[product.sku];
+  const catalog::Product& goods = scene.catalog[product.sku];
   const double near_m = std::min(goods.width_m(), goods.depth_m()) / 2;
   for (std::uint32_t i = 0; i < facing.product_count; ++i) {
     const auto& other = scene.products[facing.first_product + i].position_m;
@@ -116,12 +116,13 @@ bool AisleStore::carries_another(std::uint32_t row) const {
 std::vector<std::uint32_t> AisleStore::front_items(const std::string& sku) const {
   std::vector<std::uint32_t> rows;
   for (std::uint32_t row = 0; row < scene.products.size(); ++row) {
-    const SceneProduct& product = scene.products[row];
-    if ((product.flags & product_front_row) == 0 || scene.catalog[product.sku].sku != sku) continue;
-    const SceneShelf& shelf = scene.shelves[scene.facings[product.facing].shelf];
+    const scene::SceneProduct& product = scene.products[row];
+    if ((product.flags & scene::product_front_row) == 0 || scene.catalog[product.sku].sku != sku)
+      continue;
+    const scene::SceneShelf& shelf = scene.shelves[scene.facings[product.facing].shelf];
     const double z = product.position_m[2];
     const bool reached = z >= station.shelf.lowest_m && z <= station.shelf.highest_m;
-    if (reached && shelf.use == ShelfUse::stand && !has_doors(scene, shelf.fixture) &&
+    if (reached && shelf.use == assets::ShelfUse::stand && !has_doors(scene, shelf.fixture) &&
         !carries_another(row))
       rows.push_back(row);
   }
@@ -140,17 +141,18 @@ std::vector<PointMm> AisleStore::standing_places(const std::string& sku) const {
 }
 
 Result<std::shared_ptr<const AisleStore>> open_aisle_store(const std::filesystem::path& data,
-                                                           Scene scene,
+                                                           scene::Scene scene,
                                                            const std::string& tools) {
   auto store = std::make_shared<AisleStore>();
   store->scene = std::move(scene);
   MARKETGEN_TRY(store->station, load_aisle_station(data, tools));
   MARKETGEN_TRY(store->robot, load_station_robot(data, store->station));
   store->basket = carried_basket(store->station, store->robot);
-  store->driving =
-      stowed_state(store->robot, store->station.posture, store->station.lift_m, driving_opening_m);
-  MARKETGEN_TRY(const BaseEnvelope envelope, base_envelope(store->robot, store->driving));
-  MARKETGEN_TRY(store->ways, drive_graph(store->scene, envelope));
+  store->driving = skills::stowed_state(
+      store->robot, store->station.posture, store->station.lift_m, driving_opening_m);
+  MARKETGEN_TRY(const motion::BaseEnvelope envelope,
+                motion::base_envelope(store->robot, store->driving));
+  MARKETGEN_TRY(store->ways, collect::drive_graph(store->scene, envelope));
   return std::shared_ptr<const AisleStore>(std::move(store));
 }
 
@@ -164,4 +166,4 @@ std::optional<double> shortest_tour_m(const AisleStore& store,
   return std::isfinite(length) ? std::optional(length) : std::nullopt;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -11,18 +11,18 @@
 #include "scene/scene.h"
 #include "skills/drop_plan.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 constexpr double max_back_off_m = 0.30;  // from a shelf, with an item in the hand
 
 // Immutable; any number of worlds and threads may share it.
 struct AisleStore {
-  Scene scene;
+  scene::Scene scene;
   AisleStation station;
-  Robot robot;
-  std::vector<double> driving;  // the robot's state while it drives, on the origin
-  VisibilityGraph ways;         // for the robot as it drives
-  CarriedBasket basket;         // that it carries
+  robots::Robot robot;
+  std::vector<double> driving;       // the robot's state while it drives, on the origin
+  navigation::VisibilityGraph ways;  // for the robot as it drives
+  skills::CarriedBasket basket;      // that it carries
 
   // Where it may stand to reach a product: in front of it, 0.60 to 0.80 m away, perhaps to a side.
   // Empty when nothing there is free.
@@ -39,15 +39,15 @@ struct AisleStore {
 // `tools`: a tool set of the station, the first when empty. Errors: those of load_aisle_station,
 // load_station_robot, drive_graph.
 Result<std::shared_ptr<const AisleStore>> open_aisle_store(const std::filesystem::path& data,
-                                                           Scene scene,
+                                                           scene::Scene scene,
                                                            const std::string& tools = {});
 
 // Of the middle between the wheels.
-Vec3 axle_of(const Robot& robot, const Pose& world_from_base);
+Vec3 axle_of(const robots::Robot& robot, const Pose& world_from_base);
 PointMm floor_point_mm(Vec3 at);
 
 // Whether a door, a drawer or a flap is part of the fixture.
-bool has_doors(const Scene& scene, std::uint32_t fixture);
+bool has_doors(const scene::Scene& scene, std::uint32_t fixture);
 
 // Length of the shortest way from `from` past a place for each of the SKUs, in any order, metres.
 // Empty when one of them cannot be reached.
@@ -55,4 +55,4 @@ std::optional<double> shortest_tour_m(const AisleStore& store,
                                       PointMm from,
                                       const std::vector<std::string>& skus);
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -5,12 +5,12 @@
 #include "episodes/field_of_view.h"
 #include "render/stage/robot_actor.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 namespace {
 
 constexpr std::string_view head_name = "head_camera";
 
-Vec3 vec3_of_row(const Triple& row) {
+Vec3 vec3_of_row(const robots::Triple& row) {
   return {row[0], row[1], row[2]};
 }
 
@@ -19,8 +19,8 @@ Vec3 vec3_of_row(const Triple& row) {
 Result<std::unique_ptr<AisleView>> AisleView::create(const AisleWorld& world) {
   std::unique_ptr<AisleView> view(new AisleView);
   view->station_ = world.store().station;
-  MARKETGEN_TRY(view->renderer_, Renderer::create(world.store().scene));
-  MARKETGEN_TRY(Actor robot, robot_actor(world.robot(), world.robot_state(), {}));
+  MARKETGEN_TRY(view->renderer_, render::Renderer::create(world.store().scene));
+  MARKETGEN_TRY(render::Actor robot, render::robot_actor(world.robot(), world.robot_state(), {}));
   MARKETGEN_CHECK(view->renderer_->set_actors({std::move(robot)}));
   MARKETGEN_CHECK(view->follow(world));
   return view;
@@ -31,20 +31,20 @@ Result<std::unique_ptr<TrackView>> AisleWorld::open_view() const {
 }
 
 Result<void> AisleView::follow(const AisleWorld& world) {
-  std::vector<MovedProduct> moved;
+  std::vector<render::MovedProduct> moved;
   for (const std::uint32_t row : world.world().moved_products())
     moved.push_back({row, world.world().product_pose(row)});
   MARKETGEN_CHECK(renderer_->move_things(moved, {}));
   const std::vector<double> state = world.robot_state();
-  MARKETGEN_CHECK(renderer_->move_actor(0, world_link_poses(world.robot(), state, {})));
+  MARKETGEN_CHECK(renderer_->move_actor(0, render::world_link_poses(world.robot(), state, {})));
   world_from_base_ = world.world_from_base();
-  world_from_head_ =
-      frame_pose(world.robot(), state, world.robot().find_frame(station_.head_camera.frame));
+  world_from_head_ = robots::frame_pose(
+      world.robot(), state, world.robot().find_frame(station_.head_camera.frame));
   return {};
 }
 
-Result<Camera> AisleView::camera(std::string_view name, int width, int height) const {
-  Camera camera;
+Result<render::Camera> AisleView::camera(std::string_view name, int width, int height) const {
+  render::Camera camera;
   camera.name = name;
   const auto size = [&](const auto& row) {
     camera.width = width > 0 ? width : row.width;
@@ -67,4 +67,4 @@ Result<Camera> AisleView::camera(std::string_view name, int width, int height) c
                fmt::format("there are {} and {}", head_name, film_camera_name)};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -7,7 +7,7 @@
 #include "episodes/track_view.h"
 #include "render/render.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 class AisleView {
  public:
@@ -20,14 +20,14 @@ class AisleView {
 
   // As it stood when follow() was called: "head_camera", "film_camera". 0: as many pixels as the
   // station's row says. Error camera.unknown.
-  Result<Camera> camera(std::string_view name, int width = 0, int height = 0) const;
-  Renderer& renderer() { return *renderer_; }
+  Result<render::Camera> camera(std::string_view name, int width = 0, int height = 0) const;
+  render::Renderer& renderer() { return *renderer_; }
 
  private:
   AisleView() = default;
   AisleStation station_;
-  std::unique_ptr<Renderer> renderer_;
+  std::unique_ptr<render::Renderer> renderer_;
   Pose world_from_base_, world_from_head_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -9,29 +9,29 @@
 #include "episodes/goal_judge.h"
 #include "physics/goods/contact_shape.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 namespace {
 
 constexpr std::string_view basket_prefix = "basket/";
 
-std::uint64_t key_of(const ContactSide& side) {
+std::uint64_t key_of(const physics::ContactSide& side) {
   return (static_cast<std::uint64_t>(side.kind) << 32U) | side.row;
 }
 
 }  // namespace
 
-AisleWatch::GeomRole AisleWatch::role_of(const Robot& robot, std::string_view link) {
+AisleWatch::GeomRole AisleWatch::role_of(const robots::Robot& robot, std::string_view link) {
   for (std::size_t t = 0; t < robot.tools.size(); ++t) {
     const int tool = static_cast<int>(t);
-    if (robot.tools[t].kind == ToolKind::suction) {
-      const RobotFrame& lip = robot.frames[static_cast<std::size_t>(robot.tools[t].frame)];
+    if (robot.tools[t].kind == robots::ToolKind::suction) {
+      const robots::RobotFrame& lip = robot.frames[static_cast<std::size_t>(robot.tools[t].frame)];
       if (robot.links[static_cast<std::size_t>(lip.link)].name == link)
         return {Part::finger, tool, 0};
     }
-    const JointGroup* fingers = robot.find_group(robot.tools[t].prefix + "fingers");
+    const robots::JointGroup* fingers = robot.find_group(robot.tools[t].prefix + "fingers");
     if (fingers == nullptr) continue;
     for (std::size_t f = 0; f < fingers->dofs.size(); ++f) {
-      const Joint& joint = robot.joint_of_dof(static_cast<std::size_t>(fingers->dofs[f]));
+      const robots::Joint& joint = robot.joint_of_dof(static_cast<std::size_t>(fingers->dofs[f]));
       if (robot.links[static_cast<std::size_t>(joint.link)].name == link)
         return {Part::finger, tool, static_cast<int>(f)};
     }
@@ -39,7 +39,7 @@ AisleWatch::GeomRole AisleWatch::role_of(const Robot& robot, std::string_view li
   return {link == "base" ? Part::base : Part::body};
 }
 
-AisleWatch::AisleWatch(const World& world, const Robot& robot) {
+AisleWatch::AisleWatch(const physics::World& world, const robots::Robot& robot) {
   const mjModel& m = world.model();
   roles_.resize(static_cast<std::size_t>(m.ngeom));
   for (int geom = 0; geom < m.ngeom; ++geom) {
@@ -68,29 +68,29 @@ bool AisleWatch::lies_in_basket(std::uint32_t geom, std::uint32_t product) const
 
 // What the robot, or what it holds, presses on. Not what it holds itself, nor what lies in its
 // basket.
-void AisleWatch::add_push(const WorldContact& contact, Touches& seen) const {
+void AisleWatch::add_push(const physics::WorldContact& contact, Touches& seen) const {
   for (const auto& [a, b] : {std::pair{contact.a, contact.b}, {contact.b, contact.a}}) {
-    const bool robot = a.kind == BodyKind::actor;
-    if (!robot && !(a.kind == BodyKind::product && is_held(a.row))) continue;
-    if (robot && b.kind == BodyKind::product && lies_in_basket(a.row, b.row)) continue;
-    if (b.kind == BodyKind::product && is_held(b.row)) continue;
-    if (b.kind == BodyKind::actor && !robot) continue;  // in the hand, or over the basket
-    const bool still = b.kind == BodyKind::room || b.kind == BodyKind::fixture;
-    if (robot && roles_[a.row].part == Part::base && b.kind == BodyKind::fixture)
+    const bool robot = a.kind == physics::BodyKind::actor;
+    if (!robot && !(a.kind == physics::BodyKind::product && is_held(a.row))) continue;
+    if (robot && b.kind == physics::BodyKind::product && lies_in_basket(a.row, b.row)) continue;
+    if (b.kind == physics::BodyKind::product && is_held(b.row)) continue;
+    if (b.kind == physics::BodyKind::actor && !robot) continue;  // in the hand, or over the basket
+    const bool still = b.kind == physics::BodyKind::room || b.kind == physics::BodyKind::fixture;
+    if (robot && roles_[a.row].part == Part::base && b.kind == physics::BodyKind::fixture)
       seen.base_hit = seen.base_hit || contact.normal_n > 0;
     seen.force_n[still ? key_of({b.kind, 0}) : key_of(b)] += contact.normal_n;
-    if (b.kind == BodyKind::actor) return;  // on itself: once
+    if (b.kind == physics::BodyKind::actor) return;  // on itself: once
   }
 }
 
-AisleWatch::Touches AisleWatch::touches(const World& world) const {
+AisleWatch::Touches AisleWatch::touches(const physics::World& world) const {
   Touches seen;
-  for (const WorldContact& contact : world.contacts()) {
+  for (const physics::WorldContact& contact : world.contacts()) {
     if (contact.normal_n <= 0) continue;
     add_push(contact, seen);
     for (const auto& [a, b] : {std::pair{contact.a, contact.b}, {contact.b, contact.a}}) {
-      if (b.kind != BodyKind::product) continue;
-      const GeomRole role = a.kind == BodyKind::actor ? roles_[a.row] : GeomRole{};
+      if (b.kind != physics::BodyKind::product) continue;
+      const GeomRole role = a.kind == physics::BodyKind::actor ? roles_[a.row] : GeomRole{};
       if (role.part == Part::finger) {
         seen.fingers[b.row].insert({role.tool, role.finger});
         continue;
@@ -104,24 +104,24 @@ AisleWatch::Touches AisleWatch::touches(const World& world) const {
 
 void AisleWatch::follow_item(std::uint32_t product,
                              Item& item,
-                             const World& world,
+                             const physics::World& world,
                              const BaseMotion& base) {
-  const ProductMotion motion = world.product_motion(product);
+  const physics::ProductMotion motion = world.product_motion(product);
   const Vec3 arm = motion.pose.position - base.axle;
   const Vec3 carried =
       base.velocity_m_s + Vec3{-arm.y * base.turn_rad_s, arm.x * base.turn_rad_s, 0};
   item.speed_m_s = length(motion.velocity_m_s - carried);
-  item.rested_s = item.speed_m_s < rest_m_s ? item.rested_s + time_step_s : 0;
+  item.rested_s = item.speed_m_s < rest_m_s ? item.rested_s + physics::time_step_s : 0;
 }
 
 // What was taken is let down with the arm; it is dropped when it falls hard (look()).
-void AisleWatch::follow_events(World& world) {
-  for (const WorldEvent& event : world.take_events()) {
+void AisleWatch::follow_events(physics::World& world) {
+  for (const physics::WorldEvent& event : world.take_events()) {
     const auto item = items_.find(event.product);
     const bool taken = item != items_.end() && item->second.was_held;
-    if (event.kind == EventKind::dropped && !taken) dropped_.insert(event.product);
-    if (event.kind == EventKind::toppled && !taken) toppled_.insert(event.product);
-    if (event.kind == EventKind::displaced && !taken) displaced_.insert(event.product);
+    if (event.kind == physics::EventKind::dropped && !taken) dropped_.insert(event.product);
+    if (event.kind == physics::EventKind::toppled && !taken) toppled_.insert(event.product);
+    if (event.kind == physics::EventKind::displaced && !taken) displaced_.insert(event.product);
   }
 }
 
@@ -136,7 +136,7 @@ void AisleWatch::find_holder(Item& item,
   if (sealed_by >= 0) item.touched_by = item.held_by = sealed_by;
 }
 
-void AisleWatch::look(World& world,
+void AisleWatch::look(physics::World& world,
                       const BaseMotion& base,
                       std::span<const std::optional<std::uint32_t>> sealed) {
   const Touches seen = touches(world);
@@ -164,7 +164,7 @@ void AisleWatch::look(World& world,
     if (item.was_held && item.impact_m_s > max_impact_m_s) dropped_.insert(product);
     follow_item(product, item, world, base);
   }
-  pushes_.follow(seen.force_n, time_step_s);
+  pushes_.follow(seen.force_n, physics::time_step_s);
   base_collisions_ += seen.base_hit && !base_touches_ ? 1 : 0;
   base_touches_ = seen.base_hit;
   follow_events(world);
@@ -180,4 +180,4 @@ SideEffects AisleWatch::effects() const {
   return effects;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

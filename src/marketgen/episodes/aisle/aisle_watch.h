@@ -13,13 +13,13 @@
 #include "physics/world/robot_actor.h"
 #include "physics/world/world.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 class AisleWatch {
  public:
   AisleWatch() = default;
   // After the world was made with the robot in it. The basket's geoms are named "basket/...".
-  AisleWatch(const World& world, const Robot& robot);
+  AisleWatch(const physics::World& world, const robots::Robot& robot);
 
   // After every step. `base`: velocity of the robot's base in the store frame, and its turn rate
   // about `axle`.
@@ -28,7 +28,7 @@ class AisleWatch {
     double turn_rad_s = 0;
   };
   // `sealed`: the product on which each tool has sealed.
-  void look(World& world,
+  void look(physics::World& world,
             const BaseMotion& base,
             std::span<const std::optional<std::uint32_t>> sealed = {});
 
@@ -65,19 +65,22 @@ class AisleWatch {
     Part part = Part::body;
     int tool = -1, finger = -1;  // finger: 0 and 1, a cup is the only one
   };
-  static GeomRole role_of(const Robot& robot, std::string_view link);
+  static GeomRole role_of(const robots::Robot& robot, std::string_view link);
   struct Touches {
     std::map<std::uint32_t, std::set<std::pair<int, int>>> fingers;  // product: tool, finger
     std::set<std::uint32_t> met, basket;
     std::map<std::uint64_t, double> force_n;
     bool base_hit = false;
   };
-  Touches touches(const World& world) const;
+  Touches touches(const physics::World& world) const;
   bool lies_in_basket(std::uint32_t geom, std::uint32_t product) const;
-  void add_push(const WorldContact& contact, Touches& seen) const;
+  void add_push(const physics::WorldContact& contact, Touches& seen) const;
   void find_holder(Item& item, const std::set<std::pair<int, int>>& fingers, int sealed_by) const;
-  void follow_item(std::uint32_t product, Item& item, const World& world, const BaseMotion& base);
-  void follow_events(World& world);
+  void follow_item(std::uint32_t product,
+                   Item& item,
+                   const physics::World& world,
+                   const BaseMotion& base);
+  void follow_events(physics::World& world);
 
   std::vector<GeomRole> roles_;  // by geom
   std::map<std::uint32_t, Item> items_;
@@ -87,4 +90,4 @@ class AisleWatch {
   bool base_touches_ = false;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -10,7 +10,7 @@
 #include "episodes/control_step.h"
 #include "physics/goods/spec_geoms.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 namespace {
 
 constexpr double about_basket_m = 0.6;  // of its floor
@@ -18,30 +18,31 @@ constexpr double let_go_s = judged_after_s;
 constexpr std::string_view basket_material = "pet";  // moulded, against goods
 
 // One box a wall: bodies of the robot's base.
-void add_basket(mjSpec& spec, const AisleStation& station, const Robot& robot) {
-  const RobotFrame& frame =
+void add_basket(mjSpec& spec, const AisleStation& station, const robots::Robot& robot) {
+  const robots::RobotFrame& frame =
       robot.frames[static_cast<std::size_t>(robot.find_frame(station.basket.frame))];
   mjsBody* body =
       mjs_findBody(&spec, robot.links[static_cast<std::size_t>(frame.link)].name.c_str());
   int number = 0;
-  for (const ContainerBox& box : station.basket_boxes()) {
-    mjsGeom* geom = add_shape(body,
-                              {CollisionShape::box,
-                               link_from_basket(station, robot) * box.container_from_box,
-                               box.half_size});
+  for (const physics::ContainerBox& box : station.basket_boxes()) {
+    mjsGeom* geom = physics::add_shape(body,
+                                       {assets::CollisionShape::box,
+                                        link_from_basket(station, robot) * box.container_from_box,
+                                        box.half_size});
     geom->mass = 0;
     mjs_setName(geom->element, fmt::format("basket/{}", number++).c_str());
   }
 }
 
-std::map<std::string, std::string> materials_of(const AisleStation& station, const Robot& robot) {
-  std::map<std::string, std::string> materials = robot_materials(robot, {});
+std::map<std::string, std::string> materials_of(const AisleStation& station,
+                                                const robots::Robot& robot) {
+  std::map<std::string, std::string> materials = physics::robot_materials(robot, {});
   for (std::size_t i = 0; i < station.basket_boxes().size(); ++i)
     materials.emplace(fmt::format("basket/{}", i), std::string(basket_material));
   return materials;
 }
 
-std::size_t dof_named(const Robot& robot, std::string_view name) {
+std::size_t dof_named(const robots::Robot& robot, std::string_view name) {
   return static_cast<std::size_t>(robot.find_dof(name));
 }
 
@@ -49,7 +50,7 @@ std::size_t dof_named(const Robot& robot, std::string_view name) {
 
 Result<void> AisleWorld::reset(const EpisodeSpec& spec) {
   const AisleStation& station = store_->station;
-  const Robot& robot = store_->robot;
+  const robots::Robot& robot = store_->robot;
   if (spec.robot != station.robot)
     return Error{"robot.unknown",
                  spec.id,
@@ -60,7 +61,7 @@ Result<void> AisleWorld::reset(const EpisodeSpec& spec) {
       return Error{
           "catalog.unknown_sku", spec.id, "the store offers no \"" + goal.sku + "\" within reach"};
   }
-  RobotActorOptions place;
+  physics::RobotActorOptions place;
   place.state = store_->driving;
   const double heading = spec.start.heading_deg * std::numbers::pi / 180;
   place.state[dof_named(robot, "base_x")] = spec.start.x_m;
@@ -70,20 +71,21 @@ Result<void> AisleWorld::reset(const EpisodeSpec& spec) {
   if (!store_->ways.space().free(floor_point_mm(axle_of(robot, start))))
     return Error{
         "episode.impossible", spec.id, "the robot would begin in something that stands there"};
-  WorldOptions options;
+  physics::WorldOptions options;
   options.frictions = frictions_;
   options.keep_commands = false;
   options.actor_materials = materials_of(station, robot);
-  options.cups = robot_cups(robot, place);
+  options.cups = physics::robot_cups(robot, place);
   options.add_actors = [&](mjSpec_& made) -> Result<void> {
-    MARKETGEN_CHECK(add_robot(made, robot, place));
+    MARKETGEN_CHECK(physics::add_robot(made, robot, place));
     add_basket(made, station, robot);
     return {};
   };
-  MARKETGEN_TRY(World world, World::create(store_->scene, std::move(options)));
-  world_ = std::make_unique<World>(std::move(world));
-  MARKETGEN_TRY(controller_, RobotController::start(world_->model(), world_->data(), robot));
-  MARKETGEN_TRY(cups_, SuctionActor::find(*world_, robot));
+  MARKETGEN_TRY(physics::World world, physics::World::create(store_->scene, std::move(options)));
+  world_ = std::make_unique<physics::World>(std::move(world));
+  MARKETGEN_TRY(controller_,
+                physics::RobotController::start(world_->model(), world_->data(), robot));
+  MARKETGEN_TRY(cups_, physics::SuctionActor::find(*world_, robot));
   spec_ = spec;
   commanded_ = commanded_dofs(robot);
   path_m_ = 0;
@@ -112,9 +114,9 @@ Pose AisleWorld::world_from_basket() const {
   return world_from_base() * store_->basket.base_from_floor;
 }
 
-Observation AisleWorld::observe() const {
+agent::Observation AisleWorld::observe() const {
   const std::vector<double> q = robot_state(), v = controller_.actor().velocity(*world_);
-  Observation seen;
+  agent::Observation seen;
   seen.time_s = time_s();
   for (const int dof : commanded_) {
     seen.position.push_back(q[static_cast<std::size_t>(dof)]);
@@ -122,9 +124,9 @@ Observation AisleWorld::observe() const {
   }
   seen.openings_m = tool_openings_m(robot(), q);
   for (std::size_t t = 0; t < robot().tools.size(); ++t) {
-    const Tool& tool = robot().tools[t];
-    const bool off = tool.kind == ToolKind::suction && !cups_.sucks(*world_, tool);
-    if (off) seen.openings_m[t] = cup_off_m;
+    const robots::Tool& tool = robot().tools[t];
+    const bool off = tool.kind == robots::ToolKind::suction && !cups_.sucks(*world_, tool);
+    if (off) seen.openings_m[t] = agent::cup_off_m;
     seen.sealed.push_back(cups_.sealed_product(*world_, tool).has_value());
   }
   seen.base = controller_.wheels().reckoned();
@@ -134,22 +136,22 @@ Observation AisleWorld::observe() const {
 
 std::vector<std::optional<std::uint32_t>> AisleWorld::sealed_products() const {
   std::vector<std::optional<std::uint32_t>> sealed;
-  for (const Tool& tool : robot().tools)
+  for (const robots::Tool& tool : robot().tools)
     sealed.push_back(cups_.sealed_product(*world_, tool));
   return sealed;
 }
 
 // Before every step of physics.
-Result<void> AisleWorld::use_cups(const Action& action) {
+Result<void> AisleWorld::use_cups(const agent::Action& action) {
   for (std::size_t t = 0; t < robot().tools.size(); ++t) {
-    const Tool& tool = robot().tools[t];
-    if (tool.kind == ToolKind::suction)
+    const robots::Tool& tool = robot().tools[t];
+    if (tool.kind == robots::ToolKind::suction)
       MARKETGEN_CHECK(cups_.suck(*world_, tool, action.tools[t].opening_m == 0));
   }
   return {};
 }
 
-Result<void> AisleWorld::move(const Action& action) {
+Result<void> AisleWorld::move(const agent::Action& action) {
   const ControlStep step(controller_, robot(), commanded_, action);
   for (int i = 0; i < ControlStep::count(); ++i) {
     MARKETGEN_CHECK(controller_.command(*world_, step.at(i)));
@@ -160,14 +162,14 @@ Result<void> AisleWorld::move(const Action& action) {
     const Vec3 way = now - axle_;
     path_m_ += std::hypot(way.x, way.y);
     const double turn = controller_.actor().velocity(*world_)[dof_named(robot(), "base_yaw")];
-    watch_.look(*world_, {now, way / time_step_s, turn}, sealed_products());
+    watch_.look(*world_, {now, way / physics::time_step_s, turn}, sealed_products());
     axle_ = now;
     if (physics_watch_) physics_watch_(world_->model(), world_->data());
   }
   return {};
 }
 
-Result<Observation> AisleWorld::step(const Action& action) {
+Result<agent::Observation> AisleWorld::step(const agent::Action& action) {
   MARKETGEN_CHECK(check_action(action, robot(), commanded_.size(), done_));
   if (action.stop) {
     done_ = true;
@@ -175,7 +177,7 @@ Result<Observation> AisleWorld::step(const Action& action) {
   }
   MARKETGEN_CHECK(move(action));
   ++steps_;
-  done_ = time_s() >= spec_.limit_s - time_step_s / 2;
+  done_ = time_s() >= spec_.limit_s - physics::time_step_s / 2;
   return observe();
 }
 
@@ -253,7 +255,7 @@ std::string AisleWorld::save() const {
 
 Result<void> AisleWorld::restore(std::string_view moment) {
   std::string physics;
-  RobotController controller = controller_;
+  physics::RobotController controller = controller_;
   double path = 0;
   AisleWatch watch = watch_;
   Vec3 axle;
@@ -263,7 +265,7 @@ Result<void> AisleWorld::restore(std::string_view moment) {
   reader(physics, controller, watch, axle, path, steps, done);
   if (!reader.ok() || controller.setpoints().size() != robot().dof_count())
     return Error{"physics.bad_command", spec_.id, "the moment is of another episode"};
-  MARKETGEN_TRY(const WorldSnapshot snapshot, WorldSnapshot::of_bytes(physics));
+  MARKETGEN_TRY(const physics::WorldSnapshot snapshot, physics::WorldSnapshot::of_bytes(physics));
   MARKETGEN_CHECK(world_->restore(snapshot));
   controller_ = std::move(controller);
   path_m_ = path;
@@ -286,9 +288,9 @@ std::vector<std::uint32_t> AisleWorld::in_basket() const {
   return rows;
 }
 
-Result<std::vector<GraspCandidate>> AisleWorld::known_grasps(std::uint32_t product,
-                                                             const GraspTool& tool) const {
-  const Product& goods = store_->scene.catalog[store_->scene.products[product].sku];
+Result<std::vector<motion::GraspCandidate>> AisleWorld::known_grasps(
+    std::uint32_t product, const robots::GraspTool& tool) const {
+  const catalog::Product& goods = store_->scene.catalog[store_->scene.products[product].sku];
   const auto& witness = spec_.certificate.witness;
   const auto pick = std::ranges::find(witness, goods.sku, &WitnessPick::sku);
   return studied_grasps(
@@ -300,7 +302,7 @@ int AisleWorld::strayed() const {
   const std::vector<std::uint32_t> carried = in_basket();
   const std::vector<std::uint32_t> moved = world_->moved_products();
   return static_cast<int>(std::ranges::count_if(moved, [&](std::uint32_t row) {
-    const Vec3 stood = world_from_product(store_->scene.products[row]).position;
+    const Vec3 stood = scene::world_from_product(store_->scene.products[row]).position;
     return !std::ranges::binary_search(carried, row) &&
            length(world_->product_pose(row).position - stood) > max_clean_shift_m;
   }));
@@ -329,11 +331,12 @@ void AisleWorld::add_lengths(EpisodeResult& result) const {
 
 Result<EpisodeResult> AisleWorld::finish() {
   done_ = true;
-  Action hold = still_action(observe());
+  agent::Action hold = still_action(observe());
   hold.position = told();
   for (std::size_t t = 0; t < robot().tools.size(); ++t)
-    if (robot().tools[t].kind == ToolKind::suction) hold.tools[t].opening_m = cup_off_m;
-  for (double waited = 0; waited < let_go_s - time_step_s; waited += control_step_s)
+    if (robot().tools[t].kind == robots::ToolKind::suction)
+      hold.tools[t].opening_m = agent::cup_off_m;
+  for (double waited = 0; waited < let_go_s - physics::time_step_s; waited += control_step_s)
     MARKETGEN_CHECK(move(hold));
   MARKETGEN_TRY(const std::vector<ItemState> states, item_states());
   const EpisodeOutcome outcome = judge(region(), spec_.goals, states);
@@ -351,4 +354,4 @@ Result<EpisodeResult> AisleWorld::finish() {
   return result;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

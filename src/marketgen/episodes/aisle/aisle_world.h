@@ -13,11 +13,11 @@
 #include "motion/collision_world.h"
 #include "physics/world/suction_actor.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 class AisleWorld : public TrackWorld {
  public:
-  AisleWorld(std::shared_ptr<const AisleStore> store, std::vector<FrictionRow> frictions)
+  AisleWorld(std::shared_ptr<const AisleStore> store, std::vector<catalog::FrictionRow> frictions)
       : store_(std::move(store)), frictions_(std::move(frictions)) {}
 
   // Errors: robot.unknown when the episode is for another robot or for other tools;
@@ -26,9 +26,9 @@ class AisleWorld : public TrackWorld {
   Result<void> reset(const EpisodeSpec& spec);
 
   const EpisodeSpec& spec() const override { return spec_; }
-  const Robot& robot() const override { return store_->robot; }
-  Observation observe() const override;
-  Result<Observation> step(const Action& action) override;
+  const robots::Robot& robot() const override { return store_->robot; }
+  agent::Observation observe() const override;
+  Result<agent::Observation> step(const agent::Action& action) override;
   bool done() const override { return done_; }
   double time_s() const override;
   int steps() const override { return steps_; }
@@ -41,8 +41,8 @@ class AisleWorld : public TrackWorld {
   // ---- The truth: for the oracle, pictures and tests; no policy may look. ----
 
   const AisleStore& store() const { return *store_; }
-  const World& world() const { return *world_; }
-  const RobotController& controller() const override { return controller_; }
+  const physics::World& world() const { return *world_; }
+  const physics::RobotController& controller() const override { return controller_; }
   const mjModel_& model() const override { return world_->model(); }
   const mjData_& data() const override { return world_->data(); }
   AnyWorld any() const override { return this; }
@@ -57,12 +57,12 @@ class AisleWorld : public TrackWorld {
   double path_m() const { return path_m_; }
   // Grasps of the product by which the episode's witness would have it taken; all of them for a
   // product that is no goal. Errors: those of studied_grasps().
-  Result<std::vector<GraspCandidate>> known_grasps(std::uint32_t product,
-                                                   const GraspTool& tool) const;
+  Result<std::vector<motion::GraspCandidate>> known_grasps(std::uint32_t product,
+                                                           const robots::GraspTool& tool) const;
 
  private:
-  Result<void> move(const Action& action);
-  Result<void> use_cups(const Action& action);
+  Result<void> move(const agent::Action& action);
+  Result<void> use_cups(const agent::Action& action);
   Result<void> know_goods(std::uint32_t product);
   ItemState item_state(std::uint32_t product, const AisleWatch::Item& item) const;
   Result<std::vector<ItemState>> item_states();
@@ -71,13 +71,13 @@ class AisleWorld : public TrackWorld {
   int strayed() const;
 
   std::shared_ptr<const AisleStore> store_;
-  std::vector<FrictionRow> frictions_;
+  std::vector<catalog::FrictionRow> frictions_;
   std::map<std::uint32_t, SharedGoods> goods_;  // by SKU row
 
   EpisodeSpec spec_;
-  std::unique_ptr<World> world_;
-  RobotController controller_;
-  SuctionActor cups_;
+  std::unique_ptr<physics::World> world_;
+  physics::RobotController controller_;
+  physics::SuctionActor cups_;
   std::vector<int> commanded_;  // degrees of freedom
   AisleWatch watch_;
   Vec3 axle_;  // where the middle between the wheels was
@@ -86,4 +86,4 @@ class AisleWorld : public TrackWorld {
   bool done_ = true;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

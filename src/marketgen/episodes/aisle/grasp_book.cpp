@@ -11,27 +11,27 @@
 #include "physics/goods/contact_shape.h"
 #include "physics/world/cup_lip.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 namespace {
 
 constexpr int min_held = 2;  // of three tries
 
-bool is_holdable(const GraspRate& rate) {
+bool is_holdable(const grasping::GraspRate& rate) {
   return rate.fits() && !rate.tries.empty() &&
          rate.held() >= std::min<int>(min_held, static_cast<int>(rate.tries.size()));
 }
 
-std::string why_not_held(const GraspRate& rate) {
+std::string why_not_held(const grasping::GraspRate& rate) {
   if (!rate.fits()) return std::string(name_of(rate.excluded));
   if (rate.tries.empty()) return "untried";
-  const GraspEnd end = rate.tries.front().end;
-  return end == GraspEnd::held ? "unreliable" : std::string(name_of(end));
+  const grasping::GraspEnd end = rate.tries.front().end;
+  return end == grasping::GraspEnd::held ? "unreliable" : std::string(name_of(end));
 }
 
 // Numbers, among the first `most`, of those that keep the pack from turning between the pads while
 // the arm turns it over.
-std::vector<int> steady_grasps(const std::vector<GraspCandidate>& grasps,
-                               const GraspTool& tool,
+std::vector<int> steady_grasps(const std::vector<motion::GraspCandidate>& grasps,
+                               const robots::GraspTool& tool,
                                int most) {
   std::vector<int> steady;
   for (int i = 0; i < std::min(most, static_cast<int>(grasps.size())); ++i)
@@ -41,8 +41,10 @@ std::vector<int> steady_grasps(const std::vector<GraspCandidate>& grasps,
 
 // A pack in a store is one solid, simpler than the study's pieces: whether a cup's lip lies on it
 // evenly enough there, too.
-bool seals_on(const ContactShape& solid, const GraspTool& cup, const Pose& product_from_tool) {
-  if (solid.shape != CollisionShape::box) return false;
+bool seals_on(const assets::ContactShape& solid,
+              const robots::GraspTool& cup,
+              const Pose& product_from_tool) {
+  if (solid.shape != assets::CollisionShape::box) return false;
   const Quaternion solid_from_product = inverse(solid.pose.rotation);
   const Vec3 ahead = rotate(solid_from_product * product_from_tool.rotation, {0, 0, 1});
   const Vec3 at = inverse(solid.pose) * product_from_tool.position;
@@ -57,63 +59,65 @@ bool seals_on(const ContactShape& solid, const GraspTool& cup, const Pose& produ
   const double tilt = std::hypot(axes[0].ahead, axes[1].ahead) / face.ahead;
   const auto inside = [&](const Axis& axis) { return axis.at + cup.cup_radius_m < axis.half; };
   return 2 * cup.cup_radius_m * tilt < cup.seal_depth_m &&
-         std::abs(face.at - face.half) < bellows_stroke_m && inside(axes[0]) && inside(axes[1]);
+         std::abs(face.at - face.half) < physics::bellows_stroke_m && inside(axes[0]) &&
+         inside(axes[1]);
 }
 
 }  // namespace
 
-StudyOptions GraspBook::options() {
-  StudyOptions options;
-  options.settings = {GraspSetting::stocked};
+grasping::StudyOptions GraspBook::options() {
+  grasping::StudyOptions options;
+  options.settings = {grasping::GraspSetting::stocked};
   options.enough_held = min_held;
   return options;
 }
 
-GraspBook::GraspBook(GraspTool tool,
-                     std::vector<FrictionRow> frictions,
-                     const std::vector<GraspRate>& known)
+GraspBook::GraspBook(robots::GraspTool tool,
+                     std::vector<catalog::FrictionRow> frictions,
+                     const std::vector<grasping::GraspRate>& known)
     : tool_(std::move(tool)), frictions_(std::move(frictions)) {
-  for (const GraspRate& rate : known)
-    if (rate.tool == tool_.id && rate.setting == GraspSetting::stocked)
+  for (const grasping::GraspRate& rate : known)
+    if (rate.tool == tool_.id && rate.setting == grasping::GraspSetting::stocked)
       rates_.emplace(rate.sku, rate);
 }
 
-Result<GraspRate> GraspBook::rate(const Product& product) {
+Result<grasping::GraspRate> GraspBook::rate(const catalog::Product& product) {
   {
     const std::scoped_lock lock(mutex_);
     if (const auto known = rates_.find(product.sku); known != rates_.end()) return known->second;
   }
-  MARKETGEN_TRY(const std::vector<GraspRate> rates,
-                study_grasps({&product}, {tool_}, frictions_, options(), silent_progress()));
+  MARKETGEN_TRY(
+      const std::vector<grasping::GraspRate> rates,
+      grasping::study_grasps({&product}, {tool_}, frictions_, options(), silent_progress()));
   const std::scoped_lock lock(mutex_);
   rates_.emplace(product.sku, rates.front());
   new_.insert(product.sku);
   return rates.front();
 }
 
-std::vector<GraspRate> GraspBook::studied() const {
+std::vector<grasping::GraspRate> GraspBook::studied() const {
   const std::scoped_lock lock(mutex_);
-  std::vector<GraspRate> rates;
+  std::vector<grasping::GraspRate> rates;
   for (const std::string& sku : new_)
     rates.push_back(rates_.at(sku));
   return rates;
 }
 
 // Of a cup's: those with which it seals on the pack as a store has it.
-Result<void> GraspBook::leave_sealed(const Product& product,
-                                     const std::vector<GraspCandidate>& candidates,
+Result<void> GraspBook::leave_sealed(const catalog::Product& product,
+                                     const std::vector<motion::GraspCandidate>& candidates,
                                      std::vector<int>& numbers) const {
-  if (tool_.kind != ToolKind::suction) return {};
-  MARKETGEN_TRY(const CollisionPrimitive primitive, collision_of(product));
-  const ContactShape solid = contact_shape_of(primitive);
+  if (tool_.kind != robots::ToolKind::suction) return {};
+  MARKETGEN_TRY(const assets::CollisionPrimitive primitive, assets::collision_of(product));
+  const assets::ContactShape solid = assets::contact_shape_of(primitive);
   std::erase_if(numbers, [&](int number) {
-    const GraspCandidate& candidate = candidates[static_cast<std::size_t>(number)];
+    const motion::GraspCandidate& candidate = candidates[static_cast<std::size_t>(number)];
     return !seals_on(solid, tool_, candidate.grasp.product_from_tool);
   });
   return {};
 }
 
-Result<StudiedProduct> GraspBook::study(const Product& product) {
+Result<StudiedProduct> GraspBook::study(const catalog::Product& product) {
   const auto candidates = studied_grasps(product, tool_, frictions_, {});
   std::vector<int> steady;
   if (candidates.ok()) {
@@ -122,7 +126,7 @@ Result<StudiedProduct> GraspBook::study(const Product& product) {
     MARKETGEN_CHECK(leave_sealed(product, *candidates, steady));
     if (steady.empty()) return StudiedProduct{{}, "no_seal"};
   }
-  MARKETGEN_TRY(const GraspRate rate, this->rate(product));
+  MARKETGEN_TRY(const grasping::GraspRate rate, this->rate(product));
   if (!is_holdable(rate)) return StudiedProduct{{}, why_not_held(rate)};
   if (!candidates.ok()) return candidates.error();
   StudiedProduct studied;
@@ -134,27 +138,28 @@ Result<StudiedProduct> GraspBook::study(const Product& product) {
 }
 
 Result<void> GraspBook::keep(const std::filesystem::path& data, const std::string& catalog_hash) {
-  const std::vector<GraspRate> rates = studied();
+  const std::vector<grasping::GraspRate> rates = studied();
   if (rates.empty()) return {};
-  MARKETGEN_TRY(const std::string key, grasp_study_key(data, catalog_hash, options()));
-  if (const auto kept = keep_grasp_rates(rates, key, options().seed); !kept.ok()) {
+  MARKETGEN_TRY(const std::string key, grasping::grasp_study_key(data, catalog_hash, options()));
+  if (const auto kept = grasping::keep_grasp_rates(rates, key, options().seed); !kept.ok()) {
     log_warning(to_string(kept.error()));
     return {};
   }
   const std::scoped_lock lock(mutex_);
-  for (const GraspRate& rate : rates)
+  for (const grasping::GraspRate& rate : rates)
     new_.erase(rate.sku);
   return {};
 }
 
 Result<std::shared_ptr<GraspBook>> open_aisle_book(const std::filesystem::path& data,
-                                                   const Catalog& catalog,
+                                                   const catalog::Catalog& catalog,
                                                    const std::string& tools) {
   MARKETGEN_TRY(const AisleStation station, load_aisle_station(data, tools));
-  MARKETGEN_TRY(GraspTool tool, load_grasp_tool(data, station.tools().picks_with));
+  MARKETGEN_TRY(robots::GraspTool tool, robots::load_grasp_tool(data, station.tools().picks_with));
   MARKETGEN_TRY(const std::string key,
-                grasp_study_key(data, catalog.content_hash, GraspBook::options()));
-  return std::make_shared<GraspBook>(std::move(tool), catalog.frictions, kept_grasp_rates(key));
+                grasping::grasp_study_key(data, catalog.content_hash, GraspBook::options()));
+  return std::make_shared<GraspBook>(
+      std::move(tool), catalog.frictions, grasping::kept_grasp_rates(key));
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

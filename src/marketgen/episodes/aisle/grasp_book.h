@@ -12,7 +12,7 @@
 #include "catalog/catalog.h"
 #include "grasping/grasp_study.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 struct StudiedProduct {
   std::vector<int> grasps;  // numbers of the study's candidates that hold it; none when it is not
@@ -24,45 +24,45 @@ struct StudiedProduct {
 class GraspBook {
  public:
   // The study that it makes: a product's candidates until two held or two cannot hold any more.
-  static StudyOptions options();
+  static grasping::StudyOptions options();
 
   // `known`: rates of earlier studies of the same kind, which are not made again.
-  GraspBook(GraspTool tool,
-            std::vector<FrictionRow> frictions,
-            const std::vector<GraspRate>& known = {});
+  GraspBook(robots::GraspTool tool,
+            std::vector<catalog::FrictionRow> frictions,
+            const std::vector<grasping::GraspRate>& known = {});
 
   // A product is fetched when the study holds it in two of three tries, by those of the grasps that
   // also keep it from turning between the pads, or from peeling off the cup, while the arm turns it
   // over. One that no grasp keeps so is not tried. A cup must also seal on the pack as a store has
   // it: one solid, plainer than the study's pieces. Errors: those of study_grasps().
-  Result<StudiedProduct> study(const Product& product);
+  Result<StudiedProduct> study(const catalog::Product& product);
   // Rates that were not known before, and are not kept yet.
-  std::vector<GraspRate> studied() const;
+  std::vector<grasping::GraspRate> studied() const;
   // Puts them into the grasp database, once: the next book need not try the same grasps again.
   // Where that cannot be, the log says so. Errors: those of grasp_study_key().
   Result<void> keep(const std::filesystem::path& data, const std::string& catalog_hash);
 
-  const GraspTool& tool() const { return tool_; }
-  const std::vector<FrictionRow>& frictions() const { return frictions_; }
+  const robots::GraspTool& tool() const { return tool_; }
+  const std::vector<catalog::FrictionRow>& frictions() const { return frictions_; }
 
  private:
-  Result<GraspRate> rate(const Product& product);
-  Result<void> leave_sealed(const Product& product,
-                            const std::vector<GraspCandidate>& candidates,
+  Result<grasping::GraspRate> rate(const catalog::Product& product);
+  Result<void> leave_sealed(const catalog::Product& product,
+                            const std::vector<motion::GraspCandidate>& candidates,
                             std::vector<int>& numbers) const;
 
-  GraspTool tool_;
-  std::vector<FrictionRow> frictions_;
+  robots::GraspTool tool_;
+  std::vector<catalog::FrictionRow> frictions_;
   mutable std::mutex mutex_;
-  std::map<std::string, GraspRate> rates_;  // by SKU
-  std::set<std::string> new_;               // SKUs
+  std::map<std::string, grasping::GraspRate> rates_;  // by SKU
+  std::set<std::string> new_;                         // SKUs
 };
 
 // For the tool with which the robot in aisles fetches, with what the grasp database knows of it.
 // `tools`: a tool set of the station, the first when empty. Errors: those of load_aisle_station,
 // load_grasp_tool, grasp_study_key.
 Result<std::shared_ptr<GraspBook>> open_aisle_book(const std::filesystem::path& data,
-                                                   const Catalog& catalog,
+                                                   const catalog::Catalog& catalog,
                                                    const std::string& tools = {});
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

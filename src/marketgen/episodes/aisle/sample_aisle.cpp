@@ -13,7 +13,7 @@
 #include "episodes/aisle/studied_grasps.h"
 #include "skills/drop_plan.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 namespace {
 
 constexpr int max_attempts = 12;     // at an episode
@@ -29,7 +29,7 @@ bool is_about_the_item(const Error& error) {
          code == "robot.unreachable" || code == "collect.no_place" || code == "collect.no_drop";
 }
 
-Pose upright(const FloorPlace& place) {
+Pose upright(const motion::FloorPlace& place) {
   return {{place.position.x, place.position.y, 0}, rotation_about({0, 0, 1}, place.heading)};
 }
 
@@ -37,9 +37,9 @@ Pose upright(const FloorPlace& place) {
 
 // A way through the episode as far as it was found.
 struct AisleSampler::Witness {
-  Vec3 axle;                         // where the robot is
-  std::vector<CarriedItem> inside;   // of its basket
-  std::vector<std::uint32_t> taken;  // rows
+  Vec3 axle;                                // where the robot is
+  std::vector<skills::CarriedItem> inside;  // of its basket
+  std::vector<std::uint32_t> taken;         // rows
 };
 
 Result<std::unique_ptr<AisleSampler>> AisleSampler::make(std::shared_ptr<const AisleStore> store,
@@ -47,12 +47,13 @@ Result<std::unique_ptr<AisleSampler>> AisleSampler::make(std::shared_ptr<const A
   std::unique_ptr<AisleSampler> made(new AisleSampler);
   made->store_ = std::move(store);
   made->book_ = std::move(book);
-  const Scene& scene = made->store_->scene;
+  const scene::Scene& scene = made->store_->scene;
   std::set<std::uint32_t> seen;
-  for (const SceneProduct& product : scene.products) {
+  for (const scene::SceneProduct& product : scene.products) {
     if (!seen.insert(product.sku).second) continue;
-    const Product& goods = scene.catalog[product.sku];
-    if (goods.rigidity != Rigidity::soft && !made->store_->standing_places(goods.sku).empty())
+    const catalog::Product& goods = scene.catalog[product.sku];
+    if (goods.rigidity != catalog::Rigidity::soft &&
+        !made->store_->standing_places(goods.sku).empty())
       made->shapes_[goods.archetype].push_back(&goods);
   }
   std::size_t products = 0;
@@ -68,7 +69,7 @@ Result<std::unique_ptr<AisleSampler>> AisleSampler::make(std::shared_ptr<const A
 }
 
 // Numbers of the grasps by which a product can be fetched; none when it cannot.
-Result<std::vector<int>> AisleSampler::grasps_for(const Product& product) {
+Result<std::vector<int>> AisleSampler::grasps_for(const catalog::Product& product) {
   MARKETGEN_TRY(StudiedProduct studied, book_->study(product));
   const std::scoped_lock lock(mutex_);
   considered_.insert_or_assign(product.sku, studied.why_not);
@@ -102,13 +103,13 @@ EpisodeExclusions AisleSampler::exclusions() const {
 }
 
 // From where the arm is when it has pulled the item out, backed off so far as there is room.
-Result<bool> AisleSampler::can_drop(const CollectPlan& plan, Witness& witness, Seed seed) {
-  const Robot& robot = store_->robot;
-  const JointGroup& arm = *robot.find_group(plan.group);
-  const Scene& scene = store_->scene;
-  MARKETGEN_TRY(const ProductBody body,
-                make_store_body(scene.catalog[scene.products[plan.product].sku]));
-  DropQuestion question;
+Result<bool> AisleSampler::can_drop(const collect::CollectPlan& plan, Witness& witness, Seed seed) {
+  const robots::Robot& robot = store_->robot;
+  const robots::JointGroup& arm = *robot.find_group(plan.group);
+  const scene::Scene& scene = store_->scene;
+  MARKETGEN_TRY(const assets::ProductBody body,
+                skills::make_store_body(scene.catalog[scene.products[plan.product].sku]));
+  skills::DropQuestion question;
   question.state = plan.state;
   const std::vector<double> end = plan.retreat.at(plan.retreat.duration_s()).position;
   for (std::size_t j = 0; j < arm.dofs.size(); ++j) {
@@ -124,22 +125,22 @@ Result<bool> AisleSampler::can_drop(const CollectPlan& plan, Witness& witness, S
   question.held = &body;
   question.tip_from_product = inverse(plan.grasp.grasp.product_from_tool);
   const Vec3 middle = question.world_from_base.position + Vec3{0, 0, 0.9};
-  question.around = fixture_obstacles(scene, middle, drop_reach_m);
+  question.around = collect::fixture_obstacles(scene, middle, drop_reach_m);
   MARKETGEN_CHECK(
-      add_product_obstacles(scene, middle, drop_reach_m, witness.taken, question.around));
+      collect::add_product_obstacles(scene, middle, drop_reach_m, witness.taken, question.around));
   question.inside = witness.inside;
-  const auto drop = plan_drop(robot, store_->basket, question, seed);
+  const auto drop = skills::plan_drop(robot, store_->basket, question, seed);
   if (!drop.ok()) {
     if (is_about_the_item(drop.error())) return false;
     return drop.error();
   }
   // How it comes to lie is not known: somewhere in the box in which it is let go.
-  witness.inside.push_back(
-      carried_box(turned_box(body, drop->base_from_tip * question.tip_from_product)));
+  witness.inside.push_back(skills::carried_box(
+      skills::turned_box(body, drop->base_from_tip * question.tip_from_product)));
   return true;
 }
 
-Result<std::optional<WitnessPick>> AisleSampler::pick(const Product& product,
+Result<std::optional<WitnessPick>> AisleSampler::pick(const catalog::Product& product,
                                                       const std::vector<int>& grasps,
                                                       Witness& witness,
                                                       Seed seed) {
@@ -152,13 +153,13 @@ Result<std::optional<WitnessPick>> AisleSampler::pick(const Product& product,
     if (path.ok()) rows.emplace_back(path->length_m, row);
   }
   std::ranges::stable_sort(rows);
-  CollectOptions options;
+  collect::CollectOptions options;
   options.posture = store_->station.posture;
   options.carried = store_->basket.walls;
   MARKETGEN_TRY(options.grasps, studied_grasps(product, book_->tool(), book_->frictions(), grasps));
   for (std::size_t i = 0; i < std::min(rows.size(), max_rows); ++i) {
     const auto& [way_m, row] = rows[i];
-    const auto plan = plan_collect(
+    const auto plan = collect::plan_collect(
         store_->scene, row, store_->robot, book_->tool(), seed.child("pick", i), options);
     if (!plan.ok()) {
       if (is_about_the_item(plan.error())) continue;
@@ -179,7 +180,7 @@ Result<std::optional<WitnessPick>> AisleSampler::pick(const Product& product,
     const Vec3 ahead = rotate(plan->world_from_base.rotation, {1, 0, 0});
     WitnessPick found;
     found.sku = sku;
-    found.product = product_id(store_->scene, row);
+    found.product = scene::product_id(store_->scene, row);
     found.arm = plan->group;
     found.strategy = std::string(name_of(plan->grasp.strategy));
     found.grasps = grasps;
@@ -191,12 +192,12 @@ Result<std::optional<WitnessPick>> AisleSampler::pick(const Product& product,
   return std::optional<WitnessPick>{};
 }
 
-std::optional<FloorPlace> AisleSampler::draw_start(Stream& draw) const {
-  const RectMm bounds = bounds_of(floor_of(store_->scene.layout.shell));
+std::optional<motion::FloorPlace> AisleSampler::draw_start(Stream& draw) const {
+  const RectMm bounds = bounds_of(plan::floor_of(store_->scene.layout.shell));
   for (int i = 0; i < max_starts; ++i) {
-    FloorPlace place{{draw.uniform(bounds.x0 * 1e-3, bounds.x1 * 1e-3),
-                      draw.uniform(bounds.y0 * 1e-3, bounds.y1 * 1e-3)},
-                     draw.uniform(-std::numbers::pi, std::numbers::pi)};
+    motion::FloorPlace place{{draw.uniform(bounds.x0 * 1e-3, bounds.x1 * 1e-3),
+                              draw.uniform(bounds.y0 * 1e-3, bounds.y1 * 1e-3)},
+                             draw.uniform(-std::numbers::pi, std::numbers::pi)};
     if (store_->ways.space().free(floor_point_mm(axle_of(store_->robot, upright(place)))))
       return place;
   }
@@ -204,11 +205,11 @@ std::optional<FloorPlace> AisleSampler::draw_start(Stream& draw) const {
 }
 
 // Where the products of a category stand: the middle of their facings' first items.
-CategoryPlace AisleSampler::category_place(const Product& product) const {
-  const Scene& scene = store_->scene;
+CategoryPlace AisleSampler::category_place(const catalog::Product& product) const {
+  const scene::Scene& scene = store_->scene;
   Vec3 sum;
   int count = 0;
-  for (const Facing& facing : scene.facings) {
+  for (const scene::Facing& facing : scene.facings) {
     if (facing.product_count == 0 || scene.catalog[facing.sku].category != product.category)
       continue;
     const auto& at = scene.products[facing.first_product].position_m;
@@ -231,7 +232,7 @@ Result<std::optional<EpisodeSpec>> AisleSampler::attempt(EpisodeSpec spec, Seed 
     auto shape = shapes_.begin();
     std::advance(shape, draw.integer(0, static_cast<int>(shapes_.size()) - 1));
     const auto& of_shape = shape->second;
-    const Product& product =
+    const catalog::Product& product =
         *of_shape[static_cast<std::size_t>(draw.integer(0, static_cast<int>(of_shape.size()) - 1))];
     if (!drawn.insert(product.sku).second) continue;
     MARKETGEN_TRY(const std::vector<int> grasps, grasps_for(product));
@@ -270,4 +271,4 @@ Result<EpisodeSpec> AisleSampler::sample(const EpisodeOrigin& origin, Seed seed,
       fmt::format("in {} attempts, too few goals were found that can be fetched", max_attempts)};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

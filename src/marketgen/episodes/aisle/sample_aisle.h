@@ -12,7 +12,7 @@
 #include "episodes/episode_journal.h"
 #include "episodes/episode_origin.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 constexpr int min_goals = 2, max_goals = 4;
 
@@ -36,21 +36,22 @@ class AisleSampler {
  private:
   struct Witness;
   AisleSampler() = default;
-  Result<std::vector<int>> grasps_for(const Product& product);
-  Result<std::optional<WitnessPick>> pick(const Product& product,
+  Result<std::vector<int>> grasps_for(const catalog::Product& product);
+  Result<std::optional<WitnessPick>> pick(const catalog::Product& product,
                                           const std::vector<int>& grasps,
                                           Witness& witness,
                                           Seed seed);
-  Result<bool> can_drop(const CollectPlan& plan, Witness& witness, Seed seed);
-  CategoryPlace category_place(const Product& product) const;
-  std::optional<FloorPlace> draw_start(Stream& draw) const;
+  Result<bool> can_drop(const collect::CollectPlan& plan, Witness& witness, Seed seed);
+  CategoryPlace category_place(const catalog::Product& product) const;
+  std::optional<motion::FloorPlace> draw_start(Stream& draw) const;
   Result<std::optional<EpisodeSpec>> attempt(EpisodeSpec spec, Seed seed);
 
   std::shared_ptr<const AisleStore> store_;
   std::shared_ptr<GraspBook> book_;
-  std::map<std::string, std::vector<const Product*>> shapes_;  // within reach, by archetype
+  std::map<std::string, std::vector<const catalog::Product*>>
+      shapes_;  // within reach, by archetype
   mutable std::mutex mutex_;
   std::map<std::string, std::string> considered_;  // SKU: why it is not held, or empty
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

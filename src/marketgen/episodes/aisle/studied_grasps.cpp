@@ -3,23 +3,25 @@
 #include "assets/product_model.h"
 #include "grasping/grasp_study.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
-Result<std::vector<GraspCandidate>> studied_grasps(const Product& product,
-                                                   const GraspTool& tool,
-                                                   const std::vector<FrictionRow>& frictions,
-                                                   const std::vector<int>& numbers) {
-  MARKETGEN_TRY(const ProductBody body, make_product_body(product));
-  MARKETGEN_TRY(
-      GraspCandidates all,
-      grasp_candidates(
-          product,
-          body,
-          tool,
-          grasp_query(GraspSetting::stocked, product, rubber_friction(frictions, product))));
+Result<std::vector<motion::GraspCandidate>> studied_grasps(
+    const catalog::Product& product,
+    const robots::GraspTool& tool,
+    const std::vector<catalog::FrictionRow>& frictions,
+    const std::vector<int>& numbers) {
+  MARKETGEN_TRY(const assets::ProductBody body, assets::make_product_body(product));
+  MARKETGEN_TRY(motion::GraspCandidates all,
+                motion::grasp_candidates(
+                    product,
+                    body,
+                    tool,
+                    grasping::grasp_query(grasping::GraspSetting::stocked,
+                                          product,
+                                          grasping::rubber_friction(frictions, product))));
   if (all.found.empty()) return Error{"motion.no_grasp", product.sku, all.reason};
   if (numbers.empty()) return std::move(all.found);
-  std::vector<GraspCandidate> chosen;
+  std::vector<motion::GraspCandidate> chosen;
   for (const int number : numbers) {
     const auto at = static_cast<std::size_t>(number);
     if (number >= 0 && at < all.found.size()) chosen.push_back(all.found[at]);
@@ -29,4 +31,4 @@ Result<std::vector<GraspCandidate>> studied_grasps(const Product& product,
   return chosen;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

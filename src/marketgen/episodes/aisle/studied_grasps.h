@@ -6,13 +6,14 @@
 #include "catalog/catalog.h"
 #include "motion/grasp_candidates.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 // The candidates of those numbers, in that order; all of them, best first, for none. Error
 // motion.no_grasp with the reason; those of grasp_candidates.
-Result<std::vector<GraspCandidate>> studied_grasps(const Product& product,
-                                                   const GraspTool& tool,
-                                                   const std::vector<FrictionRow>& frictions,
-                                                   const std::vector<int>& numbers);
+Result<std::vector<motion::GraspCandidate>> studied_grasps(
+    const catalog::Product& product,
+    const robots::GraspTool& tool,
+    const std::vector<catalog::FrictionRow>& frictions,
+    const std::vector<int>& numbers);
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

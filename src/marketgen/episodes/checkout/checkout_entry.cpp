@@ -6,7 +6,7 @@
 #include "episodes/checkout/sample_checkout.h"
 #include "episodes/track_entry.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 namespace {
 
 class CheckoutEntry : public TrackEntry {
@@ -46,4 +46,4 @@ const TrackEntry& checkout_entry() {
   return entry;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

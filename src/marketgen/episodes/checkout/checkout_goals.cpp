@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-namespace marketgen {
+namespace marketgen::episodes {
 namespace {
 
 constexpr double under_the_top_m = 0.02;  // lower than this over the counter is beside it
 
 // Between the leaning walls, or above their opening: goods heaped over the rim are in it, too.
-bool is_in_basket(const OpenContainer& c, Vec3 at) {
+bool is_in_basket(const physics::OpenContainer& c, Vec3 at) {
   const double lean = c.taper_m * (1 - std::clamp(at.z / c.height_m, 0.0, 1.0));
   return at.z >= 0 && std::abs(at.x) <= c.top_x_m / 2 - lean &&
          std::abs(at.y) <= c.top_y_m / 2 - lean;
@@ -49,4 +49,4 @@ EpisodeOutcome judge_checkout(const HoldsPoint& region,
   return outcome;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

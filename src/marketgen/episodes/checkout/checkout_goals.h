@@ -5,13 +5,13 @@
 #include "episodes/checkout/checkout_station.h"
 #include "episodes/goal_judge.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 constexpr double max_tilt_deg = 15;
 
 // The basket where it stands now.
 struct PlacedBasket {
-  OpenContainer container;
+  physics::OpenContainer container;
   Pose station_from_container;
 };
 
@@ -28,4 +28,4 @@ EpisodeOutcome judge_checkout(const HoldsPoint& region,
                               const std::vector<ItemState>& items,
                               double max_basket_tilt_deg);
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -18,7 +18,7 @@
 #include "physics/world/pad_balls.h"
 #include "physics/world/robot_actor.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 namespace {
 
 constexpr char checkout_where[] = "checkout";
@@ -34,13 +34,13 @@ constexpr int all_bit = 1, pad_box_bit = 2;
 
 class CheckoutModelBuilder {
  public:
-  CheckoutModelBuilder(const CheckoutStation& station, const Robot& robot)
+  CheckoutModelBuilder(const CheckoutStation& station, const robots::Robot& robot)
       : station_(station),
         robot_(robot),
         spec_(mj_makeSpec(), mj_deleteSpec),
         world_(mjs_findBody(spec_.get(), "world")),
         goods_(*spec_) {
-    set_contact_options(*spec_, 1e-3);
+    physics::set_contact_options(*spec_, 1e-3);
     spec_->option.disableflags |= mjDSBL_AUTORESET;
     spec_->memory = checkout_arena_bytes;
     spec_->compiler.balanceinertia = true;
@@ -53,26 +53,27 @@ class CheckoutModelBuilder {
     const Vec3 half{
         (c.high_m[0] - c.low_m[0]) / 2, (c.high_m[1] - c.low_m[1]) / 2, c.thickness_m / 2};
     add_still({x, y, -half.z}, half);
-    mjsGeom* floor = add_floor(world_);
+    mjsGeom* floor = physics::add_floor(world_);
     floor->pos[2] = -c.height_m;
     floor->conaffinity = all_bit | pad_box_bit;
-    for (const ContainerBox& box : station_.lip())
+    for (const physics::ContainerBox& box : station_.lip())
       add_still(box.container_from_box.position, box.half_size);
   }
 
   void add_basket() {
     mjsBody* body = mjs_addBody(world_, nullptr);
     mjs_setName(body->element, "basket");
-    set_pose(body->pos, body->quat, station_.basket_pose());
+    physics::set_pose(body->pos, body->quat, station_.basket_pose());
     mjs_addFreeJoint(body);
     const BasketRow& b = station_.basket;
-    const std::vector<ContainerBox> boxes = station_.basket_boxes();
+    const std::vector<physics::ContainerBox> boxes = station_.basket_boxes();
     double volume = 0;
-    for (const ContainerBox& box : boxes)
+    for (const physics::ContainerBox& box : boxes)
       volume += 8 * box.half_size.x * box.half_size.y * box.half_size.z;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       const Vec3& h = boxes[i].half_size;
-      mjsGeom* geom = add_shape(body, {CollisionShape::box, boxes[i].container_from_box, h});
+      mjsGeom* geom =
+          physics::add_shape(body, {assets::CollisionShape::box, boxes[i].container_from_box, h});
       geom->mass = b.mass_kg * 8 * h.x * h.y * h.z / volume;
       geom->conaffinity = all_bit | pad_box_bit;
       if (i + 1 == boxes.size()) geom->friction[0] = basket_feet_friction;
@@ -88,12 +89,12 @@ class CheckoutModelBuilder {
   }
 
   Result<void> add_arm(const std::vector<double>& state) {
-    RobotActorOptions options;
+    physics::RobotActorOptions options;
     options.state = state;
-    MARKETGEN_CHECK(add_robot(*spec_, robot_, options));
+    MARKETGEN_CHECK(physics::add_robot(*spec_, robot_, options));
     std::set<int> hands;
-    for (const Joint& joint : robot_.joints) {
-      if (joint.kind != JointType::prismatic || joint.dof < 0) continue;
+    for (const robots::Joint& joint : robot_.joints) {
+      if (joint.kind != robots::JointType::prismatic || joint.dof < 0) continue;
       add_finger(joint);
       hands.insert(joint.parent);
     }
@@ -105,7 +106,7 @@ class CheckoutModelBuilder {
 
   Result<CheckoutModel> finish(std::size_t items) {
     CheckoutModel made;
-    MARKETGEN_TRY(made.model, compile(*spec_, checkout_where));
+    MARKETGEN_TRY(made.model, physics::compile(*spec_, checkout_where));
     const mjModel& m = *made.model;
     made.basket = mj_name2id(&m, mjOBJ_BODY, "basket");
     for (std::size_t i = 0; i < items; ++i)
@@ -140,7 +141,7 @@ class CheckoutModelBuilder {
   }
 
   void add_still(Vec3 at, Vec3 half) {
-    mjsGeom* geom = add_shape(world_, {CollisionShape::box, {at, {}}, half});
+    mjsGeom* geom = physics::add_shape(world_, {assets::CollisionShape::box, {at, {}}, half});
     geom->conaffinity = all_bit | pad_box_bit;
   }
 
@@ -156,32 +157,36 @@ class CheckoutModelBuilder {
 
   // A hand is the boxes of its look, as grasps know it: capsules stand out beyond them by a
   // centimetre, which is more than there is between hand and rim.
-  void shape_hand(const Link& link) {
-    const auto boxes = [](const BodyShape& shape) { return shape.kind == ShapeKind::box; };
+  void shape_hand(const robots::Link& link) {
+    const auto boxes = [](const robots::BodyShape& shape) {
+      return shape.kind == robots::ShapeKind::box;
+    };
     if (std::ranges::none_of(link.look, boxes)) return;
     mjsBody* body = mjs_findBody(spec_.get(), link.name.c_str());
     for (mjsElement* e = mjs_firstChild(body, mjOBJ_GEOM, 0); e != nullptr;
          e = mjs_nextChild(body, e, 0))
       mjs_asGeom(e)->contype = mjs_asGeom(e)->conaffinity = 0;
-    for (const BodyShape& shape : link.look) {
+    for (const robots::BodyShape& shape : link.look) {
       if (!boxes(shape)) continue;
-      mjsGeom* geom =
-          add_shape(body, {CollisionShape::box, shape.link_from_shape, shape.size * 0.5});
+      mjsGeom* geom = physics::add_shape(
+          body, {assets::CollisionShape::box, shape.link_from_shape, shape.size * 0.5});
       geom->mass = 0;
       geom->friction[0] = finger_friction;
     }
   }
 
   // Its solids meet what they did, but the pad: the balls in front of it meet goods in its place.
-  void add_finger(const Joint& joint) {
-    const Link& link = robot_.links[static_cast<std::size_t>(joint.link)];
+  void add_finger(const robots::Joint& joint) {
+    const robots::Link& link = robot_.links[static_cast<std::size_t>(joint.link)];
     mjsBody* body = mjs_findBody(spec_.get(), link.name.c_str());
     const double side = joint.axis.y;
-    const auto inner = [&](const BodyShape& s) {
+    const auto inner = [&](const robots::BodyShape& s) {
       return side * s.link_from_shape.position.y - s.size.y / 2;
     };
-    const BodyShape& pad = *std::ranges::min_element(
-        link.look, [&](const BodyShape& a, const BodyShape& b) { return inner(a) < inner(b); });
+    const robots::BodyShape& pad = *std::ranges::min_element(
+        link.look, [&](const robots::BodyShape& a, const robots::BodyShape& b) {
+          return inner(a) < inner(b);
+        });
     std::size_t index = 0;
     for (mjsElement* e = mjs_firstChild(body, mjOBJ_GEOM, 0); e != nullptr;
          e = mjs_nextChild(body, e, 0)) {
@@ -192,7 +197,8 @@ class CheckoutModelBuilder {
       geom->conaffinity = 0;
     }
     int count = 0;
-    for (mjsGeom* ball : add_pad_balls(body, pad.link_from_shape.position, pad.size * 0.5, side)) {
+    for (mjsGeom* ball :
+         physics::add_pad_balls(body, pad.link_from_shape.position, pad.size * 0.5, side)) {
       ball->contype = ball->conaffinity = 0;
       balls_.push_back(fmt::format("{}/ball{}", link.name, count++));
       mjs_setName(ball->element, balls_.back().c_str());
@@ -206,25 +212,25 @@ class CheckoutModelBuilder {
         mjs_setString(pair->geomname1, ball.c_str());
         mjs_setString(pair->geomname2, geom.c_str());
         pair->condim = 4;
-        pair->solref[0] = contact_time_s;
+        pair->solref[0] = physics::contact_time_s;
         pair->solref[1] = 1;
-        const double f[5] = {friction, friction, torsional_friction_m, 0.0001, 0.0001};
+        const double f[5] = {friction, friction, physics::torsional_friction_m, 0.0001, 0.0001};
         std::copy_n(f, 5, pair->friction);
       }
     }
   }
 
   const CheckoutStation& station_;
-  const Robot& robot_;
-  MujocoSpec spec_;
+  const robots::Robot& robot_;
+  physics::MujocoSpec spec_;
   mjsBody* world_;
-  ProductBodies goods_;
+  physics::ProductBodies goods_;
   std::vector<std::pair<std::string, double>> item_geoms_;  // and the pads' friction on them
   std::vector<std::string> balls_;
 };
 
-std::vector<Vec3> points_within(const ProductBody& body) {
-  const GraspSurface surface(body.pieces);
+std::vector<Vec3> points_within(const assets::ProductBody& body) {
+  const motion::GraspSurface surface(body.pieces);
   const Vec3 low = to_double(surface.bounds().low), high = to_double(surface.bounds().high);
   const Vec3 step = (high - low) / volume_points_a_side;
   std::vector<Vec3> points;
@@ -240,20 +246,21 @@ std::vector<Vec3> points_within(const ProductBody& body) {
   return points;
 }
 
-Result<SharedGoods> made_goods(const Product& product, double pad_friction) {
-  MARKETGEN_TRY(const SharedGoodsBody made, goods_body(product, GoodsUse::bulk));
+Result<SharedGoods> made_goods(const catalog::Product& product, double pad_friction) {
+  MARKETGEN_TRY(const physics::SharedGoodsBody made,
+                physics::goods_body(product, physics::GoodsUse::bulk));
   return SharedGoods(std::make_shared<CheckoutGoods>(
       CheckoutGoods{made, made->product, made->body, points_within(made->body), pad_friction}));
 }
 
 }  // namespace
 
-Result<SharedGoods> checkout_goods(const Product& product,
-                                   const std::vector<FrictionRow>& frictions) {
+Result<SharedGoods> checkout_goods(const catalog::Product& product,
+                                   const std::vector<catalog::FrictionRow>& frictions) {
   static std::mutex changing;
   static std::map<std::string, SharedGoods> made;  // by all that they are made from
-  const double pad_friction = rubber_friction(frictions, product);
-  const std::string key = fmt::format("{} {}", write_json_line(product), pad_friction);
+  const double pad_friction = grasping::rubber_friction(frictions, product);
+  const std::string key = fmt::format("{} {}", io::write_json_line(product), pad_friction);
   {
     const std::scoped_lock lock(changing);
     if (const auto known = made.find(key); known != made.end()) return known->second;
@@ -263,21 +270,21 @@ Result<SharedGoods> checkout_goods(const Product& product,
   return made.emplace(key, std::move(goods)).first->second;
 }
 
-std::vector<double> ready_state(const CheckoutStation& station, const Robot& robot) {
-  std::vector<double> q = neutral_state(robot);
-  if (const JointGroup* arm = robot.find_group("arm")) {
+std::vector<double> ready_state(const CheckoutStation& station, const robots::Robot& robot) {
+  std::vector<double> q = robots::neutral_state(robot);
+  if (const robots::JointGroup* arm = robot.find_group("arm")) {
     for (std::size_t j = 0; j < std::min(arm->dofs.size(), station.ready_deg.size()); ++j)
       q[static_cast<std::size_t>(arm->dofs[j])] = station.ready_deg[j] * std::numbers::pi / 180;
   }
-  if (const JointGroup* fingers = robot.find_group("fingers")) {
+  if (const robots::JointGroup* fingers = robot.find_group("fingers")) {
     for (const int dof : fingers->dofs)
       q[static_cast<std::size_t>(dof)] = robot.joint_of_dof(static_cast<std::size_t>(dof)).upper;
   }
-  return with_followers(robot, std::move(q));
+  return robots::with_followers(robot, std::move(q));
 }
 
 Result<CheckoutModel> checkout_model(const CheckoutStation& station,
-                                     const Robot& robot,
+                                     const robots::Robot& robot,
                                      const std::vector<double>& robot_state,
                                      const std::vector<EpisodeItem>& items,
                                      const std::vector<SharedGoods>& goods) {
@@ -289,4 +296,4 @@ Result<CheckoutModel> checkout_model(const CheckoutStation& station,
   return builder.finish(items.size());
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

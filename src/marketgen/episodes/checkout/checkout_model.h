@@ -9,13 +9,13 @@
 #include "physics/goods/goods_body.h"
 #include "physics/mujoco_guard.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 // A product with what physics and goals need of it.
 struct CheckoutGoods {
-  SharedGoodsBody made;  // of GoodsUse::bulk
-  const Product& product;
-  const ProductBody& body;
+  physics::SharedGoodsBody made;  // of GoodsUse::bulk
+  const catalog::Product& product;
+  const assets::ProductBody& body;
   std::vector<Vec3> volume;   // points spread evenly through it, product frame
   double pad_friction = 0.5;  // of rubber on it
 };
@@ -23,13 +23,13 @@ struct CheckoutGoods {
 // A body is made once in a process: cutting packs into convex pieces takes longer than all the rest
 // of a reset. Thread-safe. Errors: assets.*, catalog.bad_row.
 using SharedGoods = std::shared_ptr<const CheckoutGoods>;
-Result<SharedGoods> checkout_goods(const Product& product,
-                                   const std::vector<FrictionRow>& frictions);
+Result<SharedGoods> checkout_goods(const catalog::Product& product,
+                                   const std::vector<catalog::FrictionRow>& frictions);
 
 enum class CheckoutOwner { still, basket, item, finger, arm };
 
 struct CheckoutModel {
-  MujocoModel model{nullptr, mj_deleteModel};
+  physics::MujocoModel model{nullptr, mj_deleteModel};
   int basket = 0;                     // body
   std::vector<int> items;             // bodies, in the order of the episode's
   std::vector<CheckoutOwner> owners;  // by geom
@@ -38,12 +38,12 @@ struct CheckoutModel {
 
 // `goods[i]` is what item i is. Errors: physics.failed, robot.*, assets.*.
 Result<CheckoutModel> checkout_model(const CheckoutStation& station,
-                                     const Robot& robot,
+                                     const robots::Robot& robot,
                                      const std::vector<double>& robot_state,
                                      const std::vector<EpisodeItem>& items,
                                      const std::vector<SharedGoods>& goods);
 
 // The arm at rest, fingers open.
-std::vector<double> ready_state(const CheckoutStation& station, const Robot& robot);
+std::vector<double> ready_state(const CheckoutStation& station, const robots::Robot& robot);
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -7,11 +7,12 @@
 #include "base/fields.h"
 #include "render/picture_objects.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 namespace {
 
-std::vector<int> items_in(const Frame& frame, const Scene& scene) {
-  const std::uint32_t first = first_product_object(scene), end = first_actor_object(scene);
+std::vector<int> items_in(const render::Frame& frame, const scene::Scene& scene) {
+  const std::uint32_t first = render::first_product_object(scene),
+                      end = render::first_actor_object(scene);
   std::vector<int> items;
   for (const std::uint32_t object : frame.instance)
     items.push_back(object >= first && object < end ? static_cast<int>(object - first) : -1);
@@ -26,7 +27,7 @@ const std::vector<int>& CheckoutEyes::items_shown(const std::string& camera) con
   return found == items_shown_.end() ? none : found->second;
 }
 
-Result<View> CheckoutEyes::look(std::string_view camera) {
+Result<agent::View> CheckoutEyes::look(std::string_view camera) {
   const auto which = value_named<StationCamera>(camera);
   if (!which)
     return Error{"usage.bad_flag",
@@ -37,22 +38,22 @@ Result<View> CheckoutEyes::look(std::string_view camera) {
   } else {
     MARKETGEN_TRY(view_, CheckoutView::create(world_));
   }
-  const Camera taken = view_->camera(*which);
-  MARKETGEN_TRY(Frame frame, view_->renderer().render(taken, {}));
+  const render::Camera taken = view_->camera(*which);
+  MARKETGEN_TRY(render::Frame frame, view_->renderer().render(taken, {}));
   items_shown_.insert_or_assign(std::string(camera), items_in(frame, view_->scene()));
-  View view;
+  agent::View view;
   view.camera = camera;
-  const Intrinsics lens = intrinsics_of(taken);
+  const render::Intrinsics lens = render::intrinsics_of(taken);
   view.lens = {lens.fx, lens.fy, lens.cx, lens.cy};
-  view.base_from_camera = inverse(view_->world_from_station()) * opencv_pose_of(taken);
+  view.base_from_camera = inverse(view_->world_from_station()) * render::opencv_pose_of(taken);
   view.color = std::move(frame.color);
   view.depth_m = std::move(frame.depth_m);
   return view;
 }
 
-Workplace workplace_of(const CheckoutStation& station) {
-  const auto area = [](const AreaRow& row) { return WorkArea{row.low_m, row.high_m}; };
-  Workplace place;
+agent::Workplace workplace_of(const CheckoutStation& station) {
+  const auto area = [](const AreaRow& row) { return agent::WorkArea{row.low_m, row.high_m}; };
+  agent::Workplace place;
   place.counter = {station.counter.low_m, station.counter.high_m};
   place.unloading = area(station.unloading.area());
   place.set_aside = area(station.set_aside);
@@ -60,11 +61,11 @@ Workplace workplace_of(const CheckoutStation& station) {
   place.rim_m = station.basket.height_m;
   place.inner_half = {station.basket.top_m[0] / 2, station.basket.top_m[1] / 2, 0};
   place.wall_m = station.basket.wall_m;
-  for (const ContainerBox& box : boxes_of(station.container())) {
+  for (const physics::ContainerBox& box : physics::boxes_of(station.container())) {
     const bool is_wall = std::abs(box.half_size.x - station.basket.wall_m / 2) < 1e-9;
     (is_wall ? place.walls : place.ledges).push_back({box.container_from_box, box.half_size});
   }
   return place;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -9,13 +9,13 @@
 #include "agent/workplace.h"
 #include "episodes/checkout/checkout_view.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 // The station's cameras, without noise. `world` must outlive it.
-class CheckoutEyes : public Eyes {
+class CheckoutEyes : public agent::Eyes {
  public:
   explicit CheckoutEyes(const CheckoutWorld& world) : world_(world) {}
-  Result<View> look(std::string_view camera) override;
+  Result<agent::View> look(std::string_view camera) override;
 
   // The truth, for TrueMasks and measures; no policy sees it: which item each pixel of the camera's
   // last picture shows, -1 none. Empty before there is one.
@@ -27,6 +27,6 @@ class CheckoutEyes : public Eyes {
   std::unique_ptr<CheckoutView> view_;  // of the episode that runs, once it was looked at
 };
 
-Workplace workplace_of(const CheckoutStation& station);
+agent::Workplace workplace_of(const CheckoutStation& station);
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -4,7 +4,7 @@
 #include "io/file.h"
 #include "io/json.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 namespace {
 
 constexpr double lip_width_m = 0.01;
@@ -54,7 +54,7 @@ Result<void> check_station(const CheckoutStation& s) {
 
 }  // namespace
 
-OpenContainer CheckoutStation::container() const {
+physics::OpenContainer CheckoutStation::container() const {
   return {basket.top_m[0],
           basket.top_m[1],
           basket.height_m,
@@ -68,17 +68,17 @@ Pose CheckoutStation::basket_pose() const {
   return {{basket.center_m[0], basket.center_m[1], basket.floor_m}, {}};
 }
 
-std::vector<ContainerBox> CheckoutStation::basket_boxes() const {
+std::vector<physics::ContainerBox> CheckoutStation::basket_boxes() const {
   const BasketRow& b = basket;
   const double x = b.top_m[0] / 2 - b.taper_m + b.wall_m, y = b.top_m[1] / 2 - b.taper_m + b.wall_m;
-  std::vector<ContainerBox> boxes = boxes_of(container());
+  std::vector<physics::ContainerBox> boxes = physics::boxes_of(container());
   boxes.push_back({{{0, 0, -b.floor_m / 4}, {}}, {x, y, b.floor_m / 4}});
   boxes.push_back({{{0, 0, -b.floor_m * 0.75}, {}}, {x, y, b.floor_m / 4}});
   return boxes;
 }
 
-std::vector<ContainerBox> CheckoutStation::lip() const {
-  std::vector<ContainerBox> boxes;
+std::vector<physics::ContainerBox> CheckoutStation::lip() const {
+  std::vector<physics::ContainerBox> boxes;
   const auto& [center, size, height, source] = unloading;
   if (height <= 0) return boxes;
   const double w = lip_width_m / 2;
@@ -94,19 +94,19 @@ std::vector<ContainerBox> CheckoutStation::lip() const {
 Result<CheckoutStation> load_checkout_station(const std::filesystem::path& data,
                                               const std::string& id) {
   const std::string file = file_of(id);
-  MARKETGEN_TRY(const std::string text, read_file(data / "benchmark" / file, 1U << 20));
-  MARKETGEN_TRY(CheckoutStation station, read_json<CheckoutStation>(text, file));
+  MARKETGEN_TRY(const std::string text, io::read_file(data / "benchmark" / file, 1U << 20));
+  MARKETGEN_TRY(CheckoutStation station, io::read_json<CheckoutStation>(text, file));
   if (station.id != id) return bad_station(station, "/id", "expected the name of its file: " + id);
   MARKETGEN_CHECK(check_station(station));
   return station;
 }
 
-Result<Robot> load_station_robot(const std::filesystem::path& data,
-                                 const CheckoutStation& station) {
-  RobotTools tools;
+Result<robots::Robot> load_station_robot(const std::filesystem::path& data,
+                                         const CheckoutStation& station) {
+  robots::RobotTools tools;
   for (const ToolChoiceRow& tool : station.tools)
     tools.emplace(tool.slot, tool.row);
-  return load_robot(data, station.robot, tools);
+  return robots::load_robot(data, station.robot, tools);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -16,7 +16,7 @@
 #include "physics/settle/bulk_settle.h"
 #include "robots/robot_row.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 struct CounterRow {
   Pair low_m{}, high_m{};
@@ -79,7 +79,7 @@ struct UnloadingRow {
 
 // Looks along the hand's Z.
 struct WristCameraRow {
-  Triple hand_m{};
+  robots::Triple hand_m{};
   double fov_deg = 60;
   int width = 640, height = 480;
   std::string source;
@@ -94,7 +94,7 @@ struct WristCameraRow {
 struct CheckoutStation {
   std::string schema = "market-checkout/1";
   std::string id;
-  std::vector<SourceRow> sources;
+  std::vector<robots::SourceRow> sources;
   CounterRow counter;
   AreaRow belt;
   BasketRow basket;
@@ -123,11 +123,11 @@ struct CheckoutStation {
       field("wrist_camera", &CheckoutStation::wrist_camera, "on the hand", required()),
       field("limit_s", &CheckoutStation::limit_s, "simulated, of an episode", range(1, 3600)));
 
-  OpenContainer container() const;
+  physics::OpenContainer container() const;
   Pose basket_pose() const;  // station_from_container at the start
   // Walls and ledge, then the floor's two layers: the upper touches goods, the lower the belt.
-  std::vector<ContainerBox> basket_boxes() const;
-  std::vector<ContainerBox> lip() const;  // station_from_box; none when it has no height
+  std::vector<physics::ContainerBox> basket_boxes() const;
+  std::vector<physics::ContainerBox> lip() const;  // station_from_box; none when it has no height
 };
 
 inline constexpr char checkout_station[] = "checkout";
@@ -136,6 +136,7 @@ inline constexpr char checkout_station[] = "checkout";
 // of read_json, catalog.bad_row when a source key is unknown or areas overlap that must not.
 Result<CheckoutStation> load_checkout_station(const std::filesystem::path& data,
                                               const std::string& id = checkout_station);
-Result<Robot> load_station_robot(const std::filesystem::path& data, const CheckoutStation& station);
+Result<robots::Robot> load_station_robot(const std::filesystem::path& data,
+                                         const CheckoutStation& station);
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -5,7 +5,7 @@
 #include "render/picture_objects.h"
 #include "render/stage/robot_actor.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 namespace {
 
 constexpr int room_mm = 5000, ceiling_mm = 3000;
@@ -13,17 +13,17 @@ constexpr Vec3 origin_in_room{2.2, 2.5, 0};  // of the station frame, on the flo
 constexpr double painted_m = 0.001;          // thickness of belt and mat
 constexpr std::array<float, 3> laminate{0.42F, 0.43F, 0.44F}, body{0.10F, 0.11F, 0.12F},
     rubber{0.02F, 0.02F, 0.022F}, mat{0.10F, 0.22F, 0.30F}, steel{0.6F, 0.6F, 0.6F};
-constexpr ActorSurface basket_plastic{{0.42F, 0.03F, 0.025F}, 0.45F, 0};
+constexpr render::ActorSurface basket_plastic{{0.42F, 0.03F, 0.025F}, 0.45F, 0};
 
 // The counter as a fixture at the station's origin on the floor.
 class CounterBuilder {
  public:
-  CounterBuilder(Scene& scene, double top_m) : scene_(scene), top_m_(top_m) {}
+  CounterBuilder(scene::Scene& scene, double top_m) : scene_(scene), top_m_(top_m) {}
 
   // `low` and `high` over the counter's top.
   void add(Vec3 low, Vec3 high, std::array<float, 3> color, float roughness, float metallic = 0) {
     const Vec3 middle = (low + high) * 0.5, half = (high - low) * 0.5;
-    ScenePart part;
+    scene::ScenePart part;
     part.position_m = {static_cast<float>(middle.x),
                        static_cast<float>(middle.y),
                        static_cast<float>(middle.z + top_m_)};
@@ -36,12 +36,12 @@ class CounterBuilder {
   }
 
   void finish(const CounterRow& counter) {
-    SceneFixture fixture;
+    scene::SceneFixture fixture;
     fixture.part_count = static_cast<std::uint32_t>(scene_.parts.size());
     fixture.position_m = {
         static_cast<float>(origin_in_room.x), static_cast<float>(origin_in_room.y), 0};
     scene_.fixtures.push_back(fixture);
-    Fixture row;
+    layout::Fixture row;
     row.id = "checkout/counter";
     row.run = row.zone = "checkout";
     row.kind = "checkout_lane";
@@ -55,11 +55,11 @@ class CounterBuilder {
   }
 
  private:
-  Scene& scene_;
+  scene::Scene& scene_;
   double top_m_;
 };
 
-void add_counter(Scene& scene, const CheckoutStation& station) {
+void add_counter(scene::Scene& scene, const CheckoutStation& station) {
   const CounterRow& c = station.counter;
   CounterBuilder counter(scene, c.height_m);
   constexpr double plinth_m = 0.05;  // the cabinet stands back under the top
@@ -83,7 +83,7 @@ void add_counter(Scene& scene, const CheckoutStation& station) {
               {area.high_m[0], area.high_m[1], painted_m / 4},
               mat,
               0.9F);
-  for (const ContainerBox& lip : station.lip())
+  for (const physics::ContainerBox& lip : station.lip())
     counter.add(lip.container_from_box.position - lip.half_size,
                 lip.container_from_box.position + lip.half_size,
                 steel,
@@ -92,13 +92,13 @@ void add_counter(Scene& scene, const CheckoutStation& station) {
   counter.finish(c);
 }
 
-std::unique_ptr<Scene> station_scene(const CheckoutWorld& world) {
-  auto scene = std::make_unique<Scene>();
+std::unique_ptr<scene::Scene> station_scene(const CheckoutWorld& world) {
+  auto scene = std::make_unique<scene::Scene>();
   scene->layout.shell.width_mm = scene->layout.shell.depth_mm = room_mm;
   scene->layout.shell.ceiling_mm = ceiling_mm;
   add_counter(*scene, world.station());
   for (std::size_t i = 0; i < world.item_count(); ++i) {
-    SceneProduct product;
+    scene::SceneProduct product;
     product.sku = static_cast<std::uint32_t>(scene->catalog.size());
     product.facing = ~0U;  // on no shelf
     scene->catalog.push_back(world.goods(i).product);
@@ -107,11 +107,11 @@ std::unique_ptr<Scene> station_scene(const CheckoutWorld& world) {
   return scene;
 }
 
-Actor basket_actor(const CheckoutStation& station) {
-  ActorBody body;
+render::Actor basket_actor(const CheckoutStation& station) {
+  render::ActorBody body;
   body.name = "basket";
   body.surfaces = {basket_plastic};
-  for (const ContainerBox& box : station.basket_boxes()) {
+  for (const physics::ContainerBox& box : station.basket_boxes()) {
     Mesh part;
     add_box(part, to_float(-box.half_size), to_float(box.half_size), 0, 0);
     for (std::size_t v = 0; v < part.positions.size(); ++v) {
@@ -131,9 +131,9 @@ Result<std::unique_ptr<CheckoutView>> CheckoutView::create(const CheckoutWorld& 
   view->station_ = world.station();
   view->world_from_station_ = {origin_in_room + Vec3{0, 0, world.station().counter.height_m}, {}};
   view->scene_ = station_scene(world);
-  MARKETGEN_TRY(view->renderer_, Renderer::create(*view->scene_));
-  MARKETGEN_TRY(Actor robot,
-                robot_actor(world.robot(), world.robot_state(), view->world_from_station_));
+  MARKETGEN_TRY(view->renderer_, render::Renderer::create(*view->scene_));
+  MARKETGEN_TRY(render::Actor robot,
+                render::robot_actor(world.robot(), world.robot_state(), view->world_from_station_));
   MARKETGEN_CHECK(view->renderer_->set_actors({basket_actor(world.station()), std::move(robot)}));
   MARKETGEN_CHECK(view->follow(world));
   return view;
@@ -145,24 +145,24 @@ Result<std::unique_ptr<TrackView>> CheckoutWorld::open_view() const {
 
 // Behind the one fixture, as first_product_object() has it.
 std::uint32_t CheckoutView::object_of_item(std::size_t item) {
-  return first_fixture_object + 1 + static_cast<std::uint32_t>(item);
+  return render::first_fixture_object + 1 + static_cast<std::uint32_t>(item);
 }
 
 Result<void> CheckoutView::follow(const CheckoutWorld& world) {
-  std::vector<MovedProduct> items;
+  std::vector<render::MovedProduct> items;
   for (std::size_t i = 0; i < world.item_count(); ++i)
     items.push_back({static_cast<std::uint32_t>(i), world_from_station_ * world.item_pose(i)});
   MARKETGEN_CHECK(renderer_->move_things(items, {}));
   const Pose basket = world_from_station_ * world.basket_pose();
   MARKETGEN_CHECK(renderer_->move_actor(0, {&basket, 1}));
   const std::vector<Pose> links =
-      world_link_poses(world.robot(), world.robot_state(), world_from_station_);
+      render::world_link_poses(world.robot(), world.robot_state(), world_from_station_);
   MARKETGEN_CHECK(renderer_->move_actor(1, links));
   world_from_hand_ = links[static_cast<std::size_t>(world.robot().find_link("hand"))];
   return {};
 }
 
-Result<Camera> CheckoutView::camera(std::string_view name, int width, int height) const {
+Result<render::Camera> CheckoutView::camera(std::string_view name, int width, int height) const {
   const auto which =
       name == film_camera_name ? StationCamera::scene : value_named<StationCamera>(name);
   if (!which)
@@ -170,8 +170,8 @@ Result<Camera> CheckoutView::camera(std::string_view name, int width, int height
   return camera(*which, width, height);
 }
 
-Camera CheckoutView::camera(StationCamera which, int width, int height) const {
-  Camera camera;
+render::Camera CheckoutView::camera(StationCamera which, int width, int height) const {
+  render::Camera camera;
   camera.name = name_of(which);
   const auto size = [&](const auto& row) {
     camera.width = width > 0 ? width : row.width;
@@ -194,4 +194,4 @@ Camera CheckoutView::camera(StationCamera which, int width, int height) const {
   return camera;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -11,7 +11,7 @@
 #include "episodes/track_view.h"
 #include "render/render.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 enum class StationCamera { scene, wrist };
 constexpr std::array<std::string_view, 2> names_of(StationCamera) {
@@ -29,11 +29,11 @@ class CheckoutView {
 
   // As it stood when follow() was called. 0: as many pixels as the station's row says; other sizes
   // see the same width.
-  Camera camera(StationCamera which, int width = 0, int height = 0) const;
+  render::Camera camera(StationCamera which, int width = 0, int height = 0) const;
   // By its name; films are taken by the scene camera. Error camera.unknown.
-  Result<Camera> camera(std::string_view name, int width = 0, int height = 0) const;
-  Renderer& renderer() { return *renderer_; }
-  const Scene& scene() const { return *scene_; }
+  Result<render::Camera> camera(std::string_view name, int width = 0, int height = 0) const;
+  render::Renderer& renderer() { return *renderer_; }
+  const scene::Scene& scene() const { return *scene_; }
   static std::uint32_t object_of_item(std::size_t item);  // in its pictures, without making one
   const Pose& world_from_station() const { return world_from_station_; }  // of its pictures' frame
 
@@ -41,9 +41,9 @@ class CheckoutView {
   CheckoutView() = default;
 
   CheckoutStation station_;
-  std::unique_ptr<Scene> scene_;  // the renderer reads it
-  std::unique_ptr<Renderer> renderer_;
+  std::unique_ptr<scene::Scene> scene_;  // the renderer reads it
+  std::unique_ptr<render::Renderer> renderer_;
   Pose world_from_station_, world_from_hand_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -6,7 +6,7 @@
 
 #include "physics/goods/contact_shape.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 namespace {
 
 constexpr double toppled_rad = std::numbers::pi / 4;
@@ -82,7 +82,7 @@ void CheckoutWatch::follow_item(std::size_t index, const CheckoutModel& model, c
   mjtNum velocity[6];
   mj_objectVelocity(model.model.get(), &data, mjOBJ_BODY, body, velocity, 0);
   item.speed_m_s = std::hypot(velocity[3], velocity[4], velocity[5]);
-  item.rested_s = item.speed_m_s < rest_m_s ? item.rested_s + time_step_s : 0;
+  item.rested_s = item.speed_m_s < rest_m_s ? item.rested_s + physics::time_step_s : 0;
   if (item.held) item.stood.reset();
   const Pose pose = body_pose(data, body);
   const bool outside = data.xipos[3 * body + 2] < in_basket_m ||
@@ -105,7 +105,7 @@ void CheckoutWatch::look(const CheckoutModel& model, const mjData& data) {
     if (item.held) item.impact_m_s = 0;
     follow_item(i, model, data);
   }
-  pushes_.follow(seen.force_n, time_step_s);
+  pushes_.follow(seen.force_n, physics::time_step_s);
   const Vec3 up = rotate(body_pose(data, model.basket).rotation, {0, 0, 1});
   tilt_deg_ = std::max(tilt_deg_, degrees(std::atan2(std::hypot(up.x, up.y), up.z)));
 }
@@ -121,4 +121,4 @@ SideEffects CheckoutWatch::effects() const {
   return effects;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

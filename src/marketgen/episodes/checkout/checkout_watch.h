@@ -8,7 +8,7 @@
 #include "episodes/checkout/checkout_model.h"
 #include "episodes/push_ledger.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 class CheckoutWatch {
  public:
@@ -60,4 +60,4 @@ class CheckoutWatch {
 
 Pose body_pose(const mjData& data, int body);
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

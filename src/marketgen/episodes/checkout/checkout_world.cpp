@@ -10,7 +10,7 @@
 #include "episodes/control_step.h"
 #include "physics/goods/contact_shape.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 namespace {
 
 constexpr char world_where[] = "checkout";
@@ -20,19 +20,20 @@ constexpr double hold_n = 20;
 }  // namespace
 
 Result<CheckoutWorld> CheckoutWorld::create(const std::filesystem::path& data,
-                                            std::vector<FrictionRow> frictions,
+                                            std::vector<catalog::FrictionRow> frictions,
                                             const std::string& station) {
   CheckoutWorld world(std::move(frictions));
   MARKETGEN_TRY(world.station_, load_checkout_station(data, station));
-  MARKETGEN_TRY(Robot robot, load_station_robot(data, world.station_));
-  world.robot_ = std::make_unique<Robot>(std::move(robot));
+  MARKETGEN_TRY(robots::Robot robot, load_station_robot(data, world.station_));
+  world.robot_ = std::make_unique<robots::Robot>(std::move(robot));
   if (world.robot_->find_group("arm") == nullptr || world.robot_->tools.size() != 1)
     return Error{"robot.unknown", world.station_.robot, "expected an arm with a gripper"};
   world.arm_ = commanded_dofs(*world.robot_);
   return world;
 }
 
-Result<void> CheckoutWorld::reset(const EpisodeSpec& spec, const std::vector<Product>& products) {
+Result<void> CheckoutWorld::reset(const EpisodeSpec& spec,
+                                  const std::vector<catalog::Product>& products) {
   if (spec.robot != station_.robot)
     return Error{"robot.unknown",
                  spec.id,
@@ -43,7 +44,7 @@ Result<void> CheckoutWorld::reset(const EpisodeSpec& spec, const std::vector<Pro
                  fmt::format("it is of the station \"{}\", this is \"{}\"", asked, station_.id)};
   item_goods_.clear();
   for (const EpisodeItem& item : spec.items) {
-    const auto row = std::ranges::find(products, item.sku, &Product::sku);
+    const auto row = std::ranges::find(products, item.sku, &catalog::Product::sku);
     if (row == products.end())
       return Error{"catalog.unknown_sku", spec.id, "there is no product \"" + item.sku + "\""};
     MARKETGEN_TRY(SharedGoods goods, checkout_goods(*row, frictions_));
@@ -52,9 +53,10 @@ Result<void> CheckoutWorld::reset(const EpisodeSpec& spec, const std::vector<Pro
   spec_ = spec;
   const std::vector<double> ready = ready_state(station_, *robot_);
   MARKETGEN_TRY(model_, checkout_model(station_, *robot_, ready, spec.items, item_goods_));
-  MARKETGEN_TRY(data_, make_data(*model_.model, world_where));
-  MARKETGEN_CHECK(guarded(world_where, [&] { mj_forward(model_.model.get(), data_.get()); }));
-  MARKETGEN_TRY(controller_, RobotController::start(*model_.model, *data_, *robot_));
+  MARKETGEN_TRY(data_, physics::make_data(*model_.model, world_where));
+  MARKETGEN_CHECK(
+      physics::guarded(world_where, [&] { mj_forward(model_.model.get(), data_.get()); }));
+  MARKETGEN_TRY(controller_, physics::RobotController::start(*model_.model, *data_, *robot_));
   watch_ = CheckoutWatch(model_, *data_);
   steps_ = 0;
   done_ = false;
@@ -69,10 +71,10 @@ std::vector<double> CheckoutWorld::robot_state() const {
   return controller_.actor().position(*data_);
 }
 
-Observation CheckoutWorld::observe() const {
-  const RobotActor& actor = controller_.actor();
+agent::Observation CheckoutWorld::observe() const {
+  const physics::RobotActor& actor = controller_.actor();
   const std::vector<double> q = actor.position(*data_), v = actor.velocity(*data_);
-  Observation seen;
+  agent::Observation seen;
   seen.time_s = data_->time;
   for (const int dof : arm_) {
     seen.position.push_back(q[static_cast<std::size_t>(dof)]);
@@ -84,12 +86,12 @@ Observation CheckoutWorld::observe() const {
   return seen;
 }
 
-Result<void> CheckoutWorld::move(const Action& action) {
+Result<void> CheckoutWorld::move(const agent::Action& action) {
   const ControlStep step(controller_, *robot_, arm_, action);
   const mjModel& model = *model_.model;
   for (int i = 0; i < ControlStep::count(); ++i) {
     MARKETGEN_CHECK(controller_.command(model, *data_, step.at(i)));
-    MARKETGEN_CHECK(guarded(world_where, [&] { mj_step(&model, data_.get()); }));
+    MARKETGEN_CHECK(physics::guarded(world_where, [&] { mj_step(&model, data_.get()); }));
     controller_.feel(model, *data_);
     watch_.look(model_, *data_);
     if (physics_watch_) physics_watch_(model, *data_);
@@ -97,7 +99,7 @@ Result<void> CheckoutWorld::move(const Action& action) {
   return {};
 }
 
-Result<Observation> CheckoutWorld::step(const Action& action) {
+Result<agent::Observation> CheckoutWorld::step(const agent::Action& action) {
   MARKETGEN_CHECK(check_action(action, *robot_, arm_.size(), done_));
   if (action.stop) {
     done_ = true;
@@ -105,7 +107,7 @@ Result<Observation> CheckoutWorld::step(const Action& action) {
   }
   MARKETGEN_CHECK(move(action));
   ++steps_;
-  done_ = data_->time >= spec_.limit_s - time_step_s / 2;
+  done_ = data_->time >= spec_.limit_s - physics::time_step_s / 2;
   return observe();
 }
 
@@ -167,8 +169,8 @@ SideEffects CheckoutWorld::side_effects(const EpisodeOutcome& outcome) const {
 
 Result<EpisodeResult> CheckoutWorld::finish() {
   done_ = true;
-  const Action hold{told(), {{observe().openings_m.front(), hold_n}}};
-  for (double waited = 0; waited < judged_after_s - time_step_s; waited += control_step_s)
+  const agent::Action hold{told(), {{observe().openings_m.front(), hold_n}}};
+  for (double waited = 0; waited < judged_after_s - physics::time_step_s; waited += control_step_s)
     MARKETGEN_CHECK(move(hold));
   const EpisodeOutcome outcome =
       judge_checkout(region(), spec_.goals, item_states(), watch_.greatest_tilt_deg());
@@ -185,13 +187,13 @@ Result<EpisodeResult> CheckoutWorld::finish() {
 
 std::string CheckoutWorld::save() const {
   ByteWriter writer;
-  writer(moment_of(*data_), controller_, watch_, steps_, done_);
+  writer(physics::moment_of(*data_), controller_, watch_, steps_, done_);
   return writer.take();
 }
 
 Result<void> CheckoutWorld::restore(std::string_view moment) {
-  MujocoMoment physics;
-  RobotController controller = controller_;
+  physics::MujocoMoment physics;
+  physics::RobotController controller = controller_;
   CheckoutWatch watch;
   int steps = 0;
   bool done = false;
@@ -201,7 +203,7 @@ Result<void> CheckoutWorld::restore(std::string_view moment) {
       controller.setpoints().size() != robot_->dof_count() ||
       watch.items().size() != item_goods_.size())
     return Error{"physics.bad_command", world_where, "the moment is of another episode"};
-  restore_moment(*data_, physics);
+  physics::restore_moment(*data_, physics);
   controller_ = std::move(controller);
   watch_ = std::move(watch);
   steps_ = steps;
@@ -240,4 +242,4 @@ double CheckoutWorld::deepest_overlap_m() const {
   return deepest;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -11,21 +11,21 @@
 #include "episodes/track_world.h"
 #include "physics/mujoco_moment.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 class CheckoutWorld : public TrackWorld {
  public:
   // Errors: those of load_checkout_station, load_station_robot.
   static Result<CheckoutWorld> create(const std::filesystem::path& data,
-                                      std::vector<FrictionRow> frictions,
+                                      std::vector<catalog::FrictionRow> frictions,
                                       const std::string& station = checkout_station);
 
   // Errors: catalog.unknown_sku for an item without a row in `products`; robot.unknown when the
   // episode is for another robot or station; assets.*, physics.failed.
-  Result<void> reset(const EpisodeSpec& spec, const std::vector<Product>& products);
+  Result<void> reset(const EpisodeSpec& spec, const std::vector<catalog::Product>& products);
 
-  Observation observe() const override;
-  Result<Observation> step(const Action& action) override;
+  agent::Observation observe() const override;
+  Result<agent::Observation> step(const agent::Action& action) override;
   bool done() const override { return done_; }
   double time_s() const override;
   int steps() const override { return steps_; }
@@ -39,13 +39,13 @@ class CheckoutWorld : public TrackWorld {
 
   const EpisodeSpec& spec() const override { return spec_; }
   const CheckoutStation& station() const { return station_; }
-  const Robot& robot() const override { return *robot_; }
+  const robots::Robot& robot() const override { return *robot_; }
   const CheckoutGoods& goods(std::size_t item) const { return *item_goods_[item]; }
   std::size_t item_count() const { return item_goods_.size(); }
   Pose item_pose(std::size_t item) const;      // station_from_product
   Vec3 item_velocity(std::size_t item) const;  // of its body's middle
   Pose basket_pose() const;                    // station_from_container
-  const RobotController& controller() const override { return controller_; }
+  const physics::RobotController& controller() const override { return controller_; }
   const CheckoutWatch& watch() const { return watch_; }
   HoldsPoint region() const;              // where goals count, as the basket stands now
   bool in_place(std::size_t item) const;  // on the unloading area, let go, at rest
@@ -58,25 +58,26 @@ class CheckoutWorld : public TrackWorld {
   Result<std::unique_ptr<TrackView>> open_view() const override;  // checkout_view.cpp
 
  private:
-  explicit CheckoutWorld(std::vector<FrictionRow> frictions) : frictions_(std::move(frictions)) {}
-  Result<void> move(const Action& action);
+  explicit CheckoutWorld(std::vector<catalog::FrictionRow> frictions)
+      : frictions_(std::move(frictions)) {}
+  Result<void> move(const agent::Action& action);
   ItemState item_state(std::size_t item) const;
   std::vector<ItemState> item_states() const;
   SideEffects side_effects(const EpisodeOutcome& outcome) const;
 
   CheckoutStation station_;
-  std::unique_ptr<Robot> robot_;
+  std::unique_ptr<robots::Robot> robot_;
   std::vector<int> arm_;  // degrees of freedom that are commanded
-  std::vector<FrictionRow> frictions_;
+  std::vector<catalog::FrictionRow> frictions_;
 
   EpisodeSpec spec_;
   std::vector<SharedGoods> item_goods_;
   CheckoutModel model_;
-  MujocoData data_{nullptr, mj_deleteData};
-  RobotController controller_;
+  physics::MujocoData data_{nullptr, mj_deleteData};
+  physics::RobotController controller_;
   CheckoutWatch watch_;
   int steps_ = 0;
   bool done_ = true;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -9,7 +9,7 @@
 
 #include "episodes/checkout/checkout_world.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 namespace {
 
 constexpr int max_baskets = 20;     // drawn until enough stays in
@@ -25,13 +25,14 @@ constexpr int min_round_mm = 55;  // smaller ones have a low yield
 constexpr double heaviest_kg = 1.0;
 
 // One of the shapes, then one of its products that is not taken yet.
-const Product* draw_product(const std::map<std::string, std::vector<const Product*>>& shapes,
-                            const std::vector<const Product*>& taken,
-                            Stream& draw) {
-  std::vector<const Product*> free;
+const catalog::Product* draw_product(
+    const std::map<std::string, std::vector<const catalog::Product*>>& shapes,
+    const std::vector<const catalog::Product*>& taken,
+    Stream& draw) {
+  std::vector<const catalog::Product*> free;
   auto shape = shapes.begin();
   std::advance(shape, draw.integer(0, static_cast<int>(shapes.size()) - 1));
-  for (const Product* product : shape->second)
+  for (const catalog::Product* product : shape->second)
     if (std::ranges::find(taken, product) == taken.end()) free.push_back(product);
   if (free.empty()) return nullptr;
   return free[static_cast<std::size_t>(draw.integer(0, static_cast<int>(free.size()) - 1))];
@@ -39,13 +40,13 @@ const Product* draw_product(const std::map<std::string, std::vector<const Produc
 
 class CheckoutSampler {
  public:
-  CheckoutSampler(const std::vector<Product>& stock,
-                  const std::vector<FrictionRow>& frictions,
+  CheckoutSampler(const std::vector<catalog::Product>& stock,
+                  const std::vector<catalog::FrictionRow>& frictions,
                   CheckoutWorld& world,
                   const CheckoutCertifier& certify,
                   Seed seed)
       : stock_(stock), frictions_(frictions), world_(world), certify_(certify), seed_(seed) {
-    for (const Product& product : stock_)
+    for (const catalog::Product& product : stock_)
       shapes_[product.archetype].push_back(&product);
   }
 
@@ -55,7 +56,7 @@ class CheckoutSampler {
     const auto kinds = static_cast<int>(stock_.size());
     const int targets = std::min(draw.integer(min_targets, max_targets), std::max(1, kinds / 3));
     const int others = std::min(draw.integer(min_others, max_others), kinds - targets);
-    const std::vector<const Product*> drawn = draw_products(targets + others, draw);
+    const std::vector<const catalog::Product*> drawn = draw_products(targets + others, draw);
     MARKETGEN_CHECK(pour(drawn, seed_.child("pour", static_cast<std::uint64_t>(number)), spec));
     if (static_cast<int>(spec.items.size()) < targets + std::min(others, min_others))
       return std::optional<EpisodeSpec>{};
@@ -63,7 +64,7 @@ class CheckoutSampler {
     for (int i = 0; i < targets; ++i) {
       const std::string& sku = spec.items[static_cast<std::size_t>(i)].sku;
       spec.goals.push_back({sku, 1});
-      names.push_back(spoken_product(*std::ranges::find(stock_, sku, &Product::sku)));
+      names.push_back(spoken_product(*std::ranges::find(stock_, sku, &catalog::Product::sku)));
     }
     spec.instruction =
         fmt::format("Put these from the basket on the unloading area: {}.", fmt::join(names, "; "));
@@ -73,27 +74,31 @@ class CheckoutSampler {
   }
 
  private:
-  std::vector<const Product*> draw_products(int count, Stream& draw) const {
-    std::vector<const Product*> drawn;
+  std::vector<const catalog::Product*> draw_products(int count, Stream& draw) const {
+    std::vector<const catalog::Product*> drawn;
     constexpr int max_draws = 1000;
     for (int i = 0; i < max_draws && static_cast<int>(drawn.size()) < count; ++i) {
-      if (const Product* product = draw_product(shapes_, drawn, draw)) drawn.push_back(product);
+      if (const catalog::Product* product = draw_product(shapes_, drawn, draw))
+        drawn.push_back(product);
     }
     return drawn;
   }
 
   // In an order of its own, so that targets lie under others as well as over them.
-  Result<void> pour(const std::vector<const Product*>& drawn, Seed seed, EpisodeSpec& spec) {
+  Result<void> pour(const std::vector<const catalog::Product*>& drawn,
+                    Seed seed,
+                    EpisodeSpec& spec) {
     std::vector<std::size_t> order(drawn.size());
     for (std::size_t i = 0; i < order.size(); ++i)
       order[i] = i;
     Stream draw = seed.child("order").stream();
     draw.shuffle(std::span(order));
-    std::vector<SharedGoodsBody> bulk(drawn.size());
+    std::vector<physics::SharedGoodsBody> bulk(drawn.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
-      MARKETGEN_TRY(bulk[i], goods_body(*drawn[order[i]], GoodsUse::bulk));
+      MARKETGEN_TRY(bulk[i], physics::goods_body(*drawn[order[i]], physics::GoodsUse::bulk));
     }
-    MARKETGEN_TRY(const SettledBulk settled, settle_bulk(world_.station().container(), bulk, seed));
+    MARKETGEN_TRY(const physics::SettledBulk settled,
+                  physics::settle_bulk(world_.station().container(), bulk, seed));
     std::vector<std::pair<std::size_t, EpisodeItem>> inside;
     for (std::size_t i = 0; i < order.size(); ++i) {
       const Pose& p = settled.items[i].container_from_product;
@@ -114,11 +119,11 @@ class CheckoutSampler {
   // Lets go in the station, and notes where things lie then. False when they do not rest inside.
   Result<bool> settle(EpisodeSpec& spec) {
     MARKETGEN_CHECK(world_.reset(spec, stock_));
-    const Action wait = still_action(world_.observe());
+    const agent::Action wait = still_action(world_.observe());
     while (world_.time_s() < settle_s) {
       if (const auto stepped = world_.step(wait); !stepped.ok()) return stepped.error();
     }
-    const OpenContainer container = world_.station().container();
+    const physics::OpenContainer container = world_.station().container();
     for (std::size_t i = 0; i < spec.items.size(); ++i) {
       const Pose pose = inverse(world_.basket_pose()) * world_.item_pose(i);
       const Vec3 middle = pose * to_double(world_.goods(i).body.center_of_mass);
@@ -142,39 +147,40 @@ class CheckoutSampler {
     return std::optional(std::move(spec));
   }
 
-  const std::vector<Product>& stock_;
-  const std::vector<FrictionRow>& frictions_;
+  const std::vector<catalog::Product>& stock_;
+  const std::vector<catalog::FrictionRow>& frictions_;
   CheckoutWorld& world_;
   const CheckoutCertifier& certify_;
   Seed seed_;
-  std::map<std::string, std::vector<const Product*>> shapes_;
+  std::map<std::string, std::vector<const catalog::Product*>> shapes_;
 };
 
 }  // namespace
 
-CheckoutRefusal checkout_refusal(const Product& product) {
+CheckoutRefusal checkout_refusal(const catalog::Product& product) {
   std::array<int, 3> size = product.size_mm;
   std::ranges::sort(size);
-  const bool round = product.orientation == Orientation::any;
-  if (product.rigidity == Rigidity::soft) return CheckoutRefusal::soft;
+  const bool round = product.orientation == catalog::Orientation::any;
+  if (product.rigidity == catalog::Rigidity::soft) return CheckoutRefusal::soft;
   if (product.mass_kg > heaviest_kg) return CheckoutRefusal::too_heavy;
   if (size[1] > widest_mm) return CheckoutRefusal::too_wide;
   if (round && size[0] < min_round_mm) return CheckoutRefusal::small_round;
   if (size[0] < flattest_mm) return CheckoutRefusal::too_flat;
   if (size[2] > longest_mm) return CheckoutRefusal::too_long;
-  return fits_in(checkout_basket, product) ? CheckoutRefusal::none : CheckoutRefusal::too_large;
+  return physics::fits_in(physics::checkout_basket, product) ? CheckoutRefusal::none
+                                                             : CheckoutRefusal::too_large;
 }
 
-std::vector<Product> checkout_stock(const Scene& scene) {
-  std::vector<Product> stock = store_stock(scene);
-  std::erase_if(stock, [](const Product& product) { return !is_checkout_item(product); });
+std::vector<catalog::Product> checkout_stock(const scene::Scene& scene) {
+  std::vector<catalog::Product> stock = store_stock(scene);
+  std::erase_if(stock, [](const catalog::Product& product) { return !is_checkout_item(product); });
   return stock;
 }
 
-EpisodeExclusions checkout_exclusions(const Scene& scene) {
+EpisodeExclusions checkout_exclusions(const scene::Scene& scene) {
   EpisodeExclusions exclusions;
   std::map<CheckoutRefusal, int> counts;
-  for (const Product& product : store_stock(scene)) {
+  for (const catalog::Product& product : store_stock(scene)) {
     ++exclusions.on_offer;
     ++counts[checkout_refusal(product)];
   }
@@ -185,8 +191,8 @@ EpisodeExclusions checkout_exclusions(const Scene& scene) {
 }
 
 Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
-                                    const std::vector<Product>& stock,
-                                    const std::vector<FrictionRow>& frictions,
+                                    const std::vector<catalog::Product>& stock,
+                                    const std::vector<catalog::FrictionRow>& frictions,
                                     const EpisodeOrigin& origin,
                                     Seed seed,
                                     int index,
@@ -217,4 +223,4 @@ Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
                   max_baskets)};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -13,7 +13,7 @@
 #include "episodes/episode_origin.h"
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 constexpr int min_targets = 2, max_targets = 4;
 constexpr int min_others = 4, max_others = 8;
@@ -36,15 +36,15 @@ constexpr std::array<std::string_view, 8> names_of(CheckoutRefusal) {
   return {
       "none", "soft", "too_heavy", "too_wide", "too_flat", "too_long", "small_round", "too_large"};
 }
-CheckoutRefusal checkout_refusal(const Product& product);
-inline bool is_checkout_item(const Product& product) {
+CheckoutRefusal checkout_refusal(const catalog::Product& product);
+inline bool is_checkout_item(const catalog::Product& product) {
   return checkout_refusal(product) == CheckoutRefusal::none;
 }
 
 // Of store_stock(), what a checkout's basket may hold.
-std::vector<Product> checkout_stock(const Scene& scene);
+std::vector<catalog::Product> checkout_stock(const scene::Scene& scene);
 // How many products of the store's shelves are left out, by reason.
-EpisodeExclusions checkout_exclusions(const Scene& scene);
+EpisodeExclusions checkout_exclusions(const scene::Scene& scene);
 
 // Looks for a way through a settled basket: picks in their order, or nothing when it finds none.
 using CheckoutCertifier = std::function<Result<std::optional<std::vector<WitnessPick>>>(
@@ -56,11 +56,11 @@ using CheckoutCertifier = std::function<Result<std::optional<std::vector<Witness
 // too few stay, or `certify` finds no way through (empty: not asked for). Errors:
 // episode.impossible (too few kinds of goods); those of CheckoutWorld and of `certify`.
 Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
-                                    const std::vector<Product>& stock,
-                                    const std::vector<FrictionRow>& frictions,
+                                    const std::vector<catalog::Product>& stock,
+                                    const std::vector<catalog::FrictionRow>& frictions,
                                     const EpisodeOrigin& origin,
                                     Seed seed,
                                     int index,
                                     const CheckoutCertifier& certify = {});
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -7,7 +7,7 @@
 
 #include "assets/product_model.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 namespace {
 
 // Sizes in mm. The hand opens 80 mm; what is twice as high as it is deep tips when it is pushed.
@@ -17,11 +17,13 @@ constexpr double slender = 1.6, heaviest_box_kg = 0.6;
 constexpr double turned_rad = 10 * std::numbers::pi / 180;
 
 // A product's quarter turns that bring its narrower side between the fingers, which close along Y.
-int quarter_turns_of(const Product& product) {
+int quarter_turns_of(const catalog::Product& product) {
   return product.size_mm[1] <= product.size_mm[0] ? 0 : 1;
 }
 
-EpisodeItem standing_item(const CheckoutStation& station, const Product& product, Stream& draw) {
+EpisodeItem standing_item(const CheckoutStation& station,
+                          const catalog::Product& product,
+                          Stream& draw) {
   const auto within = [&](std::size_t axis) {
     return draw.uniform(station.set_aside.low_m[axis], station.set_aside.high_m[axis]);
   };
@@ -37,25 +39,25 @@ EpisodeItem standing_item(const CheckoutStation& station, const Product& product
 
 }  // namespace
 
-bool is_one_item(const Product& product) {
+bool is_one_item(const catalog::Product& product) {
   if (!is_checkout_item(product) || product.mass_kg > heaviest_box_kg) return false;
   const auto [least, most] = std::minmax(product.size_mm[0], product.size_mm[1]);
   const int height = product.size_mm[2];
   if (least < narrowest_mm || least > widest_between_fingers_mm || most > longest_side_mm ||
       height < lowest_mm || height > highest_mm || height > slender * least)
     return false;
-  const auto shape = collision_of(product);
-  return shape.ok() && shape->shape == CollisionShape::box;
+  const auto shape = assets::collision_of(product);
+  return shape.ok() && shape->shape == assets::CollisionShape::box;
 }
 
 Result<EpisodeSpec> sample_one_item(const std::filesystem::path& data,
-                                    const std::vector<Product>& stock,
+                                    const std::vector<catalog::Product>& stock,
                                     const EpisodeOrigin& origin,
                                     Seed seed,
                                     int index) {
   MARKETGEN_TRY(const CheckoutStation station, load_checkout_station(data, one_item_station));
-  std::vector<const Product*> boxes;
-  for (const Product& product : stock)
+  std::vector<const catalog::Product*> boxes;
+  for (const catalog::Product& product : stock)
     if (is_one_item(product)) boxes.push_back(&product);
   if (boxes.empty())
     return Error{
@@ -67,7 +69,7 @@ Result<EpisodeSpec> sample_one_item(const std::filesystem::path& data,
   const Seed own = seed.child("one_item", static_cast<std::uint64_t>(index));
   Stream draw = own.stream();
   const auto chosen = static_cast<std::size_t>(draw.integer(0, static_cast<int>(boxes.size()) - 1));
-  const Product& product = *boxes[chosen];
+  const catalog::Product& product = *boxes[chosen];
   EpisodeSpec spec = begun_spec("one-item", origin, seed, index, own);
   spec.robot = station.robot;
   spec.station = one_item_station;
@@ -79,4 +81,4 @@ Result<EpisodeSpec> sample_one_item(const std::filesystem::path& data,
   return spec;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

@@ -7,19 +7,19 @@
 
 #include "episodes/checkout/sample_checkout.h"
 
-namespace marketgen {
+namespace marketgen::episodes {
 
 inline constexpr char one_item_station[] = "one-item";
 
 // A box that stands steadily and fits between the fingers.
-bool is_one_item(const Product& product);
+bool is_one_item(const catalog::Product& product);
 
 // Its place and the way it faces are drawn within the station's `set_aside`. Error
 // episode.impossible: there is no such product in `stock`; those of load_checkout_station.
 Result<EpisodeSpec> sample_one_item(const std::filesystem::path& data,
-                                    const std::vector<Product>& stock,
+                                    const std::vector<catalog::Product>& stock,
                                     const EpisodeOrigin& origin,
                                     Seed seed,
                                     int index);
 
-}  // namespace marketgen
+}  // namespace marketgen::episodes

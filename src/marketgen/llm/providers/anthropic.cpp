@@ -2,7 +2,7 @@
 #include "llm/provider.h"
 #include "llm/wire_json.h"
 
-namespace marketgen {
+namespace marketgen::llm {
 namespace {
 
 constexpr const char* api_version = "2023-06-01";
@@ -12,7 +12,8 @@ WireJson anthropic_content(const ChatTurn& turn) {
   for (const std::string& png : turn.pictures) {
     parts.push_back(
         {{"type", "image"},
-         {"source", {{"type", "base64"}, {"media_type", "image/png"}, {"data", base64_of(png)}}}});
+         {"source",
+          {{"type", "base64"}, {"media_type", "image/png"}, {"data", net::base64_of(png)}}}});
   }
   parts.push_back({{"type", "text"}, {"text", turn.text}});
   return parts;
@@ -20,7 +21,7 @@ WireJson anthropic_content(const ChatTurn& turn) {
 
 }  // namespace
 
-HttpRequest anthropic_request(const ProviderCall& call) {
+net::HttpRequest anthropic_request(const ProviderCall& call) {
   WireJson body{{"model", call.model}, {"max_tokens", call.request.max_tokens}};
   if (!call.request.system.empty()) body["system"] = call.request.system;
   if (call.temperature) body["temperature"] = 0;
@@ -35,7 +36,7 @@ HttpRequest anthropic_request(const ProviderCall& call) {
         {"format",
          {{"type", "json_schema"}, {"schema", WireJson::parse(call.request.answer_schema)}}}};
   }
-  HttpRequest request = post_of(call.base_url + "/v1/messages", body);
+  net::HttpRequest request = post_of(call.base_url + "/v1/messages", body);
   request.headers.emplace_back("anthropic-version", api_version);
   request.secret_headers = {{"x-api-key", call.key}};
   return request;
@@ -60,4 +61,4 @@ Result<ChatAnswer> anthropic_answer(std::string_view body, const std::string& wh
   return answer;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::llm

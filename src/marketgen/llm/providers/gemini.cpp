@@ -2,20 +2,20 @@
 #include "llm/provider.h"
 #include "llm/wire_json.h"
 
-namespace marketgen {
+namespace marketgen::llm {
 namespace {
 
 WireJson gemini_parts(const ChatTurn& turn) {
   WireJson parts = WireJson::array();
   for (const std::string& png : turn.pictures)
-    parts.push_back({{"inlineData", {{"mimeType", "image/png"}, {"data", base64_of(png)}}}});
+    parts.push_back({{"inlineData", {{"mimeType", "image/png"}, {"data", net::base64_of(png)}}}});
   parts.push_back({{"text", turn.text}});
   return parts;
 }
 
 }  // namespace
 
-HttpRequest gemini_request(const ProviderCall& call) {
+net::HttpRequest gemini_request(const ProviderCall& call) {
   WireJson body = WireJson::object();
   if (!call.request.system.empty())
     body["systemInstruction"] = {{"parts", WireJson::array({{{"text", call.request.system}}})}};
@@ -32,7 +32,8 @@ HttpRequest gemini_request(const ProviderCall& call) {
     config["responseJsonSchema"] = WireJson::parse(call.request.answer_schema);
   }
   body["generationConfig"] = std::move(config);
-  HttpRequest request = post_of(call.base_url + "/models/" + call.model + ":generateContent", body);
+  net::HttpRequest request =
+      post_of(call.base_url + "/models/" + call.model + ":generateContent", body);
   request.secret_headers = {{"x-goog-api-key", call.key}};  // never `?key=`: a URL is recorded
   return request;
 }
@@ -60,4 +61,4 @@ Result<ChatAnswer> gemini_answer(std::string_view body, const std::string& where
   return answer;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::llm

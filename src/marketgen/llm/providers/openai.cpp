@@ -3,14 +3,14 @@
 #include "llm/provider.h"
 #include "llm/wire_json.h"
 
-namespace marketgen {
+namespace marketgen::llm {
 namespace {
 
 WireJson openai_content(const ChatTurn& turn) {
   if (turn.pictures.empty()) return turn.text;
   WireJson parts = WireJson::array();
   for (const std::string& png : turn.pictures) {
-    const std::string url = "data:image/png;base64," + base64_of(png);
+    const std::string url = "data:image/png;base64," + net::base64_of(png);
     parts.push_back({{"type", "image_url"}, {"image_url", {{"url", url}}}});
   }
   parts.push_back({{"type", "text"}, {"text", turn.text}});
@@ -30,7 +30,7 @@ WireJson openai_messages(const ChatRequest& request) {
 
 }  // namespace
 
-HttpRequest openai_request(const ProviderCall& call) {
+net::HttpRequest openai_request(const ProviderCall& call) {
   WireJson body{{"model", call.model}, {"messages", openai_messages(call.request)}};
   // OpenAI's reasoning models know only the newer name, older servers of others only the older.
   body[call.own_server ? "max_completion_tokens" : "max_tokens"] = call.request.max_tokens;
@@ -42,7 +42,7 @@ HttpRequest openai_request(const ProviderCall& call) {
                                  {"strict", true},
                                  {"schema", WireJson::parse(call.request.answer_schema)}}}};
   }
-  HttpRequest request = post_of(call.base_url + "/chat/completions", body);
+  net::HttpRequest request = post_of(call.base_url + "/chat/completions", body);
   if (!call.key.empty()) request.secret_headers = {{"Authorization", "Bearer " + call.key}};
   return request;
 }
@@ -63,4 +63,4 @@ Result<ChatAnswer> openai_answer(std::string_view body, const std::string& where
   return answer;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::llm

@@ -5,7 +5,7 @@
 
 #include "physics/world/fixture_bodies.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 // At rest at `pose`, a soft pack straight.
@@ -103,4 +103,4 @@ ShapePose geom_pose(const mjModel& m, int geom) {
   return pose;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

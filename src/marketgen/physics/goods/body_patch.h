@@ -9,7 +9,7 @@
 #include "physics/world/product_grid.h"
 #include "physics/world/store_model.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
 inline Vec3 vec3_of(const mjtNum* v) {
   return {v[0], v[1], v[2]};
@@ -44,4 +44,4 @@ void switch_geom(mjModel& model, int geom, bool on);
 void move_geom(mjModel& model, mjData& data, int geom, const ShapePose& pose);  // a static one
 ShapePose geom_pose(const mjModel& model, int geom);
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 // Rolling resistance of loose fruit and vegetables, as a share of the radius: the tangent of the
@@ -15,22 +15,24 @@ constexpr double rolling_share = 0.3;
 
 }  // namespace
 
-ContactShape contact_shape_of(const ScenePart& part) {
+assets::ContactShape contact_shape_of(const scene::ScenePart& part) {
   const auto& [x, y, z] = part.half_size_m;
-  ContactShape made = contact_shape_of(CollisionPrimitive{
-      part.shape == PartShape::box ? CollisionShape::box : CollisionShape::cylinder,
+  assets::ContactShape made = assets::contact_shape_of(assets::CollisionPrimitive{
+      part.shape == assets::PartShape::box ? assets::CollisionShape::box
+                                           : assets::CollisionShape::cylinder,
       {},
       {x, y, z}});
-  made.pose = fixture_from_part(part);
+  made.pose = scene::fixture_from_part(part);
   return made;
 }
 
-GoodsContact goods_contact_of(const Product& product, const CollisionPrimitive& primitive) {
-  const bool rolls = primitive.shape == CollisionShape::ellipsoid || primitive.lying;
+GoodsContact goods_contact_of(const catalog::Product& product,
+                              const assets::CollisionPrimitive& primitive) {
+  const bool rolls = primitive.shape == assets::CollisionShape::ellipsoid || primitive.lying;
   if (!rolls) return {4, product.friction, torsional_friction_m, plain_rolling_friction_m};
   const Vec3f& half = primitive.half_size;
   const double radius = primitive.lying ? half.x : std::min({half.x, half.y, half.z});
   return {6, product.friction, torsional_friction_m, rolling_share * radius};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -4,9 +4,9 @@
 #include "assets/contact_shape.h"
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
-ContactShape contact_shape_of(const ScenePart& part);  // in the fixture frame
+assets::ContactShape contact_shape_of(const scene::ScenePart& part);  // in the fixture frame
 
 // ---- Parameters of the simulation. Measured to hold a grasp for 5 s within 0.1 mm. ----
 
@@ -25,10 +25,11 @@ struct GoodsContact {
   int dimensions;  // 4: normal, two sliding, torsional; 6: two rolling as well
   double sliding, torsional_m, rolling_m;
 };
-GoodsContact goods_contact_of(const Product& product, const CollisionPrimitive& primitive);
+GoodsContact goods_contact_of(const catalog::Product& product,
+                              const assets::CollisionPrimitive& primitive);
 
 // MuJoCo takes the greater friction of the two in contact. Goods carry theirs (on a painted steel
 // shelf); what stands still has the least that a row may have, so that the goods' value decides.
 constexpr double still_friction = 0.05;
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

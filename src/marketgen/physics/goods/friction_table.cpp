@@ -2,16 +2,16 @@
 
 #include <cmath>
 
-namespace marketgen {
+namespace marketgen::physics {
 
-FrictionTable::FrictionTable(const std::vector<FrictionRow>& rows) {
+FrictionTable::FrictionTable(const std::vector<catalog::FrictionRow>& rows) {
   names_.emplace("", unknown);
-  for (const FrictionRow& row : rows) {
+  for (const catalog::FrictionRow& row : rows) {
     for (const std::string& name : {row.a, row.b})
       names_.emplace(name, static_cast<Material>(names_.size()));
   }
   table_.assign(names_.size() * names_.size(), 0);
-  for (const FrictionRow& row : rows) {
+  for (const catalog::FrictionRow& row : rows) {
     const Material a = material(row.a), b = material(row.b);
     at(a, b) = at(b, a) = row.sliding;
   }
@@ -33,9 +33,9 @@ FrictionTable::Material FrictionTable::material(std::string_view name) const {
   return found == names_.end() ? unknown : found->second;
 }
 
-double FrictionTable::sliding_on(Material a, const Product& product) const {
+double FrictionTable::sliding_on(Material a, const catalog::Product& product) const {
   const double known = sliding(a, material(product.material));
   return known > 0 ? known : product.friction;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -13,7 +13,7 @@
 #include "catalog/product.h"
 #include "catalog/rows.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
 // Contact materials of what is no product.
 constexpr std::string_view reference_material = "steel";  // painted: shelves, fixtures
@@ -25,13 +25,13 @@ class FrictionTable {
   using Material = std::uint16_t;
   static constexpr Material unknown = 0;
 
-  explicit FrictionTable(const std::vector<FrictionRow>& rows);
+  explicit FrictionTable(const std::vector<catalog::FrictionRow>& rows);
 
   Material material(std::string_view name) const;  // unknown when no row has it
   // Sliding friction; 0 when one of the two is unknown, or has no row of its own and none on steel.
   double sliding(Material a, Material b) const { return table_[a * names_.size() + b]; }
   // Of a product on `a`; by the product's own figure when the table has none.
-  double sliding_on(Material a, const Product& product) const;
+  double sliding_on(Material a, const catalog::Product& product) const;
 
  private:
   double& at(Material a, Material b) { return table_[a * names_.size() + b]; }
@@ -40,4 +40,4 @@ class FrictionTable {
   std::vector<double> table_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

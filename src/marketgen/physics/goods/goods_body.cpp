@@ -13,7 +13,7 @@
 #include "io/json.h"
 #include "scene/shelf_fill.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 // Round packs that lie come to rest in a basket by this (the probe of Checkout Unloading).
@@ -22,33 +22,34 @@ constexpr double min_bulk_rolling_m = 0.0015;
 // A lean of 7 degrees, or nothing, tips it off the foot that its pieces have.
 constexpr double steady_tangent = 0.12;
 
-bool steady(const ProductBody& body) {
-  const ContactPiece& foot = body.pieces[0];
+bool steady(const assets::ProductBody& body) {
+  const assets::ContactPiece& foot = body.pieces[0];
   const Vec3f &middle = body.center_of_mass, &half = foot.half_size;
   const double x = half.x - std::abs(middle.x - foot.center.x);
   const double y = half.y - std::abs(middle.y - foot.center.y);
   return std::min(x, y) > steady_tangent * middle.z;
 }
 
-GoodsForm form_of(const Product& product, const ProductBody& pack, GoodsUse use) {
+GoodsForm form_of(const catalog::Product& product, const assets::ProductBody& pack, GoodsUse use) {
   if (use != GoodsUse::stocked) return GoodsForm::pieces;
-  if (lies_as_balls(product)) return GoodsForm::ball;
+  if (scene::lies_as_balls(product)) return GoodsForm::ball;
   if (product.category == "produce") return GoodsForm::produce;
   if (product.stack_max > 1) return GoodsForm::stacked;
-  if (static_cast<int>(pack.pieces.size()) > PieceLimits{}.max_pieces)
+  if (static_cast<int>(pack.pieces.size()) > assets::PieceLimits{}.max_pieces)
     return GoodsForm::many_pieces;
   return steady(pack) ? GoodsForm::pieces : GoodsForm::unsteady;
 }
 
-ContactPiece piece_of(const CollisionPrimitive& solid) {
-  const PieceShape shape = solid.shape == CollisionShape::box        ? PieceShape::box
-                           : solid.shape == CollisionShape::cylinder ? PieceShape::cylinder
-                                                                     : PieceShape::ellipsoid;
+assets::ContactPiece piece_of(const assets::CollisionPrimitive& solid) {
+  const assets::PieceShape shape =
+      solid.shape == assets::CollisionShape::box        ? assets::PieceShape::box
+      : solid.shape == assets::CollisionShape::cylinder ? assets::PieceShape::cylinder
+                                                        : assets::PieceShape::ellipsoid;
   return {shape, solid.center, solid.half_size, solid.lying};
 }
 
 // Of an ellipsoid: a fifth of the mass times the squares of the two half axes across.
-void spread_evenly(double mass_kg, ProductBody& body) {
+void spread_evenly(double mass_kg, assets::ProductBody& body) {
   const Vec3f& h = body.pieces[0].half_size;
   const auto fifth = static_cast<float>(mass_kg / 5);
   body.center_of_mass = body.pieces[0].center;
@@ -60,7 +61,9 @@ void spread_evenly(double mass_kg, ProductBody& body) {
                         0};
 }
 
-GoodsContact contact_of(const Product& product, const CollisionPrimitive& solid, GoodsUse use) {
+GoodsContact contact_of(const catalog::Product& product,
+                        const assets::CollisionPrimitive& solid,
+                        GoodsUse use) {
   GoodsContact contact = goods_contact_of(product, solid);
   if (use != GoodsUse::bulk) return contact;
   contact.dimensions = 6;
@@ -68,9 +71,9 @@ GoodsContact contact_of(const Product& product, const CollisionPrimitive& solid,
   return contact;
 }
 
-SharedGoodsBody made_body(const Product& product,
-                          const ProductBody& pack,
-                          const CollisionPrimitive& solid,
+SharedGoodsBody made_body(const catalog::Product& product,
+                          const assets::ProductBody& pack,
+                          const assets::CollisionPrimitive& solid,
                           GoodsUse use) {
   auto goods = std::make_shared<GoodsBody>(GoodsBody{product, form_of(product, pack, use), pack});
   if (goods->form != GoodsForm::pieces) goods->body.pieces = {piece_of(solid)};
@@ -81,9 +84,9 @@ SharedGoodsBody made_body(const Product& product,
 
 using BodiesByUse = std::map<GoodsUse, SharedGoodsBody>;
 
-Result<BodiesByUse> made_bodies(const Product& product) {
-  MARKETGEN_TRY(const CollisionPrimitive solid, collision_of(product));
-  MARKETGEN_TRY(const ProductBody pack, make_product_body(product));
+Result<BodiesByUse> made_bodies(const catalog::Product& product) {
+  MARKETGEN_TRY(const assets::CollisionPrimitive solid, assets::collision_of(product));
+  MARKETGEN_TRY(const assets::ProductBody pack, assets::make_product_body(product));
   MARKETGEN_CHECK(check_has_body(product, pack));
   BodiesByUse bodies;
   for (const GoodsUse use : {GoodsUse::stocked, GoodsUse::single, GoodsUse::bulk})
@@ -93,10 +96,10 @@ Result<BodiesByUse> made_bodies(const Product& product) {
 
 }  // namespace
 
-Result<SharedGoodsBody> goods_body(const Product& product, GoodsUse use) {
+Result<SharedGoodsBody> goods_body(const catalog::Product& product, GoodsUse use) {
   static std::mutex changing;
   static std::map<std::string, BodiesByUse> made;  // by all that they are made from
-  const std::string key = write_json_line(product);
+  const std::string key = io::write_json_line(product);
   {
     const std::scoped_lock lock(changing);
     if (const auto known = made.find(key); known != made.end()) return known->second.at(use);
@@ -106,7 +109,7 @@ Result<SharedGoodsBody> goods_body(const Product& product, GoodsUse use) {
   return made.emplace(key, std::move(bodies)).first->second.at(use);
 }
 
-Result<void> check_has_body(const Product& product, const ProductBody& body) {
+Result<void> check_has_body(const catalog::Product& product, const assets::ProductBody& body) {
   const auto& [width, depth, height] = product.size_mm;
   const bool sized = width > 0 && depth > 0 && height > 0;
   if (product.mass_kg > 0 && std::isfinite(product.mass_kg) && sized && !body.pieces.empty())
@@ -121,4 +124,4 @@ Result<void> check_has_body(const Product& product, const ProductBody& body) {
                            height)};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

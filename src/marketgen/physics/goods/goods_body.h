@@ -9,7 +9,7 @@
 #include "assets/product_model.h"
 #include "physics/goods/contact_shape.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
 // Where it moves.
 enum class GoodsUse {
@@ -37,18 +37,18 @@ constexpr std::array<std::string_view, 6> names_of(GoodsForm) {
 }
 
 struct GoodsBody {
-  Product product;
+  catalog::Product product;
   GoodsForm form = GoodsForm::pieces;
-  ProductBody body;  // what `form` makes of it; product frame
+  assets::ProductBody body;  // what `form` makes of it; product frame
   GoodsContact contact{};
 };
 using SharedGoodsBody = std::shared_ptr<const GoodsBody>;
 
 // Made once in a process (30 ms a row). Thread-safe. Errors: catalog.bad_row for a product without
 // mass, size or contact pieces; those of make_product_body and collision_of.
-Result<SharedGoodsBody> goods_body(const Product& product, GoodsUse use);
+Result<SharedGoodsBody> goods_body(const catalog::Product& product, GoodsUse use);
 
 // Error catalog.bad_row: see there.
-Result<void> check_has_body(const Product& product, const ProductBody& body);
+Result<void> check_has_body(const catalog::Product& product, const assets::ProductBody& body);
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 // mjXMACRO's tables that are as long as the number of meshes, vertices, faces and so on. XNV are
@@ -102,4 +102,4 @@ int HullMeshes::add(const mjModel& from) {
   return static_cast<int>(was.nmesh);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -10,7 +10,7 @@
 
 #include "physics/mujoco_guard.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
 // Holds the model's tables of meshes from the first add() on: it must live as long as the model is
 // used. mj_copyData, mj_saveModel and names of all but meshes go on as before. mj_rayMesh does not
@@ -32,4 +32,4 @@ class HullMeshes {
   std::array<std::vector<std::byte>, tables> kept_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

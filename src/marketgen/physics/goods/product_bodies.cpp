@@ -9,7 +9,7 @@
 #include "physics/soft/soft_body.h"
 #include "physics/soft/soft_pieces.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
 namespace {
 
@@ -48,8 +48,9 @@ mjsBody* ProductBodies::add(const std::string& name,
 }
 
 mjsGeom* ProductBodies::add_piece(mjsBody* made, const GoodsBody& goods, std::size_t index) {
-  const ContactPiece& piece = goods.body.pieces[index];
-  if (piece.shape != PieceShape::hull) return add_shape(made, contact_shape_of(piece));
+  const assets::ContactPiece& piece = goods.body.pieces[index];
+  if (piece.shape != assets::PieceShape::hull)
+    return add_shape(made, assets::contact_shape_of(piece));
   mjsGeom* geom = mjs_addGeom(made, nullptr);
   geom->type = mjGEOM_MESH;
   mjs_setString(geom->meshname, mesh_of(goods, index).c_str());
@@ -108,4 +109,4 @@ void ProductBodies::add_soft(const std::string& name,
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -9,7 +9,7 @@
 #include "physics/mujoco_guard.h"
 #include "physics/soft/soft_pack.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
 // Who the geoms of a product look for contact with, and their group.
 struct ProductGeoms {
@@ -47,4 +47,4 @@ class ProductBodies {
   int hulls_ = 0;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -9,7 +9,7 @@
 #include "io/json.h"
 #include "physics/goods/product_bodies.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 using SharedRigidGoods = std::shared_ptr<const RigidGoods>;
@@ -36,7 +36,7 @@ Box3 bounds_of_geoms(const mjModel& m) {
   return all;
 }
 
-Result<SharedRigidGoods> compiled_alone(const Product& product) {
+Result<SharedRigidGoods> compiled_alone(const catalog::Product& product) {
   MARKETGEN_TRY(const SharedGoodsBody body, goods_body(product, GoodsUse::stocked));
   const MujocoSpec spec(mj_makeSpec(), mj_deleteSpec);
   spec->compiler.balanceinertia = true;  // of flat packs the floats miss it by their last digit
@@ -53,17 +53,17 @@ Result<SharedRigidGoods> compiled_alone(const Product& product) {
   const mjtNum* q = m.body_quat + 4;
   goods->product_from_body = {vec3_at(m.body_pos + 3), {q[0], q[1], q[2], q[3]}};
   goods->bounds = bounds_of_geoms(m);
-  const std::vector<ContactPiece>& pieces = body->body.pieces;
-  goods->hollow = pieces.size() > 1 || pieces[0].shape == PieceShape::hull;
+  const std::vector<assets::ContactPiece>& pieces = body->body.pieces;
+  goods->hollow = pieces.size() > 1 || pieces[0].shape == assets::PieceShape::hull;
   return SharedRigidGoods(std::move(goods));
 }
 
 }  // namespace
 
-Result<SharedRigidGoods> rigid_goods(const Product& product) {
+Result<SharedRigidGoods> rigid_goods(const catalog::Product& product) {
   static std::mutex changing;
   static std::map<std::string, SharedRigidGoods> made;  // by all that they are made from
-  const std::string key = write_json_line(product);
+  const std::string key = io::write_json_line(product);
   {
     const std::scoped_lock lock(changing);
     if (const auto known = made.find(key); known != made.end()) return known->second;
@@ -73,4 +73,4 @@ Result<SharedRigidGoods> rigid_goods(const Product& product) {
   return made.emplace(key, std::move(goods)).first->second;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -8,7 +8,7 @@
 #include "physics/mujoco_guard.h"
 #include "physics/world/product_grid.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
 // Alone in a model, as MuJoCo compiles it: one free body, whose frame is that of its inertia.
 struct RigidGoods {
@@ -20,6 +20,6 @@ struct RigidGoods {
 
 // goods_body() of a product in a store. Made once in a process (30 ms a row). Thread-safe. Errors:
 // those of goods_body, physics.failed.
-Result<std::shared_ptr<const RigidGoods>> rigid_goods(const Product& product);
+Result<std::shared_ptr<const RigidGoods>> rigid_goods(const catalog::Product& product);
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 constexpr int first = 1;  // body of `from`, behind the world
@@ -90,4 +90,4 @@ void copy_tree(mjModel& to, int body, const mjModel& from, int first_mesh) {
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

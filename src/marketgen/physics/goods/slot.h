@@ -7,7 +7,7 @@
 #pragma once
 #include "physics/mujoco_guard.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
 // Makes the tree of `to` whose first body is `body` the one that `from` consists of: it has as many
 // bodies and joints, and no more geoms than the slot has. `first_mesh`: the row in `to` of the
@@ -15,4 +15,4 @@ namespace marketgen {
 // body.
 void copy_tree(mjModel& to, int body, const mjModel& from, int first_mesh = 0);
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

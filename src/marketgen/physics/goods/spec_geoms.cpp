@@ -4,13 +4,13 @@
 
 #include "base/gravity.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
-mjtGeom geom_type_of(CollisionShape shape) {
+mjtGeom geom_type_of(assets::CollisionShape shape) {
   switch (shape) {
-    case CollisionShape::box:
+    case assets::CollisionShape::box:
       return mjGEOM_BOX;
-    case CollisionShape::cylinder:
+    case assets::CollisionShape::cylinder:
       return mjGEOM_CYLINDER;
     default:
       return mjGEOM_ELLIPSOID;
@@ -48,7 +48,7 @@ mjsGeom* add_still(mjsBody* body, mjtGeom type) {
 
 }  // namespace
 
-mjsGeom* add_shape(mjsBody* body, const ContactShape& shape) {
+mjsGeom* add_shape(mjsBody* body, const assets::ContactShape& shape) {
   mjsGeom* geom = add_still(body, geom_type_of(shape.shape));
   const double size[3] = {shape.size.x, shape.size.y, shape.size.z};
   std::copy(size, size + 3, geom->size);
@@ -68,4 +68,4 @@ void set_goods_contact(mjsGeom* geom, const GoodsContact& contact) {
   std::copy(friction, friction + 3, geom->friction);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -4,9 +4,9 @@
 #include "physics/goods/contact_shape.h"
 #include "physics/mujoco_guard.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
-mjtGeom geom_type_of(CollisionShape shape);
+mjtGeom geom_type_of(assets::CollisionShape shape);
 void set_pose(double position[3], double rotation[4], const Pose& pose);
 
 // Time step, cone, solver and sleep. What is slower than `sleep_below_m_s` (or radians a second
@@ -14,9 +14,9 @@ void set_pose(double position[3], double rotation[4], const Pose& pose);
 void set_contact_options(mjSpec& spec, double sleep_below_m_s);
 
 // A geom that stands still: least friction, stiff.
-mjsGeom* add_shape(mjsBody* body, const ContactShape& shape);
+mjsGeom* add_shape(mjsBody* body, const assets::ContactShape& shape);
 // The plane z = 0 without end, of the same kind.
 mjsGeom* add_floor(mjsBody* world);
 void set_goods_contact(mjsGeom* geom, const GoodsContact& contact);
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -3,10 +3,10 @@
 #pragma once
 #include "physics/goods/contact_shape.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
 struct StandingGoods {
-  ContactShape shape;  // product_from_shape
+  assets::ContactShape shape;  // product_from_shape
   GoodsContact contact{};
   double mass_kg = 0;
   double stands_share = 0;   // of its weight: a lesser push sideways neither slides nor tips it
@@ -14,6 +14,6 @@ struct StandingGoods {
 };
 
 // Errors: catalog.bad_row for a product without mass or size; those of collision_of.
-Result<StandingGoods> standing_goods(const Product& product);
+Result<StandingGoods> standing_goods(const catalog::Product& product);
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -9,7 +9,7 @@
 #include "geometry/box_extents.h"
 #include "physics/goods/spec_geoms.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 // The wall towards +X of a container that measures `x` across and `y` along it.
@@ -43,7 +43,7 @@ std::vector<ContainerBox> boxes_of(const OpenContainer& c) {
   return boxes;
 }
 
-bool fits_in(const OpenContainer& c, const Product& product) {
+bool fits_in(const OpenContainer& c, const catalog::Product& product) {
   std::array<double, 3> pack{product.width_m(), product.depth_m(), product.height_m()};
   std::ranges::sort(pack);
   const double in = 2 * c.taper_m;
@@ -54,7 +54,8 @@ bool fits_in(const OpenContainer& c, const Product& product) {
 std::vector<mjsGeom*> add_container(mjsBody* world, const OpenContainer& container) {
   std::vector<mjsGeom*> geoms{add_floor(world)};
   for (const ContainerBox& box : boxes_of(container))
-    geoms.push_back(add_shape(world, {CollisionShape::box, box.container_from_box, box.half_size}));
+    geoms.push_back(
+        add_shape(world, {assets::CollisionShape::box, box.container_from_box, box.half_size}));
   return geoms;
 }
 
@@ -79,9 +80,9 @@ Result<void> check_container(const OpenContainer& c) {
                            c.ledge_height_m)};
 }
 
-Vec3 turned_half_extents(const Product& product, const Quaternion& rotation) {
+Vec3 turned_half_extents(const catalog::Product& product, const Quaternion& rotation) {
   return box_half_extents(rotation,
                           {product.width_m() / 2, product.depth_m() / 2, product.height_m() / 2});
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -3,7 +3,7 @@
 #include "physics/mujoco_guard.h"
 #include "physics/settle/bulk_settle.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
 // The container's geoms on the world body, the floor (a plane without end) first.
 std::vector<mjsGeom*> add_container(mjsBody* world, const OpenContainer& container);
@@ -12,6 +12,6 @@ std::vector<mjsGeom*> add_container(mjsBody* world, const OpenContainer& contain
 Result<void> check_container(const OpenContainer& container);
 
 // Half extents of the upright box around the turned pack.
-Vec3 turned_half_extents(const Product& product, const Quaternion& rotation);
+Vec3 turned_half_extents(const catalog::Product& product, const Quaternion& rotation);
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

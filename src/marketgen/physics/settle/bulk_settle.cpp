@@ -10,7 +10,7 @@
 #include "physics/settle/bulk_model.h"
 #include "physics/settle/pour.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 constexpr char bulk_where[] = "bulk settling";
@@ -69,7 +69,7 @@ class BulkSettling {
   std::vector<PouredBody> poured_bodies() const {
     std::vector<PouredBody> bodies;
     for (std::size_t i = 0; i < items_.size(); ++i) {
-      const Product& p = items_[i]->product;
+      const catalog::Product& p = items_[i]->product;
       bodies.push_back(
           {static_cast<int>(i), length(Vec3{p.width_m(), p.depth_m(), p.height_m()}) / 2});
     }
@@ -79,7 +79,7 @@ class BulkSettling {
   // Over the rim and what lies highest, somewhere between the walls, any way round.
   void hang(const mjModel& model, mjData& data, int turn) const {
     const auto index = static_cast<std::size_t>(turn);
-    const Product& product = items_[index]->product;
+    const catalog::Product& product = items_[index]->product;
     Stream draw = seed_.child("bulk", index).stream();
     Quaternion turned;
     Vec3 half, room;
@@ -163,4 +163,4 @@ Result<SettledBulk> settle_bulk(const OpenContainer& container,
   return BulkSettling(container, items, seed).settle();
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -15,7 +15,7 @@
 #include "geometry/pose.h"
 #include "physics/goods/goods_body.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
 // A floor and four walls that may lean outwards. Without a floor's thickness: it lies on a counter
 // or a board, which goes on outside.
@@ -43,7 +43,7 @@ struct ContainerBox {
 std::vector<ContainerBox> boxes_of(const OpenContainer& container);
 
 // Whether the pack can lie on the floor between the walls, some way round, without standing out.
-bool fits_in(const OpenContainer& container, const Product& product);
+bool fits_in(const OpenContainer& container, const catalog::Product& product);
 
 struct SettledItem {
   Pose container_from_product;  // of what is inside
@@ -68,4 +68,4 @@ Result<SettledBulk> settle_bulk(const OpenContainer& container,
                                 const std::vector<SharedGoodsBody>& items,
                                 Seed seed);
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -12,7 +12,7 @@
 #include "physics/goods/spec_geoms.h"
 #include "physics/settle/pour.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 constexpr double widest_m = 1.0;  // of the footprint
@@ -32,7 +32,7 @@ struct Tray {
   double depth_m() const { return deep * piece_m * spread; }
 };
 
-Tray tray_for(const Product& product) {
+Tray tray_for(const catalog::Product& product) {
   const double piece = std::max({product.width_m(), product.depth_m(), product.height_m()});
   const int fit = std::max(2, static_cast<int>(widest_m / (piece * spread)));
   return {piece, std::min(max_across, fit), std::min(max_deep, fit)};
@@ -47,7 +47,7 @@ class HeapBuilder {
         spec_(mj_makeSpec(), mj_deleteSpec),
         world_(mjs_findBody(spec_.get(), "world")) {}
 
-  Result<HeapRow> settle() {
+  Result<catalog::HeapRow> settle() {
     set_contact_options(*spec_, 0);
     spec_->option.enableflags &= ~mjENBL_SLEEP;
     spec_->option.disableflags |= mjDSBL_AUTORESET;  // which would pour anew for ever
@@ -68,7 +68,7 @@ class HeapBuilder {
                                             std::array{w + wall_half_m, d / 2, wall_half_m, d},
                                             std::array{w / 2, -wall_half_m, w, wall_half_m},
                                             std::array{w / 2, d + wall_half_m, w, wall_half_m}}) {
-      add_shape(world_, {CollisionShape::box, {{x, y, high}, {}}, {along, deep, high}});
+      add_shape(world_, {assets::CollisionShape::box, {{x, y, high}, {}}, {along, deep, high}});
     }
   }
 
@@ -138,7 +138,7 @@ class HeapBuilder {
     return l;
   }
 
-  HeapRow row_of(const mjModel& model, const mjData& data) const {
+  catalog::HeapRow row_of(const mjModel& model, const mjData& data) const {
     const Leaning l = leaning(model, data);
     std::vector<std::size_t> order(count());
     for (std::size_t i = 0; i < count(); ++i)
@@ -147,9 +147,9 @@ class HeapBuilder {
       return data.xipos[3 * (a + 1) + 2] < data.xipos[3 * (b + 1) + 2];
     });
     std::vector<int> number(count(), -1);  // among those kept
-    std::vector<HeapPiece> pieces;
+    std::vector<catalog::HeapPiece> pieces;
     for (const std::size_t i : order) {
-      HeapPiece piece;
+      catalog::HeapPiece piece;
       bool stands = l.board[i] || (!l.wall[i] && l.on[i].size() >= 2);
       if (!l.board[i]) {
         for (const std::size_t below : l.on[i]) {
@@ -166,15 +166,16 @@ class HeapBuilder {
       number[i] = static_cast<int>(pieces.size());
       pieces.push_back(std::move(piece));
     }
-    return heap_row(product_.archetype,
-                    product_.size_mm,
-                    {static_cast<int>(std::lround(tray_.width_m() * 1e3)) + 2 * wall_gives_mm,
-                     static_cast<int>(std::lround(tray_.depth_m() * 1e3)) + 2 * wall_gives_mm},
-                    pieces);
+    return catalog::heap_row(
+        product_.archetype,
+        product_.size_mm,
+        {static_cast<int>(std::lround(tray_.width_m() * 1e3)) + 2 * wall_gives_mm,
+         static_cast<int>(std::lround(tray_.depth_m() * 1e3)) + 2 * wall_gives_mm},
+        pieces);
   }
 
   const GoodsBody& goods_;
-  const Product& product_;
+  const catalog::Product& product_;
   Tray tray_;
   MujocoSpec spec_;
   mjsBody* world_;
@@ -183,9 +184,9 @@ class HeapBuilder {
 
 }  // namespace
 
-Result<HeapRow> settle_heap(const Product& product) {
+Result<catalog::HeapRow> settle_heap(const catalog::Product& product) {
   MARKETGEN_TRY(const SharedGoodsBody goods, goods_body(product, GoodsUse::stocked));
   return HeapBuilder(*goods).settle();
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -7,25 +7,26 @@
 #include "assets/product_model.h"
 #include "physics/goods/spec_geoms.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 constexpr char penetration_where[] = "collision check";
 
 // A model that holds the items, each as one static geom in the order of `items`.
-Result<MujocoModel> model_of(const Scene& scene, const std::vector<std::uint32_t>& items) {
+Result<MujocoModel> model_of(const scene::Scene& scene, const std::vector<std::uint32_t>& items) {
   const MujocoSpec spec(mj_makeSpec(), mj_deleteSpec);
   mjsBody* world = mjs_findBody(spec.get(), "world");
   for (const std::uint32_t row : items) {
-    const SceneProduct& item = scene.products[row];
-    MARKETGEN_TRY(const CollisionPrimitive primitive, collision_of(scene.catalog[item.sku]));
-    add_shape(world, world_from_product(item) * contact_shape_of(primitive));
+    const scene::SceneProduct& item = scene.products[row];
+    MARKETGEN_TRY(const assets::CollisionPrimitive primitive,
+                  assets::collision_of(scene.catalog[item.sku]));
+    add_shape(world, scene::world_from_product(item) * assets::contact_shape_of(primitive));
   }
   return compile(*spec, penetration_where);
 }
 
 // Appends the depths of the pairs, by one model that holds their items.
-Result<void> measure(const Scene& scene,
+Result<void> measure(const scene::Scene& scene,
                      std::span<const ProductPair> pairs,
                      std::vector<double>& depths) {
   std::map<std::uint32_t, int> geom_of;
@@ -50,7 +51,7 @@ Result<void> measure(const Scene& scene,
 
 // MuJoCo takes a time that grows with the square of what a model holds to add to it: many small
 // models are made instead of a large one.
-Result<std::vector<double>> penetration_depths(const Scene& scene,
+Result<std::vector<double>> penetration_depths(const scene::Scene& scene,
                                                const std::vector<ProductPair>& pairs) {
   constexpr std::size_t pairs_of_a_model = 200;
   std::vector<double> depths;
@@ -62,4 +63,4 @@ Result<std::vector<double>> penetration_depths(const Scene& scene,
   return depths;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -6,7 +6,7 @@
 
 #include "physics/goods/contact_shape.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 constexpr int never = std::numeric_limits<int>::max();
@@ -84,4 +84,4 @@ double Pour::fastest() const {
   return speed;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

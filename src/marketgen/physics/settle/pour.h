@@ -9,7 +9,7 @@
 #include "geometry/pose.h"
 #include "physics/mujoco_guard.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
 // Any way round.
 Quaternion any_rotation(Stream& draw);
@@ -58,4 +58,4 @@ class Pour {
   double turn_began_s_ = 0;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -9,7 +9,7 @@
 #include "physics/goods/contact_shape.h"
 #include "physics/settle/settle_model.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 constexpr double still_margin_m = 3;     // goods and fixtures this near are in the model
@@ -21,11 +21,11 @@ double seconds_since(Clock::time_point start) {
 }
 
 // Rows of the region's products, those nearest to its centre first; equally near ones by row.
-std::vector<std::uint32_t> products_in(const Scene& scene, const SettleOptions& options) {
+std::vector<std::uint32_t> products_in(const scene::Scene& scene, const SettleOptions& options) {
   const auto& [x0, y0, x1, y1] = options.region_m;
   std::vector<std::pair<double, std::uint32_t>> found;
   for (std::uint32_t row = 0; row < scene.products.size(); ++row) {
-    const Vec3 p = world_from_product(scene.products[row]).position;
+    const Vec3 p = scene::world_from_product(scene.products[row]).position;
     if (p.x < x0 || p.x > x1 || p.y < y0 || p.y > y1) continue;
     const Vec3 offset{p.x - (x0 + x1) / 2, p.y - (y0 + y1) / 2, 0};
     found.emplace_back(dot(offset, offset), row);
@@ -85,12 +85,13 @@ Result<std::vector<double>> drifts(const mjModel& model,
 }
 
 void summarize(const std::vector<double>& drift,
-               const Scene& scene,
+               const scene::Scene& scene,
                const std::vector<std::uint32_t>& rows,
                SettleReport& report) {
   const auto worst = std::ranges::max_element(drift);
   report.worst_drift_m = *worst;
-  report.worst_product = product_id(scene, rows[static_cast<std::size_t>(worst - drift.begin())]);
+  report.worst_product =
+      scene::product_id(scene, rows[static_cast<std::size_t>(worst - drift.begin())]);
   const auto below = std::ranges::count_if(drift, [](double d) { return d < stable_drift_m; });
   report.share_below_5_cm = static_cast<double>(below) / static_cast<double>(drift.size());
   std::vector<double> sorted = drift;
@@ -100,7 +101,7 @@ void summarize(const std::vector<double>& drift,
 
 }  // namespace
 
-Result<SettleReport> settle(const Scene& scene, const SettleOptions& options) {
+Result<SettleReport> settle(const scene::Scene& scene, const SettleOptions& options) {
   SettleReport report;
   const std::vector<std::uint32_t> rows = products_in(scene, options);
   report.products = static_cast<int>(rows.size());
@@ -123,4 +124,4 @@ std::string physics_version() {
   return mj_versionString();
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

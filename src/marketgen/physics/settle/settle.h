@@ -7,7 +7,7 @@
 #include "base/result.h"
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
 struct SettleOptions {
   std::array<double, 4> region_m{};  // x0, y0, x1, y1
@@ -34,11 +34,11 @@ struct SettleReport {
 
 // Builds a MuJoCo model of the region (everything else static) and steps it. Errors:
 // physics.failed; no MuJoCo error ends the process.
-Result<SettleReport> settle(const Scene& scene, const SettleOptions& options);
+Result<SettleReport> settle(const scene::Scene& scene, const SettleOptions& options);
 // An aisle region with at least `products` products around it.
-std::array<double, 4> region_around_aisle(const Scene& scene, int products);
+std::array<double, 4> region_around_aisle(const scene::Scene& scene, int products);
 
 // The MuJoCo version in use, "4.0.1".
 std::string physics_version();
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -9,7 +9,7 @@
 #include "physics/world/shell_pieces.h"
 #include "scene/placements.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 constexpr char settle_where[] = "settle";
@@ -34,14 +34,14 @@ struct Extent {
   }
 };
 
-bool hangs(const Scene& scene, const SceneProduct& item) {
-  return item.facing != no_facing &&
-         scene.shelves[scene.facings[item.facing].shelf].use == ShelfUse::hang;
+bool hangs(const scene::Scene& scene, const scene::SceneProduct& item) {
+  return item.facing != scene::no_facing &&
+         scene.shelves[scene.facings[item.facing].shelf].use == assets::ShelfUse::hang;
 }
 
 class Builder {
  public:
-  Builder(const Scene& scene, const std::vector<StandingGoods>& standing)
+  Builder(const scene::Scene& scene, const std::vector<StandingGoods>& standing)
       : scene_(scene),
         standing_(standing),
         spec_(mj_makeSpec(), mj_deleteSpec),
@@ -57,26 +57,26 @@ class Builder {
   void add_room(const Extent& extent) {
     add_floor(world_);
     for (const ShellPiece& piece : shell_pieces(scene_.layout.shell)) {
-      add_if_near({CollisionShape::box, piece.pose, piece.half_size}, extent);
+      add_if_near({assets::CollisionShape::box, piece.pose, piece.half_size}, extent);
     }
-    for (const ScenePart& part : scene_.parts) {
-      add_if_near(world_from_fixture(scene_, part.fixture) * contact_shape_of(part), extent);
+    for (const scene::ScenePart& part : scene_.parts) {
+      add_if_near(scene::world_from_fixture(scene_, part.fixture) * contact_shape_of(part), extent);
     }
   }
 
   void add_still(std::uint32_t row, const Extent& extent) {
-    const SceneProduct& item = scene_.products[row];
+    const scene::SceneProduct& item = scene_.products[row];
     const StandingGoods& goods = standing_[item.sku];
-    if (mjsGeom* geom = add_if_near(world_from_product(item) * goods.shape, extent))
+    if (mjsGeom* geom = add_if_near(scene::world_from_product(item) * goods.shape, extent))
       set_goods_contact(geom, goods.contact);
   }
 
   Result<void> add_free(std::uint32_t row) {
-    const SceneProduct& item = scene_.products[row];
-    const Product& product = scene_.catalog[item.sku];
+    const scene::SceneProduct& item = scene_.products[row];
+    const catalog::Product& product = scene_.catalog[item.sku];
     MARKETGEN_TRY(const SharedGoodsBody goods, goods_body(product, GoodsUse::stocked));
-    const std::string name = product_id(scene_, row);
-    bodies_.add(name, *goods, world_from_product(item));
+    const std::string name = scene::product_id(scene_, row);
+    bodies_.add(name, *goods, scene::world_from_product(item));
     if (hangs(scene_, item)) hang(name, product.height_m());
     return {};
   }
@@ -84,9 +84,10 @@ class Builder {
   Result<MujocoModel> finish() { return compile(*spec_, settle_where); }
 
  private:
-  mjsGeom* add_if_near(const ContactShape& shape, const Extent& extent) {
-    return extent.touches(shape.pose.position, half_extents(shape)) ? add_shape(world_, shape)
-                                                                    : nullptr;
+  mjsGeom* add_if_near(const assets::ContactShape& shape, const Extent& extent) {
+    return extent.touches(shape.pose.position, assets::half_extents(shape))
+               ? add_shape(world_, shape)
+               : nullptr;
   }
 
   void hang(const std::string& name, double height_m) {
@@ -99,7 +100,7 @@ class Builder {
     std::copy(anchor, anchor + 3, hook->data);
   }
 
-  const Scene& scene_;
+  const scene::Scene& scene_;
   const std::vector<StandingGoods>& standing_;  // by row of the catalog
   MujocoSpec spec_;
   mjsBody* world_;
@@ -108,18 +109,18 @@ class Builder {
 
 }  // namespace
 
-Result<SettleModel> settle_model(const Scene& scene,
+Result<SettleModel> settle_model(const scene::Scene& scene,
                                  const std::vector<std::uint32_t>& free,
                                  double margin_m) {
   std::vector<StandingGoods> standing;
-  for (const Product& product : scene.catalog) {
+  for (const catalog::Product& product : scene.catalog) {
     MARKETGEN_TRY(standing.emplace_back(), standing_goods(product));
   }
   Extent extent;
   std::vector<bool> is_free(scene.products.size(), false);
   for (const std::uint32_t row : free) {
     is_free[row] = true;
-    extent.include(world_from_product(scene.products[row]).position, margin_m);
+    extent.include(scene::world_from_product(scene.products[row]).position, margin_m);
   }
   Builder builder(scene, standing);
   builder.set_options(free.size());
@@ -135,4 +136,4 @@ Result<SettleModel> settle_model(const Scene& scene,
   return built;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

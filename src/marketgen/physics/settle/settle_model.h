@@ -6,7 +6,7 @@
 #include "physics/mujoco_guard.h"
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
 struct SettleModel {
   MujocoModel model{nullptr, mj_deleteModel};
@@ -15,8 +15,8 @@ struct SettleModel {
 
 // `free` are rows of scene.products. Of the rest, what lies within `margin_m` of them is in the
 // model. Goods on pegs hang from the middle of their upper edge. Errors: physics.failed, assets.*.
-Result<SettleModel> settle_model(const Scene& scene,
+Result<SettleModel> settle_model(const scene::Scene& scene,
                                  const std::vector<std::uint32_t>& free,
                                  double margin_m);
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

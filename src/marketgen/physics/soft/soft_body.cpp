@@ -5,7 +5,7 @@
 
 #include "physics/goods/spec_geoms.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 constexpr std::array<const char*, SoftPack::part_count> part_suffix = {"", "-top", "-flap"};
@@ -45,7 +45,7 @@ SoftElements add_soft_body(mjsBody* parent, const SoftPack& pack, const std::str
     }
     made.bodies[i] = body;
     made.geoms[i] =
-        add_shape(body, {CollisionShape::box, {part.center - frame, {}}, part.half_size});
+        add_shape(body, {assets::CollisionShape::box, {part.center - frame, {}}, part.half_size});
     made.geoms[i]->mass = part.mass_kg;
   }
   return made;
@@ -81,4 +81,4 @@ bool lies_in_its_box(const mjModel& m, const mjData& d, int body) {
          flap_length * std::sin(angle(flap)) < std::min({half[0], half[1], half[2]});
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -6,7 +6,7 @@
 #include "physics/mujoco_guard.h"
 #include "physics/soft/soft_pack.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
 struct SoftElements {
   std::array<mjsBody*, SoftPack::part_count> bodies;
@@ -29,4 +29,4 @@ double soft_reach_m(const mjModel& model, int body);
 // flap hangs within the box.
 bool lies_in_its_box(const mjModel& model, const mjData& data, int body);
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -8,7 +8,7 @@
 #include "base/gravity.h"
 #include "geometry/solid.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 // ---- The flap ----
@@ -72,7 +72,8 @@ struct EndSeam {
   int thin = 0, wide = 0;  // the other two axes
 };
 
-std::optional<EndSeam> end_seam(const PackFeature& feature, const CollisionPrimitive& box) {
+std::optional<EndSeam> end_seam(const assets::PackFeature& feature,
+                                const assets::CollisionPrimitive& box) {
   EndSeam seam;
   seam.center = to_double(feature.center) - to_double(box.center);
   seam.half = to_double(feature.half_size);
@@ -95,9 +96,9 @@ std::optional<EndSeam> end_seam(const PackFeature& feature, const CollisionPrimi
   return {};
 }
 
-std::optional<EndSeam> seam_of(const ProductModel& model) {
-  for (const PackFeature& feature : model.features) {
-    if (feature.kind != FeatureKind::seam) continue;
+std::optional<EndSeam> seam_of(const assets::ProductModel& model) {
+  for (const assets::PackFeature& feature : model.features) {
+    if (feature.kind != assets::FeatureKind::seam) continue;
     if (const auto seam = end_seam(feature, model.collision)) return seam;
   }
   return {};
@@ -165,7 +166,7 @@ SoftHinge flap_hinge(const EndSeam& seam, const SoftPart& flap) {
           flap_limit_rad};
 }
 
-Result<void> check_row(const Product& product) {
+Result<void> check_row(const catalog::Product& product) {
   const auto& size = product.size_mm;
   const bool sized = size[0] > 0 && size[1] > 0 && size[2] > 0;
   if (product.mass_kg > 0 && std::isfinite(product.mass_kg) && sized) return {};
@@ -182,17 +183,18 @@ Result<void> check_row(const Product& product) {
 
 }  // namespace
 
-bool may_be_soft_pack(const Product& product) {
-  return product.rigidity == Rigidity::soft &&
+bool may_be_soft_pack(const catalog::Product& product) {
+  return product.rigidity == catalog::Rigidity::soft &&
          (product.material == "film" || product.material == "foil");
 }
 
-Result<std::optional<SoftPack>> soft_pack_of(const Product& product) {
+Result<std::optional<SoftPack>> soft_pack_of(const catalog::Product& product) {
   if (!may_be_soft_pack(product)) return std::optional<SoftPack>();
   MARKETGEN_CHECK(check_row(product));
-  MARKETGEN_TRY(const ProductModel model, make_product_model(product));
+  MARKETGEN_TRY(const assets::ProductModel model, assets::make_product_model(product));
   const std::optional<EndSeam> seam = seam_of(model);
-  if (!seam || model.collision.shape != CollisionShape::box) return std::optional<SoftPack>();
+  if (!seam || model.collision.shape != assets::CollisionShape::box)
+    return std::optional<SoftPack>();
   SoftPack pack;
   const Vec3 filled = Solid(model.mesh, mass_columns).mass_properties().centroid;
   const Vec3 off = filled - to_double(model.collision.center);
@@ -214,4 +216,4 @@ SoftPack plain_soft_pack() {
   return pack;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -16,7 +16,7 @@
 
 #include "physics/goods/contact_shape.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
 struct SoftPart {
   Vec3 center, half_size;  // a box along the axes
@@ -38,15 +38,15 @@ struct SoftPack {
 };
 
 // False: soft_pack_of() would say none. Cheap, unlike that (milliseconds).
-bool may_be_soft_pack(const Product& product);
+bool may_be_soft_pack(const catalog::Product& product);
 
 // None for what is no soft pack: not of film or foil, not soft, or without a seam that sticks out
 // at an end other than the one it stands on. Of two such seams the upper or left one is the flap.
 // Errors: catalog.bad_row (no mass or size), and as make_product_model.
-Result<std::optional<SoftPack>> soft_pack_of(const Product& product);
+Result<std::optional<SoftPack>> soft_pack_of(const catalog::Product& product);
 
 // A bag of 2 x 1 x 3 decimetres, bent in the middle of its 28 cm below the flap: what stands for a
 // pack that is not known yet.
 SoftPack plain_soft_pack();
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 constexpr int cylinder_sides = 16;
@@ -18,15 +18,15 @@ Vec3 along_pack(const SoftPack& pack) {
   return way / length(way);
 }
 
-PieceCorners corners_of(const ContactPiece& piece) {
+PieceCorners corners_of(const assets::ContactPiece& piece) {
   PieceCorners corners;
-  if (piece.shape == PieceShape::hull) {
+  if (piece.shape == assets::PieceShape::hull) {
     for (const Vec3f& point : piece.points)
       corners.push_back(to_double(point));
     return corners;
   }
   const Vec3 center = to_double(piece.center), half = to_double(piece.half_size);
-  const bool box = piece.shape == PieceShape::box;
+  const bool box = piece.shape == assets::PieceShape::box;
   for (const double end : {-1.0, 1.0}) {
     for (int i = 0; i < (box ? 4 : cylinder_sides); ++i) {
       const double turn = 2 * std::numbers::pi * i / cylinder_sides;
@@ -64,14 +64,13 @@ bool long_enough(const PieceCorners& corners, Vec3 way) {
 
 }  // namespace
 
-std::array<std::vector<PieceCorners>, SoftPack::part_count> cut_at_hinges(const ProductBody& body,
-                                                                          const SoftPack& pack,
-                                                                          Vec3 middle) {
+std::array<std::vector<PieceCorners>, SoftPack::part_count> cut_at_hinges(
+    const assets::ProductBody& body, const SoftPack& pack, Vec3 middle) {
   const Vec3 way = along_pack(pack);
   const std::array<double, SoftPack::part_count + 1> ends{
       -endless, dot(way, pack.hinges[0].at), dot(way, pack.hinges[1].at), endless};
   std::array<std::vector<PieceCorners>, SoftPack::part_count> parts;
-  for (const ContactPiece& piece : body.pieces) {
+  for (const assets::ContactPiece& piece : body.pieces) {
     PieceCorners corners = corners_of(piece);
     for (Vec3& corner : corners)
       corner = corner - middle;
@@ -98,4 +97,4 @@ Pose bent_part(const SoftPack& pack, int part, const std::array<double, 2>& angl
   return bent;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

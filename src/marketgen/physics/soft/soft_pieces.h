@@ -7,7 +7,7 @@
 #include "assets/product_model.h"
 #include "physics/soft/soft_pack.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
 // The corners of a convex piece, frame of the pack.
 using PieceCorners = std::vector<Vec3>;
@@ -15,9 +15,8 @@ using PieceCorners = std::vector<Vec3>;
 // Those of base, top and flap, which may have none. `middle`: of the row's box, product frame.
 // Pieces of less than a millimetre along the pack are left out. A cylinder becomes a prism of 16
 // sides.
-std::array<std::vector<PieceCorners>, SoftPack::part_count> cut_at_hinges(const ProductBody& body,
-                                                                          const SoftPack& pack,
-                                                                          Vec3 middle);
+std::array<std::vector<PieceCorners>, SoftPack::part_count> cut_at_hinges(
+    const assets::ProductBody& body, const SoftPack& pack, Vec3 middle);
 
 // The part that has a point of the straight pack: 0 the base, 1 the top, 2 the flap.
 int part_at(const SoftPack& pack, Vec3 point);
@@ -26,4 +25,4 @@ int part_at(const SoftPack& pack, Vec3 point);
 // was there when it was straight.
 Pose bent_part(const SoftPack& pack, int part, const std::array<double, 2>& angles_rad);
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -11,7 +11,7 @@
 #include "physics/world/suction_actor.h"
 #include "robots/self_collision.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 // Full effort at this error: about the gains of MuJoCo Menagerie's Panda (4500 N m/rad at 87 N m).
@@ -35,41 +35,41 @@ struct Servo {
   double stiffness = 0, damping = 0, max_effort = 0;  // 0 for no limit
 };
 
-Servo servo_of(const Robot& robot, const Joint& joint) {
-  if (is_on_wheels(robot, joint.dof)) return {};
-  if (const Tool* tool = gripper_of(robot, joint.dof)) {
+Servo servo_of(const robots::Robot& robot, const robots::Joint& joint) {
+  if (robots::is_on_wheels(robot, joint.dof)) return {};
+  if (const robots::Tool* tool = robots::gripper_of(robot, joint.dof)) {
     return {finger_stiffness, 0, 2 * tool->force};  // one drive moves both fingers
   }
-  const bool slides = joint.kind == JointType::prismatic;
+  const bool slides = joint.kind == robots::JointType::prismatic;
   if (std::isfinite(joint.effort)) {
     const double stiffness = joint.effort / (slides ? full_effort_m : full_effort_rad);
     return {stiffness, stiffness * damping_time_s, joint.effort};
   }
-  const double inertia = total_mass(robot) * (slides ? 1 : bare_gyration_m2);
+  const double inertia = robots::total_mass(robot) * (slides ? 1 : bare_gyration_m2);
   const double stiffness = inertia * bare_quickness * bare_quickness;
   return {stiffness, stiffness * damping_time_s, 0};
 }
 
 // Of each finger. The drive makes up for it as far as they are to move.
-double finger_damping(const Tool& tool, const Joint& joint) {
+double finger_damping(const robots::Tool& tool, const robots::Joint& joint) {
   return finger_locking * tool.force / finger_speed(joint);
 }
 
 class RobotBuilder {
  public:
-  RobotBuilder(mjSpec& spec, const Robot& robot, const RobotActorOptions& options)
+  RobotBuilder(mjSpec& spec, const robots::Robot& robot, const RobotActorOptions& options)
       : spec_(spec),
         robot_(robot),
         options_(options),
-        state_(
-            with_followers(robot, options.state.empty() ? neutral_state(robot) : options.state)) {}
+        state_(robots::with_followers(
+            robot, options.state.empty() ? robots::neutral_state(robot) : options.state)) {}
 
   void add() {
     bodies_.resize(robot_.links.size());
     bodies_[0] = add_body(mjs_findBody(&spec_, "world"), 0, options_.world_from_base);
-    for (const Joint& joint : robot_.joints)
+    for (const robots::Joint& joint : robot_.joints)
       add_joint(joint);
-    for (const Joint& joint : robot_.joints) {
+    for (const robots::Joint& joint : robot_.joints) {
       if (joint.follows >= 0) add_follower(joint);
       if (joint.dof >= 0 && joint.follows < 0) add_drive(joint);
     }
@@ -80,13 +80,13 @@ class RobotBuilder {
   std::string name(const std::string& part) const { return options_.prefix + part; }
 
   mjsBody* add_body(mjsBody* parent, std::size_t index, const Pose& parent_from_link) {
-    const Link& link = robot_.links[index];
+    const robots::Link& link = robot_.links[index];
     mjsBody* body = mjs_addBody(parent, nullptr);
     mjs_setName(body->element, name(link.name).c_str());
     set_pose(body->pos, body->quat, parent_from_link);
     body->gravcomp = 1;
     body->explicitinertial = true;
-    const Inertia& i = link.inertia;
+    const robots::Inertia& i = link.inertia;
     const bool empty = !(link.mass > 0);
     const double entries[6] = {i.xx, i.yy, i.zz, i.xy, i.xz, i.yz};
     const double small[6] = {frame_inertia, frame_inertia, frame_inertia, 0, 0, 0};
@@ -100,26 +100,26 @@ class RobotBuilder {
 
   bool is_finger(std::size_t link) const {
     return link > 0 && robot_.joints[link - 1].dof >= 0 &&
-           gripper_of(robot_, robot_.joints[link - 1].dof) != nullptr;
+           robots::gripper_of(robot_, robot_.joints[link - 1].dof) != nullptr;
   }
 
   void add_geoms(mjsBody* body, std::size_t index) {
-    const Link& link = robot_.links[index];
+    const robots::Link& link = robot_.links[index];
     int count = 0;
     if (is_finger(index)) {
-      for (const BodyShape& shape : link.look) {
-        if (shape.kind != ShapeKind::box) continue;
+      for (const robots::BodyShape& shape : link.look) {
+        if (shape.kind != robots::ShapeKind::box) continue;
         mjsGeom* geom =
-            add_shape(body, {CollisionShape::box, shape.link_from_shape, shape.size * 0.5});
+            add_shape(body, {assets::CollisionShape::box, shape.link_from_shape, shape.size * 0.5});
         finish_geom(geom, link, count++);
         set_goods_contact(geom, {4, 1, torsional_friction_m, plain_rolling_friction_m});
       }
       if (count > 0) return;
     }
-    for (const ContactShape& solid : cup_solids(robot_, index))
+    for (const assets::ContactShape& solid : cup_solids(robot_, index))
       finish_geom(add_shape(body, solid), link, count++);
     if (count > 0) return;
-    for (const Capsule& c : link.capsules) {
+    for (const robots::Capsule& c : link.capsules) {
       mjsGeom* geom = mjs_addGeom(body, nullptr);
       const bool ball = length(c.b - c.a) < 1e-9;
       geom->type = ball ? mjGEOM_SPHERE : mjGEOM_CAPSULE;
@@ -134,41 +134,42 @@ class RobotBuilder {
     }
   }
 
-  void finish_geom(mjsGeom* geom, const Link& link, int number) const {
+  void finish_geom(mjsGeom* geom, const robots::Link& link, int number) const {
     geom->mass = 0;
     mjs_setName(geom->element, name(fmt::format("{}/{}", link.name, number)).c_str());
   }
 
   // The model's state at the start is `state_`: bodies stand as they do there.
-  void add_joint(const Joint& joint) {
+  void add_joint(const robots::Joint& joint) {
     const double start = joint.dof >= 0 ? state_[static_cast<std::size_t>(joint.dof)] : 0;
     mjsBody* body = add_body(bodies_[static_cast<std::size_t>(joint.parent)],
                              static_cast<std::size_t>(joint.link),
-                             joint_motion(joint, start));
+                             robots::joint_motion(joint, start));
     bodies_[static_cast<std::size_t>(joint.link)] = body;
     if (joint.dof < 0) return;
     mjsJoint* made = mjs_addJoint(body, nullptr);
     mjs_setName(made->element, name(joint.name).c_str());
-    made->type = joint.kind == JointType::prismatic ? mjJNT_SLIDE : mjJNT_HINGE;
+    made->type = joint.kind == robots::JointType::prismatic ? mjJNT_SLIDE : mjJNT_HINGE;
     made->axis[0] = joint.axis.x, made->axis[1] = joint.axis.y, made->axis[2] = joint.axis.z;
     made->ref = start;
     made->armature = joint.armature;
     made->damping[0] = joint.damping;
-    if (const Tool* tool = gripper_of(robot_, joint.dof))
+    if (const robots::Tool* tool = robots::gripper_of(robot_, joint.dof))
       made->damping[0] += finger_damping(*tool, joint);
     if (std::isfinite(joint.lower) && std::isfinite(joint.upper)) {
       made->limited = mjLIMITED_TRUE;
       made->range[0] = joint.lower, made->range[1] = joint.upper;
     }
     if (const Servo servo = servo_of(robot_, joint);
-        servo.max_effort > 0 && joint.follows < 0 && gripper_of(robot_, joint.dof) == nullptr) {
+        servo.max_effort > 0 && joint.follows < 0 &&
+        robots::gripper_of(robot_, joint.dof) == nullptr) {
       made->actgravcomp = true;  // gravity is carried by the drive and counts against its effort
       made->actfrclimited = mjLIMITED_TRUE;
       made->actfrcrange[0] = -servo.max_effort, made->actfrcrange[1] = servo.max_effort;
     }
   }
 
-  void add_follower(const Joint& joint) {
+  void add_follower(const robots::Joint& joint) {
     mjsEquality* tie = mjs_addEquality(&spec_, nullptr);
     tie->type = mjEQ_JOINT;
     tie->objtype = mjOBJ_JOINT;
@@ -180,21 +181,21 @@ class RobotBuilder {
     tie->solref[0] = contact_time_s;
   }
 
-  void add_drive(const Joint& joint) {
+  void add_drive(const robots::Joint& joint) {
     mjsActuator* drive = mjs_addActuator(&spec_, nullptr);
     mjs_setName(drive->element, name(joint.name).c_str());
     mjs_setString(drive->target, name(joint.name).c_str());
     drive->trntype = mjTRN_JOINT;
-    if (gripper_of(robot_, joint.dof) != nullptr) pull_evenly(*drive, joint);
+    if (robots::gripper_of(robot_, joint.dof) != nullptr) pull_evenly(*drive, joint);
     const Servo servo = servo_of(robot_, joint);
-    if (servo.max_effort > 0 && gripper_of(robot_, joint.dof) == nullptr) {
+    if (servo.max_effort > 0 && robots::gripper_of(robot_, joint.dof) == nullptr) {
       drive->forcelimited = mjLIMITED_TRUE;
       drive->forcerange[0] = -servo.max_effort, drive->forcerange[1] = servo.max_effort;
     }
     drive->gaintype = mjGAIN_FIXED;
     const bool bare =
-        options_.drive == RobotDrive::torque && gripper_of(robot_, joint.dof) == nullptr;
-    if (bare || is_on_wheels(robot_, joint.dof)) {
+        options_.drive == RobotDrive::torque && robots::gripper_of(robot_, joint.dof) == nullptr;
+    if (bare || robots::is_on_wheels(robot_, joint.dof)) {
       drive->gainprm[0] = 1;
       return;
     }
@@ -205,23 +206,23 @@ class RobotBuilder {
 
   // One drive moves a finger and those that follow it, each with its share of the force: its place
   // is the mean of theirs.
-  void pull_evenly(mjsActuator& drive, const Joint& finger) {
-    std::vector<const Joint*> moved{&finger};
-    for (const Joint& joint : robot_.joints)
+  void pull_evenly(mjsActuator& drive, const robots::Joint& finger) {
+    std::vector<const robots::Joint*> moved{&finger};
+    for (const robots::Joint& joint : robot_.joints)
       if (joint.dof >= 0 && joint.follows == finger.dof) moved.push_back(&joint);
     mjsTendon* tendon = mjs_addTendon(&spec_, nullptr);
     mjs_setName(tendon->element, name(finger.name).c_str());
-    for (const Joint* joint : moved)
+    for (const robots::Joint* joint : moved)
       mjs_wrapJoint(tendon, name(joint->name).c_str(), 1.0 / static_cast<double>(moved.size()));
     drive.trntype = mjTRN_TENDON;
   }
 
   // Every pair of links but those that may touch.
   void add_excludes() {
-    const std::vector<LinkPair> pairs = pairs_that_may_touch(robot_);
+    const std::vector<robots::LinkPair> pairs = robots::pairs_that_may_touch(robot_);
     for (int a = 0; a < static_cast<int>(robot_.links.size()); ++a) {
       for (int b = a + 1; b < static_cast<int>(robot_.links.size()); ++b) {
-        if (std::find(pairs.begin(), pairs.end(), LinkPair{a, b}) != pairs.end()) continue;
+        if (std::find(pairs.begin(), pairs.end(), robots::LinkPair{a, b}) != pairs.end()) continue;
         mjsExclude* exclude = mjs_addExclude(&spec_);
         mjs_setString(exclude->bodyname1,
                       name(robot_.links[static_cast<std::size_t>(a)].name).c_str());
@@ -232,7 +233,7 @@ class RobotBuilder {
   }
 
   mjSpec& spec_;
-  const Robot& robot_;
+  const robots::Robot& robot_;
   const RobotActorOptions& options_;
   std::vector<double> state_;
   std::vector<mjsBody*> bodies_;
@@ -240,28 +241,31 @@ class RobotBuilder {
 
 }  // namespace
 
-double finger_speed(const Joint& joint) {
+double finger_speed(const robots::Joint& joint) {
   return std::isfinite(joint.velocity) ? joint.velocity : plain_finger_m_s;
 }
 
-Result<void> add_robot(mjSpec_& spec, const Robot& robot, const RobotActorOptions& options) {
+Result<void> add_robot(mjSpec_& spec,
+                       const robots::Robot& robot,
+                       const RobotActorOptions& options) {
   if (robot.dof_count() == 0)
     return Error{
         "physics.bad_command", robot.name, "the robot has no moving joint: nothing to drive"};
-  if (!options.state.empty()) MARKETGEN_CHECK(check_state(robot, options.state));
+  if (!options.state.empty()) MARKETGEN_CHECK(robots::check_state(robot, options.state));
   RobotBuilder(spec, robot, options).add();
   return {};
 }
 
-std::map<std::string, std::string> robot_materials(const Robot& robot,
+std::map<std::string, std::string> robot_materials(const robots::Robot& robot,
                                                    const RobotActorOptions& options) {
   std::map<std::string, std::string> materials;
-  for (const Joint& joint : robot.joints) {
-    if (joint.dof < 0 || gripper_of(robot, joint.dof) == nullptr) continue;
-    const Link& link = robot.links[static_cast<std::size_t>(joint.link)];
-    const auto boxes = std::count_if(link.look.begin(), link.look.end(), [](const BodyShape& s) {
-      return s.kind == ShapeKind::box;
-    });
+  for (const robots::Joint& joint : robot.joints) {
+    if (joint.dof < 0 || robots::gripper_of(robot, joint.dof) == nullptr) continue;
+    const robots::Link& link = robot.links[static_cast<std::size_t>(joint.link)];
+    const auto boxes =
+        std::count_if(link.look.begin(), link.look.end(), [](const robots::BodyShape& s) {
+          return s.kind == robots::ShapeKind::box;
+        });
     const auto geoms = boxes > 0 ? static_cast<std::size_t>(boxes) : link.capsules.size();
     for (std::size_t i = 0; i < geoms; ++i)
       materials.emplace(fmt::format("{}{}/{}", options.prefix, link.name, i),
@@ -270,4 +274,4 @@ std::map<std::string, std::string> robot_materials(const Robot& robot,
   return materials;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -8,7 +8,7 @@
 
 #include "physics/goods/contact_shape.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 constexpr double ray_start_m = 0.02;  // behind the lip
@@ -174,4 +174,4 @@ bool LipLoad::breaks(
   return steps_ >= patience_steps;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

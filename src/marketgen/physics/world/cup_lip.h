@@ -13,7 +13,7 @@
 #include "geometry/pose.h"
 #include "physics/mujoco_guard.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
 struct CupShape {
   double radius_m = 0;      // of the lip
@@ -74,4 +74,4 @@ class LipLoad {
   int steps_ = 0;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

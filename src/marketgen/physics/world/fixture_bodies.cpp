@@ -4,12 +4,12 @@
 #include "physics/goods/spec_geoms.h"
 #include "scene/articulation.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 class FixtureBuilder {
  public:
-  FixtureBuilder(mjsBody* world, StillGeoms& still, const Scene& scene)
+  FixtureBuilder(mjsBody* world, StillGeoms& still, const scene::Scene& scene)
       : world_(world), still_(still), scene_(scene) {
     made_.joints.resize(scene.joints.size());
     parts_on_.resize(scene.joints.size());
@@ -20,30 +20,30 @@ class FixtureBuilder {
     }
   }
 
-  bool moves(const ScenePart& part) const {
+  bool moves(const scene::ScenePart& part) const {
     return part.joint >= 0 &&
-           scene_.joints[static_cast<std::size_t>(part.joint)].kind != JointKind::belt;
+           scene_.joints[static_cast<std::size_t>(part.joint)].kind != assets::JointKind::belt;
   }
   void note_moving(std::uint32_t row) {
     parts_on_[static_cast<std::size_t>(scene_.parts[row].joint)].push_back(row);
   }
 
   void add_still(std::uint32_t row) {
-    const ScenePart& part = scene_.parts[row];
-    note_geom(still_.add(world_from_fixture(scene_, part.fixture) * contact_shape_of(part)),
+    const scene::ScenePart& part = scene_.parts[row];
+    note_geom(still_.add(scene::world_from_fixture(scene_, part.fixture) * contact_shape_of(part)),
               row,
               furniture_contact_type);
   }
 
   void add_body(mjsBody* parent, std::uint32_t row, const Pose& owner_from_fixture) {
-    const SceneJoint& joint = scene_.joints[row];
-    const Pose frame = fixture_from_joint(joint);
+    const scene::SceneJoint& joint = scene_.joints[row];
+    const Pose frame = scene::fixture_from_joint(joint);
     mjsBody* body = mjs_addBody(parent, nullptr);
     set_pose(body->pos, body->quat, owner_from_fixture * frame);
     if (parent == world_) body->sleep = mjSLEEP_INIT;
     made_.joints[row].joint = add_joint(body, joint);
     const Pose body_from_fixture = inverse(frame);
-    const std::vector<double> masses = masses_of(scene_, joint, parts_on_[row]);
+    const std::vector<double> masses = scene::masses_of(scene_, joint, parts_on_[row]);
     for (std::size_t i = 0; i < masses.size(); ++i) {
       const std::uint32_t part = parts_on_[row][i];
       mjsGeom* geom = add_shape(body, body_from_fixture * contact_shape_of(scene_.parts[part]));
@@ -56,7 +56,7 @@ class FixtureBuilder {
 
   // A tree of joints moves when every one of its joints has parts in the model and none is a belt.
   bool complete(std::uint32_t row) const {
-    if (parts_on_[row].empty() || scene_.joints[row].kind == JointKind::belt) return false;
+    if (parts_on_[row].empty() || scene_.joints[row].kind == assets::JointKind::belt) return false;
     for (const std::uint32_t child : children_[row]) {
       if (!complete(child)) return false;
     }
@@ -65,7 +65,7 @@ class FixtureBuilder {
 
   void add_tree(std::uint32_t root) {
     if (complete(root))
-      add_body(world_, root, world_from_fixture(scene_, scene_.joints[root].fixture));
+      add_body(world_, root, scene::world_from_fixture(scene_, scene_.joints[root].fixture));
     else
       add_tree_still(root);
   }
@@ -86,9 +86,9 @@ class FixtureBuilder {
     made_.geoms.push_back({geom, row});
   }
 
-  mjsJoint* add_joint(mjsBody* body, const SceneJoint& joint) {
+  mjsJoint* add_joint(mjsBody* body, const scene::SceneJoint& joint) {
     mjsJoint* made = mjs_addJoint(body, nullptr);
-    made->type = joint.kind == JointKind::hinge ? mjJNT_HINGE : mjJNT_SLIDE;
+    made->type = joint.kind == assets::JointKind::hinge ? mjJNT_HINGE : mjJNT_SLIDE;
     made->axis[0] = made->axis[1] = 0, made->axis[2] = 1;
     made->range[0] = joint.lower, made->range[1] = joint.upper;
     made->limited = mjLIMITED_TRUE;
@@ -105,7 +105,7 @@ class FixtureBuilder {
 
   mjsBody* world_;
   StillGeoms& still_;
-  const Scene& scene_;
+  const scene::Scene& scene_;
   FixtureElements made_;
   std::vector<std::vector<std::uint32_t>> parts_on_, children_;  // by joint
 };
@@ -114,7 +114,7 @@ class FixtureBuilder {
 
 FixtureElements add_fixtures(mjsBody* world,
                              StillGeoms& still,
-                             const Scene& scene,
+                             const scene::Scene& scene,
                              const std::function<bool(std::uint32_t)>& wanted,
                              bool articulated) {
   FixtureBuilder builder(world, still, scene);
@@ -133,4 +133,4 @@ FixtureElements add_fixtures(mjsBody* world,
   return builder.take();
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -13,7 +13,7 @@
 #include "physics/world/still_geoms.h"
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
 // MuJoCo's contact bits. A pair meets when one's type is among the other's affinities. Goods that
 // stand still have no type: they meet moving goods and actors (MuJoCo's defaults are 1 and 1), but
@@ -41,8 +41,8 @@ struct FixtureElements {
 // moves when all its parts are wanted and `articulated`, otherwise they stand still.
 FixtureElements add_fixtures(mjsBody* world,
                              StillGeoms& still,
-                             const Scene& scene,
+                             const scene::Scene& scene,
                              const std::function<bool(std::uint32_t)>& wanted,
                              bool articulated);
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 // A mover is looked round as far as it goes in ten steps, at least so far; and again when it has
@@ -170,4 +170,4 @@ void shorten_bit_filter(mjModel& m, int body) {
   m.body_geomnum[body] = std::min(2, m.body_geomnum[body]);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -13,7 +13,7 @@
 
 #include "physics/world/still_tree.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
 class NearTree {
  public:
@@ -70,4 +70,4 @@ class FirstGeoms {
 // fixtures those of the floor: the first two geoms are enough. After NearTree has been made.
 void shorten_bit_filter(mjModel& model, int body);
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

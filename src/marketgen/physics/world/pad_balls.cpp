@@ -5,7 +5,7 @@
 
 #include "physics/goods/contact_shape.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 // How large, how far apart at most, and how far out the outermost stand.
@@ -42,4 +42,4 @@ std::vector<mjsGeom*> add_pad_balls(mjsBody* body, Vec3 middle, Vec3 half, doubl
   return balls;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

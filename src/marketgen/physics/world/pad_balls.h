@@ -7,10 +7,10 @@
 #include "geometry/vector.h"
 #include "physics/mujoco_guard.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
 // Massless geoms on `body`. The pad is a box at `middle` with `half` sizes, its face towards -Y
 // times `side` (1 or -1). Friction and what they meet is the caller's to set.
 std::vector<mjsGeom*> add_pad_balls(mjsBody* body, Vec3 middle, Vec3 half, double side);
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 constexpr double cell_m = 0.3;     // a few facings wide
@@ -74,4 +74,4 @@ std::vector<std::uint32_t> ProductGrid::near(const Box3& box, double within) con
   return found;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -6,7 +6,7 @@
 
 #include "geometry/vector.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
 struct Box3 {
   Vec3 low, high;
@@ -40,4 +40,4 @@ class ProductGrid {
   std::unordered_map<std::int64_t, std::vector<std::uint32_t>> cells_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <mujoco/mujoco.h>
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 constexpr double finger_quickness = 10;  // what is left of the fingers' way is made up for, 1/s
@@ -18,18 +18,18 @@ Error bad_robot_command(const std::string& robot, const std::string& message) {
 }  // namespace
 
 Result<RobotActor> RobotActor::find(const World& world,
-                                    const Robot& robot,
+                                    const robots::Robot& robot,
                                     const std::string& prefix) {
   return find(world.model(), robot, prefix);
 }
 
 Result<RobotActor> RobotActor::find(const mjModel& model,
-                                    const Robot& robot,
+                                    const robots::Robot& robot,
                                     const std::string& prefix) {
   RobotActor actor;
   actor.robot_ = &robot;
   for (std::size_t dof = 0; dof < robot.dof_count(); ++dof) {
-    const Joint& joint = robot.joint_of_dof(dof);
+    const robots::Joint& joint = robot.joint_of_dof(dof);
     const std::string name = prefix + joint.name;
     const int found = mj_name2id(&model, mjOBJ_JOINT, name.c_str());
     if (found < 0)
@@ -40,7 +40,7 @@ Result<RobotActor> RobotActor::find(const mjModel& model,
     Axis axis;
     axis.joint_position = model.jnt_qposadr[found];
     axis.joint_velocity = model.jnt_dofadr[found];
-    const bool finger = gripper_of(robot, static_cast<int>(dof)) != nullptr;
+    const bool finger = robots::gripper_of(robot, static_cast<int>(dof)) != nullptr;
     axis.max_velocity = finger ? finger_speed(joint) : joint.velocity;
     axis.locking = model.dof_damping[axis.joint_velocity];
     if (joint.follows >= 0)  // parents come first: the leader is there already
@@ -49,7 +49,7 @@ Result<RobotActor> RobotActor::find(const mjModel& model,
     if (axis.actuator >= 0) {
       axis.stiffness = -model.actuator_biasprm[axis.actuator * mjNBIAS + 1];
       axis.damping = -model.actuator_biasprm[axis.actuator * mjNBIAS + 2];
-      const bool wheels = is_on_wheels(robot, static_cast<int>(dof));
+      const bool wheels = robots::is_on_wheels(robot, static_cast<int>(dof));
       if (axis.stiffness == 0 && !wheels) actor.drive_ = RobotDrive::torque;
       axis.follows_position = axis.stiffness > 0 && !finger;
     }
@@ -154,34 +154,34 @@ Result<void> RobotActor::command(const SetControl& set,
   return {};
 }
 
-const RobotActor::Axis* RobotActor::finger_axis(const Tool& tool) const {
-  const Joint* finger = driven_finger(*robot_, tool);
+const RobotActor::Axis* RobotActor::finger_axis(const robots::Tool& tool) const {
+  const robots::Joint* finger = robots::driven_finger(*robot_, tool);
   return finger == nullptr ? nullptr : &axes_[static_cast<std::size_t>(finger->dof)];
 }
 
-double RobotActor::finger_reach_m(const Tool& tool, double force_n) const {
+double RobotActor::finger_reach_m(const robots::Tool& tool, double force_n) const {
   const Axis* axis = finger_axis(tool);
   return axis == nullptr ? 0 : 2 * force_n / axis->stiffness;  // the drive presses both fingers
 }
 
 Result<void> RobotActor::grip(World& world,
-                              const Tool& tool,
-                              const Setpoint& finger,
+                              const robots::Tool& tool,
+                              const robots::Setpoint& finger,
                               double force_n) const {
   return grip(controls_of(world), world.data(), tool, finger, force_n);
 }
 
 Result<void> RobotActor::grip(mjData& data,
-                              const Tool& tool,
-                              const Setpoint& finger,
+                              const robots::Tool& tool,
+                              const robots::Setpoint& finger,
                               double force_n) const {
   return grip(controls_of(data), data, tool, finger, force_n);
 }
 
 Result<void> RobotActor::grip(const SetControl& set,
                               const mjData& data,
-                              const Tool& tool,
-                              const Setpoint& finger,
+                              const robots::Tool& tool,
+                              const robots::Setpoint& finger,
                               double force_n) const {
   if (!(force_n >= 0) || !std::isfinite(finger.position) || !std::isfinite(finger.velocity))
     return bad_robot_command(robot_->name, "places of fingers are numbers, forces from 0 on");
@@ -205,16 +205,16 @@ Result<void> RobotActor::grip(const SetControl& set,
   return set(axis->actuator, now + force / axis->stiffness);
 }
 
-Result<void> RobotActor::push_base(World& world, const FloorForce& force) const {
+Result<void> RobotActor::push_base(World& world, const robots::FloorForce& force) const {
   return push_base(controls_of(world), force);
 }
 
-Result<void> RobotActor::push_base(mjData& data, const FloorForce& force) const {
+Result<void> RobotActor::push_base(mjData& data, const robots::FloorForce& force) const {
   return push_base(controls_of(data), force);
 }
 
-Result<void> RobotActor::push_base(const SetControl& set, const FloorForce& force) const {
-  const JointGroup* base = robot_->drive ? robot_->find_group("base") : nullptr;
+Result<void> RobotActor::push_base(const SetControl& set, const robots::FloorForce& force) const {
+  const robots::JointGroup* base = robot_->drive ? robot_->find_group("base") : nullptr;
   if (base == nullptr || base->dofs.size() != 3)
     return bad_robot_command(robot_->name, "it has no base that drives");
   const double efforts[3] = {force.x_n, force.y_n, force.turn_n_m};
@@ -227,11 +227,12 @@ Result<void> RobotActor::apply(World& world, std::span<const double> effort) con
   MARKETGEN_CHECK(check(effort, false, "efforts"));
   for (std::size_t dof = 0; dof < axes_.size(); ++dof) {
     const Axis& axis = axes_[dof];
-    if (axis.actuator < 0 || axis.stiffness > 0 || is_on_wheels(*robot_, static_cast<int>(dof)))
+    if (axis.actuator < 0 || axis.stiffness > 0 ||
+        robots::is_on_wheels(*robot_, static_cast<int>(dof)))
       continue;
     MARKETGEN_CHECK(world.set_control(axis.actuator, effort[dof]));
   }
   return {};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -17,7 +17,7 @@
 #include "robots/setpoint.h"
 #include "robots/wheel_drive.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
 // What a control is. `position`: a joint's place, followed by a servo that gives its full effort at
 // an error of 0.02 rad or 2 mm (about the gains published for the Panda) and is damped by a tenth
@@ -35,25 +35,25 @@ struct RobotActorOptions {
 
 // Errors: robot.bad_state (state); physics.bad_command for a robot without a moving joint. What
 // MuJoCo refuses comes from World::create.
-Result<void> add_robot(mjSpec_& spec, const Robot& robot, const RobotActorOptions& options);
+Result<void> add_robot(mjSpec_& spec, const robots::Robot& robot, const RobotActorOptions& options);
 
 // For WorldOptions::actor_materials: the geoms of the fingers.
-std::map<std::string, std::string> robot_materials(const Robot& robot,
+std::map<std::string, std::string> robot_materials(const robots::Robot& robot,
                                                    const RobotActorOptions& options);
 
-double finger_speed(const Joint& joint);  // of its row, or a usual one; m/s
+double finger_speed(const robots::Joint& joint);  // of its row, or a usual one; m/s
 
 // Refers to the robot, which must outlive it; holds no state of the World's.
 class RobotActor {
  public:
   // Error physics.bad_command: no robot was added under this prefix.
   static Result<RobotActor> find(const World& world,
-                                 const Robot& robot,
+                                 const robots::Robot& robot,
                                  const std::string& prefix = {});
 
   // The same in a model of one's own, outside a World.
   static Result<RobotActor> find(const mjModel_& model,
-                                 const Robot& robot,
+                                 const robots::Robot& robot,
                                  const std::string& prefix = {});
 
   std::vector<double> position(const World& world) const;
@@ -76,20 +76,26 @@ class RobotActor {
   // way with at most `force_n` each. To be called before every step, since the force is measured
   // from where they are. Errors: physics.bad_command (NaN, negative, no gripper, more force than
   // the tool has).
-  Result<void> grip(World& world, const Tool& tool, const Setpoint& finger, double force_n) const;
+  Result<void> grip(World& world,
+                    const robots::Tool& tool,
+                    const robots::Setpoint& finger,
+                    double force_n) const;
   // What its wheels do to a base that drives, until the next call. Error: physics.bad_command.
-  Result<void> push_base(World& world, const FloorForce& force) const;
+  Result<void> push_base(World& world, const robots::FloorForce& force) const;
   // The same in a model of one's own.
   Result<void> command(mjData_& data,
                        std::span<const double> position,
                        std::span<const double> velocity,
                        std::span<const double> effort = {}) const;
-  Result<void> grip(mjData_& data, const Tool& tool, const Setpoint& finger, double force_n) const;
-  Result<void> push_base(mjData_& data, const FloorForce& force) const;
+  Result<void> grip(mjData_& data,
+                    const robots::Tool& tool,
+                    const robots::Setpoint& finger,
+                    double force_n) const;
+  Result<void> push_base(mjData_& data, const robots::FloorForce& force) const;
   // Whether command() moves it: no wheel, finger or follower.
   bool follows_position(std::size_t dof) const { return axes_[dof].follows_position; }
   // How far the fingers' servo has to be off to press with this force, m.
-  double finger_reach_m(const Tool& tool, double force_n) const;
+  double finger_reach_m(const robots::Tool& tool, double force_n) const;
   // Torque drive: efforts beyond gravity, which is carried already.
   Result<void> apply(World& world, std::span<const double> effort) const;
 
@@ -112,15 +118,15 @@ class RobotActor {
                        std::span<const double> effort) const;
   Result<void> grip(const SetControl& set,
                     const mjData_& data,
-                    const Tool& tool,
-                    const Setpoint& finger,
+                    const robots::Tool& tool,
+                    const robots::Setpoint& finger,
                     double force_n) const;
-  Result<void> push_base(const SetControl& set, const FloorForce& force) const;
-  const Axis* finger_axis(const Tool& tool) const;  // the one that is driven
+  Result<void> push_base(const SetControl& set, const robots::FloorForce& force) const;
+  const Axis* finger_axis(const robots::Tool& tool) const;  // the one that is driven
 
-  const Robot* robot_ = nullptr;
+  const robots::Robot* robot_ = nullptr;
   std::vector<Axis> axes_;  // of the robot's degrees of freedom
   RobotDrive drive_ = RobotDrive::position;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -8,7 +8,7 @@
 
 #include "robots/dynamics.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 constexpr double felt_over_s = 0.010;  // mean: as the ledger's, and about what a joint's sensor has
@@ -20,9 +20,9 @@ Error bad_reference(const std::string& robot, const std::string& message) {
   return {"physics.bad_command", robot, message};
 }
 
-FloorMotion floor_motion(const JointGroup& base,
-                         const std::vector<double>& q,
-                         const std::vector<double>& v) {
+robots::FloorMotion floor_motion(const robots::JointGroup& base,
+                                 const std::vector<double>& q,
+                                 const std::vector<double>& v) {
   const auto at = [&](const std::vector<double>& of, std::size_t i) {
     return of[static_cast<std::size_t>(base.dofs[i])];
   };
@@ -33,22 +33,22 @@ FloorMotion floor_motion(const JointGroup& base,
 
 Result<RobotController> RobotController::start(const mjModel& model,
                                                const mjData& data,
-                                               const Robot& robot,
+                                               const robots::Robot& robot,
                                                const std::string& prefix) {
   RobotController made;
   made.robot_ = &robot;
   MARKETGEN_TRY(made.actor_, RobotActor::find(model, robot, prefix));
   const std::vector<double> q = made.actor_.position(data), v = made.actor_.velocity(data);
   for (const double place : q)
-    made.setpoints_.emplace_back(Setpoint{place, 0});
-  for (const Tool& tool : robot.tools) {
-    const Joint* finger = driven_finger(robot, tool);
+    made.setpoints_.emplace_back(robots::Setpoint{place, 0});
+  for (const robots::Tool& tool : robot.tools) {
+    const robots::Joint* finger = robots::driven_finger(robot, tool);
     made.fingers_.push_back({finger == nullptr ? 0 : q[static_cast<std::size_t>(finger->dof)], 0});
   }
-  if (const JointGroup* base = robot.drive ? robot.find_group("base") : nullptr) {
+  if (const robots::JointGroup* base = robot.drive ? robot.find_group("base") : nullptr) {
     if (base->dofs.size() != 3)
       return bad_reference(robot.name, "a base that drives has the joints x, y and yaw");
-    made.wheels_ = WheelDrive(robot, floor_motion(*base, q, v).place);
+    made.wheels_ = robots::WheelDrive(robot, floor_motion(*base, q, v).place);
   }
   made.felt_.resize(robot.contact_limits.size());
   made.find_parts(model, prefix);
@@ -58,7 +58,7 @@ Result<RobotController> RobotController::start(const mjModel& model,
 void RobotController::find_parts(const mjModel& model, const std::string& prefix) {
   std::vector<int> of_body(static_cast<std::size_t>(model.nbody), -1);
   for (std::size_t limit = 0; limit < robot_->contact_limits.size(); ++limit) {
-    for (const int link : links_from(*robot_, robot_->contact_limits[limit].link)) {
+    for (const int link : robots::links_from(*robot_, robot_->contact_limits[limit].link)) {
       const std::string name = prefix + robot_->links[static_cast<std::size_t>(link)].name;
       const int body = mj_name2id(&model, mjOBJ_BODY, name.c_str());
       if (body > 0) of_body[static_cast<std::size_t>(body)] = static_cast<int>(limit);
@@ -76,7 +76,7 @@ Result<void> RobotController::check(const RobotReference& reference) const {
                                      reference.grips.size(),
                                      setpoints_.size(),
                                      fingers_.size()));
-  const auto finite = [](const Setpoint& wanted) {
+  const auto finite = [](const robots::Setpoint& wanted) {
     return std::isfinite(wanted.position) && std::isfinite(wanted.velocity);
   };
   const auto sound = [](const GripReference& grip) {
@@ -89,9 +89,9 @@ Result<void> RobotController::check(const RobotReference& reference) const {
   return {};
 }
 
-std::vector<Setpoint> RobotController::setpoints() const {
-  std::vector<Setpoint> now;
-  for (const SmoothSetpoint& setpoint : setpoints_)
+std::vector<robots::Setpoint> RobotController::setpoints() const {
+  std::vector<robots::Setpoint> now;
+  for (const robots::SmoothSetpoint& setpoint : setpoints_)
     now.push_back(setpoint.now());
   return now;
 }
@@ -99,16 +99,17 @@ std::vector<Setpoint> RobotController::setpoints() const {
 void RobotController::follow(const RobotReference& reference, bool stopped, double step_s) {
   for (std::size_t dof = 0; dof < setpoints_.size(); ++dof) {
     if (!actor_.follows_position(dof)) continue;
-    SmoothSetpoint& setpoint = setpoints_[dof];
-    const Setpoint stay{setpoint.now().position, 0};
-    setpoint.follow(
-        stopped ? stay : reference.joints[dof], setpoint_limits(robot_->joint_of_dof(dof)), step_s);
+    robots::SmoothSetpoint& setpoint = setpoints_[dof];
+    const robots::Setpoint stay{setpoint.now().position, 0};
+    setpoint.follow(stopped ? stay : reference.joints[dof],
+                    robots::setpoint_limits(robot_->joint_of_dof(dof)),
+                    step_s);
   }
 }
 
 void RobotController::keep_near(const std::vector<double>& q, const std::vector<double>& v) {
   for (std::size_t dof = 0; dof < setpoints_.size(); ++dof) {
-    const bool slides = robot_->joint_of_dof(dof).kind == JointType::prismatic;
+    const bool slides = robot_->joint_of_dof(dof).kind == robots::JointType::prismatic;
     setpoints_[dof].keep_near({q[dof], v[dof]}, slides ? max_lead_m : max_lead_rad);
   }
 }
@@ -119,7 +120,7 @@ std::vector<double> RobotController::effort_of_motion(const std::vector<double>&
                                                       const std::vector<double>& v) const {
   constexpr double no_gravity = 0;
   std::vector<double> speeds(q.size()), accelerations(q.size());
-  if (const JointGroup* base = robot_->drive ? robot_->find_group("base") : nullptr)
+  if (const robots::JointGroup* base = robot_->drive ? robot_->find_group("base") : nullptr)
     for (const int dof : base->dofs)
       speeds[static_cast<std::size_t>(dof)] = v[static_cast<std::size_t>(dof)];
   for (std::size_t dof = 0; dof < q.size(); ++dof) {
@@ -127,7 +128,8 @@ std::vector<double> RobotController::effort_of_motion(const std::vector<double>&
     speeds[dof] = setpoints_[dof].now().velocity;
     accelerations[dof] = setpoints_[dof].acceleration();
   }
-  const Eigen::VectorXd inertial = inverse_dynamics(*robot_, q, speeds, accelerations, no_gravity);
+  const Eigen::VectorXd inertial =
+      robots::inverse_dynamics(*robot_, q, speeds, accelerations, no_gravity);
   std::vector<double> efforts(inertial.begin(), inertial.end());
   for (std::size_t dof = 0; dof < q.size(); ++dof)
     efforts[dof] += robot_->joint_of_dof(dof).damping * speeds[dof];
@@ -140,22 +142,22 @@ void RobotController::follow_finger(std::size_t tool,
                                     const GripReference& wanted,
                                     const std::vector<double>& q,
                                     double step_s) {
-  const Tool& row = robot_->tools[tool];
-  const Joint* joint = driven_finger(*robot_, row);
+  const robots::Tool& row = robot_->tools[tool];
+  const robots::Joint* joint = robots::driven_finger(*robot_, row);
   if (joint == nullptr) return;
   const double reach = actor_.finger_reach_m(row, wanted.force_n);
   const double open = std::min(wanted.opening_m / row.opening, 1.0) * joint->upper;
-  SetpointLimits limits = setpoint_limits(*joint);
+  robots::SetpointLimits limits = robots::setpoint_limits(*joint);
   limits.lower -= reach;  // pads that press on one another
   fingers_[tool].follow({wanted.opening_m > 0 ? open : limits.lower, 0}, limits, step_s);
   fingers_[tool].keep_near({q[static_cast<std::size_t>(joint->dof)], 0}, reach);
 }
 
-FloorForce RobotController::push(const mjData& data,
-                                 const RobotReference& reference,
-                                 bool stopped,
-                                 double step_s) {
-  const FloorMotion now =
+robots::FloorForce RobotController::push(const mjData& data,
+                                         const RobotReference& reference,
+                                         bool stopped,
+                                         double step_s) {
+  const robots::FloorMotion now =
       floor_motion(*robot_->find_group("base"), actor_.position(data), actor_.velocity(data));
   return stopped ? wheels_.push(now, 0, 0, step_s)
                  : wheels_.push(now, reference.drive_m_s, reference.turn_rad_s, step_s);
@@ -173,14 +175,14 @@ Result<void> RobotController::drive(Target& target,
   const std::vector<double> q = actor_.position(data), v = actor_.velocity(data);
   keep_near(q, v);
   std::vector<double> places, speeds;
-  for (const SmoothSetpoint& setpoint : setpoints_) {
+  for (const robots::SmoothSetpoint& setpoint : setpoints_) {
     places.push_back(setpoint.now().position);
     speeds.push_back(setpoint.now().velocity);
   }
   MARKETGEN_CHECK(actor_.command(target, places, speeds, effort_of_motion(q, v)));
   for (std::size_t t = 0; t < fingers_.size(); ++t) {
-    const Tool& tool = robot_->tools[t];
-    if (driven_finger(*robot_, tool) == nullptr) continue;
+    const robots::Tool& tool = robot_->tools[t];
+    if (robots::driven_finger(*robot_, tool) == nullptr) continue;
     const GripReference wanted{reference.grips[t].opening_m,
                                std::min(reference.grips[t].force_n, tool.force)};
     follow_finger(t, wanted, q, step_s);
@@ -203,8 +205,8 @@ Result<void> RobotController::command(const mjModel& model,
 void RobotController::give_way(const mjData& data) {
   const std::vector<double> q = actor_.position(data);
   for (std::size_t dof = 0; dof < setpoints_.size(); ++dof) {
-    const Joint& joint = robot_->joint_of_dof(dof);
-    setpoints_[dof] = SmoothSetpoint({std::clamp(q[dof], joint.lower, joint.upper), 0});
+    const robots::Joint& joint = robot_->joint_of_dof(dof);
+    setpoints_[dof] = robots::SmoothSetpoint({std::clamp(q[dof], joint.lower, joint.upper), 0});
   }
 }
 
@@ -225,7 +227,7 @@ void RobotController::feel(const mjModel& model, const mjData& data) {
   }
   const bool halted = stopped(data.time);
   for (std::size_t limit = 0; limit < felt_.size(); ++limit) {
-    const ContactLimit& row = robot_->contact_limits[limit];
+    const robots::ContactLimit& row = robot_->contact_limits[limit];
     felt_[limit] = felt_[limit] + (now[limit] - felt_[limit]) * (model.opt.timestep / felt_over_s);
     const double force = length(felt_[limit]);
     max_force_n_ = std::max(max_force_n_, force);
@@ -237,4 +239,4 @@ void RobotController::feel(const mjModel& model, const mjData& data) {
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

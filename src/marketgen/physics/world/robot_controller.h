@@ -18,7 +18,7 @@
 
 #include "physics/world/robot_actor.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
 // What a tool is to do. 0 closes a gripper until it presses.
 struct GripReference {
@@ -28,7 +28,8 @@ struct GripReference {
 
 // What a robot is to do at the end of one step of physics.
 struct RobotReference {
-  std::vector<Setpoint> joints;  // one a degree of freedom; not read: wheels, fingers, followers
+  std::vector<robots::Setpoint>
+      joints;  // one a degree of freedom; not read: wheels, fingers, followers
   std::vector<GripReference> grips;  // one a tool; not read: cups
   double drive_m_s = 0, turn_rad_s = 0;
 };
@@ -40,7 +41,7 @@ class RobotController {
   // The robot stands still, as `data` has it. Errors: those of RobotActor::find.
   static Result<RobotController> start(const mjModel_& model,
                                        const mjData_& data,
-                                       const Robot& robot,
+                                       const robots::Robot& robot,
                                        const std::string& prefix = {});
 
   // Before every step. Errors: those of RobotActor; physics.bad_command for another number of
@@ -52,8 +53,8 @@ class RobotController {
 
   const RobotActor& actor() const { return actor_; }
   // Where the drives are told to be now; of all degrees of freedom.
-  std::vector<Setpoint> setpoints() const;
-  const WheelDrive& wheels() const { return wheels_; }
+  std::vector<robots::Setpoint> setpoints() const;
+  const robots::WheelDrive& wheels() const { return wheels_; }
   bool stopped(double time_s) const { return time_s < goes_on_s_; }
   int stops() const { return stops_; }                 // so far
   double max_force_n() const { return max_force_n_; }  // that has pressed, as it feels it
@@ -72,10 +73,10 @@ class RobotController {
   void keep_near(const std::vector<double>& q, const std::vector<double>& v);
   std::vector<double> effort_of_motion(const std::vector<double>& q,
                                        const std::vector<double>& v) const;
-  FloorForce push(const mjData_& data,
-                  const RobotReference& reference,
-                  bool stopped,
-                  double step_s);
+  robots::FloorForce push(const mjData_& data,
+                          const RobotReference& reference,
+                          bool stopped,
+                          double step_s);
   void follow_finger(std::size_t tool,
                      const GripReference& wanted,
                      const std::vector<double>& q,
@@ -87,16 +88,16 @@ class RobotController {
                      const RobotReference& reference);
   void give_way(const mjData_& data);
 
-  const Robot* robot_ = nullptr;
+  const robots::Robot* robot_ = nullptr;
   RobotActor actor_;
   std::vector<int> limit_of_;  // by geom: the contact limit of its link, or -1
-  std::vector<SmoothSetpoint> setpoints_;
-  std::vector<Setpoint> fingers_;  // one a tool; of cups they stay 0
-  WheelDrive wheels_;
+  std::vector<robots::SmoothSetpoint> setpoints_;
+  std::vector<robots::Setpoint> fingers_;  // one a tool; of cups they stay 0
+  robots::WheelDrive wheels_;
   std::vector<Vec3> felt_;  // one a contact limit: mean force, store frame
   double goes_on_s_ = 0;
   int stops_ = 0;
   double max_force_n_ = 0;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

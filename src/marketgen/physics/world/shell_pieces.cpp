@@ -8,13 +8,13 @@
 #include "layout/floor.h"
 #include "plan/shell_measures.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 // An opening on one wall: its stretch along the wall and its heights, metres.
 struct Hole {
   double from, to, bottom, top;
-  const Opening* opening;
+  const plan::Opening* opening;
 };
 
 // One side of the outline with the floor on its left; metres.
@@ -44,27 +44,33 @@ WallLine wall_line(const PolygonMm& outline, std::size_t i) {
           turns_left(outline, (i + 1) % outline.size())};
 }
 
-Hole hole_of(const Doorway& door,
-             const Opening& opening,
+Hole hole_of(const layout::Doorway& door,
+             const plan::Opening& opening,
              const WallLine& wall,
-             const Floor& floor,
+             const layout::Floor& floor,
              double ceiling_m) {
-  const Span span = door.span;
-  const double line = coordinate(floor.bounds, door.wall) * 1e-3;
-  const bool along_x = lies_along_x(door.wall);
+  const layout::Span span = door.span;
+  const double line = layout::coordinate(floor.bounds, door.wall) * 1e-3;
+  const bool along_x = layout::lies_along_x(door.wall);
   const auto place = [&](int at) {
     const Vec3 point = along_x ? Vec3{at * 1e-3, line, 0} : Vec3{line, at * 1e-3, 0};
     return dot(point - wall.start, wall.along);
   };
   const auto [from, to] = std::minmax({place(span.from), place(span.to)});
-  return {from, to, opening_sill_m(opening.kind), opening_top_m(opening.kind, ceiling_m), &opening};
+  return {from,
+          to,
+          plan::opening_sill_m(opening.kind),
+          plan::opening_top_m(opening.kind, ceiling_m),
+          &opening};
 }
 
 // Openings in this wall, from its start to its end. An opening belongs to the part of the bounding
 // box's side it lies on.
-std::vector<Hole> holes_in(const WallLine& wall, const Floor& floor, const Shell& shell) {
+std::vector<Hole> holes_in(const WallLine& wall,
+                           const layout::Floor& floor,
+                           const plan::Shell& shell) {
   std::vector<Hole> holes;
-  for (const Doorway& door : floor.doorways) {
+  for (const layout::Doorway& door : floor.doorways) {
     const Vec3 threshold{door.threshold[0] * 1e-3, door.threshold[1] * 1e-3, 0};
     const Vec3 offset = threshold - wall.start;
     const double along = dot(offset, wall.along), beside = dot(offset, wall.outward);
@@ -108,7 +114,7 @@ void add_wall(std::vector<ShellPiece>& pieces,
                            fmt::format("{}/piece-{}", wall.id, count++),
                            ShellPieceKind::wall,
                            {from, to, bottom, top, nullptr},
-                           {0, wall_thickness_m}));
+                           {0, plan::wall_thickness_m}));
   };
   double from = 0;
   for (const Hole& hole : holes) {
@@ -117,29 +123,29 @@ void add_wall(std::vector<ShellPiece>& pieces,
     add(hole.from, hole.to, hole.top, ceiling_m);
     from = hole.to;
   }
-  add(from, wall.length + (wall.ends_at_outer_corner ? wall_thickness_m : 0), 0, ceiling_m);
+  add(from, wall.length + (wall.ends_at_outer_corner ? plan::wall_thickness_m : 0), 0, ceiling_m);
 }
 
 void add_closures(std::vector<ShellPiece>& pieces,
                   const WallLine& wall,
                   const std::vector<Hole>& holes) {
   for (const Hole& hole : holes) {
-    const OpeningKind kind = hole.opening->kind;
-    if (kind == OpeningKind::entrance || kind == OpeningKind::exit) continue;
-    const bool window = kind == OpeningKind::window;
+    const plan::OpeningKind kind = hole.opening->kind;
+    if (kind == plan::OpeningKind::entrance || kind == plan::OpeningKind::exit) continue;
+    const bool window = kind == plan::OpeningKind::window;
     pieces.push_back(piece(wall,
                            fmt::format("{}/{}", window ? "pane" : "door", hole.opening->id),
                            window ? ShellPieceKind::pane : ShellPieceKind::door,
                            hole,
-                           window ? Slab{glazing_front_m, glazing_back_m}
-                                  : Slab{door_leaf_front_m, door_leaf_back_m}));
+                           window ? Slab{plan::glazing_front_m, plan::glazing_back_m}
+                                  : Slab{plan::door_leaf_front_m, plan::door_leaf_back_m}));
   }
 }
 
 }  // namespace
 
-std::vector<ShellPiece> shell_pieces(const Shell& shell) {
-  const Floor floor = make_floor(shell);
+std::vector<ShellPiece> shell_pieces(const plan::Shell& shell) {
+  const layout::Floor floor = layout::make_floor(shell);
   const double ceiling_m = shell.ceiling_mm * 1e-3;
   std::vector<ShellPiece> pieces;
   for (std::size_t i = 0; i < floor.outline.size(); ++i) {
@@ -158,4 +164,4 @@ std::vector<ShellPiece> shell_pieces(const Shell& shell) {
   return pieces;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

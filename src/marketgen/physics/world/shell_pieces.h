@@ -11,7 +11,7 @@
 #include "geometry/pose.h"
 #include "plan/plan.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
 enum class ShellPieceKind { wall, pane, door, column };
 constexpr std::array<std::string_view, 4> names_of(ShellPieceKind) {
@@ -26,6 +26,6 @@ struct ShellPiece {
 };
 
 // Entrances and exits stand open; service and emergency doors are shut; windows have a pane.
-std::vector<ShellPiece> shell_pieces(const Shell& shell);
+std::vector<ShellPiece> shell_pieces(const plan::Shell& shell);
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -4,14 +4,14 @@
 
 #include "physics/goods/spec_geoms.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 constexpr int batch_geoms = 512;  // 128 to 1024 take as long
 
 }  // namespace
 
-mjsGeom* StillGeoms::add(const ContactShape& shape) {
+mjsGeom* StillGeoms::add(const assets::ContactShape& shape) {
   if (batches_.empty() || batches_.back().geoms == batch_geoms) {
     Batch batch;
     batch.spec.reset(mj_makeSpec());
@@ -39,4 +39,4 @@ Result<void> StillGeoms::attach_to(mjsBody* body, mjSpec& spec, const std::strin
   return {};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

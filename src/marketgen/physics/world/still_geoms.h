@@ -9,12 +9,12 @@
 #include "physics/goods/contact_shape.h"
 #include "physics/mujoco_guard.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
 // Must outlive the specification that it is attached to.
 class StillGeoms {
  public:
-  mjsGeom* add(const ContactShape& shape);  // as add_shape(); valid as long as this
+  mjsGeom* add(const assets::ContactShape& shape);  // as add_shape(); valid as long as this
   // Makes them geoms of `body`, a body of `spec`, in their order. Once, after the last add().
   // `name`: no other has it. Errors: physics.failed.
   Result<void> attach_to(mjsBody* body, mjSpec& spec, const std::string& name);
@@ -29,4 +29,4 @@ class StillGeoms {
   std::vector<Batch> batches_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

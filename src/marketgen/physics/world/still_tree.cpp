@@ -8,7 +8,7 @@
 
 #include "physics/goods/body_patch.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 constexpr int bins = 16;
@@ -173,4 +173,4 @@ void StillTree::refit(const mjModel& m, int geom) {
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -9,7 +9,7 @@
 #include "physics/mujoco_guard.h"
 #include "physics/world/product_grid.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
 class StillTree {
  public:
@@ -37,4 +37,4 @@ class StillTree {
   int first_geom_ = 0;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -14,7 +14,7 @@
 #include "physics/world/still_geoms.h"
 #include "scene/placements.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 constexpr char world_where[] = "world";
@@ -26,8 +26,8 @@ constexpr double bubble_sleep_below_m_s = 1e-3;
 constexpr double flap_hook_impedance = 0.999;
 constexpr double pool_depth_m = -100;  // where bodies of the pool wait until first used
 // Of a body of the pool until it is first used.
-const int pieces_a_body = PieceLimits{}.max_pieces;
-const ContactShape blank_piece{CollisionShape::box, {}, {0.05, 0.05, 0.05}};
+const int pieces_a_body = assets::PieceLimits{}.max_pieces;
+const assets::ContactShape blank_piece{assets::CollisionShape::box, {}, {0.05, 0.05, 0.05}};
 constexpr int max_pool = 1024, max_soft_pool = 256;
 constexpr double max_friction = 2;  // as in a FrictionRow
 
@@ -44,7 +44,7 @@ Error bad_option(const std::string& name, const std::string& message) {
 
 class StoreBuilder {
  public:
-  StoreBuilder(const Scene& scene, const WorldOptions& options)
+  StoreBuilder(const scene::Scene& scene, const WorldOptions& options)
       : scene_(scene),
         options_(options),
         spec_(mj_makeSpec(), mj_deleteSpec),
@@ -57,7 +57,7 @@ class StoreBuilder {
 
   void add_room() {
     for (const ShellPiece& piece : shell_pieces(scene_.layout.shell)) {
-      const ContactShape box{CollisionShape::box, piece.pose, piece.half_size};
+      const assets::ContactShape box{assets::CollisionShape::box, piece.pose, piece.half_size};
       if (near(box)) furnish(still_.add(box));
     }
     fixtures_ = add_fixtures(
@@ -65,22 +65,22 @@ class StoreBuilder {
         still_,
         scene_,
         [&](std::uint32_t row) {
-          const ScenePart& part = scene_.parts[row];
-          return near(world_from_fixture(scene_, part.fixture) * contact_shape_of(part));
+          const scene::ScenePart& part = scene_.parts[row];
+          return near(scene::world_from_fixture(scene_, part.fixture) * contact_shape_of(part));
         },
         options_.articulated);
   }
 
   Result<void> add_goods(StoreModel& made) {
-    for (const Product& product : scene_.catalog) {
+    for (const catalog::Product& product : scene_.catalog) {
       MARKETGEN_TRY(const StandingGoods goods, standing_goods(product));
       made.goods.push_back(goods);
     }
     product_geoms_.resize(scene_.products.size(), nullptr);
     for (std::uint32_t row = 0; row < scene_.products.size(); ++row) {
-      const SceneProduct& item = scene_.products[row];
+      const scene::SceneProduct& item = scene_.products[row];
       const StandingGoods& goods = made.goods[item.sku];
-      const ContactShape shape = world_from_product(item) * goods.shape;
+      const assets::ContactShape shape = scene::world_from_product(item) * goods.shape;
       if (!near(shape)) continue;
       mjsGeom* geom = still_.add(shape);
       set_goods_contact(geom, goods.contact);
@@ -186,9 +186,9 @@ class StoreBuilder {
     return body;
   }
 
-  bool near(const ContactShape& shape) const {
+  bool near(const assets::ContactShape& shape) const {
     return !options_.region_m ||
-           touches(*options_.region_m, shape.pose.position, half_extents(shape));
+           touches(*options_.region_m, shape.pose.position, assets::half_extents(shape));
   }
 
   void furnish(mjsGeom* geom) {
@@ -251,7 +251,7 @@ class StoreBuilder {
     return {model.jnt_qposadr[id], model.jnt_dofadr[id]};
   }
 
-  const Scene& scene_;
+  const scene::Scene& scene_;
   const WorldOptions& options_;
   StillGeoms still_, blanks_;  // outlive spec_
   MujocoSpec spec_;
@@ -272,7 +272,7 @@ Result<void> check_options(const WorldOptions& options) {
   if (!(options.wake_within_m >= 0 && options.wake_within_m <= 0.5))
     return bad_option("wake_within_m",
                       fmt::format("{} m; 0 to 0.5 are possible", options.wake_within_m));
-  for (const FrictionRow& row : options.frictions) {
+  for (const catalog::FrictionRow& row : options.frictions) {
     if (!(row.sliding > 0 && row.sliding <= max_friction))
       return bad_option("frictions",
                         fmt::format("{} on {}: {}; more than 0 and at most {} are possible",
@@ -295,7 +295,7 @@ Result<void> check_options(const WorldOptions& options) {
 
 }  // namespace
 
-Result<StoreModel> store_model(const Scene& scene, const WorldOptions& options) {
+Result<StoreModel> store_model(const scene::Scene& scene, const WorldOptions& options) {
   MARKETGEN_CHECK(check_options(options));
   StoreModel made;
   StoreBuilder builder(scene, options);
@@ -307,9 +307,10 @@ Result<StoreModel> store_model(const Scene& scene, const WorldOptions& options) 
   return made;
 }
 
-bool hangs_on_hook(const Scene& scene, std::uint32_t product) {
+bool hangs_on_hook(const scene::Scene& scene, std::uint32_t product) {
   const std::uint32_t facing = scene.products[product].facing;
-  return facing != no_facing && scene.shelves[scene.facings[facing].shelf].use == ShelfUse::hang;
+  return facing != scene::no_facing &&
+         scene.shelves[scene.facings[facing].shelf].use == assets::ShelfUse::hang;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

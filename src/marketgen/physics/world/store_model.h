@@ -10,7 +10,7 @@
 #include "physics/mujoco_guard.h"
 #include "physics/world/world.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
 // A free body of the pool and the constraint that hangs it on a hook. Of a soft pack the first of
 // `parts` bodies, and a hinge for each that hangs on it. Its geoms follow one another; how many of
@@ -45,8 +45,8 @@ struct StoreModel {
 };
 
 // Errors: as World::create.
-Result<StoreModel> store_model(const Scene& scene, const WorldOptions& options);
+Result<StoreModel> store_model(const scene::Scene& scene, const WorldOptions& options);
 
-bool hangs_on_hook(const Scene& scene, std::uint32_t product);
+bool hangs_on_hook(const scene::Scene& scene, std::uint32_t product);
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -6,22 +6,24 @@
 #include "physics/world/cup_lip.h"
 #include "robots/grasp_tool.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 constexpr double along_z = 1 - 1e-6;  // cosine
 
-const RobotFrame& lip_frame(const Robot& robot, const Tool& tool) {
+const robots::RobotFrame& lip_frame(const robots::Robot& robot, const robots::Tool& tool) {
   return robot.frames[static_cast<std::size_t>(tool.frame)];
 }
 
-std::string cup_body(const Robot& robot, const Tool& tool, const std::string& prefix) {
+std::string cup_body(const robots::Robot& robot,
+                     const robots::Tool& tool,
+                     const std::string& prefix) {
   return prefix + robot.links[static_cast<std::size_t>(lip_frame(robot, tool).link)].name;
 }
 
 // What of a solid lies behind `end_z`: one along Z is cut there, another is left out if it reaches
 // further.
-std::optional<ToolSolid> behind(ToolSolid solid, double end_z) {
+std::optional<robots::ToolSolid> behind(robots::ToolSolid solid, double end_z) {
   const double low = solid.tool_from_solid.position.z - solid.half_size.z,
                high = solid.tool_from_solid.position.z + solid.half_size.z;
   if (high <= end_z) return solid;
@@ -34,10 +36,10 @@ std::optional<ToolSolid> behind(ToolSolid solid, double end_z) {
 
 }  // namespace
 
-std::vector<WorldCup> robot_cups(const Robot& robot, const RobotActorOptions& options) {
+std::vector<WorldCup> robot_cups(const robots::Robot& robot, const RobotActorOptions& options) {
   std::vector<WorldCup> cups;
-  for (const Tool& tool : robot.tools) {
-    if (tool.kind != ToolKind::suction) continue;
+  for (const robots::Tool& tool : robot.tools) {
+    if (tool.kind != robots::ToolKind::suction) continue;
     cups.push_back({cup_body(robot, tool, options.prefix),
                     lip_frame(robot, tool).link_from_frame,
                     tool.cup_radius,
@@ -48,42 +50,45 @@ std::vector<WorldCup> robot_cups(const Robot& robot, const RobotActorOptions& op
   return cups;
 }
 
-std::vector<ContactShape> cup_solids(const Robot& robot, std::size_t link) {
-  std::vector<ContactShape> shapes;
-  for (const Tool& tool : robot.tools) {
-    const RobotFrame& lip = lip_frame(robot, tool);
-    if (tool.kind != ToolKind::suction || static_cast<std::size_t>(lip.link) != link) continue;
+std::vector<assets::ContactShape> cup_solids(const robots::Robot& robot, std::size_t link) {
+  std::vector<assets::ContactShape> shapes;
+  for (const robots::Tool& tool : robot.tools) {
+    const robots::RobotFrame& lip = lip_frame(robot, tool);
+    if (tool.kind != robots::ToolKind::suction || static_cast<std::size_t>(lip.link) != link)
+      continue;
     const double end_z = -(bellows_stroke_m + tool.seal_depth);
-    for (const ToolSolid& whole : solids_of(robot.links[link], inverse(lip.link_from_frame))) {
-      const std::optional<ToolSolid> solid = behind(whole, end_z);
+    for (const robots::ToolSolid& whole :
+         robots::solids_of(robot.links[link], inverse(lip.link_from_frame))) {
+      const std::optional<robots::ToolSolid> solid = behind(whole, end_z);
       if (!solid) continue;
       const Vec3& h = solid->half_size;
-      shapes.push_back({solid->round ? CollisionShape::cylinder : CollisionShape::box,
-                        lip.link_from_frame * solid->tool_from_solid,
-                        solid->round ? Vec3{h.x, h.z, 0} : h});
+      shapes.push_back(
+          {solid->round ? assets::CollisionShape::cylinder : assets::CollisionShape::box,
+           lip.link_from_frame * solid->tool_from_solid,
+           solid->round ? Vec3{h.x, h.z, 0} : h});
     }
   }
   return shapes;
 }
 
 Result<SuctionActor> SuctionActor::find(const World& world,
-                                        const Robot& robot,
+                                        const robots::Robot& robot,
                                         const std::string& prefix) {
   SuctionActor actor;
-  for (const Tool& tool : robot.tools) {
-    if (tool.kind != ToolKind::suction) continue;
+  for (const robots::Tool& tool : robot.tools) {
+    if (tool.kind != robots::ToolKind::suction) continue;
     MARKETGEN_TRY(const std::uint32_t cup, world.cup(cup_body(robot, tool, prefix)));
     actor.cups_.emplace(tool.prefix, cup);
   }
   return actor;
 }
 
-std::optional<std::uint32_t> SuctionActor::cup_of(const Tool& tool) const {
+std::optional<std::uint32_t> SuctionActor::cup_of(const robots::Tool& tool) const {
   const auto found = cups_.find(tool.prefix);
   return found == cups_.end() ? std::nullopt : std::optional(found->second);
 }
 
-Result<void> SuctionActor::suck(World& world, const Tool& tool, bool on) const {
+Result<void> SuctionActor::suck(World& world, const robots::Tool& tool, bool on) const {
   const auto cup = cup_of(tool);
   if (!cup)
     return Error{"physics.bad_command", tool.prefix + tool.row, "the tool is no suction cup"};
@@ -91,15 +96,15 @@ Result<void> SuctionActor::suck(World& world, const Tool& tool, bool on) const {
   return world.suck(*cup, on);
 }
 
-bool SuctionActor::sucks(const World& world, const Tool& tool) const {
+bool SuctionActor::sucks(const World& world, const robots::Tool& tool) const {
   const auto cup = cup_of(tool);
   return cup && world.sucks(*cup);
 }
 
 std::optional<std::uint32_t> SuctionActor::sealed_product(const World& world,
-                                                          const Tool& tool) const {
+                                                          const robots::Tool& tool) const {
   const auto cup = cup_of(tool);
   return cup ? world.sealed_product(*cup) : std::nullopt;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -10,7 +10,7 @@
 #include "physics/world/world_state.h"
 #include "scene/articulation.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 // Steps round as one thread of ours would, whoever calls: with denormals flushed, like the workers
@@ -59,7 +59,7 @@ bool unit(Pose& pose) {
 }
 
 // Within the box around the store, from the floor to the ceiling; 1 mm over.
-bool inside(const Shell& shell, Vec3 at) {
+bool inside(const plan::Shell& shell, Vec3 at) {
   constexpr double over_m = 0.001;
   const auto within = [&](double value, int max_mm) {
     return value >= -over_m && value <= max_mm / 1000.0 + over_m;
@@ -79,7 +79,7 @@ World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
 
-Result<World> World::create(const Scene& scene, WorldOptions options) {
+Result<World> World::create(const scene::Scene& scene, WorldOptions options) {
   const RoundingMode rounding;
   MARKETGEN_TRY(StoreModel model, store_model(scene, options));
   MARKETGEN_TRY(MujocoData data, make_data(*model.model, "world"));
@@ -207,9 +207,9 @@ Result<void> World::State::force_joint(std::uint32_t joint, double force) {
 }
 
 Result<void> World::State::start_belt(std::uint32_t joint, double speed) {
-  if (joint >= belt_geoms.size() || scene.joints[joint].kind != JointKind::belt)
+  if (joint >= belt_geoms.size() || scene.joints[joint].kind != assets::JointKind::belt)
     return bad_command("set_belt_speed", fmt::format("joint {} is no belt", joint));
-  const SceneJoint& belt = scene.joints[joint];
+  const scene::SceneJoint& belt = scene.joints[joint];
   if (speed < belt.lower || speed > belt.upper) {
     return bad_command(
         "set_belt_speed",
@@ -235,8 +235,8 @@ std::vector<std::uint32_t> World::State::resting_on_belt(const Box3& belt) const
 
 void World::State::run_belt(std::uint32_t joint, double speed_m_s) {
   belt_speed[joint] = speed_m_s;
-  const Pose world_from_joint = world_from_fixture(scene, scene.joints[joint].fixture) *
-                                fixture_from_joint(scene.joints[joint]);
+  const Pose world_from_joint = scene::world_from_fixture(scene, scene.joints[joint].fixture) *
+                                scene::fixture_from_joint(scene.joints[joint]);
   const Vec3 way = rotate(world_from_joint.rotation, {0, 0, 1}) * speed_m_s;
   for (const int geom : belt_geoms[joint]) {
     const Vec3 local = rotate(inverse(pose_of(geom_pose(m(), geom)).rotation), way);
@@ -332,7 +332,7 @@ std::vector<std::uint32_t> World::moved_products() const {
 
 double World::joint_position(std::uint32_t joint) const {
   const State& s = *state_;
-  if (s.scene.joints[joint].kind == JointKind::belt) return s.belt_speed[joint];
+  if (s.scene.joints[joint].kind == assets::JointKind::belt) return s.belt_speed[joint];
   const int at = s.store.joints[joint].qpos;
   return at < 0 ? 0 : s.d().qpos[at];
 }
@@ -380,4 +380,4 @@ const mjData_& World::data() const {
   return state_->d();
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

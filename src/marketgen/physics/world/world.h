@@ -32,7 +32,7 @@ struct mjSpec_;
 struct mjModel_;
 struct mjData_;
 
-namespace marketgen {
+namespace marketgen::physics {
 
 // A suction cup of an actor. It seals on goods as physics/world/cup_lip.h says.
 struct WorldCup {
@@ -49,7 +49,7 @@ struct WorldOptions {
   int soft_pool = 12;        // bags and pouches that can be awake as soft packs, 0..256
   double wake_within_m = 0;  // wakes products this near to an actor before it touches them, 0..0.5
   bool articulated = true;   // doors, drawers, flaps and keys move; otherwise they stand at 0
-  std::vector<FrictionRow> frictions =
+  std::vector<catalog::FrictionRow> frictions =
       {};                     // catalog.frictions; a pair without a row rubs as MuJoCo has it
   bool keep_commands = true;  // for commands(); a long run of a robot holds hundreds of megabytes
   // Adds robots, tools, tables: anything that is neither fixture nor product. Called once. Bodies
@@ -122,7 +122,7 @@ class World {
  public:
   // Errors: physics.failed (MuJoCo refuses the model), physics.bad_command (options), assets.*,
   // catalog.bad_row (a product without mass or size), and those of add_actors.
-  static Result<World> create(const Scene& scene, WorldOptions options);
+  static Result<World> create(const scene::Scene& scene, WorldOptions options);
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
   ~World();
@@ -201,4 +201,4 @@ struct WorldSnapshot {
 // Tells `world` all of `commands`. Errors: those of the commands.
 Result<void> replay(World& world, std::span<const WorldCommand> commands);
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

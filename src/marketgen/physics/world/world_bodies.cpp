@@ -4,7 +4,7 @@
 
 #include "physics/world/world_state.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 // So near, an actor would wake it again at once.
@@ -137,4 +137,4 @@ void World::State::push_body(std::size_t body, const Wrench& wrench) {
   mark_wake(d(), made);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

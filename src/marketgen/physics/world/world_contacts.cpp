@@ -5,7 +5,7 @@
 #include "base/gravity.h"
 #include "physics/world/world_state.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 // A static product is woken by half the push that would slide or tip it: several neighbours may
@@ -95,4 +95,4 @@ void World::State::wake_pressed() {
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

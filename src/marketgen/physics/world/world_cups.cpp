@@ -5,7 +5,7 @@
 
 #include "physics/world/world_state.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 constexpr double lip_reach_m = 0.03;  // behind and ahead of a lip, further than it looks
@@ -124,7 +124,8 @@ void World::State::look_at_lips() {
   for (std::size_t cup = 0; cup < cups.size(); ++cup) {
     LiveCup& here = live_cups[cup];
     if (here.product < 0) continue;
-    const Product& product = scene.catalog[sku_of(static_cast<std::uint32_t>(here.product))];
+    const catalog::Product& product =
+        scene.catalog[sku_of(static_cast<std::uint32_t>(here.product))];
     const Vec3 ahead = rotate(world_from_lip(cup).rotation, {0, 0, 1});
     const double friction = frictions.sliding_on(cups[cup].material, product);
     if (!here.load.breaks(d(), cups[cup].lip, ahead, options.cups[cup].pull_n, friction)) continue;
@@ -161,4 +162,4 @@ std::optional<std::uint32_t> World::sealed_product(std::uint32_t cup) const {
   return product < 0 ? std::nullopt : std::optional(static_cast<std::uint32_t>(product));
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

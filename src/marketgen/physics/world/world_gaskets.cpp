@@ -3,7 +3,7 @@
 
 #include "physics/world/world_state.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 // mjModel's polynomial of a joint's spring: force -k x - k1 x^2 - k2 x^3, the last of which holds
@@ -13,7 +13,7 @@ double& bend_of(mjModel& m, int joint) {
 }
 
 // Towards the frame, N m.
-double gasket_pull(const SceneJoint& joint, double position) {
+double gasket_pull(const scene::SceneJoint& joint, double position) {
   if (position >= double(joint.gasket_reach)) return 0;
   const double left = 1 - std::max(position, 0.0) / double(joint.gasket_reach);
   return double(joint.gasket) * left * left;
@@ -49,4 +49,4 @@ void World::State::pull_gaskets() {
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -6,7 +6,7 @@
 #include "physics/soft/soft_body.h"
 #include "physics/world/world_state.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 constexpr char near_where[] = "World::step";
@@ -71,4 +71,4 @@ Result<void> World::State::find_contacts() {
   return {};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

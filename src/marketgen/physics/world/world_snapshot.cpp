@@ -5,7 +5,7 @@
 #include "physics/mujoco_moment.h"
 #include "physics/world/world_state.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
 struct WorldSnapshot::Content {
   struct MovedProduct {
@@ -43,7 +43,7 @@ namespace {
 
 using MovedProduct = WorldSnapshot::Content::MovedProduct;
 
-std::string identity(const Scene& scene, const mjModel& m, std::size_t buffer_bytes) {
+std::string identity(const scene::Scene& scene, const mjModel& m, std::size_t buffer_bytes) {
   Hasher hash;
   for (const mjtSize size : {m.nbody, m.ngeom, m.nv, m.nu, m.nbvh, m.neq})
     hash.add(static_cast<std::int64_t>(size));
@@ -199,4 +199,4 @@ std::string World::state_hash() const {
   return hash.hex();
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

@@ -2,7 +2,7 @@
 
 #include "geometry/pose.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 bool can_move(const mjModel& m, int body) {
@@ -23,7 +23,7 @@ ShapePose shape_pose_of(const Pose& pose) {
   return {{p.x, p.y, p.z}, {q.w, q.x, q.y, q.z}};
 }
 
-World::State::State(const Scene& scene_in,
+World::State::State(const scene::Scene& scene_in,
                     WorldOptions options_in,
                     StoreModel store_in,
                     MujocoData data_in)
@@ -53,8 +53,8 @@ World::State::State(const Scene& scene_in,
       material = frictions.material(room_material);
     } else if (owner.kind == BodyKind::fixture) {
       const std::int32_t joint = scene.parts[owner.row].joint;
-      const bool belt =
-          joint >= 0 && scene.joints[static_cast<std::size_t>(joint)].kind == JointKind::belt;
+      const bool belt = joint >= 0 && scene.joints[static_cast<std::size_t>(joint)].kind ==
+                                          assets::JointKind::belt;
       material = frictions.material(belt ? belt_material : reference_material);
       if (belt) belt_geoms[static_cast<std::size_t>(joint)].push_back(geom);
     } else if (owner.kind == BodyKind::product && !owner.pool) {
@@ -102,7 +102,7 @@ ShapePose World::State::shape_pose(std::uint32_t product) const {
 }
 
 Pose World::State::product_pose(std::uint32_t product) const {
-  if (!moved.contains(product)) return world_from_product(scene.products[product]);
+  if (!moved.contains(product)) return scene::world_from_product(scene.products[product]);
   const int body = body_of[product];
   if (body < 0) return pose_of(shape_pose(product)) * shape_from_product[sku_of(product)];
   const auto has = static_cast<std::size_t>(body);
@@ -110,9 +110,9 @@ Pose World::State::product_pose(std::uint32_t product) const {
 }
 
 Box3 World::State::box_at(std::uint32_t product, const ShapePose& pose) const {
-  ContactShape shape = store.goods[sku_of(product)].shape;
+  assets::ContactShape shape = store.goods[sku_of(product)].shape;
   shape.pose = pose_of(pose);
-  const Vec3 half = half_extents(shape);
+  const Vec3 half = assets::half_extents(shape);
   return {shape.pose.position - half, shape.pose.position + half};
 }
 
@@ -126,12 +126,12 @@ void World::State::update_running_belts() {
     if (belt_speed[joint] == 0) continue;
     for (const int geom : belt_geoms[joint]) {
       const std::uint32_t part = store.owners[static_cast<std::size_t>(geom)].row;
-      ContactShape shape = contact_shape_of(scene.parts[part]);
+      assets::ContactShape shape = contact_shape_of(scene.parts[part]);
       shape.pose = pose_of(geom_pose(m(), geom));
-      const Vec3 half = half_extents(shape);
+      const Vec3 half = assets::half_extents(shape);
       running_belts.push_back({shape.pose.position - half, shape.pose.position + half});
     }
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

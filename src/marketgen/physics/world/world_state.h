@@ -13,7 +13,7 @@
 #include "physics/world/product_grid.h"
 #include "physics/world/store_model.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 
 // A door, drawer or flap with what hangs on it.
 struct FixtureTree {
@@ -94,7 +94,10 @@ struct RigidRow {
 };
 
 struct World::State {
-  State(const Scene& scene_in, WorldOptions options_in, StoreModel store_in, MujocoData data_in);
+  State(const scene::Scene& scene_in,
+        WorldOptions options_in,
+        StoreModel store_in,
+        MujocoData data_in);
 
   // ---- world_wake.cpp: products between static and moving ----
 
@@ -188,7 +191,7 @@ struct World::State {
 
   // ---- shared ----
 
-  const Scene& scene;
+  const scene::Scene& scene;
   WorldOptions options;
   StoreModel store;
   MujocoData data;
@@ -240,4 +243,4 @@ struct World::State {
 Pose pose_of(const ShapePose& shape);
 ShapePose shape_pose_of(const Pose& pose);
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

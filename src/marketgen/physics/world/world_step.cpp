@@ -7,7 +7,7 @@
 
 #include "physics/world/world_state.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 constexpr char step_where[] = "World::step";
@@ -228,4 +228,4 @@ void World::State::release_hooks() {
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

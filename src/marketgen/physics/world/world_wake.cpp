@@ -4,7 +4,7 @@
 #include "physics/world/world_state.h"
 #include "scene/placements.h"
 
-namespace marketgen {
+namespace marketgen::physics {
 namespace {
 
 // Two packs this near to each other touch: contact settles to a tenth of a millimetre, stacks are
@@ -26,7 +26,8 @@ bool World::State::loose(std::uint32_t product) const {
 bool World::State::heaped(std::uint32_t product) const {
   if (store.goods[sku_of(product)].contact.dimensions > 4) return true;
   const std::uint32_t facing = scene.products[product].facing;
-  return facing == no_facing || scene.shelves[scene.facings[facing].shelf].use == ShelfUse::heap;
+  return facing == scene::no_facing ||
+         scene.shelves[scene.facings[facing].shelf].use == assets::ShelfUse::heap;
 }
 
 std::vector<std::uint32_t> World::State::resting_on(std::uint32_t product, const Box3& box) const {
@@ -53,7 +54,7 @@ void World::State::hook(std::size_t body, std::uint32_t product) {
     m().eq_obj1id[made.hook] = made.body + made.parts - 1;
     on_body = on_body - soft.at(sku)->pack.hinges.back().at;
   }
-  const Vec3 in_store = world_from_product(scene.products[product]) * top;
+  const Vec3 in_store = scene::world_from_product(scene.products[product]) * top;
   mjtNum* anchors = m().eq_data + mjNEQDATA * made.hook;
   const Vec3 both[2] = {on_body, in_store};
   for (int i = 0; i < 2; ++i)
@@ -127,4 +128,4 @@ void World::State::wake_carried(std::size_t body) {
     wake(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::physics

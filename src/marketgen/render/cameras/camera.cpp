@@ -7,7 +7,7 @@
 #include "base/text.h"
 #include "geometry/rotation_axes.h"
 
-namespace marketgen {
+namespace marketgen::render {
 namespace {
 
 constexpr int largest_side_px = 16384;
@@ -141,7 +141,10 @@ Result<void> check_camera(const Camera& camera, const std::string& where) {
   return {};
 }
 
-Result<Camera> camera_named(const Scene& scene, std::string_view name, int width, int height) {
+Result<Camera> camera_named(const scene::Scene& scene,
+                            std::string_view name,
+                            int width,
+                            int height) {
   const std::vector<Camera> cameras = standard_cameras(scene, width, height);
   std::vector<std::string_view> known;
   for (const Camera& camera : cameras)
@@ -158,4 +161,4 @@ Result<Camera> camera_named(const Scene& scene, std::string_view name, int width
                    "; it has top, entrance, aisle, checkout and one per zone (zone:<id>)"};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::render

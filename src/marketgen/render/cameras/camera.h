@@ -13,7 +13,7 @@
 #include "render/cameras/camera_model.h"
 #include "scene/scene.h"
 
-namespace marketgen {
+namespace marketgen::render {
 
 struct Camera {
   std::string name;
@@ -64,11 +64,14 @@ class Projection {
 
 // The views every store has: top, entrance, aisle, checkout, and one per zone ("zone:dairy").
 // Deterministic; each stands in free floor at eye height and sees goods.
-std::vector<Camera> standard_cameras(const Scene& scene, int width, int height);
-Result<Camera> camera_named(const Scene& scene, std::string_view name, int width, int height);
+std::vector<Camera> standard_cameras(const scene::Scene& scene, int width, int height);
+Result<Camera> camera_named(const scene::Scene& scene,
+                            std::string_view name,
+                            int width,
+                            int height);
 constexpr double narrowest_view_deg = 1, widest_view_deg = 170;  // of a pinhole's field of view
 // Errors: camera.degenerate (no direction, NaN, a rotation that is no unit quaternion, fov outside
 // its range), camera.bad_lens, camera.bad_size (1..16384 a side, at most 64 megapixels).
 Result<void> check_camera(const Camera& camera, const std::string& where);
 
-}  // namespace marketgen
+}  // namespace marketgen::render

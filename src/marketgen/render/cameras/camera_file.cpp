@@ -1,6 +1,6 @@
 #include "render/cameras/camera_file.h"
 
-namespace marketgen {
+namespace marketgen::render {
 
 CameraFile camera_file_of(const Camera& camera) {
   CameraFile file;
@@ -36,4 +36,4 @@ Result<Camera> camera_of(const CameraFile& file, const std::string& where) {
   return camera;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::render

@@ -7,7 +7,7 @@
 #include "base/result.h"
 #include "render/cameras/camera.h"
 
-namespace marketgen {
+namespace marketgen::render {
 
 // In the frames and pixels of camera_model.h: those of OpenCV.
 struct CameraFile {
@@ -44,4 +44,4 @@ CameraFile camera_file_of(const Camera& camera);
 // Errors, at `where`: those of check_camera().
 Result<Camera> camera_of(const CameraFile& file, const std::string& where);
 
-}  // namespace marketgen
+}  // namespace marketgen::render

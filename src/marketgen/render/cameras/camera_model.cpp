@@ -7,7 +7,7 @@
 #include <initializer_list>
 #include <numbers>
 
-namespace marketgen {
+namespace marketgen::render {
 namespace {
 
 constexpr int max_newton_steps = 40;
@@ -141,4 +141,4 @@ Result<void> check_lens(const Intrinsics& k, int width, int height, const std::s
   return {};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::render

@@ -14,7 +14,7 @@
 #include "base/result.h"
 #include "geometry/vector.h"
 
-namespace marketgen {
+namespace marketgen::render {
 
 // What a lens does to the ideal image plane at distance 1.
 struct LensDistortion {
@@ -49,4 +49,4 @@ std::optional<Vec2> project(const Intrinsics& k, Vec3 p);
 // radius does not grow all the way to the picture's corners).
 Result<void> check_lens(const Intrinsics& k, int width, int height, const std::string& where);
 
-}  // namespace marketgen
+}  // namespace marketgen::render

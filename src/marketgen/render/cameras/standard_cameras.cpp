@@ -6,7 +6,7 @@
 #include "render/cameras/camera.h"
 #include "render/cameras/standing_room.h"
 
-namespace marketgen {
+namespace marketgen::render {
 namespace {
 
 using raytrace::StandingRoom;
@@ -30,7 +30,7 @@ Vec3 metres(double x_mm, double y_mm, double z_m) {
 }
 
 // Outward direction of a fixture's front, or of its back side.
-Vec3 front_of(const Fixture& fixture, int side) {
+Vec3 front_of(const layout::Fixture& fixture, int side) {
   constexpr std::array<std::array<int, 2>, 4> directions{{{0, -1}, {1, 0}, {0, 1}, {-1, 0}}};
   const auto& d = directions[static_cast<std::size_t>((fixture.yaw_deg / 90 + 2 * side) % 4)];
   return {static_cast<double>(d[0]), static_cast<double>(d[1]), 0};
@@ -38,7 +38,7 @@ Vec3 front_of(const Fixture& fixture, int side) {
 
 class Photographer {
  public:
-  Photographer(const Scene& scene, int width, int height)
+  Photographer(const scene::Scene& scene, int width, int height)
       : layout_(scene.layout), room_(scene), width_(width), height_(height) {
     const RectMm bounds = layout_.shell.outline_mm
                               ? bounds_of(*layout_.shell.outline_mm)
@@ -59,8 +59,8 @@ class Photographer {
 
   Camera entrance() const {
     Vec3 door = middle_, inward{0, 1, 0};
-    for (const Opening& o : layout_.shell.openings) {
-      if (o.kind != OpeningKind::entrance) continue;
+    for (const plan::Opening& o : layout_.shell.openings) {
+      if (o.kind != plan::OpeningKind::entrance) continue;
       std::tie(door, inward) = place_of(o);
       break;
     }
@@ -69,9 +69,9 @@ class Photographer {
   }
 
   Camera aisle() const {
-    const Aisle* longest = nullptr;
+    const layout::Aisle* longest = nullptr;
     double most = 0;
-    for (const Aisle& aisle : layout_.aisles) {
+    for (const layout::Aisle& aisle : layout_.aisles) {
       const double worth = goods_along(bounds_of(aisle.polygon_mm));
       if (worth > most) {
         most = worth;
@@ -105,8 +105,8 @@ class Photographer {
   Camera checkout() const {
     Vec3 sum{0, 0, 0};
     double count = 0;
-    for (const Fixture& fixture : layout_.fixtures) {
-      const LayoutZone* zone = find_zone(layout_, fixture.zone);
+    for (const layout::Fixture& fixture : layout_.fixtures) {
+      const layout::LayoutZone* zone = layout::find_zone(layout_, fixture.zone);
       if (zone == nullptr || zone->type != "checkout") continue;
       sum += metres(fixture.x_mm, fixture.y_mm, 0);
       count += 1;
@@ -140,16 +140,16 @@ class Photographer {
     return camera;
   }
 
-  Camera zone(const LayoutZone& zone) const {
-    std::map<std::string, std::vector<const Fixture*>> runs;
-    for (const Fixture& fixture : layout_.fixtures) {
+  Camera zone(const layout::LayoutZone& zone) const {
+    std::map<std::string, std::vector<const layout::Fixture*>> runs;
+    for (const layout::Fixture& fixture : layout_.fixtures) {
       if (fixture.zone == zone.id) runs[fixture.run].push_back(&fixture);
     }
-    const std::vector<const Fixture*>* longest = nullptr;
+    const std::vector<const layout::Fixture*>* longest = nullptr;
     int most = 0;
     for (const auto& [run, modules] : runs) {
       int length = 0;
-      for (const Fixture* module : modules)
+      for (const layout::Fixture* module : modules)
         length += module->width_mm * (module->endcap_of.empty() ? 1 : 0) + 1;
       if (length > most) {
         most = length;
@@ -188,29 +188,29 @@ class Photographer {
         along_x ? RectMm{aisle.x0, aisle.y1 - beside_mm / 4, aisle.x1, aisle.y1 + beside_mm}
                 : RectMm{aisle.x1 - beside_mm / 4, aisle.y0, aisle.x1 + beside_mm, aisle.y1};
     double low_goods = 0, high_goods = 0;
-    for (const Fixture& fixture : layout_.fixtures) {
+    for (const layout::Fixture& fixture : layout_.fixtures) {
       const bool faces_aisle =
           fixture.yaw_deg % 180 == (along_x ? 0 : 90) && fixture.endcap_of.empty();
       if (!faces_aisle || fixture.height_mm < shelf_height_mm) continue;
       const double gondola =
           fixture.sides == 2 ? 1.0 : 0.25;  // an aisle between gondolas before one along a wall
-      if (overlap(footprint_of(fixture), low)) low_goods += fixture.width_mm * gondola;
-      if (overlap(footprint_of(fixture), high)) high_goods += fixture.width_mm * gondola;
+      if (overlap(layout::footprint_of(fixture), low)) low_goods += fixture.width_mm * gondola;
+      if (overlap(layout::footprint_of(fixture), high)) high_goods += fixture.width_mm * gondola;
     }
     return std::min(low_goods, high_goods) + 0.05 * std::max(low_goods, high_goods);
   }
 
   // Middle of an opening on the floor, and the direction into the room.
-  std::pair<Vec3, Vec3> place_of(const Opening& o) const {
+  std::pair<Vec3, Vec3> place_of(const plan::Opening& o) const {
     const double x = o.center * layout_.shell.width_mm, y = o.center * layout_.shell.depth_mm;
     switch (o.wall) {
-      case Wall::north:
+      case plan::Wall::north:
         return {metres(x, layout_.shell.depth_mm, 0), {0, -1, 0}};
-      case Wall::south:
+      case plan::Wall::south:
         return {metres(x, 0, 0), {0, 1, 0}};
-      case Wall::east:
+      case plan::Wall::east:
         return {metres(layout_.shell.width_mm, y, 0), {-1, 0, 0}};
-      case Wall::west:
+      case plan::Wall::west:
         return {metres(0, y, 0), {1, 0, 0}};
     }
     return {middle_, {0, 1, 0}};
@@ -237,8 +237,8 @@ class Photographer {
   }
 
   // Before the side of a run that has the most room, so far off that the shelf fills the picture.
-  Camera before_run(const std::string& name, const std::vector<const Fixture*>& run) const {
-    const Fixture* middle = run[run.size() / 2];
+  Camera before_run(const std::string& name, const std::vector<const layout::Fixture*>& run) const {
+    const layout::Fixture* middle = run[run.size() / 2];
     const double high = middle->height_mm * 1e-3;
     // What is low is looked into from above and needs more distance than its height says.
     const double wanted =
@@ -271,7 +271,7 @@ class Photographer {
     return camera;
   }
 
-  Camera in_open_zone(const std::string& name, const LayoutZone& zone) const {
+  Camera in_open_zone(const std::string& name, const layout::LayoutZone& zone) const {
     const RectMm box = bounds_of(zone.polygon_mm);
     const Vec3 center = metres((box.x0 + box.x1) / 2.0, (box.y0 + box.y1) / 2.0, 0);
     const Vec3 stand = room_.nearest(center);
@@ -280,7 +280,7 @@ class Photographer {
         named(name), stand, open_view(stand, Vec3{inward.x, inward.y, 0}), eye_m, shelf_deg);
   }
 
-  const Layout& layout_;
+  const layout::Layout& layout_;
   StandingRoom room_;
   int width_, height_;
   RectMm bounds_;
@@ -289,13 +289,13 @@ class Photographer {
 
 }  // namespace
 
-std::vector<Camera> standard_cameras(const Scene& scene, int width, int height) {
+std::vector<Camera> standard_cameras(const scene::Scene& scene, int width, int height) {
   const Photographer photographer(scene, std::max(1, width), std::max(1, height));
   std::vector<Camera> cameras{
       photographer.top(), photographer.entrance(), photographer.aisle(), photographer.checkout()};
-  for (const LayoutZone& zone : scene.layout.zones)
+  for (const layout::LayoutZone& zone : scene.layout.zones)
     cameras.push_back(photographer.zone(zone));
   return cameras;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::render

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 constexpr int cell_mm = 100;
@@ -12,18 +12,18 @@ constexpr int clearance_mm = 300;    // half a person with a camera
 constexpr int eye_height_mm = 1500;  // lower fixtures do not block the view
 constexpr double step_m = 0.05;
 
-OccupancyGrid occupancy(const Scene& scene, int clearance, int higher_than_mm) {
-  const Shell& shell = scene.layout.shell;
+navigation::OccupancyGrid occupancy(const scene::Scene& scene, int clearance, int higher_than_mm) {
+  const plan::Shell& shell = scene.layout.shell;
   std::vector<RectMm> obstacles;
-  for (const Fixture& fixture : scene.layout.fixtures) {
-    if (fixture.height_mm > higher_than_mm) obstacles.push_back(footprint_of(fixture));
+  for (const layout::Fixture& fixture : scene.layout.fixtures) {
+    if (fixture.height_mm > higher_than_mm) obstacles.push_back(layout::footprint_of(fixture));
   }
-  for (const Column& column : shell.columns)
-    obstacles.push_back(footprint_of(column));
-  return make_occupancy(floor_of(shell), obstacles, clearance, cell_mm);
+  for (const plan::Column& column : shell.columns)
+    obstacles.push_back(plan::footprint_of(column));
+  return navigation::make_occupancy(plan::floor_of(shell), obstacles, clearance, cell_mm);
 }
 
-bool free_at(const OccupancyGrid& grid, Vec3 point) {
+bool free_at(const navigation::OccupancyGrid& grid, Vec3 point) {
   const PointMm p = floor_mm(point);
   const auto index = [&](int mm, int start) {
     return static_cast<int>(std::floor(static_cast<double>(mm - start) / grid.cell_mm));
@@ -31,7 +31,7 @@ bool free_at(const OccupancyGrid& grid, Vec3 point) {
   return grid.free(index(p[0], grid.bounds.x0), index(p[1], grid.bounds.y0));
 }
 
-double way(const OccupancyGrid& grid, Vec3 from, Vec3 direction, double limit) {
+double way(const navigation::OccupancyGrid& grid, Vec3 from, Vec3 direction, double limit) {
   double reached = 0;
   while (reached + step_m <= limit && free_at(grid, from + direction * (reached + step_m)))
     reached += step_m;
@@ -40,9 +40,9 @@ double way(const OccupancyGrid& grid, Vec3 from, Vec3 direction, double limit) {
 
 }  // namespace
 
-StandingRoom::StandingRoom(const Scene& scene)
+StandingRoom::StandingRoom(const scene::Scene& scene)
     : floor_(occupancy(scene, clearance_mm, 0)), tall_(occupancy(scene, 0, eye_height_mm)) {
-  const Components components = find_components(floor_);
+  const navigation::Components components = navigation::find_components(floor_);
   label_ = components.label;
   main_ = components.largest();
 }
@@ -82,4 +82,4 @@ double StandingRoom::sight(Vec3 from, Vec3 direction, double limit) const {
   return way(tall_, from, direction, limit);
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

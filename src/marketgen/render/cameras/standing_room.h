@@ -7,11 +7,11 @@
 #include "navigation/occupancy.h"
 #include "scene/scene.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 class StandingRoom {
  public:
-  explicit StandingRoom(const Scene& scene);
+  explicit StandingRoom(const scene::Scene& scene);
 
   // Free floor of the shop's main area nearest to `point`; the point itself when there is none.
   Vec3 nearest(Vec3 point) const;
@@ -23,9 +23,9 @@ class StandingRoom {
 
  private:
   bool is_main(std::size_t cell) const;
-  OccupancyGrid floor_, tall_;
+  navigation::OccupancyGrid floor_, tall_;
   std::vector<int> label_;
   int main_ = 0;
 };
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

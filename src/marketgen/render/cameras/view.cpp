@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 View::View(const Camera& camera)
     : origin_(to_float(place_of(camera))),
       width_(camera.width),
@@ -63,4 +63,4 @@ Rays8 View::rays(Float8 x, Float8 y) const {
   return {all(origin_), normalized(all(forward_) + offset)};
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

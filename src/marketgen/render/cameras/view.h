@@ -6,7 +6,7 @@
 #include "render/cameras/camera.h"
 #include "render/tracing.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 class View {
  public:
@@ -45,4 +45,4 @@ class View {
   bool orthographic_;
 };
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -9,26 +9,26 @@
 #include "assets/product_model.h"
 #include "render/stage/room.h"
 
-namespace marketgen {
+namespace marketgen::render {
 namespace {
 
 std::string written(Vec3 p) {
   return fmt::format("({:.3f}, {:.3f}, {:.3f}) m", p.x, p.y, p.z);
 }
 
-bool is_in_room(const Shell& shell, Vec3 p) {
+bool is_in_room(const plan::Shell& shell, Vec3 p) {
   if (!(p.z >= 0 && p.z <= shell.ceiling_mm * 1e-3)) return false;
   if (std::fabs(p.x) > 1e4 || std::fabs(p.y) > 1e4)
     return false;  // beyond what fits in millimetres
   return contains(raytrace::room_of(shell).outline, raytrace::floor_mm(p));
 }
 
-bool is_in_part(const ScenePart& part, Vec3 fixture_point) {
-  const Vec3 p = inverse(fixture_from_part(part)) * fixture_point;
+bool is_in_part(const scene::ScenePart& part, Vec3 fixture_point) {
+  const Vec3 p = inverse(scene::fixture_from_part(part)) * fixture_point;
   const double x = part.half_size_m[0], y = part.half_size_m[1], z = part.half_size_m[2];
   if (std::fabs(p.z) > z) return false;
-  return part.shape == PartShape::cylinder ? std::hypot(p.x, p.y) <= x
-                                           : std::fabs(p.x) <= x && std::fabs(p.y) <= y;
+  return part.shape == assets::PartShape::cylinder ? std::hypot(p.x, p.y) <= x
+                                                   : std::fabs(p.x) <= x && std::fabs(p.y) <= y;
 }
 
 // +1 where the ray from `eye` leaves through the triangle, -1 where it enters, 0 past it.
@@ -58,30 +58,30 @@ bool is_in_mesh(const Mesh& mesh, Vec3 p) {
   return depth > 0;
 }
 
-Result<bool> is_in_product(const Scene& scene, const SceneProduct& item, Vec3 eye) {
-  const Product& product = scene.catalog[item.sku];
-  const Vec3 p = inverse(world_from_product(item)) * eye;
+Result<bool> is_in_product(const scene::Scene& scene, const scene::SceneProduct& item, Vec3 eye) {
+  const catalog::Product& product = scene.catalog[item.sku];
+  const Vec3 p = inverse(scene::world_from_product(item)) * eye;
   const double slack_m = 1e-3;  // meshes keep to their row's sizes within it
   if (p.z < -slack_m || p.z > product.height_m() + slack_m ||
       std::fabs(p.x) > product.width_m() / 2 + slack_m ||
       std::fabs(p.y) > product.depth_m() / 2 + slack_m)
     return false;
-  MARKETGEN_TRY(const ProductModel model, make_product_model(product));
+  MARKETGEN_TRY(const assets::ProductModel model, assets::make_product_model(product));
   return is_in_mesh(model.mesh, p);
 }
 
 // The name of what holds the eye.
-Result<std::optional<std::string>> holder_of(const Scene& scene, Vec3 eye) {
-  for (const Column& column : scene.layout.shell.columns) {
+Result<std::optional<std::string>> holder_of(const scene::Scene& scene, Vec3 eye) {
+  for (const plan::Column& column : scene.layout.shell.columns) {
     const double half = column.size_mm * 0.5e-3;
     if (std::fabs(eye.x - column.x_mm * 1e-3) <= half &&
         std::fabs(eye.y - column.y_mm * 1e-3) <= half)
       return std::optional(fmt::format("the column at {}, {} mm", column.x_mm, column.y_mm));
   }
   for (std::uint32_t i = 0; i < scene.fixtures.size(); ++i) {
-    const Vec3 p = inverse(world_from_fixture(scene, i)) * eye;
+    const Vec3 p = inverse(scene::world_from_fixture(scene, i)) * eye;
     for (std::uint32_t k = 0; k < scene.fixtures[i].part_count; ++k) {
-      const ScenePart& part = scene.parts[scene.fixtures[i].first_part + k];
+      const scene::ScenePart& part = scene.parts[scene.fixtures[i].first_part + k];
       if (is_in_part(part, p))
         return std::optional(
             fmt::format("the {} of \"{}\"", name_of(part.unit), scene.layout.fixtures[i].id));
@@ -89,16 +89,19 @@ Result<std::optional<std::string>> holder_of(const Scene& scene, Vec3 eye) {
   }
   for (std::uint32_t i = 0; i < scene.products.size(); ++i) {
     MARKETGEN_TRY(const bool inside, is_in_product(scene, scene.products[i], eye));
-    if (inside) return std::optional(fmt::format("the product \"{}\"", product_id(scene, i)));
+    if (inside)
+      return std::optional(fmt::format("the product \"{}\"", scene::product_id(scene, i)));
   }
   return std::optional<std::string>{};
 }
 
 }  // namespace
 
-Result<void> check_viewpoint(const Scene& scene, const Camera& camera, const std::string& where) {
+Result<void> check_viewpoint(const scene::Scene& scene,
+                             const Camera& camera,
+                             const std::string& where) {
   if (camera.ortho_height_m > 0) return {};
-  const Shell& shell = scene.layout.shell;
+  const plan::Shell& shell = scene.layout.shell;
   const Vec3 eye = place_of(camera);
   if (!is_in_room(shell, eye)) {
     return Error{
@@ -120,4 +123,4 @@ Result<void> check_viewpoint(const Scene& scene, const Camera& camera, const std
       fmt::format("it stands at {}, inside {}; move it out of there", written(eye), *holder)};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::render

@@ -7,7 +7,7 @@
 #include "render/shading_math.h"
 #include "render/stage/room.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 constexpr float lookup_lift_m = 0.03F;  // probes are asked a little above the surface
@@ -33,7 +33,7 @@ Vec3f AmbientCube::irradiance(Vec3f n) const {
 
 IrradianceField::IrradianceField(const World& world,
                                  const LightGrid& lights,
-                                 const Scene& scene,
+                                 const scene::Scene& scene,
                                  bool keep) {
   place_room(world);
   place_shelves(scene);
@@ -71,13 +71,13 @@ void IrradianceField::place_room(const World& world) {
   }
 }
 
-void IrradianceField::place_shelves(const Scene& scene) {
-  for (const SceneFixture& fixture : scene.fixtures)
+void IrradianceField::place_shelves(const scene::Scene& scene) {
+  for (const scene::SceneFixture& fixture : scene.fixtures)
     shelves_of_fixture_.push_back({fixture.first_shelf, fixture.shelf_count});
   for (std::uint32_t i = 0; i < scene.shelves.size(); ++i) {
-    const SceneShelf& row = scene.shelves[i];
+    const scene::SceneShelf& row = scene.shelves[i];
     Shelf shelf;
-    shelf.world_from_shelf = placement_of(world_from_shelf(scene, i));
+    shelf.world_from_shelf = placement_of(scene::world_from_shelf(scene, i));
     shelf.size = {row.width_m, row.depth_m, std::max(row.clearance_m, 0.05F)};
     shelf.first = static_cast<std::uint32_t>(positions_.size());
     shelf.columns = std::max(2, static_cast<int>(std::lround(row.width_m / along_spacing_m)) + 1);
@@ -249,4 +249,4 @@ float IrradianceField::tilt(const Place& place, Vec3f facing, Vec3f tilted) cons
   return flat > 0 ? luminance(gathered(light_.probes, corners, Float4(tilted)).xyz()) / flat : 1;
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

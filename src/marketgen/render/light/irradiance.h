@@ -15,7 +15,7 @@
 #include "render/tracing.h"
 #include "scene/scene.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 // Irradiance on a surface facing +x, -x, +y, -y, +z, -z.
 struct AmbientCube {
@@ -50,7 +50,7 @@ class IrradianceField {
   // bake left it, and left there; see light_cache.h.
   IrradianceField(const World& world,
                   const LightGrid& lights,
-                  const Scene& scene,
+                  const scene::Scene& scene,
                   bool keep = false);
 
   // Irradiance on something at `place` that faces `facing`; over pi it is the mean radiance from
@@ -92,7 +92,7 @@ class IrradianceField {
     Float8 weight;
   };
   void place_room(const World& world);
-  void place_shelves(const Scene& scene);
+  void place_shelves(const scene::Scene& scene);
   void bake(const World& world, const LightGrid& lights, const PolygonMm& outline);
   void fill_invalid(std::vector<AmbientCube>& probes) const;
   void fill_room(std::vector<AmbientCube>& probes) const;
@@ -117,4 +117,4 @@ class IrradianceField {
   std::array<int, 3> size_{2, 2, 2};
 };
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

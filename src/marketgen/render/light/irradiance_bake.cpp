@@ -8,7 +8,7 @@
 #include "render/shading_math.h"
 #include "render/stage/room.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 constexpr int rays_per_probe = 48;  // a multiple of packet_size
@@ -317,4 +317,4 @@ float IrradianceField::mean_of_floor() const {
   return count > 0 ? sum / count : 0;
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

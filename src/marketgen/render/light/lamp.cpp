@@ -6,7 +6,7 @@
 #include "base/parallel.h"
 #include "render/shading_math.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 constexpr float strip_lumens_per_m = 420;    // LED strips of retail coolers: 350-550 lm/m
@@ -124,4 +124,4 @@ void switch_on_lamps(World& world) {
   }
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

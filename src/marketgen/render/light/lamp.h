@@ -2,7 +2,7 @@
 #pragma once
 #include "render/stage/world.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 // Adds a glowing box to `mesh`, each face a light of its own. The material's emission holds the
 // colour, 0..1, until `switch_on` replaces it by radiance.
@@ -19,4 +19,4 @@ float lamp_radiance(float length_m, float area_m2);
 // radiance of an LED strip of that length, and lists the lights of all instances in World::lights.
 void switch_on_lamps(World& world);
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -16,7 +16,7 @@
 #include "render/art_fingerprint.h"
 #include "render/render_fingerprint.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 namespace fs = std::filesystem;
@@ -59,7 +59,7 @@ void add_instance(Hasher& hasher, const Instance& i) {
 }
 
 fs::path light_folder() {
-  return cache_folder() / "light";
+  return io::cache_folder() / "light";
 }
 
 fs::path file_of(const std::string& key) {
@@ -108,14 +108,14 @@ std::string light_key(const World& world, std::span<const Vec3f> probe_positions
 std::optional<BakedLight> kept_light(const std::string& key, std::size_t probes) {
   if (key.empty()) return std::nullopt;
   const fs::path file = file_of(key);
-  const std::optional<std::string> content = kept_entry(file, light_kind);
+  const std::optional<std::string> content = io::kept_entry(file, light_kind);
   if (!content) return std::nullopt;
   LightHeader header;
   const std::size_t part = probes * sizeof(PackedCube);
   const bool fits = content->size() == sizeof(header) + 2 * part;
   if (fits) std::memcpy(&header, content->data(), sizeof(header));
   if (!fits || header.probes != probes) {
-    drop_entry(file, "is of another store");
+    io::drop_entry(file, "is of another store");
     return std::nullopt;
   }
   const std::string_view payload = std::string_view(*content).substr(sizeof(header));
@@ -132,8 +132,8 @@ void keep_light(const std::string& key, const BakedLight& light) {
   const LightHeader header{light.probes.size(), light.mean, light.floor_mean};
   std::string content(reinterpret_cast<const char*>(&header), sizeof(header));
   content.append(payload_of(light.probes)).append(payload_of(light.without_panels));
-  (void)keep_entry(file_of(key), light_kind, content).ok();
+  (void)io::keep_entry(file_of(key), light_kind, content).ok();
   leave_newest(light_folder(), max_files);
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -11,7 +11,7 @@
 
 #include "render/light/irradiance.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 // Over everything that decides the baked light: the world's shapes, materials, textures and lamps,
 // where the probes are, and the sources that bake.
@@ -21,4 +21,4 @@ std::string light_key(const World& world, std::span<const Vec3f> probe_positions
 std::optional<BakedLight> kept_light(const std::string& key, std::size_t probes);
 void keep_light(const std::string& key, const BakedLight& light);
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -6,7 +6,7 @@
 #include "base/parallel.h"
 #include "render/shading_math.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 constexpr std::size_t max_choices = 40;  // per cell; in a store the rest add up to a few percent
@@ -138,4 +138,4 @@ float LightGrid::pdf(Vec3f point, std::int32_t light, Vec3f direction, float dis
   return 0;
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

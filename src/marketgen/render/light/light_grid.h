@@ -11,7 +11,7 @@
 
 #include "render/stage/world.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 struct LightChoice {
   std::uint32_t light = 0;
@@ -49,4 +49,4 @@ class LightGrid {
   std::vector<std::uint32_t> first_;  // of each cell in choices_, one past the last at the end
 };
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -6,7 +6,7 @@
 
 #include "render/shading_math.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 constexpr float texel_m = 0.05F;
@@ -166,4 +166,4 @@ PanelReflection::Seen PanelReflection::at(const Points& points) const {
   return seen;
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -10,7 +10,7 @@
 
 #include "render/tracing.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 class PanelReflection {
  public:
@@ -44,4 +44,4 @@ class PanelReflection {
   Vec3f radiance_;
 };
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -2,7 +2,7 @@
 
 #include "render/shading_math.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 Vec3f stored_radiance(const Lighting& lighting,
                       const Surface& surface,
                       Vec3f direction,
@@ -17,4 +17,4 @@ Vec3f stored_radiance(const Lighting& lighting,
   return radiance;
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -4,7 +4,7 @@
 #include "render/light/light_grid.h"
 #include "render/light/panel_reflection.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 // What lighting reads.
 struct Lighting {
@@ -21,4 +21,4 @@ Vec3f stored_radiance(const Lighting& lighting,
                       Vec3f direction,
                       Lamps lamps);
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -7,7 +7,7 @@
 #include "base/parallel.h"
 #include "render/shading_math.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 constexpr int tap_reach = 2;                                           // 5 x 5 taps
@@ -318,4 +318,4 @@ void denoise(PathFilm& film, const PictureGuides& guides) {
   LayerFilter(film, guides, gloss_settings).run(film.gloss, film.gloss_variance);
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

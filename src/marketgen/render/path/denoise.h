@@ -6,10 +6,10 @@
 #pragma once
 #include "render/path/path_film.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 // Smooths the film's irradiance and gloss in place. `guides` are of the same size. Deterministic
 // for any thread count; about 1 s a megapixel on two cores.
 void denoise(PathFilm& film, const PictureGuides& guides);
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -6,7 +6,7 @@
 
 #include "geometry/vector.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 struct Float4 {
   __m128 m = _mm_setzero_ps();
@@ -52,4 +52,4 @@ inline Float4 mirrored(Float4 d, Float4 n) {
   return d - n * (2 * dot(d, n));
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -5,7 +5,7 @@
 
 #include "render/path/scattering.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 constexpr float sheet_index = 1.5F;
@@ -82,4 +82,4 @@ Vec3f light_through(const World& world, const Ray& ray) {
           left(context.passed.z, context.optical_depth.z)};
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

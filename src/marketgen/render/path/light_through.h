@@ -4,10 +4,10 @@
 #pragma once
 #include "render/tracing.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 // Share of each colour that passes between near and far of `ray`. A ray that starts inside a clear
 // pack is dimmed by what it crosses there. Thread-safe.
 Vec3f light_through(const World& world, const Ray& ray);
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -11,7 +11,7 @@
 #include "base/parallel.h"
 #include "io/installation.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 namespace fs = std::filesystem;
@@ -155,7 +155,7 @@ std::optional<fs::path> neural_denoiser_library() {
     if (*named == '\0') return std::nullopt;
     return fs::path(named);
   }
-  for (const fs::path& packages : site_packages()) {
+  for (const fs::path& packages : io::site_packages()) {
     const fs::path library = packages / "pyoidn/oidn/lib" / library_name;
     if (fs::exists(library, ignored)) return library;
   }
@@ -178,4 +178,4 @@ Result<ColorPlanes> neural_denoise(const fs::path& library,
   return radiance;
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -8,7 +8,7 @@
 #include "base/result.h"
 #include "render/path/path_film.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 // libOpenImageDenoise.so.2: the file $MARKETGEN_OIDN (nowhere when that is empty), else in the
 // `pyoidn` package of the environment this is installed into, or of the source tree's .venv.
@@ -23,4 +23,4 @@ Result<ColorPlanes> neural_denoise(const std::filesystem::path& library,
                                    const PictureGuides& guides,
                                    float exposure);
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -11,7 +11,7 @@
 #include "render/shading_math.h"
 #include "render/stage/clear_pack.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 constexpr int max_bounces = 12, max_crossings = 24;
@@ -323,4 +323,4 @@ PathLight trace_path(const PathScene& scene,
   return PathTracer(scene, view, settings, numbers).run(ray, first);
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -13,7 +13,7 @@
 #include "render/light/light_grid.h"
 #include "render/tracing.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 // What paths read.
 struct PathScene {
@@ -51,4 +51,4 @@ PathLight trace_path(const PathScene& scene,
                      const Ray& ray,
                      const Hit& first);
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

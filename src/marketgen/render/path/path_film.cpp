@@ -4,7 +4,7 @@
 
 #include "render/shading_math.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 constexpr float min_albedo = 2e-3F;  // darker surfaces have no irradiance to speak of
@@ -61,4 +61,4 @@ PathFilm::PathFilm(int w, int h, const std::vector<PathSums>& sums, int paths)
   }
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

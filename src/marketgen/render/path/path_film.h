@@ -7,7 +7,7 @@
 
 #include "render/path/path.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 using FloatPlane = std::vector<float>;
 
@@ -60,4 +60,4 @@ struct PathFilm {
   }
 };
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -12,7 +12,7 @@
 #include "geometry/vector.h"
 #include "render/shading_math.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 class PathNumbers {
  public:
@@ -73,4 +73,4 @@ class PathNumbers {
   std::uint32_t seed_, number_, decision_ = 0;
 };
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

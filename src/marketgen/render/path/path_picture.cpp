@@ -12,7 +12,7 @@
 #include "render/path/neural_denoise.h"
 #include "render/tone.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 constexpr int eye_block = 4;       // pixels a side that share a packet of eye rays
@@ -160,7 +160,7 @@ Result<std::optional<std::filesystem::path>> library_for(Denoiser denoiser) {
   if (library || denoiser == Denoiser::automatic) return library;
   return Error{"usage.unavailable",
                "--denoise neural",
-               "no Open Image Denoise here; run: " + worker_python() +
+               "no Open Image Denoise here; run: " + io::worker_python() +
                    " -m pip install pyoidn; or name libOpenImageDenoise.so.2 in MARKETGEN_OIDN, or "
                    "take --denoise own"};
 }
@@ -232,4 +232,4 @@ Result<Frame> path_picture(const PathScene& scene,
   return frame_of(radiance, view, exposure);
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

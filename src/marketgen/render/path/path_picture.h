@@ -4,7 +4,7 @@
 #include "render/path/path.h"
 #include "render/render.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 // The picture that `view` sees. Reports one stage "paths"; looks for interrupts after every tile.
 // options.time_s ends the work between passes. Errors: internal.interrupted; usage.unavailable
@@ -22,4 +22,4 @@ struct PathEffort {
 };
 PathEffort path_effort(Quality quality);
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 constexpr float smoothest_alpha = 3e-3F;
@@ -218,4 +218,4 @@ std::optional<Vec3f> refracted(Vec3f direction, Vec3f normal, float eta) {
   return normalized(direction / eta + normal * (c / eta - std::sqrt(beyond2)));
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

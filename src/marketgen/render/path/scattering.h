@@ -13,7 +13,7 @@
 #include "geometry/vector.h"
 #include "render/shading_math.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 struct Finish {
   Vec3f color;  // diffuse colour, or the metal's
@@ -75,4 +75,4 @@ float sheet_reflectance(float cos_theta, float index);
 // internal reflection.
 std::optional<Vec3f> refracted(Vec3f direction, Vec3f normal, float eta);
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -9,7 +9,7 @@
 #include "base/seed.h"
 #include "render/cameras/view.h"
 
-namespace marketgen {
+namespace marketgen::render {
 namespace {
 
 // IEC 61966-2-1.
@@ -22,7 +22,7 @@ std::uint8_t srgb_code(double linear) {
 std::array<double, 256> linear_of_codes() {
   std::array<double, 256> table{};
   for (std::size_t code = 0; code < table.size(); ++code)
-    table[code] = static_cast<double>(linear_from_srgb(static_cast<std::uint8_t>(code)));
+    table[code] = static_cast<double>(assets::linear_from_srgb(static_cast<std::uint8_t>(code)));
   return table;
 }
 
@@ -54,4 +54,4 @@ Image noisy_color(const Image& picture,
   return result;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::render

@@ -7,7 +7,7 @@
 #include "render/cameras/camera.h"
 #include "render/sensor/sensor_noise.h"
 
-namespace marketgen {
+namespace marketgen::render {
 
 // Electrons of a pixel at white are Poisson (here: normal of that variance), the amplifier adds its
 // own. Sources: EMVA Standard 1288, release 4.0, section 2; the numbers are our assumption for
@@ -24,4 +24,4 @@ Image noisy_color(const Image& picture,
                   const ColorSensor& sensor,
                   const NoiseSource& source);
 
-}  // namespace marketgen
+}  // namespace marketgen::render

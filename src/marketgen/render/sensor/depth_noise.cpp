@@ -7,7 +7,7 @@
 #include "base/seed.h"
 #include "render/cameras/view.h"
 
-namespace marketgen {
+namespace marketgen::render {
 namespace {
 
 constexpr double edge_step_px = 0.5;  // of disparity between neighbours: an edge of something
@@ -239,4 +239,4 @@ Result<std::vector<float>> noisy_depth(const Frame& frame,
   return depth_m;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::render

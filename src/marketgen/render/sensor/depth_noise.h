@@ -29,7 +29,7 @@
 #include "render/render.h"
 #include "render/sensor/sensor_noise.h"
 
-namespace marketgen {
+namespace marketgen::render {
 
 struct StereoCamera {
   double baseline_m = 0.050;
@@ -58,4 +58,4 @@ Result<std::vector<float>> noisy_depth(const Frame& frame,
                                        const StereoCamera& stereo,
                                        const NoiseSource& source);
 
-}  // namespace marketgen
+}  // namespace marketgen::render

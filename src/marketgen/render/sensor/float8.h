@@ -18,7 +18,7 @@
 
 #include "geometry/vector.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 constexpr std::size_t lane_count = 8;
 
@@ -213,4 +213,4 @@ inline Rows8 side_by_side(const std::array<const void*, lane_count>& rows) {
   return columns;
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

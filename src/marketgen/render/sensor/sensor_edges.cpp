@@ -9,7 +9,7 @@
 #include "render/shading_math.h"
 #include "render/tone.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 constexpr std::size_t max_samples = 8;
@@ -377,4 +377,4 @@ void resolve_strip(const Lighting& lighting,
   StripResolver(lighting, view, effort, planes, index * sensor_strip_rows).run(rgb);
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -8,7 +8,7 @@
 
 #include "render/sensor/sensor_shading.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 // What is kept of the shaded tiles of one picture, row by row. Rows are as long as whole tiles.
 struct SensorPlanes {
@@ -43,4 +43,4 @@ void resolve_strip(const Lighting& lighting,
                    int index,
                    std::uint8_t* rgb);
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -3,11 +3,11 @@
 #pragma once
 #include <cstdint>
 
-namespace marketgen {
+namespace marketgen::render {
 
 struct NoiseSource {
   std::uint64_t seed = 1;
   std::uint64_t frame = 0;  // number of the picture in its sequence
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::render

@@ -9,7 +9,7 @@
 #include "render/ray_queue.h"
 #include "render/stage/clear_pack.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 constexpr int max_pack_crossings = 8;  // of walls, all packs together
@@ -181,4 +181,4 @@ void look_through_packs(const World& world,
   if (tile.wall_count > 0) PackLooker(world, view, detail, tile).run();
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

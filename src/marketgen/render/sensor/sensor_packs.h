@@ -6,7 +6,7 @@
 #pragma once
 #include "render/sensor/sensor_tile.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 // Replaces what the pixels of tile.walls show by what lies behind, with the colour that is left.
 // Precondition: trace_tile(), and the tile's geometry is written: it is lost here.
@@ -15,4 +15,4 @@ void look_through_packs(const World& world,
                         const SensorDetail& detail,
                         SensorTile& tile);
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

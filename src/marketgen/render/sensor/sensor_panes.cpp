@@ -6,7 +6,7 @@
 #include "render/ray_queue.h"
 #include "render/shading_math.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 constexpr float let_in_share = 0.7F;  // of the light before a clear pack, behind it
@@ -163,4 +163,4 @@ Vec3f light_let_in(const Lighting& lighting,
          wall.transmittance * let_in_share;
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

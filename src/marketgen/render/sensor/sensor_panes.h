@@ -2,7 +2,7 @@
 #pragma once
 #include "render/sensor/sensor_shading.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 // A dimmer highlight of a ceiling panel, as a share of white, needs no shadow ray. Those rays end
 // so far before the ceiling.
@@ -23,4 +23,4 @@ Vec3f light_let_in(const Lighting& lighting,
                    Vec3f normal,
                    Vec3f behind);
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

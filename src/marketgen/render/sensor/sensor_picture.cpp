@@ -11,7 +11,7 @@
 #include "render/sensor/sensor_packs.h"
 #include "render/tone.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 // A tile, or a strip of rows, of one of the shots.
@@ -166,4 +166,4 @@ void take_pictures(std::span<const SensorShot> shots,
   progress.end();
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

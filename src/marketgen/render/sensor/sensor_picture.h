@@ -10,7 +10,7 @@
 #include "render/render.h"
 #include "render/sensor/sensor_shading.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 // One camera's picture to make. What `lighting` refers to must not change meanwhile.
 struct SensorShot {
@@ -27,4 +27,4 @@ void take_pictures(std::span<const SensorShot> shots,
                    const SensorEffort& effort,
                    Progress& progress);
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -9,7 +9,7 @@
 #include "render/sensor/sensor_window.h"
 #include "render/shading_math.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 constexpr float polished_below = 0.45F;   // roughness of floors that get mirror rays
@@ -490,4 +490,4 @@ Vec8 radiance_of(const World& world, const SensorTile& tile, std::size_t group) 
   return radiance;
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -7,7 +7,7 @@
 #include "render/light/stored_light.h"
 #include "render/sensor/sensor_tile.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 // What a picture is made with beside its first hits.
 struct SensorEffort {
@@ -33,4 +33,4 @@ Vec8 lit_radiance(const Surface8& surfaces,
                   const Vec8& irradiance,
                   const Vec8& gloss);
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

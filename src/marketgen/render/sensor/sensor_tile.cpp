@@ -5,7 +5,7 @@
 #include "render/ray_queue.h"
 #include "render/shading_math.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 constexpr int max_panes_deep = 4;  // seen through one another
@@ -216,4 +216,4 @@ void trace_tile(
   TileTracer(world, view, detail, tile).run();
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

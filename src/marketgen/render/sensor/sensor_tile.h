@@ -11,7 +11,7 @@
 #include "render/cameras/view.h"
 #include "render/sensor/surface8.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 constexpr int sensor_tile_side = 16;
 constexpr std::size_t sensor_tile_pixels = sensor_tile_side * sensor_tile_side;
@@ -117,4 +117,4 @@ inline int sensor_tiles_down(const View& view) {
   return (view.height() + sensor_tile_side - 1) / sensor_tile_side;
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

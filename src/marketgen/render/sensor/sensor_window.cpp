@@ -2,7 +2,7 @@
 
 #include <bit>
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 constexpr float window_plane_m = 0.006F, window_plane_per_m = 0.004F, window_facing = 0.85F;
@@ -52,4 +52,4 @@ float TileWindows::open_share(std::size_t i,
   return count > 0 ? static_cast<float>(open) / static_cast<float>(count) : 1;
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -9,7 +9,7 @@
 
 #include "render/sensor/sensor_tile.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 // One number in [0, 1) for each pixel of a 4 x 4 block, two ways: each 2 x 2 quarter is stratified
 // by itself (bit-reversed order, and the same turned).
@@ -107,4 +107,4 @@ class TileWindows {
   alignas(32) Numbers depth_;
 };
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -6,7 +6,7 @@
 #include "render/sensor/texture8.h"
 #include "render/shading_math.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 // Numbers of four bytes of one row for each lane, in the order in which the row has them.
@@ -316,4 +316,4 @@ void fetch_surfaces(const World& world, const RTCRayHit16& packet) {
   }
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -3,7 +3,7 @@
 #include "render/sensor/float8.h"
 #include "render/tracing.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 // Lanes that met nothing have t = u = v = 0.
 struct Hits8 {
@@ -44,4 +44,4 @@ void see_surfaces(const World& world,
 // Brings what see_surfaces() will read nearer. Only a matter of speed.
 void fetch_surfaces(const World& world, const RTCRayHit16& packet);
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 using MipLevels = std::vector<MipChain::Level>;
@@ -199,4 +199,4 @@ std::array<Float8, 4> filtered(const TexelPoints& points) {
   return c;
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

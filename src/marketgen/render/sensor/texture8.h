@@ -6,7 +6,7 @@
 #include "render/sensor/float8.h"
 #include "render/stage/texture.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 // One point each; lanes that are not asked for have any texture that is there. None is empty.
 struct TexturePoints {
@@ -24,4 +24,4 @@ struct TexelPoints {
 };
 std::array<Float8, 4> filtered(const TexelPoints& points);
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

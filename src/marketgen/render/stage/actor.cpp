@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace marketgen {
+namespace marketgen::render {
 namespace {
 
 constexpr double unit_slack = 1e-6;
@@ -68,4 +68,4 @@ Result<void> check_actor(const Actor& actor) {
   return {};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::render

@@ -12,7 +12,7 @@
 #include "geometry/mesh.h"
 #include "geometry/pose.h"
 
-namespace marketgen {
+namespace marketgen::render {
 
 struct ActorSurface {
   Vec3f color{0.8F, 0.8F, 0.8F};  // linear RGB, 0..1
@@ -37,4 +37,4 @@ struct Actor {
 Result<void> check_actor(const Actor& actor);
 Result<void> check_body_pose(const Pose& world_from_body, const std::string& where);
 
-}  // namespace marketgen
+}  // namespace marketgen::render

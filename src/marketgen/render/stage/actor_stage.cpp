@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 constexpr std::size_t max_materials = 65'535;
@@ -140,4 +140,4 @@ std::int32_t ActorStage::add_body(const ActorBody& body, std::uint32_t id) {
   return static_cast<std::int32_t>(world_.instances.size()) - 1;
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

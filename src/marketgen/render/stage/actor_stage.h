@@ -11,7 +11,7 @@
 #include "render/stage/actor.h"
 #include "render/stage/world.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 // An instance of the store that stands elsewhere now.
 struct Displaced {
@@ -54,4 +54,4 @@ class ActorStage {
   std::size_t first_displaced_ = 0;  // row of displaced_[0]'s copy
 };
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -7,7 +7,7 @@
 
 #include "base/result.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 constexpr int block_side = 4;
@@ -175,4 +175,4 @@ __m128 BlockMips::sample_level(float u, float v, float lod) const {
   });
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -8,7 +8,7 @@
 
 #include "render/stage/mip_chain.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 class BlockMips {
  public:
@@ -36,4 +36,4 @@ class BlockMips {
   std::vector<std::uint64_t> blocks_;
 };
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

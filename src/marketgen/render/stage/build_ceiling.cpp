@@ -6,7 +6,7 @@
 #include "assets/print/color.h"
 #include "render/shading_math.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 constexpr float tile_m = 0.6F;     // of ceiling grids; services sit in the middle of a tile
@@ -156,8 +156,8 @@ CeilingBuilder::CeilingBuilder(Draft& draft, const Room& room) : room_(room), ma
   materials_[dome] = draft.material({.color = {0.02F, 0.02F, 0.022F}, .roughness = 0.08F});
   materials_[duct] =
       draft.material({.color = {0.60F, 0.61F, 0.62F}, .roughness = 0.42F, .metallic = 1});
-  if (const MaterialRow* row = draft.row(draft.scene().layout.look.ceiling)) {
-    const Result<Vec3f> color = linear_from_hex(row->color);
+  if (const catalog::MaterialRow* row = draft.row(draft.scene().layout.look.ceiling)) {
+    const Result<Vec3f> color = assets::linear_from_hex(row->color);
     open_ = color.ok() && luminance(*color) < darkest_closed;
   }
 }
@@ -220,4 +220,4 @@ void CeilingBuilder::build(Draft& draft) const {
   append(world.ceiling, world.shell_glass, mesh, materials_, world, {1, -1});
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

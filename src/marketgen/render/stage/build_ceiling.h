@@ -6,7 +6,7 @@
 #include "render/stage/draft.h"
 #include "render/stage/room.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 class CeilingBuilder {
  public:
@@ -24,4 +24,4 @@ class CeilingBuilder {
   bool open_ = false;                     // dark: one sees past the ducts into nothing
 };
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -7,7 +7,7 @@
 #include "assets/print/poster.h"
 #include "render/picture_objects.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 // On walls: above what is low, below the band with the zones' names.
@@ -44,14 +44,14 @@ std::vector<WallSpan> free_spans(float length, std::vector<WallSpan> taken) {
 }
 
 // The parts of a wall that openings or high fixtures take.
-std::vector<WallSpan> taken_spans(const Layout& layout, const WallEdge& edge) {
+std::vector<WallSpan> taken_spans(const layout::Layout& layout, const WallEdge& edge) {
   std::vector<WallSpan> taken;
   for (const WallOpening& o : edge.openings)
     taken.push_back({o.low - beside_opening_m, o.high + beside_opening_m});
-  for (const Fixture& fixture : layout.fixtures) {
+  for (const layout::Fixture& fixture : layout.fixtures) {
     if (static_cast<float>(fixture.height_mm) * 1e-3F < poster_foot_m - 0.1F) continue;
     WallSpan along{1e9F, -1e9F}, off = along;
-    for (const PointMm& p : polygon_of(footprint_of(fixture))) {
+    for (const PointMm& p : polygon_of(layout::footprint_of(fixture))) {
       const Vec3f q = edge.world_from_wall.to_local(
           {static_cast<float>(p[0]) * 1e-3F, static_cast<float>(p[1]) * 1e-3F, 0});
       along = {std::min(along.low, q.x), std::max(along.high, q.x)};
@@ -64,8 +64,8 @@ std::vector<WallSpan> taken_spans(const Layout& layout, const WallEdge& edge) {
 }
 
 // Type of the zone in which a place lies, empty where there is none.
-std::string zone_type_at(const Layout& layout, Vec3f place) {
-  for (const LayoutZone& zone : layout.zones) {
+std::string zone_type_at(const layout::Layout& layout, Vec3f place) {
+  for (const layout::LayoutZone& zone : layout.zones) {
     if (contains(zone.polygon_mm, floor_mm(place))) return zone.type;
   }
   return {};
@@ -76,8 +76,8 @@ struct ShelfEnd {
   Vec3f out, foot;
   RectMm before;  // the floor one would look at it from
 };
-std::array<ShelfEnd, 2> ends_of(const Fixture& fixture) {
-  const RectMm r = footprint_of(fixture);
+std::array<ShelfEnd, 2> ends_of(const layout::Fixture& fixture) {
+  const RectMm r = layout::footprint_of(fixture);
   const bool along_x = fixture.yaw_deg % 180 == 0;
   const Vec3f middle{metres(r.x0 + r.x1) / 2, metres(r.y0 + r.y1) / 2, 0};
   if (along_x) {
@@ -89,10 +89,11 @@ std::array<ShelfEnd, 2> ends_of(const Fixture& fixture) {
           {{0, 1, 0}, {middle.x, metres(r.y1), 0}, {r.x0, r.y1, r.x1, r.y1 + end_free_mm}}};
 }
 
-bool is_free(const Layout& layout, const RectMm& floor) {
-  return std::none_of(layout.fixtures.begin(), layout.fixtures.end(), [&](const Fixture& other) {
-    return overlap(footprint_of(other), floor);
-  });
+bool is_free(const layout::Layout& layout, const RectMm& floor) {
+  return std::none_of(
+      layout.fixtures.begin(), layout.fixtures.end(), [&](const layout::Fixture& other) {
+        return overlap(layout::footprint_of(other), floor);
+      });
 }
 
 }  // namespace
@@ -108,17 +109,17 @@ DecorBuilder::DecorBuilder(Draft& draft, const Room& room) : room_(room) {
 
 // Every place takes the next poster of its zone in the next design.
 void DecorBuilder::hang(Draft& draft, Sheet sheet, const std::string& zone_type) {
-  const std::vector<const Poster*> choice = posters_for(zone_type);
+  const std::vector<const assets::Poster*> choice = assets::posters_for(zone_type);
   const auto turn = static_cast<unsigned>(sheets_.size());
   const std::string own = choice.front()->zone_type.empty() ? "" : zone_type;
-  const Poster& poster = *choice[hung_[own]++ % choice.size()];
+  const assets::Poster& poster = *choice[hung_[own]++ % choice.size()];
   const std::string accent = draft.scene().layout.look.accent;
   const int px = draft.print() == PrintDetail::near ? near_poster_px : near_poster_px / 3;
   const std::string content = "poster " + std::to_string(px) + " " + std::to_string(turn % 3) +
                               " " + accent + " " + std::string(poster.headline);
-  const auto draw = [poster, accent, turn, px]() -> Result<PrintedPicture> {
-    MARKETGEN_TRY(Image picture, draw_poster(poster, accent, turn, px));
-    return PrintedPicture{std::move(picture), std::nullopt};
+  const auto draw = [poster, accent, turn, px]() -> Result<assets::PrintedPicture> {
+    MARKETGEN_TRY(Image picture, assets::draw_poster(poster, accent, turn, px));
+    return assets::PrintedPicture{std::move(picture), std::nullopt};
   };
   sheet.material = draft.material(
       {.color = {1, 1, 1}, .roughness = 0.45F, .texture = draft.print_texture(content, draw)});
@@ -126,11 +127,11 @@ void DecorBuilder::hang(Draft& draft, Sheet sheet, const std::string& zone_type)
 }
 
 void DecorBuilder::hang_on_walls(Draft& draft) {
-  const Layout& layout = draft.scene().layout;
+  const layout::Layout& layout = draft.scene().layout;
   const float top = std::min(poster_top_m, room_.ceiling - poster_from_ceiling_m);
   const float height = top - poster_foot_m;
   if (height < 0.6F) return;
-  const float width = height * static_cast<float>(poster_aspect);
+  const float width = height * static_cast<float>(assets::poster_aspect);
   for (const WallEdge& edge : room_.walls) {
     for (const WallSpan& span : free_spans(edge.length, taken_spans(layout, edge))) {
       const float free = span.high - span.low;
@@ -147,18 +148,18 @@ void DecorBuilder::hang_on_walls(Draft& draft) {
 }
 
 void DecorBuilder::hang_on_ends(Draft& draft) {
-  const Layout& layout = draft.scene().layout;
+  const layout::Layout& layout = draft.scene().layout;
   for (std::size_t i = 0; i < layout.fixtures.size(); ++i) {
-    const Fixture& fixture = layout.fixtures[i];
+    const layout::Fixture& fixture = layout.fixtures[i];
     const bool shelf = fixture.sides == 2 && fixture.endcap_of.empty();
     if (!shelf || fixture.height_mm < end_height_mm) continue;
-    const LayoutZone* zone = find_zone(layout, fixture.zone);
+    const layout::LayoutZone* zone = layout::find_zone(layout, fixture.zone);
     for (const ShelfEnd& end : ends_of(fixture)) {
       if (!is_free(layout, end.before)) continue;
       const float top = static_cast<float>(fixture.height_mm) * 1e-3F - end_margin_m;
       const float width = std::min(static_cast<float>(fixture.depth_mm) * 1e-3F * end_share,
-                                   (top - 0.25F) * static_cast<float>(poster_aspect));
-      const float foot = top - width / static_cast<float>(poster_aspect);
+                                   (top - 0.25F) * static_cast<float>(assets::poster_aspect));
+      const float foot = top - width / static_cast<float>(assets::poster_aspect);
       const Vec3f along{end.out.y, -end.out.x, 0};
       const Sheet sheet{{along, end.out, {0, 0, 1}, end.foot + Vec3f{0, 0, foot}},
                         width,
@@ -193,7 +194,8 @@ void DecorBuilder::add_mats(Draft& draft) const {
 void DecorBuilder::build(Draft& draft) const {
   World& world = draft.world();
   for (const Sheet& sheet : sheets_) {
-    const float half = sheet.width / 2, height = sheet.width / static_cast<float>(poster_aspect);
+    const float half = sheet.width / 2,
+                height = sheet.width / static_cast<float>(assets::poster_aspect);
     const float depth = sheet.framed ? picture_depth_m * 0.6F : sheet_lift_m;
     Mesh mesh;
     if (sheet.framed) {
@@ -213,4 +215,4 @@ void DecorBuilder::build(Draft& draft) const {
   add_mats(draft);
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

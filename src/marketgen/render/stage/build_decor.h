@@ -8,7 +8,7 @@
 #include "render/stage/draft.h"
 #include "render/stage/room.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 class DecorBuilder {
  public:
@@ -35,4 +35,4 @@ class DecorBuilder {
   std::uint16_t frame_ = 0, mat_ = 0, mat_edge_ = 0;
 };
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -5,7 +5,7 @@
 #include "geometry/mesh.h"
 #include "render/stage/draft.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 class FixtureBuilder {
  public:
@@ -29,13 +29,16 @@ class FixtureBuilder {
     std::vector<Lamp> lamps;   // of the fixed body
     std::uint32_t first_mesh = 0;
   };
-  static Shape make_shape(Draft& draft, const SceneFixture& fixture);
+  static Shape make_shape(Draft& draft, const scene::SceneFixture& fixture);
   static Body& body_of(Shape& shape, std::int32_t joint);
   static void add_lamps(Draft& draft, const Shape& shape, TracedMesh& mesh);
-  static void add_instances(World& world, const Scene& scene, std::size_t row, const Shape& shape);
+  static void add_instances(World& world,
+                            const scene::Scene& scene,
+                            std::size_t row,
+                            const Shape& shape);
 
   std::vector<Shape> shapes_;
   std::vector<std::uint32_t> shape_of_fixture_;
 };
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

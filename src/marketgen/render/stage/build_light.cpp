@@ -9,14 +9,14 @@
 #include "render/shading_math.h"
 #include "render/tone.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 // Of one fitting: what glows, how far apart along a row, how far below the ceiling.
 struct FittingSize {
   float length_m, width_m, pitch_m, below_ceiling_m;
 };
-constexpr std::array<FittingSize, names_of(LampFitting{}).size()> fitting_sizes{
+constexpr std::array<FittingSize, catalog::names_of(catalog::LampFitting{}).size()> fitting_sizes{
     FittingSize{1.2F, 0.3F, 2.4F, 0.015F}, {2.26F, 0.15F, 2.4F, 0.14F}, {0.22F, 0.22F, 1.8F, 0.9F}};
 constexpr float lowest_lamp_m = 2.6F;  // people, signs and open doors pass below
 constexpr float row_pitch_m = 2.8F;    // between rows where no aisle says otherwise
@@ -29,9 +29,9 @@ constexpr float daylight_reach = 0.7F;
 enum class RowAxis { x, y };
 
 // The direction of most gondolas; of the room's longer side when there are none.
-RowAxis row_axis(const Layout& layout) {
+RowAxis row_axis(const layout::Layout& layout) {
   double along_x = 0, along_y = 0;
-  for (const Fixture& f : layout.fixtures) {
+  for (const layout::Fixture& f : layout.fixtures) {
     if (f.sides == 2) (f.yaw_deg % 180 == 0 ? along_x : along_y) += f.width_mm;
   }
   if (along_x == along_y)
@@ -41,9 +41,9 @@ RowAxis row_axis(const Layout& layout) {
 
 // Places of panel rows across their axis: over aisles that run along it, then filled up to an even
 // spacing.
-std::vector<float> row_places(const Layout& layout, RowAxis axis, float low, float high) {
+std::vector<float> row_places(const layout::Layout& layout, RowAxis axis, float low, float high) {
   std::vector<float> places;
-  for (const Aisle& aisle : layout.aisles) {
+  for (const layout::Aisle& aisle : layout.aisles) {
     const RectMm box = bounds_of(aisle.polygon_mm);
     const int along = axis == RowAxis::x ? box.width() : box.depth(),
               across = axis == RowAxis::x ? box.depth() : box.width();
@@ -80,7 +80,7 @@ struct Panel {
   float half_x = 0, half_y = 0;
 };
 
-bool hangs_free(const Layout& layout, const Room& room, const Panel& panel) {
+bool hangs_free(const layout::Layout& layout, const Room& room, const Panel& panel) {
   const int x = static_cast<int>(std::lround(panel.x * 1000)),
             y = static_cast<int>(std::lround(panel.y * 1000));
   const int dx = static_cast<int>(panel.half_x * 1000) + 50,
@@ -90,12 +90,14 @@ bool hangs_free(const Layout& layout, const Room& room, const Panel& panel) {
     if (!contains(room.outline, corner)) return false;
   }
   return std::none_of(
-      layout.shell.columns.begin(), layout.shell.columns.end(), [&](const Column& c) {
-        return overlap({x - dx, y - dy, x + dx, y + dy}, footprint_of(c).grown(50));
+      layout.shell.columns.begin(), layout.shell.columns.end(), [&](const plan::Column& c) {
+        return overlap({x - dx, y - dy, x + dx, y + dy}, plan::footprint_of(c).grown(50));
       });
 }
 
-std::vector<Panel> place_panels(const Layout& layout, const Room& room, const FittingSize& size) {
+std::vector<Panel> place_panels(const layout::Layout& layout,
+                                const Room& room,
+                                const FittingSize& size) {
   const RectMm bounds = bounds_of(room.outline);
   const RowAxis axis = row_axis(layout);
   const bool along_x = axis == RowAxis::x;
@@ -146,7 +148,7 @@ Vec3f tint(double kelvin) {
   return color / luminance(color);
 }
 
-void add_daylight(World& world, const Room& room, const Look& look, float white) {
+void add_daylight(World& world, const Room& room, const plan::Look& look, float white) {
   world.surroundings.white = white;
   world.surroundings.daylight = static_cast<float>(look.daylight.value_or(1));
   world.surroundings.day_tint = tint(6500);
@@ -231,13 +233,13 @@ void add_pendant_body(Mesh& mesh, const Panel& p, float z, float ceiling) {
 }  // namespace
 
 LightBuilder::LightBuilder(Draft& draft) {
-  const Look& look = draft.scene().layout.look;
-  fitting_ = look.lamps.value_or(LampFitting::panel);
+  const plan::Look& look = draft.scene().layout.look;
+  fitting_ = look.lamps.value_or(catalog::LampFitting::panel);
   panel_ = draft.material({.color = {0, 0, 0}, .emission = {1, 1, 1}});
   Material body{.color = {0.75F, 0.75F, 0.75F}, .roughness = 0.5F};
-  if (fitting_ == LampFitting::line) body.color = {0.22F, 0.22F, 0.225F};
-  if (fitting_ == LampFitting::pendant) {
-    const Result<Vec3f> accent = linear_from_hex(look.accent);
+  if (fitting_ == catalog::LampFitting::line) body.color = {0.22F, 0.22F, 0.225F};
+  if (fitting_ == catalog::LampFitting::pendant) {
+    const Result<Vec3f> accent = assets::linear_from_hex(look.accent);
     if (accent.ok()) body.color = *accent;
     body.roughness = 0.3F;
   }
@@ -245,7 +247,7 @@ LightBuilder::LightBuilder(Draft& draft) {
   inside_ = draft.material({.color = {0.85F, 0.85F, 0.83F}, .roughness = 0.6F});
 }
 
-void LightBuilder::add_lamps(World& world, const Layout& layout, const Room& room) const {
+void LightBuilder::add_lamps(World& world, const layout::Layout& layout, const Room& room) const {
   const FittingSize& size = fitting_sizes[static_cast<std::size_t>(fitting_)];
   const float z = std::min(room.ceiling - fitting_sizes[0].below_ceiling_m,
                            std::max(lowest_lamp_m, room.ceiling - size.below_ceiling_m));
@@ -262,9 +264,9 @@ void LightBuilder::add_lamps(World& world, const Layout& layout, const Room& roo
            world,
            {1, static_cast<std::int32_t>(world.lights.size())});
     world.lights.push_back(make_area_light(corner, u, v, {1, 1, 1}));
-    if (fitting_ == LampFitting::line)
+    if (fitting_ == catalog::LampFitting::line)
       add_line_body(bodies, p, z, room.ceiling);
-    else if (fitting_ == LampFitting::pendant)
+    else if (fitting_ == catalog::LampFitting::pendant)
       add_pendant_body(bodies, p, z, room.ceiling);
     else
       add_panel_frame(bodies, p, z, room.ceiling);
@@ -274,7 +276,7 @@ void LightBuilder::add_lamps(World& world, const Layout& layout, const Room& roo
 
 void LightBuilder::build(Draft& draft, const Room& room) const {
   World& world = draft.world();
-  const Look& look = draft.scene().layout.look;
+  const plan::Look& look = draft.scene().layout.look;
   add_lamps(world, draft.scene().layout, room);
   const auto lux = static_cast<float>(look.light_lux);
   const float white = lux * inverse_pi;  // radiance of a white sheet on the floor
@@ -288,4 +290,4 @@ void LightBuilder::build(Draft& draft, const Room& room) const {
   add_daylight(world, room, look, white);
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -7,7 +7,7 @@
 #include "render/stage/draft.h"
 #include "render/stage/room.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 class LightBuilder {
  public:
@@ -16,10 +16,10 @@ class LightBuilder {
   void build(Draft& draft, const Room& room) const;
 
  private:
-  void add_lamps(World& world, const Layout& layout, const Room& room) const;
+  void add_lamps(World& world, const layout::Layout& layout, const Room& room) const;
 
-  LampFitting fitting_ = LampFitting::panel;
+  catalog::LampFitting fitting_ = catalog::LampFitting::panel;
   std::uint16_t panel_ = 0, body_ = 0, inside_ = 0;
 };
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

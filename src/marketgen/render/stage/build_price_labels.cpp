@@ -7,13 +7,13 @@
 #include "render/picture_objects.h"
 #include "render/stage/build_signage.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 // Heights in pixels: near, and a third of it from afar.
 constexpr int near_tag_px = 96, near_card_px = 222;
-constexpr auto card_width_m = static_cast<float>(promotion_card_width_mm * 1e-3);
-constexpr auto card_height_m = static_cast<float>(promotion_card_height_mm * 1e-3);
+constexpr auto card_width_m = static_cast<float>(assets::promotion_card_width_mm * 1e-3);
+constexpr auto card_height_m = static_cast<float>(assets::promotion_card_height_mm * 1e-3);
 constexpr float lift_m = 8e-4F;  // label stock before the rail
 // Where a rail's front usually is (assets/fixtures/units.h): 6 mm before the board, 38 mm down, 2
 // mm up.
@@ -24,17 +24,17 @@ struct RailFace {
 };
 
 // The front of the price rail that belongs to a shelf.
-RailFace rail_of(const Scene& scene, const SceneShelf& shelf) {
+RailFace rail_of(const scene::Scene& scene, const scene::SceneShelf& shelf) {
   const Placement fixture_from_shelf =
       placement_of(Pose{{shelf.position_m[0], shelf.position_m[1], shelf.position_m[2]},
                         {shelf.rotation_wxyz[0],
                          shelf.rotation_wxyz[1],
                          shelf.rotation_wxyz[2],
                          shelf.rotation_wxyz[3]}});
-  const SceneFixture& fixture = scene.fixtures[shelf.fixture];
+  const scene::SceneFixture& fixture = scene.fixtures[shelf.fixture];
   for (std::uint32_t i = fixture.first_part; i < fixture.first_part + fixture.part_count; ++i) {
-    const ScenePart& part = scene.parts[i];
-    if (part.unit != UnitKind::price_rail) continue;
+    const scene::ScenePart& part = scene.parts[i];
+    if (part.unit != assets::UnitKind::price_rail) continue;
     const Vec3f middle =
         fixture_from_shelf.to_local({part.position_m[0], part.position_m[1], part.position_m[2]});
     const bool before_this_shelf = std::fabs(middle.x) < shelf.width_m / 2 && middle.y > -0.06F &&
@@ -48,9 +48,9 @@ int pixels(int near_px, PrintDetail detail) {
   return detail == PrintDetail::near ? near_px : near_px / 3;
 }
 
-Result<PrintedPicture> print_card(const Product& product, int card_px) {
-  MARKETGEN_TRY(Image card, draw_promotion_card(product, card_px));
-  return PrintedPicture{std::move(card), std::nullopt};
+Result<assets::PrintedPicture> print_card(const catalog::Product& product, int card_px) {
+  MARKETGEN_TRY(Image card, assets::draw_promotion_card(product, card_px));
+  return assets::PrintedPicture{std::move(card), std::nullopt};
 }
 
 // A printed rectangle before a shelf: its middle and size in the shelf frame.
@@ -60,7 +60,7 @@ struct Sticker {
 };
 
 void stick(Draft& draft, std::uint32_t shelf, const Sticker& sticker) {
-  const Placement at = placement_of(world_from_shelf(draft.scene(), shelf));
+  const Placement at = placement_of(scene::world_from_shelf(draft.scene(), shelf));
   const float left = sticker.x - sticker.width / 2, right = sticker.x + sticker.width / 2;
   const float low = sticker.z - sticker.height / 2, high = sticker.z + sticker.height / 2;
   Mesh quad;
@@ -82,20 +82,22 @@ void stick(Draft& draft, std::uint32_t shelf, const Sticker& sticker) {
 }  // namespace
 
 PriceLabelBuilder::PriceLabelBuilder(Draft& draft) {
-  const Scene& scene = draft.scene();
+  const scene::Scene& scene = draft.scene();
   const auto paper = [&](std::int32_t texture) {
     return draft.material({.color = {1, 1, 1}, .roughness = 0.5F, .texture = texture});
   };
   const int tag_px = pixels(near_tag_px, draft.print()),
             card_px = pixels(near_card_px, draft.print());
-  for (const PriceLabel& label : scene.price_labels) {
-    const Product& product = scene.catalog[label.sku];
+  for (const scene::PriceLabel& label : scene.price_labels) {
+    const catalog::Product& product = scene.catalog[label.sku];
     const bool promotion = label.promotion != 0;
-    const std::string row = write_json_line(product);
+    const std::string row = io::write_json_line(product);
     Looks looks;
-    looks.tag = paper(draft.print_texture(
-        fmt::format("tag {} {} {}", tag_px, promotion ? "promotion" : "", row),
-        [&product, promotion, tag_px] { return print_price_tag(product, promotion, tag_px); }));
+    looks.tag = paper(
+        draft.print_texture(fmt::format("tag {} {} {}", tag_px, promotion ? "promotion" : "", row),
+                            [&product, promotion, tag_px] {
+                              return assets::print_price_tag(product, promotion, tag_px);
+                            }));
     if (promotion)
       looks.card =
           paper(draft.print_texture(fmt::format("promotion card {} {}", card_px, row),
@@ -105,10 +107,10 @@ PriceLabelBuilder::PriceLabelBuilder(Draft& draft) {
 }
 
 void PriceLabelBuilder::build(Draft& draft) const {
-  const Scene& scene = draft.scene();
+  const scene::Scene& scene = draft.scene();
   for (std::size_t i = 0; i < scene.price_labels.size(); ++i) {
-    const PriceLabel& label = scene.price_labels[i];
-    const SceneShelf& shelf = scene.shelves[label.shelf];
+    const scene::PriceLabel& label = scene.price_labels[i];
+    const scene::SceneShelf& shelf = scene.shelves[label.shelf];
     const RailFace rail = rail_of(scene, shelf);
     const float x = label.x_m - shelf.width_m / 2, y = rail.y - lift_m;
     const Sticker tag{x, y, rail.z, label.width_m, label.height_m, looks_of_label_[i].tag};
@@ -127,4 +129,4 @@ void PriceLabelBuilder::build(Draft& draft) const {
   }
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

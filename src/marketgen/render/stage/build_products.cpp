@@ -11,7 +11,7 @@
 #include "render/stage/clear_pack.h"
 #include "render/stage/label_library.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 // How far light wanders below the skin of fruit and vegetables. An apple's reduced scattering and
@@ -19,19 +19,21 @@ namespace {
 // lengths of 7 mm in red to 2 mm in blue; most light leaves nearer.
 constexpr float flesh_reach_m = 0.003F;
 
-std::vector<std::uint32_t> skus_in_use(const Scene& scene) {
+std::vector<std::uint32_t> skus_in_use(const scene::Scene& scene) {
   std::set<std::uint32_t> rows;
-  for (const SceneProduct& product : scene.products)
+  for (const scene::SceneProduct& product : scene.products)
     rows.insert(product.sku);
   return {rows.begin(), rows.end()};
 }
 
-bool is_grown(const Product& product) {
-  const Result<SheetKind> sheet = sheet_kind_of(product.archetype);
-  return sheet.ok() && *sheet == SheetKind::skin;
+bool is_grown(const catalog::Product& product) {
+  const Result<assets::SheetKind> sheet = assets::sheet_kind_of(product.archetype);
+  return sheet.ok() && *sheet == assets::SheetKind::skin;
 }
 
-Material material_of(Draft& draft, const Product& product, const marketgen::Surface& surface) {
+Material material_of(Draft& draft,
+                     const catalog::Product& product,
+                     const marketgen::assets::Surface& surface) {
   Material material{
       .color = surface.color, .roughness = surface.roughness, .metallic = surface.metallic};
   if (surface.metallic > 0 && surface.metallic < 1) material.coat = 1;  // lacquered metal
@@ -47,11 +49,11 @@ Material material_of(Draft& draft, const Product& product, const marketgen::Surf
 
 // One material for each surface of the model; of a clear pack, also for what clear_pack adds.
 std::vector<std::uint16_t> add_materials(Draft& draft,
-                                         const Product& product,
-                                         const ProductModel& model) {
+                                         const catalog::Product& product,
+                                         const assets::ProductModel& model) {
   std::vector<std::uint16_t> materials, sheets;
   const auto depth_m = static_cast<float>(std::min(product.width_m(), product.depth_m()));
-  for (const marketgen::Surface& surface : model.surfaces) {
+  for (const marketgen::assets::Surface& surface : model.surfaces) {
     const Material look = material_of(draft, product, surface);
     if (surface.refraction <= 0) {
       materials.push_back(draft.material(look));
@@ -73,7 +75,7 @@ Result<ProductBuilder> ProductBuilder::begin(Draft& draft) {
   std::vector<std::optional<Error>> errors(rows.size());
   builder.skus_ = parallel_map(rows.size(), [&](std::size_t i) {
     Sku sku{rows[i], {}, {}};
-    Result<ProductModel> model = make_product_model(draft.scene().catalog[rows[i]]);
+    Result<assets::ProductModel> model = assets::make_product_model(draft.scene().catalog[rows[i]]);
     if (model.ok())
       sku.model = std::move(model).value();
     else
@@ -90,7 +92,7 @@ Result<ProductBuilder> ProductBuilder::begin(Draft& draft) {
 }
 
 void ProductBuilder::build(Draft& draft) const {
-  const Scene& scene = draft.scene();
+  const scene::Scene& scene = draft.scene();
   World& world = draft.world();
   const std::size_t first_mesh = world.meshes.size();
   world.meshes.resize(first_mesh + skus_.size());
@@ -98,7 +100,7 @@ void ProductBuilder::build(Draft& draft) const {
   std::vector<ItemKind> kind_of_sku(scene.catalog.size(), ItemKind::packed);
   parallel_for(skus_.size(), [&](std::size_t i) {
     TracedMesh& mesh = world.meshes[first_mesh + i];
-    const ProductModel& model = skus_[i].model;
+    const assets::ProductModel& model = skus_[i].model;
     const Mesh shown = is_clear_pack(model) ? clear_pack(model).mesh : model.mesh;
     append(mesh.solid, mesh.glass, shown, skus_[i].materials, world, {});
     mesh_of_sku[skus_[i].row] = static_cast<std::uint32_t>(first_mesh + i);
@@ -107,16 +109,16 @@ void ProductBuilder::build(Draft& draft) const {
   const auto first_id = first_product_object(scene);
   world.first_product_instance = static_cast<std::uint32_t>(world.instances.size());
   for (std::size_t i = 0; i < scene.products.size(); ++i) {
-    const SceneProduct& product = scene.products[i];
+    const scene::SceneProduct& product = scene.products[i];
     Instance instance;
     instance.mesh = mesh_of_sku[product.sku];
     instance.id = first_id + static_cast<std::uint32_t>(i);
     if (product.facing < scene.facings.size())
       instance.shelf = static_cast<std::int32_t>(scene.facings[product.facing].shelf);
     instance.look = look_of_item(i, product.sku, kind_of_sku[product.sku]);
-    instance.world_from_mesh = placement_of(world_from_product(product));
+    instance.world_from_mesh = placement_of(scene::world_from_product(product));
     world.instances.push_back(instance);
   }
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

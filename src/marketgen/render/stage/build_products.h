@@ -6,7 +6,7 @@
 #include "base/result.h"
 #include "render/stage/draft.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 class ProductBuilder {
  public:
@@ -18,10 +18,10 @@ class ProductBuilder {
  private:
   struct Sku {
     std::uint32_t row = 0;  // in scene.catalog
-    ProductModel model;
+    assets::ProductModel model;
     std::vector<std::uint16_t> materials;  // of model.surfaces
   };
   std::vector<Sku> skus_;
 };
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -5,10 +5,10 @@
 
 #include "plan/shell_measures.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
-constexpr float wall_depth_m = static_cast<float>(wall_thickness_m);
+constexpr float wall_depth_m = static_cast<float>(plan::wall_thickness_m);
 constexpr float skirting_height_m = 0.09F, skirting_depth_m = 0.012F;
 constexpr float frame_m = 0.06F;     // aluminium profiles
 constexpr float operator_m = 0.16F;  // box over a sliding door
@@ -39,7 +39,7 @@ void add_horizontal(Mesh& mesh,
 }  // namespace
 
 ShellBuilder::ShellBuilder(Draft& draft, const Room& room) : room_(room), materials_(finishes) {
-  const Look& look = draft.scene().layout.look;
+  const plan::Look& look = draft.scene().layout.look;
   Material polished = draft.world().materials[draft.tiled_material(look.floor)];
   polished.roughness *= floor_polish;
   polished.roughness_scale = floor_polish;
@@ -124,8 +124,8 @@ void ShellBuilder::add_reveal(Mesh& mesh, const WallEdge& edge, const WallOpenin
 
 void ShellBuilder::add_glazing(Mesh& mesh, const WallEdge& edge, const WallOpening& o) const {
   const Placement& at = edge.world_from_wall;
-  constexpr auto y0 = static_cast<float>(-glazing_back_m),
-                 y1 = static_cast<float>(-glazing_front_m);
+  constexpr auto y0 = static_cast<float>(-plan::glazing_back_m),
+                 y1 = static_cast<float>(-plan::glazing_front_m);
   const bool door = o.is_door();
   const float head = door ? operator_m : frame_m;
   const int leaves = std::max(
@@ -165,8 +165,8 @@ void ShellBuilder::add_glazing(Mesh& mesh, const WallEdge& edge, const WallOpeni
 
 void ShellBuilder::add_steel_door(Mesh& mesh, const WallEdge& edge, const WallOpening& o) const {
   const Placement& at = edge.world_from_wall;
-  constexpr auto y0 = static_cast<float>(-door_leaf_back_m),
-                 y1 = static_cast<float>(-door_leaf_front_m);
+  constexpr auto y0 = static_cast<float>(-plan::door_leaf_back_m),
+                 y1 = static_cast<float>(-plan::door_leaf_front_m);
   const int leaves = o.high - o.low > 1.3F ? 2 : 1;
   const float step = (o.high - o.low) / static_cast<float>(leaves);
   constexpr float gap = 0.004F;
@@ -189,8 +189,8 @@ void ShellBuilder::add_steel_door(Mesh& mesh, const WallEdge& edge, const WallOp
   }
 }
 
-void ShellBuilder::add_columns(Mesh& mesh, const Shell& shell) const {
-  for (const Column& column : shell.columns) {
+void ShellBuilder::add_columns(Mesh& mesh, const plan::Shell& shell) const {
+  for (const plan::Column& column : shell.columns) {
     const float half = static_cast<float>(column.size_mm) * 0.5e-3F;
     const Placement at{
         {1, 0, 0},
@@ -223,4 +223,4 @@ void ShellBuilder::build(Draft& draft) const {
   }
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -5,7 +5,7 @@
 #include "render/stage/draft.h"
 #include "render/stage/room.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 class ShellBuilder {
  public:
@@ -31,11 +31,11 @@ class ShellBuilder {
   void add_reveal(Mesh& mesh, const WallEdge& edge, const WallOpening& opening) const;
   void add_glazing(Mesh& mesh, const WallEdge& edge, const WallOpening& opening) const;
   void add_steel_door(Mesh& mesh, const WallEdge& edge, const WallOpening& opening) const;
-  void add_columns(Mesh& mesh, const Shell& shell) const;
+  void add_columns(Mesh& mesh, const plan::Shell& shell) const;
 
   const Room& room_;
   std::vector<std::uint16_t> materials_;  // by Finish
   float floor_extent_ = 1, wall_extent_ = 1, ceiling_extent_ = 1;
 };
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -7,7 +7,7 @@
 #include "render/stage/draft.h"
 #include "render/stage/room.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 class PriceLabelBuilder {
  public:
@@ -55,4 +55,4 @@ class SignBuilder {
   float band_low_ = 2.55F, board_low_ = 2.35F;
 };
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

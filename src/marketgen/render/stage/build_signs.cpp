@@ -6,7 +6,7 @@
 #include "assets/print/label.h"
 #include "render/stage/build_signage.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 constexpr float band_height_m = 0.34F, band_depth_m = 0.02F;
@@ -31,7 +31,7 @@ std::uint16_t sign_material(
   const std::string content = "sign " + std::to_string(width_px) + "x" + std::to_string(height_px) +
                               " " + accent + " " + text;
   const std::int32_t texture = draft.texture(
-      content, [=] { return draw_sign(text, accent, white_text, width_px, height_px); });
+      content, [=] { return assets::draw_sign(text, accent, white_text, width_px, height_px); });
   return draft.material({.color = {1, 1, 1}, .roughness = 0.6F, .texture = texture});
 }
 
@@ -42,8 +42,8 @@ struct Ground {
   bool any = false;
 };
 
-void include(Ground& ground, const Fixture& fixture) {
-  const RectMm r = footprint_of(fixture);
+void include(Ground& ground, const layout::Fixture& fixture) {
+  const RectMm r = layout::footprint_of(fixture);
   ground.bounds = {std::min(ground.bounds.x0, r.x0),
                    std::min(ground.bounds.y0, r.y0),
                    std::max(ground.bounds.x1, r.x1),
@@ -57,8 +57,8 @@ struct Interval {
 };
 
 // The part of `edge` that the fixture's back covers; empty when it stands away from the wall.
-Interval covered(const WallEdge& edge, const Fixture& fixture) {
-  const RectMm r = footprint_of(fixture);
+Interval covered(const WallEdge& edge, const layout::Fixture& fixture) {
+  const RectMm r = layout::footprint_of(fixture);
   Interval along, off;
   for (const PointMm& p : polygon_of(r)) {
     const Vec3f q = edge.world_from_wall.to_local(
@@ -77,7 +77,8 @@ SignBuilder::SignBuilder(Draft& draft, const Room& room) : room_(room) {
   band_low_ = std::min(band_clear_m, room.ceiling - band_height_m - 0.1F);
   board_low_ = std::min(board_clear_m, room.ceiling - board_height_m - 0.15F);
   Material band{.roughness = 0.6F};
-  if (const Result<Vec3f> accent = linear_from_hex(draft.scene().layout.look.accent); accent.ok())
+  if (const Result<Vec3f> accent = assets::linear_from_hex(draft.scene().layout.look.accent);
+      accent.ok())
     band.color = *accent;
   band_ = draft.material(band);
   if (draft.scene().layout.look.neon.value_or(false))
@@ -88,16 +89,16 @@ SignBuilder::SignBuilder(Draft& draft, const Room& room) : room_(room) {
 }
 
 void SignBuilder::hang_boards(Draft& draft) {
-  const Layout& layout = draft.scene().layout;
+  const layout::Layout& layout = draft.scene().layout;
   std::map<std::string, Ground> grounds;
-  for (const Fixture& fixture : layout.fixtures) {
+  for (const layout::Fixture& fixture : layout.fixtures) {
     const bool against_wall =
         std::any_of(room_.walls.begin(), room_.walls.end(), [&](const WallEdge& edge) {
           return covered(edge, fixture).high > 0;
         });
     if (!against_wall) include(grounds[fixture.zone], fixture);
   }
-  for (const LayoutZone& zone : layout.zones) {
+  for (const layout::LayoutZone& zone : layout.zones) {
     const Ground& ground = grounds[zone.id];
     if (!ground.any || zone.label.empty()) continue;
     const bool along_x = ground.along_x > ground.along_y;
@@ -121,16 +122,16 @@ void SignBuilder::hang_boards(Draft& draft) {
 }
 
 void SignBuilder::write_names(Draft& draft) {
-  const Layout& layout = draft.scene().layout;
+  const layout::Layout& layout = draft.scene().layout;
   for (std::size_t w = 0; w < room_.walls.size(); ++w) {
     std::map<std::string, Interval> parts;
-    for (const Fixture& fixture : layout.fixtures) {
+    for (const layout::Fixture& fixture : layout.fixtures) {
       const Interval part = covered(room_.walls[w], fixture);
       if (part.high <= 0) continue;
       Interval& all = parts[fixture.zone];
       all = {std::min(all.low, part.low), std::max(all.high, part.high)};
     }
-    for (const LayoutZone& zone : layout.zones) {
+    for (const layout::LayoutZone& zone : layout.zones) {
       const auto found = parts.find(zone.id);
       if (found == parts.end() || zone.label.empty() || found->second.high - found->second.low < 1)
         continue;
@@ -212,4 +213,4 @@ void SignBuilder::build(Draft& draft) const {
   }
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -10,7 +10,7 @@
 #include "render/stage/build_shell.h"
 #include "render/stage/build_signage.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 namespace {
 
@@ -30,7 +30,7 @@ void add_exhibits(World& world,
 
 }  // namespace
 
-Result<std::unique_ptr<World>> build_world(const Scene& scene,
+Result<std::unique_ptr<World>> build_world(const scene::Scene& scene,
                                            const std::vector<Exhibit>& exhibits,
                                            Progress& progress,
                                            PrintDetail print) {
@@ -77,4 +77,4 @@ Result<std::unique_ptr<World>> build_world(const Scene& scene,
   return world;
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -8,13 +8,13 @@
 #include "render/stage/world.h"
 #include "scene/scene.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 // The world keeps nothing of `scene`. Errors: those of the product models and labels;
 // io.out_of_memory when Embree fails.
-Result<std::unique_ptr<World>> build_world(const Scene& scene,
+Result<std::unique_ptr<World>> build_world(const scene::Scene& scene,
                                            const std::vector<Exhibit>& exhibits,
                                            Progress& progress,
                                            PrintDetail print);
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

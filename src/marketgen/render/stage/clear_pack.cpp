@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 // Of the height from the pack's foot to where the clear wall ends below its closure: bottles are
@@ -13,11 +13,11 @@ constexpr float fill_share = 0.9F;
 // Colours are cut to this range before their absorption is taken: nothing is quite black or clear.
 constexpr float darkest_liquid = 0.015F, clearest_liquid = 0.985F;
 
-bool is_clear(const ProductModel& model, std::uint16_t surface) {
+bool is_clear(const assets::ProductModel& model, std::uint16_t surface) {
   return model.surfaces[surface].refraction > 0;
 }
 
-float fill_height(const ProductModel& model) {
+float fill_height(const assets::ProductModel& model) {
   float low = 1e30F, high = -1e30F;
   for (std::size_t t = 0; t < model.mesh.triangles.size(); ++t) {
     for (const std::uint32_t v : model.mesh.triangles[t]) {
@@ -108,13 +108,14 @@ float absorption_per_m(float left, float depth_m) {
 
 }  // namespace
 
-bool is_clear_pack(const ProductModel& model) {
-  return std::any_of(model.surfaces.begin(),
-                     model.surfaces.end(),
-                     [](const marketgen::Surface& surface) { return surface.refraction > 0; });
+bool is_clear_pack(const assets::ProductModel& model) {
+  return std::any_of(
+      model.surfaces.begin(), model.surfaces.end(), [](const marketgen::assets::Surface& surface) {
+        return surface.refraction > 0;
+      });
 }
 
-ClearMaterials clear_materials(const marketgen::Surface& surface,
+ClearMaterials clear_materials(const marketgen::assets::Surface& surface,
                                const Material& look,
                                float depth_m) {
   ClearMaterials made{look, look};
@@ -126,7 +127,7 @@ ClearMaterials clear_materials(const marketgen::Surface& surface,
   return made;
 }
 
-ClearPack clear_pack(const ProductModel& model) {
+ClearPack clear_pack(const assets::ProductModel& model) {
   ClearPack pack;
   const auto count = static_cast<std::uint16_t>(model.surfaces.size());
   pack.surface_count = count;
@@ -147,4 +148,4 @@ ClearPack clear_pack(const ProductModel& model) {
   return pack;
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

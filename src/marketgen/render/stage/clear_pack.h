@@ -12,13 +12,13 @@
 #include "assets/product_model.h"
 #include "render/stage/world.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 // Labels seen from within the pack.
 constexpr Vec3f label_back{0.7F, 0.7F, 0.68F};
 
 // Whether light passes any wall of the pack.
-bool is_clear_pack(const ProductModel& model);
+bool is_clear_pack(const assets::ProductModel& model);
 
 // The materials of a clear surface, by the number of its opaque look: `material` plus what light
 // does in it. The colour is what is left of white
@@ -26,7 +26,7 @@ bool is_clear_pack(const ProductModel& model);
 struct ClearMaterials {
   Material liquid, sheet;
 };
-ClearMaterials clear_materials(const marketgen::Surface& surface,
+ClearMaterials clear_materials(const marketgen::assets::Surface& surface,
                                const Material& look,
                                float depth_m);
 
@@ -38,6 +38,6 @@ struct ClearPack {
   std::uint16_t surface_count = 0;
   std::size_t outline_triangles = 0;  // the mesh's first so many; the rest is the liquid's surface
 };
-ClearPack clear_pack(const ProductModel& model);
+ClearPack clear_pack(const assets::ProductModel& model);
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -7,7 +7,7 @@
 #include "render/stage/actor.h"
 #include "scene/articulation.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 Error bad_move(const std::string& where, const std::string& message) {
@@ -16,7 +16,7 @@ Error bad_move(const std::string& where, const std::string& message) {
 
 }  // namespace
 
-Result<void> check_moves(const Scene& scene,
+Result<void> check_moves(const scene::Scene& scene,
                          std::span<const MovedProduct> products,
                          std::span<const MovedJoint> joints) {
   std::set<std::uint32_t> seen;
@@ -41,23 +41,24 @@ Result<void> check_moves(const Scene& scene,
 }
 
 void add_moved_joints(const World& world,
-                      const Scene& scene,
+                      const scene::Scene& scene,
                       std::span<const MovedJoint> joints,
                       std::vector<Displaced>& rows) {
   if (joints.empty()) return;
   std::vector<double> positions(scene.joints.size());
   for (const MovedJoint& moved : joints)
     positions[moved.joint] = moved.position;
-  const std::vector<Pose> motions = joint_motions(scene, positions);
+  const std::vector<Pose> motions = scene::joint_motions(scene, positions);
   for (std::uint32_t i = 0; i < world.first_product_instance; ++i) {
     const Instance& instance = world.instances[i];
     if (instance.joint < 0) continue;
     const Pose& motion = motions[static_cast<std::size_t>(instance.joint)];
     const bool rests = motion.position == Vec3{} && motion.rotation == Quaternion{};
     if (rests) continue;
-    const Pose fixture = world_from_fixture(scene, static_cast<std::uint32_t>(instance.fixture));
+    const Pose fixture =
+        scene::world_from_fixture(scene, static_cast<std::uint32_t>(instance.fixture));
     rows.push_back({i, instance.shelf, placement_of(fixture * motion)});
   }
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

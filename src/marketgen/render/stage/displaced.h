@@ -7,17 +7,17 @@
 #include "render/stage/actor_stage.h"
 #include "render/stage/world.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 // Error: render.bad_move, see Renderer::move_things.
-Result<void> check_moves(const Scene& scene,
+Result<void> check_moves(const scene::Scene& scene,
                          std::span<const MovedProduct> products,
                          std::span<const MovedJoint> joints);
 
 // Adds the instances that these joints carry away from their places.
 void add_moved_joints(const World& world,
-                      const Scene& scene,
+                      const scene::Scene& scene,
                       std::span<const MovedJoint> joints,
                       std::vector<Displaced>& rows);
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

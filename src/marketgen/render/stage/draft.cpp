@@ -15,7 +15,7 @@
 #include "io/json.h"
 #include "render/picture_cache.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 constexpr int material_texture_px = 512;
@@ -24,7 +24,7 @@ constexpr int material_texture_px = 512;
 constexpr double clearest_frost = 0.3;
 
 // Colour, the normal's x and y, roughness and metallic, one byte each.
-Image interleaved(const MaterialMaps& maps) {
+Image interleaved(const assets::MaterialMaps& maps) {
   constexpr std::size_t channels = 7;
   Image image(maps.base_color.width, maps.base_color.height, channels);
   std::uint8_t* to = image.pixels.data();
@@ -56,7 +56,7 @@ std::int32_t Draft::relief_texture(const std::string& content,
 }
 
 std::int32_t Draft::print_texture(const std::string& content,
-                                  std::function<Result<PrintedPicture>()> draw) {
+                                  std::function<Result<assets::PrintedPicture>()> draw) {
   return add_order({content, {}, false, std::move(draw)});
 }
 
@@ -89,15 +89,15 @@ std::uint16_t Draft::material(const Material& material) {
   return next;
 }
 
-const MaterialRow* Draft::row(std::string_view id) const {
-  for (const MaterialRow& candidate : scene_.materials) {
+const catalog::MaterialRow* Draft::row(std::string_view id) const {
+  for (const catalog::MaterialRow& candidate : scene_.materials) {
     if (candidate.id == id) return &candidate;
   }
   return nullptr;
 }
 
-std::uint16_t Draft::pane(const MaterialRow& row) {
-  const Result<Vec3f> tint = linear_from_hex(row.color);
+std::uint16_t Draft::pane(const catalog::MaterialRow& row) {
+  const Result<Vec3f> tint = assets::linear_from_hex(row.color);
   const auto through = static_cast<float>(row.transmission);
   const Vec3f color = (tint.ok() ? *tint : Vec3f{1, 1, 1}) * through;
   // A pane is a box with two faces: each takes half of the tint.
@@ -128,20 +128,21 @@ std::uint16_t Draft::missing_material(std::string_view id) {
 }
 
 std::uint16_t Draft::tiled_material(std::string_view id) {
-  const MaterialRow* found = row(id);
+  const catalog::MaterialRow* found = row(id);
   if (found == nullptr && (id.empty() || scene_.materials.empty()))
     return material({.color = {0.8F, 0.8F, 0.78F}, .roughness = 0.8F});
   if (found == nullptr) return missing_material(id);
   const bool clear = found->transmission > 0 && found->roughness < clearest_frost;
-  if (clear && found->pattern == MaterialPattern::smooth) return pane(*found);
+  if (clear && found->pattern == catalog::MaterialPattern::smooth) return pane(*found);
   Material result{.color = {1, 1, 1},
                   .roughness = static_cast<float>(found->roughness),
                   .metallic = static_cast<float>(found->metallic)};
   if (!clear) result.translucency = static_cast<float>(found->transmission);  // milky
-  const MaterialRow copy = *found;
+  const catalog::MaterialRow copy = *found;
   result.texture = relief_texture(
-      "material maps " + std::to_string(material_texture_px) + write_json_line(copy),
-      [copy] { return Result<Image>(interleaved(draw_material_maps(copy, material_texture_px))); });
+      "material maps " + std::to_string(material_texture_px) + io::write_json_line(copy), [copy] {
+        return Result<Image>(interleaved(assets::draw_material_maps(copy, material_texture_px)));
+      });
   result.relief = result.texture;
   if (clear) {  // patterned glass: tinted by its texture, each of a pane's faces by half
     const auto through = static_cast<float>(std::sqrt(found->transmission));
@@ -152,8 +153,8 @@ std::uint16_t Draft::tiled_material(std::string_view id) {
 }
 
 float Draft::extent_m(std::string_view id) const {
-  const MaterialRow* found = row(id);
-  return found == nullptr ? 1 : static_cast<float>(material_extent_m(*found));
+  const catalog::MaterialRow* found = row(id);
+  return found == nullptr ? 1 : static_cast<float>(assets::material_extent_m(*found));
 }
 
 Result<void> Draft::carry_out(std::size_t order) {
@@ -191,4 +192,4 @@ Result<void> Draft::draw_textures(Progress& progress) {
   return {};
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -14,14 +14,14 @@
 #include "render/stage/world.h"
 #include "scene/scene.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 class Draft {
  public:
-  Draft(const Scene& scene, World& world, PrintDetail print)
+  Draft(const scene::Scene& scene, World& world, PrintDetail print)
       : scene_(scene), world_(world), print_(print) {}
 
-  const Scene& scene() const { return scene_; }
+  const scene::Scene& scene() const { return scene_; }
   World& world() const { return world_; }
   PrintDetail print() const { return print_; }
 
@@ -33,7 +33,7 @@ class Draft {
   std::int32_t relief_texture(const std::string& content, std::function<Result<Image>()> draw);
   // The same for print: kept in blocks, its bars drawn at every look-up.
   std::int32_t print_texture(const std::string& content,
-                             std::function<Result<PrintedPicture>()> draw);
+                             std::function<Result<assets::PrintedPicture>()> draw);
   // Number of a material; equal ones share it, except glowing ones, whose light is measured later.
   std::uint16_t material(const Material& material);
   // A catalogue material tiled by UV in units of its own extent; plain white plaster in scenes
@@ -41,24 +41,24 @@ class Draft {
   std::uint16_t tiled_material(std::string_view id);
   // What one metre of UV must be divided by for `tiled_material(id)`.
   float extent_m(std::string_view id) const;
-  const MaterialRow* row(std::string_view id) const;
+  const catalog::MaterialRow* row(std::string_view id) const;
 
   // Draws everything asked for so far into World::textures.
   Result<void> draw_textures(Progress& progress);
 
  private:
-  const Scene& scene_;
+  const scene::Scene& scene_;
   World& world_;
   PrintDetail print_;
   struct Order {
     std::string content;
     std::function<Result<Image>()> draw;
     bool relief = false;
-    std::function<Result<PrintedPicture>()> print;  // instead of `draw`
+    std::function<Result<assets::PrintedPicture>()> print;  // instead of `draw`
   };
   std::int32_t add_order(Order wanted);
   Result<void> carry_out(std::size_t order);  // into the textures of the same number
-  std::uint16_t pane(const MaterialRow& row);
+  std::uint16_t pane(const catalog::MaterialRow& row);
   std::uint16_t missing_material(std::string_view id);
 
   std::vector<Order> orders_;
@@ -68,4 +68,4 @@ class Draft {
   std::map<MaterialLook, std::uint16_t> material_of_look_;
 };
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

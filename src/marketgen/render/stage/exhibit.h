@@ -9,7 +9,7 @@
 #include "geometry/mesh.h"
 #include "render/render.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 struct Exhibit {
   Mesh mesh;             // in the store frame; all of it of one material
@@ -17,9 +17,9 @@ struct Exhibit {
 };
 
 // Renderer::create with exhibits in the room.
-Result<std::unique_ptr<Renderer>> create_renderer(const Scene& scene,
+Result<std::unique_ptr<Renderer>> create_renderer(const scene::Scene& scene,
                                                   const std::vector<Exhibit>& exhibits,
                                                   Progress& progress,
                                                   const RendererOptions& options = {});
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

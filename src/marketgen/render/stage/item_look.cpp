@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 constexpr float brightness_spread = 0.04F;  // between items of one SKU, each way
@@ -52,4 +52,4 @@ ItemLook look_of_item(std::size_t item, std::uint32_t sku, ItemKind kind) {
   return {cast * brightness, wear_of(row, sku)};
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

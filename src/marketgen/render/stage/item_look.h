@@ -8,7 +8,7 @@
 #include "render/sensor/float8.h"
 #include "render/shading_math.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 struct ItemLook {
   Vec3f tint{1, 1, 1};  // multiplies the colour
@@ -63,4 +63,4 @@ void wear_off(const WornPlace<Number>& place, Vector3<Number>& albedo, Number& r
   roughness = min(roughness + dulled, all_of_it);
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -8,7 +8,7 @@
 #include "io/json.h"
 #include "render/picture_cache.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 namespace {
 
@@ -17,25 +17,28 @@ constexpr double usual_px_per_mm = 1.9, usual_area_mm2 = 200.0 * 200.0;
 
 }  // namespace
 
-double label_px_per_mm(const SheetSize& size) {
+double label_px_per_mm(const assets::SheetSize& size) {
   constexpr double falloff = 0.125;  // pixels grow with the area to the power of 3/4
   const double area_mm2 =
       static_cast<double>(size.width_m) * static_cast<double>(size.height_m) * 1e6;
   return usual_px_per_mm * std::pow(usual_area_mm2 / std::max(area_mm2, 1.0), falloff);
 }
 
-std::string label_content(const Product& product, PrintDetail detail) {
+std::string label_content(const catalog::Product& product, PrintDetail detail) {
   return (detail == PrintDetail::near ? "library label " : "distant label ") +
-         write_json_line(product);
+         io::write_json_line(product);
 }
 
-Result<PrintedPicture> library_label(const Product& product, PrintDetail detail) {
-  const Result<SheetSize> size = sheet_size_of(product);  // products with a mesh of their own: none
+Result<assets::PrintedPicture> library_label(const catalog::Product& product, PrintDetail detail) {
+  const Result<assets::SheetSize> size =
+      assets::sheet_size_of(product);  // products with a mesh of their own: none
   const double px_per_mm = size.ok() ? label_px_per_mm(*size) : usual_px_per_mm;
-  return print_label(product, detail == PrintDetail::near ? px_per_mm : px_per_mm * distant_share);
+  return assets::print_label(product,
+                             detail == PrintDetail::near ? px_per_mm : px_per_mm * distant_share);
 }
 
-Result<LabelLibrary> build_label_library(const std::vector<Product>& products, Progress& progress) {
+Result<LabelLibrary> build_label_library(const std::vector<catalog::Product>& products,
+                                         Progress& progress) {
   struct Made {
     std::uint64_t bytes = 0;
     bool drawn = false;
@@ -65,4 +68,4 @@ Result<LabelLibrary> build_label_library(const std::vector<Product>& products, P
   return library;
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

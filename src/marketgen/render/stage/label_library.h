@@ -14,18 +14,18 @@
 #include "catalog/product.h"
 #include "render/render.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 // Pixels a millimetre of a sheet in the library: 1.9 for a sheet of 200 x 200 mm, more for smaller
 // ones, which are looked at from nearer, less for larger ones. All sheets of the catalogue together
 // then take under 300 MB.
-double label_px_per_mm(const SheetSize& size);
+double label_px_per_mm(const assets::SheetSize& size);
 
 // What decides a product's sheet in the library: the key of cached_print().
-std::string label_content(const Product& product, PrintDetail detail = PrintDetail::near);
+std::string label_content(const catalog::Product& product, PrintDetail detail = PrintDetail::near);
 // Draws it. Errors: as print_label().
-Result<PrintedPicture> library_label(const Product& product,
-                                     PrintDetail detail = PrintDetail::near);
+Result<assets::PrintedPicture> library_label(const catalog::Product& product,
+                                             PrintDetail detail = PrintDetail::near);
 
 struct LabelLibrary {
   std::size_t labels = 0;       // products that show a sheet
@@ -37,6 +37,7 @@ struct LabelLibrary {
 
 // Puts the sheets of all products in the cache, side by side. Errors: as print_label(), of the
 // first product in order.
-Result<LabelLibrary> build_label_library(const std::vector<Product>& products, Progress& progress);
+Result<LabelLibrary> build_label_library(const std::vector<catalog::Product>& products,
+                                         Progress& progress);
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

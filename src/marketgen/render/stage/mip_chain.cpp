@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 std::vector<MipChain::Level> mip_levels(int width, int height) {
   std::vector<MipChain::Level> levels;
   std::size_t count = 0;
@@ -57,4 +57,4 @@ FinerTexels finer_texels(const MipChain::Level& finer, int x, int y) {
   return {{at(x0, y0), at(x1, y0), at(x0, y1), at(x1, y1)}};
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 class MipChain {
  public:
@@ -106,4 +106,4 @@ struct FinerTexels {
 };
 FinerTexels finer_texels(const MipChain::Level& finer, int x, int y);
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 // Print on white: EN ISO/IEC 15416 wants a symbol contrast of 70 % for the best grade.
@@ -16,7 +16,8 @@ bool is_guard(std::size_t module) {
 
 }  // namespace
 
-PrintedBars::PrintedBars(const LabelBars& bars, int width_px, int height_px) : place_(bars) {
+PrintedBars::PrintedBars(const assets::LabelBars& bars, int width_px, int height_px)
+    : place_(bars) {
   const float length_px = place_.ladder ? (place_.v1 - place_.v0) * static_cast<float>(height_px)
                                         : (place_.u1 - place_.u0) * static_cast<float>(width_px);
   modules_per_pixel_ = modules / length_px;
@@ -53,4 +54,4 @@ std::optional<float> PrintedBars::sample(float u, float v, float lod) const {
   return ink + white * (paper - ink);
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -7,12 +7,12 @@
 #include "assets/print/label.h"
 #include "geometry/vector.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 class PrintedBars {
  public:
   // On a picture of this size.
-  PrintedBars(const LabelBars& bars, int width_px, int height_px);
+  PrintedBars(const assets::LabelBars& bars, int width_px, int height_px);
 
   // Reflectance 0..1 at (u, v) over 2^lod pixels of the picture each way; nothing beside the bars.
   std::optional<float> sample(float u, float v, float lod) const;
@@ -21,10 +21,10 @@ class PrintedBars {
   static constexpr int modules = 95;
   float white_to(const std::array<float, modules + 1>& sums, float module) const;
 
-  LabelBars place_;
+  assets::LabelBars place_;
   float modules_per_pixel_ = 1;
   // White modules before each module: of all bars, and of the guard bars alone.
   std::array<float, modules + 1> whites_{}, guard_whites_{};
 };
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

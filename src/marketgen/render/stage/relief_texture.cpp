@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 constexpr int flat_size = 8;  // a level of so few texels has no relief left to see
@@ -92,4 +92,4 @@ Relief ReliefTexture::sample(float u, float v, float lod) const {
   return decoded(bytes);
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -9,7 +9,7 @@
 #include "geometry/image.h"
 #include "render/stage/mip_chain.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 struct Relief {
   float tilt_x = 0, tilt_y = 0;  // of the unit normal: along the texture's rows, towards its top
@@ -37,4 +37,4 @@ class ReliefTexture {
   Relief mean_;
 };
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

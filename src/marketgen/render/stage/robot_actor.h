@@ -11,18 +11,18 @@
 #include "robots/placed_robot.h"
 #include "robots/robot.h"
 
-namespace marketgen {
+namespace marketgen::render {
 
 // Where every link stands in the store frame. Precondition: q.size() == robot.dof_count().
-std::vector<Pose> world_link_poses(const Robot& robot,
+std::vector<Pose> world_link_poses(const robots::Robot& robot,
                                    std::span<const double> q,
                                    const Pose& world_from_base);
 
 // With the meshes of link_parts(); links without a body have none. Errors: those of link_parts();
 // assets.bad_row for a colour that is not "#rrggbb".
-Result<Actor> robot_actor(const Robot& robot,
+Result<Actor> robot_actor(const robots::Robot& robot,
                           std::span<const double> q,
                           const Pose& world_from_base);
-Result<std::vector<Actor>> robot_actors(std::span<const PlacedRobot> robots);
+Result<std::vector<Actor>> robot_actors(std::span<const robots::PlacedRobot> robots);
 
-}  // namespace marketgen
+}  // namespace marketgen::render

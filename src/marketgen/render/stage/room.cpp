@@ -6,38 +6,38 @@
 #include "plan/shell_measures.h"
 #include "render/shading_math.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 constexpr float jamb_m = 0.02F;  // at least this much wall stays beside an opening
 
-Wall wall_of(const Shell& shell, PointMm a, PointMm b, bool& on_wall) {
+plan::Wall wall_of(const plan::Shell& shell, PointMm a, PointMm b, bool& on_wall) {
   on_wall = true;
-  if (a[1] == 0 && b[1] == 0) return Wall::south;
-  if (a[1] == shell.depth_mm && b[1] == shell.depth_mm) return Wall::north;
-  if (a[0] == 0 && b[0] == 0) return Wall::west;
-  if (a[0] == shell.width_mm && b[0] == shell.width_mm) return Wall::east;
+  if (a[1] == 0 && b[1] == 0) return plan::Wall::south;
+  if (a[1] == shell.depth_mm && b[1] == shell.depth_mm) return plan::Wall::north;
+  if (a[0] == 0 && b[0] == 0) return plan::Wall::west;
+  if (a[0] == shell.width_mm && b[0] == shell.width_mm) return plan::Wall::east;
   on_wall = false;
-  return Wall::south;
+  return plan::Wall::south;
 }
 
-WallOpening opening_heights(OpeningKind kind, float ceiling) {
+WallOpening opening_heights(plan::OpeningKind kind, float ceiling) {
   WallOpening opening;
   opening.kind = kind;
-  opening.sill = static_cast<float>(opening_sill_m(kind));
-  opening.head = static_cast<float>(opening_top_m(kind, ceiling));
+  opening.sill = static_cast<float>(plan::opening_sill_m(kind));
+  opening.head = static_cast<float>(plan::opening_top_m(kind, ceiling));
   return opening;
 }
 
-std::vector<WallOpening> openings_in(const Shell& shell, PointMm a, PointMm b, float length) {
+std::vector<WallOpening> openings_in(const plan::Shell& shell, PointMm a, PointMm b, float length) {
   std::vector<WallOpening> list;
   bool on_wall = false;
-  const Wall wall = wall_of(shell, a, b, on_wall);
+  const plan::Wall wall = wall_of(shell, a, b, on_wall);
   if (!on_wall) return list;
-  const bool horizontal = wall == Wall::south || wall == Wall::north;
+  const bool horizontal = wall == plan::Wall::south || wall == plan::Wall::north;
   const int start = horizontal ? a[0] : a[1], end = horizontal ? b[0] : b[1];
   const double extent = horizontal ? shell.width_mm : shell.depth_mm;
-  for (const Opening& o : shell.openings) {
+  for (const plan::Opening& o : shell.openings) {
     if (o.wall != wall) continue;
     const double middle = std::fabs(o.center * extent - start) * 1e-3;
     const bool beyond = (o.center * extent - start) * (end - start) < 0;
@@ -82,7 +82,7 @@ void move_into(Mesh& mesh, const Placement& frame, std::size_t first_vertex) {
 
 }  // namespace
 
-Room room_of(const Shell& shell) {
+Room room_of(const plan::Shell& shell) {
   Room room;
   room.outline = shell.outline_mm ? *shell.outline_mm
                                   : polygon_of(RectMm{0, 0, shell.width_mm, shell.depth_mm});
@@ -168,4 +168,4 @@ void add_wall_panel(Mesh& mesh,
     mesh.uvs[first + i] = at[i] * (1 / uv_extent);
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

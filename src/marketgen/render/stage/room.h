@@ -9,18 +9,18 @@
 #include "layout/layout.h"
 #include "render/stage/world.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 // An opening in its wall: from `low` to `high` along the wall, `sill` to `head` above the floor.
 // Metres.
 struct WallOpening {
-  OpeningKind kind = OpeningKind::entrance;
+  plan::OpeningKind kind = plan::OpeningKind::entrance;
   float low = 0, high = 0, sill = 0, head = 2.1F;
   bool glazed() const {
-    return kind == OpeningKind::entrance || kind == OpeningKind::exit ||
-           kind == OpeningKind::window;
+    return kind == plan::OpeningKind::entrance || kind == plan::OpeningKind::exit ||
+           kind == plan::OpeningKind::window;
   }
-  bool is_door() const { return kind != OpeningKind::window; }
+  bool is_door() const { return kind != plan::OpeningKind::window; }
 };
 
 // One edge of the outline. Its frame: x along the wall (to the left for someone inside who looks at
@@ -37,7 +37,7 @@ struct Room {
   std::vector<WallEdge> walls;
 };
 
-Room room_of(const Shell& shell);
+Room room_of(const plan::Shell& shell);
 
 // Where a place is on the floor plan; of a Vec3 or a Vec3f, metres.
 template <class Vector>
@@ -81,4 +81,4 @@ void add_wall_picture(Mesh& mesh,
                       float z1,
                       std::uint16_t surface);
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

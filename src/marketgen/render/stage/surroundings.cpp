@@ -6,7 +6,7 @@
 
 #include "render/shading_math.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 // The street as someone at eye height sees it, metres. Places along it are angles times the
@@ -178,4 +178,4 @@ Vec3f Surroundings::mean_radiance() const {
          white;
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -7,7 +7,7 @@
 #pragma once
 #include "geometry/vector.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 struct Surroundings {
   float white = 0;     // radiance of white paper in the shop: what everything here is measured in
@@ -22,4 +22,4 @@ struct Surroundings {
   Vec3f mean_radiance() const;
 };
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 // Square-root encoding of an sRGB byte: round(255 * sqrt(linear)).
@@ -59,7 +59,7 @@ Texture::Texture(const Image& image) {
   }
 }
 
-Texture::Texture(BlockMips blocks, const std::optional<LabelBars>& bars)
+Texture::Texture(BlockMips blocks, const std::optional<assets::LabelBars>& bars)
     : blocks_(std::move(blocks)) {
   if (bars) bars_ = std::make_shared<const PrintedBars>(*bars, width(), height());
 }
@@ -95,4 +95,4 @@ Float4 Texture::filtered_in_level(float u, float v, float lod) const {
                                     : mips_.sample_level(u, v, lod));
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

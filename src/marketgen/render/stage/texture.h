@@ -11,7 +11,7 @@
 #include "render/stage/mip_chain.h"
 #include "render/stage/printed_bars.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 // full: textures between mip levels, and their relief. level: textures from one mip level, and the
 // relief's mean gloss; half the cost, for what is small or seen in a mirror. none: the material's
@@ -24,7 +24,7 @@ class Texture {
   // Of the first three channels of `image`.
   explicit Texture(const Image& image);
   // Of a picture that `blocks_of` made.
-  explicit Texture(BlockMips blocks, const std::optional<LabelBars>& bars = std::nullopt);
+  explicit Texture(BlockMips blocks, const std::optional<assets::LabelBars>& bars = std::nullopt);
 
   // Linear RGB at (u, v); (0, 0) is the top left, both axes repeat. `lod` 0 = the image itself, 1 =
   // half its size.
@@ -53,4 +53,4 @@ class Texture {
 // The picture in the encoding of textures, compressed.
 BlockMips blocks_of(const Image& image);
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

@@ -6,7 +6,7 @@
 #include "base/parallel.h"
 #include "render/shading_math.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 namespace {
 
 constexpr float int16_unit = 32767;
@@ -261,4 +261,4 @@ void update_actors(World& world) {
   if (actors.bvh) rtcCommitScene(actors.bvh.get());
 }
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

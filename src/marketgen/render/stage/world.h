@@ -20,7 +20,7 @@
 #include "render/stage/surroundings.h"
 #include "render/stage/texture.h"
 
-namespace marketgen::raytrace {
+namespace marketgen::render::raytrace {
 
 // Ray masks: which kinds of geometry a ray meets.
 constexpr unsigned mask_solid = 1;
@@ -190,4 +190,4 @@ enum ShellGeometry : unsigned {
 };
 enum MeshGeometry : unsigned { mesh_solid_geometry, mesh_glass_geometry };
 
-}  // namespace marketgen::raytrace
+}  // namespace marketgen::render::raytrace

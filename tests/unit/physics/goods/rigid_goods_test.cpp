@@ -21,17 +21,17 @@ namespace {
 constexpr char wine[] = "beverages-red-wine-tempranillo-0-75l";  // 75 mm, 300 mm high, 1.24 kg
 
 // One product on the floor, in no facing.
-Scene floor_with_one(const std::string& sku) {
+scene::Scene floor_with_one(const std::string& sku) {
   HandMadeScene shop;
   shop.scene.catalog.push_back(*committed_catalog().product(sku));
   shop.add(static_cast<std::uint32_t>(shop.scene.catalog.size() - 1), {2, 1, 0});
-  shop.scene.products[0].facing = no_facing;
+  shop.scene.products[0].facing = scene::no_facing;
   return shop.scene;
 }
 
-std::string middle_that_is_wrong(const Product& product) {
-  const auto goods = rigid_goods(product);
-  const auto body = make_product_body(product);
+std::string middle_that_is_wrong(const catalog::Product& product) {
+  const auto goods = physics::rigid_goods(product);
+  const auto body = assets::make_product_body(product);
   if (!goods.ok() || !body.ok()) return product.sku + ": no body";
   const mjModel& m = *(*goods)->model;
   const mjtNum *at = m.body_ipos + 3, *inertia = m.body_inertia + 3;
@@ -40,8 +40,8 @@ std::string middle_that_is_wrong(const Product& product) {
   const auto& of = body->inertia_kg_m2;
   double trace = of[0] + of[1] + of[2];
   const double has = inertia[0] + inertia[1] + inertia[2];
-  if (lies_as_balls(product)) {  // an ellipsoid of even density
-    const CollisionPrimitive ball = collision_of(product).value();
+  if (scene::lies_as_balls(product)) {  // an ellipsoid of even density
+    const assets::CollisionPrimitive ball = assets::collision_of(product).value();
     const Vec3 half = to_double(ball.half_size);
     expected = to_double(ball.center), trace = 0.4 * product.mass_kg * dot(half, half);
   }
@@ -54,7 +54,7 @@ std::string middle_that_is_wrong(const Product& product) {
 
 // All rows take two minutes: MARKETGEN_GOODS_ROWS=3000.
 TEST(RigidGoods, EveryRowHasTheMassMiddleAndInertiaOfItsBody) {
-  const std::vector<Product>& rows = committed_catalog().products;
+  const std::vector<catalog::Product>& rows = committed_catalog().products;
   const std::size_t wanted = std::min(rows.size(), number_of_cases("MARKETGEN_GOODS_ROWS", 200));
   for (const std::string& wrong : parallel_map(wanted, [&](std::size_t i) {
          return middle_that_is_wrong(rows[i * rows.size() / wanted]);
@@ -64,8 +64,8 @@ TEST(RigidGoods, EveryRowHasTheMassMiddleAndInertiaOfItsBody) {
 
 // The bottle stands on its edge, leaning so far, and is let go. Its lean after two seconds.
 double lean_after(double lean_rad) {
-  const Scene scene = floor_with_one(wine);
-  World world = made(scene);
+  const scene::Scene scene = floor_with_one(wine);
+  physics::World world = made(scene);
   const double radius = scene.catalog.back().width_m() / 2;
   const Pose edge{{2, 1 - radius, 0}, rotation_about({1, 0, 0}, lean_rad)};
   EXPECT_TRUE(world.place(0, edge * Pose{{0, radius, 0}, {}}).ok());
@@ -75,8 +75,8 @@ double lean_after(double lean_rad) {
 
 // By its mass: its middle, 102 mm high, over the edge of its foot.
 TEST(RigidGoods, AWineBottleTipsWhereItsMassSays) {
-  const Product& bottle = *committed_catalog().product(wine);
-  const double height = make_product_body(bottle).value().center_of_mass.z;
+  const catalog::Product& bottle = *committed_catalog().product(wine);
+  const double height = assets::make_product_body(bottle).value().center_of_mass.z;
   const double tips = std::atan(bottle.width_m() / 2 / height);
   EXPECT_NEAR(tips, 20.2 * std::numbers::pi / 180, 0.3 * std::numbers::pi / 180);
   const double degree = std::numbers::pi / 180;
@@ -103,8 +103,8 @@ mjsBody* add_slide(mjSpec& spec, mjsBody* parent, const char* name, Vec3 axis, d
 }
 
 // Two pads of 2 cm, 90 mm apart and 270 mm over the floor, under a lift.
-WorldOptions with_pads() {
-  WorldOptions options;
+physics::WorldOptions with_pads() {
+  physics::WorldOptions options;
   options.add_actors = [](mjSpec_& spec) -> Result<void> {
     mjsBody* lift = add_slide(spec, mjs_findBody(&spec, "world"), "lift", {0, 0, 1}, 1);
     lift->pos[0] = 2, lift->pos[1] = 1, lift->pos[2] = 0.27;
@@ -122,8 +122,8 @@ WorldOptions with_pads() {
 }
 
 TEST(RigidGoods, ABottleIsHeldByItsNeck) {
-  const Scene scene = floor_with_one(wine);
-  World world = made(scene, with_pads());
+  const scene::Scene scene = floor_with_one(wine);
+  physics::World world = made(scene, with_pads());
   for (const char* finger : {"left", "right"})
     ASSERT_TRUE(world.set_control(world.actuator(finger).value(), 40).ok());
   run(world, second);
@@ -144,19 +144,19 @@ TEST(RigidGoods, ABottleIsHeldByItsNeck) {
 
 // What the program says of its model goes on: names, and its size in memory.
 TEST(HullMeshes, AModelIsSavedAndReadWithThem) {
-  const Scene scene = floor_with_one(wine);
-  World world = made(scene, with_pads());
+  const scene::Scene scene = floor_with_one(wine);
+  physics::World world = made(scene, with_pads());
   const mjtSize bytes = mj_sizeModel(&world.model());
   ASSERT_TRUE(world.wake(0).ok());
   const mjModel& m = world.model();
   ASSERT_GT(m.nmesh, 0);
   EXPECT_GT(mj_sizeModel(&m), bytes);
   std::vector<char> saved(static_cast<std::size_t>(mj_sizeModel(&m)));
-  ASSERT_TRUE(guarded("test", [&] {
+  ASSERT_TRUE(physics::guarded("test", [&] {
                 mj_saveModel(&m, nullptr, saved.data(), static_cast<int>(saved.size()));
               }).ok());
-  const MujocoModel read(mj_loadModelBuffer(saved.data(), static_cast<int>(saved.size())),
-                         mj_deleteModel);
+  const physics::MujocoModel read(mj_loadModelBuffer(saved.data(), static_cast<int>(saved.size())),
+                                  mj_deleteModel);
   ASSERT_NE(read, nullptr);
   EXPECT_EQ(read->nbuffer, m.nbuffer);
   EXPECT_EQ(mj_name2id(read.get(), mjOBJ_ACTUATOR, "lift"), world.actuator("lift").value());

@@ -4,10 +4,10 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // A drawn aluminium can with a domed shoulder; the cap covers valve and spray head.
-Result<ProductModel> make_aerosol(const Product& product) {
+Result<ProductModel> make_aerosol(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   const LabelZone zone = label_zone_of(product);
@@ -29,8 +29,8 @@ Result<ProductModel> make_aerosol(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_aerosol(const Product& product) {
+CollisionPrimitive collision_aerosol(const catalog::Product& product) {
   return cylinder_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

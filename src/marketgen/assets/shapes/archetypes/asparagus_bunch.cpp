@@ -7,7 +7,7 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "geometry/circle.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr int spears = 16;
@@ -33,7 +33,7 @@ TubeForm spear(Vec2f at, float radius, float tip, const PlantFrame& frame) {
 
 }  // namespace
 
-Result<ProductModel> make_asparagus_bunch(const Product& product) {
+Result<ProductModel> make_asparagus_bunch(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   Stream draw = growth_seed(product).stream();
   const PlantFrame frame = plant_frame(pack, lies_along_x(product));
@@ -61,9 +61,9 @@ Result<ProductModel> make_asparagus_bunch(const Product& product) {
   return pack.finish(0.3F);
 }
 
-CollisionPrimitive collision_asparagus_bunch(const Product& product) {
+CollisionPrimitive collision_asparagus_bunch(const catalog::Product& product) {
   return product.size_mm[0] > product.size_mm[2] ? lying_cylinder_around(product)
                                                  : cylinder_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

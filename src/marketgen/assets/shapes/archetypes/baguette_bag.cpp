@@ -7,7 +7,7 @@
 #include "assets/shapes/archetypes/shell.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr Vec3f crust{0.44F, 0.20F, 0.065F};  // baked brown
@@ -73,7 +73,7 @@ void add_scores(PackBuilder& pack, const WrapForm& form, std::uint16_t surface) 
 }  // namespace
 
 // A baguette in its open paper sleeve, standing in a basket or lying on a shelf.
-Result<ProductModel> make_baguette_bag(const Product& product) {
+Result<ProductModel> make_baguette_bag(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   const std::uint16_t print = pack.add_print(matt_paper_roughness);
   const std::uint16_t inside = pack.add_surface(paper({0.72F, 0.62F, 0.48F}));
@@ -86,8 +86,8 @@ Result<ProductModel> make_baguette_bag(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_baguette_bag(const Product& product) {
+CollisionPrimitive collision_baguette_bag(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -6,7 +6,7 @@
 #include "assets/shapes/archetypes/growth.h"
 #include "assets/shapes/archetypes/registry.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr int min_bananas = 4, max_bananas = 6;
@@ -55,7 +55,7 @@ void add_crown(PackBuilder& pack, Vec3f half) {
 
 }  // namespace
 
-Result<ProductModel> make_banana_bunch(const Product& product) {
+Result<ProductModel> make_banana_bunch(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   Stream draw = growth_seed(product).stream();
   const std::uint16_t skin = pack.add_print(0.45F);
@@ -74,8 +74,8 @@ Result<ProductModel> make_banana_bunch(const Product& product) {
   return pack.finish(0.2F);
 }
 
-CollisionPrimitive collision_banana_bunch(const Product& product) {
+CollisionPrimitive collision_banana_bunch(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

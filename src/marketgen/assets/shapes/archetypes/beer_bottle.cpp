@@ -5,7 +5,7 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr std::string_view amber_glass = "#3a1c08";
@@ -13,7 +13,7 @@ constexpr std::string_view amber_glass = "#3a1c08";
 }  // namespace
 
 // After the long-neck bottle: 61 mm by 230 mm, 26 mm neck under a 32 mm crown cork.
-Result<ProductModel> make_beer_bottle(const Product& product) {
+Result<ProductModel> make_beer_bottle(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   MARKETGEN_TRY(const Vec3f amber, linear_from_hex(amber_glass));
@@ -39,8 +39,8 @@ Result<ProductModel> make_beer_bottle(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_beer_bottle(const Product& product) {
+CollisionPrimitive collision_beer_bottle(const catalog::Product& product) {
   return cylinder_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -12,7 +12,7 @@
 #include "assets/shapes/archetypes/surfaces.h"
 #include "base/text.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr float greatest_card_m = 0.0012F;  // thickness
@@ -23,7 +23,7 @@ struct BlisterSurfaces {
   std::uint16_t card, edge, print, clear, goods, metal;
 };
 
-bool holds(const Product& product, std::string_view word) {
+bool holds(const catalog::Product& product, std::string_view word) {
   return lower_ascii(product.name + " " + product.subcategory).find(word) != std::string::npos;
 }
 
@@ -88,13 +88,13 @@ constexpr Cell cells[] = {{"AA", 0.00725F, 0.0505F},
                           {"9 V", 0.01325F, 0.0485F, true},
                           {"CR2032", 0.0100F, 0.0032F, false, true}};
 
-Cell cell_of(const Product& product) {
+Cell cell_of(const catalog::Product& product) {
   const auto found = std::ranges::find(cells, product.variant, &Cell::name);
   return found == std::end(cells) ? cells[0] : *found;
 }
 
 // How many the pack says it holds ("4 pieces").
-int cells_in(const Product& product) {
+int cells_in(const catalog::Product& product) {
   return std::clamp(std::atoi(product.net.c_str()), 1, 8);
 }
 
@@ -144,7 +144,7 @@ void add_block_cell(
 
 // Batteries lie side by side, poles up; nothing hides them but the film.
 void add_batteries(PackBuilder& pack,
-                   const Product& product,
+                   const catalog::Product& product,
                    float wall_y,
                    Vec3f room,
                    float low,
@@ -201,7 +201,7 @@ void add_handle(PackBuilder& pack,
 }  // namespace
 
 // Batteries, razors, brushes, small hardware: a card that hangs from a peg, the goods under a hood.
-Result<ProductModel> make_blister(const Product& product) {
+Result<ProductModel> make_blister(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   BlisterSurfaces s{};
@@ -233,8 +233,8 @@ Result<ProductModel> make_blister(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_blister(const Product& product) {
+CollisionPrimitive collision_blister(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -5,7 +5,7 @@
 
 #include "geometry/circle.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr int lump_count = 7;
@@ -161,4 +161,4 @@ Vec3f GrownBody::point(double turn, double along) const {
   return own + off_axis(outline.y);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -6,7 +6,7 @@
 #include "assets/shapes/archetypes/shell.h"
 #include "base/seed.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // (radius, height) from the lower pole to the upper, both with radius 0, in shares of the greatest
 // radius and of the body's length; what follows the upper pole is not read.
@@ -53,4 +53,4 @@ class GrownBody {
   float bend_ = 0;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // The cubic through b and c whose slopes are those of the secants beside them, without overshoot: a
@@ -100,4 +100,4 @@ void add_screw_cap(
   profile.neck(top, 0.88F * radius_m).pole(top);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -5,7 +5,7 @@
 #include "assets/shapes/archetypes/label_zone.h"
 #include "assets/shapes/archetypes/profile.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // A screw cap on a neck with a support ring, from `low` up to `top`; the profile ends at the cap's
 // middle. `radius_m` is the cap's, the neck under it is narrower.
@@ -33,4 +33,4 @@ std::vector<Section> blown_body(const PackBuilder& pack,
                                 std::uint16_t body,
                                 std::uint16_t print);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

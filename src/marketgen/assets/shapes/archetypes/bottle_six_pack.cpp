@@ -7,7 +7,7 @@
 #include "assets/shapes/archetypes/shell.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr float caps_high = 0.965F;  // share of the height: the carrying tape arches over the caps
@@ -51,7 +51,7 @@ void add_tape(PackBuilder& pack, const FilmForm& form, std::uint16_t surface) {
 }  // namespace
 
 // Six bottles in printed shrink film, their shoulders free, carried by a tape.
-Result<ProductModel> make_bottle_six_pack(const Product& product) {
+Result<ProductModel> make_bottle_six_pack(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   MARKETGEN_TRY(const Vec3f contents, contents_color(product));
@@ -84,8 +84,8 @@ Result<ProductModel> make_bottle_six_pack(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_bottle_six_pack(const Product& product) {
+CollisionPrimitive collision_bottle_six_pack(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -6,7 +6,7 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr int brick_cap_triangles = 200;
@@ -38,7 +38,7 @@ void add_brick_cap(PackBuilder& pack, float low, float radius, std::uint16_t sur
 
 }  // namespace
 
-Result<ProductModel> make_brick_carton(const Product& product) {
+Result<ProductModel> make_brick_carton(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   const std::uint16_t print = pack.add_print(gloss_paper_roughness);
@@ -67,8 +67,8 @@ Result<ProductModel> make_brick_carton(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_brick_carton(const Product& product) {
+CollisionPrimitive collision_brick_carton(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -6,7 +6,7 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "geometry/circle.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr float dome_middle = 0.62F;  // height, in the length
@@ -39,7 +39,7 @@ void add_stem(PackBuilder& pack, const PlantFrame& frame, Stream draw) {
 
 }  // namespace
 
-Result<ProductModel> make_broccoli(const Product& product) {
+Result<ProductModel> make_broccoli(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   const Seed seed = growth_seed(product);
   const PlantFrame frame = plant_frame(pack, lies_along_x(product));
@@ -55,8 +55,8 @@ Result<ProductModel> make_broccoli(const Product& product) {
   return pack.finish(0.2F);
 }
 
-CollisionPrimitive collision_broccoli(const Product& product) {
+CollisionPrimitive collision_broccoli(const catalog::Product& product) {
   return ellipsoid_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -5,7 +5,7 @@
 #include "assets/shapes/archetypes/loft.h"
 #include "geometry/circle.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 void add_rubber_band(
     PackBuilder& pack, Vec3f color, float z, Vec2f half, float thick, const Placement& place) {
@@ -48,4 +48,4 @@ void add_punnet(PackBuilder& pack, std::uint16_t surface, float height) {
            {.triangles = 900});
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -2,7 +2,7 @@
 #pragma once
 #include "assets/shapes/archetypes/shell.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // A rubber band round stalks that run along Z: an oval ring of those half sizes at height z.
 void add_rubber_band(
@@ -11,4 +11,4 @@ void add_rubber_band(
 // An open rectangular punnet with sloping walls that fills the lower `height` of the pack.
 void add_punnet(PackBuilder& pack, std::uint16_t surface, float height);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -7,7 +7,7 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr float roll_pitch_m =
@@ -26,7 +26,7 @@ int pieces_along(float length, float pitch) {
 }
 
 // Bottles stand in one layer, rolls in layers.
-Pieces pieces_of(const Product& product, Vec3f size) {
+Pieces pieces_of(const catalog::Product& product, Vec3f size) {
   const bool bottles = product.unit_of_measure == "l";
   const float pitch = bottles ? bottle_pitch_m : roll_pitch_m;
   return {pieces_along(size.x, pitch),
@@ -63,7 +63,7 @@ std::vector<float> piece_lines(int pieces, int max_cells) {
 
 }  // namespace
 
-Result<ProductModel> make_bundle(const Product& product) {
+Result<ProductModel> make_bundle(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   const std::uint16_t print = pack.add_print(film_roughness);
   const Vec3f size{pack.width(), pack.depth(), pack.height()};
@@ -76,8 +76,8 @@ Result<ProductModel> make_bundle(const Product& product) {
   return pack.finish(0.4F);
 }
 
-CollisionPrimitive collision_bundle(const Product& product) {
+CollisionPrimitive collision_bundle(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

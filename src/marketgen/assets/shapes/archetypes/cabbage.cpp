@@ -2,9 +2,9 @@
 #include "assets/shapes/archetypes/leaf_head.h"
 #include "assets/shapes/archetypes/registry.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
-Result<ProductModel> make_cabbage(const Product& product) {
+Result<ProductModel> make_cabbage(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   const std::uint16_t skin = pack.add_print(0.5F);
   LeafHead head;
@@ -16,8 +16,8 @@ Result<ProductModel> make_cabbage(const Product& product) {
   return pack.finish(0.2F);
 }
 
-CollisionPrimitive collision_cabbage(const Product& product) {
+CollisionPrimitive collision_cabbage(const catalog::Product& product) {
   return ellipsoid_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -5,10 +5,10 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // Drawn after a 330 ml can: foot ring 48 mm of 66 mm, neck 54 mm, lid a little below the rim.
-Result<ProductModel> make_can(const Product& product) {
+Result<ProductModel> make_can(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   const LabelZone zone = label_zone_of(product);
   const std::uint16_t metal = pack.add_surface(aluminium());
@@ -25,8 +25,8 @@ Result<ProductModel> make_can(const Product& product) {
                     {.triangles = pack_triangles - plain_box_triangles});
 }
 
-CollisionPrimitive collision_can(const Product& product) {
+CollisionPrimitive collision_can(const catalog::Product& product) {
   return cylinder_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -2,7 +2,7 @@
 
 #include "assets/shapes/archetypes/panel_box.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr float lid_height = 0.975F;  // the lid lies a little below the rim
@@ -41,4 +41,4 @@ Result<ProductModel> finish_can(PackBuilder& pack,
   return pack.finish();
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -2,7 +2,7 @@
 #pragma once
 #include "assets/shapes/archetypes/profile.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // From the wall up; the profile ends at the lid's middle. `neck` is the neck's share of the body's
 // radius, `height` the can's.
@@ -25,4 +25,4 @@ Result<ProductModel> finish_can(PackBuilder& pack,
                                 const CanForm& form,
                                 const LoftStyle& style);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -6,7 +6,7 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // What stands out of the film: the shoulder, the neck and the end of one can.
@@ -24,7 +24,7 @@ void add_can_top(
 }  // namespace
 
 // Six cans in printed shrink film that leaves their ends free.
-Result<ProductModel> make_can_six_pack(const Product& product) {
+Result<ProductModel> make_can_six_pack(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   const std::uint16_t print = pack.add_print(film_roughness);
@@ -52,8 +52,8 @@ Result<ProductModel> make_can_six_pack(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_can_six_pack(const Product& product) {
+CollisionPrimitive collision_can_six_pack(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

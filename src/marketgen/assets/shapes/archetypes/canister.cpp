@@ -6,10 +6,10 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // Crisps, gravy, cocoa: a spiral-wound paper tube with a seamed metal foot and a snap-on lid.
-Result<ProductModel> make_canister(const Product& product) {
+Result<ProductModel> make_canister(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   const LabelZone zone = label_zone_of(product);
@@ -34,8 +34,8 @@ Result<ProductModel> make_canister(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_canister(const Product& product) {
+CollisionPrimitive collision_canister(const catalog::Product& product) {
   return cylinder_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

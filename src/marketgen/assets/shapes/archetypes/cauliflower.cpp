@@ -4,9 +4,9 @@
 #include "assets/shapes/archetypes/growth.h"
 #include "assets/shapes/archetypes/registry.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
-Result<ProductModel> make_cauliflower(const Product& product) {
+Result<ProductModel> make_cauliflower(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   const Seed seed = growth_seed(product);
   const PlantFrame frame = plant_frame(pack, false);
@@ -40,8 +40,8 @@ Result<ProductModel> make_cauliflower(const Product& product) {
   return pack.finish(0.2F);
 }
 
-CollisionPrimitive collision_cauliflower(const Product& product) {
+CollisionPrimitive collision_cauliflower(const catalog::Product& product) {
   return ellipsoid_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -7,7 +7,7 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "geometry/circle.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr int outer_stalks = 7, inner_stalks = 3;
@@ -72,7 +72,7 @@ void add_leaflets(
 
 }  // namespace
 
-Result<ProductModel> make_celery(const Product& product) {
+Result<ProductModel> make_celery(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   const Seed seed = growth_seed(product);
   const PlantFrame frame = plant_frame(pack, lies_along_x(product));
@@ -90,8 +90,8 @@ Result<ProductModel> make_celery(const Product& product) {
   return pack.finish(0.2F);
 }
 
-CollisionPrimitive collision_celery(const Product& product) {
+CollisionPrimitive collision_celery(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -9,7 +9,7 @@
 #include "assets/shapes/archetypes/surfaces.h"
 #include "geometry/circle.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr Vec3f young_cheese{0.80F, 0.51F, 0.13F};
@@ -103,7 +103,7 @@ void add_labels(PackBuilder& pack,
 }  // namespace
 
 // A piece cut from a wheel, shrink-wrapped, labelled above and on its cut.
-Result<ProductModel> make_cheese_wedge(const Product& product) {
+Result<ProductModel> make_cheese_wedge(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   const std::uint16_t print = pack.add_print(gloss_paper_roughness);
   const std::uint16_t cheese = pack.add_surface(filled_plastic(young_cheese));
@@ -127,8 +127,8 @@ Result<ProductModel> make_cheese_wedge(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_cheese_wedge(const Product& product) {
+CollisionPrimitive collision_cheese_wedge(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -6,7 +6,7 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr int pleats = 10;  // folds of the gathered film around the clip
@@ -43,7 +43,7 @@ std::vector<Section> gathered_end(const WrapForm& form, std::uint16_t casing, st
 }  // namespace
 
 // Liver sausage, polenta, dough, pet food: a casing filled tight and clipped at both ends.
-Result<ProductModel> make_chub(const Product& product) {
+Result<ProductModel> make_chub(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   const std::uint16_t print = pack.add_print(film_roughness);
@@ -71,8 +71,8 @@ Result<ProductModel> make_chub(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_chub(const Product& product) {
+CollisionPrimitive collision_chub(const catalog::Product& product) {
   return lying_cylinder_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

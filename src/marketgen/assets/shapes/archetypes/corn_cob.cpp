@@ -8,7 +8,7 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "geometry/circle.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // From the tip to the stalk.
@@ -62,7 +62,7 @@ void add_husk(PackBuilder& pack, const PlantFrame& frame, Vec3f half, Stream dra
 
 }  // namespace
 
-Result<ProductModel> make_corn_cob(const Product& product) {
+Result<ProductModel> make_corn_cob(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   const Seed seed = growth_seed(product);
   const PlantFrame frame = plant_frame(pack, lies_along_x(product));
@@ -77,8 +77,8 @@ Result<ProductModel> make_corn_cob(const Product& product) {
   return pack.finish(0.2F);
 }
 
-CollisionPrimitive collision_corn_cob(const Product& product) {
+CollisionPrimitive collision_corn_cob(const catalog::Product& product) {
   return grown_cylinder_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

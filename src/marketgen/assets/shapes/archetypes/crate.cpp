@@ -10,7 +10,7 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr float bottle_pitch_m = 0.076F;  // 20 half-litre bottles in 400 x 300 mm
@@ -22,7 +22,7 @@ struct Rows {
 };
 
 // As many as the net quantity says, in the rows that give each the squarest place.
-Rows rows_of(const Product& product, float width, float depth) {
+Rows rows_of(const catalog::Product& product, float width, float depth) {
   const int wanted = std::atoi(product.net.c_str());
   Rows best{1, 1};
   float least = 1e9F;
@@ -135,7 +135,7 @@ void add_bottle(
 }  // namespace
 
 // Twenty bottles of beer or a dozen of water in the crate in which they come back.
-Result<ProductModel> make_crate(const Product& product) {
+Result<ProductModel> make_crate(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   MARKETGEN_TRY(const Vec3f contents, contents_color(product));
@@ -160,8 +160,8 @@ Result<ProductModel> make_crate(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_crate(const Product& product) {
+CollisionPrimitive collision_crate(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

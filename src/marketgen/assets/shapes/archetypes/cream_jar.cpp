@@ -6,10 +6,10 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // Face cream, balm, hair wax: a low jar with a lid of its own width.
-Result<ProductModel> make_cream_jar(const Product& product) {
+Result<ProductModel> make_cream_jar(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   const LabelZone zone = label_zone_of(product);
@@ -36,8 +36,8 @@ Result<ProductModel> make_cream_jar(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_cream_jar(const Product& product) {
+CollisionPrimitive collision_cream_jar(const catalog::Product& product) {
   return cylinder_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

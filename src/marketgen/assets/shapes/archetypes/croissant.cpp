@@ -7,7 +7,7 @@
 #include "assets/shapes/archetypes/shell.h"
 #include "geometry/circle.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr int folds = 7;             // turns of the rolled dough, the middle one the thickest
@@ -41,7 +41,7 @@ std::vector<double> fold_stations() {
 
 }  // namespace
 
-Result<ProductModel> make_croissant(const Product& product) {
+Result<ProductModel> make_croissant(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   Stream draw = growth_seed(product).stream();
   const std::uint16_t skin = pack.add_print(0.45F);
@@ -70,8 +70,8 @@ Result<ProductModel> make_croissant(const Product& product) {
   return pack.finish(0.35F);
 }
 
-CollisionPrimitive collision_croissant(const Product& product) {
+CollisionPrimitive collision_croissant(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -7,7 +7,7 @@
 #include "assets/shapes/archetypes/growth.h"
 #include "assets/shapes/archetypes/registry.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr BodyForm loaf_body{.outline = {{{0, 0.01},
@@ -21,7 +21,7 @@ constexpr BodyForm loaf_body{.outline = {{{0, 0.01},
                                           {0, 1}}},
                              .lumps = 0.045};
 
-std::vector<CrustCut> cuts_of(const Product& product) {
+std::vector<CrustCut> cuts_of(const catalog::Product& product) {
   if (has_word(product, "berliner|bun|milk|cinnamon|ciabatta|focaccia|pide|braided|raisin"))
     return {};
   if (product.archetype == "bread_roll") {
@@ -50,7 +50,7 @@ float in_cut(const CrustCut& cut, Vec2f at) {
 
 }  // namespace
 
-CrustyLoaf::CrustyLoaf(const Product& product)
+CrustyLoaf::CrustyLoaf(const catalog::Product& product)
     : half_{static_cast<float>(product.width_m() / 2),
             static_cast<float>(product.depth_m() / 2),
             static_cast<float>(product.height_m() / 2)},
@@ -80,7 +80,7 @@ float CrustyLoaf::crumb(double turn, double along) const {
 
 namespace {
 
-Result<ProductModel> loaf_model(const Product& product) {
+Result<ProductModel> loaf_model(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   const std::uint16_t skin = pack.add_print(0.65F);
   const CrustyLoaf loaf(product);
@@ -93,18 +93,18 @@ Result<ProductModel> loaf_model(const Product& product) {
 
 }  // namespace
 
-Result<ProductModel> make_bread_roll(const Product& product) {
+Result<ProductModel> make_bread_roll(const catalog::Product& product) {
   return loaf_model(product);
 }
-CollisionPrimitive collision_bread_roll(const Product& product) {
+CollisionPrimitive collision_bread_roll(const catalog::Product& product) {
   return box_around(product);
 }
 
-Result<ProductModel> make_round_bread(const Product& product) {
+Result<ProductModel> make_round_bread(const catalog::Product& product) {
   return loaf_model(product);
 }
-CollisionPrimitive collision_round_bread(const Product& product) {
+CollisionPrimitive collision_round_bread(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -5,7 +5,7 @@
 #include "assets/shapes/archetypes/body.h"
 #include "catalog/product.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // A straight cut across the top, through a point, in half sizes of the loaf.
 struct CrustCut {
@@ -19,7 +19,7 @@ struct CrustCut {
 // The shape that bread_roll and round_bread have; their skin asks it where the crumb shows.
 class CrustyLoaf {
  public:
-  explicit CrustyLoaf(const Product& product);
+  explicit CrustyLoaf(const catalog::Product& product);
 
   Vec3f point(double turn, double along) const;  // of a shell, metres
   float crumb(double turn, double along) const;  // 1 inside a cut, 0 on the crust
@@ -30,4 +30,4 @@ class CrustyLoaf {
   GrownBody body_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -6,7 +6,7 @@
 #include "assets/shapes/archetypes/shell.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // The left shoulder runs straight to the neck; the right one is scooped out for the hand.
@@ -42,7 +42,7 @@ void add_detergent_handle(PackBuilder& pack, std::uint16_t surface) {
 }  // namespace
 
 // Laundry detergent, softener: a flat bottle whose handle is a part of its outline; the cap doses.
-Result<ProductModel> make_detergent_bottle(const Product& product) {
+Result<ProductModel> make_detergent_bottle(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   const LabelZone zone = label_zone_of(product);
@@ -77,8 +77,8 @@ Result<ProductModel> make_detergent_bottle(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_detergent_bottle(const Product& product) {
+CollisionPrimitive collision_detergent_bottle(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -4,7 +4,7 @@
 #include "assets/shapes/archetypes/shell.h"
 #include "geometry/circle.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr float hole_share = 0.32F;   // of the outer radius
@@ -14,7 +14,7 @@ constexpr float glaze_low_v = 0.58F, dough_high_v = 0.62F;
 
 }  // namespace
 
-Result<ProductModel> make_donut(const Product& product) {
+Result<ProductModel> make_donut(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   Stream draw = growth_seed(product).stream();
   const std::uint16_t skin = pack.add_print(0.35F);
@@ -59,8 +59,8 @@ Result<ProductModel> make_donut(const Product& product) {
   return pack.finish(0.2F);
 }
 
-CollisionPrimitive collision_donut(const Product& product) {
+CollisionPrimitive collision_donut(const catalog::Product& product) {
   return cylinder_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -9,7 +9,7 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr Vec3f moulded_pulp{0.42F, 0.40F, 0.36F};
@@ -121,7 +121,7 @@ void add_labels(PackBuilder& pack,
 }  // namespace
 
 // Six or ten eggs in moulded pulp: cups below, a flange, a lid with paper labels.
-Result<ProductModel> make_egg_box(const Product& product) {
+Result<ProductModel> make_egg_box(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   const std::uint16_t pulp = pack.add_surface({.color = moulded_pulp, .roughness = 0.95F});
   const std::uint16_t print = pack.add_print(matt_paper_roughness);
@@ -146,8 +146,8 @@ Result<ProductModel> make_egg_box(const Product& product) {
   return pack.finish(0.3F);
 }
 
-CollisionPrimitive collision_egg_box(const Product& product) {
+CollisionPrimitive collision_egg_box(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -6,7 +6,7 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // Shares of the length or of the greatest radius.
@@ -19,7 +19,7 @@ struct LongForm {
 };
 
 // By the picture that the row names; a cucumber otherwise.
-LongForm long_form_of(const Product& product) {
+LongForm long_form_of(const catalog::Product& product) {
   const std::string& motif = product.label.motif;
   if (motif == "banana")
     return {.tip_radius = 0.62F,
@@ -103,7 +103,7 @@ Placement laid_along_x(float length, float sag) {
 }  // namespace
 
 // The stem end lies to the left. Whatever depth and height differ by is the bend.
-Result<ProductModel> make_elongated_produce(const Product& product) {
+Result<ProductModel> make_elongated_produce(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   const std::uint16_t skin = pack.add_print(skin_roughness);
   const LongForm form = long_form_of(product);
@@ -126,8 +126,8 @@ Result<ProductModel> make_elongated_produce(const Product& product) {
   return pack.finish(0.2F);
 }
 
-CollisionPrimitive collision_elongated_produce(const Product& product) {
+CollisionPrimitive collision_elongated_produce(const catalog::Product& product) {
   return lying_cylinder_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -7,7 +7,7 @@
 #include "assets/shapes/archetypes/growth.h"
 #include "assets/shapes/archetypes/registry.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr BodyForm bulb_body{.outline = {{{0, 0},
@@ -81,7 +81,7 @@ void add_stalks(PackBuilder& pack, std::uint16_t skin, const PlantFrame& frame, 
 
 }  // namespace
 
-Result<ProductModel> make_fennel(const Product& product) {
+Result<ProductModel> make_fennel(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   const Seed seed = growth_seed(product);
   const PlantFrame frame = plant_frame(pack, lies_along_x(product));
@@ -98,8 +98,8 @@ Result<ProductModel> make_fennel(const Product& product) {
   return pack.finish(0.2F);
 }
 
-CollisionPrimitive collision_fennel(const Product& product) {
+CollisionPrimitive collision_fennel(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

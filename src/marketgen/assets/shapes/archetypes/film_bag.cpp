@@ -1,6 +1,6 @@
 #include "assets/shapes/archetypes/film_bag.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 void add_bag(PackBuilder& pack,
              std::uint16_t front_and_back,
@@ -23,4 +23,4 @@ void add_bag(PackBuilder& pack,
                 place);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

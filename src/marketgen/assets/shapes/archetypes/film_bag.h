@@ -4,7 +4,7 @@
 
 #include "assets/shapes/archetypes/panel_box.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // How a bag is blown up, for a place on its face: x from -1 (left) to 1 (right), z from 0 (bottom)
 // to 1 (top). Returns the share of the full thickness, 0 at a seal.
@@ -26,4 +26,4 @@ void add_bag(PackBuilder& pack,
              const BagForm& form,
              const Placement& place = PartFrame{});
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -7,7 +7,7 @@
 
 #include "geometry/circle.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr int corner_chords = 5;               // of half a corner
@@ -84,4 +84,4 @@ Vec3f piece_place(const PackBuilder& pack, const FilmForm& form, int i, int k) {
   return {middle(i, form.across, pack.width()), middle(k, form.deep, pack.depth()), 0};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -6,9 +6,9 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
-Result<ProductModel> make_flask(const Product& product) {
+Result<ProductModel> make_flask(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   const LabelZone zone = label_zone_of(product);
@@ -35,8 +35,8 @@ Result<ProductModel> make_flask(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_flask(const Product& product) {
+CollisionPrimitive collision_flask(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

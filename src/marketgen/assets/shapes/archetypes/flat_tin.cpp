@@ -4,10 +4,10 @@
 #include "assets/shapes/archetypes/surfaces.h"
 #include "assets/shapes/archetypes/tin_parts.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // Tuna, pate, sweets: a drawn tin, printed on its wall and on its lid.
-Result<ProductModel> make_flat_tin(const Product& product) {
+Result<ProductModel> make_flat_tin(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   const LabelZone zone = label_zone_of(product);
   const std::uint16_t metal = pack.add_surface(tinplate());
@@ -29,8 +29,8 @@ Result<ProductModel> make_flat_tin(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_flat_tin(const Product& product) {
+CollisionPrimitive collision_flat_tin(const catalog::Product& product) {
   return cylinder_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

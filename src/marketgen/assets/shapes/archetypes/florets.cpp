@@ -5,7 +5,7 @@
 
 #include "geometry/circle.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 struct Knob {
@@ -63,4 +63,4 @@ void add_floret_dome(PackBuilder& pack,
   add_shell(pack, skin, {segments, even_stations(bands)}, point);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

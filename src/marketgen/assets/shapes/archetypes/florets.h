@@ -3,7 +3,7 @@
 #include "assets/shapes/archetypes/shell.h"
 #include "base/seed.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 struct FloretDome {
   Vec3f middle, half;    // of the ellipsoid that the knobs stand out of
@@ -17,4 +17,4 @@ void add_floret_dome(PackBuilder& pack,
                      Stream draw,
                      const Placement& place = PartFrame{});
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -6,7 +6,7 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr float greatest_fin_m = 0.009F;  // width of an end seal
@@ -51,7 +51,7 @@ void add_half(std::vector<Section>& half,
 }  // namespace
 
 // Chocolate bars, biscuits, ice lollies: film sealed along the back and crimped at both ends.
-Result<ProductModel> make_flow_pack(const Product& product) {
+Result<ProductModel> make_flow_pack(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   const std::uint16_t print = pack.add_print(film_roughness);
@@ -79,8 +79,8 @@ Result<ProductModel> make_flow_pack(const Product& product) {
   return pack.finish(0.3F);
 }
 
-CollisionPrimitive collision_flow_pack(const Product& product) {
+CollisionPrimitive collision_flow_pack(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

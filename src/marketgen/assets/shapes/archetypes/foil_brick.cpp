@@ -6,7 +6,7 @@
 #include "assets/shapes/archetypes/surfaces.h"
 #include "base/seed.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr float brick_edge_m = 0.0035F;
@@ -16,7 +16,7 @@ constexpr int dents_along = 6;
 // Smooth bumps of the faces, the same for every pack of a row.
 class Dents {
  public:
-  explicit Dents(const Product& product) {
+  explicit Dents(const catalog::Product& product) {
     Stream draw = Seed(0).child("foil_brick", product.sku).stream();
     for (auto& plane : height_) {
       for (auto& line : plane) {
@@ -97,7 +97,7 @@ void add_folds(PackBuilder& pack, bool upright, std::uint16_t surface) {
 
 // Butter, yeast, marzipan lying; vacuum-packed coffee and rice standing: foil folded over both
 // ends.
-Result<ProductModel> make_foil_brick(const Product& product) {
+Result<ProductModel> make_foil_brick(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   const std::uint16_t print = pack.add_print(0.32F);
@@ -127,8 +127,8 @@ Result<ProductModel> make_foil_brick(const Product& product) {
   return pack.finish(0.4F);
 }
 
-CollisionPrimitive collision_foil_brick(const Product& product) {
+CollisionPrimitive collision_foil_brick(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -5,7 +5,7 @@
 
 #include "geometry/circle.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr float leaf_thickness = 0.045F;  // in half widths
@@ -149,4 +149,4 @@ void add_calyx(PackBuilder& pack,
             place);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -4,7 +4,7 @@
 #include "assets/shapes/archetypes/shell.h"
 #include "base/seed.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // Linear colours of green and dry parts.
 inline constexpr Vec3f twig_brown{0.10F, 0.065F, 0.03F};
@@ -85,4 +85,4 @@ void add_calyx(PackBuilder& pack,
                Stream draw,
                const Placement& place = PartFrame{});
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

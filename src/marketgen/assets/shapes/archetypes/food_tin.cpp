@@ -7,7 +7,7 @@
 #include "assets/shapes/archetypes/surfaces.h"
 #include "assets/shapes/archetypes/tin_parts.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr float tin_body_share = 0.985F;    // the seams stand out by 0.6 mm on a 75 mm tin
@@ -33,7 +33,7 @@ void add_tin_wall(Profile& profile, const LabelZone& zone) {
 
 }  // namespace
 
-Result<ProductModel> make_food_tin(const Product& product) {
+Result<ProductModel> make_food_tin(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   const LabelZone zone = label_zone_of(product);
   const std::uint16_t metal = pack.add_surface(tinplate());
@@ -54,8 +54,8 @@ Result<ProductModel> make_food_tin(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_food_tin(const Product& product) {
+CollisionPrimitive collision_food_tin(const catalog::Product& product) {
   return cylinder_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

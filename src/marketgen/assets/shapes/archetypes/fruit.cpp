@@ -11,7 +11,7 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "geometry/circle.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr Vec3f beet_stalk{0.30F, 0.02F, 0.07F};
@@ -41,7 +41,7 @@ constexpr FruitForm fruit_forms[] = {
 constexpr int body_segments = 44, body_bands = 30;
 
 // Null for an archetype that fruit.inc does not list.
-const FruitForm* form_of(const Product& product) {
+const FruitForm* form_of(const catalog::Product& product) {
   const FruitForm* form =
       std::find_if(std::begin(fruit_forms), std::end(fruit_forms), [&](const FruitForm& row) {
         return row.archetype == product.archetype && has_word(product, row.words);
@@ -130,7 +130,7 @@ void add_top(PackBuilder& pack,
   }
 }
 
-Result<ProductModel> fruit_model(const Product& product) {
+Result<ProductModel> fruit_model(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   const FruitForm& form = *form_of(product);
   const Seed seed = growth_seed(product);
@@ -164,7 +164,7 @@ Result<ProductModel> fruit_model(const Product& product) {
 
 }  // namespace
 
-bool lies_along_x(const Product& product) {
+bool lies_along_x(const catalog::Product& product) {
   constexpr int longer_percent = 112;  // what is nearly as high as long stands
   static constexpr std::string_view standing[] = {"broccoli",
                                                   "cauliflower",
@@ -184,19 +184,19 @@ bool lies_along_x(const Product& product) {
   return !stands && 100 * product.size_mm[0] > longer_percent * product.size_mm[2];
 }
 
-#define ROUND_FRUIT(name)                                       \
-  Result<ProductModel> make_##name(const Product& product) {    \
-    return fruit_model(product);                                \
-  }                                                             \
-  CollisionPrimitive collision_##name(const Product& product) { \
-    return ellipsoid_around(product);                           \
+#define ROUND_FRUIT(name)                                                \
+  Result<ProductModel> make_##name(const catalog::Product& product) {    \
+    return fruit_model(product);                                         \
+  }                                                                      \
+  CollisionPrimitive collision_##name(const catalog::Product& product) { \
+    return ellipsoid_around(product);                                    \
   }
-#define LONG_FRUIT(name)                                        \
-  Result<ProductModel> make_##name(const Product& product) {    \
-    return fruit_model(product);                                \
-  }                                                             \
-  CollisionPrimitive collision_##name(const Product& product) { \
-    return grown_cylinder_around(product);                      \
+#define LONG_FRUIT(name)                                                 \
+  Result<ProductModel> make_##name(const catalog::Product& product) {    \
+    return fruit_model(product);                                         \
+  }                                                                      \
+  CollisionPrimitive collision_##name(const catalog::Product& product) { \
+    return grown_cylinder_around(product);                               \
   }
 
 ROUND_FRUIT(apple)
@@ -227,4 +227,4 @@ LONG_FRUIT(sweet_potato)
 #undef ROUND_FRUIT
 #undef LONG_FRUIT
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

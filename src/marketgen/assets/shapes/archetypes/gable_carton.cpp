@@ -8,7 +8,7 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr float gable_edge_radius_m = 0.0015F;
@@ -93,7 +93,7 @@ void add_gable_cap(PackBuilder& pack, const Gable& gable, std::uint16_t surface)
 
 }  // namespace
 
-Result<ProductModel> make_gable_carton(const Product& product) {
+Result<ProductModel> make_gable_carton(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   const std::uint16_t print = pack.add_print(gloss_paper_roughness);
@@ -122,8 +122,8 @@ Result<ProductModel> make_gable_carton(const Product& product) {
   return pack.finish(0.7F);
 }
 
-CollisionPrimitive collision_gable_carton(const Product& product) {
+CollisionPrimitive collision_gable_carton(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

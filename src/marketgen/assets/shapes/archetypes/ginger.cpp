@@ -5,7 +5,7 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/shell.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // A finger of the root: its line in half sizes of the pack, its radius in half heights.
@@ -23,7 +23,7 @@ constexpr std::array<Finger, 6> fingers{
 
 }  // namespace
 
-Result<ProductModel> make_ginger(const Product& product) {
+Result<ProductModel> make_ginger(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   Stream draw = growth_seed(product).stream();
   const std::uint16_t skin = pack.add_print(0.8F);
@@ -52,8 +52,8 @@ Result<ProductModel> make_ginger(const Product& product) {
   return pack.finish(0.2F);
 }
 
-CollisionPrimitive collision_ginger(const Product& product) {
+CollisionPrimitive collision_ginger(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -9,7 +9,7 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "geometry/circle.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr int berry_segments = 12, berry_bands = 8;
@@ -29,7 +29,7 @@ float cluster_radius(float t) {
 
 }  // namespace
 
-Result<ProductModel> make_grapes(const Product& product) {
+Result<ProductModel> make_grapes(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   const Seed seed = growth_seed(product);
   Stream draw = seed.stream();
@@ -71,8 +71,8 @@ Result<ProductModel> make_grapes(const Product& product) {
   return pack.finish(0.2F);
 }
 
-CollisionPrimitive collision_grapes(const Product& product) {
+CollisionPrimitive collision_grapes(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -4,16 +4,16 @@
 #include "base/text.h"
 #include "geometry/circle.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
-Seed growth_seed(const Product& product) {
+Seed growth_seed(const catalog::Product& product) {
   return Seed(hash64(product.sku)).child("growth");
 }
 
-bool has_word(const Product& product, std::string_view words) {
+bool has_word(const catalog::Product& product, std::string_view words) {
   if (words.empty()) return true;
   const std::string text = lower_ascii(product.variant + " " + product.name);
-  for (const std::string& word : split(words, '|')) {
+  for (const std::string& word : marketgen::split(words, '|')) {
     if (text.find(word) != std::string::npos) return true;
   }
   return false;
@@ -32,4 +32,4 @@ Vec2 draw_on_circle(Stream& draw) {
   return unit_circle(draw.uniform());
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

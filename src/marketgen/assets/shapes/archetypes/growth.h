@@ -6,14 +6,14 @@
 #include "base/seed.h"
 #include "catalog/product.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // Each SKU grows in its own way, and always in the same.
-Seed growth_seed(const Product& product);
+Seed growth_seed(const catalog::Product& product);
 
 // Whether the product's name or variant contains one of `words`, parted by '|', in small letters.
 // Empty words are in every name.
-bool has_word(const Product& product, std::string_view words);
+bool has_word(const catalog::Product& product, std::string_view words);
 
 // From a body about Z, 0..length, to one that lies along X with its upper end at the left; what
 // faced the front (-Y) faces up, +X points to the back.
@@ -32,4 +32,4 @@ inline constexpr Vec3f plant_front{0, -1, 0};
 // A point of the unit circle.
 Vec2 draw_on_circle(Stream& draw);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

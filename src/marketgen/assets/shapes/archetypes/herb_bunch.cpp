@@ -7,7 +7,7 @@
 #include "assets/shapes/archetypes/growth.h"
 #include "assets/shapes/archetypes/registry.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // How one herb's leaves grow. Sizes in shares of the bunch's length.
@@ -25,7 +25,7 @@ constexpr HerbForm herb_forms[] = {
     {"parsley|coriander|cilantro", 12, 8, 0.17F, 0.055F, LeafOutline::spoon, 0.45F, 0.5},
     {"", 11, 7, 0.20F, 0.06F, LeafOutline::oval, 0.12F, 0.42}};
 
-const HerbForm& form_of(const Product& product) {
+const HerbForm& form_of(const catalog::Product& product) {
   return *std::find_if(std::begin(herb_forms), std::end(herb_forms), [&](const HerbForm& form) {
     return has_word(product, form.words);
   });
@@ -80,7 +80,7 @@ void add_sprig(PackBuilder& pack,
 
 }  // namespace
 
-Result<ProductModel> make_herb_bunch(const Product& product) {
+Result<ProductModel> make_herb_bunch(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   const Seed seed = growth_seed(product);
   Stream draw = seed.stream();
@@ -106,8 +106,8 @@ Result<ProductModel> make_herb_bunch(const Product& product) {
   return pack.finish(0.2F);
 }
 
-CollisionPrimitive collision_herb_bunch(const Product& product) {
+CollisionPrimitive collision_herb_bunch(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

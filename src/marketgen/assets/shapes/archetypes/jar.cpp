@@ -6,10 +6,10 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // Lids follow the twist-off caps TO 63 to TO 82: 10 to 14 mm high, somewhat narrower than the jar.
-Result<ProductModel> make_jar(const Product& product) {
+Result<ProductModel> make_jar(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   MARKETGEN_TRY(const Vec3f contents, contents_color(product));
@@ -40,8 +40,8 @@ Result<ProductModel> make_jar(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_jar(const Product& product) {
+CollisionPrimitive collision_jar(const catalog::Product& product) {
   return cylinder_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -6,7 +6,7 @@
 #include "assets/shapes/archetypes/shell.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr BodyLevel jerrycan_levels[]{{0.000F, 0.88F, 0.88F, 0.86F},
@@ -61,7 +61,7 @@ void add_spout(PackBuilder& pack, std::uint16_t body, std::uint16_t cap) {
 }  // namespace
 
 // Five litres of water, oil or cleaner: a straight body, the handle moulded over its top.
-Result<ProductModel> make_jerrycan(const Product& product) {
+Result<ProductModel> make_jerrycan(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   MARKETGEN_TRY(const Vec3f contents, contents_color(product));
@@ -80,8 +80,8 @@ Result<ProductModel> make_jerrycan(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_jerrycan(const Product& product) {
+CollisionPrimitive collision_jerrycan(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

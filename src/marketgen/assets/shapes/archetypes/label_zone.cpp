@@ -6,7 +6,7 @@
 
 #include "assets/shapes/archetypes/loft.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // One row per printed round or oval pack. Margins are shares of the height, but never more than the
@@ -71,12 +71,12 @@ float ellipse_perimeter(float width, float depth) {
                             (3.0 * (a + b) - std::sqrt((3.0 * a + b) * (a + 3.0 * b))));
 }
 
-bool is_round_footprint(const Product& product) {
+bool is_round_footprint(const catalog::Product& product) {
   const int w = product.size_mm[0], d = product.size_mm[1];
   return 10 * std::abs(w - d) <= std::max(w, d);
 }
 
-LabelZone label_zone_of(const Product& product) {
+LabelZone label_zone_of(const catalog::Product& product) {
   const ZoneRow& row = zone_row_of(product.archetype);
   const auto height = static_cast<float>(product.height_m());
   const bool always_oval = row.archetype == "flask" || row.arc < 1;
@@ -99,7 +99,7 @@ LabelZone label_zone_of(const Product& product) {
   return zone;
 }
 
-GableRoof gable_roof_of(const Product& product) {
+GableRoof gable_roof_of(const catalog::Product& product) {
   const auto height = static_cast<float>(product.height_m());
   const float half_depth = static_cast<float>(product.depth_m()) / 2.0F;
   GableRoof roof;
@@ -110,4 +110,4 @@ GableRoof gable_roof_of(const Product& product) {
   return roof;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

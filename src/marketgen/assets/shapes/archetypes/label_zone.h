@@ -3,7 +3,7 @@
 #pragma once
 #include "catalog/product.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // The printed part of a pack's body, a band between two heights.
 struct LabelZone {
@@ -17,7 +17,7 @@ struct LabelZone {
 
 // Of a pack whose label goes once around (SheetKind band, band_lid) or lies on the body's two
 // halves (front_back bottles).
-LabelZone label_zone_of(const Product& product);
+LabelZone label_zone_of(const catalog::Product& product);
 
 // The roof of a gable-top carton: two slopes that meet under an upright fin. The ridge runs along
 // X.
@@ -27,12 +27,12 @@ struct GableRoof {
   float rise_m = 0;   // height of the slopes
   float slope_m = 0;  // length of one slope
 };
-GableRoof gable_roof_of(const Product& product);
+GableRoof gable_roof_of(const catalog::Product& product);
 
 // Circumference of an ellipse with these axes (Ramanujan's first formula, within 0.5 % for packs).
 float ellipse_perimeter(float width, float depth);
 
 // Width and depth within a tenth: the pack is round, not oval or long.
-bool is_round_footprint(const Product& product);
+bool is_round_footprint(const catalog::Product& product);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -3,7 +3,7 @@
 #include "assets/shapes/archetypes/body.h"
 #include "assets/shapes/archetypes/foliage.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr BodyForm heart_body{.outline = {{{0, 0.02},
@@ -52,4 +52,4 @@ void add_leaf_head(PackBuilder& pack,
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -2,7 +2,7 @@
 #pragma once
 #include "assets/shapes/archetypes/growth.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 struct LeafHead {
   float heart = 0.9F;  // size of the closed heart, of the head's
@@ -20,4 +20,4 @@ void add_leaf_head(PackBuilder& pack,
                    const PlantFrame& frame,
                    const Seed& seed);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

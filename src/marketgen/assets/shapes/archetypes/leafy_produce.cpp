@@ -9,7 +9,7 @@
 #include "base/seed.h"
 #include "geometry/circle.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr int leaf_layers = 4;  // one over another from the stalk to the heart
@@ -63,7 +63,7 @@ LeafPoint leaf_point(int layer, float row, int segment) {
 
 }  // namespace
 
-Result<ProductModel> make_leafy_produce(const Product& product) {
+Result<ProductModel> make_leafy_produce(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   const std::uint16_t skin = pack.add_print(skin_roughness);
   const double start = Seed(hash64(product.sku)).stream().uniform();
@@ -106,8 +106,8 @@ Result<ProductModel> make_leafy_produce(const Product& product) {
   return pack.finish(0.5F);
 }
 
-CollisionPrimitive collision_leafy_produce(const Product& product) {
+CollisionPrimitive collision_leafy_produce(const catalog::Product& product) {
   return ellipsoid_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -5,7 +5,7 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "geometry/circle.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr float shaft_share = 0.62F;   // of the length; the leaves have the rest
@@ -70,7 +70,7 @@ void add_leaves(
 
 }  // namespace
 
-Result<ProductModel> make_leek(const Product& product) {
+Result<ProductModel> make_leek(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   const Seed seed = growth_seed(product);
   const PlantFrame frame = plant_frame(pack, lies_along_x(product));
@@ -82,8 +82,8 @@ Result<ProductModel> make_leek(const Product& product) {
   return pack.finish(0.2F);
 }
 
-CollisionPrimitive collision_leek(const Product& product) {
+CollisionPrimitive collision_leek(const catalog::Product& product) {
   return grown_cylinder_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -5,7 +5,7 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // Along the loaf from the gathered end (0) to the flat end (1): what is left of the cross-section,
@@ -67,7 +67,7 @@ std::vector<float> mirrored_lines(const std::vector<float>& lines) {
 
 // Lies along the longer side of its footprint, the gathered end of the bag to the left or to the
 // back.
-Result<ProductModel> make_loaf(const Product& product) {
+Result<ProductModel> make_loaf(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   const std::uint16_t print = pack.add_print(film_roughness);
@@ -99,8 +99,8 @@ Result<ProductModel> make_loaf(const Product& product) {
   return pack.finish(0.3F);
 }
 
-CollisionPrimitive collision_loaf(const Product& product) {
+CollisionPrimitive collision_loaf(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

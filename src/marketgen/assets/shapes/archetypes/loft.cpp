@@ -5,7 +5,7 @@
 
 #include "geometry/circle.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 bool is_pole(const Section& section) {
@@ -279,4 +279,4 @@ void add_loft(PackBuilder& pack,
   loft.add_caps();
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

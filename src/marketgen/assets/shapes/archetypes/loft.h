@@ -5,7 +5,7 @@
 
 #include "assets/shapes/archetypes/pack_builder.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // A cross-section: a rectangle with elliptical corners that reach `roundness` of the way to the
 // middles of its sides (1: an ellipse, 0: a rectangle), wavy by `lobe` of its radius.
@@ -49,4 +49,4 @@ void add_loft(PackBuilder& pack,
               const LoftStyle& style = {},
               const Placement& place = PartFrame{});
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -3,10 +3,10 @@
 #include "assets/shapes/archetypes/surfaces.h"
 #include "assets/shapes/archetypes/tray_parts.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // Mince, steaks, chicken, fish: a deep tray with a broad flange, its film domed by what is inside.
-Result<ProductModel> make_meat_tray(const Product& product) {
+Result<ProductModel> make_meat_tray(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   const std::uint16_t print = pack.add_print(film_roughness);
   const std::uint16_t body =
@@ -24,8 +24,8 @@ Result<ProductModel> make_meat_tray(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_meat_tray(const Product& product) {
+CollisionPrimitive collision_meat_tray(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -6,7 +6,7 @@
 #include "assets/shapes/archetypes/shell.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr Vec3f natural_hdpe{0.86F, 0.86F, 0.82F};  // uncoloured, with milk behind it
@@ -44,7 +44,7 @@ void add_jug_handle(PackBuilder& pack, std::uint16_t surface) {
 }  // namespace
 
 // Milk, juice, laundry refills: blow-moulded with its handle in one piece, a snap cap of 38 mm.
-Result<ProductModel> make_milk_jug(const Product& product) {
+Result<ProductModel> make_milk_jug(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   const LabelZone zone = label_zone_of(product);
@@ -73,8 +73,8 @@ Result<ProductModel> make_milk_jug(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_milk_jug(const Product& product) {
+CollisionPrimitive collision_milk_jug(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -4,7 +4,7 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "geometry/circle.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // The dough over the cup's rim, and a little of it inside.
@@ -26,7 +26,7 @@ constexpr int pleats = 24;
 
 }  // namespace
 
-Result<ProductModel> make_muffin(const Product& product) {
+Result<ProductModel> make_muffin(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   const Seed seed = growth_seed(product);
   const std::uint16_t skin = pack.add_print(0.75F);
@@ -57,8 +57,8 @@ Result<ProductModel> make_muffin(const Product& product) {
   return pack.finish(0.2F);
 }
 
-CollisionPrimitive collision_muffin(const Product& product) {
+CollisionPrimitive collision_muffin(const catalog::Product& product) {
   return cylinder_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

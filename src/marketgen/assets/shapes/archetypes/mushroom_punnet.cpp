@@ -7,7 +7,7 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "geometry/circle.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // Stalk below, cap above, drawn in one line over the gills.
@@ -29,7 +29,7 @@ constexpr float tray_share = 0.6F;  // of the height
 
 }  // namespace
 
-Result<ProductModel> make_mushroom_punnet(const Product& product) {
+Result<ProductModel> make_mushroom_punnet(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   const Seed seed = growth_seed(product);
   Stream draw = seed.stream();
@@ -63,8 +63,8 @@ Result<ProductModel> make_mushroom_punnet(const Product& product) {
   return pack.finish(0.3F);
 }
 
-CollisionPrimitive collision_mushroom_punnet(const Product& product) {
+CollisionPrimitive collision_mushroom_punnet(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -12,7 +12,7 @@
 #include "base/text.h"
 #include "geometry/circle.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr float fruit_width_m = 0.064F;
@@ -47,7 +47,7 @@ constexpr NetGoods net_goods[] = {
     {"beet", "#5a1f35", 0.060F, 1.0F},
 };
 
-NetGoods goods_in(const Product& product) {
+NetGoods goods_in(const catalog::Product& product) {
   const std::string words = lower_ascii(product.variant + " " + product.name);
   for (const NetGoods& goods : net_goods) {
     if (words.find(goods.word) != std::string_view::npos) return goods;
@@ -211,7 +211,7 @@ void add_header(PackBuilder& pack, std::uint16_t print, std::uint16_t edge) {
 }  // namespace
 
 // Oranges, onions, potatoes in a knitted net under a printed header.
-Result<ProductModel> make_net_bag(const Product& product) {
+Result<ProductModel> make_net_bag(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   const NetGoods goods = goods_in(product);
@@ -230,8 +230,8 @@ Result<ProductModel> make_net_bag(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_net_bag(const Product& product) {
+CollisionPrimitive collision_net_bag(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -6,11 +6,11 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // After the Dorica bottle for olive oil and vinegar: slender, a long shoulder, an aluminium cap
 // over the pourer.
-Result<ProductModel> make_oil_bottle(const Product& product) {
+Result<ProductModel> make_oil_bottle(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   MARKETGEN_TRY(const Vec3f contents, contents_color(product));
@@ -43,8 +43,8 @@ Result<ProductModel> make_oil_bottle(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_oil_bottle(const Product& product) {
+CollisionPrimitive collision_oil_bottle(const catalog::Product& product) {
   return cylinder_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

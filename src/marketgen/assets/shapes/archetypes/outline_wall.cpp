@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 Vec3f place_of(const OutlinePoint& p, const WallLevel& level) {
@@ -78,4 +78,4 @@ void add_outline_wall(PackBuilder& pack,
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

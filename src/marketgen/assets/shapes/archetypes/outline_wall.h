@@ -4,7 +4,7 @@
 
 #include "assets/shapes/archetypes/pack_builder.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // A point of the outline with the direction outwards; `along` counts metres from the side's start.
 struct OutlinePoint {
@@ -33,4 +33,4 @@ void add_outline_wall(PackBuilder& pack,
                       const std::vector<WallLevel>& levels,
                       Vec2f middle = {});
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -6,7 +6,7 @@
 
 #include "base/flat_index.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // Closer corners count as one: half of the welding distance of is_watertight.
@@ -34,7 +34,7 @@ VertexKey key_of(const Corner& c) {
 // Moves and stretches the mesh, and the features on it, so that its bounds are w x d x h, standing
 // on z = 0 about the Z axis.
 void fit_to_size(ProductModel& model, Vec3f size) {
-  const Bounds3 bounds = bounds_of(model.mesh);
+  const Bounds3 bounds = marketgen::bounds_of(model.mesh);
   const Vec3f now = bounds.size();
   const Vec3f scale{size.x / now.x, size.y / now.y, size.z / now.z};
   const Vec3f foot{bounds.center().x, bounds.center().y, bounds.low.z};
@@ -62,7 +62,7 @@ void include_between(Bounds3& bounds, Vec3f a, Vec3f b, float low, float high, P
 
 }  // namespace
 
-PackBuilder::PackBuilder(const Product& product, std::vector<Panel> panels)
+PackBuilder::PackBuilder(const catalog::Product& product, std::vector<Panel> panels)
     : size_{static_cast<float>(product.width_m()),
             static_cast<float>(product.depth_m()),
             static_cast<float>(product.height_m())},
@@ -155,7 +155,7 @@ ProductModel PackBuilder::finish(float crease_cos) const {
   return model;
 }
 
-Result<PackBuilder> start_pack(const Product& product) {
+Result<PackBuilder> start_pack(const catalog::Product& product) {
   MARKETGEN_TRY(std::vector<Panel> panels, panels_of(product));
   return PackBuilder(product, std::move(panels));
 }
@@ -166,4 +166,4 @@ Vec2f uv_in(const Panel* panel, float share_u, float share_v) {
           panel->v0 + share_v * (panel->v1 - panel->v0)};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -7,7 +7,7 @@
 #include "assets/print/label_sheet.h"
 #include "assets/product_model.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 struct Corner {
   Vec3f position;
@@ -18,7 +18,7 @@ enum class PackAxis { x, y, z };
 
 class PackBuilder {
  public:
-  PackBuilder(const Product& product, std::vector<Panel> panels);
+  PackBuilder(const catalog::Product& product, std::vector<Panel> panels);
 
   std::uint16_t add_surface(Surface surface);
   // The product's printed surface; panels give its UVs.
@@ -67,7 +67,7 @@ class PackBuilder {
 };
 
 // A builder for the product with its sheet's panels. Errors: those of panels_of.
-Result<PackBuilder> start_pack(const Product& product);
+Result<PackBuilder> start_pack(const catalog::Product& product);
 
 // From a part's own coordinates into the product frame.
 using Placement = std::function<Vec3f(Vec3f)>;
@@ -83,4 +83,4 @@ struct PartFrame {
 // panel.
 Vec2f uv_in(const Panel* panel, float share_u, float share_v);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -8,12 +8,12 @@
 #include "assets/shapes/archetypes/label_zone.h"
 #include "assets/shapes/archetypes/loft.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr float sine_45_deg = 0.70710678F;
 
-Vec3f size_of(const Product& product) {
+Vec3f size_of(const catalog::Product& product) {
   return {static_cast<float>(product.width_m()),
           static_cast<float>(product.depth_m()),
           static_cast<float>(product.height_m())};
@@ -72,7 +72,7 @@ WrapForm baguette_form(Vec3f size) {
   return form;
 }
 
-FaceSize wrapped_face_of(const Product& product) {
+FaceSize wrapped_face_of(const catalog::Product& product) {
   const WrapForm form = wrap_form_of(product);
   const Section section{.half_width = form.half_across_m,
                         .half_depth = form.half_thick_m,
@@ -82,12 +82,12 @@ FaceSize wrapped_face_of(const Product& product) {
 }
 
 // The number that the net quantity starts with: "8 rolls", "6 x 0.5 l"; 0 when it says none.
-int pieces_in(const Product& product) {
+int pieces_in(const catalog::Product& product) {
   return std::atoi(product.net.c_str());
 }
 
 // Rolls stand in the rows and layers whose rolls have the most ordinary shape.
-FilmForm roll_rows(const Product& product, Vec3f size) {
+FilmForm roll_rows(const catalog::Product& product, Vec3f size) {
   constexpr float usual_height_share = 0.95F;  // height of a toilet roll over its width
   constexpr int max_along = 6, max_high = 4, max_upright = 12;
   const int wanted = pieces_in(product);
@@ -119,14 +119,14 @@ float piece_radius(const FilmForm& form, Vec3f size) {
 
 }  // namespace
 
-WrapForm wrap_form_of(const Product& product) {
+WrapForm wrap_form_of(const catalog::Product& product) {
   const Vec3f size = size_of(product);
   if (product.archetype == "flow_pack") return flow_pack_form(size);
   if (product.archetype == "chub") return chub_form(size);
   return baguette_form(size);
 }
 
-FlatForm flat_form_of(const Product& product) {
+FlatForm flat_form_of(const catalog::Product& product) {
   const Vec3f size = size_of(product);
   if (size.y <= size.z) return {size, {}};
   return {
@@ -134,12 +134,12 @@ FlatForm flat_form_of(const Product& product) {
       {.origin = {0, -size.y / 2, size.z / 2}, .x = {1, 0, 0}, .y = {0, 0, -1}, .z = {0, 1, 0}}};
 }
 
-bool is_film_pack(const Product& product) {
+bool is_film_pack(const catalog::Product& product) {
   return product.archetype == "can_six_pack" || product.archetype == "bottle_six_pack" ||
          product.archetype == "roll_pack";
 }
 
-FilmForm film_form_of(const Product& product) {
+FilmForm film_form_of(const catalog::Product& product) {
   const Vec3f size = size_of(product);
   FilmForm form{.across = size.x >= size.y ? 3 : 2, .deep = size.x >= size.y ? 2 : 3};
   if (product.archetype == "roll_pack") form = roll_rows(product, size);
@@ -157,7 +157,7 @@ FaceSize crate_face_of(float width_m, float height_m) {
           (crate_wall_high - 2.05F * crate_bar_share) * height_m};
 }
 
-SoftForm soft_form_of(const Product& product) {
+SoftForm soft_form_of(const catalog::Product& product) {
   constexpr float greatest_edge_m = 0.022F, greatest_fin_m = 0.004F, greatest_lid_m = 0.006F;
   const Vec3f size = size_of(product);
   SoftForm form;
@@ -169,7 +169,7 @@ SoftForm soft_form_of(const Product& product) {
   return form;
 }
 
-FaceSize front_face_of(const Product& product) {
+FaceSize front_face_of(const catalog::Product& product) {
   const std::string_view archetype = product.archetype;
   const Vec3f size = size_of(product);
   if (archetype == "flow_pack" || archetype == "chub" || archetype == "baguette_bag")
@@ -183,7 +183,7 @@ FaceSize front_face_of(const Product& product) {
   return {size.x, size.z};
 }
 
-SleeveFaces sleeve_faces_of(const Product& product) {
+SleeveFaces sleeve_faces_of(const catalog::Product& product) {
   const Vec3f size = size_of(product);
   if (product.archetype == "sardine_tin") {
     const LabelZone zone = label_zone_of(product);
@@ -197,4 +197,4 @@ SleeveFaces sleeve_faces_of(const Product& product) {
   return {{size.x, size.y}, {size.x, size.z}};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -4,7 +4,7 @@
 #include "assets/shapes/archetypes/pack_builder.h"
 #include "catalog/product.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 struct FaceSize {
   float width_m = 0, height_m = 0;
@@ -21,7 +21,7 @@ struct WrapForm {
   bool standing = false;
   PartFrame frame;  // the loft's: its Z along the length, its front where the reader is
 };
-WrapForm wrap_form_of(const Product& product);
+WrapForm wrap_form_of(const catalog::Product& product);
 
 // A flow_pack's fins are as wide as half its film, its body takes this share of them.
 inline constexpr float flow_body_share = 0.90F;
@@ -32,7 +32,7 @@ struct FlatForm {
   Vec3f size;
   PartFrame frame;
 };
-FlatForm flat_form_of(const Product& product);
+FlatForm flat_form_of(const catalog::Product& product);
 
 // Film around upright pieces in rows, from the ground up to `high_m`: the pieces' tops stand out of
 // it. Its corners are as round as a piece; `girth_share` is its girth over that of the footprint.
@@ -40,11 +40,11 @@ struct FilmForm {
   int across = 1, deep = 1, high = 1;  // pieces
   float piece_radius_m = 0, high_m = 0, girth_share = 1;
 };
-bool is_film_pack(const Product& product);  // can_six_pack, bottle_six_pack, roll_pack
-FilmForm film_form_of(const Product& product);
+bool is_film_pack(const catalog::Product& product);  // can_six_pack, bottle_six_pack, roll_pack
+FilmForm film_form_of(const catalog::Product& product);
 
 // Of a front_back pack without a label zone.
-FaceSize front_face_of(const Product& product);
+FaceSize front_face_of(const catalog::Product& product);
 
 // The block of a soft_pack inside its end seals and under its lid, and how round its edges are.
 struct SoftForm {
@@ -53,13 +53,13 @@ struct SoftForm {
   float fin_m = 0;  // length of each end seal
   float lid_m = 0;  // height of the flip lid; 0 for packs without one
 };
-SoftForm soft_form_of(const Product& product);
+SoftForm soft_form_of(const catalog::Product& product);
 
 // Of the sleeve packs.
 struct SleeveFaces {
   FaceSize top, front;
 };
-SleeveFaces sleeve_faces_of(const Product& product);
+SleeveFaces sleeve_faces_of(const catalog::Product& product);
 
 // The printed front of a blister card lies between the bubble and the hole it hangs by: shares of
 // the height.
@@ -74,4 +74,4 @@ FaceSize crate_face_of(float width_m, float height_m);
 // The header of a net bag takes the upper part of its height.
 inline constexpr float net_header_low = 0.70F;
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -4,7 +4,7 @@
 
 #include "geometry/circle.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // One face of the box: which share runs to the right and which down as seen from outside, and which
@@ -135,4 +135,4 @@ void add_plain_box(
       place);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -7,7 +7,7 @@
 
 #include "assets/shapes/archetypes/pack_builder.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // Where the grid lines lie along X (0 left, 1 right), Y (0 front, 1 back) and Z (0 bottom, 1 top):
 // shares from 0 to 1.
@@ -45,4 +45,4 @@ inline constexpr int plain_box_triangles = 6 * 3 * 3 * 2;
 void add_plain_box(
     PackBuilder& pack, Vec3f size, float radius, std::uint16_t surface, const Placement& place);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

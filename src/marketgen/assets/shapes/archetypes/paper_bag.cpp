@@ -5,7 +5,7 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr float bag_edge_radius_m = 0.006F;
@@ -27,7 +27,7 @@ Vec3f paper_bag_point(Vec3f share, Vec3f size) {
 
 }  // namespace
 
-Result<ProductModel> make_paper_bag(const Product& product) {
+Result<ProductModel> make_paper_bag(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   const std::uint16_t print = pack.add_print(matt_paper_roughness);
@@ -56,8 +56,8 @@ Result<ProductModel> make_paper_bag(const Product& product) {
   return pack.finish(0.7F);
 }
 
-CollisionPrimitive collision_paper_bag(const Product& product) {
+CollisionPrimitive collision_paper_bag(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

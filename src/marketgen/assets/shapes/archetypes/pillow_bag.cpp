@@ -7,7 +7,7 @@
 #include "assets/shapes/archetypes/surfaces.h"
 #include "geometry/circle.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr float pillow_seal_share = 0.05F;  // of the height, each end
@@ -32,7 +32,7 @@ std::vector<float> lines_around(int cells) {
 
 }  // namespace
 
-Result<ProductModel> make_pillow_bag(const Product& product) {
+Result<ProductModel> make_pillow_bag(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   const std::uint16_t print = pack.add_print(film_roughness);
@@ -49,8 +49,8 @@ Result<ProductModel> make_pillow_bag(const Product& product) {
   return pack.finish(0.5F);
 }
 
-CollisionPrimitive collision_pillow_bag(const Product& product) {
+CollisionPrimitive collision_pillow_bag(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

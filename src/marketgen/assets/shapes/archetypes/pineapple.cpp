@@ -7,7 +7,7 @@
 
 #include "geometry/circle.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr BodyForm pineapple_body{.outline = {{{0, 0},
@@ -65,7 +65,7 @@ void add_crown(PackBuilder& pack, const PlantFrame& frame, float foot, Stream dr
 
 }  // namespace
 
-Result<ProductModel> make_pineapple(const Product& product) {
+Result<ProductModel> make_pineapple(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   const Seed seed = growth_seed(product);
   const PlantFrame frame = plant_frame(pack, lies_along_x(product));
@@ -86,9 +86,9 @@ Result<ProductModel> make_pineapple(const Product& product) {
   return pack.finish(0.2F);
 }
 
-CollisionPrimitive collision_pineapple(const Product& product) {
+CollisionPrimitive collision_pineapple(const catalog::Product& product) {
   return product.size_mm[0] > product.size_mm[2] ? lying_cylinder_around(product)
                                                  : cylinder_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

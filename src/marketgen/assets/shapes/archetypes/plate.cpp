@@ -6,7 +6,7 @@
 
 #include "geometry/circle.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr int corner_chords = 4;
@@ -109,4 +109,4 @@ void add_sticker(PackBuilder& pack,
   }
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

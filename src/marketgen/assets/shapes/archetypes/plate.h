@@ -2,7 +2,7 @@
 #pragma once
 #include "assets/shapes/archetypes/pack_builder.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // A plate in its own frame: x from the middle, z from its lower edge up, its front at y = 0, its
 // back behind it. Rounded corners, bevelled edges, one rounded hole.
@@ -25,4 +25,4 @@ void add_sticker(PackBuilder& pack,
                  std::uint16_t edge,
                  const Placement& place);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -6,7 +6,7 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr float pouch_seal_m = 0.006F;         // width of side seals
@@ -29,7 +29,7 @@ float pouch_thickness(float x, float z, float side_seal) {
 
 }  // namespace
 
-Result<ProductModel> make_pouch(const Product& product) {
+Result<ProductModel> make_pouch(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   const std::uint16_t print = pack.add_print(film_roughness);
@@ -54,8 +54,8 @@ Result<ProductModel> make_pouch(const Product& product) {
   return pack.finish(0.5F);
 }
 
-CollisionPrimitive collision_pouch(const Product& product) {
+CollisionPrimitive collision_pouch(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -3,11 +3,11 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/shell.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // One strand: from an end on the belly through the twist, round both loops and the thick belly, and
 // back.
-Result<ProductModel> make_pretzel(const Product& product) {
+Result<ProductModel> make_pretzel(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   const std::uint16_t skin = pack.add_print(0.4F);
   const Vec3f half = Vec3f{pack.width(), pack.depth(), pack.height()} * 0.5F;
@@ -42,8 +42,8 @@ Result<ProductModel> make_pretzel(const Product& product) {
   return pack.finish(0.2F);
 }
 
-CollisionPrimitive collision_pretzel(const Product& product) {
+CollisionPrimitive collision_pretzel(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -4,7 +4,7 @@
 
 #include "geometry/circle.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // How far a curve has come across (from one size to the next) and up, at share t of the way.
@@ -104,4 +104,4 @@ Profile& Profile::curve_to(Curve curve, Section target, int steps) {
   return *this;
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

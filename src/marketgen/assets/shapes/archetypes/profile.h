@@ -7,7 +7,7 @@
 
 #include "assets/shapes/archetypes/loft.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // How the outline goes from the last section to the next.
 enum class Curve {
@@ -49,4 +49,4 @@ class Profile {
   std::vector<Section> sections_;
 };
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

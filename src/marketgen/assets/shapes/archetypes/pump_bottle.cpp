@@ -6,7 +6,7 @@
 #include "assets/shapes/archetypes/shell.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // Heights of the pump, in shares of the bottle's.
@@ -29,7 +29,7 @@ void add_nozzle(PackBuilder& pack, float head_radius, std::uint16_t surface) {
 }  // namespace
 
 // Soap, lotion, shampoo with a lotion pump, its head locked down for transport half way.
-Result<ProductModel> make_pump_bottle(const Product& product) {
+Result<ProductModel> make_pump_bottle(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   MARKETGEN_TRY(const Vec3f contents, contents_color(product));
@@ -60,8 +60,8 @@ Result<ProductModel> make_pump_bottle(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_pump_bottle(const Product& product) {
+CollisionPrimitive collision_pump_bottle(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

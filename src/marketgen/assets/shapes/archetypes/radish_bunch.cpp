@@ -9,7 +9,7 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "geometry/circle.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // With its tail, which points away from the leaves.
@@ -63,7 +63,7 @@ void add_leaf_of(PackBuilder& pack,
 
 }  // namespace
 
-Result<ProductModel> make_radish_bunch(const Product& product) {
+Result<ProductModel> make_radish_bunch(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   const Seed seed = growth_seed(product);
   Stream draw = seed.stream();
@@ -101,8 +101,8 @@ Result<ProductModel> make_radish_bunch(const Product& product) {
   return pack.finish(0.2F);
 }
 
-CollisionPrimitive collision_radish_bunch(const Product& product) {
+CollisionPrimitive collision_radish_bunch(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

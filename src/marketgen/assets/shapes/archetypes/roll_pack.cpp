@@ -6,7 +6,7 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr Vec3f tissue{0.86F, 0.86F, 0.84F};
@@ -70,7 +70,7 @@ std::vector<WallLevel> wall_levels(const FilmForm& form, std::uint16_t print, st
 }  // namespace
 
 // Toilet paper, kitchen rolls: printed film around the rolls; their ends are seen from above.
-Result<ProductModel> make_roll_pack(const Product& product) {
+Result<ProductModel> make_roll_pack(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   const std::uint16_t print = pack.add_print(film_roughness);
@@ -86,8 +86,8 @@ Result<ProductModel> make_roll_pack(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_roll_pack(const Product& product) {
+CollisionPrimitive collision_roll_pack(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

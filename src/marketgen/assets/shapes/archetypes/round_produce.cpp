@@ -8,7 +8,7 @@
 #include "base/seed.h"
 #include "geometry/circle.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr int stem_triangles = 60;
@@ -26,7 +26,7 @@ struct FruitForm {
 };
 
 // By the picture that the row names; otherwise by its proportions.
-FruitForm fruit_form_of(const Product& product) {
+FruitForm fruit_form_of(const catalog::Product& product) {
   const std::string& motif = product.label.motif;
   const int width = std::min(product.size_mm[0], product.size_mm[1]), height = product.size_mm[2];
   if (motif == "lemon")
@@ -104,7 +104,7 @@ void add_stem(PackBuilder& pack, const FruitForm& form, std::uint16_t wood) {
 
 }  // namespace
 
-Result<ProductModel> make_round_produce(const Product& product) {
+Result<ProductModel> make_round_produce(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   const std::uint16_t skin = pack.add_print(skin_roughness);
   const FruitForm form = fruit_form_of(product);
@@ -118,8 +118,8 @@ Result<ProductModel> make_round_produce(const Product& product) {
   return pack.finish(0.2F);
 }
 
-CollisionPrimitive collision_round_produce(const Product& product) {
+CollisionPrimitive collision_round_produce(const catalog::Product& product) {
   return ellipsoid_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -4,11 +4,11 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // Cookies, tea, sweets: a printed body under a slip lid whose rolled skirt stands out by a wall's
 // thickness.
-Result<ProductModel> make_round_tin(const Product& product) {
+Result<ProductModel> make_round_tin(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   const LabelZone zone = label_zone_of(product);
@@ -32,8 +32,8 @@ Result<ProductModel> make_round_tin(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_round_tin(const Product& product) {
+CollisionPrimitive collision_round_tin(const catalog::Product& product) {
   return cylinder_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

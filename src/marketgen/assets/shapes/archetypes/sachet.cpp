@@ -7,7 +7,7 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr float sachet_seal_m = 0.007F;
@@ -31,7 +31,7 @@ std::vector<float> sealed_lines(float seal, int cells) {
 }  // namespace
 
 // Soup, yeast, sauce powder: two films sealed on all four sides.
-Result<ProductModel> make_sachet(const Product& product) {
+Result<ProductModel> make_sachet(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   const std::uint16_t print = pack.add_print(film_roughness);
@@ -52,8 +52,8 @@ Result<ProductModel> make_sachet(const Product& product) {
   return pack.finish(0.3F);
 }
 
-CollisionPrimitive collision_sachet(const Product& product) {
+CollisionPrimitive collision_sachet(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

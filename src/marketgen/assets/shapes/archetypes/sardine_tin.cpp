@@ -7,11 +7,11 @@
 #include "assets/shapes/archetypes/surfaces.h"
 #include "assets/shapes/archetypes/tin_parts.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // Sardines, mackerel: a drawn aluminium tin with rounded corners, printed on its lid and its front
 // wall, the ring pull at the right end.
-Result<ProductModel> make_sardine_tin(const Product& product) {
+Result<ProductModel> make_sardine_tin(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   const std::uint16_t metal = pack.add_surface(aluminium());
   const std::uint16_t print = pack.add_print(lacquer_roughness);
@@ -50,8 +50,8 @@ Result<ProductModel> make_sardine_tin(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_sardine_tin(const Product& product) {
+CollisionPrimitive collision_sardine_tin(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -6,11 +6,11 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // Glass is slender with a long neck and a small cap, squeeze plastic has round shoulders under a
 // wide flip cap.
-Result<ProductModel> make_sauce_bottle(const Product& product) {
+Result<ProductModel> make_sauce_bottle(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   MARKETGEN_TRY(const Vec3f contents, contents_color(product));
@@ -47,8 +47,8 @@ Result<ProductModel> make_sauce_bottle(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_sauce_bottle(const Product& product) {
+CollisionPrimitive collision_sauce_bottle(const catalog::Product& product) {
   return cylinder_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

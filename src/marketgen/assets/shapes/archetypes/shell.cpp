@@ -5,7 +5,7 @@
 
 #include "geometry/circle.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 using Ring = std::vector<Vec3f>;
@@ -225,4 +225,4 @@ void add_tube(PackBuilder& pack,
   add_shell(pack, skin, {segments, stations, form.closed}, point);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

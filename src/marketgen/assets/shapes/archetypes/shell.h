@@ -6,7 +6,7 @@
 
 #include "assets/shapes/archetypes/pack_builder.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // How a shell is covered. The printed surface takes its UVs from the sheet's `skin` panel: u once
 // around, v from `v_high` at the upper end to `v_low` at the lower.
@@ -62,4 +62,4 @@ void add_tube(PackBuilder& pack,
               const TubeForm& form,
               const Placement& place = PartFrame{});
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -4,10 +4,10 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // After the 250 ml slim can: 53 mm body, 50 mm end, foot ring 45 mm.
-Result<ProductModel> make_slim_can(const Product& product) {
+Result<ProductModel> make_slim_can(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   const LabelZone zone = label_zone_of(product);
   const std::uint16_t metal = pack.add_surface(aluminium());
@@ -20,8 +20,8 @@ Result<ProductModel> make_slim_can(const Product& product) {
   return finish_can(pack, profile, {metal, print, zone.high_m, 0.885F}, smooth_style);
 }
 
-CollisionPrimitive collision_slim_can(const Product& product) {
+CollisionPrimitive collision_slim_can(const catalog::Product& product) {
   return cylinder_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

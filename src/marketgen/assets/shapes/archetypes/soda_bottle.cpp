@@ -6,11 +6,11 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // Caps follow the PCO 1881 finish: 28 mm thread, about 30 mm over the cap, 33 mm over the support
 // ring.
-Result<ProductModel> make_soda_bottle(const Product& product) {
+Result<ProductModel> make_soda_bottle(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   MARKETGEN_TRY(const Vec3f contents, contents_color(product));
@@ -39,8 +39,8 @@ Result<ProductModel> make_soda_bottle(const Product& product) {
   return pack.finish(0.4F);
 }
 
-CollisionPrimitive collision_soda_bottle(const Product& product) {
+CollisionPrimitive collision_soda_bottle(const catalog::Product& product) {
   return cylinder_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -7,7 +7,7 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // Faces swell between their edges, the ends less.
@@ -60,7 +60,7 @@ void add_lid(PackBuilder& pack, float low, float high, std::uint16_t frame, std:
 
 // Wipes with a flip lid; tissues, nappies and pads as plain blocks of film: soft, full,
 // round-edged.
-Result<ProductModel> make_soft_pack(const Product& product) {
+Result<ProductModel> make_soft_pack(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   const std::uint16_t print = pack.add_print(film_roughness);
@@ -86,8 +86,8 @@ Result<ProductModel> make_soft_pack(const Product& product) {
   return pack.finish(0.4F);
 }
 
-CollisionPrimitive collision_soft_pack(const Product& product) {
+CollisionPrimitive collision_soft_pack(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

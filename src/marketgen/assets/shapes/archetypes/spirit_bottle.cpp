@@ -6,11 +6,11 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // Gin, whisky, vodka: thick clear glass, a shoulder that turns at once, a short neck under a long
 // cap.
-Result<ProductModel> make_spirit_bottle(const Product& product) {
+Result<ProductModel> make_spirit_bottle(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   MARKETGEN_TRY(const Vec3f contents, contents_color(product));
@@ -41,8 +41,8 @@ Result<ProductModel> make_spirit_bottle(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_spirit_bottle(const Product& product) {
+CollisionPrimitive collision_spirit_bottle(const catalog::Product& product) {
   return cylinder_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -6,7 +6,7 @@
 #include "assets/shapes/archetypes/shell.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // Heights in shares of the bottle's.
@@ -95,7 +95,7 @@ void add_trigger(PackBuilder& pack, std::uint16_t surface) {
 }  // namespace
 
 // Cleaners with a trigger sprayer; the nozzle looks to the left of who reads the label.
-Result<ProductModel> make_spray_bottle(const Product& product) {
+Result<ProductModel> make_spray_bottle(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   const LabelZone zone = label_zone_of(product);
@@ -125,8 +125,8 @@ Result<ProductModel> make_spray_bottle(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_spray_bottle(const Product& product) {
+CollisionPrimitive collision_spray_bottle(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -7,7 +7,7 @@
 #include "assets/shapes/archetypes/growth.h"
 #include "assets/shapes/archetypes/registry.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr int onions = 7;
@@ -56,7 +56,7 @@ void add_onion(PackBuilder& pack,
 
 }  // namespace
 
-Result<ProductModel> make_spring_onions(const Product& product) {
+Result<ProductModel> make_spring_onions(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   const Seed seed = growth_seed(product);
   Stream draw = seed.stream();
@@ -84,8 +84,8 @@ Result<ProductModel> make_spring_onions(const Product& product) {
   return pack.finish(0.2F);
 }
 
-CollisionPrimitive collision_spring_onions(const Product& product) {
+CollisionPrimitive collision_spring_onions(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

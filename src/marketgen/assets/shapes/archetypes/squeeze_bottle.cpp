@@ -5,11 +5,11 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // Ketchup, mayonnaise, honey: an oval bottle head down on its flip cap, so that what is left runs
 // to the nozzle.
-Result<ProductModel> make_squeeze_bottle(const Product& product) {
+Result<ProductModel> make_squeeze_bottle(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   MARKETGEN_TRY(const Vec3f contents, contents_color(product));
@@ -36,8 +36,8 @@ Result<ProductModel> make_squeeze_bottle(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_squeeze_bottle(const Product& product) {
+CollisionPrimitive collision_squeeze_bottle(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -3,10 +3,10 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // Deodorant stick or roll-on: an oval sleeve on its dial, under a tall domed cap.
-Result<ProductModel> make_stick(const Product& product) {
+Result<ProductModel> make_stick(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   const LabelZone zone = label_zone_of(product);
@@ -30,8 +30,8 @@ Result<ProductModel> make_stick(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_stick(const Product& product) {
+CollisionPrimitive collision_stick(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

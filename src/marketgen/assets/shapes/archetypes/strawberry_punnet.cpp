@@ -7,7 +7,7 @@
 #include "assets/shapes/archetypes/growth.h"
 #include "assets/shapes/archetypes/registry.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr BodyForm berry_body{.outline = {{{0, 0},
@@ -58,7 +58,7 @@ void add_berry(PackBuilder& pack,
 
 }  // namespace
 
-Result<ProductModel> make_strawberry_punnet(const Product& product) {
+Result<ProductModel> make_strawberry_punnet(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   const Seed seed = growth_seed(product);
   Stream draw = seed.stream();
@@ -86,8 +86,8 @@ Result<ProductModel> make_strawberry_punnet(const Product& product) {
   return pack.finish(0.3F);
 }
 
-CollisionPrimitive collision_strawberry_punnet(const Product& product) {
+CollisionPrimitive collision_strawberry_punnet(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -3,7 +3,7 @@
 #include "assets/print/color.h"
 #include "base/text.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 struct ContentRow {
@@ -17,7 +17,7 @@ constexpr ContentRow content_rows[] = {
 };
 
 // Everything the row says about what is inside, in small letters.
-std::string words_of(const Product& product) {
+std::string words_of(const catalog::Product& product) {
   std::string words = product.name + " " + product.variant + " " + product.subcategory;
   for (const std::string& keyword : product.keywords)
     words += " " + keyword;
@@ -25,7 +25,7 @@ std::string words_of(const Product& product) {
 }
 
 // The first row whose word the product's contain, or null.
-const ContentRow* content_row(const Product& product) {
+const ContentRow* content_row(const catalog::Product& product) {
   const std::string words = words_of(product);
   for (const ContentRow& row : content_rows) {
     if (words.find(row.word) != std::string::npos) return &row;
@@ -34,7 +34,9 @@ const ContentRow* content_row(const Product& product) {
 }
 
 // The colour of one label field; an error names the field.
-Result<Vec3f> label_color(const Product& product, std::string_view field, const std::string& text) {
+Result<Vec3f> label_color(const catalog::Product& product,
+                          std::string_view field,
+                          const std::string& text) {
   Result<Vec3f> color = linear_from_hex(text);
   if (color.ok()) return color;
   return Error{
@@ -43,7 +45,7 @@ Result<Vec3f> label_color(const Product& product, std::string_view field, const 
 
 }  // namespace
 
-Result<PackColors> pack_colors(const Product& product) {
+Result<PackColors> pack_colors(const catalog::Product& product) {
   PackColors colors;
   MARKETGEN_TRY(colors.primary, label_color(product, "primary", product.label.primary));
   MARKETGEN_TRY(colors.secondary, label_color(product, "secondary", product.label.secondary));
@@ -51,12 +53,12 @@ Result<PackColors> pack_colors(const Product& product) {
   return colors;
 }
 
-Result<Vec3f> contents_color(const Product& product) {
+Result<Vec3f> contents_color(const catalog::Product& product) {
   if (const ContentRow* row = content_row(product)) return linear_from_hex(row->color);
   return label_color(product, "primary", product.label.primary);
 }
 
-float contents_refraction(const Product& product) {
+float contents_refraction(const catalog::Product& product) {
   const ContentRow* row = content_row(product);
   return row == nullptr ? 0 : row->refraction;
 }
@@ -89,4 +91,4 @@ Surface filled_glass(Vec3f contents, float refraction) {
   return {.color = contents, .roughness = 0.06F, .refraction = refraction};
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -3,7 +3,7 @@
 #include "assets/product_model.h"
 #include "base/result.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // Roughness of printed faces.
 inline constexpr float gloss_paper_roughness = 0.45F;  // coated label paper, folding carton
@@ -16,15 +16,15 @@ inline constexpr float skin_roughness = 0.40F;         // waxy fruit skin
 struct PackColors {
   Vec3f primary, secondary, accent;
 };
-Result<PackColors> pack_colors(const Product& product);  // Errors: assets.bad_row
+Result<PackColors> pack_colors(const catalog::Product& product);  // Errors: assets.bad_row
 
 // What is seen through clear plastic or glass: by the first word of contents.inc that the row's
 // name, variant, subcategory or keywords contain, otherwise the label's ground colour.
-Result<Vec3f> contents_color(const Product& product);  // Errors: assets.bad_row
+Result<Vec3f> contents_color(const catalog::Product& product);  // Errors: assets.bad_row
 
 // Index of refraction of what is inside by the same word, when it is a liquid one sees through;
 // otherwise 0.
-float contents_refraction(const Product& product);
+float contents_refraction(const catalog::Product& product);
 
 Surface aluminium();
 Surface tinplate();
@@ -39,4 +39,4 @@ Surface filled_glass(Vec3f contents, float refraction = 0);
 // Antique green: it hides what it holds.
 Surface dark_glass();
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

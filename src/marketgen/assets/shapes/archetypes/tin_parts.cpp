@@ -6,7 +6,7 @@
 #include "assets/shapes/archetypes/shell.h"
 #include "geometry/circle.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr float greatest_ring_radius_m = 0.0115F;  // takes a finger tip
@@ -61,4 +61,4 @@ void add_ring_pull(
   add_plain_box(pack, {1.15F * ring, tongue, 3.2F * thick}, thick, metal, nose);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -2,7 +2,7 @@
 #pragma once
 #include "assets/shapes/archetypes/profile.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // A lower end with its seam, `seam` high, up to the wall at `wall` of the radius.
 void add_tin_foot(Profile& profile, float seam, float wall_low, float wall, std::uint16_t metal);
@@ -16,4 +16,4 @@ float add_tin_lid(Profile& profile, float height, float seam, float panel, std::
 void add_ring_pull(
     PackBuilder& pack, float lid, float radius_m, std::uint16_t metal, const PartFrame& tin = {});
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -4,9 +4,9 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
-Result<ProductModel> make_tray(const Product& product) {
+Result<ProductModel> make_tray(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   const std::uint16_t print = pack.add_print(film_roughness);
@@ -18,8 +18,8 @@ Result<ProductModel> make_tray(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_tray(const Product& product) {
+CollisionPrimitive collision_tray(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

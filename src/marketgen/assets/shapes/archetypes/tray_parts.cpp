@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // Built as a rounded box that is then squeezed: the lower rounding becomes the foot, the straight
@@ -66,4 +66,4 @@ void add_tray(PackBuilder& pack, const TrayForm& form, std::uint16_t print, std:
   });
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

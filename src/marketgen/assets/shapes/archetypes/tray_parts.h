@@ -2,7 +2,7 @@
 #pragma once
 #include "assets/shapes/archetypes/panel_box.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // Shares of the footprint and of the height.
 struct TrayForm {
@@ -16,4 +16,4 @@ struct TrayForm {
 // Printed on `top` and on the front; `body` elsewhere.
 void add_tray(PackBuilder& pack, const TrayForm& form, std::uint16_t print, std::uint16_t body);
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

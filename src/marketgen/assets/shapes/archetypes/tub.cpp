@@ -4,11 +4,11 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // Yoghurt cups, ice cream tubs, margarine: the wall tapers by a tenth so that empty ones nest; the
 // lid overlaps the rim.
-Result<ProductModel> make_tub(const Product& product) {
+Result<ProductModel> make_tub(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   const LabelZone zone = label_zone_of(product);
@@ -33,8 +33,8 @@ Result<ProductModel> make_tub(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_tub(const Product& product) {
+CollisionPrimitive collision_tub(const catalog::Product& product) {
   return cylinder_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

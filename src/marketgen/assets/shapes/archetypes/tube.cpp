@@ -6,7 +6,7 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr float seam_half_m = 0.0008F;  // half the thickness of the welded end
@@ -29,7 +29,7 @@ Section tube_section(const TubeShape& tube, float z, std::uint16_t surface) {
 
 }  // namespace
 
-Result<ProductModel> make_tube(const Product& product) {
+Result<ProductModel> make_tube(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   const LabelZone zone = label_zone_of(product);
@@ -63,8 +63,8 @@ Result<ProductModel> make_tube(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_tube(const Product& product) {
+CollisionPrimitive collision_tube(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -7,7 +7,7 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr float greatest_rim_m = 0.014F;  // flat film around the product
@@ -37,7 +37,7 @@ std::vector<float> slope_lines(float rim) {
 }  // namespace
 
 // Bacon, salmon, sliced sausage: two films drawn onto the product, a flat rim around it.
-Result<ProductModel> make_vacuum_pack(const Product& product) {
+Result<ProductModel> make_vacuum_pack(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   const std::uint16_t print = pack.add_print(film_roughness);
@@ -60,8 +60,8 @@ Result<ProductModel> make_vacuum_pack(const Product& product) {
   return pack.finish(0.3F);
 }
 
-CollisionPrimitive collision_vacuum_pack(const Product& product) {
+CollisionPrimitive collision_vacuum_pack(const catalog::Product& product) {
   return box_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -6,7 +6,7 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 constexpr float rib_depth_share = 0.035F;  // of the radius
@@ -23,7 +23,7 @@ void add_ribs(Profile& profile, float low, float high, int ribs) {
 
 }  // namespace
 
-Result<ProductModel> make_water_bottle(const Product& product) {
+Result<ProductModel> make_water_bottle(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   MARKETGEN_TRY(const Vec3f contents, contents_color(product));
@@ -49,8 +49,8 @@ Result<ProductModel> make_water_bottle(const Product& product) {
   return pack.finish(0.4F);
 }
 
-CollisionPrimitive collision_water_bottle(const Product& product) {
+CollisionPrimitive collision_water_bottle(const catalog::Product& product) {
   return cylinder_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -5,11 +5,11 @@
 #include "assets/shapes/archetypes/surfaces.h"
 #include "base/text.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 namespace {
 
 // White and rose wine stand in light glass, which shows them.
-bool in_light_glass(const Product& product) {
+bool in_light_glass(const catalog::Product& product) {
   for (const std::string* text : {&product.name, &product.variant}) {
     const std::string word = lower_ascii(*text);
     if (word.find("white") != std::string::npos || word.find("ros") != std::string::npos)
@@ -22,7 +22,7 @@ bool in_light_glass(const Product& product) {
 
 // After the Bordeaux bottle: 75 mm by 300 mm, straight to 0.6 of the height, shoulder to 0.7, 28 mm
 // neck with a capsule.
-Result<ProductModel> make_wine_bottle(const Product& product) {
+Result<ProductModel> make_wine_bottle(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   MARKETGEN_TRY(const Vec3f contents, contents_color(product));
@@ -52,8 +52,8 @@ Result<ProductModel> make_wine_bottle(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_wine_bottle(const Product& product) {
+CollisionPrimitive collision_wine_bottle(const catalog::Product& product) {
   return cylinder_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets

@@ -6,11 +6,11 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
 
-namespace marketgen {
+namespace marketgen::assets {
 
 // A thermoformed cup: it widens to the rim under which the carton sleeve ends; the foil is sealed
 // on the rim and stands out a little.
-Result<ProductModel> make_yogurt_cup(const Product& product) {
+Result<ProductModel> make_yogurt_cup(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   const LabelZone zone = label_zone_of(product);
@@ -31,8 +31,8 @@ Result<ProductModel> make_yogurt_cup(const Product& product) {
   return pack.finish();
 }
 
-CollisionPrimitive collision_yogurt_cup(const Product& product) {
+CollisionPrimitive collision_yogurt_cup(const catalog::Product& product) {
   return cylinder_around(product);
 }
 
-}  // namespace marketgen
+}  // namespace marketgen::assets
