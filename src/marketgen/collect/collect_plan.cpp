@@ -51,7 +51,7 @@ Result<skills::ShelfPickQuestion> pick_question(const GoodsNow& goods,
                                                 const CollectOptions& options) {
   const scene::Scene& scene = goods.scene();
   skills::ShelfPickQuestion question;
-  static_cast<skills::PickMotion&>(question) = options;
+  static_cast<skills::PickMotion&>(question) = static_cast<const skills::PickMotion&>(options);
   question.where = scene::product_id(scene, product);
   question.world_from_product = goods.pose(product);
   question.depth_m = scene.catalog[scene.products[product].sku].depth_m();

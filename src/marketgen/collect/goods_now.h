@@ -13,7 +13,7 @@ class GoodsNow {
   GoodsNow(const scene::Scene& scene) : scene_(&scene) {}
 
   // It now stands there, as exactly as a scene says it.
-  void move(std::uint32_t product, const Pose& world_from_product);
+  void move(std::uint32_t product, const Pose& pose);  // world_from_product
 
   const scene::Scene& scene() const { return *scene_; }
   Pose pose(std::uint32_t product) const;  // world_from_product

@@ -71,7 +71,7 @@ Result<std::vector<episodes::EpisodeSpec>> draw_all(EpisodeGround& ground,
     return {};
   });
   progress.end();
-  MARKETGEN_CHECK(done);
+  if (!done.ok()) return done.error();
   return drawn;
 }
 

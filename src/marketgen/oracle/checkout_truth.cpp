@@ -77,7 +77,7 @@ Result<std::vector<perception::SeenGrasp>> TrueGrasps::grasps(
     for (const std::size_t other : choice.blockers)
       deepest =
           std::max(deepest, skills::hand_overlap(hand, choice.base_from_tip, scene.body(other)));
-    grasps.push_back({choice, deepest});
+    grasps.push_back({static_cast<const skills::HandGrasp&>(choice), deepest});
   }
   return grasps;
 }

@@ -291,7 +291,7 @@ class AisleOracle : public agent::Policy {
                     force_n_,
                     tries_[sku_of(plan_.product)]));
     phase_ = AislePhase::pressed;
-    return executor_.take({.ways = plan_,
+    return executor_.take({.ways = static_cast<const skills::PickWays&>(plan_),
                            .group = plan_.group,
                            .tool = plan_.tool,
                            .lift_m = lift_height(),

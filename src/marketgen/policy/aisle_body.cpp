@@ -126,7 +126,7 @@ Result<void> AisleBody::take(const PickTarget& item, skills::ShelfPick pick) {
   lets_down_ = false;
   pick_ = std::move(pick);
   return executor_.take(
-      {.ways = pick_,
+      {.ways = static_cast<const skills::PickWays&>(pick_),
        .group = pick_.group,
        .tool = pick_.tool,
        .lift_m = pick_.state[static_cast<std::size_t>(setup_.robot->find_dof("lift"))],

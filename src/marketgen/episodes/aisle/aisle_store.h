@@ -33,7 +33,7 @@ struct AisleStore {
   double room_behind_m(const Pose& world_from_base) const;
   // Rows of its items that can be reached from the front, no door before them, nothing on them.
   std::vector<std::uint32_t> front_items(const std::string& sku) const;
-  bool carries_another(std::uint32_t product) const;  // a pack stands on it
+  bool carries_another(std::uint32_t row) const;  // a pack stands on it
 };
 
 // `tools`: a tool set of the station, the first when empty. Errors: those of load_aisle_station,

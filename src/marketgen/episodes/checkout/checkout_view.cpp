@@ -11,7 +11,7 @@ namespace {
 constexpr int room_mm = 5000, ceiling_mm = 3000;
 constexpr Vec3 origin_in_room{2.2, 2.5, 0};  // of the station frame, on the floor
 constexpr double painted_m = 0.001;          // thickness of belt and mat
-constexpr std::array<float, 3> laminate{0.42F, 0.43F, 0.44F}, body{0.10F, 0.11F, 0.12F},
+constexpr std::array<float, 3> laminate{0.42F, 0.43F, 0.44F}, cabinet{0.10F, 0.11F, 0.12F},
     rubber{0.02F, 0.02F, 0.022F}, mat{0.10F, 0.22F, 0.30F}, steel{0.6F, 0.6F, 0.6F};
 constexpr render::ActorSurface basket_plastic{{0.42F, 0.03F, 0.025F}, 0.45F, 0};
 
@@ -65,7 +65,7 @@ void add_counter(scene::Scene& scene, const CheckoutStation& station) {
   constexpr double plinth_m = 0.05;  // the cabinet stands back under the top
   counter.add({c.low_m[0] + plinth_m, c.low_m[1] + plinth_m, -c.height_m},
               {c.high_m[0] - plinth_m, c.high_m[1] - plinth_m, -c.thickness_m},
-              body,
+              cabinet,
               0.6F);
   counter.add({c.low_m[0], c.low_m[1], -c.thickness_m},
               {c.high_m[0], c.high_m[1], -painted_m},

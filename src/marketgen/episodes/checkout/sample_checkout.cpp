@@ -41,11 +41,10 @@ const catalog::Product* draw_product(
 class CheckoutSampler {
  public:
   CheckoutSampler(const std::vector<catalog::Product>& stock,
-                  const std::vector<catalog::FrictionRow>& frictions,
                   CheckoutWorld& world,
                   const CheckoutCertifier& certify,
                   Seed seed)
-      : stock_(stock), frictions_(frictions), world_(world), certify_(certify), seed_(seed) {
+      : stock_(stock), world_(world), certify_(certify), seed_(seed) {
     for (const catalog::Product& product : stock_)
       shapes_[product.archetype].push_back(&product);
   }
@@ -148,7 +147,6 @@ class CheckoutSampler {
   }
 
   const std::vector<catalog::Product>& stock_;
-  const std::vector<catalog::FrictionRow>& frictions_;
   CheckoutWorld& world_;
   const CheckoutCertifier& certify_;
   Seed seed_;
@@ -211,7 +209,7 @@ Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
   spec.robot = world.station().robot;
   spec.cameras = {"scene", "wrist"};
   spec.limit_s = world.station().limit_s;
-  CheckoutSampler sampler(stock, frictions, world, certify, own);
+  CheckoutSampler sampler(stock, world, certify, own);
   for (int number = 0; number < max_baskets; ++number) {
     MARKETGEN_TRY(std::optional<EpisodeSpec> made, sampler.attempt(spec, number));
     if (made) return std::move(*made);
