@@ -98,9 +98,7 @@ Result<ArmPlan> plan_arm(const robots::Robot& robot,
   MARKETGEN_TRY(
       const ArmChecker checker,
       ArmChecker::make(model, question.state, question.world_from_base, world, question.check));
-  Configuration start;
-  for (const int dof : model.group.dofs)
-    start.push_back(question.state[static_cast<std::size_t>(dof)]);
+  const Configuration start = robots::values_of(model.group, question.state);
   return plan_arm(checker, start, question.goals, seed, options);
 }
 

@@ -60,13 +60,6 @@ Result<void> check_question(const ArmModel& model, const Configuration& start, c
   return {};
 }
 
-Configuration group_values(const ArmModel& model, const std::vector<double>& state) {
-  Configuration q;
-  for (const int dof : model.group.dofs)
-    q.push_back(state[static_cast<std::size_t>(dof)]);
-  return q;
-}
-
 // Where a search for a line ended: whole, or stopped at a share of it.
 struct Walk {
   JointPath path;
@@ -99,7 +92,7 @@ Walk walk(const ArmChecker& checker,
     const auto next = robots::solve_numeric(
         *model.robot, model.group.tip, model.group.dofs, line.at(share), state, Seed(0), descent);
     if (!next.ok()) return walk;
-    const Configuration q = group_values(model, *next);
+    const Configuration q = robots::values_of(model.group, *next);
     double farthest = 0;
     for (std::size_t j = 0; j < q.size(); ++j)
       farthest = std::max(farthest, std::abs(q[j] - walk.path.back()[j]));

@@ -360,13 +360,6 @@ class AisleOracle : public agent::Policy {
     return robots::with_followers(robot_, std::move(q));
   }
 
-  motion::Configuration stowed_arm() const {
-    motion::Configuration stow;
-    for (const int dof : robot_.find_group(plan_.group)->dofs)
-      stow.push_back(world_.store().driving[static_cast<std::size_t>(dof)]);
-    return stow;
-  }
-
   Result<motion::Obstacles> around() const {
     const Vec3 middle = world_.world_from_base().position + Vec3{0, 0, 0.9};
     motion::Obstacles obstacles =
@@ -397,11 +390,12 @@ class AisleOracle : public agent::Policy {
   }
 
   Result<skills::StowQuestion> stow_question() const {
+    const robots::JointGroup& arm = *robot_.find_group(plan_.group);
     skills::StowQuestion question{.state = state_now(),
                                   .world_from_base = world_.world_from_base(),
                                   .group = plan_.group,
                                   .around = {},
-                                  .stow = stowed_arm()};
+                                  .stow = robots::values_of(arm, world_.store().driving)};
     MARKETGEN_TRY(question.around, around());
     MARKETGEN_TRY(question.inside, inside());
     return question;

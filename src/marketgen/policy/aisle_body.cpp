@@ -65,10 +65,7 @@ std::vector<double> AisleBody::state() const {
 }
 
 motion::Configuration AisleBody::stowed_arm() const {
-  motion::Configuration stowed;
-  for (const int dof : setup_.robot->find_group(pick_.group)->dofs)
-    stowed.push_back(setup_.driving[static_cast<std::size_t>(dof)]);
-  return stowed;
+  return robots::values_of(*setup_.robot->find_group(pick_.group), setup_.driving);
 }
 
 bool AisleBody::holds_it() const {

@@ -89,6 +89,13 @@ double total_mass(const Robot& robot) {
   return mass;
 }
 
+std::vector<double> values_of(const JointGroup& group, std::span<const double> state) {
+  std::vector<double> values;
+  for (const int dof : group.dofs)
+    values.push_back(state[static_cast<std::size_t>(dof)]);
+  return values;
+}
+
 std::vector<double> neutral_state(const Robot& robot) {
   std::vector<double> q(robot.dof_count());
   for (std::size_t i = 0; i < q.size(); ++i) {

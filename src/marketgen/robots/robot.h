@@ -240,6 +240,8 @@ std::vector<int> links_from(const Robot& robot, int link);
 std::vector<double> neutral_state(const Robot& robot);
 // `q` with a posture's values in it.
 std::vector<double> with_posture(const Posture& posture, std::vector<double> q);
+// Those of a group's degrees of freedom in a state of the whole robot, in the group's order.
+std::vector<double> values_of(const JointGroup& group, std::span<const double> state);
 // Sets those that follow another by their leader's value.
 std::vector<double> with_followers(const Robot& robot, std::vector<double> q);
 bool within_limits(const Robot& robot, std::span<const double> q, double slack = 1e-9);

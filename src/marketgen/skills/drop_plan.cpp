@@ -43,13 +43,6 @@ motion::ArmPlanOptions carrying(double acceleration) {
   return options;
 }
 
-motion::Configuration values_of(const motion::ArmModel& model, const std::vector<double>& state) {
-  motion::Configuration q;
-  for (const int dof : model.group.dofs)
-    q.push_back(state[static_cast<std::size_t>(dof)]);
-  return q;
-}
-
 // The store, the basket and what lies in it.
 Result<motion::CollisionWorld> around_robot(const CarriedBasket& basket,
                                             const StowQuestion& question) {
@@ -151,7 +144,7 @@ class DropPlanner {
     MARKETGEN_TRY(world_, around_robot(basket_, question_));
     MARKETGEN_TRY(model_, motion::make_arm_model(robot_, question_.group));
     const std::vector<double>& state = question_.state;
-    start_ = values_of(model_, state);
+    start_ = robots::values_of(model_.group, state);
     base_from_arm_ = robots::link_poses(robot_, state)[static_cast<std::size_t>(model_.group.base)];
     const robots::Tool& tool = robot_.tools[static_cast<std::size_t>(question_.tool)];
     const std::vector<motion::AttachedObject> held{held_product(
@@ -277,7 +270,7 @@ Result<motion::JointTrajectory> plan_stow(const robots::Robot& robot,
   MARKETGEN_TRY(const motion::ArmChecker checker,
                 motion::ArmChecker::make(
                     model, question.state, question.world_from_base, world, {line_margin_m, {}}));
-  const motion::Configuration start = values_of(model, question.state);
+  const motion::Configuration start = robots::values_of(model.group, question.state);
   MARKETGEN_TRY(
       motion::ArmPlan plan,
       motion::plan_arm(checker, start, {question.stow}, seed, carrying(carrying_acceleration)));

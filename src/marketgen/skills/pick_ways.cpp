@@ -63,8 +63,7 @@ Result<PickWays> plan_pick_ways(const motion::ArmModel& model,
   const std::vector<Pose> links = robots::link_poses(*model.robot, place.state);
   const Pose base_from_world = inverse(base * links[static_cast<std::size_t>(model.group.base)]);
   motion::ReachQuestion question;
-  for (const int dof : model.group.dofs)
-    question.start.push_back(place.state[static_cast<std::size_t>(dof)]);
+  question.start = robots::values_of(model.group, place.state);
   question.base_from_grasp = base_from_world * place.world_from_tip;
   question.approach = {0, 0, motion.approach_m};
   PickWays ways;
