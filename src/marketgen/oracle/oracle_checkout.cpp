@@ -100,7 +100,7 @@ class CheckoutOracle : public agent::Policy {
   bool is_due(std::size_t item) const {
     const bool there = scene_->in_unloading(item);
     if (!scene_->is_target(item)) return there;
-    return !there || world_.watch().items()[item].impact_m_s > episodes::max_impact_m_s;
+    return !there || world_.watched(item).impact_m_s > episodes::max_impact_m_s;
   }
 
   Result<void> choose() {
@@ -258,7 +258,7 @@ class CheckoutOracle : public agent::Policy {
     if (!planned.ok()) say(fmt::format("cannot {}: {}", motion, to_string(planned.error())));
   }
   std::string called(std::size_t item) const {
-    const episodes::CheckoutGoods& goods = world_.goods(item);
+    const episodes::EpisodeGoods& goods = world_.goods(item);
     return fmt::format("{}{} {} {} ({:.2f} kg)",
                        scene_->is_target(item) ? "target " : "other ",
                        item,
@@ -326,7 +326,7 @@ class CheckoutOracle : public agent::Policy {
     phase_ = Phase::closed;
   }
 
-  bool holds_it() const { return world_.watch().items()[item_].held; }
+  bool holds_it() const { return world_.watched(item_).held_by >= 0; }
 
   Result<void> lift() {
     if (!holds_it()) return let_go_for_good(episodes::FailureCode::missed);

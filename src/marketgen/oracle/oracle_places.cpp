@@ -8,7 +8,7 @@ skills::HeldPack held_pack(const OracleScene& scene,
                            std::size_t item,
                            const Pose& tip_from_item,
                            double opening_m) {
-  const episodes::CheckoutGoods& goods = scene.world().goods(item);
+  const episodes::EpisodeGoods& goods = scene.world().goods(item);
   return {&goods.product,
           &goods.body,
           tip_from_item,

@@ -38,7 +38,7 @@ std::vector<skills::PlacedBody> OracleScene::walls() const {
 }
 
 skills::LyingPack OracleScene::lying(std::size_t item) const {
-  const episodes::CheckoutGoods& goods = world_.goods(item);
+  const episodes::EpisodeGoods& goods = world_.goods(item);
   return {goods.product, goods.body, goods.pad_friction, world_.item_pose(item)};
 }
 
@@ -75,7 +75,7 @@ bool OracleScene::in_basket(std::size_t item) const {
 }
 
 bool OracleScene::in_unloading(std::size_t item) const {
-  const episodes::CheckoutGoods& goods = world_.goods(item);
+  const episodes::EpisodeGoods& goods = world_.goods(item);
   return episodes::is_inside(world_.region(),
                              {goods.product.sku,
                               world_.item_pose(item),

@@ -134,7 +134,7 @@ TEST(AisleTools, TheCupTakesACanByItsTopAndLetsGo) {
 
   const agent::Observation left = acted(*world, agent::cup_off_m, 20);
   EXPECT_EQ(left.sealed[cup], 0);
-  const episodes::AisleWatch::Item& can = world->watch().items().at(0);
+  const episodes::EpisodeWatch::Item& can = world->watch().items().at(0);
   EXPECT_EQ(can.held_by, -1);
   EXPECT_EQ(can.touched_by, -1);
   EXPECT_TRUE(can.was_held);

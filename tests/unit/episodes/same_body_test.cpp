@@ -9,7 +9,7 @@
 #include <set>
 
 #include "base/parallel.h"
-#include "episodes/checkout/checkout_model.h"
+#include "episodes/checkout/checkout_world.h"
 #include "export/mjcf.h"
 #include "grasping/grasp_scene.h"
 #include "physics/settle/settle_model.h"
@@ -124,6 +124,13 @@ scene::Scene scene_with(const catalog::Product& product) {
   return shop.scene;
 }
 
+// The body that stands in for the first product that moves.
+MadeBody first_in_pool(const mjModel& m, const mjData& d, const Pose& world_from_product) {
+  const int body = mj_name2id(&m, mjOBJ_BODY, "pool-0");
+  const mjtNum* q = d.qpos + m.jnt_qposadr[m.body_jntadr[body]];
+  return body_of(m, body, inverse(world_from_product) * pose_at(q, q + 3));
+}
+
 // Rigid, also where it would bend.
 Result<MadeBody> in_world(const scene::Scene& scene) {
   physics::WorldOptions options;
@@ -131,10 +138,7 @@ Result<MadeBody> in_world(const scene::Scene& scene) {
   MARKETGEN_TRY(physics::World world, physics::World::create(scene, options));
   MARKETGEN_CHECK(world.wake(0));
   MARKETGEN_CHECK(world.step());
-  const mjModel& m = world.model();
-  const int body = mj_name2id(&m, mjOBJ_BODY, "pool-0");
-  const mjtNum* q = world.data().qpos + m.jnt_qposadr[m.body_jntadr[body]];
-  return body_of(m, body, inverse(world.product_pose(0)) * pose_at(q, q + 3));
+  return first_in_pool(world.model(), world.data(), world.product_pose(0));
 }
 
 Result<MadeBody> in_settling(const scene::Scene& scene) {
@@ -166,17 +170,16 @@ Result<MadeBody> in_study(const catalog::Product& product,
   return body_of(*made.model, made.products[0], {});
 }
 
-Result<MadeBody> at_checkout(const catalog::Product& product,
-                             const episodes::CheckoutStation& station,
-                             const robots::Robot& robot) {
-  MARKETGEN_TRY(const episodes::SharedGoods goods,
-                episodes::checkout_goods(product, committed_catalog().frictions));
-  episodes::EpisodeItem item;
-  item.sku = product.sku;
-  MARKETGEN_TRY(const episodes::CheckoutModel made,
-                episodes::checkout_model(
-                    station, robot, episodes::ready_state(station, robot), {item}, {goods}));
-  return body_of(*made.model, made.items[0], {});
+Result<MadeBody> at_checkout(const catalog::Product& product) {
+  MARKETGEN_TRY(episodes::CheckoutWorld world,
+                episodes::CheckoutWorld::create(data_rows(), committed_catalog().frictions));
+  episodes::EpisodeSpec spec;
+  spec.robot = world.station().robot;
+  spec.items.emplace_back().sku = product.sku;
+  MARKETGEN_CHECK(world.reset(spec, {product}));
+  MARKETGEN_CHECK(world.step(episodes::still_action(world.observe())));
+  return first_in_pool(
+      world.model(), world.data(), world.store_from_station() * world.item_pose(0));
 }
 
 // ---- What must be the same ----
@@ -189,10 +192,7 @@ struct Doors {
 
 class Sample {
  public:
-  Sample()
-      : station_(episodes::load_checkout_station(data_rows()).value()),
-        robot_(episodes::load_station_robot(data_rows(), station_).value()),
-        tool_(robots::load_grasp_tool(data_rows(), "panda-hand").value()) {}
+  Sample() : tool_(robots::load_grasp_tool(data_rows(), "panda-hand").value()) {}
 
   Result<Doors> doors(const catalog::Product& product) const {
     const scene::Scene scene = scene_with(product);
@@ -201,7 +201,7 @@ class Sample {
     MARKETGEN_TRY(doors.settling, in_settling(scene));
     MARKETGEN_TRY(doors.mjcf, in_mjcf(scene));
     MARKETGEN_TRY(doors.shelf_trial, in_study(product, tool_, grasping::GraspSetting::stocked));
-    MARKETGEN_TRY(doors.checkout, at_checkout(product, station_, robot_));
+    MARKETGEN_TRY(doors.checkout, at_checkout(product));
     MARKETGEN_TRY(doors.basket_trial, in_study(product, tool_, grasping::GraspSetting::basket));
     MARKETGEN_TRY(doors.table_trial, in_study(product, tool_, grasping::GraspSetting::free));
     return doors;
@@ -239,8 +239,6 @@ class Sample {
     return "";
   }
 
-  episodes::CheckoutStation station_;
-  robots::Robot robot_;
   robots::GraspTool tool_;
 };
 

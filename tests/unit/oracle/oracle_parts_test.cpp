@@ -95,7 +95,7 @@ TEST_F(OracleParts, PlacesAreInTheAreaOverTheCounterAndInReach) {
     for (const skills::FreePlace& place :
          skills::free_places(tool_, executor, held, oracle::place_question(scene, item, true), 3)) {
       ++found;
-      const episodes::CheckoutGoods& goods = world_.goods(item);
+      const episodes::EpisodeGoods& goods = world_.goods(item);
       EXPECT_TRUE(episodes::is_inside(world_.region(),
                                       {goods.product.sku,
                                        place.base_from_product,

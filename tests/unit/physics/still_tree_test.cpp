@@ -99,7 +99,8 @@ TEST(NearTree, ContactsAreThoseOfTheWholeTreeInTheSameOrder) {
   for (std::size_t body = 0; body < 100; ++body) {
     const auto product = static_cast<std::uint32_t>(body * step);
     const scene::SceneProduct& item = stocked_scene().products[product];
-    const auto goods = physics::rigid_goods(stocked_scene().catalog[item.sku]).value();
+    const auto goods =
+        physics::rigid_goods(stocked_scene().catalog[item.sku], physics::GoodsUse::stocked).value();
     const Pose pose =
         Pose{{0.004, 0, -0.001}, {}} * scene::world_from_product(item) * goods->product_from_body;
     const int first_mesh = goods->model->nmesh > 0 ? hulls.add(*goods->model) : 0;

@@ -95,8 +95,8 @@ class CheckoutEnvironment : public Environment {
 
  private:
   EnvironmentItem item(std::size_t i) const {
-    const episodes::CheckoutWatch::Item& seen = counter_.watch().items()[i];
-    const episodes::CheckoutGoods& goods = counter_.goods(i);
+    const episodes::EpisodeWatch::Item& seen = counter_.watched(i);
+    const episodes::EpisodeGoods& goods = counter_.goods(i);
     EnvironmentItem made;
     made.sku = goods.product.sku;
     made.pose = counter_.item_pose(i);
@@ -105,8 +105,8 @@ class CheckoutEnvironment : public Environment {
     made.velocity_m_s = counter_.item_velocity(i);
     made.wanted =
         std::ranges::count(counter_.spec().goals, made.sku, &episodes::EpisodeGoal::sku) > 0;
-    made.held = seen.held;
-    made.touched = seen.touched;
+    made.held = seen.held_by >= 0;
+    made.touched = seen.touched_by >= 0;
     made.in_place = counter_.in_place(i);
     const Vec3 center = made.pose * to_double(goods.body.center_of_mass);
     made.in_region = counter_.region()(center);

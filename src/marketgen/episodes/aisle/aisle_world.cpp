@@ -89,7 +89,7 @@ Result<void> AisleWorld::reset(const EpisodeSpec& spec) {
   spec_ = spec;
   commanded_ = commanded_dofs(robot);
   path_m_ = 0;
-  watch_ = AisleWatch(*world_, robot);
+  watch_ = EpisodeWatch(*world_, robot);
   axle_ = axle_of(robot, world_from_base());
   steps_ = 0;
   done_ = false;
@@ -162,7 +162,8 @@ Result<void> AisleWorld::move(const agent::Action& action) {
     const Vec3 way = now - axle_;
     path_m_ += std::hypot(way.x, way.y);
     const double turn = controller_.actor().velocity(*world_)[dof_named(robot(), "base_yaw")];
-    watch_.look(*world_, {now, way / physics::time_step_s, turn}, sealed_products());
+    const auto sealed = sealed_products();
+    watch_.look(*world_, {now, way / physics::time_step_s, turn, sealed, {}, {}});
     axle_ = now;
     if (physics_watch_) physics_watch_(world_->model(), world_->data());
   }
@@ -189,8 +190,8 @@ HoldsPoint AisleWorld::region() const {
   };
 }
 
-ItemState AisleWorld::item_state(std::uint32_t product, const AisleWatch::Item& item) const {
-  const CheckoutGoods& goods = *goods_.at(store_->scene.products[product].sku);
+ItemState AisleWorld::item_state(std::uint32_t product, const EpisodeWatch::Item& item) const {
+  const EpisodeGoods& goods = *goods_.at(store_->scene.products[product].sku);
   return {goods.product.sku,
           inverse(world_from_basket()) * world_->product_pose(product),
           to_double(goods.body.center_of_mass),
@@ -202,7 +203,7 @@ ItemState AisleWorld::item_state(std::uint32_t product, const AisleWatch::Item& 
 
 // What was touched, and what else has moved about the basket: that may lie on goods in it.
 Result<std::vector<ItemState>> AisleWorld::item_states() {
-  std::map<std::uint32_t, AisleWatch::Item> items = watch_.items();
+  std::map<std::uint32_t, EpisodeWatch::Item> items = watch_.items();
   const Vec3 basket = world_from_basket().position;
   for (const std::uint32_t product : world_->moved_products())
     if (length(world_->product_pose(product).position - basket) < about_basket_m)
@@ -218,7 +219,7 @@ Result<std::vector<ItemState>> AisleWorld::item_states() {
 Result<void> AisleWorld::know_goods(std::uint32_t product) {
   const std::uint32_t sku = store_->scene.products[product].sku;
   if (goods_.contains(sku)) return {};
-  MARKETGEN_TRY(SharedGoods made, checkout_goods(store_->scene.catalog[sku], frictions_));
+  MARKETGEN_TRY(SharedEpisodeGoods made, episode_goods(store_->scene.catalog[sku], frictions_));
   goods_.emplace(sku, std::move(made));
   return {};
 }
@@ -257,7 +258,7 @@ Result<void> AisleWorld::restore(std::string_view moment) {
   std::string physics;
   physics::RobotController controller = controller_;
   double path = 0;
-  AisleWatch watch = watch_;
+  EpisodeWatch watch = watch_;
   Vec3 axle;
   int steps = 0;
   bool done = false;

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "episodes/aisle/aisle_store.h"
-#include "episodes/aisle/aisle_watch.h"
 #include "episodes/aisle/studied_grasps.h"
-#include "episodes/checkout/checkout_model.h"
+#include "episodes/episode_goods.h"
+#include "episodes/episode_watch.h"
 #include "episodes/track_world.h"
 #include "motion/collision_world.h"
 #include "physics/world/suction_actor.h"
@@ -47,7 +47,7 @@ class AisleWorld : public TrackWorld {
   const mjData_& data() const override { return world_->data(); }
   AnyWorld any() const override { return this; }
   Result<std::unique_ptr<TrackView>> open_view() const override;  // aisle_view.cpp
-  const AisleWatch& watch() const { return watch_; }
+  const EpisodeWatch& watch() const { return watch_; }
   std::vector<double> robot_state() const override;
   Pose world_from_base() const;
   Pose world_from_basket() const;  // middle of its inner floor
@@ -64,7 +64,7 @@ class AisleWorld : public TrackWorld {
   Result<void> move(const agent::Action& action);
   Result<void> use_cups(const agent::Action& action);
   Result<void> know_goods(std::uint32_t product);
-  ItemState item_state(std::uint32_t product, const AisleWatch::Item& item) const;
+  ItemState item_state(std::uint32_t product, const EpisodeWatch::Item& item) const;
   Result<std::vector<ItemState>> item_states();
   HoldsPoint region() const;
   void add_lengths(EpisodeResult& result) const;
@@ -72,14 +72,14 @@ class AisleWorld : public TrackWorld {
 
   std::shared_ptr<const AisleStore> store_;
   std::vector<catalog::FrictionRow> frictions_;
-  std::map<std::uint32_t, SharedGoods> goods_;  // by SKU row
+  std::map<std::uint32_t, SharedEpisodeGoods> goods_;  // by SKU row
 
   EpisodeSpec spec_;
   std::unique_ptr<physics::World> world_;
   physics::RobotController controller_;
   physics::SuctionActor cups_;
   std::vector<int> commanded_;  // degrees of freedom
-  AisleWatch watch_;
+  EpisodeWatch watch_;
   Vec3 axle_;  // where the middle between the wheels was
   double path_m_ = 0;
   int steps_ = 0;

@@ -29,6 +29,13 @@ HoldsPoint over_area(const AreaRow& area, const PlacedBasket& basket) {
   };
 }
 
+HoldsPoint in_basket(const PlacedBasket& basket) {
+  return [container = basket.container,
+          container_from_station = inverse(basket.station_from_container)](Vec3 at) {
+    return is_in_basket(container, container_from_station * at);
+  };
+}
+
 HoldsPoint where_goods_belong(const CheckoutStation& station, const Pose& station_from_basket) {
   return [unloading = station.unloading.area(),
           set_aside = station.set_aside,

@@ -1,5 +1,8 @@
 #include "episodes/checkout/checkout_station.h"
 
+#include <algorithm>
+#include <numbers>
+
 #include "episodes/source_keys.h"
 #include "io/file.h"
 #include "io/json.h"
@@ -107,6 +110,19 @@ Result<robots::Robot> load_station_robot(const std::filesystem::path& data,
   for (const ToolChoiceRow& tool : station.tools)
     tools.emplace(tool.slot, tool.row);
   return robots::load_robot(data, station.robot, tools);
+}
+
+std::vector<double> ready_state(const CheckoutStation& station, const robots::Robot& robot) {
+  std::vector<double> q = robots::neutral_state(robot);
+  if (const robots::JointGroup* arm = robot.find_group("arm")) {
+    for (std::size_t j = 0; j < std::min(arm->dofs.size(), station.ready_deg.size()); ++j)
+      q[static_cast<std::size_t>(arm->dofs[j])] = station.ready_deg[j] * std::numbers::pi / 180;
+  }
+  if (const robots::JointGroup* fingers = robot.find_group("fingers")) {
+    for (const int dof : fingers->dofs)
+      q[static_cast<std::size_t>(dof)] = robot.joint_of_dof(static_cast<std::size_t>(dof)).upper;
+  }
+  return robots::with_followers(robot, std::move(q));
 }
 
 }  // namespace marketgen::episodes

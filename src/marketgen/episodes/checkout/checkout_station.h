@@ -139,4 +139,7 @@ Result<CheckoutStation> load_checkout_station(const std::filesystem::path& data,
 Result<robots::Robot> load_station_robot(const std::filesystem::path& data,
                                          const CheckoutStation& station);
 
+// The arm at rest, fingers open.
+std::vector<double> ready_state(const CheckoutStation& station, const robots::Robot& robot);
+
 }  // namespace marketgen::episodes

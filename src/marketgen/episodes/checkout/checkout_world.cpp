@@ -2,20 +2,61 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
+#include <mujoco/mujoco.h>
 
-#include "base/hash.h"
 #include "episodes/checkout/checkout_goals.h"
+#include "episodes/checkout/checkout_scene.h"
 #include "episodes/control_step.h"
-#include "physics/goods/contact_shape.h"
+#include "physics/goods/spec_geoms.h"
 
 namespace marketgen::episodes {
 namespace {
 
-constexpr char world_where[] = "checkout";
 constexpr double displaced_m = 0.02;
 constexpr double hold_n = 20;
+constexpr char basket_name[] = "basket";
+constexpr std::string_view basket_plastic_material = "pet";  // moulded, as robots carry it
+
+std::string basket_geom(std::size_t box) {
+  return fmt::format("{}/{}", basket_name, box);
+}
+
+// A free body, as heavy as its row says.
+void add_loose_basket(mjSpec& spec, const CheckoutStation& station) {
+  mjsBody* body = mjs_addBody(mjs_findBody(&spec, "world"), nullptr);
+  mjs_setName(body->element, basket_name);
+  physics::set_pose(body->pos, body->quat, store_from_station(station) * station.basket_pose());
+  mjs_setName(mjs_addFreeJoint(body)->element, basket_name);
+  const std::vector<physics::ContainerBox> boxes = station.basket_boxes();
+  double volume = 0;
+  for (const physics::ContainerBox& box : boxes)
+    volume += 8 * box.half_size.x * box.half_size.y * box.half_size.z;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const Vec3& h = boxes[i].half_size;
+    mjsGeom* geom =
+        physics::add_shape(body, {assets::CollisionShape::box, boxes[i].container_from_box, h});
+    geom->mass = station.basket.mass_kg * 8 * h.x * h.y * h.z / volume;
+    mjs_setName(geom->element, basket_geom(i).c_str());
+  }
+}
+
+std::map<std::string, std::string> counter_materials(const CheckoutStation& station,
+                                                     const robots::Robot& robot,
+                                                     const physics::RobotActorOptions& place) {
+  std::map<std::string, std::string> materials = physics::robot_materials(robot, place);
+  for (std::size_t i = 0; i < station.basket_boxes().size(); ++i)
+    materials.emplace(basket_geom(i), std::string(basket_plastic_material));
+  return materials;
+}
+
+std::vector<std::uint32_t> rows_to(std::size_t count) {
+  std::vector<std::uint32_t> rows(count);
+  std::iota(rows.begin(), rows.end(), 0U);
+  return rows;
+}
 
 }  // namespace
 
@@ -29,6 +70,8 @@ Result<CheckoutWorld> CheckoutWorld::create(const std::filesystem::path& data,
   if (world.robot_->find_group("arm") == nullptr || world.robot_->tools.size() != 1)
     return Error{"robot.unknown", world.station_.robot, "expected an arm with a gripper"};
   world.arm_ = commanded_dofs(*world.robot_);
+  world.store_from_station_ = marketgen::episodes::store_from_station(world.station_);
+  world.station_from_store_ = inverse(world.store_from_station_);
   return world;
 }
 
@@ -47,54 +90,87 @@ Result<void> CheckoutWorld::reset(const EpisodeSpec& spec,
     const auto row = std::ranges::find(products, item.sku, &catalog::Product::sku);
     if (row == products.end())
       return Error{"catalog.unknown_sku", spec.id, "there is no product \"" + item.sku + "\""};
-    MARKETGEN_TRY(SharedGoods goods, checkout_goods(*row, frictions_));
+    MARKETGEN_TRY(SharedEpisodeGoods goods, episode_goods(*row, frictions_));
     item_goods_.push_back(std::move(goods));
   }
   spec_ = spec;
-  const std::vector<double> ready = ready_state(station_, *robot_);
-  MARKETGEN_TRY(model_, checkout_model(station_, *robot_, ready, spec.items, item_goods_));
-  MARKETGEN_TRY(data_, physics::make_data(*model_.model, world_where));
-  MARKETGEN_CHECK(
-      physics::guarded(world_where, [&] { mj_forward(model_.model.get(), data_.get()); }));
-  MARKETGEN_TRY(controller_, physics::RobotController::start(*model_.model, *data_, *robot_));
-  watch_ = CheckoutWatch(model_, *data_);
+  std::unique_ptr<scene::Scene> scene = checkout_scene(station_, spec_, item_goods_);
+  MARKETGEN_TRY(physics::World world, make_world(*scene));
+  world_ = std::make_unique<physics::World>(std::move(world));
+  scene_ = std::move(scene);
+  const Pose store_from_basket = store_from_station_ * station_.basket_pose();
+  for (std::uint32_t i = 0; i < item_goods_.size(); ++i)
+    MARKETGEN_CHECK(world_->place(i, store_from_basket * spec_.items[i].pose()));
+  const mjModel& m = world_->model();
+  basket_place_ = m.jnt_qposadr[mj_name2id(&m, mjOBJ_JOINT, basket_name)];
+  MARKETGEN_TRY(controller_, physics::RobotController::start(m, world_->data(), *robot_));
+  watch_ = EpisodeWatch(*world_, *robot_, rows_to(item_goods_.size()));
   steps_ = 0;
   done_ = false;
   return {};
 }
 
+Result<physics::World> CheckoutWorld::make_world(const scene::Scene& scene) const {
+  physics::RobotActorOptions place;
+  place.world_from_base = store_from_station_;
+  place.state = ready_state(station_, *robot_);
+  place.touch = physics::GripperTouch::fine;
+  physics::WorldOptions options;
+  options.frictions = frictions_;
+  options.keep_commands = false;
+  options.loose = rows_to(scene.products.size());
+  options.pool = std::max(1, static_cast<int>(scene.products.size()));
+  options.soft_pool = 0;
+  options.actor_materials = counter_materials(station_, *robot_, place);
+  options.add_actors = [&](mjSpec_& made) -> Result<void> {
+    MARKETGEN_CHECK(physics::add_robot(made, *robot_, place));
+    add_loose_basket(made, station_);
+    return {};
+  };
+  return physics::World::create(scene, std::move(options));
+}
+
 double CheckoutWorld::time_s() const {
-  return data_->time;
+  return world_->time_s();
 }
 
 std::vector<double> CheckoutWorld::robot_state() const {
-  return controller_.actor().position(*data_);
+  return controller_.actor().position(*world_);
 }
 
 agent::Observation CheckoutWorld::observe() const {
   const physics::RobotActor& actor = controller_.actor();
-  const std::vector<double> q = actor.position(*data_), v = actor.velocity(*data_);
+  const std::vector<double> q = actor.position(*world_), v = actor.velocity(*world_);
   agent::Observation seen;
-  seen.time_s = data_->time;
+  seen.time_s = time_s();
   for (const int dof : arm_) {
     seen.position.push_back(q[static_cast<std::size_t>(dof)]);
     seen.velocity.push_back(v[static_cast<std::size_t>(dof)]);
   }
   seen.openings_m = tool_openings_m(*robot_, q);
   seen.sealed.assign(robot_->tools.size(), 0);
-  seen.stopped = controller_.stopped(data_->time);
+  seen.stopped = controller_.stopped(time_s());
   return seen;
+}
+
+EpisodeWatch::Moment CheckoutWorld::moment() const {
+  EpisodeWatch::Moment now;
+  now.world_from_basket = store_from_station_ * basket_pose();
+  now.is_outside = [this](std::uint32_t item) {
+    const Vec3 middle = to_double(item_goods_[item]->body.center_of_mass);
+    return !in_basket({station_.container(), basket_pose()})(item_pose(item) * middle);
+  };
+  return now;
 }
 
 Result<void> CheckoutWorld::move(const agent::Action& action) {
   const ControlStep step(controller_, *robot_, arm_, action);
-  const mjModel& model = *model_.model;
   for (int i = 0; i < ControlStep::count(); ++i) {
-    MARKETGEN_CHECK(controller_.command(model, *data_, step.at(i)));
-    MARKETGEN_CHECK(physics::guarded(world_where, [&] { mj_step(&model, data_.get()); }));
-    controller_.feel(model, *data_);
-    watch_.look(model_, *data_);
-    if (physics_watch_) physics_watch_(model, *data_);
+    MARKETGEN_CHECK(controller_.command(*world_, step.at(i)));
+    MARKETGEN_CHECK(world_->step());
+    controller_.feel(world_->model(), world_->data());
+    watch_.look(*world_, moment());
+    if (physics_watch_) physics_watch_(world_->model(), world_->data());
   }
   return {};
 }
@@ -107,18 +183,18 @@ Result<agent::Observation> CheckoutWorld::step(const agent::Action& action) {
   }
   MARKETGEN_CHECK(move(action));
   ++steps_;
-  done_ = data_->time >= spec_.limit_s - physics::time_step_s / 2;
+  done_ = time_s() >= spec_.limit_s - physics::time_step_s / 2;
   return observe();
 }
 
 ItemState CheckoutWorld::item_state(std::size_t item) const {
-  const CheckoutGoods& goods = *item_goods_[item];
-  const CheckoutWatch::Item& seen = watch_.items()[item];
+  const EpisodeGoods& goods = *item_goods_[item];
+  const EpisodeWatch::Item& seen = watched(item);
   return {goods.product.sku,
           item_pose(item),
           to_double(goods.body.center_of_mass),
           goods.volume,
-          seen.touched,
+          seen.touched_by >= 0,
           seen.rested_s,
           seen.impact_m_s};
 }
@@ -135,8 +211,9 @@ HoldsPoint CheckoutWorld::region() const {
 }
 
 bool CheckoutWorld::in_place(std::size_t item) const {
-  const CheckoutWatch::Item& seen = watch_.items()[item];
-  if (seen.touched || seen.rested_s < min_rest_s) return false;  // before its volume is looked at
+  const EpisodeWatch::Item& seen = watched(item);
+  if (seen.touched_by >= 0 || seen.rested_s < min_rest_s)
+    return false;  // before its volume is looked at
   return is_in_place(region(), item_state(item));
 }
 
@@ -149,7 +226,7 @@ Result<bool> CheckoutWorld::goals_met() {
   }
   if (there < asked) return false;  // most of the time: judging costs more
   const EpisodeOutcome outcome =
-      judge_checkout(region(), spec_.goals, item_states(), watch_.greatest_tilt_deg());
+      judge_checkout(region(), spec_.goals, item_states(), watch_.max_tilt_deg());
   return outcome.hits >= outcome.asked;
 }
 
@@ -162,7 +239,7 @@ SideEffects CheckoutWorld::side_effects(const EpisodeOutcome& outcome) const {
     if (!is_inside(belongs, item_state(i))) ++effects.strayed;
     if (std::ranges::count(spec_.goals, spec_.items[i].sku, &EpisodeGoal::sku) > 0) continue;
     const Pose now = inverse(basket_pose()) * item_pose(i);
-    if (length(now.position - watch_.items()[i].first.position) > displaced_m) ++effects.displaced;
+    if (length(now.position - spec_.items[i].pose().position) > displaced_m) ++effects.displaced;
   }
   return effects;
 }
@@ -173,37 +250,37 @@ Result<EpisodeResult> CheckoutWorld::finish() {
   for (double waited = 0; waited < judged_after_s - physics::time_step_s; waited += control_step_s)
     MARKETGEN_CHECK(move(hold));
   const EpisodeOutcome outcome =
-      judge_checkout(region(), spec_.goals, item_states(), watch_.greatest_tilt_deg());
+      judge_checkout(region(), spec_.goals, item_states(), watch_.max_tilt_deg());
   EpisodeResult result;
   result.episode = spec_.id;
   result.store = spec_.store;
   result.side_effects = side_effects(outcome);
   add_outcome(outcome, result);
   result.steps = steps_;
-  result.simulated_s = data_->time;
+  result.simulated_s = time_s();
   result.state_hash = state_hash();
   return result;
 }
 
 std::string CheckoutWorld::save() const {
   ByteWriter writer;
-  writer(physics::moment_of(*data_), controller_, watch_, steps_, done_);
+  writer(world_->snapshot().bytes(), controller_, watch_, steps_, done_);
   return writer.take();
 }
 
 Result<void> CheckoutWorld::restore(std::string_view moment) {
-  physics::MujocoMoment physics;
+  std::string physics;
   physics::RobotController controller = controller_;
-  CheckoutWatch watch;
+  EpisodeWatch watch = watch_;
   int steps = 0;
   bool done = false;
   ByteReader reader(moment);
   reader(physics, controller, watch, steps, done);
-  if (!reader.ok() || physics.buffer.size() != static_cast<std::size_t>(data_->nbuffer) ||
-      controller.setpoints().size() != robot_->dof_count() ||
+  if (!reader.ok() || controller.setpoints().size() != robot_->dof_count() ||
       watch.items().size() != item_goods_.size())
-    return Error{"physics.bad_command", world_where, "the moment is of another episode"};
-  physics::restore_moment(*data_, physics);
+    return Error{"physics.bad_command", spec_.id, "the moment is of another episode"};
+  MARKETGEN_TRY(const physics::WorldSnapshot snapshot, physics::WorldSnapshot::of_bytes(physics));
+  MARKETGEN_CHECK(world_->restore(snapshot));
   controller_ = std::move(controller);
   watch_ = std::move(watch);
   steps_ = steps;
@@ -211,34 +288,24 @@ Result<void> CheckoutWorld::restore(std::string_view moment) {
   return {};
 }
 
-std::string CheckoutWorld::state_hash() const {
-  const mjModel& m = *model_.model;
-  std::vector<double> physics(static_cast<std::size_t>(mj_stateSize(&m, mjSTATE_INTEGRATION)));
-  mj_getState(&m, data_.get(), physics.data(), mjSTATE_INTEGRATION);
-  Hasher hash;
-  hash.add_bytes(std::as_bytes(std::span(physics)));
-  hash.add_bytes(std::as_bytes(std::span(data_->tree_asleep, static_cast<std::size_t>(m.ntree))));
-  return hash.hex();
-}
-
 Pose CheckoutWorld::item_pose(std::size_t item) const {
-  return body_pose(*data_, model_.items[item]);
+  return station_from_store_ * world_->product_pose(static_cast<std::uint32_t>(item));
 }
 
 Vec3 CheckoutWorld::item_velocity(std::size_t item) const {
-  mjtNum velocity[6];
-  mj_objectVelocity(model_.model.get(), data_.get(), mjOBJ_BODY, model_.items[item], velocity, 0);
-  return {velocity[3], velocity[4], velocity[5]};
+  return rotate(station_from_store_.rotation,
+                world_->product_motion(static_cast<std::uint32_t>(item)).velocity_m_s);
 }
 
 Pose CheckoutWorld::basket_pose() const {
-  return body_pose(*data_, model_.basket);
+  const mjtNum* q = world_->data().qpos + basket_place_;
+  return station_from_store_ * Pose{{q[0], q[1], q[2]}, {q[3], q[4], q[5], q[6]}};
 }
 
 double CheckoutWorld::deepest_overlap_m() const {
   double deepest = 0;
-  for (int c = 0; c < data_->ncon; ++c)
-    deepest = std::max(deepest, -data_->contact[c].dist);
+  for (const physics::WorldContact& contact : world_->contacts())
+    deepest = std::max(deepest, contact.depth_m);
   return deepest;
 }
 

@@ -1,4 +1,6 @@
-// Checkout Unloading in physics: reset to an episode, act, be judged.
+// Checkout Unloading in physics: reset to an episode, act, be judged. The same World as in the
+// aisles, of a store that is a room with the counter and the episode's items
+// (episodes/checkout/checkout_scene.h): the items lie loose, the basket and the arm are its actors.
 //
 // Station frame (episodes/checkout/checkout_station.h), SI units.
 #pragma once
@@ -7,9 +9,11 @@
 #include <string_view>
 #include <vector>
 
-#include "episodes/checkout/checkout_watch.h"
+#include "episodes/checkout/checkout_station.h"
+#include "episodes/episode_goods.h"
+#include "episodes/episode_watch.h"
 #include "episodes/track_world.h"
-#include "physics/mujoco_moment.h"
+#include "scene/scene.h"
 
 namespace marketgen::episodes {
 
@@ -33,34 +37,43 @@ class CheckoutWorld : public TrackWorld {
 
   std::string save() const override;
   Result<void> restore(std::string_view moment) override;
-  std::string state_hash() const override;
+  std::string state_hash() const override { return world_->state_hash(); }
 
   // ---- The truth: for the oracle, pictures and tests; no policy may look. ----
 
   const EpisodeSpec& spec() const override { return spec_; }
   const CheckoutStation& station() const { return station_; }
   const robots::Robot& robot() const override { return *robot_; }
-  const CheckoutGoods& goods(std::size_t item) const { return *item_goods_[item]; }
+  const EpisodeGoods& goods(std::size_t item) const { return *item_goods_[item]; }
   std::size_t item_count() const { return item_goods_.size(); }
   Pose item_pose(std::size_t item) const;      // station_from_product
   Vec3 item_velocity(std::size_t item) const;  // of its body's middle
   Pose basket_pose() const;                    // station_from_container
   const physics::RobotController& controller() const override { return controller_; }
-  const CheckoutWatch& watch() const { return watch_; }
+  const EpisodeWatch& watch() const { return watch_; }
+  const EpisodeWatch::Item& watched(std::size_t item) const {
+    return watch_.items().at(static_cast<std::uint32_t>(item));
+  }
+  // Of the room, whose products are the items; the frame of model() and data().
+  const scene::Scene& scene() const { return *scene_; }
+  const Pose& store_from_station() const { return store_from_station_; }
   HoldsPoint region() const;              // where goals count, as the basket stands now
   bool in_place(std::size_t item) const;  // on the unloading area, let go, at rest
   Result<bool> goals_met() override;
   std::vector<double> robot_state() const override;
-  double deepest_overlap_m() const;  // between any two things but the arm's own
-  const mjModel_& model() const override { return *model_.model; }
-  const mjData_& data() const override { return *data_; }
+  // Between any two things but the arm's own, in the last step.
+  double deepest_overlap_m() const;
+  const mjModel_& model() const override { return world_->model(); }
+  const mjData_& data() const override { return world_->data(); }
   AnyWorld any() const override { return this; }
   Result<std::unique_ptr<TrackView>> open_view() const override;  // checkout_view.cpp
 
  private:
   explicit CheckoutWorld(std::vector<catalog::FrictionRow> frictions)
       : frictions_(std::move(frictions)) {}
+  Result<physics::World> make_world(const scene::Scene& scene) const;
   Result<void> move(const agent::Action& action);
+  EpisodeWatch::Moment moment() const;
   ItemState item_state(std::size_t item) const;
   std::vector<ItemState> item_states() const;
   SideEffects side_effects(const EpisodeOutcome& outcome) const;
@@ -71,11 +84,13 @@ class CheckoutWorld : public TrackWorld {
   std::vector<catalog::FrictionRow> frictions_;
 
   EpisodeSpec spec_;
-  std::vector<SharedGoods> item_goods_;
-  CheckoutModel model_;
-  physics::MujocoData data_{nullptr, mj_deleteData};
+  std::vector<SharedEpisodeGoods> item_goods_;
+  Pose store_from_station_, station_from_store_;
+  std::unique_ptr<scene::Scene> scene_;
+  std::unique_ptr<physics::World> world_;  // goes before the scene
+  int basket_place_ = 0;                   // of its free joint in MuJoCo's qpos
   physics::RobotController controller_;
-  CheckoutWatch watch_;
+  EpisodeWatch watch_;
   int steps_ = 0;
   bool done_ = true;
 };

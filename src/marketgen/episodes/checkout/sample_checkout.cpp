@@ -128,7 +128,7 @@ class CheckoutSampler {
       const Vec3 middle = pose * to_double(world_.goods(i).body.center_of_mass);
       const bool in = std::abs(middle.x) < container.top_x_m / 2 &&
                       std::abs(middle.y) < container.top_y_m / 2 && middle.z > 0;
-      if (!in || world_.watch().items()[i].speed_m_s > still_m_s) return false;
+      if (!in || world_.watched(i).speed_m_s > still_m_s) return false;
       spec.items[i] = item_at(spec.items[i].sku, pose);
     }
     return world_.deepest_overlap_m() <= max_overlap_m;

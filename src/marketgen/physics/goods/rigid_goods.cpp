@@ -5,6 +5,7 @@
 #include <map>
 #include <mutex>
 #include <string>
+#include <utility>
 
 #include "io/json.h"
 #include "physics/goods/product_bodies.h"
@@ -36,8 +37,8 @@ Box3 bounds_of_geoms(const mjModel& m) {
   return all;
 }
 
-Result<SharedRigidGoods> compiled_alone(const catalog::Product& product) {
-  MARKETGEN_TRY(const SharedGoodsBody body, goods_body(product, GoodsUse::stocked));
+Result<SharedRigidGoods> compiled_alone(const catalog::Product& product, GoodsUse use) {
+  MARKETGEN_TRY(const SharedGoodsBody body, goods_body(product, use));
   const MujocoSpec spec(mj_makeSpec(), mj_deleteSpec);
   spec->compiler.balanceinertia = true;  // of flat packs the floats miss it by their last digit
   mjsBody* made = ProductBodies(*spec).add("goods", *body, {});
@@ -60,15 +61,16 @@ Result<SharedRigidGoods> compiled_alone(const catalog::Product& product) {
 
 }  // namespace
 
-Result<SharedRigidGoods> rigid_goods(const catalog::Product& product) {
+Result<SharedRigidGoods> rigid_goods(const catalog::Product& product, GoodsUse use) {
   static std::mutex changing;
-  static std::map<std::string, SharedRigidGoods> made;  // by all that they are made from
-  const std::string key = io::write_json_line(product);
+  static std::map<std::pair<GoodsUse, std::string>, SharedRigidGoods>
+      made;  // by all that they are made from
+  const std::pair key(use, io::write_json_line(product));
   {
     const std::scoped_lock lock(changing);
     if (const auto known = made.find(key); known != made.end()) return known->second;
   }
-  MARKETGEN_TRY(SharedRigidGoods goods, compiled_alone(product));
+  MARKETGEN_TRY(SharedRigidGoods goods, compiled_alone(product, use));
   const std::scoped_lock lock(changing);
   return made.emplace(key, std::move(goods)).first->second;
 }

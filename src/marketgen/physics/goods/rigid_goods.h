@@ -5,6 +5,7 @@
 
 #include "catalog/product.h"
 #include "geometry/pose.h"
+#include "physics/goods/goods_body.h"
 #include "physics/mujoco_guard.h"
 #include "physics/world/product_grid.h"
 
@@ -18,8 +19,9 @@ struct RigidGoods {
   bool hollow = false;  // not one solid: its still shape is where the pack is not, beside a neck
 };
 
-// goods_body() of a product in a store. Made once in a process (30 ms a row). Thread-safe. Errors:
+// goods_body() of a product. Made once in a process (30 ms a row). Thread-safe. Errors:
 // those of goods_body, physics.failed.
-Result<std::shared_ptr<const RigidGoods>> rigid_goods(const catalog::Product& product);
+Result<std::shared_ptr<const RigidGoods>> rigid_goods(const catalog::Product& product,
+                                                      GoodsUse use);
 
 }  // namespace marketgen::physics

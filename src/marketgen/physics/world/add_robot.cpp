@@ -8,6 +8,8 @@
 #include <mujoco/mujoco.h>
 
 #include "physics/goods/spec_geoms.h"
+#include "physics/world/fixture_bodies.h"
+#include "physics/world/pad_balls.h"
 #include "physics/world/suction_actor.h"
 #include "robots/self_collision.h"
 
@@ -28,6 +30,8 @@ constexpr double finger_stiffness = 4000;
 // speed needs this many times the tool's force.
 constexpr double finger_locking = 2;
 constexpr double plain_finger_m_s = 0.2;  // of fingers without a published speed
+// Of a pad's rubber on most packs; where the World knows the pack's material, it has the two's own.
+constexpr double pad_friction = 0.5;
 // MuJoCo takes no moving body without mass; frames between joints get this much, kg and kg m^2.
 constexpr double frame_mass = 1e-6, frame_inertia = 1e-9;
 
@@ -53,6 +57,41 @@ Servo servo_of(const robots::Robot& robot, const robots::Joint& joint) {
 // Of each finger. The drive makes up for it as far as they are to move.
 double finger_damping(const robots::Tool& tool, const robots::Joint& joint) {
   return finger_locking * tool.force / finger_speed(joint);
+}
+
+std::vector<const robots::BodyShape*> boxes_of(const robots::Link& link) {
+  std::vector<const robots::BodyShape*> boxes;
+  for (const robots::BodyShape& shape : link.look)
+    if (shape.kind == robots::ShapeKind::box) boxes.push_back(&shape);
+  return boxes;
+}
+
+// The joint on which a link is a gripper's finger; null for other links.
+const robots::Joint* finger_joint(const robots::Robot& robot, std::size_t link) {
+  if (link == 0) return nullptr;
+  const robots::Joint& joint = robot.joints[link - 1];
+  return joint.dof >= 0 && robots::gripper_of(robot, joint.dof) != nullptr ? &joint : nullptr;
+}
+
+// The box of a finger that is furthest in, when balls meet goods in its place; else null, as for a
+// finger that does not slide along Y.
+const robots::BodyShape* balled_pad(const RobotActorOptions& options,
+                                    const robots::Link& link,
+                                    const robots::Joint& joint) {
+  const std::vector<const robots::BodyShape*> boxes = boxes_of(link);
+  const bool along_y = std::abs(joint.axis.y) > 0.5;
+  if (options.touch == GripperTouch::plain || boxes.empty() || !along_y) return nullptr;
+  const auto inner = [&](const robots::BodyShape* box) {
+    return joint.axis.y * box->link_from_shape.position.y - box->size.y / 2;
+  };
+  return *std::ranges::min_element(boxes, {}, inner);
+}
+
+bool carries_fingers(const robots::Robot& robot, std::size_t link) {
+  return std::ranges::any_of(robot.joints, [&](const robots::Joint& joint) {
+    return static_cast<std::size_t>(joint.parent) == link &&
+           finger_joint(robot, static_cast<std::size_t>(joint.link)) != nullptr;
+  });
 }
 
 class RobotBuilder {
@@ -98,23 +137,43 @@ class RobotBuilder {
     return body;
   }
 
-  bool is_finger(std::size_t link) const {
-    return link > 0 && robot_.joints[link - 1].dof >= 0 &&
-           robots::gripper_of(robot_, robot_.joints[link - 1].dof) != nullptr;
+  // The balls of its pad meet goods in place of the pad's box.
+  void add_finger(mjsBody* body, const robots::Link& link, const robots::Joint& joint) const {
+    const robots::BodyShape* pad = balled_pad(options_, link, joint);
+    int count = 0;
+    for (const robots::BodyShape* box : boxes_of(link)) {
+      mjsGeom* geom =
+          add_shape(body, {assets::CollisionShape::box, box->link_from_shape, box->size * 0.5});
+      finish_geom(geom, link, count++);
+      set_goods_contact(geom, {4, 1, torsional_friction_m, plain_rolling_friction_m});
+      if (box != pad) continue;
+      geom->contype = pad_box_contact_type;
+      geom->conaffinity = pad_box_affinity;
+    }
+    if (pad == nullptr) return;
+    for (mjsGeom* ball :
+         add_pad_balls(body, pad->link_from_shape.position, pad->size * 0.5, joint.axis.y)) {
+      finish_geom(ball, link, count++);
+      ball->contype = pad_ball_contact_type;
+      ball->conaffinity = pad_ball_affinity;
+      ball->friction[0] = pad_friction;
+      ball->priority = 1;  // goods do not roll in it
+    }
   }
 
   void add_geoms(mjsBody* body, std::size_t index) {
     const robots::Link& link = robot_.links[index];
+    const bool boxed = !boxes_of(link).empty();
+    if (const robots::Joint* joint = finger_joint(robot_, index); joint != nullptr && boxed)
+      return add_finger(body, link, *joint);
     int count = 0;
-    if (is_finger(index)) {
-      for (const robots::BodyShape& shape : link.look) {
-        if (shape.kind != robots::ShapeKind::box) continue;
-        mjsGeom* geom =
-            add_shape(body, {assets::CollisionShape::box, shape.link_from_shape, shape.size * 0.5});
-        finish_geom(geom, link, count++);
-        set_goods_contact(geom, {4, 1, torsional_friction_m, plain_rolling_friction_m});
-      }
-      if (count > 0) return;
+    if (boxed && options_.touch == GripperTouch::fine && carries_fingers(robot_, index)) {
+      for (const robots::BodyShape* box : boxes_of(link))
+        finish_geom(
+            add_shape(body, {assets::CollisionShape::box, box->link_from_shape, box->size * 0.5}),
+            link,
+            count++);
+      return;
     }
     for (const assets::ContactShape& solid : cup_solids(robot_, index))
       finish_geom(add_shape(body, solid), link, count++);
@@ -262,11 +321,10 @@ std::map<std::string, std::string> robot_materials(const robots::Robot& robot,
   for (const robots::Joint& joint : robot.joints) {
     if (joint.dof < 0 || robots::gripper_of(robot, joint.dof) == nullptr) continue;
     const robots::Link& link = robot.links[static_cast<std::size_t>(joint.link)];
-    const auto boxes =
-        std::count_if(link.look.begin(), link.look.end(), [](const robots::BodyShape& s) {
-          return s.kind == robots::ShapeKind::box;
-        });
-    const auto geoms = boxes > 0 ? static_cast<std::size_t>(boxes) : link.capsules.size();
+    const std::size_t boxes = boxes_of(link).size();
+    std::size_t geoms = boxes > 0 ? boxes : link.capsules.size();
+    if (const robots::BodyShape* pad = balled_pad(options, link, joint))
+      geoms += pad_ball_places(pad->link_from_shape.position, pad->size * 0.5, joint.axis.y).size();
     for (std::size_t i = 0; i < geoms; ++i)
       materials.emplace(fmt::format("{}{}/{}", options.prefix, link.name, i),
                         options.finger_material);

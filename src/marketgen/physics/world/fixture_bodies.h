@@ -16,12 +16,18 @@
 namespace marketgen::physics {
 
 // MuJoCo's contact bits. A pair meets when one's type is among the other's affinities. Goods that
-// stand still have no type: they meet moving goods and actors (MuJoCo's defaults are 1 and 1), but
-// no drawer or door. Those must not rub on what stands for ever; the World wakes what they reach.
-constexpr int goods_contact_type = 1, furniture_contact_type = 2;
+// stand still have no type: they meet moving goods and actors, but no drawer or door. Those must
+// not rub on what stands for ever; the World wakes what they reach. Actors have MuJoCo's defaults,
+// 1 and 1, but for a gripper's pads: the balls of a pad (physics/world/pad_balls.h) meet goods
+// only, its box all but goods.
+constexpr int actor_contact_type = 1, goods_contact_type = 8, furniture_contact_type = 2;
 constexpr int still_goods_contact_type = 0, moving_furniture_contact_type = 4;
-constexpr int goods_affinity = goods_contact_type | furniture_contact_type;
-constexpr int furniture_affinity = goods_contact_type;
+constexpr int goods_affinity = actor_contact_type | goods_contact_type | furniture_contact_type;
+constexpr int furniture_affinity = actor_contact_type | goods_contact_type;
+constexpr int pad_ball_contact_type = furniture_contact_type, pad_ball_affinity = 0;
+constexpr int pad_box_contact_type = 0, pad_box_affinity = actor_contact_type |
+                                                           furniture_contact_type |
+                                                           moving_furniture_contact_type;
 
 // A geom of the specification and what it stands for.
 struct FixtureGeom {

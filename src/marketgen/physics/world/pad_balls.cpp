@@ -21,23 +21,30 @@ double ball_place(double half, int i, int count) {
 
 }  // namespace
 
-std::vector<mjsGeom*> add_pad_balls(mjsBody* body, Vec3 middle, Vec3 half, double side) {
-  std::vector<mjsGeom*> balls;
+std::vector<Vec3> pad_ball_places(Vec3 middle, Vec3 half, double side) {
+  std::vector<Vec3> places;
   const int across = balls_along(half.x), along = balls_along(half.z);
   for (int i = 0; i < across; ++i) {
-    for (int k = 0; k < along; ++k) {
-      mjsGeom* ball = mjs_addGeom(body, nullptr);
-      ball->type = mjGEOM_SPHERE;
-      ball->size[0] = pad_ball_m;
-      ball->pos[0] = middle.x + ball_place(half.x, i, across);
-      ball->pos[1] = middle.y + side * (pad_ball_m - half.y);
-      ball->pos[2] = middle.z + ball_place(half.z, k, along);
-      ball->mass = 0;
-      ball->condim = 4;
-      ball->friction[1] = torsional_friction_m;
-      ball->solref[0] = contact_time_s;
-      balls.push_back(ball);
-    }
+    for (int k = 0; k < along; ++k)
+      places.push_back(middle + Vec3{ball_place(half.x, i, across),
+                                     side * (pad_ball_m - half.y),
+                                     ball_place(half.z, k, along)});
+  }
+  return places;
+}
+
+std::vector<mjsGeom*> add_pad_balls(mjsBody* body, Vec3 middle, Vec3 half, double side) {
+  std::vector<mjsGeom*> balls;
+  for (const Vec3& at : pad_ball_places(middle, half, side)) {
+    mjsGeom* ball = mjs_addGeom(body, nullptr);
+    ball->type = mjGEOM_SPHERE;
+    ball->size[0] = pad_ball_m;
+    ball->pos[0] = at.x, ball->pos[1] = at.y, ball->pos[2] = at.z;
+    ball->mass = 0;
+    ball->condim = 4;
+    ball->friction[1] = torsional_friction_m;
+    ball->solref[0] = contact_time_s;
+    balls.push_back(ball);
   }
   return balls;
 }

@@ -9,6 +9,9 @@
 
 namespace marketgen::physics {
 
+// Middles of its balls. The pad is as for add_pad_balls().
+std::vector<Vec3> pad_ball_places(Vec3 middle, Vec3 half, double side);
+
 // Massless geoms on `body`. The pad is a box at `middle` with `half` sizes, its face towards -Y
 // times `side` (1 or -1). Friction and what they meet is the caller's to set.
 std::vector<mjsGeom*> add_pad_balls(mjsBody* body, Vec3 middle, Vec3 half, double side);

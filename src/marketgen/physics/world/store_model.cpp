@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "assets/shapes/contact_pieces.h"
+#include "physics/goods/goods_body.h"
 #include "physics/goods/spec_geoms.h"
 #include "physics/soft/soft_body.h"
 #include "physics/world/cup_lip.h"
@@ -26,7 +27,6 @@ constexpr double bubble_sleep_below_m_s = 1e-3;
 constexpr double flap_hook_impedance = 0.999;
 constexpr double pool_depth_m = -100;  // where bodies of the pool wait until first used
 // Of a body of the pool until it is first used.
-const int pieces_a_body = assets::PieceLimits{}.max_pieces;
 const assets::ContactShape blank_piece{assets::CollisionShape::box, {}, {0.05, 0.05, 0.05}};
 constexpr int max_pool = 1024, max_soft_pool = 256;
 constexpr double max_friction = 2;  // as in a FrictionRow
@@ -76,6 +76,11 @@ class StoreBuilder {
       MARKETGEN_TRY(const StandingGoods goods, standing_goods(product));
       made.goods.push_back(goods);
     }
+    for (const std::uint32_t row : options_.loose) {
+      MARKETGEN_TRY(const SharedGoodsBody body,
+                    goods_body(scene_.catalog[scene_.products[row].sku], GoodsUse::bulk));
+      pieces_a_body_ = std::max(pieces_a_body_, static_cast<int>(body->body.pieces.size()));
+    }
     product_geoms_.resize(scene_.products.size(), nullptr);
     for (std::uint32_t row = 0; row < scene_.products.size(); ++row) {
       const scene::SceneProduct& item = scene_.products[row];
@@ -100,7 +105,7 @@ class StoreBuilder {
       body->mass = body->inertia[0] = body->inertia[1] = body->inertia[2] = 1;
       body->explicitinertial = true;
       std::vector<mjsGeom*> geoms;
-      for (int piece = 0; piece < pieces_a_body; ++piece)
+      for (int piece = 0; piece < pieces_a_body_; ++piece)
         geoms.push_back(blanks_.add(blank_piece));
       add_slot(name, body, std::move(geoms), 1);
     }
@@ -205,11 +210,11 @@ class StoreBuilder {
       if (elements.parts > 1) continue;
       const int body = mjs_getId(elements.body->element);
       m.body_geomadr[body] = mjs_getId(elements.geoms.front()->element);
-      m.body_geomnum[body] = pieces_a_body;
+      m.body_geomnum[body] = pieces_a_body_;
       m.body_bvhadr[body] = node;
-      m.body_bvhnum[body] = 2 * pieces_a_body - 1;
-      node += 2 * pieces_a_body - 1;
-      std::fill_n(m.geom_bodyid + m.body_geomadr[body], pieces_a_body, body);
+      m.body_bvhnum[body] = 2 * pieces_a_body_ - 1;
+      node += 2 * pieces_a_body_ - 1;
+      std::fill_n(m.geom_bodyid + m.body_geomadr[body], pieces_a_body_, body);
     }
     m.body_geomnum[blank] = m.body_bvhnum[blank] = 0;
   }
@@ -259,9 +264,15 @@ class StoreBuilder {
   FixtureElements fixtures_;
   std::vector<mjsGeom*> product_geoms_;
   std::vector<PoolElements> pool_;
+  int pieces_a_body_ = assets::PieceLimits{}.max_pieces;  // of the pool: what any product may need
 };
 
-Result<void> check_options(const WorldOptions& options) {
+Result<void> check_options(const scene::Scene& scene, const WorldOptions& options) {
+  for (const std::uint32_t row : options.loose) {
+    if (row >= scene.products.size())
+      return bad_option("loose",
+                        fmt::format("no product {}; the scene has {}", row, scene.products.size()));
+  }
   if (options.pool < 1 || options.pool > max_pool)
     return bad_option("pool",
                       fmt::format("{} bodies; 1 to {} are possible", options.pool, max_pool));
@@ -296,7 +307,7 @@ Result<void> check_options(const WorldOptions& options) {
 }  // namespace
 
 Result<StoreModel> store_model(const scene::Scene& scene, const WorldOptions& options) {
-  MARKETGEN_CHECK(check_options(options));
+  MARKETGEN_CHECK(check_options(scene, options));
   StoreModel made;
   StoreBuilder builder(scene, options);
   MARKETGEN_CHECK(builder.add_goods(made));

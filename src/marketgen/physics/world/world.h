@@ -45,7 +45,11 @@ struct WorldCup {
 struct WorldOptions {
   // x0, y0, x1, y1: only what stands there is in the model; other products are absent. Empty: all.
   std::optional<std::array<double, 4>> region_m = {};
-  int pool = 128;            // products that can be awake at once, 1..1024
+  int pool = 128;  // products that can be awake at once, 1..1024
+  // Products that lie loose among others, in a basket or on a counter, in any order: bodies of
+  // GoodsUse::bulk, always rigid, which they keep while they rest. They stand still until they are
+  // first touched or placed.
+  std::vector<std::uint32_t> loose = {};
   int soft_pool = 12;        // bags and pouches that can be awake as soft packs, 0..256
   double wake_within_m = 0;  // wakes products this near to an actor before it touches them, 0..0.5
   bool articulated = true;   // doors, drawers, flaps and keys move; otherwise they stand at 0
@@ -54,6 +58,8 @@ struct WorldOptions {
   bool keep_commands = true;  // for commands(); a long run of a robot holds hundreds of megabytes
   // Adds robots, tools, tables: anything that is neither fixture nor product. Called once. Bodies
   // that it adds are "actors": a product that one of them touches is woken.
+  // An actor whose bodies have no drive (a basket) is a thing, not a hand: what lies in it is not
+  // held.
   std::function<Result<void>(mjSpec_& spec)> add_actors = {};
   std::map<std::string, std::string> actor_materials =
       {};                           // geom name -> contact material ("rubber")

@@ -20,7 +20,7 @@ bool is_free(const LiveBody& body) {
 const SoftGoods* World::State::soft_goods(std::uint32_t product) {
   const std::uint32_t sku = sku_of(product);
   const StandingGoods& goods = store.goods[sku];
-  if (!goods.may_be_soft || options.soft_pool == 0) return nullptr;
+  if (!goods.may_be_soft || options.soft_pool == 0 || loose_rows[product]) return nullptr;
   const auto [found, first] = soft.try_emplace(sku);
   if (!first) return found->second ? &*found->second : nullptr;
   const auto make = [&]() -> Result<std::optional<SoftGoods>> {
@@ -42,15 +42,20 @@ const SoftGoods* World::State::soft_goods(std::uint32_t product) {
 // Its pieces are found on the pack's mesh (30 ms, once in a process).
 const RigidRow* World::State::rigid_row(std::uint32_t product) {
   const std::uint32_t sku = sku_of(product);
-  if (const auto known = rigid.find(sku); known != rigid.end()) return &known->second;
-  Result<std::shared_ptr<const RigidGoods>> made = rigid_goods(scene.catalog[sku]);
+  const std::pair key(sku, use_of(product));
+  if (const auto known = rigid.find(key); known != rigid.end()) return &known->second;
+  Result<std::shared_ptr<const RigidGoods>> made = rigid_goods(scene.catalog[sku], key.second);
   if (!made.ok()) {
     fault = made.error();
     return nullptr;
   }
   const mjModel& alone = *(*made)->model;
   const int first_mesh = alone.nmesh > 0 ? hulls.add(alone) : 0;
-  return &rigid.emplace(sku, RigidRow{*made, first_mesh}).first->second;
+  return &rigid.emplace(key, RigidRow{*made, first_mesh}).first->second;
+}
+
+const RigidRow& World::State::made_row(std::uint32_t product) const {
+  return rigid.at({sku_of(product), use_of(product)});
 }
 
 bool World::State::make_ready(std::uint32_t product, bool soft_one) {
@@ -68,9 +73,9 @@ int World::State::free_body(bool soft_one) const {
 }
 
 Pose World::State::product_from_body(std::size_t body) const {
-  const std::uint32_t sku = sku_of(static_cast<std::uint32_t>(live[body].product));
-  return store.pool[body].soft() ? store.goods[sku].shape.pose
-                                 : rigid.at(sku).goods->product_from_body;
+  const auto product = static_cast<std::uint32_t>(live[body].product);
+  return store.pool[body].soft() ? store.goods[sku_of(product)].shape.pose
+                                 : made_row(product).goods->product_from_body;
 }
 
 Pose World::State::world_from_body(std::size_t body) const {
@@ -85,7 +90,7 @@ Pose World::State::world_from_body(std::size_t body) const {
 void World::State::dress(std::size_t body, std::uint32_t product, const Pose& world_from_product) {
   const std::uint32_t sku = sku_of(product);
   const PoolBody& made = store.pool[body];
-  const RigidRow* row = made.soft() ? nullptr : &rigid.at(sku);
+  const RigidRow* row = made.soft() ? nullptr : &made_row(product);
   dress_body(m(),
              d(),
              made,
@@ -95,14 +100,15 @@ void World::State::dress(std::size_t body, std::uint32_t product, const Pose& wo
   std::fill_n(geom_material.begin() + made.geom, made.geoms, sku_material[sku]);
 }
 
-// Not while it is bent; nor, where its still shape is more than the pack, while an actor is within
-// that or another product moves there: a gripper that holds it by the seam or the neck would find
-// itself inside.
+// Not where it lies loose: on what moves, or on others that do. Not while it is bent; nor, where
+// its still shape is more than the pack, while an actor is within that or another product moves
+// there: a gripper that holds it by the seam or the neck would find itself inside.
 bool World::State::may_rest(std::size_t body) const {
   const PoolBody& made = store.pool[body];
   const auto product = static_cast<std::uint32_t>(live[body].product);
+  if (loose_rows[product]) return false;
   if (made.soft() && !lies_in_its_box(m(), d(), made.body)) return false;
-  if (!made.soft() && !rigid.at(sku_of(product)).goods->hollow) return true;
+  if (!made.soft() && !made_row(product).goods->hollow) return true;
   const Box3 box = box_at(product, shape_pose(product));
   const bool acted_on = std::ranges::any_of(actor_geoms, [&](int geom) {
     const Vec3 center = vec3_of(d().geom_xpos + 3 * geom);

@@ -21,7 +21,7 @@ Box3 World::State::body_box(std::size_t body) const {
   const PoolBody& made = store.pool[body];
   const Pose pose = world_from_body(body);
   if (!made.soft()) {
-    const Box3& bounds = rigid.at(sku_of(product)).goods->bounds;
+    const Box3& bounds = made_row(product).goods->bounds;
     const Vec3 middle = pose * ((bounds.low + bounds.high) / 2);
     const Vec3 half = box_half_extents(pose.rotation, (bounds.high - bounds.low) / 2);
     return {middle - half, middle + half};

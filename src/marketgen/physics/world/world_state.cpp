@@ -5,6 +5,23 @@
 namespace marketgen::physics {
 namespace {
 
+// By MuJoCo's tree: an actuator moves a joint of it.
+std::vector<bool> driven_trees(const mjModel& m) {
+  std::vector<bool> driven(static_cast<std::size_t>(m.ntree), false);
+  const auto note = [&](int joint) {
+    driven[static_cast<std::size_t>(m.dof_treeid[m.jnt_dofadr[joint]])] = true;
+  };
+  for (int actuator = 0; actuator < m.nu; ++actuator) {
+    const int target = m.actuator_trnid[2 * actuator];
+    if (m.actuator_trntype[actuator] == mjTRN_JOINT) note(target);
+    if (m.actuator_trntype[actuator] != mjTRN_TENDON) continue;
+    for (int wrap = m.tendon_adr[target]; wrap < m.tendon_adr[target] + m.tendon_num[target];
+         ++wrap)
+      if (m.wrap_type[wrap] == mjWRAP_JOINT) note(m.wrap_objid[wrap]);
+  }
+  return driven;
+}
+
 bool can_move(const mjModel& m, int body) {
   return m.body_treeid[body] >= 0 || m.body_mocapid[m.body_rootid[body]] >= 0;
 }
@@ -70,12 +87,28 @@ World::State::State(const scene::Scene& scene_in,
       if (collides && m().body_treeid[body] >= 0) jointed_geoms.push_back(geom);
     }
   }
+  loose_rows.assign(scene.products.size(), false);
+  for (const std::uint32_t product : options.loose)
+    loose_rows[product] = true;
+  find_hands();
   find_fixture_trees();
   find_gaskets();
   find_cups();
   for (const PoolBody& body : store.pool)
     park_body(m(), d(), body);
   shorten_bit_filter(m(), store.still_body);
+}
+
+// What hangs on no joint is moved from outside, or carries what moves.
+void World::State::find_hands() {
+  const std::vector<bool> driven = driven_trees(m());
+  hand_geoms.assign(store.owners.size(), false);
+  for (int geom = 0; geom < m().ngeom; ++geom) {
+    const int tree = m().body_treeid[m().geom_bodyid[geom]];
+    hand_geoms[static_cast<std::size_t>(geom)] =
+        store.owners[static_cast<std::size_t>(geom)].kind == BodyKind::actor &&
+        (tree < 0 || driven[static_cast<std::size_t>(tree)]);
+  }
 }
 
 void World::State::find_fixture_trees() {

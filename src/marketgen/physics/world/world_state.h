@@ -113,6 +113,10 @@ struct World::State {
 
   // ---- world_bodies.cpp: what a product is while it moves ----
 
+  GoodsUse use_of(std::uint32_t product) const {
+    return loose_rows[product] ? GoodsUse::bulk : GoodsUse::stocked;
+  }
+  const RigidRow& made_row(std::uint32_t product) const;  // that rigid_row() has made
   // Null for a rigid product, and when `fault` is set.
   const SoftGoods* soft_goods(std::uint32_t product);
   const RigidRow* rigid_row(std::uint32_t product);  // null when `fault` is set
@@ -200,6 +204,8 @@ struct World::State {
   FrictionTable frictions;
   std::vector<FrictionTable::Material> sku_material, geom_material;
   std::vector<Pose> shape_from_product;      // by SKU
+  std::vector<bool> loose_rows;              // by product: of WorldOptions::loose
+  std::vector<bool> hand_geoms;              // by geom: of an actor, and no mere thing
   std::vector<int> actor_geoms;              // that collide and whose body can move
   std::vector<int> jointed_geoms;            // of these, those of bodies with joints: no mocap
   std::vector<std::vector<int>> belt_geoms;  // by joint
@@ -220,9 +226,9 @@ struct World::State {
   std::vector<WorldEvent> events;
   std::vector<WorldCommand> commands;
   std::int64_t steps = 0, woken = 0, refusals = 0, stiffened = 0;
-  std::map<std::uint32_t, std::optional<SoftGoods>> soft;  // by row of the catalog, as needed
-  std::map<std::uint32_t, RigidRow> rigid;                 // the same
-  HullMeshes hulls;                                        // theirs
+  std::map<std::uint32_t, std::optional<SoftGoods>> soft;        // by row of the catalog, as needed
+  std::map<std::pair<std::uint32_t, GoodsUse>, RigidRow> rigid;  // the same, by what it is to be
+  HullMeshes hulls;                                              // theirs
   std::optional<Error> fault;  // of a row that was needed; the command under way reports it
   bool failed = false;
 
@@ -238,6 +244,7 @@ struct World::State {
   void report(EventKind kind, std::uint32_t product);
   void update_running_belts();
   void find_fixture_trees();
+  void find_hands();
 };
 
 Pose pose_of(const ShapePose& shape);

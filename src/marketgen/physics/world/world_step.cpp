@@ -169,7 +169,11 @@ bool World::State::in_hand() const {
     return m().body_treeid[m().geom_bodyid[actor.row]];
   };
   return std::ranges::any_of(contacts, [&](const WorldContact& contact) {
-    if (contact.b.kind != BodyKind::actor || contact.a.kind == BodyKind::room) return false;
+    const auto of_hand = [&](const ContactSide& side) {
+      return side.kind == BodyKind::actor && hand_geoms[side.row];
+    };
+    if (contact.a.kind == BodyKind::room || !(of_hand(contact.a) || of_hand(contact.b)))
+      return false;
     return contact.a.kind != BodyKind::actor || tree_of(contact.a) != tree_of(contact.b);
   });
 }

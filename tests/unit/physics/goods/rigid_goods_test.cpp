@@ -30,7 +30,7 @@ scene::Scene floor_with_one(const std::string& sku) {
 }
 
 std::string middle_that_is_wrong(const catalog::Product& product) {
-  const auto goods = physics::rigid_goods(product);
+  const auto goods = physics::rigid_goods(product, physics::GoodsUse::stocked);
   const auto body = assets::make_product_body(product);
   if (!goods.ok() || !body.ok()) return product.sku + ": no body";
   const mjModel& m = *(*goods)->model;

@@ -1,8 +1,9 @@
-// Watches a running In-Aisle Item Collection, step by step: who touches what and how hard, what was
-// taken, what fell.
+// Watches a running episode of any track, step by step: who touches what and how hard, what was
+// taken, how things come to rest, what fell. A value: copied with the state it belongs to.
 #pragma once
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -15,48 +16,57 @@
 
 namespace marketgen::episodes {
 
-class AisleWatch {
+class EpisodeWatch {
  public:
-  AisleWatch() = default;
-  // After the world was made with the robot in it. The basket's geoms are named "basket/...".
-  AisleWatch(const physics::World& world, const robots::Robot& robot);
+  EpisodeWatch() = default;
+  // After the world was made with the robot in it. The basket's geoms are named "basket/...": it is
+  // the robot's when they are on one of its links. `loose`: products that lie loose from the start
+  // and are watched from then on; others, once they were taken or are in the basket.
+  EpisodeWatch(const physics::World& world,
+               const robots::Robot& robot,
+               const std::vector<std::uint32_t>& loose = {});
 
-  // After every step. `base`: velocity of the robot's base in the store frame, and its turn rate
-  // about `axle`.
-  struct BaseMotion {
-    Vec3 axle, velocity_m_s;
+  // How things are after a step; store frame.
+  struct Moment {
+    Vec3 axle, base_velocity_m_s;  // of the robot's base, which turns about the axle
     double turn_rad_s = 0;
+    std::span<const std::optional<std::uint32_t>> sealed = {};  // on which each tool has sealed
+    Pose world_from_basket;
+    // Whether a loose product lies outside of what it was in. What came to rest there stands as it
+    // was put; what lies in a heap has no way up.
+    std::function<bool(std::uint32_t product)> is_outside = {};
   };
-  // `sealed`: the product on which each tool has sealed.
-  void look(physics::World& world,
-            const BaseMotion& base,
-            std::span<const std::optional<std::uint32_t>> sealed = {});
+  void look(physics::World& world, const Moment& moment);  // after every step
 
-  // A product that a finger, a cup or the basket has touched.
   struct Item {
+    bool loose = false;   // from the start
     int touched_by = -1;  // tool, in the last step: a finger or a cup
     int held_by = -1;     // tool: both its fingers, or sealed on it
     bool met = true;      // something other than a tool
     bool was_held = false;
     double speed_m_s = 0;  // against the base
     double rested_s = 0, impact_m_s = 0;
+    std::optional<Quaternion> stood;  // a loose one outside, when it came to rest there
 
     template <class Archive, class Self>
     static void bytes(Archive& archive, Self& self) {
-      archive(self.touched_by, self.held_by, self.met, self.was_held);
-      archive(self.speed_m_s, self.rested_s, self.impact_m_s);
+      archive(self.loose, self.touched_by, self.held_by, self.met, self.was_held);
+      archive(self.speed_m_s, self.rested_s, self.impact_m_s, self.stood);
     }
   };
   const std::map<std::uint32_t, Item>& items() const { return items_; }
   bool is_held(std::uint32_t product) const;
+  double max_tilt_deg() const { return tilt_deg_; }  // of the basket
 
+  // Counts contacts that still last as ended. Of loose goods `displaced`, and what else needs the
+  // track's areas, is the judge's.
   SideEffects effects() const;
 
   // What it has seen; what the geoms are it knows from the world.
   template <class Archive, class Self>
   static void bytes(Archive& archive, Self& self) {
     archive(self.items_, self.pushes_, self.toppled_, self.dropped_, self.displaced_);
-    archive(self.base_collisions_, self.base_touches_);
+    archive(self.base_collisions_, self.base_touches_, self.tilt_deg_);
   }
 
  private:
@@ -64,6 +74,8 @@ class AisleWatch {
   struct GeomRole {
     Part part = Part::body;
     int tool = -1, finger = -1;  // finger: 0 and 1, a cup is the only one
+    bool of_robot = true;
+    std::uint32_t body = 0;  // MuJoCo's
   };
   static GeomRole role_of(const robots::Robot& robot, std::string_view link);
   struct Touches {
@@ -72,6 +84,8 @@ class AisleWatch {
     std::map<std::uint64_t, double> force_n;
     bool base_hit = false;
   };
+  bool is_robot(const physics::ContactSide& side) const;
+  std::uint64_t key_of(const physics::ContactSide& side) const;  // of what is pushed
   Touches touches(const physics::World& world) const;
   bool lies_in_basket(std::uint32_t geom, std::uint32_t product) const;
   void add_push(const physics::WorldContact& contact, Touches& seen) const;
@@ -79,7 +93,11 @@ class AisleWatch {
   void follow_item(std::uint32_t product,
                    Item& item,
                    const physics::World& world,
-                   const BaseMotion& base);
+                   const Moment& moment);
+  void follow_standing(std::uint32_t product,
+                       Item& item,
+                       const Quaternion& now,
+                       const Moment& moment);
   void follow_events(physics::World& world);
 
   std::vector<GeomRole> roles_;  // by geom
@@ -88,6 +106,7 @@ class AisleWatch {
   std::set<std::uint32_t> toppled_, dropped_, displaced_;
   int base_collisions_ = 0;
   bool base_touches_ = false;
+  double tilt_deg_ = 0;
 };
 
 }  // namespace marketgen::episodes

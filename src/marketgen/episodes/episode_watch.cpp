@@ -1,9 +1,10 @@
-#include "episodes/aisle/aisle_watch.h"
+#include "episodes/episode_watch.h"
 
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 
 #include "episodes/goal_judge.h"
@@ -14,13 +15,22 @@ namespace {
 
 constexpr std::string_view basket_prefix = "basket/";
 
-std::uint64_t key_of(const physics::ContactSide& side) {
-  return (static_cast<std::uint64_t>(side.kind) << 32U) | side.row;
+constexpr double toppled_rad = std::numbers::pi / 4;
+constexpr double stands_after_s = 0.3;
+
+double angle_between(const Quaternion& a, const Quaternion& b) {
+  const Quaternion turn = inverse(a) * b;
+  return 2 * std::atan2(std::hypot(turn.x, turn.y, turn.z), std::abs(turn.w));
+}
+
+double lean_deg(const Pose& pose) {
+  const Vec3 up = rotate(pose.rotation, {0, 0, 1});
+  return std::atan2(std::hypot(up.x, up.y), up.z) * 180 / std::numbers::pi;
 }
 
 }  // namespace
 
-AisleWatch::GeomRole AisleWatch::role_of(const robots::Robot& robot, std::string_view link) {
+EpisodeWatch::GeomRole EpisodeWatch::role_of(const robots::Robot& robot, std::string_view link) {
   for (std::size_t t = 0; t < robot.tools.size(); ++t) {
     const int tool = static_cast<int>(t);
     if (robot.tools[t].kind == robots::ToolKind::suction) {
@@ -39,7 +49,9 @@ AisleWatch::GeomRole AisleWatch::role_of(const robots::Robot& robot, std::string
   return {link == "base" ? Part::base : Part::body};
 }
 
-AisleWatch::AisleWatch(const physics::World& world, const robots::Robot& robot) {
+EpisodeWatch::EpisodeWatch(const physics::World& world,
+                           const robots::Robot& robot,
+                           const std::vector<std::uint32_t>& loose) {
   const mjModel& m = world.model();
   roles_.resize(static_cast<std::size_t>(m.ngeom));
   for (int geom = 0; geom < m.ngeom; ++geom) {
@@ -50,40 +62,55 @@ AisleWatch::AisleWatch(const physics::World& world, const robots::Robot& robot) 
       role.part = Part::basket;
     else if (body != nullptr)
       role = role_of(robot, body);
+    role.of_robot = body != nullptr &&
+                    std::ranges::find(robot.links, body, &robots::Link::name) != robot.links.end();
+    role.body = static_cast<std::uint32_t>(m.geom_bodyid[geom]);
   }
+  for (const std::uint32_t product : loose)
+    items_[product].loose = true;
 }
 
-bool AisleWatch::is_held(std::uint32_t product) const {
+bool EpisodeWatch::is_robot(const physics::ContactSide& side) const {
+  return side.kind == physics::BodyKind::actor && roles_[side.row].of_robot;
+}
+
+std::uint64_t EpisodeWatch::key_of(const physics::ContactSide& side) const {
+  std::uint32_t row = side.row;
+  if (side.kind == physics::BodyKind::room || side.kind == physics::BodyKind::fixture) row = 0;
+  if (side.kind == physics::BodyKind::actor && !is_robot(side)) row = roles_[side.row].body;
+  return (static_cast<std::uint64_t>(side.kind) << 32U) | row;
+}
+
+bool EpisodeWatch::is_held(std::uint32_t product) const {
   const auto item = items_.find(product);
   return item != items_.end() && item->second.held_by >= 0;
 }
 
 // What was taken, on the basket or on the deck on which that stands.
-bool AisleWatch::lies_in_basket(std::uint32_t geom, std::uint32_t product) const {
+bool EpisodeWatch::lies_in_basket(std::uint32_t geom, std::uint32_t product) const {
   const Part part = roles_[geom].part;
   const auto item = items_.find(product);
   return (part == Part::basket || part == Part::base) && item != items_.end() &&
          item->second.was_held;
 }
 
-// What the robot, or what it holds, presses on. Not what it holds itself, nor what lies in its
-// basket.
-void AisleWatch::add_push(const physics::WorldContact& contact, Touches& seen) const {
+// What the robot, or what it holds, presses on. Not what it holds itself, nor what lies in the
+// basket that it carries.
+void EpisodeWatch::add_push(const physics::WorldContact& contact, Touches& seen) const {
   for (const auto& [a, b] : {std::pair{contact.a, contact.b}, {contact.b, contact.a}}) {
-    const bool robot = a.kind == physics::BodyKind::actor;
+    const bool robot = is_robot(a);
     if (!robot && !(a.kind == physics::BodyKind::product && is_held(a.row))) continue;
     if (robot && b.kind == physics::BodyKind::product && lies_in_basket(a.row, b.row)) continue;
     if (b.kind == physics::BodyKind::product && is_held(b.row)) continue;
-    if (b.kind == physics::BodyKind::actor && !robot) continue;  // in the hand, or over the basket
-    const bool still = b.kind == physics::BodyKind::room || b.kind == physics::BodyKind::fixture;
+    if (is_robot(b) && !robot) continue;  // in the hand, or over the basket
     if (robot && roles_[a.row].part == Part::base && b.kind == physics::BodyKind::fixture)
       seen.base_hit = seen.base_hit || contact.normal_n > 0;
-    seen.force_n[still ? key_of({b.kind, 0}) : key_of(b)] += contact.normal_n;
-    if (b.kind == physics::BodyKind::actor) return;  // on itself: once
+    seen.force_n[key_of(b)] += contact.normal_n;
+    if (is_robot(b)) return;  // on itself: once
   }
 }
 
-AisleWatch::Touches AisleWatch::touches(const physics::World& world) const {
+EpisodeWatch::Touches EpisodeWatch::touches(const physics::World& world) const {
   Touches seen;
   for (const physics::WorldContact& contact : world.contacts()) {
     if (contact.normal_n <= 0) continue;
@@ -102,32 +129,44 @@ AisleWatch::Touches AisleWatch::touches(const physics::World& world) const {
   return seen;
 }
 
-void AisleWatch::follow_item(std::uint32_t product,
-                             Item& item,
-                             const physics::World& world,
-                             const BaseMotion& base) {
+void EpisodeWatch::follow_item(std::uint32_t product,
+                               Item& item,
+                               const physics::World& world,
+                               const Moment& moment) {
   const physics::ProductMotion motion = world.product_motion(product);
-  const Vec3 arm = motion.pose.position - base.axle;
+  const Vec3 arm = motion.pose.position - moment.axle;
   const Vec3 carried =
-      base.velocity_m_s + Vec3{-arm.y * base.turn_rad_s, arm.x * base.turn_rad_s, 0};
+      moment.base_velocity_m_s + Vec3{-arm.y * moment.turn_rad_s, arm.x * moment.turn_rad_s, 0};
   item.speed_m_s = length(motion.velocity_m_s - carried);
   item.rested_s = item.speed_m_s < rest_m_s ? item.rested_s + physics::time_step_s : 0;
+  if (item.loose) follow_standing(product, item, motion.pose.rotation, moment);
 }
 
-// What was taken is let down with the arm; it is dropped when it falls hard (look()).
-void AisleWatch::follow_events(physics::World& world) {
+void EpisodeWatch::follow_standing(std::uint32_t product,
+                                   Item& item,
+                                   const Quaternion& now,
+                                   const Moment& moment) {
+  if (item.held_by >= 0) item.stood.reset();
+  const bool rests = item.touched_by < 0 && item.rested_s > stands_after_s;
+  if (!item.stood && rests && moment.is_outside(product)) item.stood = now;
+  if (item.stood && angle_between(*item.stood, now) > toppled_rad) toppled_.insert(product);
+}
+
+// What was taken is let down with the arm, and what lies loose slides as its neighbours are taken:
+// they are dropped when they fall hard (look()), and have toppled when they stood.
+void EpisodeWatch::follow_events(physics::World& world) {
   for (const physics::WorldEvent& event : world.take_events()) {
     const auto item = items_.find(event.product);
-    const bool taken = item != items_.end() && item->second.was_held;
+    const bool taken = item != items_.end() && (item->second.was_held || item->second.loose);
     if (event.kind == physics::EventKind::dropped && !taken) dropped_.insert(event.product);
     if (event.kind == physics::EventKind::toppled && !taken) toppled_.insert(event.product);
     if (event.kind == physics::EventKind::displaced && !taken) displaced_.insert(event.product);
   }
 }
 
-void AisleWatch::find_holder(Item& item,
-                             const std::set<std::pair<int, int>>& fingers,
-                             int sealed_by) const {
+void EpisodeWatch::find_holder(Item& item,
+                               const std::set<std::pair<int, int>>& fingers,
+                               int sealed_by) const {
   item.touched_by = item.held_by = -1;
   for (const auto& [tool, finger] : fingers) {
     item.touched_by = tool;
@@ -136,10 +175,9 @@ void AisleWatch::find_holder(Item& item,
   if (sealed_by >= 0) item.touched_by = item.held_by = sealed_by;
 }
 
-void AisleWatch::look(physics::World& world,
-                      const BaseMotion& base,
-                      std::span<const std::optional<std::uint32_t>> sealed) {
+void EpisodeWatch::look(physics::World& world, const Moment& moment) {
   const Touches seen = touches(world);
+  const auto& sealed = moment.sealed;
   std::map<std::uint32_t, int> sealed_by;
   for (std::size_t tool = 0; tool < sealed.size(); ++tool) {
     if (!sealed[tool]) continue;
@@ -161,22 +199,24 @@ void AisleWatch::look(physics::World& world,
     item.met = meets;
     item.was_held = item.was_held || item.held_by >= 0;
     if (item.held_by >= 0) item.impact_m_s = 0;
-    if (item.was_held && item.impact_m_s > max_impact_m_s) dropped_.insert(product);
-    follow_item(product, item, world, base);
+    if ((item.was_held || item.loose) && item.impact_m_s > max_impact_m_s) dropped_.insert(product);
+    follow_item(product, item, world, moment);
   }
   pushes_.follow(seen.force_n, physics::time_step_s);
   base_collisions_ += seen.base_hit && !base_touches_ ? 1 : 0;
   base_touches_ = seen.base_hit;
+  tilt_deg_ = std::max(tilt_deg_, lean_deg(moment.world_from_basket));
   follow_events(world);
 }
 
-SideEffects AisleWatch::effects() const {
+SideEffects EpisodeWatch::effects() const {
   SideEffects effects;
   pushes_.add_to(effects);
   effects.toppled = static_cast<int>(toppled_.size());
   effects.dropped = static_cast<int>(dropped_.size());
   effects.displaced = static_cast<int>(displaced_.size());
   effects.base_collisions = base_collisions_;
+  effects.basket_tilt_deg = tilt_deg_;
   return effects;
 }
 
