@@ -185,9 +185,9 @@ def pushed_onto_the_area(env, seed):
 
 def test_the_first_task_can_be_done_and_pays():
     env = gymnasium.make(ONE_ITEM)
-    ends = [pushed_onto_the_area(env, seed) for seed in range(4)]
+    ends = [pushed_onto_the_area(env, seed) for seed in range(8)]
     done = [(rewards, info) for rewards, terminated, info in ends if terminated]
-    assert len(done) >= 3
+    assert len(done) >= 6
     for rewards, info in done:
         assert info["is_success"] and info["failure_reason"] == "None"
         assert 0.6 < sum(rewards) <= 1, "what was missing at the start"

@@ -34,8 +34,7 @@ class Run {
     options.add_actors = [this](mjSpec_& spec) { return physics::add_robot(spec, robot_, place_); };
     MARKETGEN_TRY(physics::World world, physics::World::create(scene_, std::move(options)));
     world_ = std::make_unique<physics::World>(std::move(world));
-    MARKETGEN_TRY(controller_,
-                  physics::RobotController::start(world_->model(), world_->data(), robot_));
+    MARKETGEN_TRY(controller_, physics::RobotController::start(*world_, robot_));
     reference_.joints = controller_.setpoints();
     reference_.grips.resize(robot_.tools.size());
     return {};
@@ -96,7 +95,7 @@ class Run {
     reference_.grips[static_cast<std::size_t>(plan_.tool)] = {opening_m, force_n};
     MARKETGEN_CHECK(controller_.command(*world_, reference_));
     MARKETGEN_CHECK(world_->step());
-    controller_.feel(world_->model(), world_->data());
+    controller_.feel(*world_);
     return {};
   }
 

@@ -28,7 +28,7 @@ struct Stage {
   void follow_reference() {
     ASSERT_TRUE(controller.command(*world, reference).ok());
     run(*world, 1);
-    controller.feel(world->model(), world->data());
+    controller.feel(*world);
   }
   std::vector<double> q() const { return actor.position(*world); }
   void hold(const std::vector<double>& q, int steps) {
@@ -51,11 +51,8 @@ std::unique_ptr<Stage> stage_of(const std::string& id,
     return physics::add_robot(spec, s->robot, s->options);
   };
   stage->world = std::make_unique<physics::World>(made(stage->scene, std::move(world)));
-  const physics::World& made_world = *stage->world;
   stage->controller =
-      physics::RobotController::start(
-          made_world.model(), made_world.data(), stage->robot, stage->options.prefix)
-          .value();
+      physics::RobotController::start(*stage->world, stage->robot, stage->options.prefix).value();
   stage->actor = stage->controller.actor();
   stage->reference.joints = stage->controller.setpoints();
   stage->reference.grips.resize(stage->robot.tools.size());

@@ -83,8 +83,7 @@ Result<void> AisleWorld::reset(const EpisodeSpec& spec) {
   };
   MARKETGEN_TRY(physics::World world, physics::World::create(store_->scene, std::move(options)));
   world_ = std::make_unique<physics::World>(std::move(world));
-  MARKETGEN_TRY(controller_,
-                physics::RobotController::start(world_->model(), world_->data(), robot));
+  MARKETGEN_TRY(controller_, physics::RobotController::start(*world_, robot));
   MARKETGEN_TRY(cups_, physics::SuctionActor::find(*world_, robot));
   spec_ = spec;
   commanded_ = commanded_dofs(robot);
@@ -157,7 +156,7 @@ Result<void> AisleWorld::move(const agent::Action& action) {
     MARKETGEN_CHECK(controller_.command(*world_, step.at(i)));
     MARKETGEN_CHECK(use_cups(action));
     MARKETGEN_CHECK(world_->step());
-    controller_.feel(world_->model(), world_->data());
+    controller_.feel(*world_);
     const Vec3 now = axle_of(robot(), world_from_base());
     const Vec3 way = now - axle_;
     path_m_ += std::hypot(way.x, way.y);

@@ -103,7 +103,7 @@ Result<void> CheckoutWorld::reset(const EpisodeSpec& spec,
     MARKETGEN_CHECK(world_->place(i, store_from_basket * spec_.items[i].pose()));
   const mjModel& m = world_->model();
   basket_place_ = m.jnt_qposadr[mj_name2id(&m, mjOBJ_JOINT, basket_name)];
-  MARKETGEN_TRY(controller_, physics::RobotController::start(m, world_->data(), *robot_));
+  MARKETGEN_TRY(controller_, physics::RobotController::start(*world_, *robot_));
   watch_ = EpisodeWatch(*world_, *robot_, rows_to(item_goods_.size()));
   steps_ = 0;
   done_ = false;
@@ -168,7 +168,7 @@ Result<void> CheckoutWorld::move(const agent::Action& action) {
   for (int i = 0; i < ControlStep::count(); ++i) {
     MARKETGEN_CHECK(controller_.command(*world_, step.at(i)));
     MARKETGEN_CHECK(world_->step());
-    controller_.feel(world_->model(), world_->data());
+    controller_.feel(*world_);
     watch_.look(*world_, moment());
     if (physics_watch_) physics_watch_(world_->model(), world_->data());
   }

@@ -20,12 +20,7 @@ Error bad_robot_command(const std::string& robot, const std::string& message) {
 Result<RobotActor> RobotActor::find(const World& world,
                                     const robots::Robot& robot,
                                     const std::string& prefix) {
-  return find(world.model(), robot, prefix);
-}
-
-Result<RobotActor> RobotActor::find(const mjModel& model,
-                                    const robots::Robot& robot,
-                                    const std::string& prefix) {
+  const mjModel& model = world.model();
   RobotActor actor;
   actor.robot_ = &robot;
   for (std::size_t dof = 0; dof < robot.dof_count(); ++dof) {
@@ -59,24 +54,16 @@ Result<RobotActor> RobotActor::find(const mjModel& model,
 }
 
 std::vector<double> RobotActor::position(const World& world) const {
-  return position(world.data());
-}
-
-std::vector<double> RobotActor::velocity(const World& world) const {
-  return velocity(world.data());
-}
-
-std::vector<double> RobotActor::position(const mjData& data) const {
   std::vector<double> q;
   for (const Axis& axis : axes_)
-    q.push_back(data.qpos[axis.joint_position]);
+    q.push_back(world.data().qpos[axis.joint_position]);
   return q;
 }
 
-std::vector<double> RobotActor::velocity(const mjData& data) const {
+std::vector<double> RobotActor::velocity(const World& world) const {
   std::vector<double> v;
   for (const Axis& axis : axes_)
-    v.push_back(data.qvel[axis.joint_velocity]);
+    v.push_back(world.data().qvel[axis.joint_velocity]);
   return v;
 }
 
@@ -107,35 +94,9 @@ Result<void> RobotActor::check(std::span<const double> values, bool servo, const
   return {};
 }
 
-RobotActor::SetControl RobotActor::controls_of(World& world) {
-  return [&](int actuator, double value) { return world.set_control(actuator, value); };
-}
-
-RobotActor::SetControl RobotActor::controls_of(mjData& data) {
-  return [&](int actuator, double value) {
-    data.ctrl[actuator] = value;
-    return Result<void>{};
-  };
-}
-
-Result<void> RobotActor::command(World& world,
-                                 std::span<const double> position,
-                                 std::span<const double> velocity,
-                                 std::span<const double> effort) const {
-  return command(controls_of(world), world.data(), position, velocity, effort);
-}
-
-Result<void> RobotActor::command(mjData& data,
-                                 std::span<const double> position,
-                                 std::span<const double> velocity,
-                                 std::span<const double> effort) const {
-  return command(controls_of(data), data, position, velocity, effort);
-}
-
 // A servo's force is stiffness (control - place) - damping x velocity: it pushes no more at the
 // velocity at which the two are equal, but for what it is to give beside.
-Result<void> RobotActor::command(const SetControl& set,
-                                 const mjData& data,
+Result<void> RobotActor::command(World& world,
                                  std::span<const double> position,
                                  std::span<const double> velocity,
                                  std::span<const double> effort) const {
@@ -146,10 +107,11 @@ Result<void> RobotActor::command(const SetControl& set,
     const Axis& axis = axes_[dof];
     if (!follows_position(dof)) continue;
     const double lag_s = axis.damping / axis.stiffness;
-    const double now = data.qpos[axis.joint_position], reach = axis.max_velocity * lag_s;
+    const double now = world.data().qpos[axis.joint_position], reach = axis.max_velocity * lag_s;
     const double wanted = position[dof] + velocity[dof] * lag_s;
     const double beside = effort.empty() ? 0 : effort[dof] / axis.stiffness;
-    MARKETGEN_CHECK(set(axis.actuator, std::clamp(wanted, now - reach, now + reach) + beside));
+    MARKETGEN_CHECK(
+        world.set_control(axis.actuator, std::clamp(wanted, now - reach, now + reach) + beside));
   }
   return {};
 }
@@ -168,21 +130,6 @@ Result<void> RobotActor::grip(World& world,
                               const robots::Tool& tool,
                               const robots::Setpoint& finger,
                               double force_n) const {
-  return grip(controls_of(world), world.data(), tool, finger, force_n);
-}
-
-Result<void> RobotActor::grip(mjData& data,
-                              const robots::Tool& tool,
-                              const robots::Setpoint& finger,
-                              double force_n) const {
-  return grip(controls_of(data), data, tool, finger, force_n);
-}
-
-Result<void> RobotActor::grip(const SetControl& set,
-                              const mjData& data,
-                              const robots::Tool& tool,
-                              const robots::Setpoint& finger,
-                              double force_n) const {
   if (!(force_n >= 0) || !std::isfinite(finger.position) || !std::isfinite(finger.velocity))
     return bad_robot_command(robot_->name, "places of fingers are numbers, forces from 0 on");
   if (force_n > tool.force)
@@ -191,6 +138,7 @@ Result<void> RobotActor::grip(const SetControl& set,
         fmt::format("{} N is more than the {} N that the gripper has", force_n, tool.force));
   const Axis* axis = finger_axis(tool);
   if (axis == nullptr) return bad_robot_command(robot_->name, "the tool is no gripper");
+  const mjData& data = world.data();
   const double now = data.actuator_length[axis->actuator],
                speed = data.actuator_velocity[axis->actuator];
   const double both = 2 * force_n;  // the drive presses both fingers
@@ -202,24 +150,17 @@ Result<void> RobotActor::grip(const SetControl& set,
   const double free = std::clamp(speed, std::min(wanted, 0.0), std::max(wanted, 0.0));
   const double top = axis->locking * axis->max_velocity;  // takes them to their top speed
   const double force = std::clamp(pressing + axis->locking * free, -top, top);
-  return set(axis->actuator, now + force / axis->stiffness);
+  return world.set_control(axis->actuator, now + force / axis->stiffness);
 }
 
 Result<void> RobotActor::push_base(World& world, const robots::FloorForce& force) const {
-  return push_base(controls_of(world), force);
-}
-
-Result<void> RobotActor::push_base(mjData& data, const robots::FloorForce& force) const {
-  return push_base(controls_of(data), force);
-}
-
-Result<void> RobotActor::push_base(const SetControl& set, const robots::FloorForce& force) const {
   const robots::JointGroup* base = robot_->drive ? robot_->find_group("base") : nullptr;
   if (base == nullptr || base->dofs.size() != 3)
     return bad_robot_command(robot_->name, "it has no base that drives");
   const double efforts[3] = {force.x_n, force.y_n, force.turn_n_m};
   for (std::size_t i = 0; i < 3; ++i)
-    MARKETGEN_CHECK(set(axes_[static_cast<std::size_t>(base->dofs[i])].actuator, efforts[i]));
+    MARKETGEN_CHECK(
+        world.set_control(axes_[static_cast<std::size_t>(base->dofs[i])].actuator, efforts[i]));
   return {};
 }
 

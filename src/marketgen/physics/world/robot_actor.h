@@ -7,7 +7,6 @@
 // of a gripper with their solids, which are flat where they hold, cups with theirs behind the lip.
 // Links that cannot or need not touch one another are left out (pairs_that_may_touch()).
 #pragma once
-#include <functional>
 #include <map>
 #include <span>
 #include <string>
@@ -59,15 +58,8 @@ class RobotActor {
                                  const robots::Robot& robot,
                                  const std::string& prefix = {});
 
-  // The same in a model of one's own, outside a World.
-  static Result<RobotActor> find(const mjModel_& model,
-                                 const robots::Robot& robot,
-                                 const std::string& prefix = {});
-
   std::vector<double> position(const World& world) const;
   std::vector<double> velocity(const World& world) const;
-  std::vector<double> position(const mjData_& data) const;
-  std::vector<double> velocity(const mjData_& data) const;
   std::vector<double> effort(const World& world) const;  // of the drives, gravity included
 
   // Position drive. The servos lead by what their damping would take at the wanted velocity, so
@@ -90,16 +82,6 @@ class RobotActor {
                     double force_n) const;
   // What its wheels do to a base that drives, until the next call. Error: physics.bad_command.
   Result<void> push_base(World& world, const robots::FloorForce& force) const;
-  // The same in a model of one's own.
-  Result<void> command(mjData_& data,
-                       std::span<const double> position,
-                       std::span<const double> velocity,
-                       std::span<const double> effort = {}) const;
-  Result<void> grip(mjData_& data,
-                    const robots::Tool& tool,
-                    const robots::Setpoint& finger,
-                    double force_n) const;
-  Result<void> push_base(mjData_& data, const robots::FloorForce& force) const;
   // Whether command() moves it: no wheel, finger or follower.
   bool follows_position(std::size_t dof) const { return axes_[dof].follows_position; }
   // How far the fingers' servo has to be off to press with this force, m.
@@ -115,21 +97,7 @@ class RobotActor {
     bool follows_position = false;               // its control is a place
     double max_velocity = 0, locking = 0;        // locking: damping of the joint itself
   };
-  using SetControl = std::function<Result<void>(int actuator, double value)>;
-  static SetControl controls_of(World& world);
-  static SetControl controls_of(mjData_& data);
   Result<void> check(std::span<const double> values, bool servo, const char* what) const;
-  Result<void> command(const SetControl& set,
-                       const mjData_& data,
-                       std::span<const double> position,
-                       std::span<const double> velocity,
-                       std::span<const double> effort) const;
-  Result<void> grip(const SetControl& set,
-                    const mjData_& data,
-                    const robots::Tool& tool,
-                    const robots::Setpoint& finger,
-                    double force_n) const;
-  Result<void> push_base(const SetControl& set, const robots::FloorForce& force) const;
   const Axis* finger_axis(const robots::Tool& tool) const;  // the one that is driven
 
   const robots::Robot* robot_ = nullptr;

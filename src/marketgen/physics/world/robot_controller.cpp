@@ -31,14 +31,13 @@ robots::FloorMotion floor_motion(const robots::JointGroup& base,
 
 }  // namespace
 
-Result<RobotController> RobotController::start(const mjModel& model,
-                                               const mjData& data,
+Result<RobotController> RobotController::start(const World& world,
                                                const robots::Robot& robot,
                                                const std::string& prefix) {
   RobotController made;
   made.robot_ = &robot;
-  MARKETGEN_TRY(made.actor_, RobotActor::find(model, robot, prefix));
-  const std::vector<double> q = made.actor_.position(data), v = made.actor_.velocity(data);
+  MARKETGEN_TRY(made.actor_, RobotActor::find(world, robot, prefix));
+  const std::vector<double> q = made.actor_.position(world), v = made.actor_.velocity(world);
   for (const double place : q)
     made.setpoints_.emplace_back(robots::Setpoint{place, 0});
   for (const robots::Tool& tool : robot.tools) {
@@ -51,7 +50,7 @@ Result<RobotController> RobotController::start(const mjModel& model,
     made.wheels_ = robots::WheelDrive(robot, floor_motion(*base, q, v).place);
   }
   made.felt_.resize(robot.contact_limits.size());
-  made.find_parts(model, prefix);
+  made.find_parts(world.model(), prefix);
   return made;
 }
 
@@ -153,64 +152,52 @@ void RobotController::follow_finger(std::size_t tool,
   fingers_[tool].keep_near({q[static_cast<std::size_t>(joint->dof)], 0}, reach);
 }
 
-robots::FloorForce RobotController::push(const mjData& data,
+robots::FloorForce RobotController::push(const World& world,
                                          const RobotReference& reference,
                                          bool stopped,
                                          double step_s) {
   const robots::FloorMotion now =
-      floor_motion(*robot_->find_group("base"), actor_.position(data), actor_.velocity(data));
+      floor_motion(*robot_->find_group("base"), actor_.position(world), actor_.velocity(world));
   return stopped ? wheels_.push(now, 0, 0, step_s)
                  : wheels_.push(now, reference.drive_m_s, reference.turn_rad_s, step_s);
 }
 
-template <class Target>
-Result<void> RobotController::drive(Target& target,
-                                    const mjModel& model,
-                                    const mjData& data,
-                                    const RobotReference& reference) {
+Result<void> RobotController::command(World& world, const RobotReference& reference) {
   MARKETGEN_CHECK(check(reference));
-  const double step_s = model.opt.timestep;
-  const bool halt = stopped(data.time);
+  const double step_s = world.model().opt.timestep;
+  const bool halt = stopped(world.time_s());
   follow(reference, halt, step_s);
-  const std::vector<double> q = actor_.position(data), v = actor_.velocity(data);
+  const std::vector<double> q = actor_.position(world), v = actor_.velocity(world);
   keep_near(q, v);
   std::vector<double> places, speeds;
   for (const robots::SmoothSetpoint& setpoint : setpoints_) {
     places.push_back(setpoint.now().position);
     speeds.push_back(setpoint.now().velocity);
   }
-  MARKETGEN_CHECK(actor_.command(target, places, speeds, effort_of_motion(q, v)));
+  MARKETGEN_CHECK(actor_.command(world, places, speeds, effort_of_motion(q, v)));
   for (std::size_t t = 0; t < fingers_.size(); ++t) {
     const robots::Tool& tool = robot_->tools[t];
     if (robots::driven_finger(*robot_, tool) == nullptr) continue;
     const GripReference wanted{reference.grips[t].opening_m,
                                std::min(reference.grips[t].force_n, tool.force)};
     follow_finger(t, wanted, q, step_s);
-    MARKETGEN_CHECK(actor_.grip(target, tool, fingers_[t], wanted.force_n));
+    MARKETGEN_CHECK(actor_.grip(world, tool, fingers_[t], wanted.force_n));
   }
   if (!robot_->drive) return {};
-  return actor_.push_base(target, push(data, reference, halt, step_s));
+  return actor_.push_base(world, push(world, reference, halt, step_s));
 }
 
-Result<void> RobotController::command(World& world, const RobotReference& reference) {
-  return drive(world, world.model(), world.data(), reference);
-}
-
-Result<void> RobotController::command(const mjModel& model,
-                                      mjData& data,
-                                      const RobotReference& reference) {
-  return drive(data, model, data, reference);
-}
-
-void RobotController::give_way(const mjData& data) {
-  const std::vector<double> q = actor_.position(data);
+void RobotController::give_way(const World& world) {
+  const std::vector<double> q = actor_.position(world);
   for (std::size_t dof = 0; dof < setpoints_.size(); ++dof) {
     const robots::Joint& joint = robot_->joint_of_dof(dof);
     setpoints_[dof] = robots::SmoothSetpoint({std::clamp(q[dof], joint.lower, joint.upper), 0});
   }
 }
 
-void RobotController::feel(const mjModel& model, const mjData& data) {
+void RobotController::feel(const World& world) {
+  const mjModel& model = world.model();
+  const mjData& data = world.data();
   std::vector<Vec3> now(felt_.size());
   for (int c = 0; c < data.ncon; ++c) {
     const mjContact& contact = data.contact[c];
@@ -231,11 +218,11 @@ void RobotController::feel(const mjModel& model, const mjData& data) {
     felt_[limit] = felt_[limit] + (now[limit] - felt_[limit]) * (model.opt.timestep / felt_over_s);
     const double force = length(felt_[limit]);
     max_force_n_ = std::max(max_force_n_, force);
-    if (halted && force > yields_share * row.force) give_way(data);
+    if (halted && force > yields_share * row.force) give_way(world);
     if (halted || force <= row.force) continue;
     if (!stopped(data.time)) ++stops_;
     goes_on_s_ = std::max(goes_on_s_, data.time + row.pause);
-    give_way(data);
+    give_way(world);
   }
 }
 

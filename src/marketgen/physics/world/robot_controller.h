@@ -38,18 +38,16 @@ struct RobotReference {
 class RobotController {
  public:
   RobotController() = default;
-  // The robot stands still, as `data` has it. Errors: those of RobotActor::find.
-  static Result<RobotController> start(const mjModel_& model,
-                                       const mjData_& data,
+  // The robot stands still, as the world has it. Errors: those of RobotActor::find.
+  static Result<RobotController> start(const World& world,
                                        const robots::Robot& robot,
                                        const std::string& prefix = {});
 
   // Before every step. Errors: those of RobotActor; physics.bad_command for another number of
   // joints or tools.
   Result<void> command(World& world, const RobotReference& reference);
-  Result<void> command(const mjModel_& model, mjData_& data, const RobotReference& reference);
   // After every step: feels what presses.
-  void feel(const mjModel_& model, const mjData_& data);
+  void feel(const World& world);
 
   const RobotActor& actor() const { return actor_; }
   // Where the drives are told to be now; of all degrees of freedom.
@@ -73,7 +71,7 @@ class RobotController {
   void keep_near(const std::vector<double>& q, const std::vector<double>& v);
   std::vector<double> effort_of_motion(const std::vector<double>& q,
                                        const std::vector<double>& v) const;
-  robots::FloorForce push(const mjData_& data,
+  robots::FloorForce push(const World& world,
                           const RobotReference& reference,
                           bool stopped,
                           double step_s);
@@ -81,12 +79,7 @@ class RobotController {
                      const GripReference& wanted,
                      const std::vector<double>& q,
                      double step_s);
-  template <class Target>
-  Result<void> drive(Target& target,
-                     const mjModel_& model,
-                     const mjData_& data,
-                     const RobotReference& reference);
-  void give_way(const mjData_& data);
+  void give_way(const World& world);
 
   const robots::Robot* robot_ = nullptr;
   RobotActor actor_;
