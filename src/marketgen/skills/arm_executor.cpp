@@ -26,7 +26,7 @@ Result<ArmExecutor> ArmExecutor::make(const robots::Robot& robot, const Executor
   made.options_ = options;
   MARKETGEN_TRY(motion::ArmModel model, motion::make_arm_model(robot, "arm"));
   if (const auto ik = robots::make_arm_ik(robot, model.group); !ik.ok()) return ik.error();
-  made.model_ = std::make_unique<motion::ArmModel>(std::move(model));
+  made.model_ = std::make_shared<const motion::ArmModel>(std::move(model));
   made.hand_ = hand_of(robot, made.model_->group);
   return made;
 }

@@ -94,7 +94,7 @@ class ArmExecutor {
   void go_back();
 
   const robots::Robot* robot_ = nullptr;
-  std::unique_ptr<motion::ArmModel> model_;
+  std::shared_ptr<const motion::ArmModel> model_;
   std::vector<int> hand_;  // links that the group's last joint moves
   ExecutorOptions options_;
   std::deque<Motion> queue_;

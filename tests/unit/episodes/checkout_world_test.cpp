@@ -127,6 +127,20 @@ TEST(CheckoutWorld, GoingOnFromASavedMomentGivesTheSameState) {
   EXPECT_EQ(other.state_hash(), end);
 }
 
+TEST(CheckoutWorld, ATwinGoesOnAsTheWorldItselfWould) {
+  episodes::CheckoutWorld world = world_of(drawn(7));
+  const std::vector<agent::Action> actions = swaying(world, 20);
+  perform(world, std::span(actions).first(10));
+  const std::string before = world.state_hash();
+  const auto twin = world.twin();
+  ASSERT_TRUE(twin.ok()) << to_string(twin.error());
+  ASSERT_TRUE((*twin)->restore(world.save()).ok());
+  perform(**twin, std::span(actions).subspan(10));
+  EXPECT_EQ(world.state_hash(), before) << "the world itself stays as it is";
+  perform(world, std::span(actions).subspan(10));
+  EXPECT_EQ((*twin)->state_hash(), world.state_hash());
+}
+
 TEST(CheckoutWorld, MomentsOfOtherEpisodesAndHalvesOfOnesAreErrors) {
   episodes::CheckoutWorld world = world_of(drawn(7));
   const std::string whole = world.save(), before = world.state_hash();

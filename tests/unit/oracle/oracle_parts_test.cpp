@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "oracle/oracle_checkout.h"
 #include "oracle/oracle_grasps.h"
 #include "oracle/oracle_places.h"
 #include "oracle/oracle_witness.h"
@@ -195,6 +196,20 @@ TEST(CheckoutRefusal, NamesWhatIsInTheWay) {
   pack.size_mm = {60, 50, 120};
   pack.rigidity = catalog::Rigidity::soft;
   EXPECT_EQ(episodes::checkout_refusal(pack), episodes::CheckoutRefusal::soft);
+}
+
+// It rehearses in a twin what it decides: what it does in the end is what it foresaw.
+TEST_F(OracleParts, TheOracleEmptiesTheBasketWithoutHarm) {
+  const auto oracle = taken(oracle::make_checkout_oracle(world_, data_rows(), Seed(1)));
+  agent::Observation now = world_.observe();
+  ASSERT_TRUE(oracle->begin({"Unload it", spec().limit_s}, now).ok());
+  while (!world_.done()) {
+    const agent::Action action = taken(oracle->act(now));
+    now = taken(world_.step(action));
+  }
+  const episodes::EpisodeResult result = taken(world_.finish());
+  EXPECT_TRUE(result.success_strict) << oracle->failure();
+  EXPECT_TRUE(result.success_clean);
 }
 
 }  // namespace

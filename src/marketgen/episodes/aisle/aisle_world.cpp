@@ -95,6 +95,12 @@ Result<void> AisleWorld::reset(const EpisodeSpec& spec) {
   return {};
 }
 
+Result<std::shared_ptr<AisleWorld>> AisleWorld::twin() const {
+  auto twin = std::make_shared<AisleWorld>(store_, frictions_);
+  MARKETGEN_CHECK(twin->reset(spec_));
+  return twin;
+}
+
 double AisleWorld::time_s() const {
   return world_->time_s();
 }
@@ -297,7 +303,6 @@ Result<std::vector<motion::GraspCandidate>> AisleWorld::known_grasps(
       goods, tool, frictions_, pick == witness.end() ? std::vector<int>() : pick->grasps);
 }
 
-// What lies outside the basket, farther from where it stood than a clean episode moves it.
 int AisleWorld::strayed() const {
   const std::vector<std::uint32_t> carried = in_basket();
   const std::vector<std::uint32_t> moved = world_->moved_products();

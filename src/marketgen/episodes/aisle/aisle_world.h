@@ -55,6 +55,10 @@ class AisleWorld : public TrackWorld {
   Result<bool> in_place(std::uint32_t product);  // in the basket, let go, at rest
   std::vector<std::optional<std::uint32_t>> sealed_products() const;  // one a tool
   double path_m() const { return path_m_; }
+  // What lies outside the basket, farther from where it stood than a clean episode moves it.
+  int strayed() const;
+  // Another world of the same episode, at its beginning: restore() brings it where this one is.
+  Result<std::shared_ptr<AisleWorld>> twin() const;
   // Grasps of the product by which the episode's witness would have it taken; all of them for a
   // product that is no goal. Errors: those of studied_grasps().
   Result<std::vector<motion::GraspCandidate>> known_grasps(std::uint32_t product,
@@ -68,7 +72,6 @@ class AisleWorld : public TrackWorld {
   Result<std::vector<ItemState>> item_states();
   HoldsPoint region() const;
   void add_lengths(EpisodeResult& result) const;
-  int strayed() const;
 
   std::shared_ptr<const AisleStore> store_;
   std::vector<catalog::FrictionRow> frictions_;

@@ -110,6 +110,20 @@ Result<void> CheckoutWorld::reset(const EpisodeSpec& spec,
   return {};
 }
 
+Result<std::unique_ptr<CheckoutWorld>> CheckoutWorld::twin() const {
+  std::unique_ptr<CheckoutWorld> twin(new CheckoutWorld(frictions_));
+  twin->station_ = station_;
+  twin->robot_ = std::make_unique<robots::Robot>(*robot_);
+  twin->arm_ = arm_;
+  twin->store_from_station_ = store_from_station_;
+  twin->station_from_store_ = station_from_store_;
+  std::vector<catalog::Product> products;
+  for (const SharedEpisodeGoods& goods : item_goods_)
+    products.push_back(goods->product);
+  MARKETGEN_CHECK(twin->reset(spec_, products));
+  return twin;
+}
+
 Result<physics::World> CheckoutWorld::make_world(const scene::Scene& scene) const {
   physics::RobotActorOptions place;
   place.world_from_base = store_from_station_;

@@ -28,6 +28,9 @@ class CheckoutWorld : public TrackWorld {
   // episode is for another robot or station; assets.*, physics.failed.
   Result<void> reset(const EpisodeSpec& spec, const std::vector<catalog::Product>& products);
 
+  // Another world of the same episode, at its beginning: restore() brings it where this one is.
+  Result<std::unique_ptr<CheckoutWorld>> twin() const;
+
   agent::Observation observe() const override;
   Result<agent::Observation> step(const agent::Action& action) override;
   bool done() const override { return done_; }

@@ -1,0 +1,257 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "oracle/aisle_oracle.h"
+#include "oracle/rehearsal.h"
+#include "skills/hand_grasp.h"
+#include "skills/plan_failure.h"
+
+namespace marketgen::oracle {
+namespace {
+
+constexpr int max_item_tries = 3, max_unreached = 2;
+constexpr std::size_t max_items_looked_at = 4;            // of a SKU at a time
+constexpr double min_item_s = 25;                         // no new item with less time left
+constexpr double max_aside_m = 0.10, min_upright = 0.99;  // of what may be tried once more
+constexpr int max_rehearsals_here = 3;                    // of an item, from where the base stands
+
+}  // namespace
+
+// Of which too few lie in the basket.
+std::vector<std::string> AisleOracle::unmet() const {
+  std::vector<std::string> skus;
+  const std::vector<std::uint32_t> inside = world_->in_basket();
+  for (const episodes::EpisodeGoal& goal : world_->spec().goals) {
+    const auto there =
+        std::ranges::count_if(inside, [&](std::uint32_t row) { return sku_of(row) == goal.sku; });
+    if (there < goal.count) skus.push_back(goal.sku);
+  }
+  return skus;
+}
+std::vector<std::string> AisleOracle::missing() const {
+  std::vector<std::string> skus = unmet();
+  std::erase_if(skus, [&](const std::string& sku) {
+    const auto tried = memory_.tries.find(sku);
+    return tried != memory_.tries.end() && tried->second >= max_item_tries;
+  });
+  return skus;
+}
+
+const std::string& AisleOracle::sku_of(std::uint32_t product) const {
+  const scene::Scene& scene = world_->store().scene;
+  return scene.catalog[scene.products[product].sku].sku;
+}
+
+// Length of the way to where it could stand; empty when it could not.
+std::optional<double> AisleOracle::way_to(std::uint32_t product) const {
+  const auto place = world_->store().standing_place(product);
+  if (!place) return std::nullopt;
+  const Vec3 at = episodes::axle_of(robot_, world_->world_from_base());
+  const auto path = world_->store().ways.shortest_path(episodes::floor_point_mm(at), *place);
+  return path.ok() ? std::optional(path->length_m) : std::nullopt;
+}
+
+// No longer about where it stood on its shelf, upright.
+bool AisleOracle::was_moved(std::uint32_t product) const {
+  const Pose stood = scene::world_from_product(world_->store().scene.products[product]),
+             now = world_->world().product_pose(product);
+  return length(now.position - stood.position) > max_aside_m ||
+         rotate(now.rotation, {0, 0, 1}).z < min_upright;
+}
+
+// Items of all missing goals, nearest first; of a facing only the first one.
+std::vector<AisleOracle::Fetch> AisleOracle::fetches(const std::vector<std::string>& skus) const {
+  std::vector<Fetch> found;
+  for (const std::string& sku : skus) {
+    std::set<std::uint32_t> seen;
+    for (const std::uint32_t row : world_->store().front_items(sku)) {
+      if (refused_.contains(row) || was_moved(row)) continue;
+      if (!seen.insert(world_->store().scene.products[row].facing).second) continue;
+      if (const auto way = way_to(row)) found.push_back({*way, row});
+    }
+  }
+  std::ranges::stable_sort(found, {}, &Fetch::way_m);
+  return found;
+}
+
+Result<void> AisleOracle::choose() {
+  if (!twin_) {  // what it rehearses is over
+    memory_.done = true;
+    return {};
+  }
+  const std::vector<std::string> skus = missing();
+  if (skus.empty() || now_.time_s + min_item_s > task_.limit_s) {
+    for (const std::string& sku : skus)
+      note(sku, episodes::FailureCode::timeout);
+    memory_.done = true;
+    return {};
+  }
+  std::map<std::string, std::size_t> looked_at;
+  for (const Fetch& fetch : fetches(skus)) {
+    if (looked_at[sku_of(fetch.product)]++ >= max_items_looked_at) continue;
+    if (go_to(fetch.product)) return {};
+    refused_.insert(fetch.product);
+  }
+  // The others at the next step: one answer must not take for ever.
+  memory_.done = looked_at.empty();
+  for (const std::string& sku : skus)
+    if (memory_.done) memory_.failures.try_emplace(sku, episodes::FailureCode::not_found);
+  return {};
+}
+
+collect::GoodsNow AisleOracle::goods_now() const {
+  collect::GoodsNow goods(world_->store().scene);
+  for (const std::uint32_t row : world_->world().moved_products())
+    goods.move(row, world_->world().product_pose(row));
+  return goods;
+}
+
+Result<collect::CollectOptions> AisleOracle::collect_options(std::uint32_t product) {
+  collect::CollectOptions options;
+  std::vector<motion::GraspCandidate>& known = grasps_[sku_of(product)];
+  if (known.empty()) {
+    MARKETGEN_TRY(known, world_->known_grasps(product, tool_));
+  }
+  options.grasps = known;
+  // Once more by another one, if there is one.
+  const std::vector<Vec3>& missed = memory_.missed[product];
+  std::ranges::stable_partition(options.grasps, [&](const motion::GraspCandidate& grasp) {
+    return std::ranges::find(missed, grasp.grasp.product_from_tool.position) == missed.end();
+  });
+  options.posture = world_->store().station.posture;
+  options.carried = world_->store().basket.walls;
+  options.speed = skills::carrying_speed;
+  options.acceleration = skills::carrying_acceleration;
+  return options;
+}
+
+void AisleOracle::note_plan(std::uint32_t product, const Error& error) {
+  say("no way to it: " + to_string(error));
+  note(sku_of(product),
+       value_named<episodes::FailureCode>(skills::failure_of_plan(error))
+           .value_or(episodes::FailureCode::no_path));
+}
+
+bool AisleOracle::go_to(std::uint32_t product) {
+  const Seed seed = next_seed("place");
+  goods_ = goods_now();
+  const auto options = collect_options(product);
+  if (!options.ok()) {
+    note_plan(product, options.error());
+    return false;
+  }
+  auto plan = collect::plan_collect(goods_, product, robot_, tool_, seed, *options);
+  if (!plan.ok()) {
+    note_plan(product, plan.error());
+    return false;
+  }
+  const Vec3 from = episodes::axle_of(robot_, world_->world_from_base()),
+             to = episodes::axle_of(robot_, plan->world_from_base);
+  const Vec3 ahead = rotate(plan->world_from_base.rotation, {1, 0, 0});
+  auto drive = motion::plan_drive(world_->store().ways,
+                                  robot_,
+                                  world_->store().driving,
+                                  {{from.x, from.y}, now_.base.heading},
+                                  {{to.x, to.y}, std::atan2(ahead.y, ahead.x)});
+  if (!drive.ok()) {
+    note(sku_of(product), episodes::FailureCode::no_path);
+    return false;
+  }
+  memory_.executor.drive(std::move(drive->follower));
+  memory_.plan = std::move(*plan);
+  if (!memory_.executor.raise(lift_height()).ok()) return false;
+  memory_.executor.open(memory_.plan.tool, opened());
+  memory_.phase = Phase::arrived;
+  return true;
+}
+
+// Planned anew from where the base came to stand, and rehearsed; what does no harm is done.
+// Otherwise another grasp is tried, and in the end the one that does least harm is done; none of
+// those that would not bring the item into the basket.
+Result<void> AisleOracle::reach() {
+  const std::uint32_t product = memory_.plan.product;
+  const Memory before = memory_;
+  std::optional<Memory> best;
+  int least = harm_of_not_placed;
+  for (int rehearsal = 0; rehearsal < max_rehearsals_here; ++rehearsal) {
+    const Result<void> begun = begin_taking();
+    if (!begun.ok()) {
+      note_plan(product, begun.error());
+      break;
+    }
+    MARKETGEN_TRY(const int harm, rehearse());
+    if (harm == 0) return {};
+    say(fmt::format("rehearsed with harm of {}", harm));
+    if (harm < least) {
+      least = harm;
+      best = memory_;
+    }
+    Memory next = before;
+    next.moves = memory_.moves;
+    next.missed = memory_.missed;
+    next.missed[product].push_back(memory_.plan.grasp.grasp.product_from_tool.position);
+    next.failures = memory_.failures;
+    memory_ = std::move(next);
+  }
+  if (best)
+    memory_ = std::move(*best);
+  else
+    come_in_vain(product);
+  return {};
+}
+
+void AisleOracle::come_in_vain(std::uint32_t product) {
+  if (++memory_.unreached[product] == max_unreached) refused_.insert(product);
+  memory_.phase = Phase::choose;
+}
+
+Result<void> AisleOracle::begin_taking() {
+  MARKETGEN_TRY(collect::CollectOptions options, collect_options(memory_.plan.product));
+  options.world_from_base = world_->world_from_base();
+  const Seed seed = next_seed("reach");
+  MARKETGEN_TRY(memory_.plan,
+                collect::plan_collect(goods_, memory_.plan.product, robot_, tool_, seed, options));
+  ++memory_.tries[sku_of(memory_.plan.product)];
+  const robots::Tool& tool = robot_.tools[static_cast<std::size_t>(memory_.plan.tool)];
+  memory_.force_n = skills::carrying_grasp({}, memory_.plan.grasp, tool.force).force_n;
+  say(fmt::format("takes {} with {}, {}, {:.0f} N, try {}",
+                  scene::product_id(world_->store().scene, memory_.plan.product),
+                  memory_.plan.group,
+                  name_of(memory_.plan.grasp.strategy),
+                  memory_.force_n,
+                  memory_.tries[sku_of(memory_.plan.product)]));
+  memory_.phase = Phase::pressed;
+  return memory_.executor.take({.ways = static_cast<const skills::PickWays&>(memory_.plan),
+                                .group = memory_.plan.group,
+                                .tool = memory_.plan.tool,
+                                .lift_m = lift_height(),
+                                .open = opened(),
+                                .close = {0, memory_.force_n}});
+}
+
+// From here until something else is to be fetched.
+Result<int> AisleOracle::rehearse() {
+  MARKETGEN_CHECK(twin_->restore(world_->save()));
+  AisleOracle actor(*this);
+  actor.world_ = twin_.get();
+  actor.twin_.reset();
+  const int before = actor.harm();
+  MARKETGEN_CHECK(rehearse_in(*twin_, actor));
+  const std::string& sku = sku_of(memory_.plan.product);
+  if (const auto why = actor.memory_.failures.find(sku); why != actor.memory_.failures.end())
+    note(sku, why->second);
+  const std::vector<std::uint32_t> inside = twin_->in_basket();
+  const bool placed = std::ranges::count(inside, memory_.plan.product) > 0 && !actor.holds_it();
+  return actor.harm() - before + (placed ? 0 : harm_of_not_placed);
+}
+
+int AisleOracle::harm() const {
+  episodes::SideEffects effects = world_->watch().effects();
+  effects.strayed = world_->strayed();
+  effects.protective_stops = world_->controller().stops();
+  return harm_in(effects);
+}
+
+}  // namespace marketgen::oracle

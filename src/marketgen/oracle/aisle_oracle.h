@@ -1,0 +1,112 @@
+// The oracle's decisions in the aisles: what to fetch next (aisle_choice.cpp), and how it is taken
+// off its shelf and let down into the basket (oracle_aisle.cpp).
+#pragma once
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "agent/policy.h"
+#include "collect/collect_plan.h"
+#include "episodes/aisle/aisle_world.h"
+#include "skills/aisle_executor.h"
+#include "skills/drop_plan.h"
+
+namespace marketgen::oracle {
+
+class AisleOracle : public agent::Policy {
+ public:
+  // `world` must outlive it.
+  AisleOracle(const episodes::AisleWorld& world, robots::GraspTool tool, Seed seed);
+
+  Result<void> begin(const agent::Task& task, const agent::Observation& first) override;
+  Result<agent::Action> act(const agent::Observation& now) override;
+  std::string failure() const override;
+
+ private:
+  enum class Phase { choose, arrived, pressed, out, away, dropped };
+
+  // Of what it is doing.
+  struct Memory {
+    skills::AisleExecutor executor;
+    Phase phase = Phase::choose;
+    collect::CollectPlan plan = {};
+    double force_n = 0;
+    std::size_t drop_lift = 0;
+    std::map<std::string, int> tries = {};                   // by SKU
+    std::map<std::uint32_t, std::vector<Vec3>> missed = {};  // where the tip was in vain, product
+                                                             // frame
+    std::map<std::uint32_t, int> unreached = {};             // times that it came in vain
+    int moves = 0;
+    bool done = false;
+    bool held = false;                                           // when the tool had closed
+    std::map<std::string, episodes::FailureCode> failures = {};  // by SKU, the last one
+  };
+  struct Fetch {
+    double way_m = 0;
+    std::uint32_t product = 0;
+  };
+
+  Result<void> recover();
+  Result<void> decide();
+  void note(const std::string& sku, episodes::FailureCode why) { memory_.failures[sku] = why; }
+  void note(episodes::FailureCode why) { note(sku_of(memory_.plan.product), why); }
+  void note_plan(std::uint32_t product, const Error& error);
+  void say(const std::string& what) const;
+  Seed next_seed(std::string_view of) {
+    return seed_.child(of, static_cast<std::uint64_t>(memory_.moves++));
+  }
+
+  // ---- What to fetch next: aisle_choice.cpp ----
+  std::vector<std::string> unmet() const;
+  std::vector<std::string> missing() const;
+  const std::string& sku_of(std::uint32_t product) const;
+  std::optional<double> way_to(std::uint32_t product) const;
+  bool was_moved(std::uint32_t product) const;
+  std::vector<Fetch> fetches(const std::vector<std::string>& skus) const;
+  Result<void> choose();
+  collect::GoodsNow goods_now() const;
+  Result<collect::CollectOptions> collect_options(std::uint32_t product);
+  bool go_to(std::uint32_t product);
+  Result<void> reach();
+  Result<void> begin_taking();
+  Result<int> rehearse();
+  int harm() const;
+  void come_in_vain(std::uint32_t product);
+
+  // ---- Taking it ----
+  agent::ToolCommand opened() const;
+  agent::ToolCommand let_go() const;
+  double lift_height() const;
+  bool holds_it() const;
+  Result<void> pull_out();
+  Result<void> back_off();
+
+  // ---- Into the basket ----
+  std::vector<double> state_now() const;
+  Result<motion::Obstacles> around() const;
+  Result<std::vector<skills::CarriedItem>> inside() const;
+  Pose base_from_tip() const;
+  Result<skills::StowQuestion> stow_question() const;
+  Result<void> drop();
+  Result<void> try_other_lift();
+  Result<void> go_home();
+  Result<void> check();
+
+  const episodes::AisleWorld* world_;
+  // Of the same episode: what it has begun is rehearsed there. None for one that rehearses.
+  std::shared_ptr<episodes::AisleWorld> twin_;
+  const robots::Robot& robot_;
+  robots::GraspTool tool_;
+  Seed seed_;
+  collect::GoodsNow goods_;  // as they stood when the plan was made
+  agent::Task task_;
+  agent::Observation now_;
+  Memory memory_;
+  std::map<std::string, std::vector<motion::GraspCandidate>> grasps_;  // by SKU
+  std::set<std::uint32_t> refused_;
+};
+
+}  // namespace marketgen::oracle
