@@ -9,8 +9,10 @@
 #include "base/parallel.h"
 #include "base/seed.h"
 #include "command.h"
+#include "episodes/aisle/grasp_book.h"
 #include "grasping/grasp_database.h"
 #include "grasping/grasp_shares.h"
+#include "grasping/grasp_table.h"
 #include "io/file.h"
 #include "io/json.h"
 #include "io/output.h"
@@ -24,6 +26,7 @@ struct GraspFlags {
   CommonFlags common;
   std::vector<std::string> skus, tools, settings, catalogs;
   std::string archetype;
+  std::filesystem::path table;
   int tries = 3;
   std::size_t sample = 0;  // so many of the products, by the seed; 0: all
 };
@@ -181,14 +184,14 @@ Result<std::vector<grasping::GraspRate>> study_and_keep(
     finished.insert(finished.end(), rates.begin(), rates.end());
     if (monotonic_seconds() < kept_s + keep_every_s) return;
     kept_s = monotonic_seconds();  // an error shows at the end
-    (void)grasping::keep_grasp_rates(finished, key, flags.common.seed).ok();
+    (void)grasping::keep_grasp_rates(finished, key, options.seed).ok();
   };
   auto rates = until_interrupted([&] {
     return grasping::study_grasps(
         products, tools, catalog.frictions, options, progress_for(flags.common));
   });
   const NoForcedEnd keeping;
-  MARKETGEN_CHECK(grasping::keep_grasp_rates(finished, key, flags.common.seed));
+  MARKETGEN_CHECK(grasping::keep_grasp_rates(finished, key, options.seed));
   return rates;
 }
 
@@ -196,7 +199,8 @@ Result<void> grasps(const GraspFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
   (void)grasping::kept_grasp_rates({});  // takes away what lies there and cannot be used
   io::Outputs database;
-  MARKETGEN_CHECK(database.add({{"MARKETGEN_CACHE", grasping::grasp_database_file()}}));
+  MARKETGEN_CHECK(database.add(
+      {{"MARKETGEN_CACHE", grasping::grasp_database_file()}, {"--table", flags.table}}));
   const double started_s = monotonic_seconds();
   MARKETGEN_TRY(const catalog::Catalog catalog, load_rows(flags.catalogs));
   MARKETGEN_TRY(const std::vector<const catalog::Product*> products,
@@ -206,8 +210,15 @@ Result<void> grasps(const GraspFlags& flags) {
   options.tries = flags.tries;
   options.seed = flags.common.seed;
   MARKETGEN_TRY(options.settings, chosen_settings(flags));
+  if (!flags.table.empty()) options = episodes::GraspBook::options();
   MARKETGEN_TRY(const std::vector<grasping::GraspRate> rates,
                 study_and_keep(products, tools, catalog, options, flags));
+  if (!flags.table.empty()) {
+    MARKETGEN_TRY(const std::string text,
+                  grasping::grasp_table_text(rates, products, tools, catalog.frictions));
+    MARKETGEN_CHECK(database.put(flags.table, text));
+    MARKETGEN_CHECK(database.commit());
+  }
 
   GraspReport report{static_cast<int>(products.size()),
                      monotonic_seconds() - started_s,
@@ -244,18 +255,27 @@ Run add_grasps(CLI::App& app) {
                    "row of a tool: panda-hand, parallel-gripper, suction-cup; "
                    "again for more; none = all")
       ->allow_extra_args(false);
-  command
-      ->add_option("--setting",
-                   flags->settings,
-                   "free (on a table), stocked (on a shelf, gaps of 2 to 8 mm), spaced (gaps of "
-                   "30 mm) or basket (among its likes); again for more; none = free")
-      ->allow_extra_args(false);
+  CLI::Option* setting =
+      command
+          ->add_option(
+              "--setting",
+              flags->settings,
+              "free (on a table), stocked (on a shelf, gaps of 2 to 8 mm), spaced (gaps of "
+              "30 mm) or basket (among its likes); again for more; none = free")
+          ->allow_extra_args(false);
   command->add_option("--archetype", flags->archetype, "only products of this shape");
   command->add_option("--sample", flags->sample, "only so many of them, drawn by the seed; 0 = all")
       ->check(whole_number(0, 100000));
-  command->add_option("--tries", flags->tries, "candidates tried of each product, best first")
-      ->check(whole_number(1, 20))
-      ->capture_default_str();
+  CLI::Option* tries =
+      command->add_option("--tries", flags->tries, "candidates tried of each product, best first")
+          ->check(whole_number(1, 20))
+          ->capture_default_str();
+  command
+      ->add_option("--table",
+                   flags->table,
+                   "also write what episodes in aisles ask for as rows, like data/grasps.csv")
+      ->excludes(setting)
+      ->excludes(tries);
   command->add_option(
       "--catalog", flags->catalogs, "products of your own: CSV, JSON or asset.json (repeatable)");
   add_common_flags(*command, flags->common, Takes::seed_and_json);

@@ -74,8 +74,9 @@ grasping::StudyOptions GraspBook::options() {
 
 GraspBook::GraspBook(robots::GraspTool tool,
                      std::vector<catalog::FrictionRow> frictions,
-                     const std::vector<grasping::GraspRate>& known)
-    : tool_(std::move(tool)), frictions_(std::move(frictions)) {
+                     const std::vector<grasping::GraspRate>& known,
+                     grasping::GraspTable shipped)
+    : tool_(std::move(tool)), frictions_(std::move(frictions)), shipped_(std::move(shipped)) {
   for (const grasping::GraspRate& rate : known)
     if (rate.tool == tool_.id && rate.setting == grasping::GraspSetting::stocked)
       rates_.emplace(rate.sku, rate);
@@ -86,6 +87,7 @@ Result<grasping::GraspRate> GraspBook::rate(const catalog::Product& product) {
     const std::scoped_lock lock(mutex_);
     if (const auto known = rates_.find(product.sku); known != rates_.end()) return known->second;
   }
+  if (const auto shipped = shipped_.find(product, tool_, frictions_)) return *shipped;
   MARKETGEN_TRY(
       const std::vector<grasping::GraspRate> rates,
       grasping::study_grasps({&product}, {tool_}, frictions_, options(), silent_progress()));
@@ -158,8 +160,9 @@ Result<std::shared_ptr<GraspBook>> open_aisle_book(const std::filesystem::path& 
   MARKETGEN_TRY(robots::GraspTool tool, robots::load_grasp_tool(data, station.tools().picks_with));
   MARKETGEN_TRY(const std::string key,
                 grasping::grasp_study_key(data, catalog.content_hash, GraspBook::options()));
+  MARKETGEN_TRY(grasping::GraspTable shipped, grasping::GraspTable::read(data));
   return std::make_shared<GraspBook>(
-      std::move(tool), catalog.frictions, grasping::kept_grasp_rates(key));
+      std::move(tool), catalog.frictions, grasping::kept_grasp_rates(key), std::move(shipped));
 }
 
 }  // namespace marketgen::episodes

@@ -1,4 +1,4 @@
-// Which products a tool can take off a stocked shelf, looked up or tried in physics when asked.
+// Which products a tool can take off a stocked shelf: looked up, or tried in physics when asked.
 // One book serves the samplers of all stores.
 #pragma once
 #include <filesystem>
@@ -11,6 +11,7 @@
 
 #include "catalog/catalog.h"
 #include "grasping/grasp_study.h"
+#include "grasping/grasp_table.h"
 
 namespace marketgen::episodes {
 
@@ -26,10 +27,12 @@ class GraspBook {
   // The study that it makes: a product's candidates until two held or two cannot hold any more.
   static grasping::StudyOptions options();
 
-  // `known`: rates of earlier studies of the same kind, which are not made again.
+  // `known`: rates of earlier studies of the same kind, by this program; `shipped`: those that it
+  // came with. Neither are made again.
   GraspBook(robots::GraspTool tool,
             std::vector<catalog::FrictionRow> frictions,
-            const std::vector<grasping::GraspRate>& known = {});
+            const std::vector<grasping::GraspRate>& known = {},
+            grasping::GraspTable shipped = {});
 
   // A product is fetched when the study holds it in two of three tries, by those of the grasps that
   // also keep it from turning between the pads, or from peeling off the cup, while the arm turns it
@@ -53,14 +56,16 @@ class GraspBook {
 
   robots::GraspTool tool_;
   std::vector<catalog::FrictionRow> frictions_;
+  grasping::GraspTable shipped_;
   mutable std::mutex mutex_;
   std::map<std::string, grasping::GraspRate> rates_;  // by SKU
   std::set<std::string> new_;                         // SKUs
 };
 
-// For the tool with which the robot in aisles fetches, with what the grasp database knows of it.
+// For the tool with which the robot in aisles fetches, with what the grasp database and the shipped
+// table know of it.
 // `tools`: a tool set of the station, the first when empty. Errors: those of load_aisle_station,
-// load_grasp_tool, grasp_study_key.
+// load_grasp_tool, grasp_study_key, GraspTable::read.
 Result<std::shared_ptr<GraspBook>> open_aisle_book(const std::filesystem::path& data,
                                                    const catalog::Catalog& catalog,
                                                    const std::string& tools = {});
