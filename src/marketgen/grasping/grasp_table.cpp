@@ -139,7 +139,8 @@ Result<GraspTable> GraspTable::read(const std::filesystem::path& data) {
       return Error{"catalog.bad_row", where + "/excluded", "unknown: \"" + fields[3] + "\""};
     rate.excluded = *excluded;
     MARKETGEN_TRY(rate.tries, tries_of(fields[5], where));
-    table.rows_.insert_or_assign({rate.sku, rate.tool}, Row{fields[2], std::move(rate)});
+    const std::pair key(rate.sku, rate.tool);
+    table.rows_.insert_or_assign(key, Row{fields[2], std::move(rate)});
   }
   return table;
 }
