@@ -189,6 +189,20 @@ void print_exclusions(const episodes::EpisodeStore& store) {
       left_out,
       store.exclusions.on_offer,
       reasons);
+  if (!store.exclusions.lanes) return;
+  for (const auto& [lane, reason] : *store.exclusions.lanes)
+    say("{}: no episode is at {}: {}\n", store.name, lane, reason);
+}
+
+// Those of checkout that are not at a lane of theirs, and why (print_exclusions says it of lanes).
+void print_rooms(const episodes::EpisodeFile& file) {
+  const auto in_room = std::ranges::count_if(file.episodes, [](const episodes::EpisodeSpec& spec) {
+    return spec.track == episodes::Track::checkout && !spec.lane;
+  });
+  if (in_room > 0)
+    say("{} episodes are in a room of their own: their store has no checkout lane with room for "
+        "the robot\n",
+        in_room);
 }
 
 Result<void> write(const EpisodesFlags& flags) {
@@ -225,6 +239,7 @@ Result<void> write(const EpisodesFlags& flags) {
   if (flags.common.quiet) return {};
   for (const StockedStore& store : stores)
     print_exclusions(store.store);
+  print_rooms(file);
   say("{} episodes of {} stores: {}\n", flags.count, stores.size(), flags.output);
   return {};
 }

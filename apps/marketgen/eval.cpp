@@ -86,8 +86,9 @@ Result<void> eval_perception(const EvalFlags& flags) {
   MARKETGEN_TRY(const episodes::EpisodeFile file, episodes::read_episode_file(flags.episodes));
   MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
   MARKETGEN_TRY(const catalog::Catalog catalog, load_rows());
+  environments::Arena arena(data, file.header, catalog);
   MARKETGEN_TRY(const std::vector<evaluation::PerceptionMeasure> measures,
-                evaluation::measure_perception(data, file, catalog.frictions));
+                evaluation::measure_perception(arena, file.episodes));
   std::string lines;
   for (const evaluation::PerceptionMeasure& measure : measures)
     lines += io::write_json_line(measure) + "\n";

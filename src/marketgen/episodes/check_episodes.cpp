@@ -61,6 +61,7 @@ Result<void> check_fields(const EpisodeSpec& spec, const std::string& where) {
       {"categories", !spec.categories.empty()},
       {"tools", !spec.tools.empty()},
       {"station", spec.station.has_value()},
+      {"lane", spec.lane.has_value()},
       {"start", start.x_m != 0 || start.y_m != 0 || start.heading_deg != 0}};
   const auto own = entry_of(spec.track).own_fields();
   for (const auto& [field, is_there] : said)

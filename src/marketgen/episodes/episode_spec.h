@@ -100,6 +100,7 @@ struct EpisodeSpec {
   std::string store, scene_hash, plan_hash;
   std::string robot, tools;
   std::optional<std::string> station;  // the counter of Checkout Unloading when absent
+  std::optional<std::string> lane;     // a room of its own when absent
   std::uint64_t seed = 0;
   std::string instruction;
   std::vector<EpisodeItem> items;
@@ -126,6 +127,10 @@ struct EpisodeSpec {
             &EpisodeSpec::station,
             "checkout: a row of data/benchmark, that of Checkout Unloading when absent",
             reference()),
+      field("lane",
+            &EpisodeSpec::lane,
+            "checkout: the fixture of the store where it happens; a room of its own when absent",
+            reference()),
       field("seed", &EpisodeSpec::seed, "of what the policy draws"),
       field("instruction", &EpisodeSpec::instruction, "what the agent is told", required()),
       field("items", &EpisodeSpec::items, "checkout: what lies in the basket", at_most_items(64)),
@@ -148,13 +153,26 @@ struct EpisodeExclusion {
                  field("products", &EpisodeExclusion::products, "how many", range(0, 1e6)));
 };
 
-// What of a store's offer no task asks for.
+// A checkout lane at which no task happens.
+struct LaneExclusion {
+  std::string lane, reason;
+  static constexpr auto fields =
+      field_list(field("lane", &LaneExclusion::lane, "id of its fixture", required()),
+                 field("reason", &LaneExclusion::reason, "what stands in the way", required()));
+};
+
+// What of a store no task is about.
 struct EpisodeExclusions {
   int on_offer = 0;
   std::vector<EpisodeExclusion> left_out;
+  std::optional<std::vector<LaneExclusion>> lanes = {};  // of a track that happens at lanes
   static constexpr auto fields = field_list(
       field("on_offer", &EpisodeExclusions::on_offer, "products on its shelves", range(0, 1e6)),
-      field("left_out", &EpisodeExclusions::left_out, "of these, by reason", at_most_items(64)));
+      field("left_out", &EpisodeExclusions::left_out, "of these, by reason", at_most_items(64)),
+      field("lanes",
+            &EpisodeExclusions::lanes,
+            "checkout: lanes where the robot has no room",
+            at_most_items(1000)));
 };
 
 struct EpisodeStore {

@@ -4,6 +4,9 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <variant>
+
+#include <fmt/format.h>
 
 #include "episodes/checkout/checkout_senses.h"
 #include "episodes/pictured_products.h"
@@ -161,14 +164,16 @@ class PerceptionTrial {
   std::vector<perception::FoundProduct> found_;
 };
 
-Result<PerceptionMeasure> measured(const std::filesystem::path& data,
-                                   const episodes::EpisodeSpec& spec,
-                                   const std::vector<catalog::Product>& products,
-                                   const std::vector<catalog::FrictionRow>& frictions) {
-  MARKETGEN_TRY(episodes::CheckoutWorld world, episodes::CheckoutWorld::create(data, frictions));
-  MARKETGEN_CHECK(world.reset(spec, products));
+Result<PerceptionMeasure> measured(environments::Arena& arena, const episodes::EpisodeSpec& spec) {
+  if (spec.track != episodes::Track::checkout)
+    return Error{"episode.unknown_track",
+                 spec.id,
+                 fmt::format("perception is measured at a counter, it is of the track {}",
+                             name_of(spec.track))};
+  MARKETGEN_TRY(const auto opened, arena.open(spec));
+  const auto& world = *std::get<const episodes::CheckoutWorld*>(opened->any());
   PerceptionTrial trial(world, spec);
-  MARKETGEN_CHECK(trial.learn_goals(products, frictions));
+  MARKETGEN_CHECK(trial.learn_goals(arena.header().products, arena.catalog().frictions));
   MARKETGEN_CHECK(trial.look());
   trial.find();
   return trial.compared();
@@ -177,12 +182,10 @@ Result<PerceptionMeasure> measured(const std::filesystem::path& data,
 }  // namespace
 
 Result<std::vector<PerceptionMeasure>> measure_perception(
-    const std::filesystem::path& data,
-    const episodes::EpisodeFile& file,
-    const std::vector<catalog::FrictionRow>& frictions) {
+    environments::Arena& arena, const std::vector<episodes::EpisodeSpec>& episodes) {
   std::vector<PerceptionMeasure> measures;
-  for (const episodes::EpisodeSpec& spec : file.episodes) {
-    auto measure = measured(data, spec, file.header.products, frictions);
+  for (const episodes::EpisodeSpec& spec : episodes) {
+    auto measure = measured(arena, spec);
     if (measure.ok()) {
       measures.push_back(std::move(measure).value());
       continue;

@@ -1,13 +1,12 @@
 // How well each module of perception does by itself, against the truth: on the basket of an episode
 // as it lies at the beginning, from the cameras as they then stand.
 #pragma once
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "base/fields.h"
 #include "base/result.h"
-#include "catalog/rows.h"
+#include "environments/arena.h"
 #include "episodes/episode_spec.h"
 #include "evaluation/evaluation_summary.h"
 #include "grasping/grasp_shares.h"
@@ -60,9 +59,7 @@ struct PerceptionMeasure {
 // One for each episode, also for those that cannot be looked at: of the aisle, say. Errors: those
 // that would befall every episode (ends_the_run).
 Result<std::vector<PerceptionMeasure>> measure_perception(
-    const std::filesystem::path& data,
-    const episodes::EpisodeFile& file,
-    const std::vector<catalog::FrictionRow>& frictions);
+    environments::Arena& arena, const std::vector<episodes::EpisodeSpec>& episodes);
 
 // All but `errors` is of the baskets that were looked at.
 struct PerceptionSummary {

@@ -19,6 +19,7 @@ episodes::EpisodeSpec episode() {
   spec.robot = "realman-rm75";
   spec.tools = "suction";
   spec.station = "checkout";
+  spec.lane = "SECRET/lane";
   spec.seed = 4711001;
   spec.instruction = "Fetch the tea.";
   spec.items = {{"SECRET/item", {0.4711, 0.4711, 0.4711}, {0.4711, 0, 0, 0.4711}}};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "environments/checkout/shared_lane.h"
 #include "environments/goal_nearness.h"
 #include "episodes/checkout/checkout_goals.h"
 #include "episodes/checkout/checkout_view.h"
@@ -51,7 +52,8 @@ class CheckoutEnvironment : public Environment {
   Result<std::vector<std::pair<std::uint32_t, std::string>>> products() override {
     std::vector<std::pair<std::uint32_t, std::string>> rows;
     for (std::size_t i = 0; i < counter_.item_count(); ++i)
-      rows.emplace_back(episodes::CheckoutView::object_of_item(i), counter_.spec().items[i].sku);
+      rows.emplace_back(episodes::CheckoutView::object_of_item(counter_, i),
+                        counter_.spec().items[i].sku);
     return rows;
   }
 
@@ -72,7 +74,8 @@ class CheckoutEnvironment : public Environment {
  protected:
   Result<episodes::TrackWorld*> begin(const episodes::EpisodeSpec& spec) override {
     view_.reset();
-    MARKETGEN_CHECK(counter_.reset(spec, ground().products()));
+    MARKETGEN_TRY(auto lane, shared_lane(ground().arena(), counter_.station(), spec));
+    MARKETGEN_CHECK(counter_.reset(spec, ground().products(), std::move(lane)));
     return &counter_;
   }
 
@@ -111,7 +114,7 @@ class CheckoutEnvironment : public Environment {
     const Vec3 center = made.pose * to_double(goods.body.center_of_mass);
     made.in_region = counter_.region()(center);
     made.rested_s = seen.rested_s;
-    made.object = episodes::CheckoutView::object_of_item(i);
+    made.object = episodes::CheckoutView::object_of_item(counter_, i);
     return made;
   }
 

@@ -1,6 +1,8 @@
 // How episodes of Checkout Unloading are drawn, opened, and given to learners.
 #include "environments/checkout/checkout_environment.h"
+#include "environments/checkout/shared_lane.h"
 #include "environments/environment_entry.h"
+#include "episodes/checkout/checkout_lanes.h"
 #include "episodes/checkout/sample_checkout.h"
 #include "oracle/oracle_witness.h"
 
@@ -12,16 +14,25 @@ class CheckoutStoreSampler : public StoreSampler {
  public:
   CheckoutStoreSampler(const Arena& arena,
                        episodes::EpisodeOrigin origin,
-                       const scene::Scene& scene)
+                       const scene::Scene& scene,
+                       const episodes::CheckoutStation& station)
       : arena_(arena),
         origin_(std::move(origin)),
         stock_(episodes::checkout_stock(scene)),
+        lanes_(episodes::checkout_lanes(scene, arena.catalog(), station)),
         exclusions_(episodes::checkout_exclusions(scene)),
-        certify_(oracle::checkout_certifier(arena.data())) {}
+        certify_(oracle::checkout_certifier(arena.data())) {
+    exclusions_.lanes = lanes_.left_out;
+  }
 
+  // Poured and shown to be possible in the room: at a lane that suits there is nothing more that
+  // the arm could meet.
   Result<episodes::EpisodeSpec> sample(Seed seed, int index) override {
-    return episodes::sample_checkout(
-        arena_.data(), stock_, arena_.catalog().frictions, origin_, seed, index, certify_);
+    MARKETGEN_TRY(
+        auto drawn,
+        episodes::sample_checkout(
+            arena_.data(), stock_, arena_.catalog().frictions, origin_, seed, index, certify_));
+    return episodes::at_a_lane(std::move(drawn), lanes_);
   }
   const std::vector<catalog::Product>& products() const override { return stock_; }
   episodes::EpisodeExclusions exclusions() const override { return exclusions_; }
@@ -30,6 +41,7 @@ class CheckoutStoreSampler : public StoreSampler {
   const Arena& arena_;
   episodes::EpisodeOrigin origin_;
   std::vector<catalog::Product> stock_;
+  episodes::CheckoutLanes lanes_;
   episodes::EpisodeExclusions exclusions_;
   episodes::CheckoutCertifier certify_;
 };
@@ -39,8 +51,9 @@ class CheckoutSampling : public EpisodeSampler {
   explicit CheckoutSampling(Arena& arena) : arena_(arena) {}
   Result<std::unique_ptr<StoreSampler>> of_store(const episodes::EpisodeOrigin& origin) override {
     MARKETGEN_TRY(const auto scene, arena_.scene(origin.scene_hash));
+    MARKETGEN_TRY(const auto station, episodes::load_checkout_station(arena_.data()));
     return std::unique_ptr<StoreSampler>(
-        std::make_unique<CheckoutStoreSampler>(arena_, origin, *scene));
+        std::make_unique<CheckoutStoreSampler>(arena_, origin, *scene, station));
   }
 
  private:
@@ -57,7 +70,8 @@ class CheckoutEnvironmentEntry : public EnvironmentEntry {
                                         arena.catalog().frictions,
                                         spec.station.value_or(episodes::checkout_station)));
     auto world = std::make_unique<episodes::CheckoutWorld>(std::move(made));
-    MARKETGEN_CHECK(world->reset(spec, arena.header().products));
+    MARKETGEN_TRY(auto lane, shared_lane(arena, world->station(), spec));
+    MARKETGEN_CHECK(world->reset(spec, arena.header().products, std::move(lane)));
     return std::unique_ptr<episodes::TrackWorld>(std::move(world));
   }
 

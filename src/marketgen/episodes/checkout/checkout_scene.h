@@ -1,9 +1,11 @@
-// The place of Checkout Unloading as a store: an empty room with the counter in it, and the
-// episode's items. What is seen is what is met.
+// The place of Checkout Unloading as a store: a checkout lane with what is round it, or an empty
+// room; the robot's counter in it, and the episode's items. What is seen is what is met.
 #pragma once
 #include <memory>
+#include <string>
 #include <vector>
 
+#include "catalog/catalog.h"
 #include "episodes/checkout/checkout_station.h"
 #include "episodes/episode_goods.h"
 #include "episodes/episode_spec.h"
@@ -11,11 +13,28 @@
 
 namespace marketgen::episodes {
 
-Pose store_from_station(const CheckoutStation& station);
+// What all episodes at one place share. Immutable.
+struct CheckoutPlace {
+  std::string lane;  // EpisodeSpec::lane; empty: a room of its own
+  Pose store_from_station;
+  scene::Scene surroundings;  // its last fixture is the counter; without the episode's items
+};
 
-// Fixture 0 is the counter, product i is item i where the episode begins, `goods[i]` what it is.
-// The layout has the episode's name.
-std::unique_ptr<scene::Scene> checkout_scene(const CheckoutStation& station,
+CheckoutPlace checkout_room(const CheckoutStation& station);
+
+// Of the store: its room, and what stands near the lane with all goods on it. The counter stands in
+// the lane's place and has its id. Errors, at `where`: episode.other_store, the store has no such
+// lane; episode.impossible, the robot has no room there.
+Result<CheckoutPlace> checkout_at_lane(const CheckoutStation& station,
+                                       const scene::Scene& store,
+                                       const catalog::Catalog& catalog,
+                                       const std::string& lane,
+                                       const std::string& where);
+
+// The place's products, then one a goods: item i of the episode where that begins, `goods[i]` what
+// it is. The layout has the episode's name.
+std::unique_ptr<scene::Scene> checkout_scene(const CheckoutPlace& place,
+                                             const CheckoutStation& station,
                                              const EpisodeSpec& spec,
                                              const std::vector<SharedEpisodeGoods>& goods);
 

@@ -5,14 +5,13 @@
 #include <cmath>
 
 #include "base/fields.h"
-#include "render/picture_objects.h"
 
 namespace marketgen::episodes {
 namespace {
 
-std::vector<int> items_in(const render::Frame& frame, const scene::Scene& scene) {
-  const std::uint32_t first = render::first_product_object(scene),
-                      end = render::first_actor_object(scene);
+std::vector<int> items_in(const render::Frame& frame, const CheckoutWorld& world) {
+  const std::uint32_t first = CheckoutView::object_of_item(world, 0),
+                      end = CheckoutView::object_of_item(world, world.item_count());
   std::vector<int> items;
   for (const std::uint32_t object : frame.instance)
     items.push_back(object >= first && object < end ? static_cast<int>(object - first) : -1);
@@ -40,7 +39,7 @@ Result<agent::View> CheckoutEyes::look(std::string_view camera) {
   }
   const render::Camera taken = view_->camera(*which);
   MARKETGEN_TRY(render::Frame frame, view_->renderer().render(taken, {}));
-  items_shown_.insert_or_assign(std::string(camera), items_in(frame, view_->scene()));
+  items_shown_.insert_or_assign(std::string(camera), items_in(frame, world_));
   agent::View view;
   view.camera = camera;
   const render::Intrinsics lens = render::intrinsics_of(taken);

@@ -46,15 +46,16 @@ Result<std::unique_ptr<TrackView>> CheckoutWorld::open_view() const {
   return open_view_of<CheckoutView>(*this);
 }
 
-// Behind the one fixture, as first_product_object() has it.
-std::uint32_t CheckoutView::object_of_item(std::size_t item) {
-  return render::first_fixture_object + 1 + static_cast<std::uint32_t>(item);
+std::uint32_t CheckoutView::object_of_item(const CheckoutWorld& world, std::size_t item) {
+  return render::first_product_object(world.scene()) + world.product_of(item);
 }
 
 Result<void> CheckoutView::follow(const CheckoutWorld& world) {
   std::vector<render::MovedProduct> items;
   for (std::size_t i = 0; i < world.item_count(); ++i)
-    items.push_back({static_cast<std::uint32_t>(i), world_from_station_ * world.item_pose(i)});
+    items.push_back({world.product_of(i), world_from_station_ * world.item_pose(i)});
+  for (const std::uint32_t product : world.moved_neighbours())
+    items.push_back({product, world.product_pose(product)});
   MARKETGEN_CHECK(renderer_->move_things(items, {}));
   const Pose basket = world_from_station_ * world.basket_pose();
   MARKETGEN_CHECK(renderer_->move_actor(0, {&basket, 1}));

@@ -1,9 +1,9 @@
 // Pictures of a running Checkout Unloading, as its cameras take them.
 //
-// The station stands in a room of its own. What does not move is a scene that is built at reset;
-// items, basket and arm are moved before each picture. Object numbers are those of
-// render/picture_objects.h: product i of the scene is item i of the episode, actor 0 the basket,
-// actor 1 the robot.
+// What does not move is a scene that is built at reset: the lane with what is round it, or the
+// room. Items, basket, arm and what else was pushed are moved before each picture. Object numbers
+// are those of render/picture_objects.h: the scene's last products are the episode's items, actor 0
+// the basket, actor 1 the robot.
 #pragma once
 #include <memory>
 
@@ -34,7 +34,8 @@ class CheckoutView {
   Result<render::Camera> camera(std::string_view name, int width = 0, int height = 0) const;
   render::Renderer& renderer() { return *renderer_; }
   const scene::Scene& scene() const { return *scene_; }
-  static std::uint32_t object_of_item(std::size_t item);  // in its pictures, without making one
+  // In pictures of that world, without making one.
+  static std::uint32_t object_of_item(const CheckoutWorld& world, std::size_t item);
   const Pose& world_from_station() const { return world_from_station_; }  // of its pictures' frame
 
  private:

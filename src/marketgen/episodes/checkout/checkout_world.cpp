@@ -8,7 +8,6 @@
 #include <mujoco/mujoco.h>
 
 #include "episodes/checkout/checkout_goals.h"
-#include "episodes/checkout/checkout_scene.h"
 #include "episodes/control_step.h"
 #include "physics/goods/spec_geoms.h"
 
@@ -17,6 +16,9 @@ namespace {
 
 constexpr double displaced_m = 0.02;
 constexpr double hold_n = 20;
+// Neighbours of the lane that can be awake at once. The arm does not reach them by itself: only
+// what it throws there wakes any.
+constexpr int pool_at_lane = 32, soft_pool_at_lane = 4;
 constexpr char basket_name[] = "basket";
 constexpr std::string_view basket_plastic_material = "pet";  // moulded, as robots carry it
 
@@ -25,10 +27,12 @@ std::string basket_geom(std::size_t box) {
 }
 
 // A free body, as heavy as its row says.
-void add_loose_basket(mjSpec& spec, const CheckoutStation& station) {
+void add_loose_basket(mjSpec& spec,
+                      const CheckoutStation& station,
+                      const Pose& store_from_station) {
   mjsBody* body = mjs_addBody(mjs_findBody(&spec, "world"), nullptr);
   mjs_setName(body->element, basket_name);
-  physics::set_pose(body->pos, body->quat, store_from_station(station) * station.basket_pose());
+  physics::set_pose(body->pos, body->quat, store_from_station * station.basket_pose());
   mjs_setName(mjs_addFreeJoint(body)->element, basket_name);
   const std::vector<physics::ContainerBox> boxes = station.basket_boxes();
   double volume = 0;
@@ -52,10 +56,8 @@ std::map<std::string, std::string> counter_materials(const CheckoutStation& stat
   return materials;
 }
 
-std::vector<std::uint32_t> rows_to(std::size_t count) {
-  std::vector<std::uint32_t> rows(count);
-  std::iota(rows.begin(), rows.end(), 0U);
-  return rows;
+std::string spoken_place(const std::string& lane) {
+  return lane.empty() ? "in a room of its own" : "at the lane \"" + lane + "\"";
 }
 
 }  // namespace
@@ -70,13 +72,13 @@ Result<CheckoutWorld> CheckoutWorld::create(const std::filesystem::path& data,
   if (world.robot_->find_group("arm") == nullptr || world.robot_->tools.size() != 1)
     return Error{"robot.unknown", world.station_.robot, "expected an arm with a gripper"};
   world.arm_ = commanded_dofs(*world.robot_);
-  world.store_from_station_ = marketgen::episodes::store_from_station(world.station_);
-  world.station_from_store_ = inverse(world.store_from_station_);
+  world.room_ = std::make_shared<CheckoutPlace>(checkout_room(world.station_));
+  world.place_ = world.room_;
+  world.station_from_store_ = inverse(world.store_from_station());
   return world;
 }
 
-Result<void> CheckoutWorld::reset(const EpisodeSpec& spec,
-                                  const std::vector<catalog::Product>& products) {
+Result<void> CheckoutWorld::check_reset(const EpisodeSpec& spec, const CheckoutPlace* lane) const {
   if (spec.robot != station_.robot)
     return Error{"robot.unknown",
                  spec.id,
@@ -85,6 +87,20 @@ Result<void> CheckoutWorld::reset(const EpisodeSpec& spec,
     return Error{"robot.unknown",
                  spec.id,
                  fmt::format("it is of the station \"{}\", this is \"{}\"", asked, station_.id)};
+  const std::string given = lane == nullptr ? "" : lane->lane;
+  const std::string asked = spec.lane.value_or("");
+  if (asked == given) return {};
+  return Error{"episode.other_store",
+               spec.id + "/lane",
+               fmt::format("it is {}, this is {}: open it with its store",
+                           spoken_place(asked),
+                           spoken_place(given))};
+}
+
+Result<void> CheckoutWorld::reset(const EpisodeSpec& spec,
+                                  const std::vector<catalog::Product>& products,
+                                  std::shared_ptr<const CheckoutPlace> lane) {
+  MARKETGEN_CHECK(check_reset(spec, lane.get()));
   item_goods_.clear();
   for (const EpisodeItem& item : spec.items) {
     const auto row = std::ranges::find(products, item.sku, &catalog::Product::sku);
@@ -94,17 +110,20 @@ Result<void> CheckoutWorld::reset(const EpisodeSpec& spec,
     item_goods_.push_back(std::move(goods));
   }
   spec_ = spec;
-  std::unique_ptr<scene::Scene> scene = checkout_scene(station_, spec_, item_goods_);
+  place_ = lane ? std::move(lane) : room_;
+  station_from_store_ = inverse(store_from_station());
+  first_item_ = static_cast<std::uint32_t>(place_->surroundings.products.size());
+  std::unique_ptr<scene::Scene> scene = checkout_scene(*place_, station_, spec_, item_goods_);
   MARKETGEN_TRY(physics::World world, make_world(*scene));
   world_ = std::make_unique<physics::World>(std::move(world));
   scene_ = std::move(scene);
-  const Pose store_from_basket = store_from_station_ * station_.basket_pose();
-  for (std::uint32_t i = 0; i < item_goods_.size(); ++i)
-    MARKETGEN_CHECK(world_->place(i, store_from_basket * spec_.items[i].pose()));
+  const Pose store_from_basket = store_from_station() * station_.basket_pose();
+  for (std::size_t i = 0; i < item_goods_.size(); ++i)
+    MARKETGEN_CHECK(world_->place(product_of(i), store_from_basket * spec_.items[i].pose()));
   const mjModel& m = world_->model();
   basket_place_ = m.jnt_qposadr[mj_name2id(&m, mjOBJ_JOINT, basket_name)];
   MARKETGEN_TRY(controller_, physics::RobotController::start(*world_, *robot_));
-  watch_ = EpisodeWatch(*world_, *robot_, rows_to(item_goods_.size()));
+  watch_ = EpisodeWatch(*world_, *robot_, item_rows());
   steps_ = 0;
   done_ = false;
   return {};
@@ -115,30 +134,36 @@ Result<std::unique_ptr<CheckoutWorld>> CheckoutWorld::twin() const {
   twin->station_ = station_;
   twin->robot_ = std::make_unique<robots::Robot>(*robot_);
   twin->arm_ = arm_;
-  twin->store_from_station_ = store_from_station_;
-  twin->station_from_store_ = station_from_store_;
+  twin->room_ = room_;
   std::vector<catalog::Product> products;
   for (const SharedEpisodeGoods& goods : item_goods_)
     products.push_back(goods->product);
-  MARKETGEN_CHECK(twin->reset(spec_, products));
+  MARKETGEN_CHECK(twin->reset(spec_, products, place_ == room_ ? nullptr : place_));
   return twin;
+}
+
+std::vector<std::uint32_t> CheckoutWorld::item_rows() const {
+  std::vector<std::uint32_t> rows(item_goods_.size());
+  std::iota(rows.begin(), rows.end(), first_item_);
+  return rows;
 }
 
 Result<physics::World> CheckoutWorld::make_world(const scene::Scene& scene) const {
   physics::RobotActorOptions place;
-  place.world_from_base = store_from_station_;
+  place.world_from_base = store_from_station();
   place.state = ready_state(station_, *robot_);
   place.touch = physics::GripperTouch::fine;
+  const bool alone = place_ == room_;
   physics::WorldOptions options;
   options.frictions = frictions_;
   options.keep_commands = false;
-  options.loose = rows_to(scene.products.size());
-  options.pool = std::max(1, static_cast<int>(scene.products.size()));
-  options.soft_pool = 0;
+  options.loose = item_rows();
+  options.pool = std::max(1, static_cast<int>(item_goods_.size()) + (alone ? 0 : pool_at_lane));
+  options.soft_pool = alone ? 0 : soft_pool_at_lane;
   options.actor_materials = counter_materials(station_, *robot_, place);
   options.add_actors = [&](mjSpec_& made) -> Result<void> {
     MARKETGEN_CHECK(physics::add_robot(made, *robot_, place));
-    add_loose_basket(made, station_);
+    add_loose_basket(made, station_, store_from_station());
     return {};
   };
   return physics::World::create(scene, std::move(options));
@@ -169,8 +194,9 @@ agent::Observation CheckoutWorld::observe() const {
 
 EpisodeWatch::Moment CheckoutWorld::moment() const {
   EpisodeWatch::Moment now;
-  now.world_from_basket = store_from_station_ * basket_pose();
-  now.is_outside = [this](std::uint32_t item) {
+  now.world_from_basket = store_from_station() * basket_pose();
+  now.is_outside = [this](std::uint32_t product) {
+    const std::uint32_t item = product - first_item_;
     const Vec3 middle = to_double(item_goods_[item]->body.center_of_mass);
     return !in_basket({station_.container(), basket_pose()})(item_pose(item) * middle);
   };
@@ -291,7 +317,8 @@ Result<void> CheckoutWorld::restore(std::string_view moment) {
   ByteReader reader(moment);
   reader(physics, controller, watch, steps, done);
   if (!reader.ok() || controller.setpoints().size() != robot_->dof_count() ||
-      watch.items().size() != item_goods_.size())
+      !std::ranges::all_of(item_rows(),
+                           [&](std::uint32_t row) { return watch.items().contains(row); }))
     return Error{"physics.bad_command", spec_.id, "the moment is of another episode"};
   MARKETGEN_TRY(const physics::WorldSnapshot snapshot, physics::WorldSnapshot::of_bytes(physics));
   MARKETGEN_CHECK(world_->restore(snapshot));
@@ -302,13 +329,19 @@ Result<void> CheckoutWorld::restore(std::string_view moment) {
   return {};
 }
 
+std::vector<std::uint32_t> CheckoutWorld::moved_neighbours() const {
+  std::vector<std::uint32_t> moved = world_->moved_products();
+  std::erase_if(moved, [&](std::uint32_t product) { return product >= first_item_; });
+  return moved;
+}
+
 Pose CheckoutWorld::item_pose(std::size_t item) const {
-  return station_from_store_ * world_->product_pose(static_cast<std::uint32_t>(item));
+  return station_from_store_ * world_->product_pose(product_of(item));
 }
 
 Vec3 CheckoutWorld::item_velocity(std::size_t item) const {
   return rotate(station_from_store_.rotation,
-                world_->product_motion(static_cast<std::uint32_t>(item)).velocity_m_s);
+                world_->product_motion(product_of(item)).velocity_m_s);
 }
 
 Pose CheckoutWorld::basket_pose() const {

@@ -1,6 +1,7 @@
 // Checkout Unloading in physics: reset to an episode, act, be judged. The same World as in the
-// aisles, of a store that is a room with the counter and the episode's items
-// (episodes/checkout/checkout_scene.h): the items lie loose, the basket and the arm are its actors.
+// aisles, of a checkout lane with what is round it or of a room
+// (episodes/checkout/checkout_scene.h), with the counter and the episode's items: the items lie
+// loose, the basket and the arm are its actors.
 //
 // Station frame (episodes/checkout/checkout_station.h), SI units.
 #pragma once
@@ -9,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "episodes/checkout/checkout_scene.h"
 #include "episodes/checkout/checkout_station.h"
 #include "episodes/episode_goods.h"
 #include "episodes/episode_watch.h"
@@ -24,9 +26,13 @@ class CheckoutWorld : public TrackWorld {
                                       std::vector<catalog::FrictionRow> frictions,
                                       const std::string& station = checkout_station);
 
-  // Errors: catalog.unknown_sku for an item without a row in `products`; robot.unknown when the
-  // episode is for another robot or station; assets.*, physics.failed.
-  Result<void> reset(const EpisodeSpec& spec, const std::vector<catalog::Product>& products);
+  // `lane`: the place of an episode that names one, made for this station; none for others. Errors:
+  // catalog.unknown_sku for an item without a row in `products`; robot.unknown when the episode is
+  // for another robot or station; episode.other_store when it is at another lane; assets.*,
+  // physics.failed.
+  Result<void> reset(const EpisodeSpec& spec,
+                     const std::vector<catalog::Product>& products,
+                     std::shared_ptr<const CheckoutPlace> lane = nullptr);
 
   // Another world of the same episode, at its beginning: restore() brings it where this one is.
   Result<std::unique_ptr<CheckoutWorld>> twin() const;
@@ -55,11 +61,16 @@ class CheckoutWorld : public TrackWorld {
   const physics::RobotController& controller() const override { return controller_; }
   const EpisodeWatch& watch() const { return watch_; }
   const EpisodeWatch::Item& watched(std::size_t item) const {
-    return watch_.items().at(static_cast<std::uint32_t>(item));
+    return watch_.items().at(product_of(item));
   }
-  // Of the room, whose products are the items; the frame of model() and data().
+  // Of the lane or the room, with the items; the frame of model() and data().
   const scene::Scene& scene() const { return *scene_; }
-  const Pose& store_from_station() const { return store_from_station_; }
+  std::uint32_t product_of(std::size_t item) const {  // its row in that scene
+    return first_item_ + static_cast<std::uint32_t>(item);
+  }
+  std::vector<std::uint32_t> moved_neighbours() const;  // rows of its products that are no items
+  Pose product_pose(std::uint32_t product) const { return world_->product_pose(product); }
+  const Pose& store_from_station() const { return place_->store_from_station; }
   HoldsPoint region() const;              // where goals count, as the basket stands now
   bool in_place(std::size_t item) const;  // on the unloading area, let go, at rest
   Result<bool> goals_met() override;
@@ -74,7 +85,9 @@ class CheckoutWorld : public TrackWorld {
  private:
   explicit CheckoutWorld(std::vector<catalog::FrictionRow> frictions)
       : frictions_(std::move(frictions)) {}
+  Result<void> check_reset(const EpisodeSpec& spec, const CheckoutPlace* lane) const;
   Result<physics::World> make_world(const scene::Scene& scene) const;
+  std::vector<std::uint32_t> item_rows() const;
   Result<void> move(const agent::Action& action);
   EpisodeWatch::Moment moment() const;
   ItemState item_state(std::size_t item) const;
@@ -88,8 +101,10 @@ class CheckoutWorld : public TrackWorld {
 
   EpisodeSpec spec_;
   std::vector<SharedEpisodeGoods> item_goods_;
-  Pose store_from_station_, station_from_store_;
+  std::shared_ptr<const CheckoutPlace> room_, place_;  // place_: of the episode
+  Pose station_from_store_;
   std::unique_ptr<scene::Scene> scene_;
+  std::uint32_t first_item_ = 0;           // row of its products
   std::unique_ptr<physics::World> world_;  // goes before the scene
   int basket_place_ = 0;                   // of its free joint in MuJoCo's qpos
   physics::RobotController controller_;
