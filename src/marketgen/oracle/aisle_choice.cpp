@@ -242,8 +242,7 @@ Result<int> AisleOracle::rehearse() {
   const std::string& sku = sku_of(memory_.plan.product);
   if (const auto why = actor.memory_.failures.find(sku); why != actor.memory_.failures.end())
     note(sku, why->second);
-  const std::vector<std::uint32_t> inside = twin_->in_basket();
-  const bool placed = std::ranges::count(inside, memory_.plan.product) > 0 && !actor.holds_it();
+  MARKETGEN_TRY(const bool placed, twin_->in_place(memory_.plan.product));
   return actor.harm() - before + (placed ? 0 : harm_of_not_placed);
 }
 
