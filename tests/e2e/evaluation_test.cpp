@@ -171,6 +171,7 @@ class ShortEvaluation : public testing::Test {
     spec["robot"] = "realman-rm75";
     spec.erase("items");
     spec.erase("cameras");
+    spec.erase("lane");
     spec["start"] = {{"x_m", -900}, {"y_m", -900}, {"heading_deg", 0}};
   }
 
