@@ -104,13 +104,6 @@ Result<std::vector<GraspTry>> tries_of(const std::string& text, const std::strin
   return tries;
 }
 
-std::string quoted(const std::string& text) {
-  std::string quoted = "\"";
-  for (const char c : text)
-    quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
-}
-
 Result<const catalog::Product*> product_of(const GraspRate& rate,
                                            const std::vector<const catalog::Product*>& products) {
   const auto found = std::ranges::find(products, rate.sku, &catalog::Product::sku);
@@ -175,7 +168,7 @@ Result<std::string> grasp_table_text(const std::vector<GraspRate>& rates,
                                                rate.tool,
                                                made_of(*product, *tool, frictions),
                                                name_of(rate.excluded),
-                                               quoted(rate.reason),
+                                               io::csv_field(rate.reason),
                                                fmt::join(tries, ";"));
   }
   std::string text = fmt::format("{}\n", fmt::join(columns, ","));

@@ -96,4 +96,12 @@ Result<std::vector<CsvRow>> parse_csv(std::string_view text, const std::string& 
   return CsvReader(text, source).read();
 }
 
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text)
+    quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
 }  // namespace marketgen::io

@@ -22,4 +22,7 @@ struct CsvRow {
 // input.too_large (more than 100,000 rows or 200 columns).
 Result<std::vector<CsvRow>> parse_csv(std::string_view text, const std::string& source);
 
+// A field as it stands in a row: quoted when a comma, quote or line break is in it.
+std::string csv_field(const std::string& text);
+
 }  // namespace marketgen::io

@@ -8,6 +8,7 @@
 
 #include "base/safe_line.h"
 #include "base/text.h"
+#include "io/csv.h"
 #include "io/json.h"
 #include "scene/placements.h"
 
@@ -372,14 +373,6 @@ Result<void> filter(Table& table, std::string_view where) {
   return {};
 }
 
-std::string quoted_cell(const std::string& cell) {
-  if (cell.find_first_of(",\"\r\n") == std::string::npos) return cell;
-  std::string quoted = "\"";
-  for (const char c : cell)
-    quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
 // Text of others, in a table that spreadsheets and terminals open: what a spreadsheet would take
 // for a formula gets an apostrophe before it, and nothing but a line break moves a cursor.
 std::string text_cell(const std::string& text) {
@@ -389,7 +382,7 @@ std::string text_cell(const std::string& text) {
     line = safe_line(line, std::string::npos);
   const std::string cell = fmt::format("{}", fmt::join(lines, "\n"));
   const bool formula = !cell.empty() && formula_signs.find(cell[0]) != std::string_view::npos;
-  return quoted_cell(formula ? "'" + cell : cell);
+  return io::csv_field(formula ? "'" + cell : cell);
 }
 
 constexpr std::string_view table_names[] = {
@@ -423,7 +416,7 @@ std::string to_csv(const Table& table) {
   for (const auto& row : table.rows) {
     for (std::size_t i = 0; i < row.size(); ++i) {
       const bool is_text = table.kinds[i] == ColumnKind::text;
-      out += (i == 0 ? "" : ",") + (is_text ? text_cell(row[i]) : quoted_cell(row[i]));
+      out += (i == 0 ? "" : ",") + (is_text ? text_cell(row[i]) : io::csv_field(row[i]));
     }
     out += "\r\n";
   }

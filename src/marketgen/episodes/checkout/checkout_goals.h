@@ -22,7 +22,7 @@ HoldsPoint over_area(const AreaRow& area, const PlacedBasket& basket);
 // Points in the basket or above its opening.
 HoldsPoint in_basket(const PlacedBasket& basket);
 
-// Those, and points an area that takes goods: nothing there is astray.
+// Those, and points over an area that takes goods: nothing there is astray.
 HoldsPoint where_goods_belong(const CheckoutStation& station, const Pose& station_from_basket);
 
 // `is_void` when the basket was tilted too far.
