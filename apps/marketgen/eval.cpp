@@ -165,7 +165,8 @@ Run add_eval(CLI::App& app) {
   command
       ->add_option("--policy",
                    flags->policy,
-                   "who acts: oracle (knows everything), classical (sees pictures) or random")
+                   "who acts: oracle (knows everything), classical (sees pictures), highest, "
+                   "random or stop (know nothing)")
       ->capture_default_str();
   command
       ->add_option("--truth",

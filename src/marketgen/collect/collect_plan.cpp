@@ -16,11 +16,12 @@ Result<std::vector<motion::GraspCandidate>> grasps_of(const catalog::Product& go
                                                       const robots::GraspTool& tool,
                                                       const CollectOptions& options) {
   if (!options.grasps.empty()) return options.grasps;
-  MARKETGEN_TRY(const assets::ProductBody body, assets::make_product_body(goods));
+  MARKETGEN_TRY(const auto body, assets::product_body(goods));
   motion::GraspQuery query;
   query.friction = options.fingers_friction;
   query.from_front = true;
-  MARKETGEN_TRY(motion::GraspCandidates grasps, motion::grasp_candidates(goods, body, tool, query));
+  MARKETGEN_TRY(motion::GraspCandidates grasps,
+                motion::grasp_candidates(goods, *body, tool, query));
   if (grasps.found.empty()) return Error{"motion.no_grasp", goods.sku, grasps.reason};
   return std::move(grasps.found);
 }

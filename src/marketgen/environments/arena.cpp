@@ -9,7 +9,7 @@
 #include "environments/policy_name.h"
 #include "environments/track_policies.h"
 #include "episodes/episode_origin.h"
-#include "policy/random_policy.h"
+#include "policy/floor_policies.h"
 
 namespace marketgen::environments {
 
@@ -69,10 +69,13 @@ Result<std::unique_ptr<agent::Policy>> Arena::policy(const std::string& name,
   if (asked.name == "random")
     return std::unique_ptr<agent::Policy>(
         std::make_unique<policy::RandomPolicy>(seed, world.robot().drive.has_value()));
+  if (asked.name == "stop")
+    return std::unique_ptr<agent::Policy>(std::make_unique<policy::StopPolicy>());
   return std::visit(
       [&](const auto* of_track) {
-        return asked.name == "oracle" ? make_oracle(*this, *of_track, seed)
-                                      : make_classical(*this, *of_track, asked, seed);
+        if (asked.name == "oracle") return make_oracle(*this, *of_track, seed);
+        if (asked.name == "highest") return make_highest(*this, *of_track, seed);
+        return make_classical(*this, *of_track, asked, seed);
       },
       world.any());
 }

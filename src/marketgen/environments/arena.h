@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "agent/policy.h"
+#include "base/shared_objects.h"
 #include "catalog/catalog.h"
-#include "environments/shared_objects.h"
 #include "episodes/episode_spec.h"
 #include "episodes/track_world.h"
 #include "perception/look_library.h"

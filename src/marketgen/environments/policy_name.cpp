@@ -10,7 +10,8 @@
 namespace marketgen::environments {
 namespace {
 
-constexpr std::array<std::string_view, 3> policies{"classical", "oracle", "random"};
+constexpr std::array<std::string_view, 5> policies{
+    "classical", "highest", "oracle", "random", "stop"};
 
 }  // namespace
 

@@ -22,14 +22,17 @@ class WrappedPolicy : public agent::Policy {
   std::unique_ptr<agent::Policy> policy_;
 };
 
-// The oracle, which knows everything, and `classical`, which sees pictures, with the truth in place
-// of those modules that `name` says. Arena and world must outlive them. Errors: those of their
-// tools' rows, and of Arena::stock.
-#define MARKETGEN_TRACK(name, Type)                                 \
-  Result<std::unique_ptr<agent::Policy>> make_oracle(               \
-      Arena& arena, const episodes::Type##World& world, Seed seed); \
-  Result<std::unique_ptr<agent::Policy>> make_classical(            \
-      Arena& arena, const episodes::Type##World& world, const PolicyName& asked, Seed seed);
+// The oracle, which knows everything; `classical`, which sees pictures, with the truth in place
+// of those modules that `name` says; and `highest`, which sees heights alone. Arena and world must
+// outlive them. Errors: those of their tools' rows, and of Arena::stock; usage.bad_flag where a
+// track has no such policy.
+#define MARKETGEN_TRACK(name, Type)                                                          \
+  Result<std::unique_ptr<agent::Policy>> make_oracle(                                        \
+      Arena& arena, const episodes::Type##World& world, Seed seed);                          \
+  Result<std::unique_ptr<agent::Policy>> make_classical(                                     \
+      Arena& arena, const episodes::Type##World& world, const PolicyName& asked, Seed seed); \
+  Result<std::unique_ptr<agent::Policy>> make_highest(                                       \
+      Arena& arena, const episodes::Type##World& world, Seed seed);
 #include "episodes/tracks.inc"
 #undef MARKETGEN_TRACK
 

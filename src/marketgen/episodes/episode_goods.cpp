@@ -1,11 +1,10 @@
 #include "episodes/episode_goods.h"
 
-#include <map>
-#include <mutex>
 #include <string>
 
 #include <fmt/format.h>
 
+#include "base/shared_objects.h"
 #include "grasping/grasp_study.h"
 #include "io/json.h"
 #include "motion/grasp_surface.h"
@@ -43,17 +42,11 @@ Result<SharedEpisodeGoods> made_goods(const catalog::Product& product, double pa
 
 Result<SharedEpisodeGoods> episode_goods(const catalog::Product& product,
                                          const std::vector<catalog::FrictionRow>& frictions) {
-  static std::mutex changing;
-  static std::map<std::string, SharedEpisodeGoods> made;  // by all that they are made from
+  static SharedObjects made;
   const double pad_friction = grasping::rubber_friction(frictions, product);
-  const std::string key = fmt::format("{} {}", io::write_json_line(product), pad_friction);
-  {
-    const std::scoped_lock lock(changing);
-    if (const auto known = made.find(key); known != made.end()) return known->second;
-  }
-  MARKETGEN_TRY(SharedEpisodeGoods goods, made_goods(product, pad_friction));
-  const std::scoped_lock lock(changing);
-  return made.emplace(key, std::move(goods)).first->second;
+  return made.get<const EpisodeGoods>(
+      fmt::format("{} {}", io::write_json_line(product), pad_friction),
+      [&] { return made_goods(product, pad_friction); });
 }
 
 }  // namespace marketgen::episodes

@@ -18,9 +18,8 @@ Result<const catalog::Product*> PicturedProducts::row(const std::string& sku) co
 Result<const agent::KnownProduct*> PicturedProducts::product(const std::string& sku) {
   if (const auto found = known_.find(sku); found != known_.end()) return &found->second;
   MARKETGEN_TRY(const catalog::Product* const product, row(sku));
-  MARKETGEN_TRY(assets::ProductBody body, assets::make_product_body(*product));
-  agent::KnownProduct known{
-      *product, std::move(body), grasping::rubber_friction(frictions_, *product)};
+  MARKETGEN_TRY(const auto body, assets::product_body(*product));
+  agent::KnownProduct known{*product, *body, grasping::rubber_friction(frictions_, *product)};
   return &known_.emplace(sku, std::move(known)).first->second;
 }
 

@@ -242,7 +242,7 @@ ColumnKind kind_of(const TypeInfo& type) {
 
 std::string cell_of(const TypeInfo& type, const void* value) {
   if (type.kind == TypeKind::string) return *static_cast<const std::string*>(value);
-  const std::string json = io::write_json_line_of(type, value);
+  std::string json = io::write_json_line_of(type, value);
   if (type.kind != TypeKind::enumeration) return json;
   return json.substr(1, json.size() - 2);  // a plain word between its quotes
 }

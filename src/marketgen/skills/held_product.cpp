@@ -20,7 +20,8 @@ void widen(Vec3& low, Vec3& high, Vec3 point) {
 }  // namespace
 
 Result<assets::ProductBody> make_store_body(const catalog::Product& product) {
-  MARKETGEN_TRY(assets::ProductBody body, assets::make_product_body(product));
+  MARKETGEN_TRY(const auto pack, assets::product_body(product));
+  assets::ProductBody body = *pack;
   MARKETGEN_TRY(const assets::CollisionPrimitive solid, assets::collision_of(product));
   const assets::PieceShape shape =
       solid.shape == assets::CollisionShape::box        ? assets::PieceShape::box

@@ -2,6 +2,8 @@
 #include "assets/print/label_sheet.h"
 #include "assets/product_model.h"
 #include "assets/shapes/contact_pieces.h"
+#include "base/shared_objects.h"
+#include "io/json.h"
 
 namespace marketgen::assets {
 namespace {
@@ -21,6 +23,15 @@ MassProperties filled(const catalog::Product& product, const Solid& solid) {
 }
 
 }  // namespace
+
+Result<std::shared_ptr<const ProductBody>> product_body(const catalog::Product& product) {
+  using Body = std::shared_ptr<const ProductBody>;
+  static SharedObjects made;
+  return made.get<const ProductBody>(io::write_json_line(product), [&]() -> Result<Body> {
+    MARKETGEN_TRY(ProductBody body, make_product_body(product));
+    return std::make_shared<const ProductBody>(std::move(body));
+  });
+}
 
 Result<ProductBody> make_product_body(const catalog::Product& product) {
   if (has_own_mesh(product)) return own_pack_body(product);

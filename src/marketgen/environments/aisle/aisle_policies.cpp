@@ -1,4 +1,6 @@
 // Who acts in In-Aisle Item Collection.
+#include <fmt/format.h>
+
 #include "collect/collect_plan.h"
 #include "environments/track_policies.h"
 #include "episodes/aisle/aisle_senses.h"
@@ -73,6 +75,16 @@ Result<std::unique_ptr<agent::Policy>> make_classical(Arena& arena,
   auto policy = std::make_unique<SensingCollector>(world, arena.catalog().frictions, arena.looks());
   MARKETGEN_CHECK(policy->make(arena.data(), asked, seed));
   return std::unique_ptr<agent::Policy>(std::move(policy));
+}
+
+Result<std::unique_ptr<agent::Policy>> make_highest(Arena&,
+                                                    const episodes::AisleWorld& world,
+                                                    Seed) {
+  return Error{"usage.bad_flag",
+               "--policy",
+               fmt::format("{}: highest lifts goods out of a basket on a counter; in the aisles "
+                           "the blind policies are random and stop",
+                           world.spec().id)};
 }
 
 }  // namespace marketgen::environments

@@ -6,6 +6,7 @@
 #include "oracle/oracle_checkout.h"
 #include "oracle/oracle_scene.h"
 #include "policy/classical_checkout.h"
+#include "policy/highest_first.h"
 
 namespace marketgen::environments {
 namespace {
@@ -56,6 +57,26 @@ class SensingPolicy : public WrappedPolicy {
   robots::GraspTool tool_;
 };
 
+// The policy that sees heights alone, with its eyes.
+class HeightsPolicy : public WrappedPolicy {
+ public:
+  explicit HeightsPolicy(const episodes::CheckoutWorld& world) : world_(world), eyes_(world) {}
+
+  Result<void> make(const std::filesystem::path& data, Seed seed) {
+    MARKETGEN_TRY(robots::GraspTool tool, oracle::load_checkout_tool(world_, data));
+    MARKETGEN_TRY(
+        policy_,
+        policy::make_highest_first(
+            {&eyes_, &world_.robot(), std::move(tool), episodes::workplace_of(world_.station())},
+            seed));
+    return {};
+  }
+
+ private:
+  const episodes::CheckoutWorld& world_;
+  episodes::CheckoutEyes eyes_;
+};
+
 }  // namespace
 
 Result<std::unique_ptr<agent::Policy>> make_oracle(Arena& arena,
@@ -72,6 +93,14 @@ Result<std::unique_ptr<agent::Policy>> make_classical(Arena& arena,
   auto policy = std::make_unique<SensingPolicy>(
       world, std::move(sold), arena.catalog().frictions, arena.looks());
   MARKETGEN_CHECK(policy->make(arena.data(), asked, seed));
+  return std::unique_ptr<agent::Policy>(std::move(policy));
+}
+
+Result<std::unique_ptr<agent::Policy>> make_highest(Arena& arena,
+                                                    const episodes::CheckoutWorld& world,
+                                                    Seed seed) {
+  auto policy = std::make_unique<HeightsPolicy>(world);
+  MARKETGEN_CHECK(policy->make(arena.data(), seed));
   return std::unique_ptr<agent::Policy>(std::move(policy));
 }
 

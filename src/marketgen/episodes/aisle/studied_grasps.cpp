@@ -10,11 +10,11 @@ Result<std::vector<motion::GraspCandidate>> studied_grasps(
     const robots::GraspTool& tool,
     const std::vector<catalog::FrictionRow>& frictions,
     const std::vector<int>& numbers) {
-  MARKETGEN_TRY(const assets::ProductBody body, assets::make_product_body(product));
+  MARKETGEN_TRY(const auto body, assets::product_body(product));
   MARKETGEN_TRY(motion::GraspCandidates all,
                 motion::grasp_candidates(
                     product,
-                    body,
+                    *body,
                     tool,
                     grasping::grasp_query(grasping::GraspSetting::stocked,
                                           product,

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <mutex>
 #include <string>
 #include <utility>
 
 #include "assets/shapes/contact_pieces.h"
+#include "base/shared_objects.h"
 #include "io/json.h"
 #include "scene/shelf_fill.h"
 
@@ -84,29 +84,24 @@ SharedGoodsBody made_body(const catalog::Product& product,
 
 using BodiesByUse = std::map<GoodsUse, SharedGoodsBody>;
 
-Result<BodiesByUse> made_bodies(const catalog::Product& product) {
+Result<std::shared_ptr<const BodiesByUse>> made_bodies(const catalog::Product& product) {
   MARKETGEN_TRY(const assets::CollisionPrimitive solid, assets::collision_of(product));
-  MARKETGEN_TRY(const assets::ProductBody pack, assets::make_product_body(product));
-  MARKETGEN_CHECK(check_has_body(product, pack));
+  MARKETGEN_TRY(const auto pack, assets::product_body(product));
+  MARKETGEN_CHECK(check_has_body(product, *pack));
   BodiesByUse bodies;
   for (const GoodsUse use : {GoodsUse::stocked, GoodsUse::single, GoodsUse::bulk})
-    bodies.emplace(use, made_body(product, pack, solid, use));
-  return bodies;
+    bodies.emplace(use, made_body(product, *pack, solid, use));
+  return std::make_shared<const BodiesByUse>(std::move(bodies));
 }
 
 }  // namespace
 
 Result<SharedGoodsBody> goods_body(const catalog::Product& product, GoodsUse use) {
-  static std::mutex changing;
-  static std::map<std::string, BodiesByUse> made;  // by all that they are made from
-  const std::string key = io::write_json_line(product);
-  {
-    const std::scoped_lock lock(changing);
-    if (const auto known = made.find(key); known != made.end()) return known->second.at(use);
-  }
-  MARKETGEN_TRY(BodiesByUse bodies, made_bodies(product));
-  const std::scoped_lock lock(changing);
-  return made.emplace(key, std::move(bodies)).first->second.at(use);
+  static SharedObjects made;
+  MARKETGEN_TRY(const auto bodies, made.get<const BodiesByUse>(io::write_json_line(product), [&] {
+    return made_bodies(product);
+  }));
+  return bodies->at(use);
 }
 
 Result<void> check_has_body(const catalog::Product& product, const assets::ProductBody& body) {

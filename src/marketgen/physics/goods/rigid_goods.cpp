@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <mutex>
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "base/shared_objects.h"
 #include "io/json.h"
 #include "physics/goods/product_bodies.h"
 
@@ -62,17 +63,10 @@ Result<SharedRigidGoods> compiled_alone(const catalog::Product& product, GoodsUs
 }  // namespace
 
 Result<SharedRigidGoods> rigid_goods(const catalog::Product& product, GoodsUse use) {
-  static std::mutex changing;
-  static std::map<std::pair<GoodsUse, std::string>, SharedRigidGoods>
-      made;  // by all that they are made from
-  const std::pair key(use, io::write_json_line(product));
-  {
-    const std::scoped_lock lock(changing);
-    if (const auto known = made.find(key); known != made.end()) return known->second;
-  }
-  MARKETGEN_TRY(SharedRigidGoods goods, compiled_alone(product, use));
-  const std::scoped_lock lock(changing);
-  return made.emplace(key, std::move(goods)).first->second;
+  static SharedObjects made;
+  return made.get<const RigidGoods>(
+      fmt::format("{} {}", static_cast<int>(use), io::write_json_line(product)),
+      [&] { return compiled_alone(product, use); });
 }
 
 }  // namespace marketgen::physics

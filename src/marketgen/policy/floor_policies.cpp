@@ -1,4 +1,4 @@
-#include "policy/random_policy.h"
+#include "policy/floor_policies.h"
 
 namespace marketgen::policy {
 namespace {
@@ -28,6 +28,15 @@ Result<agent::Action> RandomPolicy::act(const agent::Observation& now) {
     action.drive_m_s = draw_.uniform(-fastest_m_s, fastest_m_s);
     action.turn_rad_s = draw_.uniform(-fastest_rad_s, fastest_rad_s);
   }
+  return action;
+}
+
+Result<agent::Action> StopPolicy::act(const agent::Observation& now) {
+  agent::Action action;
+  action.position = now.position;
+  for (const double opening : now.openings_m)
+    action.tools.push_back({opening});
+  action.stop = true;
   return action;
 }
 

@@ -1,4 +1,5 @@
-// Objects that many share, made once each: opened stores, renderers, samplers.
+// Objects that many share, made once each: opened stores, renderers, samplers; bodies of products,
+// once in a process.
 #pragma once
 #include <any>
 #include <map>
@@ -10,7 +11,7 @@
 
 #include "base/result.h"
 
-namespace marketgen::environments {
+namespace marketgen {
 
 // By their type and a key. Thread-safe: who asks for one that is being made waits for it.
 class SharedObjects {
@@ -42,4 +43,4 @@ class SharedObjects {
   std::map<Key, Slot> slots_;
 };
 
-}  // namespace marketgen::environments
+}  // namespace marketgen

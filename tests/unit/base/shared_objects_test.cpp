@@ -1,5 +1,5 @@
 // What many share is made once, by its type and key; what could not be made is tried again.
-#include "environments/shared_objects.h"
+#include "base/shared_objects.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace marketgen {
 namespace {
 
 TEST(SharedObjects, AreMadeOnceHoweverManyAskAtATime) {
-  environments::SharedObjects shared;
+  SharedObjects shared;
   std::atomic<int> made = 0;
   const auto make = [&]() -> Result<std::shared_ptr<int>> {
     ++made;
@@ -30,7 +30,7 @@ TEST(SharedObjects, AreMadeOnceHoweverManyAskAtATime) {
 }
 
 TEST(SharedObjects, AnErrorIsNotKept) {
-  environments::SharedObjects shared;
+  SharedObjects shared;
   const auto failed = shared.get<int>("seven", []() -> Result<std::shared_ptr<int>> {
     return Error{"io.cannot_read", "disk", "is asleep"};
   });
