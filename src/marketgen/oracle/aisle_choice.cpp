@@ -161,7 +161,10 @@ bool AisleOracle::go_to(std::uint32_t product) {
   }
   memory_.executor.drive(std::move(drive->follower));
   memory_.plan = std::move(*plan);
-  if (!memory_.executor.raise(lift_height()).ok()) return false;
+  if (const auto raised = memory_.executor.raise(lift_height()); !raised.ok()) {
+    note_plan(product, raised.error());
+    return false;
+  }
   memory_.executor.open(memory_.plan.tool, opened());
   memory_.phase = Phase::arrived;
   return true;

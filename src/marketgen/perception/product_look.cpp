@@ -10,6 +10,7 @@ namespace {
 
 constexpr float cell_m = 0.004F, around_m = 0.03F;  // of the table of nearest surfels
 constexpr std::size_t max_surfels = 30000;
+constexpr float farther_apart = 1.25F;  // the pieces of what has more surface than that
 constexpr float min_picture_facing =
     0.25F;  // surface seen more aslant than this is left to other sides
 
@@ -105,12 +106,15 @@ Result<ProductLook> ProductLook::make(const std::string& sku,
   std::vector<Surfel> all;
   for (const agent::ProductPicture& picture : pictures)
     PictureSurface(picture).add_to(all, spacing_m);
-  look.surfels_ = thinned(all, spacing_m);
-  if (look.surfels_.empty() || look.surfels_.size() > max_surfels)
+  if (all.empty())
     return Error{"perception.no_picture",
                  sku,
-                 "its pictures show nothing of it, or far too much: expected some sides of the "
-                 "product with depth"};
+                 "its pictures show nothing of it: expected some sides of the product with depth"};
+  look.surfels_ = thinned(all, spacing_m);
+  for (float apart_m = spacing_m; look.surfels_.size() > max_surfels;) {
+    apart_m *= farther_apart;
+    look.surfels_ = thinned(all, apart_m);
+  }
   look.low_ = look.high_ = look.surfels_.front().point;
   for (const Surfel& s : look.surfels_) {
     const Vec3f p = s.point;

@@ -18,7 +18,8 @@ struct Surfel {
 
 class ProductLook {
  public:
-  // Pieces about `spacing_m` apart. Errors: perception.no_picture when nothing is seen in them.
+  // Pieces about `spacing_m` apart, farther on a product that would have more than 30,000 (a
+  // crate). Errors: perception.no_picture when nothing is seen in them.
   static Result<ProductLook> make(const std::string& sku,
                                   const std::vector<agent::ProductPicture>& pictures,
                                   float spacing_m = 0.0035F);

@@ -131,5 +131,15 @@ TEST(ProductLook, PicturesWithoutTheProductAreAnError) {
   EXPECT_EQ(made.error().code, "perception.no_picture");
 }
 
+// A crate of 24 bottles has 0.6 m2 of surface; every agent of a store that sells it knows it, too.
+TEST(ProductLook, ACrateHasItsPiecesFartherApart) {
+  const Vec3 size{0.4, 0.3, 0.3};
+  const auto crate = perception::ProductLook::make("crate", drawn_pictures(size, plain(red)));
+  ASSERT_TRUE(crate.ok()) << to_string(crate.error());
+  EXPECT_LE(crate->surfels().size(), 30000U);
+  EXPECT_GT(crate->surfels().size(), 15000U);
+  EXPECT_NEAR(crate->diagonal_m(), length(size), 0.01);
+}
+
 }  // namespace
 }  // namespace marketgen
