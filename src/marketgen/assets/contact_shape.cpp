@@ -27,6 +27,13 @@ ContactShape contact_shape_of(const ContactPiece& piece) {
       static_cast<CollisionShape>(piece.shape), piece.center, piece.half_size, piece.lying});
 }
 
+ContactPiece piece_of(const CollisionPrimitive& primitive) {
+  return {static_cast<PieceShape>(primitive.shape),
+          primitive.center,
+          primitive.half_size,
+          primitive.lying};
+}
+
 ContactShape operator*(const Pose& pose, const ContactShape& shape) {
   return {shape.shape, pose * shape.pose, shape.size};
 }

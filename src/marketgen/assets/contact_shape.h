@@ -16,6 +16,8 @@ ContactShape contact_shape_of(const CollisionPrimitive& primitive);   // in the 
 ContactShape contact_shape_of(const ContactPiece& piece);             // the same; not of a hull
 ContactShape operator*(const Pose& pose, const ContactShape& shape);  // moved along with its owner
 
+ContactPiece piece_of(const CollisionPrimitive& primitive);  // the same solid
+
 // Half extents of the axis-aligned box around the shape, in its owner's frame.
 Vec3 half_extents(const ContactShape& shape);
 

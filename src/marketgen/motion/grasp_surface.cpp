@@ -60,6 +60,14 @@ void clip_round(Inside& inside, Vec3 center, Vec3 inverse_half, Vec3 origin, Vec
   }
 }
 
+// Whether a ray surely passes by a ball. `direction` is a unit vector.
+bool passes_by(Vec3 center, double radius, Vec3 origin, Vec3 direction) {
+  constexpr double rounding_m = 1e-9;
+  const Vec3 o = origin - center;
+  const double along = dot(o, direction), r = radius + rounding_m;
+  return dot(o, o) - along * along > r * r || along > r;
+}
+
 constexpr std::array<Vec3, 3> own_axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
 
 }  // namespace
@@ -138,8 +146,10 @@ std::optional<SurfaceHit> GraspSurface::hit(const Piece& piece, Vec3 origin, Vec
       clip_round(inside, piece.center, {1 / h.x, 1 / h.y, 1 / h.z}, origin, direction);
       break;
     default:
-      for (const Face& face : piece.faces)
+      for (const Face& face : piece.faces) {
         inside.clip(face.normal, face.offset, origin, direction);
+        if (!(inside.enter < inside.leave)) return std::nullopt;
+      }
   }
   if (!(inside.enter < inside.leave) || inside.enter < 0) return std::nullopt;
   return SurfaceHit{inside.enter, inside.normal};
@@ -148,6 +158,7 @@ std::optional<SurfaceHit> GraspSurface::hit(const Piece& piece, Vec3 origin, Vec
 std::optional<SurfaceHit> GraspSurface::first_hit(Vec3 origin, Vec3 direction) const {
   std::optional<SurfaceHit> first;
   for (const Piece& piece : pieces_) {
+    if (passes_by(piece.center, piece.radius, origin, direction)) continue;
     const std::optional<SurfaceHit> found = hit(piece, origin, direction);
     if (found && (!first || found->distance_m < first->distance_m)) first = found;
   }

@@ -28,7 +28,7 @@ class StopPolicy : public agent::Policy {
  public:
   Result<void> begin(const agent::Task&, const agent::Observation&) override { return {}; }
   Result<agent::Action> act(const agent::Observation& now) override;
-  std::string failure() const override { return "NotFound"; }
+  std::string failure() const override { return "Unknown"; }
 };
 
 }  // namespace marketgen::policy

@@ -118,12 +118,14 @@ class HighestFirst : public agent::Policy {
       return {};
     }
     tried_ = middle_of(patch);
-    for (const OpenHand& hand : hands_over(patch, points))
-      if (grasp(hand)) return {};
+    const Walls walls = walls_.at(setup_.place.base_from_basket);
+    for (const OpenHand& hand : hands_over(patch, points, walls))
+      if (grasp(hand, walls)) return {};
     pass_over("NoGrasp");
     return {};
   }
 
+  using Walls = std::vector<skills::PlacedBody>;
   struct OpenHand {
     Pose base_from_tip;
     double opening_m = 0;
@@ -132,10 +134,10 @@ class HighestFirst : public agent::Policy {
 
   // Round the patch from above, with most room first.
   std::vector<OpenHand> hands_over(const std::vector<Vec3f>& patch,
-                                   const std::vector<Vec3f>& points) const {
+                                   const std::vector<Vec3f>& points,
+                                   const Walls& walls) const {
     const double floor = setup_.place.base_from_basket.position.z + floor_gap_m;
     const Vec3 at{tried_.x, tried_.y, std::max(tried_.z - finger_depth_m, floor)};
-    const std::vector<skills::PlacedBody> walls = walls_.at(setup_.place.base_from_basket);
     std::vector<OpenHand> hands;
     for (const Quaternion& turn : hands_down(patch, tried_)) {
       for (const double share : opening_shares) {
@@ -150,9 +152,8 @@ class HighestFirst : public agent::Policy {
     return hands;
   }
 
-  bool grasp(const OpenHand& open) {
+  bool grasp(const OpenHand& open, const Walls& walls) {
     const std::vector<robots::ToolSolid> hand = skills::open_hand(setup_.tool, open.opening_m);
-    const std::vector<skills::PlacedBody> walls = walls_.at(setup_.place.base_from_basket);
     const skills::Surroundings around =
         skills::counter_surroundings(setup_.place, skills::HandAt::basket);
     for (const Pose& tip : skills::either_way_round(arm_, open.base_from_tip)) {
@@ -221,7 +222,7 @@ class HighestFirst : public agent::Policy {
   bool grasped_ = false;
   std::uint64_t moves_ = 0;
   bool done_ = false;
-  std::string failure_ = "WrongItem";
+  std::string failure_ = "Unknown";  // it does not know what it lifts
 };
 
 }  // namespace

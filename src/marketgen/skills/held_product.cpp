@@ -23,11 +23,7 @@ Result<assets::ProductBody> make_store_body(const catalog::Product& product) {
   MARKETGEN_TRY(const auto pack, assets::product_body(product));
   assets::ProductBody body = *pack;
   MARKETGEN_TRY(const assets::CollisionPrimitive solid, assets::collision_of(product));
-  const assets::PieceShape shape =
-      solid.shape == assets::CollisionShape::box        ? assets::PieceShape::box
-      : solid.shape == assets::CollisionShape::cylinder ? assets::PieceShape::cylinder
-                                                        : assets::PieceShape::ellipsoid;
-  body.pieces = {{shape, solid.center, solid.half_size, solid.lying}};
+  body.pieces = {assets::piece_of(solid)};
   return body;
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "assets/contact_shape.h"
 #include "assets/shapes/contact_pieces.h"
 #include "base/shared_objects.h"
 #include "io/json.h"
@@ -40,14 +41,6 @@ GoodsForm form_of(const catalog::Product& product, const assets::ProductBody& pa
   return steady(pack) ? GoodsForm::pieces : GoodsForm::unsteady;
 }
 
-assets::ContactPiece piece_of(const assets::CollisionPrimitive& solid) {
-  const assets::PieceShape shape =
-      solid.shape == assets::CollisionShape::box        ? assets::PieceShape::box
-      : solid.shape == assets::CollisionShape::cylinder ? assets::PieceShape::cylinder
-                                                        : assets::PieceShape::ellipsoid;
-  return {shape, solid.center, solid.half_size, solid.lying};
-}
-
 // Of an ellipsoid: a fifth of the mass times the squares of the two half axes across.
 void spread_evenly(double mass_kg, assets::ProductBody& body) {
   const Vec3f& h = body.pieces[0].half_size;
@@ -76,7 +69,7 @@ SharedGoodsBody made_body(const catalog::Product& product,
                           const assets::CollisionPrimitive& solid,
                           GoodsUse use) {
   auto goods = std::make_shared<GoodsBody>(GoodsBody{product, form_of(product, pack, use), pack});
-  if (goods->form != GoodsForm::pieces) goods->body.pieces = {piece_of(solid)};
+  if (goods->form != GoodsForm::pieces) goods->body.pieces = {assets::piece_of(solid)};
   if (goods->form == GoodsForm::ball) spread_evenly(product.mass_kg, goods->body);
   goods->contact = contact_of(product, solid, use);
   return goods;

@@ -59,7 +59,7 @@ struct SettledBulk {
 
 constexpr std::size_t max_bulk_items = 200;
 // Of the simulation: so much for each item, and once at the end.
-constexpr double max_pour_s = 2.0, max_rest_s = 6.0;
+constexpr double max_pour_s = 1.0, max_rest_s = 6.0;
 
 // Errors: physics.bad_command for a container that is not finite, has no room inside, or for more
 // items than `max_bulk_items`; catalog.bad_row for a product without mass or size; physics.failed.
