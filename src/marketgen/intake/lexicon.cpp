@@ -126,10 +126,11 @@ void Lexicon::add_if_new(Sense sense,
   add_phrase(words, rows_.size() - 1);
 }
 
-std::optional<Lexicon::Match> Lexicon::longest_match(const std::vector<Token>& tokens,
-                                                     std::size_t at) const {
+std::vector<Lexicon::Match> Lexicon::matches(const std::vector<Token>& tokens,
+                                             std::size_t at) const {
+  std::vector<Match> found;
   const auto list = phrases_.find(tokens[at].stem);
-  if (list == phrases_.end()) return std::nullopt;
+  if (list == phrases_.end()) return found;
   for (const Phrase& phrase : list->second) {
     if (at + phrase.stems.size() > tokens.size()) continue;
     const bool same =
@@ -137,9 +138,16 @@ std::optional<Lexicon::Match> Lexicon::longest_match(const std::vector<Token>& t
                    phrase.stems.end(),
                    tokens.begin() + static_cast<std::ptrdiff_t>(at),
                    [](const std::string& stem, const Token& token) { return stem == token.stem; });
-    if (same) return Match{&rows_[phrase.row], phrase.stems.size()};
+    if (same) found.push_back({&rows_[phrase.row], phrase.stems.size()});
   }
-  return std::nullopt;
+  return found;
+}
+
+std::optional<Lexicon::Match> Lexicon::longest_match(const std::vector<Token>& tokens,
+                                                     std::size_t at) const {
+  const std::vector<Match> all = matches(tokens, at);
+  if (all.empty()) return std::nullopt;
+  return all.front();
 }
 
 std::optional<std::string> Lexicon::corrected(std::string_view word) const {

@@ -96,6 +96,8 @@ class Lexicon {
   // The lexicon with the catalogue's own words added.
   Lexicon with_words_of(const catalog::Catalog& catalog) const;
 
+  // All phrases that start at `at`, longest first.
+  std::vector<Match> matches(const std::vector<Token>& tokens, std::size_t at) const;
   // The longest phrase that starts at `at`.
   std::optional<Match> longest_match(const std::vector<Token>& tokens, std::size_t at) const;
 

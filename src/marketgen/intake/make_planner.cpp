@@ -19,8 +19,8 @@ constexpr std::array<std::string_view, 7> known = {
 Result<std::unique_ptr<Planner>> make_planner(std::string_view name) {
   if (name == "offline") {
     MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
-    MARKETGEN_TRY(Lexicon lexicon, Lexicon::load(data / "lexicon"));
-    return std::unique_ptr<Planner>(std::make_unique<OfflinePlanner>(std::move(lexicon)));
+    MARKETGEN_TRY(Language language, Language::load(data));
+    return std::unique_ptr<Planner>(std::make_unique<OfflinePlanner>(std::move(language)));
   }
   const std::string_view family = name.substr(0, name.find(':'));
   for (const std::string_view later : announced) {

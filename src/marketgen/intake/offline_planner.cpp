@@ -194,7 +194,7 @@ Result<Planned> OfflinePlanner::plan(const Brief& brief,
                                      const catalog::Catalog& catalog,
                                      Seed seed,
                                      const Concessions& concessions) const {
-  Understanding found = understand(brief.prompt, lexicon_.with_words_of(catalog), catalog);
+  Understanding found = understand(brief.prompt, language_.with_words_of(catalog), catalog);
   apply_flags(brief, found);
   const BeyondLimits beyond = keep_within_limits(found);
   Planned planned;

@@ -2,13 +2,13 @@
 // seeded search.
 #pragma once
 #include "intake/brief.h"
-#include "intake/lexicon.h"
+#include "intake/language.h"
 
 namespace marketgen::intake {
 
 class OfflinePlanner : public Planner {
  public:
-  explicit OfflinePlanner(Lexicon lexicon) : lexicon_(std::move(lexicon)) {}
+  explicit OfflinePlanner(Language language) : language_(std::move(language)) {}
 
   // Error: brief.bad_size when the words ask for a store that cannot be built.
   Result<Planned> plan(const Brief& brief,
@@ -17,7 +17,7 @@ class OfflinePlanner : public Planner {
                        const Concessions& concessions) const override;
 
  private:
-  Lexicon lexicon_;
+  Language language_;
 };
 
 }  // namespace marketgen::intake

@@ -7,23 +7,6 @@
 namespace marketgen::intake {
 namespace {
 
-std::optional<NounKind> noun_kind(Sense sense) {
-  switch (sense) {
-    case Sense::zone:
-      return NounKind::zone;
-    case Sense::product:
-      return NounKind::product;
-    case Sense::fixture:
-      return NounKind::fixture;
-    case Sense::opening:
-      return NounKind::opening;
-    case Sense::place:
-      return NounKind::place;
-    default:
-      return std::nullopt;
-  }
-}
-
 // What a relation means when it is said, and when it is denied.
 struct Meaning {
   std::string_view value;
@@ -62,7 +45,7 @@ void add_wish(Reading& reading,
               const PlaceNoun& object,
               std::string_view object_name) {
   plan::Requirement& wish = reading.add(
-      plan::RequirementKind::relation, joined(subject.span, object.span), subject.strength);
+      plan::RequirementKind::relation, joined(subject.span, object.span));
   wish.relation = kind;
   wish.subject = name_in_relations(subject);
   wish.object = object_name;
@@ -71,7 +54,7 @@ void add_wish(Reading& reading,
 // "the entrance on the east wall", "an exit on the right"
 bool add_opening_place(Reading& reading, const PlaceNoun& opening, const PlaceNoun& place) {
   plan::Requirement& wish = reading.add(
-      plan::RequirementKind::opening, joined(opening.span, place.span), opening.strength);
+      plan::RequirementKind::opening, joined(opening.span, place.span));
   wish.subject = opening.name;
   const std::vector<std::string> sides = split(place.name, '+');  // a corner has two
   const bool front_or_back = sides[0] != "left" && sides[0] != "right" && sides[0] != "center";
@@ -104,7 +87,7 @@ void add_zone_mention(Reading& reading, const PlaceNoun& noun) {
   if (!noun.counted) {
     const plan::RequirementKind kind =
         noun.negated ? plan::RequirementKind::zone_absent : plan::RequirementKind::zone_present;
-    reading.add(kind, noun.span, noun.strength).subject = noun.name;
+    reading.add(kind, noun.span).subject = noun.name;
   }
   if (noun.factor != 1 && !noun.negated) {
     reading.found.emphases.push_back({noun.name, noun.factor, reading.words(noun.span), noun.span});
@@ -114,7 +97,7 @@ void add_zone_mention(Reading& reading, const PlaceNoun& noun) {
 void add_product_mention(Reading& reading, const PlaceNoun& noun) {
   const plan::RequirementKind kind =
       noun.negated ? plan::RequirementKind::product_absent : plan::RequirementKind::product_present;
-  plan::Requirement& wish = reading.add(kind, noun.span, noun.strength);
+  plan::Requirement& wish = reading.add(kind, noun.span);
   wish.subject = noun.name;
   wish.object = noun.zone;
   if (noun.factor != 1 && !noun.negated && !noun.zone.empty()) {
@@ -126,13 +109,13 @@ void add_fixture_mention(Reading& reading, const PlaceNoun& noun) {
   if (noun.counted) return;
   if (noun.name == "endcap") {
     plan::Requirement& endcaps =
-        reading.add(plan::RequirementKind::endcaps, noun.span, noun.strength);
+        reading.add(plan::RequirementKind::endcaps, noun.span);
     endcaps.value = noun.negated ? 0 : 1;
     endcaps.comparison = noun.negated ? plan::Comparison::at_most : plan::Comparison::at_least;
     return;
   }
   plan::Requirement& wish =
-      reading.add(plan::RequirementKind::fixture_count, noun.span, noun.strength);
+      reading.add(plan::RequirementKind::fixture_count, noun.span);
   wish.subject = noun.name;
   wish.object = noun.zone;
   wish.comparison = noun.negated ? plan::Comparison::at_most : plan::Comparison::at_least;
@@ -141,32 +124,38 @@ void add_fixture_mention(Reading& reading, const PlaceNoun& noun) {
 
 }  // namespace
 
-bool names_a_place(const Phrase& phrase) {
-  const std::optional<NounKind> kind = noun_kind(phrase.sense);
-  return kind && *kind != NounKind::place;
-}
-
-PlaceNoun noun_at(const Sentence& sentence, std::size_t i) {
-  const Phrase& phrase = sentence.phrases[i];
+PlaceNoun noun_of(const language::Meaning& said) {
   PlaceNoun noun;
-  noun.kind = noun_kind(phrase.sense).value_or(NounKind::zone);
-  noun.name = phrase.value;
-  noun.zone = noun.kind == NounKind::zone ? phrase.value : phrase.zone;
-  noun.phrase = i;
-  noun.span = phrase.span;
-  noun.wall = noun.kind == NounKind::place && phrase.number != 0;
-  noun.counted = phrase.counted;
-  noun.strength = phrase.strength;
+  noun.kind = value_named<NounKind>(said.text("type")).value_or(NounKind::zone);
+  noun.name = said.text("name");
+  noun.zone = said.text("zone");
+  noun.span = said.span;
+  noun.wall = noun.kind == NounKind::place && said.number("wall") != 0;
+  noun.counted = said.has("count");
+  noun.factor = said.number("factor", 1);
   return noun;
 }
 
-void use_suffixes(Sentence& sentence, std::size_t noun) {
-  for (std::size_t i = noun + 1; i < sentence.phrases.size(); ++i) {
-    const bool belongs = sentence.is(i, Sense::suffix) || sentence.is(i, Sense::counted, "aisle") ||
-                         sentence.is(i, Sense::part, "fixture");
-    if (!belongs || sentence.at(i).used) return;
-    sentence.use(i, i);
-  }
+void mention(Reading& reading, const language::Meaning& said) {
+  if (said.has("count")) add_count(reading, said);
+  add_mention(reading, noun_of(said));
+}
+
+// "five checkouts", "two promotion areas", "two entrances"
+void add_count(Reading& reading, const language::Meaning& said) {
+  const language::Meaning& number = *said.parts("count").front();
+  const std::string& name = said.text("name");
+  const bool tills = name == "checkout" || name == "self_checkout";
+  plan::Requirement count;
+  count.kind = said.is("type", "opening")         ? plan::RequirementKind::opening
+               : said.is("type", "zone") && !tills ? plan::RequirementKind::zone_count
+                                                   : plan::RequirementKind::fixture_count;
+  count.span = said.span;
+  count.text = reading.words(said.span);
+  count.strength = reading.strength;
+  count.subject = name == "checkout" ? "checkout_lane" : name;
+  if (count.kind == plan::RequirementKind::fixture_count) count.object = said.text("zone");
+  add_number(reading, count, number, true);
 }
 
 void add_mention(Reading& reading, const PlaceNoun& noun) {

@@ -1,41 +1,38 @@
 // Nouns that stand somewhere in a store, and what a sentence about them asks for.
 #pragma once
-#include <optional>
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "intake/reading.h"
-#include "intake/sentence.h"
+#include "intake/interpret.h"
 
 namespace marketgen::intake {
 
 enum class NounKind { zone, product, fixture, opening, place };
+constexpr std::array<std::string_view, 5> names_of(NounKind) {
+  return {"zone", "product", "fixture", "opening", "place"};
+}
 
 struct PlaceNoun {
   NounKind kind = NounKind::zone;
   std::string name;  // zone type, product word, fixture kind, opening kind or place
   std::string zone;  // zone type that stands for it in relations; empty for openings and places
-  std::size_t phrase = 0;
   IntRange span{0, 0};
   bool wall = false;     // of a place: "the back wall", not "the back"
   bool negated = false;  // not wanted
-  bool counted = false;  // its number was understood already
-  bool article = false;  // starts a noun phrase of its own
+  bool counted = false;  // its number is a wish of its own
   double factor = 1;     // of its usual size
-  plan::Strength strength = plan::Strength::must;
 };
 
-// Zones, products, fixtures and openings.
-bool names_a_place(const Phrase& phrase);
-// Precondition: the phrase names a place or is one.
-PlaceNoun noun_at(const Sentence& sentence, std::size_t i);
+// What a noun of the grammar says (slots type, name, zone, wall, factor, count).
+PlaceNoun noun_of(const language::Meaning& noun);
 
-// "zone", "section", "aisle", "shelves" right after the noun belong to it.
-void use_suffixes(Sentence& sentence, std::size_t noun);
-
-// The noun is wanted, or not: zone_present, product_absent, fixture_count, endcaps, opening.
+// The noun is wanted, or not: zone_present, product_absent, fixture_count, endcaps; with a number,
+// how many.
 void add_mention(Reading& reading, const PlaceNoun& noun);
+void mention(Reading& reading, const language::Meaning& noun);
+void add_count(Reading& reading, const language::Meaning& noun);
 
 // The relation asks for distance, so what it names need not exist.
 bool names_far(std::string_view relation, bool negated);

@@ -198,7 +198,8 @@ class Tokenizer {
     Token token = token_of(start, at_, TokenKind::symbol);
     if (is_dash(code)) {
       if (joins_words(start)) return;
-      token.text = ",";  // a dash between spaces parts clauses
+      // A dash between digits spans a range, one between spaces parts clauses.
+      token.text = between_digits(start) ? "-" : ",";
     }
     if (code == 0xD7) token.text = "x";  // multiplication sign
     if (is_double_quote(code)) token.text = "\"";
@@ -213,7 +214,13 @@ class Tokenizer {
       const Glyph glyph = characters_[i].glyph;
       return glyph == Glyph::letter || glyph == Glyph::digit;
     };
-    return dash > 0 && dash + 1 < characters_.size() && part(dash - 1) && part(dash + 1);
+    return dash > 0 && dash + 1 < characters_.size() && part(dash - 1) && part(dash + 1) &&
+           !between_digits(dash);
+  }
+
+  bool between_digits(std::size_t dash) const {
+    const auto digit = [&](std::size_t i) { return characters_[i].glyph == Glyph::digit; };
+    return dash > 0 && dash + 1 < characters_.size() && digit(dash - 1) && digit(dash + 1);
   }
 
   bool ends_sentence(int code) const {

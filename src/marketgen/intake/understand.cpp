@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "base/text.h"
 #include "intake/conflicts.h"
-#include "intake/reading.h"
+#include "intake/interpret.h"
+#include "intake/language.h"
 #include "intake/store_name.h"
 #include "intake/tokens.h"
 #include "intake/understanding.h"
@@ -13,9 +15,11 @@
 namespace marketgen::intake {
 namespace {
 
+using Tokens = std::vector<Token>;
+
 // Words that need no rule: grammar, and what only repeats that a shop is meant.
-bool says_nothing(const Phrase& phrase) {
-  switch (phrase.sense) {
+bool says_nothing(const Segment& segment) {
+  switch (segment.sense) {
     case Sense::filler:
     case Sense::separator:
     case Sense::strength:
@@ -23,9 +27,9 @@ bool says_nothing(const Phrase& phrase) {
     case Sense::suffix:
       return true;
     case Sense::relation:
-      return phrase.value == "at" || phrase.value == "in";
+      return segment.value == "at" || segment.value == "in";
     case Sense::times:
-      return phrase.value == "by";
+      return segment.value == "by";
     default:
       return false;
   }
@@ -39,31 +43,86 @@ bool is_picture(const Token& token) {
   return token.kind == TokenKind::symbol && utf8proc_category(code) == UTF8PROC_CATEGORY_SO;
 }
 
-// A word said something when a reader used it; "please" and "must" alone do not.
-bool anything_understood(const std::vector<Sentence>& sentences, const Understanding& found) {
-  const auto says = [](const Phrase& phrase) {
-    return phrase.used && phrase.sense != Sense::strength;
-  };
-  return found.name || std::ranges::any_of(sentences, [&](const Sentence& sentence) {
-           return std::ranges::any_of(sentence.phrases, says);
-         });
+// Slips of the pen mended, one word at a time; cut into sentences.
+std::vector<Tokens> sentences_of(const Tokens& tokens, const Lexicon& lexicon) {
+  std::vector<Tokens> sentences(1);
+  for (Token token : tokens) {
+    if (token.kind == TokenKind::sentence_end) {
+      if (!sentences.back().empty()) sentences.emplace_back();
+      continue;
+    }
+    const bool word = token.kind == TokenKind::word;
+    if (const auto better = word ? lexicon.corrected(token.stem) : std::nullopt)
+      token.stem = *better;
+    sentences.back().push_back(std::move(token));
+  }
+  return sentences;
 }
 
-void collect_unparsed(const std::vector<Token>& tokens,
-                      const std::vector<Sentence>& sentences,
-                      Reading& reading) {
-  auto token = tokens.begin();
-  for (const Sentence& sentence : sentences) {
-    for (const Phrase& phrase : sentence.phrases) {
-      for (; token != tokens.end() && token->span[1] <= phrase.span[1]; ++token) {
-        const bool word = token->kind == TokenKind::word || token->kind == TokenKind::number;
-        const bool passed_over = phrase.used || (word && says_nothing(phrase));
-        if (passed_over || !(word || is_picture(*token))) continue;
-        reading.found.unparsed.push_back({reading.words(token->span), token->span});
+// By token. Only "ideally", "if possible" and their like change anything: what is said is meant
+// otherwise. They hold for their clause, from one comma or "but" to the next.
+std::vector<plan::Strength> strengths_of(const std::vector<Segment>& segments) {
+  std::vector<plan::Strength> strengths;
+  for (std::size_t first = 0; first < segments.size();) {
+    std::size_t last = first;
+    bool wish = false;
+    for (; last < segments.size(); ++last) {
+      const Segment& segment = segments[last];
+      if (segment.sense == Sense::separator && segment.value != "and" && last > first) break;
+      wish = wish || (segment.sense == Sense::strength && segment.value == "prefer");
+    }
+    for (; first < last; ++first)
+      strengths.resize(segments[first].last, wish ? plan::Strength::prefer : plan::Strength::must);
+  }
+  return strengths;
+}
+
+class SentenceReader {
+ public:
+  SentenceReader(const Tokens& tokens, const Language& language, Reading reading)
+      : tokens_(tokens),
+        language_(language),
+        segments_(segments_of(tokens, language.lexicon)),
+        reading_(reading) {
+    reading_.segments = &segments_;
+  }
+
+  // Whether a word said something.
+  bool run() {
+    const language::Input input = lexical_input(tokens_, segments_, language_.lexicon);
+    const language::Chart chart(language_.grammar, input);
+    const std::vector<plan::Strength> strengths = strengths_of(segments_);
+    std::vector<bool> used(tokens_.size(), false);
+    bool understood = false;
+    for (const auto& statement : best_cover(chart, language_.statement, input)) {
+      reading_.strength = strengths[static_cast<std::size_t>(statement->begin)];
+      if (!interpret(reading_, *statement->meaning)) continue;
+      understood = true;
+      for (const int word : statement->meaning->words)
+        used[static_cast<std::size_t>(word)] = true;
+    }
+    collect_unparsed(used);
+    return understood;
+  }
+
+ private:
+  void collect_unparsed(const std::vector<bool>& used) {
+    for (const Segment& segment : segments_) {
+      for (std::size_t at = segment.first; at < segment.last; ++at) {
+        const Token& token = tokens_[at];
+        const bool word = token.kind == TokenKind::word || token.kind == TokenKind::number;
+        const bool passed_over = used[at] || (word && says_nothing(segment));
+        if (passed_over || !(word || is_picture(token))) continue;
+        reading_.found.unparsed.push_back({reading_.words(token.span), token.span});
       }
     }
   }
-}
+
+  const Tokens& tokens_;
+  const Language& language_;
+  std::vector<Segment> segments_;
+  Reading reading_;
+};
 
 // The compass directions of front, back, left and right for someone who comes in through `entrance`
 // and looks ahead.
@@ -120,23 +179,29 @@ const plan::Requirement* Understanding::find(plan::RequirementKind kind,
   return found == requirements.end() ? nullptr : &*found;
 }
 
+Result<Language> Language::load(const std::filesystem::path& data) {
+  MARKETGEN_TRY(Lexicon lexicon, Lexicon::load(data / "lexicon"));
+  MARKETGEN_TRY(language::Grammar grammar,
+                language::Grammar::load(data / "grammar" / "english.grammar"));
+  const auto statement = grammar.category("statement");
+  if (!statement)
+    return Error{"grammar.bad_rule", (data / "grammar").string(), "no rule makes a statement"};
+  return Language{std::move(lexicon), std::move(grammar), *statement};
+}
+
 Understanding understand(std::string_view prompt,
-                         const Lexicon& lexicon,
+                         const Language& language,
                          const catalog::Catalog& catalog) {
-  using Reader = void (*)(Sentence&, Reading&);
-  constexpr std::array<Reader, 6> readers = {
-      read_measures, read_counts, read_look, read_stock, read_places, read_character};
   Understanding found;
-  Reading reading{prompt, catalog, found};
-  std::vector<Token> tokens = tokenize(prompt);
-  found.name = take_store_name(prompt, tokens, lexicon);
-  std::vector<Sentence> sentences = make_sentences(tokens, lexicon);
-  for (Sentence& sentence : sentences) {
-    for (const Reader reader : readers)
-      reader(sentence, reading);
+  Tokens tokens = tokenize(prompt);
+  found.name = take_store_name(prompt, tokens, language.lexicon);
+  found.understood = found.name.has_value();
+  bool first = true;
+  for (const Tokens& sentence : sentences_of(tokens, language.lexicon)) {
+    Reading reading{prompt, catalog, found};
+    reading.first_sentence = std::exchange(first, false);
+    if (SentenceReader(sentence, language, reading).run()) found.understood = true;
   }
-  found.understood = anything_understood(sentences, found);
-  collect_unparsed(tokens, sentences, reading);
   resolve_directions(found);
   settle_conflicts(found);
   return found;

@@ -7,7 +7,7 @@
 
 #include "catalog/catalog.h"
 #include "intake/brief.h"
-#include "intake/lexicon.h"
+#include "intake/language.h"
 
 namespace marketgen::intake {
 
@@ -49,7 +49,7 @@ struct Understanding {
 // Reads the whole prompt. Deterministic; never fails: what is not understood is in `unparsed`.
 // Precondition: valid UTF-8.
 Understanding understand(std::string_view prompt,
-                         const Lexicon& lexicon,
+                         const Language& language,
                          const catalog::Catalog& catalog);
 
 }  // namespace marketgen::intake

@@ -142,20 +142,20 @@ TEST(Nonsense, IsSaidToBe) {
   for (const char* prompt :
        {"asdf qwerty", "lorem ipsum", "一个小超市", "🛒🛒", "please", "!!", "42"}) {
     const intake::Understanding found =
-        intake::understand(prompt, shipped_lexicon(), committed_catalog());
+        intake::understand(prompt, shipped_language(), committed_catalog());
     EXPECT_FALSE(found.understood) << prompt;
   }
   for (const char* prompt :
        {"a shop", "dairy", "🛒 kiosk", "well stocked", "a shop called Asdf"}) {
     const intake::Understanding found =
-        intake::understand(prompt, shipped_lexicon(), committed_catalog());
+        intake::understand(prompt, shipped_language(), committed_catalog());
     EXPECT_TRUE(found.understood) << prompt;
   }
 }
 
 TEST(Nonsense, ListsPicturesAsWell) {
   const intake::Understanding found =
-      intake::understand("🛒 bakery", shipped_lexicon(), committed_catalog());
+      intake::understand("🛒 bakery", shipped_language(), committed_catalog());
   ASSERT_EQ(found.unparsed.size(), 1U);
   EXPECT_EQ(found.unparsed[0].text, "🛒");
 }

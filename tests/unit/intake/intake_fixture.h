@@ -9,18 +9,21 @@
 
 #include "catalog/catalog.h"
 #include "intake/brief.h"
-#include "intake/lexicon.h"
+#include "intake/language.h"
 #include "support/committed_catalog.h"
 
 namespace marketgen {
 
-inline const intake::Lexicon& shipped_lexicon() {
-  static const intake::Lexicon lexicon = [] {
-    auto loaded = intake::Lexicon::load(MARKETGEN_SOURCE_DIR "/data/lexicon");
+inline const intake::Language& shipped_language() {
+  static const intake::Language language = [] {
+    auto loaded = intake::Language::load(MARKETGEN_SOURCE_DIR "/data");
     if (!loaded.ok()) fatal(to_string(loaded.error()).c_str());
     return loaded->with_words_of(committed_catalog());
   }();
-  return lexicon;
+  return language;
+}
+inline const intake::Lexicon& shipped_lexicon() {
+  return shipped_language().lexicon;
 }
 
 // "relation left_of bakery entrance", "fixture_count checkout_lane >=3", "size 24000x15000",

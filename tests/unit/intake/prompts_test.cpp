@@ -169,7 +169,7 @@ class Prompts : public testing::TestWithParam<PromptCase> {};
 TEST_P(Prompts, AreUnderstood) {
   const PromptCase& expected = GetParam();
   const intake::Understanding found =
-      intake::understand(expected.prompt, shipped_lexicon(), committed_catalog());
+      intake::understand(expected.prompt, shipped_language(), committed_catalog());
   std::vector<std::string> wishes = expected.wishes;
   std::ranges::sort(wishes);
   EXPECT_EQ(sorted_lines(found.requirements), wishes) << expected.prompt;
@@ -184,7 +184,7 @@ INSTANTIATE_TEST_SUITE_P(Table, Prompts, testing::ValuesIn(cases));
 TEST(Prompts, SpansPointAtTheWords) {
   const std::string prompt = "A 24 x 15 m shop, café bakery left of the entrance, 五 trampolines";
   const intake::Understanding found =
-      intake::understand(prompt, shipped_lexicon(), committed_catalog());
+      intake::understand(prompt, shipped_language(), committed_catalog());
   ASSERT_FALSE(found.requirements.empty());
   for (const plan::Requirement& wish : found.requirements) {
     const auto first = static_cast<std::size_t>(wish.span[0]);
@@ -198,7 +198,7 @@ TEST(Prompts, SpansPointAtTheWords) {
 
 TEST(Prompts, NameIsTakenOut) {
   const intake::Understanding found = intake::understand(
-      "a market named Green Bakery & Sons by the river", shipped_lexicon(), committed_catalog());
+      "a market named Green Bakery & Sons by the river", shipped_language(), committed_catalog());
   ASSERT_TRUE(found.name.has_value());
   EXPECT_EQ(found.name->text, "Green Bakery & Sons");
 }
@@ -221,7 +221,7 @@ TEST(Prompts, ContradictionsAreSettledAndReported) {
   };
   for (const ContradictionCase& expected : contradictions) {
     const intake::Understanding found =
-        intake::understand(expected.prompt, shipped_lexicon(), committed_catalog());
+        intake::understand(expected.prompt, shipped_language(), committed_catalog());
     ASSERT_FALSE(found.conflicts.empty()) << expected.prompt;
     EXPECT_EQ(found.conflicts[0].kept, expected.kept) << expected.prompt;
     EXPECT_EQ(found.conflicts[0].dropped, expected.dropped) << expected.prompt;
@@ -231,7 +231,7 @@ TEST(Prompts, ContradictionsAreSettledAndReported) {
 TEST(Prompts, NumbersThatCanBothHoldAreNoConflict) {
   const intake::Understanding found =
       intake::understand("at least three checkouts and at most five checkouts",
-                         shipped_lexicon(),
+                         shipped_language(),
                          committed_catalog());
   EXPECT_TRUE(found.conflicts.empty());
   EXPECT_EQ(found.requirements.size(), 2U);

@@ -1,0 +1,67 @@
+// From what the grammar reads in a sentence to requirements.
+//
+// Each statement of data/grammar has a kind, and each kind one function here.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "intake/lexical_input.h"
+#include "intake/understanding.h"
+#include "language/meaning.h"
+
+namespace marketgen::intake {
+
+// The sentence that is read, and what is understood so far.
+struct Reading {
+  std::string_view prompt;
+  const catalog::Catalog& catalog;
+  Understanding& found;
+  const std::vector<Segment>* segments = nullptr;  // of the sentence
+  bool first_sentence = false;  // what a prompt names first is what is asked for
+  plan::Strength strength = plan::Strength::must;  // of the clause
+  double profile_weight = 0;  // how specific the sentence's word for the kind of shop is
+
+  std::string words(IntRange span) const {
+    return std::string(prompt.substr(static_cast<std::size_t>(span[0]),
+                                     static_cast<std::size_t>(span[1] - span[0])));
+  }
+  plan::Requirement& add(plan::RequirementKind kind, IntRange span) const {
+    plan::Requirement& requirement = found.requirements.emplace_back();
+    requirement.kind = kind;
+    requirement.span = span;
+    requirement.text = words(span);
+    requirement.strength = strength;
+    return requirement;
+  }
+};
+
+// Bytes from the start of `a` to the end of `b`.
+inline IntRange joined(IntRange a, IntRange b) {
+  return {a[0] < b[0] ? a[0] : b[0], a[1] > b[1] ? a[1] : b[1]};
+}
+
+// A number with its comparison, as the slots value, upper, comparison and shift say it. "four to
+// six" is two requirements: each gets the same span and one bound.
+void add_number(Reading& reading,
+                const plan::Requirement& wish,
+                const language::Meaning& number,
+                bool whole);
+
+// False when it makes no sense ("left of the back"): then its words count as not understood.
+bool interpret(Reading& reading, const language::Meaning& statement);
+
+// By kind; each adds what it says.
+bool interpret_floor(Reading& reading, const language::Meaning& statement);
+bool interpret_side(Reading& reading, const language::Meaning& statement);
+bool interpret_levels(Reading& reading, const language::Meaning& statement);
+bool interpret_rows(Reading& reading, const language::Meaning& statement);
+bool interpret_aisles(Reading& reading, const language::Meaning& statement);
+bool interpret_aisle_width(Reading& reading, const language::Meaning& statement);
+bool interpret_height(Reading& reading, const language::Meaning& statement);
+bool interpret_mention(Reading& reading, const language::Meaning& statement);
+bool interpret_absent(Reading& reading, const language::Meaning& statement);
+bool interpret_doors(Reading& reading, const language::Meaning& statement);
+bool interpret_placed(Reading& reading, const language::Meaning& statement);
+bool interpret_surface(Reading& reading, const language::Meaning& statement);
+
+}  // namespace marketgen::intake

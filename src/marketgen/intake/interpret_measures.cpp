@@ -1,0 +1,181 @@
+#include <algorithm>
+#include <cmath>
+
+#include "intake/interpret.h"
+#include "intake/place_nouns.h"
+
+namespace marketgen::intake {
+namespace {
+
+using language::Meaning;
+using Kind = plan::RequirementKind;
+
+constexpr double metre_mm = 1000;
+// Two bare numbers are metres when a shop could have that size.
+constexpr double min_store_m = 4, max_store_m = 200;
+
+bool shop_is_measured(const Reading& reading) {
+  return reading.found.find(Kind::size) != nullptr ||
+         reading.found.find(Kind::area, "") != nullptr;
+}
+
+bool names_a_shop(const Segment& segment) {
+  return segment.sense == Sense::shop || segment.sense == Sense::profile;
+}
+
+bool is_goods(const Segment& segment) {
+  return segment.sense == Sense::zone || segment.sense == Sense::product;
+}
+
+// The segment that holds a token.
+std::size_t segment_of(const Reading& reading, int token) {
+  const auto& segments = *reading.segments;
+  const auto at = std::ranges::find_if(segments, [&](const Segment& segment) {
+    return static_cast<std::size_t>(token) < segment.last;
+  });
+  return static_cast<std::size_t>(at - segments.begin());
+}
+
+// "a kiosk with snacks and drinks of 40 m2": the kiosk has them all.
+bool is_one_of_many(const Reading& reading, const Meaning& zone) {
+  const auto& segments = *reading.segments;
+  const std::size_t at = segment_of(reading, zone.words.front());
+  const bool listed = at >= 2 && segments[at - 1].sense == Sense::separator &&
+                      is_goods(segments[at - 2]);
+  return listed && !shop_is_measured(reading) &&
+         std::any_of(segments.begin(),
+                     segments.begin() + static_cast<std::ptrdiff_t>(at),
+                     names_a_shop);
+}
+
+// The one thing that was asked for is "a bakery of 20 m2".
+bool is_the_shop(const Reading& reading, const Meaning& zone) {
+  if (!reading.first_sentence || shop_is_measured(reading) || zone.number("own_shop") != 1)
+    return false;
+  const auto& segments = *reading.segments;
+  const std::size_t at = segment_of(reading, zone.words.front());
+  return std::ranges::none_of(segments, names_a_shop) &&
+         std::none_of(segments.begin(), segments.begin() + static_cast<std::ptrdiff_t>(at), is_goods);
+}
+
+// Of the zone, or of the shop.
+std::string owner_of(const Reading& reading, const Meaning& statement) {
+  const language::Parts& zones = statement.parts("zone");
+  if (zones.empty()) return "";
+  const Meaning& zone = *zones.front();
+  if (is_the_shop(reading, zone)) return "";
+  if (!statement.has("after") && is_one_of_many(reading, zone)) return "";
+  return zone.text("zone");
+}
+
+bool add_sides(Reading& reading, const Meaning& sides, IntRange span, const std::string& zone) {
+  const double width = sides.number("width"), depth = sides.number("depth");
+  const auto possible = [](double side) {
+    return side >= min_store_m * metre_mm && side <= max_store_m * metre_mm;
+  };
+  if (width <= 0 || depth <= 0) return false;
+  if (sides.has("bare") && !(possible(width) && possible(depth))) return false;
+  if (zone.empty()) {
+    plan::Requirement& size = reading.add(Kind::size, span);
+    size.value = width;
+    size.second_value = depth;
+    return true;
+  }
+  plan::Requirement& area = reading.add(Kind::area, span);
+  area.subject = zone;
+  area.value = 1e-6 * width * depth;
+  return true;
+}
+
+plan::Requirement blank(const Reading& reading, Kind kind, IntRange span) {
+  plan::Requirement wish;
+  wish.kind = kind;
+  wish.span = span;
+  wish.text = reading.words(span);
+  wish.strength = reading.strength;
+  return wish;
+}
+
+void mention_parts(Reading& reading, const language::Parts& parts) {
+  for (const language::MeaningPtr& part : parts) {
+    if (part->has("type")) mention(reading, *part);
+  }
+}
+
+}  // namespace
+
+bool interpret_floor(Reading& reading, const Meaning& statement) {
+  const Meaning& floor = *statement.parts("floor").front();
+  const std::string zone = owner_of(reading, statement);
+  for (const language::MeaningPtr& sides : floor.parts("sides"))
+    if (!add_sides(reading, *sides, floor.span, zone)) return false;
+  for (const language::MeaningPtr& extent : floor.parts("extent")) {
+    plan::Requirement area = blank(reading, Kind::area, floor.span);
+    area.subject = zone;
+    add_number(reading, area, *extent, false);
+  }
+  mention_parts(reading, statement.parts("zone"));
+  for (const language::MeaningPtr& also : statement.parts("also"))
+    also->has("type") ? mention(reading, *also) : static_cast<void>(interpret(reading, *also));
+  return true;
+}
+
+bool interpret_side(Reading& reading, const Meaning& statement) {
+  const Meaning& side = *statement.parts("side").front();
+  const double value = side.number("value");
+  if (value < min_store_m * metre_mm || value > max_store_m * metre_mm ||
+      shop_is_measured(reading))
+    return false;
+  plan::Requirement& size = reading.add(Kind::size, side.span);
+  (side.is("side", "width") ? size.value : size.second_value) = value;
+  for (const language::MeaningPtr& also : statement.parts("also"))
+    interpret(reading, *also);
+  return true;
+}
+
+bool interpret_levels(Reading& reading, const Meaning& statement) {
+  const Meaning& count = *statement.parts("count").front();
+  plan::Requirement levels = blank(reading, Kind::levels, count.span);
+  levels.subject = statement.text("zone");
+  add_number(reading, levels, count, true);
+  mention_parts(reading, statement.parts("things"));
+  for (const language::MeaningPtr& zone : statement.parts("mentions"))
+    reading.add(Kind::zone_present, zone->span).subject = zone->text("value");
+  return true;
+}
+
+bool interpret_rows(Reading& reading, const Meaning& statement) {
+  // A number that an int holds; how many rows make sense is decided later (limits.h).
+  constexpr double max_rows_read = 1e6;
+  const Meaning& zone = *statement.parts("zone").front();
+  const double rows = statement.parts("count").front()->number("value");
+  if (rows < 1) return false;
+  reading.found.rows.push_back(
+      {zone.text("zone"), static_cast<int>(std::min(rows, max_rows_read)), statement.span});
+  mention(reading, zone);
+  return true;
+}
+
+bool interpret_aisles(Reading& reading, const Meaning& statement) {
+  const Meaning& count = *statement.parts("count").front();
+  if (count.number("value") < 1) return false;
+  add_number(reading, blank(reading, Kind::aisle_count, statement.span), count, true);
+  return true;
+}
+
+bool interpret_aisle_width(Reading& reading, const Meaning& statement) {
+  add_number(reading,
+             blank(reading, Kind::aisle_width, statement.span),
+             *statement.parts("measure").front(),
+             false);
+  return true;
+}
+
+bool interpret_height(Reading& reading, const Meaning& statement) {
+  plan::Requirement height = blank(reading, Kind::height, statement.span);
+  height.subject = statement.text("of");
+  add_number(reading, height, *statement.parts("measure").front(), false);
+  return true;
+}
+
+}  // namespace marketgen::intake

@@ -1,0 +1,25 @@
+// A language that prompts are written in: its words and how they go together.
+#pragma once
+#include <filesystem>
+
+#include "base/result.h"
+#include "intake/lexicon.h"
+#include "language/grammar.h"
+
+namespace marketgen::intake {
+
+struct Language {
+  Lexicon lexicon;
+  language::Grammar grammar;
+  language::Category statement = 0;  // of the grammar: what is asked for
+
+  // From the folder of data. Errors: of Lexicon::load and Grammar::load.
+  static Result<Language> load(const std::filesystem::path& data);
+
+  // With the catalogue's own words.
+  Language with_words_of(const catalog::Catalog& catalog) const {
+    return {lexicon.with_words_of(catalog), grammar, statement};
+  }
+};
+
+}  // namespace marketgen::intake

@@ -1,0 +1,176 @@
+#include "intake/lexical_input.h"
+
+#include <cmath>
+#include <optional>
+
+namespace marketgen::intake {
+namespace {
+
+constexpr double filler_cost = 0.1, unknown_cost = 4;  // of passing over one
+constexpr char has[] = "has";
+
+bool is_word_number(const LexiconRow& row) {
+  return row.sense == Sense::number;
+}
+
+// What number words in a row make: 2 and 100 "two hundred", 20 and 5 "twenty-five", 300 and 20
+// "three hundred and twenty"; nothing when they are two numbers.
+std::optional<double> composed(double so_far, double next) {
+  if ((next == 100 && so_far < 100) || (next == 1000 && so_far < 1000)) return so_far * next;
+  const auto ends_in = [&](double unit) { return so_far >= unit && std::fmod(so_far, unit) == 0; };
+  const bool digit_after_tens = ends_in(10) && !ends_in(100) && so_far >= 20 && next < 10;
+  if (digit_after_tens || (ends_in(100) && next < 100) || (ends_in(1000) && next < 1000))
+    return so_far + next;
+  return std::nullopt;
+}
+
+class InputMaker {
+ public:
+  InputMaker(const std::vector<Token>& sentence,
+             const std::vector<Segment>& segments,
+             const Lexicon& lexicon)
+      : tokens_(sentence), segments_(segments), lexicon_(lexicon) {}
+
+  language::Input run() {
+    for (const Segment& segment : segments_)
+      add_tokens(segment);
+    for (std::size_t at = 0; at < tokens_.size(); ++at) {
+      add_rows(at);
+      add_number(at);
+    }
+    return std::move(input_);
+  }
+
+ private:
+  void add_tokens(const Segment& segment) {
+    for (std::size_t at = segment.first; at < segment.last; ++at) {
+      language::InputToken token{tokens_[at].stem, tokens_[at].span};
+      const bool mark = tokens_[at].kind == TokenKind::symbol && segment.sense == Sense::ordinary;
+      const bool filler = segment.sense == Sense::filler || segment.sense == Sense::strength || mark;
+      const bool passed = filler && segment.value != has;
+      const bool unknown = segment.sense == Sense::ordinary && tokens_[at].kind == TokenKind::word;
+      token.skip_cost = passed ? filler_cost : unknown ? unknown_cost : -1;
+      token.counts = !filler && segment.sense != Sense::separator;
+      input_.tokens.push_back(std::move(token));
+    }
+  }
+
+  void add(std::size_t first, std::size_t last, std::string_view category, language::Meaning what) {
+    input_.entries.push_back({static_cast<int>(first),
+                              static_cast<int>(last),
+                              std::string(category),
+                              std::move(what)});
+  }
+
+  void add_rows(std::size_t at) {
+    const std::vector<Lexicon::Match> matches = lexicon_.matches(tokens_, at);
+    for (const Lexicon::Match& match : matches) {
+      const LexiconRow& row = *match.row;
+      if (is_word_number(row)) continue;
+      language::Meaning what;
+      if (!row.value.empty()) what.slots["value"] = row.value;
+      if (row.number != 0) what.slots["number"] = row.number;
+      if (!row.zone.empty()) what.slots["zone"] = row.zone;
+      const bool is_has = row.sense == Sense::filler && row.value == has;
+      const bool unknown = row.sense == Sense::ordinary;
+      add(at,
+          at + match.tokens,
+          is_has ? std::string_view(has) : unknown ? "unknown" : name_of(row.sense),
+          std::move(what));
+    }
+    if (matches.empty() && tokens_[at].kind == TokenKind::word) add(at, at + 1, "unknown", {});
+  }
+
+  struct Numeral {
+    double value = 0;
+    std::size_t last = 0;  // past it
+  };
+
+  std::optional<Numeral> word_at(std::size_t at) const {
+    if (at >= tokens_.size()) return std::nullopt;
+    if (const auto match = lexicon_.longest_match(tokens_, at);
+        match && is_word_number(*match->row))
+      return Numeral{match->row->number, at + match->tokens};
+    return std::nullopt;
+  }
+
+  bool continues_number(std::size_t at) const {
+    return at > 0 && tokens_[at - 1].kind == TokenKind::number && is_thousands(at - 1);
+  }
+
+  // Spaces part thousands in many languages. No shop is that large, so "200 300" is two numbers.
+  bool is_thousands(std::size_t at) const {
+    constexpr double largest_thousands = 99;
+    return at + 1 < tokens_.size() && tokens_[at].number <= largest_thousands &&
+           tokens_[at + 1].kind == TokenKind::number && tokens_[at + 1].text.size() == 3 &&
+           tokens_[at + 1].text.find('.') == std::string::npos &&
+           tokens_[at + 1].span[0] == tokens_[at].span[1] + 1;
+  }
+
+  void add_number(std::size_t at) {
+    std::optional<Numeral> number;
+    if (tokens_[at].kind == TokenKind::number) {
+      if (continues_number(at)) return;
+      number = Numeral{tokens_[at].number, at + 1};
+      if (is_thousands(at)) {
+        number->value = number->value * 1000 + tokens_[at + 1].number;
+        ++number->last;
+      }
+      const auto scale = word_at(number->last);  // "2 hundred"
+      if (scale && scale->value >= 100) number = {number->value * scale->value, scale->last};
+    } else {
+      number = word_at(at);
+      if (!number) return;
+      *number = composed_from(*number);
+    }
+    language::Meaning what;
+    what.slots["value"] = number->value;
+    add(at, number->last, "number", std::move(what));
+  }
+
+  Numeral composed_from(Numeral number) const {
+    while (true) {
+      const bool joined = number.last < tokens_.size() && tokens_[number.last].stem == "and";
+      const auto next = word_at(number.last + (joined ? 1 : 0));
+      if (!next || (joined && number.value < 100)) return number;
+      const auto sum = composed(number.value, next->value);
+      if (!sum) return number;
+      number = {*sum, next->last};
+    }
+  }
+
+  const std::vector<Token>& tokens_;
+  const std::vector<Segment>& segments_;
+  const Lexicon& lexicon_;
+  language::Input input_;
+};
+
+}  // namespace
+
+std::vector<Segment> segments_of(const std::vector<Token>& sentence, const Lexicon& lexicon) {
+  std::vector<Segment> segments;
+  for (std::size_t at = 0; at < sentence.size();) {
+    const auto match = lexicon.longest_match(sentence, at);
+    const std::size_t last = at + (match ? match->tokens : 1);
+    Segment segment;
+    segment.first = at;
+    segment.last = last;
+    if (match) {
+      segment.sense = match->row->sense;
+      segment.value = match->row->value;
+    } else if (sentence[at].kind == TokenKind::number) {
+      segment.sense = Sense::number;
+    }
+    segments.push_back(std::move(segment));
+    at = last;
+  }
+  return segments;
+}
+
+language::Input lexical_input(const std::vector<Token>& sentence,
+                              const std::vector<Segment>& segments,
+                              const Lexicon& lexicon) {
+  return InputMaker(sentence, segments, lexicon).run();
+}
+
+}  // namespace marketgen::intake
