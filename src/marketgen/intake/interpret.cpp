@@ -80,6 +80,7 @@ constexpr StatementKind statement_kinds[] = {
     {"size_word", interpret_size_word},
     {"mention", interpret_mention},
     {"absent", interpret_absent},
+    {"only", interpret_only},
     {"doors", interpret_doors},
     {"placed", interpret_placed},
     {"levels", interpret_levels},

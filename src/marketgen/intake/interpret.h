@@ -19,6 +19,7 @@ struct Reading {
   const std::vector<Segment>* segments = nullptr;  // of the sentence
   bool first_sentence = false;  // what a prompt names first is what is asked for
   plan::Strength strength = plan::Strength::must;  // of the clause
+  std::vector<language::MeaningPtr>* recent = nullptr;  // things of the prompt, as they were named
   double profile_weight = 0;  // how specific the sentence's word for the kind of shop is
 
   std::string words(IntRange span) const {
@@ -60,6 +61,7 @@ bool interpret_aisle_width(Reading& reading, const language::Meaning& statement)
 bool interpret_height(Reading& reading, const language::Meaning& statement);
 bool interpret_mention(Reading& reading, const language::Meaning& statement);
 bool interpret_absent(Reading& reading, const language::Meaning& statement);
+bool interpret_only(Reading& reading, const language::Meaning& statement);
 bool interpret_doors(Reading& reading, const language::Meaning& statement);
 bool interpret_placed(Reading& reading, const language::Meaning& statement);
 bool interpret_surface(Reading& reading, const language::Meaning& statement);

@@ -6,21 +6,58 @@ namespace marketgen::intake {
 namespace {
 
 using language::Meaning;
+using language::MeaningPtr;
+using language::Parts;
 
-std::vector<PlaceNoun> nouns_of(const language::Parts& parts) {
+// "it" is what was named last, "both" the last two, "the former" and "the latter" either of them.
+Parts referred(const Reading& reading, const Meaning& pronoun) {
+  const Parts& recent = *reading.recent;
+  const std::string& refers = pronoun.text("refers");
+  if (recent.empty()) return {};
+  if (refers == "last" || refers == "latter") return {recent.back()};
+  if (recent.size() < 2) return {};
+  const MeaningPtr& former = recent[recent.size() - 2];
+  return refers == "former" ? Parts{former} : Parts{former, recent.back()};
+}
+
+// With what pronouns stand for in their place.
+Parts resolved(const Reading& reading, const Parts& nouns) {
+  Parts found;
+  for (const MeaningPtr& noun : nouns) {
+    const bool pronoun = noun->is("type", "pronoun");
+    if (!pronoun) found.push_back(noun);
+    for (const MeaningPtr& named : pronoun ? referred(reading, *noun) : Parts{}) {
+      auto said = std::make_shared<Meaning>(*named);
+      said->span = noun->span;
+      found.push_back(std::move(said));
+    }
+  }
+  return found;
+}
+
+bool is_thing(const Meaning& noun) {
+  return !noun.is("type", "opening") && !noun.is("type", "place") && !noun.is("type", "pronoun");
+}
+
+// For the pronouns of what follows.
+void remember(const Reading& reading, const Parts& things) {
+  for (const MeaningPtr& thing : things)
+    if (is_thing(*thing)) reading.recent->push_back(thing);
+}
+
+std::vector<PlaceNoun> nouns_of(const Parts& parts) {
   std::vector<PlaceNoun> nouns;
-  for (const language::MeaningPtr& part : parts)
+  for (const MeaningPtr& part : parts)
     nouns.push_back(noun_of(*part));
   return nouns;
 }
 
 // Each subject to each object; "between" takes its objects together.
 bool add_relations(Reading& reading,
-                   const Meaning& place,
+                   const std::string& relation,
                    bool denied,
-                   const std::vector<PlaceNoun>& subjects) {
-  const std::string& relation = place.text("relation");
-  const std::vector<PlaceNoun> objects = nouns_of(place.parts("objects"));
+                   const std::vector<PlaceNoun>& subjects,
+                   const std::vector<PlaceNoun>& objects) {
   bool any = false;
   for (const PlaceNoun& subject : subjects) {
     if (relation == "between") {
@@ -33,20 +70,27 @@ bool add_relations(Reading& reading,
   return any;
 }
 
-bool is_thing(const Meaning& noun) {
-  return !noun.is("type", "opening") && !noun.is("type", "place");
+// Every zone type that sells something, and is none of theirs.
+void forbid_others(Reading& reading, const Parts& things, IntRange span) {
+  for (const catalog::ZoneTypeRow& row : reading.catalog.zone_types) {
+    const bool asked = std::ranges::any_of(
+        things, [&](const MeaningPtr& thing) { return thing->text("zone") == row.type; });
+    if (!asked && !row.categories.empty())
+      reading.add(plan::RequirementKind::zone_absent, span).subject = row.type;
+  }
 }
 
 }  // namespace
 
 bool interpret_mention(Reading& reading, const Meaning& statement) {
-  for (const language::MeaningPtr& thing : statement.parts("things"))
+  for (const MeaningPtr& thing : statement.parts("things"))
     mention(reading, *thing);
+  remember(reading, statement.parts("things"));
   return true;
 }
 
 bool interpret_absent(Reading& reading, const Meaning& statement) {
-  for (const language::MeaningPtr& thing : statement.parts("things")) {
+  for (const MeaningPtr& thing : statement.parts("things")) {
     PlaceNoun noun = noun_of(*thing);
     noun.negated = true;
     noun.counted = false;
@@ -57,27 +101,37 @@ bool interpret_absent(Reading& reading, const Meaning& statement) {
   return true;
 }
 
+bool interpret_only(Reading& reading, const Meaning& statement) {
+  interpret_mention(reading, statement);
+  forbid_others(reading, statement.parts("things"), statement.span);
+  return true;
+}
+
 bool interpret_doors(Reading& reading, const Meaning& statement) {
-  for (const language::MeaningPtr& door : statement.parts("things"))
+  for (const MeaningPtr& door : statement.parts("things"))
     if (door->has("count")) add_count(reading, *door);
   return true;
 }
 
 bool interpret_placed(Reading& reading, const Meaning& statement) {
   const bool denied = statement.has("denied");
-  const language::Parts& things = statement.parts("things");
-  for (const language::MeaningPtr& thing : things) {
+  const Parts things = resolved(reading, statement.parts("things"));
+  if (things.empty()) return false;
+  for (const MeaningPtr& thing : statement.parts("things")) {
     if (is_thing(*thing) && !statement.has("unwanted")) mention(reading, *thing);
     if (!is_thing(*thing) && thing->has("count")) add_count(reading, *thing);
   }
   bool any = false;
-  for (const language::MeaningPtr& place : statement.parts("at")) {
-    if (!names_far(place->text("relation"), denied)) {
-      for (const language::MeaningPtr& object : place->parts("objects"))
+  for (const MeaningPtr& place : statement.parts("at")) {
+    const std::string& relation = place->text("relation");
+    if (!names_far(relation, denied)) {
+      for (const MeaningPtr& object : place->parts("objects"))
         if (is_thing(*object)) mention(reading, *object);
     }
-    any = add_relations(reading, *place, denied, nouns_of(things)) || any;
+    const Parts objects = resolved(reading, place->parts("objects"));
+    any = add_relations(reading, relation, denied, nouns_of(things), nouns_of(objects)) || any;
   }
+  remember(reading, statement.parts("things"));
   return any;
 }
 

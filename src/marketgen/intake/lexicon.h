@@ -35,6 +35,7 @@ enum class Sense {
   opening,
   unit,
   number,
+  fraction,
   times,
   counted,
   dimension,
@@ -50,10 +51,10 @@ enum class Sense {
   filler,
   ordinary
 };
-constexpr std::array<std::string_view, 29> names_of(Sense) {
+constexpr std::array<std::string_view, 30> names_of(Sense) {
   return {"zone",       "product",  "fixture",  "shop",   "profile", "style",
           "material",   "part",     "color",    "light",  "place",   "relation",
-          "opening",    "unit",     "number",   "times",  "counted", "dimension",
+          "opening",    "unit",     "number",   "fraction", "times",  "counted", "dimension",
           "comparison", "strength", "negation", "amount", "size",    "stock",
           "separator",  "naming",   "suffix",   "filler", "ordinary"};
 }

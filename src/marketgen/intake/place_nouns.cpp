@@ -137,6 +137,7 @@ PlaceNoun noun_of(const language::Meaning& said) {
 }
 
 void mention(Reading& reading, const language::Meaning& said) {
+  if (said.is("type", "pronoun")) return;
   if (said.has("count")) add_count(reading, said);
   add_mention(reading, noun_of(said));
 }
@@ -185,6 +186,7 @@ bool add_relation(Reading& reading, const SaidRelation& said) {
   if (*kind == plan::RelationKind::at || *kind == plan::RelationKind::along)
     kind = plan::RelationKind::near;
   const std::string_view subject_name = name_in_relations(said.subject);
+  if (name_in_relations(object).empty()) return false;  // goods or fixtures of no zone of their own
   if (subject_name.empty() || subject_name == name_in_relations(object))
     return true;  // one zone holds both
   if (*kind == plan::RelationKind::between && said.objects.size() < 2) return false;

@@ -197,8 +197,10 @@ Understanding understand(std::string_view prompt,
   found.name = take_store_name(prompt, tokens, language.lexicon);
   found.understood = found.name.has_value();
   bool first = true;
+  language::Parts recent;
   for (const Tokens& sentence : sentences_of(tokens, language.lexicon)) {
     Reading reading{prompt, catalog, found};
+    reading.recent = &recent;
     reading.first_sentence = std::exchange(first, false);
     if (SentenceReader(sentence, language, reading).run()) found.understood = true;
   }
