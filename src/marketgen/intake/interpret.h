@@ -19,7 +19,7 @@ struct Reading {
   const std::vector<Segment>* segments = nullptr;  // of the sentence
   bool first_sentence = false;  // what a prompt names first is what is asked for
   plan::Strength strength = plan::Strength::must;  // of the clause
-  std::vector<language::MeaningPtr>* recent = nullptr;  // things of the prompt, as they were named
+  std::vector<language::Parts>* recent = nullptr;  // things of the prompt, statement by statement
   double profile_weight = 0;  // how specific the sentence's word for the kind of shop is
 
   std::string words(IntRange span) const {
@@ -50,6 +50,13 @@ void add_number(Reading& reading,
 
 // False when it makes no sense ("left of the back"): then its words count as not understood.
 bool interpret(Reading& reading, const language::Meaning& statement);
+
+// What "20 m2" or "5 x 4 m" is said of: `zone`, or the shop (null, or a zone that is what was asked
+// for or one of many that it has). `after`: the zone stands after the number.
+bool add_floor(Reading& reading,
+               const language::Meaning& floor,
+               const language::Meaning* zone,
+               bool after);
 
 // By kind; each adds what it says.
 bool interpret_floor(Reading& reading, const language::Meaning& statement);

@@ -59,13 +59,10 @@ bool is_the_shop(const Reading& reading, const Meaning& zone) {
 }
 
 // Of the zone, or of the shop.
-std::string owner_of(const Reading& reading, const Meaning& statement) {
-  const language::Parts& zones = statement.parts("zone");
-  if (zones.empty()) return "";
-  const Meaning& zone = *zones.front();
-  if (is_the_shop(reading, zone)) return "";
-  if (!statement.has("after") && is_one_of_many(reading, zone)) return "";
-  return zone.text("zone");
+std::string owner_of(const Reading& reading, const Meaning* zone, bool after) {
+  if (zone == nullptr || is_the_shop(reading, *zone)) return "";
+  if (!after && is_one_of_many(reading, *zone)) return "";
+  return zone->text("zone");
 }
 
 bool add_sides(Reading& reading, const Meaning& sides, IntRange span, const std::string& zone) {
@@ -104,17 +101,24 @@ void mention_parts(Reading& reading, const language::Parts& parts) {
 
 }  // namespace
 
-bool interpret_floor(Reading& reading, const Meaning& statement) {
-  const Meaning& floor = *statement.parts("floor").front();
-  const std::string zone = owner_of(reading, statement);
+bool add_floor(Reading& reading, const Meaning& floor, const Meaning* zone, bool after) {
+  const std::string owner = owner_of(reading, zone, after);
   for (const language::MeaningPtr& sides : floor.parts("sides"))
-    if (!add_sides(reading, *sides, floor.span, zone)) return false;
+    if (!add_sides(reading, *sides, floor.span, owner)) return false;
   for (const language::MeaningPtr& extent : floor.parts("extent")) {
     plan::Requirement area = blank(reading, Kind::area, floor.span);
-    area.subject = zone;
+    area.subject = owner;
     add_number(reading, area, *extent, false);
   }
-  mention_parts(reading, statement.parts("zone"));
+  return true;
+}
+
+bool interpret_floor(Reading& reading, const Meaning& statement) {
+  const language::Parts& zones = statement.parts("zone");
+  const Meaning* zone = zones.empty() ? nullptr : zones.front().get();
+  if (!add_floor(reading, *statement.parts("floor").front(), zone, statement.has("after")))
+    return false;
+  mention_parts(reading, zones);
   for (const language::MeaningPtr& also : statement.parts("also"))
     also->has("type") ? mention(reading, *also) : static_cast<void>(interpret(reading, *also));
   return true;

@@ -9,11 +9,15 @@ using language::Meaning;
 using language::MeaningPtr;
 using language::Parts;
 
-// "it" is what was named last, "both" the last two, "the former" and "the latter" either of them.
+// "it" is what was named last, "them" all that were named in one, "both" the last two, "the former"
+// and "the latter" either of them.
 Parts referred(const Reading& reading, const Meaning& pronoun) {
-  const Parts& recent = *reading.recent;
   const std::string& refers = pronoun.text("refers");
-  if (recent.empty()) return {};
+  if (reading.recent->empty()) return {};
+  if (refers == "them") return reading.recent->back();
+  Parts recent;
+  for (const Parts& things : *reading.recent)
+    recent.insert(recent.end(), things.begin(), things.end());
   if (refers == "last" || refers == "latter") return {recent.back()};
   if (recent.size() < 2) return {};
   const MeaningPtr& former = recent[recent.size() - 2];
@@ -41,8 +45,10 @@ bool is_thing(const Meaning& noun) {
 
 // For the pronouns of what follows.
 void remember(const Reading& reading, const Parts& things) {
-  for (const MeaningPtr& thing : things)
-    if (is_thing(*thing)) reading.recent->push_back(thing);
+  Parts named;
+  std::ranges::copy_if(
+      things, std::back_inserter(named), [](const MeaningPtr& thing) { return is_thing(*thing); });
+  if (!named.empty()) reading.recent->push_back(std::move(named));
 }
 
 std::vector<PlaceNoun> nouns_of(const Parts& parts) {

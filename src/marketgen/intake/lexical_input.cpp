@@ -6,7 +6,7 @@
 namespace marketgen::intake {
 namespace {
 
-constexpr double filler_cost = 0.1, unknown_cost = 4;  // of passing over one
+constexpr double filler_cost = 0.1, suffix_cost = 1, unknown_cost = 4;  // of passing over one
 constexpr char has[] = "has";
 
 bool is_word_number(const LexiconRow& row) {
@@ -49,7 +49,8 @@ class InputMaker {
       const bool filler = segment.sense == Sense::filler || segment.sense == Sense::strength || mark;
       const bool passed = filler && segment.value != has;
       const bool unknown = segment.sense == Sense::ordinary && tokens_[at].kind == TokenKind::word;
-      token.skip_cost = passed ? filler_cost : unknown ? unknown_cost : -1;
+      const bool suffix = segment.sense == Sense::suffix;
+      token.skip_cost = passed ? filler_cost : suffix ? suffix_cost : unknown ? unknown_cost : -1;
       token.counts = !filler && segment.sense != Sense::separator;
       input_.tokens.push_back(std::move(token));
     }

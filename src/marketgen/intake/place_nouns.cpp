@@ -138,6 +138,7 @@ PlaceNoun noun_of(const language::Meaning& said) {
 
 void mention(Reading& reading, const language::Meaning& said) {
   if (said.is("type", "pronoun")) return;
+  if (said.has("floor")) add_floor(reading, *said.parts("floor").front(), &said, false);
   if (said.has("count")) add_count(reading, said);
   add_mention(reading, noun_of(said));
 }
@@ -180,14 +181,14 @@ bool names_far(std::string_view relation, bool negated) {
 
 bool add_relation(Reading& reading, const SaidRelation& said) {
   std::optional<plan::RelationKind> kind = kind_of(said.value, said.negated);
-  if (!kind) return false;
+  if (!kind || name_in_relations(said.subject).empty()) return false;
   const PlaceNoun& object = said.objects[0];
   if (object.kind == NounKind::place) return add_at_place(reading, said, *kind);
   if (*kind == plan::RelationKind::at || *kind == plan::RelationKind::along)
     kind = plan::RelationKind::near;
   const std::string_view subject_name = name_in_relations(said.subject);
   if (name_in_relations(object).empty()) return false;  // goods or fixtures of no zone of their own
-  if (subject_name.empty() || subject_name == name_in_relations(object))
+  if (subject_name == name_in_relations(object))
     return true;  // one zone holds both
   if (*kind == plan::RelationKind::between && said.objects.size() < 2) return false;
   add_wish(reading, *kind, said.subject, object, name_in_relations(object));

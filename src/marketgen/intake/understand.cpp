@@ -197,7 +197,7 @@ Understanding understand(std::string_view prompt,
   found.name = take_store_name(prompt, tokens, language.lexicon);
   found.understood = found.name.has_value();
   bool first = true;
-  language::Parts recent;
+  std::vector<language::Parts> recent;
   for (const Tokens& sentence : sentences_of(tokens, language.lexicon)) {
     Reading reading{prompt, catalog, found};
     reading.recent = &recent;
