@@ -49,7 +49,8 @@ KINDS = {
     "endcaps": dict(wanted=boo),
     "name": dict(name=txt),
 }
-EXTRA = {"strength": one({"must", "prefer"}), "except": lambda v: isinstance(v, list) and v and set(v) <= ZONES}
+EXTRA = {"strength": one({"must", "prefer"}), "except": lambda v: isinstance(v, list) and v and set(v) <= ZONES,
+         "across": one({"front"}), "all_kinds": boo, "fixture": fix}
 bad, seen, kinds, words, prompts = [], set(), collections.Counter(), [], set()
 nconf = ncan = 0
 for n, line in enumerate((HERE / "en.jsonl").read_text(encoding="utf8").splitlines(), 1):
