@@ -87,6 +87,16 @@ bool relations_clash(const plan::Requirement& a, const plan::Requirement& b) {
          opposite_sides(a.object, b.object);
 }
 
+// The floor of a size, and an area said of the shop.
+bool floor_clashes(const plan::Requirement& a, const plan::Requirement& b) {
+  if (b.kind == Kind::size) return floor_clashes(b, a);
+  if (a.value == 0 || a.second_value == 0 || !b.subject.empty()) return false;
+  constexpr double tolerance = 0.05;
+  const double area = 1e-6 * a.value * a.second_value;
+  const std::array<double, 2> bounds = bounds_of(b);
+  return area < bounds[0] * (1 - tolerance) || area > bounds[1] * (1 + tolerance);
+}
+
 bool openings_clash(const plan::Requirement& a, const plan::Requirement& b) {
   const auto differ = [](const std::string& x, const std::string& y) {
     return !x.empty() && !y.empty() && x != y;
@@ -99,6 +109,9 @@ bool openings_clash(const plan::Requirement& a, const plan::Requirement& b) {
 
 bool clash(const plan::Requirement& a, const plan::Requirement& b) {
   if (a.kind == Kind::relation && b.kind == Kind::relation) return relations_clash(a, b);
+  const bool floors = (a.kind == Kind::size && b.kind == Kind::area) ||
+                      (a.kind == Kind::area && b.kind == Kind::size);
+  if (floors) return floor_clashes(a, b);
   if (opposite(a.kind, b.kind)) return a.subject == b.subject;
   const bool place_of_absent = a.kind == Kind::zone_absent && b.kind == Kind::relation;
   if (place_of_absent) return a.subject == b.subject && b.relation != plan::RelationKind::far;

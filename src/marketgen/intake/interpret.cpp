@@ -82,6 +82,7 @@ constexpr StatementKind statement_kinds[] = {
     {"absent", interpret_absent},
     {"only", interpret_only},
     {"doors", interpret_doors},
+    {"held", interpret_held},
     {"placed", interpret_placed},
     {"levels", interpret_levels},
     {"rows", interpret_rows},

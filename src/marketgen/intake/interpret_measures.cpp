@@ -93,6 +93,13 @@ plan::Requirement blank(const Reading& reading, Kind kind, IntRange span) {
   return wish;
 }
 
+// "No aisle narrower than 1.5 m" turns its comparison round.
+Meaning measure_of(const Meaning& statement) {
+  Meaning measure = *statement.parts("measure").front();
+  if (statement.has("comparison")) measure.slots["comparison"] = statement.text("comparison");
+  return measure;
+}
+
 void mention_parts(Reading& reading, const language::Parts& parts) {
   for (const language::MeaningPtr& part : parts) {
     if (part->has("type")) mention(reading, *part);
@@ -168,17 +175,15 @@ bool interpret_aisles(Reading& reading, const Meaning& statement) {
 }
 
 bool interpret_aisle_width(Reading& reading, const Meaning& statement) {
-  add_number(reading,
-             blank(reading, Kind::aisle_width, statement.span),
-             *statement.parts("measure").front(),
-             false);
+  add_number(
+      reading, blank(reading, Kind::aisle_width, statement.span), measure_of(statement), false);
   return true;
 }
 
 bool interpret_height(Reading& reading, const Meaning& statement) {
   plan::Requirement height = blank(reading, Kind::height, statement.span);
   height.subject = statement.text("of");
-  add_number(reading, height, *statement.parts("measure").front(), false);
+  add_number(reading, height, measure_of(statement), false);
   return true;
 }
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 
 #include "intake/place_nouns.h"
 
@@ -58,6 +59,34 @@ std::vector<PlaceNoun> nouns_of(const Parts& parts) {
   return nouns;
 }
 
+// "The entrance at the left end of the south wall": one wish, of a wall and an end of it.
+bool add_door(Reading& reading, const PlaceNoun& door, const Parts& places) {
+  std::optional<std::size_t> first;
+  for (const MeaningPtr& place : places) {
+    for (const MeaningPtr& spot : place->parts("objects")) {
+      const std::size_t made = reading.found.requirements.size();
+      if (!add_relation(reading, {place->text("relation"), false, door, {noun_of(*spot)}}) ||
+          reading.found.requirements.size() == made)
+        continue;
+      plan::Requirement& wish = reading.found.requirements.back();
+      if (wish.kind != plan::RequirementKind::opening || !first) {
+        if (wish.kind == plan::RequirementKind::opening) first = made;
+        continue;
+      }
+      plan::Requirement& whole = reading.found.requirements[*first];
+      const bool fits = (whole.object.empty() || wish.object.empty() || whole.object == wish.object) &&
+                        (whole.second_object.empty() || wish.second_object.empty());
+      if (!fits) continue;
+      if (whole.object.empty()) whole.object = wish.object;
+      if (whole.second_object.empty()) whole.second_object = wish.second_object;
+      whole.span = joined(whole.span, wish.span);
+      whole.text = reading.words(whole.span);
+      reading.found.requirements.pop_back();
+    }
+  }
+  return first.has_value();
+}
+
 // Each subject to each object; "between" takes its objects together.
 bool add_relations(Reading& reading,
                    const std::string& relation,
@@ -76,12 +105,18 @@ bool add_relations(Reading& reading,
   return any;
 }
 
+bool sells(const catalog::Catalog& catalog, const catalog::ZoneTypeRow& row) {
+  const catalog::FixtureKind* kind = catalog.fixture_kind(row.fixture);
+  return !row.categories.empty() ||
+         (kind != nullptr && kind->role == catalog::FixtureRole::shelving);
+}
+
 // Every zone type that sells something, and is none of theirs.
 void forbid_others(Reading& reading, const Parts& things, IntRange span) {
   for (const catalog::ZoneTypeRow& row : reading.catalog.zone_types) {
     const bool asked = std::ranges::any_of(
         things, [&](const MeaningPtr& thing) { return thing->text("zone") == row.type; });
-    if (!asked && !row.categories.empty())
+    if (!asked && sells(reading.catalog, row))
       reading.add(plan::RequirementKind::zone_absent, span).subject = row.type;
   }
 }
@@ -113,6 +148,24 @@ bool interpret_only(Reading& reading, const Meaning& statement) {
   return true;
 }
 
+// "Wine in wine racks": the fixtures are those of the goods' zone. What is no fixture stands near.
+bool interpret_held(Reading& reading, const Meaning& statement) {
+  statement.has("only") ? interpret_only(reading, statement)
+                        : interpret_mention(reading, statement);
+  const Meaning& goods = *statement.parts("things").front();
+  for (const MeaningPtr& by : statement.parts("by")) {
+    if (!by->is("type", "fixture")) {
+      mention(reading, *by);
+      add_relation(reading, {"near", false, noun_of(goods), {noun_of(*by)}});
+      continue;
+    }
+    Meaning fixture = *by;
+    if (!goods.text("zone").empty()) fixture.slots["zone"] = goods.text("zone");
+    mention(reading, fixture);
+  }
+  return true;
+}
+
 bool interpret_doors(Reading& reading, const Meaning& statement) {
   for (const MeaningPtr& door : statement.parts("things"))
     if (door->has("count")) add_count(reading, *door);
@@ -127,6 +180,8 @@ bool interpret_placed(Reading& reading, const Meaning& statement) {
     if (is_thing(*thing) && !statement.has("unwanted")) mention(reading, *thing);
     if (!is_thing(*thing) && thing->has("count")) add_count(reading, *thing);
   }
+  if (things.front()->is("type", "opening") && !denied)
+    return add_door(reading, noun_of(*things.front()), statement.parts("at"));
   bool any = false;
   for (const MeaningPtr& place : statement.parts("at")) {
     const std::string& relation = place->text("relation");

@@ -161,12 +161,9 @@ std::vector<ConstituentPtr> best_cover(const Chart& chart,
   for (std::size_t end = 1; end <= input.tokens.size(); ++end) {
     best[end] = {best[end - 1].gain, nullptr};
     for (const ConstituentPtr& one : by_end[end]) {
-      const auto counted = std::ranges::count_if(one->meaning->words, [&](int word) {
-        return input.tokens[static_cast<std::size_t>(word)].counts;
-      });
-      const double gain = best[static_cast<std::size_t>(one->begin)].gain +
-                          rules.of_word * static_cast<double>(counted) - rules.of_constituent -
-                          one->cost;
+      double gain = best[static_cast<std::size_t>(one->begin)].gain - rules.of_constituent - one->cost;
+      for (const int word : one->meaning->words)
+        gain += input.tokens[static_cast<std::size_t>(word)].counts ? rules.of_word : rules.of_filler;
       if (gain > best[end].gain) best[end] = {gain, one};
     }
   }

@@ -84,6 +84,7 @@ class Chart {
 
 struct CoverRules {
   double of_word = 10;        // that is understood
+  double of_filler = 2;       // that has a part in it
   double of_constituent = 3;  // few large ones rather than many small ones
 };
 
