@@ -19,6 +19,12 @@ bool shop_is_measured(const Reading& reading) {
          reading.found.find(Kind::area, "") != nullptr;
 }
 
+bool floor_is_known(const Reading& reading) {
+  const plan::Requirement* size = reading.found.find(Kind::size);
+  return reading.found.find(Kind::area, "") != nullptr ||
+         (size != nullptr && size->value > 0 && size->second_value > 0);
+}
+
 bool names_a_shop(const Segment& segment) {
   return segment.sense == Sense::shop || segment.sense == Sense::profile;
 }
@@ -123,6 +129,8 @@ bool add_floor(Reading& reading, const Meaning& floor, const Meaning* zone, bool
 bool interpret_floor(Reading& reading, const Meaning& statement) {
   const language::Parts& zones = statement.parts("zone");
   const Meaning* zone = zones.empty() ? nullptr : zones.front().get();
+  // A second size is of something that the grammar did not see, unless the shop is named with it.
+  if (zone == nullptr && !statement.has("shop") && floor_is_known(reading)) return false;
   if (!add_floor(reading, *statement.parts("floor").front(), zone, statement.has("after")))
     return false;
   mention_parts(reading, zones);

@@ -6,7 +6,7 @@
 namespace marketgen::intake {
 namespace {
 
-constexpr double filler_cost = 0.1, suffix_cost = 1, unknown_cost = 4;  // of passing over one
+constexpr double filler_cost = 0.1, suffix_cost = 1, unknown_cost = 2;  // of passing over one
 constexpr char has[] = "has";
 
 bool is_word_number(const LexiconRow& row) {

@@ -44,7 +44,7 @@ struct Constituent {
 };
 
 struct ChartLimits {
-  double max_gap_cost = 8;            // between two items
+  double max_gap_cost = 5;            // between two items
   int max_readings = 6;               // of one category over the same tokens, the cheapest
   std::size_t max_edges = 200000;     // of a sentence; then it ends with what it has
 };
