@@ -20,6 +20,7 @@ struct Reading {
   bool first_sentence = false;  // what a prompt names first is what is asked for
   plan::Strength strength = plan::Strength::must;  // of the clause
   std::vector<language::Parts>* recent = nullptr;  // things of the prompt, statement by statement
+  std::vector<int> senseless = {};  // words of a statement, part of which made sense
   double profile_weight = 0;  // how specific the sentence's word for the kind of shop is
 
   std::string words(IntRange span) const {
@@ -48,7 +49,8 @@ void add_number(Reading& reading,
                 const language::Meaning& number,
                 bool whole);
 
-// False when it makes no sense ("left of the back"): then its words count as not understood.
+// False when it makes no sense ("left of the back"): then its words count as not understood. Where
+// only a part makes none, the words of that part are in Reading::senseless.
 bool interpret(Reading& reading, const language::Meaning& statement);
 
 // What "20 m2" or "5 x 4 m" is said of: `zone`, or the shop (null, or a zone that is what was asked

@@ -172,25 +172,44 @@ bool interpret_doors(Reading& reading, const Meaning& statement) {
   return true;
 }
 
+namespace {
+
+// What the things are, before where they are. True when there are any.
+bool mention_placed(Reading& reading, const Meaning& statement) {
+  bool any = false;
+  for (const MeaningPtr& thing : statement.parts("things")) {
+    const bool wanted = is_thing(*thing) && !statement.has("unwanted");
+    if (wanted) mention(reading, *thing);
+    if (!is_thing(*thing) && thing->has("count")) add_count(reading, *thing);
+    any = any || wanted || thing->has("count");
+  }
+  return any;
+}
+
+bool add_place(Reading& reading, const Meaning& place, const Parts& things, bool denied) {
+  const std::string& relation = place.text("relation");
+  if (!names_far(relation, denied)) {
+    for (const MeaningPtr& object : place.parts("objects"))
+      if (is_thing(*object)) mention(reading, *object);
+  }
+  const Parts objects = resolved(reading, place.parts("objects"));
+  return add_relations(reading, relation, denied, nouns_of(things), nouns_of(objects));
+}
+
+}  // namespace
+
 bool interpret_placed(Reading& reading, const Meaning& statement) {
   const bool denied = statement.has("denied");
   const Parts things = resolved(reading, statement.parts("things"));
   if (things.empty()) return false;
-  for (const MeaningPtr& thing : statement.parts("things")) {
-    if (is_thing(*thing) && !statement.has("unwanted")) mention(reading, *thing);
-    if (!is_thing(*thing) && thing->has("count")) add_count(reading, *thing);
-  }
+  bool any = mention_placed(reading, statement);
   if (things.front()->is("type", "opening") && !denied)
-    return add_door(reading, noun_of(*things.front()), statement.parts("at"));
-  bool any = false;
+    return add_door(reading, noun_of(*things.front()), statement.parts("at")) || any;
   for (const MeaningPtr& place : statement.parts("at")) {
-    const std::string& relation = place->text("relation");
-    if (!names_far(relation, denied)) {
-      for (const MeaningPtr& object : place->parts("objects"))
-        if (is_thing(*object)) mention(reading, *object);
-    }
-    const Parts objects = resolved(reading, place->parts("objects"));
-    any = add_relations(reading, relation, denied, nouns_of(things), nouns_of(objects)) || any;
+    if (add_place(reading, *place, things, denied))
+      any = true;
+    else
+      reading.senseless.insert(reading.senseless.end(), place->words.begin(), place->words.end());
   }
   remember(reading, statement.parts("things"));
   return any;

@@ -43,14 +43,22 @@ bool is_picture(const Token& token) {
   return token.kind == TokenKind::symbol && utf8proc_category(code) == UTF8PROC_CATEGORY_SO;
 }
 
+// A sentence that never ends is cut at a comma, or in the end anywhere: reading takes more than
+// twice the time for twice the words.
+bool is_cut(const Tokens& sentence, const Token& next) {
+  constexpr std::size_t long_sentence = 80, longest_sentence = 200;  // tokens
+  return (sentence.size() >= long_sentence && next.text == ",") ||
+         sentence.size() >= longest_sentence;
+}
+
 // Slips of the pen mended, one word at a time; cut into sentences.
 std::vector<Tokens> sentences_of(const Tokens& tokens, const Lexicon& lexicon) {
   std::vector<Tokens> sentences(1);
   for (Token token : tokens) {
-    if (token.kind == TokenKind::sentence_end) {
-      if (!sentences.back().empty()) sentences.emplace_back();
-      continue;
-    }
+    const bool ends = token.kind == TokenKind::sentence_end;
+    if ((ends || is_cut(sentences.back(), token)) && !sentences.back().empty())
+      sentences.emplace_back();
+    if (ends) continue;
     const bool word = token.kind == TokenKind::word;
     if (const auto better = word ? lexicon.corrected(token.stem) : std::nullopt)
       token.stem = *better;
@@ -96,10 +104,15 @@ class SentenceReader {
     bool understood = false;
     for (const auto& statement : best_cover(chart, language_.statement, input)) {
       reading_.strength = strengths[static_cast<std::size_t>(statement->begin)];
-      if (!interpret(reading_, *statement->meaning)) continue;
+      if (!interpret(reading_, *statement->meaning)) {
+        reading_.senseless.clear();
+        continue;
+      }
       understood = true;
       for (const int word : statement->meaning->words)
         used[static_cast<std::size_t>(word)] = true;
+      for (const int word : std::exchange(reading_.senseless, {}))
+        used[static_cast<std::size_t>(word)] = false;
     }
     collect_unparsed(used);
     return understood;
