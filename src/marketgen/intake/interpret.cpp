@@ -59,8 +59,8 @@ bool interpret_stock(Reading& reading, const Meaning& said) {
   plan::Requirement& stock = reading.add(plan::RequirementKind::stock, said.span);
   stock.subject = said.text("value");
   stock.value = said.number("number");
-  stock.comparison = value_named<plan::Comparison>(said.text("comparison"))
-                         .value_or(plan::Comparison::equal);
+  stock.comparison =
+      value_named<plan::Comparison>(said.text("comparison")).value_or(plan::Comparison::equal);
   return true;
 }
 
@@ -70,34 +70,24 @@ struct StatementKind {
   Interpreter interpreter;
 };
 constexpr StatementKind statement_kinds[] = {
-    {"floor", interpret_floor},
-    {"side", interpret_side},
-    {"profile", interpret_profile},
-    {"shop", interpret_nothing},
-    {"nothing", interpret_nothing},
-    {"list", interpret_list},
-    {"style", interpret_style},
-    {"size_word", interpret_size_word},
-    {"mention", interpret_mention},
-    {"absent", interpret_absent},
-    {"only", interpret_only},
-    {"doors", interpret_doors},
-    {"held", interpret_held},
-    {"placed", interpret_placed},
-    {"levels", interpret_levels},
-    {"rows", interpret_rows},
-    {"aisles", interpret_aisles},
-    {"aisle_width", interpret_aisle_width},
-    {"height", interpret_height},
-    {"surface", interpret_surface},
-    {"light", interpret_light},
-    {"stock", interpret_stock},
+    {"floor", interpret_floor},     {"side", interpret_side},
+    {"profile", interpret_profile}, {"shop", interpret_nothing},
+    {"nothing", interpret_nothing}, {"list", interpret_list},
+    {"style", interpret_style},     {"size_word", interpret_size_word},
+    {"mention", interpret_mention}, {"absent", interpret_absent},
+    {"only", interpret_only},       {"doors", interpret_doors},
+    {"held", interpret_held},       {"placed", interpret_placed},
+    {"levels", interpret_levels},   {"rows", interpret_rows},
+    {"aisles", interpret_aisles},   {"aisle_width", interpret_aisle_width},
+    {"height", interpret_height},   {"surface", interpret_surface},
+    {"light", interpret_light},     {"stock", interpret_stock},
 };
 
 }  // namespace
 
 bool interpret(Reading& reading, const Meaning& statement) {
-  const auto kind = std::ranges::find(statement_kinds, statement.text("kind"), &StatementKind::name);
+  const auto kind =
+      std::ranges::find(statement_kinds, statement.text("kind"), &StatementKind::name);
   return kind != std::end(statement_kinds) && kind->interpreter(reading, statement);
 }
 
@@ -107,8 +97,8 @@ void add_number(Reading& reading,
                 bool whole) {
   plan::Requirement made = wish;
   made.value = number.number("value") + (whole ? number.number("shift") : 0);
-  made.comparison = value_named<plan::Comparison>(number.text("comparison"))
-                        .value_or(plan::Comparison::equal);
+  made.comparison =
+      value_named<plan::Comparison>(number.text("comparison")).value_or(plan::Comparison::equal);
   if (number.has("upper")) made.comparison = plan::Comparison::at_least;
   reading.found.requirements.push_back(made);
   if (!number.has("upper")) return;

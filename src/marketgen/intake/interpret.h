@@ -17,10 +17,10 @@ struct Reading {
   const catalog::Catalog& catalog;
   Understanding& found;
   const std::vector<Segment>* segments = nullptr;  // of the sentence
-  bool first_sentence = false;  // what a prompt names first is what is asked for
+  bool first_sentence = false;                     // what a prompt names first is what is asked for
   plan::Strength strength = plan::Strength::must;  // of the clause
   std::vector<language::Parts>* recent = nullptr;  // things of the prompt, statement by statement
-  std::vector<int> senseless = {};  // words of a statement, part of which made sense
+  std::vector<int> senseless = {};                 // words of a statement, part of which made sense
   double profile_weight = 0;  // how specific the sentence's word for the kind of shop is
 
   std::string words(IntRange span) const {

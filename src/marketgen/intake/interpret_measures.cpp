@@ -15,8 +15,7 @@ constexpr double metre_mm = 1000;
 constexpr double min_store_m = 4, max_store_m = 200;
 
 bool shop_is_measured(const Reading& reading) {
-  return reading.found.find(Kind::size) != nullptr ||
-         reading.found.find(Kind::area, "") != nullptr;
+  return reading.found.find(Kind::size) != nullptr || reading.found.find(Kind::area, "") != nullptr;
 }
 
 bool floor_is_known(const Reading& reading) {
@@ -46,12 +45,11 @@ std::size_t segment_of(const Reading& reading, int token) {
 bool is_one_of_many(const Reading& reading, const Meaning& zone) {
   const auto& segments = *reading.segments;
   const std::size_t at = segment_of(reading, zone.words.front());
-  const bool listed = at >= 2 && segments[at - 1].sense == Sense::separator &&
-                      is_goods(segments[at - 2]);
+  const bool listed =
+      at >= 2 && segments[at - 1].sense == Sense::separator && is_goods(segments[at - 2]);
   return listed && !shop_is_measured(reading) &&
-         std::any_of(segments.begin(),
-                     segments.begin() + static_cast<std::ptrdiff_t>(at),
-                     names_a_shop);
+         std::any_of(
+             segments.begin(), segments.begin() + static_cast<std::ptrdiff_t>(at), names_a_shop);
 }
 
 // The one thing that was asked for is "a bakery of 20 m2".
@@ -61,7 +59,8 @@ bool is_the_shop(const Reading& reading, const Meaning& zone) {
   const auto& segments = *reading.segments;
   const std::size_t at = segment_of(reading, zone.words.front());
   return std::ranges::none_of(segments, names_a_shop) &&
-         std::none_of(segments.begin(), segments.begin() + static_cast<std::ptrdiff_t>(at), is_goods);
+         std::none_of(
+             segments.begin(), segments.begin() + static_cast<std::ptrdiff_t>(at), is_goods);
 }
 
 // Of the zone, or of the shop.
@@ -142,8 +141,7 @@ bool interpret_floor(Reading& reading, const Meaning& statement) {
 bool interpret_side(Reading& reading, const Meaning& statement) {
   const Meaning& side = *statement.parts("side").front();
   const double value = side.number("value");
-  if (value < min_store_m * metre_mm || value > max_store_m * metre_mm ||
-      shop_is_measured(reading))
+  if (value < min_store_m * metre_mm || value > max_store_m * metre_mm || shop_is_measured(reading))
     return false;
   plan::Requirement& size = reading.add(Kind::size, side.span);
   (side.is("side", "width") ? size.value : size.second_value) = value;

@@ -74,8 +74,9 @@ bool add_door(Reading& reading, const PlaceNoun& door, const Parts& places) {
         continue;
       }
       plan::Requirement& whole = reading.found.requirements[*first];
-      const bool fits = (whole.object.empty() || wish.object.empty() || whole.object == wish.object) &&
-                        (whole.second_object.empty() || wish.second_object.empty());
+      const bool fits =
+          (whole.object.empty() || wish.object.empty() || whole.object == wish.object) &&
+          (whole.second_object.empty() || wish.second_object.empty());
       if (!fits) continue;
       if (whole.object.empty()) whole.object = wish.object;
       if (whole.second_object.empty()) whole.second_object = wish.second_object;
@@ -144,7 +145,12 @@ bool interpret_absent(Reading& reading, const Meaning& statement) {
 
 bool interpret_only(Reading& reading, const Meaning& statement) {
   interpret_mention(reading, statement);
-  forbid_others(reading, statement.parts("things"), statement.span);
+  const Parts& things = statement.parts("things");
+  const bool goods = std::ranges::any_of(things, [&](const MeaningPtr& thing) {
+    const catalog::ZoneTypeRow* zone = reading.catalog.zone_type(thing->text("zone"));
+    return !thing->is("type", "fixture") && zone != nullptr && sells(reading.catalog, *zone);
+  });
+  if (goods) forbid_others(reading, things, statement.span);  // "one till only" is but a number
   return true;
 }
 

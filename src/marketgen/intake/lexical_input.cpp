@@ -46,7 +46,8 @@ class InputMaker {
     for (std::size_t at = segment.first; at < segment.last; ++at) {
       language::InputToken token{tokens_[at].stem, tokens_[at].span};
       const bool mark = tokens_[at].kind == TokenKind::symbol && segment.sense == Sense::ordinary;
-      const bool filler = segment.sense == Sense::filler || segment.sense == Sense::strength || mark;
+      const bool filler =
+          segment.sense == Sense::filler || segment.sense == Sense::strength || mark;
       const bool passed = filler && segment.value != has;
       const bool unknown = segment.sense == Sense::ordinary && tokens_[at].kind == TokenKind::word;
       const bool suffix = segment.sense == Sense::suffix;
@@ -57,10 +58,8 @@ class InputMaker {
   }
 
   void add(std::size_t first, std::size_t last, std::string_view category, language::Meaning what) {
-    input_.entries.push_back({static_cast<int>(first),
-                              static_cast<int>(last),
-                              std::string(category),
-                              std::move(what)});
+    input_.entries.push_back(
+        {static_cast<int>(first), static_cast<int>(last), std::string(category), std::move(what)});
   }
 
   void add_rows(std::size_t at) {
@@ -76,7 +75,9 @@ class InputMaker {
       const bool unknown = row.sense == Sense::ordinary;
       add(at,
           at + match.tokens,
-          is_has ? std::string_view(has) : unknown ? "unknown" : name_of(row.sense),
+          is_has    ? std::string_view(has)
+          : unknown ? "unknown"
+                    : name_of(row.sense),
           std::move(what));
     }
     if (matches.empty() && tokens_[at].kind == TokenKind::word) add(at, at + 1, "unknown", {});

@@ -10,9 +10,9 @@ namespace marketgen::intake {
 
 // What the words of a sentence are when each is taken for the longest phrase it begins.
 struct Segment {
-  std::size_t first = 0, last = 0;     // tokens, past the last
-  Sense sense = Sense::ordinary;       // of words in no row, too
-  std::string value;                   // of the row
+  std::size_t first = 0, last = 0;  // tokens, past the last
+  Sense sense = Sense::ordinary;    // of words in no row, too
+  std::string value;                // of the row
 };
 std::vector<Segment> segments_of(const std::vector<Token>& sentence, const Lexicon& lexicon);
 

@@ -52,11 +52,11 @@ enum class Sense {
   ordinary
 };
 constexpr std::array<std::string_view, 30> names_of(Sense) {
-  return {"zone",       "product",  "fixture",  "shop",   "profile", "style",
-          "material",   "part",     "color",    "light",  "place",   "relation",
-          "opening",    "unit",     "number",   "fraction", "times",  "counted", "dimension",
-          "comparison", "strength", "negation", "amount", "size",    "stock",
-          "separator",  "naming",   "suffix",   "filler", "ordinary"};
+  return {"zone",      "product",    "fixture",  "shop",     "profile", "style",
+          "material",  "part",       "color",    "light",    "place",   "relation",
+          "opening",   "unit",       "number",   "fraction", "times",   "counted",
+          "dimension", "comparison", "strength", "negation", "amount",  "size",
+          "stock",     "separator",  "naming",   "suffix",   "filler",  "ordinary"};
 }
 
 struct LexiconRow {

@@ -44,8 +44,8 @@ void add_wish(Reading& reading,
               const PlaceNoun& subject,
               const PlaceNoun& object,
               std::string_view object_name) {
-  plan::Requirement& wish = reading.add(
-      plan::RequirementKind::relation, joined(subject.span, object.span));
+  plan::Requirement& wish =
+      reading.add(plan::RequirementKind::relation, joined(subject.span, object.span));
   wish.relation = kind;
   wish.subject = name_in_relations(subject);
   wish.object = object_name;
@@ -53,8 +53,8 @@ void add_wish(Reading& reading,
 
 // "the entrance on the east wall", "an exit on the right"
 bool add_opening_place(Reading& reading, const PlaceNoun& opening, const PlaceNoun& place) {
-  plan::Requirement& wish = reading.add(
-      plan::RequirementKind::opening, joined(opening.span, place.span));
+  plan::Requirement& wish =
+      reading.add(plan::RequirementKind::opening, joined(opening.span, place.span));
   wish.subject = opening.name;
   const std::vector<std::string> sides = split(place.name, '+');  // a corner has two
   const bool front_or_back = sides[0] != "left" && sides[0] != "right" && sides[0] != "center";
@@ -108,14 +108,12 @@ void add_product_mention(Reading& reading, const PlaceNoun& noun) {
 void add_fixture_mention(Reading& reading, const PlaceNoun& noun) {
   if (noun.counted) return;
   if (noun.name == "endcap") {
-    plan::Requirement& endcaps =
-        reading.add(plan::RequirementKind::endcaps, noun.span);
+    plan::Requirement& endcaps = reading.add(plan::RequirementKind::endcaps, noun.span);
     endcaps.value = noun.negated ? 0 : 1;
     endcaps.comparison = noun.negated ? plan::Comparison::at_most : plan::Comparison::at_least;
     return;
   }
-  plan::Requirement& wish =
-      reading.add(plan::RequirementKind::fixture_count, noun.span);
+  plan::Requirement& wish = reading.add(plan::RequirementKind::fixture_count, noun.span);
   wish.subject = noun.name;
   wish.object = noun.zone;
   wish.comparison = noun.negated ? plan::Comparison::at_most : plan::Comparison::at_least;
@@ -149,7 +147,7 @@ void add_count(Reading& reading, const language::Meaning& said) {
   const std::string& name = said.text("name");
   const bool tills = name == "checkout" || name == "self_checkout";
   plan::Requirement count;
-  count.kind = said.is("type", "opening")         ? plan::RequirementKind::opening
+  count.kind = said.is("type", "opening")          ? plan::RequirementKind::opening
                : said.is("type", "zone") && !tills ? plan::RequirementKind::zone_count
                                                    : plan::RequirementKind::fixture_count;
   count.span = said.span;
@@ -188,8 +186,7 @@ bool add_relation(Reading& reading, const SaidRelation& said) {
     kind = plan::RelationKind::near;
   const std::string_view subject_name = name_in_relations(said.subject);
   if (name_in_relations(object).empty()) return false;  // goods or fixtures of no zone of their own
-  if (subject_name == name_in_relations(object))
-    return true;  // one zone holds both
+  if (subject_name == name_in_relations(object)) return true;  // one zone holds both
   if (*kind == plan::RelationKind::between && said.objects.size() < 2) return false;
   add_wish(reading, *kind, said.subject, object, name_in_relations(object));
   if (*kind != plan::RelationKind::between) return true;

@@ -52,15 +52,15 @@ bool is_cut(const Tokens& sentence, const Token& next) {
 }
 
 // Slips of the pen mended, one word at a time; cut into sentences.
-std::vector<Tokens> sentences_of(const Tokens& tokens, const Lexicon& lexicon) {
+std::vector<Tokens> sentences_of(const Tokens& tokens, const Language& language) {
   std::vector<Tokens> sentences(1);
   for (Token token : tokens) {
     const bool ends = token.kind == TokenKind::sentence_end;
     if ((ends || is_cut(sentences.back(), token)) && !sentences.back().empty())
       sentences.emplace_back();
     if (ends) continue;
-    const bool word = token.kind == TokenKind::word;
-    if (const auto better = word ? lexicon.corrected(token.stem) : std::nullopt)
+    const bool mend = token.kind == TokenKind::word && !language.grammar.has_word(token.stem);
+    if (const auto better = mend ? language.lexicon.corrected(token.stem) : std::nullopt)
       token.stem = *better;
     sentences.back().push_back(std::move(token));
   }
@@ -211,7 +211,7 @@ Understanding understand(std::string_view prompt,
   found.understood = found.name.has_value();
   bool first = true;
   std::vector<language::Parts> recent;
-  for (const Tokens& sentence : sentences_of(tokens, language.lexicon)) {
+  for (const Tokens& sentence : sentences_of(tokens, language)) {
     Reading reading{prompt, catalog, found};
     reading.recent = &recent;
     reading.first_sentence = std::exchange(first, false);

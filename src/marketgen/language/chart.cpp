@@ -68,8 +68,8 @@ Chart::Chart(const Grammar& grammar, const Input& input, ChartLimits limits)
 // The cheapest first: whatever is made of it costs no less.
 void Chart::read() {
   while (!agenda_.empty() && !full()) {
-    const auto cheapest = std::ranges::min_element(
-        agenda_, {}, [](const ConstituentPtr& one) { return one->cost; });
+    const auto cheapest =
+        std::ranges::min_element(agenda_, {}, [](const ConstituentPtr& one) { return one->cost; });
     const ConstituentPtr next = std::move(*cheapest);
     agenda_.erase(cheapest);
     add(next);
@@ -161,9 +161,11 @@ std::vector<ConstituentPtr> best_cover(const Chart& chart,
   for (std::size_t end = 1; end <= input.tokens.size(); ++end) {
     best[end] = {best[end - 1].gain, nullptr};
     for (const ConstituentPtr& one : by_end[end]) {
-      double gain = best[static_cast<std::size_t>(one->begin)].gain - rules.of_constituent - one->cost;
+      double gain =
+          best[static_cast<std::size_t>(one->begin)].gain - rules.of_constituent - one->cost;
       for (const int word : one->meaning->words)
-        gain += input.tokens[static_cast<std::size_t>(word)].counts ? rules.of_word : rules.of_filler;
+        gain +=
+            input.tokens[static_cast<std::size_t>(word)].counts ? rules.of_word : rules.of_filler;
       if (gain > best[end].gain) best[end] = {gain, one};
     }
   }

@@ -44,9 +44,9 @@ struct Constituent {
 };
 
 struct ChartLimits {
-  double max_gap_cost = 5;            // between two items
-  int max_readings = 6;               // of one category over the same tokens, the cheapest
-  std::size_t max_edges = 200000;     // of a sentence; then it ends with what it has
+  double max_gap_cost = 5;         // between two items
+  int max_readings = 6;            // of one category over the same tokens, the cheapest
+  std::size_t max_edges = 200000;  // of a sentence; then it ends with what it has
 };
 
 class Chart {
@@ -60,7 +60,7 @@ class Chart {
   bool full() const { return edges_ >= limits_.max_edges; }  // some readings were not looked for
 
  private:
-  struct Begun {  // a rule whose first items were found
+  struct Begun {              // a rule whose first items were found
     int rule = 0, found = 0;  // items
     int begin = 0, end = 0;
     double cost = 0;
@@ -74,11 +74,11 @@ class Chart {
   const Grammar& grammar_;
   const Input& input_;
   ChartLimits limits_;
-  std::vector<std::vector<ConstituentPtr>> ending_;  // by end
+  std::vector<std::vector<ConstituentPtr>> ending_;            // by end
   std::vector<std::map<Category, std::vector<Begun>>> begun_;  // by end and the category awaited
-  std::vector<ConstituentPtr> agenda_;               // end at the position that is read
-  std::vector<std::vector<std::pair<int, double>>> gaps_;  // by position: where what came before may
-                                                           // end, and what lies between costs
+  std::vector<ConstituentPtr> agenda_;                         // end at the position that is read
+  std::vector<std::vector<std::pair<int, double>>> gaps_;  // by position: where what came before
+                                                           // may end, and what lies between costs
   std::size_t edges_ = 0;
 };
 

@@ -50,8 +50,8 @@ bool Constraint::holds(const Meaning& meaning) const {
 }
 
 bool Item::takes(const Meaning& meaning) const {
-  return std::ranges::all_of(constraints,
-                             [&](const Constraint& constraint) { return constraint.holds(meaning); });
+  return std::ranges::all_of(
+      constraints, [&](const Constraint& constraint) { return constraint.holds(meaning); });
 }
 
 Result<Grammar> Grammar::parse(std::string_view text, const std::string& where) {
@@ -93,6 +93,10 @@ std::optional<Category> Grammar::category(std::string_view name) const {
   const auto found = categories_.find(name);
   if (found == categories_.end()) return std::nullopt;
   return found->second;
+}
+
+bool Grammar::has_word(std::string_view stem) const {
+  return categories_.contains("'" + std::string(stem) + "'");
 }
 
 Category Grammar::category_named(std::string_view name) {

@@ -6,13 +6,13 @@
 //
 // left of ':' the category that is made; right of it its items in their order: a category, or
 // 'a word' by its stem. In brackets what an item must say: [slot=value], [slot=','], [slot!=value],
-// [slot] (it says something), [!slot] (nothing). An item with ? may be missing. After '=' what the whole says,
-// parted by commas: a number, a name, item 1 (what it says, as a part), 1.slot, products (numbers)
-// and sums (numbers, or parts one after the other); @1 takes over all that item 1 says. A rule with
-// one item and no '=' takes over what it says. "!2" before the comment is what the reading costs:
-// of two readings of the same words the cheaper one is taken (chart.h). After // stands an example,
-// which a test reads. A line that begins with # is a comment, and one that begins with white space
-// goes on with the line before.
+// [slot] (it says something), [!slot] (nothing). An item with ? may be missing. After '=' what the
+// whole says, parted by commas: a number, a name, item 1 (what it says, as a part), 1.slot,
+// products (numbers) and sums (numbers, or parts one after the other); @1 takes over all that item
+// 1 says. A rule with one item and no '=' takes over what it says. "!2" before the comment is what
+// the reading costs: of two readings of the same words the cheaper one is taken (chart.h). After //
+// stands an example, which a test reads. A line that begins with # is a comment, and one that
+// begins with white space goes on with the line before.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -84,6 +84,8 @@ class Grammar {
   }
   // Nothing for names that no rule has.
   std::optional<Category> category(std::string_view name) const;
+  // Whether some rule asks for that very word.
+  bool has_word(std::string_view stem) const;
 
  private:
   friend class RuleReader;

@@ -60,7 +60,8 @@ Result<void> RuleReader::read_items(std::vector<OptionalItem>& items) {
     optional += item.optional ? 1 : 0;
     items.push_back(std::move(item));
   }
-  if (static_cast<int>(items.size()) == optional) return fault("a rule has an item that must be there");
+  if (static_cast<int>(items.size()) == optional)
+    return fault("a rule has an item that must be there");
   if (optional > max_optional_items)
     return fault(fmt::format("at most {} items may be missing", max_optional_items));
   return {};

@@ -25,12 +25,13 @@ Input input_of(const std::string& text) {
   std::istringstream words(text);
   int at = 0;
   for (std::string word; words >> word; ++at) {
-    const int begin = static_cast<int>(text.find(word, static_cast<std::size_t>(
-                                                           at == 0 ? 0 : input.tokens.back().span[1])));
+    const int begin = static_cast<int>(
+        text.find(word, static_cast<std::size_t>(at == 0 ? 0 : input.tokens.back().span[1])));
     input.tokens.push_back({word, {begin, begin + static_cast<int>(word.size())}});
     if (word == "the") input.tokens.back().skip_cost = 0;
     LexicalEntry entry{at, at + 1, "thing", {}};
-    entry.meaning.slots = {{"value", word}, {"kind", std::string(word == "table" ? "fixture" : "zone")}};
+    entry.meaning.slots = {{"value", word},
+                           {"kind", std::string(word == "table" ? "fixture" : "zone")}};
     if (word[0] >= '0' && word[0] <= '9') {
       entry.category = "number";
       entry.meaning.slots = {{"value", std::stod(word)}};
@@ -103,7 +104,8 @@ void PrintTo(const BadRule& bad, std::ostream* out) {
 }
 class BadRules : public testing::TestWithParam<BadRule> {};
 TEST_P(BadRules, NameTheirLine) {
-  const auto parsed = Grammar::parse("# first\n" + std::string(GetParam().line) + "\n", "a.grammar");
+  const auto parsed =
+      Grammar::parse("# first\n" + std::string(GetParam().line) + "\n", "a.grammar");
   ASSERT_FALSE(parsed.ok());
   EXPECT_EQ(parsed.error().code, "grammar.bad_rule");
   EXPECT_EQ(parsed.error().where, "a.grammar:2");
