@@ -26,13 +26,13 @@ struct PlaceNoun {
 };
 
 // What a noun of the grammar says (slots type, name, zone, wall, factor, count).
-PlaceNoun noun_of(const language::Meaning& noun);
+PlaceNoun noun_of(const language::Meaning& said);
 
 // The noun is wanted, or not: zone_present, product_absent, fixture_count, endcaps; with a number,
 // how many.
 void add_mention(Reading& reading, const PlaceNoun& noun);
-void mention(Reading& reading, const language::Meaning& noun);
-void add_count(Reading& reading, const language::Meaning& noun);
+void mention(Reading& reading, const language::Meaning& said);
+void add_count(Reading& reading, const language::Meaning& said);
 
 // The relation asks for distance, so what it names need not exist.
 bool names_far(std::string_view relation, bool negated);

@@ -91,7 +91,7 @@ class SentenceReader {
       : tokens_(tokens),
         language_(language),
         segments_(segments_of(tokens, language.lexicon)),
-        reading_(reading) {
+        reading_(std::move(reading)) {
     reading_.segments = &segments_;
   }
 
@@ -215,7 +215,7 @@ Understanding understand(std::string_view prompt,
     Reading reading{prompt, catalog, found};
     reading.recent = &recent;
     reading.first_sentence = std::exchange(first, false);
-    if (SentenceReader(sentence, language, reading).run()) found.understood = true;
+    if (SentenceReader(sentence, language, std::move(reading)).run()) found.understood = true;
   }
   resolve_directions(found);
   settle_conflicts(found);
