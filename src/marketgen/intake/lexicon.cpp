@@ -49,9 +49,16 @@ std::string zone_selling(const catalog::Catalog& catalog, const catalog::Product
   return general;
 }
 
-std::string zone_using(const catalog::Catalog& catalog, const std::string& fixture) {
-  const auto row = std::ranges::find(catalog.zone_types, fixture, &catalog::ZoneTypeRow::fixture);
-  return row == catalog.zone_types.end() ? "" : row->type;
+// The zone type whose usual fixtures they are; of other cabinets the one that is called after what
+// they keep: "frozen" for upright freezers. Nothing for the rest.
+std::string zone_using(const catalog::Catalog& catalog, const catalog::FixtureKind& fixture) {
+  const auto row =
+      std::ranges::find(catalog.zone_types, fixture.kind, &catalog::ZoneTypeRow::fixture);
+  if (row != catalog.zone_types.end()) return row->type;
+  const std::string kept(name_of(fixture.temperature));
+  return fixture.temperature != catalog::Storage::ambient && catalog.zone_type(kept) != nullptr
+             ? kept
+             : "";
 }
 
 }  // namespace
@@ -170,7 +177,7 @@ Lexicon Lexicon::with_words_of(const catalog::Catalog& catalog) const {
   }
   for (const catalog::FixtureKind& fixture : catalog.fixture_kinds) {
     if (fixture.keywords.empty()) continue;  // a variant: plans name it by its id only
-    const std::string zone = zone_using(catalog, fixture.kind);
+    const std::string zone = zone_using(catalog, fixture);
     all.add_if_new(Sense::fixture, fixture.kind, zone, fixture.name);
     for (const std::string& word : fixture.keywords) {
       all.add_if_new(Sense::fixture, fixture.kind, zone, word);

@@ -198,6 +198,24 @@ bool pays_at_counter(const Understanding& found,
          (program.till_counter || (one_till && program.area_m2() < lanes_from_m2));
 }
 
+bool is_refused(const Understanding& found, const catalog::FixtureKind& kind) {
+  const plan::Requirement* wish = found.find(Kind::fixture_count, kind.kind);
+  return wish != nullptr && wish->comparison == plan::Comparison::at_most && wish->value == 0;
+}
+
+// In the place of one that was refused: the first that keeps the same goods. Null when there is
+// none.
+const catalog::FixtureKind* replacement_of(const Understanding& found,
+                                           const catalog::Catalog& catalog,
+                                           const catalog::FixtureKind& refused) {
+  const auto other =
+      std::ranges::find_if(catalog.fixture_kinds, [&](const catalog::FixtureKind& kind) {
+        return kind.temperature == refused.temperature && kind.role == refused.role &&
+               kind.generator != "endcap" && !kind.keywords.empty() && !is_refused(found, kind);
+      });
+  return other == catalog.fixture_kinds.end() ? nullptr : &*other;
+}
+
 // A named fixture kind replaces the zone's usual one when it can hold the same goods.
 const catalog::FixtureKind* kind_of(const Understanding& found,
                                     const catalog::Catalog& catalog,
@@ -214,6 +232,8 @@ const catalog::FixtureKind* kind_of(const Understanding& found,
       return kind;
     }
   }
+  const bool shelving = usual != nullptr && usual->role == catalog::FixtureRole::shelving;
+  if (shelving && is_refused(found, *usual)) return replacement_of(found, catalog, *usual);
   // Convenience stores keep drinks behind glass doors; other shops in open coolers.
   const bool convenience = program.profile->id.starts_with("convenience");
   if (type.type == "chilled" && convenience) return catalog.fixture_kind("glass_door_cooler");

@@ -290,6 +290,14 @@ TEST(Plans, FlagsBeatTheText) {
     EXPECT_TRUE(conflict.kept.starts_with("--"));
 }
 
+TEST(Plans, RefusedFixturesGiveWayToOthersThatKeepTheSame) {
+  const plan::Plan plan = plan_of("a 24 x 15 m supermarket with frozen food, no island freezers");
+  EXPECT_EQ(zone_of(plan, "frozen")->fixture.kind, "glass_door_freezer");
+  const plan::Plan asked = plan_of("a 24 x 15 m supermarket with chest freezers");
+  ASSERT_NE(zone_of(asked, "frozen"), nullptr);
+  EXPECT_EQ(zone_of(asked, "frozen")->fixture.kind, "chest_freezer");
+}
+
 TEST(Plans, WordsThatSayNothingStillGiveAStore) {
   const auto made = planned("lorem ipsum dolor");
   ASSERT_TRUE(made.ok()) << to_string(made.error());
