@@ -7,6 +7,6 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../prompts"
 export PYTHONDONTWRITEBYTECODE=1
 python3 check_en.py > /dev/null
 python3 check_zh.py > /dev/null
-python3 check_unread.py > /dev/null  # says nothing of what it reads: see SPEC.md
+python3 check_unread.py > /dev/null  # which nobody may read yet: it prints nothing
 python3 -m unittest -q test_judge 2>&1 | tail -1 | grep -q '^OK' || { python3 -m unittest test_judge; exit 1; }
 printf 'prompts_test: passed\n'
