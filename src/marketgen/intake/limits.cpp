@@ -23,7 +23,7 @@ FieldRules rules_of(std::string_view name) {
 
 struct Limits {
   double min = 0, max = 0;
-  std::string_view of, unit = "";
+  std::string_view of, unit = {};
 };
 
 // A plan holds 40 openings in all.
