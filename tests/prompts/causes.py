@@ -14,6 +14,7 @@ import json
 import pathlib
 import sys
 
+from prompt_files import is_sealed, read_prompts
 from judge_words import places_of, share_of_words_reported, span_in_characters
 
 SAME = {"zone": {"zone_present", "zone_count"}, "no_zone": {"zone_absent"}, "only_zones": {"zone_absent"}, "fixture": {"fixture_count"},
@@ -49,9 +50,9 @@ def cause_of(line, prompt, folder):
 
 def main():
     file, table, stores = map(pathlib.Path, sys.argv[1:4])
-    if file.name == "unread.jsonl" or table.name == "unread.jsonl":
+    if is_sealed(file) or is_sealed(table):
         sys.exit("sealed")
-    prompts = {r["id"]: r["prompt"] for r in map(json.loads, file.read_text(encoding="utf8").splitlines())}
+    prompts = {r["id"]: r["prompt"] for r in read_prompts(file)}
     counts, rows = collections.Counter(), []
     for line in map(json.loads, table.read_text(encoding="utf8").splitlines()):
         if line["group"] != "wish" or line["met"]:

@@ -40,7 +40,7 @@ def judge_number(what, measured, wish, asked, unit="", tolerance=0.0):
 
 
 def excepted(wish):
-    return set(wish.get("except") or []) | set(wish.get("except_zones") or [])
+    return set(wish.get("except") or [])
 
 
 def in_scope(wish, zone):

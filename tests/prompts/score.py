@@ -4,7 +4,7 @@
                      [--stores DIR [--reuse]]
 
 The result does not depend on the order of words in a wish's fields or of lines, and is the same each time
-(but for the times). Prompts of a file named unread.jsonl are sealed: only totals are printed of it."""
+(but for the times). Prompts of unread.jsonl.gz are sealed: only totals are printed of it."""
 import argparse
 import json
 import pathlib
@@ -14,9 +14,9 @@ import subprocess
 import tempfile
 
 from judge import judge, judge_cannot, judge_conflict
+from prompt_files import SEALED, is_sealed, read_prompts
 from store_facts import read_store
 
-SEALED = "unread.jsonl"
 LIMIT_S = 600
 
 
@@ -30,7 +30,7 @@ def parse_arguments():
     parser.add_argument("--stores", type=pathlib.Path, help="keep the finished stores here")
     parser.add_argument("--reuse", action="store_true", help="judge stores that are in --stores already")
     arguments = parser.parse_args()
-    sealed = any(f.name == SEALED or f.resolve().name == SEALED for f in arguments.files)
+    sealed = any(is_sealed(f) for f in arguments.files)
     if sealed and arguments.show_misses:
         parser.error(f"{SEALED} is sealed: its misses are not shown")
     if sealed and arguments.stores:
@@ -158,7 +158,7 @@ def main():
     arguments = parse_arguments()
     every = []
     for path in arguments.files:
-        rows = [json.loads(line) for line in path.read_text(encoding="utf8").splitlines() if line.strip()]
+        rows = read_prompts(path)
         results = []
         for row in sorted(rows, key=lambda r: r["id"]):
             with tempfile.TemporaryDirectory(prefix="score-") as scratch:

@@ -120,7 +120,7 @@ class JudgeTest(unittest.TestCase):
     def test_levels(self):
         self.store["fixtures"][-2]["levels"] = 4  # a gondola of snacks
         self.both("levels", {"zone": "dry_goods", "count": 5, "comparison": "equal"}, {"zone": None, "count": 5, "comparison": "equal"})
-        self.both("levels", {"zone": None, "count": 5, "comparison": "equal", "except": ["snacks"]}, {"zone": None, "count": 5, "except_zones": ["dairy"]})
+        self.both("levels", {"zone": None, "count": 5, "comparison": "equal", "except": ["snacks"]}, {"zone": None, "count": 5, "except": ["dairy"]})
 
     def test_shelf_pitch(self):
         self.both("shelf_pitch", {"zone": None, "m": 0.302, "comparison": "equal"}, {"zone": "snacks", "m": 0.35, "comparison": "at_least"})
