@@ -88,13 +88,12 @@ bool relations_clash(const plan::Requirement& a, const plan::Requirement& b) {
 }
 
 // The floor of a size, and an area said of the shop.
-bool floor_clashes(const plan::Requirement& a, const plan::Requirement& b) {
-  if (b.kind == Kind::size) return floor_clashes(b, a);
-  if (a.value == 0 || a.second_value == 0 || !b.subject.empty()) return false;
+bool floor_clashes(const plan::Requirement& size, const plan::Requirement& area) {
+  if (size.value == 0 || size.second_value == 0 || !area.subject.empty()) return false;
   constexpr double tolerance = 0.05;
-  const double area = 1e-6 * a.value * a.second_value;
-  const std::array<double, 2> bounds = bounds_of(b);
-  return area < bounds[0] * (1 - tolerance) || area > bounds[1] * (1 + tolerance);
+  const double m2 = 1e-6 * size.value * size.second_value;
+  const std::array<double, 2> bounds = bounds_of(area);
+  return m2 < bounds[0] * (1 - tolerance) || m2 > bounds[1] * (1 + tolerance);
 }
 
 bool openings_clash(const plan::Requirement& a, const plan::Requirement& b) {
@@ -109,9 +108,8 @@ bool openings_clash(const plan::Requirement& a, const plan::Requirement& b) {
 
 bool clash(const plan::Requirement& a, const plan::Requirement& b) {
   if (a.kind == Kind::relation && b.kind == Kind::relation) return relations_clash(a, b);
-  const bool floors = (a.kind == Kind::size && b.kind == Kind::area) ||
-                      (a.kind == Kind::area && b.kind == Kind::size);
-  if (floors) return floor_clashes(a, b);
+  if (a.kind == Kind::size && b.kind == Kind::area) return floor_clashes(a, b);
+  if (a.kind == Kind::area && b.kind == Kind::size) return floor_clashes(b, a);
   if (opposite(a.kind, b.kind)) return a.subject == b.subject;
   const bool place_of_absent = a.kind == Kind::zone_absent && b.kind == Kind::relation;
   if (place_of_absent) return a.subject == b.subject && b.relation != plan::RelationKind::far;

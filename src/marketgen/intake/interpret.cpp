@@ -3,19 +3,16 @@
 #include <algorithm>
 #include <string_view>
 
+#include "intake/place_nouns.h"
+
 namespace marketgen::intake {
 namespace {
 
 using language::Meaning;
 
-bool interpret_all(Reading& reading, const language::Parts& parts) {
-  for (const language::MeaningPtr& part : parts)
-    interpret(reading, *part);
-  return true;
-}
-
 bool interpret_list(Reading& reading, const Meaning& list) {
-  return interpret_all(reading, list.parts("also"));
+  interpret_also(reading, list);
+  return true;
 }
 
 bool interpret_nothing(Reading&, const Meaning&) {
@@ -89,6 +86,15 @@ bool interpret(Reading& reading, const Meaning& statement) {
   const auto kind =
       std::ranges::find(statement_kinds, statement.text("kind"), &StatementKind::name);
   return kind != std::end(statement_kinds) && kind->interpreter(reading, statement);
+}
+
+void interpret_also(Reading& reading, const Meaning& statement) {
+  for (const language::MeaningPtr& also : statement.parts("also")) {
+    if (also->has("type"))
+      mention(reading, *also);
+    else
+      interpret(reading, *also);
+  }
 }
 
 void add_number(Reading& reading,

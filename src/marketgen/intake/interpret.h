@@ -27,13 +27,17 @@ struct Reading {
     return std::string(prompt.substr(static_cast<std::size_t>(span[0]),
                                      static_cast<std::size_t>(span[1] - span[0])));
   }
-  plan::Requirement& add(plan::RequirementKind kind, IntRange span) const {
-    plan::Requirement& requirement = found.requirements.emplace_back();
+  // Of the clause's strength; what is asked is still to be filled in.
+  plan::Requirement wish(plan::RequirementKind kind, IntRange span) const {
+    plan::Requirement requirement;
     requirement.kind = kind;
     requirement.span = span;
     requirement.text = words(span);
     requirement.strength = strength;
     return requirement;
+  }
+  plan::Requirement& add(plan::RequirementKind kind, IntRange span) const {
+    return found.requirements.emplace_back(wish(kind, span));
   }
 };
 
@@ -52,6 +56,8 @@ void add_number(Reading& reading,
 // False when it makes no sense ("left of the back"): then its words count as not understood. Where
 // only a part makes none, the words of that part are in Reading::senseless.
 bool interpret(Reading& reading, const language::Meaning& statement);
+// What a statement says besides: nouns are mentioned, statements interpreted (slot also).
+void interpret_also(Reading& reading, const language::Meaning& statement);
 
 // What "20 m2" or "5 x 4 m" is said of: `zone`, or the shop (null, or a zone that is what was asked
 // for or one of many that it has). `after`: the zone stands after the number.

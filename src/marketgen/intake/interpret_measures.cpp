@@ -89,15 +89,6 @@ bool add_sides(Reading& reading, const Meaning& sides, IntRange span, const std:
   return true;
 }
 
-plan::Requirement blank(const Reading& reading, Kind kind, IntRange span) {
-  plan::Requirement wish;
-  wish.kind = kind;
-  wish.span = span;
-  wish.text = reading.words(span);
-  wish.strength = reading.strength;
-  return wish;
-}
-
 // "No aisle narrower than 1.5 m" turns its comparison round.
 Meaning measure_of(const Meaning& statement) {
   Meaning measure = *statement.parts("measure").front();
@@ -118,7 +109,7 @@ bool add_floor(Reading& reading, const Meaning& floor, const Meaning* zone, bool
   for (const language::MeaningPtr& sides : floor.parts("sides"))
     if (!add_sides(reading, *sides, floor.span, owner)) return false;
   for (const language::MeaningPtr& extent : floor.parts("extent")) {
-    plan::Requirement area = blank(reading, Kind::area, floor.span);
+    plan::Requirement area = reading.wish(Kind::area, floor.span);
     area.subject = owner;
     add_number(reading, area, *extent, false);
   }
@@ -133,8 +124,7 @@ bool interpret_floor(Reading& reading, const Meaning& statement) {
   if (!add_floor(reading, *statement.parts("floor").front(), zone, statement.has("after")))
     return false;
   mention_parts(reading, zones);
-  for (const language::MeaningPtr& also : statement.parts("also"))
-    also->has("type") ? mention(reading, *also) : static_cast<void>(interpret(reading, *also));
+  interpret_also(reading, statement);
   return true;
 }
 
@@ -145,14 +135,13 @@ bool interpret_side(Reading& reading, const Meaning& statement) {
     return false;
   plan::Requirement& size = reading.add(Kind::size, side.span);
   (side.is("side", "width") ? size.value : size.second_value) = value;
-  for (const language::MeaningPtr& also : statement.parts("also"))
-    interpret(reading, *also);
+  interpret_also(reading, statement);
   return true;
 }
 
 bool interpret_levels(Reading& reading, const Meaning& statement) {
   const Meaning& count = *statement.parts("count").front();
-  plan::Requirement levels = blank(reading, Kind::levels, count.span);
+  plan::Requirement levels = reading.wish(Kind::levels, count.span);
   levels.subject = statement.text("zone");
   add_number(reading, levels, count, true);
   mention_parts(reading, statement.parts("things"));
@@ -176,18 +165,18 @@ bool interpret_rows(Reading& reading, const Meaning& statement) {
 bool interpret_aisles(Reading& reading, const Meaning& statement) {
   const Meaning& count = *statement.parts("count").front();
   if (count.number("value") < 1) return false;
-  add_number(reading, blank(reading, Kind::aisle_count, statement.span), count, true);
+  add_number(reading, reading.wish(Kind::aisle_count, statement.span), count, true);
   return true;
 }
 
 bool interpret_aisle_width(Reading& reading, const Meaning& statement) {
   add_number(
-      reading, blank(reading, Kind::aisle_width, statement.span), measure_of(statement), false);
+      reading, reading.wish(Kind::aisle_width, statement.span), measure_of(statement), false);
   return true;
 }
 
 bool interpret_height(Reading& reading, const Meaning& statement) {
-  plan::Requirement height = blank(reading, Kind::height, statement.span);
+  plan::Requirement height = reading.wish(Kind::height, statement.span);
   height.subject = statement.text("of");
   add_number(reading, height, measure_of(statement), false);
   return true;

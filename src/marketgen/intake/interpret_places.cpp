@@ -59,30 +59,31 @@ std::vector<PlaceNoun> nouns_of(const Parts& parts) {
   return nouns;
 }
 
-// "The entrance at the left end of the south wall": one wish, of a wall and an end of it.
+// A wall and an end of it are one place. False when both say the same thing differently.
+bool join_doors(const Reading& reading, plan::Requirement& door, const plan::Requirement& other) {
+  const bool walls = !door.object.empty() && !other.object.empty() && door.object != other.object;
+  const bool ends = !door.second_object.empty() && !other.second_object.empty();
+  if (walls || ends) return false;
+  if (door.object.empty()) door.object = other.object;
+  if (door.second_object.empty()) door.second_object = other.second_object;
+  door.span = joined(door.span, other.span);
+  door.text = reading.words(door.span);
+  return true;
+}
+
+// "The entrance at the left end of the south wall": one wish. False when no place is one of a door.
 bool add_door(Reading& reading, const PlaceNoun& door, const Parts& places) {
+  std::vector<plan::Requirement>& wishes = reading.found.requirements;
   std::optional<std::size_t> first;
   for (const MeaningPtr& place : places) {
     for (const MeaningPtr& spot : place->parts("objects")) {
-      const std::size_t made = reading.found.requirements.size();
-      if (!add_relation(reading, {place->text("relation"), false, door, {noun_of(*spot)}}) ||
-          reading.found.requirements.size() == made)
-        continue;
-      plan::Requirement& wish = reading.found.requirements.back();
-      if (wish.kind != plan::RequirementKind::opening || !first) {
-        if (wish.kind == plan::RequirementKind::opening) first = made;
-        continue;
-      }
-      plan::Requirement& whole = reading.found.requirements[*first];
-      const bool fits =
-          (whole.object.empty() || wish.object.empty() || whole.object == wish.object) &&
-          (whole.second_object.empty() || wish.second_object.empty());
-      if (!fits) continue;
-      if (whole.object.empty()) whole.object = wish.object;
-      if (whole.second_object.empty()) whole.second_object = wish.second_object;
-      whole.span = joined(whole.span, wish.span);
-      whole.text = reading.words(whole.span);
-      reading.found.requirements.pop_back();
+      const std::size_t made = wishes.size();
+      add_relation(reading, {place->text("relation"), false, door, {noun_of(*spot)}});
+      if (wishes.size() == made || wishes[made].kind != plan::RequirementKind::opening) continue;
+      if (!first)
+        first = made;
+      else if (join_doors(reading, wishes[*first], wishes[made]))
+        wishes.pop_back();
     }
   }
   return first.has_value();
@@ -156,8 +157,10 @@ bool interpret_only(Reading& reading, const Meaning& statement) {
 
 // "Wine in wine racks": the fixtures are those of the goods' zone. What is no fixture stands near.
 bool interpret_held(Reading& reading, const Meaning& statement) {
-  statement.has("only") ? interpret_only(reading, statement)
-                        : interpret_mention(reading, statement);
+  if (statement.has("only"))
+    interpret_only(reading, statement);
+  else
+    interpret_mention(reading, statement);
   const Meaning& goods = *statement.parts("things").front();
   for (const MeaningPtr& by : statement.parts("by")) {
     if (!by->is("type", "fixture")) {

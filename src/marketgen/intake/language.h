@@ -1,6 +1,7 @@
 // A language that prompts are written in: its words and how they go together.
 #pragma once
 #include <filesystem>
+#include <memory>
 
 #include "base/result.h"
 #include "intake/lexicon.h"
@@ -10,8 +11,8 @@ namespace marketgen::intake {
 
 struct Language {
   Lexicon lexicon;
-  language::Grammar grammar;
-  language::Category statement = 0;  // of the grammar: what is asked for
+  std::shared_ptr<const language::Grammar> grammar;  // never null
+  language::Category statement = 0;                  // of the grammar: what is asked for
 
   // From the folder of data. Errors: of Lexicon::load and Grammar::load.
   static Result<Language> load(const std::filesystem::path& data);

@@ -102,8 +102,8 @@ class InputMaker {
 
   // Spaces part thousands in many languages. No shop is that large, so "200 300" is two numbers.
   bool is_thousands(std::size_t at) const {
-    constexpr double largest_thousands = 99;
-    return at + 1 < tokens_.size() && tokens_[at].number <= largest_thousands &&
+    constexpr double max_thousands = 99;
+    return at + 1 < tokens_.size() && tokens_[at].number <= max_thousands &&
            tokens_[at + 1].kind == TokenKind::number && tokens_[at + 1].text.size() == 3 &&
            tokens_[at + 1].text.find('.') == std::string::npos &&
            tokens_[at + 1].span[0] == tokens_[at].span[1] + 1;

@@ -21,6 +21,16 @@ std::vector<std::string> stems_of(std::string_view words) {
   return stems;
 }
 
+bool stands_at(const std::vector<std::string>& stems,
+               const std::vector<Token>& tokens,
+               std::size_t at) {
+  return at + stems.size() <= tokens.size() &&
+         std::equal(stems.begin(),
+                    stems.end(),
+                    tokens.begin() + static_cast<std::ptrdiff_t>(at),
+                    [](const std::string& stem, const Token& token) { return stem == token.stem; });
+}
+
 // One bit per letter: words that are one slip apart differ in at most two bits.
 std::uint32_t letters_of(std::string_view word) {
   std::uint32_t letters = 0;
@@ -138,23 +148,20 @@ std::vector<Lexicon::Match> Lexicon::matches(const std::vector<Token>& tokens,
   std::vector<Match> found;
   const auto list = phrases_.find(tokens[at].stem);
   if (list == phrases_.end()) return found;
-  for (const Phrase& phrase : list->second) {
-    if (at + phrase.stems.size() > tokens.size()) continue;
-    const bool same =
-        std::equal(phrase.stems.begin(),
-                   phrase.stems.end(),
-                   tokens.begin() + static_cast<std::ptrdiff_t>(at),
-                   [](const std::string& stem, const Token& token) { return stem == token.stem; });
-    if (same) found.push_back({&rows_[phrase.row], phrase.stems.size()});
-  }
+  for (const Phrase& phrase : list->second)
+    if (stands_at(phrase.stems, tokens, at))
+      found.push_back({&rows_[phrase.row], phrase.stems.size()});
   return found;
 }
 
 std::optional<Lexicon::Match> Lexicon::longest_match(const std::vector<Token>& tokens,
                                                      std::size_t at) const {
-  const std::vector<Match> all = matches(tokens, at);
-  if (all.empty()) return std::nullopt;
-  return all.front();
+  const auto list = phrases_.find(tokens[at].stem);
+  if (list == phrases_.end()) return std::nullopt;
+  const auto longest = std::ranges::find_if(
+      list->second, [&](const Phrase& phrase) { return stands_at(phrase.stems, tokens, at); });
+  if (longest == list->second.end()) return std::nullopt;
+  return Match{&rows_[longest->row], longest->stems.size()};
 }
 
 std::optional<std::string> Lexicon::corrected(std::string_view word) const {

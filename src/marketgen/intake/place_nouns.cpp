@@ -146,13 +146,11 @@ void add_count(Reading& reading, const language::Meaning& said) {
   const language::Meaning& number = *said.parts("count").front();
   const std::string& name = said.text("name");
   const bool tills = name == "checkout" || name == "self_checkout";
-  plan::Requirement count;
-  count.kind = said.is("type", "opening")          ? plan::RequirementKind::opening
-               : said.is("type", "zone") && !tills ? plan::RequirementKind::zone_count
-                                                   : plan::RequirementKind::fixture_count;
-  count.span = said.span;
-  count.text = reading.words(said.span);
-  count.strength = reading.strength;
+  plan::Requirement count =
+      reading.wish(said.is("type", "opening")          ? plan::RequirementKind::opening
+                   : said.is("type", "zone") && !tills ? plan::RequirementKind::zone_count
+                                                       : plan::RequirementKind::fixture_count,
+                   said.span);
   count.subject = name == "checkout" ? "checkout_lane" : name;
   if (count.kind == plan::RequirementKind::fixture_count) count.object = said.text("zone");
   add_number(reading, count, number, true);

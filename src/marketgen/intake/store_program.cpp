@@ -125,6 +125,11 @@ bool names_zone_in_relation(const plan::Requirement& wish) {
          wish.relation != plan::RelationKind::not_adjacent;
 }
 
+// Of a number.
+bool asks_for_none(const plan::Requirement& wish) {
+  return wish.comparison == plan::Comparison::at_most && wish.value <= 0;
+}
+
 NamedZones named_zones(const Understanding& found, const catalog::Catalog& catalog) {
   NamedZones named;
   const auto add_if_zone = [&](const std::string& name) {
@@ -135,8 +140,7 @@ NamedZones named_zones(const Understanding& found, const catalog::Catalog& catal
     if (wish.kind == Kind::zone_count) named.add(wish.subject, static_cast<int>(wish.value));
     if (wish.kind == Kind::area || wish.kind == Kind::levels) add_if_zone(wish.subject);
     if (wish.kind == Kind::product_present) named.add(wish.object);
-    const bool wants_some = wish.comparison != plan::Comparison::at_most || wish.value > 0;
-    if (wish.kind == Kind::fixture_count && wants_some) add_if_zone(wish.object);
+    if (wish.kind == Kind::fixture_count && !asks_for_none(wish)) add_if_zone(wish.object);
     if (!names_zone_in_relation(wish)) continue;
     for (const std::string* name : {&wish.subject, &wish.object, &wish.second_object}) {
       add_if_zone(*name);
@@ -200,7 +204,7 @@ bool pays_at_counter(const Understanding& found,
 
 bool is_refused(const Understanding& found, const catalog::FixtureKind& kind) {
   const plan::Requirement* wish = found.find(Kind::fixture_count, kind.kind);
-  return wish != nullptr && wish->comparison == plan::Comparison::at_most && wish->value == 0;
+  return wish != nullptr && asks_for_none(*wish);
 }
 
 // In the place of one that was refused: the first that keeps the same goods. Null when there is
@@ -225,8 +229,8 @@ const catalog::FixtureKind* kind_of(const Understanding& found,
   const catalog::FixtureKind* usual =
       type.fixture.empty() ? nullptr : catalog.fixture_kind(type.fixture);
   for (const plan::Requirement& wish : found.requirements) {
-    const bool named = wish.kind == Kind::fixture_count && wish.object == type.type &&
-                       !(wish.comparison == plan::Comparison::at_most && wish.value == 0);
+    const bool named =
+        wish.kind == Kind::fixture_count && wish.object == type.type && !asks_for_none(wish);
     const catalog::FixtureKind* kind = named ? catalog.fixture_kind(wish.subject) : nullptr;
     if (kind != nullptr && (usual == nullptr || kind->temperature == usual->temperature)) {
       return kind;

@@ -46,9 +46,8 @@ bool is_picture(const Token& token) {
 // A sentence that never ends is cut at a comma, or in the end anywhere: reading takes more than
 // twice the time for twice the words.
 bool is_cut(const Tokens& sentence, const Token& next) {
-  constexpr std::size_t long_sentence = 80, longest_sentence = 200;  // tokens
-  return (sentence.size() >= long_sentence && next.text == ",") ||
-         sentence.size() >= longest_sentence;
+  constexpr std::size_t long_sentence = 80, max_sentence = 200;  // tokens
+  return (sentence.size() >= long_sentence && next.text == ",") || sentence.size() >= max_sentence;
 }
 
 // Slips of the pen mended, one word at a time; cut into sentences.
@@ -59,7 +58,7 @@ std::vector<Tokens> sentences_of(const Tokens& tokens, const Language& language)
     if ((ends || is_cut(sentences.back(), token)) && !sentences.back().empty())
       sentences.emplace_back();
     if (ends) continue;
-    const bool mend = token.kind == TokenKind::word && !language.grammar.has_word(token.stem);
+    const bool mend = token.kind == TokenKind::word && !language.grammar->has_word(token.stem);
     if (const auto better = mend ? language.lexicon.corrected(token.stem) : std::nullopt)
       token.stem = *better;
     sentences.back().push_back(std::move(token));
@@ -98,7 +97,7 @@ class SentenceReader {
   // Whether a word said something.
   bool run() {
     const language::Input input = lexical_input(tokens_, segments_, language_.lexicon);
-    const language::Chart chart(language_.grammar, input);
+    const language::Chart chart(*language_.grammar, input);
     const std::vector<plan::Strength> strengths = strengths_of(segments_);
     std::vector<bool> used(tokens_.size(), false);
     bool understood = false;
@@ -190,16 +189,6 @@ const plan::Requirement* Understanding::find(plan::RequirementKind kind,
     return wish.kind == kind && wish.subject == subject;
   });
   return found == requirements.end() ? nullptr : &*found;
-}
-
-Result<Language> Language::load(const std::filesystem::path& data) {
-  MARKETGEN_TRY(Lexicon lexicon, Lexicon::load(data / "lexicon"));
-  MARKETGEN_TRY(language::Grammar grammar,
-                language::Grammar::load(data / "grammar" / "english.grammar"));
-  const auto statement = grammar.category("statement");
-  if (!statement)
-    return Error{"grammar.bad_rule", (data / "grammar").string(), "no rule makes a statement"};
-  return Language{std::move(lexicon), std::move(grammar), *statement};
 }
 
 Understanding understand(std::string_view prompt,

@@ -101,11 +101,8 @@ bool Grammar::has_word(std::string_view stem) const {
 
 Category Grammar::category_named(std::string_view name) {
   const auto [at, is_new] =
-      categories_.try_emplace(std::string(name), static_cast<Category>(names_.size()));
-  if (is_new) {
-    names_.emplace_back(name);
-    beginning_with_.emplace_back();
-  }
+      categories_.try_emplace(std::string(name), static_cast<Category>(beginning_with_.size()));
+  if (is_new) beginning_with_.emplace_back();
   return at->second;
 }
 

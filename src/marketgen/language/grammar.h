@@ -27,7 +27,7 @@
 
 namespace marketgen::language {
 
-using Category = int;  // index of a name of Grammar
+using Category = int;  // a name of Grammar's, as an index
 
 struct Constraint {
   enum class Test { equal, unequal, present, absent };
@@ -79,9 +79,6 @@ class Grammar {
   const std::vector<Rule>& rules() const { return rules_; }
   // Rules whose first item is of the category, by index.
   const std::vector<int>& beginning_with(Category category) const;
-  const std::string& name_of(Category category) const {
-    return names_[static_cast<std::size_t>(category)];
-  }
   // Nothing for names that no rule has.
   std::optional<Category> category(std::string_view name) const;
   // Whether some rule asks for that very word.
@@ -94,7 +91,6 @@ class Grammar {
 
   std::vector<Rule> rules_;
   std::vector<std::vector<int>> beginning_with_;  // by category
-  std::vector<std::string> names_;
   std::map<std::string, Category, std::less<>> categories_;
 };
 
