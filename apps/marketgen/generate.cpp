@@ -18,6 +18,7 @@ struct GenerateFlags {
   std::vector<std::string> words;
   std::string prompt_file, plan_file, size, profile, style, skin, planner = "offline", folder;
   std::vector<std::string> catalogs;
+  planners::PlannerAccess planner_access;
   int count = 1;
   bool strict = false, no_previews = false;
 };
@@ -99,6 +100,17 @@ void print_rules(const store::StoreReport& report) {
     say("  {:<9} {} {}: {}\n", name_of(v.severity), v.code, v.where, v.message);
 }
 
+void print_planner(const std::optional<intake::PlannerRecord>& record) {
+  if (!record) return;
+  say("planner     {}: the {}'s plan, {}\n", record->planner, record->kept, record->why);
+  say("cost        {} questions, {} tokens read, {} written, {:.1f} s{}\n",
+      record->requests,
+      record->tokens_in,
+      record->tokens_out,
+      record->seconds,
+      record->usd ? fmt::format(", {:.4f} US dollars", *record->usd) : "");
+}
+
 void print_summary(const GenerateOutput& output) {
   const scene::SceneCounts& counts = output.manifest.counts;
   const auto number = [](std::uint64_t n) { return with_thousands(static_cast<std::int64_t>(n)); };
@@ -116,6 +128,7 @@ void print_summary(const GenerateOutput& output) {
       100 * m.COL,
       m.OOB,
       m.NAV);
+  print_planner(output.report.planner);
   print_requirements(output.report);
   print_rules(output.report);
   for (const scene::Unstocked& own : output.report.unstocked)
@@ -151,6 +164,7 @@ Result<void> generate_one(const GenerateFlags& flags,
   options.folder = folder_of(flags, variant);
   options.brief = brief;
   if (!flags.plan_file.empty()) options.plan_file = flags.plan_file;
+  options.planner = flags.planner_access;
   options.seed = flags.common.seed + static_cast<std::uint64_t>(variant);
   options.previews = !flags.no_previews;
   options.strict = flags.strict;
@@ -182,6 +196,26 @@ Result<void> generate(const GenerateFlags& flags) {
   return {};
 }
 
+void add_planner(CLI::App& command, GenerateFlags& flags) {
+  command
+      .add_option("--planner",
+                  flags.planner,
+                  "who plans: offline, or a language model: openai:MODEL, anthropic:MODEL, "
+                  "gemini:MODEL, qwen:MODEL, http:MODEL with --planner-url, replay:FOLDER")
+      ->capture_default_str();
+  planners::PlannerAccess& access = flags.planner_access;
+  command.add_option("--planner-url", access.url, "base URL of another server of that kind");
+  add_output(command, "--record", access.record, "folder to keep the exchange with the model in");
+  command.add_option("--max-tokens", access.limits.max_tokens, "of the model, read and written")
+      ->capture_default_str();
+  command.add_option("--max-seconds", access.limits.max_seconds, "of waiting for the model")
+      ->capture_default_str();
+  command.add_option("--max-usd", access.limits.max_usd, "needs --usd-per-million");
+  command.add_option("--usd-per-million",
+                     access.limits.usd_per_million,
+                     "price of a million tokens read, and written: 0.15 0.6");
+}
+
 }  // namespace
 
 Run add_generate(CLI::App& app) {
@@ -202,7 +236,7 @@ Run add_generate(CLI::App& app) {
       "--skin", flags->skin, "a style's materials, colours and light; the layout stays as it is");
   command->add_option(
       "--catalog", flags->catalogs, "products of your own: CSV, JSON or asset.json (repeatable)");
-  command->add_option("--planner", flags->planner, "who plans: offline")->capture_default_str();
+  add_planner(*command, *flags);
   command->add_option("--count", flags->count, "make this many variants, DIR/variant-1 ...")
       ->check(whole_number(1, 10000));
   command->add_flag("--strict", flags->strict, "fail when a hard rule is broken");

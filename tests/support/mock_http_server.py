@@ -1,6 +1,8 @@
 """A server that plays a script: `mock_http_server.py SCRIPT LOG PORT_FILE`.
 
-SCRIPT is a JSON list of steps, one a request; the last one is repeated. A step:
+SCRIPT is a JSON list of steps, one a request; the last one is repeated. Requests that come in any order are answered by steps with
+`for`: the first of them whose text stands in the request's body is the answer, as often as it fits; the others stay in their order. A step:
+    for       a text in the body of the requests that it answers
     status    of the answer (200)
     headers   of the answer, by name
     body      of the answer: a text, or JSON that is sent as such
@@ -33,9 +35,15 @@ GUARD = threading.Lock()
 SERVED = [0]
 
 
-def next_step():
+ORDERED = [step for step in STEPS if "for" not in step]
+
+
+def next_step(body):
+    for step in STEPS:
+        if "for" in step and step["for"] in body:
+            return step
     with GUARD:
-        step = STEPS[min(SERVED[0], len(STEPS) - 1)]
+        step = ORDERED[min(SERVED[0], len(ORDERED) - 1)]
         SERVED[0] += 1
     return step
 
@@ -80,7 +88,7 @@ class Handler(BaseHTTPRequestHandler):
 
     def answer(self):
         body = self.rfile.read(int(self.headers.get("Content-Length", 0)))
-        step = next_step()
+        step = next_step(body.decode("utf-8", "replace"))
         with GUARD, LOG.open("a", encoding="utf-8") as log:
             row = {"method": self.command, "path": self.path, "headers": dict(self.headers.items()),
                    "body": body.decode("utf-8", "replace"), "time": time.monotonic()}

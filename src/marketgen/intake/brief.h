@@ -1,6 +1,6 @@
 // Intake: what a person wants, in words (and later drawings and photos), made into a plan.
 //
-// A planner is a plug-in: the offline one here, language models later. All see the same Brief and
+// A planner is a plug-in: the offline one here, language models in `planners`. All see the same Brief and
 // answer with the same Planned.
 #pragma once
 #include <map>
@@ -59,6 +59,30 @@ struct Conflict {
                  field("why", &Conflict::why, "reason"));
 };
 
+// How a language model planned, for the report.
+struct PlannerRecord {
+  std::string planner, kept, why;
+  int requests = 0;
+  std::int64_t tokens_in = 0, tokens_out = 0;
+  double seconds = 0;
+  std::optional<double> usd;
+
+  static constexpr auto fields =
+      field_list(field("planner", &PlannerRecord::planner, "which language model"),
+                 field("kept", &PlannerRecord::kept, "whose plan the store has"),
+                 field("why", &PlannerRecord::why, "why"),
+                 field("requests", &PlannerRecord::requests, "questions to the model"),
+                 field("tokens_in", &PlannerRecord::tokens_in, "tokens that it read"),
+                 field("tokens_out", &PlannerRecord::tokens_out, "tokens that it wrote"),
+                 field("seconds", &PlannerRecord::seconds, "wall time of its work"),
+                 field("usd", &PlannerRecord::usd, "US dollars; absent without prices"));
+};
+
+// A file that a planner leaves in the store's folder.
+struct PlannerFile {
+  std::string path, bytes;  // "agents/trace.json"
+};
+
 struct Planned {
   plan::Plan plan;
   std::vector<plan::Requirement> requirements;
@@ -66,6 +90,8 @@ struct Planned {
   std::vector<Conflict> conflicts;
   bool understood = true;          // false: not one word of the prompt said anything
   std::vector<std::string> trace;  // what the planner decided, for a person
+  std::optional<PlannerRecord> record;  // of a language model
+  std::vector<PlannerFile> files;
 };
 
 // What a planner no longer insists on, because the store that it planned broke a hard rule.
@@ -91,8 +117,9 @@ class Planner {
                                const Concessions& concessions) const = 0;
 };
 
-// "offline" now; language models later. Error usage.unavailable or usage.bad_flag for others.
-Result<std::unique_ptr<Planner>> make_planner(std::string_view name);
+// The one that needs no network. Planners on language models: planners/make_planner.h.
+// Errors: of Language::load.
+Result<std::unique_ptr<Planner>> offline_planner();
 
 // Checks the brief (empty, too long, not UTF-8, bad size, unknown profile or style), runs the
 // planner and validates its plan.

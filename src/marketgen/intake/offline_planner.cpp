@@ -10,6 +10,7 @@
 #include "intake/relation_geometry.h"
 #include "intake/store_program.h"
 #include "intake/understanding.h"
+#include "io/file.h"
 #include "plan/bsp.h"
 
 namespace marketgen::intake {
@@ -189,6 +190,17 @@ void trace_relations(const Planned& planned,
 }
 
 }  // namespace
+
+Result<OfflinePlanner> OfflinePlanner::load() {
+  MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
+  MARKETGEN_TRY(Language language, Language::load(data));
+  return OfflinePlanner(std::move(language));
+}
+
+Result<std::unique_ptr<Planner>> offline_planner() {
+  MARKETGEN_TRY(OfflinePlanner planner, OfflinePlanner::load());
+  return std::unique_ptr<Planner>(std::make_unique<OfflinePlanner>(std::move(planner)));
+}
 
 Result<Planned> OfflinePlanner::plan(const Brief& brief,
                                      const catalog::Catalog& catalog,

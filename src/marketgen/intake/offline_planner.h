@@ -10,6 +10,9 @@ class OfflinePlanner : public Planner {
  public:
   explicit OfflinePlanner(Language language) : language_(std::move(language)) {}
 
+  // With the language of the program's data. Errors: of Language::load.
+  static Result<OfflinePlanner> load();
+
   // Error: brief.bad_size when the words ask for a store that cannot be built.
   Result<Planned> plan(const Brief& brief,
                        const catalog::Catalog& catalog,

@@ -13,6 +13,7 @@
 #include "layout/layout_picture.h"
 #include "plan/plan_place.h"
 #include "plan/style_look.h"
+#include "planners/make_planner.h"
 #include "scene/query.h"
 #include "scene/scene_file.h"
 #include "store/design.h"
@@ -134,6 +135,19 @@ Result<void> write_stages(const fs::path& folder,
   return {};
 }
 
+// What the planner leaves beside the stages.
+Result<void> write_planner_files(const fs::path& folder,
+                                 const std::vector<intake::PlannerFile>& files) {
+  for (const intake::PlannerFile& file : files) {
+    const fs::path place = folder / file.path;
+    std::error_code failed;
+    fs::create_directories(place.parent_path(), failed);
+    if (failed) return Error{"io.cannot_write", place.string(), failed.message()};
+    MARKETGEN_CHECK(io::write_file(place, file.bytes));
+  }
+  return {};
+}
+
 Result<void> write_documents(const fs::path& folder, const Created& created) {
   MARKETGEN_TRY(const std::string manifest, text_of(created.manifest, "store.json"));
   MARKETGEN_TRY(const std::string report, text_of(created.report, "report.json"));
@@ -201,7 +215,8 @@ Result<Designed> design(const CreateOptions& options,
   const Seed layout_seed = Seed(options.seed).child(layout_stream);
   std::unique_ptr<intake::Planner> planner;  // for words only
   if (!options.plan_file) {
-    MARKETGEN_TRY(planner, intake::make_planner(options.brief.planner));
+    MARKETGEN_TRY(planner,
+                  planners::make_planner(options.brief.planner, options.planner, layout_seed));
   }
   const PlanAgain plan = [&](const intake::Concessions& concessions) {
     return plan_of(options, catalog, planner.get(), concessions);
@@ -218,8 +233,14 @@ Result<Designed> design(const CreateOptions& options,
                              : layout_of(designed.repaired, catalog, layout_seed);
   }));
   if (options.plan_file || keeps_hard_rules(designed.layout.violations)) return designed;
-  return stages.run("concede",
-                    [&] { return concede(std::move(designed), plan, catalog, layout_seed); });
+  std::optional<intake::PlannerRecord> record = std::move(designed.planned.record);
+  std::vector<intake::PlannerFile> files = std::move(designed.planned.files);
+  MARKETGEN_TRY(Designed conceded, stages.run("concede", [&] {
+    return concede(std::move(designed), plan, catalog, layout_seed);
+  }));
+  conceded.planned.record = std::move(record);
+  conceded.planned.files = std::move(files);
+  return conceded;
 }
 
 // Why a wish was not met is what was measured, and what stood in its way.
@@ -274,6 +295,7 @@ StoreReport report_of(Built& built) {
   report.conflicts = std::move(built.planned.conflicts);
   report.repairs = std::move(built.repaired.changes);
   report.unstocked = std::move(built.unstocked);
+  report.planner = std::move(built.planned.record);
   return report;
 }
 
@@ -328,6 +350,7 @@ Result<Created> create_store(const CreateOptions& options,
   MARKETGEN_CHECK(stages.run("save", [&] {
     return write_stages(draft.folder(), built.repaired.plan, built.scene, catalog);
   }));
+  MARKETGEN_CHECK(write_planner_files(draft.folder(), built.planned.files));
   MARKETGEN_CHECK(catalog::save_meshes(built.scene.catalog, draft.folder()));
   if (options.previews) {
     MARKETGEN_CHECK(stages.run("previews", [&] {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/interrupt.h"
+#include "planners/make_planner.h"
 
 namespace marketgen::store {
 namespace {
@@ -177,13 +178,13 @@ Result<Designed> concede(Designed first,
 Result<Designed> design_store(const intake::Brief& brief,
                               const catalog::Catalog& catalog,
                               Seed seed) {
+  const Seed layout_seed = seed.child("layout");
   MARKETGEN_TRY(const std::unique_ptr<intake::Planner> planner,
-                intake::make_planner(brief.planner));
+                planners::make_planner(brief.planner, {}, layout_seed));
   const PlanAgain plan = [&](const intake::Concessions& concessions) {
     return intake::plan_from_brief(brief, catalog, *planner, seed.child("plan"), concessions);
   };
   MARKETGEN_TRY(intake::Planned planned, plan({}));
-  const Seed layout_seed = seed.child("layout");
   MARKETGEN_TRY(Designed first, lay_out(std::move(planned), catalog, layout_seed));
   return concede(std::move(first), plan, catalog, layout_seed);
 }

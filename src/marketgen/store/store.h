@@ -14,6 +14,7 @@
 #include "intake/brief.h"
 #include "layout/layout.h"
 #include "plan/plan.h"
+#include "planners/make_planner.h"
 #include "scene/own_goods.h"
 #include "scene/scene.h"
 
@@ -91,6 +92,7 @@ struct StoreReport {
   std::vector<scene::Unstocked> unstocked;  // products of the user's own that stand nowhere
   std::vector<StageTiming> timing_s;
   double peak_rss_mb = 0;
+  std::optional<intake::PlannerRecord> planner;
 
   static constexpr auto fields = field_list(
       field("schema", &StoreReport::schema, "schema tag", constant("market-report/1")),
@@ -105,13 +107,15 @@ struct StoreReport {
       field("repairs", &StoreReport::repairs, "what repair changed"),
       field("unstocked", &StoreReport::unstocked, "products of the user's own that stand nowhere"),
       field("timing_s", &StoreReport::timing_s, "wall time by stage"),
-      field("peak_rss_mb", &StoreReport::peak_rss_mb, "most memory in use"));
+      field("peak_rss_mb", &StoreReport::peak_rss_mb, "most memory in use"),
+      field("planner", &StoreReport::planner, "how a language model planned; absent: none did"));
 };
 
 struct CreateOptions {
   std::filesystem::path folder;  // must not exist, or be empty
   intake::Brief brief;
   std::optional<std::filesystem::path> plan_file;  // skips the planner
+  planners::PlannerAccess planner;  // of the language model that brief.planner names
   std::uint64_t seed = 1;
   bool previews = true;
   bool strict = false;  // hard violations fail: layout.violation; so does a prompt of which nothing

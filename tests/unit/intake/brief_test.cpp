@@ -5,7 +5,7 @@ namespace marketgen {
 namespace {
 
 Error refusal(const intake::Brief& brief) {
-  const auto planner = intake::make_planner("offline");
+  const auto planner = intake::offline_planner();
   if (!planner.ok()) fatal(to_string(planner.error()).c_str());
   const auto planned = intake::plan_from_brief(brief, committed_catalog(), **planner, Seed(1));
   return planned.ok() ? Error{"", "", "it was planned"} : planned.error();
@@ -58,16 +58,6 @@ TEST(Brief, PicturesAreNotReadYet) {
   intake::Brief brief = brief_of("a shop");
   brief.image_files = {"sketch.png"};
   EXPECT_EQ(refusal(brief).code, "usage.unavailable");
-}
-
-TEST(Planners, OnlyTheOfflineOneIsHere) {
-  EXPECT_TRUE(intake::make_planner("offline").ok());
-  for (const char* later :
-       {"openai:gpt-9", "anthropic:x", "gemini:y", "qwen:z", "http:h,m", "replay:f"}) {
-    EXPECT_EQ(intake::make_planner(later).error().code, "usage.unavailable") << later;
-  }
-  EXPECT_EQ(intake::make_planner("oflline").error().code, "usage.bad_flag");
-  EXPECT_NE(intake::make_planner("oflline").error().message.find("\"offline\""), std::string::npos);
 }
 
 TEST(ParseSize, ReadsWhatFlagsSay) {

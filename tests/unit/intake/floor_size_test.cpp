@@ -102,7 +102,7 @@ class FloorSizes : public testing::TestWithParam<FloorCase> {};
 
 TEST_P(FloorSizes, AreThoseThatWereSaid) {
   const FloorCase& expected = GetParam();
-  const auto planner = intake::make_planner("offline");
+  const auto planner = intake::offline_planner();
   ASSERT_TRUE(planner.ok());
   intake::Brief brief;
   brief.prompt = expected.prompt;
@@ -128,7 +128,7 @@ TEST_P(FloorSizes, AreThoseThatWereSaid) {
 INSTANTIATE_TEST_SUITE_P(Table, FloorSizes, testing::ValuesIn(floor_cases));
 
 TEST(FloorSizes, OneSideThatWasSaidIsKept) {
-  const auto planner = intake::make_planner("offline");
+  const auto planner = intake::offline_planner();
   intake::Brief brief;
   brief.prompt = "a 10 m wide supermarket with dairy";
   const auto made = intake::plan_from_brief(brief, committed_catalog(), **planner, Seed(1));

@@ -14,7 +14,7 @@ namespace {
 
 Result<intake::Planned> planned(const std::string& prompt, std::uint64_t seed = 1) {
   static const std::unique_ptr<intake::Planner> planner = [] {
-    auto made = intake::make_planner("offline");
+    auto made = intake::offline_planner();
     if (!made.ok()) fatal(to_string(made.error()).c_str());
     return std::move(made).value();
   }();
@@ -279,7 +279,7 @@ TEST(Plans, FlagsBeatTheText) {
   brief.size_mm = {{20000, 12000}};
   brief.profile = "discounter-eu";
   brief.style = "premium";
-  const auto planner = intake::make_planner("offline");
+  const auto planner = intake::offline_planner();
   const auto made = intake::plan_from_brief(brief, committed_catalog(), **planner, Seed(1));
   ASSERT_TRUE(made.ok());
   EXPECT_EQ(made->plan.shell.width_mm, 20000);

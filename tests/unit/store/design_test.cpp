@@ -156,7 +156,7 @@ std::string random_prompt(std::uint64_t seed) {
 }
 
 TEST(Designs, OfAnyWordsAreReadable) {
-  const auto planner = intake::make_planner("offline");
+  const auto planner = intake::offline_planner();
   ASSERT_TRUE(planner.ok());
   const std::uint64_t prompts = number_of_cases("MARKETGEN_PROPERTY_PROMPTS", 150);
   for (std::uint64_t seed = 0; seed < prompts; ++seed) {
@@ -254,7 +254,7 @@ std::int64_t work_of(const intake::Planned& planned) {
 TEST(Designs, OfSaladsTakeBoundedWorkAndSayWhatWasGivenUp) {
   // 150,000 for the first plan, half as much for each that follows.
   constexpr std::int64_t max_search_work = 450'000, one_layout = 4'000;
-  const auto planner = intake::make_planner("offline");
+  const auto planner = intake::offline_planner();
   ASSERT_TRUE(planner.ok());
   std::uint64_t seed = 0;
   for (const char* shop : {"a 4 x 4 m kiosk",
