@@ -219,6 +219,7 @@ void place_checkouts(Build& build) {
   for (GroundBuild& ground : build.grounds) {
     const catalog::FixtureKind* main = build.zones[ground.zone].kinds.main;
     if (main == nullptr || main->role == catalog::FixtureRole::shelving) continue;
+    if (build.zones[ground.zone].stands) continue;
     if (main->generator == "checkout_lane") {
       place_lanes(build, ground);
     } else if (main->generator == "self_checkout") {

@@ -113,6 +113,8 @@ void place_gate(Build& build, const Doorway& door) {
 void place_entrance(Build& build) {
   const Doorway* door = entrance_of(build.design.floor, build.design.plan.shell);
   if (door == nullptr) return;
+  const ZoneBuild* owner = nearest_zone(build, door->threshold);
+  if (owner != nullptr && owner->stands) return;
   const bool low = build.seed.child("entrance").stream().chance(0.5);
   place_kind(build, *door, "trolley_bay", low);
   place_kind(build, *door, "basket_stack", !low);

@@ -110,7 +110,7 @@ bool is_full(Build& build, GroundBuild& ground) {
 
 void fill_floor(Build& build) {
   for (GroundBuild& ground : build.grounds)
-    ground.finished = is_full(build, ground);
+    ground.finished = build.zones[ground.zone].stands || is_full(build, ground);
   for (GroundBuild& ground : build.grounds) {
     if (ground.finished) continue;
     const plan::Zone& zone = *build.zones[ground.zone].zone;
@@ -122,7 +122,7 @@ void fill_floor(Build& build) {
 void fill_empty_zones(Build& build) {
   for (GroundBuild& ground : build.grounds) {
     ZoneBuild& zone = build.zones[ground.zone];
-    if (!is_shelving(zone) || zone.main_modules + zone.other_modules > 0) continue;
+    if (!is_shelving(zone) || zone.stands || zone.main_modules + zone.other_modules > 0) continue;
     fill_ground(make_task(build, ground, build.design.min_aisle_mm()));
   }
 }

@@ -1,8 +1,12 @@
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "layout/aisles.h"
 #include "layout/faces.h"
+#include "layout/finish.h"
 #include "layout/floor.h"
+#include "layout/kept_layout.h"
 #include "layout/layout.h"
 #include "layout/module_spec.h"
 #include "layout/overrides.h"
@@ -25,14 +29,80 @@ Build start_build(const Design& design, Seed seed) {
   return build;
 }
 
-std::vector<Fixture> furnish(const Design& design, Seed seed) {
-  Build build = start_build(design, seed);
+void furnish_zones(Build& build) {
   place_checkouts(build);
   place_entrance(build);
   line_walls(build);
   fill_floor(build);
   fill_empty_zones(build);
+}
+
+std::vector<Fixture> furnish(const Design& design, Seed seed) {
+  Build build = start_build(design, seed);
+  furnish_zones(build);
   return opened_up(design, build.site.take_fixtures());
+}
+
+// What a fixture that stays keeps free, as when it was placed.
+int kept_clear_mm(const Design& design, const plan::Zone& zone, const catalog::FixtureKind& kind) {
+  if (kind.generator == "checkout_lane") return 0;  // lanes keep their line clear: keep_line_clear
+  if (kind.role != catalog::FixtureRole::shelving) return design.min_aisle_mm();
+  return module_spec(design, zone, kind).clear_mm(design);
+}
+
+// Room to queue and to pack before and behind lanes that stay, and between them.
+void keep_line_clear(Site& site, const Design& design, const std::vector<Fixture>& lanes) {
+  const Doorway* exit = exit_of(design.floor, design.plan.shell);
+  const Side out = exit != nullptr ? exit->wall : Side::south;
+  RectMm line = footprint_of(lanes.front());
+  for (const Fixture& lane : lanes) {
+    const RectMm rect = footprint_of(lane);
+    line = {std::min(line.x0, rect.x0),
+            std::min(line.y0, rect.y0),
+            std::max(line.x1, rect.x1),
+            std::max(line.y1, rect.y1)};
+  }
+  const int clear = design.profile.checkout_clear_mm;
+  site.keep_clear(line);
+  site.keep_clear(strip_beyond(line, out, clear));
+  site.keep_clear(strip_beyond(line, opposite(out), clear));
+}
+
+// Puts the fixtures of zones that are not furnished anew where they stood.
+void keep_fixtures(Build& build, const Layout& before) {
+  std::map<std::string, std::vector<Fixture>> lanes;  // by run
+  for (const ZoneBuild& zone : build.zones) {
+    if (!zone.stands) continue;
+    for (const Fixture& stood : before.fixtures) {
+      if (stood.zone != zone.zone->id) continue;
+      const catalog::FixtureKind* kind = build.design.catalog.fixture_kind(stood.kind);
+      Fixture fixture = stood;
+      change_finish(fixture, before.look, build.design.plan.look, build.design.catalog);
+      const bool at_entrance = stood.run.starts_with(stood.zone + "/entrance/");
+      if (at_entrance)
+        build.site.keep_clear(footprint_of(stood).grown(build.design.min_aisle_mm()));
+      if (kind != nullptr && kind->generator == "checkout_lane") lanes[stood.run].push_back(stood);
+      const int clear = kind == nullptr ? 0 : kept_clear_mm(build.design, *zone.zone, *kind);
+      build.site.keep(std::move(fixture), clear);
+    }
+  }
+  for (const auto& [run, line] : lanes)
+    keep_line_clear(build.site, build.design, line);
+}
+
+std::vector<Fixture> furnish_round(const Design& design,
+                                   Seed seed,
+                                   const Layout& before,
+                                   const std::set<std::string>& furnish) {
+  Build build = start_build(design, seed);
+  std::set<std::string> standing;
+  for (ZoneBuild& zone : build.zones) {
+    zone.stands = !furnish.contains(zone.zone->id);
+    if (zone.stands) standing.insert(zone.zone->id);
+  }
+  keep_fixtures(build, before);
+  furnish_zones(build);
+  return opened_up(design, build.site.take_fixtures(), standing);
 }
 
 std::vector<LayoutZone> make_zones(const Design& design) {
@@ -48,32 +118,52 @@ std::vector<LayoutZone> make_zones(const Design& design) {
   return zones;
 }
 
-}  // namespace
-
-Result<Layout> make_layout(const plan::Plan& plan, const catalog::Catalog& catalog, Seed seed) {
-  MARKETGEN_CHECK(check_floor(plan.shell));
-  const Design design = make_design(plan, catalog);
-  MARKETGEN_CHECK(check_modules(design));
+// Everything of the layout but its fixtures, and what depends on all of them.
+Result<Layout> with_fixtures(const Design& design, std::vector<Fixture> fixtures) {
+  const plan::Plan& plan = design.plan;
   Layout layout;
   layout.name = plan.name;
   layout.profile = plan.profile;
   layout.shell = plan.shell;
   layout.shell.outline_mm = design.floor.outline;
   layout.look = plan.look;
-  layout.fixtures = furnish(design, seed.child("layout"));
+  layout.fixtures = std::move(fixtures);
   if (layout.fixtures.empty()) {
     return Error{"layout.impossible",
                  "/zones",
                  "not one fixture fits into the zones; make the shop larger or the gaps between "
                  "zones narrower"};
   }
-  MARKETGEN_CHECK(apply_overrides(layout.fixtures, plan, catalog));
+  MARKETGEN_CHECK(apply_overrides(layout.fixtures, plan, design.catalog));
   mark_run_ends(layout.fixtures);
   std::ranges::sort(layout.fixtures, {}, &Fixture::id);
   layout.zones = make_zones(design);
   layout.aisles = find_aisles(design, layout.fixtures);
-  layout.violations = check_layout(layout, plan, catalog);
+  layout.violations = check_layout(layout, plan, design.catalog);
   return layout;
+}
+
+constexpr std::string_view fixtures_stream = "layout";
+
+}  // namespace
+
+Result<Layout> make_layout(const plan::Plan& plan, const catalog::Catalog& catalog, Seed seed) {
+  MARKETGEN_CHECK(check_floor(plan.shell));
+  const Design design = make_design(plan, catalog);
+  MARKETGEN_CHECK(check_modules(design));
+  return with_fixtures(design, furnish(design, seed.child(fixtures_stream)));
+}
+
+Result<Layout> make_layout_keeping(const plan::Plan& plan,
+                                   const catalog::Catalog& catalog,
+                                   Seed seed,
+                                   const Layout& before,
+                                   const std::set<std::string>& furnish) {
+  MARKETGEN_CHECK(check_floor(plan.shell));
+  const Design design = make_design(plan, catalog);
+  MARKETGEN_CHECK(check_modules(design));
+  return with_fixtures(design,
+                       furnish_round(design, seed.child(fixtures_stream), before, furnish));
 }
 
 }  // namespace marketgen::layout

@@ -95,21 +95,35 @@ bool near_way(const RectMm& rect,
   });
 }
 
+// What ways may lead through: columns and the fixtures that stay are in the way.
+navigation::OccupancyGrid bare_floor(const Design& design,
+                                     const std::vector<Fixture>& fixtures,
+                                     const std::set<std::string>& standing,
+                                     int width_mm) {
+  std::vector<RectMm> obstacles = design.floor.columns;
+  for (const Fixture& fixture : fixtures) {
+    if (standing.contains(fixture.zone)) obstacles.push_back(footprint_of(fixture));
+  }
+  return navigation::make_occupancy(design.floor.outline, obstacles, width_mm / 2, cell_mm);
+}
+
 // Removes fixtures until everything that is free for this width hangs together.
-void join_parts(const Design& design, std::vector<Fixture>& fixtures, int width_mm) {
+void join_parts(const Design& design,
+                std::vector<Fixture>& fixtures,
+                const std::set<std::string>& standing,
+                int width_mm) {
   std::optional<navigation::OccupancyGrid> bare;  // made when something is shut off
   std::set<int> given_up;
   for (int round = 0; round < max_rounds; ++round) {
     const Reach reach = reach_of(design.floor, design.plan.shell, fixtures, width_mm);
     const int label = shut_off_label(reach, given_up);
     if (label == 0 || reach.from_entrance == 0) return;
-    if (!bare)
-      bare = navigation::make_occupancy(
-          design.floor.outline, design.floor.columns, width_mm / 2, cell_mm);
+    if (!bare) bare = bare_floor(design, fixtures, standing, width_mm);
     const std::vector<std::size_t> way = way_out(reach, *bare, label);
     const std::size_t before = fixtures.size();
     std::erase_if(fixtures, [&](const Fixture& fixture) {
-      return near_way(footprint_of(fixture), way, *bare, width_mm / 2);
+      return !standing.contains(fixture.zone) &&
+             near_way(footprint_of(fixture), way, *bare, width_mm / 2);
     });
     if (fixtures.size() == before) {
       given_up.insert(label);
@@ -119,10 +133,14 @@ void join_parts(const Design& design, std::vector<Fixture>& fixtures, int width_
   }
 }
 
-void drop_unreachable(const Design& design, std::vector<Fixture>& fixtures, int width_mm) {
+void drop_unreachable(const Design& design,
+                      std::vector<Fixture>& fixtures,
+                      const std::set<std::string>& standing,
+                      int width_mm) {
   const Reach reach = reach_of(design.floor, design.plan.shell, fixtures, width_mm);
   if (reach.from_entrance == 0) return;
   std::erase_if(fixtures, [&](const Fixture& fixture) {
+    if (standing.contains(fixture.zone)) return false;
     for (int side = 0; side < fixture.sides; ++side) {
       if (!reach.reaches(standing_place(fixture, side, width_mm))) return true;
     }
@@ -172,11 +190,13 @@ RectMm standing_place(const Fixture& fixture, int side, int width_mm) {
       footprint_of(fixture), side == 0 ? front : opposite(front), width_mm / 2 + 2 * cell_mm);
 }
 
-std::vector<Fixture> opened_up(const Design& design, std::vector<Fixture> fixtures) {
+std::vector<Fixture> opened_up(const Design& design,
+                               std::vector<Fixture> fixtures,
+                               const std::set<std::string>& standing) {
   const int wheelchair = design.profile.wheelchair_mm;
   for (const int width : {wheelchair, robot_width_mm})
-    join_parts(design, fixtures, width);
-  drop_unreachable(design, fixtures, wheelchair);
+    join_parts(design, fixtures, standing, width);
+  drop_unreachable(design, fixtures, standing, wheelchair);
   return fixtures;
 }
 

@@ -1,5 +1,7 @@
 // Where people and wheelchairs get to, and the local repair that opens what is shut off.
 #pragma once
+#include <set>
+#include <string>
 #include <vector>
 
 #include "layout/design.h"
@@ -34,7 +36,10 @@ Reach reach_of(const Floor& floor,
 // Where a shopper stands before the fixture's front; `side` 1 is the back of a double-sided one.
 RectMm standing_place(const Fixture& fixture, int side, int width_mm);
 
-// Takes away the fewest modules that shut off floor or stand where nobody can get to.
-std::vector<Fixture> opened_up(const Design& design, std::vector<Fixture> fixtures);
+// Takes away the fewest modules that shut off floor or stand where nobody can get to. Those of
+// `standing` zones, by id, are not taken away.
+std::vector<Fixture> opened_up(const Design& design,
+                               std::vector<Fixture> fixtures,
+                               const std::set<std::string>& standing = {});
 
 }  // namespace marketgen::layout

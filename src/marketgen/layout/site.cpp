@@ -135,6 +135,13 @@ void Site::add(Fixture fixture, int clear_mm) {
   fixtures_.push_back(std::move(fixture));
 }
 
+void Site::keep(Fixture fixture, int clear_mm) {
+  if (fixture.sides == 2 && clear_mm > 0)
+    keep_clear(
+        strip_beyond(footprint_of(fixture), opposite(facing_of(fixture.yaw_deg)), clear_mm));
+  add(std::move(fixture), clear_mm);
+}
+
 int Site::free_beyond(const RectMm& rect, Side side, int reach_mm) const {
   const RectMm ahead = strip_beyond(rect, side, reach_mm);
   int nearest = distance_beyond(rect, side, strip_beyond(design_.floor.bounds, side, 1));

@@ -51,6 +51,8 @@ class Site {
   std::vector<PlacedRun> place(const Row& row, Packing align);
   // Places one fixture where it is; the caller has checked. Free floor is kept before its front.
   void add(Fixture fixture, int clear_mm);
+  // The same for one that stood here before: where it is stocked from both sides, before both.
+  void keep(Fixture fixture, int clear_mm);
   void keep_clear(const RectMm& rect) { kept_clear_.push_back(rect); }
 
   // Distance from the rectangle's side to the nearest fixture, column or wall beyond it, at most

@@ -37,7 +37,7 @@ std::vector<WallJob> wall_jobs(const Build& build) {
   std::vector<WallJob> jobs;
   for (std::size_t i = 0; i < build.grounds.size(); ++i) {
     const ZoneBuild& zone = build.zones[build.grounds[i].zone];
-    if (zone.kinds.wall == nullptr) continue;
+    if (zone.kinds.wall == nullptr || zone.stands) continue;
     const bool cold = zone.kinds.wall->temperature != catalog::Storage::ambient;
     for (const Side side : all_sides) {
       for (const Span& wall : build.grounds[i].ground.walls[index_of(side)]) {

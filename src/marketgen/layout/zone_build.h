@@ -18,6 +18,7 @@ struct ZoneBuild {
   int next_run = 1;
   int main_modules = 0;
   int other_modules = 0;
+  bool stands = false;  // as it is: its fixtures were there before (layout/kept_layout.h)
 
   std::string take_run_id() { return zone->id + "/run-" + std::to_string(next_run++); }
   // How many more modules of the kind the plan wants; only its main kind is counted.

@@ -2,31 +2,17 @@
 
 #include <algorithm>
 
-#include "layout/module_spec.h"
+#include "layout/finish.h"
 #include "plan/style_look.h"
 
 namespace marketgen::scene {
 namespace {
 
-void change_finish(layout::Fixture& fixture,
-                   const plan::Look& from,
-                   const plan::Look& to,
-                   const catalog::Catalog& catalog) {
-  const catalog::FixtureKind* kind = catalog.fixture_kind(fixture.kind);
-  if (kind == nullptr || !layout::takes_look(*kind) || fixture.material != from.fixture) return;
-  const catalog::MaterialRow* before = catalog.material(from.fixture);
-  const catalog::MaterialRow* after = catalog.material(to.fixture);
-  fixture.material = to.fixture;
-  // A colour that somebody wished for stays.
-  if (before != nullptr && after != nullptr && fixture.color == before->color)
-    fixture.color = after->color;
-}
-
 layout::Layout in_look(layout::Layout layout,
                        const plan::Look& look,
                        const catalog::Catalog& catalog) {
   for (layout::Fixture& fixture : layout.fixtures)
-    change_finish(fixture, layout.look, look, catalog);
+    layout::change_finish(fixture, layout.look, look, catalog);
   layout.look = look;
   return layout;
 }
