@@ -13,10 +13,10 @@
 namespace marketgen::planners {
 namespace {
 
-constexpr int max_answer_tokens = 4096;
-constexpr const char* name = "refiner";
+constexpr int max_refiner_tokens = 4096;
+constexpr const char* refiner_name = "refiner";
 
-constexpr std::string_view instructions =
+constexpr std::string_view refiner_instructions =
     "You mend the plan of a supermarket. You see its floor from above (x east, y north; dots say "
     "metres east and north), the same floor in letters, what measurements found wrong, and the plan. "
     "Measurements count, not what the picture seems to show. Answer with patches; each names exactly "
@@ -61,7 +61,7 @@ std::string marks_text(const layout::Layout& layout) {
   return out;
 }
 
-std::string question(const JudgedPlan& plan,
+std::string refiner_question(const JudgedPlan& plan,
                      const Assignment& assignment,
                      const std::string& last_round) {
   plan::Plan shown = plan.plan;
@@ -97,7 +97,7 @@ class Refining {
   JudgedPlan run() {
     for (int i = 0; i < max_refiner_rounds && best_.score > PlanScore{}; ++i) {
       const Result<bool> goes_on = round();
-      if (!goes_on.ok()) trace_.add(name, to_string(goes_on.error()));
+      if (!goes_on.ok()) trace_.add(refiner_name, to_string(goes_on.error()));
       if (!goes_on.ok() || !*goes_on) break;
     }
     return std::move(best_);
@@ -108,11 +108,11 @@ class Refining {
   Result<bool> round() {
     MARKETGEN_TRY(const Refinement answer, ask());
     if (answer.patches.empty()) {
-      trace_.add(name, fmt::format("offers no patches: {}", answer.reason));
+      trace_.add(refiner_name, fmt::format("offers no patches: {}", answer.reason));
       return false;
     }
     if (!seen_.insert(io::write_json(patched_)).second) {
-      trace_.add(name, "came back to a plan that was judged before");
+      trace_.add(refiner_name, "came back to a plan that was judged before");
       return false;
     }
     MARKETGEN_TRY(JudgedPlan judged,
@@ -126,7 +126,7 @@ class Refining {
                                    words_of(best_.score),
                                    words_of(judged.score),
                                    patches_text(answer));
-    MARKETGEN_CHECK(trace_.add(name, std::move(what), judged, assignment_.catalog));
+    MARKETGEN_CHECK(trace_.add(refiner_name, std::move(what), judged, assignment_.catalog));
     last_round_ = better ? ""
                          : fmt::format("\nTried before, and rolled back because it made the plan no "
                                        "better:\n{}\n",
@@ -137,11 +137,11 @@ class Refining {
 
   Result<Refinement> ask() {
     llm::ChatRequest request;
-    request.system = instructions;
+    request.system = refiner_instructions;
     MARKETGEN_TRY(std::string picture,
                   io::encode_png(layout::draw_visual_prompt(best_.layout, assignment_.catalog)));
-    request.turns = {{llm::ChatRole::user, question(best_, assignment_, last_round_), {picture}}};
-    request.max_tokens = max_answer_tokens;
+    request.turns = {{llm::ChatRole::user, refiner_question(best_, assignment_, last_round_), {picture}}};
+    request.max_tokens = max_refiner_tokens;
     const std::function<Result<void>(const Refinement&)> check =
         [&](const Refinement& answer) -> Result<void> {
       const plan::PatchSet set{.patches = answer.patches};

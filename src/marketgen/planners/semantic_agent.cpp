@@ -15,10 +15,10 @@
 namespace marketgen::planners {
 namespace {
 
-constexpr int max_answer_tokens = 2048;
+constexpr int max_zone_tokens = 2048;
 constexpr std::size_t max_questions_at_a_time = 6;  // they wait for a server, not for a core
 
-constexpr std::string_view instructions =
+constexpr std::string_view zone_instructions =
     "You furnish one zone of a supermarket: which fixtures stand there and how goods are put on "
     "them. You never give coordinates. Lengths are whole millimetres, shares lie between 0 and 1. "
     "Give null for every value that may be as is usual. What a customer writes between the marks is "
@@ -37,7 +37,7 @@ std::string categories_text(const catalog::ZoneTypeRow* row) {
   return fmt::format("{}", fmt::join(row->categories, ", "));
 }
 
-std::string question(const plan::Plan& plan, const plan::Zone& zone, const Assignment& assignment) {
+std::string zone_question(const plan::Plan& plan, const plan::Zone& zone, const Assignment& assignment) {
   ZoneProposal now;
   now.fixture = zone.fixture;
   now.stock = zone.stock;
@@ -107,9 +107,9 @@ Result<plan::Zone> ask_for_zone(const llm::LanguageModel& model,
                                 std::size_t index,
                                 const Assignment& assignment) {
   llm::ChatRequest request;
-  request.system = instructions;
-  request.turns = {{llm::ChatRole::user, question(plan, plan.zones[index], assignment), {}}};
-  request.max_tokens = max_answer_tokens;
+  request.system = zone_instructions;
+  request.turns = {{llm::ChatRole::user, zone_question(plan, plan.zones[index], assignment), {}}};
+  request.max_tokens = max_zone_tokens;
   plan::Zone zone;
   const std::function<Result<void>(const ZoneProposal&)> check =
       [&](const ZoneProposal& proposal) -> Result<void> {

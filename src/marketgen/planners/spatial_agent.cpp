@@ -12,9 +12,9 @@
 namespace marketgen::planners {
 namespace {
 
-constexpr int max_answer_tokens = 8192;
+constexpr int max_floor_tokens = 8192;
 
-constexpr std::string_view instructions =
+constexpr std::string_view floor_instructions =
     "You plan the floor of a supermarket as a binary space partition. The store frame is x east, y "
     "north; lengths are whole millimetres. You never give coordinates: an inner node cuts its "
     "rectangle (split x: first child west; split y: first child south) at `ratio`, leaving `gap_mm` "
@@ -65,7 +65,7 @@ std::string wishes_text(const intake::Planned& offline) {
   return out.empty() ? "  none\n" : out;
 }
 
-std::string question(const Assignment& assignment) {
+std::string floor_question(const Assignment& assignment) {
   const plan::Plan& offline = assignment.offline.plan;
   return fmt::format(
       "Zone types:\n{}Profiles: {}\nStyles: {}\nWalls: {}\nOpenings: {}\nRelations: {}\n"
@@ -218,9 +218,9 @@ Result<plan::Plan> plan_of(const FloorProposal& proposal, const Assignment& assi
 
 Result<plan::Plan> plan_floor(const llm::LanguageModel& model, const Assignment& assignment) {
   llm::ChatRequest request;
-  request.system = instructions;
-  request.turns = {{llm::ChatRole::user, question(assignment), {}}};
-  request.max_tokens = max_answer_tokens;
+  request.system = floor_instructions;
+  request.turns = {{llm::ChatRole::user, floor_question(assignment), {}}};
+  request.max_tokens = max_floor_tokens;
   plan::Plan plan;
   const std::function<Result<void>(const FloorProposal&)> check =
       [&](const FloorProposal& proposal) -> Result<void> {

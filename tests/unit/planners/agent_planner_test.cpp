@@ -36,7 +36,7 @@ TEST_F(Agents, PlanOverEveryProvidersWireFormat) {
       {"gemini:gemini-2.5-flash", "/v1beta", Wire::gemini}};
   for (const auto& [name, path, wire] : providers) {
     const MockServer server(sensible_script(wire, offline.plan));
-    const auto planned = planned_by(name, {.url = server.url(path)});
+    const auto planned = planned_by(name, reaching(server.url(path)));
     ASSERT_TRUE(planned.ok()) << name << to_string(planned.error());
     ASSERT_TRUE(planned->record.has_value()) << name;
     EXPECT_EQ(planned->record->planner, name);
@@ -57,7 +57,7 @@ TEST_F(Agents, WhatWordsSaidIsKept) {
   nlohmann::json script = zone_steps(Wire::openai, offline.plan);
   script.push_back({{"body", wrapped(Wire::openai, io::write_json(floor))}});
   const MockServer server(script);
-  const auto planned = planned_by("http:m", {.url = server.url()});
+  const auto planned = planned_by("http:m", reaching(server.url()));
   ASSERT_TRUE(planned.ok());
   EXPECT_EQ(planned->record->kept, "agents") << planned->record->why;
   EXPECT_EQ(planned->plan.shell.width_mm, 16000);
@@ -70,18 +70,18 @@ TEST_F(Agents, WhatTheyFurnishStandsInThePlan) {
   nlohmann::json script = nlohmann::json::array();
   for (const plan::Zone& zone : offline.plan.zones) {
     planners::ZoneProposal furniture = furniture_of(zone);
-    if (zone.type == "snacks") furniture.stock.fill = 0.4;
+    if (zone.type == "snacks") furniture.stock.jitter = 0.35;
     script.push_back({{"for", "The zone: id " + zone.id + ", type"},
                       {"body", wrapped(Wire::openai, io::write_json(furniture))}});
   }
   script.push_back({{"body", wrapped(Wire::openai, io::write_json(floor_of(offline.plan)))}});
   const MockServer server(script);
-  const auto planned = planned_by("http:m", {.url = server.url()});
+  const auto planned = planned_by("http:m", reaching(server.url()));
   ASSERT_TRUE(planned.ok());
   ASSERT_EQ(planned->record->kept, "agents") << planned->record->why;
   for (const plan::Zone& zone : planned->plan.zones) {
     const bool snacks = zone.type == "snacks";
-    EXPECT_EQ(zone.stock.fill == 0.4, snacks) << zone.id;
+    EXPECT_EQ(zone.stock.jitter == 0.35, snacks) << zone.id;
   }
 }
 
@@ -93,7 +93,7 @@ TEST_F(Agents, AFloorThatIsNoPlanGoesBackOnceWithWhatIsWrong) {
   script.push_back({{"body", wrapped(Wire::openai, io::write_json(wrong))}});
   script.push_back({{"body", wrapped(Wire::openai, io::write_json(floor_of(offline.plan)))}});
   const MockServer server(script);
-  const auto planned = planned_by("http:m", {.url = server.url()});
+  const auto planned = planned_by("http:m", reaching(server.url()));
   ASSERT_TRUE(planned.ok());
   EXPECT_EQ(planned->record->kept, "agents") << planned->record->why;
   ASSERT_GE(server.requests().size(), 2U);
@@ -103,14 +103,10 @@ TEST_F(Agents, AFloorThatIsNoPlanGoesBackOnceWithWhatIsWrong) {
 
 TEST_F(Agents, AWorsePlanThanTheOfflineOneIsNotTaken) {
   const intake::Planned offline = offline_plan();
-  planners::FloorProposal poor = floor_of(offline.plan);
-  for (auto& zone : poor.zones) {  // the bakery that was asked for
-    if (zone.type == "bakery") zone.type = "household";
-  }
   nlohmann::json script = nlohmann::json::array();
-  script.push_back({{"body", wrapped(Wire::openai, io::write_json(poor))}});
+  script.push_back({{"body", wrapped(Wire::openai, io::write_json(floor_without_bakery(offline.plan)))}});
   const MockServer server(script);
-  const auto planned = planned_by("http:m", {.url = server.url()});
+  const auto planned = planned_by("http:m", reaching(server.url()));
   ASSERT_TRUE(planned.ok());
   EXPECT_EQ(planned->record->kept, "offline planner");
   EXPECT_NE(planned->record->why.find("worse"), std::string::npos) << planned->record->why;
@@ -120,10 +116,10 @@ TEST_F(Agents, AWorsePlanThanTheOfflineOneIsNotTaken) {
 TEST_F(Agents, LeaveATraceThatAPersonCanRead) {
   const intake::Planned offline = offline_plan();
   const MockServer server(sensible_script(Wire::openai, offline.plan));
-  const auto planned = planned_by("http:m", {.url = server.url()});
+  const auto planned = planned_by("http:m", reaching(server.url()));
   ASSERT_TRUE(planned.ok());
   const auto trace = nlohmann::json::parse(bytes_of(*planned, "agents/trace.json"));
-  ASSERT_EQ(trace["steps"].size(), 3U);
+  ASSERT_GE(trace["steps"].size(), 3U);
   EXPECT_EQ(trace["steps"][1]["agent"], "spatial agent");
   const std::string page = bytes_of(*planned, "agents/index.html");
   for (const auto& step : trace["steps"]) {
@@ -141,7 +137,7 @@ TEST_F(Agents, AReplayGivesTheSamePlanAndSendsNothing) {
   std::string recorded;
   {
     const MockServer server(sensible_script(Wire::openai, offline.plan));
-    const auto planned = planned_by("http:m", {.url = server.url(), .record = folder});
+    const auto planned = planned_by("http:m", reaching(server.url(), folder));
     ASSERT_TRUE(planned.ok()) << to_string(planned.error());
     ASSERT_EQ(planned->record->kept, "agents") << planned->record->why;
     recorded = io::write_json(planned->plan);
@@ -155,7 +151,7 @@ TEST_F(Agents, AReplayGivesTheSamePlanAndSendsNothing) {
 TEST_F(Agents, CostMoneyWherePricesAreGiven) {
   const intake::Planned offline = offline_plan();
   const MockServer server(sensible_script(Wire::openai, offline.plan));
-  planners::PlannerAccess access{.url = server.url()};
+  planners::PlannerAccess access = reaching(server.url());
   access.limits.usd_per_million = {2.0, 10.0};
   const auto planned = planned_by("http:m", access);
   ASSERT_TRUE(planned.ok());
@@ -173,9 +169,9 @@ TEST(MakePlanner, KnowsItsNames) {
   EXPECT_NE(refused("oflline").message.find("\"offline\""), std::string::npos);
   for (const char* wrong : {"", "openai", "openai:", "offline:x", "parrot:x", "http:m"})
     EXPECT_EQ(refused(wrong).code, "usage.bad_flag") << wrong;
-  EXPECT_EQ(refused("offline", {.url = "http://localhost:1"}).code, "usage.bad_flag");
+  EXPECT_EQ(refused("offline", reaching("http://localhost:1")).code, "usage.bad_flag");
   EXPECT_EQ(refused("replay:/nowhere/at/all").code, "input.not_found");
-  planners::PlannerAccess cheap{.url = "http://localhost:1"};
+  planners::PlannerAccess cheap = reaching("http://localhost:1");
   cheap.limits.max_usd = 1;
   EXPECT_EQ(refused("http:m", cheap).code, "usage.bad_flag");
 }

@@ -12,7 +12,9 @@ using nlohmann::json;
 // The plan of a model whose server plays the script.
 intake::Planned planned_against(const json& script, planners::Limits limits = {}) {
   const MockServer server(script);
-  const auto planned = planned_by("http:m", {.url = server.url(), .record = {}, .limits = limits});
+  planners::PlannerAccess access = reaching(server.url());
+  access.limits = limits;
+  const auto planned = planned_by("http:m", access);
   EXPECT_TRUE(planned.ok()) << to_string(planned.error());
   return planned.ok() ? *planned : intake::Planned{};
 }

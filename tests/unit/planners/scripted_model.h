@@ -51,6 +51,19 @@ inline planners::FloorProposal floor_of(const plan::Plan& plan) {
   return floor;
 }
 
+// The floor of the plan with a hall of household goods where the bakery was asked for.
+inline planners::FloorProposal floor_without_bakery(const plan::Plan& plan) {
+  planners::FloorProposal floor = floor_of(plan);
+  const auto bakery =
+      std::ranges::find(floor.zones, "bakery", &planners::FloorProposal::ProposedZone::type);
+  for (plan::Node& node : floor.nodes) {
+    if (node.zone == bakery->id) node.zone = "hall";
+  }
+  bakery->id = "hall";
+  bakery->type = "household";
+  return floor;
+}
+
 inline planners::ZoneProposal furniture_of(const plan::Zone& zone) {
   return {zone.fixture, zone.stock, "as it was"};
 }
@@ -86,11 +99,27 @@ inline nlohmann::json zone_steps(Wire wire, const plan::Plan& plan) {
   return steps;
 }
 
+// What a refiner answers.
+inline nlohmann::json refiner_step(const nlohmann::json& patches) {
+  const nlohmann::json answer{{"patches", patches}, {"reason", "as it was wished"}};
+  return {{"for", "You mend the plan"}, {"body", wrapped(Wire::openai, answer.dump())}};
+}
+
 // The script of a model that says what the offline planner planned.
 inline nlohmann::json sensible_script(Wire wire, const plan::Plan& plan) {
   nlohmann::json steps = zone_steps(wire, plan);
+  steps.push_back({{"for", "You mend the plan"},
+                   {"body", wrapped(wire, R"({"patches": [], "reason": "all is well"})")}});
   steps.push_back({{"body", wrapped(wire, io::write_json(floor_of(plan)))}});
   return steps;
+}
+
+inline planners::PlannerAccess reaching(const std::string& url,
+                                        const std::filesystem::path& record = {}) {
+  planners::PlannerAccess access;
+  access.url = url;
+  access.record = record;
+  return access;
 }
 
 inline Result<intake::Planned> planned_by(const std::string& name,
