@@ -78,6 +78,9 @@ constexpr StatementKind statement_kinds[] = {
     {"aisles", interpret_aisles},   {"aisle_width", interpret_aisle_width},
     {"height", interpret_height},   {"surface", interpret_surface},
     {"light", interpret_light},     {"stock", interpret_stock},
+    {"swap", interpret_swap},       {"resize", interpret_resize},
+    {"more", interpret_more},       {"fewer", interpret_fewer},
+    {"zone_value", interpret_zone_value},
 };
 
 }  // namespace

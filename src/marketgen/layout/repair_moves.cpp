@@ -287,6 +287,17 @@ std::vector<RepairCandidate> propose_drop_zone(const RepairTask& task) {
 
 }  // namespace
 
+std::string_view words_of(RepairMove move) {
+  switch (move) {
+#define REPAIR_MOVE(name, what) \
+  case RepairMove::name:        \
+    return what;
+#include "layout/repair_moves.inc"
+#undef REPAIR_MOVE
+  }
+  return {};
+}
+
 std::vector<RepairCandidate> propose(RepairMove move, const RepairTask& task) {
   switch (move) {
 #define REPAIR_MOVE(name, what) \
