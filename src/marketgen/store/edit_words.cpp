@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "io/installation.h"
+#include "io/file.h"
 #include "store/edit.h"
 
 namespace marketgen::store {
